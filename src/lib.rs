@@ -1,0 +1,5 @@
+#![no_std]
+#![deny(missing_docs, unsafe_code)]
+//! Kalker's strip theory of rolling contact.
+
+pub mod real;

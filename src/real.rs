@@ -1,0 +1,197 @@
+//! The numbers that the theory is written in.
+//!
+//! Every formula of this crate is generic over [`Real`]: `f64`, `f32`, and the forward-mode
+//! dual numbers that carry exact derivatives through the same code.
+//!
+//! nalgebra's `RealField` would do for the first two, but a dual number cannot honestly provide its
+//! eighty functions, and its square root goes through inline assembly that no compiler vectorises.
+//! So the trait is as small as the theory: arithmetic, comparison, one square root, and four
+//! elementary functions from libm that stay off the hot paths.
+
+mod square_root;
+
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+/// A plain floating-point number, `f32` or `f64`: what constants and tables are made of.
+pub trait Float: Real<Base = Self> + nalgebra::Scalar {
+    /// The nearest number to a constant written in double precision. Free when `x` is a literal.
+    fn of(x: f64) -> Self;
+    /// A stored single-precision constant, exactly.
+    fn of_f32(x: f32) -> Self;
+    /// The value in double precision, exactly.
+    fn to_f64(self) -> f64;
+    /// Neither infinite nor NaN.
+    fn is_finite_number(self) -> bool;
+    /// Cube root.
+    fn cube_root(self) -> Self;
+}
+
+/// A number that the theory can be evaluated with.
+///
+/// Comparisons look at the value only. `Base` is the plain number below a dual number, and a plain
+/// number itself; products and sums with it cost no derivatives.
+pub trait Real:
+    Copy
+    + Debug
+    + PartialEq
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + 'static
+{
+    /// The plain number: `f64` for `f64` and for dual numbers over `f64`.
+    type Base: Float;
+
+    /// Smallest positive normal number: added to denominators that may vanish together with their
+    /// numerators.
+    const TINY: Self::Base;
+    /// Parameters beyond this are indistinguishable from sliding; their squares are still finite.
+    const HUGE: Self::Base;
+    /// Distance from 1 to the next number.
+    const EPSILON: Self::Base;
+
+    /// A plain number; its derivatives are zero.
+    fn from_base(x: Self::Base) -> Self;
+    /// The value without derivatives.
+    fn value(self) -> Self::Base;
+    /// Product with a plain number.
+    fn scale(self, factor: Self::Base) -> Self;
+    /// Sum with a plain number.
+    fn shift(self, term: Self::Base) -> Self;
+    /// Square root of a number that is not negative.
+    fn sqrt(self) -> Self;
+    /// Inverse tangent.
+    fn atan(self) -> Self;
+    /// Natural logarithm of a positive number.
+    fn ln(self) -> Self;
+    /// Inverse hyperbolic sine.
+    fn asinh(self) -> Self;
+
+    /// A constant written in double precision.
+    #[inline(always)]
+    fn constant(x: f64) -> Self {
+        Self::from_base(Self::Base::of(x))
+    }
+    /// Zero.
+    #[inline(always)]
+    fn zero() -> Self {
+        Self::constant(0.0)
+    }
+    /// One.
+    #[inline(always)]
+    fn one() -> Self {
+        Self::constant(1.0)
+    }
+    /// Product with a literal.
+    #[inline(always)]
+    fn times(self, factor: f64) -> Self {
+        self.scale(Self::Base::of(factor))
+    }
+    /// Sum with a literal.
+    #[inline(always)]
+    fn plus(self, term: f64) -> Self {
+        self.shift(Self::Base::of(term))
+    }
+    /// Square.
+    #[inline(always)]
+    fn squared(self) -> Self {
+        self * self
+    }
+    /// Absolute value.
+    #[inline(always)]
+    fn abs(self) -> Self {
+        if self < Self::zero() { -self } else { self }
+    }
+    /// The larger of two numbers.
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+    /// The smaller of two numbers.
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+    /// The nearest number in `[low, high]`.
+    #[inline(always)]
+    fn clamped(self, low: Self, high: Self) -> Self {
+        self.max(low).min(high)
+    }
+}
+
+macro_rules! plain {
+    ($float:ident, $huge:expr, $sqrt:path, $atan:path, $ln:path, $asinh:path, $cbrt:path) => {
+        impl Float for $float {
+            #[inline(always)]
+            fn of(x: f64) -> Self {
+                x as $float
+            }
+            #[inline(always)]
+            fn of_f32(x: f32) -> Self {
+                $float::from(x)
+            }
+            #[inline(always)]
+            fn to_f64(self) -> f64 {
+                f64::from(self)
+            }
+            #[inline(always)]
+            fn is_finite_number(self) -> bool {
+                self.is_finite()
+            }
+            #[inline]
+            fn cube_root(self) -> Self {
+                $cbrt(self)
+            }
+        }
+
+        impl Real for $float {
+            type Base = $float;
+            const TINY: $float = $float::MIN_POSITIVE;
+            const HUGE: $float = $huge;
+            const EPSILON: $float = $float::EPSILON;
+
+            #[inline(always)]
+            fn from_base(x: $float) -> Self {
+                x
+            }
+            #[inline(always)]
+            fn value(self) -> $float {
+                self
+            }
+            #[inline(always)]
+            fn scale(self, factor: $float) -> Self {
+                self * factor
+            }
+            #[inline(always)]
+            fn shift(self, term: $float) -> Self {
+                self + term
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                $sqrt(self)
+            }
+            #[inline]
+            fn atan(self) -> Self {
+                $atan(self)
+            }
+            #[inline]
+            fn ln(self) -> Self {
+                $ln(self)
+            }
+            #[inline]
+            fn asinh(self) -> Self {
+                $asinh(self)
+            }
+        }
+    };
+}
+
+plain!(f64, 1e100, square_root::of_f64, libm::atan, libm::log, libm::asinh, libm::cbrt);
+plain!(f32, 1e12, square_root::of_f32, libm::atanf, libm::logf, libm::asinhf, libm::cbrtf);
+
