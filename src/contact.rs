@@ -1,0 +1,75 @@
+//! A loaded contact ellipse with friction: what every model starts from.
+
+use crate::material::{check_modulus, check_poisson_ratio};
+use crate::real::{Float, Real};
+use crate::status::Error;
+
+/// An elliptic contact under load, with combined elastic constants and Coulomb friction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact<F> {
+    /// Semi-axis along the rolling direction `x` \[m\], positive.
+    pub a: F,
+    /// Semi-axis across it, along `y` \[m\], positive.
+    pub b: F,
+    /// Normal force `N` \[N\], not negative.
+    pub normal_force: F,
+    /// Combined shear modulus `G` \[Pa\] (2.6), positive.
+    pub shear_modulus: F,
+    /// Combined Poisson's ratio `ν`, 0 to 1/2.
+    pub poisson_ratio: F,
+    /// Coefficient of friction `μ`, not negative.
+    pub friction: F,
+}
+
+impl<F: Float> Contact<F> {
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::SemiAxis`], [`Error::NormalForce`], [`Error::Modulus`],
+    /// [`Error::PoissonRatio`], [`Error::Friction`]; [`Error::Overflow`] when `a/b`, `b/a` or `μ N`
+    /// does not fit the floating-point type.
+    pub fn check(&self) -> Result<(), Error> {
+        let inputs = [self.a, self.b, self.normal_force, self.friction];
+        if !inputs.iter().all(|input| input.is_finite_number()) {
+            return Err(Error::NotFinite);
+        }
+        if self.a <= F::zero() || self.b <= F::zero() {
+            return Err(Error::SemiAxis);
+        }
+        if self.normal_force < F::zero() {
+            return Err(Error::NormalForce);
+        }
+        check_modulus(self.shear_modulus)?;
+        check_poisson_ratio(self.poisson_ratio)?;
+        if self.friction < F::zero() {
+            return Err(Error::Friction);
+        }
+        let ratios = [self.a / self.b, self.b / self.a, self.friction_bound()];
+        if !ratios.iter().all(|ratio| ratio.is_finite_number()) {
+            return Err(Error::Overflow);
+        }
+        Ok(())
+    }
+
+    /// `μ N` \[N\]: no tangential force exceeds it.
+    #[must_use]
+    pub fn friction_bound(&self) -> F {
+        self.friction * self.normal_force
+    }
+
+    /// Pressure at the centre `p₀ = 3N/(2π a b)` \[Pa\].
+    #[must_use]
+    pub fn peak_pressure(&self) -> F {
+        self.normal_force.times(1.5 / core::f64::consts::PI) / self.a / self.b
+    }
+
+    /// `G/(2 μ p₀)`, the factor of (5.13); at most [`Real::HUGE`], also without friction or load.
+    pub(crate) fn stiffness_ratio(&self) -> F {
+        // 2 μ p₀/G with the friction bound spread over the ellipse
+        (F::one() / (self.slip_unit() + F::TINY)).min(F::HUGE)
+    }
+
+    /// `2 μ p₀/G` \[–\]: the unit of slip.
+    #[must_use]
+    pub fn slip_unit(&self) -> F {
+        (self.friction * (self.peak_pressure() / self.shear_modulus)).times(2.0)
+    }
+}

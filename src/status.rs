@@ -1,0 +1,111 @@
+//! What can be wrong with an input, and what a caller should know about a result.
+
+use core::fmt;
+
+/// An input that has no answer. Nothing has been computed or written.
+///
+/// The number of each variant is its status in the C interface; numbers are never reused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(i32)]
+#[non_exhaustive]
+pub enum Error {
+    /// A pointer is NULL.
+    NullPointer = -1,
+    /// A number is infinite or NaN where only a finite one has a meaning.
+    NotFinite = -2,
+    /// A semi-axis of the contact ellipse is not positive.
+    SemiAxis = -3,
+    /// The normal force is negative.
+    NormalForce = -4,
+    /// A modulus of elasticity is not positive.
+    Modulus = -5,
+    /// Poisson's ratio is outside `[0, 1/2]`.
+    PoissonRatio = -6,
+    /// The coefficient of friction is negative.
+    Friction = -7,
+    /// There is no model of that number.
+    Model = -8,
+    /// The strip count is not one of 4, 8, 16, 32, 64.
+    StripCount = -9,
+    /// A radius of curvature is zero or NaN, or the summed curvature of the two bodies is not
+    /// positive in both directions: no elliptic contact.
+    Curvature = -10,
+    /// The rolling speed is not positive.
+    RollingSpeed = -11,
+    /// The caller's array is too small.
+    Capacity = -12,
+    /// The model has no such result (a total-force model has no strips and no field).
+    NotInModel = -13,
+    /// The result is beyond the range of the floating-point type.
+    Overflow = -14,
+}
+
+impl Error {
+    /// The status of the C interface, negative.
+    #[must_use]
+    pub const fn code(self) -> i32 {
+        self as i32
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(advice(self.code()).unwrap_or("unknown error"))
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// What the caller should know about a valid result.
+///
+/// The number of each variant is its status in the C interface; numbers are never reused.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(i32)]
+#[non_exhaustive]
+pub enum Notice {
+    /// Nothing: the inputs are in the range of the model.
+    #[default]
+    None = 0,
+    /// `|psi| >= 1`: beyond the spin for which the theory of 1967 is valid. The result is its
+    /// continuation, bounded by `mu N`.
+    SpinBeyondTheory = 1,
+    /// An input is outside the range in which the model was compared with its reference. The result
+    /// is finite and bounded by `mu N`.
+    OutsideRange = 2,
+    /// The linear model knows no friction bound, and its force exceeds `mu N`.
+    BeyondFriction = 3,
+}
+
+impl Notice {
+    /// The status of the C interface, zero or positive.
+    #[must_use]
+    pub const fn code(self) -> i32 {
+        self as i32
+    }
+}
+
+/// What a status means and what the caller must change; `None` for a number that is no status.
+#[must_use]
+pub const fn advice(code: i32) -> Option<&'static str> {
+    Some(match code {
+        0 => "ok",
+        1 => "spin parameter |psi| >= 1: beyond the strip theory of 1967, result is its bounded continuation; use the corrected strips or the total-force model",
+        2 => "an input is outside the range in which the model was checked; result is finite and bounded by mu N",
+        3 => "the linear force exceeds mu N; use a model with saturation",
+        -1 => "a required pointer is NULL: pass the address of a structure or array",
+        -2 => "an input is infinite or NaN: pass finite numbers",
+        -3 => "a semi-axis of the contact ellipse is not positive: a and b must be > 0 (metres)",
+        -4 => "the normal force is negative: it must be >= 0 (newtons), compression positive",
+        -5 => "a modulus of elasticity is not positive: it must be > 0 (pascals)",
+        -6 => "Poisson's ratio is outside [0, 0.5]",
+        -7 => "the coefficient of friction is negative: it must be >= 0",
+        -8 => "unknown model: use one of the KSTRIP_MODEL constants",
+        -9 => "unknown strip count: use 4, 8, 16, 32 or 64",
+        -10 => "no elliptic contact: radii must not be zero, and the summed curvatures must be positive in both directions",
+        -11 => "the rolling speed is not positive: let x point in the rolling direction",
+        -12 => "the array is too small: pass the capacity that the documentation of the function asks for",
+        -13 => "the model has totals only: choose a strip model for strips and fields",
+        -14 => "the result is beyond the range of the floating-point type: check the units (N, m, Pa)",
+        _ => return None,
+    })
+}
