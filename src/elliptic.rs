@@ -4,7 +4,7 @@
 //! `B = ∫ cos²θ/Δ`, `D = ∫ sin²θ/Δ`, `K = B + D`, `E = B + g² D`.
 //! Hertz's formulas in K and E are 0/0 for a circle; in B and D nothing cancels.
 
-use crate::real::{Float, Real};
+use crate::real::Float;
 
 /// `B`, `D` for the complementary modulus `g = s/l` in `(0, 1]`.
 #[derive(Clone, Copy, Debug)]
@@ -21,7 +21,10 @@ impl<F: Float> Integrals<F> {
     /// All terms are positive, so the relative error is a few units in the last place for any `g`
     /// (after Bulirsch, Numerische Mathematik 7 (1965) 78).
     pub(crate) fn at(g: F) -> Self {
-        Self { b: linear(g, F::one(), F::zero()), d: linear(g, F::zero(), F::one()) }
+        Self {
+            b: linear(g, F::one(), F::zero()),
+            d: linear(g, F::zero(), F::one()),
+        }
     }
 
     /// `K = B + D`.

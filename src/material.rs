@@ -52,7 +52,10 @@ impl<F: Float> Material<F> {
 /// let pair = combine(&steel, &steel).unwrap();
 /// assert_eq!((pair.poisson_ratio, pair.mismatch), (0.28, 0.0));
 /// ```
-pub fn combine<F: Float>(lower: &Material<F>, upper: &Material<F>) -> Result<CombinedMaterial<F>, Error> {
+pub fn combine<F: Float>(
+    lower: &Material<F>,
+    upper: &Material<F>,
+) -> Result<CombinedMaterial<F>, Error> {
     lower.check()?;
     upper.check()?;
     let (g_lower, nu_lower) = (lower.shear_modulus, lower.poisson_ratio);
@@ -77,7 +80,11 @@ pub fn combine<F: Float>(lower: &Material<F>, upper: &Material<F>) -> Result<Com
     if !shear_modulus.is_finite_number() {
         return Err(Error::Overflow);
     }
-    Ok(CombinedMaterial { shear_modulus, poisson_ratio, mismatch })
+    Ok(CombinedMaterial {
+        shear_modulus,
+        poisson_ratio,
+        mismatch,
+    })
 }
 
 pub(crate) fn check_modulus<F: Float>(modulus: F) -> Result<(), Error> {

@@ -89,8 +89,12 @@ impl Notice {
 pub const fn advice(code: i32) -> Option<&'static str> {
     Some(match code {
         0 => "ok",
-        1 => "spin parameter |psi| >= 1: beyond the strip theory of 1967, result is its bounded continuation; use the corrected strips or the total-force model",
-        2 => "an input is outside the range in which the model was checked; result is finite and bounded by mu N",
+        1 => {
+            "spin parameter |psi| >= 1: beyond the strip theory of 1967, result is its bounded continuation; use the corrected strips or the total-force model"
+        }
+        2 => {
+            "an input is outside the range in which the model was checked; result is finite and bounded by mu N"
+        }
         3 => "the linear force exceeds mu N; use a model with saturation",
         -1 => "a required pointer is NULL: pass the address of a structure or array",
         -2 => "an input is infinite or NaN: pass finite numbers",
@@ -101,11 +105,17 @@ pub const fn advice(code: i32) -> Option<&'static str> {
         -7 => "the coefficient of friction is negative: it must be >= 0",
         -8 => "unknown model: use one of the KSTRIP_MODEL constants",
         -9 => "unknown strip count: use 4, 8, 16, 32 or 64",
-        -10 => "no elliptic contact: radii must not be zero, and the summed curvatures must be positive in both directions",
+        -10 => {
+            "no elliptic contact: radii must not be zero, and the summed curvatures must be positive in both directions"
+        }
         -11 => "the rolling speed is not positive: let x point in the rolling direction",
-        -12 => "the array is too small: pass the capacity that the documentation of the function asks for",
+        -12 => {
+            "the array is too small: pass the capacity that the documentation of the function asks for"
+        }
         -13 => "the model has totals only: choose a strip model for strips and fields",
-        -14 => "the result is beyond the range of the floating-point type: check the units (N, m, Pa)",
+        -14 => {
+            "the result is beyond the range of the floating-point type: check the units (N, m, Pa)"
+        }
         _ => return None,
     })
 }

@@ -1,0 +1,205 @@
+//! The linear theory: Kalker's creep coefficients as smooth functions of axis ratio and Poisson's ratio.
+//!
+//! For vanishing creepage, with `v = G a b/(μ N)` times creepage and `φ = G (a b)^{3/2}/(μ N)` times
+//! spin, the forces in `μ N` and the moment in `μ N √(a b)` are
+//! `fx = C11 vx`, `fy = C22 vy + C23 φ`, `mz = −C23 vy + C33 φ`.
+//!
+//! Kalker's table (Three-Dimensional Elastic Bodies in Rolling Contact, 1990, Table E.3) has three digits
+//! between `a/b = 0.1` and 10, and does not meet the slender asymptotes printed around it. Here the
+//! asymptotes are the frame: each coefficient is a quotient that becomes the asymptote at either end,
+//! and a polynomial in `x = b/(a + b)`, weighted with `x (1 − x)`, is fitted in between to values
+//! computed with CONTACT. There is no seam: every formula is one expression for all `a/b`.
+
+mod constants;
+
+use self::constants::{E11, E22, E23, E33, M33, N23, N33};
+use crate::real::Float;
+use core::f64::consts::{LN_2, PI};
+
+/// Kalker's linear creep coefficients of one contact ellipse.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinearCoefficients<F> {
+    /// Longitudinal creepage to longitudinal force, `C11`, positive.
+    pub c11: F,
+    /// Lateral creepage to lateral force, `C22`, positive.
+    pub c22: F,
+    /// Spin to lateral force, and with the sign reversed lateral creepage to moment, `C23`, positive.
+    pub c23: F,
+    /// Spin to moment, `C33`, positive.
+    pub c33: F,
+}
+
+/// Axis ratios beyond `1/RATIO_LIMIT … RATIO_LIMIT` give the values at the limit.
+const RATIO_LIMIT: f64 = 1e6;
+/// `ln 16`.
+const LN_16: f64 = 4.0 * LN_2;
+/// `3 − ln 4`, the second order of the slender asymptotes of `C11` and `C22`.
+const K: f64 = 3.0 - 2.0 * LN_2;
+
+impl<F: Float> LinearCoefficients<F> {
+    /// Coefficients for the axis ratio `g = a/b`, positive, `a` along the rolling direction, and
+    /// Poisson's ratio `ν`, 0 to 1/2.
+    ///
+    /// Within 0.16 % of values computed with CONTACT for `a/b` 0.1 to 10 (`C33`: 0.4 %, and 2 % for
+    /// `a/b ≥ 5`, where the reference is known to about 1 %). Beyond that range the slender asymptotes
+    /// take over.
+    #[must_use]
+    #[inline]
+    pub fn at(axis_ratio: F, poisson_ratio: F) -> Self {
+        let one = F::one();
+        let g = axis_ratio.clamped(F::of(1.0 / RATIO_LIMIT), F::of(RATIO_LIMIT));
+        let nu = poisson_ratio;
+        let x = one / (one + g);
+        let t = g * x;
+        // weight of the fitted part, 0 at both ends
+        let w = x * t;
+        // m = ln((1 + g)²/g): ln(b/a) at one end, ln(a/b) at the other
+        let m = -w.ln();
+        let g2 = g * g;
+        let y = one / (one + g2);
+        let z = g2 * y;
+        let r = (one + g2).sqrt();
+        // Λ = ln(16 (a/b)²) at the slender end a ≫ b
+        let lambda = (m + m).plus(LN_16);
+        let n = one - nu;
+        let two_nu = nu + nu;
+
+        // a ≫ b: C11 = 2π g/(Λ − 2ν − k);  a ≪ b: C11 = π²/(4(1−ν))
+        let d11 = z * (lambda - two_nu).plus(-K) + y * n.times(8.0 / PI) + w * polynomial(&E11, x, nu);
+        // a ≫ b: C22 = 2π g/((1−ν)(Λ − k) + 2ν);  a ≪ b: C22 = π²/4
+        let d22 = z * (n * lambda.plus(-K) + two_nu) + y.times(8.0 / PI) + w * polynomial(&E22, x, nu);
+        // a ≫ b: (1−ν)Λ − 2 + 4ν;  a ≪ b: 2(1−ν)
+        let e = z * (n * lambda + two_nu + two_nu).plus(-2.0) + y * (n + n);
+        // a ≫ b: C23 = (2π/3) g^{3/2}/e;  a ≪ b: C23 = (π/3) √g (1 + ν(ln(16/g) − 5))/(1−ν)
+        let n23 = z + y * (n + nu * m.plus(LN_16 - 4.0)) + w * polynomial(&N23, x, nu);
+        let d23 = e + w * polynomial(&E23, x, nu);
+        // a ≫ b: C33 = (π/4)((1−2ν)Λ − 2 + 6ν)/e;  a ≪ b: C33 = π²/(16(1−ν) g)
+        let q = t * m;
+        let [e0, e1, n0, n1] = M33.map(F::of_f32);
+        let n33 = z * ((one - two_nu) * lambda + nu.times(6.0)).plus(-2.0).times(PI / 4.0)
+            + y.times(PI * PI / 8.0)
+            + w * (polynomial(&N33, x, nu) + q * (n0 + n1 * nu));
+        let d33 = e + w * (polynomial(&E33, x, nu) + q * (e0 + e1 * nu));
+
+        let slope = r.times(2.0 * PI);
+        Self {
+            c11: slope / d11,
+            c22: slope / d22,
+            c23: (slope.times(1.0 / 3.0) * g.sqrt() * n23) / d23,
+            c33: (r * n33) / (g * d33),
+        }
+    }
+}
+
+/// `Σ (cᵢ₀ + cᵢ₁ ν) xⁱ`.
+#[inline(always)]
+fn polynomial<F: Float, const N: usize>(c: &[f32; N], x: F, nu: F) -> F {
+    let mut sum = F::zero();
+    for pair in c.chunks_exact(2).rev() {
+        if let &[p, q] = pair {
+            sum = sum * x + (F::of_f32(p) + F::of_f32(q) * nu);
+        }
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    fn at(g: f64, nu: f64) -> [f64; 4] {
+        let c = LinearCoefficients::at(g, nu);
+        [c.c11, c.c22, c.c23, c.c33]
+    }
+
+    /// Values computed with CONTACT (`fit/data/kalker_coefficients.csv`): the two ends and the middle.
+    #[test]
+    fn agree_with_the_reference() {
+        for (g, nu, reference, allowed) in [
+            (0.1, 0.0, [2.51148, 2.51149, 0.334836, 6.45256], [0.0012, 0.0016, 0.0012, 0.0035]),
+            (0.1, 0.5, [4.85873, 2.53342, 0.719747, 11.7256], [0.0012, 0.0016, 0.0012, 0.0035]),
+            (1.0, 0.25, [4.11253, 3.66683, 1.46424, 1.18736], [0.0012, 0.0016, 0.0012, 0.0035]),
+            (2.0, 0.5, [6.09922, 5.58526, 2.97321, 0.645973], [0.0012, 0.0016, 0.0012, 0.0035]),
+            (10.0, 0.0, [10.7729, 10.7729, 12.1854, 0.801311], [0.0012, 0.0016, 0.0012, 0.016]),
+            (10.0, 0.28, [11.8928, 13.23, 14.8448, 0.496317], [0.0012, 0.0016, 0.0012, 0.016]),
+            (10.0, 0.5, [12.9494, 16.1158, 17.9135, 0.231921], [0.0012, 0.0016, 0.0012, 0.016]),
+        ] {
+            for ((value, reference), allowed) in at(g, nu).into_iter().zip(reference).zip(allowed) {
+                assert_relative_eq!(value, reference, max_relative = allowed);
+            }
+        }
+    }
+
+    /// Kalker 1990, Table E.3, slender ends; what is dropped there is of order `g² ln g`, and `b/a`
+    /// over the logarithm.
+    #[test]
+    fn reach_the_slender_limits() {
+        for nu in [0.0, 0.28, 0.5] {
+            let g: f64 = 1e-4;
+            let limit = [
+                PI * PI / 4.0 / (1.0 - nu),
+                PI * PI / 4.0,
+                PI / 3.0 * g.sqrt() * (1.0 + nu * ((16.0 / g).ln() - 5.0)) / (1.0 - nu),
+                PI * PI / 16.0 / (1.0 - nu) / g,
+            ];
+            for (value, limit) in at(g, nu).into_iter().zip(limit) {
+                assert_relative_eq!(value, limit, max_relative = 5e-3);
+            }
+            let g: f64 = 1e5;
+            let lambda = (16.0 * g * g).ln();
+            let e = (1.0 - nu) * lambda - 2.0 + 4.0 * nu;
+            let limit = [
+                2.0 * PI * g / (lambda - 2.0 * nu - K),
+                2.0 * PI * g / ((1.0 - nu) * (lambda - K) + 2.0 * nu),
+                2.0 * PI / 3.0 * g.powf(1.5) / e,
+                PI / 4.0 * ((1.0 - 2.0 * nu) * lambda - 2.0 + 6.0 * nu) / e,
+            ];
+            for (value, limit) in at(g, nu).into_iter().zip(limit) {
+                assert_relative_eq!(value, limit, max_relative = 5e-3);
+            }
+        }
+    }
+
+    /// No seam: over twelve decades the logarithmic slope changes by little between neighbours 0.5 % apart.
+    #[test]
+    fn have_no_seam() {
+        let ratios = 2f64.ln() / 128.0;
+        for nu in [0.0, 0.1, 0.28, 0.4, 0.5] {
+            let mut before: Option<([f64; 4], [f64; 4])> = None;
+            for k in -2500..=2500 {
+                let value = at((f64::from(k) * ratios).exp(), nu);
+                assert!(value.iter().all(|c| c.is_finite() && *c > 0.0));
+                let logarithm = value.map(f64::ln);
+                let slope = match before {
+                    None => [0.0; 4],
+                    Some((last, _)) => core::array::from_fn(|i| (logarithm[i] - last[i]) / ratios),
+                };
+                if let Some((_, last)) = before
+                    && last != [0.0; 4]
+                {
+                    for i in 0..4 {
+                        assert!((slope[i] - last[i]).abs() < 6e-3, "{k} {nu} {i}: {} {}", slope[i], last[i]);
+                    }
+                }
+                before = Some((logarithm, slope));
+            }
+        }
+    }
+
+    #[test]
+    fn hold_in_single_precision_and_far_outside() {
+        for g in [1e-30, 1e-4, 0.07, 0.9, 14.0, 1e4, 1e30] {
+            for nu in [0.0, 0.3, 0.5] {
+                let single = LinearCoefficients::at(g as f32, nu as f32);
+                let double = at(g, nu);
+                for (single, double) in
+                    [single.c11, single.c22, single.c23, single.c33].into_iter().zip(double)
+                {
+                    assert!(double.is_finite() && double > 0.0);
+                    assert_relative_eq!(f64::from(single), double, max_relative = 1e-5);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,420 @@
+//! Where the separatrix meets the leading edge of the contact (7.2).
+//!
+//! The strips that have an adhesion area are those with `κ(Y) < C(Y) = √(1 − Y²)`. For `|ψ| < 1` the
+//! adhesion length is a convex function of `Y` (`κ = (S + ηψ)/(1 − ψ²)`, and `S` is the length of a
+//! vector that is linear in `Y`), while `C` is concave: the strips with adhesion form one interval.
+//! Of the four roots of `ξ̄² + (η + ψC)² = C²` at most two are real crossings.
+
+use crate::real::{Float, Real};
+use crate::strip::{adhesion_length, bounded_half_length, root_s};
+
+/// A point `(Y, C)` of the leading edge, `Y² + C² = 1`, `C ≥ 0`, in units of the semi-axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EdgePoint<T> {
+    /// `Y = y/b`
+    pub y: T,
+    /// `C = c/a`
+    pub c: T,
+}
+
+impl<T: Real> EdgePoint<T> {
+    fn lifted(point: EdgePoint<T::Base>) -> Self {
+        Self {
+            y: T::from_base(point.y),
+            c: T::from_base(point.c),
+        }
+    }
+
+    /// The point with tangent of the half angle `t = Y/(1 + C)`.
+    fn at_half_tangent(t: T) -> Self {
+        let scale = T::one() / (T::one() + t * t);
+        Self {
+            y: (t * scale).times(2.0),
+            c: (T::one() - t) * (T::one() + t) * scale,
+        }
+    }
+}
+
+/// The interval of strips with adhesion. Without any, both ends are the strip that comes nearest to
+/// it, so that the ends move continuously when an interval appears.
+#[derive(Clone, Copy, Debug)]
+pub struct AdhesionInterval<T> {
+    /// End at smaller `y`.
+    pub lower: EdgePoint<T>,
+    /// End at larger `y`.
+    pub upper: EdgePoint<T>,
+}
+
+/// `ξ̄(Y) = ξ − p Y`, `η`, `ψ`: all that the adhesion length depends on.
+#[derive(Clone, Copy, Debug)]
+pub struct StripFamily<T> {
+    /// `ξ`
+    pub xi: T,
+    /// `p = ψ (b/a)/(1 − ν)`
+    pub slope: T,
+    /// `η`
+    pub eta: T,
+    /// `ψ`
+    pub psi: T,
+}
+
+/// A straight line `κ ≈ intercept + gradient Y` that touches the adhesion length from below.
+struct Tangent<T> {
+    intercept: T,
+    gradient: T,
+}
+
+impl<T: Real> Tangent<T> {
+    /// Where the line meets `C = √(1 − Y²)`, at the larger (`side = 1`) or smaller (`-1`) `Y`.
+    fn meets_edge(&self, side: f64) -> Option<EdgePoint<T>> {
+        let (l, m) = (self.intercept, self.gradient);
+        let inverse = T::one() / (T::one() + m * m);
+        let square = T::one() + (m - l) * (m + l);
+        if !(square > T::zero()) {
+            return None;
+        }
+        let root = square.sqrt().times(side);
+        Some(EdgePoint {
+            y: (root - l * m) * inverse,
+            c: (l + m * root) * inverse,
+        })
+    }
+}
+
+/// Tangent steps; each squares the error, except near the birth of an interval where it halves it.
+const TANGENT_STEPS: usize = 40;
+/// Newton steps with bisection for the strip nearest to adhesion.
+const NEAREST_STEPS: usize = 60;
+/// Bisections that exhaust the digits of a double.
+const BISECTIONS: usize = 64;
+
+impl<T: Real> StripFamily<T> {
+    /// `ξ̄` of the strip at `y`.
+    #[inline(always)]
+    pub fn xi_bar(&self, y: T) -> T {
+        self.xi - self.slope * y
+    }
+
+    /// The same family without derivatives.
+    fn plain(&self) -> StripFamily<T::Base> {
+        StripFamily {
+            xi: self.xi.value(),
+            slope: self.slope.value(),
+            eta: self.eta.value(),
+            psi: self.psi.value(),
+        }
+    }
+
+    /// `dκ/dY = −p ξ̄/S`, from either form of (5.41).
+    fn gradient(&self, y: T) -> T {
+        let xi_bar = self.xi_bar(y);
+        let s = root_s(xi_bar, self.eta, self.psi);
+        -(self.slope * xi_bar / (s + T::from_base(T::TINY)))
+    }
+
+    fn tangent(&self, y: T) -> Option<Tangent<T>> {
+        let kappa = adhesion_length(self.xi_bar(y), self.eta, self.psi)?;
+        let gradient = self.gradient(y);
+        Some(Tangent {
+            intercept: kappa - gradient * y,
+            gradient,
+        })
+    }
+
+    /// The adhesion interval, or `None` with the strip nearest to adhesion.
+    ///
+    /// For `|ψ| > 1` the interval is where a root exists and fits (`κ ≤ C`); the bound on the
+    /// traction may take pieces out of it, see [`StripFamily::excluded`].
+    pub fn adhesion_interval(&self) -> Result<AdhesionInterval<T>, EdgePoint<T>> {
+        let plain = self.plain();
+        let within_theory = plain.psi.abs() < T::Base::one();
+        let found = if within_theory {
+            plain.by_tangents()
+        } else if plain.eta * plain.psi < T::Base::zero() {
+            plain.by_bisection()
+        } else {
+            None
+        };
+        match found {
+            Some((lower, upper)) => Ok(AdhesionInterval {
+                lower: self.polished(lower, -1.0),
+                upper: self.polished(upper, 1.0),
+            }),
+            None => Err(self.nearest()),
+        }
+    }
+
+    /// One tangent step from a converged end carries the derivatives and changes the value by
+    /// rounding only.
+    #[inline]
+    fn polished(&self, end: EdgePoint<T::Base>, side: f64) -> EdgePoint<T> {
+        let lifted = EdgePoint::lifted(end);
+        self.tangent(lifted.y)
+            .and_then(|tangent| tangent.meets_edge(side))
+            .filter(|point| (point.y - lifted.y).abs() <= T::constant(1e-3))
+            .unwrap_or(lifted)
+    }
+}
+
+impl<F: Float> StripFamily<F> {
+    /// Ends by Newton's method on `κ = C` with the circle treated exactly: the tangent of the convex
+    /// `κ` lies below it, so each step stays outside the interval and a tangent that misses the
+    /// circle proves that there is none.
+    fn by_tangents(&self) -> Option<(EdgePoint<F>, EdgePoint<F>)> {
+        let one = F::one();
+        // Start at the strip with the shortest adhesion length, ξ̄ = 0, or the end nearest to it.
+        let start = if self.xi.abs() < self.slope.abs() {
+            self.xi / self.slope
+        } else if self.xi * self.slope < F::zero() {
+            -one
+        } else {
+            one
+        };
+        let first = self.tangent(start)?;
+        let mut lower = first.meets_edge(-1.0)?;
+        let mut upper = first.meets_edge(1.0)?;
+        let tolerance = F::EPSILON.times(8.0);
+        for _ in 0..TANGENT_STEPS {
+            let (left, right) = (self.tangent(lower.y)?, self.tangent(upper.y)?);
+            let (left, right) = (left.meets_edge(-1.0)?, right.meets_edge(1.0)?);
+            let change = (left.y - lower.y).abs().max((right.y - upper.y).abs());
+            let change_c = (left.c - lower.c).abs().max((right.c - upper.c).abs());
+            (lower, upper) = (left, right);
+            if change.max(change_c) <= tolerance {
+                break;
+            }
+        }
+        // Near the birth of an interval the two ends may pass each other by rounding.
+        (lower.y < upper.y).then_some((lower, upper))
+    }
+
+    /// For `|ψ| ≥ 1`, `ηψ < 0`: from the nearest strip outwards.
+    fn by_bisection(&self) -> Option<(EdgePoint<F>, EdgePoint<F>)> {
+        let fits = |t: F| {
+            let point = EdgePoint::at_half_tangent(t);
+            adhesion_length(self.xi_bar(point.y), self.eta, self.psi)
+                .is_some_and(|kappa| kappa < point.c)
+        };
+        let nearest = self.nearest();
+        let middle = nearest.y / (F::one() + nearest.c);
+        if !fits(middle) {
+            return None;
+        }
+        let end = |outside: F| {
+            let (mut inside, mut outside) = (middle, outside);
+            for _ in 0..BISECTIONS {
+                let t = (inside + outside).times(0.5);
+                if fits(t) { inside = t } else { outside = t }
+            }
+            EdgePoint::at_half_tangent(inside)
+        };
+        Some((end(-F::one()), end(F::one())))
+    }
+}
+
+impl<T: Real> StripFamily<T> {
+    /// The strip where `C − κ` is largest: `Y/C = p ξ̄/S`, a rising function of `Y/C` against a
+    /// falling one.
+    fn nearest(&self) -> EdgePoint<T> {
+        let plain = self.plain();
+        let (one, zero) = (T::Base::one(), T::Base::zero());
+        // Unknown: the tangent of the half angle, t = Y/(1 + C), in [-1, 1].
+        let (mut low, mut high) = (-one, one);
+        let mut t = if plain.xi.abs() < plain.slope.abs() {
+            let y = plain.xi / plain.slope;
+            y / (one + ((one - y) * (one + y)).sqrt())
+        } else {
+            zero
+        };
+        let mut point = EdgePoint::at_half_tangent(t);
+        for _ in 0..NEAREST_STEPS {
+            point = EdgePoint::at_half_tangent(t);
+            let (excess, growth) = plain.tilt(point);
+            if excess < zero {
+                low = t
+            } else {
+                high = t
+            }
+            // dY/dt = C (1 + Y²…): with t = tan(θ/2), dθ/dt = 2/(1 + t²)
+            let newton = t - excess / growth * (one + t * t).times(0.5);
+            let next = if newton > low && newton < high {
+                newton
+            } else {
+                (low + high).times(0.5)
+            };
+            let change = (next - t).abs();
+            t = next;
+            if change <= T::EPSILON.times(2.0) {
+                break;
+            }
+        }
+        // One step with derivatives: dθ = −excess/growth.
+        let lifted = EdgePoint::lifted(point);
+        let (excess, growth) = self.tilt(lifted);
+        let turn = -(excess.scale(one / growth.value()));
+        if turn.value().abs() > T::EPSILON.times(64.0) || !turn.value().is_finite_number() {
+            return lifted;
+        }
+        EdgePoint {
+            y: lifted.y + lifted.c * turn,
+            c: lifted.c - lifted.y * turn,
+        }
+    }
+
+    /// `Y S − p ξ̄ C` over `S`-like scale, and its growth with the angle `θ` (`Y = sin θ`).
+    fn tilt(&self, point: EdgePoint<T>) -> (T, T) {
+        let xi_bar = self.xi_bar(point.y);
+        let s = root_s(xi_bar, self.eta, self.psi) + T::from_base(T::TINY);
+        let q = (T::one() - self.psi) * (T::one() + self.psi);
+        // d/dθ (Y S − p ξ̄ C) = C S + Y S' C + p² C² + p ξ̄ Y,  S' = dS/dY = −q p ξ̄/S
+        let s_prime = -(q * self.slope * xi_bar / s);
+        let excess = point.y * s - self.slope * xi_bar * point.c;
+        let growth = point.c * s
+            + point.y * s_prime * point.c
+            + self.slope.squared() * point.c.squared()
+            + self.slope * xi_bar * point.y;
+        (excess, growth.max(T::from_base(T::TINY)))
+    }
+}
+
+/// Samples of the leading edge between the ends of the adhesion interval when `|ψ| > 1`.
+const SAMPLES: usize = 32;
+/// Pieces that the bound can take out of the interval: the centre and one dip on each side.
+pub const MAX_EXCLUDED: usize = 4;
+/// Refinements of a local maximum between three samples.
+const PEAK_STEPS: usize = 40;
+
+impl<T: Real> StripFamily<T> {
+    /// For `|ψ| > 1`: the pieces of the adhesion interval whose strips slide after all, because the
+    /// traction on their adhesion interval would exceed the bound.
+    pub fn excluded(
+        &self,
+        interval: &AdhesionInterval<T>,
+    ) -> heapless::Vec<AdhesionInterval<T>, MAX_EXCLUDED> {
+        let mut pieces = heapless::Vec::new();
+        let plain = self.plain();
+        if plain.psi.abs() <= T::Base::one() {
+            return pieces;
+        }
+        let half_tangent =
+            |point: &EdgePoint<T>| point.y.value() / (T::Base::one() + point.c.value());
+        let (first, last) = (half_tangent(&interval.lower), half_tangent(&interval.upper));
+        let zero = T::Base::zero();
+        let mut start: Option<EdgePoint<T>> =
+            (plain.excess_length(first) > zero).then_some(interval.lower);
+        let step = (last - first).times(1.0 / SAMPLES as f64);
+        let (mut t0, mut v0) = (first, plain.excess_length(first));
+        for k in 1..=SAMPLES {
+            let t1 = if k == SAMPLES {
+                last
+            } else {
+                first + step.times(k as f64)
+            };
+            let v1 = plain.excess_length(t1);
+            // A hidden rise between two samples below zero
+            let peak = if v0 <= zero && v1 <= zero {
+                plain.hidden_rise(t0, t1)
+            } else {
+                None
+            };
+            for t in peak.into_iter().chain([t1]) {
+                let v = plain.excess_length(t);
+                if (v > zero) != start.is_some() {
+                    let crossing = self.crossing(t0, t);
+                    match start.take() {
+                        None => start = Some(crossing),
+                        Some(lower) => {
+                            let _ = pieces.push(AdhesionInterval {
+                                lower,
+                                upper: crossing,
+                            });
+                        }
+                    }
+                }
+                t0 = t;
+            }
+            v0 = v1;
+        }
+        if let Some(lower) = start {
+            let _ = pieces.push(AdhesionInterval {
+                lower,
+                upper: interval.upper,
+            });
+        }
+        pieces
+    }
+
+    /// Where the excess changes sign between two half tangents, with derivatives.
+    fn crossing(&self, mut t0: T::Base, mut t1: T::Base) -> EdgePoint<T> {
+        let plain = self.plain();
+        let rising = plain.excess_length(t1) > T::Base::zero();
+        for _ in 0..BISECTIONS {
+            let t = (t0 + t1).times(0.5);
+            if (plain.excess_length(t) > T::Base::zero()) == rising {
+                t1 = t
+            } else {
+                t0 = t
+            }
+        }
+        let point = EdgePoint::at_half_tangent((t0 + t1).times(0.5));
+        let lifted = EdgePoint::lifted(point);
+        let Some(limit) = bounded_half_length(self.xi_bar(lifted.y), self.eta, self.psi) else {
+            return lifted;
+        };
+        // d(C − limit)/dθ = −Y − C d(limit)/dY, with d(limit)/dS from the formula of the limit.
+        let p = -(plain.eta * plain.psi);
+        let q = (T::Base::one() - plain.psi) * (T::Base::one() + plain.psi);
+        let xi_bar = plain.xi_bar(point.y);
+        let s = root_s(xi_bar, plain.eta, plain.psi) + T::TINY;
+        let denominator = p + s.times(3.0);
+        let by_s = (p + s) * (s.times(3.0) - p) / (-(q * denominator * denominator));
+        let s_by_y = -(q * plain.slope * xi_bar / s);
+        let growth = -point.y - point.c * by_s * s_by_y;
+        let turn = -((lifted.c - limit).scale(T::Base::one() / growth));
+        if turn.value().is_finite_number() && turn.value().abs() < T::Base::of(1e-6) {
+            EdgePoint {
+                y: lifted.y + lifted.c * turn,
+                c: lifted.c - lifted.y * turn,
+            }
+        } else {
+            lifted
+        }
+    }
+}
+
+impl<F: Float> StripFamily<F> {
+    /// How much longer the strip is than the bound allows; negative where it sticks.
+    fn excess_length(&self, half_tangent: F) -> F {
+        let point = EdgePoint::at_half_tangent(half_tangent);
+        bounded_half_length(self.xi_bar(point.y), self.eta, self.psi)
+            .map_or(-F::one(), |limit| point.c - limit)
+    }
+
+    /// The top of a hump between two samples, if it rises above zero (golden section).
+    fn hidden_rise(&self, mut low: F, mut high: F) -> Option<F> {
+        const GOLDEN: f64 = 0.618_033_988_749_895;
+        let probe = (high - low).times(1e-3);
+        let rises_inward = self.excess_length(low + probe) > self.excess_length(low)
+            && self.excess_length(high - probe) > self.excess_length(high);
+        if !rises_inward {
+            return None;
+        }
+        for _ in 0..PEAK_STEPS {
+            let span = (high - low).times(GOLDEN);
+            let (left, right) = (high - span, low + span);
+            let (at_left, at_right) = (self.excess_length(left), self.excess_length(right));
+            if at_left > F::zero() {
+                return Some(left);
+            }
+            if at_right > F::zero() {
+                return Some(right);
+            }
+            if at_left > at_right {
+                high = right
+            } else {
+                low = left
+            }
+        }
+        None
+    }
+}
