@@ -173,6 +173,10 @@ macro_rules! plain {
                 self + term
             }
             #[inline(always)]
+            fn abs(self) -> Self {
+                $float::abs(self)
+            }
+            #[inline(always)]
             fn sqrt(self) -> Self {
                 $sqrt(self)
             }

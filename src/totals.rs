@@ -98,32 +98,69 @@ pub struct StripTheory<T: Real> {
     rule: SlidingRule,
 }
 
-/// Sums over strips.
+/// The strips of one panel, component by component, so that loops over them vectorise and what is
+/// not asked for is not computed.
 #[derive(Clone, Copy, Debug)]
+struct Panel<T, const M: usize> {
+    y: [T; M],
+    half_length: [T; M],
+    width: [T; M],
+    kappa: [T; M],
+    fx: [T; M],
+    fy: [T; M],
+    /// About the centre, units of `a`.
+    mz: [T; M],
+    stick: [T; M],
+    adheres: bool,
+}
+
+/// What is done with the panels of a solution.
+trait Sink<T> {
+    fn take<const M: usize>(&mut self, panel: Panel<T, M>);
+}
+
+/// Adds the strips up.
 struct Sum<T> {
     fx: T,
     fy: T,
-    /// About the centre, units of `a`.
     mz: T,
     stick: T,
 }
 
-impl<T: Real> Sum<T> {
-    fn zero() -> Self {
-        Self {
-            fx: T::zero(),
-            fy: T::zero(),
-            mz: T::zero(),
-            stick: T::zero(),
+impl<T: Real> Sink<T> for Sum<T> {
+    #[inline(always)]
+    fn take<const M: usize>(&mut self, panel: Panel<T, M>) {
+        for i in 0..M {
+            self.fx += panel.fx[i];
+            self.fy += panel.fy[i];
+            self.mz += panel.mz[i];
+        }
+        if panel.adheres {
+            for stick in panel.stick {
+                self.stick += stick;
+            }
         }
     }
+}
 
-    #[inline(always)]
-    fn add(&mut self, strip: &PlacedStrip<T>) {
-        self.fx += strip.fx;
-        self.fy += strip.fy;
-        self.mz += strip.mz;
-        self.stick += strip.stick;
+/// Hands the strips on, one by one.
+struct Visitor<V>(V);
+
+impl<T: Real, V: FnMut(PlacedStrip<T>)> Sink<T> for Visitor<V> {
+    fn take<const M: usize>(&mut self, panel: Panel<T, M>) {
+        for i in 0..M {
+            (self.0)(PlacedStrip {
+                y: panel.y[i],
+                half_length: panel.half_length[i],
+                width: panel.width[i],
+                kappa: panel.kappa[i],
+                adheres: panel.adheres,
+                fx: panel.fx[i],
+                fy: panel.fy[i],
+                mz: panel.mz[i],
+                stick: panel.stick[i],
+            });
+        }
     }
 }
 
@@ -156,8 +193,13 @@ where
     /// Total force, moment and stick area with a fixed number of strips.
     #[must_use]
     pub fn totals(&self, count: StripCount) -> Totals<T> {
-        let mut sum = Sum::zero();
-        self.place(count, |strip| sum.add(&strip));
+        let mut sum = Sum {
+            fx: T::zero(),
+            fy: T::zero(),
+            mz: T::zero(),
+            stick: T::zero(),
+        };
+        self.place(count, &mut sum);
         // Friction capacity is exact, stretch is exact, their mixture with few strips is not: keep
         // |F| ≤ μ N.
         let size = sum.fx * sum.fx + sum.fy * sum.fy;
@@ -179,48 +221,53 @@ where
     /// the shares is the total. For `|ψ| > 1` strips beyond the count may follow that correct
     /// pieces of the adhesion interval which slide (their widths are negative where they take
     /// adhesion away).
-    #[inline]
-    pub fn place(&self, count: StripCount, visit: impl FnMut(PlacedStrip<T>)) {
+    pub fn strips(&self, count: StripCount, visit: impl FnMut(PlacedStrip<T>)) {
+        self.place(count, &mut Visitor(visit));
+    }
+
+    #[inline(always)]
+    fn place(&self, count: StripCount, sink: &mut impl Sink<T>) {
         type B<T> = <T as Real>::Base;
         match count {
-            StripCount::Four => self.panels(&B::<T>::GAUSS_1, &B::<T>::GAUSS_2, false, visit),
-            StripCount::Eight => self.panels(&B::<T>::GAUSS_2, &B::<T>::GAUSS_4, false, visit),
-            StripCount::Sixteen => self.panels(&B::<T>::GAUSS_5, &B::<T>::GAUSS_6, false, visit),
-            StripCount::ThirtyTwo => self.panels(&B::<T>::GAUSS_8, &B::<T>::GAUSS_8, true, visit),
-            StripCount::SixtyFour => self.panels(&B::<T>::GAUSS_16, &B::<T>::GAUSS_16, true, visit),
+            StripCount::Four => self.panels(&B::<T>::GAUSS_1, &B::<T>::GAUSS_2, false, sink),
+            StripCount::Eight => self.panels(&B::<T>::GAUSS_2, &B::<T>::GAUSS_4, false, sink),
+            StripCount::Sixteen => self.panels(&B::<T>::GAUSS_5, &B::<T>::GAUSS_6, false, sink),
+            StripCount::ThirtyTwo => self.panels(&B::<T>::GAUSS_8, &B::<T>::GAUSS_8, true, sink),
+            StripCount::SixtyFour => self.panels(&B::<T>::GAUSS_16, &B::<T>::GAUSS_16, true, sink),
         }
     }
 
     /// Sliding – adhesion – sliding; `split` divides the adhesion interval where `ξ̄ = 0`.
-    #[inline]
+    #[inline(always)]
     fn panels<const S: usize, const A: usize>(
         &self,
         slide: &Rule<T::Base, S>,
         stick: &Rule<T::Base, A>,
         split: bool,
-        mut visit: impl FnMut(PlacedStrip<T>),
+        sink: &mut impl Sink<T>,
     ) {
         match self.family.adhesion_interval() {
             Ok(AdhesionInterval { lower, upper }) => {
-                self.sliding_panel(slide, lower, -1.0, &mut visit);
+                sink.take(self.sliding_panel(slide, lower, -1.0));
                 if split {
                     let middle = self.turning_strip(lower, upper);
-                    self.adhesion_panel(stick, lower, middle, 1.0, &mut visit);
-                    self.adhesion_panel(stick, middle, upper, 1.0, &mut visit);
+                    sink.take(self.adhesion_panel(stick, lower, middle));
+                    sink.take(self.adhesion_panel(stick, middle, upper));
                 } else {
-                    self.adhesion_panel(stick, lower, upper, 1.0, &mut visit);
+                    sink.take(self.adhesion_panel(stick, lower, upper));
                 }
-                self.sliding_panel(slide, upper, 1.0, &mut visit);
+                sink.take(self.sliding_panel(slide, upper, 1.0));
                 if !self.spin_in_range() {
                     for piece in &self.family.excluded(&AdhesionInterval { lower, upper }) {
-                        self.adhesion_panel(stick, piece.lower, piece.upper, -1.0, &mut visit);
-                        self.sliding_piece(stick, piece.lower, piece.upper, &mut visit);
+                        let wrong = self.adhesion_panel(stick, piece.lower, piece.upper);
+                        sink.take(wrong.negated());
+                        sink.take(self.sliding_piece(stick, piece.lower, piece.upper));
                     }
                 }
             }
             Err(nearest) => {
-                self.sliding_panel(slide, nearest, -1.0, &mut visit);
-                self.sliding_panel(slide, nearest, 1.0, &mut visit);
+                sink.take(self.sliding_panel(slide, nearest, -1.0));
+                sink.take(self.sliding_panel(slide, nearest, 1.0));
             }
         }
     }
@@ -265,21 +312,23 @@ where
     }
 
     /// Strips without adhesion between `end` and the edge `Y = side`.
-    #[inline]
+    #[inline(always)]
     fn sliding_panel<const S: usize>(
         &self,
         rule: &Rule<T::Base, S>,
         end: EdgePoint<T>,
         side: f64,
-        visit: &mut impl FnMut(PlacedStrip<T>),
-    ) {
+    ) -> Panel<T, S> {
+        let tiny = T::from_base(T::TINY);
         // Mirrored so that the panel runs from `from` up to 1.
         let from = end.y.times(side);
         // Length of the panel, 1 − Y, without cancellation next to the edge
+        let beyond = T::one() + from.abs();
+        let past_middle = end.c * end.c / beyond;
         let length = if from > T::zero() {
-            end.c * end.c / (T::one() + from)
+            past_middle
         } else {
-            T::one() - from
+            beyond
         };
         // ∫ C² dY over the panel
         let capacity = length * length * (T::one() - length.times(1.0 / 3.0));
@@ -288,106 +337,141 @@ where
         let compliance = T::Base::one() - self.poisson_ratio;
         let z = self.family.xi_bar(end.y).scale(compliance);
         let eta = self.family.eta;
-        let near = (eta * eta + z * z + T::from_base(T::TINY))
-            .sqrt()
-            .times(2.0);
+        let near = (eta * eta + z * z + tiny).sqrt().times(2.0);
         let span = (self.family.slope * length).scale(compliance).abs();
         let scale = T::one() / (near + span);
         let (near, span) = (near * scale, span * scale);
 
         let (mut y, mut c_squared, mut weight) = ([T::zero(); S], [T::zero(); S], [T::zero(); S]);
-        let mut sum = T::zero();
         for i in 0..S {
             // [-1, 1] → [0, 1]
             let s = rule.nodes[i].times(0.5).plus(0.5);
             let square = s * s;
             let g = (near + span.scale(square)).scale(s);
-            let rest = length * (T::one() - g);
             y[i] = from + length * g;
-            c_squared[i] = rest * (T::one() + y[i]);
+            c_squared[i] = length * (T::one() - g) * (T::one() + y[i]);
             weight[i] =
                 c_squared[i] * (near + span.scale(square.times(3.0))).scale(rule.weights[i]);
-            sum += weight[i];
         }
-        let normalised = capacity.times(0.75) / (sum + T::from_base(T::TINY));
+        let normalised = capacity.times(0.75) / (total(&weight) + tiny);
         for i in 0..S {
-            let (y, force) = (y[i].times(side), weight[i] * normalised);
-            visit(self.sliding_strip(y, c_squared[i], force));
+            y[i] = y[i].times(side);
+            weight[i] = weight[i] * normalised;
         }
+        self.sliding(y, c_squared, weight)
     }
 
-    /// A sliding strip that carries the share `capacity` of the friction bound.
+    /// Sliding strips that carry the shares `capacity` of the friction bound.
     #[inline(always)]
-    fn sliding_strip(&self, y: T, c_squared: T, capacity: T) -> PlacedStrip<T> {
-        let (wx, wy) = self.direction(y, c_squared);
-        let half_length = c_squared.max(T::zero()).sqrt();
-        let fx = capacity * wx;
-        PlacedStrip {
-            y,
-            half_length,
-            width: capacity.times(4.0 / 3.0) / (c_squared + T::from_base(T::TINY)),
-            kappa: half_length,
-            adheres: false,
-            fx,
-            fy: capacity * wy,
-            mz: -(y * fx).scale(T::Base::one() / self.axis_ratio),
-            stick: T::zero(),
+    fn sliding<const M: usize>(
+        &self,
+        y: [T; M],
+        c_squared: [T; M],
+        capacity: [T; M],
+    ) -> Panel<T, M> {
+        let zero = [T::zero(); M];
+        let (mut wx, mut wy) = (zero, zero);
+        for i in 0..M {
+            (wx[i], wy[i]) = self.direction(y[i], c_squared[i]);
         }
+        let inverse_ratio = T::Base::one() / self.axis_ratio;
+        let mut panel = Panel {
+            y,
+            half_length: zero,
+            width: zero,
+            kappa: zero,
+            fx: zero,
+            fy: zero,
+            mz: zero,
+            stick: zero,
+            adheres: false,
+        };
+        for i in 0..M {
+            let fx = capacity[i] * wx[i];
+            panel.fx[i] = fx;
+            panel.fy[i] = capacity[i] * wy[i];
+            panel.mz[i] = -(y[i] * fx).scale(inverse_ratio);
+        }
+        for i in 0..M {
+            panel.half_length[i] = c_squared[i].max(T::zero()).sqrt();
+            panel.kappa[i] = panel.half_length[i];
+            panel.width[i] = capacity[i].times(4.0 / 3.0) / (c_squared[i] + T::from_base(T::TINY));
+        }
+        panel
     }
 
     /// Strips with adhesion along the arc of the leading edge from `lower` to `upper`.
-    #[inline]
+    #[inline(always)]
     fn adhesion_panel<const A: usize>(
         &self,
         rule: &Rule<T::Base, A>,
         lower: EdgePoint<T>,
         upper: EdgePoint<T>,
-        sign: f64,
-        visit: &mut impl FnMut(PlacedStrip<T>),
-    ) {
+    ) -> Panel<T, A> {
         let arc = Arc::between(lower, upper);
         let nodes = arc.nodes(rule);
-        let StripFamily { eta, psi, .. } = self.family;
-        let q = (T::one() - psi) * (T::one() + psi);
-        let eta_psi = eta * psi;
-        let cancels = eta_psi < T::zero();
         let (stretch, capacity) = arc.scales(&nodes);
-        let (stretch, capacity) = (stretch.times(0.75 * sign), capacity.times(0.75 * sign));
+        let (stretch, capacity) = (stretch.times(0.75), capacity.times(0.75));
+        let kappa = self.adhesion_lengths(&nodes.y);
+        let StripFamily { eta, psi, .. } = self.family;
         let inverse_ratio = T::Base::one() / self.axis_ratio;
+        let zero = [T::zero(); A];
+        let mut panel = Panel {
+            y: nodes.y,
+            half_length: nodes.c,
+            width: nodes.width,
+            kappa,
+            fx: zero,
+            fy: zero,
+            mz: zero,
+            stick: zero,
+            adheres: true,
+        };
         for i in 0..A {
             let (y, c) = (nodes.y[i], nodes.c[i]);
-            let xi_bar = self.family.xi_bar(y);
-            let square = xi_bar * xi_bar;
-            let eta_squared = eta * eta;
-            // S = √(η² + (1 − ψ²) ξ̄²)
-            let s = (eta_squared + q * square).max(T::from_base(T::TINY)).sqrt();
-            // κ/a = (S + ηψ)/(1 − ψ²) = (ξ̄² + η²)/(S − ηψ)   (5.41)
-            let (numerator, denominator) = if cancels {
-                (square + eta_squared, s - eta_psi)
-            } else {
-                (s + eta_psi, q)
-            };
-            let kappa = (numerator / denominator).min(c);
+            let kappa = kappa[i].min(c);
             let (by_stretch, by_capacity) = (nodes.width[i] * stretch, nodes.width[i] * capacity);
             // f_x = ξ̄ (2C − K),  f_y = ψ C² + η (2C − K)
-            let reach = (c.times(2.0) - kappa) * by_stretch;
-            let c_squared = c * c;
+            let reach = (c + c - kappa) * by_stretch;
             let stuck = c - kappa;
-            let fx = xi_bar * reach;
+            let fx = self.family.xi_bar(y) * reach;
+            panel.kappa[i] = kappa;
+            panel.fx[i] = fx;
+            panel.fy[i] = psi * (c * c * by_capacity) + eta * reach;
             // M_z = a m_x − b Y f_x,  m_x = −η (C − K)²
-            let mz = -(eta * stuck * stuck * by_capacity) - (y * fx).scale(inverse_ratio);
-            visit(PlacedStrip {
-                y,
-                half_length: c,
-                width: nodes.width[i].times(sign),
-                kappa,
-                adheres: true,
-                fx,
-                fy: psi * (c_squared * by_capacity) + eta * reach,
-                mz,
-                stick: (stuck * by_stretch).times(8.0 / (3.0 * core::f64::consts::PI)),
-            });
+            panel.mz[i] = -(eta * stuck * stuck * by_capacity) - (y * fx).scale(inverse_ratio);
+            panel.stick[i] = (stuck * by_stretch).times(8.0 / (3.0 * core::f64::consts::PI));
         }
+        panel
+    }
+
+    /// `κ/a` of strips that are known to adhere, by the form of (5.41) that does not cancel.
+    #[inline(always)]
+    fn adhesion_lengths<const A: usize>(&self, y: &[T; A]) -> [T; A] {
+        let StripFamily { eta, psi, .. } = self.family;
+        let q = (T::one() - psi) * (T::one() + psi);
+        let (eta_psi, eta_squared) = (eta * psi, eta * eta);
+        let (mut square, mut s) = ([T::zero(); A], [T::zero(); A]);
+        for i in 0..A {
+            let xi_bar = self.family.xi_bar(y[i]);
+            square[i] = xi_bar * xi_bar;
+            // S = √(η² + (1 − ψ²) ξ̄²)
+            s[i] = (eta_squared + q * square[i])
+                .max(T::from_base(T::TINY))
+                .sqrt();
+        }
+        let mut kappa = [T::zero(); A];
+        let cancels = eta_psi < T::zero();
+        for i in 0..A {
+            let numerator = if cancels {
+                square[i] + eta_squared
+            } else {
+                s[i] + eta_psi
+            };
+            let denominator = if cancels { s[i] - eta_psi } else { q };
+            kappa[i] = numerator / denominator;
+        }
+        kappa
     }
 
     /// Strips that slide although they lie inside the adhesion interval (`|ψ| > 1` only).
@@ -396,16 +480,44 @@ where
         rule: &Rule<T::Base, A>,
         lower: EdgePoint<T>,
         upper: EdgePoint<T>,
-        visit: &mut impl FnMut(PlacedStrip<T>),
-    ) {
+    ) -> Panel<T, A> {
         let arc = Arc::between(lower, upper);
         let nodes = arc.nodes(rule);
-        let (_, capacity) = arc.scales(&nodes);
+        let (_, scale) = arc.scales(&nodes);
+        let (mut c_squared, mut capacity) = ([T::zero(); A], [T::zero(); A]);
         for i in 0..A {
-            let c_squared = nodes.c[i] * nodes.c[i];
-            let force = c_squared * nodes.width[i] * capacity;
-            visit(self.sliding_strip(nodes.y[i], c_squared, force.times(0.75)));
+            c_squared[i] = nodes.c[i] * nodes.c[i];
+            capacity[i] = (c_squared[i] * nodes.width[i] * scale).times(0.75);
         }
+        self.sliding(nodes.y, c_squared, capacity)
+    }
+}
+
+/// The sum of an array.
+#[inline(always)]
+fn total<T: Real, const M: usize>(terms: &[T; M]) -> T {
+    let mut sum = T::zero();
+    for &term in terms {
+        sum += term;
+    }
+    sum
+}
+
+impl<T: Real, const M: usize> Panel<T, M> {
+    /// The same strips taken away.
+    fn negated(mut self) -> Self {
+        for list in [
+            &mut self.width,
+            &mut self.fx,
+            &mut self.fy,
+            &mut self.mz,
+            &mut self.stick,
+        ] {
+            for value in list {
+                *value = -*value;
+            }
+        }
+        self
     }
 }
 
@@ -426,6 +538,7 @@ struct ArcNodes<T, const A: usize> {
 }
 
 impl<T: Real> Arc<T> {
+    #[inline(always)]
     fn between(lower: EdgePoint<T>, upper: EdgePoint<T>) -> Self {
         let (dy, dc) = (upper.y - lower.y, upper.c - lower.c);
         let (sy, sc) = (upper.y + lower.y, upper.c + lower.c);
@@ -468,13 +581,14 @@ impl<T: Real> Arc<T> {
     }
 
     /// Factors that make `Σ C w` equal `∫ C dY` and `Σ C² w` equal `∫ C² dY`.
+    #[inline(always)]
     fn scales<const A: usize>(&self, nodes: &ArcNodes<T, A>) -> (T, T) {
-        let (mut stretch, mut capacity) = (T::zero(), T::zero());
+        let (mut first, mut second) = ([T::zero(); A], [T::zero(); A]);
         for i in 0..A {
-            let first = nodes.c[i] * nodes.width[i];
-            stretch += first;
-            capacity += nodes.c[i] * first;
+            first[i] = nodes.c[i] * nodes.width[i];
+            second[i] = nodes.c[i] * first[i];
         }
+        let (stretch, capacity) = (total(&first), total(&second));
         let (lower, upper) = (self.lower, self.upper);
         // ∫ C dY = ∫ C² dθ = (Δθ + Y₂C₂ − Y₁C₁)/2
         let angle = self.quarter_tangent.atan().times(4.0);
