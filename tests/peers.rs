@@ -139,7 +139,8 @@ fn strip_contact<const M: usize>() -> impl Fn(&Input) -> Output {
 type Figures = [f64; 3];
 
 /// One method: its figures on `open.csv`, the published ones where there are any, and how far (relative)
-/// they may differ: published figures have two digits (2 %), the rest is the reading.
+/// they may differ: published figures have two digits (2 %), the rest is the reading. The
+/// published figures are those of the project's survey of known methods on the same 854 cases.
 fn check(
     name: &str,
     solve: impl Fn(&Input) -> Output,
@@ -358,9 +359,9 @@ fn published_check_on_200_by_200_cells() {
     assert_relative_eq!(e, 0.596, max_relative = 0.003);
     let p = force(Rectangle, Blended, Bound::Parabolic);
     assert_relative_eq!(p, 0.636, max_relative = 0.001);
-    // three flexibilities, unblended, on strips: the blend's weight is small here
+    // three flexibilities, unblended, on strips: 1 %, the blend's weight is small here
     let e = force(StripEnds, Three, Bound::Elliptic);
-    assert_relative_eq!(e, 0.596, max_relative = 0.005);
+    assert_relative_eq!(e, 0.596, max_relative = 0.01);
     let p = force(StripEnds, Three, Bound::Parabolic);
     assert_relative_eq!(p, 0.636, max_relative = 0.015);
     // FaStrip, 0.644: the rescaled ψ is 1.005, at the paper's limit, so the flexibility decides
@@ -411,6 +412,35 @@ fn closed_forms_at_known_points() {
     assert_relative_eq!(polach::solve(&input).fx, 1.0, epsilon = 1e-5);
 }
 
+/// No creepage, no force (and no 0/0).
+#[test]
+fn nothing_without_creepage() {
+    let input = contact(2.0, [0.0; 3]);
+    let strips = Grid::<10, 10>::new(Layout::StripCentres);
+    let cells = Grid::<10, 10>::new(Layout::Rectangle);
+    let mut outputs = vec![
+        shen_hedrick_elkins::solve(&input),
+        vermeulen_johnson::solve(&input),
+        polach::solve(&input),
+        fastrip::solve_contact::<10, 10, 1>(&cells, &input),
+        fastrip::solve_contact::<10, 10, 10>(&cells, &input),
+    ];
+    use Flexibility::*;
+    for f in [Three, Kalker, Energy, Blended] {
+        outputs.push(fastrip::solve::<10, 10, 1>(&strips, &input, f));
+        outputs.push(fastrip::solve::<10, 10, 10>(&strips, &input, f));
+        for b in [Bound::Elliptic, Bound::Parabolic] {
+            outputs.push(fastsim::solve::<10, 10, 1>(&cells, &input, f, b));
+            outputs.push(fastsim::solve::<10, 10, 10>(&cells, &input, f, b));
+            outputs.push(fastsim::solve::<10, 10, 10>(&strips, &input, f, b));
+        }
+    }
+    for o in outputs {
+        assert_eq!((o.fx, o.fy), (0.0, 0.0));
+        assert!(o.mz == 0.0 || o.mz.is_nan());
+    }
+}
+
 /// Small creepages: the coefficients of the linear theory, one at a time.
 #[rstest]
 fn linear_limit(
@@ -444,10 +474,12 @@ fn linear_limit(
         let o = simple::<50>(Layout::StripCentres, f, Bound::Parabolic)(&input);
         assert_relative_eq!(force(o), 1.0, epsilon = 0.03);
     }
-    // FaStrip: strip theory with rescaled parameters, exact but for the grid and for the slip of
-    // the strips' tips
+    // FaStrip: strip theory with rescaled parameters, exact but for the grid. In the linear limit a creepage gives
+    // √((c − x)/(c + x)), singular at the trailing edge: the sum over n cell centres, as published, misses
+    // −ζ(½,½) (2/π)/√n = 0.385/√n of it, 0.054 at 50 cells. Spin is regular.
     let o = strip::<50, 50>(Flexibility::Energy)(&input);
-    assert_relative_eq!(force(o), 1.0, epsilon = 0.03);
+    let deficit = if which < 2 { 0.06 } else { 0.03 };
+    assert_relative_eq!(force(o), 1.0, epsilon = deficit);
 }
 
 proptest! {
