@@ -40,16 +40,7 @@ pub fn force<F: Tabulated>(parameters: &Parameters<F>) -> Option<(F, F)> {
         psi: parameters.psi,
     };
     let compliance = F::one() - parameters.poisson_ratio;
-    let edges = [
-        EdgePoint {
-            y: -F::one(),
-            c: F::zero(),
-        },
-        EdgePoint {
-            y: F::one(),
-            c: F::zero(),
-        },
-    ];
+    let edges = [EdgePoint { y: -F::one(), c: F::zero() }, EdgePoint { y: F::one(), c: F::zero() }];
     let (fx, fy) = match family.adhesion_interval() {
         Ok(AdhesionInterval { lower, upper }) => {
             let parts = [
@@ -57,9 +48,7 @@ pub fn force<F: Tabulated>(parameters: &Parameters<F>) -> Option<(F, F)> {
                 adhesion(&family, &lower, &upper),
                 sliding(&family, compliance, upper.y, edges[1].y),
             ];
-            parts.iter().fold((F::zero(), F::zero()), |sum, part| {
-                (sum.0 + part.0, sum.1 + part.1)
-            })
+            parts.iter().fold((F::zero(), F::zero()), |sum, part| (sum.0 + part.0, sum.1 + part.1))
         }
         Err(_) => sliding(&family, compliance, edges[0].y, edges[1].y),
     };
@@ -72,12 +61,7 @@ fn adhesion<F: Float>(
     lower: &EdgePoint<F>,
     upper: &EdgePoint<F>,
 ) -> (F, F) {
-    let StripFamily {
-        xi,
-        slope,
-        eta,
-        psi,
-    } = *family;
+    let StripFamily { xi, slope, eta, psi } = *family;
     let q = (F::one() - psi) * (F::one() + psi);
     let width = upper.y - lower.y;
     // ∫ C dY = (asin Y + Y C)/2,  ∫ Y C dY = −C³/3,  ∫ C² dY = Y − Y³/3
@@ -125,11 +109,7 @@ fn mean_inverse<F: Float>(x1: F, x2: F, r1: F, r2: F, e: F, q: F) -> F {
 
 /// `asinh(z)/z`, 1 at 0.
 fn asinh_over_argument<F: Float>(z: F) -> F {
-    if z.abs() < F::constant(1e-4) {
-        F::one() - (z * z).times(1.0 / 6.0)
-    } else {
-        z.asinh() / z
-    }
+    if z.abs() < F::constant(1e-4) { F::one() - (z * z).times(1.0 / 6.0) } else { z.asinh() / z }
 }
 
 /// `asin Y₂ − asin Y₁`.
@@ -143,11 +123,7 @@ fn angle_between<F: Float>(lower: &EdgePoint<F>, upper: &EdgePoint<F>) -> F {
 /// `∫ (1 − Y²) ((1 − ν) ξ̄, η)/D dY` with `D = √((1 − ν)² ξ̄² + η²)`.
 fn sliding<F: Tabulated>(family: &StripFamily<F>, compliance: F, from: F, to: F) -> (F, F) {
     // Everything is homogeneous of degree zero in (ξ̄, η): work at size one.
-    let size = family
-        .xi
-        .abs()
-        .max(family.slope.abs())
-        .max(family.eta.abs());
+    let size = family.xi.abs().max(family.slope.abs()).max(family.eta.abs());
     if size <= F::TINY || !(to > from) {
         return (F::zero(), F::zero());
     }
@@ -157,10 +133,7 @@ fn sliding<F: Tabulated>(family: &StripFamily<F>, compliance: F, from: F, to: F)
     // Expand about the middle of the interval, u = Y − m: z = z_m − p u, 1 − Y² = w₀ + w₁ u + w₂ u²
     let (middle, half) = ((from + to).times(0.5), (to - from).times(0.5));
     let z_m = z0 - p * middle;
-    let (w0, w1) = (
-        (F::one() - middle) * (F::one() + middle),
-        -middle.times(2.0),
-    );
+    let (w0, w1) = ((F::one() - middle) * (F::one() + middle), -middle.times(2.0));
     let d_m = (z_m * z_m + e * e).sqrt();
     if (p * half).abs() < d_m.times(0.25) {
         // The direction hardly turns: the integrand is analytic far beyond the interval, and 16

@@ -61,7 +61,8 @@ impl<F: Float> Contact<F> {
         self.normal_force.times(1.5 / core::f64::consts::PI) / self.a / self.b
     }
 
-    /// `G/(2 μ p₀)`, the factor of (5.13); at most [`Real::HUGE`], also without friction or load.
+    /// `G/(2 μ p₀)`, the factor of (5.13); at most [`Real::HUGE`](crate::real::Real::HUGE), also
+    /// without friction or load.
     pub(crate) fn stiffness_ratio(&self) -> F {
         // 2 μ p₀/G with the friction bound spread over the ellipse
         (F::one() / (self.slip_unit() + F::TINY)).min(F::HUGE)

@@ -50,15 +50,8 @@ impl<F: Float> Creepage<F> {
         upper: &SurfaceVelocity<F>,
         rolling_speed: F,
     ) -> Result<Self, Error> {
-        let inputs = [
-            lower.x,
-            lower.y,
-            lower.angular_z,
-            upper.x,
-            upper.y,
-            upper.angular_z,
-            rolling_speed,
-        ];
+        let inputs =
+            [lower.x, lower.y, lower.angular_z, upper.x, upper.y, upper.angular_z, rolling_speed];
         if !inputs.iter().all(|input| input.is_finite_number()) {
             return Err(Error::NotFinite);
         }
@@ -81,11 +74,7 @@ impl<F: Float> Creepage<F> {
         let finite = self.longitudinal.is_finite_number()
             && self.lateral.is_finite_number()
             && self.spin.is_finite_number();
-        if finite {
-            Ok(())
-        } else {
-            Err(Error::NotFinite)
-        }
+        if finite { Ok(()) } else { Err(Error::NotFinite) }
     }
 }
 
@@ -149,8 +138,7 @@ impl<T: Real> Parameters<T> {
     #[inline(always)]
     #[must_use]
     pub fn spin_slope(&self) -> T {
-        self.psi
-            .scale(T::Base::one() / ((T::Base::one() - self.poisson_ratio) * self.axis_ratio))
+        self.psi.scale(T::Base::one() / ((T::Base::one() - self.poisson_ratio) * self.axis_ratio))
     }
 }
 

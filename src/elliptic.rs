@@ -21,10 +21,7 @@ impl<F: Float> Integrals<F> {
     /// All terms are positive, so the relative error is a few units in the last place for any `g`
     /// (after Bulirsch, Numerische Mathematik 7 (1965) 78).
     pub(crate) fn at(g: F) -> Self {
-        Self {
-            b: linear(g, F::one(), F::zero()),
-            d: linear(g, F::zero(), F::one()),
-        }
+        Self { b: linear(g, F::one(), F::zero()), d: linear(g, F::zero(), F::one()) }
     }
 
     /// `K = B + D`.

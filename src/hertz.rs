@@ -106,11 +106,7 @@ pub fn hertz<F: Float>(
     // δ = (p₀/E*) s K
     let approach = (major / shape) * minor * integrals.k();
     // The larger curvature belongs to the shorter semi-axis (2.4).
-    let (a, b) = if curvature_x < curvature_y {
-        (major, minor)
-    } else {
-        (minor, major)
-    };
+    let (a, b) = if curvature_x < curvature_y { (major, minor) } else { (minor, major) };
     // 1/ρ = (1/Rx⁺ + 1/Rx⁻ + 1/Ry⁺ + 1/Ry⁻)/4   (2.3)
     let rho = F::constant(2.0) / (small + large);
     // cos τ = (ρ/4) |(1/Rx⁺ + 1/Rx⁻) − (1/Ry⁺ + 1/Ry⁻)|   (2.5), as tan(τ/2) = √(A/B)
@@ -119,15 +115,7 @@ pub fn hertz<F: Float>(
     if !results.iter().all(|result| result.is_finite_number()) || axis_ratio <= F::zero() {
         return Err(Error::Overflow);
     }
-    Ok(HertzContact {
-        a,
-        b,
-        peak_pressure,
-        approach,
-        axis_ratio,
-        hertz_angle,
-        rho,
-    })
+    Ok(HertzContact { a, b, peak_pressure, approach, axis_ratio, hertz_angle, rho })
 }
 
 /// The axis ratio `g` for a ratio of curvatures `A/B = g² D(g)/B(g)`, both in `(0, 1]`.

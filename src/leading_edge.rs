@@ -19,19 +19,13 @@ pub struct EdgePoint<T> {
 
 impl<T: Real> EdgePoint<T> {
     fn lifted(point: EdgePoint<T::Base>) -> Self {
-        Self {
-            y: T::from_base(point.y),
-            c: T::from_base(point.c),
-        }
+        Self { y: T::from_base(point.y), c: T::from_base(point.c) }
     }
 
     /// The point with tangent of the half angle `t = Y/(1 + C)`.
     fn at_half_tangent(t: T) -> Self {
         let scale = T::one() / (T::one() + t * t);
-        Self {
-            y: (t * scale).times(2.0),
-            c: (T::one() - t) * (T::one() + t) * scale,
-        }
+        Self { y: (t * scale).times(2.0), c: (T::one() - t) * (T::one() + t) * scale }
     }
 }
 
@@ -126,11 +120,7 @@ impl<T: Real> StripFamily<T> {
         };
         let s_kappa = numerator / if cancels { s - eta_psi } else { q };
         let a = self.slope * xi_bar;
-        Tangent {
-            a,
-            b: s,
-            d: s_kappa + a * y,
-        }
+        Tangent { a, b: s, d: s_kappa + a * y }
     }
 
     /// The adhesion interval, or `None` with the strip nearest to adhesion.
@@ -249,11 +239,7 @@ impl<T: Real> StripFamily<T> {
             }
             // dY/dt = C (1 + Y²…): with t = tan(θ/2), dθ/dt = 2/(1 + t²)
             let newton = t - excess / growth * (one + t * t).times(0.5);
-            let next = if newton > low && newton < high {
-                newton
-            } else {
-                (low + high).times(0.5)
-            };
+            let next = if newton > low && newton < high { newton } else { (low + high).times(0.5) };
             let change = (next - t).abs();
             t = next;
             if change <= T::EPSILON.times(2.0) {
@@ -267,10 +253,7 @@ impl<T: Real> StripFamily<T> {
         if turn.value().abs() > T::EPSILON.times(64.0) || !turn.value().is_finite_number() {
             return lifted;
         }
-        EdgePoint {
-            y: lifted.y + lifted.c * turn,
-            c: lifted.c - lifted.y * turn,
-        }
+        EdgePoint { y: lifted.y + lifted.c * turn, c: lifted.c - lifted.y * turn }
     }
 
     /// `Y S − p ξ̄ C` over `S`-like scale, and its growth with the angle `θ` (`Y = sin θ`).
@@ -317,18 +300,10 @@ impl<T: Real> StripFamily<T> {
         let step = (last - first).times(1.0 / SAMPLES as f64);
         let (mut t0, mut v0) = (first, plain.excess_length(first));
         for k in 1..=SAMPLES {
-            let t1 = if k == SAMPLES {
-                last
-            } else {
-                first + step.times(k as f64)
-            };
+            let t1 = if k == SAMPLES { last } else { first + step.times(k as f64) };
             let v1 = plain.excess_length(t1);
             // A hidden rise between two samples below zero
-            let peak = if v0 <= zero && v1 <= zero {
-                plain.hidden_rise(t0, t1)
-            } else {
-                None
-            };
+            let peak = if v0 <= zero && v1 <= zero { plain.hidden_rise(t0, t1) } else { None };
             for t in peak.into_iter().chain([t1]) {
                 let v = plain.excess_length(t);
                 if (v > zero) != start.is_some() {
@@ -336,10 +311,7 @@ impl<T: Real> StripFamily<T> {
                     match start.take() {
                         None => start = Some(crossing),
                         Some(lower) => {
-                            let _ = pieces.push(AdhesionInterval {
-                                lower,
-                                upper: crossing,
-                            });
+                            let _ = pieces.push(AdhesionInterval { lower, upper: crossing });
                         }
                     }
                 }
@@ -348,10 +320,7 @@ impl<T: Real> StripFamily<T> {
             v0 = v1;
         }
         if let Some(lower) = start {
-            let _ = pieces.push(AdhesionInterval {
-                lower,
-                upper: interval.upper,
-            });
+            let _ = pieces.push(AdhesionInterval { lower, upper: interval.upper });
         }
         pieces
     }
@@ -362,11 +331,7 @@ impl<T: Real> StripFamily<T> {
         let rising = plain.excess_length(t1) > T::Base::zero();
         for _ in 0..BISECTIONS {
             let t = (t0 + t1).times(0.5);
-            if (plain.excess_length(t) > T::Base::zero()) == rising {
-                t1 = t
-            } else {
-                t0 = t
-            }
+            if (plain.excess_length(t) > T::Base::zero()) == rising { t1 = t } else { t0 = t }
         }
         let point = EdgePoint::at_half_tangent((t0 + t1).times(0.5));
         let lifted = EdgePoint::lifted(point);
@@ -384,10 +349,7 @@ impl<T: Real> StripFamily<T> {
         let growth = -point.y - point.c * by_s * s_by_y;
         let turn = -((lifted.c - limit).scale(T::Base::one() / growth));
         if turn.value().is_finite_number() && turn.value().abs() < T::Base::of(1e-6) {
-            EdgePoint {
-                y: lifted.y + lifted.c * turn,
-                c: lifted.c - lifted.y * turn,
-            }
+            EdgePoint { y: lifted.y + lifted.c * turn, c: lifted.c - lifted.y * turn }
         } else {
             lifted
         }
@@ -421,11 +383,7 @@ impl<F: Float> StripFamily<F> {
             if at_right > F::zero() {
                 return Some(right);
             }
-            if at_left > at_right {
-                high = right
-            } else {
-                low = left
-            }
+            if at_left > at_right { high = right } else { low = left }
         }
         None
     }

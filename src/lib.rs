@@ -1,16 +1,82 @@
+//! Creep forces of rolling contact by Kalker's strip theory.
+//!
+//! Two bodies roll over each other, pressed together with a force `N`. Where they touch, in an ellipse
+//! with semi-axes `a` (along rolling) and `b` (across), they slip a little, and slip drags: the creep
+//! forces that steer a railway wheel and heat a bearing. J. J. Kalker's *A strip theory for rolling
+//! with slip and spin* (Proc. Kon. Ned. Akad. Wetenschappen B 70 (1967) 10–62) gives them in closed
+//! form: the ellipse is cut into strips along the rolling direction, each a plane problem with an
+//! adhesion area at its leading edge and slip behind it.
+//!
+//! One road leads through the crate, in the direction in which the physics flows:
+//!
+//! 1. [`material`]: two elastic bodies become combined constants `G`, `ν`.
+//! 2. [`hertz`]: four radii and a load become the contact ellipse.
+//! 3. [`creepage`]: velocities become creepages and Kalker's parameters `ξ`, `η`, `ψ`.
+//! 4. [`strip`]: one strip, its adhesion length, traction, slip; [`leading_edge`]: which strips adhere.
+//! 5. [`totals`]: forces by quadrature over strips; [`closed_form`]: the same by primitives.
+//! 6. [`model`]: contact and creepage to forces, derivatives, strips and fields, for every model.
+//! 7. [`ffi`]: all of it for C (`include/kstrip.h`).
+//!
+//! # Frame and signs
+//!
+//! `x` points in the rolling direction (leading edge at `x > 0`), `y` is lateral, `z` points into the
+//! lower body. Creepage is the velocity of the upper over the lower body, divided by the rolling
+//! speed; forces and tractions act on the **lower** body, and have the sense of the slip. SI units.
+//!
+//! # Promises
+//!
+//! No allocation, no panic, no global state, no dependence on `std`: the same code runs on a PC and on
+//! a microcontroller, in `f64` and in `f32`.
+//!
+//! # Example
+//!
+//! A wheel of 0.46 m radius on a rail head of 0.30 m, 80 kN, 0.1 % longitudinal creepage:
+//! ```
+//! use kstrip::{contact::Contact, creepage::Creepage, hertz, material, model};
+//! let steel = material::Material { shear_modulus: 82e9, poisson_ratio: 0.28 };
+//! let pair = material::combine(&steel, &steel)?;
+//! let radii = hertz::Radii {
+//!     lower_x: f64::INFINITY, lower_y: 0.30, upper_x: 0.46, upper_y: f64::INFINITY,
+//! };
+//! let ellipse = hertz::hertz(&radii, 80e3, pair.shear_modulus, pair.poisson_ratio)?;
+//! let contact = Contact {
+//!     a: ellipse.a, b: ellipse.b, normal_force: 80e3,
+//!     shear_modulus: pair.shear_modulus, poisson_ratio: pair.poisson_ratio, friction: 0.3,
+//! };
+//! let creepage = Creepage { longitudinal: 1e-3, lateral: 0.0, spin: 0.0 };
+//! let forces = model::solve(&contact, &creepage, &model::Options::default())?;
+//! assert!(forces.fx > 0.0 && forces.fx < 0.3 * 80e3);
+//! # Ok::<(), kstrip::status::Error>(())
+//! ```
+
 #![no_std]
 #![deny(missing_docs, unsafe_code)]
-//! Kalker's strip theory of rolling contact.
 
 pub mod closed_form;
 pub mod contact;
 pub mod creepage;
+pub mod dual;
 mod elliptic;
+pub mod ffi;
+pub mod field;
 pub mod hertz;
 pub mod leading_edge;
 pub mod material;
+pub mod model;
 pub mod quadrature;
 pub mod real;
 pub mod status;
 pub mod strip;
 pub mod totals;
+
+/// A library without `std` needs a panic handler; nothing reaches it.
+///
+/// It calls a function that exists nowhere in `link-proof` builds, so that the linker refuses any
+/// library in which a panic is left.
+#[cfg(all(feature = "panic-handler", panic = "abort", not(test)))]
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo) -> ! {
+    loop {
+        core::hint::spin_loop();
+    }
+}

@@ -80,11 +80,7 @@ pub fn combine<F: Float>(
     if !shear_modulus.is_finite_number() {
         return Err(Error::Overflow);
     }
-    Ok(CombinedMaterial {
-        shear_modulus,
-        poisson_ratio,
-        mismatch,
-    })
+    Ok(CombinedMaterial { shear_modulus, poisson_ratio, mismatch })
 }
 
 pub(crate) fn check_modulus<F: Float>(modulus: F) -> Result<(), Error> {

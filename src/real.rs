@@ -196,21 +196,5 @@ macro_rules! plain {
     };
 }
 
-plain!(
-    f64,
-    1e100,
-    square_root::of_f64,
-    libm::atan,
-    libm::log,
-    libm::asinh,
-    libm::cbrt
-);
-plain!(
-    f32,
-    1e12,
-    square_root::of_f32,
-    libm::atanf,
-    libm::logf,
-    libm::asinhf,
-    libm::cbrtf
-);
+plain!(f64, 1e100, square_root::of_f64, libm::atan, libm::log, libm::asinh, libm::cbrt);
+plain!(f32, 1e12, square_root::of_f32, libm::atanf, libm::logf, libm::asinhf, libm::cbrtf);

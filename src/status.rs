@@ -1,5 +1,6 @@
 //! What can be wrong with an input, and what a caller should know about a result.
 
+use core::ffi::CStr;
 use core::fmt;
 
 /// An input that has no answer. Nothing has been computed or written.
@@ -50,7 +51,8 @@ impl Error {
 
 impl fmt::Display for Error {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.write_str(advice(self.code()).unwrap_or("unknown error"))
+        let text = advice(self.code()).and_then(|text| text.to_str().ok());
+        out.write_str(text.unwrap_or("unknown error"))
     }
 }
 
@@ -86,35 +88,35 @@ impl Notice {
 
 /// What a status means and what the caller must change; `None` for a number that is no status.
 #[must_use]
-pub const fn advice(code: i32) -> Option<&'static str> {
+pub const fn advice(code: i32) -> Option<&'static CStr> {
     Some(match code {
-        0 => "ok",
+        0 => c"ok",
         1 => {
-            "spin parameter |psi| >= 1: beyond the strip theory of 1967, result is its bounded continuation; use the corrected strips or the total-force model"
+            c"spin parameter |psi| >= 1: beyond the strip theory of 1967, result is its bounded continuation; use the corrected strips or the total-force model"
         }
         2 => {
-            "an input is outside the range in which the model was checked; result is finite and bounded by mu N"
+            c"an input is outside the range in which the model was checked; result is finite and bounded by mu N"
         }
-        3 => "the linear force exceeds mu N; use a model with saturation",
-        -1 => "a required pointer is NULL: pass the address of a structure or array",
-        -2 => "an input is infinite or NaN: pass finite numbers",
-        -3 => "a semi-axis of the contact ellipse is not positive: a and b must be > 0 (metres)",
-        -4 => "the normal force is negative: it must be >= 0 (newtons), compression positive",
-        -5 => "a modulus of elasticity is not positive: it must be > 0 (pascals)",
-        -6 => "Poisson's ratio is outside [0, 0.5]",
-        -7 => "the coefficient of friction is negative: it must be >= 0",
-        -8 => "unknown model: use one of the KSTRIP_MODEL constants",
-        -9 => "unknown strip count: use 4, 8, 16, 32 or 64",
+        3 => c"the linear force exceeds mu N; use a model with saturation",
+        -1 => c"a required pointer is NULL: pass the address of a structure or array",
+        -2 => c"an input is infinite or NaN: pass finite numbers",
+        -3 => c"a semi-axis of the contact ellipse is not positive: a and b must be > 0 (metres)",
+        -4 => c"the normal force is negative: it must be >= 0 (newtons), compression positive",
+        -5 => c"a modulus of elasticity is not positive: it must be > 0 (pascals)",
+        -6 => c"Poisson's ratio is outside [0, 0.5]",
+        -7 => c"the coefficient of friction is negative: it must be >= 0",
+        -8 => c"unknown model: use one of the KSTRIP_MODEL constants",
+        -9 => c"unknown strip count: use 4, 8, 16, 32 or 64",
         -10 => {
-            "no elliptic contact: radii must not be zero, and the summed curvatures must be positive in both directions"
+            c"no elliptic contact: radii must not be zero, and the summed curvatures must be positive in both directions"
         }
-        -11 => "the rolling speed is not positive: let x point in the rolling direction",
+        -11 => c"the rolling speed is not positive: let x point in the rolling direction",
         -12 => {
-            "the array is too small: pass the capacity that the documentation of the function asks for"
+            c"the array is too small: pass the capacity that the documentation of the function asks for"
         }
-        -13 => "the model has totals only: choose a strip model for strips and fields",
+        -13 => c"the model has totals only: choose a strip model for strips and fields",
         -14 => {
-            "the result is beyond the range of the floating-point type: check the units (N, m, Pa)"
+            c"the result is beyond the range of the floating-point type: check the units (N, m, Pa)"
         }
         _ => return None,
     })

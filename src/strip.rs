@@ -165,10 +165,7 @@ pub(crate) fn unit_vector<T: Real>(x: T, y: T) -> (T, T) {
     if size <= T::TINY {
         return (T::zero(), T::zero());
     }
-    let (x, y) = (
-        x.scale(T::Base::one() / size),
-        y.scale(T::Base::one() / size),
-    );
+    let (x, y) = (x.scale(T::Base::one() / size), y.scale(T::Base::one() / size));
     let length = (x * x + y * y).sqrt();
     (x / length, y / length)
 }
@@ -186,14 +183,7 @@ impl<T: Real> Strip<T> {
     ) -> Self {
         let regime = Self::adhesion(half_length, xi_bar, eta, psi)
             .unwrap_or_else(|| Self::sliding(half_length, xi_bar, eta, psi, poisson_ratio, rule));
-        Self {
-            half_length,
-            xi_bar,
-            eta,
-            psi,
-            poisson_ratio,
-            regime,
-        }
+        Self { half_length, xi_bar, eta, psi, poisson_ratio, regime }
     }
 
     fn adhesion(half_length: T, xi_bar: T, eta: T, psi: T) -> Option<Regime<T>> {
@@ -221,11 +211,7 @@ impl<T: Real> Strip<T> {
             return None;
         }
         // α = a ξ̄/κ,  β = a η/κ   (5.40)
-        Some(Regime::Adhesion {
-            kappa,
-            alpha: x / length,
-            beta_plus_psi: e / length + psi,
-        })
+        Some(Regime::Adhesion { kappa, alpha: x / length, beta_plus_psi: e / length + psi })
     }
 
     fn sliding(
@@ -242,10 +228,7 @@ impl<T: Real> Strip<T> {
             }
             SlidingRule::Continuous => unit_vector(xi_bar, eta + psi * half_length),
         };
-        Regime::Sliding {
-            direction_x,
-            direction_y,
-        }
+        Regime::Sliding { direction_x, direction_y }
     }
 
     /// Whether the strip has an adhesion area.
@@ -272,16 +255,12 @@ impl<T: Real> Strip<T> {
             Regime::Adhesion { kappa, .. } => {
                 // f_x = ξ̄ (2C − K),  f_y = ψ C² + η (2C − K)
                 let stretch = c.times(2.0) - kappa;
-                (
-                    self.xi_bar * stretch,
-                    self.psi * (c * c) + self.eta * stretch,
-                )
+                (self.xi_bar * stretch, self.psi * (c * c) + self.eta * stretch)
             }
             // f = C² w
-            Regime::Sliding {
-                direction_x,
-                direction_y,
-            } => (c * c * direction_x, c * c * direction_y),
+            Regime::Sliding { direction_x, direction_y } => {
+                (c * c * direction_x, c * c * direction_y)
+            }
         }
     }
 
@@ -317,21 +296,14 @@ impl<T: Real> Strip<T> {
         let pressure = (ahead * behind).sqrt();
         let compliance = T::Base::one() - self.poisson_ratio;
         match self.regime {
-            Regime::Adhesion {
-                kappa,
-                alpha,
-                beta_plus_psi,
-            } => {
+            Regime::Adhesion { kappa, alpha, beta_plus_psi } => {
                 let past_separatrix = behind - kappa.times(2.0);
                 if past_separatrix >= T::zero() {
                     // X = α [√(C² − x²) − √(h² − x'²)] with h² − x'² = (C − x)(C + x − 2κ), and
                     // α κ = ξ̄: X = 2 ξ̄ √(C − x)/(√(C + x) + √(C + x − 2κ)). Likewise Y.
                     let sum = behind.sqrt() + past_separatrix.sqrt();
-                    let rise = if sum > T::zero() {
-                        (ahead.sqrt() / sum).times(2.0)
-                    } else {
-                        T::zero()
-                    };
+                    let rise =
+                        if sum > T::zero() { (ahead.sqrt() / sum).times(2.0) } else { T::zero() };
                     return StripPoint {
                         pressure,
                         traction_x: self.xi_bar * rise,
@@ -353,10 +325,7 @@ impl<T: Real> Strip<T> {
                 }
                 .judged()
             }
-            Regime::Sliding {
-                direction_x,
-                direction_y,
-            } => StripPoint {
+            Regime::Sliding { direction_x, direction_y } => StripPoint {
                 pressure,
                 traction_x: direction_x * pressure,
                 traction_y: direction_y * pressure,

@@ -25,6 +25,7 @@ mod constants;
 use self::constants::{HIDDEN_1, HIDDEN_2, OUTPUT};
 use crate::coefficients::LinearCoefficients;
 use crate::real::{Float, Real};
+use core::any::Any;
 
 /// Forces of a whole contact, dimensionless, on the lower body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -80,85 +81,85 @@ pub fn total<T: Real>(
     let g = axis_ratio.clamped(T::Base::of(1.0 / RATIO_LIMIT), T::Base::of(RATIO_LIMIT));
     let LinearCoefficients { c11, c22, c23, c33 } = *linear;
     let root = g.sqrt();
-    let [inverse, slender] = divide(
-        [root, root.plus(-1.0)],
-        [g, root.plus(1.0)],
-    );
-    let both = g + inverse * inverse;
+    let [inverse, slender] = divide([root, root.plus(-1.0)], [g, root.plus(1.0)]);
+    let inverse2 = inverse * inverse;
+    let both = g + inverse2;
 
-    // forces of the linear theory
+    // the force of the linear theory, lateral force with and without spin
     let lx = vx.scale(c11);
     let ly = vy.scale(c22);
     let ls = phi.scale(c23);
+    let lys = ly + ls;
     let lx2 = lx * lx;
-    let u2 = lx2 + ly * ly;
+    let ly2 = ly * ly;
+    let u2 = lx2 + ly2;
     let s2 = ls * ls;
-    let p2 = phi * phi;
-    // spin against the size of the patch: slip at the ends of the axes, and moment over the sliding moment
+    // spin against the size of the patch: slip at the ends of the axes, moment over its sliding limit
     let tx = phi.scale(c11 * (inverse + root.times(0.27)).times(1.0 / 1.5));
     let ty = phi.scale(c22 * (root + inverse.times(0.27)).times(1.0 / 1.5));
     let tm = phi.scale(c33);
-    let tm2 = tm * tm.scale(T::Base::of(1.0) / both.plus(0.467).times(0.1406));
-    let [rx, ry, rm, ru] = [tx * tx, ty * ty, tm2 + u2, u2.times(4.0)].map(|x| x.plus(1.0).sqrt());
+    let tm2 = (tm * tm).scale(T::Base::of(1.0) / both.plus(0.467).times(0.1406));
     let n2 = u2 + s2 + tm2;
-    let px = vx * vx;
-    let py = vy * vy;
-    let p2g = p2.scale(g);
-    let p2i = p2.scale(inverse * inverse);
-    let lys = ly + ls;
-    let spin_slip = p2.scale(both);
-    let [dx, dy, dm, du, f_s, f_u, d_s, f_s4, f_ys, f_n, f_px, f_py, kappa, w] = divide(
-        [one, one, one, one, one, one, one, one, lys * ls, lx2, one, one, spin_slip, n2],
+    // the same in terms of rigid slip: creepage against spin at the ends of the axes
+    let vx2 = vx * vx;
+    let vy2 = vy * vy;
+    let phi2 = phi * phi;
+    let px2 = phi2.scale(inverse2);
+    let py2 = phi2.scale(g);
+    let p2 = phi2.scale(both);
+    let [f_s, f_s4, f_u, f_4u, kappa, f_n, f_px, f_py, f_ys, d_s, w, ix, iy, im] = divide(
+        [one, one, one, one, p2, lx2, vx2, one, lys * ls, one, n2, one, one, one],
         [
-            rx,
-            ry,
-            rm,
-            ru,
             s2.plus(1.0),
-            u2.times(0.5).plus(1.0),
-            (s2 + u2.times(0.3)).plus(1.0),
             (s2 * s2).plus(1.0),
-            (lys * lys + s2).plus(1.0),
+            u2.times(0.5).plus(1.0),
+            u2.times(4.0).plus(1.0),
+            (vx2 + vy2 + p2).plus(1e-12),
             (u2 + s2).plus(0.02),
-            (px + p2i).plus(0.002),
-            (py + p2g).plus(0.002),
-            (px + py + spin_slip).plus(1e-12),
+            (vx2 + px2).plus(0.002),
+            (vy2 + py2).plus(0.002),
+            (lys * lys + s2).plus(1.0),
+            (s2 + u2.times(0.3)).plus(1.0),
             n2.plus(0.05),
+            (tx * tx).plus(1.0),
+            (ty * ty).plus(1.0),
+            (tm2 + u2).plus(1.0),
         ],
     );
-    let ex = lx * dx;
-    let ex2 = ex * ex;
-    let ey = ly * dy;
-    let e2 = ex2 + ey * ey;
-    let [d_e, f_e, f_es] = divide(
-        [one, one, ey * ls],
-        [(e2 * e2).times(0.1).plus(1.0), e2.plus(1.0), (e2 + s2).plus(1.0)],
+    // how spin brakes the two slopes and the spin moment
+    let [dx, dy, dm, _] = [ix, iy, im, im].map(T::sqrt);
+    // size of the creep force so braked
+    let ex2 = lx2 * ix;
+    let e2 = ex2 + ly2 * iy;
+    let [d_e, f_e, f_es, _] = divide(
+        [one, one, ly * dy * ls, one],
+        [(e2 * e2).times(0.1).plus(1.0), e2.plus(1.0), (e2 + s2).plus(1.0), one],
     );
 
     let o = network([
         T::from_base(slender),
         T::from_base(poisson_ratio.times(4.0).plus(-1.0)),
+        signed(f_s),
+        signed(f_s4),
+        signed(f_u),
+        signed(f_4u),
+        signed(kappa),
+        signed(f_n),
+        signed(f_px),
+        signed(py2 * f_py),
+        twice(vy * phi.scale(root) * f_py),
+        twice(f_ys),
         signed(dx),
         signed(dy),
-        signed(f_s),
         signed(dm),
-        signed(du),
-        signed(f_u),
-        signed(f_n),
-        twice(vy * phi.scale(root) * f_py),
-        signed(kappa),
-        signed(px * f_px),
         signed(f_e),
-        signed(f_s4),
-        twice(f_ys),
         signed(ex2 * f_e),
         twice(f_es),
-        signed(p2g * f_py),
     ])
     .map(|o| o * w);
-    let [k1, k2, k3, k4, _, k6, ..] = o.map(|o| o + (o * o).plus(1.0).sqrt());
+    let [k1, k2, k3, k4, _, k6, ..] = o.map(|o| (o * o.times(1.01).plus(2.0)).plus(1.0));
     let [_, _, _, _, rho, ..] = o;
-    let rho = rho / (rho * rho).plus(1.0).sqrt() * d_e;
+    let rho = twice(rho) / (rho * rho).plus(1.0) * d_e;
 
     // q: linear theory with spin braking its slopes; the direction turns to that of the rigid slip
     // as sliding spreads
@@ -180,37 +181,81 @@ pub fn total<T: Real>(
 
 /// The six corrections, and two zeros.
 #[inline(always)]
-fn network<T: Real>(features: [T; FEATURES]) -> [T; WIDTH_OUT] {
-    let hidden: [T; WIDTH_1] = activation(layer(&features, &HIDDEN_1));
-    let hidden: [T; WIDTH_2] = activation(layer(&hidden, &HIDDEN_2));
-    layer(&hidden, &OUTPUT)
+pub fn network<T: Real>(features: [T; FEATURES]) -> [T; WIDTH_OUT] {
+    let hidden: [T; WIDTH_1] = activation(layer(&features, table(&HIDDEN_1, &WIDE_1)));
+    let hidden: [T; WIDTH_2] = activation(layer(&hidden, table(&HIDDEN_2, &WIDE_2)));
+    layer(&hidden, table(&OUTPUT, &WIDE_OUTPUT))
+}
+
+/// The constants in double precision: converted once by the compiler, not in every call.
+static WIDE_1: [[f64; WIDTH_1]; FEATURES + 1] = widen(&HIDDEN_1);
+static WIDE_2: [[f64; WIDTH_2]; WIDTH_1 + 1] = widen(&HIDDEN_2);
+static WIDE_OUTPUT: [[f64; WIDTH_OUT]; WIDTH_2 + 1] = widen(&OUTPUT);
+
+#[allow(clippy::indexing_slicing)]
+const fn widen<const N: usize, const M: usize>(narrow: &[[f32; N]; M]) -> [[f64; N]; M] {
+    let mut wide = [[0.0; N]; M];
+    let mut i = 0;
+    while i < M {
+        let mut j = 0;
+        while j < N {
+            wide[i][j] = narrow[i][j] as f64;
+            j += 1;
+        }
+        i += 1;
+    }
+    wide
+}
+
+/// The table in the precision asked for; the other one is not even linked.
+#[inline(always)]
+fn table<F: Float, const N: usize, const M: usize>(
+    narrow: &'static [[f32; N]; M],
+    wide: &'static [[f64; N]; M],
+) -> &'static [[F; N]] {
+    if let Some(table) = (narrow as &dyn Any).downcast_ref::<[[F; N]; M]>() {
+        table
+    } else if let Some(table) = (wide as &dyn Any).downcast_ref::<[[F; N]; M]>() {
+        table
+    } else {
+        &[]
+    }
 }
 
 /// `bias + Σ xᵢ rowᵢ`: the first row of `weights` is the bias.
 #[inline(always)]
-fn layer<T: Real, const N: usize>(inputs: &[T], weights: &[[f32; N]]) -> [T; N] {
+fn layer<T: Real, const N: usize>(inputs: &[T], weights: &[[T::Base; N]]) -> [T; N] {
     let mut sums = [T::zero(); N];
     if let Some((bias, rows)) = weights.split_first() {
-        sums = bias.map(|b| T::from_base(T::Base::of_f32(b)));
+        sums = bias.map(T::from_base);
         for (input, row) in inputs.iter().zip(rows) {
             for (sum, weight) in sums.iter_mut().zip(row) {
-                *sum += input.scale(T::Base::of_f32(*weight));
+                *sum += input.scale(*weight);
             }
         }
     }
     sums
 }
 
-/// `x/√(1 + x²)`.
+/// `2x/(1 + x²)`, with one division for two units.
 #[inline(always)]
 fn activation<T: Real, const N: usize>(x: [T; N]) -> [T; N] {
-    x.map(|x| x / (x * x).plus(1.0).sqrt())
+    let p = x.map(|x| (x * x).plus(1.0));
+    let mut y = x.map(twice);
+    let (low, high) = y.split_at_mut(N / 2);
+    let (p, q) = p.split_at(N / 2);
+    for (((low, high), p), q) in low.iter_mut().zip(high).zip(p).zip(q) {
+        let r = T::one() / (*p * *q);
+        *low = *low * (*q * r);
+        *high = *high * (*p * r);
+    }
+    y
 }
 
 /// `S(|q|)/|q|` from `|q|²`, with `S = 1 − ((2 + d²) √(1 − d²) − 3 d acos d)/2`, `d = 4|q|/(3π)`, and 1 for
 /// `d ≥ 1` (8.15).
 #[inline(always)]
-fn saturation<T: Real>(q2: T) -> T {
+pub fn saturation<T: Real>(q2: T) -> T {
     const SLOPE: f64 = 4.0 / (3.0 * core::f64::consts::PI);
     // the small terms keep the derivatives of the roots finite at 0
     let d = q2.plus(1e-30).sqrt().times(SLOPE);

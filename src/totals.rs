@@ -193,21 +193,12 @@ where
     /// Total force, moment and stick area with a fixed number of strips.
     #[must_use]
     pub fn totals(&self, count: StripCount) -> Totals<T> {
-        let mut sum = Sum {
-            fx: T::zero(),
-            fy: T::zero(),
-            mz: T::zero(),
-            stick: T::zero(),
-        };
+        let mut sum = Sum { fx: T::zero(), fy: T::zero(), mz: T::zero(), stick: T::zero() };
         self.place(count, &mut sum);
         // Friction capacity is exact, stretch is exact, their mixture with few strips is not: keep
         // |F| ≤ μ N.
         let size = sum.fx * sum.fx + sum.fy * sum.fy;
-        let bound = if size > T::one() {
-            T::one() / size.sqrt()
-        } else {
-            T::one()
-        };
+        let bound = if size > T::one() { T::one() / size.sqrt() } else { T::one() };
         Totals {
             fx: sum.fx * bound,
             fy: sum.fy * bound,
@@ -284,10 +275,7 @@ where
         } else if y >= upper.y {
             upper
         } else {
-            EdgePoint {
-                y,
-                c: ((T::one() - y) * (T::one() + y)).sqrt(),
-            }
+            EdgePoint { y, c: ((T::one() - y) * (T::one() + y)).sqrt() }
         }
     }
 
@@ -297,10 +285,9 @@ where
         let xi_bar = self.family.xi_bar(y);
         let (x, y) = match self.rule {
             // w ~ ((1 − ν) ξ̄, η)
-            SlidingRule::RigidSlip => (
-                xi_bar.scale(T::Base::one() - self.poisson_ratio),
-                self.family.eta,
-            ),
+            SlidingRule::RigidSlip => {
+                (xi_bar.scale(T::Base::one() - self.poisson_ratio), self.family.eta)
+            }
             // w ~ (ξ̄, η + ψ C)
             SlidingRule::Continuous => {
                 let c = c_squared.max(T::from_base(T::TINY)).sqrt();
@@ -325,11 +312,7 @@ where
         // Length of the panel, 1 − Y, without cancellation next to the edge
         let beyond = T::one() + from.abs();
         let past_middle = end.c * end.c / beyond;
-        let length = if from > T::zero() {
-            past_middle
-        } else {
-            beyond
-        };
+        let length = if from > T::zero() { past_middle } else { beyond };
         // ∫ C² dY over the panel
         let capacity = length * length * (T::one() - length.times(1.0 / 3.0));
         // Grading Y = end + L s (A + B s²)/(A + B): A is the distance in slip from the strip where
@@ -456,18 +439,12 @@ where
             let xi_bar = self.family.xi_bar(y[i]);
             square[i] = xi_bar * xi_bar;
             // S = √(η² + (1 − ψ²) ξ̄²)
-            s[i] = (eta_squared + q * square[i])
-                .max(T::from_base(T::TINY))
-                .sqrt();
+            s[i] = (eta_squared + q * square[i]).max(T::from_base(T::TINY)).sqrt();
         }
         let mut kappa = [T::zero(); A];
         let cancels = eta_psi < T::zero();
         for i in 0..A {
-            let numerator = if cancels {
-                square[i] + eta_squared
-            } else {
-                s[i] + eta_psi
-            };
+            let numerator = if cancels { square[i] + eta_squared } else { s[i] + eta_psi };
             let denominator = if cancels { s[i] - eta_psi } else { q };
             kappa[i] = numerator / denominator;
         }
@@ -506,13 +483,7 @@ fn total<T: Real, const M: usize>(terms: &[T; M]) -> T {
 impl<T: Real, const M: usize> Panel<T, M> {
     /// The same strips taken away.
     fn negated(mut self) -> Self {
-        for list in [
-            &mut self.width,
-            &mut self.fx,
-            &mut self.fy,
-            &mut self.mz,
-            &mut self.stick,
-        ] {
+        for list in [&mut self.width, &mut self.fx, &mut self.fy, &mut self.mz, &mut self.stick] {
             for value in list {
                 *value = -*value;
             }
@@ -551,10 +522,7 @@ impl<T: Real> Arc<T> {
         Self {
             lower,
             upper,
-            middle: EdgePoint {
-                y: (sy - dc) * scale,
-                c: (sc + dy) * scale,
-            },
+            middle: EdgePoint { y: (sy - dc) * scale, c: (sc + dy) * scale },
             quarter_tangent: chord / (along.plus(2.0)),
         }
     }
@@ -562,11 +530,7 @@ impl<T: Real> Arc<T> {
     /// Nodes in `t = tan(φ/2)` about the middle, where `cos φ` and `sin φ` are rational.
     #[inline(always)]
     fn nodes<const A: usize>(&self, rule: &Rule<T::Base, A>) -> ArcNodes<T, A> {
-        let mut nodes = ArcNodes {
-            y: [T::zero(); A],
-            c: [T::zero(); A],
-            width: [T::zero(); A],
-        };
+        let mut nodes = ArcNodes { y: [T::zero(); A], c: [T::zero(); A], width: [T::zero(); A] };
         for i in 0..A {
             let t = self.quarter_tangent.scale(rule.nodes[i]);
             let scale = T::one() / (T::one() + t * t);
@@ -597,15 +561,8 @@ impl<T: Real> Arc<T> {
         let squares = lower.y * lower.y + lower.y * upper.y + upper.y * upper.y;
         let exact_capacity = (upper.y - lower.y) * (T::one() - squares.times(1.0 / 3.0));
         let ratio = |exact: T, sum: T| {
-            if sum.value() > T::EPSILON {
-                exact / sum
-            } else {
-                T::one()
-            }
+            if sum.value() > T::EPSILON { exact / sum } else { T::one() }
         };
-        (
-            ratio(exact_stretch, stretch),
-            ratio(exact_capacity, capacity),
-        )
+        (ratio(exact_stretch, stretch), ratio(exact_capacity, capacity))
     }
 }

@@ -52,13 +52,7 @@ fn quadrature_converges_to_the_closed_form() {
     ] {
         let errors = errors(count);
         let (m, p, w) = (errors[5_000], errors[9_500], errors[9_999]);
-        println!(
-            "{:>2} strips: median {m:.1e}, 95 % {p:.1e}, worst {w:.1e}",
-            count as i32
-        );
-        assert!(
-            m <= median && p <= p95 && w <= worst,
-            "{count:?}: {m:.2e} {p:.2e} {w:.2e}"
-        );
+        println!("{:>2} strips: median {m:.1e}, 95 % {p:.1e}, worst {w:.1e}", count as i32);
+        assert!(m <= median && p <= p95 && w <= worst, "{count:?}: {m:.2e} {p:.2e} {w:.2e}");
     }
 }

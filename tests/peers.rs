@@ -29,9 +29,7 @@ struct Case {
 }
 
 fn records(name: &str) -> Vec<csv::StringRecord> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("tests/data")
-        .join(name);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name);
     let mut reader = csv::Reader::from_path(path).expect("the data file is there");
     reader.records().map(|r| r.expect("a CSV row")).collect()
 }
@@ -108,11 +106,7 @@ fn statistics(mut errors: Vec<f64>) -> [f64; 3] {
 fn errors(solve: impl Fn(&Input) -> Output) -> ([f64; 3], f64) {
     let cases = open();
     let outputs: Vec<Output> = cases.iter().map(|c| solve(&c.input)).collect();
-    let force = cases
-        .iter()
-        .zip(&outputs)
-        .map(|(c, o)| (o.fx - c.fx).hypot(o.fy - c.fy))
-        .collect();
+    let force = cases.iter().zip(&outputs).map(|(c, o)| (o.fx - c.fx).hypot(o.fy - c.fy)).collect();
     let moment = cases.iter().zip(&outputs).map(|(c, o)| (o.mz - c.mz).abs());
     (statistics(force), moment.sum::<f64>() / cases.len() as f64)
 }
@@ -151,12 +145,7 @@ fn check(
     println!("{name:44} {f:.4?}, moment {m:.4}");
     for k in 0..3 {
         // half a unit of the last digit written, and rounding of another machine's libm
-        assert!(
-            (f[k] - ours[k]).abs() < 1e-4,
-            "{name}: figure {k} is {}, was {}",
-            f[k],
-            ours[k]
-        );
+        assert!((f[k] - ours[k]).abs() < 1e-4, "{name}: figure {k} is {}, was {}", f[k], ours[k]);
         if let Some((published, tolerance)) = table {
             assert!(
                 (f[k] / published[k] - 1.0).abs() < tolerance[k],
@@ -340,13 +329,8 @@ fn figures_of_fastrip() {
 /// vy = −0.000625, φ = 0.000625/mm.
 #[test]
 fn published_check_on_200_by_200_cells() {
-    let input = Input {
-        a: 8e-3,
-        b: 4e-3,
-        lateral: -0.000_625,
-        spin: 0.625,
-        ..contact(2.0, [0.0; 3])
-    };
+    let input =
+        Input { a: 8e-3, b: 4e-3, lateral: -0.000_625, spin: 0.625, ..contact(2.0, [0.0; 3]) };
     let force = |l, f, b| {
         let o = simple::<200>(l, f, b)(&input);
         assert!(o.fx.abs() < 1e-12, "no longitudinal force by symmetry");
@@ -394,10 +378,7 @@ fn closed_forms_at_known_points() {
     let unit = MU * N / (G * SIZE * SIZE);
     input.longitudinal = unit / input.c11;
     // R − R²/3 + R³/27 at R = 1: 19/27, 1964 and 1983 alike
-    for o in [
-        shen_hedrick_elkins::solve(&input),
-        vermeulen_johnson::solve(&input),
-    ] {
+    for o in [shen_hedrick_elkins::solve(&input), vermeulen_johnson::solve(&input)] {
         assert_relative_eq!(o.fx, 19.0 / 27.0, max_relative = 1e-12);
         assert_eq!(o.fy, 0.0);
     }
@@ -454,23 +435,14 @@ fn linear_limit(
     let force = |o: Output| [o.fx, o.fy, o.fy][which] / (c * v[which]);
     // closed forms: exact but for a relative term of the order of the creepage, which in
     // Polach's spin is not small against the tolerance below
-    assert_relative_eq!(
-        force(shen_hedrick_elkins::solve(&input)),
-        1.0,
-        epsilon = 1e-3
-    );
+    assert_relative_eq!(force(shen_hedrick_elkins::solve(&input)), 1.0, epsilon = 1e-3);
     assert_relative_eq!(force(polach::solve(&input)), 1.0, epsilon = 3e-3);
     if which < 2 {
         assert_relative_eq!(force(vermeulen_johnson::solve(&input)), 1.0, epsilon = 1e-3);
     }
     // FASTSIM, n cells: a traction growing linearly, summed at the cells' centres after a whole step
     // each, is (n + 1)/n of its integral; for spin, first order too
-    for f in [
-        Flexibility::Three,
-        Flexibility::Kalker,
-        Flexibility::Energy,
-        Flexibility::Blended,
-    ] {
+    for f in [Flexibility::Three, Flexibility::Kalker, Flexibility::Energy, Flexibility::Blended] {
         let o = simple::<50>(Layout::StripCentres, f, Bound::Parabolic)(&input);
         assert_relative_eq!(force(o), 1.0, epsilon = 0.03);
     }

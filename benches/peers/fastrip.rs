@@ -63,11 +63,7 @@ impl Parameters {
         // S = √(η² + (1 − ψ²) ξ̄²)
         let s = (e * e + rest * xb * xb).sqrt();
         // κ/a = (S + ηψ)/(1 − ψ²) = (ξ̄² + η²)/(S − ηψ), the form that does not cancel
-        let kappa = if e * p >= 0.0 {
-            (s + e * p) / rest
-        } else {
-            (xb * xb + e * e) / (s - e * p)
-        };
+        let kappa = if e * p >= 0.0 { (s + e * p) / rest } else { (xb * xb + e * e) / (s - e * p) };
         (xb, kappa)
     }
 }
@@ -191,11 +187,7 @@ pub fn solve<const NX: usize, const NY: usize, const LANES: usize>(
     }
     let cell = 0.75 * FRAC_2_PI * step * (2.0 / NY as f64);
     let ratio = (a / b).sqrt();
-    Output {
-        fx: cell * fx,
-        fy: cell * fy,
-        mz: cell * (ratio * my - mx / ratio),
-    }
+    Output { fx: cell * fx, fy: cell * fy, mz: cell * (ratio * my - mx / ratio) }
 }
 
 /// Creep force and moment as CONTACT describes its FaStrip, `LANES` rows side by side.
@@ -290,9 +282,5 @@ pub fn solve_contact<const NX: usize, const NY: usize, const LANES: usize>(
     }
     let cell = FRAC_2_PI * step * (2.0 / NY as f64);
     let ratio = (a / b).sqrt();
-    Output {
-        fx: cell * fx,
-        fy: cell * fy,
-        mz: cell * (ratio * my - mx / ratio),
-    }
+    Output { fx: cell * fx, fy: cell * fy, mz: cell * (ratio * my - mx / ratio) }
 }

@@ -132,16 +132,7 @@ impl<const NX: usize, const NY: usize> Grid<NX, NY> {
 #[inline(always)]
 pub(super) fn stiffness(input: &Input, flexibility: Flexibility) -> [f64; 3] {
     let &Input {
-        a,
-        b,
-        shear_modulus: g,
-        longitudinal: vx,
-        lateral: vy,
-        spin,
-        c11,
-        c22,
-        c23,
-        ..
+        a, b, shear_modulus: g, longitudinal: vx, lateral: vy, spin, c11, c22, c23, ..
     } = input;
     let k = 3.0 * g / (8.0 * a);
     // 1/L1 = 3 G C11/(8a), 1/L2 = 3 G C22/(8a), 1/L3 = 4 G C23/(π a √(a/b))
@@ -151,11 +142,7 @@ pub(super) fn stiffness(input: &Input, flexibility: Flexibility) -> [f64; 3] {
         let w = spin * (3.0 * PI / 32.0) * a;
         let (x, y, w) = (vx * vx, vy * vy, w * w);
         let sum = x + y + w;
-        if sum > 0.0 {
-            (x * three[0] + y * three[1] + w * three[2]) / sum
-        } else {
-            three[0]
-        }
+        if sum > 0.0 { (x * three[0] + y * three[1] + w * three[2]) / sum } else { three[0] }
     };
     match flexibility {
         Flexibility::Three => three,
@@ -163,11 +150,7 @@ pub(super) fn stiffness(input: &Input, flexibility: Flexibility) -> [f64; 3] {
             let w = spin.abs() * (a * b).sqrt();
             let (x, y) = (vx.abs(), vy.abs());
             let sum = x / three[0] + y / three[1] + w / three[2];
-            let k = if sum > 0.0 {
-                (x * x + y * y + w * w).sqrt() / sum
-            } else {
-                three[0]
-            };
+            let k = if sum > 0.0 { (x * x + y * y + w * w).sqrt() / sum } else { three[0] };
             [k; 3]
         }
         Flexibility::Energy => [energy(); 3],
@@ -223,11 +206,7 @@ fn march<
     let step = 2.0 / NX as f64;
     let [k1, k2, k3] = stiffness(input, flexibility);
     // tractions in units of the bound at the centre, 2µN/(πab) or 3µN/(2πab); lengths along in a
-    let amplitude = if PARABOLIC {
-        FRAC_2_PI
-    } else {
-        0.75 * FRAC_2_PI
-    };
+    let amplitude = if PARABOLIC { FRAC_2_PI } else { 0.75 * FRAC_2_PI };
     let unit = a * step * (a * b) / (amplitude * input.bound());
     let ux = input.longitudinal * k1 * unit;
     let uy = input.lateral * k2 * unit;
@@ -289,11 +268,7 @@ fn march<
                 let t2 = px * px + py * py;
                 // the traction keeps its direction and loses what exceeds the bound
                 let r = if LANES == 1 {
-                    if t2 > limit * limit {
-                        limit / t2.sqrt()
-                    } else {
-                        1.0
-                    }
+                    if t2 > limit * limit { limit / t2.sqrt() } else { 1.0 }
                 } else {
                     let r = limit / t2.sqrt();
                     if r < 1.0 { r } else { 1.0 }

@@ -24,25 +24,14 @@ pub fn solve(input: &Input) -> Output {
 /// Creep force, with [`shape`] computed beforehand.
 #[inline]
 pub fn solve_with_shape(input: &Input, shape: f64) -> Output {
-    let &Input {
-        a,
-        b,
-        longitudinal: sx,
-        lateral: sy,
-        spin,
-        ..
-    } = input;
+    let &Input { a, b, longitudinal: sx, lateral: sy, spin, .. } = input;
     // s_yC = s_y + ω a where |s_y + ω a| > |s_y|, else s_y
     let sum = sy + spin * a;
     let syc = if sum.abs() > sy.abs() { sum } else { sy };
     // s_C = √(s_x² + s_yC²)
     let sc = (sx * sx + syc * syc).sqrt();
     if sc == 0.0 {
-        return Output {
-            fx: 0.0,
-            fy: 0.0,
-            mz: f64::NAN,
-        };
+        return Output { fx: 0.0, fy: 0.0, mz: f64::NAN };
     }
     let stiffness = input.shear_modulus * a * b / input.bound();
     // c_jj = √((c11 s_x/s)² + (c22 s_y/s)²)
@@ -67,9 +56,5 @@ pub fn solve_with_shape(input: &Input, shape: f64) -> Output {
         // F_yS/(Q µ) = (9/16) a K_M (1 + 6.3(1 − e^{−a/b})), added as F_yS ω/s_C
         fy += 0.5625 * a * km * shape * spin / sc;
     }
-    Output {
-        fx: f * sx / sc,
-        fy,
-        mz: f64::NAN,
-    }
+    Output { fx: f * sx / sc, fy, mz: f64::NAN }
 }

@@ -14,14 +14,6 @@ pub fn solve(input: &Input) -> Output {
     let (x, y) = (lx, ly + ls);
     let r = (x * x + y * y).sqrt();
     // |F|/(µN) = R − R²/3 + R³/27 for R ≤ 3, else 1; as a factor on the linear force
-    let f = if r < 3.0 {
-        1.0 - r * (1.0 / 3.0 - r * (1.0 / 27.0))
-    } else {
-        1.0 / r
-    };
-    Output {
-        fx: f * x,
-        fy: f * y,
-        mz: f64::NAN,
-    }
+    let f = if r < 3.0 { 1.0 - r * (1.0 / 3.0 - r * (1.0 / 27.0)) } else { 1.0 / r };
+    Output { fx: f * x, fy: f * y, mz: f64::NAN }
 }

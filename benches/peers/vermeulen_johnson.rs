@@ -42,14 +42,6 @@ pub fn solve(input: &Input) -> Output {
     let (x, y, _) = input.linear();
     let t = (x * x + y * y).sqrt();
     // |F|/(µN) = 1 − (1 − τ/3)³ for τ ≤ 3, else 1; as a factor on (x, y)
-    let f = if t < 3.0 {
-        1.0 - t * (1.0 / 3.0 - t * (1.0 / 27.0))
-    } else {
-        1.0 / t
-    };
-    Output {
-        fx: f * x,
-        fy: f * y,
-        mz: f64::NAN,
-    }
+    let f = if t < 3.0 { 1.0 - t * (1.0 / 3.0 - t * (1.0 / 27.0)) } else { 1.0 / t };
+    Output { fx: f * x, fy: f * y, mz: f64::NAN }
 }

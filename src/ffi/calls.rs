@@ -1,0 +1,336 @@
+//! What the exported functions of both precisions do, once, generic over the precision.
+
+use super::{answer, checked_options, kstrip_status, types::kstrip_options};
+use crate::contact::Contact;
+use crate::creepage::{Creepage, Parameters, SurfaceVelocity};
+use crate::field::FieldPoint;
+use crate::hertz::{self, HertzContact, Radii};
+use crate::material::{self, CombinedMaterial, Material};
+use crate::model::{self, Field, Solution, StripResult};
+use crate::quadrature::Tabulated;
+use crate::real::Float;
+use crate::status::{Error, Notice};
+use core::mem::MaybeUninit;
+
+type Out<'a, T> = Option<&'a mut MaybeUninit<T>>;
+type OutArray<'a, T> = Result<&'a mut [MaybeUninit<T>], Error>;
+
+/// A required argument.
+fn given<T>(argument: Option<T>) -> Result<T, Error> {
+    argument.ok_or(Error::NullPointer)
+}
+
+pub(super) fn material_from_youngs_modulus<F: Float, M: From<Material<F>>>(
+    youngs_modulus: F,
+    poisson_ratio: F,
+    out: Out<M>,
+) -> kstrip_status {
+    answer(|| {
+        let out = given(out)?;
+        material::check_modulus(youngs_modulus)?;
+        material::check_poisson_ratio(poisson_ratio)?;
+        out.write(Material::from_youngs_modulus(youngs_modulus, poisson_ratio).into());
+        Ok(Notice::None)
+    })
+}
+
+pub(super) fn material_combine<F: Float, M: Copy, C: From<CombinedMaterial<F>>>(
+    lower: Option<&M>,
+    upper: Option<&M>,
+    out: Out<C>,
+) -> kstrip_status
+where
+    Material<F>: From<M>,
+{
+    answer(|| {
+        let (lower, upper, out) = (given(lower)?, given(upper)?, given(out)?);
+        out.write(material::combine(&(*lower).into(), &(*upper).into())?.into());
+        Ok(Notice::None)
+    })
+}
+
+pub(super) fn hertz<F: Float, R: Copy, C: Copy, H: From<HertzContact<F>>>(
+    radii: Option<&R>,
+    normal_force: F,
+    material: Option<&C>,
+    out: Out<H>,
+) -> kstrip_status
+where
+    Radii<F>: From<R>,
+    CombinedMaterial<F>: From<C>,
+{
+    answer(|| {
+        let (radii, out) = (given(radii)?, given(out)?);
+        let material = CombinedMaterial::from(*given(material)?);
+        let ellipse = hertz::hertz(
+            &(*radii).into(),
+            normal_force,
+            material.shear_modulus,
+            material.poisson_ratio,
+        )?;
+        out.write(ellipse.into());
+        Ok(Notice::None)
+    })
+}
+
+pub(super) fn creepage_from_velocities<F: Float, V: Copy, C: From<Creepage<F>>>(
+    lower: Option<&V>,
+    upper: Option<&V>,
+    rolling_speed: F,
+    out: Out<C>,
+) -> kstrip_status
+where
+    SurfaceVelocity<F>: From<V>,
+{
+    answer(|| {
+        let (lower, upper, out) = (given(lower)?, given(upper)?, given(out)?);
+        let creepage =
+            Creepage::from_velocities(&(*lower).into(), &(*upper).into(), rolling_speed)?;
+        out.write(creepage.into());
+        Ok(Notice::None)
+    })
+}
+
+pub(super) fn parameters_from_creepage<F: Float, C: Copy, K: Copy, P: From<[F; 3]>>(
+    contact: Option<&C>,
+    creepage: Option<&K>,
+    out: Out<P>,
+) -> kstrip_status
+where
+    Contact<F>: From<C>,
+    Creepage<F>: From<K>,
+{
+    answer(|| {
+        let (contact, creepage, out) = (given(contact)?, given(creepage)?, given(out)?);
+        let (contact, creepage) = (Contact::from(*contact), Creepage::from(*creepage));
+        contact.check()?;
+        creepage.check()?;
+        let Parameters { xi, eta, psi, .. } = Parameters::new(&contact, &creepage);
+        out.write([xi, eta, psi].into());
+        Ok(Notice::None)
+    })
+}
+
+pub(super) fn creepage_from_parameters<F: Float, C: Copy, P: Copy, K: From<Creepage<F>>>(
+    contact: Option<&C>,
+    parameters: Option<&P>,
+    out: Out<K>,
+) -> kstrip_status
+where
+    Contact<F>: From<C>,
+    [F; 3]: From<P>,
+{
+    answer(|| {
+        let (contact, parameters, out) = (given(contact)?, given(parameters)?, given(out)?);
+        let contact = Contact::from(*contact);
+        contact.check()?;
+        let [xi, eta, psi] = <[F; 3]>::from(*parameters);
+        if ![xi, eta, psi].iter().all(|parameter| parameter.is_finite_number()) {
+            return Err(Error::NotFinite);
+        }
+        let parameters = Parameters {
+            xi,
+            eta,
+            psi,
+            poisson_ratio: contact.poisson_ratio,
+            axis_ratio: contact.a / contact.b,
+        };
+        let creepage = parameters.creepage(&contact);
+        creepage.check().map_err(|_| Error::Overflow)?;
+        out.write(creepage.into());
+        Ok(Notice::None)
+    })
+}
+
+/// The inputs that every solver shares.
+fn inputs<F: Float, C: Copy, K: Copy>(
+    contact: Option<&C>,
+    creepage: Option<&K>,
+) -> Result<(Contact<F>, Creepage<F>), Error>
+where
+    Contact<F>: From<C>,
+    Creepage<F>: From<K>,
+{
+    Ok(((*given(contact)?).into(), (*given(creepage)?).into()))
+}
+
+#[inline]
+pub(super) fn solve<F: Tabulated, C: Copy, K: Copy, R: From<Solution<F>>>(
+    contact: Option<&C>,
+    creepage: Option<&K>,
+    options: Option<&kstrip_options>,
+    out: Out<R>,
+) -> kstrip_status
+where
+    Contact<F>: From<C>,
+    Creepage<F>: From<K>,
+{
+    answer(|| {
+        let (contact, creepage) = inputs(contact, creepage)?;
+        let (options, out) = (checked_options(options)?, given(out)?);
+        let solution = model::solve(&contact, &creepage, &options)?;
+        let notice = solution.notice;
+        out.write(solution.into());
+        Ok(notice)
+    })
+}
+
+pub(super) fn solve_jacobian<F: Tabulated, C: Copy, K: Copy, R: From<Solution<F>>>(
+    contact: Option<&C>,
+    creepage: Option<&K>,
+    options: Option<&kstrip_options>,
+    out: Out<R>,
+    entries: OutArray<F>,
+) -> kstrip_status
+where
+    Contact<F>: From<C>,
+    Creepage<F>: From<K>,
+{
+    answer(|| {
+        let (contact, creepage) = inputs(contact, creepage)?;
+        let (options, out, entries) = (checked_options(options)?, given(out)?, entries?);
+        let (solution, jacobian) = model::solve_jacobian(&contact, &creepage, &options)?;
+        let notice = solution.notice;
+        out.write(solution.into());
+        // nalgebra stores columns; C wants rows.
+        for (entry, value) in entries.iter_mut().zip(jacobian.transpose().iter()) {
+            entry.write(*value);
+        }
+        Ok(notice)
+    })
+}
+
+pub(super) fn solve_batch<F: Tabulated, C: Copy, K: Copy, R: From<Solution<F>>>(
+    contacts: Result<&[C], Error>,
+    creepages: Result<&[K], Error>,
+    options: Option<&kstrip_options>,
+    results: OutArray<R>,
+) -> kstrip_status
+where
+    Contact<F>: From<C>,
+    Creepage<F>: From<K>,
+{
+    answer(|| {
+        let (contacts, creepages, results) = (contacts?, creepages?, results?);
+        let options = checked_options(options)?;
+        for (contact, creepage) in contacts.iter().zip(creepages) {
+            model::check(&(*contact).into(), &(*creepage).into())?;
+        }
+        let mut worst = Notice::None;
+        for ((contact, creepage), out) in contacts.iter().zip(creepages).zip(results) {
+            let solution = model::solve(&(*contact).into(), &(*creepage).into(), &options)?;
+            if solution.notice.code() > worst.code() {
+                worst = solution.notice;
+            }
+            out.write(solution.into());
+        }
+        Ok(worst)
+    })
+}
+
+pub(super) fn strips<F: Tabulated, C: Copy, K: Copy, S: From<StripResult<F>>>(
+    contact: Option<&C>,
+    creepage: Option<&K>,
+    options: Option<&kstrip_options>,
+    out: OutArray<S>,
+    count: Out<u32>,
+) -> kstrip_status
+where
+    Contact<F>: From<C>,
+    Creepage<F>: From<K>,
+{
+    answer(|| {
+        let (contact, creepage) = inputs(contact, creepage)?;
+        let (options, out, count) = (checked_options(options)?, out?, given(count)?);
+        // Count first, so that an array that is too small stays untouched.
+        let mut needed = 0_usize;
+        model::strips(&contact, &creepage, &options, |_| needed += 1)?;
+        if needed > out.len() {
+            return Err(Error::Capacity);
+        }
+        let mut places = out.iter_mut();
+        let mut written = 0_u32;
+        let notice = model::strips(&contact, &creepage, &options, |strip| {
+            if let Some(place) = places.next() {
+                place.write(strip.into());
+                written += 1;
+            }
+        })?;
+        count.write(written);
+        Ok(notice)
+    })
+}
+
+pub(super) fn traction_at<F: Tabulated, C: Copy, K: Copy, P: From<FieldPoint<F>>>(
+    contact: Option<&C>,
+    creepage: Option<&K>,
+    options: Option<&kstrip_options>,
+    x: F,
+    y: F,
+    out: Out<P>,
+) -> kstrip_status
+where
+    Contact<F>: From<C>,
+    Creepage<F>: From<K>,
+{
+    answer(|| {
+        let (contact, creepage) = inputs(contact, creepage)?;
+        let (options, out) = (checked_options(options)?, given(out)?);
+        let field = Field::new(&contact, &creepage, &options)?;
+        if !x.is_finite_number() || !y.is_finite_number() {
+            return Err(Error::NotFinite);
+        }
+        out.write(field.at(x, y).into());
+        Ok(field.notice)
+    })
+}
+
+pub(super) fn field<F: Tabulated, C: Copy, K: Copy, P: From<FieldPoint<F>>>(
+    contact: Option<&C>,
+    creepage: Option<&K>,
+    options: Option<&kstrip_options>,
+    x: Result<&[F], Error>,
+    y: Result<&[F], Error>,
+    out: OutArray<P>,
+) -> kstrip_status
+where
+    Contact<F>: From<C>,
+    Creepage<F>: From<K>,
+{
+    answer(|| {
+        let (contact, creepage) = inputs(contact, creepage)?;
+        let options = checked_options(options)?;
+        let (x, y, out) = (x?, y?, out?);
+        let field = Field::new(&contact, &creepage, &options)?;
+        if !x.iter().chain(y).all(|coordinate| coordinate.is_finite_number()) {
+            return Err(Error::NotFinite);
+        }
+        if x.len().checked_mul(y.len()).is_none_or(|points| points > out.len()) {
+            return Err(Error::Capacity);
+        }
+        let mut places = out.iter_mut();
+        for &y in y {
+            let strip = field.strip_at(y);
+            for (&x, place) in x.iter().zip(&mut places) {
+                place.write(field.along(strip.as_ref(), x).into());
+            }
+        }
+        Ok(field.notice)
+    })
+}
+
+pub(super) fn result_on_upper_body<R: Copy + UpperBody>(
+    lower: Option<&R>,
+    out: Out<R>,
+) -> kstrip_status {
+    answer(|| {
+        let (lower, out) = (given(lower)?, given(out)?);
+        out.write(lower.on_upper_body());
+        Ok(Notice::None)
+    })
+}
+
+/// A C result that can change sides.
+pub(super) trait UpperBody {
+    fn on_upper_body(&self) -> Self;
+}

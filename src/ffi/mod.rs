@@ -1,0 +1,160 @@
+//! The C interface: C types in, C types out; checks and conversion, no physics.
+//!
+//! Scalars and structures come in as `Option<&T>` and go out through
+//! `Option<&mut MaybeUninit<T>>`, which have the layout of C pointers and need no unsafe code; only
+//! arrays do.
+
+#![allow(non_camel_case_types)]
+// The only module with unsafe code: exported names and C arrays.
+#![allow(unsafe_code)]
+// What C callers promise about pointers stands once, at the head of the header.
+#![allow(clippy::missing_safety_doc)]
+
+mod arrays;
+mod calls;
+mod convert;
+pub mod double;
+pub mod single;
+pub mod types;
+pub mod types_f32;
+
+use crate::model::{Model, Options};
+use crate::status::{Error, Notice, advice};
+use crate::totals::StripCount;
+use core::ffi::c_char;
+use core::mem::MaybeUninit;
+use types::kstrip_options;
+
+/// Result of a call: 0 ok; > 0 warning, outputs valid; < 0 error, outputs untouched.
+pub type kstrip_status = i32;
+
+/// Success.
+pub const KSTRIP_OK: kstrip_status = 0;
+/// Warning: spin parameter |psi| >= 1, beyond the theory of 1967. The result is its continuation:
+/// finite, continuous, bounded by mu N.
+pub const KSTRIP_WARNING_SPIN: kstrip_status = 1;
+/// Warning: an input is outside the range in which the model was checked against its reference.
+pub const KSTRIP_WARNING_RANGE: kstrip_status = 2;
+/// Warning: the linear force exceeds mu N.
+pub const KSTRIP_WARNING_BEYOND_FRICTION: kstrip_status = 3;
+/// Error: a required pointer is NULL.
+pub const KSTRIP_ERROR_NULL: kstrip_status = -1;
+/// Error: an input is infinite or NaN.
+pub const KSTRIP_ERROR_NOT_FINITE: kstrip_status = -2;
+/// Error: a semi-axis is not positive.
+pub const KSTRIP_ERROR_SEMI_AXIS: kstrip_status = -3;
+/// Error: the normal force is negative.
+pub const KSTRIP_ERROR_NORMAL_FORCE: kstrip_status = -4;
+/// Error: a modulus of elasticity is not positive.
+pub const KSTRIP_ERROR_MODULUS: kstrip_status = -5;
+/// Error: Poisson's ratio is outside [0, 0.5].
+pub const KSTRIP_ERROR_POISSON_RATIO: kstrip_status = -6;
+/// Error: the coefficient of friction is negative.
+pub const KSTRIP_ERROR_FRICTION: kstrip_status = -7;
+/// Error: unknown model.
+pub const KSTRIP_ERROR_MODEL: kstrip_status = -8;
+/// Error: the strip count is not 4, 8, 16, 32 or 64.
+pub const KSTRIP_ERROR_STRIP_COUNT: kstrip_status = -9;
+/// Error: the bodies do not touch in an ellipse.
+pub const KSTRIP_ERROR_CURVATURE: kstrip_status = -10;
+/// Error: the rolling speed is not positive.
+pub const KSTRIP_ERROR_ROLLING_SPEED: kstrip_status = -11;
+/// Error: the caller's array is too small.
+pub const KSTRIP_ERROR_CAPACITY: kstrip_status = -12;
+/// Error: the model has totals only, no strips and no field.
+pub const KSTRIP_ERROR_NOT_IN_MODEL: kstrip_status = -13;
+/// Error: a result is beyond the range of the floating-point type.
+pub const KSTRIP_ERROR_OVERFLOW: kstrip_status = -14;
+
+/// The strip theory of 1967 with the sliding rule that the paper keeps for forces: strips without
+/// adhesion slide along the rigid slip of their centre line. For spin |psi| < 1.
+pub const KSTRIP_MODEL_STRIP_1967: i32 = 1;
+/// The strip theory of 1967 with the sliding rule that joins adhesion strips without a jump.
+pub const KSTRIP_MODEL_STRIP_1967_CONTINUOUS: i32 = 2;
+
+/// State of a point: outside the contact.
+pub const KSTRIP_STATE_OUTSIDE: i32 = 0;
+/// State of a point: adhesion, no slip.
+pub const KSTRIP_STATE_STICK: i32 = 1;
+/// State of a point: slip.
+pub const KSTRIP_STATE_SLIP: i32 = 2;
+/// State of a point: slip against the traction (negative local dissipation), the strip theory's
+/// error next to the leading edge of sliding strips.
+pub const KSTRIP_STATE_SLIP_NEGATIVE_DISSIPATION: i32 = 3;
+
+/// Upper bound of the number of strips that kstrip_strips() writes for `strips` strips.
+pub const KSTRIP_STRIPS_CAPACITY: u32 = 192;
+
+/// Version of the library, major.
+pub const KSTRIP_VERSION_MAJOR: i32 = 0;
+/// Version of the library, minor.
+pub const KSTRIP_VERSION_MINOR: i32 = 1;
+/// Version of the library, patch.
+pub const KSTRIP_VERSION_PATCH: i32 = 0;
+/// Changes whenever a structure or function changes incompatibly.
+pub const KSTRIP_ABI_VERSION: i32 = 1;
+
+/// What a status means and what the caller must change, in English.
+///
+/// Returns a static string; for a number that is no status, "unknown status". Never NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_status_string(status: kstrip_status) -> *const c_char {
+    advice(status).unwrap_or(c"unknown status").as_ptr()
+}
+
+/// Version of the library that is linked, such as "0.1.0". Never NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_version_string() -> *const c_char {
+    const { c_string(concat!(env!("CARGO_PKG_VERSION"), "\0")) }.as_ptr()
+}
+
+/// ABI version of the library that is linked: compare with KSTRIP_ABI_VERSION of the header.
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_abi_version() -> i32 {
+    KSTRIP_ABI_VERSION
+}
+
+const fn c_string(text: &'static str) -> &'static core::ffi::CStr {
+    match core::ffi::CStr::from_bytes_with_nul(text.as_bytes()) {
+        Ok(text) => text,
+        Err(_) => c"",
+    }
+}
+
+/// Fill in the recommended model and strip count.
+///
+/// @param[out] options  receives the defaults.
+/// @return KSTRIP_OK or KSTRIP_ERROR_NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_options_init(
+    options: Option<&mut MaybeUninit<kstrip_options>>,
+) -> kstrip_status {
+    let defaults = Options::default();
+    answer(|| {
+        let options = options.ok_or(Error::NullPointer)?;
+        options
+            .write(kstrip_options { model: defaults.model as i32, strips: defaults.strips as i32 });
+        Ok(Notice::None)
+    })
+}
+
+/// Run a fallible body and turn its outcome into a status.
+#[inline(always)]
+fn answer(body: impl FnOnce() -> Result<Notice, Error>) -> kstrip_status {
+    match body() {
+        Ok(notice) => notice.code(),
+        Err(error) => error.code(),
+    }
+}
+
+/// The caller's options, checked; NULL means the defaults.
+#[inline]
+fn checked_options(options: Option<&kstrip_options>) -> Result<Options, Error> {
+    let Some(options) = options else {
+        return Ok(Options::default());
+    };
+    Ok(Options {
+        model: Model::from_number(options.model).ok_or(Error::Model)?,
+        strips: StripCount::from_number(options.strips).ok_or(Error::StripCount)?,
+    })
+}

@@ -1,0 +1,45 @@
+//! Pressure, traction and slip at points of the contact, in SI units.
+
+use crate::contact::Contact;
+use crate::real::Float;
+use crate::strip::{State, StripPoint};
+
+/// The state of a point of the contact plane. Tractions act on the lower body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FieldPoint<F> {
+    /// Pressure `Z` \[Pa\].
+    pub pressure: F,
+    /// Traction `X` along the rolling direction \[Pa\].
+    pub traction_x: F,
+    /// Traction `Y` \[Pa\].
+    pub traction_y: F,
+    /// Slip `s_x` of the upper over the lower body, relative to the rolling speed \[–\].
+    pub slip_x: F,
+    /// Slip `s_y` \[–\].
+    pub slip_y: F,
+    /// `X s_x + Y s_y` \[Pa\]: energy dissipated per area and metre rolled.
+    pub dissipation: F,
+    /// Outside, stick, slip, or slip against the traction.
+    pub state: State,
+}
+
+impl<F: Float> FieldPoint<F> {
+    /// From the dimensionless point of a strip; `None` is outside the contact.
+    #[must_use]
+    pub fn new(contact: &Contact<F>, point: Option<StripPoint<F>>) -> Self {
+        let point = point.unwrap_or_else(StripPoint::outside);
+        let p0 = contact.peak_pressure();
+        let traction = contact.friction * p0;
+        // The inverse of the factor in (5.13), so that without friction the slip is the rigid slip
+        let slip = F::one() / contact.stiffness_ratio();
+        Self {
+            pressure: p0 * point.pressure,
+            traction_x: traction * point.traction_x,
+            traction_y: traction * point.traction_y,
+            slip_x: slip * point.slip_x,
+            slip_y: slip * point.slip_y,
+            dissipation: traction * slip * point.dissipation(),
+            state: point.state,
+        }
+    }
+}
