@@ -275,14 +275,14 @@ impl<T: Real> StripFamily<T> {
 /// Samples of the leading edge between the ends of the adhesion interval when `|ψ| > 1`.
 const SAMPLES: usize = 32;
 /// Pieces that the bound can take out of the interval: the centre and one dip on each side.
-pub const MAX_EXCLUDED: usize = 4;
+const MAX_EXCLUDED: usize = 4;
 /// Refinements of a local maximum between three samples.
 const PEAK_STEPS: usize = 40;
 
 impl<T: Real> StripFamily<T> {
     /// For `|ψ| > 1`: the pieces of the adhesion interval whose strips slide after all, because the
     /// traction on their adhesion interval would exceed the bound.
-    pub fn excluded(
+    pub(crate) fn excluded(
         &self,
         interval: &AdhesionInterval<T>,
     ) -> heapless::Vec<AdhesionInterval<T>, MAX_EXCLUDED> {

@@ -262,12 +262,12 @@ pub fn strips<F: Tabulated>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,
-    mut visit: impl FnMut(StripResult<F>),
+    visit: &mut dyn FnMut(StripResult<F>),
 ) -> Result<Notice, Error> {
     let problem = Problem::new(contact, creepage, options)?;
     let theory = problem.theory(creepage);
     let bound = contact.friction_bound();
-    theory.strips(options.strips, |strip: PlacedStrip<F>| {
+    theory.strips(options.strips, &mut |strip: PlacedStrip<F>| {
         let (fx, fy) = (bound * strip.fx, bound * strip.fy);
         let mz = bound * contact.a * strip.mz;
         visit(StripResult {

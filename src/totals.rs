@@ -144,9 +144,9 @@ impl<T: Real> Sink<T> for Sum<T> {
 }
 
 /// Hands the strips on, one by one.
-struct Visitor<V>(V);
+struct Visitor<'a, T>(&'a mut dyn FnMut(PlacedStrip<T>));
 
-impl<T: Real, V: FnMut(PlacedStrip<T>)> Sink<T> for Visitor<V> {
+impl<T: Real> Sink<T> for Visitor<'_, T> {
     fn take<const M: usize>(&mut self, panel: Panel<T, M>) {
         for i in 0..M {
             (self.0)(PlacedStrip {
@@ -212,7 +212,7 @@ where
     /// the shares is the total. For `|ψ| > 1` strips beyond the count may follow that correct
     /// pieces of the adhesion interval which slide (their widths are negative where they take
     /// adhesion away).
-    pub fn strips(&self, count: StripCount, visit: impl FnMut(PlacedStrip<T>)) {
+    pub fn strips(&self, count: StripCount, visit: &mut dyn FnMut(PlacedStrip<T>)) {
         self.place(count, &mut Visitor(visit));
     }
 

@@ -244,13 +244,13 @@ where
         let (options, out, count) = (checked_options(options)?, out?, given(count)?);
         // Count first, so that an array that is too small stays untouched.
         let mut needed = 0_usize;
-        model::strips(&contact, &creepage, &options, |_| needed += 1)?;
+        model::strips(&contact, &creepage, &options, &mut |_| needed += 1)?;
         if needed > out.len() {
             return Err(Error::Capacity);
         }
         let mut places = out.iter_mut();
         let mut written = 0_u32;
-        let notice = model::strips(&contact, &creepage, &options, |strip| {
+        let notice = model::strips(&contact, &creepage, &options, &mut |strip| {
             if let Some(place) = places.next() {
                 place.write(strip.into());
                 written += 1;

@@ -1,0 +1,1131 @@
+/**
+ * @file kstrip.h
+ * kstrip: creep forces of rolling contact by Kalker's strip theory.
+ *
+ * Generated from the Rust sources by cbindgen; do not edit.
+ *
+ * ## Axes and signs
+ *
+ *              x  rolling direction, leading edge at x > 0
+ *              ^
+ *          _.--|--._        The patch seen along z, which points INTO the lower body,
+ *        .'    |    '.      away from the viewer.
+ *        |     o-----|-> y
+ *        '.    z    .'      a: semi-axis along x [m]
+ *          '-.___.-'        b: semi-axis along y [m]
+ *
+ * - Creepage: (velocity of the UPPER body - velocity of the LOWER body) / rolling speed.
+ *   Spin: (angular velocity of the upper - lower body about z) / rolling speed [1/m].
+ * - Every force and traction acts on the LOWER body and has the sense of the creepage. The upper
+ *   body (usually the wheel) gets the opposite: kstrip_result_on_upper_body().
+ *   CONTACT and Simpack report the force on the upper body, hence their minus signs.
+ * - SI units everywhere: N, m, Pa, 1/m, rad/s.
+ *
+ * ## Conventions
+ *
+ * - Every function returns a kstrip_status: 0 is success, > 0 a warning with valid outputs, < 0 an
+ *   error with outputs untouched. kstrip_status_string() says what to change.
+ * - NULL, NaN, infinities and any other numbers are safe inputs. Pointers must be NULL or valid and
+ *   aligned; arrays must have as many elements as their count says. Outputs must not overlap inputs.
+ * - No function allocates, blocks, keeps state, or calls back: all may be used from any thread and
+ *   from interrupt handlers. Stack use is below 16 kB on a PC.
+ * - Functions and types with the suffix _f32 are the same in single precision.
+ * - Same inputs, same bits: on every machine with IEEE arithmetic, in every thread.
+ */
+
+
+#ifndef KSTRIP_H
+#define KSTRIP_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/**
+ * The strip theory of 1967 with the sliding rule that the paper keeps for forces: strips without
+ * adhesion slide along the rigid slip of their centre line. For spin |psi| < 1.
+ */
+#define KSTRIP_MODEL_STRIP_1967 1
+
+/**
+ * The strip theory of 1967 with the sliding rule that joins adhesion strips without a jump.
+ */
+#define KSTRIP_MODEL_STRIP_1967_CONTINUOUS 2
+
+/**
+ * State of a point: outside the contact.
+ */
+#define KSTRIP_STATE_OUTSIDE 0
+
+/**
+ * State of a point: adhesion, no slip.
+ */
+#define KSTRIP_STATE_STICK 1
+
+/**
+ * State of a point: slip.
+ */
+#define KSTRIP_STATE_SLIP 2
+
+/**
+ * State of a point: slip against the traction (negative local dissipation), the strip theory's
+ * error next to the leading edge of sliding strips.
+ */
+#define KSTRIP_STATE_SLIP_NEGATIVE_DISSIPATION 3
+
+/**
+ * Upper bound of the number of strips that kstrip_strips() writes for `strips` strips.
+ */
+#define KSTRIP_STRIPS_CAPACITY 192
+
+/**
+ * Version of the library, major.
+ */
+#define KSTRIP_VERSION_MAJOR 0
+
+/**
+ * Version of the library, minor.
+ */
+#define KSTRIP_VERSION_MINOR 1
+
+/**
+ * Version of the library, patch.
+ */
+#define KSTRIP_VERSION_PATCH 0
+
+/**
+ * Changes whenever a structure or function changes incompatibly.
+ */
+#define KSTRIP_ABI_VERSION 1
+
+/**
+ * Result of a call: 0 ok; > 0 warning, outputs valid; < 0 error, outputs untouched.
+ */
+typedef int32_t kstrip_status;
+
+/**
+ * Which model, and with how many strips. Fill with kstrip_options_init().
+ */
+typedef struct kstrip_options {
+    /**
+     * One of the KSTRIP_MODEL constants.
+     */
+    int32_t model;
+    /**
+     * Number of strips: 4, 8, 16, 32 or 64. Ignored by models without strips, but checked.
+     */
+    int32_t strips;
+} kstrip_options;
+
+/**
+ * An isotropic elastic body.
+ */
+typedef struct kstrip_material {
+    /**
+     * Shear modulus G [Pa], > 0. Steel: 82e9.
+     */
+    double shear_modulus;
+    /**
+     * Poisson's ratio [-], 0 to 0.5. Steel: 0.28.
+     */
+    double poisson_ratio;
+} kstrip_material;
+
+/**
+ * The combined elastic constants of two bodies: what the contact sees.
+ */
+typedef struct kstrip_combined_material {
+    /**
+     * Combined shear modulus G [Pa], 1/G = (1/G_lower + 1/G_upper)/2.
+     */
+    double shear_modulus;
+    /**
+     * Combined Poisson's ratio [-], nu/G = (nu_lower/G_lower + nu_upper/G_upper)/2.
+     */
+    double poisson_ratio;
+    /**
+     * Mismatch kappa [-] of the two materials, which the theory neglects: 0 for like materials; an
+     * error of a few per cent is to be expected at 0.06 (steel on aluminium).
+     */
+    double mismatch;
+} kstrip_combined_material;
+
+/**
+ * Radii of curvature of two bodies at the contact [m]: convex positive, flat infinite (INFINITY),
+ * concave negative. Zero and NaN are errors.
+ */
+typedef struct kstrip_radii {
+    /**
+     * Lower body in the plane of x and z (a straight rail: INFINITY).
+     */
+    double lower_x;
+    /**
+     * Lower body in the plane of y and z (a rail: radius of the head).
+     */
+    double lower_y;
+    /**
+     * Upper body in the plane of x and z (a wheel: rolling radius).
+     */
+    double upper_x;
+    /**
+     * Upper body in the plane of y and z (a wheel: radius of the profile, INFINITY if conical).
+     */
+    double upper_y;
+} kstrip_radii;
+
+/**
+ * The contact ellipse of Hertz.
+ */
+typedef struct kstrip_hertz_contact {
+    /**
+     * Semi-axis along the rolling direction x [m].
+     */
+    double a;
+    /**
+     * Semi-axis along y [m].
+     */
+    double b;
+    /**
+     * Pressure at the centre [Pa].
+     */
+    double peak_pressure;
+    /**
+     * Approach of distant points of the two bodies [m].
+     */
+    double approach;
+    /**
+     * Minor over major semi-axis [-], 0 to 1.
+     */
+    double axis_ratio;
+    /**
+     * Hertz's angle tau [rad], 0 to pi/2.
+     */
+    double hertz_angle;
+    /**
+     * Four over the sum of the four curvatures [m].
+     */
+    double rho;
+} kstrip_hertz_contact;
+
+/**
+ * Velocity of a body's surface at the centre of the contact, seen from the contact.
+ */
+typedef struct kstrip_velocity {
+    /**
+     * Along the rolling direction x [m/s]; about minus the rolling speed for both bodies.
+     */
+    double x;
+    /**
+     * Along y [m/s].
+     */
+    double y;
+    /**
+     * Angular velocity about z [rad/s].
+     */
+    double angular_z;
+} kstrip_velocity;
+
+/**
+ * Rigid slip of the upper over the lower body, divided by the rolling speed.
+ */
+typedef struct kstrip_creepage {
+    /**
+     * Longitudinal creepage [-], positive when the upper body slides in the rolling direction.
+     */
+    double longitudinal;
+    /**
+     * Lateral creepage [-], positive along y.
+     */
+    double lateral;
+    /**
+     * Spin [1/m], positive from x to y (about z).
+     */
+    double spin;
+} kstrip_creepage;
+
+/**
+ * A loaded elliptic contact with Coulomb friction.
+ */
+typedef struct kstrip_contact {
+    /**
+     * Semi-axis along the rolling direction x [m], > 0.
+     */
+    double a;
+    /**
+     * Semi-axis along y [m], > 0.
+     */
+    double b;
+    /**
+     * Normal force N [N], >= 0.
+     */
+    double normal_force;
+    /**
+     * Combined shear modulus G [Pa], > 0.
+     */
+    double shear_modulus;
+    /**
+     * Combined Poisson's ratio [-], 0 to 0.5.
+     */
+    double poisson_ratio;
+    /**
+     * Coefficient of friction mu [-], >= 0.
+     */
+    double friction;
+} kstrip_contact;
+
+/**
+ * Kalker's parameters (5.13) of a contact in motion, dimensionless.
+ */
+typedef struct kstrip_parameters {
+    /**
+     * xi = longitudinal G/(2 (1 - nu) mu p0)
+     */
+    double xi;
+    /**
+     * eta = lateral G/(2 mu p0)
+     */
+    double eta;
+    /**
+     * psi = a spin G/(2 mu p0). The theory of 1967 is valid for |psi| < 1.
+     */
+    double psi;
+} kstrip_parameters;
+
+/**
+ * Forces on the lower body.
+ */
+typedef struct kstrip_result {
+    /**
+     * Longitudinal force [N].
+     */
+    double fx;
+    /**
+     * Lateral force [N].
+     */
+    double fy;
+    /**
+     * Moment about z at the centre of the contact [N m].
+     */
+    double mz;
+    /**
+     * Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin [N]: energy
+     * dissipated per metre rolled.
+     */
+    double power;
+    /**
+     * Share of the contact area in adhesion [-], 0 to 1.
+     */
+    double adhesion;
+    /**
+     * The status of this result: 0 or one of the KSTRIP_WARNING constants.
+     */
+    int32_t status_detail;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
+} kstrip_result;
+
+/**
+ * One strip y = const of the contact: what it carries, on the lower body.
+ */
+typedef struct kstrip_strip {
+    /**
+     * Centre line [m].
+     */
+    double y;
+    /**
+     * Width that the strip stands for [m].
+     */
+    double width;
+    /**
+     * Half of its length along x [m].
+     */
+    double half_length;
+    /**
+     * x of the separatrix [m]: slip behind it, adhesion ahead of it. Equal to half_length when the
+     * whole strip slides.
+     */
+    double separatrix;
+    /**
+     * Its share of the longitudinal force [N].
+     */
+    double fx;
+    /**
+     * Its share of the lateral force [N].
+     */
+    double fy;
+    /**
+     * Its share of the moment about the centre of the contact [N m].
+     */
+    double mz;
+    /**
+     * Its share of the frictional power [N].
+     */
+    double power;
+    /**
+     * KSTRIP_STATE_STICK if it has an adhesion area, else KSTRIP_STATE_SLIP.
+     */
+    int32_t state;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
+} kstrip_strip;
+
+/**
+ * The state of a point of the contact plane. Tractions act on the lower body.
+ */
+typedef struct kstrip_point {
+    /**
+     * Pressure [Pa].
+     */
+    double pressure;
+    /**
+     * Tangential traction along x [Pa].
+     */
+    double traction_x;
+    /**
+     * Tangential traction along y [Pa].
+     */
+    double traction_y;
+    /**
+     * Slip of the upper over the lower body along x, over the rolling speed [-].
+     */
+    double slip_x;
+    /**
+     * Slip along y, over the rolling speed [-].
+     */
+    double slip_y;
+    /**
+     * traction . slip [Pa]: energy dissipated per area and metre rolled.
+     */
+    double dissipation;
+    /**
+     * One of the KSTRIP_STATE constants.
+     */
+    int32_t state;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
+} kstrip_point;
+
+/**
+ * An isotropic elastic body, single precision.
+ */
+typedef struct kstrip_material_f32 {
+    /**
+     * Shear modulus G [Pa], > 0. Steel: 82e9.
+     */
+    float shear_modulus;
+    /**
+     * Poisson's ratio [-], 0 to 0.5. Steel: 0.28.
+     */
+    float poisson_ratio;
+} kstrip_material_f32;
+
+/**
+ * The combined elastic constants of two bodies: what the contact sees.
+ */
+typedef struct kstrip_combined_material_f32 {
+    /**
+     * Combined shear modulus G [Pa], 1/G = (1/G_lower + 1/G_upper)/2.
+     */
+    float shear_modulus;
+    /**
+     * Combined Poisson's ratio [-], nu/G = (nu_lower/G_lower + nu_upper/G_upper)/2.
+     */
+    float poisson_ratio;
+    /**
+     * Mismatch kappa [-] of the two materials, which the theory neglects: 0 for like materials; an
+     * error of a few per cent is to be expected at 0.06 (steel on aluminium).
+     */
+    float mismatch;
+} kstrip_combined_material_f32;
+
+/**
+ * Radii of curvature of two bodies at the contact [m]: convex positive, flat infinite (INFINITY),
+ * concave negative. Zero and NaN are errors.
+ */
+typedef struct kstrip_radii_f32 {
+    /**
+     * Lower body in the plane of x and z (a straight rail: INFINITY).
+     */
+    float lower_x;
+    /**
+     * Lower body in the plane of y and z (a rail: radius of the head).
+     */
+    float lower_y;
+    /**
+     * Upper body in the plane of x and z (a wheel: rolling radius).
+     */
+    float upper_x;
+    /**
+     * Upper body in the plane of y and z (a wheel: radius of the profile, INFINITY if conical).
+     */
+    float upper_y;
+} kstrip_radii_f32;
+
+/**
+ * The contact ellipse of Hertz.
+ */
+typedef struct kstrip_hertz_contact_f32 {
+    /**
+     * Semi-axis along the rolling direction x [m].
+     */
+    float a;
+    /**
+     * Semi-axis along y [m].
+     */
+    float b;
+    /**
+     * Pressure at the centre [Pa].
+     */
+    float peak_pressure;
+    /**
+     * Approach of distant points of the two bodies [m].
+     */
+    float approach;
+    /**
+     * Minor over major semi-axis [-], 0 to 1.
+     */
+    float axis_ratio;
+    /**
+     * Hertz's angle tau [rad], 0 to pi/2.
+     */
+    float hertz_angle;
+    /**
+     * Four over the sum of the four curvatures [m].
+     */
+    float rho;
+} kstrip_hertz_contact_f32;
+
+/**
+ * Velocity of a body's surface at the centre of the contact, seen from the contact.
+ */
+typedef struct kstrip_velocity_f32 {
+    /**
+     * Along the rolling direction x [m/s]; about minus the rolling speed for both bodies.
+     */
+    float x;
+    /**
+     * Along y [m/s].
+     */
+    float y;
+    /**
+     * Angular velocity about z [rad/s].
+     */
+    float angular_z;
+} kstrip_velocity_f32;
+
+/**
+ * Rigid slip of the upper over the lower body, divided by the rolling speed.
+ */
+typedef struct kstrip_creepage_f32 {
+    /**
+     * Longitudinal creepage [-], positive when the upper body slides in the rolling direction.
+     */
+    float longitudinal;
+    /**
+     * Lateral creepage [-], positive along y.
+     */
+    float lateral;
+    /**
+     * Spin [1/m], positive from x to y (about z).
+     */
+    float spin;
+} kstrip_creepage_f32;
+
+/**
+ * A loaded elliptic contact with Coulomb friction.
+ */
+typedef struct kstrip_contact_f32 {
+    /**
+     * Semi-axis along the rolling direction x [m], > 0.
+     */
+    float a;
+    /**
+     * Semi-axis along y [m], > 0.
+     */
+    float b;
+    /**
+     * Normal force N [N], >= 0.
+     */
+    float normal_force;
+    /**
+     * Combined shear modulus G [Pa], > 0.
+     */
+    float shear_modulus;
+    /**
+     * Combined Poisson's ratio [-], 0 to 0.5.
+     */
+    float poisson_ratio;
+    /**
+     * Coefficient of friction mu [-], >= 0.
+     */
+    float friction;
+} kstrip_contact_f32;
+
+/**
+ * Kalker's parameters (5.13) of a contact in motion, dimensionless.
+ */
+typedef struct kstrip_parameters_f32 {
+    /**
+     * xi = longitudinal G/(2 (1 - nu) mu p0)
+     */
+    float xi;
+    /**
+     * eta = lateral G/(2 mu p0)
+     */
+    float eta;
+    /**
+     * psi = a spin G/(2 mu p0). The theory of 1967 is valid for |psi| < 1.
+     */
+    float psi;
+} kstrip_parameters_f32;
+
+/**
+ * Forces on the lower body.
+ */
+typedef struct kstrip_result_f32 {
+    /**
+     * Longitudinal force [N].
+     */
+    float fx;
+    /**
+     * Lateral force [N].
+     */
+    float fy;
+    /**
+     * Moment about z at the centre of the contact [N m].
+     */
+    float mz;
+    /**
+     * Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin [N]: energy
+     * dissipated per metre rolled.
+     */
+    float power;
+    /**
+     * Share of the contact area in adhesion [-], 0 to 1.
+     */
+    float adhesion;
+    /**
+     * The status of this result: 0 or one of the KSTRIP_WARNING constants.
+     */
+    int32_t status_detail;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
+} kstrip_result_f32;
+
+/**
+ * One strip y = const of the contact: what it carries, on the lower body.
+ */
+typedef struct kstrip_strip_f32 {
+    /**
+     * Centre line [m].
+     */
+    float y;
+    /**
+     * Width that the strip stands for [m].
+     */
+    float width;
+    /**
+     * Half of its length along x [m].
+     */
+    float half_length;
+    /**
+     * x of the separatrix [m]: slip behind it, adhesion ahead of it. Equal to half_length when the
+     * whole strip slides.
+     */
+    float separatrix;
+    /**
+     * Its share of the longitudinal force [N].
+     */
+    float fx;
+    /**
+     * Its share of the lateral force [N].
+     */
+    float fy;
+    /**
+     * Its share of the moment about the centre of the contact [N m].
+     */
+    float mz;
+    /**
+     * Its share of the frictional power [N].
+     */
+    float power;
+    /**
+     * KSTRIP_STATE_STICK if it has an adhesion area, else KSTRIP_STATE_SLIP.
+     */
+    int32_t state;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
+} kstrip_strip_f32;
+
+/**
+ * The state of a point of the contact plane. Tractions act on the lower body.
+ */
+typedef struct kstrip_point_f32 {
+    /**
+     * Pressure [Pa].
+     */
+    float pressure;
+    /**
+     * Tangential traction along x [Pa].
+     */
+    float traction_x;
+    /**
+     * Tangential traction along y [Pa].
+     */
+    float traction_y;
+    /**
+     * Slip of the upper over the lower body along x, over the rolling speed [-].
+     */
+    float slip_x;
+    /**
+     * Slip along y, over the rolling speed [-].
+     */
+    float slip_y;
+    /**
+     * traction . slip [Pa]: energy dissipated per area and metre rolled.
+     */
+    float dissipation;
+    /**
+     * One of the KSTRIP_STATE constants.
+     */
+    int32_t state;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
+} kstrip_point_f32;
+
+/**
+ * Success.
+ */
+#define KSTRIP_OK 0
+
+/**
+ * Warning: spin parameter |psi| >= 1, beyond the theory of 1967. The result is its continuation:
+ * finite, continuous, bounded by mu N.
+ */
+#define KSTRIP_WARNING_SPIN 1
+
+/**
+ * Warning: an input is outside the range in which the model was checked against its reference.
+ */
+#define KSTRIP_WARNING_RANGE 2
+
+/**
+ * Warning: the linear force exceeds mu N.
+ */
+#define KSTRIP_WARNING_BEYOND_FRICTION 3
+
+/**
+ * Error: a required pointer is NULL.
+ */
+#define KSTRIP_ERROR_NULL -1
+
+/**
+ * Error: an input is infinite or NaN.
+ */
+#define KSTRIP_ERROR_NOT_FINITE -2
+
+/**
+ * Error: a semi-axis is not positive.
+ */
+#define KSTRIP_ERROR_SEMI_AXIS -3
+
+/**
+ * Error: the normal force is negative.
+ */
+#define KSTRIP_ERROR_NORMAL_FORCE -4
+
+/**
+ * Error: a modulus of elasticity is not positive.
+ */
+#define KSTRIP_ERROR_MODULUS -5
+
+/**
+ * Error: Poisson's ratio is outside [0, 0.5].
+ */
+#define KSTRIP_ERROR_POISSON_RATIO -6
+
+/**
+ * Error: the coefficient of friction is negative.
+ */
+#define KSTRIP_ERROR_FRICTION -7
+
+/**
+ * Error: unknown model.
+ */
+#define KSTRIP_ERROR_MODEL -8
+
+/**
+ * Error: the strip count is not 4, 8, 16, 32 or 64.
+ */
+#define KSTRIP_ERROR_STRIP_COUNT -9
+
+/**
+ * Error: the bodies do not touch in an ellipse.
+ */
+#define KSTRIP_ERROR_CURVATURE -10
+
+/**
+ * Error: the rolling speed is not positive.
+ */
+#define KSTRIP_ERROR_ROLLING_SPEED -11
+
+/**
+ * Error: the caller's array is too small.
+ */
+#define KSTRIP_ERROR_CAPACITY -12
+
+/**
+ * Error: the model has totals only, no strips and no field.
+ */
+#define KSTRIP_ERROR_NOT_IN_MODEL -13
+
+/**
+ * Error: a result is beyond the range of the floating-point type.
+ */
+#define KSTRIP_ERROR_OVERFLOW -14
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+/**
+ * What a status means and what the caller must change, in English.
+ *
+ * Returns a static string; for a number that is no status, "unknown status". Never NULL.
+ */
+const char *kstrip_status_string(kstrip_status status);
+
+/**
+ * Version of the library that is linked, such as "0.1.0". Never NULL.
+ */
+const char *kstrip_version_string(void);
+
+/**
+ * ABI version of the library that is linked: compare with KSTRIP_ABI_VERSION of the header.
+ */
+int32_t kstrip_abi_version(void);
+
+/**
+ * Fill in the recommended model and strip count.
+ *
+ * @param[out] options  receives the defaults.
+ * @return KSTRIP_OK or KSTRIP_ERROR_NULL.
+ */
+kstrip_status kstrip_options_init(struct kstrip_options *options);
+
+/**
+ * Material from Young's modulus: G = E/(2 (1 + nu)).
+ *
+ * @param youngs_modulus  E [Pa], > 0.
+ * @param poisson_ratio   nu [-], 0 to 0.5.
+ * @param[out] material   receives the material.
+ * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
+ *         KSTRIP_ERROR_POISSON_RATIO.
+ */
+kstrip_status kstrip_material_from_youngs_modulus(double youngs_modulus,
+                                                  double poisson_ratio,
+                                                  struct kstrip_material *material);
+
+/**
+ * Combine the elastic constants of two bodies.
+ *
+ * @param lower, upper    the two bodies.
+ * @param[out] combined   receives the constants that kstrip_hertz() and kstrip_contact take.
+ * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
+ *         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_OVERFLOW.
+ */
+kstrip_status kstrip_material_combine(const struct kstrip_material *lower,
+                                      const struct kstrip_material *upper,
+                                      struct kstrip_combined_material *combined);
+
+/**
+ * Contact ellipse, peak pressure and approach of two bodies pressed together (Hertz).
+ *
+ * Relative error below 1e-12 (5e-6 in single precision) for axis ratios down to 1e-4; a handful of
+ * iterations, at most 12. Without load the ellipse is a point, a = b = 0.
+ *
+ * @param radii           curvatures of both bodies.
+ * @param normal_force    N [N], >= 0.
+ * @param material        combined constants.
+ * @param[out] ellipse    receives the solution.
+ * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NORMAL_FORCE,
+ *         KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_CURVATURE,
+ *         KSTRIP_ERROR_OVERFLOW.
+ */
+kstrip_status kstrip_hertz(const struct kstrip_radii *radii,
+                           double normal_force,
+                           const struct kstrip_combined_material *material,
+                           struct kstrip_hertz_contact *ellipse);
+
+/**
+ * Creepages from the velocities of both bodies: (upper - lower)/rolling_speed.
+ *
+ * @param lower, upper    surface velocities at the centre of the contact, in one frame.
+ * @param rolling_speed   V [m/s], > 0; x points in the rolling direction.
+ * @param[out] creepage   receives the creepages.
+ * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_ROLLING_SPEED,
+ *         KSTRIP_ERROR_OVERFLOW.
+ */
+kstrip_status kstrip_creepage_from_velocities(const struct kstrip_velocity *lower,
+                                              const struct kstrip_velocity *upper,
+                                              double rolling_speed,
+                                              struct kstrip_creepage *creepage);
+
+/**
+ * Kalker's dimensionless parameters xi, eta, psi (5.13) of a contact in motion.
+ *
+ * @return KSTRIP_OK or the errors of kstrip_solve() for the same contact and creepage.
+ */
+kstrip_status kstrip_parameters_from_creepage(const struct kstrip_contact *contact,
+                                              const struct kstrip_creepage *creepage,
+                                              struct kstrip_parameters *parameters);
+
+/**
+ * The creepage that has the given parameters xi, eta, psi on a contact: the inverse of
+ * kstrip_parameters_from_creepage().
+ *
+ * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_OVERFLOW or the errors
+ *         of kstrip_solve() for the same contact.
+ */
+kstrip_status kstrip_creepage_from_parameters(const struct kstrip_contact *contact,
+                                              const struct kstrip_parameters *parameters,
+                                              struct kstrip_creepage *creepage);
+
+/**
+ * Forces of a contact in motion, on the lower body.
+ *
+ * Continuous in all inputs; |F| <= mu N. Zero creepage and spin give zero; no load or no friction
+ * give zero. Bounded time, no iteration that depends on convergence alone.
+ *
+ * @param contact         ellipse, load, material, friction.
+ * @param creepage        motion.
+ * @param options         model and strip count; NULL for the defaults.
+ * @param[out] result     receives forces, moment, power and stick area.
+ * @return KSTRIP_OK; KSTRIP_WARNING_SPIN, KSTRIP_WARNING_RANGE, KSTRIP_WARNING_BEYOND_FRICTION;
+ *         KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_SEMI_AXIS,
+ *         KSTRIP_ERROR_NORMAL_FORCE, KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO,
+ *         KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_MODEL, KSTRIP_ERROR_STRIP_COUNT,
+ *         KSTRIP_ERROR_OVERFLOW.
+ */
+kstrip_status kstrip_solve(const struct kstrip_contact *contact,
+                           const struct kstrip_creepage *creepage,
+                           const struct kstrip_options *options,
+                           struct kstrip_result *result);
+
+/**
+ * Forces and their exact derivatives with respect to the creepages.
+ *
+ * @param[out] jacobian   receives d(fx, fy, mz)/d(longitudinal, lateral, spin), row by row: nine
+ *                        numbers [N, N, N m over 1, 1, 1/m]. At kinks of a model, a one-sided value.
+ * @return as kstrip_solve(); KSTRIP_ERROR_OVERFLOW also when a derivative is too large.
+ */
+kstrip_status kstrip_solve_jacobian(const struct kstrip_contact *contact,
+                                    const struct kstrip_creepage *creepage,
+                                    const struct kstrip_options *options,
+                                    struct kstrip_result *result,
+                                    double *jacobian);
+
+/**
+ * Forces of many contacts: the same as calling kstrip_solve() for each, bit for bit.
+ *
+ * All inputs are checked before anything is written: if one is bad its status is returned and no
+ * result is touched.
+ *
+ * @param contacts, creepages  arrays of count elements.
+ * @param count           number of contacts; 0 is allowed.
+ * @param options         for all contacts; NULL for the defaults.
+ * @param[out] results    array of count elements; status_detail tells each one's warning.
+ * @return KSTRIP_OK, the largest warning, or the first error, as kstrip_solve().
+ */
+kstrip_status kstrip_solve_batch(const struct kstrip_contact *contacts,
+                                 const struct kstrip_creepage *creepages,
+                                 uint32_t count,
+                                 const struct kstrip_options *options,
+                                 struct kstrip_result *results);
+
+/**
+ * What each strip carries. The shares add up to the totals of kstrip_solve().
+ *
+ * @param[out] strips     array that receives the strips.
+ * @param capacity        its size; KSTRIP_STRIPS_CAPACITY is always enough, options->strips is when
+ *                        |psi| <= 1.
+ * @param[out] count      receives how many were written. A patch that slides as a whole has fewer
+ *                        strips than asked for.
+ * @return as kstrip_solve(); KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_NOT_IN_MODEL.
+ */
+kstrip_status kstrip_strips(const struct kstrip_contact *contact,
+                            const struct kstrip_creepage *creepage,
+                            const struct kstrip_options *options,
+                            struct kstrip_strip *strips,
+                            uint32_t capacity,
+                            uint32_t *count);
+
+/**
+ * Pressure, traction, slip and state at a point of the contact plane.
+ *
+ * @param x, y            the point [m], from the centre of the ellipse; outside is allowed.
+ * @param[out] point      receives the state.
+ * @return as kstrip_solve(); KSTRIP_ERROR_NOT_IN_MODEL.
+ */
+kstrip_status kstrip_traction_at(const struct kstrip_contact *contact,
+                                 const struct kstrip_creepage *creepage,
+                                 const struct kstrip_options *options,
+                                 double x,
+                                 double y,
+                                 struct kstrip_point *point);
+
+/**
+ * Pressure, traction, slip and state over a grid.
+ *
+ * @param x, columns      array of x [m] and its size.
+ * @param y, rows         array of y [m] and its size.
+ * @param[out] points     array of rows * columns elements; the point (x[i], y[j]) is
+ *                        points[j * columns + i].
+ * @param capacity        its size.
+ * @return as kstrip_solve(); KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_NOT_IN_MODEL.
+ */
+kstrip_status kstrip_field(const struct kstrip_contact *contact,
+                           const struct kstrip_creepage *creepage,
+                           const struct kstrip_options *options,
+                           const double *x,
+                           uint32_t columns,
+                           const double *y,
+                           uint32_t rows,
+                           struct kstrip_point *points,
+                           uint32_t capacity);
+
+/**
+ * The same result seen from the upper body: opposite forces and moment, same power and adhesion.
+ *
+ * @param lower           result on the lower body.
+ * @param[out] upper      receives the result on the upper body.
+ * @return KSTRIP_OK or KSTRIP_ERROR_NULL.
+ */
+kstrip_status kstrip_result_on_upper_body(const struct kstrip_result *lower,
+                                          struct kstrip_result *upper);
+
+/**
+ * kstrip_material_from_youngs_modulus() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_material_from_youngs_modulus_f32(float youngs_modulus,
+                                                      float poisson_ratio,
+                                                      struct kstrip_material_f32 *material);
+
+/**
+ * kstrip_material_combine() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_material_combine_f32(const struct kstrip_material_f32 *lower,
+                                          const struct kstrip_material_f32 *upper,
+                                          struct kstrip_combined_material_f32 *combined);
+
+/**
+ * kstrip_hertz() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_hertz_f32(const struct kstrip_radii_f32 *radii,
+                               float normal_force,
+                               const struct kstrip_combined_material_f32 *material,
+                               struct kstrip_hertz_contact_f32 *ellipse);
+
+/**
+ * kstrip_creepage_from_velocities() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_creepage_from_velocities_f32(const struct kstrip_velocity_f32 *lower,
+                                                  const struct kstrip_velocity_f32 *upper,
+                                                  float rolling_speed,
+                                                  struct kstrip_creepage_f32 *creepage);
+
+/**
+ * kstrip_parameters_from_creepage() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_parameters_from_creepage_f32(const struct kstrip_contact_f32 *contact,
+                                                  const struct kstrip_creepage_f32 *creepage,
+                                                  struct kstrip_parameters_f32 *parameters);
+
+/**
+ * kstrip_creepage_from_parameters() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_creepage_from_parameters_f32(const struct kstrip_contact_f32 *contact,
+                                                  const struct kstrip_parameters_f32 *parameters,
+                                                  struct kstrip_creepage_f32 *creepage);
+
+/**
+ * kstrip_solve() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_solve_f32(const struct kstrip_contact_f32 *contact,
+                               const struct kstrip_creepage_f32 *creepage,
+                               const struct kstrip_options *options,
+                               struct kstrip_result_f32 *result);
+
+/**
+ * kstrip_solve_jacobian() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_solve_jacobian_f32(const struct kstrip_contact_f32 *contact,
+                                        const struct kstrip_creepage_f32 *creepage,
+                                        const struct kstrip_options *options,
+                                        struct kstrip_result_f32 *result,
+                                        float *jacobian);
+
+/**
+ * kstrip_solve_batch() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_solve_batch_f32(const struct kstrip_contact_f32 *contacts,
+                                     const struct kstrip_creepage_f32 *creepages,
+                                     uint32_t count,
+                                     const struct kstrip_options *options,
+                                     struct kstrip_result_f32 *results);
+
+/**
+ * kstrip_strips() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_strips_f32(const struct kstrip_contact_f32 *contact,
+                                const struct kstrip_creepage_f32 *creepage,
+                                const struct kstrip_options *options,
+                                struct kstrip_strip_f32 *strips,
+                                uint32_t capacity,
+                                uint32_t *count);
+
+/**
+ * kstrip_traction_at() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_traction_at_f32(const struct kstrip_contact_f32 *contact,
+                                     const struct kstrip_creepage_f32 *creepage,
+                                     const struct kstrip_options *options,
+                                     float x,
+                                     float y,
+                                     struct kstrip_point_f32 *point);
+
+/**
+ * kstrip_field() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_field_f32(const struct kstrip_contact_f32 *contact,
+                               const struct kstrip_creepage_f32 *creepage,
+                               const struct kstrip_options *options,
+                               const float *x,
+                               uint32_t columns,
+                               const float *y,
+                               uint32_t rows,
+                               struct kstrip_point_f32 *points,
+                               uint32_t capacity);
+
+/**
+ * kstrip_result_on_upper_body() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_result_on_upper_body_f32(const struct kstrip_result_f32 *lower,
+                                              struct kstrip_result_f32 *upper);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* KSTRIP_H */
