@@ -65,9 +65,11 @@ impl<F: Float> LinearCoefficients<F> {
         let two_nu = nu + nu;
 
         // a ≫ b: C11 = 2π g/(Λ − 2ν − k);  a ≪ b: C11 = π²/(4(1−ν))
-        let d11 = z * (lambda - two_nu).plus(-K) + y * n.times(8.0 / PI) + w * polynomial(&E11, x, nu);
+        let d11 =
+            z * (lambda - two_nu).plus(-K) + y * n.times(8.0 / PI) + w * polynomial(&E11, x, nu);
         // a ≫ b: C22 = 2π g/((1−ν)(Λ − k) + 2ν);  a ≪ b: C22 = π²/4
-        let d22 = z * (n * lambda.plus(-K) + two_nu) + y.times(8.0 / PI) + w * polynomial(&E22, x, nu);
+        let d22 =
+            z * (n * lambda.plus(-K) + two_nu) + y.times(8.0 / PI) + w * polynomial(&E22, x, nu);
         // a ≫ b: (1−ν)Λ − 2 + 4ν;  a ≪ b: 2(1−ν)
         let e = z * (n * lambda + two_nu + two_nu).plus(-2.0) + y * (n + n);
         // a ≫ b: C23 = (2π/3) g^{3/2}/e;  a ≪ b: C23 = (π/3) √g (1 + ν(ln(16/g) − 5))/(1−ν)
@@ -179,7 +181,12 @@ mod tests {
                     && last != [0.0; 4]
                 {
                     for i in 0..4 {
-                        assert!((slope[i] - last[i]).abs() < 6e-3, "{k} {nu} {i}: {} {}", slope[i], last[i]);
+                        assert!(
+                            (slope[i] - last[i]).abs() < 6e-3,
+                            "{k} {nu} {i}: {} {}",
+                            slope[i],
+                            last[i]
+                        );
                     }
                 }
                 before = Some((logarithm, slope));

@@ -18,13 +18,13 @@
 //!   sign (as `C23` does in the linear theory), what remains is a positive quadratic form.
 //! * Once continuously differentiable in creepage and spin, everywhere.
 //!
-//! Nothing but `+ − × ÷ √`: activations are `x/√(1 + x²)`, positive factors `o + √(1 + o²)`.
+//! Nothing but `+ − × ÷ √`: activations are `2x/(1 + x²)`, positive factors `1 + 2o + 1.01 o²`.
 
 mod constants;
 
 use self::constants::{HIDDEN_1, HIDDEN_2, OUTPUT};
 use crate::coefficients::LinearCoefficients;
-use crate::real::{Float, Real};
+use crate::real::{Arithmetic, Float, Real};
 use core::any::Any;
 
 /// Forces of a whole contact, dimensionless, on the lower body.
@@ -44,12 +44,14 @@ const RATIO_LIMIT: f64 = 1e3;
 /// sliding, to rounding.
 const CREEPAGE_LIMIT: f64 = 1e16;
 
+/// Spin force of the linear theory beyond which creepage and spin are scaled down together.
+const SPIN_LIMIT: f64 = 16.0;
+
 /// What the network is told, in the order of the rows of [`HIDDEN_1`].
 const FEATURES: usize = 18;
 const WIDTH_1: usize = 20;
 const WIDTH_2: usize = 16;
-/// Six corrections and two columns of padding.
-const WIDTH_OUT: usize = 8;
+const WIDTH_OUT: usize = 6;
 
 /// `K(t)` in `S(d)/d = 1 + t² + t⁴ + t⁵ K(t)`, `t = √(1 − d)`: least squares on Chebyshev points, error
 /// 1.5e-10. Without a seam and without cancellation for small `d`.
@@ -77,9 +79,9 @@ pub fn total<T: Real>(
     creepage: [T; 3],
 ) -> TotalForce<T> {
     let one = T::one();
-    let [vx, vy, phi] = within_range(creepage);
     let g = axis_ratio.clamped(T::Base::of(1.0 / RATIO_LIMIT), T::Base::of(RATIO_LIMIT));
     let LinearCoefficients { c11, c22, c23, c33 } = *linear;
+    let [vx, vy, phi] = within_range(creepage, c23);
     let root = g.sqrt();
     let [inverse, slender] = divide([root, root.plus(-1.0)], [g, root.plus(1.0)]);
     let inverse2 = inverse * inverse;
@@ -157,8 +159,8 @@ pub fn total<T: Real>(
         twice(f_es),
     ])
     .map(|o| o * w);
-    let [k1, k2, k3, k4, _, k6, ..] = o.map(|o| (o * o.times(1.01).plus(2.0)).plus(1.0));
-    let [_, _, _, _, rho, ..] = o;
+    let [k1, k2, k3, k4, _, k6] = o.map(|o| (o * o.times(1.01).plus(2.0)).plus(1.0));
+    let [_, _, _, _, rho, _] = o;
     let rho = twice(rho) / (rho * rho).plus(1.0) * d_e;
 
     // q: linear theory with spin braking its slopes; the direction turns to that of the rigid slip
@@ -179,12 +181,12 @@ pub fn total<T: Real>(
     TotalForce { fx: sigma * qx, fy: sigma * qy, mz: epsilon * phi + coupling * vy }
 }
 
-/// The six corrections, and two zeros.
+/// The six corrections.
 #[inline(always)]
-pub fn network<T: Real>(features: [T; FEATURES]) -> [T; WIDTH_OUT] {
+fn network<T: Real>(features: [T; FEATURES]) -> [T; WIDTH_OUT] {
     let hidden: [T; WIDTH_1] = activation(layer(&features, table(&HIDDEN_1, &WIDE_1)));
     let hidden: [T; WIDTH_2] = activation(layer(&hidden, table(&HIDDEN_2, &WIDE_2)));
-    layer(&hidden, table(&OUTPUT, &WIDE_OUTPUT))
+    narrow_layer(&hidden, table(&OUTPUT, &WIDE_OUTPUT))
 }
 
 /// The constants in double precision: converted once by the compiler, not in every call.
@@ -228,13 +230,41 @@ fn layer<T: Real, const N: usize>(inputs: &[T], weights: &[[T::Base; N]]) -> [T;
     let mut sums = [T::zero(); N];
     if let Some((bias, rows)) = weights.split_first() {
         sums = bias.map(T::from_base);
-        for (input, row) in inputs.iter().zip(rows) {
-            for (sum, weight) in sums.iter_mut().zip(row) {
-                *sum += input.scale(*weight);
+        accumulate(&mut sums, inputs, rows);
+    }
+    sums
+}
+
+/// The same for few outputs: the inputs in two halves, because one chain of additions would be waited for.
+#[inline(always)]
+fn narrow_layer<T: Real, const N: usize>(inputs: &[T], weights: &[[T::Base; N]]) -> [T; N] {
+    let mut sums = [T::zero(); N];
+    if let Some((bias, rows)) = weights.split_first() {
+        sums = bias.map(T::from_base);
+        let mut others = [T::zero(); N];
+        for (pair, rows) in inputs.chunks_exact(2).zip(rows.chunks_exact(2)) {
+            if let (&[x, y], [p, q]) = (pair, rows) {
+                for ((sum, other), (p, q)) in sums.iter_mut().zip(&mut others).zip(p.iter().zip(q))
+                {
+                    *sum += x.scale(*p);
+                    *other += y.scale(*q);
+                }
             }
+        }
+        for (sum, other) in sums.iter_mut().zip(others) {
+            *sum += other;
         }
     }
     sums
+}
+
+#[inline(always)]
+fn accumulate<T: Real, const N: usize>(sums: &mut [T; N], inputs: &[T], rows: &[[T::Base; N]]) {
+    for (input, row) in inputs.iter().zip(rows) {
+        for (sum, weight) in sums.iter_mut().zip(row) {
+            *sum += input.scale(*weight);
+        }
+    }
 }
 
 /// `2x/(1 + x²)`, with one division for two units.
@@ -255,7 +285,7 @@ fn activation<T: Real, const N: usize>(x: [T; N]) -> [T; N] {
 /// `S(|q|)/|q|` from `|q|²`, with `S = 1 − ((2 + d²) √(1 − d²) − 3 d acos d)/2`, `d = 4|q|/(3π)`, and 1 for
 /// `d ≥ 1` (8.15).
 #[inline(always)]
-pub fn saturation<T: Real>(q2: T) -> T {
+fn saturation<T: Real>(q2: T) -> T {
     const SLOPE: f64 = 4.0 / (3.0 * core::f64::consts::PI);
     // the small terms keep the derivatives of the roots finite at 0
     let d = q2.plus(1e-30).sqrt().times(SLOPE);
@@ -271,15 +301,31 @@ pub fn saturation<T: Real>(q2: T) -> T {
     s_over_d.times(SLOPE) / d.max(T::one())
 }
 
-/// The creepages, scaled down together where their squares would overflow.
+/// Creepages and spin that mean the same and that the network can be asked about.
+///
+/// Large spin slides everywhere, and then only the ratio of creepage to spin matters. So both are scaled
+/// down together beyond `|Ls| = 16` (fitted is up to 13), smoothly, to `|Ls| = 32` at most.
 #[inline(always)]
-fn within_range<T: Real>([vx, vy, phi]: [T; 3]) -> [T; 3] {
+fn within_range<T: Real>([vx, vy, phi]: [T; 3], c23: T::Base) -> [T; 3] {
+    let scaled = |factor: T| [vx * factor, vy * factor, phi * factor];
     // 1e8, in single precision 1e6
     let limit = T::Base::HUGE.min(T::Base::of(CREEPAGE_LIMIT)).sqrt();
     let size = vx.value().abs().max(vy.value().abs()).max(phi.value().abs());
     if size > limit {
-        let factor = limit / size;
-        [vx.scale(factor), vy.scale(factor), phi.scale(factor)]
+        return within_spin(scaled(T::from_base(limit / size)), c23);
+    }
+    within_spin([vx, vy, phi], c23)
+}
+
+#[inline(always)]
+fn within_spin<T: Real>([vx, vy, phi]: [T; 3], c23: T::Base) -> [T; 3] {
+    let size = phi.abs().scale(c23);
+    let excess = size.plus(-SPIN_LIMIT);
+    if excess > T::zero() {
+        // 16 + e/(1 + e/16), e = |Ls| − 16
+        let allowed = (excess / excess.times(1.0 / SPIN_LIMIT).plus(1.0)).plus(SPIN_LIMIT);
+        let factor = allowed / size;
+        [vx * factor, vy * factor, phi * factor]
     } else {
         [vx, vy, phi]
     }
@@ -304,4 +350,234 @@ fn twice<T: Real>(x: T) -> T {
 #[inline(always)]
 fn signed<T: Real>(x: T) -> T {
     twice(x).plus(-1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    fn at(g: f64, nu: f64, v: [f64; 3]) -> [f64; 3] {
+        let TotalForce { fx, fy, mz } = total(g, nu, &LinearCoefficients::at(g, nu), v);
+        [fx, fy, mz]
+    }
+
+    /// Numbers between 0 and 1, the same in every run.
+    struct Numbers(u64);
+
+    impl Numbers {
+        fn next(&mut self) -> f64 {
+            self.0 = self
+                .0
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+        }
+
+        /// Both signs, evenly spread over the logarithm between two powers of ten; one in eight is zero.
+        fn spread(&mut self, low: f64, high: f64) -> f64 {
+            let size = 10_f64.powf(low + (high - low) * self.next());
+            match (self.next() * 8.0) as u32 {
+                0 => 0.0,
+                1..=3 => -size,
+                _ => size,
+            }
+        }
+    }
+
+    /// Printed by `fit/fit_total.py`, which evaluates the same formulas in Python.
+    #[test]
+    fn agrees_with_the_fit() {
+        for (g, nu, v, expected) in [
+            (1.0, 0.28, [0.1, 0.0, 0.0], [0.36805119296496186, 0.0, 0.0]),
+            (
+                1.0,
+                0.28,
+                [0.1, -0.05, 0.2],
+                [0.3125993264109459, 0.12618290816542982, 0.20763884423130582],
+            ),
+            (
+                1.0,
+                0.28,
+                [-0.3, 0.2, 0.7],
+                [-0.4271578480863862, 0.7007757444595841, 0.27268478090645976],
+            ),
+            (
+                0.1,
+                0.0,
+                [0.05, 0.3, 0.1],
+                [0.08845425960897202, 0.6023077201669294, 0.39380710442879113],
+            ),
+            (0.1, 0.5, [0.0, -0.2, 2.0], [0.0, 0.0392040840529381, 1.1944640302850145]),
+            (10.0, 0.28, [0.0, 0.0, 0.09], [0.0, 0.8897461491598713, 0.25065175513836835]),
+            (
+                10.0,
+                0.28,
+                [0.05, -0.22, 0.18],
+                [0.29082885345246007, 0.14302926754112752, 1.0679390904297306],
+            ),
+            (5.0, 0.1, [0.0, 0.1, -0.2], [0.0, -0.5185689396417228, -0.5019242116350436]),
+            (
+                0.3,
+                0.4,
+                [3.0, -2.0, 1.0],
+                [0.8226061200326372, -0.5526042373317245, 0.06021222504710422],
+            ),
+            (
+                2.0,
+                0.25,
+                [0.0001, 0.0002, -0.0001],
+                [0.0005093556603829293, 0.0007181074873661117, -0.000606952652406938],
+            ),
+            (
+                0.02,
+                0.3,
+                [0.2, 0.2, 0.5],
+                [0.08666320584311206, 0.22494335644461042, 2.633735468036343],
+            ),
+            (
+                60.0,
+                0.3,
+                [0.01, 0.02, 0.03],
+                [0.16592813823068442, 0.668096077213225, 0.41266633271644626],
+            ),
+            (1.0, 0.5, [0.0, 0.0, 40.0], [0.0, 0.05467645111021424, 0.5884061837037294]),
+        ] {
+            for (value, expected) in at(g, nu, v).into_iter().zip(expected) {
+                assert_relative_eq!(value, expected, max_relative = 1e-11, epsilon = 1e-12);
+            }
+        }
+    }
+
+    /// Relative error against the linear theory vanishes with the creepage, for each of the three outputs.
+    #[test]
+    fn starts_as_the_linear_theory() {
+        for g in [0.01, 0.1, 0.5, 1.0, 3.0, 10.0, 100.0] {
+            for nu in [0.0, 0.28, 0.5] {
+                let LinearCoefficients { c11, c22, c23, c33 } = LinearCoefficients::at(g, nu);
+                for (vx, vy, phi) in
+                    [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (0.3, -0.5, 0.7)]
+                {
+                    let [vx, vy, phi] = [vx, vy, phi].map(|v| 1e-9 * v);
+                    let linear = [c11 * vx, c22 * vy + c23 * phi, c33 * phi - c23 * vy];
+                    for (value, linear) in at(g, nu, [vx, vy, phi]).into_iter().zip(linear) {
+                        assert_relative_eq!(value, linear, max_relative = 1e-4);
+                    }
+                }
+            }
+        }
+    }
+
+    /// `F → μ N` along the rigid slip, `Mz → 0`.
+    #[test]
+    fn ends_as_full_sliding() {
+        for g in [0.01, 0.1, 1.0, 10.0, 100.0] {
+            for nu in [0.0, 0.28, 0.5] {
+                for angle in [0.0_f64, 0.4, 1.0, 1.57, 2.5] {
+                    for phi in [0.0, 0.5, -3.0] {
+                        let v = 1e7;
+                        let [fx, fy, mz] = at(g, nu, [v * angle.cos(), v * angle.sin(), phi]);
+                        assert_relative_eq!(fx, angle.cos(), epsilon = 1e-4);
+                        assert_relative_eq!(fy, angle.sin(), epsilon = 1e-4);
+                        assert!(mz.abs() < 1e-2, "{g} {nu} {angle} {phi}: {mz}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn keeps_the_symmetries_bounds_and_dissipation() {
+        let mut random = Numbers(7);
+        for _ in 0..200_000 {
+            let g = 10_f64.powf(6.0 * random.next() - 3.0);
+            let nu = 0.5 * random.next();
+            let v @ [vx, vy, phi] =
+                [random.spread(-6.0, 6.0), random.spread(-6.0, 6.0), random.spread(-6.0, 6.0)];
+            let [fx, fy, mz] = at(g, nu, v);
+            assert!(fx.hypot(fy) <= 1.0 + 1e-9 && mz.is_finite(), "{g} {nu} {v:?}");
+            let power = fx * vx + fy * vy + mz * phi;
+            let size = (fx * vx).abs() + (fy * vy).abs() + (mz * phi).abs();
+            assert!(power >= -1e-13 * size, "{g} {nu} {v:?}: {power} of {size}");
+            assert_eq!(at(g, nu, [-vx, vy, phi]), [-fx, fy, mz]);
+            assert_eq!(at(g, nu, [-vx, -vy, -phi]), [-fx, -fy, -mz]);
+        }
+    }
+
+    /// The moment of the fitted range is below that of the largest arm; far outside it stays bounded.
+    #[test]
+    fn moment_is_bounded() {
+        let mut random = Numbers(11);
+        for _ in 0..200_000 {
+            let g = 10_f64.powf(2.0 * random.next() - 1.0);
+            let nu = 0.5 * random.next();
+            let v = [random.spread(-3.0, 3.0), random.spread(-3.0, 3.0), random.spread(-3.0, 3.0)];
+            let [.., mz] = at(g, nu, v);
+            assert!(mz.abs() < 2.0 * g.sqrt().max(1.0 / g.sqrt()), "{g} {nu} {v:?}: {mz}");
+        }
+    }
+
+    /// Central differences from both sides agree better and better with smaller steps: no kink where
+    /// creepages or spin change sign, nor where the saturation curve ends.
+    #[test]
+    fn is_smooth() {
+        let mut random = Numbers(3);
+        for _ in 0..20_000 {
+            let g = 10_f64.powf(2.0 * random.next() - 1.0);
+            let nu = 0.5 * random.next();
+            let v = [random.spread(-2.0, 0.5), random.spread(-2.0, 0.5), random.spread(-2.0, 0.5)];
+            for axis in 0..3 {
+                let bend = |h: f64| {
+                    let shifted = |h: f64| {
+                        let mut v = v;
+                        v[axis] += h;
+                        at(g, nu, v)
+                    };
+                    let (low, middle, high) = (shifted(-h), shifted(0.0), shifted(h));
+                    (0..3)
+                        .map(|i| (high[i] - 2.0 * middle[i] + low[i]).abs() / h)
+                        .fold(0.0, f64::max)
+                };
+                // change of slope over h: proportional to h, up to rounding, unless there is a kink
+                let (coarse, fine) = (bend(1e-4), bend(1e-6));
+                assert!(fine < 0.05 * coarse + 1e-3, "{g} {nu} {v:?} {axis}: {coarse} {fine}");
+            }
+        }
+    }
+
+    #[test]
+    fn holds_for_hard_inputs() {
+        for g in [1e-300, 1e-3, 0.1, 1.0, 10.0, 1e3, 1e300] {
+            for v in [0.0, 5e-324, 1e-300, 1e-150, 1e-30, 1e30, 1e150, 1e300] {
+                for [x, y, z] in
+                    [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, -1.0, 1.0]]
+                {
+                    let [fx, fy, mz] = at(g, 0.3, [v * x, v * y, v * z]);
+                    assert!(fx.hypot(fy) <= 1.0 + 1e-9 && mz.is_finite(), "{g} {v} {fx} {fy} {mz}");
+                }
+            }
+        }
+        assert_eq!(at(1.0, 0.3, [0.0; 3]), [0.0; 3]);
+    }
+
+    #[test]
+    fn single_precision_follows() {
+        let mut random = Numbers(5);
+        for _ in 0..100_000 {
+            let g = 10_f64.powf(2.0 * random.next() - 1.0) as f32;
+            let nu = 0.5 * random.next() as f32;
+            let v = [0; 3].map(|_| random.spread(-3.0, 1.0) as f32);
+            let single = total(g, nu, &LinearCoefficients::at(g, nu), v);
+            let double = at(g.into(), nu.into(), v.map(f64::from));
+            for (single, double) in [single.fx, single.fy, single.mz].into_iter().zip(double) {
+                assert_relative_eq!(f64::from(single), double, epsilon = 2e-5);
+            }
+        }
+        for v in [1e-38_f32, 1e-30, 1e12, 1e30, 3e38] {
+            for g in [1e-30_f32, 0.1, 1.0, 10.0, 1e30] {
+                let f = total(g, 0.5, &LinearCoefficients::at(g, 0.5), [v, -v, v]);
+                assert!(f.fx.hypot(f.fy) <= 1.00001 && f.mz.is_finite(), "{g} {v} {f:?}");
+            }
+        }
+    }
 }
