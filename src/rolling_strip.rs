@@ -41,8 +41,8 @@ pub use self::nodes::Placed;
 
 use self::constants::{HIDDEN, HIDDEN_OFFSET, OUTPUT, OUTPUT_OFFSET, ROUNDING, SHAPE};
 use crate::coefficients::LinearCoefficients;
-use crate::real::{Float, Real};
-use core::f64::consts::PI;
+use crate::real::{Arithmetic, Float, Real};
+use core::f64::consts::{FRAC_1_SQRT_2, PI};
 
 /// Steps of the march along a strip.
 pub const STEPS: usize = 10;
@@ -66,6 +66,8 @@ pub struct Step<F> {
     pub x: F,
     /// `x̂₀ − x̂₁`
     pub length: F,
+    /// Its square.
+    pub square: F,
     /// `x̂₀² − x̂₁²`
     pub turn: F,
     /// `B = 1 − x̂₁²`
@@ -93,7 +95,14 @@ macro_rules! marched {
         #[allow(clippy::unnecessary_cast, clippy::indexing_slicing)]
         impl Marched for $float {
             const STEPS: [Step<Self>; STEPS] = {
-                let mut steps = [Step { x: 0.0, length: 0.0, turn: 0.0, bound: 0.0, inverse: 0.0 }; STEPS];
+                let mut steps = [Step {
+                    x: 0.0,
+                    length: 0.0,
+                    square: 0.0,
+                    turn: 0.0,
+                    bound: 0.0,
+                    inverse: 0.0,
+                }; STEPS];
                 let mut before = 1.0;
                 let mut j = 0;
                 while j < STEPS {
@@ -102,6 +111,7 @@ macro_rules! marched {
                     steps[j] = Step {
                         x: x as $float,
                         length: (before - x) as $float,
+                        square: ((before - x) * (before - x)) as $float,
                         turn: (before * before - x * x) as $float,
                         bound: bound as $float,
                         inverse: (1.0 / bound) as $float,
@@ -113,7 +123,8 @@ macro_rules! marched {
             };
             const HIDDEN: [[Self; UNITS]; FEATURES] = narrow!($float, HIDDEN, FEATURES, UNITS);
             const HIDDEN_OFFSET: [Self; UNITS] = narrow!($float, [HIDDEN_OFFSET], 1, UNITS)[0];
-            const OUTPUT: [[Self; CORRECTIONS]; UNITS] = narrow!($float, OUTPUT, UNITS, CORRECTIONS);
+            const OUTPUT: [[Self; CORRECTIONS]; UNITS] =
+                narrow!($float, OUTPUT, UNITS, CORRECTIONS);
             const OUTPUT_OFFSET: [Self; CORRECTIONS] =
                 narrow!($float, [OUTPUT_OFFSET], 1, CORRECTIONS)[0];
         }
@@ -137,12 +148,12 @@ macro_rules! narrow {
     }};
 }
 
-/// `cos((j − ½) π/10)`, `j = 1 … 5`; 17 digits.
+/// `cos((j − ½) π/10)`, `j = 1 … 5`.
 const COSINES: [f64; 5] = [
-    0.98768834059513777,
-    0.89100652418836786,
-    0.70710678118654752,
-    0.45399049973954675,
+    0.9876883405951378,
+    0.8910065241883679,
+    FRAC_1_SQRT_2,
+    0.4539904997395468,
     0.15643446504023087,
 ];
 
@@ -298,15 +309,15 @@ where
         let longitudinal = elastic * (lx * e_x).times(K) + rigid * vx;
         // a_y = (8/3π) (C22 vy e_y (1 + τ) + C23 φ e_s β/(1 + |C23 φ|))
         let lateral_creepage = elastic
-            * (lateral * lateral_share.plus(1.0) + spin_share * e_share * ls / ss.plus(1.0)).times(K)
+            * (lateral * lateral_share.plus(1.0) + spin_share * e_share * ls / ss.plus(1.0))
+                .times(K)
             + rigid * vy;
         // σ = C23 φ e_σ (1 − β) − C22 vy e_y τ
         let spin = elastic * (ls * (one - spin_share) * e_spin - lateral_share * lateral)
             + (rigid * py).times(0.5);
         // ρ = (32/3π) √(a/b) C33 φ e_ρ
-        let slope = elastic
-            * (py.scale(c33) * positive(o_slope)).times(32.0 / (3.0 * PI))
-            + rigid * px;
+        let slope =
+            elastic * (py.scale(c33) * positive(o_slope)).times(32.0 / (3.0 * PI)) + rigid * px;
         let profile = elastic * o_profile / o_profile.squared().plus(1.0).sqrt();
         Self {
             longitudinal,
@@ -367,32 +378,25 @@ where
         T::Base: Placed<N>,
     {
         let forces = self.ellipse::<N, STICK>();
-        self.sum(&forces)
+        self.sum::<N, STICK>(&forces)
     }
 
     /// Totals from the forces of the strips of the Hertz ellipse.
     #[must_use]
     #[inline]
-    pub fn sum<const N: usize>(&self, forces: &StripForces<T, N>) -> StripTotals<T>
+    pub fn sum<const N: usize, const STICK: bool>(
+        &self,
+        forces: &StripForces<T, N>,
+    ) -> StripTotals<T>
     where
         T::Base: Placed<N>,
     {
         let rule = &<T::Base as Placed<N>>::RULE;
-        let mut sums = [[T::zero(); 2]; 5];
-        let loads = rule.load.iter().zip(&rule.moment_y).zip(&rule.moment_x).zip(&rule.area);
-        let values = forces.fx.iter().zip(&forces.fy).zip(&forces.mx).zip(&forces.stick);
-        for (i, ((((load, by_y), by_x), area), (((fx, fy), mx), stick))) in
-            loads.zip(values).enumerate()
-        {
-            // two chains of additions instead of one
-            let terms =
-                [fx.scale(*load), fy.scale(*load), fx.scale(*by_y), mx.scale(*by_x), stick.scale(*area)];
-            for (sum, term) in sums.iter_mut().zip(terms) {
-                let [even, odd] = sum;
-                *(if i % 2 == 0 { even } else { odd }) += term;
-            }
-        }
-        let [fx, fy, by_y, by_x, stick] = sums.map(|[even, odd]| even + odd);
+        let fx = weighted(&forces.fx, &rule.load);
+        let fy = weighted(&forces.fy, &rule.load);
+        let by_y = weighted(&forces.fx, &rule.moment_y);
+        let by_x = weighted(&forces.mx, &rule.moment_x);
+        let stick = if STICK { weighted(&forces.stick, &rule.area) } else { T::zero() };
         // Mz = ∫ (x Y − y X): lever arms √(a/b) C x̂ and √(b/a) Y
         let mz = by_x.scale(self.root) - by_y.scale(T::Base::one() / self.root);
         StripTotals { fx, fy, mz, stick }
@@ -442,6 +446,7 @@ where
         let step = Step {
             x: place,
             length,
+            square: length * length,
             turn: (before - place) * (before + place),
             bound,
             inverse: T::Base::one() / bound,
@@ -464,16 +469,29 @@ where
         let rigid = (rigid_x.squared() + rigid_y.squared()).plus(NO_TRACTION).sqrt();
         // no slip at the separatrix, whatever the step says
         let onset = cut.trial.plus(-1.0).scale(T::Base::one() / T::Base::of_f32(ROUNDING));
-        let onset = onset.clamped(T::zero(), T::one());
+        let onset = onset.max(T::zero()).min(T::one());
         let size = (x * x + y * y).plus(NO_TRACTION).sqrt();
         let slip = share * onset * rigid / size;
         StripTraction { x, y, slip_x: slip * x, slip_y: slip * y, slips: cut.trial > T::one() }
     }
 }
 
+/// `Σ wᵢ xᵢ`, in four chains of additions that a vector unit takes together.
+#[inline(always)]
+fn weighted<T: Arithmetic, const N: usize>(values: &[T; N], weights: &[T::Base; N]) -> T {
+    let mut sums = [T::zero(); 4];
+    for (values, weights) in values.chunks(4).zip(weights.chunks(4)) {
+        for ((sum, value), weight) in sums.iter_mut().zip(values).zip(weights) {
+            *sum += value.scale(*weight);
+        }
+    }
+    let [a, b, c, d] = sums;
+    (a + c) + (b + d)
+}
+
 /// Slip over rigid slip on a step: what was cut off over what was offered.
 #[inline]
-fn slip_share<T: Real>(creepage: &StripCreepage<T>, step: &Step<T::Base>, cut: Cut<T>) -> T {
+fn slip_share<T: Arithmetic>(creepage: &StripCreepage<T>, step: &Step<T::Base>, cut: Cut<T>) -> T {
     let offered_x = creepage.longitudinal;
     let offered_y = creepage.lateral + (creepage.spin + creepage.spin).scale(step.x);
     let offered = (offered_x * offered_x + offered_y * offered_y).plus(NO_TRACTION).sqrt();
@@ -481,92 +499,114 @@ fn slip_share<T: Real>(creepage: &StripCreepage<T>, step: &Step<T::Base>, cut: C
     (excess / offered.scale(step.length)).min(T::one())
 }
 
-/// Spin `σ` of every strip.
-pub trait Spin<T>: Copy {
+/// A number of every strip.
+pub trait PerStrip<T>: Copy {
+    /// The same for a function of the numbers.
+    type Mapped: PerStrip<T>;
     /// Of strip `i`.
     fn of(&self, i: usize) -> T;
+    /// A function of the numbers.
+    fn mapped(&self, function: impl Fn(T) -> T) -> Self::Mapped;
 }
 
-/// One spin for all strips: the Hertz ellipse.
+/// One number for all strips, as the spin on a Hertz ellipse.
 #[derive(Clone, Copy, Debug)]
 pub struct Uniform<T>(pub T);
 
-impl<T: Real> Spin<T> for Uniform<T> {
+impl<T: Arithmetic> PerStrip<T> for Uniform<T> {
+    type Mapped = Self;
     #[inline(always)]
     fn of(&self, _: usize) -> T {
         self.0
     }
+    #[inline(always)]
+    fn mapped(&self, function: impl Fn(T) -> T) -> Self {
+        Self(function(self.0))
+    }
 }
 
-impl<T: Real, const N: usize> Spin<T> for &[T; N] {
+impl<T: Arithmetic, const N: usize> PerStrip<T> for [T; N] {
+    type Mapped = Self;
     #[inline(always)]
     fn of(&self, i: usize) -> T {
         self.get(i).copied().unwrap_or(T::zero())
+    }
+    #[inline(always)]
+    fn mapped(&self, function: impl Fn(T) -> T) -> Self {
+        self.map(function)
     }
 }
 
 /// Marches `N` strips from the leading edge together: strips are the inner loop, for the vector units.
 #[must_use]
 #[inline(always)]
-pub fn march<T: Real, const N: usize, const STICK: bool>(
+pub fn march<T: Arithmetic, const N: usize, const STICK: bool>(
     ax: &[T; N],
     ay: &[T; N],
-    spin: impl Spin<T>,
+    spin: impl PerStrip<T>,
 ) -> StripForces<T, N>
 where
     T::Base: Marched,
 {
     let zero = [T::zero(); N];
-    let (mut px, mut py, mut slipped) = (zero, zero, zero);
-    let mut out = StripForces { fx: zero, fy: zero, mx: zero, stick: zero };
-    let mut bias = zero;
-    for (i, bias) in bias.iter_mut().enumerate() {
-        *bias = squashed(spin.of(i));
-    }
+    let (mut px, mut py, mut kept) = (zero, zero, [T::one(); N]);
+    let (mut fx, mut fy, mut mx, mut stick) = (zero, zero, zero, zero);
+    let bias = spin.mapped(squashed);
     let mut reached = zero;
     let mut last = zero;
     let mut before = T::Base::one();
+    let (mut t, mut w) = (zero, zero);
     for step in &T::Base::STEPS {
-        let strips = ax.iter().zip(ay).zip(&bias).enumerate();
-        let states = px.iter_mut().zip(&mut py).zip(&mut slipped);
-        let forces = out.fx.iter_mut().zip(&mut out.fy).zip(&mut out.mx);
-        let sticks = out.stick.iter_mut().zip(&mut reached).zip(&mut last);
-        for ((((i, ((ax, ay), bias)), ((px, py), slipped)), ((fx, fy), mx)), ((stick, reached), last)) in
-            strips.zip(states).zip(forces).zip(sticks)
-        {
+        // Three short loops over the strips instead of one: the root, the quotient and the polynomial of
+        // one strip wait for each other, those of different strips do not.
+        let strips = ax.iter().zip(ay).enumerate();
+        let states = px.iter_mut().zip(&mut py).zip(&kept).zip(&mut t);
+        for ((i, (ax, ay)), (((px, py), kept), t)) in strips.zip(states) {
             let creepage = StripCreepage { longitudinal: *ax, lateral: *ay, spin: spin.of(i) };
-            let state = March { px: *px, py: *py, slipped: *slipped };
-            let (next, cut) = state.step(&creepage, step);
-            (*px, *py, *slipped) = (next.px, next.py, next.slipped);
-
+            (*px, *py, *t) = offer([*px, *py, *kept], &creepage, step);
+        }
+        for ((t, w), kept) in t.iter_mut().zip(&mut w).zip(&mut kept) {
+            let cut;
+            (cut, *kept) = cut_back(*t, step);
+            *w = cut.reached;
+            if STICK {
+                *t = cut.trial;
+            }
+        }
+        let states = px.iter_mut().zip(&mut py).zip(&kept).zip(&w).enumerate();
+        let forces = fx.iter_mut().zip(&mut fy).zip(&mut mx);
+        for ((i, (((px, py), kept), w)), ((fx, fy), mx)) in states.zip(forces) {
+            *px = *px * *kept;
+            *py = *py * *kept;
             // B times traction/(μ Z) = r B + (p − r B)/(1 + R)
-            let half = half_ellipses(cut.reached);
-            let floor = bias.scale(step.bound);
-            let y = floor + (next.py - floor) * half;
-            *fx += next.px * half;
+            let half = half_ellipses(*w);
+            let floor = bias.of(i).scale(step.bound);
+            let y = floor + (*py - floor) * half;
+            *fx += *px * half;
             *fy += y;
             *mx += y.scale(step.x);
-            if STICK {
+        }
+        if STICK {
+            let sticks = stick.iter_mut().zip(&mut reached).zip(&mut last);
+            for (((stick, reached), last), (trial, w)) in sticks.zip(t.iter().zip(&w)) {
                 // share of the step that sticks: the bound is met between its ends
-                let span = cut.trial.max(T::one()) - *reached;
+                let span = trial.max(T::one()) - *reached;
                 *last = (T::constant(1.02) - *reached) / span.plus(0.02);
                 *stick += last.scale(step.length.times(0.5));
-                *reached = cut.reached;
+                *reached = *w;
             }
         }
         before = step.x;
     }
     // (2/π) ∫ √(1 − x̂²) f dx̂ by the midpoint rule in the angle
     const WEIGHT: f64 = 2.0 / STEPS as f64;
-    for force in out.fx.iter_mut().chain(&mut out.fy).chain(&mut out.mx) {
-        *force = force.times(WEIGHT);
-    }
     if STICK {
-        for (stick, last) in out.stick.iter_mut().zip(&last) {
+        for (stick, last) in stick.iter_mut().zip(&last) {
             *stick += last.scale(before.plus(1.0).times(0.5));
         }
     }
-    out
+    let [fx, fy, mx] = [fx, fy, mx].map(|force| force.map(|x| x.times(WEIGHT)));
+    StripForces { fx, fy, mx, stick }
 }
 
 /// State of a strip at the end of a step.
@@ -576,8 +616,8 @@ struct March<T> {
     px: T,
     /// `p_y`
     py: T,
-    /// Share of the last increment that was cut off.
-    slipped: T,
+    /// Share of the last increment that was kept: 1 in adhesion.
+    kept: T,
 }
 
 /// The cut at the bound.
@@ -589,30 +629,47 @@ struct Cut<T> {
     reached: T,
 }
 
-impl<T: Real> March<T> {
+impl<T: Arithmetic> March<T> {
     /// At the leading edge.
     fn start() -> Self {
-        Self { px: T::zero(), py: T::zero(), slipped: T::zero() }
+        Self { px: T::zero(), py: T::zero(), kept: T::one() }
     }
 
     /// The next step: increment, then cut back to the bound.
     #[inline(always)]
     fn step(self, creepage: &StripCreepage<T>, step: &Step<T::Base>) -> (Self, Cut<T>) {
-        // exact while it sticks; where it slips, the rigid slip at the step's end gives the direction
-        let turn = T::from_base(step.turn) - self.slipped.scale(step.length * step.length);
-        let px = self.px + creepage.longitudinal.scale(step.length);
-        let py = self.py + creepage.lateral.scale(step.length) + creepage.spin * turn;
-        let t = (px * px + py * py).plus(NO_TRACTION).sqrt();
-        let trial = t.scale(step.inverse);
-        let reached = rounded(trial);
-        let m = reached.scale(step.bound) / t;
-        (Self { px: px * m, py: py * m, slipped: T::one() - m }, Cut { trial, reached })
+        let (px, py, t) = offer([self.px, self.py, self.kept], creepage, step);
+        let (cut, m) = cut_back(t, step);
+        (Self { px: px * m, py: py * m, kept: m }, cut)
     }
+}
+
+/// `p` after the increment of a step, and its size.
+#[inline(always)]
+fn offer<T: Arithmetic>(
+    [px, py, kept]: [T; 3],
+    creepage: &StripCreepage<T>,
+    step: &Step<T::Base>,
+) -> (T, T, T) {
+    // exact while it sticks; where it slips, the rigid slip at the step's end gives the direction
+    let turn = kept.scale(step.square).shift(step.turn - step.square);
+    let px = px + creepage.longitudinal.scale(step.length);
+    let py = py + creepage.lateral.scale(step.length) + creepage.spin * turn;
+    (px, py, (px * px + py * py).plus(NO_TRACTION).sqrt())
+}
+
+/// The factor that brings `|p| = t` back to the bound.
+#[inline(always)]
+fn cut_back<T: Arithmetic>(t: T, step: &Step<T::Base>) -> (Cut<T>, T) {
+    let trial = t.scale(step.inverse);
+    let reached = rounded(trial);
+    // the division does not wait for the rounding
+    (Cut { trial, reached }, (T::one() / t) * reached.scale(step.bound))
 }
 
 /// `min(1, t)`, with a parabola between `1 − d` and `1 + d`.
 #[inline(always)]
-fn rounded<T: Real>(t: T) -> T {
+fn rounded<T: Arithmetic>(t: T) -> T {
     let d = T::Base::of_f32(ROUNDING);
     let a = t.min(T::from_base(T::Base::one() + d));
     let z = a.shift(d - T::Base::one()).max(T::zero());
@@ -621,7 +678,7 @@ fn rounded<T: Real>(t: T) -> T {
 
 /// `1/(1 + √(1 − w))`, approximately: within 0.05 and once differentiable at `w = 1`.
 #[inline(always)]
-fn half_ellipses<T: Real>(w: T) -> T {
+fn half_ellipses<T: Arithmetic>(w: T) -> T {
     let [k0, k1, k2] = SHAPE.map(T::Base::of_f32);
     let w2 = w * w;
     let w4 = w2 * w2;
@@ -631,25 +688,25 @@ fn half_ellipses<T: Real>(w: T) -> T {
 
 /// `s/(1 + s⁴)^{1/4}`, inside (−1, 1).
 #[inline(always)]
-fn squashed<T: Real>(s: T) -> T {
+fn squashed<T: Arithmetic>(s: T) -> T {
     s / s.squared().squared().plus(1.0).sqrt().sqrt()
 }
 
 /// `√(x² + 0.03²) − 0.03`
 #[inline(always)]
-fn magnitude<T: Real>(x: T) -> T {
+fn magnitude<T: Arithmetic>(x: T) -> T {
     x.squared().plus(0.0009).sqrt().plus(-0.03)
 }
 
 /// `o + √(1 + o²)`, positive, 1 at 0.
 #[inline(always)]
-fn positive<T: Real>(o: T) -> T {
+fn positive<T: Arithmetic>(o: T) -> T {
     o + o.squared().plus(1.0).sqrt()
 }
 
 /// The corrections: one layer of units `h/√(1 + h²)`.
 #[inline(always)]
-fn network<T: Real>(features: &[T; FEATURES]) -> [T; CORRECTIONS]
+fn network<T: Arithmetic>(features: &[T; FEATURES]) -> [T; CORRECTIONS]
 where
     T::Base: Marched,
 {
@@ -659,7 +716,7 @@ where
 }
 
 #[inline(always)]
-fn layer<T: Real, const M: usize, const N: usize>(
+fn layer<T: Arithmetic, const M: usize, const N: usize>(
     inputs: &[T; M],
     weights: &[[T::Base; N]; M],
     offsets: &[T::Base; N],

@@ -74,7 +74,8 @@ macro_rules! placed {
                 let mut i = 0;
                 while i < $count {
                     let upper = i >= $count / 2;
-                    let [y, c, width] = $half[if upper { i - $count / 2 } else { $count / 2 - 1 - i }];
+                    let [y, c, width] =
+                        $half[if upper { i - $count / 2 } else { $count / 2 - 1 - i }];
                     let y = if upper { y } else { -y };
                     let load = 0.75 * width * (c * c);
                     rule.y[i] = y as $float;

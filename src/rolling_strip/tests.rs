@@ -139,7 +139,8 @@ fn bounded_by_friction() {
 #[test]
 fn any_size_of_creepage_is_finite() {
     for size in [1e-320, 1e-200, 1e-30, 1e-8, 1e4, 1e9, 1e200, 1.7e308] {
-        for [vx, vy, phi] in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 1.0, -1.0]] {
+        for [vx, vy, phi] in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 1.0, -1.0]]
+        {
             for g in [1e-9, 0.01, 1.0, 100.0, 1e9] {
                 let case = [g, 0.3, size * vx, size * vy, size * phi];
                 let [fx, fy, mz, stick] = totals(case);
@@ -196,7 +197,10 @@ fn forces_are_continuous() {
             let t = f64::from(part) / 200.0;
             let length = case.iter().zip(other).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
             for (before, after) in at(t).iter().zip(at(t + 1e-7)) {
-                assert!((before - after).abs() < 1e-7 * (1.0 + length) * 400.0, "{case:?} {other:?} {t}");
+                assert!(
+                    (before - after).abs() < 1e-7 * (1.0 + length) * 400.0,
+                    "{case:?} {other:?} {t}"
+                );
             }
         }
     }
@@ -233,7 +237,8 @@ fn pure_creepage_gives_half_ellipses() {
     let two_kappa = solution.strip(&geometry).longitudinal;
     for i in 1..40 {
         let x = 1.0 - 0.05 * f64::from(i);
-        let carter = if 1.0 + x > two_kappa { 1.0 - (1.0 - two_kappa / (1.0 + x)).sqrt() } else { 1.0 };
+        let carter =
+            if 1.0 + x > two_kappa { 1.0 - (1.0 - two_kappa / (1.0 + x)).sqrt() } else { 1.0 };
         let p = solution.traction(&geometry, x);
         assert_abs_diff_eq!(p.x, carter, epsilon = 0.09);
         assert_eq!(p.slips, 1.0 + x < two_kappa);
@@ -272,13 +277,14 @@ fn power_of_the_strips_is_the_power_of_the_contact() {
     for case in cases(100) {
         let solution = strips(case);
         let forces = solution.ellipse::<8, false>();
-        let total = solution.sum(&forces);
+        let total = solution.sum::<8, false>(&forces);
         let rule = &<f64 as Placed<8>>::RULE;
         let mut power = 0.0;
         for i in 0..8 {
             let c = rule.half_length[i];
             let geometry = StripGeometry { y: rule.y[i], half_length: c, bound: c };
-            power += rule.load[i] * solution.power(&geometry, forces.fx[i], forces.fy[i], forces.mx[i]);
+            power +=
+                rule.load[i] * solution.power(&geometry, forces.fx[i], forces.fy[i], forces.mx[i]);
         }
         let [vx, vy, phi] = solution.creepage;
         let expected = total.fx * vx + total.fy * vy + total.mz * phi;
@@ -317,11 +323,15 @@ fn callers_strips_follow_the_same_law() {
         creepages[2][i] = strip.spin;
     }
     let [ax, ay, spin] = &creepages;
-    let own = march::<f64, 16, true>(ax, ay, spin);
+    let own = march::<f64, 16, true>(ax, ay, *spin);
     let ellipse = solution.ellipse::<16, true>();
-    for (a, b) in own.fx.iter().chain(&own.fy).chain(&own.stick).zip(
-        ellipse.fx.iter().chain(&ellipse.fy).chain(&ellipse.stick),
-    ) {
+    for (a, b) in own
+        .fx
+        .iter()
+        .chain(&own.fy)
+        .chain(&own.stick)
+        .zip(ellipse.fx.iter().chain(&ellipse.fy).chain(&ellipse.stick))
+    {
         assert_abs_diff_eq!(a, b, epsilon = 2e-3);
     }
 }
