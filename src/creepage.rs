@@ -1,7 +1,7 @@
 //! Creepage, spin, and the parameters of the strip theory (3.2)–(3.4), (5.13).
 
 use crate::contact::Contact;
-use crate::real::{Float, Real};
+use crate::real::{Arithmetic, Float, Real};
 use crate::status::Error;
 
 /// Rigid slip of the upper over the lower body, divided by the rolling speed (3.3).

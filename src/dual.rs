@@ -4,7 +4,8 @@
 //! generic formulas as a plain number it returns the exact derivatives of what those formulas
 //! compute, branch by branch; there is no step size and no second implementation to keep in step.
 
-use crate::real::{Float, Real};
+use crate::real::pairs::Two;
+use crate::real::{Arithmetic, Float, Real};
 use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -121,19 +122,12 @@ impl<F: Float, const M: usize> Neg for Dual<F, M> {
     }
 }
 
-impl<F: Float, const M: usize> Real for Dual<F, M> {
+impl<F: Float, const M: usize> Arithmetic for Dual<F, M> {
     type Base = F;
-    const TINY: F = F::TINY;
-    const HUGE: F = F::HUGE;
-    const EPSILON: F = F::EPSILON;
 
     #[inline(always)]
     fn from_base(value: F) -> Self {
         Self { value, gradient: [F::zero(); M] }
-    }
-    #[inline(always)]
-    fn value(self) -> F {
-        self.value
     }
     #[inline(always)]
     fn scale(self, factor: F) -> Self {
@@ -152,6 +146,35 @@ impl<F: Float, const M: usize> Real for Dual<F, M> {
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
         self.chain(root, F::of(0.5) / root.max(F::TINY))
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        if self.value < F::zero() { -self } else { self }
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        if self.value > other.value { self } else { other }
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        if self.value < other.value { self } else { other }
+    }
+    #[inline(always)]
+    fn choose(self, yes: Self, no: Self) -> Self {
+        if self.value > F::zero() { yes } else { no }
+    }
+}
+
+impl<F: Float, const M: usize> Real for Dual<F, M> {
+    type Pair = Two<Self>;
+    const HAS_DERIVATIVES: bool = true;
+    const TINY: F = F::TINY;
+    const HUGE: F = F::HUGE;
+    const EPSILON: F = F::EPSILON;
+
+    #[inline(always)]
+    fn value(self) -> F {
+        self.value
     }
     #[inline]
     fn atan(self) -> Self {

@@ -1,7 +1,7 @@
 //! Pressure, traction and slip at points of the contact, in SI units.
 
 use crate::contact::Contact;
-use crate::real::Float;
+use crate::real::{Arithmetic, Float};
 use crate::strip::{State, StripPoint};
 
 /// The state of a point of the contact plane. Tractions act on the lower body.

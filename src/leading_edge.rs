@@ -5,7 +5,7 @@
 //! vector that is linear in `Y`), while `C` is concave: the strips with adhesion form one interval.
 //! Of the four roots of `ξ̄² + (η + ψC)² = C²` at most two are real crossings.
 
-use crate::real::{Float, Real};
+use crate::real::{Arithmetic, Float, Pair, Real};
 use crate::strip::{adhesion_length, bounded_half_length, root_s};
 
 /// A point `(Y, C)` of the leading edge, `Y² + C² = 1`, `C ≥ 0`, in units of the semi-axes.
@@ -20,6 +20,14 @@ pub struct EdgePoint<T> {
 impl<T: Real> EdgePoint<T> {
     fn lifted(point: EdgePoint<T::Base>) -> Self {
         Self { y: T::from_base(point.y), c: T::from_base(point.c) }
+    }
+
+    /// These derivatives with another value.
+    fn with_value(self, value: Self) -> Self {
+        Self {
+            y: value.y + (self.y - T::from_base(self.y.value())),
+            c: value.c + (self.c - T::from_base(self.c.value())),
+        }
     }
 
     /// The point with tangent of the half angle `t = Y/(1 + C)`.
@@ -78,6 +86,62 @@ impl<T: Real> Tangent<T> {
     }
 }
 
+/// `κ(ξ̄)` of (5.41) for many strips, with what they share computed once.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct AdhesionLength<P> {
+    q: P,
+    inverse: P,
+    eta_squared: P,
+    eta_psi: P,
+    cancels: bool,
+}
+
+impl<P: Arithmetic> AdhesionLength<P> {
+    /// `cancels` chooses the form: `(S + ηψ)/(1 − ψ²)` without, `(ξ̄² + η²)/(S − ηψ)` with
+    /// cancellation.
+    #[inline(always)]
+    pub(crate) fn of(family: &StripFamily<P>, cancels: bool) -> Self {
+        let StripFamily { eta, psi, .. } = *family;
+        let q = (P::one() - psi) * (P::one() + psi);
+        Self { q, inverse: P::one() / q, eta_squared: eta * eta, eta_psi: eta * psi, cancels }
+    }
+
+    /// `S² = η² + (1 − ψ²) ξ̄²` and `S`
+    #[inline(always)]
+    fn s(&self, square: P) -> (P, P) {
+        let s_squared = (self.eta_squared + self.q * square).max(P::tiny());
+        (s_squared, s_squared.sqrt())
+    }
+
+    /// `κ/a`
+    #[inline(always)]
+    pub(crate) fn at(&self, xi_bar: P) -> P {
+        let square = xi_bar * xi_bar;
+        let (_, s) = self.s(square);
+        if self.cancels {
+            (square + self.eta_squared) / (s - self.eta_psi)
+        } else {
+            (s + self.eta_psi) * self.inverse
+        }
+    }
+
+    /// The tangent at `Y`, `κ + (dκ/dY)(Y' − Y)` with `dκ/dY = −p ξ̄/S` from either form of (5.41),
+    /// times `S` so that nothing is divided by it.
+    #[inline(always)]
+    fn tangent(&self, family: &StripFamily<P>, y: P) -> Tangent<P> {
+        let xi_bar = family.xi_bar(y);
+        let square = xi_bar * xi_bar;
+        let (s_squared, s) = self.s(square);
+        let s_kappa = if self.cancels {
+            s * ((square + self.eta_squared) / (s - self.eta_psi))
+        } else {
+            (s_squared + s * self.eta_psi) * self.inverse
+        };
+        let a = family.slope * xi_bar;
+        Tangent { a, b: s, d: s_kappa + a * y }
+    }
+}
+
 /// Tangent steps; each squares the error, except near the birth of an interval where it halves it.
 const TANGENT_STEPS: usize = 40;
 /// Newton steps with bisection for the strip nearest to adhesion.
@@ -85,11 +149,31 @@ const NEAREST_STEPS: usize = 60;
 /// Bisections that exhaust the digits of a double.
 const BISECTIONS: usize = 64;
 
-impl<T: Real> StripFamily<T> {
+impl<P: Arithmetic> StripFamily<P> {
     /// `ξ̄` of the strip at `y`.
     #[inline(always)]
-    pub fn xi_bar(&self, y: T) -> T {
+    pub fn xi_bar(&self, y: P) -> P {
         self.xi - self.slope * y
+    }
+}
+
+impl<T: Real> StripFamily<T> {
+    /// The same family twice, side by side.
+    #[inline(always)]
+    pub(crate) fn paired(&self) -> StripFamily<T::Pair> {
+        StripFamily {
+            xi: T::Pair::both(self.xi),
+            slope: T::Pair::both(self.slope),
+            eta: T::Pair::both(self.eta),
+            psi: T::Pair::both(self.psi),
+        }
+    }
+
+    /// Whether the direct form of (5.41) loses more than a factor 128 in the last place.
+    #[inline(always)]
+    pub(crate) fn cancels(&self) -> bool {
+        self.eta * self.psi < T::zero()
+            && (T::one() - self.psi) * (T::one() + self.psi) < T::constant(1.0 / 64.0)
     }
 
     /// The same family without derivatives.
@@ -102,25 +186,10 @@ impl<T: Real> StripFamily<T> {
         }
     }
 
-    /// The tangent at `Y`, `κ + (dκ/dY)(Y' − Y)` with `dκ/dY = −p ξ̄/S` from either form of (5.41),
-    /// times `S` so that nothing is divided by it.
+    /// The tangent of the adhesion length at `Y`.
     #[inline(always)]
     fn tangent(&self, y: T) -> Tangent<T> {
-        let xi_bar = self.xi_bar(y);
-        let q = (T::one() - self.psi) * (T::one() + self.psi);
-        let square = self.eta * self.eta + q * (xi_bar * xi_bar);
-        let s = square.max(T::from_base(T::TINY)).sqrt();
-        let eta_psi = self.eta * self.psi;
-        // S κ, κ = (ξ̄² + η²)/(S − ηψ) or (S + ηψ)/(1 − ψ²)   (5.41)
-        let cancels = eta_psi < T::zero();
-        let numerator = if cancels {
-            s * (xi_bar * xi_bar + self.eta * self.eta)
-        } else {
-            square + s * eta_psi
-        };
-        let s_kappa = numerator / if cancels { s - eta_psi } else { q };
-        let a = self.slope * xi_bar;
-        Tangent { a, b: s, d: s_kappa + a * y }
+        AdhesionLength::of(self, self.cancels()).tangent(self, y)
     }
 
     /// The adhesion interval, or `None` with the strip nearest to adhesion.
@@ -146,48 +215,95 @@ impl<T: Real> StripFamily<T> {
         }
     }
 
-    /// One tangent step from a converged end carries the derivatives and changes the value by
-    /// rounding only.
+    /// One tangent step from a converged end carries the derivatives.
     #[inline]
     fn polished(&self, end: EdgePoint<T::Base>, side: f64) -> EdgePoint<T> {
         let lifted = EdgePoint::lifted(end);
+        if !T::HAS_DERIVATIVES {
+            return lifted;
+        }
         self.tangent(lifted.y)
             .meets_edge(side)
             .filter(|point| (point.y - lifted.y).abs() <= T::constant(1e-3))
-            .unwrap_or(lifted)
+            .map_or(lifted, |point| point.with_value(lifted))
     }
 }
 
 impl<F: Float> StripFamily<F> {
-    /// Ends by Newton's method on `κ = C` with the circle treated exactly: the tangent of the convex
-    /// `κ` lies below it, so each step stays outside the interval and a tangent that misses the
-    /// circle proves that there is none.
+    /// Ends by Newton's method on `κ = C` with the circle treated exactly. The tangent of the convex
+    /// `κ` lies below it, so adhesion is possible only on the chord that it cuts off: a tangent that
+    /// misses the circle, or two chords that do not meet, prove that there is none.
     fn by_tangents(&self) -> Option<(EdgePoint<F>, EdgePoint<F>)> {
-        let one = F::one();
-        // Start at the strip with the shortest adhesion length, ξ̄ = 0, or the end nearest to it.
-        let start = if self.xi.abs() < self.slope.abs() {
-            self.xi / self.slope
-        } else if self.xi * self.slope < F::zero() {
-            -one
-        } else {
-            one
+        let (lower, upper) = self.first_chord()?;
+        // Both ends at once, the lower one mirrored: Y → −Y, p → −p.
+        let mirror = F::Pair::of(-F::one(), F::one());
+        let sides = StripFamily {
+            xi: F::Pair::both(self.xi),
+            slope: F::Pair::of(-self.slope, self.slope),
+            eta: F::Pair::both(self.eta),
+            psi: F::Pair::both(self.psi),
         };
-        let first = self.tangent(start);
-        let mut lower = first.meets_edge(-1.0)?;
-        let mut upper = first.meets_edge(1.0)?;
+        let length = AdhesionLength::of(&sides, self.cancels());
+        let mut y = F::Pair::of(-lower, upper);
+        let mut converged = false;
         for _ in 0..TANGENT_STEPS {
-            let left = self.tangent(lower.y).meets_edge(-1.0)?;
-            let right = self.tangent(upper.y).meets_edge(1.0)?;
-            let change = (left.y - lower.y).max(upper.y - right.y);
-            (lower, upper) = (left, right);
-            // The error left is the square of the last change, in units of the interval; the step
-            // that follows in `polished` squares it once more.
-            if change <= (upper.y - lower.y).times(1e-3) {
-                break;
+            let tangent = length.tangent(&sides, y);
+            let norm = tangent.a * tangent.a + tangent.b * tangent.b;
+            let square = norm - tangent.d * tangent.d;
+            let (first, second) = square.parts();
+            if !(first > F::zero() && second > F::zero()) {
+                return None;
             }
+            let inverse = F::Pair::one() / norm;
+            let root = square.sqrt();
+            let (middle, half) = (tangent.d * tangent.a * inverse, tangent.b * root * inverse);
+            let outer = middle + half;
+            // Where the chords begin and end, unmirrored
+            let (far_upper, far_lower) = ((middle - half) * mirror).parts();
+            let (near_lower, near_upper) = (outer * mirror).parts();
+            if !(near_lower < near_upper && near_lower <= far_upper && far_lower <= near_upper) {
+                return None;
+            }
+            if converged {
+                let c = (tangent.d * tangent.b - tangent.a * root) * inverse;
+                let (lower_c, upper_c) = c.parts();
+                return Some((
+                    EdgePoint { y: near_lower, c: lower_c },
+                    EdgePoint { y: near_upper, c: upper_c },
+                ));
+            }
+            // The error left is the square of the change, in units of the interval; one more step
+            // squares it again.
+            let (change_lower, change_upper) = (y - outer).abs().parts();
+            converged = change_lower.max(change_upper) <= (near_upper - near_lower).times(1e-3);
+            y = outer;
         }
-        // Near the birth of an interval the two ends may pass each other by rounding.
-        (lower.y < upper.y).then_some((lower, upper))
+        None
+    }
+
+    /// The chord of the tangent at the shortest adhesion length (`ξ̄ = 0`), or at the edge of the
+    /// contact nearest to it.
+    #[inline(always)]
+    fn first_chord(&self) -> Option<(F, F)> {
+        if self.xi.abs() < self.slope.abs() {
+            // There the tangent is level, κ = (|η| + ηψ)/(1 − ψ²), without spin too.
+            let eta = self.eta.abs();
+            let kappa = if self.eta * self.psi < F::zero() {
+                eta / (F::one() + self.psi.abs())
+            } else {
+                eta / (F::one() - self.psi.abs())
+            };
+            let square = (F::one() - kappa) * (F::one() + kappa);
+            if !(square > F::zero()) {
+                return None;
+            }
+            let y = square.sqrt();
+            return Some((-y, y));
+        }
+        let start = if self.xi * self.slope < F::zero() { -F::one() } else { F::one() };
+        let tangent = self.tangent(start);
+        let (lower, upper) = (tangent.meets_edge(-1.0)?, tangent.meets_edge(1.0)?);
+        Some((lower.y, upper.y))
     }
 
     /// For `|ψ| ≥ 1`, `ηψ < 0`: from the nearest strip outwards.

@@ -5,7 +5,7 @@ use crate::creepage::{Creepage, Parameters};
 use crate::dual::Dual;
 use crate::field::FieldPoint;
 use crate::quadrature::Tabulated;
-use crate::real::{Float, Real};
+use crate::real::{Arithmetic, Float, Real};
 use crate::status::{Error, Notice};
 use crate::strip::{SlidingRule, Strip};
 use crate::totals::{PlacedStrip, StripCount, StripTheory, Totals};

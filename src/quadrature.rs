@@ -21,25 +21,33 @@ pub trait Tabulated: Float {
     const GAUSS_1: Rule<Self, 1>;
     /// 2 nodes.
     const GAUSS_2: Rule<Self, 2>;
-    /// 4 nodes.
-    const GAUSS_4: Rule<Self, 4>;
     /// 5 nodes.
     const GAUSS_5: Rule<Self, 5>;
-    /// 6 nodes.
-    const GAUSS_6: Rule<Self, 6>;
     /// 8 nodes.
     const GAUSS_8: Rule<Self, 8>;
     /// 16 nodes.
     const GAUSS_16: Rule<Self, 16>;
+    /// The 1 positive node of 2; each stands for its mirror image too.
+    const MIRRORED_2: Rule<Self, 1>;
+    /// The 2 positive nodes of 4; each stands for its mirror image too.
+    const MIRRORED_4: Rule<Self, 2>;
+    /// The 3 positive nodes of 6; each stands for its mirror image too.
+    const MIRRORED_6: Rule<Self, 3>;
+    /// The 4 positive nodes of 8; each stands for its mirror image too.
+    const MIRRORED_8: Rule<Self, 4>;
+    /// The 8 positive nodes of 16; each stands for its mirror image too.
+    const MIRRORED_16: Rule<Self, 8>;
 }
 
+/// The last `M` nodes of a table in the precision `$float`.
 macro_rules! narrow {
-    ($float:ident, $table:ident) => {{
-        let (mut nodes, mut weights) = ([0.0; _], [0.0; _]);
+    ($float:ident, $table:ident, $count:literal) => {{
+        let (mut nodes, mut weights) = ([0.0; $count], [0.0; $count]);
+        let skipped = $table.0.len() - $count;
         let mut i = 0;
-        while i < nodes.len() {
-            nodes[i] = $table.0[i] as $float;
-            weights[i] = $table.1[i] as $float;
+        while i < $count {
+            nodes[i] = $table.0[skipped + i] as $float;
+            weights[i] = $table.1[skipped + i] as $float;
             i += 1;
         }
         Rule { nodes, weights }
@@ -50,13 +58,16 @@ macro_rules! tabulated {
     ($float:ident) => {
         #[allow(clippy::unnecessary_cast)]
         impl Tabulated for $float {
-            const GAUSS_1: Rule<Self, 1> = narrow!($float, GAUSS_1);
-            const GAUSS_2: Rule<Self, 2> = narrow!($float, GAUSS_2);
-            const GAUSS_4: Rule<Self, 4> = narrow!($float, GAUSS_4);
-            const GAUSS_5: Rule<Self, 5> = narrow!($float, GAUSS_5);
-            const GAUSS_6: Rule<Self, 6> = narrow!($float, GAUSS_6);
-            const GAUSS_8: Rule<Self, 8> = narrow!($float, GAUSS_8);
-            const GAUSS_16: Rule<Self, 16> = narrow!($float, GAUSS_16);
+            const GAUSS_1: Rule<Self, 1> = narrow!($float, GAUSS_1, 1);
+            const GAUSS_2: Rule<Self, 2> = narrow!($float, GAUSS_2, 2);
+            const GAUSS_5: Rule<Self, 5> = narrow!($float, GAUSS_5, 5);
+            const GAUSS_8: Rule<Self, 8> = narrow!($float, GAUSS_8, 8);
+            const GAUSS_16: Rule<Self, 16> = narrow!($float, GAUSS_16, 16);
+            const MIRRORED_2: Rule<Self, 1> = narrow!($float, GAUSS_2, 1);
+            const MIRRORED_4: Rule<Self, 2> = narrow!($float, GAUSS_4, 2);
+            const MIRRORED_6: Rule<Self, 3> = narrow!($float, GAUSS_6, 3);
+            const MIRRORED_8: Rule<Self, 4> = narrow!($float, GAUSS_8, 4);
+            const MIRRORED_16: Rule<Self, 8> = narrow!($float, GAUSS_16, 8);
         }
     };
 }

@@ -8,6 +8,7 @@
 //! So the trait is as small as the theory: arithmetic, comparison, one square root, and four
 //! elementary functions from libm that stay off the hot paths.
 
+pub mod pairs;
 mod square_root;
 
 use core::fmt::Debug;
@@ -27,15 +28,13 @@ pub trait Float: Real<Base = Self> + nalgebra::Scalar {
     fn cube_root(self) -> Self;
 }
 
-/// A number that the theory can be evaluated with.
+/// What formulas without a decision need: one number, or two side by side in [`Real::Pair`].
 ///
-/// Comparisons look at the value only. `Base` is the plain number below a dual number, and a plain
-/// number itself; products and sums with it cost no derivatives.
-pub trait Real:
+/// `Base` is the plain number below a dual number or a pair, and a plain number itself; products and
+/// sums with it cost no derivatives.
+pub trait Arithmetic:
     Copy
     + Debug
-    + PartialEq
-    + PartialOrd
     + Add<Output = Self>
     + Sub<Output = Self>
     + Mul<Output = Self>
@@ -48,30 +47,22 @@ pub trait Real:
     /// The plain number: `f64` for `f64` and for dual numbers over `f64`.
     type Base: Float;
 
-    /// Smallest positive normal number: added to denominators that may vanish together with their
-    /// numerators.
-    const TINY: Self::Base;
-    /// Parameters beyond this are indistinguishable from sliding; their squares are still finite.
-    const HUGE: Self::Base;
-    /// Distance from 1 to the next number.
-    const EPSILON: Self::Base;
-
     /// A plain number; its derivatives are zero.
     fn from_base(x: Self::Base) -> Self;
-    /// The value without derivatives.
-    fn value(self) -> Self::Base;
     /// Product with a plain number.
     fn scale(self, factor: Self::Base) -> Self;
     /// Sum with a plain number.
     fn shift(self, term: Self::Base) -> Self;
     /// Square root of a number that is not negative.
     fn sqrt(self) -> Self;
-    /// Inverse tangent.
-    fn atan(self) -> Self;
-    /// Natural logarithm of a positive number.
-    fn ln(self) -> Self;
-    /// Inverse hyperbolic sine.
-    fn asinh(self) -> Self;
+    /// Absolute value.
+    fn abs(self) -> Self;
+    /// The larger of two numbers.
+    fn max(self, other: Self) -> Self;
+    /// The smaller of two numbers.
+    fn min(self, other: Self) -> Self;
+    /// `yes` where this number is positive, else `no`.
+    fn choose(self, yes: Self, no: Self) -> Self;
 
     /// A constant written in double precision.
     #[inline(always)]
@@ -88,6 +79,12 @@ pub trait Real:
     fn one() -> Self {
         Self::constant(1.0)
     }
+    /// Smallest positive normal number: added to denominators that may vanish together with their
+    /// numerators.
+    #[inline(always)]
+    fn tiny() -> Self {
+        Self::from_base(<Self::Base as Real>::TINY)
+    }
     /// Product with a literal.
     #[inline(always)]
     fn times(self, factor: f64) -> Self {
@@ -103,21 +100,31 @@ pub trait Real:
     fn squared(self) -> Self {
         self * self
     }
-    /// Absolute value.
-    #[inline(always)]
-    fn abs(self) -> Self {
-        if self < Self::zero() { -self } else { self }
-    }
-    /// The larger of two numbers.
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        if self > other { self } else { other }
-    }
-    /// The smaller of two numbers.
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        if self < other { self } else { other }
-    }
+}
+
+/// A number that the theory can be evaluated with. Comparisons look at the value only.
+pub trait Real: Arithmetic + PartialEq + PartialOrd {
+    /// Two numbers side by side, in one register where the machine has such registers.
+    type Pair: Pair<Self>;
+
+    /// Whether there is more to it than a value.
+    const HAS_DERIVATIVES: bool = false;
+    /// Smallest positive normal number.
+    const TINY: Self::Base;
+    /// Parameters beyond this are indistinguishable from sliding; their squares are still finite.
+    const HUGE: Self::Base;
+    /// Distance from 1 to the next number.
+    const EPSILON: Self::Base;
+
+    /// The value without derivatives.
+    fn value(self) -> Self::Base;
+    /// Inverse tangent.
+    fn atan(self) -> Self;
+    /// Natural logarithm of a positive number.
+    fn ln(self) -> Self;
+    /// Inverse hyperbolic sine.
+    fn asinh(self) -> Self;
+
     /// The nearest number in `[low, high]`.
     #[inline(always)]
     fn clamped(self, low: Self, high: Self) -> Self {
@@ -125,8 +132,27 @@ pub trait Real:
     }
 }
 
+/// Two numbers side by side.
+pub trait Pair<T: Real>: Arithmetic<Base = T::Base> {
+    /// Put two numbers side by side.
+    fn of(first: T, second: T) -> Self;
+    /// Take them apart.
+    fn parts(self) -> (T, T);
+    /// The same number twice.
+    #[inline(always)]
+    fn both(x: T) -> Self {
+        Self::of(x, x)
+    }
+    /// Their sum.
+    #[inline(always)]
+    fn sum(self) -> T {
+        let (first, second) = self.parts();
+        first + second
+    }
+}
+
 macro_rules! plain {
-    ($float:ident, $huge:expr, $sqrt:path, $atan:path, $ln:path, $asinh:path, $cbrt:path) => {
+    ($float:ident, $pair:ty, $huge:expr, $sqrt:path, $atan:path, $ln:path, $asinh:path, $cbrt:path) => {
         impl Float for $float {
             #[inline(always)]
             fn of(x: f64) -> Self {
@@ -150,19 +176,12 @@ macro_rules! plain {
             }
         }
 
-        impl Real for $float {
+        impl Arithmetic for $float {
             type Base = $float;
-            const TINY: $float = $float::MIN_POSITIVE;
-            const HUGE: $float = $huge;
-            const EPSILON: $float = $float::EPSILON;
 
             #[inline(always)]
             fn from_base(x: $float) -> Self {
                 x
-            }
-            #[inline(always)]
-            fn value(self) -> $float {
-                self
             }
             #[inline(always)]
             fn scale(self, factor: $float) -> Self {
@@ -173,12 +192,36 @@ macro_rules! plain {
                 self + term
             }
             #[inline(always)]
+            fn sqrt(self) -> Self {
+                $sqrt(self)
+            }
+            #[inline(always)]
             fn abs(self) -> Self {
                 $float::abs(self)
             }
             #[inline(always)]
-            fn sqrt(self) -> Self {
-                $sqrt(self)
+            fn max(self, other: Self) -> Self {
+                if self > other { self } else { other }
+            }
+            #[inline(always)]
+            fn min(self, other: Self) -> Self {
+                if self < other { self } else { other }
+            }
+            #[inline(always)]
+            fn choose(self, yes: Self, no: Self) -> Self {
+                if self > 0.0 { yes } else { no }
+            }
+        }
+
+        impl Real for $float {
+            type Pair = $pair;
+            const TINY: $float = $float::MIN_POSITIVE;
+            const HUGE: $float = $huge;
+            const EPSILON: $float = $float::EPSILON;
+
+            #[inline(always)]
+            fn value(self) -> $float {
+                self
             }
             #[inline]
             fn atan(self) -> Self {
@@ -196,5 +239,23 @@ macro_rules! plain {
     };
 }
 
-plain!(f64, 1e100, square_root::of_f64, libm::atan, libm::log, libm::asinh, libm::cbrt);
-plain!(f32, 1e12, square_root::of_f32, libm::atanf, libm::logf, libm::asinhf, libm::cbrtf);
+plain!(
+    f64,
+    pairs::F64Pair,
+    1e100,
+    square_root::of_f64,
+    libm::atan,
+    libm::log,
+    libm::asinh,
+    libm::cbrt
+);
+plain!(
+    f32,
+    pairs::Two<f32>,
+    1e12,
+    square_root::of_f32,
+    libm::atanf,
+    libm::logf,
+    libm::asinhf,
+    libm::cbrtf
+);

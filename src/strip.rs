@@ -7,7 +7,7 @@
 //! and the spin `ψ`. If its adhesion length allows (`κ < C`) it sticks next to the leading edge, else
 //! it slides as a whole.
 
-use crate::real::Real;
+use crate::real::{Arithmetic, Real};
 
 /// Direction of the traction in a strip without adhesion area (Section 6).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -15,9 +15,9 @@
 //!   stretch `∫ C dY` are exact: saturation and linear slopes come out to rounding with any count.
 
 use crate::creepage::Parameters;
-use crate::leading_edge::{AdhesionInterval, EdgePoint, StripFamily};
+use crate::leading_edge::{AdhesionInterval, AdhesionLength, EdgePoint, StripFamily};
 use crate::quadrature::{Rule, Tabulated};
-use crate::real::Real;
+use crate::real::{Arithmetic, Pair, Real};
 use crate::strip::SlidingRule;
 
 /// Total force and moment of a contact, dimensionless.
@@ -98,47 +98,43 @@ pub struct StripTheory<T: Real> {
     rule: SlidingRule,
 }
 
-/// The strips of one panel, component by component, so that loops over them vectorise and what is
-/// not asked for is not computed.
+/// The strips of one or two panels in pairs, component by component: what is not asked for is not
+/// computed.
 #[derive(Clone, Copy, Debug)]
-struct Panel<T, const M: usize> {
-    y: [T; M],
-    half_length: [T; M],
-    width: [T; M],
-    kappa: [T; M],
-    fx: [T; M],
-    fy: [T; M],
+struct Panel<P, const M: usize> {
+    y: [P; M],
+    half_length: [P; M],
+    width: [P; M],
+    kappa: [P; M],
+    fx: [P; M],
+    fy: [P; M],
     /// About the centre, units of `a`.
-    mz: [T; M],
-    stick: [T; M],
+    mz: [P; M],
+    stick: [P; M],
     adheres: bool,
 }
 
 /// What is done with the panels of a solution.
-trait Sink<T> {
-    fn take<const M: usize>(&mut self, panel: Panel<T, M>);
+trait Sink<T: Real> {
+    fn take<const M: usize>(&mut self, panel: Panel<T::Pair, M>);
 }
 
 /// Adds the strips up.
-struct Sum<T> {
-    fx: T,
-    fy: T,
-    mz: T,
-    stick: T,
+struct Sum<P> {
+    fx: P,
+    fy: P,
+    mz: P,
+    stick: P,
 }
 
-impl<T: Real> Sink<T> for Sum<T> {
+impl<T: Real> Sink<T> for Sum<T::Pair> {
     #[inline(always)]
-    fn take<const M: usize>(&mut self, panel: Panel<T, M>) {
-        for i in 0..M {
-            self.fx += panel.fx[i];
-            self.fy += panel.fy[i];
-            self.mz += panel.mz[i];
-        }
+    fn take<const M: usize>(&mut self, panel: Panel<T::Pair, M>) {
+        self.fx += total(&panel.fx);
+        self.fy += total(&panel.fy);
+        self.mz += total(&panel.mz);
         if panel.adheres {
-            for stick in panel.stick {
-                self.stick += stick;
-            }
+            self.stick += total(&panel.stick);
         }
     }
 }
@@ -147,19 +143,25 @@ impl<T: Real> Sink<T> for Sum<T> {
 struct Visitor<'a, T>(&'a mut dyn FnMut(PlacedStrip<T>));
 
 impl<T: Real> Sink<T> for Visitor<'_, T> {
-    fn take<const M: usize>(&mut self, panel: Panel<T, M>) {
-        for i in 0..M {
-            (self.0)(PlacedStrip {
-                y: panel.y[i],
-                half_length: panel.half_length[i],
-                width: panel.width[i],
-                kappa: panel.kappa[i],
-                adheres: panel.adheres,
-                fx: panel.fx[i],
-                fy: panel.fy[i],
-                mz: panel.mz[i],
-                stick: panel.stick[i],
-            });
+    fn take<const M: usize>(&mut self, panel: Panel<T::Pair, M>) {
+        let pick = |pair: T::Pair, second: bool| {
+            let parts = pair.parts();
+            if second { parts.1 } else { parts.0 }
+        };
+        for second in [false, true] {
+            for i in 0..M {
+                (self.0)(PlacedStrip {
+                    y: pick(panel.y[i], second),
+                    half_length: pick(panel.half_length[i], second),
+                    width: pick(panel.width[i], second),
+                    kappa: pick(panel.kappa[i], second),
+                    adheres: panel.adheres,
+                    fx: pick(panel.fx[i], second),
+                    fy: pick(panel.fy[i], second),
+                    mz: pick(panel.mz[i], second),
+                    stick: pick(panel.stick[i], second),
+                });
+            }
         }
     }
 }
@@ -193,8 +195,15 @@ where
     /// Total force, moment and stick area with a fixed number of strips.
     #[must_use]
     pub fn totals(&self, count: StripCount) -> Totals<T> {
-        let mut sum = Sum { fx: T::zero(), fy: T::zero(), mz: T::zero(), stick: T::zero() };
-        self.place(count, &mut sum);
+        let zero = T::Pair::zero();
+        let mut pairs = Sum { fx: zero, fy: zero, mz: zero, stick: zero };
+        self.place(count, &mut pairs);
+        let sum = Sum {
+            fx: pairs.fx.sum(),
+            fy: pairs.fy.sum(),
+            mz: pairs.mz.sum(),
+            stick: pairs.stick.sum(),
+        };
         // Friction capacity is exact, stretch is exact, their mixture with few strips is not: keep
         // |F| ≤ μ N.
         let size = sum.fx * sum.fx + sum.fy * sum.fy;
@@ -208,23 +217,32 @@ where
         }
     }
 
-    /// Hand every strip of a fixed count to `visit`, in ascending `y` within each panel. The sum of
-    /// the shares is the total. For `|ψ| > 1` strips beyond the count may follow that correct
-    /// pieces of the adhesion interval which slide (their widths are negative where they take
-    /// adhesion away).
+    /// Hand every strip of a fixed count to `visit`. The sum of the shares is the total. For
+    /// `|ψ| > 1` strips beyond the count may follow that correct pieces of the adhesion interval
+    /// which slide (their widths are negative where they take adhesion away).
     pub fn strips(&self, count: StripCount, visit: &mut dyn FnMut(PlacedStrip<T>)) {
         self.place(count, &mut Visitor(visit));
     }
 
     #[inline(always)]
     fn place(&self, count: StripCount, sink: &mut impl Sink<T>) {
-        type B<T> = <T as Real>::Base;
+        type B<T> = <T as Arithmetic>::Base;
         match count {
-            StripCount::Four => self.panels(&B::<T>::GAUSS_1, &B::<T>::GAUSS_2, false, sink),
-            StripCount::Eight => self.panels(&B::<T>::GAUSS_2, &B::<T>::GAUSS_4, false, sink),
-            StripCount::Sixteen => self.panels(&B::<T>::GAUSS_5, &B::<T>::GAUSS_6, false, sink),
-            StripCount::ThirtyTwo => self.panels(&B::<T>::GAUSS_8, &B::<T>::GAUSS_8, true, sink),
-            StripCount::SixtyFour => self.panels(&B::<T>::GAUSS_16, &B::<T>::GAUSS_16, true, sink),
+            StripCount::Four => {
+                self.panels(&B::<T>::GAUSS_1, &B::<T>::MIRRORED_2, false, sink);
+            }
+            StripCount::Eight => {
+                self.panels(&B::<T>::GAUSS_2, &B::<T>::MIRRORED_4, false, sink);
+            }
+            StripCount::Sixteen => {
+                self.panels(&B::<T>::GAUSS_5, &B::<T>::MIRRORED_6, false, sink);
+            }
+            StripCount::ThirtyTwo => {
+                self.panels(&B::<T>::GAUSS_8, &B::<T>::MIRRORED_8, true, sink);
+            }
+            StripCount::SixtyFour => {
+                self.panels(&B::<T>::GAUSS_16, &B::<T>::MIRRORED_16, true, sink);
+            }
         }
     }
 
@@ -239,7 +257,7 @@ where
     ) {
         match self.family.adhesion_interval() {
             Ok(AdhesionInterval { lower, upper }) => {
-                sink.take(self.sliding_panel(slide, lower, -1.0));
+                sink.take(self.sliding_panels(slide, lower, upper));
                 if split {
                     let middle = self.turning_strip(lower, upper);
                     sink.take(self.adhesion_panel(stick, lower, middle));
@@ -247,19 +265,26 @@ where
                 } else {
                     sink.take(self.adhesion_panel(stick, lower, upper));
                 }
-                sink.take(self.sliding_panel(slide, upper, 1.0));
                 if !self.spin_in_range() {
-                    for piece in &self.family.excluded(&AdhesionInterval { lower, upper }) {
-                        let wrong = self.adhesion_panel(stick, piece.lower, piece.upper);
-                        sink.take(wrong.negated());
-                        sink.take(self.sliding_piece(stick, piece.lower, piece.upper));
-                    }
+                    self.corrections(stick, &AdhesionInterval { lower, upper }, sink);
                 }
             }
-            Err(nearest) => {
-                sink.take(self.sliding_panel(slide, nearest, -1.0));
-                sink.take(self.sliding_panel(slide, nearest, 1.0));
-            }
+            Err(nearest) => sink.take(self.sliding_panels(slide, nearest, nearest)),
+        }
+    }
+
+    /// For `|ψ| > 1`: pieces of the adhesion interval slide after all.
+    #[cold]
+    #[inline(never)]
+    fn corrections<const A: usize>(
+        &self,
+        stick: &Rule<T::Base, A>,
+        interval: &AdhesionInterval<T>,
+        sink: &mut impl Sink<T>,
+    ) {
+        for piece in &self.family.excluded(interval) {
+            sink.take(self.adhesion_panel(stick, piece.lower, piece.upper).negated());
+            sink.take(self.sliding_piece(stick, piece.lower, piece.upper));
         }
     }
 
@@ -279,176 +304,128 @@ where
         }
     }
 
-    /// Direction of sliding at `Y`, `C²`.
+    /// Directions of sliding of a pair of strips with `ξ̄` and `C²`.
     #[inline(always)]
-    fn direction(&self, y: T, c_squared: T) -> (T, T) {
-        let xi_bar = self.family.xi_bar(y);
+    fn direction(&self, xi_bar: T::Pair, c_squared: T::Pair) -> (T::Pair, T::Pair) {
+        let eta = T::Pair::both(self.family.eta);
         let (x, y) = match self.rule {
             // w ~ ((1 − ν) ξ̄, η)
-            SlidingRule::RigidSlip => {
-                (xi_bar.scale(T::Base::one() - self.poisson_ratio), self.family.eta)
-            }
+            SlidingRule::RigidSlip => (xi_bar.scale(T::Base::one() - self.poisson_ratio), eta),
             // w ~ (ξ̄, η + ψ C)
             SlidingRule::Continuous => {
-                let c = c_squared.max(T::from_base(T::TINY)).sqrt();
-                (xi_bar, self.family.eta + self.family.psi * c)
+                let c = c_squared.max(T::Pair::tiny()).sqrt();
+                (xi_bar, eta + T::Pair::both(self.family.psi) * c)
             }
         };
-        let inverse = T::one() / (x * x + y * y + T::from_base(T::TINY)).sqrt();
+        let inverse = T::Pair::one() / (x * x + y * y + T::Pair::tiny()).sqrt();
         (x * inverse, y * inverse)
     }
 
-    /// Strips without adhesion between `end` and the edge `Y = side`.
+    /// Strips without adhesion on both sides: between `lower` and `Y = −1` (first of each pair), and
+    /// between `upper` and `Y = 1` (second).
     #[inline(always)]
-    fn sliding_panel<const S: usize>(
+    fn sliding_panels<const S: usize>(
         &self,
         rule: &Rule<T::Base, S>,
-        end: EdgePoint<T>,
-        side: f64,
-    ) -> Panel<T, S> {
-        let tiny = T::from_base(T::TINY);
-        // Mirrored so that the panel runs from `from` up to 1.
-        let from = end.y.times(side);
+        lower: EdgePoint<T>,
+        upper: EdgePoint<T>,
+    ) -> Panel<T::Pair, S> {
+        let (one, tiny, zero) = (T::Pair::one(), T::Pair::tiny(), T::Pair::zero());
+        // The first panel mirrored, so that both run from `from` up to 1 and ξ̄ = ξ − p Y.
+        let from = T::Pair::of(-lower.y, upper.y);
+        let edge = T::Pair::of(lower.c, upper.c);
+        let xi = T::Pair::both(self.family.xi);
+        let slope = T::Pair::of(-self.family.slope, self.family.slope);
+        let eta = T::Pair::both(self.family.eta);
         // Length of the panel, 1 − Y, without cancellation next to the edge
-        let beyond = T::one() + from.abs();
-        let past_middle = end.c * end.c / beyond;
-        let length = if from > T::zero() { past_middle } else { beyond };
+        let beyond = one + from.abs();
+        let length = from.choose(edge * edge / beyond, beyond);
         // ∫ C² dY over the panel
-        let capacity = length * length * (T::one() - length.times(1.0 / 3.0));
+        let capacity = length * length * (one - length.times(1.0 / 3.0));
         // Grading Y = end + L s (A + B s²)/(A + B): A is the distance in slip from the strip where
         // it turns, B the slip that the panel spans.
         let compliance = T::Base::one() - self.poisson_ratio;
-        let z = self.family.xi_bar(end.y).scale(compliance);
-        let eta = self.family.eta;
+        let z = (xi - slope * from).scale(compliance);
         let near = (eta * eta + z * z + tiny).sqrt().times(2.0);
-        let span = (self.family.slope * length).scale(compliance).abs();
-        let scale = T::one() / (near + span);
+        let span = (slope * length).scale(compliance).abs();
+        let scale = one / (near + span);
         let (near, span) = (near * scale, span * scale);
 
-        let (mut y, mut c_squared, mut weight) = ([T::zero(); S], [T::zero(); S], [T::zero(); S]);
+        let (mut y, mut c_squared, mut share) = ([zero; S], [zero; S], [zero; S]);
+        let (mut wx, mut wy) = ([zero; S], [zero; S]);
         for i in 0..S {
             // [-1, 1] → [0, 1]
             let s = rule.nodes[i].times(0.5).plus(0.5);
             let square = s * s;
             let g = (near + span.scale(square)).scale(s);
             y[i] = from + length * g;
-            c_squared[i] = length * (T::one() - g) * (T::one() + y[i]);
-            weight[i] =
-                c_squared[i] * (near + span.scale(square.times(3.0))).scale(rule.weights[i]);
+            c_squared[i] = length * (one - g) * (one + y[i]);
+            share[i] = c_squared[i] * (near + span.scale(square.times(3.0))).scale(rule.weights[i]);
+            (wx[i], wy[i]) = self.direction(xi - slope * y[i], c_squared[i]);
         }
-        let normalised = capacity.times(0.75) / (total(&weight) + tiny);
+        let normalised = capacity.times(0.75) / (total(&share) + tiny);
+        let inverse_ratio =
+            T::Pair::of(T::one(), -T::one()).scale(T::Base::one() / self.axis_ratio);
+        let mirror = T::Pair::of(-T::one(), T::one());
+        let mut panel = Panel::sliding(y, c_squared, share);
         for i in 0..S {
-            y[i] = y[i].times(side);
-            weight[i] = weight[i] * normalised;
-        }
-        self.sliding(y, c_squared, weight)
-    }
-
-    /// Sliding strips that carry the shares `capacity` of the friction bound.
-    #[inline(always)]
-    fn sliding<const M: usize>(
-        &self,
-        y: [T; M],
-        c_squared: [T; M],
-        capacity: [T; M],
-    ) -> Panel<T, M> {
-        let zero = [T::zero(); M];
-        let (mut wx, mut wy) = (zero, zero);
-        for i in 0..M {
-            (wx[i], wy[i]) = self.direction(y[i], c_squared[i]);
-        }
-        let inverse_ratio = T::Base::one() / self.axis_ratio;
-        let mut panel = Panel {
-            y,
-            half_length: zero,
-            width: zero,
-            kappa: zero,
-            fx: zero,
-            fy: zero,
-            mz: zero,
-            stick: zero,
-            adheres: false,
-        };
-        for i in 0..M {
-            let fx = capacity[i] * wx[i];
-            panel.fx[i] = fx;
-            panel.fy[i] = capacity[i] * wy[i];
-            panel.mz[i] = -(y[i] * fx).scale(inverse_ratio);
-        }
-        for i in 0..M {
-            panel.half_length[i] = c_squared[i].max(T::zero()).sqrt();
-            panel.kappa[i] = panel.half_length[i];
-            panel.width[i] = capacity[i].times(4.0 / 3.0) / (c_squared[i] + T::from_base(T::TINY));
+            let share = share[i] * normalised;
+            panel.fx[i] = share * wx[i];
+            panel.fy[i] = share * wy[i];
+            panel.mz[i] = y[i] * panel.fx[i] * inverse_ratio;
+            panel.y[i] = y[i] * mirror;
+            panel.width[i] = share.times(4.0 / 3.0) / (c_squared[i] + tiny);
         }
         panel
     }
 
-    /// Strips with adhesion along the arc of the leading edge from `lower` to `upper`.
+    /// Strips with adhesion along the arc of the leading edge from `lower` to `upper`, in pairs that
+    /// lie symmetrically about its middle.
     #[inline(always)]
     fn adhesion_panel<const A: usize>(
         &self,
         rule: &Rule<T::Base, A>,
         lower: EdgePoint<T>,
         upper: EdgePoint<T>,
-    ) -> Panel<T, A> {
+    ) -> Panel<T::Pair, A> {
         let arc = Arc::between(lower, upper);
         let nodes = arc.nodes(rule);
         let (stretch, capacity) = arc.scales(&nodes);
-        let (stretch, capacity) = (stretch.times(0.75), capacity.times(0.75));
-        let kappa = self.adhesion_lengths(&nodes.y);
-        let StripFamily { eta, psi, .. } = self.family;
+        let (stretch, capacity) =
+            (T::Pair::both(stretch.times(0.75)), T::Pair::both(capacity.times(0.75)));
+        let StripFamily { eta, psi, .. } = self.family.paired();
         let inverse_ratio = T::Base::one() / self.axis_ratio;
-        let zero = [T::zero(); A];
+        let zero = [T::Pair::zero(); A];
         let mut panel = Panel {
             y: nodes.y,
             half_length: nodes.c,
             width: nodes.width,
-            kappa,
+            kappa: zero,
             fx: zero,
             fy: zero,
             mz: zero,
             stick: zero,
             adheres: true,
         };
+        let family = self.family.paired();
+        let length = AdhesionLength::of(&family, self.family.cancels());
         for i in 0..A {
             let (y, c) = (nodes.y[i], nodes.c[i]);
-            let kappa = kappa[i].min(c);
+            let xi_bar = family.xi_bar(y);
+            let kappa = length.at(xi_bar).min(c);
             let (by_stretch, by_capacity) = (nodes.width[i] * stretch, nodes.width[i] * capacity);
             // f_x = ξ̄ (2C − K),  f_y = ψ C² + η (2C − K)
-            let reach = (c + c - kappa) * by_stretch;
             let stuck = c - kappa;
-            let fx = self.family.xi_bar(y) * reach;
+            let reach = (c + stuck) * by_stretch;
             panel.kappa[i] = kappa;
-            panel.fx[i] = fx;
+            panel.fx[i] = xi_bar * reach;
             panel.fy[i] = psi * (c * c * by_capacity) + eta * reach;
             // M_z = a m_x − b Y f_x,  m_x = −η (C − K)²
-            panel.mz[i] = -(eta * stuck * stuck * by_capacity) - (y * fx).scale(inverse_ratio);
+            panel.mz[i] =
+                -(eta * stuck * stuck * by_capacity) - (y * panel.fx[i]).scale(inverse_ratio);
             panel.stick[i] = (stuck * by_stretch).times(8.0 / (3.0 * core::f64::consts::PI));
         }
         panel
-    }
-
-    /// `κ/a` of strips that are known to adhere, by the form of (5.41) that does not cancel.
-    #[inline(always)]
-    fn adhesion_lengths<const A: usize>(&self, y: &[T; A]) -> [T; A] {
-        let StripFamily { eta, psi, .. } = self.family;
-        let q = (T::one() - psi) * (T::one() + psi);
-        let (eta_psi, eta_squared) = (eta * psi, eta * eta);
-        let (mut square, mut s) = ([T::zero(); A], [T::zero(); A]);
-        for i in 0..A {
-            let xi_bar = self.family.xi_bar(y[i]);
-            square[i] = xi_bar * xi_bar;
-            // S = √(η² + (1 − ψ²) ξ̄²)
-            s[i] = (eta_squared + q * square[i]).max(T::from_base(T::TINY)).sqrt();
-        }
-        let mut kappa = [T::zero(); A];
-        let cancels = eta_psi < T::zero();
-        for i in 0..A {
-            let numerator = if cancels { square[i] + eta_squared } else { s[i] + eta_psi };
-            let denominator = if cancels { s[i] - eta_psi } else { q };
-            kappa[i] = numerator / denominator;
-        }
-        kappa
     }
 
     /// Strips that slide although they lie inside the adhesion interval (`|ψ| > 1` only).
@@ -457,30 +434,55 @@ where
         rule: &Rule<T::Base, A>,
         lower: EdgePoint<T>,
         upper: EdgePoint<T>,
-    ) -> Panel<T, A> {
+    ) -> Panel<T::Pair, A> {
         let arc = Arc::between(lower, upper);
         let nodes = arc.nodes(rule);
         let (_, scale) = arc.scales(&nodes);
-        let (mut c_squared, mut capacity) = ([T::zero(); A], [T::zero(); A]);
+        let scale = T::Pair::both(scale.times(0.75));
+        let family = self.family.paired();
+        let inverse_ratio = T::Base::one() / self.axis_ratio;
+        let c_squared = nodes.c.map(|c| c * c);
+        let mut panel = Panel::sliding(nodes.y, c_squared, nodes.width);
         for i in 0..A {
-            c_squared[i] = nodes.c[i] * nodes.c[i];
-            capacity[i] = (c_squared[i] * nodes.width[i] * scale).times(0.75);
+            let share = c_squared[i] * nodes.width[i] * scale;
+            let (wx, wy) = self.direction(family.xi_bar(nodes.y[i]), c_squared[i]);
+            panel.fx[i] = share * wx;
+            panel.fy[i] = share * wy;
+            panel.mz[i] = -(nodes.y[i] * panel.fx[i]).scale(inverse_ratio);
         }
-        self.sliding(nodes.y, c_squared, capacity)
+        panel
     }
 }
 
 /// The sum of an array.
 #[inline(always)]
-fn total<T: Real, const M: usize>(terms: &[T; M]) -> T {
-    let mut sum = T::zero();
+fn total<P: Arithmetic, const M: usize>(terms: &[P; M]) -> P {
+    let mut sum = P::zero();
     for &term in terms {
         sum += term;
     }
     sum
 }
 
-impl<T: Real, const M: usize> Panel<T, M> {
+impl<P: Arithmetic, const M: usize> Panel<P, M> {
+    /// Sliding strips, forces still zero.
+    #[inline(always)]
+    fn sliding(y: [P; M], c_squared: [P; M], width: [P; M]) -> Self {
+        let half_length = c_squared.map(|square| square.max(P::zero()).sqrt());
+        let zero = [P::zero(); M];
+        Self {
+            y,
+            half_length,
+            width,
+            kappa: half_length,
+            fx: zero,
+            fy: zero,
+            mz: zero,
+            stick: zero,
+            adheres: false,
+        }
+    }
+
     /// The same strips taken away.
     fn negated(mut self) -> Self {
         for list in [&mut self.width, &mut self.fx, &mut self.fy, &mut self.mz, &mut self.stick] {
@@ -502,10 +504,10 @@ struct Arc<T> {
     quarter_tangent: T,
 }
 
-struct ArcNodes<T, const A: usize> {
-    y: [T; A],
-    c: [T; A],
-    width: [T; A],
+struct ArcNodes<P, const A: usize> {
+    y: [P; A],
+    c: [P; A],
+    width: [P; A],
 }
 
 impl<T: Real> Arc<T> {
@@ -513,10 +515,9 @@ impl<T: Real> Arc<T> {
     fn between(lower: EdgePoint<T>, upper: EdgePoint<T>) -> Self {
         let (dy, dc) = (upper.y - lower.y, upper.c - lower.c);
         let (sy, sc) = (upper.y + lower.y, upper.c + lower.c);
-        let tiny = T::from_base(T::TINY);
         // 2 sin(Δθ/2), 2 cos(Δθ/2): the chord and the sum of the two unit vectors
-        let chord = (dy * dy + dc * dc + tiny).sqrt();
-        let along = (sy * sy + sc * sc + tiny).sqrt();
+        let lengths = T::Pair::of(dy, sy).squared() + T::Pair::of(dc, sc).squared();
+        let (chord, along) = (lengths + T::Pair::tiny()).sqrt().parts();
         // Both the sum and the normal of the chord point to the middle; together they never vanish.
         let scale = T::one() / (chord + along);
         Self {
@@ -527,32 +528,38 @@ impl<T: Real> Arc<T> {
         }
     }
 
-    /// Nodes in `t = tan(φ/2)` about the middle, where `cos φ` and `sin φ` are rational.
+    /// Nodes in `t = tan(φ/2)` about the middle, where `cos φ` and `sin φ` are rational; `−t` and `t`
+    /// side by side.
     #[inline(always)]
-    fn nodes<const A: usize>(&self, rule: &Rule<T::Base, A>) -> ArcNodes<T, A> {
-        let mut nodes = ArcNodes { y: [T::zero(); A], c: [T::zero(); A], width: [T::zero(); A] };
+    fn nodes<const A: usize>(&self, rule: &Rule<T::Base, A>) -> ArcNodes<T::Pair, A> {
+        let zero = [T::Pair::zero(); A];
+        let mut nodes = ArcNodes { y: zero, c: zero, width: zero };
+        let (middle_y, middle_c) = (T::Pair::both(self.middle.y), T::Pair::both(self.middle.c));
+        let sides = T::Pair::of(-T::one(), T::one());
         for i in 0..A {
             let t = self.quarter_tangent.scale(rule.nodes[i]);
             let scale = T::one() / (T::one() + t * t);
-            let (cosine, sine) = ((T::one() - t * t) * scale, (t * scale).times(2.0));
-            nodes.c[i] = self.middle.c * cosine - self.middle.y * sine;
-            nodes.y[i] = self.middle.y * cosine + self.middle.c * sine;
+            let cosine = T::Pair::both((T::one() - t * t) * scale);
+            let sine = T::Pair::both((t * scale).times(2.0)) * sides;
+            nodes.c[i] = middle_c * cosine - middle_y * sine;
+            nodes.y[i] = middle_y * cosine + middle_c * sine;
             // dY = C dφ,  dφ = 2 dt/(1 + t²)
-            nodes.width[i] =
-                nodes.c[i] * (self.quarter_tangent * scale).scale(rule.weights[i].times(2.0));
+            let turn = (self.quarter_tangent * scale).scale(rule.weights[i].times(2.0));
+            nodes.width[i] = nodes.c[i] * T::Pair::both(turn);
         }
         nodes
     }
 
     /// Factors that make `Σ C w` equal `∫ C dY` and `Σ C² w` equal `∫ C² dY`.
     #[inline(always)]
-    fn scales<const A: usize>(&self, nodes: &ArcNodes<T, A>) -> (T, T) {
-        let (mut first, mut second) = ([T::zero(); A], [T::zero(); A]);
+    fn scales<const A: usize>(&self, nodes: &ArcNodes<T::Pair, A>) -> (T, T) {
+        let (mut stretch, mut capacity) = (T::Pair::zero(), T::Pair::zero());
         for i in 0..A {
-            first[i] = nodes.c[i] * nodes.width[i];
-            second[i] = nodes.c[i] * first[i];
+            let first = nodes.c[i] * nodes.width[i];
+            stretch += first;
+            capacity += nodes.c[i] * first;
         }
-        let (stretch, capacity) = (total(&first), total(&second));
+        let (stretch, capacity) = (stretch.sum(), capacity.sum());
         let (lower, upper) = (self.lower, self.upper);
         // ∫ C dY = ∫ C² dθ = (Δθ + Y₂C₂ − Y₁C₁)/2
         let angle = self.quarter_tangent.atan().times(4.0);

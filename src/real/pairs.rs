@@ -1,0 +1,193 @@
+//! Two numbers side by side: what the strips of a panel are computed in.
+
+use super::{Arithmetic, Pair, Real};
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+/// Two numbers of any kind, one after the other.
+#[derive(Clone, Copy, Debug)]
+pub struct Two<T>(T, T);
+
+/// Two doubles: one SSE2 register.
+#[cfg(target_arch = "x86_64")]
+#[derive(Clone, Copy, Debug)]
+pub struct F64Pair(wide::f64x2);
+
+/// Two doubles.
+#[cfg(not(target_arch = "x86_64"))]
+pub type F64Pair = Two<f64>;
+
+macro_rules! operators {
+    ([$($generics:tt)*] $pair:ty: |$a:ident, $b:ident| $add:expr, $sub:expr, $mul:expr, $div:expr, $neg:expr) => {
+        impl<$($generics)*> Add for $pair {
+            type Output = Self;
+            #[inline(always)]
+            fn add(self, other: Self) -> Self {
+                let ($a, $b) = (self, other);
+                $add
+            }
+        }
+        impl<$($generics)*> Sub for $pair {
+            type Output = Self;
+            #[inline(always)]
+            fn sub(self, other: Self) -> Self {
+                let ($a, $b) = (self, other);
+                $sub
+            }
+        }
+        impl<$($generics)*> Mul for $pair {
+            type Output = Self;
+            #[inline(always)]
+            fn mul(self, other: Self) -> Self {
+                let ($a, $b) = (self, other);
+                $mul
+            }
+        }
+        impl<$($generics)*> Div for $pair {
+            type Output = Self;
+            #[inline(always)]
+            fn div(self, other: Self) -> Self {
+                let ($a, $b) = (self, other);
+                $div
+            }
+        }
+        impl<$($generics)*> Neg for $pair {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                let $a = self;
+                $neg
+            }
+        }
+        impl<$($generics)*> AddAssign for $pair {
+            #[inline(always)]
+            fn add_assign(&mut self, other: Self) {
+                *self = *self + other;
+            }
+        }
+        impl<$($generics)*> SubAssign for $pair {
+            #[inline(always)]
+            fn sub_assign(&mut self, other: Self) {
+                *self = *self - other;
+            }
+        }
+    };
+}
+
+operators!([T: Real] Two<T>: |a, b|
+    Two(a.0 + b.0, a.1 + b.1),
+    Two(a.0 - b.0, a.1 - b.1),
+    Two(a.0 * b.0, a.1 * b.1),
+    Two(a.0 / b.0, a.1 / b.1),
+    Two(-a.0, -a.1));
+
+impl<T: Real> Arithmetic for Two<T> {
+    type Base = T::Base;
+
+    #[inline(always)]
+    fn from_base(x: T::Base) -> Self {
+        Self::both(T::from_base(x))
+    }
+    #[inline(always)]
+    fn scale(self, factor: T::Base) -> Self {
+        Self(self.0.scale(factor), self.1.scale(factor))
+    }
+    #[inline(always)]
+    fn shift(self, term: T::Base) -> Self {
+        Self(self.0.shift(term), self.1.shift(term))
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt(), self.1.sqrt())
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(self.0.abs(), self.1.abs())
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Self(self.0.max(other.0), self.1.max(other.1))
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Self(self.0.min(other.0), self.1.min(other.1))
+    }
+    #[inline(always)]
+    fn choose(self, yes: Self, no: Self) -> Self {
+        Self(self.0.choose(yes.0, no.0), self.1.choose(yes.1, no.1))
+    }
+    #[inline(always)]
+    fn squared(self) -> Self {
+        Self(self.0.squared(), self.1.squared())
+    }
+}
+
+impl<T: Real> Pair<T> for Two<T> {
+    #[inline(always)]
+    fn of(first: T, second: T) -> Self {
+        Self(first, second)
+    }
+    #[inline(always)]
+    fn parts(self) -> (T, T) {
+        (self.0, self.1)
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+mod sse2 {
+    use super::F64Pair;
+    use crate::real::{Arithmetic, Pair};
+    use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+    use wide::f64x2;
+
+    operators!([] F64Pair: |a, b|
+        F64Pair(a.0 + b.0), F64Pair(a.0 - b.0), F64Pair(a.0 * b.0), F64Pair(a.0 / b.0), F64Pair(-a.0));
+
+    impl Arithmetic for F64Pair {
+        type Base = f64;
+
+        #[inline(always)]
+        fn from_base(x: f64) -> Self {
+            Self(f64x2::splat(x))
+        }
+        #[inline(always)]
+        fn scale(self, factor: f64) -> Self {
+            Self(self.0 * f64x2::splat(factor))
+        }
+        #[inline(always)]
+        fn shift(self, term: f64) -> Self {
+            Self(self.0 + f64x2::splat(term))
+        }
+        #[inline(always)]
+        fn sqrt(self) -> Self {
+            Self(self.0.sqrt())
+        }
+        #[inline(always)]
+        fn abs(self) -> Self {
+            Self(self.0.abs())
+        }
+        #[inline(always)]
+        fn max(self, other: Self) -> Self {
+            Self(self.0.simd_gt(other.0).select(self.0, other.0))
+        }
+        #[inline(always)]
+        fn min(self, other: Self) -> Self {
+            Self(self.0.simd_lt(other.0).select(self.0, other.0))
+        }
+        #[inline(always)]
+        fn choose(self, yes: Self, no: Self) -> Self {
+            Self(self.0.simd_gt(f64x2::splat(0.0)).select(yes.0, no.0))
+        }
+    }
+
+    impl Pair<f64> for F64Pair {
+        #[inline(always)]
+        fn of(first: f64, second: f64) -> Self {
+            Self(f64x2::new([first, second]))
+        }
+        #[inline(always)]
+        fn parts(self) -> (f64, f64) {
+            let [first, second] = self.0.to_array();
+            (first, second)
+        }
+    }
+}
