@@ -355,18 +355,18 @@ where
         T::Base: Placed<N>,
     {
         let rule = &<T::Base as Placed<N>>::RULE;
+        let mut ax = [T::zero(); N];
+        let mut ay = [T::zero(); N];
         // creepages scaled so that the quadrature gives the linear forces exactly
         let longitudinal = self.longitudinal.scale(rule.stretch);
         let lateral = self.lateral.scale(rule.stretch);
         let slope = self.slope.scale(rule.lever);
-        let mut ax = rule.bend.map(|bend| self.profile.scale(bend));
-        for (ax, y) in ax.iter_mut().zip(&rule.y) {
-            *ax = longitudinal - slope * ax.shift(*y);
+        let strips = rule.y.iter().zip(&rule.inverse).zip(&rule.bend);
+        for ((ax, ay), ((y, inverse), bend)) in ax.iter_mut().zip(&mut ay).zip(strips) {
+            let profile = self.profile.scale(*bend).shift(*y);
+            *ax = (longitudinal - slope * profile).scale(*inverse);
+            *ay = lateral.scale(*inverse);
         }
-        for (ax, inverse) in ax.iter_mut().zip(&rule.inverse) {
-            *ax = ax.scale(*inverse);
-        }
-        let ay = rule.inverse.map(|inverse| lateral.scale(inverse));
         march::<T, N, STICK>(&ax, &ay, Uniform(self.spin))
     }
 
