@@ -347,7 +347,7 @@ where
 
     /// Forces of the strips of the Hertz ellipse, `N` = 4, 8, 16, 32 or 64, ascending in `y`.
     ///
-    /// `STICK` tells whether to compute the share in adhesion (a fifth of the time).
+    /// `STICK` tells whether to compute the share in adhesion (about a tenth of the time).
     #[must_use]
     #[inline]
     pub fn ellipse<const N: usize, const STICK: bool>(&self) -> StripForces<T, N>
