@@ -52,6 +52,23 @@
 #define KSTRIP_MODEL_STRIP_1967_CONTINUOUS 2
 
 /**
+ * Strips that follow the slip, corrected to the slopes of Kalker's linear theory, for any spin:
+ * forces, moment, stick area and fields. Mean error against CONTACT 0.7 % of mu N. The default.
+ */
+#define KSTRIP_MODEL_STRIP 3
+
+/**
+ * Total forces and moment only, most accurate and cheapest; mean error against CONTACT 0.5 % of mu N.
+ * No strips, no field; adhesion is reported as -1 (unknown).
+ */
+#define KSTRIP_MODEL_TOTAL 4
+
+/**
+ * Kalker's linear theory, without saturation: for stability analysis. Adhesion is 1.
+ */
+#define KSTRIP_MODEL_LINEAR 5
+
+/**
  * State of a point: outside the contact.
  */
 #define KSTRIP_STATE_OUTSIDE 0
@@ -96,6 +113,46 @@
  * Changes whenever a structure or function changes incompatibly.
  */
 #define KSTRIP_ABI_VERSION 1
+
+/**
+ * Which traction law.
+ *
+ * The number of each variant is its constant in the C interface; numbers are never reused.
+ */
+enum Model
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * The theory of 1967 with the sliding rule that the paper keeps for forces.
+     */
+    Strip1967 = 1,
+    /**
+     * The theory of 1967 with the sliding rule that joins the adhesion strips without a jump.
+     */
+    Strip1967Continuous = 2,
+    /**
+     * Strips that follow the slip, with the slopes of linear theory and any spin: forces, moment,
+     * stick area and fields. The recommended model.
+     */
+    Strip = 3,
+    /**
+     * Total forces and moment only: the most accurate and, of those with saturation, the cheapest.
+     */
+    Total = 4,
+    /**
+     * Linear theory: no saturation, for stability analysis.
+     */
+    Linear = 5,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum Model Model;
+#else
+typedef int32_t Model;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
 
 /**
  * Result of a call: 0 ok; > 0 warning, outputs valid; < 0 error, outputs untouched.
@@ -312,7 +369,7 @@ typedef struct kstrip_result {
      */
     double power;
     /**
-     * Share of the contact area in adhesion [-], 0 to 1.
+     * Share of the contact area in adhesion [-], 0 to 1. KSTRIP_MODEL_TOTAL does not know it: -1.
      */
     double adhesion;
     /**
@@ -606,7 +663,7 @@ typedef struct kstrip_result_f32 {
      */
     float power;
     /**
-     * Share of the contact area in adhesion [-], 0 to 1.
+     * Share of the contact area in adhesion [-], 0 to 1. KSTRIP_MODEL_TOTAL does not know it: -1.
      */
     float adhesion;
     /**
@@ -794,6 +851,11 @@ typedef struct kstrip_point_f32 {
  * Error: a result is beyond the range of the floating-point type.
  */
 #define KSTRIP_ERROR_OVERFLOW -14
+
+/**
+ * Every model.
+ */
+#define Model_ALL { Strip1967, Strip1967Continuous, Strip, Total, Linear, }
 
 #ifdef __cplusplus
 extern "C" {

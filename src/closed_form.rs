@@ -12,7 +12,7 @@
 use crate::creepage::Parameters;
 use crate::leading_edge::{AdhesionInterval, EdgePoint, StripFamily};
 use crate::quadrature::Tabulated;
-use crate::real::{Arithmetic, Float, Real};
+use crate::real::Float;
 
 /// `(F_x, F_y)/(μ N)` under the rigid-slip rule for `|ψ| < 1`; `None` for larger spin, where the
 /// bound of the traction adds crossings without elementary form.

@@ -1,7 +1,7 @@
 //! A loaded contact ellipse with friction: what every model starts from.
 
 use crate::material::{check_modulus, check_poisson_ratio};
-use crate::real::{Arithmetic, Float, Real};
+use crate::real::Float;
 use crate::status::Error;
 
 /// An elliptic contact under load, with combined elastic constants and Coulomb friction.

@@ -133,6 +133,20 @@ impl<T: Real> Parameters<T> {
         }
     }
 
+    /// `vx, vy = G a b (υx, υy)/(μ N)` and `φ = G (ab)^{3/2} ϕ/(μ N)`, what linear theory is written
+    /// in: `ξ = π vx/(3 (1 − ν))`, `η = π vy/3`, `ψ = (π/3) √(a/b) φ`.
+    #[inline(always)]
+    #[must_use]
+    pub fn normalised(&self) -> [T; 3] {
+        const FACTOR: f64 = 3.0 / core::f64::consts::PI;
+        let one = T::Base::one();
+        [
+            self.xi.scale((one - self.poisson_ratio).times(FACTOR)),
+            self.eta.times(FACTOR),
+            self.psi.scale((one / self.axis_ratio.sqrt()).times(FACTOR)),
+        ]
+    }
+
     /// Slope of the effective longitudinal creepage over `Y = y/b`:
     /// `ξ̄ = ξ − ψ (y/a)/(1 − ν) = ξ − p Y`.
     #[inline(always)]

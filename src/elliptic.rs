@@ -4,7 +4,7 @@
 //! `B = ∫ cos²θ/Δ`, `D = ∫ sin²θ/Δ`, `K = B + D`, `E = B + g² D`.
 //! Hertz's formulas in K and E are 0/0 for a circle; in B and D nothing cancels.
 
-use crate::real::{Arithmetic, Float, Real};
+use crate::real::Float;
 
 /// `B`, `D` for the complementary modulus `g = s/l` in `(0, 1]`.
 #[derive(Clone, Copy, Debug)]

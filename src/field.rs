@@ -1,7 +1,7 @@
 //! Pressure, traction and slip at points of the contact, in SI units.
 
 use crate::contact::Contact;
-use crate::real::{Arithmetic, Float};
+use crate::real::Float;
 use crate::strip::{State, StripPoint};
 
 /// The state of a point of the contact plane. Tractions act on the lower body.
@@ -24,10 +24,9 @@ pub struct FieldPoint<F> {
 }
 
 impl<F: Float> FieldPoint<F> {
-    /// From the dimensionless point of a strip; `None` is outside the contact.
+    /// From the dimensionless point of a strip.
     #[must_use]
-    pub fn new(contact: &Contact<F>, point: Option<StripPoint<F>>) -> Self {
-        let point = point.unwrap_or_else(StripPoint::outside);
+    pub fn new(contact: &Contact<F>, point: &StripPoint<F>) -> Self {
         let p0 = contact.peak_pressure();
         let traction = contact.friction * p0;
         // The inverse of the factor in (5.13), so that without friction the slip is the rigid slip

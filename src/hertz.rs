@@ -2,7 +2,7 @@
 
 use crate::elliptic::Integrals;
 use crate::material::{check_modulus, check_poisson_ratio};
-use crate::real::{Arithmetic, Float, Real};
+use crate::real::Float;
 use crate::status::Error;
 
 /// Radii of curvature of the two surfaces \[m\]: convex positive, flat infinite, concave negative.

@@ -14,8 +14,10 @@
 //! 3. [`creepage`]: velocities become creepages and Kalker's parameters `ξ`, `η`, `ψ`.
 //! 4. [`strip`]: one strip, its adhesion length, traction, slip; [`leading_edge`]: which strips adhere.
 //! 5. [`totals`]: forces by quadrature over strips; [`closed_form`]: the same by primitives.
-//! 6. [`model`]: contact and creepage to forces, derivatives, strips and fields, for every model.
-//! 7. [`ffi`]: all of it for C (`include/kstrip.h`).
+//! 6. [`coefficients`], [`rolling_strip`], [`total`]: beyond 1967, with the slopes of Kalker's linear
+//!    theory, strips that follow the slip, and calibrated total forces.
+//! 7. [`model`]: contact and creepage to forces, derivatives, strips and fields, for every model.
+//! 8. [`ffi`]: all of it for C (`include/kstrip.h`).
 //!
 //! # Frame and signs
 //!
@@ -53,6 +55,7 @@
 #![deny(missing_docs, unsafe_code)]
 
 pub mod closed_form;
+pub mod coefficients;
 pub mod contact;
 pub mod creepage;
 pub mod dual;
@@ -65,8 +68,10 @@ pub mod material;
 pub mod model;
 pub mod quadrature;
 pub mod real;
+pub mod rolling_strip;
 pub mod status;
 pub mod strip;
+pub mod total;
 pub mod totals;
 
 /// A library without `std` needs a panic handler; nothing reaches it.

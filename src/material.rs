@@ -1,6 +1,6 @@
 //! Elastic constants of two bodies in contact (Section 2, Section 4.1).
 
-use crate::real::{Arithmetic, Float, Real};
+use crate::real::Float;
 use crate::status::Error;
 
 /// An isotropic elastic body.

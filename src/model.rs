@@ -1,13 +1,16 @@
 //! From a contact and a creepage to forces: the models side by side.
 
+use crate::coefficients::LinearCoefficients;
 use crate::contact::Contact;
 use crate::creepage::{Creepage, Parameters};
 use crate::dual::Dual;
 use crate::field::FieldPoint;
 use crate::quadrature::Tabulated;
-use crate::real::{Arithmetic, Float, Real};
+use crate::real::{Float, Real};
+use crate::rolling_strip::{Placed, RollingStrips, StripGeometry, StripTotals};
 use crate::status::{Error, Notice};
-use crate::strip::{SlidingRule, Strip};
+use crate::strip::{SlidingRule, State, Strip, StripPoint};
+use crate::total;
 use crate::totals::{PlacedStrip, StripCount, StripTheory, Totals};
 use nalgebra::Matrix3;
 
@@ -19,10 +22,17 @@ use nalgebra::Matrix3;
 #[non_exhaustive]
 pub enum Model {
     /// The theory of 1967 with the sliding rule that the paper keeps for forces.
-    #[default]
     Strip1967 = 1,
     /// The theory of 1967 with the sliding rule that joins the adhesion strips without a jump.
     Strip1967Continuous = 2,
+    /// Strips that follow the slip, with the slopes of linear theory and any spin: forces, moment,
+    /// stick area and fields. The recommended model.
+    #[default]
+    Strip = 3,
+    /// Total forces and moment only: the most accurate and, of those with saturation, the cheapest.
+    Total = 4,
+    /// Linear theory: no saturation, for stability analysis.
+    Linear = 5,
 }
 
 impl Model {
@@ -32,16 +42,16 @@ impl Model {
         Some(match number {
             1 => Self::Strip1967,
             2 => Self::Strip1967Continuous,
+            3 => Self::Strip,
+            4 => Self::Total,
+            5 => Self::Linear,
             _ => return None,
         })
     }
 
-    fn sliding_rule(self) -> SlidingRule {
-        match self {
-            Self::Strip1967 => SlidingRule::RigidSlip,
-            Self::Strip1967Continuous => SlidingRule::Continuous,
-        }
-    }
+    /// Every model.
+    pub const ALL: [Self; 5] =
+        [Self::Strip1967, Self::Strip1967Continuous, Self::Strip, Self::Total, Self::Linear];
 }
 
 /// Which model, and how many strips.
@@ -65,7 +75,8 @@ pub struct Solution<F> {
     /// Frictional power over rolling speed `F_x υx + F_y υy + M_z φ` \[N\]: energy dissipated per
     /// metre rolled.
     pub power: F,
-    /// Share of the contact area in adhesion, 0 to 1.
+    /// Share of the contact area in adhesion, 0 to 1. [`Model::Total`] does not know it and says −1;
+    /// [`Model::Linear`] has adhesion everywhere, 1.
     pub adhesion: F,
     /// What the caller should know.
     pub notice: Notice,
@@ -82,7 +93,24 @@ impl<F: Float> Solution<F> {
 /// `d(F_x, F_y, M_z)/d(υx, υy, φ)`, row by row: N, N, N m over 1, 1, 1/m.
 pub type Jacobian<F> = Matrix3<F>;
 
-/// A checked contact ready to be solved for any creepage.
+/// Floating-point types that every model can be computed in.
+pub trait Precision:
+    Tabulated + Placed<4> + Placed<8> + Placed<16> + Placed<32> + Placed<64>
+{
+}
+
+impl Precision for f64 {}
+impl Precision for f32 {}
+
+/// Forces in newtons, with derivatives or without.
+struct Forces<T> {
+    fx: T,
+    fy: T,
+    mz: T,
+    adhesion: T,
+}
+
+/// A checked contact and its creepage.
 #[derive(Clone, Copy, Debug)]
 struct Problem<'a, F> {
     contact: &'a Contact<F>,
@@ -90,7 +118,7 @@ struct Problem<'a, F> {
     options: &'a Options,
 }
 
-impl<'a, F: Tabulated> Problem<'a, F> {
+impl<'a, F: Precision> Problem<'a, F> {
     fn new(
         contact: &'a Contact<F>,
         creepage: &'a Creepage<F>,
@@ -103,30 +131,135 @@ impl<'a, F: Tabulated> Problem<'a, F> {
         Ok(problem)
     }
 
-    /// Every result is a number within `μ N` times these: check them before anything is computed.
+    /// Every result is a number within its bound times these: check them before anything is
+    /// computed.
     fn check_range(&self) -> Result<(), Error> {
         let Creepage { longitudinal, lateral, spin } = *self.creepage;
-        let bound = self.contact.friction_bound();
-        let moment = bound * (self.contact.a + self.contact.b);
+        let Contact { a, b, .. } = *self.contact;
+        let bound = match self.options.model {
+            Model::Linear => {
+                let creepage = longitudinal.abs() + lateral.abs() + (a + b) * spin.abs();
+                // No coefficient times its power of the axis ratio exceeds this.
+                self.linear_stiffness() * creepage * (a / b + b / a).plus(100.0)
+            }
+            _ => self.contact.friction_bound(),
+        };
+        let moment = bound * (a + b);
         let power = bound * longitudinal.abs() + bound * lateral.abs() + moment * spin.abs();
-        if power.is_finite_number() && moment.is_finite_number() {
+        if power.is_finite_number() && moment.is_finite_number() && bound.is_finite_number() {
             Ok(())
         } else {
             Err(Error::Overflow)
         }
     }
 
-    /// Dimensionless totals of the chosen model.
+    /// Forces of the chosen model.
     #[inline(always)]
-    fn totals<T: Real<Base = F>>(&self, creepage: &Creepage<T>) -> (Totals<T>, Notice) {
-        let theory = self.theory(creepage);
-        let notice = if theory.spin_in_range() { Notice::None } else { Notice::SpinBeyondTheory };
-        (theory.totals(self.options.strips), notice)
+    fn forces<T: Real<Base = F>>(&self, creepage: &Creepage<T>) -> (Forces<T>, Notice) {
+        if self.options.model == Model::Linear {
+            return self.linear_forces(creepage);
+        }
+        let parameters = Parameters::new(self.contact, creepage);
+        let totals = match self.options.model {
+            Model::Strip1967 | Model::Strip1967Continuous | Model::Linear => {
+                StripTheory::new(&parameters, self.sliding_rule()).totals(self.options.strips)
+            }
+            Model::Strip => self.rolling_strips(&parameters),
+            Model::Total => {
+                let total::TotalForce { fx, fy, mz } = total::total(
+                    parameters.axis_ratio,
+                    parameters.poisson_ratio,
+                    &self.linear_coefficients(),
+                    parameters.normalised(),
+                );
+                Totals { fx, fy, mz, stick: -T::one() }
+            }
+        };
+        let bound = self.contact.friction_bound();
+        let forces = Forces {
+            fx: totals.fx.scale(bound),
+            fy: totals.fy.scale(bound),
+            mz: totals.mz.scale(bound * self.mean_radius()),
+            adhesion: totals.stick,
+        };
+        (forces, self.notice(parameters.psi.value()))
     }
 
-    fn theory<T: Real<Base = F>>(&self, creepage: &Creepage<T>) -> StripTheory<T> {
-        let parameters = Parameters::new(self.contact, creepage);
-        StripTheory::new(&parameters, self.options.model.sliding_rule())
+    fn notice(&self, psi: F) -> Notice {
+        let ratio = self.contact.a / self.contact.b;
+        match self.options.model {
+            Model::Strip1967 | Model::Strip1967Continuous if psi.abs() >= F::one() => {
+                Notice::SpinBeyondTheory
+            }
+            Model::Strip | Model::Total
+                if psi.abs() > F::constant(3.0)
+                    || ratio < F::constant(0.099_999)
+                    || ratio > F::constant(10.000_1) =>
+            {
+                Notice::OutsideRange
+            }
+            _ => Notice::None,
+        }
+    }
+
+    fn sliding_rule(&self) -> SlidingRule {
+        match self.options.model {
+            Model::Strip1967Continuous => SlidingRule::Continuous,
+            _ => SlidingRule::RigidSlip,
+        }
+    }
+
+    fn linear_coefficients(&self) -> LinearCoefficients<F> {
+        LinearCoefficients::at(self.contact.a / self.contact.b, self.contact.poisson_ratio)
+    }
+
+    /// `G a b` \[N\]
+    fn linear_stiffness(&self) -> F {
+        self.contact.shear_modulus * self.contact.a * self.contact.b
+    }
+
+    /// `F_x = G a b C11 υx`, `F_y = G a b (C22 υy + √(ab) C23 φ)`,
+    /// `M_z = G (ab)^{3/2} (−C23 υy + √(ab) C33 φ)`
+    fn linear_forces<T: Real<Base = F>>(&self, creepage: &Creepage<T>) -> (Forces<T>, Notice) {
+        let LinearCoefficients { c11, c22, c23, c33 } = self.linear_coefficients();
+        let (stiffness, radius) = (self.linear_stiffness(), self.mean_radius());
+        let spin = creepage.spin.scale(radius);
+        let fx = creepage.longitudinal.scale(c11).scale(stiffness);
+        let fy = (creepage.lateral.scale(c22) + spin.scale(c23)).scale(stiffness);
+        let mz = (spin.scale(c33) - creepage.lateral.scale(c23)).scale(stiffness * radius);
+        let (x, y) = (fx.value().abs(), fy.value().abs());
+        // Compare without squares, which may overflow: |F| lies between the larger and their sum.
+        let (larger, smaller) = (x.max(y), x.min(y));
+        let ratio = smaller / (larger + F::TINY);
+        let size = larger * (F::one() + ratio * ratio).sqrt();
+        let notice = if size > self.contact.friction_bound() {
+            Notice::BeyondFriction
+        } else {
+            Notice::None
+        };
+        (Forces { fx, fy, mz, adhesion: T::one() }, notice)
+    }
+
+    fn rolling<T: Real<Base = F>>(&self, parameters: &Parameters<T>) -> RollingStrips<T> {
+        RollingStrips::new(
+            parameters.axis_ratio,
+            parameters.poisson_ratio,
+            &self.linear_coefficients(),
+            parameters.normalised(),
+        )
+    }
+
+    #[inline(always)]
+    fn rolling_strips<T: Real<Base = F>>(&self, parameters: &Parameters<T>) -> Totals<T> {
+        let strips = self.rolling(parameters);
+        let StripTotals { fx, fy, mz, stick } = match self.options.strips {
+            StripCount::Four => strips.totals::<4, true>(),
+            StripCount::Eight => strips.totals::<8, true>(),
+            StripCount::Sixteen => strips.totals::<16, true>(),
+            StripCount::ThirtyTwo => strips.totals::<32, true>(),
+            StripCount::SixtyFour => strips.totals::<64, true>(),
+        };
+        Totals { fx, fy, mz, stick }
     }
 
     /// `√(ab)` \[m\], without overflow.
@@ -134,21 +267,12 @@ impl<'a, F: Tabulated> Problem<'a, F> {
         self.contact.a.sqrt() * self.contact.b.sqrt()
     }
 
-    /// From units of `μ N` to newtons.
     #[inline(always)]
-    fn solution(&self, totals: &Totals<F>, notice: Notice) -> Solution<F> {
-        let bound = self.contact.friction_bound();
-        let (fx, fy) = (bound * totals.fx, bound * totals.fy);
-        let mz = bound * self.mean_radius() * totals.mz;
+    fn solution(&self, forces: &Forces<F>, notice: Notice) -> Solution<F> {
+        let Forces { fx, fy, mz, adhesion } = *forces;
         let Creepage { longitudinal, lateral, spin } = *self.creepage;
-        Solution {
-            fx,
-            fy,
-            mz,
-            power: fx * longitudinal + fy * lateral + mz * spin,
-            adhesion: totals.stick,
-            notice,
-        }
+        let power = fx * longitudinal + fy * lateral + mz * spin;
+        Solution { fx, fy, mz, power, adhesion, notice }
     }
 }
 
@@ -156,8 +280,12 @@ impl<'a, F: Tabulated> Problem<'a, F> {
 ///
 /// # Errors
 /// Those of [`solve`].
-pub fn check<F: Tabulated>(contact: &Contact<F>, creepage: &Creepage<F>) -> Result<(), Error> {
-    Problem::new(contact, creepage, &Options::default()).map(|_| ())
+pub fn check<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    options: &Options,
+) -> Result<(), Error> {
+    Problem::new(contact, creepage, options).map(|_| ())
 }
 
 /// Forces for a contact and a creepage.
@@ -177,14 +305,14 @@ pub fn check<F: Tabulated>(contact: &Contact<F>, creepage: &Creepage<F>) -> Resu
 /// let forces = solve(&contact, &creepage, &Options::default()).unwrap();
 /// assert!(forces.fx > 0.0 && forces.fx < 24e3 && forces.fy == 0.0);
 /// ```
-pub fn solve<F: Tabulated>(
+pub fn solve<F: Precision>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,
 ) -> Result<Solution<F>, Error> {
     let problem = Problem::new(contact, creepage, options)?;
-    let (totals, notice) = problem.totals(creepage);
-    Ok(problem.solution(&totals, notice))
+    let (forces, notice) = problem.forces(creepage);
+    Ok(problem.solution(&forces, notice))
 }
 
 /// Forces and their exact derivatives with respect to the creepages.
@@ -195,7 +323,7 @@ pub fn solve<F: Tabulated>(
 ///
 /// # Errors
 /// Those of [`solve`].
-pub fn solve_jacobian<F: Tabulated>(
+pub fn solve_jacobian<F: Precision>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,
@@ -206,24 +334,13 @@ pub fn solve_jacobian<F: Tabulated>(
         lateral: Dual::input(creepage.lateral, 1),
         spin: Dual::input(creepage.spin, 2),
     };
-    let (totals, notice) = problem.totals(&inputs);
-    let values = Totals {
-        fx: totals.fx.value,
-        fy: totals.fy.value,
-        mz: totals.mz.value,
-        stick: totals.stick.value,
-    };
-    let solution = problem.solution(&values, notice);
-    let bound = contact.friction_bound();
-    let moment = bound * problem.mean_radius();
-    let jacobian = Matrix3::from([
-        totals.fx.gradient.map(|d| d * bound),
-        totals.fy.gradient.map(|d| d * bound),
-        totals.mz.gradient.map(|d| d * moment),
-    ])
-    .transpose();
+    let (forces, notice) = problem.forces(&inputs);
+    let Forces { fx, fy, mz, adhesion } = forces;
+    let values = Forces { fx: fx.value, fy: fy.value, mz: mz.value, adhesion: adhesion.value };
+    // nalgebra counts columns first.
+    let jacobian = Matrix3::from([fx.gradient, fy.gradient, mz.gradient]).transpose();
     if jacobian.iter().all(|entry| entry.is_finite_number()) {
-        Ok((solution, jacobian))
+        Ok((problem.solution(&values, notice), jacobian))
     } else {
         Err(Error::Overflow)
     }
@@ -258,16 +375,16 @@ pub struct StripResult<F> {
 ///
 /// # Errors
 /// Those of [`solve`].
-pub fn strips<F: Tabulated>(
+pub fn strips<F: Precision>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,
     visit: &mut dyn FnMut(StripResult<F>),
 ) -> Result<Notice, Error> {
     let problem = Problem::new(contact, creepage, options)?;
-    let theory = problem.theory(creepage);
+    let parameters = Parameters::new(contact, creepage);
     let bound = contact.friction_bound();
-    theory.strips(options.strips, &mut |strip: PlacedStrip<F>| {
+    let mut share = |strip: PlacedStrip<F>| {
         let (fx, fy) = (bound * strip.fx, bound * strip.fy);
         let mz = bound * contact.a * strip.mz;
         visit(StripResult {
@@ -281,57 +398,123 @@ pub fn strips<F: Tabulated>(
             power: fx * creepage.longitudinal + fy * creepage.lateral + mz * creepage.spin,
             adheres: strip.adheres,
         });
-    });
-    Ok(if theory.spin_in_range() { Notice::None } else { Notice::SpinBeyondTheory })
+    };
+    match options.model {
+        Model::Strip1967 | Model::Strip1967Continuous => {
+            StripTheory::new(&parameters, problem.sliding_rule())
+                .strips(options.strips, &mut share);
+        }
+        Model::Strip => {
+            let strips = problem.rolling(&parameters);
+            match options.strips {
+                StripCount::Four => place_rolling::<F, 4>(&strips, &mut share),
+                StripCount::Eight => place_rolling::<F, 8>(&strips, &mut share),
+                StripCount::Sixteen => place_rolling::<F, 16>(&strips, &mut share),
+                StripCount::ThirtyTwo => place_rolling::<F, 32>(&strips, &mut share),
+                StripCount::SixtyFour => place_rolling::<F, 64>(&strips, &mut share),
+            }
+        }
+        Model::Total | Model::Linear => return Err(Error::NotInModel),
+    }
+    Ok(problem.notice(parameters.psi))
+}
+
+/// The strips of the corrected model in the form of those of the theory of 1967.
+fn place_rolling<F: Precision + Placed<N>, const N: usize>(
+    strips: &RollingStrips<F>,
+    visit: &mut dyn FnMut(PlacedStrip<F>),
+) {
+    let rule = <F as Placed<N>>::RULE;
+    let forces = strips.ellipse::<N, true>();
+    let ratio = strips.axis_ratio();
+    for i in 0..N {
+        let (y, c) = (rule.y[i], rule.half_length[i]);
+        let (fx, fy) = (rule.load[i] * forces.fx[i], rule.load[i] * forces.fy[i]);
+        let stick = forces.stick[i];
+        visit(PlacedStrip {
+            y,
+            half_length: c,
+            width: rule.width[i],
+            // The adhesion length as one interval at the leading edge
+            kappa: c * (F::one() - stick),
+            adheres: stick > F::zero(),
+            fx,
+            fy,
+            mz: rule.moment_x[i] * forces.mx[i] - y / ratio * fx,
+            stick: rule.area[i] * stick,
+        });
+    }
+}
+
+/// The traction law of a field.
+#[derive(Clone, Copy, Debug)]
+enum Law<F: Real> {
+    Theory(Parameters<F>, SlidingRule),
+    Rolling(RollingStrips<F>),
 }
 
 /// The tangential field of a contact, ready to be evaluated at points.
 #[derive(Clone, Copy, Debug)]
-pub struct Field<F: Real> {
-    contact: Contact<F::Base>,
-    parameters: Parameters<F>,
-    rule: SlidingRule,
+pub struct Field<F: Real<Base = F>> {
+    contact: Contact<F>,
+    law: Law<F>,
     /// What the caller should know.
     pub notice: Notice,
 }
 
-impl<F: Tabulated> Field<F> {
+/// A strip of a [`Field`].
+#[derive(Clone, Copy, Debug)]
+pub enum FieldStrip<F: Real<Base = F>> {
+    /// Of the theory of 1967.
+    Theory(Strip<F>),
+    /// Of the corrected strips.
+    Rolling(StripGeometry<F>),
+}
+
+impl<F: Precision> Field<F> {
     /// Prepare the field of a contact and a creepage.
     ///
     /// # Errors
-    /// Those of [`solve`].
+    /// Those of [`solve`]; [`Error::NotInModel`] for models of totals only.
     pub fn new(
         contact: &Contact<F>,
         creepage: &Creepage<F>,
         options: &Options,
     ) -> Result<Self, Error> {
         let problem = Problem::new(contact, creepage, options)?;
-        let spin_in_range = problem.theory(creepage).spin_in_range();
-        Ok(Self {
-            contact: *contact,
-            parameters: Parameters::new(contact, creepage),
-            rule: options.model.sliding_rule(),
-            notice: if spin_in_range { Notice::None } else { Notice::SpinBeyondTheory },
-        })
+        let parameters = Parameters::new(contact, creepage);
+        let law = match options.model {
+            Model::Strip1967 | Model::Strip1967Continuous => {
+                Law::Theory(parameters, problem.sliding_rule())
+            }
+            Model::Strip => Law::Rolling(problem.rolling(&parameters)),
+            Model::Total | Model::Linear => return Err(Error::NotInModel),
+        };
+        Ok(Self { contact: *contact, law, notice: problem.notice(parameters.psi) })
     }
 
     /// The strip through `y` \[m\]; `None` outside the contact.
     #[must_use]
-    pub fn strip_at(&self, y: F) -> Option<Strip<F>> {
+    pub fn strip_at(&self, y: F) -> Option<FieldStrip<F>> {
         let relative = y / self.contact.b;
         let square = (F::one() - relative) * (F::one() + relative);
         if !(square > F::zero()) {
             return None;
         }
-        let p = &self.parameters;
-        Some(Strip::solve(
-            square.sqrt(),
-            p.xi - p.spin_slope() * relative,
-            p.eta,
-            p.psi,
-            p.poisson_ratio,
-            self.rule,
-        ))
+        let half_length = square.sqrt();
+        Some(match &self.law {
+            Law::Theory(p, rule) => FieldStrip::Theory(Strip::solve(
+                half_length,
+                p.xi - p.spin_slope() * relative,
+                p.eta,
+                p.psi,
+                p.poisson_ratio,
+                *rule,
+            )),
+            Law::Rolling(_) => {
+                FieldStrip::Rolling(StripGeometry { y: relative, half_length, bound: half_length })
+            }
+        })
     }
 
     /// The state at a point of the contact plane (`x`, `y` in metres from the centre).
@@ -342,7 +525,45 @@ impl<F: Tabulated> Field<F> {
 
     /// The state at `x` \[m\] of a strip of [`Field::strip_at`].
     #[must_use]
-    pub fn along(&self, strip: Option<&Strip<F>>, x: F) -> FieldPoint<F> {
-        FieldPoint::new(&self.contact, strip.map(|strip| strip.at(x / self.contact.a)))
+    pub fn along(&self, strip: Option<&FieldStrip<F>>, x: F) -> FieldPoint<F> {
+        let x = x / self.contact.a;
+        let point = match (strip, &self.law) {
+            (Some(FieldStrip::Theory(strip)), _) => strip.at(x),
+            (Some(FieldStrip::Rolling(geometry)), Law::Rolling(strips)) => {
+                rolling_point(strips, geometry, x)
+            }
+            _ => StripPoint::outside(),
+        };
+        FieldPoint::new(&self.contact, &point)
+    }
+}
+
+/// A point of a corrected strip in the units of the theory of 1967.
+fn rolling_point<F: Precision>(
+    strips: &RollingStrips<F>,
+    geometry: &StripGeometry<F>,
+    x: F,
+) -> StripPoint<F> {
+    let c = geometry.half_length;
+    let (ahead, behind) = (c - x, c + x);
+    if !(ahead >= F::zero() && behind >= F::zero()) {
+        return StripPoint::outside();
+    }
+    let pressure = (ahead * behind).sqrt();
+    let traction = strips.traction(geometry, x / c);
+    // Creepages come in units of μ N/(G a b) = (2 μ p₀/G) π/3.
+    let unit = F::constant(core::f64::consts::PI / 3.0);
+    let point = StripPoint {
+        pressure,
+        traction_x: pressure * traction.x,
+        traction_y: pressure * traction.y,
+        slip_x: unit * traction.slip_x,
+        slip_y: unit * traction.slip_y,
+        state: State::Slip,
+    };
+    if traction.slips {
+        point.judged()
+    } else {
+        StripPoint { slip_x: F::zero(), slip_y: F::zero(), state: State::Stick, ..point }
     }
 }

@@ -330,6 +330,12 @@ where
         }
     }
 
+    /// `a/b`, within the limits of the model.
+    #[must_use]
+    pub fn axis_ratio(&self) -> T::Base {
+        self.root * self.root
+    }
+
     /// What a strip sees of the creepages.
     #[must_use]
     #[inline(always)]

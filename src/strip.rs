@@ -341,7 +341,7 @@ impl<T: Real> Strip<T> {
 
 impl<T: Real> StripPoint<T> {
     /// Tell slip that dissipates from slip against the traction.
-    fn judged(mut self) -> Self {
+    pub(crate) fn judged(mut self) -> Self {
         if self.dissipation() < T::zero() {
             self.state = State::SlipNegativeDissipation;
         }

@@ -6,8 +6,7 @@ use crate::creepage::{Creepage, Parameters, SurfaceVelocity};
 use crate::field::FieldPoint;
 use crate::hertz::{self, HertzContact, Radii};
 use crate::material::{self, CombinedMaterial, Material};
-use crate::model::{self, Field, Solution, StripResult};
-use crate::quadrature::Tabulated;
+use crate::model::{self, Field, Precision, Solution, StripResult};
 use crate::real::Float;
 use crate::status::{Error, Notice};
 use core::mem::MaybeUninit;
@@ -155,7 +154,7 @@ where
 }
 
 #[inline]
-pub(super) fn solve<F: Tabulated, C: Copy, K: Copy, R: From<Solution<F>>>(
+pub(super) fn solve<F: Precision, C: Copy, K: Copy, R: From<Solution<F>>>(
     contact: Option<&C>,
     creepage: Option<&K>,
     options: Option<&kstrip_options>,
@@ -175,7 +174,7 @@ where
     })
 }
 
-pub(super) fn solve_jacobian<F: Tabulated, C: Copy, K: Copy, R: From<Solution<F>>>(
+pub(super) fn solve_jacobian<F: Precision, C: Copy, K: Copy, R: From<Solution<F>>>(
     contact: Option<&C>,
     creepage: Option<&K>,
     options: Option<&kstrip_options>,
@@ -200,7 +199,7 @@ where
     })
 }
 
-pub(super) fn solve_batch<F: Tabulated, C: Copy, K: Copy, R: From<Solution<F>>>(
+pub(super) fn solve_batch<F: Precision, C: Copy, K: Copy, R: From<Solution<F>>>(
     contacts: Result<&[C], Error>,
     creepages: Result<&[K], Error>,
     options: Option<&kstrip_options>,
@@ -214,7 +213,7 @@ where
         let (contacts, creepages, results) = (contacts?, creepages?, results?);
         let options = checked_options(options)?;
         for (contact, creepage) in contacts.iter().zip(creepages) {
-            model::check(&(*contact).into(), &(*creepage).into())?;
+            model::check(&(*contact).into(), &(*creepage).into(), &options)?;
         }
         let mut worst = Notice::None;
         for ((contact, creepage), out) in contacts.iter().zip(creepages).zip(results) {
@@ -228,7 +227,7 @@ where
     })
 }
 
-pub(super) fn strips<F: Tabulated, C: Copy, K: Copy, S: From<StripResult<F>>>(
+pub(super) fn strips<F: Precision, C: Copy, K: Copy, S: From<StripResult<F>>>(
     contact: Option<&C>,
     creepage: Option<&K>,
     options: Option<&kstrip_options>,
@@ -261,7 +260,7 @@ where
     })
 }
 
-pub(super) fn traction_at<F: Tabulated, C: Copy, K: Copy, P: From<FieldPoint<F>>>(
+pub(super) fn traction_at<F: Precision, C: Copy, K: Copy, P: From<FieldPoint<F>>>(
     contact: Option<&C>,
     creepage: Option<&K>,
     options: Option<&kstrip_options>,
@@ -285,7 +284,7 @@ where
     })
 }
 
-pub(super) fn field<F: Tabulated, C: Copy, K: Copy, P: From<FieldPoint<F>>>(
+pub(super) fn field<F: Precision, C: Copy, K: Copy, P: From<FieldPoint<F>>>(
     contact: Option<&C>,
     creepage: Option<&K>,
     options: Option<&kstrip_options>,

