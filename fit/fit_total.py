@@ -1,6 +1,6 @@
 """Fit the corrections of the model TOTAL; write src/total/constants.rs and print check values for its tests.
 
-python fit_total.py                         the real fit (about twelve minutes on one core)
+python fit_total.py                         the real fit (12 to 15 minutes on one core)
 python fit_total.py --quick                 a few iterations only, to see that everything runs (constants not written)
 python fit_total.py --evaluate [file.csv]   errors of the stored constants, by region
 
