@@ -60,7 +60,7 @@ int main(void)
             gz += cell * (x[i] * p.traction_y - y[j] * p.traction_x);
             gp += cell * p.dissipation;
             if (i % PRINTED == PRINTED / 2 && j % PRINTED == PRINTED / 2 && p.state)
-                printf("point%8.4f%10.4f%16.4f%10.4f%10.4f%11.7f%11.7f %s\n", x[i] * 1e3,
+                printf("point%8.4f%10.5f%16.4f%10.4f%10.4f%11.7f%11.7f %s\n", x[i] * 1e3,
                        y[j] * 1e3, p.pressure / 1e6, p.traction_x / 1e6, p.traction_y / 1e6,
                        p.slip_x, p.slip_y, states[p.state]);
         }

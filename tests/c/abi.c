@@ -1,0 +1,332 @@
+/* Prints what a C compiler makes of the header, and how every function answers bad input. */
+#include "kstrip.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define SIZE(type) printf("size %s %u\n", #type, (unsigned)sizeof(type))
+#define FIELD(type, field)                                                                         \
+    printf("offset %s.%s %u\n", #type, #field, (unsigned)offsetof(type, field))
+
+/* A layout that both precisions share. */
+#define LAYOUTS(suffix)                                                                            \
+    SIZE(kstrip_material##suffix);                                                                 \
+    FIELD(kstrip_material##suffix, shear_modulus);                                                 \
+    FIELD(kstrip_material##suffix, poisson_ratio);                                                 \
+    SIZE(kstrip_combined_material##suffix);                                                        \
+    FIELD(kstrip_combined_material##suffix, shear_modulus);                                        \
+    FIELD(kstrip_combined_material##suffix, poisson_ratio);                                        \
+    FIELD(kstrip_combined_material##suffix, mismatch);                                             \
+    SIZE(kstrip_radii##suffix);                                                                    \
+    FIELD(kstrip_radii##suffix, lower_x);                                                          \
+    FIELD(kstrip_radii##suffix, lower_y);                                                          \
+    FIELD(kstrip_radii##suffix, upper_x);                                                          \
+    FIELD(kstrip_radii##suffix, upper_y);                                                          \
+    SIZE(kstrip_hertz_contact##suffix);                                                            \
+    FIELD(kstrip_hertz_contact##suffix, a);                                                        \
+    FIELD(kstrip_hertz_contact##suffix, b);                                                        \
+    FIELD(kstrip_hertz_contact##suffix, peak_pressure);                                            \
+    FIELD(kstrip_hertz_contact##suffix, approach);                                                 \
+    FIELD(kstrip_hertz_contact##suffix, axis_ratio);                                               \
+    FIELD(kstrip_hertz_contact##suffix, hertz_angle);                                              \
+    FIELD(kstrip_hertz_contact##suffix, rho);                                                      \
+    SIZE(kstrip_velocity##suffix);                                                                 \
+    FIELD(kstrip_velocity##suffix, x);                                                             \
+    FIELD(kstrip_velocity##suffix, y);                                                             \
+    FIELD(kstrip_velocity##suffix, angular_z);                                                     \
+    SIZE(kstrip_creepage##suffix);                                                                 \
+    FIELD(kstrip_creepage##suffix, longitudinal);                                                  \
+    FIELD(kstrip_creepage##suffix, lateral);                                                       \
+    FIELD(kstrip_creepage##suffix, spin);                                                          \
+    SIZE(kstrip_contact##suffix);                                                                  \
+    FIELD(kstrip_contact##suffix, a);                                                              \
+    FIELD(kstrip_contact##suffix, b);                                                              \
+    FIELD(kstrip_contact##suffix, normal_force);                                                   \
+    FIELD(kstrip_contact##suffix, shear_modulus);                                                  \
+    FIELD(kstrip_contact##suffix, poisson_ratio);                                                  \
+    FIELD(kstrip_contact##suffix, friction);                                                       \
+    SIZE(kstrip_parameters##suffix);                                                               \
+    FIELD(kstrip_parameters##suffix, xi);                                                          \
+    FIELD(kstrip_parameters##suffix, eta);                                                         \
+    FIELD(kstrip_parameters##suffix, psi);                                                         \
+    SIZE(kstrip_result##suffix);                                                                   \
+    FIELD(kstrip_result##suffix, fx);                                                              \
+    FIELD(kstrip_result##suffix, fy);                                                              \
+    FIELD(kstrip_result##suffix, mz);                                                              \
+    FIELD(kstrip_result##suffix, power);                                                           \
+    FIELD(kstrip_result##suffix, adhesion);                                                        \
+    FIELD(kstrip_result##suffix, status_detail);                                                   \
+    FIELD(kstrip_result##suffix, reserved);                                                        \
+    SIZE(kstrip_strip##suffix);                                                                    \
+    FIELD(kstrip_strip##suffix, y);                                                                \
+    FIELD(kstrip_strip##suffix, width);                                                            \
+    FIELD(kstrip_strip##suffix, half_length);                                                      \
+    FIELD(kstrip_strip##suffix, separatrix);                                                       \
+    FIELD(kstrip_strip##suffix, fx);                                                               \
+    FIELD(kstrip_strip##suffix, fy);                                                               \
+    FIELD(kstrip_strip##suffix, mz);                                                               \
+    FIELD(kstrip_strip##suffix, power);                                                            \
+    FIELD(kstrip_strip##suffix, state);                                                            \
+    FIELD(kstrip_strip##suffix, reserved);                                                         \
+    SIZE(kstrip_point##suffix);                                                                    \
+    FIELD(kstrip_point##suffix, pressure);                                                         \
+    FIELD(kstrip_point##suffix, traction_x);                                                       \
+    FIELD(kstrip_point##suffix, traction_y);                                                       \
+    FIELD(kstrip_point##suffix, slip_x);                                                           \
+    FIELD(kstrip_point##suffix, slip_y);                                                           \
+    FIELD(kstrip_point##suffix, dissipation);                                                      \
+    FIELD(kstrip_point##suffix, state);                                                            \
+    FIELD(kstrip_point##suffix, reserved)
+
+enum { POISON = 0xA5 };
+
+static int poisoned(const void *memory, size_t size)
+{
+    const unsigned char *byte = memory;
+    while (size--)
+        if (*byte++ != POISON)
+            return 0;
+    return 1;
+}
+
+/* Poison an output, make a call, print its status, and whether the output is as it was. */
+#define CASE(name, output, call)                                                                   \
+    do {                                                                                           \
+        memset(&(output), POISON, sizeof(output));                                                 \
+        const kstrip_status status = (call);                                                       \
+        printf("case %s %ld %s\n", name, (long)status,                                             \
+               poisoned(&(output), sizeof(output)) ? "untouched" : "written");                     \
+    } while (0)
+
+/* One member of an input replaced by a bad value. */
+#define WITH(type, variable, member, value)                                                        \
+    type variable##_bad = variable;                                                                \
+    variable##_bad.member = (value)
+
+#define SOLVE_WITH(name, variable, type, member, value)                                            \
+    do {                                                                                           \
+        WITH(type, variable, member, value);                                                       \
+        const type *const variable##_pointer = &variable##_bad;                                    \
+        CASE(name, result, SOLVE_##variable(variable##_pointer));                                  \
+    } while (0)
+#define SOLVE_contact(pointer) kstrip_solve(pointer, &creepage, &options, &result)
+#define SOLVE_creepage(pointer) kstrip_solve(&contact, pointer, &options, &result)
+#define SOLVE_options(pointer) kstrip_solve(&contact, &creepage, pointer, &result)
+
+static void layouts(void)
+{
+    SIZE(kstrip_status);
+    SIZE(kstrip_options);
+    FIELD(kstrip_options, model);
+    FIELD(kstrip_options, strips);
+    LAYOUTS();
+    LAYOUTS(_f32);
+}
+
+static void texts(void)
+{
+    for (int status = -20; status <= 20; status++)
+        printf("text %d %s\n", status, kstrip_status_string(status));
+    printf("version %s abi %ld\n", kstrip_version_string(), (long)kstrip_abi_version());
+}
+
+static void preparation(void)
+{
+    const kstrip_material steel = {82e9, 0.28};
+    const kstrip_combined_material pair = {82e9, 0.28, 0};
+    const kstrip_radii radii = {INFINITY, 0.3, 0.46, INFINITY};
+    const kstrip_velocity lower = {-10, 0, 0}, upper = {-9.99, 0.01, 0.5};
+    const kstrip_contact contact = {6e-3, 4e-3, 80e3, 82e9, 0.28, 0.3};
+    const kstrip_creepage creepage = {1e-3, 0, 0.1};
+    const kstrip_parameters parameters = {0.1, 0.2, 0.3};
+    kstrip_options options;
+    kstrip_material material;
+    kstrip_combined_material combined;
+    kstrip_hertz_contact ellipse;
+    kstrip_creepage motion;
+    kstrip_parameters numbers;
+
+    CASE("options.null", options, kstrip_options_init(NULL));
+    CASE("options.ok", options, kstrip_options_init(&options));
+
+    CASE("young.null", material, kstrip_material_from_youngs_modulus(210e9, 0.28, NULL));
+    CASE("young.nan", material, kstrip_material_from_youngs_modulus(NAN, 0.28, &material));
+    CASE("young.zero", material, kstrip_material_from_youngs_modulus(0, 0.28, &material));
+    CASE("young.poisson", material, kstrip_material_from_youngs_modulus(210e9, 0.6, &material));
+    CASE("young.ok", material, kstrip_material_from_youngs_modulus(210e9, 0.28, &material));
+
+    CASE("combine.null_lower", combined, kstrip_material_combine(NULL, &steel, &combined));
+    CASE("combine.null_upper", combined, kstrip_material_combine(&steel, NULL, &combined));
+    CASE("combine.null_out", combined, kstrip_material_combine(&steel, &steel, NULL));
+    {
+        WITH(kstrip_material, steel, shear_modulus, -82e9);
+        CASE("combine.modulus", combined, kstrip_material_combine(&steel, &steel_bad, &combined));
+        steel_bad.shear_modulus = INFINITY;
+        CASE("combine.infinite", combined, kstrip_material_combine(&steel_bad, &steel, &combined));
+        steel_bad.shear_modulus = 82e9, steel_bad.poisson_ratio = -0.1;
+        CASE("combine.poisson", combined, kstrip_material_combine(&steel_bad, &steel, &combined));
+    }
+    CASE("combine.ok", combined, kstrip_material_combine(&steel, &steel, &combined));
+
+    CASE("hertz.null_radii", ellipse, kstrip_hertz(NULL, 80e3, &pair, &ellipse));
+    CASE("hertz.null_material", ellipse, kstrip_hertz(&radii, 80e3, NULL, &ellipse));
+    CASE("hertz.null_out", ellipse, kstrip_hertz(&radii, 80e3, &pair, NULL));
+    CASE("hertz.negative_load", ellipse, kstrip_hertz(&radii, -1, &pair, &ellipse));
+    CASE("hertz.nan_load", ellipse, kstrip_hertz(&radii, NAN, &pair, &ellipse));
+    {
+        WITH(kstrip_radii, radii, lower_y, 0);
+        CASE("hertz.zero_radius", ellipse, kstrip_hertz(&radii_bad, 80e3, &pair, &ellipse));
+        radii_bad.lower_y = INFINITY;
+        CASE("hertz.flat", ellipse, kstrip_hertz(&radii_bad, 80e3, &pair, &ellipse));
+        radii_bad.lower_y = -0.3;
+        CASE("hertz.concave", ellipse, kstrip_hertz(&radii_bad, 80e3, &pair, &ellipse));
+        WITH(kstrip_combined_material, pair, shear_modulus, 0);
+        CASE("hertz.modulus", ellipse, kstrip_hertz(&radii, 80e3, &pair_bad, &ellipse));
+    }
+    CASE("hertz.ok", ellipse, kstrip_hertz(&radii, 80e3, &pair, &ellipse));
+
+    CASE("velocities.null_lower", motion,
+         kstrip_creepage_from_velocities(NULL, &upper, 10, &motion));
+    CASE("velocities.null_upper", motion,
+         kstrip_creepage_from_velocities(&lower, NULL, 10, &motion));
+    CASE("velocities.null_out", motion, kstrip_creepage_from_velocities(&lower, &upper, 10, NULL));
+    CASE("velocities.stand", motion, kstrip_creepage_from_velocities(&lower, &upper, 0, &motion));
+    CASE("velocities.back", motion, kstrip_creepage_from_velocities(&lower, &upper, -10, &motion));
+    CASE("velocities.nan", motion, kstrip_creepage_from_velocities(&lower, &upper, NAN, &motion));
+    CASE("velocities.overflow", motion,
+         kstrip_creepage_from_velocities(&lower, &upper, 1e-310, &motion));
+    CASE("velocities.ok", motion, kstrip_creepage_from_velocities(&lower, &upper, 10, &motion));
+
+    CASE("parameters.null", numbers, kstrip_parameters_from_creepage(NULL, &creepage, &numbers));
+    CASE("parameters.null_out", numbers,
+         kstrip_parameters_from_creepage(&contact, &creepage, NULL));
+    CASE("parameters.ok", numbers, kstrip_parameters_from_creepage(&contact, &creepage, &numbers));
+    CASE("creepage.null", motion, kstrip_creepage_from_parameters(&contact, NULL, &motion));
+    CASE("creepage.null_out", motion, kstrip_creepage_from_parameters(&contact, &parameters, NULL));
+    {
+        WITH(kstrip_parameters, parameters, eta, NAN);
+        CASE("creepage.nan", motion,
+             kstrip_creepage_from_parameters(&contact, &parameters_bad, &motion));
+    }
+    CASE("creepage.ok", motion, kstrip_creepage_from_parameters(&contact, &parameters, &motion));
+}
+
+static void solution(void)
+{
+    const kstrip_contact contact = {6e-3, 4e-3, 80e3, 82e9, 0.28, 0.3};
+    const kstrip_creepage creepage = {1e-3, 0, 0.1};
+    const kstrip_options options = {KSTRIP_MODEL_STRIP_1967, 16};
+    const double x[2] = {0, 1e-3}, y[2] = {0, 1e-3}, bad[2] = {0, NAN};
+    const kstrip_contact contacts[2] = {contact, {6e-3, 4e-3, -1, 82e9, 0.28, 0.3}};
+    const kstrip_creepage motions[2] = {creepage, creepage};
+    kstrip_result result, results[2];
+    kstrip_strip strips[KSTRIP_STRIPS_CAPACITY];
+    kstrip_point point, points[4];
+    double jacobian[9];
+    uint32_t count;
+
+    CASE("solve.null_contact", result, kstrip_solve(NULL, &creepage, &options, &result));
+    CASE("solve.null_creepage", result, kstrip_solve(&contact, NULL, &options, &result));
+    CASE("solve.null_out", result, kstrip_solve(&contact, &creepage, &options, NULL));
+    SOLVE_WITH("solve.a_zero", contact, kstrip_contact, a, 0);
+    SOLVE_WITH("solve.a_nan", contact, kstrip_contact, a, NAN);
+    SOLVE_WITH("solve.b_negative", contact, kstrip_contact, b, -4e-3);
+    SOLVE_WITH("solve.b_infinite", contact, kstrip_contact, b, INFINITY);
+    SOLVE_WITH("solve.load_negative", contact, kstrip_contact, normal_force, -1);
+    SOLVE_WITH("solve.load_nan", contact, kstrip_contact, normal_force, NAN);
+    SOLVE_WITH("solve.load_zero", contact, kstrip_contact, normal_force, 0);
+    SOLVE_WITH("solve.load_huge", contact, kstrip_contact, normal_force, 1.7e308);
+    SOLVE_WITH("solve.modulus_zero", contact, kstrip_contact, shear_modulus, 0);
+    SOLVE_WITH("solve.modulus_nan", contact, kstrip_contact, shear_modulus, NAN);
+    SOLVE_WITH("solve.poisson_negative", contact, kstrip_contact, poisson_ratio, -0.01);
+    SOLVE_WITH("solve.poisson_large", contact, kstrip_contact, poisson_ratio, 0.51);
+    SOLVE_WITH("solve.poisson_nan", contact, kstrip_contact, poisson_ratio, NAN);
+    SOLVE_WITH("solve.friction_negative", contact, kstrip_contact, friction, -0.3);
+    SOLVE_WITH("solve.friction_nan", contact, kstrip_contact, friction, NAN);
+    SOLVE_WITH("solve.friction_zero", contact, kstrip_contact, friction, 0);
+    SOLVE_WITH("solve.friction_huge", contact, kstrip_contact, friction, 1e307);
+    SOLVE_WITH("solve.longitudinal_nan", creepage, kstrip_creepage, longitudinal, NAN);
+    SOLVE_WITH("solve.lateral_infinite", creepage, kstrip_creepage, lateral, -INFINITY);
+    SOLVE_WITH("solve.spin_nan", creepage, kstrip_creepage, spin, NAN);
+    SOLVE_WITH("solve.spin_large", creepage, kstrip_creepage, spin, 10);
+    SOLVE_WITH("solve.model_zero", options, kstrip_options, model, 0);
+    SOLVE_WITH("solve.model_unknown", options, kstrip_options, model, 999);
+    SOLVE_WITH("solve.strips_zero", options, kstrip_options, strips, 0);
+    SOLVE_WITH("solve.strips_odd", options, kstrip_options, strips, 15);
+    CASE("solve.default", result, kstrip_solve(&contact, &creepage, NULL, &result));
+    CASE("solve.ok", result, kstrip_solve(&contact, &creepage, &options, &result));
+
+    CASE("jacobian.null_entries", result,
+         kstrip_solve_jacobian(&contact, &creepage, &options, &result, NULL));
+    CASE("jacobian.null_result", jacobian,
+         kstrip_solve_jacobian(&contact, &creepage, &options, NULL, jacobian));
+    CASE("jacobian.bad", jacobian,
+         kstrip_solve_jacobian(&contacts[1], &creepage, &options, &result, jacobian));
+    CASE("jacobian.ok", jacobian,
+         kstrip_solve_jacobian(&contact, &creepage, &options, &result, jacobian));
+
+    CASE("batch.second_bad", results, kstrip_solve_batch(contacts, motions, 2, NULL, results));
+    CASE("batch.null", results, kstrip_solve_batch(NULL, motions, 2, NULL, results));
+    CASE("batch.null_out", results, kstrip_solve_batch(contacts, motions, 1, NULL, NULL));
+    CASE("batch.empty", results, kstrip_solve_batch(NULL, NULL, 0, NULL, NULL));
+    CASE("batch.ok", results[0], kstrip_solve_batch(contacts, motions, 1, NULL, results));
+
+    CASE("strips.capacity", strips,
+         kstrip_strips(&contact, &creepage, &options, strips, 3, &count));
+    CASE("strips.capacity_count", count,
+         kstrip_strips(&contact, &creepage, &options, strips, 3, &count));
+    CASE("strips.null", count,
+         kstrip_strips(&contact, &creepage, &options, NULL, KSTRIP_STRIPS_CAPACITY, &count));
+    CASE("strips.null_count", strips,
+         kstrip_strips(&contact, &creepage, &options, strips, KSTRIP_STRIPS_CAPACITY, NULL));
+    CASE("strips.ok", count,
+         kstrip_strips(&contact, &creepage, &options, strips, KSTRIP_STRIPS_CAPACITY, &count));
+
+    CASE("point.null", point, kstrip_traction_at(&contact, &creepage, &options, 0, 0, NULL));
+    CASE("point.nan", point, kstrip_traction_at(&contact, &creepage, &options, NAN, 0, &point));
+    CASE("point.outside", point, kstrip_traction_at(&contact, &creepage, &options, 1, 1, &point));
+    CASE("point.ok", point, kstrip_traction_at(&contact, &creepage, &options, 0, 0, &point));
+
+    CASE("field.capacity", points,
+         kstrip_field(&contact, &creepage, &options, x, 2, y, 2, points, 3));
+    CASE("field.null_x", points,
+         kstrip_field(&contact, &creepage, &options, NULL, 2, y, 2, points, 4));
+    CASE("field.null_out", points,
+         kstrip_field(&contact, &creepage, &options, x, 2, y, 2, NULL, 4));
+    CASE("field.nan", points, kstrip_field(&contact, &creepage, &options, x, 2, bad, 2, points, 4));
+    CASE("field.ok", points, kstrip_field(&contact, &creepage, &options, x, 2, y, 2, points, 4));
+
+    CASE("upper.null", result, kstrip_result_on_upper_body(NULL, &result));
+    CASE("upper.null_out", result, kstrip_result_on_upper_body(&results[0], NULL));
+}
+
+/* Single precision shares the checks; a sample of each kind. */
+static void single_precision(void)
+{
+    const kstrip_contact_f32 contact = {6e-3F, 4e-3F, 80e3F, 82e9F, 0.28F, 0.3F};
+    const kstrip_contact_f32 bad = {6e-3F, 4e-3F, 80e3F, 82e9F, 0.28F, -0.3F};
+    const kstrip_creepage_f32 creepage = {1e-3F, 0, 0.1F}, nan = {NAN, 0, 0};
+    const float x[2] = {0, 1e-3F};
+    kstrip_result_f32 result;
+    kstrip_point_f32 points[2];
+    float jacobian[9];
+
+    CASE("f32.solve.null", result, kstrip_solve_f32(NULL, &creepage, NULL, &result));
+    CASE("f32.solve.nan", result, kstrip_solve_f32(&contact, &nan, NULL, &result));
+    CASE("f32.solve.friction", result, kstrip_solve_f32(&bad, &creepage, NULL, &result));
+    CASE("f32.solve.ok", result, kstrip_solve_f32(&contact, &creepage, NULL, &result));
+    CASE("f32.jacobian.bad", jacobian,
+         kstrip_solve_jacobian_f32(&bad, &creepage, NULL, &result, jacobian));
+    CASE("f32.field.capacity", points,
+         kstrip_field_f32(&contact, &creepage, NULL, x, 2, x, 2, points, 2));
+}
+
+int main(void)
+{
+    layouts();
+    texts();
+    preparation();
+    solution();
+    single_precision();
+    return 0;
+}

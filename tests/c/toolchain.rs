@@ -1,0 +1,120 @@
+//! Builds the static library once, and compiles and runs C programs against it.
+
+use std::ffi::OsStr;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::OnceLock;
+
+/// Warnings that every C and C++ file must be free of.
+pub const STRICT: [&str; 4] = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"];
+
+/// The root of the package.
+pub fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// A line on standard error, also from a test that passes.
+pub fn say(line: &str) {
+    writeln!(std::io::stderr(), "{line}").expect("standard error can be written");
+}
+
+/// Standard output of a command that must succeed.
+fn output_of(command: &mut Command) -> String {
+    let output = command.output().unwrap_or_else(|error| panic!("{command:?}: {error}"));
+    assert!(output.status.success(), "{command:?}: {}", report(&output));
+    String::from_utf8(output.stdout).expect("text")
+}
+
+fn report(output: &Output) -> String {
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    format!("{}\n{}{}", output.status, text(&output.stdout), text(&output.stderr))
+}
+
+/// `libkstrip.a`, built by the command that the README names, in the target directory of this test.
+pub fn library() -> &'static Path {
+    static LIBRARY: OnceLock<PathBuf> = OnceLock::new();
+    LIBRARY.get_or_init(|| {
+        let target = scratch().parent().expect("target/tmp is in target");
+        let mut cargo = Command::new(env!("CARGO"));
+        cargo.current_dir(root()).env_remove("CARGO_BUILD_TARGET");
+        cargo.args(["rustc", "--release", "--lib", "--crate-type", "staticlib"]);
+        cargo.args(["--features", "panic-handler", "--target-dir"]).arg(target);
+        output_of(&mut cargo);
+        target.join("release/libkstrip.a")
+    })
+}
+
+fn scratch() -> &'static Path {
+    Path::new(env!("CARGO_TARGET_TMPDIR"))
+}
+
+/// The system's C (or C++) compiler, as the crate `cc` finds it: `CC`/`CXX`, else `cc`/`c++`.
+fn compiler(cpp: bool) -> Command {
+    static HOST: OnceLock<String> = OnceLock::new();
+    let host = HOST.get_or_init(|| {
+        let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+        let version = output_of(Command::new(rustc).arg("-vV"));
+        let host = version.lines().find_map(|line| line.strip_prefix("host: "));
+        host.expect("rustc -vV names its host").to_owned()
+    });
+    let mut build = cc::Build::new();
+    build.cpp(cpp).target(host).host(host).opt_level(1).debug(false).cargo_metadata(false);
+    build.get_compiler().to_command()
+}
+
+/// Compile and link `source` under a language standard; `Err` is what the compiler said.
+fn compile(
+    cpp: bool,
+    standard: &str,
+    source: &Path,
+    arguments: &[&OsStr],
+) -> Result<PathBuf, String> {
+    let program = scratch().join(format!(
+        "{}-{standard}{}",
+        source.file_stem().expect("a file").to_string_lossy(),
+        std::env::consts::EXE_SUFFIX
+    ));
+    let mut command = compiler(cpp);
+    command.arg(format!("-std={standard}")).arg("-I").arg(root().join("include"));
+    command.arg(source).args(arguments).arg("-o").arg(&program);
+    let output = command.output().map_err(|error| format!("{command:?}: {error}"))?;
+    if output.status.success() { Ok(program) } else { Err(report(&output)) }
+}
+
+/// Compile a C99 program of the repository without a warning, link it with the library, run it, and
+/// return what it printed.
+pub fn run_c(source: &str) -> String {
+    let library = library();
+    let mut arguments: Vec<&OsStr> = STRICT.iter().map(OsStr::new).collect();
+    arguments.extend([library.as_os_str(), OsStr::new("-lpthread")]);
+    let program = compile(false, "c99", &root().join(source), &arguments)
+        .unwrap_or_else(|message| panic!("{source}: {message}"));
+    output_of(&mut Command::new(program))
+}
+
+/// Whether there is a C++ compiler at all.
+pub fn has_cpp() -> bool {
+    compiler(true).arg("--version").output().is_ok_and(|output| output.status.success())
+}
+
+/// Whether the compiler knows a standard, asked with an empty program.
+pub fn knows(cpp: bool, standard: &str) -> bool {
+    let source = scratch().join(if cpp { "empty.cpp" } else { "empty.c" });
+    std::fs::write(&source, "int main(void) { return 0; }\n").expect("scratch is writable");
+    compile(cpp, standard, &source, &[]).is_ok()
+}
+
+/// Compile a program that is the header and a call, link and run it under a standard.
+pub fn check_header(cpp: bool, standard: &str) {
+    let source = scratch().join(if cpp { "header.cpp" } else { "header.c" });
+    let text = "#include \"kstrip.h\"\n#include \"kstrip.h\"\n\
+                int main(void) { return kstrip_abi_version() != KSTRIP_ABI_VERSION; }\n";
+    std::fs::write(&source, text).expect("scratch is writable");
+    let library = library();
+    let mut arguments: Vec<&OsStr> = STRICT.iter().map(OsStr::new).collect();
+    arguments.push(library.as_os_str());
+    let program = compile(cpp, standard, &source, &arguments)
+        .unwrap_or_else(|message| panic!("header under {standard}: {message}"));
+    output_of(&mut Command::new(program));
+}
