@@ -55,7 +55,7 @@ const CASES: [Case; 5] = [
     Case {
         file: "figure_08a.svg",
         title: "Figure 8a: pure spin, a/b = 0.2, ν = 0.5, ψ = 0.305",
-        remark: "",
+        remark: "slip against the traction only at the two corners",
         axis_ratio: 0.2,
         poisson_ratio: 0.5,
         eta: 0.0,
