@@ -15,6 +15,9 @@ static const struct {
 } models[] = {
     {"strip_1967", KSTRIP_MODEL_STRIP_1967},
     {"strip_1967_continuous", KSTRIP_MODEL_STRIP_1967_CONTINUOUS},
+    {"strip", KSTRIP_MODEL_STRIP},
+    {"total", KSTRIP_MODEL_TOTAL},
+    {"linear", KSTRIP_MODEL_LINEAR},
 };
 
 /* One line per curve: the motion at size 1, and what does not grow with the size. */

@@ -216,6 +216,8 @@ static void solution(void)
     const kstrip_contact contact = {6e-3, 4e-3, 80e3, 82e9, 0.28, 0.3};
     const kstrip_creepage creepage = {1e-3, 0, 0.1};
     const kstrip_options options = {KSTRIP_MODEL_STRIP_1967, 16};
+    const kstrip_options total = {KSTRIP_MODEL_TOTAL, 16}, linear = {KSTRIP_MODEL_LINEAR, 16};
+    const kstrip_creepage large = {1, 0, 0};
     const double x[2] = {0, 1e-3}, y[2] = {0, 1e-3}, bad[2] = {0, NAN};
     const kstrip_contact contacts[2] = {contact, {6e-3, 4e-3, -1, 82e9, 0.28, 0.3}};
     const kstrip_creepage motions[2] = {creepage, creepage};
@@ -253,6 +255,7 @@ static void solution(void)
     SOLVE_WITH("solve.model_unknown", options, kstrip_options, model, 999);
     SOLVE_WITH("solve.strips_zero", options, kstrip_options, strips, 0);
     SOLVE_WITH("solve.strips_odd", options, kstrip_options, strips, 15);
+    CASE("solve.linear_large", result, kstrip_solve(&contact, &large, &linear, &result));
     CASE("solve.default", result, kstrip_solve(&contact, &creepage, NULL, &result));
     CASE("solve.ok", result, kstrip_solve(&contact, &creepage, &options, &result));
 
@@ -279,12 +282,15 @@ static void solution(void)
          kstrip_strips(&contact, &creepage, &options, NULL, KSTRIP_STRIPS_CAPACITY, &count));
     CASE("strips.null_count", strips,
          kstrip_strips(&contact, &creepage, &options, strips, KSTRIP_STRIPS_CAPACITY, NULL));
+    CASE("strips.total", strips,
+         kstrip_strips(&contact, &creepage, &total, strips, KSTRIP_STRIPS_CAPACITY, &count));
     CASE("strips.ok", count,
          kstrip_strips(&contact, &creepage, &options, strips, KSTRIP_STRIPS_CAPACITY, &count));
 
     CASE("point.null", point, kstrip_traction_at(&contact, &creepage, &options, 0, 0, NULL));
     CASE("point.nan", point, kstrip_traction_at(&contact, &creepage, &options, NAN, 0, &point));
     CASE("point.outside", point, kstrip_traction_at(&contact, &creepage, &options, 1, 1, &point));
+    CASE("point.total", point, kstrip_traction_at(&contact, &creepage, &total, 0, 0, &point));
     CASE("point.ok", point, kstrip_traction_at(&contact, &creepage, &options, 0, 0, &point));
 
     CASE("field.capacity", points,
@@ -294,6 +300,8 @@ static void solution(void)
     CASE("field.null_out", points,
          kstrip_field(&contact, &creepage, &options, x, 2, y, 2, NULL, 4));
     CASE("field.nan", points, kstrip_field(&contact, &creepage, &options, x, 2, bad, 2, points, 4));
+    CASE("field.total", points, kstrip_field(&contact, &creepage, &total, x, 2, y, 2, points, 4));
+    CASE("field.linear", points, kstrip_field(&contact, &creepage, &linear, x, 2, y, 2, points, 4));
     CASE("field.ok", points, kstrip_field(&contact, &creepage, &options, x, 2, y, 2, points, 4));
 
     CASE("upper.null", result, kstrip_result_on_upper_body(NULL, &result));
@@ -307,6 +315,8 @@ static void single_precision(void)
     const kstrip_contact_f32 bad = {6e-3F, 4e-3F, 80e3F, 82e9F, 0.28F, -0.3F};
     const kstrip_creepage_f32 creepage = {1e-3F, 0, 0.1F}, nan = {NAN, 0, 0};
     const float x[2] = {0, 1e-3F};
+    const kstrip_creepage_f32 large = {1, 0, 0};
+    const kstrip_options total = {KSTRIP_MODEL_TOTAL, 16}, linear = {KSTRIP_MODEL_LINEAR, 16};
     kstrip_result_f32 result;
     kstrip_point_f32 points[2];
     float jacobian[9];
@@ -314,11 +324,14 @@ static void single_precision(void)
     CASE("f32.solve.null", result, kstrip_solve_f32(NULL, &creepage, NULL, &result));
     CASE("f32.solve.nan", result, kstrip_solve_f32(&contact, &nan, NULL, &result));
     CASE("f32.solve.friction", result, kstrip_solve_f32(&bad, &creepage, NULL, &result));
+    CASE("f32.solve.linear_large", result, kstrip_solve_f32(&contact, &large, &linear, &result));
     CASE("f32.solve.ok", result, kstrip_solve_f32(&contact, &creepage, NULL, &result));
     CASE("f32.jacobian.bad", jacobian,
          kstrip_solve_jacobian_f32(&bad, &creepage, NULL, &result, jacobian));
     CASE("f32.field.capacity", points,
          kstrip_field_f32(&contact, &creepage, NULL, x, 2, x, 2, points, 2));
+    CASE("f32.field.total", points,
+         kstrip_field_f32(&contact, &creepage, &total, x, 2, x, 1, points, 2));
 }
 
 int main(void)
