@@ -115,25 +115,27 @@ struct Forces<T> {
 struct Problem<'a, F> {
     contact: &'a Contact<F>,
     creepage: &'a Creepage<F>,
-    options: &'a Options,
+    // By value, so that a model known to the compiler stays known and the others are not linked.
+    options: Options,
 }
 
 impl<'a, F: Precision> Problem<'a, F> {
+    #[inline(always)]
     fn new(
         contact: &'a Contact<F>,
         creepage: &'a Creepage<F>,
-        options: &'a Options,
+        options: &Options,
     ) -> Result<Self, Error> {
         contact.check()?;
         creepage.check()?;
-        let problem = Self { contact, creepage, options };
+        let problem = Self { contact, creepage, options: *options };
         problem.check_range()?;
         Ok(problem)
     }
 
     /// Every result is a number within its bound times these: check them before anything is
     /// computed.
-    fn check_range(&self) -> Result<(), Error> {
+    fn check_range(self) -> Result<(), Error> {
         let Creepage { longitudinal, lateral, spin } = *self.creepage;
         let Contact { a, b, .. } = *self.contact;
         let bound = match self.options.model {
@@ -306,6 +308,63 @@ pub fn check<F: Precision>(
 /// assert!(forces.fx > 0.0 && forces.fx < 24e3 && forces.fy == 0.0);
 /// ```
 pub fn solve<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    options: &Options,
+) -> Result<Solution<F>, Error> {
+    solve_inline(contact, creepage, options)
+}
+
+/// [`solve`] with [`Model::Total`]; a program that calls only this links no other model.
+///
+/// # Errors
+/// Those of [`solve`].
+pub fn solve_total<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+) -> Result<Solution<F>, Error> {
+    let options = Options { model: Model::Total, strips: StripCount::Sixteen };
+    solve_inline(contact, creepage, &options)
+}
+
+/// [`solve`] with [`Model::Linear`]; a program that calls only this links no other model.
+///
+/// # Errors
+/// Those of [`solve`].
+pub fn solve_linear<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+) -> Result<Solution<F>, Error> {
+    let options = Options { model: Model::Linear, strips: StripCount::Sixteen };
+    solve_inline(contact, creepage, &options)
+}
+
+/// [`solve`] with [`Model::Strip1967`]; a program that calls only this links no other model.
+///
+/// # Errors
+/// Those of [`solve`].
+pub fn solve_strip_1967<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    strips: StripCount,
+) -> Result<Solution<F>, Error> {
+    solve_inline(contact, creepage, &Options { model: Model::Strip1967, strips })
+}
+
+/// [`solve`] with [`Model::Strip`]; a program that calls only this links no other model.
+///
+/// # Errors
+/// Those of [`solve`].
+pub fn solve_strip<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    strips: StripCount,
+) -> Result<Solution<F>, Error> {
+    solve_inline(contact, creepage, &Options { model: Model::Strip, strips })
+}
+
+#[inline(always)]
+fn solve_inline<F: Precision>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,

@@ -9,6 +9,7 @@ use crate::material::{self, CombinedMaterial, Material};
 use crate::model::{self, Field, Precision, Solution, StripResult};
 use crate::real::Float;
 use crate::status::{Error, Notice};
+use crate::totals::StripCount;
 use core::mem::MaybeUninit;
 
 type Out<'a, T> = Option<&'a mut MaybeUninit<T>>;
@@ -171,6 +172,47 @@ where
         let notice = solution.notice;
         out.write(solution.into());
         Ok(notice)
+    })
+}
+
+/// One model: `solver` is a function of [`model`] that needs no options.
+#[inline(always)]
+pub(super) fn solve_by<F: Precision, C: Copy, K: Copy, R: From<Solution<F>>>(
+    contact: Option<&C>,
+    creepage: Option<&K>,
+    out: Out<R>,
+    solver: impl FnOnce(&Contact<F>, &Creepage<F>) -> Result<Solution<F>, Error>,
+) -> kstrip_status
+where
+    Contact<F>: From<C>,
+    Creepage<F>: From<K>,
+{
+    answer(|| {
+        let (contact, creepage) = inputs(contact, creepage)?;
+        let out = given(out)?;
+        let solution = solver(&contact, &creepage)?;
+        let notice = solution.notice;
+        out.write(solution.into());
+        Ok(notice)
+    })
+}
+
+/// The same for a model with strips.
+#[inline(always)]
+pub(super) fn solve_by_strips<F: Precision, C: Copy, K: Copy, R: From<Solution<F>>>(
+    contact: Option<&C>,
+    creepage: Option<&K>,
+    strips: i32,
+    out: Out<R>,
+    solver: impl FnOnce(&Contact<F>, &Creepage<F>, StripCount) -> Result<Solution<F>, Error>,
+) -> kstrip_status
+where
+    Contact<F>: From<C>,
+    Creepage<F>: From<K>,
+{
+    solve_by(contact, creepage, out, |contact, creepage| {
+        let count = StripCount::from_number(strips).ok_or(Error::StripCount)?;
+        solver(contact, creepage, count)
     })
 }
 

@@ -14,6 +14,7 @@ mod arrays;
 mod calls;
 mod convert;
 pub mod double;
+pub mod per_model;
 pub mod single;
 pub mod types;
 pub mod types_f32;
