@@ -115,46 +115,6 @@
 #define KSTRIP_ABI_VERSION 1
 
 /**
- * Which traction law.
- *
- * The number of each variant is its constant in the C interface; numbers are never reused.
- */
-enum Model
-#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
-  : int32_t
-#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
- {
-    /**
-     * The theory of 1967 with the sliding rule that the paper keeps for forces.
-     */
-    Strip1967 = 1,
-    /**
-     * The theory of 1967 with the sliding rule that joins the adhesion strips without a jump.
-     */
-    Strip1967Continuous = 2,
-    /**
-     * Strips that follow the slip, with the slopes of linear theory and any spin: forces, moment,
-     * stick area and fields. The recommended model.
-     */
-    Strip = 3,
-    /**
-     * Total forces and moment only: the most accurate and, of those with saturation, the cheapest.
-     */
-    Total = 4,
-    /**
-     * Linear theory: no saturation, for stability analysis.
-     */
-    Linear = 5,
-};
-#ifndef __cplusplus
-#if __STDC_VERSION__ >= 202311L
-typedef enum Model Model;
-#else
-typedef int32_t Model;
-#endif // __STDC_VERSION__ >= 202311L
-#endif // __cplusplus
-
-/**
  * Result of a call: 0 ok; > 0 warning, outputs valid; < 0 error, outputs untouched.
  */
 typedef int32_t kstrip_status;
@@ -468,6 +428,89 @@ typedef struct kstrip_point {
 } kstrip_point;
 
 /**
+ * A loaded elliptic contact with Coulomb friction.
+ */
+typedef struct kstrip_contact_f32 {
+    /**
+     * Semi-axis along the rolling direction x [m], > 0.
+     */
+    float a;
+    /**
+     * Semi-axis along y [m], > 0.
+     */
+    float b;
+    /**
+     * Normal force N [N], >= 0.
+     */
+    float normal_force;
+    /**
+     * Combined shear modulus G [Pa], > 0.
+     */
+    float shear_modulus;
+    /**
+     * Combined Poisson's ratio [-], 0 to 0.5.
+     */
+    float poisson_ratio;
+    /**
+     * Coefficient of friction mu [-], >= 0.
+     */
+    float friction;
+} kstrip_contact_f32;
+
+/**
+ * Rigid slip of the upper over the lower body, divided by the rolling speed.
+ */
+typedef struct kstrip_creepage_f32 {
+    /**
+     * Longitudinal creepage [-], positive when the upper body slides in the rolling direction.
+     */
+    float longitudinal;
+    /**
+     * Lateral creepage [-], positive along y.
+     */
+    float lateral;
+    /**
+     * Spin [1/m], positive from x to y (about z).
+     */
+    float spin;
+} kstrip_creepage_f32;
+
+/**
+ * Forces on the lower body.
+ */
+typedef struct kstrip_result_f32 {
+    /**
+     * Longitudinal force [N].
+     */
+    float fx;
+    /**
+     * Lateral force [N].
+     */
+    float fy;
+    /**
+     * Moment about z at the centre of the contact [N m].
+     */
+    float mz;
+    /**
+     * Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin [N]: energy
+     * dissipated per metre rolled.
+     */
+    float power;
+    /**
+     * Share of the contact area in adhesion [-], 0 to 1. KSTRIP_MODEL_TOTAL does not know it: -1.
+     */
+    float adhesion;
+    /**
+     * The status of this result: 0 or one of the KSTRIP_WARNING constants.
+     */
+    int32_t status_detail;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
+} kstrip_result_f32;
+
+/**
  * An isotropic elastic body, single precision.
  */
 typedef struct kstrip_material_f32 {
@@ -576,54 +619,6 @@ typedef struct kstrip_velocity_f32 {
 } kstrip_velocity_f32;
 
 /**
- * Rigid slip of the upper over the lower body, divided by the rolling speed.
- */
-typedef struct kstrip_creepage_f32 {
-    /**
-     * Longitudinal creepage [-], positive when the upper body slides in the rolling direction.
-     */
-    float longitudinal;
-    /**
-     * Lateral creepage [-], positive along y.
-     */
-    float lateral;
-    /**
-     * Spin [1/m], positive from x to y (about z).
-     */
-    float spin;
-} kstrip_creepage_f32;
-
-/**
- * A loaded elliptic contact with Coulomb friction.
- */
-typedef struct kstrip_contact_f32 {
-    /**
-     * Semi-axis along the rolling direction x [m], > 0.
-     */
-    float a;
-    /**
-     * Semi-axis along y [m], > 0.
-     */
-    float b;
-    /**
-     * Normal force N [N], >= 0.
-     */
-    float normal_force;
-    /**
-     * Combined shear modulus G [Pa], > 0.
-     */
-    float shear_modulus;
-    /**
-     * Combined Poisson's ratio [-], 0 to 0.5.
-     */
-    float poisson_ratio;
-    /**
-     * Coefficient of friction mu [-], >= 0.
-     */
-    float friction;
-} kstrip_contact_f32;
-
-/**
  * Kalker's parameters (5.13) of a contact in motion, dimensionless.
  */
 typedef struct kstrip_parameters_f32 {
@@ -640,41 +635,6 @@ typedef struct kstrip_parameters_f32 {
      */
     float psi;
 } kstrip_parameters_f32;
-
-/**
- * Forces on the lower body.
- */
-typedef struct kstrip_result_f32 {
-    /**
-     * Longitudinal force [N].
-     */
-    float fx;
-    /**
-     * Lateral force [N].
-     */
-    float fy;
-    /**
-     * Moment about z at the centre of the contact [N m].
-     */
-    float mz;
-    /**
-     * Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin [N]: energy
-     * dissipated per metre rolled.
-     */
-    float power;
-    /**
-     * Share of the contact area in adhesion [-], 0 to 1. KSTRIP_MODEL_TOTAL does not know it: -1.
-     */
-    float adhesion;
-    /**
-     * The status of this result: 0 or one of the KSTRIP_WARNING constants.
-     */
-    int32_t status_detail;
-    /**
-     * Zero.
-     */
-    int32_t reserved;
-} kstrip_result_f32;
 
 /**
  * One strip y = const of the contact: what it carries, on the lower body.
@@ -852,10 +812,7 @@ typedef struct kstrip_point_f32 {
  */
 #define KSTRIP_ERROR_OVERFLOW -14
 
-/**
- * Every model.
- */
-#define Model_ALL { Strip1967, Strip1967Continuous, Strip, Total, Linear, }
+
 
 #ifdef __cplusplus
 extern "C" {
@@ -1076,6 +1033,92 @@ kstrip_status kstrip_field(const struct kstrip_contact *contact,
  */
 kstrip_status kstrip_result_on_upper_body(const struct kstrip_result *lower,
                                           struct kstrip_result *upper);
+
+/**
+ * kstrip_solve() with KSTRIP_MODEL_TOTAL, and nothing else in the program.
+ *
+ * The same result, to the bit, as kstrip_solve() with that model in its options. kstrip_solve() learns
+ * its model when it runs and therefore brings every model into the program; a program that calls
+ * only the functions of this group contains only the models that they name.
+ *
+ * @param[in]  contact   the loaded contact.
+ * @param[in]  creepage  creepage and spin.
+ * @param[out] result    receives the forces on the lower body; adhesion is -1 (unknown).
+ * @return KSTRIP_OK, KSTRIP_WARNING_RANGE, or one of the errors of kstrip_solve().
+ */
+kstrip_status kstrip_solve_total(const struct kstrip_contact *contact,
+                                 const struct kstrip_creepage *creepage,
+                                 struct kstrip_result *result);
+
+/**
+ * kstrip_solve() with KSTRIP_MODEL_LINEAR, and nothing else in the program.
+ *
+ * @param[in]  contact   the loaded contact.
+ * @param[in]  creepage  creepage and spin.
+ * @param[out] result    receives the forces on the lower body; adhesion is 1.
+ * @return KSTRIP_OK, KSTRIP_WARNING_BEYOND_FRICTION, or one of the errors of kstrip_solve().
+ */
+kstrip_status kstrip_solve_linear(const struct kstrip_contact *contact,
+                                  const struct kstrip_creepage *creepage,
+                                  struct kstrip_result *result);
+
+/**
+ * kstrip_solve() with KSTRIP_MODEL_STRIP_1967, and nothing else in the program.
+ *
+ * @param[in]  contact   the loaded contact.
+ * @param[in]  creepage  creepage and spin.
+ * @param[in]  strips    number of strips: 4, 8, 16, 32 or 64.
+ * @param[out] result    receives the forces on the lower body.
+ * @return KSTRIP_OK, KSTRIP_WARNING_SPIN, or one of the errors of kstrip_solve().
+ */
+kstrip_status kstrip_solve_strip_1967(const struct kstrip_contact *contact,
+                                      const struct kstrip_creepage *creepage,
+                                      int32_t strips,
+                                      struct kstrip_result *result);
+
+/**
+ * kstrip_solve() with KSTRIP_MODEL_STRIP, and nothing else in the program.
+ *
+ * @param[in]  contact   the loaded contact.
+ * @param[in]  creepage  creepage and spin.
+ * @param[in]  strips    number of strips: 4, 8, 16, 32 or 64.
+ * @param[out] result    receives the forces on the lower body.
+ * @return KSTRIP_OK, KSTRIP_WARNING_RANGE, or one of the errors of kstrip_solve().
+ */
+kstrip_status kstrip_solve_strip(const struct kstrip_contact *contact,
+                                 const struct kstrip_creepage *creepage,
+                                 int32_t strips,
+                                 struct kstrip_result *result);
+
+/**
+ * kstrip_solve_total() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_solve_total_f32(const struct kstrip_contact_f32 *contact,
+                                     const struct kstrip_creepage_f32 *creepage,
+                                     struct kstrip_result_f32 *result);
+
+/**
+ * kstrip_solve_linear() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_solve_linear_f32(const struct kstrip_contact_f32 *contact,
+                                      const struct kstrip_creepage_f32 *creepage,
+                                      struct kstrip_result_f32 *result);
+
+/**
+ * kstrip_solve_strip_1967() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_solve_strip_1967_f32(const struct kstrip_contact_f32 *contact,
+                                          const struct kstrip_creepage_f32 *creepage,
+                                          int32_t strips,
+                                          struct kstrip_result_f32 *result);
+
+/**
+ * kstrip_solve_strip() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_solve_strip_f32(const struct kstrip_contact_f32 *contact,
+                                     const struct kstrip_creepage_f32 *creepage,
+                                     int32_t strips,
+                                     struct kstrip_result_f32 *result);
 
 /**
  * kstrip_material_from_youngs_modulus() in single precision: same arguments, units, ranges and statuses.

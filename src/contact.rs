@@ -64,8 +64,9 @@ impl<F: Float> Contact<F> {
     /// `G/(2 μ p₀)`, the factor of (5.13); at most [`Real::HUGE`](crate::real::Real::HUGE), also
     /// without friction or load.
     pub(crate) fn stiffness_ratio(&self) -> F {
-        // 2 μ p₀/G with the friction bound spread over the ellipse
-        (F::one() / (self.slip_unit() + F::TINY)).min(F::HUGE)
+        // G/(2 μ p₀) = (π/3) G a b/(μ N)
+        let stiffness = (self.shear_modulus * self.a) * self.b.times(core::f64::consts::PI / 3.0);
+        (stiffness / (self.friction_bound() + F::TINY)).min(F::HUGE)
     }
 
     /// `2 μ p₀/G` \[–\]: the unit of slip.

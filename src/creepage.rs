@@ -108,7 +108,7 @@ impl<T: Real> Parameters<T> {
         ]);
         // (5.13)
         let [xi, eta, psi] = bounded([
-            vx.scale(g_over_2mup0 / (T::Base::one() - contact.poisson_ratio)),
+            vx.scale(g_over_2mup0 * (T::Base::one() / (T::Base::one() - contact.poisson_ratio))),
             vy.scale(g_over_2mup0),
             a_phi.scale(g_over_2mup0),
         ]);

@@ -169,6 +169,7 @@ impl<F: Float, const M: usize> Real for Dual<F, M> {
     type Pair = Two<Self>;
     const HAS_DERIVATIVES: bool = true;
     const TINY: F = F::TINY;
+    const ROOT_TINY: F = F::ROOT_TINY;
     const HUGE: F = F::HUGE;
     const EPSILON: F = F::EPSILON;
 

@@ -97,7 +97,8 @@ pub fn hertz<F: Float>(
     // √(AB) = (p₀/E*)(s/(l² e²)) √{[(l/s)² E − K][K − E]} with p₀ = 3N/(2π l s) gives
     // l³ = (3N/(2π g E*)) √(BD/(AB)).
     let shape = (integrals.b * integrals.d).sqrt() / (small.sqrt() * large.sqrt());
-    let major = (normal_force.times(1.5 / core::f64::consts::PI) / axis_ratio).cube_root()
+    let major = normal_force.cube_root()
+        * (F::constant(1.5 / core::f64::consts::PI) / axis_ratio).cube_root()
         * (shape / modulus).cube_root();
     let minor = axis_ratio * major;
     // p₀ = 3N/(2π a b), written as the curvature that it flattens so that N = 0 is no 0/0:

@@ -89,10 +89,14 @@ impl<T: Real> Tangent<T> {
 /// `κ(ξ̄)` of (5.41) for many strips, with what they share computed once.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct AdhesionLength<P> {
+    /// `1 − ψ²`
     q: P,
+    /// `1/(1 − ψ²)`
     inverse: P,
     eta_squared: P,
     eta_psi: P,
+    /// `ηψ/(1 − ψ²)`
+    slope: P,
     cancels: bool,
 }
 
@@ -103,13 +107,16 @@ impl<P: Arithmetic> AdhesionLength<P> {
     pub(crate) fn of(family: &StripFamily<P>, cancels: bool) -> Self {
         let StripFamily { eta, psi, .. } = *family;
         let q = (P::one() - psi) * (P::one() + psi);
-        Self { q, inverse: P::one() / q, eta_squared: eta * eta, eta_psi: eta * psi, cancels }
+        let (inverse, eta_psi) = (P::one() / q, eta * psi);
+        Self { q, inverse, eta_squared: eta * eta, eta_psi, slope: eta_psi * inverse, cancels }
     }
 
     /// `S² = η² + (1 − ψ²) ξ̄²` and `S`
     #[inline(always)]
     fn s(&self, square: P) -> (P, P) {
-        let s_squared = (self.eta_squared + self.q * square).max(P::tiny());
+        // The floor keeps 1/S⁴, which the derivatives need, finite.
+        let floor = P::from_base(<P::Base as Real>::ROOT_TINY);
+        let s_squared = (self.eta_squared + self.q * square).max(floor);
         (s_squared, s_squared.sqrt())
     }
 
@@ -121,7 +128,7 @@ impl<P: Arithmetic> AdhesionLength<P> {
         if self.cancels {
             (square + self.eta_squared) / (s - self.eta_psi)
         } else {
-            (s + self.eta_psi) * self.inverse
+            s * self.inverse + self.slope
         }
     }
 
@@ -135,7 +142,7 @@ impl<P: Arithmetic> AdhesionLength<P> {
         let s_kappa = if self.cancels {
             s * ((square + self.eta_squared) / (s - self.eta_psi))
         } else {
-            (s_squared + s * self.eta_psi) * self.inverse
+            s_squared * self.inverse + s * self.slope
         };
         let a = family.slope * xi_bar;
         Tangent { a, b: s, d: s_kappa + a * y }
@@ -245,7 +252,6 @@ impl<F: Float> StripFamily<F> {
         };
         let length = AdhesionLength::of(&sides, self.cancels());
         let mut y = F::Pair::of(-lower, upper);
-        let mut converged = false;
         for _ in 0..TANGENT_STEPS {
             let tangent = length.tangent(&sides, y);
             let norm = tangent.a * tangent.a + tangent.b * tangent.b;
@@ -264,18 +270,21 @@ impl<F: Float> StripFamily<F> {
             if !(near_lower < near_upper && near_lower <= far_upper && far_lower <= near_upper) {
                 return None;
             }
-            if converged {
+            let step = outer - y;
+            let (change_lower, change_upper) = step.abs().parts();
+            if change_lower.max(change_upper) <= (near_upper - near_lower).times(1e-3) {
+                // What is left is the curvature of κ, κ'' = p² η²/S³: along the circle, where
+                // d(κ − C)/dθ = √(A² + B² − D²)/S, the end lies dθ = −κ'' S step²/(2 √…) further in.
+                let bend = sides.slope * sides.eta * step / tangent.b;
+                let turn = -(bend * bend / root).times(0.5);
                 let c = (tangent.d * tangent.b - tangent.a * root) * inverse;
-                let (lower_c, upper_c) = c.parts();
-                return Some((
-                    EdgePoint { y: near_lower, c: lower_c },
-                    EdgePoint { y: near_upper, c: upper_c },
+                let (lower_c, upper_c) = (c - outer * turn).parts();
+                let (lower_y, upper_y) = ((outer + c * turn) * mirror).parts();
+                return (lower_y < upper_y).then_some((
+                    EdgePoint { y: lower_y, c: lower_c },
+                    EdgePoint { y: upper_y, c: upper_c },
                 ));
             }
-            // The error left is the square of the change, in units of the interval; one more step
-            // squares it again.
-            let (change_lower, change_upper) = (y - outer).abs().parts();
-            converged = change_lower.max(change_upper) <= (near_upper - near_lower).times(1e-3);
             y = outer;
         }
         None

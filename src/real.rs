@@ -111,6 +111,8 @@ pub trait Real: Arithmetic + PartialEq + PartialOrd {
     const HAS_DERIVATIVES: bool = false;
     /// Smallest positive normal number.
     const TINY: Self::Base;
+    /// Square root of [`Real::TINY`].
+    const ROOT_TINY: Self::Base;
     /// Parameters beyond this are indistinguishable from sliding; their squares are still finite.
     const HUGE: Self::Base;
     /// Distance from 1 to the next number.
@@ -152,7 +154,7 @@ pub trait Pair<T: Real>: Arithmetic<Base = T::Base> {
 }
 
 macro_rules! plain {
-    ($float:ident, $pair:ty, $huge:expr, $sqrt:path, $atan:path, $ln:path, $asinh:path, $cbrt:path) => {
+    ($float:ident, $pair:ty, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $asinh:path, $cbrt:path) => {
         impl Float for $float {
             #[inline(always)]
             fn of(x: f64) -> Self {
@@ -216,6 +218,7 @@ macro_rules! plain {
         impl Real for $float {
             type Pair = $pair;
             const TINY: $float = $float::MIN_POSITIVE;
+            const ROOT_TINY: $float = $root_tiny;
             const HUGE: $float = $huge;
             const EPSILON: $float = $float::EPSILON;
 
@@ -242,6 +245,7 @@ macro_rules! plain {
 plain!(
     f64,
     pairs::F64Pair,
+    1.491_668_146_240_041_3e-154,
     1e100,
     square_root::of_f64,
     libm::atan,
@@ -252,6 +256,7 @@ plain!(
 plain!(
     f32,
     pairs::Two<f32>,
+    1.084_202_2e-19,
     1e12,
     square_root::of_f32,
     libm::atanf,

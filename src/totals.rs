@@ -346,7 +346,9 @@ where
         // it turns, B the slip that the panel spans.
         let compliance = T::Base::one() - self.poisson_ratio;
         let z = (xi - slope * from).scale(compliance);
-        let near = (eta * eta + z * z + tiny).sqrt().times(2.0);
+        // (a floor, so that the derivative at zero creepage is finite)
+        let floor = T::Pair::from_base(T::ROOT_TINY);
+        let near = (eta * eta + z * z + floor).sqrt().times(2.0);
         let span = (slope * length).scale(compliance).abs();
         let scale = one / (near + span);
         let (near, span) = (near * scale, span * scale);

@@ -167,11 +167,12 @@ mod sse2 {
         }
         #[inline(always)]
         fn max(self, other: Self) -> Self {
-            Self(self.0.simd_gt(other.0).select(self.0, other.0))
+            // `maxpd`: the second one where they are equal or one is not a number, as everywhere here
+            Self(self.0.fast_max(other.0))
         }
         #[inline(always)]
         fn min(self, other: Self) -> Self {
-            Self(self.0.simd_lt(other.0).select(self.0, other.0))
+            Self(self.0.fast_min(other.0))
         }
         #[inline(always)]
         fn choose(self, yes: Self, no: Self) -> Self {
