@@ -1,0 +1,299 @@
+//! The contact ellipse against numbers computed outside with 60 digits, and published tables.
+
+use kstrip::hertz::{HertzContact, Radii, hertz};
+use kstrip::status::Error;
+use std::f64::consts::PI;
+
+const FLAT: f64 = f64::INFINITY;
+
+struct Row {
+    single: bool,
+    radii: [f64; 4],
+    load: f64,
+    modulus: f64,
+    poisson: f64,
+    /// a, b, p₀, approach, axis ratio, Hertz's angle
+    expected: [f64; 6],
+}
+
+fn rows() -> Vec<Row> {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/hertz.csv");
+    let mut reader = csv::Reader::from_path(path).unwrap();
+    let rows: Vec<Row> = reader
+        .records()
+        .map(|record| {
+            let record = record.unwrap();
+            let n: Vec<f64> = record.iter().map(|field| field.parse().unwrap()).collect();
+            Row {
+                single: n[0] == 1.0,
+                radii: [n[1], n[2], n[3], n[4]],
+                load: n[5],
+                modulus: n[6],
+                poisson: n[7],
+                expected: [n[8], n[9], n[10], n[11], n[12], n[13]],
+            }
+        })
+        .collect();
+    assert!(rows.len() > 60);
+    rows
+}
+
+fn radii([lower_x, lower_y, upper_x, upper_y]: [f64; 4]) -> Radii<f64> {
+    Radii { lower_x, lower_y, upper_x, upper_y }
+}
+
+fn solved([lower_x, lower_y, upper_x, upper_y]: [f64; 4]) -> HertzContact<f64> {
+    hertz(&Radii { lower_x, lower_y, upper_x, upper_y }, 80e3, 82e9, 0.28).unwrap()
+}
+
+/// How much the summed curvature amplifies a rounding of one radius (concave profiles).
+fn condition(r: [f64; 4]) -> f64 {
+    let of = |p: f64, q: f64| (1.0 / p).abs().max((1.0 / q).abs()) / (1.0 / p + 1.0 / q).abs();
+    of(r[0], r[2]).max(of(r[1], r[3]))
+}
+
+/// Axis ratios 1e-4 to 1, the circle within 1e-15, both orientations, concave profiles: a, b, p₀ and
+/// approach to 1e-12.
+#[test]
+fn ellipse_agrees_with_high_precision_in_double() {
+    let mut smallest = 1.0_f64;
+    for row in rows() {
+        let h = hertz(&radii(row.radii), row.load, row.modulus, row.poisson).unwrap();
+        let got = [h.a, h.b, h.peak_pressure, h.approach, h.axis_ratio, h.hertz_angle];
+        smallest = smallest.min(h.axis_ratio);
+        for (i, (got, expected)) in got.into_iter().zip(row.expected).enumerate() {
+            // The angle is that of tan(τ/2) = √(A/B): as good as the others.
+            let error = (got - expected).abs() / expected;
+            assert!(error <= 1e-12, "result {i} of {:?}: {error:e}", row.radii);
+        }
+    }
+    assert!(smallest < 1.1e-4);
+}
+
+/// The same rows in single precision, to 5e-6.
+#[test]
+fn ellipse_agrees_with_high_precision_in_single() {
+    let mut tested = 0;
+    for row in rows().iter().filter(|row| row.single) {
+        let [lower_x, lower_y, upper_x, upper_y] = row.radii.map(|r| r as f32);
+        let radii = Radii { lower_x, lower_y, upper_x, upper_y };
+        let h = hertz(&radii, row.load as f32, row.modulus as f32, row.poisson as f32).unwrap();
+        let got = [h.a, h.b, h.peak_pressure, h.approach, h.axis_ratio, h.hertz_angle];
+        // Inputs are exact; a concave profile still cancels in 1/R⁺ + 1/R⁻.
+        let allowed = 5e-6_f64.max(1e-7 * condition(row.radii));
+        for (i, (got, expected)) in got.into_iter().zip(row.expected).enumerate() {
+            let error = (f64::from(got) - expected).abs() / expected;
+            assert!(error <= allowed, "result {i} of {:?}: {error:e}", row.radii);
+        }
+        tested += 1;
+    }
+    assert!(tested > 50);
+}
+
+/// The table of Hertz's coefficients m, n (Hertz 1881; Timoshenko & Goodier, Theory of Elasticity,
+/// article 140): a = m [3 N/(4 E* (A + B))]^(1/3), b = n [...]^(1/3) for cos τ = (B − A)/(B + A).
+#[test]
+fn hertz_angle_table_is_reproduced() {
+    for (degrees, m, n) in [
+        (30.0_f64, 2.731, 0.493),
+        (35.0, 2.397, 0.530),
+        (40.0, 2.136, 0.567),
+        (45.0, 1.926, 0.604),
+        (50.0, 1.754, 0.641),
+        (55.0, 1.611, 0.678),
+        (60.0, 1.486, 0.717),
+        (65.0, 1.378, 0.759),
+        (70.0, 1.284, 0.802),
+        (75.0, 1.202, 0.846),
+        (80.0, 1.128, 0.893),
+        (85.0, 1.061, 0.944),
+        (90.0, 1.000, 1.000),
+    ] {
+        // A + B = 1: curvatures 1 ∓ cos τ
+        let cosine = degrees.to_radians().cos();
+        let h = solved([FLAT, FLAT, 1.0 / (1.0 - cosine), 1.0 / (1.0 + cosine)]);
+        let unit = (3.0 * 80e3 * (1.0 - 0.28) / (4.0 * 82e9_f64)).cbrt();
+        assert!((h.hertz_angle.to_degrees() - degrees).abs() < 1e-10);
+        // The table is of 1881 and known to be off by up to three units of its last digit (Cooper,
+        // International Journal of Mechanical Sciences 11 (1969) 831)
+        assert!((h.a / unit - m).abs() < 3e-3, "{degrees}: m {}", h.a / unit);
+        assert!((h.b / unit - n).abs() < 3e-3, "{degrees}: n {}", h.b / unit);
+    }
+}
+
+/// Sphere on a plane: a³ = 3NR/(4E*), p₀ = 3N/(2πa²), δ = a²/R; ρ is the diameter (2.3).
+#[test]
+fn circle_has_its_textbook_solution() {
+    for radius in [1e-3, 0.46, 7.0, 1e3] {
+        let h = solved([FLAT, FLAT, radius, radius]);
+        let modulus = 82e9 / 0.72;
+        let a = (3.0 * 80e3 * radius / (4.0 * modulus)).cbrt();
+        for (got, expected) in [
+            (h.a, a),
+            (h.b, a),
+            (h.peak_pressure, 3.0 * 80e3 / (2.0 * PI * a * a)),
+            (h.approach, a * a / radius),
+            (h.rho, 2.0 * radius),
+            (h.hertz_angle, PI / 2.0),
+        ] {
+            assert!((got - expected).abs() <= 4e-15 * expected, "{radius}: {got} {expected}");
+        }
+        assert_eq!(h.axis_ratio, 1.0);
+        assert_eq!(h.a, h.b);
+    }
+}
+
+/// e → 0 is 0/0 in the classical formulas; here the ellipse passes through the circle smoothly:
+/// ln(a/b) = (2/3) ln(Ry/Rx) there, and a·b, the approach and p₀ have no first-order change from it.
+#[test]
+fn ellipse_passes_smoothly_through_the_circle() {
+    let circle = solved([FLAT, FLAT, 1.0, 1.0]);
+    for exponent in 1..=15 {
+        for sign in [1.0, -1.0] {
+            // Rx = 1/(1 − d), Ry = 1/(1 + d), A + B constant
+            let d = sign * 10f64.powi(-exponent);
+            let h = solved([FLAT, FLAT, 1.0 / (1.0 - d), 1.0 / (1.0 + d)]);
+            let slope = (h.a / h.b).ln();
+            // ln(a/b) is odd in d; d³ and the rounding of 1/(1 ∓ d) remain
+            let expected = 4.0 / 3.0 * d;
+            let allowed = 2.0 * d.abs().powi(3) + 1e-15;
+            assert!((slope - expected).abs() <= allowed, "{d:e}: {slope:e} {expected:e}");
+            for (got, at_circle) in [
+                (h.peak_pressure, circle.peak_pressure),
+                (h.approach, circle.approach),
+                (h.a * h.b, circle.a * circle.b),
+            ] {
+                let change = (got / at_circle - 1.0).abs();
+                assert!(change <= 0.5 * d * d + 5e-15, "{d:e}: {change:e}");
+            }
+        }
+    }
+}
+
+/// Turning the bodies by 90 degrees exchanges a and b to the last bit; the longer semi-axis belongs to
+/// the smaller curvature (2.4).
+#[test]
+fn exchanging_directions_exchanges_the_axes() {
+    for [lx, ly, ux, uy] in
+        [[FLAT, 0.3, 0.46, FLAT], [2.0, -1.0, -4.0, 0.9], [FLAT, FLAT, 1.0, 1e6]]
+    {
+        let (one, two) = (solved([lx, ly, ux, uy]), solved([ly, lx, uy, ux]));
+        assert_eq!((one.a, one.b), (two.b, two.a));
+        assert_eq!((one.peak_pressure, one.approach), (two.peak_pressure, two.approach));
+        assert_eq!(one.a > one.b, 1.0 / lx + 1.0 / ux < 1.0 / ly + 1.0 / uy);
+        // and the bodies may be exchanged
+        assert_eq!(solved([ux, uy, lx, ly]), one);
+    }
+}
+
+/// p₀ = 3N/(2πab), a ~ N^(1/3), δ ~ N^(2/3), from 1e-300 to 1e9 newtons.
+#[test]
+fn load_scales_the_ellipse() {
+    let radii = Radii { lower_x: FLAT, lower_y: 0.3, upper_x: 0.46, upper_y: FLAT };
+    let one = hertz(&radii, 1.0, 82e9, 0.28).unwrap();
+    for load in [1e-300_f64, 1e-30, 1e-3, 1.0, 80e3, 1e9] {
+        let h = hertz(&radii, load, 82e9, 0.28).unwrap();
+        let scale = load.cbrt();
+        for (got, expected) in [
+            (h.a, one.a * scale),
+            (h.b, one.b * scale),
+            (h.peak_pressure, one.peak_pressure * scale),
+            (h.approach, one.approach * scale * scale),
+            (h.peak_pressure * h.a * h.b, 3.0 * load / (2.0 * PI)),
+        ] {
+            assert!((got - expected).abs() <= 4e-15 * expected, "{load:e}: {got:e} {expected:e}");
+        }
+    }
+}
+
+/// Without load the ellipse is a point; a subnormal load gives a finite ellipse.
+#[test]
+fn unloaded_contact_is_a_point_and_subnormal_loads_count() {
+    let radii = Radii { lower_x: FLAT, lower_y: 0.3, upper_x: 0.46, upper_y: FLAT };
+    let h = hertz(&radii, 0.0, 82e9, 0.28).unwrap();
+    assert_eq!((h.a, h.b, h.peak_pressure, h.approach), (0.0, 0.0, 0.0, 0.0));
+    assert!(h.axis_ratio > 0.0 && h.axis_ratio < 1.0);
+    // a ~ N^(1/3) is far from subnormal when N is
+    let one = hertz(&radii, 1.0, 82e9, 0.28).unwrap();
+    for load in [1e-310_f64, 1e-322, 5e-324] {
+        let h = hertz(&radii, load, 82e9, 0.28).unwrap();
+        for (got, unit) in [(h.a, one.a), (h.b, one.b), (h.peak_pressure, one.peak_pressure)] {
+            assert!((got / (unit * load.cbrt()) - 1.0).abs() < 1e-12, "{load:e}: {got:e}");
+        }
+    }
+}
+
+/// Needles far beyond 1e-4 still answer, quickly and in order: nothing diverges or loops.
+#[test]
+fn extreme_axis_ratios_stay_finite_and_ordered() {
+    let mut before = 2.0;
+    for exponent in 0..=200 {
+        let long = 10f64.powi(exponent);
+        match hertz(
+            &Radii { lower_x: FLAT, lower_y: FLAT, upper_x: 1.0, upper_y: long },
+            80e3,
+            82e9,
+            0.28,
+        ) {
+            Ok(h) => {
+                assert!(h.axis_ratio < before && h.axis_ratio > 0.0, "1e{exponent}");
+                assert!((h.axis_ratio * h.b / h.a - 1.0).abs() < 1e-14);
+                before = h.axis_ratio;
+            }
+            Err(error) => assert_eq!(error, Error::Overflow, "1e{exponent}"),
+        }
+    }
+    assert!(before < 1e-15);
+}
+
+/// Millions of different ratios take time proportional to their number: a bounded iteration.
+#[test]
+fn iterations_are_bounded() {
+    let start = std::time::Instant::now();
+    for i in 0..20_000 {
+        let ratio = 10f64.powf(9.0 * f64::from(i) / 20_000.0);
+        let h = solved([FLAT, FLAT, 1.0, ratio]);
+        // Consistency of the axis ratio with Hertz's equation in another form, d ln g/d ln(A/B)
+        // between 1/2 (needle) and 2/3 (circle)
+        let exponent = h.axis_ratio.ln() / -ratio.max(1.0 + 1e-9).ln();
+        assert!(i < 10 || (0.5..0.67).contains(&exponent), "{ratio:e}: {exponent}");
+    }
+    // Unoptimised code on a slow machine needs about a second; a loop that hunts would need hours.
+    assert!(start.elapsed().as_secs() < 60);
+}
+
+/// Bodies that do not touch in an ellipse, and numbers that are none.
+#[test]
+fn bad_inputs_are_refused() {
+    let good = [FLAT, 0.3, 0.46, FLAT];
+    for (bad, error) in [
+        ([FLAT, FLAT, FLAT, FLAT], Error::Curvature),
+        ([FLAT, FLAT, 0.46, FLAT], Error::Curvature),
+        ([FLAT, -0.3, 0.46, 0.3], Error::Curvature),
+        ([FLAT, -0.2, 0.46, 0.3], Error::Curvature),
+        ([-0.4, 0.3, 0.46, FLAT], Error::Curvature),
+        ([0.0, 0.3, 0.46, FLAT], Error::Curvature),
+        ([FLAT, 0.3, -0.0, FLAT], Error::Curvature),
+        ([FLAT, f64::NAN, 0.46, FLAT], Error::Curvature),
+        ([f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY, 1.0], Error::Curvature),
+    ] {
+        assert_eq!(hertz(&radii(bad), 80e3, 82e9, 0.28), Err(error), "{bad:?}");
+    }
+    for (load, modulus, poisson, error) in [
+        (-1.0, 82e9, 0.28, Error::NormalForce),
+        (f64::NAN, 82e9, 0.28, Error::NotFinite),
+        (f64::INFINITY, 82e9, 0.28, Error::NotFinite),
+        (80e3, 0.0, 0.28, Error::Modulus),
+        (80e3, -82e9, 0.28, Error::Modulus),
+        (80e3, f64::NAN, 0.28, Error::NotFinite),
+        (80e3, 82e9, 0.6, Error::PoissonRatio),
+        (80e3, 82e9, f64::NAN, Error::NotFinite),
+    ] {
+        assert_eq!(hertz(&radii(good), load, modulus, poisson), Err(error));
+    }
+    // Minus infinity is as flat as plus infinity.
+    let flat = [f64::NEG_INFINITY, 0.3, 0.46, f64::NEG_INFINITY];
+    assert_eq!(hertz(&radii(flat), 80e3, 82e9, 0.28), hertz(&radii(good), 80e3, 82e9, 0.28));
+    // Huge loads on a soft body do not fit.
+    assert_eq!(hertz(&radii(good), f64::MAX, f64::MIN_POSITIVE, 0.28), Err(Error::Overflow));
+}
