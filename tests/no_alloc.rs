@@ -1,0 +1,149 @@
+//! Nothing in the library allocates: an allocator that counts sees nothing.
+
+use kstrip::contact::Contact;
+use kstrip::creepage::Creepage;
+use kstrip::hertz::{Radii, hertz};
+use kstrip::material::{Material, combine};
+use kstrip::model::{Field, Model, Options, solve, solve_jacobian, strips};
+use kstrip::totals::StripCount;
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use std::hint::black_box;
+
+struct Counting;
+
+thread_local! {
+    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
+}
+
+// SAFETY: every call goes on to the system's allocator unchanged.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        let _ = ALLOCATIONS.try_with(|count| count.set(count.get() + 1));
+        unsafe { System.alloc(layout) }
+    }
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+fn allocations(work: impl FnOnce()) -> usize {
+    let before = ALLOCATIONS.with(Cell::get);
+    work();
+    ALLOCATIONS.with(Cell::get) - before
+}
+
+/// The counter counts.
+#[test]
+fn the_counter_sees_an_allocation() {
+    assert!(allocations(|| drop(black_box(vec![1_u8; 100]))) > 0);
+}
+
+macro_rules! everything {
+    ($float:ty) => {{
+        let steel = Material::<$float> { shear_modulus: 82e9, poisson_ratio: 0.28 };
+        let pair = combine(&steel, &steel).unwrap();
+        let radii = Radii {
+            lower_x: <$float>::INFINITY,
+            lower_y: 0.3,
+            upper_x: 0.46,
+            upper_y: <$float>::INFINITY,
+        };
+        let h = hertz(&radii, 80e3, pair.shear_modulus, pair.poisson_ratio).unwrap();
+        let contact = Contact {
+            a: h.a,
+            b: h.b,
+            normal_force: 80e3,
+            shear_modulus: pair.shear_modulus,
+            poisson_ratio: pair.poisson_ratio,
+            friction: 0.3,
+        };
+        // At rest, small, combined, sliding, |ψ| > 1 with adhesion, NaN
+        for (x, y, s) in [
+            (0.0, 0.0, 0.0),
+            (1e-4, 1e-4, 0.01),
+            (2e-3, -3e-3, 0.5),
+            (0.1, 0.1, 0.1),
+            (0.0, -5e-3, 1.5),
+            (1e-3, -8e-3, 3.0),
+            (<$float>::NAN, 0.0, 0.0),
+        ] {
+            let motion = Creepage { longitudinal: x, lateral: y, spin: s };
+            for model in [
+                Model::Strip1967,
+                Model::Strip1967Continuous,
+                Model::Strip,
+                Model::Total,
+                Model::Linear,
+            ] {
+                for count in [
+                    StripCount::Four,
+                    StripCount::Eight,
+                    StripCount::Sixteen,
+                    StripCount::ThirtyTwo,
+                    StripCount::SixtyFour,
+                ] {
+                    let options = Options { model, strips: count };
+                    let _ = black_box(solve(&contact, &motion, &options));
+                    let _ = black_box(solve_jacobian(&contact, &motion, &options));
+                    let _ = black_box(strips(&contact, &motion, &options, &mut |strip| {
+                        black_box(strip);
+                    }));
+                    if let Ok(field) = Field::new(&contact, &motion, &options) {
+                        for i in -12..=12 {
+                            for j in -12..=12 {
+                                let place = |i: i32, axis| axis * i as $float / 10.0;
+                                black_box(field.at(place(i, h.a), place(j, h.b)));
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }};
+}
+
+/// From materials to fields, both precisions, every model and count, good and bad inputs.
+#[test]
+fn nothing_allocates() {
+    assert_eq!(allocations(|| everything!(f64)), 0);
+    assert_eq!(allocations(|| everything!(f32)), 0);
+}
+
+/// The C functions neither.
+#[test]
+fn c_functions_do_not_allocate() {
+    use kstrip::ffi::double::{kstrip_solve, kstrip_solve_batch};
+    use kstrip::ffi::types::{kstrip_contact, kstrip_creepage, kstrip_result};
+    use std::mem::MaybeUninit;
+    let contact = kstrip_contact {
+        a: 6e-3,
+        b: 4e-3,
+        normal_force: 80e3,
+        shear_modulus: 82e9,
+        poisson_ratio: 0.28,
+        friction: 0.3,
+    };
+    let creepage = kstrip_creepage { longitudinal: 1e-3, lateral: -1e-3, spin: 0.3 };
+    let (contacts, creepages) = ([contact; 8], [creepage; 8]);
+    let mut results = [const { MaybeUninit::<kstrip_result>::uninit() }; 8];
+    let mut result = MaybeUninit::uninit();
+    let count = allocations(|| {
+        assert_eq!(kstrip_solve(Some(&contact), Some(&creepage), None, Some(&mut result)), 0);
+        // SAFETY: eight elements each.
+        let status = unsafe {
+            kstrip_solve_batch(
+                contacts.as_ptr(),
+                creepages.as_ptr(),
+                8,
+                None,
+                results.as_mut_ptr().cast(),
+            )
+        };
+        assert_eq!(status, 0);
+    });
+    assert_eq!(count, 0);
+}
