@@ -76,12 +76,27 @@ pub mod totals;
 
 /// A library without `std` needs a panic handler; nothing reaches it.
 ///
-/// It calls a function that exists nowhere in `link-proof` builds, so that the linker refuses any
-/// library in which a panic is left.
+/// Under `--cfg kstrip_link_proof` it calls a function that exists nowhere, so that the linker refuses
+/// any program in which a panic is left (`scripts/firmware.sh`).
 #[cfg(all(feature = "panic-handler", panic = "abort", not(test)))]
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo) -> ! {
+    #[cfg(kstrip_link_proof)]
+    link_proof::refuse();
     loop {
         core::hint::spin_loop();
+    }
+}
+
+#[cfg(kstrip_link_proof)]
+#[allow(unsafe_code)]
+mod link_proof {
+    unsafe extern "C" {
+        safe fn kstrip_a_panic_can_be_reached();
+    }
+
+    /// Calls what no library has.
+    pub(crate) fn refuse() {
+        kstrip_a_panic_can_be_reached();
     }
 }
