@@ -8,6 +8,7 @@ mod theory;
 use kstrip::contact::Contact;
 use kstrip::creepage::Creepage;
 use kstrip::model::{self, Options};
+use kstrip::totals::StripCount;
 use random::Random;
 use theory::{COUNTS, MODELS, contact, options};
 
@@ -28,20 +29,19 @@ fn slopes(c: &Contact<f64>, p: [f64; 3], o: &Options) -> [[f64; 3]; 3] {
     std::array::from_fn(|i| std::array::from_fn(|k| j[(i, k)] * columns[k] / rows[i]))
 }
 
-/// Central differences with h, h/2, h/4, extrapolated; and how far the two last extrapolations differ.
-fn differences(f: &dyn Fn(f64) -> [f64; 3], h: f64) -> ([f64; 3], f64) {
+/// Central differences with h, h/2, h/4, extrapolated; and how far the last two extrapolations differ:
+/// an error of the order h or h² betrays a kink within the stencil.
+fn differences(f: &dyn Fn(f64) -> [f64; 3], h: f64) -> ([f64; 3], [f64; 3]) {
     let central = |h: f64| {
         let (ahead, behind) = (f(h), f(-h));
         std::array::from_fn::<f64, 3, _>(|i| (ahead[i] - behind[i]) / (2.0 * h))
     };
     let (d1, d2, d4) = (central(h), central(h / 2.0), central(h / 4.0));
-    let mut result = [0.0; 3];
-    let mut doubt = 0.0_f64;
+    let (mut result, mut doubt) = ([0.0; 3], [0.0; 3]);
     for i in 0..3 {
         let (r1, r2) = ((4.0 * d2[i] - d1[i]) / 3.0, (4.0 * d4[i] - d2[i]) / 3.0);
         result[i] = (16.0 * r2 - r1) / 15.0;
-        // An error of the order h² or h betrays a kink within the stencil
-        doubt = doubt.max((r2 - r1).abs());
+        doubt[i] = (r2 - r1).abs();
     }
     (result, doubt)
 }
@@ -56,7 +56,16 @@ fn derivatives_are_those_of_the_computed_forces() {
     });
 }
 
-/// The same beyond unit spin.
+/// Beyond unit spin with lateral creepage along the spin: everything slides, about a moving strip.
+#[test]
+fn derivatives_of_full_sliding_beyond_unit_spin() {
+    check(600, 65, |random| {
+        let psi = random.sign() * random.between(1.001, 3.0);
+        [random.between(-0.8, 0.8), psi.signum() * random.between(0.01, 1.3), psi]
+    });
+}
+
+/// Beyond unit spin with lateral creepage against it, where some strips adhere.
 #[test]
 fn derivatives_beyond_unit_spin() {
     check(1_000, 62, |random| {
@@ -78,6 +87,7 @@ fn check(points: usize, seed: u64, next: impl Fn(&mut Random) -> [f64; 3]) {
     let mut random = Random::new(seed);
     let mut skipped = 0;
     let mut worst = 0.0_f64;
+    let mut wrong = Vec::new();
     for n in 0..points {
         let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
         let o = options(MODELS[n % 2], COUNTS[n / 2 % 5]);
@@ -92,11 +102,10 @@ fn check(points: usize, seed: u64, next: impl Fn(&mut Random) -> [f64; 3]) {
                 q[k] += t;
                 forces(&c, q, &o)
             };
-            let largest = size.iter().fold(0.0_f64, |m, &s| m.max(s));
             let Some(got) = [1e-3, 1e-4, 1e-5].into_iter().find_map(|h| {
                 let (got, doubt) = differences(&f, h);
                 // Rounding of the differences is 1e-16/h/4 ~ 1e-11 at the smallest
-                (doubt < 3e-8 * largest).then_some(got)
+                (0..3).all(|i| doubt[i] < 3e-8 * size[i]).then_some(got)
             }) else {
                 skipped += 1;
                 continue;
@@ -104,18 +113,26 @@ fn check(points: usize, seed: u64, next: impl Fn(&mut Random) -> [f64; 3]) {
             for i in 0..3 {
                 let error = (got[i] - exact[i][k]).abs() / size[i];
                 worst = worst.max(error);
-                assert!(
-                    error < 1e-7,
-                    "row {i}, column {k}: {:e} against {:e} at {p:?} {o:?} a/b {} ν {}",
-                    exact[i][k],
-                    got[i],
-                    c.a / c.b,
-                    c.poisson_ratio
-                );
+                if error >= 1e-7 || error.is_nan() {
+                    wrong.push(format!(
+                        "row {i}, column {k}: {:e} against {:e} at {p:?} {o:?} a/b {} ν {}",
+                        exact[i][k],
+                        got[i],
+                        c.a / c.b,
+                        c.poisson_ratio
+                    ));
+                }
             }
         }
     }
     println!("{skipped} of {} stencils skipped, worst {worst:e}", 3 * points);
+    let some = wrong.iter().take(6).cloned().collect::<Vec<_>>().join("\n");
+    assert!(
+        wrong.is_empty(),
+        "{} of {} entries, worst {worst:e}:\n{some}",
+        wrong.len(),
+        9 * points
+    );
     assert!(skipped * 50 < 3 * points, "{skipped} of {} stencils met a breakpoint", 3 * points);
 }
 
@@ -180,7 +197,11 @@ fn derivatives_at_rest_are_the_linear_slopes() {
                 {
                     let p = direction.map(|d| d * size);
                     let j = slopes(&c, p, &o);
-                    assert!((j[0][0] - 0.75 * PI).abs() < 1e-9, "{o:?} {p:?} {j:?}");
+                    // 32 strips cut the adhesion interval where ξ̄ = 0; the cut moves with ξ/ψ, and with it
+                    // the quadrature of the odd part p ∫ Y C dY
+                    let split = o.strips == StripCount::ThirtyTwo && p[2] != 0.0;
+                    let allowed = if split { 1e-5 } else { 1e-9 };
+                    assert!((j[0][0] - 0.75 * PI).abs() < allowed, "{o:?} {p:?} {j:?}");
                     assert!((j[1][1] - 0.75 * PI).abs() < 1e-9, "{o:?} {p:?} {j:?}");
                     assert!((j[1][2] - 1.0).abs() < 1e-9, "{o:?} {p:?} {j:?}");
                     assert!(j[0][1].abs() < 1e-9 && j[1][0].abs() < 1e-9, "{o:?} {p:?} {j:?}");

@@ -313,7 +313,7 @@ fn zero_creepage() {
     assert_all(&answers, [0.0, 0.0, 0.0, 1.0], 1e-15);
     assert!(answers.iter().all(|answer| answer[..3] == [0.0; 3]));
     let [fx, fy, stick] = everywhere_single(&WHEEL, &motion(0.0, -0.0, 0.0)).unwrap();
-    assert_eq!((fx, fy, stick), (0.0, 0.0, 1.0));
+    assert!(fx == 0.0 && fy == 0.0 && (stick - 1.0).abs() < 1e-6);
     let rest = motion(0.0, 0.0, 0.0);
     // Nothing slips anywhere
     let field = Field::new(&WHEEL, &rest, &options(Model::Strip1967, StripCount::Four)).unwrap();
