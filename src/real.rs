@@ -8,6 +8,7 @@
 //! So the trait is as small as the theory: arithmetic, comparison, one square root, and four
 //! elementary functions from libm that stay off the hot paths.
 
+mod cube_root;
 pub mod pairs;
 mod square_root;
 
@@ -262,5 +263,5 @@ plain!(
     libm::atanf,
     libm::logf,
     libm::asinhf,
-    libm::cbrtf
+    cube_root::of_f32
 );
