@@ -157,6 +157,7 @@ fn pure_creepage_has_its_closed_form() {
                     let s = model::solve(&c, &motion, &options(kind, count)).unwrap();
                     let along = (s.fx * dx + s.fy * dy) / bound(&c);
                     let across = (s.fx * dy - s.fy * dx) / bound(&c);
+                    assert!(along.is_finite());
                     worst[n] = worst[n].max((along - pure_creepage(tau)).abs());
                     assert!(across.abs() < 1e-14, "{count:?} {tau} {angle}: {across:e}");
                 }

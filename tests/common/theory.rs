@@ -72,7 +72,10 @@ pub fn solve(law: &Law, strips: StripCount) -> [f64; 4] {
     let s = kstrip::model::solve(&contact, &motion, &options(model, strips)).unwrap();
     let bound = contact.friction * contact.normal_force;
     let mean = (contact.a * contact.b).sqrt();
-    [s.fx / bound, s.fy / bound, s.mz / (bound * mean), s.adhesion]
+    let answer = [s.fx / bound, s.fy / bound, s.mz / (bound * mean), s.adhesion];
+    // Maxima of errors would pass over a NaN
+    assert!(answer.iter().all(|v| v.is_finite()), "{law:?} {strips:?}: {answer:?}");
+    answer
 }
 
 /// Parameters and sliding rule.
