@@ -114,8 +114,8 @@ fn hertz_angle_table_is_reproduced() {
         let h = solved([FLAT, FLAT, 1.0 / (1.0 - cosine), 1.0 / (1.0 + cosine)]);
         let unit = (3.0 * 80e3 * (1.0 - 0.28) / (4.0 * 82e9_f64)).cbrt();
         assert!((h.hertz_angle.to_degrees() - degrees).abs() < 1e-10);
-        // The table is of 1881 and known to be off by up to three units of its last digit (Cooper,
-        // International Journal of Mechanical Sciences 11 (1969) 831)
+        // The table is of 1881 and known to contain errors (D. H. Cooper, Journal of Applied
+        // Mechanics 36 (1969) 296): up to three units of its last digit
         assert!((h.a / unit - m).abs() < 3e-3, "{degrees}: m {}", h.a / unit);
         assert!((h.b / unit - n).abs() < 3e-3, "{degrees}: n {}", h.b / unit);
     }
