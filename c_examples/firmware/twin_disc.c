@@ -1,0 +1,220 @@
+/* The control loop of a twin-disc test rig at 1 kHz, on simulated sensors.
+ *
+ *      lower disc: driven, crowned       upper disc: braked, cylindrical
+ *
+ * Every millisecond the loop
+ *   1. reads normal load, both speeds and the traction force,
+ *   2. turns speeds into creepage and load into the contact ellipse,
+ *   3. computes force, adhesion and the force's derivatives for the present estimate of friction,
+ *   4. corrects that estimate by the difference to the measured traction,
+ *   5. says how much traction may be asked for before the contact slides.
+ *
+ * Friction is estimated with the model's own sensitivity. Force is F = mu N f(creepage/mu), so
+ *   dF/dmu = (F - sum_j dF/dcreepage_j creepage_j)/mu:
+ * zero while the contact sticks (no friction can be seen in a force that does not depend on it) and N in
+ * full sliding. The step is that of normalised least mean squares.
+ *
+ * The rig is simulated with the same library, a friction that changes (dry, oil, drying) and sensor noise:
+ * the program tests the loop and the arithmetic on the chip, not the theory.
+ *
+ * It prints a line every 50 ms, and with it the bits of what went into the library and what came out;
+ * twin_disc_check.c computes these again in double precision on a PC. Returns 0 if the estimate has
+ * found every friction within 3 %.
+ */
+#include <inttypes.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "kstrip.h"
+
+/* What the sensors deliver. */
+struct sensors {
+    float load;            /* N */
+    float lower_speed;     /* surface speeds, m/s */
+    float upper_speed;
+    float traction;        /* N, on the lower disc */
+};
+
+/* What the loop remembers and says. */
+struct controller {
+    kstrip_contact_f32 contact;    /* with the estimated friction */
+    kstrip_creepage_f32 creepage;
+    kstrip_result_f32 result;
+    float available;               /* N: traction left before the limit */
+    int32_t limited;               /* 1: reduce the torque */
+};
+
+static const kstrip_material_f32 steel = {82e9f, 0.28f};
+static kstrip_combined_material_f32 pair;
+/* Discs of 40 mm radius, the lower one crowned with 120 mm. 1e9 m is flat. */
+static const kstrip_radii_f32 radii = {0.040f, 0.120f, 0.040f, 1e9f};
+
+static const kstrip_options model = {KSTRIP_MODEL_STRIP, 8};
+
+#define GAIN 0.05f
+#define LIMIT 0.85f          /* share of mu N that the torque control may use */
+#define FRICTION_LOWEST 0.02f
+#define FRICTION_HIGHEST 0.80f
+
+/* One period of the loop; what the firmware of a real rig would contain. */
+static kstrip_status control(struct controller *self, const struct sensors *in)
+{
+    const kstrip_velocity_f32 lower = {-in->lower_speed, 0.0f, 0.0f};
+    const kstrip_velocity_f32 upper = {-in->upper_speed, 0.0f, 0.0f};
+    const float rolling_speed = 0.5f * (in->lower_speed + in->upper_speed);
+    kstrip_hertz_contact_f32 ellipse;
+    float jacobian[9];
+    float sensitivity, bound;
+    kstrip_status status;
+
+    status = kstrip_hertz_f32(&radii, in->load, &pair, &ellipse);
+    if (status < 0) {
+        return status;
+    }
+    self->contact.a = ellipse.a;
+    self->contact.b = ellipse.b;
+    self->contact.normal_force = in->load;
+    status = kstrip_creepage_from_velocities_f32(&lower, &upper, rolling_speed, &self->creepage);
+    if (status < 0) {
+        return status;
+    }
+    status = kstrip_solve_jacobian_f32(&self->contact, &self->creepage, &model, &self->result, jacobian);
+    if (status < 0) {
+        return status;
+    }
+
+    bound = self->contact.friction * in->load;
+    sensitivity = (self->result.fx - jacobian[0] * self->creepage.longitudinal) / self->contact.friction;
+    /* Below a fifth of its greatest value the sensitivity says more about the model than about friction. */
+    if (sensitivity > 0.2f * in->load || sensitivity < -0.2f * in->load) {
+        float mu = self->contact.friction
+                   + GAIN * sensitivity * (in->traction - self->result.fx) / (sensitivity * sensitivity);
+        mu = mu < FRICTION_LOWEST ? FRICTION_LOWEST : mu;
+        self->contact.friction = mu > FRICTION_HIGHEST ? FRICTION_HIGHEST : mu;
+    }
+    self->available = LIMIT * bound - (self->result.fx < 0.0f ? -self->result.fx : self->result.fx);
+    self->limited = self->available < 0.0f;
+    return status;
+}
+
+/* The simulated rig. */
+
+static uint32_t noise_state = 7;
+
+/* Between -1 and 1, the sum of four: nearly a bell. */
+static float noise(void)
+{
+    float sum = 0.0f;
+    int i;
+    for (i = 0; i < 4; ++i) {
+        noise_state = noise_state * 1664525u + 1013904223u;
+        sum += (float)(noise_state >> 16) * (1.0f / 65536.0f) - 0.5f;
+    }
+    return 0.5f * sum;
+}
+
+/* 0 to 1 to 0, with the given period in milliseconds. */
+static float triangle(int32_t ms, int32_t period)
+{
+    const int32_t phase = ms % period;
+    return (float)(2 * phase < period ? 2 * phase : 2 * (period - phase)) / (float)period;
+}
+
+#define PHASE 1500 /* ms */
+static const float frictions[] = {0.32f, 0.09f, 0.21f};
+#define PHASES ((int32_t)(sizeof frictions / sizeof frictions[0]))
+
+static kstrip_status rig(int32_t ms, struct sensors *out)
+{
+    const float creep = 0.012f * triangle(ms, 300);
+    const float load = 800.0f + 200.0f * triangle(ms, 700);
+    kstrip_hertz_contact_f32 ellipse;
+    kstrip_result_f32 truth;
+    kstrip_status status = kstrip_hertz_f32(&radii, load, &pair, &ellipse);
+    if (status >= 0) {
+        const kstrip_contact_f32 contact = {ellipse.a, ellipse.b, load, pair.shear_modulus,
+                                            pair.poisson_ratio, frictions[ms / PHASE]};
+        const kstrip_creepage_f32 creepage = {creep, 0.0f, 0.0f};
+        const kstrip_options fine = {KSTRIP_MODEL_STRIP, 16};
+        status = kstrip_solve_f32(&contact, &creepage, &fine, &truth);
+    }
+    if (status < 0) {
+        return status;
+    }
+    out->load = load * (1.0f + 0.005f * noise());
+    out->lower_speed = 5.0f * (1.0f + 0.5f * creep) + 1e-4f * noise();
+    out->upper_speed = 5.0f * (1.0f - 0.5f * creep) + 1e-4f * noise();
+    out->traction = truth.fx * (1.0f + 0.01f * noise()) + 0.5f * noise();
+    return status;
+}
+
+static uint32_t bits(float x)
+{
+    uint32_t word;
+    memcpy(&word, &x, sizeof word);
+    return word;
+}
+
+/* Rounded to an integer, in units of 1/scale. */
+static int32_t scaled(float x, float scale)
+{
+    x *= scale;
+    return (int32_t)(x < 0.0f ? x - 0.5f : x + 0.5f);
+}
+
+int main(void)
+{
+    struct controller loop;
+    int32_t ms, missed = 0, limited = 0;
+
+    memset(&loop, 0, sizeof loop);
+    if (kstrip_material_combine_f32(&steel, &steel, &pair) != KSTRIP_OK) {
+        return 2;
+    }
+    loop.contact.shear_modulus = pair.shear_modulus;
+    loop.contact.poisson_ratio = pair.poisson_ratio;
+    loop.contact.friction = 0.15f;
+
+    printf("# ms load[N] creepage[1e-6] measured[mN] predicted[mN] stick[1e-3] friction[1e-3] available[mN] limited"
+           " | a b N G nu mu longitudinal lateral spin | fx fy mz adhesion\n");
+    for (ms = 0; ms < PHASE * PHASES; ++ms) {
+        struct sensors now;
+        float before = loop.contact.friction;
+        kstrip_status status = rig(ms, &now);
+        if (status >= 0) {
+            status = control(&loop, &now);
+        }
+        if (status < 0) {
+            printf("error at %" PRId32 " ms: %s\n", ms, kstrip_status_string(status));
+            return 2;
+        }
+        limited += loop.limited;
+        if (ms % 50 == 49) {
+            const kstrip_contact_f32 *c = &loop.contact;
+            const kstrip_creepage_f32 *k = &loop.creepage;
+            const kstrip_result_f32 *r = &loop.result;
+            printf("%" PRId32 " %" PRId32 " %" PRId32 " %" PRId32 " %" PRId32 " %" PRId32 " %" PRId32
+                   " %" PRId32 " %" PRId32, ms, scaled(now.load, 1.0f), scaled(k->longitudinal, 1e6f),
+                   scaled(now.traction, 1e3f), scaled(r->fx, 1e3f), scaled(r->adhesion, 1e3f),
+                   scaled(c->friction, 1e3f), scaled(loop.available, 1e3f), loop.limited);
+            printf(" | %08" PRIx32 " %08" PRIx32 " %08" PRIx32 " %08" PRIx32 " %08" PRIx32 " %08" PRIx32
+                   " %08" PRIx32 " %08" PRIx32 " %08" PRIx32, bits(c->a), bits(c->b), bits(c->normal_force),
+                   bits(c->shear_modulus), bits(c->poisson_ratio), bits(before), bits(k->longitudinal),
+                   bits(k->lateral), bits(k->spin));
+            printf(" | %08" PRIx32 " %08" PRIx32 " %08" PRIx32 " %08" PRIx32 "\n", bits(r->fx), bits(r->fy),
+                   bits(r->mz), bits(r->adhesion));
+        }
+        if (ms % PHASE == PHASE - 1) {
+            const float truth = frictions[ms / PHASE];
+            const float error = loop.contact.friction / truth - 1.0f;
+            printf("# friction %" PRId32 "e-3, estimated %" PRId32 "e-3\n", scaled(truth, 1e3f),
+                   scaled(loop.contact.friction, 1e3f));
+            if (!(error > -0.03f && error < 0.03f)) {
+                ++missed;
+            }
+        }
+    }
+    printf("# limited in %" PRId32 " of %" PRId32 " ms\n", limited, PHASE * PHASES);
+    return missed == 0 ? 0 : 1;
+}
