@@ -1,0 +1,294 @@
+#!/bin/sh
+# Builds the library for microcontrollers, runs the firmware examples on simulated boards, measures.
+#
+#     scripts/firmware.sh           everything; writes the measured part of docs/embedded.md
+#     scripts/firmware.sh quick     builds, runs self-test and twin disc on both boards
+#
+# Exit status: 0 all is well, 1 something failed, 77 a tool is missing (a line with SKIPPED says which).
+#
+# The library is built with the rustup target thumbv7em-none-eabihf if it is there (or can be added), else
+# with Debian's compiler and its copy of the standard library's sources (rustc-web, rust-web-src), which
+# builds `core` on the spot. Which of the two it was is printed.
+set -eu
+
+mode=${1:-all}
+root=$(cd "$(dirname "$0")/.." && pwd)
+cd "$root"
+target_dir=${CARGO_TARGET_DIR:-$root/target}
+case $target_dir in /*) ;; *) target_dir=$root/$target_dir ;; esac
+export CARGO_TARGET_DIR="$target_dir"
+out=$target_dir/firmware
+mkdir -p "$out"
+source=c_examples/firmware
+triple=thumbv7em-none-eabihf
+cases=10000
+[ "$mode" = quick ] && cases=2000
+
+say() { printf '%s\n' "$*"; }
+fail() { say "FAILED: $*"; exit 1; }
+# What is wrong but does not stop the measurements.
+failures=0
+miss() { say "FAILED: $*"; failures=$((failures + 1)); }
+skip() { say "SKIPPED: $*"; exit 77; }
+has() { command -v "$1" >/dev/null 2>&1; }
+
+# ---------------------------------------------------------------- tools
+
+packages="gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm"
+if [ "$mode" = all ] && ! { has arm-none-eabi-gcc && has qemu-system-arm; } && has apt-get && [ "$(id -u)" = 0 ]; then
+    say "installing $packages"
+    apt-get install -y $packages >"$out/apt.log" 2>&1 || say "apt-get failed, see $out/apt.log"
+fi
+has arm-none-eabi-gcc || skip "no arm-none-eabi-gcc: apt-get install $packages"
+has qemu-system-arm || skip "no qemu-system-arm: apt-get install $packages"
+has cc || skip "no C compiler for this machine (cc)"
+has cargo || skip "no cargo"
+say 'int main(void) { return 0; }' >"$out/empty.c"
+arm-none-eabi-gcc --specs=nano.specs --specs=rdimon.specs "$out/empty.c" -o "$out/empty.elf" 2>/dev/null \
+    || skip "no newlib for arm-none-eabi: apt-get install libnewlib-arm-none-eabi"
+
+# ---------------------------------------------------------------- the library
+
+way=
+if has rustup; then
+    if [ -d "$(rustc --print sysroot)/lib/rustlib/$triple" ]; then
+        way=rustup
+    elif [ "$mode" = all ] && timeout 120 rustup target add $triple >"$out/rustup.log" 2>&1; then
+        way=rustup
+    fi
+fi
+debian_rustc=/usr/bin/rustc
+if [ -z "$way" ]; then
+    if [ "$mode" = all ] && [ ! -d "$($debian_rustc --print sysroot 2>/dev/null)/lib/rustlib/src/rust/library/core" ] \
+        && has apt-get && [ "$(id -u)" = 0 ]; then
+        say "installing rustc-web rust-web-src"
+        apt-get install -y rustc-web rust-web-src >"$out/apt-rust.log" 2>&1 || say "apt-get failed, see $out/apt-rust.log"
+    fi
+    if [ -x $debian_rustc ] && [ -d "$($debian_rustc --print sysroot)/lib/rustlib/src/rust/library/core" ]; then
+        # The package asks for 1.89: edition 2024, and what its dependencies need.
+        minor=$($debian_rustc --version | sed 's/^rustc 1\.\([0-9]*\)\..*/\1/')
+        [ "$minor" -ge 89 ] || skip "$debian_rustc is 1.$minor, older than 1.89"
+        way=debian
+    fi
+fi
+case $way in
+rustup) compiler=$(rustc --version) ;;
+debian) compiler="$($debian_rustc --version), core built from its sources" ;;
+*) skip "no Rust for $triple: rustup target add $triple, or apt-get install rustc-web rust-web-src" ;;
+esac
+say "compiler: $compiler"
+
+# build <name> <RUSTFLAGS> <further arguments of cargo rustc>: $out/<name>.a
+build() {
+    name=$1 flags=$2
+    shift 2
+    if [ $way = rustup ]; then
+        RUSTFLAGS="$flags" cargo rustc --release --lib --crate-type staticlib --target $triple \
+            --features panic-handler "$@" >"$out/$name.log" 2>&1
+    else
+        RUSTFLAGS="$flags" RUSTC_BOOTSTRAP=1 RUSTC=$debian_rustc cargo rustc --release --lib \
+            --crate-type staticlib -Z build-std=core --target $triple --features panic-handler "$@" \
+            >"$out/$name.log" 2>&1
+    fi || { tail -n 30 "$out/$name.log"; fail "build of $name"; }
+    cp "$target_dir/$triple/release/libkstrip.a" "$out/$name.a"
+}
+
+# The version for this machine, to compare with.
+build_host() {
+    cargo rustc --release --lib --crate-type staticlib --features panic-handler >"$out/host.log" 2>&1 \
+        || { tail -n 30 "$out/host.log"; fail "build of the library for this machine"; }
+    cp "$target_dir/release/libkstrip.a" "$out/host.a"
+}
+
+# ---------------------------------------------------------------- compile, link, run
+
+c_flags="-std=c99 -Wall -Wextra -Wpedantic -Werror -O2 -ffp-contract=off -Iinclude -DCASES=${cases}u"
+m4="-mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mthumb -mfloat-abi=hard"
+m7="-mcpu=cortex-m7 -mfpu=fpv5-d16 -mthumb -mfloat-abi=hard"
+
+# firmware <program> <core flags> <library> <elf>
+# libm and libgcc stand before the library: its own weak copies of their functions stay out.
+firmware() {
+    arm-none-eabi-gcc $2 $c_flags --specs=nano.specs --specs=rdimon.specs -nostartfiles \
+        -T $source/link.ld -Wl,--gc-sections -Wl,--no-warn-execstack -Wl,--no-warn-rwx-segments \
+        $source/startup.c "$source/$1.c" -lm -lgcc "$3" -o "$4" >"$4.log" 2>&1 \
+        || { cat "$4.log"; fail "$1 for $2"; }
+}
+
+# run <board> <elf> <output>
+run() {
+    timeout 550 qemu-system-arm -M "$1" -nographic -monitor none -serial none \
+        -semihosting-config enable=on,target=native -icount shift=7 -kernel "$2" </dev/null >"$3" 2>"$3.err" \
+        || { status=$?; tail -n 5 "$3" "$3.err"; fail "$2 on $1 ended with status $status"; }
+}
+
+# host <program> <flags>: $out/<program>.host
+host() {
+    program=$1
+    shift
+    cc $c_flags "$@" "$source/$program.c" "$out/host.a" -lm -o "$out/$program.host"
+}
+
+# link <name> <library> <symbols>: only these functions and what they need, no C library
+link() {
+    name=$1 library=$2
+    shift 2
+    roots=
+    for symbol in "$@"; do roots="$roots -Wl,-u,$symbol"; done
+    arm-none-eabi-gcc $m4 -nostdlib -nostartfiles -Wl,--gc-sections -Wl,-e,"$1" -Wl,-Ttext=0 $roots \
+        -Wl,-Map="$out/$name.map" "$library" -lgcc -o "$out/$name.elf" >"$out/$name.link.log" 2>&1
+}
+
+exports() { arm-none-eabi-nm "$1" 2>/dev/null | sed -n 's/^[0-9a-f]* T \(kstrip_[a-z0-9_]*\)$/\1/p' | sort -u; }
+
+say "building for $triple and for this machine (the first time this takes minutes)"
+build m4f ""
+build_host
+
+say "self-test, $cases cases"
+host selftest -DCOMPARE_WITH_DOUBLE
+"$out/selftest.host" >"$out/selftest.host.txt" 2>"$out/selftest.double.txt" \
+    || { cat "$out/selftest.double.txt"; fail "single against double precision on this machine"; }
+cat "$out/selftest.double.txt"
+host twin_disc_check
+for board in mps2-an386 mps2-an500; do
+    if [ $board = mps2-an386 ]; then core=$m4; else core=$m7; fi
+    firmware selftest "$core" "$out/m4f.a" "$out/selftest.$board.elf"
+    run $board "$out/selftest.$board.elf" "$out/selftest.$board.txt"
+    cmp "$out/selftest.$board.txt" "$out/selftest.host.txt" || fail "$board and this machine differ in some bit"
+    say "$board: self-test bit for bit as on this machine"
+    firmware twin_disc "$core" "$out/m4f.a" "$out/twin_disc.$board.elf"
+    run $board "$out/twin_disc.$board.elf" "$out/twin_disc.$board.txt"
+    printf '%s: ' $board
+    "$out/twin_disc_check.host" <"$out/twin_disc.$board.txt" || fail "trace of twin_disc on $board"
+done
+
+if [ "$mode" = quick ]; then
+    say "firmware: all checks passed"
+    exit 0
+fi
+
+# ---------------------------------------------------------------- proofs by the linker
+
+# No panic: the panic handler calls a function that exists nowhere, every exported function is a root, and
+# the link succeeds only if nothing can reach the handler. Nor is there an allocator to link.
+prove() {
+    name=$1 archive=$2
+    shift 2
+    link "$name" "$archive" "$@" && return 0
+    grep -q kstrip_a_panic_can_be_reached "$out/$name.link.log" || cat "$out/$name.link.log"
+    return 1
+}
+
+build proof "" -- --cfg kstrip_link_proof
+symbols=$(exports "$out/proof.a")
+count=$(say "$symbols" | wc -l)
+if prove proof "$out/proof.a" $symbols; then
+    proof="linked: all $count exported functions without panic and without allocator"
+else
+    proof="NOT linked: a panic can be reached"
+    miss "a panic can be reached"
+fi
+say "proof: $proof"
+
+# The negative control: the same sources and one function more that indexes an array. It must not link.
+planted=$out/planted
+rm -rf "$planted"
+mkdir -p "$planted"
+cp -r src Cargo.toml Cargo.lock "$planted/"
+[ -f README.md ] && cp README.md "$planted/"
+# Cargo wants the targets that it finds named; there are none here but the library.
+cat >>"$planted/src/ffi/mod.rs" <<'RUST'
+
+/// Panics for an index of 3 or more.
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_planted(index: usize) -> i32 {
+    [1, 2, 3][index]
+}
+RUST
+(cd "$planted" && build planted "" -- --cfg kstrip_link_proof)
+if prove planted "$out/planted.a" kstrip_planted; then
+    control="FAILED: a planted panic links too"
+    miss "the proof accepts a planted panic"
+elif grep -q kstrip_a_panic_can_be_reached "$out/planted.link.log"; then
+    control="a planted array index does not link, as it must not"
+else
+    control="FAILED: the planted panic fails to link for another reason"
+    miss "$control"
+fi
+say "negative control: $control"
+
+# No hidden double precision in what is f32.
+single=$(say "$symbols" | grep '_f32$')
+link single "$out/m4f.a" $single || fail "link of the single-precision functions"
+leaks=$(arm-none-eabi-objdump -d "$out/single.elf" | awk '/^[0-9a-f]+ </ { f = $2 }
+    /<__aeabi_(d[a-z0-9]*|f2d|i2d|ui2d)>$/ { if (f !~ /__aeabi/) print f, $NF }' | sort | uniq -c)
+if [ -n "$leaks" ]; then
+    doubles=$(say "$leaks" | sed 's/^ *\([0-9]*\) <\(.*\)>: <\(.*\)>$/\1 x \3 in `\2`/' | tr '\n' ';' | sed 's/;$//; s/;/; /g')
+    miss "double precision in the single-precision functions: $doubles"
+else
+    doubles="none in the $(say "$single" | wc -l) functions"
+fi
+say "double precision in f32: $doubles"
+
+# ---------------------------------------------------------------- size and stack, from the linked program
+
+arm-none-eabi-objdump -d "$out/single.elf" | awk -f scripts/stack_bound.awk | sort -rn >"$out/stack.txt"
+
+# text+rodata, data+bss of what the linker takes from the library for these functions
+size_of() {
+    arm-none-eabi-size -A "$out/$1.elf" | awk '
+        $1 ~ /^\.(text|rodata|ARM)/ { t += $2 } $1 ~ /^\.(data|bss)/ { d += $2 } END { print t + 0, d + 0 }'
+}
+sizes=$out/sizes.txt
+: >"$sizes"
+for set in total linear strip_1967 strip; do
+    link $set "$out/m4f.a" kstrip_solve_${set}_f32 || fail "link of $set"
+    say "$set $(size_of $set)" >>"$sizes"
+    # What is not called is not linked.
+    case $set in
+    total) forbidden='StripTheory|RollingStrips' ;;
+    linear) forbidden='StripTheory|RollingStrips|5total5total' ;;
+    strip_1967) forbidden='RollingStrips|5total5total' ;;
+    strip) forbidden='StripTheory|5total5total' ;;
+    esac
+    if arm-none-eabi-nm "$out/$set.elf" | grep -E "$forbidden" >"$out/$set.foreign"; then
+        miss "kstrip_solve_${set}_f32 links another model: $(head -n 1 "$out/$set.foreign")"
+    fi
+done
+link solve "$out/m4f.a" kstrip_solve_f32 || fail "link of kstrip_solve_f32"
+say "solve $(size_of solve)" >>"$sizes"
+say "all $(size_of single)" >>"$sizes"
+cat "$sizes"
+
+# ---------------------------------------------------------------- instructions and stack
+
+say "counting instructions and stack, $cases cases for each call"
+firmware budget "$m4" "$out/m4f.a" "$out/budget.elf"
+run mps2-an386 "$out/budget.elf" "$out/budget.txt"
+cat "$out/budget.txt"
+
+# Cortex-M7, compiled for it: the same bits again
+build m7 "-C target-cpu=cortex-m7"
+firmware selftest "$m7" "$out/m7.a" "$out/selftest.m7.elf"
+run mps2-an500 "$out/selftest.m7.elf" "$out/selftest.m7.txt"
+if cmp "$out/selftest.m7.txt" "$out/selftest.host.txt"; then
+    m7_bits="the same bits"
+else
+    m7_bits="DIFFERENT bits"
+    miss "Cortex-M7 build differs"
+fi
+say "compiled for Cortex-M7: $m7_bits"
+
+. scripts/firmware_table.sh >"$out/table.md"
+# Between the two marks of docs/embedded.md
+if [ -f docs/embedded.md ]; then
+    awk -v table="$out/table.md" '
+        /<!-- measured: begin -->/ { print; while ((getline line < table) > 0) print line; inside = 1 }
+        /<!-- measured: end -->/ { inside = 0 }
+        !inside && !/<!-- measured: begin -->/ { print }' docs/embedded.md >"$out/embedded.md"
+    cp "$out/embedded.md" docs/embedded.md
+    say "docs/embedded.md rewritten"
+fi
+[ $failures = 0 ] || { say "firmware: $failures checks failed"; exit 1; }
+say "firmware: all checks passed"

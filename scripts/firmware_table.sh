@@ -1,0 +1,92 @@
+# Prints the measured part of docs/embedded.md; sourced by firmware.sh, whose variables it uses.
+
+# figure <call> <column of budget.txt>
+figure() { awk -v c="$1" -v n="$2" '$1 == c { print $n }' "$out/budget.txt"; }
+size() { awk -v c="$1" -v n="$2" '$1 == c { print $n }' "$sizes"; }
+verdict() { awk -v value="$1" -v budget="$2" 'BEGIN { print value <= budget ? "kept" : "missed" }'; }
+quotient() { awk -v a="$1" -v b="$2" 'BEGIN { printf "%.2f", a / b }'; }
+
+row() {
+    say "| $1 | $2 | $3 | $(verdict "$2" "$3") |"
+}
+
+say
+say "Compiler: $compiler. $(arm-none-eabi-gcc --version | head -n 1). $(qemu-system-arm --version | head -n 1)."
+say "Library sources at $(git rev-parse --short HEAD 2>/dev/null || say unknown)$(git diff --quiet HEAD -- src 2>/dev/null || say ' with changes')."
+say
+say "### Budgets on a Cortex-M4F"
+say
+say "Instructions are medians over $cases inputs (\`cases.h\`), flash is the library's part of a program."
+say
+say "| what | measured | budget | |"
+say "|---|---:|---:|---|"
+row "\`kstrip_solve_f32\`, STRIP_1967, 8 strips [instructions]" "$(figure solve.STRIP_1967.8 3)" 2500
+row "\`kstrip_solve_f32\`, STRIP_1967, 16 strips [instructions]" "$(figure solve.STRIP_1967.16 3)" 4500
+row "\`kstrip_solve_f32\`, TOTAL [instructions]" "$(figure solve.TOTAL 3)" 6000
+row "\`kstrip_solve_f32\`, LINEAR [instructions]" "$(figure solve.LINEAR 3)" 400
+row "\`kstrip_solve_linear_f32\` [instructions]" "$(figure solve_linear 3)" 400
+for m in STRIP_1967.8 STRIP_1967.16 STRIP.8 STRIP.16 TOTAL LINEAR; do
+    row "Jacobian over forces, $m [times]" "$(quotient "$(figure jacobian.$m 3)" "$(figure solve.$m 3)")" 2.5
+done
+for m in STRIP_1967.8 STRIP_1967.16 STRIP.8 STRIP.16 TOTAL LINEAR; do
+    row "most over median, \`kstrip_solve_f32\`, $m [times]" "$(quotient "$(figure solve.$m 4)" "$(figure solve.$m 3)")" 1.5
+done
+for m in STRIP_1967.8 STRIP_1967.16; do
+    row "the same for |psi| < 1, $m [times]" "$(quotient "$(figure solve.$m 6)" "$(figure solve.$m 3)")" 1.5
+done
+for m in STRIP_1967.8 STRIP_1967.16 STRIP.8 STRIP.16 TOTAL LINEAR; do
+    row "stack of \`kstrip_solve_f32\`, $m [bytes]" "$(figure solve.$m 5)" 1024
+done
+row "deepest painted stack of any call [bytes]" "$(awk '!/^#/ && $5 > m { m = $5 } END { print m }' "$out/budget.txt")" 1024
+row "deepest possible stack of any call [bytes]" "$(awk '$1 > m { m = $1 } END { print m }' "$out/stack.txt")" 1024
+row "flash, only \`kstrip_solve_total_f32\` [bytes]" "$(size total 2)" 12288
+row "flash, only \`kstrip_solve_strip_1967_f32\` [bytes]" "$(size strip_1967 2)" 8192
+row "flash, everything f32 [bytes]" "$(size all 2)" 32768
+row "RAM, data and bss, everything f32 [bytes]" "$(size all 3)" 0
+say
+say "Flash without a budget: only \`kstrip_solve_linear_f32\` $(size linear 2), only \`kstrip_solve_strip_f32\` $(size strip 2), only \`kstrip_solve_f32\` (every model) $(size solve 2) bytes."
+say
+say "### Every call"
+say
+say "| call | fewest | median | most | most in range | most/median | stack [bytes] |"
+say "|---|---:|---:|---:|---:|---:|---:|"
+awk '!/^#/ { printf "| %s | %d | %d | %d | %d | %.2f | %d |\n", $1, $2, $3, $4, $6, $4 / $3, $5 }' "$out/budget.txt"
+say
+say "*Most in range* leaves out the inputs that a model answers with a warning (for STRIP_1967: |psi| >= 1)."
+say
+say "### Stack, bounded"
+say
+say "The deepest path through the calls of each function, from the disassembly (\`scripts/stack_bound.awk\`): for any model, any strip count, any input. A question mark: a call through a pointer, to the function's own closure, is not followed."
+say
+say "| function | bytes | budget 1024 |"
+say "|---|---:|---|"
+awk '{ printf "| `%s` | %d%s | %s |\n", $2, $1, $3 == "" ? "" : " ?", $1 <= 1024 ? "kept" : "missed" }' "$out/stack.txt"
+say
+say "### What one function brings along"
+say
+say "From the link maps of programs that call one function; functions of 400 bytes and more."
+say
+for set in total strip_1967 linear; do
+    say "\`kstrip_solve_${set}_f32\`, $(size $set 2) bytes:"
+    say
+    say '```'
+    arm-none-eabi-nm -S --size-sort -r "$out/$set.elf" | awk '
+        { size = $2; n = 0; for (i = 1; i <= 8; ++i) n = n * 16 + index("0123456789abcdef", substr(size, i, 1)) - 1
+          name = $4; gsub(/_RI?N[A-Za-z]*s?[0-9]*_?[A-Za-z]*Cs[0-9A-Za-z]*_6kstrip/, "", name)
+          if (n >= 400 && n < 1000000) printf "%6d %s\n", n, substr(name, 1, 70) }'
+    say '```'
+    say
+done
+say "### Proofs"
+say
+say "* No panic, no allocation: $proof. Negative control: $control."
+say "* Double precision in single-precision functions: $doubles."
+say "* Self-test, $cases inputs, five models, mps2-an386 and mps2-an500: bit for bit the results of this machine; compiled for Cortex-M7: $m7_bits."
+say "* Twin disc: $("$out/twin_disc_check.host" <"$out/twin_disc.mps2-an386.txt")."
+say
+say "Single against double precision on the same inputs, in units of mu N (moment: mu N sqrt(a b)):"
+say
+say '```'
+cat "$out/selftest.double.txt"
+say '```'
+say
