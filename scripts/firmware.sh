@@ -278,6 +278,15 @@ else
     m7_bits="DIFFERENT bits"
     miss "Cortex-M7 build differs"
 fi
+# Double precision on its unit: the same comparison as on this machine must print the same report.
+c_flags="$c_flags -DCOMPARE_WITH_DOUBLE"
+firmware selftest "$m7 -u _printf_float" "$out/m7.a" "$out/selftest.m7.double.elf"
+run mps2-an500 "$out/selftest.m7.double.elf" "$out/selftest.m7.double.txt"
+if cmp "$out/selftest.m7.double.txt.err" "$out/selftest.double.txt"; then
+    m7_bits="$m7_bits, and in double precision the same report as below"
+else
+    miss "double precision on Cortex-M7 differs: $(head -n 3 "$out/selftest.m7.double.txt.err")"
+fi
 say "compiled for Cortex-M7: $m7_bits"
 
 . scripts/firmware_table.sh >"$out/table.md"

@@ -70,10 +70,10 @@ for set in total strip_1967 linear; do
     say "\`kstrip_solve_${set}_f32\`, $(size $set 2) bytes:"
     say
     say '```'
-    arm-none-eabi-nm -S --size-sort -r "$out/$set.elf" | awk '
-        { size = $2; n = 0; for (i = 1; i <= 8; ++i) n = n * 16 + index("0123456789abcdef", substr(size, i, 1)) - 1
-          name = $4; gsub(/_RI?N[A-Za-z]*s?[0-9]*_?[A-Za-z]*Cs[0-9A-Za-z]*_6kstrip/, "", name)
-          if (n >= 400 && n < 1000000) printf "%6d %s\n", n, substr(name, 1, 70) }'
+    arm-none-eabi-nm -C -S --size-sort -r "$out/$set.elf" | awk '
+        { n = 0; for (i = 1; i <= 8; ++i) n = n * 16 + index("0123456789abcdef", substr($2, i, 1)) - 1
+          name = $0; sub(/^[0-9a-f]+ [0-9a-f]+ . /, "", name)
+          if (n >= 400 && n < 1000000) printf "%6d %s\n", n, substr(name, 1, 90) }'
     say '```'
     say
 done
