@@ -24,8 +24,8 @@ pub struct Contact<F> {
 impl<F: Float> Contact<F> {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::SemiAxis`], [`Error::NormalForce`], [`Error::Modulus`],
-    /// [`Error::PoissonRatio`], [`Error::Friction`]; [`Error::Overflow`] when `a/b`, `b/a` or `μ N`
-    /// does not fit the floating-point type.
+    /// [`Error::PoissonRatio`], [`Error::Friction`]; [`Error::Overflow`] when `a/b`, `b/a`, `μ N`
+    /// or the pressure does not fit the floating-point type.
     pub fn check(&self) -> Result<(), Error> {
         let inputs = [self.a, self.b, self.normal_force, self.friction];
         if !inputs.iter().all(|input| input.is_finite_number()) {
@@ -42,7 +42,14 @@ impl<F: Float> Contact<F> {
         if self.friction < F::zero() {
             return Err(Error::Friction);
         }
-        let ratios = [self.a / self.b, self.b / self.a, self.friction_bound()];
+        let traction = self.friction * self.peak_pressure();
+        let ratios = [
+            self.a / self.b,
+            self.b / self.a,
+            self.friction_bound(),
+            self.peak_pressure(),
+            traction,
+        ];
         if !ratios.iter().all(|ratio| ratio.is_finite_number()) {
             return Err(Error::Overflow);
         }

@@ -229,7 +229,22 @@ impl<T: Real> StripFamily<T> {
         if !T::HAS_DERIVATIVES {
             return lifted;
         }
-        self.tangent(lifted.y)
+        let plain = self.plain();
+        let xi_bar = plain.xi_bar(end.y);
+        let q = (T::Base::one() - plain.psi) * (T::Base::one() + plain.psi);
+        let eta_squared = plain.eta * plain.eta;
+        if eta_squared + q * xi_bar * xi_bar <= eta_squared.times(1e-10) && q < T::Base::zero() {
+            // Beyond |ψ| = 1 the interval may end where S = 0, at ξ̄ = ±|η|/√(ψ² − 1).
+            let q = (T::one() - self.psi) * (T::one() + self.psi);
+            let edge = self.eta.abs() / (-q).sqrt();
+            let edge = if xi_bar < T::Base::zero() { -edge } else { edge };
+            let y = (self.xi - edge) / self.slope;
+            let c = ((T::one() - y) * (T::one() + y)).max(T::zero()).sqrt();
+            return EdgePoint { y, c }.with_value(lifted);
+        }
+        // The error of the derivatives is that of the point where they are taken: once more.
+        let closer = plain.tangent(end.y).meets_edge(side).unwrap_or(end);
+        self.tangent(T::from_base(closer.y))
             .meets_edge(side)
             .filter(|point| (point.y - lifted.y).abs() <= T::constant(1e-3))
             .map_or(lifted, |point| point.with_value(lifted))
@@ -427,8 +442,16 @@ impl<T: Real> StripFamily<T> {
         for k in 1..=SAMPLES {
             let t1 = if k == SAMPLES { last } else { first + step.times(k as f64) };
             let v1 = plain.excess_length(t1);
-            // A hidden rise between two samples below zero
-            let peak = if v0 <= zero && v1 <= zero { plain.hidden_rise(t0, t1) } else { None };
+            // A rise hidden between two samples below zero, or a fall between two above
+            let peak = if (v0 <= zero) == (v1 <= zero) {
+                plain.hidden_crossing(
+                    t0,
+                    t1,
+                    if v0 <= zero { T::Base::one() } else { -T::Base::one() },
+                )
+            } else {
+                None
+            };
             for t in peak.into_iter().chain([t1]) {
                 let v = plain.excess_length(t);
                 if (v > zero) != start.is_some() {
@@ -489,19 +512,20 @@ impl<F: Float> StripFamily<F> {
             .map_or(-F::one(), |limit| point.c - limit)
     }
 
-    /// The top of a hump between two samples, if it rises above zero (golden section).
-    fn hidden_rise(&self, mut low: F, mut high: F) -> Option<F> {
+    /// Where the excess times `sign`, not positive at both ends, becomes positive in between (golden
+    /// section).
+    fn hidden_crossing(&self, mut low: F, mut high: F, sign: F) -> Option<F> {
         const GOLDEN: f64 = 0.618_033_988_749_895;
+        let excess = |t: F| self.excess_length(t) * sign;
         let probe = (high - low).times(1e-3);
-        let rises_inward = self.excess_length(low + probe) > self.excess_length(low)
-            && self.excess_length(high - probe) > self.excess_length(high);
+        let rises_inward = excess(low + probe) > excess(low) && excess(high - probe) > excess(high);
         if !rises_inward {
             return None;
         }
         for _ in 0..PEAK_STEPS {
             let span = (high - low).times(GOLDEN);
             let (left, right) = (high - span, low + span);
-            let (at_left, at_right) = (self.excess_length(left), self.excess_length(right));
+            let (at_left, at_right) = (excess(left), excess(right));
             if at_left > F::zero() {
                 return Some(left);
             }

@@ -189,6 +189,10 @@ impl<'a, F: Precision> Problem<'a, F> {
 
     fn notice(&self, psi: F) -> Notice {
         let ratio = self.contact.a / self.contact.b;
+        if self.contact.friction_bound() <= F::zero() {
+            // Nothing to carry: zero forces are right in every model with a friction bound.
+            return Notice::None;
+        }
         match self.options.model {
             Model::Strip1967 | Model::Strip1967Continuous if psi.abs() >= F::one() => {
                 Notice::SpinBeyondTheory

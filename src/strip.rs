@@ -205,8 +205,8 @@ impl<T: Real> Strip<T> {
         if !(kappa < half_length) {
             return None;
         }
-        if let Some(limit) = bounded_half_length(xi_bar, eta, psi)
-            && half_length > limit
+        if let Some(limit) = bounded_half_length(x, e, psi)
+            && !(half_length <= limit.scale(size))
         {
             return None;
         }

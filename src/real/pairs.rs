@@ -137,7 +137,7 @@ mod sse2 {
     use super::F64Pair;
     use crate::real::{Arithmetic, Pair};
     use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
-    use wide::f64x2;
+    use wide::{f32x4, f64x2};
 
     operators!([] F64Pair: |a, b|
         F64Pair(a.0 + b.0), F64Pair(a.0 - b.0), F64Pair(a.0 * b.0), F64Pair(a.0 / b.0), F64Pair(-a.0));
@@ -160,6 +160,30 @@ mod sse2 {
         #[inline(always)]
         fn sqrt(self) -> Self {
             Self(self.0.sqrt())
+        }
+        /// Root and quotient of four numbers at once in single precision, where they cost a third, and one
+        /// step of Newton's iteration in double precision. Nothing but correctly rounded operations: the same
+        /// bits on every machine.
+        #[inline(always)]
+        fn inverse_roots<const N: usize>(mut numbers: [Self; N]) -> [Self; N] {
+            let newton = |x: f64x2, first: f32, second: f32| {
+                let y = f64x2::new([f64::from(first), f64::from(second)]);
+                // y (3 − x y²)/2, never above the root's inverse but by rounding
+                Self(y * (f64x2::splat(1.5) - x * y * (y * f64x2::splat(0.5))))
+            };
+            let mut couples = numbers.chunks_exact_mut(2);
+            for couple in &mut couples {
+                if let [a, b] = couple {
+                    let ([a0, a1], [b0, b1]) = (a.0.to_array(), b.0.to_array());
+                    let x = f32x4::new([a0 as f32, a1 as f32, b0 as f32, b1 as f32]);
+                    let [a0, a1, b0, b1] = (f32x4::ONE / x.sqrt()).to_array();
+                    (*a, *b) = (newton(a.0, a0, a1), newton(b.0, b0, b1));
+                }
+            }
+            for single in couples.into_remainder() {
+                *single = Self::one() / single.sqrt();
+            }
+            numbers
         }
         #[inline(always)]
         fn abs(self) -> Self {
