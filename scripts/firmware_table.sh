@@ -12,7 +12,9 @@ row() {
 
 say
 say "Compiler: $compiler. $(arm-none-eabi-gcc --version | head -n 1). $(qemu-system-arm --version | head -n 1)."
-say "Library sources at $(git rev-parse --short HEAD 2>/dev/null || say unknown)$(git diff --quiet HEAD -- src 2>/dev/null || say ' with changes')."
+if commit=$(git rev-parse --short HEAD 2>/dev/null); then
+    say "Library sources at $commit$(git diff --quiet HEAD -- src || say ' with changes')."
+fi
 say
 say "### Budgets on a Cortex-M4F"
 say
@@ -32,7 +34,7 @@ for m in STRIP_1967.8 STRIP_1967.16 STRIP.8 STRIP.16 TOTAL LINEAR; do
     row "most over median, \`kstrip_solve_f32\`, $m [times]" "$(quotient "$(figure solve.$m 4)" "$(figure solve.$m 3)")" 1.5
 done
 for m in STRIP_1967.8 STRIP_1967.16; do
-    row "the same for |psi| < 1, $m [times]" "$(quotient "$(figure solve.$m 6)" "$(figure solve.$m 3)")" 1.5
+    row "the same without warnings (spin inside the theory), $m [times]" "$(quotient "$(figure solve.$m 6)" "$(figure solve.$m 3)")" 1.5
 done
 for m in STRIP_1967.8 STRIP_1967.16 STRIP.8 STRIP.16 TOTAL LINEAR; do
     row "stack of \`kstrip_solve_f32\`, $m [bytes]" "$(figure solve.$m 5)" 1024
@@ -52,7 +54,7 @@ say "| call | fewest | median | most | most in range | most/median | stack [byte
 say "|---|---:|---:|---:|---:|---:|---:|"
 awk '!/^#/ { printf "| %s | %d | %d | %d | %d | %.2f | %d |\n", $1, $2, $3, $4, $6, $4 / $3, $5 }' "$out/budget.txt"
 say
-say "*Most in range* leaves out the inputs that a model answers with a warning (for STRIP_1967: |psi| >= 1)."
+say "*Most in range* leaves out the inputs that a model answers with a warning (STRIP_1967: spin beyond the theory, psi of 1 or more)."
 say
 say "### Stack, bounded"
 say
@@ -82,7 +84,7 @@ say
 say "* No panic, no allocation: $proof. Negative control: $control."
 say "* Double precision in single-precision functions: $doubles."
 say "* Self-test, $cases inputs, five models, mps2-an386 and mps2-an500: bit for bit the results of this machine; compiled for Cortex-M7: $m7_bits."
-say "* Twin disc: $("$out/twin_disc_check.host" <"$out/twin_disc.mps2-an386.txt")."
+say "* The loop of $("$out/twin_disc_check.host" <"$out/twin_disc.mps2-an386.txt")."
 say
 say "Single against double precision on the same inputs, in units of mu N (moment: mu N sqrt(a b)):"
 say
