@@ -445,9 +445,9 @@ where
         let inverse_ratio = T::Base::one() / self.axis_ratio;
         let c_squared = nodes.c.map(|c| c * c);
         let mut panel = Panel::sliding(nodes.y, c_squared, nodes.width);
-        for i in 0..A {
-            let share = c_squared[i] * nodes.width[i] * scale;
-            let (wx, wy) = self.direction(family.xi_bar(nodes.y[i]), c_squared[i]);
+        for (i, &c_squared) in c_squared.iter().enumerate() {
+            let share = c_squared * nodes.width[i] * scale;
+            let (wx, wy) = self.direction(family.xi_bar(nodes.y[i]), c_squared);
             panel.fx[i] = share * wx;
             panel.fy[i] = share * wy;
             panel.mz[i] = -(nodes.y[i] * panel.fx[i]).scale(inverse_ratio);

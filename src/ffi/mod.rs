@@ -121,6 +121,9 @@ pub extern "C" fn kstrip_version_string() -> *const c_char {
 /// ABI version of the library that is linked: compare with KSTRIP_ABI_VERSION of the header.
 #[unsafe(no_mangle)]
 pub extern "C" fn kstrip_abi_version() -> i32 {
+    // The control of scripts/no_panic.sh
+    #[cfg(kstrip_planted_panic)]
+    assert!(core::hint::black_box(KSTRIP_ABI_VERSION) > 0);
     KSTRIP_ABI_VERSION
 }
 
