@@ -1035,7 +1035,7 @@ kstrip_status kstrip_result_on_upper_body(const struct kstrip_result *lower,
                                           struct kstrip_result *upper);
 
 /**
- * kstrip_solve() with KSTRIP_MODEL_TOTAL, and nothing else in the program.
+ * kstrip_solve() with KSTRIP_MODEL_TOTAL without linking any other model.
  *
  * The same result, to the bit, as kstrip_solve() with that model in its options. kstrip_solve() learns
  * its model when it runs and therefore brings every model into the program; a program that calls
@@ -1051,7 +1051,7 @@ kstrip_status kstrip_solve_total(const struct kstrip_contact *contact,
                                  struct kstrip_result *result);
 
 /**
- * kstrip_solve() with KSTRIP_MODEL_LINEAR, and nothing else in the program.
+ * kstrip_solve() with KSTRIP_MODEL_LINEAR without linking any other model.
  *
  * @param[in]  contact   the loaded contact.
  * @param[in]  creepage  creepage and spin.
@@ -1063,7 +1063,7 @@ kstrip_status kstrip_solve_linear(const struct kstrip_contact *contact,
                                   struct kstrip_result *result);
 
 /**
- * kstrip_solve() with KSTRIP_MODEL_STRIP_1967, and nothing else in the program.
+ * kstrip_solve() with KSTRIP_MODEL_STRIP_1967 without linking any other model.
  *
  * @param[in]  contact   the loaded contact.
  * @param[in]  creepage  creepage and spin.
@@ -1077,7 +1077,7 @@ kstrip_status kstrip_solve_strip_1967(const struct kstrip_contact *contact,
                                       struct kstrip_result *result);
 
 /**
- * kstrip_solve() with KSTRIP_MODEL_STRIP, and nothing else in the program.
+ * kstrip_solve() with KSTRIP_MODEL_STRIP without linking any other model.
  *
  * @param[in]  contact   the loaded contact.
  * @param[in]  creepage  creepage and spin.
