@@ -20,13 +20,12 @@ import numpy as np
 jax.config.update("jax_enable_x64", True)
 
 OUT = os.path.join(common.SOURCE, "rolling_strip", "constants.rs")
-STRIPS, STEPS = 16, 10
+STRIPS, STEPS = 16, 7
 FEATURES, UNITS, CORRECTIONS = 13, 20, 8
 COUNT = FEATURES * UNITS + UNITS + UNITS * CORRECTIONS + CORRECTIONS
 
-ROUNDING = np.float32(0.04).astype(float)  # half width of the rounded transition from stick to slip
+ROUNDING = np.float32(0.08).astype(float)  # half width of the rounded transition from stick to slip, in (|p|/B)^2
 SATURATION = 12.0  # linear-theory force in mu N where the flexibilities become those of rigid slip
-EXPONENTS = (1, 2, 16)
 
 # residuals: fx, fy, mz, stick fraction; corrections are kept small so that the field stays physical
 WEIGHTS = np.array([1.0, 1.0, 0.7, 0.2])
@@ -34,21 +33,6 @@ PENALTY, PRIOR = 0.02, 1e-6
 
 
 # --- numerical tables ------------------------------------------------------------------------
-
-
-def half_ellipse():
-    """1/(1 + sqrt(1 - w)) as 1/2 + sum k_i w^e_i, least squares on [0, 1], exactly 1 at w = 1 (f32 constants)."""
-    w = np.linspace(0, 1, 2001)
-    m = np.stack([w**e for e in EXPONENTS], 1)
-    n = len(EXPONENTS)
-    one = np.ones((n, 1))
-    k = np.linalg.solve(np.block([[m.T @ m, one], [one.T, np.zeros((1, 1))]]), np.r_[m.T @ (1 / (1 + np.sqrt(1 - w)) - 0.5), 0.5])[:n]
-    k = np.round(k * 2**20) / 2**20  # sums without rounding in f32
-    k[-1] = 0.5 - k[:-1].sum()
-    return k
-
-
-SHAPE = half_ellipse()
 
 
 def steps(n):
@@ -145,11 +129,11 @@ def parameters(g, v, c, o):
     return ax, ay, rho, sigma, (1 - chi) * o[7] / jnp.sqrt(1 + o[7] * o[7])
 
 
-def rounded(t):
-    """min(1, t) with a parabola between 1 - d and 1 + d."""
-    a = jnp.minimum(t, 1 + ROUNDING)
-    z = jnp.maximum(0.0, a - (1 - ROUNDING))
-    return a - z * z / (4 * ROUNDING)
+def rounded(q):
+    """max(1, q) with a parabola between 1 - d and 1 + d."""
+    a = jnp.maximum(q, 1 - ROUNDING)
+    z = jnp.maximum(1 + ROUNDING - a, 0.0)
+    return a + z * z / (4 * ROUNDING)
 
 
 def bounded(s):
@@ -157,9 +141,9 @@ def bounded(s):
     return s / jnp.sqrt(jnp.sqrt(1 + s**4))
 
 
-def half_ellipses(w):
-    """1/(1 + sqrt(1 - w)), approximately."""
-    return 0.5 + sum(k * w**e for k, e in zip(SHAPE, EXPONENTS))
+def half_ellipses(q):
+    """1/(1 + sqrt(1 - sqrt(q))), approximately."""
+    return (1 + q * q) / 2
 
 
 def strip_creepage(q, y, pressure):
@@ -168,20 +152,19 @@ def strip_creepage(q, y, pressure):
 
 
 def step(state, ax, ay, sigma, x0, x1):
-    """One step from x0 to x1: the new state (px, py, slipped share), and (ratio x, ratio y, trial over bound)."""
+    """One step from x0 to x1: the new state (px, py, slipped share), and (ratio x, ratio y, (|p|/B)^2 before and after the cut)."""
     px, py, slipped = state
     bound = jnp.maximum(1e-12, 1 - x1 * x1)
     dx = x0 - x1
     px = px + ax * dx
     py = py + ay * dx + sigma * ((x0 * x0 - x1 * x1) - slipped * dx * dx)
-    t = jnp.sqrt(px * px + py * py + 1e-30)
-    trial = t / bound
-    w = rounded(trial)
-    m = w * bound / t
+    trial = (px * px + py * py) / (bound * bound)
+    m = 1 / jnp.sqrt(rounded(trial))
+    reached = trial * m * m
     px, py = px * m, py * m
-    e = half_ellipses(w)
+    e = half_ellipses(reached)
     r = bounded(sigma)
-    return (px, py, 1 - m), (px / bound * e, r + (py / bound - r) * e, trial, w)
+    return (px, py, 1 - m), (px / bound * e, r + (py / bound - r) * e, trial, reached)
 
 
 def totals(g, v, c, o, rule=strips(STRIPS), n=STEPS):
@@ -196,12 +179,12 @@ def totals(g, v, c, o, rule=strips(STRIPS), n=STEPS):
     before = jnp.zeros_like(y)
     fx = fy = mx = stick = 0.0
     for j in range(n):
-        state, (rx, ry, trial, w) = step(state, ax, ay, q[3], x0[j], x[j])
+        state, (rx, ry, trial, reached) = step(state, ax, ay, q[3], x0[j], x[j])
         weight = 2 / n * (1 - x[j] ** 2)
         fx, fy, mx = fx + weight * rx, fy + weight * ry, mx + weight * x[j] * ry
-        share = (1.02 - before) / (jnp.maximum(trial, 1.0) - before + 0.02)
+        share = (1.04 - before) / (jnp.maximum(trial, 1.0) - before + 0.04)
         stick = stick + share * (x0[j] - x[j]) / 2
-        before = w
+        before = reached
     stick = stick + share * (x[n - 1] + 1) / 2
     a = 0.75 * width * half * half
     return jnp.stack([jnp.sum(a * fx), jnp.sum(a * fy), jnp.sum(a * (s * half * mx - y / s * fx)), jnp.sum(width * half * stick) / jnp.sum(width * half)])
@@ -363,8 +346,7 @@ def write(p, note):
             *note,
         ],
         [
-            ("`1/(1 + √(1 − w)) ≈ 1/2 + k₀ w + k₁ w² + k₂ w¹⁶`, least squares, exact at 1.", "SHAPE", SHAPE),
-            ("Half width of the rounded transition from stick to slip, in units of the bound.", "ROUNDING", ROUNDING),
+            ("Half width of the rounded transition from stick to slip, in `(|p|/B)²`.", "ROUNDING", ROUNDING),
             ("Fitted: one row of weights per feature.", "HIDDEN", m1),
             ("Fitted: offsets of the units.", "HIDDEN_OFFSET", b1),
             ("Fitted: one row of weights per unit.", "OUTPUT", m2),

@@ -18,10 +18,11 @@
 //! traction/(μ Z) = r + (p/B − r)/(1 + R),   r = (0, σ) squashed to |r| < 1.
 //! ```
 //!
-//! So the march decides on stick and slip, and the tractions are Kalker's half-ellipses: exactly for
-//! creepage without spin. The result lies between `r` and `p/B`, hence within the friction bound. `R` is
-//! approximated by a polynomial in `w` with a finite slope at the separatrix, and the cut at the bound
-//! is rounded over `±4 %`, so that forces are once continuously differentiable.
+//! So the march decides on stick and slip, and the tractions are Kalker's half-ellipses for creepage
+//! without spin. The result lies between `r` and `p/B`, hence within the friction bound. `1/(1 + R)` is
+//! replaced by `(1 + w⁴)/2`, within 0.09, which has a finite slope at the separatrix, and the cut at the bound
+//! is rounded over `±8 %` of `w²`, so that forces are once continuously differentiable. Both need `w²` only:
+//! one inverse root per step, and no other.
 //!
 //! **The patch.** `A_x = (a_x − ρ Y (1 + ε (0.4 − Y²)))/Π`, `A_y = a_y/Π`, `σ C/Π` with `Y = y/b`,
 //! `C = c/a` and the strip's share `Π` of the friction bound's peak (`Π = C` on an ellipse). `a_x, a_y, ρ, σ`
@@ -39,13 +40,15 @@ mod nodes;
 
 pub use self::nodes::Placed;
 
-use self::constants::{HIDDEN, HIDDEN_OFFSET, OUTPUT, OUTPUT_OFFSET, ROUNDING, SHAPE};
+use self::constants::{HIDDEN, HIDDEN_OFFSET, OUTPUT, OUTPUT_OFFSET, ROUNDING};
 use crate::coefficients::LinearCoefficients;
-use crate::real::{Arithmetic, Float, Real};
-use core::f64::consts::{FRAC_1_SQRT_2, PI};
+use crate::dual::Dual;
+use crate::real::pairs::Two;
+use crate::real::{Arithmetic, Float, Pair, Real};
+use core::f64::consts::PI;
 
 /// Steps of the march along a strip.
-pub const STEPS: usize = 10;
+pub const STEPS: usize = 7;
 const FEATURES: usize = 13;
 const UNITS: usize = 20;
 const CORRECTIONS: usize = 8;
@@ -62,18 +65,20 @@ const NO_TRACTION: f64 = 1e-30;
 /// One step of the march, from `x̂₀` down to `x̂₁`.
 #[derive(Clone, Copy, Debug)]
 pub struct Step<F> {
-    /// `x̂₁ = cos((j − ½) π/10)`; the leading edge is `x̂ = 1`.
+    /// `x̂₁ = cos((j − ½) π/7)`; the leading edge is `x̂ = 1`.
     pub x: F,
     /// `x̂₀ − x̂₁`
     pub length: F,
     /// Its square.
     pub square: F,
-    /// `x̂₀² − x̂₁²`
+    /// `x̂₀² − x̂₁²` less the square of the length: what spin adds if the step slips.
     pub turn: F,
     /// `B = 1 − x̂₁²`
     pub bound: F,
     /// `1/B`
     pub inverse: F,
+    /// `1/B²`
+    pub inverse_square: F,
 }
 
 /// Constants in the precision of the caller, so that single-precision firmware carries no others.
@@ -81,13 +86,13 @@ pub trait Marched: Float {
     /// The steps from the leading edge on.
     const STEPS: [Step<Self>; STEPS];
     /// First layer of the fitted network.
-    const HIDDEN: [[Self; UNITS]; FEATURES];
+    const HIDDEN: [[[Self; 2]; UNITS / 2]; FEATURES];
     /// Offsets of its units.
-    const HIDDEN_OFFSET: [Self; UNITS];
+    const HIDDEN_OFFSET: [[Self; 2]; UNITS / 2];
     /// Second layer.
-    const OUTPUT: [[Self; CORRECTIONS]; UNITS];
+    const OUTPUT: [[[Self; 2]; CORRECTIONS / 2]; UNITS];
     /// Offsets of the corrections.
-    const OUTPUT_OFFSET: [Self; CORRECTIONS];
+    const OUTPUT_OFFSET: [[Self; 2]; CORRECTIONS / 2];
 }
 
 macro_rules! marched {
@@ -102,44 +107,49 @@ macro_rules! marched {
                     turn: 0.0,
                     bound: 0.0,
                     inverse: 0.0,
+                    inverse_square: 0.0,
                 }; STEPS];
                 let mut before = 1.0;
                 let mut j = 0;
                 while j < STEPS {
-                    let x: f64 = if j < 5 { COSINES[j] } else { -COSINES[STEPS - 1 - j] };
+                    let x: f64 = if j <= STEPS / 2 { COSINES[j] } else { -COSINES[STEPS - 1 - j] };
                     let bound = 1.0 - x * x;
                     steps[j] = Step {
                         x: x as $float,
                         length: (before - x) as $float,
                         square: ((before - x) * (before - x)) as $float,
-                        turn: (before * before - x * x) as $float,
+                        turn: (2.0 * x * (before - x)) as $float,
                         bound: bound as $float,
                         inverse: (1.0 / bound) as $float,
+                        inverse_square: (1.0 / (bound * bound)) as $float,
                     };
                     before = x;
                     j += 1;
                 }
                 steps
             };
-            const HIDDEN: [[Self; UNITS]; FEATURES] = narrow!($float, HIDDEN, FEATURES, UNITS);
-            const HIDDEN_OFFSET: [Self; UNITS] = narrow!($float, [HIDDEN_OFFSET], 1, UNITS)[0];
-            const OUTPUT: [[Self; CORRECTIONS]; UNITS] =
+            const HIDDEN: [[[Self; 2]; UNITS / 2]; FEATURES] =
+                narrow!($float, HIDDEN, FEATURES, UNITS);
+            const HIDDEN_OFFSET: [[Self; 2]; UNITS / 2] =
+                narrow!($float, [HIDDEN_OFFSET], 1, UNITS)[0];
+            const OUTPUT: [[[Self; 2]; CORRECTIONS / 2]; UNITS] =
                 narrow!($float, OUTPUT, UNITS, CORRECTIONS);
-            const OUTPUT_OFFSET: [Self; CORRECTIONS] =
+            const OUTPUT_OFFSET: [[Self; 2]; CORRECTIONS / 2] =
                 narrow!($float, [OUTPUT_OFFSET], 1, CORRECTIONS)[0];
         }
     };
 }
 
+/// A table in the caller's precision, its columns in pairs.
 macro_rules! narrow {
     ($float:ident, $table:expr, $rows:expr, $columns:expr) => {{
         let table = $table;
-        let mut copy = [[0.0; $columns]; $rows];
+        let mut copy = [[[0.0; 2]; $columns / 2]; $rows];
         let mut i = 0;
         while i < $rows {
             let mut j = 0;
             while j < $columns {
-                copy[i][j] = table[i][j] as $float;
+                copy[i][j / 2][j % 2] = table[i][j] as $float;
                 j += 1;
             }
             i += 1;
@@ -148,14 +158,9 @@ macro_rules! narrow {
     }};
 }
 
-/// `cos((j − ½) π/10)`, `j = 1 … 5`.
-const COSINES: [f64; 5] = [
-    0.9876883405951378,
-    0.8910065241883679,
-    FRAC_1_SQRT_2,
-    0.4539904997395468,
-    0.15643446504023087,
-];
+/// `cos((j − ½) π/7)`, `j = 1 … 4`.
+const COSINES: [f64; STEPS.div_ceil(2)] =
+    [0.9749279121818236, 0.7818314824680298, 0.4338837391175582, 0.0];
 
 marched!(f64);
 marched!(f32);
@@ -259,75 +264,22 @@ where
         linear: &LinearCoefficients<T::Base>,
         creepage: [T; 3],
     ) -> Self {
-        const K: f64 = 8.0 / (3.0 * PI);
-        let one = T::one();
-        let g = axis_ratio.clamped(T::Base::of(1.0 / RATIO_LIMIT), T::Base::of(RATIO_LIMIT));
-        let root = g.sqrt();
-        let upright = T::Base::one() / root;
-        let LinearCoefficients { c11, c22, c23, c33 } = *linear;
-        let [vx, vy, phi] = within_range(creepage);
-
-        // forces of the linear theory
-        let [lx, ly, ls] = [vx.scale(c11), vy.scale(c22), phi.scale(c23)];
-        let [sx, sy, ss] = [lx, ly, ls].map(magnitude);
-        let t2 = lx * lx + ly * ly;
-        let q2 = t2 + ls * ls;
-
-        // rigid slip: translation against spin at the ends of the axes
-        let (px, py) = (phi.scale(upright), phi.scale(root));
-        let (x2, px2, y2, py2) = (vx * vx, px * px, vy * vy, py * py);
-        let inverse_y = one / (y2 + py2).plus(0.02);
-        let features = [
-            (x2 - px2) / (x2 + px2).plus(0.02),
-            (vy * py).times(2.0) * inverse_y,
-            (y2 - py2) * inverse_y,
-            T::from_base((root.plus(-1.0) / root.plus(1.0)).times(2.0)),
-            T::from_base(poisson_ratio.times(4.0).plus(-1.0)),
-            sx.plus(-1.0) / sx.plus(1.0),
-            sy.plus(-1.0) / sy.plus(1.0),
-            ss.plus(-1.0) / ss.plus(1.0),
-            ls * ly / (ss.plus(0.1) * sy.plus(1.0)),
-            t2.plus(-0.1) / t2.plus(0.1),
-            ss.plus(-0.3) / ss.plus(0.3),
-            ss.plus(-2.0) / ss.plus(2.0),
-            q2.plus(-1.0) / q2.plus(1.0),
-        ];
-        let [o_x, o_y, o_slope, o_spin, o_share, spin_share, lateral_share, o_profile] =
-            network(&features);
-
-        // w = n²/(0.05 + n²): no correction of the linear forces
-        let w = q2 / q2.plus(0.05);
-        // χ = n⁴/(n⁴ + 12⁴): from the contact's own flexibilities to those that follow the rigid slip
-        let q4 = q2 * q2;
-        let chi = q4 / q4.plus(SATURATION * SATURATION * SATURATION * SATURATION);
-        let elastic = one - chi;
-        let rigid = chi.scale((c11 + c22).times(4.0 / (3.0 * PI)));
-
-        let [e_x, e_y, e_spin, e_share] = [o_x * w, o_y * w, o_spin * w, o_share * w].map(positive);
-        let lateral = ly * e_y;
-        // a_x = (8/3π) C11 vx e_x
-        let longitudinal = elastic * (lx * e_x).times(K) + rigid * vx;
-        // a_y = (8/3π) (C22 vy e_y (1 + τ) + C23 φ e_s β/(1 + |C23 φ|))
-        let lateral_creepage = elastic
-            * (lateral * lateral_share.plus(1.0) + spin_share * e_share * ls / ss.plus(1.0))
-                .times(K)
-            + rigid * vy;
-        // σ = C23 φ e_σ (1 − β) − C22 vy e_y τ
-        let spin = elastic * (ls * (one - spin_share) * e_spin - lateral_share * lateral)
-            + (rigid * py).times(0.5);
-        // ρ = (32/3π) √(a/b) C33 φ e_ρ
-        let slope =
-            elastic * (py.scale(c33) * positive(o_slope)).times(32.0 / (3.0 * PI)) + rigid * px;
-        let profile = elastic * o_profile / o_profile.squared().plus(1.0).sqrt();
-        Self {
-            longitudinal,
-            lateral: lateral_creepage,
-            slope,
-            profile,
-            spin,
-            creepage: [vx, vy, phi],
-            root,
-        }
+        let creepage = within_range(creepage);
+        let root =
+            axis_ratio.clamped(T::Base::of(1.0 / RATIO_LIMIT), T::Base::of(RATIO_LIMIT)).sqrt();
+        let contact = (root, poisson_ratio, linear);
+        let found = if T::HAS_DERIVATIVES {
+            // differentiated by the three creepages, then by whatever these depend on
+            let values = creepage.map(T::value);
+            let [vx, vy, phi] = values;
+            let inputs = [Dual::input(vx, 0), Dual::input(vy, 1), Dual::input(phi, 2)];
+            parameters::<Dual<T::Base, 3>>(contact, inputs, network_slopes)
+                .map(|x| follow(x.value, &x.gradient, &creepage))
+        } else {
+            parameters(contact, creepage, network)
+        };
+        let [longitudinal, lateral, slope, profile, spin] = found;
+        Self { longitudinal, lateral, slope, profile, spin, creepage, root }
     }
 
     /// `a/b`, within the limits of the model.
@@ -360,9 +312,34 @@ where
     where
         T::Base: Placed<N>,
     {
+        if !Self::PAIRED {
+            return self.one_by_one::<N, STICK>();
+        }
+        let zero = [T::zero(); N];
+        let mut forces = StripForces { fx: zero, fy: zero, mx: zero, stick: zero };
+        let StripForces { fx, fy, mx, stick } = &mut forces;
+        self.groups::<N, STICK>(|first, found| {
+            for (to, from) in [&mut *fx, &mut *fy, &mut *mx, &mut *stick].into_iter().zip(found) {
+                if let (Some(to), (a, b)) = (to.get_mut(first..first + 2), from.parts()) {
+                    to.copy_from_slice(&[a, b]);
+                }
+            }
+        });
+        forces
+    }
+
+    /// Whether strips are marched in pairs: two doubles make a register. Single-precision numbers are left
+    /// to the compiler, and to machines with one of them at a time.
+    const PAIRED: bool = size_of::<T::Base>() >= 8;
+
+    /// The strips of the ellipse, not in pairs.
+    #[inline(always)]
+    fn one_by_one<const N: usize, const STICK: bool>(&self) -> StripForces<T, N>
+    where
+        T::Base: Placed<N>,
+    {
         let rule = &<T::Base as Placed<N>>::RULE;
-        let mut ax = [T::zero(); N];
-        let mut ay = [T::zero(); N];
+        let (mut ax, mut ay) = ([T::zero(); N], [T::zero(); N]);
         // creepages scaled so that the quadrature gives the linear forces exactly
         let longitudinal = self.longitudinal.scale(rule.stretch);
         let lateral = self.lateral.scale(rule.stretch);
@@ -376,6 +353,69 @@ where
         march::<T, N, STICK>(&ax, &ay, Uniform(self.spin))
     }
 
+    /// The strips of the ellipse, marched in pairs; `take` is given the number of the first strip of each
+    /// pair and `fx, fy, mx, stick`.
+    #[inline(always)]
+    fn groups<const N: usize, const STICK: bool>(&self, mut take: impl FnMut(usize, [T::Pair; 4]))
+    where
+        T::Base: Placed<N>,
+    {
+        match N {
+            4 => self.pairs::<N, 1, STICK>(0, &mut take),
+            8 => self.pairs::<N, 2, STICK>(0, &mut take),
+            _ => {
+                for first in (0..N).step_by(16) {
+                    self.pairs::<N, 4, STICK>(first, &mut take);
+                }
+            }
+        }
+    }
+
+    /// What `2 H` strips of the ellipse see of the creepages, from strip `first` on: `A_x` and `A_y`.
+    #[inline(always)]
+    fn seen<const N: usize, const H: usize>(&self, first: usize) -> ([T::Pair; H], [T::Pair; H])
+    where
+        T::Base: Placed<N>,
+    {
+        let rule = &<T::Base as Placed<N>>::RULE;
+        let longitudinal = T::Pair::both(self.longitudinal.scale(rule.stretch));
+        let lateral = T::Pair::both(self.lateral.scale(rule.stretch));
+        let slope = T::Pair::both(self.slope.scale(rule.lever));
+        let profile = T::Pair::both(self.profile);
+        let (mut ax, mut ay) = ([T::Pair::zero(); H], [T::Pair::zero(); H]);
+        let places = pairs_of::<T, N>(&rule.y, first)
+            .zip(pairs_of::<T, N>(&rule.bend, first))
+            .zip(pairs_of::<T, N>(&rule.inverse, first));
+        for ((ax, ay), ((y, bend), inverse)) in ax.iter_mut().zip(&mut ay).zip(places) {
+            *ax = (longitudinal - slope * (profile * bend + y)) * inverse;
+            *ay = lateral * inverse;
+        }
+        (ax, ay)
+    }
+
+    /// `4 H` strips from `first` on, in pairs.
+    #[inline(always)]
+    fn pairs<const N: usize, const H: usize, const STICK: bool>(
+        &self,
+        first: usize,
+        take: &mut impl FnMut(usize, [T::Pair; 4]),
+    ) where
+        T::Base: Placed<N>,
+    {
+        let (ax, ay) = self.seen::<N, H>(first);
+        let (bx, by) = self.seen::<N, H>(first + 2 * H);
+        let (ax, ay) = ([ax, bx], [ay, by]);
+        let found = march_two::<_, H, STICK>(&ax, &ay, Uniform(T::Pair::both(self.spin)));
+        let mut i = first;
+        for found in &found {
+            let forces = found.fx.iter().zip(&found.fy).zip(&found.mx).zip(&found.stick);
+            for (((fx, fy), mx), stick) in forces {
+                take(i, [*fx, *fy, *mx, *stick]);
+                i += 2;
+            }
+        }
+    }
+
     /// Totals of the Hertz ellipse.
     #[must_use]
     #[inline]
@@ -383,8 +423,61 @@ where
     where
         T::Base: Placed<N>,
     {
-        let forces = self.ellipse::<N, STICK>();
-        self.sum::<N, STICK>(&forces)
+        if T::HAS_DERIVATIVES {
+            return self.totals_by_slopes::<N, STICK>();
+        }
+        if !Self::PAIRED {
+            return self.sum::<N, STICK>(&self.ellipse::<N, STICK>());
+        }
+        let rule = &<T::Base as Placed<N>>::RULE;
+        let zero = T::Pair::zero();
+        let (mut fx, mut fy, mut by_y, mut by_x, mut stick) = (zero, zero, zero, zero, zero);
+        self.groups::<N, STICK>(|i, [x, y, m, share]| {
+            let weight = |table: &[T::Base; N]| pairs_of::<T, N>(table, i).next().unwrap_or(zero);
+            let load = weight(&rule.load);
+            fx += x * load;
+            fy += y * load;
+            by_y += x * weight(&rule.moment_y);
+            by_x += m * weight(&rule.moment_x);
+            if STICK {
+                stick += share * weight(&rule.area);
+            }
+        });
+        // Mz = ∫ (x Y − y X): lever arms √(a/b) C x̂ and √(b/a) Y
+        let mz = by_x.sum().scale(self.root) - by_y.sum().scale(T::Base::one() / self.root);
+        StripTotals { fx: fx.sum(), fy: fy.sum(), mz, stick: stick.sum() }
+    }
+
+    /// The same where derivatives are wanted: the march is differentiated by what the strips see, and that
+    /// by the five numbers of the patch. The share in adhesion has no derivatives.
+    #[inline(always)]
+    fn totals_by_slopes<const N: usize, const STICK: bool>(&self) -> StripTotals<T>
+    where
+        T::Base: Placed<N>,
+    {
+        let plain = RollingStrips::<T::Base> {
+            longitudinal: self.longitudinal.value(),
+            lateral: self.lateral.value(),
+            slope: self.slope.value(),
+            profile: self.profile.value(),
+            spin: self.spin.value(),
+            creepage: self.creepage.map(T::value),
+            root: self.root,
+        };
+        let mut sums = SlopeSums::<<T::Base as Real>::Pair>::start();
+        match N {
+            4 => plain.slopes::<N, 2, STICK>(0, &mut sums),
+            8 => plain.slopes::<N, 4, STICK>(0, &mut sums),
+            _ => {
+                for first in (0..N).step_by(16) {
+                    plain.slopes::<N, 8, STICK>(first, &mut sums);
+                }
+            }
+        }
+        let by =
+            [self.longitudinal, self.slope, self.slope * self.profile, self.lateral, self.spin];
+        let [fx, fy, mz] = [sums.fx, sums.fy, sums.mz].map(|sum| sum.follow(&by));
+        StripTotals { fx, fy, mz, stick: T::from_base(sums.stick.sum()) }
     }
 
     /// Totals from the forces of the strips of the Hertz ellipse.
@@ -448,17 +541,18 @@ where
         }
         let state = here.unwrap_or(state);
         let length = before - place;
-        let bound = (T::Base::one() - place * place).max(T::Base::of(1e-12));
+        let bound = (T::Base::one() - place * place).max(T::Base::of(1e-9));
         let step = Step {
             x: place,
             length,
             square: length * length,
-            turn: (before - place) * (before + place),
+            turn: (length * place) * T::Base::of(2.0),
             bound,
             inverse: T::Base::one() / bound,
+            inverse_square: T::Base::one() / (bound * bound),
         };
         let (next, cut) = state.step(&creepage, &step);
-        let half = half_ellipses(cut.reached);
+        let half = (cut.reached * cut.reached).plus(1.0).times(0.5);
         let x = (next.px * half).scale(step.inverse);
         let y = bias + (next.py.scale(step.inverse) - bias) * half;
 
@@ -474,12 +568,324 @@ where
         let rigid_y = vy + phi.scale(self.root * strip.half_length * place);
         let rigid = (rigid_x.squared() + rigid_y.squared()).plus(NO_TRACTION).sqrt();
         // no slip at the separatrix, whatever the step says
-        let onset = cut.trial.plus(-1.0).scale(T::Base::one() / T::Base::of_f32(ROUNDING));
+        let onset = cut.trial.plus(-1.0).times(0.25 / f64::from(ROUNDING));
         let onset = onset.max(T::zero()).min(T::one());
         let size = (x * x + y * y).plus(NO_TRACTION).sqrt();
         let slip = share * onset * rigid / size;
         StripTraction { x, y, slip_x: slip * x, slip_y: slip * y, slips: cut.trial > T::one() }
     }
+}
+
+impl<F: Marched> RollingStrips<F> {
+    /// Adds `2 H` strips from `first` on to the sums, with their derivatives.
+    #[inline(always)]
+    fn slopes<const N: usize, const H: usize, const STICK: bool>(
+        &self,
+        first: usize,
+        sums: &mut SlopeSums<F::Pair>,
+    ) where
+        F: Placed<N>,
+    {
+        let rule = &<F as Placed<N>>::RULE;
+        let (ax, ay) = self.seen::<N, H>(first);
+        let mut strips = Together::start(&ax, &ay);
+        let mut forces = [Slopes::<F::Pair>::start(); H];
+        let (bias, bias_slope) = squashed_slope(self.spin);
+        let spin = Uniform(F::Pair::both(self.spin));
+        let (bias, bias_slope) = (Uniform(F::Pair::both(bias)), F::Pair::both(bias_slope));
+        for step in &F::STEPS {
+            let turn = Turn::new(&spin, &bias, step);
+            let before = strips.kept;
+            strips.offer(&turn, step);
+            strips.cut();
+            let floor_slope = bias_slope.scale(step.bound);
+            let cuts = strips.kept.iter().zip(&strips.trial).zip(&before);
+            let states = strips.px.iter_mut().zip(&mut strips.py).zip(cuts);
+            for (((x, y), ((m, q), before)), forces) in states.zip(&mut forces) {
+                forces.add([x, y], [*m, *q, *before], &turn, &floor_slope, step);
+            }
+            if STICK {
+                strips.adhere(step);
+            }
+        }
+        let found = strips.end::<STICK>(&bias);
+        let tables = [
+            &rule.load,
+            &rule.moment_y,
+            &rule.moment_x,
+            &rule.area,
+            &rule.inverse,
+            &rule.y,
+            &rule.bend,
+        ];
+        for (i, forces) in forces.iter().enumerate() {
+            let [load, by_y, by_x, area, inverse, y, bend] = tables.map(|table| {
+                pairs_of::<F, N>(table, first + 2 * i).next().unwrap_or(F::Pair::zero())
+            });
+            let Slopes { fx, fy, mx, .. } = forces;
+            let [[x0, x1, x2, fx], [y0, y1, y2, fy], [m0, m1, m2, mx]] =
+                [fx, fy, mx].map(|sums| sums.map(|sum| sum.times(WEIGHT)));
+            let (x, y_slopes, m, fy) = ([x0, x1, x2], [y0, y1, y2], [m0, m1, m2], fy + bias.0);
+            let by_y = by_y.scale(F::one() / self.root);
+            let by_x = by_x.scale(self.root);
+            // A_x = (a_x − ρ (Y + ε (0.4 − Y²) Y))/C, A_y = a_y/C
+            let lever = inverse.scale(rule.lever);
+            let places = [inverse.scale(rule.stretch), y * lever, bend * lever];
+            let three = |slopes: [F::Pair; 3], factor: F::Pair| slopes.map(|slope| slope * factor);
+            sums.fx.add(fx * load, three(x, load), places);
+            sums.fy.add(fy * load, three(y_slopes, load), places);
+            let [x, m] = [three(x, by_y), three(m, by_x)];
+            let mut slopes = m;
+            for (slope, x) in slopes.iter_mut().zip(x) {
+                *slope -= x;
+            }
+            sums.mz.add(mx * by_x - fx * by_y, slopes, places);
+            // d(r B) over the steps: Σ B = STEPS/2, Σ B x̂ = 0
+            sums.fy.by_spin += load * bias_slope;
+            if STICK {
+                let share = found.stick.get(i).copied().unwrap_or(F::Pair::zero());
+                sums.stick += share * area;
+            }
+        }
+    }
+}
+
+/// Totals in pairs of strips, with their derivatives.
+struct SlopeSums<P> {
+    fx: SlopeSum<P>,
+    fy: SlopeSum<P>,
+    mz: SlopeSum<P>,
+    stick: P,
+}
+
+/// A total with its derivatives by the numbers of the patch.
+#[derive(Clone, Copy)]
+struct SlopeSum<P> {
+    value: P,
+    by_longitudinal: P,
+    by_slope: P,
+    /// By `ρ ε`.
+    by_bend: P,
+    by_lateral: P,
+    by_spin: P,
+}
+
+impl<P: Arithmetic> SlopeSums<P> {
+    fn start() -> Self {
+        let zero = P::zero();
+        let sum = SlopeSum {
+            value: zero,
+            by_longitudinal: zero,
+            by_slope: zero,
+            by_bend: zero,
+            by_lateral: zero,
+            by_spin: zero,
+        };
+        Self { fx: sum, fy: sum, mz: sum, stick: zero }
+    }
+}
+
+impl<P: Arithmetic> SlopeSum<P> {
+    /// Adds strips: a value, its derivatives by `A_x, A_y, σ`, and those of `A_x` by `a_x, −ρ, −ρ ε`.
+    #[inline(always)]
+    fn add(&mut self, value: P, [by_x, by_y, by_spin]: [P; 3], [one, y, bend]: [P; 3]) {
+        self.value += value;
+        self.by_longitudinal += by_x * one;
+        self.by_slope -= by_x * y;
+        self.by_bend -= by_x * bend;
+        self.by_lateral += by_y * one;
+        self.by_spin += by_spin;
+    }
+
+    /// The total as a function of `a_x, ρ, ρ ε, a_y, σ`.
+    #[inline(always)]
+    fn follow<T: Real>(self, by: &[T; 5]) -> T
+    where
+        T::Base: Real<Pair = P, Base = T::Base>,
+        P: Pair<T::Base>,
+    {
+        let slopes =
+            [self.by_longitudinal, self.by_slope, self.by_bend, self.by_lateral, self.by_spin];
+        follow(self.value.sum(), &slopes.map(Pair::sum), by)
+    }
+}
+
+/// A strip's march with its derivatives by `A_x, A_y, σ`.
+#[derive(Clone, Copy)]
+struct Slopes<T> {
+    /// Derivatives of `p_x`.
+    dx: [T; 3],
+    /// Derivatives of `p_y`.
+    dy: [T; 3],
+    /// Derivatives of the share that was kept.
+    dm: [T; 3],
+    /// Derivatives of the sums, and the sums.
+    fx: [T; 4],
+    fy: [T; 4],
+    mx: [T; 4],
+}
+
+impl<T: Arithmetic> Slopes<T> {
+    #[inline(always)]
+    fn start() -> Self {
+        let (three, four) = ([T::zero(); 3], [T::zero(); 4]);
+        Self { dx: three, dy: three, dm: three, fx: four, fy: four, mx: four }
+    }
+
+    /// One step from the increment `p`: the cut, the tractions and their derivatives. Not inlined: the
+    /// pairs of strips share one short piece of code.
+    #[inline(never)]
+    fn add(
+        &mut self,
+        p: [&mut T; 2],
+        [m, q, before]: [T; 3],
+        turn: &Turn<Uniform<T>>,
+        floor_slope: &T,
+        step: &Step<T::Base>,
+    ) {
+        const D: f64 = ROUNDING as f64;
+        let [px, py] = p;
+        let (x, y) = (*px, *py);
+        let Self { dx, dy, dm, fx, fy, mx } = self;
+        // s'(q) = 1 − z/(2 d)
+        let z = (T::constant(1.0 + D) - q.max(T::constant(1.0 - D))).max(T::zero());
+        let ds = T::one() - z.times(0.5 / D);
+        let m2 = m * m;
+        // m = s^{−1/2}: dm = c r, r = x dx + y dy
+        let c = (m2 * m) * ds.scale(-step.inverse_square);
+        let w = q * m2;
+        let half = (w * w).plus(1.0);
+        // dh = e r
+        let dw = m2.scale(step.inverse_square) + q * m * c;
+        let e = (w * dw).times(4.0);
+        (*px, *py) = (x * m, y * m);
+        let (gx, gy) = (x * c, y * c);
+        let above = *py - turn.floor.0;
+        let (hx, hy) = (*px * e, above * e);
+        let (sum_x, sum_y) = (*px * half, above * half);
+        fx[3] += sum_x;
+        fy[3] += sum_y;
+        mx[3] += sum_y.scale(step.x);
+        let length = T::from_base(step.length);
+        let by_spin = before.scale(step.square).shift(step.turn);
+        for i in 0..3 {
+            let (mut ex, mut ey) = (dx[i], dy[i] + turn.turned.0 * dm[i]);
+            match i {
+                0 => ex += length,
+                1 => ey += length,
+                _ => ey += by_spin,
+            }
+            let r = x * ex + y * ey;
+            dm[i] = c * r;
+            let (ex, ey) = (m * ex + gx * r, m * ey + gy * r);
+            (dx[i], dy[i]) = (ex, ey);
+            fx[i] += half * ex + hx * r;
+            let mut sum = half * ey + hy * r;
+            if i == 2 {
+                sum -= half * *floor_slope;
+            }
+            fy[i] += sum;
+            mx[i] += sum.scale(step.x);
+        }
+    }
+}
+
+/// `s/(1 + s⁴)^{1/4}` and its derivative `(1 + s⁴)^{−5/4}`
+#[inline(always)]
+fn squashed_slope<T: Arithmetic>(s: T) -> (T, T) {
+    let inverse = T::one() / s.squared().squared().plus(1.0).sqrt().sqrt();
+    let square = inverse * inverse;
+    (s * inverse, square * square * inverse)
+}
+
+/// `a_x, a_y, ρ, ε, σ` from `√(a/b)`, `ν`, the linear coefficients and the creepages.
+#[inline(always)]
+fn parameters<T: Real>(
+    (root, poisson_ratio, linear): (T::Base, T::Base, &LinearCoefficients<T::Base>),
+    [vx, vy, phi]: [T; 3],
+    network: impl Fn(&[T; FEATURES]) -> [T::Pair; CORRECTIONS / 2],
+) -> [T; 5] {
+    const K: f64 = 8.0 / (3.0 * PI);
+    let one = T::one();
+    let upright = T::Base::one() / root;
+    let LinearCoefficients { c11, c22, c23, c33 } = *linear;
+
+    // forces of the linear theory
+    let [lx, ly, ls] = [vx.scale(c11), vy.scale(c22), phi.scale(c23)];
+    let size = magnitude(T::Pair::of(lx, ly));
+    let ss = magnitude(ls);
+    let t2 = lx * lx + ly * ly;
+    let q2 = t2 + ls * ls;
+    let q4 = q2 * q2;
+
+    // rigid slip: translation against spin at the ends of the axes
+    let (px, py) = (phi.scale(upright), phi.scale(root));
+    let (x2, px2, y2, py2) = (vx * vx, px * px, vy * vy, py * py);
+
+    // every quotient (s − c)/(s + c) as 1 − 2 c/(s + c), the divisions in pairs
+    let inverse = |first: T, second: T| (T::Pair::one() / T::Pair::of(first, second)).parts();
+    let (by_x, by_y) = (T::Pair::one() / size.plus(1.0)).parts();
+    let (over_x, over_y) = inverse((x2 + px2).plus(0.02), (y2 + py2).plus(0.02));
+    let (by_s, by_few) = inverse(ss.plus(1.0), ss.plus(0.1));
+    let (by_less, by_more) = inverse(ss.plus(0.3), ss.plus(2.0));
+    let (by_t, by_q) = inverse(t2.plus(0.1), q2.plus(1.0));
+    let (by_n, by_q4) = inverse(q2.plus(0.05), q4.plus(LIMIT));
+    let less = |quotient: T, twice: f64| quotient.times(-twice).plus(1.0);
+    let features = [
+        (x2 - px2) * over_x,
+        (vy * py).times(2.0) * over_y,
+        (y2 - py2) * over_y,
+        T::from_base((root.plus(-1.0) / root.plus(1.0)).times(2.0)),
+        T::from_base(poisson_ratio.times(4.0).plus(-1.0)),
+        less(by_x, 2.0),
+        less(by_y, 2.0),
+        less(by_s, 2.0),
+        (ls * ly) * (by_few * by_y),
+        less(by_t, 0.2),
+        less(by_less, 0.6),
+        less(by_more, 4.0),
+        less(by_q, 2.0),
+    ];
+    let [a, b, c, d] = network(&features);
+    let ((o_slope, o_spin), (o_share, spin_share)) = (b.parts(), c.parts());
+    let (lateral_share, o_profile) = d.parts();
+
+    // w = n²/(0.05 + n²): no correction of the linear forces
+    let w = less(by_n, 0.05);
+    // χ = n⁴/(n⁴ + 12⁴): from the contact's own flexibilities to those that follow the rigid slip
+    const LIMIT: f64 = SATURATION * SATURATION * SATURATION * SATURATION;
+    let elastic = by_q4.times(LIMIT);
+    let rigid = (one - elastic).scale((c11 + c22).times(4.0 / (3.0 * PI)));
+
+    let (e_x, e_y) = positive(a * T::Pair::both(w)).parts();
+    let (e_spin, e_share) = positive(T::Pair::of(o_spin * w, o_share * w)).parts();
+    let roots = T::Pair::of(o_slope, o_profile).squared().plus(1.0).sqrt();
+    let (slope_root, profile_root) = roots.parts();
+    let lateral = ly * e_y;
+    // a_x = (8/3π) C11 vx e_x
+    let longitudinal = elastic * (lx * e_x).times(K) + rigid * vx;
+    // a_y = (8/3π) (C22 vy e_y (1 + τ) + C23 φ e_s β/(1 + |C23 φ|))
+    let lateral_creepage = elastic
+        * (lateral * lateral_share.plus(1.0) + spin_share * e_share * (ls * by_s)).times(K)
+        + rigid * vy;
+    // σ = C23 φ e_σ (1 − β) − C22 vy e_y τ
+    let spin = elastic * (ls * (one - spin_share) * e_spin - lateral_share * lateral)
+        + (rigid * py).times(0.5);
+    // ρ = (32/3π) √(a/b) C33 φ e_ρ
+    let slope =
+        elastic * (py.scale(c33) * (o_slope + slope_root)).times(32.0 / (3.0 * PI)) + rigid * px;
+    let profile = elastic * o_profile / profile_root;
+    [longitudinal, lateral_creepage, slope, profile, spin]
+}
+
+/// A function of some numbers, from its value and its derivatives by them, with their own derivatives.
+#[inline(always)]
+fn follow<T: Real, const M: usize>(value: T::Base, slopes: &[T::Base; M], by: &[T; M]) -> T {
+    let mut sum = T::from_base(value);
+    for (slope, x) in slopes.iter().zip(by) {
+        sum += x.shift(-x.value()).scale(*slope);
+    }
+    sum
 }
 
 /// `Σ wᵢ xᵢ`, in four chains of additions that a vector unit takes together.
@@ -501,14 +907,15 @@ fn slip_share<T: Arithmetic>(creepage: &StripCreepage<T>, step: &Step<T::Base>, 
     let offered_x = creepage.longitudinal;
     let offered_y = creepage.lateral + (creepage.spin + creepage.spin).scale(step.x);
     let offered = (offered_x * offered_x + offered_y * offered_y).plus(NO_TRACTION).sqrt();
-    let excess = (cut.trial.plus(-1.0)).max(T::zero()).scale(step.bound);
+    let trial = cut.trial.plus(NO_TRACTION).sqrt();
+    let excess = trial.plus(-1.0).max(T::zero()).scale(step.bound);
     (excess / offered.scale(step.length)).min(T::one())
 }
 
 /// A number of every strip.
 pub trait PerStrip<T>: Copy {
     /// The same for a function of the numbers.
-    type Mapped: PerStrip<T>;
+    type Mapped: PerStrip<T, Mapped = Self::Mapped>;
     /// Of strip `i`.
     fn of(&self, i: usize) -> T;
     /// A function of the numbers.
@@ -543,7 +950,7 @@ impl<T: Arithmetic, const N: usize> PerStrip<T> for [T; N] {
     }
 }
 
-/// Marches `N` strips from the leading edge together: strips are the inner loop, for the vector units.
+/// Marches `N` strips from the leading edge together.
 #[must_use]
 #[inline(always)]
 pub fn march<T: Arithmetic, const N: usize, const STICK: bool>(
@@ -554,65 +961,191 @@ pub fn march<T: Arithmetic, const N: usize, const STICK: bool>(
 where
     T::Base: Marched,
 {
-    let zero = [T::zero(); N];
-    let (mut px, mut py, mut kept) = (zero, zero, [T::one(); N]);
-    let (mut fx, mut fy, mut mx, mut stick) = (zero, zero, zero, zero);
     let bias = spin.mapped(squashed);
-    let mut reached = zero;
-    let mut last = zero;
-    let mut before = T::Base::one();
-    let (mut t, mut w) = (zero, zero);
+    let mut strips = Together::start(ax, ay);
     for step in &T::Base::STEPS {
-        // Three short loops over the strips instead of one: the root, the quotient and the polynomial of
-        // one strip wait for each other, those of different strips do not.
-        let strips = ax.iter().zip(ay).enumerate();
-        let states = px.iter_mut().zip(&mut py).zip(&kept).zip(&mut t);
-        for ((i, (ax, ay)), (((px, py), kept), t)) in strips.zip(states) {
-            let creepage = StripCreepage { longitudinal: *ax, lateral: *ay, spin: spin.of(i) };
-            (*px, *py, *t) = offer([*px, *py, *kept], &creepage, step);
+        let spin = Turn::new(&spin, &bias, step);
+        strips.offer(&spin, step);
+        strips.cut();
+        strips.add(&spin, step);
+        if STICK {
+            strips.adhere(step);
         }
-        for ((t, w), kept) in t.iter_mut().zip(&mut w).zip(&mut kept) {
-            let cut;
-            (cut, *kept) = cut_back(*t, step);
-            *w = cut.reached;
-            if STICK {
-                *t = cut.trial;
-            }
+    }
+    strips.end::<STICK>(&bias)
+}
+
+/// Twice `N` strips, as two groups: while the square roots and quotients of one are under way, the sums
+/// of the other are formed.
+#[inline(always)]
+fn march_two<T: Arithmetic, const N: usize, const STICK: bool>(
+    ax: &[[T; N]; 2],
+    ay: &[[T; N]; 2],
+    spin: impl PerStrip<T>,
+) -> [StripForces<T, N>; 2]
+where
+    T::Base: Marched,
+{
+    let bias = spin.mapped(squashed);
+    let [ax, bx] = ax;
+    let [ay, by] = ay;
+    let mut a = Together::start(ax, ay);
+    let mut b = Together::start(bx, by);
+    for step in &T::Base::STEPS {
+        let spin = Turn::new(&spin, &bias, step);
+        a.offer(&spin, step);
+        a.cut();
+        b.offer(&spin, step);
+        b.cut();
+        a.add(&spin, step);
+        b.add(&spin, step);
+        if STICK {
+            a.adhere(step);
+            b.adhere(step);
         }
-        let states = px.iter_mut().zip(&mut py).zip(&kept).zip(&w).enumerate();
-        let forces = fx.iter_mut().zip(&mut fy).zip(&mut mx);
-        for ((i, (((px, py), kept), w)), ((fx, fy), mx)) in states.zip(forces) {
-            *px = *px * *kept;
-            *py = *py * *kept;
-            // B times traction/(μ Z) = r B + (p − r B)/(1 + R)
-            let half = half_ellipses(*w);
-            let floor = bias.of(i).scale(step.bound);
-            let y = floor + (*py - floor) * half;
+    }
+    [a.end::<STICK>(&bias), b.end::<STICK>(&bias)]
+}
+
+/// `(2/π) ∫ √(1 − x̂²) f dx̂` by the midpoint rule in the angle, and the half of the half-ellipses' factor.
+const WEIGHT: f64 = 0.5 * (2.0 / STEPS as f64);
+
+/// What spin does in one step.
+#[derive(Clone, Copy)]
+struct Turn<S> {
+    /// Increment of `p_y` that does not depend on the state.
+    fixed: S,
+    /// Increment for the share that was kept.
+    turned: S,
+    /// `r B`
+    floor: S,
+}
+
+impl<S> Turn<S> {
+    #[inline(always)]
+    fn new<T: Arithmetic>(
+        spin: &impl PerStrip<T, Mapped = S>,
+        bias: &impl PerStrip<T, Mapped = S>,
+        step: &Step<T::Base>,
+    ) -> Self {
+        Self {
+            fixed: spin.mapped(|spin| spin.scale(step.turn)),
+            turned: spin.mapped(|spin| spin.scale(step.square)),
+            floor: bias.mapped(|bias| bias.scale(step.bound)),
+        }
+    }
+}
+
+/// Strips side by side in their march.
+#[derive(Clone, Copy)]
+struct Together<'a, T, const N: usize> {
+    ax: &'a [T; N],
+    ay: &'a [T; N],
+    px: [T; N],
+    py: [T; N],
+    /// Share of the last increment that was kept.
+    kept: [T; N],
+    /// `(|p|/B)²` before the cut.
+    trial: [T; N],
+    /// After the cut.
+    reached: [T; N],
+    fx: [T; N],
+    fy: [T; N],
+    mx: [T; N],
+    stick: [T; N],
+    last: [T; N],
+}
+
+impl<'a, T: Arithmetic, const N: usize> Together<'a, T, N>
+where
+    T::Base: Marched,
+{
+    #[inline(always)]
+    fn start(ax: &'a [T; N], ay: &'a [T; N]) -> Self {
+        let zero = [T::zero(); N];
+        Self {
+            ax,
+            ay,
+            px: zero,
+            py: zero,
+            kept: [T::one(); N],
+            trial: zero,
+            reached: zero,
+            fx: zero,
+            fy: zero,
+            mx: zero,
+            stick: zero,
+            last: zero,
+        }
+    }
+
+    /// `p` after the increment of a step: exact while it sticks; where it slips, the rigid slip at the
+    /// step's end gives the direction.
+    #[inline(always)]
+    fn offer(&mut self, spin: &Turn<impl PerStrip<T>>, step: &Step<T::Base>) {
+        let strips = self.ax.iter().zip(self.ay).enumerate();
+        let states = self.px.iter_mut().zip(&mut self.py).zip(&mut self.kept).zip(&mut self.trial);
+        for ((i, (ax, ay)), (((px, py), kept), trial)) in strips.zip(states) {
+            *px += ax.scale(step.length);
+            *py += (ay.scale(step.length) + spin.fixed.of(i)) + *kept * spin.turned.of(i);
+            *trial = (*px * *px + *py * *py).scale(step.inverse_square);
+            *kept = rounded(*trial);
+        }
+    }
+
+    /// The factors that bring `p` back to the bound.
+    #[inline(always)]
+    fn cut(&mut self) {
+        self.kept = T::inverse_roots(self.kept);
+    }
+
+    /// The state after the cut, and its tractions.
+    #[inline(always)]
+    fn add(&mut self, spin: &Turn<impl PerStrip<T>>, step: &Step<T::Base>) {
+        let states = self.px.iter_mut().zip(&mut self.py).zip(&self.kept).zip(&self.trial);
+        let forces = self.fx.iter_mut().zip(&mut self.fy).zip(&mut self.mx);
+        for ((i, (((px, py), m), q)), ((fx, fy), mx)) in states.enumerate().zip(forces) {
+            let w = *q * (*m * *m);
+            (*px, *py) = (*px * *m, *py * *m);
+            // twice B times traction/(μ Z) = r B + (p − r B)/(1 + R), without r B
+            let half = (w * w).plus(1.0);
+            let y = (*py - spin.floor.of(i)) * half;
             *fx += *px * half;
             *fy += y;
             *mx += y.scale(step.x);
         }
+    }
+
+    /// Share of the step that sticks: the bound is met between its ends.
+    #[inline(always)]
+    fn adhere(&mut self, step: &Step<T::Base>) {
+        let cuts = self.kept.iter().zip(&self.trial);
+        let sticks = self.stick.iter_mut().zip(&mut self.reached).zip(&mut self.last);
+        for (((stick, reached), last), (m, q)) in sticks.zip(cuts) {
+            let span = q.max(T::one()) - *reached;
+            *last = (T::constant(1.04) - *reached) / span.plus(0.04);
+            *stick += last.scale(step.length.times(0.5));
+            *reached = *q * (*m * *m);
+        }
+    }
+
+    /// `(2/π) ∫ √(1 − x̂²) f dx̂` by the midpoint rule in the angle.
+    #[inline(always)]
+    fn end<const STICK: bool>(mut self, bias: &impl PerStrip<T>) -> StripForces<T, N> {
         if STICK {
-            let sticks = stick.iter_mut().zip(&mut reached).zip(&mut last);
-            for (((stick, reached), last), (trial, w)) in sticks.zip(t.iter().zip(&w)) {
-                // share of the step that sticks: the bound is met between its ends
-                let span = trial.max(T::one()) - *reached;
-                *last = (T::constant(1.02) - *reached) / span.plus(0.02);
-                *stick += last.scale(step.length.times(0.5));
-                *reached = *w;
+            let before = T::Base::STEPS[STEPS - 1].x;
+            for (stick, last) in self.stick.iter_mut().zip(&self.last) {
+                *stick += last.scale(before.plus(1.0).times(0.5));
             }
         }
-        before = step.x;
-    }
-    // (2/π) ∫ √(1 − x̂²) f dx̂ by the midpoint rule in the angle
-    const WEIGHT: f64 = 2.0 / STEPS as f64;
-    if STICK {
-        for (stick, last) in stick.iter_mut().zip(&last) {
-            *stick += last.scale(before.plus(1.0).times(0.5));
+        let [fx, mut fy, mx] =
+            [self.fx, self.fy, self.mx].map(|force| force.map(|x| x.times(WEIGHT)));
+        // Σ B = STEPS/2, Σ B x̂ = 0
+        for (i, fy) in fy.iter_mut().enumerate() {
+            *fy += bias.of(i);
         }
+        StripForces { fx, fy, mx, stick: self.stick }
     }
-    let [fx, fy, mx] = [fx, fy, mx].map(|force| force.map(|x| x.times(WEIGHT)));
-    StripForces { fx, fy, mx, stick }
 }
 
 /// State of a strip at the end of a step.
@@ -629,9 +1162,9 @@ struct March<T> {
 /// The cut at the bound.
 #[derive(Clone, Copy)]
 struct Cut<T> {
-    /// `|p|/B` before it.
+    /// `(|p|/B)²` before it.
     trial: T,
-    /// `w = |p|/B` after it.
+    /// The same after it.
     reached: T,
 }
 
@@ -644,52 +1177,22 @@ impl<T: Arithmetic> March<T> {
     /// The next step: increment, then cut back to the bound.
     #[inline(always)]
     fn step(self, creepage: &StripCreepage<T>, step: &Step<T::Base>) -> (Self, Cut<T>) {
-        let (px, py, t) = offer([self.px, self.py, self.kept], creepage, step);
-        let (cut, m) = cut_back(t, step);
-        (Self { px: px * m, py: py * m, kept: m }, cut)
+        let turn = self.kept.scale(step.square).shift(step.turn);
+        let px = self.px + creepage.longitudinal.scale(step.length);
+        let py = self.py + creepage.lateral.scale(step.length) + creepage.spin * turn;
+        let trial = (px * px + py * py).scale(step.inverse_square);
+        let m = T::one() / rounded(trial).sqrt();
+        (Self { px: px * m, py: py * m, kept: m }, Cut { trial, reached: trial * (m * m) })
     }
 }
 
-/// `p` after the increment of a step, and its size.
+/// `max(1, q)`, with a parabola between `1 − d` and `1 + d`.
 #[inline(always)]
-fn offer<T: Arithmetic>(
-    [px, py, kept]: [T; 3],
-    creepage: &StripCreepage<T>,
-    step: &Step<T::Base>,
-) -> (T, T, T) {
-    // exact while it sticks; where it slips, the rigid slip at the step's end gives the direction
-    let turn = kept.scale(step.square).shift(step.turn - step.square);
-    let px = px + creepage.longitudinal.scale(step.length);
-    let py = py + creepage.lateral.scale(step.length) + creepage.spin * turn;
-    (px, py, (px * px + py * py).plus(NO_TRACTION).sqrt())
-}
-
-/// The factor that brings `|p| = t` back to the bound.
-#[inline(always)]
-fn cut_back<T: Arithmetic>(t: T, step: &Step<T::Base>) -> (Cut<T>, T) {
-    let trial = t.scale(step.inverse);
-    let reached = rounded(trial);
-    // the division does not wait for the rounding
-    (Cut { trial, reached }, (T::one() / t) * reached.scale(step.bound))
-}
-
-/// `min(1, t)`, with a parabola between `1 − d` and `1 + d`.
-#[inline(always)]
-fn rounded<T: Arithmetic>(t: T) -> T {
-    let d = T::Base::of_f32(ROUNDING);
-    let a = t.min(T::from_base(T::Base::one() + d));
-    let z = a.shift(d - T::Base::one()).max(T::zero());
-    a - (z * z).scale(T::Base::of(0.25) / d)
-}
-
-/// `1/(1 + √(1 − w))`, approximately: within 0.05 and once differentiable at `w = 1`.
-#[inline(always)]
-fn half_ellipses<T: Arithmetic>(w: T) -> T {
-    let [k0, k1, k2] = SHAPE.map(T::Base::of_f32);
-    let w2 = w * w;
-    let w4 = w2 * w2;
-    let w8 = w4 * w4;
-    (w * w.scale(k1).shift(k0)).plus(0.5) + (w8 * w8).scale(k2)
+fn rounded<T: Arithmetic>(q: T) -> T {
+    const D: f64 = ROUNDING as f64;
+    let a = q.max(T::constant(1.0 - D));
+    let z = (T::constant(1.0 + D) - a).max(T::zero());
+    a + (z * z).times(0.25 / D)
 }
 
 /// `s/(1 + s⁴)^{1/4}`, inside (−1, 1).
@@ -710,30 +1213,117 @@ fn positive<T: Arithmetic>(o: T) -> T {
     o + o.squared().plus(1.0).sqrt()
 }
 
-/// The corrections: one layer of units `h/√(1 + h²)`.
+/// The corrections: one layer of units `h/√(1 + h²)`, in pairs.
 #[inline(always)]
-fn network<T: Arithmetic>(features: &[T; FEATURES]) -> [T; CORRECTIONS]
+fn network<T: Real>(features: &[T; FEATURES]) -> [T::Pair; CORRECTIONS / 2]
 where
     T::Base: Marched,
 {
-    let hidden = layer(features, &T::Base::HIDDEN, &T::Base::HIDDEN_OFFSET);
-    let hidden = hidden.map(|h| h / h.squared().plus(1.0).sqrt());
-    layer(&hidden, &T::Base::OUTPUT, &T::Base::OUTPUT_OFFSET)
-}
-
-#[inline(always)]
-fn layer<T: Arithmetic, const M: usize, const N: usize>(
-    inputs: &[T; M],
-    weights: &[[T::Base; N]; M],
-    offsets: &[T::Base; N],
-) -> [T; N] {
-    let mut sums = offsets.map(T::from_base);
-    for (input, row) in inputs.iter().zip(weights) {
-        for (sum, weight) in sums.iter_mut().zip(row) {
-            *sum += input.scale(*weight);
+    let mut hidden = T::Base::HIDDEN_OFFSET.map(pair_of::<T>);
+    for (feature, row) in features.iter().zip(&T::Base::HIDDEN) {
+        let feature = T::Pair::both(*feature);
+        for (sum, weights) in hidden.iter_mut().zip(row) {
+            *sum += feature * pair_of::<T>(*weights);
         }
     }
-    sums
+    let roots = T::Pair::inverse_roots(hidden.map(|h| h.squared().plus(1.0)));
+    for (h, root) in hidden.iter_mut().zip(roots) {
+        *h = *h * root;
+    }
+    // two chains of additions
+    let mut corrections = T::Base::OUTPUT_OFFSET.map(pair_of::<T>);
+    let mut others = [T::Pair::zero(); CORRECTIONS / 2];
+    let table = &<T::Base as Marched>::OUTPUT;
+    let (rows, _) = table.as_chunks::<2>();
+    for (pair, [row, other]) in hidden.iter().zip(rows) {
+        let (first, second) = pair.parts();
+        let (first, second) = (T::Pair::both(first), T::Pair::both(second));
+        for ((sum, weights), (other, others)) in
+            corrections.iter_mut().zip(row).zip(others.iter_mut().zip(other))
+        {
+            *sum += first * pair_of::<T>(*weights);
+            *other += second * pair_of::<T>(*others);
+        }
+    }
+    for (sum, other) in corrections.iter_mut().zip(others) {
+        *sum += other;
+    }
+    corrections
+}
+
+/// The corrections with their derivatives by the three creepages: the weights meet value and slopes
+/// together, and the roots are shared.
+#[inline(always)]
+fn network_slopes<F: Marched>(
+    features: &[Dual<F, 3>; FEATURES],
+) -> [Two<Dual<F, 3>>; CORRECTIONS / 2] {
+    let none = [F::Pair::zero(); 3];
+    let values = features.map(|feature| F::Pair::both(feature.value));
+    let slopes = [0, 1, 2].map(|k| features.map(|feature| F::Pair::both(feature.gradient[k])));
+    let [by_x, by_y, by_phi] = &slopes;
+    let table = &F::HIDDEN;
+    let mut hidden = F::HIDDEN_OFFSET.map(|offset| (pair_of::<F>(offset), none));
+    for (k, (sum, [sum_x, sum_y, sum_phi])) in hidden.iter_mut().enumerate() {
+        let weight = |i: usize| pair_of::<F>(table[i][k]);
+        for (i, value) in values.iter().enumerate() {
+            *sum += *value * weight(i);
+        }
+        // the features that depend on each creepage
+        for i in [0, 5, 9, 12] {
+            *sum_x += by_x[i] * weight(i);
+        }
+        for i in [1, 2, 6, 8, 9, 12] {
+            *sum_y += by_y[i] * weight(i);
+        }
+        for i in [0, 1, 2, 7, 8, 10, 11, 12] {
+            *sum_phi += by_phi[i] * weight(i);
+        }
+    }
+    // d h/√(1 + h²) = dh/(1 + h²)^{3/2}
+    let roots = F::Pair::inverse_roots(hidden.map(|(h, _)| h.squared().plus(1.0)));
+    let mut corrections = F::OUTPUT_OFFSET.map(|offset| (pair_of::<F>(offset), none));
+    let table = &F::OUTPUT;
+    let (rows, _) = table.as_chunks::<2>();
+    for (((h, slopes), root), rows) in hidden.into_iter().zip(roots).zip(rows) {
+        let values = (h * root).parts();
+        let cube = root * root * root;
+        let slopes = slopes.map(|slope| (slope * cube).parts());
+        let units =
+            [(values.0, slopes.map(|slope| slope.0)), (values.1, slopes.map(|slope| slope.1))];
+        for ((value, slopes), row) in units.into_iter().zip(rows) {
+            let (value, slopes) = (F::Pair::both(value), slopes.map(F::Pair::both));
+            for ((sum, sums), weights) in corrections.iter_mut().zip(row) {
+                let weights = pair_of::<F>(*weights);
+                *sum += value * weights;
+                for (sum, slope) in sums.iter_mut().zip(slopes) {
+                    *sum += slope * weights;
+                }
+            }
+        }
+    }
+    corrections.map(|(value, slopes)| {
+        let (value, slopes) = (value.parts(), slopes.map(Pair::parts));
+        Pair::of(
+            Dual { value: value.0, gradient: slopes.map(|slope| slope.0) },
+            Dual { value: value.1, gradient: slopes.map(|slope| slope.1) },
+        )
+    })
+}
+
+/// A table in pairs, from number `first` on.
+#[inline(always)]
+fn pairs_of<T: Real, const N: usize>(
+    table: &[T::Base; N],
+    first: usize,
+) -> impl Iterator<Item = T::Pair> {
+    let (pairs, _) = table.as_chunks::<2>();
+    pairs.iter().skip(first / 2).map(|pair| pair_of::<T>(*pair))
+}
+
+/// Two plain numbers side by side.
+#[inline(always)]
+fn pair_of<T: Real>([first, second]: [T::Base; 2]) -> T::Pair {
+    T::Pair::of(T::from_base(first), T::from_base(second))
 }
 
 /// The creepages, scaled down together where their fourth powers would overflow.

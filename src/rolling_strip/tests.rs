@@ -263,8 +263,8 @@ fn field_and_forces_agree() {
             let (mut fx, mut fy) = (0.0, 0.0);
             for step in &f64::STEPS {
                 let p = scaled.traction(&geometry, step.x);
-                fx += 0.2 * step.bound * p.x;
-                fy += 0.2 * step.bound * p.y;
+                fx += 2.0 / STEPS as f64 * step.bound * p.x;
+                fy += 2.0 / STEPS as f64 * step.bound * p.y;
             }
             assert_abs_diff_eq!(fx, forces.fx[i], epsilon = 1e-12);
             assert_abs_diff_eq!(fy, forces.fy[i], epsilon = 1e-12);
@@ -347,4 +347,76 @@ fn single_precision_agrees() {
             assert_abs_diff_eq!(f64::from(*value), expected, epsilon = 2e-4);
         }
     }
+}
+
+/// The derivatives taken by hand through the march and the network are those of the same formulas run with
+/// dual numbers.
+#[test]
+fn derivatives_are_those_of_dual_numbers() {
+    fn close(a: Dual<f64, 3>, b: Dual<f64, 3>, case: &[f64; 5]) {
+        assert_abs_diff_eq!(a.value, b.value, epsilon = 1e-12 * (1.0 + b.value.abs()));
+        let size = b.gradient.iter().fold(1e-3, |size: f64, d| size.max(d.abs()));
+        for (d, e) in a.gradient.iter().zip(b.gradient) {
+            assert!((d - e).abs() < 1e-10 * size, "{case:?}: {d} {e}");
+        }
+    }
+    for case in cases(2000) {
+        let [g, nu, vx, vy, phi] = case;
+        let c = LinearCoefficients::at(g, nu);
+        let v = [Dual::<f64, 3>::input(vx, 0), Dual::input(vy, 1), Dual::input(phi, 2)];
+        let by_hand = RollingStrips::new(g, nu, &c, v);
+        let [longitudinal, lateral, slope, profile, spin] =
+            parameters((g.sqrt(), nu, &c), v, network);
+        close(by_hand.longitudinal, longitudinal, &case);
+        close(by_hand.lateral, lateral, &case);
+        close(by_hand.slope, slope, &case);
+        close(by_hand.profile, profile, &case);
+        close(by_hand.spin, spin, &case);
+        let totals = by_hand.totals::<16, true>();
+        let forces = by_hand.one_by_one::<16, true>();
+        let expected = by_hand.sum::<16, true>(&forces);
+        close(totals.fx, expected.fx, &case);
+        close(totals.fy, expected.fy, &case);
+        close(totals.mz, expected.mz, &case);
+        assert_abs_diff_eq!(totals.stick.value, expected.stick.value, epsilon = 1e-12);
+        // and the values those of the forces alone
+        let plain = strips(case).totals::<16, true>();
+        assert_abs_diff_eq!(totals.fx.value, plain.fx, epsilon = 1e-13);
+        assert_abs_diff_eq!(totals.fy.value, plain.fy, epsilon = 1e-13);
+        assert_abs_diff_eq!(totals.mz.value, plain.mz, epsilon = 1e-13);
+    }
+}
+
+/// Differences of sixth order, where no strip comes near a change of formula: the derivatives to 1e-7.
+#[test]
+fn derivatives_are_those_of_differences() {
+    let (mut tight, mut worst) = (0, 0.0_f64);
+    for case in cases(1000) {
+        let [g, nu, vx, vy, phi] = case;
+        let c = LinearCoefficients::at(g, nu);
+        let v = [Dual::<f64, 3>::input(vx, 0), Dual::input(vy, 1), Dual::input(phi, 2)];
+        let totals = RollingStrips::new(g, nu, &c, v).totals::<16, false>();
+        let h = 2e-4 * (vx.abs() + vy.abs() + phi.abs());
+        for k in 0..3 {
+            let at = |n: f64| {
+                let mut v = [vx, vy, phi];
+                v[k] += n * h;
+                let t = RollingStrips::new(g, nu, &c, v).totals::<16, false>();
+                [t.fx, t.fy, t.mz]
+            };
+            let points = [1.0, 2.0, 3.0].map(|n| (at(n), at(-n)));
+            for (i, total) in [totals.fx, totals.fy, totals.mz].iter().enumerate() {
+                let d = [0, 1, 2].map(|n| points[n].0[i] - points[n].1[i]);
+                let slope = (45.0 * d[0] - 9.0 * d[1] + d[2]) / (60.0 * h);
+                let size = total.gradient.iter().fold(1e-3, |size: f64, d| size.max(d.abs()));
+                let error = (slope - total.gradient[k]).abs() / size;
+                // second derivatives jump where a strip's bound is met
+                if error < 1e-7 {
+                    tight += 1;
+                }
+                worst = worst.max(error);
+            }
+        }
+    }
+    assert!(tight > 9000 / 4 && worst < 0.02, "{tight} {worst}");
 }
