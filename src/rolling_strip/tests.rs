@@ -420,3 +420,29 @@ fn derivatives_are_those_of_differences() {
     }
     assert!(tight > 9000 / 4 && worst < 0.02, "{tight} {worst}");
 }
+
+#[test]
+fn any_size_of_creepage_is_finite_in_single_precision() {
+    for size in [1e-38, 1e-8, 1.0, 1e4, 1e9, 1e38_f32] {
+        for [vx, vy, phi] in
+            [[1.0, 0.0, 0.0], [0.1, -0.05, 1.0], [0.0, 0.0, 1.0], [-1.0, 1.0, -1.0]]
+        {
+            for g in [1e-9, 1e-6, 0.01, 1.0, 100.0, 1e6, 1e9_f32] {
+                for nu in [0.0, 0.5] {
+                    let c = LinearCoefficients::at(g, nu);
+                    let solution =
+                        RollingStrips::new(g, nu, &c, [size * vx, size * vy, size * phi]);
+                    let t = solution.totals::<16, true>();
+                    assert!(t.fx.hypot(t.fy) <= 1.0 + 1e-5, "{size} {g} {nu} {t:?}");
+                    assert!(t.mz.is_finite() && (0.0..=1.00001).contains(&t.stick), "{t:?}");
+                    let geometry = StripGeometry { y: 0.3, half_length: 0.9, bound: 0.9 };
+                    for place in [-1.0, -0.99, 0.2, 0.999, 1.0] {
+                        let p = solution.traction(&geometry, place);
+                        assert!(p.x.hypot(p.y) <= 1.0 + 1e-5, "{size} {g} {nu} {place} {p:?}");
+                        assert!(p.slip_x.is_finite() && p.slip_y.is_finite(), "{size} {g} {p:?}");
+                    }
+                }
+            }
+        }
+    }
+}
