@@ -30,14 +30,16 @@ impl<F: Float> FieldPoint<F> {
         let p0 = contact.peak_pressure();
         let traction = contact.friction * p0;
         // The inverse of the factor in (5.13), so that without friction the slip is the rigid slip
-        let slip = F::one() / contact.stiffness_ratio();
+        let slip = (F::one() / (contact.stiffness_ratio() + F::TINY)).min(F::HUGE);
+        let (traction_x, traction_y) = (traction * point.traction_x, traction * point.traction_y);
+        let (slip_x, slip_y) = (slip * point.slip_x, slip * point.slip_y);
         Self {
             pressure: p0 * point.pressure,
-            traction_x: traction * point.traction_x,
-            traction_y: traction * point.traction_y,
-            slip_x: slip * point.slip_x,
-            slip_y: slip * point.slip_y,
-            dissipation: traction * slip * point.dissipation(),
+            traction_x,
+            traction_y,
+            slip_x,
+            slip_y,
+            dissipation: traction_x * slip_x + traction_y * slip_y,
             state: point.state,
         }
     }
