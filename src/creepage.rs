@@ -152,7 +152,9 @@ impl<T: Real> Parameters<T> {
     #[inline(always)]
     #[must_use]
     pub fn spin_slope(&self) -> T {
-        self.psi.scale(T::Base::one() / ((T::Base::one() - self.poisson_ratio) * self.axis_ratio))
+        let width = (T::Base::one() - self.poisson_ratio) * self.axis_ratio;
+        let huge = T::from_base(T::HUGE);
+        self.psi.scale(T::Base::one() / width).clamped(-huge, huge)
     }
 }
 

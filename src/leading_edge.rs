@@ -202,7 +202,7 @@ impl<T: Real> StripFamily<T> {
     /// The adhesion interval, or `None` with the strip nearest to adhesion.
     ///
     /// For `|ψ| > 1` the interval is where a root exists and fits (`κ ≤ C`); the bound on the
-    /// traction may take pieces out of it, see [`StripFamily::excluded`].
+    /// traction may take pieces out of it, see `excluded`.
     pub fn adhesion_interval(&self) -> Result<AdhesionInterval<T>, EdgePoint<T>> {
         let plain = self.plain();
         let within_theory = plain.psi.abs() < T::Base::one();

@@ -133,6 +133,7 @@ fn everywhere(c: &Contact<f64>, m: &Creepage<f64>) -> Result<Vec<[f64; 4]>, i32>
                     assert!(untouched(&one));
                 } else {
                     let (p, q) = (one[0].assume_init(), result[0].assume_init());
+                    assert!(p.fx.is_finite() && p.mz.is_finite(), "{c:?} {m:?} {co:?} {p:?}");
                     assert_eq!((p.fx, p.fy, p.mz, p.adhesion), (q.fx, q.fy, q.mz, q.adhesion));
                 }
                 (

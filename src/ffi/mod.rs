@@ -9,6 +9,8 @@
 #![allow(unsafe_code)]
 // What C callers promise about pointers stands once, at the head of the header.
 #![allow(clippy::missing_safety_doc)]
+// The comments are written for the C header: [N] is a unit and [out] a direction there.
+#![allow(rustdoc::broken_intra_doc_links)]
 
 mod arrays;
 mod calls;
