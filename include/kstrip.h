@@ -28,7 +28,7 @@
  * - NULL, NaN, infinities and any other numbers are safe inputs. Pointers must be NULL or valid and
  *   aligned; arrays must have as many elements as their count says. Outputs must not overlap inputs.
  * - No function allocates, blocks, keeps state, or calls back: all may be used from any thread and
- *   from interrupt handlers. Stack use is below 16 kB on a PC.
+ *   from interrupt handlers. Stack use: docs/embedded.md.
  * - Functions and types with the suffix _f32 are the same in single precision.
  * - Same inputs, same bits: on every machine with IEEE arithmetic, in every thread.
  */
