@@ -42,8 +42,9 @@ impl<F: Float> Creepage<F> {
     /// use kstrip::creepage::{Creepage, SurfaceVelocity};
     /// let rail = SurfaceVelocity { x: -10.0, y: 0.0, angular_z: 0.0 };
     /// let wheel = SurfaceVelocity { x: -21.8 * 0.46, y: 0.01, angular_z: 0.5 };
-    /// let creepage = Creepage::from_velocities(&rail, &wheel, 10.0).unwrap();
+    /// let creepage = Creepage::from_velocities(&rail, &wheel, 10.0)?;
     /// assert!((creepage.longitudinal + 0.0028_f64).abs() < 1e-12 && creepage.spin == 0.05);
+    /// # Ok::<(), kstrip::status::Error>(())
     /// ```
     pub fn from_velocities(
         lower: &SurfaceVelocity<F>,

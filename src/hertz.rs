@@ -60,9 +60,10 @@ const NEWTON_STEPS: usize = 12;
 /// use kstrip::hertz::{hertz, Radii};
 /// let flat = f64::INFINITY;
 /// let radii = Radii { lower_x: flat, lower_y: flat, upper_x: 1.0, upper_y: 1.0 };
-/// let ball = hertz(&radii, 80e3, 82e9, 0.28).unwrap();
+/// let ball = hertz(&radii, 80e3, 82e9, 0.28)?;
 /// let expected = (3.0 * 80e3 * (1.0 - 0.28) / (4.0 * 82e9_f64)).cbrt();
 /// assert!((ball.a - expected).abs() < 1e-12 * expected && ball.a == ball.b);
+/// # Ok::<(), kstrip::status::Error>(())
 /// ```
 pub fn hertz<F: Float>(
     radii: &Radii<F>,

@@ -49,8 +49,9 @@ impl<F: Float> Material<F> {
 /// ```
 /// use kstrip::material::{combine, Material};
 /// let steel = Material { shear_modulus: 82e9, poisson_ratio: 0.28 };
-/// let pair = combine(&steel, &steel).unwrap();
+/// let pair = combine(&steel, &steel)?;
 /// assert_eq!((pair.poisson_ratio, pair.mismatch), (0.28, 0.0));
+/// # Ok::<(), kstrip::status::Error>(())
 /// ```
 pub fn combine<F: Float>(
     lower: &Material<F>,

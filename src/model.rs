@@ -308,8 +308,9 @@ pub fn check<F: Precision>(
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
 /// };
 /// let creepage = Creepage { longitudinal: 1e-3, lateral: 0.0, spin: 0.0 };
-/// let forces = solve(&contact, &creepage, &Options::default()).unwrap();
+/// let forces = solve(&contact, &creepage, &Options::default())?;
 /// assert!(forces.fx > 0.0 && forces.fx < 24e3 && forces.fy == 0.0);
+/// # Ok::<(), kstrip::status::Error>(())
 /// ```
 pub fn solve<F: Precision>(
     contact: &Contact<F>,
