@@ -1,11 +1,14 @@
 //! C programs against the header and the static library: the examples with their numbers, the layout
 //! of every structure, the answers to bad input, the language standards, threads.
 
+#[path = "c/header.rs"]
+mod header;
 #[path = "c/toolchain.rs"]
 mod toolchain;
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use core::mem::{offset_of, size_of};
+use header::{Declared, Structure};
 use kstrip::contact::Contact;
 use kstrip::creepage::Creepage;
 use kstrip::ffi::{self, types::*, types_f32::*};
@@ -14,7 +17,9 @@ use kstrip::status::Notice;
 use kstrip::strip::State;
 use kstrip::totals::StripCount;
 use std::collections::{BTreeMap, BTreeSet};
-use toolchain::{check_header, has_cpp, knows, root, run_c, say};
+use toolchain::{
+    check_header, compile_with, has_cpp, knows, root, run_c, say, symbols_of_library, write_scratch,
+};
 
 /// The contact of examples 02, 03 and 04.
 const CONTACT: Contact<f64> = Contact {
@@ -162,15 +167,14 @@ fn wheel_rail_prints_the_right_patch_forces_and_map() {
     assert_close(count('#') / inside, adhesion, 0.02, "stick in the map");
 }
 
-/// Values of `#define <prefix>NAME value` in the header.
+/// What the header declares.
+fn declared() -> Declared {
+    header::declared(&std::fs::read_to_string(root().join("include/kstrip.h")).expect("the header"))
+}
+
+/// The constants of the header whose names start like this.
 fn constants_of_header(prefix: &str) -> BTreeMap<String, i64> {
-    let header = std::fs::read_to_string(root().join("include/kstrip.h")).expect("the header");
-    header
-        .lines()
-        .filter_map(|line| line.strip_prefix("#define ")?.split_once(' '))
-        .filter(|(name, _)| name.starts_with(prefix))
-        .map(|(name, value)| (name.to_owned(), value.trim().parse().expect("an integer")))
-        .collect()
+    declared().constants.into_iter().filter(|(name, _)| name.starts_with(prefix)).collect()
 }
 
 /// One line of the CSV file.
@@ -414,72 +418,69 @@ macro_rules! layouts {
 }
 
 fn rust_layouts() -> BTreeMap<String, usize> {
-    let mut layouts = layouts! {
-        kstrip_options { model, strips }
-        kstrip_material { shear_modulus, poisson_ratio }
-        kstrip_combined_material { shear_modulus, poisson_ratio, mismatch }
-        kstrip_radii { lower_x, lower_y, upper_x, upper_y }
-        kstrip_hertz_contact { a, b, peak_pressure, approach, axis_ratio, hertz_angle, rho }
-        kstrip_velocity { x, y, angular_z }
-        kstrip_creepage { longitudinal, lateral, spin }
-        kstrip_contact { a, b, normal_force, shear_modulus, poisson_ratio, friction }
-        kstrip_parameters { xi, eta, psi }
-        kstrip_result { fx, fy, mz, power, adhesion, status_detail, reserved }
-        kstrip_strip { y, width, half_length, separatrix, fx, fy, mz, power, state, reserved }
-        kstrip_point {
-            pressure, traction_x, traction_y, slip_x, slip_y, dissipation, state, reserved
-        }
-        kstrip_material_f32 { shear_modulus, poisson_ratio }
-        kstrip_combined_material_f32 { shear_modulus, poisson_ratio, mismatch }
-        kstrip_radii_f32 { lower_x, lower_y, upper_x, upper_y }
-        kstrip_hertz_contact_f32 { a, b, peak_pressure, approach, axis_ratio, hertz_angle, rho }
-        kstrip_velocity_f32 { x, y, angular_z }
-        kstrip_creepage_f32 { longitudinal, lateral, spin }
-        kstrip_contact_f32 { a, b, normal_force, shear_modulus, poisson_ratio, friction }
-        kstrip_parameters_f32 { xi, eta, psi }
-        kstrip_result_f32 { fx, fy, mz, power, adhesion, status_detail, reserved }
-        kstrip_strip_f32 { y, width, half_length, separatrix, fx, fy, mz, power, state, reserved }
-        kstrip_point_f32 {
-            pressure, traction_x, traction_y, slip_x, slip_y, dissipation, state, reserved
-        }
-    };
+    let mut layouts = include!("c/layout.rs");
     layouts.insert("size kstrip_status".to_owned(), size_of::<ffi::kstrip_status>());
     layouts
 }
 
-/// The names of all structures and their members in the header, as C prints them.
-fn names_of_header() -> BTreeSet<String> {
-    let header = std::fs::read_to_string(root().join("include/kstrip.h")).expect("the header");
-    let mut names = BTreeSet::from(["size kstrip_status".to_owned()]);
-    let mut structure = None;
-    for line in header.lines() {
-        if let Some(rest) = line.strip_prefix("typedef struct ") {
-            structure = rest.split_whitespace().next();
-            names.extend(structure.map(|name| format!("size {name}")));
-        } else if line.starts_with('}') {
-            structure = None;
-        } else if let (Some(name), Some(member)) = (structure, line.strip_suffix(';')) {
-            let member = member.split_whitespace().last().expect("a member has a name");
-            names.insert(format!("offset {name}.{member}"));
+/// What the header says by the rule of natural alignment: the numbers of `docs/abi.txt`.
+fn layouts_of_header(declared: &Declared) -> BTreeMap<String, usize> {
+    let mut numbers = BTreeMap::from([("size kstrip_status".to_owned(), 4)]);
+    let layouts = declared.layouts();
+    for Structure { name, members } in &declared.structures {
+        let layout = &layouts[name.as_str()];
+        numbers.insert(format!("size {name}"), layout.size);
+        for (member, offset) in members.iter().zip(&layout.offsets) {
+            numbers.insert(format!("offset {name}.{}", member.name), *offset);
         }
     }
-    names
+    numbers
 }
 
+/// Sizes and offsets of every structure: as C prints them, as Rust sees them, as `docs/abi.txt` has them.
 #[test]
-fn structures_and_statuses_are_the_same_in_c() {
-    let text = run_c("tests/c/abi.c");
-
-    // Layout: C, Rust and the text of the header name the same members
+fn structures_have_one_layout() {
+    let declared = declared();
+    let text = run_c(&write_scratch("layout_printer.c", &declared.c_printer()));
     let of_c: BTreeMap<String, usize> = text
         .lines()
-        .filter(|line| line.starts_with("size ") || line.starts_with("offset "))
         .filter_map(|line| line.rsplit_once(' '))
         .map(|(name, value)| (name.to_owned(), value.parse().expect("a size")))
         .collect();
-    let of_rust = rust_layouts();
-    assert_eq!(of_c, of_rust);
-    assert_eq!(of_c.keys().cloned().collect::<BTreeSet<_>>(), names_of_header());
+    assert_eq!(of_c, rust_layouts());
+    assert_eq!(of_c, layouts_of_header(&declared));
+}
+
+/// The same layout for other compilers and for the microcontroller, proved by compiling.
+#[test]
+fn other_compilers_lay_structures_out_alike() {
+    let assertions = write_scratch("layout_assertions.c", &declared().c_assertions());
+    for compiler in ["gcc", "clang", "arm-none-eabi-gcc"] {
+        match compile_with(compiler, &assertions) {
+            None => say(&format!("SKIPPED: layouts as {compiler} sees them: it is not installed")),
+            Some(Ok(())) => {}
+            Some(Err(message)) => panic!("{compiler}: {message}"),
+        }
+    }
+}
+
+/// The library has the functions of the header, all of them and no other of that prefix.
+#[test]
+fn library_exports_what_the_header_declares() {
+    let declared = declared();
+    let functions: BTreeSet<&str> = declared.functions.iter().map(|f| f.name.as_str()).collect();
+    let Some(symbols) = symbols_of_library() else {
+        say("SKIPPED: symbols of the library against the header: no nm on this machine");
+        return;
+    };
+    let exported: BTreeSet<&str> =
+        symbols.iter().map(String::as_str).filter(|name| name.starts_with("kstrip_")).collect();
+    assert_eq!(exported, functions);
+}
+
+#[test]
+fn statuses_are_the_same_in_c() {
+    let text = run_c("tests/c/abi.c");
 
     // Every status of the header has a text of its own, other numbers have none
     let known: BTreeMap<i64, String> = constants_of_header("KSTRIP_OK")

@@ -1,82 +1,8 @@
-/* Prints what a C compiler makes of the header, and how every function answers bad input. */
+/* Prints the text of every status, and how every function answers bad input. */
 #include "kstrip.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-#define SIZE(type) printf("size %s %u\n", #type, (unsigned)sizeof(type))
-#define FIELD(type, field)                                                                         \
-    printf("offset %s.%s %u\n", #type, #field, (unsigned)offsetof(type, field))
-
-/* A layout that both precisions share. */
-#define LAYOUTS(suffix)                                                                            \
-    SIZE(kstrip_material##suffix);                                                                 \
-    FIELD(kstrip_material##suffix, shear_modulus);                                                 \
-    FIELD(kstrip_material##suffix, poisson_ratio);                                                 \
-    SIZE(kstrip_combined_material##suffix);                                                        \
-    FIELD(kstrip_combined_material##suffix, shear_modulus);                                        \
-    FIELD(kstrip_combined_material##suffix, poisson_ratio);                                        \
-    FIELD(kstrip_combined_material##suffix, mismatch);                                             \
-    SIZE(kstrip_radii##suffix);                                                                    \
-    FIELD(kstrip_radii##suffix, lower_x);                                                          \
-    FIELD(kstrip_radii##suffix, lower_y);                                                          \
-    FIELD(kstrip_radii##suffix, upper_x);                                                          \
-    FIELD(kstrip_radii##suffix, upper_y);                                                          \
-    SIZE(kstrip_hertz_contact##suffix);                                                            \
-    FIELD(kstrip_hertz_contact##suffix, a);                                                        \
-    FIELD(kstrip_hertz_contact##suffix, b);                                                        \
-    FIELD(kstrip_hertz_contact##suffix, peak_pressure);                                            \
-    FIELD(kstrip_hertz_contact##suffix, approach);                                                 \
-    FIELD(kstrip_hertz_contact##suffix, axis_ratio);                                               \
-    FIELD(kstrip_hertz_contact##suffix, hertz_angle);                                              \
-    FIELD(kstrip_hertz_contact##suffix, rho);                                                      \
-    SIZE(kstrip_velocity##suffix);                                                                 \
-    FIELD(kstrip_velocity##suffix, x);                                                             \
-    FIELD(kstrip_velocity##suffix, y);                                                             \
-    FIELD(kstrip_velocity##suffix, angular_z);                                                     \
-    SIZE(kstrip_creepage##suffix);                                                                 \
-    FIELD(kstrip_creepage##suffix, longitudinal);                                                  \
-    FIELD(kstrip_creepage##suffix, lateral);                                                       \
-    FIELD(kstrip_creepage##suffix, spin);                                                          \
-    SIZE(kstrip_contact##suffix);                                                                  \
-    FIELD(kstrip_contact##suffix, a);                                                              \
-    FIELD(kstrip_contact##suffix, b);                                                              \
-    FIELD(kstrip_contact##suffix, normal_force);                                                   \
-    FIELD(kstrip_contact##suffix, shear_modulus);                                                  \
-    FIELD(kstrip_contact##suffix, poisson_ratio);                                                  \
-    FIELD(kstrip_contact##suffix, friction);                                                       \
-    SIZE(kstrip_parameters##suffix);                                                               \
-    FIELD(kstrip_parameters##suffix, xi);                                                          \
-    FIELD(kstrip_parameters##suffix, eta);                                                         \
-    FIELD(kstrip_parameters##suffix, psi);                                                         \
-    SIZE(kstrip_result##suffix);                                                                   \
-    FIELD(kstrip_result##suffix, fx);                                                              \
-    FIELD(kstrip_result##suffix, fy);                                                              \
-    FIELD(kstrip_result##suffix, mz);                                                              \
-    FIELD(kstrip_result##suffix, power);                                                           \
-    FIELD(kstrip_result##suffix, adhesion);                                                        \
-    FIELD(kstrip_result##suffix, status_detail);                                                   \
-    FIELD(kstrip_result##suffix, reserved);                                                        \
-    SIZE(kstrip_strip##suffix);                                                                    \
-    FIELD(kstrip_strip##suffix, y);                                                                \
-    FIELD(kstrip_strip##suffix, width);                                                            \
-    FIELD(kstrip_strip##suffix, half_length);                                                      \
-    FIELD(kstrip_strip##suffix, separatrix);                                                       \
-    FIELD(kstrip_strip##suffix, fx);                                                               \
-    FIELD(kstrip_strip##suffix, fy);                                                               \
-    FIELD(kstrip_strip##suffix, mz);                                                               \
-    FIELD(kstrip_strip##suffix, power);                                                            \
-    FIELD(kstrip_strip##suffix, state);                                                            \
-    FIELD(kstrip_strip##suffix, reserved);                                                         \
-    SIZE(kstrip_point##suffix);                                                                    \
-    FIELD(kstrip_point##suffix, pressure);                                                         \
-    FIELD(kstrip_point##suffix, traction_x);                                                       \
-    FIELD(kstrip_point##suffix, traction_y);                                                       \
-    FIELD(kstrip_point##suffix, slip_x);                                                           \
-    FIELD(kstrip_point##suffix, slip_y);                                                           \
-    FIELD(kstrip_point##suffix, dissipation);                                                      \
-    FIELD(kstrip_point##suffix, state);                                                            \
-    FIELD(kstrip_point##suffix, reserved)
 
 enum { POISON = 0xA5 };
 
@@ -112,16 +38,6 @@ static int poisoned(const void *memory, size_t size)
 #define SOLVE_contact(pointer) kstrip_solve(pointer, &creepage, &options, &result)
 #define SOLVE_creepage(pointer) kstrip_solve(&contact, pointer, &options, &result)
 #define SOLVE_options(pointer) kstrip_solve(&contact, &creepage, pointer, &result)
-
-static void layouts(void)
-{
-    SIZE(kstrip_status);
-    SIZE(kstrip_options);
-    FIELD(kstrip_options, model);
-    FIELD(kstrip_options, strips);
-    LAYOUTS();
-    LAYOUTS(_f32);
-}
 
 static void texts(void)
 {
@@ -336,7 +252,6 @@ static void single_precision(void)
 
 int main(void)
 {
-    layouts();
     texts();
     preparation();
     solution();

@@ -1,4 +1,5 @@
 //! Builds the static library once, and compiles and runs C programs against it.
+#![allow(dead_code)]
 
 use std::ffi::OsStr;
 use std::io::Write;
@@ -117,4 +118,32 @@ pub fn check_header(cpp: bool, standard: &str) {
     let program = compile(cpp, standard, &source, &arguments)
         .unwrap_or_else(|message| panic!("header under {standard}: {message}"));
     output_of(&mut Command::new(program));
+}
+
+/// A file of this test's own; its path.
+pub fn write_scratch(name: &str, text: &str) -> String {
+    let path = scratch().join(name);
+    std::fs::write(&path, text).expect("scratch is writable");
+    path.to_str().expect("a path in Unicode").to_owned()
+}
+
+/// Whether a compiler by name accepts a C11 file; `None` when there is no such compiler.
+pub fn compile_with(compiler: &str, source: &str) -> Option<Result<(), String>> {
+    let object = scratch().join(format!("{compiler}.o"));
+    let mut command = Command::new(compiler);
+    command.args(["-std=c11", "-c"]).args(STRICT).arg("-I").arg(root().join("include"));
+    let output = command.arg(source).arg("-o").arg(object).output().ok()?;
+    Some(if output.status.success() { Ok(()) } else { Err(report(&output)) })
+}
+
+/// Names of the functions that the static library defines; `None` without `nm`.
+pub fn symbols_of_library() -> Option<Vec<String>> {
+    // Parts of the archive that are no objects make nm complain and end with a status.
+    let output = Command::new("nm").arg("--defined-only").arg(library()).output().ok()?;
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let global = |line: &str| {
+        let (head, name) = line.rsplit_once(' ')?;
+        head.ends_with(" T").then(|| name.trim_start_matches('_').to_owned())
+    };
+    Some(text.lines().filter_map(global).collect())
 }
