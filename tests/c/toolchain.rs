@@ -1,4 +1,4 @@
-//! Builds the static library once, and compiles and runs C programs against it.
+//! Builds the static library once, and compiles and runs C and C++ programs against it.
 #![allow(dead_code)]
 
 use std::ffi::OsStr;
@@ -46,7 +46,8 @@ pub fn library() -> &'static Path {
     })
 }
 
-fn scratch() -> &'static Path {
+/// Where tests write.
+pub fn scratch() -> &'static Path {
     Path::new(env!("CARGO_TARGET_TMPDIR"))
 }
 
@@ -71,12 +72,21 @@ fn compile(
     source: &Path,
     arguments: &[&OsStr],
 ) -> Result<PathBuf, String> {
+    compile_by(compiler(cpp), standard, source, arguments)
+}
+
+fn compile_by(
+    mut command: Command,
+    standard: &str,
+    source: &Path,
+    arguments: &[&OsStr],
+) -> Result<PathBuf, String> {
     let program = scratch().join(format!(
-        "{}-{standard}{}",
+        "{}-{}-{standard}{}",
         source.file_stem().expect("a file").to_string_lossy(),
+        Path::new(command.get_program()).file_name().expect("a program").to_string_lossy(),
         std::env::consts::EXE_SUFFIX
     ));
-    let mut command = compiler(cpp);
     command.arg(format!("-std={standard}")).arg("-I").arg(root().join("include"));
     command.arg(source).args(arguments).arg("-o").arg(&program);
     let output = command.output().map_err(|error| format!("{command:?}: {error}"))?;
@@ -91,6 +101,26 @@ pub fn run_c(source: &str) -> String {
     arguments.extend([library.as_os_str(), OsStr::new("-lpthread")]);
     let program = compile(false, "c99", &root().join(source), &arguments)
         .unwrap_or_else(|message| panic!("{source}: {message}"));
+    output_of(&mut Command::new(program))
+}
+
+/// The C++ compilers of this machine: the system's, and clang++ if that is another one.
+pub fn cpp_compilers() -> Vec<&'static str> {
+    let runs = |name: &&str| {
+        Command::new(name).arg("--version").output().is_ok_and(|output| output.status.success())
+    };
+    ["g++", "clang++"].into_iter().filter(runs).collect()
+}
+
+/// Compile a C++ program of the repository without a warning by one of [`cpp_compilers`], link it with
+/// the library, run it, and return what it printed.
+pub fn run_cpp(name: &str, standard: &str, source: &Path) -> String {
+    let library = library();
+    let extra = ["-Wshadow", "-Wconversion", "-Wsign-conversion"];
+    let mut arguments: Vec<&OsStr> = STRICT.iter().chain(&extra).map(OsStr::new).collect();
+    arguments.push(library.as_os_str());
+    let program = compile_by(Command::new(name), standard, source, &arguments)
+        .unwrap_or_else(|message| panic!("{}: {message}", source.display()));
     output_of(&mut Command::new(program))
 }
 

@@ -1,0 +1,66 @@
+# Builds and installs the C library with nothing but cargo and a C compiler.
+#
+#     make                              libkstrip.a and libkstrip.so in target/release
+#     make install PREFIX=/usr/local    headers, libraries, kstrip.pc and CMake package
+#     make uninstall PREFIX=/usr/local
+#
+# DESTDIR is put in front of every path for packagers. `cargo cinstall` (cargo-c) is the other way; both
+# give the shared library the same name.
+PREFIX ?= /usr/local
+LIBDIR ?= $(PREFIX)/lib
+INCLUDEDIR ?= $(PREFIX)/include
+CARGO ?= cargo
+INSTALL ?= install
+CARGO_TARGET_DIR ?= target
+BUILT = $(CARGO_TARGET_DIR)/release
+
+VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
+# Version of the binary interface: [package.metadata.capi.library] in Cargo.toml. Its first number, the
+# ABI version of kstrip.h, is in the name by which programs find the library.
+ABI := $(shell sed -n '/^\[package.metadata.capi.library\]/,/^$$/ s/^version = "\(.*\)"/\1/p' Cargo.toml)
+ABI_MAJOR := $(firstword $(subst ., ,$(ABI)))
+# Before 1.0.0 the second number of the version breaks sources, from then on the first.
+COMPATIBLE := $(if $(filter 0.%,$(VERSION)),0.$(word 2,$(subst ., ,$(VERSION))),$(firstword $(subst ., ,$(VERSION))))
+
+ifeq ($(shell uname -s),Darwin)
+SHARED = libkstrip.dylib
+NAME = libkstrip.$(ABI_MAJOR).dylib
+FULL = libkstrip.$(ABI).dylib
+LINK = -C link-arg=-Wl,-install_name,$(LIBDIR)/$(NAME)
+else
+SHARED = libkstrip.so
+NAME = libkstrip.so.$(ABI_MAJOR)
+FULL = libkstrip.so.$(ABI)
+LINK = -C link-arg=-Wl,-soname,$(NAME) -C link-arg=-lc
+endif
+
+CMAKEDIR = $(LIBDIR)/cmake/kstrip
+# The packages find their prefix from where they stand, if the library is inside it.
+RELATIVE = $(patsubst $(PREFIX)/%,%,$(1))
+UP = $(shell printf '%s' '$(call RELATIVE,$(1))' | sed 's,[^/][^/]*,..,g')
+FILL = sed -e 's|@VERSION@|$(VERSION)|g' -e 's|@COMPATIBLE@|$(COMPATIBLE)|g' \
+	-e 's|@LIBDIR@|$(call RELATIVE,$(LIBDIR))|g' -e 's|@INCLUDEDIR@|$(call RELATIVE,$(INCLUDEDIR))|g' \
+	-e 's|@SHARED@|$(FULL)|g' -e 's|@SONAME@|$(NAME)|g' \
+	-e 's|@UP_PC@|$(call UP,$(LIBDIR)/pkgconfig)|g' -e 's|@UP_CMAKE@|$(call UP,$(CMAKEDIR))|g'
+
+.PHONY: all install uninstall
+
+all:
+	$(CARGO) rustc --release --locked --lib --crate-type staticlib,cdylib --features panic-handler \
+		--target-dir $(CARGO_TARGET_DIR) -- $(LINK)
+
+install: all
+	$(INSTALL) -d $(DESTDIR)$(INCLUDEDIR) $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(CMAKEDIR)
+	$(INSTALL) -m 644 include/kstrip.h include/kstrip.hpp $(DESTDIR)$(INCLUDEDIR)
+	$(INSTALL) -m 644 $(BUILT)/libkstrip.a $(DESTDIR)$(LIBDIR)
+	$(INSTALL) -m 755 $(BUILT)/$(SHARED) $(DESTDIR)$(LIBDIR)/$(FULL)
+	ln -sf $(FULL) $(DESTDIR)$(LIBDIR)/$(NAME)
+	ln -sf $(NAME) $(DESTDIR)$(LIBDIR)/$(SHARED)
+	$(FILL) packaging/kstrip.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/kstrip.pc
+	$(FILL) packaging/kstrip-config.cmake.in > $(DESTDIR)$(CMAKEDIR)/kstrip-config.cmake
+	$(FILL) packaging/kstrip-config-version.cmake.in > $(DESTDIR)$(CMAKEDIR)/kstrip-config-version.cmake
+
+uninstall:
+	rm -f $(DESTDIR)$(INCLUDEDIR)/kstrip.h $(DESTDIR)$(INCLUDEDIR)/kstrip.hpp
+	rm -f $(addprefix $(DESTDIR)$(LIBDIR)/,libkstrip.a $(FULL) $(NAME) $(SHARED) pkgconfig/kstrip.pc)
+	rm -rf $(DESTDIR)$(CMAKEDIR)

@@ -1,0 +1,88 @@
+// The wheel on a rail of c_examples/01_wheel_rail.c in C++: units in the types, both ways of failing.
+//
+//   c++ -std=c++17 -Iinclude cpp_examples/01_wheel_rail.cpp target/release/libkstrip.a -o wheel_rail
+#include "kstrip.hpp"
+
+#include <array>
+#include <cstdio>
+#include <limits>
+#include <vector>
+
+using namespace kstrip::literals;
+
+static_assert(kstrip::version_major == 0 && (80_kN).value == 80e3 && 6.0_mm == 0.006_m);
+
+int main()
+{
+    if (!kstrip::linked_abi_matches())
+        return 1;
+    const kstrip::metres flat{std::numeric_limits<double>::infinity()};
+    const kstrip::material steel{82_GPa, 0.28};
+    const auto pair = kstrip::combine(steel, steel);
+    const auto patch = kstrip::hertz({flat, 0.30_m, 0.46_m, flat}, 80_kN, pair);
+    std::printf("a = %.6f mm, b = %.6f mm, peak pressure %.4f MPa\n", patch.a / 1_mm, patch.b / 1_mm,
+                patch.peak_pressure / 1_MPa);
+
+    const kstrip::contact contact{patch.a, patch.b, 80_kN, pair.shear_modulus, pair.poisson_ratio, 0.3};
+    const kstrip::creepage motion{1e-3, 0.5e-3, 0.4_per_m};
+
+    // Outputs returned, errors thrown; forces on the rail, and on the wheel.
+    const auto forces = kstrip::solve(contact, motion);
+    const auto wheel = kstrip::on_upper_body(forces);
+    std::printf("rail  %.4f %.4f %.6f\n", forces.fx.value, forces.fy.value, forces.mz.value);
+    std::printf("wheel %.4f %.4f %.6f\n", wheel.fx.value, wheel.fy.value, wheel.mz.value);
+
+    // How the lateral force answers to the lateral creepage
+    const auto linearised = kstrip::solve_jacobian(contact, motion);
+    std::printf("dFy/dlateral %.4f\n", linearised.jacobian(1, 1));
+
+    // Errors as statuses: nothing is thrown, nothing is written.
+    kstrip::result untouched{};
+    kstrip::contact bad = contact;
+    bad.friction = -1.0;
+    const auto status = kstrip::solve(bad, motion, {kstrip::model::total, 16}, untouched);
+    std::printf("status %d: %s\n", static_cast<int>(status), kstrip::to_string(status));
+
+    // Errors as exceptions
+    try {
+        static_cast<void>(kstrip::solve(bad, motion));
+        std::printf("not thrown\n");
+    } catch (const kstrip::error &error) {
+        std::printf("thrown %d\n", static_cast<int>(error.status()));
+    }
+
+    // A creep curve in one call
+    std::vector<kstrip::contact> contacts(9, contact);
+    std::vector<kstrip::creepage> motions;
+    for (int i = 0; i < 9; i++)
+        motions.push_back({i * 1e-3, 0.0, 0_per_m});
+    std::vector<kstrip::result> curve(9);
+    if (kstrip::is_error(kstrip::solve_batch(contacts, motions, {}, curve)))
+        return 1;
+    for (const auto &f : curve)
+        std::printf("curve %.4f\n", f.fx.value);
+
+    // Strips and field
+    std::array<kstrip::strip, kstrip::strips_capacity> strips;
+    std::uint32_t count = 0;
+    if (kstrip::is_error(kstrip::strips(contact, motion, {}, strips, count)))
+        return 1;
+    kstrip::newtons sum;
+    for (std::uint32_t i = 0; i < count; i++)
+        sum += strips[i].fx;
+    std::printf("strips %u %.4f\n", static_cast<unsigned>(count), sum.value);
+    const std::array<kstrip::metres, 3> x{-0.5 * patch.a, kstrip::metres{}, 0.5 * patch.a};
+    const std::array<kstrip::metres, 2> y{kstrip::metres{}, 2.0 * patch.b};
+    std::array<kstrip::point, 6> points;
+    if (kstrip::is_error(kstrip::field(contact, motion, {}, x, y, points)))
+        return 1;
+    for (const auto &p : points)
+        std::printf("point %d %.4f\n", static_cast<int>(p.state), p.traction_x / 1_MPa);
+
+    // Single precision
+    const kstrip::contact_f32 small{kstrip::metres_f32{6e-3f}, kstrip::metres_f32{4.5e-3f},
+                                    kstrip::newtons_f32{80e3f}, kstrip::pascals_f32{82e9f}, 0.28f, 0.3f};
+    const auto single = kstrip::solve(small, kstrip::creepage_f32{1e-3f, 0.0f, kstrip::per_metre_f32{0.0f}});
+    std::printf("single %.1f\n", static_cast<double>(single.fx.value));
+    return 0;
+}
