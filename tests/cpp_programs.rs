@@ -1,5 +1,7 @@
 //! `include/kstrip.hpp`: the C++ example with its numbers, and that nothing of the C header is missing.
 
+#[path = "c/header.rs"]
+mod header;
 #[path = "c/toolchain.rs"]
 mod toolchain;
 
@@ -7,14 +9,9 @@ use kstrip::contact::Contact;
 use kstrip::creepage::Creepage;
 use kstrip::hertz::{Radii, hertz};
 use kstrip::model::{self, Options};
-use std::fmt::Write;
 use toolchain::{cpp_compilers, root, run_cpp, say, scratch};
 
 const STANDARDS: [&str; 2] = ["c++17", "c++20"];
-
-fn header(name: &str) -> String {
-    std::fs::read_to_string(root().join("include").join(name)).expect("the header")
-}
 
 /// Numbers of the lines that start with this word.
 fn numbers(text: &str, start: &str) -> Vec<Vec<f64>> {
@@ -93,25 +90,6 @@ fn example_prints_what_rust_computes() {
     assert!((numbers(text, "single")[0][0] - exact).abs() < 2e-6 * 24e3 + 0.05);
 }
 
-/// `(structure without its prefix, members)` of kstrip.h.
-fn structures(header: &str) -> Vec<(String, Vec<String>)> {
-    let mut found: Vec<(String, Vec<String>)> = Vec::new();
-    let mut inside = false;
-    for line in header.lines() {
-        if let Some(rest) = line.strip_prefix("typedef struct kstrip_") {
-            found.push((rest.trim_end_matches(" {").to_owned(), Vec::new()));
-            inside = true;
-        } else if line.starts_with('}') {
-            inside = false;
-        } else if let (true, Some(member)) = (inside, line.strip_suffix(';')) {
-            let name = member.split_whitespace().last().expect("a member has a name");
-            let name = name.split('[').next().expect("a name");
-            found.last_mut().expect("a structure").1.push(name.to_owned());
-        }
-    }
-    found
-}
-
 #[test]
 fn layouts_defaults_and_statuses_are_those_of_c() {
     let compilers = cpp_compilers();
@@ -119,37 +97,32 @@ fn layouts_defaults_and_statuses_are_those_of_c() {
         say("SKIPPED: layouts in C++, because there is no C++ compiler");
         return;
     }
-    let c = header("kstrip.h");
-    let structures = structures(&c);
-    assert!(structures.len() >= 23, "{structures:?}");
+    let c = std::fs::read_to_string(root().join("include/kstrip.h")).expect("the header");
+    let c = header::declared(&c);
     let mut program = String::from("#include \"kstrip.hpp\"\n#include <cstdio>\n");
-    for (name, members) in &structures {
-        writeln!(program, "static_assert(sizeof(kstrip::{name}) == sizeof(kstrip_{name}), \"\");")
-            .unwrap();
-        for member in members {
-            writeln!(
-                program,
-                "static_assert(offsetof(kstrip::{name}, {member}) == offsetof(kstrip_{name}, {member}), \"\");"
-            )
-            .unwrap();
+    let mut same = |cpp: String, c: String| {
+        program += &format!("static_assert({cpp} == {c}, \"\");\n");
+    };
+    for structure in &c.structures {
+        let name = structure.name.as_str();
+        let cpp = format!("kstrip::{}", name.trim_start_matches("kstrip_"));
+        same(format!("sizeof({cpp})"), format!("sizeof({name})"));
+        for member in &structure.members {
+            let member = &member.name;
+            same(format!("offsetof({cpp}, {member})"), format!("offsetof({name}, {member})"));
         }
     }
     // KSTRIP_ERROR_NULL is kstrip::status::error_null, and so on
-    for line in c.lines().filter_map(|line| line.strip_prefix("#define KSTRIP_")) {
-        let Some((name, _)) = line.split_once(' ') else { continue };
-        let class = match name.split('_').next() {
-            Some("OK" | "WARNING" | "ERROR") => ("status", name),
-            Some("MODEL") => ("model", &name["MODEL_".len()..]),
-            Some("STATE") => ("state", &name["STATE_".len()..]),
+    for (name, _) in &c.constants {
+        let short = name.trim_start_matches("KSTRIP_");
+        let (class, member) = match short.split('_').next() {
+            Some("OK" | "WARNING" | "ERROR") => ("status", short),
+            Some("MODEL") => ("model", &short["MODEL_".len()..]),
+            Some("STATE") => ("state", &short["STATE_".len()..]),
             _ => continue,
         };
-        writeln!(
-            program,
-            "static_assert(static_cast<int>(kstrip::{}::{}) == KSTRIP_{name}, \"\");",
-            class.0,
-            class.1.to_lowercase()
-        )
-        .unwrap();
+        let member = member.to_lowercase();
+        same(format!("static_cast<int>(kstrip::{class}::{member})"), name.clone());
     }
     program.push_str(
         "int main()\n{\n    kstrip::options o{kstrip::model::linear, 4};\n    \
