@@ -92,7 +92,7 @@
 /**
  * Upper bound of the number of strips that kstrip_strips() writes for `strips` strips.
  */
-#define KSTRIP_STRIPS_CAPACITY 192
+#define KSTRIP_STRIPS_CAPACITY 320
 
 /**
  * Version of the library, major.

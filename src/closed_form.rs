@@ -138,9 +138,8 @@ fn sliding<F: Tabulated>(family: &StripFamily<F>, compliance: F, from: F, to: F)
     if (p * half).abs() < d_m.times(0.25) {
         // The direction hardly turns: the integrand is analytic far beyond the interval, and 16
         // nodes give all digits where the primitives would cancel like (D/p)³.
-        let rule = &F::GAUSS_16;
         let (mut fx, mut fy) = (F::zero(), F::zero());
-        for (&node, &weight) in rule.nodes.iter().zip(&rule.weights) {
+        for &(node, weight) in F::GAUSS_16 {
             let u = half * node;
             let z = z_m - p * u;
             let force = (w0 + u * (w1 - u)) * weight * half / (z * z + e * e).sqrt();

@@ -5,8 +5,10 @@
 //! vector that is linear in `Y`), while `C` is concave: the strips with adhesion form one interval.
 //! Of the four roots of `ξ̄² + (η + ψC)² = C²` at most two are real crossings.
 
+mod large_spin;
+
 use crate::real::{Arithmetic, Float, Pair, Real};
-use crate::strip::{adhesion_length, bounded_half_length, root_s};
+use crate::strip::root_s;
 
 /// A point `(Y, C)` of the leading edge, `Y² + C² = 1`, `C ≥ 0`, in units of the semi-axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,6 +62,13 @@ pub struct StripFamily<T> {
     pub psi: T,
 }
 
+/// Which end of the adhesion interval.
+#[derive(Clone, Copy)]
+enum Side {
+    Lower,
+    Upper,
+}
+
 /// A line `A Y + B C = D` that touches the curve `C = κ(Y)` from below; `B = S ≥ 0`.
 struct Tangent<T> {
     a: T,
@@ -68,17 +77,19 @@ struct Tangent<T> {
 }
 
 impl<T: Real> Tangent<T> {
-    /// Where the line meets the circle `Y² + C² = 1`, at the larger (`side = 1`) or smaller (`-1`)
-    /// `Y`; `None` when it passes above.
+    /// Where the line meets the circle `Y² + C² = 1`; `None` when it passes above.
     #[inline(always)]
-    fn meets_edge(&self, side: f64) -> Option<EdgePoint<T>> {
+    fn meets_edge(&self, side: Side) -> Option<EdgePoint<T>> {
         let norm = self.a * self.a + self.b * self.b;
         let square = norm - self.d * self.d;
         if !(square > T::zero()) {
             return None;
         }
         let inverse = T::one() / norm;
-        let root = square.sqrt().times(side);
+        let root = match side {
+            Side::Lower => -square.sqrt(),
+            Side::Upper => square.sqrt(),
+        };
         Some(EdgePoint {
             y: (self.d * self.a + self.b * root) * inverse,
             c: (self.d * self.b - self.a * root) * inverse,
@@ -153,8 +164,6 @@ impl<P: Arithmetic> AdhesionLength<P> {
 const TANGENT_STEPS: usize = 40;
 /// Newton steps with bisection for the strip nearest to adhesion.
 const NEAREST_STEPS: usize = 60;
-/// Bisections that exhaust the digits of a double.
-const BISECTIONS: usize = 64;
 
 impl<P: Arithmetic> StripFamily<P> {
     /// `ξ̄` of the strip at `y`.
@@ -202,21 +211,17 @@ impl<T: Real> StripFamily<T> {
     /// The adhesion interval, or `None` with the strip nearest to adhesion.
     ///
     /// For `|ψ| > 1` the interval is where a root exists and fits (`κ ≤ C`); the bound on the
-    /// traction may take pieces out of it, see `excluded`.
+    /// traction may take pieces out of it, see `released`.
     pub fn adhesion_interval(&self) -> Result<AdhesionInterval<T>, EdgePoint<T>> {
         let plain = self.plain();
-        let within_theory = plain.psi.abs() < T::Base::one();
-        let found = if within_theory {
-            plain.by_tangents()
-        } else if plain.eta * plain.psi < T::Base::zero() {
-            plain.by_bisection()
-        } else {
-            None
-        };
+        let (size, one) = (plain.psi.abs(), T::Base::one());
+        // At unit spin the second form of (5.41) still holds, with S = |η|.
+        let within = size < one || (size <= one && plain.eta * plain.psi < T::Base::zero());
+        let found = if within { plain.by_tangents() } else { plain.beyond_unit_spin() };
         match found {
             Some((lower, upper)) => Ok(AdhesionInterval {
-                lower: self.polished(lower, -1.0),
-                upper: self.polished(upper, 1.0),
+                lower: self.polished(lower, Side::Lower),
+                upper: self.polished(upper, Side::Upper),
             }),
             None => Err(self.nearest()),
         }
@@ -224,7 +229,7 @@ impl<T: Real> StripFamily<T> {
 
     /// One tangent step from a converged end carries the derivatives.
     #[inline]
-    fn polished(&self, end: EdgePoint<T::Base>, side: f64) -> EdgePoint<T> {
+    fn polished(&self, end: EdgePoint<T::Base>, side: Side) -> EdgePoint<T> {
         let lifted = EdgePoint::lifted(end);
         if !T::HAS_DERIVATIVES {
             return lifted;
@@ -287,7 +292,7 @@ impl<F: Float> StripFamily<F> {
             }
             let step = outer - y;
             let (change_lower, change_upper) = step.abs().parts();
-            if change_lower.max(change_upper) <= (near_upper - near_lower).times(1e-3) {
+            if change_lower.max(change_upper) <= (near_upper - near_lower).times(5e-4) {
                 // What is left is the curvature of κ, κ'' = p² η²/S³: along the circle, where
                 // d(κ − C)/dθ = √(A² + B² − D²)/S, the end lies dθ = −κ'' S step²/(2 √…) further in.
                 let bend = sides.slope * sides.eta * step / tangent.b;
@@ -326,31 +331,8 @@ impl<F: Float> StripFamily<F> {
         }
         let start = if self.xi * self.slope < F::zero() { -F::one() } else { F::one() };
         let tangent = self.tangent(start);
-        let (lower, upper) = (tangent.meets_edge(-1.0)?, tangent.meets_edge(1.0)?);
+        let (lower, upper) = (tangent.meets_edge(Side::Lower)?, tangent.meets_edge(Side::Upper)?);
         Some((lower.y, upper.y))
-    }
-
-    /// For `|ψ| ≥ 1`, `ηψ < 0`: from the nearest strip outwards.
-    fn by_bisection(&self) -> Option<(EdgePoint<F>, EdgePoint<F>)> {
-        let fits = |t: F| {
-            let point = EdgePoint::at_half_tangent(t);
-            adhesion_length(self.xi_bar(point.y), self.eta, self.psi)
-                .is_some_and(|kappa| kappa < point.c)
-        };
-        let nearest = self.nearest();
-        let middle = nearest.y / (F::one() + nearest.c);
-        if !fits(middle) {
-            return None;
-        }
-        let end = |outside: F| {
-            let (mut inside, mut outside) = (middle, outside);
-            for _ in 0..BISECTIONS {
-                let t = (inside + outside).times(0.5);
-                if fits(t) { inside = t } else { outside = t }
-            }
-            EdgePoint::at_half_tangent(inside)
-        };
-        Some((end(-F::one()), end(F::one())))
     }
 }
 
@@ -409,131 +391,5 @@ impl<T: Real> StripFamily<T> {
             + self.slope.squared() * point.c.squared()
             + self.slope * xi_bar * point.y;
         (excess, growth.max(T::from_base(T::TINY)))
-    }
-}
-
-/// Samples of the leading edge between the ends of the adhesion interval when `|ψ| > 1`.
-const SAMPLES: usize = 32;
-/// Pieces that the bound can take out of the interval: the centre and one dip on each side.
-const MAX_EXCLUDED: usize = 4;
-/// Refinements of a local maximum between three samples.
-const PEAK_STEPS: usize = 40;
-
-impl<T: Real> StripFamily<T> {
-    /// For `|ψ| > 1`: the pieces of the adhesion interval whose strips slide after all, because the
-    /// traction on their adhesion interval would exceed the bound.
-    pub(crate) fn excluded(
-        &self,
-        interval: &AdhesionInterval<T>,
-    ) -> heapless::Vec<AdhesionInterval<T>, MAX_EXCLUDED> {
-        let mut pieces = heapless::Vec::new();
-        let plain = self.plain();
-        if plain.psi.abs() <= T::Base::one() {
-            return pieces;
-        }
-        let half_tangent =
-            |point: &EdgePoint<T>| point.y.value() / (T::Base::one() + point.c.value());
-        let (first, last) = (half_tangent(&interval.lower), half_tangent(&interval.upper));
-        let zero = T::Base::zero();
-        let mut start: Option<EdgePoint<T>> =
-            (plain.excess_length(first) > zero).then_some(interval.lower);
-        let step = (last - first).times(1.0 / SAMPLES as f64);
-        let (mut t0, mut v0) = (first, plain.excess_length(first));
-        for k in 1..=SAMPLES {
-            let t1 = if k == SAMPLES { last } else { first + step.times(k as f64) };
-            let v1 = plain.excess_length(t1);
-            // A rise hidden between two samples below zero, or a fall between two above
-            let peak = if (v0 <= zero) == (v1 <= zero) {
-                plain.hidden_crossing(
-                    t0,
-                    t1,
-                    if v0 <= zero { T::Base::one() } else { -T::Base::one() },
-                )
-            } else {
-                None
-            };
-            for t in peak.into_iter().chain([t1]) {
-                let v = plain.excess_length(t);
-                if (v > zero) != start.is_some() {
-                    let crossing = self.crossing(t0, t);
-                    match start.take() {
-                        None => start = Some(crossing),
-                        Some(lower) => {
-                            let _ = pieces.push(AdhesionInterval { lower, upper: crossing });
-                        }
-                    }
-                }
-                t0 = t;
-            }
-            v0 = v1;
-        }
-        if let Some(lower) = start {
-            let _ = pieces.push(AdhesionInterval { lower, upper: interval.upper });
-        }
-        pieces
-    }
-
-    /// Where the excess changes sign between two half tangents, with derivatives.
-    fn crossing(&self, mut t0: T::Base, mut t1: T::Base) -> EdgePoint<T> {
-        let plain = self.plain();
-        let rising = plain.excess_length(t1) > T::Base::zero();
-        for _ in 0..BISECTIONS {
-            let t = (t0 + t1).times(0.5);
-            if (plain.excess_length(t) > T::Base::zero()) == rising { t1 = t } else { t0 = t }
-        }
-        let point = EdgePoint::at_half_tangent((t0 + t1).times(0.5));
-        let lifted = EdgePoint::lifted(point);
-        let Some(limit) = bounded_half_length(self.xi_bar(lifted.y), self.eta, self.psi) else {
-            return lifted;
-        };
-        // d(C − limit)/dθ = −Y − C d(limit)/dY, with d(limit)/dS from the formula of the limit.
-        let p = -(plain.eta * plain.psi);
-        let q = (T::Base::one() - plain.psi) * (T::Base::one() + plain.psi);
-        let xi_bar = plain.xi_bar(point.y);
-        let s = root_s(xi_bar, plain.eta, plain.psi) + T::TINY;
-        let denominator = p + s.times(3.0);
-        let by_s = (p + s) * (s.times(3.0) - p) / (-(q * denominator * denominator));
-        let s_by_y = -(q * plain.slope * xi_bar / s);
-        let growth = -point.y - point.c * by_s * s_by_y;
-        let turn = -((lifted.c - limit).scale(T::Base::one() / growth));
-        if turn.value().is_finite_number() && turn.value().abs() < T::Base::of(1e-6) {
-            EdgePoint { y: lifted.y + lifted.c * turn, c: lifted.c - lifted.y * turn }
-        } else {
-            lifted
-        }
-    }
-}
-
-impl<F: Float> StripFamily<F> {
-    /// How much longer the strip is than the bound allows; negative where it sticks.
-    fn excess_length(&self, half_tangent: F) -> F {
-        let point = EdgePoint::at_half_tangent(half_tangent);
-        bounded_half_length(self.xi_bar(point.y), self.eta, self.psi)
-            .map_or(-F::one(), |limit| point.c - limit)
-    }
-
-    /// Where the excess times `sign`, not positive at both ends, becomes positive in between (golden
-    /// section).
-    fn hidden_crossing(&self, mut low: F, mut high: F, sign: F) -> Option<F> {
-        const GOLDEN: f64 = 0.618_033_988_749_895;
-        let excess = |t: F| self.excess_length(t) * sign;
-        let probe = (high - low).times(1e-3);
-        let rises_inward = excess(low + probe) > excess(low) && excess(high - probe) > excess(high);
-        if !rises_inward {
-            return None;
-        }
-        for _ in 0..PEAK_STEPS {
-            let span = (high - low).times(GOLDEN);
-            let (left, right) = (high - span, low + span);
-            let (at_left, at_right) = (excess(left), excess(right));
-            if at_left > F::zero() {
-                return Some(left);
-            }
-            if at_right > F::zero() {
-                return Some(right);
-            }
-            if at_left > at_right { high = right } else { low = left }
-        }
-        None
     }
 }

@@ -66,6 +66,7 @@ pub mod hertz;
 pub mod leading_edge;
 pub mod material;
 pub mod model;
+mod panels;
 pub mod quadrature;
 pub mod real;
 pub mod rolling_strip;

@@ -5,69 +5,69 @@
 
 use crate::real::Float;
 
-/// Nodes and weights in the precision of the caller.
+/// A node and its weight.
+pub type Node<F> = (F, F);
+
+/// How a number of strips is dealt to the panels of a contact.
 #[derive(Clone, Copy, Debug)]
-pub struct Rule<F, const M: usize> {
-    /// Nodes, ascending.
-    pub nodes: [F; M],
-    /// Weights; their sum is 2.
-    pub weights: [F; M],
+pub struct StripRule<F: 'static> {
+    /// Nodes of a sliding panel, on each side.
+    pub slide: &'static [Node<F>],
+    /// The positive nodes of an adhesion panel; each stands for its mirror image too.
+    pub stick: &'static [Node<F>],
+    /// Whether the strips with adhesion are two panels, divided where `ξ̄ = 0`.
+    pub split: bool,
 }
 
-/// The rules that the strip counts use. Associated constants, so that single-precision firmware
+/// Rules in the precision of the caller. Associated constants, so that single-precision firmware
 /// carries no double-precision table.
 pub trait Tabulated: Float {
-    /// 1 node.
-    const GAUSS_1: Rule<Self, 1>;
-    /// 2 nodes.
-    const GAUSS_2: Rule<Self, 2>;
-    /// 5 nodes.
-    const GAUSS_5: Rule<Self, 5>;
-    /// 8 nodes.
-    const GAUSS_8: Rule<Self, 8>;
     /// 16 nodes.
-    const GAUSS_16: Rule<Self, 16>;
-    /// The 1 positive node of 2; each stands for its mirror image too.
-    const MIRRORED_2: Rule<Self, 1>;
-    /// The 2 positive nodes of 4; each stands for its mirror image too.
-    const MIRRORED_4: Rule<Self, 2>;
-    /// The 3 positive nodes of 6; each stands for its mirror image too.
-    const MIRRORED_6: Rule<Self, 3>;
-    /// The 4 positive nodes of 8; each stands for its mirror image too.
-    const MIRRORED_8: Rule<Self, 4>;
-    /// The 8 positive nodes of 16; each stands for its mirror image too.
-    const MIRRORED_16: Rule<Self, 8>;
+    const GAUSS_16: &'static [Node<Self>];
+    /// For 4, 8, 16, 32 and 64 strips.
+    const STRIPS: [StripRule<Self>; 5];
 }
 
-/// The last `M` nodes of a table in the precision `$float`.
+/// The last nodes of a table in the precision `$float`.
 macro_rules! narrow {
     ($float:ident, $table:ident, $count:literal) => {{
-        let (mut nodes, mut weights) = ([0.0; $count], [0.0; $count]);
-        let skipped = $table.0.len() - $count;
-        let mut i = 0;
-        while i < $count {
-            nodes[i] = $table.0[skipped + i] as $float;
-            weights[i] = $table.1[skipped + i] as $float;
-            i += 1;
-        }
-        Rule { nodes, weights }
+        const NODES: [Node<$float>; $count] = {
+            let mut nodes = [(0.0, 0.0); $count];
+            let skipped = $table.0.len() - $count;
+            let mut i = 0;
+            while i < $count {
+                nodes[i] = ($table.0[skipped + i] as $float, $table.1[skipped + i] as $float);
+                i += 1;
+            }
+            nodes
+        };
+        &NODES
     }};
+}
+
+/// Nodes of each sliding panel, positive nodes of each adhesion panel, and whether there are two of these.
+macro_rules! strip_rule {
+    ($float:ident: $slide:ident $slide_count:literal, $stick:ident $stick_count:literal, $split:literal) => {
+        StripRule {
+            slide: narrow!($float, $slide, $slide_count),
+            stick: narrow!($float, $stick, $stick_count),
+            split: $split,
+        }
+    };
 }
 
 macro_rules! tabulated {
     ($float:ident) => {
         #[allow(clippy::unnecessary_cast)]
         impl Tabulated for $float {
-            const GAUSS_1: Rule<Self, 1> = narrow!($float, GAUSS_1, 1);
-            const GAUSS_2: Rule<Self, 2> = narrow!($float, GAUSS_2, 2);
-            const GAUSS_5: Rule<Self, 5> = narrow!($float, GAUSS_5, 5);
-            const GAUSS_8: Rule<Self, 8> = narrow!($float, GAUSS_8, 8);
-            const GAUSS_16: Rule<Self, 16> = narrow!($float, GAUSS_16, 16);
-            const MIRRORED_2: Rule<Self, 1> = narrow!($float, GAUSS_2, 1);
-            const MIRRORED_4: Rule<Self, 2> = narrow!($float, GAUSS_4, 2);
-            const MIRRORED_6: Rule<Self, 3> = narrow!($float, GAUSS_6, 3);
-            const MIRRORED_8: Rule<Self, 4> = narrow!($float, GAUSS_8, 4);
-            const MIRRORED_16: Rule<Self, 8> = narrow!($float, GAUSS_16, 8);
+            const GAUSS_16: &'static [Node<Self>] = narrow!($float, GAUSS_16, 16);
+            const STRIPS: [StripRule<Self>; 5] = [
+                strip_rule!($float: GAUSS_1 1, GAUSS_2 1, false),
+                strip_rule!($float: GAUSS_2 2, GAUSS_4 2, false),
+                strip_rule!($float: GAUSS_5 5, GAUSS_6 3, false),
+                strip_rule!($float: GAUSS_8 8, GAUSS_8 4, true),
+                strip_rule!($float: GAUSS_16 16, GAUSS_16 8, true),
+            ];
         }
     };
 }

@@ -95,7 +95,7 @@ pub const KSTRIP_STATE_SLIP: i32 = 2;
 pub const KSTRIP_STATE_SLIP_NEGATIVE_DISSIPATION: i32 = 3;
 
 /// Upper bound of the number of strips that kstrip_strips() writes for `strips` strips.
-pub const KSTRIP_STRIPS_CAPACITY: u32 = 192;
+pub const KSTRIP_STRIPS_CAPACITY: u32 = 320;
 
 /// Version of the library, major.
 pub const KSTRIP_VERSION_MAJOR: i32 = 0;
