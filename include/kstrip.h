@@ -722,6 +722,52 @@ typedef struct kstrip_point_f32 {
 } kstrip_point_f32;
 
 /**
+ * Derivatives of fx, fy, mz with respect to creepages, load and friction.
+ */
+typedef struct kstrip_derivatives {
+    /**
+     * d(fx, fy, mz)/d(longitudinal, lateral, spin), row by row [N, N, N m over 1, 1, 1/m].
+     */
+    double jacobian[9];
+    /**
+     * d(fx, fy, mz)/d(normal_force) at fixed a and b [-, -, m].
+     */
+    double normal_force[3];
+    /**
+     * d(fx, fy, mz)/d(friction) [N, N, N m].
+     */
+    double friction[3];
+    /**
+     * d(fx, fy, mz)/d(normal_force) while a and b follow the load as Hertz says: both grow like its
+     * cube root in a contact of given curvatures [-, -, m].
+     */
+    double load_through_hertz[3];
+} kstrip_derivatives;
+
+/**
+ * Derivatives of fx, fy, mz with respect to creepages, load and friction, single precision.
+ */
+typedef struct kstrip_derivatives_f32 {
+    /**
+     * d(fx, fy, mz)/d(longitudinal, lateral, spin), row by row [N, N, N m over 1, 1, 1/m].
+     */
+    float jacobian[9];
+    /**
+     * d(fx, fy, mz)/d(normal_force) at fixed a and b [-, -, m].
+     */
+    float normal_force[3];
+    /**
+     * d(fx, fy, mz)/d(friction) [N, N, N m].
+     */
+    float friction[3];
+    /**
+     * d(fx, fy, mz)/d(normal_force) while a and b follow the load as Hertz says: both grow like its
+     * cube root in a contact of given curvatures [-, -, m].
+     */
+    float load_through_hertz[3];
+} kstrip_derivatives_f32;
+
+/**
  * Success.
  */
 #define KSTRIP_OK 0
@@ -1228,6 +1274,67 @@ kstrip_status kstrip_field_f32(const struct kstrip_contact_f32 *contact,
  */
 kstrip_status kstrip_result_on_upper_body_f32(const struct kstrip_result_f32 *lower,
                                               struct kstrip_result_f32 *upper);
+
+/**
+ * Forces and their exact derivatives with respect to creepages, normal force and friction.
+ *
+ * The first nine derivatives are those of kstrip_solve_jacobian(). Without load or friction those with
+ * respect to them are one-sided, those of full sliding. KSTRIP_MODEL_LINEAR has no friction in it: its
+ * derivatives with respect to friction and to the load at fixed a, b are zero, and
+ * load_through_hertz is zero without load, where it has no bound.
+ *
+ * @param contact              ellipse, load, material, friction.
+ * @param creepage             motion.
+ * @param options              model and strip count; NULL for the defaults.
+ * @param[out] result          receives what kstrip_solve() gives.
+ * @param[out] derivatives     receives the derivatives; at kinks of a model, one-sided values.
+ * @return as kstrip_solve(); KSTRIP_ERROR_OVERFLOW also when a derivative is too large.
+ */
+kstrip_status kstrip_solve_derivatives(const struct kstrip_contact *contact,
+                                       const struct kstrip_creepage *creepage,
+                                       const struct kstrip_options *options,
+                                       struct kstrip_result *result,
+                                       struct kstrip_derivatives *derivatives);
+
+/**
+ * Forces and derivatives of many contacts: the same as calling kstrip_solve_jacobian() for each, bit
+ * for bit.
+ *
+ * All inputs are checked before anything is written: if one is bad its status is returned and no
+ * output is touched.
+ *
+ * @param contacts, creepages  arrays of count elements.
+ * @param count           number of contacts; 0 is allowed.
+ * @param options         for all contacts; NULL for the defaults.
+ * @param[out] results    array of count elements; status_detail tells each one's warning.
+ * @param[out] jacobians  array of 9 count numbers: nine per contact, as kstrip_solve_jacobian().
+ * @return KSTRIP_OK, the largest warning, or the first error, as kstrip_solve_jacobian().
+ */
+kstrip_status kstrip_solve_jacobian_batch(const struct kstrip_contact *contacts,
+                                          const struct kstrip_creepage *creepages,
+                                          uint32_t count,
+                                          const struct kstrip_options *options,
+                                          struct kstrip_result *results,
+                                          double *jacobians);
+
+/**
+ * kstrip_solve_derivatives() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_solve_derivatives_f32(const struct kstrip_contact_f32 *contact,
+                                           const struct kstrip_creepage_f32 *creepage,
+                                           const struct kstrip_options *options,
+                                           struct kstrip_result_f32 *result,
+                                           struct kstrip_derivatives_f32 *derivatives);
+
+/**
+ * kstrip_solve_jacobian_batch() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_solve_jacobian_batch_f32(const struct kstrip_contact_f32 *contacts,
+                                              const struct kstrip_creepage_f32 *creepages,
+                                              uint32_t count,
+                                              const struct kstrip_options *options,
+                                              struct kstrip_result_f32 *results,
+                                              float *jacobians);
 
 #ifdef __cplusplus
 }  // extern "C"

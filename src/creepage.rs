@@ -1,6 +1,7 @@
 //! Creepage, spin, and the parameters of the strip theory (3.2)–(3.4), (5.13).
 
 use crate::contact::Contact;
+use crate::dual::Dual;
 use crate::real::{Arithmetic, Float, Real};
 use crate::status::Error;
 
@@ -67,6 +68,17 @@ impl<F: Float> Creepage<F> {
         };
         creepage.check().map_err(|_| Error::Overflow)?;
         Ok(creepage)
+    }
+
+    /// The three creepages as what everything is differentiated by.
+    #[must_use]
+    #[inline(always)]
+    pub fn inputs(&self) -> Creepage<Dual<F, 3>> {
+        Creepage {
+            longitudinal: Dual::input(self.longitudinal, 0),
+            lateral: Dual::input(self.lateral, 1),
+            spin: Dual::input(self.spin, 2),
+        }
     }
 
     /// # Errors
@@ -156,6 +168,26 @@ impl<T: Real> Parameters<T> {
         let width = (T::Base::one() - self.poisson_ratio) * self.axis_ratio;
         let huge = T::from_base(T::HUGE);
         self.psi.scale(T::Base::one() / width).clamped(-huge, huge)
+    }
+}
+
+impl<F: Float> Parameters<F> {
+    /// The limit of [`Parameters::new`] for vanishing friction or load: the same direction, its largest
+    /// component at [`Real::HUGE`]; zero without creepage.
+    #[must_use]
+    pub fn sliding(contact: &Contact<F>, creepage: &Creepage<F>) -> Self {
+        let direction = [
+            creepage.longitudinal / (F::one() - contact.poisson_ratio),
+            creepage.lateral,
+            creepage.spin * contact.a.min(F::HUGE),
+        ];
+        let [x, y, z] = direction.map(F::abs);
+        let largest = x.max(y).max(z);
+        // Divide first: the quotients are at most 1.
+        let [xi, eta, psi] = direction
+            .map(|part| if largest > F::zero() { part / largest * F::HUGE } else { F::zero() });
+        let (poisson_ratio, axis_ratio) = (contact.poisson_ratio, contact.a / contact.b);
+        Self { xi, eta, psi, poisson_ratio, axis_ratio }
     }
 }
 

@@ -17,7 +17,8 @@
 //! 6. [`coefficients`], [`rolling_strip`], [`total`]: beyond 1967, with the slopes of Kalker's linear
 //!    theory, strips that follow the slip, and calibrated total forces.
 //! 7. [`model`]: contact and creepage to forces, derivatives, strips and fields, for every model.
-//! 8. [`ffi`]: all of it for C (`include/kstrip.h`).
+//! 8. [`derivatives`]: with respect to load and friction as well.
+//! 9. [`ffi`]: all of it for C (`include/kstrip.h`).
 //!
 //! # Frame and signs
 //!
@@ -58,6 +59,7 @@ pub mod closed_form;
 pub mod coefficients;
 pub mod contact;
 pub mod creepage;
+pub mod derivatives;
 pub mod dual;
 mod elliptic;
 pub mod ffi;

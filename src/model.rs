@@ -3,7 +3,6 @@
 use crate::coefficients::LinearCoefficients;
 use crate::contact::Contact;
 use crate::creepage::{Creepage, Parameters};
-use crate::dual::Dual;
 use crate::field::FieldPoint;
 use crate::quadrature::Tabulated;
 use crate::real::{Float, Real};
@@ -103,25 +102,25 @@ impl Precision for f64 {}
 impl Precision for f32 {}
 
 /// Forces in newtons, with derivatives or without.
-struct Forces<T> {
-    fx: T,
-    fy: T,
-    mz: T,
-    adhesion: T,
+pub(crate) struct Forces<T> {
+    pub(crate) fx: T,
+    pub(crate) fy: T,
+    pub(crate) mz: T,
+    pub(crate) adhesion: T,
 }
 
 /// A checked contact and its creepage.
 #[derive(Clone, Copy, Debug)]
-struct Problem<'a, F> {
-    contact: &'a Contact<F>,
-    creepage: &'a Creepage<F>,
+pub(crate) struct Problem<'a, F> {
+    pub(crate) contact: &'a Contact<F>,
+    pub(crate) creepage: &'a Creepage<F>,
     // By value, so that a model known to the compiler stays known and the others are not linked.
-    options: Options,
+    pub(crate) options: Options,
 }
 
 impl<'a, F: Precision> Problem<'a, F> {
     #[inline(always)]
-    fn new(
+    pub(crate) fn new(
         contact: &'a Contact<F>,
         creepage: &'a Creepage<F>,
         options: &Options,
@@ -162,21 +161,7 @@ impl<'a, F: Precision> Problem<'a, F> {
             return self.linear_forces(creepage);
         }
         let parameters = Parameters::new(self.contact, creepage);
-        let totals = match self.options.model {
-            Model::Strip1967 | Model::Strip1967Continuous | Model::Linear => {
-                StripTheory::new(&parameters, self.sliding_rule()).totals(self.options.strips)
-            }
-            Model::Strip => self.rolling_strips(&parameters),
-            Model::Total => {
-                let total::TotalForce { fx, fy, mz } = total::total(
-                    parameters.axis_ratio,
-                    parameters.poisson_ratio,
-                    &self.linear_coefficients(),
-                    parameters.normalised(),
-                );
-                Totals { fx, fy, mz, stick: -T::one() }
-            }
-        };
+        let totals = self.totals(&parameters);
         let bound = self.contact.friction_bound();
         let forces = Forces {
             fx: totals.fx.scale(bound),
@@ -187,7 +172,27 @@ impl<'a, F: Precision> Problem<'a, F> {
         (forces, self.notice(parameters.psi.value()))
     }
 
-    fn notice(&self, psi: F) -> Notice {
+    /// Forces of a model with a friction bound, in units of it: `F/(μ N)`, `M_z/(μ N √(ab))`.
+    #[inline(always)]
+    pub(crate) fn totals<T: Real<Base = F>>(&self, parameters: &Parameters<T>) -> Totals<T> {
+        match self.options.model {
+            Model::Strip1967 | Model::Strip1967Continuous | Model::Linear => {
+                StripTheory::new(parameters, self.sliding_rule()).totals(self.options.strips)
+            }
+            Model::Strip => self.rolling_strips(parameters),
+            Model::Total => {
+                let total::TotalForce { fx, fy, mz } = total::total(
+                    parameters.axis_ratio,
+                    parameters.poisson_ratio,
+                    &self.linear_coefficients(),
+                    parameters.normalised(),
+                );
+                Totals { fx, fy, mz, stick: -T::one() }
+            }
+        }
+    }
+
+    pub(crate) fn notice(&self, psi: F) -> Notice {
         let ratio = self.contact.a / self.contact.b;
         if self.contact.friction_bound() <= F::zero() {
             // Nothing to carry: zero forces are right in every model with a friction bound.
@@ -226,7 +231,10 @@ impl<'a, F: Precision> Problem<'a, F> {
 
     /// `F_x = G a b C11 υx`, `F_y = G a b (C22 υy + √(ab) C23 φ)`,
     /// `M_z = G (ab)^{3/2} (−C23 υy + √(ab) C33 φ)`
-    fn linear_forces<T: Real<Base = F>>(&self, creepage: &Creepage<T>) -> (Forces<T>, Notice) {
+    pub(crate) fn linear_forces<T: Real<Base = F>>(
+        &self,
+        creepage: &Creepage<T>,
+    ) -> (Forces<T>, Notice) {
         let LinearCoefficients { c11, c22, c23, c33 } = self.linear_coefficients();
         let (stiffness, radius) = (self.linear_stiffness(), self.mean_radius());
         let spin = creepage.spin.scale(radius);
@@ -269,12 +277,12 @@ impl<'a, F: Precision> Problem<'a, F> {
     }
 
     /// `√(ab)` \[m\], without overflow.
-    fn mean_radius(&self) -> F {
+    pub(crate) fn mean_radius(&self) -> F {
         self.contact.a.sqrt() * self.contact.b.sqrt()
     }
 
     #[inline(always)]
-    fn solution(&self, forces: &Forces<F>, notice: Notice) -> Solution<F> {
+    pub(crate) fn solution(&self, forces: &Forces<F>, notice: Notice) -> Solution<F> {
         let Forces { fx, fy, mz, adhesion } = *forces;
         let Creepage { longitudinal, lateral, spin } = *self.creepage;
         let power = fx * longitudinal + fy * lateral + mz * spin;
@@ -393,12 +401,7 @@ pub fn solve_jacobian<F: Precision>(
     options: &Options,
 ) -> Result<(Solution<F>, Jacobian<F>), Error> {
     let problem = Problem::new(contact, creepage, options)?;
-    let inputs = Creepage {
-        longitudinal: Dual::<F, 3>::input(creepage.longitudinal, 0),
-        lateral: Dual::input(creepage.lateral, 1),
-        spin: Dual::input(creepage.spin, 2),
-    };
-    let (forces, notice) = problem.forces(&inputs);
+    let (forces, notice) = problem.forces(&creepage.inputs());
     let Forces { fx, fy, mz, adhesion } = forces;
     let values = Forces { fx: fx.value, fy: fy.value, mz: mz.value, adhesion: adhesion.value };
     // nalgebra counts columns first.

@@ -11,7 +11,7 @@ use core::mem::{offset_of, size_of};
 use header::{Declared, Structure};
 use kstrip::contact::Contact;
 use kstrip::creepage::Creepage;
-use kstrip::ffi::{self, types::*, types_f32::*};
+use kstrip::ffi::{self, derivatives::*, types::*, types_f32::*};
 use kstrip::model::{self, Field, Model, Options, StripResult};
 use kstrip::status::Notice;
 use kstrip::strip::State;
@@ -533,7 +533,8 @@ fn expected_statuses() -> BTreeMap<&'static str, i32> {
             KSTRIP_OK,
             "options.ok young.ok combine.ok hertz.ok velocities.ok parameters.ok creepage.ok \
              solve.ok solve.default jacobian.ok batch.ok batch.empty strips.ok \
-             point.ok point.outside field.ok f32.solve.ok solve.load_zero solve.friction_zero",
+             point.ok point.outside field.ok f32.solve.ok solve.load_zero solve.friction_zero \
+             derivatives.ok jacobians.ok",
         ),
         (KSTRIP_WARNING_BEYOND_FRICTION, "solve.linear_large f32.solve.linear_large"),
         (KSTRIP_WARNING_SPIN, "solve.spin_large"),
@@ -545,7 +546,8 @@ fn expected_statuses() -> BTreeMap<&'static str, i32> {
              creepage.null creepage.null_out solve.null_contact solve.null_creepage solve.null_out \
              jacobian.null_entries jacobian.null_result batch.null batch.null_out strips.null \
              strips.null_count point.null field.null_x field.null_out upper.null upper.null_out \
-             f32.solve.null",
+             f32.solve.null derivatives.null derivatives.null_result jacobians.null \
+             jacobians.null_results",
         ),
         (
             KSTRIP_ERROR_NOT_FINITE,
@@ -557,7 +559,8 @@ fn expected_statuses() -> BTreeMap<&'static str, i32> {
         (KSTRIP_ERROR_SEMI_AXIS, "solve.a_zero solve.b_negative"),
         (
             KSTRIP_ERROR_NORMAL_FORCE,
-            "hertz.negative_load solve.load_negative jacobian.bad batch.second_bad",
+            "hertz.negative_load solve.load_negative jacobian.bad batch.second_bad derivatives.bad \
+             jacobians.second_bad jacobians.second_bad_results",
         ),
         (KSTRIP_ERROR_MODULUS, "young.zero combine.modulus hertz.modulus solve.modulus_zero"),
         (

@@ -7,7 +7,11 @@ mod theory;
 
 use kstrip::contact::Contact;
 use kstrip::creepage::Creepage;
-use kstrip::model::{self, Options};
+use kstrip::derivatives::{self, Derivatives};
+use kstrip::ffi::derivatives::*;
+use kstrip::ffi::double::*;
+use kstrip::ffi::types::*;
+use kstrip::model::{self, Model, Options};
 use kstrip::totals::StripCount;
 use random::Random;
 use theory::{COUNTS, MODELS, contact, options};
@@ -44,6 +48,24 @@ fn differences(f: &dyn Fn(f64) -> [f64; 3], h: f64) -> ([f64; 3], [f64; 3]) {
         doubt[i] = (r2 - r1).abs();
     }
     (result, doubt)
+}
+
+/// Differences that converged: over the largest stencil with a doubt below 1e-9 of `size`, else over the
+/// one with the smallest doubt, if that is below 1e-8. Rounding is 1e-16/h/4, 1e-11 at the smallest; a
+/// breakpoint of a slope inside the stencil makes the doubt a few times smaller than the error.
+fn trusted_differences(f: &dyn Fn(f64) -> [f64; 3], size: &[f64; 3]) -> Option<[f64; 3]> {
+    let mut best = (1e-8, None);
+    for h in [1e-3, 1e-4, 1e-5] {
+        let (got, doubt) = differences(f, h);
+        let doubt = (0..3).map(|i| doubt[i] / size[i]).fold(0.0, f64::max);
+        if doubt < best.0 {
+            best = (doubt, Some(got));
+        }
+        if doubt < 1e-9 {
+            break;
+        }
+    }
+    best.1
 }
 
 /// Thousands of random points, both rules, every count, |ψ| ≤ 0.98: 1e-7 of the size of the row. Points
@@ -83,14 +105,35 @@ fn derivatives_at_small_creepage() {
     });
 }
 
+/// The models after 1967, up to the spin they are fitted for.
+#[test]
+fn derivatives_of_the_later_models() {
+    check_models(&LATER, 3_000, 66, |random| {
+        let size = random.log_between(1e-3, 3.0);
+        [0; 3].map(|_| size * random.between(-1.0, 1.0))
+    });
+}
+
+/// Strips that follow the slip, total forces, linear theory.
+const LATER: [Model; 3] = [Model::Strip, Model::Total, Model::Linear];
+
 fn check(points: usize, seed: u64, next: impl Fn(&mut Random) -> [f64; 3]) {
+    check_models(&MODELS, points, seed, next);
+}
+
+fn check_models(
+    models: &[Model],
+    points: usize,
+    seed: u64,
+    next: impl Fn(&mut Random) -> [f64; 3],
+) {
     let mut random = Random::new(seed);
     let mut skipped = 0;
     let mut worst = 0.0_f64;
     let mut wrong = Vec::new();
     for n in 0..points {
         let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
-        let o = options(MODELS[n % 2], COUNTS[n / 2 % 5]);
+        let o = options(models[n % models.len()], COUNTS[n / models.len() % 5]);
         let p = next(&mut random);
         let exact = slopes(&c, p, &o);
         // Size of each row, so that small entries are measured against what they stand beside
@@ -102,11 +145,7 @@ fn check(points: usize, seed: u64, next: impl Fn(&mut Random) -> [f64; 3]) {
                 q[k] += t;
                 forces(&c, q, &o)
             };
-            let Some(got) = [1e-3, 1e-4, 1e-5].into_iter().find_map(|h| {
-                let (got, doubt) = differences(&f, h);
-                // Rounding of the differences is 1e-16/h/4 ~ 1e-11 at the smallest
-                (0..3).all(|i| doubt[i] < 3e-8 * size[i]).then_some(got)
-            }) else {
+            let Some(got) = trusted_differences(&f, &size) else {
                 skipped += 1;
                 continue;
             };
@@ -222,5 +261,264 @@ fn derivatives_at_rest_are_the_linear_slopes() {
             let expected = c.shear_modulus * c.a * c.b * PI * PI / 4.0;
             assert!((f64::from(j[(1, 1)]) / expected - 1.0).abs() < 1e-5);
         }
+    }
+}
+
+/// What is differentiated by, as a relative change `t`.
+#[derive(Clone, Copy, Debug)]
+enum Change {
+    Load,
+    Friction,
+    Hertz,
+}
+
+impl Change {
+    fn of(self, c: &Contact<f64>, t: f64) -> Contact<f64> {
+        match self {
+            Self::Load => Contact { normal_force: c.normal_force * (1.0 + t), ..*c },
+            Self::Friction => Contact { friction: c.friction * (1.0 + t), ..*c },
+            Self::Hertz => {
+                // Hertz: a, b ~ N^{1/3}
+                let growth = (1.0 + t).cbrt();
+                let normal_force = c.normal_force * (1.0 + t);
+                Contact { a: c.a * growth, b: c.b * growth, normal_force, ..*c }
+            }
+        }
+    }
+
+    /// The derivative with respect to `t`, in the units of `unit`.
+    fn slope(self, c: &Contact<f64>, d: &Derivatives<f64>) -> [f64; 3] {
+        let (vector, factor) = match self {
+            Self::Load => (d.normal_force, c.normal_force),
+            Self::Friction => (d.friction, c.friction),
+            Self::Hertz => (d.load_through_hertz, c.normal_force),
+        };
+        let size = c.friction * c.normal_force;
+        let units = [size, size, size * (c.a * c.b).sqrt()];
+        std::array::from_fn(|i| vector[i] * factor / units[i])
+    }
+}
+
+/// Load, friction and load through Hertz, every model, from nearly linear to full sliding.
+#[test]
+fn derivatives_by_load_and_friction_are_those_of_the_computed_forces() {
+    let mut random = Random::new(67);
+    let (mut skipped, mut worst) = (0, 0.0_f64);
+    let points = 3_000;
+    for n in 0..points {
+        let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
+        let o = options(Model::ALL[n % 5], COUNTS[n / 5 % 5]);
+        let size = random.log_between(1e-3, 3.0);
+        let p = [0; 3].map(|_| size * random.between(-1.0, 1.0));
+        let m = theory::creepage(&c, p[0], p[1], p[2]);
+        let (solution, d) = derivatives::solve(&c, &m, &o).unwrap();
+        let (same, j) = model::solve_jacobian(&c, &m, &o).unwrap();
+        assert_eq!((solution, d.jacobian), (same, j), "{o:?}");
+        for change in [Change::Load, Change::Friction, Change::Hertz] {
+            let exact = change.slope(&c, &d);
+            let units = change.of(&c, 0.0);
+            let f = |t: f64| {
+                let s = model::solve(&change.of(&c, t), &m, &o).unwrap();
+                let size = units.friction * units.normal_force;
+                [s.fx / size, s.fy / size, s.mz / (size * (units.a * units.b).sqrt())]
+            };
+            let Some(got) = trusted_differences(&f, &exact.map(|slope| slope.abs().max(0.1)))
+            else {
+                skipped += 1;
+                continue;
+            };
+            for i in 0..3 {
+                let error = (got[i] - exact[i]).abs() / exact[i].abs().max(0.1);
+                worst = worst.max(error);
+                assert!(error < 1e-7, "{change:?} row {i}: {exact:?} {got:?} {p:?} {o:?} {c:?}");
+            }
+        }
+    }
+    println!("{skipped} of {} stencils skipped, worst {worst:e}", 3 * points);
+    assert!(skipped * 50 < 3 * points, "{skipped} stencils met a breakpoint");
+}
+
+/// Without load or friction the derivatives are one-sided: full sliding starts at once.
+#[test]
+fn derivatives_without_load_or_friction_are_those_of_sliding() {
+    let full = contact(1.5, 0.28);
+    let m = Creepage { longitudinal: 1e-3, lateral: -4e-4, spin: 0.1 };
+    for model in Model::ALL {
+        let o = options(model, StripCount::Sixteen);
+        for (load, friction) in [(0.0, 0.3), (full.normal_force, 0.0), (0.0, 0.0)] {
+            let c = Contact { normal_force: load, friction, ..full };
+            let (s, d) = derivatives::solve(&c, &m, &o).unwrap();
+            if model == Model::Linear {
+                assert_eq!((d.normal_force.norm(), d.friction.norm()), (0.0, 0.0));
+                continue;
+            }
+            assert_eq!([s.fx, s.fy, s.mz, d.jacobian.norm()], [0.0; 4], "{model:?}");
+            // The same motion with next to no load or friction
+            let little = 1e-9;
+            let near = Contact {
+                normal_force: load + little * full.normal_force,
+                friction: friction + little,
+                ..full
+            };
+            let s = model::solve(&near, &m, &o).unwrap();
+            let size = near.friction * near.normal_force;
+            for (i, force) in [s.fx, s.fy, s.mz].into_iter().enumerate() {
+                let unit = if i == 2 { full.a } else { 1.0 };
+                let expected = force / size;
+                let (by_load, by_friction) = (d.normal_force[i], d.friction[i]);
+                // STRIP keeps a slip of order 1/creepage in the limit, TOTAL likewise
+                assert!((by_load - friction * expected).abs() < 1e-3 * unit, "{model:?} {i}");
+                assert!((by_friction - load * expected).abs() < 1e-3 * unit * full.normal_force);
+            }
+        }
+    }
+    // No motion, no force, whatever the load
+    let rest = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
+    for model in Model::ALL {
+        for c in [full, Contact { friction: 0.0, ..full }, Contact { normal_force: 0.0, ..full }] {
+            let (_, d) =
+                derivatives::solve(&c, &rest, &options(model, StripCount::Sixteen)).unwrap();
+            let sizes = [d.normal_force, d.friction, d.load_through_hertz].map(|v| v.norm());
+            assert_eq!(sizes, [0.0; 3], "{model:?}");
+        }
+    }
+}
+
+/// In full sliding without spin the force is `μ N` along the slip, whatever else changes.
+#[test]
+fn derivatives_in_full_sliding() {
+    let c = contact(0.7, 0.3);
+    for model in [Model::Strip1967, Model::Strip1967Continuous, Model::Strip, Model::Total] {
+        for (vx, vy) in [(0.3, 0.0), (0.0, -0.3)] {
+            let m = Creepage { longitudinal: vx, lateral: vy, spin: 0.0 };
+            let (_, d) = derivatives::solve(&c, &m, &options(model, StripCount::Sixteen)).unwrap();
+            let direction =
+                [vx.signum() * f64::from(vx != 0.0), vy.signum() * f64::from(vy != 0.0)];
+            for (i, direction) in direction.into_iter().enumerate() {
+                assert!((d.normal_force[i] - c.friction * direction).abs() < 1e-12, "{model:?}");
+                assert!((d.friction[i] / c.normal_force - direction).abs() < 1e-12);
+                assert!((d.load_through_hertz[i] - c.friction * direction).abs() < 1e-12);
+            }
+        }
+    }
+}
+
+/// Single precision agrees with double to its own rounding.
+#[test]
+fn derivatives_in_single_precision() {
+    let mut random = Random::new(68);
+    for n in 0..500 {
+        let double = contact(random.log_between(0.2, 5.0), random.between(0.0, 0.5));
+        let o = options(Model::ALL[n % 5], StripCount::Sixteen);
+        let p = [0; 3].map(|_| random.between(-0.6, 0.6));
+        let m = theory::creepage(&double, p[0], p[1], p[2]);
+        let single = Contact::<f32> {
+            a: double.a as f32,
+            b: double.b as f32,
+            normal_force: double.normal_force as f32,
+            shear_modulus: double.shear_modulus as f32,
+            poisson_ratio: double.poisson_ratio as f32,
+            friction: double.friction as f32,
+        };
+        let motion = Creepage {
+            longitudinal: m.longitudinal as f32,
+            lateral: m.lateral as f32,
+            spin: m.spin as f32,
+        };
+        let (_, of_double) = derivatives::solve(&double, &m, &o).unwrap();
+        let (_, of_single) = derivatives::solve(&single, &motion, &o).unwrap();
+        for change in [Change::Load, Change::Friction, Change::Hertz] {
+            let of_single = Derivatives {
+                jacobian: of_single.jacobian.map(f64::from),
+                normal_force: of_single.normal_force.map(f64::from),
+                friction: of_single.friction.map(f64::from),
+                load_through_hertz: of_single.load_through_hertz.map(f64::from),
+            };
+            let (wide, narrow) =
+                (change.slope(&double, &of_double), change.slope(&double, &of_single));
+            for i in 0..3 {
+                // Slopes have kinks, and rounding decides on which side a number lies
+                let allowed = 2e-3 * wide[i].abs().max(1.0);
+                assert!(
+                    (wide[i] - narrow[i]).abs() < allowed,
+                    "{change:?} {o:?} {wide:?} {narrow:?}"
+                );
+            }
+        }
+    }
+}
+
+/// The batch gives the bits of the single calls, or touches nothing.
+#[test]
+fn batch_of_jacobians_is_the_single_calls() {
+    let mut random = Random::new(69);
+    for model in Model::ALL {
+        let options = kstrip_options { model: model as i32, strips: 16 };
+        let (mut contacts, mut creepages) = (Vec::new(), Vec::new());
+        for _ in 0..50 {
+            let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
+            contacts.push(kstrip_contact::from(c));
+            let p = [0; 3].map(|_| random.between(-1.2, 1.2));
+            creepages.push(kstrip_creepage::from(theory::creepage(&c, p[0], p[1], p[2])));
+        }
+        let empty = kstrip_result {
+            fx: 0.5,
+            fy: 0.5,
+            mz: 0.5,
+            power: 0.5,
+            adhesion: 0.5,
+            status_detail: 7,
+            reserved: 7,
+        };
+        let (mut results, mut jacobians) = ([empty; 50], [0.5; 450]);
+        let mut call = |contacts: &[kstrip_contact], results: &mut [kstrip_result]| {
+            // SAFETY: 50 elements each, nine times as many numbers.
+            unsafe {
+                kstrip_solve_jacobian_batch(
+                    contacts.as_ptr(),
+                    creepages.as_ptr(),
+                    50,
+                    Some(&options),
+                    results.as_mut_ptr(),
+                    jacobians.as_mut_ptr(),
+                )
+            }
+        };
+        // One whose forces fit and whose derivatives do not, at the end
+        let mut bad = contacts.clone();
+        bad[49].a = 1e100;
+        bad[49].b = 1e100;
+        bad[49].shear_modulus = 1e150;
+        bad[49].normal_force = 1e250;
+        let mut one = std::mem::MaybeUninit::uninit();
+        let mut entries = [0.0; 9];
+        // SAFETY: nine numbers.
+        let alone = unsafe {
+            let (c, m) = (Some(&bad[49]), Some(&creepages[49]));
+            kstrip_solve_jacobian(c, m, Some(&options), Some(&mut one), entries.as_mut_ptr())
+        };
+        assert_eq!(alone, kstrip::ffi::KSTRIP_ERROR_OVERFLOW, "{model:?}");
+        assert_eq!(call(&bad, &mut results), alone);
+        assert!(results.iter().all(|result| *result == empty));
+        let worst = call(&contacts, &mut results);
+        let mut largest = 0;
+        for i in 0..50 {
+            // SAFETY: nine numbers; a status that is not negative says written.
+            let alone = unsafe {
+                let (c, m) = (Some(&contacts[i]), Some(&creepages[i]));
+                let status = kstrip_solve_jacobian(
+                    c,
+                    m,
+                    Some(&options),
+                    Some(&mut one),
+                    entries.as_mut_ptr(),
+                );
+                largest = largest.max(status);
+                one.assume_init()
+            };
+            assert_eq!(alone, results[i]);
+            assert_eq!(entries[..], jacobians[9 * i..9 * i + 9]);
+        }
+        assert_eq!(worst, largest);
     }
 }

@@ -7,6 +7,7 @@ mod theory;
 use kstrip::contact::Contact;
 use kstrip::creepage::Creepage;
 use kstrip::ffi;
+use kstrip::ffi::derivatives::*;
 use kstrip::ffi::double::*;
 use kstrip::ffi::single::*;
 use kstrip::ffi::types::*;
@@ -183,6 +184,39 @@ fn everywhere(c: &Contact<f64>, m: &Creepage<f64>) -> Result<Vec<[f64; 4]>, i32>
                 }
                 status
             };
+            let mut second = [poisoned::<kstrip_result>()];
+            let mut slopes = [poisoned::<kstrip_derivatives>()];
+            let derivatives = kstrip_solve_derivatives(
+                Some(&cc),
+                Some(&cm),
+                Some(&co),
+                Some(&mut second[0]),
+                Some(&mut slopes[0]),
+            );
+            if derivatives < 0 {
+                assert!(untouched(&second) && untouched(&slopes));
+            } else {
+                // SAFETY: status >= 0 says written.
+                let d = unsafe { slopes[0].assume_init() };
+                let numbers = d.normal_force.iter().chain(&d.friction).chain(&d.load_through_hertz);
+                assert!(d.jacobian.iter().chain(numbers).all(|v| v.is_finite()), "{d:?}");
+            }
+            // SAFETY: one contact, nine places.
+            let batch = unsafe {
+                let mut third = [poisoned::<kstrip_result>()];
+                let mut places = [0; 9].map(|_| poisoned::<f64>());
+                let (out, nine) = (third.as_mut_ptr().cast(), places.as_mut_ptr().cast());
+                let status = kstrip_solve_jacobian_batch(&cc, &cm, 1, Some(&co), out, nine);
+                if status < 0 {
+                    assert!(untouched(&third) && untouched(&places));
+                }
+                status
+            };
+            assert_eq!(batch, jacobian, "{c:?} {m:?} {o:?}");
+            assert!(
+                derivatives == expected || (expected >= 0 && derivatives == -14),
+                "{c:?} {m:?}"
+            );
             // A derivative may be too large where the force is not.
             assert!(jacobian == expected || (expected >= 0 && jacobian == -14), "{c:?} {m:?}");
             if expected < 0 {

@@ -12,11 +12,11 @@ use crate::status::{Error, Notice};
 use crate::totals::StripCount;
 use core::mem::MaybeUninit;
 
-type Out<'a, T> = Option<&'a mut MaybeUninit<T>>;
-type OutArray<'a, T> = Result<&'a mut [MaybeUninit<T>], Error>;
+pub(super) type Out<'a, T> = Option<&'a mut MaybeUninit<T>>;
+pub(super) type OutArray<'a, T> = Result<&'a mut [MaybeUninit<T>], Error>;
 
 /// A required argument.
-fn given<T>(argument: Option<T>) -> Result<T, Error> {
+pub(super) fn given<T>(argument: Option<T>) -> Result<T, Error> {
     argument.ok_or(Error::NullPointer)
 }
 
@@ -143,7 +143,7 @@ where
 }
 
 /// The inputs that every solver shares.
-fn inputs<F: Float, C: Copy, K: Copy>(
+pub(super) fn inputs<F: Float, C: Copy, K: Copy>(
     contact: Option<&C>,
     creepage: Option<&K>,
 ) -> Result<(Contact<F>, Creepage<F>), Error>

@@ -21,6 +21,9 @@ pub mod single;
 pub mod types;
 pub mod types_f32;
 
+// In the order of the header: after the functions that they build on.
+pub mod derivatives;
+
 use crate::model::{Model, Options};
 use crate::status::{Error, Notice, advice};
 use crate::totals::StripCount;

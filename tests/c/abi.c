@@ -224,6 +224,36 @@ static void solution(void)
     CASE("upper.null_out", result, kstrip_result_on_upper_body(&results[0], NULL));
 }
 
+static void more_derivatives(void)
+{
+    const kstrip_contact contact = {6e-3, 4e-3, 80e3, 82e9, 0.28, 0.3};
+    const kstrip_creepage creepage = {1e-3, 0, 0.1};
+    const kstrip_contact contacts[2] = {contact, {6e-3, 4e-3, -1, 82e9, 0.28, 0.3}};
+    const kstrip_creepage motions[2] = {creepage, creepage};
+    kstrip_derivatives slopes;
+    kstrip_result result, results[2];
+    double jacobians[18];
+
+    CASE("derivatives.null", result,
+         kstrip_solve_derivatives(&contact, &creepage, NULL, &result, NULL));
+    CASE("derivatives.null_result", slopes,
+         kstrip_solve_derivatives(&contact, &creepage, NULL, NULL, &slopes));
+    CASE("derivatives.bad", slopes,
+         kstrip_solve_derivatives(&contacts[1], &creepage, NULL, &result, &slopes));
+    CASE("derivatives.ok", slopes,
+         kstrip_solve_derivatives(&contact, &creepage, NULL, &result, &slopes));
+    CASE("jacobians.second_bad", jacobians,
+         kstrip_solve_jacobian_batch(contacts, motions, 2, NULL, results, jacobians));
+    CASE("jacobians.second_bad_results", results,
+         kstrip_solve_jacobian_batch(contacts, motions, 2, NULL, results, jacobians));
+    CASE("jacobians.null", results,
+         kstrip_solve_jacobian_batch(contacts, motions, 1, NULL, results, NULL));
+    CASE("jacobians.null_results", jacobians,
+         kstrip_solve_jacobian_batch(contacts, motions, 1, NULL, NULL, jacobians));
+    CASE("jacobians.ok", jacobians,
+         kstrip_solve_jacobian_batch(contacts, motions, 1, NULL, results, jacobians));
+}
+
 /* Single precision shares the checks; a sample of each kind. */
 static void single_precision(void)
 {
@@ -255,6 +285,7 @@ int main(void)
     texts();
     preparation();
     solution();
+    more_derivatives();
     single_precision();
     return 0;
 }

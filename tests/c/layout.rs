@@ -24,4 +24,6 @@ layouts! {
     kstrip_parameters_f32 { xi, eta, psi }
     kstrip_strip_f32 { y, width, half_length, separatrix, fx, fy, mz, power, state, reserved }
     kstrip_point_f32 { pressure, traction_x, traction_y, slip_x, slip_y, dissipation, state, reserved }
+    kstrip_derivatives { jacobian, normal_force, friction, load_through_hertz }
+    kstrip_derivatives_f32 { jacobian, normal_force, friction, load_through_hertz }
 }
