@@ -24,8 +24,9 @@ pub struct Contact<F> {
 impl<F: Float> Contact<F> {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::SemiAxis`], [`Error::NormalForce`], [`Error::Modulus`],
-    /// [`Error::PoissonRatio`], [`Error::Friction`]; [`Error::Overflow`] when `a/b`, `b/a`, `μ N`
-    /// or the pressure does not fit the floating-point type.
+    /// [`Error::PoissonRatio`], [`Error::Friction`]; [`Error::Overflow`] when `a/b` or `b/a`
+    /// exceeds [`Real::HUGE`](crate::real::Real::HUGE), or `μ N` or the pressure does not fit the
+    /// floating-point type.
     pub fn check(&self) -> Result<(), Error> {
         let inputs = [self.a, self.b, self.normal_force, self.friction];
         if !inputs.iter().all(|input| input.is_finite_number()) {
@@ -50,7 +51,9 @@ impl<F: Float> Contact<F> {
             self.peak_pressure(),
             traction,
         ];
-        if !ratios.iter().all(|ratio| ratio.is_finite_number()) {
+        // Products of the ratio with anything of order one stay finite as well.
+        let slender = ratios[0].max(ratios[1]) > F::HUGE;
+        if slender || !ratios.iter().all(|ratio| ratio.is_finite_number()) {
             return Err(Error::Overflow);
         }
         Ok(())

@@ -141,13 +141,16 @@ impl<'a, F: Precision> Problem<'a, F> {
             Model::Linear => {
                 let creepage = longitudinal.abs() + lateral.abs() + (a + b) * spin.abs();
                 // No coefficient times its power of the axis ratio exceeds this.
-                self.linear_stiffness() * creepage * (a / b + b / a).plus(100.0)
+                self.linear_stiffness() * (creepage * (a / b + b / a).plus(100.0))
             }
             _ => self.contact.friction_bound(),
         };
         let moment = bound * (a + b);
         let power = bound * longitudinal.abs() + bound * lateral.abs() + moment * spin.abs();
-        if power.is_finite_number() && moment.is_finite_number() && bound.is_finite_number() {
+        // The velocity that spin causes at the edge, also where nothing is carried
+        let edge_slip = (a + b) * spin.abs();
+        let numbers = [power, moment, bound, edge_slip];
+        if numbers.iter().all(|number| number.is_finite_number()) {
             Ok(())
         } else {
             Err(Error::Overflow)
@@ -273,7 +276,8 @@ impl<'a, F: Precision> Problem<'a, F> {
             StripCount::ThirtyTwo => strips.totals::<32, true>(),
             StripCount::SixtyFour => strips.totals::<64, true>(),
         };
-        Totals { fx, fy, mz, stick }
+        // The weights of the strips sum to one up to rounding.
+        Totals { fx, fy, mz, stick: stick.clamped(T::zero(), T::one()) }
     }
 
     /// `√(ab)` \[m\], without overflow.
@@ -550,6 +554,15 @@ impl<F: Precision> Field<F> {
     ) -> Result<Self, Error> {
         let problem = Problem::new(contact, creepage, options)?;
         let parameters = Parameters::new(contact, creepage);
+        // What a point dissipates: traction times slip, which is of the size of the rigid slip, and as
+        // bounded as the parameters are.
+        let rigid = creepage.longitudinal.abs()
+            + creepage.lateral.abs()
+            + (contact.a + contact.b) * creepage.spin.abs();
+        let slip = rigid.times(8.0).min(contact.slip_unit().min(F::HUGE) * F::HUGE);
+        if !(contact.friction * contact.peak_pressure() * slip).is_finite_number() {
+            return Err(Error::Overflow);
+        }
         let law = match options.model {
             Model::Strip1967 | Model::Strip1967Continuous => {
                 Law::Theory(parameters, problem.sliding_rule())
