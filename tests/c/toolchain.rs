@@ -21,7 +21,7 @@ pub fn say(line: &str) {
 }
 
 /// Standard output of a command that must succeed.
-fn output_of(command: &mut Command) -> String {
+pub fn output_of(command: &mut Command) -> String {
     let output = command.output().unwrap_or_else(|error| panic!("{command:?}: {error}"));
     assert!(output.status.success(), "{command:?}: {}", report(&output));
     String::from_utf8(output.stdout).expect("text")
@@ -44,6 +44,39 @@ pub fn library() -> &'static Path {
         output_of(&mut cargo);
         target.join("release/libkstrip.a")
     })
+}
+
+/// The shared library, built by `make` in the target directory of this test.
+pub fn shared() -> &'static Path {
+    static LIBRARY: OnceLock<PathBuf> = OnceLock::new();
+    LIBRARY.get_or_init(|| {
+        let target = scratch().parent().expect("target/tmp is in target");
+        let mut make = Command::new("make");
+        make.current_dir(root()).env_remove("CARGO_BUILD_TARGET").env_remove("MAKEFLAGS");
+        make.arg(format!("CARGO={}", env!("CARGO")));
+        make.arg(format!("CARGO_TARGET_DIR={}", target.display()));
+        output_of(&mut make);
+        let name = if cfg!(target_os = "macos") { "libkstrip.dylib" } else { "libkstrip.so" };
+        target.join("release").join(name)
+    })
+}
+
+/// The Python of `PYTHON`, else `python3`, if it has numpy (and finds the binding and the library);
+/// what is missing otherwise.
+pub fn python() -> Result<Command, String> {
+    let name = std::env::var_os("PYTHON").unwrap_or_else(|| "python3".into());
+    let mut command = Command::new(&name);
+    let answer = command.args(["-c", "import numpy"]).output();
+    if !answer.is_ok_and(|answer| answer.status.success()) {
+        return Err(format!("{} with numpy (PYTHON names another one)", name.to_string_lossy()));
+    }
+    if !Command::new("make").arg("--version").output().is_ok_and(|answer| answer.status.success()) {
+        return Err("make".to_owned());
+    }
+    let mut command = Command::new(name);
+    command.current_dir(root()).env("KSTRIP_LIBRARY", shared());
+    command.env("PYTHONPATH", root().join("bindings/python")).env("PYTHONDONTWRITEBYTECODE", "1");
+    Ok(command)
 }
 
 /// Where tests write.

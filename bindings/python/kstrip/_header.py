@@ -1,0 +1,66 @@
+"""Reads kstrip.h and makes ctypes of it: constants, structures, functions with their comments.
+
+Its only syntax is what cbindgen writes for this library.
+"""
+
+import ctypes
+import re
+
+SCALARS = {
+    "double": ctypes.c_double,
+    "float": ctypes.c_float,
+    "int32_t": ctypes.c_int32,
+    "uint32_t": ctypes.c_uint32,
+    "kstrip_status": ctypes.c_int32,
+}
+
+# A comment, and what it stands before.
+COMMENT = r"(?:/\*\*(?P<comment>(?:(?!\*/).)*)\*/\s*)?"
+CONSTANT = re.compile(r"^#define (KSTRIP_\w+) (-?\d+)", re.M)
+STRUCTURE = re.compile(COMMENT + r"typedef struct (?P<name>kstrip_\w+) \{(?P<body>.*?)\n\}", re.S)
+MEMBER = re.compile(r"^\s*(?:struct )?(\w+) (\w+)(?:\[(\d+)\])?;", re.M)
+FUNCTION = re.compile(
+    COMMENT + r"^(?P<result>kstrip_status|int32_t|const char \*)\s*(?P<name>kstrip_\w+)\((?P<arguments>[^)]*)\);",
+    re.S | re.M,
+)
+
+
+def text_of(comment):
+    """A comment without its stars."""
+    lines = re.sub(r"^\s*\* ?", "", comment or "", flags=re.M).strip()
+    return lines.replace("@param[out]", ":param").replace("@param[in]", ":param").replace("@param", ":param")
+
+
+def constants(header):
+    """KSTRIP_NAME: value"""
+    return {name: int(value) for name, value in CONSTANT.findall(header)}
+
+
+def structures(header):
+    """kstrip_name: ctypes structure with the comment of the header"""
+    found = {}
+    for match in STRUCTURE.finditer(header):
+        body = re.sub(r"/\*.*?\*/", "", match["body"], flags=re.S)
+        fields = []
+        for kind, name, count in MEMBER.findall(body):
+            member = SCALARS.get(kind) or found[kind]
+            fields.append((name, member * int(count) if count else member))
+        doc = text_of(match["comment"])
+        found[match["name"]] = type(match["name"], (ctypes.Structure,), {"_fields_": fields, "__doc__": doc})
+    return found
+
+
+def functions(header, known):
+    """(name, result, arguments, comment) of every function, as ctypes"""
+    for match in FUNCTION.finditer(header):
+        arguments = []
+        for argument in match["arguments"].split(","):
+            argument = " ".join(argument.replace("const ", "").replace("struct ", "").split())
+            if argument == "void":
+                continue
+            kind = argument.rsplit(" ", 1)[0]
+            base = SCALARS.get(kind) or known[kind]
+            # Pointers go as addresses: arrays of numpy and structures alike.
+            arguments.append(ctypes.c_void_p if "*" in argument else base)
+        result = ctypes.c_char_p if "char" in match["result"] else ctypes.c_int32
+        yield match["name"], result, arguments, text_of(match["comment"])
