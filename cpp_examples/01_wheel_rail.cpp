@@ -62,6 +62,18 @@ int main()
     for (const auto &f : curve)
         std::printf("curve %.4f\n", f.fx.value);
 
+    // The same with derivatives; and with those with respect to load and friction
+    std::vector<kstrip::jacobian> slopes(9);
+    if (kstrip::is_error(kstrip::solve_jacobian_batch(contacts, motions, {}, curve, slopes)))
+        return 1;
+    std::printf("slope %.4f\n", slopes[1](0, 0));
+    kstrip::result same{};
+    kstrip::derivatives all{};
+    if (kstrip::is_error(kstrip::solve_derivatives(contact, motion, {}, same, all)))
+        return 1;
+    std::printf("derivatives %.4f %.9f %.4f %.9f\n", all.jacobian(1, 1), all.normal_force[0], all.friction[0],
+                all.load_through_hertz[0]);
+
     // Strips and field
     std::array<kstrip::strip, kstrip::strips_capacity> strips;
     std::uint32_t count = 0;

@@ -330,6 +330,15 @@ struct basic_jacobian {
     }
 };
 
+/// Derivatives of (fx, fy, mz) with respect to creepages, load and friction.
+template <class T>
+struct basic_derivatives {
+    basic_jacobian<T> jacobian;
+    T normal_force[3];
+    T friction[3];
+    T load_through_hertz[3];
+};
+
 /// Forces and their derivatives.
 template <class T>
 struct basic_linearised {
@@ -349,6 +358,7 @@ using result = basic_result<double>;
 using strip = basic_strip<double>;
 using point = basic_point<double>;
 using jacobian = basic_jacobian<double>;
+using derivatives = basic_derivatives<double>;
 
 using material_f32 = basic_material<float>;
 using combined_material_f32 = basic_combined_material<float>;
@@ -362,6 +372,7 @@ using result_f32 = basic_result<float>;
 using strip_f32 = basic_strip<float>;
 using point_f32 = basic_point<float>;
 using jacobian_f32 = basic_jacobian<float>;
+using derivatives_f32 = basic_derivatives<float>;
 
 // ---- The way to C -----------------------------------------------------------------------------
 
@@ -389,6 +400,7 @@ KSTRIP_HPP_BOTH(parameters)
 KSTRIP_HPP_BOTH(result)
 KSTRIP_HPP_BOTH(strip)
 KSTRIP_HPP_BOTH(point)
+KSTRIP_HPP_BOTH(derivatives)
 #undef KSTRIP_HPP_BOTH
 #undef KSTRIP_HPP_SAME
 
@@ -501,6 +513,15 @@ status solve_jacobian(const basic_contact<T> &patch, const basic_creepage<T> &mo
                            detail::in(&how), detail::out(&to), slopes.value);
 }
 
+/// kstrip_solve_derivatives()
+template <class T>
+status solve_derivatives(const basic_contact<T> &patch, const basic_creepage<T> &motion, const options &how,
+                         basic_result<T> &to, basic_derivatives<T> &slopes) noexcept
+{
+    return KSTRIP_HPP_CALL(T, kstrip_solve_derivatives, detail::in(&patch), detail::in(&motion),
+                           detail::in(&how), detail::out(&to), detail::out(&slopes));
+}
+
 /// kstrip_solve_total(), kstrip_solve_linear(), kstrip_solve_strip_1967(), kstrip_solve_strip(): programs that
 /// call only these contain only the models that they name.
 template <class T>
@@ -540,6 +561,19 @@ status solve_batch(span<const basic_contact<T>> contacts, span<const basic_creep
 }
 
 template <class T>
+status solve_jacobian_batch(span<const basic_contact<T>> contacts, span<const basic_creepage<T>> creepages,
+                            const options &how, span<basic_result<T>> to, span<basic_jacobian<T>> slopes) noexcept
+{
+    if (contacts.size() != creepages.size() || contacts.size() > to.size() ||
+        contacts.size() > slopes.size() || !fits(contacts.size()))
+        return status::error_capacity;
+    static_assert(sizeof(basic_jacobian<T>) == 9 * sizeof(T), "nine numbers");
+    return KSTRIP_HPP_CALL(T, kstrip_solve_jacobian_batch, in(contacts.data()), in(creepages.data()),
+                           static_cast<std::uint32_t>(contacts.size()), in(&how), out(to.data()),
+                           reinterpret_cast<T *>(slopes.data()));
+}
+
+template <class T>
 status strips(const basic_contact<T> &patch, const basic_creepage<T> &motion, const options &how,
               span<basic_strip<T>> to, std::uint32_t &count) noexcept
 {
@@ -571,6 +605,18 @@ inline status solve_batch(span<const contact_f32> contacts, span<const creepage_
                           const options &how, span<result_f32> to) noexcept
 {
     return detail::solve_batch<float>(contacts, creepages, how, to);
+}
+
+/// kstrip_solve_jacobian_batch(). Sizes as for solve_batch().
+inline status solve_jacobian_batch(span<const contact> contacts, span<const creepage> creepages,
+                                   const options &how, span<result> to, span<jacobian> slopes) noexcept
+{
+    return detail::solve_jacobian_batch<double>(contacts, creepages, how, to, slopes);
+}
+inline status solve_jacobian_batch(span<const contact_f32> contacts, span<const creepage_f32> creepages,
+                                   const options &how, span<result_f32> to, span<jacobian_f32> slopes) noexcept
+{
+    return detail::solve_jacobian_batch<float>(contacts, creepages, how, to, slopes);
 }
 
 /// kstrip_strips(): writes the first `count` elements; strips_capacity of them are always enough.

@@ -71,7 +71,7 @@ say
 for set in total strip_1967 linear; do
     say "\`kstrip_solve_${set}_f32\`, $(size $set 2) bytes:"
     say
-    say '```'
+    say '```text'
     arm-none-eabi-nm -C -S --size-sort -r "$out/$set.elf" | awk '
         { n = 0; for (i = 1; i <= 8; ++i) n = n * 16 + index("0123456789abcdef", substr($2, i, 1)) - 1
           name = $0; sub(/^[0-9a-f]+ [0-9a-f]+ . /, "", name)

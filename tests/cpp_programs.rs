@@ -7,6 +7,7 @@ mod toolchain;
 
 use kstrip::contact::Contact;
 use kstrip::creepage::Creepage;
+use kstrip::derivatives;
 use kstrip::hertz::{Radii, hertz};
 use kstrip::model::{self, Options};
 use toolchain::{cpp_compilers, root, run_cpp, say, scratch};
@@ -74,6 +75,15 @@ fn example_prints_what_rust_computes() {
         let motion = Creepage { longitudinal: i as f64 * 1e-3, lateral: 0.0, spin: 0.0 };
         close(row[0], model::solve(&contact, &motion, &options).expect("a solution").fx, 4);
     }
+    let second = Creepage { longitudinal: 1e-3, lateral: 0.0, spin: 0.0 };
+    let (_, slopes) = model::solve_jacobian(&contact, &second, &options).expect("a solution");
+    close(numbers(text, "slope")[0][0], slopes[(0, 0)], 4);
+    let (_, all) = derivatives::solve(&contact, &motion, &options).expect("a solution");
+    let printed = &numbers(text, "derivatives")[0];
+    close(printed[0], all.jacobian[(1, 1)], 4);
+    close(printed[1], all.normal_force[0], 9);
+    close(printed[2], all.friction[0], 4);
+    close(printed[3], all.load_through_hertz[0], 9);
     // The strips add up to the force, to rounding
     let strips = &numbers(text, "strips")[0];
     assert!(strips[0] >= 16.0 && (strips[1] - forces.fx).abs() < 1e-3, "{strips:?}");
@@ -136,4 +146,19 @@ fn layouts_defaults_and_statuses_are_those_of_c() {
             assert_eq!(run_cpp(compiler, standard, &source), "1\n", "default options");
         }
     }
+}
+
+#[test]
+fn no_function_of_c_is_missing() {
+    let text = |name| std::fs::read_to_string(root().join("include").join(name)).expect("a header");
+    let cpp = text("kstrip.hpp");
+    let missing: Vec<String> = header::declared(&text("kstrip.h"))
+        .functions
+        .into_iter()
+        .map(|function| function.name)
+        // The call with the name in double precision makes both.
+        .filter(|name| !name.ends_with("_f32"))
+        .filter(|name| !cpp.contains(&format!("{name}(")) && !cpp.contains(&format!("{name},")))
+        .collect();
+    assert!(missing.is_empty(), "include/kstrip.hpp has no wrapper for {missing:?}");
 }

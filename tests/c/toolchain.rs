@@ -129,11 +129,16 @@ fn compile_by(
 /// Compile a C99 program of the repository without a warning, link it with the library, run it, and
 /// return what it printed.
 pub fn run_c(source: &str) -> String {
+    run_source(&root().join(source))
+}
+
+/// The same for a program anywhere.
+pub fn run_source(source: &Path) -> String {
     let library = library();
     let mut arguments: Vec<&OsStr> = STRICT.iter().map(OsStr::new).collect();
     arguments.extend([library.as_os_str(), OsStr::new("-lpthread")]);
-    let program = compile(false, "c99", &root().join(source), &arguments)
-        .unwrap_or_else(|message| panic!("{source}: {message}"));
+    let program = compile(false, "c99", source, &arguments)
+        .unwrap_or_else(|message| panic!("{}: {message}", source.display()));
     output_of(&mut Command::new(program))
 }
 

@@ -139,12 +139,11 @@ def solve(contacts, creepages, model="strip", strips=16):
 def solve_jacobian(contacts, creepages, model="strip", strips=16):
     """Forces, and d(fx, fy, mz)/d(longitudinal, lateral, spin) with shape (..., 3, 3)."""
     shape, contacts, creepages = _pairs(contacts, creepages)
-    call, suffix = _function_for("kstrip_solve_jacobian", contacts)
+    call, suffix = _function_for("kstrip_solve_jacobian_batch", contacts)
     results = np.zeros(contacts.size, dtypes["result" + suffix])
     slopes = np.zeros((contacts.size, 3, 3), np.float32 if suffix else np.float64)
-    options = _options(model, strips)
-    for i in range(contacts.size):
-        _check(call(contacts[i:].ctypes.data, creepages[i:].ctypes.data, options, results[i:].ctypes.data, slopes[i:].ctypes.data))
+    _check(call(contacts.ctypes.data, creepages.ctypes.data, contacts.size, _options(model, strips), results.ctypes.data,
+                slopes.ctypes.data))
     return results.reshape(shape), slopes.reshape(*shape, 3, 3)
 
 
