@@ -768,6 +768,62 @@ typedef struct kstrip_derivatives_f32 {
 } kstrip_derivatives_f32;
 
 /**
+ * Friction that falls with the slip, friction ((1 - ratio) exp(-decay w) + ratio) with the sliding
+ * velocity w [m/s], and the stiffness of the layer between the bodies.
+ *
+ * Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m; wet 0.3,
+ * 0.4, 0.2 s/m.
+ */
+typedef struct kstrip_friction {
+    /**
+     * Coefficient of friction without slip [-], >= 0.
+     */
+    double friction;
+    /**
+     * Friction at infinite sliding velocity over that at none [-], 0 to 1; 1: friction is constant.
+     */
+    double ratio;
+    /**
+     * How fast friction falls [s/m], >= 0; 0: friction is constant.
+     */
+    double decay;
+    /**
+     * Rolling speed [m/s], >= 0: sliding velocity is slip times rolling speed.
+     */
+    double rolling_speed;
+    /**
+     * Initial slope of the creep curve over that of clean bodies [-], > 0 to 1; 1: clean.
+     */
+    double slope_factor;
+} kstrip_friction;
+
+/**
+ * Friction that falls with the slip, and the stiffness of the layer, single precision.
+ */
+typedef struct kstrip_friction_f32 {
+    /**
+     * Coefficient of friction without slip [-], >= 0.
+     */
+    float friction;
+    /**
+     * Friction at infinite sliding velocity over that at none [-], 0 to 1; 1: friction is constant.
+     */
+    float ratio;
+    /**
+     * How fast friction falls [s/m], >= 0; 0: friction is constant.
+     */
+    float decay;
+    /**
+     * Rolling speed [m/s], >= 0: sliding velocity is slip times rolling speed.
+     */
+    float rolling_speed;
+    /**
+     * Initial slope of the creep curve over that of clean bodies [-], > 0 to 1; 1: clean.
+     */
+    float slope_factor;
+} kstrip_friction_f32;
+
+/**
  * Success.
  */
 #define KSTRIP_OK 0
@@ -787,6 +843,17 @@ typedef struct kstrip_derivatives_f32 {
  * Warning: the linear force exceeds mu N.
  */
 #define KSTRIP_WARNING_BEYOND_FRICTION 3
+
+/**
+ * Warning: falling friction and slip agree at more than one coefficient of friction; the result has the
+ * largest, which is reached from adhesion.
+ */
+#define KSTRIP_WARNING_SEVERAL_FRICTIONS 4
+
+/**
+ * Warning: a bounded iteration ended before its result was accurate to rounding.
+ */
+#define KSTRIP_WARNING_NOT_CONVERGED 5
 
 /**
  * Error: a required pointer is NULL.
@@ -857,6 +924,26 @@ typedef struct kstrip_derivatives_f32 {
  * Error: a result is beyond the range of the floating-point type.
  */
 #define KSTRIP_ERROR_OVERFLOW -14
+
+/**
+ * Error: the ratio of falling friction is outside [0, 1].
+ */
+#define KSTRIP_ERROR_FRICTION_RATIO -15
+
+/**
+ * Error: the decay of falling friction is negative.
+ */
+#define KSTRIP_ERROR_FRICTION_DECAY -16
+
+/**
+ * Error: the rolling speed of falling friction is negative.
+ */
+#define KSTRIP_ERROR_NEGATIVE_SPEED -17
+
+/**
+ * Error: the factor of the initial slope is outside (0, 1].
+ */
+#define KSTRIP_ERROR_SLOPE_FACTOR -18
 
 
 
@@ -1335,6 +1422,71 @@ kstrip_status kstrip_solve_jacobian_batch_f32(const struct kstrip_contact_f32 *c
                                               const struct kstrip_options *options,
                                               struct kstrip_result_f32 *results,
                                               float *jacobians);
+
+/**
+ * Forces under friction that falls with the slip, solved consistently with the slip.
+ *
+ * The slip is the mean over the contact, weighted with friction: power/(friction N), which is 0 where
+ * everything sticks and the creepage in full sliding without spin. The coefficient of friction of the
+ * contact is ignored. The slope factor stands for a layer that makes the contact softer: it multiplies the shear
+ * modulus and stretches the creep curve without changing its shape. With constant friction
+ * (ratio 1, decay 0 or rolling_speed 0) and slope_factor 1 the result is that of kstrip_solve(), bit for bit and
+ * at its cost; otherwise some six solutions, 260 at most. For KSTRIP_MODEL_LINEAR only the slope factor
+ * counts.
+ *
+ * @param contact         ellipse, load, material; its friction is ignored.
+ * @param creepage        motion.
+ * @param friction        how friction falls.
+ * @param options         model and strip count; NULL for the defaults.
+ * @param[out] result     receives what kstrip_solve() gives.
+ * @param[out] effective  receives the coefficient of friction [-] that agrees with the slip; may be NULL.
+ * @return as kstrip_solve(); KSTRIP_WARNING_SEVERAL_FRICTIONS, KSTRIP_WARNING_NOT_CONVERGED for
+ *         friction that falls steeply; KSTRIP_ERROR_FRICTION_RATIO, KSTRIP_ERROR_FRICTION_DECAY,
+ *         KSTRIP_ERROR_NEGATIVE_SPEED, KSTRIP_ERROR_SLOPE_FACTOR.
+ */
+kstrip_status kstrip_solve_friction(const struct kstrip_contact *contact,
+                                    const struct kstrip_creepage *creepage,
+                                    const struct kstrip_friction *friction,
+                                    const struct kstrip_options *options,
+                                    struct kstrip_result *result,
+                                    double *effective);
+
+/**
+ * kstrip_solve_friction() with the exact derivatives with respect to the creepages.
+ *
+ * @param[out] jacobian   receives d(fx, fy, mz)/d(longitudinal, lateral, spin), row by row, friction
+ *                        following the slip: nine numbers [N, N, N m over 1, 1, 1/m]. On the falling branch
+ *                        of a traction curve the entry on the diagonal is negative.
+ * @return as kstrip_solve_friction(); KSTRIP_ERROR_OVERFLOW also when a derivative is too large.
+ */
+kstrip_status kstrip_solve_friction_jacobian(const struct kstrip_contact *contact,
+                                             const struct kstrip_creepage *creepage,
+                                             const struct kstrip_friction *friction,
+                                             const struct kstrip_options *options,
+                                             struct kstrip_result *result,
+                                             double *jacobian,
+                                             double *effective);
+
+/**
+ * kstrip_solve_friction() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_solve_friction_f32(const struct kstrip_contact_f32 *contact,
+                                        const struct kstrip_creepage_f32 *creepage,
+                                        const struct kstrip_friction_f32 *friction,
+                                        const struct kstrip_options *options,
+                                        struct kstrip_result_f32 *result,
+                                        float *effective);
+
+/**
+ * kstrip_solve_friction_jacobian() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_solve_friction_jacobian_f32(const struct kstrip_contact_f32 *contact,
+                                                 const struct kstrip_creepage_f32 *creepage,
+                                                 const struct kstrip_friction_f32 *friction,
+                                                 const struct kstrip_options *options,
+                                                 struct kstrip_result_f32 *result,
+                                                 float *jacobian,
+                                                 float *effective);
 
 #ifdef __cplusplus
 }  // extern "C"

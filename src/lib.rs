@@ -17,7 +17,7 @@
 //! 6. [`coefficients`], [`rolling_strip`], [`total`]: beyond 1967, with the slopes of Kalker's linear
 //!    theory, strips that follow the slip, and calibrated total forces.
 //! 7. [`model`]: contact and creepage to forces, derivatives, strips and fields, for every model.
-//! 8. [`derivatives`]: with respect to load and friction as well.
+//! 8. [`derivatives`]: with respect to load and friction as well. [`friction`]: friction that falls with the slip.
 //! 9. [`ffi`]: all of it for C (`include/kstrip.h`).
 //!
 //! # Frame and signs
@@ -64,6 +64,7 @@ pub mod dual;
 mod elliptic;
 pub mod ffi;
 pub mod field;
+pub mod friction;
 pub mod hertz;
 pub mod leading_edge;
 pub mod material;

@@ -27,6 +27,8 @@ pub trait Float: Real<Base = Self> + nalgebra::Scalar {
     fn is_finite_number(self) -> bool;
     /// Cube root.
     fn cube_root(self) -> Self;
+    /// Exponential function.
+    fn exp(self) -> Self;
 }
 
 /// What formulas without a decision need: one number, or two side by side in [`Real::Pair`].
@@ -160,7 +162,7 @@ pub trait Pair<T: Real>: Arithmetic<Base = T::Base> {
 }
 
 macro_rules! plain {
-    ($float:ident, $pair:ty, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $asinh:path, $cbrt:path) => {
+    ($float:ident, $pair:ty, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $asinh:path, $cbrt:path, $exp:path) => {
         impl Float for $float {
             #[inline(always)]
             fn of(x: f64) -> Self {
@@ -181,6 +183,10 @@ macro_rules! plain {
             #[inline]
             fn cube_root(self) -> Self {
                 $cbrt(self)
+            }
+            #[inline]
+            fn exp(self) -> Self {
+                $exp(self)
             }
         }
 
@@ -257,7 +263,8 @@ plain!(
     libm::atan,
     libm::log,
     libm::asinh,
-    libm::cbrt
+    libm::cbrt,
+    libm::exp
 );
 plain!(
     f32,
@@ -268,5 +275,6 @@ plain!(
     libm::atanf,
     libm::logf,
     libm::asinhf,
-    cube_root::of_f32
+    cube_root::of_f32,
+    libm::expf
 );

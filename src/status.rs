@@ -39,6 +39,14 @@ pub enum Error {
     NotInModel = -13,
     /// The result is beyond the range of the floating-point type.
     Overflow = -14,
+    /// The ratio of falling friction is outside `[0, 1]`.
+    FrictionRatio = -15,
+    /// The decay of falling friction is negative.
+    FrictionDecay = -16,
+    /// The rolling speed of falling friction is negative.
+    NegativeSpeed = -17,
+    /// The factor of the initial slope is outside `(0, 1]`.
+    SlopeFactor = -18,
 }
 
 impl Error {
@@ -76,6 +84,11 @@ pub enum Notice {
     OutsideRange = 2,
     /// The linear model knows no friction bound, and its force exceeds `mu N`.
     BeyondFriction = 3,
+    /// Falling friction and slip agree at more than one coefficient of friction. The result has the
+    /// largest, which is reached from adhesion.
+    SeveralFrictions = 4,
+    /// A bounded iteration ended before its result was accurate to rounding.
+    NotConverged = 5,
 }
 
 impl Notice {
@@ -98,6 +111,10 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
             c"an input is outside the range in which the model was checked; result is finite and bounded by mu N"
         }
         3 => c"the linear force exceeds mu N; use a model with saturation",
+        4 => {
+            c"falling friction has more than one solution here: result is the one with the largest friction, reached from adhesion"
+        }
+        5 => c"a bounded iteration ended before its result was accurate to rounding",
         -1 => c"a required pointer is NULL: pass the address of a structure or array",
         -2 => c"an input is infinite or NaN: pass finite numbers",
         -3 => c"a semi-axis of the contact ellipse is not positive: a and b must be > 0 (metres)",
@@ -118,6 +135,10 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
         -14 => {
             c"the result is beyond the range of the floating-point type: check the units (N, m, Pa)"
         }
+        -15 => c"the ratio of falling friction is outside [0, 1]",
+        -16 => c"the decay of falling friction is negative: it must be >= 0 (s/m)",
+        -17 => c"the rolling speed is negative: it must be >= 0 (m/s)",
+        -18 => c"the factor of the initial slope must be > 0 and <= 1",
         _ => return None,
     })
 }

@@ -534,7 +534,7 @@ fn expected_statuses() -> BTreeMap<&'static str, i32> {
             "options.ok young.ok combine.ok hertz.ok velocities.ok parameters.ok creepage.ok \
              solve.ok solve.default jacobian.ok batch.ok batch.empty strips.ok \
              point.ok point.outside field.ok f32.solve.ok solve.load_zero solve.friction_zero \
-             derivatives.ok jacobians.ok",
+             derivatives.ok jacobians.ok friction.constant friction.ok friction.jacobian",
         ),
         (KSTRIP_WARNING_BEYOND_FRICTION, "solve.linear_large f32.solve.linear_large"),
         (KSTRIP_WARNING_SPIN, "solve.spin_large"),
@@ -547,7 +547,7 @@ fn expected_statuses() -> BTreeMap<&'static str, i32> {
              jacobian.null_entries jacobian.null_result batch.null batch.null_out strips.null \
              strips.null_count point.null field.null_x field.null_out upper.null upper.null_out \
              f32.solve.null derivatives.null derivatives.null_result jacobians.null \
-             jacobians.null_results",
+             jacobians.null_results friction.null friction.null_out friction.null_entries",
         ),
         (
             KSTRIP_ERROR_NOT_FINITE,
@@ -570,6 +570,10 @@ fn expected_statuses() -> BTreeMap<&'static str, i32> {
         (KSTRIP_ERROR_FRICTION, "solve.friction_negative f32.solve.friction f32.jacobian.bad"),
         (KSTRIP_ERROR_MODEL, "solve.model_zero solve.model_unknown"),
         (KSTRIP_ERROR_STRIP_COUNT, "solve.strips_zero solve.strips_odd"),
+        (KSTRIP_ERROR_FRICTION_RATIO, "friction.ratio"),
+        (KSTRIP_ERROR_FRICTION_DECAY, "friction.decay"),
+        (KSTRIP_ERROR_NEGATIVE_SPEED, "friction.speed"),
+        (KSTRIP_ERROR_SLOPE_FACTOR, "friction.slope"),
         (KSTRIP_ERROR_CURVATURE, "hertz.zero_radius hertz.flat hertz.concave"),
         (KSTRIP_ERROR_ROLLING_SPEED, "velocities.stand velocities.back"),
         (

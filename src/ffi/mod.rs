@@ -23,6 +23,7 @@ pub mod types_f32;
 
 // In the order of the header: after the functions that they build on.
 pub mod derivatives;
+pub mod friction;
 
 use crate::model::{Model, Options};
 use crate::status::{Error, Notice, advice};
@@ -43,6 +44,11 @@ pub const KSTRIP_WARNING_SPIN: kstrip_status = 1;
 pub const KSTRIP_WARNING_RANGE: kstrip_status = 2;
 /// Warning: the linear force exceeds mu N.
 pub const KSTRIP_WARNING_BEYOND_FRICTION: kstrip_status = 3;
+/// Warning: falling friction and slip agree at more than one coefficient of friction; the result has the
+/// largest, which is reached from adhesion.
+pub const KSTRIP_WARNING_SEVERAL_FRICTIONS: kstrip_status = 4;
+/// Warning: a bounded iteration ended before its result was accurate to rounding.
+pub const KSTRIP_WARNING_NOT_CONVERGED: kstrip_status = 5;
 /// Error: a required pointer is NULL.
 pub const KSTRIP_ERROR_NULL: kstrip_status = -1;
 /// Error: an input is infinite or NaN.
@@ -71,6 +77,14 @@ pub const KSTRIP_ERROR_CAPACITY: kstrip_status = -12;
 pub const KSTRIP_ERROR_NOT_IN_MODEL: kstrip_status = -13;
 /// Error: a result is beyond the range of the floating-point type.
 pub const KSTRIP_ERROR_OVERFLOW: kstrip_status = -14;
+/// Error: the ratio of falling friction is outside [0, 1].
+pub const KSTRIP_ERROR_FRICTION_RATIO: kstrip_status = -15;
+/// Error: the decay of falling friction is negative.
+pub const KSTRIP_ERROR_FRICTION_DECAY: kstrip_status = -16;
+/// Error: the rolling speed of falling friction is negative.
+pub const KSTRIP_ERROR_NEGATIVE_SPEED: kstrip_status = -17;
+/// Error: the factor of the initial slope is outside (0, 1].
+pub const KSTRIP_ERROR_SLOPE_FACTOR: kstrip_status = -18;
 
 /// The strip theory of 1967 with the sliding rule that the paper keeps for forces: strips without
 /// adhesion slide along the rigid slip of their centre line. For spin |psi| < 1.

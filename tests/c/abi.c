@@ -254,6 +254,44 @@ static void more_derivatives(void)
          kstrip_solve_jacobian_batch(contacts, motions, 1, NULL, results, jacobians));
 }
 
+static void friction_laws(void)
+{
+    const kstrip_contact contact = {6e-3, 4e-3, 80e3, 82e9, 0.28, NAN}; /* friction is ignored */
+    const kstrip_creepage creepage = {1e-3, 0, 0.1};
+    const kstrip_friction friction = {0.55, 0.4, 0.6, 20, 1}, constant = {0.3, 1, 0, 0, 1};
+    kstrip_result result;
+    double jacobian[9], mu;
+
+    CASE("friction.null", result,
+         kstrip_solve_friction(&contact, &creepage, NULL, NULL, &result, NULL));
+    CASE("friction.null_out", mu,
+         kstrip_solve_friction(&contact, &creepage, &friction, NULL, NULL, &mu));
+    CASE("friction.null_entries", result,
+         kstrip_solve_friction_jacobian(&contact, &creepage, &friction, NULL, &result, NULL, &mu));
+    {
+        WITH(kstrip_friction, friction, ratio, 2);
+        CASE("friction.ratio", result,
+             kstrip_solve_friction(&contact, &creepage, &friction_bad, NULL, &result, &mu));
+        friction_bad.ratio = 0.4, friction_bad.decay = -1;
+        CASE("friction.decay", mu,
+             kstrip_solve_friction(&contact, &creepage, &friction_bad, NULL, &result, &mu));
+        friction_bad.decay = 1, friction_bad.rolling_speed = -1;
+        CASE("friction.speed", jacobian,
+             kstrip_solve_friction_jacobian(&contact, &creepage, &friction_bad, NULL, &result,
+                                            jacobian, &mu));
+        friction_bad.rolling_speed = 1, friction_bad.slope_factor = 0;
+        CASE("friction.slope", result,
+             kstrip_solve_friction(&contact, &creepage, &friction_bad, NULL, &result, &mu));
+    }
+    CASE("friction.constant", result,
+         kstrip_solve_friction(&contact, &creepage, &constant, NULL, &result, NULL));
+    CASE("friction.ok", mu,
+         kstrip_solve_friction(&contact, &creepage, &friction, NULL, &result, &mu));
+    CASE("friction.jacobian", jacobian,
+         kstrip_solve_friction_jacobian(&contact, &creepage, &friction, NULL, &result, jacobian,
+                                        NULL));
+}
+
 /* Single precision shares the checks; a sample of each kind. */
 static void single_precision(void)
 {
@@ -286,6 +324,7 @@ int main(void)
     preparation();
     solution();
     more_derivatives();
+    friction_laws();
     single_precision();
     return 0;
 }

@@ -26,4 +26,6 @@ layouts! {
     kstrip_point_f32 { pressure, traction_x, traction_y, slip_x, slip_y, dissipation, state, reserved }
     kstrip_derivatives { jacobian, normal_force, friction, load_through_hertz }
     kstrip_derivatives_f32 { jacobian, normal_force, friction, load_through_hertz }
+    kstrip_friction { friction, ratio, decay, rolling_speed, slope_factor }
+    kstrip_friction_f32 { friction, ratio, decay, rolling_speed, slope_factor }
 }
