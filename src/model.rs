@@ -140,8 +140,9 @@ impl<'a, F: Precision> Problem<'a, F> {
         let bound = match self.options.model {
             Model::Linear => {
                 let creepage = longitudinal.abs() + lateral.abs() + (a + b) * spin.abs();
-                // No coefficient times its power of the axis ratio exceeds this.
-                self.linear_stiffness() * (creepage * (a / b + b / a).plus(100.0))
+                // No coefficient exceeds this: C23 grows like (a/b)^(3/2).
+                let ratio = a / b + b / a;
+                self.linear_stiffness() * (creepage * (ratio * ratio.sqrt()).plus(100.0))
             }
             _ => self.contact.friction_bound(),
         };

@@ -101,6 +101,9 @@ fn what_was_found_stays_repaired() {
     };
     let sliding = Creepage { longitudinal: f32::MAX, lateral: -3e-6, spin: -0.04 };
     assert_eq!(solve(&soft, &sliding, &options(Model::Linear)), Err(Error::Overflow));
+    let needle = Contact { a: 0.5_f32, b: 3e-4, shear_modulus: 1e-41, poisson_ratio: 0.0, ..soft };
+    let lateral = Creepage { longitudinal: 0.0, lateral: 4e34, spin: 0.0 };
+    assert_eq!(solve(&needle, &lateral, &options(Model::Linear)), Err(Error::Overflow));
     // The weights of the strips add up to 1 + 2e-16.
     for i in 0..1000 {
         let shape = contact(1e-3 * (1.0 + 0.01 * f64::from(i)), 5e-3, 8e4, 82e9, 0.3);

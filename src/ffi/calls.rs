@@ -106,6 +106,9 @@ where
         contact.check()?;
         creepage.check()?;
         let Parameters { xi, eta, psi, .. } = Parameters::new(&contact, &creepage);
+        if ![xi, eta, psi].iter().all(|parameter| parameter.is_finite_number()) {
+            return Err(Error::Overflow);
+        }
         out.write([xi, eta, psi].into());
         Ok(Notice::None)
     })
