@@ -11,7 +11,7 @@ use core::mem::{offset_of, size_of};
 use header::{Declared, Structure};
 use kstrip::contact::Contact;
 use kstrip::creepage::Creepage;
-use kstrip::ffi::{self, derivatives::*, types::*, types_f32::*};
+use kstrip::ffi::{self, derivatives::*, friction::*, types::*, types_f32::*};
 use kstrip::model::{self, Field, Model, Options, StripResult};
 use kstrip::status::Notice;
 use kstrip::strip::State;
