@@ -108,6 +108,22 @@ pub(crate) struct SlidingStrips<P> {
     by_y: P,
 }
 
+impl<P: Arithmetic> SlidingStrips<P> {
+    pub(crate) fn zero() -> Self {
+        Self { share: P::zero(), fx: P::zero(), fy: P::zero(), by_y: P::zero() }
+    }
+}
+
+impl<P: Arithmetic> AddAssign for SlidingStrips<P> {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        self.share += other.share;
+        self.fx += other.fx;
+        self.fy += other.fy;
+        self.by_y += other.by_y;
+    }
+}
+
 /// Where a strip lies.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Place<P> {
@@ -161,14 +177,9 @@ impl<T: Real> SlidingPanels<T> {
     /// All of them.
     #[inline(always)]
     pub(crate) fn sum(&self, nodes: Nodes<T::Base>) -> SlidingStrips<T::Pair> {
-        let zero = T::Pair::zero();
-        let mut sum = SlidingStrips { share: zero, fx: zero, fy: zero, by_y: zero };
+        let mut sum = SlidingStrips::zero();
         for node in nodes {
-            let (_, strips) = self.at(node);
-            sum.share += strips.share;
-            sum.fx += strips.fx;
-            sum.fy += strips.fy;
-            sum.by_y += strips.by_y;
+            sum += self.at(node).1;
         }
         sum
     }
@@ -272,6 +283,21 @@ impl<P: Arithmetic> AdhesionStrip<P> {
     }
 }
 
+impl<P: Arithmetic> AdhesionSum<P> {
+    pub(crate) fn zero() -> Self {
+        let zero = P::zero();
+        Self {
+            stretch: zero,
+            capacity: zero,
+            reach: zero,
+            fx: zero,
+            by_y: zero,
+            lever: zero,
+            stuck: zero,
+        }
+    }
+}
+
 impl<P: Arithmetic> AddAssign for AdhesionSum<P> {
     #[inline(always)]
     fn add_assign(&mut self, other: Self) {
@@ -311,16 +337,7 @@ impl<T: Real> AdhesionPanel<T> {
     /// All of them.
     #[inline(always)]
     pub(crate) fn sum(&self, nodes: Nodes<T::Base>) -> AdhesionSum<T::Pair> {
-        let zero = T::Pair::zero();
-        let mut sum = AdhesionSum {
-            stretch: zero,
-            capacity: zero,
-            reach: zero,
-            fx: zero,
-            by_y: zero,
-            lever: zero,
-            stuck: zero,
-        };
+        let mut sum = AdhesionSum::zero();
         for node in nodes {
             sum += self.at(node).terms();
         }
@@ -358,21 +375,27 @@ impl<T: Real> AdhesionPanel<T> {
         }
     }
 
-    /// What the strips would carry if they slid.
+    /// What the strips would carry if they slid, not yet scaled.
     #[inline(always)]
-    pub(crate) fn sliding_shares(
-        &self,
-        strip: &AdhesionStrip<T::Pair>,
-        scales: &Scales<T::Pair>,
-    ) -> Shares<T::Pair> {
+    pub(crate) fn slid(&self, strip: &AdhesionStrip<T::Pair>) -> SlidingStrips<T::Pair> {
         let c_squared = strip.c * strip.c;
-        let share = c_squared * strip.width * scales.capacity;
+        let share = c_squared * strip.width;
         let (wx, wy) = self.law.direction(strip.xi_bar, c_squared);
         let fx = share * wx;
+        SlidingStrips { share, fx, fy: share * wy, by_y: strip.y * fx }
+    }
+
+    /// The same, scaled: strips that slide carry the friction capacity.
+    #[inline(always)]
+    pub(crate) fn slid_shares(
+        &self,
+        strips: &SlidingStrips<T::Pair>,
+        scales: &Scales<T::Pair>,
+    ) -> Shares<T::Pair> {
         Shares {
-            fx,
-            fy: share * wy,
-            mz: -(strip.y * fx).scale(self.law.inverse_ratio),
+            fx: strips.fx * scales.capacity,
+            fy: strips.fy * scales.capacity,
+            mz: -(strips.by_y * scales.capacity).scale(self.law.inverse_ratio),
             stick: T::Pair::zero(),
         }
     }

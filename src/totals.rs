@@ -16,7 +16,9 @@
 
 use crate::creepage::Parameters;
 use crate::leading_edge::{AdhesionInterval, EdgePoint, StripFamily};
-use crate::panels::{AdhesionPanel, Nodes, Shares, SlidingLaw, SlidingPanels};
+use crate::panels::{
+    AdhesionPanel, AdhesionSum, Nodes, Shares, SlidingLaw, SlidingPanels, SlidingStrips,
+};
 use crate::quadrature::{StripRule, Tabulated};
 use crate::real::{Arithmetic, Pair, Real};
 use crate::strip::SlidingRule;
@@ -124,12 +126,15 @@ impl<T: Real> Sink<T> for Sum<T> {
     }
 
     fn released(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<T::Base>) {
-        let sum = panel.sum(nodes);
-        let scales = panel.scales(&sum);
-        self.0 += -panel.shares(&sum, &scales);
+        let (mut stuck, mut slid) = (AdhesionSum::zero(), SlidingStrips::zero());
         for node in nodes {
-            self.0 += panel.sliding_shares(&panel.at(node), &scales);
+            let strip = panel.at(node);
+            stuck += strip.terms();
+            slid += panel.slid(&strip);
         }
+        let scales = panel.scales(&stuck);
+        self.0 += -panel.shares(&stuck, &scales);
+        self.0 += panel.slid_shares(&slid, &scales);
     }
 }
 
@@ -194,7 +199,7 @@ impl<T: Real> Sink<T> for Visitor<'_, T> {
             let strip = panel.at(node);
             let shares = -panel.shares(&strip.terms(), &scales);
             self.hand_on(true, [strip.y, strip.c, -strip.width, strip.kappa], &shares);
-            let shares = panel.sliding_shares(&strip, &scales);
+            let shares = panel.slid_shares(&panel.slid(&strip), &scales);
             self.hand_on(false, [strip.y, strip.c, strip.width, strip.c], &shares);
         }
     }
@@ -282,12 +287,11 @@ where
         };
         sink.sliding(&SlidingPanels::new(law, lower, upper), slide);
         let Ok(interval) = interval else { return };
-        let mut start = lower;
-        if split {
-            start = self.turning_strip(lower, upper);
-            sink.adhesion(&AdhesionPanel::new(law, lower, start), stick);
+        let middle = if split { self.turning_strip(lower, upper) } else { lower };
+        // (a loop, so that the code of a panel is there once)
+        for (from, to) in [(lower, middle), (middle, upper)].into_iter().skip(usize::from(!split)) {
+            sink.adhesion(&AdhesionPanel::new(law, from, to), stick);
         }
-        sink.adhesion(&AdhesionPanel::new(law, start, upper), stick);
         if !self.spin_in_range() {
             self.releases(&interval, sink);
         }

@@ -17,38 +17,13 @@ const PEAK_STEPS: usize = 40;
 /// Steps that exhaust the digits of a double by bisection; the usual number is eight.
 const ROOT_STEPS: usize = 64;
 
-/// Where `f`, of opposite signs at `a` and `b`, vanishes: regula falsi by the rule of Anderson and
-/// Björck (1973), with bisection where it does not shrink the interval.
-fn root<F: Float>(f: impl Fn(F) -> F, (mut a, mut fa): (F, F), (mut b, mut fb): (F, F)) -> F {
-    let mut width = (b - a).abs();
-    for step in 0..ROOT_STEPS {
-        if (b - a).abs() <= (a.abs() + b.abs()) * F::EPSILON {
-            break;
-        }
-        let middle = (a + b).times(0.5);
-        let mut x = b - fb * (b - a) / (fb - fa);
-        if step % 3 == 2 {
-            if (b - a).abs() > width.times(0.125) {
-                x = middle;
-            }
-            width = (b - a).abs();
-        }
-        if !((x > a && x < b) || (x > b && x < a)) {
-            x = middle;
-        }
-        let fx = f(x);
-        if fx.abs() <= F::TINY {
-            return x;
-        }
-        if (fx > F::zero()) == (fb > F::zero()) {
-            let shrink = F::one() - fx / fb;
-            fa = if shrink > F::zero() { fa * shrink } else { fa.times(0.5) };
-        } else {
-            (a, fa) = (b, fb);
-        }
-        (b, fb) = (x, fx);
-    }
-    b
+/// What a strip is longer than, or shorter where it is negative.
+#[derive(Clone, Copy, PartialEq)]
+enum Margin {
+    /// Than its slip area, `C − κ`: positive where it adheres.
+    Slip,
+    /// Than the bound on its traction allows: positive where it slides after all.
+    Bound,
 }
 
 /// The leading edge in a variable in which nothing is singular.
@@ -80,6 +55,7 @@ impl<T: Real> Edge<T> {
     }
 
     /// The point of the leading edge, `ξ̄` and `S`.
+    #[inline(never)]
     fn at(&self, w: T) -> (EdgePoint<T>, T, T) {
         if !self.by_slip {
             let point = EdgePoint::at_half_tangent(w);
@@ -94,6 +70,7 @@ impl<T: Real> Edge<T> {
     }
 
     /// The variable at a point of the edge, or at the end of the domain next to it.
+    #[inline(never)]
     fn place(&self, point: EdgePoint<T>) -> T {
         if !self.by_slip {
             return point.y / (T::one() + point.c);
@@ -107,21 +84,63 @@ impl<T: Real> Edge<T> {
 }
 
 impl<F: Float> Edge<F> {
-    /// How much longer the strip is than the bound on its traction allows; negative where it sticks.
-    fn excess(&self, w: F) -> F {
-        let (point, _, s) = self.at(w);
+    /// A function of the strips and its value at a place.
+    #[inline(never)]
+    fn margin(&self, of: Margin, w: F) -> F {
+        let (point, xi_bar, s) = self.at(w);
         let sum = self.p + s;
-        point.c - sum * sum / (self.q * (self.p + s.times(3.0)))
+        point.c
+            - match of {
+                Margin::Bound => sum * sum / (self.q * (self.p + s.times(3.0))),
+                // κ by the second form of (5.41)
+                Margin::Slip => (xi_bar * xi_bar + self.eta * self.eta) / sum,
+            }
     }
 
-    /// `C − κ`, by the second form of (5.41).
-    fn room(&self, w: F) -> F {
-        let (point, xi_bar, s) = self.at(w);
-        point.c - (xi_bar * xi_bar + self.eta * self.eta) / (s + self.p)
+    /// How much longer the strip is than the bound on its traction allows.
+    fn excess(&self, w: F) -> F {
+        self.margin(Margin::Bound, w)
+    }
+
+    /// Where a margin, of opposite signs at `a` and `b`, vanishes: regula falsi by the rule of Anderson
+    /// and Björck (1973), with bisection where it does not shrink the interval.
+    #[inline(never)]
+    fn root(&self, of: Margin, mut a: F, mut b: F) -> F {
+        let (mut at_a, mut at_b) = (self.margin(of, a), self.margin(of, b));
+        let mut width = (b - a).abs();
+        for step in 0..ROOT_STEPS {
+            if (b - a).abs() <= (a.abs() + b.abs()) * F::EPSILON {
+                break;
+            }
+            let middle = (a + b).times(0.5);
+            let mut x = b - at_b * (b - a) / (at_b - at_a);
+            if step % 3 == 2 {
+                if (b - a).abs() > width.times(0.125) {
+                    x = middle;
+                }
+                width = (b - a).abs();
+            }
+            if !((x > a && x < b) || (x > b && x < a)) {
+                x = middle;
+            }
+            let at_x = self.margin(of, x);
+            if at_x.abs() <= F::TINY {
+                return x;
+            }
+            if (at_x > F::zero()) == (at_b > F::zero()) {
+                let shrink = F::one() - at_x / at_b;
+                at_a = if shrink > F::zero() { at_a * shrink } else { at_a.times(0.5) };
+            } else {
+                (a, at_a) = (b, at_b);
+            }
+            (b, at_b) = (x, at_x);
+        }
+        b
     }
 
     /// A place between `low` and `high` where the excess times `sign` is positive, if there is one
     /// (golden section).
+    #[inline(never)]
     fn peak(&self, mut low: F, mut high: F, sign: F) -> Option<F> {
         const GOLDEN: f64 = 0.618_033_988_749_895;
         for _ in 0..PEAK_STEPS {
@@ -151,19 +170,15 @@ impl<F: Float> StripFamily<F> {
         }
         let edge = Edge::new(self);
         let middle = edge.place(self.nearest());
-        let at_middle = edge.room(middle);
-        if !(at_middle > F::zero()) {
+        if !(edge.margin(Margin::Slip, middle) > F::zero()) {
             return None;
         }
         let end = |y: F| {
-            let limit = edge.place(EdgePoint { y, c: F::zero() });
-            let room = edge.room(limit);
-            let found = if room >= F::zero() {
-                limit
-            } else {
-                root(|w| edge.room(w), (middle, at_middle), (limit, room))
-            };
-            edge.at(found).0
+            let mut limit = edge.place(EdgePoint { y, c: F::zero() });
+            if edge.margin(Margin::Slip, limit) < F::zero() {
+                limit = edge.root(Margin::Slip, middle, limit);
+            }
+            edge.at(limit).0
         };
         Some((end(-F::one()), end(F::one())))
     }
@@ -201,25 +216,28 @@ impl<T: Real> StripFamily<T> {
             let [before, at_from, at_to, after] = excess;
             let upper = if k + 1 < CELLS { moving.at(end(k + 1)).0 } else { interval.upper };
             let positive = at_from > zero;
+            // Where the sign changes, and changes back
+            let (mut change, mut back) = (None, None);
             if (at_to > zero) == positive {
                 // A peak below zero or a trough above it may hide two changes of sign.
                 let sign = if positive { -T::Base::one() } else { T::Base::one() };
-                let hidden = (at_from - before) * sign >= zero && (at_to - after) * sign >= zero;
-                let peak = if hidden { edge.peak(from, to, sign) } else { None };
-                if let Some(peak) = peak {
-                    let changes = (self.change(&edge, from, peak), self.change(&edge, peak, to));
-                    if positive {
-                        take(lower, changes.0);
-                        take(changes.1, upper);
-                    } else {
-                        take(changes.0, changes.1);
-                    }
-                } else if positive {
-                    take(lower, upper);
+                if (at_from - before) * sign >= zero && (at_to - after) * sign >= zero {
+                    let peak = edge.peak(from, to, sign);
+                    (change, back) = (peak.map(|w| (from, w)), peak.map(|w| (w, to)));
                 }
             } else {
-                let change = self.change(&edge, from, to);
-                if positive { take(lower, change) } else { take(change, upper) }
+                change = Some((from, to));
+            }
+            let mut start = positive.then_some(lower);
+            for (from, to) in [change, back].into_iter().flatten() {
+                let point = self.change(&edge, from, to);
+                match start.take() {
+                    Some(start) => take(start, point),
+                    None => start = Some(point),
+                }
+            }
+            if let Some(start) = start {
+                take(start, upper);
             }
             lower = upper;
             excess = [at_from, at_to, after, after];
@@ -227,9 +245,9 @@ impl<T: Real> StripFamily<T> {
     }
 
     /// Where the excess changes sign between two places, with derivatives.
+    #[inline(never)]
     fn change(&self, edge: &Edge<T::Base>, from: T::Base, to: T::Base) -> EdgePoint<T> {
-        let ends = (edge.excess(from), edge.excess(to));
-        let place = root(|w| edge.excess(w), (from, ends.0), (to, ends.1));
+        let place = edge.root(Margin::Bound, from, to);
         let (point, xi_bar, s) = edge.at(place);
         let lifted = EdgePoint::lifted(point);
         if !T::HAS_DERIVATIVES {
