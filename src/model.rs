@@ -497,25 +497,24 @@ fn place_rolling<F: Precision + Placed<N>, const N: usize>(
     visit: &mut dyn FnMut(PlacedStrip<F>),
 ) {
     let rule = <F as Placed<N>>::RULE;
-    let forces = strips.ellipse::<N, true>();
     let ratio = strips.axis_ratio();
-    for i in 0..N {
-        let (y, c) = (rule.y[i], rule.half_length[i]);
-        let (fx, fy) = (rule.load[i] * forces.fx[i], rule.load[i] * forces.fy[i]);
-        let stick = forces.stick[i];
+    strips.each_strip::<N>(|i, [fx, fy, mx, stick]| {
+        let of = |table: &[F; N]| table.get(i).copied().unwrap_or(F::zero());
+        let (y, c, load) = (of(&rule.y), of(&rule.half_length), of(&rule.load));
+        let fx = load * fx;
         visit(PlacedStrip {
             y,
             half_length: c,
-            width: rule.width[i],
+            width: of(&rule.width),
             // The adhesion length as one interval at the leading edge
             kappa: c * (F::one() - stick),
             adheres: stick > F::zero(),
             fx,
-            fy,
-            mz: rule.moment_x[i] * forces.mx[i] - y / ratio * fx,
-            stick: rule.area[i] * stick,
+            fy: load * fy,
+            mz: of(&rule.moment_x) * mx - y / ratio * fx,
+            stick: of(&rule.area) * stick,
         });
-    }
+    });
 }
 
 /// The traction law of a field.

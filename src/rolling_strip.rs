@@ -39,6 +39,7 @@ mod constants;
 mod nodes;
 
 pub use self::nodes::Placed;
+use self::nodes::Rule;
 
 use self::constants::{HIDDEN, HIDDEN_OFFSET, OUTPUT, OUTPUT_OFFSET, ROUNDING};
 use crate::coefficients::LinearCoefficients;
@@ -164,6 +165,37 @@ const COSINES: [f64; STEPS.div_ceil(2)] =
 
 marched!(f64);
 marched!(f32);
+
+/// The strips of a rule, whatever their number: one piece of code serves every count.
+#[derive(Clone, Copy, Debug)]
+struct Strips<'a, F> {
+    y: &'a [F],
+    inverse: &'a [F],
+    bend: &'a [F],
+    load: &'a [F],
+    moment_y: &'a [F],
+    moment_x: &'a [F],
+    area: &'a [F],
+    stretch: F,
+    lever: F,
+}
+
+impl<F: Copy, const N: usize> Rule<F, N> {
+    #[inline(always)]
+    fn strips(&self) -> Strips<'_, F> {
+        Strips {
+            y: &self.y,
+            inverse: &self.inverse,
+            bend: &self.bend,
+            load: &self.load,
+            moment_y: &self.moment_y,
+            moment_x: &self.moment_x,
+            area: &self.area,
+            stretch: self.stretch,
+            lever: self.lever,
+        }
+    }
+}
 
 /// Geometry of one strip, dimensionless.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -303,69 +335,46 @@ where
         }
     }
 
-    /// Forces of the strips of the Hertz ellipse, `N` = 4, 8, 16, 32 or 64, ascending in `y`.
-    ///
-    /// `STICK` tells whether to compute the share in adhesion (about a seventh of the time).
-    #[must_use]
-    #[inline]
-    pub fn ellipse<const N: usize, const STICK: bool>(&self) -> StripForces<T, N>
+    /// Forces of the strips of the Hertz ellipse, `N` = 4, 8, 16, 32 or 64, ascending in `y`: each is
+    /// handed to `take` with its number, `fx, fy, mx` and the share in adhesion of [`StripForces`].
+    pub fn each_strip<const N: usize>(&self, mut take: impl FnMut(usize, [T; 4]))
     where
         T::Base: Placed<N>,
     {
-        if !Self::PAIRED {
-            return self.one_by_one::<N, STICK>();
-        }
-        let zero = [T::zero(); N];
-        let mut forces = StripForces { fx: zero, fy: zero, mx: zero, stick: zero };
-        let StripForces { fx, fy, mx, stick } = &mut forces;
-        self.groups::<N, STICK>(|first, found| {
-            for (to, from) in [&mut *fx, &mut *fy, &mut *mx, &mut *stick].into_iter().zip(found) {
-                if let (Some(to), (a, b)) = (to.get_mut(first..first + 2), from.parts()) {
-                    to.copy_from_slice(&[a, b]);
-                }
-            }
+        let strips = <T::Base as Placed<N>>::RULE;
+        self.groups::<true>(&strips.strips(), |first, found| {
+            let [a, b] = [T::Pair::parts(found[0]), T::Pair::parts(found[1])];
+            let [c, d] = [T::Pair::parts(found[2]), T::Pair::parts(found[3])];
+            take(first, [a.0, b.0, c.0, d.0]);
+            take(first + 1, [a.1, b.1, c.1, d.1]);
         });
-        forces
     }
 
-    /// Whether strips are marched in pairs: two doubles make a register. Single-precision numbers are left
-    /// to the compiler, and to machines with one of them at a time.
+    /// Whether registers hold pairs: two doubles make one. Single-precision numbers are left to the
+    /// compiler, four strips at a time.
     const PAIRED: bool = size_of::<T::Base>() >= 8;
-
-    /// The strips of the ellipse, not in pairs.
-    #[inline(always)]
-    fn one_by_one<const N: usize, const STICK: bool>(&self) -> StripForces<T, N>
-    where
-        T::Base: Placed<N>,
-    {
-        let rule = &<T::Base as Placed<N>>::RULE;
-        let (mut ax, mut ay) = ([T::zero(); N], [T::zero(); N]);
-        // creepages scaled so that the quadrature gives the linear forces exactly
-        let longitudinal = self.longitudinal.scale(rule.stretch);
-        let lateral = self.lateral.scale(rule.stretch);
-        let slope = self.slope.scale(rule.lever);
-        let strips = rule.y.iter().zip(&rule.inverse).zip(&rule.bend);
-        for ((ax, ay), ((y, inverse), bend)) in ax.iter_mut().zip(&mut ay).zip(strips) {
-            let profile = self.profile.scale(*bend).shift(*y);
-            *ax = (longitudinal - slope * profile).scale(*inverse);
-            *ay = lateral.scale(*inverse);
-        }
-        march::<T, N, STICK>(&ax, &ay, Uniform(self.spin))
-    }
 
     /// The strips of the ellipse, marched in pairs; `take` is given the number of the first strip of each
     /// pair and `fx, fy, mx, stick`.
     #[inline(always)]
-    fn groups<const N: usize, const STICK: bool>(&self, mut take: impl FnMut(usize, [T::Pair; 4]))
-    where
-        T::Base: Placed<N>,
-    {
-        match N {
-            4 => self.pairs::<N, 1, STICK>(0, &mut take),
-            8 => self.pairs::<N, 2, STICK>(0, &mut take),
+    fn groups<const STICK: bool>(
+        &self,
+        strips: &Strips<T::Base>,
+        mut take: impl FnMut(usize, [T::Pair; 4]),
+    ) {
+        let count = strips.y.len();
+        if !Self::PAIRED {
+            for first in (0..count).step_by(4) {
+                self.four::<STICK>(strips, first, &mut take);
+            }
+            return;
+        }
+        match count {
+            4 => self.pairs::<1, STICK>(strips, 0, &mut take),
+            8 => self.pairs::<2, STICK>(strips, 0, &mut take),
             _ => {
-                for first in (0..N).step_by(16) {
-                    self.pairs::<N, 4, STICK>(first, &mut take);
+                for first in (0..count).step_by(16) {
+                    self.pairs::<4, STICK>(strips, first, &mut take);
                 }
             }
         }
@@ -373,19 +382,20 @@ where
 
     /// What `2 H` strips of the ellipse see of the creepages, from strip `first` on: `A_x` and `A_y`.
     #[inline(always)]
-    fn seen<const N: usize, const H: usize>(&self, first: usize) -> ([T::Pair; H], [T::Pair; H])
-    where
-        T::Base: Placed<N>,
-    {
-        let rule = &<T::Base as Placed<N>>::RULE;
-        let longitudinal = T::Pair::both(self.longitudinal.scale(rule.stretch));
-        let lateral = T::Pair::both(self.lateral.scale(rule.stretch));
-        let slope = T::Pair::both(self.slope.scale(rule.lever));
+    fn seen<const H: usize>(
+        &self,
+        strips: &Strips<T::Base>,
+        first: usize,
+    ) -> ([T::Pair; H], [T::Pair; H]) {
+        // creepages scaled so that the quadrature gives the linear forces exactly
+        let longitudinal = T::Pair::both(self.longitudinal.scale(strips.stretch));
+        let lateral = T::Pair::both(self.lateral.scale(strips.stretch));
+        let slope = T::Pair::both(self.slope.scale(strips.lever));
         let profile = T::Pair::both(self.profile);
         let (mut ax, mut ay) = ([T::Pair::zero(); H], [T::Pair::zero(); H]);
-        let places = pairs_of::<T, N>(&rule.y, first)
-            .zip(pairs_of::<T, N>(&rule.bend, first))
-            .zip(pairs_of::<T, N>(&rule.inverse, first));
+        let places = pairs_of::<T>(strips.y, first)
+            .zip(pairs_of::<T>(strips.bend, first))
+            .zip(pairs_of::<T>(strips.inverse, first));
         for ((ax, ay), ((y, bend), inverse)) in ax.iter_mut().zip(&mut ay).zip(places) {
             *ax = (longitudinal - slope * (profile * bend + y)) * inverse;
             *ay = lateral * inverse;
@@ -393,17 +403,37 @@ where
         (ax, ay)
     }
 
-    /// `4 H` strips from `first` on, in pairs.
+    /// Four strips from `first` on, side by side.
     #[inline(always)]
-    fn pairs<const N: usize, const H: usize, const STICK: bool>(
+    fn four<const STICK: bool>(
         &self,
+        strips: &Strips<T::Base>,
         first: usize,
         take: &mut impl FnMut(usize, [T::Pair; 4]),
-    ) where
-        T::Base: Placed<N>,
-    {
-        let (ax, ay) = self.seen::<N, H>(first);
-        let (bx, by) = self.seen::<N, H>(first + 2 * H);
+    ) {
+        let apart = |pairs: [T::Pair; 2]| {
+            let [(a, b), (c, d)] = pairs.map(T::Pair::parts);
+            [a, b, c, d]
+        };
+        let (ax, ay) = self.seen::<2>(strips, first);
+        let found = march::<T, 4, STICK>(&apart(ax), &apart(ay), Uniform(self.spin));
+        let StripForces { fx, fy, mx, stick } = found;
+        let [a, b, c, d] = [fx, fy, mx, stick].map(|[a, b, ..]| T::Pair::of(a, b));
+        take(first, [a, b, c, d]);
+        let [a, b, c, d] = [fx, fy, mx, stick].map(|[.., a, b]| T::Pair::of(a, b));
+        take(first + 2, [a, b, c, d]);
+    }
+
+    /// `4 H` strips from `first` on, in pairs.
+    #[inline(always)]
+    fn pairs<const H: usize, const STICK: bool>(
+        &self,
+        strips: &Strips<T::Base>,
+        first: usize,
+        take: &mut impl FnMut(usize, [T::Pair; 4]),
+    ) {
+        let (ax, ay) = self.seen::<H>(strips, first);
+        let (bx, by) = self.seen::<H>(strips, first + 2 * H);
         let (ax, ay) = ([ax, bx], [ay, by]);
         let found = march_two::<_, H, STICK>(&ax, &ay, Uniform(T::Pair::both(self.spin)));
         let mut i = first;
@@ -423,24 +453,28 @@ where
     where
         T::Base: Placed<N>,
     {
+        let rule = <T::Base as Placed<N>>::RULE;
         if T::HAS_DERIVATIVES {
-            return self.totals_by_slopes::<N, STICK>();
+            self.totals_by_slopes::<STICK>(&rule.strips())
+        } else {
+            self.sum::<STICK>(&rule.strips())
         }
-        if !Self::PAIRED {
-            return self.sum::<N, STICK>(&self.ellipse::<N, STICK>());
-        }
-        let rule = &<T::Base as Placed<N>>::RULE;
+    }
+
+    /// The same, whatever the number of strips.
+    #[inline(never)]
+    fn sum<const STICK: bool>(&self, strips: &Strips<T::Base>) -> StripTotals<T> {
         let zero = T::Pair::zero();
         let (mut fx, mut fy, mut by_y, mut by_x, mut stick) = (zero, zero, zero, zero, zero);
-        self.groups::<N, STICK>(|i, [x, y, m, share]| {
-            let weight = |table: &[T::Base; N]| pairs_of::<T, N>(table, i).next().unwrap_or(zero);
-            let load = weight(&rule.load);
+        self.groups::<STICK>(strips, |i, [x, y, m, share]| {
+            let weight = |table: &[T::Base]| pairs_of::<T>(table, i).next().unwrap_or(zero);
+            let load = weight(strips.load);
             fx += x * load;
             fy += y * load;
-            by_y += x * weight(&rule.moment_y);
-            by_x += m * weight(&rule.moment_x);
+            by_y += x * weight(strips.moment_y);
+            by_x += m * weight(strips.moment_x);
             if STICK {
-                stick += share * weight(&rule.area);
+                stick += share * weight(strips.area);
             }
         });
         // Mz = ∫ (x Y − y X): lever arms √(a/b) C x̂ and √(b/a) Y
@@ -450,11 +484,8 @@ where
 
     /// The same where derivatives are wanted: the march is differentiated by what the strips see, and that
     /// by the five numbers of the patch. The share in adhesion has no derivatives.
-    #[inline(always)]
-    fn totals_by_slopes<const N: usize, const STICK: bool>(&self) -> StripTotals<T>
-    where
-        T::Base: Placed<N>,
-    {
+    #[inline(never)]
+    fn totals_by_slopes<const STICK: bool>(&self, strips: &Strips<T::Base>) -> StripTotals<T> {
         let plain = RollingStrips::<T::Base> {
             longitudinal: self.longitudinal.value(),
             lateral: self.lateral.value(),
@@ -465,40 +496,20 @@ where
             root: self.root,
         };
         let mut sums = SlopeSums::<<T::Base as Real>::Pair>::start();
-        match N {
-            4 => plain.slopes::<N, 2, STICK>(0, &mut sums),
-            8 => plain.slopes::<N, 4, STICK>(0, &mut sums),
-            _ => {
-                for first in (0..N).step_by(16) {
-                    plain.slopes::<N, 8, STICK>(first, &mut sums);
-                }
+        let count = strips.y.len();
+        if !Self::PAIRED || count == 4 {
+            for first in (0..count).step_by(4) {
+                plain.slopes::<2, STICK>(strips, first, &mut sums);
+            }
+        } else {
+            for first in (0..count).step_by(8) {
+                plain.slopes::<4, STICK>(strips, first, &mut sums);
             }
         }
         let by =
             [self.longitudinal, self.slope, self.slope * self.profile, self.lateral, self.spin];
         let [fx, fy, mz] = [sums.fx, sums.fy, sums.mz].map(|sum| sum.follow(&by));
         StripTotals { fx, fy, mz, stick: T::from_base(sums.stick.sum()) }
-    }
-
-    /// Totals from the forces of the strips of the Hertz ellipse.
-    #[must_use]
-    #[inline]
-    pub fn sum<const N: usize, const STICK: bool>(
-        &self,
-        forces: &StripForces<T, N>,
-    ) -> StripTotals<T>
-    where
-        T::Base: Placed<N>,
-    {
-        let rule = &<T::Base as Placed<N>>::RULE;
-        let fx = weighted(&forces.fx, &rule.load);
-        let fy = weighted(&forces.fy, &rule.load);
-        let by_y = weighted(&forces.fx, &rule.moment_y);
-        let by_x = weighted(&forces.mx, &rule.moment_x);
-        let stick = if STICK { weighted(&forces.stick, &rule.area) } else { T::zero() };
-        // Mz = ∫ (x Y − y X): lever arms √(a/b) C x̂ and √(b/a) Y
-        let mz = by_x.scale(self.root) - by_y.scale(T::Base::one() / self.root);
-        StripTotals { fx, fy, mz, stick }
     }
 
     /// Frictional power of a strip of the ellipse per unit of its friction bound and of the creepages: force
@@ -579,15 +590,13 @@ where
 impl<F: Marched> RollingStrips<F> {
     /// Adds `2 H` strips from `first` on to the sums, with their derivatives.
     #[inline(always)]
-    fn slopes<const N: usize, const H: usize, const STICK: bool>(
+    fn slopes<const H: usize, const STICK: bool>(
         &self,
+        rule: &Strips<F>,
         first: usize,
         sums: &mut SlopeSums<F::Pair>,
-    ) where
-        F: Placed<N>,
-    {
-        let rule = &<F as Placed<N>>::RULE;
-        let (ax, ay) = self.seen::<N, H>(first);
+    ) {
+        let (ax, ay) = self.seen::<H>(rule, first);
         let mut strips = Together::start(&ax, &ay);
         let mut forces = [Slopes::<F::Pair>::start(); H];
         let (bias, bias_slope) = squashed_slope(self.spin);
@@ -609,19 +618,11 @@ impl<F: Marched> RollingStrips<F> {
             }
         }
         let found = strips.end::<STICK>(&bias);
-        let tables = [
-            &rule.load,
-            &rule.moment_y,
-            &rule.moment_x,
-            &rule.area,
-            &rule.inverse,
-            &rule.y,
-            &rule.bend,
-        ];
+        let tables =
+            [rule.load, rule.moment_y, rule.moment_x, rule.area, rule.inverse, rule.y, rule.bend];
         for (i, forces) in forces.iter().enumerate() {
-            let [load, by_y, by_x, area, inverse, y, bend] = tables.map(|table| {
-                pairs_of::<F, N>(table, first + 2 * i).next().unwrap_or(F::Pair::zero())
-            });
+            let [load, by_y, by_x, area, inverse, y, bend] = tables
+                .map(|table| pairs_of::<F>(table, first + 2 * i).next().unwrap_or(F::Pair::zero()));
             let Slopes { fx, fy, mx, .. } = forces;
             let [[x0, x1, x2, fx], [y0, y1, y2, fy], [m0, m1, m2, mx]] =
                 [fx, fy, mx].map(|sums| sums.map(|sum| sum.times(WEIGHT)));
@@ -887,19 +888,6 @@ fn follow<T: Real, const M: usize>(value: T::Base, slopes: &[T::Base; M], by: &[
         sum += x.shift(-x.value()).scale(*slope);
     }
     sum
-}
-
-/// `Σ wᵢ xᵢ`, in four chains of additions that a vector unit takes together.
-#[inline(always)]
-fn weighted<T: Arithmetic, const N: usize>(values: &[T; N], weights: &[T::Base; N]) -> T {
-    let mut sums = [T::zero(); 4];
-    for (values, weights) in values.chunks(4).zip(weights.chunks(4)) {
-        for ((sum, value), weight) in sums.iter_mut().zip(values).zip(weights) {
-            *sum += value.scale(*weight);
-        }
-    }
-    let [a, b, c, d] = sums;
-    (a + c) + (b + d)
 }
 
 /// Slip over rigid slip on a step: what was cut off over what was offered.
@@ -1320,10 +1308,7 @@ fn network_slopes<F: Marched>(
 
 /// A table in pairs, from number `first` on.
 #[inline(always)]
-fn pairs_of<T: Real, const N: usize>(
-    table: &[T::Base; N],
-    first: usize,
-) -> impl Iterator<Item = T::Pair> {
+fn pairs_of<T: Real>(table: &[T::Base], first: usize) -> impl Iterator<Item = T::Pair> {
     let (pairs, _) = table.as_chunks::<2>();
     pairs.iter().skip(first / 2).map(|pair| pair_of::<T>(*pair))
 }

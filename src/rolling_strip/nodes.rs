@@ -38,7 +38,7 @@ pub struct Rule<F, const N: usize> {
 /// Strip counts that have a rule: 4, 8, 16, 32, 64.
 pub trait Placed<const N: usize>: Marched {
     /// The rule, in the precision of the caller.
-    const RULE: Rule<Self, N>;
+    const RULE: &'static Rule<Self, N>;
 }
 
 /// The half of a rule with `Y > 0`: `Y`, `C`, width.
@@ -48,7 +48,7 @@ macro_rules! placed {
     ($float:ident, $count:literal, $half:ident) => {
         #[allow(clippy::unnecessary_cast, clippy::indexing_slicing)]
         impl Placed<$count> for $float {
-            const RULE: Rule<Self, $count> = {
+            const RULE: &'static Rule<Self, $count> = &{
                 let zero = [0.0; $count];
                 let mut rule = Rule {
                     y: zero,

@@ -49,7 +49,7 @@ fn rules_integrate_the_ellipse() {
     where
         f64: Placed<N>,
     {
-        let rule = &<f64 as Placed<N>>::RULE;
+        let rule = <f64 as Placed<N>>::RULE;
         assert_abs_diff_eq!(rule.width.iter().sum::<f64>(), 2.0, epsilon = 1e-15 * N as f64);
         assert_abs_diff_eq!(rule.load.iter().sum::<f64>(), 1.0, epsilon = 1e-15 * N as f64);
         assert_abs_diff_eq!(rule.area.iter().sum::<f64>(), 1.0, epsilon = 1e-15 * N as f64);
@@ -251,8 +251,9 @@ fn pure_creepage_gives_half_ellipses() {
 fn field_and_forces_agree() {
     for case in cases(200) {
         let solution = strips(case);
-        let forces = solution.ellipse::<16, true>();
-        let rule = &<f64 as Placed<16>>::RULE;
+        let mut forces = [[0.0; 4]; 16];
+        solution.each_strip::<16>(|i, found| forces[i] = found);
+        let rule = <f64 as Placed<16>>::RULE;
         for (i, (y, c)) in rule.y.iter().zip(&rule.half_length).enumerate() {
             // the rule's factors for exact slopes belong to the sums only
             let mut scaled = solution;
@@ -266,8 +267,8 @@ fn field_and_forces_agree() {
                 fx += 2.0 / STEPS as f64 * step.bound * p.x;
                 fy += 2.0 / STEPS as f64 * step.bound * p.y;
             }
-            assert_abs_diff_eq!(fx, forces.fx[i], epsilon = 1e-12);
-            assert_abs_diff_eq!(fy, forces.fy[i], epsilon = 1e-12);
+            assert_abs_diff_eq!(fx, forces[i][0], epsilon = 1e-12);
+            assert_abs_diff_eq!(fy, forces[i][1], epsilon = 1e-12);
         }
     }
 }
@@ -276,16 +277,14 @@ fn field_and_forces_agree() {
 fn power_of_the_strips_is_the_power_of_the_contact() {
     for case in cases(100) {
         let solution = strips(case);
-        let forces = solution.ellipse::<8, false>();
-        let total = solution.sum::<8, false>(&forces);
-        let rule = &<f64 as Placed<8>>::RULE;
+        let total = solution.totals::<8, false>();
+        let rule = <f64 as Placed<8>>::RULE;
         let mut power = 0.0;
-        for i in 0..8 {
+        solution.each_strip::<8>(|i, [fx, fy, mx, _]| {
             let c = rule.half_length[i];
             let geometry = StripGeometry { y: rule.y[i], half_length: c, bound: c };
-            power +=
-                rule.load[i] * solution.power(&geometry, forces.fx[i], forces.fy[i], forces.mx[i]);
-        }
+            power += rule.load[i] * solution.power(&geometry, fx, fy, mx);
+        });
         let [vx, vy, phi] = solution.creepage;
         let expected = total.fx * vx + total.fy * vy + total.mz * phi;
         assert_abs_diff_eq!(power, expected, epsilon = 1e-12 * (1.0 + expected.abs()));
@@ -314,7 +313,7 @@ fn strip_counts_converge() {
 #[test]
 fn callers_strips_follow_the_same_law() {
     let solution = strips([2.0, 0.3, 0.05, -0.1, 0.2]);
-    let rule = &<f64 as Placed<16>>::RULE;
+    let rule = <f64 as Placed<16>>::RULE;
     let mut creepages = [[0.0; 16]; 3];
     for (i, (y, c)) in rule.y.iter().zip(&rule.half_length).enumerate() {
         let strip = solution.strip(&StripGeometry { y: *y, half_length: *c, bound: *c });
@@ -324,16 +323,11 @@ fn callers_strips_follow_the_same_law() {
     }
     let [ax, ay, spin] = &creepages;
     let own = march::<f64, 16, true>(ax, ay, *spin);
-    let ellipse = solution.ellipse::<16, true>();
-    for (a, b) in own
-        .fx
-        .iter()
-        .chain(&own.fy)
-        .chain(&own.stick)
-        .zip(ellipse.fx.iter().chain(&ellipse.fy).chain(&ellipse.stick))
-    {
-        assert_abs_diff_eq!(a, b, epsilon = 2e-3);
-    }
+    solution.each_strip::<16>(|i, [fx, fy, _, stick]| {
+        assert_abs_diff_eq!(own.fx[i], fx, epsilon = 2e-3);
+        assert_abs_diff_eq!(own.fy[i], fy, epsilon = 2e-3);
+        assert_abs_diff_eq!(own.stick[i], stick, epsilon = 2e-3);
+    });
 }
 
 #[test]
@@ -373,8 +367,7 @@ fn derivatives_are_those_of_dual_numbers() {
         close(by_hand.profile, profile, &case);
         close(by_hand.spin, spin, &case);
         let totals = by_hand.totals::<16, true>();
-        let forces = by_hand.one_by_one::<16, true>();
-        let expected = by_hand.sum::<16, true>(&forces);
+        let expected = by_hand.sum::<true>(&<f64 as Placed<16>>::RULE.strips());
         close(totals.fx, expected.fx, &case);
         close(totals.fy, expected.fy, &case);
         close(totals.mz, expected.mz, &case);
