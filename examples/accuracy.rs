@@ -6,6 +6,8 @@
 mod peers;
 #[path = "accuracy/pictures.rs"]
 mod pictures;
+#[path = "common/progress.rs"]
+mod progress;
 #[path = "../tests/common/random.rs"]
 mod random;
 #[path = "../tests/common/reference.rs"]
@@ -33,6 +35,9 @@ struct Method {
     open: Errors,
     validation: Errors,
 }
+
+/// A chapter of the report.
+type Part = (&'static str, fn(&mut Report));
 
 struct Report {
     open: Vec<Case>,
@@ -255,11 +260,19 @@ impl Report {
     fn compute() -> Self {
         let (open, validation) = (open(), validation());
         let table = coefficient_cases();
-        let models = Model::ALL.map(|model| model_method(&open, &validation, model)).into();
-        let peers = other_methods()
+        let methods = other_methods();
+        let bar = progress::bar((Model::ALL.len() + methods.len()) as u64);
+        let done = |method: Method| {
+            bar.set_message(method.name.clone());
+            bar.inc(1);
+            method
+        };
+        let models = Model::ALL.map(|model| done(model_method(&open, &validation, model))).into();
+        let peers = methods
             .into_iter()
-            .map(|method| peer_method(&open, &validation, &table, method))
+            .map(|method| done(peer_method(&open, &validation, &table, method)))
             .collect();
+        bar.finish_and_clear();
         Self { open, validation, models, peers, text: String::new() }
     }
 
@@ -1069,14 +1082,25 @@ fn main() -> Drawn {
     let folder = docs.join("accuracy");
     std::fs::create_dir_all(&folder)?;
     let mut report = Report::compute();
-    report.introduction();
-    report.all_methods();
-    report.by_strip_count();
-    report.by_region();
-    report.worst_cases();
-    report.fields();
-    report.coefficients();
+    let parts: [Part; 7] = [
+        ("introduction", Report::introduction),
+        ("all methods", Report::all_methods),
+        ("by strip count", Report::by_strip_count),
+        ("by region", Report::by_region),
+        ("worst cases", Report::worst_cases),
+        ("fields", Report::fields),
+        ("coefficients", Report::coefficients),
+    ];
+    let bar = progress::bar(parts.len() as u64 + 2);
+    for (name, part) in parts {
+        bar.set_message(name);
+        part(&mut report);
+        bar.inc(1);
+    }
+    bar.set_message("quadrature");
     let rows = report.quadrature();
+    bar.inc(1);
+    bar.set_message("pictures");
     std::fs::write(docs.join("accuracy.md"), &report.text)?;
     report.histograms(&folder)?;
     report.shape_spin_map(&folder)?;
@@ -1084,6 +1108,7 @@ fn main() -> Drawn {
     field_picture(&folder.join("fields.svg"))?;
     coefficient_picture(&folder.join("coefficients.svg"))?;
     convergence_picture(&folder.join("convergence.svg"), &rows)?;
+    bar.finish_and_clear();
     println!("wrote docs/accuracy.md and docs/accuracy/*.svg");
     Ok(())
 }

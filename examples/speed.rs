@@ -5,6 +5,8 @@
 
 #[path = "../benches/peers/mod.rs"]
 mod peers;
+#[path = "common/progress.rs"]
+mod progress;
 
 use kstrip::coefficients::LinearCoefficients;
 use kstrip::contact::Contact;
@@ -82,6 +84,9 @@ fn fastsim(grid: &peers::fastsim::Grid<10, 10>, creepages: &[Creepage<f64>]) -> 
         .sum()
 }
 
+/// Rounds over all calls, of which the median counts.
+const ROUNDS: u64 = 41;
+
 /// Name, what to run, times so far.
 type Row = (String, Box<dyn Fn() -> f64>, Vec<f64>);
 
@@ -133,7 +138,7 @@ fn main() {
             }
         }
     }
-    for _ in 0..41 {
+    for _ in progress::bar(ROUNDS).wrap_iter(0..ROUNDS) {
         for (_, call, times) in &mut rows {
             let start = Instant::now();
             black_box(call());
