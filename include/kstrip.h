@@ -95,6 +95,11 @@
 #define KSTRIP_STRIPS_CAPACITY 320
 
 /**
+ * Strips that a kstrip_patch has room for.
+ */
+#define KSTRIP_PATCH_CAPACITY 64
+
+/**
  * Version of the library, major.
  */
 #define KSTRIP_VERSION_MAJOR 0
@@ -428,6 +433,159 @@ typedef struct kstrip_point {
 } kstrip_point;
 
 /**
+ * One strip of a patch, along the rolling direction. Its pressure is a half-ellipse in x,
+ * p = peak_pressure sqrt(1 - (x - centre_x)^2/half_length^2), and does not vary over its width.
+ */
+typedef struct kstrip_patch_strip {
+    /**
+     * Centre line y [m].
+     */
+    double y;
+    /**
+     * Width [m], > 0.
+     */
+    double width;
+    /**
+     * Half length along x [m], > 0.
+     */
+    double half_length;
+    /**
+     * Centre along x [m]; 0 for most contacts.
+     */
+    double centre_x;
+    /**
+     * Pressure at the centre [Pa], >= 0.
+     */
+    double peak_pressure;
+    /**
+     * Coefficient of friction [-], >= 0. May be changed from strip to strip after a patch is built.
+     */
+    double friction;
+} kstrip_patch_strip;
+
+/**
+ * A contact patch of any shape: its strips, in ascending y. Filled by kstrip_patch_from_ellipse(),
+ * kstrip_patch_from_strips() or kstrip_patch_from_profile(); the members may then be changed.
+ * All functions check it again.
+ *
+ * Where the distance of two neighbours is more than one and a half times that at which they touch,
+ * there is a gap: what lies on either side is a lobe of its own.
+ */
+typedef struct kstrip_patch {
+    /**
+     * The strips; the first count are used.
+     */
+    struct kstrip_patch_strip strips[KSTRIP_PATCH_CAPACITY];
+    /**
+     * Combined shear modulus G [Pa], > 0.
+     */
+    double shear_modulus;
+    /**
+     * Combined Poisson's ratio [-], 0 to 0.5.
+     */
+    double poisson_ratio;
+    /**
+     * Factor [-], > 0, that makes the sum of the strips' areas the patch's area: 1 unless the strips
+     * are a quadrature rule (kstrip_patch_from_ellipse()).
+     */
+    double area_scale;
+    /**
+     * The same for the moment of the area about x, the sum of y^2 times area.
+     */
+    double lever_scale;
+    /**
+     * Number of strips, 0 to KSTRIP_PATCH_CAPACITY. None: no load.
+     */
+    uint32_t count;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+} kstrip_patch;
+
+/**
+ * What presses two profiles together.
+ */
+typedef struct kstrip_profile_contact {
+    /**
+     * Rolling radius [m], > 0; of two rolling bodies 1/R = 1/R_lower + 1/R_upper.
+     */
+    double rolling_radius;
+    /**
+     * Normal force [N], >= 0.
+     */
+    double normal_force;
+    /**
+     * Combined shear modulus G [Pa], > 0.
+     */
+    double shear_modulus;
+    /**
+     * Combined Poisson's ratio [-], 0 to 0.5.
+     */
+    double poisson_ratio;
+    /**
+     * Coefficient of friction of every strip [-], >= 0.
+     */
+    double friction;
+} kstrip_profile_contact;
+
+/**
+ * How two profiles meet under a load.
+ */
+typedef struct kstrip_profile_result {
+    /**
+     * Approach of distant points of the two bodies [m].
+     */
+    double penetration;
+    /**
+     * Largest pressure [Pa], at the deepest point.
+     */
+    double peak_pressure;
+    /**
+     * Normal force reached [N]: the one asked for, to rounding.
+     */
+    double normal_force;
+    /**
+     * y of the deepest point [m].
+     */
+    double deepest_y;
+    /**
+     * Evaluations of the load, at most 60.
+     */
+    uint32_t iterations;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+} kstrip_profile_result;
+
+/**
+ * What a patch carries.
+ */
+typedef struct kstrip_patch_summary {
+    /**
+     * Normal force [N].
+     */
+    double normal_force;
+    /**
+     * Sum of friction times load over the strips [N]: no tangential force exceeds it.
+     */
+    double friction_bound;
+    /**
+     * Contact area [m^2].
+     */
+    double area;
+    /**
+     * Number of lobes.
+     */
+    uint32_t lobes;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+} kstrip_patch_summary;
+
+/**
  * A loaded elliptic contact with Coulomb friction.
  */
 typedef struct kstrip_contact_f32 {
@@ -456,6 +614,153 @@ typedef struct kstrip_contact_f32 {
      */
     float friction;
 } kstrip_contact_f32;
+
+/**
+ * kstrip_patch_strip in single precision.
+ */
+typedef struct kstrip_patch_strip_f32 {
+    /**
+     * Centre line y [m].
+     */
+    float y;
+    /**
+     * Width [m], > 0.
+     */
+    float width;
+    /**
+     * Half length along x [m], > 0.
+     */
+    float half_length;
+    /**
+     * Centre along x [m]; 0 for most contacts.
+     */
+    float centre_x;
+    /**
+     * Pressure at the centre [Pa], >= 0.
+     */
+    float peak_pressure;
+    /**
+     * Coefficient of friction [-], >= 0. May be changed from strip to strip after a patch is built.
+     */
+    float friction;
+} kstrip_patch_strip_f32;
+
+/**
+ * kstrip_patch in single precision.
+ */
+typedef struct kstrip_patch_f32 {
+    /**
+     * The strips; the first count are used.
+     */
+    struct kstrip_patch_strip_f32 strips[KSTRIP_PATCH_CAPACITY];
+    /**
+     * Combined shear modulus G [Pa], > 0.
+     */
+    float shear_modulus;
+    /**
+     * Combined Poisson's ratio [-], 0 to 0.5.
+     */
+    float poisson_ratio;
+    /**
+     * Factor [-], > 0, that makes the sum of the strips' areas the patch's area: 1 unless the strips
+     * are a quadrature rule (kstrip_patch_from_ellipse()).
+     */
+    float area_scale;
+    /**
+     * The same for the moment of the area about x, the sum of y^2 times area.
+     */
+    float lever_scale;
+    /**
+     * Number of strips, 0 to KSTRIP_PATCH_CAPACITY. None: no load.
+     */
+    uint32_t count;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+} kstrip_patch_f32;
+
+/**
+ * kstrip_profile_contact in single precision.
+ */
+typedef struct kstrip_profile_contact_f32 {
+    /**
+     * Rolling radius [m], > 0; of two rolling bodies 1/R = 1/R_lower + 1/R_upper.
+     */
+    float rolling_radius;
+    /**
+     * Normal force [N], >= 0.
+     */
+    float normal_force;
+    /**
+     * Combined shear modulus G [Pa], > 0.
+     */
+    float shear_modulus;
+    /**
+     * Combined Poisson's ratio [-], 0 to 0.5.
+     */
+    float poisson_ratio;
+    /**
+     * Coefficient of friction of every strip [-], >= 0.
+     */
+    float friction;
+} kstrip_profile_contact_f32;
+
+/**
+ * kstrip_profile_result in single precision.
+ */
+typedef struct kstrip_profile_result_f32 {
+    /**
+     * Approach of distant points of the two bodies [m].
+     */
+    float penetration;
+    /**
+     * Largest pressure [Pa], at the deepest point.
+     */
+    float peak_pressure;
+    /**
+     * Normal force reached [N]: the one asked for, to rounding.
+     */
+    float normal_force;
+    /**
+     * y of the deepest point [m].
+     */
+    float deepest_y;
+    /**
+     * Evaluations of the load, at most 60.
+     */
+    uint32_t iterations;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+} kstrip_profile_result_f32;
+
+/**
+ * kstrip_patch_summary in single precision.
+ */
+typedef struct kstrip_patch_summary_f32 {
+    /**
+     * Normal force [N].
+     */
+    float normal_force;
+    /**
+     * Sum of friction times load over the strips [N]: no tangential force exceeds it.
+     */
+    float friction_bound;
+    /**
+     * Contact area [m^2].
+     */
+    float area;
+    /**
+     * Number of lobes.
+     */
+    uint32_t lobes;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+} kstrip_patch_summary_f32;
 
 /**
  * Rigid slip of the upper over the lower body, divided by the rolling speed.
@@ -509,6 +814,91 @@ typedef struct kstrip_result_f32 {
      */
     int32_t reserved;
 } kstrip_result_f32;
+
+/**
+ * One strip y = const of the contact: what it carries, on the lower body.
+ */
+typedef struct kstrip_strip_f32 {
+    /**
+     * Centre line [m].
+     */
+    float y;
+    /**
+     * Width that the strip stands for [m].
+     */
+    float width;
+    /**
+     * Half of its length along x [m].
+     */
+    float half_length;
+    /**
+     * x of the separatrix [m]: slip behind it, adhesion ahead of it. Equal to half_length when the
+     * whole strip slides.
+     */
+    float separatrix;
+    /**
+     * Its share of the longitudinal force [N].
+     */
+    float fx;
+    /**
+     * Its share of the lateral force [N].
+     */
+    float fy;
+    /**
+     * Its share of the moment about the centre of the contact [N m].
+     */
+    float mz;
+    /**
+     * Its share of the frictional power [N].
+     */
+    float power;
+    /**
+     * KSTRIP_STATE_STICK if it has an adhesion area, else KSTRIP_STATE_SLIP.
+     */
+    int32_t state;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
+} kstrip_strip_f32;
+
+/**
+ * The state of a point of the contact plane. Tractions act on the lower body.
+ */
+typedef struct kstrip_point_f32 {
+    /**
+     * Pressure [Pa].
+     */
+    float pressure;
+    /**
+     * Tangential traction along x [Pa].
+     */
+    float traction_x;
+    /**
+     * Tangential traction along y [Pa].
+     */
+    float traction_y;
+    /**
+     * Slip of the upper over the lower body along x, over the rolling speed [-].
+     */
+    float slip_x;
+    /**
+     * Slip along y, over the rolling speed [-].
+     */
+    float slip_y;
+    /**
+     * traction . slip [Pa]: energy dissipated per area and metre rolled.
+     */
+    float dissipation;
+    /**
+     * One of the KSTRIP_STATE constants.
+     */
+    int32_t state;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
+} kstrip_point_f32;
 
 /**
  * An isotropic elastic body, single precision.
@@ -635,91 +1025,6 @@ typedef struct kstrip_parameters_f32 {
      */
     float psi;
 } kstrip_parameters_f32;
-
-/**
- * One strip y = const of the contact: what it carries, on the lower body.
- */
-typedef struct kstrip_strip_f32 {
-    /**
-     * Centre line [m].
-     */
-    float y;
-    /**
-     * Width that the strip stands for [m].
-     */
-    float width;
-    /**
-     * Half of its length along x [m].
-     */
-    float half_length;
-    /**
-     * x of the separatrix [m]: slip behind it, adhesion ahead of it. Equal to half_length when the
-     * whole strip slides.
-     */
-    float separatrix;
-    /**
-     * Its share of the longitudinal force [N].
-     */
-    float fx;
-    /**
-     * Its share of the lateral force [N].
-     */
-    float fy;
-    /**
-     * Its share of the moment about the centre of the contact [N m].
-     */
-    float mz;
-    /**
-     * Its share of the frictional power [N].
-     */
-    float power;
-    /**
-     * KSTRIP_STATE_STICK if it has an adhesion area, else KSTRIP_STATE_SLIP.
-     */
-    int32_t state;
-    /**
-     * Zero.
-     */
-    int32_t reserved;
-} kstrip_strip_f32;
-
-/**
- * The state of a point of the contact plane. Tractions act on the lower body.
- */
-typedef struct kstrip_point_f32 {
-    /**
-     * Pressure [Pa].
-     */
-    float pressure;
-    /**
-     * Tangential traction along x [Pa].
-     */
-    float traction_x;
-    /**
-     * Tangential traction along y [Pa].
-     */
-    float traction_y;
-    /**
-     * Slip of the upper over the lower body along x, over the rolling speed [-].
-     */
-    float slip_x;
-    /**
-     * Slip along y, over the rolling speed [-].
-     */
-    float slip_y;
-    /**
-     * traction . slip [Pa]: energy dissipated per area and metre rolled.
-     */
-    float dissipation;
-    /**
-     * One of the KSTRIP_STATE constants.
-     */
-    int32_t state;
-    /**
-     * Zero.
-     */
-    int32_t reserved;
-} kstrip_point_f32;
 
 /**
  * Derivatives of fx, fy, mz with respect to creepages, load and friction.
@@ -945,6 +1250,41 @@ typedef struct kstrip_friction_f32 {
  */
 #define KSTRIP_ERROR_SLOPE_FACTOR -18
 
+/**
+ * Error: a strip of a patch has a width or half length that is not positive.
+ */
+#define KSTRIP_ERROR_STRIP_SIZE -40
+
+/**
+ * Error: the peak pressure of a strip is negative.
+ */
+#define KSTRIP_ERROR_PRESSURE -41
+
+/**
+ * Error: strips of a patch overlap, or do not ascend in y.
+ */
+#define KSTRIP_ERROR_STRIP_ORDER -42
+
+/**
+ * Error: more strips, or more separate zones of contact, than the patch has room for.
+ */
+#define KSTRIP_ERROR_PATCH_SIZE -43
+
+/**
+ * Error: a profile has fewer than three points, or its y does not ascend.
+ */
+#define KSTRIP_ERROR_PROFILE -44
+
+/**
+ * Error: the contact reaches the end of the profile.
+ */
+#define KSTRIP_ERROR_PROFILE_END -45
+
+/**
+ * Error: a rolling radius is not positive.
+ */
+#define KSTRIP_ERROR_ROLLING_RADIUS -46
+
 
 
 #ifdef __cplusplus
@@ -1166,6 +1506,255 @@ kstrip_status kstrip_field(const struct kstrip_contact *contact,
  */
 kstrip_status kstrip_result_on_upper_body(const struct kstrip_result *lower,
                                           struct kstrip_result *upper);
+
+/**
+ * The strips of a Hertz ellipse, where KSTRIP_MODEL_STRIP places them.
+ *
+ * kstrip_patch_solve() with KSTRIP_MODEL_STRIP gives the answer of kstrip_solve() with the same strip count,
+ * to rounding. The strips of the models of 1967 move with the solution in kstrip_solve(), here they do not: the
+ * forces differ by a part of what one strip carries.
+ *
+ * @param contact         the loaded contact.
+ * @param strips          number of strips: 4, 8, 16, 32 or 64.
+ * @param[out] patch      receives the patch.
+ * @return KSTRIP_OK; KSTRIP_ERROR_STRIP_COUNT, or one of the errors of kstrip_solve() for the contact.
+ */
+kstrip_status kstrip_patch_from_ellipse(const struct kstrip_contact *contact,
+                                        int32_t strips,
+                                        struct kstrip_patch *patch);
+
+/**
+ * A patch from strips of any origin, in any order of y.
+ *
+ * Strips may overlap by up to half of the distance at which they touch (a quadrature rule does), not by
+ * more. Strips that do not ascend are sorted in a copy on the stack (3 KiB).
+ *
+ * @param strips, count   the strips, at most KSTRIP_PATCH_CAPACITY; 0 is allowed.
+ * @param shear_modulus   combined shear modulus G [Pa], > 0.
+ * @param poisson_ratio   combined Poisson's ratio [-], 0 to 0.5.
+ * @param[out] patch      receives the patch.
+ * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
+ *         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_OVERFLOW,
+ *         KSTRIP_ERROR_STRIP_SIZE, KSTRIP_ERROR_PRESSURE, KSTRIP_ERROR_STRIP_ORDER (overlap),
+ *         KSTRIP_ERROR_PATCH_SIZE.
+ */
+kstrip_status kstrip_patch_from_strips(const struct kstrip_patch_strip *strips,
+                                       uint32_t count,
+                                       double shear_modulus,
+                                       double poisson_ratio,
+                                       struct kstrip_patch *patch);
+
+/**
+ * The patch of two profiles under a load, by the construction of Kik and Piotrowski (1996): virtual
+ * penetration 0.55 delta, half lengths sqrt(2 R g), pressure a half-ellipse along x, delta from the
+ * deflection at the deepest point.
+ *
+ * No elastic problem is solved: for the circle of Hertz the patch is 3 % too large and the peak pressure 6 %
+ * too low; for an ellipse whose curvatures are as 1 to 9, one axis is 27 % too long. Zones of contact that
+ * are apart become lobes. Bounded time: at most 60 evaluations of the load, usually below ten, each
+ * proportional to the number of points in contact. Uses 3 KiB of stack.
+ *
+ * @param y, distance, points  undeformed distance of the bodies [m] on the line x = 0 at y [m], which ascends;
+ *                        at least 3 points, straight between them. What is added to all distances
+ *                        does not matter.
+ * @param contact         rolling radius, load, material, friction.
+ * @param strips          number of strips, 4, 8, 16, 32 or 64; with several zones of contact the patch may
+ *                        have a few less.
+ * @param[out] patch      receives the patch.
+ * @param[out] result     receives approach, peak pressure, and the load reached.
+ * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE,
+ *         KSTRIP_ERROR_PROFILE_END, KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_NORMAL_FORCE,
+ *         KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION,
+ *         KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_PATCH_SIZE, KSTRIP_ERROR_OVERFLOW.
+ */
+kstrip_status kstrip_patch_from_profile(const double *y,
+                                        const double *distance,
+                                        uint32_t points,
+                                        const struct kstrip_profile_contact *contact,
+                                        int32_t strips,
+                                        struct kstrip_patch *patch,
+                                        struct kstrip_profile_result *result);
+
+/**
+ * Load, friction bound, area and lobes of a patch; checks it without solving.
+ *
+ * @param patch           the patch.
+ * @param[out] summary    receives the sums.
+ * @return KSTRIP_OK; KSTRIP_ERROR_NULL or one of the errors of kstrip_patch_from_strips(), here
+ *         KSTRIP_ERROR_STRIP_ORDER also when the strips do not ascend.
+ */
+kstrip_status kstrip_patch_summarize(const struct kstrip_patch *patch,
+                                     struct kstrip_patch_summary *summary);
+
+/**
+ * Forces of a patch in motion, on the lower body.
+ *
+ * The creepage is that at the origin of the patch's coordinates, x = y = 0; a strip sees
+ * (longitudinal - spin y, lateral + spin centre_x), and the moment is about the origin. |F| is at
+ * most the sum of friction times load over the strips. KSTRIP_MODEL_STRIP solves each lobe
+ * with an equivalent ellipse: as wide as the lobe's strips together, with their mean squared half length
+ * (two thirds of a squared), their load and their mean friction.
+ *
+ * @param patch           the patch.
+ * @param creepage        motion at the origin.
+ * @param options         KSTRIP_MODEL_STRIP or one of the models of 1967; NULL for the default. The
+ *                        strip count is checked and otherwise ignored.
+ * @param[out] result     receives forces, moment, power and stick area.
+ * @return KSTRIP_OK, KSTRIP_WARNING_SPIN, KSTRIP_WARNING_RANGE (of a lobe's ellipse);
+ *         KSTRIP_ERROR_NOT_IN_MODEL for KSTRIP_MODEL_TOTAL and KSTRIP_MODEL_LINEAR (the linear theory
+ *         of a patch is kstrip_patch_jacobian() at zero creepage); KSTRIP_ERROR_MODEL,
+ *         KSTRIP_ERROR_STRIP_COUNT, or one of the errors of kstrip_patch_summarize().
+ */
+kstrip_status kstrip_patch_solve(const struct kstrip_patch *patch,
+                                 const struct kstrip_creepage *creepage,
+                                 const struct kstrip_options *options,
+                                 struct kstrip_result *result);
+
+/**
+ * Forces of a patch and their exact derivatives with respect to the creepages.
+ *
+ * @param[out] jacobian   receives d(fx, fy, mz)/d(longitudinal, lateral, spin), row by row: nine
+ *                        numbers [N, N, N m over 1, 1, 1/m]. At kinks of a model, a one-sided value.
+ * @return as kstrip_patch_solve(); KSTRIP_ERROR_OVERFLOW also when a derivative is too large.
+ */
+kstrip_status kstrip_patch_jacobian(const struct kstrip_patch *patch,
+                                    const struct kstrip_creepage *creepage,
+                                    const struct kstrip_options *options,
+                                    struct kstrip_result *result,
+                                    double *jacobian);
+
+/**
+ * What each strip of a patch carries, ascending in y. The shares add up to the totals of
+ * kstrip_patch_solve(); each moment is about the origin.
+ *
+ * @param[out] strips     array that receives the strips.
+ * @param capacity        its size, at least patch->count.
+ * @param[out] count      receives how many were written: patch->count.
+ * @return as kstrip_patch_solve(); KSTRIP_ERROR_CAPACITY.
+ */
+kstrip_status kstrip_patch_strips(const struct kstrip_patch *patch,
+                                  const struct kstrip_creepage *creepage,
+                                  const struct kstrip_options *options,
+                                  struct kstrip_strip *strips,
+                                  uint32_t capacity,
+                                  uint32_t *count);
+
+/**
+ * Pressure, traction, slip and state at a point of a patch. They do not vary over the width of a strip.
+ *
+ * @param x, y            the point [m]; outside is allowed.
+ * @param[out] point      receives the state.
+ * @return as kstrip_patch_solve().
+ */
+kstrip_status kstrip_patch_traction_at(const struct kstrip_patch *patch,
+                                       const struct kstrip_creepage *creepage,
+                                       const struct kstrip_options *options,
+                                       double x,
+                                       double y,
+                                       struct kstrip_point *point);
+
+/**
+ * Pressure, traction, slip and state of a patch over a grid.
+ *
+ * @param x, columns      array of x [m] and its size.
+ * @param y, rows         array of y [m] and its size.
+ * @param[out] points     array of rows * columns elements; the point (x[i], y[j]) is
+ *                        points[j * columns + i].
+ * @param capacity        its size.
+ * @return as kstrip_patch_solve(); KSTRIP_ERROR_CAPACITY.
+ */
+kstrip_status kstrip_patch_field(const struct kstrip_patch *patch,
+                                 const struct kstrip_creepage *creepage,
+                                 const struct kstrip_options *options,
+                                 const double *x,
+                                 uint32_t columns,
+                                 const double *y,
+                                 uint32_t rows,
+                                 struct kstrip_point *points,
+                                 uint32_t capacity);
+
+/**
+ * kstrip_patch_from_ellipse() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_patch_from_ellipse_f32(const struct kstrip_contact_f32 *contact,
+                                            int32_t strips,
+                                            struct kstrip_patch_f32 *patch);
+
+/**
+ * kstrip_patch_from_strips() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_patch_from_strips_f32(const struct kstrip_patch_strip_f32 *strips,
+                                           uint32_t count,
+                                           float shear_modulus,
+                                           float poisson_ratio,
+                                           struct kstrip_patch_f32 *patch);
+
+/**
+ * kstrip_patch_from_profile() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_patch_from_profile_f32(const float *y,
+                                            const float *distance,
+                                            uint32_t points,
+                                            const struct kstrip_profile_contact_f32 *contact,
+                                            int32_t strips,
+                                            struct kstrip_patch_f32 *patch,
+                                            struct kstrip_profile_result_f32 *result);
+
+/**
+ * kstrip_patch_summarize() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_patch_summarize_f32(const struct kstrip_patch_f32 *patch,
+                                         struct kstrip_patch_summary_f32 *summary);
+
+/**
+ * kstrip_patch_solve() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_patch_solve_f32(const struct kstrip_patch_f32 *patch,
+                                     const struct kstrip_creepage_f32 *creepage,
+                                     const struct kstrip_options *options,
+                                     struct kstrip_result_f32 *result);
+
+/**
+ * kstrip_patch_jacobian() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_patch_jacobian_f32(const struct kstrip_patch_f32 *patch,
+                                        const struct kstrip_creepage_f32 *creepage,
+                                        const struct kstrip_options *options,
+                                        struct kstrip_result_f32 *result,
+                                        float *jacobian);
+
+/**
+ * kstrip_patch_strips() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_patch_strips_f32(const struct kstrip_patch_f32 *patch,
+                                      const struct kstrip_creepage_f32 *creepage,
+                                      const struct kstrip_options *options,
+                                      struct kstrip_strip_f32 *strips,
+                                      uint32_t capacity,
+                                      uint32_t *count);
+
+/**
+ * kstrip_patch_traction_at() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_patch_traction_at_f32(const struct kstrip_patch_f32 *patch,
+                                           const struct kstrip_creepage_f32 *creepage,
+                                           const struct kstrip_options *options,
+                                           float x,
+                                           float y,
+                                           struct kstrip_point_f32 *point);
+
+/**
+ * kstrip_patch_field() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_patch_field_f32(const struct kstrip_patch_f32 *patch,
+                                     const struct kstrip_creepage_f32 *creepage,
+                                     const struct kstrip_options *options,
+                                     const float *x,
+                                     uint32_t columns,
+                                     const float *y,
+                                     uint32_t rows,
+                                     struct kstrip_point_f32 *points,
+                                     uint32_t capacity);
 
 /**
  * kstrip_solve() with KSTRIP_MODEL_TOTAL without linking any other model.

@@ -79,6 +79,11 @@ impl<F: Float> Contact<F> {
         (stiffness / (self.friction_bound() + F::TINY)).min(F::HUGE)
     }
 
+    /// The inverse of [`Contact::stiffness_ratio`]: without friction the slip is then the rigid slip.
+    pub(crate) fn slip_scale(&self) -> F {
+        (F::one() / (self.stiffness_ratio() + F::TINY)).min(F::HUGE)
+    }
+
     /// `2 μ p₀/G` \[–\]: the unit of slip.
     #[must_use]
     pub fn slip_unit(&self) -> F {

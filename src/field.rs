@@ -28,9 +28,11 @@ impl<F: Float> FieldPoint<F> {
     #[must_use]
     pub fn new(contact: &Contact<F>, point: &StripPoint<F>) -> Self {
         let p0 = contact.peak_pressure();
-        let traction = contact.friction * p0;
-        // The inverse of the factor in (5.13), so that without friction the slip is the rigid slip
-        let slip = (F::one() / (contact.stiffness_ratio() + F::TINY)).min(F::HUGE);
+        Self::in_units(p0, contact.friction * p0, contact.slip_scale(), point)
+    }
+
+    /// From a point in units of pressure, traction and slip.
+    pub(crate) fn in_units(p0: F, traction: F, slip: F, point: &StripPoint<F>) -> Self {
         let (traction_x, traction_y) = (traction * point.traction_x, traction * point.traction_y);
         let (slip_x, slip_y) = (slip * point.slip_x, slip * point.slip_y);
         Self {

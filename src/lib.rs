@@ -18,7 +18,8 @@
 //!    theory, strips that follow the slip, and calibrated total forces.
 //! 7. [`model`]: contact and creepage to forces, derivatives, strips and fields, for every model.
 //! 8. [`derivatives`]: with respect to load and friction as well. [`friction`]: friction that falls with the slip.
-//! 9. [`ffi`]: all of it for C (`include/kstrip.h`).
+//! 9. [`patch`], [`kik_piotrowski`], [`patch_solver`]: a patch of any shape as its strips.
+//! 10. [`ffi`]: all of it for C (`include/kstrip.h`).
 //!
 //! # Frame and signs
 //!
@@ -66,10 +67,13 @@ pub mod ffi;
 pub mod field;
 pub mod friction;
 pub mod hertz;
+pub mod kik_piotrowski;
 pub mod leading_edge;
 pub mod material;
 pub mod model;
 mod panels;
+pub mod patch;
+pub mod patch_solver;
 pub mod quadrature;
 pub mod real;
 pub mod rolling_strip;

@@ -610,7 +610,7 @@ impl<F: Precision> Field<F> {
         let point = match (strip, &self.law) {
             (Some(FieldStrip::Theory(strip)), _) => strip.at(x),
             (Some(FieldStrip::Rolling(geometry)), Law::Rolling(strips)) => {
-                rolling_point(strips, geometry, x)
+                rolling_point(strips, geometry, geometry.half_length, x)
             }
             _ => StripPoint::outside(),
         };
@@ -618,13 +618,14 @@ impl<F: Precision> Field<F> {
     }
 }
 
-/// A point of a corrected strip in the units of the theory of 1967.
-fn rolling_point<F: Precision>(
+/// A point of a corrected strip in the units of the theory of 1967; the strip's half length `c` and `x` in any
+/// one unit, pressure in that in which its peak is `c`.
+pub(crate) fn rolling_point<F: Precision>(
     strips: &RollingStrips<F>,
     geometry: &StripGeometry<F>,
+    c: F,
     x: F,
 ) -> StripPoint<F> {
-    let c = geometry.half_length;
     let (ahead, behind) = (c - x, c + x);
     if !(ahead >= F::zero() && behind >= F::zero()) {
         return StripPoint::outside();

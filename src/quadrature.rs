@@ -22,6 +22,10 @@ pub struct StripRule<F: 'static> {
 /// Rules in the precision of the caller. Associated constants, so that single-precision firmware
 /// carries no double-precision table.
 pub trait Tabulated: Float {
+    /// 2 nodes.
+    const GAUSS_2: &'static [Node<Self>];
+    /// 8 nodes.
+    const GAUSS_8: &'static [Node<Self>];
     /// 16 nodes.
     const GAUSS_16: &'static [Node<Self>];
     /// For 4, 8, 16, 32 and 64 strips.
@@ -60,6 +64,8 @@ macro_rules! tabulated {
     ($float:ident) => {
         #[allow(clippy::unnecessary_cast)]
         impl Tabulated for $float {
+            const GAUSS_2: &'static [Node<Self>] = narrow!($float, GAUSS_2, 2);
+            const GAUSS_8: &'static [Node<Self>] = narrow!($float, GAUSS_8, 8);
             const GAUSS_16: &'static [Node<Self>] = narrow!($float, GAUSS_16, 16);
             const STRIPS: [StripRule<Self>; 5] = [
                 strip_rule!($float: GAUSS_1 1, GAUSS_2 1, false),

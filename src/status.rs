@@ -47,6 +47,20 @@ pub enum Error {
     NegativeSpeed = -17,
     /// The factor of the initial slope is outside `(0, 1]`.
     SlopeFactor = -18,
+    /// A strip of a patch has a width or half length that is not positive.
+    StripSize = -40,
+    /// The peak pressure of a strip is negative.
+    Pressure = -41,
+    /// Strips of a patch overlap, or do not ascend in `y`.
+    StripOrder = -42,
+    /// More strips, or more separate zones of contact, than the patch has room for.
+    PatchSize = -43,
+    /// A profile has fewer than three points, or its `y` does not ascend.
+    Profile = -44,
+    /// The zone of contact reaches the end of the profile.
+    ProfileEnd = -45,
+    /// A rolling radius is not positive.
+    RollingRadius = -46,
 }
 
 impl Error {
@@ -139,6 +153,17 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
         -16 => c"the decay of falling friction is negative: it must be >= 0 (s/m)",
         -17 => c"the rolling speed is negative: it must be >= 0 (m/s)",
         -18 => c"the factor of the initial slope must be > 0 and <= 1",
+        -40 => c"a strip of the patch has a width or a half length that is not positive (metres)",
+        -41 => c"the peak pressure of a strip is negative: it must be >= 0 (pascals)",
+        -42 => c"strips of the patch overlap, or are not in ascending order of y",
+        -43 => {
+            c"more strips, or more separate zones of contact, than the patch has room for: use fewer, wider strips, more strips per patch, or a smoother profile"
+        }
+        -44 => c"a profile needs at least three points, with y strictly ascending",
+        -45 => {
+            c"the contact reaches the end of the profile: pass more of it, with the deepest point inside"
+        }
+        -46 => c"the rolling radius is not positive: it must be > 0 (metres)",
         _ => return None,
     })
 }

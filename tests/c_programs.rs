@@ -11,8 +11,11 @@ use core::mem::{offset_of, size_of};
 use header::{Declared, Structure};
 use kstrip::contact::Contact;
 use kstrip::creepage::Creepage;
-use kstrip::ffi::{self, derivatives::*, friction::*, types::*, types_f32::*};
+use kstrip::ffi::{self, derivatives::*, friction::*, patch_types::*, types::*, types_f32::*};
+use kstrip::kik_piotrowski::ProfileContact;
 use kstrip::model::{self, Field, Model, Options, StripResult};
+use kstrip::patch::Patch;
+use kstrip::patch_solver::{self, PatchField};
 use kstrip::status::Notice;
 use kstrip::strip::State;
 use kstrip::totals::StripCount;
@@ -375,6 +378,114 @@ fn velocities_become_opposite_forces_on_the_two_bodies() {
 }
 
 #[test]
+fn worn_profiles_touch_in_two_zones() {
+    let text = run_c("c_examples/06_worn_profile.c");
+    let (y, distance): (Vec<f64>, Vec<f64>) = (0..241)
+        .map(|i| {
+            let y = 0.1e-3 * f64::from(i - 120);
+            let s = y / 4.5e-3;
+            let w = s * s - 1.0;
+            (y, 70e-6 * w * w + 3e-6 * s)
+        })
+        .unzip();
+    let wheel = ProfileContact {
+        rolling_radius: 0.46,
+        normal_force: 80e3,
+        shear_modulus: 82e9,
+        poisson_ratio: 0.28,
+        friction: 0.35,
+    };
+    let (clean, found) =
+        Patch::<f64, 64>::from_profile(&y, &distance, &wheel, StripCount::ThirtyTwo)
+            .expect("a patch");
+    let head = line_of(&text, "approach");
+    assert_printed(head[0], found.penetration * 1e6, 4, "approach");
+    assert_printed(head[1], found.peak_pressure / 1e6, 3, "peak pressure");
+    assert_printed(head[2], found.deepest_y * 1e3, 4, "deepest point");
+    assert_printed(head[3], 80e3, 4, "load");
+    let sizes = text.lines().nth(1).map(numbers).expect("a second line");
+    assert_eq!(sizes[..2], [clean.strips.len() as f64, 2.0], "strips and zones");
+
+    // The deepest point carries the deflection: δ = (1/(π E*)) ∫∫ Z/r dA over the strips, by the midpoint
+    // rule in polar angle around the strips next to it
+    let e_star = 82e9 / 0.72;
+    let deflection: f64 = clean
+        .strips
+        .iter()
+        .flat_map(|strip| (0..400).map(move |k| (strip, (f64::from(k) + 0.5) / 400.0 - 0.5)))
+        .map(|(strip, share)| {
+            let d = strip.y + share * strip.width - found.deepest_y;
+            let x = (0..400).map(|k| {
+                let angle = PI * (f64::from(k) + 0.5) / 400.0;
+                let (x, root) = (strip.half_length * angle.cos(), strip.half_length * angle.sin());
+                root * root / x.hypot(d)
+            });
+            let slope = strip.peak_pressure / strip.half_length;
+            slope * x.sum::<f64>() * PI / 400.0 * strip.width / 400.0
+        })
+        .sum::<f64>()
+        / (PI * e_star);
+    assert_close(deflection, found.penetration, 0.01 * found.penetration, "deflection");
+
+    let mut greasy = clean.clone();
+    for strip in &mut greasy.strips {
+        strip.friction = if strip.y > 0.0 { 0.05 } else { 0.35 };
+    }
+    let (clean, greasy) = (clean.view().expect("a patch"), greasy.view().expect("a patch"));
+    let mut rows = 0;
+    let table = text.lines().filter(|line| line.ends_with("clean") || line.ends_with("greasy"));
+    for line in table {
+        let patch = if line.ends_with("clean") { &clean } else { &greasy };
+        let [longitudinal, lateral, spin, fx, fy, mz, stick] = numbers(line)[..] else {
+            panic!("seven numbers: {line}")
+        };
+        let motion =
+            Creepage { longitudinal: longitudinal / 100.0, lateral: lateral / 100.0, spin };
+        let exact = patch_solver::solve(patch, &motion, Model::Strip).expect("forces");
+        assert_printed(fx, exact.fx, 3, "Fx");
+        assert_printed(fy, exact.fy, 3, "Fy");
+        assert_printed(mz, exact.mz, 4, "Mz");
+        assert_printed(stick, exact.adhesion * 100.0, 4, "stick");
+        let bound = patch.friction_bound();
+        assert!(fx.hypot(fy) <= bound + 0.01, "{line}");
+        if longitudinal == 100.0 {
+            assert_printed(fx, bound, 3, "full sliding");
+        }
+        rows += 1;
+    }
+    assert_eq!(rows, 12, "rows of the table");
+
+    let motion = Creepage { longitudinal: 1e-3, lateral: 5e-4, spin: 0.3 };
+    let field = PatchField::new(&greasy, &motion, Model::Strip).expect("a field");
+    let map: Vec<Vec<char>> = text
+        .lines()
+        .filter(|line| line.starts_with("  |"))
+        .map(|line| line.chars().collect())
+        .collect();
+    assert_eq!(map.len(), 21);
+    let mut seen = BTreeMap::new();
+    for (i, line) in map.iter().enumerate() {
+        for j in 0..45 {
+            let point = field.at(0.9e-3 * (10.0 - i as f64), 0.4e-3 * (j as f64 - 22.0));
+            let traction = point.traction_x.hypot(point.traction_y) / (0.35 * found.peak_pressure);
+            let (digit, state) = (line[3 + j], line[3 + 45 + 1 + j]);
+            let wanted = match point.state {
+                State::Outside => ' ',
+                State::Stick => '#',
+                State::Slip | State::SlipNegativeDissipation => '.',
+            };
+            assert_eq!(state, wanted, "line {i}, column {j}");
+            *seen.entry(state).or_insert(0) += 1;
+            match digit.to_digit(10) {
+                Some(digit) => assert_eq!(digit, (9.999 * traction) as u32, "line {i}, column {j}"),
+                None => assert_eq!((digit, state), (' ', ' '), "line {i}, column {j}"),
+            }
+        }
+    }
+    assert!(seen[&'#'] > 30 && seen[&'.'] > 60, "{seen:?}");
+}
+
+#[test]
 fn header_compiles_under_every_standard() {
     for standard in ["c99", "c11", "c17"] {
         check_known(false, &[standard]);
@@ -585,6 +696,39 @@ fn expected_statuses() -> BTreeMap<&'static str, i32> {
             "strips.total point.total field.total field.linear f32.field.total",
         ),
         (KSTRIP_ERROR_OVERFLOW, "velocities.overflow solve.friction_huge solve.load_huge"),
+        (
+            KSTRIP_OK,
+            "ellipse.ok given.empty given.ok given.unsorted profile.ok profile.ok_result summary.ok \
+             patch.ok patch_jacobian.ok patch_strips.ok patch_point.ok patch_field.ok \
+             f32.ellipse.ok",
+        ),
+        (
+            KSTRIP_ERROR_NULL,
+            "ellipse.null ellipse.null_out given.null given.null_out profile.null \
+             profile.null_contact profile.null_out profile.null_result summary.null \
+             summary.null_out patch.null patch.null_creepage patch.null_out patch_jacobian.null \
+             patch_strips.null_count patch_point.null patch_field.null",
+        ),
+        (
+            KSTRIP_ERROR_NOT_FINITE,
+            "given.nan profile.nan summary.scale patch.nan patch_point.nan f32.patch.nan",
+        ),
+        (KSTRIP_ERROR_STRIP_COUNT, "ellipse.strips profile.strips"),
+        (KSTRIP_ERROR_SEMI_AXIS, "ellipse.bad"),
+        (KSTRIP_ERROR_MODULUS, "given.modulus"),
+        (KSTRIP_ERROR_POISSON_RATIO, "given.poisson"),
+        (KSTRIP_ERROR_FRICTION, "given.friction f32.ellipse.bad"),
+        (KSTRIP_ERROR_STRIP_SIZE, "given.zero_width patch.bad patch_jacobian.bad"),
+        (KSTRIP_ERROR_PRESSURE, "given.pressure"),
+        (KSTRIP_ERROR_STRIP_ORDER, "given.overlap summary.order"),
+        (KSTRIP_ERROR_PATCH_SIZE, "given.many summary.count"),
+        (KSTRIP_ERROR_PROFILE, "profile.few profile.order"),
+        (KSTRIP_ERROR_PROFILE_END, "profile.end profile.heavy"),
+        (KSTRIP_ERROR_ROLLING_RADIUS, "profile.radius"),
+        (KSTRIP_ERROR_NORMAL_FORCE, "profile.load"),
+        (KSTRIP_ERROR_NOT_IN_MODEL, "patch.total patch_strips.total f32.patch.total"),
+        (KSTRIP_ERROR_MODEL, "patch.unknown"),
+        (KSTRIP_ERROR_CAPACITY, "patch_strips.capacity patch_field.capacity"),
     ];
     by_status
         .into_iter()

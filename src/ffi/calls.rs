@@ -6,7 +6,7 @@ use crate::creepage::{Creepage, Parameters, SurfaceVelocity};
 use crate::field::FieldPoint;
 use crate::hertz::{self, HertzContact, Radii};
 use crate::material::{self, CombinedMaterial, Material};
-use crate::model::{self, Field, Precision, Solution, StripResult};
+use crate::model::{self, Field, Jacobian, Precision, Solution, StripResult};
 use crate::real::Float;
 use crate::status::{Error, Notice};
 use crate::totals::StripCount;
@@ -236,12 +236,16 @@ where
         let (solution, jacobian) = model::solve_jacobian(&contact, &creepage, &options)?;
         let notice = solution.notice;
         out.write(solution.into());
-        // nalgebra stores columns; C wants rows.
-        for (entry, value) in entries.iter_mut().zip(jacobian.transpose().iter()) {
-            entry.write(*value);
-        }
+        write_rows(&jacobian, entries);
         Ok(notice)
     })
+}
+
+/// The nine numbers of a Jacobian: nalgebra stores columns; C wants rows.
+pub(super) fn write_rows<F: Float>(jacobian: &Jacobian<F>, entries: &mut [MaybeUninit<F>]) {
+    for (entry, value) in entries.iter_mut().zip(jacobian.transpose().iter()) {
+        entry.write(*value);
+    }
 }
 
 pub(super) fn solve_batch<F: Precision, C: Copy, K: Copy, R: From<Solution<F>>>(
@@ -346,21 +350,33 @@ where
         let options = checked_options(options)?;
         let (x, y, out) = (x?, y?, out?);
         let field = Field::new(&contact, &creepage, &options)?;
-        if !x.iter().chain(y).all(|coordinate| coordinate.is_finite_number()) {
-            return Err(Error::NotFinite);
-        }
-        if x.len().checked_mul(y.len()).is_none_or(|points| points > out.len()) {
-            return Err(Error::Capacity);
-        }
-        let mut places = out.iter_mut();
-        for &y in y {
-            let strip = field.strip_at(y);
-            for (&x, place) in x.iter().zip(&mut places) {
-                place.write(field.along(strip.as_ref(), x).into());
-            }
-        }
+        write_grid(x, y, out, |y| field.strip_at(y), |strip, x| field.along(strip.as_ref(), x))?;
         Ok(field.notice)
     })
+}
+
+/// The points of a grid, strip by strip.
+pub(super) fn write_grid<F: Float, S, P: From<FieldPoint<F>>>(
+    x: &[F],
+    y: &[F],
+    out: &mut [MaybeUninit<P>],
+    strip_at: impl Fn(F) -> S,
+    along: impl Fn(&S, F) -> FieldPoint<F>,
+) -> Result<(), Error> {
+    if !x.iter().chain(y).all(|coordinate| coordinate.is_finite_number()) {
+        return Err(Error::NotFinite);
+    }
+    if x.len().checked_mul(y.len()).is_none_or(|points| points > out.len()) {
+        return Err(Error::Capacity);
+    }
+    let mut places = out.iter_mut();
+    for &y in y {
+        let strip = strip_at(y);
+        for (&x, place) in x.iter().zip(&mut places) {
+            place.write(along(&strip, x).into());
+        }
+    }
+    Ok(())
 }
 
 pub(super) fn result_on_upper_body<R: Copy + UpperBody>(

@@ -16,6 +16,10 @@ mod arrays;
 mod calls;
 mod convert;
 pub mod double;
+pub mod patch;
+mod patch_calls;
+pub mod patch_single;
+pub mod patch_types;
 pub mod per_model;
 pub mod single;
 pub mod types;
@@ -85,6 +89,20 @@ pub const KSTRIP_ERROR_FRICTION_DECAY: kstrip_status = -16;
 pub const KSTRIP_ERROR_NEGATIVE_SPEED: kstrip_status = -17;
 /// Error: the factor of the initial slope is outside (0, 1].
 pub const KSTRIP_ERROR_SLOPE_FACTOR: kstrip_status = -18;
+/// Error: a strip of a patch has a width or half length that is not positive.
+pub const KSTRIP_ERROR_STRIP_SIZE: kstrip_status = -40;
+/// Error: the peak pressure of a strip is negative.
+pub const KSTRIP_ERROR_PRESSURE: kstrip_status = -41;
+/// Error: strips of a patch overlap, or do not ascend in y.
+pub const KSTRIP_ERROR_STRIP_ORDER: kstrip_status = -42;
+/// Error: more strips, or more separate zones of contact, than the patch has room for.
+pub const KSTRIP_ERROR_PATCH_SIZE: kstrip_status = -43;
+/// Error: a profile has fewer than three points, or its y does not ascend.
+pub const KSTRIP_ERROR_PROFILE: kstrip_status = -44;
+/// Error: the contact reaches the end of the profile.
+pub const KSTRIP_ERROR_PROFILE_END: kstrip_status = -45;
+/// Error: a rolling radius is not positive.
+pub const KSTRIP_ERROR_ROLLING_RADIUS: kstrip_status = -46;
 
 /// The strip theory of 1967 with the sliding rule that the paper keeps for forces: strips without
 /// adhesion slide along the rigid slip of their centre line. For spin |psi| < 1.
@@ -113,6 +131,9 @@ pub const KSTRIP_STATE_SLIP_NEGATIVE_DISSIPATION: i32 = 3;
 
 /// Upper bound of the number of strips that kstrip_strips() writes for `strips` strips.
 pub const KSTRIP_STRIPS_CAPACITY: u32 = 320;
+
+/// Strips that a kstrip_patch has room for.
+pub const KSTRIP_PATCH_CAPACITY: usize = 64;
 
 /// Version of the library, major.
 pub const KSTRIP_VERSION_MAJOR: i32 = 0;

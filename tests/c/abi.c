@@ -41,7 +41,7 @@ static int poisoned(const void *memory, size_t size)
 
 static void texts(void)
 {
-    for (int status = -20; status <= 20; status++)
+    for (int status = -60; status <= 20; status++)
         printf("text %d %s\n", status, kstrip_status_string(status));
     printf("version %s abi %ld\n", kstrip_version_string(), (long)kstrip_abi_version());
 }
@@ -292,6 +292,128 @@ static void friction_laws(void)
                                         NULL));
 }
 
+static void patches(void)
+{
+    enum { N = 5 };
+    const kstrip_contact contact = {6e-3, 4e-3, 80e3, 82e9, 0.28, 0.3};
+    const kstrip_creepage creepage = {1e-3, 0, 0.1}, nan = {NAN, 0, 0};
+    const kstrip_options total = {KSTRIP_MODEL_TOTAL, 16}, unknown = {77, 16};
+    const kstrip_patch_strip strip = {0, 1e-3, 5e-3, 0, 1e9, 0.3}, next = {1e-3, 1e-3, 5e-3, 0, 1e9, 0.3};
+    const kstrip_patch_strip pair[2] = {strip, next}, back[2] = {next, strip}, same[2] = {strip, strip};
+    const double y[N] = {-0.02, -0.01, 0, 0.01, 0.02}, z[N] = {4e-4, 1e-4, 0, 1e-4, 4e-4};
+    const double rise[N] = {0, 1e-4, 2e-4, 3e-4, 4e-4}, hole[N] = {4e-4, NAN, 0, 1e-4, 4e-4};
+    const kstrip_profile_contact wheel = {0.46, 80e3, 82e9, 0.28, 0.3};
+    const double x[2] = {0, 1e-3};
+    static kstrip_patch_strip many[KSTRIP_PATCH_CAPACITY + 1];
+    static kstrip_patch patch, good, bad;
+    kstrip_profile_result found;
+    kstrip_patch_summary sums;
+    kstrip_result result;
+    kstrip_strip strips[KSTRIP_PATCH_CAPACITY];
+    kstrip_point point, points[4];
+    double jacobian[9];
+    uint32_t count;
+
+    CASE("ellipse.null", patch, kstrip_patch_from_ellipse(NULL, 16, &patch));
+    CASE("ellipse.null_out", patch, kstrip_patch_from_ellipse(&contact, 16, NULL));
+    CASE("ellipse.strips", patch, kstrip_patch_from_ellipse(&contact, 17, &patch));
+    {
+        WITH(kstrip_contact, contact, a, -1);
+        CASE("ellipse.bad", patch, kstrip_patch_from_ellipse(&contact_bad, 16, &patch));
+    }
+    CASE("ellipse.ok", good, kstrip_patch_from_ellipse(&contact, 64, &good));
+
+    CASE("given.null", patch, kstrip_patch_from_strips(NULL, 2, 82e9, 0.28, &patch));
+    CASE("given.null_out", patch, kstrip_patch_from_strips(pair, 2, 82e9, 0.28, NULL));
+    CASE("given.many", patch,
+         kstrip_patch_from_strips(many, KSTRIP_PATCH_CAPACITY + 1, 82e9, 0.28, &patch));
+    CASE("given.zero_width", patch, kstrip_patch_from_strips(many, 1, 82e9, 0.28, &patch));
+    CASE("given.overlap", patch, kstrip_patch_from_strips(same, 2, 82e9, 0.28, &patch));
+    CASE("given.modulus", patch, kstrip_patch_from_strips(pair, 2, 0, 0.28, &patch));
+    CASE("given.poisson", patch, kstrip_patch_from_strips(pair, 2, 82e9, 0.7, &patch));
+    {
+        WITH(kstrip_patch_strip, strip, peak_pressure, -1);
+        CASE("given.pressure", patch, kstrip_patch_from_strips(&strip_bad, 1, 82e9, 0.28, &patch));
+        strip_bad.peak_pressure = 1e9, strip_bad.friction = -0.1;
+        CASE("given.friction", patch, kstrip_patch_from_strips(&strip_bad, 1, 82e9, 0.28, &patch));
+        strip_bad.friction = NAN;
+        CASE("given.nan", patch, kstrip_patch_from_strips(&strip_bad, 1, 82e9, 0.28, &patch));
+    }
+    CASE("given.empty", patch, kstrip_patch_from_strips(NULL, 0, 82e9, 0.28, &patch));
+    CASE("given.ok", patch, kstrip_patch_from_strips(pair, 2, 82e9, 0.28, &patch));
+    CASE("given.unsorted", patch, kstrip_patch_from_strips(back, 2, 82e9, 0.28, &patch));
+
+    CASE("profile.null", patch, kstrip_patch_from_profile(NULL, z, N, &wheel, 16, &patch, &found));
+    CASE("profile.null_contact", patch,
+         kstrip_patch_from_profile(y, z, N, NULL, 16, &patch, &found));
+    CASE("profile.null_out", found, kstrip_patch_from_profile(y, z, N, &wheel, 16, NULL, &found));
+    CASE("profile.null_result", patch,
+         kstrip_patch_from_profile(y, z, N, &wheel, 16, &patch, NULL));
+    CASE("profile.strips", patch, kstrip_patch_from_profile(y, z, N, &wheel, 5, &patch, &found));
+    CASE("profile.few", patch, kstrip_patch_from_profile(y, z, 2, &wheel, 16, &patch, &found));
+    CASE("profile.order", patch, kstrip_patch_from_profile(z, z, N, &wheel, 16, &patch, &found));
+    CASE("profile.nan", patch, kstrip_patch_from_profile(y, hole, N, &wheel, 16, &patch, &found));
+    CASE("profile.end", found, kstrip_patch_from_profile(y, rise, N, &wheel, 16, &patch, &found));
+    {
+        WITH(kstrip_profile_contact, wheel, rolling_radius, 0);
+        CASE("profile.radius", found,
+             kstrip_patch_from_profile(y, z, N, &wheel_bad, 16, &patch, &found));
+        wheel_bad.rolling_radius = 0.46, wheel_bad.normal_force = -1;
+        CASE("profile.load", found,
+             kstrip_patch_from_profile(y, z, N, &wheel_bad, 16, &patch, &found));
+        wheel_bad.normal_force = 1e9;
+        CASE("profile.heavy", found,
+             kstrip_patch_from_profile(y, z, N, &wheel_bad, 16, &patch, &found));
+    }
+    CASE("profile.ok", patch, kstrip_patch_from_profile(y, z, N, &wheel, 16, &patch, &found));
+    CASE("profile.ok_result", found, kstrip_patch_from_profile(y, z, N, &wheel, 16, &patch, &found));
+
+    kstrip_patch_from_ellipse(&contact, 64, &good);
+    CASE("summary.null", sums, kstrip_patch_summarize(NULL, &sums));
+    CASE("summary.null_out", sums, kstrip_patch_summarize(&good, NULL));
+    CASE("summary.ok", sums, kstrip_patch_summarize(&good, &sums));
+    bad = good, bad.count = KSTRIP_PATCH_CAPACITY + 1;
+    CASE("summary.count", sums, kstrip_patch_summarize(&bad, &sums));
+    bad = good, bad.strips[3] = bad.strips[2];
+    CASE("summary.order", sums, kstrip_patch_summarize(&bad, &sums));
+    bad = good, bad.area_scale = 0;
+    CASE("summary.scale", sums, kstrip_patch_summarize(&bad, &sums));
+
+    bad = good, bad.strips[5].half_length = 0;
+    CASE("patch.null", result, kstrip_patch_solve(NULL, &creepage, NULL, &result));
+    CASE("patch.null_creepage", result, kstrip_patch_solve(&good, NULL, NULL, &result));
+    CASE("patch.null_out", result, kstrip_patch_solve(&good, &creepage, NULL, NULL));
+    CASE("patch.bad", result, kstrip_patch_solve(&bad, &creepage, NULL, &result));
+    CASE("patch.nan", result, kstrip_patch_solve(&good, &nan, NULL, &result));
+    CASE("patch.total", result, kstrip_patch_solve(&good, &creepage, &total, &result));
+    CASE("patch.unknown", result, kstrip_patch_solve(&good, &creepage, &unknown, &result));
+    CASE("patch.ok", result, kstrip_patch_solve(&good, &creepage, NULL, &result));
+    CASE("patch_jacobian.null", result,
+         kstrip_patch_jacobian(&good, &creepage, NULL, &result, NULL));
+    CASE("patch_jacobian.bad", jacobian,
+         kstrip_patch_jacobian(&bad, &creepage, NULL, &result, jacobian));
+    CASE("patch_jacobian.ok", jacobian,
+         kstrip_patch_jacobian(&good, &creepage, NULL, &result, jacobian));
+    CASE("patch_strips.capacity", strips,
+         kstrip_patch_strips(&good, &creepage, NULL, strips, 63, &count));
+    CASE("patch_strips.null_count", strips,
+         kstrip_patch_strips(&good, &creepage, NULL, strips, 64, NULL));
+    CASE("patch_strips.total", count,
+         kstrip_patch_strips(&good, &creepage, &total, strips, 64, &count));
+    CASE("patch_strips.ok", count,
+         kstrip_patch_strips(&good, &creepage, NULL, strips, 64, &count));
+    CASE("patch_point.nan", point,
+         kstrip_patch_traction_at(&good, &creepage, NULL, 0, NAN, &point));
+    CASE("patch_point.null", point, kstrip_patch_traction_at(&good, &creepage, NULL, 0, 0, NULL));
+    CASE("patch_point.ok", point, kstrip_patch_traction_at(&good, &creepage, NULL, 0, 0, &point));
+    CASE("patch_field.capacity", points,
+         kstrip_patch_field(&good, &creepage, NULL, x, 2, x, 2, points, 3));
+    CASE("patch_field.null", points,
+         kstrip_patch_field(&good, &creepage, NULL, NULL, 2, x, 2, points, 4));
+    CASE("patch_field.ok", points,
+         kstrip_patch_field(&good, &creepage, NULL, x, 2, x, 2, points, 4));
+}
+
 /* Single precision shares the checks; a sample of each kind. */
 static void single_precision(void)
 {
@@ -312,6 +434,11 @@ static void single_precision(void)
     CASE("f32.solve.ok", result, kstrip_solve_f32(&contact, &creepage, NULL, &result));
     CASE("f32.jacobian.bad", jacobian,
          kstrip_solve_jacobian_f32(&bad, &creepage, NULL, &result, jacobian));
+    static kstrip_patch_f32 patch;
+    CASE("f32.ellipse.bad", patch, kstrip_patch_from_ellipse_f32(&bad, 16, &patch));
+    CASE("f32.ellipse.ok", patch, kstrip_patch_from_ellipse_f32(&contact, 16, &patch));
+    CASE("f32.patch.nan", result, kstrip_patch_solve_f32(&patch, &nan, NULL, &result));
+    CASE("f32.patch.total", result, kstrip_patch_solve_f32(&patch, &creepage, &total, &result));
     CASE("f32.field.capacity", points,
          kstrip_field_f32(&contact, &creepage, NULL, x, 2, x, 2, points, 2));
     CASE("f32.field.total", points,
@@ -325,6 +452,7 @@ int main(void)
     solution();
     more_derivatives();
     friction_laws();
+    patches();
     single_precision();
     return 0;
 }

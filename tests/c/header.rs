@@ -34,15 +34,18 @@ pub struct Declared {
 }
 
 impl Variable {
-    /// From `const struct kstrip_contact *contact` or `double values[4]`.
-    fn parse(text: &str) -> Self {
+    /// From `const struct kstrip_contact *contact`, `double values[4]` or `double values[KSTRIP_NAME]`.
+    fn parse(text: &str, constants: &[(String, i64)]) -> Self {
         let text = text.replace("struct ", "");
         let start = text.rfind(|c: char| c == '*' || c.is_whitespace()).map_or(0, |i| i + 1);
         let (kind, name) = text.split_at(start);
         let (name, elements) = match name.split_once('[') {
             Some((name, count)) => {
-                let count = count.trim_end_matches(']').parse();
-                (name, count.expect("a number of elements"))
+                let count = count.trim_end_matches(']');
+                let known = constants.iter().find(|(name, _)| name == count);
+                let number = known.map(|(_, value)| value.to_string());
+                let number = number.as_deref().unwrap_or(count).parse();
+                (name, number.expect("a number of elements"))
             }
             None => (name, 1),
         };
@@ -85,7 +88,8 @@ pub fn declared(header: &str) -> Declared {
             let members = lines
                 .by_ref()
                 .take_while(|line| !line.starts_with('}'))
-                .map(|line| Variable::parse(line.strip_suffix(';').expect("one member a line")))
+                .map(|line| line.strip_suffix(';').expect("one member a line"))
+                .map(|line| Variable::parse(line, &found.constants))
                 .collect();
             found.structures.push(Structure { name, members });
         } else if line.contains("kstrip_") && line.contains('(') {
@@ -95,13 +99,13 @@ pub fn declared(header: &str) -> Declared {
                 text.push_str(lines.next().expect("a function ends"));
             }
             let (head, arguments) = text.split_once('(').expect("an argument list");
-            let head = Variable::parse(head);
+            let head = Variable::parse(head, &[]);
             let arguments = arguments.trim_end_matches(';').trim_end_matches(')');
             let arguments = arguments.split(',').map(str::trim).filter(|a| *a != "void");
             found.functions.push(Function {
                 kind: head.kind,
                 name: head.name,
-                arguments: arguments.map(Variable::parse).collect(),
+                arguments: arguments.map(|argument| Variable::parse(argument, &[])).collect(),
             });
         }
     }

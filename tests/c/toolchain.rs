@@ -136,7 +136,7 @@ pub fn run_c(source: &str) -> String {
 pub fn run_source(source: &Path) -> String {
     let library = library();
     let mut arguments: Vec<&OsStr> = STRICT.iter().map(OsStr::new).collect();
-    arguments.extend([library.as_os_str(), OsStr::new("-lpthread")]);
+    arguments.extend([library.as_os_str(), OsStr::new("-lpthread"), OsStr::new("-lm")]);
     let program = compile(false, "c99", source, &arguments)
         .unwrap_or_else(|message| panic!("{}: {message}", source.display()));
     output_of(&mut Command::new(program))
