@@ -74,6 +74,13 @@ int main()
     std::printf("derivatives %.4f %.9f %.4f %.9f\n", all.jacobian(1, 1), all.normal_force[0], all.friction[0],
                 all.load_through_hertz[0]);
 
+    // A wet rail: friction falls to 40 % of .3 with the sliding velocity, at 20 m/s
+    const kstrip::friction wet{0.3, 0.4, 0.6_s_per_m, 20_m_per_s, 0.5};
+    double effective = 0;
+    if (kstrip::is_error(kstrip::solve_friction_jacobian(contact, motion, wet, {}, same, slopes[0], &effective)))
+        return 1;
+    std::printf("wet %.4f %.6f\n", same.fy.value, effective);
+
     // Strips and field
     std::array<kstrip::strip, kstrip::strips_capacity> strips;
     std::uint32_t count = 0;

@@ -55,6 +55,8 @@ enum class [[nodiscard]] status : std::int32_t {
     warning_spin = KSTRIP_WARNING_SPIN,
     warning_range = KSTRIP_WARNING_RANGE,
     warning_beyond_friction = KSTRIP_WARNING_BEYOND_FRICTION,
+    warning_several_frictions = KSTRIP_WARNING_SEVERAL_FRICTIONS,
+    warning_not_converged = KSTRIP_WARNING_NOT_CONVERGED,
     error_null = KSTRIP_ERROR_NULL,
     error_not_finite = KSTRIP_ERROR_NOT_FINITE,
     error_semi_axis = KSTRIP_ERROR_SEMI_AXIS,
@@ -69,6 +71,10 @@ enum class [[nodiscard]] status : std::int32_t {
     error_capacity = KSTRIP_ERROR_CAPACITY,
     error_not_in_model = KSTRIP_ERROR_NOT_IN_MODEL,
     error_overflow = KSTRIP_ERROR_OVERFLOW,
+    error_friction_ratio = KSTRIP_ERROR_FRICTION_RATIO,
+    error_friction_decay = KSTRIP_ERROR_FRICTION_DECAY,
+    error_negative_speed = KSTRIP_ERROR_NEGATIVE_SPEED,
+    error_slope_factor = KSTRIP_ERROR_SLOPE_FACTOR,
 };
 
 constexpr bool is_error(status s) noexcept { return static_cast<std::int32_t>(s) < 0; }
@@ -128,6 +134,7 @@ struct newton_metre;
 struct radian;
 struct metre_per_second;
 struct radian_per_second;
+struct second_per_metre;
 } // namespace unit
 
 template <class T> using basic_metres = quantity<unit::metre, T>;
@@ -138,6 +145,7 @@ template <class T> using basic_newton_metres = quantity<unit::newton_metre, T>;
 template <class T> using basic_radians = quantity<unit::radian, T>;
 template <class T> using basic_metres_per_second = quantity<unit::metre_per_second, T>;
 template <class T> using basic_radians_per_second = quantity<unit::radian_per_second, T>;
+template <class T> using basic_seconds_per_metre = quantity<unit::second_per_metre, T>;
 
 using metres = basic_metres<double>;
 using newtons = basic_newtons<double>;
@@ -147,6 +155,7 @@ using newton_metres = basic_newton_metres<double>;
 using radians = basic_radians<double>;
 using metres_per_second = basic_metres_per_second<double>;
 using radians_per_second = basic_radians_per_second<double>;
+using seconds_per_metre = basic_seconds_per_metre<double>;
 
 using metres_f32 = basic_metres<float>;
 using newtons_f32 = basic_newtons<float>;
@@ -156,6 +165,7 @@ using newton_metres_f32 = basic_newton_metres<float>;
 using radians_f32 = basic_radians<float>;
 using metres_per_second_f32 = basic_metres_per_second<float>;
 using radians_per_second_f32 = basic_radians_per_second<float>;
+using seconds_per_metre_f32 = basic_seconds_per_metre<float>;
 
 /// `6.0_mm`, `80_kN`, `82_GPa`, `0.4_per_m`, `20_m_per_s`: `using namespace kstrip::literals;`
 inline namespace literals {
@@ -178,6 +188,7 @@ KSTRIP_HPP_LITERAL(GPa, pascals, 1.0L, 1e9L)
 KSTRIP_HPP_LITERAL(per_m, per_metre, 1.0L, 1.0L)
 KSTRIP_HPP_LITERAL(m_per_s, metres_per_second, 1.0L, 1.0L)
 KSTRIP_HPP_LITERAL(rad_per_s, radians_per_second, 1.0L, 1.0L)
+KSTRIP_HPP_LITERAL(s_per_m, seconds_per_metre, 1.0L, 1.0L)
 #undef KSTRIP_HPP_LITERAL
 } // namespace literals
 
@@ -339,6 +350,16 @@ struct basic_derivatives {
     T load_through_hertz[3];
 };
 
+/// Friction that falls with the slip, and the stiffness of the layer.
+template <class T>
+struct basic_friction {
+    T friction;
+    T ratio = T(1);
+    basic_seconds_per_metre<T> decay{};
+    basic_metres_per_second<T> rolling_speed{};
+    T slope_factor = T(1);
+};
+
 /// Forces and their derivatives.
 template <class T>
 struct basic_linearised {
@@ -359,6 +380,7 @@ using strip = basic_strip<double>;
 using point = basic_point<double>;
 using jacobian = basic_jacobian<double>;
 using derivatives = basic_derivatives<double>;
+using friction = basic_friction<double>;
 
 using material_f32 = basic_material<float>;
 using combined_material_f32 = basic_combined_material<float>;
@@ -373,6 +395,7 @@ using strip_f32 = basic_strip<float>;
 using point_f32 = basic_point<float>;
 using jacobian_f32 = basic_jacobian<float>;
 using derivatives_f32 = basic_derivatives<float>;
+using friction_f32 = basic_friction<float>;
 
 // ---- The way to C -----------------------------------------------------------------------------
 
@@ -401,6 +424,7 @@ KSTRIP_HPP_BOTH(result)
 KSTRIP_HPP_BOTH(strip)
 KSTRIP_HPP_BOTH(point)
 KSTRIP_HPP_BOTH(derivatives)
+KSTRIP_HPP_BOTH(friction)
 #undef KSTRIP_HPP_BOTH
 #undef KSTRIP_HPP_SAME
 
@@ -520,6 +544,25 @@ status solve_derivatives(const basic_contact<T> &patch, const basic_creepage<T> 
 {
     return KSTRIP_HPP_CALL(T, kstrip_solve_derivatives, detail::in(&patch), detail::in(&motion),
                            detail::in(&how), detail::out(&to), detail::out(&slopes));
+}
+
+/// kstrip_solve_friction(); `effective`, if not null, receives the friction that agrees with the slip.
+template <class T>
+status solve_friction(const basic_contact<T> &patch, const basic_creepage<T> &motion, const basic_friction<T> &law,
+                      const options &how, basic_result<T> &to, T *effective = nullptr) noexcept
+{
+    return KSTRIP_HPP_CALL(T, kstrip_solve_friction, detail::in(&patch), detail::in(&motion), detail::in(&law),
+                           detail::in(&how), detail::out(&to), effective);
+}
+
+/// kstrip_solve_friction_jacobian()
+template <class T>
+status solve_friction_jacobian(const basic_contact<T> &patch, const basic_creepage<T> &motion,
+                               const basic_friction<T> &law, const options &how, basic_result<T> &to,
+                               basic_jacobian<T> &slopes, T *effective = nullptr) noexcept
+{
+    return KSTRIP_HPP_CALL(T, kstrip_solve_friction_jacobian, detail::in(&patch), detail::in(&motion),
+                           detail::in(&law), detail::in(&how), detail::out(&to), slopes.value, effective);
 }
 
 /// kstrip_solve_total(), kstrip_solve_linear(), kstrip_solve_strip_1967(), kstrip_solve_strip(): programs that

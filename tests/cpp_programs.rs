@@ -8,6 +8,7 @@ mod toolchain;
 use kstrip::contact::Contact;
 use kstrip::creepage::Creepage;
 use kstrip::derivatives;
+use kstrip::friction::{self, SlipFriction};
 use kstrip::hertz::{Radii, hertz};
 use kstrip::model::{self, Options};
 use toolchain::{cpp_compilers, root, run_cpp, say, scratch};
@@ -84,6 +85,16 @@ fn example_prints_what_rust_computes() {
     close(printed[1], all.normal_force[0], 9);
     close(printed[2], all.friction[0], 4);
     close(printed[3], all.load_through_hertz[0], 9);
+    let wet = SlipFriction {
+        friction: 0.3,
+        ratio: 0.4,
+        decay: 0.6,
+        rolling_speed: 20.0,
+        slope_factor: 0.5,
+    };
+    let solution = friction::solve(&contact, &motion, &wet, &options).expect("a solution");
+    close(numbers(text, "wet")[0][0], solution.solution.fy, 4);
+    close(numbers(text, "wet")[0][1], solution.friction, 6);
     // The strips add up to the force, to rounding
     let strips = &numbers(text, "strips")[0];
     assert!(strips[0] >= 16.0 && (strips[1] - forces.fx).abs() < 1e-3, "{strips:?}");

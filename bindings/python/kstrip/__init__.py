@@ -147,6 +147,26 @@ def solve_jacobian(contacts, creepages, model="strip", strips=16):
     return results.reshape(shape), slopes.reshape(*shape, 3, 3)
 
 
+def friction(friction, ratio=1.0, decay=0.0, rolling_speed=0.0, slope_factor=1.0, dtype=np.float64):
+    """Friction that falls with the slip: mu0, A, B [s/m], rolling speed [m/s]; and the factor of the initial slope."""
+    return _record("friction", dtype, friction=friction, ratio=ratio, decay=decay, rolling_speed=rolling_speed, slope_factor=slope_factor)
+
+
+def solve_friction(contacts, creepages, frictions, model="strip", strips=16):
+    """Forces under friction(), and the coefficient of friction that agrees with the slip."""
+    contacts, creepages, frictions = np.broadcast_arrays(contacts, creepages, frictions)
+    shape = contacts.shape
+    contacts, creepages, frictions = (np.ascontiguousarray(v).ravel() for v in (contacts, creepages, frictions))
+    call, suffix = _function_for("kstrip_solve_friction", contacts)
+    results = np.zeros(contacts.size, dtypes["result" + suffix])
+    effective = np.zeros(contacts.size, np.float32 if suffix else np.float64)
+    options = _options(model, strips)
+    for i in range(contacts.size):
+        _check(call(contacts[i:].ctypes.data, creepages[i:].ctypes.data, frictions[i:].ctypes.data, options, results[i:].ctypes.data,
+                    effective[i:].ctypes.data))
+    return results.reshape(shape), effective.reshape(shape)
+
+
 def strips(one_contact, one_creepage, model="strip", strips=16):
     """What each strip of one contact carries."""
     _, contacts, creepages = _pairs(one_contact, one_creepage)

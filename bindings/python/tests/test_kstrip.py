@@ -81,6 +81,17 @@ class Binding(unittest.TestCase):
         # Element [j, i] is the point (x[i], y[j]): the trailing half has slip, the rim of b has no pressure.
         self.assertGreater((points["state"][:, : n // 2] >= kstrip.SLIP).sum(), (points["state"][:, n // 2 :] >= kstrip.SLIP).sum())
 
+    def test_friction_that_falls(self):
+        contact, motions = kstrip.contact(**STEEL), kstrip.creepage(np.array([1e-4, 0.01, 0.1, 10.0]))
+        constant, same = kstrip.solve_friction(contact, motions, kstrip.friction(0.3))
+        self.assertEqual(constant.tobytes(), kstrip.solve(contact, motions).tobytes())
+        np.testing.assert_array_equal(same, 0.3)
+        wet, effective = kstrip.solve_friction(contact, motions, kstrip.friction(0.3, 0.4, 0.6, 20.0))
+        # Full sliding: mu = mu0 ((1 - A) exp(-B V s) + A)
+        self.assertLess(abs(effective[2] - 0.3 * (0.6 * np.exp(-0.6 * 20 * 0.1) + 0.4)), 1e-3)
+        self.assertLess(abs(wet["fx"][3] - 0.4 * BOUND), 1e-6 * BOUND)
+        self.assertGreater(wet["fx"][1], wet["fx"][2])
+
     def test_hertz_and_upper_body(self):
         ellipse = kstrip.hertz(lower_x=np.inf, lower_y=np.inf, upper_x=0.1, upper_y=0.1, normal_force=1e3, shear_modulus=82e9, poisson_ratio=0.28)
         # Circle: a^3 = 3 N R/(4 E*)
