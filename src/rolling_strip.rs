@@ -1255,24 +1255,31 @@ fn network_slopes<F: Marched>(
 ) -> [Two<Dual<F, 3>>; CORRECTIONS / 2] {
     let none = [F::Pair::zero(); 3];
     let values = features.map(|feature| F::Pair::both(feature.value));
-    let slopes = [0, 1, 2].map(|k| features.map(|feature| F::Pair::both(feature.gradient[k])));
-    let [by_x, by_y, by_phi] = &slopes;
+    let by_x = &features.map(|feature| F::Pair::both(feature.gradient[0]));
+    let by_y = &features.map(|feature| F::Pair::both(feature.gradient[1]));
+    let by_phi = &features.map(|feature| F::Pair::both(feature.gradient[2]));
     let table = &F::HIDDEN;
     let mut hidden = F::HIDDEN_OFFSET.map(|offset| (pair_of::<F>(offset), none));
     for (k, (sum, [sum_x, sum_y, sum_phi])) in hidden.iter_mut().enumerate() {
-        let weight = |i: usize| pair_of::<F>(table[i][k]);
+        // (without an index that could panic, at any optimisation level)
+        let weight = |i: usize| {
+            table.get(i).and_then(|row| row.get(k)).map_or(F::Pair::zero(), |w| pair_of::<F>(*w))
+        };
+        let part = |list: &[F::Pair; FEATURES], i: usize| {
+            list.get(i).map_or(F::Pair::zero(), |slope| *slope * weight(i))
+        };
         for (i, value) in values.iter().enumerate() {
             *sum += *value * weight(i);
         }
         // the features that depend on each creepage
         for i in [0, 5, 9, 12] {
-            *sum_x += by_x[i] * weight(i);
+            *sum_x += part(by_x, i);
         }
         for i in [1, 2, 6, 8, 9, 12] {
-            *sum_y += by_y[i] * weight(i);
+            *sum_y += part(by_y, i);
         }
         for i in [0, 1, 2, 7, 8, 10, 11, 12] {
-            *sum_phi += by_phi[i] * weight(i);
+            *sum_phi += part(by_phi, i);
         }
     }
     // d h/√(1 + h²) = dh/(1 + h²)^{3/2}
