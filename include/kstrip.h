@@ -1027,6 +1027,158 @@ typedef struct kstrip_parameters_f32 {
 } kstrip_parameters_f32;
 
 /**
+ * Contacts and creepages as one array for each quantity.
+ *
+ * Arrays of as many elements as there are contacts; none may be NULL unless there are no contacts.
+ */
+typedef struct kstrip_batch_inputs {
+    /**
+     * Semi-axes along the rolling direction x [m], > 0.
+     */
+    const double *a;
+    /**
+     * Semi-axes along y [m], > 0.
+     */
+    const double *b;
+    /**
+     * Normal forces N [N], >= 0.
+     */
+    const double *normal_force;
+    /**
+     * Combined shear moduli G [Pa], > 0.
+     */
+    const double *shear_modulus;
+    /**
+     * Combined Poisson's ratios [-], 0 to 0.5.
+     */
+    const double *poisson_ratio;
+    /**
+     * Coefficients of friction mu [-], >= 0.
+     */
+    const double *friction;
+    /**
+     * Longitudinal creepages [-].
+     */
+    const double *longitudinal;
+    /**
+     * Lateral creepages [-].
+     */
+    const double *lateral;
+    /**
+     * Spins [1/m].
+     */
+    const double *spin;
+} kstrip_batch_inputs;
+
+/**
+ * Where the results of many contacts go, one array for each quantity.
+ *
+ * Arrays of as many elements as there are contacts; NULL for what is not wanted.
+ */
+typedef struct kstrip_batch_outputs {
+    /**
+     * Longitudinal forces on the lower bodies [N].
+     */
+    double *fx;
+    /**
+     * Lateral forces [N].
+     */
+    double *fy;
+    /**
+     * Moments about z at the centres of the contacts [N m].
+     */
+    double *mz;
+    /**
+     * Frictional powers over rolling speed [N].
+     */
+    double *power;
+    /**
+     * Shares of the contact areas in adhesion [-], 0 to 1, or -1 for unknown.
+     */
+    double *adhesion;
+    /**
+     * The status of each result: 0 or one of the KSTRIP_WARNING constants.
+     */
+    int32_t *status_detail;
+} kstrip_batch_outputs;
+
+/**
+ * Contacts and creepages as one array for each quantity, single precision.
+ *
+ * Arrays of as many elements as there are contacts; none may be NULL unless there are no contacts.
+ */
+typedef struct kstrip_batch_inputs_f32 {
+    /**
+     * Semi-axes along the rolling direction x [m], > 0.
+     */
+    const float *a;
+    /**
+     * Semi-axes along y [m], > 0.
+     */
+    const float *b;
+    /**
+     * Normal forces N [N], >= 0.
+     */
+    const float *normal_force;
+    /**
+     * Combined shear moduli G [Pa], > 0.
+     */
+    const float *shear_modulus;
+    /**
+     * Combined Poisson's ratios [-], 0 to 0.5.
+     */
+    const float *poisson_ratio;
+    /**
+     * Coefficients of friction mu [-], >= 0.
+     */
+    const float *friction;
+    /**
+     * Longitudinal creepages [-].
+     */
+    const float *longitudinal;
+    /**
+     * Lateral creepages [-].
+     */
+    const float *lateral;
+    /**
+     * Spins [1/m].
+     */
+    const float *spin;
+} kstrip_batch_inputs_f32;
+
+/**
+ * Where the results of many contacts go, one array for each quantity, single precision.
+ *
+ * Arrays of as many elements as there are contacts; NULL for what is not wanted.
+ */
+typedef struct kstrip_batch_outputs_f32 {
+    /**
+     * Longitudinal forces on the lower bodies [N].
+     */
+    float *fx;
+    /**
+     * Lateral forces [N].
+     */
+    float *fy;
+    /**
+     * Moments about z at the centres of the contacts [N m].
+     */
+    float *mz;
+    /**
+     * Frictional powers over rolling speed [N].
+     */
+    float *power;
+    /**
+     * Shares of the contact areas in adhesion [-], 0 to 1, or -1 for unknown.
+     */
+    float *adhesion;
+    /**
+     * The status of each result: 0 or one of the KSTRIP_WARNING constants.
+     */
+    int32_t *status_detail;
+} kstrip_batch_outputs_f32;
+
+/**
  * Derivatives of fx, fy, mz with respect to creepages, load and friction.
  */
 typedef struct kstrip_derivatives {
@@ -1950,6 +2102,32 @@ kstrip_status kstrip_field_f32(const struct kstrip_contact_f32 *contact,
  */
 kstrip_status kstrip_result_on_upper_body_f32(const struct kstrip_result_f32 *lower,
                                               struct kstrip_result_f32 *upper);
+
+/**
+ * kstrip_solve_batch() for one array for each quantity, as vector codes and data frames have them.
+ *
+ * The same results as kstrip_solve() for each contact, bit for bit. All inputs are checked before
+ * anything is written: if one is bad its status is returned and no output is touched.
+ *
+ * @param count           number of contacts; 0 is allowed.
+ * @param inputs          arrays of count elements.
+ * @param options         for all contacts; NULL for the defaults.
+ * @param outputs         arrays of count elements; NULL where a quantity is not wanted. They must not
+ *                        overlap the inputs or each other.
+ * @return KSTRIP_OK, the largest warning, or the first error, as kstrip_solve().
+ */
+kstrip_status kstrip_solve_batch_arrays(uint32_t count,
+                                        const struct kstrip_batch_inputs *inputs,
+                                        const struct kstrip_options *options,
+                                        const struct kstrip_batch_outputs *outputs);
+
+/**
+ * kstrip_solve_batch_arrays() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_solve_batch_arrays_f32(uint32_t count,
+                                            const struct kstrip_batch_inputs_f32 *inputs,
+                                            const struct kstrip_options *options,
+                                            const struct kstrip_batch_outputs_f32 *outputs);
 
 /**
  * Forces and their exact derivatives with respect to creepages, normal force and friction.

@@ -56,6 +56,7 @@
 #![no_std]
 #![deny(missing_docs, unsafe_code)]
 
+pub mod batch;
 pub mod closed_form;
 pub mod coefficients;
 pub mod contact;

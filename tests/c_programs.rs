@@ -11,7 +11,9 @@ use core::mem::{offset_of, size_of};
 use header::{Declared, Structure};
 use kstrip::contact::Contact;
 use kstrip::creepage::Creepage;
-use kstrip::ffi::{self, derivatives::*, friction::*, patch_types::*, types::*, types_f32::*};
+use kstrip::ffi::{
+    self, batch::*, derivatives::*, friction::*, patch_types::*, types::*, types_f32::*,
+};
 use kstrip::kik_piotrowski::ProfileContact;
 use kstrip::model::{self, Field, Model, Options, StripResult};
 use kstrip::patch::Patch;

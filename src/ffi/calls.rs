@@ -1,6 +1,7 @@
 //! What the exported functions of both precisions do, once, generic over the precision.
 
 use super::{answer, checked_options, kstrip_status, types::kstrip_options};
+use crate::batch;
 use crate::contact::Contact;
 use crate::creepage::{Creepage, Parameters, SurfaceVelocity};
 use crate::field::FieldPoint;
@@ -261,18 +262,13 @@ where
     answer(|| {
         let (contacts, creepages, results) = (contacts?, creepages?, results?);
         let options = checked_options(options)?;
-        for (contact, creepage) in contacts.iter().zip(creepages) {
-            model::check(&(*contact).into(), &(*creepage).into(), &options)?;
-        }
-        let mut worst = Notice::None;
-        for ((contact, creepage), out) in contacts.iter().zip(creepages).zip(results) {
-            let solution = model::solve(&(*contact).into(), &(*creepage).into(), &options)?;
-            if solution.notice.code() > worst.code() {
-                worst = solution.notice;
+        let problems = contacts.iter().zip(creepages);
+        let mut places = results.iter_mut();
+        batch::solve_batch(problems.map(|(c, k)| ((*c).into(), (*k).into())), &options, |found| {
+            if let Some(place) = places.next() {
+                place.write(found.into());
             }
-            out.write(solution.into());
-        }
-        Ok(worst)
+        })
     })
 }
 

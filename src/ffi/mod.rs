@@ -26,6 +26,7 @@ pub mod types;
 pub mod types_f32;
 
 // In the order of the header: after the functions that they build on.
+pub mod batch;
 pub mod derivatives;
 pub mod friction;
 

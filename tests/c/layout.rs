@@ -34,6 +34,10 @@ layouts! {
     kstrip_hertz_contact_f32 { a, b, peak_pressure, approach, axis_ratio, hertz_angle, rho }
     kstrip_velocity_f32 { x, y, angular_z }
     kstrip_parameters_f32 { xi, eta, psi }
+    kstrip_batch_inputs { a, b, normal_force, shear_modulus, poisson_ratio, friction, longitudinal, lateral, spin }
+    kstrip_batch_outputs { fx, fy, mz, power, adhesion, status_detail }
+    kstrip_batch_inputs_f32 { a, b, normal_force, shear_modulus, poisson_ratio, friction, longitudinal, lateral, spin }
+    kstrip_batch_outputs_f32 { fx, fy, mz, power, adhesion, status_detail }
     kstrip_derivatives { jacobian, normal_force, friction, load_through_hertz }
     kstrip_derivatives_f32 { jacobian, normal_force, friction, load_through_hertz }
     kstrip_friction { friction, ratio, decay, rolling_speed, slope_factor }

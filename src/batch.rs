@@ -1,0 +1,32 @@
+//! Many contacts at once.
+
+use crate::contact::Contact;
+use crate::creepage::Creepage;
+use crate::model::{self, Options, Precision, Solution};
+use crate::status::{Error, Notice};
+
+/// Forces of many contacts: `take` is handed what [`model::solve`] gives for each of them, in their order and
+/// bit for bit. Returns the notice with the largest code.
+///
+/// All inputs are checked before anything is handed out: with an error nothing is.
+///
+/// # Errors
+/// Those of [`model::solve`], of the first bad input.
+pub fn solve_batch<F: Precision>(
+    problems: impl Iterator<Item = (Contact<F>, Creepage<F>)> + Clone,
+    options: &Options,
+    mut take: impl FnMut(Solution<F>),
+) -> Result<Notice, Error> {
+    for (contact, creepage) in problems.clone() {
+        model::check(&contact, &creepage, options)?;
+    }
+    let mut worst = Notice::None;
+    for (contact, creepage) in problems {
+        let solution = model::solve(&contact, &creepage, options)?;
+        if solution.notice.code() > worst.code() {
+            worst = solution.notice;
+        }
+        take(solution);
+    }
+    Ok(worst)
+}
