@@ -4,6 +4,7 @@
 #include "kstrip.hpp"
 
 #include <array>
+#include <cstdint>
 #include <cstdio>
 #include <limits>
 #include <vector>
@@ -80,6 +81,20 @@ int main()
     if (kstrip::is_error(kstrip::solve_friction_jacobian(contact, motion, wet, {}, same, slopes[0], &effective)))
         return 1;
     std::printf("wet %.4f %.6f\n", same.fy.value, effective);
+
+    // A patch of any shape: here the ellipse's strips, the right half without friction
+    kstrip::patch worn{};
+    if (kstrip::is_error(kstrip::patch_from_ellipse(contact, 16, worn)))
+        return 1;
+    const auto whole = kstrip::solve(worn, motion);
+    for (std::uint32_t i = 0; i < worn.count; i++)
+        if (worn.strips[i].y > 0_m)
+            worn.strips[i].friction = 0.0;
+    kstrip::patch_summary sums{};
+    if (kstrip::is_error(kstrip::summarize(worn, sums)))
+        return 1;
+    std::printf("patch %.4f %.4f %.4f %.6f\n", whole.fx.value, whole.fy.value, sums.friction_bound.value,
+                sums.area.value * 1e6);
 
     // Strips and field
     std::array<kstrip::strip, kstrip::strips_capacity> strips;

@@ -41,6 +41,7 @@ inline constexpr int version_minor = KSTRIP_VERSION_MINOR;
 inline constexpr int version_patch = KSTRIP_VERSION_PATCH;
 inline constexpr int abi_version = KSTRIP_ABI_VERSION;
 inline constexpr std::uint32_t strips_capacity = KSTRIP_STRIPS_CAPACITY;
+inline constexpr std::uint32_t patch_capacity = KSTRIP_PATCH_CAPACITY;
 
 /// Version of the library that is linked.
 inline const char *linked_version() noexcept { return kstrip_version_string(); }
@@ -75,6 +76,13 @@ enum class [[nodiscard]] status : std::int32_t {
     error_friction_decay = KSTRIP_ERROR_FRICTION_DECAY,
     error_negative_speed = KSTRIP_ERROR_NEGATIVE_SPEED,
     error_slope_factor = KSTRIP_ERROR_SLOPE_FACTOR,
+    error_strip_size = KSTRIP_ERROR_STRIP_SIZE,
+    error_pressure = KSTRIP_ERROR_PRESSURE,
+    error_strip_order = KSTRIP_ERROR_STRIP_ORDER,
+    error_patch_size = KSTRIP_ERROR_PATCH_SIZE,
+    error_profile = KSTRIP_ERROR_PROFILE,
+    error_profile_end = KSTRIP_ERROR_PROFILE_END,
+    error_rolling_radius = KSTRIP_ERROR_ROLLING_RADIUS,
 };
 
 constexpr bool is_error(status s) noexcept { return static_cast<std::int32_t>(s) < 0; }
@@ -135,6 +143,7 @@ struct radian;
 struct metre_per_second;
 struct radian_per_second;
 struct second_per_metre;
+struct square_metre;
 } // namespace unit
 
 template <class T> using basic_metres = quantity<unit::metre, T>;
@@ -146,6 +155,7 @@ template <class T> using basic_radians = quantity<unit::radian, T>;
 template <class T> using basic_metres_per_second = quantity<unit::metre_per_second, T>;
 template <class T> using basic_radians_per_second = quantity<unit::radian_per_second, T>;
 template <class T> using basic_seconds_per_metre = quantity<unit::second_per_metre, T>;
+template <class T> using basic_square_metres = quantity<unit::square_metre, T>;
 
 using metres = basic_metres<double>;
 using newtons = basic_newtons<double>;
@@ -156,6 +166,7 @@ using radians = basic_radians<double>;
 using metres_per_second = basic_metres_per_second<double>;
 using radians_per_second = basic_radians_per_second<double>;
 using seconds_per_metre = basic_seconds_per_metre<double>;
+using square_metres = basic_square_metres<double>;
 
 using metres_f32 = basic_metres<float>;
 using newtons_f32 = basic_newtons<float>;
@@ -166,6 +177,7 @@ using radians_f32 = basic_radians<float>;
 using metres_per_second_f32 = basic_metres_per_second<float>;
 using radians_per_second_f32 = basic_radians_per_second<float>;
 using seconds_per_metre_f32 = basic_seconds_per_metre<float>;
+using square_metres_f32 = basic_square_metres<float>;
 
 /// `6.0_mm`, `80_kN`, `82_GPa`, `0.4_per_m`, `20_m_per_s`: `using namespace kstrip::literals;`
 inline namespace literals {
@@ -360,6 +372,56 @@ struct basic_friction {
     T slope_factor = T(1);
 };
 
+/// One strip of a patch of any shape.
+template <class T>
+struct basic_patch_strip {
+    basic_metres<T> y, width, half_length, centre_x;
+    basic_pascals<T> peak_pressure;
+    T friction;
+};
+
+/// A patch of any shape: its strips, in ascending y; the first `count` are used.
+template <class T>
+struct basic_patch {
+    basic_patch_strip<T> strips[patch_capacity];
+    basic_pascals<T> shear_modulus;
+    T poisson_ratio;
+    T area_scale;
+    T lever_scale;
+    std::uint32_t count;
+    std::uint32_t reserved;
+};
+
+/// What presses two profiles together.
+template <class T>
+struct basic_profile_contact {
+    basic_metres<T> rolling_radius;
+    basic_newtons<T> normal_force;
+    basic_pascals<T> shear_modulus;
+    T poisson_ratio;
+    T friction;
+};
+
+/// How two profiles meet under a load.
+template <class T>
+struct basic_profile_result {
+    basic_metres<T> penetration;
+    basic_pascals<T> peak_pressure;
+    basic_newtons<T> normal_force;
+    basic_metres<T> deepest_y;
+    std::uint32_t iterations;
+    std::uint32_t reserved;
+};
+
+/// What a patch carries.
+template <class T>
+struct basic_patch_summary {
+    basic_newtons<T> normal_force, friction_bound;
+    basic_square_metres<T> area;
+    std::uint32_t lobes;
+    std::uint32_t reserved;
+};
+
 /// Forces and their derivatives.
 template <class T>
 struct basic_linearised {
@@ -381,6 +443,11 @@ using point = basic_point<double>;
 using jacobian = basic_jacobian<double>;
 using derivatives = basic_derivatives<double>;
 using friction = basic_friction<double>;
+using patch_summary = basic_patch_summary<double>;
+using profile_result = basic_profile_result<double>;
+using profile_contact = basic_profile_contact<double>;
+using patch = basic_patch<double>;
+using patch_strip = basic_patch_strip<double>;
 
 using material_f32 = basic_material<float>;
 using combined_material_f32 = basic_combined_material<float>;
@@ -396,6 +463,11 @@ using point_f32 = basic_point<float>;
 using jacobian_f32 = basic_jacobian<float>;
 using derivatives_f32 = basic_derivatives<float>;
 using friction_f32 = basic_friction<float>;
+using patch_summary_f32 = basic_patch_summary<float>;
+using profile_result_f32 = basic_profile_result<float>;
+using profile_contact_f32 = basic_profile_contact<float>;
+using patch_f32 = basic_patch<float>;
+using patch_strip_f32 = basic_patch_strip<float>;
 
 // ---- The way to C -----------------------------------------------------------------------------
 
@@ -425,6 +497,11 @@ KSTRIP_HPP_BOTH(strip)
 KSTRIP_HPP_BOTH(point)
 KSTRIP_HPP_BOTH(derivatives)
 KSTRIP_HPP_BOTH(friction)
+KSTRIP_HPP_BOTH(patch_summary)
+KSTRIP_HPP_BOTH(profile_result)
+KSTRIP_HPP_BOTH(profile_contact)
+KSTRIP_HPP_BOTH(patch)
+KSTRIP_HPP_BOTH(patch_strip)
 #undef KSTRIP_HPP_BOTH
 #undef KSTRIP_HPP_SAME
 
@@ -503,92 +580,92 @@ status creepage_from_velocities(const basic_velocity<T> &lower, const basic_velo
 
 /// kstrip_parameters_from_creepage()
 template <class T>
-status parameters_from_creepage(const basic_contact<T> &patch, const basic_creepage<T> &motion,
+status parameters_from_creepage(const basic_contact<T> &ellipse, const basic_creepage<T> &motion,
                                 basic_parameters<T> &to) noexcept
 {
-    return KSTRIP_HPP_CALL(T, kstrip_parameters_from_creepage, detail::in(&patch), detail::in(&motion),
+    return KSTRIP_HPP_CALL(T, kstrip_parameters_from_creepage, detail::in(&ellipse), detail::in(&motion),
                            detail::out(&to));
 }
 
 /// kstrip_creepage_from_parameters()
 template <class T>
-status creepage_from_parameters(const basic_contact<T> &patch, const basic_parameters<T> &numbers,
+status creepage_from_parameters(const basic_contact<T> &ellipse, const basic_parameters<T> &numbers,
                                 basic_creepage<T> &to) noexcept
 {
-    return KSTRIP_HPP_CALL(T, kstrip_creepage_from_parameters, detail::in(&patch), detail::in(&numbers),
+    return KSTRIP_HPP_CALL(T, kstrip_creepage_from_parameters, detail::in(&ellipse), detail::in(&numbers),
                            detail::out(&to));
 }
 
 /// kstrip_solve()
 template <class T>
-status solve(const basic_contact<T> &patch, const basic_creepage<T> &motion, const options &how,
+status solve(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const options &how,
              basic_result<T> &to) noexcept
 {
-    return KSTRIP_HPP_CALL(T, kstrip_solve, detail::in(&patch), detail::in(&motion), detail::in(&how),
+    return KSTRIP_HPP_CALL(T, kstrip_solve, detail::in(&ellipse), detail::in(&motion), detail::in(&how),
                            detail::out(&to));
 }
 
 /// kstrip_solve_jacobian()
 template <class T>
-status solve_jacobian(const basic_contact<T> &patch, const basic_creepage<T> &motion, const options &how,
+status solve_jacobian(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const options &how,
                       basic_result<T> &to, basic_jacobian<T> &slopes) noexcept
 {
-    return KSTRIP_HPP_CALL(T, kstrip_solve_jacobian, detail::in(&patch), detail::in(&motion),
+    return KSTRIP_HPP_CALL(T, kstrip_solve_jacobian, detail::in(&ellipse), detail::in(&motion),
                            detail::in(&how), detail::out(&to), slopes.value);
 }
 
 /// kstrip_solve_derivatives()
 template <class T>
-status solve_derivatives(const basic_contact<T> &patch, const basic_creepage<T> &motion, const options &how,
+status solve_derivatives(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const options &how,
                          basic_result<T> &to, basic_derivatives<T> &slopes) noexcept
 {
-    return KSTRIP_HPP_CALL(T, kstrip_solve_derivatives, detail::in(&patch), detail::in(&motion),
+    return KSTRIP_HPP_CALL(T, kstrip_solve_derivatives, detail::in(&ellipse), detail::in(&motion),
                            detail::in(&how), detail::out(&to), detail::out(&slopes));
 }
 
 /// kstrip_solve_friction(); `effective`, if not null, receives the friction that agrees with the slip.
 template <class T>
-status solve_friction(const basic_contact<T> &patch, const basic_creepage<T> &motion, const basic_friction<T> &law,
+status solve_friction(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const basic_friction<T> &law,
                       const options &how, basic_result<T> &to, T *effective = nullptr) noexcept
 {
-    return KSTRIP_HPP_CALL(T, kstrip_solve_friction, detail::in(&patch), detail::in(&motion), detail::in(&law),
+    return KSTRIP_HPP_CALL(T, kstrip_solve_friction, detail::in(&ellipse), detail::in(&motion), detail::in(&law),
                            detail::in(&how), detail::out(&to), effective);
 }
 
 /// kstrip_solve_friction_jacobian()
 template <class T>
-status solve_friction_jacobian(const basic_contact<T> &patch, const basic_creepage<T> &motion,
+status solve_friction_jacobian(const basic_contact<T> &ellipse, const basic_creepage<T> &motion,
                                const basic_friction<T> &law, const options &how, basic_result<T> &to,
                                basic_jacobian<T> &slopes, T *effective = nullptr) noexcept
 {
-    return KSTRIP_HPP_CALL(T, kstrip_solve_friction_jacobian, detail::in(&patch), detail::in(&motion),
+    return KSTRIP_HPP_CALL(T, kstrip_solve_friction_jacobian, detail::in(&ellipse), detail::in(&motion),
                            detail::in(&law), detail::in(&how), detail::out(&to), slopes.value, effective);
 }
 
 /// kstrip_solve_total(), kstrip_solve_linear(), kstrip_solve_strip_1967(), kstrip_solve_strip(): programs that
 /// call only these contain only the models that they name.
 template <class T>
-status solve_total(const basic_contact<T> &patch, const basic_creepage<T> &motion, basic_result<T> &to) noexcept
+status solve_total(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, basic_result<T> &to) noexcept
 {
-    return KSTRIP_HPP_CALL(T, kstrip_solve_total, detail::in(&patch), detail::in(&motion), detail::out(&to));
+    return KSTRIP_HPP_CALL(T, kstrip_solve_total, detail::in(&ellipse), detail::in(&motion), detail::out(&to));
 }
 template <class T>
-status solve_linear(const basic_contact<T> &patch, const basic_creepage<T> &motion, basic_result<T> &to) noexcept
+status solve_linear(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, basic_result<T> &to) noexcept
 {
-    return KSTRIP_HPP_CALL(T, kstrip_solve_linear, detail::in(&patch), detail::in(&motion), detail::out(&to));
+    return KSTRIP_HPP_CALL(T, kstrip_solve_linear, detail::in(&ellipse), detail::in(&motion), detail::out(&to));
 }
 template <class T>
-status solve_strip_1967(const basic_contact<T> &patch, const basic_creepage<T> &motion, std::int32_t strips,
+status solve_strip_1967(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, std::int32_t strips,
                         basic_result<T> &to) noexcept
 {
-    return KSTRIP_HPP_CALL(T, kstrip_solve_strip_1967, detail::in(&patch), detail::in(&motion), strips,
+    return KSTRIP_HPP_CALL(T, kstrip_solve_strip_1967, detail::in(&ellipse), detail::in(&motion), strips,
                            detail::out(&to));
 }
 template <class T>
-status solve_strip(const basic_contact<T> &patch, const basic_creepage<T> &motion, std::int32_t strips,
+status solve_strip(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, std::int32_t strips,
                    basic_result<T> &to) noexcept
 {
-    return KSTRIP_HPP_CALL(T, kstrip_solve_strip, detail::in(&patch), detail::in(&motion), strips,
+    return KSTRIP_HPP_CALL(T, kstrip_solve_strip, detail::in(&ellipse), detail::in(&motion), strips,
                            detail::out(&to));
 }
 
@@ -617,22 +694,22 @@ status solve_jacobian_batch(span<const basic_contact<T>> contacts, span<const ba
 }
 
 template <class T>
-status strips(const basic_contact<T> &patch, const basic_creepage<T> &motion, const options &how,
+status strips(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const options &how,
               span<basic_strip<T>> to, std::uint32_t &count) noexcept
 {
     const auto capacity = static_cast<std::uint32_t>(fits(to.size()) ? to.size() : 0xffffffffu);
-    return KSTRIP_HPP_CALL(T, kstrip_strips, in(&patch), in(&motion), in(&how), out(to.data()), capacity,
+    return KSTRIP_HPP_CALL(T, kstrip_strips, in(&ellipse), in(&motion), in(&how), out(to.data()), capacity,
                            &count);
 }
 
 template <class T>
-status field(const basic_contact<T> &patch, const basic_creepage<T> &motion, const options &how,
+status field(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const options &how,
              span<const basic_metres<T>> x, span<const basic_metres<T>> y, span<basic_point<T>> to) noexcept
 {
     if (!fits(x.size()) || !fits(y.size()))
         return status::error_capacity;
     const auto capacity = static_cast<std::uint32_t>(fits(to.size()) ? to.size() : 0xffffffffu);
-    return KSTRIP_HPP_CALL(T, kstrip_field, in(&patch), in(&motion), in(&how), in(x.data()),
+    return KSTRIP_HPP_CALL(T, kstrip_field, in(&ellipse), in(&motion), in(&how), in(x.data()),
                            static_cast<std::uint32_t>(x.size()), in(y.data()),
                            static_cast<std::uint32_t>(y.size()), out(to.data()), capacity);
 }
@@ -663,36 +740,36 @@ inline status solve_jacobian_batch(span<const contact_f32> contacts, span<const 
 }
 
 /// kstrip_strips(): writes the first `count` elements; strips_capacity of them are always enough.
-inline status strips(const contact &patch, const creepage &motion, const options &how, span<strip> to,
+inline status strips(const contact &ellipse, const creepage &motion, const options &how, span<strip> to,
                      std::uint32_t &count) noexcept
 {
-    return detail::strips<double>(patch, motion, how, to, count);
+    return detail::strips<double>(ellipse, motion, how, to, count);
 }
-inline status strips(const contact_f32 &patch, const creepage_f32 &motion, const options &how,
+inline status strips(const contact_f32 &ellipse, const creepage_f32 &motion, const options &how,
                      span<strip_f32> to, std::uint32_t &count) noexcept
 {
-    return detail::strips<float>(patch, motion, how, to, count);
+    return detail::strips<float>(ellipse, motion, how, to, count);
 }
 
 /// kstrip_traction_at()
 template <class T>
-status traction_at(const basic_contact<T> &patch, const basic_creepage<T> &motion, const options &how,
+status traction_at(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const options &how,
                    basic_metres<T> x, basic_metres<T> y, basic_point<T> &to) noexcept
 {
-    return KSTRIP_HPP_CALL(T, kstrip_traction_at, detail::in(&patch), detail::in(&motion), detail::in(&how),
+    return KSTRIP_HPP_CALL(T, kstrip_traction_at, detail::in(&ellipse), detail::in(&motion), detail::in(&how),
                            x.value, y.value, detail::out(&to));
 }
 
 /// kstrip_field(): the point (x[i], y[j]) is to[j * x.size() + i].
-inline status field(const contact &patch, const creepage &motion, const options &how,
+inline status field(const contact &ellipse, const creepage &motion, const options &how,
                     span<const metres> x, span<const metres> y, span<point> to) noexcept
 {
-    return detail::field<double>(patch, motion, how, x, y, to);
+    return detail::field<double>(ellipse, motion, how, x, y, to);
 }
-inline status field(const contact_f32 &patch, const creepage_f32 &motion, const options &how,
+inline status field(const contact_f32 &ellipse, const creepage_f32 &motion, const options &how,
                     span<const metres_f32> x, span<const metres_f32> y, span<point_f32> to) noexcept
 {
-    return detail::field<float>(patch, motion, how, x, y, to);
+    return detail::field<float>(ellipse, motion, how, x, y, to);
 }
 
 /// kstrip_result_on_upper_body(): it cannot fail here.
@@ -702,6 +779,142 @@ basic_result<T> on_upper_body(const basic_result<T> &lower) noexcept
     basic_result<T> upper{};
     static_cast<void>(KSTRIP_HPP_CALL(T, kstrip_result_on_upper_body, detail::in(&lower), detail::out(&upper)));
     return upper;
+}
+
+// ---- Patches of any shape ---------------------------------------------------------------------
+
+/// kstrip_patch_from_ellipse()
+template <class T>
+status patch_from_ellipse(const basic_contact<T> &ellipse, std::int32_t count, basic_patch<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(T, kstrip_patch_from_ellipse, detail::in(&ellipse), count, detail::out(&to));
+}
+
+namespace detail {
+template <class T>
+status patch_from_strips(span<const basic_patch_strip<T>> from, basic_pascals<T> shear_modulus, T poisson_ratio,
+                         basic_patch<T> &to) noexcept
+{
+    if (!fits(from.size()))
+        return status::error_patch_size;
+    return KSTRIP_HPP_CALL(T, kstrip_patch_from_strips, in(from.data()), static_cast<std::uint32_t>(from.size()),
+                           shear_modulus.value, poisson_ratio, out(&to));
+}
+
+template <class T>
+status patch_from_profile(span<const basic_metres<T>> y, span<const basic_metres<T>> distance,
+                          const basic_profile_contact<T> &load, std::int32_t count, basic_patch<T> &to,
+                          basic_profile_result<T> &how_they_meet) noexcept
+{
+    if (y.size() != distance.size() || !fits(y.size()))
+        return status::error_capacity;
+    return KSTRIP_HPP_CALL(T, kstrip_patch_from_profile, in(y.data()), in(distance.data()),
+                           static_cast<std::uint32_t>(y.size()), in(&load), count, out(&to), out(&how_they_meet));
+}
+
+template <class T>
+status patch_strips(const basic_patch<T> &area, const basic_creepage<T> &motion, const options &how,
+                    span<basic_strip<T>> to, std::uint32_t &count) noexcept
+{
+    const auto capacity = static_cast<std::uint32_t>(fits(to.size()) ? to.size() : 0xffffffffu);
+    return KSTRIP_HPP_CALL(T, kstrip_patch_strips, in(&area), in(&motion), in(&how), out(to.data()), capacity,
+                           &count);
+}
+
+template <class T>
+status patch_field(const basic_patch<T> &area, const basic_creepage<T> &motion, const options &how,
+                   span<const basic_metres<T>> x, span<const basic_metres<T>> y, span<basic_point<T>> to) noexcept
+{
+    if (!fits(x.size()) || !fits(y.size()))
+        return status::error_capacity;
+    const auto capacity = static_cast<std::uint32_t>(fits(to.size()) ? to.size() : 0xffffffffu);
+    return KSTRIP_HPP_CALL(T, kstrip_patch_field, in(&area), in(&motion), in(&how), in(x.data()),
+                           static_cast<std::uint32_t>(x.size()), in(y.data()),
+                           static_cast<std::uint32_t>(y.size()), out(to.data()), capacity);
+}
+} // namespace detail
+
+/// kstrip_patch_from_strips()
+inline status patch_from_strips(span<const patch_strip> from, pascals shear_modulus, double poisson_ratio,
+                                patch &to) noexcept
+{
+    return detail::patch_from_strips<double>(from, shear_modulus, poisson_ratio, to);
+}
+inline status patch_from_strips(span<const patch_strip_f32> from, pascals_f32 shear_modulus, float poisson_ratio,
+                                patch_f32 &to) noexcept
+{
+    return detail::patch_from_strips<float>(from, shear_modulus, poisson_ratio, to);
+}
+
+/// kstrip_patch_from_profile(). Arrays of different sizes: error_capacity.
+inline status patch_from_profile(span<const metres> y, span<const metres> distance, const profile_contact &load,
+                                 std::int32_t count, patch &to, profile_result &how_they_meet) noexcept
+{
+    return detail::patch_from_profile<double>(y, distance, load, count, to, how_they_meet);
+}
+inline status patch_from_profile(span<const metres_f32> y, span<const metres_f32> distance,
+                                 const profile_contact_f32 &load, std::int32_t count, patch_f32 &to,
+                                 profile_result_f32 &how_they_meet) noexcept
+{
+    return detail::patch_from_profile<float>(y, distance, load, count, to, how_they_meet);
+}
+
+/// kstrip_patch_summarize()
+template <class T>
+status summarize(const basic_patch<T> &area, basic_patch_summary<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(T, kstrip_patch_summarize, detail::in(&area), detail::out(&to));
+}
+
+/// kstrip_patch_solve()
+template <class T>
+status solve(const basic_patch<T> &area, const basic_creepage<T> &motion, const options &how,
+             basic_result<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(T, kstrip_patch_solve, detail::in(&area), detail::in(&motion), detail::in(&how),
+                           detail::out(&to));
+}
+
+/// kstrip_patch_jacobian()
+template <class T>
+status solve_jacobian(const basic_patch<T> &area, const basic_creepage<T> &motion, const options &how,
+                      basic_result<T> &to, basic_jacobian<T> &slopes) noexcept
+{
+    return KSTRIP_HPP_CALL(T, kstrip_patch_jacobian, detail::in(&area), detail::in(&motion), detail::in(&how),
+                           detail::out(&to), slopes.value);
+}
+
+/// kstrip_patch_strips()
+inline status strips(const patch &area, const creepage &motion, const options &how, span<strip> to,
+                     std::uint32_t &count) noexcept
+{
+    return detail::patch_strips<double>(area, motion, how, to, count);
+}
+inline status strips(const patch_f32 &area, const creepage_f32 &motion, const options &how, span<strip_f32> to,
+                     std::uint32_t &count) noexcept
+{
+    return detail::patch_strips<float>(area, motion, how, to, count);
+}
+
+/// kstrip_patch_traction_at()
+template <class T>
+status traction_at(const basic_patch<T> &area, const basic_creepage<T> &motion, const options &how,
+                   basic_metres<T> x, basic_metres<T> y, basic_point<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(T, kstrip_patch_traction_at, detail::in(&area), detail::in(&motion), detail::in(&how),
+                           x.value, y.value, detail::out(&to));
+}
+
+/// kstrip_patch_field()
+inline status field(const patch &area, const creepage &motion, const options &how, span<const metres> x,
+                    span<const metres> y, span<point> to) noexcept
+{
+    return detail::patch_field<double>(area, motion, how, x, y, to);
+}
+inline status field(const patch_f32 &area, const creepage_f32 &motion, const options &how,
+                    span<const metres_f32> x, span<const metres_f32> y, span<point_f32> to) noexcept
+{
+    return detail::patch_field<float>(area, motion, how, x, y, to);
 }
 
 // ---- The same, returning their output and throwing --------------------------------------------
@@ -742,45 +955,53 @@ basic_creepage<T> creepage_from_velocities(const basic_velocity<T> &lower, const
 }
 
 template <class T>
-basic_parameters<T> parameters_from_creepage(const basic_contact<T> &patch, const basic_creepage<T> &motion)
+basic_parameters<T> parameters_from_creepage(const basic_contact<T> &ellipse, const basic_creepage<T> &motion)
 {
     basic_parameters<T> to{};
-    detail::check(parameters_from_creepage(patch, motion, to));
+    detail::check(parameters_from_creepage(ellipse, motion, to));
     return to;
 }
 
 template <class T>
-basic_creepage<T> creepage_from_parameters(const basic_contact<T> &patch, const basic_parameters<T> &numbers)
+basic_creepage<T> creepage_from_parameters(const basic_contact<T> &ellipse, const basic_parameters<T> &numbers)
 {
     basic_creepage<T> to{};
-    detail::check(creepage_from_parameters(patch, numbers, to));
+    detail::check(creepage_from_parameters(ellipse, numbers, to));
     return to;
 }
 
 /// The forces; their warning, if any, is in status_detail.
 template <class T>
-basic_result<T> solve(const basic_contact<T> &patch, const basic_creepage<T> &motion, const options &how = {})
+basic_result<T> solve(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const options &how = {})
 {
     basic_result<T> to{};
-    detail::check(solve(patch, motion, how, to));
+    detail::check(solve(ellipse, motion, how, to));
     return to;
 }
 
 template <class T>
-basic_linearised<T> solve_jacobian(const basic_contact<T> &patch, const basic_creepage<T> &motion,
+basic_result<T> solve(const basic_patch<T> &area, const basic_creepage<T> &motion, const options &how = {})
+{
+    basic_result<T> to{};
+    detail::check(solve(area, motion, how, to));
+    return to;
+}
+
+template <class T>
+basic_linearised<T> solve_jacobian(const basic_contact<T> &ellipse, const basic_creepage<T> &motion,
                                    const options &how = {})
 {
     basic_linearised<T> to{};
-    detail::check(solve_jacobian(patch, motion, how, to.result, to.jacobian));
+    detail::check(solve_jacobian(ellipse, motion, how, to.result, to.jacobian));
     return to;
 }
 
 template <class T>
-basic_point<T> traction_at(const basic_contact<T> &patch, const basic_creepage<T> &motion,
+basic_point<T> traction_at(const basic_contact<T> &ellipse, const basic_creepage<T> &motion,
                            const options &how, basic_metres<T> x, basic_metres<T> y)
 {
     basic_point<T> to{};
-    detail::check(traction_at(patch, motion, how, x, y, to));
+    detail::check(traction_at(ellipse, motion, how, x, y, to));
     return to;
 }
 #endif

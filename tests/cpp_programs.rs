@@ -11,6 +11,7 @@ use kstrip::derivatives;
 use kstrip::friction::{self, SlipFriction};
 use kstrip::hertz::{Radii, hertz};
 use kstrip::model::{self, Options};
+use std::f64::consts::PI;
 use toolchain::{cpp_compilers, root, run_cpp, say, scratch};
 
 const STANDARDS: [&str; 2] = ["c++17", "c++20"];
@@ -95,6 +96,11 @@ fn example_prints_what_rust_computes() {
     let solution = friction::solve(&contact, &motion, &wet, &options).expect("a solution");
     close(numbers(text, "wet")[0][0], solution.solution.fy, 4);
     close(numbers(text, "wet")[0][1], solution.friction, 6);
+    // The patch of the ellipse's strips carries the ellipse's forces, half of its bound, and its area
+    let area = &numbers(text, "patch")[0];
+    assert!((area[0] - forces.fx).abs() < 1e-3 && (area[1] - forces.fy).abs() < 1e-3, "{area:?}");
+    close(area[2], 12e3, 4);
+    close(area[3], PI * patch.a * patch.b * 1e6, 6);
     // The strips add up to the force, to rounding
     let strips = &numbers(text, "strips")[0];
     assert!(strips[0] >= 16.0 && (strips[1] - forces.fx).abs() < 1e-3, "{strips:?}");

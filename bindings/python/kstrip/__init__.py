@@ -189,6 +189,31 @@ def field(one_contact, one_creepage, x, y, model="strip", strips=16):
     return points
 
 
+def patch_from_profile(y, distance, *, rolling_radius, normal_force, shear_modulus, poisson_ratio, friction, strips=32):
+    """A patch of any shape, from the distance [m] of two undeformed profiles over y [m] (Kik and Piotrowski).
+
+    Returns the patch, whose members may be changed (friction per strip), and how the profiles meet.
+    """
+    y, distance = (np.ascontiguousarray(v, np.float64).ravel() for v in (y, distance))
+    load = structures["kstrip_profile_contact"](rolling_radius, normal_force, shear_modulus, poisson_ratio, friction)
+    patch, found = np.zeros((), dtypes["patch"]), np.zeros((), dtypes["profile_result"])
+    if y.size != distance.size:
+        raise ValueError("y and distance have different sizes")
+    _check(lib.kstrip_patch_from_profile(y.ctypes.data, distance.ctypes.data, y.size, ctypes.byref(load), strips, patch.ctypes.data, found.ctypes.data))
+    return patch, found
+
+
+def patch_solve(patch, creepages, model="strip"):
+    """Forces of one patch for one or many creepages."""
+    creepages = np.asarray(creepages)
+    flat = np.ascontiguousarray(creepages).ravel()
+    results = np.zeros(flat.size, dtypes["result"])
+    options = _options(model, 16)
+    for i in range(flat.size):
+        _check(lib.kstrip_patch_solve(patch.ctypes.data, flat[i:].ctypes.data, options, results[i:].ctypes.data))
+    return results.reshape(creepages.shape)
+
+
 def combine(lower, upper):
     """Combined (shear modulus [Pa], Poisson's ratio, mismatch) of two bodies (shear modulus, Poisson's ratio)."""
     made = structures["kstrip_combined_material"]()

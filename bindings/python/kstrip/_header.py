@@ -18,7 +18,7 @@ SCALARS = {
 COMMENT = r"(?:/\*\*(?P<comment>(?:(?!\*/).)*)\*/\s*)?"
 CONSTANT = re.compile(r"^#define (KSTRIP_\w+) (-?\d+)", re.M)
 STRUCTURE = re.compile(COMMENT + r"typedef struct (?P<name>kstrip_\w+) \{(?P<body>.*?)\n\}", re.S)
-MEMBER = re.compile(r"^\s*(?:struct )?(\w+) (\w+)(?:\[(\d+)\])?;", re.M)
+MEMBER = re.compile(r"^\s*(?:struct )?(\w+) (\w+)(?:\[(\w+)\])?;", re.M)
 FUNCTION = re.compile(
     COMMENT + r"^(?P<result>kstrip_status|int32_t|const char \*)\s*(?P<name>kstrip_\w+)\((?P<arguments>[^)]*)\);",
     re.S | re.M,
@@ -38,13 +38,14 @@ def constants(header):
 
 def structures(header):
     """kstrip_name: ctypes structure with the comment of the header"""
-    found = {}
+    found, known = {}, constants(header)
     for match in STRUCTURE.finditer(header):
         body = re.sub(r"/\*.*?\*/", "", match["body"], flags=re.S)
         fields = []
         for kind, name, count in MEMBER.findall(body):
             member = SCALARS.get(kind) or found[kind]
-            fields.append((name, member * int(count) if count else member))
+            # A number, or a constant of the header
+            fields.append((name, member * int(known.get(count, count)) if count else member))
         doc = text_of(match["comment"])
         found[match["name"]] = type(match["name"], (ctypes.Structure,), {"_fields_": fields, "__doc__": doc})
     return found

@@ -92,6 +92,19 @@ class Binding(unittest.TestCase):
         self.assertLess(abs(wet["fx"][3] - 0.4 * BOUND), 1e-6 * BOUND)
         self.assertGreater(wet["fx"][1], wet["fx"][2])
 
+    def test_patch_from_profiles(self):
+        y = np.linspace(-12e-3, 12e-3, 241)
+        # Two bottoms: two lobes, whose bound no force exceeds and full sliding reaches
+        distance = 70e-6 * ((y / 4.5e-3) ** 2 - 1) ** 2
+        patch, found = kstrip.patch_from_profile(y, distance, rolling_radius=0.46, normal_force=80e3, shear_modulus=82e9,
+                                                 poisson_ratio=0.28, friction=0.35)
+        self.assertLess(abs(found["normal_force"] - 80e3), 1e-6 * 80e3)
+        forces = kstrip.patch_solve(patch, kstrip.creepage(np.array([1e-4, 1.0])))
+        self.assertLess(abs(forces["fx"][1] - 0.35 * 80e3), 1e-3 * 28e3)
+        self.assertTrue(0 < forces["fx"][0] < forces["fx"][1])
+        patch["strips"]["friction"] = 0.0
+        self.assertEqual(kstrip.patch_solve(patch, kstrip.creepage(1.0))["fx"], 0)
+
     def test_hertz_and_upper_body(self):
         ellipse = kstrip.hertz(lower_x=np.inf, lower_y=np.inf, upper_x=0.1, upper_y=0.1, normal_force=1e3, shear_modulus=82e9, poisson_ratio=0.28)
         # Circle: a^3 = 3 N R/(4 E*)
