@@ -82,6 +82,16 @@ int main()
         return 1;
     std::printf("wet %.4f %.6f\n", same.fy.value, effective);
 
+    // The same from one array for each quantity; only fx is wanted
+    const kstrip::batch_inputs from{&contact.a, &contact.b, &contact.normal_force, &contact.shear_modulus,
+                                    &contact.poisson_ratio, &contact.friction, &motion.longitudinal,
+                                    &motion.lateral, &motion.spin};
+    kstrip::newtons only_fx;
+    kstrip::batch_outputs wanted{};
+    wanted.fx = &only_fx;
+    if (kstrip::is_error(kstrip::solve_batch_arrays(1, from, {}, wanted)) || only_fx != forces.fx)
+        return 1;
+
     // A patch of any shape: here the ellipse's strips, the right half without friction
     kstrip::patch worn{};
     if (kstrip::is_error(kstrip::patch_from_ellipse(contact, 16, worn)))

@@ -372,6 +372,28 @@ struct basic_friction {
     T slope_factor = T(1);
 };
 
+/// Arrays, one for each quantity, for solve_batch_arrays().
+template <class T>
+struct basic_batch_inputs {
+    const basic_metres<T> *a, *b;
+    const basic_newtons<T> *normal_force;
+    const basic_pascals<T> *shear_modulus;
+    const T *poisson_ratio;
+    const T *friction;
+    const T *longitudinal, *lateral;
+    const basic_per_metre<T> *spin;
+};
+
+/// Where solve_batch_arrays() writes; null where a quantity is not wanted.
+template <class T>
+struct basic_batch_outputs {
+    basic_newtons<T> *fx, *fy;
+    basic_newton_metres<T> *mz;
+    basic_newtons<T> *power;
+    T *adhesion;
+    kstrip::status *status_detail;
+};
+
 /// One strip of a patch of any shape.
 template <class T>
 struct basic_patch_strip {
@@ -443,6 +465,8 @@ using point = basic_point<double>;
 using jacobian = basic_jacobian<double>;
 using derivatives = basic_derivatives<double>;
 using friction = basic_friction<double>;
+using batch_outputs = basic_batch_outputs<double>;
+using batch_inputs = basic_batch_inputs<double>;
 using patch_summary = basic_patch_summary<double>;
 using profile_result = basic_profile_result<double>;
 using profile_contact = basic_profile_contact<double>;
@@ -463,6 +487,8 @@ using point_f32 = basic_point<float>;
 using jacobian_f32 = basic_jacobian<float>;
 using derivatives_f32 = basic_derivatives<float>;
 using friction_f32 = basic_friction<float>;
+using batch_outputs_f32 = basic_batch_outputs<float>;
+using batch_inputs_f32 = basic_batch_inputs<float>;
 using patch_summary_f32 = basic_patch_summary<float>;
 using profile_result_f32 = basic_profile_result<float>;
 using profile_contact_f32 = basic_profile_contact<float>;
@@ -497,6 +523,8 @@ KSTRIP_HPP_BOTH(strip)
 KSTRIP_HPP_BOTH(point)
 KSTRIP_HPP_BOTH(derivatives)
 KSTRIP_HPP_BOTH(friction)
+KSTRIP_HPP_BOTH(batch_outputs)
+KSTRIP_HPP_BOTH(batch_inputs)
 KSTRIP_HPP_BOTH(patch_summary)
 KSTRIP_HPP_BOTH(profile_result)
 KSTRIP_HPP_BOTH(profile_contact)
@@ -749,6 +777,14 @@ inline status strips(const contact_f32 &ellipse, const creepage_f32 &motion, con
                      span<strip_f32> to, std::uint32_t &count) noexcept
 {
     return detail::strips<float>(ellipse, motion, how, to, count);
+}
+
+/// kstrip_solve_batch_arrays()
+template <class T>
+status solve_batch_arrays(std::uint32_t count, const basic_batch_inputs<T> &from, const options &how,
+                          const basic_batch_outputs<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(T, kstrip_solve_batch_arrays, count, detail::in(&from), detail::in(&how), detail::in(&to));
 }
 
 /// kstrip_traction_at()

@@ -18,7 +18,7 @@ SCALARS = {
 COMMENT = r"(?:/\*\*(?P<comment>(?:(?!\*/).)*)\*/\s*)?"
 CONSTANT = re.compile(r"^#define (KSTRIP_\w+) (-?\d+)", re.M)
 STRUCTURE = re.compile(COMMENT + r"typedef struct (?P<name>kstrip_\w+) \{(?P<body>.*?)\n\}", re.S)
-MEMBER = re.compile(r"^\s*(?:struct )?(\w+) (\w+)(?:\[(\w+)\])?;", re.M)
+MEMBER = re.compile(r"^\s*(?:const )?(?:struct )?(\w+) (\*?)(\w+)(?:\[(\w+)\])?;", re.M)
 FUNCTION = re.compile(
     COMMENT + r"^(?P<result>kstrip_status|int32_t|const char \*)\s*(?P<name>kstrip_\w+)\((?P<arguments>[^)]*)\);",
     re.S | re.M,
@@ -42,8 +42,9 @@ def structures(header):
     for match in STRUCTURE.finditer(header):
         body = re.sub(r"/\*.*?\*/", "", match["body"], flags=re.S)
         fields = []
-        for kind, name, count in MEMBER.findall(body):
-            member = SCALARS.get(kind) or found[kind]
+        for kind, pointer, name, count in MEMBER.findall(body):
+            # Pointers are addresses.
+            member = ctypes.c_size_t if pointer else SCALARS.get(kind) or found[kind]
             # A number, or a constant of the header
             fields.append((name, member * int(known.get(count, count)) if count else member))
         doc = text_of(match["comment"])
