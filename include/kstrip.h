@@ -69,6 +69,16 @@
 #define KSTRIP_MODEL_LINEAR 5
 
 /**
+ * The longitudinal force was measured.
+ */
+#define KSTRIP_MEASURED_FX 1
+
+/**
+ * The lateral force was measured.
+ */
+#define KSTRIP_MEASURED_FY 2
+
+/**
  * State of a point: outside the contact.
  */
 #define KSTRIP_STATE_OUTSIDE 0
@@ -1281,6 +1291,58 @@ typedef struct kstrip_friction_f32 {
 } kstrip_friction_f32;
 
 /**
+ * A coefficient of friction from a measured force.
+ */
+typedef struct kstrip_friction_estimate {
+    /**
+     * Coefficient of friction [-]; a lower bound with KSTRIP_WARNING_FRICTION_AT_LEAST.
+     */
+    double friction;
+    /**
+     * d(friction)/d(force) [1/N]: what an error of the measured force does to it; 0 for a lower bound.
+     */
+    double sensitivity;
+    /**
+     * Distance between the measured and the computed force [N], of the components that were measured.
+     */
+    double residual;
+    /**
+     * The status of this result: 0 or one of the KSTRIP_WARNING constants.
+     */
+    int32_t status_detail;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
+} kstrip_friction_estimate;
+
+/**
+ * A coefficient of friction from a measured force, single precision.
+ */
+typedef struct kstrip_friction_estimate_f32 {
+    /**
+     * Coefficient of friction [-]; a lower bound with KSTRIP_WARNING_FRICTION_AT_LEAST.
+     */
+    float friction;
+    /**
+     * d(friction)/d(force) [1/N]: what an error of the measured force does to it; 0 for a lower bound.
+     */
+    float sensitivity;
+    /**
+     * Distance between the measured and the computed force [N], of the components that were measured.
+     */
+    float residual;
+    /**
+     * The status of this result: 0 or one of the KSTRIP_WARNING constants.
+     */
+    int32_t status_detail;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
+} kstrip_friction_estimate_f32;
+
+/**
  * Success.
  */
 #define KSTRIP_OK 0
@@ -1302,8 +1364,8 @@ typedef struct kstrip_friction_f32 {
 #define KSTRIP_WARNING_BEYOND_FRICTION 3
 
 /**
- * Warning: falling friction and slip agree at more than one coefficient of friction; the result has the
- * largest, which is reached from adhesion.
+ * Warning: more than one coefficient of friction fits. Under falling friction the result has the largest,
+ * which is reached from adhesion; an estimate from a measured force is the smallest.
  */
 #define KSTRIP_WARNING_SEVERAL_FRICTIONS 4
 
@@ -1311,6 +1373,16 @@ typedef struct kstrip_friction_f32 {
  * Warning: a bounded iteration ended before its result was accurate to rounding.
  */
 #define KSTRIP_WARNING_NOT_CONVERGED 5
+
+/**
+ * Warning: the contact sticks, and the measured force tells only a lower bound of friction.
+ */
+#define KSTRIP_WARNING_FRICTION_AT_LEAST 6
+
+/**
+ * Warning: the wanted force is that of full sliding, which every larger creepage gives as well.
+ */
+#define KSTRIP_WARNING_CREEPAGE_AT_LEAST 7
 
 /**
  * Error: a required pointer is NULL.
@@ -1401,6 +1473,21 @@ typedef struct kstrip_friction_f32 {
  * Error: the factor of the initial slope is outside (0, 1].
  */
 #define KSTRIP_ERROR_SLOPE_FACTOR -18
+
+/**
+ * Error: no friction explains the measured force.
+ */
+#define KSTRIP_ERROR_UNEXPLAINED -19
+
+/**
+ * Error: the wanted force exceeds mu N.
+ */
+#define KSTRIP_ERROR_FORCE_BEYOND_FRICTION -20
+
+/**
+ * Error: what was measured is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum.
+ */
+#define KSTRIP_ERROR_MEASURED -21
 
 /**
  * Error: a strip of a patch has a width or half length that is not positive.
@@ -2254,6 +2341,78 @@ kstrip_status kstrip_solve_friction_jacobian_f32(const struct kstrip_contact_f32
                                                  struct kstrip_result_f32 *result,
                                                  float *jacobian,
                                                  float *effective);
+
+/**
+ * The coefficient of friction that explains a measured force at a known creepage.
+ *
+ * Bounded iterations, about twenty solutions. The force grows with friction from full sliding, where it is
+ * friction times load, to adhesion, where it does not depend on it: there (less than a twentieth of the
+ * friction used, or more force than linear theory gives) the status is KSTRIP_WARNING_FRICTION_AT_LEAST and
+ * the result is the used friction |force|/load, a lower bound. Where spin opposes the creepage more than one
+ * friction may fit: KSTRIP_WARNING_SEVERAL_FRICTIONS, the result is the smallest. KSTRIP_MODEL_TOTAL suits best;
+ * the force of KSTRIP_MODEL_STRIP has ripples over friction (1 % of it), and pairs of solutions closer than a
+ * third go unnoticed.
+ *
+ * @param contact         ellipse, load, material; its friction is ignored.
+ * @param creepage        motion.
+ * @param options         model and strip count; NULL for the defaults. Not KSTRIP_MODEL_LINEAR.
+ * @param measured        KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added: then the resultant counts.
+ * @param fx, fy          measured forces on the lower body [N]; what was not measured is ignored.
+ * @param[out] estimate   receives friction, its sensitivity, and how far the force is off.
+ * @return as kstrip_solve(); KSTRIP_WARNING_FRICTION_AT_LEAST, KSTRIP_WARNING_SEVERAL_FRICTIONS,
+ *         KSTRIP_WARNING_NOT_CONVERGED;
+ *         KSTRIP_ERROR_NOT_IN_MODEL, KSTRIP_ERROR_MEASURED, KSTRIP_ERROR_UNEXPLAINED.
+ */
+kstrip_status kstrip_estimate_friction(const struct kstrip_contact *contact,
+                                       const struct kstrip_creepage *creepage,
+                                       const struct kstrip_options *options,
+                                       uint32_t measured,
+                                       double fx,
+                                       double fy,
+                                       struct kstrip_friction_estimate *estimate);
+
+/**
+ * The creepage at which a contact with a given spin carries a wanted force.
+ *
+ * Bounded iterations, about six solutions with derivatives. A force within 0.1 % of friction times load is that of
+ * full sliding: the status is KSTRIP_WARNING_CREEPAGE_AT_LEAST, the result is the creepage that comes as near
+ * as that, and larger ones do as well.
+ *
+ * @param contact         ellipse, load, material, friction.
+ * @param fx, fy          wanted force on the lower body [N].
+ * @param spin            given spin [1/m].
+ * @param options         model and strip count; NULL for the defaults.
+ * @param[out] creepage   receives the creepages, and the given spin.
+ * @return as kstrip_solve(); KSTRIP_WARNING_CREEPAGE_AT_LEAST, KSTRIP_WARNING_NOT_CONVERGED;
+ *         KSTRIP_ERROR_FORCE_BEYOND_FRICTION.
+ */
+kstrip_status kstrip_creepage_for_force(const struct kstrip_contact *contact,
+                                        double fx,
+                                        double fy,
+                                        double spin,
+                                        const struct kstrip_options *options,
+                                        struct kstrip_creepage *creepage);
+
+/**
+ * kstrip_estimate_friction() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_estimate_friction_f32(const struct kstrip_contact_f32 *contact,
+                                           const struct kstrip_creepage_f32 *creepage,
+                                           const struct kstrip_options *options,
+                                           uint32_t measured,
+                                           float fx,
+                                           float fy,
+                                           struct kstrip_friction_estimate_f32 *estimate);
+
+/**
+ * kstrip_creepage_for_force() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_creepage_for_force_f32(const struct kstrip_contact_f32 *contact,
+                                            float fx,
+                                            float fy,
+                                            float spin,
+                                            const struct kstrip_options *options,
+                                            struct kstrip_creepage_f32 *creepage);
 
 #ifdef __cplusplus
 }  // extern "C"

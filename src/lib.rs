@@ -18,6 +18,7 @@
 //!    theory, strips that follow the slip, and calibrated total forces.
 //! 7. [`model`]: contact and creepage to forces, derivatives, strips and fields, for every model.
 //! 8. [`derivatives`]: with respect to load and friction as well. [`friction`]: friction that falls with the slip.
+//!    [`rig`]: from a measured force to friction, from a wanted force to creepage.
 //! 9. [`patch`], [`kik_piotrowski`], [`patch_solver`]: a patch of any shape as its strips.
 //! 10. [`ffi`]: all of it for C (`include/kstrip.h`).
 //!
@@ -77,6 +78,7 @@ pub mod patch;
 pub mod patch_solver;
 pub mod quadrature;
 pub mod real;
+pub mod rig;
 pub mod rolling_strip;
 pub mod status;
 pub mod strip;

@@ -47,6 +47,12 @@ pub enum Error {
     NegativeSpeed = -17,
     /// The factor of the initial slope is outside `(0, 1]`.
     SlopeFactor = -18,
+    /// No friction explains the measured force: it points against the slip, or there is no load.
+    Unexplained = -19,
+    /// The wanted force exceeds `mu N`.
+    ForceBeyondFriction = -20,
+    /// What was measured is none of the longitudinal force, the lateral force, and both.
+    Measured = -21,
     /// A strip of a patch has a width or half length that is not positive.
     StripSize = -40,
     /// The peak pressure of a strip is negative.
@@ -98,11 +104,15 @@ pub enum Notice {
     OutsideRange = 2,
     /// The linear model knows no friction bound, and its force exceeds `mu N`.
     BeyondFriction = 3,
-    /// Falling friction and slip agree at more than one coefficient of friction. The result has the
-    /// largest, which is reached from adhesion.
+    /// More than one coefficient of friction fits. Under falling friction the result has the largest, which is
+    /// reached from adhesion; an estimate from a measured force is the smallest.
     SeveralFrictions = 4,
     /// A bounded iteration ended before its result was accurate to rounding.
     NotConverged = 5,
+    /// The contact sticks: the measured force tells only that friction is not smaller than the result.
+    FrictionAtLeast = 6,
+    /// The wanted force is that of full sliding, which every larger creepage gives as well.
+    CreepageAtLeast = 7,
 }
 
 impl Notice {
@@ -126,9 +136,15 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
         }
         3 => c"the linear force exceeds mu N; use a model with saturation",
         4 => {
-            c"falling friction has more than one solution here: result is the one with the largest friction, reached from adhesion"
+            c"more than one coefficient of friction fits: falling friction gives the largest (reached from adhesion), an estimate the smallest"
         }
         5 => c"a bounded iteration ended before its result was accurate to rounding",
+        6 => {
+            c"the contact sticks, so that its force does not tell the friction: result is a lower bound; measure at more creepage"
+        }
+        7 => {
+            c"the wanted force is that of full sliding: result is the creepage that reaches it, any larger one gives it as well"
+        }
         -1 => c"a required pointer is NULL: pass the address of a structure or array",
         -2 => c"an input is infinite or NaN: pass finite numbers",
         -3 => c"a semi-axis of the contact ellipse is not positive: a and b must be > 0 (metres)",
@@ -153,6 +169,11 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
         -16 => c"the decay of falling friction is negative: it must be >= 0 (s/m)",
         -17 => c"the rolling speed is negative: it must be >= 0 (m/s)",
         -18 => c"the factor of the initial slope must be > 0 and <= 1",
+        -19 => {
+            c"no friction explains the measured force: it points against the slip, or there is no load; check signs (forces act on the lower body) and creepage"
+        }
+        -20 => c"the wanted force exceeds mu N: no creepage gives it",
+        -21 => c"unknown measurement: use KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added",
         -40 => c"a strip of the patch has a width or a half length that is not positive (metres)",
         -41 => c"the peak pressure of a strip is negative: it must be >= 0 (pascals)",
         -42 => c"strips of the patch overlap, or are not in ascending order of y",

@@ -11,9 +11,8 @@ use core::mem::{offset_of, size_of};
 use header::{Declared, Structure};
 use kstrip::contact::Contact;
 use kstrip::creepage::Creepage;
-use kstrip::ffi::{
-    self, batch::*, derivatives::*, friction::*, patch_types::*, types::*, types_f32::*,
-};
+use kstrip::ffi::types_f32::*;
+use kstrip::ffi::{self, batch::*, derivatives::*, friction::*, patch_types::*, rig::*, types::*};
 use kstrip::kik_piotrowski::ProfileContact;
 use kstrip::model::{self, Field, Model, Options, StripResult};
 use kstrip::patch::Patch;
@@ -647,7 +646,8 @@ fn expected_statuses() -> BTreeMap<&'static str, i32> {
             "options.ok young.ok combine.ok hertz.ok velocities.ok parameters.ok creepage.ok \
              solve.ok solve.default jacobian.ok batch.ok batch.empty strips.ok \
              point.ok point.outside field.ok f32.solve.ok solve.load_zero solve.friction_zero \
-             derivatives.ok jacobians.ok friction.constant friction.ok friction.jacobian",
+             derivatives.ok jacobians.ok friction.constant friction.ok friction.jacobian \
+             estimate.ok inverse.ok",
         ),
         (KSTRIP_WARNING_BEYOND_FRICTION, "solve.linear_large f32.solve.linear_large"),
         (KSTRIP_WARNING_SPIN, "solve.spin_large"),
@@ -660,11 +660,12 @@ fn expected_statuses() -> BTreeMap<&'static str, i32> {
              jacobian.null_entries jacobian.null_result batch.null batch.null_out strips.null \
              strips.null_count point.null field.null_x field.null_out upper.null upper.null_out \
              f32.solve.null derivatives.null derivatives.null_result jacobians.null \
-             jacobians.null_results friction.null friction.null_out friction.null_entries",
+             jacobians.null_results friction.null friction.null_out friction.null_entries \
+             estimate.null inverse.null",
         ),
         (
             KSTRIP_ERROR_NOT_FINITE,
-            "young.nan combine.infinite hertz.nan_load velocities.nan creepage.nan solve.a_nan \
+            "inverse.nan young.nan combine.infinite hertz.nan_load velocities.nan creepage.nan solve.a_nan \
              solve.b_infinite solve.load_nan solve.modulus_nan solve.poisson_nan \
              solve.friction_nan solve.longitudinal_nan solve.lateral_infinite solve.spin_nan \
              point.nan field.nan f32.solve.nan",
@@ -683,6 +684,11 @@ fn expected_statuses() -> BTreeMap<&'static str, i32> {
         (KSTRIP_ERROR_FRICTION, "solve.friction_negative f32.solve.friction f32.jacobian.bad"),
         (KSTRIP_ERROR_MODEL, "solve.model_zero solve.model_unknown"),
         (KSTRIP_ERROR_STRIP_COUNT, "solve.strips_zero solve.strips_odd"),
+        (KSTRIP_WARNING_FRICTION_AT_LEAST, "estimate.sticks"),
+        (KSTRIP_WARNING_CREEPAGE_AT_LEAST, "inverse.sliding"),
+        (KSTRIP_ERROR_MEASURED, "estimate.measured"),
+        (KSTRIP_ERROR_UNEXPLAINED, "estimate.against"),
+        (KSTRIP_ERROR_FORCE_BEYOND_FRICTION, "inverse.beyond"),
         (KSTRIP_ERROR_FRICTION_RATIO, "friction.ratio"),
         (KSTRIP_ERROR_FRICTION_DECAY, "friction.decay"),
         (KSTRIP_ERROR_NEGATIVE_SPEED, "friction.speed"),
@@ -695,7 +701,7 @@ fn expected_statuses() -> BTreeMap<&'static str, i32> {
         ),
         (
             KSTRIP_ERROR_NOT_IN_MODEL,
-            "strips.total point.total field.total field.linear f32.field.total",
+            "estimate.linear strips.total point.total field.total field.linear f32.field.total",
         ),
         (KSTRIP_ERROR_OVERFLOW, "velocities.overflow solve.friction_huge solve.load_huge"),
         (

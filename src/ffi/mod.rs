@@ -29,6 +29,7 @@ pub mod types_f32;
 pub mod batch;
 pub mod derivatives;
 pub mod friction;
+pub mod rig;
 
 use crate::model::{Model, Options};
 use crate::status::{Error, Notice, advice};
@@ -49,11 +50,15 @@ pub const KSTRIP_WARNING_SPIN: kstrip_status = 1;
 pub const KSTRIP_WARNING_RANGE: kstrip_status = 2;
 /// Warning: the linear force exceeds mu N.
 pub const KSTRIP_WARNING_BEYOND_FRICTION: kstrip_status = 3;
-/// Warning: falling friction and slip agree at more than one coefficient of friction; the result has the
-/// largest, which is reached from adhesion.
+/// Warning: more than one coefficient of friction fits. Under falling friction the result has the largest,
+/// which is reached from adhesion; an estimate from a measured force is the smallest.
 pub const KSTRIP_WARNING_SEVERAL_FRICTIONS: kstrip_status = 4;
 /// Warning: a bounded iteration ended before its result was accurate to rounding.
 pub const KSTRIP_WARNING_NOT_CONVERGED: kstrip_status = 5;
+/// Warning: the contact sticks, and the measured force tells only a lower bound of friction.
+pub const KSTRIP_WARNING_FRICTION_AT_LEAST: kstrip_status = 6;
+/// Warning: the wanted force is that of full sliding, which every larger creepage gives as well.
+pub const KSTRIP_WARNING_CREEPAGE_AT_LEAST: kstrip_status = 7;
 /// Error: a required pointer is NULL.
 pub const KSTRIP_ERROR_NULL: kstrip_status = -1;
 /// Error: an input is infinite or NaN.
@@ -90,6 +95,12 @@ pub const KSTRIP_ERROR_FRICTION_DECAY: kstrip_status = -16;
 pub const KSTRIP_ERROR_NEGATIVE_SPEED: kstrip_status = -17;
 /// Error: the factor of the initial slope is outside (0, 1].
 pub const KSTRIP_ERROR_SLOPE_FACTOR: kstrip_status = -18;
+/// Error: no friction explains the measured force.
+pub const KSTRIP_ERROR_UNEXPLAINED: kstrip_status = -19;
+/// Error: the wanted force exceeds mu N.
+pub const KSTRIP_ERROR_FORCE_BEYOND_FRICTION: kstrip_status = -20;
+/// Error: what was measured is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum.
+pub const KSTRIP_ERROR_MEASURED: kstrip_status = -21;
 /// Error: a strip of a patch has a width or half length that is not positive.
 pub const KSTRIP_ERROR_STRIP_SIZE: kstrip_status = -40;
 /// Error: the peak pressure of a strip is negative.
@@ -119,6 +130,11 @@ pub const KSTRIP_MODEL_STRIP: i32 = 3;
 pub const KSTRIP_MODEL_TOTAL: i32 = 4;
 /// Kalker's linear theory, without saturation: for stability analysis. Adhesion is 1.
 pub const KSTRIP_MODEL_LINEAR: i32 = 5;
+
+/// The longitudinal force was measured.
+pub const KSTRIP_MEASURED_FX: u32 = 1;
+/// The lateral force was measured.
+pub const KSTRIP_MEASURED_FY: u32 = 2;
 
 /// State of a point: outside the contact.
 pub const KSTRIP_STATE_OUTSIDE: i32 = 0;

@@ -292,6 +292,33 @@ static void friction_laws(void)
                                         NULL));
 }
 
+static void rig(void)
+{
+    const kstrip_contact contact = {6e-3, 4e-3, 80e3, 82e9, 0.28, 0.3};
+    const kstrip_creepage creepage = {2e-3, 0, 0.1};
+    const kstrip_options linear = {KSTRIP_MODEL_LINEAR, 16};
+    kstrip_friction_estimate estimate;
+    kstrip_creepage motion;
+
+    CASE("estimate.null", estimate,
+         kstrip_estimate_friction(NULL, &creepage, NULL, 1, 1e4, 0, &estimate));
+    CASE("estimate.measured", estimate,
+         kstrip_estimate_friction(&contact, &creepage, NULL, 4, 1e4, 0, &estimate));
+    CASE("estimate.linear", estimate,
+         kstrip_estimate_friction(&contact, &creepage, &linear, KSTRIP_MEASURED_FX, 1e4, 0, &estimate));
+    CASE("estimate.against", estimate,
+         kstrip_estimate_friction(&contact, &creepage, NULL, KSTRIP_MEASURED_FX, -1e4, 0, &estimate));
+    CASE("estimate.sticks", estimate,
+         kstrip_estimate_friction(&contact, &creepage, NULL, KSTRIP_MEASURED_FX, 1e8, 0, &estimate));
+    CASE("estimate.ok", estimate,
+         kstrip_estimate_friction(&contact, &creepage, NULL, KSTRIP_MEASURED_FX, 1e4, 0, &estimate));
+    CASE("inverse.null", motion, kstrip_creepage_for_force(NULL, 1e4, 0, 0, NULL, &motion));
+    CASE("inverse.nan", motion, kstrip_creepage_for_force(&contact, NAN, 0, 0, NULL, &motion));
+    CASE("inverse.beyond", motion, kstrip_creepage_for_force(&contact, 1e5, 0, 0, NULL, &motion));
+    CASE("inverse.sliding", motion, kstrip_creepage_for_force(&contact, 24e3, 0, 0, NULL, &motion));
+    CASE("inverse.ok", motion, kstrip_creepage_for_force(&contact, 1e4, 0, 0, NULL, &motion));
+}
+
 static void patches(void)
 {
     enum { N = 5 };
@@ -452,6 +479,7 @@ int main(void)
     solution();
     more_derivatives();
     friction_laws();
+    rig();
     patches();
     single_precision();
     return 0;

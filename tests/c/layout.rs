@@ -42,4 +42,6 @@ layouts! {
     kstrip_derivatives_f32 { jacobian, normal_force, friction, load_through_hertz }
     kstrip_friction { friction, ratio, decay, rolling_speed, slope_factor }
     kstrip_friction_f32 { friction, ratio, decay, rolling_speed, slope_factor }
+    kstrip_friction_estimate { friction, sensitivity, residual, status_detail, reserved }
+    kstrip_friction_estimate_f32 { friction, sensitivity, residual, status_detail, reserved }
 }
