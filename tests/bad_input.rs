@@ -78,6 +78,8 @@ fn is_meant(declared: &Declared, argument: &Variable, pattern: &str) -> bool {
         Some((structure, member)) => {
             let known = |kind: &str| {
                 let structure = declared.structures.iter().find(|s| s.name == kind);
+                // A member that is an array stands with an index and what follows it.
+                let (member, _) = member.split_once('[').unwrap_or((member, ""));
                 structure.is_some_and(|s| s.members.iter().any(|m| m.name == member))
             };
             target.is_some_and(|(kind, output)| !output && base(kind) == structure && known(kind))
@@ -146,13 +148,15 @@ fn block(
             if single { ("FLT_MAX", "1e-45F") } else { ("DBL_MAX", "5e-324") };
         value.replace("LARGEST", largest).replace("SMALLEST", smallest)
     };
-    let many = function.arguments.iter().any(|a| a.name == "count" && a.target().is_none());
     let value_of = |name: &str| {
-        let value = good.get(base(name));
+        let of_function = format!("{}.{name}", base(&function.name));
+        let value = good.get(&of_function).or_else(|| good.get(base(name)));
         value.unwrap_or_else(|| {
             panic!("docs/bad-input.md: no good value for {name} of {}", function.name)
         })
     };
+    let has_count = function.arguments.iter().any(|a| a.name == "count" && a.target().is_none());
+    let many = has_count && value_of("count") != "1";
     let (mut text, mut arguments, mut outputs) = ("    {\n".to_owned(), vec![], vec![]);
     for (position, argument) in function.arguments.iter().enumerate() {
         let Variable { kind, name, .. } = argument;
@@ -167,12 +171,18 @@ fn block(
                 arguments.push(name.clone());
             }
             Some((target, false)) => {
-                let target_value = value_of(if target == "float" { "double" } else { target });
-                text += &format!("        const {target} {name}_good = {target_value};\n");
-                text += &format!("        {target} {name}[{ELEMENTS}];\n");
-                text += &format!(
-                    "        for (int i = 0; i < {ELEMENTS}; i++) {name}[i] = {name}_good;\n"
-                );
+                let own = good.get(&format!("{}.{name}", base(&function.name)));
+                match own.and_then(|list| list.strip_prefix("list ")) {
+                    Some(list) => text += &format!("        {target} {name}[] = {list};\n"),
+                    None => {
+                        let value = value_of(if target == "float" { "double" } else { target });
+                        text += &format!("        const {target} {name}_good = {value};\n");
+                        text += &format!("        {target} {name}[{ELEMENTS}];\n");
+                        text += &format!(
+                            "        for (int i = 0; i < {ELEMENTS}; i++) {name}[i] = {name}_good;\n"
+                        );
+                    }
+                }
                 if let Some(case) = bad {
                     let place = match case.argument.split_once('.') {
                         Some((_, member)) => {
@@ -297,7 +307,24 @@ fn bad_input_gets_its_status_and_outputs_stay() {
                     match declared.structures.iter().find(|s| s.name == target) {
                         Some(structure) => {
                             for member in &structure.members {
-                                ask(&format!("{}.{}", base(target), member.name), &member.kind);
+                                let inner =
+                                    declared.structures.iter().find(|s| s.name == member.kind);
+                                match inner {
+                                    Some(inner) => {
+                                        for part in &inner.members {
+                                            let (array, part_name) = (&member.name, &part.name);
+                                            let place =
+                                                format!("{}.{array}[0].{part_name}", base(target));
+                                            ask(&place, &part.kind);
+                                        }
+                                    }
+                                    None => {
+                                        ask(
+                                            &format!("{}.{}", base(target), member.name),
+                                            &member.kind,
+                                        );
+                                    }
+                                }
                             }
                         }
                         None => ask(&format!("{}[1]", argument.name), target),
