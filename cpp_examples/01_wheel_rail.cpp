@@ -92,6 +92,17 @@ int main()
     if (kstrip::is_error(kstrip::solve_batch_arrays(1, from, {}, wanted)) || only_fx != forces.fx)
         return 1;
 
+    // The other way round: friction from the force, creepage from the force
+    const kstrip::options total{kstrip::model::total, 16};
+    const auto measured = kstrip::solve(contact, motion, total);
+    kstrip::friction_estimate found{};
+    kstrip::creepage back{};
+    if (kstrip::is_error(kstrip::estimate_friction(contact, motion, total, kstrip::measured::both, measured.fx,
+                                                   measured.fy, found)) ||
+        kstrip::is_error(kstrip::creepage_for_force(contact, measured.fx, measured.fy, motion.spin, total, back)))
+        return 1;
+    std::printf("inverse %.4f %.7f %.7f\n", found.friction, back.longitudinal, back.lateral);
+
     // A patch of any shape: here the ellipse's strips, the right half without friction
     kstrip::patch worn{};
     if (kstrip::is_error(kstrip::patch_from_ellipse(contact, 16, worn)))

@@ -58,6 +58,8 @@ enum class [[nodiscard]] status : std::int32_t {
     warning_beyond_friction = KSTRIP_WARNING_BEYOND_FRICTION,
     warning_several_frictions = KSTRIP_WARNING_SEVERAL_FRICTIONS,
     warning_not_converged = KSTRIP_WARNING_NOT_CONVERGED,
+    warning_friction_at_least = KSTRIP_WARNING_FRICTION_AT_LEAST,
+    warning_creepage_at_least = KSTRIP_WARNING_CREEPAGE_AT_LEAST,
     error_null = KSTRIP_ERROR_NULL,
     error_not_finite = KSTRIP_ERROR_NOT_FINITE,
     error_semi_axis = KSTRIP_ERROR_SEMI_AXIS,
@@ -76,6 +78,9 @@ enum class [[nodiscard]] status : std::int32_t {
     error_friction_decay = KSTRIP_ERROR_FRICTION_DECAY,
     error_negative_speed = KSTRIP_ERROR_NEGATIVE_SPEED,
     error_slope_factor = KSTRIP_ERROR_SLOPE_FACTOR,
+    error_unexplained = KSTRIP_ERROR_UNEXPLAINED,
+    error_force_beyond_friction = KSTRIP_ERROR_FORCE_BEYOND_FRICTION,
+    error_measured = KSTRIP_ERROR_MEASURED,
     error_strip_size = KSTRIP_ERROR_STRIP_SIZE,
     error_pressure = KSTRIP_ERROR_PRESSURE,
     error_strip_order = KSTRIP_ERROR_STRIP_ORDER,
@@ -144,6 +149,7 @@ struct metre_per_second;
 struct radian_per_second;
 struct second_per_metre;
 struct square_metre;
+struct per_newton;
 } // namespace unit
 
 template <class T> using basic_metres = quantity<unit::metre, T>;
@@ -156,6 +162,7 @@ template <class T> using basic_metres_per_second = quantity<unit::metre_per_seco
 template <class T> using basic_radians_per_second = quantity<unit::radian_per_second, T>;
 template <class T> using basic_seconds_per_metre = quantity<unit::second_per_metre, T>;
 template <class T> using basic_square_metres = quantity<unit::square_metre, T>;
+template <class T> using basic_per_newton = quantity<unit::per_newton, T>;
 
 using metres = basic_metres<double>;
 using newtons = basic_newtons<double>;
@@ -167,6 +174,7 @@ using metres_per_second = basic_metres_per_second<double>;
 using radians_per_second = basic_radians_per_second<double>;
 using seconds_per_metre = basic_seconds_per_metre<double>;
 using square_metres = basic_square_metres<double>;
+using per_newton = basic_per_newton<double>;
 
 using metres_f32 = basic_metres<float>;
 using newtons_f32 = basic_newtons<float>;
@@ -178,6 +186,7 @@ using metres_per_second_f32 = basic_metres_per_second<float>;
 using radians_per_second_f32 = basic_radians_per_second<float>;
 using seconds_per_metre_f32 = basic_seconds_per_metre<float>;
 using square_metres_f32 = basic_square_metres<float>;
+using per_newton_f32 = basic_per_newton<float>;
 
 /// `6.0_mm`, `80_kN`, `82_GPa`, `0.4_per_m`, `20_m_per_s`: `using namespace kstrip::literals;`
 inline namespace literals {
@@ -251,6 +260,13 @@ enum class state : std::int32_t {
     stick = KSTRIP_STATE_STICK,
     slip = KSTRIP_STATE_SLIP,
     slip_negative_dissipation = KSTRIP_STATE_SLIP_NEGATIVE_DISSIPATION,
+};
+
+/// Which force components were measured.
+enum class measured : std::uint32_t {
+    fx = KSTRIP_MEASURED_FX,
+    fy = KSTRIP_MEASURED_FY,
+    both = KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY,
 };
 
 /// Model and strip count; the same defaults as kstrip_options_init().
@@ -372,6 +388,16 @@ struct basic_friction {
     T slope_factor = T(1);
 };
 
+/// A coefficient of friction from a measured force.
+template <class T>
+struct basic_friction_estimate {
+    T friction;
+    basic_per_newton<T> sensitivity;
+    basic_newtons<T> residual;
+    kstrip::status status_detail;
+    std::int32_t reserved;
+};
+
 /// Arrays, one for each quantity, for solve_batch_arrays().
 template <class T>
 struct basic_batch_inputs {
@@ -465,6 +491,7 @@ using point = basic_point<double>;
 using jacobian = basic_jacobian<double>;
 using derivatives = basic_derivatives<double>;
 using friction = basic_friction<double>;
+using friction_estimate = basic_friction_estimate<double>;
 using batch_outputs = basic_batch_outputs<double>;
 using batch_inputs = basic_batch_inputs<double>;
 using patch_summary = basic_patch_summary<double>;
@@ -487,6 +514,7 @@ using point_f32 = basic_point<float>;
 using jacobian_f32 = basic_jacobian<float>;
 using derivatives_f32 = basic_derivatives<float>;
 using friction_f32 = basic_friction<float>;
+using friction_estimate_f32 = basic_friction_estimate<float>;
 using batch_outputs_f32 = basic_batch_outputs<float>;
 using batch_inputs_f32 = basic_batch_inputs<float>;
 using patch_summary_f32 = basic_patch_summary<float>;
@@ -523,6 +551,7 @@ KSTRIP_HPP_BOTH(strip)
 KSTRIP_HPP_BOTH(point)
 KSTRIP_HPP_BOTH(derivatives)
 KSTRIP_HPP_BOTH(friction)
+KSTRIP_HPP_BOTH(friction_estimate)
 KSTRIP_HPP_BOTH(batch_outputs)
 KSTRIP_HPP_BOTH(batch_inputs)
 KSTRIP_HPP_BOTH(patch_summary)
@@ -668,6 +697,25 @@ status solve_friction_jacobian(const basic_contact<T> &ellipse, const basic_cree
 {
     return KSTRIP_HPP_CALL(T, kstrip_solve_friction_jacobian, detail::in(&ellipse), detail::in(&motion),
                            detail::in(&law), detail::in(&how), detail::out(&to), slopes.value, effective);
+}
+
+/// kstrip_estimate_friction()
+template <class T>
+status estimate_friction(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const options &how,
+                         measured which, basic_newtons<T> fx, basic_newtons<T> fy,
+                         basic_friction_estimate<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(T, kstrip_estimate_friction, detail::in(&ellipse), detail::in(&motion), detail::in(&how),
+                           static_cast<std::uint32_t>(which), fx.value, fy.value, detail::out(&to));
+}
+
+/// kstrip_creepage_for_force()
+template <class T>
+status creepage_for_force(const basic_contact<T> &ellipse, basic_newtons<T> fx, basic_newtons<T> fy,
+                          basic_per_metre<T> spin, const options &how, basic_creepage<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(T, kstrip_creepage_for_force, detail::in(&ellipse), fx.value, fy.value, spin.value,
+                           detail::in(&how), detail::out(&to));
 }
 
 /// kstrip_solve_total(), kstrip_solve_linear(), kstrip_solve_strip_1967(), kstrip_solve_strip(): programs that

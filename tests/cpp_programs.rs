@@ -101,6 +101,11 @@ fn example_prints_what_rust_computes() {
     assert!((area[0] - forces.fx).abs() < 1e-3 && (area[1] - forces.fy).abs() < 1e-3, "{area:?}");
     close(area[2], 12e3, 4);
     close(area[3], PI * patch.a * patch.b * 1e6, 6);
+    // There and back: friction .3, creepages .001 and .0005
+    let inverse = &numbers(text, "inverse")[0];
+    close(inverse[0], 0.3, 4);
+    close(inverse[1], motion.longitudinal, 7);
+    close(inverse[2], motion.lateral, 7);
     // The strips add up to the force, to rounding
     let strips = &numbers(text, "strips")[0];
     assert!(strips[0] >= 16.0 && (strips[1] - forces.fx).abs() < 1e-3, "{strips:?}");
