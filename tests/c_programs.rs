@@ -13,6 +13,7 @@ use kstrip::contact::Contact;
 use kstrip::creepage::Creepage;
 use kstrip::ffi::types_f32::*;
 use kstrip::ffi::{self, batch::*, derivatives::*, friction::*, patch_types::*, rig::*, types::*};
+use kstrip::friction::SlipFriction;
 use kstrip::kik_piotrowski::ProfileContact;
 use kstrip::model::{self, Field, Model, Options, StripResult};
 use kstrip::patch::Patch;
@@ -25,7 +26,7 @@ use toolchain::{
     check_header, compile_with, has_cpp, knows, root, run_c, say, symbols_of_library, write_scratch,
 };
 
-/// The contact of examples 02, 03 and 04.
+/// The contact of examples 02 to 05 and 07.
 const CONTACT: Contact<f64> = Contact {
     a: 6e-3,
     b: 4.5e-3,
@@ -484,6 +485,109 @@ fn worn_profiles_touch_in_two_zones() {
         }
     }
     assert!(seen[&'#'] > 30 && seen[&'.'] > 60, "{seen:?}");
+}
+
+/// Largest real part of the eigenvalues of the wheelset of example 05 under linear creep forces.
+fn wheelset_growth(speed: f64) -> f64 {
+    let (mass, inertia, lateral, yaw) = (1800.0, 1100.0, 400e3, 3e6);
+    let (radius, half_gauge, conicity) = (0.46, 0.75, 0.1);
+    let linear = kstrip::coefficients::LinearCoefficients::at(CONTACT.a / CONTACT.b, 0.28);
+    let Contact { a, b, shear_modulus: g, .. } = CONTACT;
+    let f11 = g * a * b * linear.c11;
+    let f22 = g * a * b * linear.c22;
+    let f23 = g * (a * b).powf(1.5) * linear.c23;
+    let f33 = g * (a * b).powi(2) * linear.c33;
+    // Two wheels; the spin of the cones pushes them apart and cancels.
+    let matrix = nalgebra::Matrix4::from_rows(&[
+        [0.0, 0.0, 1.0, 0.0].into(),
+        [0.0, 0.0, 0.0, 1.0].into(),
+        [-lateral / mass, 2.0 * f22 / mass, -2.0 * f22 / speed / mass, -2.0 * f23 / speed / mass]
+            .into(),
+        [
+            -2.0 * half_gauge * f11 * conicity / radius / inertia,
+            (-yaw - 2.0 * f23) / inertia,
+            2.0 * f23 / speed / inertia,
+            -2.0 * (half_gauge * half_gauge * f11 + f33) / speed / inertia,
+        ]
+        .into(),
+    ]);
+    matrix.complex_eigenvalues().iter().map(|value| value.re).fold(f64::MIN, f64::max)
+}
+
+#[test]
+fn hunting_starts_at_the_eigenvalue_and_ends_in_a_cycle() {
+    let text = run_c("c_examples/05_hunting.c");
+    let (mut low, mut high) = (5.0, 150.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if wheelset_growth(middle) > 0.0 { high = middle } else { low = middle }
+    }
+    let linear = line_of(&text, "critical speed, linear:")[0];
+    assert_close(linear, low, 1e-3 * low, "critical speed of the linear model");
+    // The spin of the cones takes a little of the slopes
+    let total = line_of(&text, "critical speed, total:")[0];
+    assert_close(total, low, 0.1 * low, "critical speed of the total-force model");
+    // From inside and from outside to the same cycle, which lasts
+    let [inside, outside] = ["limit cycle from 1 mm", "limit cycle from 20 mm"].map(|start| {
+        let row = line_of(&text, start);
+        let [amplitude, growth] = row[row.len() - 2..] else { panic!("{row:?}") };
+        assert_close(growth, 1.0, 1e-4, "growth in the cycle");
+        amplitude
+    });
+    assert_close(inside, outside, 1e-3 * inside, "one limit cycle");
+    assert!(inside > 1.0 && inside < 20.0, "between the two starts: {inside} mm");
+    let calls = line_of(&text, "calls with Jacobian");
+    assert!(calls[0] > 1e5 && calls[1] == 3.0 * calls[0], "{calls:?}");
+}
+
+#[test]
+fn falling_friction_has_a_maximum_and_sticks_and_slips() {
+    let text = run_c("c_examples/07_falling_friction.c");
+    let law = SlipFriction {
+        friction: 0.4,
+        ratio: 0.4,
+        decay: 0.6,
+        rolling_speed: 10.0,
+        slope_factor: 0.5,
+    };
+    let options = Options { model: Model::Total, strips: StripCount::default() };
+    let curve: Vec<Vec<f64>> =
+        text.lines().filter(|line| line.starts_with("curve ")).map(numbers).collect();
+    assert!(curve.len() > 40);
+    for row in &curve {
+        let [slip, force, slope, friction] = row[..] else { panic!("{row:?}") };
+        let motion = Creepage { longitudinal: -slip, lateral: 0.0, spin: 0.0 };
+        let (found, jacobian) =
+            kstrip::friction::solve_jacobian(&CONTACT, &motion, &law, &options).expect("forces");
+        // Seven digits of the slip are printed
+        let allowed = 1e-6 * slip * jacobian[(0, 0)].abs() + 1e-4;
+        assert_close(force, -found.solution.fx, allowed, "traction");
+        assert_close(friction, found.friction, 1e-7, "friction");
+        assert_close(slope, jacobian[(0, 0)], 1e-4 * 5e6, "slope");
+        // Eight digits of the friction are printed
+        assert!(force <= friction * CONTACT.normal_force * (1.0 + 1e-7));
+    }
+    let turns = curve.windows(2).filter(|rows| (rows[1][2] > 0.0) != (rows[0][2] > 0.0)).count();
+    assert_eq!(turns, 1, "one maximum");
+
+    let runs: Vec<Vec<f64>> =
+        text.lines().filter(|line| line.contains(" friction, mean slip ")).map(numbers).collect();
+    let [steady, cycle, constant] = &runs[..] else { panic!("{text}") };
+    // amplitude in the third quarter, in the last, frequency
+    let amplitudes = |row: &[f64]| {
+        let row = &row[row.len() - 3..];
+        (row[0], row[1], row[2])
+    };
+    // Before the maximum, and with constant friction, oscillations die
+    assert_eq!(amplitudes(steady).1, 0.0);
+    let (before, after, _) = amplitudes(constant);
+    assert!(after < 0.5 * before && after < 1e-3, "{constant:?}");
+    // Beyond it they last: the wheel swings until it almost sticks, a little slower than freely
+    let (before, after, frequency) = amplitudes(cycle);
+    assert_close(after, before, 1e-3 * before, "amplitude of the stick-slip");
+    assert!(after > 0.095 && after < 0.2, "{cycle:?}");
+    let natural = (500e3_f64 / 50.0).sqrt() / (2.0 * PI);
+    assert!(frequency > 0.8 * natural && frequency < natural, "{frequency} Hz of {natural}");
 }
 
 #[test]
