@@ -113,6 +113,11 @@ if has cmake; then
         if [ -n "$has_cxx" ]; then same "$1/build/cpp" cpp; fi
         echo "CMake, $1: compiles and runs"
     }
+    cmake -S "$root" -B alone -DKSTRIP_CARGO_TARGET_DIR="$target" > alone.log 2>&1 &&
+        cmake --build alone >> alone.log 2>&1 &&
+        cmake --install alone --prefix "$work/third" >> alone.log 2>&1 || { cat alone.log; fail "cmake --install"; }
+    diff <(cd "$prefix" && find . | sort) <(cd "$work/third" && find . | sort) || fail "cmake --install installs other files"
+    echo "cmake --install: the same files as make install"
     consumer find_package 'find_package(kstrip 0.1 CONFIG REQUIRED)'
     mkdir other_version
     printf 'cmake_minimum_required(VERSION 3.16)\nproject(consumer C)\nfind_package(kstrip 9.0 CONFIG REQUIRED)\n' > other_version/CMakeLists.txt
