@@ -1,32 +1,83 @@
 #!/usr/bin/env bash
-# Instructions per kstrip_solve-like call (callgrind), written into README.md between its markers.
+# Instructions per call of the C interface, counted by callgrind (valgrind), which are the same in every run of one
+# build, however busy the machine is.
+#
+#   scripts/instructions.sh          writes benches/instructions.txt and the table in README.md
+#   scripts/instructions.sh --check  fails when a count has grown by more than 3 %
+#
+# Counts depend on the compiler. When it is not the one that is named in the file, --check prints the differences
+# and says that they were not judged.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-command -v valgrind >/dev/null || { echo "SKIPPED: no valgrind on this machine"; exit 0; }
-cargo build --quiet --release --example speed
-program=${CARGO_TARGET_DIR:-target}/release/examples/speed
+file=benches/instructions.txt
+command -v valgrind >/dev/null || { echo "SKIPPED: instruction counts, because there is no valgrind on this machine"; exit 0; }
+if [ "$(uname -m)" != x86_64 ]; then echo "SKIPPED: instruction counts, which are those of x86_64"; exit 0; fi
 
-# The difference of two runs leaves the calls alone.
-total() {
-    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" count "$1" "$2" "$3" 2>&1 >/dev/null |
-        awk '/Collected/ { print $4 }'
-}
-per_call() {
-    echo $(( ($(total "$1" "$2" 20480) - $(total "$1" "$2" 10240)) / 10240 ))
-}
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cargo rustc --quiet --locked --release --lib --crate-type staticlib --features panic-handler
+cc -std=c99 -O2 -Iinclude benches/instructions.c "${CARGO_TARGET_DIR:-target}/release/libkstrip.a" -lm -o "$scratch/calls"
+valgrind --quiet --tool=callgrind --callgrind-out-file="$scratch/counts" \
+    --zero-before=counted_calls --dump-after=counted_calls "$scratch/calls" > "$scratch/names"
 
-table=$(
-    echo "| model | 8 strips | 16 | 32 | 64 |"
-    echo "|---|---|---|---|---|"
-    for row in "1 STRIP_1967" "2 STRIP_1967_CONTINUOUS" "3 STRIP"; do
-        set -- $row
-        echo "| $2 | $(per_call "$1" 8) | $(per_call "$1" 16) | $(per_call "$1" 32) | $(per_call "$1" 64) |"
-    done
-    for row in "4 TOTAL" "5 LINEAR"; do
-        set -- $row
-        echo "| $2 | – | $(per_call "$1" 16) | – | – |"
-    done
-)
+# The k-th row's count is in the k-th file.
+compiler="$(rustc --version), $(rustc -vV | awk '/^host:/ { print $2 }')"
+{
+    echo "# Written by scripts/instructions.sh. Instructions per call, mean of 512 (benches/instructions.c)."
+    echo "# compiler: $compiler"
+    echo "# model, precision, what, strips (0: none), instructions"
+    k=0
+    while read -r name; do
+        k=$((k + 1))
+        awk -v name="$name" '/^(totals|summary):/ { print name, int($2 / 512 + 0.5); exit }' "$scratch/counts.$k"
+    done < "$scratch/names"
+} > "$scratch/now"
+
+if [ "${1:-}" = --check ]; then
+    same=yes
+    grep -qxF "# compiler: $compiler" "$file" || same=no
+    awk -v same=$same '
+        /^#/ { next }
+        { name = $1 " " $2 " " $3 " " $4 }
+        FNR == NR { known[name] = $5; next }
+        !(name in known) { print "not in the file: " name; wrong++; next }
+        {
+            rows++
+            change = 100 * ($5 / known[name] - 1)
+            if (change > 3 || change < -3)
+                printf "%s: %d instead of %d instructions (%+.1f %%)\n", name, $5, known[name], change
+            if (change > 3) wrong++
+            if (change < -3) fewer++
+            delete known[name]
+        }
+        END {
+            for (name in known) { print "no longer counted: " name; wrong++ }
+            if (same == "no") {
+                print "SKIPPED: judging instruction counts, because this compiler is not the one of benches/instructions.txt;"
+                print "         differences above 3 % are printed above. scripts/instructions.sh records the counts again."
+                exit 0
+            }
+            if (fewer) print "fewer instructions: scripts/instructions.sh records the gain"
+            if (wrong) { print "instructions per call have grown by more than 3 %, or rows differ"; exit 1 }
+            print rows " instruction counts have not grown by more than 3 %"
+        }' "$file" "$scratch/now"
+    exit
+fi
+
+cp "$scratch/now" "$file"
+table=$(awk '
+    /^#/ || $2 != "f64" { next }
+    $3 == "solve" { solve[$1, $4] = $5; if (!($1 in seen)) { seen[$1]; order[++n] = $1 } }
+    $3 == "jacobian" { jacobian[$1] = $5 }
+    END {
+        print "| model | 4 strips | 8 | 16 | 32 | 64 | with Jacobian, 16 |"
+        print "|---|---|---|---|---|---|---|"
+        for (i = 1; i <= n; i++) {
+            m = order[i]
+            if ((m, 0) in solve) printf "| %s | – | – | %d | – | – | %d |\n", m, solve[m, 0], jacobian[m]
+            else printf "| %s | %d | %d | %d | %d | %d | %d |\n", m, solve[m, 4], solve[m, 8], solve[m, 16], solve[m, 32], solve[m, 64], jacobian[m]
+        }
+    }' "$file")
 awk -v table="$table" '
     /<!-- instructions:begin -->/ { print; print table; skip = 1 }
     /<!-- instructions:end -->/ { skip = 0 }

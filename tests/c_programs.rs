@@ -10,7 +10,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use core::mem::{offset_of, size_of};
 use header::{Declared, Structure};
 use kstrip::contact::Contact;
-use kstrip::creepage::Creepage;
+use kstrip::creepage::{Creepage, Parameters};
 use kstrip::ffi::types_f32::*;
 use kstrip::ffi::{self, batch::*, derivatives::*, friction::*, patch_types::*, rig::*, types::*};
 use kstrip::friction::SlipFriction;
@@ -22,8 +22,10 @@ use kstrip::status::Notice;
 use kstrip::strip::State;
 use kstrip::totals::StripCount;
 use std::collections::{BTreeMap, BTreeSet};
+use std::process::Command;
 use toolchain::{
-    check_header, compile_with, has_cpp, knows, root, run_c, say, symbols_of_library, write_scratch,
+    build_c_with, check_header, compile_with, has_cpp, knows, output_of, root, run_c, say, scratch,
+    symbols_of_library, write_scratch,
 };
 
 /// The contact of examples 02 to 05 and 07.
@@ -588,6 +590,93 @@ fn falling_friction_has_a_maximum_and_sticks_and_slips() {
     assert!(after > 0.095 && after < 0.2, "{cycle:?}");
     let natural = (500e3_f64 / 50.0).sqrt() / (2.0 * PI);
     assert!(frequency > 0.8 * natural && frequency < natural, "{frequency} Hz of {natural}");
+}
+
+#[test]
+fn batches_on_threads_have_the_bits_of_single_calls() {
+    let source = "c_examples/08_batch_openmp.c";
+    let Some(program) = build_c_with(None, "omp.h", &["-fopenmp"], source) else {
+        say(&format!("SKIPPED: {source}: this compiler has no -fopenmp with omp.h"));
+        return;
+    };
+    // The last piece is shorter than the others.
+    let text = output_of(Command::new(program).arg("3501"));
+    assert!(line_of(&text, "threads 0:")[0] > 0.0);
+    for threads in ["threads 1:", "threads 2:"] {
+        let [per_second, differing] = line_of(&text, threads)[..] else { panic!("{text}") };
+        assert!(per_second > 0.0);
+        assert_eq!(differing, 0.0);
+    }
+}
+
+/// The row of a cell of `09_sweep_mpi.c`: shape, spin and size of the creepage, then force (mean, least,
+/// most), moment and stick area over its directions.
+fn swept_cell(cell: i32, directions: i32) -> [f64; 8] {
+    let share = |i: i32, of: i32| f64::from(i) / f64::from(of - 1);
+    let shape = 10_f64.powf(2.0 * share(cell % 20, 20) - 1.0);
+    let psi = 3.0 * share(cell / 20 % 20, 20);
+    let size = 10_f64.powf(3.0 * share(cell / 400, 25) - 2.0);
+    let (a, b) = (5e-3 * shape.sqrt(), 5e-3 / shape.sqrt());
+    let contact = Contact { a, b, ..CONTACT };
+    let mut row = [shape, psi, size, 0.0, 1.0, 0.0, 0.0, 0.0];
+    for i in 0..directions {
+        let (sine, cosine) = (2.0 * PI * f64::from(i) / f64::from(directions)).sin_cos();
+        let parameters = Parameters {
+            xi: size * cosine,
+            eta: size * sine,
+            psi,
+            poisson_ratio: contact.poisson_ratio,
+            axis_ratio: a / b,
+        };
+        let creepage = parameters.creepage(&contact);
+        let f = model::solve(&contact, &creepage, &Options::default()).expect("a solution");
+        let force = f.fx.hypot(f.fy) / FRICTION_BOUND;
+        row[3] += force / f64::from(directions);
+        row[4] = row[4].min(force);
+        row[5] = row[5].max(force);
+        row[6] += f.mz.abs() / (FRICTION_BOUND * 5e-3) / f64::from(directions);
+        row[7] += f.adhesion / f64::from(directions);
+    }
+    row
+}
+
+#[test]
+fn sweep_over_processes_writes_the_same_bits() {
+    let source = "c_examples/09_sweep_mpi.c";
+    let Some(program) = build_c_with(Some("mpicc"), "mpi.h", &["-lm"], source) else {
+        say(&format!("SKIPPED: {source}: no mpicc on this machine"));
+        return;
+    };
+    if Command::new("mpirun").arg("--version").output().is_err() {
+        say(&format!("SKIPPED: {source}: compiled, but there is no mpirun to start it"));
+        return;
+    }
+    let map = |processes: &str| {
+        let path = scratch().join(format!("map_{processes}.csv"));
+        let mut command = Command::new("mpirun");
+        command.args(["-n", processes]).arg(&program).arg(&path).arg("6");
+        // Open MPI, versions 4 and 5: as root in a container, with more processes than cores
+        command.env("OMPI_ALLOW_RUN_AS_ROOT", "1").env("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1");
+        command.env("OMPI_MCA_rmaps_base_oversubscribe", "1");
+        command.env("PRTE_MCA_rmaps_default_mapping_policy", ":oversubscribe");
+        let told = output_of(&mut command);
+        assert!(told.starts_with(&format!("60000 cases, {processes} processes, ")), "{told}");
+        std::fs::read_to_string(path).expect("the map")
+    };
+    let one = map("1");
+    for processes in ["2", "3"] {
+        assert!(map(processes) == one, "{processes} processes write another file");
+    }
+    assert_eq!(one.lines().count(), 10_001);
+    let titles = "a_over_b,psi,creepage,force,force_least,force_most,moment,stick";
+    assert_eq!(one.lines().next(), Some(titles));
+    for (cell, line) in (0..).zip(one.lines().skip(1)).step_by(53) {
+        let row = numbers(line);
+        for (k, exact) in swept_cell(cell, 6).into_iter().enumerate() {
+            // Powers and sines of two libraries; the force is smooth in them.
+            assert_close(row[k], exact, 1e-11 * exact.max(1.0), &format!("cell {cell}, {k}"));
+        }
+    }
 }
 
 #[test]

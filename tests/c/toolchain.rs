@@ -142,6 +142,26 @@ pub fn run_source(source: &Path) -> String {
     output_of(&mut Command::new(program))
 }
 
+/// A C99 program of the repository that needs a header and flags (or a compiler) of its own, linked with the
+/// library; `None` where an empty program with that header does not compile.
+pub fn build_c_with(
+    name: Option<&str>,
+    header: &str,
+    flags: &[&str],
+    source: &str,
+) -> Option<PathBuf> {
+    let command = || name.map_or_else(|| compiler(false), Command::new);
+    let probe = format!("#include <{header}>\nint main(void) {{ return 0; }}\n");
+    let probe = write_scratch(&format!("needs_{}.c", header.replace('.', "_")), &probe);
+    let flags: Vec<&OsStr> = flags.iter().map(OsStr::new).collect();
+    compile_by(command(), "c99", Path::new(&probe), &flags).ok()?;
+    let mut arguments: Vec<&OsStr> = STRICT.iter().map(OsStr::new).collect();
+    arguments.push(library().as_os_str());
+    arguments.extend(flags);
+    let program = compile_by(command(), "c99", &root().join(source), &arguments);
+    Some(program.unwrap_or_else(|message| panic!("{source}: {message}")))
+}
+
 /// The C++ compilers of this machine: the system's, and clang++ if that is another one.
 pub fn cpp_compilers() -> Vec<&'static str> {
     let runs = |name: &&str| {
