@@ -171,17 +171,21 @@ impl<'a, F: Float> Profile<'a, F> {
         level: F,
         mut take: impl FnMut(F, F) -> Result<(), Error>,
     ) -> Result<(), Error> {
-        let mut open: Option<F> = None;
+        let mut open: Option<(F, F)> = None;
         for piece in self.pieces(level) {
-            let lower = open.unwrap_or(piece.from);
+            let (lower, _) = open.unwrap_or((piece.from, piece.to));
             if piece.g_to > F::zero() {
-                open = Some(lower);
+                open = Some((lower, piece.to));
             } else {
                 open = None;
                 take(lower, piece.to)?;
             }
         }
-        Ok(())
+        // Contact up to the end of the profile, by rounding
+        match open {
+            Some((lower, upper)) => take(lower, upper),
+            None => Ok(()),
+        }
     }
 
     /// `∫ g dy` from one `y` to another.
@@ -352,14 +356,18 @@ impl<F: Precision> Indentation<F> {
                 strips += 1;
             }
             let step = (upper - lower) / F::of(f64::from(strips));
-            for i in 0..strips {
-                let from = lower + step * F::of(f64::from(i));
+            let mut to = lower;
+            for i in 1..=strips {
+                // Widths as differences of edges, so that far from y = 0 nothing is lost between strips
+                let from = to;
+                to = if i < strips { lower + step * F::of(f64::from(i)) } else { upper };
+                let width = to - from;
                 // l² = 2 R g, the mean over the strip
-                let mean = profile.volume(level, from, from + step) / step;
+                let mean = profile.volume(level, from, to) / width;
                 let half_length = (contact.rolling_radius.times(2.0) * mean).sqrt();
                 let strip = PatchStrip {
-                    y: from + step.times(0.5),
-                    width: step,
+                    y: from + width.times(0.5),
+                    width,
                     half_length,
                     centre_x: F::zero(),
                     peak_pressure: self.slope * half_length,

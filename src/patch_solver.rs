@@ -29,8 +29,9 @@ use nalgebra::Matrix3;
 const GROUP: usize = 8;
 /// Creepages of a strip in units of its own bound: beyond this it slides, and their squares fit an `f32`.
 const CREEPAGE_LIMIT: f64 = 1e9;
-/// Share `Π` of the friction bound below which a strip is treated as one with this share.
-const LEAST_BOUND: f64 = 1e-12;
+/// Share `Π` of the friction bound below which a strip is treated as one with this share: the squares of what it
+/// sees fit an `f32`.
+const LEAST_BOUND: f64 = 1e-9;
 
 /// What a strip carries.
 #[derive(Clone, Copy, Debug)]
