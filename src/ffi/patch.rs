@@ -29,7 +29,7 @@ pub extern "C" fn kstrip_patch_from_ellipse(
 /// A patch from strips of any origin, in any order of y.
 ///
 /// Strips may overlap by up to half of the distance at which they touch (a quadrature rule does), not by
-/// more. Strips that do not ascend are sorted in a copy on the stack (3 KiB).
+/// more. Strips that do not ascend are sorted in a copy on the stack (7 KiB).
 ///
 /// @param strips, count   the strips, at most KSTRIP_PATCH_CAPACITY; 0 is allowed.
 /// @param shear_modulus   combined shear modulus G [Pa], > 0.
@@ -59,7 +59,7 @@ pub unsafe extern "C" fn kstrip_patch_from_strips(
 /// No elastic problem is solved: for the circle of Hertz the patch is 3 % too large and the peak pressure 6 %
 /// too low; for an ellipse whose curvatures are as 1 to 9, one axis is 27 % too long. Zones of contact that
 /// are apart become lobes. Bounded time: at most 60 evaluations of the load, usually below ten, each
-/// proportional to the number of points in contact. Uses 3 KiB of stack.
+/// proportional to the number of points in contact. Uses 7 KiB of stack.
 ///
 /// @param y, distance, points  undeformed distance of the bodies [m] on the line x = 0 at y [m], which ascends;
 ///                        at least 3 points, straight between them. What is added to all distances
