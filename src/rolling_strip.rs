@@ -180,6 +180,33 @@ struct Strips<'a, F> {
     lever: F,
 }
 
+impl<'a, F: Copy> Strips<'a, F> {
+    /// `G` strips from `first` on: the compiler knows how many.
+    #[inline(always)]
+    fn group<const G: usize>(&self, first: usize) -> Option<Self> {
+        let group = |table: &'a [F]| -> Option<&'a [F]> {
+            Some(table.get(first..)?.first_chunk::<G>()?.as_slice())
+        };
+        Some(Self {
+            y: group(self.y)?,
+            inverse: group(self.inverse)?,
+            bend: group(self.bend)?,
+            load: group(self.load)?,
+            moment_y: group(self.moment_y)?,
+            moment_x: group(self.moment_x)?,
+            area: group(self.area)?,
+            ..*self
+        })
+    }
+
+    /// Groups of `G` strips, each with the number of its first.
+    #[inline(always)]
+    fn groups<const G: usize>(self) -> impl Iterator<Item = (usize, Self)> {
+        let starts = (0..self.y.len()).step_by(G);
+        starts.filter_map(move |first| Some((first, self.group::<G>(first)?)))
+    }
+}
+
 impl<F: Copy, const N: usize> Rule<F, N> {
     #[inline(always)]
     fn strips(&self) -> Strips<'_, F> {
@@ -342,45 +369,36 @@ where
         T::Base: Placed<N>,
     {
         let strips = <T::Base as Placed<N>>::RULE;
-        self.groups::<true>(&strips.strips(), |first, found| {
-            let [a, b] = [T::Pair::parts(found[0]), T::Pair::parts(found[1])];
-            let [c, d] = [T::Pair::parts(found[2]), T::Pair::parts(found[3])];
-            take(first, [a.0, b.0, c.0, d.0]);
-            take(first + 1, [a.1, b.1, c.1, d.1]);
-        });
+        for (first, group) in strips.strips().groups::<4>() {
+            self.four::<true>(&group, |i, found| {
+                let [a, b] = [T::Pair::parts(found[0]), T::Pair::parts(found[1])];
+                let [c, d] = [T::Pair::parts(found[2]), T::Pair::parts(found[3])];
+                take(first + i, [a.0, b.0, c.0, d.0]);
+                take(first + i + 1, [a.1, b.1, c.1, d.1]);
+            });
+        }
     }
 
     /// Whether registers hold pairs: two doubles make one. Single-precision numbers are left to the
     /// compiler, four strips at a time.
     const PAIRED: bool = size_of::<T::Base>() >= 8;
 
-    /// The strips of the ellipse, marched in pairs; `take` is given the number of the first strip of each
-    /// pair and `fx, fy, mx, stick`.
+    /// A group of strips; `take` is given the number in the group of a pair's first strip, and
+    /// `fx, fy, mx, stick` of the pair.
     #[inline(always)]
-    fn groups<const STICK: bool>(
+    fn group<const STICK: bool, const H: usize>(
         &self,
         strips: &Strips<T::Base>,
-        mut take: impl FnMut(usize, [T::Pair; 4]),
+        take: impl FnMut(usize, [T::Pair; 4]),
     ) {
-        let count = strips.y.len();
-        if !Self::PAIRED {
-            for first in (0..count).step_by(4) {
-                self.four::<STICK>(strips, first, &mut take);
-            }
-            return;
-        }
-        match count {
-            4 => self.pairs::<1, STICK>(strips, 0, &mut take),
-            8 => self.pairs::<2, STICK>(strips, 0, &mut take),
-            _ => {
-                for first in (0..count).step_by(16) {
-                    self.pairs::<4, STICK>(strips, first, &mut take);
-                }
-            }
+        if H == 0 {
+            self.four::<STICK>(strips, take);
+        } else {
+            self.pairs::<H, STICK>(strips, take);
         }
     }
 
-    /// What `2 H` strips of the ellipse see of the creepages, from strip `first` on: `A_x` and `A_y`.
+    /// What `2 H` strips of a group see of the creepages, from strip `first` on: `A_x` and `A_y`.
     #[inline(always)]
     fn seen<const H: usize>(
         &self,
@@ -403,40 +421,38 @@ where
         (ax, ay)
     }
 
-    /// Four strips from `first` on, side by side.
+    /// Four strips side by side.
     #[inline(always)]
     fn four<const STICK: bool>(
         &self,
         strips: &Strips<T::Base>,
-        first: usize,
-        take: &mut impl FnMut(usize, [T::Pair; 4]),
+        mut take: impl FnMut(usize, [T::Pair; 4]),
     ) {
         let apart = |pairs: [T::Pair; 2]| {
             let [(a, b), (c, d)] = pairs.map(T::Pair::parts);
             [a, b, c, d]
         };
-        let (ax, ay) = self.seen::<2>(strips, first);
+        let (ax, ay) = self.seen::<2>(strips, 0);
         let found = march::<T, 4, STICK>(&apart(ax), &apart(ay), Uniform(self.spin));
         let StripForces { fx, fy, mx, stick } = found;
         let [a, b, c, d] = [fx, fy, mx, stick].map(|[a, b, ..]| T::Pair::of(a, b));
-        take(first, [a, b, c, d]);
+        take(0, [a, b, c, d]);
         let [a, b, c, d] = [fx, fy, mx, stick].map(|[.., a, b]| T::Pair::of(a, b));
-        take(first + 2, [a, b, c, d]);
+        take(2, [a, b, c, d]);
     }
 
-    /// `4 H` strips from `first` on, in pairs.
+    /// `4 H` strips in pairs.
     #[inline(always)]
     fn pairs<const H: usize, const STICK: bool>(
         &self,
         strips: &Strips<T::Base>,
-        first: usize,
-        take: &mut impl FnMut(usize, [T::Pair; 4]),
+        mut take: impl FnMut(usize, [T::Pair; 4]),
     ) {
-        let (ax, ay) = self.seen::<H>(strips, first);
-        let (bx, by) = self.seen::<H>(strips, first + 2 * H);
+        let (ax, ay) = self.seen::<H>(strips, 0);
+        let (bx, by) = self.seen::<H>(strips, 2 * H);
         let (ax, ay) = ([ax, bx], [ay, by]);
         let found = march_two::<_, H, STICK>(&ax, &ay, Uniform(T::Pair::both(self.spin)));
-        let mut i = first;
+        let mut i = 0;
         for found in &found {
             let forces = found.fx.iter().zip(&found.fy).zip(&found.mx).zip(&found.stick);
             for (((fx, fy), mx), stick) in forces {
@@ -462,21 +478,39 @@ where
     }
 
     /// The same, whatever the number of strips.
-    #[inline(never)]
+    #[inline(always)]
     fn sum<const STICK: bool>(&self, strips: &Strips<T::Base>) -> StripTotals<T> {
+        if !Self::PAIRED {
+            return self.sum_of_groups::<STICK, 4, 0>(strips);
+        }
+        match strips.y.len() {
+            4 => self.sum_of_groups::<STICK, 4, 1>(strips),
+            8 => self.sum_of_groups::<STICK, 8, 2>(strips),
+            _ => self.sum_of_groups::<STICK, 16, 4>(strips),
+        }
+    }
+
+    /// Groups of `G` strips: twice `H` pairs, or with `H = 0` four numbers side by side.
+    #[inline(never)]
+    fn sum_of_groups<const STICK: bool, const G: usize, const H: usize>(
+        &self,
+        strips: &Strips<T::Base>,
+    ) -> StripTotals<T> {
         let zero = T::Pair::zero();
         let (mut fx, mut fy, mut by_y, mut by_x, mut stick) = (zero, zero, zero, zero, zero);
-        self.groups::<STICK>(strips, |i, [x, y, m, share]| {
-            let weight = |table: &[T::Base]| pairs_of::<T>(table, i).next().unwrap_or(zero);
-            let load = weight(strips.load);
-            fx += x * load;
-            fy += y * load;
-            by_y += x * weight(strips.moment_y);
-            by_x += m * weight(strips.moment_x);
-            if STICK {
-                stick += share * weight(strips.area);
-            }
-        });
+        for (_, group) in strips.groups::<G>() {
+            self.group::<STICK, H>(&group, |i, [x, y, m, share]| {
+                let weight = |table: &[T::Base]| pairs_of::<T>(table, i).next().unwrap_or(zero);
+                let load = weight(group.load);
+                fx += x * load;
+                fy += y * load;
+                by_y += x * weight(group.moment_y);
+                by_x += m * weight(group.moment_x);
+                if STICK {
+                    stick += share * weight(group.area);
+                }
+            });
+        }
         // Mz = ∫ (x Y − y X): lever arms √(a/b) C x̂ and √(b/a) Y
         let mz = by_x.sum().scale(self.root) - by_y.sum().scale(T::Base::one() / self.root);
         StripTotals { fx: fx.sum(), fy: fy.sum(), mz, stick: stick.sum() }
@@ -496,14 +530,13 @@ where
             root: self.root,
         };
         let mut sums = SlopeSums::<<T::Base as Real>::Pair>::start();
-        let count = strips.y.len();
-        if !Self::PAIRED || count == 4 {
-            for first in (0..count).step_by(4) {
-                plain.slopes::<2, STICK>(strips, first, &mut sums);
+        if !Self::PAIRED || strips.y.len() == 4 {
+            for (_, group) in strips.groups::<4>() {
+                plain.slopes::<2, STICK>(&group, &mut sums);
             }
         } else {
-            for first in (0..count).step_by(8) {
-                plain.slopes::<4, STICK>(strips, first, &mut sums);
+            for (_, group) in strips.groups::<8>() {
+                plain.slopes::<4, STICK>(&group, &mut sums);
             }
         }
         let by =
@@ -588,15 +621,14 @@ where
 }
 
 impl<F: Marched> RollingStrips<F> {
-    /// Adds `2 H` strips from `first` on to the sums, with their derivatives.
+    /// Adds a group of `2 H` strips to the sums, with their derivatives.
     #[inline(always)]
     fn slopes<const H: usize, const STICK: bool>(
         &self,
         rule: &Strips<F>,
-        first: usize,
         sums: &mut SlopeSums<F::Pair>,
     ) {
-        let (ax, ay) = self.seen::<H>(rule, first);
+        let (ax, ay) = self.seen::<H>(rule, 0);
         let mut strips = Together::start(&ax, &ay);
         let mut forces = [Slopes::<F::Pair>::start(); H];
         let (bias, bias_slope) = squashed_slope(self.spin);
@@ -621,8 +653,8 @@ impl<F: Marched> RollingStrips<F> {
         let tables =
             [rule.load, rule.moment_y, rule.moment_x, rule.area, rule.inverse, rule.y, rule.bend];
         for (i, forces) in forces.iter().enumerate() {
-            let [load, by_y, by_x, area, inverse, y, bend] = tables
-                .map(|table| pairs_of::<F>(table, first + 2 * i).next().unwrap_or(F::Pair::zero()));
+            let [load, by_y, by_x, area, inverse, y, bend] =
+                tables.map(|table| pairs_of::<F>(table, 2 * i).next().unwrap_or(F::Pair::zero()));
             let Slopes { fx, fy, mx, .. } = forces;
             let [[x0, x1, x2, fx], [y0, y1, y2, fy], [m0, m1, m2, mx]] =
                 [fx, fy, mx].map(|sums| sums.map(|sum| sum.times(WEIGHT)));
