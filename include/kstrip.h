@@ -69,6 +69,31 @@
 #define KSTRIP_MODEL_LINEAR 5
 
 /**
+ * Wanted from kstrip_evaluate(): the forces (always computed).
+ */
+#define KSTRIP_WANT_FORCES 1
+
+/**
+ * Wanted: the moment, and the power, which contains it.
+ */
+#define KSTRIP_WANT_MOMENT 2
+
+/**
+ * Wanted: the share in adhesion.
+ */
+#define KSTRIP_WANT_ADHESION 4
+
+/**
+ * Wanted: the derivatives with respect to the creepages.
+ */
+#define KSTRIP_WANT_JACOBIAN 8
+
+/**
+ * Wanted: the strips.
+ */
+#define KSTRIP_WANT_STRIPS 16
+
+/**
  * The longitudinal force was measured.
  */
 #define KSTRIP_MEASURED_FX 1
@@ -1490,6 +1515,11 @@ typedef struct kstrip_friction_estimate_f32 {
 #define KSTRIP_ERROR_MEASURED -21
 
 /**
+ * Error: what is wanted has a flag that is none of the KSTRIP_WANT constants.
+ */
+#define KSTRIP_ERROR_WANTED -22
+
+/**
  * Error: a strip of a patch has a width or half length that is not positive.
  */
 #define KSTRIP_ERROR_STRIP_SIZE -40
@@ -2276,6 +2306,48 @@ kstrip_status kstrip_solve_jacobian_batch_f32(const struct kstrip_contact_f32 *c
                                               const struct kstrip_options *options,
                                               struct kstrip_result_f32 *results,
                                               float *jacobians);
+
+/**
+ * Only what is wanted of a contact in motion: what is not wanted is not computed.
+ *
+ * What is wanted is that of kstrip_solve(), kstrip_solve_jacobian() and kstrip_strips(), bit for bit. What is not
+ * wanted is reported as mz = power = 0 and adhesion = -1. KSTRIP_MODEL_STRIP saves most without adhesion;
+ * the other models compute moment and adhesion along with the forces. The README has the instructions of each
+ * combination.
+ *
+ * @param contact         ellipse, load, material, friction.
+ * @param creepage        motion.
+ * @param options         model and strip count; NULL for the defaults.
+ * @param wanted          KSTRIP_WANT constants, added up; the forces are always computed.
+ * @param[out] result     receives the forces.
+ * @param[out] jacobian   nine numbers as kstrip_solve_jacobian(); with KSTRIP_WANT_JACOBIAN only, else may be NULL.
+ * @param[out] strips     array as kstrip_strips(); with KSTRIP_WANT_STRIPS only, else may be NULL.
+ * @param capacity        its size.
+ * @param[out] count      receives how many were written; with KSTRIP_WANT_STRIPS only, else may be NULL.
+ * @return as kstrip_solve(), kstrip_solve_jacobian() and kstrip_strips(); KSTRIP_ERROR_WANTED.
+ */
+kstrip_status kstrip_evaluate(const struct kstrip_contact *contact,
+                              const struct kstrip_creepage *creepage,
+                              const struct kstrip_options *options,
+                              uint32_t wanted,
+                              struct kstrip_result *result,
+                              double *jacobian,
+                              struct kstrip_strip *strips,
+                              uint32_t capacity,
+                              uint32_t *count);
+
+/**
+ * kstrip_evaluate() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_evaluate_f32(const struct kstrip_contact_f32 *contact,
+                                  const struct kstrip_creepage_f32 *creepage,
+                                  const struct kstrip_options *options,
+                                  uint32_t wanted,
+                                  struct kstrip_result_f32 *result,
+                                  float *jacobian,
+                                  struct kstrip_strip_f32 *strips,
+                                  uint32_t capacity,
+                                  uint32_t *count);
 
 /**
  * Forces under friction that falls with the slip, solved consistently with the slip.

@@ -215,6 +215,9 @@ impl<T: Real> StripFamily<T> {
     pub fn adhesion_interval(&self) -> Result<AdhesionInterval<T>, EdgePoint<T>> {
         let plain = self.plain();
         let (size, one) = (plain.psi.abs(), T::Base::one());
+        if !T::HAS_DERIVATIVES && size == T::Base::zero() {
+            return self.without_spin();
+        }
         // At unit spin the second form of (5.41) still holds, with S = |η|.
         let within = size < one || (size <= one && plain.eta * plain.psi < T::Base::zero());
         let found = if within { plain.by_tangents() } else { plain.beyond_unit_spin() };
@@ -225,6 +228,18 @@ impl<T: Real> StripFamily<T> {
             }),
             None => Err(self.nearest()),
         }
+    }
+
+    /// Without spin `κ/a = τ` everywhere, and the strips with `C > τ` adhere (8.15).
+    #[inline(always)]
+    fn without_spin(&self) -> Result<AdhesionInterval<T>, EdgePoint<T>> {
+        let square = self.xi * self.xi + self.eta * self.eta;
+        let rest = T::one() - square;
+        if !(rest > T::zero()) {
+            return Err(self.nearest());
+        }
+        let (y, c) = (rest.sqrt(), square.sqrt());
+        Ok(AdhesionInterval { lower: EdgePoint { y: -y, c }, upper: EdgePoint { y, c } })
     }
 
     /// One tangent step from a converged end carries the derivatives.

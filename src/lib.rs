@@ -19,6 +19,7 @@
 //! 7. [`model`]: contact and creepage to forces, derivatives, strips and fields, for every model.
 //! 8. [`derivatives`]: with respect to load and friction as well. [`friction`]: friction that falls with the slip.
 //!    [`rig`]: from a measured force to friction, from a wanted force to creepage.
+//!    [`evaluate`]: only what is wanted.
 //! 9. [`patch`], [`kik_piotrowski`], [`patch_solver`]: a patch of any shape as its strips.
 //! 10. [`ffi`]: all of it for C (`include/kstrip.h`).
 //!
@@ -65,6 +66,7 @@ pub mod creepage;
 pub mod derivatives;
 pub mod dual;
 mod elliptic;
+pub mod evaluate;
 pub mod ffi;
 pub mod field;
 pub mod friction;

@@ -268,6 +268,22 @@ impl<'a, F: Precision> Problem<'a, F> {
         )
     }
 
+    /// [`Model::Strip`] without the moment or the stick area, which are zero then.
+    #[inline(always)]
+    pub(crate) fn strip_totals<const STICK: bool, const MOMENT: bool>(
+        &self,
+        parameters: &Parameters<F>,
+    ) -> StripTotals<F> {
+        let strips = self.rolling(parameters);
+        match self.options.strips {
+            StripCount::Four => strips.wanted_totals::<4, STICK, MOMENT>(),
+            StripCount::Eight => strips.wanted_totals::<8, STICK, MOMENT>(),
+            StripCount::Sixteen => strips.wanted_totals::<16, STICK, MOMENT>(),
+            StripCount::ThirtyTwo => strips.wanted_totals::<32, STICK, MOMENT>(),
+            StripCount::SixtyFour => strips.wanted_totals::<64, STICK, MOMENT>(),
+        }
+    }
+
     #[inline(always)]
     fn rolling_strips<T: Real<Base = F>>(&self, parameters: &Parameters<T>) -> Totals<T> {
         let strips = self.rolling(parameters);
@@ -285,6 +301,19 @@ impl<'a, F: Precision> Problem<'a, F> {
     /// `√(ab)` \[m\], without overflow.
     pub(crate) fn mean_radius(&self) -> F {
         self.contact.a.sqrt() * self.contact.b.sqrt()
+    }
+
+    /// Without creepage and spin every model has zero forces and, if it knows, adhesion everywhere.
+    #[inline(always)]
+    pub(crate) fn at_rest(&self) -> Option<Solution<F>> {
+        let Creepage { longitudinal, lateral, spin } = *self.creepage;
+        let (zero, one) = (F::zero(), F::one());
+        if longitudinal != zero || lateral != zero || spin != zero {
+            return None;
+        }
+        let adhesion = if self.options.model == Model::Total { -one } else { one };
+        let notice = self.notice(zero);
+        Some(Solution { fx: zero, fy: zero, mz: zero, power: zero, adhesion, notice })
     }
 
     #[inline(always)]
@@ -389,6 +418,9 @@ fn solve_inline<F: Precision>(
     options: &Options,
 ) -> Result<Solution<F>, Error> {
     let problem = Problem::new(contact, creepage, options)?;
+    if let Some(rest) = problem.at_rest() {
+        return Ok(rest);
+    }
     let (forces, notice) = problem.forces(creepage);
     Ok(problem.solution(&forces, notice))
 }

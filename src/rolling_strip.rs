@@ -207,6 +207,41 @@ impl<'a, F: Copy> Strips<'a, F> {
     }
 }
 
+impl<F: Copy> Strips<'_, F> {
+    /// Those with `Y > 0`.
+    #[inline(always)]
+    fn upper_half(&self) -> Self {
+        let Self { y, inverse, bend, load, moment_y, moment_x, area, stretch, lever } = *self;
+        Self {
+            y: upper_half(y),
+            inverse: upper_half(inverse),
+            bend: upper_half(bend),
+            load: upper_half(load),
+            moment_y: upper_half(moment_y),
+            moment_x: upper_half(moment_x),
+            area: upper_half(area),
+            stretch,
+            lever,
+        }
+    }
+}
+
+/// What the strips at `−Y` carry.
+#[derive(Clone, Copy, PartialEq)]
+enum Symmetry {
+    /// Something of their own.
+    None,
+    /// The same as those at `Y`.
+    Same,
+    /// The same but for the sign of `f_x`.
+    Opposite,
+}
+
+#[inline(always)]
+fn upper_half<F>(table: &[F]) -> &[F] {
+    table.get(table.len() / 2..).unwrap_or(&[])
+}
+
 impl<F: Copy, const N: usize> Rule<F, N> {
     #[inline(always)]
     fn strips(&self) -> Strips<'_, F> {
@@ -469,32 +504,58 @@ where
     where
         T::Base: Placed<N>,
     {
+        self.wanted_totals::<N, STICK, true>()
+    }
+
+    /// Totals of the Hertz ellipse; without `MOMENT` the moment is not computed, and zero.
+    #[must_use]
+    #[inline]
+    pub fn wanted_totals<const N: usize, const STICK: bool, const MOMENT: bool>(
+        &self,
+    ) -> StripTotals<T>
+    where
+        T::Base: Placed<N>,
+    {
         let rule = <T::Base as Placed<N>>::RULE;
         if T::HAS_DERIVATIVES {
             self.totals_by_slopes::<STICK>(&rule.strips())
         } else {
-            self.sum::<STICK>(&rule.strips())
+            self.sum::<STICK, MOMENT>(&rule.strips())
         }
     }
 
     /// The same, whatever the number of strips.
+    ///
+    /// Without slope the strips at `Y` and `−Y` carry the same forces; without longitudinal creepage `f_x` has
+    /// the opposite sign. Then only one half is marched: the same numbers to rounding.
     #[inline(always)]
-    fn sum<const STICK: bool>(&self, strips: &Strips<T::Base>) -> StripTotals<T> {
+    fn sum<const STICK: bool, const MOMENT: bool>(
+        &self,
+        strips: &Strips<T::Base>,
+    ) -> StripTotals<T> {
+        let same = self.slope.value() == T::Base::zero();
+        let opposite = self.longitudinal.value() == T::Base::zero();
+        let (half, symmetry) = if strips.y.len() >= 8 && (same || opposite) {
+            (strips.upper_half(), if same { Symmetry::Same } else { Symmetry::Opposite })
+        } else {
+            (*strips, Symmetry::None)
+        };
         if !Self::PAIRED {
-            return self.sum_of_groups::<STICK, 4, 0>(strips);
+            return self.sum_of_groups::<STICK, MOMENT, 4, 0>(&half, symmetry);
         }
-        match strips.y.len() {
-            4 => self.sum_of_groups::<STICK, 4, 1>(strips),
-            8 => self.sum_of_groups::<STICK, 8, 2>(strips),
-            _ => self.sum_of_groups::<STICK, 16, 4>(strips),
+        match half.y.len() {
+            4 => self.sum_of_groups::<STICK, MOMENT, 4, 1>(&half, symmetry),
+            8 => self.sum_of_groups::<STICK, MOMENT, 8, 2>(&half, symmetry),
+            _ => self.sum_of_groups::<STICK, MOMENT, 16, 4>(&half, symmetry),
         }
     }
 
     /// Groups of `G` strips: twice `H` pairs, or with `H = 0` four numbers side by side.
     #[inline(never)]
-    fn sum_of_groups<const STICK: bool, const G: usize, const H: usize>(
+    fn sum_of_groups<const STICK: bool, const MOMENT: bool, const G: usize, const H: usize>(
         &self,
         strips: &Strips<T::Base>,
+        symmetry: Symmetry,
     ) -> StripTotals<T> {
         let zero = T::Pair::zero();
         let (mut fx, mut fy, mut by_y, mut by_x, mut stick) = (zero, zero, zero, zero, zero);
@@ -504,12 +565,20 @@ where
                 let load = weight(group.load);
                 fx += x * load;
                 fy += y * load;
-                by_y += x * weight(group.moment_y);
-                by_x += m * weight(group.moment_x);
+                if MOMENT {
+                    by_y += x * weight(group.moment_y);
+                    by_x += m * weight(group.moment_x);
+                }
                 if STICK {
                     stick += share * weight(group.area);
                 }
             });
+        }
+        if symmetry != Symmetry::None {
+            for sum in [&mut fx, &mut fy, &mut by_y, &mut by_x, &mut stick] {
+                *sum += *sum;
+            }
+            if symmetry == Symmetry::Same { by_y = zero } else { fx = zero }
         }
         // Mz = ∫ (x Y − y X): lever arms √(a/b) C x̂ and √(b/a) Y
         let mz = by_x.sum().scale(self.root) - by_y.sum().scale(T::Base::one() / self.root);

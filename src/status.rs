@@ -53,6 +53,8 @@ pub enum Error {
     ForceBeyondFriction = -20,
     /// What was measured is none of the longitudinal force, the lateral force, and both.
     Measured = -21,
+    /// A flag of what is wanted is unknown.
+    Wanted = -22,
     /// A strip of a patch has a width or half length that is not positive.
     StripSize = -40,
     /// The peak pressure of a strip is negative.
@@ -173,6 +175,7 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
             c"no friction explains the measured force: it points against the slip, or there is no load; check signs (forces act on the lower body) and creepage"
         }
         -20 => c"the wanted force exceeds mu N: no creepage gives it",
+        -22 => c"unknown flag: add up KSTRIP_WANT constants",
         -21 => c"unknown measurement: use KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added",
         -40 => c"a strip of the patch has a width or a half length that is not positive (metres)",
         -41 => c"the peak pressure of a strip is negative: it must be >= 0 (pascals)",

@@ -238,6 +238,9 @@ where
     /// Total force, moment and stick area with a fixed number of strips.
     #[must_use]
     pub fn totals(&self, count: StripCount) -> Totals<T> {
+        if let Some(totals) = self.pure_sliding() {
+            return totals;
+        }
         let mut sum = Sum::<T>(Shares::zero());
         self.place(count, &mut sum);
         let Shares { fx, fy, mz, stick } = sum.0;
@@ -253,6 +256,23 @@ where
             mz: mz.scale(self.axis_ratio.sqrt()),
             stick: stick.clamped(T::zero(), T::one()),
         }
+    }
+
+    /// Without spin and with `τ = √(ξ² + η²) ≥ 1` no strip adheres and all slide the same way: what the
+    /// quadrature, exact for the friction capacity, gives to rounding.
+    #[inline(always)]
+    fn pure_sliding(&self) -> Option<Totals<T>> {
+        let StripFamily { xi, eta, psi, .. } = self.law.family;
+        let zero = <T::Base as Arithmetic>::zero();
+        if T::HAS_DERIVATIVES || psi.value() != zero || !(xi * xi + eta * eta >= T::one()) {
+            return None;
+        }
+        let x = match self.law.rule {
+            SlidingRule::RigidSlip => xi.scale(self.law.compliance),
+            SlidingRule::Continuous => xi,
+        };
+        let inverse = T::one() / (x * x + eta * eta).sqrt();
+        Some(Totals { fx: x * inverse, fy: eta * inverse, mz: T::zero(), stick: T::zero() })
     }
 
     /// Hand every strip of a fixed count to `visit`. The sum of the shares is the total. For

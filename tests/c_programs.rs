@@ -840,7 +840,7 @@ fn expected_statuses() -> BTreeMap<&'static str, i32> {
              solve.ok solve.default jacobian.ok batch.ok batch.empty strips.ok \
              point.ok point.outside field.ok f32.solve.ok solve.load_zero solve.friction_zero \
              derivatives.ok jacobians.ok friction.constant friction.ok friction.jacobian \
-             estimate.ok inverse.ok",
+             estimate.ok inverse.ok evaluate.forces evaluate.all",
         ),
         (KSTRIP_WARNING_BEYOND_FRICTION, "solve.linear_large f32.solve.linear_large"),
         (KSTRIP_WARNING_SPIN, "solve.spin_large"),
@@ -854,7 +854,8 @@ fn expected_statuses() -> BTreeMap<&'static str, i32> {
              strips.null_count point.null field.null_x field.null_out upper.null upper.null_out \
              f32.solve.null derivatives.null derivatives.null_result jacobians.null \
              jacobians.null_results friction.null friction.null_out friction.null_entries \
-             estimate.null inverse.null",
+             estimate.null inverse.null evaluate.null evaluate.null_jacobian \
+             evaluate.null_count",
         ),
         (
             KSTRIP_ERROR_NOT_FINITE,
@@ -879,6 +880,7 @@ fn expected_statuses() -> BTreeMap<&'static str, i32> {
         (KSTRIP_ERROR_STRIP_COUNT, "solve.strips_zero solve.strips_odd"),
         (KSTRIP_WARNING_FRICTION_AT_LEAST, "estimate.sticks"),
         (KSTRIP_WARNING_CREEPAGE_AT_LEAST, "inverse.sliding"),
+        (KSTRIP_ERROR_WANTED, "evaluate.flag"),
         (KSTRIP_ERROR_MEASURED, "estimate.measured"),
         (KSTRIP_ERROR_UNEXPLAINED, "estimate.against"),
         (KSTRIP_ERROR_FORCE_BEYOND_FRICTION, "inverse.beyond"),
@@ -890,11 +892,11 @@ fn expected_statuses() -> BTreeMap<&'static str, i32> {
         (KSTRIP_ERROR_ROLLING_SPEED, "velocities.stand velocities.back"),
         (
             KSTRIP_ERROR_CAPACITY,
-            "strips.capacity strips.capacity_count field.capacity f32.field.capacity",
+            "evaluate.capacity strips.capacity strips.capacity_count field.capacity f32.field.capacity",
         ),
         (
             KSTRIP_ERROR_NOT_IN_MODEL,
-            "estimate.linear strips.total point.total field.total field.linear f32.field.total",
+            "evaluate.total estimate.linear strips.total point.total field.total field.linear f32.field.total",
         ),
         (KSTRIP_ERROR_OVERFLOW, "velocities.overflow solve.friction_huge solve.load_huge"),
         (

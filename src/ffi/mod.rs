@@ -28,6 +28,7 @@ pub mod types_f32;
 // In the order of the header: after the functions that they build on.
 pub mod batch;
 pub mod derivatives;
+pub mod evaluate;
 pub mod friction;
 pub mod rig;
 
@@ -101,6 +102,8 @@ pub const KSTRIP_ERROR_UNEXPLAINED: kstrip_status = -19;
 pub const KSTRIP_ERROR_FORCE_BEYOND_FRICTION: kstrip_status = -20;
 /// Error: what was measured is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum.
 pub const KSTRIP_ERROR_MEASURED: kstrip_status = -21;
+/// Error: what is wanted has a flag that is none of the KSTRIP_WANT constants.
+pub const KSTRIP_ERROR_WANTED: kstrip_status = -22;
 /// Error: a strip of a patch has a width or half length that is not positive.
 pub const KSTRIP_ERROR_STRIP_SIZE: kstrip_status = -40;
 /// Error: the peak pressure of a strip is negative.
@@ -130,6 +133,17 @@ pub const KSTRIP_MODEL_STRIP: i32 = 3;
 pub const KSTRIP_MODEL_TOTAL: i32 = 4;
 /// Kalker's linear theory, without saturation: for stability analysis. Adhesion is 1.
 pub const KSTRIP_MODEL_LINEAR: i32 = 5;
+
+/// Wanted from kstrip_evaluate(): the forces (always computed).
+pub const KSTRIP_WANT_FORCES: u32 = 1;
+/// Wanted: the moment, and the power, which contains it.
+pub const KSTRIP_WANT_MOMENT: u32 = 2;
+/// Wanted: the share in adhesion.
+pub const KSTRIP_WANT_ADHESION: u32 = 4;
+/// Wanted: the derivatives with respect to the creepages.
+pub const KSTRIP_WANT_JACOBIAN: u32 = 8;
+/// Wanted: the strips.
+pub const KSTRIP_WANT_STRIPS: u32 = 16;
 
 /// The longitudinal force was measured.
 pub const KSTRIP_MEASURED_FX: u32 = 1;

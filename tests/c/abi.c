@@ -441,6 +441,36 @@ static void patches(void)
          kstrip_patch_field(&good, &creepage, NULL, x, 2, x, 2, points, 4));
 }
 
+static void evaluation(void)
+{
+    const kstrip_contact contact = {6e-3, 4e-3, 80e3, 82e9, 0.28, 0.3};
+    const kstrip_creepage creepage = {2e-3, 0, 0.1};
+    const kstrip_options total = {KSTRIP_MODEL_TOTAL, 16};
+    const uint32_t all = KSTRIP_WANT_FORCES | KSTRIP_WANT_MOMENT | KSTRIP_WANT_ADHESION |
+                         KSTRIP_WANT_JACOBIAN | KSTRIP_WANT_STRIPS;
+    kstrip_result result;
+    kstrip_strip strips[16];
+    double jacobian[9];
+    uint32_t count;
+
+    CASE("evaluate.null", jacobian,
+         kstrip_evaluate(&contact, &creepage, NULL, all, NULL, jacobian, strips, 16, &count));
+    CASE("evaluate.flag", result,
+         kstrip_evaluate(&contact, &creepage, NULL, 32, &result, NULL, NULL, 0, NULL));
+    CASE("evaluate.null_jacobian", result,
+         kstrip_evaluate(&contact, &creepage, NULL, all, &result, NULL, strips, 16, &count));
+    CASE("evaluate.null_count", jacobian,
+         kstrip_evaluate(&contact, &creepage, NULL, all, &result, jacobian, strips, 16, NULL));
+    CASE("evaluate.capacity", jacobian,
+         kstrip_evaluate(&contact, &creepage, NULL, all, &result, jacobian, strips, 15, &count));
+    CASE("evaluate.total", result,
+         kstrip_evaluate(&contact, &creepage, &total, all, &result, jacobian, strips, 16, &count));
+    CASE("evaluate.forces", result,
+         kstrip_evaluate(&contact, &creepage, NULL, KSTRIP_WANT_FORCES, &result, NULL, NULL, 0, NULL));
+    CASE("evaluate.all", strips,
+         kstrip_evaluate(&contact, &creepage, NULL, all, &result, jacobian, strips, 16, &count));
+}
+
 /* Single precision shares the checks; a sample of each kind. */
 static void single_precision(void)
 {
@@ -480,6 +510,7 @@ int main(void)
     more_derivatives();
     friction_laws();
     rig();
+    evaluation();
     patches();
     single_precision();
     return 0;
