@@ -35,7 +35,7 @@ def number(x):
 
 
 def write_constants(path, header, entries):
-    """Rust file of f32 constants: `entries` are (doc, NAME, array or number); two axes at most."""
+    """Rust file of f32 constants: `entries` are (doc, NAME, array or number); three axes at most, the last one in pairs then."""
     lines = [f"//! {line}".rstrip() for line in header] + ["// Generated: change the script, not this file.", ""]
     for doc, name, value in entries:
         value = np.asarray(value, dtype=np.float32)
@@ -48,8 +48,9 @@ def write_constants(path, header, entries):
             lines += wrap(value, 4)
             lines.append("];")
         else:
+            row_type = f"[f32; {value.shape[1]}]" if value.ndim == 2 else f"[[f32; 2]; {value.shape[1]}]"
             lines.append("#[rustfmt::skip]")
-            lines.append(f"pub(crate) const {name}: [[f32; {value.shape[1]}]; {value.shape[0]}] = [")
+            lines.append(f"pub(crate) const {name}: [{row_type}; {value.shape[0]}] = [")
             for row in value:
                 lines += ["    ["] + wrap(row, 8) + ["    ],"]
             lines.append("];")
@@ -61,7 +62,7 @@ def write_constants(path, header, entries):
 def wrap(values, indent, width=100):
     lines, line = [], ""
     for value in values:
-        word = number(value) + ", "
+        word = (number(value) if np.ndim(value) == 0 else f"[{number(value[0])}, {number(value[1])}]") + ", "
         if len(line) + len(word) + indent > width:
             lines.append(" " * indent + line.rstrip())
             line = ""
@@ -83,6 +84,22 @@ def read_constants(path):
 
 # --- linear coefficients ---------------------------------------------------------------------
 
+COUPLES = (("E11", "E22"), ("E23", "E33"), ("N23", "N33"))
+
+
+def couple(k, first, second):
+    """Two polynomials side by side: for each power of x the constant parts, then the factors of nu."""
+    columns = [np.append(k[name], np.zeros(8 - len(k[name]))).reshape(4, 2) for name in (first, second)]
+    return np.stack(columns, 2)
+
+
+def stored_coefficients():
+    found = read_constants(COEFFICIENTS)
+    out = {"M33": found["M33"]}
+    for first, second in COUPLES:
+        out[first], out[second] = (found[f"{first}_{second}"][:, :, i].ravel() for i in (0, 1))
+    return out
+
 
 def polynomial(c, x, nu):
     """Sum over i of (c[2i] + c[2i + 1] nu) x^i."""
@@ -94,7 +111,7 @@ def polynomial(c, x, nu):
 
 def coefficients(g, nu, constants=None, xp=np):
     """C11, C22, C23, C33 at axis ratio g = a/b: Kalker's slender asymptotes joined by polynomials in 1/(1 + g)."""
-    k = constants or read_constants(COEFFICIENTS)
+    k = constants or stored_coefficients()
     x = 1 / (1 + g)
     t = g * x
     w = x * t  # weight of the fitted part: 0 at both ends

@@ -69,19 +69,14 @@ def main():
         "Polynomials in x = 1/(1 + a/b) that join the slender asymptotes of the linear coefficients.",
         "",
         "Written by `fit/fit_coefficients.py` from `fit/data/kalker_coefficients.csv` (computed with CONTACT,",
-        "Vollebregt, Vtech CMCC, Apache-2.0). Pairs (p, q) stand for p + q ν, lowest power of x first.",
+        "Vollebregt, Vtech CMCC, Apache-2.0). Two polynomials side by side, lowest power of x first: for each power",
+        "the pair of constant parts, then the pair of factors of ν.",
     ]
-    docs = {
-        "E11": "Denominator of C11.",
-        "E22": "Denominator of C22.",
-        "E23": "Denominator of C23.",
-        "N23": "Numerator of C23.",
-        "E33": "Denominator of C33.",
-        "N33": "Numerator of C33.",
-        "M33": "Factors of (1 - x) m in the denominator and in the numerator of C33.",
-    }
+    docs = ("Denominators of C11 and C22.", "Denominators of C23 and C33.", "Numerators of C23 and C33.")
+    entries = [(doc, "_".join(names), common.couple(found, *names)) for doc, names in zip(docs, common.COUPLES)]
+    entries.append(("Factors of (1 - x) m in the denominator and in the numerator of C33.", "M33", found["M33"]))
     path = sys.argv[1] if len(sys.argv) > 1 else common.COEFFICIENTS
-    common.write_constants(path, header, [(docs[name], name, found[name]) for name in docs])
+    common.write_constants(path, header, entries)
     print("wrote", path)
 
 

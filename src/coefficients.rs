@@ -12,8 +12,8 @@
 
 mod constants;
 
-use self::constants::{E11, E22, E23, E33, M33, N23, N33};
-use crate::real::Float;
+use self::constants::{E11_E22, E23_E33, M33, N23_N33};
+use crate::real::{Arithmetic, Float, Pair};
 use core::f64::consts::{LN_2, PI};
 
 /// Kalker's linear creep coefficients of one contact ellipse.
@@ -47,62 +47,90 @@ impl<F: Float> LinearCoefficients<F> {
     #[inline]
     pub fn at(axis_ratio: F, poisson_ratio: F) -> Self {
         let one = F::one();
+        let pair = |p: F, q: F| <F::Pair as Pair<F>>::of(p, q);
+        let both = |x: F| <F::Pair as Pair<F>>::both(x);
         let g = axis_ratio.clamped(F::of(1.0 / RATIO_LIMIT), F::of(RATIO_LIMIT));
         let nu = poisson_ratio;
-        let x = one / (one + g);
+        let h = g.plus(1.0);
+        // m = ln((1 + g)²/g): ln(b/a) at one end, ln(a/b) at the other
+        let m = (h * h).ln_quotient(g);
+        let (x, y) = (both(one) / pair(h, (g * g).plus(1.0))).parts();
         let t = g * x;
         // weight of the fitted part, 0 at both ends
         let w = x * t;
-        // m = ln((1 + g)²/g): ln(b/a) at one end, ln(a/b) at the other
-        let m = -w.ln();
-        let g2 = g * g;
-        let y = one / (one + g2);
-        let z = g2 * y;
-        let r = (one + g2).sqrt();
-        // Λ = ln(16 (a/b)²) at the slender end a ≫ b
-        let lambda = (m + m).plus(LN_16);
+        let z = g * g * y;
+        let (r, root) = pair((g * g).plus(1.0), g).sqrt().parts();
+        // Λ = 2 m + ln 16: ln(16 (a/b)²) at the slender end a ≫ b
         let n = one - nu;
         let two_nu = nu + nu;
+        let x2 = x * x;
+        let cubic = |c: &'static [[[f32; 2]; 2]; 4], d: &'static [[[f64; 2]; 2]; 4]| {
+            let c = |i: usize| {
+                let c = F::table(c, d);
+                let [p, q] = c.get(i).copied().unwrap_or([[one; 2]; 2]);
+                <F::Pair as Pair<F>>::plain(p) + both(nu).scale_each(q)
+            };
+            (c(0) + c(1).scale(x)) + (c(2) + c(3).scale(x)).scale(x2)
+        };
+
+        // every denominator and numerator below is p + q m: m comes late, and is waited for in
+        // nothing but p + q m
+        let line = |p: F::Pair, q: F::Pair| p + q.scale(m);
+        let wt = w * t;
+        let nz = n * z;
+        let zl = z.times(LN_16);
 
         // a ≫ b: C11 = 2π g/(Λ − 2ν − k);  a ≪ b: C11 = π²/(4(1−ν))
-        let d11 =
-            z * (lambda - two_nu).plus(-K) + y * n.times(8.0 / PI) + w * polynomial(&E11, x, nu);
         // a ≫ b: C22 = 2π g/((1−ν)(Λ − k) + 2ν);  a ≪ b: C22 = π²/4
-        let d22 =
-            z * (n * lambda.plus(-K) + two_nu) + y.times(8.0 / PI) + w * polynomial(&E22, x, nu);
-        // a ≫ b: (1−ν)Λ − 2 + 4ν;  a ≪ b: 2(1−ν)
-        let e = z * (n * lambda + two_nu + two_nu).plus(-2.0) + y * (n + n);
+        let fitted = cubic(&E11_E22, &WIDE_E11_E22).scale(w);
+        let near = pair(n, one).scale(y.times(8.0 / PI));
+        let far = pair(one, n).scale(F::of(LN_16 - K)) + pair(-two_nu, two_nu);
+        let denominators = line(far.scale(z) + (near + fitted), pair(z + z, nz + nz));
+        let (c11, c22) = (both(r.times(2.0 * PI)) / denominators).parts();
+        // a ≫ b: e = (1−ν)Λ − 2 + 4ν;  a ≪ b: 2(1−ν)
+        let e = n * zl + (z * (two_nu + two_nu).plus(-2.0) + y * (n + n));
         // a ≫ b: C23 = (2π/3) g^{3/2}/e;  a ≪ b: C23 = (π/3) √g (1 + ν(ln(16/g) − 5))/(1−ν)
-        let n23 = z + y * (n + nu * m.plus(LN_16 - 4.0)) + w * polynomial(&N23, x, nu);
-        let d23 = e + w * polynomial(&E23, x, nu);
         // a ≫ b: C33 = (π/4)((1−2ν)Λ − 2 + 6ν)/e;  a ≪ b: C33 = π²/(16(1−ν) g)
-        let q = t * m;
         let [e0, e1, n0, n1] = M33.map(F::of_f32);
-        let n33 = z * ((one - two_nu) * lambda + nu.times(6.0)).plus(-2.0).times(PI / 4.0)
-            + y.times(PI * PI / 8.0)
-            + w * (polynomial(&N33, x, nu) + q * (n0 + n1 * nu));
-        let d33 = e + w * (polynomial(&E33, x, nu) + q * (e0 + e1 * nu));
-
-        let slope = r.times(2.0 * PI);
-        Self {
-            c11: slope / d11,
-            c22: slope / d22,
-            c23: (slope.times(1.0 / 3.0) * g.sqrt() * n23) / d23,
-            c33: (r * n33) / (g * d33),
-        }
+        let linear = one - two_nu;
+        let numerators = line(
+            pair(
+                (y * n + z) + (nu * y).times(LN_16 - 4.0),
+                (linear * zl + z * nu.times(6.0).plus(-2.0)).times(PI / 4.0)
+                    + y.times(PI * PI / 8.0),
+            ) + cubic(&N23_N33, &WIDE_N23_N33).scale(w),
+            pair(nu * y, linear * z.times(PI / 2.0) + wt * (n0 + n1 * nu)),
+        );
+        let denominators = line(
+            both(e) + cubic(&E23_E33, &WIDE_E23_E33).scale(w),
+            both(nz + nz) + pair(F::zero(), wt * (e0 + e1 * nu)),
+        );
+        let factors = pair(root.times(2.0 * PI / 3.0), one).scale(r);
+        let (c23, c33) = (factors * numerators / (denominators * pair(one, g))).parts();
+        Self { c11, c22, c23, c33 }
     }
 }
 
-/// `Σ (cᵢ₀ + cᵢ₁ ν) xⁱ`.
-#[inline(always)]
-fn polynomial<F: Float, const N: usize>(c: &[f32; N], x: F, nu: F) -> F {
-    let mut sum = F::zero();
-    for pair in c.chunks_exact(2).rev() {
-        if let &[p, q] = pair {
-            sum = sum * x + (F::of_f32(p) + F::of_f32(q) * nu);
+static WIDE_E11_E22: [[[f64; 2]; 2]; 4] = widen(&E11_E22);
+static WIDE_E23_E33: [[[f64; 2]; 2]; 4] = widen(&E23_E33);
+static WIDE_N23_N33: [[[f64; 2]; 2]; 4] = widen(&N23_N33);
+
+/// The constants in double precision: converted once by the compiler, not in every call.
+#[allow(clippy::indexing_slicing)]
+pub(crate) const fn widen<const N: usize, const P: usize>(
+    narrow: &[[[f32; 2]; P]; N],
+) -> [[[f64; 2]; P]; N] {
+    let mut wide = [[[0.0; 2]; P]; N];
+    let mut i = 0;
+    while i < N {
+        let mut j = 0;
+        while j < P {
+            wide[i][j] = [narrow[i][j][0] as f64, narrow[i][j][1] as f64];
+            j += 1;
         }
+        i += 1;
     }
-    sum
+    wide
 }
 
 #[cfg(test)]

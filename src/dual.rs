@@ -5,7 +5,7 @@
 //! compute, branch by branch; there is no step size and no second implementation to keep in step.
 
 use crate::real::pairs::Two;
-use crate::real::{Arithmetic, Float, Real};
+use crate::real::{Arithmetic, Float, Map, Real};
 use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -176,6 +176,24 @@ impl<F: Float, const M: usize> Real for Dual<F, M> {
     #[inline(always)]
     fn value(self) -> F {
         self.value
+    }
+    #[inline(always)]
+    fn map<const N: usize, const K: usize>(
+        map: &impl Map<F, N, K>,
+        inputs: [Self; N],
+    ) -> [Self; K] {
+        let (values, place) = map.value(inputs.map(|x| x.value));
+        let mut outputs = values.map(Self::from_base);
+        for direction in 0..M {
+            let along = |x: Self| x.gradient.get(direction).copied().unwrap_or(F::zero());
+            let tangent = map.tangent(&place, inputs.map(along));
+            for (output, own) in outputs.iter_mut().zip(tangent) {
+                if let Some(derivative) = output.gradient.get_mut(direction) {
+                    *derivative = own;
+                }
+            }
+        }
+        outputs
     }
     #[inline]
     fn atan(self) -> Self {

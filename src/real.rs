@@ -29,6 +29,13 @@ pub trait Float: Real<Base = Self> + nalgebra::Scalar {
     fn cube_root(self) -> Self;
     /// Exponential function.
     fn exp(self) -> Self;
+    /// `ln(self/divisor)` of two positive normal numbers, to rounding, without a branch.
+    fn ln_quotient(self, divisor: Self) -> Self;
+    /// Of one table in both precisions, that in this one; the other is not even linked.
+    fn table<const N: usize, const P: usize>(
+        single: &'static [[[f32; 2]; P]; N],
+        double: &'static [[[f64; 2]; P]; N],
+    ) -> &'static [[[Self; 2]; P]; N];
 }
 
 /// What formulas without a decision need: one number, or two side by side in [`Real::Pair`].
@@ -128,6 +135,11 @@ pub trait Real: Arithmetic + PartialEq + PartialOrd {
 
     /// The value without derivatives.
     fn value(self) -> Self::Base;
+    /// The outputs of a map of plain numbers that brings its own derivatives.
+    fn map<const N: usize, const M: usize>(
+        map: &impl Map<Self::Base, N, M>,
+        inputs: [Self; N],
+    ) -> [Self; M];
     /// Inverse tangent.
     fn atan(self) -> Self;
     /// Natural logarithm of a positive number.
@@ -142,6 +154,16 @@ pub trait Real: Arithmetic + PartialEq + PartialOrd {
     }
 }
 
+/// A differentiable map of plain numbers.
+pub trait Map<F, const N: usize, const M: usize> {
+    /// What [`Map::tangent`] needs to know of the place where the map was evaluated.
+    type Place;
+    /// The outputs.
+    fn value(&self, inputs: [F; N]) -> ([F; M], Self::Place);
+    /// How the outputs move when the inputs do.
+    fn tangent(&self, place: &Self::Place, inputs: [F; N]) -> [F; M];
+}
+
 /// Two numbers side by side.
 pub trait Pair<T: Real>: Arithmetic<Base = T::Base> {
     /// Put two numbers side by side.
@@ -153,6 +175,19 @@ pub trait Pair<T: Real>: Arithmetic<Base = T::Base> {
     fn both(x: T) -> Self {
         Self::of(x, x)
     }
+    /// Each multiplied by its own plain number.
+    #[inline(always)]
+    fn scale_each(self, factors: [T::Base; 2]) -> Self {
+        let [p, q] = factors;
+        let (first, second) = self.parts();
+        Self::of(first.scale(p), second.scale(q))
+    }
+    /// A plain number for each.
+    #[inline(always)]
+    fn plain(values: [T::Base; 2]) -> Self {
+        let [first, second] = values;
+        Self::of(T::from_base(first), T::from_base(second))
+    }
     /// Their sum.
     #[inline(always)]
     fn sum(self) -> T {
@@ -162,7 +197,7 @@ pub trait Pair<T: Real>: Arithmetic<Base = T::Base> {
 }
 
 macro_rules! plain {
-    ($float:ident, $pair:ty, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $asinh:path, $cbrt:path, $exp:path) => {
+    ($float:ident, $pair:ty, $integer:ident, $mantissa:expr, $artanh:expr, |$single:ident, $double:ident| $table:expr, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $asinh:path, $cbrt:path, $exp:path) => {
         impl Float for $float {
             #[inline(always)]
             fn of(x: f64) -> Self {
@@ -187,6 +222,26 @@ macro_rules! plain {
             #[inline]
             fn exp(self) -> Self {
                 $exp(self)
+            }
+            #[inline(always)]
+            fn ln_quotient(self, divisor: Self) -> Self {
+                // self/divisor = 2^k m with m between 2^-0.59 and 2^0.59: the bits of a floating-point
+                // number, read as an integer, are its binary logarithm to 0.043
+                let (p, q) = (self.to_bits() as $integer, divisor.to_bits() as $integer);
+                let k = (p - q + (1 << ($mantissa - 1))) >> $mantissa;
+                let divisor = $float::from_bits((q + (k << $mantissa)) as _);
+                // ln m = 2 artanh((m − 1)/(m + 1))
+                let s = (self - divisor) / (self + divisor);
+                let s2 = s * s;
+                (k as $float) * core::$float::consts::LN_2 + (s + s) * even_polynomial(&$artanh, s2)
+            }
+            #[inline(always)]
+            fn table<const N: usize, const P: usize>(
+                $single: &'static [[[f32; 2]; P]; N],
+                $double: &'static [[[f64; 2]; P]; N],
+            ) -> &'static [[[Self; 2]; P]; N] {
+                let _ = ($single, $double);
+                $table
             }
         }
 
@@ -238,6 +293,13 @@ macro_rules! plain {
             fn value(self) -> $float {
                 self
             }
+            #[inline(always)]
+            fn map<const N: usize, const M: usize>(
+                map: &impl Map<Self, N, M>,
+                inputs: [Self; N],
+            ) -> [Self; M] {
+                map.value(inputs).0
+            }
             #[inline]
             fn atan(self) -> Self {
                 $atan(self)
@@ -254,9 +316,38 @@ macro_rules! plain {
     };
 }
 
+/// Even powers of `artanh(s)/s` for `s² ≤ 0.0403`, least on Chebyshev points: within 2e-15.
+const ARTANH_DOUBLE: [f64; 7] = [
+    1.0000000000000016,
+    0.33333333332951415,
+    0.20000000151707314,
+    0.14285691729279248,
+    0.11112703668482331,
+    0.09033493024410533,
+    0.08705642548611439,
+];
+/// The same, within 3e-9.
+const ARTANH_SINGLE: [f32; 4] = [1.0, 0.333_335_26, 0.199_761_59, 0.152_212_55];
+
+/// `Σ cᵢ zⁱ` of four or seven terms, in a tree of products that do not wait for each other.
+#[inline(always)]
+fn even_polynomial<F: Float>(c: &[F], z: F) -> F {
+    let z2 = z * z;
+    let cubic = |p: F, q: F, r: F, s: F| (p + q * z) + (r + s * z) * z2;
+    match *c {
+        [p, q, r, s] => cubic(p, q, r, s),
+        [p, q, r, s, t, u, v] => cubic(p, q, r, s) + ((t + u * z) + v * z2) * (z2 * z2),
+        _ => F::zero(),
+    }
+}
+
 plain!(
     f64,
     pairs::F64Pair,
+    i64,
+    52,
+    ARTANH_DOUBLE,
+    |single, double| double,
     1.491_668_146_240_041_3e-154,
     1e100,
     square_root::of_f64,
@@ -268,7 +359,11 @@ plain!(
 );
 plain!(
     f32,
-    pairs::Two<f32>,
+    pairs::F32Pair,
+    i32,
+    23,
+    ARTANH_SINGLE,
+    |single, double| single,
     1.084_202_2e-19,
     1e12,
     square_root::of_f32,

@@ -647,11 +647,6 @@ fn total_has_no_kink(
     #[values([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.5, -0.5, 0.5])] way: [f64; 3],
     #[values(0.0, 0.3)] spin: f64,
 ) {
-    if way[1] == 1.0 && spin > 0.0 {
-        // Known: where the force vanishes under spin, S(|q|)/|q| has a cone, and dMz/dvy jumps by 0.2
-        // (a/b = 1) to 0.6 (a/b = 10) there. docs/accuracy.md names it.
-        return;
-    }
     let at = |t: f64| {
         let mut v = way.map(|w| w * t);
         v[2] += spin;

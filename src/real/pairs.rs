@@ -16,6 +16,15 @@ pub struct F64Pair(wide::f64x2);
 #[cfg(not(target_arch = "x86_64"))]
 pub type F64Pair = Two<f64>;
 
+/// Two single-precision numbers: half an SSE register, because that is what one instruction takes anyway.
+#[cfg(target_arch = "x86_64")]
+#[derive(Clone, Copy, Debug)]
+pub struct F32Pair(wide::f32x4);
+
+/// Two single-precision numbers.
+#[cfg(not(target_arch = "x86_64"))]
+pub type F32Pair = Two<f32>;
+
 macro_rules! operators {
     ([$($generics:tt)*] $pair:ty: |$a:ident, $b:ident| $add:expr, $sub:expr, $mul:expr, $div:expr, $neg:expr) => {
         impl<$($generics)*> Add for $pair {
@@ -134,33 +143,58 @@ impl<T: Real> Pair<T> for Two<T> {
 
 #[cfg(target_arch = "x86_64")]
 mod sse2 {
-    use super::F64Pair;
+    use super::{F32Pair, F64Pair};
     use crate::real::{Arithmetic, Pair};
     use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
     use wide::{f32x4, f64x2};
 
-    operators!([] F64Pair: |a, b|
-        F64Pair(a.0 + b.0), F64Pair(a.0 - b.0), F64Pair(a.0 * b.0), F64Pair(a.0 / b.0), F64Pair(-a.0));
+    macro_rules! register {
+        ($pair:ident, $vector:ident, $float:ident, { $($special:item)* }) => {
+            operators!([] $pair: |a, b|
+                $pair(a.0 + b.0), $pair(a.0 - b.0), $pair(a.0 * b.0), $pair(a.0 / b.0), $pair(-a.0));
 
-    impl Arithmetic for F64Pair {
-        type Base = f64;
+            impl Arithmetic for $pair {
+                type Base = $float;
 
-        #[inline(always)]
-        fn from_base(x: f64) -> Self {
-            Self(f64x2::splat(x))
-        }
-        #[inline(always)]
-        fn scale(self, factor: f64) -> Self {
-            Self(self.0 * f64x2::splat(factor))
-        }
-        #[inline(always)]
-        fn shift(self, term: f64) -> Self {
-            Self(self.0 + f64x2::splat(term))
-        }
-        #[inline(always)]
-        fn sqrt(self) -> Self {
-            Self(self.0.sqrt())
-        }
+                #[inline(always)]
+                fn from_base(x: $float) -> Self {
+                    Self($vector::splat(x))
+                }
+                #[inline(always)]
+                fn scale(self, factor: $float) -> Self {
+                    Self(self.0 * $vector::splat(factor))
+                }
+                #[inline(always)]
+                fn shift(self, term: $float) -> Self {
+                    Self(self.0 + $vector::splat(term))
+                }
+                #[inline(always)]
+                fn sqrt(self) -> Self {
+                    Self(self.0.sqrt())
+                }
+                #[inline(always)]
+                fn abs(self) -> Self {
+                    Self(self.0.abs())
+                }
+                #[inline(always)]
+                fn max(self, other: Self) -> Self {
+                    // `maxpd`: the second one where they are equal or one is not a number, as everywhere here
+                    Self(self.0.fast_max(other.0))
+                }
+                #[inline(always)]
+                fn min(self, other: Self) -> Self {
+                    Self(self.0.fast_min(other.0))
+                }
+                #[inline(always)]
+                fn choose(self, yes: Self, no: Self) -> Self {
+                    Self(self.0.simd_gt($vector::splat(0.0)).select(yes.0, no.0))
+                }
+                $($special)*
+            }
+        };
+    }
+
+    register!(F64Pair, f64x2, f64, {
         /// Root and quotient of four numbers at once in single precision, where they cost a third, and one
         /// step of Newton's iteration in double precision. Nothing but correctly rounded operations: the same
         /// bits on every machine.
@@ -185,24 +219,8 @@ mod sse2 {
             }
             numbers
         }
-        #[inline(always)]
-        fn abs(self) -> Self {
-            Self(self.0.abs())
-        }
-        #[inline(always)]
-        fn max(self, other: Self) -> Self {
-            // `maxpd`: the second one where they are equal or one is not a number, as everywhere here
-            Self(self.0.fast_max(other.0))
-        }
-        #[inline(always)]
-        fn min(self, other: Self) -> Self {
-            Self(self.0.fast_min(other.0))
-        }
-        #[inline(always)]
-        fn choose(self, yes: Self, no: Self) -> Self {
-            Self(self.0.simd_gt(f64x2::splat(0.0)).select(yes.0, no.0))
-        }
-    }
+    });
+    register!(F32Pair, f32x4, f32, {});
 
     impl Pair<f64> for F64Pair {
         #[inline(always)]
@@ -213,6 +231,27 @@ mod sse2 {
         fn parts(self) -> (f64, f64) {
             let [first, second] = self.0.to_array();
             (first, second)
+        }
+        #[inline(always)]
+        fn scale_each(self, factors: [f64; 2]) -> Self {
+            Self(self.0 * f64x2::new(factors))
+        }
+    }
+
+    impl Pair<f32> for F32Pair {
+        #[inline(always)]
+        fn of(first: f32, second: f32) -> Self {
+            // harmless numbers in the half that is not used
+            Self(f32x4::new([first, second, 1.0, 1.0]))
+        }
+        #[inline(always)]
+        fn parts(self) -> (f32, f32) {
+            let [first, second, ..] = self.0.to_array();
+            (first, second)
+        }
+        #[inline(always)]
+        fn scale_each(self, [first, second]: [f32; 2]) -> Self {
+            Self(self.0 * f32x4::new([first, second, 1.0, 1.0]))
         }
     }
 }
