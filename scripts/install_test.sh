@@ -142,7 +142,8 @@ capi=$(cargo-cinstall --version 2>/dev/null | sed -n 's/^cargo-c \([0-9.]*\).*/\
 if [ -n "$capi" ] && [ "$(printf '%s\n' 0.10.10 "$capi" | sort -V | head -n 1)" != 0.10.10 ]; then
     echo "SKIPPED: cargo-c $capi is too old for edition 2024; only make install was tried"
 elif [ -n "$capi" ]; then
-    cargo cinstall --quiet --locked --prefix="$work/capi" --libdir="$work/capi/lib" --target-dir "$target/capi"
+    cargo cinstall --locked --prefix="$work/capi" --libdir="$work/capi/lib" --target-dir "$target/capi" > "$work/capi.log" 2>&1 ||
+        { cat "$work/capi.log"; fail "cargo cinstall"; }
     for file in include/kstrip.h include/kstrip.hpp lib/libkstrip.a lib/libkstrip.so lib/libkstrip.so.1 lib/pkgconfig/kstrip.pc; do
         [ -e "$work/capi/$file" ] || fail "cargo cinstall did not install $file"
     done
