@@ -83,3 +83,27 @@ awk -v table="$table" '
     /<!-- instructions:end -->/ { skip = 0 }
     !skip' README.md > README.md.new && mv README.md.new README.md
 echo "$table"
+
+# What kstrip_evaluate() costs for each kind of motion and each choice of what is wanted.
+cc -std=c99 -O2 -Iinclude benches/wanted.c "${CARGO_TARGET_DIR:-target}/release/libkstrip.a" -lm -o "$scratch/choices"
+valgrind --quiet --tool=callgrind --callgrind-out-file="$scratch/wanted" \
+    --zero-before=counted_calls --dump-after=counted_calls "$scratch/choices" > "$scratch/wanted_names"
+k=0
+while read -r name; do
+    k=$((k + 1))
+    awk -v name="$name" '/^(totals|summary):/ { print name, int($2 / 512 + 0.5); exit }' "$scratch/wanted.$k"
+done < "$scratch/wanted_names" > "$scratch/wanted_counts"
+choices=$(awk '
+    BEGIN {
+        print "| model, 16 strips | motion | forces | + moment | + adhesion | + both | + Jacobian | + strips |"
+        print "|---|---|---|---|---|---|---|---|"
+    }
+    $3 == 0 && line != "" { print line (columns < 6 ? " – |" : "") }
+    $3 == 0 { motion = $2; gsub("_", " ", motion); line = "| " $1 " | " motion " |"; columns = 0 }
+    { line = line " " $4 " |"; columns++ }
+    END { print line (columns < 6 ? " – |" : "") }' "$scratch/wanted_counts")
+awk -v table="$choices" '
+    /<!-- wanted:begin -->/ { print; print table; skip = 1 }
+    /<!-- wanted:end -->/ { skip = 0 }
+    !skip' README.md > README.md.new && mv README.md.new README.md
+echo "$choices"
