@@ -221,11 +221,20 @@ impl Declared {
         let mut text = "#include \"kstrip.h\"\n".to_owned();
         for Structure { name, members } in &self.structures {
             let layout = &layouts[name.as_str()];
+            // Structures of pointers have the size of this machine's.
+            let pointers = members.iter().any(|member| member.kind.contains('*'));
+            if pointers {
+                let size = size_of::<usize>();
+                text += &format!("#if UINTPTR_MAX == UINT{}_MAX\n", 8 * size);
+            }
             text += &format!("_Static_assert(sizeof({name}) == {}, \"{name}\");\n", layout.size);
             for (Variable { name: member, .. }, offset) in members.iter().zip(&layout.offsets) {
                 text += &format!(
                     "_Static_assert(offsetof({name}, {member}) == {offset}, \"{name}.{member}\");\n"
                 );
+            }
+            if pointers {
+                text += "#endif\n";
             }
         }
         text
