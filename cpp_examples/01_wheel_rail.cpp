@@ -103,6 +103,14 @@ int main()
         return 1;
     std::printf("inverse %.4f %.7f %.7f\n", found.friction, back.longitudinal, back.lateral);
 
+    // Only what is wanted
+    kstrip::result some{};
+    kstrip::jacobian its{};
+    if (kstrip::is_error(kstrip::evaluate(contact, motion, total, kstrip::want::forces | kstrip::want::jacobian, &some,
+                                          &its)))
+        return 1;
+    std::printf("evaluate %.4f %.4f\n", some.fx.value, its(0, 0));
+
     // A patch of any shape: here the ellipse's strips, the right half without friction
     kstrip::patch worn{};
     if (kstrip::is_error(kstrip::patch_from_ellipse(contact, 16, worn)))

@@ -81,6 +81,7 @@ enum class [[nodiscard]] status : std::int32_t {
     error_unexplained = KSTRIP_ERROR_UNEXPLAINED,
     error_force_beyond_friction = KSTRIP_ERROR_FORCE_BEYOND_FRICTION,
     error_measured = KSTRIP_ERROR_MEASURED,
+    error_wanted = KSTRIP_ERROR_WANTED,
     error_strip_size = KSTRIP_ERROR_STRIP_SIZE,
     error_pressure = KSTRIP_ERROR_PRESSURE,
     error_strip_order = KSTRIP_ERROR_STRIP_ORDER,
@@ -268,6 +269,19 @@ enum class measured : std::uint32_t {
     fy = KSTRIP_MEASURED_FY,
     both = KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY,
 };
+
+/// What evaluate() computes; `a | b` asks for both.
+enum class want : std::uint32_t {
+    forces = KSTRIP_WANT_FORCES,
+    moment = KSTRIP_WANT_MOMENT,
+    adhesion = KSTRIP_WANT_ADHESION,
+    jacobian = KSTRIP_WANT_JACOBIAN,
+    strips = KSTRIP_WANT_STRIPS,
+};
+constexpr want operator|(want p, want q) noexcept
+{
+    return static_cast<want>(static_cast<std::uint32_t>(p) | static_cast<std::uint32_t>(q));
+}
 
 /// Model and strip count; the same defaults as kstrip_options_init().
 struct options {
@@ -716,6 +730,17 @@ status creepage_for_force(const basic_contact<T> &ellipse, basic_newtons<T> fx, 
 {
     return KSTRIP_HPP_CALL(T, kstrip_creepage_for_force, detail::in(&ellipse), fx.value, fy.value, spin.value,
                            detail::in(&how), detail::out(&to));
+}
+
+/// kstrip_evaluate(); what is not wanted may be null.
+template <class T>
+status evaluate(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const options &how, want wanted,
+                basic_result<T> *to, basic_jacobian<T> *slopes = nullptr, basic_strip<T> *strips_to = nullptr,
+                std::uint32_t capacity = 0, std::uint32_t *count = nullptr) noexcept
+{
+    return KSTRIP_HPP_CALL(T, kstrip_evaluate, detail::in(&ellipse), detail::in(&motion), detail::in(&how),
+                           static_cast<std::uint32_t>(wanted), detail::out(to), slopes ? slopes->value : nullptr,
+                           detail::out(strips_to), capacity, count);
 }
 
 /// kstrip_solve_total(), kstrip_solve_linear(), kstrip_solve_strip_1967(), kstrip_solve_strip(): programs that

@@ -106,6 +106,10 @@ fn example_prints_what_rust_computes() {
     close(inverse[0], 0.3, 4);
     close(inverse[1], motion.longitudinal, 7);
     close(inverse[2], motion.lateral, 7);
+    let total = Options { model: model::Model::Total, ..options };
+    let (exact, slopes) = model::solve_jacobian(&contact, &motion, &total).expect("a solution");
+    close(numbers(text, "evaluate")[0][0], exact.fx, 4);
+    close(numbers(text, "evaluate")[0][1], slopes[(0, 0)], 4);
     // The strips add up to the force, to rounding
     let strips = &numbers(text, "strips")[0];
     assert!(strips[0] >= 16.0 && (strips[1] - forces.fx).abs() < 1e-3, "{strips:?}");
