@@ -129,17 +129,26 @@ fn compile_by(
 /// Compile a C99 program of the repository without a warning, link it with the library, run it, and
 /// return what it printed.
 pub fn run_c(source: &str) -> String {
-    run_source(&root().join(source))
+    run_c_with(source, &[])
+}
+
+/// The same with arguments.
+pub fn run_c_with(source: &str, given: &[&str]) -> String {
+    run_source_with(&root().join(source), given)
 }
 
 /// The same for a program anywhere.
 pub fn run_source(source: &Path) -> String {
+    run_source_with(source, &[])
+}
+
+fn run_source_with(source: &Path, given: &[&str]) -> String {
     let library = library();
     let mut arguments: Vec<&OsStr> = STRICT.iter().map(OsStr::new).collect();
     arguments.extend([library.as_os_str(), OsStr::new("-lpthread"), OsStr::new("-lm")]);
     let program = compile(false, "c99", source, &arguments)
         .unwrap_or_else(|message| panic!("{}: {message}", source.display()));
-    output_of(&mut Command::new(program))
+    output_of(&mut Command::new(program).args(given))
 }
 
 /// A C99 program of the repository that needs a header and flags (or a compiler) of its own, linked with the

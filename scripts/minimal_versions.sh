@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# The library with the oldest versions of its direct dependencies that Cargo.toml allows.
+#
+# Works on a copy: Cargo.lock stays as it is. Needs the registry; without it the step is SKIPPED.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+work=${CARGO_TARGET_DIR:-$PWD/target}/minimal_versions
+rm -rf "$work/source"
+mkdir -p "$work/source"
+git ls-files -z src Cargo.toml Cargo.lock README.md benches examples tests cbindgen.toml | xargs -0 cp --parents -t "$work/source"
+cd "$work/source"
+if ! RUSTC_BOOTSTRAP=1 cargo update --quiet -Z direct-minimal-versions 2> "$work/update.log"; then
+    if grep -qiE 'could not (resolve|connect)|failed to (download|get)|network|timed out|offline' "$work/update.log"; then
+        echo "SKIPPED: minimal versions, because the registry cannot be reached"; exit 0
+    fi
+    cat "$work/update.log"; exit 1
+fi
+cargo check --quiet --locked --lib --target-dir "$work/target"
+echo "the library builds with the oldest versions allowed: $(cargo tree --locked --edges normal --depth 1 --prefix none | tail -n +2 | awk '{ print $1, $2 }' | paste -sd, | sed 's/,/, /g')"

@@ -1,0 +1,98 @@
+#!/usr/bin/env bash
+# The C examples and C tests under valgrind and under sanitizers, with the Rust side instrumented as well.
+#
+#     scripts/sanitizers.sh
+#
+# * memcheck: the release library, every program.
+# * AddressSanitizer and UndefinedBehaviorSanitizer, by gcc and by clang; the library built with -Z sanitizer=address.
+# * Threads: tests/c/threads.c under helgrind, and under ThreadSanitizer with the library built with
+#   -Z sanitizer=thread.
+# Any report ends the script with an error. What is missing on the machine is SKIPPED by name.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+target=${CARGO_TARGET_DIR:-target}/sanitizers
+mkdir -p "$target"
+host=$(rustc -vV | sed -n 's/^host: //p')
+flags="-std=c99 -g -O1 -Wall -Wextra -Iinclude"
+has() { command -v "$1" > /dev/null; }
+
+# library NAME RUSTFLAGS: an archive that the programs link
+library() {
+    RUSTC_BOOTSTRAP=1 RUSTFLAGS="$2" cargo rustc --quiet --locked --release --lib --crate-type staticlib \
+        --features panic-handler --target "$host" --target-dir "$target/$1"
+    echo "$target/$1/$host/release/libkstrip.a"
+}
+
+# Every program of the repository, and the one that the test of docs/bad-input.md writes, if it has run.
+programs=(c_examples/0*.c tests/c/*.c)
+written=$(ls -t "${CARGO_TARGET_DIR:-target}"/tmp/bad_input.c 2> /dev/null | head -1 || true)
+[ -n "$written" ] && programs+=("$written") \
+    || echo "SKIPPED: the calls of docs/bad-input.md: run cargo test --test bad_input first"
+
+# each LABEL COMPILER FLAGS LIBRARY RUNNER: compile, run, and stop at the first report
+each() {
+    local label=$1 compiler=$2 extra=$3 archive=$4 runner=$5 count=0
+    for source in "${programs[@]}"; do
+        local program
+        program="$target/$(basename "$source" .c).$label"
+        # shellcheck disable=SC2086
+        "$compiler" $flags $extra "$source" "$archive" -lm -lpthread -o "$program"
+        # shellcheck disable=SC2086
+        if ! $runner "$program" > "$program.out" 2> "$program.err"; then
+            echo "$label: $source:"; tail -40 "$program.err"; exit 1
+        fi
+        count=$((count + 1))
+    done
+    echo "$label: $count programs, no report"
+}
+
+plain=$(library plain "-C debuginfo=1")
+if has valgrind; then
+    each memcheck "${CC:-cc}" "" "$plain" \
+        "valgrind --quiet --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=all"
+else
+    echo "SKIPPED: memcheck and helgrind, because valgrind is not installed"
+fi
+
+export ASAN_OPTIONS=detect_stack_use_after_return=1:halt_on_error=1
+export UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
+if address=$(library address "-Z sanitizer=address -C debuginfo=1"); then
+    for compiler in gcc clang; do
+        if has $compiler; then
+            each "address+undefined.$compiler" $compiler "-fsanitize=address,undefined -fno-sanitize-recover=all" \
+                "$address" ""
+        else
+            echo "SKIPPED: $compiler with sanitizers: not installed"
+        fi
+    done
+    # Control: one number behind the end of an array must be reported.
+    cat > "$target/control.c" <<'C'
+#include "kstrip.h"
+int main(void)
+{
+    const kstrip_contact contacts[2] = {{6e-3, 4e-3, 80e3, 82e9, 0.28, 0.3}, {6e-3, 4e-3, 80e3, 82e9, 0.28, 0.3}};
+    const kstrip_creepage creepages[2] = {{1e-3, 0, 0}, {1e-3, 0, 0}};
+    kstrip_result results[3];
+    return kstrip_solve_batch(contacts, creepages, 3, 0, results);
+}
+C
+    # shellcheck disable=SC2086
+    gcc $flags -fsanitize=address "$target/control.c" "$address" -lm -o "$target/control"
+    if "$target/control" > /dev/null 2> "$target/control.err"; then
+        echo "the control was not reported: the Rust side is not instrumented"; exit 1
+    fi
+    grep -q kstrip "$target/control.err" \
+        && echo "control: a count that is too large is reported inside the library, as it must be"
+else
+    echo "SKIPPED: the sanitizers' library could not be built by this compiler"
+fi
+
+programs=(tests/c/threads.c)
+if has valgrind; then
+    each helgrind "${CC:-cc}" "" "$plain" "valgrind --tool=helgrind --quiet --error-exitcode=9"
+fi
+if thread=$(library thread "-Z sanitizer=thread -C unsafe-allow-abi-mismatch=sanitizer -C debuginfo=1" 2> "$target/thread.log"); then
+    each thread.clang "$(has clang && echo clang || echo gcc)" "-fsanitize=thread" "$thread" ""
+else
+    echo "SKIPPED: ThreadSanitizer: $(grep -m 1 error "$target/thread.log")"
+fi
