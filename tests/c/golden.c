@@ -14,13 +14,13 @@
 #include <string.h>
 
 #ifdef FIRMWARE
-enum { CASES = 1000 };
+enum { CONTACTS = 1000 };
 #else
 #include <pthread.h>
-enum { CASES = 100000 };
+enum { CONTACTS = 100000 };
 #endif
 /* A hash is printed after so many contacts as well. */
-enum { FIRST = 1000, BLOCK = 1000, BLOCKS = CASES / BLOCK };
+enum { FIRST = 1000, BLOCK = 1000, BLOCKS = CONTACTS / BLOCK };
 
 static uint64_t mixed(uint64_t hash, uint64_t bits)
 {
