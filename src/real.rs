@@ -70,6 +70,11 @@ pub trait Arithmetic:
     fn inverse_roots<const N: usize>(numbers: [Self; N]) -> [Self; N] {
         numbers.map(|x| Self::one() / x.sqrt())
     }
+    /// `1/√x` as pairs of plain numbers compute it on every machine, see `pairs`.
+    #[inline(always)]
+    fn paired_inverse_root(self) -> Self {
+        Self::one() / self.sqrt()
+    }
     /// Absolute value.
     fn abs(self) -> Self;
     /// The larger of two numbers.
@@ -197,7 +202,7 @@ pub trait Pair<T: Real>: Arithmetic<Base = T::Base> {
 }
 
 macro_rules! plain {
-    ($float:ident, $pair:ty, $integer:ident, $mantissa:expr, $artanh:expr, |$single:ident, $double:ident| $table:expr, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $asinh:path, $cbrt:path, $exp:path) => {
+    ($float:ident, $pair:ty, $integer:ident, $mantissa:expr, $artanh:expr, |$single:ident, $double:ident| $table:expr, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $asinh:path, $cbrt:path, $exp:path, $inverse_root:path) => {
         impl Float for $float {
             #[inline(always)]
             fn of(x: f64) -> Self {
@@ -263,6 +268,10 @@ macro_rules! plain {
             #[inline(always)]
             fn sqrt(self) -> Self {
                 $sqrt(self)
+            }
+            #[inline(always)]
+            fn paired_inverse_root(self) -> Self {
+                $inverse_root(self)
             }
             #[inline(always)]
             fn abs(self) -> Self {
@@ -355,7 +364,8 @@ plain!(
     libm::log,
     libm::asinh,
     libm::cbrt,
-    libm::exp
+    libm::exp,
+    pairs::inverse_root_f64
 );
 plain!(
     f32,
@@ -371,5 +381,6 @@ plain!(
     libm::logf,
     libm::asinhf,
     cube_root::of_f32,
-    libm::expf
+    libm::expf,
+    pairs::inverse_root_f32
 );
