@@ -139,9 +139,12 @@ const ALLOWED: &[(&str, &str, f64, f64)] = &[
     ("slope", "no spin", 8200.0, 1.7),
 ];
 
+/// Rows, largest error, and sum of errors in double and single precision.
+type Found = (usize, [f64; 2], [f64; 2]);
+
 #[test]
 fn errors_against_200_bits_are_the_known_ones() {
-    let mut worst: BTreeMap<(String, String), (usize, [f64; 2], [f64; 2])> = BTreeMap::new();
+    let mut worst: BTreeMap<(String, String), Found> = BTreeMap::new();
     for row in rows() {
         let largest = |errors: Vec<f64>| errors.into_iter().fold(0.0, f64::max);
         let found = [largest(errors::<f64>(&row)), largest(errors::<f32>(&row))];

@@ -148,7 +148,7 @@ fn run_source_with(source: &Path, given: &[&str]) -> String {
     arguments.extend([library.as_os_str(), OsStr::new("-lpthread"), OsStr::new("-lm")]);
     let program = compile(false, "c99", source, &arguments)
         .unwrap_or_else(|message| panic!("{}: {message}", source.display()));
-    output_of(&mut Command::new(program).args(given))
+    output_of(Command::new(program).args(given))
 }
 
 /// A C99 program of the repository that needs a header and flags (or a compiler) of its own, linked with the
