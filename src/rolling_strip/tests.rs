@@ -367,7 +367,7 @@ fn derivatives_are_those_of_dual_numbers() {
         close(by_hand.profile, profile, &case);
         close(by_hand.spin, spin, &case);
         let totals = by_hand.totals::<16, true>();
-        let expected = by_hand.sum::<true>(&<f64 as Placed<16>>::RULE.strips());
+        let expected = by_hand.sum::<true, true>(&<f64 as Placed<16>>::RULE.strips());
         close(totals.fx, expected.fx, &case);
         close(totals.fy, expected.fy, &case);
         close(totals.mz, expected.mz, &case);
