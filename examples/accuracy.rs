@@ -2,6 +2,8 @@
 //! `cargo run --release --example accuracy` writes `docs/accuracy.md` and the pictures in
 //! `docs/accuracy/`. The same build writes the same files, byte by byte.
 
+#[path = "common/peer_methods.rs"]
+mod peer_methods;
 #[path = "../benches/peers/mod.rs"]
 mod peers;
 #[path = "accuracy/pictures.rs"]
@@ -14,13 +16,13 @@ mod random;
 mod reference;
 
 use kstrip::closed_form;
-use kstrip::coefficients::LinearCoefficients;
 use kstrip::creepage::Parameters;
 use kstrip::model::{Model, Precision};
 use kstrip::strip::SlidingRule;
 use kstrip::totals::{StripCount, StripTheory};
-use peers::fastsim::{Bound, Flexibility, Grid, Layout};
-use peers::{Input, Output, fastrip, fastsim, polach, shen_hedrick_elkins, vermeulen_johnson};
+use peer_methods::*;
+use peers::fastsim::{Bound, Flexibility, Layout};
+use peers::{polach, shen_hedrick_elkins, vermeulen_johnson};
 use pictures::*;
 use plotters::style::RGBColor;
 use random::Random;
@@ -49,92 +51,26 @@ struct Report {
 
 // --- methods ---------------------------------------------------------------------------------
 
-/// The contact of a case as the other methods want it. For the cases of `open.csv` they get the
-/// linear coefficients that CONTACT itself computed, else those of the library.
-fn input(case: &Case, table: &[CoefficientCase]) -> Input {
-    let known = table
-        .iter()
-        .find(|c| c.axis_ratio == case.axis_ratio && c.poisson_ratio == case.poisson_ratio);
-    let c = LinearCoefficients::at(case.axis_ratio, case.poisson_ratio);
-    let [c11, c22, c23, _] = known.map_or([c.c11, c.c22, c.c23, c.c33], |known| known.reference);
-    let (contact, motion) = (case.contact::<f64>(), case.motion::<f64>());
-    Input {
-        a: contact.a,
-        b: contact.b,
-        normal_force: contact.normal_force,
-        shear_modulus: contact.shear_modulus,
-        poisson_ratio: contact.poisson_ratio,
-        friction: contact.friction,
-        longitudinal: motion.longitudinal,
-        lateral: motion.lateral,
-        spin: motion.spin,
-        c11,
-        c22,
-        c23,
-    }
-}
-
-type Solver = Box<dyn Fn(&Input) -> Output>;
-
-fn fastsim_on<const M: usize>(
-    layout: Layout,
-    flexibility: Flexibility,
-    bound: Bound,
-) -> (String, Solver) {
-    let grid = Grid::<M, M>::new(layout);
-    let flexibilities = match flexibility {
-        Flexibility::Three => "3 flexibilities",
-        Flexibility::Kalker => "1 flexibility (1982)",
-        Flexibility::Energy => "1 flexibility (energy)",
-        Flexibility::Blended => "blended as in CONTACT",
-    };
-    let name = match bound {
-        Bound::Parabolic => "parabolic",
-        Bound::Elliptic => "elliptic",
-    };
-    (
-        format!("FASTSIM {M}x{M}, {flexibilities}, {name}"),
-        Box::new(move |input| fastsim::solve::<M, M, 10>(&grid, input, flexibility, bound)),
-    )
-}
-
-fn fastrip_on<const X: usize, const Y: usize>(flexibility: Flexibility) -> (String, Solver) {
-    let grid = Grid::<X, Y>::new(Layout::StripCentres);
-    let name = if flexibility == Flexibility::Energy { "energy" } else { "1982" };
-    (
-        format!("FaStrip {X}x{Y}, flexibility ({name})"),
-        Box::new(move |input| fastrip::solve::<X, Y, 10>(&grid, input, flexibility)),
-    )
-}
-
-fn fastrip_contact_on<const M: usize>() -> (String, Solver) {
-    let grid = Grid::<M, M>::new(Layout::Rectangle);
-    (
-        format!("FaStrip {M}x{M} as in CONTACT"),
-        Box::new(move |input| fastrip::solve_contact::<M, M, 10>(&grid, input)),
-    )
-}
-
 fn other_methods() -> Vec<(String, Solver)> {
     use Bound::{Elliptic, Parabolic};
     use Flexibility::{Blended, Energy, Kalker, Three};
     use Layout::{Rectangle, StripCentres};
     vec![
-        fastsim_on::<10>(StripCentres, Three, Parabolic),
-        fastsim_on::<20>(StripCentres, Three, Parabolic),
-        fastsim_on::<50>(StripCentres, Three, Parabolic),
-        fastsim_on::<10>(StripCentres, Three, Elliptic),
-        fastsim_on::<20>(StripCentres, Three, Elliptic),
-        fastsim_on::<50>(StripCentres, Three, Elliptic),
-        fastsim_on::<10>(StripCentres, Kalker, Parabolic),
-        fastsim_on::<20>(StripCentres, Kalker, Parabolic),
-        fastsim_on::<50>(StripCentres, Kalker, Parabolic),
-        fastsim_on::<10>(StripCentres, Energy, Parabolic),
-        fastsim_on::<20>(StripCentres, Energy, Parabolic),
-        fastsim_on::<50>(StripCentres, Energy, Parabolic),
-        fastsim_on::<10>(Rectangle, Blended, Parabolic),
-        fastsim_on::<20>(Rectangle, Blended, Parabolic),
-        fastsim_on::<50>(Rectangle, Blended, Parabolic),
+        fastsim_on::<10, 10>(StripCentres, Three, Parabolic),
+        fastsim_on::<20, 10>(StripCentres, Three, Parabolic),
+        fastsim_on::<50, 10>(StripCentres, Three, Parabolic),
+        fastsim_on::<10, 10>(StripCentres, Three, Elliptic),
+        fastsim_on::<20, 10>(StripCentres, Three, Elliptic),
+        fastsim_on::<50, 10>(StripCentres, Three, Elliptic),
+        fastsim_on::<10, 10>(StripCentres, Kalker, Parabolic),
+        fastsim_on::<20, 10>(StripCentres, Kalker, Parabolic),
+        fastsim_on::<50, 10>(StripCentres, Kalker, Parabolic),
+        fastsim_on::<10, 10>(StripCentres, Energy, Parabolic),
+        fastsim_on::<20, 10>(StripCentres, Energy, Parabolic),
+        fastsim_on::<50, 10>(StripCentres, Energy, Parabolic),
+        fastsim_on::<10, 10>(Rectangle, Blended, Parabolic),
+        fastsim_on::<20, 10>(Rectangle, Blended, Parabolic),
+        fastsim_on::<50, 10>(Rectangle, Blended, Parabolic),
         fastrip_on::<20, 20>(Kalker),
         fastrip_on::<80, 50>(Kalker),
         fastrip_on::<20, 20>(Energy),
@@ -175,12 +111,7 @@ fn peer_method(
     table: &[CoefficientCase],
     (name, solve): (String, Solver),
 ) -> Method {
-    let errors = |cases: &[Case]| {
-        Errors::of(cases, |case| {
-            let output = solve(&input(case, table));
-            Answer { force: [output.fx, output.fy], moment: output.mz, stick: f64::NAN }
-        })
-    };
+    let errors = |cases| peer_errors(cases, table, &solve);
     Method { name, remark: "", open: errors(open), validation: errors(validation) }
 }
 
