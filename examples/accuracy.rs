@@ -2,6 +2,8 @@
 //! `cargo run --release --example accuracy` writes `docs/accuracy.md` and the pictures in
 //! `docs/accuracy/`. The same build writes the same files, byte by byte.
 
+#[path = "common/lines.rs"]
+mod lines;
 #[path = "common/peer_methods.rs"]
 mod peer_methods;
 #[path = "../benches/peers/mod.rs"]
@@ -20,6 +22,7 @@ use kstrip::creepage::Parameters;
 use kstrip::model::{Model, Precision};
 use kstrip::strip::SlidingRule;
 use kstrip::totals::{StripCount, StripTheory};
+use lines::Lines;
 use peer_methods::*;
 use peers::fastsim::{Bound, Flexibility, Layout};
 use peers::{polach, shen_hedrick_elkins, vermeulen_johnson};
@@ -27,7 +30,6 @@ use pictures::*;
 use plotters::style::RGBColor;
 use random::Random;
 use reference::*;
-use std::fmt::Write;
 use std::path::Path;
 
 /// A method and its errors on all cases of a set.
@@ -187,6 +189,12 @@ fn dimensions() -> [Dimension; 3] {
     ]
 }
 
+impl Lines for Report {
+    fn text(&mut self) -> &mut String {
+        &mut self.text
+    }
+}
+
 impl Report {
     fn compute() -> Self {
         let (open, validation) = (open(), validation());
@@ -205,24 +213,6 @@ impl Report {
             .collect();
         bar.finish_and_clear();
         Self { open, validation, models, peers, text: String::new() }
-    }
-
-    fn line(&mut self, line: impl AsRef<str>) {
-        self.text.push_str(line.as_ref());
-        self.text.push('\n');
-    }
-
-    fn row<S: AsRef<str>>(&mut self, cells: impl IntoIterator<Item = S>) {
-        self.text.push('|');
-        for cell in cells {
-            let _ = write!(self.text, " {} |", cell.as_ref());
-        }
-        self.text.push('\n');
-    }
-
-    fn header<S: AsRef<str>>(&mut self, cells: &[S]) {
-        self.row(cells);
-        self.row(cells.iter().map(|_| "---"));
     }
 
     fn compared(&self) -> Vec<&Method> {

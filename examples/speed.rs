@@ -14,6 +14,8 @@ mod counts;
 mod growth;
 #[path = "speed/limit.rs"]
 mod limit;
+#[path = "common/lines.rs"]
+mod lines;
 #[path = "common/peer_methods.rs"]
 mod peer_methods;
 #[path = "../benches/peers/mod.rs"]
@@ -30,11 +32,11 @@ mod reference;
 
 use calls::{Family, Row, has_strips};
 use kstrip::model::Model;
+use lines::Lines;
 use pictures::*;
 use plot::Mark;
 use plotters::style::RGBColor;
 use reference::{name, open, project};
-use std::fmt::Write;
 use std::hint::black_box;
 use std::process::Command;
 
@@ -107,25 +109,13 @@ fn digits(value: f64) -> String {
     }
 }
 
+impl Lines for Report {
+    fn text(&mut self) -> &mut String {
+        &mut self.text
+    }
+}
+
 impl Report {
-    fn row<S: AsRef<str>>(&mut self, cells: impl IntoIterator<Item = S>) {
-        self.text.push('|');
-        for cell in cells {
-            let _ = write!(self.text, " {} |", cell.as_ref());
-        }
-        self.text.push('\n');
-    }
-
-    fn header<S: AsRef<str>>(&mut self, cells: &[S]) {
-        self.row(cells);
-        self.row(cells.iter().map(|_| "---"));
-    }
-
-    fn line(&mut self, line: impl AsRef<str>) {
-        self.text.push_str(line.as_ref());
-        self.text.push('\n');
-    }
-
     fn first(&self, family: Family) -> &Row {
         self.rows.iter().find(|row| row.family == family).expect("a row of every family")
     }
