@@ -315,11 +315,14 @@ pub fn creepage_for_force<F: Precision>(
     let (mut creepage, mut settled) = newton(contact, target, none, options)?;
     if !settled {
         let at_rest = model::solve(contact, &none, options)?;
-        let from = [at_rest.fx, at_rest.fy];
+        let [to_x, to_y] = target;
         let mut stage = none;
         for i in 1..=STAGES {
             let share = F::constant(i as f64 / STAGES as f64);
-            let on_the_way = [0, 1].map(|k| from[k] + (target[k] - from[k]) * share);
+            let on_the_way = [
+                at_rest.fx + (to_x - at_rest.fx) * share,
+                at_rest.fy + (to_y - at_rest.fy) * share,
+            ];
             (stage, settled) = newton(contact, on_the_way, stage, options)?;
         }
         if settled {
