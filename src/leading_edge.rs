@@ -7,6 +7,8 @@
 
 mod large_spin;
 
+pub(crate) use self::large_spin::Released;
+
 use crate::real::{Arithmetic, Float, Pair, Real};
 use crate::strip::root_s;
 
@@ -160,6 +162,21 @@ impl<P: Arithmetic> AdhesionLength<P> {
     }
 }
 
+impl<T: Real> AdhesionLength<T> {
+    /// The same twice, side by side.
+    #[inline(always)]
+    pub(crate) fn paired(&self) -> AdhesionLength<T::Pair> {
+        AdhesionLength {
+            q: T::Pair::both(self.q),
+            inverse: T::Pair::both(self.inverse),
+            eta_squared: T::Pair::both(self.eta_squared),
+            eta_psi: T::Pair::both(self.eta_psi),
+            slope: T::Pair::both(self.slope),
+            cancels: self.cancels,
+        }
+    }
+}
+
 /// Tangent steps; each squares the error, except near the birth of an interval where it halves it.
 const TANGENT_STEPS: usize = 40;
 /// Newton steps with bisection for the strip nearest to adhesion.
@@ -211,7 +228,7 @@ impl<T: Real> StripFamily<T> {
     /// The adhesion interval, or `None` with the strip nearest to adhesion.
     ///
     /// For `|ψ| > 1` the interval is where a root exists and fits (`κ ≤ C`); the bound on the
-    /// traction may take pieces out of it, see `released`.
+    /// traction may take pieces out of it, see [`Released`].
     pub fn adhesion_interval(&self) -> Result<AdhesionInterval<T>, EdgePoint<T>> {
         let plain = self.plain();
         let (size, one) = (plain.psi.abs(), T::Base::one());

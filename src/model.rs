@@ -6,7 +6,7 @@ use crate::creepage::{Creepage, Parameters};
 use crate::field::FieldPoint;
 use crate::quadrature::Tabulated;
 use crate::real::{Float, Real};
-use crate::rolling_strip::{Placed, RollingStrips, StripGeometry, StripTotals};
+use crate::rolling_strip::{Placed, RollingStrips, StripGeometry, StripTotals, Strips};
 use crate::status::{Error, Notice};
 use crate::strip::{SlidingRule, State, Strip, StripPoint};
 use crate::total;
@@ -275,25 +275,16 @@ impl<'a, F: Precision> Problem<'a, F> {
         parameters: &Parameters<F>,
     ) -> StripTotals<F> {
         let strips = self.rolling(parameters);
-        match self.options.strips {
-            StripCount::Four => strips.wanted_totals::<4, STICK, MOMENT>(),
-            StripCount::Eight => strips.wanted_totals::<8, STICK, MOMENT>(),
-            StripCount::Sixteen => strips.wanted_totals::<16, STICK, MOMENT>(),
-            StripCount::ThirtyTwo => strips.wanted_totals::<32, STICK, MOMENT>(),
-            StripCount::SixtyFour => strips.wanted_totals::<64, STICK, MOMENT>(),
-        }
+        strips.wanted_totals::<STICK, MOMENT>(strip_rule(self.options.strips))
     }
 
-    #[inline(always)]
+    /// (On a microcontroller the other models do not share its stack.)
+    #[cfg_attr(target_os = "none", inline(never))]
+    #[cfg_attr(not(target_os = "none"), inline(always))]
     fn rolling_strips<T: Real<Base = F>>(&self, parameters: &Parameters<T>) -> Totals<T> {
         let strips = self.rolling(parameters);
-        let StripTotals { fx, fy, mz, stick } = match self.options.strips {
-            StripCount::Four => strips.totals::<4, true>(),
-            StripCount::Eight => strips.totals::<8, true>(),
-            StripCount::Sixteen => strips.totals::<16, true>(),
-            StripCount::ThirtyTwo => strips.totals::<32, true>(),
-            StripCount::SixtyFour => strips.totals::<64, true>(),
-        };
+        let rule = strip_rule(self.options.strips);
+        let StripTotals { fx, fy, mz, stick } = strips.wanted_totals::<true, true>(rule);
         // The weights of the strips sum to one up to rounding.
         Totals { fx, fy, mz, stick: stick.clamped(T::zero(), T::one()) }
     }
@@ -510,42 +501,48 @@ pub fn strips<F: Precision>(
                 .strips(options.strips, &mut share);
         }
         Model::Strip => {
-            let strips = problem.rolling(&parameters);
-            match options.strips {
-                StripCount::Four => place_rolling::<F, 4>(&strips, &mut share),
-                StripCount::Eight => place_rolling::<F, 8>(&strips, &mut share),
-                StripCount::Sixteen => place_rolling::<F, 16>(&strips, &mut share),
-                StripCount::ThirtyTwo => place_rolling::<F, 32>(&strips, &mut share),
-                StripCount::SixtyFour => place_rolling::<F, 64>(&strips, &mut share),
-            }
+            place_rolling(&problem.rolling(&parameters), options.strips, &mut share);
         }
         Model::Total | Model::Linear => return Err(Error::NotInModel),
     }
     Ok(problem.notice(parameters.psi))
 }
 
+/// Where the corrected model places its strips.
+#[inline(always)]
+fn strip_rule<F: Precision>(count: StripCount) -> &'static Strips<'static, F> {
+    match count {
+        StripCount::Four => <F as Placed<4>>::STRIPS,
+        StripCount::Eight => <F as Placed<8>>::STRIPS,
+        StripCount::Sixteen => <F as Placed<16>>::STRIPS,
+        StripCount::ThirtyTwo => <F as Placed<32>>::STRIPS,
+        StripCount::SixtyFour => <F as Placed<64>>::STRIPS,
+    }
+}
+
 /// The strips of the corrected model in the form of those of the theory of 1967.
-fn place_rolling<F: Precision + Placed<N>, const N: usize>(
+#[inline(never)]
+fn place_rolling<F: Precision>(
     strips: &RollingStrips<F>,
+    count: StripCount,
     visit: &mut dyn FnMut(PlacedStrip<F>),
 ) {
-    let rule = <F as Placed<N>>::RULE;
-    let ratio = strips.axis_ratio();
-    strips.each_strip::<N>(|i, [fx, fy, mx, stick]| {
-        let of = |table: &[F; N]| table.get(i).copied().unwrap_or(F::zero());
-        let (y, c, load) = (of(&rule.y), of(&rule.half_length), of(&rule.load));
+    let (rule, ratio) = (strip_rule::<F>(count), strips.axis_ratio());
+    strips.each(rule, &mut |i, [fx, fy, mx, stick]| {
+        let of = |table: &[F]| table.get(i).copied().unwrap_or(F::zero());
+        let (y, c, load) = (of(rule.y), of(rule.half_length), of(rule.load));
         let fx = load * fx;
         visit(PlacedStrip {
             y,
             half_length: c,
-            width: of(&rule.width),
+            width: of(rule.width),
             // The adhesion length as one interval at the leading edge
             kappa: c * (F::one() - stick),
             adheres: stick > F::zero(),
             fx,
             fy: load * fy,
-            mz: of(&rule.moment_x) * mx - y / ratio * fx,
-            stick: of(&rule.area) * stick,
+            mz: of(rule.moment_x) * mx - y / ratio * fx,
+            stick: of(rule.area) * stick,
         });
     });
 }

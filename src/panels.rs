@@ -87,8 +87,8 @@ impl<T: Real> SlidingLaw<T> {
 /// between `upper` and `Y = 1` (second). The first panel is mirrored, so that both run from `from` up to
 /// the edge of the contact and `ξ̄ = ξ − p Y`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SlidingPanels<T: Real> {
-    law: SlidingLaw<T>,
+pub(crate) struct SlidingPanels<'a, T: Real> {
+    law: &'a SlidingLaw<T>,
     from: T::Pair,
     length: T::Pair,
     slope: T::Pair,
@@ -133,9 +133,9 @@ pub(crate) struct Place<P> {
     pub c_squared: P,
 }
 
-impl<T: Real> SlidingPanels<T> {
+impl<'a, T: Real> SlidingPanels<'a, T> {
     #[inline(always)]
-    pub(crate) fn new(law: &SlidingLaw<T>, lower: EdgePoint<T>, upper: EdgePoint<T>) -> Self {
+    pub(crate) fn new(law: &'a SlidingLaw<T>, lower: EdgePoint<T>, upper: EdgePoint<T>) -> Self {
         let one = T::Pair::one();
         let from = T::Pair::of(-lower.y, upper.y);
         let edge = T::Pair::of(lower.c, upper.c);
@@ -151,7 +151,7 @@ impl<T: Real> SlidingPanels<T> {
         let near = (eta * eta + z * z + floor).sqrt().times(2.0);
         let span = (slope * length).scale(law.compliance).abs();
         let scale = one / (near + span);
-        Self { law: *law, from, length, slope, near: near * scale, span: span * scale }
+        Self { law, from, length, slope, near: near * scale, span: span * scale }
     }
 
     /// The strips at a node.
@@ -228,10 +228,9 @@ impl<T: Real> SlidingPanels<T> {
 /// Strips with adhesion along an arc of the leading edge, in pairs that lie symmetrically about its
 /// middle.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct AdhesionPanel<T: Real> {
-    law: SlidingLaw<T>,
-    family: StripFamily<T::Pair>,
-    length: AdhesionLength<T::Pair>,
+pub(crate) struct AdhesionPanel<'a, T: Real> {
+    law: &'a SlidingLaw<T>,
+    length: AdhesionLength<T>,
     arc: Arc<T>,
 }
 
@@ -318,25 +317,24 @@ pub(crate) struct Scales<P> {
     capacity: P,
 }
 
-impl<T: Real> AdhesionPanel<T> {
+impl<'a, T: Real> AdhesionPanel<'a, T> {
     #[inline(always)]
-    pub(crate) fn new(law: &SlidingLaw<T>, lower: EdgePoint<T>, upper: EdgePoint<T>) -> Self {
-        let family = law.family.paired();
-        let length = AdhesionLength::of(&family, law.family.cancels());
-        Self { law: *law, family, length, arc: Arc::between(lower, upper) }
+    pub(crate) fn new(law: &'a SlidingLaw<T>, lower: EdgePoint<T>, upper: EdgePoint<T>) -> Self {
+        let length = AdhesionLength::of(&law.family, law.family.cancels());
+        Self { law, length, arc: Arc::between(lower, upper) }
     }
 
     /// The strips at a node.
     #[inline(always)]
     pub(crate) fn at(&self, node: &Node<T::Base>) -> AdhesionStrip<T::Pair> {
         let (y, c, width) = self.arc.at(node);
-        let xi_bar = self.family.xi_bar(y);
-        AdhesionStrip { y, c, width, kappa: self.length.at(xi_bar).min(c), xi_bar }
+        let xi_bar = self.law.family.paired().xi_bar(y);
+        AdhesionStrip { y, c, width, kappa: self.length.paired().at(xi_bar).min(c), xi_bar }
     }
 
     /// All of them.
     #[inline(always)]
-    pub(crate) fn sum(&self, nodes: Nodes<T::Base>) -> AdhesionSum<T::Pair> {
+    fn sum(&self, nodes: Nodes<T::Base>) -> AdhesionSum<T::Pair> {
         let mut sum = AdhesionSum::zero();
         for node in nodes {
             sum += self.at(node).terms();
@@ -344,9 +342,18 @@ impl<T: Real> AdhesionPanel<T> {
         sum
     }
 
+    /// What all of them carry, and their factors.
+    #[cfg_attr(target_os = "none", inline(never))]
+    #[cfg_attr(not(target_os = "none"), inline(always))]
+    pub(crate) fn carried(&self, nodes: Nodes<T::Base>) -> (Shares<T::Pair>, Scales<T::Pair>) {
+        let sum = self.sum(nodes);
+        let scales = self.scales(&sum);
+        (self.shares(&sum, &scales), scales)
+    }
+
     /// Factors for strips whose sum is `sum`.
     #[inline(always)]
-    pub(crate) fn scales(&self, sum: &AdhesionSum<T::Pair>) -> Scales<T::Pair> {
+    fn scales(&self, sum: &AdhesionSum<T::Pair>) -> Scales<T::Pair> {
         let (stretch, capacity) = (sum.stretch.sum(), sum.capacity.sum());
         let (exact_stretch, exact_capacity) = self.arc.integrals();
         let ratio = |exact: T, sum: T| {
@@ -363,7 +370,7 @@ impl<T: Real> AdhesionPanel<T> {
         sum: &AdhesionSum<T::Pair>,
         scales: &Scales<T::Pair>,
     ) -> Shares<T::Pair> {
-        let StripFamily { eta, psi, .. } = self.family;
+        let StripFamily { eta, psi, .. } = self.law.family.paired();
         Shares {
             // f_x = ξ̄ (2C − K),  f_y = ψ C² + η (2C − K)
             fx: sum.fx * scales.stretch,

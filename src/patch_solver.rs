@@ -25,8 +25,8 @@ use crate::status::{Error, Notice};
 use crate::strip::{Regime, SlidingRule, Strip, StripPoint};
 use nalgebra::Matrix3;
 
-/// Strips that are marched together, in pairs.
-const GROUP: usize = 8;
+/// Strips that are marched together, in pairs; fewer where the stack is short.
+const GROUP: usize = if cfg!(target_os = "none") { 4 } else { 8 };
 /// Creepages of a strip in units of its own bound: beyond this it slides, and their squares fit an `f32`.
 const CREEPAGE_LIMIT: f64 = 1e9;
 /// Share `Π` of the friction bound below which a strip is treated as one with this share: the squares of what it

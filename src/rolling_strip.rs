@@ -166,16 +166,18 @@ const COSINES: [f64; STEPS.div_ceil(2)] =
 marched!(f64);
 marched!(f32);
 
-/// The strips of a rule, whatever their number: one piece of code serves every count.
+/// The strips of a [`Rule`], whatever their number: one piece of code serves every count.
 #[derive(Clone, Copy, Debug)]
-struct Strips<'a, F> {
-    y: &'a [F],
+pub struct Strips<'a, F> {
+    pub(crate) y: &'a [F],
+    pub(crate) half_length: &'a [F],
+    pub(crate) width: &'a [F],
+    pub(crate) load: &'a [F],
+    pub(crate) moment_x: &'a [F],
+    pub(crate) area: &'a [F],
     inverse: &'a [F],
     bend: &'a [F],
-    load: &'a [F],
     moment_y: &'a [F],
-    moment_x: &'a [F],
-    area: &'a [F],
     stretch: F,
     lever: F,
 }
@@ -189,6 +191,8 @@ impl<'a, F: Copy> Strips<'a, F> {
         };
         Some(Self {
             y: group(self.y)?,
+            half_length: group(self.half_length)?,
+            width: group(self.width)?,
             inverse: group(self.inverse)?,
             bend: group(self.bend)?,
             load: group(self.load)?,
@@ -211,17 +215,17 @@ impl<F: Copy> Strips<'_, F> {
     /// Those with `Y > 0`.
     #[inline(always)]
     fn upper_half(&self) -> Self {
-        let Self { y, inverse, bend, load, moment_y, moment_x, area, stretch, lever } = *self;
         Self {
-            y: upper_half(y),
-            inverse: upper_half(inverse),
-            bend: upper_half(bend),
-            load: upper_half(load),
-            moment_y: upper_half(moment_y),
-            moment_x: upper_half(moment_x),
-            area: upper_half(area),
-            stretch,
-            lever,
+            y: upper_half(self.y),
+            half_length: upper_half(self.half_length),
+            width: upper_half(self.width),
+            inverse: upper_half(self.inverse),
+            bend: upper_half(self.bend),
+            load: upper_half(self.load),
+            moment_y: upper_half(self.moment_y),
+            moment_x: upper_half(self.moment_x),
+            area: upper_half(self.area),
+            ..*self
         }
     }
 }
@@ -243,10 +247,11 @@ fn upper_half<F>(table: &[F]) -> &[F] {
 }
 
 impl<F: Copy, const N: usize> Rule<F, N> {
-    #[inline(always)]
-    fn strips(&self) -> Strips<'_, F> {
+    pub(crate) const fn strips(&self) -> Strips<'_, F> {
         Strips {
             y: &self.y,
+            half_length: &self.half_length,
+            width: &self.width,
             inverse: &self.inverse,
             bend: &self.bend,
             load: &self.load,
@@ -403,8 +408,13 @@ where
     where
         T::Base: Placed<N>,
     {
-        let strips = <T::Base as Placed<N>>::RULE;
-        for (first, group) in strips.strips().groups::<4>() {
+        self.each(<T::Base as Placed<N>>::STRIPS, &mut take);
+    }
+
+    /// The same for the strips of any rule.
+    #[inline(never)]
+    pub(crate) fn each(&self, strips: &Strips<T::Base>, take: &mut dyn FnMut(usize, [T; 4])) {
+        for (first, group) in strips.groups::<4>() {
             self.four::<true>(&group, |i, found| {
                 let [a, b] = [T::Pair::parts(found[0]), T::Pair::parts(found[1])];
                 let [c, d] = [T::Pair::parts(found[2]), T::Pair::parts(found[3])];
@@ -504,23 +514,19 @@ where
     where
         T::Base: Placed<N>,
     {
-        self.wanted_totals::<N, STICK, true>()
+        self.wanted_totals::<STICK, true>(<T::Base as Placed<N>>::STRIPS)
     }
 
-    /// Totals of the Hertz ellipse; without `MOMENT` the moment is not computed, and zero.
-    #[must_use]
-    #[inline]
-    pub fn wanted_totals<const N: usize, const STICK: bool, const MOMENT: bool>(
+    /// Totals of the strips of any rule; without `MOMENT` the moment is not computed, and zero.
+    #[inline(always)]
+    pub(crate) fn wanted_totals<const STICK: bool, const MOMENT: bool>(
         &self,
-    ) -> StripTotals<T>
-    where
-        T::Base: Placed<N>,
-    {
-        let rule = <T::Base as Placed<N>>::RULE;
+        strips: &Strips<T::Base>,
+    ) -> StripTotals<T> {
         if T::HAS_DERIVATIVES {
-            self.totals_by_slopes::<STICK>(&rule.strips())
+            self.totals_by_slopes::<STICK>(strips)
         } else {
-            self.sum::<STICK, MOMENT>(&rule.strips())
+            self.sum::<STICK, MOMENT>(strips)
         }
     }
 

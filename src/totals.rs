@@ -15,10 +15,8 @@
 //!   stretch `∫ C dY` are exact: saturation and linear slopes come out to rounding with any count.
 
 use crate::creepage::Parameters;
-use crate::leading_edge::{AdhesionInterval, EdgePoint, StripFamily};
-use crate::panels::{
-    AdhesionPanel, AdhesionSum, Nodes, Shares, SlidingLaw, SlidingPanels, SlidingStrips,
-};
+use crate::leading_edge::{AdhesionInterval, EdgePoint, Released, StripFamily};
+use crate::panels::{AdhesionPanel, Nodes, Shares, SlidingLaw, SlidingPanels, SlidingStrips};
 use crate::quadrature::{StripRule, Tabulated};
 use crate::real::{Arithmetic, Pair, Real};
 use crate::strip::SlidingRule;
@@ -121,19 +119,16 @@ impl<T: Real> Sink<T> for Sum<T> {
 
     #[inline(always)]
     fn adhesion(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<T::Base>) {
-        let sum = panel.sum(nodes);
-        self.0 += panel.shares(&sum, &panel.scales(&sum));
+        self.0 += panel.carried(nodes).0;
     }
 
     fn released(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<T::Base>) {
-        let (mut stuck, mut slid) = (AdhesionSum::zero(), SlidingStrips::zero());
+        let (stuck, scales) = panel.carried(nodes);
+        let mut slid = SlidingStrips::zero();
         for node in nodes {
-            let strip = panel.at(node);
-            stuck += strip.terms();
-            slid += panel.slid(&strip);
+            slid += panel.slid(&panel.at(node));
         }
-        let scales = panel.scales(&stuck);
-        self.0 += -panel.shares(&stuck, &scales);
+        self.0 += -stuck;
         self.0 += panel.slid_shares(&slid, &scales);
     }
 }
@@ -185,7 +180,7 @@ impl<T: Real> Sink<T> for Visitor<'_, T> {
     }
 
     fn adhesion(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<T::Base>) {
-        let scales = panel.scales(&panel.sum(nodes));
+        let (_, scales) = panel.carried(nodes);
         for node in nodes {
             let strip = panel.at(node);
             let shares = panel.shares(&strip.terms(), &scales);
@@ -194,7 +189,7 @@ impl<T: Real> Sink<T> for Visitor<'_, T> {
     }
 
     fn released(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<T::Base>) {
-        let scales = panel.scales(&panel.sum(nodes));
+        let (_, scales) = panel.carried(nodes);
         for node in nodes {
             let strip = panel.at(node);
             let shares = -panel.shares(&strip.terms(), &scales);
@@ -292,12 +287,23 @@ where
             StripCount::ThirtyTwo => thirty_two,
             StripCount::SixtyFour => sixty_four,
         };
-        self.panels(rule, sink);
+        if let Some(interval) = self.panels(rule, sink)
+            && !self.spin_in_range()
+        {
+            self.releases(&interval, sink);
+        }
     }
 
     /// Sliding – adhesion – sliding; `split` divides the adhesion interval where `ξ̄ = 0`.
-    #[inline(always)]
-    fn panels(&self, rule: &StripRule<T::Base>, sink: &mut impl Sink<T>) {
+    ///
+    /// (On a microcontroller its stack is free again when pieces are searched for.)
+    #[cfg_attr(target_os = "none", inline(never))]
+    #[cfg_attr(not(target_os = "none"), inline(always))]
+    fn panels(
+        &self,
+        rule: &StripRule<T::Base>,
+        sink: &mut impl Sink<T>,
+    ) -> Option<AdhesionInterval<T>> {
         let StripRule { slide, stick, split } = *rule;
         let law = &self.law;
         let interval = law.family.adhesion_interval();
@@ -306,15 +312,13 @@ where
             Err(nearest) => (*nearest, *nearest),
         };
         sink.sliding(&SlidingPanels::new(law, lower, upper), slide);
-        let Ok(interval) = interval else { return };
+        let interval = interval.ok()?;
         let middle = if split { self.turning_strip(lower, upper) } else { lower };
         // (a loop, so that the code of a panel is there once)
         for (from, to) in [(lower, middle), (middle, upper)].into_iter().skip(usize::from(!split)) {
             sink.adhesion(&AdhesionPanel::new(law, from, to), stick);
         }
-        if !self.spin_in_range() {
-            self.releases(&interval, sink);
-        }
+        Some(interval)
     }
 
     /// For `|ψ| > 1`: pieces of the adhesion interval slide after all, each short enough for 4 nodes.
@@ -322,9 +326,23 @@ where
     #[inline(never)]
     fn releases(&self, interval: &AdhesionInterval<T>, sink: &mut impl Sink<T>) {
         let [_, rule, ..] = &T::Base::STRIPS;
-        self.law.family.released(interval, |lower, upper| {
-            sink.released(&AdhesionPanel::new(&self.law, lower, upper), rule.stick);
-        });
+        let mut released = Released::of(&self.law.family, interval);
+        while released.next_cell() {
+            for (lower, upper) in released.pieces.iter().flatten() {
+                self.release(lower, upper, rule.stick, sink);
+            }
+        }
+    }
+
+    #[inline(never)]
+    fn release(
+        &self,
+        lower: &EdgePoint<T>,
+        upper: &EdgePoint<T>,
+        nodes: Nodes<T::Base>,
+        sink: &mut impl Sink<T>,
+    ) {
+        sink.released(&AdhesionPanel::new(&self.law, *lower, *upper), nodes);
     }
 
     /// The strip with `ξ̄ = 0`, or the end of the interval nearest to it.

@@ -54,6 +54,19 @@ impl<T: Real> Edge<T> {
         Self { family: *family, eta, radius, p: eta * size, q, by_slip }
     }
 
+    /// The same without derivatives.
+    #[inline(always)]
+    fn plain(&self) -> Edge<T::Base> {
+        Edge {
+            family: self.family.plain(),
+            eta: self.eta.value(),
+            radius: self.radius.value(),
+            p: self.p.value(),
+            q: self.q.value(),
+            by_slip: self.by_slip,
+        }
+    }
+
     /// The point of the leading edge, `ξ̄` and `S`.
     #[inline(never)]
     fn at(&self, w: T) -> (EdgePoint<T>, T, T) {
@@ -139,24 +152,41 @@ impl<F: Float> Edge<F> {
     }
 
     /// A place between `low` and `high` where the excess times `sign` is positive, if there is one
-    /// (golden section).
+    /// (golden section). At the ends it is not, and `at_low` and `at_high`.
+    ///
+    /// Of a concave function the peak rises above the best of the four points by less than twice what the worst
+    /// of them lies below it: mostly the first step tells that there is none.
     #[inline(never)]
-    fn peak(&self, mut low: F, mut high: F, sign: F) -> Option<F> {
+    fn peak(&self, (mut low, at_low): (F, F), (mut high, at_high): (F, F), sign: F) -> Option<F> {
         const GOLDEN: f64 = 0.618_033_988_749_895;
+        let excess = |w: F| self.excess(w) * sign;
+        let (mut at_low, mut at_high) = (at_low * sign, at_high * sign);
+        let span = (high - low).times(GOLDEN);
+        let (mut left, mut right) = (high - span, low + span);
+        let (mut at_left, mut at_right) = (excess(left), excess(right));
         for _ in 0..PEAK_STEPS {
-            let span = (high - low).times(GOLDEN);
-            let (left, right) = (high - span, low + span);
-            let (at_left, at_right) = (self.excess(left) * sign, self.excess(right) * sign);
             if at_left > F::zero() {
                 return Some(left);
             }
             if at_right > F::zero() {
                 return Some(right);
             }
-            if (high - low).abs() <= F::ROOT_TINY.max((low.abs() + high.abs()) * F::EPSILON) {
+            let best = at_left.max(at_right);
+            let worst = at_low.min(at_high).min(at_left).min(at_right);
+            if best + (best - worst).times(2.0) < F::zero()
+                || (high - low).abs() <= F::ROOT_TINY.max((low.abs() + high.abs()) * F::EPSILON)
+            {
                 break;
             }
-            if at_left > at_right { high = right } else { low = left }
+            if at_left > at_right {
+                (high, at_high, right, at_right) = (right, at_right, left, at_left);
+                left = high - (high - low).times(GOLDEN);
+                at_left = excess(left);
+            } else {
+                (low, at_low, left, at_left) = (left, at_left, right, at_right);
+                right = low + (high - low).times(GOLDEN);
+                at_right = excess(right);
+            }
         }
         None
     }
@@ -184,66 +214,101 @@ impl<F: Float> StripFamily<F> {
     }
 }
 
-impl<T: Real> StripFamily<T> {
-    /// For `|ψ| > 1`: hands the pieces of the adhesion interval to `take` whose strips slide after all,
-    /// because the traction on their adhesion interval would exceed the bound.
-    ///
-    /// The interval is looked at cell by cell, and no piece is longer than a cell: sums over pieces then
-    /// hardly change where two of them join.
-    pub(crate) fn released(
-        &self,
-        interval: &AdhesionInterval<T>,
-        mut take: impl FnMut(EdgePoint<T>, EdgePoint<T>),
-    ) {
-        let (edge, moving) = (Edge::new(&self.plain()), Edge::new(self));
-        let zero = <T::Base as Arithmetic>::zero();
+/// A piece of the leading edge, from its lower to its upper end.
+pub(crate) type Piece<T> = (EdgePoint<T>, EdgePoint<T>);
+
+/// For `|ψ| > 1`: the pieces of the adhesion interval whose strips slide after all, because the traction on
+/// their adhesion interval would exceed the bound.
+///
+/// The interval is looked at cell by cell, and no piece is longer than a cell: sums over pieces then
+/// hardly change where two of them join.
+pub(crate) struct Released<T: Real> {
+    /// With derivatives: the cells move with the ends of the interval.
+    moving: Edge<T>,
+    first: T,
+    step: T,
+    /// Number of the next cell.
+    cell: usize,
+    /// Its lower end.
+    lower: EdgePoint<T>,
+    upper: EdgePoint<T>,
+    /// The excess before the cell and at its ends.
+    excess: [T::Base; 3],
+    /// The pieces of the last cell.
+    pub pieces: [Option<Piece<T>>; 2],
+}
+
+impl<T: Real> Released<T> {
+    #[inline(never)]
+    pub(crate) fn of(family: &StripFamily<T>, interval: &AdhesionInterval<T>) -> Self {
+        let moving = Edge::new(family);
+        let AdhesionInterval { lower, upper } = *interval;
+        let first = moving.place(lower);
+        let step = (moving.place(upper) - first).times(1.0 / CELLS as f64);
+        let edge = moving.plain();
         // (P + S)²/(P + 3 S) is smallest at S = P/3: no strip is longer than that allows.
-        if edge.p.times(8.0 / 9.0) >= edge.q {
-            return;
-        }
-        // `moving` carries derivatives: the cells move with the ends of the interval.
-        let first = moving.place(interval.lower);
-        let step = (moving.place(interval.upper) - first).times(1.0 / CELLS as f64);
-        let end = |k: usize| first + step.times(k.min(CELLS) as f64);
-        let place = |k: usize| end(k).value();
-        // the excess before the cell, at its ends, and after it
-        let mut excess = [edge.excess(place(0)); 4];
-        excess[2] = edge.excess(place(1));
-        let mut lower = interval.lower;
-        for k in 0..CELLS {
-            let (from, to) = (place(k), place(k + 1));
-            excess[3] = edge.excess(place(k + 2));
-            let [before, at_from, at_to, after] = excess;
-            let upper = if k + 1 < CELLS { moving.at(end(k + 1)).0 } else { interval.upper };
-            let positive = at_from > zero;
-            // Where the sign changes, and changes back
-            let (mut change, mut back) = (None, None);
-            if (at_to > zero) == positive {
-                // A peak below zero or a trough above it may hide two changes of sign.
-                let sign = if positive { -T::Base::one() } else { T::Base::one() };
-                if (at_from - before) * sign >= zero && (at_to - after) * sign >= zero {
-                    let peak = edge.peak(from, to, sign);
-                    (change, back) = (peak.map(|w| (from, w)), peak.map(|w| (w, to)));
-                }
-            } else {
-                change = Some((from, to));
-            }
-            let mut start = positive.then_some(lower);
-            for (from, to) in [change, back].into_iter().flatten() {
-                let point = self.change(&edge, from, to);
-                match start.take() {
-                    Some(start) => take(start, point),
-                    None => start = Some(point),
-                }
-            }
-            if let Some(start) = start {
-                take(start, upper);
-            }
-            lower = upper;
-            excess = [at_from, at_to, after, after];
-        }
+        let cell = if edge.p.times(8.0 / 9.0) >= edge.q { CELLS } else { 0 };
+        let at_lower = edge.excess(first.value());
+        let at_next = edge.excess((first + step).value());
+        let excess = [at_lower, at_lower, at_next];
+        Self { moving, first, step, cell, lower, upper, excess, pieces: [None; 2] }
     }
 
+    fn end(&self, k: usize) -> T {
+        self.first + self.step.times(k.min(CELLS) as f64)
+    }
+
+    /// Finds the pieces of the next cell; `false` after the last.
+    #[inline(never)]
+    pub(crate) fn next_cell(&mut self) -> bool {
+        let k = self.cell;
+        if k >= CELLS {
+            return false;
+        }
+        let zero = <T::Base as Arithmetic>::zero();
+        let (from, to) = (self.end(k).value(), self.end(k + 1).value());
+        let edge = self.moving.plain();
+        let after = edge.excess(self.end(k + 2).value());
+        let [before, at_from, at_to] = self.excess;
+        let lower = self.lower;
+        let upper = if k + 1 < CELLS { self.moving.at(self.end(k + 1)).0 } else { self.upper };
+        (self.cell, self.lower, self.excess) = (k + 1, upper, [at_from, at_to, after]);
+        let positive = at_from > zero;
+        // Where the sign changes, and changes back
+        let (mut change, mut back) = (None, None);
+        if (at_to > zero) == positive {
+            // A peak below zero or a trough above it may hide two changes of sign.
+            let sign = if positive { -T::Base::one() } else { T::Base::one() };
+            if (at_from - before) * sign >= zero && (at_to - after) * sign >= zero {
+                let peak = edge.peak((from, at_from), (to, at_to), sign);
+                (change, back) = (peak.map(|w| (from, w)), peak.map(|w| (w, to)));
+            }
+        } else {
+            change = Some((from, to));
+        }
+        let mut start = positive.then_some(lower);
+        self.pieces = [None; 2];
+        let mut places = self.pieces.iter_mut();
+        let mut put = |piece| {
+            if let Some(place) = places.next() {
+                *place = Some(piece);
+            }
+        };
+        for (from, to) in [change, back].into_iter().flatten() {
+            let point = self.moving.family.change(&edge, from, to);
+            match start.take() {
+                Some(start) => put((start, point)),
+                None => start = Some(point),
+            }
+        }
+        if let Some(start) = start {
+            put((start, upper));
+        }
+        true
+    }
+}
+
+impl<T: Real> StripFamily<T> {
     /// Where the excess changes sign between two places, with derivatives.
     #[inline(never)]
     fn change(&self, edge: &Edge<T::Base>, from: T::Base, to: T::Base) -> EdgePoint<T> {

@@ -6,7 +6,7 @@
 //! Written by `fit/fit_strip.py --nodes`; a test checks the rules.
 // Generated: change the script, not this file.
 
-use super::Marched;
+use super::{Marched, Strips};
 
 /// Strips of the Hertz ellipse, ascending in `y`; all lengths dimensionless.
 #[derive(Clone, Copy, Debug)]
@@ -39,6 +39,8 @@ pub struct Rule<F, const N: usize> {
 pub trait Placed<const N: usize>: Marched {
     /// The rule, in the precision of the caller.
     const RULE: &'static Rule<Self, N>;
+    /// Its strips, whose type does not know how many they are.
+    const STRIPS: &'static Strips<'static, Self>;
 }
 
 /// The half of a rule with `Y > 0`: `Y`, `C`, width.
@@ -93,6 +95,7 @@ macro_rules! placed {
                 rule.lever = (core::f64::consts::FRAC_PI_8 / lever) as $float;
                 rule
             };
+            const STRIPS: &'static Strips<'static, Self> = &<Self as Placed<$count>>::RULE.strips();
         }
     };
 }
