@@ -541,7 +541,9 @@ where
     ) -> StripTotals<T> {
         let same = self.slope.value() == T::Base::zero();
         let opposite = self.longitudinal.value() == T::Base::zero();
-        let (half, symmetry) = if strips.y.len() >= 8 && (same || opposite) {
+        // (derivatives need not have the symmetry)
+        let symmetric = !T::HAS_DERIVATIVES && (same || opposite);
+        let (half, symmetry) = if strips.y.len() >= 8 && symmetric {
             (strips.upper_half(), if same { Symmetry::Same } else { Symmetry::Opposite })
         } else {
             (*strips, Symmetry::None)

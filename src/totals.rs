@@ -287,7 +287,9 @@ where
             StripCount::ThirtyTwo => thirty_two,
             StripCount::SixtyFour => sixty_four,
         };
-        if let Some(interval) = self.panels(rule, sink)
+        let interval = self.law.family.adhesion_interval();
+        self.panels(rule, &interval, sink);
+        if let Ok(interval) = interval
             && !self.spin_in_range()
         {
             self.releases(&interval, sink);
@@ -296,29 +298,30 @@ where
 
     /// Sliding – adhesion – sliding; `split` divides the adhesion interval where `ξ̄ = 0`.
     ///
-    /// (On a microcontroller its stack is free again when pieces are searched for.)
+    /// (On a microcontroller its stack is free while the interval and its pieces are searched for.)
     #[cfg_attr(target_os = "none", inline(never))]
     #[cfg_attr(not(target_os = "none"), inline(always))]
     fn panels(
         &self,
         rule: &StripRule<T::Base>,
+        interval: &Result<AdhesionInterval<T>, EdgePoint<T>>,
         sink: &mut impl Sink<T>,
-    ) -> Option<AdhesionInterval<T>> {
+    ) {
         let StripRule { slide, stick, split } = *rule;
         let law = &self.law;
-        let interval = law.family.adhesion_interval();
-        let (lower, upper) = match &interval {
+        let (lower, upper) = match interval {
             Ok(AdhesionInterval { lower, upper }) => (*lower, *upper),
             Err(nearest) => (*nearest, *nearest),
         };
         sink.sliding(&SlidingPanels::new(law, lower, upper), slide);
-        let interval = interval.ok()?;
+        if interval.is_err() {
+            return;
+        }
         let middle = if split { self.turning_strip(lower, upper) } else { lower };
         // (a loop, so that the code of a panel is there once)
         for (from, to) in [(lower, middle), (middle, upper)].into_iter().skip(usize::from(!split)) {
             sink.adhesion(&AdhesionPanel::new(law, from, to), stick);
         }
-        Some(interval)
     }
 
     /// For `|ψ| > 1`: pieces of the adhesion interval slide after all, each short enough for 4 nodes.
