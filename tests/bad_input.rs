@@ -9,7 +9,7 @@ mod toolchain;
 
 use header::{Declared, Function, Variable};
 use std::collections::{BTreeMap, BTreeSet};
-use toolchain::{root, run_c, write_scratch};
+use toolchain::{root, run_written, write_scratch};
 
 /// A line of the second table.
 struct Rule {
@@ -241,13 +241,15 @@ fn bad_input_gets_its_status_and_outputs_stay() {
     for (i, block) in blocks.iter().enumerate() {
         program += &format!("\nstatic void call_{i}(void)\n{{\n{block}}}\n");
     }
-    program += "\nint main(void)\n{\n";
+    // By pointers: a compiler that put all of them into main would take minutes.
+    program += "\nstatic void (*const calls[])(void) = {\n";
     for i in 0..blocks.len() {
-        program += &format!("    call_{i}();\n");
+        program += &format!("    call_{i},\n");
     }
-    program += "    return 0;\n}\n";
+    program += "};\n\nint main(void)\n{\n    for (size_t i = 0; i < sizeof calls / sizeof *calls; i++)\n        \
+        calls[i]();\n    return 0;\n}\n";
 
-    let text = run_c(&write_scratch("bad_input.c", &program));
+    let text = run_written(&write_scratch("bad_input.c", &program));
     let answers: BTreeMap<usize, (i64, bool)> = text
         .lines()
         .map(|line| match line.split(' ').collect::<Vec<_>>()[..] {
