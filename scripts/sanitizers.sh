@@ -13,7 +13,7 @@ cd "$(dirname "$0")/.."
 target=${CARGO_TARGET_DIR:-target}/sanitizers
 mkdir -p "$target"
 host=$(rustc -vV | sed -n 's/^host: //p')
-flags="-std=c99 -g -O1 -Wall -Wextra -Iinclude"
+flags="-std=c99 -g -O0 -Wall -Wextra -Iinclude"
 has() { command -v "$1" > /dev/null; }
 
 # library NAME RUSTFLAGS: an archive that the programs link
