@@ -228,7 +228,7 @@ impl<T: Real> StripFamily<T> {
     /// The adhesion interval, or `None` with the strip nearest to adhesion.
     ///
     /// For `|ψ| > 1` the interval is where a root exists and fits (`κ ≤ C`); the bound on the
-    /// traction may take pieces out of it, see [`Released`].
+    /// traction may take pieces out of it, see `Released`.
     pub fn adhesion_interval(&self) -> Result<AdhesionInterval<T>, EdgePoint<T>> {
         let plain = self.plain();
         let (size, one) = (plain.psi.abs(), T::Base::one());

@@ -1,6 +1,6 @@
 //! The inverse, for test rigs: from a measured force to friction, from a wanted force to creepage.
 //!
-//! **Friction.** By homogeneity (see [`derivatives`](crate::derivatives)) the force at known creepage depends on `M = μ N` as
+//! **Friction.** By homogeneity (see [`derivatives`]) the force at known creepage depends on `M = μ N` as
 //! `F = M f(c/M)`. It grows with `M` from full sliding, `|F| = M`, to adhesion, where it is the force of linear theory
 //! whatever `M`. So `M` lies between `|F|` and, unless the contact sticks, `20 |F|`: a root in a known
 //! interval, found by false position (Anderson and Björck, BIT 13 (1973) 253), guarded by bisection.

@@ -166,7 +166,7 @@ const COSINES: [f64; STEPS.div_ceil(2)] =
 marched!(f64);
 marched!(f32);
 
-/// The strips of a [`Rule`], whatever their number: one piece of code serves every count.
+/// The strips of a `Rule`, whatever their number: one piece of code serves every count.
 #[derive(Clone, Copy, Debug)]
 pub struct Strips<'a, F> {
     pub(crate) y: &'a [F],
