@@ -3,6 +3,7 @@
 #
 #     scripts/firmware.sh           everything; writes the measured part of docs/embedded.md
 #     scripts/firmware.sh quick     builds, runs self-test and twin disc on both boards
+#     scripts/firmware.sh ci        everything with fewer cases, and docs/embedded.md left as it is
 #
 # Exit status: 0 all is well, 1 something failed, 77 a tool is missing (a line with SKIPPED says which).
 #
@@ -22,7 +23,10 @@ mkdir -p "$out"
 source=c_examples/firmware
 triple=thumbv7em-none-eabihf
 cases=10000
-[ "$mode" = quick ] && cases=2000
+[ "$mode" = all ] || cases=2000
+# Whether missing tools may be installed (when root).
+installs=yes
+[ "$mode" = quick ] && installs=no
 
 say() { printf '%s\n' "$*"; }
 fail() { say "FAILED: $*"; exit 1; }
@@ -35,7 +39,7 @@ has() { command -v "$1" >/dev/null 2>&1; }
 # ---------------------------------------------------------------- tools
 
 packages="gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm"
-if [ "$mode" = all ] && ! { has arm-none-eabi-gcc && has qemu-system-arm; } && has apt-get && [ "$(id -u)" = 0 ]; then
+if [ $installs = yes ] && ! { has arm-none-eabi-gcc && has qemu-system-arm; } && has apt-get && [ "$(id -u)" = 0 ]; then
     say "installing $packages"
     apt-get install -y $packages >"$out/apt.log" 2>&1 || say "apt-get failed, see $out/apt.log"
 fi
@@ -49,17 +53,18 @@ arm-none-eabi-gcc --specs=nano.specs --specs=rdimon.specs "$out/empty.c" -o "$ou
 
 # ---------------------------------------------------------------- the library
 
+# Whether rustup has the target, or can add it.
+by_rustup() {
+    has rustup || return 1
+    [ -d "$(rustc --print sysroot)/lib/rustlib/$triple" ] && return 0
+    [ $installs = yes ] && timeout 120 rustup target add $triple >"$out/rustup.log" 2>&1
+}
+
 way=
-if has rustup; then
-    if [ -d "$(rustc --print sysroot)/lib/rustlib/$triple" ]; then
-        way=rustup
-    elif [ "$mode" = all ] && timeout 120 rustup target add $triple >"$out/rustup.log" 2>&1; then
-        way=rustup
-    fi
-fi
+by_rustup && way=rustup
 debian_rustc=/usr/bin/rustc
 if [ -z "$way" ]; then
-    if [ "$mode" = all ] && [ ! -d "$($debian_rustc --print sysroot 2>/dev/null)/lib/rustlib/src/rust/library/core" ] \
+    if [ $installs = yes ] && [ ! -d "$($debian_rustc --print sysroot 2>/dev/null)/lib/rustlib/src/rust/library/core" ] \
         && has apt-get && [ "$(id -u)" = 0 ]; then
         say "installing rustc-web rust-web-src"
         apt-get install -y rustc-web rust-web-src >"$out/apt-rust.log" 2>&1 || say "apt-get failed, see $out/apt-rust.log"
@@ -131,13 +136,17 @@ host() {
     cc $c_flags "$@" "$source/$program.c" "$out/host.a" -lm -o "$out/$program.host"
 }
 
+# The compiler and core that link() links for.
+cross=arm-none-eabi-gcc
+link_core=$m4
+
 # link <name> <library> <symbols>: only these functions and what they need, no C library
 link() {
     name=$1 library=$2
     shift 2
     roots=
     for symbol in "$@"; do roots="$roots -Wl,-u,$symbol"; done
-    arm-none-eabi-gcc $m4 -nostdlib -nostartfiles -Wl,--gc-sections -Wl,-e,"$1" -Wl,-Ttext=0 $roots \
+    $cross $link_core -nostdlib -nostartfiles -Wl,--gc-sections -Wl,-e,"$1" -Wl,-Ttext=0 $roots \
         -Wl,-Map="$out/$name.map" "$library" -lgcc -o "$out/$name.elf" >"$out/$name.link.log" 2>&1
 }
 
@@ -193,45 +202,37 @@ prove() {
     return 1
 }
 
-build proof "" -- --cfg kstrip_link_proof
-symbols=$(exports "$out/proof.a")
-count=$(say "$symbols" | wc -l)
-if prove proof "$out/proof.a" $symbols; then
-    proof="linked: all $count exported functions without panic and without allocator"
-else
-    proof="NOT linked: a panic can be reached"
-    miss "a panic can be reached"
-fi
-say "proof: $proof"
-
-# The negative control: the same sources and one function more that indexes an array. It must not link.
-planted=$out/planted
-rm -rf "$planted"
-mkdir -p "$planted"
-cp -r src Cargo.toml Cargo.lock "$planted/"
-[ -f README.md ] && cp README.md "$planted/"
-# Cargo wants the targets that it finds named; there are none here but the library.
-cat >>"$planted/src/ffi/mod.rs" <<'RUST'
-
-/// Panics for an index of 3 or more.
-#[unsafe(no_mangle)]
-pub extern "C" fn kstrip_planted(index: usize) -> i32 {
-    [1, 2, 3][index]
+# proved <name> <RUSTFLAGS>: the sentence $proof, for the target and core of this moment, with the negative
+# control: with a panic planted in kstrip_abi_version() the same link must fail, for that reason.
+proved() {
+    target=$1
+    build "$target.proof" "$2" -- --cfg kstrip_link_proof
+    symbols=$(exports "$out/$target.proof.a")
+    count=$(say "$symbols" | wc -l)
+    if prove "$target.proof" "$out/$target.proof.a" $symbols; then
+        proof="all $count exported functions link without panic and without allocator"
+    else
+        proof="NOT linked: a panic can be reached"
+        miss "$target: a panic can be reached"
+    fi
+    build "$target.planted" "$2" -- --cfg kstrip_link_proof --cfg kstrip_planted_panic
+    if link "$target.planted" "$out/$target.planted.a" kstrip_abi_version; then
+        proof="$proof. FAILED: a planted panic links too"
+        miss "$target: the proof accepts a planted panic"
+    elif grep -q kstrip_a_panic_can_be_reached "$out/$target.planted.link.log"; then
+        proof="$proof; with a planted panic they do not, as they must not"
+    else
+        proof="$proof. FAILED: the planted panic fails to link for another reason"
+        miss "$target: the planted panic fails to link for another reason"
+    fi
+    say "$target: $proof"
 }
-RUST
-(cd "$planted" && build planted "" -- --cfg kstrip_link_proof)
-if prove planted "$out/planted.a" kstrip_planted; then
-    control="FAILED: a planted panic links too"
-    miss "the proof accepts a planted panic"
-elif grep -q kstrip_a_panic_can_be_reached "$out/planted.link.log"; then
-    control="a planted array index does not link, as it must not"
-else
-    control="FAILED: the planted panic fails to link for another reason"
-    miss "$control"
-fi
-say "negative control: $control"
+
+proved m4f ""
+m4_proof=$proof
 
 # No hidden double precision in what is f32.
+symbols=$(exports "$out/m4f.a")
 single=$(say "$symbols" | grep '_f32$')
 link single "$out/m4f.a" $single || fail "link of the single-precision functions"
 leaks=$(arm-none-eabi-objdump -d "$out/single.elf" | awk '/^[0-9a-f]+ </ { f = $2 }
@@ -282,6 +283,9 @@ run mps2-an386 "$out/budget.elf" "$out/budget.txt"
 cat "$out/budget.txt"
 
 # Cortex-M7, compiled for it: the same bits again
+link_core=$m7
+proved m7 "-C target-cpu=cortex-m7"
+m7_proof=$proof
 build m7 "-C target-cpu=cortex-m7"
 firmware selftest "$m7" "$out/m7.a" "$out/selftest.m7.elf"
 run mps2-an500 "$out/selftest.m7.elf" "$out/selftest.m7.txt"
@@ -302,9 +306,76 @@ else
 fi
 say "compiled for Cortex-M7: $m7_bits"
 
+# ---------------------------------------------------------------- CMake
+
+# The same programs as an ordinary CMake project with a toolchain file
+if has cmake; then
+    rm -rf "$out/cmake"
+    if cmake -S $source -B "$out/cmake" -DCMAKE_TOOLCHAIN_FILE="$root/$source/arm-none-eabi.cmake" \
+        -DKSTRIP_LIBRARY="$out/m4f.a" >"$out/cmake.log" 2>&1 && cmake --build "$out/cmake" >>"$out/cmake.log" 2>&1; then
+        cmake_says="builds the three programs"
+    else
+        cmake_says="FAILED"
+        tail -n 20 "$out/cmake.log"
+        miss "CMake with $source/arm-none-eabi.cmake"
+    fi
+else
+    cmake_says="SKIPPED: no cmake"
+fi
+say "CMake with a toolchain file: $cmake_says"
+
+# ---------------------------------------------------------------- RISC-V without a floating-point unit
+
+# Another compiler, another instruction set, floating point by software: the same bits again.
+riscv() {
+    triple=riscv32imac-unknown-none-elf
+    if [ $way = rustup ] && ! by_rustup; then
+        riscv_says="SKIPPED: rustup has no $triple"
+        return
+    fi
+    cross=riscv64-unknown-elf-gcc
+    link_core="-march=rv32imac -mabi=ilp32"
+    proved riscv32imac ""
+    riscv_proof=$proof
+    build riscv32imac ""
+    # picolibc brings start-up code, linker script and semihosting; the board's memory begins at 0x80000000.
+    $cross $link_core -std=c99 -O2 -ffp-contract=off -Iinclude -DCASES=${cases}u \
+        --specs=picolibc.specs --oslib=semihost --crt0=semihost -Wl,--gc-sections \
+        -Wl,--defsym=__flash=0x80000000 -Wl,--defsym=__flash_size=0x800000 \
+        -Wl,--defsym=__ram=0x80800000 -Wl,--defsym=__ram_size=0x800000 -Wl,--defsym=__stack_size=0x10000 \
+        $source/selftest.c -lm -lgcc "$out/riscv32imac.a" -o "$out/selftest.riscv.elf" >"$out/riscv.link.log" 2>&1 \
+        || { cat "$out/riscv.link.log"; fail "selftest for RISC-V"; }
+    timeout 550 qemu-system-riscv32 -M virt -bios none -nographic -monitor none -serial none \
+        -semihosting-config enable=on,target=native -kernel "$out/selftest.riscv.elf" </dev/null \
+        >"$out/selftest.riscv.txt" 2>&1 || { tail -n 5 "$out/selftest.riscv.txt"; fail "self-test on RISC-V"; }
+    if cmp "$out/selftest.riscv.txt" "$out/selftest.host.txt"; then
+        riscv_says="the same bits as on this machine"
+    else
+        riscv_says="DIFFERENT bits"
+        miss "RISC-V and this machine differ in some bit"
+    fi
+}
+
+riscv_packages="gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc"
+riscv_tools() {
+    has riscv64-unknown-elf-gcc && has qemu-system-riscv32 \
+        && riscv64-unknown-elf-gcc --specs=picolibc.specs -march=rv32imac -mabi=ilp32 -c "$out/empty.c" -o "$out/empty.o" 2>/dev/null
+}
+riscv_proof="SKIPPED"
+if ! riscv_tools && [ $installs = yes ] && has apt-get && [ "$(id -u)" = 0 ]; then
+    say "installing $riscv_packages"
+    apt-get install -y --no-install-recommends $riscv_packages >"$out/apt-riscv.log" 2>&1 || say "apt-get failed, see $out/apt-riscv.log"
+fi
+if riscv_tools; then
+    riscv
+else
+    riscv_says="SKIPPED: tools are missing: apt-get install $riscv_packages"
+fi
+say "riscv32imac: $riscv_says"
+
 . scripts/firmware_table.sh >"$out/table.md"
 # Between the two marks of docs/embedded.md
-if [ -f docs/embedded.md ]; then
+if [ "$mode" = all ]; then
     awk -v table="$out/table.md" '
         /<!-- measured: begin -->/ { print; while ((getline line < table) > 0) print line; inside = 1 }
         /<!-- measured: end -->/ { inside = 0 }

@@ -202,11 +202,12 @@ impl<T: Real> StripFamily<T> {
         }
     }
 
-    /// Whether the direct form of (5.41) loses more than a factor 128 in the last place.
+    /// Whether the direct form of (5.41) loses more than a factor 128 in the last place, in single precision 8.
     #[inline(always)]
     pub(crate) fn cancels(&self) -> bool {
+        let limit = if size_of::<T::Base>() < 8 { 0.25 } else { 1.0 / 64.0 };
         self.eta * self.psi < T::zero()
-            && (T::one() - self.psi) * (T::one() + self.psi) < T::constant(1.0 / 64.0)
+            && (T::one() - self.psi) * (T::one() + self.psi) < T::constant(limit)
     }
 
     /// The same family without derivatives.

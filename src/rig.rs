@@ -318,7 +318,7 @@ pub fn creepage_for_force<F: Precision>(
         let [to_x, to_y] = target;
         let mut stage = none;
         for i in 1..=STAGES {
-            let share = F::constant(i as f64 / STAGES as f64);
+            let share = F::of_f32(i as f32) / F::constant(STAGES as f64);
             let on_the_way = [
                 at_rest.fx + (to_x - at_rest.fx) * share,
                 at_rest.fy + (to_y - at_rest.fy) * share,

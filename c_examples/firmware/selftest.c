@@ -111,7 +111,7 @@ static void compare(uint32_t index, const kstrip_contact_f32 *c, const kstrip_cr
     beyond[m] += 1;
     moved = ROUNDINGS * conditioning(&contact, &creepage, options, &r) / bound;
     if (!(force <= fmax(ALLOWED, moved))) {
-        fprintf(stderr, "case %u model %d: force differs by %.2g mu N, rounding of the inputs explains %.2g\n",
+        fprintf(stderr, "case %" PRIu32 " model %d: force differs by %.2g mu N, rounding of the inputs explains %.2g\n",
                 index, m, force, moved);
         unexplained[m] += 1;
         if (!(force <= FAILED)) {
