@@ -244,11 +244,14 @@ where
         // |F| ≤ μ N.
         let size = fx * fx + fy * fy;
         let bound = if size > T::one() { T::one() / size.sqrt() } else { T::one() };
+        // Nor does a moment exceed μ N times the longer semi-axis, however slender the ellipse.
+        let one = <T::Base as Arithmetic>::one();
+        let lever = T::from_base(one.max(one / self.axis_ratio));
         Totals {
             fx: fx * bound,
             fy: fy * bound,
             // a = √(ab) √(a/b)
-            mz: mz.scale(self.axis_ratio.sqrt()),
+            mz: mz.clamped(-lever, lever).scale(self.axis_ratio.sqrt()),
             stick: stick.clamped(T::zero(), T::one()),
         }
     }

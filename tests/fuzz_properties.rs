@@ -104,6 +104,11 @@ fn what_was_found_stays_repaired() {
     let needle = Contact { a: 0.5_f32, b: 3e-4, shear_modulus: 1e-41, poisson_ratio: 0.0, ..soft };
     let lateral = Creepage { longitudinal: 0.0, lateral: 4e34, spin: 0.0 };
     assert_eq!(solve(&needle, &lateral, &options(Model::Linear)), Err(Error::Overflow));
+    // A moment of a needle far beyond the longer semi-axis
+    let needle = contact(9.9e-84, 0.0127, 5231.0, 3.7e-37, 0.94);
+    let turning = creepage(1e-5, 1.2e-4, -6.95e300);
+    let result = solve(&needle, &turning, &options(Model::Strip1967)).unwrap();
+    assert!(result.mz.abs() <= 0.94 * 5231.0 * 0.0127 * (1.0 + 1e-12), "{result:?}");
     // The weights of the strips add up to 1 + 2e-16.
     for i in 0..1000 {
         let shape = contact(1e-3 * (1.0 + 0.01 * f64::from(i)), 5e-3, 8e4, 82e9, 0.3);

@@ -232,8 +232,9 @@ macro_rules! precision {
                 let in_range = (0.0..=1.0).contains(&r.adhesion);
                 assert!(in_range || (model == KSTRIP_MODEL_TOTAL && r.adhesion == -1.0), "{r:?}");
                 // Beyond these shapes single precision has no digits left for the small terms.
+                let shapes = if <$float>::EPSILON > 1e-10 { 1e2 } else { 1e6 };
                 let ratio = f64::from(contact.a) / f64::from(contact.b);
-                if model == KSTRIP_MODEL_TOTAL && (1e-6..=1e6).contains(&ratio) {
+                if model == KSTRIP_MODEL_TOTAL && (1.0 / shapes..=shapes).contains(&ratio) {
                     let terms = (f64::from(r.fx) * f64::from(k.longitudinal)).abs()
                         + (f64::from(r.fy) * f64::from(k.lateral)).abs()
                         + (f64::from(r.mz) * f64::from(k.spin)).abs();
