@@ -170,8 +170,6 @@ marched!(f32);
 #[derive(Clone, Copy, Debug)]
 pub struct Strips<'a, F> {
     pub(crate) y: &'a [F],
-    pub(crate) half_length: &'a [F],
-    pub(crate) width: &'a [F],
     pub(crate) load: &'a [F],
     pub(crate) moment_x: &'a [F],
     pub(crate) area: &'a [F],
@@ -180,6 +178,10 @@ pub struct Strips<'a, F> {
     moment_y: &'a [F],
     stretch: F,
     lever: F,
+    /// Of all strips, in a part of them too: forces do not need it.
+    pub(crate) half_length: &'a [F],
+    /// The same.
+    pub(crate) width: &'a [F],
 }
 
 impl<'a, F: Copy> Strips<'a, F> {
@@ -191,8 +193,6 @@ impl<'a, F: Copy> Strips<'a, F> {
         };
         Some(Self {
             y: group(self.y)?,
-            half_length: group(self.half_length)?,
-            width: group(self.width)?,
             inverse: group(self.inverse)?,
             bend: group(self.bend)?,
             load: group(self.load)?,
@@ -217,8 +217,6 @@ impl<F: Copy> Strips<'_, F> {
     fn upper_half(&self) -> Self {
         Self {
             y: upper_half(self.y),
-            half_length: upper_half(self.half_length),
-            width: upper_half(self.width),
             inverse: upper_half(self.inverse),
             bend: upper_half(self.bend),
             load: upper_half(self.load),
