@@ -100,9 +100,29 @@ pub struct kstrip_batch_outputs_f32 {
     pub status_detail: *mut i32,
 }
 
-macro_rules! slices {
-    ($inputs:ident, $float:ident) => {
+macro_rules! arrays {
+    ($inputs:ident, $outputs:ident, $float:ident) => {
         impl $inputs {
+            /// # Safety
+            /// As [`Self::slices`], and the outputs likewise.
+            unsafe fn solve(
+                &self,
+                count: u32,
+                options: Option<&kstrip_options>,
+                to: &$outputs,
+            ) -> kstrip_status {
+                let quantities = [to.fx, to.fy, to.mz, to.power, to.adhesion];
+                // SAFETY: the caller's promise.
+                let (inputs, quantities, details) = unsafe {
+                    (
+                        self.slices(count),
+                        quantities.map(|array| arrays::output(array, count)),
+                        arrays::output(to.status_detail, count),
+                    )
+                };
+                solve_batch_arrays(inputs, options, quantities, details)
+            }
+
             /// # Safety
             /// The pointers are NULL or valid for `count` elements.
             unsafe fn slices<'a>(&self, count: u32) -> Result<[&'a [$float]; 9], Error> {
@@ -121,8 +141,8 @@ macro_rules! slices {
     };
 }
 
-slices!(kstrip_batch_inputs, f64);
-slices!(kstrip_batch_inputs_f32, f32);
+arrays!(kstrip_batch_inputs, kstrip_batch_outputs, f64);
+arrays!(kstrip_batch_inputs_f32, kstrip_batch_outputs_f32, f32);
 
 /// Contact `i`.
 #[inline(always)]
@@ -183,17 +203,11 @@ pub unsafe extern "C" fn kstrip_solve_batch_arrays(
     options: Option<&kstrip_options>,
     outputs: Option<&kstrip_batch_outputs>,
 ) -> kstrip_status {
-    let (Some(from), Some(to)) = (inputs, outputs) else { return Error::NullPointer.code() };
-    let quantities = [to.fx, to.fy, to.mz, to.power, to.adhesion];
-    // SAFETY: NULL or count elements each, says the header.
-    let (inputs, quantities, details) = unsafe {
-        (
-            from.slices(count),
-            quantities.map(|array| arrays::output(array, count)),
-            arrays::output(to.status_detail, count),
-        )
-    };
-    solve_batch_arrays(inputs, options, quantities, details)
+    match (inputs, outputs) {
+        // SAFETY: NULL or count elements each, says the header.
+        (Some(from), Some(to)) => unsafe { from.solve(count, options, to) },
+        _ => Error::NullPointer.code(),
+    }
 }
 
 /// kstrip_solve_batch_arrays() in single precision: same arguments, units, ranges and statuses.
@@ -204,15 +218,9 @@ pub unsafe extern "C" fn kstrip_solve_batch_arrays_f32(
     options: Option<&kstrip_options>,
     outputs: Option<&kstrip_batch_outputs_f32>,
 ) -> kstrip_status {
-    let (Some(from), Some(to)) = (inputs, outputs) else { return Error::NullPointer.code() };
-    let quantities = [to.fx, to.fy, to.mz, to.power, to.adhesion];
-    // SAFETY: NULL or count elements each, says the header.
-    let (inputs, quantities, details) = unsafe {
-        (
-            from.slices(count),
-            quantities.map(|array| arrays::output(array, count)),
-            arrays::output(to.status_detail, count),
-        )
-    };
-    solve_batch_arrays(inputs, options, quantities, details)
+    match (inputs, outputs) {
+        // SAFETY: NULL or count elements each, says the header.
+        (Some(from), Some(to)) => unsafe { from.solve(count, options, to) },
+        _ => Error::NullPointer.code(),
+    }
 }
