@@ -116,6 +116,19 @@ int main()
     if (kstrip::is_error(kstrip::patch_from_ellipse(contact, 16, worn)))
         return 1;
     const auto whole = kstrip::solve(worn, motion);
+    kstrip::result slowed{}, too{}, again{};
+    kstrip::jacobian slowed_slopes{};
+    kstrip::patch slipping{};
+    kstrip::contact slipping_ellipse{};
+    double share = 0.0;
+    if (kstrip::is_error(kstrip::solve_friction(worn, motion, wet, {}, slowed, &share)) ||
+        kstrip::is_error(kstrip::solve_friction_jacobian(worn, motion, wet, {}, too, slowed_slopes)) ||
+        kstrip::is_error(kstrip::under_friction(worn, motion, wet, {}, slipping)) ||
+        kstrip::is_error(kstrip::under_friction(contact, motion, wet, {}, slipping_ellipse)) ||
+        kstrip::is_error(kstrip::solve(slipping, motion, {}, again)))
+        return 1;
+    std::printf("wet patch %.4f %.4f %.4f %.6f %.6f\n", slowed.fy.value, too.fy.value, again.fy.value,
+                share * contact.friction, slipping_ellipse.friction);
     for (std::uint32_t i = 0; i < worn.count; i++)
         if (worn.strips[i].y > 0_m)
             worn.strips[i].friction = 0.0;

@@ -2229,7 +2229,8 @@ kstrip_status kstrip_result_on_upper_body_f32(const struct kstrip_result_f32 *lo
  * @param count           number of contacts; 0 is allowed.
  * @param inputs          arrays of count elements.
  * @param options         for all contacts; NULL for the defaults.
- * @param outputs         arrays of count elements; NULL where a quantity is not wanted. They must not
+ * @param outputs         arrays of count elements; NULL where a quantity is not wanted: moment (with the power) and
+ *                        adhesion are then not computed either. They must not
  *                        overlap the inputs or each other.
  * @return KSTRIP_OK, the largest warning, or the first error, as kstrip_solve().
  */
@@ -2394,6 +2395,33 @@ kstrip_status kstrip_solve_friction_jacobian(const struct kstrip_contact *contac
                                              double *effective);
 
 /**
+ * The contact as it is while it slips: friction that falls with the slip has become a constant coefficient of
+ * friction, and the slope factor part of the shear modulus.
+ *
+ * kstrip_evaluate(), kstrip_strips(), kstrip_traction_at(), kstrip_field() and kstrip_solve() of that contact at the same
+ * creepage and with the same options are those under falling friction. (Derivatives are not: use
+ * kstrip_solve_friction_jacobian(), where friction follows the slip.)
+ *
+ * @param contact, creepage, friction, options  as kstrip_solve_friction().
+ * @param[out] slipping   receives the contact; not the contact itself.
+ * @return as kstrip_solve_friction().
+ */
+kstrip_status kstrip_contact_under_friction(const struct kstrip_contact *contact,
+                                            const struct kstrip_creepage *creepage,
+                                            const struct kstrip_friction *friction,
+                                            const struct kstrip_options *options,
+                                            struct kstrip_contact *slipping);
+
+/**
+ * kstrip_contact_under_friction() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_contact_under_friction_f32(const struct kstrip_contact_f32 *contact,
+                                                const struct kstrip_creepage_f32 *creepage,
+                                                const struct kstrip_friction_f32 *friction,
+                                                const struct kstrip_options *options,
+                                                struct kstrip_contact_f32 *slipping);
+
+/**
  * kstrip_solve_friction() in single precision: same arguments, units, ranges and statuses.
  */
 kstrip_status kstrip_solve_friction_f32(const struct kstrip_contact_f32 *contact,
@@ -2413,6 +2441,100 @@ kstrip_status kstrip_solve_friction_jacobian_f32(const struct kstrip_contact_f32
                                                  struct kstrip_result_f32 *result,
                                                  float *jacobian,
                                                  float *effective);
+
+/**
+ * Forces of a patch whose friction falls with the slip, solved consistently with the slip.
+ *
+ * The friction of every strip is that without slip; the law multiplies all of them with one share,
+ * (1 - ratio) exp(-decay w) + ratio, w the rolling speed times the mean slip of the patch, weighted with friction:
+ * power over the sum of friction times load. The law's own friction is ignored, its slope_factor multiplies the shear
+ * modulus. The strips of an ellipse give the answer of kstrip_solve_friction(). With constant friction and slope_factor
+ * 1 the result is that of kstrip_patch_solve(), bit for bit and at its cost; otherwise some six solutions,
+ * 260 at most.
+ *
+ * @param patch           the patch.
+ * @param creepage        motion at the origin.
+ * @param friction        how friction falls; its member friction is not used.
+ * @param options         as kstrip_patch_solve(); NULL for the default.
+ * @param[out] result     receives what kstrip_patch_solve() gives.
+ * @param[out] share      receives friction that agrees with the slip over friction without slip [-], the same for all
+ *                        strips; may be NULL.
+ * @return as kstrip_patch_solve(); KSTRIP_WARNING_SEVERAL_FRICTIONS for friction that falls steeply,
+ *         KSTRIP_WARNING_NOT_CONVERGED for that and where forces jump over the slip (KSTRIP_MODEL_STRIP_1967 with
+ *         spin, see kstrip_patch_from_ellipse()); KSTRIP_ERROR_FRICTION_RATIO, KSTRIP_ERROR_FRICTION_DECAY,
+ *         KSTRIP_ERROR_NEGATIVE_SPEED, KSTRIP_ERROR_SLOPE_FACTOR.
+ */
+kstrip_status kstrip_patch_solve_friction(const struct kstrip_patch *patch,
+                                          const struct kstrip_creepage *creepage,
+                                          const struct kstrip_friction *friction,
+                                          const struct kstrip_options *options,
+                                          struct kstrip_result *result,
+                                          double *share);
+
+/**
+ * kstrip_patch_solve_friction() with the exact derivatives with respect to the creepages.
+ *
+ * @param[out] jacobian   receives d(fx, fy, mz)/d(longitudinal, lateral, spin), row by row, friction
+ *                        following the slip: nine numbers [N, N, N m over 1, 1, 1/m].
+ * @return as kstrip_patch_solve_friction(); KSTRIP_ERROR_OVERFLOW also when a derivative is too large.
+ */
+kstrip_status kstrip_patch_solve_friction_jacobian(const struct kstrip_patch *patch,
+                                                   const struct kstrip_creepage *creepage,
+                                                   const struct kstrip_friction *friction,
+                                                   const struct kstrip_options *options,
+                                                   struct kstrip_result *result,
+                                                   double *jacobian,
+                                                   double *share);
+
+/**
+ * The patch as it is while it slips: friction that falls with the slip has become constant friction of its strips,
+ * and the slope factor part of its shear modulus.
+ *
+ * kstrip_patch_strips(), kstrip_patch_traction_at(), kstrip_patch_field() and kstrip_patch_solve() of that patch at the
+ * same creepage are those under falling friction. (kstrip_patch_jacobian() is not: its friction stands still.)
+ *
+ * @param patch, creepage, friction, options  as kstrip_patch_solve_friction().
+ * @param[out] slipping   receives the patch; not the patch itself.
+ * @param[out] share      receives friction that agrees with the slip over friction without slip [-]; may be NULL.
+ * @return as kstrip_patch_solve_friction().
+ */
+kstrip_status kstrip_patch_under_friction(const struct kstrip_patch *patch,
+                                          const struct kstrip_creepage *creepage,
+                                          const struct kstrip_friction *friction,
+                                          const struct kstrip_options *options,
+                                          struct kstrip_patch *slipping,
+                                          double *share);
+
+/**
+ * kstrip_patch_solve_friction() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_patch_solve_friction_f32(const struct kstrip_patch_f32 *patch,
+                                              const struct kstrip_creepage_f32 *creepage,
+                                              const struct kstrip_friction_f32 *friction,
+                                              const struct kstrip_options *options,
+                                              struct kstrip_result_f32 *result,
+                                              float *share);
+
+/**
+ * kstrip_patch_solve_friction_jacobian() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_patch_solve_friction_jacobian_f32(const struct kstrip_patch_f32 *patch,
+                                                       const struct kstrip_creepage_f32 *creepage,
+                                                       const struct kstrip_friction_f32 *friction,
+                                                       const struct kstrip_options *options,
+                                                       struct kstrip_result_f32 *result,
+                                                       float *jacobian,
+                                                       float *share);
+
+/**
+ * kstrip_patch_under_friction() in single precision: same arguments, units, ranges and statuses.
+ */
+kstrip_status kstrip_patch_under_friction_f32(const struct kstrip_patch_f32 *patch,
+                                              const struct kstrip_creepage_f32 *creepage,
+                                              const struct kstrip_friction_f32 *friction,
+                                              const struct kstrip_options *options,
+                                              struct kstrip_patch_f32 *slipping,
+                                              float *share);
 
 /**
  * The coefficient of friction that explains a measured force at a known creepage.

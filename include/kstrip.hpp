@@ -713,6 +713,15 @@ status solve_friction_jacobian(const basic_contact<T> &ellipse, const basic_cree
                            detail::in(&law), detail::in(&how), detail::out(&to), slopes.value, effective);
 }
 
+/// kstrip_contact_under_friction()
+template <class T>
+status under_friction(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const basic_friction<T> &law,
+                      const options &how, basic_contact<T> &slipping) noexcept
+{
+    return KSTRIP_HPP_CALL(T, kstrip_contact_under_friction, detail::in(&ellipse), detail::in(&motion),
+                           detail::in(&law), detail::in(&how), detail::out(&slipping));
+}
+
 /// kstrip_estimate_friction()
 template <class T>
 status estimate_friction(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const options &how,
@@ -991,6 +1000,34 @@ status solve_jacobian(const basic_patch<T> &area, const basic_creepage<T> &motio
 {
     return KSTRIP_HPP_CALL(T, kstrip_patch_jacobian, detail::in(&area), detail::in(&motion), detail::in(&how),
                            detail::out(&to), slopes.value);
+}
+
+/// kstrip_patch_solve_friction(); `share`, if not null, receives the share of friction that is left.
+template <class T>
+status solve_friction(const basic_patch<T> &area, const basic_creepage<T> &motion, const basic_friction<T> &law,
+                      const options &how, basic_result<T> &to, T *share = nullptr) noexcept
+{
+    return KSTRIP_HPP_CALL(T, kstrip_patch_solve_friction, detail::in(&area), detail::in(&motion), detail::in(&law),
+                           detail::in(&how), detail::out(&to), share);
+}
+
+/// kstrip_patch_solve_friction_jacobian()
+template <class T>
+status solve_friction_jacobian(const basic_patch<T> &area, const basic_creepage<T> &motion,
+                               const basic_friction<T> &law, const options &how, basic_result<T> &to,
+                               basic_jacobian<T> &slopes, T *share = nullptr) noexcept
+{
+    return KSTRIP_HPP_CALL(T, kstrip_patch_solve_friction_jacobian, detail::in(&area), detail::in(&motion),
+                           detail::in(&law), detail::in(&how), detail::out(&to), slopes.value, share);
+}
+
+/// kstrip_patch_under_friction()
+template <class T>
+status under_friction(const basic_patch<T> &area, const basic_creepage<T> &motion, const basic_friction<T> &law,
+                      const options &how, basic_patch<T> &slipping, T *share = nullptr) noexcept
+{
+    return KSTRIP_HPP_CALL(T, kstrip_patch_under_friction, detail::in(&area), detail::in(&motion), detail::in(&law),
+                           detail::in(&how), detail::out(&slipping), share);
 }
 
 /// kstrip_patch_strips()

@@ -2,6 +2,7 @@
 
 use crate::contact::Contact;
 use crate::creepage::Creepage;
+use crate::evaluate::{Wanted, evaluate};
 use crate::model::{self, Options, Precision, Solution};
 use crate::status::{Error, Notice};
 
@@ -15,6 +16,19 @@ use crate::status::{Error, Notice};
 pub fn solve_batch<F: Precision>(
     problems: impl Iterator<Item = (Contact<F>, Creepage<F>)> + Clone,
     options: &Options,
+    take: impl FnMut(Solution<F>),
+) -> Result<Notice, Error> {
+    evaluate_batch(problems, options, Wanted { moment: true, adhesion: true }, take)
+}
+
+/// [`solve_batch`] without what is not wanted, as [`evaluate`](crate::evaluate::evaluate) leaves it out.
+///
+/// # Errors
+/// Those of [`solve_batch`].
+pub fn evaluate_batch<F: Precision>(
+    problems: impl Iterator<Item = (Contact<F>, Creepage<F>)> + Clone,
+    options: &Options,
+    wanted: Wanted,
     mut take: impl FnMut(Solution<F>),
 ) -> Result<Notice, Error> {
     for (contact, creepage) in problems.clone() {
@@ -22,7 +36,7 @@ pub fn solve_batch<F: Precision>(
     }
     let mut worst = Notice::None;
     for (contact, creepage) in problems {
-        let solution = model::solve(&contact, &creepage, options)?;
+        let solution = evaluate(&contact, &creepage, options, wanted)?;
         if solution.notice.code() > worst.code() {
             worst = solution.notice;
         }

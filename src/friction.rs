@@ -24,6 +24,10 @@
 //! modulus `k G`. Forces depend on `G c/(μ N)` only, so the creep curve is stretched along the creepage by
 //! `1/k` and keeps its shape and its saturation; patch and pressure stay.
 
+mod agreement;
+
+pub(crate) use self::agreement::Agreement;
+
 use crate::contact::Contact;
 use crate::creepage::Creepage;
 use crate::derivatives::{self, Derivatives};
@@ -55,11 +59,6 @@ pub struct FrictionSolution<F> {
     /// The coefficient of friction that agrees with the slip.
     pub friction: F,
 }
-
-/// Steps of the monotone iteration at most.
-const WALK_STEPS: usize = 100;
-/// Steps of the secant method at most; it ends after four to six.
-const SECANT_STEPS: usize = 60;
 
 impl<F: Float> SlipFriction<F> {
     /// # Errors
@@ -103,7 +102,7 @@ impl<F: Float> SlipFriction<F> {
     }
 
     /// Whether the slip matters.
-    fn falls(&self) -> bool {
+    pub(crate) fn falls(&self) -> bool {
         self.ratio < F::one() && self.decay > F::zero() && self.rolling_speed > F::zero()
     }
 
@@ -145,15 +144,30 @@ pub fn solve<F: Precision>(
     friction: &SlipFriction<F>,
     options: &Options,
 ) -> Result<FrictionSolution<F>, Error> {
+    let (contact, notice) = under(contact, creepage, friction, options)?;
+    let mut solution = model::solve(&contact, creepage, options)?;
+    solution.notice = worse(solution.notice, notice);
+    Ok(FrictionSolution { solution, friction: contact.friction })
+}
+
+/// The contact as it is while it slips, with the friction that agrees with the slip and the stiffness of the layer: for
+/// everything else that can be asked of a contact, as strips and fields.
+///
+/// # Errors
+/// Those of [`solve`].
+pub fn under<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    friction: &SlipFriction<F>,
+    options: &Options,
+) -> Result<(Contact<F>, Notice), Error> {
     friction.check()?;
     let contact = friction.contact(contact);
     let (friction, notice) = agreement(&contact, creepage, friction, options)?;
-    let mut solution = model::solve(&Contact { friction, ..contact }, creepage, options)?;
-    solution.notice = worse(solution.notice, notice);
-    Ok(FrictionSolution { solution, friction })
+    Ok((Contact { friction, ..contact }, notice))
 }
 
-/// The same with the exact derivatives with respect to the creepages, through friction and slip.
+/// [`solve`] with the exact derivatives with respect to the creepages, through friction and slip.
 ///
 /// # Errors
 /// Those of [`solve`]; [`Error::Overflow`] also when a derivative does not fit.
@@ -163,10 +177,8 @@ pub fn solve_jacobian<F: Precision>(
     friction: &SlipFriction<F>,
     options: &Options,
 ) -> Result<(FrictionSolution<F>, Jacobian<F>), Error> {
-    friction.check()?;
-    let contact = friction.contact(contact);
-    let (found, notice) = agreement(&contact, creepage, friction, options)?;
-    let contact = Contact { friction: found, ..contact };
+    let (contact, notice) = under(contact, creepage, friction, options)?;
+    let found = contact.friction;
     if options.model == Model::Linear || !friction.falls() || contact.friction_bound() <= F::zero()
     {
         let (solution, jacobian) = model::solve_jacobian(&contact, creepage, options)?;
@@ -175,7 +187,9 @@ pub fn solve_jacobian<F: Precision>(
     let (mut solution, slopes) = derivatives::solve(&contact, creepage, options)?;
     let Derivatives { jacobian, friction: by_friction, .. } = slopes;
     let slip = Slip::new(&contact, creepage, &solution, &by_friction);
-    let falling = friction.falling_rate(slip.value);
+    // (a negative power, as the theory of 1967 has it in some contacts that spin, is no slip)
+    let falling =
+        if slip.value > F::zero() { friction.falling_rate(slip.value) } else { F::zero() };
     // s = P/(μ N) with P = F c:  μ N ∂s/∂c = F + Jᵀ c
     let motion = [creepage.longitudinal, creepage.lateral, creepage.spin];
     let forces = [solution.fx, solution.fy, solution.mz];
@@ -203,7 +217,7 @@ pub fn solve_jacobian<F: Precision>(
 
 impl<F: Float> SlipFriction<F> {
     /// `dμ/ds = −B V μ₀ (1 − A) exp(−B V s)`
-    fn falling_rate(&self, slip: F) -> F {
+    pub(crate) fn falling_rate(&self, slip: F) -> F {
         let share = self.friction * self.falling_share(slip);
         -(share * self.rolling_speed) * self.decay
     }
@@ -239,7 +253,7 @@ fn power_of<F: Float>(forces: &Vector3<F>, creepage: &Creepage<F>) -> F {
     forces.x * creepage.longitudinal + forces.y * creepage.lateral + forces.z * creepage.spin
 }
 
-fn worse(one: Notice, other: Notice) -> Notice {
+pub(crate) fn worse(one: Notice, other: Notice) -> Notice {
     if other.code() > one.code() { other } else { one }
 }
 
@@ -251,129 +265,25 @@ fn agreement<F: Precision>(
     options: &Options,
 ) -> Result<(F, Notice), Error> {
     model::check(contact, creepage, options)?;
-    let largest = friction.friction;
     let nothing = contact.friction_bound() <= F::zero();
     if options.model == Model::Linear || !friction.falls() || nothing {
-        return Ok((largest, Notice::None));
+        return Ok((friction.friction, Notice::None));
     }
     // No point of the contact slips faster than this.
     let rigid = creepage.longitudinal.abs()
         + creepage.lateral.abs()
         + (contact.a + contact.b) * creepage.spin.abs();
-    let least = friction.at(rigid);
-    let map = Map { contact, creepage, friction, options };
-    if least * contact.normal_force <= F::zero() {
-        // Friction that vanishes altogether: nothing slips against anything.
-        return Ok((map.walk(largest, [least, largest])?.0, Notice::None));
-    }
-    let high = map.next(largest)?;
-    if high >= largest {
-        return Ok((largest, Notice::None));
-    }
-    // g' ≤ B V s_max (g − A μ₀)/μ
-    let steepness = (friction.decay * (friction.rolling_speed * rigid))
-        * ((high - friction.ratio * largest) / least);
-    if steepness < F::one() {
-        return Ok((map.between(least, largest, high - largest, high)?, Notice::None));
-    }
-    let (upper, settled) = map.walk(largest, [least, largest])?;
-    let (lower, _) = map.walk(least, [least, largest])?;
-    let notice = if !settled {
-        Notice::NotConverged
-    } else if upper - lower > upper.times(1e-3) {
-        Notice::SeveralFrictions
-    } else {
-        Notice::None
-    };
-    Ok((upper, notice))
-}
-
-/// `μ → g(μ)`
-struct Map<'a, F> {
-    contact: &'a Contact<F>,
-    creepage: &'a Creepage<F>,
-    friction: &'a SlipFriction<F>,
-    options: &'a Options,
-}
-
-impl<F: Precision> Map<'_, F> {
-    /// The friction that the slip at friction `μ` leaves.
-    fn next(&self, friction: F) -> Result<F, Error> {
-        let contact = Contact { friction, ..*self.contact };
+    Agreement::new(friction, rigid, contact.normal_force, |friction_now| {
+        let contact = Contact { friction: friction_now, ..*contact };
         let bound = contact.friction_bound();
         if bound > F::zero() {
-            let solution = model::solve(&contact, self.creepage, self.options)?;
-            return Ok(self.friction.at(solution.power / bound));
+            let solution = model::solve(&contact, creepage, options)?;
+            return Ok(friction.at(solution.power / bound));
         }
         // The limit of full sliding: s = (∂P/∂μ)/N
-        let (_, slopes) = derivatives::solve(&contact, self.creepage, self.options)?;
-        let power = power_of(&slopes.friction, self.creepage);
-        Ok(self.friction.at(power / contact.normal_force))
-    }
-
-    /// The only solution between two numbers, given with `g(μ) − μ` at the upper one and where to look first:
-    /// the secant through the last two, guarded by bisection, until rounding is all that is left.
-    fn between(&self, mut low: F, mut high: F, high_error: F, first: F) -> Result<F, Error> {
-        let (mut before, mut error_before, mut friction) = (high, high_error, first);
-        let (mut best, mut least_error) = (high, high_error.abs());
-        for _ in 0..SECANT_STEPS {
-            let error = self.next(friction)? - friction;
-            let rounding = error.abs() <= friction * F::EPSILON.times(64.0);
-            if error.abs() < least_error {
-                (best, least_error) = (friction, error.abs());
-            } else if rounding {
-                break;
-            }
-            if error == F::zero() {
-                break;
-            }
-            if error > F::zero() {
-                low = low.max(friction)
-            } else {
-                high = high.min(friction)
-            }
-            let secant = error * ((friction - before) / (error_before - error));
-            let mut better = friction + secant;
-            if !(better >= low && better <= high) {
-                // Among rounding errors the secant means nothing.
-                if rounding {
-                    break;
-                }
-                better = (low + high).times(0.5);
-            }
-            (before, error_before) = (friction, error);
-            friction = better;
-            if friction == before {
-                break;
-            }
-        }
-        Ok(best)
-    }
-
-    /// Along `μ ← g(μ)` to the nearest solution, monotonically, with longer steps where these do not pass
-    /// it; and whether it was reached.
-    fn walk(&self, start: F, [least, largest]: [F; 2]) -> Result<(F, bool), Error> {
-        let mut friction = start;
-        let mut step = self.next(friction)? - friction;
-        // g' as far as it was seen, three quarters at most: steps fall like a geometric series
-        let mut ratio = F::zero();
-        for _ in 0..WALK_STEPS {
-            if step.abs() <= friction * F::EPSILON.times(8.0) {
-                return Ok((friction, true));
-            }
-            let far = (friction + step / (F::one() - ratio)).clamped(least, largest);
-            let far_step = self.next(far)? - far;
-            if far_step * step <= F::zero() {
-                // Passed it, or rounding turned round what is monotone: it lies between.
-                let (low, high, error) =
-                    if far > friction { (friction, far, far_step) } else { (far, friction, step) };
-                let first = (low + high).times(0.5);
-                return Ok((self.between(low, high, error, first)?, true));
-            }
-            let slope = (far_step - step) / (far - friction);
-            ratio = slope.plus(1.0).clamped(F::zero(), F::constant(0.75));
-            (friction, step) = (far, far_step);
-        }
-        Ok((friction, false))
-    }
+        let (_, slopes) = derivatives::solve(&contact, creepage, options)?;
+        let power = power_of(&slopes.friction, creepage);
+        Ok(friction.at(power / contact.normal_force))
+    })
+    .largest_solution()
 }

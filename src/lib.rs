@@ -20,7 +20,7 @@
 //! 8. [`derivatives`]: with respect to load and friction as well. [`friction`]: friction that falls with the slip.
 //!    [`rig`]: from a measured force to friction, from a wanted force to creepage.
 //!    [`evaluate`]: only what is wanted.
-//! 9. [`patch`], [`kik_piotrowski`], [`patch_solver`]: a patch of any shape as its strips.
+//! 9. [`patch`], [`kik_piotrowski`], [`patch_solver`], [`patch_friction`]: a patch of any shape as its strips.
 //! 10. [`ffi`]: all of it for C (`include/kstrip.h`).
 //!
 //! # Frame and signs
@@ -77,6 +77,7 @@ pub mod material;
 pub mod model;
 mod panels;
 pub mod patch;
+pub mod patch_friction;
 pub mod patch_solver;
 pub mod quadrature;
 pub mod real;

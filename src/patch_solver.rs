@@ -68,6 +68,28 @@ fn creepage_at<T: Real>(creepage: &Creepage<T>, x: T::Base, y: T::Base) -> Creep
     Creepage { longitudinal: longitudinal - spin.scale(y), lateral: lateral + spin.scale(x), spin }
 }
 
+/// No point of a patch is farther from its origin.
+fn reach<F: Float>(view: &PatchView<F>) -> F {
+    view.strips().iter().fold(F::zero(), |reach, strip| {
+        reach.max(strip.y.abs() + strip.centre_x.abs() + strip.half_length)
+    })
+}
+
+/// No point within reach has a larger rigid slip.
+fn rigid_slip<F: Float>(creepage: &Creepage<F>, reach: F) -> F {
+    creepage.longitudinal.abs() + creepage.lateral.abs() + creepage.spin.abs() * reach
+}
+
+/// Checks the inputs of [`solve`] without solving; a bound of the rigid slip.
+pub(crate) fn check<F: Precision>(
+    view: &PatchView<F>,
+    creepage: &Creepage<F>,
+    model: Model,
+) -> Result<F, Error> {
+    Problem::new(view, creepage, model)?;
+    Ok(rigid_slip(creepage, reach(view)))
+}
+
 /// A patch, a creepage and a model that fit together.
 #[derive(Clone, Copy, Debug)]
 struct Problem<'a, F> {
@@ -86,11 +108,8 @@ impl<'a, F: Precision> Problem<'a, F> {
         if matches!(model, Model::Total | Model::Linear) {
             return Err(Error::NotInModel);
         }
-        let reach = view.strips().iter().fold(F::zero(), |reach, strip| {
-            reach.max(strip.y.abs() + strip.centre_x.abs() + strip.half_length)
-        });
-        let Creepage { longitudinal, lateral, spin } = *creepage;
-        let slip = longitudinal.abs() + lateral.abs() + spin.abs() * reach;
+        let reach = reach(view);
+        let slip = rigid_slip(creepage, reach);
         let bound = view.friction_bound();
         let results = [slip, bound * reach, bound * slip];
         if results.iter().all(|result| result.is_finite_number()) {

@@ -196,6 +196,31 @@ fn only_what_is_wanted_is_written_and_nothing_on_errors() {
         assert!(kstrip_solve_batch_arrays(count, Some(&from(&arrays)), None, Some(&nothing)) >= 0);
     }
     assert!(fy.iter().all(|fy| *fy != 7.0));
+    // Whatever else is wanted, a quantity has the same bits
+    let mut found: [Vec<f64>; 5] = std::array::from_fn(|_| vec![7.0; COUNT]);
+    for options in options() {
+        let mut whole: Option<[Vec<f64>; 5]> = None;
+        for mask in (0..32_u32).rev() {
+            let place = |i: usize, array: &mut Vec<f64>| {
+                if mask >> i & 1 == 1 { array.as_mut_ptr() } else { null_mut() }
+            };
+            let [fx, fy, mz, power, adhesion] = &mut found;
+            let wanted = kstrip_batch_outputs {
+                fx: place(0, fx),
+                fy: place(1, fy),
+                mz: place(2, mz),
+                power: place(3, power),
+                adhesion: place(4, adhesion),
+                ..nothing
+            };
+            let (from, options) = (from(&arrays), Some(&options));
+            unsafe {
+                assert!(kstrip_solve_batch_arrays(count, Some(&from), options, Some(&wanted)) >= 0);
+            }
+            let whole = whole.get_or_insert_with(|| found.clone());
+            assert!(found == *whole, "{mask} {options:?}");
+        }
+    }
 
     arrays[5][COUNT - 1] = -0.1;
     fy.fill(7.0);

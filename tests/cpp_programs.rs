@@ -96,6 +96,10 @@ fn example_prints_what_rust_computes() {
     let solution = friction::solve(&contact, &motion, &wet, &options).expect("a solution");
     close(numbers(text, "wet")[0][0], solution.solution.fy, 4);
     close(numbers(text, "wet")[0][1], solution.friction, 6);
+    // The same from the patch of its strips, and of the patch and the ellipse with the friction that is left
+    let patch_forces = &numbers(text, "wet patch")[0];
+    patch_forces[..3].iter().for_each(|&fy| close(fy, solution.solution.fy, 3));
+    patch_forces[3..].iter().for_each(|&friction| close(friction, solution.friction, 6));
     // The patch of the ellipse's strips carries the ellipse's forces, half of its bound, and its area
     let area = &numbers(text, "patch")[0];
     assert!((area[0] - forces.fx).abs() < 1e-3 && (area[1] - forces.fy).abs() < 1e-3, "{area:?}");

@@ -1,6 +1,8 @@
 //! Patches that are given by their strips: the ellipse as its strips, lobes, friction that varies, places,
 //! fields, derivatives, and the construction of Kik and Piotrowski.
 
+#[path = "common/patches.rs"]
+mod patches;
 #[path = "common/random.rs"]
 mod random;
 #[path = "common/theory.rs"]
@@ -16,11 +18,10 @@ use kstrip::patch::{Patch, PatchStrip, PatchView, QuadratureScale};
 use kstrip::patch_solver::{self, PatchField};
 use kstrip::status::{Error, Notice};
 use kstrip::totals::StripCount;
+use patches::{Full, irregular, motion};
 use random::Random;
 use std::f64::consts::PI;
 use theory::{COUNTS, MODELS, contact, creepage, options};
-
-type Full = Patch<f64, 64>;
 
 const WITH_STRIPS: [Model; 3] = [Model::Strip1967, Model::Strip1967Continuous, Model::Strip];
 
@@ -36,37 +37,6 @@ fn jacobian(patch: &Full, motion: &Creepage<f64>, model: Model) -> [[f64; 3]; 3]
 
 fn ellipse(contact: &Contact<f64>, count: StripCount) -> Full {
     Full::from_ellipse(contact, count).unwrap()
-}
-
-/// An irregular patch: one to three lobes, random lengths, pressures, frictions, centres.
-fn irregular(random: &mut Random) -> Full {
-    let mut strips = Vec::new();
-    let mut y = random.between(-8e-3, 0.0);
-    for _ in 0..1 + random.bits() % 3 {
-        for _ in 0..2 + random.bits() % 12 {
-            let width = random.between(0.2e-3, 0.8e-3);
-            strips.push(PatchStrip {
-                y: y + width / 2.0,
-                width,
-                half_length: random.between(2e-3, 7e-3),
-                centre_x: random.between(-1e-3, 1e-3),
-                peak_pressure: random.between(0.2e9, 1.5e9),
-                friction: random.between(0.05, 0.5),
-            });
-            y += width;
-        }
-        y += random.between(1e-3, 4e-3);
-    }
-    Full::from_strips(&strips, 82e9, 0.28).unwrap()
-}
-
-fn motion(random: &mut Random) -> Creepage<f64> {
-    let size = random.log_between(1e-5, 1e-1);
-    Creepage {
-        longitudinal: size * random.between(-1.0, 1.0),
-        lateral: size * random.between(-1.0, 1.0),
-        spin: size * random.between(-300.0, 300.0),
-    }
 }
 
 /// The corrected strips of an ellipse are those of the model: the same forces, moment, stick area and

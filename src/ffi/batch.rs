@@ -2,9 +2,10 @@
 
 use super::calls::OutArray;
 use super::{answer, arrays, checked_options, kstrip_status, types::kstrip_options};
-use crate::batch::solve_batch;
+use crate::batch::evaluate_batch;
 use crate::contact::Contact;
 use crate::creepage::Creepage;
+use crate::evaluate::Wanted;
 use crate::model::{Precision, Solution};
 use crate::status::Error;
 
@@ -169,8 +170,11 @@ fn solve_batch_arrays<F: Precision>(
         let mut quantities = quantities.map(|array| array.unwrap_or(&mut []));
         let details = details.unwrap_or(&mut []);
         let problems = (0..inputs[0].len()).map(|i| problem(&inputs, i));
+        let [_, _, mz, power, adhesion] = &quantities;
+        let wanted =
+            Wanted { moment: !mz.is_empty() || !power.is_empty(), adhesion: !adhesion.is_empty() };
         let mut i = 0;
-        solve_batch(problems, &options, |solution| {
+        evaluate_batch(problems, &options, wanted, |solution| {
             let Solution { fx, fy, mz, power, adhesion, notice } = solution;
             for (array, value) in quantities.iter_mut().zip([fx, fy, mz, power, adhesion]) {
                 if let Some(place) = array.get_mut(i) {
@@ -193,7 +197,8 @@ fn solve_batch_arrays<F: Precision>(
 /// @param count           number of contacts; 0 is allowed.
 /// @param inputs          arrays of count elements.
 /// @param options         for all contacts; NULL for the defaults.
-/// @param outputs         arrays of count elements; NULL where a quantity is not wanted. They must not
+/// @param outputs         arrays of count elements; NULL where a quantity is not wanted: moment (with the power) and
+///                        adhesion are then not computed either. They must not
 ///                        overlap the inputs or each other.
 /// @return KSTRIP_OK, the largest warning, or the first error, as kstrip_solve().
 #[unsafe(no_mangle)]

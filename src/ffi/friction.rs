@@ -117,6 +117,28 @@ where
     })
 }
 
+fn contact_under_friction<F: Precision, C: Copy + From<Contact<F>>, K: Copy, L: Copy>(
+    contact: Option<&C>,
+    creepage: Option<&K>,
+    friction: Option<&L>,
+    options: Option<&kstrip_options>,
+    out: Out<C>,
+) -> kstrip_status
+where
+    Contact<F>: From<C>,
+    Creepage<F>: From<K>,
+    SlipFriction<F>: From<L>,
+{
+    answer(|| {
+        let (contact, creepage) = inputs(contact, creepage)?;
+        let law = SlipFriction::from(*given(friction)?);
+        let (options, out) = (checked_options(options)?, given(out)?);
+        let (slipping, notice) = friction::under(&contact, &creepage, &law, &options)?;
+        out.write(slipping.into());
+        Ok(notice)
+    })
+}
+
 /// Forces under friction that falls with the slip, solved consistently with the slip.
 ///
 /// The slip is the mean over the contact, weighted with friction: power/(friction N), which is 0 where
@@ -167,6 +189,39 @@ pub unsafe extern "C" fn kstrip_solve_friction_jacobian(
     // SAFETY: NULL or nine writable numbers, says the header.
     let jacobian = unsafe { arrays::output(jacobian, 9) };
     solve_friction_jacobian(contact, creepage, friction, options, result, jacobian, effective)
+}
+
+/// The contact as it is while it slips: friction that falls with the slip has become a constant coefficient of
+/// friction, and the slope factor part of the shear modulus.
+///
+/// kstrip_evaluate(), kstrip_strips(), kstrip_traction_at(), kstrip_field() and kstrip_solve() of that contact at the same
+/// creepage and with the same options are those under falling friction. (Derivatives are not: use
+/// kstrip_solve_friction_jacobian(), where friction follows the slip.)
+///
+/// @param contact, creepage, friction, options  as kstrip_solve_friction().
+/// @param[out] slipping   receives the contact; not the contact itself.
+/// @return as kstrip_solve_friction().
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_contact_under_friction(
+    contact: Option<&kstrip_contact>,
+    creepage: Option<&kstrip_creepage>,
+    friction: Option<&kstrip_friction>,
+    options: Option<&kstrip_options>,
+    slipping: Option<&mut MaybeUninit<kstrip_contact>>,
+) -> kstrip_status {
+    contact_under_friction(contact, creepage, friction, options, slipping)
+}
+
+/// kstrip_contact_under_friction() in single precision: same arguments, units, ranges and statuses.
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_contact_under_friction_f32(
+    contact: Option<&kstrip_contact_f32>,
+    creepage: Option<&kstrip_creepage_f32>,
+    friction: Option<&kstrip_friction_f32>,
+    options: Option<&kstrip_options>,
+    slipping: Option<&mut MaybeUninit<kstrip_contact_f32>>,
+) -> kstrip_status {
+    contact_under_friction(contact, creepage, friction, options, slipping)
 }
 
 /// kstrip_solve_friction() in single precision: same arguments, units, ranges and statuses.

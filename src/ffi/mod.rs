@@ -30,6 +30,7 @@ pub mod batch;
 pub mod derivatives;
 pub mod evaluate;
 pub mod friction;
+pub mod patch_friction;
 pub mod rig;
 
 use crate::model::{Model, Options};

@@ -53,6 +53,19 @@ pub(super) trait Stored: Copy {
         }
     }
 
+    /// Multiplies the friction of all strips, and the shear modulus.
+    fn soften(&mut self, friction: Self::Float, stiffness: Self::Float) {
+        let [shear_modulus, ..] = self.constants();
+        *shear_modulus = *shear_modulus * stiffness;
+        let (strips, count) = self.places();
+        for strip in strips.iter_mut().take(*count as usize) {
+            let own = Self::strips(core::slice::from_ref(strip)).first();
+            if let Some(&own) = own {
+                *strip = Self::strip(PatchStrip { friction: own.friction * friction, ..own });
+            }
+        }
+    }
+
     /// Sets the material and the factors.
     fn set(&mut self, shear_modulus: Self::Float, poisson_ratio: Self::Float, scale: Scale<Self>) {
         let values = [shear_modulus, poisson_ratio, scale.area, scale.lever];

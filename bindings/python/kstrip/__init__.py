@@ -214,6 +214,19 @@ def patch_solve(patch, creepages, model="strip"):
     return results.reshape(creepages.shape)
 
 
+def patch_solve_friction(patch, creepages, law, model="strip"):
+    """Forces of one patch whose friction falls with the slip (friction(), its own mu0 unused), for one or many creepages; and the
+    share of the strips' friction that is left."""
+    creepages = np.asarray(creepages)
+    flat, law = np.ascontiguousarray(creepages).ravel(), np.ascontiguousarray(law)
+    results, shares = np.zeros(flat.size, dtypes["result"]), np.zeros(flat.size)
+    options = _options(model, 16)
+    for i in range(flat.size):
+        _check(lib.kstrip_patch_solve_friction(patch.ctypes.data, flat[i:].ctypes.data, law.ctypes.data, options, results[i:].ctypes.data,
+                                               shares[i:].ctypes.data))
+    return results.reshape(creepages.shape), shares.reshape(creepages.shape)
+
+
 def combine(lower, upper):
     """Combined (shear modulus [Pa], Poisson's ratio, mismatch) of two bodies (shear modulus, Poisson's ratio)."""
     made = structures["kstrip_combined_material"]()

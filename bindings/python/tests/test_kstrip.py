@@ -102,6 +102,12 @@ class Binding(unittest.TestCase):
         forces = kstrip.patch_solve(patch, kstrip.creepage(np.array([1e-4, 1.0])))
         self.assertLess(abs(forces["fx"][1] - 0.35 * 80e3), 1e-3 * 28e3)
         self.assertTrue(0 < forces["fx"][0] < forces["fx"][1])
+        motions = kstrip.creepage(np.array([1e-4, 1.0]))
+        wet, share = kstrip.patch_solve_friction(patch, motions, kstrip.friction(0.35, 0.4, 0.6, 20.0))
+        self.assertAlmostEqual(share[1], 0.4 + 0.6 * np.exp(-12.0))
+        self.assertAlmostEqual(wet["fx"][1] / forces["fx"][1], share[1])
+        constant, share = kstrip.patch_solve_friction(patch, motions, kstrip.friction(0.0))
+        self.assertTrue((constant == forces).all() and (share == 1).all())
         patch["strips"]["friction"] = 0.0
         self.assertEqual(kstrip.patch_solve(patch, kstrip.creepage(1.0))["fx"], 0)
 

@@ -1,0 +1,132 @@
+//! The scalar equation `μ = g(μ)` between friction and the slip that it leaves.
+
+use super::SlipFriction;
+use crate::real::Float;
+use crate::status::{Error, Notice};
+
+/// Steps of the monotone iteration at most.
+const WALK_STEPS: usize = 100;
+/// Steps of the secant method at most; it ends after four to six.
+const SECANT_STEPS: usize = 60;
+
+/// `μ = g(μ)`, with what is known of `g`.
+pub(crate) struct Agreement<'a, F, G> {
+    law: &'a SlipFriction<F>,
+    /// What no point slips faster than, over rolling speed.
+    rigid_slip: F,
+    /// The friction bound at `μ = 1`.
+    load: F,
+    /// `g`: the friction that the slip at friction `μ` leaves.
+    next: G,
+}
+
+impl<'a, F: Float, G: Fn(F) -> Result<F, Error>> Agreement<'a, F, G> {
+    pub(crate) fn new(law: &'a SlipFriction<F>, rigid_slip: F, load: F, next: G) -> Self {
+        Self { law, rigid_slip, load, next }
+    }
+
+    /// The largest `μ` that agrees with the slip that it causes.
+    pub(crate) fn largest_solution(&self) -> Result<(F, Notice), Error> {
+        let Self { law, rigid_slip: rigid, load, next } = self;
+        let largest = law.friction;
+        let least = law.at(*rigid);
+        if least * *load <= F::zero() {
+            // Friction that vanishes altogether: nothing slips against anything.
+            return Ok((self.walk(largest, [least, largest])?.0, Notice::None));
+        }
+        let high = next(largest)?;
+        if high >= largest {
+            return Ok((largest, Notice::None));
+        }
+        // g' ≤ B V s_max (g − A μ₀)/μ
+        let steepness =
+            (law.decay * (law.rolling_speed * *rigid)) * ((high - law.ratio * largest) / least);
+        if steepness < F::one() {
+            let (friction, settled) = self.between(least, largest, high - largest, high)?;
+            return Ok((friction, if settled { Notice::None } else { Notice::NotConverged }));
+        }
+        let (upper, settled) = self.walk(largest, [least, largest])?;
+        let (lower, _) = self.walk(least, [least, largest])?;
+        let notice = if !settled {
+            Notice::NotConverged
+        } else if upper - lower > upper.times(1e-3) {
+            Notice::SeveralFrictions
+        } else {
+            Notice::None
+        };
+        Ok((upper, notice))
+    }
+
+    /// The only solution between two numbers, given with `g(μ) − μ` at the upper one and where to look first:
+    /// the secant through the last two, guarded by bisection, until rounding is all that is left; and whether it
+    /// came so far, which it does not where the forces jump (strips of 1967 that do not move with the solution).
+    fn between(
+        &self,
+        mut low: F,
+        mut high: F,
+        high_error: F,
+        first: F,
+    ) -> Result<(F, bool), Error> {
+        let (mut before, mut error_before, mut friction) = (high, high_error, first);
+        let (mut best, mut least_error) = (high, high_error.abs());
+        for _ in 0..SECANT_STEPS {
+            let error = (self.next)(friction)? - friction;
+            let rounding = error.abs() <= friction * F::EPSILON.times(64.0);
+            if error.abs() < least_error {
+                (best, least_error) = (friction, error.abs());
+            } else if rounding {
+                break;
+            }
+            if error == F::zero() {
+                break;
+            }
+            if error > F::zero() {
+                low = low.max(friction)
+            } else {
+                high = high.min(friction)
+            }
+            let secant = error * ((friction - before) / (error_before - error));
+            let mut better = friction + secant;
+            if !(better >= low && better <= high) {
+                // Among rounding errors the secant means nothing.
+                if rounding {
+                    break;
+                }
+                better = (low + high).times(0.5);
+            }
+            (before, error_before) = (friction, error);
+            friction = better;
+            if friction == before {
+                break;
+            }
+        }
+        Ok((best, least_error <= best * F::EPSILON.sqrt()))
+    }
+
+    /// Along `μ ← g(μ)` to the nearest solution, monotonically, with longer steps where these do not pass
+    /// it; and whether it was reached.
+    fn walk(&self, start: F, [least, largest]: [F; 2]) -> Result<(F, bool), Error> {
+        let mut friction = start;
+        let mut step = (self.next)(friction)? - friction;
+        // g' as far as it was seen, three quarters at most: steps fall like a geometric series
+        let mut ratio = F::zero();
+        for _ in 0..WALK_STEPS {
+            if step.abs() <= friction * F::EPSILON.times(8.0) {
+                return Ok((friction, true));
+            }
+            let far = (friction + step / (F::one() - ratio)).clamped(least, largest);
+            let far_step = (self.next)(far)? - far;
+            if far_step * step <= F::zero() {
+                // Passed it, or rounding turned round what is monotone: it lies between.
+                let (low, high, error) =
+                    if far > friction { (friction, far, far_step) } else { (far, friction, step) };
+                let first = (low + high).times(0.5);
+                return self.between(low, high, error, first);
+            }
+            let slope = (far_step - step) / (far - friction);
+            ratio = slope.plus(1.0).clamped(F::zero(), F::constant(0.75));
+            (friction, step) = (far, far_step);
+        }
+        Ok((friction, false))
+    }
+}

@@ -1,0 +1,40 @@
+//! Patches of no particular shape.
+#![allow(dead_code)]
+
+use super::random::Random;
+use kstrip::creepage::Creepage;
+use kstrip::patch::{Patch, PatchStrip};
+
+pub type Full = Patch<f64, 64>;
+
+/// An irregular patch: one to three lobes, random lengths, pressures, frictions, centres.
+pub fn irregular(random: &mut Random) -> Full {
+    let mut strips = Vec::new();
+    let mut y = random.between(-8e-3, 0.0);
+    for _ in 0..1 + random.bits() % 3 {
+        for _ in 0..2 + random.bits() % 12 {
+            let width = random.between(0.2e-3, 0.8e-3);
+            strips.push(PatchStrip {
+                y: y + width / 2.0,
+                width,
+                half_length: random.between(2e-3, 7e-3),
+                centre_x: random.between(-1e-3, 1e-3),
+                peak_pressure: random.between(0.2e9, 1.5e9),
+                friction: random.between(0.05, 0.5),
+            });
+            y += width;
+        }
+        y += random.between(1e-3, 4e-3);
+    }
+    Full::from_strips(&strips, 82e9, 0.28).unwrap()
+}
+
+/// From adhesion to sliding.
+pub fn motion(random: &mut Random) -> Creepage<f64> {
+    let size = random.log_between(1e-5, 1e-1);
+    Creepage {
+        longitudinal: size * random.between(-1.0, 1.0),
+        lateral: size * random.between(-1.0, 1.0),
+        spin: size * random.between(-300.0, 300.0),
+    }
+}
