@@ -155,6 +155,11 @@
 #define KSTRIP_ABI_VERSION 1
 
 /**
+ * Strips of the theory of 1967 at most, corrections beyond unit spin included.
+ */
+#define MOST_STRIPS_1967 320
+
+/**
  * Result of a call: 0 ok; > 0 warning, outputs valid; < 0 error, outputs untouched.
  */
 typedef int32_t kstrip_status;
@@ -2312,9 +2317,9 @@ kstrip_status kstrip_solve_jacobian_batch_f32(const struct kstrip_contact_f32 *c
  * Only what is wanted of a contact in motion: what is not wanted is not computed.
  *
  * What is wanted is that of kstrip_solve(), kstrip_solve_jacobian() and kstrip_strips(), bit for bit. What is not
- * wanted is reported as mz = power = 0 and adhesion = -1. KSTRIP_MODEL_STRIP saves most without adhesion;
- * the other models compute moment and adhesion along with the forces. The README has the instructions of each
- * combination.
+ * wanted is reported as mz = power = 0 and adhesion = -1. KSTRIP_MODEL_STRIP saves most without adhesion; all derivatives
+ * come together. The README has the instructions of each combination. Under falling friction:
+ * kstrip_contact_under_friction() first, except for derivatives, which are kstrip_solve_friction_jacobian()'s.
  *
  * @param contact         ellipse, load, material, friction.
  * @param creepage        motion.

@@ -21,7 +21,7 @@ pub fn solve_batch<F: Precision>(
     evaluate_batch(problems, options, Wanted { moment: true, adhesion: true }, take)
 }
 
-/// [`solve_batch`] without what is not wanted, as [`evaluate`](crate::evaluate::evaluate) leaves it out.
+/// [`solve_batch`] without what is not wanted, as [`evaluate`] leaves it out.
 ///
 /// # Errors
 /// Those of [`solve_batch`].

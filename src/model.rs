@@ -3,6 +3,7 @@
 use crate::coefficients::LinearCoefficients;
 use crate::contact::Contact;
 use crate::creepage::{Creepage, Parameters};
+use crate::dual::Dual;
 use crate::field::FieldPoint;
 use crate::quadrature::Tabulated;
 use crate::real::{Float, Real};
@@ -165,8 +166,17 @@ impl<'a, F: Precision> Problem<'a, F> {
         if self.options.model == Model::Linear {
             return self.linear_forces(creepage);
         }
+        self.saturating_forces::<T, true, true>(creepage)
+    }
+
+    /// Forces of a model with a friction bound; without the stick area or the moment these mean nothing.
+    #[inline(always)]
+    pub(crate) fn saturating_forces<T: Real<Base = F>, const STICK: bool, const MOMENT: bool>(
+        &self,
+        creepage: &Creepage<T>,
+    ) -> (Forces<T>, Notice) {
         let parameters = Parameters::new(self.contact, creepage);
-        let totals = self.totals(&parameters);
+        let totals = self.wanted_totals::<T, STICK, MOMENT>(&parameters);
         let bound = self.contact.friction_bound();
         let forces = Forces {
             fx: totals.fx.scale(bound),
@@ -180,13 +190,23 @@ impl<'a, F: Precision> Problem<'a, F> {
     /// Forces of a model with a friction bound, in units of it: `F/(μ N)`, `M_z/(μ N √(ab))`.
     #[inline(always)]
     pub(crate) fn totals<T: Real<Base = F>>(&self, parameters: &Parameters<T>) -> Totals<T> {
+        self.wanted_totals::<T, true, true>(parameters)
+    }
+
+    /// The same without the stick area or the moment, which mean nothing then.
+    #[inline(always)]
+    pub(crate) fn wanted_totals<T: Real<Base = F>, const STICK: bool, const MOMENT: bool>(
+        &self,
+        parameters: &Parameters<T>,
+    ) -> Totals<T> {
         match self.options.model {
             Model::Strip1967 | Model::Strip1967Continuous | Model::Linear => {
-                StripTheory::new(parameters, self.sliding_rule()).totals(self.options.strips)
+                StripTheory::new(parameters, self.sliding_rule())
+                    .wanted_totals::<STICK, MOMENT>(self.options.strips)
             }
-            Model::Strip => self.rolling_strips(parameters),
+            Model::Strip => self.rolling_strips::<T, STICK, MOMENT>(parameters),
             Model::Total => {
-                let total::TotalForce { fx, fy, mz } = total::total(
+                let total::TotalForce { fx, fy, mz } = total::wanted_total::<T, MOMENT>(
                     parameters.axis_ratio,
                     parameters.poisson_ratio,
                     &self.linear_coefficients(),
@@ -268,23 +288,16 @@ impl<'a, F: Precision> Problem<'a, F> {
         )
     }
 
-    /// [`Model::Strip`] without the moment or the stick area, which are zero then.
-    #[inline(always)]
-    pub(crate) fn strip_totals<const STICK: bool, const MOMENT: bool>(
-        &self,
-        parameters: &Parameters<F>,
-    ) -> StripTotals<F> {
-        let strips = self.rolling(parameters);
-        strips.wanted_totals::<STICK, MOMENT>(strip_rule(self.options.strips))
-    }
-
     /// (On a microcontroller the other models do not share its stack.)
     #[cfg_attr(target_os = "none", inline(never))]
     #[cfg_attr(not(target_os = "none"), inline(always))]
-    fn rolling_strips<T: Real<Base = F>>(&self, parameters: &Parameters<T>) -> Totals<T> {
+    fn rolling_strips<T: Real<Base = F>, const STICK: bool, const MOMENT: bool>(
+        &self,
+        parameters: &Parameters<T>,
+    ) -> Totals<T> {
         let strips = self.rolling(parameters);
         let rule = strip_rule(self.options.strips);
-        let StripTotals { fx, fy, mz, stick } = strips.wanted_totals::<true, true>(rule);
+        let StripTotals { fx, fy, mz, stick } = strips.wanted_totals::<STICK, MOMENT>(rule);
         // The weights of the strips sum to one up to rounding.
         Totals { fx, fy, mz, stick: stick.clamped(T::zero(), T::one()) }
     }
@@ -430,7 +443,23 @@ pub fn solve_jacobian<F: Precision>(
     options: &Options,
 ) -> Result<(Solution<F>, Jacobian<F>), Error> {
     let problem = Problem::new(contact, creepage, options)?;
-    let (forces, notice) = problem.forces(&creepage.inputs());
+    jacobian_of(&problem, problem.forces(&creepage.inputs()))
+}
+
+/// [`solve_jacobian`] of a model with a friction bound, without the stick area, which means nothing then.
+pub(crate) fn jacobian_without_stick<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    options: &Options,
+) -> Result<(Solution<F>, Jacobian<F>), Error> {
+    let problem = Problem::new(contact, creepage, options)?;
+    jacobian_of(&problem, problem.saturating_forces::<_, false, true>(&creepage.inputs()))
+}
+
+fn jacobian_of<F: Precision>(
+    problem: &Problem<F>,
+    (forces, notice): (Forces<Dual<F, 3>>, Notice),
+) -> Result<(Solution<F>, Jacobian<F>), Error> {
     let Forces { fx, fy, mz, adhesion } = forces;
     let values = Forces { fx: fx.value, fy: fy.value, mz: mz.value, adhesion: adhesion.value };
     // nalgebra counts columns first.
@@ -441,6 +470,9 @@ pub fn solve_jacobian<F: Precision>(
         Err(Error::Overflow)
     }
 }
+
+/// Strips of the theory of 1967 at most, corrections beyond unit spin included.
+pub const MOST_STRIPS_1967: usize = 320;
 
 /// What one strip carries, on the lower body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -464,6 +496,24 @@ pub struct StripResult<F> {
     pub power: F,
     /// Whether it has an adhesion area.
     pub adheres: bool,
+}
+
+/// How many strips [`strips`] hands out at most, without solving.
+///
+/// # Errors
+/// Those of [`strips`].
+pub fn most_strips<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    options: &Options,
+) -> Result<usize, Error> {
+    check(contact, creepage, options)?;
+    match options.model {
+        Model::Strip => Ok(options.strips as usize),
+        // Beyond |ψ| = 1 strips may follow that correct pieces of the adhesion interval.
+        Model::Strip1967 | Model::Strip1967Continuous => Ok(MOST_STRIPS_1967),
+        Model::Total | Model::Linear => Err(Error::NotInModel),
+    }
 }
 
 /// Every strip of the solution, handed to `visit`. Their shares add up to the totals of [`solve`]

@@ -83,6 +83,17 @@ pub fn total<T: Real>(
     linear: &LinearCoefficients<T::Base>,
     creepage: [T; 3],
 ) -> TotalForce<T> {
+    wanted_total::<T, true>(axis_ratio, poisson_ratio, linear, creepage)
+}
+
+/// [`total`] without the moment, which is zero then: the compiler leaves out what leads to it.
+#[inline(always)]
+pub(crate) fn wanted_total<T: Real, const MOMENT: bool>(
+    axis_ratio: T::Base,
+    poisson_ratio: T::Base,
+    linear: &LinearCoefficients<T::Base>,
+    creepage: [T; 3],
+) -> TotalForce<T> {
     let one = T::one();
     let g = axis_ratio.clamped(T::Base::of(1.0 / RATIO_LIMIT), T::Base::of(RATIO_LIMIT));
     let LinearCoefficients { c11, c22, c23, c33 } = *linear;
@@ -184,6 +195,10 @@ pub fn total<T: Real>(
     // h: spin keeps |F| below μ N in full sliding
     let h = (kappa * w * k6).times(0.3).plus(1.0);
     let sigma = saturation(q2, h);
+    let (fx, fy) = (sigma * qx, sigma * qy);
+    if !MOMENT {
+        return TotalForce { fx, fy, mz: T::zero() };
+    }
     // fy = σ (β vy + γ φ), mz = ε φ − σ γ vy + 2 σ ρ √(β ε) vy, |ρ| < 1. With σ ≤ 1 the dissipation
     // σ β vy² + 2 σ ρ √(β ε) vy φ + ε φ² is never negative
     // the moment of spin, at most 1.14 times that of sliding by spin alone, however far away the network is asked
@@ -192,7 +207,7 @@ pub fn total<T: Real>(
     let excess = (spin_moment * spin_moment).scale(moment);
     let epsilon = epsilon / (excess * excess).times(1.0 / 16.0).plus(1.0);
     let coupling = twice(rho * ((k2 * by) * epsilon).sqrt()) - k3 * spin;
-    TotalForce { fx: sigma * qx, fy: sigma * qy, mz: epsilon * phi + sigma * (coupling * vy) }
+    TotalForce { fx, fy, mz: epsilon * phi + sigma * (coupling * vy) }
 }
 
 /// The six corrections.

@@ -107,19 +107,33 @@ trait Sink<T: Real> {
     fn released(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<T::Base>);
 }
 
-/// Adds the strips up.
-struct Sum<T: Real>(Shares<T::Pair>);
+/// Adds the strips up. What is not wanted stays zero, and the compiler leaves out what leads to it.
+struct Sum<T: Real, const STICK: bool, const MOMENT: bool>(Shares<T::Pair>);
 
-impl<T: Real> Sink<T> for Sum<T> {
+impl<T: Real, const STICK: bool, const MOMENT: bool> Sum<T, STICK, MOMENT> {
+    #[inline(always)]
+    fn add(&mut self, shares: &Shares<T::Pair>) {
+        self.0.fx += shares.fx;
+        self.0.fy += shares.fy;
+        if MOMENT {
+            self.0.mz += shares.mz;
+        }
+        if STICK {
+            self.0.stick += shares.stick;
+        }
+    }
+}
+
+impl<T: Real, const STICK: bool, const MOMENT: bool> Sink<T> for Sum<T, STICK, MOMENT> {
     #[inline(always)]
     fn sliding(&mut self, panels: &SlidingPanels<T>, nodes: Nodes<T::Base>) {
         let sum = panels.sum(nodes);
-        self.0 += panels.shares(&sum, panels.scale(&sum));
+        self.add(&panels.shares(&sum, panels.scale(&sum)));
     }
 
     #[inline(always)]
     fn adhesion(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<T::Base>) {
-        self.0 += panel.carried(nodes).0;
+        self.add(&panel.carried(nodes).0);
     }
 
     fn released(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<T::Base>) {
@@ -128,8 +142,8 @@ impl<T: Real> Sink<T> for Sum<T> {
         for node in nodes {
             slid += panel.slid(&panel.at(node));
         }
-        self.0 += -stuck;
-        self.0 += panel.slid_shares(&slid, &scales);
+        self.add(&-stuck);
+        self.add(&panel.slid_shares(&slid, &scales));
     }
 }
 
@@ -233,10 +247,19 @@ where
     /// Total force, moment and stick area with a fixed number of strips.
     #[must_use]
     pub fn totals(&self, count: StripCount) -> Totals<T> {
+        self.wanted_totals::<true, true>(count)
+    }
+
+    /// [`StripTheory::totals`] without the stick area or the moment, which are zero then.
+    #[inline(always)]
+    pub(crate) fn wanted_totals<const STICK: bool, const MOMENT: bool>(
+        &self,
+        count: StripCount,
+    ) -> Totals<T> {
         if let Some(totals) = self.pure_sliding() {
             return totals;
         }
-        let mut sum = Sum::<T>(Shares::zero());
+        let mut sum = Sum::<T, STICK, MOMENT>(Shares::zero());
         self.place(count, &mut sum);
         let Shares { fx, fy, mz, stick } = sum.0;
         let (fx, fy, mz, stick) = (fx.sum(), fy.sum(), mz.sum(), stick.sum());

@@ -7,7 +7,7 @@ use crate::creepage::{Creepage, Parameters, SurfaceVelocity};
 use crate::field::FieldPoint;
 use crate::hertz::{self, HertzContact, Radii};
 use crate::material::{self, CombinedMaterial, Material};
-use crate::model::{self, Field, Jacobian, Precision, Solution, StripResult};
+use crate::model::{self, Field, Jacobian, Model, Options, Precision, Solution, StripResult};
 use crate::real::Float;
 use crate::status::{Error, Notice};
 use crate::totals::StripCount;
@@ -286,23 +286,47 @@ where
     answer(|| {
         let (contact, creepage) = inputs(contact, creepage)?;
         let (options, out, count) = (checked_options(options)?, out?, given(count)?);
-        // Count first, so that an array that is too small stays untouched.
-        let mut needed = 0_usize;
-        model::strips(&contact, &creepage, &options, &mut |_| needed += 1)?;
-        if needed > out.len() {
-            return Err(Error::Capacity);
-        }
-        let mut places = out.iter_mut();
-        let mut written = 0_u32;
-        let notice = model::strips(&contact, &creepage, &options, &mut |strip| {
-            if let Some(place) = places.next() {
-                place.write(strip.into());
-                written += 1;
-            }
-        })?;
+        check_room(&contact, &creepage, &options, out.len())?;
+        let (notice, written) = write_strips(&contact, &creepage, &options, out)?;
         count.write(written);
         Ok(notice)
     })
+}
+
+const _: () = assert!(super::KSTRIP_STRIPS_CAPACITY as usize == model::MOST_STRIPS_1967);
+
+/// Whether all strips fit; counts them where that is not clear beforehand, so that an array that is too small stays
+/// untouched.
+pub(super) fn check_room<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    options: &Options,
+    room: usize,
+) -> Result<(), Error> {
+    let mut needed = model::most_strips(contact, creepage, options)?;
+    if needed > room && options.model != Model::Strip {
+        needed = 0;
+        model::strips(contact, creepage, options, &mut |_| needed += 1)?;
+    }
+    if needed <= room { Ok(()) } else { Err(Error::Capacity) }
+}
+
+/// Writes the strips, as many as there is room for; and how many these are.
+pub(super) fn write_strips<F: Precision, S: From<StripResult<F>>>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    options: &Options,
+    out: &mut [MaybeUninit<S>],
+) -> Result<(Notice, u32), Error> {
+    let mut places = out.iter_mut();
+    let mut written = 0_u32;
+    let notice = model::strips(contact, creepage, options, &mut |strip| {
+        if let Some(place) = places.next() {
+            place.write(strip.into());
+            written += 1;
+        }
+    })?;
+    Ok((notice, written))
 }
 
 pub(super) fn traction_at<F: Precision, C: Copy, K: Copy, P: From<FieldPoint<F>>>(

@@ -1,6 +1,6 @@
 //! Only what is wanted, for C.
 
-use super::calls::{Out, OutArray, given, inputs};
+use super::calls::{Out, OutArray, check_room, given, inputs, write_strips};
 use super::types::{kstrip_contact, kstrip_creepage, kstrip_options, kstrip_result, kstrip_strip};
 use super::types_f32::{
     kstrip_contact_f32, kstrip_creepage_f32, kstrip_result_f32, kstrip_strip_f32,
@@ -12,7 +12,7 @@ use super::{
 use crate::contact::Contact;
 use crate::creepage::Creepage;
 use crate::evaluate::{self, Wanted};
-use crate::model::{self, Precision, Solution, StripResult};
+use crate::model::{Precision, Solution, StripResult};
 use crate::status::Error;
 use core::mem::MaybeUninit;
 
@@ -56,20 +56,15 @@ where
             None
         };
         if let Some((strips, _)) = &strips {
-            let mut needed = 0_usize;
-            model::strips(&contact, &creepage, &options, &mut |_| needed += 1)?;
-            if needed > strips.len() {
-                return Err(Error::Capacity);
-            }
+            check_room(&contact, &creepage, &options, strips.len())?;
         }
         let flags =
             Wanted { moment: wants(KSTRIP_WANT_MOMENT), adhesion: wants(KSTRIP_WANT_ADHESION) };
         let solution = if let Some(entries) = jacobian {
-            let (mut solution, j) = model::solve_jacobian(&contact, &creepage, &options)?;
+            let (solution, j) = evaluate::evaluate_jacobian(&contact, &creepage, &options, flags)?;
             for entry in entries {
                 entry.write([j.m11, j.m12, j.m13, j.m21, j.m22, j.m23, j.m31, j.m32, j.m33]);
             }
-            evaluate::leave_out(&mut solution, flags);
             solution
         } else {
             evaluate::evaluate(&contact, &creepage, &options, flags)?
@@ -77,15 +72,7 @@ where
         let notice = solution.notice;
         result.write(solution.into());
         if let Some((strips, count)) = strips {
-            let mut places = strips.iter_mut();
-            let mut written = 0_u32;
-            model::strips(&contact, &creepage, &options, &mut |strip| {
-                if let Some(place) = places.next() {
-                    place.write(strip.into());
-                    written += 1;
-                }
-            })?;
-            count.write(written);
+            count.write(write_strips(&contact, &creepage, &options, strips)?.1);
         }
         Ok(notice)
     })
@@ -94,9 +81,9 @@ where
 /// Only what is wanted of a contact in motion: what is not wanted is not computed.
 ///
 /// What is wanted is that of kstrip_solve(), kstrip_solve_jacobian() and kstrip_strips(), bit for bit. What is not
-/// wanted is reported as mz = power = 0 and adhesion = -1. KSTRIP_MODEL_STRIP saves most without adhesion;
-/// the other models compute moment and adhesion along with the forces. The README has the instructions of each
-/// combination.
+/// wanted is reported as mz = power = 0 and adhesion = -1. KSTRIP_MODEL_STRIP saves most without adhesion; all derivatives
+/// come together. The README has the instructions of each combination. Under falling friction:
+/// kstrip_contact_under_friction() first, except for derivatives, which are kstrip_solve_friction_jacobian()'s.
 ///
 /// @param contact         ellipse, load, material, friction.
 /// @param creepage        motion.
