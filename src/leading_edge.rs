@@ -10,7 +10,6 @@ mod large_spin;
 pub(crate) use self::large_spin::Released;
 
 use crate::real::{Arithmetic, Float, Pair, Real};
-use crate::strip::root_s;
 
 /// A point `(Y, C)` of the leading edge, `Y² + C² = 1`, `C ≥ 0`, in units of the semi-axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,6 +31,11 @@ impl<T: Real> EdgePoint<T> {
             y: value.y + (self.y - T::from_base(self.y.value())),
             c: value.c + (self.c - T::from_base(self.c.value())),
         }
+    }
+
+    /// The point with `Y`.
+    fn on_edge(y: T) -> Self {
+        Self { y, c: ((T::one() - y) * (T::one() + y)).max(T::zero()).sqrt() }
     }
 
     /// The point with tangent of the half angle `t = Y/(1 + C)`.
@@ -178,9 +182,19 @@ impl<T: Real> AdhesionLength<T> {
 }
 
 /// Tangent steps; each squares the error, except near the birth of an interval where it halves it.
-const TANGENT_STEPS: usize = 40;
-/// Newton steps with bisection for the strip nearest to adhesion.
-const NEAREST_STEPS: usize = 60;
+const TANGENT_STEPS: usize = 3;
+/// The same, from the parabola about the strip nearest to adhesion.
+const SHORT_STEPS: usize = 3;
+
+/// What tangents tell of the adhesion interval.
+enum Ends<F> {
+    /// There is none.
+    Missing,
+    /// Its ends.
+    Found(EdgePoint<F>, EdgePoint<F>),
+    /// It lies between these `Y`, and more steps are needed.
+    Between(F, F),
+}
 
 impl<P: Arithmetic> StripFamily<P> {
     /// `ξ̄` of the strip at `y`.
@@ -294,7 +308,30 @@ impl<F: Float> StripFamily<F> {
     /// `κ` lies below it, so adhesion is possible only on the chord that it cuts off: a tangent that
     /// misses the circle, or two chords that do not meet, prove that there is none.
     fn by_tangents(&self) -> Option<(EdgePoint<F>, EdgePoint<F>)> {
-        let (lower, upper) = self.first_chord()?;
+        match self.ends_from(self.first_chord()?, TANGENT_STEPS) {
+            Ends::Missing => None,
+            Ends::Found(lower, upper) => Some((lower, upper)),
+            // A short interval: each step only halves its error.
+            Ends::Between(..) => self.ends_of_short_interval(),
+        }
+    }
+
+    /// The same from the middle.
+    #[cold]
+    #[inline(never)]
+    fn ends_of_short_interval(&self) -> Option<(EdgePoint<F>, EdgePoint<F>)> {
+        match self.ends_from(self.short_interval()?, SHORT_STEPS) {
+            Ends::Missing => None,
+            Ends::Found(lower, upper) => Some((lower, upper)),
+            Ends::Between(lower, upper) => {
+                Some((EdgePoint::on_edge(lower), EdgePoint::on_edge(upper)))
+            }
+        }
+    }
+
+    /// At most `steps` tangents at either end, from `Y` of the lower and the upper one.
+    #[cfg_attr(not(target_os = "none"), inline(always))]
+    fn ends_from(&self, (lower, upper): (F, F), steps: usize) -> Ends<F> {
         // Both ends at once, the lower one mirrored: Y → −Y, p → −p.
         let mirror = F::Pair::of(-F::one(), F::one());
         let sides = StripFamily {
@@ -305,13 +342,13 @@ impl<F: Float> StripFamily<F> {
         };
         let length = AdhesionLength::of(&sides, self.cancels());
         let mut y = F::Pair::of(-lower, upper);
-        for _ in 0..TANGENT_STEPS {
+        for _ in 0..steps {
             let tangent = length.tangent(&sides, y);
             let norm = tangent.a * tangent.a + tangent.b * tangent.b;
             let square = norm - tangent.d * tangent.d;
             let (first, second) = square.parts();
             if !(first > F::zero() && second > F::zero()) {
-                return None;
+                return Ends::Missing;
             }
             let inverse = F::Pair::one() / norm;
             let root = square.sqrt();
@@ -321,7 +358,7 @@ impl<F: Float> StripFamily<F> {
             let (far_upper, far_lower) = ((middle - half) * mirror).parts();
             let (near_lower, near_upper) = (outer * mirror).parts();
             if !(near_lower < near_upper && near_lower <= far_upper && far_lower <= near_upper) {
-                return None;
+                return Ends::Missing;
             }
             let step = outer - y;
             let (change_lower, change_upper) = step.abs().parts();
@@ -333,14 +370,37 @@ impl<F: Float> StripFamily<F> {
                 let c = (tangent.d * tangent.b - tangent.a * root) * inverse;
                 let (lower_c, upper_c) = (c - outer * turn).parts();
                 let (lower_y, upper_y) = ((outer + c * turn) * mirror).parts();
-                return (lower_y < upper_y).then_some((
+                if !(lower_y < upper_y) {
+                    return Ends::Missing;
+                }
+                return Ends::Found(
                     EdgePoint { y: lower_y, c: lower_c },
                     EdgePoint { y: upper_y, c: upper_c },
-                ));
+                );
             }
             y = outer;
         }
-        None
+        let (lower, upper) = (y * mirror).parts();
+        Ends::Between(lower, upper)
+    }
+
+    /// `Y` of the ends of a short interval: `κ − C` is a parabola in the angle `θ` about the strip nearest
+    /// to adhesion, `d²(κ − C)/dθ² = κ'' C² − κ' Y + C` with `κ' = −Y/C` there.
+    fn short_interval(&self) -> Option<(F, F)> {
+        let EdgePoint { y, c } = self.nearest();
+        let length = AdhesionLength::of(self, self.cancels());
+        let xi_bar = self.xi_bar(y);
+        let depth = c - length.at(xi_bar);
+        if !(depth > F::zero()) {
+            return None;
+        }
+        let (s_squared, s) = length.s(xi_bar * xi_bar);
+        let bend = self.slope * self.eta * c;
+        let curvature = bend * bend / (s_squared * s) + F::one() / c;
+        let turn = (depth.times(2.0) / curvature).sqrt();
+        // Rotated by ±turn, whose tangent of the half angle is turn/2 to the order of the parabola
+        let EdgePoint { y: sine, c: cosine } = EdgePoint::at_half_tangent(turn.times(0.5));
+        Some((y * cosine - c * sine, y * cosine + c * sine))
     }
 
     /// The chord of the tangent at the shortest adhesion length (`ξ̄ = 0`), or at the edge of the
@@ -370,59 +430,191 @@ impl<F: Float> StripFamily<F> {
 }
 
 impl<T: Real> StripFamily<T> {
-    /// The strip where `C − κ` is largest: `Y/C = p ξ̄/S`, a rising function of `Y/C` against a
-    /// falling one.
+    /// The strip where `C − κ` is largest: `Y/C = p ξ̄/S`.
+    ///
+    /// With `ξ̄ + p Y = ξ` and `r = 1 − ψ² + p²` that is `ξ̄ + p² ξ̄/√(η² + r ξ̄²) = ξ`, or, solved for the other
+    /// of the two, `p Y + |η| Y/√(p² − r Y²) = ξ`. By the sign of `r` the first or the second is concave.
     fn nearest(&self) -> EdgePoint<T> {
         let plain = self.plain();
         let (one, zero) = (T::Base::one(), T::Base::zero());
-        // Unknown: the tangent of the half angle, t = Y/(1 + C), in [-1, 1].
-        let (mut low, mut high) = (-one, one);
-        let mut t = if plain.xi.abs() < plain.slope.abs() {
-            let y = plain.xi / plain.slope;
-            y / (one + ((one - y) * (one + y)).sqrt())
+        let sign = |x: T::Base| if x < zero { -one } else { one };
+        // Mirrored so that ξ, p and |η| are not negative. The equations keep their form when ξ and p are divided by
+        // a number, η and 1 − ψ² by its square: no power overflows.
+        let (sign_xi, sign_slope) = (sign(plain.xi), sign(plain.slope));
+        let size = one / plain.xi.abs().max(plain.slope.abs()).max(one);
+        let xi = self.xi.scale(sign_xi * size);
+        let p = self.slope.scale(sign_slope * size);
+        let eta = self.eta.scale(sign(plain.eta) * size).scale(size);
+        let q = (T::one() - self.psi).scale(size) * (T::one() + self.psi).scale(size);
+        let r = q + p * p;
+        // (so that nothing is divided by zero)
+        let tiny = T::from_base(T::TINY);
+        let concave = if r.value() < zero {
+            Concave { slope: p, share: eta, floor: p * p + tiny, growth: -r }
         } else {
-            zero
+            Concave { slope: T::one(), share: p * p, floor: eta * eta + tiny, growth: r }
         };
-        let mut point = EdgePoint::at_half_tangent(t);
-        for _ in 0..NEAREST_STEPS {
-            point = EdgePoint::at_half_tangent(t);
-            let (excess, growth) = plain.tilt(point);
-            if excess < zero {
-                low = t
-            } else {
-                high = t
-            }
-            // dY/dt = C (1 + Y²…): with t = tan(θ/2), dθ/dt = 2/(1 + t²)
-            let newton = t - excess / growth * (one + t * t).times(0.5);
-            let next = if newton > low && newton < high { newton } else { (low + high).times(0.5) };
-            let change = (next - t).abs();
-            t = next;
-            if change <= T::EPSILON.times(2.0) {
-                break;
-            }
-        }
-        // One step with derivatives: dθ = −excess/growth.
-        let lifted = EdgePoint::lifted(point);
-        let (excess, growth) = self.tilt(lifted);
-        let turn = -(excess.scale(one / growth.value()));
-        if turn.value().abs() > T::EPSILON.times(64.0) || !turn.value().is_finite_number() {
-            return lifted;
-        }
-        EdgePoint { y: lifted.y + lifted.c * turn, c: lifted.c - lifted.y * turn }
+        let root = concave.reaches(xi);
+        let norm = T::one() / concave.norm(root);
+        let y = if r.value() < zero {
+            root
+        } else if root.value() < xi.value().times(0.5) {
+            // (of p ξ̄/√… and (ξ − ξ̄)/p the one whose digits are all there)
+            (xi - root) / p
+        } else {
+            p * root * norm
+        };
+        let (y, c) = if q.value() >= zero && root.value() >= xi.value().times(0.5) {
+            let c = (concave.floor + q * root * root).sqrt() * norm;
+            // What is left of the error of the root takes the point off the circle.
+            let scale = (y * y + c * c).times(-0.5).plus(1.5);
+            (y * scale, c * scale)
+        } else {
+            // (the root may lie beyond the edge of the contact)
+            let y = y.min(T::one());
+            (y, ((T::one() - y) * (T::one() + y)).sqrt())
+        };
+        EdgePoint { y: y.scale(sign_xi * sign_slope), c }
+    }
+}
+
+/// `h(u) = A u + B u/√(D² + R u²)`, rising and concave for `u ≥ 0`; all four not negative.
+#[derive(Clone, Copy)]
+struct Concave<T> {
+    /// `A`
+    slope: T,
+    /// `B`
+    share: T,
+    /// `D²`
+    floor: T,
+    /// `R`
+    growth: T,
+}
+
+impl<T: Real> Concave<T> {
+    /// `√(D² + R u²)`
+    fn norm(&self, u: T) -> T {
+        (self.floor + self.growth * u * u).sqrt()
     }
 
-    /// `Y S − p ξ̄ C` over `S`-like scale, and its growth with the angle `θ` (`Y = sin θ`).
-    fn tilt(&self, point: EdgePoint<T>) -> (T, T) {
-        let xi_bar = self.xi_bar(point.y);
-        let s = root_s(xi_bar, self.eta, self.psi) + T::from_base(T::TINY);
-        let q = (T::one() - self.psi) * (T::one() + self.psi);
-        // d/dθ (Y S − p ξ̄ C) = C S + Y S' C + p² C² + p ξ̄ Y,  S' = dS/dY = −q p ξ̄/S
-        let s_prime = -(q * self.slope * xi_bar / s);
-        let excess = point.y * s - self.slope * xi_bar * point.c;
-        let growth = point.c * s
-            + point.y * s_prime * point.c
-            + self.slope.squared() * point.c.squared()
-            + self.slope * xi_bar * point.y;
-        (excess, growth.max(T::from_base(T::TINY)))
+    /// `u` with `h(u) = ξ`. `h` lies below its tangents at zero and at infinity: from the larger of the two
+    /// answers that they give, three steps of Halley's method leave less than 1e-13; two leave 1e-5, of which the
+    /// place of the largest `C − κ` feels the square: enough in single precision.
+    fn reaches(&self, xi: T) -> T {
+        let plain = Concave {
+            slope: self.slope.value(),
+            share: self.share.value(),
+            floor: self.floor.value(),
+            growth: self.growth.value(),
+        };
+        let value = xi.value();
+        let d = plain.floor.sqrt();
+        let tiny = T::TINY;
+        let at_zero = value * d / (plain.slope * d + plain.share + tiny);
+        let at_infinity =
+            (value - plain.share / (plain.growth + tiny).sqrt()) / (plain.slope + tiny);
+        let start = at_zero.max(at_infinity);
+        let mut closer = plain.halley(start, value);
+        if size_of::<T::Base>() >= 8 {
+            closer = plain.halley(closer, value);
+        }
+        self.halley(T::from_base(closer), xi)
+    }
+
+    /// One step of Halley's method on `h(u) − ξ`.
+    #[inline(always)]
+    fn halley(&self, u: T, xi: T) -> T {
+        let norm = self.norm(u);
+        let inverse = T::one() / norm;
+        let cosine = u * inverse;
+        // h' = A + B D²/n³,  h'' = −3 B D² R u/n⁵
+        let bend = (self.share * inverse) * (self.floor * inverse * inverse);
+        let slope = T::one() / (self.slope + bend + T::from_base(T::TINY));
+        let step = (self.slope * u + self.share * cosine - xi) * slope;
+        let curvature = (bend * slope) * (self.growth * cosine * inverse);
+        // (the floor is never met; it keeps what rounding may do bounded)
+        u - step / (T::one() + (step * curvature).times(1.5)).max(T::constant(0.125))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_abs_diff_eq;
+    use proptest::prelude::*;
+
+    /// From the definition: `C − κ` at a place of the leading edge, `−∞` where no root of (5.41) exists.
+    fn excess(family: &StripFamily<f64>, angle: f64) -> f64 {
+        let (y, c) = angle.sin_cos();
+        let xi_bar = family.xi_bar(y);
+        let q = (1.0 - family.psi) * (1.0 + family.psi);
+        let square = family.eta * family.eta + q * xi_bar * xi_bar;
+        if square < 0.0 {
+            return f64::NEG_INFINITY;
+        }
+        c - (xi_bar * xi_bar + family.eta * family.eta) / (square.sqrt() - family.eta * family.psi)
+    }
+
+    fn octaves(low: f64, high: f64) -> impl Strategy<Value = f64> {
+        (low..high, any::<bool>()).prop_map(|(x, minus)| if minus { -x.exp2() } else { x.exp2() })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2000))]
+
+        /// No place is nearer to adhesion than the one that is found.
+        #[test]
+        fn nothing_is_nearer_than_the_nearest(
+            xi in octaves(-7.0, 4.0),
+            eta in octaves(-7.0, 4.0),
+            psi in octaves(-7.0, -1e-3),
+            ratio in -7.0..7.0_f64,
+        ) {
+            let slope = psi / ratio.exp2() / 0.72;
+            let family = StripFamily { xi, slope, eta, psi };
+            let point = family.nearest();
+            assert_abs_diff_eq!(point.y * point.y + point.c * point.c, 1.0, epsilon = 1e-14);
+            let found = excess(&family, point.y.atan2(point.c));
+            for i in 1..200 {
+                let angle = core::f64::consts::PI * (f64::from(i) / 200.0 - 0.5);
+                prop_assert!(excess(&family, angle) <= found + 1e-12 * (1.0 + found.abs()), "{family:?} {point:?}");
+            }
+        }
+
+        /// At the ends of the interval `κ = C`, short intervals included, and without one there is no adhesion.
+        #[test]
+        fn interval_ends_where_kappa_meets_the_edge(
+            xi in octaves(-7.0, 2.0),
+            angle in 0.01..core::f64::consts::TAU,
+            psi in octaves(-7.0, -1e-3),
+            ratio in -3.0..3.0_f64,
+            nearness in -40.0..-1.0_f64,
+        ) {
+            let slope = psi / ratio.exp2() / 0.72;
+            let ray = |t: f64| StripFamily { xi: t * xi * angle.cos(), slope, eta: t * xi * angle.sin(), psi };
+            // Just before the last strip loses its adhesion area
+            let (mut low, mut high) = (0.0, 1e6);
+            for _ in 0..200 {
+                let t = 0.5 * (low + high);
+                let family = ray(t);
+                let point = family.nearest();
+                if excess(&family, point.y.atan2(point.c)) > 0.0 { low = t } else { high = t }
+            }
+            for (t, expected) in [(low * (1.0 - nearness.exp2()), true), (high * (1.0 + nearness.exp2()), false)] {
+                let family = ray(t);
+                let found = family.adhesion_interval();
+                prop_assert_eq!(found.is_ok(), expected, "{:?}", family);
+                let Ok(AdhesionInterval { lower, upper }) = found else { continue };
+                let nearest = family.nearest();
+                prop_assert!(lower.y <= nearest.y && nearest.y <= upper.y);
+                // κ rises by up to p/√(1 − ψ²) times Y.
+                let noise = 1e-14 * (1.0 + (slope / (1.0 - psi * psi).sqrt()).abs());
+                let depth = excess(&family, nearest.y.atan2(nearest.c));
+                for end in [lower, upper] {
+                    let left = excess(&family, end.y.atan2(end.c));
+                    prop_assert!(left.abs() <= 1e-6 * depth + noise, "{left:e} of {depth:e}: {family:?}");
+                }
+            }
+        }
     }
 }

@@ -176,8 +176,17 @@ impl<'a, F: Precision> Problem<'a, F> {
         creepage: &Creepage<T>,
     ) -> (Forces<T>, Notice) {
         let parameters = Parameters::new(self.contact, creepage);
-        let totals = self.wanted_totals::<T, STICK, MOMENT>(&parameters);
         let bound = self.contact.friction_bound();
+        let Creepage { longitudinal, lateral, spin } = *creepage;
+        let at_rest = [longitudinal, lateral, spin].iter().all(|part| part.value() == F::zero());
+        let totals = match self.options.model {
+            // Nothing is carried, and strips with adhesion would be looked for at a spin beyond all bounds.
+            Model::Strip1967 | Model::Strip1967Continuous if !(bound > F::zero() || at_rest) => {
+                let (force, stick) = (T::zero(), T::zero());
+                Totals { fx: force, fy: force, mz: force, stick }
+            }
+            _ => self.wanted_totals::<T, STICK, MOMENT>(&parameters),
+        };
         let forces = Forces {
             fx: totals.fx.scale(bound),
             fy: totals.fy.scale(bound),
