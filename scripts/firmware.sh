@@ -3,6 +3,7 @@
 #
 #     scripts/firmware.sh           everything; writes the measured part of docs/embedded.md
 #     scripts/firmware.sh quick     builds, runs self-test and twin disc on both boards
+#     scripts/firmware.sh proof     only: nothing can panic, nothing allocates, by linking for every target
 #     scripts/firmware.sh ci        everything with fewer cases, and docs/embedded.md left as it is
 #
 # Exit status: 0 all is well, 1 something failed, 77 a tool is missing (a line with SKIPPED says which).
@@ -29,6 +30,15 @@ installs=yes
 [ "$mode" = quick ] && installs=no
 
 say() { printf '%s\n' "$*"; }
+# packages <log> <names>: installed, if that can be done
+packages() {
+    log=$1
+    shift
+    say "installing $*"
+    timeout 240 apt-get install -y --no-install-recommends "$@" >"$log" 2>&1 \
+        || { timeout 60 apt-get update >>"$log" 2>&1 && timeout 240 apt-get install -y --no-install-recommends "$@" >>"$log" 2>&1; } \
+        || say "apt-get failed, see $log"
+}
 fail() { say "FAILED: $*"; exit 1; }
 # What is wrong but does not stop the measurements.
 failures=0
@@ -38,13 +48,12 @@ has() { command -v "$1" >/dev/null 2>&1; }
 
 # ---------------------------------------------------------------- tools
 
-packages="gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm"
+arm_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm"
 if [ $installs = yes ] && ! { has arm-none-eabi-gcc && has qemu-system-arm; } && has apt-get && [ "$(id -u)" = 0 ]; then
-    say "installing $packages"
-    apt-get install -y $packages >"$out/apt.log" 2>&1 || say "apt-get failed, see $out/apt.log"
+    packages "$out/apt.log" $arm_packages
 fi
-has arm-none-eabi-gcc || skip "no arm-none-eabi-gcc: apt-get install $packages"
-has qemu-system-arm || skip "no qemu-system-arm: apt-get install $packages"
+has arm-none-eabi-gcc || skip "no arm-none-eabi-gcc: apt-get install $arm_packages"
+has qemu-system-arm || skip "no qemu-system-arm: apt-get install $arm_packages"
 has cc || skip "no C compiler for this machine (cc)"
 has cargo || skip "no cargo"
 say 'int main(void) { return 0; }' >"$out/empty.c"
@@ -66,8 +75,7 @@ debian_rustc=/usr/bin/rustc
 if [ -z "$way" ]; then
     if [ $installs = yes ] && [ ! -d "$($debian_rustc --print sysroot 2>/dev/null)/lib/rustlib/src/rust/library/core" ] \
         && has apt-get && [ "$(id -u)" = 0 ]; then
-        say "installing rustc-web rust-web-src"
-        apt-get install -y rustc-web rust-web-src >"$out/apt-rust.log" 2>&1 || say "apt-get failed, see $out/apt-rust.log"
+        packages "$out/apt-rust.log" rustc-web rust-web-src
     fi
     if [ -x $debian_rustc ] && [ -d "$($debian_rustc --print sysroot)/lib/rustlib/src/rust/library/core" ]; then
         # The package asks for 1.89: edition 2024, and what its dependencies need.
@@ -150,7 +158,85 @@ link() {
         -Wl,-Map="$out/$name.map" "$library" -lgcc -o "$out/$name.elf" >"$out/$name.link.log" 2>&1
 }
 
+# ---------------------------------------------------------------- proofs by the linker
+
 exports() { arm-none-eabi-nm "$1" 2>/dev/null | sed -n 's/^[0-9a-f]* T \(kstrip_[a-z0-9_]*\)$/\1/p' | sort -u; }
+
+# No panic: the panic handler calls a function that exists nowhere, every exported function is a root, and
+# the link succeeds only if nothing can reach the handler. Nor is there an allocator to link.
+prove() {
+    name=$1 archive=$2
+    shift 2
+    link "$name" "$archive" "$@" && return 0
+    grep -q kstrip_a_panic_can_be_reached "$out/$name.link.log" || cat "$out/$name.link.log"
+    return 1
+}
+
+# proved <name> <RUSTFLAGS>: the sentence $proof, for the target and core of this moment, with the negative
+# control: planted_panic(), which exists only in this build, must fail to link, for that reason.
+proved() {
+    target=$1
+    build "$target.proof" "$2" -- --cfg kstrip_link_proof
+    symbols=$(exports "$out/$target.proof.a")
+    count=$(say "$symbols" | wc -l)
+    if prove "$target.proof" "$out/$target.proof.a" $symbols; then
+        proof="all $count exported functions link without panic and without allocator"
+    else
+        proof="NOT linked: a panic can be reached"
+        miss "$target: a panic can be reached"
+    fi
+    if link "$target.planted" "$out/$target.proof.a" planted_panic; then
+        proof="$proof. FAILED: a planted panic links too"
+        miss "$target: the proof accepts a planted panic"
+    elif grep -q kstrip_a_panic_can_be_reached "$out/$target.planted.link.log"; then
+        proof="$proof; a planted panic does not, as it must not"
+    else
+        proof="$proof. FAILED: the planted panic fails to link for another reason"
+        miss "$target: the planted panic fails to link for another reason"
+    fi
+    say "$target: $proof"
+}
+
+prove_m7() {
+    link_core=$m7
+    proved m7 "-C target-cpu=cortex-m7"
+    m7_proof=$proof
+}
+
+riscv_packages="gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc"
+riscv_tools() {
+    has riscv64-unknown-elf-gcc && has qemu-system-riscv32 \
+        && riscv64-unknown-elf-gcc --specs=picolibc.specs -march=rv32imac -mabi=ilp32 -c "$out/empty.c" -o "$out/empty.o" 2>/dev/null
+}
+
+# Whether RISC-V can be tried; if not, $riscv_proof says why.
+riscv_ready() {
+    if ! riscv_tools && [ $installs = yes ] && has apt-get && [ "$(id -u)" = 0 ]; then
+        packages "$out/apt-riscv.log" $riscv_packages
+    fi
+    triple=riscv32imac-unknown-none-elf
+    riscv_proof=
+    riscv_tools || riscv_proof="SKIPPED: tools are missing: apt-get install $riscv_packages"
+    [ $way = debian ] || by_rustup || riscv_proof="SKIPPED: rustup has no $triple"
+    [ -z "$riscv_proof" ]
+}
+
+prove_riscv() {
+    cross=riscv64-unknown-elf-gcc
+    link_core="-march=rv32imac -mabi=ilp32"
+    proved riscv32imac ""
+    riscv_proof=$proof
+}
+
+if [ "$mode" = proof ]; then
+    proved m4f ""
+    prove_m7
+    if riscv_ready; then prove_riscv; else say "riscv32imac: $riscv_proof"; fi
+    [ $failures = 0 ] || exit 1
+    exit 0
+fi
+
+# ---------------------------------------------------------------- the boards
 
 say "building for $triple and for this machine (the first time this takes minutes)"
 build m4f ""
@@ -189,44 +275,6 @@ if [ "$mode" = quick ]; then
     say "firmware: all checks passed"
     exit 0
 fi
-
-# ---------------------------------------------------------------- proofs by the linker
-
-# No panic: the panic handler calls a function that exists nowhere, every exported function is a root, and
-# the link succeeds only if nothing can reach the handler. Nor is there an allocator to link.
-prove() {
-    name=$1 archive=$2
-    shift 2
-    link "$name" "$archive" "$@" && return 0
-    grep -q kstrip_a_panic_can_be_reached "$out/$name.link.log" || cat "$out/$name.link.log"
-    return 1
-}
-
-# proved <name> <RUSTFLAGS>: the sentence $proof, for the target and core of this moment, with the negative
-# control: with a panic planted in kstrip_abi_version() the same link must fail, for that reason.
-proved() {
-    target=$1
-    build "$target.proof" "$2" -- --cfg kstrip_link_proof
-    symbols=$(exports "$out/$target.proof.a")
-    count=$(say "$symbols" | wc -l)
-    if prove "$target.proof" "$out/$target.proof.a" $symbols; then
-        proof="all $count exported functions link without panic and without allocator"
-    else
-        proof="NOT linked: a panic can be reached"
-        miss "$target: a panic can be reached"
-    fi
-    build "$target.planted" "$2" -- --cfg kstrip_link_proof --cfg kstrip_planted_panic
-    if link "$target.planted" "$out/$target.planted.a" kstrip_abi_version; then
-        proof="$proof. FAILED: a planted panic links too"
-        miss "$target: the proof accepts a planted panic"
-    elif grep -q kstrip_a_panic_can_be_reached "$out/$target.planted.link.log"; then
-        proof="$proof; with a planted panic they do not, as they must not"
-    else
-        proof="$proof. FAILED: the planted panic fails to link for another reason"
-        miss "$target: the planted panic fails to link for another reason"
-    fi
-    say "$target: $proof"
-}
 
 proved m4f ""
 m4_proof=$proof
@@ -283,9 +331,7 @@ run mps2-an386 "$out/budget.elf" "$out/budget.txt"
 cat "$out/budget.txt"
 
 # Cortex-M7, compiled for it: the same bits again
-link_core=$m7
-proved m7 "-C target-cpu=cortex-m7"
-m7_proof=$proof
+prove_m7
 build m7 "-C target-cpu=cortex-m7"
 firmware selftest "$m7" "$out/m7.a" "$out/selftest.m7.elf"
 run mps2-an500 "$out/selftest.m7.elf" "$out/selftest.m7.txt"
@@ -328,15 +374,7 @@ say "CMake with a toolchain file: $cmake_says"
 
 # Another compiler, another instruction set, floating point by software: the same bits again.
 riscv() {
-    triple=riscv32imac-unknown-none-elf
-    if [ $way = rustup ] && ! by_rustup; then
-        riscv_says="SKIPPED: rustup has no $triple"
-        return
-    fi
-    cross=riscv64-unknown-elf-gcc
-    link_core="-march=rv32imac -mabi=ilp32"
-    proved riscv32imac ""
-    riscv_proof=$proof
+    prove_riscv
     build riscv32imac ""
     # picolibc brings start-up code, linker script and semihosting; the board's memory begins at 0x80000000.
     $cross $link_core -std=c99 -O2 -ffp-contract=off -Iinclude -DCASES=${cases}u \
@@ -356,20 +394,10 @@ riscv() {
     fi
 }
 
-riscv_packages="gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc"
-riscv_tools() {
-    has riscv64-unknown-elf-gcc && has qemu-system-riscv32 \
-        && riscv64-unknown-elf-gcc --specs=picolibc.specs -march=rv32imac -mabi=ilp32 -c "$out/empty.c" -o "$out/empty.o" 2>/dev/null
-}
-riscv_proof="SKIPPED"
-if ! riscv_tools && [ $installs = yes ] && has apt-get && [ "$(id -u)" = 0 ]; then
-    say "installing $riscv_packages"
-    apt-get install -y --no-install-recommends $riscv_packages >"$out/apt-riscv.log" 2>&1 || say "apt-get failed, see $out/apt-riscv.log"
-fi
-if riscv_tools; then
+if riscv_ready; then
     riscv
 else
-    riscv_says="SKIPPED: tools are missing: apt-get install $riscv_packages"
+    riscv_says=$riscv_proof
 fi
 say "riscv32imac: $riscv_says"
 

@@ -193,10 +193,17 @@ pub extern "C" fn kstrip_version_string() -> *const c_char {
 /// ABI version of the library that is linked: compare with KSTRIP_ABI_VERSION of the header.
 #[unsafe(no_mangle)]
 pub extern "C" fn kstrip_abi_version() -> i32 {
-    // The control of scripts/no_panic.sh
-    #[cfg(kstrip_planted_panic)]
-    assert!(core::hint::black_box(KSTRIP_ABI_VERSION) > 0);
     KSTRIP_ABI_VERSION
+}
+
+/// The control of the proofs by linking (scripts/no_panic.sh, scripts/firmware.sh): this one panics, and must not link.
+///
+/// cbindgen:ignore
+#[cfg(kstrip_link_proof)]
+#[unsafe(no_mangle)]
+pub extern "C" fn planted_panic(number: i32) -> i32 {
+    assert!(number > 0);
+    number
 }
 
 const fn c_string(text: &'static str) -> &'static core::ffi::CStr {
