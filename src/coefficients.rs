@@ -13,7 +13,7 @@
 mod constants;
 
 use self::constants::{E11_E22, E23_E33, M33, N23_N33};
-use crate::real::{Arithmetic, Float, Pair};
+use crate::real::{Arithmetic, Float, Pair, Plain};
 use core::f64::consts::{LN_2, PI};
 
 /// Kalker's linear creep coefficients of one contact ellipse.
@@ -36,7 +36,7 @@ const LN_16: f64 = 4.0 * LN_2;
 /// `3 − ln 4`, the second order of the slender asymptotes of `C11` and `C22`.
 const K: f64 = 3.0 - 2.0 * LN_2;
 
-impl<F: Float> LinearCoefficients<F> {
+impl<F: Plain> LinearCoefficients<F> {
     /// Coefficients for the axis ratio `g = a/b`, positive, `a` along the rolling direction, and
     /// Poisson's ratio `ν`, 0 to 1/2.
     ///
@@ -46,6 +46,11 @@ impl<F: Float> LinearCoefficients<F> {
     #[must_use]
     #[inline]
     pub fn at(axis_ratio: F, poisson_ratio: F) -> Self {
+        Self::at_inline(axis_ratio, poisson_ratio)
+    }
+
+    #[inline(always)]
+    pub(crate) fn at_inline(axis_ratio: F, poisson_ratio: F) -> Self {
         let one = F::one();
         let pair = |p: F, q: F| <F::Pair as Pair<F>>::of(p, q);
         let both = |x: F| <F::Pair as Pair<F>>::both(x);
@@ -64,14 +69,7 @@ impl<F: Float> LinearCoefficients<F> {
         let n = one - nu;
         let two_nu = nu + nu;
         let x2 = x * x;
-        let cubic = |c: &'static [[[f32; 2]; 2]; 4], d: &'static [[[f64; 2]; 2]; 4]| {
-            let c = |i: usize| {
-                let c = F::table(c, d);
-                let [p, q] = c.get(i).copied().unwrap_or([[one; 2]; 2]);
-                <F::Pair as Pair<F>>::plain(p) + both(nu).scale_each(q)
-            };
-            (c(0) + c(1).scale(x)) + (c(2) + c(3).scale(x)).scale(x2)
-        };
+        let cubic = |single, double| Cubic::<F>(F::Stored::table(single, double)).at(x, x2, nu);
 
         // every denominator and numerator below is p + q m: m comes late, and is waited for in
         // nothing but p + q m
@@ -91,7 +89,7 @@ impl<F: Float> LinearCoefficients<F> {
         let e = n * zl + (z * (two_nu + two_nu).plus(-2.0) + y * (n + n));
         // a ≫ b: C23 = (2π/3) g^{3/2}/e;  a ≪ b: C23 = (π/3) √g (1 + ν(ln(16/g) − 5))/(1−ν)
         // a ≫ b: C33 = (π/4)((1−2ν)Λ − 2 + 6ν)/e;  a ≪ b: C33 = π²/(16(1−ν) g)
-        let [e0, e1, n0, n1] = M33.map(F::of_f32);
+        let [e0, e1, n0, n1] = F::each(&M33, |x| F::of_f32(*x));
         let linear = one - two_nu;
         let numerators = line(
             pair(
@@ -108,6 +106,25 @@ impl<F: Float> LinearCoefficients<F> {
         let factors = pair(root.times(2.0 * PI / 3.0), one).scale(r);
         let (c23, c33) = (factors * numerators / (denominators * pair(one, g))).parts();
         Self { c11, c22, c23, c33 }
+    }
+}
+
+/// Two cubic polynomials in `x` side by side, each coefficient a constant and a factor of `ν`.
+struct Cubic<F: Plain>(&'static [[[F::Stored; 2]; 2]; 4]);
+
+impl<F: Plain> Cubic<F> {
+    #[inline(always)]
+    fn at(&self, x: F, x2: F, nu: F) -> F::Pair {
+        let [c0, c1, c2, c3] = self.0;
+        let nu = <F::Pair as Pair<F>>::both(nu);
+        (Self::coefficient(c0, nu) + Self::coefficient(c1, nu).scale(x))
+            + (Self::coefficient(c2, nu) + Self::coefficient(c3, nu).scale(x)).scale(x2)
+    }
+
+    #[inline(always)]
+    fn coefficient([constant, factor]: &[[F::Stored; 2]; 2], nu: F::Pair) -> F::Pair {
+        <F::Pair as Pair<F>>::plain(F::both_stored(*constant))
+            + nu.scale_each(F::both_stored(*factor))
     }
 }
 

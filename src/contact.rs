@@ -1,7 +1,7 @@
 //! A loaded contact ellipse with friction: what every model starts from.
 
 use crate::material::{check_modulus, check_poisson_ratio};
-use crate::real::Float;
+use crate::real::{Float, Plain};
 use crate::status::Error;
 
 /// An elliptic contact under load, with combined elastic constants and Coulomb friction.
@@ -25,7 +25,7 @@ impl<F: Float> Contact<F> {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::SemiAxis`], [`Error::NormalForce`], [`Error::Modulus`],
     /// [`Error::PoissonRatio`], [`Error::Friction`]; [`Error::Overflow`] when `a/b` or `b/a`
-    /// exceeds [`Real::HUGE`](crate::real::Real::HUGE), or `μ N` or the pressure does not fit the
+    /// exceeds [`Number::HUGE`](crate::real::Number::HUGE), or `μ N` or the pressure does not fit the
     /// floating-point type.
     pub fn check(&self) -> Result<(), Error> {
         let inputs = [self.a, self.b, self.normal_force, self.friction];
@@ -58,21 +58,50 @@ impl<F: Float> Contact<F> {
         }
         Ok(())
     }
+}
+
+impl<F: Plain> Contact<F> {
+    /// Whether [`Contact::check`] finds nothing; of several contacts side by side, in none of them.
+    #[cfg(target_arch = "x86_64")]
+    #[inline(always)]
+    pub(crate) fn is_sound(&self) -> bool {
+        let Self { a, b, normal_force, shear_modulus, poisson_ratio, friction } = *self;
+        let (zero, largest) = (F::zero(), F::LARGEST);
+        let pressure = self.peak_pressure();
+        let finite = [
+            a,
+            b,
+            normal_force,
+            shear_modulus,
+            friction,
+            self.friction_bound(),
+            pressure,
+            friction * pressure,
+        ];
+        [a, b, shear_modulus].into_iter().fold(true, |sound, x| sound & x.is_positive())
+            & finite.into_iter().fold(true, |sound, x| sound & x.lies_between(zero, largest))
+            & poisson_ratio.lies_between(zero, F::of(0.5))
+            & (a / b).lies_between(zero, F::HUGE)
+            & (b / a).lies_between(zero, F::HUGE)
+    }
 
     /// `μ N` \[N\]: no tangential force exceeds it.
     #[must_use]
+    #[inline(always)]
     pub fn friction_bound(&self) -> F {
         self.friction * self.normal_force
     }
 
     /// Pressure at the centre `p₀ = 3N/(2π a b)` \[Pa\].
     #[must_use]
+    #[inline(always)]
     pub fn peak_pressure(&self) -> F {
         self.normal_force.times(1.5 / core::f64::consts::PI) / self.a / self.b
     }
 
-    /// `G/(2 μ p₀)`, the factor of (5.13); at most [`Real::HUGE`](crate::real::Real::HUGE), also
+    /// `G/(2 μ p₀)`, the factor of (5.13); at most [`Number::HUGE`](crate::real::Number::HUGE), also
     /// without friction or load.
+    #[inline(always)]
     pub(crate) fn stiffness_ratio(&self) -> F {
         // G/(2 μ p₀) = (π/3) G a b/(μ N)
         let stiffness = (self.shear_modulus * self.a) * self.b.times(core::f64::consts::PI / 3.0);

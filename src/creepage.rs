@@ -2,7 +2,7 @@
 
 use crate::contact::Contact;
 use crate::dual::Dual;
-use crate::real::{Arithmetic, Float, Real};
+use crate::real::{Arithmetic, Float, Number};
 use crate::status::Error;
 
 /// Rigid slip of the upper over the lower body, divided by the rolling speed (3.3).
@@ -91,9 +91,20 @@ impl<F: Float> Creepage<F> {
     }
 }
 
+#[cfg(target_arch = "x86_64")]
+impl<F: crate::real::Plain> Creepage<F> {
+    /// Whether [`Creepage::check`] finds nothing; of several side by side, in none of them.
+    #[inline(always)]
+    pub(crate) fn is_sound(&self) -> bool {
+        let Self { longitudinal, lateral, spin } = *self;
+        let finite = |x: F| x.lies_between(-F::LARGEST, F::LARGEST);
+        finite(longitudinal) & finite(lateral) & finite(spin)
+    }
+}
+
 /// Kalker's parameters of a rolling contact (5.13), with the two numbers that shape the patch.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Parameters<T: Real> {
+pub struct Parameters<T: Number> {
     /// `ξ = υx G/(2 (1 − ν) μ p₀)`
     pub xi: T,
     /// `η = υy G/(2 μ p₀)`
@@ -106,13 +117,18 @@ pub struct Parameters<T: Real> {
     pub axis_ratio: T::Base,
 }
 
-impl<T: Real> Parameters<T> {
+impl<T: Number> Parameters<T> {
     /// The parameters of a checked contact and creepage.
     ///
-    /// Values beyond [`Real::HUGE`], where every theory slides, are scaled back together so that
+    /// Values beyond [`Number::HUGE`], where every theory slides, are scaled back together so that
     /// their direction stays and their squares remain finite.
     #[must_use]
     pub fn new(contact: &Contact<T::Base>, creepage: &Creepage<T>) -> Self {
+        Self::new_inline(contact, creepage)
+    }
+
+    #[inline(always)]
+    pub(crate) fn new_inline(contact: &Contact<T::Base>, creepage: &Creepage<T>) -> Self {
         let g_over_2mup0 = contact.stiffness_ratio();
         let [vx, vy, a_phi] = bounded([
             creepage.longitudinal,
@@ -173,7 +189,7 @@ impl<T: Real> Parameters<T> {
 
 impl<F: Float> Parameters<F> {
     /// The limit of [`Parameters::new`] for vanishing friction or load: the same direction, its largest
-    /// component at [`Real::HUGE`]; zero without creepage.
+    /// component at [`Number::HUGE`]; zero without creepage.
     #[must_use]
     pub fn sliding(contact: &Contact<F>, creepage: &Creepage<F>) -> Self {
         let direction = [
@@ -191,14 +207,25 @@ impl<F: Float> Parameters<F> {
     }
 }
 
-/// The same direction, no component beyond [`Real::HUGE`].
-fn bounded<T: Real>(components: [T; 3]) -> [T; 3] {
+/// The same direction, no component beyond [`Number::HUGE`].
+#[inline(always)]
+fn bounded<T: Number>(components: [T; 3]) -> [T; 3] {
+    if T::LANES == 1 { bounded_apart(components) } else { bounded_inline(components) }
+}
+
+#[cfg_attr(target_os = "none", inline(never))]
+fn bounded_apart<T: Number>(components: [T; 3]) -> [T; 3] {
+    bounded_inline(components)
+}
+
+#[inline(always)]
+fn bounded_inline<T: Number>(components: [T; 3]) -> [T; 3] {
     let [x, y, z] = components;
     let largest = x.value().abs().max(y.value().abs()).max(z.value().abs());
-    if largest <= T::HUGE {
+    if !largest.exceeds(T::HUGE) {
         return components;
     }
     // Divide first: HUGE/largest may underflow the ratio of very different components, never overflow.
-    let factor = T::HUGE / largest;
+    let factor = (largest - T::HUGE).choose(T::HUGE / largest, T::Base::one());
     [x.scale(factor), y.scale(factor), z.scale(factor)]
 }

@@ -5,7 +5,7 @@
 //! compute, branch by branch; there is no step size and no second implementation to keep in step.
 
 use crate::real::pairs::Two;
-use crate::real::{Arithmetic, Float, Map, Real};
+use crate::real::{Arithmetic, Elementary, Float, Map, Number};
 use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -165,9 +165,10 @@ impl<F: Float, const M: usize> Arithmetic for Dual<F, M> {
     }
 }
 
-impl<F: Float, const M: usize> Real for Dual<F, M> {
+impl<F: Float, const M: usize> Number for Dual<F, M> {
     type Pair = Two<Self>;
     const HAS_DERIVATIVES: bool = true;
+    const LARGEST: F = F::LARGEST;
     const TINY: F = F::TINY;
     const ROOT_TINY: F = F::ROOT_TINY;
     const HUGE: F = F::HUGE;
@@ -195,6 +196,13 @@ impl<F: Float, const M: usize> Real for Dual<F, M> {
         }
         outputs
     }
+    #[inline(always)]
+    fn exceeds(self, other: Self) -> bool {
+        self.value > other.value
+    }
+}
+
+impl<F: Float, const M: usize> Elementary for Dual<F, M> {
     #[inline]
     fn atan(self) -> Self {
         self.chain(self.value.atan(), F::one() / (F::one() + self.value * self.value))

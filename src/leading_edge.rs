@@ -9,7 +9,7 @@ mod large_spin;
 
 pub(crate) use self::large_spin::Released;
 
-use crate::real::{Arithmetic, Float, Pair, Real};
+use crate::real::{Arithmetic, Float, Number, Pair, Real};
 
 /// A point `(Y, C)` of the leading edge, `Y² + C² = 1`, `C ≥ 0`, in units of the semi-axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -132,7 +132,7 @@ impl<P: Arithmetic> AdhesionLength<P> {
     #[inline(always)]
     fn s(&self, square: P) -> (P, P) {
         // The floor keeps 1/S⁴, which the derivatives need, finite.
-        let floor = P::from_base(<P::Base as Real>::ROOT_TINY);
+        let floor = P::from_base(<P::Base as Number>::ROOT_TINY);
         let s_squared = (self.eta_squared + self.q * square).max(floor);
         (s_squared, s_squared.sqrt())
     }

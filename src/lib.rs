@@ -87,6 +87,8 @@ pub mod status;
 pub mod strip;
 pub mod total;
 pub mod totals;
+#[cfg(target_arch = "x86_64")]
+mod wide;
 
 /// A library without `std` needs a panic handler; nothing reaches it.
 ///

@@ -6,7 +6,7 @@ use crate::creepage::{Creepage, Parameters};
 use crate::dual::Dual;
 use crate::field::FieldPoint;
 use crate::quadrature::Tabulated;
-use crate::real::{Float, Real};
+use crate::real::{Float, Number, Plain, Real};
 use crate::rolling_strip::{Placed, RollingStrips, StripGeometry, StripTotals, Strips};
 use crate::status::{Error, Notice};
 use crate::strip::{SlidingRule, State, Strip, StripPoint};
@@ -94,8 +94,16 @@ impl<F: Float> Solution<F> {
 pub type Jacobian<F> = Matrix3<F>;
 
 /// Floating-point types that every model can be computed in.
+#[cfg(not(target_arch = "x86_64"))]
 pub trait Precision:
     Tabulated + Placed<4> + Placed<8> + Placed<16> + Placed<32> + Placed<64>
+{
+}
+
+/// Floating-point types that every model can be computed in.
+#[cfg(target_arch = "x86_64")]
+pub trait Precision:
+    Tabulated + Placed<4> + Placed<8> + Placed<16> + Placed<32> + Placed<64> + crate::wide::Wide
 {
 }
 
@@ -133,27 +141,8 @@ impl<'a, F: Precision> Problem<'a, F> {
         Ok(problem)
     }
 
-    /// Every result is a number within its bound times these: check them before anything is
-    /// computed.
     fn check_range(self) -> Result<(), Error> {
-        let Creepage { longitudinal, lateral, spin } = *self.creepage;
-        let Contact { a, b, .. } = *self.contact;
-        let bound = match self.options.model {
-            Model::Linear => {
-                let creepage = longitudinal.abs() + lateral.abs() + (a + b) * spin.abs();
-                // No coefficient exceeds this: C23 grows like (a/b)^(3/2).
-                let ratio = a / b + b / a;
-                self.linear_stiffness() * (creepage * (ratio * ratio.sqrt()).plus(100.0))
-            }
-            _ => self.contact.friction_bound(),
-        };
-        let moment = bound * (a + b);
-        let power = bound * longitudinal.abs() + bound * lateral.abs() + moment * spin.abs();
-        // The velocity that spin causes at the edge, also where nothing is carried
-        let edge_slip = (a + b) * spin.abs();
-        // (a hair above the bounds, because forces round)
-        let numbers = [power, moment, bound, edge_slip].map(|number| number.times(1.001));
-        if numbers.iter().all(|number| number.is_finite_number()) {
+        if self.range().iter().all(|number| number.is_finite_number()) {
             Ok(())
         } else {
             Err(Error::Overflow)
@@ -227,24 +216,8 @@ impl<'a, F: Precision> Problem<'a, F> {
     }
 
     pub(crate) fn notice(&self, psi: F) -> Notice {
-        let ratio = self.contact.a / self.contact.b;
-        if self.contact.friction_bound() <= F::zero() {
-            // Nothing to carry: zero forces are right in every model with a friction bound.
-            return Notice::None;
-        }
-        match self.options.model {
-            Model::Strip1967 | Model::Strip1967Continuous if psi.abs() >= F::one() => {
-                Notice::SpinBeyondTheory
-            }
-            Model::Strip | Model::Total
-                if psi.abs() > F::constant(3.0)
-                    || ratio < F::constant(0.099_999)
-                    || ratio > F::constant(10.000_1) =>
-            {
-                Notice::OutsideRange
-            }
-            _ => Notice::None,
-        }
+        let Contact { a, b, .. } = *self.contact;
+        notice(self.options.model, self.contact.friction_bound(), a / b, psi)
     }
 
     fn sliding_rule(&self) -> SlidingRule {
@@ -258,34 +231,14 @@ impl<'a, F: Precision> Problem<'a, F> {
         LinearCoefficients::at(self.contact.a / self.contact.b, self.contact.poisson_ratio)
     }
 
-    /// `G a b` \[N\]
-    fn linear_stiffness(&self) -> F {
-        self.contact.shear_modulus * self.contact.a * self.contact.b
-    }
-
-    /// `F_x = G a b C11 υx`, `F_y = G a b (C22 υy + √(ab) C23 φ)`,
-    /// `M_z = G (ab)^{3/2} (−C23 υy + √(ab) C33 φ)`
+    /// Forces of the linear theory.
     pub(crate) fn linear_forces<T: Real<Base = F>>(
         &self,
         creepage: &Creepage<T>,
     ) -> (Forces<T>, Notice) {
-        let LinearCoefficients { c11, c22, c23, c33 } = self.linear_coefficients();
-        let (stiffness, radius) = (self.linear_stiffness(), self.mean_radius());
-        let spin = creepage.spin.scale(radius);
-        let fx = creepage.longitudinal.scale(c11).scale(stiffness);
-        let fy = (creepage.lateral.scale(c22) + spin.scale(c23)).scale(stiffness);
-        let mz = (spin.scale(c33) - creepage.lateral.scale(c23)).scale(stiffness * radius);
-        let (x, y) = (fx.value().abs(), fy.value().abs());
-        // Compare without squares, which may overflow: |F| lies between the larger and their sum.
-        let (larger, smaller) = (x.max(y), x.min(y));
-        let ratio = smaller / (larger + F::TINY);
-        let size = larger * (F::one() + ratio * ratio).sqrt();
-        let notice = if size > self.contact.friction_bound() {
-            Notice::BeyondFriction
-        } else {
-            Notice::None
-        };
-        (Forces { fx, fy, mz, adhesion: T::one() }, notice)
+        let forces = self.linear(&self.linear_coefficients(), creepage);
+        let size = linear_size(forces.fx.value(), forces.fy.value());
+        (forces, linear_notice(size, self.contact.friction_bound()))
     }
 
     fn rolling<T: Real<Base = F>>(&self, parameters: &Parameters<T>) -> RollingStrips<T> {
@@ -311,11 +264,6 @@ impl<'a, F: Precision> Problem<'a, F> {
         Totals { fx, fy, mz, stick: stick.clamped(T::zero(), T::one()) }
     }
 
-    /// `√(ab)` \[m\], without overflow.
-    pub(crate) fn mean_radius(&self) -> F {
-        self.contact.a.sqrt() * self.contact.b.sqrt()
-    }
-
     /// Without creepage and spin every model has zero forces and, if it knows, adhesion everywhere.
     #[inline(always)]
     pub(crate) fn at_rest(&self) -> Option<Solution<F>> {
@@ -338,10 +286,121 @@ impl<'a, F: Precision> Problem<'a, F> {
     }
 }
 
+impl<F: Plain> Problem<'_, F> {
+    /// Every result is a number within its bound times these: check them before anything is
+    /// computed.
+    #[inline(always)]
+    pub(crate) fn range(&self) -> [F; 4] {
+        let Creepage { longitudinal, lateral, spin } = *self.creepage;
+        let Contact { a, b, .. } = *self.contact;
+        let bound = match self.options.model {
+            Model::Linear => {
+                let creepage = longitudinal.abs() + lateral.abs() + (a + b) * spin.abs();
+                // No coefficient exceeds this: C23 grows like (a/b)^(3/2).
+                let ratio = a / b + b / a;
+                self.linear_stiffness() * (creepage * (ratio * ratio.sqrt()).plus(100.0))
+            }
+            _ => self.contact.friction_bound(),
+        };
+        let moment = bound * (a + b);
+        let power = bound * longitudinal.abs() + bound * lateral.abs() + moment * spin.abs();
+        // The velocity that spin causes at the edge, also where nothing is carried
+        let edge_slip = (a + b) * spin.abs();
+        // (a hair above the bounds, because forces round)
+        F::each(&[power, moment, bound, edge_slip], |number| number.times(1.001))
+    }
+
+    /// Whether [`check`] finds nothing; of several contacts side by side, in none of them.
+    #[cfg(target_arch = "x86_64")]
+    #[inline(always)]
+    pub(crate) fn is_sound(&self) -> bool {
+        let finite = |number: F| number.lies_between(F::zero(), F::LARGEST);
+        self.contact.is_sound()
+            & self.creepage.is_sound()
+            & self.range().into_iter().fold(true, |sound, number| sound & finite(number))
+    }
+
+    /// `G a b` \[N\]
+    #[inline(always)]
+    fn linear_stiffness(&self) -> F {
+        self.contact.shear_modulus * self.contact.a * self.contact.b
+    }
+
+    /// `√(ab)` \[m\], without overflow.
+    #[inline(always)]
+    pub(crate) fn mean_radius(&self) -> F {
+        self.contact.a.sqrt() * self.contact.b.sqrt()
+    }
+
+    /// `F_x = G a b C11 υx`, `F_y = G a b (C22 υy + √(ab) C23 φ)`,
+    /// `M_z = G (ab)^{3/2} (−C23 υy + √(ab) C33 φ)`
+    #[inline(always)]
+    pub(crate) fn linear<T: Number<Base = F>>(
+        &self,
+        coefficients: &LinearCoefficients<F>,
+        creepage: &Creepage<T>,
+    ) -> Forces<T> {
+        let LinearCoefficients { c11, c22, c23, c33 } = *coefficients;
+        let (stiffness, radius) = (self.linear_stiffness(), self.mean_radius());
+        let spin = creepage.spin.scale(radius);
+        Forces {
+            fx: creepage.longitudinal.scale(c11).scale(stiffness),
+            fy: (creepage.lateral.scale(c22) + spin.scale(c23)).scale(stiffness),
+            mz: (spin.scale(c33) - creepage.lateral.scale(c23)).scale(stiffness * radius),
+            adhesion: T::one(),
+        }
+    }
+}
+
+/// `|F|` without squares, which may overflow: it lies between the larger component and their sum.
+#[inline(always)]
+pub(crate) fn linear_size<F: Plain>(fx: F, fy: F) -> F {
+    let (x, y) = (fx.abs(), fy.abs());
+    let (larger, smaller) = (x.max(y), x.min(y));
+    let ratio = smaller / (larger + F::TINY);
+    larger * (F::one() + ratio * ratio).sqrt()
+}
+
+/// What the caller of the linear theory should know.
+#[inline(always)]
+pub(crate) fn linear_notice<F: Float>(size: F, friction_bound: F) -> Notice {
+    if size > friction_bound { Notice::BeyondFriction } else { Notice::None }
+}
+
+/// Axis ratios that [`Model::Strip`] and [`Model::Total`] are made for, a hair more.
+pub(crate) const RATIOS: [f64; 2] = [0.099_999, 10.000_1];
+/// Spins `|ψ|` that they are made for.
+pub(crate) const LARGEST_SPIN: f64 = 3.0;
+
+/// What the caller of a model with a friction bound should know.
+#[inline(always)]
+pub(crate) fn notice<F: Float>(model: Model, friction_bound: F, ratio: F, psi: F) -> Notice {
+    if friction_bound <= F::zero() {
+        // Nothing to carry: zero forces are right in every model with a friction bound.
+        return Notice::None;
+    }
+    match model {
+        Model::Strip1967 | Model::Strip1967Continuous if psi.abs() >= F::one() => {
+            Notice::SpinBeyondTheory
+        }
+        Model::Strip | Model::Total
+            if psi.abs() > F::constant(LARGEST_SPIN)
+                || ratio < F::constant(RATIOS[0])
+                || ratio > F::constant(RATIOS[1]) =>
+        {
+            Notice::OutsideRange
+        }
+        _ => Notice::None,
+    }
+}
+
 /// Check the inputs of [`solve`] without solving.
+///
+/// (On a microcontroller its stack is free when a batch is solved.)
 ///
 /// # Errors
 /// Those of [`solve`].
+#[cfg_attr(target_os = "none", inline(never))]
 pub fn check<F: Precision>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
@@ -569,7 +628,7 @@ pub fn strips<F: Precision>(
 
 /// Where the corrected model places its strips.
 #[inline(always)]
-fn strip_rule<F: Precision>(count: StripCount) -> &'static Strips<'static, F> {
+pub(crate) fn strip_rule<F: Precision>(count: StripCount) -> &'static Strips<'static, F> {
     match count {
         StripCount::Four => <F as Placed<4>>::STRIPS,
         StripCount::Eight => <F as Placed<8>>::STRIPS,

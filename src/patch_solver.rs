@@ -19,7 +19,7 @@ use crate::dual::Dual;
 use crate::field::FieldPoint;
 use crate::model::{Jacobian, Model, Precision, Solution, StripResult, rolling_point};
 use crate::patch::{Lobe, PatchStrip, PatchView};
-use crate::real::{Arithmetic, Float, Pair, Real};
+use crate::real::{Arithmetic, Float, Pair, Plain, Real};
 use crate::rolling_strip::{RollingStrips, StripCreepage, StripGeometry, march};
 use crate::status::{Error, Notice};
 use crate::strip::{Regime, SlidingRule, Strip, StripPoint};

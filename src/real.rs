@@ -9,18 +9,60 @@
 //! elementary functions from libm that stay off the hot paths.
 
 mod cube_root;
+#[cfg(target_arch = "x86_64")]
+pub(crate) mod lanes;
 pub mod pairs;
 mod square_root;
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// A plain floating-point number, `f32` or `f64`: what constants and tables are made of.
-pub trait Float: Real<Base = Self> + nalgebra::Scalar {
+/// A number without derivatives: what constants and tables are made of. `f32`, `f64`, or the numbers of several
+/// contacts side by side.
+pub trait Plain: Number<Base = Self> {
+    /// What tables are stored in.
+    type Stored: Float;
+
     /// The nearest number to a constant written in double precision. Free when `x` is a literal.
     fn of(x: f64) -> Self;
+    /// A number of a table, exactly.
+    fn stored(x: Self::Stored) -> Self;
+    /// `k` and `2^k` times the divisor, so that the quotient of two positive normal numbers by it is between
+    /// 2^-0.59 and 2^0.59.
+    fn binary_quotient(self, divisor: Self) -> (Self, Self);
+    /// Whether it is at least `low` and at most `high`; of several side by side, whether all are. Not for NaN.
+    fn lies_between(self, low: Self, high: Self) -> bool;
+    /// Whether it is positive; of several side by side, whether all are.
+    fn is_positive(self) -> bool;
+
+    /// `ln(self/divisor)` of two positive normal numbers, to rounding, without a branch.
+    #[inline(always)]
+    fn ln_quotient(self, divisor: Self) -> Self {
+        let (k, divisor) = self.binary_quotient(divisor);
+        // ln m = 2 artanh((m − 1)/(m + 1))
+        let s = (self - divisor) / (self + divisor);
+        let s2 = s * s;
+        k.times(core::f64::consts::LN_2) + (s + s) * even_polynomial(Self::Stored::ARTANH, s2)
+    }
+
     /// A stored single-precision constant, exactly.
-    fn of_f32(x: f32) -> Self;
+    #[inline(always)]
+    fn of_f32(x: f32) -> Self {
+        Self::stored(Self::Stored::widened(x))
+    }
+    /// Two numbers of a table.
+    #[inline(always)]
+    fn both_stored([first, second]: [Self::Stored; 2]) -> [Self; 2] {
+        [Self::stored(first), Self::stored(second)]
+    }
+}
+
+/// A plain floating-point number, `f32` or `f64`.
+pub trait Float: Plain<Stored = Self> + PartialOrd + Elementary + nalgebra::Scalar {
+    /// Even powers of `artanh(s)/s` for `s² ≤ 0.0403`.
+    const ARTANH: &'static [Self];
+    /// A single-precision number, exactly.
+    fn widened(x: f32) -> Self;
     /// The value in double precision, exactly.
     fn to_f64(self) -> f64;
     /// Neither infinite nor NaN.
@@ -29,8 +71,6 @@ pub trait Float: Real<Base = Self> + nalgebra::Scalar {
     fn cube_root(self) -> Self;
     /// Exponential function.
     fn exp(self) -> Self;
-    /// `ln(self/divisor)` of two positive normal numbers, to rounding, without a branch.
-    fn ln_quotient(self, divisor: Self) -> Self;
     /// Of one table in both precisions, that in this one; the other is not even linked.
     fn table<const N: usize, const P: usize>(
         single: &'static [[[f32; 2]; P]; N],
@@ -38,7 +78,7 @@ pub trait Float: Real<Base = Self> + nalgebra::Scalar {
     ) -> &'static [[[Self; 2]; P]; N];
 }
 
-/// What formulas without a decision need: one number, or two side by side in [`Real::Pair`].
+/// What formulas without a decision need: one number, or two side by side in [`Number::Pair`].
 ///
 /// `Base` is the plain number below a dual number or a pair, and a plain number itself; products and
 /// sums with it cost no derivatives.
@@ -55,7 +95,7 @@ pub trait Arithmetic:
     + 'static
 {
     /// The plain number: `f64` for `f64` and for dual numbers over `f64`.
-    type Base: Float;
+    type Base: Plain;
 
     /// A plain number; its derivatives are zero.
     fn from_base(x: Self::Base) -> Self;
@@ -68,7 +108,7 @@ pub trait Arithmetic:
     /// `1/√x` of numbers between 1e-30 and 1e30, to 1e-14 relative in double precision.
     #[inline(always)]
     fn inverse_roots<const N: usize>(numbers: [Self; N]) -> [Self; N] {
-        numbers.map(|x| Self::one() / x.sqrt())
+        Self::each(&numbers, |x| Self::one() / x.sqrt())
     }
     /// `1/√x` as pairs of plain numbers compute it on every machine, see `pairs`.
     #[inline(always)]
@@ -84,6 +124,15 @@ pub trait Arithmetic:
     /// `yes` where this number is positive, else `no`.
     fn choose(self, yes: Self, no: Self) -> Self;
 
+    /// `array.map(function)`; the compiler leaves no call of it behind, whatever a number is made of.
+    #[inline(always)]
+    fn each<A, const N: usize>(array: &[A; N], function: impl Fn(&A) -> Self) -> [Self; N] {
+        let mut mapped = [Self::zero(); N];
+        for (place, x) in mapped.iter_mut().zip(array) {
+            *place = function(x);
+        }
+        mapped
+    }
     /// A constant written in double precision.
     #[inline(always)]
     fn constant(x: f64) -> Self {
@@ -103,7 +152,7 @@ pub trait Arithmetic:
     /// numerators.
     #[inline(always)]
     fn tiny() -> Self {
-        Self::from_base(<Self::Base as Real>::TINY)
+        Self::from_base(<Self::Base as Number>::TINY)
     }
     /// Product with a literal.
     #[inline(always)]
@@ -122,16 +171,20 @@ pub trait Arithmetic:
     }
 }
 
-/// A number that the theory can be evaluated with. Comparisons look at the value only.
-pub trait Real: Arithmetic + PartialEq + PartialOrd {
+/// A number that formulas without a branch can be evaluated with.
+pub trait Number: Arithmetic {
     /// Two numbers side by side, in one register where the machine has such registers.
     type Pair: Pair<Self>;
 
     /// Whether there is more to it than a value.
     const HAS_DERIVATIVES: bool = false;
+    /// How many numbers stand side by side, each of another contact.
+    const LANES: usize = 1;
+    /// Largest finite number.
+    const LARGEST: Self::Base;
     /// Smallest positive normal number.
     const TINY: Self::Base;
-    /// Square root of [`Real::TINY`].
+    /// Square root of [`Number::TINY`].
     const ROOT_TINY: Self::Base;
     /// Parameters beyond this are indistinguishable from sliding; their squares are still finite.
     const HUGE: Self::Base;
@@ -145,18 +198,29 @@ pub trait Real: Arithmetic + PartialEq + PartialOrd {
         map: &impl Map<Self::Base, N, M>,
         inputs: [Self; N],
     ) -> [Self; M];
-    /// Inverse tangent.
-    fn atan(self) -> Self;
-    /// Natural logarithm of a positive number.
-    fn ln(self) -> Self;
-    /// Inverse hyperbolic sine.
-    fn asinh(self) -> Self;
+    /// Whether it is larger than another number; of several side by side, whether one of them is.
+    fn exceeds(self, other: Self) -> bool;
 
     /// The nearest number in `[low, high]`.
     #[inline(always)]
     fn clamped(self, low: Self, high: Self) -> Self {
         self.max(low).min(high)
     }
+}
+
+/// A number that the theory can be evaluated with. Comparisons look at the value only.
+pub trait Real: Number<Base: Float> + PartialEq + PartialOrd + Elementary {}
+
+impl<T: Number<Base: Float> + PartialEq + PartialOrd + Elementary> Real for T {}
+
+/// Functions that are not on the hot paths.
+pub trait Elementary {
+    /// Inverse tangent.
+    fn atan(self) -> Self;
+    /// Natural logarithm of a positive number.
+    fn ln(self) -> Self;
+    /// Inverse hyperbolic sine.
+    fn asinh(self) -> Self;
 }
 
 /// A differentiable map of plain numbers.
@@ -170,7 +234,7 @@ pub trait Map<F, const N: usize, const M: usize> {
 }
 
 /// Two numbers side by side.
-pub trait Pair<T: Real>: Arithmetic<Base = T::Base> {
+pub trait Pair<T: Number>: Arithmetic<Base = T::Base> {
     /// Put two numbers side by side.
     fn of(first: T, second: T) -> Self;
     /// Take them apart.
@@ -204,12 +268,10 @@ pub trait Pair<T: Real>: Arithmetic<Base = T::Base> {
 macro_rules! plain {
     ($float:ident, $pair:ty, $integer:ident, $mantissa:expr, $artanh:expr, |$single:ident, $double:ident| $table:expr, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $asinh:path, $cbrt:path, $exp:path, $inverse_root:path) => {
         impl Float for $float {
+            const ARTANH: &'static [Self] = &$artanh;
+
             #[inline(always)]
-            fn of(x: f64) -> Self {
-                x as $float
-            }
-            #[inline(always)]
-            fn of_f32(x: f32) -> Self {
+            fn widened(x: f32) -> Self {
                 $float::from(x)
             }
             #[inline(always)]
@@ -229,24 +291,40 @@ macro_rules! plain {
                 $exp(self)
             }
             #[inline(always)]
-            fn ln_quotient(self, divisor: Self) -> Self {
-                // self/divisor = 2^k m with m between 2^-0.59 and 2^0.59: the bits of a floating-point
-                // number, read as an integer, are its binary logarithm to 0.043
-                let (p, q) = (self.to_bits() as $integer, divisor.to_bits() as $integer);
-                let k = (p - q + (1 << ($mantissa - 1))) >> $mantissa;
-                let divisor = $float::from_bits((q + (k << $mantissa)) as _);
-                // ln m = 2 artanh((m − 1)/(m + 1))
-                let s = (self - divisor) / (self + divisor);
-                let s2 = s * s;
-                (k as $float) * core::$float::consts::LN_2 + (s + s) * even_polynomial(&$artanh, s2)
-            }
-            #[inline(always)]
             fn table<const N: usize, const P: usize>(
                 $single: &'static [[[f32; 2]; P]; N],
                 $double: &'static [[[f64; 2]; P]; N],
             ) -> &'static [[[Self; 2]; P]; N] {
                 let _ = ($single, $double);
                 $table
+            }
+        }
+
+        impl Plain for $float {
+            type Stored = $float;
+
+            #[inline(always)]
+            fn of(x: f64) -> Self {
+                x as $float
+            }
+            #[inline(always)]
+            fn stored(x: $float) -> Self {
+                x
+            }
+            #[inline(always)]
+            fn binary_quotient(self, divisor: Self) -> (Self, Self) {
+                // the bits of a floating-point number, read as an integer, are its binary logarithm to 0.043
+                let (p, q) = (self.to_bits() as $integer, divisor.to_bits() as $integer);
+                let k = (p - q + (1 << ($mantissa - 1))) >> $mantissa;
+                (k as $float, $float::from_bits((q + (k << $mantissa)) as _))
+            }
+            #[inline(always)]
+            fn lies_between(self, low: Self, high: Self) -> bool {
+                (self >= low) & (self <= high)
+            }
+            #[inline(always)]
+            fn is_positive(self) -> bool {
+                self > 0.0
             }
         }
 
@@ -291,8 +369,9 @@ macro_rules! plain {
             }
         }
 
-        impl Real for $float {
+        impl Number for $float {
             type Pair = $pair;
+            const LARGEST: $float = $float::MAX;
             const TINY: $float = $float::MIN_POSITIVE;
             const ROOT_TINY: $float = $root_tiny;
             const HUGE: $float = $huge;
@@ -309,6 +388,13 @@ macro_rules! plain {
             ) -> [Self; M] {
                 map.value(inputs).0
             }
+            #[inline(always)]
+            fn exceeds(self, other: Self) -> bool {
+                self > other
+            }
+        }
+
+        impl Elementary for $float {
             #[inline]
             fn atan(self) -> Self {
                 $atan(self)
@@ -340,12 +426,14 @@ const ARTANH_SINGLE: [f32; 4] = [1.0, 0.333_335_26, 0.199_761_59, 0.152_212_55];
 
 /// `Σ cᵢ zⁱ` of four or seven terms, in a tree of products that do not wait for each other.
 #[inline(always)]
-fn even_polynomial<F: Float>(c: &[F], z: F) -> F {
+fn even_polynomial<F: Plain>(c: &[F::Stored], z: F) -> F {
     let z2 = z * z;
-    let cubic = |p: F, q: F, r: F, s: F| (p + q * z) + (r + s * z) * z2;
+    let line = |p: F::Stored, q: F::Stored| F::stored(p) + F::stored(q) * z;
     match *c {
-        [p, q, r, s] => cubic(p, q, r, s),
-        [p, q, r, s, t, u, v] => cubic(p, q, r, s) + ((t + u * z) + v * z2) * (z2 * z2),
+        [p, q, r, s] => line(p, q) + line(r, s) * z2,
+        [p, q, r, s, t, u, v] => {
+            (line(p, q) + line(r, s) * z2) + (line(t, u) + F::stored(v) * z2) * (z2 * z2)
+        }
         _ => F::zero(),
     }
 }

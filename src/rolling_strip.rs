@@ -45,7 +45,7 @@ use self::constants::{HIDDEN, HIDDEN_OFFSET, OUTPUT, OUTPUT_OFFSET, ROUNDING};
 use crate::coefficients::LinearCoefficients;
 use crate::dual::Dual;
 use crate::real::pairs::Two;
-use crate::real::{Arithmetic, Float, Pair, Real};
+use crate::real::{Arithmetic, Float, Number, Pair, Plain, Real};
 use core::f64::consts::PI;
 
 /// Steps of the march along a strip.
@@ -83,17 +83,37 @@ pub struct Step<F> {
 }
 
 /// Constants in the precision of the caller, so that single-precision firmware carries no others.
-pub trait Marched: Float {
+pub trait Marched: Plain {
     /// The steps from the leading edge on.
-    const STEPS: [Step<Self>; STEPS];
+    const STEPS: [Step<Self::Stored>; STEPS];
     /// First layer of the fitted network.
-    const HIDDEN: [[[Self; 2]; UNITS / 2]; FEATURES];
+    const HIDDEN: [[[Self::Stored; 2]; UNITS / 2]; FEATURES];
     /// Offsets of its units.
-    const HIDDEN_OFFSET: [[Self; 2]; UNITS / 2];
+    const HIDDEN_OFFSET: [[Self::Stored; 2]; UNITS / 2];
     /// Second layer.
-    const OUTPUT: [[[Self; 2]; CORRECTIONS / 2]; UNITS];
+    const OUTPUT: [[[Self::Stored; 2]; CORRECTIONS / 2]; UNITS];
     /// Offsets of the corrections.
-    const OUTPUT_OFFSET: [[Self; 2]; CORRECTIONS / 2];
+    const OUTPUT_OFFSET: [[Self::Stored; 2]; CORRECTIONS / 2];
+}
+
+/// What tables for a kind of number are stored in.
+type Stored<T> = <<T as Arithmetic>::Base as Plain>::Stored;
+
+impl<F: Float> Step<F> {
+    /// The same for the contacts of a number that may stand for several.
+    #[inline(always)]
+    fn of<T: Plain<Stored = F>>(&self) -> Step<T> {
+        let Self { x, length, square, turn, bound, inverse, inverse_square } = *self;
+        Step {
+            x: T::stored(x),
+            length: T::stored(length),
+            square: T::stored(square),
+            turn: T::stored(turn),
+            bound: T::stored(bound),
+            inverse: T::stored(inverse),
+            inverse_square: T::stored(inverse_square),
+        }
+    }
 }
 
 macro_rules! marched {
@@ -166,6 +186,26 @@ const COSINES: [f64; STEPS.div_ceil(2)] =
 marched!(f64);
 marched!(f32);
 
+/// Of several contacts side by side: the tables of one.
+#[cfg(target_arch = "x86_64")]
+macro_rules! side_by_side {
+    ($lanes:ident, $float:ident) => {
+        impl Marched for crate::real::lanes::$lanes {
+            const STEPS: [Step<$float>; STEPS] = <$float as Marched>::STEPS;
+            const HIDDEN: [[[$float; 2]; UNITS / 2]; FEATURES] = <$float as Marched>::HIDDEN;
+            const HIDDEN_OFFSET: [[$float; 2]; UNITS / 2] = <$float as Marched>::HIDDEN_OFFSET;
+            const OUTPUT: [[[$float; 2]; CORRECTIONS / 2]; UNITS] = <$float as Marched>::OUTPUT;
+            const OUTPUT_OFFSET: [[$float; 2]; CORRECTIONS / 2] =
+                <$float as Marched>::OUTPUT_OFFSET;
+        }
+    };
+}
+
+#[cfg(target_arch = "x86_64")]
+side_by_side!(F64x4, f64);
+#[cfg(target_arch = "x86_64")]
+side_by_side!(F32x8, f32);
+
 /// The strips of a `Rule`, whatever their number: one piece of code serves every count.
 #[derive(Clone, Copy, Debug)]
 pub struct Strips<'a, F> {
@@ -212,9 +252,12 @@ impl<'a, F: Copy> Strips<'a, F> {
 }
 
 impl<F: Copy> Strips<'_, F> {
-    /// Those with `Y > 0`.
+    /// Those with `Y > 0` if they are enough.
     #[inline(always)]
-    fn upper_half(&self) -> Self {
+    fn half(&self, symmetry: Symmetry) -> Self {
+        if symmetry == Symmetry::None {
+            return *self;
+        }
         Self {
             y: upper_half(self.y),
             inverse: upper_half(self.inverse),
@@ -237,6 +280,23 @@ enum Symmetry {
     Same,
     /// The same but for the sign of `f_x`.
     Opposite,
+}
+
+impl Symmetry {
+    /// Without slope the strips at `Y` and `−Y` carry the same forces; without longitudinal creepage `f_x` has the
+    /// opposite sign. (Worth it, and done, from eight strips on.)
+    #[inline(always)]
+    fn of<F: Float>(slope: F, longitudinal: F, strips: usize) -> Self {
+        if strips < 8 {
+            Self::None
+        } else if slope == F::zero() {
+            Self::Same
+        } else if longitudinal == F::zero() {
+            Self::Opposite
+        } else {
+            Self::None
+        }
+    }
 }
 
 #[inline(always)]
@@ -328,7 +388,7 @@ pub struct StripTraction<T> {
 
 /// The strips of one contact under given creepages.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RollingStrips<T: Real> {
+pub struct RollingStrips<T: Number> {
     /// `a_x`: longitudinal creepage in the middle strip.
     pub longitudinal: T,
     /// `a_y`: lateral creepage.
@@ -361,21 +421,19 @@ where
         linear: &LinearCoefficients<T::Base>,
         creepage: [T; 3],
     ) -> Self {
+        if !T::HAS_DERIVATIVES {
+            return Self::without_derivatives(axis_ratio, poisson_ratio, linear, creepage);
+        }
         let creepage = within_range(creepage);
-        let root =
-            axis_ratio.clamped(T::Base::of(1.0 / RATIO_LIMIT), T::Base::of(RATIO_LIMIT)).sqrt();
+        let root = limited_root(axis_ratio);
+        // differentiated by the three creepages, then by whatever these depend on
+        let values = creepage.map(T::value);
+        let [vx, vy, phi] = values;
+        let inputs = [Dual::input(vx, 0), Dual::input(vy, 1), Dual::input(phi, 2)];
         let contact = (root, poisson_ratio, linear);
-        let found = if T::HAS_DERIVATIVES {
-            // differentiated by the three creepages, then by whatever these depend on
-            let values = creepage.map(T::value);
-            let [vx, vy, phi] = values;
-            let inputs = [Dual::input(vx, 0), Dual::input(vy, 1), Dual::input(phi, 2)];
-            parameters::<Dual<T::Base, 3>>(contact, inputs, network_slopes)
-                .map(|x| follow(x.value, &x.gradient, &creepage))
-        } else {
-            parameters(contact, creepage, network)
-        };
-        let [longitudinal, lateral, slope, profile, spin] = found;
+        let [longitudinal, lateral, slope, profile, spin] =
+            parameters::<_, WithSlopes>(contact, inputs)
+                .map(|x| follow(x.value, &x.gradient, &creepage));
         Self { longitudinal, lateral, slope, profile, spin, creepage, root }
     }
 
@@ -413,95 +471,12 @@ where
     #[inline(never)]
     pub(crate) fn each(&self, strips: &Strips<T::Base>, take: &mut dyn FnMut(usize, [T; 4])) {
         for (first, group) in strips.groups::<4>() {
-            self.four::<true>(&group, |i, found| {
+            self.four::<true>(&group, &mut |i, found: [T::Pair; 4]| {
                 let [a, b] = [T::Pair::parts(found[0]), T::Pair::parts(found[1])];
                 let [c, d] = [T::Pair::parts(found[2]), T::Pair::parts(found[3])];
                 take(first + i, [a.0, b.0, c.0, d.0]);
                 take(first + i + 1, [a.1, b.1, c.1, d.1]);
             });
-        }
-    }
-
-    /// Whether registers hold pairs: two doubles make one. Single-precision numbers are left to the
-    /// compiler, four strips at a time.
-    const PAIRED: bool = size_of::<T::Base>() >= 8;
-
-    /// A group of strips; `take` is given the number in the group of a pair's first strip, and
-    /// `fx, fy, mx, stick` of the pair.
-    #[inline(always)]
-    fn group<const STICK: bool, const H: usize>(
-        &self,
-        strips: &Strips<T::Base>,
-        take: impl FnMut(usize, [T::Pair; 4]),
-    ) {
-        if H == 0 {
-            self.four::<STICK>(strips, take);
-        } else {
-            self.pairs::<H, STICK>(strips, take);
-        }
-    }
-
-    /// What `2 H` strips of a group see of the creepages, from strip `first` on: `A_x` and `A_y`.
-    #[inline(always)]
-    fn seen<const H: usize>(
-        &self,
-        strips: &Strips<T::Base>,
-        first: usize,
-    ) -> ([T::Pair; H], [T::Pair; H]) {
-        // creepages scaled so that the quadrature gives the linear forces exactly
-        let longitudinal = T::Pair::both(self.longitudinal.scale(strips.stretch));
-        let lateral = T::Pair::both(self.lateral.scale(strips.stretch));
-        let slope = T::Pair::both(self.slope.scale(strips.lever));
-        let profile = T::Pair::both(self.profile);
-        let (mut ax, mut ay) = ([T::Pair::zero(); H], [T::Pair::zero(); H]);
-        let places = pairs_of::<T>(strips.y, first)
-            .zip(pairs_of::<T>(strips.bend, first))
-            .zip(pairs_of::<T>(strips.inverse, first));
-        for ((ax, ay), ((y, bend), inverse)) in ax.iter_mut().zip(&mut ay).zip(places) {
-            *ax = (longitudinal - slope * (profile * bend + y)) * inverse;
-            *ay = lateral * inverse;
-        }
-        (ax, ay)
-    }
-
-    /// Four strips side by side.
-    #[inline(always)]
-    fn four<const STICK: bool>(
-        &self,
-        strips: &Strips<T::Base>,
-        mut take: impl FnMut(usize, [T::Pair; 4]),
-    ) {
-        let apart = |pairs: [T::Pair; 2]| {
-            let [(a, b), (c, d)] = pairs.map(T::Pair::parts);
-            [a, b, c, d]
-        };
-        let (ax, ay) = self.seen::<2>(strips, 0);
-        let found = march::<T, 4, STICK>(&apart(ax), &apart(ay), Uniform(self.spin));
-        let StripForces { fx, fy, mx, stick } = found;
-        let [a, b, c, d] = [fx, fy, mx, stick].map(|[a, b, ..]| T::Pair::of(a, b));
-        take(0, [a, b, c, d]);
-        let [a, b, c, d] = [fx, fy, mx, stick].map(|[.., a, b]| T::Pair::of(a, b));
-        take(2, [a, b, c, d]);
-    }
-
-    /// `4 H` strips in pairs.
-    #[inline(always)]
-    fn pairs<const H: usize, const STICK: bool>(
-        &self,
-        strips: &Strips<T::Base>,
-        mut take: impl FnMut(usize, [T::Pair; 4]),
-    ) {
-        let (ax, ay) = self.seen::<H>(strips, 0);
-        let (bx, by) = self.seen::<H>(strips, 2 * H);
-        let (ax, ay) = ([ax, bx], [ay, by]);
-        let found = march_two::<_, H, STICK>(&ax, &ay, Uniform(T::Pair::both(self.spin)));
-        let mut i = 0;
-        for found in &found {
-            let forces = found.fx.iter().zip(&found.fy).zip(&found.mx).zip(&found.stick);
-            for (((fx, fy), mx), stick) in forces {
-                take(i, [*fx, *fy, *mx, *stick]);
-                i += 2;
-            }
         }
     }
 
@@ -528,67 +503,38 @@ where
         }
     }
 
-    /// The same, whatever the number of strips.
-    ///
-    /// Without slope the strips at `Y` and `−Y` carry the same forces; without longitudinal creepage `f_x` has
-    /// the opposite sign. Then only one half is marched: the same numbers to rounding.
+    /// The same, whatever the number of strips. Where they are symmetric only one half is marched: the same numbers
+    /// to rounding.
     #[inline(always)]
     fn sum<const STICK: bool, const MOMENT: bool>(
         &self,
         strips: &Strips<T::Base>,
     ) -> StripTotals<T> {
-        let same = self.slope.value() == T::Base::zero();
-        let opposite = self.longitudinal.value() == T::Base::zero();
         // (derivatives need not have the symmetry)
-        let symmetric = !T::HAS_DERIVATIVES && (same || opposite);
-        let (half, symmetry) = if strips.y.len() >= 8 && symmetric {
-            (strips.upper_half(), if same { Symmetry::Same } else { Symmetry::Opposite })
+        let symmetry = if T::HAS_DERIVATIVES {
+            Symmetry::None
         } else {
-            (*strips, Symmetry::None)
+            Symmetry::of(self.slope.value(), self.longitudinal.value(), strips.y.len())
         };
+        let half = strips.half(symmetry);
         if !Self::PAIRED {
-            return self.sum_of_groups::<STICK, MOMENT, 4, 0>(&half, symmetry);
+            return self.sum_apart::<STICK, MOMENT, 4, 0>(&half, symmetry);
         }
         match half.y.len() {
-            4 => self.sum_of_groups::<STICK, MOMENT, 4, 1>(&half, symmetry),
-            8 => self.sum_of_groups::<STICK, MOMENT, 8, 2>(&half, symmetry),
-            _ => self.sum_of_groups::<STICK, MOMENT, 16, 4>(&half, symmetry),
+            4 => self.sum_apart::<STICK, MOMENT, 4, 1>(&half, symmetry),
+            8 => self.sum_apart::<STICK, MOMENT, 8, 2>(&half, symmetry),
+            _ => self.sum_apart::<STICK, MOMENT, 16, 4>(&half, symmetry),
         }
     }
 
-    /// Groups of `G` strips: twice `H` pairs, or with `H = 0` four numbers side by side.
+    /// (One piece of code for each size of groups.)
     #[inline(never)]
-    fn sum_of_groups<const STICK: bool, const MOMENT: bool, const G: usize, const H: usize>(
+    fn sum_apart<const STICK: bool, const MOMENT: bool, const G: usize, const H: usize>(
         &self,
         strips: &Strips<T::Base>,
         symmetry: Symmetry,
     ) -> StripTotals<T> {
-        let zero = T::Pair::zero();
-        let (mut fx, mut fy, mut by_y, mut by_x, mut stick) = (zero, zero, zero, zero, zero);
-        for (_, group) in strips.groups::<G>() {
-            self.group::<STICK, H>(&group, |i, [x, y, m, share]| {
-                let weight = |table: &[T::Base]| pairs_of::<T>(table, i).next().unwrap_or(zero);
-                let load = weight(group.load);
-                fx += x * load;
-                fy += y * load;
-                if MOMENT {
-                    by_y += x * weight(group.moment_y);
-                    by_x += m * weight(group.moment_x);
-                }
-                if STICK {
-                    stick += share * weight(group.area);
-                }
-            });
-        }
-        if symmetry != Symmetry::None {
-            for sum in [&mut fx, &mut fy, &mut by_y, &mut by_x, &mut stick] {
-                *sum += *sum;
-            }
-            if symmetry == Symmetry::Same { by_y = zero } else { fx = zero }
-        }
-        // Mz = ∫ (x Y − y X): lever arms √(a/b) C x̂ and √(b/a) Y
-        let mz = by_x.sum().scale(self.root) - by_y.sum().scale(T::Base::one() / self.root);
-        StripTotals { fx: fx.sum(), fy: fy.sum(), mz, stick: stick.sum() }
+        self.sum_of_groups::<STICK, MOMENT, G, H>(strips, symmetry)
     }
 
     /// The same where derivatives are wanted: the march is differentiated by what the strips see, and that
@@ -604,7 +550,7 @@ where
             creepage: self.creepage.map(T::value),
             root: self.root,
         };
-        let mut sums = SlopeSums::<<T::Base as Real>::Pair>::start();
+        let mut sums = SlopeSums::<<T::Base as Number>::Pair>::start();
         if !Self::PAIRED || strips.y.len() == 4 {
             for (_, group) in strips.groups::<4>() {
                 plain.slopes::<2, STICK>(&group, &mut sums);
@@ -695,7 +641,218 @@ where
     }
 }
 
-impl<F: Marched> RollingStrips<F> {
+impl<T: Number> RollingStrips<T>
+where
+    T::Base: Marched,
+{
+    /// [`RollingStrips::new`] for numbers without derivatives.
+    #[inline(always)]
+    pub(crate) fn without_derivatives(
+        axis_ratio: T::Base,
+        poisson_ratio: T::Base,
+        linear: &LinearCoefficients<T::Base>,
+        creepage: [T; 3],
+    ) -> Self {
+        let creepage = within_range(creepage);
+        let root = limited_root(axis_ratio);
+        let [longitudinal, lateral, slope, profile, spin] =
+            parameters::<T, Forward>((root, poisson_ratio, linear), creepage);
+        Self { longitudinal, lateral, slope, profile, spin, creepage, root }
+    }
+
+    /// Whether registers hold pairs: two doubles make one. Single-precision numbers are left to the
+    /// compiler, four strips at a time.
+    const PAIRED: bool = size_of::<Stored<T>>() >= 8;
+
+    /// A group of strips; `take` is given the number in the group of a pair's first strip, and
+    /// `fx, fy, mx, stick` of the pair.
+    #[inline(always)]
+    fn group<const STICK: bool, const H: usize>(
+        &self,
+        strips: &Strips<Stored<T>>,
+        take: &mut impl Take<T::Pair>,
+    ) {
+        if H == 0 {
+            self.four::<STICK>(strips, take);
+        } else {
+            self.pairs::<H, STICK>(strips, take);
+        }
+    }
+
+    /// What `2 H` strips of a group see of the creepages, from strip `first` on: `A_x` and `A_y`.
+    #[inline(always)]
+    fn seen<const H: usize>(
+        &self,
+        strips: &Strips<Stored<T>>,
+        first: usize,
+    ) -> ([T::Pair; H], [T::Pair; H]) {
+        // creepages scaled so that the quadrature gives the linear forces exactly
+        let longitudinal = T::Pair::both(self.longitudinal.scale(T::Base::stored(strips.stretch)));
+        let lateral = T::Pair::both(self.lateral.scale(T::Base::stored(strips.stretch)));
+        let slope = T::Pair::both(self.slope.scale(T::Base::stored(strips.lever)));
+        let profile = T::Pair::both(self.profile);
+        let (mut ax, mut ay) = ([T::Pair::zero(); H], [T::Pair::zero(); H]);
+        let places = pairs_of::<T>(strips.y, first)
+            .zip(pairs_of::<T>(strips.bend, first))
+            .zip(pairs_of::<T>(strips.inverse, first));
+        for ((ax, ay), ((y, bend), inverse)) in ax.iter_mut().zip(&mut ay).zip(places) {
+            *ax = (longitudinal - slope * (profile * bend + y)) * inverse;
+            *ay = lateral * inverse;
+        }
+        (ax, ay)
+    }
+
+    /// Four strips side by side.
+    #[inline(always)]
+    fn four<const STICK: bool>(&self, strips: &Strips<Stored<T>>, take: &mut impl Take<T::Pair>) {
+        let apart = |[first, second]: [T::Pair; 2]| {
+            let ((a, b), (c, d)) = (first.parts(), second.parts());
+            [a, b, c, d]
+        };
+        let (ax, ay) = self.seen::<2>(strips, 0);
+        let found = march::<T, 4, STICK>(&apart(ax), &apart(ay), Uniform(self.spin));
+        let StripForces { fx, fy, mx, stick } = found;
+        let found = [fx, fy, mx, stick];
+        take.take(0, T::Pair::each(&found, |[a, b, ..]| T::Pair::of(*a, *b)));
+        take.take(2, T::Pair::each(&found, |[.., a, b]| T::Pair::of(*a, *b)));
+    }
+
+    /// `4 H` strips in pairs.
+    #[inline(always)]
+    fn pairs<const H: usize, const STICK: bool>(
+        &self,
+        strips: &Strips<Stored<T>>,
+        take: &mut impl Take<T::Pair>,
+    ) {
+        let (ax, ay) = self.seen::<H>(strips, 0);
+        let (bx, by) = self.seen::<H>(strips, 2 * H);
+        let (ax, ay) = ([ax, bx], [ay, by]);
+        let found = march_two::<_, H, STICK>(&ax, &ay, Uniform(T::Pair::both(self.spin)));
+        let mut i = 0;
+        for found in &found {
+            let forces = found.fx.iter().zip(&found.fy).zip(&found.mx).zip(&found.stick);
+            for (((fx, fy), mx), stick) in forces {
+                take.take(i, [*fx, *fy, *mx, *stick]);
+                i += 2;
+            }
+        }
+    }
+
+    /// Groups of `G` strips: twice `H` pairs, or with `H = 0` four numbers side by side.
+    #[inline(always)]
+    fn sum_of_groups<const STICK: bool, const MOMENT: bool, const G: usize, const H: usize>(
+        &self,
+        strips: &Strips<Stored<T>>,
+        symmetry: Symmetry,
+    ) -> StripTotals<T> {
+        let zero = T::Pair::zero();
+        let mut sums = Sums::<T, STICK, MOMENT> { group: *strips, sums: [zero; 5] };
+        for (_, group) in strips.groups::<G>() {
+            sums.group = group;
+            self.group::<STICK, H>(&group, &mut sums);
+        }
+        let [mut fx, mut fy, mut by_y, mut by_x, mut stick] = sums.sums;
+        if symmetry != Symmetry::None {
+            for sum in [&mut fx, &mut fy, &mut by_y, &mut by_x, &mut stick] {
+                *sum += *sum;
+            }
+            if symmetry == Symmetry::Same { by_y = zero } else { fx = zero }
+        }
+        // Mz = ∫ (x Y − y X): lever arms √(a/b) C x̂ and √(b/a) Y
+        let mz = by_x.sum().scale(self.root) - by_y.sum().scale(T::Base::one() / self.root);
+        StripTotals { fx: fx.sum(), fy: fy.sum(), mz, stick: stick.sum() }
+    }
+}
+
+/// Who is given what pairs of strips carry: the number in the group of a pair's first strip, and `fx, fy, mx, stick` of
+/// the pair.
+trait Take<P> {
+    fn take(&mut self, i: usize, found: [P; 4]);
+}
+
+impl<P, C: FnMut(usize, [P; 4])> Take<P> for C {
+    #[inline(always)]
+    fn take(&mut self, i: usize, found: [P; 4]) {
+        self(i, found);
+    }
+}
+
+/// Adds the strips of a group up: `f_x`, `f_y`, the lever arms' `Y f_x` and `C m_x`, the share in adhesion.
+struct Sums<'a, T: Number, const STICK: bool, const MOMENT: bool> {
+    group: Strips<'a, Stored<T>>,
+    sums: [T::Pair; 5],
+}
+
+impl<T: Number, const STICK: bool, const MOMENT: bool> Sums<'_, T, STICK, MOMENT> {
+    #[inline(always)]
+    fn weight(table: &[Stored<T>], i: usize) -> T::Pair {
+        match pairs_of::<T>(table, i).next() {
+            Some(pair) => pair,
+            None => T::Pair::zero(),
+        }
+    }
+}
+
+impl<T: Number, const STICK: bool, const MOMENT: bool> Take<T::Pair>
+    for Sums<'_, T, STICK, MOMENT>
+{
+    #[inline(always)]
+    fn take(&mut self, i: usize, [x, y, m, share]: [T::Pair; 4]) {
+        let [fx, fy, by_y, by_x, stick] = &mut self.sums;
+        let load = Self::weight(self.group.load, i);
+        *fx += x * load;
+        *fy += y * load;
+        if MOMENT {
+            *by_y += x * Self::weight(self.group.moment_y, i);
+            *by_x += m * Self::weight(self.group.moment_x, i);
+        }
+        if STICK {
+            *stick += share * Self::weight(self.group.area, i);
+        }
+    }
+}
+
+/// Contacts side by side.
+#[cfg(target_arch = "x86_64")]
+impl<L: Marched> RollingStrips<L> {
+    /// Totals as [`RollingStrips::totals`] has them, bit for bit; `None` when the contacts are not of one symmetry.
+    #[inline(always)]
+    pub(crate) fn totals_side_by_side<const N: usize>(
+        &self,
+        strips: &Strips<L::Stored>,
+    ) -> Option<StripTotals<L>>
+    where
+        L: crate::real::lanes::Lanes<N>,
+    {
+        let mut kinds = self
+            .slope
+            .array()
+            .into_iter()
+            .zip(self.longitudinal.array())
+            .map(|(slope, longitudinal)| Symmetry::of(slope, longitudinal, strips.y.len()));
+        let symmetry = kinds.next()?;
+        if !kinds.all(|kind| kind == symmetry) {
+            return None;
+        }
+        let half = strips.half(symmetry);
+        // (inverse roots of one pair and of many are computed differently, see `Two`)
+        Some(if !Self::PAIRED {
+            self.sum_of_groups::<true, true, 4, 0>(&half, symmetry)
+        } else if half.y.len() == 4 {
+            self.sum_of_groups::<true, true, 4, 1>(&half, symmetry)
+        } else {
+            self.sum_of_groups::<true, true, 8, 2>(&half, symmetry)
+        })
+    }
+}
+
+/// `√(a/b)` within the limits of the model.
+#[inline(always)]
+fn limited_root<F: Plain>(axis_ratio: F) -> F {
+    axis_ratio.clamped(F::of(1.0 / RATIO_LIMIT), F::of(RATIO_LIMIT)).sqrt()
+}
+
+impl<F: Float + Marched> RollingStrips<F> {
     /// Adds a group of `2 H` strips to the sums, with their derivatives.
     #[inline(always)]
     fn slopes<const H: usize, const STICK: bool>(
@@ -909,10 +1066,9 @@ fn squashed_slope<T: Arithmetic>(s: T) -> (T, T) {
 
 /// `a_x, a_y, ρ, ε, σ` from `√(a/b)`, `ν`, the linear coefficients and the creepages.
 #[inline(always)]
-fn parameters<T: Real>(
+fn parameters<T: Number, C: Corrections<T>>(
     (root, poisson_ratio, linear): (T::Base, T::Base, &LinearCoefficients<T::Base>),
     [vx, vy, phi]: [T; 3],
-    network: impl Fn(&[T; FEATURES]) -> [T::Pair; CORRECTIONS / 2],
 ) -> [T; 5] {
     const K: f64 = 8.0 / (3.0 * PI);
     let one = T::one();
@@ -955,7 +1111,7 @@ fn parameters<T: Real>(
         less(by_more, 4.0),
         less(by_q, 2.0),
     ];
-    let [a, b, c, d] = network(&features);
+    let [a, b, c, d] = C::of(&features);
     let ((o_slope, o_spin), (o_share, spin_share)) = (b.parts(), c.parts());
     let (lateral_share, o_profile) = d.parts();
 
@@ -1016,6 +1172,8 @@ pub trait PerStrip<T>: Copy {
     fn of(&self, i: usize) -> T;
     /// A function of the numbers.
     fn mapped(&self, function: impl Fn(T) -> T) -> Self::Mapped;
+    /// `s/(1 + s⁴)^{1/4}` of the numbers.
+    fn squashed(&self) -> Self::Mapped;
 }
 
 /// One number for all strips, as the spin on a Hertz ellipse.
@@ -1032,6 +1190,10 @@ impl<T: Arithmetic> PerStrip<T> for Uniform<T> {
     fn mapped(&self, function: impl Fn(T) -> T) -> Self {
         Self(function(self.0))
     }
+    #[inline(always)]
+    fn squashed(&self) -> Self {
+        Self(squashed(self.0))
+    }
 }
 
 impl<T: Arithmetic, const N: usize> PerStrip<T> for [T; N] {
@@ -1042,7 +1204,11 @@ impl<T: Arithmetic, const N: usize> PerStrip<T> for [T; N] {
     }
     #[inline(always)]
     fn mapped(&self, function: impl Fn(T) -> T) -> Self {
-        self.map(function)
+        T::each(self, |x| function(*x))
+    }
+    #[inline(always)]
+    fn squashed(&self) -> Self {
+        T::each(self, |x| squashed(*x))
     }
 }
 
@@ -1057,9 +1223,10 @@ pub fn march<T: Arithmetic, const N: usize, const STICK: bool>(
 where
     T::Base: Marched,
 {
-    let bias = spin.mapped(squashed);
+    let bias = spin.squashed();
     let mut strips = Together::start(ax, ay);
     for step in &T::Base::STEPS {
+        let step = &step.of::<T::Base>();
         let spin = Turn::new(&spin, &bias, step);
         strips.offer(&spin, step);
         strips.cut();
@@ -1082,12 +1249,13 @@ fn march_two<T: Arithmetic, const N: usize, const STICK: bool>(
 where
     T::Base: Marched,
 {
-    let bias = spin.mapped(squashed);
+    let bias = spin.squashed();
     let [ax, bx] = ax;
     let [ay, by] = ay;
     let mut a = Together::start(ax, ay);
     let mut b = Together::start(bx, by);
     for step in &T::Base::STEPS {
+        let step = &step.of::<T::Base>();
         let spin = Turn::new(&spin, &bias, step);
         a.offer(&spin, step);
         a.cut();
@@ -1229,13 +1397,14 @@ where
     #[inline(always)]
     fn end<const STICK: bool>(mut self, bias: &impl PerStrip<T>) -> StripForces<T, N> {
         if STICK {
-            let before = T::Base::STEPS[STEPS - 1].x;
+            let before = T::Base::stored(T::Base::STEPS[STEPS - 1].x);
             for (stick, last) in self.stick.iter_mut().zip(&self.last) {
                 *stick += last.scale(before.plus(1.0).times(0.5));
             }
         }
-        let [fx, mut fy, mx] =
-            [self.fx, self.fy, self.mx].map(|force| force.map(|x| x.times(WEIGHT)));
+        let fx = T::each(&self.fx, |x| x.times(WEIGHT));
+        let mut fy = T::each(&self.fy, |x| x.times(WEIGHT));
+        let mx = T::each(&self.mx, |x| x.times(WEIGHT));
         // Σ B = STEPS/2, Σ B x̂ = 0
         for (i, fy) in fy.iter_mut().enumerate() {
             *fy += bias.of(i);
@@ -1316,25 +1485,53 @@ fn positive<T: Arithmetic>(o: T) -> T {
     o + o.squared().plus(1.0).sqrt()
 }
 
-/// The corrections: one layer of units `h/√(1 + h²)`, in pairs.
-#[inline(always)]
-fn network<T: Real>(features: &[T; FEATURES]) -> [T::Pair; CORRECTIONS / 2]
+/// How the corrections are found from the features.
+trait Corrections<T: Number> {
+    fn of(features: &[T; FEATURES]) -> [T::Pair; CORRECTIONS / 2];
+}
+
+/// The network in the numbers of the features.
+struct Forward;
+/// The network with its derivatives.
+struct WithSlopes;
+
+impl<T: Number> Corrections<T> for Forward
 where
     T::Base: Marched,
 {
-    let mut hidden = T::Base::HIDDEN_OFFSET.map(pair_of::<T>);
+    #[inline(always)]
+    fn of(features: &[T; FEATURES]) -> [T::Pair; CORRECTIONS / 2] {
+        network::<T>(features)
+    }
+}
+
+impl<F: Float + Marched> Corrections<Dual<F, 3>> for WithSlopes {
+    #[inline(always)]
+    fn of(features: &[Dual<F, 3>; FEATURES]) -> [Two<Dual<F, 3>>; CORRECTIONS / 2] {
+        network_slopes(features)
+    }
+}
+
+/// The corrections: one layer of units `h/√(1 + h²)`, in pairs.
+#[inline(always)]
+fn network<T: Number>(features: &[T; FEATURES]) -> [T::Pair; CORRECTIONS / 2]
+where
+    T::Base: Marched,
+{
+    let mut hidden = T::Pair::each(&T::Base::HIDDEN_OFFSET, |two| pair_of::<T>(*two));
     for (feature, row) in features.iter().zip(&T::Base::HIDDEN) {
         let feature = T::Pair::both(*feature);
         for (sum, weights) in hidden.iter_mut().zip(row) {
             *sum += feature * pair_of::<T>(*weights);
         }
     }
-    let roots = T::Pair::inverse_roots(hidden.map(|h| h.squared().plus(1.0)));
+    let squares = T::Pair::each(&hidden, |h| h.squared().plus(1.0));
+    let roots = T::Pair::inverse_roots(squares);
     for (h, root) in hidden.iter_mut().zip(roots) {
         *h = *h * root;
     }
     // two chains of additions
-    let mut corrections = T::Base::OUTPUT_OFFSET.map(pair_of::<T>);
+    let mut corrections = T::Pair::each(&T::Base::OUTPUT_OFFSET, |two| pair_of::<T>(*two));
     let mut others = [T::Pair::zero(); CORRECTIONS / 2];
     let table = &<T::Base as Marched>::OUTPUT;
     let (rows, _) = table.as_chunks::<2>();
@@ -1357,7 +1554,7 @@ where
 /// The corrections with their derivatives by the three creepages: the weights meet value and slopes
 /// together, and the roots are shared.
 #[inline(always)]
-fn network_slopes<F: Marched>(
+fn network_slopes<F: Float + Marched>(
     features: &[Dual<F, 3>; FEATURES],
 ) -> [Two<Dual<F, 3>>; CORRECTIONS / 2] {
     let none = [F::Pair::zero(); 3];
@@ -1422,24 +1619,24 @@ fn network_slopes<F: Marched>(
 
 /// A table in pairs, from number `first` on.
 #[inline(always)]
-fn pairs_of<T: Real>(table: &[T::Base], first: usize) -> impl Iterator<Item = T::Pair> {
+fn pairs_of<T: Number>(table: &[Stored<T>], first: usize) -> impl Iterator<Item = T::Pair> {
     let (pairs, _) = table.as_chunks::<2>();
     pairs.iter().skip(first / 2).map(|pair| pair_of::<T>(*pair))
 }
 
 /// Two plain numbers side by side.
 #[inline(always)]
-fn pair_of<T: Real>([first, second]: [T::Base; 2]) -> T::Pair {
-    T::Pair::of(T::from_base(first), T::from_base(second))
+fn pair_of<T: Number>(two: [Stored<T>; 2]) -> T::Pair {
+    T::Pair::plain(T::Base::both_stored(two))
 }
 
 /// The creepages, scaled down together where their fourth powers would overflow.
 #[inline(always)]
-fn within_range<T: Real>([vx, vy, phi]: [T; 3]) -> [T; 3] {
+fn within_range<T: Number>([vx, vy, phi]: [T; 3]) -> [T; 3] {
     let limit = T::Base::of(CREEPAGE_LIMIT);
     let size = vx.value().abs().max(vy.value().abs()).max(phi.value().abs());
-    if size > limit {
-        let factor = limit / size;
+    if size.exceeds(limit) {
+        let factor = (size - limit).choose(limit / size, T::Base::one());
         [vx.scale(factor), vy.scale(factor), phi.scale(factor)]
     } else {
         [vx, vy, phi]

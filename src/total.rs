@@ -25,7 +25,7 @@ mod constants;
 
 use self::constants::{FIRST, FIXED, LAST, LAST_BIAS, SECOND};
 use crate::coefficients::{LinearCoefficients, widen};
-use crate::real::{Arithmetic, Float, Map, Pair, Real};
+use crate::real::{Arithmetic, Float, Map, Number, Pair, Plain};
 
 /// Forces of a whole contact, dimensionless, on the lower body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -77,7 +77,7 @@ const SATURATION: [f64; 6] = [
 /// `axis_ratio` is `a/b`, `linear` the coefficients for it. Fitted for `a/b` 0.1 to 10, `ν` 0 to 1/2 and
 /// `|ψ| = (π/3) √(a/b) |φ| ≤ 3`; beyond that finite, bounded and with the right limits, but not accurate.
 #[must_use]
-pub fn total<T: Real>(
+pub fn total<T: Number>(
     axis_ratio: T::Base,
     poisson_ratio: T::Base,
     linear: &LinearCoefficients<T::Base>,
@@ -88,7 +88,7 @@ pub fn total<T: Real>(
 
 /// [`total`] without the moment, which is zero then: the compiler leaves out what leads to it.
 #[inline(always)]
-pub(crate) fn wanted_total<T: Real, const MOMENT: bool>(
+pub(crate) fn wanted_total<T: Number, const MOMENT: bool>(
     axis_ratio: T::Base,
     poisson_ratio: T::Base,
     linear: &LinearCoefficients<T::Base>,
@@ -174,9 +174,9 @@ pub(crate) fn wanted_total<T: Real, const MOMENT: bool>(
         ix,
         im,
     ];
-    let [k1, k2, k3, k4, rho, k6] = T::map(&network, inputs).map(|o| o * w);
+    let [k1, k2, k3, k4, rho, k6] = T::each(&T::map(&network, inputs), |o| *o * w);
     let [k1, k2, k3, k4, k6] =
-        [k1, k2, k3, k4, k6].map(|o| (o * o.times(1.01).plus(2.0)).plus(1.0));
+        T::each(&[k1, k2, k3, k4, k6], |o| (*o * o.times(1.01).plus(2.0)).plus(1.0));
 
     // how spin brakes the two slopes and the spin moment
     let [dx, dy, dm, _] = roots([ix, iy, im, im]);
@@ -225,16 +225,16 @@ static FIRST_WIDE: Wide<[[[f64; 2]; PAIRS_1]; INPUTS]> = Wide(widen(&FIRST));
 static SECOND_WIDE: Wide<[[[f64; 2]; PAIRS_2]; SECOND.len()]> = Wide(widen(&SECOND));
 static LAST_WIDE: Wide<[[[f64; 2]; PAIRS_2]; 6]> = Wide(widen(&LAST));
 
-impl<F: Float> Map<F, INPUTS, 6> for Network<F> {
+impl<F: Plain> Map<F, INPUTS, 6> for Network<F> {
     type Place = ([F::Pair; PAIRS_1], [F::Pair; PAIRS_2]);
 
     #[inline(always)]
     fn value(&self, inputs: [F; INPUTS]) -> ([F; 6], Self::Place) {
-        let sums = from_bias(&self.fixed, F::table(&FIXED, &FIXED_WIDE.0));
-        let sums = add_rows::<F, PAIRS_1>(sums, &inputs, F::table(&FIRST, &FIRST_WIDE.0));
+        let sums = from_bias(&self.fixed, F::Stored::table(&FIXED, &FIXED_WIDE.0));
+        let sums = add_rows::<F, PAIRS_1>(sums, &inputs, F::Stored::table(&FIRST, &FIRST_WIDE.0));
         let (units, slope_1) = activation(sums);
         let units = apart::<F, PAIRS_1, UNITS_1>(units);
-        let sums = from_bias::<F, PAIRS_2>(&units, F::table(&SECOND, &SECOND_WIDE.0));
+        let sums = from_bias::<F, PAIRS_2>(&units, F::Stored::table(&SECOND, &SECOND_WIDE.0));
         let (units, slope_2) = activation(sums);
         (last_layer::<F>(units, LAST_BIAS), (slope_1, slope_2))
     }
@@ -242,10 +242,10 @@ impl<F: Float> Map<F, INPUTS, 6> for Network<F> {
     #[inline(always)]
     fn tangent(&self, (slope_1, slope_2): &Self::Place, inputs: [F; INPUTS]) -> [F; 6] {
         let zero = <F::Pair as Arithmetic>::zero();
-        let rows = F::table(&FIRST, &FIRST_WIDE.0);
+        let rows = F::Stored::table(&FIRST, &FIRST_WIDE.0);
         let units = times(add_rows::<F, PAIRS_1>([zero; PAIRS_1], &inputs, rows), slope_1);
         let units = apart::<F, PAIRS_1, UNITS_1>(units);
-        let [_, rows @ ..] = F::table(&SECOND, &SECOND_WIDE.0);
+        let [_, rows @ ..] = F::Stored::table(&SECOND, &SECOND_WIDE.0);
         let units = times(add_rows::<F, PAIRS_2>([zero; PAIRS_2], &units, rows), slope_2);
         last_layer::<F>(units, [0.0; 6])
     }
@@ -253,45 +253,73 @@ impl<F: Float> Map<F, INPUTS, 6> for Network<F> {
 
 /// `bias + Σ xᵢ rowᵢ`: the first row of `weights` is the bias.
 #[inline(always)]
-fn from_bias<F: Float, const P: usize>(inputs: &[F], weights: &[[[F; 2]; P]]) -> [F::Pair; P] {
+fn from_bias<F: Plain, const P: usize>(
+    inputs: &[F],
+    weights: &[[[F::Stored; 2]; P]],
+) -> [F::Pair; P] {
     match weights {
-        [bias, rows @ ..] => add_rows::<F, P>(bias.map(<F::Pair as Pair<F>>::plain), inputs, rows),
+        [bias, rows @ ..] => {
+            let plain = |two: &[F::Stored; 2]| <F::Pair as Pair<F>>::plain(F::both_stored(*two));
+            let bias = <F::Pair as Arithmetic>::each(bias, plain);
+            add_rows::<F, P>(bias, inputs, rows)
+        }
         [] => [<F::Pair as Arithmetic>::zero(); P],
     }
 }
 
 /// `sums + Σ xᵢ rowᵢ`, row by row: the sums stay in registers and do not wait for each other.
+///
+/// (Numbers of several contacts side by side fill whole registers: six sums at a time, then the rows again.)
 #[inline(always)]
-fn add_rows<F: Float, const P: usize>(
+fn add_rows<F: Plain, const P: usize>(
     mut sums: [F::Pair; P],
     inputs: &[F],
-    rows: &[[[F; 2]; P]],
+    rows: &[[[F::Stored; 2]; P]],
 ) -> [F::Pair; P] {
-    for (input, row) in inputs.iter().zip(rows) {
-        let x = <F::Pair as Pair<F>>::both(*input);
-        for (sum, weights) in sums.iter_mut().zip(row) {
-            *sum += x.scale_each(*weights);
+    if F::LANES == 1 {
+        for (input, row) in inputs.iter().zip(rows) {
+            add_row::<F>(&mut sums, *input, row);
         }
+        return sums;
+    }
+    let (blocks, rest) = sums.as_chunks_mut::<3>();
+    for (k, block) in blocks.iter_mut().enumerate() {
+        for (input, row) in inputs.iter().zip(rows) {
+            if let Some(row) = row.as_chunks::<3>().0.get(k) {
+                add_row::<F>(block, *input, row);
+            }
+        }
+    }
+    for (input, row) in inputs.iter().zip(rows) {
+        add_row::<F>(rest, *input, row.as_chunks::<3>().1);
     }
     sums
 }
 
+#[inline(always)]
+fn add_row<F: Plain>(sums: &mut [F::Pair], input: F, row: &[[F::Stored; 2]]) {
+    let x = <F::Pair as Pair<F>>::both(input);
+    for (sum, weights) in sums.iter_mut().zip(row) {
+        *sum += x.scale_each(F::both_stored(*weights));
+    }
+}
+
 /// The last layer: products of pairs of units, two chains of sums for each output.
 #[inline(always)]
-fn last_layer<F: Float>(units: [F::Pair; PAIRS_2], bias: [f32; 6]) -> [F; 6] {
-    let mut outputs = bias.map(F::of_f32);
-    for (output, weights) in outputs.iter_mut().zip(F::table(&LAST, &LAST_WIDE.0)) {
+fn last_layer<F: Plain>(units: [F::Pair; PAIRS_2], bias: [f32; 6]) -> [F; 6] {
+    let mut outputs = F::each(&bias, |x| F::of_f32(*x));
+    for (output, weights) in outputs.iter_mut().zip(F::Stored::table(&LAST, &LAST_WIDE.0)) {
         let mut first = <F::Pair as Pair<F>>::of(*output, F::zero());
         let mut second = <F::Pair as Arithmetic>::zero();
         let (mut both, mut factors) = (units.chunks_exact(2), weights.chunks_exact(2));
         for (both, factors) in (&mut both).zip(&mut factors) {
             if let ([x, y], [p, q]) = (both, factors) {
-                first += x.scale_each(*p);
-                second += y.scale_each(*q);
+                first += x.scale_each(F::both_stored(*p));
+                second += y.scale_each(F::both_stored(*q));
             }
         }
         if let ([x], [p]) = (both.remainder(), factors.remainder()) {
-            first += x.scale_each(*p);
+            first += x.scale_each(F::both_stored(*p));
         }
         *output = (first + second).sum();
     }
@@ -300,7 +328,7 @@ fn last_layer<F: Float>(units: [F::Pair; PAIRS_2], bias: [f32; 6]) -> [F; 6] {
 
 /// Pairs, one number after the other.
 #[inline(always)]
-fn apart<F: Float, const N: usize, const M: usize>(pairs: [F::Pair; N]) -> [F; M] {
+fn apart<F: Plain, const N: usize, const M: usize>(pairs: [F::Pair; N]) -> [F; M] {
     let mut numbers = [F::zero(); M];
     for (two, pair) in numbers.chunks_exact_mut(2).zip(pairs) {
         let (first, second) = pair.parts();
@@ -348,13 +376,13 @@ fn activation<P: Arithmetic, const N: usize>(x: [P; N]) -> ([P; N], [P; N]) {
 /// `S(|q|)/(h |q|)` from `|q|²` and `h`, with `S = 1 − ((2 + d²) √(1 − d²) − 3 d acos d)/2`, `d = 4|q|/(3π)`,
 /// and 1 for `d ≥ 1` (8.15).
 #[inline(always)]
-fn saturation<T: Real>(q2: T, h: T) -> T {
+fn saturation<T: Number>(q2: T, h: T) -> T {
     const FULL: f64 = 3.0 * core::f64::consts::PI / 4.0;
     // the small term keeps the derivative of the root finite at 0
     let q = q2.plus(1e-30).sqrt();
     let e = q.min(T::constant(FULL));
     let e2 = e * e;
-    let [k0, k1, k2, k3, k4, k5] = SATURATION.map(T::Base::of);
+    let [k0, k1, k2, k3, k4, k5] = <T::Base as Arithmetic>::each(&SATURATION, |x| T::Base::of(*x));
     let low = e.scale(k1).shift(k0) + e2 * e.scale(k3).shift(k2);
     let s_over_q = low + (e2 * e2) * e.scale(k5).shift(k4);
     s_over_q * (T::constant(FULL) / (q.max(T::constant(FULL)) * h))
@@ -365,25 +393,26 @@ fn saturation<T: Real>(q2: T, h: T) -> T {
 /// Large spin slides everywhere, and then only the ratio of creepage to spin matters. So both are scaled
 /// down together beyond `|Ls| = 16` (fitted is up to 13), smoothly, to `|Ls| = 32` at most.
 #[inline(always)]
-fn within_range<T: Real>([vx, vy, phi]: [T; 3], c23: T::Base) -> [T; 3] {
+fn within_range<T: Number>([vx, vy, phi]: [T; 3], c23: T::Base) -> [T; 3] {
     let scaled = |factor: T| [vx * factor, vy * factor, phi * factor];
     // 1e8, in single precision 1e6
     let limit = T::Base::HUGE.min(T::Base::of(CREEPAGE_LIMIT)).sqrt();
     let size = vx.value().abs().max(vy.value().abs()).max(phi.value().abs());
-    if size > limit {
-        return within_spin(scaled(T::from_base(limit / size)), c23);
+    if size.exceeds(limit) {
+        let factor = (size - limit).choose(limit / size, T::Base::one());
+        return within_spin(scaled(T::from_base(factor)), c23);
     }
     within_spin([vx, vy, phi], c23)
 }
 
 #[inline(always)]
-fn within_spin<T: Real>([vx, vy, phi]: [T; 3], c23: T::Base) -> [T; 3] {
+fn within_spin<T: Number>([vx, vy, phi]: [T; 3], c23: T::Base) -> [T; 3] {
     let size = phi.abs().scale(c23);
     let excess = size.plus(-SPIN_LIMIT);
-    if excess > T::zero() {
+    if excess.exceeds(T::zero()) {
         // 16 + e/(1 + e/16), e = |Ls| − 16
         let allowed = (excess / excess.times(1.0 / SPIN_LIMIT).plus(1.0)).plus(SPIN_LIMIT);
-        let factor = allowed / size;
+        let factor = excess.choose(allowed / size, T::one());
         [vx * factor, vy * factor, phi * factor]
     } else {
         [vx, vy, phi]
@@ -392,7 +421,7 @@ fn within_spin<T: Real>([vx, vy, phi]: [T; 3], c23: T::Base) -> [T; 3] {
 
 /// Element by element, two at a time; an even number of them.
 #[inline(always)]
-fn divide<T: Real, const N: usize>(numerators: [T; N], denominators: [T; N]) -> [T; N] {
+fn divide<T: Number, const N: usize>(numerators: [T; N], denominators: [T; N]) -> [T; N] {
     let mut quotients = numerators;
     for (two, denominators) in quotients.chunks_exact_mut(2).zip(denominators.chunks_exact(2)) {
         if let ([p, q], &[r, s]) = (two, denominators) {
@@ -404,7 +433,7 @@ fn divide<T: Real, const N: usize>(numerators: [T; N], denominators: [T; N]) -> 
 
 /// Element by element, two at a time; an even number of them.
 #[inline(always)]
-fn roots<T: Real, const N: usize>(mut numbers: [T; N]) -> [T; N] {
+fn roots<T: Number, const N: usize>(mut numbers: [T; N]) -> [T; N] {
     for two in numbers.chunks_exact_mut(2) {
         if let [p, q] = two {
             (*p, *q) = T::Pair::of(*p, *q).sqrt().parts();
@@ -414,7 +443,7 @@ fn roots<T: Real, const N: usize>(mut numbers: [T; N]) -> [T; N] {
 }
 
 #[inline(always)]
-fn twice<T: Real>(x: T) -> T {
+fn twice<T: Number>(x: T) -> T {
     x + x
 }
 

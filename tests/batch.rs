@@ -5,7 +5,7 @@ mod random;
 
 use kstrip::ffi::batch::*;
 use kstrip::ffi::double::{kstrip_solve, kstrip_solve_batch};
-use kstrip::ffi::single::kstrip_solve_f32;
+use kstrip::ffi::single::{kstrip_solve_batch_f32, kstrip_solve_f32};
 use kstrip::ffi::types::*;
 use kstrip::ffi::types_f32::*;
 use kstrip::ffi::{KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_NULL, KSTRIP_OK};
@@ -42,6 +42,67 @@ fn inputs() -> [Vec<f64>; 9] {
         }
     }
     arrays
+}
+
+/// Numbers that are hard for some formula, or bad.
+const HARD: [f64; 24] = [
+    0.0,
+    -0.0,
+    5e-324,
+    1e-310,
+    1e-45,
+    1e-30,
+    1e-12,
+    1e-6,
+    4e-3,
+    0.5,
+    1.0,
+    3.0,
+    1e4,
+    8e10,
+    1e16,
+    1e30,
+    3e38,
+    1e100,
+    1e300,
+    f64::MAX,
+    f64::INFINITY,
+    f64::NAN,
+    -1.0,
+    -1e300,
+];
+
+/// A contact with its creepage; usual, unusual, or with one to nine numbers that are hard.
+fn any_kind(random: &mut Random, kind: usize) -> [f64; 9] {
+    let size = random.log_between(1e-7, 1.0);
+    let mut values = [
+        4e-3 * random.log_between(0.02, 50.0),
+        4e-3,
+        random.log_between(1e2, 2e5),
+        82e9,
+        random.between(0.0, 0.5),
+        random.between(0.05, 0.6),
+        size * random.between(-1.0, 1.0),
+        size * random.between(-1.0, 1.0),
+        random.between(-1.0, 1.0) * random.log_between(1e-3, 1e4),
+    ];
+    // motion without some of its parts, as on straight track or a roller
+    for part in 0..3 {
+        if kind & (1 << part) != 0 && random.between(0.0, 1.0) < 0.8 {
+            values[6 + part] = 0.0;
+        }
+    }
+    let hard = match kind % 11 {
+        0 => 1 + (random.between(0.0, 3.0) as usize),
+        1 => 9,
+        _ => 0,
+    };
+    for _ in 0..hard {
+        let place = random.between(0.0, 9.0) as usize;
+        let number = HARD[random.between(0.0, HARD.len() as f64) as usize];
+        values[place.min(8)] = if random.between(0.0, 1.0) < 0.3 { -number } else { number };
+    }
+    values
 }
 
 fn options() -> impl Iterator<Item = kstrip_options> {
@@ -97,6 +158,169 @@ macro_rules! same_bits {
         }
     };
 }
+
+/// Thousands of contacts of all kinds: the bits of single solves in any company, whatever the count's remainder; the first
+/// error wherever it stands, with nothing written.
+macro_rules! any_company {
+    ($name:ident, $float:ident, $inputs:ident, $outputs:ident, $contact:ident, $creepage:ident, $result:ident, $solve:ident, $batch:ident, $arrays:ident) => {
+        #[test]
+        fn $name() {
+            let mut random = Random::new(5);
+            let all: Vec<[$float; 9]> =
+                (0..4000).map(|kind| any_kind(&mut random, kind).map(|x| x as $float)).collect();
+            let structures = |[
+                a,
+                b,
+                normal_force,
+                shear_modulus,
+                poisson_ratio,
+                friction,
+                x,
+                y,
+                spin,
+            ]: [$float; 9]| {
+                (
+                    $contact { a, b, normal_force, shear_modulus, poisson_ratio, friction },
+                    $creepage { longitudinal: x, lateral: y, spin },
+                )
+            };
+            for options in options() {
+                let single = |values: &[$float; 9]| {
+                    let (contact, creepage) = structures(*values);
+                    let mut result = MaybeUninit::uninit();
+                    let status =
+                        $solve(Some(&contact), Some(&creepage), Some(&options), Some(&mut result));
+                    if status < 0 {
+                        return Err(status);
+                    }
+                    let r: $result = unsafe { result.assume_init() };
+                    Ok((
+                        status,
+                        [r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits),
+                        r.status_detail,
+                    ))
+                };
+                let (good, bad): (Vec<_>, Vec<_>) = all
+                    .iter()
+                    .map(|values| (*values, single(values)))
+                    .partition(|(_, found)| found.is_ok());
+                assert!(good.len() > 3000 && bad.len() > 100, "{} {}", good.len(), bad.len());
+
+                let together = |problems: &[[$float; 9]]| {
+                    let count = problems.len();
+                    let (contacts, creepages): (Vec<_>, Vec<_>) =
+                        problems.iter().map(|p| structures(*p)).unzip();
+                    let untouched = $result {
+                        fx: 7.0,
+                        fy: 7.0,
+                        mz: 7.0,
+                        power: 7.0,
+                        adhesion: 7.0,
+                        status_detail: 99,
+                        reserved: 0,
+                    };
+                    let mut results = vec![untouched; count];
+                    let status = unsafe {
+                        $batch(
+                            contacts.as_ptr(),
+                            creepages.as_ptr(),
+                            count as u32,
+                            Some(&options),
+                            results.as_mut_ptr(),
+                        )
+                    };
+                    let arrays: [Vec<$float>; 9] =
+                        std::array::from_fn(|k| problems.iter().map(|p| p[k]).collect());
+                    let [a, b, n, g, nu, mu, vx, vy, phi] =
+                        arrays.each_ref().map(|array| array.as_ptr());
+                    let from = $inputs {
+                        a,
+                        b,
+                        normal_force: n,
+                        shear_modulus: g,
+                        poisson_ratio: nu,
+                        friction: mu,
+                        longitudinal: vx,
+                        lateral: vy,
+                        spin: phi,
+                    };
+                    let mut found: [Vec<$float>; 5] = std::array::from_fn(|_| vec![7.0; count]);
+                    let mut details = vec![99; count];
+                    let [fx, fy, mz, power, adhesion] =
+                        found.each_mut().map(|array| array.as_mut_ptr());
+                    let to = $outputs {
+                        fx,
+                        fy,
+                        mz,
+                        power,
+                        adhesion,
+                        status_detail: details.as_mut_ptr(),
+                    };
+                    let other =
+                        unsafe { $arrays(count as u32, Some(&from), Some(&options), Some(&to)) };
+                    assert_eq!(status, other);
+                    for (i, r) in results.iter().enumerate() {
+                        let is = [r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits);
+                        assert_eq!(is, found.each_ref().map(|array| array[i].to_bits()));
+                        assert_eq!(r.status_detail, details[i]);
+                    }
+                    (status, results)
+                };
+                let inputs: Vec<_> = good.iter().map(|(values, _)| *values).collect();
+                for (first, count) in (0..9).map(|k| (37 * k, 160 + k)).chain([(0, inputs.len())]) {
+                    let (status, results) = together(&inputs[first..first + count]);
+                    let mut worst = KSTRIP_OK;
+                    for (r, (values, expected)) in results.iter().zip(&good[first..]) {
+                        let (status, bits, detail) = expected.unwrap();
+                        worst = worst.max(status);
+                        let is = [r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits);
+                        assert_eq!((is, r.status_detail), (bits, detail), "{options:?} {values:?}");
+                    }
+                    assert_eq!(status, worst);
+                }
+                for (k, pair) in bad.chunks(2).enumerate().take(150) {
+                    let mut inputs = inputs[..203].to_vec();
+                    inputs[k % 203] = pair[0].0;
+                    if let Some((values, _)) = pair.get(1) {
+                        // a later one, also in the same register
+                        let later = (k % 203 + 1 + k % 9).min(202);
+                        if later > k % 203 {
+                            inputs[later] = *values;
+                        }
+                    }
+                    let (status, results) = together(&inputs);
+                    assert_eq!(Err(status), pair[0].1, "{options:?} {:?}", pair[0].0);
+                    assert!(results.iter().all(|r| r.fx == 7.0 && r.status_detail == 99));
+                }
+            }
+        }
+    };
+}
+
+any_company!(
+    any_company_gives_the_same_bits,
+    f64,
+    kstrip_batch_inputs,
+    kstrip_batch_outputs,
+    kstrip_contact,
+    kstrip_creepage,
+    kstrip_result,
+    kstrip_solve,
+    kstrip_solve_batch,
+    kstrip_solve_batch_arrays
+);
+any_company!(
+    any_company_gives_the_same_bits_in_single_precision,
+    f32,
+    kstrip_batch_inputs_f32,
+    kstrip_batch_outputs_f32,
+    kstrip_contact_f32,
+    kstrip_creepage_f32,
+    kstrip_result_f32,
+    kstrip_solve_f32,
+    kstrip_solve_batch_f32,
+    kstrip_solve_batch_arrays_f32
+);
 
 same_bits!(
     arrays_give_the_bits_of_single_solves,

@@ -2,12 +2,14 @@
 
 use super::calls::OutArray;
 use super::{answer, arrays, checked_options, kstrip_status, types::kstrip_options};
-use crate::batch::evaluate_batch;
+use crate::batch::{Problems, Solutions, evaluate_batch};
 use crate::contact::Contact;
 use crate::creepage::Creepage;
 use crate::evaluate::Wanted;
 use crate::model::{Precision, Solution};
-use crate::status::Error;
+use crate::real::Float;
+use crate::status::{Error, Notice};
+use core::mem::MaybeUninit;
 
 /// Contacts and creepages as one array for each quantity.
 ///
@@ -145,18 +147,83 @@ macro_rules! arrays {
 arrays!(kstrip_batch_inputs, kstrip_batch_outputs, f64);
 arrays!(kstrip_batch_inputs_f32, kstrip_batch_outputs_f32, f32);
 
-/// Contact `i`.
-#[inline(always)]
-fn problem<F: Precision>(inputs: &[&[F]; 9], i: usize) -> (Contact<F>, Creepage<F>) {
-    let [a, b, normal_force, shear_modulus, poisson_ratio, friction, longitudinal, lateral, spin] =
-        inputs.map(|array| array.get(i).copied().unwrap_or(F::zero()));
-    (
-        Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction },
-        Creepage { longitudinal, lateral, spin },
-    )
+/// Problems as one array for each quantity.
+struct Inputs<'a, F>([&'a [F]; 9]);
+
+impl<F: Float> Problems<F> for Inputs<'_, F> {
+    #[inline(always)]
+    fn count(&self) -> usize {
+        self.0[0].len()
+    }
+    #[inline(always)]
+    fn get(&self, i: usize) -> Option<(Contact<F>, Creepage<F>)> {
+        let [
+            a,
+            b,
+            normal_force,
+            shear_modulus,
+            poisson_ratio,
+            friction,
+            longitudinal,
+            lateral,
+            spin,
+        ] = self.0.map(|array| array.get(i).copied().unwrap_or(F::zero()));
+        Some((
+            Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction },
+            Creepage { longitudinal, lateral, spin },
+        ))
+    }
+    #[inline(always)]
+    fn side_by_side<const N: usize>(&self, first: usize) -> Option<[[F; N]; 9]> {
+        let mut quantities = [[F::zero(); N]; 9];
+        for (quantity, array) in quantities.iter_mut().zip(self.0) {
+            *quantity = *array.get(first..)?.first_chunk()?;
+        }
+        Some(quantities)
+    }
 }
 
-/// `quantities` are `fx, fy, mz, power, adhesion`; empty arrays are not wanted.
+/// Solutions as one array for each quantity: `fx, fy, mz, power, adhesion` and the status; empty ones are not wanted.
+struct Outputs<'a, F> {
+    quantities: [&'a mut [MaybeUninit<F>]; 5],
+    details: &'a mut [MaybeUninit<i32>],
+}
+
+impl<F: Float> Solutions<F> for Outputs<'_, F> {
+    #[inline(always)]
+    fn put(&mut self, i: usize, solution: Solution<F>) {
+        let Solution { fx, fy, mz, power, adhesion, notice } = solution;
+        for (array, value) in self.quantities.iter_mut().zip([fx, fy, mz, power, adhesion]) {
+            if let Some(place) = array.get_mut(i) {
+                place.write(value);
+            }
+        }
+        if let Some(place) = self.details.get_mut(i) {
+            place.write(notice.code());
+        }
+    }
+    #[inline(always)]
+    fn put_side_by_side<const N: usize>(
+        &mut self,
+        first: usize,
+        quantities: &[[F; N]; 5],
+        notices: &[Notice; N],
+    ) {
+        for (array, values) in self.quantities.iter_mut().zip(quantities) {
+            write(array, first, values);
+        }
+        write(self.details, first, &notices.map(|notice| notice.code()));
+    }
+}
+
+#[inline(always)]
+fn write<T: Copy, const N: usize>(array: &mut [MaybeUninit<T>], first: usize, values: &[T; N]) {
+    let places = array.get_mut(first..).and_then(|rest| rest.first_chunk_mut::<N>());
+    if let Some(places) = places {
+        *places = values.map(MaybeUninit::new);
+    }
+}
+
 fn solve_batch_arrays<F: Precision>(
     inputs: Result<[&[F]; 9], Error>,
     options: Option<&kstrip_options>,
@@ -164,28 +231,15 @@ fn solve_batch_arrays<F: Precision>(
     details: OutArray<i32>,
 ) -> kstrip_status {
     answer(|| {
-        let inputs = inputs?;
+        let inputs = Inputs(inputs?);
         let options = checked_options(options)?;
         // NULL is an empty array here.
-        let mut quantities = quantities.map(|array| array.unwrap_or(&mut []));
+        let quantities = quantities.map(|array| array.unwrap_or(&mut []));
         let details = details.unwrap_or(&mut []);
-        let problems = (0..inputs[0].len()).map(|i| problem(&inputs, i));
         let [_, _, mz, power, adhesion] = &quantities;
         let wanted =
             Wanted { moment: !mz.is_empty() || !power.is_empty(), adhesion: !adhesion.is_empty() };
-        let mut i = 0;
-        evaluate_batch(problems, &options, wanted, |solution| {
-            let Solution { fx, fy, mz, power, adhesion, notice } = solution;
-            for (array, value) in quantities.iter_mut().zip([fx, fy, mz, power, adhesion]) {
-                if let Some(place) = array.get_mut(i) {
-                    place.write(value);
-                }
-            }
-            if let Some(place) = details.get_mut(i) {
-                place.write(notice.code());
-            }
-            i += 1;
-        })
+        evaluate_batch(&inputs, &options, wanted, &mut Outputs { quantities, details })
     })
 }
 

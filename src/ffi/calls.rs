@@ -1,7 +1,7 @@
 //! What the exported functions of both precisions do, once, generic over the precision.
 
 use super::{answer, checked_options, kstrip_status, types::kstrip_options};
-use crate::batch;
+use crate::batch::{self, Problems, Solutions};
 use crate::contact::Contact;
 use crate::creepage::{Creepage, Parameters, SurfaceVelocity};
 use crate::field::FieldPoint;
@@ -262,14 +262,41 @@ where
     answer(|| {
         let (contacts, creepages, results) = (contacts?, creepages?, results?);
         let options = checked_options(options)?;
-        let problems = contacts.iter().zip(creepages);
-        let mut places = results.iter_mut();
-        batch::solve_batch(problems.map(|(c, k)| ((*c).into(), (*k).into())), &options, |found| {
-            if let Some(place) = places.next() {
-                place.write(found.into());
-            }
-        })
+        batch::solve_batch(&Structures { contacts, creepages }, &options, &mut Results(results))
     })
+}
+
+/// Problems as C structures.
+struct Structures<'a, C, K> {
+    contacts: &'a [C],
+    creepages: &'a [K],
+}
+
+impl<F: Float, C: Copy, K: Copy> Problems<F> for Structures<'_, C, K>
+where
+    Contact<F>: From<C>,
+    Creepage<F>: From<K>,
+{
+    #[inline(always)]
+    fn count(&self) -> usize {
+        self.contacts.len()
+    }
+    #[inline(always)]
+    fn get(&self, i: usize) -> Option<(Contact<F>, Creepage<F>)> {
+        Some(((*self.contacts.get(i)?).into(), (*self.creepages.get(i)?).into()))
+    }
+}
+
+/// Solutions as C structures.
+struct Results<'a, R>(&'a mut [MaybeUninit<R>]);
+
+impl<F: Float, R: From<Solution<F>>> Solutions<F> for Results<'_, R> {
+    #[inline(always)]
+    fn put(&mut self, i: usize, solution: Solution<F>) {
+        if let Some(place) = self.0.get_mut(i) {
+            place.write(solution.into());
+        }
+    }
 }
 
 pub(super) fn strips<F: Precision, C: Copy, K: Copy, S: From<StripResult<F>>>(

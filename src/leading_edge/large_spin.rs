@@ -7,7 +7,7 @@
 //! `C > (P + S)²/((ψ² − 1)(P + 3 S))`; these strips slide after all.
 
 use super::{AdhesionInterval, EdgePoint, StripFamily};
-use crate::real::{Arithmetic, Float, Real};
+use crate::real::{Arithmetic, Float, Plain, Real};
 use crate::strip::{bounded_half_length, root_s};
 
 /// Cells of the adhesion interval in the search for strips that slide.

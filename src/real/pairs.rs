@@ -1,6 +1,6 @@
 //! Two numbers side by side: what the strips of a panel are computed in.
 
-use super::{Arithmetic, Pair, Real};
+use super::{Arithmetic, Number, Pair};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// Two numbers of any kind, one after the other.
@@ -94,14 +94,17 @@ macro_rules! operators {
     };
 }
 
-operators!([T: Real] Two<T>: |a, b|
+#[cfg(target_arch = "x86_64")]
+pub(super) use operators;
+
+operators!([T: Number] Two<T>: |a, b|
     Two(a.0 + b.0, a.1 + b.1),
     Two(a.0 - b.0, a.1 - b.1),
     Two(a.0 * b.0, a.1 * b.1),
     Two(a.0 / b.0, a.1 / b.1),
     Two(-a.0, -a.1));
 
-impl<T: Real> Arithmetic for Two<T> {
+impl<T: Number> Arithmetic for Two<T> {
     type Base = T::Base;
 
     #[inline(always)]
@@ -157,7 +160,7 @@ impl<T: Real> Arithmetic for Two<T> {
     }
 }
 
-impl<T: Real> Pair<T> for Two<T> {
+impl<T: Number> Pair<T> for Two<T> {
     #[inline(always)]
     fn of(first: T, second: T) -> Self {
         Self(first, second)

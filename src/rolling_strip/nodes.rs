@@ -7,6 +7,7 @@
 // Generated: change the script, not this file.
 
 use super::{Marched, Strips};
+use crate::real::Float;
 
 /// Strips of the Hertz ellipse, ascending in `y`; all lengths dimensionless.
 #[derive(Clone, Copy, Debug)]
@@ -36,7 +37,7 @@ pub struct Rule<F, const N: usize> {
 }
 
 /// Strip counts that have a rule: 4, 8, 16, 32, 64.
-pub trait Placed<const N: usize>: Marched {
+pub trait Placed<const N: usize>: Float + Marched {
     /// The rule, in the precision of the caller.
     const RULE: &'static Rule<Self, N>;
     /// Its strips, whose type does not know how many they are.

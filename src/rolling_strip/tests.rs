@@ -360,7 +360,7 @@ fn derivatives_are_those_of_dual_numbers() {
         let v = [Dual::<f64, 3>::input(vx, 0), Dual::input(vy, 1), Dual::input(phi, 2)];
         let by_hand = RollingStrips::new(g, nu, &c, v);
         let [longitudinal, lateral, slope, profile, spin] =
-            parameters((g.sqrt(), nu, &c), v, network);
+            parameters::<_, Forward>((g.sqrt(), nu, &c), v);
         close(by_hand.longitudinal, longitudinal, &case);
         close(by_hand.lateral, lateral, &case);
         close(by_hand.slope, slope, &case);

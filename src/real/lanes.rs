@@ -1,0 +1,216 @@
+//! Numbers of several contacts side by side, in registers of 256 bits (AVX): four doubles or eight floats.
+//!
+//! Every operation is the correctly rounded one of a plain number, lane by lane, so the bits are those of the plain
+//! number. Nothing here fuses a product with a sum.
+//!
+//! The compiler does not know that the processor has these registers: the file has `unsafe` code, which is sound where
+//! AVX is there. Nobody makes such a number but `wide`, which asks the processor first.
+
+#![allow(unsafe_code)]
+
+use super::pairs::{Two, operators};
+use super::{Arithmetic, Map, Number, Plain};
+use core::arch::x86_64::*;
+use core::mem::transmute;
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+/// `N` plain numbers side by side.
+pub(crate) trait Lanes<const N: usize>: Plain {
+    /// Side by side.
+    fn of_array(numbers: [Self::Stored; N]) -> Self;
+    /// One by one.
+    fn array(self) -> [Self::Stored; N];
+}
+
+/// Four doubles.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct F64x4(__m256d);
+
+/// Eight single-precision numbers.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct F32x8(__m256);
+
+macro_rules! lanes {
+    (
+        $lanes:ident, $register:ident, $float:ident, $count:literal, $splat:ident, $add:ident, $sub:ident, $mul:ident, $div:ident,
+        $sqrt:ident, $max:ident, $min:ident, $xor:ident, $andnot:ident, $compare:ident, $blend:ident, $mask:ident,
+        |$x:ident| $inverse_root:expr
+    ) => {
+        // SAFETY (of this whole macro): arithmetic on registers, no memory access; with AVX, see above. The
+        // registers have the layout of arrays.
+        operators!([] $lanes: |a, b|
+            $lanes(unsafe { $add(a.0, b.0) }),
+            $lanes(unsafe { $sub(a.0, b.0) }),
+            $lanes(unsafe { $mul(a.0, b.0) }),
+            $lanes(unsafe { $div(a.0, b.0) }),
+            $lanes(unsafe { $xor(a.0, $splat(-0.0)) }));
+
+        impl $lanes {
+            const fn splat(x: $float) -> Self {
+                Self(unsafe { transmute::<[$float; $count], $register>([x; $count]) })
+            }
+        }
+
+        impl Lanes<$count> for $lanes {
+            #[inline(always)]
+            fn of_array(numbers: [$float; $count]) -> Self {
+                Self(unsafe { transmute::<[$float; $count], $register>(numbers) })
+            }
+            #[inline(always)]
+            fn array(self) -> [$float; $count] {
+                unsafe { transmute::<$register, [$float; $count]>(self.0) }
+            }
+        }
+
+        impl Arithmetic for $lanes {
+            type Base = Self;
+
+            #[inline(always)]
+            fn from_base(x: Self) -> Self {
+                x
+            }
+            #[inline(always)]
+            fn scale(self, factor: Self) -> Self {
+                self * factor
+            }
+            #[inline(always)]
+            fn shift(self, term: Self) -> Self {
+                self + term
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                Self(unsafe { $sqrt(self.0) })
+            }
+            #[inline(always)]
+            fn paired_inverse_root(self) -> Self {
+                let $x = self;
+                $inverse_root
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                Self(unsafe { $andnot($splat(-0.0), self.0) })
+            }
+            #[inline(always)]
+            fn max(self, other: Self) -> Self {
+                // the second one where they are equal or one is not a number, as everywhere here
+                Self(unsafe { $max(self.0, other.0) })
+            }
+            #[inline(always)]
+            fn min(self, other: Self) -> Self {
+                Self(unsafe { $min(self.0, other.0) })
+            }
+            #[inline(always)]
+            fn choose(self, yes: Self, no: Self) -> Self {
+                Self(unsafe {
+                    $blend(no.0, yes.0, $compare::<_CMP_GT_OQ>(self.0, $splat(0.0)))
+                })
+            }
+        }
+
+        impl Number for $lanes {
+            type Pair = Two<Self>;
+            const LANES: usize = $count;
+            const LARGEST: Self = Self::splat(<$float as Number>::LARGEST);
+            const TINY: Self = Self::splat(<$float as Number>::TINY);
+            const ROOT_TINY: Self = Self::splat(<$float as Number>::ROOT_TINY);
+            const HUGE: Self = Self::splat(<$float as Number>::HUGE);
+            const EPSILON: Self = Self::splat(<$float as Number>::EPSILON);
+
+            #[inline(always)]
+            fn value(self) -> Self {
+                self
+            }
+            #[inline(always)]
+            fn map<const N: usize, const M: usize>(
+                map: &impl Map<Self, N, M>,
+                inputs: [Self; N],
+            ) -> [Self; M] {
+                map.value(inputs).0
+            }
+            #[inline(always)]
+            fn exceeds(self, other: Self) -> bool {
+                unsafe { $mask($compare::<_CMP_GT_OQ>(self.0, other.0)) != 0 }
+            }
+        }
+
+        impl Plain for $lanes {
+            type Stored = $float;
+
+            #[inline(always)]
+            fn of(x: f64) -> Self {
+                Self::stored(x as $float)
+            }
+            #[inline(always)]
+            fn stored(x: $float) -> Self {
+                Self(unsafe { $splat(x) })
+            }
+            #[inline(always)]
+            fn binary_quotient(self, divisor: Self) -> (Self, Self) {
+                let (mut k, mut divisors) = (self.array(), divisor.array());
+                for (k, divisor) in k.iter_mut().zip(&mut divisors) {
+                    (*k, *divisor) = k.binary_quotient(*divisor);
+                }
+                (Self::of_array(k), Self::of_array(divisors))
+            }
+            #[inline(always)]
+            fn lies_between(self, low: Self, high: Self) -> bool {
+                const ALL: i32 = (1 << $count) - 1;
+                let low = unsafe { $mask($compare::<_CMP_GE_OQ>(self.0, low.0)) };
+                let high = unsafe { $mask($compare::<_CMP_LE_OQ>(self.0, high.0)) };
+                (low & high) == ALL
+            }
+            #[inline(always)]
+            fn is_positive(self) -> bool {
+                const ALL: i32 = (1 << $count) - 1;
+                unsafe { $mask($compare::<_CMP_GT_OQ>(self.0, $splat(0.0))) == ALL }
+            }
+        }
+    };
+}
+
+lanes!(
+    F64x4,
+    __m256d,
+    f64,
+    4,
+    _mm256_set1_pd,
+    _mm256_add_pd,
+    _mm256_sub_pd,
+    _mm256_mul_pd,
+    _mm256_div_pd,
+    _mm256_sqrt_pd,
+    _mm256_max_pd,
+    _mm256_min_pd,
+    _mm256_xor_pd,
+    _mm256_andnot_pd,
+    _mm256_cmp_pd,
+    _mm256_blendv_pd,
+    _mm256_movemask_pd,
+    |x| {
+        // as `pairs::inverse_root_f64`
+        let y = Self(unsafe {
+            _mm256_cvtps_pd(_mm_div_ps(_mm_set1_ps(1.0), _mm_sqrt_ps(_mm256_cvtpd_ps(x.0))))
+        });
+        y * (Self::of(1.5) - x * y * (y * Self::of(0.5)))
+    }
+);
+lanes!(
+    F32x8,
+    __m256,
+    f32,
+    8,
+    _mm256_set1_ps,
+    _mm256_add_ps,
+    _mm256_sub_ps,
+    _mm256_mul_ps,
+    _mm256_div_ps,
+    _mm256_sqrt_ps,
+    _mm256_max_ps,
+    _mm256_min_ps,
+    _mm256_xor_ps,
+    _mm256_andnot_ps,
+    _mm256_cmp_ps,
+    _mm256_blendv_ps,
+    _mm256_movemask_ps,
+    |x| Self::one() / x.sqrt()
+);
