@@ -134,15 +134,67 @@ impl<'a, F: Precision> Problem<'a, F> {
         creepage: &'a Creepage<F>,
         options: &Options,
     ) -> Result<Self, Error> {
-        contact.check()?;
-        creepage.check()?;
         let problem = Self { contact, creepage, options: *options };
-        problem.check_range()?;
+        if !(contact.is_sound() && problem.is_in_range()) {
+            problem.find_fault()?;
+        }
         Ok(problem)
     }
 
+<<<<<<< HEAD
     fn check_range(self) -> Result<(), Error> {
         if self.range().iter().all(|number| number.is_finite_number()) {
+=======
+    #[cold]
+    #[inline(never)]
+    fn find_fault(&self) -> Result<(), Error> {
+        self.contact.find_fault()?;
+        self.creepage.check()?;
+        self.check_range()
+    }
+
+    /// Whether [`Problem::check_range`] finds nothing, told by one sum; rarely it finds nothing either where this says
+    /// no. Numbers that are not finite make the sum so.
+    #[inline(always)]
+    fn is_in_range(&self) -> bool {
+        let Creepage { longitudinal, lateral, spin } = *self.creepage;
+        let size = self.contact.a + self.contact.b;
+        let edge_slip = size * spin.abs();
+        let slip = longitudinal.abs() + lateral.abs() + edge_slip;
+        let sum = self.force_limit() * (slip + size.plus(1.0)) + edge_slip;
+        sum.times(1.01).is_finite_number()
+    }
+
+    /// What no force of the model exceeds \[N\].
+    #[inline(always)]
+    fn force_limit(&self) -> F {
+        let Creepage { longitudinal, lateral, spin } = *self.creepage;
+        let Contact { a, b, .. } = *self.contact;
+        match self.options.model {
+            Model::Linear => {
+                let creepage = longitudinal.abs() + lateral.abs() + (a + b) * spin.abs();
+                // No coefficient exceeds this: C23 grows like (a/b)^(3/2).
+                let ratio = a / b + b / a;
+                self.linear_stiffness() * (creepage * (ratio * ratio.sqrt()).plus(100.0))
+            }
+            _ => self.contact.friction_bound(),
+        }
+    }
+
+    /// Every result is a number within its bound times these: check them before anything is
+    /// computed.
+    fn check_range(self) -> Result<(), Error> {
+        let Creepage { longitudinal, lateral, spin } = *self.creepage;
+        let Contact { a, b, .. } = *self.contact;
+        let bound = self.force_limit();
+        let moment = bound * (a + b);
+        let power = bound * longitudinal.abs() + bound * lateral.abs() + moment * spin.abs();
+        // The velocity that spin causes at the edge, also where nothing is carried
+        let edge_slip = (a + b) * spin.abs();
+        // (a hair above the bounds, because forces round)
+        let numbers = [power, moment, bound, edge_slip].map(|number| number.times(1.001));
+        if numbers.iter().all(|number| number.is_finite_number()) {
+>>>>>>> e24a8ab (Inputs checked by their bits and by sums; on a microcontroller TOTAL does not share the stack of other models)
             Ok(())
         } else {
             Err(Error::Overflow)
@@ -203,16 +255,24 @@ impl<'a, F: Precision> Problem<'a, F> {
                     .wanted_totals::<STICK, MOMENT>(self.options.strips)
             }
             Model::Strip => self.rolling_strips::<T, STICK, MOMENT>(parameters),
-            Model::Total => {
-                let total::TotalForce { fx, fy, mz } = total::wanted_total::<T, MOMENT>(
-                    parameters.axis_ratio,
-                    parameters.poisson_ratio,
-                    &self.linear_coefficients(),
-                    parameters.normalised(),
-                );
-                Totals { fx, fy, mz, stick: -T::one() }
-            }
+            Model::Total => self.total_force::<T, MOMENT>(parameters),
         }
+    }
+
+    /// (On a microcontroller the other models do not share its stack.)
+    #[cfg_attr(target_os = "none", inline(never))]
+    #[cfg_attr(not(target_os = "none"), inline(always))]
+    fn total_force<T: Real<Base = F>, const MOMENT: bool>(
+        &self,
+        parameters: &Parameters<T>,
+    ) -> Totals<T> {
+        let total::TotalForce { fx, fy, mz } = total::wanted_total::<T, MOMENT>(
+            parameters.axis_ratio,
+            parameters.poisson_ratio,
+            &self.linear_coefficients(),
+            parameters.normalised(),
+        );
+        Totals { fx, fy, mz, stick: -T::one() }
     }
 
     pub(crate) fn notice(&self, psi: F) -> Notice {

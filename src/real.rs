@@ -67,6 +67,12 @@ pub trait Float: Plain<Stored = Self> + PartialOrd + Elementary + nalgebra::Scal
     fn to_f64(self) -> f64;
     /// Neither infinite nor NaN.
     fn is_finite_number(self) -> bool;
+    /// Largest finite number.
+    const LARGEST: Self;
+    /// `0 ≤ x ≤ limit`, told by the bits in one comparison; negative zero is outside.
+    fn lies_within(self, limit: Self) -> bool;
+    /// Positive and finite, told by the bits in one comparison.
+    fn is_positive_number(self) -> bool;
     /// Cube root.
     fn cube_root(self) -> Self;
     /// Exponential function.
@@ -281,6 +287,15 @@ macro_rules! plain {
             #[inline(always)]
             fn is_finite_number(self) -> bool {
                 self.is_finite()
+            }
+            const LARGEST: $float = $float::MAX;
+            #[inline(always)]
+            fn lies_within(self, limit: Self) -> bool {
+                self.to_bits() <= limit.to_bits()
+            }
+            #[inline(always)]
+            fn is_positive_number(self) -> bool {
+                self.to_bits().wrapping_sub(1) < $float::MAX.to_bits()
             }
             #[inline]
             fn cube_root(self) -> Self {
