@@ -92,16 +92,6 @@ impl<F: Float> Creepage<F> {
 }
 
 #[cfg(target_arch = "x86_64")]
-impl<F: crate::real::Plain> Creepage<F> {
-    /// Whether [`Creepage::check`] finds nothing; of several side by side, in none of them.
-    #[inline(always)]
-    pub(crate) fn is_sound(&self) -> bool {
-        let Self { longitudinal, lateral, spin } = *self;
-        let finite = |x: F| x.lies_between(-F::LARGEST, F::LARGEST);
-        finite(longitudinal) & finite(lateral) & finite(spin)
-    }
-}
-
 /// Kalker's parameters of a rolling contact (5.13), with the two numbers that shape the patch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<T: Number> {

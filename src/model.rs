@@ -135,66 +135,18 @@ impl<'a, F: Precision> Problem<'a, F> {
         options: &Options,
     ) -> Result<Self, Error> {
         let problem = Self { contact, creepage, options: *options };
-        if !(contact.is_sound() && problem.is_in_range()) {
+        if !problem.is_sound() {
             problem.find_fault()?;
         }
         Ok(problem)
     }
 
-<<<<<<< HEAD
-    fn check_range(self) -> Result<(), Error> {
-        if self.range().iter().all(|number| number.is_finite_number()) {
-=======
     #[cold]
     #[inline(never)]
     fn find_fault(&self) -> Result<(), Error> {
         self.contact.find_fault()?;
         self.creepage.check()?;
-        self.check_range()
-    }
-
-    /// Whether [`Problem::check_range`] finds nothing, told by one sum; rarely it finds nothing either where this says
-    /// no. Numbers that are not finite make the sum so.
-    #[inline(always)]
-    fn is_in_range(&self) -> bool {
-        let Creepage { longitudinal, lateral, spin } = *self.creepage;
-        let size = self.contact.a + self.contact.b;
-        let edge_slip = size * spin.abs();
-        let slip = longitudinal.abs() + lateral.abs() + edge_slip;
-        let sum = self.force_limit() * (slip + size.plus(1.0)) + edge_slip;
-        sum.times(1.01).is_finite_number()
-    }
-
-    /// What no force of the model exceeds \[N\].
-    #[inline(always)]
-    fn force_limit(&self) -> F {
-        let Creepage { longitudinal, lateral, spin } = *self.creepage;
-        let Contact { a, b, .. } = *self.contact;
-        match self.options.model {
-            Model::Linear => {
-                let creepage = longitudinal.abs() + lateral.abs() + (a + b) * spin.abs();
-                // No coefficient exceeds this: C23 grows like (a/b)^(3/2).
-                let ratio = a / b + b / a;
-                self.linear_stiffness() * (creepage * (ratio * ratio.sqrt()).plus(100.0))
-            }
-            _ => self.contact.friction_bound(),
-        }
-    }
-
-    /// Every result is a number within its bound times these: check them before anything is
-    /// computed.
-    fn check_range(self) -> Result<(), Error> {
-        let Creepage { longitudinal, lateral, spin } = *self.creepage;
-        let Contact { a, b, .. } = *self.contact;
-        let bound = self.force_limit();
-        let moment = bound * (a + b);
-        let power = bound * longitudinal.abs() + bound * lateral.abs() + moment * spin.abs();
-        // The velocity that spin causes at the edge, also where nothing is carried
-        let edge_slip = (a + b) * spin.abs();
-        // (a hair above the bounds, because forces round)
-        let numbers = [power, moment, bound, edge_slip].map(|number| number.times(1.001));
-        if numbers.iter().all(|number| number.is_finite_number()) {
->>>>>>> e24a8ab (Inputs checked by their bits and by sums; on a microcontroller TOTAL does not share the stack of other models)
+        if self.range().iter().all(|number| number.is_finite_number()) {
             Ok(())
         } else {
             Err(Error::Overflow)
@@ -349,11 +301,37 @@ impl<'a, F: Precision> Problem<'a, F> {
 impl<F: Plain> Problem<'_, F> {
     /// Every result is a number within its bound times these: check them before anything is
     /// computed.
-    #[inline(always)]
-    pub(crate) fn range(&self) -> [F; 4] {
+    fn range(&self) -> [F; 4] {
         let Creepage { longitudinal, lateral, spin } = *self.creepage;
         let Contact { a, b, .. } = *self.contact;
-        let bound = match self.options.model {
+        let bound = self.force_limit();
+        let moment = bound * (a + b);
+        let power = bound * longitudinal.abs() + bound * lateral.abs() + moment * spin.abs();
+        // The velocity that spin causes at the edge, also where nothing is carried
+        let edge_slip = (a + b) * spin.abs();
+        // (a hair above the bounds, because forces round)
+        [power, moment, bound, edge_slip].map(|number| number.times(1.001))
+    }
+
+    /// Whether all is well, told by few comparisons; of several contacts side by side, with all of them. Rarely all is
+    /// well also where this says no: [`check`] looks closer.
+    #[inline(always)]
+    pub(crate) fn is_sound(&self) -> bool {
+        let Creepage { longitudinal, lateral, spin } = *self.creepage;
+        let size = self.contact.a + self.contact.b;
+        let edge_slip = size * spin.abs();
+        let slip = longitudinal.abs() + lateral.abs() + edge_slip;
+        // No less than any of `range`, and not finite if a creepage is not
+        let sum = self.force_limit() * (slip + size.plus(1.0)) + edge_slip;
+        self.contact.is_sound() & sum.times(1.01).lies_within(F::LARGEST)
+    }
+
+    /// What no force of the model exceeds \[N\].
+    #[inline(always)]
+    fn force_limit(&self) -> F {
+        let Creepage { longitudinal, lateral, spin } = *self.creepage;
+        let Contact { a, b, .. } = *self.contact;
+        match self.options.model {
             Model::Linear => {
                 let creepage = longitudinal.abs() + lateral.abs() + (a + b) * spin.abs();
                 // No coefficient exceeds this: C23 grows like (a/b)^(3/2).
@@ -361,23 +339,7 @@ impl<F: Plain> Problem<'_, F> {
                 self.linear_stiffness() * (creepage * (ratio * ratio.sqrt()).plus(100.0))
             }
             _ => self.contact.friction_bound(),
-        };
-        let moment = bound * (a + b);
-        let power = bound * longitudinal.abs() + bound * lateral.abs() + moment * spin.abs();
-        // The velocity that spin causes at the edge, also where nothing is carried
-        let edge_slip = (a + b) * spin.abs();
-        // (a hair above the bounds, because forces round)
-        F::each(&[power, moment, bound, edge_slip], |number| number.times(1.001))
-    }
-
-    /// Whether [`check`] finds nothing; of several contacts side by side, in none of them.
-    #[cfg(target_arch = "x86_64")]
-    #[inline(always)]
-    pub(crate) fn is_sound(&self) -> bool {
-        let finite = |number: F| number.lies_between(F::zero(), F::LARGEST);
-        self.contact.is_sound()
-            & self.creepage.is_sound()
-            & self.range().into_iter().fold(true, |sound, number| sound & finite(number))
+        }
     }
 
     /// `G a b` \[N\]

@@ -32,8 +32,11 @@ pub trait Plain: Number<Base = Self> {
     fn binary_quotient(self, divisor: Self) -> (Self, Self);
     /// Whether it is at least `low` and at most `high`; of several side by side, whether all are. Not for NaN.
     fn lies_between(self, low: Self, high: Self) -> bool;
-    /// Whether it is positive; of several side by side, whether all are.
-    fn is_positive(self) -> bool;
+    /// Whether it is at least zero and at most `limit`, of which the bits tell in one comparison; of several side by
+    /// side, whether all are. Not for NaN; negative zero may be refused.
+    fn lies_within(self, limit: Self) -> bool;
+    /// Whether it is positive and finite; of several side by side, whether all are. Not for NaN.
+    fn is_positive_number(self) -> bool;
 
     /// `ln(self/divisor)` of two positive normal numbers, to rounding, without a branch.
     #[inline(always)]
@@ -67,12 +70,6 @@ pub trait Float: Plain<Stored = Self> + PartialOrd + Elementary + nalgebra::Scal
     fn to_f64(self) -> f64;
     /// Neither infinite nor NaN.
     fn is_finite_number(self) -> bool;
-    /// Largest finite number.
-    const LARGEST: Self;
-    /// `0 ≤ x ≤ limit`, told by the bits in one comparison; negative zero is outside.
-    fn lies_within(self, limit: Self) -> bool;
-    /// Positive and finite, told by the bits in one comparison.
-    fn is_positive_number(self) -> bool;
     /// Cube root.
     fn cube_root(self) -> Self;
     /// Exponential function.
@@ -288,15 +285,6 @@ macro_rules! plain {
             fn is_finite_number(self) -> bool {
                 self.is_finite()
             }
-            const LARGEST: $float = $float::MAX;
-            #[inline(always)]
-            fn lies_within(self, limit: Self) -> bool {
-                self.to_bits() <= limit.to_bits()
-            }
-            #[inline(always)]
-            fn is_positive_number(self) -> bool {
-                self.to_bits().wrapping_sub(1) < $float::MAX.to_bits()
-            }
             #[inline]
             fn cube_root(self) -> Self {
                 $cbrt(self)
@@ -338,8 +326,12 @@ macro_rules! plain {
                 (self >= low) & (self <= high)
             }
             #[inline(always)]
-            fn is_positive(self) -> bool {
-                self > 0.0
+            fn lies_within(self, limit: Self) -> bool {
+                self.to_bits() <= limit.to_bits()
+            }
+            #[inline(always)]
+            fn is_positive_number(self) -> bool {
+                self.to_bits().wrapping_sub(1) < $float::MAX.to_bits()
             }
         }
 

@@ -160,9 +160,13 @@ macro_rules! lanes {
                 (low & high) == ALL
             }
             #[inline(always)]
-            fn is_positive(self) -> bool {
-                const ALL: i32 = (1 << $count) - 1;
-                unsafe { $mask($compare::<_CMP_GT_OQ>(self.0, $splat(0.0))) == ALL }
+            fn lies_within(self, limit: Self) -> bool {
+                self.lies_between(Self::splat(0.0), limit)
+            }
+            #[inline(always)]
+            fn is_positive_number(self) -> bool {
+                // (the smallest positive number, a subnormal one)
+                self.lies_between(Self::splat($float::from_bits(1)), Self::splat($float::MAX))
             }
         }
     };
