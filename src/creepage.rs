@@ -91,7 +91,6 @@ impl<F: Float> Creepage<F> {
     }
 }
 
-#[cfg(target_arch = "x86_64")]
 /// Kalker's parameters of a rolling contact (5.13), with the two numbers that shape the patch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<T: Number> {
