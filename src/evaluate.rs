@@ -42,6 +42,7 @@ pub struct Wanted {
 /// assert_eq!((forces.mz, forces.adhesion), (0.0, -1.0));
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
+#[cfg_attr(target_os = "none", inline(always))]
 pub fn evaluate<F: Precision>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
@@ -86,6 +87,8 @@ pub fn leave_out<F: Precision>(solution: &mut Solution<F>, wanted: Wanted) {
     }
 }
 
+/// (On a microcontroller its stack is free where all is wanted.)
+#[cfg_attr(target_os = "none", inline(never))]
 fn some<F: Precision>(problem: &Problem<F>, wanted: Wanted) -> Solution<F> {
     if let Some(rest) = problem.at_rest() {
         return rest;
