@@ -24,10 +24,8 @@ static double mine[CELLS][NUMBERS], rows[CELLS][NUMBERS];
 
 static void check(int good, const char *message)
 {
-    if (good)
-        return;
-    fprintf(stderr, "sweep: %s\n", message);
-    MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
+    if (!good && fprintf(stderr, "sweep: %s\n", message))
+        MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
 }
 
 static void solve_cell(int cell, int directions, double *row)
@@ -64,8 +62,12 @@ int main(int argc, char **argv)
     const int directions = argc > 2 ? atoi(argv[2]) : 1000;
     check(argc > 1 && directions > 0, "the file to write, and how many directions");
     const double start = MPI_Wtime();
-    for (int cell = rank; cell < CELLS; cell += ranks)
+    for (int cell = rank, done = 1; cell < CELLS; cell += ranks, done++) {
         solve_cell(cell, directions, mine[cell]);
+        if (rank == 0 && done % 500 == 0) /* the others are about as far */
+            fprintf(stderr, "%3d %%, about %.0f s left\n", 100 * done * ranks / CELLS,
+                    (MPI_Wtime() - start) * (CELLS - done * ranks) / (done * ranks));
+    }
     MPI_Reduce(mine, rows, CELLS * NUMBERS, MPI_DOUBLE, MPI_SUM, 0, MPI_COMM_WORLD);
     const double seconds = MPI_Wtime() - start, cases = (double)CELLS * directions;
     FILE *const file = rank == 0 ? fopen(argv[1], "w") : NULL;
