@@ -68,6 +68,21 @@ impl<F: Float> Contact<F> {
 }
 
 impl<F: Plain> Contact<F> {
+    /// Whether the numbers are of the usual sizes, µm to m, up to GN and TPa; of several contacts side by side, whether
+    /// all are. With creepages likewise ([`Creepage::is_usual`](crate::creepage::Creepage)) no check can fail in either
+    /// precision: all products and quotients lie below 1e36. A few comparisons instead of five divisions.
+    #[inline(always)]
+    pub(crate) fn is_usual(&self) -> bool {
+        let Self { a, b, normal_force, shear_modulus, poisson_ratio, friction } = *self;
+        let (shortest, longest) = (F::of(1e-6), F::of(10.0));
+        a.lies_between(shortest, longest)
+            && b.lies_between(shortest, longest)
+            && normal_force.lies_within(F::of(1e9))
+            && shear_modulus.lies_between(F::of(1.0), F::of(1e12))
+            && poisson_ratio.lies_within(F::of(0.5))
+            && friction.lies_within(F::of(100.0))
+    }
+
     /// Whether all is well, told by few comparisons; of several contacts side by side, with all of them. Rarely all is
     /// well also where this says no: [`Contact::check`] looks closer.
     #[inline(always)]

@@ -2,7 +2,7 @@
 
 use crate::contact::Contact;
 use crate::dual::Dual;
-use crate::real::{Arithmetic, Float, Number};
+use crate::real::{Arithmetic, Float, Number, Plain};
 use crate::status::Error;
 
 /// Rigid slip of the upper over the lower body, divided by the rolling speed (3.3).
@@ -88,6 +88,17 @@ impl<F: Float> Creepage<F> {
             && self.lateral.is_finite_number()
             && self.spin.is_finite_number();
         if finite { Ok(()) } else { Err(Error::NotFinite) }
+    }
+}
+
+impl<F: Plain> Creepage<F> {
+    /// Whether the numbers are of the usual sizes: `|υ|` up to 100, `|φ|` up to 1e4 per metre; see
+    /// [`Contact::is_usual`](Contact).
+    #[inline(always)]
+    pub(crate) fn is_usual(&self) -> bool {
+        self.longitudinal.abs().lies_within(F::of(100.0))
+            && self.lateral.abs().lies_within(F::of(100.0))
+            && self.spin.abs().lies_within(F::of(1e4))
     }
 }
 

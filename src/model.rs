@@ -6,7 +6,7 @@ use crate::creepage::{Creepage, Parameters};
 use crate::dual::Dual;
 use crate::field::FieldPoint;
 use crate::quadrature::Tabulated;
-use crate::real::{Float, Number, Plain, Real};
+use crate::real::{Arithmetic, Float, Number, Pair, Plain, Real};
 use crate::rolling_strip::{Placed, RollingStrips, StripGeometry, StripTotals, Strips};
 use crate::status::{Error, Notice};
 use crate::strip::{SlidingRule, State, Strip, StripPoint};
@@ -317,6 +317,9 @@ impl<F: Plain> Problem<'_, F> {
     /// well also where this says no: [`check`] looks closer.
     #[inline(always)]
     pub(crate) fn is_sound(&self) -> bool {
+        if self.contact.is_usual() && self.creepage.is_usual() {
+            return true;
+        }
         let Creepage { longitudinal, lateral, spin } = *self.creepage;
         let size = self.contact.a + self.contact.b;
         let edge_slip = size * spin.abs();
@@ -351,7 +354,8 @@ impl<F: Plain> Problem<'_, F> {
     /// `√(ab)` \[m\], without overflow.
     #[inline(always)]
     pub(crate) fn mean_radius(&self) -> F {
-        self.contact.a.sqrt() * self.contact.b.sqrt()
+        let (a, b) = F::Pair::of(self.contact.a, self.contact.b).sqrt().parts();
+        a * b
     }
 
     /// `F_x = G a b C11 υx`, `F_y = G a b (C22 υy + √(ab) C23 φ)`,
@@ -816,5 +820,49 @@ pub(crate) fn rolling_point<F: Precision>(
         point.judged()
     } else {
         StripPoint { slip_x: F::zero(), slip_y: F::zero(), state: State::Stick, ..point }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// No check can fail for the sizes that are let through without: at every corner of them, in both precisions.
+    #[test]
+    fn usual_sizes_pass_every_check() {
+        fn corners<F: Precision>() -> usize {
+            let ends = [
+                [1e-6, 10.0],
+                [1e-6, 10.0],
+                [0.0, 1e9],
+                [1.0, 1e12],
+                [0.0, 0.5],
+                [0.0, 100.0],
+                [-100.0, 100.0],
+                [-100.0, 100.0],
+                [-1e4, 1e4],
+            ];
+            let mut usual = 0;
+            for corner in 0..1 << ends.len() {
+                let mut k = 0;
+                let numbers = ends.map(|ends: [f64; 2]| {
+                    k += 1;
+                    F::of(ends[(corner >> (k - 1)) & 1])
+                });
+                let [a, b, normal_force, shear_modulus, poisson_ratio, friction, x, y, spin] =
+                    numbers;
+                let contact =
+                    Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction };
+                let creepage = Creepage { longitudinal: x, lateral: y, spin };
+                usual += usize::from(contact.is_usual() && creepage.is_usual());
+                for model in Model::ALL {
+                    let options = Options { model, strips: StripCount::Sixteen };
+                    let problem = Problem { contact: &contact, creepage: &creepage, options };
+                    assert!(problem.find_fault().is_ok(), "{model:?} {contact:?} {creepage:?}");
+                }
+            }
+            usual
+        }
+        assert_eq!((corners::<f64>(), corners::<f32>()), (512, 512));
     }
 }

@@ -323,7 +323,7 @@ macro_rules! plain {
             }
             #[inline(always)]
             fn lies_between(self, low: Self, high: Self) -> bool {
-                (self >= low) & (self <= high)
+                self >= low && self <= high
             }
             #[inline(always)]
             fn lies_within(self, limit: Self) -> bool {

@@ -836,9 +836,7 @@ impl<L: Marched> RollingStrips<L> {
         }
         let half = strips.half(symmetry);
         // (inverse roots of one pair and of many are computed differently, see `Two`)
-        Some(if !Self::PAIRED {
-            self.sum_of_groups::<true, true, 4, 0>(&half, symmetry)
-        } else if half.y.len() == 4 {
+        Some(if half.y.len() == 4 {
             self.sum_of_groups::<true, true, 4, 1>(&half, symmetry)
         } else {
             self.sum_of_groups::<true, true, 8, 2>(&half, symmetry)
