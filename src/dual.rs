@@ -4,18 +4,18 @@
 //! generic formulas as a plain number it returns the exact derivatives of what those formulas
 //! compute, branch by branch; there is no step size and no second implementation to keep in step.
 
-use crate::real::pairs::Two;
-use crate::real::{Arithmetic, Elementary, Float, Map, Number};
+use crate::real::{Arithmetic, Elementary, Float, Map, Number, Pair};
 use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// A value and its derivatives with respect to `M` inputs.
+/// A value and its derivatives with respect to `M` inputs: plain numbers, or pairs of them, so that registers for pairs are
+/// full whatever `M` is.
 #[derive(Clone, Copy, Debug)]
-pub struct Dual<F, const M: usize> {
+pub struct Dual<P, const M: usize> {
     /// The value.
-    pub value: F,
+    pub value: P,
     /// Its derivatives.
-    pub gradient: [F; M],
+    pub gradient: [P; M],
 }
 
 impl<F: Float, const M: usize> Dual<F, M> {
@@ -28,20 +28,32 @@ impl<F: Float, const M: usize> Dual<F, M> {
         }
         Self { value, gradient }
     }
+}
 
+impl<P: Arithmetic<Bare = P>, const M: usize> Dual<P, M> {
     /// A function of this number: its value, and its slope times the derivatives.
     #[inline(always)]
-    fn chain(self, value: F, slope: F) -> Self {
+    fn chain(self, value: P, slope: P) -> Self {
         Self { value, gradient: self.gradient.map(|d| d * slope) }
     }
 
     #[inline(always)]
-    fn combine(self, other: Self, value: F, by_self: F, by_other: F) -> Self {
+    fn combine(self, other: Self, value: P, by_self: P, by_other: P) -> Self {
         let mut gradient = self.gradient;
         for (own, other) in gradient.iter_mut().zip(other.gradient) {
             *own = *own * by_self + other * by_other;
         }
         Self { value, gradient }
+    }
+
+    /// `yes` where the test is positive, else `no`.
+    #[inline(always)]
+    fn pick(test: P, yes: Self, no: Self) -> Self {
+        let mut gradient = no.gradient;
+        for (own, other) in gradient.iter_mut().zip(yes.gradient) {
+            *own = test.choose(other, *own);
+        }
+        Self { value: test.choose(yes.value, no.value), gradient }
     }
 }
 
@@ -58,7 +70,7 @@ impl<F: Float, const M: usize> PartialOrd for Dual<F, M> {
     }
 }
 
-impl<F: Float, const M: usize> Add for Dual<F, M> {
+impl<P: Arithmetic<Bare = P>, const M: usize> Add for Dual<P, M> {
     type Output = Self;
     #[inline(always)]
     fn add(mut self, other: Self) -> Self {
@@ -67,7 +79,7 @@ impl<F: Float, const M: usize> Add for Dual<F, M> {
     }
 }
 
-impl<F: Float, const M: usize> Sub for Dual<F, M> {
+impl<P: Arithmetic<Bare = P>, const M: usize> Sub for Dual<P, M> {
     type Output = Self;
     #[inline(always)]
     fn sub(mut self, other: Self) -> Self {
@@ -76,7 +88,7 @@ impl<F: Float, const M: usize> Sub for Dual<F, M> {
     }
 }
 
-impl<F: Float, const M: usize> AddAssign for Dual<F, M> {
+impl<P: Arithmetic<Bare = P>, const M: usize> AddAssign for Dual<P, M> {
     #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         self.value += other.value;
@@ -86,7 +98,7 @@ impl<F: Float, const M: usize> AddAssign for Dual<F, M> {
     }
 }
 
-impl<F: Float, const M: usize> SubAssign for Dual<F, M> {
+impl<P: Arithmetic<Bare = P>, const M: usize> SubAssign for Dual<P, M> {
     #[inline(always)]
     fn sub_assign(&mut self, other: Self) {
         self.value -= other.value;
@@ -96,7 +108,7 @@ impl<F: Float, const M: usize> SubAssign for Dual<F, M> {
     }
 }
 
-impl<F: Float, const M: usize> Mul for Dual<F, M> {
+impl<P: Arithmetic<Bare = P>, const M: usize> Mul for Dual<P, M> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
@@ -104,17 +116,17 @@ impl<F: Float, const M: usize> Mul for Dual<F, M> {
     }
 }
 
-impl<F: Float, const M: usize> Div for Dual<F, M> {
+impl<P: Arithmetic<Bare = P>, const M: usize> Div for Dual<P, M> {
     type Output = Self;
     #[inline(always)]
     fn div(self, other: Self) -> Self {
         let quotient = self.value / other.value;
-        let inverse = F::one() / other.value;
+        let inverse = P::one() / other.value;
         self.combine(other, quotient, inverse, -(quotient * inverse))
     }
 }
 
-impl<F: Float, const M: usize> Neg for Dual<F, M> {
+impl<P: Arithmetic<Bare = P>, const M: usize> Neg for Dual<P, M> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -122,20 +134,44 @@ impl<F: Float, const M: usize> Neg for Dual<F, M> {
     }
 }
 
-impl<F: Float, const M: usize> Arithmetic for Dual<F, M> {
-    type Base = F;
+impl<P: Arithmetic<Bare = P>, const M: usize> Arithmetic for Dual<P, M> {
+    type Base = P::Base;
+    type Bare = P;
 
     #[inline(always)]
-    fn from_base(value: F) -> Self {
-        Self { value, gradient: [F::zero(); M] }
+    fn from_base(value: P::Base) -> Self {
+        Self { value: P::from_base(value), gradient: [P::zero(); M] }
     }
     #[inline(always)]
-    fn scale(self, factor: F) -> Self {
-        self.chain(self.value * factor, factor)
+    fn bare(self) -> P {
+        self.value
     }
     #[inline(always)]
-    fn shift(mut self, term: F) -> Self {
-        self.value += term;
+    fn composed<const N: usize>(value: P, slopes: [P; N], inputs: [Self; N]) -> Self {
+        let mut terms = slopes.into_iter().zip(inputs);
+        let Some((slope, input)) = terms.next() else {
+            return Self { value, gradient: [P::zero(); M] };
+        };
+        let mut gradient = input.gradient.map(|d| d * slope);
+        for (slope, input) in terms {
+            for (own, d) in gradient.iter_mut().zip(input.gradient) {
+                *own += d * slope;
+            }
+        }
+        Self { value, gradient }
+    }
+    #[inline(always)]
+    fn inverse(self) -> Self {
+        let inverse = P::one() / self.value;
+        self.chain(inverse, -(inverse * inverse))
+    }
+    #[inline(always)]
+    fn scale(self, factor: P::Base) -> Self {
+        Self { value: self.value.scale(factor), gradient: self.gradient.map(|d| d.scale(factor)) }
+    }
+    #[inline(always)]
+    fn shift(mut self, term: P::Base) -> Self {
+        self.value = self.value.shift(term);
         self
     }
     #[inline(always)]
@@ -145,28 +181,65 @@ impl<F: Float, const M: usize> Arithmetic for Dual<F, M> {
     #[inline(always)]
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
-        self.chain(root, F::of(0.5) / root.max(F::TINY))
+        self.chain(root, P::constant(0.5) / root.max(P::tiny()))
     }
     #[inline(always)]
     fn abs(self) -> Self {
-        if self.value < F::zero() { -self } else { self }
+        let negative = -self.value;
+        let value = negative.choose(negative, self.value);
+        Self { value, gradient: self.gradient.map(|d| negative.choose(-d, d)) }
     }
     #[inline(always)]
     fn max(self, other: Self) -> Self {
-        if self.value > other.value { self } else { other }
+        Self::pick(self.value - other.value, self, other)
     }
     #[inline(always)]
     fn min(self, other: Self) -> Self {
-        if self.value < other.value { self } else { other }
+        Self::pick(other.value - self.value, self, other)
     }
     #[inline(always)]
     fn choose(self, yes: Self, no: Self) -> Self {
-        if self.value > F::zero() { yes } else { no }
+        Self::pick(self.value, yes, no)
+    }
+}
+
+impl<F: Float, const M: usize> Pair<Dual<F, M>> for Dual<F::Pair, M> {
+    #[inline(always)]
+    fn of(first: Dual<F, M>, second: Dual<F, M>) -> Self {
+        let mut gradient = [F::Pair::zero(); M];
+        for (pair, (d, e)) in gradient.iter_mut().zip(first.gradient.iter().zip(second.gradient)) {
+            *pair = F::Pair::of(*d, e);
+        }
+        Self { value: F::Pair::of(first.value, second.value), gradient }
+    }
+    #[inline(always)]
+    fn parts(self) -> (Dual<F, M>, Dual<F, M>) {
+        let (first, second) = self.value.parts();
+        let slopes = self.gradient.map(F::Pair::parts);
+        (
+            Dual { value: first, gradient: slopes.map(|slope| slope.0) },
+            Dual { value: second, gradient: slopes.map(|slope| slope.1) },
+        )
+    }
+    #[inline(always)]
+    fn both(x: Dual<F, M>) -> Self {
+        Self { value: F::Pair::both(x.value), gradient: x.gradient.map(F::Pair::both) }
+    }
+    #[inline(always)]
+    fn scale_each(self, factors: [F; 2]) -> Self {
+        Self {
+            value: self.value.scale_each(factors),
+            gradient: self.gradient.map(|d| d.scale_each(factors)),
+        }
+    }
+    #[inline(always)]
+    fn plain([first, second]: [F; 2]) -> Self {
+        Self { value: F::Pair::of(first, second), gradient: [F::Pair::zero(); M] }
     }
 }
 
 impl<F: Float, const M: usize> Number for Dual<F, M> {
-    type Pair = Two<Self>;
+    type Pair = Dual<F::Pair, M>;
     const HAS_DERIVATIVES: bool = true;
     const LARGEST: F = F::LARGEST;
     const TINY: F = F::TINY;

@@ -9,7 +9,7 @@ mod large_spin;
 
 pub(crate) use self::large_spin::Released;
 
-use crate::real::{Arithmetic, Float, Number, Pair, Real};
+use crate::real::{Arithmetic, Float, Number, Pair, Plain, Real};
 
 /// A point `(Y, C)` of the leading edge, `Y² + C² = 1`, `C ≥ 0`, in units of the semi-axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -140,13 +140,26 @@ impl<P: Arithmetic> AdhesionLength<P> {
     /// `κ/a`
     #[inline(always)]
     pub(crate) fn at(&self, xi_bar: P) -> P {
-        let square = xi_bar * xi_bar;
-        let (_, s) = self.s(square);
         if self.cancels {
-            (square + self.eta_squared) / (s - self.eta_psi)
-        } else {
-            s * self.inverse + self.slope
+            let square = xi_bar * xi_bar;
+            let (_, s) = self.s(square);
+            return (square + self.eta_squared) / (s - self.eta_psi);
         }
+        let x = xi_bar.bare();
+        let square = x * x;
+        let floor = P::Bare::from_base(<P::Base as Number>::ROOT_TINY);
+        let (eta_squared, q) = (self.eta_squared.bare(), self.q.bare());
+        let s = (eta_squared + q * square).max(floor).sqrt();
+        let inverse = self.inverse.bare();
+        let kappa = s * inverse + self.slope.bare();
+        // dκ = (ξ̄/S) dξ̄ + d(η²)/(2 q S) + (ξ̄²/(2 q S) − S/q²) dq + d(ηψ/q)
+        let over_s = P::Bare::one() / s;
+        let half = over_s.times(0.5) * inverse;
+        P::composed(
+            kappa,
+            [x * over_s, half, square * half - s * inverse * inverse, P::Bare::one()],
+            [xi_bar, self.eta_squared, self.q, self.slope],
+        )
     }
 
     /// The tangent at `Y`, `κ + (dκ/dY)(Y' − Y)` with `dκ/dY = −p ξ̄/S` from either form of (5.41),
@@ -254,9 +267,16 @@ impl<T: Real> StripFamily<T> {
         let within = size < one || (size <= one && plain.eta * plain.psi < T::Base::zero());
         let found = if within { plain.by_tangents() } else { plain.beyond_unit_spin() };
         match found {
-            Some((lower, upper)) => Ok(AdhesionInterval {
-                lower: self.polished(lower, Side::Lower),
-                upper: self.polished(upper, Side::Upper),
+            Some((lower, upper)) => Ok(if T::HAS_DERIVATIVES {
+                self.moving(lower, upper).unwrap_or_else(|| AdhesionInterval {
+                    lower: self.polished(lower, Side::Lower),
+                    upper: self.polished(upper, Side::Upper),
+                })
+            } else {
+                AdhesionInterval {
+                    lower: EdgePoint::lifted(lower),
+                    upper: EdgePoint::lifted(upper),
+                }
             }),
             None => Err(self.nearest()),
         }
@@ -274,13 +294,82 @@ impl<T: Real> StripFamily<T> {
         Ok(AdhesionInterval { lower: EdgePoint { y: -y, c }, upper: EdgePoint { y, c } })
     }
 
-    /// One tangent step from a converged end carries the derivatives.
-    #[inline]
+    /// Converged ends with their derivatives, both at once: `κ(Y) = C` differentiated on the circle `Y = sin θ`,
+    ///
+    /// ```text
+    /// dθ = −dκ/(Y + C dκ/dY),   dκ/dY = −p ξ̄/S
+    /// ```
+    ///
+    /// with `dκ` at constant `Y`. `None` where that is no smooth crossing.
+    #[inline(always)]
+    fn moving(
+        &self,
+        lower: EdgePoint<T::Base>,
+        upper: EdgePoint<T::Base>,
+    ) -> Option<AdhesionInterval<T>> {
+        let one = <T::Base as Number>::Pair::one();
+        // The lower one mirrored: Y → −Y, p → −p.
+        let sides = StripFamily { slope: T::Pair::of(-self.slope, self.slope), ..self.paired() };
+        let length = AdhesionLength::of(&sides, self.cancels());
+        let plain = StripFamily {
+            xi: sides.xi.bare(),
+            slope: sides.slope.bare(),
+            eta: sides.eta.bare(),
+            psi: sides.psi.bare(),
+        };
+        let plain_length = AdhesionLength {
+            q: length.q.bare(),
+            inverse: length.inverse.bare(),
+            eta_squared: length.eta_squared.bare(),
+            eta_psi: length.eta_psi.bare(),
+            slope: length.slope.bare(),
+            cancels: length.cancels,
+        };
+        let mirrored = <T::Base as Number>::Pair::of(-lower.y, upper.y);
+        // The error of the derivatives is that of the point where they are taken: once more.
+        let tangent = plain_length.tangent(&plain, mirrored);
+        let norm = tangent.a * tangent.a + tangent.b * tangent.b;
+        let square = norm - tangent.d * tangent.d;
+        let all_above = |pair: <T::Base as Number>::Pair, bound: T::Base| {
+            let (first, second) = pair.parts();
+            first > bound && second > bound
+        };
+        // (beyond |ψ| = 1 the interval may end where S = 0)
+        let rooted = tangent.b * tangent.b - length.eta_squared.bare().times(1e-10);
+        let zero = <T::Base as Arithmetic>::zero();
+        if !(all_above(square, zero) && all_above(rooted, zero)) {
+            return None;
+        }
+        let (inverse, root) = (one / norm, square.sqrt());
+        let y = (tangent.d * tangent.a + tangent.b * root) * inverse;
+        let c = (tangent.d * tangent.b - tangent.a * root) * inverse;
+        if !all_above((mirrored - y).abs().times(-1.0), T::Base::of(-1e-3)) {
+            return None;
+        }
+        // ξ̄ and κ of the strip that does not move
+        let x = plain.xi - plain.slope * y;
+        let xi_bar = T::Pair::composed(x, [one, -y], [sides.xi, sides.slope]);
+        let s = (plain_length.eta_squared + plain_length.q * (x * x))
+            .max(<T::Base as Number>::Pair::tiny())
+            .sqrt();
+        let by_kappa = -(s / (s * y - plain.slope * x * c));
+        let angle =
+            T::Pair::composed(<T::Base as Number>::Pair::zero(), [by_kappa], [length.at(xi_bar)]);
+        let (lower_c, upper_c) = (lower.c, upper.c);
+        let place = T::Pair::composed(mirrored, [c], [angle]);
+        let height =
+            T::Pair::composed(<T::Base as Number>::Pair::of(lower_c, upper_c), [-y], [angle]);
+        let ((lower_y, upper_y), (lower_c, upper_c)) = (place.parts(), height.parts());
+        Some(AdhesionInterval {
+            lower: EdgePoint { y: -lower_y, c: lower_c },
+            upper: EdgePoint { y: upper_y, c: upper_c },
+        })
+    }
+
+    /// The same for one end, by a tangent step that carries the derivatives.
+    #[cold]
     fn polished(&self, end: EdgePoint<T::Base>, side: Side) -> EdgePoint<T> {
         let lifted = EdgePoint::lifted(end);
-        if !T::HAS_DERIVATIVES {
-            return lifted;
-        }
         let plain = self.plain();
         let xi_bar = plain.xi_bar(end.y);
         let q = (T::Base::one() - plain.psi) * (T::Base::one() + plain.psi);

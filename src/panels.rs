@@ -6,13 +6,16 @@
 
 use crate::leading_edge::{AdhesionLength, EdgePoint, StripFamily};
 use crate::quadrature::Node;
-use crate::real::{Arithmetic, Pair, Real};
+use crate::real::{Arithmetic, Number, Pair, Real};
 use crate::strip::SlidingRule;
 use core::f64::consts::PI;
 use core::ops::{AddAssign, Neg};
 
 /// A Gauss rule of any length: one piece of code serves every strip count.
 pub(crate) type Nodes<F> = &'static [Node<F>];
+
+/// Two plain numbers.
+type Bare<T> = <<T as Arithmetic>::Base as Number>::Pair;
 
 /// What strips carry.
 #[derive(Clone, Copy, Debug)]
@@ -67,19 +70,29 @@ pub(crate) struct SlidingLaw<T: Real> {
 impl<T: Real> SlidingLaw<T> {
     /// Directions of sliding of a pair of strips with `ξ̄` and `C²`.
     #[inline(always)]
-    fn direction(&self, xi_bar: T::Pair, c_squared: T::Pair) -> (T::Pair, T::Pair) {
-        let eta = T::Pair::both(self.family.eta);
+    fn direction(
+        &self,
+        family: &StripFamily<T::Pair>,
+        xi_bar: T::Pair,
+        c_squared: T::Pair,
+    ) -> (T::Pair, T::Pair) {
+        let eta = family.eta;
         let (x, y) = match self.rule {
             // w ~ ((1 − ν) ξ̄, η)
             SlidingRule::RigidSlip => (xi_bar.scale(self.compliance), eta),
             // w ~ (ξ̄, η + ψ C)
             SlidingRule::Continuous => {
-                let c = c_squared.max(T::Pair::tiny()).sqrt();
-                (xi_bar, eta + T::Pair::both(self.family.psi) * c)
+                let c = c_squared.bare().max(Bare::<T>::tiny()).sqrt();
+                let c = T::Pair::composed(c, [Bare::<T>::constant(0.5) / c], [c_squared]);
+                (xi_bar, eta + family.psi * c)
             }
         };
-        let inverse = T::Pair::one() / (x * x + y * y + T::Pair::tiny()).sqrt();
-        (x * inverse, y * inverse)
+        let (px, py) = (x.bare(), y.bare());
+        let inverse = Bare::<T>::one() / (px * px + py * py + Bare::<T>::tiny()).sqrt();
+        let (wx, wy) = (px * inverse, py * inverse);
+        // dw = (w_y, −w_x) dα,  dα = (y dx − x dy)/(x² + y²)
+        let turn = T::Pair::composed(Bare::<T>::zero(), [wy * inverse, -(wx * inverse)], [x, y]);
+        (T::Pair::composed(wx, [wy], [turn]), T::Pair::composed(wy, [-wx], [turn]))
     }
 }
 
@@ -89,6 +102,7 @@ impl<T: Real> SlidingLaw<T> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SlidingPanels<'a, T: Real> {
     law: &'a SlidingLaw<T>,
+    family: StripFamily<T::Pair>,
     from: T::Pair,
     length: T::Pair,
     slope: T::Pair,
@@ -140,7 +154,8 @@ impl<'a, T: Real> SlidingPanels<'a, T> {
         let from = T::Pair::of(-lower.y, upper.y);
         let edge = T::Pair::of(lower.c, upper.c);
         let slope = T::Pair::of(-law.family.slope, law.family.slope);
-        let (xi, eta) = (T::Pair::both(law.family.xi), T::Pair::both(law.family.eta));
+        let family = law.family.paired();
+        let (xi, eta) = (family.xi, family.eta);
         // Length of the panel, 1 − Y, without cancellation next to the edge
         let beyond = one + from.abs();
         let length = from.choose(edge * edge / beyond, beyond);
@@ -150,8 +165,8 @@ impl<'a, T: Real> SlidingPanels<'a, T> {
         let floor = T::Pair::from_base(T::ROOT_TINY);
         let near = (eta * eta + z * z + floor).sqrt().times(2.0);
         let span = (slope * length).scale(law.compliance).abs();
-        let scale = one / (near + span);
-        Self { law, from, length, slope, near: near * scale, span: span * scale }
+        let scale = (near + span).inverse();
+        Self { law, family, from, length, slope, near: near * scale, span: span * scale }
     }
 
     /// The strips at a node.
@@ -160,16 +175,26 @@ impl<'a, T: Real> SlidingPanels<'a, T> {
         &self,
         &(node, weight): &Node<T::Base>,
     ) -> (Place<T::Pair>, SlidingStrips<T::Pair>) {
-        let one = T::Pair::one();
+        let one = Bare::<T>::one();
         // [-1, 1] → [0, 1]
         let s = node.times(0.5).plus(0.5);
         let square = s * s;
-        let g = (self.near + self.span.scale(square)).scale(s);
-        let y = self.from + self.length * g;
-        let c_squared = self.length * (one - g) * (one + y);
-        let share = c_squared * (self.near + self.span.scale(square.times(3.0))).scale(weight);
-        let xi_bar = T::Pair::both(self.law.family.xi) - self.slope * y;
-        let (wx, wy) = self.law.direction(xi_bar, c_squared);
+        let (near, span) = (self.near.bare(), self.span.bare());
+        let (from, length) = (self.from.bare(), self.length.bare());
+        let g = (near + span.scale(square)).scale(s);
+        let place = from + length * g;
+        let c_squared = length * (one - g) * (one + place);
+        let width = (near + span.scale(square.times(3.0))).scale(weight);
+        let share = c_squared * width;
+        // L = 1 − from and B = 1 − A:  dY = (1 − g) dfrom + L (s − s³) dA,  d(C²) = −2 Y dY
+        let rest = <T::Base as Arithmetic>::one() - square;
+        let y = T::Pair::composed(place, [one - g, length.scale(s * rest)], [self.from, self.near]);
+        let arm = -(place + place);
+        let bend = c_squared.scale((rest - (square + square)) * weight);
+        let c_squared = T::Pair::composed(c_squared, [arm], [y]);
+        let share = T::Pair::composed(share, [width, bend], [c_squared, self.near]);
+        let xi_bar = self.family.xi - self.slope * y;
+        let (wx, wy) = self.law.direction(&self.family, xi_bar, c_squared);
         let fx = share * wx;
         (Place { y, c_squared }, SlidingStrips { share, fx, fy: share * wy, by_y: y * fx })
     }
@@ -177,6 +202,17 @@ impl<'a, T: Real> SlidingPanels<'a, T> {
     /// All of them.
     #[inline(always)]
     pub(crate) fn sum(&self, nodes: Nodes<T::Base>) -> SlidingStrips<T::Pair> {
+        if T::HAS_DERIVATIVES { self.sum_apart(nodes) } else { self.sum_here(nodes) }
+    }
+
+    /// (With derivatives the panels' numbers are many: read from memory, not held in registers.)
+    #[inline(never)]
+    fn sum_apart(&self, nodes: Nodes<T::Base>) -> SlidingStrips<T::Pair> {
+        self.sum_here(nodes)
+    }
+
+    #[inline(always)]
+    fn sum_here(&self, nodes: Nodes<T::Base>) -> SlidingStrips<T::Pair> {
         let mut sum = SlidingStrips::zero();
         for node in nodes {
             sum += self.at(node).1;
@@ -230,7 +266,8 @@ impl<'a, T: Real> SlidingPanels<'a, T> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct AdhesionPanel<'a, T: Real> {
     law: &'a SlidingLaw<T>,
-    length: AdhesionLength<T>,
+    family: StripFamily<T::Pair>,
+    length: AdhesionLength<T::Pair>,
     arc: Arc<T>,
 }
 
@@ -321,20 +358,35 @@ impl<'a, T: Real> AdhesionPanel<'a, T> {
     #[inline(always)]
     pub(crate) fn new(law: &'a SlidingLaw<T>, lower: EdgePoint<T>, upper: EdgePoint<T>) -> Self {
         let length = AdhesionLength::of(&law.family, law.family.cancels());
-        Self { law, length, arc: Arc::between(lower, upper) }
+        Self {
+            law,
+            family: law.family.paired(),
+            length: length.paired(),
+            arc: Arc::between(lower, upper),
+        }
     }
 
     /// The strips at a node.
     #[inline(always)]
     pub(crate) fn at(&self, node: &Node<T::Base>) -> AdhesionStrip<T::Pair> {
         let (y, c, width) = self.arc.at(node);
-        let xi_bar = self.law.family.paired().xi_bar(y);
-        AdhesionStrip { y, c, width, kappa: self.length.paired().at(xi_bar).min(c), xi_bar }
+        let xi_bar = self.family.xi_bar(y);
+        AdhesionStrip { y, c, width, kappa: self.length.at(xi_bar).min(c), xi_bar }
     }
 
     /// All of them.
     #[inline(always)]
     fn sum(&self, nodes: Nodes<T::Base>) -> AdhesionSum<T::Pair> {
+        if T::HAS_DERIVATIVES { self.sum_apart(nodes) } else { self.sum_here(nodes) }
+    }
+
+    #[inline(never)]
+    fn sum_apart(&self, nodes: Nodes<T::Base>) -> AdhesionSum<T::Pair> {
+        self.sum_here(nodes)
+    }
+
+    #[inline(always)]
+    fn sum_here(&self, nodes: Nodes<T::Base>) -> AdhesionSum<T::Pair> {
         let mut sum = AdhesionSum::zero();
         for node in nodes {
             sum += self.at(node).terms();
@@ -370,7 +422,7 @@ impl<'a, T: Real> AdhesionPanel<'a, T> {
         sum: &AdhesionSum<T::Pair>,
         scales: &Scales<T::Pair>,
     ) -> Shares<T::Pair> {
-        let StripFamily { eta, psi, .. } = self.law.family.paired();
+        let StripFamily { eta, psi, .. } = self.family;
         Shares {
             // f_x = ξ̄ (2C − K),  f_y = ψ C² + η (2C − K)
             fx: sum.fx * scales.stretch,
@@ -387,7 +439,7 @@ impl<'a, T: Real> AdhesionPanel<'a, T> {
     pub(crate) fn slid(&self, strip: &AdhesionStrip<T::Pair>) -> SlidingStrips<T::Pair> {
         let c_squared = strip.c * strip.c;
         let share = c_squared * strip.width;
-        let (wx, wy) = self.law.direction(strip.xi_bar, c_squared);
+        let (wx, wy) = self.law.direction(&self.family, strip.xi_bar, c_squared);
         let fx = share * wx;
         SlidingStrips { share, fx, fy: share * wy, by_y: strip.y * fx }
     }
@@ -410,13 +462,17 @@ impl<'a, T: Real> AdhesionPanel<'a, T> {
 
 /// A piece of the leading edge, as an arc of the unit circle `Y = sin θ`, `C = cos θ`.
 #[derive(Clone, Copy, Debug)]
-struct Arc<T> {
+struct Arc<T: Real> {
     lower: EdgePoint<T>,
     upper: EdgePoint<T>,
     /// The point half-way.
     middle: EdgePoint<T>,
     /// `tan(Δθ/4)`, 0 to 1.
     quarter_tangent: T,
+    /// The same twice.
+    quarters: T::Pair,
+    /// The derivatives of the angle of the middle.
+    middle_angle: T::Pair,
 }
 
 impl<T: Real> Arc<T> {
@@ -428,12 +484,17 @@ impl<T: Real> Arc<T> {
         let lengths = T::Pair::of(dy, sy).squared() + T::Pair::of(dc, sc).squared();
         let (chord, along) = (lengths + T::Pair::tiny()).sqrt().parts();
         // Both the sum and the normal of the chord point to the middle; together they never vanish.
-        let scale = T::one() / (chord + along);
+        let scale = (chord + along).inverse();
+        let middle = EdgePoint { y: (sy - dc) * scale, c: (sc + dy) * scale };
+        let (y, c) = (T::Pair::both(middle.y), T::Pair::both(middle.c));
+        let quarter_tangent = chord / along.plus(2.0);
         Self {
             lower,
             upper,
-            middle: EdgePoint { y: (sy - dc) * scale, c: (sc + dy) * scale },
-            quarter_tangent: chord / (along.plus(2.0)),
+            middle,
+            quarter_tangent,
+            quarters: T::Pair::both(quarter_tangent),
+            middle_angle: T::Pair::composed(Bare::<T>::zero(), [c.bare(), -y.bare()], [y, c]),
         }
     }
 
@@ -441,17 +502,33 @@ impl<T: Real> Arc<T> {
     /// rational; `−t` and `t` side by side.
     #[inline(always)]
     fn at(&self, &(node, weight): &Node<T::Base>) -> (T::Pair, T::Pair, T::Pair) {
-        let (middle_y, middle_c) = (T::Pair::both(self.middle.y), T::Pair::both(self.middle.c));
-        let t = self.quarter_tangent.scale(node);
-        let scale = T::one() / (T::one() + t * t);
-        let cosine = T::Pair::both((T::one() - t * t) * scale);
+        let one = <T::Base as Arithmetic>::one();
+        let [middle_y, middle_c] =
+            [self.middle.y, self.middle.c].map(|x| Bare::<T>::both(x.value()));
+        let quarter = self.quarter_tangent.value();
+        let t = quarter * node;
+        let scale = one / (one + t * t);
+        let cosine = (one - t * t) * scale;
         let sine = (t * scale).times(2.0);
-        let sine = T::Pair::of(-sine, sine);
-        let c = middle_c * cosine - middle_y * sine;
-        let y = middle_y * cosine + middle_c * sine;
+        let (cosine_both, sine) = (Bare::<T>::both(cosine), Bare::<T>::of(-sine, sine));
+        let c = middle_c * cosine_both - middle_y * sine;
+        let y = middle_y * cosine_both + middle_c * sine;
         // dY = C dφ,  dφ = 2 dt/(1 + t²)
-        let turn = (self.quarter_tangent * scale).scale(weight.times(2.0));
-        (y, c, c * T::Pair::both(turn))
+        let turn = (quarter * scale) * weight.times(2.0);
+        let width = c * Bare::<T>::both(turn);
+        // Derivatives: dY = C dθ and dC = −Y dθ,  dθ = dθ_middle ± dφ,  d(q scale) = cos φ scale dq
+        let growth = (scale * node).times(2.0);
+        let quarters = self.quarters;
+        let angle = T::Pair::composed(
+            Bare::<T>::zero(),
+            [Bare::<T>::one(), Bare::<T>::of(-growth, growth)],
+            [self.middle_angle, quarters],
+        );
+        let widening = c.scale((scale * cosine) * weight.times(2.0));
+        let place = T::Pair::composed(y, [c], [angle]);
+        let c_dual = T::Pair::composed(c, [-y], [angle]);
+        let width = T::Pair::composed(width, [Bare::<T>::both(turn), widening], [c_dual, quarters]);
+        (place, c_dual, width)
     }
 
     /// `∫ C dY` and `∫ C² dY`

@@ -19,7 +19,7 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// A number without derivatives: what constants and tables are made of. `f32`, `f64`, or the numbers of several
 /// contacts side by side.
-pub trait Plain: Number<Base = Self> {
+pub trait Plain: Number<Base = Self> + Arithmetic<Bare = Self> {
     /// What tables are stored in.
     type Stored: Float;
 
@@ -99,15 +99,31 @@ pub trait Arithmetic:
 {
     /// The plain number: `f64` for `f64` and for dual numbers over `f64`.
     type Base: Plain;
+    /// The same without derivatives: one plain number, or a pair of them.
+    type Bare: Arithmetic<Base = Self::Base>;
 
     /// A plain number; its derivatives are zero.
     fn from_base(x: Self::Base) -> Self;
+    /// Without derivatives.
+    fn bare(self) -> Self::Bare;
+    /// A function of some numbers from its value and its derivatives by them, worked out by hand. Without derivatives it
+    /// is the value, and what leads to the slopes is left out by the compiler.
+    fn composed<const N: usize>(
+        value: Self::Bare,
+        slopes: [Self::Bare; N],
+        inputs: [Self; N],
+    ) -> Self;
     /// Product with a plain number.
     fn scale(self, factor: Self::Base) -> Self;
     /// Sum with a plain number.
     fn shift(self, term: Self::Base) -> Self;
     /// Square root of a number that is not negative.
     fn sqrt(self) -> Self;
+    /// `1/x`
+    #[inline(always)]
+    fn inverse(self) -> Self {
+        Self::one() / self
+    }
     /// `1/√x` of numbers between 1e-30 and 1e30, to 1e-14 relative in double precision.
     #[inline(always)]
     fn inverse_roots<const N: usize>(numbers: [Self; N]) -> [Self; N] {
@@ -177,7 +193,7 @@ pub trait Arithmetic:
 /// A number that formulas without a branch can be evaluated with.
 pub trait Number: Arithmetic {
     /// Two numbers side by side, in one register where the machine has such registers.
-    type Pair: Pair<Self>;
+    type Pair: Pair<Self> + Arithmetic<Bare = <Self::Base as Number>::Pair>;
 
     /// Whether there is more to it than a value.
     const HAS_DERIVATIVES: bool = false;
@@ -337,10 +353,19 @@ macro_rules! plain {
 
         impl Arithmetic for $float {
             type Base = $float;
+            type Bare = $float;
 
             #[inline(always)]
             fn from_base(x: $float) -> Self {
                 x
+            }
+            #[inline(always)]
+            fn bare(self) -> Self {
+                self
+            }
+            #[inline(always)]
+            fn composed<const N: usize>(value: $float, _: [$float; N], _: [$float; N]) -> Self {
+                value
             }
             #[inline(always)]
             fn scale(self, factor: $float) -> Self {

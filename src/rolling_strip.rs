@@ -44,7 +44,6 @@ use self::nodes::Rule;
 use self::constants::{HIDDEN, HIDDEN_OFFSET, OUTPUT, OUTPUT_OFFSET, ROUNDING};
 use crate::coefficients::LinearCoefficients;
 use crate::dual::Dual;
-use crate::real::pairs::Two;
 use crate::real::{Arithmetic, Float, Number, Pair, Plain, Real};
 use core::f64::consts::PI;
 
@@ -551,13 +550,17 @@ where
             root: self.root,
         };
         let mut sums = SlopeSums::<<T::Base as Number>::Pair>::start();
+        let (bias, bias_slope) = squashed_slope(plain.spin);
+        let biases =
+            (<T::Base as Number>::Pair::both(bias), <T::Base as Number>::Pair::both(bias_slope));
+        let steps = SlopeStep::all(<T::Base as Number>::Pair::both(plain.spin), biases.0, biases.1);
         if !Self::PAIRED || strips.y.len() == 4 {
             for (_, group) in strips.groups::<4>() {
-                plain.slopes::<2, STICK>(&group, &mut sums);
+                plain.slopes::<2, STICK>(&group, biases, &steps, &mut sums);
             }
         } else {
             for (_, group) in strips.groups::<8>() {
-                plain.slopes::<4, STICK>(&group, &mut sums);
+                plain.slopes::<4, STICK>(&group, biases, &steps, &mut sums);
             }
         }
         let by =
@@ -856,28 +859,26 @@ impl<F: Float + Marched> RollingStrips<F> {
     fn slopes<const H: usize, const STICK: bool>(
         &self,
         rule: &Strips<F>,
+        (bias, bias_slope): (F::Pair, F::Pair),
+        steps: &[SlopeStep<F::Pair>; STEPS],
         sums: &mut SlopeSums<F::Pair>,
     ) {
         let (ax, ay) = self.seen::<H>(rule, 0);
         let mut strips = Together::start(&ax, &ay);
-        let mut forces = [Slopes::<F::Pair>::start(); H];
-        let (bias, bias_slope) = squashed_slope(self.spin);
-        let spin = Uniform(F::Pair::both(self.spin));
-        let (bias, bias_slope) = (Uniform(F::Pair::both(bias)), F::Pair::both(bias_slope));
-        for step in &F::STEPS {
+        let (spin, bias) = (Uniform(F::Pair::both(self.spin)), Uniform(bias));
+        let mut cuts = [[Tried::start(); STEPS]; H];
+        for (j, step) in F::STEPS.iter().enumerate() {
             let turn = Turn::new(&spin, &bias, step);
-            let before = strips.kept;
             strips.offer(&turn, step);
             strips.cut();
-            let floor_slope = bias_slope.scale(step.bound);
-            let cuts = strips.kept.iter().zip(&strips.trial).zip(&before);
-            let states = strips.px.iter_mut().zip(&mut strips.py).zip(cuts);
-            for (((x, y), ((m, q), before)), forces) in states.zip(&mut forces) {
-                forces.add([x, y], [*m, *q, *before], &turn, &floor_slope, step);
-            }
+            strips.note(cuts.iter_mut().filter_map(|cuts| cuts.get_mut(j)));
             if STICK {
                 strips.adhere(step);
             }
+        }
+        let mut forces = [Slopes::<F::Pair>::start(); H];
+        for (forces, cuts) in forces.iter_mut().zip(&cuts) {
+            forces.add(cuts, steps);
         }
         let found = strips.end::<STICK>(&bias);
         let tables =
@@ -973,16 +974,28 @@ impl<P: Arithmetic> SlopeSum<P> {
     }
 }
 
-/// A strip's march with its derivatives by `A_x, A_y, σ`.
+/// A step of a strip's march before its cut.
+#[derive(Clone, Copy)]
+struct Tried<T> {
+    /// `p_x` and `p_y`
+    p: [T; 2],
+    /// The factor of the cut.
+    kept: T,
+    /// `(|p|/B)²`
+    trial: T,
+}
+
+impl<T: Arithmetic> Tried<T> {
+    #[inline(always)]
+    fn start() -> Self {
+        let zero = T::zero();
+        Self { p: [zero; 2], kept: zero, trial: zero }
+    }
+}
+
+/// The sums of a strip's march, and their derivatives by `A_x, A_y, σ` before them.
 #[derive(Clone, Copy)]
 struct Slopes<T> {
-    /// Derivatives of `p_x`.
-    dx: [T; 3],
-    /// Derivatives of `p_y`.
-    dy: [T; 3],
-    /// Derivatives of the share that was kept.
-    dm: [T; 3],
-    /// Derivatives of the sums, and the sums.
     fx: [T; 4],
     fy: [T; 4],
     mx: [T; 4],
@@ -991,65 +1004,98 @@ struct Slopes<T> {
 impl<T: Arithmetic> Slopes<T> {
     #[inline(always)]
     fn start() -> Self {
-        let (three, four) = ([T::zero(); 3], [T::zero(); 4]);
-        Self { dx: three, dy: three, dm: three, fx: four, fy: four, mx: four }
+        let four = [T::zero(); 4];
+        Self { fx: four, fy: four, mx: four }
     }
 
-    /// One step from the increment `p`: the cut, the tractions and their derivatives. Not inlined: the
-    /// pairs of strips share one short piece of code.
+    /// Adds the steps of a strip. Not inlined: the pairs of strips share one piece of code.
     #[inline(never)]
-    fn add(
-        &mut self,
-        p: [&mut T; 2],
-        [m, q, before]: [T; 3],
-        turn: &Turn<Uniform<T>>,
-        floor_slope: &T,
-        step: &Step<T::Base>,
-    ) {
+    fn add(&mut self, cuts: &[Tried<T>; STEPS], steps: &[SlopeStep<T>; STEPS]) {
         const D: f64 = ROUNDING as f64;
-        let [px, py] = p;
-        let (x, y) = (*px, *py);
-        let Self { dx, dy, dm, fx, fy, mx } = self;
-        // s'(q) = 1 − z/(2 d)
-        let z = (T::constant(1.0 + D) - q.max(T::constant(1.0 - D))).max(T::zero());
-        let ds = T::one() - z.times(0.5 / D);
-        let m2 = m * m;
-        // m = s^{−1/2}: dm = c r, r = x dx + y dy
-        let c = (m2 * m) * ds.scale(-step.inverse_square);
-        let w = q * m2;
-        let half = (w * w).plus(1.0);
-        // dh = e r
-        let dw = m2.scale(step.inverse_square) + q * m * c;
-        let e = (w * dw).times(4.0);
-        (*px, *py) = (x * m, y * m);
-        let (gx, gy) = (x * c, y * c);
-        let above = *py - turn.floor.0;
-        let (hx, hy) = (*px * e, above * e);
-        let (sum_x, sum_y) = (*px * half, above * half);
-        fx[3] += sum_x;
-        fy[3] += sum_y;
-        mx[3] += sum_y.scale(step.x);
-        let length = T::from_base(step.length);
-        let by_spin = before.scale(step.square).shift(step.turn);
-        for i in 0..3 {
-            let (mut ex, mut ey) = (dx[i], dy[i] + turn.turned.0 * dm[i]);
-            match i {
-                0 => ex += length,
-                1 => ey += length,
-                _ => ey += by_spin,
+        let (mut all, zero) = (*self, T::zero());
+        let (mut dx, mut dy) = ([zero; 3], [zero; 3]);
+        let mut before = T::one();
+        for (tried, step) in cuts.iter().zip(steps) {
+            let Tried { p: [x, y], kept: m, trial: q } = *tried;
+            // s'(q) = 1 − z/(2 d)
+            let z = (T::constant(1.0 + D) - q.max(T::constant(1.0 - D))).max(T::zero());
+            let ds = T::one() - z.times(0.5 / D);
+            let m2 = m * m;
+            // m = s^{−1/2}: dm = −c r, r = x dx + y dy
+            let c = (m2 * m) * ds * step.inverse_square;
+            let w = q * m2;
+            let half = (w * w).plus(1.0);
+            // dh = e r
+            let dw = m2 * step.inverse_square - q * m * c;
+            let e = (w * dw).times(4.0);
+            let (cut_x, cut_y) = (x * m, y * m - step.floor);
+            let sum = cut_y * half;
+            all.fx[3] += cut_x * half;
+            all.fy[3] += sum;
+            all.mx[3] += sum * step.x;
+            // d(h p_x) = h m dx + (e p_x − h c x) r
+            let (whole, turn) = (half * m, half * c);
+            let (by_x, by_y) = (e * cut_x - turn * x, e * cut_y - turn * y);
+            let by_spin = before * step.square + step.turn;
+            // dp = m dp − (p + what the next step turns with m) c r
+            let (pull_x, pull_y) = (c * x, c * (y + step.turned));
+            for i in 0..3 {
+                let (mut ex, mut ey) = (dx[i], dy[i]);
+                match i {
+                    0 => ex += step.length,
+                    1 => ey += step.length,
+                    _ => ey += by_spin,
+                }
+                let r = x * ex + y * ey;
+                dx[i] = m * ex - pull_x * r;
+                dy[i] = m * ey - pull_y * r;
+                all.fx[i] += whole * ex + by_x * r;
+                let mut sum = whole * ey + by_y * r;
+                if i == 2 {
+                    sum -= half * step.floor_slope;
+                }
+                all.fy[i] += sum;
+                all.mx[i] += sum * step.x;
             }
-            let r = x * ex + y * ey;
-            dm[i] = c * r;
-            let (ex, ey) = (m * ex + gx * r, m * ey + gy * r);
-            (dx[i], dy[i]) = (ex, ey);
-            fx[i] += half * ex + hx * r;
-            let mut sum = half * ey + hy * r;
-            if i == 2 {
-                sum -= half * *floor_slope;
-            }
-            fy[i] += sum;
-            mx[i] += sum.scale(step.x);
+            before = m;
         }
+        *self = all;
+    }
+}
+
+/// A step of the march, for pairs of strips with one spin: read, not computed again for each of them.
+#[derive(Clone, Copy)]
+struct SlopeStep<T> {
+    x: T,
+    length: T,
+    square: T,
+    turn: T,
+    inverse_square: T,
+    /// What the next step adds to `p_y` for the share that was kept.
+    turned: T,
+    /// `r B` and its derivative by `σ`.
+    floor: T,
+    floor_slope: T,
+}
+
+impl<T: Arithmetic> SlopeStep<T>
+where
+    T::Base: Marched,
+{
+    #[inline(always)]
+    fn all(spin: T, bias: T, bias_slope: T) -> [Self; STEPS] {
+        let table = &T::Base::STEPS;
+        let mut following = table.iter().skip(1);
+        T::Base::STEPS.map(|step| {
+            let next =
+                following.next().map_or(T::zero(), |next| spin.scale(T::Base::stored(next.square)));
+            let Step { x, length, square, turn, bound, inverse_square, .. } = step;
+            let [x, length, square, turn, inverse_square] =
+                [x, length, square, turn, inverse_square].map(|x| T::from_base(T::Base::stored(x)));
+            let bound = T::Base::stored(bound);
+            let (floor, floor_slope) = (bias.scale(bound), bias_slope.scale(bound));
+            Self { x, length, square, turn, inverse_square, turned: next, floor, floor_slope }
+        })
     }
 }
 
@@ -1086,8 +1132,8 @@ fn parameters<T: Number, C: Corrections<T>>(
     let (x2, px2, y2, py2) = (vx * vx, px * px, vy * vy, py * py);
 
     // every quotient (s − c)/(s + c) as 1 − 2 c/(s + c), the divisions in pairs
-    let inverse = |first: T, second: T| (T::Pair::one() / T::Pair::of(first, second)).parts();
-    let (by_x, by_y) = (T::Pair::one() / size.plus(1.0)).parts();
+    let inverse = |first: T, second: T| T::Pair::of(first, second).inverse().parts();
+    let (by_x, by_y) = size.plus(1.0).inverse().parts();
     let (over_x, over_y) = inverse((x2 + px2).plus(0.02), (y2 + py2).plus(0.02));
     let (by_s, by_few) = inverse(ss.plus(1.0), ss.plus(0.1));
     let (by_less, by_more) = inverse(ss.plus(0.3), ss.plus(2.0));
@@ -1355,6 +1401,16 @@ where
         }
     }
 
+    /// Notes the step, and brings `p` back to the bound.
+    #[inline(always)]
+    fn note<'b>(&mut self, cuts: impl Iterator<Item = &'b mut Tried<T>>) {
+        let states = self.px.iter_mut().zip(&mut self.py).zip(self.kept.iter().zip(&self.trial));
+        for (((px, py), (kept, trial)), cut) in states.zip(cuts) {
+            *cut = Tried { p: [*px, *py], kept: *kept, trial: *trial };
+            (*px, *py) = (*px * *kept, *py * *kept);
+        }
+    }
+
     /// The factors that bring `p` back to the bound.
     #[inline(always)]
     fn cut(&mut self) {
@@ -1505,7 +1561,7 @@ where
 
 impl<F: Float + Marched> Corrections<Dual<F, 3>> for WithSlopes {
     #[inline(always)]
-    fn of(features: &[Dual<F, 3>; FEATURES]) -> [Two<Dual<F, 3>>; CORRECTIONS / 2] {
+    fn of(features: &[Dual<F, 3>; FEATURES]) -> [Dual<F::Pair, 3>; CORRECTIONS / 2] {
         network_slopes(features)
     }
 }
@@ -1554,7 +1610,7 @@ where
 #[inline(always)]
 fn network_slopes<F: Float + Marched>(
     features: &[Dual<F, 3>; FEATURES],
-) -> [Two<Dual<F, 3>>; CORRECTIONS / 2] {
+) -> [Dual<F::Pair, 3>; CORRECTIONS / 2] {
     let none = [F::Pair::zero(); 3];
     let values = features.map(|feature| F::Pair::both(feature.value));
     let by_x = &features.map(|feature| F::Pair::both(feature.gradient[0]));
@@ -1606,13 +1662,7 @@ fn network_slopes<F: Float + Marched>(
             }
         }
     }
-    corrections.map(|(value, slopes)| {
-        let (value, slopes) = (value.parts(), slopes.map(Pair::parts));
-        Pair::of(
-            Dual { value: value.0, gradient: slopes.map(|slope| slope.0) },
-            Dual { value: value.1, gradient: slopes.map(|slope| slope.1) },
-        )
-    })
+    corrections.map(|(value, gradient)| Dual { value, gradient })
 }
 
 /// A table in pairs, from number `first` on.

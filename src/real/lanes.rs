@@ -64,10 +64,19 @@ macro_rules! lanes {
 
         impl Arithmetic for $lanes {
             type Base = Self;
+            type Bare = Self;
 
             #[inline(always)]
             fn from_base(x: Self) -> Self {
                 x
+            }
+            #[inline(always)]
+            fn bare(self) -> Self {
+                self
+            }
+            #[inline(always)]
+            fn composed<const N: usize>(value: Self, _: [Self; N], _: [Self; N]) -> Self {
+                value
             }
             #[inline(always)]
             fn scale(self, factor: Self) -> Self {

@@ -1,6 +1,6 @@
 //! Two numbers side by side: what the strips of a panel are computed in.
 
-use super::{Arithmetic, Number, Pair};
+use super::{Arithmetic, Pair, Plain};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// Two numbers of any kind, one after the other.
@@ -97,26 +97,35 @@ macro_rules! operators {
 #[cfg(target_arch = "x86_64")]
 pub(super) use operators;
 
-operators!([T: Number] Two<T>: |a, b|
+operators!([T: Plain] Two<T>: |a, b|
     Two(a.0 + b.0, a.1 + b.1),
     Two(a.0 - b.0, a.1 - b.1),
     Two(a.0 * b.0, a.1 * b.1),
     Two(a.0 / b.0, a.1 / b.1),
     Two(-a.0, -a.1));
 
-impl<T: Number> Arithmetic for Two<T> {
-    type Base = T::Base;
+impl<T: Plain> Arithmetic for Two<T> {
+    type Base = T;
+    type Bare = Self;
 
     #[inline(always)]
-    fn from_base(x: T::Base) -> Self {
-        Self::both(T::from_base(x))
+    fn from_base(x: T) -> Self {
+        Self::both(x)
     }
     #[inline(always)]
-    fn scale(self, factor: T::Base) -> Self {
+    fn bare(self) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn composed<const N: usize>(value: Self, _: [Self; N], _: [Self; N]) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn scale(self, factor: T) -> Self {
         Self(self.0.scale(factor), self.1.scale(factor))
     }
     #[inline(always)]
-    fn shift(self, term: T::Base) -> Self {
+    fn shift(self, term: T) -> Self {
         Self(self.0.shift(term), self.1.shift(term))
     }
     #[inline(always)]
@@ -160,7 +169,7 @@ impl<T: Number> Arithmetic for Two<T> {
     }
 }
 
-impl<T: Number> Pair<T> for Two<T> {
+impl<T: Plain> Pair<T> for Two<T> {
     #[inline(always)]
     fn of(first: T, second: T) -> Self {
         Self(first, second)
@@ -185,10 +194,19 @@ mod sse2 {
 
             impl Arithmetic for $pair {
                 type Base = $float;
+                type Bare = Self;
 
                 #[inline(always)]
                 fn from_base(x: $float) -> Self {
                     Self($vector::splat(x))
+                }
+                #[inline(always)]
+                fn bare(self) -> Self {
+                    self
+                }
+                #[inline(always)]
+                fn composed<const N: usize>(value: Self, _: [Self; N], _: [Self; N]) -> Self {
+                    value
                 }
                 #[inline(always)]
                 fn scale(self, factor: $float) -> Self {
