@@ -110,13 +110,13 @@ where
 
 /// The coefficient of friction that explains a measured force at a known creepage.
 ///
-/// Bounded iterations, about twenty solutions. The force grows with friction from full sliding, where it is
+/// Bounded iterations, about seventy solutions. The force grows with friction from full sliding, where it is
 /// friction times load, to adhesion, where it does not depend on it: there (less than a twentieth of the
 /// friction used, or more force than linear theory gives) the status is KSTRIP_WARNING_FRICTION_AT_LEAST and
 /// the result is the used friction |force|/load, a lower bound. Where spin opposes the creepage more than one
-/// friction may fit: KSTRIP_WARNING_SEVERAL_FRICTIONS, the result is the smallest. KSTRIP_MODEL_TOTAL suits best;
-/// the force of KSTRIP_MODEL_STRIP has ripples over friction (1 % of it), and pairs of solutions closer than a
-/// third go unnoticed.
+/// friction may fit: KSTRIP_WARNING_SEVERAL_FRICTIONS, the result is the smallest. KSTRIP_MODEL_TOTAL suits best:
+/// the force of KSTRIP_MODEL_STRIP has ripples over friction, up to 11 % of it where less than a third of friction is used,
+/// 1 % up to one half, none above 0.7, within which several frictions fit: mostly said by that warning.
 ///
 /// @param contact         ellipse, load, material; its friction is ignored.
 /// @param creepage        motion.
