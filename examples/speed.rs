@@ -29,6 +29,8 @@ mod plot;
 mod progress;
 #[path = "../tests/common/reference.rs"]
 mod reference;
+#[path = "speed/together.rs"]
+mod together;
 
 use calls::{Family, Row, has_strips};
 use kstrip::model::Model;
@@ -54,6 +56,9 @@ const ELSEWHERE: [(&str, f64, f64); 5] = [
 ];
 /// CONTACT at 100x50 cells; its error is the reference's own estimate.
 const REFERENCE: (&str, f64, f64) = ("CONTACT 100x50", 5e8, 6e-4);
+
+/// What was tried and what came of it: measured when it was tried, not in this run.
+const TRIED: &str = include_str!("speed/tried.md");
 
 struct Report {
     rows: Vec<Row>,
@@ -133,6 +138,34 @@ impl Report {
     fn introduction(&mut self, counted: &Result<String, String>, load: &str) {
         self.line("# Speed against error\n");
         self.line("Written by one command, one run: `cargo run --release --example speed`; do not edit.\n");
+        let [scalar, _] = self.fastsim();
+        let per_call: Vec<String> = [
+            (Model::Total, None),
+            (Model::Strip, Some(16)),
+            (Model::Strip1967, Some(16)),
+            (Model::Linear, None),
+        ]
+        .into_iter()
+        .map(|(model, strips)| {
+            let ratio = |family| self.found(family, strips).time() / scalar;
+            let [one, forces] = [Family::Double(model), Family::Forces(model)].map(ratio);
+            let [batch, arrays] = [Family::Batch(model), Family::BatchSingle(model)].map(ratio);
+            let of = strips.map_or(String::new(), |strips| format!(" ({strips} strips)"));
+            format!(
+                "{}{of} {} ({} forces alone through `kstrip_evaluate`; in a batch {}, in single precision {})",
+                name(model),
+                digits(one),
+                digits(forces),
+                digits(batch),
+                digits(arrays)
+            )
+        })
+        .collect();
+        self.line(format!(
+            "Time of a contact over that of FASTSIM 10x10 (classical loop, {} ns) in the same run: {}.\n",
+            digits(scalar),
+            per_call.join("; ")
+        ));
         self.line("![Error over cost](speed-vs-error.svg)\n");
         self.line(format!("* Machine: {load}."));
         self.line(format!(
@@ -251,7 +284,13 @@ impl Report {
             .filter(|row| !matches!(row.family, Family::Jacobian(_) | Family::JacobianSingle(_)))
             .map(|row| {
                 let time = row.time();
-                let precision = if matches!(row.family, Family::Single(_)) { "f32" } else { "f64" };
+                let precision = match row.family {
+                    Family::Single(_)
+                    | Family::ForcesSingle(_)
+                    | Family::BatchSingle(_)
+                    | Family::ArraysSingle(_) => "f32",
+                    _ => "f64",
+                };
                 [
                     row.name.clone(),
                     precision.to_owned(),
@@ -400,14 +439,11 @@ impl Report {
             .into_iter()
             .chain(growth::CONTACTS.map(|n| format!("**{n}**")))
             .collect()));
-        let mut batches = Vec::new();
         for model in [Model::Strip, Model::Total, Model::Strip1967] {
             let times = growth::batch(model);
             let strips = if has_strips(model) { ", 16 strips" } else { "" };
             let mut cells = vec![format!("{}{strips}, ns per contact", name(model))];
             cells.extend(times.iter().copied().map(digits));
-            let one = self.found(Family::Double(model), has_strips(model).then_some(16)).time();
-            batches.push(format!("{} {}", name(model), digits(one / times[3])));
             self.row(pad(cells));
         }
         self.row(pad(["points of a field".to_owned()]
@@ -425,22 +461,75 @@ impl Report {
             "\n* Strips: linear, a fixed part for the contact and then so much per strip (between 16 and 64): {}.",
             slopes.join(", ")
         ));
-        self.line(format!(
-            "* Contacts: linear: nothing is kept from one to the next, so the time per contact is flat. \
-             The scalar call over a batch of 1000: {}.",
-            batches.join(", ")
-        ));
+        self.line(
+            "* Contacts: linear: nothing is kept from one to the next. A batch of few contacts goes one by one; a larger one asks \
+             the processor once (next section).",
+        );
         self.line(
             "* Field: linear in the points inside the ellipse; the contact is solved once, a point costs the march along its strip \
              (STRIP) or the closed form of its strip (1967), and points outside cost nothing.",
         );
     }
 
+    fn batches(&mut self) {
+        self.line("\n## Many contacts at once\n");
+        let question = together::question();
+        self.line(format!(
+            "`kstrip_solve_batch` (structures) and `kstrip_solve_batch_arrays` (one array for each quantity) against a loop over \
+             `kstrip_solve` over the same contacts, in turns, nanoseconds per contact, 16 strips where there are strips; the results \
+             are the same bits. On x86-64 processors with AVX, four contacts in double precision or eight in single precision stand side \
+             by side in one register. The library is compiled for every x86-64 processor and asks once per batch (`cpuid`), which \
+             took {} ns here, under a hypervisor that intercepts it (a tenth of a microsecond without one): that is what the first \
+             column has more. Nothing is remembered between calls; compiled with `-C target-feature=+avx` nothing is asked.",
+            digits(question)
+        ));
+        let mut header = vec!["model".to_owned(), "precision".to_owned(), "how".to_owned()];
+        header.extend(together::CONTACTS.map(|count| format!("{count} contacts")));
+        self.line("");
+        self.header(&header.iter().map(String::as_str).collect::<Vec<_>>());
+        let mut least: Vec<String> = Vec::new();
+        for model in Model::ALL {
+            let measured = [
+                ("f64", together::in_double::by_count(model)),
+                ("f32", together::in_single::by_count(model)),
+            ];
+            for (precision, times) in measured {
+                for (k, how) in ["one by one", "structures", "arrays"].into_iter().enumerate() {
+                    let mut cells = vec![name(model).to_owned(), precision.to_owned(), how.to_owned()];
+                    cells.extend(times.iter().map(|times| match k {
+                        0 => digits(times[0]),
+                        _ => format!("{} ({}x)", digits(times[k]), digits(times[0] / times[k])),
+                    }));
+                    self.row(cells);
+                }
+                let gain = |times: &[f64; 3]| times[0] / times[1].max(times[2]);
+                let worst = times.iter().map(gain).fold(f64::INFINITY, f64::min);
+                let later = times[1..].iter().map(gain).fold(f64::INFINITY, f64::min);
+                least.push(format!(
+                    "{} {precision} {}, {} from 1000 contacts on",
+                    name(model),
+                    digits(worst),
+                    digits(later)
+                ));
+            }
+        }
+        self.line(format!(
+            "\nThe aim is 2. The least gain of either layout: {}. The theory of 1967 goes one by one: the search for its adhesion \
+             interval takes other branches in every contact.",
+            least.join("; ")
+        ));
+    }
+
     fn mark(&self, row: &Row) -> Option<Mark> {
         let (ink, filled) = match row.family {
             Family::Jacobian(_) | Family::JacobianSingle(_) => return None,
             Family::Double(model) => (Self::ink(model), true),
-            Family::Single(model) => (Self::ink(model), false),
+            Family::Batch(model) => (Self::ink(model), true),
+            Family::Single(model) | Family::BatchSingle(model) => (Self::ink(model), false),
+            Family::Forces(_)
+            | Family::ForcesSingle(_)
+            | Family::Arrays(_)
+            | Family::ArraysSingle(_) => return None,
             Family::Fastrip | Family::FastripBlended => (PURPLE, true),
             Family::ClosedForm => (RGBColor(0x66, 0x66, 0x66), true),
             _ => (ORANGE, true),
@@ -451,7 +540,9 @@ impl Report {
             (Family::Double(Model::Strip1967), Some(strips @ (4 | 64))) => strips.to_string(),
             (Family::Double(_), Some(_)) => String::new(),
             (Family::Double(_), None) => row.name.clone(),
-            (Family::Single(_), _) => String::new(),
+            (Family::Batch(_), Some(16)) => format!("{} 16", row.name.replace(", ", " ")),
+            (Family::Batch(_), _) => row.name.replace(", ", " "),
+            (Family::Single(_) | Family::BatchSingle(_), _) => String::new(),
             (Family::ClosedForm, _) => row.name.clone(),
             // the name at the first of a line, the grid alone at the others
             _ if self.first(row.family).name != row.name => grid(&row.name),
@@ -536,7 +627,7 @@ fn main() -> Drawn {
     }
     let machine = machine();
     let mut report = Report { rows: calls::rows(&open()), text: String::new() };
-    let bar = progress::bar(ROUNDS + 4);
+    let bar = progress::bar(ROUNDS + 5);
     bar.set_message("instructions");
     let counted = counts::count(&mut report.rows);
     bar.inc(1);
@@ -560,6 +651,10 @@ fn main() -> Drawn {
     bar.inc(1);
     bar.set_message("growth");
     report.growth();
+    bar.inc(1);
+    bar.set_message("batches");
+    report.batches();
+    report.line(TRIED);
     bar.inc(1);
     bar.set_message("picture");
     std::fs::write(project().join("docs/speed-vs-error.md"), &report.text)?;

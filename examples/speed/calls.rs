@@ -25,6 +25,18 @@ pub enum Family {
     Jacobian(Model),
     /// The same in single precision.
     JacobianSingle(Model),
+    /// A model in double precision through `kstrip_evaluate`, forces alone.
+    Forces(Model),
+    /// The same in single precision.
+    ForcesSingle(Model),
+    /// A contact of a batch of [`CALLS`], as structures, in double precision.
+    Batch(Model),
+    /// The same in single precision.
+    BatchSingle(Model),
+    /// A contact of a batch as arrays, in double precision.
+    Arrays(Model),
+    /// The same in single precision.
+    ArraysSingle(Model),
     /// The classical loop of FASTSIM, one strip after the other.
     FastsimScalar,
     /// FASTSIM, ten strips side by side.
@@ -209,12 +221,28 @@ fn models(open: &[Case]) -> Vec<Row> {
             let (f64, f32) =
                 (Errors::of_model::<f64>(open, &options), Errors::of_model::<f32>(open, &options));
             let mut add = |family, calls, errors: &Errors| {
-                let row = Row::new(family, name(model).to_owned(), calls, errors);
+                let what = match family {
+                    Family::Forces(_) | Family::ForcesSingle(_) => ", forces alone",
+                    Family::Batch(_) | Family::BatchSingle(_) => ", batch",
+                    Family::Arrays(_) | Family::ArraysSingle(_) => ", batch of arrays",
+                    _ => "",
+                };
+                let row = Row::new(family, name(model).to_owned() + what, calls, errors);
                 rows.push(Row { strips: count, ..row });
             };
             add(Family::Double(model), solve_f64(model, strips), &f64);
             add(Family::Single(model), solve_f32(model, strips), &f32);
             if sixteen {
+                use crate::together::{How, in_double, in_single};
+                let hows = [
+                    (How::ForcesAlone, Family::Forces(model), Family::ForcesSingle(model)),
+                    (How::Structures, Family::Batch(model), Family::BatchSingle(model)),
+                    (How::Arrays, Family::Arrays(model), Family::ArraysSingle(model)),
+                ];
+                for (how, in_f64, in_f32) in hows {
+                    add(in_f64, in_double::calls(CALLS, model, how), &f64);
+                    add(in_f32, in_single::calls(CALLS, model, how), &f32);
+                }
                 add(Family::Jacobian(model), jacobian_f64(model, strips), &f64);
                 add(Family::JacobianSingle(model), jacobian_f32(model, strips), &f32);
             }
