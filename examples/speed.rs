@@ -479,7 +479,7 @@ impl Report {
              `kstrip_solve` over the same contacts, in turns, nanoseconds per contact, 16 strips where there are strips; the results \
              are the same bits. On x86-64 processors with AVX, four contacts in double precision or eight in single precision stand side \
              by side in one register. The library is compiled for every x86-64 processor and asks once per batch (`cpuid`), which \
-             took {} ns here, under a hypervisor that intercepts it (a tenth of a microsecond without one): that is what the first \
+             took {} ns here, under a hypervisor that intercepts it (without one it is an instruction like others): that is what the first \
              column has more. Nothing is remembered between calls; compiled with `-C target-feature=+avx` nothing is asked.",
             digits(question)
         ));
@@ -495,7 +495,8 @@ impl Report {
             ];
             for (precision, times) in measured {
                 for (k, how) in ["one by one", "structures", "arrays"].into_iter().enumerate() {
-                    let mut cells = vec![name(model).to_owned(), precision.to_owned(), how.to_owned()];
+                    let mut cells =
+                        vec![name(model).to_owned(), precision.to_owned(), how.to_owned()];
                     cells.extend(times.iter().map(|times| match k {
                         0 => digits(times[0]),
                         _ => format!("{} ({}x)", digits(times[k]), digits(times[0] / times[k])),
@@ -524,12 +525,15 @@ impl Report {
         let (ink, filled) = match row.family {
             Family::Jacobian(_) | Family::JacobianSingle(_) => return None,
             Family::Double(model) => (Self::ink(model), true),
-            Family::Batch(model) => (Self::ink(model), true),
-            Family::Single(model) | Family::BatchSingle(model) => (Self::ink(model), false),
             Family::Forces(_)
             | Family::ForcesSingle(_)
+            // (no other place than one by one)
+            | Family::Batch(Model::Strip1967 | Model::Strip1967Continuous)
+            | Family::BatchSingle(Model::Strip1967 | Model::Strip1967Continuous)
             | Family::Arrays(_)
             | Family::ArraysSingle(_) => return None,
+            Family::Batch(model) => (Self::ink(model), true),
+            Family::Single(model) | Family::BatchSingle(model) => (Self::ink(model), false),
             Family::Fastrip | Family::FastripBlended => (PURPLE, true),
             Family::ClosedForm => (RGBColor(0x66, 0x66, 0x66), true),
             _ => (ORANGE, true),

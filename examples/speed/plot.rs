@@ -118,7 +118,7 @@ pub fn draw(
         ..Plot { x: plot.x.clone(), y: plot.y.clone(), ..plot }
     };
     picture(path, (980, 730), |canvas| {
-        let title = "Error over cost: one contact, forces, one call";
+        let title = "Error over cost: forces of one contact";
         write(canvas, title, (64.0, 22.0), 17, Align::Left, INK)?;
         let text = "mean error of the force against CONTACT on open.csv, in μ N";
         write(canvas, text, (64.0, 48.0), 13, Align::Left, INK)?;
@@ -188,7 +188,7 @@ pub fn draw(
             "Filled: double precision; open: single precision, and times of CONTACT's own code from another \
              run. Orange band: the Pareto front, what no other method beats in both.",
             "CONTACT is the reference; its point stands at its own estimated error. Numbers along a line: strips or grid. \
-             LINEAR has no saturation and is no force law.",
+             Batch: per contact of 512. LINEAR has no saturation.",
         ];
         for (k, text) in legend.iter().enumerate() {
             write(canvas, text, (64.0, 684.0 + 20.0 * k as f64), 12, Align::Left, INK)?;

@@ -2,7 +2,9 @@
 
 use crate::calls::{CONTACT, creepages};
 use crate::clock;
-use kstrip::ffi::{KSTRIP_WANT_FORCES, batch::*, double, evaluate::*, single, types::*, types_f32::*};
+use kstrip::ffi::{
+    KSTRIP_WANT_FORCES, batch::*, double, evaluate::*, single, types::*, types_f32::*,
+};
 use kstrip::model::Model;
 use std::cell::RefCell;
 use std::hint::black_box;
@@ -188,8 +190,7 @@ macro_rules! contacts {
                             let hows = [How::OneByOne, How::Structures, How::Arrays];
                             for (how, times) in hows.into_iter().zip(&mut times) {
                                 let run = || {
-                                    (0..repetitions)
-                                        .for_each(|_| contacts.solve(count, model, how))
+                                    (0..repetitions).for_each(|_| contacts.solve(count, model, how))
                                 };
                                 times.push(clock::took(run) / (repetitions * count) as f64);
                             }
