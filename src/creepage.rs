@@ -130,11 +130,8 @@ impl<T: Number> Parameters<T> {
     #[inline(always)]
     pub(crate) fn new_inline(contact: &Contact<T::Base>, creepage: &Creepage<T>) -> Self {
         let g_over_2mup0 = contact.stiffness_ratio();
-        let [vx, vy, a_phi] = bounded([
-            creepage.longitudinal,
-            creepage.lateral,
-            creepage.spin.scale(contact.a.min(T::HUGE)),
-        ]);
+        let [vx, vy, a_phi] =
+            bounded([creepage.longitudinal, creepage.lateral, creepage.spin.scale(contact.a)]);
         // (5.13)
         let [xi, eta, psi] = bounded([
             vx.scale(g_over_2mup0 * (T::Base::one() / (T::Base::one() - contact.poisson_ratio))),
@@ -195,7 +192,7 @@ impl<F: Float> Parameters<F> {
         let direction = [
             creepage.longitudinal / (F::one() - contact.poisson_ratio),
             creepage.lateral,
-            creepage.spin * contact.a.min(F::HUGE),
+            creepage.spin * contact.a,
         ];
         let [x, y, z] = direction.map(F::abs);
         let largest = x.max(y).max(z);

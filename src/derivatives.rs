@@ -182,15 +182,19 @@ pub fn check_jacobian<F: Precision>(
     model::check(contact, creepage, options)?;
     let Contact { a, b, normal_force, shear_modulus, friction, .. } = *contact;
     let within = |x: F, low: f64, high: f64| x >= F::constant(low) && x <= F::constant(high);
-    let nothing_or = |x: F| x == F::zero() || within(x, 1e-9, 1e12);
-    // No derivative of such a contact exceeds G a b (a + b + 1)² times 1e6.
+    let nothing_or = |x: F, low: f64, high: f64| x == F::zero() || within(x.abs(), low, high);
+    let Parameters { xi, eta, psi, .. } = Parameters::new(contact, creepage);
+    let Creepage { longitudinal, lateral, spin } = *creepage;
+    // No derivative of such a contact exceeds G a b (a + b + 1)² times 1e6, and no square on the way to it vanishes, in
+    // single precision either.
     let ordinary = within(a, 1e-6, 1.0)
         && within(b, 1e-6, 1.0)
+        && within(a / b, 1e-2, 1e2)
         && within(shear_modulus, 1.0, 1e15)
-        && nothing_or(normal_force)
-        && nothing_or(friction)
-        && creepage.longitudinal.abs() <= F::constant(1e9)
-        && creepage.lateral.abs() <= F::constant(1e9)
-        && creepage.spin.abs() <= F::constant(1e9);
+        && within(normal_force, 1e-3, 1e9)
+        && within(friction, 1e-3, 1e2)
+        && within(contact.stiffness_ratio(), 1e-6, 1e6)
+        && [xi, eta, psi].iter().all(|parameter| nothing_or(*parameter, 1e-9, 1e3))
+        && [longitudinal, lateral, spin].iter().all(|part| nothing_or(*part, 1e-12, 1e9));
     if ordinary { Ok(()) } else { model::solve_jacobian(contact, creepage, options).map(|_| ()) }
 }

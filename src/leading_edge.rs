@@ -265,7 +265,14 @@ impl<T: Real> StripFamily<T> {
         }
         // At unit spin the second form of (5.41) still holds, with S = |η|.
         let within = size < one || (size <= one && plain.eta * plain.psi < T::Base::zero());
-        let found = if within { plain.by_tangents() } else { plain.beyond_unit_spin() };
+        let found = if within {
+            plain.by_tangents()
+        } else {
+            // Strips with adhesion carry up to a/b times what friction allows there, and the pieces that slide take it away
+            // again. An interval narrower than the digits of its ends has no pieces left: it slides.
+            let narrow = T::Base::EPSILON.times(4.0);
+            plain.beyond_unit_spin().filter(|(lower, upper)| upper.y - lower.y > narrow)
+        };
         match found {
             Some((lower, upper)) => Ok(if T::HAS_DERIVATIVES {
                 self.moving(lower, upper).unwrap_or_else(|| AdhesionInterval {

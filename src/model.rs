@@ -337,9 +337,11 @@ impl<F: Plain> Problem<'_, F> {
         match self.options.model {
             Model::Linear => {
                 let creepage = longitudinal.abs() + lateral.abs() + (a + b) * spin.abs();
-                // No coefficient exceeds this: C23 grows like (a/b)^(3/2).
+                // No coefficient exceeds this: C23 grows like (a/b)^(3/2). At least one, because stiffness times lever
+                // is a factor of the moment.
                 let ratio = a / b + b / a;
-                self.linear_stiffness() * (creepage * (ratio * ratio.sqrt()).plus(100.0))
+                let size = creepage * (ratio * ratio.sqrt()).plus(100.0);
+                self.linear_stiffness() * size.max(F::one())
             }
             _ => self.contact.friction_bound(),
         }
@@ -555,9 +557,15 @@ fn jacobian_of<F: Precision>(
     (forces, notice): (Forces<Dual<F, 3>>, Notice),
 ) -> Result<(Solution<F>, Jacobian<F>), Error> {
     let Forces { fx, fy, mz, adhesion } = forces;
-    let values = Forces { fx: fx.value, fy: fy.value, mz: mz.value, adhesion: adhesion.value };
+    let mut values = Forces { fx: fx.value, fy: fy.value, mz: mz.value, adhesion: adhesion.value };
     // nalgebra counts columns first.
-    let jacobian = Matrix3::from([fx.gradient, fy.gradient, mz.gradient]).transpose();
+    let mut jacobian = Matrix3::from([fx.gradient, fy.gradient, mz.gradient]).transpose();
+    if problem.options.model != Model::Linear && problem.contact.friction_bound() <= F::zero() {
+        // Nothing is carried, however fast `f` changes: its slopes may be beyond the number range.
+        jacobian.fill(F::zero());
+        let none = F::zero();
+        values = Forces { fx: none, fy: none, mz: none, adhesion: values.adhesion };
+    }
     if jacobian.iter().all(|entry| entry.is_finite_number()) {
         Ok((problem.solution(&values, notice), jacobian))
     } else {
@@ -610,8 +618,7 @@ pub fn most_strips<F: Precision>(
     }
 }
 
-/// Every strip of the solution, handed to `visit`. Their shares add up to the totals of [`solve`]
-/// (before the bound `|F| ≤ μ N` is applied, which matters only with few strips).
+/// Every strip of the solution, handed to `visit`. Their shares add up to the totals of [`solve`].
 ///
 /// # Errors
 /// Those of [`solve`].

@@ -156,6 +156,9 @@ impl<'a, F: Float> PatchView<'a, F> {
             if !factor.is_finite_number() || factor <= F::zero() {
                 return Err(Error::NotFinite);
             }
+            if factor < F::constant(1e-6) || factor > F::constant(1e6) {
+                return Err(Error::Overflow);
+            }
         }
         for strip in strips {
             strip.check()?;
@@ -174,11 +177,8 @@ impl<'a, F: Float> PatchView<'a, F> {
                 return Err(Error::Overflow);
             }
         }
-        if view.friction_bound().is_finite_number() && view.normal_force().is_finite_number() {
-            Ok(view)
-        } else {
-            Err(Error::Overflow)
-        }
+        let sums = [view.friction_bound(), view.normal_force(), view.area() * scale.area];
+        if sums.iter().all(|sum| sum.is_finite_number()) { Ok(view) } else { Err(Error::Overflow) }
     }
 
     /// The strips, ascending in `y`.
@@ -297,9 +297,10 @@ impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
     /// The strips of the Hertz ellipse, where [`Model::Strip`](crate::model::Model::Strip) places them.
     ///
     /// # Errors
-    /// Those of [`Contact::check`]; [`Error::PatchSize`] when the capacity is below the count.
+    /// Those of [`Contact::check`]; [`Error::PatchSize`] when the capacity is below the count;
+    /// [`Error::Overflow`] when its strips do not fit the floating-point type.
     pub fn from_ellipse(contact: &Contact<F>, count: StripCount) -> Result<Self, Error> {
-        contact.check()?;
+        check_ellipse(contact, count)?;
         let mut patch = Self::empty(contact.shear_modulus, contact.poisson_ratio);
         patch.scale = ellipse(contact, count, |strip| patch.strips.push(strip).is_ok())?;
         Ok(patch)
@@ -346,6 +347,40 @@ pub(crate) fn sort<F: Float>(strips: &mut [PatchStrip<F>]) {
             }
         }
     }
+}
+
+/// Whether the strips of an ellipse make a patch that [`PatchView::new`] accepts.
+///
+/// # Errors
+/// Those of [`Contact::check`]; [`Error::Overflow`] when its strips do not fit the floating-point type.
+pub(crate) fn check_ellipse<F: Precision>(
+    contact: &Contact<F>,
+    count: StripCount,
+) -> Result<(), Error> {
+    contact.check()?;
+    let Contact { shear_modulus, poisson_ratio, .. } = *contact;
+    let [mut width, mut load, mut bound, mut area] = [F::zero(); 4];
+    let mut last: Option<PatchStrip<F>> = None;
+    let scale = ellipse(contact, count, |strip| {
+        width += strip.width;
+        load += strip.load();
+        bound += strip.friction_bound();
+        area += strip.half_length.times(2.0) * strip.width;
+        let fits = strip.check().is_ok()
+            && strip.circle(shear_modulus, poisson_ratio).check().is_ok()
+            && last.is_none_or(|last| last.is_beside(&strip) && !last.is_apart(&strip));
+        last = Some(strip);
+        fits
+    });
+    // A strip that is none, or sums beyond the number range: only in contacts at the ends of it.
+    let scale = scale.map_err(|_| Error::Overflow)?;
+    let friction = if load > F::zero() { bound / load } else { contact.friction };
+    let lobe = Contact { b: width.times(0.5), normal_force: load, friction, ..*contact };
+    lobe.check().map_err(|_| Error::Overflow)?;
+    if !(area * scale.area).is_finite_number() {
+        return Err(Error::Overflow);
+    }
+    Ok(())
 }
 
 /// Hands the strips of a checked ellipse to `take`, which tells whether it had room.

@@ -19,16 +19,14 @@ use crate::dual::Dual;
 use crate::field::FieldPoint;
 use crate::model::{Jacobian, Model, Precision, Solution, StripResult, rolling_point};
 use crate::patch::{Lobe, PatchStrip, PatchView};
-use crate::real::{Arithmetic, Float, Pair, Plain, Real};
-use crate::rolling_strip::{RollingStrips, StripCreepage, StripGeometry, march};
+use crate::real::{Arithmetic, Float, Pair, Real};
+use crate::rolling_strip::{RollingStrips, StripGeometry, march};
 use crate::status::{Error, Notice};
 use crate::strip::{Regime, SlidingRule, Strip, StripPoint};
 use nalgebra::Matrix3;
 
 /// Strips that are marched together, in pairs; fewer where the stack is short.
 const GROUP: usize = if cfg!(target_os = "none") { 4 } else { 8 };
-/// Creepages of a strip in units of its own bound: beyond this it slides, and their squares fit an `f32`.
-const CREEPAGE_LIMIT: f64 = 1e9;
 /// Share `Π` of the friction bound below which a strip is treated as one with this share: the squares of what it
 /// sees fit an `f32`.
 const LEAST_BOUND: f64 = 1e-9;
@@ -229,7 +227,7 @@ impl<'a, F: Precision> Problem<'a, F> {
                     }
                 };
                 prepared = Some((strip.centre_x, law));
-                let creepage = bounded(law.strip(&geometry(lobe, strip)));
+                let creepage = law.strip(&geometry(lobe, strip)).bounded();
                 (*ax, *ay, *spin) = (creepage.longitudinal, creepage.lateral, creepage.spin);
             }
             let found = march_group(&seen);
@@ -253,22 +251,6 @@ fn geometry<F: Float>(lobe: &Lobe<F>, strip: &PatchStrip<F>) -> StripGeometry<F>
         y: ((strip.y - *y) / contact.b).clamped(-F::one(), F::one()),
         half_length: strip.half_length / contact.a,
         bound: if whole > F::zero() { bound / whole } else { F::one() }.max(F::of(LEAST_BOUND)),
-    }
-}
-
-/// The same direction, no component beyond the limit.
-fn bounded<T: Real>(creepage: StripCreepage<T>) -> StripCreepage<T> {
-    let StripCreepage { longitudinal, lateral, spin } = creepage;
-    let size = longitudinal.value().abs().max(lateral.value().abs()).max(spin.value().abs());
-    let limit = T::Base::of(CREEPAGE_LIMIT);
-    if size <= limit {
-        return creepage;
-    }
-    let factor = limit / size;
-    StripCreepage {
-        longitudinal: longitudinal.scale(factor),
-        lateral: lateral.scale(factor),
-        spin: spin.scale(factor),
     }
 }
 

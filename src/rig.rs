@@ -137,7 +137,7 @@ pub fn estimate_friction<F: Precision>(
         // Friction is zero, unless there is no slip to show it.
         let found = FrictionEstimate { notice: Notice::None, ..at_least(F::zero()) };
         let shown = direction != F::zero();
-        let sensitivity = if shown { F::one() / direction } else { F::zero() };
+        let sensitivity = finite_or_none(F::one() / direction);
         return Ok(if shown {
             FrictionEstimate { sensitivity, ..found }
         } else {
@@ -213,8 +213,7 @@ pub fn estimate_friction<F: Precision>(
         Measured::Fy => (y - fy).abs(),
         Measured::Both => length(x - fx, y - fy),
     };
-    let sensitivity = F::one() / slope;
-    let sensitivity = if sensitivity.is_finite_number() { sensitivity } else { F::zero() };
+    let sensitivity = finite_or_none(F::one() / slope);
     let own = solution.notice;
     let notice = if own.code() > notice.code() { own } else { notice };
     Ok(FrictionEstimate { friction, sensitivity, residual, notice })
@@ -229,6 +228,11 @@ fn turns_beyond<F: Float>([a, b, c]: [F; 3], margin: F) -> bool {
     let vertex = b - tilt * (tilt / bend).times(0.5);
     let beyond = if b > F::zero() { vertex < margin } else { vertex > -margin };
     between && beyond && (a > F::zero()) == (b > F::zero())
+}
+
+/// A sensitivity; zero where there is no number for it.
+fn finite_or_none<F: Float>(sensitivity: F) -> F {
+    if sensitivity.is_finite_number() { sensitivity } else { F::zero() }
 }
 
 struct Rig<'a, F> {

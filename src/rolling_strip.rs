@@ -55,6 +55,8 @@ const CORRECTIONS: usize = 8;
 
 /// Creepages beyond this are scaled down together: full sliding. Fourth powers still fit an `f32`.
 const CREEPAGE_LIMIT: f64 = 1e4;
+/// Creepages of a strip in units of its own bound: beyond this it slides, and their squares fit an `f32`.
+const STRIP_LIMIT: f64 = 1e9;
 /// Axis ratios the model is evaluated with; fitted are 0.07 to 14.
 const RATIO_LIMIT: f64 = 1e3;
 /// Linear force in `μ N` where the flexibilities have become those of the rigid slip, half and half.
@@ -344,6 +346,24 @@ pub struct StripCreepage<T> {
     pub spin: T,
 }
 
+impl<T: Real> StripCreepage<T> {
+    /// The same direction, no component beyond a limit.
+    pub(crate) fn bounded(self) -> Self {
+        let Self { longitudinal, lateral, spin } = self;
+        let size = longitudinal.value().abs().max(lateral.value().abs()).max(spin.value().abs());
+        let limit = T::Base::of(STRIP_LIMIT);
+        if size <= limit {
+            return self;
+        }
+        let factor = limit / size;
+        Self {
+            longitudinal: longitudinal.scale(factor),
+            lateral: lateral.scale(factor),
+            spin: spin.scale(factor),
+        }
+    }
+}
+
 /// What `N` strips carry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StripForces<T, const N: usize> {
@@ -585,7 +605,7 @@ where
     /// the forces are summed from.
     #[must_use]
     pub fn traction(&self, strip: &StripGeometry<T::Base>, place: T::Base) -> StripTraction<T> {
-        let creepage = self.strip(strip);
+        let creepage = self.strip(strip).bounded();
         let bias = squashed(creepage.spin);
         let place = place.clamped(-T::Base::one(), T::Base::one());
         let mut state = March::start();

@@ -46,6 +46,9 @@ const LARGEST_ROOT: f64 = 4.0;
 /// sliding, to rounding.
 const CREEPAGE_LIMIT: f64 = 1e16;
 
+/// Creepages below this, times the smallest normal number, have lost digits, or have products that will.
+const LOST: f64 = 1e6;
+
 /// Spin force of the linear theory beyond which creepage and spin are scaled down together.
 const SPIN_LIMIT: f64 = 16.0;
 
@@ -394,13 +397,20 @@ fn saturation<T: Number>(q2: T, h: T) -> T {
 /// down together beyond `|Ls| = 16` (fitted is up to 13), smoothly, to `|Ls| = 32` at most.
 #[inline(always)]
 fn within_range<T: Number>([vx, vy, phi]: [T; 3], c23: T::Base) -> [T; 3] {
-    let scaled = |factor: T| [vx * factor, vy * factor, phi * factor];
     // 1e8, in single precision 1e6
     let limit = T::Base::HUGE.min(T::Base::of(CREEPAGE_LIMIT)).sqrt();
     let size = vx.value().abs().max(vy.value().abs()).max(phi.value().abs());
+    let lost = T::TINY.times(LOST);
+    let [mut vx, mut vy, mut phi] = [vx, vy, phi];
+    if lost.exceeds(size) {
+        // The digits of such creepages are those of the smallest numbers, and without them power may have any sign. What
+        // they carry is nothing to 1e-32 of `μ N`; the slopes stay.
+        let gone = |v: T| v - T::from_base((lost - size).choose(v.value(), T::Base::zero()));
+        (vx, vy, phi) = (gone(vx), gone(vy), gone(phi));
+    }
     if size.exceeds(limit) {
-        let factor = (size - limit).choose(limit / size, T::Base::one());
-        return within_spin(scaled(T::from_base(factor)), c23);
+        let factor = T::from_base((size - limit).choose(limit / size, T::Base::one()));
+        return within_spin([vx * factor, vy * factor, phi * factor], c23);
     }
     within_spin([vx, vy, phi], c23)
 }

@@ -97,6 +97,12 @@ pub struct StripTheory<T: Real> {
     axis_ratio: T::Base,
 }
 
+/// The same derivatives with another value.
+#[inline(always)]
+fn with_value<T: Real>(of: T, value: T::Base) -> T {
+    if value == of.value() { of } else { of - T::from_base(of.value()) + T::from_base(value) }
+}
+
 /// What is done with the panels of a solution.
 trait Sink<T: Real> {
     /// Sliding strips on both sides.
@@ -259,17 +265,55 @@ where
         if let Some(totals) = self.pure_sliding() {
             return totals;
         }
+        if T::HAS_DERIVATIVES && self.vanishes() {
+            return self.totals_of_vanishing::<STICK, MOMENT>(count);
+        }
+        self.summed::<STICK, MOMENT>(count)
+    }
+
+    /// Whether creepages are so small that derivatives of their squares leave the number range.
+    #[inline(always)]
+    fn vanishes(&self) -> bool {
+        let StripFamily { xi, slope, eta, psi } = self.law.family;
+        let size = |v: T| v.value().abs();
+        let size = size(xi).max(size(slope)).max(size(eta)).max(size(psi));
+        size < T::ROOT_TINY.times(1e6) && size > <T::Base as Arithmetic>::zero()
+    }
+
+    /// [`StripTheory::totals`] of larger creepages of the same direction, and the forces made smaller again: both are as
+    /// linear as rounding allows.
+    #[cold]
+    #[inline(never)]
+    fn totals_of_vanishing<const STICK: bool, const MOMENT: bool>(
+        &self,
+        count: StripCount,
+    ) -> Totals<T> {
+        let StripFamily { xi, slope, eta, psi } = self.law.family;
+        let size = |v: T| v.value().abs();
+        let size = size(xi).max(size(slope)).max(size(eta)).max(size(psi));
+        let least = T::ROOT_TINY.times(1e6);
+        let (factor, shrink) = (least / size, size / least);
+        let larger = |v: T| with_value(v, v.value() * factor);
+        let family = StripFamily {
+            xi: larger(xi),
+            slope: larger(slope),
+            eta: larger(eta),
+            psi: larger(psi),
+        };
+        let theory = Self { law: SlidingLaw { family, ..self.law }, ..*self };
+        let Totals { fx, fy, mz, stick } = theory.summed::<STICK, MOMENT>(count);
+        let shrunk = |f: T| with_value(f, f.value() * shrink);
+        Totals { fx: shrunk(fx), fy: shrunk(fy), mz: shrunk(mz), stick }
+    }
+
+    #[inline(always)]
+    fn summed<const STICK: bool, const MOMENT: bool>(&self, count: StripCount) -> Totals<T> {
         let mut sum = Sum::<T, STICK, MOMENT>(Shares::zero());
         self.place(count, &mut sum);
         let Shares { fx, fy, mz, stick } = sum.0;
         let (fx, fy, mz, stick) = (fx.sum(), fy.sum(), mz.sum(), stick.sum());
-        // Friction capacity is exact, stretch is exact, their mixture with few strips is not: keep
-        // |F| ≤ μ N.
-        let size = fx * fx + fy * fy;
-        let bound = if size > T::one() { T::one() / size.sqrt() } else { T::one() };
-        // Nor does a moment exceed μ N times the longer semi-axis, however slender the ellipse.
-        let one = <T::Base as Arithmetic>::one();
-        let lever = T::from_base(one.max(one / self.axis_ratio));
+        let bound = Self::bound(fx, fy);
+        let lever = self.lever();
         Totals {
             fx: fx * bound,
             fy: fy * bound,
@@ -277,6 +321,20 @@ where
             mz: mz.clamped(-lever, lever).scale(self.axis_ratio.sqrt()),
             stick: stick.clamped(T::zero(), T::one()),
         }
+    }
+
+    /// Friction capacity is exact, stretch is exact, their mixture with few strips is not: what keeps `|F| ≤ μ N`.
+    #[inline(always)]
+    fn bound(fx: T, fy: T) -> T {
+        let size = fx * fx + fy * fy;
+        if size > T::one() { T::one() / size.sqrt() } else { T::one() }
+    }
+
+    /// Nor does a moment exceed `μ N` times the longer semi-axis, however slender the ellipse; over `a`.
+    #[inline(always)]
+    fn lever(&self) -> T {
+        let one = <T::Base as Arithmetic>::one();
+        T::from_base(one.max(one / self.axis_ratio))
     }
 
     /// Without spin and with `τ = √(ξ² + η²) ≥ 1` no strip adheres and all slide the same way: what the
@@ -300,6 +358,27 @@ where
     /// `|ψ| > 1` strips beyond the count may follow that correct pieces of the adhesion interval
     /// which slide (their widths are negative where they take adhesion away).
     pub fn strips(&self, count: StripCount, visit: &mut dyn FnMut(PlacedStrip<T>)) {
+        let [mut fx, mut fy, mut mz] = [T::zero(); 3];
+        self.each(count, &mut |strip| {
+            fx += strip.fx;
+            fy += strip.fy;
+            mz += strip.mz;
+        });
+        let bound = Self::bound(fx, fy);
+        let (size, lever) = (mz.abs(), self.lever());
+        let lever = if size > lever { lever / size } else { T::one() };
+        self.each(count, &mut |strip| {
+            visit(PlacedStrip {
+                fx: strip.fx * bound,
+                fy: strip.fy * bound,
+                mz: strip.mz * lever,
+                ..strip
+            });
+        });
+    }
+
+    #[inline(never)]
+    fn each(&self, count: StripCount, visit: &mut dyn FnMut(PlacedStrip<T>)) {
         self.place(count, &mut Visitor(visit));
     }
 
@@ -380,7 +459,10 @@ where
         if !(xi.abs() < slope.abs()) {
             return if xi * slope < T::zero() { lower } else { upper };
         }
-        let y = xi / slope;
+        // A strip between two panels of the same rule: where exactly it lies does not matter, and with a vanishing spin its
+        // derivatives have no numbers.
+        let vanishing = T::HAS_DERIVATIVES && slope.value().abs() <= T::ROOT_TINY;
+        let y = if vanishing { T::from_base(xi.value() / slope.value()) } else { xi / slope };
         if y <= lower.y {
             lower
         } else if y >= upper.y {

@@ -30,7 +30,10 @@ pub(super) fn material_from_youngs_modulus<F: Float, M: From<Material<F>>>(
         let out = given(out)?;
         material::check_modulus(youngs_modulus)?;
         material::check_poisson_ratio(poisson_ratio)?;
-        out.write(Material::from_youngs_modulus(youngs_modulus, poisson_ratio).into());
+        let material = Material::from_youngs_modulus(youngs_modulus, poisson_ratio);
+        // A modulus may be so small that nothing is left of its third.
+        material::check_modulus(material.shear_modulus)?;
+        out.write(material.into());
         Ok(Notice::None)
     })
 }

@@ -218,7 +218,7 @@ where
     answer(|| {
         let (contact, out) = (Contact::from(*given(contact)?), given(out)?);
         let count = StripCount::from_number(strips).ok_or(Error::StripCount)?;
-        contact.check()?;
+        patch::check_ellipse(&contact, count)?;
         let patch = out.write(P::ZERO);
         let scale = patch::ellipse(&contact, count, |strip| patch.push(strip))?;
         patch.set(contact.shear_modulus, contact.poisson_ratio, scale);

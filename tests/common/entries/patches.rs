@@ -1,0 +1,456 @@
+//! Patches of strips: the ways to build one, and what is computed on it.
+
+use super::super::*;
+use super::contacts::{
+    Grid, contact, creepage, friction_of, model_of, numbers_of, plausible_point,
+};
+use super::*;
+
+/// Strips of a list, points of a profile: at most these.
+const MOST: usize = 6;
+
+fn strip(bytes: &mut Bytes, y: f64, width: f64) -> kstrip_patch_strip {
+    kstrip_patch_strip {
+        y: y as Float,
+        width: width as Float,
+        half_length: positive(bytes, 5e-3),
+        centre_x: if bytes.byte() < 128 { 0.0 } else { Number::of(bytes, 1e-3) },
+        peak_pressure: positive(bytes, 1e9),
+        friction: positive(bytes, 0.3),
+    }
+}
+
+/// A list of strips that mostly lie side by side, sometimes apart, rarely in disorder.
+fn list(bytes: &mut Bytes) -> ([kstrip_patch_strip; MOST], usize) {
+    let count = bytes.below(MOST + 1);
+    let mut y: f64 = f64::from(<Float as Number>::of(bytes, 1e-2));
+    let width: f64 = f64::from(positive::<Float>(bytes, 1e-3));
+    let strips = std::array::from_fn(|_| {
+        let (step, share) = (bytes.byte(), bytes.byte());
+        let own = width * (0.5 + f64::from(share) / 256.0);
+        y += match step {
+            0..=15 => -own,
+            16..=79 => 3.0 * own,
+            _ => 1.3 * own,
+        };
+        strip(bytes, y, own)
+    });
+    (strips, count)
+}
+
+fn from_list(bytes: &mut Bytes, out: Option<&mut MaybeUninit<kstrip_patch>>) -> i32 {
+    let (strips, count) = list(bytes);
+    let (modulus, ratio) = (positive(bytes, 82e9), positive(bytes, 0.06));
+    let given = bytes.given();
+    // SAFETY: NULL or at least as many strips as the count says.
+    unsafe { kstrip_patch_from_strips(given.array(0, &strips), count as u32, modulus, ratio, out) }
+}
+
+fn from_ellipse(bytes: &mut Bytes, out: Option<&mut MaybeUninit<kstrip_patch>>) -> i32 {
+    let contact = contact(bytes);
+    let strips = bytes.strips();
+    kstrip_patch_from_ellipse(bytes.given().input(0, &contact), strips, out)
+}
+
+/// A profile that is mostly a hollow with some roughness.
+fn from_profile(
+    bytes: &mut Bytes,
+    out: Option<&mut MaybeUninit<kstrip_patch>>,
+    found: Option<&mut MaybeUninit<kstrip_profile_result>>,
+) -> i32 {
+    const POINTS: usize = 10;
+    let points = bytes.below(POINTS + 1);
+    let (step, depth) =
+        (f64::from(positive::<Float>(bytes, 2e-3)), f64::from(positive::<Float>(bytes, 1e-4)));
+    let mut place = f64::from(<Float as Number>::of(bytes, 1e-2));
+    let (mut y, mut distance): ([Float; POINTS], [Float; POINTS]) = Default::default();
+    for i in 0..POINTS {
+        place += step * f64::from(bytes.byte()) / 128.0;
+        y[i] = place as Float;
+        let s = i as f64 - points as f64 / 2.0;
+        distance[i] = (depth * (s * s / 4.0 + f64::from(bytes.byte()) / 128.0)) as Float;
+    }
+    if bytes.byte() < 16 {
+        y[bytes.below(POINTS)] = Number::of(bytes, 1e-2);
+        distance[bytes.below(POINTS)] = Number::of(bytes, 1e-4);
+    }
+    let contact = kstrip_profile_contact {
+        rolling_radius: positive(bytes, 0.5),
+        normal_force: positive(bytes, 5e4),
+        shear_modulus: positive(bytes, 82e9),
+        poisson_ratio: positive(bytes, 0.06),
+        friction: positive(bytes, 0.3),
+    };
+    let strips = bytes.strips();
+    let given = bytes.given();
+    // SAFETY: NULL or at least as many points as the count says.
+    unsafe {
+        kstrip_patch_from_profile(
+            given.array(0, &y),
+            given.array(1, &distance),
+            points as u32,
+            given.input(2, &contact),
+            strips,
+            out,
+            found,
+        )
+    }
+}
+
+/// A patch that was just built is one that other functions accept.
+fn accepted(patch: &kstrip_patch) -> kstrip_patch_summary {
+    let mut sums = poisoned::<kstrip_patch_summary>();
+    let status = kstrip_patch_summarize(Some(patch), Some(&mut sums));
+    assert_eq!(status, 0, "{patch:?}");
+    written(&sums)
+}
+
+fn patch_from_strips(bytes: &mut Bytes) {
+    let with_patch = bytes.given();
+    let mut out = poisoned::<kstrip_patch>();
+    let status = from_list(bytes, with_patch.output(0, &mut out));
+    if answered(status, untouched(&out)) {
+        accepted(&written(&out));
+    }
+}
+
+fn patch_from_ellipse(bytes: &mut Bytes) {
+    let with_patch = bytes.given();
+    let mut out = poisoned::<kstrip_patch>();
+    let status = from_ellipse(bytes, with_patch.output(0, &mut out));
+    if answered(status, untouched(&out)) {
+        accepted(&written(&out));
+    }
+}
+
+fn patch_from_profile(bytes: &mut Bytes) {
+    let given = bytes.given();
+    let (mut out, mut found) = (poisoned::<kstrip_patch>(), poisoned::<kstrip_profile_result>());
+    let status = from_profile(bytes, given.output(0, &mut out), given.output(1, &mut found));
+    if answered(status, untouched(&out) && untouched(&found)) {
+        assert!(given.all(2));
+        let (patch, found) = (written(&out), written(&found));
+        let numbers = [found.penetration, found.peak_pressure, found.normal_force];
+        assert!(finite(&numbers) && numbers.iter().all(|&x| x >= 0.0), "{found:?}");
+        assert!(found.deepest_y.is_finite() && found.iterations <= 60, "{found:?}");
+        let load = f64::from(accepted(&patch).normal_force);
+        let reached = f64::from(found.normal_force);
+        // (far fewer digits are lost unless the numbers are at the ends of their range; tests/patch.rs asks for them)
+        let allowed = 1.001e-3 * reached;
+        assert!((load - reached).abs() <= allowed, "{load} {found:?} {patch:?}");
+    }
+}
+
+/// A patch as a program may have it: built by one of the three functions, perhaps changed since, or any bits.
+fn patch(bytes: &mut Bytes) -> Option<kstrip_patch> {
+    let mut out = poisoned::<kstrip_patch>();
+    let way = bytes.byte();
+    let status = match way {
+        0..=15 => {
+            let mut found = poisoned();
+            from_profile(bytes, Some(&mut out), Some(&mut found))
+        }
+        16..=79 => from_ellipse(bytes, Some(&mut out)),
+        80..=87 => return Some(any_bits(bytes)),
+        _ => from_list(bytes, Some(&mut out)),
+    };
+    if !answered(status, untouched(&out)) {
+        return None;
+    }
+    let mut patch = written(&out);
+    let changed = bytes.below(MOST);
+    match bytes.byte() {
+        0..=7 => patch.strips[changed].friction = Number::of(bytes, 0.3),
+        8..=15 => patch.strips[changed].half_length = Number::of(bytes, 5e-3),
+        16..=23 => patch.strips[changed].y = Number::of(bytes, 1e-2),
+        24..=31 => patch.count = bytes.integer() as u32,
+        32..=39 => patch.lever_scale = Number::of(bytes, 1.0),
+        40..=47 => patch.area_scale = Number::of(bytes, 1.0),
+        _ => {}
+    }
+    Some(patch)
+}
+
+fn any_bits(bytes: &mut Bytes) -> kstrip_patch {
+    let mut any = || -> Float { Number::of(bytes, 1.0) };
+    let strips = std::array::from_fn(|i| {
+        let mut number = || if i < 3 { any() } else { 0.0 };
+        kstrip_patch_strip {
+            y: number(),
+            width: number(),
+            half_length: number(),
+            centre_x: number(),
+            peak_pressure: number(),
+            friction: number(),
+        }
+    });
+    kstrip_patch {
+        strips,
+        shear_modulus: any(),
+        poisson_ratio: any(),
+        area_scale: any(),
+        lever_scale: any(),
+        count: bytes.below(256) as u32,
+        reserved: bytes.integer() as u32,
+    }
+}
+
+fn patch_options(bytes: &mut Bytes) -> Option<kstrip_options> {
+    match bytes.byte() {
+        choice @ 0..=239 => Some(kstrip_options { model: 1 + i32::from(choice % 3), strips: 16 }),
+        _ => bytes.options(),
+    }
+}
+
+fn summarize(bytes: &mut Bytes) {
+    let Some(patch) = patch(bytes) else { return };
+    let given = bytes.given();
+    let mut out = poisoned::<kstrip_patch_summary>();
+    let status = kstrip_patch_summarize(given.input(0, &patch), given.output(1, &mut out));
+    if answered(status, untouched(&out)) {
+        assert!(given.all(2));
+        let s = written(&out);
+        assert!(finite(&[s.normal_force, s.friction_bound, s.area]), "{patch:?} {s:?}");
+        let in_range = s.normal_force >= 0.0 && s.friction_bound >= 0.0 && s.area >= 0.0;
+        assert!(in_range && s.lobes <= patch.count && s.reserved == 0, "{patch:?} {s:?}");
+    }
+}
+
+/// What holds for the result of a patch that was solved.
+fn plausible(
+    patch: &kstrip_patch,
+    k: &kstrip_creepage,
+    model: i32,
+    status: i32,
+    r: &kstrip_result,
+) {
+    let context = || format!("{patch:?} {k:?} model {model} {r:?}");
+    assert_eq!((r.status_detail, r.reserved), (status, 0));
+    assert!(finite(&numbers_of(r)), "{}", context());
+    let bound = f64::from(accepted(patch).friction_bound);
+    let size = f64::from(r.fx).hypot(r.fy.into());
+    // A sum over strips: each rounds by itself.
+    let allowed = bound * (1.0 + 1.5 * Float::ROUNDING) + 64.0 * Float::SMALLEST;
+    assert!(size <= allowed, "{size} of {bound}: {}", context());
+    assert!((0.0..=1.0).contains(&r.adhesion), "{}", context());
+}
+
+fn patch_solve(bytes: &mut Bytes) {
+    let Some(patch) = patch(bytes) else { return };
+    let (k, options, given) = (creepage(bytes), patch_options(bytes), bytes.given());
+    let mut out = poisoned::<kstrip_result>();
+    let status = kstrip_patch_solve(
+        given.input(0, &patch),
+        given.input(1, &k),
+        options.as_ref(),
+        given.output(2, &mut out),
+    );
+    if answered(status, untouched(&out)) {
+        assert!(given.all(3));
+        plausible(&patch, &k, model_of(options), status, &written(&out));
+    }
+}
+
+fn patch_jacobian(bytes: &mut Bytes) {
+    let Some(patch) = patch(bytes) else { return };
+    let (k, options, given) = (creepage(bytes), patch_options(bytes), bytes.given());
+    let mut out = poisoned::<kstrip_result>();
+    let mut entries = poisoned_array::<Float, 9>();
+    // SAFETY: NULL or nine numbers.
+    let status = unsafe {
+        kstrip_patch_jacobian(
+            given.input(0, &patch),
+            given.input(1, &k),
+            options.as_ref(),
+            given.output(2, &mut out),
+            given.places(3, &mut entries),
+        )
+    };
+    if answered(status, untouched(&out) && all_untouched(&entries)) {
+        assert!(given.all(4));
+        plausible(&patch, &k, model_of(options), status, &written(&out));
+        let entries = entries.map(|entry| written(&entry));
+        assert!(finite(&entries), "{patch:?} {k:?} {options:?} {entries:?}");
+    }
+}
+
+fn patch_strips(bytes: &mut Bytes) {
+    const ROOM: usize = KSTRIP_PATCH_CAPACITY + 1;
+    let Some(patch) = patch(bytes) else { return };
+    let (k, options, given) = (creepage(bytes), patch_options(bytes), bytes.given());
+    let capacity = if bytes.byte() < 224 { KSTRIP_PATCH_CAPACITY } else { bytes.below(ROOM) };
+    let mut strips = poisoned_array::<kstrip_strip, ROOM>();
+    let mut count = poisoned::<u32>();
+    // SAFETY: NULL or at least as many strips as the capacity.
+    let status = unsafe {
+        kstrip_patch_strips(
+            given.input(0, &patch),
+            given.input(1, &k),
+            options.as_ref(),
+            given.places(2, &mut strips),
+            capacity as u32,
+            given.output(3, &mut count),
+        )
+    };
+    if answered(status, all_untouched(&strips) && untouched(&count)) {
+        let count = written(&count) as usize;
+        assert!(given.has(0) && given.has(1) && given.has(3));
+        assert!(count == patch.count as usize && count <= capacity);
+        assert!(all_untouched(&strips[count..]), "written past the count");
+        for (strip, of_patch) in strips[..count].iter().zip(&patch.strips) {
+            let s = written(strip);
+            let numbers = [s.separatrix, s.fx, s.fy, s.mz, s.power];
+            assert!(finite(&numbers), "{patch:?} {k:?} {options:?} {s:?}");
+            assert_eq!(s.y, of_patch.y);
+        }
+    }
+}
+
+/// What holds for a point of a patch: the friction is that of a strip, so the largest bounds it.
+fn plausible_place(
+    patch: &kstrip_patch,
+    k: &kstrip_creepage,
+    options: Option<kstrip_options>,
+    p: &kstrip_point,
+) {
+    let strips = &patch.strips[..patch.count as usize];
+    let friction = strips.iter().fold(0.0, |most: Float, strip| most.max(strip.friction));
+    let peak = strips.iter().map(|s| f64::from(s.friction) * f64::from(s.peak_pressure));
+    let peak = peak.fold(0.0, f64::max);
+    plausible_point(p, friction, peak, || format!("{patch:?} {k:?} {options:?}"));
+}
+
+fn patch_traction_at(bytes: &mut Bytes) {
+    let Some(patch) = patch(bytes) else { return };
+    let (k, options, given) = (creepage(bytes), patch_options(bytes), bytes.given());
+    let strip = patch.strips[bytes.below(MOST)];
+    let (x, y) = match bytes.byte() {
+        0..=63 => (Number::of(bytes, 5e-3), Number::of(bytes, 5e-3)),
+        share => {
+            let share = f64::from(share) / 64.0 - 2.5;
+            ((f64::from(strip.centre_x) + share * f64::from(strip.half_length)) as Float, strip.y)
+        }
+    };
+    let mut point = poisoned::<kstrip_point>();
+    let status = kstrip_patch_traction_at(
+        given.input(0, &patch),
+        given.input(1, &k),
+        options.as_ref(),
+        x,
+        y,
+        given.output(2, &mut point),
+    );
+    if answered(status, untouched(&point)) {
+        assert!(given.all(3));
+        plausible_place(&patch, &k, options, &written(&point));
+    }
+}
+
+fn patch_field(bytes: &mut Bytes) {
+    let Some(patch) = patch(bytes) else { return };
+    let (k, options, given) = (creepage(bytes), patch_options(bytes), bytes.given());
+    let mut grid = Grid::new(bytes, 5e-3);
+    if bytes.byte() < 192 {
+        grid.y.iter_mut().zip(&patch.strips).for_each(|(y, strip)| *y = strip.y);
+    }
+    // SAFETY: NULL or as many elements as the counts say.
+    let status = unsafe {
+        kstrip_patch_field(
+            given.input(0, &patch),
+            given.input(1, &k),
+            options.as_ref(),
+            given.array(2, &grid.x),
+            grid.x.len() as u32,
+            given.array(3, &grid.y),
+            grid.y.len() as u32,
+            given.places(4, &mut grid.points),
+            grid.capacity as u32,
+        )
+    };
+    for point in grid.written(status) {
+        plausible_place(&patch, &k, options, &point);
+    }
+}
+
+/// Friction that falls with the slip lowers that of every strip by one share.
+fn patch_solve_friction(bytes: &mut Bytes) {
+    let Some(patch) = patch(bytes) else { return };
+    let (k, friction) = (creepage(bytes), friction_of(bytes));
+    let (options, given) = (patch_options(bytes), bytes.given());
+    let (mut out, mut share) = (poisoned::<kstrip_result>(), poisoned::<Float>());
+    let status = kstrip_patch_solve_friction(
+        given.input(0, &patch),
+        given.input(1, &k),
+        given.input(2, &friction),
+        options.as_ref(),
+        given.output(3, &mut out),
+        given.output(4, &mut share),
+    );
+    if answered(status, untouched(&out) && untouched(&share)) {
+        assert!(given.all(4));
+        plausible(&patch, &k, model_of(options), status, &written(&out));
+        if given.has(4) {
+            assert!((0.0..=1.0).contains(&written(&share)), "{patch:?} {k:?} {friction:?}");
+        }
+    }
+}
+
+fn patch_solve_friction_jacobian(bytes: &mut Bytes) {
+    let Some(patch) = patch(bytes) else { return };
+    let (k, friction) = (creepage(bytes), friction_of(bytes));
+    let (options, given) = (patch_options(bytes), bytes.given());
+    let (mut out, mut share) = (poisoned::<kstrip_result>(), poisoned::<Float>());
+    let mut entries = poisoned_array::<Float, 9>();
+    // SAFETY: NULL or nine numbers.
+    let status = unsafe {
+        kstrip_patch_solve_friction_jacobian(
+            given.input(0, &patch),
+            given.input(1, &k),
+            given.input(2, &friction),
+            options.as_ref(),
+            given.output(3, &mut out),
+            given.places(4, &mut entries),
+            given.output(5, &mut share),
+        )
+    };
+    if answered(status, untouched(&out) && all_untouched(&entries) && untouched(&share)) {
+        assert!(given.all(5));
+        plausible(&patch, &k, model_of(options), status, &written(&out));
+        let entries = entries.map(|entry| written(&entry));
+        assert!(finite(&entries), "{patch:?} {k:?} {friction:?} {options:?} {entries:?}");
+    }
+}
+
+fn patch_under_friction(bytes: &mut Bytes) {
+    let Some(patch) = patch(bytes) else { return };
+    let (k, friction) = (creepage(bytes), friction_of(bytes));
+    let (options, given) = (patch_options(bytes), bytes.given());
+    let (mut out, mut share) = (poisoned::<kstrip_patch>(), poisoned::<Float>());
+    let status = kstrip_patch_under_friction(
+        given.input(0, &patch),
+        given.input(1, &k),
+        given.input(2, &friction),
+        options.as_ref(),
+        given.output(3, &mut out),
+        given.output(4, &mut share),
+    );
+    if answered(status, untouched(&out) && untouched(&share)) {
+        assert!(given.all(4));
+        accepted(&written(&out));
+    }
+}
+
+pub const ENTRIES: &[Entry] = &[
+    ("patch_from_ellipse", patch_from_ellipse),
+    ("patch_from_strips", patch_from_strips),
+    ("patch_from_profile", patch_from_profile),
+    ("summarize", summarize),
+    ("patch_solve", patch_solve),
+    ("patch_jacobian", patch_jacobian),
+    ("patch_strips", patch_strips),
+    ("patch_traction_at", patch_traction_at),
+    ("patch_field", patch_field),
+    ("patch_solve_friction", patch_solve_friction),
+    ("patch_solve_friction_jacobian", patch_solve_friction_jacobian),
+    ("patch_under_friction", patch_under_friction),
+];
