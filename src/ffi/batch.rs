@@ -252,7 +252,7 @@ fn solve_batch_arrays<F: Precision>(
 /// @param inputs          arrays of count elements.
 /// @param options         for all contacts; NULL for the defaults.
 /// @param outputs         arrays of count elements; NULL where a quantity is not wanted: moment (with the power) and
-///                        adhesion are then not computed either. They must not
+///                        adhesion are then left out where that saves time. They must not
 ///                        overlap the inputs or each other.
 /// @return KSTRIP_OK, the largest warning, or the first error, as kstrip_solve().
 #[unsafe(no_mangle)]
