@@ -2,6 +2,8 @@
 
 #[path = "common/random.rs"]
 mod random;
+#[path = "common/single.rs"]
+mod single;
 #[path = "common/theory.rs"]
 mod theory;
 
@@ -247,14 +249,7 @@ fn derivatives_at_rest_are_the_linear_slopes() {
                 }
             }
         }
-        let single = Contact::<f32> {
-            a: c.a as f32,
-            b: c.b as f32,
-            normal_force: c.normal_force as f32,
-            shear_modulus: c.shear_modulus as f32,
-            poisson_ratio: c.poisson_ratio as f32,
-            friction: c.friction as f32,
-        };
+        let single = single::single(&c);
         let rest = Creepage { longitudinal: 0.0_f32, lateral: 0.0, spin: 0.0 };
         for count in COUNTS {
             let (_, j) = model::solve_jacobian(&single, &rest, &options(MODELS[0], count)).unwrap();

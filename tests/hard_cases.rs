@@ -1,6 +1,8 @@
 //! The hard cases by name, in Rust and through the C functions, in both precisions: each gives a right
 //! answer or a named status, and an error leaves the outputs as they were.
 
+#[path = "common/single.rs"]
+mod single;
 #[path = "common/theory.rs"]
 mod theory;
 
@@ -16,6 +18,7 @@ use kstrip::model::{self, Field, Model};
 use kstrip::status::{Error, Notice};
 use kstrip::strip::State;
 use kstrip::totals::StripCount;
+use single::single;
 use std::f64::consts::PI;
 use std::mem::MaybeUninit;
 use theory::{COUNTS, Law, MODELS, contact, creepage, options};
@@ -33,17 +36,6 @@ const MOTION: Creepage<f64> = Creepage { longitudinal: 1e-3, lateral: -5e-4, spi
 
 fn motion(longitudinal: f64, lateral: f64, spin: f64) -> Creepage<f64> {
     Creepage { longitudinal, lateral, spin }
-}
-
-fn single(c: &Contact<f64>) -> Contact<f32> {
-    Contact {
-        a: c.a as f32,
-        b: c.b as f32,
-        normal_force: c.normal_force as f32,
-        shear_modulus: c.shear_modulus as f32,
-        poisson_ratio: c.poisson_ratio as f32,
-        friction: c.friction as f32,
-    }
 }
 
 fn single_motion(m: &Creepage<f64>) -> Creepage<f32> {

@@ -4,10 +4,11 @@
 mod patches;
 #[path = "common/random.rs"]
 mod random;
+#[path = "common/single.rs"]
+mod single;
 #[path = "common/theory.rs"]
 mod theory;
 
-use kstrip::contact::Contact;
 use kstrip::creepage::Creepage;
 use kstrip::ffi::friction::*;
 use kstrip::ffi::patch::*;
@@ -25,6 +26,7 @@ use kstrip::status::{Error, Notice};
 use kstrip::totals::StripCount;
 use patches::{Full, irregular, motion};
 use random::Random;
+use single::single;
 use std::mem::MaybeUninit;
 use theory::{COUNTS, contact, options};
 
@@ -297,17 +299,6 @@ fn bad_input_is_named() {
     }
     let far = Creepage { longitudinal: f64::NAN, ..m };
     assert_eq!(solve(&view, &far, &DRY, Model::Strip), Err(Error::NotFinite));
-}
-
-fn single(c: &Contact<f64>) -> Contact<f32> {
-    Contact {
-        a: c.a as f32,
-        b: c.b as f32,
-        normal_force: c.normal_force as f32,
-        shear_modulus: c.shear_modulus as f32,
-        poisson_ratio: c.poisson_ratio as f32,
-        friction: c.friction as f32,
-    }
 }
 
 /// Single precision follows double, through the C functions; the share is optional; a C patch under friction has

@@ -2,6 +2,8 @@
 
 #[path = "common/random.rs"]
 mod random;
+#[path = "common/single.rs"]
+mod single;
 #[path = "common/theory.rs"]
 mod theory;
 
@@ -14,6 +16,7 @@ use kstrip::rig::{Measured, creepage_for_force, estimate_friction};
 use kstrip::status::{Error, Notice};
 use kstrip::totals::StripCount;
 use random::Random;
+use single::single;
 use std::mem::MaybeUninit;
 use theory::{contact, options};
 
@@ -27,17 +30,6 @@ fn any_options(n: usize) -> Options {
 fn any_contact(random: &mut Random) -> Contact<f64> {
     let c = contact(random.log_between(0.2, 5.0), random.between(0.0, 0.5));
     Contact { friction: random.between(0.05, 0.6), ..c }
-}
-
-fn single(c: &Contact<f64>) -> Contact<f32> {
-    Contact {
-        a: c.a as f32,
-        b: c.b as f32,
-        normal_force: c.normal_force as f32,
-        shear_modulus: c.shear_modulus as f32,
-        poisson_ratio: c.poisson_ratio as f32,
-        friction: c.friction as f32,
-    }
 }
 
 fn rough(notice: Notice) -> bool {
