@@ -96,7 +96,7 @@ pub fn evaluate_batch<F: Precision>(
     }
     let mut worst = Notice::None;
     for i in 0..problems.count() {
-        worst = worse(worst, evaluate_one(problems, i, options, wanted, solutions)?);
+        worst = worst.worse(evaluate_one(problems, i, options, wanted, solutions)?);
     }
     Ok(worst)
 }
@@ -131,10 +131,4 @@ pub(crate) fn evaluate_one<F: Precision>(
     let notice = solution.notice;
     solutions.put(i, solution);
     Ok(notice)
-}
-
-/// The notice with the larger code.
-#[inline(always)]
-pub(crate) fn worse(one: Notice, other: Notice) -> Notice {
-    if other.code() > one.code() { other } else { one }
 }

@@ -92,6 +92,13 @@ impl<F: Float> Creepage<F> {
 }
 
 impl<F: Plain> Creepage<F> {
+    /// `F_x υx + F_y υy + M_z φ` \[N\]: the power of forces `[F_x, F_y, M_z]` \[N, N, N m\] over the rolling speed;
+    /// positive where they follow the slip.
+    #[inline(always)]
+    pub(crate) fn power(&self, [fx, fy, mz]: [F; 3]) -> F {
+        fx * self.longitudinal + fy * self.lateral + mz * self.spin
+    }
+
     /// Whether the numbers are of the usual sizes: `|υ|` up to 100, `|φ|` up to 1e4 per metre; see
     /// [`Contact::is_usual`](Contact).
     #[inline(always)]

@@ -146,7 +146,7 @@ pub fn solve<F: Precision>(
 ) -> Result<FrictionSolution<F>, Error> {
     let (contact, notice) = under(contact, creepage, friction, options)?;
     let mut solution = model::solve(&contact, creepage, options)?;
-    solution.notice = worse(solution.notice, notice);
+    solution.notice = solution.notice.worse(notice);
     Ok(FrictionSolution { solution, friction: contact.friction })
 }
 
@@ -211,7 +211,7 @@ pub fn solve_jacobian<F: Precision>(
     if !total.iter().all(|entry| entry.is_finite_number()) {
         return Err(Error::Overflow);
     }
-    solution.notice = worse(solution.notice, notice);
+    solution.notice = solution.notice.worse(notice);
     Ok((FrictionSolution { solution, friction: found }, total))
 }
 
@@ -241,20 +241,11 @@ impl<F: Precision> Slip<F> {
         let bound = contact.friction_bound();
         let value = (solution.power / bound).max(F::zero());
         // dP/dμ = c ∂F/∂μ
-        let power = power_of(by_friction, creepage);
+        let power = creepage.power((*by_friction).into());
         // s = P/(μ N):  ∂s/∂μ = (∂P/∂μ)/(μ N) − s/μ
         let by_friction = power / bound - value / contact.friction;
         Self { value, by_friction }
     }
-}
-
-/// `F_x υx + F_y υy + M_z φ`
-fn power_of<F: Float>(forces: &Vector3<F>, creepage: &Creepage<F>) -> F {
-    forces.x * creepage.longitudinal + forces.y * creepage.lateral + forces.z * creepage.spin
-}
-
-pub(crate) fn worse(one: Notice, other: Notice) -> Notice {
-    if other.code() > one.code() { other } else { one }
 }
 
 /// The largest `μ` that agrees with the slip that it causes. `contact` has `μ₀`.
@@ -282,7 +273,7 @@ fn agreement<F: Precision>(
         }
         // The limit of full sliding: s = (∂P/∂μ)/N
         let (_, slopes) = derivatives::solve(&contact, creepage, options)?;
-        let power = power_of(&slopes.friction, creepage);
+        let power = creepage.power(slopes.friction.into());
         Ok(friction.at(power / contact.normal_force))
     })
     .largest_solution()

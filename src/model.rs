@@ -292,8 +292,7 @@ impl<'a, F: Precision> Problem<'a, F> {
     #[inline(always)]
     pub(crate) fn solution(&self, forces: &Forces<F>, notice: Notice) -> Solution<F> {
         let Forces { fx, fy, mz, adhesion } = *forces;
-        let Creepage { longitudinal, lateral, spin } = *self.creepage;
-        let power = fx * longitudinal + fy * lateral + mz * spin;
+        let power = self.creepage.power([fx, fy, mz]);
         Solution { fx, fy, mz, power, adhesion, notice }
     }
 }

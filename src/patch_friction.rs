@@ -19,7 +19,7 @@
 //! implicit function theorem.
 
 use crate::creepage::Creepage;
-use crate::friction::{Agreement, SlipFriction, worse};
+use crate::friction::{Agreement, SlipFriction};
 use crate::model::{Jacobian, Model, Precision, Solution};
 use crate::patch::{Patch, PatchView};
 use crate::patch_solver;
@@ -91,7 +91,7 @@ pub fn solve_jacobian<F: Precision>(
     let stiffness = share * factor;
     let mut jacobian = slopes.map(|slope| slope * stiffness);
     let bound = problem.bound;
-    let slip = power_of([found.fx, found.fy, found.mz], creepage) / bound;
+    let slip = creepage.power([found.fx, found.fy, found.mz]) / bound;
     // (a negative power, as the theory of 1967 has it in some contacts that spin, is no slip)
     let falling = if slip > F::zero() { problem.law.falling_rate(slip) } else { F::zero() };
     if falling < F::zero() {
@@ -107,7 +107,7 @@ pub fn solve_jacobian<F: Precision>(
             }
         }
         // s = f c/M:  M ∂s/∂c = f + Jᵀ (k c/λ),  λ M ∂s/∂λ = −c J (k c/λ)
-        let by_share = -(power_of(along, creepage) / bound) / share;
+        let by_share = -(creepage.power(along) / bound) / share;
         // λ = g(s(c, λ)):  dλ/dc = g' ∂s/∂c/(1 − g' ∂s/∂λ)
         let gain = falling / (F::one() - falling * by_share) / bound;
         let columns = jacobian.column_iter_mut().zip(forces).zip(across);
@@ -153,11 +153,6 @@ impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
     }
 }
 
-/// `F_x υx + F_y υy + M_z φ`
-fn power_of<F: Float>([fx, fy, mz]: [F; 3], creepage: &Creepage<F>) -> F {
-    fx * creepage.longitudinal + fy * creepage.lateral + mz * creepage.spin
-}
-
 /// A patch, a creepage, a model and a law that fit together.
 struct Problem<'a, F: Float> {
     patch: &'a PatchView<'a, F>,
@@ -194,7 +189,7 @@ impl<'a, F: Precision> Problem<'a, F> {
         Agreement::new(&self.law, self.rigid_slip, self.bound, |share| {
             let scaled = self.scaled(share).0;
             let Solution { fx, fy, mz, .. } = patch_solver::solve(self.patch, &scaled, self.model)?;
-            let power = power_of([fx, fy, mz], self.creepage);
+            let power = self.creepage.power([fx, fy, mz]);
             Ok(self.law.at(power / self.bound))
         })
         .largest_solution()
@@ -218,7 +213,7 @@ impl<'a, F: Precision> Problem<'a, F> {
     fn under(&self, share: F, scaled: &Solution<F>, notice: Notice) -> Solution<F> {
         let Solution { fx, fy, mz, adhesion, .. } = *scaled;
         let [fx, fy, mz] = [fx, fy, mz].map(|force| force * share);
-        let power = power_of([fx, fy, mz], self.creepage);
-        Solution { fx, fy, mz, power, adhesion, notice: worse(scaled.notice, notice) }
+        let power = self.creepage.power([fx, fy, mz]);
+        Solution { fx, fy, mz, power, adhesion, notice: scaled.notice.worse(notice) }
     }
 }

@@ -303,12 +303,11 @@ impl<F: Precision> Problem<'_, F> {
     }
 
     fn solution(&self, fx: F, fy: F, mz: F, stick: F, area: F) -> Solution<F> {
-        let Creepage { longitudinal, lateral, spin } = *self.creepage;
         Solution {
             fx,
             fy,
             mz,
-            power: fx * longitudinal + fy * lateral + mz * spin,
+            power: self.creepage.power([fx, fy, mz]),
             adhesion: if area > F::zero() {
                 (stick / area).clamped(F::zero(), F::one())
             } else {

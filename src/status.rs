@@ -77,6 +77,13 @@ impl Error {
     pub const fn code(self) -> i32 {
         self as i32
     }
+
+    /// The one with the larger code.
+    #[must_use]
+    #[inline(always)]
+    pub const fn worse(self, other: Self) -> Self {
+        if other.code() > self.code() { other } else { self }
+    }
 }
 
 impl fmt::Display for Error {
@@ -122,6 +129,13 @@ impl Notice {
     #[must_use]
     pub const fn code(self) -> i32 {
         self as i32
+    }
+
+    /// The one with the larger code.
+    #[must_use]
+    #[inline(always)]
+    pub const fn worse(self, other: Self) -> Self {
+        if other.code() > self.code() { other } else { self }
     }
 }
 

@@ -271,13 +271,25 @@ where
         self.summed::<STICK, MOMENT>(count)
     }
 
+    /// The largest of the parameters of all strips.
+    #[inline(always)]
+    fn size(&self) -> T::Base {
+        let StripFamily { xi, slope, eta, psi } = self.law.family;
+        let size = |v: T| v.value().abs();
+        size(xi).max(size(slope)).max(size(eta)).max(size(psi))
+    }
+
+    /// Below this the derivatives of squares of the parameters leave the number range.
+    #[inline(always)]
+    fn least_size() -> T::Base {
+        T::ROOT_TINY.times(1e6)
+    }
+
     /// Whether creepages are so small that derivatives of their squares leave the number range.
     #[inline(always)]
     fn vanishes(&self) -> bool {
-        let StripFamily { xi, slope, eta, psi } = self.law.family;
-        let size = |v: T| v.value().abs();
-        let size = size(xi).max(size(slope)).max(size(eta)).max(size(psi));
-        size < T::ROOT_TINY.times(1e6) && size > <T::Base as Arithmetic>::zero()
+        let size = self.size();
+        size < Self::least_size() && size > <T::Base as Arithmetic>::zero()
     }
 
     /// [`StripTheory::totals`] of larger creepages of the same direction, and the forces made smaller again: both are as
@@ -289,9 +301,7 @@ where
         count: StripCount,
     ) -> Totals<T> {
         let StripFamily { xi, slope, eta, psi } = self.law.family;
-        let size = |v: T| v.value().abs();
-        let size = size(xi).max(size(slope)).max(size(eta)).max(size(psi));
-        let least = T::ROOT_TINY.times(1e6);
+        let (size, least) = (self.size(), Self::least_size());
         let (factor, shrink) = (least / size, size / least);
         let larger = |v: T| with_value(v, v.value() * factor);
         let family = StripFamily {

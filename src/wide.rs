@@ -9,7 +9,7 @@
 
 #![allow(unsafe_code)]
 
-use crate::batch::{Problems, Solutions, check_one, evaluate_one, worse};
+use crate::batch::{Problems, Solutions, check_one, evaluate_one};
 use crate::coefficients::LinearCoefficients;
 use crate::contact::Contact;
 use crate::creepage::{Creepage, Parameters};
@@ -152,15 +152,12 @@ where
         if let Some((contact, creepage)) = group::<L, N>(problems, first) {
             together = solve_group(&contact, &creepage, options, wanted);
         }
-        worst = worse(
-            worst,
-            if let Some((quantities, notices)) = together {
-                solutions.put_side_by_side(first, &quantities.map(L::array), &notices);
-                notices.into_iter().fold(Notice::None, worse)
-            } else {
-                evaluate_apart(problems, first, count.min(first + N), options, wanted, solutions)?
-            },
-        );
+        worst = worst.worse(if let Some((quantities, notices)) = together {
+            solutions.put_side_by_side(first, &quantities.map(L::array), &notices);
+            notices.into_iter().fold(Notice::None, Notice::worse)
+        } else {
+            evaluate_apart(problems, first, count.min(first + N), options, wanted, solutions)?
+        });
     }
     Ok(worst)
 }
@@ -187,7 +184,7 @@ fn evaluate_apart<F: Precision>(
 ) -> Result<Notice, Error> {
     let mut worst = Notice::None;
     for i in first..end {
-        worst = worse(worst, evaluate_one(problems, i, options, wanted, solutions)?);
+        worst = worst.worse(evaluate_one(problems, i, options, wanted, solutions)?);
     }
     Ok(worst)
 }
@@ -223,7 +220,7 @@ where
     };
     let Creepage { longitudinal, lateral, spin } = *creepage;
     let Forces { fx, fy, mz, adhesion } = forces;
-    let power = fx * longitudinal + fy * lateral + mz * spin;
+    let power = creepage.power([fx, fy, mz]);
     // at rest: no force, and adhesion everywhere
     let zero = L::zero();
     let motion = longitudinal.abs() + lateral.abs() + spin.abs();

@@ -407,19 +407,7 @@ fn derivatives_in_single_precision() {
         let o = options(Model::ALL[n % 5], StripCount::Sixteen);
         let p = [0; 3].map(|_| random.between(-0.6, 0.6));
         let m = theory::creepage(&double, p[0], p[1], p[2]);
-        let single = Contact::<f32> {
-            a: double.a as f32,
-            b: double.b as f32,
-            normal_force: double.normal_force as f32,
-            shear_modulus: double.shear_modulus as f32,
-            poisson_ratio: double.poisson_ratio as f32,
-            friction: double.friction as f32,
-        };
-        let motion = Creepage {
-            longitudinal: m.longitudinal as f32,
-            lateral: m.lateral as f32,
-            spin: m.spin as f32,
-        };
+        let (single, motion) = (single::single(&double), single::single_motion(&m));
         let (_, of_double) = derivatives::solve(&double, &m, &o).unwrap();
         let (_, of_single) = derivatives::solve(&single, &motion, &o).unwrap();
         for change in [Change::Load, Change::Friction, Change::Hertz] {

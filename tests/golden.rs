@@ -4,6 +4,8 @@
 //!
 //! `KSTRIP_WRITE_GOLDEN=1 cargo test --test golden` writes the hashes anew after a deliberate change.
 
+#[path = "common/single.rs"]
+mod single;
 #[path = "c/toolchain.rs"]
 mod toolchain;
 
@@ -115,19 +117,7 @@ fn hashes_of_rust() -> String {
         for i in block * BLOCK..(block + 1) * BLOCK {
             let (contact, creepage, options) = inputs(i);
             two = hash_case(two, i, &contact, &creepage, &options, f64::to_bits);
-            let contact = Contact {
-                a: contact.a as f32,
-                b: contact.b as f32,
-                normal_force: contact.normal_force as f32,
-                shear_modulus: contact.shear_modulus as f32,
-                poisson_ratio: contact.poisson_ratio as f32,
-                friction: contact.friction as f32,
-            };
-            let creepage = Creepage {
-                longitudinal: creepage.longitudinal as f32,
-                lateral: creepage.lateral as f32,
-                spin: creepage.spin as f32,
-            };
+            let (contact, creepage) = (single::single(&contact), single::single_motion(&creepage));
             one = hash_case(one, i, &contact, &creepage, &options, |x| u64::from(x.to_bits()));
         }
         blocks[0].push(two);

@@ -18,7 +18,7 @@ use kstrip::model::{self, Field, Model};
 use kstrip::status::{Error, Notice};
 use kstrip::strip::State;
 use kstrip::totals::StripCount;
-use single::single;
+use single::{single, single_motion};
 use std::f64::consts::PI;
 use std::mem::MaybeUninit;
 use theory::{COUNTS, Law, MODELS, contact, creepage, options};
@@ -36,10 +36,6 @@ const MOTION: Creepage<f64> = Creepage { longitudinal: 1e-3, lateral: -5e-4, spi
 
 fn motion(longitudinal: f64, lateral: f64, spin: f64) -> Creepage<f64> {
     Creepage { longitudinal, lateral, spin }
-}
-
-fn single_motion(m: &Creepage<f64>) -> Creepage<f32> {
-    Creepage { longitudinal: m.longitudinal as f32, lateral: m.lateral as f32, spin: m.spin as f32 }
 }
 
 fn c_contact(c: &Contact<f64>) -> kstrip_contact {

@@ -18,7 +18,7 @@ use kstrip::patch::{Patch, PatchStrip, PatchView, QuadratureScale};
 use kstrip::patch_solver::{self, PatchField};
 use kstrip::status::{Error, Notice};
 use kstrip::totals::StripCount;
-use patches::{Full, irregular, motion};
+use patches::{Comparison, Full, irregular, motion};
 use random::Random;
 use std::f64::consts::PI;
 use theory::{COUNTS, MODELS, contact, creepage, options};
@@ -346,46 +346,20 @@ fn strips_without_friction_or_load() {
 #[test]
 fn derivatives_are_those_of_the_forces() {
     let mut random = Random::new(408);
-    let (mut compared, mut kinks) = (0, 0);
+    let mut comparison = Comparison::default();
     for i in 0..900 {
         let patch = irregular(&mut random);
         let motion = motion(&mut random);
         let model = WITH_STRIPS[i % 3];
         let exact = jacobian(&patch, &motion, model);
-        let size = motion.longitudinal.abs() + motion.lateral.abs() + motion.spin.abs() * 4e-3;
+        let forces = |motion: &Creepage<f64>| {
+            let found = solve(&patch, motion, model);
+            [found.fx, found.fy, found.mz]
+        };
         let unit = patch.view().unwrap().friction_bound();
-        for column in 0..3 {
-            let at = |step: f64| {
-                let mut inputs = [motion.longitudinal, motion.lateral, motion.spin];
-                inputs[column] += step;
-                let [longitudinal, lateral, spin] = inputs;
-                let found = solve(&patch, &Creepage { longitudinal, lateral, spin }, model);
-                [found.fx, found.fy, found.mz]
-            };
-            let difference = |h: f64| {
-                let [a, b, c, d] = [at(h), at(-h), at(h / 2.0), at(-h / 2.0)];
-                std::array::from_fn::<f64, 3, _>(|i| {
-                    (8.0 * (c[i] - d[i]) - (a[i] - b[i])) / (6.0 * h)
-                })
-            };
-            let step = size * [1.0, 1.0, 250.0][column];
-            let (coarse, fine) = (difference(step * 2e-3), difference(step * 1e-3));
-            for row in 0..3 {
-                // scale of the row: the force over the creepage it takes
-                let scale = unit * [1.0, 1.0, 4e-3][row] / step;
-                if (coarse[row] - fine[row]).abs() > 1e-9 * scale {
-                    kinks += 1;
-                    continue;
-                }
-                compared += 1;
-                let error = (exact[row][column] - fine[row]).abs();
-                assert!(
-                    error <= 1e-7 * scale,
-                    "{model:?} {row} {column}: {exact:?} {fine:?} {scale}"
-                );
-            }
-        }
+        comparison.add(|row, column| exact[row][column], &motion, unit, forces, &model);
     }
+    let Comparison { compared, kinks, .. } = comparison;
     println!("{compared} compared, {kinks} left out");
     assert!(compared > 4 * kinks, "{compared} {kinks}");
 }

@@ -24,7 +24,7 @@ use kstrip::patch_friction::{friction_share, solve, solve_jacobian};
 use kstrip::patch_solver::{self, PatchField};
 use kstrip::status::{Error, Notice};
 use kstrip::totals::StripCount;
-use patches::{Full, irregular, motion};
+use patches::{Comparison, Full, irregular, motion};
 use random::Random;
 use single::single;
 use std::mem::MaybeUninit;
@@ -197,7 +197,7 @@ fn slope_factor_stretches_the_creep_curve() {
 #[test]
 fn derivatives_follow_friction_and_slip() {
     let mut random = Random::new(426);
-    let (mut compared, mut kinks, mut worst) = (0, 0, 0.0_f64);
+    let mut comparison = Comparison::default();
     for i in 0..250 {
         let (patch, m, law) = (irregular(&mut random), motion(&mut random), any_law(&mut random));
         let model = SMOOTH[i % 2];
@@ -206,41 +206,14 @@ fn derivatives_follow_friction_and_slip() {
         if matches!(found.solution.notice, Notice::NotConverged | Notice::SeveralFrictions) {
             continue;
         }
-        let size = m.longitudinal.abs() + m.lateral.abs() + m.spin.abs() * 4e-3;
-        let unit = view.friction_bound();
-        for column in 0..3 {
-            let at = |step: f64| {
-                let mut inputs = [m.longitudinal, m.lateral, m.spin];
-                inputs[column] += step;
-                let [longitudinal, lateral, spin] = inputs;
-                let motion = Creepage { longitudinal, lateral, spin };
-                let s = solve(&view, &motion, &law, model).unwrap().solution;
-                [s.fx, s.fy, s.mz]
-            };
-            let difference = |h: f64| {
-                let [a, b, c, d] = [at(h), at(-h), at(h / 2.0), at(-h / 2.0)];
-                std::array::from_fn::<f64, 3, _>(|i| {
-                    (8.0 * (c[i] - d[i]) - (a[i] - b[i])) / (6.0 * h)
-                })
-            };
-            let step = size * [1.0, 1.0, 250.0][column];
-            let (coarse, fine) = (difference(step * 2e-3), difference(step * 1e-3));
-            for row in 0..3 {
-                let scale = unit * [1.0, 1.0, 4e-3][row] / step;
-                if (coarse[row] - fine[row]).abs() > 1e-9 * scale {
-                    kinks += 1;
-                    continue;
-                }
-                compared += 1;
-                let error = (exact[(row, column)] - fine[row]).abs() / scale;
-                worst = worst.max(error);
-                assert!(
-                    error <= 1e-7,
-                    "{model:?} {row} {column}: {exact} {fine:?} {law:?} {found:?}"
-                );
-            }
-        }
+        let forces = |motion: &Creepage<f64>| {
+            let s = solve(&view, motion, &law, model).unwrap().solution;
+            [s.fx, s.fy, s.mz]
+        };
+        let entry = |row, column| exact[(row, column)];
+        comparison.add(entry, &m, view.friction_bound(), forces, &(model, law, found));
     }
+    let Comparison { compared, kinks, worst } = comparison;
     println!("{compared} compared, {kinks} left out, worst {worst:e}");
     assert!(compared > 3 * kinks, "{compared} {kinks}");
 }

@@ -1,6 +1,9 @@
-//! The same contact in single precision.
+//! The same contact and motion in single precision.
+
+#![allow(dead_code)]
 
 use kstrip::contact::Contact;
+use kstrip::creepage::Creepage;
 
 pub fn single(c: &Contact<f64>) -> Contact<f32> {
     Contact {
@@ -11,4 +14,8 @@ pub fn single(c: &Contact<f64>) -> Contact<f32> {
         poisson_ratio: c.poisson_ratio as f32,
         friction: c.friction as f32,
     }
+}
+
+pub fn single_motion(m: &Creepage<f64>) -> Creepage<f32> {
+    Creepage { longitudinal: m.longitudinal as f32, lateral: m.lateral as f32, spin: m.spin as f32 }
 }
