@@ -5,8 +5,9 @@
  *     golden batch         kstrip_solve_batch where it answers the same question
  *     golden threads       two threads, half of the contacts each
  *
- * Inputs are quotients of integers, so that no compiler can round them differently. With FIRMWARE defined only
- * the first contacts are solved, without arguments and without threads.
+ * golden_case.h says what is hashed of a case. Inputs are quotients of integers, so that no compiler can round
+ * them differently. With FIRMWARE defined only the first contacts are solved, without arguments and without
+ * threads.
  */
 #define _POSIX_C_SOURCE 200809L
 #include "kstrip.h"
@@ -22,23 +23,25 @@ enum { CONTACTS = 100000 };
 /* A hash is printed after so many contacts as well. */
 enum { FIRST = 1000, BLOCK = 1000, BLOCKS = CONTACTS / BLOCK };
 
+/* Each has its own hash. */
+enum { SOLVES, PATCHES, FRICTION, WANTED, RIG, KINDS };
+static const char *const kinds[KINDS] = {"", " patches", " friction", " wanted", " rig"};
+
 static uint64_t mixed(uint64_t hash, uint64_t bits)
 {
     return (hash ^ bits) * 0x100000001b3U; /* FNV-1a, 64 bits at a time */
 }
 
-static uint64_t mixed_double(uint64_t hash, double x)
+/* Whether a contact has more than solves: of a hundred five, one for each model. */
+static int has_field(uint32_t i)
 {
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return mixed(hash, bits);
+    return i % 100 < 5;
 }
 
-static uint64_t mixed_float(uint64_t hash, float x)
+/* Whether it has the rest: the same of the first thousand, later of two thousand five. */
+static int has_rest(uint32_t i)
 {
-    uint32_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return mixed(hash, bits);
+    return has_field(i) && (i < 1000 || i % 2000 < 5);
 }
 
 /* Integers for case i. */
@@ -73,98 +76,47 @@ static void inputs(uint32_t i, kstrip_contact *c, kstrip_creepage *k, kstrip_opt
     o->strips = 4 << draw(i, 16, 5);
 }
 
-#define HASH_RESULT(number)                                                                        \
-    do {                                                                                           \
-        hash = mixed(hash, (uint32_t)status);                                                      \
-        hash = number(hash, r.fx);                                                                 \
-        hash = number(hash, r.fy);                                                                 \
-        hash = number(hash, r.mz);                                                                 \
-        hash = number(hash, r.power);                                                              \
-        hash = number(hash, r.adhesion);                                                           \
-    } while (0)
-
-/* Five of a hundred cases, one of each model, also give derivatives and three points of the field. */
-#define HASH_MORE(suffix, real, number)                                                            \
-    do {                                                                                           \
-        real jacobian[9];                                                                          \
-        int n;                                                                                     \
-        hash = mixed(hash, (uint32_t)kstrip_solve_jacobian##suffix(&c, &k, &o, &r, jacobian));     \
-        for (n = 0; n < 9; n++)                                                                    \
-            hash = number(hash, jacobian[n]);                                                      \
-        for (n = 0; n < 3; n++) {                                                                  \
-            kstrip_point##suffix p;                                                                \
-            const kstrip_status s = kstrip_traction_at##suffix(                                    \
-                &c, &k, &o, c.a * (real)(n - 1) / 2, c.b * (real)(n - 1) / 4, &p);                 \
-            hash = mixed(hash, (uint32_t)s);                                                       \
-            if (s >= 0) {                                                                          \
-                hash = number(hash, p.pressure);                                                   \
-                hash = number(hash, p.traction_x);                                                 \
-                hash = number(hash, p.traction_y);                                                 \
-                hash = number(hash, p.slip_x);                                                     \
-                hash = number(hash, p.slip_y);                                                     \
-                hash = mixed(hash, (uint32_t)p.state);                                             \
-            }                                                                                      \
-        }                                                                                          \
-    } while (0)
-
-static uint64_t case_double(uint64_t hash, uint32_t i, int batch)
-{
-    kstrip_contact c;
-    kstrip_creepage k;
-    kstrip_options o;
-    kstrip_result r;
-    kstrip_status status;
-    inputs(i, &c, &k, &o);
-    status = batch ? kstrip_solve_batch(&c, &k, 1, &o, &r) : kstrip_solve(&c, &k, &o, &r);
-    HASH_RESULT(mixed_double);
-    if (i % 100 < 5)
-        HASH_MORE(, double, mixed_double);
-    return hash;
-}
-
-static uint64_t case_single(uint64_t hash, uint32_t i, int batch)
-{
-    kstrip_contact d;
-    kstrip_creepage e;
-    kstrip_options o;
-    kstrip_result_f32 r;
-    kstrip_status status;
-    inputs(i, &d, &e, &o);
-    {
-        const kstrip_contact_f32 c = {(float)d.a, (float)d.b, (float)d.normal_force,
-                                      (float)d.shear_modulus, (float)d.poisson_ratio, (float)d.friction};
-        const kstrip_creepage_f32 k = {(float)e.longitudinal, (float)e.lateral, (float)e.spin};
-        status = batch ? kstrip_solve_batch_f32(&c, &k, 1, &o, &r) : kstrip_solve_f32(&c, &k, &o, &r);
-        HASH_RESULT(mixed_float);
-        if (i % 100 < 5)
-            HASH_MORE(_f32, float, mixed_float);
-    }
-    return hash;
-}
+#define REAL double
+#define BITS uint64_t
+#define NAME(x) x
+#include "golden_case.h"
+#undef REAL
+#undef BITS
+#undef NAME
+#define REAL float
+#define BITS uint32_t
+#define NAME(x) x##_f32
+#include "golden_case.h"
 
 /* One hash per block, so that threads may take blocks in any order. */
-static uint64_t blocks[2][BLOCKS];
+static uint64_t blocks[2][BLOCKS][KINDS];
 
 static void solve_block(int block, int batch)
 {
+    uint64_t *const two = blocks[0][block], *const one = blocks[1][block];
     uint32_t i;
-    uint64_t two = 0xcbf29ce484222325U, one = two;
+    int kind;
+    for (kind = 0; kind < KINDS; kind++)
+        two[kind] = one[kind] = 0xcbf29ce484222325U;
     for (i = (uint32_t)block * BLOCK; i < (uint32_t)(block + 1) * BLOCK; i++) {
-        two = case_double(two, i, batch);
-        one = case_single(one, i, batch);
+        hash_case(two, i, batch);
+        hash_case_f32(one, i, batch);
     }
-    blocks[0][block] = two;
-    blocks[1][block] = one;
 }
 
-static void print(const char *name, const uint64_t *hashes, int count)
+static void print(int count)
 {
-    uint64_t hash = 0xcbf29ce484222325U;
-    int i;
-    for (i = 0; i < count; i++)
-        hash = mixed(hash, hashes[i]);
-    printf("%s %d %08lx%08lx\n", name, count * BLOCK, (unsigned long)(hash >> 32),
-           (unsigned long)(hash & 0xffffffffU));
+    static const char *const precisions[2] = {"double", "single"};
+    int precision, kind, i;
+    for (precision = 0; precision < 2; precision++) {
+        for (kind = 0; kind < KINDS; kind++) {
+            uint64_t hash = 0xcbf29ce484222325U;
+            for (i = 0; i < count; i++)
+                hash = mixed(hash, blocks[precision][i][kind]);
+            printf("%s%s %d %08lx%08lx\n", precisions[precision], kinds[kind], count * BLOCK,
+                   (unsigned long)(hash >> 32), (unsigned long)(hash & 0xffffffffU));
+        }
+    }
 }
 
 #ifdef FIRMWARE
@@ -196,10 +148,8 @@ int main(int count, char **arguments)
         for (block = 0; block < BLOCKS; block++)
             solve_block(block, batch);
     }
-    print("double", blocks[0], BLOCKS);
-    print("single", blocks[1], BLOCKS);
+    print(BLOCKS);
 #endif
-    print("double", blocks[0], FIRST / BLOCK);
-    print("single", blocks[1], FIRST / BLOCK);
+    print(FIRST / BLOCK);
     return 0;
 }

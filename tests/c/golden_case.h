@@ -1,0 +1,305 @@
+/* One case of golden.c in one precision: included twice, with REAL the type of numbers, BITS an integer of its
+ * size, and NAME(x) what x is called in that precision.
+ */
+
+static void NAME(add)(uint64_t *hash, REAL x)
+{
+    BITS bits;
+    memcpy(&bits, &x, sizeof bits);
+    *hash = mixed(*hash, bits);
+}
+
+static void NAME(add_all)(uint64_t *hash, const REAL *x, int count)
+{
+    int n;
+    for (n = 0; n < count; n++)
+        NAME(add)(hash, x[n]);
+}
+
+/* A status, and a result if there is one. */
+static void NAME(add_result)(uint64_t *hash, kstrip_status status, const NAME(kstrip_result) *r)
+{
+    *hash = mixed(*hash, (uint32_t)status);
+    if (status >= 0) {
+        const REAL numbers[5] = {r->fx, r->fy, r->mz, r->power, r->adhesion};
+        NAME(add_all)(hash, numbers, 5);
+    }
+}
+
+static void NAME(add_jacobian)(uint64_t *hash, kstrip_status status, const NAME(kstrip_result) *r,
+                               const REAL *jacobian)
+{
+    NAME(add_result)(hash, status, r);
+    if (status >= 0)
+        NAME(add_all)(hash, jacobian, 9);
+}
+
+static void NAME(add_point)(uint64_t *hash, kstrip_status status, const NAME(kstrip_point) *p)
+{
+    *hash = mixed(*hash, (uint32_t)status);
+    if (status >= 0) {
+        const REAL numbers[5] = {p->pressure, p->traction_x, p->traction_y, p->slip_x, p->slip_y};
+        NAME(add_all)(hash, numbers, 5);
+        *hash = mixed(*hash, (uint32_t)p->state);
+    }
+}
+
+static void NAME(add_strips)(uint64_t *hash, kstrip_status status, const NAME(kstrip_strip) *strips,
+                             uint32_t count)
+{
+    uint32_t n;
+    *hash = mixed(*hash, (uint32_t)status);
+    for (n = 0; status >= 0 && n < count; n++) {
+        const NAME(kstrip_strip) s = strips[n];
+        const REAL numbers[8] = {s.y,  s.width, s.half_length, s.separatrix,
+                                 s.fx, s.fy,    s.mz,          s.power};
+        NAME(add_all)(hash, numbers, 8);
+        *hash = mixed(*hash, (uint32_t)s.state);
+    }
+}
+
+/* A quotient of integers, rounded to this precision. */
+static REAL NAME(part)(uint32_t whole, double of)
+{
+    return (REAL)((double)whole / of);
+}
+
+/* Derivatives and three points of the field. */
+static void NAME(field)(uint64_t *hash, const NAME(kstrip_contact) *c, const NAME(kstrip_creepage) *k,
+                        const kstrip_options *o, int batch)
+{
+    NAME(kstrip_result) r;
+    NAME(kstrip_point) p;
+    REAL jacobian[9];
+    int n;
+    kstrip_status status = batch ? NAME(kstrip_solve_jacobian_batch)(c, k, 1, o, &r, jacobian)
+                                 : NAME(kstrip_solve_jacobian)(c, k, o, &r, jacobian);
+    *hash = mixed(*hash, (uint32_t)status);
+    NAME(add_all)(hash, jacobian, 9);
+    for (n = -1; n <= 1; n++) {
+        status = NAME(kstrip_traction_at)(c, k, o, c->a * (REAL)n / 2, c->b * (REAL)n / 4, &p);
+        NAME(add_point)(hash, status, &p);
+    }
+}
+
+/* A patch by one of its three builders: the strips of an ellipse with friction of their own, strips in any order with
+ * a gap between them, a rough profile. */
+static kstrip_status NAME(build)(uint64_t *hash, uint32_t i, const NAME(kstrip_contact) *c,
+                                 const kstrip_options *o, NAME(kstrip_patch) *patch)
+{
+    kstrip_status status;
+    uint32_t n, at = 0;
+    if (i / 5 % 3 == 0) {
+        status = NAME(kstrip_patch_from_ellipse)(c, o->strips, patch);
+        for (n = 0; status >= 0 && n < patch->count; n++)
+            patch->strips[n].friction *= NAME(part)(4 + draw(i, 100 + n, 5), 8);
+    } else if (i / 5 % 3 == 1) {
+        NAME(kstrip_patch_strip) strips[20];
+        const uint32_t count = 2 + draw(i, 20, 19);
+        for (n = 0; n < count; n++) {
+            /* places in units of 1/20000 m, from the last strip to the first */
+            NAME(kstrip_patch_strip) *strip = &strips[count - 1 - n];
+            const uint32_t width = 2 * (1 + draw(i, 100 + n, 10));
+            at += n == count / 2 ? 40 : 0;
+            strip->y = NAME(part)(at + width / 2, 20000);
+            strip->width = NAME(part)(width, 20000);
+            strip->half_length = NAME(part)(40 + draw(i, 200 + n, 80), 20000);
+            strip->centre_x = NAME(part)(draw(i, 300 + n, 20), 20000);
+            strip->peak_pressure = NAME(part)(draw(i, 400 + n, 15), 1) * 100000000;
+            strip->friction = NAME(part)(1 + draw(i, 500 + n, 50), 100);
+            at += width;
+        }
+        status = NAME(kstrip_patch_from_strips)(strips, count, c->shear_modulus, c->poisson_ratio, patch);
+    } else {
+        NAME(kstrip_profile_contact) load;
+        NAME(kstrip_profile_result) found;
+        REAL y[33], distance[33];
+        const uint32_t bend = 1 + draw(i, 20, 8);
+        for (n = 0; n < 33; n++) {
+            const uint32_t away = n < 16 ? 16 - n : n - 16;
+            y[n] = n < 16 ? -NAME(part)(away, 1000) : NAME(part)(away, 1000);
+            distance[n] = NAME(part)(away * away * bend * 8 + draw(i, 100 + n, 20), 10000000);
+        }
+        load.rolling_radius = NAME(part)(200 + draw(i, 21, 800), 1000);
+        load.normal_force = c->normal_force;
+        load.shear_modulus = c->shear_modulus;
+        load.poisson_ratio = c->poisson_ratio;
+        load.friction = c->friction;
+        status = NAME(kstrip_patch_from_profile)(y, distance, 33, &load, o->strips, patch, &found);
+        if (status >= 0) {
+            const REAL numbers[4] = {found.penetration, found.peak_pressure, found.normal_force,
+                                     found.deepest_y};
+            NAME(add_all)(hash, numbers, 4);
+            *hash = mixed(*hash, found.iterations);
+        }
+    }
+    *hash = mixed(*hash, (uint32_t)status);
+    return status;
+}
+
+static void NAME(patch)(uint64_t *hash, const NAME(kstrip_patch) *patch, const NAME(kstrip_creepage) *k,
+                        const kstrip_options *o)
+{
+    NAME(kstrip_patch_summary) sum;
+    NAME(kstrip_result) r;
+    NAME(kstrip_point) p;
+    NAME(kstrip_strip) strips[KSTRIP_PATCH_CAPACITY];
+    REAL jacobian[9];
+    uint32_t count = 0, n;
+    kstrip_status status = NAME(kstrip_patch_summarize)(patch, &sum);
+    *hash = mixed(*hash, (uint32_t)status);
+    if (status < 0)
+        return;
+    NAME(add)(hash, sum.normal_force);
+    NAME(add)(hash, sum.friction_bound);
+    NAME(add)(hash, sum.area);
+    *hash = mixed(*hash, sum.lobes);
+    for (n = 0; n < patch->count; n++) {
+        const NAME(kstrip_patch_strip) s = patch->strips[n];
+        const REAL numbers[6] = {s.y, s.width, s.half_length, s.centre_x, s.peak_pressure, s.friction};
+        NAME(add_all)(hash, numbers, 6);
+    }
+    status = NAME(kstrip_patch_solve)(patch, k, o, &r);
+    NAME(add_result)(hash, status, &r);
+    status = NAME(kstrip_patch_jacobian)(patch, k, o, &r, jacobian);
+    NAME(add_jacobian)(hash, status, &r, jacobian);
+    status = NAME(kstrip_patch_strips)(patch, k, o, strips, KSTRIP_PATCH_CAPACITY, &count);
+    NAME(add_strips)(hash, status, strips, count);
+    for (n = 0; n < patch->count; n += 3) {
+        const NAME(kstrip_patch_strip) s = patch->strips[n];
+        status = NAME(kstrip_patch_traction_at)(patch, k, o, s.centre_x - s.half_length / 4, s.y, &p);
+        NAME(add_point)(hash, status, &p);
+    }
+}
+
+/* Friction that falls with the slip, of a contact and, unless it is NULL, of a patch. */
+static void NAME(falling)(uint64_t *hash, uint32_t i, const NAME(kstrip_contact) *c,
+                          const NAME(kstrip_patch) *patch, const NAME(kstrip_creepage) *k,
+                          const kstrip_options *o)
+{
+    NAME(kstrip_friction) law;
+    NAME(kstrip_result) r;
+    NAME(kstrip_point) p;
+    NAME(kstrip_contact) slipping;
+    NAME(kstrip_patch) under;
+    REAL jacobian[9], found;
+    kstrip_status status;
+    law.friction = NAME(part)(5 + draw(i, 30, 60), 100);
+    law.ratio = NAME(part)(draw(i, 31, 11), 10);
+    law.decay = NAME(part)(draw(i, 32, 20), 10);
+    law.rolling_speed = NAME(part)(draw(i, 33, 60), 1);
+    law.slope_factor = NAME(part)(1 + draw(i, 34, 10), 10);
+    status = NAME(kstrip_solve_friction)(c, k, &law, o, &r, &found);
+    NAME(add_result)(hash, status, &r);
+    if (status >= 0)
+        NAME(add)(hash, found);
+    status = NAME(kstrip_solve_friction_jacobian)(c, k, &law, o, &r, jacobian, NULL);
+    NAME(add_jacobian)(hash, status, &r, jacobian);
+    if (NAME(kstrip_contact_under_friction)(c, k, &law, o, &slipping) >= 0) {
+        status = NAME(kstrip_traction_at)(&slipping, k, o, -c->a / 4, c->b / 8, &p);
+        NAME(add_point)(hash, status, &p);
+    }
+    if (!patch)
+        return;
+    status = NAME(kstrip_patch_solve_friction)(patch, k, &law, o, &r, &found);
+    NAME(add_result)(hash, status, &r);
+    if (status >= 0)
+        NAME(add)(hash, found);
+    status = NAME(kstrip_patch_solve_friction_jacobian)(patch, k, &law, o, &r, jacobian, NULL);
+    NAME(add_jacobian)(hash, status, &r, jacobian);
+    if (NAME(kstrip_patch_under_friction)(patch, k, &law, o, &under, NULL) >= 0) {
+        const NAME(kstrip_patch_strip) s = under.strips[under.count / 2];
+        status = NAME(kstrip_patch_traction_at)(&under, k, o, s.centre_x - s.half_length / 4, s.y, &p);
+        NAME(add_point)(hash, status, &p);
+    }
+}
+
+/* The ways of kstrip_evaluate() that leave something out, at rest and without spin, lateral or longitudinal creepage
+ * as well. */
+static void NAME(wanted)(uint64_t *hash, const NAME(kstrip_contact) *c, const NAME(kstrip_creepage) *k,
+                         const kstrip_options *o)
+{
+    static const uint32_t without[4] = {KSTRIP_WANT_FORCES, KSTRIP_WANT_MOMENT, KSTRIP_WANT_ADHESION,
+                                        KSTRIP_WANT_MOMENT | KSTRIP_WANT_ADHESION};
+    NAME(kstrip_strip) strips[KSTRIP_STRIPS_CAPACITY];
+    NAME(kstrip_result) r;
+    REAL jacobian[9];
+    NAME(kstrip_creepage) motion = *k;
+    uint32_t count = 0;
+    kstrip_status status;
+    int n, zeros;
+    for (zeros = 0; zeros < 5; zeros++) {
+        motion.longitudinal = zeros == 1 || zeros == 4 ? 0 : k->longitudinal;
+        motion.lateral = zeros == 2 || zeros == 4 ? 0 : k->lateral;
+        motion.spin = zeros == 3 || zeros == 4 ? 0 : k->spin;
+        for (n = 0; n < 4; n++) {
+            status = NAME(kstrip_evaluate)(c, &motion, o, without[n], &r, NULL, NULL, 0, NULL);
+            NAME(add_result)(hash, status, &r);
+        }
+    }
+    for (n = 0; n < 4; n++) {
+        status = NAME(kstrip_evaluate)(c, k, o, without[n] | KSTRIP_WANT_JACOBIAN, &r, jacobian, NULL, 0,
+                                       NULL);
+        NAME(add_jacobian)(hash, status, &r, jacobian);
+    }
+    status = NAME(kstrip_evaluate)(c, k, o, KSTRIP_WANT_STRIPS, &r, NULL, strips, KSTRIP_STRIPS_CAPACITY,
+                                   &count);
+    NAME(add_strips)(hash, status, strips, count);
+}
+
+/* Friction from a share of the force, and the creepage for it. */
+static void NAME(rig)(uint64_t *hash, uint32_t i, const NAME(kstrip_contact) *c,
+                      const NAME(kstrip_creepage) *k, const kstrip_options *o,
+                      const NAME(kstrip_result) *r)
+{
+    const REAL share = NAME(part)(4 + draw(i, 40, 5), 8);
+    const REAL fx = r->fx * share, fy = r->fy * share;
+    NAME(kstrip_friction_estimate) estimate;
+    NAME(kstrip_creepage) motion;
+    kstrip_status status = NAME(kstrip_estimate_friction)(c, k, o, 1 + i / 5 % 3, fx, fy, &estimate);
+    *hash = mixed(*hash, (uint32_t)status);
+    if (status >= 0) {
+        NAME(add)(hash, estimate.friction);
+        NAME(add)(hash, estimate.sensitivity);
+        NAME(add)(hash, estimate.residual);
+    }
+    status = NAME(kstrip_creepage_for_force)(c, fx, fy, k->spin, o, &motion);
+    *hash = mixed(*hash, (uint32_t)status);
+    if (status >= 0) {
+        NAME(add)(hash, motion.longitudinal);
+        NAME(add)(hash, motion.lateral);
+        NAME(add)(hash, motion.spin);
+    }
+}
+
+static void NAME(hash_case)(uint64_t hashes[KINDS], uint32_t i, int batch)
+{
+    kstrip_contact d;
+    kstrip_creepage e;
+    kstrip_options o;
+    NAME(kstrip_result) r;
+    inputs(i, &d, &e, &o);
+    {
+        const NAME(kstrip_contact) c = {(REAL)d.a,
+                                        (REAL)d.b,
+                                        (REAL)d.normal_force,
+                                        (REAL)d.shear_modulus,
+                                        (REAL)d.poisson_ratio,
+                                        (REAL)d.friction};
+        const NAME(kstrip_creepage) k = {(REAL)e.longitudinal, (REAL)e.lateral, (REAL)e.spin};
+        const kstrip_status status = batch ? NAME(kstrip_solve_batch)(&c, &k, 1, &o, &r)
+                                           : NAME(kstrip_solve)(&c, &k, &o, &r);
+        NAME(add_result)(&hashes[SOLVES], status, &r);
+        if (has_field(i))
+            NAME(field)(&hashes[SOLVES], &c, &k, &o, batch);
+        if (has_rest(i)) {
+            NAME(kstrip_patch) p;
+            const int built = NAME(build)(&hashes[PATCHES], i, &c, &o, &p) >= 0;
+            if (built)
+                NAME(patch)(&hashes[PATCHES], &p, &k, &o);
+            NAME(falling)(&hashes[FRICTION], i, &c, built ? &p : NULL, &k, &o);
+            NAME(wanted)(&hashes[WANTED], &c, &k, &o);
+            NAME(rig)(&hashes[RIG], i, &c, &k, &o, &r);
+        }
+    }
+}
