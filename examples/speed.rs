@@ -515,8 +515,8 @@ impl Report {
             }
         }
         self.line(format!(
-            "\nThe aim is 2. The least gain of either layout: {}. The theory of 1967 goes one by one: the search for its adhesion \
-             interval takes other branches in every contact.",
+            "\nThe aim is 2. The least gain of either layout: {}. In the theory of 1967 contacts that reach unit spin go one by \
+             one, wherever they stand; these have less.",
             least.join("; ")
         ));
     }
@@ -527,9 +527,6 @@ impl Report {
             Family::Double(model) => (Self::ink(model), true),
             Family::Forces(_)
             | Family::ForcesSingle(_)
-            // (no other place than one by one)
-            | Family::Batch(Model::Strip1967 | Model::Strip1967Continuous)
-            | Family::BatchSingle(Model::Strip1967 | Model::Strip1967Continuous)
             | Family::Arrays(_)
             | Family::ArraysSingle(_) => return None,
             Family::Batch(model) => (Self::ink(model), true),

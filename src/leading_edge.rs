@@ -6,10 +6,12 @@
 //! Of the four roots of `ξ̄² + (η + ψC)² = C²` at most two are real crossings.
 
 mod large_spin;
+#[cfg(target_arch = "x86_64")]
+mod side_by_side;
 
 pub(crate) use self::large_spin::Released;
 
-use crate::real::{Arithmetic, Float, Number, Pair, Plain, Real};
+use crate::real::{Arithmetic, Choice, Float, Number, Pair, Plain, Real, Stored};
 
 /// A point `(Y, C)` of the leading edge, `Y² + C² = 1`, `C ≥ 0`, in units of the semi-axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +22,7 @@ pub struct EdgePoint<T> {
     pub c: T,
 }
 
-impl<T: Real> EdgePoint<T> {
+impl<T: Number> EdgePoint<T> {
     fn lifted(point: EdgePoint<T::Base>) -> Self {
         Self { y: T::from_base(point.y), c: T::from_base(point.c) }
     }
@@ -34,7 +36,8 @@ impl<T: Real> EdgePoint<T> {
     }
 
     /// The point with `Y`.
-    fn on_edge(y: T) -> Self {
+    #[inline(always)]
+    pub(crate) fn on_edge(y: T) -> Self {
         Self { y, c: ((T::one() - y) * (T::one() + y)).max(T::zero()).sqrt() }
     }
 
@@ -53,6 +56,23 @@ pub struct AdhesionInterval<T> {
     pub lower: EdgePoint<T>,
     /// End at larger `y`.
     pub upper: EdgePoint<T>,
+}
+
+impl<T: Number> Choice<T> for EdgePoint<T> {
+    #[inline(always)]
+    fn chosen(by: T, yes: Self, no: Self) -> Self {
+        Self { y: by.choose(yes.y, no.y), c: by.choose(yes.c, no.c) }
+    }
+}
+
+impl<T: Number> Choice<T> for AdhesionInterval<T> {
+    #[inline(always)]
+    fn chosen(by: T, yes: Self, no: Self) -> Self {
+        Self {
+            lower: EdgePoint::chosen(by, yes.lower, no.lower),
+            upper: EdgePoint::chosen(by, yes.upper, no.upper),
+        }
+    }
 }
 
 /// `ξ̄(Y) = ξ − p Y`, `η`, `ψ`: all that the adhesion length depends on.
@@ -82,24 +102,37 @@ struct Tangent<T> {
     d: T,
 }
 
+impl<P: Arithmetic> Tangent<P> {
+    /// `A² + B²`, and what it exceeds `D²` by: positive where the line meets the circle `Y² + C² = 1`.
+    #[inline(always)]
+    fn squares(&self) -> (P, P) {
+        let norm = self.a * self.a + self.b * self.b;
+        (norm, norm - self.d * self.d)
+    }
+
+    /// Where it meets the circle, with the root of either sign and `1/(A² + B²)`.
+    #[inline(always)]
+    fn on_edge(&self, root: P, inverse: P) -> EdgePoint<P> {
+        EdgePoint {
+            y: (self.d * self.a + self.b * root) * inverse,
+            c: (self.d * self.b - self.a * root) * inverse,
+        }
+    }
+}
+
 impl<T: Real> Tangent<T> {
-    /// Where the line meets the circle `Y² + C² = 1`; `None` when it passes above.
+    /// Where the line meets the circle; `None` when it passes above.
     #[inline(always)]
     fn meets_edge(&self, side: Side) -> Option<EdgePoint<T>> {
-        let norm = self.a * self.a + self.b * self.b;
-        let square = norm - self.d * self.d;
+        let (norm, square) = self.squares();
         if !(square > T::zero()) {
             return None;
         }
-        let inverse = T::one() / norm;
         let root = match side {
             Side::Lower => -square.sqrt(),
             Side::Upper => square.sqrt(),
         };
-        Some(EdgePoint {
-            y: (self.d * self.a + self.b * root) * inverse,
-            c: (self.d * self.b - self.a * root) * inverse,
-        })
+        Some(self.on_edge(root, T::one() / norm))
     }
 }
 
@@ -179,7 +212,7 @@ impl<P: Arithmetic> AdhesionLength<P> {
     }
 }
 
-impl<T: Real> AdhesionLength<T> {
+impl<T: Number> AdhesionLength<T> {
     /// The same twice, side by side.
     #[inline(always)]
     pub(crate) fn paired(&self) -> AdhesionLength<T::Pair> {
@@ -199,6 +232,80 @@ const TANGENT_STEPS: usize = 3;
 /// The same, from the parabola about the strip nearest to adhesion.
 const SHORT_STEPS: usize = 3;
 
+/// Changes of the ends, of the length of the interval, whose squares no longer matter.
+const CLOSE: f64 = 5e-4;
+
+/// A tangent at either end of the interval, the lower one mirrored: where they meet the circle.
+struct Closer<P> {
+    tangent: Tangent<P>,
+    /// `√(A² + B² − D²)`
+    root: P,
+    /// `1/(A² + B²)`
+    inverse: P,
+    /// `Y` of the outer end of the chord.
+    outer: P,
+    /// `Y` of its inner end.
+    inner: P,
+}
+
+impl<P: Arithmetic> Tangent<P> {
+    /// The step of Newton's method that it is, with its [`squares`](Tangent::squares).
+    #[inline(always)]
+    fn closer(self, (norm, square): (P, P)) -> Closer<P> {
+        let Self { a, b, d } = self;
+        let (inverse, root) = (P::one() / norm, square.sqrt());
+        let (middle, half) = (d * a * inverse, b * root * inverse);
+        Closer { tangent: self, root, inverse, outer: middle + half, inner: middle - half }
+    }
+}
+
+/// The lower and the upper one of two `Y`, of which the lower one is mirrored.
+#[inline(always)]
+fn unmirrored<T: Number, P: Pair<T>>(y: P) -> (T, T) {
+    (y * P::of(-T::one(), T::one())).parts()
+}
+
+impl<P: Arithmetic> Closer<P> {
+    /// `Y` where the chord of the lower and that of the upper end lie: outer ends, lower and upper, and inner ends.
+    #[inline(always)]
+    fn chords<T: Number>(&self) -> [T; 4]
+    where
+        P: Pair<T>,
+    {
+        let (near_lower, near_upper) = unmirrored(self.outer);
+        let (far_upper, far_lower) = unmirrored(self.inner);
+        [near_lower, near_upper, far_lower, far_upper]
+    }
+
+    /// How far the ends have moved from `Y`.
+    #[inline(always)]
+    fn change<T: Number>(&self, y: P) -> T
+    where
+        P: Pair<T>,
+    {
+        let (lower, upper) = (self.outer - y).abs().parts();
+        lower.max(upper)
+    }
+
+    /// The ends themselves, when the step from `Y` was short.
+    ///
+    /// What is left is the curvature of `κ`, `κ'' = p² η²/S³`: along the circle, where
+    /// `d(κ − C)/dθ = √(A² + B² − D²)/S`, the end lies `dθ = −κ'' S step²/(2 √…)` further in.
+    #[inline(always)]
+    fn ends<T: Number>(&self, sides: &StripFamily<P>, y: P) -> (EdgePoint<T>, EdgePoint<T>)
+    where
+        P: Pair<T>,
+    {
+        let Tangent { a, b, d } = self.tangent;
+        let bend = sides.slope * sides.eta * (self.outer - y) / b;
+        let turn = -(bend * bend / self.root).times(0.5);
+        let c = (d * b - a * self.root) * self.inverse;
+        let (lower_c, upper_c) = (c - self.outer * turn).parts();
+        let (lower_y, upper_y) = unmirrored(self.outer + c * turn);
+        (EdgePoint { y: lower_y, c: lower_c }, EdgePoint { y: upper_y, c: upper_c })
+    }
+}
+
 /// What tangents tell of the adhesion interval.
 enum Ends<F> {
     /// There is none.
@@ -215,9 +322,21 @@ impl<P: Arithmetic> StripFamily<P> {
     pub fn xi_bar(&self, y: P) -> P {
         self.xi - self.slope * y
     }
+
+    /// `κ = (|η| + ηψ)/(1 − ψ²)` of the strip with `ξ̄ = 0`, the shortest.
+    #[inline(always)]
+    fn shortest_kappa(&self) -> P {
+        let size = self.psi.abs();
+        let divisor = (-(self.eta * self.psi)).choose(P::one() + size, P::one() - size);
+        self.eta.abs() / divisor
+    }
 }
 
-impl<T: Real> StripFamily<T> {
+impl<T: Number> StripFamily<T> {
+    /// `1 − ψ²` below which the direct form of (5.41) may lose more than a factor 128 in the last place, in single
+    /// precision 8.
+    const CANCELLING: f64 = if size_of::<Stored<T>>() < 8 { 0.25 } else { 1.0 / 64.0 };
+
     /// The same family twice, side by side.
     #[inline(always)]
     pub(crate) fn paired(&self) -> StripFamily<T::Pair> {
@@ -229,15 +348,21 @@ impl<T: Real> StripFamily<T> {
         }
     }
 
-    /// Whether the direct form of (5.41) loses more than a factor 128 in the last place, in single precision 8.
+    /// Whether the direct form of (5.41) loses digits.
     #[inline(always)]
     pub(crate) fn cancels(&self) -> bool {
-        let limit = if size_of::<T::Base>() < 8 { 0.25 } else { 1.0 / 64.0 };
-        self.eta * self.psi < T::zero()
-            && (T::one() - self.psi) * (T::one() + self.psi) < T::constant(limit)
+        let q = (T::one() - self.psi) * (T::one() + self.psi);
+        T::zero().exceeds(self.eta * self.psi) && T::constant(Self::CANCELLING).exceeds(q)
+    }
+
+    /// The lower side mirrored, `Y → −Y`, `p → −p`, and the upper one.
+    #[inline(always)]
+    fn both_sides(&self) -> StripFamily<T::Pair> {
+        StripFamily { slope: T::Pair::of(-self.slope, self.slope), ..self.paired() }
     }
 
     /// The same family without derivatives.
+    #[inline(always)]
     fn plain(&self) -> StripFamily<T::Base> {
         StripFamily {
             xi: self.xi.value(),
@@ -246,7 +371,9 @@ impl<T: Real> StripFamily<T> {
             psi: self.psi.value(),
         }
     }
+}
 
+impl<T: Real> StripFamily<T> {
     /// The tangent of the adhesion length at `Y`.
     #[inline(always)]
     fn tangent(&self, y: T) -> Tangent<T> {
@@ -261,7 +388,8 @@ impl<T: Real> StripFamily<T> {
         let plain = self.plain();
         let (size, one) = (plain.psi.abs(), T::Base::one());
         if !T::HAS_DERIVATIVES && size == T::Base::zero() {
-            return self.without_spin();
+            let (rest, interval) = self.without_spin();
+            return if rest > T::zero() { Ok(interval) } else { Err(self.nearest()) };
         }
         // At unit spin the second form of (5.41) still holds, with S = |η|.
         let within = size < one || (size <= one && plain.eta * plain.psi < T::Base::zero());
@@ -289,18 +417,6 @@ impl<T: Real> StripFamily<T> {
         }
     }
 
-    /// Without spin `κ/a = τ` everywhere, and the strips with `C > τ` adhere (8.15).
-    #[inline(always)]
-    fn without_spin(&self) -> Result<AdhesionInterval<T>, EdgePoint<T>> {
-        let square = self.xi * self.xi + self.eta * self.eta;
-        let rest = T::one() - square;
-        if !(rest > T::zero()) {
-            return Err(self.nearest());
-        }
-        let (y, c) = (rest.sqrt(), square.sqrt());
-        Ok(AdhesionInterval { lower: EdgePoint { y: -y, c }, upper: EdgePoint { y, c } })
-    }
-
     /// Converged ends with their derivatives, both at once: `κ(Y) = C` differentiated on the circle `Y = sin θ`,
     ///
     /// ```text
@@ -315,8 +431,7 @@ impl<T: Real> StripFamily<T> {
         upper: EdgePoint<T::Base>,
     ) -> Option<AdhesionInterval<T>> {
         let one = <T::Base as Number>::Pair::one();
-        // The lower one mirrored: Y → −Y, p → −p.
-        let sides = StripFamily { slope: T::Pair::of(-self.slope, self.slope), ..self.paired() };
+        let sides = self.both_sides();
         let length = AdhesionLength::of(&sides, self.cancels());
         let plain = StripFamily {
             xi: sides.xi.bare(),
@@ -335,8 +450,7 @@ impl<T: Real> StripFamily<T> {
         let mirrored = <T::Base as Number>::Pair::of(-lower.y, upper.y);
         // The error of the derivatives is that of the point where they are taken: once more.
         let tangent = plain_length.tangent(&plain, mirrored);
-        let norm = tangent.a * tangent.a + tangent.b * tangent.b;
-        let square = norm - tangent.d * tangent.d;
+        let (norm, square) = tangent.squares();
         let all_above = |pair: <T::Base as Number>::Pair, bound: T::Base| {
             let (first, second) = pair.parts();
             first > bound && second > bound
@@ -348,8 +462,7 @@ impl<T: Real> StripFamily<T> {
             return None;
         }
         let (inverse, root) = (one / norm, square.sqrt());
-        let y = (tangent.d * tangent.a + tangent.b * root) * inverse;
-        let c = (tangent.d * tangent.b - tangent.a * root) * inverse;
+        let EdgePoint { y, c } = tangent.on_edge(root, inverse);
         if !all_above((mirrored - y).abs().times(-1.0), T::Base::of(-1e-3)) {
             return None;
         }
@@ -428,55 +541,28 @@ impl<F: Float> StripFamily<F> {
     /// At most `steps` tangents at either end, from `Y` of the lower and the upper one.
     #[cfg_attr(not(target_os = "none"), inline(always))]
     fn ends_from(&self, (lower, upper): (F, F), steps: usize) -> Ends<F> {
-        // Both ends at once, the lower one mirrored: Y → −Y, p → −p.
-        let mirror = F::Pair::of(-F::one(), F::one());
-        let sides = StripFamily {
-            xi: F::Pair::both(self.xi),
-            slope: F::Pair::of(-self.slope, self.slope),
-            eta: F::Pair::both(self.eta),
-            psi: F::Pair::both(self.psi),
-        };
+        let sides = self.both_sides();
         let length = AdhesionLength::of(&sides, self.cancels());
         let mut y = F::Pair::of(-lower, upper);
         for _ in 0..steps {
             let tangent = length.tangent(&sides, y);
-            let norm = tangent.a * tangent.a + tangent.b * tangent.b;
-            let square = norm - tangent.d * tangent.d;
-            let (first, second) = square.parts();
+            let squares = tangent.squares();
+            let (first, second) = squares.1.parts();
             if !(first > F::zero() && second > F::zero()) {
                 return Ends::Missing;
             }
-            let inverse = F::Pair::one() / norm;
-            let root = square.sqrt();
-            let (middle, half) = (tangent.d * tangent.a * inverse, tangent.b * root * inverse);
-            let outer = middle + half;
-            // Where the chords begin and end, unmirrored
-            let (far_upper, far_lower) = ((middle - half) * mirror).parts();
-            let (near_lower, near_upper) = (outer * mirror).parts();
+            let closer = tangent.closer(squares);
+            let [near_lower, near_upper, far_lower, far_upper] = closer.chords();
             if !(near_lower < near_upper && near_lower <= far_upper && far_lower <= near_upper) {
                 return Ends::Missing;
             }
-            let step = outer - y;
-            let (change_lower, change_upper) = step.abs().parts();
-            if change_lower.max(change_upper) <= (near_upper - near_lower).times(5e-4) {
-                // What is left is the curvature of κ, κ'' = p² η²/S³: along the circle, where
-                // d(κ − C)/dθ = √(A² + B² − D²)/S, the end lies dθ = −κ'' S step²/(2 √…) further in.
-                let bend = sides.slope * sides.eta * step / tangent.b;
-                let turn = -(bend * bend / root).times(0.5);
-                let c = (tangent.d * tangent.b - tangent.a * root) * inverse;
-                let (lower_c, upper_c) = (c - outer * turn).parts();
-                let (lower_y, upper_y) = ((outer + c * turn) * mirror).parts();
-                if !(lower_y < upper_y) {
-                    return Ends::Missing;
-                }
-                return Ends::Found(
-                    EdgePoint { y: lower_y, c: lower_c },
-                    EdgePoint { y: upper_y, c: upper_c },
-                );
+            if closer.change(y) < (near_upper - near_lower).times(CLOSE) {
+                let (lower, upper) = closer.ends(&sides, y);
+                return if lower.y < upper.y { Ends::Found(lower, upper) } else { Ends::Missing };
             }
-            y = outer;
+            y = closer.outer;
         }
-        let (lower, upper) = (y * mirror).parts();
+        let (lower, upper) = unmirrored(y);
         Ends::Between(lower, upper)
     }
 
@@ -504,13 +590,8 @@ impl<F: Float> StripFamily<F> {
     #[inline(always)]
     fn first_chord(&self) -> Option<(F, F)> {
         if self.xi.abs() < self.slope.abs() {
-            // There the tangent is level, κ = (|η| + ηψ)/(1 − ψ²), without spin too.
-            let eta = self.eta.abs();
-            let kappa = if self.eta * self.psi < F::zero() {
-                eta / (F::one() + self.psi.abs())
-            } else {
-                eta / (F::one() - self.psi.abs())
-            };
+            // There the tangent is level, without spin too.
+            let kappa = self.shortest_kappa();
             let square = (F::one() - kappa) * (F::one() + kappa);
             if !(square > F::zero()) {
                 return None;
@@ -525,15 +606,25 @@ impl<F: Float> StripFamily<F> {
     }
 }
 
-impl<T: Real> StripFamily<T> {
+impl<T: Number> StripFamily<T> {
+    /// Without spin `κ/a = τ` everywhere, and the strips with `C > τ` adhere (8.15): `1 − τ²`, negative when there
+    /// are none, and their interval.
+    #[inline(always)]
+    fn without_spin(&self) -> (T, AdhesionInterval<T>) {
+        let square = self.xi * self.xi + self.eta * self.eta;
+        let rest = T::one() - square;
+        let (y, c) = (rest.sqrt(), square.sqrt());
+        (rest, AdhesionInterval { lower: EdgePoint { y: -y, c }, upper: EdgePoint { y, c } })
+    }
+
     /// The strip where `C − κ` is largest: `Y/C = p ξ̄/S`.
     ///
     /// With `ξ̄ + p Y = ξ` and `r = 1 − ψ² + p²` that is `ξ̄ + p² ξ̄/√(η² + r ξ̄²) = ξ`, or, solved for the other
     /// of the two, `p Y + |η| Y/√(p² − r Y²) = ξ`. By the sign of `r` the first or the second is concave.
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
     fn nearest(&self) -> EdgePoint<T> {
         let plain = self.plain();
-        let (one, zero) = (T::Base::one(), T::Base::zero());
-        let sign = |x: T::Base| if x < zero { -one } else { one };
+        let one = T::Base::one();
         // Mirrored so that ξ, p and |η| are not negative. The equations keep their form when ξ and p are divided by
         // a number, η and 1 − ψ² by its square: no power overflows.
         let (sign_xi, sign_slope) = (sign(plain.xi), sign(plain.slope));
@@ -545,33 +636,37 @@ impl<T: Real> StripFamily<T> {
         let r = q + p * p;
         // (so that nothing is divided by zero)
         let tiny = T::from_base(T::TINY);
-        let concave = if r.value() < zero {
-            Concave { slope: p, share: eta, floor: p * p + tiny, growth: -r }
-        } else {
-            Concave { slope: T::one(), share: p * p, floor: eta * eta + tiny, growth: r }
-        };
+        let falling = -r;
+        let concave = Concave::either(
+            falling,
+            || Concave { slope: p, share: eta, floor: p * p + tiny, growth: falling },
+            || Concave { slope: T::one(), share: p * p, floor: eta * eta + tiny, growth: r },
+        );
         let root = concave.reaches(xi);
         let norm = T::one() / concave.norm(root);
-        let y = if r.value() < zero {
-            root
-        } else if root.value() < xi.value().times(0.5) {
-            // (of p ξ̄/√… and (ξ − ξ̄)/p the one whose digits are all there)
-            (xi - root) / p
-        } else {
-            p * root * norm
-        };
-        let (y, c) = if q.value() >= zero && root.value() >= xi.value().times(0.5) {
-            let c = (concave.floor + q * root * root).sqrt() * norm;
-            // What is left of the error of the root takes the point off the circle.
-            let scale = (y * y + c * c).times(-0.5).plus(1.5);
-            (y * scale, c * scale)
-        } else {
+        let near = xi.times(0.5) - root;
+        // (of p ξ̄/√… and (ξ − ξ̄)/p the one whose digits are all there)
+        let y =
+            T::either(falling, || root, || T::either(near, || (xi - root) / p, || p * root * norm));
+        let EdgePoint { y, c } = EdgePoint::either(
+            near.max(-q),
             // (the root may lie beyond the edge of the contact)
-            let y = y.min(T::one());
-            (y, ((T::one() - y) * (T::one() + y)).sqrt())
-        };
+            || EdgePoint::on_edge(y.min(T::one())),
+            || {
+                let c = (concave.floor + q * root * root).sqrt() * norm;
+                // What is left of the error of the root takes the point off the circle.
+                let scale = (y * y + c * c).times(-0.5).plus(1.5);
+                EdgePoint { y: y * scale, c: c * scale }
+            },
+        );
         EdgePoint { y: y.scale(sign_xi * sign_slope), c }
     }
+}
+
+/// `−1` for negative numbers, else `1`.
+#[inline(always)]
+fn sign<F: Plain>(x: F) -> F {
+    (-x).choose(-F::one(), F::one())
 }
 
 /// `h(u) = A u + B u/√(D² + R u²)`, rising and concave for `u ≥ 0`; all four not negative.
@@ -587,8 +682,21 @@ struct Concave<T> {
     growth: T,
 }
 
-impl<T: Real> Concave<T> {
+impl<T: Number> Choice<T> for Concave<T> {
+    #[inline(always)]
+    fn chosen(by: T, yes: Self, no: Self) -> Self {
+        Self {
+            slope: by.choose(yes.slope, no.slope),
+            share: by.choose(yes.share, no.share),
+            floor: by.choose(yes.floor, no.floor),
+            growth: by.choose(yes.growth, no.growth),
+        }
+    }
+}
+
+impl<T: Number> Concave<T> {
     /// `√(D² + R u²)`
+    #[inline(always)]
     fn norm(&self, u: T) -> T {
         (self.floor + self.growth * u * u).sqrt()
     }
@@ -596,6 +704,7 @@ impl<T: Real> Concave<T> {
     /// `u` with `h(u) = ξ`. `h` lies below its tangents at zero and at infinity: from the larger of the two
     /// answers that they give, three steps of Halley's method leave less than 1e-13; two leave 1e-5, of which the
     /// place of the largest `C − κ` feels the square: enough in single precision.
+    #[inline(always)]
     fn reaches(&self, xi: T) -> T {
         let plain = Concave {
             slope: self.slope.value(),
@@ -611,7 +720,7 @@ impl<T: Real> Concave<T> {
             (value - plain.share / (plain.growth + tiny).sqrt()) / (plain.slope + tiny);
         let start = at_zero.max(at_infinity);
         let mut closer = plain.halley(start, value);
-        if size_of::<T::Base>() >= 8 {
+        if size_of::<Stored<T>>() >= 8 {
             closer = plain.halley(closer, value);
         }
         self.halley(T::from_base(closer), xi)

@@ -232,13 +232,6 @@ impl<'a, F: Precision> Problem<'a, F> {
         notice(self.options.model, self.contact.friction_bound(), a / b, psi)
     }
 
-    fn sliding_rule(&self) -> SlidingRule {
-        match self.options.model {
-            Model::Strip1967Continuous => SlidingRule::Continuous,
-            _ => SlidingRule::RigidSlip,
-        }
-    }
-
     fn linear_coefficients(&self) -> LinearCoefficients<F> {
         LinearCoefficients::at(self.contact.a / self.contact.b, self.contact.poisson_ratio)
     }
@@ -343,6 +336,14 @@ impl<F: Plain> Problem<'_, F> {
                 self.linear_stiffness() * size.max(F::one())
             }
             _ => self.contact.friction_bound(),
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn sliding_rule(&self) -> SlidingRule {
+        match self.options.model {
+            Model::Strip1967Continuous => SlidingRule::Continuous,
+            _ => SlidingRule::RigidSlip,
         }
     }
 

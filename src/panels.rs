@@ -6,7 +6,7 @@
 
 use crate::leading_edge::{AdhesionLength, EdgePoint, StripFamily};
 use crate::quadrature::Node;
-use crate::real::{Arithmetic, Number, Pair, Real};
+use crate::real::{Arithmetic, Choice, Elementary, Number, Pair, Plain, Stored};
 use crate::strip::SlidingRule;
 use core::f64::consts::PI;
 use core::ops::{AddAssign, Neg};
@@ -56,7 +56,7 @@ impl<P: Arithmetic> Neg for Shares<P> {
 
 /// What strips without adhesion need to know of the contact.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SlidingLaw<T: Real> {
+pub(crate) struct SlidingLaw<T: Number> {
     /// `ξ̄(Y)`, `η`, `ψ`
     pub family: StripFamily<T>,
     /// `1 − ν`
@@ -67,7 +67,7 @@ pub(crate) struct SlidingLaw<T: Real> {
     pub inverse_ratio: T::Base,
 }
 
-impl<T: Real> SlidingLaw<T> {
+impl<T: Number> SlidingLaw<T> {
     /// Directions of sliding of a pair of strips with `ξ̄` and `C²`.
     #[inline(always)]
     fn direction(
@@ -100,7 +100,7 @@ impl<T: Real> SlidingLaw<T> {
 /// between `upper` and `Y = 1` (second). The first panel is mirrored, so that both run from `from` up to
 /// the edge of the contact and `ξ̄ = ξ − p Y`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SlidingPanels<'a, T: Real> {
+pub(crate) struct SlidingPanels<'a, T: Number> {
     law: &'a SlidingLaw<T>,
     family: StripFamily<T::Pair>,
     from: T::Pair,
@@ -147,7 +147,7 @@ pub(crate) struct Place<P> {
     pub c_squared: P,
 }
 
-impl<'a, T: Real> SlidingPanels<'a, T> {
+impl<'a, T: Number> SlidingPanels<'a, T> {
     #[inline(always)]
     pub(crate) fn new(law: &'a SlidingLaw<T>, lower: EdgePoint<T>, upper: EdgePoint<T>) -> Self {
         let one = T::Pair::one();
@@ -171,10 +171,8 @@ impl<'a, T: Real> SlidingPanels<'a, T> {
 
     /// The strips at a node.
     #[inline(always)]
-    pub(crate) fn at(
-        &self,
-        &(node, weight): &Node<T::Base>,
-    ) -> (Place<T::Pair>, SlidingStrips<T::Pair>) {
+    pub(crate) fn at(&self, node: &Node<Stored<T>>) -> (Place<T::Pair>, SlidingStrips<T::Pair>) {
+        let (node, weight) = (T::Base::stored(node.0), T::Base::stored(node.1));
         let one = Bare::<T>::one();
         // [-1, 1] → [0, 1]
         let s = node.times(0.5).plus(0.5);
@@ -201,18 +199,18 @@ impl<'a, T: Real> SlidingPanels<'a, T> {
 
     /// All of them.
     #[inline(always)]
-    pub(crate) fn sum(&self, nodes: Nodes<T::Base>) -> SlidingStrips<T::Pair> {
+    pub(crate) fn sum(&self, nodes: Nodes<Stored<T>>) -> SlidingStrips<T::Pair> {
         if T::HAS_DERIVATIVES { self.sum_apart(nodes) } else { self.sum_here(nodes) }
     }
 
     /// (With derivatives the panels' numbers are many: read from memory, not held in registers.)
     #[inline(never)]
-    fn sum_apart(&self, nodes: Nodes<T::Base>) -> SlidingStrips<T::Pair> {
+    fn sum_apart(&self, nodes: Nodes<Stored<T>>) -> SlidingStrips<T::Pair> {
         self.sum_here(nodes)
     }
 
     #[inline(always)]
-    fn sum_here(&self, nodes: Nodes<T::Base>) -> SlidingStrips<T::Pair> {
+    fn sum_here(&self, nodes: Nodes<Stored<T>>) -> SlidingStrips<T::Pair> {
         let mut sum = SlidingStrips::zero();
         for node in nodes {
             sum += self.at(node).1;
@@ -264,7 +262,7 @@ impl<'a, T: Real> SlidingPanels<'a, T> {
 /// Strips with adhesion along an arc of the leading edge, in pairs that lie symmetrically about its
 /// middle.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct AdhesionPanel<'a, T: Real> {
+pub(crate) struct AdhesionPanel<'a, T: Number> {
     law: &'a SlidingLaw<T>,
     family: StripFamily<T::Pair>,
     length: AdhesionLength<T::Pair>,
@@ -354,7 +352,7 @@ pub(crate) struct Scales<P> {
     capacity: P,
 }
 
-impl<'a, T: Real> AdhesionPanel<'a, T> {
+impl<'a, T: Number + Elementary> AdhesionPanel<'a, T> {
     #[inline(always)]
     pub(crate) fn new(law: &'a SlidingLaw<T>, lower: EdgePoint<T>, upper: EdgePoint<T>) -> Self {
         let length = AdhesionLength::of(&law.family, law.family.cancels());
@@ -368,7 +366,7 @@ impl<'a, T: Real> AdhesionPanel<'a, T> {
 
     /// The strips at a node.
     #[inline(always)]
-    pub(crate) fn at(&self, node: &Node<T::Base>) -> AdhesionStrip<T::Pair> {
+    pub(crate) fn at(&self, node: &Node<Stored<T>>) -> AdhesionStrip<T::Pair> {
         let (y, c, width) = self.arc.at(node);
         let xi_bar = self.family.xi_bar(y);
         AdhesionStrip { y, c, width, kappa: self.length.at(xi_bar).min(c), xi_bar }
@@ -376,17 +374,17 @@ impl<'a, T: Real> AdhesionPanel<'a, T> {
 
     /// All of them.
     #[inline(always)]
-    fn sum(&self, nodes: Nodes<T::Base>) -> AdhesionSum<T::Pair> {
+    fn sum(&self, nodes: Nodes<Stored<T>>) -> AdhesionSum<T::Pair> {
         if T::HAS_DERIVATIVES { self.sum_apart(nodes) } else { self.sum_here(nodes) }
     }
 
     #[inline(never)]
-    fn sum_apart(&self, nodes: Nodes<T::Base>) -> AdhesionSum<T::Pair> {
+    fn sum_apart(&self, nodes: Nodes<Stored<T>>) -> AdhesionSum<T::Pair> {
         self.sum_here(nodes)
     }
 
     #[inline(always)]
-    fn sum_here(&self, nodes: Nodes<T::Base>) -> AdhesionSum<T::Pair> {
+    fn sum_here(&self, nodes: Nodes<Stored<T>>) -> AdhesionSum<T::Pair> {
         let mut sum = AdhesionSum::zero();
         for node in nodes {
             sum += self.at(node).terms();
@@ -397,7 +395,7 @@ impl<'a, T: Real> AdhesionPanel<'a, T> {
     /// What all of them carry, and their factors.
     #[cfg_attr(target_os = "none", inline(never))]
     #[cfg_attr(not(target_os = "none"), inline(always))]
-    pub(crate) fn carried(&self, nodes: Nodes<T::Base>) -> (Shares<T::Pair>, Scales<T::Pair>) {
+    pub(crate) fn carried(&self, nodes: Nodes<Stored<T>>) -> (Shares<T::Pair>, Scales<T::Pair>) {
         let sum = self.sum(nodes);
         let scales = self.scales(&sum);
         (self.shares(&sum, &scales), scales)
@@ -408,8 +406,9 @@ impl<'a, T: Real> AdhesionPanel<'a, T> {
     fn scales(&self, sum: &AdhesionSum<T::Pair>) -> Scales<T::Pair> {
         let (stretch, capacity) = (sum.stretch.sum(), sum.capacity.sum());
         let (exact_stretch, exact_capacity) = self.arc.integrals();
+        let epsilon = T::from_base(T::EPSILON);
         let ratio = |exact: T, sum: T| {
-            let ratio = if sum.value() > T::EPSILON { exact / sum } else { T::one() };
+            let ratio = T::either(sum - epsilon, || exact / sum, T::one);
             T::Pair::both(ratio.times(0.75))
         };
         Scales { stretch: ratio(exact_stretch, stretch), capacity: ratio(exact_capacity, capacity) }
@@ -462,7 +461,7 @@ impl<'a, T: Real> AdhesionPanel<'a, T> {
 
 /// A piece of the leading edge, as an arc of the unit circle `Y = sin θ`, `C = cos θ`.
 #[derive(Clone, Copy, Debug)]
-struct Arc<T: Real> {
+struct Arc<T: Number> {
     lower: EdgePoint<T>,
     upper: EdgePoint<T>,
     /// The point half-way.
@@ -475,7 +474,7 @@ struct Arc<T: Real> {
     middle_angle: T::Pair,
 }
 
-impl<T: Real> Arc<T> {
+impl<T: Number + Elementary> Arc<T> {
     #[inline(always)]
     fn between(lower: EdgePoint<T>, upper: EdgePoint<T>) -> Self {
         let (dy, dc) = (upper.y - lower.y, upper.c - lower.c);
@@ -501,7 +500,8 @@ impl<T: Real> Arc<T> {
     /// `Y`, `C` and width at a node in `t = tan(φ/2)` about the middle, where `cos φ` and `sin φ` are
     /// rational; `−t` and `t` side by side.
     #[inline(always)]
-    fn at(&self, &(node, weight): &Node<T::Base>) -> (T::Pair, T::Pair, T::Pair) {
+    fn at(&self, node: &Node<Stored<T>>) -> (T::Pair, T::Pair, T::Pair) {
+        let (node, weight) = (T::Base::stored(node.0), T::Base::stored(node.1));
         let one = <T::Base as Arithmetic>::one();
         let [middle_y, middle_c] =
             [self.middle.y, self.middle.c].map(|x| Bare::<T>::both(x.value()));

@@ -190,6 +190,9 @@ pub trait Arithmetic:
     }
 }
 
+/// What tables for a kind of number are stored in.
+pub(crate) type Stored<T> = <<T as Arithmetic>::Base as Plain>::Stored;
+
 /// A number that formulas without a branch can be evaluated with.
 pub trait Number: Arithmetic {
     /// Two numbers side by side, in one register where the machine has such registers.
@@ -224,6 +227,30 @@ pub trait Number: Arithmetic {
     #[inline(always)]
     fn clamped(self, low: Self, high: Self) -> Self {
         self.max(low).min(high)
+    }
+}
+
+/// What is made of numbers, and can be chosen by the sign of one.
+pub(crate) trait Choice<T: Number>: Sized {
+    /// `yes` where `by` is positive, else `no`.
+    fn chosen(by: T, yes: Self, no: Self) -> Self;
+    /// The same; of a single number nothing else is computed.
+    #[inline(always)]
+    fn either(by: T, yes: impl FnOnce() -> Self, no: impl FnOnce() -> Self) -> Self {
+        if T::LANES > 1 {
+            Self::chosen(by, yes(), no())
+        } else if by.exceeds(T::zero()) {
+            yes()
+        } else {
+            no()
+        }
+    }
+}
+
+impl<T: Number> Choice<T> for T {
+    #[inline(always)]
+    fn chosen(by: T, yes: T, no: T) -> T {
+        by.choose(yes, no)
     }
 }
 

@@ -44,7 +44,7 @@ use self::nodes::Rule;
 use self::constants::{HIDDEN, HIDDEN_OFFSET, OUTPUT, OUTPUT_OFFSET, ROUNDING};
 use crate::coefficients::LinearCoefficients;
 use crate::dual::Dual;
-use crate::real::{Arithmetic, Float, Number, Pair, Plain, Real};
+use crate::real::{Arithmetic, Float, Number, Pair, Plain, Real, Stored};
 use core::f64::consts::PI;
 
 /// Steps of the march along a strip.
@@ -96,9 +96,6 @@ pub trait Marched: Plain {
     /// Offsets of the corrections.
     const OUTPUT_OFFSET: [[Self::Stored; 2]; CORRECTIONS / 2];
 }
-
-/// What tables for a kind of number are stored in.
-type Stored<T> = <<T as Arithmetic>::Base as Plain>::Stored;
 
 impl<F: Float> Step<F> {
     /// The same for the contacts of a number that may stand for several.

@@ -18,7 +18,7 @@ use crate::creepage::Parameters;
 use crate::leading_edge::{AdhesionInterval, EdgePoint, Released, StripFamily};
 use crate::panels::{AdhesionPanel, Nodes, Shares, SlidingLaw, SlidingPanels, SlidingStrips};
 use crate::quadrature::{StripRule, Tabulated};
-use crate::real::{Arithmetic, Pair, Real};
+use crate::real::{Arithmetic, Choice, Elementary, Number, Pair, Real, Stored};
 use crate::strip::SlidingRule;
 
 /// Total force and moment of a contact, dimensionless.
@@ -65,6 +65,19 @@ impl StripCount {
             _ => return None,
         })
     }
+
+    /// How they are dealt to panels.
+    #[inline(always)]
+    pub(crate) fn rule<F: Tabulated>(self) -> &'static StripRule<F> {
+        let [four, eight, sixteen, thirty_two, sixty_four] = &F::STRIPS;
+        match self {
+            Self::Four => four,
+            Self::Eight => eight,
+            Self::Sixteen => sixteen,
+            Self::ThirtyTwo => thirty_two,
+            Self::SixtyFour => sixty_four,
+        }
+    }
 }
 
 /// One strip as the quadrature placed it, dimensionless.
@@ -92,7 +105,7 @@ pub struct PlacedStrip<T> {
 
 /// The strip theory of 1967 for one contact and creepage.
 #[derive(Clone, Copy, Debug)]
-pub struct StripTheory<T: Real> {
+pub struct StripTheory<T: Number> {
     law: SlidingLaw<T>,
     axis_ratio: T::Base,
 }
@@ -104,19 +117,19 @@ fn with_value<T: Real>(of: T, value: T::Base) -> T {
 }
 
 /// What is done with the panels of a solution.
-trait Sink<T: Real> {
+trait Sink<T: Number> {
     /// Sliding strips on both sides.
-    fn sliding(&mut self, panels: &SlidingPanels<T>, nodes: Nodes<T::Base>);
+    fn sliding(&mut self, panels: &SlidingPanels<T>, nodes: Nodes<Stored<T>>);
     /// Strips with adhesion.
-    fn adhesion(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<T::Base>);
+    fn adhesion(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<Stored<T>>);
     /// Strips counted among those with adhesion that slide after all.
-    fn released(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<T::Base>);
+    fn released(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<Stored<T>>);
 }
 
 /// Adds the strips up. What is not wanted stays zero, and the compiler leaves out what leads to it.
-struct Sum<T: Real, const STICK: bool, const MOMENT: bool>(Shares<T::Pair>);
+struct Sum<T: Number, const STICK: bool, const MOMENT: bool>(Shares<T::Pair>);
 
-impl<T: Real, const STICK: bool, const MOMENT: bool> Sum<T, STICK, MOMENT> {
+impl<T: Number, const STICK: bool, const MOMENT: bool> Sum<T, STICK, MOMENT> {
     #[inline(always)]
     fn add(&mut self, shares: &Shares<T::Pair>) {
         self.0.fx += shares.fx;
@@ -130,19 +143,21 @@ impl<T: Real, const STICK: bool, const MOMENT: bool> Sum<T, STICK, MOMENT> {
     }
 }
 
-impl<T: Real, const STICK: bool, const MOMENT: bool> Sink<T> for Sum<T, STICK, MOMENT> {
+impl<T: Number + Elementary, const STICK: bool, const MOMENT: bool> Sink<T>
+    for Sum<T, STICK, MOMENT>
+{
     #[inline(always)]
-    fn sliding(&mut self, panels: &SlidingPanels<T>, nodes: Nodes<T::Base>) {
+    fn sliding(&mut self, panels: &SlidingPanels<T>, nodes: Nodes<Stored<T>>) {
         let sum = panels.sum(nodes);
         self.add(&panels.shares(&sum, panels.scale(&sum)));
     }
 
     #[inline(always)]
-    fn adhesion(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<T::Base>) {
+    fn adhesion(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<Stored<T>>) {
         self.add(&panel.carried(nodes).0);
     }
 
-    fn released(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<T::Base>) {
+    fn released(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<Stored<T>>) {
         let (stuck, scales) = panel.carried(nodes);
         let mut slid = SlidingStrips::zero();
         for node in nodes {
@@ -220,11 +235,9 @@ impl<T: Real> Sink<T> for Visitor<'_, T> {
     }
 }
 
-impl<T: Real> StripTheory<T>
-where
-    T::Base: Tabulated,
-{
+impl<T: Number + Elementary> StripTheory<T> {
     /// Set up the theory with one of its sliding rules.
+    #[inline(always)]
     #[must_use]
     pub fn new(parameters: &Parameters<T>, rule: SlidingRule) -> Self {
         let one = <T::Base as Arithmetic>::one();
@@ -244,6 +257,100 @@ where
         }
     }
 
+    /// Totals from the sums over all strips.
+    #[inline(always)]
+    fn totals_of<const STICK: bool, const MOMENT: bool>(
+        &self,
+        sum: &Sum<T, STICK, MOMENT>,
+    ) -> Totals<T> {
+        let Shares { fx, fy, mz, stick } = sum.0;
+        let (fx, fy, mz, stick) = (fx.sum(), fy.sum(), mz.sum(), stick.sum());
+        let bound = Self::bound(fx, fy);
+        let lever = self.lever();
+        Totals {
+            fx: fx * bound,
+            fy: fy * bound,
+            // a = √(ab) √(a/b)
+            mz: mz.clamped(-lever, lever).scale(self.axis_ratio.sqrt()),
+            stick: stick.clamped(T::zero(), T::one()),
+        }
+    }
+
+    /// Friction capacity is exact, stretch is exact, their mixture with few strips is not: what keeps `|F| ≤ μ N`.
+    #[inline(always)]
+    fn bound(fx: T, fy: T) -> T {
+        let size = fx * fx + fy * fy;
+        T::either(size - T::one(), || T::one() / size.sqrt(), T::one)
+    }
+
+    /// Nor does a moment exceed `μ N` times the longer semi-axis, however slender the ellipse; over `a`.
+    #[inline(always)]
+    fn lever(&self) -> T {
+        let one = <T::Base as Arithmetic>::one();
+        T::from_base(one.max(one / self.axis_ratio))
+    }
+
+    /// Without spin and with `τ = √(ξ² + η²) ≥ 1` no strip adheres and all slide the same way: what the
+    /// quadrature, exact for the friction capacity, gives to rounding.
+    #[inline(always)]
+    fn all_slide(&self) -> Totals<T> {
+        let StripFamily { xi, eta, .. } = self.law.family;
+        let x = match self.law.rule {
+            SlidingRule::RigidSlip => xi.scale(self.law.compliance),
+            SlidingRule::Continuous => xi,
+        };
+        let inverse = T::one() / (x * x + eta * eta).sqrt();
+        Totals { fx: x * inverse, fy: eta * inverse, mz: T::zero(), stick: T::zero() }
+    }
+
+    /// Sliding – adhesion – sliding; `split` divides the adhesion interval where `ξ̄ = 0`.
+    ///
+    /// (On a microcontroller its stack is free while the interval and its pieces are searched for.)
+    #[cfg_attr(target_os = "none", inline(never))]
+    #[cfg_attr(not(target_os = "none"), inline(always))]
+    fn panels(
+        &self,
+        rule: &StripRule<Stored<T>>,
+        (lower, upper): (&EdgePoint<T>, &EdgePoint<T>),
+        adheres: bool,
+        sink: &mut impl Sink<T>,
+    ) {
+        let StripRule { slide, stick, split } = *rule;
+        let law = &self.law;
+        let (lower, upper) = (*lower, *upper);
+        sink.sliding(&SlidingPanels::new(law, lower, upper), slide);
+        if !adheres {
+            return;
+        }
+        let middle = if split { self.turning_strip(lower, upper) } else { lower };
+        // (a loop, so that the code of a panel is there once)
+        for (from, to) in [(lower, middle), (middle, upper)].into_iter().skip(usize::from(!split)) {
+            sink.adhesion(&AdhesionPanel::new(law, from, to), stick);
+        }
+    }
+
+    /// The strip with `ξ̄ = 0`, or the end of the interval nearest to it.
+    #[inline(always)]
+    fn turning_strip(&self, lower: EdgePoint<T>, upper: EdgePoint<T>) -> EdgePoint<T> {
+        let StripFamily { xi, slope, .. } = self.law.family;
+        let mut y = xi / slope;
+        if T::HAS_DERIVATIVES {
+            // A strip between two panels of the same rule: where exactly it lies does not matter, and with a vanishing
+            // spin its derivatives have no numbers.
+            let vanishing = T::from_base(T::ROOT_TINY) - slope.abs();
+            y = vanishing.choose(T::from_base(xi.value() / slope.value()), y);
+        }
+        let outside = EdgePoint::chosen(-(xi * slope), lower, upper);
+        let below = EdgePoint::chosen(upper.y - y, EdgePoint::on_edge(y), upper);
+        let inside = EdgePoint::chosen(y - lower.y, below, lower);
+        EdgePoint::chosen(slope.abs() - xi.abs(), inside, outside)
+    }
+}
+
+impl<T: Real> StripTheory<T>
+where
+    T::Base: Tabulated,
+{
     /// Whether the spin is inside the theory, `|ψ| < 1`.
     #[must_use]
     pub fn spin_in_range(&self) -> bool {
@@ -320,35 +427,10 @@ where
     fn summed<const STICK: bool, const MOMENT: bool>(&self, count: StripCount) -> Totals<T> {
         let mut sum = Sum::<T, STICK, MOMENT>(Shares::zero());
         self.place(count, &mut sum);
-        let Shares { fx, fy, mz, stick } = sum.0;
-        let (fx, fy, mz, stick) = (fx.sum(), fy.sum(), mz.sum(), stick.sum());
-        let bound = Self::bound(fx, fy);
-        let lever = self.lever();
-        Totals {
-            fx: fx * bound,
-            fy: fy * bound,
-            // a = √(ab) √(a/b)
-            mz: mz.clamped(-lever, lever).scale(self.axis_ratio.sqrt()),
-            stick: stick.clamped(T::zero(), T::one()),
-        }
+        self.totals_of(&sum)
     }
 
-    /// Friction capacity is exact, stretch is exact, their mixture with few strips is not: what keeps `|F| ≤ μ N`.
-    #[inline(always)]
-    fn bound(fx: T, fy: T) -> T {
-        let size = fx * fx + fy * fy;
-        if size > T::one() { T::one() / size.sqrt() } else { T::one() }
-    }
-
-    /// Nor does a moment exceed `μ N` times the longer semi-axis, however slender the ellipse; over `a`.
-    #[inline(always)]
-    fn lever(&self) -> T {
-        let one = <T::Base as Arithmetic>::one();
-        T::from_base(one.max(one / self.axis_ratio))
-    }
-
-    /// Without spin and with `τ = √(ξ² + η²) ≥ 1` no strip adheres and all slide the same way: what the
-    /// quadrature, exact for the friction capacity, gives to rounding.
+    /// [`StripTheory::all_slide`] where it holds.
     #[inline(always)]
     fn pure_sliding(&self) -> Option<Totals<T>> {
         let StripFamily { xi, eta, psi, .. } = self.law.family;
@@ -356,12 +438,7 @@ where
         if T::HAS_DERIVATIVES || psi.value() != zero || !(xi * xi + eta * eta >= T::one()) {
             return None;
         }
-        let x = match self.law.rule {
-            SlidingRule::RigidSlip => xi.scale(self.law.compliance),
-            SlidingRule::Continuous => xi,
-        };
-        let inverse = T::one() / (x * x + eta * eta).sqrt();
-        Some(Totals { fx: x * inverse, fy: eta * inverse, mz: T::zero(), stick: T::zero() })
+        Some(self.all_slide())
     }
 
     /// Hand every strip of a fixed count to `visit`. The sum of the shares is the total. For
@@ -394,48 +471,17 @@ where
 
     #[inline(always)]
     fn place(&self, count: StripCount, sink: &mut impl Sink<T>) {
-        let [four, eight, sixteen, thirty_two, sixty_four] = &T::Base::STRIPS;
-        let rule = match count {
-            StripCount::Four => four,
-            StripCount::Eight => eight,
-            StripCount::Sixteen => sixteen,
-            StripCount::ThirtyTwo => thirty_two,
-            StripCount::SixtyFour => sixty_four,
-        };
+        let rule = count.rule();
         let interval = self.law.family.adhesion_interval();
-        self.panels(rule, &interval, sink);
+        let ends = match &interval {
+            Ok(AdhesionInterval { lower, upper }) => (lower, upper),
+            Err(nearest) => (nearest, nearest),
+        };
+        self.panels(rule, ends, interval.is_ok(), sink);
         if let Ok(interval) = interval
             && !self.spin_in_range()
         {
             self.releases(&interval, sink);
-        }
-    }
-
-    /// Sliding – adhesion – sliding; `split` divides the adhesion interval where `ξ̄ = 0`.
-    ///
-    /// (On a microcontroller its stack is free while the interval and its pieces are searched for.)
-    #[cfg_attr(target_os = "none", inline(never))]
-    #[cfg_attr(not(target_os = "none"), inline(always))]
-    fn panels(
-        &self,
-        rule: &StripRule<T::Base>,
-        interval: &Result<AdhesionInterval<T>, EdgePoint<T>>,
-        sink: &mut impl Sink<T>,
-    ) {
-        let StripRule { slide, stick, split } = *rule;
-        let law = &self.law;
-        let (lower, upper) = match interval {
-            Ok(AdhesionInterval { lower, upper }) => (*lower, *upper),
-            Err(nearest) => (*nearest, *nearest),
-        };
-        sink.sliding(&SlidingPanels::new(law, lower, upper), slide);
-        if interval.is_err() {
-            return;
-        }
-        let middle = if split { self.turning_strip(lower, upper) } else { lower };
-        // (a loop, so that the code of a panel is there once)
-        for (from, to) in [(lower, middle), (middle, upper)].into_iter().skip(usize::from(!split)) {
-            sink.adhesion(&AdhesionPanel::new(law, from, to), stick);
         }
     }
 
@@ -462,23 +508,69 @@ where
     ) {
         sink.released(&AdhesionPanel::new(&self.law, *lower, *upper), nodes);
     }
+}
 
-    /// The strip with `ξ̄ = 0`, or the end of the interval nearest to it.
-    fn turning_strip(&self, lower: EdgePoint<T>, upper: EdgePoint<T>) -> EdgePoint<T> {
-        let StripFamily { xi, slope, .. } = self.law.family;
-        if !(xi.abs() < slope.abs()) {
-            return if xi * slope < T::zero() { lower } else { upper };
+#[cfg(target_arch = "x86_64")]
+mod side_by_side {
+    use super::*;
+    use crate::real::lanes::Lanes;
+
+    /// The sums of several contacts, of which some adhere: where this is positive.
+    struct SumOfSome<L: Number>(Sum<L, true, true>, L);
+
+    impl<L: Number + Elementary> Sink<L> for SumOfSome<L> {
+        #[inline(always)]
+        fn sliding(&mut self, panels: &SlidingPanels<L>, nodes: Nodes<Stored<L>>) {
+            self.0.sliding(panels, nodes);
         }
-        // A strip between two panels of the same rule: where exactly it lies does not matter, and with a vanishing spin its
-        // derivatives have no numbers.
-        let vanishing = T::HAS_DERIVATIVES && slope.value().abs() <= T::ROOT_TINY;
-        let y = if vanishing { T::from_base(xi.value() / slope.value()) } else { xi / slope };
-        if y <= lower.y {
-            lower
-        } else if y >= upper.y {
-            upper
-        } else {
-            EdgePoint { y, c: ((T::one() - y) * (T::one() + y)).sqrt() }
+        #[inline(always)]
+        fn adhesion(&mut self, panel: &AdhesionPanel<L>, nodes: Nodes<Stored<L>>) {
+            let adheres = L::Pair::both(self.1);
+            let Shares { fx, fy, mz, stick } = panel.carried(nodes).0;
+            let of_these = |share: L::Pair| adheres.choose(share, L::Pair::zero());
+            self.0.add(&Shares {
+                fx: of_these(fx),
+                fy: of_these(fy),
+                mz: of_these(mz),
+                stick: of_these(stick),
+            });
+        }
+        fn released(&mut self, _: &AdhesionPanel<L>, _: Nodes<Stored<L>>) {}
+    }
+
+    impl<L: Number + Elementary> StripTheory<L> {
+        /// [`StripTheory::totals`] of several contacts, each in its lane, with the bits of one by one; and a number
+        /// that is not positive where a contact has to be solved by itself, because it reaches unit spin. `None` when
+        /// that is all but one of them.
+        #[inline(always)]
+        pub(crate) fn totals_side_by_side<const N: usize>(
+            &self,
+            rule: &StripRule<Stored<L>>,
+        ) -> Option<(Totals<L>, L)>
+        where
+            L: Lanes<N>,
+        {
+            let (family, within) = self.law.family.within_unit_spin();
+            if within.array().into_iter().filter(|x| *x > Stored::<L>::zero()).count() < 2 {
+                return None;
+            }
+            let theory = Self { law: SlidingLaw { family, ..self.law }, ..*self };
+            let StripFamily { xi, eta, psi, .. } = family;
+            let intervals = family.adhesion_intervals();
+            let mut sum = SumOfSome(Sum(Shares::zero()), intervals.adheres);
+            let some = intervals.adheres.exceeds(L::zero());
+            let AdhesionInterval { lower, upper } = &intervals.ends;
+            theory.panels(rule, (lower, upper), some, &mut sum);
+            let Totals { mut fx, mut fy, mut mz, mut stick } = theory.totals_of(&sum.0);
+            let spin = psi.abs();
+            if !spin.is_positive_number() {
+                let slide = theory.all_slide();
+                let inside = L::one() - (xi * xi + eta * eta);
+                let summed = |sum: L, slide| spin.choose(sum, inside.choose(sum, slide));
+                (fx, fy) = (summed(fx, slide.fx), summed(fy, slide.fy));
+                (mz, stick) = (summed(mz, slide.mz), summed(stick, slide.stick));
+            }
+            Some((Totals { fx, fy, mz, stick }, within))
         }
     }
 }

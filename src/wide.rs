@@ -16,9 +16,11 @@ use crate::creepage::{Creepage, Parameters};
 use crate::evaluate::Wanted;
 use crate::model::{self, Forces, LARGEST_SPIN, Model, Options, Precision, Problem, RATIOS};
 use crate::real::lanes::{F32x8, F64x4, Lanes};
+use crate::real::{Arithmetic, Plain};
 use crate::rolling_strip::Marched;
 use crate::status::{Error, Notice};
 use crate::total;
+use crate::totals::StripTheory;
 
 /// Floating-point types that fill wide registers.
 pub trait Wide: Sized {
@@ -42,7 +44,7 @@ pub(crate) fn pays(model: Model, count: usize) -> bool {
         Model::Strip => 16,
         Model::Total => 48,
         Model::Linear => 128,
-        Model::Strip1967 | Model::Strip1967Continuous => return false,
+        Model::Strip1967 | Model::Strip1967Continuous => 48,
     };
     count >= least && available()
 }
@@ -68,6 +70,13 @@ fn available() -> bool {
     features & SWITCHED_ON != 0 && features & AVX != 0 && unsafe { kept() } & REGISTERS == REGISTERS
 }
 
+// The model as a constant, so that a piece of code has nothing of the other models in it.
+const STRIP_1967: i32 = Model::Strip1967 as i32;
+const CONTINUOUS: i32 = Model::Strip1967Continuous as i32;
+const STRIP: i32 = Model::Strip as i32;
+const TOTAL: i32 = Model::Total as i32;
+const LINEAR: i32 = Model::Linear as i32;
+
 macro_rules! wide {
     ($float:ident, $lanes:ident, $count:literal) => {
         impl Wide for $float {
@@ -87,17 +96,20 @@ macro_rules! wide {
                 ) -> Result<Notice, Error> {
                     let model = Model::from_number(MODEL).unwrap_or_default();
                     let options = Options { model, ..*options };
-                    solve::<$lanes, $count>(problems, &options, wanted, solutions)
+                    solve::<$lanes, $count, MODEL>(problems, &options, wanted, solutions)
                 }
-                const TOTAL: i32 = Model::Total as i32;
-                const LINEAR: i32 = Model::Linear as i32;
-                const STRIP: i32 = Model::Strip as i32;
                 // SAFETY: `pays` has asked the processor.
                 unsafe {
                     match options.model {
                         Model::Total => with_avx::<TOTAL>(problems, options, wanted, solutions),
                         Model::Linear => with_avx::<LINEAR>(problems, options, wanted, solutions),
-                        _ => with_avx::<STRIP>(problems, options, wanted, solutions),
+                        Model::Strip => with_avx::<STRIP>(problems, options, wanted, solutions),
+                        Model::Strip1967 => {
+                            with_avx::<STRIP_1967>(problems, options, wanted, solutions)
+                        }
+                        Model::Strip1967Continuous => {
+                            with_avx::<CONTINUOUS>(problems, options, wanted, solutions)
+                        }
                     }
                 }
             }
@@ -125,7 +137,7 @@ fn group<L: Lanes<N>, const N: usize>(
 }
 
 #[inline(always)]
-fn solve<L: Lanes<N> + Marched, const N: usize>(
+fn solve<L: Lanes<N> + Marched, const N: usize, const MODEL: i32>(
     problems: &impl Problems<L::Stored>,
     options: &Options,
     wanted: Wanted,
@@ -150,14 +162,22 @@ where
         // (no closures on this road: the compiler must inline all of it)
         let mut together = None;
         if let Some((contact, creepage)) = group::<L, N>(problems, first) {
-            together = solve_group(&contact, &creepage, options, wanted);
+            together = solve_group::<L, N, MODEL>(&contact, &creepage, options, wanted);
         }
-        worst = worst.worse(if let Some((quantities, notices)) = together {
-            solutions.put_side_by_side(first, &quantities.map(L::array), &notices);
-            notices.into_iter().fold(Notice::None, Notice::worse)
-        } else {
-            evaluate_apart(problems, first, count.min(first + N), options, wanted, solutions)?
-        });
+        let Some(Together { quantities, notices, within }) = together else {
+            let end = count.min(first + N);
+            let notice = evaluate_apart(problems, first, end, options, wanted, solutions)?;
+            worst = worst.worse(notice);
+            continue;
+        };
+        solutions.put_side_by_side(first, &quantities.map(L::array), &notices);
+        for (i, (notice, within)) in (first..).zip(notices.into_iter().zip(within.array())) {
+            worst = worst.worse(if within > L::Stored::zero() {
+                notice
+            } else {
+                evaluate_apart(problems, i, i + 1, options, wanted, solutions)?
+            });
+        }
     }
     Ok(worst)
 }
@@ -189,34 +209,44 @@ fn evaluate_apart<F: Precision>(
     Ok(worst)
 }
 
-/// `fx, fy, mz, power, adhesion` and notices of checked contacts; `None` when they are to be solved one by one.
+/// What was found side by side.
+struct Together<L, const N: usize> {
+    /// `fx, fy, mz, power, adhesion`
+    quantities: [L; 5],
+    notices: [Notice; N],
+    /// Not positive where the contact is to be solved by itself after all.
+    within: L,
+}
+
+/// Checked contacts; `None` when they are to be solved one by one.
 #[inline(always)]
-fn solve_group<L: Lanes<N> + Marched, const N: usize>(
+fn solve_group<L: Lanes<N> + Marched, const N: usize, const MODEL: i32>(
     contact: &Contact<L>,
     creepage: &Creepage<L>,
     options: &Options,
     wanted: Wanted,
-) -> Option<([L; 5], [Notice; N])>
+) -> Option<Together<L, N>>
 where
     L::Stored: Precision,
 {
     let problem = Problem { contact, creepage, options: *options };
-    let linear = LinearCoefficients::at_inline(contact.a / contact.b, contact.poisson_ratio);
-    let (forces, notices) = if options.model == Model::Linear {
+    let (forces, notices, within) = if MODEL == LINEAR {
+        let linear = coefficients(contact);
         let forces = problem.linear(&linear, creepage);
         let size = model::linear_size(forces.fx, forces.fy);
-        (forces, linear_notices(size, contact.friction_bound()))
+        (forces, linear_notices(size, contact.friction_bound()), L::one())
     } else {
         let parameters = Parameters::new_inline(contact, creepage);
         let bound = contact.friction_bound();
-        let [fx, fy, mz, adhesion] = totals(&problem, &parameters, &linear)?;
+        let [fx, fy, mz, adhesion, within] = totals::<L, N, MODEL>(&problem, &parameters)?;
         let forces = Forces {
             fx: fx.scale(bound),
             fy: fy.scale(bound),
             mz: mz.scale(bound * problem.mean_radius()),
             adhesion,
         };
-        (forces, notices(options.model, bound, parameters.axis_ratio, parameters.psi))
+        let notices = notices(options.model, bound, parameters.axis_ratio, parameters.psi);
+        (forces, notices, within)
     };
     let Creepage { longitudinal, lateral, spin } = *creepage;
     let Forces { fx, fy, mz, adhesion } = forces;
@@ -224,7 +254,7 @@ where
     // at rest: no force, and adhesion everywhere
     let zero = L::zero();
     let motion = longitudinal.abs() + lateral.abs() + spin.abs();
-    let resting = if options.model == Model::Total { adhesion } else { L::one() };
+    let resting = if MODEL == TOTAL { adhesion } else { L::one() };
     let [fx, fy, mut mz, mut power] = L::each(&[fx, fy, mz, power], |x| motion.choose(*x, zero));
     let mut adhesion = motion.choose(adhesion, resting);
     // as `evaluate::leave_out`
@@ -234,28 +264,30 @@ where
     if !wanted.adhesion {
         adhesion = -L::one();
     }
-    Some(([fx, fy, mz, power, adhesion], notices))
+    Some(Together { quantities: [fx, fy, mz, power, adhesion], notices, within })
 }
 
-/// `Fx/(μ N)`, `Fy/(μ N)`, `Mz/(μ N √(ab))` and the share in adhesion.
+/// `Fx/(μ N)`, `Fy/(μ N)`, `Mz/(μ N √(ab))`, the share in adhesion, and a number that is not positive where a contact
+/// is to be solved by itself.
 #[inline(always)]
-fn totals<L: Lanes<N> + Marched, const N: usize>(
+fn totals<L: Lanes<N> + Marched, const N: usize, const MODEL: i32>(
     problem: &Problem<L>,
     parameters: &Parameters<L>,
-    linear: &LinearCoefficients<L>,
-) -> Option<[L; 4]>
+) -> Option<[L; 5]>
 where
     L::Stored: Precision,
 {
     let Parameters { axis_ratio, poisson_ratio, .. } = *parameters;
     let creepage = parameters.normalised();
-    match problem.options.model {
-        Model::Total => {
+    match MODEL {
+        TOTAL => {
+            let linear = &coefficients(problem.contact);
             let total::TotalForce { fx, fy, mz } =
                 total::wanted_total::<_, true>(axis_ratio, poisson_ratio, linear, creepage);
-            Some([fx, fy, mz, -L::one()])
+            Some([fx, fy, mz, -L::one(), L::one()])
         }
-        Model::Strip => {
+        STRIP => {
+            let linear = &coefficients(problem.contact);
             let strips = crate::rolling_strip::RollingStrips::without_derivatives(
                 axis_ratio,
                 poisson_ratio,
@@ -264,10 +296,23 @@ where
             );
             let rule = model::strip_rule::<L::Stored>(problem.options.strips);
             let found = strips.totals_side_by_side::<N>(rule)?;
-            Some([found.fx, found.fy, found.mz, found.stick.clamped(L::zero(), L::one())])
+            let stick = found.stick.clamped(L::zero(), L::one());
+            Some([found.fx, found.fy, found.mz, stick, L::one()])
+        }
+        STRIP_1967 | CONTINUOUS => {
+            let theory = StripTheory::new(parameters, problem.sliding_rule());
+            let (found, within) = theory.totals_side_by_side::<N>(problem.options.strips.rule())?;
+            // (without friction or load the spin is beyond all bounds)
+            let within = problem.contact.friction_bound().choose(within, -L::one());
+            Some([found.fx, found.fy, found.mz, found.stick, within])
         }
         _ => None,
     }
+}
+
+#[inline(always)]
+fn coefficients<L: Plain>(contact: &Contact<L>) -> LinearCoefficients<L> {
+    LinearCoefficients::at_inline(contact.a / contact.b, contact.poisson_ratio)
 }
 
 #[inline(always)]

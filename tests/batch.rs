@@ -3,6 +3,8 @@
 #[path = "common/random.rs"]
 mod random;
 
+use kstrip::contact::Contact;
+use kstrip::creepage::Parameters;
 use kstrip::ffi::batch::*;
 use kstrip::ffi::double::{kstrip_solve, kstrip_solve_batch};
 use kstrip::ffi::single::{kstrip_solve_batch_f32, kstrip_solve_f32};
@@ -91,6 +93,21 @@ fn any_kind(random: &mut Random, kind: usize) -> [f64; 9] {
         if kind & (1 << part) != 0 && random.between(0.0, 1.0) < 0.8 {
             values[6 + part] = 0.0;
         }
+    }
+    if kind % 11 == 2 {
+        // a neighbour that needs another branch of the theory of 1967: no spin, little, near one, beyond; some stick, some slide
+        let [a, b, normal_force, shear_modulus, poisson_ratio, friction, ..] = values;
+        let contact = Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction };
+        let spins = [0.0, 1e-9, 0.3, 0.9, 0.99, 0.993, 0.9999, 1.0, 1.0001, 1.3];
+        let parameters = Parameters {
+            xi: random.between(-1.0, 1.0),
+            eta: random.between(-1.0, 1.0),
+            psi: spins[(kind / 11) % spins.len()] * if kind & 1 == 0 { 1.0 } else { -1.0 },
+            poisson_ratio,
+            axis_ratio: a / b,
+        };
+        let motion = parameters.creepage(&contact);
+        [values[6], values[7], values[8]] = [motion.longitudinal, motion.lateral, motion.spin];
     }
     let hard = match kind % 11 {
         0 => 1 + (random.between(0.0, 3.0) as usize),
