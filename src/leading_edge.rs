@@ -306,6 +306,11 @@ impl<P: Arithmetic> Closer<P> {
     }
 }
 
+/// `S²/η²` below which an end of the interval is taken to lie where `S = 0`: in single precision what rounding leaves of it there.
+fn rooted_share<F: Float>() -> F {
+    F::of(1e-10).max(F::EPSILON.times(1024.0))
+}
+
 /// What tangents tell of the adhesion interval.
 enum Ends<F> {
     /// There is none.
@@ -456,7 +461,7 @@ impl<T: Real> StripFamily<T> {
             first > bound && second > bound
         };
         // (beyond |ψ| = 1 the interval may end where S = 0)
-        let rooted = tangent.b * tangent.b - length.eta_squared.bare().times(1e-10);
+        let rooted = tangent.b * tangent.b - length.eta_squared.bare().scale(rooted_share());
         let zero = <T::Base as Arithmetic>::zero();
         if !(all_above(square, zero) && all_above(rooted, zero)) {
             return None;
@@ -494,7 +499,8 @@ impl<T: Real> StripFamily<T> {
         let xi_bar = plain.xi_bar(end.y);
         let q = (T::Base::one() - plain.psi) * (T::Base::one() + plain.psi);
         let eta_squared = plain.eta * plain.eta;
-        if eta_squared + q * xi_bar * xi_bar <= eta_squared.times(1e-10) && q < T::Base::zero() {
+        if eta_squared + q * xi_bar * xi_bar <= eta_squared * rooted_share() && q < T::Base::zero()
+        {
             // Beyond |ψ| = 1 the interval may end where S = 0, at ξ̄ = ±|η|/√(ψ² − 1).
             let q = (T::one() - self.psi) * (T::one() + self.psi);
             let edge = self.eta.abs() / (-q).sqrt();

@@ -328,7 +328,8 @@ impl<T: Real> StripFamily<T> {
         let s_by_y = edge.q * edge.family.slope * xi_bar / s;
         let growth = -point.y - point.c * by_s * s_by_y;
         let turn = -((lifted.c - limit).scale(T::Base::one() / growth));
-        if turn.value().is_finite_number() && turn.value().abs() < T::Base::of(1e-6) {
+        let close = turn.value().abs() < T::Base::of(1e-6).max(T::EPSILON.times(1024.0));
+        if turn.value().is_finite_number() && close {
             EdgePoint { y: lifted.y + lifted.c * turn, c: lifted.c - lifted.y * turn }
         } else {
             lifted
