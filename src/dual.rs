@@ -4,7 +4,7 @@
 //! generic formulas as a plain number it returns the exact derivatives of what those formulas
 //! compute, branch by branch; there is no step size and no second implementation to keep in step.
 
-use crate::real::{Arithmetic, Elementary, Float, Map, Number, Pair};
+use crate::real::{Arithmetic, Elementary, Float, Map, Number, Pair, Quad};
 use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -238,8 +238,37 @@ impl<F: Float, const M: usize> Pair<Dual<F, M>> for Dual<F::Pair, M> {
     }
 }
 
+impl<F: Float, const M: usize> Quad<Dual<F, M>> for Dual<F::Quad, M> {
+    #[inline(always)]
+    fn of_halves(first: Dual<F::Pair, M>, second: Dual<F::Pair, M>) -> Self {
+        let mut gradient = [F::Quad::zero(); M];
+        for (quad, (d, e)) in gradient.iter_mut().zip(first.gradient.iter().zip(second.gradient)) {
+            *quad = F::Quad::of_halves(*d, e);
+        }
+        Self { value: F::Quad::of_halves(first.value, second.value), gradient }
+    }
+    #[inline(always)]
+    fn halves(self) -> [Dual<F::Pair, M>; 2] {
+        let slopes = self.gradient.map(F::Quad::halves);
+        let [first, second] = self.value.halves();
+        [
+            Dual { value: first, gradient: slopes.map(|[slope, _]| slope) },
+            Dual { value: second, gradient: slopes.map(|[_, slope]| slope) },
+        ]
+    }
+    #[inline(always)]
+    fn all(x: Dual<F, M>) -> Self {
+        Self { value: F::Quad::all(x.value), gradient: x.gradient.map(F::Quad::all) }
+    }
+    #[inline(always)]
+    fn plain(values: [F; 4]) -> Self {
+        Self { value: F::Quad::plain(values), gradient: [F::Quad::zero(); M] }
+    }
+}
+
 impl<F: Float, const M: usize> Number for Dual<F, M> {
     type Pair = Dual<F::Pair, M>;
+    type Quad = Dual<F::Quad, M>;
     const HAS_DERIVATIVES: bool = true;
     const LARGEST: F = F::LARGEST;
     const TINY: F = F::TINY;

@@ -126,13 +126,16 @@ pub trait Arithmetic:
     }
     /// `1/√x` of numbers between 1e-30 and 1e30, to 1e-14 relative in double precision.
     #[inline(always)]
-    fn inverse_roots<const N: usize>(numbers: [Self; N]) -> [Self; N] {
-        Self::each(&numbers, |x| Self::one() / x.sqrt())
-    }
-    /// `1/√x` as pairs of plain numbers compute it on every machine, see `pairs`.
-    #[inline(always)]
-    fn paired_inverse_root(self) -> Self {
+    fn inverse_root(self) -> Self {
         Self::one() / self.sqrt()
+    }
+    /// The same of several, which may be quicker together.
+    #[inline(always)]
+    fn inverse_roots<const N: usize>(mut numbers: [Self; N]) -> [Self; N] {
+        for x in &mut numbers {
+            *x = x.inverse_root();
+        }
+        numbers
     }
     /// Absolute value.
     fn abs(self) -> Self;
@@ -197,6 +200,8 @@ pub(crate) type Stored<T> = <<T as Arithmetic>::Base as Plain>::Stored;
 pub trait Number: Arithmetic {
     /// Two numbers side by side, in one register where the machine has such registers.
     type Pair: Pair<Self> + Arithmetic<Bare = <Self::Base as Number>::Pair>;
+    /// Four numbers side by side, in as many registers as the machine needs for them.
+    type Quad: Quad<Self> + Arithmetic<Bare = <Self::Base as Number>::Quad>;
 
     /// Whether there is more to it than a value.
     const HAS_DERIVATIVES: bool = false;
@@ -311,8 +316,38 @@ pub trait Pair<T: Number>: Arithmetic<Base = T::Base> {
     }
 }
 
+/// Four numbers side by side.
+pub trait Quad<T: Number>: Arithmetic<Base = T::Base> {
+    /// Put two pairs side by side.
+    fn of_halves(first: T::Pair, second: T::Pair) -> Self;
+    /// Take them apart.
+    fn halves(self) -> [T::Pair; 2];
+    /// The same number four times.
+    fn all(x: T) -> Self;
+    /// A plain number for each.
+    fn plain(values: [T::Base; 4]) -> Self;
+    /// Put four numbers side by side.
+    #[inline(always)]
+    fn of([a, b, c, d]: [T; 4]) -> Self {
+        Self::of_halves(T::Pair::of(a, b), T::Pair::of(c, d))
+    }
+    /// Take them apart.
+    #[inline(always)]
+    fn parts(self) -> [T; 4] {
+        let [first, second] = self.halves();
+        let ((a, b), (c, d)) = (first.parts(), second.parts());
+        [a, b, c, d]
+    }
+    /// Their sum: that of the sums of the first and third, and of the second and fourth.
+    #[inline(always)]
+    fn sum(self) -> T {
+        let [first, second] = self.halves();
+        (first + second).sum()
+    }
+}
+
 macro_rules! plain {
-    ($float:ident, $pair:ty, $integer:ident, $mantissa:expr, $artanh:expr, |$single:ident, $double:ident| $table:expr, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $asinh:path, $cbrt:path, $exp:path, $inverse_root:path) => {
+    ($float:ident, $pair:ty, $quad:ty, $integer:ident, $mantissa:expr, $artanh:expr, |$single:ident, $double:ident| $table:expr, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $asinh:path, $cbrt:path, $exp:path, $inverse_root:path) => {
         impl Float for $float {
             const ARTANH: &'static [Self] = &$artanh;
 
@@ -407,7 +442,7 @@ macro_rules! plain {
                 $sqrt(self)
             }
             #[inline(always)]
-            fn paired_inverse_root(self) -> Self {
+            fn inverse_root(self) -> Self {
                 $inverse_root(self)
             }
             #[inline(always)]
@@ -430,6 +465,7 @@ macro_rules! plain {
 
         impl Number for $float {
             type Pair = $pair;
+            type Quad = $quad;
             const LARGEST: $float = $float::MAX;
             const TINY: $float = $float::MIN_POSITIVE;
             const ROOT_TINY: $float = $root_tiny;
@@ -500,6 +536,7 @@ fn even_polynomial<F: Plain>(c: &[F::Stored], z: F) -> F {
 plain!(
     f64,
     pairs::F64Pair,
+    pairs::F64Quad,
     i64,
     52,
     ARTANH_DOUBLE,
@@ -517,6 +554,7 @@ plain!(
 plain!(
     f32,
     pairs::F32Pair,
+    pairs::F32Quad,
     i32,
     23,
     ARTANH_SINGLE,

@@ -44,7 +44,7 @@ use self::nodes::Rule;
 use self::constants::{HIDDEN, HIDDEN_OFFSET, OUTPUT, OUTPUT_OFFSET, ROUNDING};
 use crate::coefficients::LinearCoefficients;
 use crate::dual::Dual;
-use crate::real::{Arithmetic, Float, Number, Pair, Plain, Real, Stored};
+use crate::real::{Arithmetic, Float, Number, Pair, Plain, Quad, Real, Stored};
 use core::f64::consts::PI;
 
 /// Steps of the march along a strip.
@@ -88,13 +88,13 @@ pub trait Marched: Plain {
     /// The steps from the leading edge on.
     const STEPS: [Step<Self::Stored>; STEPS];
     /// First layer of the fitted network.
-    const HIDDEN: [[[Self::Stored; 2]; UNITS / 2]; FEATURES];
+    const HIDDEN: [[Self::Stored; UNITS]; FEATURES];
     /// Offsets of its units.
-    const HIDDEN_OFFSET: [[Self::Stored; 2]; UNITS / 2];
+    const HIDDEN_OFFSET: [Self::Stored; UNITS];
     /// Second layer.
-    const OUTPUT: [[[Self::Stored; 2]; CORRECTIONS / 2]; UNITS];
+    const OUTPUT: [[Self::Stored; CORRECTIONS]; UNITS];
     /// Offsets of the corrections.
-    const OUTPUT_OFFSET: [[Self::Stored; 2]; CORRECTIONS / 2];
+    const OUTPUT_OFFSET: [Self::Stored; CORRECTIONS];
 }
 
 impl<F: Float> Step<F> {
@@ -147,28 +147,26 @@ macro_rules! marched {
                 }
                 steps
             };
-            const HIDDEN: [[[Self; 2]; UNITS / 2]; FEATURES] =
-                narrow!($float, HIDDEN, FEATURES, UNITS);
-            const HIDDEN_OFFSET: [[Self; 2]; UNITS / 2] =
-                narrow!($float, [HIDDEN_OFFSET], 1, UNITS)[0];
-            const OUTPUT: [[[Self; 2]; CORRECTIONS / 2]; UNITS] =
+            const HIDDEN: [[Self; UNITS]; FEATURES] = narrow!($float, HIDDEN, FEATURES, UNITS);
+            const HIDDEN_OFFSET: [Self; UNITS] = narrow!($float, [HIDDEN_OFFSET], 1, UNITS)[0];
+            const OUTPUT: [[Self; CORRECTIONS]; UNITS] =
                 narrow!($float, OUTPUT, UNITS, CORRECTIONS);
-            const OUTPUT_OFFSET: [[Self; 2]; CORRECTIONS / 2] =
+            const OUTPUT_OFFSET: [Self; CORRECTIONS] =
                 narrow!($float, [OUTPUT_OFFSET], 1, CORRECTIONS)[0];
         }
     };
 }
 
-/// A table in the caller's precision, its columns in pairs.
+/// A table in the caller's precision.
 macro_rules! narrow {
     ($float:ident, $table:expr, $rows:expr, $columns:expr) => {{
         let table = $table;
-        let mut copy = [[[0.0; 2]; $columns / 2]; $rows];
+        let mut copy = [[0.0; $columns]; $rows];
         let mut i = 0;
         while i < $rows {
             let mut j = 0;
             while j < $columns {
-                copy[i][j / 2][j % 2] = table[i][j] as $float;
+                copy[i][j] = table[i][j] as $float;
                 j += 1;
             }
             i += 1;
@@ -190,11 +188,10 @@ macro_rules! side_by_side {
     ($lanes:ident, $float:ident) => {
         impl Marched for crate::real::lanes::$lanes {
             const STEPS: [Step<$float>; STEPS] = <$float as Marched>::STEPS;
-            const HIDDEN: [[[$float; 2]; UNITS / 2]; FEATURES] = <$float as Marched>::HIDDEN;
-            const HIDDEN_OFFSET: [[$float; 2]; UNITS / 2] = <$float as Marched>::HIDDEN_OFFSET;
-            const OUTPUT: [[[$float; 2]; CORRECTIONS / 2]; UNITS] = <$float as Marched>::OUTPUT;
-            const OUTPUT_OFFSET: [[$float; 2]; CORRECTIONS / 2] =
-                <$float as Marched>::OUTPUT_OFFSET;
+            const HIDDEN: [[$float; UNITS]; FEATURES] = <$float as Marched>::HIDDEN;
+            const HIDDEN_OFFSET: [$float; UNITS] = <$float as Marched>::HIDDEN_OFFSET;
+            const OUTPUT: [[$float; CORRECTIONS]; UNITS] = <$float as Marched>::OUTPUT;
+            const OUTPUT_OFFSET: [$float; CORRECTIONS] = <$float as Marched>::OUTPUT_OFFSET;
         }
     };
 }
@@ -487,12 +484,18 @@ where
     #[inline(never)]
     pub(crate) fn each(&self, strips: &Strips<T::Base>, take: &mut dyn FnMut(usize, [T; 4])) {
         for (first, group) in strips.groups::<4>() {
-            self.four::<true>(&group, &mut |i, found: [T::Pair; 4]| {
-                let [a, b] = [T::Pair::parts(found[0]), T::Pair::parts(found[1])];
-                let [c, d] = [T::Pair::parts(found[2]), T::Pair::parts(found[3])];
-                take(first + i, [a.0, b.0, c.0, d.0]);
-                take(first + i + 1, [a.1, b.1, c.1, d.1]);
-            });
+            let mut apart = |_, found: [T::Quad; 4]| {
+                let [fx, fy, mx, stick] = found.map(T::Quad::parts);
+                let strips = fx.into_iter().zip(fy).zip(mx).zip(stick).enumerate();
+                for (i, (((fx, fy), mx), stick)) in strips {
+                    take(first + i, [fx, fy, mx, stick]);
+                }
+            };
+            if Self::IN_QUADS {
+                self.group::<true, 4, 1>(&group, &mut apart);
+            } else {
+                self.group::<true, 4, 0>(&group, &mut apart);
+            }
         }
     }
 
@@ -533,7 +536,7 @@ where
             Symmetry::of(self.slope.value(), self.longitudinal.value(), strips.y.len())
         };
         let half = strips.half(symmetry);
-        if !Self::PAIRED {
+        if !Self::IN_QUADS {
             return self.sum_apart::<STICK, MOMENT, 4, 0>(&half, symmetry);
         }
         match half.y.len() {
@@ -571,13 +574,13 @@ where
         let biases =
             (<T::Base as Number>::Pair::both(bias), <T::Base as Number>::Pair::both(bias_slope));
         let steps = SlopeStep::all(<T::Base as Number>::Pair::both(plain.spin), biases.0, biases.1);
-        if !Self::PAIRED || strips.y.len() == 4 {
+        if !Self::IN_QUADS || strips.y.len() == 4 {
             for (_, group) in strips.groups::<4>() {
-                plain.slopes::<2, STICK>(&group, biases, &steps, &mut sums);
+                plain.slopes::<1, 2, STICK>(&group, biases, &steps, &mut sums);
             }
         } else {
             for (_, group) in strips.groups::<8>() {
-                plain.slopes::<4, STICK>(&group, biases, &steps, &mut sums);
+                plain.slopes::<2, 4, STICK>(&group, biases, &steps, &mut sums);
             }
         }
         let by =
@@ -680,96 +683,95 @@ where
         Self { longitudinal, lateral, slope, profile, spin, creepage, root }
     }
 
-    /// Whether registers hold pairs: two doubles make one. Single-precision numbers are left to the
-    /// compiler, four strips at a time.
-    const PAIRED: bool = size_of::<Stored<T>>() >= 8;
+    /// Whether four strips are one number. Single-precision numbers on machines without registers for several of them
+    /// are left to the compiler.
+    const IN_QUADS: bool = cfg!(target_arch = "x86_64") || size_of::<Stored<T>>() >= 8;
 
-    /// A group of strips; `take` is given the number in the group of a pair's first strip, and
-    /// `fx, fy, mx, stick` of the pair.
+    /// A group of `G` strips, in `H` quads, or with `H = 0` one by one, 4 or 8; `take` is given the number in the group
+    /// of the first of each four strips, and `fx, fy, mx, stick` of the four.
     #[inline(always)]
-    fn group<const STICK: bool, const H: usize>(
+    fn group<const STICK: bool, const G: usize, const H: usize>(
         &self,
         strips: &Strips<Stored<T>>,
-        take: &mut impl Take<T::Pair>,
+        take: &mut impl Take<T::Quad>,
     ) {
-        if H == 0 {
-            self.four::<STICK>(strips, take);
-        } else {
-            self.pairs::<H, STICK>(strips, take);
+        match (H, G) {
+            (0, 8) => self.apart::<2, 8, STICK>(strips, take),
+            (0, _) => self.apart::<1, 4, STICK>(strips, take),
+            _ => self.quads::<H, STICK>(strips, take),
         }
     }
 
-    /// What `2 H` strips of a group see of the creepages, from strip `first` on: `A_x` and `A_y`.
+    /// What the `4 H` strips of a group see of the creepages: `A_x` and `A_y`.
     #[inline(always)]
-    fn seen<const H: usize>(
-        &self,
-        strips: &Strips<Stored<T>>,
-        first: usize,
-    ) -> ([T::Pair; H], [T::Pair; H]) {
+    fn seen<const H: usize>(&self, strips: &Strips<Stored<T>>) -> ([T::Quad; H], [T::Quad; H]) {
         // creepages scaled so that the quadrature gives the linear forces exactly
-        let longitudinal = T::Pair::both(self.longitudinal.scale(T::Base::stored(strips.stretch)));
-        let lateral = T::Pair::both(self.lateral.scale(T::Base::stored(strips.stretch)));
-        let slope = T::Pair::both(self.slope.scale(T::Base::stored(strips.lever)));
-        let profile = T::Pair::both(self.profile);
-        let (mut ax, mut ay) = ([T::Pair::zero(); H], [T::Pair::zero(); H]);
-        let places = pairs_of::<T>(strips.y, first)
-            .zip(pairs_of::<T>(strips.bend, first))
-            .zip(pairs_of::<T>(strips.inverse, first));
+        let longitudinal = T::Quad::all(self.longitudinal.scale(T::Base::stored(strips.stretch)));
+        let lateral = T::Quad::all(self.lateral.scale(T::Base::stored(strips.stretch)));
+        let slope = T::Quad::all(self.slope.scale(T::Base::stored(strips.lever)));
+        let profile = T::Quad::all(self.profile);
+        let (mut ax, mut ay) = ([T::Quad::zero(); H], [T::Quad::zero(); H]);
+        let places = fours(strips.y).iter().zip(fours(strips.bend)).zip(fours(strips.inverse));
         for ((ax, ay), ((y, bend), inverse)) in ax.iter_mut().zip(&mut ay).zip(places) {
-            *ax = (longitudinal - slope * (profile * bend + y)) * inverse;
+            let inverse = quad_of::<T>(inverse);
+            *ax =
+                (longitudinal - slope * (profile * quad_of::<T>(bend) + quad_of::<T>(y))) * inverse;
             *ay = lateral * inverse;
         }
         (ax, ay)
     }
 
-    /// Four strips side by side.
+    /// `N = 4 Q` strips side by side.
     #[inline(always)]
-    fn four<const STICK: bool>(&self, strips: &Strips<Stored<T>>, take: &mut impl Take<T::Pair>) {
-        let apart = |[first, second]: [T::Pair; 2]| {
-            let ((a, b), (c, d)) = (first.parts(), second.parts());
-            [a, b, c, d]
-        };
-        let (ax, ay) = self.seen::<2>(strips, 0);
-        let found = march::<T, 4, STICK>(&apart(ax), &apart(ay), Uniform(self.spin));
-        let StripForces { fx, fy, mx, stick } = found;
-        let found = [fx, fy, mx, stick];
-        take.take(0, T::Pair::each(&found, |[a, b, ..]| T::Pair::of(*a, *b)));
-        take.take(2, T::Pair::each(&found, |[.., a, b]| T::Pair::of(*a, *b)));
-    }
-
-    /// `4 H` strips in pairs.
-    #[inline(always)]
-    fn pairs<const H: usize, const STICK: bool>(
+    fn apart<const Q: usize, const N: usize, const STICK: bool>(
         &self,
         strips: &Strips<Stored<T>>,
-        take: &mut impl Take<T::Pair>,
+        take: &mut impl Take<T::Quad>,
     ) {
-        let (ax, ay) = self.seen::<H>(strips, 0);
-        let (bx, by) = self.seen::<H>(strips, 2 * H);
-        let (ax, ay) = ([ax, bx], [ay, by]);
-        let found = march_two::<_, H, STICK>(&ax, &ay, Uniform(T::Pair::both(self.spin)));
+        let (ax, ay) = self.seen::<Q>(strips);
+        let (mut x, mut y) = ([T::zero(); N], [T::zero(); N]);
+        for ((x, y), (ax, ay)) in fours_mut(&mut x).zip(fours_mut(&mut y)).zip(ax.iter().zip(&ay)) {
+            (*x, *y) = (ax.parts(), ay.parts());
+        }
+        let found = march::<T, N, STICK>(&x, &y, Uniform(self.spin));
+        let forces = fours(&found.fx).iter().zip(fours(&found.fy));
+        let forces = forces.zip(fours(&found.mx)).zip(fours(&found.stick));
         let mut i = 0;
-        for found in &found {
-            let forces = found.fx.iter().zip(&found.fy).zip(&found.mx).zip(&found.stick);
-            for (((fx, fy), mx), stick) in forces {
-                take.take(i, [*fx, *fy, *mx, *stick]);
-                i += 2;
-            }
+        for (((fx, fy), mx), stick) in forces {
+            take.take(i, T::Quad::each(&[fx, fy, mx, stick], |four| T::Quad::of(**four)));
+            i += 4;
         }
     }
 
-    /// Groups of `G` strips: twice `H` pairs, or with `H = 0` four numbers side by side.
+    /// `4 H` strips in quads.
+    #[inline(always)]
+    fn quads<const H: usize, const STICK: bool>(
+        &self,
+        strips: &Strips<Stored<T>>,
+        take: &mut impl Take<T::Quad>,
+    ) {
+        let (ax, ay) = self.seen::<H>(strips);
+        let found = march::<_, H, STICK>(&ax, &ay, Uniform(T::Quad::all(self.spin)));
+        let forces = found.fx.iter().zip(&found.fy).zip(&found.mx).zip(&found.stick);
+        let mut i = 0;
+        for (((fx, fy), mx), stick) in forces {
+            take.take(i, [*fx, *fy, *mx, *stick]);
+            i += 4;
+        }
+    }
+
+    /// Groups of `G` strips: `H` quads, or with `H = 0` four numbers side by side.
     #[inline(always)]
     fn sum_of_groups<const STICK: bool, const MOMENT: bool, const G: usize, const H: usize>(
         &self,
         strips: &Strips<Stored<T>>,
         symmetry: Symmetry,
     ) -> StripTotals<T> {
-        let zero = T::Pair::zero();
+        let zero = T::Quad::zero();
         let mut sums = Sums::<T, STICK, MOMENT> { group: *strips, sums: [zero; 5] };
         for (_, group) in strips.groups::<G>() {
             sums.group = group;
-            self.group::<STICK, H>(&group, &mut sums);
+            self.group::<STICK, G, H>(&group, &mut sums);
         }
         let [mut fx, mut fy, mut by_y, mut by_x, mut stick] = sums.sums;
         if symmetry != Symmetry::None {
@@ -784,15 +786,15 @@ where
     }
 }
 
-/// Who is given what pairs of strips carry: the number in the group of a pair's first strip, and `fx, fy, mx, stick` of
-/// the pair.
-trait Take<P> {
-    fn take(&mut self, i: usize, found: [P; 4]);
+/// Who is given what quads of strips carry: the number in the group of a quad's first strip, and `fx, fy, mx, stick` of
+/// the quad.
+trait Take<Q> {
+    fn take(&mut self, i: usize, found: [Q; 4]);
 }
 
-impl<P, C: FnMut(usize, [P; 4])> Take<P> for C {
+impl<Q, C: FnMut(usize, [Q; 4])> Take<Q> for C {
     #[inline(always)]
-    fn take(&mut self, i: usize, found: [P; 4]) {
+    fn take(&mut self, i: usize, found: [Q; 4]) {
         self(i, found);
     }
 }
@@ -800,24 +802,24 @@ impl<P, C: FnMut(usize, [P; 4])> Take<P> for C {
 /// Adds the strips of a group up: `f_x`, `f_y`, the lever arms' `Y f_x` and `C m_x`, the share in adhesion.
 struct Sums<'a, T: Number, const STICK: bool, const MOMENT: bool> {
     group: Strips<'a, Stored<T>>,
-    sums: [T::Pair; 5],
+    sums: [T::Quad; 5],
 }
 
 impl<T: Number, const STICK: bool, const MOMENT: bool> Sums<'_, T, STICK, MOMENT> {
     #[inline(always)]
-    fn weight(table: &[Stored<T>], i: usize) -> T::Pair {
-        match pairs_of::<T>(table, i).next() {
-            Some(pair) => pair,
-            None => T::Pair::zero(),
+    fn weight(table: &[Stored<T>], i: usize) -> T::Quad {
+        match fours(table).get(i / 4) {
+            Some(four) => quad_of::<T>(four),
+            None => T::Quad::zero(),
         }
     }
 }
 
-impl<T: Number, const STICK: bool, const MOMENT: bool> Take<T::Pair>
+impl<T: Number, const STICK: bool, const MOMENT: bool> Take<T::Quad>
     for Sums<'_, T, STICK, MOMENT>
 {
     #[inline(always)]
-    fn take(&mut self, i: usize, [x, y, m, share]: [T::Pair; 4]) {
+    fn take(&mut self, i: usize, [x, y, m, share]: [T::Quad; 4]) {
         let [fx, fy, by_y, by_x, stick] = &mut self.sums;
         let load = Self::weight(self.group.load, i);
         *fx += x * load;
@@ -855,11 +857,10 @@ impl<L: Marched> RollingStrips<L> {
             return None;
         }
         let half = strips.half(symmetry);
-        // (inverse roots of one pair and of many are computed differently, see `Two`)
         Some(if half.y.len() == 4 {
-            self.sum_of_groups::<true, true, 4, 1>(&half, symmetry)
+            self.sum_of_groups::<true, true, 4, 0>(&half, symmetry)
         } else {
-            self.sum_of_groups::<true, true, 8, 2>(&half, symmetry)
+            self.sum_of_groups::<true, true, 8, 0>(&half, symmetry)
         })
     }
 }
@@ -871,16 +872,17 @@ fn limited_root<F: Plain>(axis_ratio: F) -> F {
 }
 
 impl<F: Float + Marched> RollingStrips<F> {
-    /// Adds a group of `2 H` strips to the sums, with their derivatives.
+    /// Adds a group of `Q` quads of strips, `H` pairs, to the sums, with their derivatives.
     #[inline(always)]
-    fn slopes<const H: usize, const STICK: bool>(
+    fn slopes<const Q: usize, const H: usize, const STICK: bool>(
         &self,
         rule: &Strips<F>,
         (bias, bias_slope): (F::Pair, F::Pair),
         steps: &[SlopeStep<F::Pair>; STEPS],
         sums: &mut SlopeSums<F::Pair>,
     ) {
-        let (ax, ay) = self.seen::<H>(rule, 0);
+        let (ax, ay) = self.seen::<Q>(rule);
+        let (ax, ay) = (halves_of::<F, Q, H>(&ax), halves_of::<F, Q, H>(&ay));
         let mut strips = Together::start(&ax, &ay);
         let (spin, bias) = (Uniform(F::Pair::both(self.spin)), Uniform(bias));
         let mut cuts = [[Tried::start(); STEPS]; H];
@@ -1299,39 +1301,6 @@ where
     strips.end::<STICK>(&bias)
 }
 
-/// Twice `N` strips, as two groups: while the square roots and quotients of one are under way, the sums
-/// of the other are formed.
-#[inline(always)]
-fn march_two<T: Arithmetic, const N: usize, const STICK: bool>(
-    ax: &[[T; N]; 2],
-    ay: &[[T; N]; 2],
-    spin: impl PerStrip<T>,
-) -> [StripForces<T, N>; 2]
-where
-    T::Base: Marched,
-{
-    let bias = spin.squashed();
-    let [ax, bx] = ax;
-    let [ay, by] = ay;
-    let mut a = Together::start(ax, ay);
-    let mut b = Together::start(bx, by);
-    for step in &T::Base::STEPS {
-        let step = &step.of::<T::Base>();
-        let spin = Turn::new(&spin, &bias, step);
-        a.offer(&spin, step);
-        a.cut();
-        b.offer(&spin, step);
-        b.cut();
-        a.add(&spin, step);
-        b.add(&spin, step);
-        if STICK {
-            a.adhere(step);
-            b.adhere(step);
-        }
-    }
-    [a.end::<STICK>(&bias), b.end::<STICK>(&bias)]
-}
-
 /// `(2/π) ∫ √(1 − x̂²) f dx̂` by the midpoint rule in the angle, and the half of the half-ellipses' factor.
 const WEIGHT: f64 = 0.5 * (2.0 / STEPS as f64);
 
@@ -1589,37 +1558,48 @@ fn network<T: Number>(features: &[T; FEATURES]) -> [T::Pair; CORRECTIONS / 2]
 where
     T::Base: Marched,
 {
-    let mut hidden = T::Pair::each(&T::Base::HIDDEN_OFFSET, |two| pair_of::<T>(*two));
-    for (feature, row) in features.iter().zip(&T::Base::HIDDEN) {
-        let feature = T::Pair::both(*feature);
-        for (sum, weights) in hidden.iter_mut().zip(row) {
-            *sum += feature * pair_of::<T>(*weights);
-        }
+    let mut hidden = [T::Quad::zero(); UNITS / 4];
+    for (sum, offset) in hidden.iter_mut().zip(fours(&T::Base::HIDDEN_OFFSET)) {
+        *sum = quad_of::<T>(offset);
     }
-    let squares = T::Pair::each(&hidden, |h| h.squared().plus(1.0));
-    let roots = T::Pair::inverse_roots(squares);
-    for (h, root) in hidden.iter_mut().zip(roots) {
+    for (feature, row) in features.iter().zip(&T::Base::HIDDEN) {
+        add_row::<T>(&mut hidden, *feature, row);
+    }
+    let mut roots = hidden;
+    for h in &mut roots {
+        *h = h.squared().plus(1.0);
+    }
+    for (h, root) in hidden.iter_mut().zip(T::Quad::inverse_roots(roots)) {
         *h = *h * root;
     }
     // two chains of additions
-    let mut corrections = T::Pair::each(&T::Base::OUTPUT_OFFSET, |two| pair_of::<T>(*two));
-    let mut others = [T::Pair::zero(); CORRECTIONS / 2];
+    let mut corrections = [T::Quad::zero(); CORRECTIONS / 4];
+    let mut others = corrections;
+    for (sum, offset) in corrections.iter_mut().zip(fours(&T::Base::OUTPUT_OFFSET)) {
+        *sum = quad_of::<T>(offset);
+    }
     let table = &<T::Base as Marched>::OUTPUT;
-    let (rows, _) = table.as_chunks::<2>();
-    for (pair, [row, other]) in hidden.iter().zip(rows) {
-        let (first, second) = pair.parts();
-        let (first, second) = (T::Pair::both(first), T::Pair::both(second));
-        for ((sum, weights), (other, others)) in
-            corrections.iter_mut().zip(row).zip(others.iter_mut().zip(other))
-        {
-            *sum += first * pair_of::<T>(*weights);
-            *other += second * pair_of::<T>(*others);
-        }
+    let (rows, _) = table.as_chunks::<4>();
+    for (quad, [row_a, row_b, row_c, row_d]) in hidden.iter().zip(rows) {
+        let [a, b, c, d] = quad.parts();
+        add_row::<T>(&mut corrections, a, row_a);
+        add_row::<T>(&mut others, b, row_b);
+        add_row::<T>(&mut corrections, c, row_c);
+        add_row::<T>(&mut others, d, row_d);
     }
     for (sum, other) in corrections.iter_mut().zip(others) {
         *sum += other;
     }
-    corrections
+    halves_of::<T, { CORRECTIONS / 4 }, { CORRECTIONS / 2 }>(&corrections)
+}
+
+/// `sums + x row`
+#[inline(always)]
+fn add_row<T: Number>(sums: &mut [T::Quad], x: T, row: &[Stored<T>]) {
+    let x = T::Quad::all(x);
+    for (sum, weights) in sums.iter_mut().zip(fours(row)) {
+        *sum += x * quad_of::<T>(weights);
+    }
 }
 
 /// The corrections with their derivatives by the three creepages: the weights meet value and slopes
@@ -1634,11 +1614,14 @@ fn network_slopes<F: Float + Marched>(
     let by_y = &features.map(|feature| F::Pair::both(feature.gradient[1]));
     let by_phi = &features.map(|feature| F::Pair::both(feature.gradient[2]));
     let table = &F::HIDDEN;
-    let mut hidden = F::HIDDEN_OFFSET.map(|offset| (pair_of::<F>(offset), none));
+    let mut hidden = [(F::Pair::zero(), none); UNITS / 2];
+    for ((sum, _), offset) in hidden.iter_mut().zip(pairs_of::<F>(&F::HIDDEN_OFFSET, 0)) {
+        *sum = offset;
+    }
     for (k, (sum, [sum_x, sum_y, sum_phi])) in hidden.iter_mut().enumerate() {
         // (without an index that could panic, at any optimisation level)
         let weight = |i: usize| {
-            table.get(i).and_then(|row| row.get(k)).map_or(F::Pair::zero(), |w| pair_of::<F>(*w))
+            table.get(i).and_then(|row| pairs_of::<F>(row, 2 * k).next()).unwrap_or(F::Pair::zero())
         };
         let part = |list: &[F::Pair; FEATURES], i: usize| {
             list.get(i).map_or(F::Pair::zero(), |slope| *slope * weight(i))
@@ -1659,7 +1642,10 @@ fn network_slopes<F: Float + Marched>(
     }
     // d h/√(1 + h²) = dh/(1 + h²)^{3/2}
     let roots = F::Pair::inverse_roots(hidden.map(|(h, _)| h.squared().plus(1.0)));
-    let mut corrections = F::OUTPUT_OFFSET.map(|offset| (pair_of::<F>(offset), none));
+    let mut corrections = [(F::Pair::zero(), none); CORRECTIONS / 2];
+    for ((sum, _), offset) in corrections.iter_mut().zip(pairs_of::<F>(&F::OUTPUT_OFFSET, 0)) {
+        *sum = offset;
+    }
     let table = &F::OUTPUT;
     let (rows, _) = table.as_chunks::<2>();
     for (((h, slopes), root), rows) in hidden.into_iter().zip(roots).zip(rows) {
@@ -1670,8 +1656,7 @@ fn network_slopes<F: Float + Marched>(
             [(values.0, slopes.map(|slope| slope.0)), (values.1, slopes.map(|slope| slope.1))];
         for ((value, slopes), row) in units.into_iter().zip(rows) {
             let (value, slopes) = (F::Pair::both(value), slopes.map(F::Pair::both));
-            for ((sum, sums), weights) in corrections.iter_mut().zip(row) {
-                let weights = pair_of::<F>(*weights);
+            for ((sum, sums), weights) in corrections.iter_mut().zip(pairs_of::<F>(row, 0)) {
                 *sum += value * weights;
                 for (sum, slope) in sums.iter_mut().zip(slopes) {
                     *sum += slope * weights;
@@ -1686,13 +1671,35 @@ fn network_slopes<F: Float + Marched>(
 #[inline(always)]
 fn pairs_of<T: Number>(table: &[Stored<T>], first: usize) -> impl Iterator<Item = T::Pair> {
     let (pairs, _) = table.as_chunks::<2>();
-    pairs.iter().skip(first / 2).map(|pair| pair_of::<T>(*pair))
+    pairs.iter().skip(first / 2).map(|pair| T::Pair::plain(T::Base::both_stored(*pair)))
 }
 
-/// Two plain numbers side by side.
+/// A table in fours.
 #[inline(always)]
-fn pair_of<T: Number>(two: [Stored<T>; 2]) -> T::Pair {
-    T::Pair::plain(T::Base::both_stored(two))
+fn fours<F>(table: &[F]) -> &[[F; 4]] {
+    table.as_chunks::<4>().0
+}
+
+#[inline(always)]
+fn fours_mut<F>(table: &mut [F]) -> impl Iterator<Item = &mut [F; 4]> {
+    table.as_chunks_mut::<4>().0.iter_mut()
+}
+
+/// Four plain numbers of a table side by side.
+#[inline(always)]
+fn quad_of<T: Number>([a, b, c, d]: &[Stored<T>; 4]) -> T::Quad {
+    let ([a, b], [c, d]) = (T::Base::both_stored([*a, *b]), T::Base::both_stored([*c, *d]));
+    T::Quad::plain([a, b, c, d])
+}
+
+/// Quads as pairs, twice as many.
+#[inline(always)]
+fn halves_of<T: Number, const Q: usize, const H: usize>(quads: &[T::Quad; Q]) -> [T::Pair; H] {
+    let mut pairs = [T::Pair::zero(); H];
+    for (pairs, quad) in pairs.as_chunks_mut::<2>().0.iter_mut().zip(quads) {
+        *pairs = quad.halves();
+    }
+    pairs
 }
 
 /// The creepages, scaled down together where their fourth powers would overflow.

@@ -25,7 +25,7 @@ mod constants;
 
 use self::constants::{FIRST, FIXED, LAST, LAST_BIAS, SECOND};
 use crate::coefficients::{LinearCoefficients, widen};
-use crate::real::{Arithmetic, Float, Map, Number, Pair, Plain};
+use crate::real::{Arithmetic, Float, Map, Number, Pair, Plain, Quad};
 
 /// Forces of a whole contact, dimensionless, on the lower body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -280,8 +280,21 @@ fn add_rows<F: Plain, const P: usize>(
     rows: &[[[F::Stored; 2]; P]],
 ) -> [F::Pair; P] {
     if F::LANES == 1 {
+        let (pairs, rest) = sums.as_chunks_mut::<2>();
+        let mut quads = [<F::Quad as Arithmetic>::zero(); P];
+        for (quad, [first, second]) in quads.iter_mut().zip(&*pairs) {
+            *quad = F::Quad::of_halves(*first, *second);
+        }
         for (input, row) in inputs.iter().zip(rows) {
-            add_row::<F>(&mut sums, *input, row);
+            let (weights, last) = row.as_chunks::<2>();
+            let x = <F::Quad as Quad<F>>::all(*input);
+            for (sum, weights) in quads.iter_mut().zip(weights) {
+                *sum += x * quad_of::<F>(weights);
+            }
+            add_row::<F>(rest, *input, last);
+        }
+        for (pairs, quad) in pairs.iter_mut().zip(quads) {
+            *pairs = quad.halves();
         }
         return sums;
     }
@@ -307,22 +320,28 @@ fn add_row<F: Plain>(sums: &mut [F::Pair], input: F, row: &[[F::Stored; 2]]) {
     }
 }
 
-/// The last layer: products of pairs of units, two chains of sums for each output.
+/// Two pairs of constants side by side.
+#[inline(always)]
+fn quad_of<F: Plain>([first, second]: &[[F::Stored; 2]; 2]) -> F::Quad {
+    let ([a, b], [c, d]) = (F::both_stored(*first), F::both_stored(*second));
+    F::Quad::plain([a, b, c, d])
+}
+
+/// The last layer: products of units in quads, four chains of sums for each output.
 #[inline(always)]
 fn last_layer<F: Plain>(units: [F::Pair; PAIRS_2], bias: [f32; 6]) -> [F; 6] {
     let mut outputs = F::each(&bias, |x| F::of_f32(*x));
+    let (fours, rest) = units.as_chunks::<2>();
     for (output, weights) in outputs.iter_mut().zip(F::Stored::table(&LAST, &LAST_WIDE.0)) {
-        let mut first = <F::Pair as Pair<F>>::of(*output, F::zero());
-        let mut second = <F::Pair as Arithmetic>::zero();
-        let (mut both, mut factors) = (units.chunks_exact(2), weights.chunks_exact(2));
-        for (both, factors) in (&mut both).zip(&mut factors) {
-            if let ([x, y], [p, q]) = (both, factors) {
-                first += x.scale_each(F::both_stored(*p));
-                second += y.scale_each(F::both_stored(*q));
-            }
+        let zero = <F::Pair as Arithmetic>::zero();
+        let mut sums = F::Quad::of_halves(<F::Pair as Pair<F>>::of(*output, F::zero()), zero);
+        let (weights, last) = weights.as_chunks::<2>();
+        for ([x, y], weights) in fours.iter().zip(weights) {
+            sums += F::Quad::of_halves(*x, *y) * quad_of::<F>(weights);
         }
-        if let ([x], [p]) = (both.remainder(), factors.remainder()) {
-            first += x.scale_each(F::both_stored(*p));
+        let [mut first, second] = sums.halves();
+        if let ([x], [weights]) = (rest, last) {
+            first += x.scale_each(F::both_stored(*weights));
         }
         *output = (first + second).sum();
     }

@@ -8,7 +8,7 @@
 
 #![allow(unsafe_code)]
 
-use super::pairs::{Two, operators};
+use super::pairs::{NEWTON, NEWTON_START, Two, operators};
 use super::{Arithmetic, Elementary, Map, Number, Plain};
 use core::arch::x86_64::*;
 use core::mem::transmute;
@@ -99,7 +99,7 @@ macro_rules! lanes {
                 Self(unsafe { $sqrt(self.0) })
             }
             #[inline(always)]
-            fn paired_inverse_root(self) -> Self {
+            fn inverse_root(self) -> Self {
                 let $x = self;
                 $inverse_root
             }
@@ -141,6 +141,7 @@ macro_rules! lanes {
 
         impl Number for $lanes {
             type Pair = Two<Self>;
+            type Quad = Two<Two<Self>>;
             const LANES: usize = $count;
             const LARGEST: Self = Self::splat(<$float as Number>::LARGEST);
             const TINY: Self = Self::splat(<$float as Number>::TINY);
@@ -225,9 +226,10 @@ lanes!(
     |x| {
         // as `pairs::inverse_root_f64`
         let y = Self(unsafe {
-            _mm256_cvtps_pd(_mm_div_ps(_mm_set1_ps(1.0), _mm_sqrt_ps(_mm256_cvtpd_ps(x.0))))
+            let root = _mm_sqrt_ps(_mm256_cvtpd_ps(x.0));
+            _mm256_cvtps_pd(_mm_div_ps(_mm_set1_ps(NEWTON_START), root))
         });
-        y * (Self::of(1.5) - x * y * (y * Self::of(0.5)))
+        y * (Self::of(NEWTON) - x * (y * y))
     }
 );
 lanes!(
