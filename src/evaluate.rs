@@ -49,6 +49,18 @@ pub fn evaluate<F: Precision>(
     options: &Options,
     wanted: Wanted,
 ) -> Result<Solution<F>, Error> {
+    evaluate_inline(contact, creepage, options, wanted)
+}
+
+/// [`evaluate`] in the caller's own code: a solution that goes through memory once more, in pieces of other sizes, is
+/// waited for.
+#[inline(always)]
+pub(crate) fn evaluate_inline<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    options: &Options,
+    wanted: Wanted,
+) -> Result<Solution<F>, Error> {
     let mut solution = if options.model == Model::Linear || (wanted.moment && wanted.adhesion) {
         model::solve(contact, creepage, options)?
     } else {
@@ -88,7 +100,7 @@ pub fn leave_out<F: Precision>(solution: &mut Solution<F>, wanted: Wanted) {
 }
 
 /// (On a microcontroller its stack is free where all is wanted.)
-#[cfg_attr(target_os = "none", inline(never))]
+#[inline(never)]
 fn some<F: Precision>(problem: &Problem<F>, wanted: Wanted) -> Solution<F> {
     if let Some(rest) = problem.at_rest() {
         return rest;

@@ -1621,7 +1621,8 @@ fn network_slopes<F: Float + Marched>(
     for (k, (sum, [sum_x, sum_y, sum_phi])) in hidden.iter_mut().enumerate() {
         // (without an index that could panic, at any optimisation level)
         let weight = |i: usize| {
-            table.get(i).and_then(|row| pairs_of::<F>(row, 2 * k).next()).unwrap_or(F::Pair::zero())
+            let two = table.get(i).and_then(|row| row.as_chunks::<2>().0.get(k));
+            two.map_or(F::Pair::zero(), |two| pair_of::<F>(*two))
         };
         let part = |list: &[F::Pair; FEATURES], i: usize| {
             list.get(i).map_or(F::Pair::zero(), |slope| *slope * weight(i))
@@ -1671,7 +1672,13 @@ fn network_slopes<F: Float + Marched>(
 #[inline(always)]
 fn pairs_of<T: Number>(table: &[Stored<T>], first: usize) -> impl Iterator<Item = T::Pair> {
     let (pairs, _) = table.as_chunks::<2>();
-    pairs.iter().skip(first / 2).map(|pair| T::Pair::plain(T::Base::both_stored(*pair)))
+    pairs.iter().skip(first / 2).map(|pair| pair_of::<T>(*pair))
+}
+
+/// Two plain numbers of a table side by side.
+#[inline(always)]
+fn pair_of<T: Number>(two: [Stored<T>; 2]) -> T::Pair {
+    T::Pair::plain(T::Base::both_stored(two))
 }
 
 /// A table in fours.

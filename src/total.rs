@@ -327,21 +327,22 @@ fn quad_of<F: Plain>([first, second]: &[[F::Stored; 2]; 2]) -> F::Quad {
     F::Quad::plain([a, b, c, d])
 }
 
-/// The last layer: products of units in quads, four chains of sums for each output.
+/// The last layer: products of pairs of units, two chains of sums for each output.
 #[inline(always)]
 fn last_layer<F: Plain>(units: [F::Pair; PAIRS_2], bias: [f32; 6]) -> [F; 6] {
     let mut outputs = F::each(&bias, |x| F::of_f32(*x));
-    let (fours, rest) = units.as_chunks::<2>();
     for (output, weights) in outputs.iter_mut().zip(F::Stored::table(&LAST, &LAST_WIDE.0)) {
-        let zero = <F::Pair as Arithmetic>::zero();
-        let mut sums = F::Quad::of_halves(<F::Pair as Pair<F>>::of(*output, F::zero()), zero);
-        let (weights, last) = weights.as_chunks::<2>();
-        for ([x, y], weights) in fours.iter().zip(weights) {
-            sums += F::Quad::of_halves(*x, *y) * quad_of::<F>(weights);
+        let mut first = <F::Pair as Pair<F>>::of(*output, F::zero());
+        let mut second = <F::Pair as Arithmetic>::zero();
+        let (mut both, mut factors) = (units.chunks_exact(2), weights.chunks_exact(2));
+        for (both, factors) in (&mut both).zip(&mut factors) {
+            if let ([x, y], [p, q]) = (both, factors) {
+                first += x.scale_each(F::both_stored(*p));
+                second += y.scale_each(F::both_stored(*q));
+            }
         }
-        let [mut first, second] = sums.halves();
-        if let ([x], [weights]) = (rest, last) {
-            first += x.scale_each(F::both_stored(*weights));
+        if let ([x], [p]) = (both.remainder(), factors.remainder()) {
+            first += x.scale_each(F::both_stored(*p));
         }
         *output = (first + second).sum();
     }

@@ -67,7 +67,7 @@ where
             }
             solution
         } else {
-            evaluate::evaluate(&contact, &creepage, &options, flags)?
+            evaluate::evaluate_inline(&contact, &creepage, &options, flags)?
         };
         let notice = solution.notice;
         result.write(solution.into());
