@@ -3,6 +3,9 @@
 //!
 //! Every model through the C interface and every method of `benches/peers`: nanoseconds (median of
 //! rounds that take turns), instructions (callgrind, if there is valgrind) and errors on `open.csv`, all in one run.
+//!
+//! `cargo run --release --example speed -- short` prints the ratios to FASTSIM 10x10 and writes nothing: for builds of another kind, as
+//! `RUSTFLAGS="-C target-cpu=x86-64-v3" cargo run --release --example speed -- short`.
 
 #[path = "speed/calls.rs"]
 mod calls;
@@ -84,11 +87,15 @@ fn machine() -> String {
     let load = load.split(' ').next().filter(|load| !load.is_empty()).unwrap_or("unknown");
     let cores = std::thread::available_parallelism().map_or(0, usize::from);
     format!(
-        "{processor}, {cores} cores, {}; {}, target {} as it comes (SSE2 on x86-64), release with LTO. Load average at \
-         the start: {load}",
+        "{processor}, {cores} cores, {}; {}, target {} {}, release with LTO. Load average at the start: {load}",
         std::env::consts::OS,
         said("rustc", &["--version"]),
         std::env::consts::ARCH,
+        if cfg!(target_feature = "avx") {
+            "compiled for processors with AVX"
+        } else {
+            "as it comes (SSE2 on x86-64)"
+        },
     )
 }
 
@@ -135,9 +142,8 @@ impl Report {
         [Family::FastsimScalar, Family::FastsimLanes].map(|family| self.first(family).time())
     }
 
-    fn introduction(&mut self, counted: &Result<String, String>, load: &str) {
-        self.line("# Speed against error\n");
-        self.line("Written by one command, one run: `cargo run --release --example speed`; do not edit.\n");
+    /// Every model over FASTSIM 10x10, in one sentence.
+    fn in_short(&mut self) {
         let [scalar, _] = self.fastsim();
         let per_call: Vec<String> = [
             (Model::Total, None),
@@ -166,6 +172,12 @@ impl Report {
             digits(scalar),
             per_call.join("; ")
         ));
+    }
+
+    fn introduction(&mut self, counted: &Result<String, String>, load: &str) {
+        self.line("# Speed against error\n");
+        self.line("Written by one command, one run: `cargo run --release --example speed`; do not edit.\n");
+        self.in_short();
         self.line("![Error over cost](speed-vs-error.svg)\n");
         self.line(format!("* Machine: {load}."));
         self.line(format!(
@@ -338,7 +350,7 @@ impl Report {
                 [vec![precision.to_owned()], cells.map(|x| format!("{x:.3}")).to_vec()].concat(),
             );
         }
-        self.line("\nDouble precision takes `1/√x` from single precision and improves it by one of Newton's steps (three multiply-adds).\n");
+        self.line("\nDouble precision takes `1/√x` from single precision and improves it by one of Newton's steps (two multiply-adds).\n");
         self.header(&[
             "model",
             "strips",
@@ -364,7 +376,7 @@ impl Report {
                 let work = limit::work(model, strips);
                 // the inverse roots' step of Newton's
                 let newton = limit::Work {
-                    multiply_adds: work.multiply_adds + 3.0 * work.inverse_roots,
+                    multiply_adds: work.multiply_adds + 2.0 * work.inverse_roots,
                     ..work
                 };
                 let limits = [double.limit(&newton), single.limit(&work)];
@@ -627,11 +639,17 @@ fn main() -> Drawn {
         }
         return Ok(());
     }
+    let short = std::env::args().nth(1).as_deref() == Some("short");
     let machine = machine();
     let mut report = Report { rows: calls::rows(&open()), text: String::new() };
     let bar = progress::bar(ROUNDS + 5);
-    bar.set_message("instructions");
-    let counted = counts::count(&mut report.rows);
+    let mut counted = Err("in short".to_owned());
+    if short {
+        report.rows.retain(Row::is_short);
+    } else {
+        bar.set_message("instructions");
+        counted = counts::count(&mut report.rows);
+    }
     bar.inc(1);
     bar.set_message("rounds");
     // calls that are too short for the clock are repeated
@@ -644,6 +662,14 @@ fn main() -> Drawn {
             row.times.push(time);
         }
         bar.inc(1);
+    }
+    if short {
+        report.line(format!("Machine: {machine}.\n"));
+        report.in_short();
+        report.against_fastsim();
+        bar.finish_and_clear();
+        print!("{}", report.text);
+        return Ok(());
     }
     report.introduction(&counted, &machine);
     report.against_fastsim();

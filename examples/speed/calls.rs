@@ -76,6 +76,17 @@ impl Row {
         Self { family, name, strips: None, calls, errors, times: vec![], instructions: None }
     }
 
+    /// Whether the short report needs it.
+    pub fn is_short(&self) -> bool {
+        use Family::*;
+        match self.family {
+            FastsimScalar | FastsimLanes => self.name.contains(" 10x10"),
+            FastsimElliptic | FastsimSingle | FastsimBlended | Fastrip | FastripBlended
+            | ClosedForm => false,
+            _ => matches!(self.strips, None | Some(8 | 16)),
+        }
+    }
+
     /// Nanoseconds per call: the round in the middle.
     pub fn time(&self) -> f64 {
         median(&self.times)
