@@ -1,0 +1,321 @@
+//! A number of 200 bits that the library's own formulas can be evaluated with, to see what their arithmetic loses in
+//! double and single precision.
+//!
+//! Constants and tables are those of double precision, exactly; square roots and logarithms are good to 200 bits. The
+//! library's numbers are copied freely, so what has more digits than a double is kept in a list of this thread, and a
+//! number is its place there.
+#![allow(dead_code)]
+
+use dashu_float::{FBig, round::mode::HalfEven};
+use kstrip::quadrature::{Node, StripRule, Tabulated};
+use kstrip::real::pairs::Two;
+use kstrip::real::{Arithmetic, Elementary, Float, Map, Number, Plain};
+use kstrip::rolling_strip::{Marched, STEPS, Step};
+use std::any::Any;
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+const BITS: usize = 200;
+
+pub type Digits = FBig<HalfEven, 2>;
+
+thread_local! {
+    static KEPT: RefCell<Vec<Digits>> = const { RefCell::new(Vec::new()) };
+    /// Tables by their address.
+    static TABLES: RefCell<HashMap<usize, &'static dyn Any>> = RefCell::new(HashMap::new());
+}
+
+#[derive(Clone, Copy, Debug)]
+pub enum Precise {
+    Double(f64),
+    Kept(usize),
+}
+
+impl Precise {
+    /// Forgets every number that is kept: none may be used any more.
+    pub fn forget() {
+        KEPT.with_borrow_mut(Vec::clear);
+    }
+
+    pub fn digits(self) -> Digits {
+        match self {
+            Self::Double(x) => {
+                let exact = Digits::try_from(x).unwrap_or_else(|_| panic!("{x} is no number"));
+                exact.with_precision(BITS).value()
+            }
+            Self::Kept(place) => KEPT.with_borrow(|kept| kept[place].clone()),
+        }
+    }
+
+    fn keep(digits: Digits) -> Self {
+        KEPT.with_borrow_mut(|kept| {
+            kept.push(digits);
+            Self::Kept(kept.len() - 1)
+        })
+    }
+
+    /// `(value − self)/unit`
+    pub fn distance(self, value: f64, unit: f64) -> f64 {
+        let difference = (Self::Double(value) - self).digits();
+        (difference / Self::Double(unit).digits()).to_f64().value()
+    }
+}
+
+macro_rules! operators {
+    ($($operator:ident $function:ident),*) => {
+        $(impl $operator for Precise {
+            type Output = Self;
+            fn $function(self, other: Self) -> Self {
+                Self::keep($operator::$function(self.digits(), other.digits()))
+            }
+        })*
+    };
+}
+
+operators!(Add add, Sub sub, Mul mul, Div div);
+
+impl AddAssign for Precise {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl SubAssign for Precise {
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+
+impl Neg for Precise {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::keep(-self.digits())
+    }
+}
+
+impl PartialEq for Precise {
+    fn eq(&self, other: &Self) -> bool {
+        self.digits() == other.digits()
+    }
+}
+
+impl PartialOrd for Precise {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        self.digits().partial_cmp(&other.digits())
+    }
+}
+
+impl Arithmetic for Precise {
+    type Base = Self;
+    type Bare = Self;
+
+    fn from_base(x: Self) -> Self {
+        x
+    }
+    fn bare(self) -> Self {
+        self
+    }
+    fn composed<const N: usize>(value: Self, _: [Self; N], _: [Self; N]) -> Self {
+        value
+    }
+    fn scale(self, factor: Self) -> Self {
+        self * factor
+    }
+    fn shift(self, term: Self) -> Self {
+        self + term
+    }
+    fn sqrt(self) -> Self {
+        Self::keep(self.digits().sqrt())
+    }
+    fn abs(self) -> Self {
+        if self < Self::zero() { -self } else { self }
+    }
+    fn max(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+    fn min(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+    fn choose(self, yes: Self, no: Self) -> Self {
+        if self > Self::zero() { yes } else { no }
+    }
+}
+
+impl Number for Precise {
+    type Pair = Two<Self>;
+    type Quad = Two<Two<Self>>;
+    const LARGEST: Self = Self::Double(f64::LARGEST);
+    const TINY: Self = Self::Double(f64::TINY);
+    const ROOT_TINY: Self = Self::Double(f64::ROOT_TINY);
+    const HUGE: Self = Self::Double(f64::HUGE);
+    const EPSILON: Self = Self::Double(f64::EPSILON);
+
+    fn value(self) -> Self {
+        self
+    }
+    fn map<const N: usize, const M: usize>(
+        map: &impl Map<Self, N, M>,
+        inputs: [Self; N],
+    ) -> [Self; M] {
+        map.value(inputs).0
+    }
+    fn exceeds(self, other: Self) -> bool {
+        self > other
+    }
+}
+
+impl Plain for Precise {
+    type Stored = Self;
+
+    fn of(x: f64) -> Self {
+        Self::Double(x)
+    }
+    fn stored(x: Self) -> Self {
+        x
+    }
+    fn binary_quotient(self, _: Self) -> (Self, Self) {
+        unreachable!("the logarithm of a quotient is computed without it")
+    }
+    fn ln_quotient(self, divisor: Self) -> Self {
+        (self / divisor).ln()
+    }
+    fn lies_between(self, low: Self, high: Self) -> bool {
+        self >= low && self <= high
+    }
+    fn lies_within(self, limit: Self) -> bool {
+        self.lies_between(Self::zero(), limit)
+    }
+    fn is_positive_number(self) -> bool {
+        self > Self::zero()
+    }
+}
+
+impl Elementary for Precise {
+    fn atan(self) -> Self {
+        Self::keep(self.digits().atan())
+    }
+    fn ln(self) -> Self {
+        Self::keep(self.digits().ln())
+    }
+    fn asinh(self) -> Self {
+        Self::keep(self.digits().asinh())
+    }
+}
+
+impl Float for Precise {
+    const ARTANH: &'static [Self] = &[];
+
+    fn widened(x: f32) -> Self {
+        Self::Double(x.into())
+    }
+    fn to_f64(self) -> f64 {
+        self.digits().to_f64().value()
+    }
+    fn is_finite_number(self) -> bool {
+        true
+    }
+    fn cube_root(self) -> Self {
+        Self::keep(self.digits().nth_root(3))
+    }
+    fn exp(self) -> Self {
+        Self::keep(self.digits().exp())
+    }
+    fn table<const N: usize, const P: usize>(
+        _: &'static [[[f32; 2]; P]; N],
+        double: &'static [[[f64; 2]; P]; N],
+    ) -> &'static [[[Self; 2]; P]; N] {
+        TABLES.with_borrow_mut(|tables| {
+            let table = *tables.entry(double.as_ptr().addr()).or_insert_with(|| {
+                let table: Box<[[[Self; 2]; P]; N]> = Box::new(double.each_ref().map(rows));
+                Box::leak(table)
+            });
+            table.downcast_ref().expect("one size at one address")
+        })
+    }
+}
+
+const fn rows<const N: usize, const M: usize>(table: &[[f64; M]; N]) -> [[Precise; M]; N] {
+    let mut copy = [[Precise::Double(0.0); M]; N];
+    let mut i = 0;
+    while i < N {
+        let mut j = 0;
+        while j < M {
+            copy[i][j] = Precise::Double(table[i][j]);
+            j += 1;
+        }
+        i += 1;
+    }
+    copy
+}
+
+/// The tables of double precision.
+impl Marched for Precise {
+    const STEPS: [Step<Self>; STEPS] = {
+        let table = <f64 as Marched>::STEPS;
+        let zero = Self::Double(0.0);
+        let mut steps = [Step {
+            x: zero,
+            length: zero,
+            square: zero,
+            turn: zero,
+            bound: zero,
+            inverse: zero,
+            inverse_square: zero,
+        }; STEPS];
+        let mut j = 0;
+        while j < STEPS {
+            let Step { x, length, square, turn, bound, inverse, inverse_square } = table[j];
+            steps[j] = Step {
+                x: Self::Double(x),
+                length: Self::Double(length),
+                square: Self::Double(square),
+                turn: Self::Double(turn),
+                bound: Self::Double(bound),
+                inverse: Self::Double(inverse),
+                inverse_square: Self::Double(inverse_square),
+            };
+            j += 1;
+        }
+        steps
+    };
+    const HIDDEN: [[Self; 20]; 13] = rows(&<f64 as Marched>::HIDDEN);
+    const HIDDEN_OFFSET: [Self; 20] = rows(&[<f64 as Marched>::HIDDEN_OFFSET])[0];
+    const OUTPUT: [[Self; 8]; 20] = rows(&<f64 as Marched>::OUTPUT);
+    const OUTPUT_OFFSET: [Self; 8] = rows(&[<f64 as Marched>::OUTPUT_OFFSET])[0];
+}
+
+const fn nodes<const N: usize>(table: &[Node<f64>]) -> [Node<Precise>; N] {
+    assert!(table.len() == N);
+    let mut copy = [(Precise::Double(0.0), Precise::Double(0.0)); N];
+    let mut i = 0;
+    while i < N {
+        copy[i] = (Precise::Double(table[i].0), Precise::Double(table[i].1));
+        i += 1;
+    }
+    copy
+}
+
+macro_rules! nodes {
+    ($table:expr) => {{
+        const COUNT: usize = $table.len();
+        const NODES: [Node<Precise>; COUNT] = nodes($table);
+        &NODES
+    }};
+}
+
+macro_rules! strip_rule {
+    ($i:literal) => {{
+        const RULE: StripRule<f64> = <f64 as Tabulated>::STRIPS[$i];
+        StripRule { slide: nodes!(RULE.slide), stick: nodes!(RULE.stick), split: RULE.split }
+    }};
+}
+
+/// The tables of double precision.
+impl Tabulated for Precise {
+    const GAUSS_2: &'static [Node<Self>] = nodes!(<f64 as Tabulated>::GAUSS_2);
+    const GAUSS_8: &'static [Node<Self>] = nodes!(<f64 as Tabulated>::GAUSS_8);
+    const GAUSS_16: &'static [Node<Self>] = nodes!(<f64 as Tabulated>::GAUSS_16);
+    const STRIPS: [StripRule<Self>; 5] =
+        [strip_rule!(0), strip_rule!(1), strip_rule!(2), strip_rule!(3), strip_rule!(4)];
+}
