@@ -52,8 +52,7 @@ pub fn evaluate<F: Precision>(
     evaluate_inline(contact, creepage, options, wanted)
 }
 
-/// [`evaluate`] in the caller's own code: a solution that goes through memory once more, in pieces of other sizes, is
-/// waited for.
+/// [`evaluate`] in the caller's own code, as [`model::solve_inline`].
 #[inline(always)]
 pub(crate) fn evaluate_inline<F: Precision>(
     contact: &Contact<F>,
@@ -100,7 +99,8 @@ pub fn leave_out<F: Precision>(solution: &mut Solution<F>, wanted: Wanted) {
 }
 
 /// (On a microcontroller its stack is free where all is wanted.)
-#[inline(never)]
+#[cfg_attr(target_os = "none", inline(never))]
+#[cfg_attr(not(target_os = "none"), inline(always))]
 fn some<F: Precision>(problem: &Problem<F>, wanted: Wanted) -> Solution<F> {
     if let Some(rest) = problem.at_rest() {
         return rest;

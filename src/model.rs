@@ -211,17 +211,23 @@ impl<'a, F: Precision> Problem<'a, F> {
         }
     }
 
-    /// (On a microcontroller the other models do not share its stack.)
-    #[cfg_attr(target_os = "none", inline(never))]
-    #[cfg_attr(not(target_os = "none"), inline(always))]
+    /// (A function of its own: on a microcontroller the other models do not share its stack, elsewhere not its
+    /// registers.)
+    #[inline(never)]
     fn total_force<T: Real<Base = F>, const MOMENT: bool>(
         &self,
         parameters: &Parameters<T>,
     ) -> Totals<T> {
+        // (a microcontroller has them in flash once)
+        let linear = if cfg!(target_os = "none") {
+            self.linear_coefficients()
+        } else {
+            LinearCoefficients::at_inline(parameters.axis_ratio, parameters.poisson_ratio)
+        };
         let total::TotalForce { fx, fy, mz } = total::wanted_total::<T, MOMENT>(
             parameters.axis_ratio,
             parameters.poisson_ratio,
-            &self.linear_coefficients(),
+            &linear,
             parameters.normalised(),
         );
         Totals { fx, fy, mz, stick: -T::one() }
@@ -511,8 +517,10 @@ pub fn solve_strip<F: Precision>(
     solve_inline(contact, creepage, &Options { model: Model::Strip, strips })
 }
 
+/// [`solve`] in the caller's own code: a solution that goes through memory once more, in pieces of other sizes, is
+/// waited for.
 #[inline(always)]
-fn solve_inline<F: Precision>(
+pub(crate) fn solve_inline<F: Precision>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,
