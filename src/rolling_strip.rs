@@ -890,10 +890,10 @@ impl<F: Float + Marched> RollingStrips<F> {
             let turn = Turn::new(&spin, &bias, step);
             strips.offer(&turn, step);
             strips.cut();
-            strips.note(cuts.iter_mut().filter_map(|cuts| cuts.get_mut(j)));
             if STICK {
                 strips.adhere(step);
             }
+            strips.note(cuts.iter_mut().filter_map(|cuts| cuts.get_mut(j)));
         }
         let mut forces = [Slopes::<F::Pair>::start(); H];
         for (forces, cuts) in forces.iter_mut().zip(&cuts) {
@@ -1293,10 +1293,10 @@ where
         let spin = Turn::new(&spin, &bias, step);
         strips.offer(&spin, step);
         strips.cut();
-        strips.add(&spin, step);
         if STICK {
             strips.adhere(step);
         }
+        strips.add(&spin, step);
     }
     strips.end::<STICK>(&bias)
 }
@@ -1391,9 +1391,10 @@ where
     #[inline(always)]
     fn note<'b>(&mut self, cuts: impl Iterator<Item = &'b mut Tried<T>>) {
         let states = self.px.iter_mut().zip(&mut self.py).zip(self.kept.iter().zip(&self.trial));
-        for (((px, py), (kept, trial)), cut) in states.zip(cuts) {
-            *cut = Tried { p: [*px, *py], kept: *kept, trial: *trial };
-            (*px, *py) = (*px * *kept, *py * *kept);
+        for ((((px, py), (m, q)), reached), cut) in states.zip(&mut self.reached).zip(cuts) {
+            *cut = Tried { p: [*px, *py], kept: *m, trial: *q };
+            (*px, *py) = (*px * *m, *py * *m);
+            *reached = *q * (*m * *m);
         }
     }
 
@@ -1407,9 +1408,11 @@ where
     #[inline(always)]
     fn add(&mut self, spin: &Turn<impl PerStrip<T>>, step: &Step<T::Base>) {
         let states = self.px.iter_mut().zip(&mut self.py).zip(&self.kept).zip(&self.trial);
+        let states = states.zip(&mut self.reached).enumerate();
         let forces = self.fx.iter_mut().zip(&mut self.fy).zip(&mut self.mx);
-        for ((i, (((px, py), m), q)), ((fx, fy), mx)) in states.enumerate().zip(forces) {
+        for ((i, ((((px, py), m), q), reached)), ((fx, fy), mx)) in states.zip(forces) {
             let w = *q * (*m * *m);
+            *reached = w;
             (*px, *py) = (*px * *m, *py * *m);
             // twice B times traction/(μ Z) = r B + (p − r B)/(1 + R), without r B
             let half = (w * w).plus(1.0);
@@ -1420,16 +1423,15 @@ where
         }
     }
 
-    /// Share of the step that sticks: the bound is met between its ends.
+    /// Share of the step that sticks: the bound is met between its ends. (Before the state after the cut is there.)
     #[inline(always)]
     fn adhere(&mut self, step: &Step<T::Base>) {
-        let cuts = self.kept.iter().zip(&self.trial);
-        let sticks = self.stick.iter_mut().zip(&mut self.reached).zip(&mut self.last);
-        for (((stick, reached), last), (m, q)) in sticks.zip(cuts) {
+        let cuts = self.reached.iter().zip(&self.trial);
+        let sticks = self.stick.iter_mut().zip(&mut self.last);
+        for ((stick, last), (reached, q)) in sticks.zip(cuts) {
             let span = q.max(T::one()) - *reached;
             *last = (T::constant(1.04) - *reached) / span.plus(0.04);
             *stick += last.scale(step.length.times(0.5));
-            *reached = *q * (*m * *m);
         }
     }
 
