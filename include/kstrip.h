@@ -54,6 +54,10 @@
 /**
  * Strips that follow the slip, corrected to the slopes of Kalker's linear theory, for any spin:
  * forces, moment, stick area and fields. Mean error against CONTACT 0.7 % of mu N. The default.
+ *
+ * The moment is the weakest figure. On ellipses longer than wide, a/b > 5, that roll with hardly more than spin, it can have
+ * the wrong sign: by up to 0.02 mu N sqrt(ab) to a/b = 10 (with nu > 0.37), more beyond. The power then is as much below
+ * zero. KSTRIP_MODEL_TOTAL never gains energy.
  */
 #define KSTRIP_MODEL_STRIP 3
 

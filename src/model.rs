@@ -27,6 +27,9 @@ pub enum Model {
     Strip1967Continuous = 2,
     /// Strips that follow the slip, with the slopes of linear theory and any spin: forces, moment,
     /// stick area and fields. The recommended model.
+    ///
+    /// On ellipses longer than wide, `a/b > 5`, that roll with hardly more than spin, the moment can have the wrong
+    /// sign: by up to `0.02 μ N √(ab)` to `a/b = 10` (with `ν > 0.37`), more beyond. The power then is as much below zero.
     #[default]
     Strip = 3,
     /// Total forces and moment only: the most accurate and, of those with saturation, the cheapest.

@@ -128,6 +128,10 @@ pub const KSTRIP_MODEL_STRIP_1967_CONTINUOUS: i32 = 2;
 
 /// Strips that follow the slip, corrected to the slopes of Kalker's linear theory, for any spin:
 /// forces, moment, stick area and fields. Mean error against CONTACT 0.7 % of mu N. The default.
+///
+/// The moment is the weakest figure. On ellipses longer than wide, a/b > 5, that roll with hardly more than spin, it can have
+/// the wrong sign: by up to 0.02 mu N sqrt(ab) to a/b = 10 (with nu > 0.37), more beyond. The power then is as much below
+/// zero. KSTRIP_MODEL_TOTAL never gains energy.
 pub const KSTRIP_MODEL_STRIP: i32 = 3;
 /// Total forces and moment only, most accurate and cheapest; mean error against CONTACT 0.5 % of mu N.
 /// No strips, no field; adhesion is reported as -1 (unknown).
