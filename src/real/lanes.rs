@@ -34,7 +34,7 @@ macro_rules! lanes {
     (
         $lanes:ident, $register:ident, $float:ident, $count:literal, $splat:ident, $add:ident, $sub:ident, $mul:ident, $div:ident,
         $sqrt:ident, $max:ident, $min:ident, $xor:ident, $andnot:ident, $compare:ident, $blend:ident, $mask:ident,
-        |$x:ident| $inverse_root:expr
+        |$x:ident| $inverse_root:expr, { $($special:item)* }
     ) => {
         // SAFETY (of this whole macro): arithmetic on registers, no memory access; with AVX, see above. The
         // registers have the layout of arrays.
@@ -103,6 +103,7 @@ macro_rules! lanes {
                 let $x = self;
                 $inverse_root
             }
+            $($special)*
             #[inline(always)]
             fn abs(self) -> Self {
                 Self(unsafe { $andnot($splat(-0.0), self.0) })
@@ -224,12 +225,34 @@ lanes!(
     _mm256_blendv_pd,
     _mm256_movemask_pd,
     |x| {
-        // as `pairs::inverse_root_f64`
         let y = Self(unsafe {
             let root = _mm_sqrt_ps(_mm256_cvtpd_ps(x.0));
             _mm256_cvtps_pd(_mm_div_ps(_mm_set1_ps(NEWTON_START), root))
         });
-        y * (Self::of(NEWTON) - x * (y * y))
+        x.newton(y)
+    },
+    {
+        /// Root and quotient of eight numbers at once: they take as long as those of four.
+        #[inline(always)]
+        fn inverse_roots<const N: usize>(mut numbers: [Self; N]) -> [Self; N] {
+            let mut couples = numbers.chunks_exact_mut(2);
+            for couple in &mut couples {
+                if let [a, b] = couple {
+                    let (first, second) = unsafe {
+                        let x = _mm256_set_m128(_mm256_cvtpd_ps(b.0), _mm256_cvtpd_ps(a.0));
+                        let y = _mm256_div_ps(_mm256_set1_ps(NEWTON_START), _mm256_sqrt_ps(x));
+                        let (low, high) =
+                            (_mm256_castps256_ps128(y), _mm256_extractf128_ps::<1>(y));
+                        (_mm256_cvtps_pd(low), _mm256_cvtps_pd(high))
+                    };
+                    (*a, *b) = (a.newton(Self(first)), b.newton(Self(second)));
+                }
+            }
+            for single in couples.into_remainder() {
+                *single = single.inverse_root();
+            }
+            numbers
+        }
     }
 );
 lanes!(
@@ -250,5 +273,14 @@ lanes!(
     _mm256_cmp_ps,
     _mm256_blendv_ps,
     _mm256_movemask_ps,
-    |x| Self::one() / x.sqrt()
+    |x| Self::one() / x.sqrt(),
+    {}
 );
+
+impl F64x4 {
+    /// `1/√x` from that of single precision times `2^(−1/3)`, as `pairs::inverse_root_f64`.
+    #[inline(always)]
+    fn newton(self, y: Self) -> Self {
+        y * (Self::of(NEWTON) - self * (y * y))
+    }
+}
