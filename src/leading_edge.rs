@@ -328,7 +328,7 @@ impl<P: Arithmetic> StripFamily<P> {
         self.xi - self.slope * y
     }
 
-    /// `κ = (|η| + ηψ)/(1 − ψ²)` of the strip with `ξ̄ = 0`, the shortest.
+    /// `κ = (|η| + ηψ)/(1 − ψ²)` of the strip with `ξ̄ = 0`, the shortest; (5.41), divided by the factor that both have.
     #[inline(always)]
     fn shortest_kappa(&self) -> P {
         let size = self.psi.abs();

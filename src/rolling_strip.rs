@@ -760,7 +760,7 @@ where
         }
     }
 
-    /// Groups of `G` strips: `H` quads, or with `H = 0` four numbers side by side.
+    /// Groups of `G` strips, as [`RollingStrips::group`] has them.
     #[inline(always)]
     fn sum_of_groups<const STICK: bool, const MOMENT: bool, const G: usize, const H: usize>(
         &self,

@@ -7,6 +7,10 @@ use kstrip::ffi::double::{kstrip_solve, kstrip_solve_batch, kstrip_solve_jacobia
 use kstrip::ffi::single::kstrip_solve_f32;
 use kstrip::ffi::types::*;
 use kstrip::ffi::types_f32::*;
+use kstrip::ffi::{
+    KSTRIP_MODEL_LINEAR as LINEAR, KSTRIP_MODEL_STRIP as STRIP,
+    KSTRIP_MODEL_STRIP_1967 as STRIP_1967, KSTRIP_MODEL_TOTAL as TOTAL,
+};
 use std::hint::black_box;
 use std::mem::MaybeUninit;
 
@@ -64,11 +68,6 @@ fn calls(model: i32, strips: i32) -> Calls {
         results: vec![MaybeUninit::uninit(); CALLS],
     }
 }
-
-const STRIP_1967: i32 = 1;
-const STRIP: i32 = 3;
-const TOTAL: i32 = 4;
-const LINEAR: i32 = 5;
 
 #[library_benchmark(setup = calls)]
 #[bench::strip_1967_8(STRIP_1967, 8)]
