@@ -17,11 +17,11 @@ mod random;
 #[path = "../tests/common/reference.rs"]
 mod reference;
 
-use kstrip::closed_form;
-use kstrip::creepage::Parameters;
-use kstrip::model::{Model, Precision};
-use kstrip::strip::SlidingRule;
-use kstrip::totals::{StripCount, StripTheory};
+use kstrip::contact::creepage::Parameters;
+use kstrip::solve::model::{Model, Precision};
+use kstrip::strip_1967::closed_form;
+use kstrip::strip_1967::strip::SlidingRule;
+use kstrip::strip_1967::totals::{StripCount, StripTheory};
 use lines::Lines;
 use peer_methods::*;
 use peers::fastsim::{Bound, Flexibility, Layout};
@@ -530,7 +530,7 @@ impl Report {
     fn quadrature(&mut self) -> Vec<(i32, [f64; 3])> {
         self.line("\n## Quadrature of STRIP_1967\n");
         self.line(
-            "The theory of 1967 has its total force in closed form (`kstrip::closed_form::force`). Distance of the sum over \
+            "The theory of 1967 has its total force in closed form (`kstrip::strip_1967::closed_form::force`). Distance of the sum over \
              strips from it, in μ N, for 10 000 random contacts: a/b 0.1 to 10, ν 0 to 0.5, |ξ| and |η| up to 1, η also \
              log-uniform down to 1e-12, |ψ| up to 0.95 (the same as in `tests/convergence.rs`). These are errors of the \
              summation only, far below those of the theory.\n",

@@ -2,10 +2,10 @@
 //! under `docs/figures/`: `cargo run --release --example figures`.
 
 use kstrip::contact::Contact;
-use kstrip::creepage::Parameters;
-use kstrip::model::{self, Field, Model, Options};
-use kstrip::strip::State;
-use kstrip::totals::StripCount;
+use kstrip::contact::creepage::Parameters;
+use kstrip::solve::model::{self, Field, Model, Options};
+use kstrip::strip_1967::strip::State;
+use kstrip::strip_1967::totals::StripCount;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use std::error::Error;

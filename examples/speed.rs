@@ -36,7 +36,7 @@ mod reference;
 mod together;
 
 use calls::{Family, Row, has_strips};
-use kstrip::model::Model;
+use kstrip::solve::model::Model;
 use lines::Lines;
 use pictures::*;
 use plot::Mark;

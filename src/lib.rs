@@ -9,19 +9,13 @@
 //!
 //! One road leads through the crate, in the direction in which the physics flows:
 //!
-//! 1. [`material`]: two elastic bodies become combined constants `G`, `ν`.
-//! 2. [`hertz`]: four radii and a load become the contact ellipse.
-//! 3. [`creepage`]: velocities become creepages and Kalker's parameters `ξ`, `η`, `ψ`.
-//! 4. [`strip`]: one strip, its adhesion length, traction, slip; [`leading_edge`]: which strips adhere.
-//! 5. [`totals`]: forces by quadrature over strips; [`closed_form`]: the same by primitives.
-//! 6. [`coefficients`], [`rolling_strip`], [`total`]: beyond 1967, with the slopes of Kalker's linear
-//!    theory, strips that follow the slip, and calibrated total forces.
-//! 7. [`model`]: contact and creepage to forces, derivatives, strips and fields, for every model.
-//! 8. [`derivatives`]: with respect to load and friction as well. [`friction`]: friction that falls with the slip.
-//!    [`rig`]: from a measured force to friction, from a wanted force to creepage.
-//!    [`evaluate`]: only what is wanted.
-//! 9. [`patch`], [`kik_piotrowski`], [`patch_solver`], [`patch_friction`]: a patch of any shape as its strips.
-//! 10. [`ffi`]: all of it for C (`include/kstrip.h`).
+//! 1. [`contact`]: two bodies, their elastic constants, Hertz's ellipse, creepages from velocities.
+//! 2. [`linear`]: Kalker's coefficients and his linear theory.
+//! 3. [`strip_1967`]: the theory of the paper. [`strip`]: strips that follow the slip. [`total`]: total forces.
+//! 4. [`solve`]: contact, creepage and what is wanted to results and derivatives, for every model. [`batch`]: many at once.
+//! 5. [`patch`]: a patch of any shape as its strips. [`friction`]: friction that falls with the slip. [`rig`]: from a
+//!    measured force to friction, from a wanted force to creepage.
+//! 6. [`number`]: what formulas are written in. [`ffi`]: all of it for C (`include/kstrip.h`).
 //!
 //! # Frame and signs
 //!
@@ -38,7 +32,7 @@
 //!
 //! A wheel of 0.46 m radius on a rail head of 0.30 m, 80 kN, 0.1 % longitudinal creepage:
 //! ```
-//! use kstrip::{contact::Contact, creepage::Creepage, hertz, material, model};
+//! use kstrip::{contact::Contact, contact::creepage::Creepage, contact::hertz, contact::material, solve::model};
 //! let steel = material::Material { shear_modulus: 82e9, poisson_ratio: 0.28 };
 //! let pair = material::combine(&steel, &steel)?;
 //! let radii = hertz::Radii {
@@ -59,36 +53,18 @@
 #![deny(missing_docs, unsafe_code)]
 
 pub mod batch;
-pub mod closed_form;
-pub mod coefficients;
 pub mod contact;
-pub mod creepage;
-pub mod derivatives;
-pub mod dual;
-mod elliptic;
-pub mod evaluate;
 pub mod ffi;
-pub mod field;
 pub mod friction;
-pub mod hertz;
-pub mod kik_piotrowski;
-pub mod leading_edge;
-pub mod material;
-pub mod model;
-mod panels;
+pub mod linear;
+pub mod number;
 pub mod patch;
-pub mod patch_friction;
-pub mod patch_solver;
-pub mod quadrature;
-pub mod real;
 pub mod rig;
-pub mod rolling_strip;
+pub mod solve;
 pub mod status;
 pub mod strip;
+pub mod strip_1967;
 pub mod total;
-pub mod totals;
-#[cfg(target_arch = "x86_64")]
-mod wide;
 
 /// A library without `std` needs a panic handler; nothing reaches it.
 ///

@@ -4,7 +4,7 @@
 mod random;
 
 use kstrip::contact::Contact;
-use kstrip::creepage::Parameters;
+use kstrip::contact::creepage::Parameters;
 use kstrip::ffi::batch::*;
 use kstrip::ffi::double::{kstrip_solve, kstrip_solve_batch};
 use kstrip::ffi::single::{kstrip_solve_batch_f32, kstrip_solve_f32};

@@ -10,17 +10,17 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use core::mem::{offset_of, size_of};
 use header::{Declared, Structure};
 use kstrip::contact::Contact;
-use kstrip::creepage::{Creepage, Parameters};
+use kstrip::contact::creepage::{Creepage, Parameters};
 use kstrip::ffi::types_f32::*;
 use kstrip::ffi::{self, batch::*, derivatives::*, friction::*, patch_types::*, rig::*, types::*};
 use kstrip::friction::SlipFriction;
-use kstrip::kik_piotrowski::ProfileContact;
-use kstrip::model::{self, Field, Model, Options, StripResult};
 use kstrip::patch::Patch;
-use kstrip::patch_solver::{self, PatchField};
+use kstrip::patch::kik_piotrowski::ProfileContact;
+use kstrip::patch::solver::{self, PatchField};
+use kstrip::solve::model::{self, Field, Model, Options, StripResult};
 use kstrip::status::Notice;
-use kstrip::strip::State;
-use kstrip::totals::StripCount;
+use kstrip::strip_1967::strip::State;
+use kstrip::strip_1967::totals::StripCount;
 use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;
 use toolchain::{
@@ -445,7 +445,7 @@ fn worn_profiles_touch_in_two_zones() {
         };
         let motion =
             Creepage { longitudinal: longitudinal / 100.0, lateral: lateral / 100.0, spin };
-        let exact = patch_solver::solve(patch, &motion, Model::Strip).expect("forces");
+        let exact = solver::solve(patch, &motion, Model::Strip).expect("forces");
         assert_printed(fx, exact.fx, 3, "Fx");
         assert_printed(fy, exact.fy, 3, "Fy");
         assert_printed(mz, exact.mz, 4, "Mz");
@@ -493,7 +493,7 @@ fn worn_profiles_touch_in_two_zones() {
 fn wheelset_growth(speed: f64) -> f64 {
     let (mass, inertia, lateral, yaw) = (1800.0, 1100.0, 400e3, 3e6);
     let (radius, half_gauge, conicity) = (0.46, 0.75, 0.1);
-    let linear = kstrip::coefficients::LinearCoefficients::at(CONTACT.a / CONTACT.b, 0.28);
+    let linear = kstrip::linear::LinearCoefficients::at(CONTACT.a / CONTACT.b, 0.28);
     let Contact { a, b, shear_modulus: g, .. } = CONTACT;
     let f11 = g * a * b * linear.c11;
     let f22 = g * a * b * linear.c22;

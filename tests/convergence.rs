@@ -1,9 +1,9 @@
 //! Quadrature over strips against the closed form (7.1).
 
-use kstrip::closed_form;
-use kstrip::creepage::Parameters;
-use kstrip::strip::SlidingRule;
-use kstrip::totals::{StripCount, StripTheory};
+use kstrip::contact::creepage::Parameters;
+use kstrip::strip_1967::closed_form;
+use kstrip::strip_1967::strip::SlidingRule;
+use kstrip::strip_1967::totals::{StripCount, StripTheory};
 
 #[path = "common/random.rs"]
 mod random;

@@ -6,11 +6,11 @@ mod header;
 mod toolchain;
 
 use kstrip::contact::Contact;
-use kstrip::creepage::Creepage;
-use kstrip::derivatives;
+use kstrip::contact::creepage::Creepage;
+use kstrip::contact::hertz::{Radii, hertz};
 use kstrip::friction::{self, SlipFriction};
-use kstrip::hertz::{Radii, hertz};
-use kstrip::model::{self, Options};
+use kstrip::solve::derivatives;
+use kstrip::solve::model::{self, Options};
 use std::f64::consts::PI;
 use toolchain::{cpp_compilers, root, run_cpp, say, scratch};
 
@@ -165,7 +165,7 @@ fn layouts_defaults_and_statuses_are_those_of_c() {
         same(format!("static_cast<int>(kstrip::{class}::{member})"), name.clone());
     }
     program.push_str(
-        "int main()\n{\n    kstrip::options o{kstrip::model::linear, 4};\n    \
+        "int main()\n{\n    kstrip::options o{kstrip::solve::model::linear, 4};\n    \
          if (kstrip::is_error(kstrip::init(o))) return 1;\n    \
          std::printf(\"%d\\n\", o.model == kstrip::options{}.model && o.strips == kstrip::options{}.strips);\n}\n",
     );

@@ -6,7 +6,7 @@ mod random;
 mod theory;
 
 use kstrip::contact::Contact;
-use kstrip::creepage::{Creepage, Parameters, SurfaceVelocity};
+use kstrip::contact::creepage::{Creepage, Parameters, SurfaceVelocity};
 use kstrip::status::Error;
 use random::Random;
 use std::f64::consts::PI;
@@ -153,7 +153,9 @@ fn braked_wheel_is_held_back() {
     let c = theory::contact(1.0, 0.28);
     let motion =
         Creepage::from_velocities(&at(-20.0, 0.0, 0.0), &at(-19.98, 0.0, 0.0), 20.0).unwrap();
-    let on_rail = kstrip::model::solve(&c, &motion, &kstrip::model::Options::default()).unwrap();
+    let on_rail =
+        kstrip::solve::model::solve(&c, &motion, &kstrip::solve::model::Options::default())
+            .unwrap();
     assert!(on_rail.fx > 0.0 && on_rail.power > 0.0);
     let on_wheel = on_rail.on_upper_body();
     assert_eq!((on_wheel.fx, on_wheel.power), (-on_rail.fx, on_rail.power));

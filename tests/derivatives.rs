@@ -8,13 +8,13 @@ mod single;
 mod theory;
 
 use kstrip::contact::Contact;
-use kstrip::creepage::Creepage;
-use kstrip::derivatives::{self, Derivatives};
+use kstrip::contact::creepage::Creepage;
 use kstrip::ffi::derivatives::*;
 use kstrip::ffi::double::*;
 use kstrip::ffi::types::*;
-use kstrip::model::{self, Model, Options};
-use kstrip::totals::StripCount;
+use kstrip::solve::derivatives::{self, Derivatives};
+use kstrip::solve::model::{self, Model, Options};
+use kstrip::strip_1967::totals::StripCount;
 use random::Random;
 use theory::{COUNTS, MODELS, contact, options};
 

@@ -6,15 +6,15 @@ mod random;
 mod theory;
 
 use kstrip::contact::Contact;
-use kstrip::creepage::Creepage;
+use kstrip::contact::creepage::Creepage;
 use kstrip::ffi;
 use kstrip::ffi::friction::*;
 use kstrip::ffi::types::*;
 use kstrip::ffi::types_f32::*;
 use kstrip::friction::{self, SlipFriction};
-use kstrip::model::{self, Model, Options};
+use kstrip::solve::model::{self, Model, Options};
 use kstrip::status::{Error, Notice};
-use kstrip::totals::StripCount;
+use kstrip::strip_1967::totals::StripCount;
 use random::Random;
 use std::mem::MaybeUninit;
 use theory::{contact, options};

@@ -98,10 +98,10 @@ fn inputs_of_a_fuzzer_replay() {
 #[test]
 fn what_was_found_stays_repaired() {
     use kstrip::contact::Contact;
-    use kstrip::creepage::Creepage;
-    use kstrip::model::{Field, Model, Options, solve, solve_jacobian};
+    use kstrip::contact::creepage::Creepage;
+    use kstrip::solve::model::{Field, Model, Options, solve, solve_jacobian};
     use kstrip::status::Error;
-    use kstrip::totals::StripCount;
+    use kstrip::strip_1967::totals::StripCount;
 
     let contact = |a, b, normal_force, shear_modulus, friction| Contact {
         a,
@@ -158,12 +158,12 @@ fn what_was_found_stays_repaired() {
 #[test]
 fn what_every_function_found_stays_repaired() {
     use kstrip::contact::Contact;
-    use kstrip::creepage::Creepage;
-    use kstrip::model::{Model, Options, solve, solve_jacobian, strips};
+    use kstrip::contact::creepage::Creepage;
     use kstrip::patch::{Patch, PatchView, QuadratureScale};
     use kstrip::rig::{Measured, estimate_friction};
+    use kstrip::solve::model::{Model, Options, solve, solve_jacobian, strips};
     use kstrip::status::Error;
-    use kstrip::totals::StripCount;
+    use kstrip::strip_1967::totals::StripCount;
 
     let wheel = Contact {
         a: 3.6e-3,

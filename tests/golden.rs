@@ -14,18 +14,20 @@ mod single;
 mod toolchain;
 
 use kstrip::contact::Contact;
-use kstrip::creepage::Creepage;
-use kstrip::evaluate::{Wanted, evaluate, evaluate_jacobian};
-use kstrip::field::FieldPoint;
+use kstrip::contact::creepage::Creepage;
 use kstrip::friction::{self, SlipFriction};
-use kstrip::kik_piotrowski::ProfileContact;
-use kstrip::model::{self, Field, Jacobian, Model, Options, Precision, Solution, StripResult};
+use kstrip::patch::kik_piotrowski::ProfileContact;
+use kstrip::patch::solver::{self, PatchField};
 use kstrip::patch::{Patch, PatchStrip};
-use kstrip::patch_solver::{self, PatchField};
 use kstrip::rig::{Measured, creepage_for_force, estimate_friction};
+use kstrip::solve::evaluate::{Wanted, evaluate, evaluate_jacobian};
+use kstrip::solve::field::FieldPoint;
+use kstrip::solve::model::{
+    self, Field, Jacobian, Model, Options, Precision, Solution, StripResult,
+};
 use kstrip::status::{Error, Notice};
-use kstrip::totals::StripCount;
-use kstrip::{patch_friction, strip::State};
+use kstrip::strip_1967::totals::StripCount;
+use kstrip::strip_1967::strip::State;
 use std::process::Command;
 use toolchain::{root, run_c_with, say};
 
@@ -283,10 +285,10 @@ impl<F: Bits> Case<'_, F> {
             let PatchStrip { y, width, half_length, centre_x, peak_pressure, friction } = *s;
             hash.add(&[y, width, half_length, centre_x, peak_pressure, friction]);
         }
-        hash.result(patch_solver::solve(&view, creepage, *model));
-        hash.jacobian(patch_solver::solve_jacobian(&view, creepage, *model));
+        hash.result(solver::solve(&view, creepage, *model));
+        hash.jacobian(solver::solve_jacobian(&view, creepage, *model));
         let mut strips = Vec::new();
-        let status = patch_solver::strips(&view, creepage, *model, &mut |s| strips.push(s));
+        let status = solver::strips(&view, creepage, *model, &mut |s| strips.push(s));
         hash.strips(status.map_or_else(Error::code, Notice::code), &strips);
         for s in view.strips().iter().step_by(3) {
             let x = s.centre_x - s.half_length / F::of(4.0);
@@ -317,12 +319,12 @@ impl<F: Bits> Case<'_, F> {
         }
         let Some(patch) = patch else { return };
         let view = patch.view().expect("as it was built");
-        let found = patch_friction::solve(&view, creepage, &law, options.model);
+        let found = kstrip::patch::friction::solve(&view, creepage, &law, options.model);
         hash.result(found.map(|found| found.solution));
         hash.add(found.map_or_else(|_| vec![], |found| vec![found.share]).as_slice());
-        let found = patch_friction::solve_jacobian(&view, creepage, &law, options.model);
+        let found = kstrip::patch::friction::solve_jacobian(&view, creepage, &law, options.model);
         hash.jacobian(found.map(|(found, jacobian)| (found.solution, jacobian)));
-        let share = patch_friction::friction_share(&view, creepage, &law, options.model);
+        let share = kstrip::patch::friction::friction_share(&view, creepage, &law, options.model);
         if let Ok((share, _)) = share {
             let under = patch.clone().under(share, law.slope_factor);
             let s = under.strips[under.strips.len() / 2];

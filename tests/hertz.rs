@@ -1,6 +1,6 @@
 //! The contact ellipse against numbers computed outside with 60 digits, and published tables.
 
-use kstrip::hertz::{HertzContact, Radii, hertz};
+use kstrip::contact::hertz::{HertzContact, Radii, hertz};
 use kstrip::status::Error;
 use std::f64::consts::PI;
 

@@ -6,10 +6,10 @@ mod random;
 mod theory;
 
 use kstrip::contact::Contact;
-use kstrip::creepage::Creepage;
-use kstrip::model::{self, Field, Model};
-use kstrip::strip::State;
-use kstrip::totals::StripCount;
+use kstrip::contact::creepage::Creepage;
+use kstrip::solve::model::{self, Field, Model};
+use kstrip::strip_1967::strip::State;
+use kstrip::strip_1967::totals::StripCount;
 use proptest::prelude::*;
 use random::Random;
 use std::f64::consts::PI;

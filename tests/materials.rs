@@ -1,7 +1,7 @@
 //! Combined elastic constants (2.6), (4.3).
 
 use approx::assert_relative_eq;
-use kstrip::material::{Material, combine};
+use kstrip::contact::material::{Material, combine};
 use kstrip::status::Error;
 use proptest::prelude::*;
 

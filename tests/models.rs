@@ -4,15 +4,15 @@
 #[path = "common/random.rs"]
 mod random;
 
-use kstrip::coefficients::LinearCoefficients;
 use kstrip::contact::Contact;
-use kstrip::creepage::Creepage;
-use kstrip::model::{
+use kstrip::contact::creepage::Creepage;
+use kstrip::linear::LinearCoefficients;
+use kstrip::solve::model::{
     self, Field, Jacobian, Model, Options, Precision, Solution, StripResult, solve,
 };
 use kstrip::status::{Error, Notice};
-use kstrip::strip::State;
-use kstrip::totals::StripCount;
+use kstrip::strip_1967::strip::State;
+use kstrip::strip_1967::totals::StripCount;
 use proptest::prelude::*;
 use random::Random;
 use rstest::rstest;

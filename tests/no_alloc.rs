@@ -1,11 +1,11 @@
 //! Nothing in the library allocates: an allocator that counts sees nothing.
 
 use kstrip::contact::Contact;
-use kstrip::creepage::Creepage;
-use kstrip::hertz::{Radii, hertz};
-use kstrip::material::{Material, combine};
-use kstrip::model::{Field, Model, Options, solve, solve_jacobian, strips};
-use kstrip::totals::StripCount;
+use kstrip::contact::creepage::Creepage;
+use kstrip::contact::hertz::{Radii, hertz};
+use kstrip::contact::material::{Material, combine};
+use kstrip::solve::model::{Field, Model, Options, solve, solve_jacobian, strips};
+use kstrip::strip_1967::totals::StripCount;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::hint::black_box;

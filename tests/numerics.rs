@@ -3,14 +3,14 @@
 //!
 //! `cargo test --test numerics -- --nocapture` prints the table of that page.
 
-use kstrip::closed_form;
 use kstrip::contact::Contact;
-use kstrip::creepage::Parameters;
-use kstrip::hertz::{Radii, hertz};
-use kstrip::model::{Model, Options, solve_jacobian};
-use kstrip::real::Float;
-use kstrip::strip::adhesion_length;
-use kstrip::totals::StripCount;
+use kstrip::contact::creepage::Parameters;
+use kstrip::contact::hertz::{Radii, hertz};
+use kstrip::number::Float;
+use kstrip::solve::model::{Model, Options, solve_jacobian};
+use kstrip::strip_1967::closed_form;
+use kstrip::strip_1967::strip::adhesion_length;
+use kstrip::strip_1967::totals::StripCount;
 use std::collections::BTreeMap;
 
 struct Row {
@@ -44,7 +44,7 @@ fn ulps(value: f64, exact: (f64, f64), scale: f64, epsilon: f64) -> f64 {
 }
 
 /// Errors of one row in one precision.
-fn errors<F: Float + kstrip::model::Precision>(row: &Row) -> Vec<f64> {
+fn errors<F: Float + kstrip::solve::model::Precision>(row: &Row) -> Vec<f64> {
     let input = |i: usize| F::of(row.inputs[i]);
     let epsilon = F::EPSILON.to_f64();
     let [r0, r1, r2, _] = row.results;

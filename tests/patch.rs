@@ -10,14 +10,14 @@ mod theory;
 
 use approx::assert_relative_eq;
 use kstrip::contact::Contact;
-use kstrip::creepage::Creepage;
-use kstrip::hertz::{Radii, hertz};
-use kstrip::kik_piotrowski::{Indentation, Profile, ProfileContact};
-use kstrip::model::{self, Model, Solution};
+use kstrip::contact::creepage::Creepage;
+use kstrip::contact::hertz::{Radii, hertz};
+use kstrip::patch::kik_piotrowski::{Indentation, Profile, ProfileContact};
+use kstrip::patch::solver::{self, PatchField};
 use kstrip::patch::{Patch, PatchStrip, PatchView, QuadratureScale};
-use kstrip::patch_solver::{self, PatchField};
+use kstrip::solve::model::{self, Model, Solution};
 use kstrip::status::{Error, Notice};
-use kstrip::totals::StripCount;
+use kstrip::strip_1967::totals::StripCount;
 use patches::{Comparison, Full, irregular, motion};
 use random::Random;
 use std::f64::consts::PI;
@@ -26,12 +26,12 @@ use theory::{COUNTS, MODELS, contact, creepage, options};
 const WITH_STRIPS: [Model; 3] = [Model::Strip1967, Model::Strip1967Continuous, Model::Strip];
 
 fn solve(patch: &Full, motion: &Creepage<f64>, model: Model) -> Solution<f64> {
-    patch_solver::solve(&patch.view().unwrap(), motion, model).unwrap()
+    solver::solve(&patch.view().unwrap(), motion, model).unwrap()
 }
 
 fn jacobian(patch: &Full, motion: &Creepage<f64>, model: Model) -> [[f64; 3]; 3] {
     let view = patch.view().unwrap();
-    let (_, j) = patch_solver::solve_jacobian(&view, motion, model).unwrap();
+    let (_, j) = solver::solve_jacobian(&view, motion, model).unwrap();
     std::array::from_fn(|i| std::array::from_fn(|k| j[(i, k)]))
 }
 
@@ -128,7 +128,7 @@ fn irregular_patches_keep_the_bounds() {
         let power = found.fx * motion.longitudinal + found.fy * motion.lateral;
         assert_relative_eq!(found.power, power + found.mz * motion.spin, max_relative = 1e-12);
         let (mut fx, mut fy, mut mz, mut sum, mut number) = (0.0, 0.0, 0.0, 0.0, 0);
-        patch_solver::strips(&view, &motion, model, &mut |strip| {
+        solver::strips(&view, &motion, model, &mut |strip| {
             fx += strip.fx;
             fy += strip.fy;
             mz += strip.mz;
@@ -321,7 +321,7 @@ fn strips_without_friction_or_load() {
             assert!([found.fx, found.fy, found.mz].iter().all(|x| x.is_finite()));
             let mut carried = f64::NAN;
             let mut at = 0;
-            patch_solver::strips(&patch.view().unwrap(), &motion, model, &mut |strip| {
+            solver::strips(&patch.view().unwrap(), &motion, model, &mut |strip| {
                 if at == number {
                     carried = strip.fx.abs() + strip.fy.abs();
                 }
@@ -472,7 +472,7 @@ fn single_precision() {
         };
         // the sliding rule of the paper jumps: a strip on the other side of its jump is no error
         let model = [Model::Strip1967Continuous, Model::Strip][i % 2];
-        let found = patch_solver::solve(&single.view().unwrap(), &slow, model).unwrap();
+        let found = solver::solve(&single.view().unwrap(), &slow, model).unwrap();
         let wanted = solve(&patch, &motion, model);
         let unit = patch.view().unwrap().friction_bound();
         if wanted.notice == Notice::SpinBeyondTheory {
@@ -482,7 +482,7 @@ fn single_precision() {
         assert!((f64::from(found.fy) - wanted.fy).abs() < 3e-5 * unit, "{found:?} {wanted:?}");
         assert!((f64::from(found.mz) - wanted.mz).abs() < 1e-6 * unit, "{found:?} {wanted:?}");
         let view = single.view().unwrap();
-        let (_, slopes) = patch_solver::solve_jacobian(&view, &slow, model).unwrap();
+        let (_, slopes) = solver::solve_jacobian(&view, &slow, model).unwrap();
         assert!(slopes.iter().all(|slope| slope.is_finite()));
     }
 }
@@ -516,7 +516,7 @@ fn hard_inputs() {
             continue;
         };
         let view = patch.view().unwrap();
-        match patch_solver::solve(&view, &motion, model) {
+        match solver::solve(&view, &motion, model) {
             Ok(found) => {
                 answers += 1;
                 let numbers = [found.fx, found.fy, found.mz, found.power, found.adhesion];
@@ -529,7 +529,7 @@ fn hard_inputs() {
                 refusals += 1;
             }
         }
-        match patch_solver::solve_jacobian(&view, &motion, model) {
+        match solver::solve_jacobian(&view, &motion, model) {
             Ok((_, slopes)) => assert!(slopes.iter().all(|slope| slope.is_finite())),
             Err(error) => assert_eq!(error, Error::Overflow),
         }
@@ -616,13 +616,13 @@ fn bad_patches_are_named() {
     let view = patch.view().unwrap();
     let rest = Creepage::default();
     for model in [Model::Total, Model::Linear] {
-        assert_eq!(patch_solver::solve(&view, &rest, model), Err(Error::NotInModel));
+        assert_eq!(solver::solve(&view, &rest, model), Err(Error::NotInModel));
         assert!(PatchField::new(&view, &rest, model).is_err());
     }
     let bad = Creepage { spin: f64::NAN, ..rest };
-    assert_eq!(patch_solver::solve(&view, &bad, Model::Strip), Err(Error::NotFinite));
+    assert_eq!(solver::solve(&view, &bad, Model::Strip), Err(Error::NotFinite));
     let bad = Creepage { longitudinal: 1e308, ..rest };
-    assert_eq!(patch_solver::solve(&view, &bad, Model::Strip), Err(Error::Overflow));
+    assert_eq!(solver::solve(&view, &bad, Model::Strip), Err(Error::Overflow));
 }
 
 /// A parabola `y²/(2 R)` at `2 n + 1` points.

@@ -9,21 +9,21 @@ mod single;
 #[path = "common/theory.rs"]
 mod theory;
 
-use kstrip::creepage::Creepage;
-use kstrip::ffi::friction::*;
+use kstrip::contact::creepage::Creepage;
 use kstrip::ffi::patch::*;
+use kstrip::ffi::friction::*;
 use kstrip::ffi::patch_friction::*;
 use kstrip::ffi::patch_single::*;
 use kstrip::ffi::patch_types::*;
 use kstrip::ffi::types::*;
 use kstrip::ffi::types_f32::*;
 use kstrip::friction::{self, SlipFriction};
-use kstrip::model::{self, Model};
+use kstrip::patch::friction::{friction_share, solve, solve_jacobian};
+use kstrip::patch::solver::{self, PatchField};
 use kstrip::patch::{Patch, PatchStrip};
-use kstrip::patch_friction::{friction_share, solve, solve_jacobian};
-use kstrip::patch_solver::{self, PatchField};
+use kstrip::solve::model::{self, Model};
 use kstrip::status::{Error, Notice};
-use kstrip::totals::StripCount;
+use kstrip::strip_1967::totals::StripCount;
 use patches::{Comparison, Full, irregular, motion};
 use random::Random;
 use single::single;
@@ -95,8 +95,8 @@ fn constant_friction_is_the_plain_solution_to_the_bit() {
         let (patch, m) = (irregular(&mut random), motion(&mut random));
         let model = [Model::Strip, Model::Strip1967, Model::Strip1967Continuous][i % 3];
         let view = patch.view().unwrap();
-        let (plain, slopes) = patch_solver::solve_jacobian(&view, &m, model).unwrap();
-        let only = patch_solver::solve(&view, &m, model).unwrap();
+        let (plain, slopes) = solver::solve_jacobian(&view, &m, model).unwrap();
+        let only = solver::solve(&view, &m, model).unwrap();
         for law in [
             SlipFriction { ratio: 1.0, ..DRY },
             SlipFriction { decay: 0.0, ..DRY },
@@ -125,7 +125,7 @@ fn the_slipping_patch_has_the_friction_of_its_slip() {
         assert!(notice.code() <= found.solution.notice.code());
         let slipping = patch.clone().under(share, law.slope_factor);
         let slipping_view = slipping.view().unwrap();
-        let (s, again) = (found.solution, patch_solver::solve(&slipping_view, &m, model).unwrap());
+        let (s, again) = (found.solution, solver::solve(&slipping_view, &m, model).unwrap());
         let unit = view.friction_bound();
         assert!((s.fx - again.fx).abs() < 1e-11 * unit, "{s:?} {again:?}");
         assert!((s.fy - again.fy).abs() < 1e-11 * unit && (s.mz - again.mz).abs() < 1e-13 * unit);
@@ -138,7 +138,7 @@ fn the_slipping_patch_has_the_friction_of_its_slip() {
             assert!((share - own).abs() < 1e-10, "{share} {own} {law:?}");
         }
         let (mut fx, mut fy) = (0.0, 0.0);
-        patch_solver::strips(&slipping_view, &m, model, &mut |strip| {
+        solver::strips(&slipping_view, &m, model, &mut |strip| {
             fx += strip.fx;
             fy += strip.fy;
         })
@@ -184,11 +184,11 @@ fn slope_factor_stretches_the_creep_curve() {
         let scaled =
             Creepage { longitudinal: k * m.longitudinal, lateral: k * m.lateral, spin: k * m.spin };
         let found = solve(&view, &m, &law, model).unwrap().solution;
-        let wanted = patch_solver::solve(&view, &scaled, model).unwrap();
+        let wanted = solver::solve(&view, &scaled, model).unwrap();
         assert_eq!((found.fx, found.fy, found.mz), (wanted.fx, wanted.fy, wanted.mz));
         let rest = Creepage::default();
         let (_, soft) = solve_jacobian(&view, &rest, &law, model).unwrap();
-        let (_, clean) = patch_solver::solve_jacobian(&view, &rest, model).unwrap();
+        let (_, clean) = solver::solve_jacobian(&view, &rest, model).unwrap();
         assert!((soft[(0, 0)] / clean[(0, 0)] - k).abs() < 1e-12);
     }
 }

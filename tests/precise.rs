@@ -9,16 +9,16 @@ mod precise;
 #[path = "common/random.rs"]
 mod random;
 
-use kstrip::coefficients::LinearCoefficients;
 use kstrip::contact::Contact;
-use kstrip::creepage::{Creepage, Parameters};
-use kstrip::dual::Dual;
-use kstrip::model::{Model, Options, Precision, solve_jacobian};
-use kstrip::real::{Arithmetic, Float, Real};
-use kstrip::rolling_strip::{Placed, RollingStrips, StripGeometry, Uniform, march};
-use kstrip::strip::{SlidingRule, adhesion_length};
+use kstrip::contact::creepage::{Creepage, Parameters};
+use kstrip::linear::LinearCoefficients;
+use kstrip::number::dual::Dual;
+use kstrip::number::{Arithmetic, Float, Real};
+use kstrip::solve::model::{Model, Options, Precision, solve_jacobian};
+use kstrip::strip::{Placed, RollingStrips, StripGeometry, Uniform, march};
+use kstrip::strip_1967::strip::{SlidingRule, adhesion_length};
+use kstrip::strip_1967::totals::{StripCount, StripTheory};
 use kstrip::total::{TotalForce, total};
-use kstrip::totals::{StripCount, StripTheory};
 use precise::Precise;
 use random::Random;
 

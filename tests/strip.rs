@@ -5,7 +5,7 @@ mod random;
 #[path = "common/theory.rs"]
 mod theory;
 
-use kstrip::strip::{Regime, SlidingRule, State, Strip, adhesion_length};
+use kstrip::strip_1967::strip::{Regime, SlidingRule, State, Strip, adhesion_length};
 use random::Random;
 use std::f64::consts::PI;
 

@@ -6,12 +6,12 @@ mod random;
 mod theory;
 
 use kstrip::contact::Contact;
-use kstrip::creepage::Creepage;
-use kstrip::evaluate::{Wanted, evaluate};
+use kstrip::contact::creepage::Creepage;
 use kstrip::ffi;
 use kstrip::ffi::evaluate::*;
 use kstrip::ffi::types::*;
-use kstrip::model::{self, Model, Solution};
+use kstrip::solve::evaluate::{Wanted, evaluate};
+use kstrip::solve::model::{self, Model, Solution};
 use random::Random;
 use std::mem::MaybeUninit;
 use theory::{COUNTS, contact, options};

@@ -4,7 +4,7 @@
 use crate::peers::fastsim::{Bound, Flexibility, Grid, Layout};
 use crate::peers::{Input, Output, fastrip, fastsim};
 use crate::reference::{Answer, Case, CoefficientCase, Errors};
-use kstrip::coefficients::LinearCoefficients;
+use kstrip::linear::LinearCoefficients;
 
 /// The contact of a case as the other methods want it. For the cases of `open.csv` they get the
 /// linear coefficients that CONTACT itself computed, else those of the library.

@@ -3,7 +3,7 @@
 use crate::calls::{contact_f64, creepages_f64, median};
 use crate::clock;
 use kstrip::ffi::{double, types::*};
-use kstrip::model::Model;
+use kstrip::solve::model::Model;
 use std::hint::black_box;
 use std::mem::MaybeUninit;
 

@@ -2,7 +2,7 @@
 //! this machine.
 
 use crate::clock;
-use kstrip::model::Model;
+use kstrip::solve::model::Model;
 use std::hint::black_box;
 
 /// Numbers of operations, one number at a time.

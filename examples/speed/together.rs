@@ -5,7 +5,7 @@ use crate::clock;
 use kstrip::ffi::{
     KSTRIP_WANT_FORCES, batch::*, double, evaluate::*, single, types::*, types_f32::*,
 };
-use kstrip::model::Model;
+use kstrip::solve::model::Model;
 use std::cell::RefCell;
 use std::hint::black_box;
 use std::ptr::null_mut;

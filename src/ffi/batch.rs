@@ -4,10 +4,10 @@ use super::calls::OutArray;
 use super::{answer, arrays, checked_options, kstrip_status, types::kstrip_options};
 use crate::batch::{Problems, Solutions, evaluate_batch};
 use crate::contact::Contact;
-use crate::creepage::Creepage;
-use crate::evaluate::Wanted;
-use crate::model::{Precision, Solution};
-use crate::real::Float;
+use crate::contact::creepage::Creepage;
+use crate::number::Float;
+use crate::solve::evaluate::Wanted;
+use crate::solve::model::{Precision, Solution};
 use crate::status::{Error, Notice};
 use core::mem::MaybeUninit;
 

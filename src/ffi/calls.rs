@@ -3,14 +3,16 @@
 use super::{answer, checked_options, kstrip_status, types::kstrip_options};
 use crate::batch::{self, Problems, Solutions};
 use crate::contact::Contact;
-use crate::creepage::{Creepage, Parameters, SurfaceVelocity};
-use crate::field::FieldPoint;
-use crate::hertz::{self, HertzContact, Radii};
-use crate::material::{self, CombinedMaterial, Material};
-use crate::model::{self, Field, Jacobian, Model, Options, Precision, Solution, StripResult};
-use crate::real::Float;
+use crate::contact::creepage::{Creepage, Parameters, SurfaceVelocity};
+use crate::contact::hertz::{self, HertzContact, Radii};
+use crate::contact::material::{self, CombinedMaterial, Material};
+use crate::number::Float;
+use crate::solve::field::FieldPoint;
+use crate::solve::model::{
+    self, Field, Jacobian, Model, Options, Precision, Solution, StripResult,
+};
 use crate::status::{Error, Notice};
-use crate::totals::StripCount;
+use crate::strip_1967::totals::StripCount;
 use core::mem::MaybeUninit;
 
 pub(super) type Out<'a, T> = Option<&'a mut MaybeUninit<T>>;

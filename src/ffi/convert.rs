@@ -2,13 +2,13 @@
 
 use super::{types, types_f32};
 use crate::contact::Contact;
-use crate::creepage::{Creepage, SurfaceVelocity};
+use crate::contact::creepage::{Creepage, SurfaceVelocity};
+use crate::contact::hertz::{HertzContact, Radii};
+use crate::contact::material::{CombinedMaterial, Material};
 use crate::ffi::calls::UpperBody;
 use crate::ffi::{KSTRIP_STATE_SLIP, KSTRIP_STATE_STICK};
-use crate::field::FieldPoint;
-use crate::hertz::{HertzContact, Radii};
-use crate::material::{CombinedMaterial, Material};
-use crate::model::{Solution, StripResult};
+use crate::solve::field::FieldPoint;
+use crate::solve::model::{Solution, StripResult};
 
 /// `From` in both directions (`<->`) or out of the core (`<-`) between structures with the same fields.
 macro_rules! mirror {

@@ -5,9 +5,9 @@ use super::types::{kstrip_contact, kstrip_creepage, kstrip_options, kstrip_resul
 use super::types_f32::{kstrip_contact_f32, kstrip_creepage_f32, kstrip_result_f32};
 use super::{answer, arrays, checked_options, kstrip_status};
 use crate::contact::Contact;
-use crate::creepage::Creepage;
-use crate::derivatives::{self, Derivatives};
-use crate::model::{self, Precision, Solution};
+use crate::contact::creepage::Creepage;
+use crate::solve::derivatives::{self, Derivatives};
+use crate::solve::model::{self, Precision, Solution};
 use crate::status::{Error, Notice};
 use core::mem::MaybeUninit;
 use nalgebra::Vector3;

@@ -10,9 +10,9 @@ use super::{
     KSTRIP_WANT_STRIPS, answer, arrays, checked_options, kstrip_status,
 };
 use crate::contact::Contact;
-use crate::creepage::Creepage;
-use crate::evaluate::{self, Wanted};
-use crate::model::{Precision, Solution, StripResult};
+use crate::contact::creepage::Creepage;
+use crate::solve::evaluate::{self, Wanted};
+use crate::solve::model::{Precision, Solution, StripResult};
 use crate::status::Error;
 use core::mem::MaybeUninit;
 

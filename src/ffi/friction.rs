@@ -5,9 +5,9 @@ use super::types::{kstrip_contact, kstrip_creepage, kstrip_options, kstrip_resul
 use super::types_f32::{kstrip_contact_f32, kstrip_creepage_f32, kstrip_result_f32};
 use super::{answer, arrays, checked_options, kstrip_status};
 use crate::contact::Contact;
-use crate::creepage::Creepage;
+use crate::contact::creepage::Creepage;
 use crate::friction::{self, SlipFriction};
-use crate::model::{Precision, Solution};
+use crate::solve::model::{Precision, Solution};
 use core::mem::MaybeUninit;
 
 /// Friction that falls with the slip, friction ((1 - ratio) exp(-decay w) + ratio) with the sliding

@@ -4,15 +4,15 @@ use super::calls::{Out, OutArray, given, write_grid, write_rows};
 use super::patch_types::*;
 use super::{KSTRIP_PATCH_CAPACITY, answer, checked_options, kstrip_status, types::kstrip_options};
 use crate::contact::Contact;
-use crate::creepage::Creepage;
-use crate::field::FieldPoint;
-use crate::kik_piotrowski::{Indentation, ProfileContact};
-use crate::model::{Precision, Solution, StripResult};
+use crate::contact::creepage::Creepage;
+use crate::number::Float;
+use crate::patch::kik_piotrowski::{Indentation, ProfileContact};
+use crate::patch::solver::{self, PatchField};
 use crate::patch::{self, Patch, PatchStrip, PatchView, QuadratureScale};
-use crate::patch_solver::{self, PatchField};
-use crate::real::Float;
+use crate::solve::field::FieldPoint;
+use crate::solve::model::{Precision, Solution, StripResult};
 use crate::status::{Error, Notice};
-use crate::totals::StripCount;
+use crate::strip_1967::totals::StripCount;
 use core::mem::{MaybeUninit, offset_of};
 
 /// A patch that C stores.
@@ -314,7 +314,7 @@ where
     answer(|| {
         let (patch, creepage) = (given(patch)?, Creepage::from(*given(creepage)?));
         let (options, out) = (checked_options(options)?, given(out)?);
-        let solution = patch_solver::solve(&patch.view()?, &creepage, options.model)?;
+        let solution = solver::solve(&patch.view()?, &creepage, options.model)?;
         let notice = solution.notice;
         out.write(solution.into());
         Ok(notice)
@@ -335,7 +335,7 @@ where
         let (patch, creepage) = (given(patch)?, Creepage::from(*given(creepage)?));
         let (options, out, entries) = (checked_options(options)?, given(out)?, entries?);
         let (solution, jacobian) =
-            patch_solver::solve_jacobian(&patch.view()?, &creepage, options.model)?;
+            solver::solve_jacobian(&patch.view()?, &creepage, options.model)?;
         let notice = solution.notice;
         out.write(solution.into());
         write_rows(&jacobian, entries);
@@ -361,7 +361,7 @@ where
             return Err(Error::Capacity);
         }
         let mut places = out.iter_mut();
-        let notice = patch_solver::strips(&view, &creepage, options.model, &mut |strip| {
+        let notice = solver::strips(&view, &creepage, options.model, &mut |strip| {
             if let Some(place) = places.next() {
                 place.write(strip.into());
             }

@@ -7,10 +7,10 @@ use super::patch_types::{kstrip_patch, kstrip_patch_f32};
 use super::types::{kstrip_creepage, kstrip_options, kstrip_result};
 use super::types_f32::{kstrip_creepage_f32, kstrip_result_f32};
 use super::{answer, arrays, checked_options, kstrip_status};
-use crate::creepage::Creepage;
+use crate::contact::creepage::Creepage;
 use crate::friction::SlipFriction;
-use crate::model::Solution;
-use crate::patch_friction;
+use crate::patch::friction;
+use crate::solve::model::Solution;
 use core::mem::MaybeUninit;
 
 fn solve<P: Stored, K: Copy, L: Copy, R: From<Solution<P::Float>>>(
@@ -29,7 +29,7 @@ where
         let (patch, creepage) = (given(patch)?, Creepage::from(*given(creepage)?));
         let law = SlipFriction::from(*given(friction)?);
         let (options, out) = (checked_options(options)?, given(out)?);
-        let found = patch_friction::solve(&patch.view()?, &creepage, &law, options.model)?;
+        let found = friction::solve(&patch.view()?, &creepage, &law, options.model)?;
         out.write(found.solution.into());
         if let Some(share) = share {
             share.write(found.share);
@@ -56,7 +56,7 @@ where
         let law = SlipFriction::from(*given(friction)?);
         let (options, out, entries) = (checked_options(options)?, given(out)?, entries?);
         let (found, jacobian) =
-            patch_friction::solve_jacobian(&patch.view()?, &creepage, &law, options.model)?;
+            friction::solve_jacobian(&patch.view()?, &creepage, &law, options.model)?;
         out.write(found.solution.into());
         write_rows(&jacobian, entries);
         if let Some(share) = share {
@@ -83,7 +83,7 @@ where
         let law = SlipFriction::from(*given(friction)?);
         let (options, out) = (checked_options(options)?, given(out)?);
         let (found, notice) =
-            patch_friction::friction_share(&patch.view()?, &creepage, &law, options.model)?;
+            friction::friction_share(&patch.view()?, &creepage, &law, options.model)?;
         out.write(*patch).soften(found, law.slope_factor);
         if let Some(share) = share {
             share.write(found);

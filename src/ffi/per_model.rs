@@ -5,7 +5,7 @@
 use super::types::{kstrip_contact, kstrip_creepage, kstrip_result};
 use super::types_f32::{kstrip_contact_f32, kstrip_creepage_f32, kstrip_result_f32};
 use super::{calls, kstrip_status};
-use crate::model;
+use crate::solve::model;
 use core::mem::MaybeUninit;
 
 /// kstrip_solve() with KSTRIP_MODEL_TOTAL without linking any other model.

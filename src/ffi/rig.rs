@@ -5,9 +5,9 @@ use super::types::{kstrip_contact, kstrip_creepage, kstrip_options};
 use super::types_f32::{kstrip_contact_f32, kstrip_creepage_f32};
 use super::{KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, answer, checked_options, kstrip_status};
 use crate::contact::Contact;
-use crate::creepage::Creepage;
-use crate::model::Precision;
+use crate::contact::creepage::Creepage;
 use crate::rig::{self, FrictionEstimate, Measured};
+use crate::solve::model::Precision;
 use crate::status::Error;
 use core::mem::MaybeUninit;
 

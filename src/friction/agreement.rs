@@ -1,7 +1,7 @@
 //! The scalar equation `μ = g(μ)` between friction and the slip that it leaves.
 
 use super::SlipFriction;
-use crate::real::Float;
+use crate::number::Float;
 use crate::status::{Error, Notice};
 
 /// Steps of the monotone iteration at most.

@@ -2,7 +2,7 @@
 #![allow(dead_code)]
 
 use super::random::Random;
-use kstrip::creepage::Creepage;
+use kstrip::contact::creepage::Creepage;
 use kstrip::patch::{Patch, PatchStrip};
 
 pub type Full = Patch<f64, 64>;

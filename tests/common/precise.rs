@@ -7,10 +7,10 @@
 #![allow(dead_code)]
 
 use dashu_float::{FBig, round::mode::HalfEven};
-use kstrip::quadrature::{Node, StripRule, Tabulated};
-use kstrip::real::pairs::Two;
-use kstrip::real::{Arithmetic, Elementary, Float, Map, Number, Plain};
-use kstrip::rolling_strip::{Marched, STEPS, Step};
+use kstrip::number::pairs::Two;
+use kstrip::number::{Arithmetic, Elementary, Float, Map, Number, Plain};
+use kstrip::strip::{Marched, STEPS, Step};
+use kstrip::strip_1967::quadrature::{Node, StripRule, Tabulated};
 use std::any::Any;
 use std::cell::RefCell;
 use std::collections::HashMap;

@@ -2,12 +2,12 @@
 //! by `examples/accuracy.rs`.
 #![allow(dead_code)]
 
-use kstrip::coefficients::LinearCoefficients;
 use kstrip::contact::Contact;
-use kstrip::creepage::Creepage;
-use kstrip::model::{self, Field, Model, Options, Precision};
-use kstrip::strip::State;
-use kstrip::totals::StripCount;
+use kstrip::contact::creepage::Creepage;
+use kstrip::linear::LinearCoefficients;
+use kstrip::solve::model::{self, Field, Model, Options, Precision};
+use kstrip::strip_1967::strip::State;
+use kstrip::strip_1967::totals::StripCount;
 use std::collections::HashSet;
 use std::f64::consts::PI;
 use std::path::{Path, PathBuf};

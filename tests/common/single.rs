@@ -3,7 +3,7 @@
 #![allow(dead_code)]
 
 use kstrip::contact::Contact;
-use kstrip::creepage::Creepage;
+use kstrip::contact::creepage::Creepage;
 
 pub fn single(c: &Contact<f64>) -> Contact<f32> {
     Contact {

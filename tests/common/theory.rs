@@ -5,10 +5,10 @@
 #![allow(dead_code)]
 
 use kstrip::contact::Contact;
-use kstrip::creepage::Creepage;
-use kstrip::model::{Field, FieldStrip, Model, Options};
-use kstrip::strip::Strip;
-use kstrip::totals::StripCount;
+use kstrip::contact::creepage::Creepage;
+use kstrip::solve::model::{Field, FieldStrip, Model, Options};
+use kstrip::strip_1967::strip::Strip;
+use kstrip::strip_1967::totals::StripCount;
 use std::f64::consts::PI;
 
 pub const COUNTS: [StripCount; 5] = [
@@ -69,7 +69,7 @@ pub fn solve(law: &Law, strips: StripCount) -> [f64; 4] {
     let contact = contact(law.axis_ratio, law.poisson_ratio);
     let motion = creepage(&contact, law.xi, law.eta, law.psi);
     let model = if law.continuous { Model::Strip1967Continuous } else { Model::Strip1967 };
-    let s = kstrip::model::solve(&contact, &motion, &options(model, strips)).unwrap();
+    let s = kstrip::solve::model::solve(&contact, &motion, &options(model, strips)).unwrap();
     let bound = contact.friction * contact.normal_force;
     let mean = (contact.a * contact.b).sqrt();
     let answer = [s.fx / bound, s.fy / bound, s.mz / (bound * mean), s.adhesion];

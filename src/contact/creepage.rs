@@ -1,0 +1,235 @@
+//! Creepage, spin, and the parameters of the strip theory (3.2)–(3.4), (5.13).
+
+use crate::contact::Contact;
+use crate::number::dual::Dual;
+use crate::number::{Arithmetic, Float, Number, Plain};
+use crate::status::Error;
+
+/// Rigid slip of the upper over the lower body, divided by the rolling speed (3.3).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Creepage<T> {
+    /// Longitudinal creepage `υx` \[–\], positive when the upper body slides in the rolling direction.
+    pub longitudinal: T,
+    /// Lateral creepage `υy` \[–\].
+    pub lateral: T,
+    /// Spin `φ` \[1/m\], positive from `x` to `y`, that is about `z` into the lower body.
+    pub spin: T,
+}
+
+/// Velocity of one body's material at the centre of the contact, seen from the contact.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SurfaceVelocity<F> {
+    /// Along the rolling direction `x` \[m/s\]: about `−V` for both bodies.
+    pub x: F,
+    /// Lateral, along `y` \[m/s\].
+    pub y: F,
+    /// Angular velocity about the normal `z` into the lower body \[rad/s\].
+    pub angular_z: F,
+}
+
+impl<F: Float> Creepage<F> {
+    /// From the velocities of both bodies and the rolling speed `V > 0` \[m/s\].
+    ///
+    /// Only the differences count, so any frame that moves without turning relative to the contact
+    /// will do.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::RollingSpeed`]; [`Error::Overflow`] when a quotient does not
+    /// fit the floating-point type.
+    ///
+    /// # Example
+    /// A wheel of 0.46 m turning at 21.8 rad/s while its axle moves at 10 m/s:
+    /// ```
+    /// use kstrip::contact::creepage::{Creepage, SurfaceVelocity};
+    /// let rail = SurfaceVelocity { x: -10.0, y: 0.0, angular_z: 0.0 };
+    /// let wheel = SurfaceVelocity { x: -21.8 * 0.46, y: 0.01, angular_z: 0.5 };
+    /// let creepage = Creepage::from_velocities(&rail, &wheel, 10.0)?;
+    /// assert!((creepage.longitudinal + 0.0028_f64).abs() < 1e-12 && creepage.spin == 0.05);
+    /// # Ok::<(), kstrip::status::Error>(())
+    /// ```
+    pub fn from_velocities(
+        lower: &SurfaceVelocity<F>,
+        upper: &SurfaceVelocity<F>,
+        rolling_speed: F,
+    ) -> Result<Self, Error> {
+        let inputs =
+            [lower.x, lower.y, lower.angular_z, upper.x, upper.y, upper.angular_z, rolling_speed];
+        if !inputs.iter().all(|input| input.is_finite_number()) {
+            return Err(Error::NotFinite);
+        }
+        if rolling_speed <= F::zero() {
+            return Err(Error::RollingSpeed);
+        }
+        // s = (V⁻ − V⁺)/V   (3.3)
+        let creepage = Self {
+            longitudinal: (upper.x - lower.x) / rolling_speed,
+            lateral: (upper.y - lower.y) / rolling_speed,
+            spin: (upper.angular_z - lower.angular_z) / rolling_speed,
+        };
+        creepage.check().map_err(|_| Error::Overflow)?;
+        Ok(creepage)
+    }
+
+    /// The three creepages as what everything is differentiated by.
+    #[must_use]
+    #[inline(always)]
+    pub fn inputs(&self) -> Creepage<Dual<F, 3>> {
+        Creepage {
+            longitudinal: Dual::input(self.longitudinal, 0),
+            lateral: Dual::input(self.lateral, 1),
+            spin: Dual::input(self.spin, 2),
+        }
+    }
+
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub fn check(&self) -> Result<(), Error> {
+        let finite = self.longitudinal.is_finite_number()
+            && self.lateral.is_finite_number()
+            && self.spin.is_finite_number();
+        if finite { Ok(()) } else { Err(Error::NotFinite) }
+    }
+}
+
+impl<F: Plain> Creepage<F> {
+    /// `F_x υx + F_y υy + M_z φ` \[N\]: the power of forces `[F_x, F_y, M_z]` \[N, N, N m\] over the rolling speed;
+    /// positive where they follow the slip.
+    #[inline(always)]
+    pub(crate) fn power(&self, [fx, fy, mz]: [F; 3]) -> F {
+        fx * self.longitudinal + fy * self.lateral + mz * self.spin
+    }
+
+    /// Whether the numbers are of the usual sizes: `|υ|` up to 100, `|φ|` up to 1e4 per metre; see
+    /// [`Contact::is_usual`](Contact).
+    #[inline(always)]
+    pub(crate) fn is_usual(&self) -> bool {
+        self.longitudinal.abs().lies_within(F::of(100.0))
+            && self.lateral.abs().lies_within(F::of(100.0))
+            && self.spin.abs().lies_within(F::of(1e4))
+    }
+}
+
+/// Kalker's parameters of a rolling contact (5.13), with the two numbers that shape the patch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameters<T: Number> {
+    /// `ξ = υx G/(2 (1 − ν) μ p₀)`
+    pub xi: T,
+    /// `η = υy G/(2 μ p₀)`
+    pub eta: T,
+    /// `ψ = a φ G/(2 μ p₀)`
+    pub psi: T,
+    /// Poisson's ratio `ν`.
+    pub poisson_ratio: T::Base,
+    /// `a/b`, semi-axis along rolling over the one across.
+    pub axis_ratio: T::Base,
+}
+
+impl<T: Number> Parameters<T> {
+    /// The parameters of a checked contact and creepage.
+    ///
+    /// Values beyond [`Number::HUGE`], where every theory slides, are scaled back together so that
+    /// their direction stays and their squares remain finite.
+    #[must_use]
+    pub fn new(contact: &Contact<T::Base>, creepage: &Creepage<T>) -> Self {
+        Self::new_inline(contact, creepage)
+    }
+
+    #[inline(always)]
+    pub(crate) fn new_inline(contact: &Contact<T::Base>, creepage: &Creepage<T>) -> Self {
+        let g_over_2mup0 = contact.stiffness_ratio();
+        let [vx, vy, a_phi] =
+            bounded([creepage.longitudinal, creepage.lateral, creepage.spin.scale(contact.a)]);
+        // (5.13)
+        let [xi, eta, psi] = bounded([
+            vx.scale(g_over_2mup0 * (T::Base::one() / (T::Base::one() - contact.poisson_ratio))),
+            vy.scale(g_over_2mup0),
+            a_phi.scale(g_over_2mup0),
+        ]);
+        Self {
+            xi,
+            eta,
+            psi,
+            poisson_ratio: contact.poisson_ratio,
+            axis_ratio: contact.a / contact.b,
+        }
+    }
+
+    /// The creepage that belongs to these parameters on a contact: the inverse of
+    /// [`Parameters::new`].
+    #[must_use]
+    pub fn creepage(&self, contact: &Contact<T::Base>) -> Creepage<T> {
+        let unit = contact.slip_unit();
+        Creepage {
+            longitudinal: self.xi.scale(unit * (T::Base::one() - self.poisson_ratio)),
+            lateral: self.eta.scale(unit),
+            spin: self.psi.scale(unit / contact.a),
+        }
+    }
+
+    /// `vx, vy = G a b (υx, υy)/(μ N)` and `φ = G (ab)^{3/2} ϕ/(μ N)`, what linear theory is written
+    /// in: `ξ = π vx/(3 (1 − ν))`, `η = π vy/3`, `ψ = (π/3) √(a/b) φ`.
+    #[inline(always)]
+    #[must_use]
+    pub fn normalised(&self) -> [T; 3] {
+        const FACTOR: f64 = 3.0 / core::f64::consts::PI;
+        let one = T::Base::one();
+        [
+            self.xi.scale((one - self.poisson_ratio).times(FACTOR)),
+            self.eta.times(FACTOR),
+            self.psi.scale((one / self.axis_ratio.sqrt()).times(FACTOR)),
+        ]
+    }
+
+    /// Slope of the effective longitudinal creepage over `Y = y/b`:
+    /// `ξ̄ = ξ − ψ (y/a)/(1 − ν) = ξ − p Y`.
+    #[inline(always)]
+    #[must_use]
+    pub fn spin_slope(&self) -> T {
+        let width = (T::Base::one() - self.poisson_ratio) * self.axis_ratio;
+        let huge = T::from_base(T::HUGE);
+        self.psi.scale(T::Base::one() / width).clamped(-huge, huge)
+    }
+}
+
+impl<F: Float> Parameters<F> {
+    /// The limit of [`Parameters::new`] for vanishing friction or load: the same direction, its largest
+    /// component at [`Number::HUGE`]; zero without creepage.
+    #[must_use]
+    pub fn sliding(contact: &Contact<F>, creepage: &Creepage<F>) -> Self {
+        let direction = [
+            creepage.longitudinal / (F::one() - contact.poisson_ratio),
+            creepage.lateral,
+            creepage.spin * contact.a,
+        ];
+        let [x, y, z] = direction.map(F::abs);
+        let largest = x.max(y).max(z);
+        // Divide first: the quotients are at most 1.
+        let [xi, eta, psi] = direction
+            .map(|part| if largest > F::zero() { part / largest * F::HUGE } else { F::zero() });
+        let (poisson_ratio, axis_ratio) = (contact.poisson_ratio, contact.a / contact.b);
+        Self { xi, eta, psi, poisson_ratio, axis_ratio }
+    }
+}
+
+/// The same direction, no component beyond [`Number::HUGE`].
+#[inline(always)]
+fn bounded<T: Number>(components: [T; 3]) -> [T; 3] {
+    if T::LANES == 1 { bounded_apart(components) } else { bounded_inline(components) }
+}
+
+#[cfg_attr(target_os = "none", inline(never))]
+fn bounded_apart<T: Number>(components: [T; 3]) -> [T; 3] {
+    bounded_inline(components)
+}
+
+#[inline(always)]
+fn bounded_inline<T: Number>(components: [T; 3]) -> [T; 3] {
+    let [x, y, z] = components;
+    let largest = x.value().abs().max(y.value().abs()).max(z.value().abs());
+    if !largest.exceeds(T::HUGE) {
+        return components;
+    }
+    // Divide first: HUGE/largest may underflow the ratio of very different components, never overflow.
+    let factor = (largest - T::HUGE).choose(T::HUGE / largest, T::Base::one());
+    [x.scale(factor), y.scale(factor), z.scale(factor)]
+}

@@ -1,0 +1,140 @@
+//! A loaded contact ellipse with friction: what every model starts from.
+
+pub mod creepage;
+pub(crate) mod elliptic;
+pub mod hertz;
+pub mod material;
+
+use crate::contact::material::{check_modulus, check_poisson_ratio};
+use crate::number::{Float, Plain};
+use crate::status::Error;
+
+/// An elliptic contact under load, with combined elastic constants and Coulomb friction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact<F> {
+    /// Semi-axis along the rolling direction `x` \[m\], positive.
+    pub a: F,
+    /// Semi-axis across it, along `y` \[m\], positive.
+    pub b: F,
+    /// Normal force `N` \[N\], not negative.
+    pub normal_force: F,
+    /// Combined shear modulus `G` \[Pa\] (2.6), positive.
+    pub shear_modulus: F,
+    /// Combined Poisson's ratio `ν`, 0 to 1/2.
+    pub poisson_ratio: F,
+    /// Coefficient of friction `μ`, not negative.
+    pub friction: F,
+}
+
+impl<F: Float> Contact<F> {
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::SemiAxis`], [`Error::NormalForce`], [`Error::Modulus`],
+    /// [`Error::PoissonRatio`], [`Error::Friction`]; [`Error::Overflow`] when `a/b` or `b/a`
+    /// exceeds [`Number::HUGE`](crate::number::Number::HUGE), or `μ N` or the pressure does not fit the
+    /// floating-point type.
+    pub fn check(&self) -> Result<(), Error> {
+        if self.is_sound() { Ok(()) } else { self.find_fault() }
+    }
+
+    /// The first of the errors, if any.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn find_fault(&self) -> Result<(), Error> {
+        let inputs = [self.a, self.b, self.normal_force, self.friction];
+        if !inputs.iter().all(|input| input.is_finite_number()) {
+            return Err(Error::NotFinite);
+        }
+        if self.a <= F::zero() || self.b <= F::zero() {
+            return Err(Error::SemiAxis);
+        }
+        if self.normal_force < F::zero() {
+            return Err(Error::NormalForce);
+        }
+        check_modulus(self.shear_modulus)?;
+        check_poisson_ratio(self.poisson_ratio)?;
+        if self.friction < F::zero() {
+            return Err(Error::Friction);
+        }
+        let traction = self.friction * self.peak_pressure();
+        let ratios = [
+            self.a / self.b,
+            self.b / self.a,
+            self.friction_bound(),
+            self.peak_pressure(),
+            traction,
+        ];
+        // Products of the ratio with anything of order one stay finite as well.
+        let slender = ratios[0].max(ratios[1]) > F::HUGE;
+        if slender || !ratios.iter().all(|ratio| ratio.is_finite_number()) {
+            return Err(Error::Overflow);
+        }
+        Ok(())
+    }
+}
+
+impl<F: Plain> Contact<F> {
+    /// Whether the numbers are of the usual sizes, µm to m, up to GN and TPa; of several contacts side by side, whether
+    /// all are. With creepages likewise ([`Creepage::is_usual`](crate::contact::creepage::Creepage)) no check can fail in either
+    /// precision: all products and quotients lie below 1e36. A few comparisons instead of five divisions.
+    #[inline(always)]
+    pub(crate) fn is_usual(&self) -> bool {
+        let Self { a, b, normal_force, shear_modulus, poisson_ratio, friction } = *self;
+        let (shortest, longest) = (F::of(1e-6), F::of(10.0));
+        a.lies_between(shortest, longest)
+            && b.lies_between(shortest, longest)
+            && normal_force.lies_within(F::of(1e9))
+            && shear_modulus.lies_between(F::of(1.0), F::of(1e12))
+            && poisson_ratio.lies_within(F::of(0.5))
+            && friction.lies_within(F::of(100.0))
+    }
+
+    /// Whether all is well, told by few comparisons; of several contacts side by side, with all of them. Rarely all is
+    /// well also where this says no: [`Contact::check`] looks closer.
+    #[inline(always)]
+    pub(crate) fn is_sound(&self) -> bool {
+        let Self { a, b, normal_force, shear_modulus, poisson_ratio, friction } = *self;
+        let peak = self.peak_pressure();
+        a.is_positive_number()
+            & b.is_positive_number()
+            & shear_modulus.is_positive_number()
+            & poisson_ratio.lies_within(F::of(0.5))
+            & normal_force.lies_within(F::LARGEST)
+            & friction.lies_within(F::LARGEST)
+            & (a / b + b / a).lies_within(F::HUGE)
+            & (self.friction_bound() + peak + friction * peak).lies_within(F::LARGEST)
+    }
+
+    /// `μ N` \[N\]: no tangential force exceeds it.
+    #[must_use]
+    #[inline(always)]
+    pub fn friction_bound(&self) -> F {
+        self.friction * self.normal_force
+    }
+
+    /// Pressure at the centre `p₀ = 3N/(2π a b)` \[Pa\].
+    #[must_use]
+    #[inline(always)]
+    pub fn peak_pressure(&self) -> F {
+        self.normal_force.times(1.5 / core::f64::consts::PI) / self.a / self.b
+    }
+
+    /// `G/(2 μ p₀)`, the factor of (5.13); at most [`Number::HUGE`](crate::number::Number::HUGE), also
+    /// without friction or load.
+    #[inline(always)]
+    pub(crate) fn stiffness_ratio(&self) -> F {
+        // G/(2 μ p₀) = (π/3) G a b/(μ N)
+        let stiffness = (self.shear_modulus * self.a) * self.b.times(core::f64::consts::PI / 3.0);
+        (stiffness / (self.friction_bound() + F::TINY)).min(F::HUGE)
+    }
+
+    /// The inverse of [`Contact::stiffness_ratio`]: without friction the slip is then the rigid slip.
+    pub(crate) fn slip_scale(&self) -> F {
+        (F::one() / (self.stiffness_ratio() + F::TINY)).min(F::HUGE)
+    }
+
+    /// `2 μ p₀/G` \[–\]: the unit of slip.
+    #[must_use]
+    pub fn slip_unit(&self) -> F {
+        (self.friction * (self.peak_pressure() / self.shear_modulus)).times(2.0)
+    }
+}

@@ -1,0 +1,280 @@
+//! Friction that falls with the slip, and reduced initial slope (Polach).
+//!
+//! O. Polach, *Creep forces in simulations of traction vehicles running on adhesion limit*, Wear 258 (2005) 992:
+//! measured traction curves have a maximum, because friction falls with the sliding velocity `w`, and a
+//! flatter start than clean contacts, because of the layer between the bodies.
+//!
+//! ```text
+//! μ(w) = μ₀ ((1 − A) exp(−B w) + A),   w = V s
+//! ```
+//!
+//! **The slip.** Polach takes the whole creepage for `s`, also where the contact sticks. Here `s` is the slip that there is:
+//! the mean over the contact, weighted with friction, `s = P/(μ N)`, `P` the frictional power over rolling speed.
+//! It is zero without slip and the creepage in full sliding without spin, where both agree.
+//! `s` depends on the forces, hence on `μ`, and `μ` on `s`: a scalar equation `μ = g(μ)`.
+//!
+//! **The solution.** `s` falls as `μ` grows (but for a hair in spin near full sliding), so `g` increases: from
+//! `μ₀`, `μ ← g(μ)` falls monotonically to the largest solution, the one that is reached from adhesion. With `−μ ds/dμ ≤ s_max`, the rigid slip, `g' < 1`
+//! everywhere for all but extreme `B`; then the solution is unique and the secant method finds
+//! it in four to six solutions of the contact. Otherwise the iteration
+//! goes down from `μ₀` and up from the smallest possible `μ`, and a notice tells when they do not meet.
+//! Derivatives follow by the implicit function theorem, `∂s/∂μ` by homogeneity ([`derivatives`]).
+//!
+//! **The slope factor** `k` multiplies the shear modulus: a contact with the layer is as stiff as one of
+//! modulus `k G`. Forces depend on `G c/(μ N)` only, so the creep curve is stretched along the creepage by
+//! `1/k` and keeps its shape and its saturation; patch and pressure stay.
+
+mod agreement;
+
+pub(crate) use self::agreement::Agreement;
+
+use crate::contact::Contact;
+use crate::contact::creepage::Creepage;
+use crate::number::Float;
+use crate::solve::derivatives::{self, Derivatives};
+use crate::solve::model::{self, Jacobian, Model, Options, Precision, Solution};
+use crate::status::{Error, Notice};
+use nalgebra::Vector3;
+
+/// Coefficient of friction that falls with the slip, and the stiffness of the layer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SlipFriction<F> {
+    /// `μ₀`: coefficient of friction without slip, not negative.
+    pub friction: F,
+    /// `A`: friction at infinite over that at no slip, 0 to 1; 1 means constant.
+    pub ratio: F,
+    /// `B` \[s/m\]: how fast it falls, not negative.
+    pub decay: F,
+    /// `V` \[m/s\]: rolling speed, not negative.
+    pub rolling_speed: F,
+    /// `k`: initial slope of the creep curve over that of the clean contact, above 0 to 1.
+    pub slope_factor: F,
+}
+
+/// Forces under friction that falls with the slip.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrictionSolution<F> {
+    /// The forces; its notice is also that of the friction.
+    pub solution: Solution<F>,
+    /// The coefficient of friction that agrees with the slip.
+    pub friction: F,
+}
+
+impl<F: Float> SlipFriction<F> {
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::Friction`], [`Error::FrictionRatio`], [`Error::FrictionDecay`],
+    /// [`Error::NegativeSpeed`], [`Error::SlopeFactor`].
+    pub fn check(&self) -> Result<(), Error> {
+        let Self { friction, ratio, decay, rolling_speed, slope_factor } = *self;
+        let inputs = [friction, ratio, decay, rolling_speed, slope_factor];
+        if !inputs.iter().all(|input| input.is_finite_number()) {
+            return Err(Error::NotFinite);
+        }
+        if friction < F::zero() {
+            return Err(Error::Friction);
+        }
+        if ratio < F::zero() || ratio > F::one() {
+            return Err(Error::FrictionRatio);
+        }
+        if decay < F::zero() {
+            return Err(Error::FrictionDecay);
+        }
+        if rolling_speed < F::zero() {
+            return Err(Error::NegativeSpeed);
+        }
+        if slope_factor <= F::zero() || slope_factor > F::one() {
+            return Err(Error::SlopeFactor);
+        }
+        Ok(())
+    }
+
+    /// `μ` for a slip `s` over rolling speed.
+    #[must_use]
+    pub fn at(&self, slip: F) -> F {
+        self.friction * (self.falling_share(slip) + self.ratio)
+    }
+
+    /// `(1 − A) exp(−B V s)`
+    fn falling_share(&self, slip: F) -> F {
+        // Two factors: B V may overflow where B V s does not.
+        let exponent = self.decay * (self.rolling_speed * slip.max(F::zero()));
+        (F::one() - self.ratio) * (-exponent.min(F::constant(1e4))).exp()
+    }
+
+    /// Whether the slip matters.
+    pub(crate) fn falls(&self) -> bool {
+        self.ratio < F::one() && self.decay > F::zero() && self.rolling_speed > F::zero()
+    }
+
+    /// The contact at the largest friction, with the stiffness of the layer.
+    fn contact(&self, contact: &Contact<F>) -> Contact<F> {
+        let shear_modulus = contact.shear_modulus * self.slope_factor;
+        Contact { friction: self.friction, shear_modulus, ..*contact }
+    }
+}
+
+/// Forces for a contact, a creepage and friction that falls with the slip.
+///
+/// The contact's own coefficient of friction is ignored. With `A = 1`, `B = 0` or `V = 0`, and `k = 1`, the result is that of
+/// [`model::solve`] to the bit and costs no more. [`Model::Linear`] knows no friction: only `k` counts.
+///
+/// # Errors
+/// Those of [`model::solve`] and [`SlipFriction::check`].
+///
+/// # Example
+/// A driven wheel that slips more pulls less:
+/// ```
+/// use kstrip::{contact::Contact, contact::creepage::Creepage, friction::{solve, SlipFriction}, solve::model::Options};
+/// let contact = Contact {
+///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.0,
+/// };
+/// let wet = SlipFriction {
+///     friction: 0.3, ratio: 0.4, decay: 0.6, rolling_speed: 20.0, slope_factor: 0.5,
+/// };
+/// let pull = |slip: f64| {
+///     let creepage = Creepage { longitudinal: slip, lateral: 0.0, spin: 0.0 };
+///     solve(&contact, &creepage, &wet, &Options::default()).map(|found| found.solution.fx)
+/// };
+/// assert!(pull(0.02)? > pull(0.005)? && pull(0.02)? > pull(0.1)?);
+/// # Ok::<(), kstrip::status::Error>(())
+/// ```
+pub fn solve<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    friction: &SlipFriction<F>,
+    options: &Options,
+) -> Result<FrictionSolution<F>, Error> {
+    let (contact, notice) = under(contact, creepage, friction, options)?;
+    let mut solution = model::solve(&contact, creepage, options)?;
+    solution.notice = solution.notice.worse(notice);
+    Ok(FrictionSolution { solution, friction: contact.friction })
+}
+
+/// The contact as it is while it slips, with the friction that agrees with the slip and the stiffness of the layer: for
+/// everything else that can be asked of a contact, as strips and fields.
+///
+/// # Errors
+/// Those of [`solve`].
+pub fn under<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    friction: &SlipFriction<F>,
+    options: &Options,
+) -> Result<(Contact<F>, Notice), Error> {
+    friction.check()?;
+    let contact = friction.contact(contact);
+    let (friction, notice) = agreement(&contact, creepage, friction, options)?;
+    Ok((Contact { friction, ..contact }, notice))
+}
+
+/// [`solve`] with the exact derivatives with respect to the creepages, through friction and slip.
+///
+/// # Errors
+/// Those of [`solve`]; [`Error::Overflow`] also when a derivative does not fit.
+pub fn solve_jacobian<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    friction: &SlipFriction<F>,
+    options: &Options,
+) -> Result<(FrictionSolution<F>, Jacobian<F>), Error> {
+    let (contact, notice) = under(contact, creepage, friction, options)?;
+    let found = contact.friction;
+    if options.model == Model::Linear || !friction.falls() || contact.friction_bound() <= F::zero()
+    {
+        let (solution, jacobian) = model::solve_jacobian(&contact, creepage, options)?;
+        return Ok((FrictionSolution { solution, friction: found }, jacobian));
+    }
+    let (mut solution, slopes) = derivatives::solve(&contact, creepage, options)?;
+    let Derivatives { jacobian, friction: by_friction, .. } = slopes;
+    let slip = Slip::new(&contact, creepage, &solution, &by_friction);
+    // (a negative power, as the theory of 1967 has it in some contacts that spin, is no slip)
+    let falling =
+        if slip.value > F::zero() { friction.falling_rate(slip.value) } else { F::zero() };
+    // s = P/(μ N) with P = F c:  μ N ∂s/∂c = F + Jᵀ c
+    let motion = [creepage.longitudinal, creepage.lateral, creepage.spin];
+    let forces = [solution.fx, solution.fy, solution.mz];
+    // μ = g(s(c, μ)):  dμ/dc = g' ∂s/∂c/(1 − g' ∂s/∂μ)
+    let gain = falling / (F::one() - falling * slip.by_friction) / contact.friction_bound();
+    let mut total = jacobian;
+    for ((column, force), slopes) in total.column_iter_mut().zip(forces).zip(jacobian.column_iter())
+    {
+        let mut by_creepage = force;
+        for (slope, motion) in slopes.iter().zip(motion) {
+            by_creepage += *slope * motion;
+        }
+        let change = gain * by_creepage;
+        // dF/dc = J + ∂F/∂μ dμ/dc
+        for (entry, by_friction) in column.into_iter().zip(&by_friction) {
+            *entry += *by_friction * change;
+        }
+    }
+    if !total.iter().all(|entry| entry.is_finite_number()) {
+        return Err(Error::Overflow);
+    }
+    solution.notice = solution.notice.worse(notice);
+    Ok((FrictionSolution { solution, friction: found }, total))
+}
+
+impl<F: Float> SlipFriction<F> {
+    /// `dμ/ds = −B V μ₀ (1 − A) exp(−B V s)`
+    pub(crate) fn falling_rate(&self, slip: F) -> F {
+        let share = self.friction * self.falling_share(slip);
+        -(share * self.rolling_speed) * self.decay
+    }
+}
+
+/// Mean slip over rolling speed, weighted with friction.
+#[derive(Clone, Copy)]
+struct Slip<F> {
+    value: F,
+    /// `∂s/∂μ`
+    by_friction: F,
+}
+
+impl<F: Precision> Slip<F> {
+    fn new(
+        contact: &Contact<F>,
+        creepage: &Creepage<F>,
+        solution: &Solution<F>,
+        by_friction: &Vector3<F>,
+    ) -> Self {
+        let bound = contact.friction_bound();
+        let value = (solution.power / bound).max(F::zero());
+        // dP/dμ = c ∂F/∂μ
+        let power = creepage.power((*by_friction).into());
+        // s = P/(μ N):  ∂s/∂μ = (∂P/∂μ)/(μ N) − s/μ
+        let by_friction = power / bound - value / contact.friction;
+        Self { value, by_friction }
+    }
+}
+
+/// The largest `μ` that agrees with the slip that it causes. `contact` has `μ₀`.
+fn agreement<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    friction: &SlipFriction<F>,
+    options: &Options,
+) -> Result<(F, Notice), Error> {
+    model::check(contact, creepage, options)?;
+    let nothing = contact.friction_bound() <= F::zero();
+    if options.model == Model::Linear || !friction.falls() || nothing {
+        return Ok((friction.friction, Notice::None));
+    }
+    // No point of the contact slips faster than this.
+    let rigid = creepage.longitudinal.abs()
+        + creepage.lateral.abs()
+        + (contact.a + contact.b) * creepage.spin.abs();
+    Agreement::new(friction, rigid, contact.normal_force, |friction_now| {
+        let contact = Contact { friction: friction_now, ..*contact };
+        let bound = contact.friction_bound();
+        if bound > F::zero() {
+            let solution = model::solve(&contact, creepage, options)?;
+            return Ok(friction.at(solution.power / bound));
+        }
+        // The limit of full sliding: s = (∂P/∂μ)/N
+        let (_, slopes) = derivatives::solve(&contact, creepage, options)?;
+        let power = creepage.power(slopes.friction.into());
+        Ok(friction.at(power / contact.normal_force))
+    })
+    .largest_solution()
+}

@@ -1,0 +1,573 @@
+//! The numbers that the theory is written in.
+//!
+//! Every formula of this crate is generic over [`Real`]: `f64`, `f32`, and the forward-mode
+//! dual numbers that carry exact derivatives through the same code.
+//!
+//! nalgebra's `RealField` would do for the first two, but a dual number cannot honestly provide its
+//! eighty functions, and its square root goes through inline assembly that no compiler vectorises.
+//! So the trait is as small as the theory: arithmetic, comparison, one square root, and four
+//! elementary functions from libm that stay off the hot paths.
+
+pub mod dual;
+
+mod cube_root;
+#[cfg(target_arch = "x86_64")]
+pub(crate) mod lanes;
+pub mod pairs;
+mod square_root;
+
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+/// A number without derivatives: what constants and tables are made of. `f32`, `f64`, or the numbers of several
+/// contacts side by side.
+pub trait Plain: Number<Base = Self> + Arithmetic<Bare = Self> {
+    /// What tables are stored in.
+    type Stored: Float;
+
+    /// The nearest number to a constant written in double precision. Free when `x` is a literal.
+    fn of(x: f64) -> Self;
+    /// A number of a table, exactly.
+    fn stored(x: Self::Stored) -> Self;
+    /// `k` and `2^k` times the divisor, so that the quotient of two positive normal numbers by it is between
+    /// 2^-0.59 and 2^0.59.
+    fn binary_quotient(self, divisor: Self) -> (Self, Self);
+    /// Whether it is at least `low` and at most `high`; of several side by side, whether all are. Not for NaN.
+    fn lies_between(self, low: Self, high: Self) -> bool;
+    /// Whether it is at least zero and at most `limit`, of which the bits tell in one comparison; of several side by
+    /// side, whether all are. Not for NaN; negative zero may be refused.
+    fn lies_within(self, limit: Self) -> bool;
+    /// Whether it is positive and finite; of several side by side, whether all are. Not for NaN.
+    fn is_positive_number(self) -> bool;
+
+    /// `ln(self/divisor)` of two positive normal numbers, to rounding, without a branch.
+    #[inline(always)]
+    fn ln_quotient(self, divisor: Self) -> Self {
+        let (k, divisor) = self.binary_quotient(divisor);
+        // ln m = 2 artanh((m − 1)/(m + 1))
+        let s = (self - divisor) / (self + divisor);
+        let s2 = s * s;
+        k.times(core::f64::consts::LN_2) + (s + s) * even_polynomial(Self::Stored::ARTANH, s2)
+    }
+
+    /// A stored single-precision constant, exactly.
+    #[inline(always)]
+    fn of_f32(x: f32) -> Self {
+        Self::stored(Self::Stored::widened(x))
+    }
+    /// Two numbers of a table.
+    #[inline(always)]
+    fn both_stored([first, second]: [Self::Stored; 2]) -> [Self; 2] {
+        [Self::stored(first), Self::stored(second)]
+    }
+}
+
+/// A plain floating-point number, `f32` or `f64`.
+pub trait Float: Plain<Stored = Self> + PartialOrd + Elementary + nalgebra::Scalar {
+    /// Even powers of `artanh(s)/s` for `s² ≤ 0.0403`.
+    const ARTANH: &'static [Self];
+    /// A single-precision number, exactly.
+    fn widened(x: f32) -> Self;
+    /// The value in double precision, exactly.
+    fn to_f64(self) -> f64;
+    /// Neither infinite nor NaN.
+    fn is_finite_number(self) -> bool;
+    /// Cube root.
+    fn cube_root(self) -> Self;
+    /// Exponential function.
+    fn exp(self) -> Self;
+    /// Of one table in both precisions, that in this one; the other is not even linked.
+    fn table<const N: usize, const P: usize>(
+        single: &'static [[[f32; 2]; P]; N],
+        double: &'static [[[f64; 2]; P]; N],
+    ) -> &'static [[[Self; 2]; P]; N];
+}
+
+/// What formulas without a decision need: one number, or two side by side in [`Number::Pair`].
+///
+/// `Base` is the plain number below a dual number or a pair, and a plain number itself; products and
+/// sums with it cost no derivatives.
+pub trait Arithmetic:
+    Copy
+    + Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + 'static
+{
+    /// The plain number: `f64` for `f64` and for dual numbers over `f64`.
+    type Base: Plain;
+    /// The same without derivatives: one plain number, or a pair of them.
+    type Bare: Arithmetic<Base = Self::Base>;
+
+    /// A plain number; its derivatives are zero.
+    fn from_base(x: Self::Base) -> Self;
+    /// Without derivatives.
+    fn bare(self) -> Self::Bare;
+    /// A function of some numbers from its value and its derivatives by them, worked out by hand. Without derivatives it
+    /// is the value, and what leads to the slopes is left out by the compiler.
+    fn composed<const N: usize>(
+        value: Self::Bare,
+        slopes: [Self::Bare; N],
+        inputs: [Self; N],
+    ) -> Self;
+    /// Product with a plain number.
+    fn scale(self, factor: Self::Base) -> Self;
+    /// Sum with a plain number.
+    fn shift(self, term: Self::Base) -> Self;
+    /// Square root of a number that is not negative.
+    fn sqrt(self) -> Self;
+    /// `1/x`
+    #[inline(always)]
+    fn inverse(self) -> Self {
+        Self::one() / self
+    }
+    /// `1/√x` of numbers between 1e-30 and 1e30, to 1e-14 relative in double precision.
+    #[inline(always)]
+    fn inverse_root(self) -> Self {
+        Self::one() / self.sqrt()
+    }
+    /// The same of several, which may be quicker together.
+    #[inline(always)]
+    fn inverse_roots<const N: usize>(mut numbers: [Self; N]) -> [Self; N] {
+        for x in &mut numbers {
+            *x = x.inverse_root();
+        }
+        numbers
+    }
+    /// Absolute value.
+    fn abs(self) -> Self;
+    /// The larger of two numbers.
+    fn max(self, other: Self) -> Self;
+    /// The smaller of two numbers.
+    fn min(self, other: Self) -> Self;
+    /// `yes` where this number is positive, else `no`.
+    fn choose(self, yes: Self, no: Self) -> Self;
+
+    /// `array.map(function)`; the compiler leaves no call of it behind, whatever a number is made of.
+    #[inline(always)]
+    fn each<A, const N: usize>(array: &[A; N], function: impl Fn(&A) -> Self) -> [Self; N] {
+        let mut mapped = [Self::zero(); N];
+        for (place, x) in mapped.iter_mut().zip(array) {
+            *place = function(x);
+        }
+        mapped
+    }
+    /// A constant written in double precision.
+    #[inline(always)]
+    fn constant(x: f64) -> Self {
+        Self::from_base(Self::Base::of(x))
+    }
+    /// Zero.
+    #[inline(always)]
+    fn zero() -> Self {
+        Self::constant(0.0)
+    }
+    /// One.
+    #[inline(always)]
+    fn one() -> Self {
+        Self::constant(1.0)
+    }
+    /// Smallest positive normal number: added to denominators that may vanish together with their
+    /// numerators.
+    #[inline(always)]
+    fn tiny() -> Self {
+        Self::from_base(<Self::Base as Number>::TINY)
+    }
+    /// Product with a literal.
+    #[inline(always)]
+    fn times(self, factor: f64) -> Self {
+        self.scale(Self::Base::of(factor))
+    }
+    /// Sum with a literal.
+    #[inline(always)]
+    fn plus(self, term: f64) -> Self {
+        self.shift(Self::Base::of(term))
+    }
+    /// Square.
+    #[inline(always)]
+    fn squared(self) -> Self {
+        self * self
+    }
+}
+
+/// What tables for a kind of number are stored in.
+pub(crate) type Stored<T> = <<T as Arithmetic>::Base as Plain>::Stored;
+
+/// A number that formulas without a branch can be evaluated with.
+pub trait Number: Arithmetic {
+    /// Two numbers side by side, in one register where the machine has such registers.
+    type Pair: Pair<Self> + Arithmetic<Bare = <Self::Base as Number>::Pair>;
+    /// Four numbers side by side, in as many registers as the machine needs for them.
+    type Quad: Quad<Self> + Arithmetic<Bare = <Self::Base as Number>::Quad>;
+
+    /// Whether there is more to it than a value.
+    const HAS_DERIVATIVES: bool = false;
+    /// How many numbers stand side by side, each of another contact.
+    const LANES: usize = 1;
+    /// Largest finite number.
+    const LARGEST: Self::Base;
+    /// Smallest positive normal number.
+    const TINY: Self::Base;
+    /// Square root of [`Number::TINY`].
+    const ROOT_TINY: Self::Base;
+    /// Parameters beyond this are indistinguishable from sliding; their squares are still finite.
+    const HUGE: Self::Base;
+    /// Distance from 1 to the next number.
+    const EPSILON: Self::Base;
+
+    /// The value without derivatives.
+    fn value(self) -> Self::Base;
+    /// The outputs of a map of plain numbers that brings its own derivatives.
+    fn map<const N: usize, const M: usize>(
+        map: &impl Map<Self::Base, N, M>,
+        inputs: [Self; N],
+    ) -> [Self; M];
+    /// Whether it is larger than another number; of several side by side, whether one of them is.
+    fn exceeds(self, other: Self) -> bool;
+
+    /// The nearest number in `[low, high]`.
+    #[inline(always)]
+    fn clamped(self, low: Self, high: Self) -> Self {
+        self.max(low).min(high)
+    }
+}
+
+/// What is made of numbers, and can be chosen by the sign of one.
+pub(crate) trait Choice<T: Number>: Sized {
+    /// `yes` where `by` is positive, else `no`.
+    fn chosen(by: T, yes: Self, no: Self) -> Self;
+    /// The same; of a single number nothing else is computed.
+    #[inline(always)]
+    fn either(by: T, yes: impl FnOnce() -> Self, no: impl FnOnce() -> Self) -> Self {
+        if T::LANES > 1 {
+            Self::chosen(by, yes(), no())
+        } else if by.exceeds(T::zero()) {
+            yes()
+        } else {
+            no()
+        }
+    }
+}
+
+impl<T: Number> Choice<T> for T {
+    #[inline(always)]
+    fn chosen(by: T, yes: T, no: T) -> T {
+        by.choose(yes, no)
+    }
+}
+
+/// A number that the theory can be evaluated with. Comparisons look at the value only.
+pub trait Real: Number<Base: Float> + PartialEq + PartialOrd + Elementary {}
+
+impl<T: Number<Base: Float> + PartialEq + PartialOrd + Elementary> Real for T {}
+
+/// Functions that are not on the hot paths.
+pub trait Elementary {
+    /// Inverse tangent.
+    fn atan(self) -> Self;
+    /// Natural logarithm of a positive number.
+    fn ln(self) -> Self;
+    /// Inverse hyperbolic sine.
+    fn asinh(self) -> Self;
+}
+
+/// A differentiable map of plain numbers.
+pub trait Map<F, const N: usize, const M: usize> {
+    /// What [`Map::tangent`] needs to know of the place where the map was evaluated.
+    type Place;
+    /// The outputs.
+    fn value(&self, inputs: [F; N]) -> ([F; M], Self::Place);
+    /// How the outputs move when the inputs do.
+    fn tangent(&self, place: &Self::Place, inputs: [F; N]) -> [F; M];
+}
+
+/// Two numbers side by side.
+pub trait Pair<T: Number>: Arithmetic<Base = T::Base> {
+    /// Put two numbers side by side.
+    fn of(first: T, second: T) -> Self;
+    /// Take them apart.
+    fn parts(self) -> (T, T);
+    /// The same number twice.
+    #[inline(always)]
+    fn both(x: T) -> Self {
+        Self::of(x, x)
+    }
+    /// Each multiplied by its own plain number.
+    #[inline(always)]
+    fn scale_each(self, factors: [T::Base; 2]) -> Self {
+        let [p, q] = factors;
+        let (first, second) = self.parts();
+        Self::of(first.scale(p), second.scale(q))
+    }
+    /// A plain number for each.
+    #[inline(always)]
+    fn plain(values: [T::Base; 2]) -> Self {
+        let [first, second] = values;
+        Self::of(T::from_base(first), T::from_base(second))
+    }
+    /// Their sum.
+    #[inline(always)]
+    fn sum(self) -> T {
+        let (first, second) = self.parts();
+        first + second
+    }
+}
+
+/// Four numbers side by side.
+pub trait Quad<T: Number>: Arithmetic<Base = T::Base> {
+    /// Put two pairs side by side.
+    fn of_halves(first: T::Pair, second: T::Pair) -> Self;
+    /// Take them apart.
+    fn halves(self) -> [T::Pair; 2];
+    /// The same number four times.
+    fn all(x: T) -> Self;
+    /// A plain number for each.
+    fn plain(values: [T::Base; 4]) -> Self;
+    /// Put four numbers side by side.
+    #[inline(always)]
+    fn of([a, b, c, d]: [T; 4]) -> Self {
+        Self::of_halves(T::Pair::of(a, b), T::Pair::of(c, d))
+    }
+    /// Take them apart.
+    #[inline(always)]
+    fn parts(self) -> [T; 4] {
+        let [first, second] = self.halves();
+        let ((a, b), (c, d)) = (first.parts(), second.parts());
+        [a, b, c, d]
+    }
+    /// Their sum: that of the sums of the first and third, and of the second and fourth.
+    #[inline(always)]
+    fn sum(self) -> T {
+        let [first, second] = self.halves();
+        (first + second).sum()
+    }
+}
+
+macro_rules! plain {
+    ($float:ident, $pair:ty, $quad:ty, $integer:ident, $mantissa:expr, $artanh:expr, |$single:ident, $double:ident| $table:expr, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $asinh:path, $cbrt:path, $exp:path, $inverse_root:path) => {
+        impl Float for $float {
+            const ARTANH: &'static [Self] = &$artanh;
+
+            #[inline(always)]
+            fn widened(x: f32) -> Self {
+                $float::from(x)
+            }
+            #[inline(always)]
+            fn to_f64(self) -> f64 {
+                f64::from(self)
+            }
+            #[inline(always)]
+            fn is_finite_number(self) -> bool {
+                self.is_finite()
+            }
+            #[inline]
+            fn cube_root(self) -> Self {
+                $cbrt(self)
+            }
+            #[inline]
+            fn exp(self) -> Self {
+                $exp(self)
+            }
+            #[inline(always)]
+            fn table<const N: usize, const P: usize>(
+                $single: &'static [[[f32; 2]; P]; N],
+                $double: &'static [[[f64; 2]; P]; N],
+            ) -> &'static [[[Self; 2]; P]; N] {
+                let _ = ($single, $double);
+                $table
+            }
+        }
+
+        impl Plain for $float {
+            type Stored = $float;
+
+            #[inline(always)]
+            fn of(x: f64) -> Self {
+                x as $float
+            }
+            #[inline(always)]
+            fn stored(x: $float) -> Self {
+                x
+            }
+            #[inline(always)]
+            fn binary_quotient(self, divisor: Self) -> (Self, Self) {
+                // the bits of a floating-point number, read as an integer, are its binary logarithm to 0.043
+                let (p, q) = (self.to_bits() as $integer, divisor.to_bits() as $integer);
+                let k = (p - q + (1 << ($mantissa - 1))) >> $mantissa;
+                (k as $float, $float::from_bits((q + (k << $mantissa)) as _))
+            }
+            #[inline(always)]
+            fn lies_between(self, low: Self, high: Self) -> bool {
+                self >= low && self <= high
+            }
+            #[inline(always)]
+            fn lies_within(self, limit: Self) -> bool {
+                self.to_bits() <= limit.to_bits()
+            }
+            #[inline(always)]
+            fn is_positive_number(self) -> bool {
+                self.to_bits().wrapping_sub(1) < $float::MAX.to_bits()
+            }
+        }
+
+        impl Arithmetic for $float {
+            type Base = $float;
+            type Bare = $float;
+
+            #[inline(always)]
+            fn from_base(x: $float) -> Self {
+                x
+            }
+            #[inline(always)]
+            fn bare(self) -> Self {
+                self
+            }
+            #[inline(always)]
+            fn composed<const N: usize>(value: $float, _: [$float; N], _: [$float; N]) -> Self {
+                value
+            }
+            #[inline(always)]
+            fn scale(self, factor: $float) -> Self {
+                self * factor
+            }
+            #[inline(always)]
+            fn shift(self, term: $float) -> Self {
+                self + term
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                $sqrt(self)
+            }
+            #[inline(always)]
+            fn inverse_root(self) -> Self {
+                $inverse_root(self)
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                $float::abs(self)
+            }
+            #[inline(always)]
+            fn max(self, other: Self) -> Self {
+                if self > other { self } else { other }
+            }
+            #[inline(always)]
+            fn min(self, other: Self) -> Self {
+                if self < other { self } else { other }
+            }
+            #[inline(always)]
+            fn choose(self, yes: Self, no: Self) -> Self {
+                if self > 0.0 { yes } else { no }
+            }
+        }
+
+        impl Number for $float {
+            type Pair = $pair;
+            type Quad = $quad;
+            const LARGEST: $float = $float::MAX;
+            const TINY: $float = $float::MIN_POSITIVE;
+            const ROOT_TINY: $float = $root_tiny;
+            const HUGE: $float = $huge;
+            const EPSILON: $float = $float::EPSILON;
+
+            #[inline(always)]
+            fn value(self) -> $float {
+                self
+            }
+            #[inline(always)]
+            fn map<const N: usize, const M: usize>(
+                map: &impl Map<Self, N, M>,
+                inputs: [Self; N],
+            ) -> [Self; M] {
+                map.value(inputs).0
+            }
+            #[inline(always)]
+            fn exceeds(self, other: Self) -> bool {
+                self > other
+            }
+        }
+
+        impl Elementary for $float {
+            #[inline]
+            fn atan(self) -> Self {
+                $atan(self)
+            }
+            #[inline]
+            fn ln(self) -> Self {
+                $ln(self)
+            }
+            #[inline]
+            fn asinh(self) -> Self {
+                $asinh(self)
+            }
+        }
+    };
+}
+
+/// Even powers of `artanh(s)/s` for `s² ≤ 0.0403`, least on Chebyshev points: within 2e-15.
+const ARTANH_DOUBLE: [f64; 7] = [
+    1.0000000000000016,
+    0.33333333332951415,
+    0.20000000151707314,
+    0.14285691729279248,
+    0.11112703668482331,
+    0.09033493024410533,
+    0.08705642548611439,
+];
+/// The same, within 3e-9.
+const ARTANH_SINGLE: [f32; 4] = [1.0, 0.333_335_26, 0.199_761_59, 0.152_212_55];
+
+/// `Σ cᵢ zⁱ` of four or seven terms, in a tree of products that do not wait for each other.
+#[inline(always)]
+fn even_polynomial<F: Plain>(c: &[F::Stored], z: F) -> F {
+    let z2 = z * z;
+    let line = |p: F::Stored, q: F::Stored| F::stored(p) + F::stored(q) * z;
+    match *c {
+        [p, q, r, s] => line(p, q) + line(r, s) * z2,
+        [p, q, r, s, t, u, v] => {
+            (line(p, q) + line(r, s) * z2) + (line(t, u) + F::stored(v) * z2) * (z2 * z2)
+        }
+        _ => F::zero(),
+    }
+}
+
+plain!(
+    f64,
+    pairs::F64Pair,
+    pairs::F64Quad,
+    i64,
+    52,
+    ARTANH_DOUBLE,
+    |single, double| double,
+    1.491_668_146_240_041_3e-154,
+    1e100,
+    square_root::of_f64,
+    libm::atan,
+    libm::log,
+    libm::asinh,
+    libm::cbrt,
+    libm::exp,
+    pairs::inverse_root_f64
+);
+plain!(
+    f32,
+    pairs::F32Pair,
+    pairs::F32Quad,
+    i32,
+    23,
+    ARTANH_SINGLE,
+    |single, double| single,
+    1.084_202_2e-19,
+    1e12,
+    square_root::of_f32,
+    libm::atanf,
+    libm::logf,
+    libm::asinhf,
+    cube_root::of_f32,
+    libm::expf,
+    pairs::inverse_root_f32
+);

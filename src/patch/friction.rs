@@ -1,0 +1,219 @@
+//! Friction that falls with the slip, and reduced initial slope, on patches of strips.
+//!
+//! Every strip has its own coefficient of friction without slip, `μ₀(y)`. Polach's law multiplies all of them with one
+//! number, the share `λ`, that belongs to the mean slip of the patch, weighted with friction:
+//!
+//! ```text
+//! μ(y) = λ μ₀(y),   λ = (1 − A) exp(−B V s) + A,   s = P/(λ Σ μ₀ N)
+//! ```
+//!
+//! as in [`friction`](crate::friction), so that the strips of an ellipse give the ellipse's answer. (The law's own `μ₀` is not
+//! used.) Forces of a patch are homogeneous in creepage and friction, and the slope factor `k` multiplies the
+//! stiffness:
+//!
+//! ```text
+//! F(c; λ μ₀, k G) = λ F(k c/λ; μ₀, G)
+//! ```
+//!
+//! so nothing of the patch is copied: it is solved for other creepages. Derivatives follow from that and from the
+//! implicit function theorem.
+
+use crate::contact::creepage::Creepage;
+use crate::friction::{Agreement, SlipFriction};
+use crate::number::Float;
+use crate::patch::solver;
+use crate::patch::{Patch, PatchView};
+use crate::solve::model::{Jacobian, Model, Precision, Solution};
+use crate::status::{Error, Notice};
+
+/// Forces of a patch under friction that falls with the slip.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PatchFrictionSolution<F> {
+    /// The forces; its notice is also that of the friction.
+    pub solution: Solution<F>,
+    /// `λ`: friction that agrees with the slip over friction without slip, the same for all strips.
+    pub share: F,
+}
+
+/// Forces of a patch whose friction falls with the slip.
+///
+/// With `A = 1`, `B = 0` or `V = 0`, and `k = 1`, the result is that of [`solver::solve`] to the bit and costs no more.
+///
+/// # Errors
+/// Those of [`solver::solve`] and [`SlipFriction::check`]; `law.friction` is ignored.
+///
+/// # Example
+/// A patch that slips more pulls less:
+/// ```
+/// use kstrip::{contact::Contact, contact::creepage::Creepage, friction::SlipFriction, solve::model::Model};
+/// use kstrip::{patch::Patch, patch::friction::solve, strip_1967::totals::StripCount};
+/// let contact = Contact {
+///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
+/// };
+/// let patch = Patch::<f64, 16>::from_ellipse(&contact, StripCount::Sixteen)?;
+/// let wet = SlipFriction {
+///     friction: 0.3, ratio: 0.4, decay: 0.6, rolling_speed: 20.0, slope_factor: 0.5,
+/// };
+/// let pull = |slip: f64| {
+///     let creepage = Creepage { longitudinal: slip, lateral: 0.0, spin: 0.0 };
+///     solve(&patch.view()?, &creepage, &wet, Model::Strip).map(|found| found.solution.fx)
+/// };
+/// assert!(pull(0.02)? > pull(0.005)? && pull(0.02)? > pull(0.1)?);
+/// # Ok::<(), kstrip::status::Error>(())
+/// ```
+pub fn solve<F: Precision>(
+    patch: &PatchView<F>,
+    creepage: &Creepage<F>,
+    law: &SlipFriction<F>,
+    model: Model,
+) -> Result<PatchFrictionSolution<F>, Error> {
+    let problem = Problem::new(patch, creepage, law, model)?;
+    let (share, notice) = problem.agreement()?;
+    let solution = solver::solve(patch, &problem.scaled(share).0, model)?;
+    Ok(PatchFrictionSolution { solution: problem.under(share, &solution, notice), share })
+}
+
+/// [`solve`] with the exact derivatives with respect to the creepages, through friction and slip.
+///
+/// # Errors
+/// Those of [`solve`]; [`Error::Overflow`] also when a derivative does not fit.
+pub fn solve_jacobian<F: Precision>(
+    patch: &PatchView<F>,
+    creepage: &Creepage<F>,
+    law: &SlipFriction<F>,
+    model: Model,
+) -> Result<(PatchFrictionSolution<F>, Jacobian<F>), Error> {
+    let problem = Problem::new(patch, creepage, law, model)?;
+    let (share, notice) = problem.agreement()?;
+    let (scaled, factor) = problem.scaled(share);
+    let (found, slopes) = solver::solve_jacobian(patch, &scaled, model)?;
+    // F = λ f(k c/λ):  ∂F/∂c = k J
+    let stiffness = share * factor;
+    let mut jacobian = slopes.map(|slope| slope * stiffness);
+    let bound = problem.bound;
+    let slip = creepage.power([found.fx, found.fy, found.mz]) / bound;
+    // (a negative power, as the theory of 1967 has it in some contacts that spin, is no slip)
+    let falling = if slip > F::zero() { problem.law.falling_rate(slip) } else { F::zero() };
+    if falling < F::zero() {
+        let motion = [scaled.longitudinal, scaled.lateral, scaled.spin];
+        let forces = [found.fx, found.fy, found.mz];
+        // J (k c/λ) and Jᵀ (k c/λ)
+        let (mut along, mut across) = ([F::zero(); 3], [F::zero(); 3]);
+        let columns = slopes.column_iter().zip(motion).zip(&mut across);
+        for ((column, motion_along), across) in columns {
+            for ((slope, along), motion) in column.iter().zip(&mut along).zip(motion) {
+                *along += *slope * motion_along;
+                *across += *slope * motion;
+            }
+        }
+        // s = f c/M:  M ∂s/∂c = f + Jᵀ (k c/λ),  λ M ∂s/∂λ = −c J (k c/λ)
+        let by_share = -(creepage.power(along) / bound) / share;
+        // λ = g(s(c, λ)):  dλ/dc = g' ∂s/∂c/(1 − g' ∂s/∂λ)
+        let gain = falling / (F::one() - falling * by_share) / bound;
+        let columns = jacobian.column_iter_mut().zip(forces).zip(across);
+        for ((column, force), across) in columns {
+            let change = gain * (force + across);
+            // ∂F/∂λ = f − J (k c/λ)
+            for ((entry, force), along) in column.into_iter().zip(forces).zip(along) {
+                *entry += (force - along) * change;
+            }
+        }
+    }
+    if !jacobian.iter().all(|entry| entry.is_finite_number()) {
+        return Err(Error::Overflow);
+    }
+    let solution = problem.under(share, &found, notice);
+    Ok((PatchFrictionSolution { solution, share }, jacobian))
+}
+
+/// What a patch is while it slips: the share `λ` that friction has left, and what the caller should know.
+///
+/// [`Patch::under`] makes the patch with that friction, for everything else that can be asked of a patch: strips, fields.
+///
+/// # Errors
+/// Those of [`solve`].
+pub fn friction_share<F: Precision>(
+    patch: &PatchView<F>,
+    creepage: &Creepage<F>,
+    law: &SlipFriction<F>,
+    model: Model,
+) -> Result<(F, Notice), Error> {
+    Problem::new(patch, creepage, law, model)?.agreement()
+}
+
+impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
+    /// The patch with a share `λ` of its friction and a factor `k` of its stiffness.
+    #[must_use]
+    pub fn under(mut self, share: F, slope_factor: F) -> Self {
+        for strip in &mut self.strips {
+            strip.friction = strip.friction * share;
+        }
+        self.shear_modulus = self.shear_modulus * slope_factor;
+        self
+    }
+}
+
+/// A patch, a creepage, a model and a law that fit together.
+struct Problem<'a, F: Float> {
+    patch: &'a PatchView<'a, F>,
+    creepage: &'a Creepage<F>,
+    /// For friction in units of that without slip.
+    law: SlipFriction<F>,
+    model: Model,
+    /// `Σ μ₀ N`
+    bound: F,
+    /// What no point slips faster than, over rolling speed.
+    rigid_slip: F,
+}
+
+impl<'a, F: Precision> Problem<'a, F> {
+    fn new(
+        patch: &'a PatchView<'a, F>,
+        creepage: &'a Creepage<F>,
+        law: &SlipFriction<F>,
+        model: Model,
+    ) -> Result<Self, Error> {
+        let law = SlipFriction { friction: F::one(), ..*law };
+        law.check()?;
+        let rigid_slip = solver::check(patch, creepage, model)?;
+        if patch.shear_modulus() * law.slope_factor <= F::zero() {
+            return Err(Error::Modulus);
+        }
+        Ok(Self { patch, creepage, law, model, bound: patch.friction_bound(), rigid_slip })
+    }
+
+    fn agreement(&self) -> Result<(F, Notice), Error> {
+        if !self.law.falls() || self.bound <= F::zero() {
+            return Ok((F::one(), Notice::None));
+        }
+        Agreement::new(&self.law, self.rigid_slip, self.bound, |share| {
+            let scaled = self.scaled(share).0;
+            let Solution { fx, fy, mz, .. } = solver::solve(self.patch, &scaled, self.model)?;
+            let power = self.creepage.power([fx, fy, mz]);
+            Ok(self.law.at(power / self.bound))
+        })
+        .largest_solution()
+    }
+
+    /// `k c/λ`, and its factor; so far away that everything slides where `λ` vanishes.
+    fn scaled(&self, share: F) -> (Creepage<F>, F) {
+        let factor = self.law.slope_factor / share;
+        let farthest = F::HUGE * (F::HUGE / (self.bound + F::one())) / (self.rigid_slip + F::TINY);
+        let factor = factor.min(farthest.max(F::one()));
+        let Creepage { longitudinal, lateral, spin } = *self.creepage;
+        let scaled = Creepage {
+            longitudinal: longitudinal * factor,
+            lateral: lateral * factor,
+            spin: spin * factor,
+        };
+        (scaled, factor)
+    }
+
+    /// What the patch carries, from what it carries at the scaled creepage.
+    fn under(&self, share: F, scaled: &Solution<F>, notice: Notice) -> Solution<F> {
+        let Solution { fx, fy, mz, adhesion, .. } = *scaled;
+        let [fx, fy, mz] = [fx, fy, mz].map(|force| force * share);
+        let power = self.creepage.power([fx, fy, mz]);
+        Solution { fx, fy, mz, power, adhesion, notice: scaled.notice.worse(notice) }
+    }
+}

@@ -1,0 +1,424 @@
+//! A contact patch as its strips: any shape, any pressure along `y`, friction of its own in every strip.
+//!
+//! A strip runs along the rolling direction. It has a centre line `y`, a width, a half length `l`, a centre
+//! `x_c`, a friction coefficient, and a pressure that is a half-ellipse in `x`,
+//! `Z = p₀ √(1 − (x − x_c)²/l²)`, so that it carries the load `(π/2) p₀ l · width`. Where the strips come from
+//! does not matter: from a Hertz ellipse ([`Patch::from_ellipse`]), from a profile
+//! ([`kik_piotrowski`]), or from any other solver ([`Patch::from_strips`]).
+//!
+//! Strips lie side by side in ascending `y`. Where the distance of two neighbours is more than one and a half
+//! times that at which they touch, there is a gap, and what lies on either side of it is a [`Lobe`] of its own.
+//!
+//! **Equivalent ellipse.** The corrected strips need an axis ratio. Every lobe has its own ellipse: as wide as
+//! its strips together, `2 b = Σ w`, and with their mean squared half length, `a² = (3/2) Σ l² w/Σ w` (on
+//! an ellipse `∫ C² dY/∫ dY = 2/3`); it carries the lobe's load and has its mean friction, `μ = Σ μ N/Σ N`.
+//! Kik and Piotrowski (1996) take the ellipse of the same area whose axes are as the largest length and
+//! width. On an ellipse both are that ellipse; the second moment depends on all strips where the largest length
+//! depends on one, and it is exact when the strips are a Gauss rule.
+
+pub mod friction;
+pub mod kik_piotrowski;
+pub mod solver;
+
+use crate::contact::Contact;
+use crate::contact::material::{check_modulus, check_poisson_ratio};
+use crate::number::Float;
+use crate::solve::model::Precision;
+use crate::status::Error;
+use crate::strip::Placed;
+use crate::strip_1967::totals::StripCount;
+use core::f64::consts::{FRAC_PI_2, PI};
+use heapless::Vec;
+
+/// One strip of a patch, along the rolling direction.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PatchStrip<F> {
+    /// Centre line `y` \[m\].
+    pub y: F,
+    /// Width \[m\], positive.
+    pub width: F,
+    /// Half length `l` along `x` \[m\], positive.
+    pub half_length: F,
+    /// Centre `x_c` \[m\].
+    pub centre_x: F,
+    /// Pressure at the centre `p₀` \[Pa\], not negative.
+    pub peak_pressure: F,
+    /// Coefficient of friction `μ`, not negative.
+    pub friction: F,
+}
+
+impl<F: Float> PatchStrip<F> {
+    /// Load `(π/2) p₀ l · width` \[N\].
+    #[must_use]
+    pub fn load(&self) -> F {
+        (self.peak_pressure * self.half_length).times(FRAC_PI_2) * self.width
+    }
+
+    /// `μ` times the load \[N\].
+    #[must_use]
+    pub fn friction_bound(&self) -> F {
+        self.friction * self.load()
+    }
+
+    /// The circle with the strip's length, peak pressure and friction: its parameters `ξ, η, ψ` are the
+    /// strip's.
+    #[must_use]
+    pub fn circle(&self, shear_modulus: F, poisson_ratio: F) -> Contact<F> {
+        let Self { half_length, peak_pressure, friction, .. } = *self;
+        Contact {
+            a: half_length,
+            b: half_length,
+            // p₀ = 3N/(2π a b)
+            normal_force: (peak_pressure * half_length).times(2.0 * PI / 3.0) * half_length,
+            shear_modulus,
+            poisson_ratio,
+            friction,
+        }
+    }
+
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::StripSize`], [`Error::Pressure`], [`Error::Friction`].
+    pub fn check(&self) -> Result<(), Error> {
+        let Self { y, width, half_length, centre_x, peak_pressure, friction } = *self;
+        let inputs = [y, width, half_length, centre_x, peak_pressure, friction];
+        if !inputs.iter().all(|input| input.is_finite_number()) {
+            return Err(Error::NotFinite);
+        }
+        if width <= F::zero() || half_length <= F::zero() {
+            return Err(Error::StripSize);
+        }
+        if peak_pressure < F::zero() {
+            return Err(Error::Pressure);
+        }
+        if friction < F::zero() {
+            return Err(Error::Friction);
+        }
+        Ok(())
+    }
+
+    /// Distance of the centre lines over that at which the strips touch.
+    fn distance(&self, next: &Self) -> F {
+        (next.y - self.y) / (self.width.times(0.5) + next.width.times(0.5))
+    }
+
+    /// Whether there is a gap before the next strip.
+    pub(crate) fn is_apart(&self, next: &Self) -> bool {
+        self.distance(next) > F::constant(1.5)
+    }
+
+    /// Whether the next strip lies beside this one. The widths of a Gauss rule overlap by up to a quarter.
+    fn is_beside(&self, next: &Self) -> bool {
+        self.distance(next) >= F::constant(0.5)
+    }
+}
+
+/// What a sum over strips has to be multiplied with to be the integral that it stands for.
+///
+/// One for strips that are the patch themselves. A Gauss rule of an ellipse misses the root at its ends by a
+/// little, and these two make the slopes of the linear theory exact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct QuadratureScale<F> {
+    /// For the area `∫ 2 l dy`.
+    pub area: F,
+    /// For its moment `∫ 2 l y² dy`.
+    pub lever: F,
+}
+
+impl<F: Float> Default for QuadratureScale<F> {
+    fn default() -> Self {
+        Self { area: F::one(), lever: F::one() }
+    }
+}
+
+/// A checked patch that somebody else stores.
+#[derive(Clone, Copy, Debug)]
+pub struct PatchView<'a, F> {
+    strips: &'a [PatchStrip<F>],
+    shear_modulus: F,
+    poisson_ratio: F,
+    scale: QuadratureScale<F>,
+}
+
+impl<'a, F: Float> PatchView<'a, F> {
+    /// Strips in ascending `y`, combined shear modulus `G` \[Pa\] and Poisson's ratio `ν`. No strips are a
+    /// patch without load.
+    ///
+    /// # Errors
+    /// Those of [`PatchStrip::check`]; [`Error::Modulus`], [`Error::PoissonRatio`];
+    /// [`Error::StripOrder`] when strips overlap or do not ascend; [`Error::Overflow`] when a sum or the
+    /// axis ratio of a lobe does not fit the floating-point type.
+    pub fn new(
+        strips: &'a [PatchStrip<F>],
+        shear_modulus: F,
+        poisson_ratio: F,
+        scale: QuadratureScale<F>,
+    ) -> Result<Self, Error> {
+        check_modulus(shear_modulus)?;
+        check_poisson_ratio(poisson_ratio)?;
+        for factor in [scale.area, scale.lever] {
+            if !factor.is_finite_number() || factor <= F::zero() {
+                return Err(Error::NotFinite);
+            }
+            if factor < F::constant(1e-6) || factor > F::constant(1e6) {
+                return Err(Error::Overflow);
+            }
+        }
+        for strip in strips {
+            strip.check()?;
+        }
+        if !strips.iter().zip(strips.iter().skip(1)).all(|(strip, next)| strip.is_beside(next)) {
+            return Err(Error::StripOrder);
+        }
+        let view = Self { strips, shear_modulus, poisson_ratio, scale };
+        for lobe in view.lobes() {
+            lobe.contact.check().map_err(|_| Error::Overflow)?;
+        }
+        for strip in strips {
+            strip.circle(shear_modulus, poisson_ratio).check().map_err(|_| Error::Overflow)?;
+            // (the circle's pressure is zero where its load underflows)
+            if !(strip.friction * strip.peak_pressure).is_finite_number() {
+                return Err(Error::Overflow);
+            }
+        }
+        let sums = [view.friction_bound(), view.normal_force(), view.area() * scale.area];
+        if sums.iter().all(|sum| sum.is_finite_number()) { Ok(view) } else { Err(Error::Overflow) }
+    }
+
+    /// The strips, ascending in `y`.
+    #[must_use]
+    pub fn strips(&self) -> &'a [PatchStrip<F>] {
+        self.strips
+    }
+
+    /// Combined shear modulus `G` \[Pa\].
+    #[must_use]
+    pub fn shear_modulus(&self) -> F {
+        self.shear_modulus
+    }
+
+    /// Combined Poisson's ratio `ν`.
+    #[must_use]
+    pub fn poisson_ratio(&self) -> F {
+        self.poisson_ratio
+    }
+
+    /// Factors of the quadrature.
+    #[must_use]
+    pub fn scale(&self) -> QuadratureScale<F> {
+        self.scale
+    }
+
+    /// Normal force `N` \[N\].
+    #[must_use]
+    pub fn normal_force(&self) -> F {
+        sum(self.strips, PatchStrip::load)
+    }
+
+    /// `Σ μ N` \[N\]: no tangential force exceeds it.
+    #[must_use]
+    pub fn friction_bound(&self) -> F {
+        sum(self.strips, PatchStrip::friction_bound)
+    }
+
+    /// Contact area `Σ 2 l w` \[m²\].
+    #[must_use]
+    pub fn area(&self) -> F {
+        sum(self.strips, |strip| strip.half_length.times(2.0) * strip.width)
+    }
+
+    /// The parts of the patch that gaps separate, in ascending `y`.
+    pub fn lobes(&self) -> impl Iterator<Item = Lobe<'a, F>> + use<'a, F> {
+        let (shear_modulus, poisson_ratio) = (self.shear_modulus, self.poisson_ratio);
+        let mut rest = self.strips;
+        core::iter::from_fn(move || {
+            let mut pairs = rest.iter().zip(rest.iter().skip(1));
+            let end = pairs.position(|(strip, next)| strip.is_apart(next));
+            let (strips, others) = match end.and_then(|last| rest.split_at_checked(last + 1)) {
+                Some(parts) => parts,
+                None => (rest, [].as_slice()),
+            };
+            rest = others;
+            Lobe::new(strips, shear_modulus, poisson_ratio)
+        })
+    }
+}
+
+/// Strips without a gap between them, and the ellipse that stands for them.
+#[derive(Clone, Copy, Debug)]
+pub struct Lobe<'a, F> {
+    /// Its strips.
+    pub strips: &'a [PatchStrip<F>],
+    /// `y` \[m\] half-way between its edges, where its ellipse lies.
+    pub y: F,
+    /// The equivalent ellipse.
+    pub contact: Contact<F>,
+}
+
+impl<'a, F: Float> Lobe<'a, F> {
+    /// `None` without strips.
+    fn new(strips: &'a [PatchStrip<F>], shear_modulus: F, poisson_ratio: F) -> Option<Self> {
+        let (first, last) = (strips.first()?, strips.last()?);
+        let load = sum(strips, PatchStrip::load);
+        let bound = sum(strips, PatchStrip::friction_bound);
+        let width = sum(strips, |strip| strip.width);
+        let longest =
+            strips.iter().fold(F::zero(), |longest, strip| longest.max(strip.half_length));
+        let mean_square =
+            sum(strips, |strip| (strip.half_length / longest).squared() * (strip.width / width));
+        let contact = Contact {
+            // a² = (3/2) Σ l² w/Σ w
+            a: longest * mean_square.times(1.5).sqrt(),
+            b: width.times(0.5),
+            normal_force: load,
+            shear_modulus,
+            poisson_ratio,
+            friction: if load > F::zero() { bound / load } else { first.friction },
+        };
+        let (lower, upper) = (first.y - first.width.times(0.5), last.y + last.width.times(0.5));
+        Some(Self { strips, y: lower.times(0.5) + upper.times(0.5), contact })
+    }
+}
+
+fn sum<F: Float>(strips: &[PatchStrip<F>], term: impl Fn(&PatchStrip<F>) -> F) -> F {
+    strips.iter().fold(F::zero(), |sum, strip| sum + term(strip))
+}
+
+/// A patch of at most `CAPACITY` strips.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Patch<F, const CAPACITY: usize> {
+    /// The strips, ascending in `y`.
+    pub strips: Vec<PatchStrip<F>, CAPACITY>,
+    /// Combined shear modulus `G` \[Pa\].
+    pub shear_modulus: F,
+    /// Combined Poisson's ratio `ν`.
+    pub poisson_ratio: F,
+    /// Factors of the quadrature.
+    pub scale: QuadratureScale<F>,
+}
+
+impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
+    /// The strips of the Hertz ellipse, where [`Model::Strip`](crate::solve::model::Model::Strip) places them.
+    ///
+    /// # Errors
+    /// Those of [`Contact::check`]; [`Error::PatchSize`] when the capacity is below the count;
+    /// [`Error::Overflow`] when its strips do not fit the floating-point type.
+    pub fn from_ellipse(contact: &Contact<F>, count: StripCount) -> Result<Self, Error> {
+        check_ellipse(contact, count)?;
+        let mut patch = Self::empty(contact.shear_modulus, contact.poisson_ratio);
+        patch.scale = ellipse(contact, count, |strip| patch.strips.push(strip).is_ok())?;
+        Ok(patch)
+    }
+
+    /// A caller's strips, in any order.
+    ///
+    /// # Errors
+    /// [`Error::PatchSize`] when there are more than the capacity, else those of [`PatchView::new`].
+    pub fn from_strips(
+        strips: &[PatchStrip<F>],
+        shear_modulus: F,
+        poisson_ratio: F,
+    ) -> Result<Self, Error> {
+        let mut patch = Self::empty(shear_modulus, poisson_ratio);
+        patch.strips.extend_from_slice(strips).map_err(|_| Error::PatchSize)?;
+        sort(&mut patch.strips);
+        patch.view()?;
+        Ok(patch)
+    }
+
+    pub(crate) fn empty(shear_modulus: F, poisson_ratio: F) -> Self {
+        Self { strips: Vec::new(), shear_modulus, poisson_ratio, scale: QuadratureScale::default() }
+    }
+}
+
+impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
+    /// The patch, checked, for the functions of [`solver`].
+    ///
+    /// # Errors
+    /// Those of [`PatchView::new`].
+    pub fn view(&self) -> Result<PatchView<'_, F>, Error> {
+        PatchView::new(&self.strips, self.shear_modulus, self.poisson_ratio, self.scale)
+    }
+}
+
+/// Ascending in `y`, without a panic and without a second array; lists that ascend already take one pass.
+pub(crate) fn sort<F: Float>(strips: &mut [PatchStrip<F>]) {
+    for end in 1..strips.len() {
+        for i in (0..end).rev() {
+            match strips.get_mut(i..i + 2) {
+                Some([strip, next]) if next.y < strip.y => core::mem::swap(strip, next),
+                _ => break,
+            }
+        }
+    }
+}
+
+/// Whether the strips of an ellipse make a patch that [`PatchView::new`] accepts.
+///
+/// # Errors
+/// Those of [`Contact::check`]; [`Error::Overflow`] when its strips do not fit the floating-point type.
+pub(crate) fn check_ellipse<F: Precision>(
+    contact: &Contact<F>,
+    count: StripCount,
+) -> Result<(), Error> {
+    contact.check()?;
+    let Contact { shear_modulus, poisson_ratio, .. } = *contact;
+    let [mut width, mut load, mut bound, mut area] = [F::zero(); 4];
+    let mut last: Option<PatchStrip<F>> = None;
+    let scale = ellipse(contact, count, |strip| {
+        width += strip.width;
+        load += strip.load();
+        bound += strip.friction_bound();
+        area += strip.half_length.times(2.0) * strip.width;
+        let fits = strip.check().is_ok()
+            && strip.circle(shear_modulus, poisson_ratio).check().is_ok()
+            && last.is_none_or(|last| last.is_beside(&strip) && !last.is_apart(&strip));
+        last = Some(strip);
+        fits
+    });
+    // A strip that is none, or sums beyond the number range: only in contacts at the ends of it.
+    let scale = scale.map_err(|_| Error::Overflow)?;
+    let friction = if load > F::zero() { bound / load } else { contact.friction };
+    let lobe = Contact { b: width.times(0.5), normal_force: load, friction, ..*contact };
+    lobe.check().map_err(|_| Error::Overflow)?;
+    if !(area * scale.area).is_finite_number() {
+        return Err(Error::Overflow);
+    }
+    Ok(())
+}
+
+/// Hands the strips of a checked ellipse to `take`, which tells whether it had room.
+pub(crate) fn ellipse<F: Precision>(
+    contact: &Contact<F>,
+    count: StripCount,
+    take: impl FnMut(PatchStrip<F>) -> bool,
+) -> Result<QuadratureScale<F>, Error> {
+    match count {
+        StripCount::Four => placed::<F, 4>(contact, take),
+        StripCount::Eight => placed::<F, 8>(contact, take),
+        StripCount::Sixteen => placed::<F, 16>(contact, take),
+        StripCount::ThirtyTwo => placed::<F, 32>(contact, take),
+        StripCount::SixtyFour => placed::<F, 64>(contact, take),
+    }
+}
+
+fn placed<F: Placed<N>, const N: usize>(
+    contact: &Contact<F>,
+    mut take: impl FnMut(PatchStrip<F>) -> bool,
+) -> Result<QuadratureScale<F>, Error> {
+    let rule = &F::RULE;
+    for ((y, half_length), width) in rule.y.iter().zip(&rule.half_length).zip(&rule.width) {
+        let strip = PatchStrip {
+            y: contact.b * *y,
+            width: contact.b * *width,
+            half_length: contact.a * *half_length,
+            centre_x: F::zero(),
+            peak_pressure: contact.peak_pressure() * *half_length,
+            friction: contact.friction,
+        };
+        if !take(strip) {
+            return Err(Error::PatchSize);
+        }
+    }
+    Ok(QuadratureScale { area: rule.stretch, lever: rule.lever })
+}
