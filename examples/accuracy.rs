@@ -18,10 +18,11 @@ mod random;
 mod reference;
 
 use kstrip::contact::creepage::Parameters;
+use kstrip::contact::forces::StripCount;
 use kstrip::solve::model::{Model, Precision};
 use kstrip::strip_1967::closed_form;
 use kstrip::strip_1967::strip::SlidingRule;
-use kstrip::strip_1967::totals::{StripCount, StripTheory};
+use kstrip::strip_1967::totals::StripTheory;
 use lines::Lines;
 use peer_methods::*;
 use peers::fastsim::{Bound, Flexibility, Layout};

@@ -3,9 +3,9 @@
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Parameters;
+use kstrip::contact::forces::StripCount;
 use kstrip::solve::model::{self, Field, Model, Options};
 use kstrip::strip_1967::strip::State;
-use kstrip::strip_1967::totals::StripCount;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use std::error::Error;

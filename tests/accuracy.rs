@@ -4,8 +4,8 @@
 #[path = "common/reference.rs"]
 mod reference;
 
+use kstrip::contact::forces::StripCount;
 use kstrip::solve::model::Model;
-use kstrip::strip_1967::totals::StripCount;
 use reference::*;
 use std::collections::HashMap;
 use std::fmt::Write;

@@ -5,8 +5,8 @@ mod random;
 #[path = "common/theory.rs"]
 mod theory;
 
+use kstrip::contact::forces::StripCount;
 use kstrip::strip_1967::strip::{Regime, SlidingRule, Strip};
-use kstrip::strip_1967::totals::StripCount;
 use random::Random;
 use theory::{Law, solve};
 

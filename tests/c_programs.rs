@@ -11,6 +11,7 @@ use core::mem::{offset_of, size_of};
 use header::{Declared, Structure};
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::{Creepage, Parameters};
+use kstrip::contact::forces::StripCount;
 use kstrip::ffi::types_f32::*;
 use kstrip::ffi::{self, batch::*, derivatives::*, friction::*, patch_types::*, rig::*, types::*};
 use kstrip::friction::SlipFriction;
@@ -20,7 +21,6 @@ use kstrip::patch::solver::{self, PatchField};
 use kstrip::solve::model::{self, Field, Model, Options, StripResult};
 use kstrip::status::Notice;
 use kstrip::strip_1967::strip::State;
-use kstrip::strip_1967::totals::StripCount;
 use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;
 use toolchain::{

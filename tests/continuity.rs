@@ -9,7 +9,7 @@ mod random;
 #[path = "common/theory.rs"]
 mod theory;
 
-use kstrip::strip_1967::totals::StripCount;
+use kstrip::contact::forces::StripCount;
 use random::Random;
 use theory::{COUNTS, Law, solve};
 

@@ -1,9 +1,10 @@
 //! Quadrature over strips against the closed form (7.1).
 
 use kstrip::contact::creepage::Parameters;
+use kstrip::contact::forces::StripCount;
 use kstrip::strip_1967::closed_form;
 use kstrip::strip_1967::strip::SlidingRule;
-use kstrip::strip_1967::totals::{StripCount, StripTheory};
+use kstrip::strip_1967::totals::StripTheory;
 
 #[path = "common/random.rs"]
 mod random;

@@ -9,12 +9,12 @@ mod theory;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
+use kstrip::contact::forces::StripCount;
 use kstrip::ffi::derivatives::*;
 use kstrip::ffi::double::*;
 use kstrip::ffi::types::*;
 use kstrip::solve::derivatives::{self, Derivatives};
 use kstrip::solve::model::{self, Model, Options};
-use kstrip::strip_1967::totals::StripCount;
 use random::Random;
 use theory::{COUNTS, MODELS, contact, options};
 

@@ -7,6 +7,7 @@ mod theory;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
+use kstrip::contact::forces::StripCount;
 use kstrip::ffi;
 use kstrip::ffi::friction::*;
 use kstrip::ffi::types::*;
@@ -14,7 +15,6 @@ use kstrip::ffi::types_f32::*;
 use kstrip::friction::{self, SlipFriction};
 use kstrip::solve::model::{self, Model, Options};
 use kstrip::status::{Error, Notice};
-use kstrip::strip_1967::totals::StripCount;
 use random::Random;
 use std::mem::MaybeUninit;
 use theory::{contact, options};

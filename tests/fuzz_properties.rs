@@ -99,9 +99,9 @@ fn inputs_of_a_fuzzer_replay() {
 fn what_was_found_stays_repaired() {
     use kstrip::contact::Contact;
     use kstrip::contact::creepage::Creepage;
+    use kstrip::contact::forces::StripCount;
     use kstrip::solve::model::{Field, Model, Options, solve, solve_jacobian};
     use kstrip::status::Error;
-    use kstrip::strip_1967::totals::StripCount;
 
     let contact = |a, b, normal_force, shear_modulus, friction| Contact {
         a,
@@ -159,11 +159,11 @@ fn what_was_found_stays_repaired() {
 fn what_every_function_found_stays_repaired() {
     use kstrip::contact::Contact;
     use kstrip::contact::creepage::Creepage;
+    use kstrip::contact::forces::StripCount;
     use kstrip::patch::{Patch, PatchView, QuadratureScale};
     use kstrip::rig::{Measured, estimate_friction};
     use kstrip::solve::model::{Model, Options, solve, solve_jacobian, strips};
     use kstrip::status::Error;
-    use kstrip::strip_1967::totals::StripCount;
 
     let wheel = Contact {
         a: 3.6e-3,

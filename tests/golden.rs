@@ -15,6 +15,7 @@ mod toolchain;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
+use kstrip::contact::forces::StripCount;
 use kstrip::friction::{self, SlipFriction};
 use kstrip::patch::kik_piotrowski::ProfileContact;
 use kstrip::patch::solver::{self, PatchField};
@@ -26,7 +27,6 @@ use kstrip::solve::model::{
     self, Field, Jacobian, Model, Options, Precision, Solution, StripResult,
 };
 use kstrip::status::{Error, Notice};
-use kstrip::strip_1967::totals::StripCount;
 use kstrip::strip_1967::strip::State;
 use std::process::Command;
 use toolchain::{root, run_c_with, say};

@@ -8,6 +8,7 @@ mod theory;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
+use kstrip::contact::forces::StripCount;
 use kstrip::ffi;
 use kstrip::ffi::derivatives::*;
 use kstrip::ffi::double::*;
@@ -17,7 +18,6 @@ use kstrip::ffi::types_f32::*;
 use kstrip::solve::model::{self, Field, Model};
 use kstrip::status::{Error, Notice};
 use kstrip::strip_1967::strip::State;
-use kstrip::strip_1967::totals::StripCount;
 use single::{single, single_motion};
 use std::f64::consts::PI;
 use std::mem::MaybeUninit;

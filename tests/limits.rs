@@ -7,9 +7,9 @@ mod theory;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
+use kstrip::contact::forces::StripCount;
 use kstrip::solve::model::{self, Field, Model};
 use kstrip::strip_1967::strip::State;
-use kstrip::strip_1967::totals::StripCount;
 use proptest::prelude::*;
 use random::Random;
 use std::f64::consts::PI;

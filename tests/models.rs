@@ -6,13 +6,13 @@ mod random;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
+use kstrip::contact::forces::StripCount;
 use kstrip::linear::LinearCoefficients;
 use kstrip::solve::model::{
     self, Field, Jacobian, Model, Options, Precision, Solution, StripResult, solve,
 };
 use kstrip::status::{Error, Notice};
 use kstrip::strip_1967::strip::State;
-use kstrip::strip_1967::totals::StripCount;
 use proptest::prelude::*;
 use random::Random;
 use rstest::rstest;

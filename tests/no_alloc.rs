@@ -2,10 +2,10 @@
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
+use kstrip::contact::forces::StripCount;
 use kstrip::contact::hertz::{Radii, hertz};
 use kstrip::contact::material::{Material, combine};
 use kstrip::solve::model::{Field, Model, Options, solve, solve_jacobian, strips};
-use kstrip::strip_1967::totals::StripCount;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::hint::black_box;

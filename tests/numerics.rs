@@ -5,12 +5,12 @@
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Parameters;
+use kstrip::contact::forces::StripCount;
 use kstrip::contact::hertz::{Radii, hertz};
 use kstrip::number::Float;
 use kstrip::solve::model::{Model, Options, solve_jacobian};
 use kstrip::strip_1967::closed_form;
 use kstrip::strip_1967::strip::adhesion_length;
-use kstrip::strip_1967::totals::StripCount;
 use std::collections::BTreeMap;
 
 struct Row {

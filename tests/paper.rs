@@ -4,10 +4,10 @@
 mod theory;
 
 use kstrip::contact::Contact;
+use kstrip::contact::forces::StripCount;
 use kstrip::solve::model::{self, Field, Model};
 use kstrip::status::Notice;
 use kstrip::strip_1967::strip::{Regime, SlidingRule, State, Strip};
-use kstrip::strip_1967::totals::StripCount;
 use std::f64::consts::PI;
 use theory::{MODELS, contact, creepage, options};
 

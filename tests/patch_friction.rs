@@ -10,8 +10,9 @@ mod single;
 mod theory;
 
 use kstrip::contact::creepage::Creepage;
-use kstrip::ffi::patch::*;
+use kstrip::contact::forces::StripCount;
 use kstrip::ffi::friction::*;
+use kstrip::ffi::patch::*;
 use kstrip::ffi::patch_friction::*;
 use kstrip::ffi::patch_single::*;
 use kstrip::ffi::patch_types::*;
@@ -23,7 +24,6 @@ use kstrip::patch::solver::{self, PatchField};
 use kstrip::patch::{Patch, PatchStrip};
 use kstrip::solve::model::{self, Model};
 use kstrip::status::{Error, Notice};
-use kstrip::strip_1967::totals::StripCount;
 use patches::{Comparison, Full, irregular, motion};
 use random::Random;
 use single::single;

@@ -11,13 +11,14 @@ mod random;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::{Creepage, Parameters};
+use kstrip::contact::forces::StripCount;
 use kstrip::linear::LinearCoefficients;
 use kstrip::number::dual::Dual;
 use kstrip::number::{Arithmetic, Float, Real};
 use kstrip::solve::model::{Model, Options, Precision, solve_jacobian};
 use kstrip::strip::{Placed, RollingStrips, StripGeometry, Uniform, march};
 use kstrip::strip_1967::strip::{SlidingRule, adhesion_length};
-use kstrip::strip_1967::totals::{StripCount, StripTheory};
+use kstrip::strip_1967::totals::StripTheory;
 use kstrip::total::{TotalForce, total};
 use precise::Precise;
 use random::Random;

@@ -9,12 +9,12 @@ mod theory;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
+use kstrip::contact::forces::StripCount;
 use kstrip::ffi;
 use kstrip::ffi::rig::*;
 use kstrip::rig::{Measured, creepage_for_force, estimate_friction};
 use kstrip::solve::model::{self, Model, Options};
 use kstrip::status::{Error, Notice};
-use kstrip::strip_1967::totals::StripCount;
 use random::Random;
 use single::single;
 use std::mem::MaybeUninit;

@@ -4,10 +4,10 @@ use crate::peer_methods::*;
 use crate::peers::fastsim::{Bound, Flexibility, Layout};
 use crate::peers::{self, polach, shen_hedrick_elkins, vermeulen_johnson};
 use crate::reference::*;
+use kstrip::contact::forces::StripCount;
 use kstrip::ffi::{double, single, types::*, types_f32::*};
 use kstrip::linear::LinearCoefficients;
 use kstrip::solve::model::Model;
-use kstrip::strip_1967::totals::StripCount;
 use std::hint::black_box;
 use std::mem::MaybeUninit;
 

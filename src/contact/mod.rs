@@ -2,6 +2,7 @@
 
 pub mod creepage;
 pub(crate) mod elliptic;
+pub mod forces;
 pub mod hertz;
 pub mod material;
 

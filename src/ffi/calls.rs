@@ -4,6 +4,7 @@ use super::{answer, checked_options, kstrip_status, types::kstrip_options};
 use crate::batch::{self, Problems, Solutions};
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters, SurfaceVelocity};
+use crate::contact::forces::StripCount;
 use crate::contact::hertz::{self, HertzContact, Radii};
 use crate::contact::material::{self, CombinedMaterial, Material};
 use crate::number::Float;
@@ -12,7 +13,6 @@ use crate::solve::model::{
     self, Field, Jacobian, Model, Options, Precision, Solution, StripResult,
 };
 use crate::status::{Error, Notice};
-use crate::strip_1967::totals::StripCount;
 use core::mem::MaybeUninit;
 
 pub(super) type Out<'a, T> = Option<&'a mut MaybeUninit<T>>;

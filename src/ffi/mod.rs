@@ -33,9 +33,9 @@ pub mod friction;
 pub mod patch_friction;
 pub mod rig;
 
+use crate::contact::forces::StripCount;
 use crate::solve::model::{Model, Options};
 use crate::status::{Error, Notice, advice};
-use crate::strip_1967::totals::StripCount;
 use core::ffi::c_char;
 use core::mem::MaybeUninit;
 use types::kstrip_options;

@@ -5,6 +5,7 @@ use super::patch_types::*;
 use super::{KSTRIP_PATCH_CAPACITY, answer, checked_options, kstrip_status, types::kstrip_options};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
+use crate::contact::forces::StripCount;
 use crate::number::Float;
 use crate::patch::kik_piotrowski::{Indentation, ProfileContact};
 use crate::patch::solver::{self, PatchField};
@@ -12,7 +13,6 @@ use crate::patch::{self, Patch, PatchStrip, PatchView, QuadratureScale};
 use crate::solve::field::FieldPoint;
 use crate::solve::model::{Precision, Solution, StripResult};
 use crate::status::{Error, Notice};
-use crate::strip_1967::totals::StripCount;
 use core::mem::{MaybeUninit, offset_of};
 
 /// A patch that C stores.

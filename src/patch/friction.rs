@@ -46,7 +46,7 @@ pub struct PatchFrictionSolution<F> {
 /// A patch that slips more pulls less:
 /// ```
 /// use kstrip::{contact::Contact, contact::creepage::Creepage, friction::SlipFriction, solve::model::Model};
-/// use kstrip::{patch::Patch, patch::friction::solve, strip_1967::totals::StripCount};
+/// use kstrip::{patch::Patch, patch::friction::solve, contact::forces::StripCount};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
 /// };

@@ -30,13 +30,13 @@
 //! more (`tests/patch.rs`). No shape correction is applied. Of two points equally deep the first counts.
 
 use crate::contact::elliptic::Integrals;
+use crate::contact::forces::StripCount;
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::Float;
 use crate::patch::{Patch, PatchStrip};
 use crate::solve::model::Precision;
 use crate::status::Error;
 use crate::strip_1967::quadrature::Node;
-use crate::strip_1967::totals::StripCount;
 use core::f64::consts::PI;
 
 /// Share of the approach by which the surfaces are shifted into each other.
@@ -435,7 +435,7 @@ impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
     /// # Example
     /// A wheel of 0.46 m radius on a rail head of 0.30 m:
     /// ```
-    /// use kstrip::{patch::kik_piotrowski::ProfileContact, patch::Patch, strip_1967::totals::StripCount};
+    /// use kstrip::{patch::kik_piotrowski::ProfileContact, patch::Patch, contact::forces::StripCount};
     /// let y: [f64; 41] = core::array::from_fn(|i| (i as f64 - 20.0) * 0.5e-3);
     /// let distance = y.map(|y| y * y / (2.0 * 0.30));
     /// let contact = ProfileContact {

@@ -21,12 +21,12 @@ pub mod kik_piotrowski;
 pub mod solver;
 
 use crate::contact::Contact;
+use crate::contact::forces::StripCount;
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::Float;
 use crate::solve::model::Precision;
 use crate::status::Error;
 use crate::strip::Placed;
-use crate::strip_1967::totals::StripCount;
 use core::f64::consts::{FRAC_PI_2, PI};
 use heapless::Vec;
 

@@ -327,7 +327,7 @@ impl<F: Precision> Problem<'_, F> {
 /// # Example
 /// A wheel on a rail whose outer third is greasy:
 /// ```
-/// use kstrip::{contact::Contact, contact::creepage::Creepage, solve::model::Model, strip_1967::totals::StripCount};
+/// use kstrip::{contact::Contact, contact::creepage::Creepage, solve::model::Model, contact::forces::StripCount};
 /// use kstrip::{patch::Patch, patch::solver::solve};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,

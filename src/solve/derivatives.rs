@@ -23,10 +23,10 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
+use crate::contact::forces::Totals;
 use crate::number::Float;
 use crate::solve::model::{self, Forces, Jacobian, Model, Options, Precision, Problem, Solution};
 use crate::status::Error;
-use crate::strip_1967::totals::Totals;
 use nalgebra::{Matrix3, Vector3};
 
 /// Derivatives of `(F_x, F_y, M_z)`.

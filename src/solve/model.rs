@@ -2,6 +2,7 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
+use crate::contact::forces::{StripCount, Totals};
 use crate::linear::LinearCoefficients;
 use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float, Number, Pair, Plain, Real};
@@ -10,7 +11,7 @@ use crate::status::{Error, Notice};
 use crate::strip::{Placed, RollingStrips, StripGeometry, StripTotals, Strips};
 use crate::strip_1967::quadrature::Tabulated;
 use crate::strip_1967::strip::{SlidingRule, State, Strip, StripPoint};
-use crate::strip_1967::totals::{PlacedStrip, StripCount, StripTheory, Totals};
+use crate::strip_1967::totals::{PlacedStrip, StripTheory};
 use crate::total;
 use nalgebra::Matrix3;
 

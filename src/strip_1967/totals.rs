@@ -15,6 +15,7 @@
 //!   stretch `∫ C dY` are exact: saturation and linear slopes come out to rounding with any count.
 
 use crate::contact::creepage::Parameters;
+use crate::contact::forces::{StripCount, Totals};
 use crate::number::{Arithmetic, Choice, Elementary, Number, Pair, Real, Stored};
 use crate::strip_1967::leading_edge::{AdhesionInterval, EdgePoint, Released, StripFamily};
 use crate::strip_1967::panels::{
@@ -23,51 +24,7 @@ use crate::strip_1967::panels::{
 use crate::strip_1967::quadrature::{StripRule, Tabulated};
 use crate::strip_1967::strip::SlidingRule;
 
-/// Total force and moment of a contact, dimensionless.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Totals<T> {
-    /// `F_x/(μ N)`
-    pub fx: T,
-    /// `F_y/(μ N)`
-    pub fy: T,
-    /// `M_z/(μ N √(ab))`, about the centre
-    pub mz: T,
-    /// Share of the contact area in adhesion, 0 to 1.
-    pub stick: T,
-}
-
-/// How many strips share the patch. Error against the closed form falls geometrically with the
-/// count; cost is proportional to it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[repr(i32)]
-pub enum StripCount {
-    /// 4 strips: shape of the creep curve only.
-    Four = 4,
-    /// 8 strips.
-    Eight = 8,
-    /// 16 strips: the recommended count.
-    #[default]
-    Sixteen = 16,
-    /// 32 strips.
-    ThirtyTwo = 32,
-    /// 64 strips: reference quality.
-    SixtyFour = 64,
-}
-
 impl StripCount {
-    /// The count for a number, if it is one of the fixed counts.
-    #[must_use]
-    pub const fn from_number(number: i32) -> Option<Self> {
-        Some(match number {
-            4 => Self::Four,
-            8 => Self::Eight,
-            16 => Self::Sixteen,
-            32 => Self::ThirtyTwo,
-            64 => Self::SixtyFour,
-            _ => return None,
-        })
-    }
-
     /// How they are dealt to panels.
     #[inline(always)]
     pub(crate) fn rule<F: Tabulated>(self) -> &'static StripRule<F> {

@@ -4,10 +4,10 @@
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
+use kstrip::contact::forces::StripCount;
 use kstrip::linear::LinearCoefficients;
 use kstrip::solve::model::{self, Field, Model, Options, Precision};
 use kstrip::strip_1967::strip::State;
-use kstrip::strip_1967::totals::StripCount;
 use std::collections::HashSet;
 use std::f64::consts::PI;
 use std::path::{Path, PathBuf};

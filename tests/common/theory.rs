@@ -6,9 +6,9 @@
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
+use kstrip::contact::forces::StripCount;
 use kstrip::solve::model::{Field, FieldStrip, Model, Options};
 use kstrip::strip_1967::strip::Strip;
-use kstrip::strip_1967::totals::StripCount;
 use std::f64::consts::PI;
 
 pub const COUNTS: [StripCount; 5] = [
