@@ -533,7 +533,7 @@ impl Report {
         self.line(
             "The theory of 1967 has its total force in closed form (`kstrip::strip_1967::closed_form::force`). Distance of the sum over \
              strips from it, in μ N, for 10 000 random contacts: a/b 0.1 to 10, ν 0 to 0.5, |ξ| and |η| up to 1, η also \
-             log-uniform down to 1e-12, |ψ| up to 0.95 (the same as in `tests/convergence.rs`). These are errors of the \
+             log-uniform down to 1e-12, |ψ| up to 0.95 (the same as in `tests/theory/convergence.rs`). These are errors of the \
              summation only, far below those of the theory.\n",
         );
         self.header(&["strips", "median", "mean", "95 %", "max", "f32: median", "95 %", "max"]);

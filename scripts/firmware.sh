@@ -254,7 +254,7 @@ for board in mps2-an386 mps2-an500; do
     run $board "$out/selftest.$board.elf" "$out/selftest.$board.txt"
     cmp "$out/selftest.$board.txt" "$out/selftest.host.txt" || fail "$board and this machine differ in some bit"
     say "$board: self-test bit for bit as on this machine"
-    # The first contacts of tests/golden.rs: both precisions, every model, derivatives, points of the field, patches,
+    # The first contacts of tests/golden/bits.rs: both precisions, every model, derivatives, points of the field, patches,
     # falling friction, what kstrip_evaluate() leaves out, the inverse functions
     c_flags_before=$c_flags
     c_flags="$c_flags -DFIRMWARE"

@@ -12,7 +12,7 @@ seconds=${1:-60} fuzz_target=${2:-entries}
 shift $(($# < 2 ? $# : 2))
 
 if ! command -v cargo-fuzz > /dev/null || ! cargo +nightly --version > /dev/null 2>&1; then
-    echo "SKIPPED: no cargo-fuzz with a nightly compiler; tests/fuzz_properties.rs checks the same on random bytes"
+    echo "SKIPPED: no cargo-fuzz with a nightly compiler; tests/interface/fuzz_properties.rs checks the same on random bytes"
     exit 77
 fi
 

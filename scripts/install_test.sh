@@ -23,7 +23,7 @@ library=$prefix/lib/libkstrip.so
 export LD_LIBRARY_PATH=$prefix/lib DYLD_LIBRARY_PATH=$prefix/lib
 
 # ---- What leaves the library ---------------------------------------------------------------
-# The committed interface: docs/abi.txt, which tests/header.rs compares with the header.
+# The committed interface: docs/abi.txt, which tests/interface/binary_interface.rs compares with the header.
 sed -n 's/^function [^(]*[ *]\(kstrip_[a-z0-9_]*\)(.*/\1/p' docs/abi.txt | sort > "$work/committed"
 if has nm && [ "$(uname -s)" != Darwin ]; then
     nm -D --defined-only "$library" | awk '{ print $NF }' | sort > "$work/exported"

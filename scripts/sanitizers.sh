@@ -34,7 +34,7 @@ for source in c_examples/[0-9]*.c tests/c/*.c; do
 done
 written=$(ls -t "${CARGO_TARGET_DIR:-target}"/tmp/bad_input.c 2> /dev/null | head -1 || true)
 [ -n "$written" ] && programs+=("$written") \
-    || echo "SKIPPED: the calls of docs/bad-input.md: run cargo test --test bad_input first"
+    || echo "SKIPPED: the calls of docs/bad-input.md: run cargo test --test interface bad_input first"
 
 # each LABEL COMPILER FLAGS LIBRARY RUNNER: compile, run, and stop at the first report
 each() {

@@ -27,7 +27,7 @@
 //!
 //! Against Hertz's paraboloids the pressure distribution is an ellipsoid too, but its axes are those of the section
 //! of the undeformed surfaces: for a circle 3 % too long, the peak pressure 6 % too low; for slender ellipses
-//! more (`tests/patch.rs`). No shape correction is applied. Of two points equally deep the first counts.
+//! more (`tests/models/patch.rs`). No shape correction is applied. Of two points equally deep the first counts.
 
 use crate::contact::elliptic::Integrals;
 use crate::contact::forces::StripCount;

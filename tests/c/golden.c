@@ -1,4 +1,4 @@
-/* Hashes over results of the same inputs on every machine. tests/golden.rs has the inputs again in Rust,
+/* Hashes over results of the same inputs on every machine. tests/golden/bits.rs has the inputs again in Rust,
  * tests/data/golden.txt the hashes that are right.
  *
  *     golden               one contact after the other

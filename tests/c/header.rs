@@ -187,10 +187,10 @@ impl Declared {
         text
     }
 
-    /// The list of structures for the macro `layouts!` of `tests/c_programs.rs`.
+    /// The list of structures for the macro `layouts!` of `tests/builds/c_programs.rs`.
     pub fn rust_list(&self) -> String {
         let mut text = "// Every structure of the header. Written together with it:\n\
-             // KSTRIP_WRITE_HEADER=1 cargo test --test header\nlayouts! {\n"
+             // KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface\nlayouts! {\n"
             .to_owned();
         for Structure { name, members } in &self.structures {
             let members: Vec<&str> = members.iter().map(|member| member.name.as_str()).collect();

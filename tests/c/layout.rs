@@ -1,5 +1,5 @@
 // Every structure of the header. Written together with it:
-// KSTRIP_WRITE_HEADER=1 cargo test --test header
+// KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface
 layouts! {
     kstrip_options { model, strips }
     kstrip_material { shear_modulus, poisson_ratio }

@@ -1,4 +1,4 @@
-//! Cases computed with CONTACT, and how far a model is from them. Used by `tests/accuracy.rs` and
+//! Cases computed with CONTACT, and how far a model is from them. Used by `tests/models/accuracy.rs` and
 //! by `examples/accuracy.rs`.
 #![allow(dead_code)]
 

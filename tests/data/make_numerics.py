@@ -1,4 +1,4 @@
-"""Reference values in 200-bit arithmetic for tests/numerics.rs: python3 make_numerics.py > numerics.csv
+"""Reference values in 200-bit arithmetic for tests/numbers/numerics.rs: python3 make_numerics.py > numerics.csv
 
 Every input is a number of single precision, so that one reference serves both precisions. Needs mpmath.
 Columns: what, region, six inputs, four results as pairs of doubles (sum of the two is good to 106 bits).

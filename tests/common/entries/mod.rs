@@ -1,8 +1,8 @@
 //! Every C function with arbitrary bytes as its arguments, and what must hold whatever they are.
 //!
-//! Used by the libFuzzer targets of `fuzz/` and by `tests/fuzz_properties.rs`. The first byte chooses the function
+//! Used by the libFuzzer targets of `fuzz/` and by `tests/interface/fuzz_properties.rs`. The first byte chooses the function
 //! and its precision, the others are its arguments. A function that the header gets is added to one of the lists
-//! [`ENTRIES`](double::contacts::ENTRIES); `tests/fuzz_properties.rs` finds out if it is not.
+//! [`ENTRIES`](double::contacts::ENTRIES); `tests/interface/fuzz_properties.rs` finds out if it is not.
 //!
 //! * A status below zero leaves every output as it was (they are filled with a pattern first), and any other
 //!   status leaves what was not asked for.

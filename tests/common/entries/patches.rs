@@ -135,7 +135,7 @@ fn patch_from_profile(bytes: &mut Bytes) {
         assert!(found.deepest_y.is_finite() && found.iterations <= 60, "{found:?}");
         let load = f64::from(accepted(&patch).normal_force);
         let reached = f64::from(found.normal_force);
-        // (far fewer digits are lost unless the numbers are at the ends of their range; tests/patch.rs asks for them)
+        // (far fewer digits are lost unless the numbers are at the ends of their range; tests/models/patch.rs asks for them)
         let allowed = 1.001e-3 * reached;
         assert!((load - reached).abs() <= allowed, "{load} {found:?} {patch:?}");
     }

@@ -1,0 +1,967 @@
+//! C programs against the header and the static library: the examples with their numbers, the layout
+//! of every structure, the answers to bad input, the language standards, threads.
+
+use crate::header;
+use crate::toolchain;
+
+use core::f64::consts::{FRAC_PI_2, PI};
+use core::mem::{offset_of, size_of};
+use header::{Declared, Structure};
+use kstrip::contact::Contact;
+use kstrip::contact::creepage::{Creepage, Parameters};
+use kstrip::contact::forces::StripCount;
+use kstrip::ffi::types_f32::*;
+use kstrip::ffi::{self, batch::*, derivatives::*, friction::*, patch_types::*, rig::*, types::*};
+use kstrip::friction::SlipFriction;
+use kstrip::patch::Patch;
+use kstrip::patch::kik_piotrowski::ProfileContact;
+use kstrip::patch::solver::{self, PatchField};
+use kstrip::solve::model::{self, Field, Model, Options, StripResult};
+use kstrip::status::Notice;
+use kstrip::strip_1967::strip::State;
+use std::collections::{BTreeMap, BTreeSet};
+use std::process::Command;
+use toolchain::{
+    build_c_with, check_header, compile_with, has_cpp, knows, output_of, root, run_c, say, scratch,
+    symbols_of_library, write_scratch,
+};
+
+/// The contact of examples 02 to 05 and 07.
+const CONTACT: Contact<f64> = Contact {
+    a: 6e-3,
+    b: 4.5e-3,
+    normal_force: 80e3,
+    shear_modulus: 82e9,
+    poisson_ratio: 0.28,
+    friction: 0.3,
+};
+
+const FRICTION_BOUND: f64 = 24e3;
+
+/// All numbers of a line, in order.
+fn numbers(line: &str) -> Vec<f64> {
+    line.split(|c: char| c.is_whitespace() || c == ',')
+        .filter_map(|word| word.parse().ok())
+        .collect()
+}
+
+/// The numbers of the only line that starts like this.
+fn line_of(text: &str, start: &str) -> Vec<f64> {
+    let lines: Vec<&str> =
+        text.lines().filter(|line| line.trim_start().starts_with(start)).collect();
+    assert_eq!(lines.len(), 1, "lines that start with {start:?}");
+    numbers(lines[0])
+}
+
+/// A number that was printed with so many decimals.
+#[track_caller]
+fn assert_printed(printed: f64, exact: f64, decimals: i32, what: &str) {
+    // Half a unit of the last place; the hair covers the conversion from text.
+    let allowed = 0.5 * 10_f64.powi(-decimals) + 1e-13 * exact.abs();
+    assert!((printed - exact).abs() <= allowed, "{what}: printed {printed}, should be {exact}");
+}
+
+#[track_caller]
+fn assert_close(value: f64, exact: f64, tolerance: f64, what: &str) {
+    assert!((value - exact).abs() <= tolerance, "{what}: {value}, should be {exact} ± {tolerance}");
+}
+
+/// `(a, b, p₀, δ)` of Hertz for curvatures `A` along x and `B > A` along y: complete elliptic
+/// integrals by the trapezoidal rule, the axis ratio by bisection.
+fn hertz_by_quadrature(load: f64, e_star: f64, small: f64, large: f64) -> (f64, f64, f64, f64) {
+    let integrals = |g: f64| {
+        let n = 400;
+        let mut sums = (0.0, 0.0);
+        for i in 0..n {
+            let sine = (FRAC_PI_2 * (f64::from(i) + 0.5) / f64::from(n)).sin();
+            let delta = (1.0 - (1.0 - g * g) * sine * sine).sqrt();
+            sums.0 += 1.0 / delta;
+            sums.1 += delta;
+        }
+        (sums.0 * FRAC_PI_2 / f64::from(n), sums.1 * FRAC_PI_2 / f64::from(n))
+    };
+    // B/A = [(l/s)² E − K]/[K − E], falling in s/l
+    let (mut low, mut high) = (1e-2, 1.0 - 1e-6);
+    for _ in 0..60 {
+        let g = 0.5 * (low + high);
+        let (k, e) = integrals(g);
+        if (e / (g * g) - k) / (k - e) > large / small { low = g } else { high = g }
+    }
+    let g = 0.5 * (low + high);
+    let (k, e) = integrals(g);
+    // √(A B) = (p₀/E*) (s/(l² e²)) √{[(l/s)² E − K][K − E]},  p₀ = 3N/(2π l s)
+    let root = ((e / (g * g) - k) * (k - e)).sqrt() / (1.0 - g * g);
+    let l = (1.5 * load / (PI * e_star) * root / (small * large).sqrt()).cbrt();
+    let p0 = 1.5 * load / (PI * l * l * g);
+    (l, l * g, p0, p0 / e_star * l * g * k)
+}
+
+#[test]
+fn wheel_rail_prints_the_right_patch_forces_and_map() {
+    let text = run_c("c_examples/01_wheel_rail.c");
+
+    // The patch, against an evaluation of Hertz's formulas that shares nothing with the library
+    let e_star = 82e9 / (1.0 - 0.28);
+    let (a, b, p0, approach) = hertz_by_quadrature(80e3, e_star, 0.5 / 0.46, 0.5 / 0.30);
+    let patch = line_of(&text, "a = ");
+    assert_printed(patch[0], a * 1e3, 6, "a");
+    assert_printed(patch[1], b * 1e3, 6, "b");
+    let pressure = line_of(&text, "peak pressure");
+    assert_printed(pressure[0], p0 / 1e6, 4, "peak pressure");
+    assert_printed(pressure[1], approach * 1e6, 6, "approach");
+
+    // The table, against the Rust interface with the default options
+    let contact = Contact { a, b, ..CONTACT };
+    let mut table = text.lines().skip_while(|line| !line.contains("long. [%]")).skip(1);
+    let mut forces = BTreeMap::new();
+    for row in table.by_ref().take_while(|line| !line.is_empty()).map(numbers) {
+        let [longitudinal, lateral, spin, fx, fy, mz, stick] = row[..] else {
+            panic!("seven columns: {row:?}")
+        };
+        let creepage =
+            Creepage { longitudinal: longitudinal / 100.0, lateral: lateral / 100.0, spin };
+        let exact = model::solve(&contact, &creepage, &Options::default()).expect("a solution");
+        assert_printed(fx, exact.fx, 2, "Fx");
+        assert_printed(fy, exact.fy, 2, "Fy");
+        assert_printed(mz, exact.mz, 4, "Mz");
+        assert_printed(stick, exact.adhesion * 100.0, 3, "stick");
+        assert!(fx.hypot(fy) <= FRICTION_BOUND + 0.01, "|F| ≤ μ N: {row:?}");
+        forces.insert([longitudinal, lateral, spin].map(|v| (v * 100.0).round() as i64), (fx, fy));
+    }
+    assert_eq!(forces.len(), 15, "rows of the table");
+    // Full sliding, and the lateral force changes its sign with the lateral creepage
+    assert_eq!(forces[&[10_000, 0, 0]], (FRICTION_BOUND, 0.0));
+    assert_eq!(forces[&[0, 10, 0]].1, -forces[&[0, -10, 0]].1);
+    // Positive spin pushes along +y, the more the larger
+    assert!(0.0 < forces[&[0, 0, 10]].1 && forces[&[0, 0, 10]].1 < forces[&[0, 0, 50]].1);
+
+    // The map, character by character, leading edge in the first line
+    let map: Vec<Vec<char>> = text
+        .lines()
+        .filter_map(|line| line.strip_prefix("  |")?.split('|').next())
+        .map(|line| line.chars().collect())
+        .collect();
+    let (rows, columns) = (25, 51);
+    assert_eq!(map.len(), rows);
+    let creepage = Creepage { longitudinal: 1e-3, lateral: 0.0, spin: 0.4 };
+    let options = Options::default();
+    let field = Field::new(&contact, &creepage, &options).expect("a field");
+    let step = 2.0 * a / rows as f64;
+    let mut counts = BTreeMap::new();
+    for (i, line) in map.iter().rev().enumerate() {
+        assert_eq!(line.len(), columns);
+        for (j, &character) in line.iter().enumerate() {
+            let x = (i as f64 - 12.0) * step;
+            let y = (j as f64 - 25.0) * step / 2.0;
+            let state = match character {
+                ' ' => State::Outside,
+                '#' => State::Stick,
+                '.' => State::Slip,
+                '-' => State::SlipNegativeDissipation,
+                other => panic!("{other:?} in the map"),
+            };
+            assert_eq!(state, field.at(x, y).state, "line {i}, column {j}");
+            *counts.entry(character).or_insert(0_u32) += 1;
+        }
+    }
+    // The area that the characters cover is that of the ellipse, and stick has its share of it
+    let count = |character| f64::from(counts.get(&character).copied().unwrap_or(0));
+    let inside = count('#') + count('.') + count('-');
+    assert_close(inside * step * step / 2.0, PI * a * b, 0.02 * PI * a * b, "area of the map");
+    let adhesion = model::solve(&contact, &creepage, &options).expect("a solution").adhesion;
+    assert_close(count('#') / inside, adhesion, 0.02, "stick in the map");
+}
+
+/// What the header declares.
+fn declared() -> Declared {
+    header::declared(&std::fs::read_to_string(root().join("include/kstrip.h")).expect("the header"))
+}
+
+/// The constants of the header whose names start like this.
+fn constants_of_header(prefix: &str) -> BTreeMap<String, i64> {
+    declared().constants.into_iter().filter(|(name, _)| name.starts_with(prefix)).collect()
+}
+
+/// One line of the CSV file.
+struct Row {
+    motion: Creepage<f64>,
+    fx: f64,
+    fy: f64,
+}
+
+#[test]
+fn creep_curves_hold_every_model_and_have_its_slopes() {
+    let text = run_c("c_examples/02_creep_curves.c");
+    let mut curves: BTreeMap<(i64, String), Vec<Row>> = BTreeMap::new();
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    assert_eq!(
+        reader.headers().expect("a header").iter().collect::<Vec<_>>().join(","),
+        "model,number,curve,longitudinal,lateral,spin_1_per_m,fx_N,fy_N,mz_N_m,power_N,stick,status"
+    );
+    for record in reader.records() {
+        let record = record.expect("as many columns as the header");
+        let value = |column: usize| record[column].parse::<f64>().expect("a number");
+        let number: i32 = record[1].parse().expect("a model number");
+        let model = Model::from_number(number).expect("a model");
+        let motion = Creepage { longitudinal: value(3), lateral: value(4), spin: value(5) };
+        let options = Options { model, strips: StripCount::default() };
+        let exact = model::solve(&CONTACT, &motion, &options).expect("a solution");
+        // Ten digits are printed; the creepage in the table is rounded to ten as well.
+        let columns =
+            [exact.fx, exact.fy, exact.mz, exact.power, exact.adhesion].map(|v| (v, v.abs()));
+        for (column, (exact, size)) in (6..).zip(columns) {
+            assert_close(value(column), exact, 2e-9 * size + 1e-9, &format!("{record:?}"));
+        }
+        assert_eq!(record[11].parse(), Ok(exact.notice.code()), "status of {record:?}");
+        if exact.notice != Notice::BeyondFriction {
+            assert!(value(6).hypot(value(7)) <= FRICTION_BOUND * (1.0 + 1e-9), "{record:?}");
+        }
+        let rows = curves.entry((i64::from(number), record[2].to_owned())).or_default();
+        rows.push(Row { motion, fx: value(6), fy: value(7) });
+    }
+
+    // No model of the header is missing
+    let listed: BTreeSet<i64> = curves.keys().map(|(number, _)| *number).collect();
+    let known: BTreeSet<i64> = constants_of_header("KSTRIP_MODEL_").into_values().collect();
+    assert_eq!(listed, known, "add a line per model to the table of 02_creep_curves.c");
+
+    let Contact { a, b, shear_modulus: g, poisson_ratio: nu, .. } = CONTACT;
+    for number in [ffi::KSTRIP_MODEL_STRIP_1967, ffi::KSTRIP_MODEL_STRIP_1967_CONTINUOUS] {
+        let curve = |name: &str| &curves[&(i64::from(number), name.to_owned())];
+        // Initial slopes: those at creepages 1e-6 and 1e-5, extrapolated to zero. What is left is of
+        // second order in ξ = 2e-3, plus ten printed digits.
+        let slope = |name: &str, force: fn(&Row) -> f64, size: fn(&Row) -> f64| {
+            let [s1, s2] = [1, 2].map(|i| force(&curve(name)[i]) / size(&curve(name)[i]));
+            (10.0 * s1 - s2) / 9.0
+        };
+        let c11 = slope("longitudinal", |r| r.fx, |r| r.motion.longitudinal) / (g * a * b);
+        let c22 = slope("lateral", |r| r.fy, |r| r.motion.lateral) / (g * a * b);
+        let c23 = slope("spin", |r| r.fy, |r| r.motion.spin) / (g * (a * b).powf(1.5));
+        assert_close(c11, PI * PI / (4.0 * (1.0 - nu)), 1e-6, "C11 = π²/(4(1 − ν))");
+        assert_close(c22, PI * PI / 4.0, 1e-6, "C22 = π²/4");
+        assert_close(c23, PI / 3.0 * (a / b).sqrt(), 1e-6, "C23 = (π/3) √(a/b)");
+
+        // Pure creepage: the closed form (8.15), between the slope and full sliding
+        let p0 = 1.5 * CONTACT.normal_force / (PI * a * b);
+        for (name, unit) in [("longitudinal", 1.0 - nu), ("lateral", 1.0)] {
+            for row in curve(name) {
+                let creepage = row.motion.longitudinal + row.motion.lateral;
+                let tau = (creepage * g / (2.0 * unit * CONTACT.friction * p0)).min(1.0);
+                let wanted = 1.0
+                    - ((2.0 + tau * tau) * (1.0 - tau * tau).sqrt() - 3.0 * tau * tau.acos()) / 2.0;
+                // 16 strips have this error by design (median over random inputs).
+                let force = row.fx + row.fy;
+                assert_close(force / FRICTION_BOUND, wanted, 3e-5, &format!("{name} {creepage}"));
+            }
+            let last = curve(name).last().expect("rows");
+            assert_close(last.fx + last.fy, FRICTION_BOUND, 1e-5, "full sliding");
+        }
+    }
+}
+
+#[test]
+fn traction_field_adds_up_to_the_forces() {
+    let text = run_c("c_examples/03_traction_field.c");
+    let creepage = Creepage { longitudinal: 0.0005, lateral: 0.001, spin: 0.3 };
+    let options = Options { model: Model::Strip1967, strips: StripCount::ThirtyTwo };
+    let exact = model::solve(&CONTACT, &creepage, &options).expect("a solution");
+
+    // Strips, one by one and summed
+    let mut strips: Vec<StripResult<f64>> = Vec::new();
+    model::strips(&CONTACT, &creepage, &options, &mut |strip| strips.push(strip)).expect("strips");
+    let printed: Vec<Vec<f64>> =
+        text.lines().skip(1).take_while(|line| !line.is_empty()).map(numbers).collect();
+    assert_eq!(printed.len(), strips.len());
+    let (mut width, mut force) = (0.0, 0.0);
+    for (row, strip) in printed.iter().zip(&strips) {
+        let wanted = [strip.y, strip.width, strip.half_length, strip.separatrix].map(|v| v * 1e3);
+        for (value, wanted) in row[1..5].iter().zip(wanted) {
+            assert_printed(*value, wanted, 5, "geometry of a strip");
+        }
+        assert_printed(row[5], strip.fx, 4, "Fx of a strip");
+        assert_printed(row[6], strip.fy, 4, "Fy of a strip");
+        // c = a √(1 − (y/b)²)
+        let chord = CONTACT.a * (1.0 - (strip.y / CONTACT.b).powi(2)).sqrt();
+        assert_printed(row[3], chord * 1e3, 5, "chord of the ellipse");
+        width += row[2];
+        force += row[6];
+    }
+    let rounding = 0.5e-4 * strips.len() as f64;
+    assert_close(width, 9.0, 0.1 * rounding, "widths of the strips cover the patch [mm]");
+    assert_close(force, exact.fy, rounding, "Fy of the strips");
+
+    let solve = line_of(&text, "solve ");
+    let sums = line_of(&text, "sum of strips");
+    let integral = line_of(&text, "integral");
+    let totals = [exact.fx, exact.fy, exact.mz, exact.power];
+    for (k, (&value, &wanted)) in solve[1..].iter().zip(&totals).enumerate() {
+        let decimals = if k < 2 { 4 } else { 6 };
+        assert_printed(value, wanted, decimals, "solve");
+        assert_close(sums[k], value, 2.0 * 10_f64.powi(-decimals), "sum of strips");
+    }
+    // The square grid misses part of the rim: its error in the load, 3e-5, is that of the forces too.
+    assert_close(integral[0], CONTACT.normal_force, 5e-5 * CONTACT.normal_force, "∫ Z");
+    assert_close(integral[1], exact.fx, 5e-5 * FRICTION_BOUND, "∫ X");
+    assert_close(integral[2], exact.fy, 5e-5 * FRICTION_BOUND, "∫ Y");
+    assert_close(integral[3], exact.mz, 5e-5 * FRICTION_BOUND * CONTACT.a, "∫ (x Y − y X)");
+    assert_close(integral[4], exact.power, 2e-4 * exact.power, "∫ P");
+
+    // Points of the field
+    let field = Field::new(&CONTACT, &creepage, &options).expect("a field");
+    let mut seen = BTreeMap::new();
+    for line in text.lines().filter(|line| line.starts_with("point")) {
+        let row = numbers(line);
+        let [x, y, pressure, traction_x, traction_y, slip_x, slip_y] = row[..] else {
+            panic!("seven numbers: {line}")
+        };
+        let point = field.at(x * 1e-3, y * 1e-3);
+        let (name, state) = match line.split_whitespace().last() {
+            Some(name @ "stick") => (name, State::Stick),
+            Some(name @ "slip") => (name, State::Slip),
+            Some(name @ "slip-") => (name, State::SlipNegativeDissipation),
+            other => panic!("{other:?} is no state"),
+        };
+        *seen.entry(name).or_insert(0) += 1;
+        assert_eq!(state, point.state, "{line}");
+        // The printed place is exact: x is a multiple of 1/40 mm and y of 3/160 mm.
+        assert_close(pressure, point.pressure / 1e6, 0.501e-4, line);
+        assert_close(traction_x, point.traction_x / 1e6, 0.501e-4, line);
+        assert_close(traction_y, point.traction_y / 1e6, 0.501e-4, line);
+        assert_close(slip_x, point.slip_x, 0.501e-7, line);
+        assert_close(slip_y, point.slip_y, 0.501e-7, line);
+        // Ellipsoidal pressure
+        let depth = 1.0 - (x / 6.0).powi(2) - (y / 4.5).powi(2);
+        let p0 = 1.5 * 80e3 / (PI * 6.0 * 4.5);
+        assert_close(pressure, p0 * depth.sqrt(), 0.501e-4, "p₀ √(1 − (x/a)² − (y/b)²)");
+        let (traction, bound) = (traction_x.hypot(traction_y), 0.3 * pressure);
+        if state == State::Stick {
+            assert!(traction <= bound && slip_x == 0.0 && slip_y == 0.0, "{line}");
+        } else {
+            assert_close(traction, bound, 2e-4, "slip is at the friction bound");
+            assert!(slip_x.hypot(slip_y) > 0.0, "{line}");
+        }
+    }
+    assert!(seen["stick"] > 20 && seen["slip"] > 5, "{seen:?}");
+}
+
+#[test]
+fn velocities_become_opposite_forces_on_the_two_bodies() {
+    let text = run_c("c_examples/04_own_velocities.c");
+    // Wheel: yaw 1 mrad, contact plane tilted by 50 mrad, circumference 0.1 % too fast
+    let (yaw, tilt, radius, speed) = (1e-3_f64, 50e-3_f64, 0.46, 20.0);
+    let creepage = Creepage {
+        longitudinal: 1.0 - 1.001 * yaw.cos(),
+        lateral: -1.001 * yaw.sin() * tilt.cos(),
+        spin: 1.001 * yaw.cos() * tilt.sin() / radius,
+    };
+    let printed = line_of(&text, "creepage:");
+    assert_printed(printed[0], creepage.longitudinal, 9, "longitudinal creepage");
+    assert_printed(printed[1], creepage.lateral, 9, "lateral creepage");
+    assert_printed(printed[2], creepage.spin, 9, "spin");
+
+    let forces = model::solve(&CONTACT, &creepage, &Options::default()).expect("a solution");
+    let rail = line_of(&text, "force on the rail");
+    let wheel = line_of(&text, "force on the wheel");
+    let wanted = [forces.fx, forces.fy * tilt.cos(), forces.fy * tilt.sin(), forces.mz];
+    for (k, (value, wanted)) in rail.iter().zip(wanted).enumerate() {
+        assert_printed(*value, wanted, if k < 3 { 4 } else { 6 }, "force on the rail");
+    }
+    // Action and reaction, to the last printed digit
+    assert_eq!(wheel, rail.iter().map(|value| -value).collect::<Vec<_>>());
+    // The wheel pulls: forward on the wheel, and it goes where it points
+    assert!(wheel[0] > 0.0 && wheel[1] > 0.0);
+
+    let heat = line_of(&text, "frictional heat")[0];
+    let work = line_of(&text, "power of the forces")[0];
+    assert_printed(heat, forces.power * speed, 6, "heat");
+    assert!(heat > 0.0);
+    // The power is a difference of two large ones (135 kW each): 1e-11 of them is 1e-6 W.
+    assert_close(work, -heat, 5e-6, "what the forces take from the bodies is the heat");
+}
+
+#[test]
+fn worn_profiles_touch_in_two_zones() {
+    let text = run_c("c_examples/06_worn_profile.c");
+    let (y, distance): (Vec<f64>, Vec<f64>) = (0..241)
+        .map(|i| {
+            let y = 0.1e-3 * f64::from(i - 120);
+            let s = y / 4.5e-3;
+            let w = s * s - 1.0;
+            (y, 70e-6 * w * w + 3e-6 * s)
+        })
+        .unzip();
+    let wheel = ProfileContact {
+        rolling_radius: 0.46,
+        normal_force: 80e3,
+        shear_modulus: 82e9,
+        poisson_ratio: 0.28,
+        friction: 0.35,
+    };
+    let (clean, found) =
+        Patch::<f64, 64>::from_profile(&y, &distance, &wheel, StripCount::ThirtyTwo)
+            .expect("a patch");
+    let head = line_of(&text, "approach");
+    assert_printed(head[0], found.penetration * 1e6, 4, "approach");
+    assert_printed(head[1], found.peak_pressure / 1e6, 3, "peak pressure");
+    assert_printed(head[2], found.deepest_y * 1e3, 4, "deepest point");
+    assert_printed(head[3], 80e3, 4, "load");
+    let sizes = text.lines().nth(1).map(numbers).expect("a second line");
+    assert_eq!(sizes[..2], [clean.strips.len() as f64, 2.0], "strips and zones");
+
+    // The deepest point carries the deflection: δ = (1/(π E*)) ∫∫ Z/r dA over the strips, by the midpoint
+    // rule in polar angle around the strips next to it
+    let e_star = 82e9 / 0.72;
+    let deflection: f64 = clean
+        .strips
+        .iter()
+        .flat_map(|strip| (0..400).map(move |k| (strip, (f64::from(k) + 0.5) / 400.0 - 0.5)))
+        .map(|(strip, share)| {
+            let d = strip.y + share * strip.width - found.deepest_y;
+            let x = (0..400).map(|k| {
+                let angle = PI * (f64::from(k) + 0.5) / 400.0;
+                let (x, root) = (strip.half_length * angle.cos(), strip.half_length * angle.sin());
+                root * root / x.hypot(d)
+            });
+            let slope = strip.peak_pressure / strip.half_length;
+            slope * x.sum::<f64>() * PI / 400.0 * strip.width / 400.0
+        })
+        .sum::<f64>()
+        / (PI * e_star);
+    assert_close(deflection, found.penetration, 0.01 * found.penetration, "deflection");
+
+    let mut greasy = clean.clone();
+    for strip in &mut greasy.strips {
+        strip.friction = if strip.y > 0.0 { 0.05 } else { 0.35 };
+    }
+    let (clean, greasy) = (clean.view().expect("a patch"), greasy.view().expect("a patch"));
+    let mut rows = 0;
+    let table = text.lines().filter(|line| line.ends_with("clean") || line.ends_with("greasy"));
+    for line in table {
+        let patch = if line.ends_with("clean") { &clean } else { &greasy };
+        let [longitudinal, lateral, spin, fx, fy, mz, stick] = numbers(line)[..] else {
+            panic!("seven numbers: {line}")
+        };
+        let motion =
+            Creepage { longitudinal: longitudinal / 100.0, lateral: lateral / 100.0, spin };
+        let exact = solver::solve(patch, &motion, Model::Strip).expect("forces");
+        assert_printed(fx, exact.fx, 3, "Fx");
+        assert_printed(fy, exact.fy, 3, "Fy");
+        assert_printed(mz, exact.mz, 4, "Mz");
+        assert_printed(stick, exact.adhesion * 100.0, 4, "stick");
+        let bound = patch.friction_bound();
+        assert!(fx.hypot(fy) <= bound + 0.01, "{line}");
+        if longitudinal == 100.0 {
+            assert_printed(fx, bound, 3, "full sliding");
+        }
+        rows += 1;
+    }
+    assert_eq!(rows, 12, "rows of the table");
+
+    let motion = Creepage { longitudinal: 1e-3, lateral: 5e-4, spin: 0.3 };
+    let field = PatchField::new(&greasy, &motion, Model::Strip).expect("a field");
+    let map: Vec<Vec<char>> = text
+        .lines()
+        .filter(|line| line.starts_with("  |"))
+        .map(|line| line.chars().collect())
+        .collect();
+    assert_eq!(map.len(), 21);
+    let mut seen = BTreeMap::new();
+    for (i, line) in map.iter().enumerate() {
+        for j in 0..45 {
+            let point = field.at(0.9e-3 * (10.0 - i as f64), 0.4e-3 * (j as f64 - 22.0));
+            let traction = point.traction_x.hypot(point.traction_y) / (0.35 * found.peak_pressure);
+            let (digit, state) = (line[3 + j], line[3 + 45 + 1 + j]);
+            let wanted = match point.state {
+                State::Outside => ' ',
+                State::Stick => '#',
+                State::Slip | State::SlipNegativeDissipation => '.',
+            };
+            assert_eq!(state, wanted, "line {i}, column {j}");
+            *seen.entry(state).or_insert(0) += 1;
+            match digit.to_digit(10) {
+                Some(digit) => assert_eq!(digit, (9.999 * traction) as u32, "line {i}, column {j}"),
+                None => assert_eq!((digit, state), (' ', ' '), "line {i}, column {j}"),
+            }
+        }
+    }
+    assert!(seen[&'#'] > 30 && seen[&'.'] > 60, "{seen:?}");
+}
+
+/// Largest real part of the eigenvalues of the wheelset of example 05 under linear creep forces.
+fn wheelset_growth(speed: f64) -> f64 {
+    let (mass, inertia, lateral, yaw) = (1800.0, 1100.0, 400e3, 3e6);
+    let (radius, half_gauge, conicity) = (0.46, 0.75, 0.1);
+    let linear = kstrip::linear::LinearCoefficients::at(CONTACT.a / CONTACT.b, 0.28);
+    let Contact { a, b, shear_modulus: g, .. } = CONTACT;
+    let f11 = g * a * b * linear.c11;
+    let f22 = g * a * b * linear.c22;
+    let f23 = g * (a * b).powf(1.5) * linear.c23;
+    let f33 = g * (a * b).powi(2) * linear.c33;
+    // Two wheels; the spin of the cones pushes them apart and cancels.
+    let matrix = nalgebra::Matrix4::from_rows(&[
+        [0.0, 0.0, 1.0, 0.0].into(),
+        [0.0, 0.0, 0.0, 1.0].into(),
+        [-lateral / mass, 2.0 * f22 / mass, -2.0 * f22 / speed / mass, -2.0 * f23 / speed / mass]
+            .into(),
+        [
+            -2.0 * half_gauge * f11 * conicity / radius / inertia,
+            (-yaw - 2.0 * f23) / inertia,
+            2.0 * f23 / speed / inertia,
+            -2.0 * (half_gauge * half_gauge * f11 + f33) / speed / inertia,
+        ]
+        .into(),
+    ]);
+    matrix.complex_eigenvalues().iter().map(|value| value.re).fold(f64::MIN, f64::max)
+}
+
+#[test]
+fn hunting_starts_at_the_eigenvalue_and_ends_in_a_cycle() {
+    let text = run_c("c_examples/05_hunting.c");
+    let (mut low, mut high) = (5.0, 150.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if wheelset_growth(middle) > 0.0 { high = middle } else { low = middle }
+    }
+    let linear = line_of(&text, "critical speed, linear:")[0];
+    assert_close(linear, low, 1e-3 * low, "critical speed of the linear model");
+    // The spin of the cones takes a little of the slopes
+    let total = line_of(&text, "critical speed, total:")[0];
+    assert_close(total, low, 0.1 * low, "critical speed of the total-force model");
+    // From inside and from outside to the same cycle, which lasts
+    let [inside, outside] = ["limit cycle from 1 mm", "limit cycle from 20 mm"].map(|start| {
+        let row = line_of(&text, start);
+        let [amplitude, growth] = row[row.len() - 2..] else { panic!("{row:?}") };
+        assert_close(growth, 1.0, 1e-4, "growth in the cycle");
+        amplitude
+    });
+    assert_close(inside, outside, 1e-3 * inside, "one limit cycle");
+    assert!(inside > 1.0 && inside < 20.0, "between the two starts: {inside} mm");
+    let calls = line_of(&text, "calls with Jacobian");
+    assert!(calls[0] > 1e5 && calls[1] == 3.0 * calls[0], "{calls:?}");
+}
+
+#[test]
+fn falling_friction_has_a_maximum_and_sticks_and_slips() {
+    let text = run_c("c_examples/07_falling_friction.c");
+    let law = SlipFriction {
+        friction: 0.4,
+        ratio: 0.4,
+        decay: 0.6,
+        rolling_speed: 10.0,
+        slope_factor: 0.5,
+    };
+    let options = Options { model: Model::Total, strips: StripCount::default() };
+    let curve: Vec<Vec<f64>> =
+        text.lines().filter(|line| line.starts_with("curve ")).map(numbers).collect();
+    assert!(curve.len() > 40);
+    for row in &curve {
+        let [slip, force, slope, friction] = row[..] else { panic!("{row:?}") };
+        let motion = Creepage { longitudinal: -slip, lateral: 0.0, spin: 0.0 };
+        let (found, jacobian) =
+            kstrip::friction::solve_jacobian(&CONTACT, &motion, &law, &options).expect("forces");
+        // Seven digits of the slip are printed
+        let allowed = 1e-6 * slip * jacobian[(0, 0)].abs() + 1e-4;
+        assert_close(force, -found.solution.fx, allowed, "traction");
+        assert_close(friction, found.friction, 1e-7, "friction");
+        assert_close(slope, jacobian[(0, 0)], 1e-4 * 5e6, "slope");
+        // Eight digits of the friction are printed
+        assert!(force <= friction * CONTACT.normal_force * (1.0 + 1e-7));
+    }
+    let turns = curve.windows(2).filter(|rows| (rows[1][2] > 0.0) != (rows[0][2] > 0.0)).count();
+    assert_eq!(turns, 1, "one maximum");
+
+    let runs: Vec<Vec<f64>> =
+        text.lines().filter(|line| line.contains(" friction, mean slip ")).map(numbers).collect();
+    let [steady, cycle, constant] = &runs[..] else { panic!("{text}") };
+    // amplitude in the third quarter, in the last, frequency
+    let amplitudes = |row: &[f64]| {
+        let row = &row[row.len() - 3..];
+        (row[0], row[1], row[2])
+    };
+    // Before the maximum, and with constant friction, oscillations die
+    assert_eq!(amplitudes(steady).1, 0.0);
+    let (before, after, _) = amplitudes(constant);
+    assert!(after < 0.5 * before && after < 1e-3, "{constant:?}");
+    // Beyond it they last: the wheel swings until it almost sticks, a little slower than freely
+    let (before, after, frequency) = amplitudes(cycle);
+    assert_close(after, before, 1e-3 * before, "amplitude of the stick-slip");
+    assert!(after > 0.095 && after < 0.2, "{cycle:?}");
+    let natural = (500e3_f64 / 50.0).sqrt() / (2.0 * PI);
+    assert!(frequency > 0.8 * natural && frequency < natural, "{frequency} Hz of {natural}");
+}
+
+#[test]
+fn batches_on_threads_have_the_bits_of_single_calls() {
+    let source = "c_examples/08_batch_openmp.c";
+    let Some(program) = build_c_with(None, "omp.h", &["-fopenmp"], source) else {
+        say(&format!("SKIPPED: {source}: this compiler has no -fopenmp with omp.h"));
+        return;
+    };
+    // The last piece is shorter than the others.
+    let text = output_of(Command::new(program).arg("3501"));
+    assert!(line_of(&text, "threads 0:")[0] > 0.0);
+    for threads in ["threads 1:", "threads 2:"] {
+        let [per_second, differing] = line_of(&text, threads)[..] else { panic!("{text}") };
+        assert!(per_second > 0.0);
+        assert_eq!(differing, 0.0);
+    }
+}
+
+/// The row of a cell of `09_sweep_mpi.c`: shape, spin and size of the creepage, then force (mean, least,
+/// most), moment and stick area over its directions.
+fn swept_cell(cell: i32, directions: i32) -> [f64; 8] {
+    let share = |i: i32, of: i32| f64::from(i) / f64::from(of - 1);
+    let shape = 10_f64.powf(2.0 * share(cell % 20, 20) - 1.0);
+    let psi = 3.0 * share(cell / 20 % 20, 20);
+    let size = 10_f64.powf(3.0 * share(cell / 400, 25) - 2.0);
+    let (a, b) = (5e-3 * shape.sqrt(), 5e-3 / shape.sqrt());
+    let contact = Contact { a, b, ..CONTACT };
+    let mut row = [shape, psi, size, 0.0, 1.0, 0.0, 0.0, 0.0];
+    for i in 0..directions {
+        let (sine, cosine) = (2.0 * PI * f64::from(i) / f64::from(directions)).sin_cos();
+        let parameters = Parameters {
+            xi: size * cosine,
+            eta: size * sine,
+            psi,
+            poisson_ratio: contact.poisson_ratio,
+            axis_ratio: a / b,
+        };
+        let creepage = parameters.creepage(&contact);
+        let f = model::solve(&contact, &creepage, &Options::default()).expect("a solution");
+        let force = f.fx.hypot(f.fy) / FRICTION_BOUND;
+        row[3] += force / f64::from(directions);
+        row[4] = row[4].min(force);
+        row[5] = row[5].max(force);
+        row[6] += f.mz.abs() / (FRICTION_BOUND * 5e-3) / f64::from(directions);
+        row[7] += f.adhesion / f64::from(directions);
+    }
+    row
+}
+
+#[test]
+fn sweep_over_processes_writes_the_same_bits() {
+    let source = "c_examples/09_sweep_mpi.c";
+    let Some(program) = build_c_with(Some("mpicc"), "mpi.h", &["-lm"], source) else {
+        say(&format!("SKIPPED: {source}: no mpicc on this machine"));
+        return;
+    };
+    if Command::new("mpirun").arg("--version").output().is_err() {
+        say(&format!("SKIPPED: {source}: compiled, but there is no mpirun to start it"));
+        return;
+    }
+    let map = |processes: &str| {
+        let path = scratch().join(format!("map_{processes}.csv"));
+        let mut command = Command::new("mpirun");
+        command.args(["-n", processes]).arg(&program).arg(&path).arg("6");
+        // Open MPI, versions 4 and 5: as root in a container, with more processes than cores
+        command.env("OMPI_ALLOW_RUN_AS_ROOT", "1").env("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1");
+        command.env("OMPI_MCA_rmaps_base_oversubscribe", "1");
+        command.env("PRTE_MCA_rmaps_default_mapping_policy", ":oversubscribe");
+        let told = output_of(&mut command);
+        assert!(told.starts_with(&format!("60000 cases, {processes} processes, ")), "{told}");
+        std::fs::read_to_string(path).expect("the map")
+    };
+    let one = map("1");
+    for processes in ["2", "3"] {
+        assert!(map(processes) == one, "{processes} processes write another file");
+    }
+    assert_eq!(one.lines().count(), 10_001);
+    let titles = "a_over_b,psi,creepage,force,force_least,force_most,moment,stick";
+    assert_eq!(one.lines().next(), Some(titles));
+    for (cell, line) in (0..).zip(one.lines().skip(1)).step_by(53) {
+        let row = numbers(line);
+        for (k, exact) in swept_cell(cell, 6).into_iter().enumerate() {
+            // Powers and sines of two libraries; the force is smooth in them.
+            assert_close(row[k], exact, 1e-11 * exact.max(1.0), &format!("cell {cell}, {k}"));
+        }
+    }
+}
+
+#[test]
+fn header_compiles_under_every_standard() {
+    for standard in ["c99", "c11", "c17"] {
+        check_known(false, &[standard]);
+    }
+    check_known(false, &["c23", "c2x"]);
+    assert!(knows(false, "c99"), "no compiler for the examples");
+    if !has_cpp() {
+        say("skipped: the header under C++98 to C++20, because there is no C++ compiler");
+        return;
+    }
+    for standard in ["c++98", "c++11", "c++14", "c++17"] {
+        check_known(true, &[standard]);
+    }
+    check_known(true, &["c++20", "c++2a"]);
+}
+
+/// Check the header under the first of these names that the compiler knows.
+fn check_known(cpp: bool, names: &[&str]) {
+    match names.iter().find(|name| knows(cpp, name)) {
+        Some(standard) => check_header(cpp, standard),
+        None => {
+            let names = names.join(" or ");
+            say(&format!("skipped: the header under {names}, which this compiler does not know"));
+        }
+    }
+}
+
+/// Sizes and offsets as Rust sees them, under the names that C prints.
+macro_rules! layouts {
+    ($($name:ident { $($field:ident),+ })+) => {{
+        let mut layouts = BTreeMap::new();
+        $(
+            layouts.insert(format!("size {}", stringify!($name)), size_of::<$name>());
+            $(layouts.insert(
+                format!("offset {}.{}", stringify!($name), stringify!($field)),
+                offset_of!($name, $field),
+            );)+
+        )+
+        layouts
+    }};
+}
+
+fn rust_layouts() -> BTreeMap<String, usize> {
+    let mut layouts = include!("../c/layout.rs");
+    layouts.insert("size kstrip_status".to_owned(), size_of::<ffi::kstrip_status>());
+    layouts
+}
+
+/// What the header says by the rule of natural alignment: the numbers of `docs/abi.txt`.
+fn layouts_of_header(declared: &Declared) -> BTreeMap<String, usize> {
+    let mut numbers = BTreeMap::from([("size kstrip_status".to_owned(), 4)]);
+    let layouts = declared.layouts();
+    for Structure { name, members } in &declared.structures {
+        let layout = &layouts[name.as_str()];
+        numbers.insert(format!("size {name}"), layout.size);
+        for (member, offset) in members.iter().zip(&layout.offsets) {
+            numbers.insert(format!("offset {name}.{}", member.name), *offset);
+        }
+    }
+    numbers
+}
+
+/// Sizes and offsets of every structure: as C prints them, as Rust sees them, as `docs/abi.txt` has them.
+#[test]
+fn structures_have_one_layout() {
+    let declared = declared();
+    let text = run_c(&write_scratch("layout_printer.c", &declared.c_printer()));
+    let of_c: BTreeMap<String, usize> = text
+        .lines()
+        .filter_map(|line| line.rsplit_once(' '))
+        .map(|(name, value)| (name.to_owned(), value.parse().expect("a size")))
+        .collect();
+    assert_eq!(of_c, rust_layouts());
+    assert_eq!(of_c, layouts_of_header(&declared));
+}
+
+/// The same layout for other compilers and for the microcontroller, proved by compiling.
+#[test]
+fn other_compilers_lay_structures_out_alike() {
+    let assertions = write_scratch("layout_assertions.c", &declared().c_assertions());
+    for compiler in ["gcc", "clang", "arm-none-eabi-gcc"] {
+        match compile_with(compiler, &assertions) {
+            None => say(&format!("SKIPPED: layouts as {compiler} sees them: it is not installed")),
+            Some(Ok(())) => {}
+            Some(Err(message)) => panic!("{compiler}: {message}"),
+        }
+    }
+}
+
+/// The library has the functions of the header, all of them and no other of that prefix.
+#[test]
+fn library_exports_what_the_header_declares() {
+    let declared = declared();
+    let functions: BTreeSet<&str> = declared.functions.iter().map(|f| f.name.as_str()).collect();
+    let Some(symbols) = symbols_of_library() else {
+        say("SKIPPED: symbols of the library against the header: no nm on this machine");
+        return;
+    };
+    let exported: BTreeSet<&str> =
+        symbols.iter().map(String::as_str).filter(|name| name.starts_with("kstrip_")).collect();
+    assert_eq!(exported, functions);
+}
+
+#[test]
+fn statuses_are_the_same_in_c() {
+    let text = run_c("tests/c/abi.c");
+
+    // Every status of the header has a text of its own, other numbers have none
+    let known: BTreeMap<i64, String> = constants_of_header("KSTRIP_OK")
+        .into_iter()
+        .chain(constants_of_header("KSTRIP_WARNING_"))
+        .chain(constants_of_header("KSTRIP_ERROR_"))
+        .map(|(name, value)| (value, name))
+        .collect();
+    assert!(known.len() >= 18, "{known:?}");
+    let mut texts = BTreeSet::new();
+    for line in text.lines().filter_map(|line| line.strip_prefix("text ")) {
+        let (number, text) = line.split_once(' ').expect("number and text");
+        let number: i64 = number.parse().expect("a number");
+        match known.get(&number) {
+            Some(name) => assert!(
+                text != "unknown status" && texts.insert(text),
+                "{name} = {number} has no text of its own: {text}"
+            ),
+            None => assert_eq!(text, "unknown status", "{number}"),
+        }
+    }
+    assert_eq!(texts.len(), known.len());
+    let version = format!("version {} abi {}", env!("CARGO_PKG_VERSION"), ffi::KSTRIP_ABI_VERSION);
+    assert!(text.lines().any(|line| line == version), "{version}");
+
+    // Bad input: the named status, and outputs as they were
+    let of_c: BTreeMap<&str, (i64, &str)> = text
+        .lines()
+        .filter_map(|line| line.strip_prefix("case "))
+        .map(|line| match line.split(' ').collect::<Vec<_>>()[..] {
+            [name, status, output] => (name, (status.parse().expect("a status"), output)),
+            _ => panic!("{line}"),
+        })
+        .collect();
+    let wanted = expected_statuses();
+    assert_eq!(of_c.keys().collect::<Vec<_>>(), wanted.keys().collect::<Vec<_>>());
+    for (name, status) in wanted {
+        let (of_c, output) = of_c[name];
+        assert_eq!(of_c, i64::from(status), "status of {name}");
+        // An empty batch succeeds and has nothing to write.
+        let written = status >= 0 && name != "batch.empty";
+        assert_eq!(output, if written { "written" } else { "untouched" }, "output of {name}");
+    }
+}
+
+fn expected_statuses() -> BTreeMap<&'static str, i32> {
+    use kstrip::ffi::*;
+    let by_status = [
+        (
+            KSTRIP_OK,
+            "options.ok young.ok combine.ok hertz.ok velocities.ok parameters.ok creepage.ok \
+             solve.ok solve.default jacobian.ok batch.ok batch.empty strips.ok \
+             point.ok point.outside field.ok f32.solve.ok solve.load_zero solve.friction_zero \
+             derivatives.ok jacobians.ok friction.constant friction.ok friction.jacobian \
+             estimate.ok inverse.ok evaluate.forces evaluate.all",
+        ),
+        (KSTRIP_WARNING_BEYOND_FRICTION, "solve.linear_large f32.solve.linear_large"),
+        (KSTRIP_WARNING_SPIN, "solve.spin_large"),
+        (
+            KSTRIP_ERROR_NULL,
+            "options.null young.null combine.null_lower combine.null_upper combine.null_out \
+             hertz.null_radii hertz.null_material hertz.null_out velocities.null_lower \
+             velocities.null_upper velocities.null_out parameters.null parameters.null_out \
+             creepage.null creepage.null_out solve.null_contact solve.null_creepage solve.null_out \
+             jacobian.null_entries jacobian.null_result batch.null batch.null_out strips.null \
+             strips.null_count point.null field.null_x field.null_out upper.null upper.null_out \
+             f32.solve.null derivatives.null derivatives.null_result jacobians.null \
+             jacobians.null_results friction.null friction.null_out friction.null_entries \
+             estimate.null inverse.null evaluate.null evaluate.null_jacobian \
+             evaluate.null_count",
+        ),
+        (
+            KSTRIP_ERROR_NOT_FINITE,
+            "inverse.nan young.nan combine.infinite hertz.nan_load velocities.nan creepage.nan solve.a_nan \
+             solve.b_infinite solve.load_nan solve.modulus_nan solve.poisson_nan \
+             solve.friction_nan solve.longitudinal_nan solve.lateral_infinite solve.spin_nan \
+             point.nan field.nan f32.solve.nan",
+        ),
+        (KSTRIP_ERROR_SEMI_AXIS, "solve.a_zero solve.b_negative"),
+        (
+            KSTRIP_ERROR_NORMAL_FORCE,
+            "hertz.negative_load solve.load_negative jacobian.bad batch.second_bad derivatives.bad \
+             jacobians.second_bad jacobians.second_bad_results",
+        ),
+        (KSTRIP_ERROR_MODULUS, "young.zero combine.modulus hertz.modulus solve.modulus_zero"),
+        (
+            KSTRIP_ERROR_POISSON_RATIO,
+            "young.poisson combine.poisson solve.poisson_negative solve.poisson_large",
+        ),
+        (KSTRIP_ERROR_FRICTION, "solve.friction_negative f32.solve.friction f32.jacobian.bad"),
+        (KSTRIP_ERROR_MODEL, "solve.model_zero solve.model_unknown"),
+        (KSTRIP_ERROR_STRIP_COUNT, "solve.strips_zero solve.strips_odd"),
+        (KSTRIP_WARNING_FRICTION_AT_LEAST, "estimate.sticks"),
+        (KSTRIP_WARNING_CREEPAGE_AT_LEAST, "inverse.sliding"),
+        (KSTRIP_ERROR_WANTED, "evaluate.flag"),
+        (KSTRIP_ERROR_MEASURED, "estimate.measured"),
+        (KSTRIP_ERROR_UNEXPLAINED, "estimate.against"),
+        (KSTRIP_ERROR_FORCE_BEYOND_FRICTION, "inverse.beyond"),
+        (KSTRIP_ERROR_FRICTION_RATIO, "friction.ratio"),
+        (KSTRIP_ERROR_FRICTION_DECAY, "friction.decay"),
+        (KSTRIP_ERROR_NEGATIVE_SPEED, "friction.speed"),
+        (KSTRIP_ERROR_SLOPE_FACTOR, "friction.slope"),
+        (KSTRIP_ERROR_CURVATURE, "hertz.zero_radius hertz.flat hertz.concave"),
+        (KSTRIP_ERROR_ROLLING_SPEED, "velocities.stand velocities.back"),
+        (
+            KSTRIP_ERROR_CAPACITY,
+            "evaluate.capacity strips.capacity strips.capacity_count field.capacity f32.field.capacity",
+        ),
+        (
+            KSTRIP_ERROR_NOT_IN_MODEL,
+            "evaluate.total estimate.linear strips.total point.total field.total field.linear f32.field.total",
+        ),
+        (KSTRIP_ERROR_OVERFLOW, "velocities.overflow solve.friction_huge solve.load_huge"),
+        (
+            KSTRIP_OK,
+            "ellipse.ok given.empty given.ok given.unsorted profile.ok profile.ok_result summary.ok \
+             patch.ok patch_jacobian.ok patch_strips.ok patch_point.ok patch_field.ok \
+             f32.ellipse.ok",
+        ),
+        (
+            KSTRIP_ERROR_NULL,
+            "ellipse.null ellipse.null_out given.null given.null_out profile.null \
+             profile.null_contact profile.null_out profile.null_result summary.null \
+             summary.null_out patch.null patch.null_creepage patch.null_out patch_jacobian.null \
+             patch_strips.null_count patch_point.null patch_field.null",
+        ),
+        (
+            KSTRIP_ERROR_NOT_FINITE,
+            "given.nan profile.nan summary.scale patch.nan patch_point.nan f32.patch.nan",
+        ),
+        (KSTRIP_ERROR_STRIP_COUNT, "ellipse.strips profile.strips"),
+        (KSTRIP_ERROR_SEMI_AXIS, "ellipse.bad"),
+        (KSTRIP_ERROR_MODULUS, "given.modulus"),
+        (KSTRIP_ERROR_POISSON_RATIO, "given.poisson"),
+        (KSTRIP_ERROR_FRICTION, "given.friction f32.ellipse.bad"),
+        (KSTRIP_ERROR_STRIP_SIZE, "given.zero_width patch.bad patch_jacobian.bad"),
+        (KSTRIP_ERROR_PRESSURE, "given.pressure"),
+        (KSTRIP_ERROR_STRIP_ORDER, "given.overlap summary.order"),
+        (KSTRIP_ERROR_PATCH_SIZE, "given.many summary.count"),
+        (KSTRIP_ERROR_PROFILE, "profile.few profile.order"),
+        (KSTRIP_ERROR_PROFILE_END, "profile.end profile.heavy"),
+        (KSTRIP_ERROR_ROLLING_RADIUS, "profile.radius"),
+        (KSTRIP_ERROR_NORMAL_FORCE, "profile.load"),
+        (KSTRIP_ERROR_NOT_IN_MODEL, "patch.total patch_strips.total f32.patch.total"),
+        (KSTRIP_ERROR_MODEL, "patch.unknown"),
+        (KSTRIP_ERROR_CAPACITY, "patch_strips.capacity patch_field.capacity"),
+    ];
+    by_status
+        .into_iter()
+        .flat_map(|(status, names)| names.split_whitespace().map(move |name| (name, status)))
+        .collect()
+}
+
+#[test]
+fn threads_and_rust_see_the_same_bits() {
+    let text = run_c("tests/c/threads.c");
+    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
+    for i in 0..4096_i32 {
+        let contact = Contact {
+            b: f64::from(1 + i % 7) / 700.0,
+            poisson_ratio: f64::from(i % 6) / 10.0,
+            ..CONTACT
+        };
+        let creepage = Creepage {
+            longitudinal: f64::from(i % 16 - 7) / 4000.0,
+            lateral: f64::from(i / 16 % 16 - 7) / 4000.0,
+            spin: f64::from(i / 256 - 7) / 8.0,
+        };
+        let options = Options {
+            model: Model::from_number(1 + i % 5).expect("a model"),
+            strips: StripCount::from_number(4 << (i / 5 % 5)).expect("a count"),
+        };
+        let r = model::solve(&contact, &creepage, &options).expect("a solution");
+        for number in [r.fx, r.fy, r.mz, r.power, r.adhesion] {
+            // FNV-1a
+            hash = (hash ^ number.to_bits()).wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+    // Optimised code in four threads of a C program, and this test's code in one
+    assert_eq!(text.trim(), format!("threads 4 cases 4096 differing 0 hash {hash:016x}"));
+}

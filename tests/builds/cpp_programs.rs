@@ -1,0 +1,192 @@
+//! `include/kstrip.hpp`: the C++ example with its numbers, and that nothing of the C header is missing.
+
+use crate::header;
+use crate::toolchain;
+
+use kstrip::contact::Contact;
+use kstrip::contact::creepage::Creepage;
+use kstrip::contact::hertz::{Radii, hertz};
+use kstrip::friction::{self, SlipFriction};
+use kstrip::solve::derivatives;
+use kstrip::solve::model::{self, Options};
+use std::f64::consts::PI;
+use toolchain::{cpp_compilers, root, run_cpp, say, scratch};
+
+const STANDARDS: [&str; 2] = ["c++17", "c++20"];
+
+/// Numbers of the lines that start with this word.
+fn numbers(text: &str, start: &str) -> Vec<Vec<f64>> {
+    text.lines()
+        .filter(|line| line.starts_with(start))
+        .map(|line| line.split([' ', ':', ',']).filter_map(|word| word.parse().ok()).collect())
+        .collect()
+}
+
+#[test]
+fn example_prints_what_rust_computes() {
+    let compilers = cpp_compilers();
+    if compilers.is_empty() {
+        say("SKIPPED: the C++ example, because there is no C++ compiler");
+        return;
+    }
+    let source = root().join("cpp_examples/01_wheel_rail.cpp");
+    let texts: Vec<String> = compilers
+        .iter()
+        .flat_map(|compiler| STANDARDS.map(|standard| run_cpp(compiler, standard, &source)))
+        .collect();
+    // Every compiler and standard prints the same
+    let text = &texts[0];
+    assert!(texts.iter().all(|other| other == text), "{texts:?}");
+
+    let flat = f64::INFINITY;
+    let radii = Radii { lower_x: flat, lower_y: 0.30, upper_x: 0.46, upper_y: flat };
+    let patch = hertz(&radii, 80e3, 82e9, 0.28).expect("an ellipse");
+    let contact = Contact {
+        a: patch.a,
+        b: patch.b,
+        normal_force: 80e3,
+        shear_modulus: 82e9,
+        poisson_ratio: 0.28,
+        friction: 0.3,
+    };
+    let motion = Creepage { longitudinal: 1e-3, lateral: 0.5e-3, spin: 0.4 };
+    let options = Options::default();
+    let close = |printed: f64, exact: f64, decimals: i32| {
+        let allowed = 0.51 * 10_f64.powi(-decimals) + 1e-12 * exact.abs();
+        assert!((printed - exact).abs() <= allowed, "{printed}, should be {exact}");
+    };
+    let ellipse: Vec<f64> =
+        text.lines().next().expect("a line").split(' ').filter_map(|w| w.parse().ok()).collect();
+    close(ellipse[0], patch.a * 1e3, 6);
+    close(ellipse[1], patch.b * 1e3, 6);
+    close(ellipse[2], patch.peak_pressure / 1e6, 4);
+    let forces = model::solve(&contact, &motion, &options).expect("a solution");
+    let (rail, wheel) = (&numbers(text, "rail")[0], &numbers(text, "wheel")[0]);
+    close(rail[0], forces.fx, 4);
+    close(rail[1], forces.fy, 4);
+    close(rail[2], forces.mz, 6);
+    assert_eq!(wheel.iter().map(|v| -v).collect::<Vec<_>>(), *rail);
+    let (_, jacobian) = model::solve_jacobian(&contact, &motion, &options).expect("a solution");
+    close(numbers(text, "dFy/dlateral")[0][0], jacobian[(1, 1)], 4);
+    assert!(text.contains("status -7: ") && text.contains("thrown -7"), "{text}");
+    let curve = numbers(text, "curve");
+    assert_eq!(curve.len(), 9);
+    for (i, row) in curve.iter().enumerate() {
+        let motion = Creepage { longitudinal: i as f64 * 1e-3, lateral: 0.0, spin: 0.0 };
+        close(row[0], model::solve(&contact, &motion, &options).expect("a solution").fx, 4);
+    }
+    let second = Creepage { longitudinal: 1e-3, lateral: 0.0, spin: 0.0 };
+    let (_, slopes) = model::solve_jacobian(&contact, &second, &options).expect("a solution");
+    close(numbers(text, "slope")[0][0], slopes[(0, 0)], 4);
+    let (_, all) = derivatives::solve(&contact, &motion, &options).expect("a solution");
+    let printed = &numbers(text, "derivatives")[0];
+    close(printed[0], all.jacobian[(1, 1)], 4);
+    close(printed[1], all.normal_force[0], 9);
+    close(printed[2], all.friction[0], 4);
+    close(printed[3], all.load_through_hertz[0], 9);
+    let wet = SlipFriction {
+        friction: 0.3,
+        ratio: 0.4,
+        decay: 0.6,
+        rolling_speed: 20.0,
+        slope_factor: 0.5,
+    };
+    let solution = friction::solve(&contact, &motion, &wet, &options).expect("a solution");
+    close(numbers(text, "wet")[0][0], solution.solution.fy, 4);
+    close(numbers(text, "wet")[0][1], solution.friction, 6);
+    // The same from the patch of its strips, and of the patch and the ellipse with the friction that is left
+    let patch_forces = &numbers(text, "wet patch")[0];
+    patch_forces[..3].iter().for_each(|&fy| close(fy, solution.solution.fy, 3));
+    patch_forces[3..].iter().for_each(|&friction| close(friction, solution.friction, 6));
+    // The patch of the ellipse's strips carries the ellipse's forces, half of its bound, and its area
+    let area = &numbers(text, "patch")[0];
+    assert!((area[0] - forces.fx).abs() < 1e-3 && (area[1] - forces.fy).abs() < 1e-3, "{area:?}");
+    close(area[2], 12e3, 4);
+    close(area[3], PI * patch.a * patch.b * 1e6, 6);
+    // There and back: friction .3, creepages .001 and .0005
+    let inverse = &numbers(text, "inverse")[0];
+    close(inverse[0], 0.3, 4);
+    close(inverse[1], motion.longitudinal, 7);
+    close(inverse[2], motion.lateral, 7);
+    let total = Options { model: model::Model::Total, ..options };
+    let (exact, slopes) = model::solve_jacobian(&contact, &motion, &total).expect("a solution");
+    close(numbers(text, "evaluate")[0][0], exact.fx, 4);
+    close(numbers(text, "evaluate")[0][1], slopes[(0, 0)], 4);
+    // The strips add up to the force, to rounding
+    let strips = &numbers(text, "strips")[0];
+    assert!(strips[0] >= 16.0 && (strips[1] - forces.fx).abs() < 1e-3, "{strips:?}");
+    let field = model::Field::new(&contact, &motion, &options).expect("a field");
+    for (row, x) in numbers(text, "point").iter().zip([-0.5, 0.0, 0.5]) {
+        let point = field.at(x * patch.a, 0.0);
+        assert_eq!(row[0], f64::from(point.state as i32));
+        close(row[1], point.traction_x / 1e6, 4);
+    }
+    let single = Contact { a: 6e-3, b: 4.5e-3, ..contact };
+    let motion = Creepage { longitudinal: 1e-3, lateral: 0.0, spin: 0.0 };
+    let exact = model::solve(&single, &motion, &options).expect("a solution").fx;
+    // Single precision: 2e-6 of mu N is the promise, half a unit of the printed digit
+    assert!((numbers(text, "single")[0][0] - exact).abs() < 2e-6 * 24e3 + 0.05);
+}
+
+#[test]
+fn layouts_defaults_and_statuses_are_those_of_c() {
+    let compilers = cpp_compilers();
+    if compilers.is_empty() {
+        say("SKIPPED: layouts in C++, because there is no C++ compiler");
+        return;
+    }
+    let c = std::fs::read_to_string(root().join("include/kstrip.h")).expect("the header");
+    let c = header::declared(&c);
+    let mut program = String::from("#include \"kstrip.hpp\"\n#include <cstdio>\n");
+    let mut same = |cpp: String, c: String| {
+        program += &format!("static_assert({cpp} == {c}, \"\");\n");
+    };
+    for structure in &c.structures {
+        let name = structure.name.as_str();
+        let cpp = format!("kstrip::{}", name.trim_start_matches("kstrip_"));
+        same(format!("sizeof({cpp})"), format!("sizeof({name})"));
+        for member in &structure.members {
+            let member = &member.name;
+            same(format!("offsetof({cpp}, {member})"), format!("offsetof({name}, {member})"));
+        }
+    }
+    // KSTRIP_ERROR_NULL is kstrip::status::error_null, and so on
+    for (name, _) in &c.constants {
+        let short = name.trim_start_matches("KSTRIP_");
+        let (class, member) = match short.split('_').next() {
+            Some("OK" | "WARNING" | "ERROR") => ("status", short),
+            Some("MODEL") => ("model", &short["MODEL_".len()..]),
+            Some("STATE") => ("state", &short["STATE_".len()..]),
+            _ => continue,
+        };
+        let member = member.to_lowercase();
+        same(format!("static_cast<int>(kstrip::{class}::{member})"), name.clone());
+    }
+    program.push_str(
+        "int main()\n{\n    kstrip::options o{kstrip::solve::model::linear, 4};\n    \
+         if (kstrip::is_error(kstrip::init(o))) return 1;\n    \
+         std::printf(\"%d\\n\", o.model == kstrip::options{}.model && o.strips == kstrip::options{}.strips);\n}\n",
+    );
+    let source = scratch().join("layouts.cpp");
+    std::fs::write(&source, program).expect("scratch is writable");
+    for compiler in compilers {
+        for standard in STANDARDS {
+            assert_eq!(run_cpp(compiler, standard, &source), "1\n", "default options");
+        }
+    }
+}
+
+#[test]
+fn no_function_of_c_is_missing() {
+    let text = |name| std::fs::read_to_string(root().join("include").join(name)).expect("a header");
+    let cpp = text("kstrip.hpp");
+    let missing: Vec<String> = header::declared(&text("kstrip.h"))
+        .functions
+        .into_iter()
+        .map(|function| function.name)
+        // The call with the name in double precision makes both.
+        .filter(|name| !name.ends_with("_f32"))
+        .filter(|name| !cpp.contains(&format!("{name}(")) && !cpp.contains(&format!("{name},")))
+        .collect();
+    assert!(missing.is_empty(), "include/kstrip.hpp has no wrapper for {missing:?}");
+}

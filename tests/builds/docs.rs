@@ -1,0 +1,256 @@
+//! Every block of code in the documentation is compiled or run, and what it prints is compared with what
+//! the page says.
+//!
+//! The blocks of one language on one page are one program, in their order; a block `output` is what the program
+//! prints at that place. Shell blocks run in the root of the repository. `no-run` after the language of a shell
+//! block: it is only parsed, and the scripts that it names must exist.
+
+use crate::toolchain;
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use toolchain::{
+    cpp_compilers, library, output_of, python, root, run_cpp, run_source, say, scratch,
+};
+
+struct Block {
+    language: String,
+    options: String,
+    code: String,
+}
+
+/// All pages below a folder of the repository.
+fn pages(folder: &Path, found: &mut Vec<PathBuf>) {
+    let mut entries: Vec<PathBuf> = std::fs::read_dir(folder)
+        .expect("a folder")
+        .map(|entry| entry.expect("an entry").path())
+        .collect();
+    entries.sort();
+    for path in entries {
+        let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+        if path.is_dir() {
+            if !name.starts_with('.') && name != "target" && !path.join("CACHEDIR.TAG").exists() {
+                pages(&path, found);
+            }
+        } else if name.ends_with(".md") {
+            found.push(path);
+        }
+    }
+}
+
+fn blocks(page: &Path) -> Vec<Block> {
+    let text = std::fs::read_to_string(page).expect("a page");
+    let mut found: Vec<Block> = Vec::new();
+    let mut inside = false;
+    for line in text.lines() {
+        if let Some(info) = line.strip_prefix("```") {
+            inside = !inside;
+            if inside {
+                let (language, options) = info.split_once(' ').unwrap_or((info, ""));
+                found.push(Block {
+                    language: language.to_owned(),
+                    options: options.to_owned(),
+                    code: String::new(),
+                });
+            }
+        } else if inside {
+            let block = found.last_mut().expect("a block");
+            block.code += line;
+            block.code.push('\n');
+        }
+    }
+    assert!(!inside, "{}: a block does not end", page.display());
+    found
+}
+
+/// The programs of one language, one per page, with what the pages say that they print.
+fn programs(language: &str) -> Vec<(PathBuf, String, String)> {
+    let mut found = Vec::new();
+    let mut all = Vec::new();
+    pages(root(), &mut all);
+    for page in all {
+        let (mut code, mut output, mut last) = (String::new(), String::new(), String::new());
+        for block in blocks(&page) {
+            if block.language == language {
+                code += &block.code;
+            } else if block.language == "output" && last == language {
+                output += &block.code;
+            }
+            if block.language != "output" {
+                last = block.language;
+            }
+        }
+        if !code.is_empty() {
+            found.push((page, code, output));
+        }
+    }
+    found
+}
+
+/// A file name for the program of a page.
+fn program_name(page: &Path, extension: &str) -> PathBuf {
+    let name =
+        page.strip_prefix(root()).expect("inside").to_string_lossy().replace(['/', '\\', '.'], "_");
+    scratch().join(format!("docs_{name}.{extension}"))
+}
+
+/// Statements become a program: what begins with `#` and `using` goes to the head, the rest into `main`.
+fn with_main(code: &str, includes: &str) -> String {
+    let head = |line: &&str| line.starts_with('#') || line.starts_with("using ");
+    let top: Vec<&str> = code.lines().filter(head).collect();
+    let body: Vec<&str> = code.lines().filter(|line| !head(line)).collect();
+    format!(
+        "{includes}{}\nint main(void)\n{{\n{}\nreturn 0;\n}}\n",
+        top.join("\n"),
+        body.join("\n")
+    )
+}
+
+#[test]
+fn every_block_says_its_language() {
+    let mut all = Vec::new();
+    pages(root(), &mut all);
+    assert!(all.len() > 8, "{all:?}");
+    for page in all {
+        for block in blocks(&page) {
+            let known =
+                ["c", "cpp", "python", "sh", "output", "text"].contains(&block.language.as_str());
+            assert!(
+                known,
+                "{}: a block of {:?}, which is not tested",
+                page.display(),
+                block.language
+            );
+        }
+    }
+}
+
+#[test]
+fn c_blocks_print_what_the_pages_say() {
+    let programs = programs("c");
+    assert!(programs.len() >= 2, "README and tour");
+    for (page, code, output) in programs {
+        let source = program_name(&page, "c");
+        std::fs::write(&source, with_main(&code, "#include <stdio.h>\n"))
+            .expect("scratch is writable");
+        assert_eq!(run_source(&source), output, "{}", page.display());
+    }
+}
+
+#[test]
+fn cpp_blocks_run() {
+    let Some(compiler) = cpp_compilers().into_iter().next() else {
+        say("SKIPPED: the C++ blocks of the documentation, because there is no C++ compiler");
+        return;
+    };
+    for (page, code, output) in programs("cpp") {
+        let source = program_name(&page, "cpp");
+        std::fs::write(&source, with_main(&code, "")).expect("scratch is writable");
+        assert_eq!(run_cpp(compiler, "c++17", &source), output, "{}", page.display());
+    }
+}
+
+#[test]
+fn python_blocks_run() {
+    let programs = programs("python");
+    assert!(!programs.is_empty());
+    for (page, code, output) in programs {
+        match python() {
+            Err(missing) => {
+                say(&format!("SKIPPED: the Python blocks, because there is no {missing}"))
+            }
+            Ok(mut python) => {
+                assert_eq!(output_of(python.args(["-c", &code])), output, "{}", page.display());
+            }
+        }
+    }
+}
+
+#[test]
+fn shell_blocks_run() {
+    if !Command::new("sh").arg("-c").arg("exit").status().is_ok_and(|status| status.success()) {
+        say("SKIPPED: the shell blocks of the documentation, because there is no shell");
+        return;
+    }
+    // So that nothing but the blocks builds while they run.
+    library();
+    let target = scratch().parent().expect("target/tmp is in target").display().to_string();
+    let has =
+        |tool: &str| Command::new(tool).arg("--version").output().is_ok_and(|o| o.status.success());
+    let mut all = Vec::new();
+    pages(root(), &mut all);
+    for page in all {
+        for block in blocks(&page).into_iter().filter(|block| block.language == "sh") {
+            let name = page.strip_prefix(root()).expect("inside").display().to_string();
+            for word in block.code.split_whitespace() {
+                let script = word.trim_matches(['"', '\'', ';', '`']);
+                if script.starts_with("scripts/") || script.starts_with("c_examples/") {
+                    assert!(root().join(script).exists(), "{name} names {script}");
+                }
+            }
+            let mut parse = Command::new("sh");
+            output_of(parse.args(["-n", "-c", &block.code]));
+            let missing = ["pkg-config", "make"]
+                .into_iter()
+                .find(|tool| block.code.contains(tool) && !has(tool));
+            if block.options == "no-run" {
+                say(&format!("SKIPPED: not run, only parsed: {name}: {}", block.code.trim()));
+            } else if let Some(tool) = missing {
+                say(&format!("SKIPPED: no {tool}: {name}: {}", block.code.trim()));
+            } else {
+                // `target` is where this test's cargo builds.
+                let code = block
+                    .code
+                    .replace("$PWD/target/", "target/")
+                    .replace("target/", &format!("{target}/"));
+                let mut run = Command::new("sh");
+                run.current_dir(root()).env("CARGO_TARGET_DIR", &target).env_remove("MAKEFLAGS");
+                output_of(run.args(["-e", "-c", &code]));
+            }
+        }
+    }
+}
+
+/// `module::Type::function` in docs/theory.md is something that the sources have.
+#[test]
+fn theory_names_functions_that_exist() {
+    let page = std::fs::read_to_string(root().join("docs/theory.md")).expect("the page");
+    let mut count = 0;
+    for name in page.split('`').skip(1).step_by(2).filter(|name| name.contains("::")) {
+        let mut parts = name.split("::");
+        let module = parts.next().expect("a module");
+        let source = std::fs::read_to_string(root().join(format!("src/{module}.rs")))
+            .unwrap_or_else(|error| panic!("{name}: src/{module}.rs: {error}"));
+        for part in parts {
+            let found = ["fn ", "struct ", "enum ", "    "].iter().any(|kind| {
+                source.match_indices(&format!("{kind}{part}")).any(|(at, text)| {
+                    source[at + text.len()..].starts_with(['(', '<', ' ', ',', '{'])
+                })
+            });
+            assert!(found, "{name}: no {part} in src/{module}.rs");
+        }
+        count += 1;
+    }
+    assert!(count > 20, "{count}");
+}
+
+/// The C reference, if doxygen is here: no warning.
+#[test]
+fn doxygen_has_no_warning() {
+    if !Command::new("doxygen")
+        .arg("--version")
+        .output()
+        .is_ok_and(|output| output.status.success())
+    {
+        say("SKIPPED: the C reference by doxygen, which is not installed");
+        return;
+    }
+    let settings = std::fs::read_to_string(root().join("docs/Doxyfile")).expect("settings");
+    let folder = scratch().join("doxygen");
+    std::fs::create_dir_all(&folder).expect("scratch is writable");
+    let settings = format!("{settings}\nOUTPUT_DIRECTORY = {:?}\n", folder.display().to_string());
+    let file = scratch().join("Doxyfile");
+    std::fs::write(&file, settings).expect("scratch is writable");
+    output_of(Command::new("doxygen").current_dir(root()).arg(file));
+    assert!(folder.join("html/kstrip_8h.html").exists());
+}

@@ -1,0 +1,455 @@
+//! The same inputs give the same bits: in this (debug) build, through the C interface of the optimised
+//! library, in a batch, on two threads, and compiled for this very processor. `scripts/firmware.sh` runs the
+//! first thousand on a simulated Cortex-M4 and Cortex-M7.
+//!
+//! Every precision has a hash for each of: solves, derivatives and points of the field; patches; falling friction; the short paths
+//! of `kstrip_evaluate()` and strips; the inverse functions of test rigs.
+//!
+//! `KSTRIP_WRITE_GOLDEN=1 cargo test --test golden` writes the hashes anew after a deliberate change.
+//! `KSTRIP_GOLDEN_CPU=x86-64-v3` compiles for that processor instead of this one.
+
+use crate::single;
+use crate::toolchain;
+
+use kstrip::contact::Contact;
+use kstrip::contact::creepage::Creepage;
+use kstrip::contact::forces::StripCount;
+use kstrip::friction::{self, SlipFriction};
+use kstrip::patch::kik_piotrowski::ProfileContact;
+use kstrip::patch::solver::{self, PatchField};
+use kstrip::patch::{Patch, PatchStrip};
+use kstrip::rig::{Measured, creepage_for_force, estimate_friction};
+use kstrip::solve::evaluate::{Wanted, evaluate, evaluate_jacobian};
+use kstrip::solve::field::FieldPoint;
+use kstrip::solve::model::{
+    self, Field, Jacobian, Model, Options, Precision, Solution, StripResult,
+};
+use kstrip::status::{Error, Notice};
+use kstrip::strip_1967::strip::State;
+use std::process::Command;
+use toolchain::{root, run_c_with, say};
+
+const CASES: u32 = 100_000;
+const BLOCK: u32 = 1000;
+/// What has a hash of its own.
+const KINDS: [&str; 5] = ["", " patches", " friction", " wanted", " rig"];
+
+trait Bits: Precision {
+    fn bits(self) -> u64;
+}
+
+impl Bits for f64 {
+    fn bits(self) -> u64 {
+        self.to_bits()
+    }
+}
+
+impl Bits for f32 {
+    fn bits(self) -> u64 {
+        u64::from(self.to_bits())
+    }
+}
+
+/// FNV-1a, 64 bits at a time.
+#[derive(Clone, Copy)]
+struct Hash(u64);
+
+impl Hash {
+    const START: Self = Self(0xcbf2_9ce4_8422_2325);
+
+    fn mix(&mut self, bits: u64) {
+        self.0 = (self.0 ^ bits).wrapping_mul(0x0100_0000_01b3);
+    }
+
+    fn code(&mut self, code: i32) {
+        self.mix(u64::from(code as u32));
+    }
+
+    fn add<F: Bits>(&mut self, numbers: &[F]) {
+        numbers.iter().for_each(|number| self.mix(number.bits()));
+    }
+
+    /// The status; what there is unless it is that of an error.
+    fn status<T>(&mut self, answer: Result<(T, Notice), Error>) -> Option<T> {
+        self.code(answer.as_ref().map_or_else(|error| error.code(), |(_, notice)| notice.code()));
+        answer.ok().map(|(found, _)| found)
+    }
+
+    fn result<F: Bits>(&mut self, answer: Result<Solution<F>, Error>) {
+        if let Some(r) = self.status(answer.map(|r| (r, r.notice))) {
+            self.add(&[r.fx, r.fy, r.mz, r.power, r.adhesion]);
+        }
+    }
+
+    /// Row by row.
+    fn jacobian<F: Bits>(&mut self, answer: Result<(Solution<F>, Jacobian<F>), Error>) {
+        self.result(answer.map(|(r, _)| r));
+        if let Ok((_, jacobian)) = answer {
+            self.add(jacobian.transpose().as_slice());
+        }
+    }
+
+    fn point<F: Bits>(&mut self, answer: Result<(FieldPoint<F>, Notice), Error>) {
+        if let Some(p) = self.status(answer) {
+            self.add(&[p.pressure, p.traction_x, p.traction_y, p.slip_x, p.slip_y]);
+            self.mix(p.state as u64);
+        }
+    }
+
+    fn strips<F: Bits>(&mut self, status: i32, strips: &[StripResult<F>]) {
+        self.code(status);
+        for s in strips {
+            self.add(&[s.y, s.width, s.half_length, s.separatrix, s.fx, s.fy, s.mz, s.power]);
+            self.mix(if s.adheres { State::Stick } else { State::Slip } as u64);
+        }
+    }
+}
+
+/// Whether a contact has more than solves: of a hundred five, one for each model.
+fn has_field(i: u32) -> bool {
+    i % 100 < 5
+}
+
+/// Whether it has the rest: the same of the first thousand, later of two thousand five.
+fn has_rest(i: u32) -> bool {
+    has_field(i) && (i < 1000 || i % 2000 < 5)
+}
+
+/// An integer for case `i`, as in `tests/c/golden.c`.
+fn draw(i: u32, salt: u32, below: u32) -> u32 {
+    let x = i.wrapping_mul(2_654_435_761).wrapping_add(salt.wrapping_mul(2_246_822_519));
+    let x = (x ^ (x >> 15)).wrapping_mul(2_246_822_519);
+    let x = (x ^ (x >> 13)).wrapping_mul(3_266_489_917);
+    (x ^ (x >> 16)) % below
+}
+
+fn creep(i: u32, salt: u32, unit: f64) -> f64 {
+    let sizes = [1.0, 10.0, 100.0, 1000.0, 10000.0];
+    let whole = f64::from(draw(i, salt, 2001)) - 1000.0;
+    if draw(i, salt + 1, 8) == 0 {
+        0.0
+    } else {
+        whole / (unit * sizes[draw(i, salt + 2, 5) as usize])
+    }
+}
+
+fn inputs(i: u32) -> (Contact<f64>, Creepage<f64>, Options) {
+    let contact = Contact {
+        a: f64::from(1 + draw(i, 1, 200)) / 20000.0,
+        b: f64::from(1 + draw(i, 2, 200)) / 20000.0,
+        normal_force: f64::from(1000 + draw(i, 3, 200_000)),
+        shear_modulus: f64::from(1 + draw(i, 4, 100)) * 1e9,
+        poisson_ratio: f64::from(draw(i, 5, 101)) / 200.0,
+        friction: f64::from(1 + draw(i, 6, 100)) / 100.0,
+    };
+    let creepage = Creepage {
+        longitudinal: creep(i, 7, 1000.0),
+        lateral: creep(i, 10, 1000.0),
+        spin: creep(i, 13, 10.0),
+    };
+    let options = Options {
+        model: Model::ALL[i as usize % 5],
+        strips: StripCount::from_number(4 << draw(i, 16, 5)).expect("a count"),
+    };
+    (contact, creepage, options)
+}
+
+/// A quotient of integers, rounded to the precision.
+fn part<F: Bits>(whole: u32, of: f64) -> F {
+    F::of(f64::from(whole) / of)
+}
+
+/// One case in one precision: what `tests/c/golden_case.h` does.
+struct Case<'a, F: Bits> {
+    i: u32,
+    contact: &'a Contact<F>,
+    creepage: &'a Creepage<F>,
+    options: &'a Options,
+}
+
+type Full<F> = Patch<F, 64>;
+
+impl<F: Bits> Case<'_, F> {
+    fn draw(&self, salt: u32, below: u32) -> u32 {
+        draw(self.i, salt, below)
+    }
+
+    fn hash(&self, hashes: &mut [Hash; KINDS.len()]) {
+        let Self { i, contact, creepage, options } = *self;
+        let [solves, patches, friction, wanted, rig] = hashes;
+        let r = model::solve(contact, creepage, options);
+        solves.result(r);
+        if has_field(i) {
+            self.field(solves);
+        }
+        if has_rest(i) {
+            let patch = self.build(patches);
+            if let Some(patch) = &patch {
+                self.patch(patches, patch);
+            }
+            self.falling(friction, patch.as_ref());
+            self.wanted(wanted);
+            self.rig(rig, &r.expect("ordinary inputs"));
+        }
+    }
+
+    /// Derivatives and three points of the field.
+    fn field(&self, hash: &mut Hash) {
+        let Self { contact, creepage, options, .. } = *self;
+        let found = model::solve_jacobian(contact, creepage, options);
+        let (r, jacobian) = found.expect("ordinary inputs");
+        hash.code(r.notice.code());
+        hash.add(jacobian.transpose().as_slice());
+        for n in [-1.0, 0.0, 1.0] {
+            let place = |axis: F, parts: f64| axis * F::of(n) / F::of(parts);
+            let field = Field::new(contact, creepage, options);
+            hash.point(
+                field.map(|f| (f.at(place(contact.a, 2.0), place(contact.b, 4.0)), f.notice)),
+            );
+        }
+    }
+
+    /// A patch by one of its three builders.
+    fn build(&self, hash: &mut Hash) -> Option<Full<F>> {
+        let Self { i, contact, options, .. } = *self;
+        let patch = match i / 5 % 3 {
+            0 => Full::from_ellipse(contact, options.strips).map(|mut patch| {
+                for (strip, n) in patch.strips.iter_mut().zip(0..) {
+                    strip.friction = strip.friction * part(4 + self.draw(100 + n, 5), 8.0);
+                }
+                patch
+            }),
+            1 => {
+                let count = 2 + self.draw(20, 19);
+                let mut at = 0;
+                let mut strips: Vec<_> = (0..count)
+                    .map(|n| {
+                        let width = 2 * (1 + self.draw(100 + n, 10));
+                        at += if n == count / 2 { 40 } else { 0 };
+                        let y = at + width / 2;
+                        at += width;
+                        PatchStrip {
+                            y: part(y, 20000.0),
+                            width: part(width, 20000.0),
+                            half_length: part(40 + self.draw(200 + n, 80), 20000.0),
+                            centre_x: part(self.draw(300 + n, 20), 20000.0),
+                            peak_pressure: part::<F>(self.draw(400 + n, 15), 1.0) * F::of(1e8),
+                            friction: part(1 + self.draw(500 + n, 50), 100.0),
+                        }
+                    })
+                    .collect();
+                strips.reverse();
+                Full::from_strips(&strips, contact.shear_modulus, contact.poisson_ratio)
+            }
+            _ => {
+                let bend = 1 + self.draw(20, 8);
+                let away = |n: u32| n.abs_diff(16);
+                let y: Vec<F> = (0..33)
+                    .map(|n| part::<F>(away(n), 1000.0))
+                    .zip(0..33)
+                    .map(|(y, n)| if n < 16 { -y } else { y })
+                    .collect();
+                let rough = |n| away(n) * away(n) * bend * 8 + self.draw(100 + n, 20);
+                let distance: Vec<F> = (0..33).map(|n| part(rough(n), 1e7)).collect();
+                let load = ProfileContact {
+                    rolling_radius: part(200 + self.draw(21, 800), 1000.0),
+                    normal_force: contact.normal_force,
+                    shear_modulus: contact.shear_modulus,
+                    poisson_ratio: contact.poisson_ratio,
+                    friction: contact.friction,
+                };
+                let built = Full::from_profile(&y, &distance, &load, options.strips);
+                built.map(|(patch, found)| {
+                    let loads = [found.penetration, found.peak_pressure, found.normal_force];
+                    hash.add(&loads);
+                    hash.add(&[found.deepest_y]);
+                    hash.mix(u64::from(found.iterations));
+                    patch
+                })
+            }
+        };
+        hash.status(patch.map(|patch| (patch, Notice::None)))
+    }
+
+    fn patch(&self, hash: &mut Hash, patch: &Full<F>) {
+        let Self { creepage, options: Options { model, .. }, .. } = *self;
+        let Some(view) = hash.status(patch.view().map(|view| (view, Notice::None))) else {
+            return;
+        };
+        let area = view.area() * view.scale().area;
+        hash.add(&[view.normal_force(), view.friction_bound(), area]);
+        hash.mix(view.lobes().count() as u64);
+        for s in view.strips() {
+            let PatchStrip { y, width, half_length, centre_x, peak_pressure, friction } = *s;
+            hash.add(&[y, width, half_length, centre_x, peak_pressure, friction]);
+        }
+        hash.result(solver::solve(&view, creepage, *model));
+        hash.jacobian(solver::solve_jacobian(&view, creepage, *model));
+        let mut strips = Vec::new();
+        let status = solver::strips(&view, creepage, *model, &mut |s| strips.push(s));
+        hash.strips(status.map_or_else(Error::code, Notice::code), &strips);
+        for s in view.strips().iter().step_by(3) {
+            let x = s.centre_x - s.half_length / F::of(4.0);
+            let field = PatchField::new(&view, creepage, *model);
+            hash.point(field.map(|f| (f.at(x, s.y), f.notice)));
+        }
+    }
+
+    /// Friction that falls with the slip.
+    fn falling(&self, hash: &mut Hash, patch: Option<&Full<F>>) {
+        let Self { contact, creepage, options, .. } = *self;
+        let law = SlipFriction {
+            friction: part(5 + self.draw(30, 60), 100.0),
+            ratio: part(self.draw(31, 11), 10.0),
+            decay: part(self.draw(32, 20), 10.0),
+            rolling_speed: part(self.draw(33, 60), 1.0),
+            slope_factor: part(1 + self.draw(34, 10), 10.0),
+        };
+        let found = friction::solve(contact, creepage, &law, options);
+        hash.result(found.map(|found| found.solution));
+        hash.add(found.map_or_else(|_| vec![], |found| vec![found.friction]).as_slice());
+        let found = friction::solve_jacobian(contact, creepage, &law, options);
+        hash.jacobian(found.map(|(found, jacobian)| (found.solution, jacobian)));
+        if let Ok((slipping, _)) = friction::under(contact, creepage, &law, options) {
+            let (x, y) = (-contact.a / F::of(4.0), contact.b / F::of(8.0));
+            let field = Field::new(&slipping, creepage, options);
+            hash.point(field.map(|f| (f.at(x, y), f.notice)));
+        }
+        let Some(patch) = patch else { return };
+        let view = patch.view().expect("as it was built");
+        let found = kstrip::patch::friction::solve(&view, creepage, &law, options.model);
+        hash.result(found.map(|found| found.solution));
+        hash.add(found.map_or_else(|_| vec![], |found| vec![found.share]).as_slice());
+        let found = kstrip::patch::friction::solve_jacobian(&view, creepage, &law, options.model);
+        hash.jacobian(found.map(|(found, jacobian)| (found.solution, jacobian)));
+        let share = kstrip::patch::friction::friction_share(&view, creepage, &law, options.model);
+        if let Ok((share, _)) = share {
+            let under = patch.clone().under(share, law.slope_factor);
+            let s = under.strips[under.strips.len() / 2];
+            let x = s.centre_x - s.half_length / F::of(4.0);
+            let view = under.view();
+            let field = view.as_ref().map_err(|error| *error);
+            let field = field.and_then(|view| PatchField::new(view, creepage, options.model));
+            hash.point(field.map(|f| (f.at(x, s.y), f.notice)));
+        }
+    }
+
+    /// What leaves something out, at rest and without spin, lateral or longitudinal creepage as well.
+    fn wanted(&self, hash: &mut Hash) {
+        let Self { contact, creepage, options, .. } = *self;
+        let without = [(false, false), (true, false), (false, true), (true, true)]
+            .map(|(moment, adhesion)| Wanted { moment, adhesion });
+        let Creepage { longitudinal, lateral, spin } = *creepage;
+        for zeros in 0..5 {
+            let kept = |nth, x| if zeros == nth || zeros == 4 { F::zero() } else { x };
+            let motion = Creepage {
+                longitudinal: kept(1, longitudinal),
+                lateral: kept(2, lateral),
+                spin: kept(3, spin),
+            };
+            for wanted in without {
+                hash.result(evaluate(contact, &motion, options, wanted));
+            }
+        }
+        for wanted in without {
+            hash.jacobian(evaluate_jacobian(contact, creepage, options, wanted));
+        }
+        let mut strips = Vec::new();
+        let status = model::strips(contact, creepage, options, &mut |s| strips.push(s));
+        hash.strips(status.map_or_else(Error::code, Notice::code), &strips);
+    }
+
+    /// Friction from a share of the force, and the creepage for it.
+    fn rig(&self, hash: &mut Hash, r: &Solution<F>) {
+        let Self { i, contact, creepage, options } = *self;
+        let share = part(4 + self.draw(40, 5), 8.0);
+        let (fx, fy, zero) = (r.fx * share, r.fy * share, F::zero());
+        let (measured, force) = match i / 5 % 3 {
+            0 => (Measured::Fx, [fx, zero]),
+            1 => (Measured::Fy, [zero, fy]),
+            _ => (Measured::Both, [fx, fy]),
+        };
+        let found = estimate_friction(contact, creepage, options, measured, force);
+        if let Some(found) = hash.status(found.map(|found| (found, found.notice))) {
+            hash.add(&[found.friction, found.sensitivity, found.residual]);
+        }
+        let found = creepage_for_force(contact, [fx, fy], creepage.spin, options);
+        if let Some(motion) = hash.status(found) {
+            hash.add(&[motion.longitudinal, motion.lateral, motion.spin]);
+        }
+    }
+}
+
+fn hashes_of_rust() -> String {
+    let mut blocks = [Vec::new(), Vec::new()];
+    for block in 0..CASES / BLOCK {
+        let [mut two, mut one] = [[Hash::START; KINDS.len()]; 2];
+        for i in block * BLOCK..(block + 1) * BLOCK {
+            let (contact, creepage, options) = &inputs(i);
+            Case { i, contact, creepage, options }.hash(&mut two);
+            let (contact, creepage) = (&single::single(contact), &single::single_motion(creepage));
+            Case { i, contact, creepage, options }.hash(&mut one);
+        }
+        blocks[0].push(two);
+        blocks[1].push(one);
+    }
+    let mut text = String::new();
+    for count in [(CASES / BLOCK) as usize, 1] {
+        for (precision, hashes) in ["double", "single"].iter().zip(&blocks) {
+            for (kind, name) in KINDS.iter().enumerate() {
+                let mut hash = Hash::START;
+                hashes[..count].iter().for_each(|block| hash.mix(block[kind].0));
+                text += &format!("{precision}{name} {} {:016x}\n", count * BLOCK as usize, hash.0);
+            }
+        }
+    }
+    text
+}
+
+#[test]
+fn every_build_gives_the_golden_bits() {
+    let path = root().join("tests/data/golden.txt");
+    let here = hashes_of_rust();
+    if std::env::var_os("KSTRIP_WRITE_GOLDEN").is_some() {
+        std::fs::write(&path, &here).expect("tests/data is writable");
+    }
+    let golden = std::fs::read_to_string(&path).expect("the golden hashes");
+    let way = "KSTRIP_WRITE_GOLDEN=1 cargo test --test golden, if results were to change";
+    assert_eq!(here, golden, "this build; {way}");
+    for mode in [&[][..], &["batch"], &["threads"]] {
+        assert_eq!(run_c_with("tests/c/golden.c", mode), golden, "C program, {mode:?}; {way}");
+    }
+}
+
+/// A library for this very processor, with all of its instructions, rounds the same.
+#[test]
+fn the_native_processor_gives_the_golden_bits() {
+    let golden = std::fs::read_to_string(root().join("tests/data/golden.txt")).expect("hashes");
+    let target = concat!(env!("CARGO_TARGET_TMPDIR"), "/native");
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.current_dir(root()).env_remove("CARGO_BUILD_TARGET");
+    let processor = std::env::var("KSTRIP_GOLDEN_CPU").unwrap_or_else(|_| "native".to_owned());
+    cargo.env("RUSTFLAGS", format!("-C target-cpu={processor}"));
+    cargo.args(["rustc", "--locked", "--release", "--lib", "--crate-type", "staticlib"]);
+    cargo.args(["--features", "panic-handler", "--target-dir", target]);
+    let output = cargo.output().expect("cargo runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let program = format!("{target}/golden");
+    let built = Command::new("cc")
+        .args(["-std=c99", "-O2", "-ffp-contract=off", "-I"])
+        .arg(root().join("include"))
+        .arg(root().join("tests/c/golden.c"))
+        .arg(format!("{target}/release/libkstrip.a"))
+        .args(["-lpthread", "-o", &program])
+        .output();
+    match built {
+        Ok(output) if output.status.success() => {}
+        Ok(output) => panic!("{}", String::from_utf8_lossy(&output.stderr)),
+        Err(error) => {
+            say(&format!("SKIPPED: golden bits with target-cpu={processor}: no cc ({error})"));
+            return;
+        }
+    }
+    let output = Command::new(&program).output().expect("the program runs");
+    assert_eq!(String::from_utf8_lossy(&output.stdout), golden, "target-cpu={processor}");
+}

@@ -1,0 +1,342 @@
+//! Bad input gets the status that `docs/bad-input.md` names, from C, with outputs untouched.
+//!
+//! The C program that asks is written from the tables of that page and the declarations of the header.
+
+use crate::header;
+use crate::toolchain;
+
+use header::{Declared, Function, Variable};
+use std::collections::{BTreeMap, BTreeSet};
+use toolchain::{root, run_written, write_scratch};
+
+/// A line of the second table.
+struct Rule {
+    /// Names of functions; a name that ends with `*` stands for all that begin so.
+    functions: Vec<String>,
+    /// `argument`, `argument[1]`, `structure.member` or `*` (any pointer).
+    arguments: Vec<String>,
+    values: Vec<String>,
+    status: String,
+}
+
+/// One call.
+struct Case<'a> {
+    function: &'a Function,
+    /// What is made bad, as the table names it.
+    argument: String,
+    /// Its place in the list of arguments.
+    position: usize,
+    value: String,
+    status: String,
+}
+
+/// The rows of the table below a heading, without its head.
+fn table<'a>(text: &'a str, heading: &str) -> Vec<Vec<&'a str>> {
+    let (_, section) = text.split_once(heading).expect("the heading");
+    let section = section.split_once("\n## ").map_or(section, |(section, _)| section);
+    let rows = section.lines().filter_map(|line| line.strip_prefix('|')?.strip_suffix('|'));
+    rows.skip(2).map(|row| row.split('|').map(str::trim).collect()).collect()
+}
+
+/// What stands between backticks.
+fn codes(cell: &str) -> Vec<String> {
+    cell.split('`').skip(1).step_by(2).map(str::to_owned).collect()
+}
+
+fn base(name: &str) -> &str {
+    name.strip_suffix("_f32").unwrap_or(name)
+}
+
+fn covers(pattern: &str, name: &str) -> bool {
+    pattern.strip_suffix('*').map_or(pattern == name, |start| name.starts_with(start))
+}
+
+fn page() -> (BTreeMap<String, String>, Vec<Rule>) {
+    let text = std::fs::read_to_string(root().join("docs/bad-input.md")).expect("the page");
+    let good = table(&text, "## Good arguments")
+        .into_iter()
+        .map(|row| (codes(row[0]).remove(0), codes(row[1]).remove(0)))
+        .collect();
+    let rules = table(&text, "## Bad arguments")
+        .into_iter()
+        .map(|row| Rule {
+            functions: codes(row[0]),
+            arguments: codes(row[1]),
+            values: codes(row[2]),
+            status: codes(row[3]).remove(0),
+        })
+        .collect();
+    (good, rules)
+}
+
+/// Whether an argument of a function is what the table calls `pattern`.
+fn is_meant(declared: &Declared, argument: &Variable, pattern: &str) -> bool {
+    let target = argument.target();
+    match pattern.split_once('.') {
+        Some((structure, member)) => {
+            let known = |kind: &str| {
+                let structure = declared.structures.iter().find(|s| s.name == kind);
+                // A member that is an array stands with an index and what follows it.
+                let (member, _) = member.split_once('[').unwrap_or((member, ""));
+                structure.is_some_and(|s| s.members.iter().any(|m| m.name == member))
+            };
+            target.is_some_and(|(kind, output)| !output && base(kind) == structure && known(kind))
+        }
+        None if pattern == "*" => target.is_some(),
+        None => match pattern.split_once('[') {
+            Some((name, _)) => target.is_some() && argument.name == name,
+            None => argument.name == pattern,
+        },
+    }
+}
+
+/// All calls of the table.
+fn cases<'a>(declared: &'a Declared, rules: &[Rule]) -> Vec<Case<'a>> {
+    let mut cases: Vec<Case> = Vec::new();
+    for function in declared.functions.iter().filter(|f| f.kind == "kstrip_status") {
+        let first = cases.len();
+        for rule in rules {
+            if !rule.functions.iter().any(|pattern| covers(pattern, base(&function.name))) {
+                continue;
+            }
+            for (position, argument) in function.arguments.iter().enumerate() {
+                for pattern in rule.arguments.iter().filter(|p| is_meant(declared, argument, p)) {
+                    for value in &rule.values {
+                        // NULL only fits a pointer; a number does not.
+                        let pointer = argument.target().is_some();
+                        let member = pattern.contains(['.', '[']);
+                        if pointer && !member && value != "NULL" {
+                            continue;
+                        }
+                        let named = if pattern == "*" { &argument.name } else { pattern };
+                        cases[first..]
+                            .iter()
+                            .position(|c| {
+                                (&c.argument, c.position, &c.value) == (named, position, value)
+                            })
+                            .map(|i| cases.remove(first + i));
+                        cases.push(Case {
+                            function,
+                            argument: named.clone(),
+                            position,
+                            value: value.clone(),
+                            status: rule.status.clone(),
+                        });
+                    }
+                }
+            }
+        }
+    }
+    cases
+}
+
+const ELEMENTS: usize = 4;
+const OUTPUTS: usize = 256;
+
+/// The block of C that makes one call and prints its number, status and whether outputs are untouched.
+fn block(
+    number: usize,
+    case: Option<&Case>,
+    function: &Function,
+    good: &BTreeMap<String, String>,
+) -> String {
+    let single = function.name.ends_with("_f32");
+    let spelt = |value: &str| {
+        let (largest, smallest) =
+            if single { ("FLT_MAX", "1e-45F") } else { ("DBL_MAX", "5e-324") };
+        let real = if single { "float" } else { "double" };
+        value.replace("LARGEST", largest).replace("SMALLEST", smallest).replace("REAL", real)
+    };
+    let value_of = |name: &str| {
+        let of_function = format!("{}.{name}", base(&function.name));
+        let value = good.get(&of_function).or_else(|| good.get(base(name)));
+        value.unwrap_or_else(|| {
+            panic!("docs/bad-input.md: no good value for {name} of {}", function.name)
+        })
+    };
+    let has_count = function.arguments.iter().any(|a| a.name == "count" && a.target().is_none());
+    let many = has_count && value_of("count") != "1";
+    let (mut text, mut arguments, mut outputs) = ("    {\n".to_owned(), vec![], vec![]);
+    for (position, argument) in function.arguments.iter().enumerate() {
+        let Variable { kind, name, .. } = argument;
+        let bad = case.filter(|case| case.position == position);
+        let is_null = bad.is_some_and(|case| case.value == "NULL" && !case.argument.contains('.'));
+        match argument.target() {
+            Some(_) if is_null => arguments.push("NULL".to_owned()),
+            Some((target, true)) => {
+                text += &format!("        static {target} {name}[{OUTPUTS}];\n");
+                text += &format!("        memset({name}, POISON, sizeof {name});\n");
+                outputs.push(name);
+                arguments.push(name.clone());
+            }
+            Some((target, false)) => {
+                let own = good.get(&format!("{}.{name}", base(&function.name)));
+                match own.and_then(|list| list.strip_prefix("list ")) {
+                    Some(list) => text += &format!("        {target} {name}[] = {list};\n"),
+                    None => {
+                        let value =
+                            spelt(value_of(if target == "float" { "double" } else { target }));
+                        text += &format!("        const {target} {name}_good = {value};\n");
+                        text += &format!("        {target} {name}[{ELEMENTS}];\n");
+                        text += &format!(
+                            "        for (int i = 0; i < {ELEMENTS}; i++) {name}[i] = {name}_good;\n"
+                        );
+                    }
+                }
+                if let Some(case) = bad {
+                    let place = match case.argument.split_once('.') {
+                        Some((_, member)) => {
+                            // Options are one for all contacts.
+                            let one =
+                                ["kstrip_options", "kstrip_batch_inputs", "kstrip_batch_outputs"];
+                            let element = usize::from(many && !one.contains(&base(target)));
+                            format!("{name}[{element}].{member}")
+                        }
+                        None => case.argument.clone(),
+                    };
+                    text += &format!("        {place} = {};\n", spelt(&case.value));
+                }
+                arguments.push(name.clone());
+            }
+            None => {
+                let value = bad.map_or_else(|| value_of(name).clone(), |case| spelt(&case.value));
+                arguments.push(format!("({kind})({value})"));
+            }
+        }
+    }
+    let untouched: Vec<String> =
+        outputs.iter().map(|name| format!("poisoned({name}, sizeof {name})")).collect();
+    let untouched = if untouched.is_empty() { "1".to_owned() } else { untouched.join(" && ") };
+    text += &format!(
+        "        const long status = {}({});\n        printf(\"{number} %ld %d\\n\", status, {untouched});\n    }}\n",
+        function.name,
+        arguments.join(", ")
+    );
+    text
+}
+
+#[test]
+fn bad_input_gets_its_status_and_outputs_stay() {
+    let header = std::fs::read_to_string(root().join("include/kstrip.h")).expect("the header");
+    let declared = header::declared(&header);
+    let (good, rules) = page();
+    let cases = cases(&declared, &rules);
+
+    // Blocks in functions of their own, so that no stack grows with the table
+    let mut program = "/* Written by tests/interface/bad_input.rs. */\n#include \"kstrip.h\"\n#include <float.h>\n\
+        #include <math.h>\n#include <stdio.h>\n#include <string.h>\n\nenum { POISON = 0xA5 };\n\n\
+        static int poisoned(const void *memory, size_t size)\n{\n    const unsigned char *byte = memory;\n    \
+        while (size--)\n        if (*byte++ != POISON)\n            return 0;\n    return 1;\n}\n"
+        .to_owned();
+    let functions: Vec<&Function> =
+        declared.functions.iter().filter(|f| f.kind == "kstrip_status").collect();
+    let mut blocks: Vec<String> = functions
+        .iter()
+        .enumerate()
+        .map(|(i, function)| block(cases.len() + i, None, function, &good))
+        .collect();
+    blocks.extend(cases.iter().enumerate().map(|(i, c)| block(i, Some(c), c.function, &good)));
+    for (i, block) in blocks.iter().enumerate() {
+        program += &format!("\nstatic void call_{i}(void)\n{{\n{block}}}\n");
+    }
+    // By pointers: a compiler that put all of them into main would take minutes.
+    program += "\nstatic void (*const calls[])(void) = {\n";
+    for i in 0..blocks.len() {
+        program += &format!("    call_{i},\n");
+    }
+    program += "};\n\nint main(void)\n{\n    for (size_t i = 0; i < sizeof calls / sizeof *calls; i++)\n        \
+        calls[i]();\n    return 0;\n}\n";
+
+    let text = run_written(&write_scratch("bad_input.c", &program));
+    let answers: BTreeMap<usize, (i64, bool)> = text
+        .lines()
+        .map(|line| match line.split(' ').collect::<Vec<_>>()[..] {
+            [number, status, untouched] => (
+                number.parse().expect("a number"),
+                (status.parse().expect("a status"), untouched == "1"),
+            ),
+            _ => panic!("{line}"),
+        })
+        .collect();
+    let statuses: BTreeMap<String, i64> = declared.constants.iter().cloned().collect();
+    let mut wrong = Vec::new();
+    for (i, case) in cases.iter().enumerate() {
+        let (status, untouched) = answers[&i];
+        let wanted = statuses[&case.status];
+        if status != wanted || (wanted < 0 && !untouched) {
+            wrong.push(format!(
+                "{}: {} = {}: status {status}, table says {} ({wanted}){}",
+                case.function.name,
+                case.argument,
+                case.value,
+                case.status,
+                if wanted < 0 && !untouched { ", and an output was written" } else { "" }
+            ));
+        }
+    }
+    for (i, function) in functions.iter().enumerate() {
+        let (status, untouched) = answers[&(cases.len() + i)];
+        let writes = function.arguments.iter().any(|a| matches!(a.target(), Some((_, true))));
+        if status < 0 || (untouched && writes) {
+            wrong.push(format!("{}: good arguments give {status}", function.name));
+        }
+    }
+    assert!(wrong.is_empty(), "{} of {}:\n{}", wrong.len(), cases.len(), wrong.join("\n"));
+    println!("{} calls with bad input", cases.len());
+    assert!(cases.len() > 1000, "{}", cases.len());
+
+    // Nothing is left out: every number of every argument has its line.
+    let named: BTreeSet<(&str, usize, &str, &str)> = cases
+        .iter()
+        .map(|c| (c.function.name.as_str(), c.position, c.argument.as_str(), c.value.as_str()))
+        .collect();
+    let mut missing = Vec::new();
+    for function in &functions {
+        for (position, argument) in function.arguments.iter().enumerate() {
+            let mut ask = |what: &str, kind: &str| {
+                let has =
+                    |value: &str| named.contains(&(function.name.as_str(), position, what, value));
+                let covered = match kind {
+                    "double" | "float" => ["NAN", "INFINITY", "-INFINITY"].into_iter().all(has),
+                    _ => named.iter().any(|n| (n.0, n.1, n.2) == (&*function.name, position, what)),
+                };
+                if !covered {
+                    missing.push(format!("{}: {what}", function.name));
+                }
+            };
+            match argument.target() {
+                None => ask(&argument.name, &argument.kind),
+                Some((_, true)) => ask(&argument.name, "pointer"),
+                Some((target, false)) => {
+                    ask(&argument.name, "pointer");
+                    match declared.structures.iter().find(|s| s.name == target) {
+                        Some(structure) => {
+                            for member in &structure.members {
+                                let inner =
+                                    declared.structures.iter().find(|s| s.name == member.kind);
+                                match inner {
+                                    Some(inner) => {
+                                        for part in &inner.members {
+                                            let (array, part_name) = (&member.name, &part.name);
+                                            let place =
+                                                format!("{}.{array}[0].{part_name}", base(target));
+                                            ask(&place, &part.kind);
+                                        }
+                                    }
+                                    None => {
+                                        ask(
+                                            &format!("{}.{}", base(target), member.name),
+                                            &member.kind,
+                                        );
+                                    }
+                                }
+                            }
+                        }
+                        None => ask(&format!("{}[1]", argument.name), target),
+                    }
+                }
+            }
+        }
+    }
+    assert!(missing.is_empty(), "docs/bad-input.md has no line for:\n{}", missing.join("\n"));
+}

@@ -1,0 +1,482 @@
+//! Batches give the bits of single solves, whatever the layout of the arrays; bad input touches nothing.
+
+use crate::random;
+
+use kstrip::contact::Contact;
+use kstrip::contact::creepage::Parameters;
+use kstrip::ffi::batch::*;
+use kstrip::ffi::double::{kstrip_solve, kstrip_solve_batch};
+use kstrip::ffi::single::{kstrip_solve_batch_f32, kstrip_solve_f32};
+use kstrip::ffi::types::*;
+use kstrip::ffi::types_f32::*;
+use kstrip::ffi::{KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_NULL, KSTRIP_OK};
+use random::Random;
+use std::mem::MaybeUninit;
+use std::ptr::null_mut;
+
+const COUNT: usize = 203;
+
+/// Nine inputs of contacts of all kinds, array by array; the first is at rest, some have extreme spin.
+fn inputs() -> [Vec<f64>; 9] {
+    let mut random = Random::new(21);
+    let mut arrays: [Vec<f64>; 9] = Default::default();
+    for i in 0..COUNT {
+        let b = 4e-3;
+        let size = if i == 0 { 0.0 } else { random.log_between(1e-6, 0.1) };
+        let values = [
+            b * random.log_between(0.05, 20.0),
+            b,
+            if i == 1 { 0.0 } else { random.log_between(1e3, 2e5) },
+            82e9,
+            random.between(0.0, 0.5),
+            random.between(0.05, 0.6),
+            size * random.between(-1.0, 1.0),
+            size * random.between(-1.0, 1.0),
+            if i % 7 == 3 {
+                0.0
+            } else {
+                random.between(-1.0, 1.0) * random.log_between(1e-3, 1e3)
+            },
+        ];
+        for (array, value) in arrays.iter_mut().zip(values) {
+            array.push(value);
+        }
+    }
+    arrays
+}
+
+/// Numbers that are hard for some formula, or bad.
+const HARD: [f64; 24] = [
+    0.0,
+    -0.0,
+    5e-324,
+    1e-310,
+    1e-45,
+    1e-30,
+    1e-12,
+    1e-6,
+    4e-3,
+    0.5,
+    1.0,
+    3.0,
+    1e4,
+    8e10,
+    1e16,
+    1e30,
+    3e38,
+    1e100,
+    1e300,
+    f64::MAX,
+    f64::INFINITY,
+    f64::NAN,
+    -1.0,
+    -1e300,
+];
+
+/// A contact with its creepage; usual, unusual, or with one to nine numbers that are hard.
+fn any_kind(random: &mut Random, kind: usize) -> [f64; 9] {
+    let size = random.log_between(1e-7, 1.0);
+    let mut values = [
+        4e-3 * random.log_between(0.02, 50.0),
+        4e-3,
+        random.log_between(1e2, 2e5),
+        82e9,
+        random.between(0.0, 0.5),
+        random.between(0.05, 0.6),
+        size * random.between(-1.0, 1.0),
+        size * random.between(-1.0, 1.0),
+        random.between(-1.0, 1.0) * random.log_between(1e-3, 1e4),
+    ];
+    // motion without some of its parts, as on straight track or a roller
+    for part in 0..3 {
+        if kind & (1 << part) != 0 && random.between(0.0, 1.0) < 0.8 {
+            values[6 + part] = 0.0;
+        }
+    }
+    if kind % 11 == 2 {
+        // a neighbour that needs another branch of the theory of 1967: no spin, little, near one, beyond; some stick, some slide
+        let [a, b, normal_force, shear_modulus, poisson_ratio, friction, ..] = values;
+        let contact = Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction };
+        let spins = [0.0, 1e-9, 0.3, 0.9, 0.99, 0.993, 0.9999, 1.0, 1.0001, 1.3];
+        let parameters = Parameters {
+            xi: random.between(-1.0, 1.0),
+            eta: random.between(-1.0, 1.0),
+            psi: spins[(kind / 11) % spins.len()] * if kind & 1 == 0 { 1.0 } else { -1.0 },
+            poisson_ratio,
+            axis_ratio: a / b,
+        };
+        let motion = parameters.creepage(&contact);
+        [values[6], values[7], values[8]] = [motion.longitudinal, motion.lateral, motion.spin];
+    }
+    let hard = match kind % 11 {
+        0 => 1 + (random.between(0.0, 3.0) as usize),
+        1 => 9,
+        _ => 0,
+    };
+    for _ in 0..hard {
+        let place = random.between(0.0, 9.0) as usize;
+        let number = HARD[random.between(0.0, HARD.len() as f64) as usize];
+        values[place.min(8)] = if random.between(0.0, 1.0) < 0.3 { -number } else { number };
+    }
+    values
+}
+
+fn options() -> impl Iterator<Item = kstrip_options> {
+    (1..=5).flat_map(|model| [4, 16].map(|strips| kstrip_options { model, strips }))
+}
+
+macro_rules! same_bits {
+    ($name:ident, $float:ident, $inputs:ident, $outputs:ident, $contact:ident, $creepage:ident, $solve:ident, $batch:ident) => {
+        #[test]
+        fn $name() {
+            let arrays = inputs().map(|a| a.iter().map(|x| *x as $float).collect::<Vec<_>>());
+            let [a, b, n, g, nu, mu, vx, vy, phi] = arrays.each_ref().map(|array| array.as_ptr());
+            let from = $inputs {
+                a,
+                b,
+                normal_force: n,
+                shear_modulus: g,
+                poisson_ratio: nu,
+                friction: mu,
+                longitudinal: vx,
+                lateral: vy,
+                spin: phi,
+            };
+            for options in options() {
+                let mut found: [Vec<$float>; 5] = std::array::from_fn(|_| vec![7.0; COUNT]);
+                let mut details = vec![99; COUNT];
+                let [fx, fy, mz, power, adhesion] =
+                    found.each_mut().map(|array| array.as_mut_ptr());
+                let to =
+                    $outputs { fx, fy, mz, power, adhesion, status_detail: details.as_mut_ptr() };
+                let status =
+                    unsafe { $batch(COUNT as u32, Some(&from), Some(&options), Some(&to)) };
+                let mut worst = KSTRIP_OK;
+                for i in 0..COUNT {
+                    let [a, b, normal_force, shear_modulus, poisson_ratio, friction, x, y, spin] =
+                        arrays.each_ref().map(|array| array[i]);
+                    let contact =
+                        $contact { a, b, normal_force, shear_modulus, poisson_ratio, friction };
+                    let creepage = $creepage { longitudinal: x, lateral: y, spin };
+                    let mut result = MaybeUninit::uninit();
+                    let single =
+                        $solve(Some(&contact), Some(&creepage), Some(&options), Some(&mut result));
+                    assert!(single >= KSTRIP_OK);
+                    worst = worst.max(single);
+                    let r = unsafe { result.assume_init() };
+                    let expected = [r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits);
+                    let is = found.each_ref().map(|array| array[i].to_bits());
+                    assert_eq!(is, expected, "{options:?} {contact:?} {creepage:?}");
+                    assert_eq!(details[i], r.status_detail);
+                }
+                assert_eq!(status, worst);
+            }
+        }
+    };
+}
+
+/// Thousands of contacts of all kinds: the bits of single solves in any company, whatever the count's remainder; the first
+/// error wherever it stands, with nothing written.
+macro_rules! any_company {
+    ($name:ident, $float:ident, $inputs:ident, $outputs:ident, $contact:ident, $creepage:ident, $result:ident, $solve:ident, $batch:ident, $arrays:ident) => {
+        #[test]
+        fn $name() {
+            let mut random = Random::new(5);
+            let all: Vec<[$float; 9]> =
+                (0..4000).map(|kind| any_kind(&mut random, kind).map(|x| x as $float)).collect();
+            let structures = |[
+                a,
+                b,
+                normal_force,
+                shear_modulus,
+                poisson_ratio,
+                friction,
+                x,
+                y,
+                spin,
+            ]: [$float; 9]| {
+                (
+                    $contact { a, b, normal_force, shear_modulus, poisson_ratio, friction },
+                    $creepage { longitudinal: x, lateral: y, spin },
+                )
+            };
+            for options in options() {
+                let single = |values: &[$float; 9]| {
+                    let (contact, creepage) = structures(*values);
+                    let mut result = MaybeUninit::uninit();
+                    let status =
+                        $solve(Some(&contact), Some(&creepage), Some(&options), Some(&mut result));
+                    if status < 0 {
+                        return Err(status);
+                    }
+                    let r: $result = unsafe { result.assume_init() };
+                    Ok((
+                        status,
+                        [r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits),
+                        r.status_detail,
+                    ))
+                };
+                let (good, bad): (Vec<_>, Vec<_>) = all
+                    .iter()
+                    .map(|values| (*values, single(values)))
+                    .partition(|(_, found)| found.is_ok());
+                assert!(good.len() > 3000 && bad.len() > 100, "{} {}", good.len(), bad.len());
+
+                let together = |problems: &[[$float; 9]]| {
+                    let count = problems.len();
+                    let (contacts, creepages): (Vec<_>, Vec<_>) =
+                        problems.iter().map(|p| structures(*p)).unzip();
+                    let untouched = $result {
+                        fx: 7.0,
+                        fy: 7.0,
+                        mz: 7.0,
+                        power: 7.0,
+                        adhesion: 7.0,
+                        status_detail: 99,
+                        reserved: 0,
+                    };
+                    let mut results = vec![untouched; count];
+                    let status = unsafe {
+                        $batch(
+                            contacts.as_ptr(),
+                            creepages.as_ptr(),
+                            count as u32,
+                            Some(&options),
+                            results.as_mut_ptr(),
+                        )
+                    };
+                    let arrays: [Vec<$float>; 9] =
+                        std::array::from_fn(|k| problems.iter().map(|p| p[k]).collect());
+                    let [a, b, n, g, nu, mu, vx, vy, phi] =
+                        arrays.each_ref().map(|array| array.as_ptr());
+                    let from = $inputs {
+                        a,
+                        b,
+                        normal_force: n,
+                        shear_modulus: g,
+                        poisson_ratio: nu,
+                        friction: mu,
+                        longitudinal: vx,
+                        lateral: vy,
+                        spin: phi,
+                    };
+                    let mut found: [Vec<$float>; 5] = std::array::from_fn(|_| vec![7.0; count]);
+                    let mut details = vec![99; count];
+                    let [fx, fy, mz, power, adhesion] =
+                        found.each_mut().map(|array| array.as_mut_ptr());
+                    let to = $outputs {
+                        fx,
+                        fy,
+                        mz,
+                        power,
+                        adhesion,
+                        status_detail: details.as_mut_ptr(),
+                    };
+                    let other =
+                        unsafe { $arrays(count as u32, Some(&from), Some(&options), Some(&to)) };
+                    assert_eq!(status, other);
+                    for (i, r) in results.iter().enumerate() {
+                        let is = [r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits);
+                        assert_eq!(is, found.each_ref().map(|array| array[i].to_bits()));
+                        assert_eq!(r.status_detail, details[i]);
+                    }
+                    (status, results)
+                };
+                let inputs: Vec<_> = good.iter().map(|(values, _)| *values).collect();
+                for (first, count) in (0..9).map(|k| (37 * k, 160 + k)).chain([(0, inputs.len())]) {
+                    let (status, results) = together(&inputs[first..first + count]);
+                    let mut worst = KSTRIP_OK;
+                    for (r, (values, expected)) in results.iter().zip(&good[first..]) {
+                        let (status, bits, detail) = expected.unwrap();
+                        worst = worst.max(status);
+                        let is = [r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits);
+                        assert_eq!((is, r.status_detail), (bits, detail), "{options:?} {values:?}");
+                    }
+                    assert_eq!(status, worst);
+                }
+                for (k, pair) in bad.chunks(2).enumerate().take(150) {
+                    let mut inputs = inputs[..203].to_vec();
+                    inputs[k % 203] = pair[0].0;
+                    if let Some((values, _)) = pair.get(1) {
+                        // a later one, also in the same register
+                        let later = (k % 203 + 1 + k % 9).min(202);
+                        if later > k % 203 {
+                            inputs[later] = *values;
+                        }
+                    }
+                    let (status, results) = together(&inputs);
+                    assert_eq!(Err(status), pair[0].1, "{options:?} {:?}", pair[0].0);
+                    assert!(results.iter().all(|r| r.fx == 7.0 && r.status_detail == 99));
+                }
+            }
+        }
+    };
+}
+
+any_company!(
+    any_company_gives_the_same_bits,
+    f64,
+    kstrip_batch_inputs,
+    kstrip_batch_outputs,
+    kstrip_contact,
+    kstrip_creepage,
+    kstrip_result,
+    kstrip_solve,
+    kstrip_solve_batch,
+    kstrip_solve_batch_arrays
+);
+any_company!(
+    any_company_gives_the_same_bits_in_single_precision,
+    f32,
+    kstrip_batch_inputs_f32,
+    kstrip_batch_outputs_f32,
+    kstrip_contact_f32,
+    kstrip_creepage_f32,
+    kstrip_result_f32,
+    kstrip_solve_f32,
+    kstrip_solve_batch_f32,
+    kstrip_solve_batch_arrays_f32
+);
+
+same_bits!(
+    arrays_give_the_bits_of_single_solves,
+    f64,
+    kstrip_batch_inputs,
+    kstrip_batch_outputs,
+    kstrip_contact,
+    kstrip_creepage,
+    kstrip_solve,
+    kstrip_solve_batch_arrays
+);
+same_bits!(
+    single_precision_arrays_too,
+    f32,
+    kstrip_batch_inputs_f32,
+    kstrip_batch_outputs_f32,
+    kstrip_contact_f32,
+    kstrip_creepage_f32,
+    kstrip_solve_f32,
+    kstrip_solve_batch_arrays_f32
+);
+
+#[test]
+fn structures_give_the_bits_of_single_solves() {
+    let arrays = inputs();
+    let of = |i: usize| arrays.each_ref().map(|array| array[i]);
+    let contacts: Vec<_> = (0..COUNT)
+        .map(|i| {
+            let [a, b, normal_force, shear_modulus, poisson_ratio, friction, ..] = of(i);
+            kstrip_contact { a, b, normal_force, shear_modulus, poisson_ratio, friction }
+        })
+        .collect();
+    let creepages: Vec<_> = (0..COUNT)
+        .map(|i| {
+            let [.., longitudinal, lateral, spin] = of(i);
+            kstrip_creepage { longitudinal, lateral, spin }
+        })
+        .collect();
+    for options in options() {
+        // every length up to a few registers, then all
+        for count in (0..10).chain([COUNT]) {
+            let mut results = vec![MaybeUninit::<kstrip_result>::uninit(); count];
+            let status = unsafe {
+                let out = results.as_mut_ptr().cast();
+                let (contacts, creepages) = (contacts.as_ptr(), creepages.as_ptr());
+                kstrip_solve_batch(contacts, creepages, count as u32, Some(&options), out)
+            };
+            assert!(status >= KSTRIP_OK);
+            for i in 0..count {
+                let mut single = MaybeUninit::uninit();
+                kstrip_solve(
+                    Some(&contacts[i]),
+                    Some(&creepages[i]),
+                    Some(&options),
+                    Some(&mut single),
+                );
+                let (is, expected) = unsafe { (results[i].assume_init(), single.assume_init()) };
+                let bits = |r: kstrip_result| {
+                    ([r.fx, r.fy, r.mz, r.power, r.adhesion].map(f64::to_bits), r.status_detail)
+                };
+                assert_eq!(bits(is), bits(expected), "{options:?} {:?}", contacts[i]);
+            }
+        }
+    }
+}
+
+#[test]
+fn only_what_is_wanted_is_written_and_nothing_on_errors() {
+    let mut arrays = inputs();
+    let from = |arrays: &[Vec<f64>; 9]| {
+        let [a, b, n, g, nu, mu, vx, vy, phi] = arrays.each_ref().map(|array| array.as_ptr());
+        kstrip_batch_inputs {
+            a,
+            b,
+            normal_force: n,
+            shear_modulus: g,
+            poisson_ratio: nu,
+            friction: mu,
+            longitudinal: vx,
+            lateral: vy,
+            spin: phi,
+        }
+    };
+    let nothing = kstrip_batch_outputs {
+        fx: null_mut(),
+        fy: null_mut(),
+        mz: null_mut(),
+        power: null_mut(),
+        adhesion: null_mut(),
+        status_detail: null_mut(),
+    };
+    let count = COUNT as u32;
+    let mut fy = vec![7.0; COUNT];
+    let wanted = kstrip_batch_outputs { fy: fy.as_mut_ptr(), ..nothing };
+    unsafe {
+        assert!(kstrip_solve_batch_arrays(count, Some(&from(&arrays)), None, Some(&wanted)) >= 0);
+        assert!(kstrip_solve_batch_arrays(count, Some(&from(&arrays)), None, Some(&nothing)) >= 0);
+    }
+    assert!(fy.iter().all(|fy| *fy != 7.0));
+    // Whatever else is wanted, a quantity has the same bits
+    let mut found: [Vec<f64>; 5] = std::array::from_fn(|_| vec![7.0; COUNT]);
+    for options in options() {
+        let mut whole: Option<[Vec<f64>; 5]> = None;
+        for mask in (0..32_u32).rev() {
+            let place = |i: usize, array: &mut Vec<f64>| {
+                if mask >> i & 1 == 1 { array.as_mut_ptr() } else { null_mut() }
+            };
+            let [fx, fy, mz, power, adhesion] = &mut found;
+            let wanted = kstrip_batch_outputs {
+                fx: place(0, fx),
+                fy: place(1, fy),
+                mz: place(2, mz),
+                power: place(3, power),
+                adhesion: place(4, adhesion),
+                ..nothing
+            };
+            let (from, options) = (from(&arrays), Some(&options));
+            unsafe {
+                assert!(kstrip_solve_batch_arrays(count, Some(&from), options, Some(&wanted)) >= 0);
+            }
+            let whole = whole.get_or_insert_with(|| found.clone());
+            assert!(found == *whole, "{mask} {options:?}");
+        }
+    }
+
+    arrays[5][COUNT - 1] = -0.1;
+    fy.fill(7.0);
+    let wanted = kstrip_batch_outputs { fy: fy.as_mut_ptr(), ..nothing };
+    let solve = |from: Option<&kstrip_batch_inputs>, to: Option<&kstrip_batch_outputs>| unsafe {
+        kstrip_solve_batch_arrays(count, from, None, to)
+    };
+    assert_eq!(solve(Some(&from(&arrays)), Some(&wanted)), KSTRIP_ERROR_FRICTION);
+    let missing = kstrip_batch_inputs { spin: std::ptr::null(), ..from(&arrays) };
+    assert_eq!(solve(Some(&missing), Some(&wanted)), KSTRIP_ERROR_NULL);
+    assert_eq!(solve(None, Some(&wanted)), KSTRIP_ERROR_NULL);
+    assert_eq!(solve(Some(&from(&arrays)), None), KSTRIP_ERROR_NULL);
+    assert!(fy.iter().all(|fy| *fy == 7.0));
+    let empty = kstrip_batch_inputs { a: std::ptr::null(), ..missing };
+    assert_eq!(
+        unsafe { kstrip_solve_batch_arrays(0, Some(&empty), None, Some(&wanted)) },
+        KSTRIP_OK
+    );
+}

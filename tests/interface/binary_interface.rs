@@ -1,0 +1,84 @@
+//! The committed header is what cbindgen makes of the sources, and the committed description of the
+//! binary interface is what the header says.
+
+use crate::header;
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+fn generated() -> String {
+    let root = env!("CARGO_MANIFEST_DIR");
+    let config = cbindgen::Config::from_root_or_default(root);
+    let mut bytes = Vec::new();
+    cbindgen::Builder::new()
+        .with_crate(root)
+        .with_config(config)
+        .generate()
+        .expect("cbindgen reads the sources")
+        .write(&mut bytes);
+    String::from_utf8(bytes).expect("the header is text")
+}
+
+/// `KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface` writes it anew.
+#[test]
+fn committed_header_is_current() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("include/kstrip.h");
+    let header = generated();
+    if std::env::var_os("KSTRIP_WRITE_HEADER").is_some() {
+        std::fs::write(&path, &header).expect("include/ is writable");
+    }
+    let committed = std::fs::read_to_string(&path).expect("include/kstrip.h exists");
+    assert!(
+        committed == header,
+        "include/kstrip.h is not what the sources say; run KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface"
+    );
+}
+
+/// `docs/abi.txt` and `tests/c/layout.rs` are written by the same command as the header. A line that
+/// disappears is an incompatible change: it needs another `KSTRIP_ABI_VERSION`. While a version has not
+/// been released `KSTRIP_ABI_UNRELEASED=1` lets it change.
+#[test]
+fn binary_interface_is_the_committed_one() {
+    let declared = header::declared(&generated());
+    let interface = format!("{}\n{}", ABI_HEAD.trim(), declared.interface());
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let read = |path: &str| std::fs::read_to_string(root.join(path)).unwrap_or_default();
+    let committed = read("docs/abi.txt");
+    let version = |text: &str| {
+        text.lines()
+            .find(|line| line.starts_with("constant KSTRIP_ABI_VERSION "))
+            .map(str::to_owned)
+    };
+    let kept: BTreeSet<&str> = interface.lines().collect();
+    let lost: Vec<&str> =
+        committed.lines().filter(|line| !line.starts_with('#') && !kept.contains(line)).collect();
+    let allowed = version(&committed) != version(&interface)
+        || std::env::var_os("KSTRIP_ABI_UNRELEASED").is_some();
+    assert!(
+        lost.is_empty() || allowed,
+        "an incompatible change of the binary interface: raise KSTRIP_ABI_VERSION (docs/abi.md), or \
+         set KSTRIP_ABI_UNRELEASED=1 as long as the version has not been released: {lost:#?}"
+    );
+    let list = declared.rust_list();
+    if std::env::var_os("KSTRIP_WRITE_HEADER").is_some() {
+        std::fs::write(root.join("docs/abi.txt"), &interface).expect("docs/ is writable");
+        std::fs::write(root.join("tests/c/layout.rs"), &list).expect("tests/c/ is writable");
+    }
+    assert!(
+        read("docs/abi.txt") == interface && read("tests/c/layout.rs") == list,
+        "docs/abi.txt or tests/c/layout.rs is not what the header says; \
+         run KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface"
+    );
+}
+
+const ABI_HEAD: &str = "
+# The binary interface, written by KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface and compared by that test.
+# Offsets and sizes in bytes. docs/abi.md has the rules.
+";
+
+#[test]
+fn version_constants_are_those_of_the_package() {
+    use kstrip::ffi::{KSTRIP_VERSION_MAJOR, KSTRIP_VERSION_MINOR, KSTRIP_VERSION_PATCH};
+    let version = format!("{KSTRIP_VERSION_MAJOR}.{KSTRIP_VERSION_MINOR}.{KSTRIP_VERSION_PATCH}");
+    assert_eq!(version, env!("CARGO_PKG_VERSION"));
+}

@@ -1,0 +1,427 @@
+//! Friction that falls with the slip, and reduced initial slope.
+
+use crate::random;
+use crate::theory;
+
+use kstrip::contact::Contact;
+use kstrip::contact::creepage::Creepage;
+use kstrip::contact::forces::StripCount;
+use kstrip::ffi;
+use kstrip::ffi::friction::*;
+use kstrip::ffi::types::*;
+use kstrip::ffi::types_f32::*;
+use kstrip::friction::{self, SlipFriction};
+use kstrip::solve::model::{self, Model, Options};
+use kstrip::status::{Error, Notice};
+use random::Random;
+use std::mem::MaybeUninit;
+use theory::{contact, options};
+
+/// Polach's dry rail at 20 m/s.
+const DRY: SlipFriction<f64> =
+    SlipFriction { friction: 0.55, ratio: 0.4, decay: 0.6, rolling_speed: 20.0, slope_factor: 1.0 };
+
+fn motion(longitudinal: f64, lateral: f64, spin: f64) -> Creepage<f64> {
+    Creepage { longitudinal, lateral, spin }
+}
+
+fn any_contact(random: &mut Random) -> Contact<f64> {
+    contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5))
+}
+
+/// From nearly linear to full sliding.
+fn any_motion(random: &mut Random, contact: &Contact<f64>, spin: f64) -> Creepage<f64> {
+    let size = random.log_between(1e-2, 30.0);
+    let [xi, eta, psi] = [0; 3].map(|_| size * random.between(-1.0, 1.0));
+    theory::creepage(contact, xi, eta, (spin * psi).clamp(-2.0, 2.0))
+}
+
+fn any_options(n: usize) -> Options {
+    options(
+        [Model::Strip, Model::Total, Model::Strip1967, Model::Strip1967Continuous][n % 4],
+        StripCount::Sixteen,
+    )
+}
+
+/// `μ → g(μ)` straight from its definition.
+fn next(c: &Contact<f64>, m: &Creepage<f64>, law: &SlipFriction<f64>, o: &Options, mu: f64) -> f64 {
+    let shear_modulus = c.shear_modulus * law.slope_factor;
+    let c = Contact { friction: mu, shear_modulus, ..*c };
+    let slip = model::solve(&c, m, o).unwrap().power / (mu * c.normal_force);
+    // The theory of 1967 has a negative power in some contacts that spin; that is no slip.
+    let w = law.rolling_speed * slip.max(0.0);
+    law.friction * ((1.0 - law.ratio) * (-law.decay * w).exp() + law.ratio)
+}
+
+#[test]
+fn constant_friction_is_the_plain_solution_to_the_bit() {
+    let mut random = Random::new(71);
+    for n in 0..300 {
+        let c = any_contact(&mut random);
+        let m = any_motion(&mut random, &c, 1.0);
+        let o = options(Model::ALL[n % 5], StripCount::Eight);
+        let plain = model::solve(&c, &m, &o).unwrap();
+        let with_slopes = model::solve_jacobian(&c, &m, &o).unwrap();
+        let law = SlipFriction { friction: c.friction, ..DRY };
+        for law in [
+            SlipFriction { ratio: 1.0, ..law },
+            SlipFriction { decay: 0.0, ..law },
+            SlipFriction { rolling_speed: 0.0, ..law },
+        ] {
+            // The contact's own friction does not matter
+            let other = Contact { friction: f64::NAN, ..c };
+            let found = friction::solve(&other, &m, &law, &o).unwrap();
+            assert_eq!((found.solution, found.friction), (plain, c.friction));
+            let (found, jacobian) = friction::solve_jacobian(&other, &m, &law, &o).unwrap();
+            assert_eq!((found.solution, jacobian), with_slopes);
+        }
+    }
+}
+
+/// The friction is that of the slip that it leaves.
+#[test]
+fn friction_agrees_with_the_slip() {
+    let mut random = Random::new(72);
+    for n in 0..2_000 {
+        let c = any_contact(&mut random);
+        let m = any_motion(&mut random, &c, 1.0);
+        let o = any_options(n);
+        let law = SlipFriction {
+            friction: random.between(0.1, 0.6),
+            ratio: random.between(0.0, 1.0),
+            decay: random.log_between(0.05, 3.0),
+            rolling_speed: random.between(1.0, 80.0),
+            slope_factor: random.between(0.2, 1.0),
+        };
+        let found = friction::solve(&c, &m, &law, &o).unwrap();
+        if found.solution.notice == Notice::NotConverged {
+            continue;
+        }
+        let mu = found.friction;
+        assert!(mu <= law.friction && mu >= law.friction * law.ratio);
+        let again = next(&c, &m, &law, &o, mu);
+        assert!((again - mu).abs() < 1e-13, "{mu} {again} {law:?} {c:?} {m:?} {o:?}");
+        let s = found.solution;
+        assert!(s.fx.hypot(s.fy) <= mu * c.normal_force * (1.0 + 1e-12));
+    }
+}
+
+/// In full sliding without spin the slip is the creepage, and the law is Polach's as he wrote it.
+#[test]
+fn full_sliding_is_polachs_law() {
+    let c = contact(1.2, 0.28);
+    for o in (0..4).map(any_options) {
+        for slip in [0.05, 0.1, 0.3] {
+            let found = friction::solve(&c, &motion(slip, 0.0, 0.0), &DRY, &o).unwrap();
+            let mu = 0.55 * (0.6 * (-0.6 * 20.0 * slip).exp() + 0.4);
+            assert!((found.friction - mu).abs() < 1e-14, "{o:?} {slip}");
+            assert!((found.solution.fx - mu * c.normal_force).abs() < 1e-9 * c.normal_force);
+        }
+        // No slip: full friction
+        let found = friction::solve(&c, &motion(0.0, 0.0, 0.0), &DRY, &o).unwrap();
+        assert_eq!((found.friction, found.solution.fx), (0.55, 0.0));
+    }
+}
+
+/// `k` multiplies the initial slope, stretches the curve, and leaves saturation alone.
+#[test]
+fn slope_factor_stretches_the_creep_curve() {
+    let c = Contact { friction: 0.3, ..contact(0.8, 0.28) };
+    for model in Model::ALL {
+        let o = options(model, StripCount::Sixteen);
+        for k in [0.1, 0.5, 0.9] {
+            let law = SlipFriction { friction: 0.3, ratio: 1.0, slope_factor: k, ..DRY };
+            for size in [1e-6, 1e-3, 3e-3, 1.0] {
+                let m = motion(size, -0.4 * size, 30.0 * size);
+                let stretched = motion(k * size, -0.4 * k * size, 30.0 * k * size);
+                let found = friction::solve(&c, &m, &law, &o).unwrap().solution;
+                let plain = model::solve(&c, &stretched, &o).unwrap();
+                let size = plain.fx.abs() + plain.fy.abs();
+                assert!((found.fx - plain.fx).abs() < 1e-12 * size, "{model:?}");
+                assert!((found.fy - plain.fy).abs() < 1e-12 * size);
+                assert!((found.mz - plain.mz).abs() < 1e-12 * size * c.a);
+            }
+            let (_, j) = friction::solve_jacobian(&c, &motion(0.0, 0.0, 0.0), &law, &o).unwrap();
+            let (_, clean) = model::solve_jacobian(&c, &motion(0.0, 0.0, 0.0), &o).unwrap();
+            assert!((j[(0, 0)] / clean[(0, 0)] - k).abs() < 1e-12);
+        }
+    }
+}
+
+/// The derivatives are those of the computed forces: differences of the whole function, extrapolated.
+#[test]
+fn derivatives_follow_friction_and_slip() {
+    let mut random = Random::new(73);
+    let (mut worst, mut skipped, points) = (0.0_f64, 0, 600);
+    for n in 0..points {
+        let c = any_contact(&mut random);
+        let m = any_motion(&mut random, &c, 0.3);
+        let o = any_options(n);
+        let law = SlipFriction {
+            friction: 0.3,
+            ratio: random.between(0.1, 0.9),
+            decay: random.log_between(0.1, 1.0),
+            rolling_speed: random.between(1.0, 50.0),
+            slope_factor: random.between(0.3, 1.0),
+        };
+        let (found, exact) = friction::solve_jacobian(&c, &m, &law, &o).unwrap();
+        let same = friction::solve(&c, &m, &law, &o).unwrap();
+        let bound = law.friction * c.normal_force;
+        assert_eq!(found.friction, same.friction);
+        assert!((found.solution.fx - same.solution.fx).abs() < 1e-13 * bound);
+        if !matches!(found.solution.notice, Notice::None | Notice::SpinBeyondTheory) {
+            continue;
+        }
+        let unit = theory::slip_unit(&c);
+        let units = [unit, unit, unit / c.a];
+        let rows = [bound, bound, bound * (c.a * c.b).sqrt()];
+        let size: [f64; 3] = std::array::from_fn(|i| {
+            (0..3).map(|k| (exact[(i, k)] * units[k] / rows[i]).abs()).fold(0.1, f64::max)
+        });
+        for k in 0..3 {
+            let f = |t: f64| {
+                let mut q = [m.longitudinal, m.lateral, m.spin];
+                q[k] += t * units[k];
+                let s = friction::solve(&c, &motion(q[0], q[1], q[2]), &law, &o).unwrap().solution;
+                [s.fx / rows[0], s.fy / rows[1], s.mz / rows[2]]
+            };
+            let central = |h: f64| {
+                let (ahead, behind) = (f(h), f(-h));
+                std::array::from_fn::<f64, 3, _>(|i| (ahead[i] - behind[i]) / (2.0 * h))
+            };
+            let found = [1e-3, 1e-4].into_iter().find_map(|h| {
+                let (d1, d2, d4) = (central(h), central(h / 2.0), central(h / 4.0));
+                let mut result = [0.0; 3];
+                for i in 0..3 {
+                    let (r1, r2) = ((4.0 * d2[i] - d1[i]) / 3.0, (4.0 * d4[i] - d2[i]) / 3.0);
+                    if (r2 - r1).abs() > 1e-8 * size[i] {
+                        return None;
+                    }
+                    result[i] = (16.0 * r2 - r1) / 15.0;
+                }
+                Some(result)
+            });
+            let Some(got) = found else {
+                skipped += 1;
+                continue;
+            };
+            for i in 0..3 {
+                let error = (got[i] - exact[(i, k)] * units[k] / rows[i]).abs() / size[i];
+                worst = worst.max(error);
+                assert!(error < 1e-7, "{i} {k} {error:e} {law:?} {c:?} {m:?} {o:?}");
+            }
+        }
+    }
+    println!("{skipped} of {} stencils skipped, worst {worst:e}", 3 * points);
+    assert!(skipped * 20 < 3 * points, "{skipped} stencils met a breakpoint");
+}
+
+/// A traction curve has a maximum, and beyond it a negative slope.
+#[test]
+fn traction_curve_has_a_maximum() {
+    let c = contact(1.2, 0.28);
+    let o = Options::default();
+    let pull = |slip: f64| {
+        let (found, j) = friction::solve_jacobian(&c, &motion(slip, 0.0, 0.0), &DRY, &o).unwrap();
+        (found.solution.fx, j[(0, 0)])
+    };
+    let mut turns = 0;
+    let mut before = pull(1e-5);
+    for i in 1..400 {
+        let now = pull(1e-5 * 1.025_f64.powi(i));
+        assert!(now.1.is_finite());
+        turns += usize::from((now.1 > 0.0) != (before.1 > 0.0));
+        before = now;
+    }
+    assert_eq!(turns, 1, "one maximum");
+}
+
+/// Every sign change of `g(μ) − μ` on a fine grid, from above.
+fn solutions(
+    c: &Contact<f64>,
+    m: &Creepage<f64>,
+    law: &SlipFriction<f64>,
+    o: &Options,
+) -> Vec<f64> {
+    let at = |i: i32| law.friction * (0.97_f64.powi(i)).max(1e-9);
+    let error = |i: i32| next(c, m, law, o, at(i)) - at(i);
+    let mut found = Vec::new();
+    let mut before = -1.0;
+    for i in 1..450 {
+        let now = error(i);
+        if (now > 0.0) != (before > 0.0) {
+            let (mut low, mut high) = (at(i), at(i - 1));
+            let above = before > 0.0;
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                let sign = next(c, m, law, o, middle) > middle;
+                if sign == above { high = middle } else { low = middle }
+            }
+            found.push(0.5 * (low + high));
+        }
+        before = now;
+    }
+    found
+}
+
+/// Friction that falls as steeply as no pair of bodies does: the largest solution is found, and several
+/// are told from one, both against a search over all frictions.
+#[test]
+fn several_solutions_are_noticed_and_the_largest_is_taken() {
+    let mut random = Random::new(74);
+    let (mut several, mut single, mut folds) = (0, 0, 0);
+    for n in 0..240 {
+        let c = any_contact(&mut random);
+        // Little slip at full friction, so that falling friction has far to fall
+        let size = random.log_between(1e-3, 0.1);
+        let [xi, eta, psi] = [0; 3].map(|_| size * random.between(-1.0, 1.0));
+        let m = theory::creepage(&c, xi, eta, 0.3 * psi);
+        let o = any_options(n);
+        let rolling_speed = random.log_between(10.0, 100.0);
+        let law = SlipFriction {
+            friction: 0.3,
+            ratio: random.between(0.0, 0.2),
+            decay: random.log_between(0.02, 0.3)
+                / size
+                / (rolling_speed * m.longitudinal.hypot(m.lateral)),
+            rolling_speed,
+            slope_factor: 1.0,
+        };
+        let found = friction::solve(&c, &m, &law, &o).unwrap();
+        let all = solutions(&c, &m, &law, &o);
+        if found.solution.notice == Notice::NotConverged {
+            folds += 1;
+            continue;
+        }
+        let largest = all[0];
+        assert!(
+            (found.friction / largest - 1.0).abs() < 1e-6,
+            "{} {all:?} {:?} {law:?} {c:?} {m:?} {o:?}",
+            found.friction,
+            found.solution.notice
+        );
+        let apart = all[all.len() - 1] < 0.99 * largest;
+        let noticed = found.solution.notice == Notice::SeveralFrictions;
+        assert_eq!(apart, noticed, "{all:?} {law:?} {c:?} {m:?} {o:?}");
+        if noticed { several += 1 } else { single += 1 }
+    }
+    println!("{several} with several solutions, {single} with one, {folds} near a fold");
+    assert!(several > 10 && single > 100 && folds * 20 < 240);
+}
+
+/// Without load, without friction, without anything left of friction: zero forces, no NaN.
+#[test]
+fn limits_are_answered() {
+    let c = contact(1.0, 0.28);
+    let m = motion(0.01, 0.002, 0.3);
+    for o in (0..4).map(any_options) {
+        for (c, law) in [
+            (Contact { normal_force: 0.0, ..c }, DRY),
+            (c, SlipFriction { friction: 0.0, ..DRY }),
+            (c, SlipFriction { ratio: 0.0, decay: 1e300, ..DRY }),
+        ] {
+            let (found, j) = friction::solve_jacobian(&c, &m, &law, &o).unwrap();
+            let s = found.solution;
+            assert!(j.iter().all(|v| v.is_finite()), "{j:?}");
+            assert!(s.fx.hypot(s.fy) <= 1e-9 * 0.55 * c.normal_force.max(1.0), "{s:?} {law:?}");
+        }
+    }
+}
+
+#[test]
+fn bad_input_is_named_and_touches_nothing() {
+    let (c, m) = (contact(1.0, 0.28), motion(1e-3, 0.0, 0.1));
+    let o = Options::default();
+    for (law, error) in [
+        (SlipFriction { friction: -0.1, ..DRY }, Error::Friction),
+        (SlipFriction { friction: f64::NAN, ..DRY }, Error::NotFinite),
+        (SlipFriction { ratio: 1.1, ..DRY }, Error::FrictionRatio),
+        (SlipFriction { ratio: -0.1, ..DRY }, Error::FrictionRatio),
+        (SlipFriction { decay: -1.0, ..DRY }, Error::FrictionDecay),
+        (SlipFriction { decay: f64::INFINITY, ..DRY }, Error::NotFinite),
+        (SlipFriction { rolling_speed: -1.0, ..DRY }, Error::NegativeSpeed),
+        (SlipFriction { slope_factor: 0.0, ..DRY }, Error::SlopeFactor),
+        (SlipFriction { slope_factor: 1.1, ..DRY }, Error::SlopeFactor),
+    ] {
+        assert_eq!(friction::solve(&c, &m, &law, &o), Err(error));
+        let SlipFriction { friction, ratio, decay, rolling_speed, slope_factor } = law;
+        let law = kstrip_friction { friction, ratio, decay, rolling_speed, slope_factor };
+        let mut result = MaybeUninit::new([7.5; 7]);
+        let mut entries = [7.5; 9];
+        let mut effective = MaybeUninit::new(7.5);
+        // SAFETY: seven numbers have the size of a result; nine entries.
+        let status = unsafe {
+            kstrip_solve_friction_jacobian(
+                Some(&c.into()),
+                Some(&m.into()),
+                Some(&law),
+                None,
+                Some(&mut *result.as_mut_ptr().cast::<MaybeUninit<kstrip_result>>()),
+                entries.as_mut_ptr(),
+                Some(&mut effective),
+            )
+        };
+        assert_eq!(status, error.code());
+        // SAFETY: initialised above.
+        let (result, effective) = unsafe { (result.assume_init(), effective.assume_init()) };
+        assert_eq!((result, entries, effective), ([7.5; 7], [7.5; 9], 7.5));
+    }
+    let mut effective = MaybeUninit::new(0.0);
+    let status = kstrip_solve_friction(None, None, None, None, None, Some(&mut effective));
+    assert_eq!(status, ffi::KSTRIP_ERROR_NULL);
+}
+
+/// Single precision follows double, also through the C functions; the effective friction is optional.
+#[test]
+fn single_precision_follows() {
+    let mut random = Random::new(75);
+    for n in 0..300 {
+        let c = any_contact(&mut random);
+        let m = any_motion(&mut random, &c, 0.5);
+        let o = any_options(n);
+        let double = friction::solve(&c, &m, &DRY, &o).unwrap();
+        let single = Contact::<f32> {
+            a: c.a as f32,
+            b: c.b as f32,
+            normal_force: c.normal_force as f32,
+            shear_modulus: c.shear_modulus as f32,
+            poisson_ratio: c.poisson_ratio as f32,
+            friction: 0.0,
+        };
+        let creepage = kstrip_creepage_f32 {
+            longitudinal: m.longitudinal as f32,
+            lateral: m.lateral as f32,
+            spin: m.spin as f32,
+        };
+        let law = kstrip_friction_f32 {
+            friction: 0.55,
+            ratio: 0.4,
+            decay: 0.6,
+            rolling_speed: 20.0,
+            slope_factor: 1.0,
+        };
+        let o = kstrip_options { model: o.model as i32, strips: o.strips as i32 };
+        let (mut result, mut effective) = (MaybeUninit::uninit(), MaybeUninit::uninit());
+        let (single, creepage) = (Some(&single.into()), Some(&creepage));
+        let (law, o) = (Some(&law), Some(&o));
+        let status = kstrip_solve_friction_f32(
+            single,
+            creepage,
+            law,
+            o,
+            Some(&mut result),
+            Some(&mut effective),
+        );
+        assert!(status >= 0);
+        // SAFETY: written.
+        let (result, effective) = unsafe { (result.assume_init(), effective.assume_init()) };
+        let bound = 0.55 * c.normal_force;
+        assert!((f64::from(effective) - double.friction).abs() < 2e-5, "{effective} {double:?}");
+        assert!((f64::from(result.fx) - double.solution.fx).abs() < 1e-4 * bound);
+        assert!((f64::from(result.fy) - double.solution.fy).abs() < 1e-4 * bound);
+        let mut other = MaybeUninit::uninit();
+        let status = kstrip_solve_friction_f32(single, creepage, law, o, Some(&mut other), None);
+        // SAFETY: written.
+        assert!(status >= 0 && unsafe { other.assume_init() } == result);
+    }
+}

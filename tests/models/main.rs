@@ -1,0 +1,25 @@
+//! The models against CONTACT, their slopes, patches, friction and the inverse.
+
+#[path = "../common/patches.rs"]
+mod patches;
+#[path = "../../benches/peers/mod.rs"]
+mod peers;
+#[path = "../common/random.rs"]
+mod random;
+#[path = "../common/reference.rs"]
+mod reference;
+#[path = "../common/single.rs"]
+mod single;
+#[path = "../common/theory.rs"]
+mod theory;
+
+mod accuracy;
+mod derivatives;
+mod friction;
+mod hard_cases;
+mod models;
+mod patch;
+mod patch_friction;
+mod peer_methods;
+mod rig;
+mod wanted;

@@ -1,0 +1,425 @@
+//! Friction that falls with the slip, and reduced initial slope, on patches of strips.
+
+use crate::patches;
+use crate::random;
+use crate::single;
+use crate::theory;
+
+use kstrip::contact::creepage::Creepage;
+use kstrip::contact::forces::StripCount;
+use kstrip::ffi::friction::*;
+use kstrip::ffi::patch::*;
+use kstrip::ffi::patch_friction::*;
+use kstrip::ffi::patch_single::*;
+use kstrip::ffi::patch_types::*;
+use kstrip::ffi::types::*;
+use kstrip::ffi::types_f32::*;
+use kstrip::friction::{self, SlipFriction};
+use kstrip::patch::friction::{friction_share, solve, solve_jacobian};
+use kstrip::patch::solver::{self, PatchField};
+use kstrip::patch::{Patch, PatchStrip};
+use kstrip::solve::model::{self, Model};
+use kstrip::status::{Error, Notice};
+use patches::{Comparison, Full, irregular, motion};
+use random::Random;
+use single::single;
+use std::mem::MaybeUninit;
+use theory::{COUNTS, contact, options};
+
+const DRY: SlipFriction<f64> = SlipFriction {
+    friction: f64::NAN, // that of the strips
+    ratio: 0.4,
+    decay: 0.6,
+    rolling_speed: 20.0,
+    slope_factor: 1.0,
+};
+
+/// Models without a jump on strips that do not move with the solution.
+const SMOOTH: [Model; 2] = [Model::Strip, Model::Strip1967Continuous];
+
+fn any_law(random: &mut Random) -> SlipFriction<f64> {
+    SlipFriction {
+        ratio: random.between(0.1, 1.0),
+        decay: random.log_between(0.1, 1.0),
+        rolling_speed: random.between(1.0, 60.0),
+        slope_factor: random.between(0.2, 1.0),
+        ..DRY
+    }
+}
+
+/// From the patch of an ellipse the forces, the friction and the derivatives of the ellipse under the same law.
+#[test]
+fn elliptic_strips_give_the_answer_of_the_ellipse() {
+    let mut random = Random::new(421);
+    for i in 0..250 {
+        let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
+        let count = COUNTS[i % 5];
+        let p: [f64; 3] = std::array::from_fn(|_| random.sign() * random.log_between(1e-3, 4.0));
+        let m = theory::creepage(&c, p[0], p[1], p[2].clamp(-2.0, 2.0));
+        let law = SlipFriction { friction: c.friction, ..any_law(&mut random) };
+        let o = options(Model::Strip, count);
+        let (wanted, slopes) = friction::solve_jacobian(&c, &m, &law, &o).unwrap();
+        let patch = Full::from_ellipse(&c, count).unwrap();
+        let view = patch.view().unwrap();
+        let (found, j) = solve_jacobian(&view, &m, &law, Model::Strip).unwrap();
+        let plain = solve(&view, &m, &law, Model::Strip).unwrap();
+        let unit = c.friction * c.normal_force;
+        for found in [found, plain] {
+            let (s, w) = (found.solution, wanted.solution);
+            assert!((found.share * c.friction - wanted.friction).abs() < 1e-12, "{law:?} {m:?}");
+            assert!((s.fx - w.fx).abs() < 1e-12 * unit && (s.fy - w.fy).abs() < 1e-12 * unit);
+            assert!((s.mz - w.mz).abs() < 1e-12 * unit * (c.a + c.b));
+            assert!((s.adhesion - w.adhesion).abs() < 1e-10);
+            assert_eq!(s.notice, w.notice);
+        }
+        let slip = theory::slip_unit(&c);
+        let arms = [1.0, 1.0, c.a + c.b];
+        for row in 0..3 {
+            for column in 0..3 {
+                let size = unit / slip * arms[row] * arms[column];
+                let error = (j[(row, column)] - slopes[(row, column)]).abs();
+                assert!(error < 1e-10 * size, "{row} {column} {j} {slopes} {law:?} {m:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn constant_friction_is_the_plain_solution_to_the_bit() {
+    let mut random = Random::new(422);
+    for i in 0..200 {
+        let (patch, m) = (irregular(&mut random), motion(&mut random));
+        let model = [Model::Strip, Model::Strip1967, Model::Strip1967Continuous][i % 3];
+        let view = patch.view().unwrap();
+        let (plain, slopes) = solver::solve_jacobian(&view, &m, model).unwrap();
+        let only = solver::solve(&view, &m, model).unwrap();
+        for law in [
+            SlipFriction { ratio: 1.0, ..DRY },
+            SlipFriction { decay: 0.0, ..DRY },
+            SlipFriction { rolling_speed: 0.0, ..DRY },
+        ] {
+            let found = solve(&view, &m, &law, model).unwrap();
+            assert_eq!((found.solution, found.share), (only, 1.0));
+            let (found, j) = solve_jacobian(&view, &m, &law, model).unwrap();
+            assert_eq!((found.solution, j), (plain, slopes));
+        }
+    }
+}
+
+/// The patch with the friction that was found carries what was found, and leaves the slip that the friction belongs to:
+/// forces, stick area, strips and the field are all of one patch.
+#[test]
+fn the_slipping_patch_has_the_friction_of_its_slip() {
+    let mut random = Random::new(423);
+    for i in 0..250 {
+        let (patch, m) = (irregular(&mut random), motion(&mut random));
+        let (law, model) = (any_law(&mut random), SMOOTH[i % 2]);
+        let view = patch.view().unwrap();
+        let found = solve(&view, &m, &law, model).unwrap();
+        let (share, notice) = friction_share(&view, &m, &law, model).unwrap();
+        assert_eq!(share, found.share);
+        assert!(notice.code() <= found.solution.notice.code());
+        let slipping = patch.clone().under(share, law.slope_factor);
+        let slipping_view = slipping.view().unwrap();
+        let (s, again) = (found.solution, solver::solve(&slipping_view, &m, model).unwrap());
+        let unit = view.friction_bound();
+        assert!((s.fx - again.fx).abs() < 1e-11 * unit, "{s:?} {again:?}");
+        assert!((s.fy - again.fy).abs() < 1e-11 * unit && (s.mz - again.mz).abs() < 1e-13 * unit);
+        assert!((s.adhesion - again.adhesion).abs() < 1e-9);
+        if notice != Notice::NotConverged {
+            // λ = (1 − A) exp(−B V s) + A, s the mean slip
+            let slip = (again.power / slipping_view.friction_bound()).max(0.0);
+            let w = law.rolling_speed * slip;
+            let own = (1.0 - law.ratio) * (-law.decay * w).exp() + law.ratio;
+            assert!((share - own).abs() < 1e-10, "{share} {own} {law:?}");
+        }
+        let (mut fx, mut fy) = (0.0, 0.0);
+        solver::strips(&slipping_view, &m, model, &mut |strip| {
+            fx += strip.fx;
+            fy += strip.fy;
+        })
+        .unwrap();
+        assert!((fx - s.fx).abs() < 1e-11 * unit && (fy - s.fy).abs() < 1e-11 * unit);
+        let field = PatchField::new(&slipping_view, &m, model).unwrap();
+        for own in &patch.strips {
+            let point = field.at(own.centre_x - 0.4 * own.half_length, own.y);
+            let traction = point.traction_x.hypot(point.traction_y);
+            assert!(traction <= share * own.friction * point.pressure * (1.0 + 1e-9) + 1e-3);
+        }
+    }
+}
+
+/// Everything slides alike: the slip is the creepage, and friction is Polach's law as he wrote it.
+#[test]
+fn full_sliding_is_polachs_law() {
+    let mut random = Random::new(424);
+    for i in 0..60 {
+        let patch = irregular(&mut random);
+        let view = patch.view().unwrap();
+        for slip in [0.2, 0.5, 2.0] {
+            let m = Creepage { longitudinal: slip, lateral: 0.0, spin: 0.0 };
+            let found = solve(&view, &m, &DRY, SMOOTH[i % 2]).unwrap();
+            let share = 0.6 * (-0.6 * 20.0 * slip).exp() + 0.4;
+            assert!((found.share - share).abs() < 1e-12, "{slip} {found:?}");
+            let bound = share * view.friction_bound();
+            assert!((found.solution.fx - bound).abs() < 1e-9 * bound);
+        }
+    }
+}
+
+/// `k` multiplies the initial slope and leaves saturation alone.
+#[test]
+fn slope_factor_stretches_the_creep_curve() {
+    let mut random = Random::new(425);
+    for i in 0..60 {
+        let (patch, model) = (irregular(&mut random), SMOOTH[i % 2]);
+        let view = patch.view().unwrap();
+        let m = motion(&mut random);
+        let k = random.between(0.1, 1.0);
+        let law = SlipFriction { ratio: 1.0, slope_factor: k, ..DRY };
+        let scaled =
+            Creepage { longitudinal: k * m.longitudinal, lateral: k * m.lateral, spin: k * m.spin };
+        let found = solve(&view, &m, &law, model).unwrap().solution;
+        let wanted = solver::solve(&view, &scaled, model).unwrap();
+        assert_eq!((found.fx, found.fy, found.mz), (wanted.fx, wanted.fy, wanted.mz));
+        let rest = Creepage::default();
+        let (_, soft) = solve_jacobian(&view, &rest, &law, model).unwrap();
+        let (_, clean) = solver::solve_jacobian(&view, &rest, model).unwrap();
+        assert!((soft[(0, 0)] / clean[(0, 0)] - k).abs() < 1e-12);
+    }
+}
+
+/// The derivatives are those of the computed forces: extrapolated differences of the whole function.
+#[test]
+fn derivatives_follow_friction_and_slip() {
+    let mut random = Random::new(426);
+    let mut comparison = Comparison::default();
+    for i in 0..250 {
+        let (patch, m, law) = (irregular(&mut random), motion(&mut random), any_law(&mut random));
+        let model = SMOOTH[i % 2];
+        let view = patch.view().unwrap();
+        let (found, exact) = solve_jacobian(&view, &m, &law, model).unwrap();
+        if matches!(found.solution.notice, Notice::NotConverged | Notice::SeveralFrictions) {
+            continue;
+        }
+        let forces = |motion: &Creepage<f64>| {
+            let s = solve(&view, motion, &law, model).unwrap().solution;
+            [s.fx, s.fy, s.mz]
+        };
+        let entry = |row, column| exact[(row, column)];
+        comparison.add(entry, &m, view.friction_bound(), forces, &(model, law, found));
+    }
+    let Comparison { compared, kinks, worst } = comparison;
+    println!("{compared} compared, {kinks} left out, worst {worst:e}");
+    assert!(compared > 3 * kinks, "{compared} {kinks}");
+}
+
+/// No load, no friction, nothing left of friction, strips without friction: zero forces, no NaN. Where the forces jump
+/// over the slip the notice says so, and the answer stays within its bounds.
+#[test]
+fn limits_are_answered() {
+    let mut random = Random::new(427);
+    for i in 0..60 {
+        let (mut patch, m) = (irregular(&mut random), motion(&mut random));
+        let model = [Model::Strip, Model::Strip1967, Model::Strip1967Continuous][i % 3];
+        let gone = SlipFriction { ratio: 0.0, decay: 1e300, ..DRY };
+        for (case, law) in [(0, gone), (1, DRY), (2, DRY), (3, DRY)] {
+            match case {
+                1 => patch.strips[0].friction = 0.0,
+                2 => patch.strips.iter_mut().for_each(|strip| strip.peak_pressure = 0.0),
+                3 => patch.strips.clear(),
+                _ => {}
+            }
+            let view = patch.view().unwrap();
+            let (found, j) = solve_jacobian(&view, &m, &law, model).unwrap();
+            let s = found.solution;
+            assert!(j.iter().all(|entry| entry.is_finite()), "{model:?} {case} {j}");
+            let bound = found.share * view.friction_bound();
+            assert!(s.fx.hypot(s.fy) <= bound * (1.0 + 1e-9) + 1e-9, "{model:?} {case} {found:?}");
+            assert!(found.share >= 0.0 && found.share <= 1.0);
+        }
+    }
+    for i in 0..300 {
+        let (patch, m, law) = (irregular(&mut random), motion(&mut random), any_law(&mut random));
+        let view = patch.view().unwrap();
+        let found = solve(&view, &m, &law, Model::Strip1967).unwrap();
+        assert!(found.share >= law.ratio && found.share <= 1.0, "{i} {found:?}");
+    }
+}
+
+#[test]
+fn bad_input_is_named() {
+    let c = contact(1.0, 0.28);
+    let patch = Full::from_ellipse(&c, StripCount::Eight).unwrap();
+    let view = patch.view().unwrap();
+    let m = theory::creepage(&c, 0.3, 0.1, 0.1);
+    for (law, error) in [
+        (SlipFriction { ratio: 1.1, ..DRY }, Error::FrictionRatio),
+        (SlipFriction { decay: -1.0, ..DRY }, Error::FrictionDecay),
+        (SlipFriction { decay: f64::INFINITY, ..DRY }, Error::NotFinite),
+        (SlipFriction { rolling_speed: -1.0, ..DRY }, Error::NegativeSpeed),
+        (SlipFriction { slope_factor: 0.0, ..DRY }, Error::SlopeFactor),
+    ] {
+        assert_eq!(solve(&view, &m, &law, Model::Strip), Err(error));
+        assert_eq!(friction_share(&view, &m, &law, Model::Strip), Err(error));
+    }
+    for model in [Model::Total, Model::Linear] {
+        assert_eq!(solve(&view, &m, &DRY, model), Err(Error::NotInModel));
+    }
+    let far = Creepage { longitudinal: f64::NAN, ..m };
+    assert_eq!(solve(&view, &far, &DRY, Model::Strip), Err(Error::NotFinite));
+}
+
+/// Single precision follows double, through the C functions; the share is optional; a C patch under friction has
+/// the forces under friction, and an ellipse its field.
+#[test]
+fn c_functions_in_both_precisions() {
+    let mut random = Random::new(428);
+    let law64 = kstrip_friction {
+        friction: -1.0, // not used
+        ratio: 0.4,
+        decay: 0.6,
+        rolling_speed: 20.0,
+        slope_factor: 0.7,
+    };
+    let law32 = kstrip_friction_f32 {
+        friction: f32::NAN,
+        ratio: 0.4,
+        decay: 0.6,
+        rolling_speed: 20.0,
+        slope_factor: 0.7,
+    };
+    for _ in 0..200 {
+        let c = contact(random.log_between(0.2, 5.0), random.between(0.0, 0.5));
+        let [xi, eta, psi] = [0; 3].map(|_| random.between(-3.0, 3.0));
+        let m = theory::creepage(&c, xi, eta, 0.3 * psi);
+        let (mut patch, mut patch32) = (MaybeUninit::uninit(), MaybeUninit::uninit());
+        assert_eq!(kstrip_patch_from_ellipse(Some(&c.into()), 16, Some(&mut patch)), 0);
+        let narrow = single(&c);
+        assert_eq!(kstrip_patch_from_ellipse_f32(Some(&narrow.into()), 16, Some(&mut patch32)), 0);
+        // SAFETY: written.
+        let (patch, patch32): (kstrip_patch, kstrip_patch_f32) =
+            unsafe { (patch.assume_init(), patch32.assume_init()) };
+        let motion = kstrip_creepage::from(m);
+        let motion32 = kstrip_creepage_f32 {
+            longitudinal: m.longitudinal as f32,
+            lateral: m.lateral as f32,
+            spin: m.spin as f32,
+        };
+        let (mut result, mut share) = (MaybeUninit::uninit(), MaybeUninit::uninit());
+        let mut entries = [0.0; 9];
+        // SAFETY: nine numbers.
+        let status = unsafe {
+            kstrip_patch_solve_friction_jacobian(
+                Some(&patch),
+                Some(&motion),
+                Some(&law64),
+                None,
+                Some(&mut result),
+                entries.as_mut_ptr(),
+                Some(&mut share),
+            )
+        };
+        assert!(status >= 0);
+        // SAFETY: written.
+        let (result, share): (kstrip_result, f64) =
+            unsafe { (result.assume_init(), share.assume_init()) };
+        let (mut other, mut other32) = (MaybeUninit::uninit(), MaybeUninit::uninit());
+        let (p, k) = (Some(&patch), Some(&motion));
+        let status = kstrip_patch_solve_friction(p, k, Some(&law64), None, Some(&mut other), None);
+        // SAFETY: written.
+        let other: kstrip_result = unsafe { other.assume_init() };
+        let bound = c.friction * c.normal_force;
+        assert!(status >= 0 && (other.fx - result.fx).abs() < 1e-12 * bound);
+        let (p32, k32) = (Some(&patch32), Some(&motion32));
+        let status =
+            kstrip_patch_solve_friction_f32(p32, k32, Some(&law32), None, Some(&mut other32), None);
+        // SAFETY: written.
+        let other32 = unsafe { other32.assume_init() };
+        assert!(status >= 0 && (f64::from(other32.fx) - result.fx).abs() < 1e-4 * bound);
+        let mut entries32 = [0.0_f32; 9];
+        let mut again32 = MaybeUninit::uninit();
+        // SAFETY: nine numbers.
+        let status = unsafe {
+            kstrip_patch_solve_friction_jacobian_f32(
+                p32,
+                k32,
+                Some(&law32),
+                None,
+                Some(&mut again32),
+                entries32.as_mut_ptr(),
+                None,
+            )
+        };
+        let size = bound / theory::slip_unit(&c);
+        assert!(status >= 0 && (f64::from(entries32[0]) - entries[0]).abs() < 2e-3 * size);
+
+        let (mut slipping, mut slipping32) = (MaybeUninit::uninit(), MaybeUninit::uninit());
+        let mut again = MaybeUninit::uninit();
+        let law = Some(&law64);
+        let status =
+            kstrip_patch_under_friction(p, k, law, None, Some(&mut slipping), Some(&mut again));
+        // SAFETY: written.
+        let (slipping, again) = unsafe { (slipping.assume_init(), again.assume_init()) };
+        assert!(status >= 0 && again == share);
+        let mut plain = MaybeUninit::uninit();
+        assert!(kstrip_patch_solve(Some(&slipping), k, None, Some(&mut plain)) >= 0);
+        // SAFETY: written.
+        assert!((unsafe { plain.assume_init() }.fx - result.fx).abs() < 1e-11 * bound);
+        let law = Some(&law32);
+        let status =
+            kstrip_patch_under_friction_f32(p32, k32, law, None, Some(&mut slipping32), None);
+        // SAFETY: written.
+        let strip = unsafe { slipping32.assume_init() }.strips[3];
+        assert!(status >= 0 && (f64::from(strip.friction) - share * c.friction).abs() < 2e-5);
+
+        // The ellipse, slipping
+        let law = kstrip_friction { friction: c.friction, ..law64 };
+        let mut ellipse = MaybeUninit::uninit();
+        let (cc, law) = (kstrip_contact::from(c), Some(&law));
+        let status = kstrip_contact_under_friction(Some(&cc), k, law, None, Some(&mut ellipse));
+        // SAFETY: written.
+        let ellipse = unsafe { ellipse.assume_init() };
+        assert!(status >= 0 && (ellipse.friction - share * c.friction).abs() < 1e-12);
+        let (from_ellipse, from_patch) =
+            (model::Field::new(&ellipse.into(), &m, &Default::default()).unwrap(), slipping);
+        let (x, y) = (0.3 * from_patch.strips[6].half_length, from_patch.strips[6].y);
+        let mut point = MaybeUninit::uninit();
+        let status = kstrip_patch_traction_at(Some(&from_patch), k, None, x, y, Some(&mut point));
+        // SAFETY: written.
+        let point: kstrip_point = unsafe { point.assume_init() };
+        let wanted = from_ellipse.at(x, y);
+        let p0 = c.peak_pressure();
+        assert!(status >= 0 && (point.traction_x - wanted.traction_x).abs() < 1e-8 * p0);
+        assert!((point.slip_x - wanted.slip_x).abs() < 1e-8 && point.state == wanted.state as i32);
+        let narrow_law = kstrip_friction_f32 { friction: narrow.friction, ..law32 };
+        let mut ellipse32 = MaybeUninit::uninit();
+        let status = kstrip_contact_under_friction_f32(
+            Some(&narrow.into()),
+            k32,
+            Some(&narrow_law),
+            None,
+            Some(&mut ellipse32),
+        );
+        // SAFETY: written.
+        let ellipse32 = unsafe { ellipse32.assume_init() };
+        assert!(status >= 0 && (f64::from(ellipse32.friction) - ellipse.friction).abs() < 2e-5);
+    }
+}
+
+/// A greasy half under falling friction: each strip has the same share of its own friction.
+#[test]
+fn friction_of_each_strip_falls_alike() {
+    let c = contact(1.0, 0.28);
+    let mut patch = Patch::<f64, 16>::from_ellipse(&c, StripCount::Sixteen).unwrap();
+    let greasy = |strip: &&mut PatchStrip<f64>| strip.y > 0.0;
+    patch.strips.iter_mut().filter(greasy).for_each(|strip| strip.friction = 0.05);
+    let m = Creepage { longitudinal: 0.05, lateral: 0.0, spin: 0.0 };
+    let view = patch.view().unwrap();
+    let found = solve(&view, &m, &DRY, Model::Strip).unwrap();
+    let slipping = patch.clone().under(found.share, 1.0);
+    for (before, after) in patch.strips.iter().zip(&slipping.strips) {
+        assert_eq!(after.friction, found.share * before.friction);
+    }
+    assert!(found.share < 0.9 && found.solution.mz > 0.0);
+}

@@ -1,0 +1,344 @@
+//! The inverse for test rigs: friction from a measured force, creepage from a wanted one.
+
+use crate::random;
+use crate::single;
+use crate::theory;
+
+use kstrip::contact::Contact;
+use kstrip::contact::creepage::Creepage;
+use kstrip::contact::forces::StripCount;
+use kstrip::ffi;
+use kstrip::ffi::rig::*;
+use kstrip::rig::{Measured, creepage_for_force, estimate_friction};
+use kstrip::solve::model::{self, Model, Options};
+use kstrip::status::{Error, Notice};
+use random::Random;
+use single::single;
+use std::mem::MaybeUninit;
+use theory::{contact, options};
+
+const SATURATING: [Model; 4] =
+    [Model::Strip, Model::Total, Model::Strip1967, Model::Strip1967Continuous];
+
+fn any_options(n: usize) -> Options {
+    options(SATURATING[n % 4], StripCount::Sixteen)
+}
+
+fn any_contact(random: &mut Random) -> Contact<f64> {
+    let c = contact(random.log_between(0.2, 5.0), random.between(0.0, 0.5));
+    Contact { friction: random.between(0.05, 0.6), ..c }
+}
+
+fn rough(notice: Notice) -> bool {
+    matches!(notice, Notice::SpinBeyondTheory | Notice::OutsideRange)
+}
+
+/// Solve, forget the friction, find it again: from either component and from both.
+#[test]
+fn friction_is_found_again() {
+    let mut random = Random::new(81);
+    let (mut found, mut several, mut ripples) = (0, 0, 0);
+    for n in 0..1_500 {
+        let c = any_contact(&mut random);
+        let size = random.log_between(0.03, 20.0);
+        let [xi, eta, psi] = [0; 3].map(|_| random.between(-1.0, 1.0));
+        let m = theory::creepage(&c, size * xi, size * eta, 0.1 * psi);
+        let o = any_options(n);
+        let s = model::solve(&c, &m, &o).unwrap();
+        let bound = c.friction * c.normal_force;
+        let forgotten = Contact { friction: 0.0, ..c };
+        for measured in [Measured::Fx, Measured::Fy, Measured::Both] {
+            let used = match measured {
+                Measured::Fx => s.fx.abs(),
+                Measured::Fy => s.fy.abs(),
+                Measured::Both => s.fx.hypot(s.fy),
+            };
+            // What spin leaves of a component may fall again as friction grows, and sticking tells nothing
+            let clear = if measured == Measured::Both { 0.06 } else { 0.3 };
+            if used < clear * bound || size * xi.hypot(eta) < 0.1 {
+                continue;
+            }
+            let e = estimate_friction(&forgotten, &m, &o, measured, [s.fx, s.fy]).unwrap();
+            if e.notice == Notice::SeveralFrictions {
+                several += 1;
+                assert!(e.friction <= c.friction * (1.0 + 1e-9), "{e:?} {c:?} {m:?} {o:?}");
+                continue;
+            }
+            assert!(e.notice == Notice::None || rough(e.notice), "{e:?}");
+            let again = model::solve(&Contact { friction: e.friction, ..c }, &m, &o).unwrap();
+            let again = match measured {
+                Measured::Fx => again.fx.abs(),
+                Measured::Fy => again.fy.abs(),
+                Measured::Both => again.fx.hypot(again.fy),
+            };
+            assert!((again - used).abs() <= 1e-11 * bound, "{e:?} {measured:?} {c:?} {m:?} {o:?}");
+            if o.model == Model::Strip {
+                // Its steps make ripples of the force over friction: another friction may give the same force
+                ripples += usize::from((e.friction / c.friction - 1.0).abs() > 1e-9);
+                continue;
+            }
+            // Rounding of the force, times what the answer says of its sensitivity
+            let allowed = 1e-12 * c.friction + 1e-12 * bound * e.sensitivity.abs();
+            assert!(
+                (e.friction - c.friction).abs() <= allowed,
+                "{e:?} {measured:?} {c:?} {m:?} {o:?}"
+            );
+            found += 1;
+        }
+    }
+    println!("{found} found, {several} with several, {ripples} other ones of STRIP");
+    assert!(found > 1_000 && several * 10 < found && ripples < 150);
+}
+
+/// An answer without a warning is the only one: used from a tenth to nearly all of friction, from both components. The
+/// ripples of STRIP over friction are told as several answers, but for a few that the search does not tell apart.
+#[test]
+fn what_is_not_unique_is_said() {
+    for (model, seed) in [(Model::Total, 84), (Model::Strip1967Continuous, 85), (Model::Strip, 86)]
+    {
+        let mut random = Random::new(seed);
+        let (mut only, mut several, mut wrong, mut worst) = (0, 0, 0, 0.0_f64);
+        for _ in 0..400 {
+            let c = any_contact(&mut random);
+            let size = random.log_between(0.05, 5.0);
+            let [xi, eta, psi] = [0; 3].map(|_| random.between(-1.0, 1.0));
+            let m = theory::creepage(&c, size * xi, size * eta, 0.1 * psi);
+            let o = options(model, StripCount::Sixteen);
+            let s = model::solve(&c, &m, &o).unwrap();
+            let used = s.fx.hypot(s.fy) / (c.friction * c.normal_force);
+            if !(0.1..0.98).contains(&used) {
+                continue;
+            }
+            let e = estimate_friction(&c, &m, &o, Measured::Both, [s.fx, s.fy]).unwrap();
+            match e.notice {
+                Notice::SeveralFrictions => several += 1,
+                Notice::FrictionAtLeast => {}
+                _ => {
+                    only += 1;
+                    let error = (e.friction / c.friction - 1.0).abs();
+                    wrong += usize::from(error > 1e-6);
+                    worst = worst.max(error);
+                }
+            }
+        }
+        println!(
+            "{model:?}: {only} said to be the only one, {wrong} are not, {several} several, worst {worst:e}"
+        );
+        let (most, off) = if model == Model::Strip { (only / 100, 0.1) } else { (0, 1e-6) };
+        assert!(only > 100 && wrong <= most && worst < off, "{model:?} {wrong} {worst}");
+    }
+}
+
+/// The sensitivity is the derivative of the answer.
+#[test]
+fn sensitivity_is_the_derivative() {
+    let c = contact(1.0, 0.28);
+    let o = Options::default();
+    for size in [0.2, 0.5, 1.0, 2.0] {
+        let m = theory::creepage(&c, size, 0.3 * size, 0.05);
+        let s = model::solve(&c, &m, &o).unwrap();
+        for measured in [Measured::Fx, Measured::Both] {
+            let at = |factor: f64| {
+                estimate_friction(&c, &m, &o, measured, [s.fx * factor, s.fy * factor]).unwrap()
+            };
+            let h = 1e-5;
+            let force = if measured == Measured::Fx { s.fx } else { s.fx.hypot(s.fy) };
+            let slope = (at(1.0 + h).friction - at(1.0 - h).friction) / (2.0 * h * force);
+            let exact = at(1.0).sensitivity;
+            // Slopes of the creep curve have kinks, over 1e-5 of it
+            assert!((slope / exact - 1.0).abs() < 1e-5, "{size} {measured:?}: {slope} {exact}");
+        }
+    }
+}
+
+/// Sticking contacts show a lower bound, forces against the slip nothing.
+#[test]
+fn what_the_force_does_not_tell_is_said() {
+    let c = contact(1.0, 0.28);
+    for o in (0..4).map(any_options) {
+        let at = |m: &Creepage<f64>, fx: f64| estimate_friction(&c, m, &o, Measured::Fx, [fx, 0.0]);
+        let small = theory::creepage(&c, 1e-3, 0.0, 0.0);
+        let s = model::solve(&c, &small, &o).unwrap();
+        let e = at(&small, s.fx).unwrap();
+        if o.model == Model::Strip {
+            // Its creep curve leaves the linear one both ways
+            assert!(
+                matches!(e.notice, Notice::FrictionAtLeast | Notice::SeveralFrictions),
+                "{e:?}"
+            );
+        } else {
+            assert_eq!((e.notice, e.friction), (Notice::FrictionAtLeast, s.fx / c.normal_force));
+        }
+        // More than linear theory gives
+        let large = theory::creepage(&c, 0.5, 0.0, 0.0);
+        let e = at(&large, 10.0 * model::solve(&c, &large, &o).unwrap().fx).unwrap();
+        assert_eq!(e.notice, Notice::FrictionAtLeast);
+        // At rest nothing is known
+        let rest = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
+        assert_eq!(at(&rest, 0.0).unwrap().notice, Notice::FrictionAtLeast);
+        // No force in spite of slip: no friction
+        let e = at(&large, 0.0).unwrap();
+        assert_eq!((e.notice, e.friction), (Notice::None, 0.0));
+        // Against the slip
+        assert_eq!(at(&large, -1000.0), Err(Error::Unexplained));
+        let unloaded = Contact { normal_force: 0.0, ..c };
+        let e = estimate_friction(&unloaded, &large, &o, Measured::Both, [1.0, 0.0]);
+        assert_eq!(e, Err(Error::Unexplained));
+    }
+    let m = theory::creepage(&c, 0.5, 0.0, 0.0);
+    let linear = options(Model::Linear, StripCount::Sixteen);
+    assert_eq!(
+        estimate_friction(&c, &m, &linear, Measured::Fx, [1.0, 0.0]),
+        Err(Error::NotInModel)
+    );
+}
+
+/// Solve, forget the creepage, find it again.
+#[test]
+fn creepage_is_found_again() {
+    let mut random = Random::new(82);
+    let (mut found, mut slid, mut lost) = (0, 0, 0);
+    for n in 0..2_000 {
+        let c = any_contact(&mut random);
+        let size = random.log_between(1e-3, 5.0);
+        let [xi, eta, psi] = [0; 3].map(|_| random.between(-1.0, 1.0));
+        let m = theory::creepage(&c, size * xi, size * eta, 0.6 * psi);
+        let o = any_options(n);
+        let s = model::solve(&c, &m, &o).unwrap();
+        let bound = c.friction * c.normal_force;
+        let (got, notice) = creepage_for_force(&c, [s.fx, s.fy], m.spin, &o).unwrap();
+        let again = model::solve(&c, &got, &o).unwrap();
+        let off = (again.fx - s.fx).hypot(again.fy - s.fy) / bound;
+        match notice {
+            Notice::CreepageAtLeast => {
+                slid += 1;
+                assert!(off < 1.1e-3 && s.fx.hypot(s.fy) > (1.0 - 1.1e-3) * bound, "{off}");
+                assert!(
+                    got.longitudinal.hypot(got.lateral) <= m.longitudinal.hypot(m.lateral) * 1.001
+                );
+            }
+            Notice::NotConverged => {
+                lost += 1;
+                println!("{off:e} {} {o:?}", s.fx.hypot(s.fy) / bound);
+            }
+            _ => {
+                found += 1;
+                assert!(off < 1e-11, "{off:e} {c:?} {m:?} {o:?}");
+            }
+        }
+    }
+    println!("{found} found, {slid} sliding, {lost} not converged");
+    assert!(found > 1_000 && slid > 50 && lost * 100 < 2_000);
+}
+
+/// Linear theory is inverted exactly, and told when it exceeds friction.
+#[test]
+fn linear_theory_is_inverted() {
+    let c = contact(2.0, 0.28);
+    let o = options(Model::Linear, StripCount::Sixteen);
+    let bound = c.friction * c.normal_force;
+    for (fx, fy, notice) in
+        [(0.3, -0.2, Notice::None), (0.0, 0.0, Notice::None), (3.0, 1.0, Notice::BeyondFriction)]
+    {
+        let (got, told) = creepage_for_force(&c, [fx * bound, fy * bound], 0.2, &o).unwrap();
+        let s = model::solve(&c, &got, &o).unwrap();
+        assert!((s.fx / bound - fx).abs() < 1e-12 && (s.fy / bound - fy).abs() < 1e-12);
+        assert_eq!(told, notice);
+    }
+}
+
+/// Beyond `μ N` there is no creepage; without load or friction any will do.
+#[test]
+fn forces_out_of_reach_are_refused() {
+    let c = contact(1.0, 0.28);
+    let bound = c.friction * c.normal_force;
+    for o in (0..4).map(any_options) {
+        let at = |c: &Contact<f64>, fx: f64| creepage_for_force(c, [fx, 0.0], 0.1, &o);
+        assert_eq!(at(&c, 1.001 * bound), Err(Error::ForceBeyondFriction));
+        assert_eq!(at(&c, f64::NAN), Err(Error::NotFinite));
+        assert_eq!(at(&c, bound).unwrap().1, Notice::CreepageAtLeast);
+        let slippery = Contact { friction: 0.0, ..c };
+        assert_eq!(at(&slippery, 1.0), Err(Error::ForceBeyondFriction));
+        assert_eq!(at(&slippery, 0.0).unwrap().1, Notice::CreepageAtLeast);
+    }
+}
+
+/// Both inverses in single precision.
+#[test]
+fn single_precision_round_trips() {
+    let mut random = Random::new(83);
+    let (mut frictions, mut creepages, mut lost) = (0, 0, 0);
+    for n in 0..1_000 {
+        let c = single(&any_contact(&mut random));
+        let wide = contact(f64::from(c.a / c.b), 0.3);
+        let size = random.log_between(0.1, 3.0);
+        let [xi, eta, psi] = [0; 3].map(|_| random.between(-1.0, 1.0));
+        let m = theory::creepage(&wide, size * xi, size * eta, 0.1 * psi);
+        let m = Creepage {
+            longitudinal: m.longitudinal as f32,
+            lateral: m.lateral as f32,
+            spin: m.spin as f32,
+        };
+        let o = any_options(n);
+        let s = model::solve(&c, &m, &o).unwrap();
+        let bound = c.friction * c.normal_force;
+        if s.fx.hypot(s.fy) > 0.1 * bound && size * xi.hypot(eta) > 0.2 {
+            let e = estimate_friction(&c, &m, &o, Measured::Both, [s.fx, s.fy]).unwrap();
+            if e.notice == Notice::SeveralFrictions || o.model == Model::Strip {
+                continue;
+            }
+            let allowed = 2e-6 * c.friction + 2e-6 * bound * e.sensitivity.abs();
+            assert!((e.friction - c.friction).abs() < allowed, "{e:?} {c:?} {m:?} {o:?}");
+            frictions += 1;
+        }
+        let (got, notice) = creepage_for_force(&c, [s.fx, s.fy], m.spin, &o).unwrap();
+        if notice == Notice::NotConverged {
+            lost += 1;
+            continue;
+        }
+        let again = model::solve(&c, &got, &o).unwrap();
+        let off = (again.fx - s.fx).hypot(again.fy - s.fy) / bound;
+        assert!(off < 2e-3, "{off} {notice:?} {c:?} {m:?} {o:?}");
+        creepages += 1;
+    }
+    println!("{frictions} frictions, {creepages} creepages, {lost} not converged");
+    assert!(frictions > 400 && lost * 50 < 1_000);
+}
+
+/// The C functions: what is not measured may be anything; errors touch nothing.
+#[test]
+fn c_functions_answer_as_the_header_says() {
+    let c = contact(1.0, 0.28);
+    let m = theory::creepage(&c, 0.6, 0.2, 0.1);
+    let s = model::solve(&c, &m, &Options::default()).unwrap();
+    let (cc, cm) = (c.into(), m.into());
+    let call = |measured, fx, fy| {
+        let mut out = MaybeUninit::<kstrip_friction_estimate>::uninit();
+        // SAFETY: zero is a value of every member.
+        unsafe { out.as_mut_ptr().write_bytes(0, 1) };
+        let status =
+            kstrip_estimate_friction(Some(&cc), Some(&cm), None, measured, fx, fy, Some(&mut out));
+        // SAFETY: initialised above.
+        (status, unsafe { out.assume_init() })
+    };
+    let (status, e) = call(ffi::KSTRIP_MEASURED_FX, s.fx, f64::NAN);
+    assert!(status == 0 && (e.friction - c.friction).abs() < 1e-10, "{status} {e:?}");
+    let (status, e) = call(ffi::KSTRIP_MEASURED_FY, f64::NAN, s.fy);
+    assert!(status == 0 && (e.friction - c.friction).abs() < 1e-10, "{status} {e:?}");
+    for (measured, fx, expected) in [
+        (0, s.fx, ffi::KSTRIP_ERROR_MEASURED),
+        (4, s.fx, ffi::KSTRIP_ERROR_MEASURED),
+        (1, f64::NAN, ffi::KSTRIP_ERROR_NOT_FINITE),
+        (3, f64::INFINITY, ffi::KSTRIP_ERROR_NOT_FINITE),
+        (1, -s.fx, ffi::KSTRIP_ERROR_UNEXPLAINED),
+    ] {
+        let (status, e) = call(measured, fx, s.fy);
+        assert_eq!((status, e.friction, e.status_detail), (expected, 0.0, 0));
+    }
+    let status = kstrip_estimate_friction(Some(&cc), Some(&cm), None, 1, 1.0, 1.0, None);
+    assert_eq!(status, ffi::KSTRIP_ERROR_NULL);
+    assert_eq!(
+        kstrip_creepage_for_force(Some(&cc), 1.0, 1.0, 0.0, None, None),
+        ffi::KSTRIP_ERROR_NULL
+    );
+}

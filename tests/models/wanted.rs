@@ -1,0 +1,226 @@
+//! Only what is wanted, and the short paths of special motions: the same answers, without a jump.
+
+use crate::random;
+use crate::theory;
+
+use kstrip::contact::Contact;
+use kstrip::contact::creepage::Creepage;
+use kstrip::ffi;
+use kstrip::ffi::evaluate::*;
+use kstrip::ffi::types::*;
+use kstrip::solve::evaluate::{Wanted, evaluate};
+use kstrip::solve::model::{self, Model, Solution};
+use random::Random;
+use std::mem::MaybeUninit;
+use theory::{COUNTS, contact, options};
+
+fn motion(longitudinal: f64, lateral: f64, spin: f64) -> Creepage<f64> {
+    Creepage { longitudinal, lateral, spin }
+}
+
+fn any_motion(random: &mut Random, c: &Contact<f64>) -> Creepage<f64> {
+    let size = random.log_between(1e-3, 5.0);
+    let [xi, eta, psi] = [0; 3].map(|_| random.between(-1.0, 1.0));
+    let m = theory::creepage(c, size * xi, size * eta, size.min(2.0) * psi);
+    // Every special case as often as the general one
+    let kind = random.bits() % 6;
+    motion(
+        if matches!(kind, 1 | 3 | 5) { 0.0 } else { m.longitudinal },
+        if matches!(kind, 2 | 3) { 0.0 } else { m.lateral },
+        if matches!(kind, 4 | 5) { 0.0 } else { m.spin },
+    )
+}
+
+/// What is wanted has the bits of `solve`, what is not has its placeholder.
+#[test]
+fn wanted_is_the_solution_and_the_rest_is_left_out() {
+    let mut random = Random::new(91);
+    for n in 0..2_000 {
+        let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
+        let m = any_motion(&mut random, &c);
+        let o = options(Model::ALL[n % 5], COUNTS[n / 5 % 5]);
+        let full = model::solve(&c, &m, &o).unwrap();
+        for moment in [false, true] {
+            for adhesion in [false, true] {
+                let got = evaluate(&c, &m, &o, Wanted { moment, adhesion }).unwrap();
+                let wanted = Solution {
+                    mz: if moment { full.mz } else { 0.0 },
+                    power: if moment { full.power } else { 0.0 },
+                    adhesion: if adhesion { full.adhesion } else { -1.0 },
+                    ..full
+                };
+                assert_eq!(got, wanted, "{o:?} {m:?}");
+            }
+        }
+    }
+}
+
+/// In units of `μ N`, `μ N √(ab)`, and the patch.
+fn numbers(c: &Contact<f64>, s: &Solution<f64>) -> [f64; 4] {
+    let bound = c.friction * c.normal_force;
+    [s.fx / bound, s.fy / bound, s.mz / (bound * (c.a * c.b).sqrt()), s.adhesion]
+}
+
+/// Beside each switch, so near that nothing but the path differs: the same numbers to rounding.
+#[test]
+fn short_paths_join_the_long_one() {
+    let mut random = Random::new(92);
+    let mut worst = 0.0_f64;
+    // Far below rounding, far above underflow: squares are still normal
+    let hair = 1e-140;
+    for n in 0..6_000 {
+        let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
+        let o = options(Model::ALL[n % 4], COUNTS[n / 4 % 5]);
+        let size = random.log_between(1e-3, 5.0);
+        let [xi, eta, psi] = [0; 3].map(|_| random.between(-1.0, 1.0));
+        let m = theory::creepage(&c, size * xi, size * eta, size.min(0.9) * psi);
+        let (on, beside) = match n / 20 % 5 {
+            0 => (Creepage { spin: 0.0, ..m }, Creepage { spin: hair, ..m }),
+            1 => (Creepage { longitudinal: 0.0, ..m }, Creepage { longitudinal: hair, ..m }),
+            2 => (motion(m.longitudinal, 0.0, 0.0), motion(m.longitudinal, hair, -hair)),
+            3 => (motion(0.0, 0.0, m.spin), motion(-hair, hair, m.spin)),
+            _ => (motion(0.0, 0.0, 0.0), motion(hair, -hair, hair)),
+        };
+        let [short, long] = [on, beside].map(|m| numbers(&c, &model::solve(&c, &m, &o).unwrap()));
+        for i in 0..4 {
+            let error = (short[i] - long[i]).abs();
+            worst = worst.max(error);
+            assert!(error < 2e-12, "{i}: {short:?} {long:?} {on:?} {o:?} {c:?}");
+        }
+    }
+    println!("worst {worst:e}");
+}
+
+/// And on a finer and finer approach: what is left falls with the distance.
+#[test]
+fn no_jump_on_the_way_to_a_short_path() {
+    let c = contact(1.5, 0.28);
+    for model in [Model::Strip1967, Model::Strip1967Continuous, Model::Strip, Model::Total] {
+        for count in COUNTS {
+            let o = options(model, count);
+            let at = |xi: f64, eta: f64, psi: f64| {
+                numbers(&c, &model::solve(&c, &theory::creepage(&c, xi, eta, psi), &o).unwrap())
+            };
+            for h in [1e-4, 1e-6, 1e-8, 1e-10] {
+                for (case, (on, beside)) in [
+                    (at(0.4, 0.3, 0.0), at(0.4, 0.3, h)),
+                    (at(0.0, 0.3, 0.2), at(h, 0.3, 0.2)),
+                    (at(1.0, 0.0, 0.0), at(1.0 - h, 0.0, 0.0)),
+                    (at(0.6, 0.8, 0.0), at(0.6 - h, 0.8, 0.0)),
+                    (at(0.0, 0.0, 0.0), at(h, -h, h)),
+                ]
+                .into_iter()
+                .enumerate()
+                {
+                    for i in 0..4 {
+                        // No slope exceeds 20. But strips with adhesion, which begin like a root, carry their
+                        // force in a direction of their own under the rigid-slip rule.
+                        let like_a_root = i == 3 || case == 3;
+                        let allowed = if like_a_root { 20.0 * h.sqrt() } else { 20.0 * h };
+                        let jump = (on[i] - beside[i]).abs();
+                        assert!(jump < allowed + 1e-12, "{o:?} {h} {i}: {on:?} {beside:?}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Single precision joins as well.
+#[test]
+fn short_paths_join_in_single_precision() {
+    let mut random = Random::new(93);
+    for n in 0..2_000 {
+        let wide = contact(random.log_between(0.2, 5.0), random.between(0.0, 0.5));
+        let c = Contact::<f32> {
+            a: wide.a as f32,
+            b: wide.b as f32,
+            normal_force: wide.normal_force as f32,
+            shear_modulus: wide.shear_modulus as f32,
+            poisson_ratio: wide.poisson_ratio as f32,
+            friction: wide.friction as f32,
+        };
+        let o = options(Model::ALL[n % 4], COUNTS[n / 4 % 5]);
+        let [xi, eta, psi] = [0; 3].map(|_| random.between(-1.5, 1.5));
+        let m = theory::creepage(&wide, xi, eta, 0.6 * psi);
+        let (x, y, s) = (m.longitudinal as f32, m.lateral as f32, m.spin as f32);
+        let at = |x, y, s| {
+            let m = Creepage { longitudinal: x, lateral: y, spin: s };
+            let got = model::solve(&c, &m, &o).unwrap();
+            let bound = c.friction * c.normal_force;
+            [got.fx / bound, got.fy / bound, got.mz / (bound * (c.a * c.b).sqrt()), got.adhesion]
+        };
+        let hair = 1e-15;
+        for (on, beside) in
+            [(at(x, y, 0.0), at(x, y, hair)), (at(0.0, y, s), at(hair * 1e-3, y, s))]
+        {
+            for i in 0..4 {
+                assert!((on[i] - beside[i]).abs() < 2e-4, "{i} {on:?} {beside:?} {o:?} {m:?}");
+            }
+        }
+    }
+}
+
+/// The C function hands out what the others do, and touches nothing else.
+#[test]
+fn c_function_fills_what_is_wanted() {
+    let c = contact(1.0, 0.28);
+    let m = theory::creepage(&c, 0.3, -0.2, 0.4);
+    let o = kstrip_options { model: 3, strips: 16 };
+    let (cc, cm) = (c.into(), m.into());
+    let empty = kstrip_strip {
+        y: 7.5,
+        width: 7.5,
+        half_length: 7.5,
+        separatrix: 7.5,
+        fx: 7.5,
+        fy: 7.5,
+        mz: 7.5,
+        power: 7.5,
+        state: 7,
+        reserved: 7,
+    };
+    for wanted in 0..32_u32 {
+        let mut result = MaybeUninit::uninit();
+        let (mut entries, mut strips, mut count) = ([7.5; 9], [empty; 16], MaybeUninit::new(99));
+        // SAFETY: nine numbers, sixteen strips.
+        let status = unsafe {
+            kstrip_evaluate(
+                Some(&cc),
+                Some(&cm),
+                Some(&o),
+                wanted,
+                Some(&mut result),
+                entries.as_mut_ptr(),
+                strips.as_mut_ptr(),
+                16,
+                Some(&mut count),
+            )
+        };
+        assert_eq!(status, 0);
+        // SAFETY: written, and initialised above.
+        let (result, count): (kstrip_result, u32) =
+            unsafe { (result.assume_init(), count.assume_init()) };
+        let core = options(Model::Strip, COUNTS[2]);
+        let (slopes, j) = model::solve_jacobian(&c, &m, &core).unwrap();
+        let plain = model::solve(&c, &m, &core).unwrap();
+        let wants = |flag| wanted & flag != 0;
+        let full = if wants(ffi::KSTRIP_WANT_JACOBIAN) { slopes } else { plain };
+        assert_eq!((result.fx, result.fy), (full.fx, full.fy));
+        let moment = if wants(ffi::KSTRIP_WANT_MOMENT) { full.mz } else { 0.0 };
+        let adhesion = if wants(ffi::KSTRIP_WANT_ADHESION) { full.adhesion } else { -1.0 };
+        assert_eq!((result.mz, result.adhesion), (moment, adhesion));
+        if wants(ffi::KSTRIP_WANT_JACOBIAN) {
+            assert_eq!((entries[1], entries[8]), (j[(0, 1)], j[(2, 2)]));
+        } else {
+            assert_eq!(entries, [7.5; 9]);
+        }
+        if wants(ffi::KSTRIP_WANT_STRIPS) {
+            assert_eq!(count, 16);
+            let sum: f64 = strips.iter().map(|strip| strip.fy).sum();
+            assert!((sum - full.fy).abs() < 1e-9 * c.normal_force);
+        } else {
+            assert!(count == 99 && strips.iter().all(|strip| *strip == empty));
+        }
+    }
+}

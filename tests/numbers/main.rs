@@ -1,0 +1,9 @@
+//! Rounding: every model against the same formulas in 200 bits.
+
+#[path = "../common/precise.rs"]
+mod precise;
+#[path = "../common/random.rs"]
+mod random;
+
+mod numerics;
+mod two_hundred_bits;

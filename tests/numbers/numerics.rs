@@ -1,0 +1,175 @@
+//! Errors in units of the last place against 200-bit arithmetic (`tests/data/make_numerics.py`), by region, for
+//! double and single precision; the limits are what docs/numerics.md explains.
+//!
+//! `cargo test --test numbers numerics -- --nocapture` prints the table of that page.
+
+use kstrip::contact::Contact;
+use kstrip::contact::creepage::Parameters;
+use kstrip::contact::forces::StripCount;
+use kstrip::contact::hertz::{Radii, hertz};
+use kstrip::number::Float;
+use kstrip::solve::model::{Model, Options, solve_jacobian};
+use kstrip::strip_1967::closed_form;
+use kstrip::strip_1967::strip::adhesion_length;
+use std::collections::BTreeMap;
+
+struct Row {
+    what: String,
+    region: String,
+    inputs: [f64; 6],
+    /// High and low part: 106 bits.
+    results: [(f64, f64); 4],
+}
+
+fn rows() -> Vec<Row> {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/numerics.csv");
+    let text = std::fs::read_to_string(path).expect("the reference");
+    text.lines()
+        .map(|line| {
+            let mut words = line.split(',');
+            let mut word = || words.next().expect("sixteen columns");
+            let (what, region) = (word().to_owned(), word().to_owned());
+            let mut number = || word().parse().expect("a number");
+            let inputs = std::array::from_fn(|_| number());
+            let results = std::array::from_fn(|_| (number(), number()));
+            Row { what, region, inputs, results }
+        })
+        .collect()
+}
+
+/// Error in units of the last place of a type with this `epsilon`, at the size of `scale`.
+fn ulps(value: f64, exact: (f64, f64), scale: f64, epsilon: f64) -> f64 {
+    assert!(value.is_finite());
+    ((value - exact.0) - exact.1).abs() / (scale.abs() * epsilon)
+}
+
+/// Errors of one row in one precision.
+fn errors<F: Float + kstrip::solve::model::Precision>(row: &Row) -> Vec<f64> {
+    let input = |i: usize| F::of(row.inputs[i]);
+    let epsilon = F::EPSILON.to_f64();
+    let [r0, r1, r2, _] = row.results;
+    match row.what.as_str() {
+        "kappa" => {
+            let kappa = adhesion_length(input(0), input(1), input(2)).expect("a length");
+            vec![ulps(kappa.to_f64(), r0, r0.0, epsilon)]
+        }
+        "hertz" => {
+            // Curvatures as radii of the lower body, the upper one flat, twice as curved: A = 1/(2 R)
+            let radius = |curvature: F| F::one() / curvature.times(2.0);
+            let flat = F::of(f64::INFINITY);
+            let radii = Radii {
+                lower_x: radius(input(0)),
+                lower_y: radius(input(1)),
+                upper_x: flat,
+                upper_y: flat,
+            };
+            let h = hertz(&radii, input(2), input(3), input(4)).expect("an ellipse");
+            let major = h.a.max(h.b);
+            [h.axis_ratio, major, h.peak_pressure, h.approach]
+                .iter()
+                .zip(row.results)
+                .map(|(value, exact)| ulps(value.to_f64(), exact, exact.0, epsilon))
+                .collect()
+        }
+        "force" => {
+            let parameters = Parameters {
+                xi: input(0),
+                eta: input(1),
+                psi: input(2),
+                poisson_ratio: input(3),
+                axis_ratio: input(4),
+            };
+            let (fx, fy) = closed_form::force(&parameters).expect("inside the theory");
+            let size = r0.0.hypot(r1.0);
+            vec![ulps(fx.to_f64(), r0, size, epsilon), ulps(fy.to_f64(), r1, size, epsilon)]
+        }
+        "slope" => {
+            // A contact with slip unit 1 and (1 − ν), so that creepages are the parameters
+            let (nu, g) = (row.inputs[3], row.inputs[4]);
+            let contact = Contact {
+                a: F::of(g.sqrt()),
+                b: F::of(1.0 / g.sqrt()),
+                normal_force: F::of(2.0 * std::f64::consts::PI / 3.0),
+                shear_modulus: F::of(2.0),
+                poisson_ratio: input(3),
+                friction: F::one(),
+            };
+            let parameters = Parameters {
+                xi: input(0),
+                eta: input(1),
+                psi: input(2),
+                poisson_ratio: input(3),
+                axis_ratio: F::of(g),
+            };
+            let creepage = parameters.creepage(&contact);
+            let options = Options { model: Model::Strip1967, strips: StripCount::SixtyFour };
+            let (_, j) = solve_jacobian(&contact, &creepage, &options).expect("derivatives");
+            // dF/dξ = dF/dυx · (1 − ν) slip unit; μ N is the normal force here
+            let bound = contact.normal_force.to_f64();
+            let found = [
+                j[(0, 0)].to_f64() * (1.0 - nu) / bound,
+                j[(1, 1)].to_f64() / bound,
+                j[(0, 1)].to_f64() / bound,
+            ];
+            let size = r0.0.abs().max(r1.0.abs());
+            found.iter().zip([r0, r1, r2]).map(|(v, e)| ulps(*v, e, size, epsilon)).collect()
+        }
+        other => panic!("{other}"),
+    }
+}
+
+/// Largest error in units of the last place: what, region, double, single. Explained in docs/numerics.md.
+const ALLOWED: &[(&str, &str, f64, f64)] = &[
+    ("force", "combined", 3.2, 2.3),
+    ("force", "no spin", 1.3, 1.8),
+    ("force", "sliding", 1.2, 1.8),
+    ("force", "small", 1.0, 1.2),
+    ("hertz", "circle", 2.2, 2.1),
+    ("hertz", "ellipse", 1.9, 2.4),
+    ("hertz", "near circle", 2.0, 2.5),
+    ("hertz", "needle", 2.3, 2.8),
+    ("kappa", "eta >> xi", 1.1, 1.1),
+    ("kappa", "ordinary", 1.0, 1.5),
+    ("kappa", "psi beyond 1", 1.0, 1.2),
+    ("kappa", "psi near 1", 1.1, 1.4),
+    ("kappa", "tiny", 1.2, 1.2),
+    ("kappa", "xi >> eta", 0.8, 1.0),
+    // 64 strips: the error of the quadrature, 2e-12, in double precision
+    ("slope", "combined", 57.0, 0.9),
+    ("slope", "no spin", 8200.0, 1.7),
+];
+
+/// Rows, largest error, and sum of errors in double and single precision.
+type Found = (usize, [f64; 2], [f64; 2]);
+
+#[test]
+fn errors_against_200_bits_are_the_known_ones() {
+    let mut worst: BTreeMap<(String, String), Found> = BTreeMap::new();
+    for row in rows() {
+        let largest = |errors: Vec<f64>| errors.into_iter().fold(0.0, f64::max);
+        let found = [largest(errors::<f64>(&row)), largest(errors::<f32>(&row))];
+        let entry = worst.entry((row.what, row.region)).or_default();
+        entry.0 += 1;
+        for (i, error) in found.into_iter().enumerate() {
+            entry.1[i] = entry.1[i].max(error);
+            entry.2[i] += error;
+        }
+    }
+    println!("| what | region | cases | f64 mean | f64 worst | f32 mean | f32 worst |");
+    println!("|---|---|---|---|---|---|---|");
+    for ((what, region), (cases, largest, sum)) in &worst {
+        let mean = sum.map(|sum| sum / *cases as f64);
+        println!(
+            "| {what} | {region} | {cases} | {:.2} | {:.1} | {:.2} | {:.1} |",
+            mean[0], largest[0], mean[1], largest[1]
+        );
+    }
+    assert_eq!(worst.len(), ALLOWED.len(), "a region without its limit");
+    for (what, region, double, single) in ALLOWED {
+        let (_, largest, _) = &worst[&((*what).to_owned(), (*region).to_owned())];
+        assert!(
+            largest[0] <= *double && largest[1] <= *single,
+            "{what}, {region}: {largest:?} units of the last place, allowed {double} and {single}"
+        );
+    }
+}

@@ -1,0 +1,182 @@
+//! Creepages from velocities (3.3), parameters (5.13) and their inverse.
+
+use crate::random;
+use crate::theory;
+
+use kstrip::contact::Contact;
+use kstrip::contact::creepage::{Creepage, Parameters, SurfaceVelocity};
+use kstrip::status::Error;
+use random::Random;
+use std::f64::consts::PI;
+
+fn at(x: f64, y: f64, angular_z: f64) -> SurfaceVelocity<f64> {
+    SurfaceVelocity { x, y, angular_z }
+}
+
+/// (5.13) with p₀ = 3N/(2πab), for random contacts.
+#[test]
+fn parameters_follow_their_definitions() {
+    let mut random = Random::new(513);
+    for _ in 0..10_000 {
+        let c = Contact {
+            a: random.log_between(1e-6, 1.0),
+            b: random.log_between(1e-6, 1.0),
+            normal_force: random.log_between(1e-6, 1e7),
+            shear_modulus: random.log_between(1e4, 1e12),
+            poisson_ratio: random.between(0.0, 0.5),
+            friction: random.log_between(1e-3, 2.0),
+        };
+        let motion = Creepage {
+            longitudinal: random.between(-0.1, 0.1),
+            lateral: random.between(-0.1, 0.1),
+            spin: random.between(-50.0, 50.0),
+        };
+        let p0 = 3.0 * c.normal_force / (2.0 * PI * c.a * c.b);
+        let ratio = c.shear_modulus / (2.0 * c.friction * p0);
+        let p = Parameters::new(&c, &motion);
+        for (got, expected) in [
+            (p.xi, motion.longitudinal * ratio / (1.0 - c.poisson_ratio)),
+            (p.eta, motion.lateral * ratio),
+            (p.psi, c.a * motion.spin * ratio),
+            (p.spin_slope(), p.psi * c.b / (c.a * (1.0 - c.poisson_ratio))),
+        ] {
+            // About ten roundings
+            assert!((got - expected).abs() <= 3e-15 * expected.abs(), "{c:?} {motion:?}");
+        }
+        assert_eq!((p.poisson_ratio, p.axis_ratio), (c.poisson_ratio, c.a / c.b));
+        let back = p.creepage(&c);
+        for (got, expected) in [
+            (back.longitudinal, motion.longitudinal),
+            (back.lateral, motion.lateral),
+            (back.spin, motion.spin),
+        ] {
+            assert!((got - expected).abs() <= 4e-15 * expected.abs(), "{c:?} {motion:?}");
+        }
+    }
+}
+
+/// The factor is that of the paper, not of another convention: a number worked by hand.
+/// G/(2μp₀) = 80e9/(2·0.25·1e9) = 160.
+#[test]
+fn parameters_of_a_round_example() {
+    let c = Contact {
+        a: 0.01,
+        b: 0.005,
+        normal_force: 1e9 * 2.0 * PI * 0.01 * 0.005 / 3.0,
+        shear_modulus: 80e9,
+        poisson_ratio: 0.25,
+        friction: 0.25,
+    };
+    let p: Parameters<f64> =
+        Parameters::new(&c, &Creepage { longitudinal: 1e-3, lateral: -2e-3, spin: 0.5 });
+    assert!((p.xi - 0.16 / 0.75).abs() < 1e-15);
+    assert!((p.eta + 0.32).abs() < 1e-15);
+    assert!((p.psi - 0.8).abs() < 1e-15);
+    // ξ̄ = ξ − ψ (y/a)/(1 − ν): at y = b, y/a = 1/2
+    assert!((p.spin_slope() - 0.8 * 0.5 / 0.75).abs() < 1e-15);
+    assert!((c.slip_unit() - 1.0 / 160.0).abs() < 1e-17);
+    assert!((c.peak_pressure() / 1e9 - 1.0).abs() < 1e-15);
+    assert!((c.friction_bound() - 0.25 * c.normal_force).abs() == 0.0);
+}
+
+/// From tiny to huge the parameters keep their sign, their order and (until they are beyond any
+/// meaning) their ratio; no infinity, no NaN, no square that overflows.
+#[test]
+fn tiny_and_huge_creepages_keep_their_direction() {
+    let c = theory::contact(1.0, 0.28);
+    for exponent in -300..=300 {
+        let size = 10f64.powi(exponent);
+        let motion = Creepage { longitudinal: 3.0 * size, lateral: -4.0 * size, spin: 0.0 };
+        let p = Parameters::new(&c, &motion);
+        assert!((p.xi * p.xi).is_finite() && (p.eta * p.eta).is_finite(), "1e{exponent}");
+        assert!(p.xi > 0.0 && p.eta < 0.0 && p.psi == 0.0);
+        let ratio = p.xi / p.eta;
+        assert!((ratio + 0.75 / 0.72).abs() < 1e-13, "1e{exponent}: {ratio}");
+        if exponent < 90 {
+            let back = p.creepage(&c);
+            assert!((back.longitudinal / motion.longitudinal - 1.0).abs() < 1e-14);
+            assert!((back.lateral / motion.lateral - 1.0).abs() < 1e-14);
+        }
+        let spin = Creepage { longitudinal: 0.0, lateral: 0.0, spin: -size };
+        let p = Parameters::new(&c, &spin);
+        assert!(p.psi < 0.0 && (p.psi * p.psi).is_finite() && p.xi == 0.0 && p.eta == 0.0);
+    }
+}
+
+/// The same in single precision, 1e-30 to 1e30.
+#[test]
+fn tiny_and_huge_creepages_in_single_precision() {
+    let wide = theory::contact(1.0, 0.28);
+    let c = Contact::<f32> {
+        a: wide.a as f32,
+        b: wide.b as f32,
+        normal_force: wide.normal_force as f32,
+        shear_modulus: 82e9,
+        poisson_ratio: 0.28,
+        friction: 0.3,
+    };
+    for exponent in -30..=30 {
+        let size = 10f32.powi(exponent);
+        let motion = Creepage { longitudinal: 3.0 * size, lateral: -4.0 * size, spin: size };
+        let p = Parameters::new(&c, &motion);
+        assert!([p.xi, p.eta, p.psi].iter().all(|x| (x * x).is_finite()), "1e{exponent}");
+        assert!(p.xi > 0.0 && p.eta < 0.0 && p.psi > 0.0);
+        assert!((p.xi / p.eta + 0.75 / 0.72).abs() < 1e-5, "1e{exponent}");
+    }
+}
+
+/// (3.3): upper minus lower, over the rolling speed.
+#[test]
+fn creepage_is_the_velocity_of_the_upper_over_the_lower_body() {
+    // A braked wheel (upper) turns too slowly: its surface lags behind the ground that streams
+    // backwards, so it slides forwards over the rail.
+    let rail = at(-20.0, 0.0, 0.0);
+    let wheel = at(-19.9, 0.04, -0.6);
+    let c = Creepage::from_velocities(&rail, &wheel, 20.0).unwrap();
+    assert!((c.longitudinal - 0.005).abs() < 1e-15);
+    assert!((c.lateral - 0.002).abs() < 1e-15);
+    assert!((c.spin + 0.03).abs() < 1e-15);
+    // Exchanging the bodies reverses it; a common velocity changes nothing.
+    let reverse = Creepage::from_velocities(&wheel, &rail, 20.0).unwrap();
+    assert_eq!(reverse.longitudinal, -c.longitudinal);
+    assert_eq!((reverse.lateral, reverse.spin), (-c.lateral, -c.spin));
+    let moved = Creepage::from_velocities(&at(0.0, 1.0, 8.0), &at(0.1, 1.04, 7.4), 20.0).unwrap();
+    assert!((moved.longitudinal - c.longitudinal).abs() < 1e-15);
+    assert!((moved.lateral - c.lateral).abs() < 1e-15 && (moved.spin - c.spin).abs() < 1e-15);
+}
+
+/// A braked wheel is pushed backwards: force on the lower body along +x, on the wheel along −x.
+#[test]
+fn braked_wheel_is_held_back() {
+    let c = theory::contact(1.0, 0.28);
+    let motion =
+        Creepage::from_velocities(&at(-20.0, 0.0, 0.0), &at(-19.98, 0.0, 0.0), 20.0).unwrap();
+    let on_rail =
+        kstrip::solve::model::solve(&c, &motion, &kstrip::solve::model::Options::default())
+            .unwrap();
+    assert!(on_rail.fx > 0.0 && on_rail.power > 0.0);
+    let on_wheel = on_rail.on_upper_body();
+    assert_eq!((on_wheel.fx, on_wheel.power), (-on_rail.fx, on_rail.power));
+}
+
+/// Bad velocities have names.
+#[test]
+fn bad_velocities_are_refused() {
+    let good = at(-1.0, 0.0, 0.0);
+    for speed in [0.0, -0.0, -1.0] {
+        assert_eq!(Creepage::from_velocities(&good, &good, speed), Err(Error::RollingSpeed));
+    }
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert_eq!(Creepage::from_velocities(&good, &good, bad), Err(Error::NotFinite));
+        for body in [at(bad, 0.0, 0.0), at(0.0, bad, 0.0), at(0.0, 0.0, bad)] {
+            assert_eq!(Creepage::from_velocities(&body, &good, 1.0), Err(Error::NotFinite));
+            assert_eq!(Creepage::from_velocities(&good, &body, 1.0), Err(Error::NotFinite));
+        }
+    }
+    // A quotient that does not fit
+    assert_eq!(Creepage::from_velocities(&good, &at(1e10, 0.0, 0.0), 1e-300), Err(Error::Overflow));
+    assert_eq!(
+        Creepage::from_velocities(&at(-1e308, 0.0, 0.0), &at(1e308, 0.0, 0.0), 1.0),
+        Err(Error::Overflow)
+    );
+}

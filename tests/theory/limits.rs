@@ -1,0 +1,432 @@
+//! What must come out exactly: linear slopes, saturation, symmetries, the power balance, the bound.
+
+use crate::random;
+use crate::theory;
+
+use kstrip::contact::Contact;
+use kstrip::contact::creepage::Creepage;
+use kstrip::contact::forces::StripCount;
+use kstrip::solve::model::{self, Field, Model};
+use kstrip::strip_1967::strip::State;
+use proptest::prelude::*;
+use random::Random;
+use std::f64::consts::PI;
+use theory::{COUNTS, Law, MODELS, adaptive, contact, creepage, options};
+
+fn bound(contact: &Contact<f64>) -> f64 {
+    contact.friction * contact.normal_force
+}
+
+/// C11 = π²/(4(1 − ν)), C22 = π²/4, C23 = (π/3)√(a/b) for every strip count and both rules, from
+/// forces at vanishing creepage and from the derivatives at zero. The coefficients are defined by
+/// Fx = G ab C11 υx, Fy = G ab (C22 υy + √(ab) C23 φ), Mz = −G (ab)^(3/2) C23 υy.
+#[test]
+fn linear_slopes_are_exact_for_every_strip_count() {
+    for axis_ratio in [0.05, 0.3, 1.0, 2.0, 20.0] {
+        for nu in [0.0, 0.28, 0.5] {
+            let c = contact(axis_ratio, nu);
+            let (ab, g) = (c.a * c.b, c.shear_modulus);
+            let c11 = PI * PI / (4.0 * (1.0 - nu));
+            let c22 = PI * PI / 4.0;
+            let c23 = PI / 3.0 * axis_ratio.sqrt();
+            for count in COUNTS {
+                for kind in MODELS {
+                    let o = options(kind, count);
+                    // The next term is −(2/π) τ relative to the first: 1e-11
+                    let tiny = 1e-11 * theory::slip_unit(&c);
+                    let solve = |x, y, s| {
+                        let motion = Creepage { longitudinal: x, lateral: y, spin: s };
+                        model::solve(&c, &motion, &o).unwrap()
+                    };
+                    let along = solve(tiny, 0.0, 0.0);
+                    let across = solve(0.0, tiny, 0.0);
+                    let spin = tiny / c.a;
+                    let turning = solve(0.0, 0.0, spin);
+                    let zero = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
+                    let (_, j) = model::solve_jacobian(&c, &zero, &o)
+                        .unwrap_or_else(|error| panic!("{error:?} {c:?} {o:?}"));
+                    let near = |got: f64, expected: f64, what: &str| {
+                        assert!(
+                            (got / expected - 1.0).abs() < 1e-9,
+                            "{what}: {got:e} {expected:e} a/b {axis_ratio} ν {nu} {o:?}"
+                        );
+                    };
+                    near(along.fx, g * ab * c11 * tiny, "C11");
+                    near(across.fy, g * ab * c22 * tiny, "C22");
+                    near(turning.fy, g * ab.powf(1.5) * c23 * spin, "C23");
+                    near(across.mz, -g * ab.powf(1.5) * c23 * tiny, "C32");
+                    near(j[(0, 0)], g * ab * c11, "dFx/dυx");
+                    near(j[(1, 1)], g * ab * c22, "dFy/dυy");
+                    near(j[(1, 2)], g * ab.powf(1.5) * c23, "dFy/dφ");
+                    near(j[(2, 1)], -g * ab.powf(1.5) * c23, "dMz/dυy");
+                    // No coupling of the longitudinal direction with the others
+                    let scale = 1e-12 * g * ab;
+                    assert!(j[(0, 1)].abs() < scale && j[(1, 0)].abs() < scale);
+                    assert!(j[(0, 2)].abs() < scale * c.a && j[(2, 0)].abs() < scale * c.a);
+                    assert!((along.adhesion - 1.0).abs() < 1e-9, "{}", along.adhesion);
+                }
+            }
+        }
+    }
+}
+
+/// Spin against spin: Mz = (3π/16) b ψ (b/a)/(1 − ν) μN from the longitudinal tractions, i.e.
+/// C33 = π² b/(16 a (1 − ν))·… in the same units: the moment that ξ̄ = −pY leaves.
+#[test]
+fn spin_moment_has_its_linear_slope() {
+    for axis_ratio in [0.2, 1.0, 5.0] {
+        let c = contact(axis_ratio, 0.28);
+        let psi = 1e-10;
+        let s = model::solve(
+            &c,
+            &creepage(&c, 0.0, 0.0, psi),
+            &options(Model::Strip1967, StripCount::SixtyFour),
+        )
+        .unwrap();
+        // (3/4) b ∫ Y p Y 2C dY with ∫ Y² C dY = π/8
+        let expected = 3.0 * PI / 16.0 * bound(&c) * c.b * psi * c.b / (c.a * 0.72);
+        assert!((s.mz / expected - 1.0).abs() < 1e-8, "{} {expected}", s.mz);
+    }
+}
+
+/// Large creepage: |F| = μN along the creepage, no adhesion, for every count.
+#[test]
+fn saturation_is_exact_for_every_strip_count() {
+    for axis_ratio in [0.1, 1.0, 10.0] {
+        let c = contact(axis_ratio, 0.28);
+        for count in COUNTS {
+            for kind in MODELS {
+                for (xi, eta) in [(1.5, 0.0), (0.0, -3.0), (-2.0, 7.0), (1e6, 1e3), (1e80, -1e80)] {
+                    let s = model::solve(&c, &creepage(&c, xi, eta, 0.0), &options(kind, count))
+                        .unwrap();
+                    let size = s.fx.hypot(s.fy) / bound(&c);
+                    assert!((size - 1.0).abs() < 1e-14, "{count:?} {kind:?} {xi} {eta}: {size}");
+                    assert_eq!(s.adhesion, 0.0);
+                    let (dx, dy) = match kind {
+                        Model::Strip1967 => (0.72 * xi, eta),
+                        _ => (xi, eta),
+                    };
+                    let length = dx.hypot(dy);
+                    let across = s.fx / bound(&c) * dy / length - s.fy / bound(&c) * dx / length;
+                    assert!(across.abs() < 1e-14);
+                    assert!(s.mz.abs() < 1e-12 * bound(&c) * c.a.max(c.b));
+                }
+                // A little spin on much creepage does not matter
+                let s = model::solve(&c, &creepage(&c, 1e9, 0.0, 0.5), &options(kind, count));
+                assert!((s.unwrap().fx / bound(&c) - 1.0).abs() < 1e-14);
+            }
+        }
+    }
+}
+
+/// (8.15), the way that loses no digits: (3π/4)τ − … as an integral of its own derivative would be
+/// another quadrature, so the formula itself, for τ where it does not cancel.
+fn pure_creepage(tau: f64) -> f64 {
+    if tau >= 1.0 {
+        return 1.0;
+    }
+    1.0 - ((2.0 + tau * tau) * (1.0 - tau * tau).sqrt() - 3.0 * tau * tau.acos()) / 2.0
+}
+
+/// Pure creepage in closed form (8.15): both rules along the axes, the continuous rule in any
+/// direction. The adhesion panel sees C² − ½(2C − κ)κ…, smooth in the panel's coordinate, so the error
+/// falls geometrically with the count.
+#[test]
+fn pure_creepage_has_its_closed_form() {
+    let allowed = [3e-2, 3e-3, 1e-4, 1e-6, 1e-10];
+    let mut worst = [0.0_f64; 5];
+    for axis_ratio in [0.1, 1.0, 10.0] {
+        let c = contact(axis_ratio, 0.28);
+        for i in 1..=60 {
+            let tau = f64::from(i) / 50.0;
+            for (kind, angle) in [
+                (Model::Strip1967, 0.0_f64),
+                (Model::Strip1967, PI / 2.0),
+                (Model::Strip1967, -PI),
+                (Model::Strip1967Continuous, 0.0),
+                (Model::Strip1967Continuous, 0.7),
+                (Model::Strip1967Continuous, -2.4),
+            ] {
+                // Exact zeros, so that the other component is exactly none
+                let clean = |v: f64| if v.abs() < 1e-15 { 0.0 } else { v };
+                let (dx, dy) = (clean(angle.cos()), clean(angle.sin()));
+                let motion = creepage(&c, tau * dx, tau * dy, 0.0);
+                for (n, count) in COUNTS.into_iter().enumerate() {
+                    let s = model::solve(&c, &motion, &options(kind, count)).unwrap();
+                    let along = (s.fx * dx + s.fy * dy) / bound(&c);
+                    let across = (s.fx * dy - s.fy * dx) / bound(&c);
+                    assert!(along.is_finite());
+                    worst[n] = worst[n].max((along - pure_creepage(tau)).abs());
+                    assert!(across.abs() < 1e-14, "{count:?} {tau} {angle}: {across:e}");
+                }
+            }
+        }
+    }
+    println!("worst errors for 4, 8, 16, 32, 64 strips: {worst:?}");
+    for n in 0..5 {
+        assert!(worst[n] < allowed[n], "{:?}: {:e}", COUNTS[n], worst[n]);
+    }
+}
+
+/// Small creepage: F = (3π/4) τ − (3/2) τ² + O(τ⁴), where (8.15) cancels.
+#[test]
+fn small_pure_creepage_has_its_series() {
+    let c = contact(1.0, 0.28);
+    for exponent in 2..=12 {
+        let tau = 10f64.powi(-exponent);
+        let s = model::solve(
+            &c,
+            &creepage(&c, 0.0, tau, 0.0),
+            &options(Model::Strip1967, StripCount::SixtyFour),
+        )
+        .unwrap();
+        let expected = 0.75 * PI * tau - 1.5 * tau * tau;
+        // Next term: −τ⁴/8… ; the ends of the adhesion interval add the same order
+        let allowed = 1e-9 * tau + tau.powi(4);
+        assert!((s.fy / bound(&c) - expected).abs() < allowed, "1e-{exponent}");
+    }
+}
+
+/// Stick area in pure creepage: (2/π)(acos τ − τ √(1 − τ²)), also 1 at rest and 0 beyond.
+#[test]
+fn stick_area_in_pure_creepage() {
+    let c = contact(0.5, 0.28);
+    for (n, count) in COUNTS.into_iter().enumerate() {
+        for i in 0..=55 {
+            let tau = f64::from(i) / 50.0;
+            let s =
+                model::solve(&c, &creepage(&c, tau, 0.0, 0.0), &options(Model::Strip1967, count))
+                    .unwrap();
+            let expected = if tau < 1.0 {
+                2.0 / PI * (tau.acos() - tau * (1.0 - tau * tau).sqrt())
+            } else {
+                0.0
+            };
+            // The stretch ∫ C is exact, the ∫ κ subtracted from it is not: 4 strips see it coarsely
+            let allowed = [1e-1, 3e-2, 5e-3, 1e-4, 1e-8][n];
+            assert!((s.adhesion - expected).abs() < allowed, "{count:?} {tau}: {}", s.adhesion);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    /// (ξ, η, ψ) → (−ξ, η, ψ) reverses Fx alone; reversing all three reverses all forces. The code is
+    /// the same up to the order of additions, so rounding of sums is all that may differ; where an
+    /// interval is about to vanish its ends are roots of small differences (1e-12).
+    #[test]
+    fn symmetries_hold(
+        xi in -1.5..1.5_f64, eta in -1.5..1.5_f64, psi in -2.0..2.0_f64,
+        axis in -1.0..1.0_f64, nu in 0.0..0.5_f64,
+    ) {
+        let c = contact(10f64.powf(axis), nu);
+        let unit = bound(&c);
+        let arm = c.a + c.b;
+        for count in COUNTS {
+            for kind in MODELS {
+                let o = options(kind, count);
+                let m = creepage(&c, xi, eta, psi);
+                let one = model::solve(&c, &m, &o).unwrap();
+                let mirrored = Creepage { longitudinal: -m.longitudinal, ..m };
+                let two = model::solve(&c, &mirrored, &o).unwrap();
+                let reversed = Creepage {
+                    longitudinal: -m.longitudinal, lateral: -m.lateral, spin: -m.spin,
+                };
+                let three = model::solve(&c, &reversed, &o).unwrap();
+                let near = |p: f64, q: f64| (p - q).abs() <= 1e-12;
+                prop_assert!(near(one.fx / unit, -two.fx / unit), "{one:?} {two:?}");
+                prop_assert!(near(one.fy / unit, two.fy / unit), "{one:?} {two:?}");
+                prop_assert!(near(one.mz / unit / arm, two.mz / unit / arm), "{one:?} {two:?}");
+                prop_assert!(near(one.adhesion, two.adhesion));
+                // Here every operation is the same with another sign.
+                prop_assert_eq!((one.fx, one.fy, one.mz), (-three.fx, -three.fy, -three.mz));
+                prop_assert_eq!((one.power, one.adhesion), (three.power, three.adhesion));
+            }
+        }
+    }
+}
+
+/// The strips' shares add up to the totals, their widths to the patch, and their power to
+/// Fx υx + Fy υy + Mz φ, to 1e-10.
+#[test]
+fn strips_add_up_to_the_totals() {
+    let mut random = Random::new(20);
+    for _ in 0..1_500 {
+        let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
+        let m = creepage(
+            &c,
+            random.between(-1.0, 1.0),
+            random.between(-1.0, 1.0),
+            random.between(-1.6, 1.6),
+        );
+        for kind in MODELS {
+            for count in COUNTS {
+                let o = options(kind, count);
+                let total = model::solve(&c, &m, &o).unwrap();
+                let (mut fx, mut fy, mut mz, mut power, mut width) = (0.0, 0.0, 0.0, 0.0, 0.0);
+                let mut strips = 0;
+                model::strips(&c, &m, &o, &mut |s| {
+                    fx += s.fx;
+                    fy += s.fy;
+                    mz += s.mz;
+                    power += s.power;
+                    width += s.width;
+                    strips += 1;
+                    assert!(s.y.abs() <= c.b && s.half_length >= 0.0 && s.half_length <= c.a);
+                    assert!(s.separatrix.abs() <= s.half_length * (1.0 + 1e-12) + 1e-15 * c.a);
+                    if s.width.abs() > 1e-12 * c.b {
+                        assert_eq!(s.adheres, s.separatrix < s.half_length, "{s:?}");
+                    }
+                })
+                .unwrap();
+                assert!(strips <= 192);
+                // Where few strips overshoot μN the totals are scaled back
+                let size = fx.hypot(fy) / bound(&c);
+                let scale = size.max(1.0);
+                let force = 1e-10 * bound(&c);
+                assert!(
+                    (fx / scale - total.fx).abs() < force && (fy / scale - total.fy).abs() < force
+                );
+                assert!((mz - total.mz).abs() < force * (c.a + c.b), "{o:?} {m:?}");
+                if size <= 1.0 {
+                    let motion =
+                        m.longitudinal.abs() + m.lateral.abs() + m.spin.abs() * (c.a + c.b);
+                    assert!((power - total.power).abs() < force * motion);
+                }
+                let balance = total.fx * m.longitudinal + total.fy * m.lateral + total.mz * m.spin;
+                assert!((balance - total.power).abs() <= 1e-10 * total.power.abs());
+                // The widths are quadrature weights of 1 over the ellipse: exact only for the
+                // weight functions that the theory needs.
+                let allowed =
+                    [0.5, 0.3, 0.1, 0.05, 0.02][COUNTS.iter().position(|&k| k == count).unwrap()];
+                assert!(
+                    (width / (2.0 * c.b) - 1.0).abs() < allowed,
+                    "{o:?}: {}",
+                    width / (2.0 * c.b)
+                );
+            }
+        }
+    }
+}
+
+/// The local dissipation P = X s_x + Y s_y, integrated over the contact by a quadrature of its own, is
+/// Fx υx + Fy υy + Mz φ: 1e-10 against the integral of the same strips' forces, and against the
+/// totals of 64 strips within their quadrature error.
+#[test]
+fn local_dissipation_integrates_to_the_frictional_power() {
+    let mut random = Random::new(77);
+    for case in 0..60 {
+        let law = Law {
+            xi: random.between(-0.8, 0.8),
+            eta: random.between(-0.8, 0.8),
+            psi: random.between(-0.95, 0.95),
+            poisson_ratio: random.between(0.0, 0.5),
+            axis_ratio: random.log_between(0.2, 5.0),
+            continuous: case % 2 == 0,
+        };
+        let c = contact(law.axis_ratio, law.poisson_ratio);
+        let m = creepage(&c, law.xi, law.eta, law.psi);
+        let o = options(MODELS[usize::from(law.continuous)], StripCount::SixtyFour);
+        let field = Field::new(&c, &m, &o).unwrap();
+        // Per strip: the dissipation from points of the field, the force power from the strip
+        let strip = |theta: f64| {
+            let (y, cosine) = theta.sin_cos();
+            let y = y * c.b;
+            let Some(strip) = theory::strip_at(&field, y) else { return [0.0; 2] };
+            let half = c.a * cosine;
+            let cut = (strip.separatrix() * c.a).clamp(-half, half);
+            // In the adhesion area nothing slips, so nothing dissipates
+            let local = theory::between(|x| field.at(x, y).dissipation, -half, cut, 24);
+            let ahead = field.at(0.5 * (cut + half), y);
+            if cut < half * (1.0 - 1e-9) {
+                assert_eq!((ahead.dissipation, ahead.state), (0.0, State::Stick));
+            }
+            let (fx, fy) = strip.force();
+            let unit = 0.75 * bound(&c);
+            let xi_slip = m.longitudinal - m.spin * y;
+            let global = unit * (fx * xi_slip + fy * m.lateral + c.a * strip.moment() * m.spin);
+            [local * c.b * cosine, global * cosine]
+        };
+        let ([local, global], error) = adaptive(&strip, &law.pieces(), 1e-11 * bound(&c));
+        let motion = m.longitudinal.abs() + m.lateral.abs() + m.spin.abs() * c.a.max(c.b);
+        let unit = bound(&c) * motion;
+        assert!(error < 1e-9 * unit);
+        assert!((local - global).abs() < 1e-10 * global.abs().max(0.1 * unit), "{law:?}");
+        let total = model::solve(&c, &m, &o).unwrap();
+        assert!((local - total.power).abs() < 1e-4 * unit, "{law:?}: {local} {}", total.power);
+    }
+}
+
+/// |F| ≤ μN (1 + 1e-12), finite, stick fraction in [0, 1], power not negative by more than the
+/// theory's own error, on 1e5 inputs from subnormal to huge.
+#[test]
+fn force_never_exceeds_the_friction_bound() {
+    let mut random = Random::new(99);
+    let wild = |random: &mut Random| match random.bits() % 5 {
+        0 => 0.0,
+        1 => random.sign() * random.log_between(1e-320, 1e300),
+        2 => random.sign() * random.log_between(1e-12, 1e3),
+        _ => random.between(-1.5, 1.5),
+    };
+    for _ in 0..100_000 {
+        let ratio = if random.unit() < 0.2 {
+            random.log_between(1e-6, 1e6)
+        } else {
+            random.log_between(0.05, 20.0)
+        };
+        let c = contact(ratio, random.between(0.0, 0.5));
+        let m = creepage(&c, wild(&mut random), wild(&mut random), wild(&mut random));
+        if !(m.longitudinal.is_finite() && m.lateral.is_finite() && m.spin.is_finite()) {
+            continue;
+        }
+        let o = options(MODELS[(random.bits() % 2) as usize], COUNTS[(random.bits() % 5) as usize]);
+        let s = match model::solve(&c, &m, &o) {
+            Ok(s) => s,
+            Err(kstrip::status::Error::Overflow) => continue,
+            Err(error) => panic!("{error:?} {c:?} {m:?}"),
+        };
+        let size = s.fx.hypot(s.fy) / bound(&c);
+        assert!(size <= 1.0 + 1e-12, "{size} {c:?} {m:?} {o:?}");
+        assert!(s.mz.abs() <= bound(&c) * c.a.max(c.b) * (1.0 + 1e-12), "{s:?} {c:?} {m:?} {o:?}");
+        assert!((0.0..=1.0).contains(&s.adhesion), "{s:?} {m:?} {o:?}");
+        assert!(s.power.is_finite() && s.mz.is_finite());
+    }
+}
+
+/// |traction| ≤ μZ at every point of every field, and Z is Hertz's.
+#[test]
+fn traction_bound_holds_over_fields() {
+    let mut random = Random::new(100);
+    for _ in 0..300 {
+        let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
+        let psi = random.between(-1.5, 1.5);
+        let m = creepage(&c, random.between(-1.0, 1.0), random.between(-1.0, 1.0), psi);
+        let o = options(MODELS[(random.bits() % 2) as usize], StripCount::Sixteen);
+        let field = Field::new(&c, &m, &o).unwrap();
+        let p0 = c.peak_pressure();
+        for _ in 0..400 {
+            let (x, y) = (random.between(-1.1, 1.1), random.between(-1.1, 1.1));
+            let point = field.at(x * c.a, y * c.b);
+            let square = 1.0 - x * x - y * y;
+            if square < -1e-12 {
+                assert_eq!(point.state, State::Outside);
+                assert_eq!((point.traction_x, point.traction_y, point.pressure), (0.0, 0.0, 0.0));
+                continue;
+            }
+            let z = p0 * square.max(0.0).sqrt();
+            assert!((point.pressure - z).abs() < 1e-9 * p0);
+            let traction = point.traction_x.hypot(point.traction_y);
+            let allowed = if psi.abs() > 1.0 { 1e-7 } else { 1e-12 };
+            assert!(
+                traction <= c.friction * point.pressure * (1.0 + allowed),
+                "{c:?} {m:?} {x} {y}"
+            );
+            let p = point.traction_x * point.slip_x + point.traction_y * point.slip_y;
+            assert!(
+                (p - point.dissipation).abs() <= 1e-9 * c.friction * p0 * theory::slip_unit(&c)
+            );
+            assert_eq!(point.state == State::SlipNegativeDissipation, point.dissipation < 0.0);
+        }
+    }
+}

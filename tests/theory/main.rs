@@ -1,0 +1,16 @@
+//! The theory of 1967 and what it stands on: the paper, Hertz, materials, creepages, limits.
+
+#[path = "../common/random.rs"]
+mod random;
+#[path = "../common/theory.rs"]
+mod theory;
+
+mod brute_force;
+mod continuity;
+mod convergence;
+mod creepage;
+mod hertz;
+mod limits;
+mod materials;
+mod paper;
+mod strip;
