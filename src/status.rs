@@ -16,7 +16,7 @@ pub enum Error {
     NotFinite = -2,
     /// A semi-axis of the contact ellipse is not positive.
     SemiAxis = -3,
-    /// The normal force is negative.
+    /// The normal force of a profile is negative.
     NormalForce = -4,
     /// A modulus of elasticity is not positive.
     Modulus = -5,
@@ -122,6 +122,19 @@ pub enum Notice {
     FrictionAtLeast = 6,
     /// The wanted force is that of full sliding, which every larger creepage gives as well.
     CreepageAtLeast = 7,
+    /// The peak pressure exceeds a tenth of the shear modulus: the load, the semi-axes or, mostly, the modulus are in
+    /// another unit.
+    Pressure = 8,
+    /// A creepage exceeds 10: per cent, or a rolling speed that is no longer one.
+    Creepage = 9,
+    /// A semi-axis exceeds 1 m: mm, mostly.
+    SemiAxis = 10,
+    /// More spin than rolling bodies of this curvature can have: degrees per metre, mostly.
+    Spin = 11,
+    /// The coefficient of friction exceeds 5: per cent, mostly.
+    Friction = 12,
+    /// Both summed curvatures are below 0.2/m: radii in mm, mostly.
+    Radius = 13,
 }
 
 impl Notice {
@@ -161,6 +174,18 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
         7 => {
             c"the wanted force is that of full sliding: result is the creepage that reaches it, any larger one gives it as well"
         }
+        8 => {
+            c"implausible pressure: the peak pressure exceeds a tenth of the shear modulus; check the units of modulus (Pa), load (N) and semi-axes (m)"
+        }
+        9 => {
+            c"implausible creepage: above 10; check that it is a ratio, not per cent, and that the contact rolls (at low speed use slip velocities)"
+        }
+        10 => c"implausible semi-axis: above 1 m; check its unit (m, not mm)",
+        11 => {
+            c"implausible spin: more than rolling bodies of this size have; check its unit (rad/m, not degrees)"
+        }
+        12 => c"implausible coefficient of friction: above 5; check that it is no percentage",
+        13 => c"implausible radii: flatter than a radius of 5 m in both directions; check their unit (m, not mm)",
         -1 => c"a required pointer is NULL: pass the address of a structure or array",
         -2 => c"an input is infinite or NaN: pass finite numbers",
         -3 => c"a semi-axis of the contact ellipse is not positive: a and b must be > 0 (metres)",

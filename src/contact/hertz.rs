@@ -1,14 +1,17 @@
-//! The contact ellipse of Hertz (Section 2).
+//! The contact ellipse of Hertz (Section 2), from the load or from the approach of the bodies.
 
+use crate::contact::Contact;
 use crate::contact::elliptic::Integrals;
-use crate::contact::material::{check_modulus, check_poisson_ratio};
+use crate::contact::material::{CombinedMaterial, check_modulus, check_poisson_ratio};
+use crate::contact::plausibility::SMALLEST_CURVATURE;
 use crate::number::Float;
-use crate::status::Error;
+use crate::status::{Error, Notice};
 
 /// Radii of curvature of the two surfaces \[m\]: convex positive, flat infinite, concave negative.
 ///
 /// `x` is the rolling direction, so a wheel has its rolling radius in `x` and its profile radius in
 /// `y`; a straight rail is infinite in `x`.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Radii<F> {
     /// Lower body, in the plane through the rolling direction: `Rx⁺`.
@@ -22,6 +25,7 @@ pub struct Radii<F> {
 }
 
 /// The solution of Hertz's problem.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HertzContact<F> {
     /// Semi-axis along the rolling direction `x` \[m\].
@@ -40,17 +44,14 @@ pub struct HertzContact<F> {
     pub rho: F,
 }
 
-/// Newton steps at most; five reach rounding from the starting value for any axis ratio.
-const NEWTON_STEPS: usize = 12;
-
-/// Contact ellipse, pressure and approach under a normal load `N ≥ 0` \[N\].
+/// Contact ellipse, pressure and approach under a normal load `N` \[N\].
 ///
 /// `shear_modulus` \[Pa\] and `poisson_ratio` are the combined constants of
-/// [`combine`](crate::contact::material::combine). Without load the ellipse is a point: `a = b = 0`.
+/// [`combine`](crate::contact::material::combine). Without load, `N ≤ 0`, the ellipse is a point: `a = b = 0`.
 ///
 /// # Errors
 /// [`Error::Curvature`] for a zero or NaN radius, or when the bodies do not touch in an ellipse
-/// (summed curvature not positive in both directions); [`Error::NormalForce`], [`Error::Modulus`],
+/// (summed curvature not positive in both directions); [`Error::Modulus`],
 /// [`Error::PoissonRatio`], [`Error::NotFinite`]; [`Error::Overflow`] when a result does not fit the
 /// floating-point type.
 ///
@@ -71,54 +72,197 @@ pub fn hertz<F: Float>(
     shear_modulus: F,
     poisson_ratio: F,
 ) -> Result<HertzContact<F>, Error> {
-    check_modulus(shear_modulus)?;
-    check_poisson_ratio(poisson_ratio)?;
+    let modulus = plane_strain_modulus(shear_modulus, poisson_ratio)?;
     if !normal_force.is_finite_number() {
         return Err(Error::NotFinite);
     }
-    if normal_force < F::zero() {
-        return Err(Error::NormalForce);
-    }
-    // A = (1/Rx⁺ + 1/Rx⁻)/2,  B = (1/Ry⁺ + 1/Ry⁻)/2
-    let half_curvature = |lower: F, upper: F| (F::one() / lower + F::one() / upper).times(0.5);
-    let curvature_x = half_curvature(radii.lower_x, radii.upper_x);
-    let curvature_y = half_curvature(radii.lower_y, radii.upper_y);
-    let usable = |curvature: F| curvature.is_finite_number() && curvature > F::zero();
-    if !usable(curvature_x) || !usable(curvature_y) {
-        return Err(Error::Curvature);
-    }
-    let (small, large) = (curvature_x.min(curvature_y), curvature_x.max(curvature_y));
+    Form::new(radii)?.under(normal_force.max(F::zero()), modulus)
+}
 
-    // B/A = [(l/s)² E − K]/[K − E], which in the integrals of `elliptic` is A/B = g² D/B.
-    let axis_ratio = axis_ratio(small / large);
-    let integrals = Integrals::at(axis_ratio);
+/// The contact of two bodies under a load \[N\], with Hertz's solution and whether the numbers are plausible.
+///
+/// Without load, `N ≤ 0`, contact is lost: `a`, `b` and the contact's normal force are zero.
+///
+/// # Errors
+/// Those of [`hertz`] and of [`Contact::check`].
+///
+/// # Example
+/// ```
+/// use kstrip::contact::{hertz::{from_hertz, Radii}, material::{combine, Material}};
+/// let steel = Material { shear_modulus: 82e9, poisson_ratio: 0.28 };
+/// let flat = f64::INFINITY;
+/// let radii = Radii { lower_x: flat, lower_y: 0.30, upper_x: 0.46, upper_y: flat };
+/// let (contact, hertz, _) = from_hertz(&radii, &combine(&steel, &steel)?, 80e3, 0.3)?;
+/// assert!(contact.a > contact.b && hertz.approach < 1e-4);
+/// # Ok::<(), kstrip::status::Error>(())
+/// ```
+pub fn from_hertz<F: Float>(
+    radii: &Radii<F>,
+    pair: &CombinedMaterial<F>,
+    load: F,
+    friction: F,
+) -> Result<(Contact<F>, HertzContact<F>, Notice), Error> {
+    let CombinedMaterial { shear_modulus, poisson_ratio, .. } = *pair;
+    let modulus = plane_strain_modulus(shear_modulus, poisson_ratio)?;
+    if !load.is_finite_number() {
+        return Err(Error::NotFinite);
+    }
+    let (form, normal_force) = (Form::new(radii)?, load.max(F::zero()));
+    let hertz = form.under(normal_force, modulus)?;
+    let HertzContact { a, b, .. } = hertz;
+    let contact = Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction };
+    check_loaded(&contact)?;
+    Ok((contact, hertz, form.notice(&contact)))
+}
 
-    // E* = G/(1 − ν)
-    let modulus = shear_modulus / (F::one() - poisson_ratio);
-    // √(AB) = (p₀/E*)(s/(l² e²)) √{[(l/s)² E − K][K − E]} with p₀ = 3N/(2π l s) gives
-    // l³ = (3N/(2π g E*)) √(BD/(AB)).
-    let shape = (integrals.b * integrals.d).sqrt() / (small.sqrt() * large.sqrt());
-    let major = normal_force.cube_root()
-        * (F::constant(1.5 / core::f64::consts::PI) / axis_ratio).cube_root()
-        * (shape / modulus).cube_root();
-    let minor = axis_ratio * major;
-    // p₀ = 3N/(2π a b), written as the curvature that it flattens so that N = 0 is no 0/0:
-    // p₀ = E* l √(AB)/√(BD)
-    let peak_pressure = modulus * (major / shape);
-    // δ = (p₀/E*) s K
-    let approach = (major / shape) * minor * integrals.k();
-    // The larger curvature belongs to the shorter semi-axis (2.4).
-    let (a, b) = if curvature_x < curvature_y { (major, minor) } else { (minor, major) };
-    // 1/ρ = (1/Rx⁺ + 1/Rx⁻ + 1/Ry⁺ + 1/Ry⁻)/4   (2.3)
-    let rho = F::constant(2.0) / (small + large);
-    // cos τ = (ρ/4) |(1/Rx⁺ + 1/Rx⁻) − (1/Ry⁺ + 1/Ry⁻)|   (2.5), as tan(τ/2) = √(A/B)
-    let hertz_angle = (small / large).sqrt().atan().times(2.0);
-    let results = [major, minor, peak_pressure, approach, rho];
-    if !results.iter().all(|result| result.is_finite_number()) || axis_ratio <= F::zero() {
+/// The contact of two bodies whose distant points have come closer by `approach` \[m\]: the inverse of [`from_hertz`], as the
+/// contact search of a multibody code needs it. With its stiffness `dN/dδ = 3N/(2δ)` \[N/m\] and whether the numbers are plausible.
+///
+/// Without approach, `δ ≤ 0`, contact is lost: `a`, `b`, normal force and stiffness are zero.
+///
+/// # Errors
+/// Those of [`from_hertz`].
+///
+/// # Example
+/// ```
+/// use kstrip::contact::{hertz::{from_approach, from_hertz, Radii}, material::{combine, Material}};
+/// let steel = Material { shear_modulus: 82e9, poisson_ratio: 0.28 };
+/// let flat = f64::INFINITY;
+/// let radii = Radii { lower_x: flat, lower_y: 0.30, upper_x: 0.46, upper_y: flat };
+/// let pair = combine(&steel, &steel)?;
+/// let (_, hertz, _) = from_hertz(&radii, &pair, 80e3, 0.3)?;
+/// let (contact, stiffness, _) = from_approach(&radii, &pair, hertz.approach, 0.3)?;
+/// assert!((contact.normal_force - 80e3).abs() < 1e-9);
+/// assert!((stiffness * hertz.approach - 1.5 * 80e3).abs() < 1e-9);
+/// # Ok::<(), kstrip::status::Error>(())
+/// ```
+pub fn from_approach<F: Float>(
+    radii: &Radii<F>,
+    pair: &CombinedMaterial<F>,
+    approach: F,
+    friction: F,
+) -> Result<(Contact<F>, F, Notice), Error> {
+    let CombinedMaterial { shear_modulus, poisson_ratio, .. } = *pair;
+    let modulus = plane_strain_modulus(shear_modulus, poisson_ratio)?;
+    if !approach.is_finite_number() {
+        return Err(Error::NotFinite);
+    }
+    let approach = approach.max(F::zero());
+    let form = Form::new(radii)?;
+    let Form { axis_ratio, integrals, scale, .. } = form;
+    // δ = (p₀/E*) s K with p₀ = E* l √(AB)/√(BD):  l² = δ √(BD/(AB))/(g K)
+    let major = approach.sqrt() * (scale / (axis_ratio * integrals.k())).sqrt();
+    // dN/dδ = 3N/(2δ) = π E* l/K
+    let stiffness = modulus.times(core::f64::consts::PI) * (major / integrals.k());
+    let normal_force = (stiffness * approach).times(2.0 / 3.0);
+    let [a, b] = form.axes(major);
+    if ![a, b, stiffness, normal_force].iter().all(|result| result.is_finite_number()) {
         return Err(Error::Overflow);
     }
-    Ok(HertzContact { a, b, peak_pressure, approach, axis_ratio, hertz_angle, rho })
+    let contact = Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction };
+    check_loaded(&contact)?;
+    Ok((contact, stiffness, form.notice(&contact)))
 }
+
+/// Whether every model can do with the contact; lost, it is an ordinary one.
+fn check_loaded<F: Float>(contact: &Contact<F>) -> Result<(), Error> {
+    let Contact { friction, .. } = *contact;
+    if !friction.is_finite_number() {
+        return Err(Error::NotFinite);
+    }
+    if friction < F::zero() {
+        return Err(Error::Friction);
+    }
+    if contact.is_lost() { Ok(()) } else { contact.check() }
+}
+
+/// `E* = G/(1 − ν)`
+fn plane_strain_modulus<F: Float>(shear_modulus: F, poisson_ratio: F) -> Result<F, Error> {
+    check_modulus(shear_modulus)?;
+    check_poisson_ratio(poisson_ratio)?;
+    Ok(shear_modulus / (F::one() - poisson_ratio))
+}
+
+/// The form of the ellipse, which depends on the radii only.
+#[derive(Clone, Copy)]
+struct Form<F> {
+    /// The smaller of `A = (1/Rx⁺ + 1/Rx⁻)/2` and `B = (1/Ry⁺ + 1/Ry⁻)/2` \[1/m\].
+    small: F,
+    /// The larger \[1/m\].
+    large: F,
+    /// Whether the ellipse is longer along `x`.
+    along: bool,
+    /// `g = s/l`
+    axis_ratio: F,
+    integrals: Integrals<F>,
+    /// `√(BD/(AB))` \[m\], of the integrals `B`, `D` over the curvatures: what `√(AB) = (p₀/E*)(s/(l² e²)) √{[(l/s)² E − K][K − E]}`
+    /// is in them, `l E*/p₀`.
+    scale: F,
+}
+
+impl<F: Float> Form<F> {
+    fn new(radii: &Radii<F>) -> Result<Self, Error> {
+        // A = (1/Rx⁺ + 1/Rx⁻)/2,  B = (1/Ry⁺ + 1/Ry⁻)/2
+        let half_curvature = |lower: F, upper: F| (F::one() / lower + F::one() / upper).times(0.5);
+        let curvature_x = half_curvature(radii.lower_x, radii.upper_x);
+        let curvature_y = half_curvature(radii.lower_y, radii.upper_y);
+        let usable = |curvature: F| curvature.is_finite_number() && curvature > F::zero();
+        if !usable(curvature_x) || !usable(curvature_y) {
+            return Err(Error::Curvature);
+        }
+        let (small, large) = (curvature_x.min(curvature_y), curvature_x.max(curvature_y));
+        // B/A = [(l/s)² E − K]/[K − E], which in the integrals of `elliptic` is A/B = g² D/B.
+        let axis_ratio = axis_ratio(small / large);
+        if axis_ratio <= F::zero() {
+            return Err(Error::Overflow);
+        }
+        let integrals = Integrals::at(axis_ratio);
+        let scale = (integrals.b * integrals.d).sqrt() / (small.sqrt() * large.sqrt());
+        // The larger curvature belongs to the shorter semi-axis (2.4).
+        let along = curvature_x < curvature_y;
+        Ok(Self { small, large, along, axis_ratio, integrals, scale })
+    }
+
+    /// Hertz's solution for a load that is not negative and `E*`.
+    fn under(&self, normal_force: F, modulus: F) -> Result<HertzContact<F>, Error> {
+        let Self { small, large, axis_ratio, integrals, scale, .. } = *self;
+        // l³ = (3N/(2π g E*)) √(BD/(AB))
+        let major = normal_force.cube_root()
+            * (F::constant(1.5 / core::f64::consts::PI) / axis_ratio).cube_root()
+            * (scale / modulus).cube_root();
+        let minor = axis_ratio * major;
+        // p₀ = 3N/(2π a b), written as the curvature that it flattens so that N = 0 is no 0/0:
+        // p₀ = E* l √(AB)/√(BD)
+        let peak_pressure = modulus * (major / scale);
+        // δ = (p₀/E*) s K
+        let approach = (major / scale) * minor * integrals.k();
+        let [a, b] = self.axes(major);
+        // 1/ρ = (1/Rx⁺ + 1/Rx⁻ + 1/Ry⁺ + 1/Ry⁻)/4   (2.3)
+        let rho = F::constant(2.0) / (small + large);
+        // cos τ = (ρ/4) |(1/Rx⁺ + 1/Rx⁻) − (1/Ry⁺ + 1/Ry⁻)|   (2.5), as tan(τ/2) = √(A/B)
+        let hertz_angle = (small / large).sqrt().atan().times(2.0);
+        let results = [major, minor, peak_pressure, approach, rho];
+        if !results.iter().all(|result| result.is_finite_number()) {
+            return Err(Error::Overflow);
+        }
+        Ok(HertzContact { a, b, peak_pressure, approach, axis_ratio, hertz_angle, rho })
+    }
+
+    /// Whether the contact and the radii are plausible.
+    fn notice(&self, contact: &Contact<F>) -> Notice {
+        let flat = self.large < F::constant(SMALLEST_CURVATURE);
+        if flat { Notice::Radius } else { contact.plausibility() }
+    }
+
+    /// `a`, `b` for the major semi-axis.
+    fn axes(&self, major: F) -> [F; 2] {
+        let minor = self.axis_ratio * major;
+        if self.along { [major, minor] } else { [minor, major] }
+    }
+}
+
+/// Newton steps at most; five reach rounding from the starting value for any axis ratio.
+const NEWTON_STEPS: usize = 12;
 
 /// The axis ratio `g` for a ratio of curvatures `A/B = g² D(g)/B(g)`, both in `(0, 1]`.
 fn axis_ratio<F: Float>(ratio: F) -> F {

@@ -5,6 +5,10 @@ pub(crate) mod elliptic;
 pub mod forces;
 pub mod hertz;
 pub mod material;
+mod plausibility;
+
+pub use self::hertz::{from_approach, from_hertz};
+pub use self::plausibility::warning;
 
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::{Float, Plain};
@@ -103,6 +107,13 @@ impl<F: Plain> Contact<F> {
             & friction.lies_within(F::LARGEST)
             & (a / b + b / a).lies_within(F::HUGE)
             & (self.friction_bound() + peak + friction * peak).lies_within(F::LARGEST)
+    }
+
+    /// Whether there is no contact: `N ≤ 0`. Nothing else of it counts then, as long as it is finite.
+    #[must_use]
+    #[inline]
+    pub fn is_lost(&self) -> bool {
+        !self.normal_force.exceeds(F::zero())
     }
 
     /// `μ N` \[N\]: no tangential force exceeds it.

@@ -6,6 +6,7 @@ mod random;
 mod theory;
 
 mod brute_force;
+mod contact_of_bodies;
 mod continuity;
 mod convergence;
 mod creepage;
@@ -13,4 +14,5 @@ mod hertz;
 mod limits;
 mod materials;
 mod paper;
+mod plausibility;
 mod strip;

@@ -1,0 +1,92 @@
+//! Numbers that no contact of two bodies has: mostly a wrong unit.
+//!
+//! A valid result comes with a notice that names the quantity. What is looked at, and what it finds:
+//!
+//! | quantity | implausible | typical cause | ordinary contacts |
+//! |---|---|---|---|
+//! | pressure | `p₀ > 0.1 G` | `G` in MPa or GPa | a wheel on a rail 0.02 to 0.04, the hardest bearings 0.06 |
+//! | creepage | `\|υx\|` or `\|υy\| > 10` | per cent | a locked wheel has 1 |
+//! | semi-axis | `a` or `b > 1 m` | mm | 0.1 mm to 30 mm |
+//! | spin | `\|φ\| √(ab) > 0.05` and `\|φ\| a > 5 p₀/G` | degrees per metre | see below |
+//! | friction | `μ > 5` | per cent | up to 2 |
+//! | radius | both summed curvatures below 0.2/m | mm | a wheel has 2/m, the roll of a mill 1/m |
+//!
+//! **Spin.** A body of radius `R` that rolls with the contact inclined by `γ` to its axis spins with `φ = tan γ/R`, and Hertz has
+//! `a/R = (π/2)(1 − ν) p₀/G` (a circle). So `φ a G/p₀` is about `tan γ`: 3 on a wheel flange of 70 degrees, 1 in a ball bearing,
+//! and 57 times as much in degrees per metre, found from `γ = 5°` on. Where the ellipse does not follow the load, little load
+//! raises that quotient; then `|φ| √(ab)` tells, the slip by spin at the edge of the contact over rolling speed: 0.01 on the
+//! flange, 0.05 to 0.1 in a ball bearing.
+//!
+//! A creepage of 0.1 to 10 is sliding as a ratio, whether or not it was meant as per cent; creep curves in per
+//! cent are found at their end. A spin of a tread contact, 0.1 rad/m, is in degrees that of a flange.
+
+use crate::contact::Contact;
+use crate::contact::creepage::Creepage;
+use crate::number::Float;
+use crate::status::Notice;
+use core::f64::consts::PI;
+
+/// `p₀/G` at most.
+const LARGEST_PRESSURE: f64 = 0.1;
+/// `|υ|` at most.
+const LARGEST_CREEPAGE: f64 = 10.0;
+/// `a`, `b` at most \[m\].
+const LARGEST_SEMI_AXIS: f64 = 1.0;
+/// `μ` at most.
+const LARGEST_FRICTION: f64 = 5.0;
+/// `|φ| √(ab)` that more than rolling may be behind.
+const EDGE_SLIP: f64 = 0.05;
+/// `|φ| a G/p₀` beyond which it is.
+const LARGEST_INCLINATION: f64 = 5.0;
+/// The larger summed curvature at least, halved \[1/m\].
+pub(super) const SMALLEST_CURVATURE: f64 = 0.1;
+
+/// What is implausible about a contact and its creepage, if anything: the contact first. Nothing about a lost contact.
+#[must_use]
+pub fn warning<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>) -> Notice {
+    let of_contact = contact.plausibility();
+    if of_contact != Notice::None || contact.is_lost() {
+        return of_contact;
+    }
+    let Creepage { longitudinal, lateral, spin } = *creepage;
+    let Contact { a, b, normal_force, .. } = *contact;
+    let largest = F::constant(LARGEST_CREEPAGE);
+    if longitudinal.abs() > largest || lateral.abs() > largest {
+        return Notice::Creepage;
+    }
+    // φ √(ab) > 0.05, squared;  φ a > 5 p₀/G with p₀ = 3N/(2π a b)
+    let size = spin.abs() * a;
+    let at_the_edge = size * (spin.abs() * b);
+    if at_the_edge > F::constant(EDGE_SLIP * EDGE_SLIP)
+        && size * contact.stiffness() > normal_force.times(LARGEST_INCLINATION * 1.5 / PI)
+    {
+        return Notice::Spin;
+    }
+    Notice::None
+}
+
+impl<F: Float> Contact<F> {
+    /// What is implausible about the contact alone, if anything; nothing about a lost contact.
+    #[must_use]
+    pub fn plausibility(&self) -> Notice {
+        let Self { a, b, normal_force, friction, .. } = *self;
+        // p₀ = 3N/(2π a b) > 0.1 G
+        let pressed = self.stiffness().times(LARGEST_PRESSURE);
+        if self.is_lost() {
+            Notice::None
+        } else if a.max(b) > F::constant(LARGEST_SEMI_AXIS) {
+            Notice::SemiAxis
+        } else if normal_force.times(1.5 / PI) > pressed {
+            Notice::Pressure
+        } else if friction > F::constant(LARGEST_FRICTION) {
+            Notice::Friction
+        } else {
+            Notice::None
+        }
+    }
+
+    /// `G a b` \[N\]
+    fn stiffness(&self) -> F {
+        (self.shear_modulus * self.a) * self.b
+    }
+}

@@ -1,0 +1,157 @@
+//! Contacts from two bodies: from the load, from the approach, and lost ones.
+
+use kstrip::contact::hertz::{Radii, hertz};
+use kstrip::contact::material::CombinedMaterial;
+use kstrip::contact::{Contact, from_approach, from_hertz};
+use kstrip::status::{Error, Notice};
+
+const FLAT: f64 = f64::INFINITY;
+const STEEL: CombinedMaterial<f64> =
+    CombinedMaterial { shear_modulus: 82e9, poisson_ratio: 0.28, mismatch: 0.0 };
+const WHEEL: Radii<f64> = Radii { lower_x: FLAT, lower_y: 0.3, upper_x: 0.46, upper_y: FLAT };
+
+/// A body of radii 1 m and `ratio` on a plane, either way round.
+fn body(ratio: f64) -> [Radii<f64>; 2] {
+    let along = Radii { lower_x: FLAT, lower_y: FLAT, upper_x: ratio, upper_y: 1.0 };
+    [along, Radii { upper_x: 1.0, upper_y: ratio, ..along }]
+}
+
+#[test]
+fn a_contact_of_a_load_is_that_of_hertz() {
+    for load in [1e-300, 1e-3, 1.0, 80e3, 1e7] {
+        let (contact, ellipse, notice) = from_hertz(&WHEEL, &STEEL, load, 0.3).unwrap();
+        assert_eq!(Ok(ellipse), hertz(&WHEEL, load, 82e9, 0.28));
+        let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction } = contact;
+        assert_eq!((a, b, normal_force), (ellipse.a, ellipse.b, load));
+        assert_eq!((shear_modulus, poisson_ratio, friction), (82e9, 0.28, 0.3));
+        let crushed = ellipse.peak_pressure > 8.2e9;
+        assert_eq!(notice, if crushed { Notice::Pressure } else { Notice::None }, "{load}");
+        contact.check().unwrap();
+    }
+}
+
+/// Load to approach and back, for axis ratios from needles to the circle and any size of load: to a few roundings, and the
+/// stiffness is 3N/(2δ).
+#[test]
+fn the_approach_gives_the_load_back() {
+    let mut slenderest = 1.0_f64;
+    for ratio in [1.0, 1.0 + 1e-15, 1.0 + 1e-9, 1.001, 1.5, 3.0, 40.0, 1e3, 1e5, 1e7, 1e9] {
+        for radii in body(ratio) {
+            for load in [1e-250, 1e-9, 1.0, 80e3, 1e12] {
+                let (contact, ellipse, _) = from_hertz(&radii, &STEEL, load, 0.3).unwrap();
+                let (back, stiffness, _) =
+                    from_approach(&radii, &STEEL, ellipse.approach, 0.3).unwrap();
+                slenderest = slenderest.min(ellipse.axis_ratio);
+                for (got, expected) in [
+                    (back.a, contact.a),
+                    (back.b, contact.b),
+                    (back.normal_force, contact.normal_force),
+                    (stiffness * ellipse.approach, 1.5 * load),
+                ] {
+                    let error = (got / expected - 1.0).abs();
+                    assert!(error <= 4e-15, "{ratio:e} {load:e}: {got:e} {expected:e} {error:e}");
+                }
+            }
+        }
+    }
+    assert!(slenderest < 1e-4);
+}
+
+/// The stiffness is the derivative of the load: five-point differences.
+#[test]
+fn the_stiffness_is_the_slope_of_the_load() {
+    for ratio in [1.0, 2.0, 300.0] {
+        for radii in body(ratio) {
+            let load = |d: f64| from_approach(&radii, &STEEL, d, 0.3).unwrap().0.normal_force;
+            for approach in [1e-9, 1e-6, 1e-4] {
+                let h = 1e-3 * approach;
+                let slope = (8.0 * (load(approach + h) - load(approach - h))
+                    - (load(approach + 2.0 * h) - load(approach - 2.0 * h)))
+                    / (12.0 * h);
+                let (_, stiffness, _) = from_approach(&radii, &STEEL, approach, 0.3).unwrap();
+                assert!((slope / stiffness - 1.0).abs() < 1e-11, "{ratio} {approach:e}");
+            }
+        }
+    }
+}
+
+/// A sphere on a plane: N = (4/3) E* √R δ^{3/2}, a² = R δ, dN/dδ = 2 E* a.
+#[test]
+fn a_sphere_has_its_textbook_stiffness() {
+    let modulus = 82e9 / 0.72;
+    for (radius, approach) in [(1.0_f64, 1e-5_f64), (6e-3, 1e-7), (0.46, 1e-4)] {
+        let radii = Radii { lower_x: FLAT, lower_y: FLAT, upper_x: radius, upper_y: radius };
+        let (contact, stiffness, _) = from_approach(&radii, &STEEL, approach, 0.3).unwrap();
+        let a = (radius * approach).sqrt();
+        let load = 4.0 / 3.0 * modulus * a * approach;
+        for (got, expected) in [
+            (contact.a, a),
+            (contact.b, a),
+            (contact.normal_force, load),
+            (stiffness, 2.0 * modulus * a),
+        ] {
+            assert!((got / expected - 1.0).abs() < 2e-15, "{got} {expected}");
+        }
+    }
+}
+
+/// Bodies that part: no ellipse, no load, no stiffness; and contact begins without a jump.
+#[test]
+fn without_load_or_approach_contact_is_lost() {
+    for nothing in [0.0, -0.0, -1e-300, -1e-12, -80e3, f64::MIN] {
+        let (contact, ellipse, notice) = from_hertz(&WHEEL, &STEEL, nothing, 0.3).unwrap();
+        let (apart, stiffness, notice_apart) = from_approach(&WHEEL, &STEEL, nothing, 0.3).unwrap();
+        assert_eq!((ellipse.a, ellipse.peak_pressure, ellipse.approach), (0.0, 0.0, 0.0));
+        assert_eq!((stiffness, notice, notice_apart), (0.0, Notice::None, Notice::None));
+        for contact in [contact, apart] {
+            let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction } = contact;
+            assert_eq!([a, b, normal_force], [0.0; 3]);
+            assert!(a.is_sign_positive() && normal_force.is_sign_positive());
+            assert_eq!((shear_modulus, poisson_ratio, friction), (82e9, 0.28, 0.3));
+            assert!(contact.is_lost());
+        }
+    }
+    let (touching, stiffness, _) = from_approach(&WHEEL, &STEEL, 1e-30, 0.3).unwrap();
+    assert!(!touching.is_lost() && touching.normal_force < 1e-30 && stiffness < 1e-3);
+    // one that has parted is lost whatever else it says; NaN is no load
+    assert!(Contact { normal_force: -1.0, ..touching }.is_lost());
+}
+
+#[test]
+fn wrong_numbers_of_bodies_are_named() {
+    let steel = STEEL;
+    for (x, friction, pair, error) in [
+        (f64::NAN, 0.3, steel, Error::NotFinite),
+        (FLAT, 0.3, steel, Error::NotFinite),
+        (-FLAT, 0.3, steel, Error::NotFinite),
+        (1e-5, f64::NAN, steel, Error::NotFinite),
+        (1e-5, -0.1, steel, Error::Friction),
+        (-1.0, -0.1, steel, Error::Friction),
+        (-1.0, f64::NAN, steel, Error::NotFinite),
+        (1e-5, 0.3, CombinedMaterial { shear_modulus: 0.0, ..steel }, Error::Modulus),
+        (1e-5, 0.3, CombinedMaterial { poisson_ratio: 0.7, ..steel }, Error::PoissonRatio),
+        (f64::MAX, 0.3, CombinedMaterial { shear_modulus: 1e300, ..steel }, Error::Overflow),
+    ] {
+        assert_eq!(from_approach(&WHEEL, &pair, x, friction).err(), Some(error), "{x} {friction}");
+        if error != Error::Overflow {
+            assert_eq!(from_hertz(&WHEEL, &pair, x, friction).err(), Some(error));
+        }
+    }
+    let flat = Radii { upper_x: FLAT, ..WHEEL };
+    assert_eq!(from_approach(&flat, &steel, 1e-5, 0.3).err(), Some(Error::Curvature));
+    assert_eq!(from_approach(&flat, &steel, -1e-5, 0.3).err(), Some(Error::Curvature));
+}
+
+/// Single precision follows to its rounding.
+#[test]
+fn single_precision_follows() {
+    let flat = f32::INFINITY;
+    let radii = Radii { lower_x: flat, lower_y: 0.3_f32, upper_x: 0.46, upper_y: flat };
+    let pair = CombinedMaterial { shear_modulus: 82e9_f32, poisson_ratio: 0.28, mismatch: 0.0 };
+    for load in [1e-20_f32, 1.0, 80e3] {
+        let (_, ellipse, _) = from_hertz(&radii, &pair, load, 0.3).unwrap();
+        let (back, stiffness, _) = from_approach(&radii, &pair, ellipse.approach, 0.3).unwrap();
+        assert!((back.normal_force / load - 1.0).abs() < 2e-6);
+        assert!((stiffness * ellipse.approach / (1.5 * load) - 1.0).abs() < 2e-6);
+    }
+}

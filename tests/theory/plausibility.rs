@@ -1,0 +1,326 @@
+//! Wrong units are named, ordinary contacts are not.
+
+use kstrip::contact::creepage::Creepage;
+use kstrip::contact::hertz::Radii;
+use kstrip::contact::material::CombinedMaterial;
+use kstrip::contact::{Contact, from_approach, from_hertz, warning};
+use kstrip::status::{Notice, advice};
+
+const FLAT: f64 = f64::INFINITY;
+const DEGREES: f64 = 180.0 / std::f64::consts::PI;
+
+fn pair(shear_modulus: f64) -> CombinedMaterial<f64> {
+    CombinedMaterial { shear_modulus, poisson_ratio: 0.28, mismatch: 0.0 }
+}
+
+/// Two bodies, a load, friction, and a spin \[1/m\] that belongs to them.
+struct Case {
+    what: &'static str,
+    radii: [f64; 4],
+    shear_modulus: f64,
+    load: f64,
+    friction: f64,
+    spin: f64,
+}
+
+/// What rolls: sizes, loads and spins as they are published or follow from the geometry (spin sin γ/r of a wheel whose
+/// contact is inclined by γ; in a bearing about one over the radius of the ball).
+const ORDINARY: &[Case] = &[
+    Case {
+        what: "freight wheel, tread",
+        radii: [FLAT, 0.3, 0.46, FLAT],
+        shear_modulus: 82e9,
+        load: 125e3,
+        friction: 0.35,
+        spin: 0.054,
+    },
+    Case {
+        what: "worn wheel, conformal",
+        radii: [FLAT, 0.3, 0.46, -0.33],
+        shear_modulus: 82e9,
+        load: 80e3,
+        friction: 0.3,
+        spin: 0.3,
+    },
+    Case {
+        what: "flange of 70 degrees",
+        radii: [FLAT, 0.013, 0.47, -0.02],
+        shear_modulus: 82e9,
+        load: 60e3,
+        friction: 0.4,
+        spin: 2.0,
+    },
+    Case {
+        what: "flange of 75 degrees, light",
+        radii: [FLAT, 0.013, 0.33, FLAT],
+        shear_modulus: 82e9,
+        load: 5e3,
+        friction: 0.1,
+        spin: 2.93,
+    },
+    Case {
+        what: "tram wheel",
+        radii: [FLAT, 0.08, 0.3, FLAT],
+        shear_modulus: 82e9,
+        load: 30e3,
+        friction: 0.5,
+        spin: 0.4,
+    },
+    Case {
+        what: "model railway",
+        radii: [FLAT, 0.001, 0.005, FLAT],
+        shear_modulus: 60e9,
+        load: 0.5,
+        friction: 0.2,
+        spin: 10.0,
+    },
+    Case {
+        what: "crane wheel",
+        radii: [FLAT, 0.4, 0.5, FLAT],
+        shear_modulus: 80e9,
+        load: 400e3,
+        friction: 0.2,
+        spin: 0.1,
+    },
+    Case {
+        what: "twin disc",
+        radii: [0.0235, FLAT, 0.0235, 0.2],
+        shear_modulus: 82e9,
+        load: 7e3,
+        friction: 0.6,
+        spin: 0.0,
+    },
+    Case {
+        what: "scaled roller rig",
+        radii: [0.2, 0.06, 0.1, FLAT],
+        shear_modulus: 82e9,
+        load: 800.0,
+        friction: 0.3,
+        spin: 1.5,
+    },
+    Case {
+        what: "angular contact ball bearing",
+        radii: [-0.0371, -0.00655, 0.00635, 0.00635],
+        shear_modulus: 80e9,
+        load: 400.0,
+        friction: 0.08,
+        spin: 90.0,
+    },
+    Case {
+        what: "the same at its limit",
+        radii: [0.025, -0.0066, 0.00635, 0.00635],
+        shear_modulus: 80e9,
+        load: 5e3,
+        friction: 0.1,
+        spin: 157.0,
+    },
+    Case {
+        what: "miniature ball bearing",
+        radii: [0.002, -0.0006, 0.0005, 0.0005],
+        shear_modulus: 80e9,
+        load: 2.0,
+        friction: 0.1,
+        spin: 1900.0,
+    },
+    Case {
+        what: "cylindrical roller, crowned",
+        radii: [0.05, FLAT, 0.01, 20.0],
+        shear_modulus: 80e9,
+        load: 5e3,
+        friction: 0.05,
+        spin: 2.0,
+    },
+    Case {
+        what: "tapered roller",
+        radii: [0.06, 30.0, 0.012, 10.0],
+        shear_modulus: 80e9,
+        load: 10e3,
+        friction: 0.05,
+        spin: 20.0,
+    },
+    Case {
+        what: "ball on disc rig",
+        radii: [FLAT, FLAT, 0.0095, 0.0095],
+        shear_modulus: 80e9,
+        load: 50.0,
+        friction: 0.1,
+        spin: 25.0,
+    },
+    Case {
+        what: "toroidal drive",
+        radii: [-0.05, 0.045, 0.04, 0.03],
+        shear_modulus: 80e9,
+        load: 20e3,
+        friction: 0.09,
+        spin: 12.0,
+    },
+    Case {
+        what: "polyurethane roller",
+        radii: [FLAT, FLAT, 0.1, 1.0],
+        shear_modulus: 30e6,
+        load: 500.0,
+        friction: 1.0,
+        spin: 0.2,
+    },
+    Case {
+        what: "rubber ball",
+        radii: [FLAT, FLAT, 0.03, 0.03],
+        shear_modulus: 1e6,
+        load: 0.3,
+        friction: 1.5,
+        spin: 5.0,
+    },
+    Case {
+        what: "kiln tyre",
+        radii: [2.5, FLAT, 0.7, 50.0],
+        shear_modulus: 80e9,
+        load: 2e6,
+        friction: 0.2,
+        spin: 0.01,
+    },
+    Case {
+        what: "glass on glass",
+        radii: [FLAT, FLAT, 0.01, 0.02],
+        shear_modulus: 29e9,
+        load: 5.0,
+        friction: 0.9,
+        spin: 10.0,
+    },
+];
+
+fn bodies(case: &Case, unit: f64) -> Radii<f64> {
+    let [lower_x, lower_y, upper_x, upper_y] = case.radii.map(|radius| unit * radius);
+    Radii { lower_x, lower_y, upper_x, upper_y }
+}
+
+fn contact(case: &Case) -> Contact<f64> {
+    let (contact, ellipse, notice) =
+        from_hertz(&bodies(case, 1.0), &pair(case.shear_modulus), case.load, case.friction)
+            .unwrap();
+    assert_eq!(notice, Notice::None, "{}: {ellipse:?}", case.what);
+    let (_, _, notice) =
+        from_approach(&bodies(case, 1.0), &pair(case.shear_modulus), ellipse.approach, 0.3)
+            .unwrap();
+    assert_eq!(notice, Notice::None, "{}", case.what);
+    contact
+}
+
+const fn creepage(longitudinal: f64, lateral: f64, spin: f64) -> Creepage<f64> {
+    Creepage { longitudinal, lateral, spin }
+}
+
+/// From a thousandth of the load to twice it with Hertz's ellipse, of wheels also with that of the full load, from rest to a locked
+/// wheel and to one that turns six times too fast.
+#[test]
+fn ordinary_contacts_are_not_warned_of() {
+    for case in ORDINARY {
+        let full = contact(case);
+        for share in [1e-3, 0.1, 1.0, 2.0] {
+            let load = share * case.load;
+            let hertz =
+                from_hertz(&bodies(case, 1.0), &pair(case.shear_modulus), load, case.friction);
+            let constant = Contact { normal_force: load, ..full };
+            let wheel = case.spin < 3.0 || share >= 0.5;
+            for contact in [hertz.unwrap().0, if wheel { constant } else { full }] {
+                for [x, y] in [[0.0, 0.0], [1e-3, 2e-3], [-1.0, 0.0], [5.0, 1.0]] {
+                    for spin in [0.0, case.spin, -case.spin] {
+                        let said = warning(&contact, &creepage(x, y, spin));
+                        assert_eq!(said, Notice::None, "{} {share} {x} {spin}", case.what);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Every one of them in a wrong unit, by the notice that names the quantity.
+#[test]
+fn wrong_units_are_named() {
+    for case in ORDINARY {
+        let right = contact(case);
+        let slips = creepage(1e-3, 1e-3, case.spin);
+        let said = |contact: Contact<f64>| warning(&contact, &slips);
+        // GPa and MPa for Pa
+        for unit in [1e-9, 1e-6] {
+            let soft = Contact { shear_modulus: right.shear_modulus * unit, ..right };
+            assert_eq!(said(soft), Notice::Pressure, "{}", case.what);
+        }
+        // mm for m, where the contact is longer than 1 mm (a contact of 0.1 mm is then one of 10 cm)
+        let long = Contact { a: 1e3 * right.a, b: 1e3 * right.b, ..right };
+        if right.a.max(right.b) > 1e-3 {
+            assert_eq!(said(long), Notice::SemiAxis, "{}", case.what);
+        }
+        // radii in mm, where the smallest is longer than 5 mm
+        let (_, _, notice) =
+            from_hertz(&bodies(case, 1e3), &pair(case.shear_modulus), case.load, 0.3).unwrap();
+        let roundest = case.radii.map(f64::abs).into_iter().fold(FLAT, f64::min);
+        if roundest > 0.012 {
+            assert_eq!(notice, Notice::Radius, "{}", case.what);
+        }
+        // friction in per cent
+        let rough = Contact { friction: 100.0 * case.friction, ..right };
+        assert_eq!(said(rough), if case.friction > 0.05 { Notice::Friction } else { Notice::None });
+        // a creep curve to 20 %, in per cent
+        for motion in [creepage(20.0, 0.0, 0.0), creepage(0.0, -20.0, case.spin)] {
+            assert_eq!(warning(&right, &motion), Notice::Creepage, "{}", case.what);
+        }
+    }
+}
+
+/// Degrees per metre for radians per metre: every contact that is inclined to its axis by 10 degrees or more, of a wheel and of a
+/// bearing; a tread contact in degrees is a flange contact in radians.
+#[test]
+fn degrees_are_named() {
+    let mut found = 0;
+    for case in ORDINARY.iter().filter(|case| case.spin > 0.0) {
+        let contact = contact(case);
+        let radius = case.radii[2];
+        // tan γ at least of the spin
+        if case.spin * radius < 0.17 || (contact.a * contact.b).sqrt() * case.spin < 1.2e-3 {
+            continue;
+        }
+        found += 1;
+        let degrees = creepage(1e-3, 0.0, DEGREES * case.spin);
+        assert_eq!(warning(&contact, &degrees), Notice::Spin, "{}", case.what);
+    }
+    assert!(found >= 8, "{found}");
+}
+
+/// A wheel that rolls with its contact inclined by γ, from tread to flange: radians never, degrees from 5 degrees on.
+#[test]
+fn a_wheel_is_told_from_tread_to_flange() {
+    let wheel = Radii { lower_x: FLAT, lower_y: 0.3, upper_x: 0.46, upper_y: FLAT };
+    let (contact, _, _) = from_hertz(&wheel, &pair(82e9), 80e3, 0.3).unwrap();
+    for degrees in 0..=75 {
+        let spin = f64::from(degrees).to_radians().tan() / 0.46;
+        let said = |unit: f64| warning(&contact, &creepage(0.0, 0.0, unit * spin));
+        assert_eq!(said(1.0), Notice::None);
+        assert_eq!(said(DEGREES) == Notice::Spin, degrees >= 5, "{degrees}");
+    }
+}
+
+/// The first cause is named: of a contact in millimetres the semi-axis, not the spin or the pressure that follow from it.
+#[test]
+fn the_cause_is_named_and_not_what_follows() {
+    let contact = contact(&ORDINARY[0]);
+    let spins = creepage(0.0, 0.0, 0.5);
+    let millimetres = Contact { a: 6.0, b: 4.0, ..contact };
+    assert_eq!(warning(&millimetres, &spins), Notice::SemiAxis);
+    assert_eq!(warning(&millimetres, &creepage(20.0, 0.0, 0.5)), Notice::SemiAxis);
+    let soft = Contact { shear_modulus: 82.0, ..contact };
+    assert_eq!(warning(&soft, &creepage(20.0, 0.0, 500.0)), Notice::Pressure);
+    // a lost contact has no pressure, and nothing slips in it
+    let lost = Contact { normal_force: -1.0, shear_modulus: 82.0, ..contact };
+    assert_eq!(warning(&lost, &creepage(20.0, 0.0, 500.0)), Notice::None);
+    for (notice, name) in [
+        (Notice::Pressure, "pressure"),
+        (Notice::Creepage, "creepage"),
+        (Notice::SemiAxis, "semi-axis"),
+        (Notice::Spin, "spin"),
+        (Notice::Friction, "friction"),
+        (Notice::Radius, "radii"),
+    ] {
+        let text = advice(notice.code()).unwrap().to_str().unwrap();
+        assert!(text.contains("implausible") && text.contains(name), "{text}");
+    }
+}
