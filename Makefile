@@ -1,18 +1,20 @@
 # Builds and installs the C library with nothing but cargo and a C compiler.
 #
-#     make                              libkstrip.a and libkstrip.so in target/release
-#     make install PREFIX=/usr/local    headers, libraries, kstrip.pc and CMake package
+#     make                              libkstrip.a and libkstrip.so in target/lib
+#     make demo                         the same, and a wheel on a rail
+#     make install PREFIX=/usr/local    headers, libraries, licences, pkg-config files and CMake package
 #     make uninstall PREFIX=/usr/local
 #
-# DESTDIR is put in front of every path for packagers. `cargo cinstall` (cargo-c) is the other way; both
-# give the shared library the same name.
+# DESTDIR is put in front of every path for packagers. What is built is installed without cargo, which need not be in
+# the PATH of who installs. `cargo cinstall` (cargo-c) is the other way; both give the shared library the same name.
 PREFIX ?= /usr/local
 LIBDIR ?= $(PREFIX)/lib
 INCLUDEDIR ?= $(PREFIX)/include
+LICENSEDIR ?= $(PREFIX)/share/licenses/kstrip
 CARGO ?= cargo
 INSTALL ?= install
 CARGO_TARGET_DIR ?= target
-BUILT = $(CARGO_TARGET_DIR)/release
+BUILT = $(CARGO_TARGET_DIR)/lib
 
 VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
 # Version of the binary interface: [package.metadata.capi.library] in Cargo.toml. Its first number, the
@@ -26,12 +28,12 @@ ifeq ($(shell uname -s),Darwin)
 SHARED = libkstrip.dylib
 NAME = libkstrip.$(ABI_MAJOR).dylib
 FULL = libkstrip.$(ABI).dylib
-LINK = -C link-arg=-Wl,-install_name,$(LIBDIR)/$(NAME)
+SET_NAME = install_name_tool -id $(LIBDIR)/$(NAME) $(DESTDIR)$(LIBDIR)/$(FULL)
 else
 SHARED = libkstrip.so
 NAME = libkstrip.so.$(ABI_MAJOR)
 FULL = libkstrip.so.$(ABI)
-LINK = -C link-arg=-Wl,-soname,$(NAME) -C link-arg=-lc
+SET_NAME = :
 endif
 
 CMAKEDIR = $(LIBDIR)/cmake/kstrip
@@ -40,27 +42,37 @@ RELATIVE = $(patsubst $(PREFIX)/%,%,$(1))
 UP = $(shell printf '%s' '$(call RELATIVE,$(1))' | sed 's,[^/][^/]*,..,g')
 FILL = sed -e 's|@VERSION@|$(VERSION)|g' -e 's|@COMPATIBLE@|$(COMPATIBLE)|g' \
 	-e 's|@LIBDIR@|$(call RELATIVE,$(LIBDIR))|g' -e 's|@INCLUDEDIR@|$(call RELATIVE,$(INCLUDEDIR))|g' \
-	-e 's|@SHARED@|$(FULL)|g' -e 's|@SONAME@|$(NAME)|g' \
+	-e 's|@SHARED@|$(FULL)|g' -e 's|@SONAME@|$(NAME)|g' -e 's|@STATIC@|libkstrip.a|g' -e 's|@IMPORT@||g' \
 	-e 's|@UP_PC@|$(call UP,$(LIBDIR)/pkgconfig)|g' -e 's|@UP_CMAKE@|$(call UP,$(CMAKEDIR))|g'
 
-.PHONY: all install uninstall
+.PHONY: all demo install uninstall
 
+# cargo itself knows what is out of date.
 all:
-	$(CARGO) rustc --release --locked --lib --crate-type staticlib,cdylib --features panic-handler \
-		--target-dir $(CARGO_TARGET_DIR) -- $(LINK)
+	CARGO="$(CARGO)" CARGO_TARGET_DIR="$(CARGO_TARGET_DIR)" sh scripts/library.sh
 
-install: all
-	$(INSTALL) -d $(DESTDIR)$(INCLUDEDIR) $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(CMAKEDIR)
+demo: all
+	$(CC) -O2 -Iinclude c_examples/01_wheel_rail.c $(BUILT)/libkstrip.a -lm -o $(CARGO_TARGET_DIR)/wheel_rail
+	$(CARGO_TARGET_DIR)/wheel_rail
+
+$(BUILT)/libkstrip.a: Cargo.toml Cargo.lock $(shell find src -name '*.rs')
+	CARGO="$(CARGO)" CARGO_TARGET_DIR="$(CARGO_TARGET_DIR)" sh scripts/library.sh
+
+install: $(BUILT)/libkstrip.a
+	$(INSTALL) -d $(DESTDIR)$(INCLUDEDIR) $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(CMAKEDIR) $(DESTDIR)$(LICENSEDIR)
 	$(INSTALL) -m 644 include/kstrip.h include/kstrip.hpp $(DESTDIR)$(INCLUDEDIR)
+	$(INSTALL) -m 644 LICENSE-APACHE LICENSE-MIT $(DESTDIR)$(LICENSEDIR)
 	$(INSTALL) -m 644 $(BUILT)/libkstrip.a $(DESTDIR)$(LIBDIR)
-	$(INSTALL) -m 755 $(BUILT)/$(SHARED) $(DESTDIR)$(LIBDIR)/$(FULL)
+	$(INSTALL) -m 755 $(BUILT)/$(FULL) $(DESTDIR)$(LIBDIR)
+	$(SET_NAME)
 	ln -sf $(FULL) $(DESTDIR)$(LIBDIR)/$(NAME)
 	ln -sf $(NAME) $(DESTDIR)$(LIBDIR)/$(SHARED)
 	$(FILL) packaging/kstrip.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/kstrip.pc
+	$(FILL) packaging/kstrip-static.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/kstrip-static.pc
 	$(FILL) packaging/kstrip-config.cmake.in > $(DESTDIR)$(CMAKEDIR)/kstrip-config.cmake
 	$(FILL) packaging/kstrip-config-version.cmake.in > $(DESTDIR)$(CMAKEDIR)/kstrip-config-version.cmake
 
 uninstall:
 	rm -f $(DESTDIR)$(INCLUDEDIR)/kstrip.h $(DESTDIR)$(INCLUDEDIR)/kstrip.hpp
-	rm -f $(addprefix $(DESTDIR)$(LIBDIR)/,libkstrip.a $(FULL) $(NAME) $(SHARED) pkgconfig/kstrip.pc)
-	rm -rf $(DESTDIR)$(CMAKEDIR)
+	rm -f $(addprefix $(DESTDIR)$(LIBDIR)/,libkstrip.a $(FULL) $(NAME) $(SHARED) pkgconfig/kstrip.pc pkgconfig/kstrip-static.pc)
+	rm -rf $(DESTDIR)$(CMAKEDIR) $(DESTDIR)$(LICENSEDIR)

@@ -1,7 +1,7 @@
 /*
  * A railway wheel on a rail: contact patch, forces, and a map of where the wheel sticks and slips.
  *
- *   cc -std=c99 -Iinclude c_examples/01_wheel_rail.c target/release/libkstrip.a -o wheel_rail
+ *   cc -std=c99 -Iinclude c_examples/01_wheel_rail.c target/lib/libkstrip.a -o wheel_rail
  */
 #include "kstrip.h"
 #include <math.h> /* INFINITY */

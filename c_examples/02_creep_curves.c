@@ -1,7 +1,7 @@
 /*
  * Creep curves of every model as CSV on standard output: force over creepage, for a plot.
  *
- *   cc -std=c99 -Iinclude c_examples/02_creep_curves.c target/release/libkstrip.a -o creep_curves
+ *   cc -std=c99 -Iinclude c_examples/02_creep_curves.c target/lib/libkstrip.a -o creep_curves
  *   ./creep_curves > creep_curves.csv
  */
 #include "kstrip.h"

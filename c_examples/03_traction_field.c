@@ -2,7 +2,7 @@
  * Inside the patch: what each strip carries, and the traction at every point. Both must add up to
  * the forces of kstrip_solve().
  *
- *   cc -std=c99 -Iinclude c_examples/03_traction_field.c target/release/libkstrip.a -o field
+ *   cc -std=c99 -Iinclude c_examples/03_traction_field.c target/lib/libkstrip.a -o field
  */
 #include "kstrip.h"
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /*
  * From the velocities of two rigid bodies to the forces on both, as in a multibody program.
  *
- *   cc -std=c99 -Iinclude c_examples/04_own_velocities.c target/release/libkstrip.a -o velocities
+ *   cc -std=c99 -Iinclude c_examples/04_own_velocities.c target/lib/libkstrip.a -o velocities
  */
 #include "kstrip.h"
 #include <stdio.h>

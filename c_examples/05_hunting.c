@@ -1,7 +1,7 @@
 /*
  * Hunting: a single wheelset, suspended in a frame that runs at speed V, moves sideways and yaws. Implicit
  * integrator (trapezoidal rule) with Newton's method and the library's Jacobian; critical speed by bisection.
- *   cc -std=c99 -Iinclude c_examples/05_hunting.c target/release/libkstrip.a -lm -o hunting
+ *   cc -std=c99 -Iinclude c_examples/05_hunting.c target/lib/libkstrip.a -lm -o hunting
  */
 #include "kstrip.h"
 #include <math.h>

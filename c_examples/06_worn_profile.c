@@ -2,7 +2,7 @@
  * A worn wheel on a worn rail touch in two zones: the patch from the distance of the profiles (Kik and
  * Piotrowski), its forces on clean and on half-greasy rails, and maps of traction and of stick and slip.
  *
- *   cc -std=c99 -Iinclude c_examples/06_worn_profile.c target/release/libkstrip.a -lm -o worn
+ *   cc -std=c99 -Iinclude c_examples/06_worn_profile.c target/lib/libkstrip.a -lm -o worn
  */
 #include "kstrip.h"
 #include <math.h>

@@ -1,7 +1,7 @@
 /*
  * Friction that falls with the slip: a traction curve with a maximum, and the stick-slip oscillation of an axle that
  * a shaft drives from a motor at constant speed. Implicit integrator with the library's Jacobian.
- *   cc -std=c99 -Iinclude c_examples/07_falling_friction.c target/release/libkstrip.a -lm -o falling
+ *   cc -std=c99 -Iinclude c_examples/07_falling_friction.c target/lib/libkstrip.a -lm -o falling
  */
 #include "kstrip.h"
 #include <math.h>

@@ -1,7 +1,7 @@
 /*
  * Many contacts over threads, nothing shared: contacts per second, and every bit as kstrip_solve().
  *
- *   cc -std=c99 -O2 -fopenmp -Iinclude c_examples/08_batch_openmp.c target/release/libkstrip.a \
+ *   cc -std=c99 -O2 -fopenmp -Iinclude c_examples/08_batch_openmp.c target/lib/libkstrip.a \
  *      -o batch && ./batch [contacts]
  */
 #include "kstrip.h"

@@ -1,7 +1,7 @@
 /*
  * A map of creepage, spin and shape of the contact over machines: 10^7 cases, one CSV file.
  *
- *   mpicc -std=c99 -O2 -Iinclude c_examples/09_sweep_mpi.c target/release/libkstrip.a -lm -o sweep
+ *   mpicc -std=c99 -O2 -Iinclude c_examples/09_sweep_mpi.c target/lib/libkstrip.a -lm -o sweep
  *   mpirun -n 2 ./sweep map.csv [directions]
  *
  * 10 000 cells, one row each (1.5 MB): shape a/b, spin psi, size of the creepage |(xi, eta)|.

@@ -1,6 +1,6 @@
 // The wheel on a rail of c_examples/01_wheel_rail.c in C++: units in the types, both ways of failing.
 //
-//   c++ -std=c++17 -Iinclude cpp_examples/01_wheel_rail.cpp target/release/libkstrip.a -o wheel_rail
+//   c++ -std=c++17 -Iinclude cpp_examples/01_wheel_rail.cpp target/lib/libkstrip.a -o wheel_rail
 #include "kstrip.hpp"
 
 #include <array>

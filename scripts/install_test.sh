@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs into a temporary prefix and builds and runs separate C and C++ projects against it, by pkg-config and
-# by CMake; compares what the library exports with docs/abi.txt, and what it needs with a few names of libc.
+# by CMake; compares what both libraries export with docs/abi.txt, and what they need with a few names of libc.
+# What could not be tried is a line with SKIPPED.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
@@ -14,7 +15,13 @@ fail() { echo "install test: $*"; exit 1; }
 has make || { echo "SKIPPED: no make, nothing was installed"; exit 0; }
 
 echo "make install"
-make --silent install PREFIX="$prefix" CARGO_TARGET_DIR="$target" CARGO="cargo --quiet"
+export CARGO_TERM_QUIET=true
+make --silent CARGO_TARGET_DIR="$target"
+# As under sudo: who installs has no cargo.
+make --silent install PREFIX="$prefix" CARGO_TARGET_DIR="$target" CARGO=no-cargo-here
+for licence in LICENSE-MIT LICENSE-APACHE; do
+    cmp "$licence" "$prefix/share/licenses/kstrip/$licence" || fail "$licence is not installed"
+done
 # What is installed finds itself wherever it is moved to.
 mv "$prefix" "$work/second"
 prefix=$work/second
@@ -43,13 +50,20 @@ if has nm && [ "$(uname -s)" != Darwin ]; then
         abi=$(sed -n 's/^#define KSTRIP_ABI_VERSION //p' include/kstrip.h)
         [ "$soname" = "libkstrip.so.$abi" ] || fail "SONAME is $soname, the header's ABI version is $abi"
         [ -e "$prefix/lib/$soname" ] || fail "$soname is not installed"
-        strangers=$(LC_ALL=C readelf -sW "$prefix/lib/libkstrip.a" 2>/dev/null |
-            awk '($5 == "GLOBAL" || $5 == "WEAK") && $6 == "DEFAULT" && $7 != "UND" && $8 !~ /^kstrip_/ { print $8 }')
-        [ -z "$strangers" ] || fail "visible in the archive: $strangers"
-        echo "SONAME $soname; everything in the archive that is not kstrip_* is hidden"
+        echo "SONAME $soname"
     else
-        echo "SKIPPED: no readelf, the SONAME and the archive were not looked at"
+        echo "SKIPPED: no readelf, the SONAME was not looked at"
     fi
+    # The archive: everything that a linker can see is the interface; no cbrt, fma or sqrt that is not the platform's.
+    nm "$prefix/lib/libkstrip.a" | awk 'NF == 3 && $2 ~ /^[A-TV-Zuvw]$/ { print $3 }' | sort | diff "$work/committed" - ||
+        fail "the archive does not show what docs/abi.txt lists (< listed, > shown)"
+    for symbol in $(nm "$prefix/lib/libkstrip.a" | awk '$1 == "U" { print $2 }'); do
+        case $symbol in
+            memcpy|memmove|memset|memcmp|bcmp|_GLOBAL_OFFSET_TABLE_) ;;
+            *) fail "the archive needs $symbol" ;;
+        esac
+    done
+    echo "archive: the same symbols and no other"
 else
     echo "SKIPPED: no nm (or macOS), the exported symbols were not compared"
 fi
@@ -74,6 +88,53 @@ fi
 same() { "./$1" | cmp - "$2.expected" || fail "$1 prints something else than the static program"; }
 echo "static archive by path: runs"
 
+# ---- A client that has mathematics of its own ------------------------------------------------
+# Every function that Rust's compiler-builtins would bring along, before -lm: the platform's must be linked.
+cat > math.c <<'C'
+#include <math.h>
+#include <stdio.h>
+#include "kstrip.h"
+
+int main(int count, char **words)
+{
+    const kstrip_radii radii = {INFINITY, 0.30, 0.46, INFINITY};
+    const kstrip_combined_material steel = {82e9, 0.28, 0.0};
+    kstrip_hertz_contact ellipse;
+    const double x = count + 1.0;
+    (void)words;
+    if (kstrip_hertz(&radii, 80e3, &steel, &ellipse) < 0) return 1;
+    printf("%.6e\n", ellipse.a);
+    printf("%.15g %.15g %.15g %.15g %.15g %.15g\n", cbrt(x), fma(x, x, 1.0), fmod(7.5, x), sqrt(x), floor(x / 4), rint(x / 3));
+    printf("%.6g %.6g %.6g %.6g\n", (double)cbrtf((float)x), (double)fmaf((float)x, 2.0f, 1.0f), (double)fmodf(7.5f, (float)x), (double)sqrtf((float)x));
+    return 0;
+}
+C
+sed 's/kstrip_hertz_contact ellipse/kstrip_hertz_contact ellipse = kstrip_hertz_contact()/' math.c > math.cpp
+# keeps_libm PROGRAM: runs, and takes its mathematics from the system's library
+keeps_libm() {
+    "./$1" > "$1.printed" || fail "$1 ends with an error"
+    [ -e math.expected ] || cp "$1.printed" math.expected
+    cmp "$1.printed" math.expected || fail "$1 prints something else"
+    if [ "$(uname -s)" = Linux ] && has nm && [ "${2:-}" != static ]; then
+        nm "$1" > "$1.symbols"
+        for name in cbrt fma fmod sqrt cbrtf fmaf fmodf sqrtf; do
+            grep -qE " U $name(@|$)" "$1.symbols" || fail "$1: $name is not the platform's: $(grep -w "$name" "$1.symbols" || echo gone)"
+        done
+    fi
+}
+archive=$prefix/lib/libkstrip.a
+for compiler in "$cc" "$cxx" gcc g++ clang clang++; do
+    has "$compiler" || { echo "SKIPPED: no $compiler for the client with cbrt, fma, fmod and sqrt"; continue; }
+    source=math.c
+    case $compiler in *++*) source=math.cpp ;; esac
+    "$compiler" -O1 -fno-builtin -I"$prefix/include" $source "$archive" -lm -o math_static || fail "$compiler does not link cbrt, fma, fmod, sqrt before -lm"
+    keeps_libm math_static
+    # The order of another habit
+    "$compiler" -O1 -fno-builtin -I"$prefix/include" $source -lm "$archive" -lm -o math_static
+    keeps_libm math_static
+    echo "$compiler, a client with cbrt, fma, fmod, sqrt: links, keeps its libm"
+done
+
 if has pkg-config; then
     export PKG_CONFIG_PATH=$prefix/lib/pkgconfig
     # shellcheck disable=SC2046
@@ -85,8 +146,23 @@ if has pkg-config; then
         same cpp_pkg cpp
     fi
     version=$(sed -n 's/^version = "\(.*\)"/\1/p' "$root/Cargo.toml" | head -n 1)
-    [ "$(pkg-config --modversion kstrip)" = "$version" ] || fail "kstrip.pc has another version than Cargo.toml"
-    echo "pkg-config: compiles, runs with the shared library"
+    for package in kstrip kstrip-static; do
+        [ "$(pkg-config --modversion $package)" = "$version" ] || fail "$package.pc has another version than Cargo.toml"
+    done
+    # shellcheck disable=SC2046
+    "$cc" -fno-builtin math.c $(pkg-config --cflags --libs kstrip-static) -lm -o math_pkg
+    keeps_libm math_pkg
+    env -u LD_LIBRARY_PATH -u DYLD_LIBRARY_PATH ./math_pkg > /dev/null || fail "pkg-config --libs kstrip-static does not give the archive"
+    echo "pkg-config: kstrip compiles and runs with the shared library, kstrip-static with the archive"
+    # A program without any shared library
+    if echo 'int main(void) { return 0; }' > empty.c && "$cc" -static empty.c -lm -o empty 2> /dev/null; then
+        # shellcheck disable=SC2046
+        "$cc" -static -fno-builtin math.c $(pkg-config --static --cflags --libs kstrip) -lm -o math_whole
+        keeps_libm math_whole static
+        echo "pkg-config --static with cc -static: runs"
+    else
+        echo "SKIPPED: $cc -static does not link here"
+    fi
 else
     echo "SKIPPED: no pkg-config"
 fi
@@ -118,7 +194,8 @@ if has cmake; then
         cmake --install alone --prefix "$work/third" >> alone.log 2>&1 || { cat alone.log; fail "cmake --install"; }
     diff <(cd "$prefix" && find . | sort) <(cd "$work/third" && find . | sort) || fail "cmake --install installs other files"
     echo "cmake --install: the same files as make install"
-    consumer find_package 'find_package(kstrip 0.1 CONFIG REQUIRED)'
+    short=$(sed -n 's/^version = "\([0-9]*\.[0-9]*\).*/\1/p' "$root/Cargo.toml" | head -n 1)
+    consumer find_package "find_package(kstrip $short CONFIG REQUIRED)"
     mkdir other_version
     printf 'cmake_minimum_required(VERSION 3.16)\nproject(consumer C)\nfind_package(kstrip 9.0 CONFIG REQUIRED)\n' > other_version/CMakeLists.txt
     if cmake -S other_version -B other_version/build -DCMAKE_PREFIX_PATH="$prefix" > other_version.log 2>&1; then
@@ -128,6 +205,45 @@ if has cmake; then
     consumer FetchContent "include(FetchContent)
 FetchContent_Declare(kstrip SOURCE_DIR \"$root\")
 FetchContent_MakeAvailable(kstrip)"
+
+    # A project's own static library, which links kstrip, installed and exported; a third project uses it.
+    # exported NAME LINES
+    exported() {
+        mkdir -p "$1/use"
+        cat > "$1/CMakeLists.txt" <<LISTS
+cmake_minimum_required(VERSION 3.16)
+project(vehicle C)
+$2
+add_library(vehicle STATIC vehicle.c)
+target_link_libraries(vehicle PRIVATE kstrip::kstrip)
+install(TARGETS vehicle EXPORT vehicle ARCHIVE DESTINATION lib)
+install(EXPORT vehicle NAMESPACE vehicle:: FILE targets.cmake DESTINATION lib/cmake/vehicle)
+file(WRITE \${CMAKE_BINARY_DIR}/vehicle-config.cmake
+    "include(CMakeFindDependencyMacro)\nfind_dependency(kstrip)\ninclude(\\\${CMAKE_CURRENT_LIST_DIR}/targets.cmake)\n")
+install(FILES \${CMAKE_BINARY_DIR}/vehicle-config.cmake DESTINATION lib/cmake/vehicle)
+LISTS
+        sed 's/int main(int count, char \*\*words)/int vehicle(int count, char **words);\nint vehicle(int count, char **words)/' math.c > "$1/vehicle.c"
+        cat > "$1/use/CMakeLists.txt" <<'LISTS'
+cmake_minimum_required(VERSION 3.16)
+project(use C)
+find_package(vehicle CONFIG REQUIRED)
+add_executable(use use.c)
+set_target_properties(use PROPERTIES INSTALL_RPATH_USE_LINK_PATH ON)
+target_link_libraries(use PRIVATE vehicle::vehicle m)
+LISTS
+        echo 'int vehicle(int, char **); int main(int n, char **w) { return vehicle(n, w); }' > "$1/use/use.c"
+        { cmake -S "$1" -B "$1/build" -DCMAKE_PREFIX_PATH="$3" -DKSTRIP_CARGO_TARGET_DIR="$target" -DCMAKE_C_FLAGS=-fno-builtin &&
+            cmake --build "$1/build" && cmake --install "$1/build" --prefix "$work/$1" &&
+            cmake -S "$1/use" -B "$1/use/build" -DCMAKE_PREFIX_PATH="$work/$1;$3" && cmake --build "$1/use/build"; } > "$1.log" 2>&1 ||
+            { cat "$1.log"; fail "CMake, $1"; }
+        cp "$1/use/build/use" "$1.program"
+        env -u LD_LIBRARY_PATH "./$1.program" | cmp - math.expected || fail "CMake, $1: the program prints something else"
+        echo "CMake, $1: a client's static library is installed, exported and linked"
+    }
+    exported exported_find_package "find_package(kstrip CONFIG REQUIRED)" "$prefix"
+    exported exported_static "set(BUILD_SHARED_LIBS OFF)
+find_package(kstrip CONFIG REQUIRED)" "$prefix"
+    exported exported_add_subdirectory "add_subdirectory(\"$root\" kstrip)" ""
 else
     echo "SKIPPED: no cmake"
 fi

@@ -14,7 +14,7 @@ if "$python" -c 'import numpy, matplotlib' 2>/dev/null; then
     make --silent CARGO_TARGET_DIR="$target"
     suffix=so
     [ "$(uname -s)" = Darwin ] && suffix=dylib
-    KSTRIP_LIBRARY=$target/release/libkstrip.$suffix "$python" bindings/python/tour.py
+    KSTRIP_LIBRARY=$target/lib/libkstrip.$suffix "$python" bindings/python/tour.py
 else
     echo "SKIPPED: docs/tour, because $python has no numpy or no matplotlib"
 fi

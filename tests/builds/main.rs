@@ -9,5 +9,6 @@ mod c_programs;
 mod cpp_programs;
 mod docs;
 mod firmware;
+mod install;
 mod no_alloc;
 mod packaging;

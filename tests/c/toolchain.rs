@@ -1,4 +1,4 @@
-//! Builds the static library once, and compiles and runs C and C++ programs against it.
+//! Builds the C library once, and compiles and runs C and C++ programs against it.
 #![allow(dead_code)]
 
 use std::ffi::OsStr;
@@ -32,33 +32,30 @@ fn report(output: &Output) -> String {
     format!("{}\n{}{}", output.status, text(&output.stdout), text(&output.stderr))
 }
 
-/// `libkstrip.a`, built by the command that the README names, in the target directory of this test.
-pub fn library() -> &'static Path {
-    static LIBRARY: OnceLock<PathBuf> = OnceLock::new();
-    LIBRARY.get_or_init(|| {
+/// `target/lib`, filled by `scripts/library.sh` in the target directory of this test.
+fn libraries() -> &'static Path {
+    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
+    FOLDER.get_or_init(|| {
         let target = scratch().parent().expect("target/tmp is in target");
-        let mut cargo = Command::new(env!("CARGO"));
-        cargo.current_dir(root()).env_remove("CARGO_BUILD_TARGET");
-        cargo.args(["rustc", "--release", "--lib", "--crate-type", "staticlib"]);
-        cargo.args(["--features", "panic-handler", "--target-dir"]).arg(target);
-        output_of(&mut cargo);
-        target.join("release/libkstrip.a")
+        let mut script = Command::new("sh");
+        script.current_dir(root()).arg("scripts/library.sh").env_remove("TARGET");
+        script.env("CARGO", env!("CARGO")).env("CARGO_TARGET_DIR", target);
+        output_of(&mut script);
+        target.join("lib")
     })
 }
 
-/// The shared library, built by `make` in the target directory of this test.
+/// `libkstrip.a` as `make` gives it.
+pub fn library() -> &'static Path {
+    static LIBRARY: OnceLock<PathBuf> = OnceLock::new();
+    LIBRARY.get_or_init(|| libraries().join("libkstrip.a"))
+}
+
+/// The shared library as `make` gives it.
 pub fn shared() -> &'static Path {
     static LIBRARY: OnceLock<PathBuf> = OnceLock::new();
-    LIBRARY.get_or_init(|| {
-        let target = scratch().parent().expect("target/tmp is in target");
-        let mut make = Command::new("make");
-        make.current_dir(root()).env_remove("CARGO_BUILD_TARGET").env_remove("MAKEFLAGS");
-        make.arg(format!("CARGO={}", env!("CARGO")));
-        make.arg(format!("CARGO_TARGET_DIR={}", target.display()));
-        output_of(&mut make);
-        let name = if cfg!(target_os = "macos") { "libkstrip.dylib" } else { "libkstrip.so" };
-        target.join("release").join(name)
-    })
+    let name = if cfg!(target_os = "macos") { "libkstrip.dylib" } else { "libkstrip.so" };
+    LIBRARY.get_or_init(|| libraries().join(name))
 }
 
 /// The Python of `PYTHON`, else `python3`, if it has numpy (and finds the binding and the library);
@@ -69,9 +66,6 @@ pub fn python() -> Result<Command, String> {
     let answer = command.args(["-c", "import numpy"]).output();
     if !answer.is_ok_and(|answer| answer.status.success()) {
         return Err(format!("{} with numpy (PYTHON names another one)", name.to_string_lossy()));
-    }
-    if !Command::new("make").arg("--version").output().is_ok_and(|answer| answer.status.success()) {
-        return Err("make".to_owned());
     }
     let mut command = Command::new(name);
     command.current_dir(root()).env("KSTRIP_LIBRARY", shared());

@@ -39,7 +39,7 @@ def _load():
     places = [
         os.environ.get("KSTRIP_LIBRARY"),
         _here / name,
-        _repository / "target" / "release" / name,
+        _repository / "target" / "lib" / name,
         f"{name}.{constants['KSTRIP_ABI_VERSION']}",
         ctypes.util.find_library("kstrip"),
     ]
