@@ -1,4 +1,4 @@
-//! The library as others get it: installed, by pkg-config, by CMake, for Windows.
+//! The library as others get it: installed, by pkg-config, by CMake, for Windows, as a Python wheel.
 
 use crate::toolchain::{root, say, scratch};
 use std::process::Command;
@@ -41,4 +41,10 @@ fn installed_library_serves_every_client() {
 #[test]
 fn windows_library_serves_a_c_program() {
     run("scripts/windows.sh");
+}
+
+/// `pip install ./bindings/python` and `python -m build`: the package has the library in it and is imported from any folder.
+#[test]
+fn python_wheel_carries_the_library() {
+    run("scripts/wheel_test.sh");
 }

@@ -8,7 +8,7 @@ SI units; forces act on the LOWER body (the rail) and have the sense of the cree
 makes itself when it is imported. Structures are numpy records with the members of their C namesakes; arrays of any shape
 broadcast. Errors raise kstrip.Error; warnings are in the member `status_detail` of a result.
 
-The library is looked for at $KSTRIP_LIBRARY, next to this file, in target/release of the repository, and where the system
+The library is looked for at $KSTRIP_LIBRARY, next to this file, in target/lib of the repository, and where the system
 finds libraries; the header at $KSTRIP_HEADER, next to this file, and in the repository.
 """
 
@@ -35,7 +35,7 @@ def _read_header():
 
 
 def _load():
-    name = "libkstrip.dylib" if sys.platform == "darwin" else "libkstrip.so"
+    name = {"darwin": "libkstrip.dylib", "win32": "kstrip.dll"}.get(sys.platform, "libkstrip.so")
     places = [
         os.environ.get("KSTRIP_LIBRARY"),
         _here / name,
