@@ -192,8 +192,7 @@ impl Report {
         self.line(match counted {
             Ok(version) => format!(
                 "* Instructions: callgrind ({version}) on this very program, mean per call, the loop over the calls \
-                 included (about ten). `scripts/gungraun.sh` counts the C functions through gungraun, which wants a \
-                 program of its own version and stands apart for that."
+                 included (about ten)."
             ),
             Err(why) => format!("* SKIPPED: instructions, {why}."),
         });

@@ -10,13 +10,13 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 file=benches/instructions.txt
-command -v valgrind >/dev/null || { echo "SKIPPED: instruction counts, because there is no valgrind on this machine"; exit 0; }
-if [ "$(uname -m)" != x86_64 ]; then echo "SKIPPED: instruction counts, which are those of x86_64"; exit 0; fi
+command -v valgrind >/dev/null || { echo "SKIPPED: instruction counts, because there is no valgrind on this machine"; exit 77; }
+if [ "$(uname -m)" != x86_64 ]; then echo "SKIPPED: instruction counts, which are those of x86_64"; exit 77; fi
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-cargo rustc --quiet --locked --release --lib --crate-type staticlib --features panic-handler
-cc -std=c99 -O2 -Iinclude benches/instructions.c "${CARGO_TARGET_DIR:-target}/release/libkstrip.a" -lm -o "$scratch/calls"
+CARGO_TERM_QUIET=true sh scripts/library.sh
+cc -std=c99 -O2 -Iinclude benches/instructions.c "${CARGO_TARGET_DIR:-target}/lib/libkstrip.a" -lm -o "$scratch/calls"
 valgrind --quiet --tool=callgrind --callgrind-out-file="$scratch/counts" \
     --zero-before=counted_calls --dump-after=counted_calls "$scratch/calls" > "$scratch/names"
 
@@ -85,7 +85,7 @@ awk -v table="$table" '
 echo "$table"
 
 # What kstrip_evaluate() costs for each kind of motion and each choice of what is wanted.
-cc -std=c99 -O2 -Iinclude benches/wanted.c "${CARGO_TARGET_DIR:-target}/release/libkstrip.a" -lm -o "$scratch/choices"
+cc -std=c99 -O2 -Iinclude benches/wanted.c "${CARGO_TARGET_DIR:-target}/lib/libkstrip.a" -lm -o "$scratch/choices"
 valgrind --quiet --tool=callgrind --callgrind-out-file="$scratch/wanted" \
     --zero-before=counted_calls --dump-after=counted_calls "$scratch/choices" > "$scratch/wanted_names"
 k=0

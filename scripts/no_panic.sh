@@ -12,7 +12,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 target=${CARGO_TARGET_DIR:-target}/no_panic
 cc=${CC:-cc}
-command -v nm >/dev/null || { echo "SKIPPED: no nm on this machine, the no-panic proof needs it"; exit 0; }
+command -v nm >/dev/null || { echo "SKIPPED: the no-panic proof, because there is no nm on this machine"; exit 77; }
 
 # build LEVEL NAME: the archive
 build() {

@@ -194,7 +194,7 @@ fn shell_blocks_run() {
                 .into_iter()
                 .find(|tool| block.code.contains(tool) && !has(tool));
             if block.options == "no-run" {
-                say(&format!("SKIPPED: not run, only parsed: {name}: {}", block.code.trim()));
+                say(&format!("parsed, not run: {name}: {}", block.code.trim()));
             } else if let Some(tool) = missing {
                 say(&format!("SKIPPED: no {tool}: {name}: {}", block.code.trim()));
             } else {

@@ -1,5 +1,6 @@
 //! The library on simulated microcontrollers, and the functions that are made for them.
 
+use crate::toolchain::{say, scratch};
 use kstrip::ffi::double::kstrip_solve;
 use kstrip::ffi::per_model::*;
 use kstrip::ffi::single::kstrip_solve_f32;
@@ -14,19 +15,19 @@ use std::process::Command;
 #[test]
 fn firmware_gives_the_bits_of_this_machine() {
     if cfg!(not(unix)) {
-        println!("SKIPPED: scripts/firmware.sh needs a Unix shell");
+        say("SKIPPED: scripts/firmware.sh needs a Unix shell");
         return;
     }
     let output = Command::new("sh")
         .args(["scripts/firmware.sh", "quick"])
         .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .env("CARGO_TARGET_DIR", concat!(env!("CARGO_TARGET_TMPDIR"), "/firmware"))
+        .env("CARGO_TARGET_DIR", scratch().parent().expect("target/tmp is in target"))
         .env_remove("CARGO_BUILD_TARGET")
         .output();
     let output = match output {
         Ok(output) => output,
         Err(error) => {
-            println!("SKIPPED: no shell to run scripts/firmware.sh: {error}");
+            say(&format!("SKIPPED: no shell to run scripts/firmware.sh: {error}"));
             return;
         }
     };
@@ -34,8 +35,7 @@ fn firmware_gives_the_bits_of_this_machine() {
     // Seen without --nocapture too
     let said = if output.status.code() == Some(77) { text.lines().last() } else { None };
     if let Some(reason) = said {
-        use std::io::Write;
-        let _ = writeln!(std::io::stderr(), "firmware: {reason}");
+        say(&format!("firmware: {reason}"));
         assert!(reason.starts_with("SKIPPED: "), "{text}");
         return;
     }
