@@ -25,14 +25,17 @@
  *
  * - Every function returns a kstrip_status: 0 is success, > 0 a warning with valid outputs, < 0 an
  *   error with outputs untouched. kstrip_status_string() says what to change.
+ * - Zero is the default: kstrip_options o = {0}, a NULL for it, and a member that is zero mean the recommended choice.
+ * - A lost contact is an ordinary input: normal_force <= 0 (a and b may be 0 with it) gives zero forces and
+ *   derivatives, adhesion 0 and KSTRIP_OK, in every function that solves. NaN is an error.
  * - NULL, NaN, infinities and any other numbers are safe inputs. Pointers must be NULL or valid and
  *   aligned; arrays must have as many elements as their count says. Outputs must not overlap inputs.
- * - No function allocates, blocks, keeps state, or calls back: all may be used from any thread and
- *   from interrupt handlers. Stack use: docs/embedded.md.
- * - Functions and types with the suffix _f32 are the same in single precision.
+ * - An output that is NULL where that is allowed is not computed and costs nothing.
+ * - No function allocates, blocks, or calls back; none has state that an answer depends on: all may be used from any
+ *   thread and from interrupt handlers. Stack use: docs/embedded.md.
+ * - kstrip_f32.h has the same functions and structures in single precision, with the suffix _f32.
  * - Same inputs, same bits: on every machine with IEEE arithmetic, in every thread.
  */
-
 
 #ifndef KSTRIP_H
 #define KSTRIP_H
@@ -40,1345 +43,19 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/**
- * The strip theory of 1967 with the sliding rule that the paper keeps for forces: strips without
- * adhesion slide along the rigid slip of their centre line. For spin |psi| < 1.
- */
-#define KSTRIP_MODEL_STRIP_1967 1
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /**
- * The strip theory of 1967 with the sliding rule that joins adhesion strips without a jump.
+ * @defgroup kstrip_status Status
+ * @{
  */
-#define KSTRIP_MODEL_STRIP_1967_CONTINUOUS 2
 
-/**
- * Strips that follow the slip, corrected to the slopes of Kalker's linear theory, for any spin:
- * forces, moment, stick area and fields. Mean error against CONTACT 0.7 % of mu N. The default.
- *
- * The moment is the weakest figure. On ellipses longer than wide, a/b > 5, that roll with hardly more than spin, it can have
- * the wrong sign: by up to 0.02 mu N sqrt(ab) to a/b = 10 (with nu > 0.37), more beyond. The power then is as much below
- * zero. KSTRIP_MODEL_TOTAL never gains energy.
- */
-#define KSTRIP_MODEL_STRIP 3
-
-/**
- * Total forces and moment only, most accurate and cheapest; mean error against CONTACT 0.5 % of mu N.
- * No strips, no field; adhesion is reported as -1 (unknown).
- */
-#define KSTRIP_MODEL_TOTAL 4
-
-/**
- * Kalker's linear theory, without saturation: for stability analysis. Adhesion is 1.
- */
-#define KSTRIP_MODEL_LINEAR 5
-
-/**
- * Wanted from kstrip_evaluate(): the forces (always computed).
- */
-#define KSTRIP_WANT_FORCES 1
-
-/**
- * Wanted: the moment, and the power, which contains it.
- */
-#define KSTRIP_WANT_MOMENT 2
-
-/**
- * Wanted: the share in adhesion.
- */
-#define KSTRIP_WANT_ADHESION 4
-
-/**
- * Wanted: the derivatives with respect to the creepages.
- */
-#define KSTRIP_WANT_JACOBIAN 8
-
-/**
- * Wanted: the strips.
- */
-#define KSTRIP_WANT_STRIPS 16
-
-/**
- * The longitudinal force was measured.
- */
-#define KSTRIP_MEASURED_FX 1
-
-/**
- * The lateral force was measured.
- */
-#define KSTRIP_MEASURED_FY 2
-
-/**
- * State of a point: outside the contact.
- */
-#define KSTRIP_STATE_OUTSIDE 0
-
-/**
- * State of a point: adhesion, no slip.
- */
-#define KSTRIP_STATE_STICK 1
-
-/**
- * State of a point: slip.
- */
-#define KSTRIP_STATE_SLIP 2
-
-/**
- * State of a point: slip against the traction (negative local dissipation), the strip theory's
- * error next to the leading edge of sliding strips.
- */
-#define KSTRIP_STATE_SLIP_NEGATIVE_DISSIPATION 3
-
-/**
- * Upper bound of the number of strips that kstrip_strips() writes for `strips` strips.
- */
-#define KSTRIP_STRIPS_CAPACITY 320
-
-/**
- * Strips that a kstrip_patch has room for.
- */
-#define KSTRIP_PATCH_CAPACITY 64
-
-/**
- * Version of the library, major.
- */
-#define KSTRIP_VERSION_MAJOR 0
-
-/**
- * Version of the library, minor.
- */
-#define KSTRIP_VERSION_MINOR 1
-
-/**
- * Version of the library, patch.
- */
-#define KSTRIP_VERSION_PATCH 0
-
-/**
- * Changes whenever a structure or function changes incompatibly.
- */
-#define KSTRIP_ABI_VERSION 1
-
-/**
- * Strips of the theory of 1967 at most, corrections beyond unit spin included.
- */
-#define MOST_STRIPS_1967 320
-
-/**
- * Result of a call: 0 ok; > 0 warning, outputs valid; < 0 error, outputs untouched.
- */
+/** Result of a call: 0 ok; > 0 warning, outputs valid; < 0 error, outputs untouched. */
 typedef int32_t kstrip_status;
 
-/**
- * Which model, and with how many strips. Fill with kstrip_options_init().
- */
-typedef struct kstrip_options {
-    /**
-     * One of the KSTRIP_MODEL constants.
-     */
-    int32_t model;
-    /**
-     * Number of strips: 4, 8, 16, 32 or 64. Ignored by models without strips, but checked.
-     */
-    int32_t strips;
-} kstrip_options;
-
-/**
- * An isotropic elastic body.
- */
-typedef struct kstrip_material {
-    /**
-     * Shear modulus G [Pa], > 0. Steel: 82e9.
-     */
-    double shear_modulus;
-    /**
-     * Poisson's ratio [-], 0 to 0.5. Steel: 0.28.
-     */
-    double poisson_ratio;
-} kstrip_material;
-
-/**
- * The combined elastic constants of two bodies: what the contact sees.
- */
-typedef struct kstrip_combined_material {
-    /**
-     * Combined shear modulus G [Pa], 1/G = (1/G_lower + 1/G_upper)/2.
-     */
-    double shear_modulus;
-    /**
-     * Combined Poisson's ratio [-], nu/G = (nu_lower/G_lower + nu_upper/G_upper)/2.
-     */
-    double poisson_ratio;
-    /**
-     * Mismatch kappa [-] of the two materials, which the theory neglects: 0 for like materials; an
-     * error of a few per cent is to be expected at 0.06 (steel on aluminium).
-     */
-    double mismatch;
-} kstrip_combined_material;
-
-/**
- * Radii of curvature of two bodies at the contact [m]: convex positive, flat infinite (INFINITY),
- * concave negative. Zero and NaN are errors.
- */
-typedef struct kstrip_radii {
-    /**
-     * Lower body in the plane of x and z (a straight rail: INFINITY).
-     */
-    double lower_x;
-    /**
-     * Lower body in the plane of y and z (a rail: radius of the head).
-     */
-    double lower_y;
-    /**
-     * Upper body in the plane of x and z (a wheel: rolling radius).
-     */
-    double upper_x;
-    /**
-     * Upper body in the plane of y and z (a wheel: radius of the profile, INFINITY if conical).
-     */
-    double upper_y;
-} kstrip_radii;
-
-/**
- * The contact ellipse of Hertz.
- */
-typedef struct kstrip_hertz_contact {
-    /**
-     * Semi-axis along the rolling direction x [m].
-     */
-    double a;
-    /**
-     * Semi-axis along y [m].
-     */
-    double b;
-    /**
-     * Pressure at the centre [Pa].
-     */
-    double peak_pressure;
-    /**
-     * Approach of distant points of the two bodies [m].
-     */
-    double approach;
-    /**
-     * Minor over major semi-axis [-], 0 to 1.
-     */
-    double axis_ratio;
-    /**
-     * Hertz's angle tau [rad], 0 to pi/2.
-     */
-    double hertz_angle;
-    /**
-     * Four over the sum of the four curvatures [m].
-     */
-    double rho;
-} kstrip_hertz_contact;
-
-/**
- * Velocity of a body's surface at the centre of the contact, seen from the contact.
- */
-typedef struct kstrip_velocity {
-    /**
-     * Along the rolling direction x [m/s]; about minus the rolling speed for both bodies.
-     */
-    double x;
-    /**
-     * Along y [m/s].
-     */
-    double y;
-    /**
-     * Angular velocity about z [rad/s].
-     */
-    double angular_z;
-} kstrip_velocity;
-
-/**
- * Rigid slip of the upper over the lower body, divided by the rolling speed.
- */
-typedef struct kstrip_creepage {
-    /**
-     * Longitudinal creepage [-], positive when the upper body slides in the rolling direction.
-     */
-    double longitudinal;
-    /**
-     * Lateral creepage [-], positive along y.
-     */
-    double lateral;
-    /**
-     * Spin [1/m], positive from x to y (about z).
-     */
-    double spin;
-} kstrip_creepage;
-
-/**
- * A loaded elliptic contact with Coulomb friction.
- */
-typedef struct kstrip_contact {
-    /**
-     * Semi-axis along the rolling direction x [m], > 0.
-     */
-    double a;
-    /**
-     * Semi-axis along y [m], > 0.
-     */
-    double b;
-    /**
-     * Normal force N [N], >= 0.
-     */
-    double normal_force;
-    /**
-     * Combined shear modulus G [Pa], > 0.
-     */
-    double shear_modulus;
-    /**
-     * Combined Poisson's ratio [-], 0 to 0.5.
-     */
-    double poisson_ratio;
-    /**
-     * Coefficient of friction mu [-], >= 0.
-     */
-    double friction;
-} kstrip_contact;
-
-/**
- * Kalker's parameters (5.13) of a contact in motion, dimensionless.
- */
-typedef struct kstrip_parameters {
-    /**
-     * xi = longitudinal G/(2 (1 - nu) mu p0)
-     */
-    double xi;
-    /**
-     * eta = lateral G/(2 mu p0)
-     */
-    double eta;
-    /**
-     * psi = a spin G/(2 mu p0). The theory of 1967 is valid for |psi| < 1.
-     */
-    double psi;
-} kstrip_parameters;
-
-/**
- * Forces on the lower body.
- */
-typedef struct kstrip_result {
-    /**
-     * Longitudinal force [N].
-     */
-    double fx;
-    /**
-     * Lateral force [N].
-     */
-    double fy;
-    /**
-     * Moment about z at the centre of the contact [N m].
-     */
-    double mz;
-    /**
-     * Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin [N]: energy
-     * dissipated per metre rolled.
-     */
-    double power;
-    /**
-     * Share of the contact area in adhesion [-], 0 to 1. KSTRIP_MODEL_TOTAL does not know it: -1.
-     */
-    double adhesion;
-    /**
-     * The status of this result: 0 or one of the KSTRIP_WARNING constants.
-     */
-    int32_t status_detail;
-    /**
-     * Zero.
-     */
-    int32_t reserved;
-} kstrip_result;
-
-/**
- * One strip y = const of the contact: what it carries, on the lower body.
- */
-typedef struct kstrip_strip {
-    /**
-     * Centre line [m].
-     */
-    double y;
-    /**
-     * Width that the strip stands for [m].
-     */
-    double width;
-    /**
-     * Half of its length along x [m].
-     */
-    double half_length;
-    /**
-     * x of the separatrix [m]: slip behind it, adhesion ahead of it. Equal to half_length when the
-     * whole strip slides.
-     */
-    double separatrix;
-    /**
-     * Its share of the longitudinal force [N].
-     */
-    double fx;
-    /**
-     * Its share of the lateral force [N].
-     */
-    double fy;
-    /**
-     * Its share of the moment about the centre of the contact [N m].
-     */
-    double mz;
-    /**
-     * Its share of the frictional power [N].
-     */
-    double power;
-    /**
-     * KSTRIP_STATE_STICK if it has an adhesion area, else KSTRIP_STATE_SLIP.
-     */
-    int32_t state;
-    /**
-     * Zero.
-     */
-    int32_t reserved;
-} kstrip_strip;
-
-/**
- * The state of a point of the contact plane. Tractions act on the lower body.
- */
-typedef struct kstrip_point {
-    /**
-     * Pressure [Pa].
-     */
-    double pressure;
-    /**
-     * Tangential traction along x [Pa].
-     */
-    double traction_x;
-    /**
-     * Tangential traction along y [Pa].
-     */
-    double traction_y;
-    /**
-     * Slip of the upper over the lower body along x, over the rolling speed [-].
-     */
-    double slip_x;
-    /**
-     * Slip along y, over the rolling speed [-].
-     */
-    double slip_y;
-    /**
-     * traction . slip [Pa]: energy dissipated per area and metre rolled.
-     */
-    double dissipation;
-    /**
-     * One of the KSTRIP_STATE constants.
-     */
-    int32_t state;
-    /**
-     * Zero.
-     */
-    int32_t reserved;
-} kstrip_point;
-
-/**
- * One strip of a patch, along the rolling direction. Its pressure is a half-ellipse in x,
- * p = peak_pressure sqrt(1 - (x - centre_x)^2/half_length^2), and does not vary over its width.
- */
-typedef struct kstrip_patch_strip {
-    /**
-     * Centre line y [m].
-     */
-    double y;
-    /**
-     * Width [m], > 0.
-     */
-    double width;
-    /**
-     * Half length along x [m], > 0.
-     */
-    double half_length;
-    /**
-     * Centre along x [m]; 0 for most contacts.
-     */
-    double centre_x;
-    /**
-     * Pressure at the centre [Pa], >= 0.
-     */
-    double peak_pressure;
-    /**
-     * Coefficient of friction [-], >= 0. May be changed from strip to strip after a patch is built.
-     */
-    double friction;
-} kstrip_patch_strip;
-
-/**
- * A contact patch of any shape: its strips, in ascending y. Filled by kstrip_patch_from_ellipse(),
- * kstrip_patch_from_strips() or kstrip_patch_from_profile(); the members may then be changed.
- * All functions check it again.
- *
- * Where the distance of two neighbours is more than one and a half times that at which they touch,
- * there is a gap: what lies on either side is a lobe of its own.
- */
-typedef struct kstrip_patch {
-    /**
-     * The strips; the first count are used.
-     */
-    struct kstrip_patch_strip strips[KSTRIP_PATCH_CAPACITY];
-    /**
-     * Combined shear modulus G [Pa], > 0.
-     */
-    double shear_modulus;
-    /**
-     * Combined Poisson's ratio [-], 0 to 0.5.
-     */
-    double poisson_ratio;
-    /**
-     * Factor [-], > 0, that makes the sum of the strips' areas the patch's area: 1 unless the strips
-     * are a quadrature rule (kstrip_patch_from_ellipse()).
-     */
-    double area_scale;
-    /**
-     * The same for the moment of the area about x, the sum of y^2 times area.
-     */
-    double lever_scale;
-    /**
-     * Number of strips, 0 to KSTRIP_PATCH_CAPACITY. None: no load.
-     */
-    uint32_t count;
-    /**
-     * Zero.
-     */
-    uint32_t reserved;
-} kstrip_patch;
-
-/**
- * What presses two profiles together.
- */
-typedef struct kstrip_profile_contact {
-    /**
-     * Rolling radius [m], > 0; of two rolling bodies 1/R = 1/R_lower + 1/R_upper.
-     */
-    double rolling_radius;
-    /**
-     * Normal force [N], >= 0.
-     */
-    double normal_force;
-    /**
-     * Combined shear modulus G [Pa], > 0.
-     */
-    double shear_modulus;
-    /**
-     * Combined Poisson's ratio [-], 0 to 0.5.
-     */
-    double poisson_ratio;
-    /**
-     * Coefficient of friction of every strip [-], >= 0.
-     */
-    double friction;
-} kstrip_profile_contact;
-
-/**
- * How two profiles meet under a load.
- */
-typedef struct kstrip_profile_result {
-    /**
-     * Approach of distant points of the two bodies [m].
-     */
-    double penetration;
-    /**
-     * Largest pressure [Pa], at the deepest point.
-     */
-    double peak_pressure;
-    /**
-     * Normal force reached [N]: the one asked for, to rounding.
-     */
-    double normal_force;
-    /**
-     * y of the deepest point [m].
-     */
-    double deepest_y;
-    /**
-     * Evaluations of the load, at most 60.
-     */
-    uint32_t iterations;
-    /**
-     * Zero.
-     */
-    uint32_t reserved;
-} kstrip_profile_result;
-
-/**
- * What a patch carries.
- */
-typedef struct kstrip_patch_summary {
-    /**
-     * Normal force [N].
-     */
-    double normal_force;
-    /**
-     * Sum of friction times load over the strips [N]: no tangential force exceeds it.
-     */
-    double friction_bound;
-    /**
-     * Contact area [m^2].
-     */
-    double area;
-    /**
-     * Number of lobes.
-     */
-    uint32_t lobes;
-    /**
-     * Zero.
-     */
-    uint32_t reserved;
-} kstrip_patch_summary;
-
-/**
- * A loaded elliptic contact with Coulomb friction.
- */
-typedef struct kstrip_contact_f32 {
-    /**
-     * Semi-axis along the rolling direction x [m], > 0.
-     */
-    float a;
-    /**
-     * Semi-axis along y [m], > 0.
-     */
-    float b;
-    /**
-     * Normal force N [N], >= 0.
-     */
-    float normal_force;
-    /**
-     * Combined shear modulus G [Pa], > 0.
-     */
-    float shear_modulus;
-    /**
-     * Combined Poisson's ratio [-], 0 to 0.5.
-     */
-    float poisson_ratio;
-    /**
-     * Coefficient of friction mu [-], >= 0.
-     */
-    float friction;
-} kstrip_contact_f32;
-
-/**
- * kstrip_patch_strip in single precision.
- */
-typedef struct kstrip_patch_strip_f32 {
-    /**
-     * Centre line y [m].
-     */
-    float y;
-    /**
-     * Width [m], > 0.
-     */
-    float width;
-    /**
-     * Half length along x [m], > 0.
-     */
-    float half_length;
-    /**
-     * Centre along x [m]; 0 for most contacts.
-     */
-    float centre_x;
-    /**
-     * Pressure at the centre [Pa], >= 0.
-     */
-    float peak_pressure;
-    /**
-     * Coefficient of friction [-], >= 0. May be changed from strip to strip after a patch is built.
-     */
-    float friction;
-} kstrip_patch_strip_f32;
-
-/**
- * kstrip_patch in single precision.
- */
-typedef struct kstrip_patch_f32 {
-    /**
-     * The strips; the first count are used.
-     */
-    struct kstrip_patch_strip_f32 strips[KSTRIP_PATCH_CAPACITY];
-    /**
-     * Combined shear modulus G [Pa], > 0.
-     */
-    float shear_modulus;
-    /**
-     * Combined Poisson's ratio [-], 0 to 0.5.
-     */
-    float poisson_ratio;
-    /**
-     * Factor [-], > 0, that makes the sum of the strips' areas the patch's area: 1 unless the strips
-     * are a quadrature rule (kstrip_patch_from_ellipse()).
-     */
-    float area_scale;
-    /**
-     * The same for the moment of the area about x, the sum of y^2 times area.
-     */
-    float lever_scale;
-    /**
-     * Number of strips, 0 to KSTRIP_PATCH_CAPACITY. None: no load.
-     */
-    uint32_t count;
-    /**
-     * Zero.
-     */
-    uint32_t reserved;
-} kstrip_patch_f32;
-
-/**
- * kstrip_profile_contact in single precision.
- */
-typedef struct kstrip_profile_contact_f32 {
-    /**
-     * Rolling radius [m], > 0; of two rolling bodies 1/R = 1/R_lower + 1/R_upper.
-     */
-    float rolling_radius;
-    /**
-     * Normal force [N], >= 0.
-     */
-    float normal_force;
-    /**
-     * Combined shear modulus G [Pa], > 0.
-     */
-    float shear_modulus;
-    /**
-     * Combined Poisson's ratio [-], 0 to 0.5.
-     */
-    float poisson_ratio;
-    /**
-     * Coefficient of friction of every strip [-], >= 0.
-     */
-    float friction;
-} kstrip_profile_contact_f32;
-
-/**
- * kstrip_profile_result in single precision.
- */
-typedef struct kstrip_profile_result_f32 {
-    /**
-     * Approach of distant points of the two bodies [m].
-     */
-    float penetration;
-    /**
-     * Largest pressure [Pa], at the deepest point.
-     */
-    float peak_pressure;
-    /**
-     * Normal force reached [N]: the one asked for, to rounding.
-     */
-    float normal_force;
-    /**
-     * y of the deepest point [m].
-     */
-    float deepest_y;
-    /**
-     * Evaluations of the load, at most 60.
-     */
-    uint32_t iterations;
-    /**
-     * Zero.
-     */
-    uint32_t reserved;
-} kstrip_profile_result_f32;
-
-/**
- * kstrip_patch_summary in single precision.
- */
-typedef struct kstrip_patch_summary_f32 {
-    /**
-     * Normal force [N].
-     */
-    float normal_force;
-    /**
-     * Sum of friction times load over the strips [N]: no tangential force exceeds it.
-     */
-    float friction_bound;
-    /**
-     * Contact area [m^2].
-     */
-    float area;
-    /**
-     * Number of lobes.
-     */
-    uint32_t lobes;
-    /**
-     * Zero.
-     */
-    uint32_t reserved;
-} kstrip_patch_summary_f32;
-
-/**
- * Rigid slip of the upper over the lower body, divided by the rolling speed.
- */
-typedef struct kstrip_creepage_f32 {
-    /**
-     * Longitudinal creepage [-], positive when the upper body slides in the rolling direction.
-     */
-    float longitudinal;
-    /**
-     * Lateral creepage [-], positive along y.
-     */
-    float lateral;
-    /**
-     * Spin [1/m], positive from x to y (about z).
-     */
-    float spin;
-} kstrip_creepage_f32;
-
-/**
- * Forces on the lower body.
- */
-typedef struct kstrip_result_f32 {
-    /**
-     * Longitudinal force [N].
-     */
-    float fx;
-    /**
-     * Lateral force [N].
-     */
-    float fy;
-    /**
-     * Moment about z at the centre of the contact [N m].
-     */
-    float mz;
-    /**
-     * Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin [N]: energy
-     * dissipated per metre rolled.
-     */
-    float power;
-    /**
-     * Share of the contact area in adhesion [-], 0 to 1. KSTRIP_MODEL_TOTAL does not know it: -1.
-     */
-    float adhesion;
-    /**
-     * The status of this result: 0 or one of the KSTRIP_WARNING constants.
-     */
-    int32_t status_detail;
-    /**
-     * Zero.
-     */
-    int32_t reserved;
-} kstrip_result_f32;
-
-/**
- * One strip y = const of the contact: what it carries, on the lower body.
- */
-typedef struct kstrip_strip_f32 {
-    /**
-     * Centre line [m].
-     */
-    float y;
-    /**
-     * Width that the strip stands for [m].
-     */
-    float width;
-    /**
-     * Half of its length along x [m].
-     */
-    float half_length;
-    /**
-     * x of the separatrix [m]: slip behind it, adhesion ahead of it. Equal to half_length when the
-     * whole strip slides.
-     */
-    float separatrix;
-    /**
-     * Its share of the longitudinal force [N].
-     */
-    float fx;
-    /**
-     * Its share of the lateral force [N].
-     */
-    float fy;
-    /**
-     * Its share of the moment about the centre of the contact [N m].
-     */
-    float mz;
-    /**
-     * Its share of the frictional power [N].
-     */
-    float power;
-    /**
-     * KSTRIP_STATE_STICK if it has an adhesion area, else KSTRIP_STATE_SLIP.
-     */
-    int32_t state;
-    /**
-     * Zero.
-     */
-    int32_t reserved;
-} kstrip_strip_f32;
-
-/**
- * The state of a point of the contact plane. Tractions act on the lower body.
- */
-typedef struct kstrip_point_f32 {
-    /**
-     * Pressure [Pa].
-     */
-    float pressure;
-    /**
-     * Tangential traction along x [Pa].
-     */
-    float traction_x;
-    /**
-     * Tangential traction along y [Pa].
-     */
-    float traction_y;
-    /**
-     * Slip of the upper over the lower body along x, over the rolling speed [-].
-     */
-    float slip_x;
-    /**
-     * Slip along y, over the rolling speed [-].
-     */
-    float slip_y;
-    /**
-     * traction . slip [Pa]: energy dissipated per area and metre rolled.
-     */
-    float dissipation;
-    /**
-     * One of the KSTRIP_STATE constants.
-     */
-    int32_t state;
-    /**
-     * Zero.
-     */
-    int32_t reserved;
-} kstrip_point_f32;
-
-/**
- * An isotropic elastic body, single precision.
- */
-typedef struct kstrip_material_f32 {
-    /**
-     * Shear modulus G [Pa], > 0. Steel: 82e9.
-     */
-    float shear_modulus;
-    /**
-     * Poisson's ratio [-], 0 to 0.5. Steel: 0.28.
-     */
-    float poisson_ratio;
-} kstrip_material_f32;
-
-/**
- * The combined elastic constants of two bodies: what the contact sees.
- */
-typedef struct kstrip_combined_material_f32 {
-    /**
-     * Combined shear modulus G [Pa], 1/G = (1/G_lower + 1/G_upper)/2.
-     */
-    float shear_modulus;
-    /**
-     * Combined Poisson's ratio [-], nu/G = (nu_lower/G_lower + nu_upper/G_upper)/2.
-     */
-    float poisson_ratio;
-    /**
-     * Mismatch kappa [-] of the two materials, which the theory neglects: 0 for like materials; an
-     * error of a few per cent is to be expected at 0.06 (steel on aluminium).
-     */
-    float mismatch;
-} kstrip_combined_material_f32;
-
-/**
- * Radii of curvature of two bodies at the contact [m]: convex positive, flat infinite (INFINITY),
- * concave negative. Zero and NaN are errors.
- */
-typedef struct kstrip_radii_f32 {
-    /**
-     * Lower body in the plane of x and z (a straight rail: INFINITY).
-     */
-    float lower_x;
-    /**
-     * Lower body in the plane of y and z (a rail: radius of the head).
-     */
-    float lower_y;
-    /**
-     * Upper body in the plane of x and z (a wheel: rolling radius).
-     */
-    float upper_x;
-    /**
-     * Upper body in the plane of y and z (a wheel: radius of the profile, INFINITY if conical).
-     */
-    float upper_y;
-} kstrip_radii_f32;
-
-/**
- * The contact ellipse of Hertz.
- */
-typedef struct kstrip_hertz_contact_f32 {
-    /**
-     * Semi-axis along the rolling direction x [m].
-     */
-    float a;
-    /**
-     * Semi-axis along y [m].
-     */
-    float b;
-    /**
-     * Pressure at the centre [Pa].
-     */
-    float peak_pressure;
-    /**
-     * Approach of distant points of the two bodies [m].
-     */
-    float approach;
-    /**
-     * Minor over major semi-axis [-], 0 to 1.
-     */
-    float axis_ratio;
-    /**
-     * Hertz's angle tau [rad], 0 to pi/2.
-     */
-    float hertz_angle;
-    /**
-     * Four over the sum of the four curvatures [m].
-     */
-    float rho;
-} kstrip_hertz_contact_f32;
-
-/**
- * Velocity of a body's surface at the centre of the contact, seen from the contact.
- */
-typedef struct kstrip_velocity_f32 {
-    /**
-     * Along the rolling direction x [m/s]; about minus the rolling speed for both bodies.
-     */
-    float x;
-    /**
-     * Along y [m/s].
-     */
-    float y;
-    /**
-     * Angular velocity about z [rad/s].
-     */
-    float angular_z;
-} kstrip_velocity_f32;
-
-/**
- * Kalker's parameters (5.13) of a contact in motion, dimensionless.
- */
-typedef struct kstrip_parameters_f32 {
-    /**
-     * xi = longitudinal G/(2 (1 - nu) mu p0)
-     */
-    float xi;
-    /**
-     * eta = lateral G/(2 mu p0)
-     */
-    float eta;
-    /**
-     * psi = a spin G/(2 mu p0). The theory of 1967 is valid for |psi| < 1.
-     */
-    float psi;
-} kstrip_parameters_f32;
-
-/**
- * Contacts and creepages as one array for each quantity.
- *
- * Arrays of as many elements as there are contacts; none may be NULL unless there are no contacts.
- */
-typedef struct kstrip_batch_inputs {
-    /**
-     * Semi-axes along the rolling direction x [m], > 0.
-     */
-    const double *a;
-    /**
-     * Semi-axes along y [m], > 0.
-     */
-    const double *b;
-    /**
-     * Normal forces N [N], >= 0.
-     */
-    const double *normal_force;
-    /**
-     * Combined shear moduli G [Pa], > 0.
-     */
-    const double *shear_modulus;
-    /**
-     * Combined Poisson's ratios [-], 0 to 0.5.
-     */
-    const double *poisson_ratio;
-    /**
-     * Coefficients of friction mu [-], >= 0.
-     */
-    const double *friction;
-    /**
-     * Longitudinal creepages [-].
-     */
-    const double *longitudinal;
-    /**
-     * Lateral creepages [-].
-     */
-    const double *lateral;
-    /**
-     * Spins [1/m].
-     */
-    const double *spin;
-} kstrip_batch_inputs;
-
-/**
- * Where the results of many contacts go, one array for each quantity.
- *
- * Arrays of as many elements as there are contacts; NULL for what is not wanted.
- */
-typedef struct kstrip_batch_outputs {
-    /**
-     * Longitudinal forces on the lower bodies [N].
-     */
-    double *fx;
-    /**
-     * Lateral forces [N].
-     */
-    double *fy;
-    /**
-     * Moments about z at the centres of the contacts [N m].
-     */
-    double *mz;
-    /**
-     * Frictional powers over rolling speed [N].
-     */
-    double *power;
-    /**
-     * Shares of the contact areas in adhesion [-], 0 to 1, or -1 for unknown.
-     */
-    double *adhesion;
-    /**
-     * The status of each result: 0 or one of the KSTRIP_WARNING constants.
-     */
-    int32_t *status_detail;
-} kstrip_batch_outputs;
-
-/**
- * Contacts and creepages as one array for each quantity, single precision.
- *
- * Arrays of as many elements as there are contacts; none may be NULL unless there are no contacts.
- */
-typedef struct kstrip_batch_inputs_f32 {
-    /**
-     * Semi-axes along the rolling direction x [m], > 0.
-     */
-    const float *a;
-    /**
-     * Semi-axes along y [m], > 0.
-     */
-    const float *b;
-    /**
-     * Normal forces N [N], >= 0.
-     */
-    const float *normal_force;
-    /**
-     * Combined shear moduli G [Pa], > 0.
-     */
-    const float *shear_modulus;
-    /**
-     * Combined Poisson's ratios [-], 0 to 0.5.
-     */
-    const float *poisson_ratio;
-    /**
-     * Coefficients of friction mu [-], >= 0.
-     */
-    const float *friction;
-    /**
-     * Longitudinal creepages [-].
-     */
-    const float *longitudinal;
-    /**
-     * Lateral creepages [-].
-     */
-    const float *lateral;
-    /**
-     * Spins [1/m].
-     */
-    const float *spin;
-} kstrip_batch_inputs_f32;
-
-/**
- * Where the results of many contacts go, one array for each quantity, single precision.
- *
- * Arrays of as many elements as there are contacts; NULL for what is not wanted.
- */
-typedef struct kstrip_batch_outputs_f32 {
-    /**
-     * Longitudinal forces on the lower bodies [N].
-     */
-    float *fx;
-    /**
-     * Lateral forces [N].
-     */
-    float *fy;
-    /**
-     * Moments about z at the centres of the contacts [N m].
-     */
-    float *mz;
-    /**
-     * Frictional powers over rolling speed [N].
-     */
-    float *power;
-    /**
-     * Shares of the contact areas in adhesion [-], 0 to 1, or -1 for unknown.
-     */
-    float *adhesion;
-    /**
-     * The status of each result: 0 or one of the KSTRIP_WARNING constants.
-     */
-    int32_t *status_detail;
-} kstrip_batch_outputs_f32;
-
-/**
- * Derivatives of fx, fy, mz with respect to creepages, load and friction.
- */
-typedef struct kstrip_derivatives {
-    /**
-     * d(fx, fy, mz)/d(longitudinal, lateral, spin), row by row [N, N, N m over 1, 1, 1/m].
-     */
-    double jacobian[9];
-    /**
-     * d(fx, fy, mz)/d(normal_force) at fixed a and b [-, -, m].
-     */
-    double normal_force[3];
-    /**
-     * d(fx, fy, mz)/d(friction) [N, N, N m].
-     */
-    double friction[3];
-    /**
-     * d(fx, fy, mz)/d(normal_force) while a and b follow the load as Hertz says: both grow like its
-     * cube root in a contact of given curvatures [-, -, m].
-     */
-    double load_through_hertz[3];
-} kstrip_derivatives;
-
-/**
- * Derivatives of fx, fy, mz with respect to creepages, load and friction, single precision.
- */
-typedef struct kstrip_derivatives_f32 {
-    /**
-     * d(fx, fy, mz)/d(longitudinal, lateral, spin), row by row [N, N, N m over 1, 1, 1/m].
-     */
-    float jacobian[9];
-    /**
-     * d(fx, fy, mz)/d(normal_force) at fixed a and b [-, -, m].
-     */
-    float normal_force[3];
-    /**
-     * d(fx, fy, mz)/d(friction) [N, N, N m].
-     */
-    float friction[3];
-    /**
-     * d(fx, fy, mz)/d(normal_force) while a and b follow the load as Hertz says: both grow like its
-     * cube root in a contact of given curvatures [-, -, m].
-     */
-    float load_through_hertz[3];
-} kstrip_derivatives_f32;
-
-/**
- * Friction that falls with the slip, friction ((1 - ratio) exp(-decay w) + ratio) with the sliding
- * velocity w [m/s], and the stiffness of the layer between the bodies.
- *
- * Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m; wet 0.3,
- * 0.4, 0.2 s/m.
- */
-typedef struct kstrip_friction {
-    /**
-     * Coefficient of friction without slip [-], >= 0.
-     */
-    double friction;
-    /**
-     * Friction at infinite sliding velocity over that at none [-], 0 to 1; 1: friction is constant.
-     */
-    double ratio;
-    /**
-     * How fast friction falls [s/m], >= 0; 0: friction is constant.
-     */
-    double decay;
-    /**
-     * Rolling speed [m/s], >= 0: sliding velocity is slip times rolling speed.
-     */
-    double rolling_speed;
-    /**
-     * Initial slope of the creep curve over that of clean bodies [-], > 0 to 1; 1: clean.
-     */
-    double slope_factor;
-} kstrip_friction;
-
-/**
- * Friction that falls with the slip, and the stiffness of the layer, single precision.
- */
-typedef struct kstrip_friction_f32 {
-    /**
-     * Coefficient of friction without slip [-], >= 0.
-     */
-    float friction;
-    /**
-     * Friction at infinite sliding velocity over that at none [-], 0 to 1; 1: friction is constant.
-     */
-    float ratio;
-    /**
-     * How fast friction falls [s/m], >= 0; 0: friction is constant.
-     */
-    float decay;
-    /**
-     * Rolling speed [m/s], >= 0: sliding velocity is slip times rolling speed.
-     */
-    float rolling_speed;
-    /**
-     * Initial slope of the creep curve over that of clean bodies [-], > 0 to 1; 1: clean.
-     */
-    float slope_factor;
-} kstrip_friction_f32;
-
-/**
- * A coefficient of friction from a measured force.
- */
-typedef struct kstrip_friction_estimate {
-    /**
-     * Coefficient of friction [-]; a lower bound with KSTRIP_WARNING_FRICTION_AT_LEAST.
-     */
-    double friction;
-    /**
-     * d(friction)/d(force) [1/N]: what an error of the measured force does to it; 0 for a lower bound.
-     */
-    double sensitivity;
-    /**
-     * Distance between the measured and the computed force [N], of the components that were measured.
-     */
-    double residual;
-    /**
-     * The status of this result: 0 or one of the KSTRIP_WARNING constants.
-     */
-    int32_t status_detail;
-    /**
-     * Zero.
-     */
-    int32_t reserved;
-} kstrip_friction_estimate;
-
-/**
- * A coefficient of friction from a measured force, single precision.
- */
-typedef struct kstrip_friction_estimate_f32 {
-    /**
-     * Coefficient of friction [-]; a lower bound with KSTRIP_WARNING_FRICTION_AT_LEAST.
-     */
-    float friction;
-    /**
-     * d(friction)/d(force) [1/N]: what an error of the measured force does to it; 0 for a lower bound.
-     */
-    float sensitivity;
-    /**
-     * Distance between the measured and the computed force [N], of the components that were measured.
-     */
-    float residual;
-    /**
-     * The status of this result: 0 or one of the KSTRIP_WARNING constants.
-     */
-    int32_t status_detail;
-    /**
-     * Zero.
-     */
-    int32_t reserved;
-} kstrip_friction_estimate_f32;
-
-/**
- * Success.
- */
+/** Success. */
 #define KSTRIP_OK 0
 
 /**
@@ -1386,188 +63,91 @@ typedef struct kstrip_friction_estimate_f32 {
  * finite, continuous, bounded by mu N.
  */
 #define KSTRIP_WARNING_SPIN 1
-
-/**
- * Warning: an input is outside the range in which the model was checked against its reference.
- */
+/** Warning: an input is outside the range in which the model was checked against its reference. */
 #define KSTRIP_WARNING_RANGE 2
-
-/**
- * Warning: the linear force exceeds mu N.
- */
+/** Warning: the linear force exceeds mu N. */
 #define KSTRIP_WARNING_BEYOND_FRICTION 3
-
 /**
  * Warning: more than one coefficient of friction fits. Under falling friction the result has the largest,
  * which is reached from adhesion; an estimate from a measured force is the smallest.
  */
 #define KSTRIP_WARNING_SEVERAL_FRICTIONS 4
-
-/**
- * Warning: a bounded iteration ended before its result was accurate to rounding.
- */
+/** Warning: a bounded iteration ended before its result was accurate to rounding. */
 #define KSTRIP_WARNING_NOT_CONVERGED 5
-
-/**
- * Warning: the contact sticks, and the measured force tells only a lower bound of friction.
- */
+/** Warning: the contact sticks, and the measured force tells only a lower bound of friction. */
 #define KSTRIP_WARNING_FRICTION_AT_LEAST 6
-
-/**
- * Warning: the wanted force is that of full sliding, which every larger creepage gives as well.
- */
+/** Warning: the wanted force is that of full sliding, which every larger creepage gives as well. */
 #define KSTRIP_WARNING_CREEPAGE_AT_LEAST 7
-
 /**
- * Error: a required pointer is NULL.
+ * Warning: the peak pressure exceeds a tenth of the shear modulus: mostly a wrong unit of a, b, normal_force or
+ * shear_modulus.
  */
+#define KSTRIP_WARNING_PRESSURE 8
+/** Warning: a creepage exceeds 10, or spin times the larger semi-axis does: mostly per cent, or degrees per metre. */
+#define KSTRIP_WARNING_CREEPAGE 9
+/** Warning: a semi-axis exceeds 1 m: mostly millimetres. */
+#define KSTRIP_WARNING_SEMI_AXIS 10
+
+/** Error: a required pointer is NULL. */
 #define KSTRIP_ERROR_NULL -1
-
-/**
- * Error: an input is infinite or NaN.
- */
+/** Error: an input is infinite or NaN. */
 #define KSTRIP_ERROR_NOT_FINITE -2
-
-/**
- * Error: a semi-axis is not positive.
- */
+/** Error: a semi-axis is not positive. */
 #define KSTRIP_ERROR_SEMI_AXIS -3
-
-/**
- * Error: the normal force is negative.
- */
+/** Error: the normal force of a profile is negative. */
 #define KSTRIP_ERROR_NORMAL_FORCE -4
-
-/**
- * Error: a modulus of elasticity is not positive.
- */
+/** Error: a modulus of elasticity is not positive. */
 #define KSTRIP_ERROR_MODULUS -5
-
-/**
- * Error: Poisson's ratio is outside [0, 0.5].
- */
+/** Error: Poisson's ratio is outside [0, 0.5]. */
 #define KSTRIP_ERROR_POISSON_RATIO -6
-
-/**
- * Error: the coefficient of friction is negative.
- */
+/** Error: the coefficient of friction is negative. */
 #define KSTRIP_ERROR_FRICTION -7
-
-/**
- * Error: unknown model.
- */
+/** Error: unknown model. */
 #define KSTRIP_ERROR_MODEL -8
-
-/**
- * Error: the strip count is not 4, 8, 16, 32 or 64.
- */
+/** Error: the strip count is not 4, 8, 16, 32 or 64. */
 #define KSTRIP_ERROR_STRIP_COUNT -9
-
-/**
- * Error: the bodies do not touch in an ellipse.
- */
+/** Error: the bodies do not touch in an ellipse. */
 #define KSTRIP_ERROR_CURVATURE -10
-
-/**
- * Error: the rolling speed is not positive.
- */
+/** Error: the rolling speed is not positive. */
 #define KSTRIP_ERROR_ROLLING_SPEED -11
-
-/**
- * Error: the caller's array is too small.
- */
+/** Error: the caller's array is too small. */
 #define KSTRIP_ERROR_CAPACITY -12
-
-/**
- * Error: the model has totals only, no strips and no field.
- */
+/** Error: the model has totals only, no strips and no field. */
 #define KSTRIP_ERROR_NOT_IN_MODEL -13
-
-/**
- * Error: a result is beyond the range of the floating-point type.
- */
+/** Error: a result is beyond the range of the floating-point type. */
 #define KSTRIP_ERROR_OVERFLOW -14
-
-/**
- * Error: the ratio of falling friction is outside [0, 1].
- */
+/** Error: the ratio of falling friction is outside [0, 1]. */
 #define KSTRIP_ERROR_FRICTION_RATIO -15
-
-/**
- * Error: the decay of falling friction is negative.
- */
+/** Error: the decay of falling friction is negative. */
 #define KSTRIP_ERROR_FRICTION_DECAY -16
-
-/**
- * Error: the rolling speed of falling friction is negative.
- */
+/** Error: the rolling speed of falling friction is negative. */
 #define KSTRIP_ERROR_NEGATIVE_SPEED -17
-
-/**
- * Error: the factor of the initial slope is outside (0, 1].
- */
+/** Error: the factor of the initial slope is outside [0, 1]. */
 #define KSTRIP_ERROR_SLOPE_FACTOR -18
-
-/**
- * Error: no friction explains the measured force.
- */
+/** Error: no friction explains the measured force. */
 #define KSTRIP_ERROR_UNEXPLAINED -19
-
-/**
- * Error: the wanted force exceeds mu N.
- */
+/** Error: the wanted force exceeds mu N. */
 #define KSTRIP_ERROR_FORCE_BEYOND_FRICTION -20
-
-/**
- * Error: what was measured is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum.
- */
+/** Error: what was measured is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum. */
 #define KSTRIP_ERROR_MEASURED -21
-
-/**
- * Error: what is wanted has a flag that is none of the KSTRIP_WANT constants.
- */
-#define KSTRIP_ERROR_WANTED -22
-
-/**
- * Error: a strip of a patch has a width or half length that is not positive.
- */
+/** Error: the structure was not filled by kstrip_prepare() of the same precision. */
+#define KSTRIP_ERROR_NOT_PREPARED -22
+/** Error: the floor of the speed is negative. */
+#define KSTRIP_ERROR_FLOOR_SPEED -23
+/** Error: a strip of a patch has a width or half length that is not positive. */
 #define KSTRIP_ERROR_STRIP_SIZE -40
-
-/**
- * Error: the peak pressure of a strip is negative.
- */
+/** Error: the peak pressure of a strip is negative. */
 #define KSTRIP_ERROR_PRESSURE -41
-
-/**
- * Error: strips of a patch overlap, or do not ascend in y.
- */
+/** Error: strips of a patch overlap, or do not ascend in y. */
 #define KSTRIP_ERROR_STRIP_ORDER -42
-
-/**
- * Error: more strips, or more separate zones of contact, than the patch has room for.
- */
+/** Error: more strips, or more separate zones of contact, than the patch has room for. */
 #define KSTRIP_ERROR_PATCH_SIZE -43
-
-/**
- * Error: a profile has fewer than three points, or its y does not ascend.
- */
+/** Error: a profile has fewer than three points, or its y does not ascend. */
 #define KSTRIP_ERROR_PROFILE -44
-
-/**
- * Error: the contact reaches the end of the profile.
- */
+/** Error: the contact reaches the end of the profile. */
 #define KSTRIP_ERROR_PROFILE_END -45
-
-/**
- * Error: a rolling radius is not positive.
- */
+/** Error: a rolling radius is not positive. */
 #define KSTRIP_ERROR_ROLLING_RADIUS -46
-
-
-
-#ifdef __cplusplus
-extern "C" {
-#endif // __cplusplus
 
 /**
  * What a status means and what the caller must change, in English.
@@ -1576,42 +156,39 @@ extern "C" {
  */
 const char *kstrip_status_string(kstrip_status status);
 
-/**
- * Version of the library that is linked, such as "0.1.0". Never NULL.
- */
-const char *kstrip_version_string(void);
+/** @} */
 
 /**
- * ABI version of the library that is linked: compare with KSTRIP_ABI_VERSION of the header.
+ * @defgroup kstrip_bodies Bodies: materials, Hertz's ellipse and its inverse, linear coefficients
+ * @{
  */
-int32_t kstrip_abi_version(void);
+
+/** An isotropic elastic body. */
+typedef struct kstrip_material {
+    /** Shear modulus G [Pa], > 0. Steel: 82e9. */
+    double shear_modulus;
+    /** Poisson's ratio [-], 0 to 0.5. Steel: 0.28. */
+    double poisson_ratio;
+} kstrip_material;
+
+/** The combined elastic constants of two bodies: what the contact sees. */
+typedef struct kstrip_combined_material {
+    /** Combined shear modulus G [Pa], 1/G = (1/G_lower + 1/G_upper)/2 (2.6). */
+    double shear_modulus;
+    /** Combined Poisson's ratio nu [-], nu/G = (nu_lower/G_lower + nu_upper/G_upper)/2 (2.6). */
+    double poisson_ratio;
+    /**
+     * Mismatch kappa [-] (4.3) of the two materials, which the theory neglects: 0 for like materials; an
+     * error of a few per cent is to be expected at 0.06 (steel on aluminium).
+     */
+    double mismatch;
+} kstrip_combined_material;
 
 /**
- * Fill in the recommended model and strip count.
- *
- * @param[out] options  receives the defaults.
- * @return KSTRIP_OK or KSTRIP_ERROR_NULL.
- */
-kstrip_status kstrip_options_init(struct kstrip_options *options);
-
-/**
- * Material from Young's modulus: G = E/(2 (1 + nu)).
- *
- * @param youngs_modulus  E [Pa], > 0.
- * @param poisson_ratio   nu [-], 0 to 0.5.
- * @param[out] material   receives the material.
- * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
- *         KSTRIP_ERROR_POISSON_RATIO.
- */
-kstrip_status kstrip_material_from_youngs_modulus(double youngs_modulus,
-                                                  double poisson_ratio,
-                                                  struct kstrip_material *material);
-
-/**
- * Combine the elastic constants of two bodies.
+ * Combine the elastic constants of two bodies. From Young's modulus: shear_modulus = E/(2 (1 + poisson_ratio)).
  *
  * @param lower, upper    the two bodies.
- * @param[out] combined   receives the constants that kstrip_hertz() and kstrip_contact take.
+ * @param[out] combined   receives the constants that kstrip_contact_from_hertz() and kstrip_contact take.
  * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
  *         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_OVERFLOW.
  */
@@ -1620,26 +197,143 @@ kstrip_status kstrip_material_combine(const struct kstrip_material *lower,
                                       struct kstrip_combined_material *combined);
 
 /**
- * Contact ellipse, peak pressure and approach of two bodies pressed together (Hertz).
+ * Radii of curvature of two bodies at the contact [m]: convex positive, flat infinite (INFINITY), concave negative. Zero
+ * and NaN are errors.
+ */
+typedef struct kstrip_radii {
+    /** Lower body in the plane of x and z (a straight rail: INFINITY). */
+    double lower_x;
+    /** Lower body in the plane of y and z (a rail: radius of the head). */
+    double lower_y;
+    /** Upper body in the plane of x and z (a wheel: rolling radius). */
+    double upper_x;
+    /** Upper body in the plane of y and z (a wheel: radius of the profile, INFINITY if conical). */
+    double upper_y;
+} kstrip_radii;
+
+/** A loaded elliptic contact with combined elastic constants and Coulomb friction. */
+typedef struct kstrip_contact {
+    /** Semi-axis a along the rolling direction x [m], > 0. */
+    double a;
+    /** Semi-axis b along y [m], > 0. */
+    double b;
+    /** Normal force N [N]; <= 0: the contact is lost, and nothing else of it counts as long as it is finite. */
+    double normal_force;
+    /** Combined shear modulus G [Pa] (2.6), > 0. */
+    double shear_modulus;
+    /** Combined Poisson's ratio nu [-], 0 to 0.5. */
+    double poisson_ratio;
+    /** Coefficient of friction mu [-], >= 0. */
+    double friction;
+} kstrip_contact;
+
+/** The contact ellipse of Hertz. */
+typedef struct kstrip_hertz_contact {
+    /** Semi-axis along the rolling direction x [m]. */
+    double a;
+    /** Semi-axis along y [m]. */
+    double b;
+    /** Pressure at the centre [Pa]. */
+    double peak_pressure;
+    /** Approach of distant points of the two bodies [m]. */
+    double approach;
+    /** Minor over major semi-axis [-], 0 to 1 (2.2). */
+    double axis_ratio;
+    /** Hertz's angle tau [rad], 0 to pi/2 (2.5). */
+    double hertz_angle;
+    /** Four over the sum of the four curvatures [m] (2.3). */
+    double rho;
+} kstrip_hertz_contact;
+
+/**
+ * The contact of two bodies that a load presses together (Hertz).
  *
  * Relative error below 1e-12 (5e-6 in single precision) for axis ratios down to 1e-4; a handful of
- * iterations, at most 12. Without load the ellipse is a point, a = b = 0.
+ * iterations, at most 12.
  *
  * @param radii           curvatures of both bodies.
- * @param normal_force    N [N], >= 0.
- * @param material        combined constants.
- * @param[out] ellipse    receives the solution.
- * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NORMAL_FORCE,
- *         KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_CURVATURE,
+ * @param pair            combined constants.
+ * @param load            N [N]; not positive: the contact is lost, a = b = normal_force = 0.
+ * @param friction        coefficient of friction [-], >= 0.
+ * @param[out] contact    receives the contact.
+ * @param[out] ellipse    receives pressure, approach and shape; NULL: not wanted.
+ * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
+ *         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_CURVATURE,
  *         KSTRIP_ERROR_OVERFLOW.
  */
-kstrip_status kstrip_hertz(const struct kstrip_radii *radii,
-                           double normal_force,
-                           const struct kstrip_combined_material *material,
-                           struct kstrip_hertz_contact *ellipse);
+kstrip_status kstrip_contact_from_hertz(const struct kstrip_radii *radii,
+                                        const struct kstrip_combined_material *pair,
+                                        double load,
+                                        double friction,
+                                        struct kstrip_contact *contact,
+                                        struct kstrip_hertz_contact *ellipse);
+
+/**
+ * The contact of two bodies that have approached each other: the exact inverse of Hertz, for penalty contact.
+ *
+ * @param radii           curvatures of both bodies.
+ * @param pair            combined constants.
+ * @param approach        of distant points of the bodies [m]; not positive: the contact is lost.
+ * @param friction        coefficient of friction [-], >= 0.
+ * @param[out] contact    receives the contact, with its load.
+ * @param[out] dload_dapproach  receives the contact stiffness dN/d(approach) [N/m]; NULL: not wanted.
+ * @return as kstrip_contact_from_hertz().
+ */
+kstrip_status kstrip_contact_from_approach(const struct kstrip_radii *radii,
+                                           const struct kstrip_combined_material *pair,
+                                           double approach,
+                                           double friction,
+                                           struct kstrip_contact *contact,
+                                           double *dload_dapproach);
+
+/**
+ * Kalker's coefficients C11, C22, C23, C33 of the linear theory.
+ *
+ * For vanishing creepage fx = G a b C11 longitudinal, fy = G a b (C22 lateral + sqrt(ab) C23 spin),
+ * mz = G (ab)^(3/2) (sqrt(ab) C33 spin - C23 lateral). Within 0.16 % of CONTACT (C33: 0.4 %) for axis ratios of 0.1 to 10,
+ * beyond with the slender asymptotes.
+ *
+ * @param axis_ratio      a/b [-], > 0; a along the rolling direction.
+ * @param poisson_ratio   combined Poisson's ratio [-], 0 to 0.5.
+ * @param[out] coefficients  receives four numbers: C11, C22, C23, C33.
+ * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_SEMI_AXIS (axis_ratio),
+ *         KSTRIP_ERROR_POISSON_RATIO.
+ */
+kstrip_status kstrip_linear_coefficients(double axis_ratio,
+                                         double poisson_ratio,
+                                         double *coefficients);
+
+/** @} */
+
+/**
+ * @defgroup kstrip_motion Motion: creepages, Kalker's parameters
+ * @{
+ */
+
+/** Velocity of one body's material at the centre of the contact, seen from the contact. */
+typedef struct kstrip_velocity {
+    /** Along the rolling direction x [m/s]: about minus the rolling speed for both bodies. */
+    double x;
+    /** Lateral, along y [m/s]. */
+    double y;
+    /** Angular velocity about the normal z into the lower body [rad/s]. */
+    double angular_z;
+} kstrip_velocity;
+
+/** Rigid slip of the upper over the lower body, divided by the rolling speed (3.3). */
+typedef struct kstrip_creepage {
+    /** Longitudinal creepage [-], positive when the upper body slides in the rolling direction. */
+    double longitudinal;
+    /** Lateral creepage [-], positive along y. */
+    double lateral;
+    /** Spin [1/m], positive from x to y, that is about z into the lower body. */
+    double spin;
+} kstrip_creepage;
 
 /**
  * Creepages from the velocities of both bodies: (upper - lower)/rolling_speed.
+ *
+ * For forward rolling at some speed; kstrip_solve_motion() takes velocities through standstill and reversal.
  *
  * @param lower, upper    surface velocities at the centre of the contact, in one frame.
  * @param rolling_speed   V [m/s], > 0; x points in the rolling direction.
@@ -1652,8 +346,18 @@ kstrip_status kstrip_creepage_from_velocities(const struct kstrip_velocity *lowe
                                               double rolling_speed,
                                               struct kstrip_creepage *creepage);
 
+/** Kalker's parameters (5.13) of a contact in motion, dimensionless. */
+typedef struct kstrip_parameters {
+    /** xi = longitudinal G/(2 (1 - nu) mu p0) */
+    double xi;
+    /** eta = lateral G/(2 mu p0) */
+    double eta;
+    /** psi = a spin G/(2 mu p0). The theory of 1967 is valid for |psi| < 1. */
+    double psi;
+} kstrip_parameters;
+
 /**
- * Kalker's dimensionless parameters xi, eta, psi (5.13) of a contact in motion.
+ * Kalker's dimensionless parameters xi, eta, psi (5.13) of a contact in motion; zero where it is lost.
  *
  * @return KSTRIP_OK or the errors of kstrip_solve() for the same contact and creepage.
  */
@@ -1663,7 +367,7 @@ kstrip_status kstrip_parameters_from_creepage(const struct kstrip_contact *conta
 
 /**
  * The creepage that has the given parameters xi, eta, psi on a contact: the inverse of
- * kstrip_parameters_from_creepage().
+ * kstrip_parameters_from_creepage(); zero where it is lost.
  *
  * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_OVERFLOW or the errors
  *         of kstrip_solve() for the same contact.
@@ -1672,21 +376,104 @@ kstrip_status kstrip_creepage_from_parameters(const struct kstrip_contact *conta
                                               const struct kstrip_parameters *parameters,
                                               struct kstrip_creepage *creepage);
 
+/** @} */
+
 /**
- * Forces of a contact in motion, on the lower body.
+ * @defgroup kstrip_solve Solve: forces, derivatives, strips
+ * @{
+ */
+
+/**
+ * The default, 0: forces from KSTRIP_MODEL_TOTAL (smooth, most accurate), fields, strips and patches from
+ * KSTRIP_MODEL_STRIP.
+ */
+#define KSTRIP_MODEL_DEFAULT 0
+/**
+ * The strip theory of 1967 with the sliding rule that the paper keeps for forces: strips without
+ * adhesion slide along the rigid slip of their centre line. For spin |psi| < 1.
+ */
+#define KSTRIP_MODEL_STRIP_1967 1
+/** The strip theory of 1967 with the sliding rule that joins adhesion strips without a jump. */
+#define KSTRIP_MODEL_STRIP_1967_CONTINUOUS 2
+/**
+ * Strips that follow the slip, corrected to the slopes of Kalker's linear theory, for any spin:
+ * forces, moment, stick area and fields. Mean error against CONTACT 0.7 % of mu N.
  *
- * Continuous in all inputs; |F| <= mu N. Zero creepage and spin give zero; no load or no friction
- * give zero. Bounded time, no iteration that depends on convergence alone.
+ * The moment is the weakest figure. On ellipses longer than wide, a/b > 5, that roll with hardly more than spin, it can have
+ * the wrong sign: by up to 0.02 mu N sqrt(ab) to a/b = 10 (with nu > 0.37), more beyond. The power then is as much below
+ * zero. KSTRIP_MODEL_TOTAL never gains energy.
+ */
+#define KSTRIP_MODEL_STRIP 3
+/**
+ * Total forces and moment only, most accurate and cheapest; mean error against CONTACT 0.3 % of mu N.
+ * No strips, no field; adhesion is reported as -1 (unknown).
+ */
+#define KSTRIP_MODEL_TOTAL 4
+/** Kalker's linear theory, without saturation: for stability analysis. Adhesion is 1. */
+#define KSTRIP_MODEL_LINEAR 5
+
+/** Strips that kstrip_evaluate() writes at most. */
+#define KSTRIP_STRIPS_CAPACITY 320
+
+/** State of a point: outside the contact. */
+#define KSTRIP_STATE_OUTSIDE 0
+/** State of a point: adhesion, no slip. */
+#define KSTRIP_STATE_STICK 1
+/** State of a point: slip. */
+#define KSTRIP_STATE_SLIP 2
+/**
+ * State of a point: slip against the traction (negative local dissipation), the strip theory's
+ * error next to the leading edge of sliding strips.
+ */
+#define KSTRIP_STATE_SLIP_NEGATIVE_DISSIPATION 3
+
+/** Which model, and with how many strips. All zero is the default. */
+typedef struct kstrip_options {
+    /** One of the KSTRIP_MODEL constants. */
+    int32_t model;
+    /** Number of strips: 4, 8, 16, 32 or 64; 0: 16. Ignored by models without strips, but checked. */
+    int32_t strips;
+} kstrip_options;
+
+/** Forces on the lower body. */
+typedef struct kstrip_result {
+    /** Longitudinal force [N], positive along the rolling direction. */
+    double fx;
+    /** Lateral force [N]. */
+    double fy;
+    /** Moment about z at the centre of the contact [N m]. */
+    double mz;
+    /**
+     * Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin [N]: energy dissipated per metre
+     * rolled.
+     */
+    double power;
+    /**
+     * Share of the contact area in adhesion [-], 0 to 1. KSTRIP_MODEL_TOTAL does not know it: -1; KSTRIP_MODEL_LINEAR
+     * has adhesion everywhere: 1.
+     */
+    double adhesion;
+    /** The status of this result: 0 or one of the KSTRIP_WARNING constants. */
+    kstrip_status status_detail;
+    /** Zero. */
+    int32_t reserved;
+} kstrip_result;
+
+/**
+ * Forces of a contact in motion, on the lower body: the fast path.
+ *
+ * Continuous in all inputs; |F| <= mu N. Zero creepage and spin give zero, and so does a lost contact
+ * (normal_force <= 0), with adhesion 0. Bounded time, no iteration that depends on convergence alone.
  *
  * @param contact         ellipse, load, material, friction.
  * @param creepage        motion.
  * @param options         model and strip count; NULL for the defaults.
- * @param[out] result     receives forces, moment, power and stick area.
- * @return KSTRIP_OK; KSTRIP_WARNING_SPIN, KSTRIP_WARNING_RANGE, KSTRIP_WARNING_BEYOND_FRICTION;
- *         KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_SEMI_AXIS,
- *         KSTRIP_ERROR_NORMAL_FORCE, KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO,
- *         KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_MODEL, KSTRIP_ERROR_STRIP_COUNT,
- *         KSTRIP_ERROR_OVERFLOW.
+ * @param[out] result     receives forces, moment, power and adhesion.
+ * @return KSTRIP_OK; KSTRIP_WARNING_SPIN, KSTRIP_WARNING_RANGE, KSTRIP_WARNING_BEYOND_FRICTION,
+ *         KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_CREEPAGE, KSTRIP_WARNING_SEMI_AXIS;
+ *         KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_SEMI_AXIS, KSTRIP_ERROR_MODULUS,
+ *         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_MODEL,
+ *         KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_OVERFLOW.
  */
 kstrip_status kstrip_solve(const struct kstrip_contact *contact,
                            const struct kstrip_creepage *creepage,
@@ -1694,71 +481,408 @@ kstrip_status kstrip_solve(const struct kstrip_contact *contact,
                            struct kstrip_result *result);
 
 /**
- * Forces and their exact derivatives with respect to the creepages.
+ * Friction that falls with the slip, friction ((1 - ratio) exp(-decay w) + ratio) with the sliding velocity w [m/s], and the
+ * stiffness of the layer between the bodies.
  *
- * @param[out] jacobian   receives d(fx, fy, mz)/d(longitudinal, lateral, spin), row by row: nine
- *                        numbers [N, N, N m over 1, 1, 1/m]. At kinks of a model, a one-sided value.
- * @return as kstrip_solve(); KSTRIP_ERROR_OVERFLOW also when a derivative is too large.
+ * Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m; wet 0.3, 0.4, 0.2 s/m.
  */
-kstrip_status kstrip_solve_jacobian(const struct kstrip_contact *contact,
-                                    const struct kstrip_creepage *creepage,
-                                    const struct kstrip_options *options,
-                                    struct kstrip_result *result,
-                                    double *jacobian);
+typedef struct kstrip_friction {
+    /** Coefficient of friction without slip [-], >= 0. */
+    double friction;
+    /** Friction at infinite sliding velocity over that at none [-], 0 to 1; 1: friction is constant. */
+    double ratio;
+    /** How fast friction falls [s/m], >= 0; 0: friction is constant. */
+    double decay;
+    /** Rolling speed [m/s], >= 0: sliding velocity is slip times rolling speed; 0: friction is constant. */
+    double rolling_speed;
+    /** Initial slope of the creep curve over that of clean bodies [-], 0 to 1; 0 stands for 1, clean. */
+    double slope_factor;
+} kstrip_friction;
+
+/** Derivatives of fx, fy, mz by creepages, load and friction. */
+typedef struct kstrip_derivatives {
+    /** By longitudinal, lateral, spin, row by row [N, N, N m over 1, 1, 1/m]; at kinks of a model a one-sided value. */
+    double jacobian[3][3];
+    /** By the normal force at fixed a and b [-, -, m]. */
+    double normal_force[3];
+    /** By the normal force while a and b follow it as Hertz says: both grow like its cube root [-, -, m]. */
+    double load_through_hertz[3];
+    /** By the coefficient of friction, that of the law where there is one [N, N, N m]. */
+    double friction[3];
+} kstrip_derivatives;
+
+/** Derivatives of fx, fy, mz by the parameters of falling friction. */
+typedef struct kstrip_law_derivatives {
+    /** By the ratio [N, N, N m]. */
+    double ratio[3];
+    /** By the decay [N, N, N m over s/m]. */
+    double decay[3];
+    /** By the rolling speed of the law at constant creepages [N, N, N m over m/s]. */
+    double rolling_speed[3];
+    /** By the factor of the initial slope, at 1 without a law [N, N, N m]. */
+    double slope_factor[3];
+} kstrip_law_derivatives;
+
+/** One strip y = const of a contact or a patch: what it carries, on the lower body. */
+typedef struct kstrip_strip {
+    /** Centre line [m]. */
+    double y;
+    /** Width that the strip stands for [m]. */
+    double width;
+    /** Half of its length along x [m]. */
+    double half_length;
+    /** x of the separatrix [m]: slip behind it, adhesion ahead of it; the leading edge where the whole strip slides. */
+    double separatrix;
+    /** Its share of the longitudinal force [N]. */
+    double fx;
+    /** Its share of the lateral force [N]. */
+    double fy;
+    /** Its share of the moment about the centre of the contact [N m]. */
+    double mz;
+    /** Its share of the frictional power [N]. */
+    double power;
+    /** KSTRIP_STATE_STICK if it has an adhesion area, else KSTRIP_STATE_SLIP. */
+    int32_t state;
+    /** Zero. */
+    int32_t reserved;
+} kstrip_strip;
+
+/** Where the outputs of kstrip_evaluate() and kstrip_patch_evaluate() go. NULL is not computed and costs nothing. */
+typedef struct kstrip_outputs {
+    /** Forces, moment, power, adhesion: those of kstrip_solve(), bit for bit, where friction is constant. */
+    struct kstrip_result *result;
+    /** Derivatives by creepages, load and friction; under falling friction through it. */
+    struct kstrip_derivatives *derivatives;
+    /** Derivatives by the parameters of falling friction. */
+    struct kstrip_law_derivatives *law_derivatives;
+    /**
+     * The coefficient of friction that agrees with the slip: the contact's own where friction is constant. Of a
+     * patch the factor that all strips have in common, 1 where friction is constant.
+     */
+    double *friction;
+    /** What each strip carries; capacity elements. Their shares add up to the result of the same model. */
+    struct kstrip_strip *strips;
+    /** How many strips were written; required with strips. */
+    uint32_t *count;
+    /**
+     * Size of strips: KSTRIP_STRIPS_CAPACITY is always enough; the number of strips asked for is with
+     * KSTRIP_MODEL_STRIP, of patches, and where |psi| <= 1.
+     */
+    uint32_t capacity;
+    /** Zero. */
+    uint32_t reserved;
+} kstrip_outputs;
 
 /**
- * Forces of many contacts: the same as calling kstrip_solve() for each, bit for bit.
+ * Everything about a contact in motion in one call: of the outputs, those that are not NULL.
  *
- * All inputs are checked before anything is written: if one is bad its status is returned and no
- * result is touched.
+ * With friction the coefficient of friction falls with the slip and agrees with it (the contact's own does not
+ * count), and all derivatives go through that. With KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
  *
- * @param contacts, creepages  arrays of count elements.
- * @param count           number of contacts; 0 is allowed.
+ * @param contact         ellipse, load, material, friction.
+ * @param creepage        motion.
+ * @param friction        friction that falls with the slip; NULL: constant.
+ * @param options         model and strip count; NULL for the defaults.
+ * @param outputs         where the outputs go.
+ * @return as kstrip_solve(); KSTRIP_WARNING_SEVERAL_FRICTIONS, KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_CAPACITY,
+ *         KSTRIP_ERROR_NOT_IN_MODEL (strips), KSTRIP_ERROR_FRICTION_RATIO, KSTRIP_ERROR_FRICTION_DECAY,
+ *         KSTRIP_ERROR_NEGATIVE_SPEED, KSTRIP_ERROR_SLOPE_FACTOR; KSTRIP_ERROR_OVERFLOW also when a
+ *         derivative is too large.
+ */
+kstrip_status kstrip_evaluate(const struct kstrip_contact *contact,
+                              const struct kstrip_creepage *creepage,
+                              const struct kstrip_friction *friction,
+                              const struct kstrip_options *options,
+                              const struct kstrip_outputs *outputs);
+
+/**
+ * Many contacts with their motion and their friction: for each quantity a pointer to the first one and the distance to
+ * the next in bytes. Distance 0: one for all.
+ *
+ * Arrays of structures (&contacts[0].a, sizeof(kstrip_contact)) are as good as one array for each quantity
+ * (a, sizeof(double)). All but law are required unless there are no contacts.
+ */
+typedef struct kstrip_batch_inputs {
+    /** Semi-axes along x [m]. */
+    const double *a;
+    /** Distance in bytes, as all that follow. */
+    ptrdiff_t a_stride;
+    /** Semi-axes along y [m]. */
+    const double *b;
+    /** Distance. */
+    ptrdiff_t b_stride;
+    /** Normal forces [N]; not positive: lost. */
+    const double *normal_force;
+    /** Distance. */
+    ptrdiff_t normal_force_stride;
+    /** Combined shear moduli G [Pa]. */
+    const double *shear_modulus;
+    /** Distance. */
+    ptrdiff_t shear_modulus_stride;
+    /** Combined Poisson's ratios [-]. */
+    const double *poisson_ratio;
+    /** Distance. */
+    ptrdiff_t poisson_ratio_stride;
+    /** Coefficients of friction [-]. */
+    const double *friction;
+    /** Distance. */
+    ptrdiff_t friction_stride;
+    /** Longitudinal creepages [-]. */
+    const double *longitudinal;
+    /** Distance. */
+    ptrdiff_t longitudinal_stride;
+    /** Lateral creepages [-]. */
+    const double *lateral;
+    /** Distance. */
+    ptrdiff_t lateral_stride;
+    /** Spins [1/m]. */
+    const double *spin;
+    /** Distance. */
+    ptrdiff_t spin_stride;
+    /** Falling friction; NULL: constant. */
+    const struct kstrip_friction *law;
+    /** Distance. */
+    ptrdiff_t law_stride;
+} kstrip_batch_inputs;
+
+/**
+ * Where the results of many contacts go: for each quantity a pointer to the first one and the distance to the next in
+ * bytes. NULL is not wanted and costs nothing.
+ */
+typedef struct kstrip_batch_outputs {
+    /** Longitudinal forces on the lower bodies [N]. */
+    double *fx;
+    /** Distance in bytes, as all that follow; at least the size of one. */
+    ptrdiff_t fx_stride;
+    /** Lateral forces [N]. */
+    double *fy;
+    /** Distance. */
+    ptrdiff_t fy_stride;
+    /** Moments about z at the centres of the contacts [N m]. */
+    double *mz;
+    /** Distance. */
+    ptrdiff_t mz_stride;
+    /** Frictional powers over rolling speed [N]. */
+    double *power;
+    /** Distance. */
+    ptrdiff_t power_stride;
+    /** Shares of the contact areas in adhesion [-], 0 to 1, or -1 for unknown. */
+    double *adhesion;
+    /** Distance. */
+    ptrdiff_t adhesion_stride;
+    /** The status of each result: 0 or one of the KSTRIP_WARNING constants. */
+    int32_t *status_detail;
+    /** Distance. */
+    ptrdiff_t status_detail_stride;
+    /** Coefficients of friction that agree with the slip [-]. */
+    double *friction;
+    /** Distance. */
+    ptrdiff_t friction_stride;
+    /** Derivatives by creepages, load and friction. */
+    struct kstrip_derivatives *derivatives;
+    /** Distance. */
+    ptrdiff_t derivatives_stride;
+    /** Derivatives by the parameters of falling friction. */
+    struct kstrip_law_derivatives *law_derivatives;
+    /** Distance. */
+    ptrdiff_t law_derivatives_stride;
+} kstrip_batch_outputs;
+
+/**
+ * kstrip_evaluate() for many contacts: the same results, bit for bit.
+ *
+ * Where the processor has AVX several contacts are solved side by side. All inputs are checked before anything is
+ * written: if one is bad its status is returned, no output is touched, and first_bad receives its index. A lost contact
+ * is not bad: its results are zero.
+ *
+ * @param inputs          contacts, creepages, falling friction.
+ * @param count           how many; 0 is allowed.
  * @param options         for all contacts; NULL for the defaults.
- * @param[out] results    array of count elements; status_detail tells each one's warning.
- * @return KSTRIP_OK, the largest warning, or the first error, as kstrip_solve().
+ * @param outputs         where the outputs go; they must not overlap the inputs or each other.
+ * @param[out] first_bad  receives the index of the first bad input, count without one; NULL: not wanted.
+ * @return KSTRIP_OK, the largest warning, or the first error, as kstrip_evaluate().
  */
-kstrip_status kstrip_solve_batch(const struct kstrip_contact *contacts,
-                                 const struct kstrip_creepage *creepages,
-                                 uint32_t count,
-                                 const struct kstrip_options *options,
-                                 struct kstrip_result *results);
+kstrip_status kstrip_evaluate_batch(const struct kstrip_batch_inputs *inputs,
+                                    uint32_t count,
+                                    const struct kstrip_options *options,
+                                    const struct kstrip_batch_outputs *outputs,
+                                    uint32_t *first_bad);
 
 /**
- * What each strip carries. The shares add up to the totals of kstrip_solve().
- *
- * @param[out] strips     array that receives the strips.
- * @param capacity        its size; KSTRIP_STRIPS_CAPACITY is always enough, options->strips is when
- *                        |psi| <= 1.
- * @param[out] count      receives how many were written. A patch that slides as a whole has fewer
- *                        strips than asked for.
- * @return as kstrip_solve(); KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_NOT_IN_MODEL.
+ * A contact of which everything that does not depend on the motion has been computed. Filled by kstrip_prepare(); plain
+ * numbers without pointers, to be copied and kept as the caller likes, for this version of the library only.
  */
-kstrip_status kstrip_strips(const struct kstrip_contact *contact,
-                            const struct kstrip_creepage *creepage,
-                            const struct kstrip_options *options,
-                            struct kstrip_strip *strips,
-                            uint32_t capacity,
-                            uint32_t *count);
+typedef struct kstrip_prepared {
+    /** Not for use. */
+    double numbers[64];
+    /** The model; 0: nothing prepared. */
+    int32_t model;
+    /** The strip count. */
+    int32_t strips;
+} kstrip_prepared;
 
 /**
- * Pressure, traction, slip and state at a point of the contact plane.
+ * Everything that depends on the contact and the options only, for kstrip_solve_prepared().
  *
- * @param x, y            the point [m], from the centre of the ellipse; outside is allowed.
- * @param[out] point      receives the state.
- * @return as kstrip_solve(); KSTRIP_ERROR_NOT_IN_MODEL.
+ * For rigs whose contact is constant, and for iterations on the creepage.
+ *
+ * @param contact         ellipse, load, material, friction.
+ * @param options         model and strip count; NULL for the defaults.
+ * @param[out] prepared   receives plain numbers.
+ * @return as kstrip_solve().
  */
-kstrip_status kstrip_traction_at(const struct kstrip_contact *contact,
+kstrip_status kstrip_prepare(const struct kstrip_contact *contact,
+                             const struct kstrip_options *options,
+                             struct kstrip_prepared *prepared);
+
+/**
+ * kstrip_solve() for a prepared contact: the same result, bit for bit.
+ *
+ * @param prepared        by kstrip_prepare().
+ * @param creepage        motion.
+ * @param[out] result     receives forces, moment, power and adhesion.
+ * @return as kstrip_solve(); KSTRIP_ERROR_NOT_PREPARED.
+ */
+kstrip_status kstrip_solve_prepared(const struct kstrip_prepared *prepared,
+                                    const struct kstrip_creepage *creepage,
+                                    struct kstrip_result *result);
+
+/** How the upper body moves over the lower one at the contact. */
+typedef struct kstrip_motion {
+    /** Velocity of the upper over the lower body along x [m/s]. */
+    double slip_x;
+    /** Along y [m/s]. */
+    double slip_y;
+    /** Angular velocity of the upper over the lower body about z [rad/s]. */
+    double spin_rate;
+    /** Rolling speed [m/s]: positive along x, negative backward. */
+    double rolling_speed;
+    /** Speed below which creepages grow no further [m/s], >= 0; 0: 0.02. */
+    double floor_speed;
+} kstrip_motion;
+
+/** Derivatives of fx, fy, mz by the motion, by load and by friction. */
+typedef struct kstrip_motion_derivatives {
+    /** By slip_x, slip_y, spin_rate, row by row [N, N, N m over m/s, m/s, rad/s]. */
+    double slip[3][3];
+    /** By the rolling speed [N, N, N m over m/s]. */
+    double rolling_speed[3];
+    /** By the normal force at fixed a and b [-, -, m]. */
+    double normal_force[3];
+    /** By the normal force while a and b follow it as Hertz says [-, -, m]. */
+    double load_through_hertz[3];
+    /** By the coefficient of friction, that of the law where there is one [N, N, N m]. */
+    double friction[3];
+} kstrip_motion_derivatives;
+
+/** Where the outputs of kstrip_solve_motion() go. NULL is not computed and costs nothing. */
+typedef struct kstrip_motion_outputs {
+    /** Forces and moment on the lower body, adhesion; power here in watts: fx slip_x + fy slip_y + mz spin_rate. */
+    struct kstrip_result *result;
+    /** Derivatives by the motion, by load and by friction. */
+    struct kstrip_motion_derivatives *derivatives;
+    /** The coefficient of friction that agrees with the slip. */
+    double *friction;
+} kstrip_motion_outputs;
+
+/**
+ * Forces of a contact that rolls forward, backward, or not at all, with derivatives by its motion: for wheels that stop,
+ * hold and reverse.
+ *
+ * sqrt(rolling_speed^2 + floor_speed^2) stands for the rolling speed in the creepages. Far from standstill the result is
+ * that of the patch whose leading edge lies ahead; near it both directions are blended, so that forces and derivatives are
+ * continuous. Friction opposes the slip at every speed. x stays where it is when the motion reverses.
+ *
+ * @param contact         ellipse, load, material, friction.
+ * @param motion          slip, spin rate, signed rolling speed.
+ * @param friction        friction that falls with the slip; NULL: constant. Its rolling_speed does not count.
+ * @param options         model and strip count; NULL for the defaults.
+ * @param outputs         where the outputs go.
+ * @return as kstrip_evaluate(); KSTRIP_ERROR_FLOOR_SPEED.
+ */
+kstrip_status kstrip_solve_motion(const struct kstrip_contact *contact,
+                                  const struct kstrip_motion *motion,
+                                  const struct kstrip_friction *friction,
+                                  const struct kstrip_options *options,
+                                  const struct kstrip_motion_outputs *outputs);
+
+/**
+ * kstrip_solve() with KSTRIP_MODEL_TOTAL; a program that calls only this links no other model.
+ *
+ * @return as kstrip_solve().
+ */
+kstrip_status kstrip_solve_total(const struct kstrip_contact *contact,
                                  const struct kstrip_creepage *creepage,
-                                 const struct kstrip_options *options,
-                                 double x,
-                                 double y,
-                                 struct kstrip_point *point);
+                                 struct kstrip_result *result);
 
 /**
- * Pressure, traction, slip and state over a grid.
+ * kstrip_solve() with KSTRIP_MODEL_STRIP; a program that calls only this links no other model.
  *
- * @param x, columns      array of x [m] and its size.
+ * @param strips          4, 8, 16, 32 or 64; 0: 16.
+ * @return as kstrip_solve().
+ */
+kstrip_status kstrip_solve_strip(const struct kstrip_contact *contact,
+                                 const struct kstrip_creepage *creepage,
+                                 int32_t strips,
+                                 struct kstrip_result *result);
+
+/**
+ * kstrip_solve() with KSTRIP_MODEL_STRIP_1967; a program that calls only this links no other model.
+ *
+ * @param strips          4, 8, 16, 32 or 64; 0: 16.
+ * @return as kstrip_solve().
+ */
+kstrip_status kstrip_solve_strip_1967(const struct kstrip_contact *contact,
+                                      const struct kstrip_creepage *creepage,
+                                      int32_t strips,
+                                      struct kstrip_result *result);
+
+/**
+ * kstrip_solve() with KSTRIP_MODEL_LINEAR; a program that calls only this links no other model.
+ *
+ * @return as kstrip_solve().
+ */
+kstrip_status kstrip_solve_linear(const struct kstrip_contact *contact,
+                                  const struct kstrip_creepage *creepage,
+                                  struct kstrip_result *result);
+
+/** @} */
+
+/**
+ * @defgroup kstrip_inside Inside the contact: pressure, traction, slip
+ * @{
+ */
+
+/** The state of a point of the contact plane. Tractions act on the lower body. */
+typedef struct kstrip_point {
+    /** Pressure [Pa]. */
+    double pressure;
+    /** Tangential traction along x [Pa]. */
+    double traction_x;
+    /** Tangential traction along y [Pa]. */
+    double traction_y;
+    /** Slip of the upper over the lower body along x, over the rolling speed [-]. */
+    double slip_x;
+    /** Slip along y, over the rolling speed [-]. */
+    double slip_y;
+    /** Traction times slip [Pa]: energy dissipated per area and metre rolled. */
+    double dissipation;
+    /** One of the KSTRIP_STATE constants. */
+    int32_t state;
+    /** Zero. */
+    int32_t reserved;
+} kstrip_point;
+
+/**
+ * Pressure, traction, slip and state over a grid; one point is a grid of one.
+ *
+ * Under falling friction: set the contact's friction to that of kstrip_evaluate(), and multiply its shear_modulus with the
+ * law's slope_factor.
+ *
+ * @param contact         ellipse, load, material, friction.
+ * @param creepage        motion.
+ * @param options         a model with strips; NULL and KSTRIP_MODEL_DEFAULT: KSTRIP_MODEL_STRIP.
+ * @param x, columns      array of x [m] from the centre of the ellipse, and its size; outside is allowed.
  * @param y, rows         array of y [m] and its size.
  * @param[out] points     array of rows * columns elements; the point (x[i], y[j]) is
  *                        points[j * columns + i].
@@ -1775,37 +899,133 @@ kstrip_status kstrip_field(const struct kstrip_contact *contact,
                            struct kstrip_point *points,
                            uint32_t capacity);
 
-/**
- * The same result seen from the upper body: opposite forces and moment, same power and adhesion.
- *
- * @param lower           result on the lower body.
- * @param[out] upper      receives the result on the upper body.
- * @return KSTRIP_OK or KSTRIP_ERROR_NULL.
- */
-kstrip_status kstrip_result_on_upper_body(const struct kstrip_result *lower,
-                                          struct kstrip_result *upper);
+/** @} */
 
 /**
- * The strips of a Hertz ellipse, where KSTRIP_MODEL_STRIP places them.
- *
- * kstrip_patch_solve() with KSTRIP_MODEL_STRIP gives the answer of kstrip_solve() with the same strip count,
- * to rounding. The strips of the models of 1967 move with the solution in kstrip_solve(), here they do not: the
- * forces differ by a part of what one strip carries.
- *
- * @param contact         the loaded contact.
- * @param strips          number of strips: 4, 8, 16, 32 or 64.
- * @param[out] patch      receives the patch.
- * @return KSTRIP_OK; KSTRIP_ERROR_STRIP_COUNT, or one of the errors of kstrip_solve() for the contact.
+ * @defgroup kstrip_patch Patches of any shape
+ * @{
  */
-kstrip_status kstrip_patch_from_ellipse(const struct kstrip_contact *contact,
-                                        int32_t strips,
-                                        struct kstrip_patch *patch);
+
+/** Strips that a kstrip_patch has room for. */
+#define KSTRIP_PATCH_CAPACITY 64
+
+/**
+ * What presses two profiles together. Zero is the default of every member but rolling_radius, shear_modulus and one of
+ * normal_force and approach.
+ */
+typedef struct kstrip_profile_contact {
+    /** Rolling radius [m], > 0; of two rolling bodies 1/R = 1/R_lower + 1/R_upper. */
+    double rolling_radius;
+    /** Normal force N [N], >= 0; 0: approach decides. */
+    double normal_force;
+    /** Approach of distant points of the bodies [m], >= 0; only where normal_force is 0. */
+    double approach;
+    /** Length over which the profile is smoothed before its curvature is taken [m]; 0: chosen by its noise. */
+    double smoothing_length;
+    /** Combined shear modulus G [Pa], > 0. */
+    double shear_modulus;
+    /** Combined Poisson's ratio [-], 0 to 0.5. */
+    double poisson_ratio;
+    /** Coefficient of friction of every strip [-], >= 0. */
+    double friction;
+    /** Number of strips: 4, 8, 16, 32 or 64; 0: 16. With several zones of contact the patch may have a few less. */
+    int32_t strips;
+    /** Zero. */
+    int32_t reserved;
+} kstrip_profile_contact;
+
+/**
+ * One strip of a patch, along the rolling direction. Its pressure is a half-ellipse in x,
+ * peak_pressure sqrt(1 - (x - centre_x)^2/half_length^2), and does not vary over its width.
+ */
+typedef struct kstrip_patch_strip {
+    /** Centre line y [m]. */
+    double y;
+    /** Width [m], > 0. */
+    double width;
+    /** Half length along x [m], > 0. */
+    double half_length;
+    /** Centre along x [m]; 0 for most contacts. */
+    double centre_x;
+    /** Pressure at the centre [Pa], >= 0. */
+    double peak_pressure;
+    /** Coefficient of friction [-], >= 0; every strip may have its own. */
+    double friction;
+} kstrip_patch_strip;
+
+/**
+ * A contact patch of any shape: its strips, in ascending y. Filled by kstrip_patch_from_contact(),
+ * kstrip_patch_from_strips() or kstrip_patch_from_profile(); the members may then be changed. All functions check it
+ * again. All zero but shear_modulus is a patch without load.
+ *
+ * Where the distance of two neighbours is more than one and a half times that at which they touch,
+ * there is a gap: what lies on either side is a lobe of its own.
+ */
+typedef struct kstrip_patch {
+    /** The strips; the first count are used. */
+    struct kstrip_patch_strip strips[KSTRIP_PATCH_CAPACITY];
+    /** Combined shear modulus G [Pa], > 0. */
+    double shear_modulus;
+    /** Combined Poisson's ratio [-], 0 to 0.5. */
+    double poisson_ratio;
+    /**
+     * Factor [-], > 0, that makes the sum of the strips' areas the patch's area: 1 unless the strips
+     * are a quadrature rule (kstrip_patch_from_contact()); 0 stands for 1.
+     */
+    double area_scale;
+    /** The same for the moment of the area about x, the sum of y^2 times area. */
+    double lever_scale;
+    /** Number of strips, 0 to KSTRIP_PATCH_CAPACITY. None: no load. */
+    uint32_t count;
+    /** Zero. */
+    uint32_t reserved;
+} kstrip_patch;
+
+/** How two profiles meet. */
+typedef struct kstrip_profile_result {
+    /** Approach of distant points of the two bodies [m]. */
+    double approach;
+    /** Largest pressure [Pa], at the deepest point. */
+    double peak_pressure;
+    /** Normal force reached [N]. */
+    double normal_force;
+    /** y of the deepest point [m]. */
+    double deepest_y;
+    /** Evaluations of the load, at most 60. */
+    uint32_t iterations;
+    /** Zero. */
+    uint32_t reserved;
+} kstrip_profile_result;
+
+/**
+ * The patch of two profiles under a load, or at an approach.
+ *
+ * Zones of contact that are apart become lobes. Bounded time: at most 60 evaluations of the load, usually below ten,
+ * each proportional to the number of points in contact.
+ *
+ * @param y, distance, points  undeformed distance of the bodies [m] on the line x = 0 at y [m], which ascends;
+ *                        at least 3 points, straight between them. What is added to all distances
+ *                        does not matter.
+ * @param contact         rolling radius, load or approach, material, friction, number of strips.
+ * @param[out] patch      receives the patch.
+ * @param[out] result     receives approach, peak pressure and load; NULL: not wanted.
+ * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE,
+ *         KSTRIP_ERROR_PROFILE_END, KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_NORMAL_FORCE,
+ *         KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION,
+ *         KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_PATCH_SIZE, KSTRIP_ERROR_OVERFLOW.
+ */
+kstrip_status kstrip_patch_from_profile(const double *y,
+                                        const double *distance,
+                                        uint32_t points,
+                                        const struct kstrip_profile_contact *contact,
+                                        struct kstrip_patch *patch,
+                                        struct kstrip_profile_result *result);
 
 /**
  * A patch from strips of any origin, in any order of y.
  *
  * Strips may overlap by up to half of the distance at which they touch (a quadrature rule does), not by
- * more. Strips that do not ascend are sorted in a copy on the stack (7 KiB).
+ * more. Strips that do not ascend are sorted in a copy on the stack (3 KiB; 2 KiB in single precision).
  *
  * @param strips, count   the strips, at most KSTRIP_PATCH_CAPACITY; 0 is allowed.
  * @param shear_modulus   combined shear modulus G [Pa], > 0.
@@ -1823,35 +1043,34 @@ kstrip_status kstrip_patch_from_strips(const struct kstrip_patch_strip *strips,
                                        struct kstrip_patch *patch);
 
 /**
- * The patch of two profiles under a load, by the construction of Kik and Piotrowski (1996): virtual
- * penetration 0.55 delta, half lengths sqrt(2 R g), pressure a half-ellipse along x, delta from the
- * deflection at the deepest point.
+ * The strips of a contact's ellipse, where KSTRIP_MODEL_STRIP places them; none where it is lost.
  *
- * No elastic problem is solved: for the circle of Hertz the patch is 3 % too large and the peak pressure 6 %
- * too low; for an ellipse whose curvatures are as 1 to 9, one axis is 27 % too long. Zones of contact that
- * are apart become lobes. Bounded time: at most 60 evaluations of the load, usually below ten, each
- * proportional to the number of points in contact. Uses 7 KiB of stack.
+ * kstrip_patch_evaluate() with KSTRIP_MODEL_STRIP gives the answer of kstrip_solve() with that model and the same strip
+ * count, to rounding. The strips of the models of 1967 move with the solution in kstrip_solve(), here they do not: the
+ * forces differ by a part of what one strip carries.
  *
- * @param y, distance, points  undeformed distance of the bodies [m] on the line x = 0 at y [m], which ascends;
- *                        at least 3 points, straight between them. What is added to all distances
- *                        does not matter.
- * @param contact         rolling radius, load, material, friction.
- * @param strips          number of strips, 4, 8, 16, 32 or 64; with several zones of contact the patch may
- *                        have a few less.
+ * @param contact         the loaded contact.
+ * @param options         strip count; its model is checked and otherwise ignored. NULL for the defaults.
  * @param[out] patch      receives the patch.
- * @param[out] result     receives approach, peak pressure, and the load reached.
- * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE,
- *         KSTRIP_ERROR_PROFILE_END, KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_NORMAL_FORCE,
- *         KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION,
- *         KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_PATCH_SIZE, KSTRIP_ERROR_OVERFLOW.
+ * @return KSTRIP_OK, or one of the errors of kstrip_solve() for the contact and the options.
  */
-kstrip_status kstrip_patch_from_profile(const double *y,
-                                        const double *distance,
-                                        uint32_t points,
-                                        const struct kstrip_profile_contact *contact,
-                                        int32_t strips,
-                                        struct kstrip_patch *patch,
-                                        struct kstrip_profile_result *result);
+kstrip_status kstrip_patch_from_contact(const struct kstrip_contact *contact,
+                                        const struct kstrip_options *options,
+                                        struct kstrip_patch *patch);
+
+/** What a patch carries. */
+typedef struct kstrip_patch_summary {
+    /** Normal force [N]. */
+    double normal_force;
+    /** Sum of friction times load over the strips [N]: no tangential force exceeds it. */
+    double friction_bound;
+    /** Contact area [m^2]. */
+    double area;
+    /** Number of lobes. */
+    uint32_t lobes;
+    /** Zero. */
+    uint32_t reserved;
+} kstrip_patch_summary;
 
 /**
  * Load, friction bound, area and lobes of a patch; checks it without solving.
@@ -1865,81 +1084,47 @@ kstrip_status kstrip_patch_summarize(const struct kstrip_patch *patch,
                                      struct kstrip_patch_summary *summary);
 
 /**
- * Forces of a patch in motion, on the lower body.
+ * Everything about a patch in motion in one call, on the lower body: of the outputs, those that are not NULL.
  *
  * The creepage is that at the origin of the patch's coordinates, x = y = 0; a strip sees
- * (longitudinal - spin y, lateral + spin centre_x), and the moment is about the origin. |F| is at
+ * (longitudinal - spin y, lateral + spin centre_x), and moments are about the origin. |F| is at
  * most the sum of friction times load over the strips. KSTRIP_MODEL_STRIP solves each lobe
  * with an equivalent ellipse: as wide as the lobe's strips together, with their mean squared half length
  * (two thirds of a squared), their load and their mean friction.
  *
+ * Derivatives by load: all pressures grow alike; through Hertz, while all lengths grow like the load's cube root. By
+ * friction: of the mean, all strips' friction growing alike. With friction its factor, (1 - ratio) exp(-decay w) + ratio,
+ * multiplies that of all strips; its own friction does not count, and derivatives by it are those by the mean of the
+ * strips' friction. outputs->strips receives patch->count strips.
+ *
  * @param patch           the patch.
  * @param creepage        motion at the origin.
- * @param options         KSTRIP_MODEL_STRIP or one of the models of 1967; NULL for the default. The
+ * @param friction        friction that falls with the slip; NULL: constant.
+ * @param options         KSTRIP_MODEL_STRIP (the default here) or one of the models of 1967; NULL for the default. The
  *                        strip count is checked and otherwise ignored.
- * @param[out] result     receives forces, moment, power and stick area.
- * @return KSTRIP_OK, KSTRIP_WARNING_SPIN, KSTRIP_WARNING_RANGE (of a lobe's ellipse);
+ * @param outputs         where the outputs go.
+ * @return as kstrip_evaluate(); KSTRIP_WARNING_RANGE (of a lobe's ellipse);
  *         KSTRIP_ERROR_NOT_IN_MODEL for KSTRIP_MODEL_TOTAL and KSTRIP_MODEL_LINEAR (the linear theory
- *         of a patch is kstrip_patch_jacobian() at zero creepage); KSTRIP_ERROR_MODEL,
- *         KSTRIP_ERROR_STRIP_COUNT, or one of the errors of kstrip_patch_summarize().
+ *         of a patch is its derivatives at zero creepage), or one of the errors of kstrip_patch_summarize().
  */
-kstrip_status kstrip_patch_solve(const struct kstrip_patch *patch,
-                                 const struct kstrip_creepage *creepage,
-                                 const struct kstrip_options *options,
-                                 struct kstrip_result *result);
-
-/**
- * Forces of a patch and their exact derivatives with respect to the creepages.
- *
- * @param[out] jacobian   receives d(fx, fy, mz)/d(longitudinal, lateral, spin), row by row: nine
- *                        numbers [N, N, N m over 1, 1, 1/m]. At kinks of a model, a one-sided value.
- * @return as kstrip_patch_solve(); KSTRIP_ERROR_OVERFLOW also when a derivative is too large.
- */
-kstrip_status kstrip_patch_jacobian(const struct kstrip_patch *patch,
+kstrip_status kstrip_patch_evaluate(const struct kstrip_patch *patch,
                                     const struct kstrip_creepage *creepage,
+                                    const struct kstrip_friction *friction,
                                     const struct kstrip_options *options,
-                                    struct kstrip_result *result,
-                                    double *jacobian);
+                                    const struct kstrip_outputs *outputs);
 
 /**
- * What each strip of a patch carries, ascending in y. The shares add up to the totals of
- * kstrip_patch_solve(); each moment is about the origin.
+ * Pressure, traction, slip and state of a patch over a grid; they do not vary over the width of a strip.
  *
- * @param[out] strips     array that receives the strips.
- * @param capacity        its size, at least patch->count.
- * @param[out] count      receives how many were written: patch->count.
- * @return as kstrip_patch_solve(); KSTRIP_ERROR_CAPACITY.
- */
-kstrip_status kstrip_patch_strips(const struct kstrip_patch *patch,
-                                  const struct kstrip_creepage *creepage,
-                                  const struct kstrip_options *options,
-                                  struct kstrip_strip *strips,
-                                  uint32_t capacity,
-                                  uint32_t *count);
-
-/**
- * Pressure, traction, slip and state at a point of a patch. They do not vary over the width of a strip.
+ * Under falling friction: multiply all strips' friction with that of kstrip_patch_evaluate(), and the shear modulus with
+ * the law's slope_factor.
  *
- * @param x, y            the point [m]; outside is allowed.
- * @param[out] point      receives the state.
- * @return as kstrip_patch_solve().
- */
-kstrip_status kstrip_patch_traction_at(const struct kstrip_patch *patch,
-                                       const struct kstrip_creepage *creepage,
-                                       const struct kstrip_options *options,
-                                       double x,
-                                       double y,
-                                       struct kstrip_point *point);
-
-/**
- * Pressure, traction, slip and state of a patch over a grid.
- *
- * @param x, columns      array of x [m] and its size.
+ * @param x, columns      array of x [m] and its size; outside is allowed.
  * @param y, rows         array of y [m] and its size.
  * @param[out] points     array of rows * columns elements; the point (x[i], y[j]) is
  *                        points[j * columns + i].
  * @param capacity        its size.
- * @return as kstrip_patch_solve(); KSTRIP_ERROR_CAPACITY.
+ * @return as kstrip_patch_evaluate(); KSTRIP_ERROR_CAPACITY.
  */
 kstrip_status kstrip_patch_field(const struct kstrip_patch *patch,
                                  const struct kstrip_creepage *creepage,
@@ -1951,599 +1136,34 @@ kstrip_status kstrip_patch_field(const struct kstrip_patch *patch,
                                  struct kstrip_point *points,
                                  uint32_t capacity);
 
-/**
- * kstrip_patch_from_ellipse() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_patch_from_ellipse_f32(const struct kstrip_contact_f32 *contact,
-                                            int32_t strips,
-                                            struct kstrip_patch_f32 *patch);
+/** @} */
 
 /**
- * kstrip_patch_from_strips() in single precision: same arguments, units, ranges and statuses.
+ * @defgroup kstrip_rig Test rigs: friction from a force, creepage from a force
+ * @{
  */
-kstrip_status kstrip_patch_from_strips_f32(const struct kstrip_patch_strip_f32 *strips,
-                                           uint32_t count,
-                                           float shear_modulus,
-                                           float poisson_ratio,
-                                           struct kstrip_patch_f32 *patch);
 
-/**
- * kstrip_patch_from_profile() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_patch_from_profile_f32(const float *y,
-                                            const float *distance,
-                                            uint32_t points,
-                                            const struct kstrip_profile_contact_f32 *contact,
-                                            int32_t strips,
-                                            struct kstrip_patch_f32 *patch,
-                                            struct kstrip_profile_result_f32 *result);
+/** The longitudinal force was measured. */
+#define KSTRIP_MEASURED_FX 1
+/** The lateral force was measured. */
+#define KSTRIP_MEASURED_FY 2
 
-/**
- * kstrip_patch_summarize() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_patch_summarize_f32(const struct kstrip_patch_f32 *patch,
-                                         struct kstrip_patch_summary_f32 *summary);
-
-/**
- * kstrip_patch_solve() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_patch_solve_f32(const struct kstrip_patch_f32 *patch,
-                                     const struct kstrip_creepage_f32 *creepage,
-                                     const struct kstrip_options *options,
-                                     struct kstrip_result_f32 *result);
-
-/**
- * kstrip_patch_jacobian() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_patch_jacobian_f32(const struct kstrip_patch_f32 *patch,
-                                        const struct kstrip_creepage_f32 *creepage,
-                                        const struct kstrip_options *options,
-                                        struct kstrip_result_f32 *result,
-                                        float *jacobian);
-
-/**
- * kstrip_patch_strips() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_patch_strips_f32(const struct kstrip_patch_f32 *patch,
-                                      const struct kstrip_creepage_f32 *creepage,
-                                      const struct kstrip_options *options,
-                                      struct kstrip_strip_f32 *strips,
-                                      uint32_t capacity,
-                                      uint32_t *count);
-
-/**
- * kstrip_patch_traction_at() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_patch_traction_at_f32(const struct kstrip_patch_f32 *patch,
-                                           const struct kstrip_creepage_f32 *creepage,
-                                           const struct kstrip_options *options,
-                                           float x,
-                                           float y,
-                                           struct kstrip_point_f32 *point);
-
-/**
- * kstrip_patch_field() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_patch_field_f32(const struct kstrip_patch_f32 *patch,
-                                     const struct kstrip_creepage_f32 *creepage,
-                                     const struct kstrip_options *options,
-                                     const float *x,
-                                     uint32_t columns,
-                                     const float *y,
-                                     uint32_t rows,
-                                     struct kstrip_point_f32 *points,
-                                     uint32_t capacity);
-
-/**
- * kstrip_solve() with KSTRIP_MODEL_TOTAL without linking any other model.
- *
- * The same result, to the bit, as kstrip_solve() with that model in its options. kstrip_solve() learns
- * its model when it runs and therefore brings every model into the program; a program that calls
- * only the functions of this group contains only the models that they name.
- *
- * @param[in]  contact   the loaded contact.
- * @param[in]  creepage  creepage and spin.
- * @param[out] result    receives the forces on the lower body; adhesion is -1 (unknown).
- * @return KSTRIP_OK, KSTRIP_WARNING_RANGE, or one of the errors of kstrip_solve().
- */
-kstrip_status kstrip_solve_total(const struct kstrip_contact *contact,
-                                 const struct kstrip_creepage *creepage,
-                                 struct kstrip_result *result);
-
-/**
- * kstrip_solve() with KSTRIP_MODEL_LINEAR without linking any other model.
- *
- * @param[in]  contact   the loaded contact.
- * @param[in]  creepage  creepage and spin.
- * @param[out] result    receives the forces on the lower body; adhesion is 1.
- * @return KSTRIP_OK, KSTRIP_WARNING_BEYOND_FRICTION, or one of the errors of kstrip_solve().
- */
-kstrip_status kstrip_solve_linear(const struct kstrip_contact *contact,
-                                  const struct kstrip_creepage *creepage,
-                                  struct kstrip_result *result);
-
-/**
- * kstrip_solve() with KSTRIP_MODEL_STRIP_1967 without linking any other model.
- *
- * @param[in]  contact   the loaded contact.
- * @param[in]  creepage  creepage and spin.
- * @param[in]  strips    number of strips: 4, 8, 16, 32 or 64.
- * @param[out] result    receives the forces on the lower body.
- * @return KSTRIP_OK, KSTRIP_WARNING_SPIN, or one of the errors of kstrip_solve().
- */
-kstrip_status kstrip_solve_strip_1967(const struct kstrip_contact *contact,
-                                      const struct kstrip_creepage *creepage,
-                                      int32_t strips,
-                                      struct kstrip_result *result);
-
-/**
- * kstrip_solve() with KSTRIP_MODEL_STRIP without linking any other model.
- *
- * @param[in]  contact   the loaded contact.
- * @param[in]  creepage  creepage and spin.
- * @param[in]  strips    number of strips: 4, 8, 16, 32 or 64.
- * @param[out] result    receives the forces on the lower body.
- * @return KSTRIP_OK, KSTRIP_WARNING_RANGE, or one of the errors of kstrip_solve().
- */
-kstrip_status kstrip_solve_strip(const struct kstrip_contact *contact,
-                                 const struct kstrip_creepage *creepage,
-                                 int32_t strips,
-                                 struct kstrip_result *result);
-
-/**
- * kstrip_solve_total() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_solve_total_f32(const struct kstrip_contact_f32 *contact,
-                                     const struct kstrip_creepage_f32 *creepage,
-                                     struct kstrip_result_f32 *result);
-
-/**
- * kstrip_solve_linear() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_solve_linear_f32(const struct kstrip_contact_f32 *contact,
-                                      const struct kstrip_creepage_f32 *creepage,
-                                      struct kstrip_result_f32 *result);
-
-/**
- * kstrip_solve_strip_1967() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_solve_strip_1967_f32(const struct kstrip_contact_f32 *contact,
-                                          const struct kstrip_creepage_f32 *creepage,
-                                          int32_t strips,
-                                          struct kstrip_result_f32 *result);
-
-/**
- * kstrip_solve_strip() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_solve_strip_f32(const struct kstrip_contact_f32 *contact,
-                                     const struct kstrip_creepage_f32 *creepage,
-                                     int32_t strips,
-                                     struct kstrip_result_f32 *result);
-
-/**
- * kstrip_material_from_youngs_modulus() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_material_from_youngs_modulus_f32(float youngs_modulus,
-                                                      float poisson_ratio,
-                                                      struct kstrip_material_f32 *material);
-
-/**
- * kstrip_material_combine() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_material_combine_f32(const struct kstrip_material_f32 *lower,
-                                          const struct kstrip_material_f32 *upper,
-                                          struct kstrip_combined_material_f32 *combined);
-
-/**
- * kstrip_hertz() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_hertz_f32(const struct kstrip_radii_f32 *radii,
-                               float normal_force,
-                               const struct kstrip_combined_material_f32 *material,
-                               struct kstrip_hertz_contact_f32 *ellipse);
-
-/**
- * kstrip_creepage_from_velocities() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_creepage_from_velocities_f32(const struct kstrip_velocity_f32 *lower,
-                                                  const struct kstrip_velocity_f32 *upper,
-                                                  float rolling_speed,
-                                                  struct kstrip_creepage_f32 *creepage);
-
-/**
- * kstrip_parameters_from_creepage() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_parameters_from_creepage_f32(const struct kstrip_contact_f32 *contact,
-                                                  const struct kstrip_creepage_f32 *creepage,
-                                                  struct kstrip_parameters_f32 *parameters);
-
-/**
- * kstrip_creepage_from_parameters() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_creepage_from_parameters_f32(const struct kstrip_contact_f32 *contact,
-                                                  const struct kstrip_parameters_f32 *parameters,
-                                                  struct kstrip_creepage_f32 *creepage);
-
-/**
- * kstrip_solve() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_solve_f32(const struct kstrip_contact_f32 *contact,
-                               const struct kstrip_creepage_f32 *creepage,
-                               const struct kstrip_options *options,
-                               struct kstrip_result_f32 *result);
-
-/**
- * kstrip_solve_jacobian() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_solve_jacobian_f32(const struct kstrip_contact_f32 *contact,
-                                        const struct kstrip_creepage_f32 *creepage,
-                                        const struct kstrip_options *options,
-                                        struct kstrip_result_f32 *result,
-                                        float *jacobian);
-
-/**
- * kstrip_solve_batch() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_solve_batch_f32(const struct kstrip_contact_f32 *contacts,
-                                     const struct kstrip_creepage_f32 *creepages,
-                                     uint32_t count,
-                                     const struct kstrip_options *options,
-                                     struct kstrip_result_f32 *results);
-
-/**
- * kstrip_strips() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_strips_f32(const struct kstrip_contact_f32 *contact,
-                                const struct kstrip_creepage_f32 *creepage,
-                                const struct kstrip_options *options,
-                                struct kstrip_strip_f32 *strips,
-                                uint32_t capacity,
-                                uint32_t *count);
-
-/**
- * kstrip_traction_at() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_traction_at_f32(const struct kstrip_contact_f32 *contact,
-                                     const struct kstrip_creepage_f32 *creepage,
-                                     const struct kstrip_options *options,
-                                     float x,
-                                     float y,
-                                     struct kstrip_point_f32 *point);
-
-/**
- * kstrip_field() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_field_f32(const struct kstrip_contact_f32 *contact,
-                               const struct kstrip_creepage_f32 *creepage,
-                               const struct kstrip_options *options,
-                               const float *x,
-                               uint32_t columns,
-                               const float *y,
-                               uint32_t rows,
-                               struct kstrip_point_f32 *points,
-                               uint32_t capacity);
-
-/**
- * kstrip_result_on_upper_body() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_result_on_upper_body_f32(const struct kstrip_result_f32 *lower,
-                                              struct kstrip_result_f32 *upper);
-
-/**
- * kstrip_solve_batch() for one array for each quantity, as vector codes and data frames have them.
- *
- * The same results as kstrip_solve() for each contact, bit for bit. All inputs are checked before
- * anything is written: if one is bad its status is returned and no output is touched.
- *
- * @param count           number of contacts; 0 is allowed.
- * @param inputs          arrays of count elements.
- * @param options         for all contacts; NULL for the defaults.
- * @param outputs         arrays of count elements; NULL where a quantity is not wanted: moment (with the power) and
- *                        adhesion are then left out where that saves time. They must not
- *                        overlap the inputs or each other.
- * @return KSTRIP_OK, the largest warning, or the first error, as kstrip_solve().
- */
-kstrip_status kstrip_solve_batch_arrays(uint32_t count,
-                                        const struct kstrip_batch_inputs *inputs,
-                                        const struct kstrip_options *options,
-                                        const struct kstrip_batch_outputs *outputs);
-
-/**
- * kstrip_solve_batch_arrays() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_solve_batch_arrays_f32(uint32_t count,
-                                            const struct kstrip_batch_inputs_f32 *inputs,
-                                            const struct kstrip_options *options,
-                                            const struct kstrip_batch_outputs_f32 *outputs);
-
-/**
- * Forces and their exact derivatives with respect to creepages, normal force and friction.
- *
- * The first nine derivatives are those of kstrip_solve_jacobian(). Without load or friction those with
- * respect to them are one-sided, those of full sliding. KSTRIP_MODEL_LINEAR has no friction in it: its
- * derivatives with respect to friction and to the load at fixed a, b are zero, and
- * load_through_hertz is zero without load, where it has no bound.
- *
- * @param contact              ellipse, load, material, friction.
- * @param creepage             motion.
- * @param options              model and strip count; NULL for the defaults.
- * @param[out] result          receives what kstrip_solve() gives.
- * @param[out] derivatives     receives the derivatives; at kinks of a model, one-sided values.
- * @return as kstrip_solve(); KSTRIP_ERROR_OVERFLOW also when a derivative is too large.
- */
-kstrip_status kstrip_solve_derivatives(const struct kstrip_contact *contact,
-                                       const struct kstrip_creepage *creepage,
-                                       const struct kstrip_options *options,
-                                       struct kstrip_result *result,
-                                       struct kstrip_derivatives *derivatives);
-
-/**
- * Forces and derivatives of many contacts: the same as calling kstrip_solve_jacobian() for each, bit
- * for bit.
- *
- * All inputs are checked before anything is written: if one is bad its status is returned and no
- * output is touched.
- *
- * @param contacts, creepages  arrays of count elements.
- * @param count           number of contacts; 0 is allowed.
- * @param options         for all contacts; NULL for the defaults.
- * @param[out] results    array of count elements; status_detail tells each one's warning.
- * @param[out] jacobians  array of 9 count numbers: nine per contact, as kstrip_solve_jacobian().
- * @return KSTRIP_OK, the largest warning, or the first error, as kstrip_solve_jacobian().
- */
-kstrip_status kstrip_solve_jacobian_batch(const struct kstrip_contact *contacts,
-                                          const struct kstrip_creepage *creepages,
-                                          uint32_t count,
-                                          const struct kstrip_options *options,
-                                          struct kstrip_result *results,
-                                          double *jacobians);
-
-/**
- * kstrip_solve_derivatives() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_solve_derivatives_f32(const struct kstrip_contact_f32 *contact,
-                                           const struct kstrip_creepage_f32 *creepage,
-                                           const struct kstrip_options *options,
-                                           struct kstrip_result_f32 *result,
-                                           struct kstrip_derivatives_f32 *derivatives);
-
-/**
- * kstrip_solve_jacobian_batch() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_solve_jacobian_batch_f32(const struct kstrip_contact_f32 *contacts,
-                                              const struct kstrip_creepage_f32 *creepages,
-                                              uint32_t count,
-                                              const struct kstrip_options *options,
-                                              struct kstrip_result_f32 *results,
-                                              float *jacobians);
-
-/**
- * Only what is wanted of a contact in motion: what is not wanted is not computed.
- *
- * What is wanted is that of kstrip_solve(), kstrip_solve_jacobian() and kstrip_strips(), bit for bit. What is not
- * wanted is reported as mz = power = 0 and adhesion = -1. KSTRIP_MODEL_STRIP saves most without adhesion; all derivatives
- * come together. The README has the instructions of each combination. Under falling friction:
- * kstrip_contact_under_friction() first, except for derivatives, which are kstrip_solve_friction_jacobian()'s.
- *
- * @param contact         ellipse, load, material, friction.
- * @param creepage        motion.
- * @param options         model and strip count; NULL for the defaults.
- * @param wanted          KSTRIP_WANT constants, added up; the forces are always computed.
- * @param[out] result     receives the forces.
- * @param[out] jacobian   nine numbers as kstrip_solve_jacobian(); with KSTRIP_WANT_JACOBIAN only, else may be NULL.
- * @param[out] strips     array as kstrip_strips(); with KSTRIP_WANT_STRIPS only, else may be NULL.
- * @param capacity        its size.
- * @param[out] count      receives how many were written; with KSTRIP_WANT_STRIPS only, else may be NULL.
- * @return as kstrip_solve(), kstrip_solve_jacobian() and kstrip_strips(); KSTRIP_ERROR_WANTED.
- */
-kstrip_status kstrip_evaluate(const struct kstrip_contact *contact,
-                              const struct kstrip_creepage *creepage,
-                              const struct kstrip_options *options,
-                              uint32_t wanted,
-                              struct kstrip_result *result,
-                              double *jacobian,
-                              struct kstrip_strip *strips,
-                              uint32_t capacity,
-                              uint32_t *count);
-
-/**
- * kstrip_evaluate() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_evaluate_f32(const struct kstrip_contact_f32 *contact,
-                                  const struct kstrip_creepage_f32 *creepage,
-                                  const struct kstrip_options *options,
-                                  uint32_t wanted,
-                                  struct kstrip_result_f32 *result,
-                                  float *jacobian,
-                                  struct kstrip_strip_f32 *strips,
-                                  uint32_t capacity,
-                                  uint32_t *count);
-
-/**
- * Forces under friction that falls with the slip, solved consistently with the slip.
- *
- * The slip is the mean over the contact, weighted with friction: power/(friction N), which is 0 where
- * everything sticks and the creepage in full sliding without spin. The coefficient of friction of the
- * contact is ignored. The slope factor stands for a layer that makes the contact softer: it multiplies the shear
- * modulus and stretches the creep curve without changing its shape. With constant friction
- * (ratio 1, decay 0 or rolling_speed 0) and slope_factor 1 the result is that of kstrip_solve(), bit for bit and
- * at its cost; otherwise some six solutions, 260 at most. For KSTRIP_MODEL_LINEAR only the slope factor
- * counts.
- *
- * @param contact         ellipse, load, material; its friction is ignored.
- * @param creepage        motion.
- * @param friction        how friction falls.
- * @param options         model and strip count; NULL for the defaults.
- * @param[out] result     receives what kstrip_solve() gives.
- * @param[out] effective  receives the coefficient of friction [-] that agrees with the slip; may be NULL.
- * @return as kstrip_solve(); KSTRIP_WARNING_SEVERAL_FRICTIONS, KSTRIP_WARNING_NOT_CONVERGED for
- *         friction that falls steeply; KSTRIP_ERROR_FRICTION_RATIO, KSTRIP_ERROR_FRICTION_DECAY,
- *         KSTRIP_ERROR_NEGATIVE_SPEED, KSTRIP_ERROR_SLOPE_FACTOR.
- */
-kstrip_status kstrip_solve_friction(const struct kstrip_contact *contact,
-                                    const struct kstrip_creepage *creepage,
-                                    const struct kstrip_friction *friction,
-                                    const struct kstrip_options *options,
-                                    struct kstrip_result *result,
-                                    double *effective);
-
-/**
- * kstrip_solve_friction() with the exact derivatives with respect to the creepages.
- *
- * @param[out] jacobian   receives d(fx, fy, mz)/d(longitudinal, lateral, spin), row by row, friction
- *                        following the slip: nine numbers [N, N, N m over 1, 1, 1/m]. On the falling branch
- *                        of a traction curve the entry on the diagonal is negative.
- * @return as kstrip_solve_friction(); KSTRIP_ERROR_OVERFLOW also when a derivative is too large.
- */
-kstrip_status kstrip_solve_friction_jacobian(const struct kstrip_contact *contact,
-                                             const struct kstrip_creepage *creepage,
-                                             const struct kstrip_friction *friction,
-                                             const struct kstrip_options *options,
-                                             struct kstrip_result *result,
-                                             double *jacobian,
-                                             double *effective);
-
-/**
- * The contact as it is while it slips: friction that falls with the slip has become a constant coefficient of
- * friction, and the slope factor part of the shear modulus.
- *
- * kstrip_evaluate(), kstrip_strips(), kstrip_traction_at(), kstrip_field() and kstrip_solve() of that contact at the same
- * creepage and with the same options are those under falling friction. (Derivatives are not: use
- * kstrip_solve_friction_jacobian(), where friction follows the slip.)
- *
- * @param contact, creepage, friction, options  as kstrip_solve_friction().
- * @param[out] slipping   receives the contact; not the contact itself.
- * @return as kstrip_solve_friction().
- */
-kstrip_status kstrip_contact_under_friction(const struct kstrip_contact *contact,
-                                            const struct kstrip_creepage *creepage,
-                                            const struct kstrip_friction *friction,
-                                            const struct kstrip_options *options,
-                                            struct kstrip_contact *slipping);
-
-/**
- * kstrip_contact_under_friction() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_contact_under_friction_f32(const struct kstrip_contact_f32 *contact,
-                                                const struct kstrip_creepage_f32 *creepage,
-                                                const struct kstrip_friction_f32 *friction,
-                                                const struct kstrip_options *options,
-                                                struct kstrip_contact_f32 *slipping);
-
-/**
- * kstrip_solve_friction() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_solve_friction_f32(const struct kstrip_contact_f32 *contact,
-                                        const struct kstrip_creepage_f32 *creepage,
-                                        const struct kstrip_friction_f32 *friction,
-                                        const struct kstrip_options *options,
-                                        struct kstrip_result_f32 *result,
-                                        float *effective);
-
-/**
- * kstrip_solve_friction_jacobian() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_solve_friction_jacobian_f32(const struct kstrip_contact_f32 *contact,
-                                                 const struct kstrip_creepage_f32 *creepage,
-                                                 const struct kstrip_friction_f32 *friction,
-                                                 const struct kstrip_options *options,
-                                                 struct kstrip_result_f32 *result,
-                                                 float *jacobian,
-                                                 float *effective);
-
-/**
- * Forces of a patch whose friction falls with the slip, solved consistently with the slip.
- *
- * The friction of every strip is that without slip; the law multiplies all of them with one share,
- * (1 - ratio) exp(-decay w) + ratio, w the rolling speed times the mean slip of the patch, weighted with friction:
- * power over the sum of friction times load. The law's own friction is ignored, its slope_factor multiplies the shear
- * modulus. The strips of an ellipse give the answer of kstrip_solve_friction(). With constant friction and slope_factor
- * 1 the result is that of kstrip_patch_solve(), bit for bit and at its cost; otherwise some six solutions,
- * 260 at most.
- *
- * @param patch           the patch.
- * @param creepage        motion at the origin.
- * @param friction        how friction falls; its member friction is not used.
- * @param options         as kstrip_patch_solve(); NULL for the default.
- * @param[out] result     receives what kstrip_patch_solve() gives.
- * @param[out] share      receives friction that agrees with the slip over friction without slip [-], the same for all
- *                        strips; may be NULL.
- * @return as kstrip_patch_solve(); KSTRIP_WARNING_SEVERAL_FRICTIONS for friction that falls steeply,
- *         KSTRIP_WARNING_NOT_CONVERGED for that and where forces jump over the slip (KSTRIP_MODEL_STRIP_1967 with
- *         spin, see kstrip_patch_from_ellipse()); KSTRIP_ERROR_FRICTION_RATIO, KSTRIP_ERROR_FRICTION_DECAY,
- *         KSTRIP_ERROR_NEGATIVE_SPEED, KSTRIP_ERROR_SLOPE_FACTOR.
- */
-kstrip_status kstrip_patch_solve_friction(const struct kstrip_patch *patch,
-                                          const struct kstrip_creepage *creepage,
-                                          const struct kstrip_friction *friction,
-                                          const struct kstrip_options *options,
-                                          struct kstrip_result *result,
-                                          double *share);
-
-/**
- * kstrip_patch_solve_friction() with the exact derivatives with respect to the creepages.
- *
- * @param[out] jacobian   receives d(fx, fy, mz)/d(longitudinal, lateral, spin), row by row, friction
- *                        following the slip: nine numbers [N, N, N m over 1, 1, 1/m].
- * @return as kstrip_patch_solve_friction(); KSTRIP_ERROR_OVERFLOW also when a derivative is too large.
- */
-kstrip_status kstrip_patch_solve_friction_jacobian(const struct kstrip_patch *patch,
-                                                   const struct kstrip_creepage *creepage,
-                                                   const struct kstrip_friction *friction,
-                                                   const struct kstrip_options *options,
-                                                   struct kstrip_result *result,
-                                                   double *jacobian,
-                                                   double *share);
-
-/**
- * The patch as it is while it slips: friction that falls with the slip has become constant friction of its strips,
- * and the slope factor part of its shear modulus.
- *
- * kstrip_patch_strips(), kstrip_patch_traction_at(), kstrip_patch_field() and kstrip_patch_solve() of that patch at the
- * same creepage are those under falling friction. (kstrip_patch_jacobian() is not: its friction stands still.)
- *
- * @param patch, creepage, friction, options  as kstrip_patch_solve_friction().
- * @param[out] slipping   receives the patch; not the patch itself.
- * @param[out] share      receives friction that agrees with the slip over friction without slip [-]; may be NULL.
- * @return as kstrip_patch_solve_friction().
- */
-kstrip_status kstrip_patch_under_friction(const struct kstrip_patch *patch,
-                                          const struct kstrip_creepage *creepage,
-                                          const struct kstrip_friction *friction,
-                                          const struct kstrip_options *options,
-                                          struct kstrip_patch *slipping,
-                                          double *share);
-
-/**
- * kstrip_patch_solve_friction() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_patch_solve_friction_f32(const struct kstrip_patch_f32 *patch,
-                                              const struct kstrip_creepage_f32 *creepage,
-                                              const struct kstrip_friction_f32 *friction,
-                                              const struct kstrip_options *options,
-                                              struct kstrip_result_f32 *result,
-                                              float *share);
-
-/**
- * kstrip_patch_solve_friction_jacobian() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_patch_solve_friction_jacobian_f32(const struct kstrip_patch_f32 *patch,
-                                                       const struct kstrip_creepage_f32 *creepage,
-                                                       const struct kstrip_friction_f32 *friction,
-                                                       const struct kstrip_options *options,
-                                                       struct kstrip_result_f32 *result,
-                                                       float *jacobian,
-                                                       float *share);
-
-/**
- * kstrip_patch_under_friction() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_patch_under_friction_f32(const struct kstrip_patch_f32 *patch,
-                                              const struct kstrip_creepage_f32 *creepage,
-                                              const struct kstrip_friction_f32 *friction,
-                                              const struct kstrip_options *options,
-                                              struct kstrip_patch_f32 *slipping,
-                                              float *share);
+/** A coefficient of friction from a measured force. */
+typedef struct kstrip_friction_estimate {
+    /** Coefficient of friction [-]; a lower bound with KSTRIP_WARNING_FRICTION_AT_LEAST. */
+    double friction;
+    /** d(friction)/d(force) [1/N]: what an error of the measured force does to it; 0 for a lower bound. */
+    double sensitivity;
+    /**
+     * Distance between the measured and the computed force [N], of the components that were measured:
+     * rounding for one component, for both what their direction is off.
+     */
+    double residual;
+    /** The status of this result: 0 or one of the KSTRIP_WARNING constants. */
+    kstrip_status status_detail;
+    /** Zero. */
+    int32_t reserved;
+} kstrip_friction_estimate;
 
 /**
  * The coefficient of friction that explains a measured force at a known creepage.
@@ -2552,9 +1172,7 @@ kstrip_status kstrip_patch_under_friction_f32(const struct kstrip_patch_f32 *pat
  * friction times load, to adhesion, where it does not depend on it: there (less than a twentieth of the
  * friction used, or more force than linear theory gives) the status is KSTRIP_WARNING_FRICTION_AT_LEAST and
  * the result is the used friction |force|/load, a lower bound. Where spin opposes the creepage more than one
- * friction may fit: KSTRIP_WARNING_SEVERAL_FRICTIONS, the result is the smallest. KSTRIP_MODEL_TOTAL suits best:
- * the force of KSTRIP_MODEL_STRIP has ripples over friction, up to 11 % of it where less than a third of friction is used,
- * 1 % up to one half, none above 0.7, within which several frictions fit: mostly said by that warning.
+ * friction may fit: KSTRIP_WARNING_SEVERAL_FRICTIONS, the result is the smallest. KSTRIP_MODEL_TOTAL suits best.
  *
  * @param contact         ellipse, load, material; its friction is ignored.
  * @param creepage        motion.
@@ -2564,7 +1182,7 @@ kstrip_status kstrip_patch_under_friction_f32(const struct kstrip_patch_f32 *pat
  * @param[out] estimate   receives friction, its sensitivity, and how far the force is off.
  * @return as kstrip_solve(); KSTRIP_WARNING_FRICTION_AT_LEAST, KSTRIP_WARNING_SEVERAL_FRICTIONS,
  *         KSTRIP_WARNING_NOT_CONVERGED;
- *         KSTRIP_ERROR_NOT_IN_MODEL, KSTRIP_ERROR_MEASURED, KSTRIP_ERROR_UNEXPLAINED.
+ *         KSTRIP_ERROR_NOT_IN_MODEL, KSTRIP_ERROR_MEASURED, KSTRIP_ERROR_UNEXPLAINED (a lost contact too).
  */
 kstrip_status kstrip_estimate_friction(const struct kstrip_contact *contact,
                                        const struct kstrip_creepage *creepage,
@@ -2579,7 +1197,7 @@ kstrip_status kstrip_estimate_friction(const struct kstrip_contact *contact,
  *
  * Bounded iterations, about six solutions with derivatives. A force within 0.1 % of friction times load is that of
  * full sliding: the status is KSTRIP_WARNING_CREEPAGE_AT_LEAST, the result is the creepage that comes as near
- * as that, and larger ones do as well.
+ * as that, and larger ones do as well. A lost contact carries no force, at any creepage: the result is zero.
  *
  * @param contact         ellipse, load, material, friction.
  * @param fx, fy          wanted force on the lower body [N].
@@ -2596,29 +1214,51 @@ kstrip_status kstrip_creepage_for_force(const struct kstrip_contact *contact,
                                         const struct kstrip_options *options,
                                         struct kstrip_creepage *creepage);
 
-/**
- * kstrip_estimate_friction() in single precision: same arguments, units, ranges and statuses.
- */
-kstrip_status kstrip_estimate_friction_f32(const struct kstrip_contact_f32 *contact,
-                                           const struct kstrip_creepage_f32 *creepage,
-                                           const struct kstrip_options *options,
-                                           uint32_t measured,
-                                           float fx,
-                                           float fy,
-                                           struct kstrip_friction_estimate_f32 *estimate);
+/** @} */
 
 /**
- * kstrip_creepage_for_force() in single precision: same arguments, units, ranges and statuses.
+ * @defgroup kstrip_rest Options, upper body, version
+ * @{
  */
-kstrip_status kstrip_creepage_for_force_f32(const struct kstrip_contact_f32 *contact,
-                                            float fx,
-                                            float fy,
-                                            float spin,
-                                            const struct kstrip_options *options,
-                                            struct kstrip_creepage_f32 *creepage);
+
+/** Version of the library, major. */
+#define KSTRIP_VERSION_MAJOR 0
+/** Version of the library, minor. */
+#define KSTRIP_VERSION_MINOR 2
+/** Version of the library, patch. */
+#define KSTRIP_VERSION_PATCH 0
+
+/** Changes whenever a structure or function changes incompatibly. */
+#define KSTRIP_ABI_VERSION 1
+
+/**
+ * Fill options with zero, the defaults: KSTRIP_MODEL_DEFAULT and 16 strips. kstrip_options o = {0} does the same.
+ *
+ * @param[out] options  receives the defaults.
+ * @return KSTRIP_OK or KSTRIP_ERROR_NULL.
+ */
+kstrip_status kstrip_options_init(struct kstrip_options *options);
+
+/**
+ * The same result seen from the upper body: opposite forces and moment, same power and adhesion.
+ *
+ * @param lower           result on the lower body.
+ * @param[out] upper      receives the result on the upper body.
+ * @return KSTRIP_OK or KSTRIP_ERROR_NULL.
+ */
+kstrip_status kstrip_result_on_upper_body(const struct kstrip_result *lower,
+                                          struct kstrip_result *upper);
+
+/** Version of the library that is linked, such as "0.2.0". Never NULL. */
+const char *kstrip_version_string(void);
+
+/** ABI version of the library that is linked: compare with KSTRIP_ABI_VERSION of the header. */
+int32_t kstrip_abi_version(void);
+
+/** @} */
 
 #ifdef __cplusplus
-}  // extern "C"
-#endif  // __cplusplus
+} // extern "C"
+#endif
 
-#endif  /* KSTRIP_H */
+#endif /* KSTRIP_H */

@@ -45,7 +45,7 @@ pub enum Error {
     FrictionDecay = -16,
     /// The rolling speed of falling friction is negative.
     NegativeSpeed = -17,
-    /// The factor of the initial slope is outside `(0, 1]`.
+    /// The factor of the initial slope is outside `[0, 1]`.
     SlopeFactor = -18,
     /// No friction explains the measured force: it points against the slip, or there is no load.
     Unexplained = -19,
@@ -53,8 +53,10 @@ pub enum Error {
     ForceBeyondFriction = -20,
     /// What was measured is none of the longitudinal force, the lateral force, and both.
     Measured = -21,
-    /// A flag of what is wanted is unknown.
-    Wanted = -22,
+    /// A structure was not filled by preparing a contact.
+    NotPrepared = -22,
+    /// The floor of the speed is negative.
+    FloorSpeed = -23,
     /// A strip of a patch has a width or half length that is not positive.
     StripSize = -40,
     /// The peak pressure of a strip is negative.
@@ -189,7 +191,7 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
         -1 => c"a required pointer is NULL: pass the address of a structure or array",
         -2 => c"an input is infinite or NaN: pass finite numbers",
         -3 => c"a semi-axis of the contact ellipse is not positive: a and b must be > 0 (metres)",
-        -4 => c"the normal force is negative: it must be >= 0 (newtons), compression positive",
+        -4 => c"the normal force of a profile is negative: it must be >= 0 (newtons), compression positive",
         -5 => c"a modulus of elasticity is not positive: it must be > 0 (pascals)",
         -6 => c"Poisson's ratio is outside [0, 0.5]",
         -7 => c"the coefficient of friction is negative: it must be >= 0",
@@ -209,12 +211,13 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
         -15 => c"the ratio of falling friction is outside [0, 1]",
         -16 => c"the decay of falling friction is negative: it must be >= 0 (s/m)",
         -17 => c"the rolling speed is negative: it must be >= 0 (m/s)",
-        -18 => c"the factor of the initial slope must be > 0 and <= 1",
+        -18 => c"the factor of the initial slope must be >= 0 and <= 1 (0 stands for 1)",
         -19 => {
             c"no friction explains the measured force: it points against the slip, or there is no load; check signs (forces act on the lower body) and creepage"
         }
         -20 => c"the wanted force exceeds mu N: no creepage gives it",
-        -22 => c"unknown flag: add up KSTRIP_WANT constants",
+        -22 => c"the contact is not prepared: fill the structure with kstrip_prepare() of the same precision",
+        -23 => c"the floor of the speed is negative: it must be > 0 (m/s), or 0 for the default",
         -21 => c"unknown measurement: use KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added",
         -40 => c"a strip of the patch has a width or a half length that is not positive (metres)",
         -41 => c"the peak pressure of a strip is negative: it must be >= 0 (pascals)",

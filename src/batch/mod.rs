@@ -58,7 +58,7 @@ pub trait Solutions<F: Float> {
         for (lane, (((&fx, &fy), &mz), ((&power, &adhesion), &notice))) in
             forces.zip(rest).enumerate()
         {
-            self.put(first + lane, Solution { fx, fy, mz, power, adhesion, notice });
+            self.put(first + lane, Solution { fx, fy, mz, power, adhesion, notice, reserved: 0 });
         }
     }
 }

@@ -6,24 +6,26 @@ use crate::number::{Arithmetic, Float, Number, Plain};
 use crate::status::Error;
 
 /// Rigid slip of the upper over the lower body, divided by the rolling speed (3.3).
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Creepage<T> {
-    /// Longitudinal creepage `υx` \[–\], positive when the upper body slides in the rolling direction.
+    /// Longitudinal creepage \[-\], positive when the upper body slides in the rolling direction.
     pub longitudinal: T,
-    /// Lateral creepage `υy` \[–\].
+    /// Lateral creepage \[-\], positive along y.
     pub lateral: T,
-    /// Spin `φ` \[1/m\], positive from `x` to `y`, that is about `z` into the lower body.
+    /// Spin \[1/m\], positive from x to y, that is about z into the lower body.
     pub spin: T,
 }
 
 /// Velocity of one body's material at the centre of the contact, seen from the contact.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SurfaceVelocity<F> {
-    /// Along the rolling direction `x` \[m/s\]: about `−V` for both bodies.
+    /// Along the rolling direction x \[m/s\]: about minus the rolling speed for both bodies.
     pub x: F,
-    /// Lateral, along `y` \[m/s\].
+    /// Lateral, along y \[m/s\].
     pub y: F,
-    /// Angular velocity about the normal `z` into the lower body \[rad/s\].
+    /// Angular velocity about the normal z into the lower body \[rad/s\].
     pub angular_z: F,
 }
 

@@ -7,40 +7,38 @@ use crate::contact::plausibility::SMALLEST_CURVATURE;
 use crate::number::Float;
 use crate::status::{Error, Notice};
 
-/// Radii of curvature of the two surfaces \[m\]: convex positive, flat infinite, concave negative.
-///
-/// `x` is the rolling direction, so a wheel has its rolling radius in `x` and its profile radius in
-/// `y`; a straight rail is infinite in `x`.
+/// Radii of curvature of two bodies at the contact \[m\]: convex positive, flat infinite (INFINITY), concave negative. Zero
+/// and NaN are errors.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Radii<F> {
-    /// Lower body, in the plane through the rolling direction: `Rx⁺`.
+    /// Lower body in the plane of x and z (a straight rail: INFINITY).
     pub lower_x: F,
-    /// Lower body, across the rolling direction: `Ry⁺`.
+    /// Lower body in the plane of y and z (a rail: radius of the head).
     pub lower_y: F,
-    /// Upper body, in the plane through the rolling direction: `Rx⁻`.
+    /// Upper body in the plane of x and z (a wheel: rolling radius).
     pub upper_x: F,
-    /// Upper body, across the rolling direction: `Ry⁻`.
+    /// Upper body in the plane of y and z (a wheel: radius of the profile, INFINITY if conical).
     pub upper_y: F,
 }
 
-/// The solution of Hertz's problem.
+/// The contact ellipse of Hertz.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HertzContact<F> {
-    /// Semi-axis along the rolling direction `x` \[m\].
+    /// Semi-axis along the rolling direction x \[m\].
     pub a: F,
-    /// Semi-axis across it, along `y` \[m\].
+    /// Semi-axis along y \[m\].
     pub b: F,
-    /// Pressure at the centre `p₀` \[Pa\].
+    /// Pressure at the centre \[Pa\].
     pub peak_pressure: F,
-    /// Approach of distant points of the two bodies `δ` \[m\].
+    /// Approach of distant points of the two bodies \[m\].
     pub approach: F,
-    /// Axis ratio `g = s/l`, the minor over the major semi-axis, in `(0, 1]` (2.2).
+    /// Minor over major semi-axis \[-\], 0 to 1 (2.2).
     pub axis_ratio: F,
-    /// Hertz's angle `τ` \[rad\], `0 … π/2` (2.5).
+    /// Hertz's angle tau \[rad\], 0 to pi/2 (2.5).
     pub hertz_angle: F,
-    /// `ρ` \[m\], four over the sum of the curvatures (2.3): the diameter for a sphere on a plane.
+    /// Four over the sum of the four curvatures \[m\] (2.3).
     pub rho: F,
 }
 

@@ -4,23 +4,25 @@ use crate::number::Float;
 use crate::status::Error;
 
 /// An isotropic elastic body.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material<F> {
-    /// Shear modulus `G` \[Pa\], positive.
+    /// Shear modulus G \[Pa\], > 0. Steel: 82e9.
     pub shear_modulus: F,
-    /// Poisson's ratio `ν`, 0 to 1/2.
+    /// Poisson's ratio \[-\], 0 to 0.5. Steel: 0.28.
     pub poisson_ratio: F,
 }
 
-/// The combined constants of two bodies: what the contact sees.
+/// The combined elastic constants of two bodies: what the contact sees.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CombinedMaterial<F> {
-    /// Combined shear modulus `G` \[Pa\] (2.6).
+    /// Combined shear modulus G \[Pa\], 1/G = (1/G_lower + 1/G_upper)/2 (2.6).
     pub shear_modulus: F,
-    /// Combined Poisson's ratio `ν` (2.6).
+    /// Combined Poisson's ratio nu \[-\], nu/G = (nu_lower/G_lower + nu_upper/G_upper)/2 (2.6).
     pub poisson_ratio: F,
-    /// Mismatch `κ` (4.3): how strongly normal and tangential tractions drive each other. The theory
-    /// neglects it; like materials have 0, steel on aluminium 0.06.
+    /// Mismatch kappa \[-\] (4.3) of the two materials, which the theory neglects: 0 for like materials; an
+    /// error of a few per cent is to be expected at 0.06 (steel on aluminium).
     pub mismatch: F,
 }
 

@@ -14,26 +14,27 @@ use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::{Float, Plain};
 use crate::status::Error;
 
-/// An elliptic contact under load, with combined elastic constants and Coulomb friction.
+/// A loaded elliptic contact with combined elastic constants and Coulomb friction.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact<F> {
-    /// Semi-axis along the rolling direction `x` \[m\], positive.
+    /// Semi-axis a along the rolling direction x \[m\], > 0.
     pub a: F,
-    /// Semi-axis across it, along `y` \[m\], positive.
+    /// Semi-axis b along y \[m\], > 0.
     pub b: F,
-    /// Normal force `N` \[N\], not negative.
+    /// Normal force N \[N\]; <= 0: the contact is lost, and nothing else of it counts as long as it is finite.
     pub normal_force: F,
-    /// Combined shear modulus `G` \[Pa\] (2.6), positive.
+    /// Combined shear modulus G \[Pa\] (2.6), > 0.
     pub shear_modulus: F,
-    /// Combined Poisson's ratio `ν`, 0 to 1/2.
+    /// Combined Poisson's ratio nu \[-\], 0 to 0.5.
     pub poisson_ratio: F,
-    /// Coefficient of friction `μ`, not negative.
+    /// Coefficient of friction mu \[-\], >= 0.
     pub friction: F,
 }
 
 impl<F: Float> Contact<F> {
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::SemiAxis`], [`Error::NormalForce`], [`Error::Modulus`],
+    /// [`Error::NotFinite`], [`Error::SemiAxis`], [`Error::Modulus`],
     /// [`Error::PoissonRatio`], [`Error::Friction`]; [`Error::Overflow`] when `a/b` or `b/a`
     /// exceeds [`Number::HUGE`](crate::number::Number::HUGE), or `μ N` or the pressure does not fit the
     /// floating-point type.
@@ -45,15 +46,16 @@ impl<F: Float> Contact<F> {
     #[cold]
     #[inline(never)]
     pub(crate) fn find_fault(&self) -> Result<(), Error> {
-        let inputs = [self.a, self.b, self.normal_force, self.friction];
+        let Self { a, b, normal_force, shear_modulus, poisson_ratio, friction } = *self;
+        let inputs = [a, b, normal_force, shear_modulus, poisson_ratio, friction];
         if !inputs.iter().all(|input| input.is_finite_number()) {
             return Err(Error::NotFinite);
         }
+        if self.is_lost() {
+            return Ok(());
+        }
         if self.a <= F::zero() || self.b <= F::zero() {
             return Err(Error::SemiAxis);
-        }
-        if self.normal_force < F::zero() {
-            return Err(Error::NormalForce);
         }
         check_modulus(self.shear_modulus)?;
         check_poisson_ratio(self.poisson_ratio)?;

@@ -38,3 +38,12 @@ pub(super) unsafe fn output<'a, T>(
         Ok(unsafe { core::slice::from_raw_parts_mut(pointer.cast(), count) })
     }
 }
+
+/// The place of an output; none where it is not wanted.
+///
+/// # Safety
+/// `pointer` is NULL, or valid and aligned for one write while the place lives, and nothing else refers to it.
+pub(super) unsafe fn place<'a, T>(pointer: *mut T) -> Option<&'a mut MaybeUninit<T>> {
+    // SAFETY: the caller's promise.
+    unsafe { pointer.cast::<MaybeUninit<T>>().as_mut() }
+}

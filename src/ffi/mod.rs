@@ -1,8 +1,11 @@
-//! The C interface: C types in, C types out; checks and conversion, no physics.
+//! The C interface: C types in, C types out; no physics.
 //!
-//! Scalars and structures come in as `Option<&T>` and go out through
-//! `Option<&mut MaybeUninit<T>>`, which have the layout of C pointers and need no unsafe code; only
-//! arrays do.
+//! Structures of the core have the layout of C (`#[repr(C)]`), so that nothing is converted: they come in as `Option<&T>`
+//! and go out through `Option<&mut MaybeUninit<T>>`, which have the layout of C pointers and need no unsafe code;
+//! only arrays and structures of pointers do.
+//!
+//! The functions stand in double precision, in the order of the header; `single.rs` is written from them, and the headers
+//! from both, by `tests/header.rs`.
 
 #![allow(non_camel_case_types)]
 // The only module with unsafe code: exported names and C arrays.
@@ -13,31 +16,22 @@
 #![allow(rustdoc::broken_intra_doc_links)]
 
 mod arrays;
-mod calls;
-mod convert;
-pub mod double;
-pub mod patch;
-mod patch_calls;
-pub mod patch_single;
-pub mod patch_types;
-pub mod per_model;
-pub mod single;
-pub mod types;
-pub mod types_f32;
+mod support;
 
-// In the order of the header: after the functions that they build on.
 pub mod batch;
-pub mod derivatives;
-pub mod evaluate;
-pub mod friction;
-pub mod patch_friction;
+pub mod bodies;
+pub mod inside;
+pub mod motion;
+pub mod patch;
 pub mod rig;
+pub mod single;
+pub mod solve;
+pub mod types;
 
-use crate::contact::forces::StripCount;
-use crate::solve::model::{Model, Options};
-use crate::status::{Error, Notice, advice};
+use crate::status::advice;
 use core::ffi::c_char;
 use core::mem::MaybeUninit;
+use support::{answer, given};
 use types::kstrip_options;
 
 /// Result of a call: 0 ok; > 0 warning, outputs valid; < 0 error, outputs untouched.
@@ -61,13 +55,25 @@ pub const KSTRIP_WARNING_NOT_CONVERGED: kstrip_status = 5;
 pub const KSTRIP_WARNING_FRICTION_AT_LEAST: kstrip_status = 6;
 /// Warning: the wanted force is that of full sliding, which every larger creepage gives as well.
 pub const KSTRIP_WARNING_CREEPAGE_AT_LEAST: kstrip_status = 7;
+/// Warning: the peak pressure exceeds a tenth of the shear modulus: modulus, load or semi-axes are in another unit.
+pub const KSTRIP_WARNING_PRESSURE: kstrip_status = 8;
+/// Warning: a creepage exceeds 10: per cent, or a rolling speed that is none.
+pub const KSTRIP_WARNING_CREEPAGE: kstrip_status = 9;
+/// Warning: a semi-axis exceeds 1 m: mm, mostly.
+pub const KSTRIP_WARNING_SEMI_AXIS: kstrip_status = 10;
+/// Warning: more spin than rolling bodies of this curvature can have: degrees per metre, mostly.
+pub const KSTRIP_WARNING_SPIN_UNIT: kstrip_status = 11;
+/// Warning: the coefficient of friction exceeds 5: per cent, mostly.
+pub const KSTRIP_WARNING_FRICTION: kstrip_status = 12;
+/// Warning: radii are larger than 5 m in both directions: mm, mostly.
+pub const KSTRIP_WARNING_RADIUS: kstrip_status = 13;
 /// Error: a required pointer is NULL.
 pub const KSTRIP_ERROR_NULL: kstrip_status = -1;
 /// Error: an input is infinite or NaN.
 pub const KSTRIP_ERROR_NOT_FINITE: kstrip_status = -2;
 /// Error: a semi-axis is not positive.
 pub const KSTRIP_ERROR_SEMI_AXIS: kstrip_status = -3;
-/// Error: the normal force is negative.
+/// Error: the normal force of a profile is negative.
 pub const KSTRIP_ERROR_NORMAL_FORCE: kstrip_status = -4;
 /// Error: a modulus of elasticity is not positive.
 pub const KSTRIP_ERROR_MODULUS: kstrip_status = -5;
@@ -95,7 +101,7 @@ pub const KSTRIP_ERROR_FRICTION_RATIO: kstrip_status = -15;
 pub const KSTRIP_ERROR_FRICTION_DECAY: kstrip_status = -16;
 /// Error: the rolling speed of falling friction is negative.
 pub const KSTRIP_ERROR_NEGATIVE_SPEED: kstrip_status = -17;
-/// Error: the factor of the initial slope is outside (0, 1].
+/// Error: the factor of the initial slope is outside [0, 1].
 pub const KSTRIP_ERROR_SLOPE_FACTOR: kstrip_status = -18;
 /// Error: no friction explains the measured force.
 pub const KSTRIP_ERROR_UNEXPLAINED: kstrip_status = -19;
@@ -103,8 +109,10 @@ pub const KSTRIP_ERROR_UNEXPLAINED: kstrip_status = -19;
 pub const KSTRIP_ERROR_FORCE_BEYOND_FRICTION: kstrip_status = -20;
 /// Error: what was measured is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum.
 pub const KSTRIP_ERROR_MEASURED: kstrip_status = -21;
-/// Error: what is wanted has a flag that is none of the KSTRIP_WANT constants.
-pub const KSTRIP_ERROR_WANTED: kstrip_status = -22;
+/// Error: the structure was not filled by kstrip_prepare() of the same precision.
+pub const KSTRIP_ERROR_NOT_PREPARED: kstrip_status = -22;
+/// Error: the floor of the speed is negative.
+pub const KSTRIP_ERROR_FLOOR_SPEED: kstrip_status = -23;
 /// Error: a strip of a patch has a width or half length that is not positive.
 pub const KSTRIP_ERROR_STRIP_SIZE: kstrip_status = -40;
 /// Error: the peak pressure of a strip is negative.
@@ -120,6 +128,9 @@ pub const KSTRIP_ERROR_PROFILE_END: kstrip_status = -45;
 /// Error: a rolling radius is not positive.
 pub const KSTRIP_ERROR_ROLLING_RADIUS: kstrip_status = -46;
 
+/// The default, 0: forces from KSTRIP_MODEL_TOTAL (smooth, most accurate), fields, strips and patches from
+/// KSTRIP_MODEL_STRIP.
+pub const KSTRIP_MODEL_DEFAULT: i32 = 0;
 /// The strip theory of 1967 with the sliding rule that the paper keeps for forces: strips without
 /// adhesion slide along the rigid slip of their centre line. For spin |psi| < 1.
 pub const KSTRIP_MODEL_STRIP_1967: i32 = 1;
@@ -127,28 +138,17 @@ pub const KSTRIP_MODEL_STRIP_1967: i32 = 1;
 pub const KSTRIP_MODEL_STRIP_1967_CONTINUOUS: i32 = 2;
 
 /// Strips that follow the slip, corrected to the slopes of Kalker's linear theory, for any spin:
-/// forces, moment, stick area and fields. Mean error against CONTACT 0.7 % of mu N. The default.
+/// forces, moment, stick area and fields. Mean error against CONTACT 0.7 % of mu N.
 ///
 /// The moment is the weakest figure. On ellipses longer than wide, a/b > 5, that roll with hardly more than spin, it can have
 /// the wrong sign: by up to 0.02 mu N sqrt(ab) to a/b = 10 (with nu > 0.37), more beyond. The power then is as much below
 /// zero. KSTRIP_MODEL_TOTAL never gains energy.
 pub const KSTRIP_MODEL_STRIP: i32 = 3;
-/// Total forces and moment only, most accurate and cheapest; mean error against CONTACT 0.5 % of mu N.
+/// Total forces and moment only, most accurate and cheapest; mean error against CONTACT 0.3 % of mu N.
 /// No strips, no field; adhesion is reported as -1 (unknown).
 pub const KSTRIP_MODEL_TOTAL: i32 = 4;
 /// Kalker's linear theory, without saturation: for stability analysis. Adhesion is 1.
 pub const KSTRIP_MODEL_LINEAR: i32 = 5;
-
-/// Wanted from kstrip_evaluate(): the forces (always computed).
-pub const KSTRIP_WANT_FORCES: u32 = 1;
-/// Wanted: the moment, and the power, which contains it.
-pub const KSTRIP_WANT_MOMENT: u32 = 2;
-/// Wanted: the share in adhesion.
-pub const KSTRIP_WANT_ADHESION: u32 = 4;
-/// Wanted: the derivatives with respect to the creepages.
-pub const KSTRIP_WANT_JACOBIAN: u32 = 8;
-/// Wanted: the strips.
-pub const KSTRIP_WANT_STRIPS: u32 = 16;
 
 /// The longitudinal force was measured.
 pub const KSTRIP_MEASURED_FX: u32 = 1;
@@ -165,7 +165,7 @@ pub const KSTRIP_STATE_SLIP: i32 = 2;
 /// error next to the leading edge of sliding strips.
 pub const KSTRIP_STATE_SLIP_NEGATIVE_DISSIPATION: i32 = 3;
 
-/// Upper bound of the number of strips that kstrip_strips() writes for `strips` strips.
+/// Strips that kstrip_evaluate() writes at most.
 pub const KSTRIP_STRIPS_CAPACITY: u32 = 320;
 
 /// Strips that a kstrip_patch has room for.
@@ -174,7 +174,7 @@ pub const KSTRIP_PATCH_CAPACITY: usize = 64;
 /// Version of the library, major.
 pub const KSTRIP_VERSION_MAJOR: i32 = 0;
 /// Version of the library, minor.
-pub const KSTRIP_VERSION_MINOR: i32 = 1;
+pub const KSTRIP_VERSION_MINOR: i32 = 2;
 /// Version of the library, patch.
 pub const KSTRIP_VERSION_PATCH: i32 = 0;
 /// Changes whenever a structure or function changes incompatibly.
@@ -188,7 +188,7 @@ pub extern "C" fn kstrip_status_string(status: kstrip_status) -> *const c_char {
     advice(status).unwrap_or(c"unknown status").as_ptr()
 }
 
-/// Version of the library that is linked, such as "0.1.0". Never NULL.
+/// Version of the library that is linked, such as "0.2.0". Never NULL.
 #[unsafe(no_mangle)]
 pub extern "C" fn kstrip_version_string() -> *const c_char {
     const { c_string(concat!(env!("CARGO_PKG_VERSION"), "\0")) }.as_ptr()
@@ -217,7 +217,7 @@ const fn c_string(text: &'static str) -> &'static core::ffi::CStr {
     }
 }
 
-/// Fill in the recommended model and strip count.
+/// Fill options with zero, the defaults: KSTRIP_MODEL_DEFAULT and 16 strips. `kstrip_options o = {0}` does the same.
 ///
 /// @param[out] options  receives the defaults.
 /// @return KSTRIP_OK or KSTRIP_ERROR_NULL.
@@ -225,32 +225,8 @@ const fn c_string(text: &'static str) -> &'static core::ffi::CStr {
 pub extern "C" fn kstrip_options_init(
     options: Option<&mut MaybeUninit<kstrip_options>>,
 ) -> kstrip_status {
-    let defaults = Options::default();
     answer(|| {
-        let options = options.ok_or(Error::NullPointer)?;
-        options
-            .write(kstrip_options { model: defaults.model as i32, strips: defaults.strips as i32 });
-        Ok(Notice::None)
-    })
-}
-
-/// Run a fallible body and turn its outcome into a status.
-#[inline(always)]
-fn answer(body: impl FnOnce() -> Result<Notice, Error>) -> kstrip_status {
-    match body() {
-        Ok(notice) => notice.code(),
-        Err(error) => error.code(),
-    }
-}
-
-/// The caller's options, checked; NULL means the defaults.
-#[inline]
-fn checked_options(options: Option<&kstrip_options>) -> Result<Options, Error> {
-    let Some(options) = options else {
-        return Ok(Options::default());
-    };
-    Ok(Options {
-        model: Model::from_number(options.model).ok_or(Error::Model)?,
-        strips: StripCount::from_number(options.strips).ok_or(Error::StripCount)?,
+        given(options)?.write(kstrip_options { model: KSTRIP_MODEL_DEFAULT, strips: 0 });
+        Ok(crate::status::Notice::None)
     })
 }

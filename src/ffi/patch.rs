@@ -1,35 +1,49 @@
-//! Exported functions of patches in double precision.
+//! Patches: contacts of any shape, given by their strips.
 
-use super::patch_types::*;
-use super::types::{
-    kstrip_contact, kstrip_creepage, kstrip_options, kstrip_point, kstrip_result, kstrip_strip,
-};
-use super::{arrays, kstrip_status, patch_calls};
-use core::mem::MaybeUninit;
+use super::KSTRIP_PATCH_CAPACITY;
+use super::inside::write_grid;
+use super::solve::Places;
+use super::support::*;
+use crate::patch::kik_piotrowski::{Indentation, ProfileContact};
+use crate::patch::{self, Patch, PatchView, QuadratureScale, solver};
 
-/// The strips of a Hertz ellipse, where KSTRIP_MODEL_STRIP places them.
+/// The patch of two profiles under a load, or at an approach.
 ///
-/// kstrip_patch_solve() with KSTRIP_MODEL_STRIP gives the answer of kstrip_solve() with the same strip count,
-/// to rounding. The strips of the models of 1967 move with the solution in kstrip_solve(), here they do not: the
-/// forces differ by a part of what one strip carries.
+/// Zones of contact that are apart become lobes. Bounded time: at most 60 evaluations of the load, usually below ten,
+/// each proportional to the number of points in contact.
 ///
-/// @param contact         the loaded contact.
-/// @param strips          number of strips: 4, 8, 16, 32 or 64.
+/// @param y, distance, points  undeformed distance of the bodies [m] on the line x = 0 at y [m], which ascends;
+///                        at least 3 points, straight between them. What is added to all distances
+///                        does not matter.
+/// @param contact         rolling radius, load or approach, material, friction, number of strips.
 /// @param[out] patch      receives the patch.
-/// @return KSTRIP_OK; KSTRIP_ERROR_STRIP_COUNT, or one of the errors of kstrip_solve() for the contact.
+/// @param[out] result     receives approach, peak pressure and load; NULL: not wanted.
+/// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE,
+///         KSTRIP_ERROR_PROFILE_END, KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_NORMAL_FORCE,
+///         KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION,
+///         KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_PATCH_SIZE, KSTRIP_ERROR_OVERFLOW.
 #[unsafe(no_mangle)]
-pub extern "C" fn kstrip_patch_from_ellipse(
-    contact: Option<&kstrip_contact>,
-    strips: i32,
-    patch: Option<&mut MaybeUninit<kstrip_patch>>,
+pub unsafe extern "C" fn kstrip_patch_from_profile(
+    y: *const f64,
+    distance: *const f64,
+    points: u32,
+    contact: Option<&ProfileOptions<f64>>,
+    patch: Option<&mut MaybeUninit<StoredPatch<f64>>>,
+    result: Option<&mut MaybeUninit<ProfileResult<f64>>>,
 ) -> kstrip_status {
-    patch_calls::from_ellipse(contact, strips, patch)
+    // SAFETY: NULL or as many elements as points says, says the header.
+    let (y, distance) = unsafe { (input(y, points), input(distance, points)) };
+    answer(|| {
+        let found = from_profile(y?, distance?, given(contact)?, given(patch)?)?;
+        put(result, found);
+        Ok(Notice::None)
+    })
 }
 
 /// A patch from strips of any origin, in any order of y.
 ///
 /// Strips may overlap by up to half of the distance at which they touch (a quadrature rule does), not by
-/// more. Strips that do not ascend are sorted in a copy on the stack (7 KiB).
+/// more. Strips that do not ascend are sorted in a copy on the stack (3 KiB; 2 KiB in single precision).
 ///
 /// @param strips, count   the strips, at most KSTRIP_PATCH_CAPACITY; 0 is allowed.
 /// @param shear_modulus   combined shear modulus G [Pa], > 0.
@@ -41,51 +55,40 @@ pub extern "C" fn kstrip_patch_from_ellipse(
 ///         KSTRIP_ERROR_PATCH_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn kstrip_patch_from_strips(
-    strips: *const kstrip_patch_strip,
+    strips: *const PatchStrip<f64>,
     count: u32,
     shear_modulus: f64,
     poisson_ratio: f64,
-    patch: Option<&mut MaybeUninit<kstrip_patch>>,
+    patch: Option<&mut MaybeUninit<StoredPatch<f64>>>,
 ) -> kstrip_status {
     // SAFETY: NULL or count elements, says the header.
-    let strips = unsafe { arrays::input(strips, count) };
-    patch_calls::from_strips(strips, shear_modulus, poisson_ratio, patch)
+    let strips = unsafe { input(strips, count) };
+    answer(|| {
+        from_strips(strips?, shear_modulus, poisson_ratio, given(patch)?)?;
+        Ok(Notice::None)
+    })
 }
 
-/// The patch of two profiles under a load, by the construction of Kik and Piotrowski (1996): virtual
-/// penetration 0.55 delta, half lengths sqrt(2 R g), pressure a half-ellipse along x, delta from the
-/// deflection at the deepest point.
+/// The strips of a contact's ellipse, where KSTRIP_MODEL_STRIP places them; none where it is lost.
 ///
-/// No elastic problem is solved: for the circle of Hertz the patch is 3 % too large and the peak pressure 6 %
-/// too low; for an ellipse whose curvatures are as 1 to 9, one axis is 27 % too long. Zones of contact that
-/// are apart become lobes. Bounded time: at most 60 evaluations of the load, usually below ten, each
-/// proportional to the number of points in contact. Uses 7 KiB of stack.
+/// kstrip_patch_evaluate() with KSTRIP_MODEL_STRIP gives the answer of kstrip_solve() with that model and the same strip
+/// count, to rounding. The strips of the models of 1967 move with the solution in kstrip_solve(), here they do not: the
+/// forces differ by a part of what one strip carries.
 ///
-/// @param y, distance, points  undeformed distance of the bodies [m] on the line x = 0 at y [m], which ascends;
-///                        at least 3 points, straight between them. What is added to all distances
-///                        does not matter.
-/// @param contact         rolling radius, load, material, friction.
-/// @param strips          number of strips, 4, 8, 16, 32 or 64; with several zones of contact the patch may
-///                        have a few less.
+/// @param contact         the loaded contact.
+/// @param options         strip count; its model is checked and otherwise ignored. NULL for the defaults.
 /// @param[out] patch      receives the patch.
-/// @param[out] result     receives approach, peak pressure, and the load reached.
-/// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE,
-///         KSTRIP_ERROR_PROFILE_END, KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_NORMAL_FORCE,
-///         KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION,
-///         KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_PATCH_SIZE, KSTRIP_ERROR_OVERFLOW.
+/// @return KSTRIP_OK, or one of the errors of kstrip_solve() for the contact and the options.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn kstrip_patch_from_profile(
-    y: *const f64,
-    distance: *const f64,
-    points: u32,
-    contact: Option<&kstrip_profile_contact>,
-    strips: i32,
-    patch: Option<&mut MaybeUninit<kstrip_patch>>,
-    result: Option<&mut MaybeUninit<kstrip_profile_result>>,
+pub extern "C" fn kstrip_patch_from_contact(
+    contact: Option<&Contact<f64>>,
+    options: Option<&kstrip_options>,
+    patch: Option<&mut MaybeUninit<StoredPatch<f64>>>,
 ) -> kstrip_status {
-    // SAFETY: NULL or as many elements as points says, says the header.
-    let (y, distance) = unsafe { (arrays::input(y, points), arrays::input(distance, points)) };
-    patch_calls::from_profile(y, distance, contact, strips, patch, result)
+    answer(|| {
+        from_contact(given(contact)?, options, given(patch)?)?;
+        Ok(Notice::None)
+    })
 }
 
 /// Load, friction bound, area and lobes of a patch; checks it without solving.
@@ -96,118 +99,258 @@ pub unsafe extern "C" fn kstrip_patch_from_profile(
 ///         KSTRIP_ERROR_STRIP_ORDER also when the strips do not ascend.
 #[unsafe(no_mangle)]
 pub extern "C" fn kstrip_patch_summarize(
-    patch: Option<&kstrip_patch>,
-    summary: Option<&mut MaybeUninit<kstrip_patch_summary>>,
+    patch: Option<&StoredPatch<f64>>,
+    summary: Option<&mut MaybeUninit<PatchSummary<f64>>>,
 ) -> kstrip_status {
-    patch_calls::summary(patch, summary)
+    answer(|| {
+        let (patch, summary) = (given(patch)?, given(summary)?);
+        summary.write(PatchSummary::of(&patch.view()?));
+        Ok(Notice::None)
+    })
 }
 
-/// Forces of a patch in motion, on the lower body.
+/// Everything about a patch in motion in one call, on the lower body: of the outputs, those that are not NULL.
 ///
 /// The creepage is that at the origin of the patch's coordinates, x = y = 0; a strip sees
-/// (longitudinal - spin y, lateral + spin centre_x), and the moment is about the origin. |F| is at
+/// (longitudinal - spin y, lateral + spin centre_x), and moments are about the origin. |F| is at
 /// most the sum of friction times load over the strips. KSTRIP_MODEL_STRIP solves each lobe
 /// with an equivalent ellipse: as wide as the lobe's strips together, with their mean squared half length
 /// (two thirds of a squared), their load and their mean friction.
 ///
+/// Derivatives by load: all pressures grow alike; through Hertz, while all lengths grow like the load's cube root. By
+/// friction: of the mean, all strips' friction growing alike. With friction its factor, (1 - ratio) exp(-decay w) + ratio,
+/// multiplies that of all strips; its own friction does not count, and derivatives by it are those by the mean of the
+/// strips' friction. outputs->strips receives patch->count strips.
+///
 /// @param patch           the patch.
 /// @param creepage        motion at the origin.
-/// @param options         KSTRIP_MODEL_STRIP or one of the models of 1967; NULL for the default. The
+/// @param friction        friction that falls with the slip; NULL: constant.
+/// @param options         KSTRIP_MODEL_STRIP (the default here) or one of the models of 1967; NULL for the default. The
 ///                        strip count is checked and otherwise ignored.
-/// @param[out] result     receives forces, moment, power and stick area.
-/// @return KSTRIP_OK, KSTRIP_WARNING_SPIN, KSTRIP_WARNING_RANGE (of a lobe's ellipse);
+/// @param outputs         where the outputs go.
+/// @return as kstrip_evaluate(); KSTRIP_WARNING_RANGE (of a lobe's ellipse);
 ///         KSTRIP_ERROR_NOT_IN_MODEL for KSTRIP_MODEL_TOTAL and KSTRIP_MODEL_LINEAR (the linear theory
-///         of a patch is kstrip_patch_jacobian() at zero creepage); KSTRIP_ERROR_MODEL,
-///         KSTRIP_ERROR_STRIP_COUNT, or one of the errors of kstrip_patch_summarize().
+///         of a patch is its derivatives at zero creepage), or one of the errors of kstrip_patch_summarize().
 #[unsafe(no_mangle)]
-pub extern "C" fn kstrip_patch_solve(
-    patch: Option<&kstrip_patch>,
-    creepage: Option<&kstrip_creepage>,
+pub unsafe extern "C" fn kstrip_patch_evaluate(
+    patch: Option<&StoredPatch<f64>>,
+    creepage: Option<&Creepage<f64>>,
+    friction: Option<&SlipFriction<f64>>,
     options: Option<&kstrip_options>,
-    result: Option<&mut MaybeUninit<kstrip_result>>,
+    outputs: Option<&Outputs<f64>>,
 ) -> kstrip_status {
-    patch_calls::solve(patch, creepage, options, result)
+    // SAFETY: every pointer is NULL or valid, says the header.
+    let places = outputs.map(|outputs| unsafe { Places::of(outputs) });
+    answer(|| evaluate_patch(given(patch)?, given(creepage)?, friction, options, given(places)?))
 }
 
-/// Forces of a patch and their exact derivatives with respect to the creepages.
+/// Pressure, traction, slip and state of a patch over a grid; they do not vary over the width of a strip.
 ///
-/// @param[out] jacobian   receives d(fx, fy, mz)/d(longitudinal, lateral, spin), row by row: nine
-///                        numbers [N, N, N m over 1, 1, 1/m]. At kinks of a model, a one-sided value.
-/// @return as kstrip_patch_solve(); KSTRIP_ERROR_OVERFLOW also when a derivative is too large.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn kstrip_patch_jacobian(
-    patch: Option<&kstrip_patch>,
-    creepage: Option<&kstrip_creepage>,
-    options: Option<&kstrip_options>,
-    result: Option<&mut MaybeUninit<kstrip_result>>,
-    jacobian: *mut f64,
-) -> kstrip_status {
-    // SAFETY: NULL or nine writable numbers, says the header.
-    let jacobian = unsafe { arrays::output(jacobian, 9) };
-    patch_calls::jacobian(patch, creepage, options, result, jacobian)
-}
-
-/// What each strip of a patch carries, ascending in y. The shares add up to the totals of
-/// kstrip_patch_solve(); each moment is about the origin.
+/// Under falling friction: multiply all strips' friction with that of kstrip_patch_evaluate(), and the shear modulus with
+/// the law's slope_factor.
 ///
-/// @param[out] strips     array that receives the strips.
-/// @param capacity        its size, at least patch->count.
-/// @param[out] count      receives how many were written: patch->count.
-/// @return as kstrip_patch_solve(); KSTRIP_ERROR_CAPACITY.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn kstrip_patch_strips(
-    patch: Option<&kstrip_patch>,
-    creepage: Option<&kstrip_creepage>,
-    options: Option<&kstrip_options>,
-    strips: *mut kstrip_strip,
-    capacity: u32,
-    count: Option<&mut MaybeUninit<u32>>,
-) -> kstrip_status {
-    // SAFETY: NULL or capacity elements, says the header.
-    let strips = unsafe { arrays::output(strips, capacity) };
-    patch_calls::strips(patch, creepage, options, strips, count)
-}
-
-/// Pressure, traction, slip and state at a point of a patch. They do not vary over the width of a strip.
-///
-/// @param x, y            the point [m]; outside is allowed.
-/// @param[out] point      receives the state.
-/// @return as kstrip_patch_solve().
-#[unsafe(no_mangle)]
-pub extern "C" fn kstrip_patch_traction_at(
-    patch: Option<&kstrip_patch>,
-    creepage: Option<&kstrip_creepage>,
-    options: Option<&kstrip_options>,
-    x: f64,
-    y: f64,
-    point: Option<&mut MaybeUninit<kstrip_point>>,
-) -> kstrip_status {
-    patch_calls::traction_at(patch, creepage, options, x, y, point)
-}
-
-/// Pressure, traction, slip and state of a patch over a grid.
-///
-/// @param x, columns      array of x [m] and its size.
+/// @param x, columns      array of x [m] and its size; outside is allowed.
 /// @param y, rows         array of y [m] and its size.
 /// @param[out] points     array of rows * columns elements; the point (x[i], y[j]) is
 ///                        points[j * columns + i].
 /// @param capacity        its size.
-/// @return as kstrip_patch_solve(); KSTRIP_ERROR_CAPACITY.
+/// @return as kstrip_patch_evaluate(); KSTRIP_ERROR_CAPACITY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn kstrip_patch_field(
-    patch: Option<&kstrip_patch>,
-    creepage: Option<&kstrip_creepage>,
+    patch: Option<&StoredPatch<f64>>,
+    creepage: Option<&Creepage<f64>>,
     options: Option<&kstrip_options>,
     x: *const f64,
     columns: u32,
     y: *const f64,
     rows: u32,
-    points: *mut kstrip_point,
+    points: *mut FieldPoint<f64>,
     capacity: u32,
 ) -> kstrip_status {
     // SAFETY: NULL or as many elements as the counts say, says the header.
-    let (x, y, points) = unsafe {
-        (arrays::input(x, columns), arrays::input(y, rows), arrays::output(points, capacity))
+    let (x, y, points) = unsafe { (input(x, columns), input(y, rows), output(points, capacity)) };
+    answer(|| {
+        let (patch, creepage, options) = (given(patch)?, given(creepage)?, for_strips(options)?);
+        let view = patch.view()?;
+        let field = PatchField::new(&view, creepage, options.model)?;
+        let along = |strip: &Option<_>, x| PatchField::along(strip.as_ref(), x);
+        write_grid(x?, y?, points?, |y| field.strip_at(y), along)?;
+        Ok(field.notice)
+    })
+}
+
+impl<F: Precision> StoredPatch<F> {
+    /// Without strips; written in place, because it is large.
+    fn write_empty(
+        out: &mut MaybeUninit<Self>,
+        shear_modulus: F,
+        poisson_ratio: F,
+        scale: QuadratureScale<F>,
+    ) -> &mut Self {
+        // SAFETY: all bits zero are a structure of numbers.
+        let patch = unsafe {
+            out.as_mut_ptr().write_bytes(0, 1);
+            out.assume_init_mut()
+        };
+        (patch.shear_modulus, patch.poisson_ratio) = (shear_modulus, poisson_ratio);
+        (patch.area_scale, patch.lever_scale) = (scale.area, scale.lever);
+        patch
+    }
+
+    /// Adds a strip, and tells whether there was room.
+    fn push(&mut self, strip: PatchStrip<F>) -> bool {
+        let place = self.strips.get_mut(self.count as usize);
+        let room = place.is_some();
+        if let Some(place) = place {
+            *place = strip;
+            self.count = self.count.saturating_add(1);
+        }
+        room
+    }
+
+    fn write(view: &PatchView<F>, out: &mut MaybeUninit<Self>) {
+        let (shear_modulus, poisson_ratio) = (view.shear_modulus(), view.poisson_ratio());
+        let patch = Self::write_empty(out, shear_modulus, poisson_ratio, view.scale());
+        for strip in view.strips() {
+            patch.push(*strip);
+        }
+    }
+
+    /// Checked.
+    pub(super) fn view(&self) -> Result<PatchView<'_, F>, Error> {
+        let strips = self.strips.get(..self.count as usize).ok_or(Error::PatchSize)?;
+        let or_one = |factor: F| if factor == F::zero() { F::one() } else { factor };
+        let scale =
+            QuadratureScale { area: or_one(self.area_scale), lever: or_one(self.lever_scale) };
+        PatchView::new(strips, self.shear_modulus, self.poisson_ratio, scale)
+    }
+}
+
+impl<F: Float> PatchSummary<F> {
+    pub(super) fn of(view: &PatchView<F>) -> Self {
+        Self {
+            normal_force: view.normal_force(),
+            friction_bound: view.friction_bound(),
+            area: view.area() * view.scale().area,
+            lobes: view.lobes().count() as u32,
+            reserved: 0,
+        }
+    }
+}
+
+pub(super) fn from_contact<F: Precision>(
+    contact: &Contact<F>,
+    options: Option<&kstrip_options>,
+    out: &mut MaybeUninit<StoredPatch<F>>,
+) -> Result<(), Error> {
+    let count = for_strips(options)?.strips;
+    let Contact { shear_modulus, poisson_ratio, .. } = *contact;
+    if contact.is_lost() {
+        contact.check()?;
+        let none = PatchView::new(&[], shear_modulus, poisson_ratio, QuadratureScale::default())?;
+        StoredPatch::write(&none, out);
+        return Ok(());
+    }
+    patch::check_ellipse(contact, count)?;
+    let scale = QuadratureScale::default();
+    let stored = StoredPatch::write_empty(out, shear_modulus, poisson_ratio, scale);
+    let scale = patch::ellipse(contact, count, |strip| stored.push(strip))?;
+    (stored.area_scale, stored.lever_scale) = (scale.area, scale.lever);
+    Ok(())
+}
+
+pub(super) fn from_strips<F: Precision>(
+    strips: &[PatchStrip<F>],
+    shear_modulus: F,
+    poisson_ratio: F,
+    out: &mut MaybeUninit<StoredPatch<F>>,
+) -> Result<(), Error> {
+    if strips.len() > KSTRIP_PATCH_CAPACITY {
+        return Err(Error::PatchSize);
+    }
+    match PatchView::new(strips, shear_modulus, poisson_ratio, QuadratureScale::default()) {
+        Ok(view) => StoredPatch::write(&view, out),
+        Err(Error::StripOrder) => sorted(strips, shear_modulus, poisson_ratio, out)?,
+        Err(error) => return Err(error),
+    }
+    Ok(())
+}
+
+/// Strips in any order. Out of line, because of the copy on the stack.
+#[inline(never)]
+fn sorted<F: Precision>(
+    strips: &[PatchStrip<F>],
+    shear_modulus: F,
+    poisson_ratio: F,
+    out: &mut MaybeUninit<StoredPatch<F>>,
+) -> Result<(), Error> {
+    let patch =
+        Patch::<_, KSTRIP_PATCH_CAPACITY>::from_strips(strips, shear_modulus, poisson_ratio)?;
+    StoredPatch::write(&patch.view()?, out);
+    Ok(())
+}
+
+pub(super) fn from_profile<F: Precision>(
+    y: &[F],
+    distance: &[F],
+    options: &ProfileOptions<F>,
+    out: &mut MaybeUninit<StoredPatch<F>>,
+) -> Result<ProfileResult<F>, Error> {
+    let ProfileOptions { rolling_radius, normal_force, shear_modulus, .. } = *options;
+    let ProfileOptions { poisson_ratio, friction, approach, smoothing_length, .. } = *options;
+    if !approach.is_finite_number() || !smoothing_length.is_finite_number() {
+        return Err(Error::NotFinite);
+    }
+    if approach != F::zero() {
+        return Err(Error::NotInModel);
+    }
+    let contact =
+        ProfileContact { rolling_radius, normal_force, shear_modulus, poisson_ratio, friction };
+    let count = strip_count(options.strips)?;
+    let (patch, found) =
+        Patch::<_, KSTRIP_PATCH_CAPACITY>::from_profile(y, distance, &contact, count)?;
+    StoredPatch::write(&patch.view()?, out);
+    let Indentation { penetration, peak_pressure, normal_force, deepest_y, iterations, .. } = found;
+    let approach = penetration;
+    Ok(ProfileResult { approach, peak_pressure, normal_force, deepest_y, iterations, reserved: 0 })
+}
+
+pub(super) fn evaluate_patch<F: Precision>(
+    patch: &StoredPatch<F>,
+    creepage: &Creepage<F>,
+    law: Option<&SlipFriction<F>>,
+    options: Option<&kstrip_options>,
+    places: Places<F>,
+) -> Result<Notice, Error> {
+    let model = for_strips(options)?.model;
+    let view = patch.view()?;
+    let (solution, share, slopes) = if places.differentiates() {
+        let found = patch::friction::differentiate(&view, creepage, law, model)?;
+        (found.solution, found.friction, Some((found.derivatives, found.law)))
+    } else if let Some(law) = law {
+        let found = patch::friction::solve(&view, creepage, law, model)?;
+        (found.solution, found.share, None)
+    } else {
+        (solver::solve(&view, creepage, model)?, F::one(), None)
     };
-    patch_calls::field(patch, creepage, options, x, y, points)
+    if let Some((strips, count)) = places.strips {
+        let count = given(count)?;
+        if view.strips().len() > strips.len() {
+            return Err(Error::Capacity);
+        }
+        let mut written = strips.iter_mut();
+        patch::friction::strips(&view, creepage, law, share, model, &mut |strip| {
+            if let Some(place) = written.next() {
+                place.write(strip);
+            }
+        })?;
+        count.write(view.strips().len() as u32);
+    }
+    put(places.result, solution);
+    put(places.friction, share);
+    if let Some((derivatives, law)) = slopes {
+        put(places.derivatives, derivatives);
+        put(places.law_derivatives, law);
+    }
+    Ok(solution.notice)
 }

@@ -1,193 +1,257 @@
-//! C structures in double precision, and the options that both precisions share.
+//! Structures that only C has: options, and where outputs go.
 
-/// Which model, and with how many strips. Fill with kstrip_options_init().
+use super::KSTRIP_PATCH_CAPACITY;
+use crate::friction::SlipFriction;
+use crate::patch::PatchStrip;
+use crate::solve::derivatives::{Derivatives, LawDerivatives};
+use crate::solve::model::{Solution, StripResult};
+use crate::solve::motion::MotionDerivatives;
+
+/// Which model, and with how many strips. All zero is the default.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct kstrip_options {
     /// One of the KSTRIP_MODEL constants.
     pub model: i32,
-    /// Number of strips: 4, 8, 16, 32 or 64. Ignored by models without strips, but checked.
+    /// Number of strips: 4, 8, 16, 32 or 64; 0: 16. Ignored by models without strips, but checked.
     pub strips: i32,
-}
-
-/// An isotropic elastic body.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct kstrip_material {
-    /// Shear modulus G [Pa], > 0. Steel: 82e9.
-    pub shear_modulus: f64,
-    /// Poisson's ratio [-], 0 to 0.5. Steel: 0.28.
-    pub poisson_ratio: f64,
-}
-
-/// The combined elastic constants of two bodies: what the contact sees.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct kstrip_combined_material {
-    /// Combined shear modulus G [Pa], 1/G = (1/G_lower + 1/G_upper)/2.
-    pub shear_modulus: f64,
-    /// Combined Poisson's ratio [-], nu/G = (nu_lower/G_lower + nu_upper/G_upper)/2.
-    pub poisson_ratio: f64,
-    /// Mismatch kappa [-] of the two materials, which the theory neglects: 0 for like materials; an
-    /// error of a few per cent is to be expected at 0.06 (steel on aluminium).
-    pub mismatch: f64,
-}
-
-/// Radii of curvature of two bodies at the contact [m]: convex positive, flat infinite (INFINITY),
-/// concave negative. Zero and NaN are errors.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct kstrip_radii {
-    /// Lower body in the plane of x and z (a straight rail: INFINITY).
-    pub lower_x: f64,
-    /// Lower body in the plane of y and z (a rail: radius of the head).
-    pub lower_y: f64,
-    /// Upper body in the plane of x and z (a wheel: rolling radius).
-    pub upper_x: f64,
-    /// Upper body in the plane of y and z (a wheel: radius of the profile, INFINITY if conical).
-    pub upper_y: f64,
-}
-
-/// The contact ellipse of Hertz.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct kstrip_hertz_contact {
-    /// Semi-axis along the rolling direction x [m].
-    pub a: f64,
-    /// Semi-axis along y [m].
-    pub b: f64,
-    /// Pressure at the centre [Pa].
-    pub peak_pressure: f64,
-    /// Approach of distant points of the two bodies [m].
-    pub approach: f64,
-    /// Minor over major semi-axis [-], 0 to 1.
-    pub axis_ratio: f64,
-    /// Hertz's angle tau [rad], 0 to pi/2.
-    pub hertz_angle: f64,
-    /// Four over the sum of the four curvatures [m].
-    pub rho: f64,
-}
-
-/// A loaded elliptic contact with Coulomb friction.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct kstrip_contact {
-    /// Semi-axis along the rolling direction x [m], > 0.
-    pub a: f64,
-    /// Semi-axis along y [m], > 0.
-    pub b: f64,
-    /// Normal force N [N], >= 0.
-    pub normal_force: f64,
-    /// Combined shear modulus G [Pa], > 0.
-    pub shear_modulus: f64,
-    /// Combined Poisson's ratio [-], 0 to 0.5.
-    pub poisson_ratio: f64,
-    /// Coefficient of friction mu [-], >= 0.
-    pub friction: f64,
-}
-
-/// Rigid slip of the upper over the lower body, divided by the rolling speed.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct kstrip_creepage {
-    /// Longitudinal creepage [-], positive when the upper body slides in the rolling direction.
-    pub longitudinal: f64,
-    /// Lateral creepage [-], positive along y.
-    pub lateral: f64,
-    /// Spin [1/m], positive from x to y (about z).
-    pub spin: f64,
 }
 
 /// Kalker's parameters (5.13) of a contact in motion, dimensionless.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct kstrip_parameters {
+pub struct KalkerParameters<F> {
     /// xi = longitudinal G/(2 (1 - nu) mu p0)
-    pub xi: f64,
+    pub xi: F,
     /// eta = lateral G/(2 mu p0)
-    pub eta: f64,
+    pub eta: F,
     /// psi = a spin G/(2 mu p0). The theory of 1967 is valid for |psi| < 1.
-    pub psi: f64,
+    pub psi: F,
 }
 
-/// Velocity of a body's surface at the centre of the contact, seen from the contact.
+/// Where the outputs of kstrip_evaluate() and kstrip_patch_evaluate() go. NULL is not computed and costs nothing.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct kstrip_velocity {
-    /// Along the rolling direction x [m/s]; about minus the rolling speed for both bodies.
-    pub x: f64,
-    /// Along y [m/s].
-    pub y: f64,
-    /// Angular velocity about z [rad/s].
-    pub angular_z: f64,
+pub struct Outputs<F> {
+    /// Forces, moment, power, adhesion: those of kstrip_solve(), bit for bit, where friction is constant.
+    pub result: *mut Solution<F>,
+    /// Derivatives by creepages, load and friction; under falling friction through it.
+    pub derivatives: *mut Derivatives<F>,
+    /// Derivatives by the parameters of falling friction.
+    pub law_derivatives: *mut LawDerivatives<F>,
+    /// The coefficient of friction that agrees with the slip: the contact's own where friction is constant. Of a
+    /// patch the factor that all strips have in common, 1 where friction is constant.
+    pub friction: *mut F,
+    /// What each strip carries; capacity elements. Their shares add up to the result of the same model.
+    pub strips: *mut StripResult<F>,
+    /// How many strips were written; required with strips.
+    pub count: *mut u32,
+    /// Size of strips: KSTRIP_STRIPS_CAPACITY is always enough; the number of strips asked for is with
+    /// KSTRIP_MODEL_STRIP, of patches, and where |psi| <= 1.
+    pub capacity: u32,
+    /// Zero.
+    pub reserved: u32,
 }
 
-/// Forces on the lower body.
+/// Where the outputs of kstrip_solve_motion() go. NULL is not computed and costs nothing.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct kstrip_result {
-    /// Longitudinal force [N].
-    pub fx: f64,
-    /// Lateral force [N].
-    pub fy: f64,
-    /// Moment about z at the centre of the contact [N m].
-    pub mz: f64,
-    /// Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin [N]: energy
-    /// dissipated per metre rolled.
-    pub power: f64,
-    /// Share of the contact area in adhesion [-], 0 to 1. KSTRIP_MODEL_TOTAL does not know it: -1.
-    pub adhesion: f64,
-    /// The status of this result: 0 or one of the KSTRIP_WARNING constants.
-    pub status_detail: i32,
+pub struct MotionOutputs<F> {
+    /// Forces and moment on the lower body, adhesion; power here in watts: fx slip_x + fy slip_y + mz spin_rate.
+    pub result: *mut Solution<F>,
+    /// Derivatives by the motion, by load and by friction.
+    pub derivatives: *mut MotionDerivatives<F>,
+    /// The coefficient of friction that agrees with the slip.
+    pub friction: *mut F,
+}
+
+/// Many contacts with their motion and their friction: for each quantity a pointer to the first one and the distance to
+/// the next in bytes. Distance 0: one for all.
+///
+/// Arrays of structures (&contacts[0].a, sizeof(kstrip_contact)) are as good as one array for each quantity
+/// (a, sizeof(double)). All but law are required unless there are no contacts.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BatchInputs<F> {
+    /// Semi-axes along x [m].
+    pub a: *const F,
+    /// Distance in bytes, as all that follow.
+    pub a_stride: isize,
+    /// Semi-axes along y [m].
+    pub b: *const F,
+    /// Distance.
+    pub b_stride: isize,
+    /// Normal forces [N]; not positive: lost.
+    pub normal_force: *const F,
+    /// Distance.
+    pub normal_force_stride: isize,
+    /// Combined shear moduli G [Pa].
+    pub shear_modulus: *const F,
+    /// Distance.
+    pub shear_modulus_stride: isize,
+    /// Combined Poisson's ratios [-].
+    pub poisson_ratio: *const F,
+    /// Distance.
+    pub poisson_ratio_stride: isize,
+    /// Coefficients of friction [-].
+    pub friction: *const F,
+    /// Distance.
+    pub friction_stride: isize,
+    /// Longitudinal creepages [-].
+    pub longitudinal: *const F,
+    /// Distance.
+    pub longitudinal_stride: isize,
+    /// Lateral creepages [-].
+    pub lateral: *const F,
+    /// Distance.
+    pub lateral_stride: isize,
+    /// Spins [1/m].
+    pub spin: *const F,
+    /// Distance.
+    pub spin_stride: isize,
+    /// Falling friction; NULL: constant.
+    pub law: *const SlipFriction<F>,
+    /// Distance.
+    pub law_stride: isize,
+}
+
+/// Where the results of many contacts go: for each quantity a pointer to the first one and the distance to the next in
+/// bytes. NULL is not wanted and costs nothing.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BatchOutputs<F> {
+    /// Longitudinal forces on the lower bodies [N].
+    pub fx: *mut F,
+    /// Distance in bytes, as all that follow; at least the size of one.
+    pub fx_stride: isize,
+    /// Lateral forces [N].
+    pub fy: *mut F,
+    /// Distance.
+    pub fy_stride: isize,
+    /// Moments about z at the centres of the contacts [N m].
+    pub mz: *mut F,
+    /// Distance.
+    pub mz_stride: isize,
+    /// Frictional powers over rolling speed [N].
+    pub power: *mut F,
+    /// Distance.
+    pub power_stride: isize,
+    /// Shares of the contact areas in adhesion [-], 0 to 1, or -1 for unknown.
+    pub adhesion: *mut F,
+    /// Distance.
+    pub adhesion_stride: isize,
+    /// The status of each result: 0 or one of the KSTRIP_WARNING constants.
+    pub status_detail: *mut i32,
+    /// Distance.
+    pub status_detail_stride: isize,
+    /// Coefficients of friction that agree with the slip [-].
+    pub friction: *mut F,
+    /// Distance.
+    pub friction_stride: isize,
+    /// Derivatives by creepages, load and friction.
+    pub derivatives: *mut Derivatives<F>,
+    /// Distance.
+    pub derivatives_stride: isize,
+    /// Derivatives by the parameters of falling friction.
+    pub law_derivatives: *mut LawDerivatives<F>,
+    /// Distance.
+    pub law_derivatives_stride: isize,
+}
+
+/// A contact of which everything that does not depend on the motion has been computed. Filled by kstrip_prepare(); plain
+/// numbers without pointers, to be copied and kept as the caller likes, for this version of the library only.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PreparedNumbers<F> {
+    /// Not for use.
+    pub numbers: [F; 64],
+    /// The model; 0: nothing prepared.
+    pub model: i32,
+    /// The strip count.
+    pub strips: i32,
+}
+
+/// A contact patch of any shape: its strips, in ascending y. Filled by kstrip_patch_from_contact(),
+/// kstrip_patch_from_strips() or kstrip_patch_from_profile(); the members may then be changed. All functions check it
+/// again. All zero but shear_modulus is a patch without load.
+///
+/// Where the distance of two neighbours is more than one and a half times that at which they touch,
+/// there is a gap: what lies on either side is a lobe of its own.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StoredPatch<F> {
+    /// The strips; the first count are used.
+    pub strips: [PatchStrip<F>; KSTRIP_PATCH_CAPACITY],
+    /// Combined shear modulus G [Pa], > 0.
+    pub shear_modulus: F,
+    /// Combined Poisson's ratio [-], 0 to 0.5.
+    pub poisson_ratio: F,
+    /// Factor [-], > 0, that makes the sum of the strips' areas the patch's area: 1 unless the strips
+    /// are a quadrature rule (kstrip_patch_from_contact()); 0 stands for 1.
+    pub area_scale: F,
+    /// The same for the moment of the area about x, the sum of y^2 times area.
+    pub lever_scale: F,
+    /// Number of strips, 0 to KSTRIP_PATCH_CAPACITY. None: no load.
+    pub count: u32,
+    /// Zero.
+    pub reserved: u32,
+}
+
+/// What a patch carries.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PatchSummary<F> {
+    /// Normal force [N].
+    pub normal_force: F,
+    /// Sum of friction times load over the strips [N]: no tangential force exceeds it.
+    pub friction_bound: F,
+    /// Contact area [m^2].
+    pub area: F,
+    /// Number of lobes.
+    pub lobes: u32,
+    /// Zero.
+    pub reserved: u32,
+}
+
+/// What presses two profiles together. Zero is the default of every member but rolling_radius, shear_modulus and one of
+/// normal_force and approach.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ProfileOptions<F> {
+    /// Rolling radius [m], > 0; of two rolling bodies 1/R = 1/R_lower + 1/R_upper.
+    pub rolling_radius: F,
+    /// Normal force N [N], >= 0; 0: approach decides.
+    pub normal_force: F,
+    /// Approach of distant points of the bodies [m], >= 0; only where normal_force is 0.
+    pub approach: F,
+    /// Length over which the profile is smoothed before its curvature is taken [m]; 0: chosen by its noise.
+    pub smoothing_length: F,
+    /// Combined shear modulus G [Pa], > 0.
+    pub shear_modulus: F,
+    /// Combined Poisson's ratio [-], 0 to 0.5.
+    pub poisson_ratio: F,
+    /// Coefficient of friction of every strip [-], >= 0.
+    pub friction: F,
+    /// Number of strips: 4, 8, 16, 32 or 64; 0: 16. With several zones of contact the patch may have a few less.
+    pub strips: i32,
     /// Zero.
     pub reserved: i32,
 }
 
-/// One strip y = const of the contact: what it carries, on the lower body.
+/// How two profiles meet.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct kstrip_strip {
-    /// Centre line [m].
-    pub y: f64,
-    /// Width that the strip stands for [m].
-    pub width: f64,
-    /// Half of its length along x [m].
-    pub half_length: f64,
-    /// x of the separatrix [m]: slip behind it, adhesion ahead of it. Equal to half_length when the
-    /// whole strip slides.
-    pub separatrix: f64,
-    /// Its share of the longitudinal force [N].
-    pub fx: f64,
-    /// Its share of the lateral force [N].
-    pub fy: f64,
-    /// Its share of the moment about the centre of the contact [N m].
-    pub mz: f64,
-    /// Its share of the frictional power [N].
-    pub power: f64,
-    /// KSTRIP_STATE_STICK if it has an adhesion area, else KSTRIP_STATE_SLIP.
-    pub state: i32,
+pub struct ProfileResult<F> {
+    /// Approach of distant points of the two bodies [m].
+    pub approach: F,
+    /// Largest pressure [Pa], at the deepest point.
+    pub peak_pressure: F,
+    /// Normal force reached [N].
+    pub normal_force: F,
+    /// y of the deepest point [m].
+    pub deepest_y: F,
+    /// Evaluations of the load, at most 60.
+    pub iterations: u32,
     /// Zero.
-    pub reserved: i32,
-}
-
-/// The state of a point of the contact plane. Tractions act on the lower body.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct kstrip_point {
-    /// Pressure [Pa].
-    pub pressure: f64,
-    /// Tangential traction along x [Pa].
-    pub traction_x: f64,
-    /// Tangential traction along y [Pa].
-    pub traction_y: f64,
-    /// Slip of the upper over the lower body along x, over the rolling speed [-].
-    pub slip_x: f64,
-    /// Slip along y, over the rolling speed [-].
-    pub slip_y: f64,
-    /// traction . slip [Pa]: energy dissipated per area and metre rolled.
-    pub dissipation: f64,
-    /// One of the KSTRIP_STATE constants.
-    pub state: i32,
-    /// Zero.
-    pub reserved: i32,
+    pub reserved: u32,
 }

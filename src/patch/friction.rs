@@ -23,7 +23,8 @@ use crate::friction::{Agreement, SlipFriction};
 use crate::number::Float;
 use crate::patch::solver;
 use crate::patch::{Patch, PatchView};
-use crate::solve::model::{Jacobian, Model, Precision, Solution};
+use crate::solve::derivatives::{AtFriction, Derivatives, Differentiated, LawDerivatives};
+use crate::solve::model::{Jacobian, Model, Precision, Solution, StripResult};
 use crate::status::{Error, Notice};
 
 /// Forces of a patch under friction that falls with the slip.
@@ -176,7 +177,7 @@ impl<'a, F: Precision> Problem<'a, F> {
         let law = SlipFriction { friction: F::one(), ..*law };
         law.check()?;
         let rigid_slip = solver::check(patch, creepage, model)?;
-        if patch.shear_modulus() * law.slope_factor <= F::zero() {
+        if patch.shear_modulus() * law.stiffness() <= F::zero() {
             return Err(Error::Modulus);
         }
         Ok(Self { patch, creepage, law, model, bound: patch.friction_bound(), rigid_slip })
@@ -197,7 +198,7 @@ impl<'a, F: Precision> Problem<'a, F> {
 
     /// `k c/λ`, and its factor; so far away that everything slides where `λ` vanishes.
     fn scaled(&self, share: F) -> (Creepage<F>, F) {
-        let factor = self.law.slope_factor / share;
+        let factor = self.law.stiffness() / share;
         let farthest = F::HUGE * (F::HUGE / (self.bound + F::one())) / (self.rigid_slip + F::TINY);
         let factor = factor.min(farthest.max(F::one()));
         let Creepage { longitudinal, lateral, spin } = *self.creepage;
@@ -214,6 +215,92 @@ impl<'a, F: Precision> Problem<'a, F> {
         let Solution { fx, fy, mz, adhesion, .. } = *scaled;
         let [fx, fy, mz] = [fx, fy, mz].map(|force| force * share);
         let power = self.creepage.power([fx, fy, mz]);
-        Solution { fx, fy, mz, power, adhesion, notice: scaled.notice.worse(notice) }
+        let notice = scaled.notice.worse(notice);
+        Solution { fx, fy, mz, power, adhesion, notice, reserved: 0 }
     }
+}
+
+/// Forces of a patch and all derivatives, under friction that falls with the slip or not; `friction` is the share `λ`.
+///
+/// By load: all pressures grow alike; through Hertz, while all lengths grow like the cube root of the load. By friction: of
+/// the mean of all strips without slip, all growing alike.
+///
+/// # Errors
+/// Those of [`solve_jacobian`].
+pub fn differentiate<F: Precision>(
+    patch: &PatchView<F>,
+    creepage: &Creepage<F>,
+    law: Option<&SlipFriction<F>>,
+    model: Model,
+) -> Result<Differentiated<F>, Error> {
+    let (load, bound) = (patch.normal_force(), patch.friction_bound());
+    let clean = SlipFriction::constant(F::one());
+    let given = law.unwrap_or(&clean);
+    let problem = Problem::new(patch, creepage, given, model)?;
+    let (share, notice) = match law {
+        Some(_) => problem.agreement()?,
+        None => (F::one(), Notice::None),
+    };
+    let (scaled, factor) = problem.scaled(share);
+    let (found, slopes) = solver::solve_jacobian(patch, &scaled, model)?;
+    let solution = problem.under(share, &found, notice);
+    if bound <= F::zero() {
+        let (derivatives, law) = (Derivatives::nothing(), LawDerivatives::nothing());
+        return Ok(Differentiated { solution, friction: share, derivatives, law });
+    }
+    // F = λ f(k c/λ):  ∂F/∂c = k J
+    let j = slopes.map(|slope| slope * (share * factor));
+    let jacobian = [[j.m11, j.m12, j.m13], [j.m21, j.m22, j.m23], [j.m31, j.m32, j.m33]];
+    let Solution { fx, fy, mz, .. } = solution;
+    let force = [fx, fy, mz];
+    let Creepage { longitudinal, lateral, spin } = *creepage;
+    // M ∂F/∂M = F − J c,  through Hertz N dF/dN = F − ⅓ J_v v,  N dM_z/dN = (4/3) M_z − ⅓ J_v v
+    let translation = jacobian.map(|row| row[0] * longitudinal + row[1] * lateral);
+    let (mut euler, mut hertz) = (force, force);
+    let rows = jacobian.iter().zip(translation).zip([1.0, 1.0, 4.0 / 3.0]);
+    for ((euler, hertz), ((row, translation), power)) in euler.iter_mut().zip(&mut hertz).zip(rows)
+    {
+        *euler = *euler - (translation + row[2] * spin);
+        *hertz = hertz.times(power) - translation.times(1.0 / 3.0);
+    }
+    let mean = bound / load;
+    let friction = share * mean;
+    let derivatives = Derivatives {
+        jacobian,
+        normal_force: euler.map(|entry| entry / load),
+        load_through_hertz: hertz.map(|entry| entry / load),
+        friction: euler.map(|entry| entry / friction),
+    };
+    let motion = [longitudinal, lateral, spin];
+    let at = AtFriction { force, derivatives, motion, friction, load };
+    let law = SlipFriction { friction: mean, ..*given };
+    let (derivatives, law) = at.through(&law, law.falls());
+    let entries = derivatives.entries().into_iter().chain(law.entries());
+    if entries.into_iter().all(F::is_finite_number) {
+        Ok(Differentiated { solution, friction: share, derivatives, law })
+    } else {
+        Err(Error::Overflow)
+    }
+}
+
+/// Every strip of the solution at a share `λ` of friction, handed to `visit` as [`solver::strips`] does.
+///
+/// # Errors
+/// Those of [`solve`].
+pub fn strips<F: Precision>(
+    patch: &PatchView<F>,
+    creepage: &Creepage<F>,
+    law: Option<&SlipFriction<F>>,
+    share: F,
+    model: Model,
+    visit: &mut impl FnMut(StripResult<F>),
+) -> Result<Notice, Error> {
+    let Some(law) = law else {
+        return solver::strips(patch, creepage, model, visit);
+    };
+    let (scaled, _) = Problem::new(patch, creepage, law, model)?.scaled(share);
+    solver::strips(patch, &scaled, model, &mut |strip| {
+        let [fx, fy, mz] = [strip.fx, strip.fy, strip.mz].map(|force| force * share);
+        visit(StripResult { fx, fy, mz, power: creepage.power([fx, fy, mz]), ..strip });
+    })
 }

@@ -30,21 +30,22 @@ use crate::strip::Placed;
 use core::f64::consts::{FRAC_PI_2, PI};
 use heapless::Vec;
 
-/// One strip of a patch, along the rolling direction.
+/// One strip of a patch, along the rolling direction. Its pressure is a half-ellipse in x,
+/// peak_pressure sqrt(1 - (x - centre_x)^2/half_length^2), and does not vary over its width.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PatchStrip<F> {
-    /// Centre line `y` \[m\].
+    /// Centre line y \[m\].
     pub y: F,
-    /// Width \[m\], positive.
+    /// Width \[m\], > 0.
     pub width: F,
-    /// Half length `l` along `x` \[m\], positive.
+    /// Half length along x \[m\], > 0.
     pub half_length: F,
-    /// Centre `x_c` \[m\].
+    /// Centre along x \[m\]; 0 for most contacts.
     pub centre_x: F,
-    /// Pressure at the centre `p₀` \[Pa\], not negative.
+    /// Pressure at the centre \[Pa\], >= 0.
     pub peak_pressure: F,
-    /// Coefficient of friction `μ`, not negative.
+    /// Coefficient of friction \[-\], >= 0; every strip may have its own.
     pub friction: F,
 }
 

@@ -22,7 +22,7 @@ use crate::solve::field::FieldPoint;
 use crate::solve::model::{Jacobian, Model, Precision, Solution, StripResult, rolling_point};
 use crate::status::{Error, Notice};
 use crate::strip::{RollingStrips, StripGeometry, march};
-use crate::strip_1967::strip::{Regime, SlidingRule, Strip, StripPoint};
+use crate::strip_1967::strip::{Regime, SlidingRule, Strip, State, StripPoint};
 use nalgebra::Matrix3;
 
 /// Strips that are marched together, in pairs; fewer where the stack is short.
@@ -314,6 +314,7 @@ impl<F: Precision> Problem<'_, F> {
                 F::zero()
             },
             notice: self.notice(),
+            reserved: 0,
         }
     }
 }
@@ -401,7 +402,8 @@ pub fn strips<F: Precision>(
             fy,
             mz,
             power: fx * creepage.longitudinal + fy * creepage.lateral + mz * creepage.spin,
-            adheres,
+            state: if adheres { State::Stick } else { State::Slip },
+            reserved: 0,
         });
     });
     Ok(problem.notice())

@@ -39,17 +39,20 @@ pub enum Measured {
 }
 
 /// A coefficient of friction from a measured force.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrictionEstimate<F> {
-    /// `μ`
+    /// Coefficient of friction \[-\]; a lower bound with KSTRIP_WARNING_FRICTION_AT_LEAST.
     pub friction: F,
-    /// `∂μ/∂F` \[1/N\]: what an error of the measured force does to it; zero where the result is a lower bound.
+    /// d(friction)/d(force) \[1/N\]: what an error of the measured force does to it; 0 for a lower bound.
     pub sensitivity: F,
     /// Distance between the measured and the computed force \[N\], of the components that were measured:
     /// rounding for one component, for both what their direction is off.
     pub residual: F,
-    /// What the caller should know.
+    /// The status of this result: 0 or one of the KSTRIP_WARNING constants.
     pub notice: Notice,
+    /// Zero.
+    pub reserved: i32,
 }
 
 /// Friction over used friction beyond which the contact is taken to stick: the force differs by about one per cent
@@ -113,6 +116,9 @@ pub fn estimate_friction<F: Precision>(
     }
     let rest = Contact { friction: F::zero(), ..*contact };
     model::check(&rest, creepage, options)?;
+    if contact.is_lost() {
+        return Err(Error::Unexplained);
+    }
     let rig = Rig { contact: rest, creepage, options, measured };
     let target = match measured {
         Measured::Fx => fx,
@@ -125,13 +131,14 @@ pub fn estimate_friction<F: Precision>(
         sensitivity: F::zero(),
         residual: F::zero(),
         notice: Notice::FrictionAtLeast,
+        reserved: 0,
     };
     // What a little friction gives, in units of itself: the direction of full sliding
     let (_, slopes) = derivatives::solve(&rig.contact, creepage, options)?;
     let direction = match measured {
-        Measured::Fx => slopes.friction.x,
-        Measured::Fy => slopes.friction.y,
-        Measured::Both => length(slopes.friction.x, slopes.friction.y),
+        Measured::Fx => slopes.friction[0],
+        Measured::Fy => slopes.friction[1],
+        Measured::Both => length(slopes.friction[0], slopes.friction[1]),
     };
     if target == F::zero() {
         // Friction is zero, unless there is no slip to show it.
@@ -201,11 +208,11 @@ pub fn estimate_friction<F: Precision>(
     let (solution, slopes) = derivatives::solve(&contact, creepage, options)?;
     let Solution { fx: x, fy: y, .. } = solution;
     let slope = match measured {
-        Measured::Fx => slopes.friction.x,
-        Measured::Fy => slopes.friction.y,
+        Measured::Fx => slopes.friction[0],
+        Measured::Fy => slopes.friction[1],
         Measured::Both => {
             let size = length(x, y) + F::TINY;
-            (x / size) * slopes.friction.x + (y / size) * slopes.friction.y
+            (x / size) * slopes.friction[0] + (y / size) * slopes.friction[1]
         }
     };
     let residual = match measured {
@@ -216,7 +223,7 @@ pub fn estimate_friction<F: Precision>(
     let sensitivity = finite_or_none(F::one() / slope);
     let own = solution.notice;
     let notice = if own.code() > notice.code() { own } else { notice };
-    Ok(FrictionEstimate { friction, sensitivity, residual, notice })
+    Ok(FrictionEstimate { friction, sensitivity, residual, notice, reserved: 0 })
 }
 
 /// Whether a parabola through three equidistant points of one sign has its vertex between them on the other side, or
@@ -333,8 +340,12 @@ pub fn creepage_for_force<F: Precision>(
     if !fx.is_finite_number() || !fy.is_finite_number() {
         return Err(Error::NotFinite);
     }
-    let bound = contact.friction_bound();
     let size = length(fx, fy);
+    if contact.is_lost() {
+        let fits = size <= F::zero();
+        return if fits { Ok((none, Notice::None)) } else { Err(Error::ForceBeyondFriction) };
+    }
+    let bound = contact.friction_bound();
     let mut target = force;
     let mut sliding = false;
     if options.model != Model::Linear {

@@ -5,28 +5,35 @@ use crate::number::Float;
 use crate::strip_1967::strip::{State, StripPoint};
 
 /// The state of a point of the contact plane. Tractions act on the lower body.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FieldPoint<F> {
-    /// Pressure `Z` \[Pa\].
+    /// Pressure \[Pa\].
     pub pressure: F,
-    /// Traction `X` along the rolling direction \[Pa\].
+    /// Tangential traction along x \[Pa\].
     pub traction_x: F,
-    /// Traction `Y` \[Pa\].
+    /// Tangential traction along y \[Pa\].
     pub traction_y: F,
-    /// Slip `s_x` of the upper over the lower body, relative to the rolling speed \[–\].
+    /// Slip of the upper over the lower body along x, over the rolling speed \[-\].
     pub slip_x: F,
-    /// Slip `s_y` \[–\].
+    /// Slip along y, over the rolling speed \[-\].
     pub slip_y: F,
-    /// `X s_x + Y s_y` \[Pa\]: energy dissipated per area and metre rolled.
+    /// Traction times slip \[Pa\]: energy dissipated per area and metre rolled.
     pub dissipation: F,
-    /// Outside, stick, slip, or slip against the traction.
+    /// One of the KSTRIP_STATE constants.
     pub state: State,
+    /// Zero.
+    pub reserved: i32,
 }
 
 impl<F: Float> FieldPoint<F> {
     /// From the dimensionless point of a strip.
     #[must_use]
     pub fn new(contact: &Contact<F>, point: &StripPoint<F>) -> Self {
+        if contact.is_lost() {
+            let zero = F::zero();
+            return Self::in_units(zero, zero, zero, point);
+        }
         let p0 = contact.peak_pressure();
         Self::in_units(p0, contact.friction * p0, contact.slip_scale(), point)
     }
@@ -43,6 +50,7 @@ impl<F: Float> FieldPoint<F> {
             slip_y,
             dissipation: traction_x * slip_x + traction_y * slip_y,
             state: point.state,
+            reserved: 0,
         }
     }
 }

@@ -4,3 +4,4 @@ pub mod derivatives;
 pub mod evaluate;
 pub mod field;
 pub mod model;
+pub mod motion;

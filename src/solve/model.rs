@@ -67,26 +67,37 @@ pub struct Options {
     pub strips: StripCount,
 }
 
-/// Forces of a rolling contact, on the lower body.
+/// Forces on the lower body.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Solution<F> {
-    /// Longitudinal force `F_x` \[N\], positive along the rolling direction.
+    /// Longitudinal force \[N\], positive along the rolling direction.
     pub fx: F,
-    /// Lateral force `F_y` \[N\].
+    /// Lateral force \[N\].
     pub fy: F,
-    /// Spin moment `M_z = ∫ (x Y − y X)` about the centre of the ellipse \[N m\].
+    /// Moment about z at the centre of the contact \[N m\].
     pub mz: F,
-    /// Frictional power over rolling speed `F_x υx + F_y υy + M_z φ` \[N\]: energy dissipated per
-    /// metre rolled.
+    /// Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin \[N\]: energy dissipated per metre
+    /// rolled.
     pub power: F,
-    /// Share of the contact area in adhesion, 0 to 1. [`Model::Total`] does not know it and says −1;
-    /// [`Model::Linear`] has adhesion everywhere, 1.
+    /// Share of the contact area in adhesion \[-\], 0 to 1. KSTRIP_MODEL_TOTAL does not know it: -1; KSTRIP_MODEL_LINEAR
+    /// has adhesion everywhere: 1.
     pub adhesion: F,
-    /// What the caller should know.
+    /// The status of this result: 0 or one of the KSTRIP_WARNING constants.
     pub notice: Notice,
+    /// Zero.
+    pub reserved: i32,
 }
 
 impl<F: Float> Solution<F> {
+    /// A contact that carries nothing: no force, no adhesion.
+    #[must_use]
+    pub fn nothing() -> Self {
+        let zero = F::zero();
+        let notice = Notice::None;
+        Self { fx: zero, fy: zero, mz: zero, power: zero, adhesion: zero, notice, reserved: 0 }
+    }
+
     /// The same contact seen from the upper body: opposite forces and moment, same power.
     #[must_use]
     pub fn on_upper_body(&self) -> Self {
@@ -156,7 +167,7 @@ impl<'a, F: Precision> Problem<'a, F> {
     fn find_fault(&self) -> Result<(), Error> {
         self.contact.find_fault()?;
         self.creepage.check()?;
-        if self.range().iter().all(|number| number.is_finite_number()) {
+        if self.contact.is_lost() || self.range().iter().all(|number| number.is_finite_number()) {
             Ok(())
         } else {
             Err(Error::Overflow)
@@ -290,19 +301,22 @@ impl<'a, F: Precision> Problem<'a, F> {
     pub(crate) fn at_rest(&self) -> Option<Solution<F>> {
         let Creepage { longitudinal, lateral, spin } = *self.creepage;
         let (zero, one) = (F::zero(), F::one());
+        if self.contact.is_lost() {
+            return Some(Solution::nothing());
+        }
         if longitudinal != zero || lateral != zero || spin != zero {
             return None;
         }
         let adhesion = if self.options.model == Model::Total { -one } else { one };
         let notice = self.notice(zero);
-        Some(Solution { fx: zero, fy: zero, mz: zero, power: zero, adhesion, notice })
+        Some(Solution { fx: zero, fy: zero, mz: zero, power: zero, adhesion, notice, reserved: 0 })
     }
 
     #[inline(always)]
     pub(crate) fn solution(&self, forces: &Forces<F>, notice: Notice) -> Solution<F> {
         let Forces { fx, fy, mz, adhesion } = *forces;
         let power = self.creepage.power([fx, fy, mz]);
-        Solution { fx, fy, mz, power, adhesion, notice }
+        Solution { fx, fy, mz, power, adhesion, notice, reserved: 0 }
     }
 }
 
@@ -557,6 +571,9 @@ pub fn solve_jacobian<F: Precision>(
     options: &Options,
 ) -> Result<(Solution<F>, Jacobian<F>), Error> {
     let problem = Problem::new(contact, creepage, options)?;
+    if contact.is_lost() {
+        return Ok((Solution::nothing(), Matrix3::from([[F::zero(); 3]; 3])));
+    }
     jacobian_of(&problem, problem.forces(&creepage.inputs()))
 }
 
@@ -567,6 +584,9 @@ pub(crate) fn jacobian_without_stick<F: Precision>(
     options: &Options,
 ) -> Result<(Solution<F>, Jacobian<F>), Error> {
     let problem = Problem::new(contact, creepage, options)?;
+    if contact.is_lost() {
+        return Ok((Solution::nothing(), Matrix3::from([[F::zero(); 3]; 3])));
+    }
     jacobian_of(&problem, problem.saturating_forces::<_, false, true>(&creepage.inputs()))
 }
 
@@ -594,28 +614,30 @@ fn jacobian_of<F: Precision>(
 /// Strips of the theory of 1967 at most, corrections beyond unit spin included.
 pub const MOST_STRIPS_1967: usize = 320;
 
-/// What one strip carries, on the lower body.
+/// One strip y = const of a contact or a patch: what it carries, on the lower body.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StripResult<F> {
-    /// Centre line `y` \[m\].
+    /// Centre line \[m\].
     pub y: F,
     /// Width that the strip stands for \[m\].
     pub width: F,
-    /// Half length `c` \[m\].
+    /// Half of its length along x \[m\].
     pub half_length: F,
-    /// `x` of the separatrix \[m\]: slip behind, adhesion ahead; the leading edge `c` when the whole
-    /// strip slides.
+    /// x of the separatrix \[m\]: slip behind it, adhesion ahead of it; the leading edge where the whole strip slides.
     pub separatrix: F,
-    /// Its share of `F_x` \[N\].
+    /// Its share of the longitudinal force \[N\].
     pub fx: F,
-    /// Its share of `F_y` \[N\].
+    /// Its share of the lateral force \[N\].
     pub fy: F,
-    /// Its share of `M_z` about the centre of the contact \[N m\].
+    /// Its share of the moment about the centre of the contact \[N m\].
     pub mz: F,
     /// Its share of the frictional power \[N\].
     pub power: F,
-    /// Whether it has an adhesion area.
-    pub adheres: bool,
+    /// KSTRIP_STATE_STICK if it has an adhesion area, else KSTRIP_STATE_SLIP.
+    pub state: State,
+    /// Zero.
+    pub reserved: i32,
 }
 
 /// How many strips [`strips`] hands out at most, without solving.
@@ -647,6 +669,9 @@ pub fn strips<F: Precision>(
     visit: &mut dyn FnMut(StripResult<F>),
 ) -> Result<Notice, Error> {
     let problem = Problem::new(contact, creepage, options)?;
+    if contact.is_lost() && !matches!(options.model, Model::Total | Model::Linear) {
+        return Ok(Notice::None);
+    }
     let parameters = Parameters::new(contact, creepage);
     let bound = contact.friction_bound();
     let mut share = |strip: PlacedStrip<F>| {
@@ -661,7 +686,8 @@ pub fn strips<F: Precision>(
             fy,
             mz,
             power: fx * creepage.longitudinal + fy * creepage.lateral + mz * creepage.spin,
-            adheres: strip.adheres,
+            state: if strip.adheres { State::Stick } else { State::Slip },
+            reserved: 0,
         });
     };
     match options.model {
@@ -759,7 +785,7 @@ impl<F: Precision> Field<F> {
             + creepage.lateral.abs()
             + (contact.a + contact.b) * creepage.spin.abs();
         let slip = rigid.times(8.0).min(contact.slip_unit().min(F::HUGE) * F::HUGE);
-        if !(contact.friction * contact.peak_pressure() * slip).is_finite_number() {
+        if !contact.is_lost() && !(contact.friction * contact.peak_pressure() * slip).is_finite_number() {
             return Err(Error::Overflow);
         }
         let law = match options.model {
@@ -775,6 +801,9 @@ impl<F: Precision> Field<F> {
     /// The strip through `y` \[m\]; `None` outside the contact.
     #[must_use]
     pub fn strip_at(&self, y: F) -> Option<FieldStrip<F>> {
+        if self.contact.is_lost() {
+            return None;
+        }
         let relative = y / self.contact.b;
         let square = (F::one() - relative) * (F::one() + relative);
         if !(square > F::zero()) {

@@ -40,12 +40,15 @@ impl Variable {
         let start = text.rfind(|c: char| c == '*' || c.is_whitespace()).map_or(0, |i| i + 1);
         let (kind, name) = text.split_at(start);
         let (name, elements) = match name.split_once('[') {
-            Some((name, count)) => {
-                let count = count.trim_end_matches(']');
-                let known = constants.iter().find(|(name, _)| name == count);
-                let number = known.map(|(_, value)| value.to_string());
-                let number = number.as_deref().unwrap_or(count).parse();
-                (name, number.expect("a number of elements"))
+            Some((name, counts)) => {
+                let elements = counts.trim_end_matches(']').split("][").map(|count| {
+                    let known = constants.iter().find(|(name, _)| name == count);
+                    let number = known.map(|(_, value)| value.to_string());
+                    let number: usize =
+                        number.as_deref().unwrap_or(count).parse().expect("a number of elements");
+                    number
+                });
+                (name, elements.product())
             }
             None => (name, 1),
         };
@@ -140,6 +143,7 @@ impl Declared {
                 let (size, alignment) = match member.kind.as_str() {
                     "double" => (8, 8),
                     "float" | "int32_t" | "uint32_t" | "kstrip_status" => (4, 4),
+                    "ptrdiff_t" => (size_of::<usize>(), align_of::<usize>()),
                     // of the machine that the test runs on; docs/abi.txt has those of 64 bits
                     pointer if pointer.contains('*') => (size_of::<usize>(), align_of::<usize>()),
                     other => {
@@ -201,7 +205,7 @@ impl Declared {
 
     /// A C program that prints sizes and offsets as the compiler sees them.
     pub fn c_printer(&self) -> String {
-        let mut text = "#include \"kstrip.h\"\n#include <stdio.h>\nint main(void)\n{\n".to_owned();
+        let mut text = "#include \"kstrip_f32.h\"\n#include <stdio.h>\nint main(void)\n{\n".to_owned();
         let mut print = |what: String, number: String| {
             text += &format!("    printf(\"{what} %u\\n\", (unsigned){number});\n");
         };
@@ -218,11 +222,12 @@ impl Declared {
     /// A C file that compiles only where structures have the layout of `docs/abi.txt`.
     pub fn c_assertions(&self) -> String {
         let layouts = self.layouts();
-        let mut text = "#include \"kstrip.h\"\n".to_owned();
+        let mut text = "#include \"kstrip_f32.h\"\n".to_owned();
         for Structure { name, members } in &self.structures {
             let layout = &layouts[name.as_str()];
             // Structures of pointers have the size of this machine's.
-            let pointers = members.iter().any(|member| member.kind.contains('*'));
+            let sized = |kind: &str| kind.contains('*') || kind == "ptrdiff_t";
+            let pointers = members.iter().any(|member| sized(&member.kind));
             if pointers {
                 let size = size_of::<usize>();
                 text += &format!("#if UINTPTR_MAX == UINT{}_MAX\n", 8 * size);

@@ -1,6 +1,7 @@
 //! The committed header is what cbindgen makes of the sources, and the committed description of the
 //! binary interface is what the header says.
 
+use crate::groups;
 use crate::header;
 
 use std::collections::BTreeSet;
@@ -19,19 +20,48 @@ fn generated() -> String {
     String::from_utf8(bytes).expect("the header is text")
 }
 
-/// `KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface` writes it anew.
-#[test]
-fn committed_header_is_current() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("include/kstrip.h");
-    let header = generated();
+const HEADERS: [&str; 2] = ["include/kstrip.h", "include/kstrip_f32.h"];
+
+/// The files in the order of the header, the functions in double precision.
+const SOURCES: [&str; 7] = ["bodies", "motion", "solve", "batch", "inside", "patch", "rig"];
+
+/// Compares a file with what it should be, and writes it first where that is wanted.
+#[track_caller]
+fn compare(path: &str, text: &str) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
     if std::env::var_os("KSTRIP_WRITE_HEADER").is_some() {
-        std::fs::write(&path, &header).expect("include/ is writable");
+        std::fs::write(&path, text).expect("the folder is writable");
     }
-    let committed = std::fs::read_to_string(&path).expect("include/kstrip.h exists");
+    let committed = std::fs::read_to_string(&path).unwrap_or_default();
     assert!(
-        committed == header,
-        "include/kstrip.h is not what the sources say; run KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface"
+        committed == text,
+        "{} is not what the sources say; run KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface",
+        path.display()
     );
+}
+
+/// The functions in single precision are those in double precision.
+/// `KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface` writes them anew; run it twice, then the headers have them.
+#[test]
+fn single_precision_is_current() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let sources = SOURCES.map(|name| {
+        std::fs::read_to_string(root.join(format!("src/ffi/{name}.rs"))).expect("the sources")
+    });
+    compare("src/ffi/single.rs", &groups::single_precision(&sources));
+}
+
+/// `KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface` writes them anew.
+#[test]
+fn committed_headers_are_current() {
+    let headers = groups::headers(&generated());
+    for (path, header) in HEADERS.iter().zip(&headers) {
+        compare(path, header);
+    }
+    let [double, _] = &headers;
+    let functions = header::declared(double).functions.len();
+    let lines = double.lines().count();
+    assert!(functions <= 34 && lines <= 1400, "{functions} functions, {lines} lines");
 }
 
 /// `docs/abi.txt` and `tests/c/layout.rs` are written by the same command as the header. A line that
@@ -39,7 +69,7 @@ fn committed_header_is_current() {
 /// been released `KSTRIP_ABI_UNRELEASED=1` lets it change.
 #[test]
 fn binary_interface_is_the_committed_one() {
-    let declared = header::declared(&generated());
+    let declared = header::declared(&groups::headers(&generated()).concat());
     let interface = format!("{}\n{}", ABI_HEAD.trim(), declared.interface());
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let read = |path: &str| std::fs::read_to_string(root.join(path)).unwrap_or_default();

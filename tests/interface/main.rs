@@ -2,6 +2,8 @@
 
 #[path = "../common/entries/mod.rs"]
 mod entries;
+#[path = "../c/groups.rs"]
+mod groups;
 #[path = "../c/header.rs"]
 mod header;
 #[path = "../common/random.rs"]

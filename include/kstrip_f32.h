@@ -1,0 +1,556 @@
+/**
+ * @file kstrip_f32.h
+ * kstrip in single precision: the functions and structures of kstrip.h with the suffix _f32. Arguments, members, units,
+ * ranges and statuses are those of the functions and structures without it.
+ *
+ * Generated from the Rust sources by cbindgen; do not edit.
+ */
+
+#ifndef KSTRIP_F32_H
+#define KSTRIP_F32_H
+
+#include "kstrip.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/**
+ * @defgroup kstrip_bodies_f32 Bodies: materials, Hertz's ellipse and its inverse, linear coefficients
+ * @{
+ */
+
+/** An isotropic elastic body. */
+typedef struct kstrip_material_f32 {
+    float shear_modulus;
+    float poisson_ratio;
+} kstrip_material_f32;
+
+/** The combined elastic constants of two bodies: what the contact sees. */
+typedef struct kstrip_combined_material_f32 {
+    float shear_modulus;
+    float poisson_ratio;
+    float mismatch;
+} kstrip_combined_material_f32;
+
+/** kstrip_material_combine() in single precision. */
+kstrip_status kstrip_material_combine_f32(const struct kstrip_material_f32 *lower,
+                                          const struct kstrip_material_f32 *upper,
+                                          struct kstrip_combined_material_f32 *combined);
+
+/**
+ * Radii of curvature of two bodies at the contact [m]: convex positive, flat infinite (INFINITY), concave negative. Zero
+ * and NaN are errors.
+ */
+typedef struct kstrip_radii_f32 {
+    float lower_x;
+    float lower_y;
+    float upper_x;
+    float upper_y;
+} kstrip_radii_f32;
+
+/** A loaded elliptic contact with combined elastic constants and Coulomb friction. */
+typedef struct kstrip_contact_f32 {
+    float a;
+    float b;
+    float normal_force;
+    float shear_modulus;
+    float poisson_ratio;
+    float friction;
+} kstrip_contact_f32;
+
+/** The contact ellipse of Hertz. */
+typedef struct kstrip_hertz_contact_f32 {
+    float a;
+    float b;
+    float peak_pressure;
+    float approach;
+    float axis_ratio;
+    float hertz_angle;
+    float rho;
+} kstrip_hertz_contact_f32;
+
+/** kstrip_contact_from_hertz() in single precision. */
+kstrip_status kstrip_contact_from_hertz_f32(const struct kstrip_radii_f32 *radii,
+                                            const struct kstrip_combined_material_f32 *pair,
+                                            float load,
+                                            float friction,
+                                            struct kstrip_contact_f32 *contact,
+                                            struct kstrip_hertz_contact_f32 *ellipse);
+
+/** kstrip_contact_from_approach() in single precision. */
+kstrip_status kstrip_contact_from_approach_f32(const struct kstrip_radii_f32 *radii,
+                                               const struct kstrip_combined_material_f32 *pair,
+                                               float approach,
+                                               float friction,
+                                               struct kstrip_contact_f32 *contact,
+                                               float *dload_dapproach);
+
+/** kstrip_linear_coefficients() in single precision. */
+kstrip_status kstrip_linear_coefficients_f32(float axis_ratio,
+                                             float poisson_ratio,
+                                             float *coefficients);
+
+/** @} */
+
+/**
+ * @defgroup kstrip_motion_f32 Motion: creepages, Kalker's parameters
+ * @{
+ */
+
+/** Velocity of one body's material at the centre of the contact, seen from the contact. */
+typedef struct kstrip_velocity_f32 {
+    float x;
+    float y;
+    float angular_z;
+} kstrip_velocity_f32;
+
+/** Rigid slip of the upper over the lower body, divided by the rolling speed (3.3). */
+typedef struct kstrip_creepage_f32 {
+    float longitudinal;
+    float lateral;
+    float spin;
+} kstrip_creepage_f32;
+
+/** kstrip_creepage_from_velocities() in single precision. */
+kstrip_status kstrip_creepage_from_velocities_f32(const struct kstrip_velocity_f32 *lower,
+                                                  const struct kstrip_velocity_f32 *upper,
+                                                  float rolling_speed,
+                                                  struct kstrip_creepage_f32 *creepage);
+
+/** Kalker's parameters (5.13) of a contact in motion, dimensionless. */
+typedef struct kstrip_parameters_f32 {
+    float xi;
+    float eta;
+    float psi;
+} kstrip_parameters_f32;
+
+/** kstrip_parameters_from_creepage() in single precision. */
+kstrip_status kstrip_parameters_from_creepage_f32(const struct kstrip_contact_f32 *contact,
+                                                  const struct kstrip_creepage_f32 *creepage,
+                                                  struct kstrip_parameters_f32 *parameters);
+
+/** kstrip_creepage_from_parameters() in single precision. */
+kstrip_status kstrip_creepage_from_parameters_f32(const struct kstrip_contact_f32 *contact,
+                                                  const struct kstrip_parameters_f32 *parameters,
+                                                  struct kstrip_creepage_f32 *creepage);
+
+/** @} */
+
+/**
+ * @defgroup kstrip_solve_f32 Solve: forces, derivatives, strips
+ * @{
+ */
+
+/** Forces on the lower body. */
+typedef struct kstrip_result_f32 {
+    float fx;
+    float fy;
+    float mz;
+    float power;
+    float adhesion;
+    kstrip_status status_detail;
+    int32_t reserved;
+} kstrip_result_f32;
+
+/** kstrip_solve() in single precision. */
+kstrip_status kstrip_solve_f32(const struct kstrip_contact_f32 *contact,
+                               const struct kstrip_creepage_f32 *creepage,
+                               const struct kstrip_options *options,
+                               struct kstrip_result_f32 *result);
+
+/**
+ * Friction that falls with the slip, friction ((1 - ratio) exp(-decay w) + ratio) with the sliding velocity w [m/s], and the
+ * stiffness of the layer between the bodies.
+ *
+ * Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m; wet 0.3, 0.4, 0.2 s/m.
+ */
+typedef struct kstrip_friction_f32 {
+    float friction;
+    float ratio;
+    float decay;
+    float rolling_speed;
+    float slope_factor;
+} kstrip_friction_f32;
+
+/** Derivatives of fx, fy, mz by creepages, load and friction. */
+typedef struct kstrip_derivatives_f32 {
+    float jacobian[3][3];
+    float normal_force[3];
+    float load_through_hertz[3];
+    float friction[3];
+} kstrip_derivatives_f32;
+
+/** Derivatives of fx, fy, mz by the parameters of falling friction. */
+typedef struct kstrip_law_derivatives_f32 {
+    float ratio[3];
+    float decay[3];
+    float rolling_speed[3];
+    float slope_factor[3];
+} kstrip_law_derivatives_f32;
+
+/** One strip y = const of a contact or a patch: what it carries, on the lower body. */
+typedef struct kstrip_strip_f32 {
+    float y;
+    float width;
+    float half_length;
+    float separatrix;
+    float fx;
+    float fy;
+    float mz;
+    float power;
+    int32_t state;
+    int32_t reserved;
+} kstrip_strip_f32;
+
+/** Where the outputs of kstrip_evaluate() and kstrip_patch_evaluate() go. NULL is not computed and costs nothing. */
+typedef struct kstrip_outputs_f32 {
+    struct kstrip_result_f32 *result;
+    struct kstrip_derivatives_f32 *derivatives;
+    struct kstrip_law_derivatives_f32 *law_derivatives;
+    float *friction;
+    struct kstrip_strip_f32 *strips;
+    uint32_t *count;
+    uint32_t capacity;
+    uint32_t reserved;
+} kstrip_outputs_f32;
+
+/** kstrip_evaluate() in single precision. */
+kstrip_status kstrip_evaluate_f32(const struct kstrip_contact_f32 *contact,
+                                  const struct kstrip_creepage_f32 *creepage,
+                                  const struct kstrip_friction_f32 *friction,
+                                  const struct kstrip_options *options,
+                                  const struct kstrip_outputs_f32 *outputs);
+
+/**
+ * Many contacts with their motion and their friction: for each quantity a pointer to the first one and the distance to
+ * the next in bytes. Distance 0: one for all.
+ *
+ * Arrays of structures (&contacts[0].a, sizeof(kstrip_contact)) are as good as one array for each quantity
+ * (a, sizeof(double)). All but law are required unless there are no contacts.
+ */
+typedef struct kstrip_batch_inputs_f32 {
+    const float *a;
+    ptrdiff_t a_stride;
+    const float *b;
+    ptrdiff_t b_stride;
+    const float *normal_force;
+    ptrdiff_t normal_force_stride;
+    const float *shear_modulus;
+    ptrdiff_t shear_modulus_stride;
+    const float *poisson_ratio;
+    ptrdiff_t poisson_ratio_stride;
+    const float *friction;
+    ptrdiff_t friction_stride;
+    const float *longitudinal;
+    ptrdiff_t longitudinal_stride;
+    const float *lateral;
+    ptrdiff_t lateral_stride;
+    const float *spin;
+    ptrdiff_t spin_stride;
+    const struct kstrip_friction_f32 *law;
+    ptrdiff_t law_stride;
+} kstrip_batch_inputs_f32;
+
+/**
+ * Where the results of many contacts go: for each quantity a pointer to the first one and the distance to the next in
+ * bytes. NULL is not wanted and costs nothing.
+ */
+typedef struct kstrip_batch_outputs_f32 {
+    float *fx;
+    ptrdiff_t fx_stride;
+    float *fy;
+    ptrdiff_t fy_stride;
+    float *mz;
+    ptrdiff_t mz_stride;
+    float *power;
+    ptrdiff_t power_stride;
+    float *adhesion;
+    ptrdiff_t adhesion_stride;
+    int32_t *status_detail;
+    ptrdiff_t status_detail_stride;
+    float *friction;
+    ptrdiff_t friction_stride;
+    struct kstrip_derivatives_f32 *derivatives;
+    ptrdiff_t derivatives_stride;
+    struct kstrip_law_derivatives_f32 *law_derivatives;
+    ptrdiff_t law_derivatives_stride;
+} kstrip_batch_outputs_f32;
+
+/** kstrip_evaluate_batch() in single precision. */
+kstrip_status kstrip_evaluate_batch_f32(const struct kstrip_batch_inputs_f32 *inputs,
+                                        uint32_t count,
+                                        const struct kstrip_options *options,
+                                        const struct kstrip_batch_outputs_f32 *outputs,
+                                        uint32_t *first_bad);
+
+/**
+ * A contact of which everything that does not depend on the motion has been computed. Filled by kstrip_prepare(); plain
+ * numbers without pointers, to be copied and kept as the caller likes, for this version of the library only.
+ */
+typedef struct kstrip_prepared_f32 {
+    float numbers[64];
+    int32_t model;
+    int32_t strips;
+} kstrip_prepared_f32;
+
+/** kstrip_prepare() in single precision. */
+kstrip_status kstrip_prepare_f32(const struct kstrip_contact_f32 *contact,
+                                 const struct kstrip_options *options,
+                                 struct kstrip_prepared_f32 *prepared);
+
+/** kstrip_solve_prepared() in single precision. */
+kstrip_status kstrip_solve_prepared_f32(const struct kstrip_prepared_f32 *prepared,
+                                        const struct kstrip_creepage_f32 *creepage,
+                                        struct kstrip_result_f32 *result);
+
+/** How the upper body moves over the lower one at the contact. */
+typedef struct kstrip_motion_f32 {
+    float slip_x;
+    float slip_y;
+    float spin_rate;
+    float rolling_speed;
+    float floor_speed;
+} kstrip_motion_f32;
+
+/** Derivatives of fx, fy, mz by the motion, by load and by friction. */
+typedef struct kstrip_motion_derivatives_f32 {
+    float slip[3][3];
+    float rolling_speed[3];
+    float normal_force[3];
+    float load_through_hertz[3];
+    float friction[3];
+} kstrip_motion_derivatives_f32;
+
+/** Where the outputs of kstrip_solve_motion() go. NULL is not computed and costs nothing. */
+typedef struct kstrip_motion_outputs_f32 {
+    struct kstrip_result_f32 *result;
+    struct kstrip_motion_derivatives_f32 *derivatives;
+    float *friction;
+} kstrip_motion_outputs_f32;
+
+/** kstrip_solve_motion() in single precision. */
+kstrip_status kstrip_solve_motion_f32(const struct kstrip_contact_f32 *contact,
+                                      const struct kstrip_motion_f32 *motion,
+                                      const struct kstrip_friction_f32 *friction,
+                                      const struct kstrip_options *options,
+                                      const struct kstrip_motion_outputs_f32 *outputs);
+
+/** kstrip_solve_total() in single precision. */
+kstrip_status kstrip_solve_total_f32(const struct kstrip_contact_f32 *contact,
+                                     const struct kstrip_creepage_f32 *creepage,
+                                     struct kstrip_result_f32 *result);
+
+/** kstrip_solve_strip() in single precision. */
+kstrip_status kstrip_solve_strip_f32(const struct kstrip_contact_f32 *contact,
+                                     const struct kstrip_creepage_f32 *creepage,
+                                     int32_t strips,
+                                     struct kstrip_result_f32 *result);
+
+/** kstrip_solve_strip_1967() in single precision. */
+kstrip_status kstrip_solve_strip_1967_f32(const struct kstrip_contact_f32 *contact,
+                                          const struct kstrip_creepage_f32 *creepage,
+                                          int32_t strips,
+                                          struct kstrip_result_f32 *result);
+
+/** kstrip_solve_linear() in single precision. */
+kstrip_status kstrip_solve_linear_f32(const struct kstrip_contact_f32 *contact,
+                                      const struct kstrip_creepage_f32 *creepage,
+                                      struct kstrip_result_f32 *result);
+
+/** @} */
+
+/**
+ * @defgroup kstrip_inside_f32 Inside the contact: pressure, traction, slip
+ * @{
+ */
+
+/** The state of a point of the contact plane. Tractions act on the lower body. */
+typedef struct kstrip_point_f32 {
+    float pressure;
+    float traction_x;
+    float traction_y;
+    float slip_x;
+    float slip_y;
+    float dissipation;
+    int32_t state;
+    int32_t reserved;
+} kstrip_point_f32;
+
+/** kstrip_field() in single precision. */
+kstrip_status kstrip_field_f32(const struct kstrip_contact_f32 *contact,
+                               const struct kstrip_creepage_f32 *creepage,
+                               const struct kstrip_options *options,
+                               const float *x,
+                               uint32_t columns,
+                               const float *y,
+                               uint32_t rows,
+                               struct kstrip_point_f32 *points,
+                               uint32_t capacity);
+
+/** @} */
+
+/**
+ * @defgroup kstrip_patch_f32 Patches of any shape
+ * @{
+ */
+
+/**
+ * What presses two profiles together. Zero is the default of every member but rolling_radius, shear_modulus and one of
+ * normal_force and approach.
+ */
+typedef struct kstrip_profile_contact_f32 {
+    float rolling_radius;
+    float normal_force;
+    float approach;
+    float smoothing_length;
+    float shear_modulus;
+    float poisson_ratio;
+    float friction;
+    int32_t strips;
+    int32_t reserved;
+} kstrip_profile_contact_f32;
+
+/**
+ * One strip of a patch, along the rolling direction. Its pressure is a half-ellipse in x,
+ * peak_pressure sqrt(1 - (x - centre_x)^2/half_length^2), and does not vary over its width.
+ */
+typedef struct kstrip_patch_strip_f32 {
+    float y;
+    float width;
+    float half_length;
+    float centre_x;
+    float peak_pressure;
+    float friction;
+} kstrip_patch_strip_f32;
+
+/**
+ * A contact patch of any shape: its strips, in ascending y. Filled by kstrip_patch_from_contact(),
+ * kstrip_patch_from_strips() or kstrip_patch_from_profile(); the members may then be changed. All functions check it
+ * again. All zero but shear_modulus is a patch without load.
+ *
+ * Where the distance of two neighbours is more than one and a half times that at which they touch,
+ * there is a gap: what lies on either side is a lobe of its own.
+ */
+typedef struct kstrip_patch_f32 {
+    struct kstrip_patch_strip_f32 strips[KSTRIP_PATCH_CAPACITY];
+    float shear_modulus;
+    float poisson_ratio;
+    float area_scale;
+    float lever_scale;
+    uint32_t count;
+    uint32_t reserved;
+} kstrip_patch_f32;
+
+/** How two profiles meet. */
+typedef struct kstrip_profile_result_f32 {
+    float approach;
+    float peak_pressure;
+    float normal_force;
+    float deepest_y;
+    uint32_t iterations;
+    uint32_t reserved;
+} kstrip_profile_result_f32;
+
+/** kstrip_patch_from_profile() in single precision. */
+kstrip_status kstrip_patch_from_profile_f32(const float *y,
+                                            const float *distance,
+                                            uint32_t points,
+                                            const struct kstrip_profile_contact_f32 *contact,
+                                            struct kstrip_patch_f32 *patch,
+                                            struct kstrip_profile_result_f32 *result);
+
+/** kstrip_patch_from_strips() in single precision. */
+kstrip_status kstrip_patch_from_strips_f32(const struct kstrip_patch_strip_f32 *strips,
+                                           uint32_t count,
+                                           float shear_modulus,
+                                           float poisson_ratio,
+                                           struct kstrip_patch_f32 *patch);
+
+/** kstrip_patch_from_contact() in single precision. */
+kstrip_status kstrip_patch_from_contact_f32(const struct kstrip_contact_f32 *contact,
+                                            const struct kstrip_options *options,
+                                            struct kstrip_patch_f32 *patch);
+
+/** What a patch carries. */
+typedef struct kstrip_patch_summary_f32 {
+    float normal_force;
+    float friction_bound;
+    float area;
+    uint32_t lobes;
+    uint32_t reserved;
+} kstrip_patch_summary_f32;
+
+/** kstrip_patch_summarize() in single precision. */
+kstrip_status kstrip_patch_summarize_f32(const struct kstrip_patch_f32 *patch,
+                                         struct kstrip_patch_summary_f32 *summary);
+
+/** kstrip_patch_evaluate() in single precision. */
+kstrip_status kstrip_patch_evaluate_f32(const struct kstrip_patch_f32 *patch,
+                                        const struct kstrip_creepage_f32 *creepage,
+                                        const struct kstrip_friction_f32 *friction,
+                                        const struct kstrip_options *options,
+                                        const struct kstrip_outputs_f32 *outputs);
+
+/** kstrip_patch_field() in single precision. */
+kstrip_status kstrip_patch_field_f32(const struct kstrip_patch_f32 *patch,
+                                     const struct kstrip_creepage_f32 *creepage,
+                                     const struct kstrip_options *options,
+                                     const float *x,
+                                     uint32_t columns,
+                                     const float *y,
+                                     uint32_t rows,
+                                     struct kstrip_point_f32 *points,
+                                     uint32_t capacity);
+
+/** @} */
+
+/**
+ * @defgroup kstrip_rig_f32 Test rigs: friction from a force, creepage from a force
+ * @{
+ */
+
+/** A coefficient of friction from a measured force. */
+typedef struct kstrip_friction_estimate_f32 {
+    float friction;
+    float sensitivity;
+    float residual;
+    kstrip_status status_detail;
+    int32_t reserved;
+} kstrip_friction_estimate_f32;
+
+/** kstrip_estimate_friction() in single precision. */
+kstrip_status kstrip_estimate_friction_f32(const struct kstrip_contact_f32 *contact,
+                                           const struct kstrip_creepage_f32 *creepage,
+                                           const struct kstrip_options *options,
+                                           uint32_t measured,
+                                           float fx,
+                                           float fy,
+                                           struct kstrip_friction_estimate_f32 *estimate);
+
+/** kstrip_creepage_for_force() in single precision. */
+kstrip_status kstrip_creepage_for_force_f32(const struct kstrip_contact_f32 *contact,
+                                            float fx,
+                                            float fy,
+                                            float spin,
+                                            const struct kstrip_options *options,
+                                            struct kstrip_creepage_f32 *creepage);
+
+/** @} */
+
+/**
+ * @defgroup kstrip_rest_f32 Options, upper body, version
+ * @{
+ */
+
+/** kstrip_result_on_upper_body() in single precision. */
+kstrip_status kstrip_result_on_upper_body_f32(const struct kstrip_result_f32 *lower,
+                                              struct kstrip_result_f32 *upper);
+
+/** @} */
+
+#ifdef __cplusplus
+} // extern "C"
+#endif
+
+#endif /* KSTRIP_F32_H */

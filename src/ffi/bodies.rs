@@ -1,0 +1,118 @@
+//! Bodies: materials, Hertz's ellipse and its inverse, Kalker's coefficients.
+
+use super::support::*;
+
+/// Combine the elastic constants of two bodies. From Young's modulus: shear_modulus = E/(2 (1 + poisson_ratio)).
+///
+/// @param lower, upper    the two bodies.
+/// @param[out] combined   receives the constants that kstrip_contact_from_hertz() and kstrip_contact take.
+/// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
+///         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_OVERFLOW.
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_material_combine(
+    lower: Option<&Material<f64>>,
+    upper: Option<&Material<f64>>,
+    combined: Option<&mut MaybeUninit<CombinedMaterial<f64>>>,
+) -> kstrip_status {
+    answer(|| {
+        let (lower, upper, combined) = (given(lower)?, given(upper)?, given(combined)?);
+        combined.write(material::combine(lower, upper)?);
+        Ok(Notice::None)
+    })
+}
+
+/// The contact of two bodies that a load presses together (Hertz).
+///
+/// Relative error below 1e-12 (5e-6 in single precision) for axis ratios down to 1e-4; a handful of
+/// iterations, at most 12.
+///
+/// @param radii           curvatures of both bodies.
+/// @param pair            combined constants.
+/// @param load            N [N]; not positive: the contact is lost, a = b = normal_force = 0.
+/// @param friction        coefficient of friction [-], >= 0.
+/// @param[out] contact    receives the contact.
+/// @param[out] ellipse    receives pressure, approach and shape; NULL: not wanted.
+/// @return KSTRIP_OK, KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_SEMI_AXIS, KSTRIP_WARNING_FRICTION,
+///         KSTRIP_WARNING_RADIUS; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
+///         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_CURVATURE,
+///         KSTRIP_ERROR_OVERFLOW.
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_contact_from_hertz(
+    radii: Option<&Radii<f64>>,
+    pair: Option<&CombinedMaterial<f64>>,
+    load: f64,
+    friction: f64,
+    contact: Option<&mut MaybeUninit<Contact<f64>>>,
+    ellipse: Option<&mut MaybeUninit<HertzContact<f64>>>,
+) -> kstrip_status {
+    answer(|| {
+        let contact = given(contact)?;
+        let (found, hertz, notice) = from_hertz(given(radii)?, given(pair)?, load, friction)?;
+        contact.write(found);
+        put(ellipse, hertz);
+        Ok(notice)
+    })
+}
+
+/// The contact of two bodies that have approached each other: the exact inverse of Hertz, for penalty contact.
+///
+/// @param radii           curvatures of both bodies.
+/// @param pair            combined constants.
+/// @param approach        of distant points of the bodies [m]; not positive: the contact is lost.
+/// @param friction        coefficient of friction [-], >= 0.
+/// @param[out] contact    receives the contact, with its load.
+/// @param[out] dload_dapproach  receives the contact stiffness dN/d(approach) [N/m]; NULL: not wanted.
+/// @return as kstrip_contact_from_hertz().
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_contact_from_approach(
+    radii: Option<&Radii<f64>>,
+    pair: Option<&CombinedMaterial<f64>>,
+    approach: f64,
+    friction: f64,
+    contact: Option<&mut MaybeUninit<Contact<f64>>>,
+    dload_dapproach: Option<&mut MaybeUninit<f64>>,
+) -> kstrip_status {
+    answer(|| {
+        let contact = given(contact)?;
+        let (found, slope, notice) =
+            from_approach(given(radii)?, given(pair)?, approach, friction)?;
+        contact.write(found);
+        put(dload_dapproach, slope);
+        Ok(notice)
+    })
+}
+
+/// Kalker's coefficients C11, C22, C23, C33 of the linear theory.
+///
+/// For vanishing creepage fx = G a b C11 longitudinal, fy = G a b (C22 lateral + sqrt(ab) C23 spin),
+/// mz = G (ab)^(3/2) (sqrt(ab) C33 spin - C23 lateral). Within 0.16 % of CONTACT (C33: 0.4 %) for axis ratios of 0.1 to 10,
+/// beyond with the slender asymptotes.
+///
+/// @param axis_ratio      a/b [-], > 0; a along the rolling direction.
+/// @param poisson_ratio   combined Poisson's ratio [-], 0 to 0.5.
+/// @param[out] coefficients  receives four numbers: C11, C22, C23, C33.
+/// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_SEMI_AXIS (axis_ratio),
+///         KSTRIP_ERROR_POISSON_RATIO.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn kstrip_linear_coefficients(
+    axis_ratio: f64,
+    poisson_ratio: f64,
+    coefficients: *mut f64,
+) -> kstrip_status {
+    // SAFETY: NULL or four writable numbers, says the header.
+    let coefficients = unsafe { place(coefficients.cast::<[f64; 4]>()) };
+    answer(|| {
+        let coefficients = given(coefficients)?;
+        if !axis_ratio.is_finite() {
+            return Err(Error::NotFinite);
+        }
+        if axis_ratio <= 0.0 {
+            return Err(Error::SemiAxis);
+        }
+        material::check_poisson_ratio(poisson_ratio)?;
+        let LinearCoefficients { c11, c22, c23, c33 } =
+            LinearCoefficients::at(axis_ratio, poisson_ratio);
+        coefficients.write([c11, c22, c23, c33]);
+        Ok(Notice::None)
+    })
+}

@@ -1,0 +1,60 @@
+//! Motion: creepages from velocities, Kalker's parameters.
+
+use super::support::*;
+
+/// Creepages from the velocities of both bodies: (upper - lower)/rolling_speed.
+///
+/// For forward rolling at some speed; kstrip_solve_motion() takes velocities through standstill and reversal.
+///
+/// @param lower, upper    surface velocities at the centre of the contact, in one frame.
+/// @param rolling_speed   V [m/s], > 0; x points in the rolling direction.
+/// @param[out] creepage   receives the creepages.
+/// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_ROLLING_SPEED,
+///         KSTRIP_ERROR_OVERFLOW.
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_creepage_from_velocities(
+    lower: Option<&SurfaceVelocity<f64>>,
+    upper: Option<&SurfaceVelocity<f64>>,
+    rolling_speed: f64,
+    creepage: Option<&mut MaybeUninit<Creepage<f64>>>,
+) -> kstrip_status {
+    answer(|| {
+        let (lower, upper, creepage) = (given(lower)?, given(upper)?, given(creepage)?);
+        creepage.write(Creepage::from_velocities(lower, upper, rolling_speed)?);
+        Ok(Notice::None)
+    })
+}
+
+/// Kalker's dimensionless parameters xi, eta, psi (5.13) of a contact in motion; zero where it is lost.
+///
+/// @return KSTRIP_OK or the errors of kstrip_solve() for the same contact and creepage.
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_parameters_from_creepage(
+    contact: Option<&Contact<f64>>,
+    creepage: Option<&Creepage<f64>>,
+    parameters: Option<&mut MaybeUninit<KalkerParameters<f64>>>,
+) -> kstrip_status {
+    answer(|| {
+        let (contact, creepage, out) = (given(contact)?, given(creepage)?, given(parameters)?);
+        out.write(parameters_of(contact, creepage)?);
+        Ok(Notice::None)
+    })
+}
+
+/// The creepage that has the given parameters xi, eta, psi on a contact: the inverse of
+/// kstrip_parameters_from_creepage(); zero where it is lost.
+///
+/// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_OVERFLOW or the errors
+///         of kstrip_solve() for the same contact.
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_creepage_from_parameters(
+    contact: Option<&Contact<f64>>,
+    parameters: Option<&KalkerParameters<f64>>,
+    creepage: Option<&mut MaybeUninit<Creepage<f64>>>,
+) -> kstrip_status {
+    answer(|| {
+        let (contact, parameters, out) = (given(contact)?, given(parameters)?, given(creepage)?);
+        out.write(creepage_of(contact, parameters)?);
+        Ok(Notice::None)
+    })
+}

@@ -1,0 +1,402 @@
+//! Solve: forces, derivatives, strips of one contact.
+
+use super::support::*;
+
+/// Forces of a contact in motion, on the lower body: the fast path.
+///
+/// Continuous in all inputs; |F| <= mu N. Zero creepage and spin give zero, and so does a lost contact
+/// (normal_force <= 0), with adhesion 0. Bounded time, no iteration that depends on convergence alone.
+///
+/// @param contact         ellipse, load, material, friction.
+/// @param creepage        motion.
+/// @param options         model and strip count; NULL for the defaults.
+/// @param[out] result     receives forces, moment, power and adhesion.
+/// @return KSTRIP_OK; KSTRIP_WARNING_SPIN, KSTRIP_WARNING_RANGE, KSTRIP_WARNING_BEYOND_FRICTION,
+///         KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_CREEPAGE, KSTRIP_WARNING_SEMI_AXIS;
+///         KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_SEMI_AXIS, KSTRIP_ERROR_MODULUS,
+///         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_MODEL,
+///         KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_OVERFLOW.
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_solve(
+    contact: Option<&Contact<f64>>,
+    creepage: Option<&Creepage<f64>>,
+    options: Option<&kstrip_options>,
+    result: Option<&mut MaybeUninit<Solution<f64>>>,
+) -> kstrip_status {
+    answer(|| {
+        let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
+        let solution = model::solve(contact, creepage, &for_forces(options)?)?;
+        let notice = solution.notice;
+        result.write(solution);
+        Ok(notice)
+    })
+}
+
+/// Everything about a contact in motion in one call: of the outputs, those that are not NULL.
+///
+/// With friction the coefficient of friction falls with the slip and agrees with it (the contact's own does not
+/// count), and all derivatives go through that. With KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
+///
+/// @param contact         ellipse, load, material, friction.
+/// @param creepage        motion.
+/// @param friction        friction that falls with the slip; NULL: constant.
+/// @param options         model and strip count; NULL for the defaults.
+/// @param outputs         where the outputs go.
+/// @return as kstrip_solve(); KSTRIP_WARNING_SEVERAL_FRICTIONS, KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_CAPACITY,
+///         KSTRIP_ERROR_NOT_IN_MODEL (strips), KSTRIP_ERROR_FRICTION_RATIO, KSTRIP_ERROR_FRICTION_DECAY,
+///         KSTRIP_ERROR_NEGATIVE_SPEED, KSTRIP_ERROR_SLOPE_FACTOR; KSTRIP_ERROR_OVERFLOW also when a
+///         derivative is too large.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn kstrip_evaluate(
+    contact: Option<&Contact<f64>>,
+    creepage: Option<&Creepage<f64>>,
+    friction: Option<&SlipFriction<f64>>,
+    options: Option<&kstrip_options>,
+    outputs: Option<&Outputs<f64>>,
+) -> kstrip_status {
+    // SAFETY: every pointer is NULL or valid, says the header.
+    let places = outputs.map(|outputs| unsafe { Places::of(outputs) });
+    answer(|| evaluate(given(contact)?, given(creepage)?, friction, options, given(places)?))
+}
+
+/// Everything that depends on the contact and the options only, for kstrip_solve_prepared().
+///
+/// For rigs whose contact is constant, and for iterations on the creepage.
+///
+/// @param contact         ellipse, load, material, friction.
+/// @param options         model and strip count; NULL for the defaults.
+/// @param[out] prepared   receives plain numbers.
+/// @return as kstrip_solve().
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_prepare(
+    contact: Option<&Contact<f64>>,
+    options: Option<&kstrip_options>,
+    prepared: Option<&mut MaybeUninit<PreparedNumbers<f64>>>,
+) -> kstrip_status {
+    answer(|| {
+        let (contact, prepared) = (given(contact)?, given(prepared)?);
+        let options = for_forces(options)?;
+        prepared.write(PreparedNumbers::of(contact, &options)?);
+        Ok(Notice::None)
+    })
+}
+
+/// kstrip_solve() for a prepared contact: the same result, bit for bit.
+///
+/// @param prepared        by kstrip_prepare().
+/// @param creepage        motion.
+/// @param[out] result     receives forces, moment, power and adhesion.
+/// @return as kstrip_solve(); KSTRIP_ERROR_NOT_PREPARED.
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_solve_prepared(
+    prepared: Option<&PreparedNumbers<f64>>,
+    creepage: Option<&Creepage<f64>>,
+    result: Option<&mut MaybeUninit<Solution<f64>>>,
+) -> kstrip_status {
+    answer(|| {
+        let (prepared, creepage, result) = (given(prepared)?, given(creepage)?, given(result)?);
+        let solution = prepared.solve(creepage)?;
+        let notice = solution.notice;
+        result.write(solution);
+        Ok(notice)
+    })
+}
+
+/// Forces of a contact that rolls forward, backward, or not at all, with derivatives by its motion: for wheels that stop,
+/// hold and reverse.
+///
+/// sqrt(rolling_speed^2 + floor_speed^2) stands for the rolling speed in the creepages. Far from standstill the result is
+/// that of the patch whose leading edge lies ahead; near it both directions are blended, so that forces and derivatives are
+/// continuous. Friction opposes the slip at every speed. x stays where it is when the motion reverses.
+///
+/// @param contact         ellipse, load, material, friction.
+/// @param motion          slip, spin rate, signed rolling speed.
+/// @param friction        friction that falls with the slip; NULL: constant. Its rolling_speed does not count.
+/// @param options         model and strip count; NULL for the defaults.
+/// @param outputs         where the outputs go.
+/// @return as kstrip_evaluate(); KSTRIP_ERROR_FLOOR_SPEED.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn kstrip_solve_motion(
+    contact: Option<&Contact<f64>>,
+    motion: Option<&Motion<f64>>,
+    friction: Option<&SlipFriction<f64>>,
+    options: Option<&kstrip_options>,
+    outputs: Option<&MotionOutputs<f64>>,
+) -> kstrip_status {
+    // SAFETY: every pointer is NULL or valid, says the header.
+    let places = outputs.map(|outputs| unsafe { MotionPlaces::of(outputs) });
+    answer(|| solve_motion(given(contact)?, given(motion)?, friction, options, given(places)?))
+}
+
+/// kstrip_solve() with KSTRIP_MODEL_TOTAL; a program that calls only this links no other model.
+///
+/// @return as kstrip_solve().
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_solve_total(
+    contact: Option<&Contact<f64>>,
+    creepage: Option<&Creepage<f64>>,
+    result: Option<&mut MaybeUninit<Solution<f64>>>,
+) -> kstrip_status {
+    answer(|| {
+        let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
+        let solution = model::solve_total(contact, creepage)?;
+        let notice = solution.notice;
+        result.write(solution);
+        Ok(notice)
+    })
+}
+
+/// kstrip_solve() with KSTRIP_MODEL_STRIP; a program that calls only this links no other model.
+///
+/// @param strips          4, 8, 16, 32 or 64; 0: 16.
+/// @return as kstrip_solve().
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_solve_strip(
+    contact: Option<&Contact<f64>>,
+    creepage: Option<&Creepage<f64>>,
+    strips: i32,
+    result: Option<&mut MaybeUninit<Solution<f64>>>,
+) -> kstrip_status {
+    answer(|| {
+        let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
+        let solution = model::solve_strip(contact, creepage, strip_count(strips)?)?;
+        let notice = solution.notice;
+        result.write(solution);
+        Ok(notice)
+    })
+}
+
+/// kstrip_solve() with KSTRIP_MODEL_STRIP_1967; a program that calls only this links no other model.
+///
+/// @param strips          4, 8, 16, 32 or 64; 0: 16.
+/// @return as kstrip_solve().
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_solve_strip_1967(
+    contact: Option<&Contact<f64>>,
+    creepage: Option<&Creepage<f64>>,
+    strips: i32,
+    result: Option<&mut MaybeUninit<Solution<f64>>>,
+) -> kstrip_status {
+    answer(|| {
+        let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
+        let solution = model::solve_strip_1967(contact, creepage, strip_count(strips)?)?;
+        let notice = solution.notice;
+        result.write(solution);
+        Ok(notice)
+    })
+}
+
+/// kstrip_solve() with KSTRIP_MODEL_LINEAR; a program that calls only this links no other model.
+///
+/// @return as kstrip_solve().
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_solve_linear(
+    contact: Option<&Contact<f64>>,
+    creepage: Option<&Creepage<f64>>,
+    result: Option<&mut MaybeUninit<Solution<f64>>>,
+) -> kstrip_status {
+    answer(|| {
+        let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
+        let solution = model::solve_linear(contact, creepage)?;
+        let notice = solution.notice;
+        result.write(solution);
+        Ok(notice)
+    })
+}
+
+/// The same result seen from the upper body: opposite forces and moment, same power and adhesion.
+///
+/// @param lower           result on the lower body.
+/// @param[out] upper      receives the result on the upper body.
+/// @return KSTRIP_OK or KSTRIP_ERROR_NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_result_on_upper_body(
+    lower: Option<&MaybeUninit<Solution<f64>>>,
+    upper: Option<&mut MaybeUninit<Solution<f64>>>,
+) -> kstrip_status {
+    answer(|| {
+        let (lower, upper) = (given(lower)?, given(upper)?);
+        *upper = *lower;
+        let upper = upper.as_mut_ptr();
+        // SAFETY: the three numbers are there, whatever bits they have; the rest is only copied.
+        let forces = unsafe { [&mut (*upper).fx, &mut (*upper).fy, &mut (*upper).mz] };
+        for force in forces {
+            *force = -*force;
+        }
+        Ok(Notice::None)
+    })
+}
+
+/// The wanted outputs.
+pub(super) struct Places<'a, F: Precision> {
+    pub(super) result: Place<'a, Solution<F>>,
+    pub(super) derivatives: Place<'a, Derivatives<F>>,
+    pub(super) law_derivatives: Place<'a, LawDerivatives<F>>,
+    pub(super) friction: Place<'a, F>,
+    /// With a place for their number.
+    pub(super) strips: Option<(&'a mut [MaybeUninit<StripResult<F>>], Place<'a, u32>)>,
+}
+
+impl<F: Precision> Places<'_, F> {
+    /// # Safety
+    /// Every pointer is NULL, or valid and aligned for one write, that of the strips for `capacity`; no two overlap.
+    pub(super) unsafe fn of(outputs: &Outputs<F>) -> Self {
+        // SAFETY: the caller's promise.
+        unsafe {
+            Self {
+                result: place(outputs.result),
+                derivatives: place(outputs.derivatives),
+                law_derivatives: place(outputs.law_derivatives),
+                friction: place(outputs.friction),
+                strips: if outputs.strips.is_null() {
+                    None
+                } else {
+                    let strips = output(outputs.strips, outputs.capacity).unwrap_or(&mut []);
+                    Some((strips, place(outputs.count)))
+                },
+            }
+        }
+    }
+
+    /// Whether anything is wanted that needs derivatives.
+    pub(super) fn differentiates(&self) -> bool {
+        self.derivatives.is_some() || self.law_derivatives.is_some()
+    }
+}
+
+pub(super) fn evaluate<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    law: Option<&SlipFriction<F>>,
+    options: Option<&kstrip_options>,
+    places: Places<F>,
+) -> Result<Notice, Error> {
+    let (forces, inside) = (for_forces(options)?, for_strips(options)?);
+    let (solution, friction, slopes) = if places.differentiates() {
+        let found = differentiate(contact, creepage, law, &forces)?;
+        (found.solution, found.friction, Some((found.derivatives, found.law)))
+    } else if let Some(law) = law {
+        let found = friction::solve(contact, creepage, law, &forces)?;
+        (found.solution, found.friction, None)
+    } else {
+        (model::solve(contact, creepage, &forces)?, contact.friction, None)
+    };
+    let mut notice = solution.notice;
+    if let Some((strips, count)) = places.strips {
+        let count = given(count)?;
+        let stiffness = law.map_or(F::one(), SlipFriction::stiffness);
+        let shear_modulus = contact.shear_modulus * stiffness;
+        let contact = Contact { friction, shear_modulus, ..*contact };
+        check_room(&contact, creepage, &inside, strips.len())?;
+        let (own, written) = write_strips(&contact, creepage, &inside, strips)?;
+        notice = notice.worse(own);
+        count.write(written);
+    }
+    put(places.result, solution);
+    put(places.friction, friction);
+    if let Some((derivatives, law)) = slopes {
+        put(places.derivatives, derivatives);
+        put(places.law_derivatives, law);
+    }
+    Ok(notice)
+}
+
+const _: () = assert!(super::KSTRIP_STRIPS_CAPACITY as usize == model::MOST_STRIPS_1967);
+
+/// Whether all strips fit; counts them where that is not clear beforehand, so that an array that is too small stays
+/// untouched.
+fn check_room<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    options: &Options,
+    room: usize,
+) -> Result<(), Error> {
+    let mut needed = model::most_strips(contact, creepage, options)?;
+    if needed > room && (options.model != Model::Strip || contact.is_lost()) {
+        needed = 0;
+        model::strips(contact, creepage, options, &mut |_| needed += 1)?;
+    }
+    if needed <= room { Ok(()) } else { Err(Error::Capacity) }
+}
+
+/// Writes the strips, as many as there is room for; and how many these are.
+fn write_strips<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    options: &Options,
+    out: &mut [MaybeUninit<StripResult<F>>],
+) -> Result<(Notice, u32), Error> {
+    let mut places = out.iter_mut();
+    let mut written = 0_u32;
+    let notice = model::strips(contact, creepage, options, &mut |strip| {
+        if let Some(place) = places.next() {
+            place.write(strip);
+            written += 1;
+        }
+    })?;
+    Ok((notice, written))
+}
+
+/// The wanted outputs of a motion.
+pub(super) struct MotionPlaces<'a, F: Precision> {
+    result: Place<'a, Solution<F>>,
+    derivatives: Place<'a, MotionDerivatives<F>>,
+    friction: Place<'a, F>,
+}
+
+impl<F: Precision> MotionPlaces<'_, F> {
+    /// # Safety
+    /// Every pointer is NULL, or valid and aligned for one write; no two overlap.
+    pub(super) unsafe fn of(outputs: &MotionOutputs<F>) -> Self {
+        let MotionOutputs { result, derivatives, friction } = *outputs;
+        // SAFETY: the caller's promise.
+        unsafe {
+            Self {
+                result: place(result),
+                derivatives: place(derivatives),
+                friction: place(friction),
+            }
+        }
+    }
+}
+
+pub(super) fn solve_motion<F: Precision>(
+    contact: &Contact<F>,
+    motion: &Motion<F>,
+    law: Option<&SlipFriction<F>>,
+    options: Option<&kstrip_options>,
+    places: MotionPlaces<F>,
+) -> Result<Notice, Error> {
+    let options = for_forces(options)?;
+    let (solution, friction) = if let Some(place) = places.derivatives {
+        let (solution, friction, slopes) = motion::differentiate(contact, motion, law, &options)?;
+        place.write(slopes);
+        (solution, friction)
+    } else {
+        motion::solve(contact, motion, law, &options)?
+    };
+    put(places.result, solution);
+    put(places.friction, friction);
+    Ok(solution.notice)
+}
+
+impl<F: Precision> PreparedNumbers<F> {
+    pub(super) fn of(contact: &Contact<F>, options: &Options) -> Result<Self, Error> {
+        contact.check()?;
+        let mut numbers = [F::zero(); 64];
+        let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction } = *contact;
+        let own = [a, b, normal_force, shear_modulus, poisson_ratio, friction];
+        for (place, number) in numbers.iter_mut().zip(own) {
+            *place = number;
+        }
+        Ok(Self { numbers, model: options.model as i32, strips: options.strips as i32 })
+    }
+
+    pub(super) fn solve(&self, creepage: &Creepage<F>) -> Result<Solution<F>, Error> {
+        let [a, b, normal_force, shear_modulus, poisson_ratio, friction, ..] = self.numbers;
+        let contact = Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction };
+        let model = Model::from_number(self.model).ok_or(Error::NotPrepared)?;
+        let strips = strip_count(self.strips).map_err(|_| Error::NotPrepared)?;
+        model::solve(&contact, creepage, &Options { model, strips })
+    }
+}

@@ -1,0 +1,123 @@
+//! What the exported functions share, and the names that they are written with.
+
+pub(super) use super::arrays::{input, output, place};
+pub(super) use super::types::*;
+pub(super) use super::{KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, kstrip_status};
+pub(super) use crate::contact::{Contact, from_approach, from_hertz};
+pub(super) use crate::contact::creepage::{Creepage, Parameters, SurfaceVelocity};
+pub(super) use crate::contact::forces::StripCount;
+pub(super) use crate::contact::hertz::{HertzContact, Radii};
+pub(super) use crate::contact::material::{self, CombinedMaterial, Material};
+pub(super) use crate::friction::{self, SlipFriction};
+pub(super) use crate::linear::LinearCoefficients;
+pub(super) use crate::number::Float;
+pub(super) use crate::patch::solver::PatchField;
+pub(super) use crate::patch::PatchStrip;
+pub(super) use crate::rig::{self, FrictionEstimate, Measured};
+pub(super) use crate::solve::derivatives::{Derivatives, LawDerivatives, differentiate};
+pub(super) use crate::solve::field::FieldPoint;
+pub(super) use crate::solve::model::{
+    self, Field, Model, Options, Precision, Solution, StripResult,
+};
+pub(super) use crate::solve::motion::{self, Motion, MotionDerivatives};
+pub(super) use crate::status::{Error, Notice};
+pub(super) use core::mem::MaybeUninit;
+
+/// Run a fallible body and turn its outcome into a status.
+#[inline(always)]
+pub(super) fn answer(body: impl FnOnce() -> Result<Notice, Error>) -> kstrip_status {
+    match body() {
+        Ok(notice) => notice.code(),
+        Err(error) => error.code(),
+    }
+}
+
+/// A required argument.
+#[inline]
+pub(super) fn given<T>(argument: Option<T>) -> Result<T, Error> {
+    argument.ok_or(Error::NullPointer)
+}
+
+/// The caller's options where forces are wanted; NULL and zero mean the defaults.
+#[inline]
+pub(super) fn for_forces(options: Option<&kstrip_options>) -> Result<Options, Error> {
+    with_default(options, Model::Total)
+}
+
+/// The caller's options where strips or fields are wanted.
+#[inline]
+pub(super) fn for_strips(options: Option<&kstrip_options>) -> Result<Options, Error> {
+    with_default(options, Model::Strip)
+}
+
+#[inline]
+fn with_default(options: Option<&kstrip_options>, default: Model) -> Result<Options, Error> {
+    let kstrip_options { model, strips } = options.copied().unwrap_or_default();
+    Ok(Options {
+        model: if model == super::KSTRIP_MODEL_DEFAULT {
+            default
+        } else {
+            Model::from_number(model).ok_or(Error::Model)?
+        },
+        strips: strip_count(strips)?,
+    })
+}
+
+/// A number of strips; 0: the default.
+#[inline]
+pub(super) fn strip_count(strips: i32) -> Result<StripCount, Error> {
+    if strips == 0 {
+        Ok(StripCount::default())
+    } else {
+        StripCount::from_number(strips).ok_or(Error::StripCount)
+    }
+}
+
+/// `ξ, η, ψ`; zero where the contact is lost.
+pub(super) fn parameters_of<F: Float>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+) -> Result<KalkerParameters<F>, Error> {
+    contact.check()?;
+    creepage.check()?;
+    if contact.is_lost() {
+        return Ok(KalkerParameters { xi: F::zero(), eta: F::zero(), psi: F::zero() });
+    }
+    let Parameters { xi, eta, psi, .. } = Parameters::new(contact, creepage);
+    if ![xi, eta, psi].iter().all(|parameter| parameter.is_finite_number()) {
+        return Err(Error::Overflow);
+    }
+    Ok(KalkerParameters { xi, eta, psi })
+}
+
+/// The creepage of `ξ, η, ψ`; zero where the contact is lost.
+pub(super) fn creepage_of<F: Float>(
+    contact: &Contact<F>,
+    parameters: &KalkerParameters<F>,
+) -> Result<Creepage<F>, Error> {
+    contact.check()?;
+    let KalkerParameters { xi, eta, psi } = *parameters;
+    if ![xi, eta, psi].iter().all(|parameter| parameter.is_finite_number()) {
+        return Err(Error::NotFinite);
+    }
+    if contact.is_lost() {
+        let zero = F::zero();
+        return Ok(Creepage { longitudinal: zero, lateral: zero, spin: zero });
+    }
+    let (poisson_ratio, axis_ratio) = (contact.poisson_ratio, contact.a / contact.b);
+    let parameters = Parameters { xi, eta, psi, poisson_ratio, axis_ratio };
+    let creepage = parameters.creepage(contact);
+    creepage.check().map_err(|_| Error::Overflow)?;
+    Ok(creepage)
+}
+
+/// A wanted output.
+pub(super) type Place<'a, T> = Option<&'a mut MaybeUninit<T>>;
+
+/// Writes an output that is wanted.
+#[inline]
+pub(super) fn put<T>(place: Place<T>, value: T) {
+    if let Some(place) = place {
+        place.write(value);
+    }
+}
