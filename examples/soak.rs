@@ -8,9 +8,11 @@
 //! start, memory that grows.
 
 use indicatif::{ProgressBar, ProgressStyle};
-use kstrip::ffi::double::kstrip_solve;
-use kstrip::ffi::types::{kstrip_contact, kstrip_creepage, kstrip_options, kstrip_result};
-use kstrip::ffi::*;
+#[path = "../tests/common/names.rs"]
+mod names;
+
+use kstrip::status::Notice;
+use names::*;
 use std::mem::MaybeUninit;
 use std::time::Instant;
 
@@ -150,7 +152,7 @@ fn solve_block(block: u64, count: u64) -> Result<(u64, u64, u64), String> {
         mz: -7.0,
         power: -7.0,
         adhesion: -7.0,
-        status_detail: -7,
+        notice: Notice::None,
         reserved: -7,
     };
     for i in 0..count {
@@ -167,7 +169,7 @@ fn solve_block(block: u64, count: u64) -> Result<(u64, u64, u64), String> {
             r == untouched
         } else {
             warned += u64::from(status > 0);
-            let bound = contact.friction * contact.normal_force;
+            let bound = contact.friction * contact.normal_force.max(0.0);
             numbers.iter().all(|number| number.is_finite())
                 && (model == KSTRIP_MODEL_LINEAR
                     || r.fx.hypot(r.fy) <= bound * (1.0 + 1e-12) + f64::MIN_POSITIVE)

@@ -19,6 +19,8 @@ mod growth;
 mod limit;
 #[path = "common/lines.rs"]
 mod lines;
+#[path = "../tests/common/names.rs"]
+mod names;
 #[path = "common/peer_methods.rs"]
 mod peer_methods;
 #[path = "../benches/peers/mod.rs"]

@@ -78,15 +78,18 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_FRICTION_AT_LEAST 6
 /** Warning: the wanted force is that of full sliding, which every larger creepage gives as well. */
 #define KSTRIP_WARNING_CREEPAGE_AT_LEAST 7
-/**
- * Warning: the peak pressure exceeds a tenth of the shear modulus: mostly a wrong unit of a, b, normal_force or
- * shear_modulus.
- */
+/** Warning: the peak pressure exceeds a tenth of the shear modulus: modulus, load or semi-axes are in another unit. */
 #define KSTRIP_WARNING_PRESSURE 8
-/** Warning: a creepage exceeds 10, or spin times the larger semi-axis does: mostly per cent, or degrees per metre. */
+/** Warning: a creepage exceeds 10: per cent, or a rolling speed that is none. */
 #define KSTRIP_WARNING_CREEPAGE 9
-/** Warning: a semi-axis exceeds 1 m: mostly millimetres. */
+/** Warning: a semi-axis exceeds 1 m: mm, mostly. */
 #define KSTRIP_WARNING_SEMI_AXIS 10
+/** Warning: more spin than rolling bodies of this curvature can have: degrees per metre, mostly. */
+#define KSTRIP_WARNING_SPIN_UNIT 11
+/** Warning: the coefficient of friction exceeds 5: per cent, mostly. */
+#define KSTRIP_WARNING_FRICTION 12
+/** Warning: radii are larger than 5 m in both directions: mm, mostly. */
+#define KSTRIP_WARNING_RADIUS 13
 
 /** Error: a required pointer is NULL. */
 #define KSTRIP_ERROR_NULL -1
@@ -257,7 +260,8 @@ typedef struct kstrip_hertz_contact {
  * @param friction        coefficient of friction [-], >= 0.
  * @param[out] contact    receives the contact.
  * @param[out] ellipse    receives pressure, approach and shape; NULL: not wanted.
- * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
+ * @return KSTRIP_OK, KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_SEMI_AXIS, KSTRIP_WARNING_FRICTION,
+ *         KSTRIP_WARNING_RADIUS; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
  *         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_CURVATURE,
  *         KSTRIP_ERROR_OVERFLOW.
  */

@@ -1,13 +1,17 @@
 //! What is measured: 512 calls of every model through the C interface, and of every other method.
 
+use crate::names::*;
 use crate::peer_methods::*;
 use crate::peers::fastsim::{Bound, Flexibility, Layout};
 use crate::peers::{self, polach, shen_hedrick_elkins, vermeulen_johnson};
 use crate::reference::*;
+use kstrip::contact::Contact;
+use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
-use kstrip::ffi::{double, single, types::*, types_f32::*};
+use kstrip::ffi::types::Outputs;
+use kstrip::friction::SlipFriction;
 use kstrip::linear::LinearCoefficients;
-use kstrip::solve::model::Model;
+use kstrip::solve::model::{Model, Solution};
 use std::hint::black_box;
 use std::mem::MaybeUninit;
 
@@ -120,7 +124,10 @@ pub const CONTACT: [f64; 6] = [6e-3, 4e-3, 80e3, 82e9, 0.28, 0.3];
 /// Calls through a pointer that the compiler knows nothing of, as from C. The numbers of both precisions are
 /// written once.
 macro_rules! through_c {
-    ($solve:ident, $jacobian:ident, $functions:ident, $float:ty, $contact:ident, $creepage:ident) => {
+    (
+        $solve:ident, $jacobian:ident, $functions:ident, $float:ty, $contact:ident, $creepage:ident,
+        $outputs:ident
+    ) => {
         fn $solve(model: Model, strips: StripCount) -> Box<dyn Fn() -> f64> {
             let options = kstrip_options { model: model as i32, strips: strips as i32 };
             let (contact, creepages) = ($contact(), $creepage());
@@ -144,18 +151,17 @@ macro_rules! through_c {
             let solve = black_box($functions.1);
             Box::new(move || {
                 let mut result = MaybeUninit::uninit();
-                let mut slopes: [$float; 9] = [0.0; 9];
+                let mut slopes = MaybeUninit::uninit();
+                let outputs = $outputs {
+                    result: result.as_mut_ptr(),
+                    derivatives: slopes.as_mut_ptr(),
+                    ..nowhere()
+                };
                 let mut worst = 0;
                 for creepage in &creepages {
-                    // SAFETY: the array has the nine numbers that are written.
+                    // SAFETY: both places are there.
                     let status = unsafe {
-                        solve(
-                            Some(&contact),
-                            Some(creepage),
-                            Some(&options),
-                            Some(&mut result),
-                            slopes.as_mut_ptr(),
-                        )
+                        solve(Some(&contact), Some(creepage), None, Some(&options), Some(&outputs))
                     };
                     worst = status.min(worst);
                 }
@@ -172,20 +178,21 @@ type Solve<C, K, R> = extern "C" fn(
     Option<&kstrip_options>,
     Option<&mut MaybeUninit<R>>,
 ) -> i32;
-type Jacobian<C, K, R, F> = unsafe extern "C" fn(
+type Evaluate<C, K, L, O> = unsafe extern "C" fn(
     Option<&C>,
     Option<&K>,
+    Option<&L>,
     Option<&kstrip_options>,
-    Option<&mut MaybeUninit<R>>,
-    *mut F,
+    Option<&O>,
 ) -> i32;
 
-type Functions<C, K, R, F> = (Solve<C, K, R>, Jacobian<C, K, R, F>);
+type Functions<F> = (
+    Solve<Contact<F>, Creepage<F>, Solution<F>>,
+    Evaluate<Contact<F>, Creepage<F>, SlipFriction<F>, Outputs<F>>,
+);
 
-const DOUBLE: Functions<kstrip_contact, kstrip_creepage, kstrip_result, f64> =
-    (double::kstrip_solve, double::kstrip_solve_jacobian);
-const SINGLE: Functions<kstrip_contact_f32, kstrip_creepage_f32, kstrip_result_f32, f32> =
-    (single::kstrip_solve_f32, single::kstrip_solve_jacobian_f32);
+const DOUBLE: Functions<f64> = (kstrip_solve, kstrip_evaluate);
+const SINGLE: Functions<f32> = (kstrip_solve_f32, kstrip_evaluate_f32);
 
 pub fn contact_f64() -> kstrip_contact {
     let [a, b, normal_force, shear_modulus, poisson_ratio, friction] = CONTACT;
@@ -212,8 +219,8 @@ fn creepages_f32() -> Vec<kstrip_creepage_f32> {
     creepages().into_iter().map(|k| of(k.map(|x| x as f32))).collect()
 }
 
-through_c!(solve_f64, jacobian_f64, DOUBLE, f64, contact_f64, creepages_f64);
-through_c!(solve_f32, jacobian_f32, SINGLE, f32, contact_f32, creepages_f32);
+through_c!(solve_f64, jacobian_f64, DOUBLE, f64, contact_f64, creepages_f64, kstrip_outputs);
+through_c!(solve_f32, jacobian_f32, SINGLE, f32, contact_f32, creepages_f32, kstrip_outputs_f32);
 
 pub fn has_strips(model: Model) -> bool {
     !matches!(model, Model::Total | Model::Linear)

@@ -1,10 +1,10 @@
 //! How cost grows with the number of contacts of a batch and of points of a field.
 
-use crate::calls::{contact_f64, creepages_f64, median};
+use crate::calls::{contact_f64, median};
 use crate::clock;
-use kstrip::ffi::{double, types::*};
+use crate::names::*;
+use crate::together;
 use kstrip::solve::model::Model;
-use std::hint::black_box;
 use std::mem::MaybeUninit;
 
 pub const CONTACTS: [usize; 7] = [1, 10, 100, 1000, 10_000, 100_000, 1_000_000];
@@ -28,32 +28,11 @@ fn in_turn(sizes: &[usize], mut run: impl FnMut(usize)) -> Vec<f64> {
     times.iter().map(|times| median(times)).collect()
 }
 
-/// Nanoseconds per contact of `kstrip_solve_batch`.
+/// Nanoseconds per contact of `kstrip_evaluate_batch`.
 pub fn batch(model: Model) -> Vec<f64> {
-    let options = kstrip_options { model: model as i32, strips: 16 };
     let largest = CONTACTS[CONTACTS.len() - 1];
-    let contacts = vec![contact_f64(); largest];
-    let creepages: Vec<_> = creepages_f64().into_iter().cycle().take(largest).collect();
-    let mut results: Vec<MaybeUninit<kstrip_result>> = Vec::new();
-    results.resize_with(largest, MaybeUninit::zeroed);
-    let solve = black_box(
-        double::kstrip_solve_batch
-            as unsafe extern "C" fn(
-                *const kstrip_contact,
-                *const kstrip_creepage,
-                u32,
-                Option<&kstrip_options>,
-                *mut kstrip_result,
-            ) -> i32,
-    );
-    let times = in_turn(&CONTACTS, |count| {
-        let (contacts, creepages) = (contacts.as_ptr(), creepages.as_ptr());
-        // SAFETY: each array has at least `count` elements.
-        let status = unsafe {
-            solve(contacts, creepages, count as u32, Some(&options), results.as_mut_ptr().cast())
-        };
-        assert!(status >= 0, "{status}");
-    });
+    let mut contacts = together::in_double::Contacts::new(largest);
+    let times = in_turn(&CONTACTS, |count| contacts.solve(count, model, together::How::Arrays));
     times.iter().zip(CONTACTS).map(|(time, count)| time / count as f64).collect()
 }
 
@@ -73,7 +52,7 @@ pub fn field(model: Model) -> Vec<f64> {
         let (count, capacity) = (side as u32, (side * side) as u32);
         // SAFETY: `x` and `y` have `side` numbers, `points` at least `side²` elements.
         let status = unsafe {
-            double::kstrip_field(
+            kstrip_field(
                 Some(&contact),
                 Some(&creepage),
                 Some(&options),

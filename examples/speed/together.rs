@@ -2,13 +2,12 @@
 
 use crate::calls::{CONTACT, creepages};
 use crate::clock;
-use kstrip::ffi::{
-    KSTRIP_WANT_FORCES, batch::*, double, evaluate::*, single, types::*, types_f32::*,
-};
+use crate::names::*;
 use kstrip::solve::model::Model;
+use kstrip::status::Notice;
 use std::cell::RefCell;
 use std::hint::black_box;
-use std::ptr::null_mut;
+use std::ptr::null;
 
 /// How many contacts a batch is measured with.
 pub const CONTACTS: [usize; 5] = [100, 1000, 10_000, 100_000, 1_000_000];
@@ -18,18 +17,18 @@ pub const CONTACTS: [usize; 5] = [100, 1000, 10_000, 100_000, 1_000_000];
 pub enum How {
     /// A loop over `kstrip_solve`.
     OneByOne,
-    /// `kstrip_solve_batch`
+    /// `kstrip_evaluate_batch` with arrays of structures.
     Structures,
-    /// `kstrip_solve_batch_arrays`
+    /// `kstrip_evaluate_batch` with one array for each quantity.
     Arrays,
-    /// A loop over `kstrip_evaluate` that wants the forces alone.
+    /// A loop over `kstrip_evaluate` that wants the result alone.
     ForcesAlone,
 }
 
 macro_rules! contacts {
     (
         $module:ident, $float:ty, $contact:ident, $creepage:ident, $result:ident, $inputs:ident, $outputs:ident,
-        $solve:path, $batch:path, $arrays:ident, $evaluate:ident
+        $all:ident, $solve:path, $batch:path, $evaluate:ident
     ) => {
         /// In this precision.
         pub mod $module {
@@ -73,7 +72,7 @@ macro_rules! contacts {
                         mz: zero,
                         power: zero,
                         adhesion: zero,
-                        status_detail: 0,
+                        notice: Notice::None,
                         reserved: 0,
                     };
                     Self {
@@ -117,49 +116,110 @@ macro_rules! contacts {
                             How::ForcesAlone => {
                                 let mut worst = 0;
                                 for (i, (c, k)) in contacts.iter().zip(creepages).enumerate() {
-                                    let place = places.add(i).cast();
+                                    let outputs = $all { result: places.add(i), ..nowhere() };
                                     let found = $evaluate(
                                         Some(c),
                                         Some(k),
-                                        Some(&options),
-                                        KSTRIP_WANT_FORCES,
-                                        Some(&mut *place),
-                                        null_mut(),
-                                        null_mut(),
-                                        0,
                                         None,
+                                        Some(&options),
+                                        Some(&outputs),
                                     );
                                     worst = found.min(worst);
                                 }
                                 worst
                             }
-                            How::Structures => $batch(
-                                contacts.as_ptr(),
-                                creepages.as_ptr(),
-                                count as u32,
-                                Some(&options),
-                                places,
-                            ),
+                            How::Structures => {
+                                let (c, k) = (contacts.as_ptr(), creepages.as_ptr());
+                                let (contact, creepage) = (
+                                    size_of::<$contact>() as isize,
+                                    size_of::<$creepage>() as isize,
+                                );
+                                let result = size_of::<$result>() as isize;
+                                let inputs = $inputs {
+                                    a: &raw const (*c).a,
+                                    a_stride: contact,
+                                    b: &raw const (*c).b,
+                                    b_stride: contact,
+                                    normal_force: &raw const (*c).normal_force,
+                                    normal_force_stride: contact,
+                                    shear_modulus: &raw const (*c).shear_modulus,
+                                    shear_modulus_stride: contact,
+                                    poisson_ratio: &raw const (*c).poisson_ratio,
+                                    poisson_ratio_stride: contact,
+                                    friction: &raw const (*c).friction,
+                                    friction_stride: contact,
+                                    longitudinal: &raw const (*k).longitudinal,
+                                    longitudinal_stride: creepage,
+                                    lateral: &raw const (*k).lateral,
+                                    lateral_stride: creepage,
+                                    spin: &raw const (*k).spin,
+                                    spin_stride: creepage,
+                                    law: null(),
+                                    law_stride: 0,
+                                };
+                                let outputs = $outputs {
+                                    fx: &raw mut (*places).fx,
+                                    fx_stride: result,
+                                    fy: &raw mut (*places).fy,
+                                    fy_stride: result,
+                                    mz: &raw mut (*places).mz,
+                                    mz_stride: result,
+                                    power: &raw mut (*places).power,
+                                    power_stride: result,
+                                    adhesion: &raw mut (*places).adhesion,
+                                    adhesion_stride: result,
+                                    status_detail: (&raw mut (*places).notice).cast(),
+                                    status_detail_stride: result,
+                                    ..no_batch()
+                                };
+                                let count = count as u32;
+                                $batch(Some(&inputs), count, Some(&options), Some(&outputs), None)
+                            }
                             How::Arrays => {
                                 let [a, b, n, g, nu, mu, x, y, spin] =
                                     self.inputs.each_ref().map(|array| array.as_ptr());
                                 let [fx, fy, mz, power, adhesion] =
                                     self.outputs.each_mut().map(|array| array.as_mut_ptr());
+                                let each = size_of::<$float>() as isize;
                                 let inputs = $inputs {
                                     a,
+                                    a_stride: each,
                                     b,
+                                    b_stride: each,
                                     normal_force: n,
+                                    normal_force_stride: each,
                                     shear_modulus: g,
+                                    shear_modulus_stride: each,
                                     poisson_ratio: nu,
+                                    poisson_ratio_stride: each,
                                     friction: mu,
+                                    friction_stride: each,
                                     longitudinal: x,
+                                    longitudinal_stride: each,
                                     lateral: y,
+                                    lateral_stride: each,
                                     spin,
+                                    spin_stride: each,
+                                    law: null(),
+                                    law_stride: 0,
                                 };
-                                let status_detail = self.details.as_mut_ptr();
-                                let outputs =
-                                    $outputs { fx, fy, mz, power, adhesion, status_detail };
-                                $arrays(count as u32, Some(&inputs), Some(&options), Some(&outputs))
+                                let outputs = $outputs {
+                                    fx,
+                                    fx_stride: each,
+                                    fy,
+                                    fy_stride: each,
+                                    mz,
+                                    mz_stride: each,
+                                    power,
+                                    power_stride: each,
+                                    adhesion,
+                                    adhesion_stride: each,
+                                    status_detail: self.details.as_mut_ptr(),
+                                    status_detail_stride: size_of::<i32>() as isize,
+                                    ..no_batch()
+                                };
+                                let count = count as u32;
+                                $batch(Some(&inputs), count, Some(&options), Some(&outputs), None)
                             }
                         }
                     };
@@ -211,9 +271,9 @@ contacts!(
     kstrip_result,
     kstrip_batch_inputs,
     kstrip_batch_outputs,
-    double::kstrip_solve,
-    double::kstrip_solve_batch,
-    kstrip_solve_batch_arrays,
+    kstrip_outputs,
+    kstrip_solve,
+    kstrip_evaluate_batch,
     kstrip_evaluate
 );
 contacts!(
@@ -224,9 +284,9 @@ contacts!(
     kstrip_result_f32,
     kstrip_batch_inputs_f32,
     kstrip_batch_outputs_f32,
-    single::kstrip_solve_f32,
-    single::kstrip_solve_batch_f32,
-    kstrip_solve_batch_arrays_f32,
+    kstrip_outputs_f32,
+    kstrip_solve_f32,
+    kstrip_evaluate_batch_f32,
     kstrip_evaluate_f32
 );
 

@@ -26,8 +26,13 @@ pub unsafe extern "C" fn kstrip_evaluate_batch(
 ) -> kstrip_status {
     // SAFETY: every pointer is NULL, or valid for count elements at its distances, says the header.
     answer(|| unsafe {
-        Batch { inputs: given(inputs)?, count, outputs: given(outputs)?, options: for_forces(options)? }
-            .solve(first_bad)
+        Batch {
+            inputs: given(inputs)?,
+            count,
+            outputs: given(outputs)?,
+            options: for_forces(options)?,
+        }
+        .solve(first_bad)
     })
 }
 

@@ -31,7 +31,8 @@ pub unsafe extern "C" fn kstrip_field(
     // SAFETY: NULL or as many elements as the counts say, says the header.
     let (x, y, points) = unsafe { (input(x, columns), input(y, rows), output(points, capacity)) };
     answer(|| {
-        let (contact, creepage, options) = (given(contact)?, given(creepage)?, for_strips(options)?);
+        let (contact, creepage, options) =
+            (given(contact)?, given(creepage)?, for_strips(options)?);
         let field = Field::new(contact, creepage, &options)?;
         let along = |strip: &Option<_>, x| field.along(strip.as_ref(), x);
         write_grid(x?, y?, points?, |y| field.strip_at(y), along)?;

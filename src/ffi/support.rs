@@ -3,16 +3,16 @@
 pub(super) use super::arrays::{input, output, place};
 pub(super) use super::types::*;
 pub(super) use super::{KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, kstrip_status};
-pub(super) use crate::contact::{Contact, from_approach, from_hertz};
 pub(super) use crate::contact::creepage::{Creepage, Parameters, SurfaceVelocity};
 pub(super) use crate::contact::forces::StripCount;
 pub(super) use crate::contact::hertz::{HertzContact, Radii};
 pub(super) use crate::contact::material::{self, CombinedMaterial, Material};
+pub(super) use crate::contact::{Contact, from_approach, from_hertz};
 pub(super) use crate::friction::{self, SlipFriction};
 pub(super) use crate::linear::LinearCoefficients;
 pub(super) use crate::number::Float;
-pub(super) use crate::patch::solver::PatchField;
 pub(super) use crate::patch::PatchStrip;
+pub(super) use crate::patch::solver::PatchField;
 pub(super) use crate::rig::{self, FrictionEstimate, Measured};
 pub(super) use crate::solve::derivatives::{Derivatives, LawDerivatives, differentiate};
 pub(super) use crate::solve::field::FieldPoint;

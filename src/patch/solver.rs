@@ -22,7 +22,7 @@ use crate::solve::field::FieldPoint;
 use crate::solve::model::{Jacobian, Model, Precision, Solution, StripResult, rolling_point};
 use crate::status::{Error, Notice};
 use crate::strip::{RollingStrips, StripGeometry, march};
-use crate::strip_1967::strip::{Regime, SlidingRule, Strip, State, StripPoint};
+use crate::strip_1967::strip::{Regime, SlidingRule, State, Strip, StripPoint};
 use nalgebra::Matrix3;
 
 /// Strips that are marched together, in pairs; fewer where the stack is short.

@@ -785,7 +785,9 @@ impl<F: Precision> Field<F> {
             + creepage.lateral.abs()
             + (contact.a + contact.b) * creepage.spin.abs();
         let slip = rigid.times(8.0).min(contact.slip_unit().min(F::HUGE) * F::HUGE);
-        if !contact.is_lost() && !(contact.friction * contact.peak_pressure() * slip).is_finite_number() {
+        if !contact.is_lost()
+            && !(contact.friction * contact.peak_pressure() * slip).is_finite_number()
+        {
             return Err(Error::Overflow);
         }
         let law = match options.model {

@@ -1,12 +1,7 @@
 //! The library on simulated microcontrollers, and the functions that are made for them.
 
+use crate::names::*;
 use crate::toolchain::{say, scratch};
-use kstrip::ffi::double::kstrip_solve;
-use kstrip::ffi::per_model::*;
-use kstrip::ffi::single::kstrip_solve_f32;
-use kstrip::ffi::types::*;
-use kstrip::ffi::types_f32::*;
-use kstrip::ffi::*;
 use std::mem::MaybeUninit;
 use std::process::Command;
 

@@ -1,12 +1,10 @@
 //! Programs in C and C++, packages, firmware, and what the pages say.
 
-#[path = "../c/header.rs"]
-mod header;
+#[path = "../common/names.rs"]
+mod names;
 #[path = "../c/toolchain.rs"]
 mod toolchain;
 
-mod c_programs;
-mod cpp_programs;
 mod docs;
 mod firmware;
 mod install;

@@ -116,8 +116,7 @@ fn nothing_allocates() {
 /// The C functions neither.
 #[test]
 fn c_functions_do_not_allocate() {
-    use kstrip::ffi::double::{kstrip_solve, kstrip_solve_batch};
-    use kstrip::ffi::types::{kstrip_contact, kstrip_creepage, kstrip_result};
+    use crate::names::*;
     use std::mem::MaybeUninit;
     let contact = kstrip_contact {
         a: 6e-3,
@@ -135,13 +134,9 @@ fn c_functions_do_not_allocate() {
         assert_eq!(kstrip_solve(Some(&contact), Some(&creepage), None, Some(&mut result)), 0);
         // SAFETY: eight elements each.
         let status = unsafe {
-            kstrip_solve_batch(
-                contacts.as_ptr(),
-                creepages.as_ptr(),
-                8,
-                None,
-                results.as_mut_ptr().cast(),
-            )
+            let from = batch_inputs(contacts.as_ptr(), creepages.as_ptr());
+            let to = batch_results(results.as_mut_ptr().cast());
+            kstrip_evaluate_batch(Some(&from), 8, None, Some(&to), None)
         };
         assert_eq!(status, 0);
     });

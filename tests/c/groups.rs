@@ -1,7 +1,5 @@
 //! The headers from what cbindgen writes: grouped, types beside the functions that use them, single precision apart.
 
-use std::collections::BTreeMap;
-
 /// Heading, what it is about, constants by their beginnings, functions.
 struct Group {
     id: &'static str,
@@ -193,7 +191,10 @@ fn item(text: &str) -> Option<Item> {
         .filter(|line| !line.starts_with("/*") && !line.starts_with(" *"))
         .fold(String::new(), |code, line| code + line + "\n");
     let code = code.trim();
-    if code.is_empty() || code.starts_with("#if") || code.starts_with("#endif") || code.contains("extern \"C\"")
+    if code.is_empty()
+        || code.starts_with("#if")
+        || code.starts_with("#endif")
+        || code.contains("extern \"C\"")
     {
         return None;
     }
@@ -229,8 +230,12 @@ fn plain(text: &str) -> String {
             i += 1;
         }
     }
-    for (mark, instead) in [("\\[", "["), ("\\]", "]"), ("`", ""), ("kstrip_status notice;", "kstrip_status status_detail;")]
-    {
+    for (mark, instead) in [
+        ("\\[", "["),
+        ("\\]", "]"),
+        ("`", ""),
+        ("kstrip_status notice;", "kstrip_status status_detail;"),
+    ] {
         plain = plain.replace(mark, instead);
     }
     plain
@@ -247,7 +252,8 @@ pub fn single_precision(sources: &[String]) -> String {
             let code = block[..end]
                 .replace("f64", "f32")
                 .replace(&format!("fn {name}("), &format!("fn {name}_f32("));
-            functions += &format!("\n/// {name}() in single precision.\n#[unsafe(no_mangle)]\n{code}");
+            functions +=
+                &format!("\n/// {name}() in single precision.\n#[unsafe(no_mangle)]\n{code}");
         }
     }
     SINGLE_HEAD.to_owned() + &functions
@@ -263,8 +269,3 @@ use super::rig::BOTH;
 use super::solve::{MotionPlaces, Places, evaluate, solve_motion};
 use super::support::*;
 ";
-
-/// The table of members that have another name in C than in Rust.
-pub fn rust_names() -> BTreeMap<&'static str, &'static str> {
-    BTreeMap::from([("status_detail", "notice")])
-}

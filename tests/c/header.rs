@@ -205,7 +205,8 @@ impl Declared {
 
     /// A C program that prints sizes and offsets as the compiler sees them.
     pub fn c_printer(&self) -> String {
-        let mut text = "#include \"kstrip_f32.h\"\n#include <stdio.h>\nint main(void)\n{\n".to_owned();
+        let mut text =
+            "#include \"kstrip_f32.h\"\n#include <stdio.h>\nint main(void)\n{\n".to_owned();
         let mut print = |what: String, number: String| {
             text += &format!("    printf(\"{what} %u\\n\", (unsigned){number});\n");
         };

@@ -25,7 +25,6 @@ use kstrip::solve::model::{
     self, Field, Jacobian, Model, Options, Precision, Solution, StripResult,
 };
 use kstrip::status::{Error, Notice};
-use kstrip::strip_1967::strip::State;
 use std::process::Command;
 use toolchain::{root, run_c_with, say};
 
@@ -100,7 +99,7 @@ impl Hash {
         self.code(status);
         for s in strips {
             self.add(&[s.y, s.width, s.half_length, s.separatrix, s.fx, s.fy, s.mz, s.power]);
-            self.mix(if s.adheres { State::Stick } else { State::Slip } as u64);
+            self.mix(s.state as u64);
         }
     }
 }

@@ -1,15 +1,11 @@
 //! Batches give the bits of single solves, whatever the layout of the arrays; bad input touches nothing.
 
+use crate::names::*;
 use crate::random;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Parameters;
-use kstrip::ffi::batch::*;
-use kstrip::ffi::double::{kstrip_solve, kstrip_solve_batch};
-use kstrip::ffi::single::{kstrip_solve_batch_f32, kstrip_solve_f32};
-use kstrip::ffi::types::*;
-use kstrip::ffi::types_f32::*;
-use kstrip::ffi::{KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_NULL, KSTRIP_OK};
+use kstrip::status::Notice;
 use random::Random;
 use std::mem::MaybeUninit;
 use std::ptr::null_mut;
@@ -126,31 +122,18 @@ fn options() -> impl Iterator<Item = kstrip_options> {
 }
 
 macro_rules! same_bits {
-    ($name:ident, $float:ident, $inputs:ident, $outputs:ident, $contact:ident, $creepage:ident, $solve:ident, $batch:ident) => {
+    ($name:ident, $float:ident, $contact:ident, $creepage:ident, $solve:ident, $batch:ident) => {
         #[test]
         fn $name() {
             let arrays = inputs().map(|a| a.iter().map(|x| *x as $float).collect::<Vec<_>>());
-            let [a, b, n, g, nu, mu, vx, vy, phi] = arrays.each_ref().map(|array| array.as_ptr());
-            let from = $inputs {
-                a,
-                b,
-                normal_force: n,
-                shear_modulus: g,
-                poisson_ratio: nu,
-                friction: mu,
-                longitudinal: vx,
-                lateral: vy,
-                spin: phi,
-            };
+            let from = batch_arrays(arrays.each_ref().map(|array| array.as_ptr()));
             for options in options() {
                 let mut found: [Vec<$float>; 5] = std::array::from_fn(|_| vec![7.0; COUNT]);
                 let mut details = vec![99; COUNT];
-                let [fx, fy, mz, power, adhesion] =
-                    found.each_mut().map(|array| array.as_mut_ptr());
-                let to =
-                    $outputs { fx, fy, mz, power, adhesion, status_detail: details.as_mut_ptr() };
+                let places = found.each_mut().map(|array| array.as_mut_ptr());
+                let to = batch_results_arrays(places, details.as_mut_ptr());
                 let status =
-                    unsafe { $batch(COUNT as u32, Some(&from), Some(&options), Some(&to)) };
+                    unsafe { $batch(Some(&from), COUNT as u32, Some(&options), Some(&to), None) };
                 let mut worst = KSTRIP_OK;
                 for i in 0..COUNT {
                     let [a, b, normal_force, shear_modulus, poisson_ratio, friction, x, y, spin] =
@@ -167,7 +150,7 @@ macro_rules! same_bits {
                     let expected = [r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits);
                     let is = found.each_ref().map(|array| array[i].to_bits());
                     assert_eq!(is, expected, "{options:?} {contact:?} {creepage:?}");
-                    assert_eq!(details[i], r.status_detail);
+                    assert_eq!(details[i], r.notice.code());
                 }
                 assert_eq!(status, worst);
             }
@@ -178,7 +161,7 @@ macro_rules! same_bits {
 /// Thousands of contacts of all kinds: the bits of single solves in any company, whatever the count's remainder; the first
 /// error wherever it stands, with nothing written.
 macro_rules! any_company {
-    ($name:ident, $float:ident, $inputs:ident, $outputs:ident, $contact:ident, $creepage:ident, $result:ident, $solve:ident, $batch:ident, $arrays:ident) => {
+    ($name:ident, $float:ident, $contact:ident, $creepage:ident, $result:ident, $solve:ident, $batch:ident) => {
         #[test]
         fn $name() {
             let mut random = Random::new(5);
@@ -213,7 +196,7 @@ macro_rules! any_company {
                     Ok((
                         status,
                         [r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits),
-                        r.status_detail,
+                        r.notice.code(),
                     ))
                 };
                 let (good, bad): (Vec<_>, Vec<_>) = all
@@ -232,53 +215,36 @@ macro_rules! any_company {
                         mz: 7.0,
                         power: 7.0,
                         adhesion: 7.0,
-                        status_detail: 99,
+                        notice: Notice::NotConverged,
                         reserved: 0,
                     };
                     let mut results = vec![untouched; count];
                     let status = unsafe {
-                        $batch(
-                            contacts.as_ptr(),
-                            creepages.as_ptr(),
-                            count as u32,
-                            Some(&options),
-                            results.as_mut_ptr(),
-                        )
+                        let from = batch_inputs(contacts.as_ptr(), creepages.as_ptr());
+                        let to = batch_results(results.as_mut_ptr());
+                        let mut bad = MaybeUninit::uninit();
+                        let (options, bad_place) = (Some(&options), Some(&mut bad));
+                        let count = count as u32;
+                        let status = $batch(Some(&from), count, options, Some(&to), bad_place);
+                        let bad = bad.assume_init() as usize;
+                        let first = problems.iter().position(|values| single(values).is_err());
+                        assert_eq!(bad, first.unwrap_or(problems.len()));
+                        status
                     };
                     let arrays: [Vec<$float>; 9] =
                         std::array::from_fn(|k| problems.iter().map(|p| p[k]).collect());
-                    let [a, b, n, g, nu, mu, vx, vy, phi] =
-                        arrays.each_ref().map(|array| array.as_ptr());
-                    let from = $inputs {
-                        a,
-                        b,
-                        normal_force: n,
-                        shear_modulus: g,
-                        poisson_ratio: nu,
-                        friction: mu,
-                        longitudinal: vx,
-                        lateral: vy,
-                        spin: phi,
-                    };
+                    let from = batch_arrays(arrays.each_ref().map(|array| array.as_ptr()));
                     let mut found: [Vec<$float>; 5] = std::array::from_fn(|_| vec![7.0; count]);
-                    let mut details = vec![99; count];
-                    let [fx, fy, mz, power, adhesion] =
-                        found.each_mut().map(|array| array.as_mut_ptr());
-                    let to = $outputs {
-                        fx,
-                        fy,
-                        mz,
-                        power,
-                        adhesion,
-                        status_detail: details.as_mut_ptr(),
-                    };
-                    let other =
-                        unsafe { $arrays(count as u32, Some(&from), Some(&options), Some(&to)) };
+                    let mut details = vec![99; count as usize];
+                    let places = found.each_mut().map(|array| array.as_mut_ptr());
+                    let to = batch_results_arrays(places, details.as_mut_ptr());
+                    let (count, options) = (count as u32, Some(&options));
+                    let other = unsafe { $batch(Some(&from), count, options, Some(&to), None) };
                     assert_eq!(status, other);
                     for (i, r) in results.iter().enumerate() {
                         let is = [r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits);
                         assert_eq!(is, found.each_ref().map(|array| array[i].to_bits()));
-                        assert_eq!(r.status_detail, details[i]);
+                        assert_eq!(r.notice.code(), details[i]);
                     }
                     (status, results)
                 };
@@ -290,7 +256,7 @@ macro_rules! any_company {
                         let (status, bits, detail) = expected.unwrap();
                         worst = worst.max(status);
                         let is = [r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits);
-                        assert_eq!((is, r.status_detail), (bits, detail), "{options:?} {values:?}");
+                        assert_eq!((is, r.notice.code()), (bits, detail), "{options:?} {values:?}");
                     }
                     assert_eq!(status, worst);
                 }
@@ -306,7 +272,9 @@ macro_rules! any_company {
                     }
                     let (status, results) = together(&inputs);
                     assert_eq!(Err(status), pair[0].1, "{options:?} {:?}", pair[0].0);
-                    assert!(results.iter().all(|r| r.fx == 7.0 && r.status_detail == 99));
+                    assert!(
+                        results.iter().all(|r| r.fx == 7.0 && r.notice == Notice::NotConverged)
+                    );
                 }
             }
         }
@@ -316,47 +284,37 @@ macro_rules! any_company {
 any_company!(
     any_company_gives_the_same_bits,
     f64,
-    kstrip_batch_inputs,
-    kstrip_batch_outputs,
     kstrip_contact,
     kstrip_creepage,
     kstrip_result,
     kstrip_solve,
-    kstrip_solve_batch,
-    kstrip_solve_batch_arrays
+    kstrip_evaluate_batch
 );
 any_company!(
     any_company_gives_the_same_bits_in_single_precision,
     f32,
-    kstrip_batch_inputs_f32,
-    kstrip_batch_outputs_f32,
     kstrip_contact_f32,
     kstrip_creepage_f32,
     kstrip_result_f32,
     kstrip_solve_f32,
-    kstrip_solve_batch_f32,
-    kstrip_solve_batch_arrays_f32
+    kstrip_evaluate_batch_f32
 );
 
 same_bits!(
     arrays_give_the_bits_of_single_solves,
     f64,
-    kstrip_batch_inputs,
-    kstrip_batch_outputs,
     kstrip_contact,
     kstrip_creepage,
     kstrip_solve,
-    kstrip_solve_batch_arrays
+    kstrip_evaluate_batch
 );
 same_bits!(
     single_precision_arrays_too,
     f32,
-    kstrip_batch_inputs_f32,
-    kstrip_batch_outputs_f32,
     kstrip_contact_f32,
     kstrip_creepage_f32,
     kstrip_solve_f32,
-    kstrip_solve_batch_arrays_f32
+    kstrip_evaluate_batch_f32
 );
 
 #[test]
@@ -380,9 +338,9 @@ fn structures_give_the_bits_of_single_solves() {
         for count in (0..10).chain([COUNT]) {
             let mut results = vec![MaybeUninit::<kstrip_result>::uninit(); count];
             let status = unsafe {
-                let out = results.as_mut_ptr().cast();
-                let (contacts, creepages) = (contacts.as_ptr(), creepages.as_ptr());
-                kstrip_solve_batch(contacts, creepages, count as u32, Some(&options), out)
+                let from = batch_inputs(contacts.as_ptr(), creepages.as_ptr());
+                let to = batch_results(results.as_mut_ptr().cast());
+                kstrip_evaluate_batch(Some(&from), count as u32, Some(&options), Some(&to), None)
             };
             assert!(status >= KSTRIP_OK);
             for i in 0..count {
@@ -395,7 +353,7 @@ fn structures_give_the_bits_of_single_solves() {
                 );
                 let (is, expected) = unsafe { (results[i].assume_init(), single.assume_init()) };
                 let bits = |r: kstrip_result| {
-                    ([r.fx, r.fy, r.mz, r.power, r.adhesion].map(f64::to_bits), r.status_detail)
+                    ([r.fx, r.fy, r.mz, r.power, r.adhesion].map(f64::to_bits), r.notice.code())
                 };
                 assert_eq!(bits(is), bits(expected), "{options:?} {:?}", contacts[i]);
             }
@@ -406,34 +364,17 @@ fn structures_give_the_bits_of_single_solves() {
 #[test]
 fn only_what_is_wanted_is_written_and_nothing_on_errors() {
     let mut arrays = inputs();
-    let from = |arrays: &[Vec<f64>; 9]| {
-        let [a, b, n, g, nu, mu, vx, vy, phi] = arrays.each_ref().map(|array| array.as_ptr());
-        kstrip_batch_inputs {
-            a,
-            b,
-            normal_force: n,
-            shear_modulus: g,
-            poisson_ratio: nu,
-            friction: mu,
-            longitudinal: vx,
-            lateral: vy,
-            spin: phi,
-        }
-    };
-    let nothing = kstrip_batch_outputs {
-        fx: null_mut(),
-        fy: null_mut(),
-        mz: null_mut(),
-        power: null_mut(),
-        adhesion: null_mut(),
-        status_detail: null_mut(),
-    };
+    let from = |arrays: &[Vec<f64>; 9]| batch_arrays(arrays.each_ref().map(|array| array.as_ptr()));
+    let nothing = no_batch();
+    const EACH: isize = size_of::<f64>() as isize;
     let count = COUNT as u32;
     let mut fy = vec![7.0; COUNT];
-    let wanted = kstrip_batch_outputs { fy: fy.as_mut_ptr(), ..nothing };
+    let wanted = kstrip_batch_outputs { fy: fy.as_mut_ptr(), fy_stride: EACH, ..nothing };
     unsafe {
-        assert!(kstrip_solve_batch_arrays(count, Some(&from(&arrays)), None, Some(&wanted)) >= 0);
-        assert!(kstrip_solve_batch_arrays(count, Some(&from(&arrays)), None, Some(&nothing)) >= 0);
+        assert!(kstrip_evaluate_batch(Some(&from(&arrays)), count, None, Some(&wanted), None) >= 0);
+        assert!(
+            kstrip_evaluate_batch(Some(&from(&arrays)), count, None, Some(&nothing), None) >= 0
+        );
     }
     assert!(fy.iter().all(|fy| *fy != 7.0));
     // Whatever else is wanted, a quantity has the same bits
@@ -445,17 +386,14 @@ fn only_what_is_wanted_is_written_and_nothing_on_errors() {
                 if mask >> i & 1 == 1 { array.as_mut_ptr() } else { null_mut() }
             };
             let [fx, fy, mz, power, adhesion] = &mut found;
-            let wanted = kstrip_batch_outputs {
-                fx: place(0, fx),
-                fy: place(1, fy),
-                mz: place(2, mz),
-                power: place(3, power),
-                adhesion: place(4, adhesion),
-                ..nothing
-            };
+            let places =
+                [place(0, fx), place(1, fy), place(2, mz), place(3, power), place(4, adhesion)];
+            let wanted = batch_results_arrays(places, null_mut());
             let (from, options) = (from(&arrays), Some(&options));
             unsafe {
-                assert!(kstrip_solve_batch_arrays(count, Some(&from), options, Some(&wanted)) >= 0);
+                assert!(
+                    kstrip_evaluate_batch(Some(&from), count, options, Some(&wanted), None) >= 0
+                );
             }
             let whole = whole.get_or_insert_with(|| found.clone());
             assert!(found == *whole, "{mask} {options:?}");
@@ -464,9 +402,9 @@ fn only_what_is_wanted_is_written_and_nothing_on_errors() {
 
     arrays[5][COUNT - 1] = -0.1;
     fy.fill(7.0);
-    let wanted = kstrip_batch_outputs { fy: fy.as_mut_ptr(), ..nothing };
+    let wanted = kstrip_batch_outputs { fy: fy.as_mut_ptr(), fy_stride: EACH, ..nothing };
     let solve = |from: Option<&kstrip_batch_inputs>, to: Option<&kstrip_batch_outputs>| unsafe {
-        kstrip_solve_batch_arrays(count, from, None, to)
+        kstrip_evaluate_batch(from, count, None, to, None)
     };
     assert_eq!(solve(Some(&from(&arrays)), Some(&wanted)), KSTRIP_ERROR_FRICTION);
     let missing = kstrip_batch_inputs { spin: std::ptr::null(), ..from(&arrays) };
@@ -476,7 +414,7 @@ fn only_what_is_wanted_is_written_and_nothing_on_errors() {
     assert!(fy.iter().all(|fy| *fy == 7.0));
     let empty = kstrip_batch_inputs { a: std::ptr::null(), ..missing };
     assert_eq!(
-        unsafe { kstrip_solve_batch_arrays(0, Some(&empty), None, Some(&wanted)) },
+        unsafe { kstrip_evaluate_batch(Some(&empty), 0, None, Some(&wanted), None) },
         KSTRIP_OK
     );
 }

@@ -1,5 +1,7 @@
 //! The models against CONTACT, their slopes, patches, friction and the inverse.
 
+#[path = "../common/names.rs"]
+mod names;
 #[path = "../common/patches.rs"]
 mod patches;
 #[path = "../../benches/peers/mod.rs"]

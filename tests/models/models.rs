@@ -445,6 +445,7 @@ fn everywhere(
             power: f64::from(s.power),
             adhesion: f64::from(s.adhesion),
             notice: s.notice,
+            reserved: 0,
         });
         check(&Way { options, single: true }, &double, solution);
     }

@@ -2,28 +2,18 @@
 
 use crate::patches;
 use crate::random;
-use crate::single;
 use crate::theory;
 
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
-use kstrip::ffi::friction::*;
-use kstrip::ffi::patch::*;
-use kstrip::ffi::patch_friction::*;
-use kstrip::ffi::patch_single::*;
-use kstrip::ffi::patch_types::*;
-use kstrip::ffi::types::*;
-use kstrip::ffi::types_f32::*;
 use kstrip::friction::{self, SlipFriction};
 use kstrip::patch::friction::{friction_share, solve, solve_jacobian};
 use kstrip::patch::solver::{self, PatchField};
 use kstrip::patch::{Patch, PatchStrip};
-use kstrip::solve::model::{self, Model};
+use kstrip::solve::model::Model;
 use kstrip::status::{Error, Notice};
 use patches::{Comparison, Full, irregular, motion};
 use random::Random;
-use single::single;
-use std::mem::MaybeUninit;
 use theory::{COUNTS, contact, options};
 
 const DRY: SlipFriction<f64> = SlipFriction {
@@ -268,143 +258,6 @@ fn bad_input_is_named() {
     }
     let far = Creepage { longitudinal: f64::NAN, ..m };
     assert_eq!(solve(&view, &far, &DRY, Model::Strip), Err(Error::NotFinite));
-}
-
-/// Single precision follows double, through the C functions; the share is optional; a C patch under friction has
-/// the forces under friction, and an ellipse its field.
-#[test]
-fn c_functions_in_both_precisions() {
-    let mut random = Random::new(428);
-    let law64 = kstrip_friction {
-        friction: -1.0, // not used
-        ratio: 0.4,
-        decay: 0.6,
-        rolling_speed: 20.0,
-        slope_factor: 0.7,
-    };
-    let law32 = kstrip_friction_f32 {
-        friction: f32::NAN,
-        ratio: 0.4,
-        decay: 0.6,
-        rolling_speed: 20.0,
-        slope_factor: 0.7,
-    };
-    for _ in 0..200 {
-        let c = contact(random.log_between(0.2, 5.0), random.between(0.0, 0.5));
-        let [xi, eta, psi] = [0; 3].map(|_| random.between(-3.0, 3.0));
-        let m = theory::creepage(&c, xi, eta, 0.3 * psi);
-        let (mut patch, mut patch32) = (MaybeUninit::uninit(), MaybeUninit::uninit());
-        assert_eq!(kstrip_patch_from_ellipse(Some(&c.into()), 16, Some(&mut patch)), 0);
-        let narrow = single(&c);
-        assert_eq!(kstrip_patch_from_ellipse_f32(Some(&narrow.into()), 16, Some(&mut patch32)), 0);
-        // SAFETY: written.
-        let (patch, patch32): (kstrip_patch, kstrip_patch_f32) =
-            unsafe { (patch.assume_init(), patch32.assume_init()) };
-        let motion = kstrip_creepage::from(m);
-        let motion32 = kstrip_creepage_f32 {
-            longitudinal: m.longitudinal as f32,
-            lateral: m.lateral as f32,
-            spin: m.spin as f32,
-        };
-        let (mut result, mut share) = (MaybeUninit::uninit(), MaybeUninit::uninit());
-        let mut entries = [0.0; 9];
-        // SAFETY: nine numbers.
-        let status = unsafe {
-            kstrip_patch_solve_friction_jacobian(
-                Some(&patch),
-                Some(&motion),
-                Some(&law64),
-                None,
-                Some(&mut result),
-                entries.as_mut_ptr(),
-                Some(&mut share),
-            )
-        };
-        assert!(status >= 0);
-        // SAFETY: written.
-        let (result, share): (kstrip_result, f64) =
-            unsafe { (result.assume_init(), share.assume_init()) };
-        let (mut other, mut other32) = (MaybeUninit::uninit(), MaybeUninit::uninit());
-        let (p, k) = (Some(&patch), Some(&motion));
-        let status = kstrip_patch_solve_friction(p, k, Some(&law64), None, Some(&mut other), None);
-        // SAFETY: written.
-        let other: kstrip_result = unsafe { other.assume_init() };
-        let bound = c.friction * c.normal_force;
-        assert!(status >= 0 && (other.fx - result.fx).abs() < 1e-12 * bound);
-        let (p32, k32) = (Some(&patch32), Some(&motion32));
-        let status =
-            kstrip_patch_solve_friction_f32(p32, k32, Some(&law32), None, Some(&mut other32), None);
-        // SAFETY: written.
-        let other32 = unsafe { other32.assume_init() };
-        assert!(status >= 0 && (f64::from(other32.fx) - result.fx).abs() < 1e-4 * bound);
-        let mut entries32 = [0.0_f32; 9];
-        let mut again32 = MaybeUninit::uninit();
-        // SAFETY: nine numbers.
-        let status = unsafe {
-            kstrip_patch_solve_friction_jacobian_f32(
-                p32,
-                k32,
-                Some(&law32),
-                None,
-                Some(&mut again32),
-                entries32.as_mut_ptr(),
-                None,
-            )
-        };
-        let size = bound / theory::slip_unit(&c);
-        assert!(status >= 0 && (f64::from(entries32[0]) - entries[0]).abs() < 2e-3 * size);
-
-        let (mut slipping, mut slipping32) = (MaybeUninit::uninit(), MaybeUninit::uninit());
-        let mut again = MaybeUninit::uninit();
-        let law = Some(&law64);
-        let status =
-            kstrip_patch_under_friction(p, k, law, None, Some(&mut slipping), Some(&mut again));
-        // SAFETY: written.
-        let (slipping, again) = unsafe { (slipping.assume_init(), again.assume_init()) };
-        assert!(status >= 0 && again == share);
-        let mut plain = MaybeUninit::uninit();
-        assert!(kstrip_patch_solve(Some(&slipping), k, None, Some(&mut plain)) >= 0);
-        // SAFETY: written.
-        assert!((unsafe { plain.assume_init() }.fx - result.fx).abs() < 1e-11 * bound);
-        let law = Some(&law32);
-        let status =
-            kstrip_patch_under_friction_f32(p32, k32, law, None, Some(&mut slipping32), None);
-        // SAFETY: written.
-        let strip = unsafe { slipping32.assume_init() }.strips[3];
-        assert!(status >= 0 && (f64::from(strip.friction) - share * c.friction).abs() < 2e-5);
-
-        // The ellipse, slipping
-        let law = kstrip_friction { friction: c.friction, ..law64 };
-        let mut ellipse = MaybeUninit::uninit();
-        let (cc, law) = (kstrip_contact::from(c), Some(&law));
-        let status = kstrip_contact_under_friction(Some(&cc), k, law, None, Some(&mut ellipse));
-        // SAFETY: written.
-        let ellipse = unsafe { ellipse.assume_init() };
-        assert!(status >= 0 && (ellipse.friction - share * c.friction).abs() < 1e-12);
-        let (from_ellipse, from_patch) =
-            (model::Field::new(&ellipse.into(), &m, &Default::default()).unwrap(), slipping);
-        let (x, y) = (0.3 * from_patch.strips[6].half_length, from_patch.strips[6].y);
-        let mut point = MaybeUninit::uninit();
-        let status = kstrip_patch_traction_at(Some(&from_patch), k, None, x, y, Some(&mut point));
-        // SAFETY: written.
-        let point: kstrip_point = unsafe { point.assume_init() };
-        let wanted = from_ellipse.at(x, y);
-        let p0 = c.peak_pressure();
-        assert!(status >= 0 && (point.traction_x - wanted.traction_x).abs() < 1e-8 * p0);
-        assert!((point.slip_x - wanted.slip_x).abs() < 1e-8 && point.state == wanted.state as i32);
-        let narrow_law = kstrip_friction_f32 { friction: narrow.friction, ..law32 };
-        let mut ellipse32 = MaybeUninit::uninit();
-        let status = kstrip_contact_under_friction_f32(
-            Some(&narrow.into()),
-            k32,
-            Some(&narrow_law),
-            None,
-            Some(&mut ellipse32),
-        );
-        // SAFETY: written.
-        let ellipse32 = unsafe { ellipse32.assume_init() };
-        assert!(status >= 0 && (f64::from(ellipse32.friction) - ellipse.friction).abs() < 2e-5);
-    }
 }
 
 /// A greasy half under falling friction: each strip has the same share of its own friction.

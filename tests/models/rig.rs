@@ -7,14 +7,11 @@ use crate::theory;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
-use kstrip::ffi;
-use kstrip::ffi::rig::*;
 use kstrip::rig::{Measured, creepage_for_force, estimate_friction};
 use kstrip::solve::model::{self, Model, Options};
 use kstrip::status::{Error, Notice};
 use random::Random;
 use single::single;
-use std::mem::MaybeUninit;
 use theory::{contact, options};
 
 const SATURATING: [Model; 4] =
@@ -303,42 +300,4 @@ fn single_precision_round_trips() {
     }
     println!("{frictions} frictions, {creepages} creepages, {lost} not converged");
     assert!(frictions > 400 && lost * 50 < 1_000);
-}
-
-/// The C functions: what is not measured may be anything; errors touch nothing.
-#[test]
-fn c_functions_answer_as_the_header_says() {
-    let c = contact(1.0, 0.28);
-    let m = theory::creepage(&c, 0.6, 0.2, 0.1);
-    let s = model::solve(&c, &m, &Options::default()).unwrap();
-    let (cc, cm) = (c.into(), m.into());
-    let call = |measured, fx, fy| {
-        let mut out = MaybeUninit::<kstrip_friction_estimate>::uninit();
-        // SAFETY: zero is a value of every member.
-        unsafe { out.as_mut_ptr().write_bytes(0, 1) };
-        let status =
-            kstrip_estimate_friction(Some(&cc), Some(&cm), None, measured, fx, fy, Some(&mut out));
-        // SAFETY: initialised above.
-        (status, unsafe { out.assume_init() })
-    };
-    let (status, e) = call(ffi::KSTRIP_MEASURED_FX, s.fx, f64::NAN);
-    assert!(status == 0 && (e.friction - c.friction).abs() < 1e-10, "{status} {e:?}");
-    let (status, e) = call(ffi::KSTRIP_MEASURED_FY, f64::NAN, s.fy);
-    assert!(status == 0 && (e.friction - c.friction).abs() < 1e-10, "{status} {e:?}");
-    for (measured, fx, expected) in [
-        (0, s.fx, ffi::KSTRIP_ERROR_MEASURED),
-        (4, s.fx, ffi::KSTRIP_ERROR_MEASURED),
-        (1, f64::NAN, ffi::KSTRIP_ERROR_NOT_FINITE),
-        (3, f64::INFINITY, ffi::KSTRIP_ERROR_NOT_FINITE),
-        (1, -s.fx, ffi::KSTRIP_ERROR_UNEXPLAINED),
-    ] {
-        let (status, e) = call(measured, fx, s.fy);
-        assert_eq!((status, e.friction, e.status_detail), (expected, 0.0, 0));
-    }
-    let status = kstrip_estimate_friction(Some(&cc), Some(&cm), None, 1, 1.0, 1.0, None);
-    assert_eq!(status, ffi::KSTRIP_ERROR_NULL);
-    assert_eq!(
-        kstrip_creepage_for_force(Some(&cc), 1.0, 1.0, 0.0, None, None),
-        ffi::KSTRIP_ERROR_NULL
-    );
 }

@@ -5,13 +5,9 @@ use crate::theory;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::ffi;
-use kstrip::ffi::evaluate::*;
-use kstrip::ffi::types::*;
 use kstrip::solve::evaluate::{Wanted, evaluate};
 use kstrip::solve::model::{self, Model, Solution};
 use random::Random;
-use std::mem::MaybeUninit;
 use theory::{COUNTS, contact, options};
 
 fn motion(longitudinal: f64, lateral: f64, spin: f64) -> Creepage<f64> {
@@ -157,70 +153,6 @@ fn short_paths_join_in_single_precision() {
             for i in 0..4 {
                 assert!((on[i] - beside[i]).abs() < 2e-4, "{i} {on:?} {beside:?} {o:?} {m:?}");
             }
-        }
-    }
-}
-
-/// The C function hands out what the others do, and touches nothing else.
-#[test]
-fn c_function_fills_what_is_wanted() {
-    let c = contact(1.0, 0.28);
-    let m = theory::creepage(&c, 0.3, -0.2, 0.4);
-    let o = kstrip_options { model: 3, strips: 16 };
-    let (cc, cm) = (c.into(), m.into());
-    let empty = kstrip_strip {
-        y: 7.5,
-        width: 7.5,
-        half_length: 7.5,
-        separatrix: 7.5,
-        fx: 7.5,
-        fy: 7.5,
-        mz: 7.5,
-        power: 7.5,
-        state: 7,
-        reserved: 7,
-    };
-    for wanted in 0..32_u32 {
-        let mut result = MaybeUninit::uninit();
-        let (mut entries, mut strips, mut count) = ([7.5; 9], [empty; 16], MaybeUninit::new(99));
-        // SAFETY: nine numbers, sixteen strips.
-        let status = unsafe {
-            kstrip_evaluate(
-                Some(&cc),
-                Some(&cm),
-                Some(&o),
-                wanted,
-                Some(&mut result),
-                entries.as_mut_ptr(),
-                strips.as_mut_ptr(),
-                16,
-                Some(&mut count),
-            )
-        };
-        assert_eq!(status, 0);
-        // SAFETY: written, and initialised above.
-        let (result, count): (kstrip_result, u32) =
-            unsafe { (result.assume_init(), count.assume_init()) };
-        let core = options(Model::Strip, COUNTS[2]);
-        let (slopes, j) = model::solve_jacobian(&c, &m, &core).unwrap();
-        let plain = model::solve(&c, &m, &core).unwrap();
-        let wants = |flag| wanted & flag != 0;
-        let full = if wants(ffi::KSTRIP_WANT_JACOBIAN) { slopes } else { plain };
-        assert_eq!((result.fx, result.fy), (full.fx, full.fy));
-        let moment = if wants(ffi::KSTRIP_WANT_MOMENT) { full.mz } else { 0.0 };
-        let adhesion = if wants(ffi::KSTRIP_WANT_ADHESION) { full.adhesion } else { -1.0 };
-        assert_eq!((result.mz, result.adhesion), (moment, adhesion));
-        if wants(ffi::KSTRIP_WANT_JACOBIAN) {
-            assert_eq!((entries[1], entries[8]), (j[(0, 1)], j[(2, 2)]));
-        } else {
-            assert_eq!(entries, [7.5; 9]);
-        }
-        if wants(ffi::KSTRIP_WANT_STRIPS) {
-            assert_eq!(count, 16);
-            let sum: f64 = strips.iter().map(|strip| strip.fy).sum();
-            assert!((sum - full.fy).abs() < 1e-9 * c.normal_force);
-        } else {
-            assert!(count == 99 && strips.iter().all(|strip| *strip == empty));
         }
     }
 }
