@@ -230,11 +230,13 @@ where
     L::Stored: Precision,
 {
     let problem = Problem { contact, creepage, options: *options };
+    let load = contact.normal_force;
     let (forces, notices, within) = if MODEL == LINEAR {
         let linear = coefficients(contact);
         let forces = problem.linear(&linear, creepage);
-        let size = model::linear_size(forces.fx, forces.fy);
-        (forces, linear_notices(size, contact.friction_bound()), L::one())
+        let size = load.choose(model::linear_size(forces.fx, forces.fy), L::zero());
+        let bound = load.choose(contact.friction_bound(), L::zero());
+        (forces, linear_notices(size, bound), L::one())
     } else {
         let parameters = Parameters::new_inline(contact, creepage);
         let bound = contact.friction_bound();
@@ -245,7 +247,8 @@ where
             mz: mz.scale(bound * problem.mean_radius()),
             adhesion,
         };
-        let notices = notices(options.model, bound, parameters.axis_ratio, parameters.psi);
+        let carried = load.choose(bound, L::zero());
+        let notices = notices(options.model, carried, parameters.axis_ratio, parameters.psi);
         (forces, notices, within)
     };
     let Creepage { longitudinal, lateral, spin } = *creepage;
@@ -255,8 +258,9 @@ where
     let zero = L::zero();
     let motion = longitudinal.abs() + lateral.abs() + spin.abs();
     let resting = if MODEL == TOTAL { adhesion } else { L::one() };
-    let [fx, fy, mut mz, mut power] = L::each(&[fx, fy, mz, power], |x| motion.choose(*x, zero));
-    let mut adhesion = motion.choose(adhesion, resting);
+    let [fx, fy, mut mz, mut power] =
+        L::each(&[fx, fy, mz, power], |x| load.choose(motion.choose(*x, zero), zero));
+    let mut adhesion = load.choose(motion.choose(adhesion, resting), zero);
     // as `evaluate::leave_out`
     if !wanted.moment {
         (mz, power) = (zero, zero);

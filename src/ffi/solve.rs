@@ -227,14 +227,16 @@ pub extern "C" fn kstrip_result_on_upper_body(
     })
 }
 
+/// Strips, and a place for their number.
+type StripPlaces<'a, F> = (&'a mut [MaybeUninit<StripResult<F>>], Place<'a, u32>);
+
 /// The wanted outputs.
 pub(super) struct Places<'a, F: Precision> {
     pub(super) result: Place<'a, Solution<F>>,
     pub(super) derivatives: Place<'a, Derivatives<F>>,
     pub(super) law_derivatives: Place<'a, LawDerivatives<F>>,
     pub(super) friction: Place<'a, F>,
-    /// With a place for their number.
-    pub(super) strips: Option<(&'a mut [MaybeUninit<StripResult<F>>], Place<'a, u32>)>,
+    pub(super) strips: Option<StripPlaces<'a, F>>,
 }
 
 impl<F: Precision> Places<'_, F> {

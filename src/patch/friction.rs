@@ -260,7 +260,7 @@ pub fn differentiate<F: Precision>(
     let rows = jacobian.iter().zip(translation).zip([1.0, 1.0, 4.0 / 3.0]);
     for ((euler, hertz), ((row, translation), power)) in euler.iter_mut().zip(&mut hertz).zip(rows)
     {
-        *euler = *euler - (translation + row[2] * spin);
+        *euler -= translation + row[2] * spin;
         *hertz = hertz.times(power) - translation.times(1.0 / 3.0);
     }
     let mean = bound / load;

@@ -235,7 +235,7 @@ macro_rules! any_company {
                         std::array::from_fn(|k| problems.iter().map(|p| p[k]).collect());
                     let from = batch_arrays(arrays.each_ref().map(|array| array.as_ptr()));
                     let mut found: [Vec<$float>; 5] = std::array::from_fn(|_| vec![7.0; count]);
-                    let mut details = vec![99; count as usize];
+                    let mut details = vec![Notice::NotConverged.code(); count as usize];
                     let places = found.each_mut().map(|array| array.as_mut_ptr());
                     let to = batch_results_arrays(places, details.as_mut_ptr());
                     let (count, options) = (count as u32, Some(&options));

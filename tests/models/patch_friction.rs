@@ -248,7 +248,7 @@ fn bad_input_is_named() {
         (SlipFriction { decay: -1.0, ..DRY }, Error::FrictionDecay),
         (SlipFriction { decay: f64::INFINITY, ..DRY }, Error::NotFinite),
         (SlipFriction { rolling_speed: -1.0, ..DRY }, Error::NegativeSpeed),
-        (SlipFriction { slope_factor: 0.0, ..DRY }, Error::SlopeFactor),
+        (SlipFriction { slope_factor: -0.1, ..DRY }, Error::SlopeFactor),
     ] {
         assert_eq!(solve(&view, &m, &law, Model::Strip), Err(error));
         assert_eq!(friction_share(&view, &m, &law, Model::Strip), Err(error));
