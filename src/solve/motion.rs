@@ -1,145 +1,308 @@
-//! Rolling in either direction, standstill between them.
+//! Rolling forward, backward, and standstill between them.
+//!
+//! **Creepage** is slip over rolling speed, which ends where the wheel stands. A floor below the speed carries it through:
+//!
+//! ```text
+//! V_f = √(V² + floor²),   υx, υy = slip/V_f,   φ = spin rate/V_f
+//! ```
+//!
+//! At standstill the contact is then a damper of `C/floor`, `C` the slope of the creep curve; with the default floor of 0.02 m/s a railway
+//! wheel that is held on a slope of 1:50 creeps at 4 µm/s.
+//!
+//! **The leading edge** is at `x > 0` forward and at `x < 0` backward. Backward rolling is forward rolling seen from the other
+//! end: turn the contact by 180 degrees about `z`, solve, turn back. With `R = diag(−1, −1, 1)`
+//!
+//! ```text
+//! F₊(c) = F(c),   F₋(c) = R F(R c),   F = w(V) F₊ + w(−V) F₋,   w = (2 + 3t − t³)/4,   t = V/(3 floor)
+//! ```
+//!
+//! `w` is 1 from `t = 1` on, so that beyond three floors one end leads; between, forces and all derivatives are continuous. Both ends
+//! oppose the slip and keep the bound, hence their mean does: power `F · slip + M_z · spin rate ≥ 0`, `|F| ≤ μ N`. Motion
+//! turned by 180 degrees gives turned forces, to the bit.
+//!
+//! **Falling friction** takes `V_f` for its rolling speed: what it falls with is the slip velocity, at standstill too. Each end
+//! has the friction that agrees with its own slip.
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::friction::SlipFriction;
-use crate::solve::derivatives::{Derivatives, Differentiated, differentiate as at_creepage};
-use crate::solve::model::{Options, Precision, Solution};
+use crate::contact::warning;
+use crate::friction::{self, FrictionSolution, SlipFriction};
+use crate::number::Float;
+use crate::solve::derivatives::{self, Differentiated};
+use crate::solve::model::{self, Options, Precision, Solution};
 use crate::status::Error;
 
-/// How the upper body moves over the lower one at the contact.
+/// Floor of the rolling speed where none is given \[m/s\].
+const FLOOR: f64 = 0.02;
+/// Beyond so many floors one end of the contact leads.
+const BLENDED: f64 = 3.0;
+/// Creepages are judged at this speed at least \[m/s\]: below, any slip is plausible.
+const JUDGED: f64 = 1.0;
+
+/// How the upper body moves over the lower body at their contact, in axes that do not turn with the direction of rolling.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion<F> {
-    /// Velocity of the upper over the lower body along x \[m/s\].
+    /// Velocity of the upper over the lower body along `x` \[m/s\].
     pub slip_x: F,
-    /// Along y \[m/s\].
+    /// Velocity of the upper over the lower body along `y` \[m/s\].
     pub slip_y: F,
-    /// Angular velocity of the upper over the lower body about z \[rad/s\].
+    /// Angular velocity of the upper over the lower body about `z` \[rad/s\].
     pub spin_rate: F,
-    /// Rolling speed \[m/s\]: positive along x, negative backward.
+    /// Rolling speed `V` \[m/s\]: positive along `x`, negative backward, zero at standstill.
     pub rolling_speed: F,
-    /// Speed below which creepages grow no further \[m/s\], >= 0; 0: 0.02.
+    /// Speed below which creepages grow no further \[m/s\], not negative; 0: 0.02 m/s.
     pub floor_speed: F,
 }
 
-/// Derivatives of fx, fy, mz by the motion, by load and by friction.
+/// Derivatives of `(F_x, F_y, M_z)`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionDerivatives<F> {
-    /// By slip_x, slip_y, spin_rate, row by row \[N, N, N m over m/s, m/s, rad/s\].
+    /// By slip along `x`, slip along `y` and spin rate, row by row: N, N, N m over m/s, m/s, rad/s.
     pub slip: [[F; 3]; 3],
-    /// By the rolling speed \[N, N, N m over m/s\].
+    /// By the rolling speed, at constant slip and spin rate: N, N, N m over m/s.
     pub rolling_speed: [F; 3],
-    /// By the normal force at fixed a and b \[-, -, m\].
+    /// By the normal force at fixed `a` and `b`: –, –, m.
     pub normal_force: [F; 3],
-    /// By the normal force while a and b follow it as Hertz says \[-, -, m\].
+    /// By the normal force while `a` and `b` follow it as Hertz says: –, –, m.
     pub load_through_hertz: [F; 3],
-    /// By the coefficient of friction, that of the law where there is one \[N, N, N m\].
+    /// By the coefficient of friction, that of the law where there is one: N, N, N m.
     pub friction: [F; 3],
+    /// By the ratio `A` of the law, 0 without one: N, N, N m.
+    pub ratio: [F; 3],
+    /// By the decay `B` of the law, 0 without one: N, N, N m over s/m.
+    pub decay: [F; 3],
+    /// By the slope factor `k` of the law, at 1 without one: N, N, N m.
+    pub slope_factor: [F; 3],
 }
 
-/// Forces of a contact that rolls forward, backward or not at all; power in watts; and the coefficient of friction.
+/// Forces of a contact that rolls forward, backward or not at all, with the power in watts, `F · slip + M_z · spin rate`; and
+/// the coefficient of friction. The rolling speed of the law is not used.
 ///
 /// # Errors
-/// Those of [`differentiate`](at_creepage), [`Error::FloorSpeed`].
+/// Those of [`model::solve`] and, with a law, [`friction::solve`]; [`Error::NotFinite`], [`Error::FloorSpeed`].
+///
+/// # Example
+/// A wheel that stands on a slope creeps, and one that rolls back is braked:
+/// ```
+/// use kstrip::{contact::Contact, solve::model::Options, solve::motion::{solve, Motion}};
+/// let contact = Contact {
+///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
+/// };
+/// let creeps = Motion { slip_x: 5e-6, ..Motion::default() };
+/// let backward = Motion { slip_x: 1e-3, rolling_speed: -2.0, ..Motion::default() };
+/// for motion in [creeps, backward] {
+///     let (forces, _) = solve(&contact, &motion, None, &Options::default())?;
+///     assert!(forces.fx > 0.0 && forces.power > 0.0);
+/// }
+/// # Ok::<(), kstrip::status::Error>(())
+/// ```
 pub fn solve<F: Precision>(
     contact: &Contact<F>,
     motion: &Motion<F>,
     law: Option<&SlipFriction<F>>,
     options: &Options,
 ) -> Result<(Solution<F>, F), Error> {
-    differentiate(contact, motion, law, options).map(|(solution, friction, _)| (solution, friction))
+    let rolling = Rolling::new(motion)?;
+    let law = law.map(|law| SlipFriction { rolling_speed: rolling.speed, ..*law });
+    let [forward, backward] = rolling.each(|creepage| match &law {
+        Some(law) => {
+            let FrictionSolution { solution, friction } =
+                friction::solve(contact, creepage, law, options)?;
+            Ok((solution, friction))
+        }
+        None => Ok((model::solve(contact, creepage, options)?, contact.friction)),
+    })?;
+    rolling.solution(contact, forward, backward)
 }
 
-/// [`solve`] with derivatives.
+/// [`solve`] with derivatives by everything.
 ///
 /// # Errors
-/// Those of [`solve`].
+/// Those of [`solve`]; [`Error::Overflow`] also when a derivative does not fit the floating-point type.
 pub fn differentiate<F: Precision>(
     contact: &Contact<F>,
     motion: &Motion<F>,
     law: Option<&SlipFriction<F>>,
     options: &Options,
 ) -> Result<(Solution<F>, F, MotionDerivatives<F>), Error> {
-    let Motion { slip_x, slip_y, spin_rate, rolling_speed, floor_speed } = *motion;
-    let inputs = [slip_x, slip_y, spin_rate, rolling_speed, floor_speed];
-    if !inputs.iter().all(|input| input.is_finite_number()) {
-        return Err(Error::NotFinite);
+    let rolling = Rolling::new(motion)?;
+    let law = law.map(|law| SlipFriction { rolling_speed: rolling.speed, ..*law });
+    let [forward, backward] = rolling
+        .each(|creepage| derivatives::differentiate(contact, creepage, law.as_ref(), options))?;
+    let found = |of: &Differentiated<F>| (of.solution, of.friction);
+    let (solution, friction) = rolling.solution(contact, found(&forward), found(&backward))?;
+    let slopes = rolling.slopes(&forward, &backward);
+    if slopes.entries().all(F::is_finite_number) {
+        Ok((solution, friction, slopes))
+    } else {
+        Err(Error::Overflow)
     }
-    if floor_speed < F::zero() {
-        return Err(Error::FloorSpeed);
-    }
-    let floor = if floor_speed > F::zero() { floor_speed } else { F::constant(0.02) };
-    // V_f = √(V² + floor²)
-    let speed = (rolling_speed * rolling_speed + floor * floor).sqrt();
-    let law = law.map(|law| SlipFriction { rolling_speed: speed, ..*law });
-    // forward, and backward with the patch turned by 180 degrees
-    let solve = |sign: F| {
+}
+
+/// A motion as creepages, and the shares of both ends.
+struct Rolling<F> {
+    motion: Motion<F>,
+    /// `V_f` \[m/s\]
+    speed: F,
+    /// `∂V_f/∂V = V/V_f`
+    speed_by_rolling: F,
+    /// `w(V)`, `w(−V)`
+    shares: [F; 2],
+    /// `dw/dV` \[s/m\], the same for `w(V)` and, negative, for `w(−V)`
+    share_slope: F,
+    creepage: Creepage<F>,
+}
+
+impl<F: Precision> Rolling<F> {
+    fn new(motion: &Motion<F>) -> Result<Self, Error> {
+        let Motion { slip_x, slip_y, spin_rate, rolling_speed, floor_speed } = *motion;
+        let inputs = [slip_x, slip_y, spin_rate, rolling_speed, floor_speed];
+        if !inputs.iter().all(|input| input.is_finite_number()) {
+            return Err(Error::NotFinite);
+        }
+        if floor_speed < F::zero() {
+            return Err(Error::FloorSpeed);
+        }
+        let floor = if floor_speed > F::zero() { floor_speed } else { F::constant(FLOOR) };
+        // V_f = √(V² + floor²), whose squares may overflow or vanish
+        let (larger, smaller) = (floor.max(rolling_speed.abs()), floor.min(rolling_speed.abs()));
+        let speed = larger * (smaller / larger).squared().plus(1.0).sqrt();
+        // w(V) = (2 + 3t − t³)/4,  t = V/(3 floor)
+        let t = (rolling_speed / floor.times(BLENDED)).clamped(-F::one(), F::one());
+        let odd = t * (F::constant(3.0) - t * t);
+        let shares = [odd, -odd].map(|odd| odd.plus(2.0).times(0.25));
+        let share_slope = (F::one() - t * t) / floor.times(4.0 * BLENDED / 3.0);
         let creepage = Creepage {
-            longitudinal: sign * slip_x / speed,
-            lateral: sign * slip_y / speed,
+            longitudinal: slip_x / speed,
+            lateral: slip_y / speed,
             spin: spin_rate / speed,
         };
-        at_creepage(contact, &creepage, law.as_ref(), options)
-    };
-    // the share of forward rolling (1 + V/V_f (3 − V²/V_f²)/2)/2, and its slope by V
-    let u = rolling_speed / speed;
-    let share = (F::one() + (u * (F::constant(3.0) - u * u)).times(0.5)).times(0.5);
-    let by_u = (F::one() - u * u).times(0.75);
-    let by_speed = by_u * (F::one() - u * u) / speed;
-    let ahead = solve(F::one())?;
-    let behind = solve(-F::one())?;
-    let other = F::one() - share;
-    let turned = [-F::one(), -F::one(), F::one()];
-    let both = |ahead: [F; 3], behind: [F; 3]| -> [F; 3] {
-        let [a, b, c] = ahead;
-        let [d, e, f] = behind;
-        [share * a - other * d, share * b - other * e, share * c + other * f]
-    };
-    let of = |found: &Differentiated<F>| {
-        let Solution { fx, fy, mz, .. } = found.solution;
-        [fx, fy, mz]
-    };
-    let [fx, fy, mz] = both(of(&ahead), of(&behind));
-    let (d, e): (Derivatives<F>, Derivatives<F>) = (ahead.derivatives, behind.derivatives);
-    // rows of both directions, by slip_x, slip_y (turned twice), spin_rate
-    let rows = d.jacobian.iter().zip(&e.jacobian).zip(turned);
-    let mut slip = [[F::zero(); 3]; 3];
-    for (place, ((forward, backward), turn)) in slip.iter_mut().zip(rows) {
-        let columns = forward.iter().zip(backward).zip(turned);
-        for (entry, ((forward, backward), across)) in place.iter_mut().zip(columns) {
-            *entry = (share * *forward + other * *backward * turn * across) / speed;
+        creepage.check().map_err(|_| Error::Overflow)?;
+        let speed_by_rolling = rolling_speed / speed;
+        Ok(Self { motion: *motion, speed, speed_by_rolling, shares, share_slope, creepage })
+    }
+
+    /// What is found forward, and what is found backward in axes turned by 180 degrees; where one end leads, twice what is
+    /// found for it, once with a share of zero.
+    fn each<S: Copy>(
+        &self,
+        solve: impl Fn(&Creepage<F>) -> Result<S, Error>,
+    ) -> Result<[S; 2], Error> {
+        let Creepage { longitudinal, lateral, spin } = self.creepage;
+        let turned = Creepage { longitudinal: -longitudinal, lateral: -lateral, spin };
+        let [ahead, behind] = self.shares;
+        if behind <= F::zero() {
+            return solve(&self.creepage).map(|found| [found; 2]);
+        }
+        if ahead <= F::zero() {
+            return solve(&turned).map(|found| [found; 2]);
+        }
+        Ok([solve(&self.creepage)?, solve(&turned)?])
+    }
+
+    /// `w(V) p + w(−V) q`, exactly `p` where both are the same.
+    fn mean(&self, p: F, q: F) -> F {
+        let [ahead, behind] = self.shares;
+        if p == q { p } else { ahead * p + behind * q }
+    }
+
+    /// `w(V) F₊ + w(−V) R F₋` of forces, or of their derivatives by what does not turn.
+    fn both(&self, [x, y, z]: [F; 3], [turned_x, turned_y, z_turned]: [F; 3]) -> [F; 3] {
+        [self.mean(x, -turned_x), self.mean(y, -turned_y), self.mean(z, z_turned)]
+    }
+
+    fn solution(
+        &self,
+        contact: &Contact<F>,
+        (forward, friction): (Solution<F>, F),
+        (backward, friction_backward): (Solution<F>, F),
+    ) -> Result<(Solution<F>, F), Error> {
+        let [fx, fy, mz] = self.both(forces(&forward), forces(&backward));
+        let Motion { slip_x, slip_y, spin_rate, .. } = self.motion;
+        let power = fx * slip_x + fy * slip_y + mz * spin_rate;
+        if !power.is_finite_number() {
+            return Err(Error::Overflow);
+        }
+        // Below JUDGED any slip is plausible.
+        let judged = (self.speed / F::constant(JUDGED)).min(F::one());
+        let Creepage { longitudinal, lateral, spin } = self.creepage;
+        let seen = Creepage {
+            longitudinal: longitudinal * judged,
+            lateral: lateral * judged,
+            spin: spin * judged,
+        };
+        let notice = forward.notice.worse(backward.notice).worse(warning(contact, &seen));
+        let adhesion = self.mean(forward.adhesion, backward.adhesion);
+        let solution = Solution { fx, fy, mz, power, adhesion, notice, ..forward };
+        Ok((solution, self.mean(friction, friction_backward)))
+    }
+
+    fn slopes(
+        &self,
+        forward: &Differentiated<F>,
+        backward: &Differentiated<F>,
+    ) -> MotionDerivatives<F> {
+        let (ahead, behind) = (&forward.derivatives, &backward.derivatives);
+        let ([ax, ay, az], [bx, by, bz]) = (ahead.jacobian, behind.jacobian);
+        // J₋ = R J R
+        let turned = |[x, y, z]: [F; 3], sign: F| [x * sign, y * sign, -(z * sign)];
+        let per_speed = |ahead: [F; 3], behind: [F; 3]| {
+            let [[x, y, z], [u, v, w]] = [ahead, behind];
+            [self.mean(x, u), self.mean(y, v), self.mean(z, w)].map(|slope| slope / self.speed)
+        };
+        let one = F::one();
+        let slip = [
+            per_speed(ax, turned(bx, one)),
+            per_speed(ay, turned(by, one)),
+            per_speed(az, turned(bz, -one)),
+        ];
+        let by_law = self.both(forward.law.rolling_speed, backward.law.rolling_speed);
+        // dF/dV = w' (F₊ − F₋) + (∂F/∂V_f − (∂F/∂slip) slip/V_f) ∂V_f/∂V
+        let Motion { slip_x, slip_y, spin_rate, .. } = self.motion;
+        let ([fx, fy, mz], [gx, gy, gz]) = (forces(&forward.solution), forces(&backward.solution));
+        let apart = [fx + gx, fy + gy, mz - gz];
+        let mut rolling_speed = apart.map(|apart| apart * self.share_slope);
+        for ((entry, [x, y, z]), by_law) in rolling_speed.iter_mut().zip(slip).zip(by_law) {
+            let falls = (x * slip_x + y * slip_y + z * spin_rate) / self.speed;
+            *entry += (by_law - falls) * self.speed_by_rolling;
+        }
+        MotionDerivatives {
+            slip,
+            rolling_speed,
+            normal_force: self.both(ahead.normal_force, behind.normal_force),
+            load_through_hertz: self.both(ahead.load_through_hertz, behind.load_through_hertz),
+            friction: self.both(ahead.friction, behind.friction),
+            ratio: self.both(forward.law.ratio, backward.law.ratio),
+            decay: self.both(forward.law.decay, backward.law.decay),
+            slope_factor: self.both(forward.law.slope_factor, backward.law.slope_factor),
         }
     }
-    let motion = [slip_x, slip_y, spin_rate];
-    let mut by_rolling = [F::zero(); 3];
-    let ends = of(&ahead).into_iter().zip(of(&behind)).zip(turned);
-    let laws = ahead.law.rolling_speed.into_iter().zip(behind.law.rolling_speed);
-    for ((entry, ((forward, backward), turn)), (row, laws)) in
-        by_rolling.iter_mut().zip(ends).zip(slip.iter().zip(laws))
-    {
-        let [x, y, z] = [row[0] * motion[0], row[1] * motion[1], row[2] * motion[2]];
-        let through_law = share * laws.0 + other * laws.1 * turn;
-        // creepages fall like 1/V_f, ∂V_f/∂V = V/V_f
-        *entry = by_speed * (forward - backward * turn) + (through_law - (x + y + z) / speed) * u;
+}
+
+fn forces<F: Float>(solution: &Solution<F>) -> [F; 3] {
+    let Solution { fx, fy, mz, .. } = *solution;
+    [fx, fy, mz]
+}
+
+impl<F: Float> MotionDerivatives<F> {
+    fn entries(&self) -> impl Iterator<Item = F> {
+        let Self { slip: [x, y, z], rolling_speed, normal_force, load_through_hertz, .. } = *self;
+        let Self { friction, ratio, decay, slope_factor, .. } = *self;
+        [
+            x,
+            y,
+            z,
+            rolling_speed,
+            normal_force,
+            load_through_hertz,
+            friction,
+            ratio,
+            decay,
+            slope_factor,
+        ]
+        .into_iter()
+        .flatten()
     }
-    let mean = |p: F, q: F| share * p + other * q;
-    let solution = Solution {
-        fx,
-        fy,
-        mz,
-        power: fx * slip_x + fy * slip_y + mz * spin_rate,
-        adhesion: mean(ahead.solution.adhesion, behind.solution.adhesion),
-        notice: ahead.solution.notice.worse(behind.solution.notice),
-        reserved: 0,
-    };
-    let derivatives = MotionDerivatives {
-        slip,
-        rolling_speed: by_rolling,
-        normal_force: both(d.normal_force, e.normal_force),
-        load_through_hertz: both(d.load_through_hertz, e.load_through_hertz),
-        friction: both(d.friction, e.friction),
-    };
-    Ok((solution, mean(ahead.friction, behind.friction), derivatives))
 }

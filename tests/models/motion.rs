@@ -1,0 +1,581 @@
+//! Rolling forward, backward, and standstill between them.
+
+use crate::random::Random;
+use kstrip::contact::Contact;
+use kstrip::contact::creepage::Creepage;
+use kstrip::contact::forces::StripCount;
+use kstrip::friction::{self, SlipFriction};
+use kstrip::solve::derivatives;
+use kstrip::solve::model::{self, Model, Options, Solution};
+use kstrip::solve::motion::{Motion, MotionDerivatives, differentiate, solve};
+use kstrip::status::{Error, Notice};
+
+const C0: Contact<f64> = Contact {
+    a: 6e-3,
+    b: 4.5e-3,
+    normal_force: 80e3,
+    shear_modulus: 82e9,
+    poisson_ratio: 0.28,
+    friction: 0.3,
+};
+const FLOOR: f64 = 0.02;
+const WET: SlipFriction<f64> =
+    SlipFriction { friction: 0.3, ratio: 0.4, decay: 0.6, rolling_speed: 0.0, slope_factor: 0.5 };
+const LAWS: [Option<SlipFriction<f64>>; 2] = [None, Some(WET)];
+
+fn options(model: Model) -> Options {
+    Options { model, strips: StripCount::Sixteen }
+}
+
+fn of(solution: &Solution<f64>) -> [f64; 3] {
+    [solution.fx, solution.fy, solution.mz]
+}
+
+fn any_contact(random: &mut Random) -> Contact<f64> {
+    let (ratio, size) = (random.log_between(0.2, 5.0).sqrt(), random.log_between(1e-4, 2e-2));
+    let (a, b) = (size * ratio, size / ratio);
+    let friction = random.between(0.05, 0.6);
+    let normal_force = random.log_between(1e-3, 2e-2) * 82e9 * a * b * 2.0;
+    Contact { a, b, normal_force, friction, poisson_ratio: random.between(0.0, 0.5), ..C0 }
+}
+
+/// Slip from nearly linear to full sliding at the speed that it has, with spin of either sign.
+fn any_motion(random: &mut Random, contact: &Contact<f64>, rolling_speed: f64) -> Motion<f64> {
+    let Contact { a, b, normal_force, shear_modulus, friction, .. } = *contact;
+    let unit = friction * normal_force / (shear_modulus * a * b) * rolling_speed.hypot(FLOOR);
+    let size = unit * random.log_between(0.03, 3.0);
+    let [slip_x, slip_y, spin] = [0; 3].map(|_| size * random.between(-1.0, 1.0));
+    Motion { slip_x, slip_y, spin_rate: spin / (a * b).sqrt(), rolling_speed, floor_speed: 0.0 }
+}
+
+fn any_speed(random: &mut Random) -> f64 {
+    match random.bits() % 4 {
+        0 => 0.0,
+        1 => random.between(-0.06, 0.06),
+        2 => random.sign() * random.log_between(1e-9, 1e-2),
+        _ => random.sign() * random.log_between(0.05, 50.0),
+    }
+}
+
+/// From three floors on it is one end that leads, exactly: forward the creepage is slip over speed, backward the contact is turned by
+/// 180 degrees, solved and turned back.
+#[test]
+fn far_from_standstill_one_end_leads() {
+    let mut random = Random::new(201);
+    for n in 0..400 {
+        let (c, o) = (any_contact(&mut random), options(Model::ALL[n % 5]));
+        let speed = if n % 3 == 0 { 0.06 } else { random.log_between(0.0601, 100.0) };
+        for sign in [1.0, -1.0] {
+            let m = any_motion(&mut random, &c, sign * speed);
+            let ratio = FLOOR / speed;
+            let divisor = speed * (ratio * ratio + 1.0).sqrt();
+            assert!((divisor / speed.hypot(FLOOR) - 1.0).abs() < 1e-15);
+            let creepage = Creepage {
+                longitudinal: sign * (m.slip_x / divisor),
+                lateral: sign * (m.slip_y / divisor),
+                spin: m.spin_rate / divisor,
+            };
+            let plain = model::solve(&c, &creepage, &o).unwrap();
+            let expected = [sign * plain.fx, sign * plain.fy, plain.mz];
+            let (found, mu) = solve(&c, &m, None, &o).unwrap();
+            assert_eq!((of(&found), mu, found.adhesion), (expected, c.friction, plain.adhesion));
+            let law = SlipFriction { rolling_speed: divisor, ..WET };
+            let wet = friction::solve(&c, &creepage, &law, &o).unwrap();
+            let (found, mu) = solve(&c, &m, Some(&WET), &o).unwrap();
+            let fy = sign * wet.solution.fy;
+            assert_eq!((found.fy, found.mz, mu), (fy, wet.solution.mz, wet.friction));
+        }
+    }
+}
+
+/// A wheel that rolls backward with creepage .001 along and .0005 across and spin .4: TOTAL gave (7672, -4328) N; the forces of forward
+/// rolling, (7584, 11823) N, have the wrong lateral sign, and the negative of them drives the slip.
+#[test]
+fn backward_rolling_has_the_force_of_the_turned_contact() {
+    let backward = |model| {
+        let motion = Motion {
+            slip_x: 20.0 * 1e-3,
+            slip_y: 20.0 * 0.5e-3,
+            spin_rate: 20.0 * 0.4,
+            rolling_speed: -20.0,
+            floor_speed: 0.0,
+        };
+        let (found, _) = solve(&C0, &motion, None, &options(model)).unwrap();
+        assert!(found.power > 0.0);
+        let (forward, _) =
+            solve(&C0, &Motion { rolling_speed: 20.0, ..motion }, None, &options(model)).unwrap();
+        assert!(forward.fy > 7e3 && found.fy < -2e3, "{model:?} {forward:?} {found:?}");
+        [found.fx, found.fy]
+    };
+    for model in [Model::Strip, Model::Strip1967, Model::Strip1967Continuous] {
+        backward(model);
+    }
+    let [fx, fy] = backward(Model::Total);
+    // one per cent of the bound: what a new fit of TOTAL may move
+    assert!((fx - 7672.0).hypot(fy + 4328.0) < 240.0, "{fx} {fy}");
+}
+
+/// Turned by 180 degrees about z the same motion has the same forces, moment, power and derivatives: to the bit. Seen in a mirror along or
+/// across the rolling direction too, as far as the model sums its strips alike from either side: to rounding.
+#[test]
+fn mirrors_are_exact() {
+    let mut random = Random::new(202);
+    for n in 0..600 {
+        let (c, o) = (any_contact(&mut random), options(Model::ALL[n % 5]));
+        let speed = any_speed(&mut random);
+        let m = any_motion(&mut random, &c, speed);
+        let law = LAWS[n / 5 % 2];
+        let (found, mu, slopes) = differentiate(&c, &m, law.as_ref(), &o).unwrap();
+        let (plain, plain_mu) = solve(&c, &m, law.as_ref(), &o).unwrap();
+        assert!((plain.fx - found.fx).abs() <= 1e-12 * c.friction_bound());
+        assert!((plain_mu - mu).abs() <= 1e-12);
+        // x and y to their negatives; x alone; y alone: signs of (x, y, moment or spin)
+        for [x, y, z] in [[-1.0, -1.0, 1.0], [-1.0, 1.0, -1.0], [1.0, -1.0, -1.0]] {
+            let seen = Motion {
+                slip_x: x * m.slip_x,
+                slip_y: y * m.slip_y,
+                spin_rate: z * m.spin_rate,
+                rolling_speed: x * m.rolling_speed,
+                ..m
+            };
+            let (image, image_mu, image_slopes) =
+                differentiate(&c, &seen, law.as_ref(), &o).unwrap();
+            let signs = [x, y, z];
+            let turn = |v: [f64; 3]| std::array::from_fn::<f64, 3, _>(|i| signs[i] * v[i]);
+            let expected = MotionDerivatives {
+                slip: std::array::from_fn(|i| turn(slopes.slip[i].map(|s| s * signs[i]))),
+                rolling_speed: turn(slopes.rolling_speed).map(|s| s * x),
+                normal_force: turn(slopes.normal_force),
+                load_through_hertz: turn(slopes.load_through_hertz),
+                friction: turn(slopes.friction),
+                ratio: turn(slopes.ratio),
+                decay: turn(slopes.decay),
+                slope_factor: turn(slopes.slope_factor),
+            };
+            if z > 0.0 {
+                assert_eq!(of(&image), turn(of(&found)), "{n} {o:?} {m:?}");
+                let seen = (image.power, image.adhesion, image_mu);
+                assert_eq!(seen, (found.power, found.adhesion, mu), "{n} {o:?} {m:?}");
+                assert_eq!(image_slopes, expected, "{n} {o:?} {m:?}");
+                continue;
+            }
+            let unit = 1e-11 * c.friction_bound().max(found.fx.hypot(found.fy));
+            for (image, own) in of(&image).into_iter().zip(turn(of(&found))) {
+                assert!((image - own).abs() < unit, "{n} {o:?} {m:?}: {image} {own}");
+            }
+            let (image, own) = (scaled(&c, &m, &image_slopes), scaled(&c, &m, &expected));
+            for (image, own) in image.into_iter().zip(own) {
+                assert!((image - own).abs() < 1e-8 * (1.0 + own.abs()), "{n} {o:?}: {image} {own}");
+            }
+        }
+    }
+}
+
+/// All derivatives as one list of thirty numbers, each over a size that it does not exceed by much.
+fn scaled(c: &Contact<f64>, m: &Motion<f64>, slopes: &MotionDerivatives<f64>) -> Vec<f64> {
+    let radius = (c.a * c.b).sqrt();
+    let speed = m.rolling_speed.hypot(FLOOR);
+    let stiffness = 5.0 * c.shear_modulus * c.a * c.b;
+    let bound = c.friction_bound();
+    let MotionDerivatives { slip, rolling_speed, normal_force, load_through_hertz, .. } = *slopes;
+    let mut list = Vec::new();
+    let rows = [1.0, 1.0, radius];
+    for (i, row) in rows.into_iter().enumerate() {
+        for (slope, column) in slip[i].into_iter().zip(rows) {
+            list.push(slope / (row * column * stiffness / speed));
+        }
+        list.push(rolling_speed[i] / (row * bound / speed));
+        list.push(normal_force[i] / (row * c.friction));
+        list.push(load_through_hertz[i] / (row * c.friction));
+        list.push(slopes.friction[i] / (row * c.normal_force));
+        list.push(slopes.ratio[i] / (row * bound));
+        list.push(slopes.decay[i] / (row * bound));
+        list.push(slopes.slope_factor[i] / (row * bound));
+    }
+    list
+}
+
+/// Force, moment and every derivative pass through V = 0 and V = ±3 floors without a jump, in every model, with and without falling
+/// friction.
+#[test]
+fn force_and_derivatives_are_continuous_through_standstill() {
+    let mut random = Random::new(203);
+    for n in 0..300 {
+        let (c, o) = (any_contact(&mut random), options(Model::ALL[n % 5]));
+        let law = LAWS[n / 5 % 2];
+        for at in [0.0, 3.0 * FLOOR, -3.0 * FLOOR] {
+            let m = any_motion(&mut random, &c, at);
+            let step = 1e-8 * FLOOR;
+            let here = |v: f64| {
+                let m = Motion { rolling_speed: v, ..m };
+                let (found, _, slopes) = differentiate(&c, &m, law.as_ref(), &o).unwrap();
+                let radius = (c.a * c.b).sqrt();
+                let forces =
+                    [found.fx, found.fy, found.mz / radius].map(|f| f / c.friction_bound());
+                (forces, scaled(&c, &m, &slopes))
+            };
+            let ((f, p), (g, q)) = (here(at - step), here(at + step));
+            for (f, g) in f.into_iter().zip(g) {
+                assert!((f - g).abs() < 1e-6 * (1.0 + f.abs()), "{n} {at} {o:?} {m:?}: {f} {g}");
+            }
+            for (k, (p, q)) in p.into_iter().zip(q).enumerate() {
+                assert!(
+                    (p - q).abs() < 1e-5 * (1.0 + p.abs()),
+                    "{n} {at} {o:?} entry {k}: {p} {q}"
+                );
+            }
+        }
+    }
+}
+
+/// From -4 to 4 floors in steps: the force is the integral of its derivative by V, so that neither jumps anywhere.
+#[test]
+fn the_force_is_the_integral_of_its_slope_by_speed() {
+    for law in LAWS {
+        for [x, y, z] in [[2e-5, 1e-5, 8e-3], [1e-3, -5e-4, 0.2], [0.0, 1e-5, 0.0], [0.0, 0.0, 0.3]]
+        {
+            let at = |v: f64| {
+                let m = Motion {
+                    slip_x: x,
+                    slip_y: y,
+                    spin_rate: z,
+                    rolling_speed: v,
+                    floor_speed: FLOOR,
+                };
+                let (found, _, slopes) =
+                    differentiate(&C0, &m, law.as_ref(), &options(Model::Total)).unwrap();
+                (of(&found), slopes.rolling_speed)
+            };
+            let (n, end) = (1000, 4.0 * FLOOR);
+            let h = 2.0 * end / f64::from(n);
+            let (mut before, mut worst) = (at(-end), 0.0_f64);
+            for k in 1..=n {
+                let (force, slope) = at(f64::from(k) * h - end);
+                for i in 0..3 {
+                    let size = 24e3 * [1.0, 1.0, 5e-3][i];
+                    let change = h * 0.5 * (slope[i] + before.1[i]);
+                    worst = worst.max((force[i] - before.0[i] - change).abs() / size);
+                }
+                before = (force, slope);
+            }
+            assert!(worst < 1e-5, "{law:?} {x} {y} {z}: {worst:e}");
+        }
+    }
+}
+
+/// Every derivative against differences: slip, spin rate, speed, load at a fixed ellipse and through Hertz, friction and the law.
+#[test]
+fn derivatives_are_those_of_the_forces() {
+    let mut random = Random::new(204);
+    let (mut compared, mut doubted) = (0, 0);
+    for n in 0..240 {
+        let (c, o) = (any_contact(&mut random), options(Model::ALL[n % 5]));
+        let law = LAWS[n / 5 % 2].map(|law| SlipFriction { friction: c.friction, ..law });
+        let speed = any_speed(&mut random);
+        let m = any_motion(&mut random, &c, speed);
+        let (_, _, s) = differentiate(&c, &m, law.as_ref(), &o).unwrap();
+        let (radius, v_f) = ((c.a * c.b).sqrt(), speed.hypot(FLOOR));
+        let slip = m.slip_x.abs() + m.slip_y.abs() + radius * m.spin_rate.abs();
+        let shaken = |which: usize, by: f64| {
+            let (mut c, mut m, mut law) = (c, m, law);
+            let factor = 1.0 + by;
+            match which {
+                0 => m.slip_x += by * slip,
+                1 => m.slip_y += by * slip,
+                2 => m.spin_rate += by * slip / radius,
+                3 => m.rolling_speed += by * v_f,
+                4 => c.normal_force *= factor,
+                5 => {
+                    c.normal_force *= factor;
+                    c.a *= factor.cbrt();
+                    c.b *= factor.cbrt();
+                }
+                6 => match &mut law {
+                    Some(law) => law.friction *= factor,
+                    None => c.friction *= factor,
+                },
+                7 => law.iter_mut().for_each(|law| law.ratio += by),
+                8 => law.iter_mut().for_each(|law| law.decay *= factor),
+                _ => law.iter_mut().for_each(|law| law.slope_factor *= factor),
+            }
+            of(&solve(&c, &m, law.as_ref(), &o).unwrap().0)
+        };
+        let size = of(&solve(&c, &m, law.as_ref(), &o).unwrap().0);
+        let size = size[0].abs() + size[1].abs() + size[2].abs() / radius;
+        for which in 0..if law.is_some() { 10 } else { 7 } {
+            let by = |h: f64| {
+                let (p, q) = (shaken(which, h), shaken(which, -h));
+                std::array::from_fn::<f64, 3, _>(|i| (p[i] - q[i]) / (2.0 * h))
+            };
+            let (coarse, fine) = (by(2e-4), by(1e-4));
+            for i in 0..3 {
+                let slope = match which {
+                    0..=2 => s.slip[i][which] * if which == 2 { slip / radius } else { slip },
+                    3 => s.rolling_speed[i] * v_f,
+                    4 => s.normal_force[i] * c.normal_force,
+                    5 => s.load_through_hertz[i] * c.normal_force,
+                    6 => s.friction[i] * c.friction,
+                    7 => s.ratio[i],
+                    8 => s.decay[i] * WET.decay,
+                    _ => s.slope_factor[i] * WET.slope_factor,
+                };
+                let unit = size * [1.0, 1.0, radius][i];
+                // A kink inside the differences makes them differ from each other.
+                if (coarse[i] - fine[i]).abs() > 1e-6 * unit {
+                    doubted += 1;
+                    continue;
+                }
+                compared += 1;
+                let error = (slope - (4.0 * fine[i] - coarse[i]) / 3.0).abs() / unit;
+                assert!(error < 3e-6, "{n} {o:?} {law:?} by {which} of {i}: {error:e} {slope}");
+            }
+        }
+    }
+    assert!(compared > 5000 && doubted < compared / 5, "{compared} {doubted}");
+}
+
+/// Friction takes energy out, and no more than it can hold, at every speed through standstill; with falling friction the bound is
+/// that of the friction that is reported.
+#[test]
+fn friction_opposes_slip_and_keeps_its_bound() {
+    let mut random = Random::new(205);
+    for n in 0..4000 {
+        let c = any_contact(&mut random);
+        let model = [Model::Total, Model::Strip][n % 2];
+        let law = LAWS[n / 2 % 2];
+        let speed = any_speed(&mut random);
+        let mut m = any_motion(&mut random, &c, speed);
+        let huge = 10f64.powf(random.between(0.0, 3.0));
+        (m.slip_x, m.slip_y) = (m.slip_x * huge, m.slip_y * huge);
+        let (found, mu) = solve(&c, &m, law.as_ref(), &options(model)).unwrap();
+        let rigid = m.slip_x.hypot(m.slip_y) + (c.a + c.b) * m.spin_rate.abs();
+        let bound = mu * c.normal_force;
+        assert!(found.power >= -1e-9 * bound * rigid, "{n} {c:?} {m:?} {found:?}");
+        assert!(found.fx.hypot(found.fy) <= bound * (1.0 + 1e-12), "{n} {m:?} {found:?}");
+        assert!(mu <= law.map_or(c.friction, |law| law.friction));
+    }
+}
+
+/// The slip velocity decides about falling friction at standstill: a wheel that spins at 2 m/s on the spot.
+#[test]
+fn friction_falls_with_the_slip_velocity_at_standstill() {
+    for slip in [0.5, 2.0, 10.0] {
+        let m = Motion { slip_x: slip, ..Motion::default() };
+        let (found, mu) = solve(&C0, &m, Some(&WET), &options(Model::Total)).unwrap();
+        let expected = 0.3 * (0.6 * (-0.6 * slip).exp() + 0.4);
+        assert!((mu - expected).abs() < 1e-3, "{slip}: {mu} {expected}");
+        assert!((found.fx / (mu * 80e3) - 1.0).abs() < 1e-2);
+    }
+}
+
+/// Nothing touches, nothing is carried; the loop goes on.
+#[test]
+fn a_lost_contact_carries_nothing_at_any_speed() {
+    let mut random = Random::new(206);
+    for n in 0..100 {
+        let o = options(Model::ALL[n % 5]);
+        let lost = [
+            Contact { normal_force: 0.0, ..C0 },
+            Contact { normal_force: -3.0, ..C0 },
+            Contact { a: 0.0, b: 0.0, normal_force: 0.0, ..C0 },
+            Contact { a: 0.0, b: 0.0, normal_force: -1e-12, ..C0 },
+        ][n % 4];
+        let speed = any_speed(&mut random);
+        let m = any_motion(&mut random, &C0, speed);
+        let law = LAWS[n / 4 % 2];
+        let (found, _, slopes) = differentiate(&lost, &m, law.as_ref(), &o).unwrap();
+        let Solution { power, adhesion, notice, .. } = found;
+        assert_eq!((of(&found), power, adhesion, notice), ([0.0; 3], 0.0, 0.0, Notice::None));
+        let none = [0.0; 3];
+        let (load_through_hertz, friction, ratio) = (none, none, none);
+        let expected = MotionDerivatives {
+            slip: [none; 3],
+            rolling_speed: none,
+            normal_force: none,
+            load_through_hertz,
+            friction,
+            ratio,
+            decay: none,
+            slope_factor: none,
+        };
+        assert_eq!(slopes, expected);
+        assert_eq!(of(&solve(&lost, &m, law.as_ref(), &o).unwrap().0), [0.0; 3]);
+    }
+}
+
+#[test]
+fn bad_motions_are_named_and_extreme_ones_answered() {
+    let o = options(Model::Total);
+    let good =
+        Motion { slip_x: 1e-3, slip_y: 1e-3, spin_rate: 0.1, rolling_speed: 1.0, floor_speed: 0.0 };
+    let refused = |m: Motion<f64>| {
+        let error = solve(&C0, &m, None, &o).err();
+        assert_eq!(error, differentiate(&C0, &m, None, &o).err());
+        error
+    };
+    assert_eq!(refused(good), None);
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for m in [
+            Motion { slip_x: bad, ..good },
+            Motion { slip_y: bad, ..good },
+            Motion { spin_rate: bad, ..good },
+            Motion { rolling_speed: bad, ..good },
+            Motion { floor_speed: bad, ..good },
+        ] {
+            assert_eq!(refused(m), Some(Error::NotFinite));
+        }
+    }
+    assert_eq!(refused(Motion { floor_speed: -1e-9, ..good }), Some(Error::FloorSpeed));
+    let no_contact = Contact { a: 0.0, ..C0 };
+    assert_eq!(solve(&no_contact, &good, None, &o).err(), Some(Error::SemiAxis));
+    // squares that overflow or vanish
+    for (speed, floor) in [(1e200, 1e-3), (-1e200, 0.0), (0.0, 1e-200), (1e-250, 1e-200)] {
+        let m = Motion {
+            slip_x: 1e-205,
+            slip_y: 0.0,
+            spin_rate: 0.0,
+            rolling_speed: speed,
+            floor_speed: floor,
+        };
+        let (found, _) = solve(&C0, &m, None, &o).unwrap();
+        assert!(found.fx >= 0.0 && found.fx < 24e3, "{speed:e} {floor:e} {found:?}");
+    }
+    let beyond = Motion { slip_x: 1e200, floor_speed: 1e-200, rolling_speed: 0.0, ..good };
+    assert_eq!(refused(beyond), Some(Error::Overflow));
+}
+
+/// Below walking pace any slip is plausible; at speed, a spin rate in degrees per second is not.
+#[test]
+fn wheel_spin_at_standstill_is_not_implausible() {
+    let spun = Motion { slip_x: 5.0, spin_rate: 0.5, ..Motion::default() };
+    let said = |m: Motion<f64>| solve(&C0, &m, None, &options(Model::Total)).unwrap().0.notice;
+    assert_eq!(said(spun), Notice::OutsideRange);
+    assert_eq!(said(Motion { spin_rate: 0.01, ..spun }), Notice::None);
+    let rolling = Motion { slip_x: 0.01, spin_rate: 10.0 * 0.5, rolling_speed: 10.0, ..spun };
+    assert_eq!(said(rolling), Notice::None);
+    assert_eq!(said(Motion { spin_rate: rolling.spin_rate.to_degrees(), ..rolling }), Notice::Spin);
+    assert_eq!(said(Motion { slip_x: 200.0, ..rolling }), Notice::Creepage);
+    let soft = Contact { shear_modulus: 82.0, ..C0 };
+    let found = solve(&soft, &spun, None, &options(Model::Total)).unwrap().0;
+    assert_eq!(found.notice, Notice::Pressure);
+}
+
+/// At rest the slopes are those of linear theory over the floor, without the coupling of spin and lateral slip: neither end leads.
+#[test]
+fn at_rest_the_contact_is_a_damper_of_linear_theory() {
+    let still = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
+    for model in Model::ALL {
+        let (_, slopes) = derivatives::solve(&C0, &still, &options(model)).unwrap();
+        let j = slopes.jacobian;
+        let (_, _, s) = differentiate(&C0, &Motion::default(), None, &options(model)).unwrap();
+        for i in 0..3 {
+            for k in 0..3 {
+                let coupling = (i == 2) != (k == 2);
+                let expected = if coupling { 0.0 } else { j[i][k] / FLOOR };
+                assert_eq!(s.slip[i][k], expected, "{model:?} {i} {k}");
+            }
+        }
+        assert_eq!(s.rolling_speed, [0.0; 3]);
+    }
+}
+
+/// Single precision follows.
+#[test]
+fn single_precision_follows() {
+    let mut random = Random::new(207);
+    for n in 0..200 {
+        let (c, o) = (any_contact(&mut random), options(Model::ALL[n % 5]));
+        let speed = any_speed(&mut random);
+        let m = any_motion(&mut random, &c, speed);
+        let single = Contact::<f32> {
+            a: c.a as f32,
+            b: c.b as f32,
+            normal_force: c.normal_force as f32,
+            shear_modulus: c.shear_modulus as f32,
+            poisson_ratio: c.poisson_ratio as f32,
+            friction: c.friction as f32,
+        };
+        let motion = Motion::<f32> {
+            slip_x: m.slip_x as f32,
+            slip_y: m.slip_y as f32,
+            spin_rate: m.spin_rate as f32,
+            rolling_speed: m.rolling_speed as f32,
+            floor_speed: 0.0,
+        };
+        let (expected, _) = solve(&c, &m, None, &o).unwrap();
+        let (found, _, _) = differentiate(&single, &motion, None, &o).unwrap();
+        let size = c.friction_bound().max(expected.fx.hypot(expected.fy));
+        assert!((f64::from(found.fx) - expected.fx).abs() < 1e-4 * size, "{n} {o:?}");
+        assert!((f64::from(found.fy) - expected.fy).abs() < 1e-4 * size, "{n} {o:?}");
+    }
+}
+
+/// A quarter of a vehicle on a slope of 1:50, x uphill: brake to rest, hold, roll back, hold, drive off, in one run of a linearly
+/// implicit step at 60 Hz with one call each.
+#[test]
+fn a_vehicle_stops_holds_rolls_back_and_drives_off() {
+    // mass of the vehicle and of the rim \[kg\], weight along the slope \[N\]
+    let (mass, rim, weight) = (8150.0, 400.0, 8150.0 * 9.81 / 50.0);
+    let h = 1.0 / 60.0;
+    for model in [Model::Total, Model::Strip, Model::Linear] {
+        for law in LAWS {
+            let (mut s, mut v, mut w) = (0.0, 2.0, 2.0);
+            let mut marks = Vec::new();
+            for step in 0..20 * 60 {
+                let t = f64::from(step) * h;
+                let braked = t < 8.0 || (11.0..16.0).contains(&t);
+                let drive = if t >= 16.0 { 6e3 } else { 0.0 };
+                let m = Motion { slip_x: v - w, rolling_speed: v, ..Motion::default() };
+                let (found, _, slopes) =
+                    differentiate(&C0, &m, law.as_ref(), &options(model)).unwrap();
+                let (force, by_slip) = (found.fx, slopes.slip[0][0]);
+                let by_v = by_slip + slopes.rolling_speed[0];
+                // (1 + h F_v/m) dv - h F_s/m dw = -h (F + weight)/m,  -h F_v/r dv + (1 + h F_s/r) dw = h (F + torque)/r
+                let step = |torque: f64| {
+                    let [[p, q], [r, u]] = [
+                        [1.0 + h * by_v / mass, -h * by_slip / mass],
+                        [-h * by_v / rim, 1.0 + h * by_slip / rim],
+                    ];
+                    let [f, g] = [-h * (force + weight) / mass, h * (force + torque) / rim];
+                    let det = p * u - q * r;
+                    [(f * u - g * q) / det, (p * g - r * f) / det]
+                };
+                let brake = if braked { -6e3 * f64::signum(w) } else { 0.0 };
+                let [mut dv, mut dw] = step(drive + brake);
+                if braked && (w == 0.0 || w * (w + dw) < 0.0) {
+                    // The brake locks the wheel.
+                    dw = -w;
+                    dv = (-h * (force + weight) / mass + h * by_slip / mass * dw)
+                        / (1.0 + h * by_v / mass);
+                }
+                let energy =
+                    |s: f64, v: f64, w: f64| mass * v * v / 2.0 + rim * w * w / 2.0 + weight * s;
+                let before = energy(s, v, w);
+                s += h * (v + 0.5 * dv);
+                (v, w) = (v + dv, w + dw);
+                let gain = energy(s, v, w) - before;
+                // A step is right to first order: it may gain a millionth of what the vehicle had.
+                assert!(gain <= drive * h * (w - 0.5 * dw) + 0.016, "{model:?} at {t}: {gain}");
+                marks.push([s, v, w]);
+            }
+            let at = |t: f64| marks[(t * 60.0) as usize - 1];
+            let what = format!("{model:?} {law:?}");
+            // stopped and held: creeps below 10 um/s
+            assert_eq!(at(5.0)[2], 0.0, "{what}");
+            let ([s5, v5, _], [s8, ..]) = (at(5.0), at(8.0));
+            assert!(
+                v5 < 0.0 && v5 > -1e-5 && s8 < s5 && s5 - s8 < 3e-5,
+                "{what} {v5:e} {}",
+                s5 - s8
+            );
+            // rolls back like a body of mass and rim
+            let free = -weight / (mass + rim) * 3.0;
+            assert!((at(11.0)[1] / free - 1.0).abs() < 1e-3, "{what} {} {free}", at(11.0)[1]);
+            let ([s14, ..], [s16, v16, w16]) = (at(14.0), at(16.0));
+            assert!(w16 == 0.0 && v16 < 0.0 && v16 > -1e-5 && (s14 - s16) < 2e-5, "{what}");
+            // and drives off
+            let driven = (6e3 - weight) / (mass + rim) * 4.0;
+            assert!((at(20.0)[1] / driven - 1.0).abs() < 2e-3, "{what} {} {driven}", at(20.0)[1]);
+        }
+    }
+}
