@@ -140,6 +140,12 @@ pub enum Notice {
 }
 
 impl Notice {
+    /// Whether an input is implausible, mostly in another unit.
+    #[must_use]
+    pub const fn is_implausible(self) -> bool {
+        self.code() >= Self::Pressure.code()
+    }
+
     /// The status of the C interface, zero or positive.
     #[must_use]
     pub const fn code(self) -> i32 {

@@ -229,6 +229,9 @@ fn solve_group<L: Lanes<N> + Marched, const N: usize, const MODEL: i32>(
 where
     L::Stored: Precision,
 {
+    if !contact.is_plausible(creepage) {
+        return None;
+    }
     let problem = Problem { contact, creepage, options: *options };
     let load = contact.normal_force;
     let (forces, notices, within) = if MODEL == LINEAR {

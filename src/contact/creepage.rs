@@ -101,12 +101,12 @@ impl<F: Plain> Creepage<F> {
         fx * self.longitudinal + fy * self.lateral + mz * self.spin
     }
 
-    /// Whether the numbers are of the usual sizes: `|υ|` up to 100, `|φ|` up to 1e4 per metre; see
+    /// Whether the numbers are of the usual sizes: `|υ|` up to 10, `|φ|` up to 1e4 per metre; see
     /// [`Contact::is_usual`](Contact).
     #[inline(always)]
     pub(crate) fn is_usual(&self) -> bool {
-        self.longitudinal.abs().lies_within(F::of(100.0))
-            && self.lateral.abs().lies_within(F::of(100.0))
+        self.longitudinal.abs().lies_within(F::of(10.0))
+            && self.lateral.abs().lies_within(F::of(10.0))
             && self.spin.abs().lies_within(F::of(1e4))
     }
 }

@@ -80,19 +80,19 @@ impl<F: Float> Contact<F> {
 }
 
 impl<F: Plain> Contact<F> {
-    /// Whether the numbers are of the usual sizes, µm to m, up to GN and TPa; of several contacts side by side, whether
+    /// Whether the numbers are of the usual sizes, 1 µm to 1 m, up to GN and TPa; of several contacts side by side, whether
     /// all are. With creepages likewise ([`Creepage::is_usual`](crate::contact::creepage::Creepage)) no check can fail in either
     /// precision: all products and quotients lie below 1e36. A few comparisons instead of five divisions.
     #[inline(always)]
     pub(crate) fn is_usual(&self) -> bool {
         let Self { a, b, normal_force, shear_modulus, poisson_ratio, friction } = *self;
-        let (shortest, longest) = (F::of(1e-6), F::of(10.0));
+        let (shortest, longest) = (F::of(1e-6), F::of(1.0));
         a.lies_between(shortest, longest)
             && b.lies_between(shortest, longest)
             && normal_force.lies_within(F::of(1e9))
             && shear_modulus.lies_between(F::of(1.0), F::of(1e12))
             && poisson_ratio.lies_within(F::of(0.5))
-            && friction.lies_within(F::of(100.0))
+            && friction.lies_within(F::of(5.0))
     }
 
     /// Whether all is well, told by few comparisons; of several contacts side by side, with all of them. Rarely all is

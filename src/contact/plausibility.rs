@@ -22,9 +22,11 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::number::Float;
+use crate::number::{Float, Plain};
 use crate::status::Notice;
 use core::f64::consts::PI;
+
+// `Contact::is_usual` and `Creepage::is_usual` know the limits of creepage, semi-axes and friction too.
 
 /// `p₀/G` at most.
 const LARGEST_PRESSURE: f64 = 0.1;
@@ -65,6 +67,30 @@ pub fn warning<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>) -> Notice
     Notice::None
 }
 
+impl<F: Plain> Contact<F> {
+    /// Whether the contact is loaded and [`warning`] has nothing to say, told by few comparisons; of several contacts side by
+    /// side, whether that holds for all. Rarely it does also where this says no.
+    #[inline(always)]
+    pub(crate) fn is_plausible(&self, creepage: &Creepage<F>) -> bool {
+        let load = self.normal_force.times(1.5 / PI);
+        let size = creepage.spin.abs() * self.a;
+        let beyond_edge =
+            (size * (creepage.spin.abs() * self.b)).exceeds(F::of(EDGE_SLIP * EDGE_SLIP));
+        let inclined = (size * self.stiffness()).exceeds(load.times(LARGEST_INCLINATION));
+        self.is_usual()
+            && creepage.is_usual()
+            && self.normal_force.is_positive_number()
+            && !load.exceeds(self.stiffness().times(LARGEST_PRESSURE))
+            && !(beyond_edge && inclined)
+    }
+
+    /// `G a b` \[N\]
+    #[inline(always)]
+    fn stiffness(&self) -> F {
+        (self.shear_modulus * self.a) * self.b
+    }
+}
+
 impl<F: Float> Contact<F> {
     /// What is implausible about the contact alone, if anything; nothing about a lost contact.
     #[must_use]
@@ -83,10 +109,5 @@ impl<F: Float> Contact<F> {
         } else {
             Notice::None
         }
-    }
-
-    /// `G a b` \[N\]
-    fn stiffness(&self) -> F {
-        (self.shear_modulus * self.a) * self.b
     }
 }

@@ -30,13 +30,13 @@ use crate::friction::{self, FrictionSolution, SlipFriction};
 use crate::number::Float;
 use crate::solve::derivatives::{self, Differentiated};
 use crate::solve::model::{self, Options, Precision, Solution};
-use crate::status::Error;
+use crate::status::{Error, Notice};
 
 /// Floor of the rolling speed where none is given \[m/s\].
 const FLOOR: f64 = 0.02;
 /// Beyond so many floors one end of the contact leads.
 const BLENDED: f64 = 3.0;
-/// Creepages are judged at this speed at least \[m/s\]: below, any slip is plausible.
+/// Whether creepages are plausible is judged at this speed at least \[m/s\]: below, any slip is.
 const JUDGED: f64 = 1.0;
 
 /// How the upper body moves over the lower body at their contact, in axes that do not turn with the direction of rolling.
@@ -233,7 +233,9 @@ impl<F: Precision> Rolling<F> {
             lateral: lateral * judged,
             spin: spin * judged,
         };
-        let notice = forward.notice.worse(backward.notice).worse(warning(contact, &seen));
+        let both = forward.notice.worse(backward.notice);
+        let of_model = if both.is_implausible() { Notice::None } else { both };
+        let notice = of_model.worse(warning(contact, &seen));
         let adhesion = self.mean(forward.adhesion, backward.adhesion);
         let solution = Solution { fx, fy, mz, power, adhesion, notice, ..forward };
         Ok((solution, self.mean(friction, friction_backward)))

@@ -20,6 +20,7 @@ mod derivatives;
 mod friction;
 mod hard_cases;
 mod models;
+mod motion;
 mod patch;
 mod patch_friction;
 mod peer_methods;

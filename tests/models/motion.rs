@@ -449,7 +449,7 @@ fn bad_motions_are_named_and_extreme_ones_answered() {
 fn wheel_spin_at_standstill_is_not_implausible() {
     let spun = Motion { slip_x: 5.0, spin_rate: 0.5, ..Motion::default() };
     let said = |m: Motion<f64>| solve(&C0, &m, None, &options(Model::Total)).unwrap().0.notice;
-    assert_eq!(said(spun), Notice::OutsideRange);
+    assert!(!said(spun).is_implausible());
     assert_eq!(said(Motion { spin_rate: 0.01, ..spun }), Notice::None);
     let rolling = Motion { slip_x: 0.01, spin_rate: 10.0 * 0.5, rolling_speed: 10.0, ..spun };
     assert_eq!(said(rolling), Notice::None);
