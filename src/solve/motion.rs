@@ -7,7 +7,7 @@
 //! ```
 //!
 //! At standstill the contact is then a damper of `C/floor`, `C` the slope of the creep curve; with the default floor of 0.02 m/s a railway
-//! wheel that is held on a slope of 1:50 creeps at 4 µm/s.
+//! wheel that is held on a slope of 1:50 creeps at 3 µm/s.
 //!
 //! **The leading edge** is at `x > 0` forward and at `x < 0` backward. Backward rolling is forward rolling seen from the other
 //! end: turn the contact by 180 degrees about `z`, solve, turn back. With `R = diag(−1, −1, 1)`
@@ -39,41 +39,41 @@ const BLENDED: f64 = 3.0;
 /// Whether creepages are plausible is judged at this speed at least \[m/s\]: below, any slip is.
 const JUDGED: f64 = 1.0;
 
-/// How the upper body moves over the lower body at their contact, in axes that do not turn with the direction of rolling.
+/// How the upper body moves over the lower one at the contact, in axes that stay when the motion reverses.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion<F> {
-    /// Velocity of the upper over the lower body along `x` \[m/s\].
+    /// Velocity of the upper over the lower body along x \[m/s\].
     pub slip_x: F,
-    /// Velocity of the upper over the lower body along `y` \[m/s\].
+    /// Along y \[m/s\].
     pub slip_y: F,
-    /// Angular velocity of the upper over the lower body about `z` \[rad/s\].
+    /// Angular velocity of the upper over the lower body about z \[rad/s\].
     pub spin_rate: F,
-    /// Rolling speed `V` \[m/s\]: positive along `x`, negative backward, zero at standstill.
+    /// Rolling speed \[m/s\]: positive along x, negative backward, zero at standstill.
     pub rolling_speed: F,
-    /// Speed below which creepages grow no further \[m/s\], not negative; 0: 0.02 m/s.
+    /// Speed below which creepages grow no further \[m/s\], >= 0; 0: 0.02.
     pub floor_speed: F,
 }
 
-/// Derivatives of `(F_x, F_y, M_z)`.
+/// Derivatives of fx, fy, mz by the motion, by load and by friction.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionDerivatives<F> {
-    /// By slip along `x`, slip along `y` and spin rate, row by row: N, N, N m over m/s, m/s, rad/s.
+    /// By slip_x, slip_y, spin_rate, row by row \[N, N, N m over m/s, m/s, rad/s\].
     pub slip: [[F; 3]; 3],
-    /// By the rolling speed, at constant slip and spin rate: N, N, N m over m/s.
+    /// By the rolling speed at constant slip and spin rate \[N, N, N m over m/s\].
     pub rolling_speed: [F; 3],
-    /// By the normal force at fixed `a` and `b`: –, –, m.
+    /// By the normal force at fixed a and b \[-, -, m\].
     pub normal_force: [F; 3],
-    /// By the normal force while `a` and `b` follow it as Hertz says: –, –, m.
+    /// By the normal force while a and b follow it as Hertz says \[-, -, m\].
     pub load_through_hertz: [F; 3],
-    /// By the coefficient of friction, that of the law where there is one: N, N, N m.
+    /// By the coefficient of friction, that of the law where there is one \[N, N, N m\].
     pub friction: [F; 3],
-    /// By the ratio `A` of the law, 0 without one: N, N, N m.
+    /// By the ratio of the law; 0 without one \[N, N, N m\].
     pub ratio: [F; 3],
-    /// By the decay `B` of the law, 0 without one: N, N, N m over s/m.
+    /// By the decay of the law; 0 without one \[N, N, N m over s/m\].
     pub decay: [F; 3],
-    /// By the slope factor `k` of the law, at 1 without one: N, N, N m.
+    /// By the slope factor of the law, at 1 without one \[N, N, N m\].
     pub slope_factor: [F; 3],
 }
 

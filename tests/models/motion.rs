@@ -368,6 +368,30 @@ fn friction_falls_with_the_slip_velocity_at_standstill() {
     }
 }
 
+/// A law of zeros but for what is set: friction alone is constant friction, friction that falls needs no slope factor.
+#[test]
+fn a_law_of_zeros_behaves_as_written() {
+    let zero = SlipFriction {
+        friction: 0.0,
+        ratio: 0.0,
+        decay: 0.0,
+        rolling_speed: 0.0,
+        slope_factor: 0.0,
+    };
+    let mut random = Random::new(208);
+    for n in 0..100 {
+        let (c, o) = (any_contact(&mut random), options(Model::ALL[n % 5]));
+        let speed = any_speed(&mut random);
+        let m = any_motion(&mut random, &c, speed);
+        let constant = SlipFriction { friction: c.friction, ..zero };
+        let (plain, with_law) = (solve(&c, &m, None, &o), solve(&c, &m, Some(&constant), &o));
+        assert_eq!(plain, with_law);
+        let falls = SlipFriction { ratio: 0.4, decay: 0.6, ..constant };
+        let one = SlipFriction { slope_factor: 1.0, ..falls };
+        assert_eq!(solve(&c, &m, Some(&falls), &o), solve(&c, &m, Some(&one), &o));
+    }
+}
+
 /// Nothing touches, nothing is carried; the loop goes on.
 #[test]
 fn a_lost_contact_carries_nothing_at_any_speed() {
