@@ -751,7 +751,7 @@ kstrip_status kstrip_solve_prepared(const struct kstrip_prepared *prepared,
                                     const struct kstrip_creepage *creepage,
                                     struct kstrip_result *result);
 
-/** How the upper body moves over the lower one at the contact. */
+/** How the upper body moves over the lower one at the contact, in axes that stay when the motion reverses. */
 typedef struct kstrip_motion {
     /** Velocity of the upper over the lower body along x [m/s]. */
     double slip_x;
@@ -759,7 +759,7 @@ typedef struct kstrip_motion {
     double slip_y;
     /** Angular velocity of the upper over the lower body about z [rad/s]. */
     double spin_rate;
-    /** Rolling speed [m/s]: positive along x, negative backward. */
+    /** Rolling speed [m/s]: positive along x, negative backward, zero at standstill. */
     double rolling_speed;
     /** Speed below which creepages grow no further [m/s], >= 0; 0: 0.02. */
     double floor_speed;
@@ -769,7 +769,7 @@ typedef struct kstrip_motion {
 typedef struct kstrip_motion_derivatives {
     /** By slip_x, slip_y, spin_rate, row by row [N, N, N m over m/s, m/s, rad/s]. */
     double slip[3][3];
-    /** By the rolling speed [N, N, N m over m/s]. */
+    /** By the rolling speed at constant slip and spin rate [N, N, N m over m/s]. */
     double rolling_speed[3];
     /** By the normal force at fixed a and b [-, -, m]. */
     double normal_force[3];
@@ -777,6 +777,12 @@ typedef struct kstrip_motion_derivatives {
     double load_through_hertz[3];
     /** By the coefficient of friction, that of the law where there is one [N, N, N m]. */
     double friction[3];
+    /** By the ratio of the law; 0 without one [N, N, N m]. */
+    double ratio[3];
+    /** By the decay of the law; 0 without one [N, N, N m over s/m]. */
+    double decay[3];
+    /** By the slope factor of the law, at 1 without one [N, N, N m]. */
+    double slope_factor[3];
 } kstrip_motion_derivatives;
 
 /** Where the outputs of kstrip_solve_motion() go. NULL is not computed and costs nothing. */

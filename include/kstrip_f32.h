@@ -304,7 +304,7 @@ kstrip_status kstrip_solve_prepared_f32(const struct kstrip_prepared_f32 *prepar
                                         const struct kstrip_creepage_f32 *creepage,
                                         struct kstrip_result_f32 *result);
 
-/** How the upper body moves over the lower one at the contact. */
+/** How the upper body moves over the lower one at the contact, in axes that stay when the motion reverses. */
 typedef struct kstrip_motion_f32 {
     float slip_x;
     float slip_y;
@@ -320,6 +320,9 @@ typedef struct kstrip_motion_derivatives_f32 {
     float normal_force[3];
     float load_through_hertz[3];
     float friction[3];
+    float ratio[3];
+    float decay[3];
+    float slope_factor[3];
 } kstrip_motion_derivatives_f32;
 
 /** Where the outputs of kstrip_solve_motion() go. NULL is not computed and costs nothing. */

@@ -540,6 +540,21 @@ fn hunting_starts_at_the_eigenvalue_and_ends_in_a_cycle() {
     assert!(calls[0] > 1e5 && calls[1] == 3.0 * calls[0], "{calls:?}");
 }
 
+/// Brake to rest, hold on a slope, roll back, drive off: the program checks itself and ends with 0; its figures are those of a body on a slope.
+#[test]
+fn standstill_holds_and_reverses() {
+    let text = run_c("c_examples/10_standstill.c");
+    let held: Vec<Vec<f64>> =
+        text.lines().filter(|line| line.starts_with("held:")).map(numbers).collect();
+    assert_eq!(held.len(), 2, "{text}");
+    for drift in held.iter().flatten() {
+        assert!(*drift > 0.0 && *drift < 10.0, "{text}");
+    }
+    let last = text.lines().rfind(|line| line.starts_with("20 s:")).map(numbers).unwrap();
+    // (6000 - 8150 9.81/50)/(8150 + 400) over four seconds
+    assert!((last[2] / 2.0589 - 1.0).abs() < 2e-3, "{text}");
+}
+
 #[test]
 fn falling_friction_has_a_maximum_and_sticks_and_slips() {
     let text = run_c("c_examples/07_falling_friction.c");

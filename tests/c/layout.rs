@@ -20,7 +20,7 @@ layouts! {
     kstrip_batch_outputs { fx, fx_stride, fy, fy_stride, mz, mz_stride, power, power_stride, adhesion, adhesion_stride, status_detail, status_detail_stride, friction, friction_stride, derivatives, derivatives_stride, law_derivatives, law_derivatives_stride }
     kstrip_prepared { numbers, model, strips }
     kstrip_motion { slip_x, slip_y, spin_rate, rolling_speed, floor_speed }
-    kstrip_motion_derivatives { slip, rolling_speed, normal_force, load_through_hertz, friction }
+    kstrip_motion_derivatives { slip, rolling_speed, normal_force, load_through_hertz, friction, ratio, decay, slope_factor }
     kstrip_motion_outputs { result, derivatives, friction }
     kstrip_point { pressure, traction_x, traction_y, slip_x, slip_y, dissipation, state, reserved }
     kstrip_profile_contact { rolling_radius, normal_force, approach, smoothing_length, shear_modulus, poisson_ratio, friction, strips, reserved }
@@ -47,7 +47,7 @@ layouts! {
     kstrip_batch_outputs_f32 { fx, fx_stride, fy, fy_stride, mz, mz_stride, power, power_stride, adhesion, adhesion_stride, status_detail, status_detail_stride, friction, friction_stride, derivatives, derivatives_stride, law_derivatives, law_derivatives_stride }
     kstrip_prepared_f32 { numbers, model, strips }
     kstrip_motion_f32 { slip_x, slip_y, spin_rate, rolling_speed, floor_speed }
-    kstrip_motion_derivatives_f32 { slip, rolling_speed, normal_force, load_through_hertz, friction }
+    kstrip_motion_derivatives_f32 { slip, rolling_speed, normal_force, load_through_hertz, friction, ratio, decay, slope_factor }
     kstrip_motion_outputs_f32 { result, derivatives, friction }
     kstrip_point_f32 { pressure, traction_x, traction_y, slip_x, slip_y, dissipation, state, reserved }
     kstrip_profile_contact_f32 { rolling_radius, normal_force, approach, smoothing_length, shear_modulus, poisson_ratio, friction, strips, reserved }

@@ -26,3 +26,4 @@ mod patch_friction;
 mod peer_methods;
 mod rig;
 mod wanted;
+mod warnings;

@@ -1,0 +1,100 @@
+//! Every model, alone and in a batch, says what is implausible about its contact.
+
+use kstrip::batch::{Problems, Solutions, solve_batch};
+use kstrip::contact::Contact;
+use kstrip::contact::creepage::Creepage;
+use kstrip::contact::forces::StripCount;
+use kstrip::solve::derivatives;
+use kstrip::solve::model::{self, Model, Options, Solution};
+use kstrip::status::Notice;
+
+const C0: Contact<f64> = Contact {
+    a: 6e-3,
+    b: 4.5e-3,
+    normal_force: 80e3,
+    shear_modulus: 82e9,
+    poisson_ratio: 0.28,
+    friction: 0.3,
+};
+/// A worn wheel in a curve.
+const ROLLS: Creepage<f64> = Creepage { longitudinal: 1e-4, lateral: 1e-4, spin: 0.4 };
+
+fn wrong_units() -> [(Contact<f64>, Creepage<f64>, Notice); 8] {
+    [
+        // GPa, MPa
+        (Contact { shear_modulus: 82.0, ..C0 }, ROLLS, Notice::Pressure),
+        (Contact { shear_modulus: 82e3, ..C0 }, ROLLS, Notice::Pressure),
+        // mm
+        (Contact { a: 6.0, b: 4.5, ..C0 }, ROLLS, Notice::SemiAxis),
+        // per cent
+        (C0, Creepage { longitudinal: 12.0, ..ROLLS }, Notice::Creepage),
+        (C0, Creepage { lateral: -12.0, ..ROLLS }, Notice::Creepage),
+        // degrees per metre
+        (C0, Creepage { spin: ROLLS.spin.to_degrees(), ..ROLLS }, Notice::Spin),
+        (C0, Creepage { spin: -ROLLS.spin.to_degrees(), ..ROLLS }, Notice::Spin),
+        // friction in per cent
+        (Contact { friction: 30.0, ..C0 }, ROLLS, Notice::Friction),
+    ]
+}
+
+struct Many(Vec<(Contact<f64>, Creepage<f64>)>);
+
+impl Problems<f64> for Many {
+    fn count(&self) -> usize {
+        self.0.len()
+    }
+    fn get(&self, i: usize) -> Option<(Contact<f64>, Creepage<f64>)> {
+        self.0.get(i).copied()
+    }
+}
+
+struct Found(Vec<Option<Solution<f64>>>);
+
+impl Solutions<f64> for Found {
+    fn put(&mut self, i: usize, solution: Solution<f64>) {
+        self.0[i] = Some(solution);
+    }
+}
+
+#[test]
+fn wrong_units_are_named_by_every_model() {
+    for model in Model::ALL {
+        let options = Options { model, strips: StripCount::Sixteen };
+        assert_eq!(model::solve(&C0, &ROLLS, &options).unwrap().notice, Notice::None);
+        for (contact, creepage, notice) in wrong_units() {
+            let solution = model::solve(&contact, &creepage, &options).unwrap();
+            assert_eq!(solution.notice, notice, "{model:?} {contact:?} {creepage:?}");
+            let (other, _) = model::solve_jacobian(&contact, &creepage, &options).unwrap();
+            assert_eq!(other.notice, notice);
+            let (other, _) = derivatives::solve(&contact, &creepage, &options).unwrap();
+            assert_eq!(other.notice, notice);
+        }
+    }
+}
+
+/// One wrong contact, or one lost one, among ordinary ones: each gets in a batch what it gets alone, and the batch says the worst.
+#[test]
+fn in_a_batch_each_contact_gets_its_own() {
+    let lost = Contact { normal_force: 0.0, ..C0 };
+    let parted = Contact { a: 0.0, b: 0.0, normal_force: -1.0, ..C0 };
+    let rare = wrong_units().map(|(contact, creepage, _)| (contact, creepage));
+    for model in Model::ALL {
+        let options = Options { model, strips: StripCount::Sixteen };
+        for rare in rare.into_iter().chain([(lost, ROLLS), (parted, ROLLS)]) {
+            for place in [0, 5, 16, 18] {
+                let mut many = vec![(C0, ROLLS); 19];
+                many[place] = rare;
+                let mut found = Found(vec![None; 19]);
+                let many = Many(many);
+                let worst = solve_batch(&many, &options, &mut found).unwrap();
+                let mut expected = Notice::None;
+                for (found, (contact, creepage)) in found.0.into_iter().zip(many.0) {
+                    let alone = model::solve(&contact, &creepage, &options).unwrap();
+                    assert_eq!(found, Some(alone), "{model:?} {contact:?}");
+                    expected = expected.worse(alone.notice);
+                }
+                assert_eq!(worst, expected);
+            }
+        }
+    }
+}
