@@ -18,7 +18,6 @@ use crate::number::{Arithmetic, Plain};
 use crate::solve::evaluate::Wanted;
 use crate::solve::model::{self, Forces, LARGEST_SPIN, Model, Options, Precision, Problem, RATIOS};
 use crate::status::{Error, Notice};
-use crate::strip::Marched;
 use crate::strip_1967::totals::StripTheory;
 use crate::total;
 
@@ -137,7 +136,7 @@ fn group<L: Lanes<N>, const N: usize>(
 }
 
 #[inline(always)]
-fn solve<L: Lanes<N> + Marched, const N: usize, const MODEL: i32>(
+fn solve<L: Lanes<N>, const N: usize, const MODEL: i32>(
     problems: &impl Problems<L::Stored>,
     options: &Options,
     wanted: Wanted,
@@ -220,7 +219,7 @@ struct Together<L, const N: usize> {
 
 /// Checked contacts; `None` when they are to be solved one by one.
 #[inline(always)]
-fn solve_group<L: Lanes<N> + Marched, const N: usize, const MODEL: i32>(
+fn solve_group<L: Lanes<N>, const N: usize, const MODEL: i32>(
     contact: &Contact<L>,
     creepage: &Creepage<L>,
     options: &Options,
@@ -277,7 +276,7 @@ where
 /// `Fx/(μ N)`, `Fy/(μ N)`, `Mz/(μ N √(ab))`, the share in adhesion, and a number that is not positive where a contact
 /// is to be solved by itself.
 #[inline(always)]
-fn totals<L: Lanes<N> + Marched, const N: usize, const MODEL: i32>(
+fn totals<L: Lanes<N>, const N: usize, const MODEL: i32>(
     problem: &Problem<L>,
     parameters: &Parameters<L>,
 ) -> Option<[L; 5]>
@@ -295,16 +294,14 @@ where
         }
         STRIP => {
             let linear = &coefficients(problem.contact);
-            let strips = crate::strip::RollingStrips::without_derivatives(
+            let strips = crate::strip::PreparedStrips::new(
                 axis_ratio,
                 poisson_ratio,
                 linear,
-                creepage,
+                problem.options.strips,
             );
-            let rule = model::strip_rule::<L::Stored>(problem.options.strips);
-            let found = strips.totals_side_by_side::<N>(rule)?;
-            let stick = found.stick.clamped(L::zero(), L::one());
-            Some([found.fx, found.fy, found.mz, stick, L::one()])
+            let found = strips.totals(creepage);
+            Some([found.fx, found.fy, found.mz, found.stick, L::one()])
         }
         STRIP_1967 | CONTINUOUS => {
             let theory = StripTheory::new(parameters, problem.sliding_rule());

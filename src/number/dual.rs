@@ -184,6 +184,11 @@ impl<P: Arithmetic<Bare = P>, const M: usize> Arithmetic for Dual<P, M> {
         self.chain(root, P::constant(0.5) / root.max(P::tiny()))
     }
     #[inline(always)]
+    fn inverse_root(self) -> Self {
+        let y = self.value.inverse_root();
+        self.chain(y, (y * (y * y)).times(-0.5))
+    }
+    #[inline(always)]
     fn abs(self) -> Self {
         let negative = -self.value;
         let value = negative.choose(negative, self.value);

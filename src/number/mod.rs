@@ -117,6 +117,16 @@ pub trait Arithmetic:
     ) -> Self;
     /// Product with a plain number.
     fn scale(self, factor: Self::Base) -> Self;
+    /// Product with numbers without derivatives, each with its own.
+    #[inline(always)]
+    fn weigh(self, factor: Self::Bare) -> Self {
+        Self::composed(self.bare() * factor, [factor], [self])
+    }
+    /// Numbers without derivatives.
+    #[inline(always)]
+    fn fixed(x: Self::Bare) -> Self {
+        Self::composed(x, [], [])
+    }
     /// Sum with a plain number.
     fn shift(self, term: Self::Base) -> Self;
     /// Square root of a number that is not negative.

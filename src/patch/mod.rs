@@ -26,7 +26,7 @@ use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::Float;
 use crate::solve::model::Precision;
 use crate::status::Error;
-use crate::strip::Placed;
+use crate::strip::Rule;
 use core::f64::consts::{FRAC_PI_2, PI};
 use heapless::Vec;
 
@@ -392,34 +392,21 @@ pub(crate) fn check_ellipse<F: Precision>(
 pub(crate) fn ellipse<F: Precision>(
     contact: &Contact<F>,
     count: StripCount,
-    take: impl FnMut(PatchStrip<F>) -> bool,
-) -> Result<QuadratureScale<F>, Error> {
-    match count {
-        StripCount::Four => placed::<F, 4>(contact, take),
-        StripCount::Eight => placed::<F, 8>(contact, take),
-        StripCount::Sixteen => placed::<F, 16>(contact, take),
-        StripCount::ThirtyTwo => placed::<F, 32>(contact, take),
-        StripCount::SixtyFour => placed::<F, 64>(contact, take),
-    }
-}
-
-fn placed<F: Placed<N>, const N: usize>(
-    contact: &Contact<F>,
     mut take: impl FnMut(PatchStrip<F>) -> bool,
 ) -> Result<QuadratureScale<F>, Error> {
-    let rule = &F::RULE;
-    for ((y, half_length), width) in rule.y.iter().zip(&rule.half_length).zip(&rule.width) {
+    let rule = Rule::<F>::new(count);
+    for [y, half_length, width] in rule.places() {
         let strip = PatchStrip {
-            y: contact.b * *y,
-            width: contact.b * *width,
-            half_length: contact.a * *half_length,
+            y: contact.b * y,
+            width: contact.b * width,
+            half_length: contact.a * half_length,
             centre_x: F::zero(),
-            peak_pressure: contact.peak_pressure() * *half_length,
+            peak_pressure: contact.peak_pressure() * half_length,
             friction: contact.friction,
         };
         if !take(strip) {
             return Err(Error::PatchSize);
         }
     }
-    Ok(QuadratureScale { area: rule.stretch, lever: rule.lever })
+    Ok(QuadratureScale { area: F::of(rule.stretch), lever: F::of(rule.lever) })
 }

@@ -7,8 +7,8 @@
 //!   solution, so where a strip loses its adhesion area the forces have a kink, and under
 //!   [`SlidingRule::RigidSlip`] with spin a jump as large as that strip's share.
 //! * Corrected strips: every lobe is solved as its equivalent ellipse ([`Lobe`]) at the creepage of its own
-//!   centre, and gives each strip's march the creepages of its `Y` and `Π = (μ p₀)_strip/(μ p₀)`. A strip whose
-//!   centre is moved by `x_c` is marched with the solution for the lateral creepage there.
+//!   centre, and gives each strip the creepages of its `Y` and `Π = (μ p₀)_strip/(μ p₀)`. A strip whose
+//!   centre is moved by `x_c` is solved with what is seen for the lateral creepage there.
 //!
 //! [`Model::Total`] and [`Model::Linear`] know ellipses only. The linear theory of a patch is the derivative of
 //! [`Model::Strip`] at zero creepage: [`solve_jacobian`].
@@ -16,17 +16,15 @@
 use crate::contact::creepage::{Creepage, Parameters};
 use crate::linear::LinearCoefficients;
 use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float, Pair, Real};
+use crate::number::{Arithmetic, Float, Real};
 use crate::patch::{Lobe, PatchStrip, PatchView};
 use crate::solve::field::FieldPoint;
 use crate::solve::model::{Jacobian, Model, Precision, Solution, StripResult, rolling_point};
 use crate::status::{Error, Notice};
-use crate::strip::{RollingStrips, StripGeometry, march};
-use crate::strip_1967::strip::{Regime, SlidingRule, State, Strip, StripPoint};
+use crate::strip::{Carried, Law as StripLaw, Prepared, Seen, StripGeometry, four_strips};
+use crate::strip_1967::strip::{Regime, SlidingRule, Strip, StripPoint};
 use nalgebra::Matrix3;
 
-/// Strips that are marched together, in pairs; fewer where the stack is short.
-const GROUP: usize = if cfg!(target_os = "none") { 4 } else { 8 };
 /// Share `Π` of the friction bound below which a strip is treated as one with this share: the squares of what it
 /// sees fit an `f32`.
 const LEAST_BOUND: f64 = 1e-9;
@@ -48,14 +46,17 @@ impl<T: Real> Share<T> {
     #[inline(always)]
     fn new(
         strip: &PatchStrip<T::Base>,
-        [fx, fy, mx]: [T; 3],
+        carried: &Carried<T>,
         stick: T::Base,
         adheres: bool,
     ) -> Self {
         let bound = strip.friction_bound();
+        let Carried { fx, fy, mx, .. } = *carried;
         let (fx, fy) = (fx.scale(bound), fy.scale(bound));
         // Mz = ∫ (x Y − y X)
-        let mz = mx.scale(bound * strip.half_length) + fy.scale(strip.centre_x) - fx.scale(strip.y);
+        let mz = mx.scale(bound * strip.half_length)
+            + fy.scale(strip.centre_x)
+            - fx.scale(strip.y);
         Self { fx, fy, mz, stick, adheres }
     }
 }
@@ -183,11 +184,12 @@ impl<'a, F: Precision> Problem<'a, F> {
     ) -> Share<T> {
         let solved = self.theory(strip, creepage);
         let (fx, fy) = solved.force();
+        let carried = Carried { fx, fy, mx: solved.moment(), stick: T::zero() };
         let stick = match solved.regime {
             Regime::Adhesion { kappa, .. } => F::one() - kappa.value(),
             Regime::Sliding { .. } => F::zero(),
         };
-        Share::new(strip, [fx, fy, solved.moment()], stick, solved.adheres())
+        Share::new(strip, &carried, stick, solved.adheres())
     }
 
     /// The corrected strips of a lobe's ellipse, for the creepage at `x` on its middle line.
@@ -196,11 +198,12 @@ impl<'a, F: Precision> Problem<'a, F> {
         lobe: &Lobe<F>,
         creepage: &Creepage<T>,
         x: F,
-    ) -> RollingStrips<T> {
+        factors: [F; 2],
+    ) -> StripLaw<T> {
         let parameters = Parameters::new(&lobe.contact, &creepage_at(creepage, x, lobe.y));
         let Parameters { axis_ratio, poisson_ratio, .. } = parameters;
         let linear = LinearCoefficients::at(axis_ratio, poisson_ratio);
-        RollingStrips::new(axis_ratio, poisson_ratio, &linear, parameters.normalised())
+        Prepared::new(axis_ratio, poisson_ratio, &linear, factors).see(parameters.normalised())
     }
 
     fn rolling_shares<T: Real<Base = F>>(
@@ -210,32 +213,28 @@ impl<'a, F: Precision> Problem<'a, F> {
         visit: &mut impl FnMut(&PatchStrip<F>, Share<T>),
     ) {
         let scale = self.view.scale();
-        let mut prepared: Option<(F, RollingStrips<T>)> = None;
-        for group in lobe.strips.chunks(GROUP) {
-            let mut seen = [[T::zero(); GROUP]; 3];
-            let [ax, ay, spin] = &mut seen;
-            for (strip, ((ax, ay), spin)) in group.iter().zip(ax.iter_mut().zip(ay).zip(spin)) {
+        let count = lobe.strips.len();
+        let mut prepared: Option<(F, StripLaw<T>)> = None;
+        for (g, group) in lobe.strips.chunks(4).enumerate() {
+            let none = Seen { x: T::zero(), y: T::zero() };
+            let mut seen = [(none, T::zero()); 4];
+            let mut inner = [false; 4];
+            for (k, ((strip, seen), inner)) in
+                group.iter().zip(&mut seen).zip(&mut inner).enumerate()
+            {
                 let law = match prepared {
                     Some((x, law)) if x == strip.centre_x => law,
-                    _ => {
-                        let mut law = self.law(lobe, creepage, strip.centre_x);
-                        // the slopes of the linear theory, whatever the quadrature
-                        law.longitudinal = law.longitudinal.scale(scale.area);
-                        law.lateral = law.lateral.scale(scale.area);
-                        law.slope = law.slope.scale(scale.lever);
-                        law
-                    }
+                    // the slopes of the linear theory, whatever the quadrature
+                    _ => self.law(lobe, creepage, strip.centre_x, [scale.area, scale.lever]),
                 };
                 prepared = Some((strip.centre_x, law));
-                let creepage = law.strip(&geometry(lobe, strip)).bounded();
-                (*ax, *ay, *spin) = (creepage.longitudinal, creepage.lateral, creepage.spin);
+                *seen = law.strip(&geometry(lobe, strip));
+                let i = 4 * g + k;
+                *inner = i.min(count - 1 - i) % 2 == 1;
             }
-            let found = march_group(&seen);
-            for (i, strip) in group.iter().enumerate() {
-                let [fx, fy, mx, stick] =
-                    found.map(|list| list.get(i).copied().unwrap_or(T::zero()));
-                let stick = stick.value();
-                visit(strip, Share::new(strip, [fx, fy, mx], stick, stick > F::zero()));
+            for (strip, found) in group.iter().zip(four_strips(&seen, inner)) {
+                let stick = found.stick.value();
+                visit(strip, Share::new(strip, &found, stick, stick > F::zero()));
             }
         }
     }
@@ -252,30 +251,6 @@ fn geometry<F: Float>(lobe: &Lobe<F>, strip: &PatchStrip<F>) -> StripGeometry<F>
         half_length: strip.half_length / contact.a,
         bound: if whole > F::zero() { bound / whole } else { F::one() }.max(F::of(LEAST_BOUND)),
     }
-}
-
-/// `fx, fy, mx, stick` of strips that see the creepages `A_x, A_y, σ`.
-#[inline(never)]
-fn march_group<T: Real>(seen: &[[T; GROUP]; 3]) -> [[T; GROUP]; 4]
-where
-    T::Base: Precision,
-{
-    let [ax, ay, spin] = seen.map(|list| {
-        let mut pairs = [T::Pair::zero(); GROUP / 2];
-        for (pair, [first, second]) in pairs.iter_mut().zip(list.as_chunks::<2>().0) {
-            *pair = T::Pair::of(*first, *second);
-        }
-        pairs
-    });
-    let found = march::<T::Pair, { GROUP / 2 }, true>(&ax, &ay, spin);
-    [found.fx, found.fy, found.mx, found.stick].map(|pairs| {
-        let mut list = [T::zero(); GROUP];
-        for (two, pair) in list.as_chunks_mut::<2>().0.iter_mut().zip(pairs) {
-            let (first, second) = pair.parts();
-            *two = [first, second];
-        }
-        list
-    })
 }
 
 /// Sums over the strips.
@@ -433,7 +408,7 @@ enum Law<F: Real<Base = F>> {
     /// The theory of 1967, and the unit of slip.
     Theory(Strip<F>, F),
     /// The corrected strips, and the unit of slip.
-    Rolling(RollingStrips<F>, StripGeometry<F>, F),
+    Rolling(StripLaw<F>, StripGeometry<F>, F),
 }
 
 impl<'a, F: Precision> PatchField<'a, F> {
@@ -465,7 +440,7 @@ impl<'a, F: Precision> PatchField<'a, F> {
         });
         let strip = found.map(|(strip, _)| strip).or(lobe.strips.last())?;
         let law = if self.problem.model == Model::Strip {
-            let rolling = self.problem.law(&lobe, creepage, strip.centre_x);
+            let rolling = self.problem.law(&lobe, creepage, strip.centre_x, [F::one(), F::one()]);
             Law::Rolling(rolling, geometry(&lobe, strip), lobe.contact.slip_scale())
         } else {
             let circle = strip.circle(view.shear_modulus(), view.poisson_ratio());

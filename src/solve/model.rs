@@ -9,7 +9,7 @@ use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float, Number, Pair, Plain, Real};
 use crate::solve::field::FieldPoint;
 use crate::status::{Error, Notice};
-use crate::strip::{Placed, RollingStrips, StripGeometry, StripTotals, Strips};
+use crate::strip::{Law as StripLaw, Prepared, PreparedStrips, Rule, StripGeometry};
 use crate::strip_1967::quadrature::Tabulated;
 use crate::strip_1967::strip::{SlidingRule, State, Strip, StripPoint};
 use crate::strip_1967::totals::{PlacedStrip, StripTheory};
@@ -111,23 +111,11 @@ pub type Jacobian<F> = Matrix3<F>;
 
 /// Floating-point types that every model can be computed in.
 #[cfg(not(target_arch = "x86_64"))]
-pub trait Precision:
-    Tabulated + Placed<4> + Placed<8> + Placed<16> + Placed<32> + Placed<64>
-{
-}
+pub trait Precision: Tabulated {}
 
 /// Floating-point types that every model can be computed in.
 #[cfg(target_arch = "x86_64")]
-pub trait Precision:
-    Tabulated
-    + Placed<4>
-    + Placed<8>
-    + Placed<16>
-    + Placed<32>
-    + Placed<64>
-    + crate::batch::side_by_side::Wide
-{
-}
+pub trait Precision: Tabulated + crate::batch::side_by_side::Wide {}
 
 impl Precision for f64 {}
 impl Precision for f32 {}
@@ -228,7 +216,7 @@ impl<'a, F: Precision> Problem<'a, F> {
                 StripTheory::new(parameters, self.sliding_rule())
                     .wanted_totals::<STICK, MOMENT>(self.options.strips)
             }
-            Model::Strip => self.rolling_strips::<T, STICK, MOMENT>(parameters),
+            Model::Strip => self.rolling_strips(parameters),
             Model::Total => self.total_force::<T, MOMENT>(parameters),
         }
     }
@@ -283,27 +271,14 @@ impl<'a, F: Precision> Problem<'a, F> {
         (forces, self.with_warning(linear_notice(size, self.contact.friction_bound())))
     }
 
-    fn rolling<T: Real<Base = F>>(&self, parameters: &Parameters<T>) -> RollingStrips<T> {
-        RollingStrips::new(
-            parameters.axis_ratio,
-            parameters.poisson_ratio,
-            &self.linear_coefficients(),
-            parameters.normalised(),
-        )
-    }
-
     /// (On a microcontroller the other models do not share its stack.)
     #[cfg_attr(target_os = "none", inline(never))]
     #[cfg_attr(not(target_os = "none"), inline(always))]
-    fn rolling_strips<T: Real<Base = F>, const STICK: bool, const MOMENT: bool>(
-        &self,
-        parameters: &Parameters<T>,
-    ) -> Totals<T> {
-        let strips = self.rolling(parameters);
-        let rule = strip_rule(self.options.strips);
-        let StripTotals { fx, fy, mz, stick } = strips.wanted_totals::<STICK, MOMENT>(rule);
-        // The weights of the strips sum to one up to rounding.
-        Totals { fx, fy, mz, stick: stick.clamped(T::zero(), T::one()) }
+    fn rolling_strips<T: Real<Base = F>>(&self, parameters: &Parameters<T>) -> Totals<T> {
+        let Parameters { axis_ratio, poisson_ratio, .. } = *parameters;
+        let linear = self.linear_coefficients();
+        PreparedStrips::new(axis_ratio, poisson_ratio, &linear, self.options.strips)
+            .totals(parameters.normalised())
     }
 
     /// Without creepage and spin every model has zero forces and, if it knows, adhesion everywhere.
@@ -706,48 +681,40 @@ pub fn strips<F: Precision>(
                 .strips(options.strips, &mut share);
         }
         Model::Strip => {
-            place_rolling(&problem.rolling(&parameters), options.strips, &mut share);
+            let Parameters { axis_ratio, poisson_ratio, .. } = parameters;
+            let linear = problem.linear_coefficients();
+            let law = PreparedStrips::new(axis_ratio, poisson_ratio, &linear, options.strips);
+            place_rolling(&law, parameters.normalised(), options.strips, &mut share);
         }
         Model::Total | Model::Linear => return Err(Error::NotInModel),
     }
     Ok(problem.notice(parameters.psi))
 }
 
-/// Where the corrected model places its strips.
-#[inline(always)]
-pub(crate) fn strip_rule<F: Precision>(count: StripCount) -> &'static Strips<'static, F> {
-    match count {
-        StripCount::Four => <F as Placed<4>>::STRIPS,
-        StripCount::Eight => <F as Placed<8>>::STRIPS,
-        StripCount::Sixteen => <F as Placed<16>>::STRIPS,
-        StripCount::ThirtyTwo => <F as Placed<32>>::STRIPS,
-        StripCount::SixtyFour => <F as Placed<64>>::STRIPS,
-    }
-}
-
-/// The strips of the corrected model in the form of those of the theory of 1967.
+/// The corrected strips in the form of those of the theory of 1967.
 #[inline(never)]
 fn place_rolling<F: Precision>(
-    strips: &RollingStrips<F>,
+    strips: &PreparedStrips<F>,
+    creepage: [F; 3],
     count: StripCount,
     visit: &mut dyn FnMut(PlacedStrip<F>),
 ) {
-    let (rule, ratio) = (strip_rule::<F>(count), strips.axis_ratio());
-    strips.each(rule, &mut |i, [fx, fy, mx, stick]| {
-        let of = |table: &[F]| table.get(i).copied().unwrap_or(F::zero());
-        let (y, c, load) = (of(rule.y), of(rule.half_length), of(rule.load));
-        let fx = load * fx;
+    let rule = Rule::<F>::new(count);
+    let mut places = rule.places();
+    strips.each(creepage, &mut |carried, area| {
+        let Some([y, c, width]) = places.next() else { return };
+        let Totals { fx, fy, mz, stick } = carried;
         visit(PlacedStrip {
             y,
             half_length: c,
-            width: of(rule.width),
+            width,
             // The adhesion length as one interval at the leading edge
             kappa: c * (F::one() - stick),
             adheres: stick > F::zero(),
             fx,
-            fy: load * fy,
-            mz: of(rule.moment_x) * mx - y / ratio * fx,
-            stick: of(rule.area) * stick,
+            fy,
+            mz: mz / strips.root(),
+            stick: area * stick,
         });
     });
 }
@@ -756,7 +723,7 @@ fn place_rolling<F: Precision>(
 #[derive(Clone, Copy, Debug)]
 enum Law<F: Real> {
     Theory(Parameters<F>, SlidingRule),
-    Rolling(RollingStrips<F>),
+    Rolling(StripLaw<F>),
 }
 
 /// The tangential field of a contact, ready to be evaluated at points.
@@ -804,7 +771,13 @@ impl<F: Precision> Field<F> {
             Model::Strip1967 | Model::Strip1967Continuous => {
                 Law::Theory(parameters, problem.sliding_rule())
             }
-            Model::Strip => Law::Rolling(problem.rolling(&parameters)),
+            Model::Strip => {
+                let Parameters { axis_ratio, poisson_ratio, .. } = parameters;
+                let linear = problem.linear_coefficients();
+                let prepared =
+                    Prepared::new(axis_ratio, poisson_ratio, &linear, [F::one(), F::one()]);
+                Law::Rolling(prepared.see(parameters.normalised()))
+            }
             Model::Total | Model::Linear => return Err(Error::NotInModel),
         };
         Ok(Self { contact: *contact, law, notice: problem.notice(parameters.psi) })
@@ -861,7 +834,7 @@ impl<F: Precision> Field<F> {
 /// A point of a corrected strip in the units of the theory of 1967; the strip's half length `c` and `x` in any
 /// one unit, pressure in that in which its peak is `c`.
 pub(crate) fn rolling_point<F: Precision>(
-    strips: &RollingStrips<F>,
+    strips: &StripLaw<F>,
     geometry: &StripGeometry<F>,
     c: F,
     x: F,

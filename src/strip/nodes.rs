@@ -6,120 +6,17 @@
 //! Written by `fit/fit_strip.py --nodes`; a test checks the rules.
 // Generated: change the script, not this file.
 
-use super::{Marched, Strips};
-use crate::number::Float;
-
-/// Strips of the Hertz ellipse, ascending in `y`; all lengths dimensionless.
-#[derive(Clone, Copy, Debug)]
-pub struct Rule<F, const N: usize> {
-    /// `Y = y/b` of the centre line.
-    pub y: [F; N],
-    /// Half length `C = √(1 − Y²)`.
-    pub half_length: [F; N],
-    /// Width in `Y`; their sum is 2.
-    pub width: [F; N],
-    /// `1/C`
-    pub inverse: [F; N],
-    /// `(0.4 − Y²) Y`
-    pub bend: [F; N],
-    /// Share of the friction bound `(3/4) C² ΔY`.
-    pub load: [F; N],
-    /// Share times `Y`.
-    pub moment_y: [F; N],
-    /// Share times `C`.
-    pub moment_x: [F; N],
-    /// Share of the area.
-    pub area: [F; N],
-    /// `(π/2)/Σ C ΔY`: makes the linear forces exact.
-    pub stretch: F,
-    /// `(π/8)/Σ C Y² ΔY`: makes the linear moment of spin exact.
-    pub lever: F,
-}
-
-/// Strip counts that have a rule: 4, 8, 16, 32, 64.
-pub trait Placed<const N: usize>: Float + Marched {
-    /// The rule, in the precision of the caller.
-    const RULE: &'static Rule<Self, N>;
-    /// Its strips, whose type does not know how many they are.
-    const STRIPS: &'static Strips<'static, Self>;
-}
-
-/// The half of a rule with `Y > 0`: `Y`, `C`, width.
+/// The half of a rule with `Y > 0`: `Y`, `C = √(1 − Y²)`, width.
 type Half<const H: usize> = [[f64; 3]; H];
 
-macro_rules! placed {
-    ($float:ident, $count:literal, $half:ident) => {
-        #[allow(clippy::unnecessary_cast, clippy::indexing_slicing)]
-        impl Placed<$count> for $float {
-            const RULE: &'static Rule<Self, $count> = &{
-                let zero = [0.0; $count];
-                let mut rule = Rule {
-                    y: zero,
-                    half_length: zero,
-                    width: zero,
-                    inverse: zero,
-                    bend: zero,
-                    load: zero,
-                    moment_y: zero,
-                    moment_x: zero,
-                    area: zero,
-                    stretch: 0.0,
-                    lever: 0.0,
-                };
-                let (mut stretch, mut lever) = (0.0, 0.0);
-                let mut i = 0;
-                while i < $count / 2 {
-                    let [y, c, width] = $half[i];
-                    stretch += 2.0 * width * c;
-                    lever += 2.0 * width * c * (y * y);
-                    i += 1;
-                }
-                let mut i = 0;
-                while i < $count {
-                    let upper = i >= $count / 2;
-                    let [y, c, width] =
-                        $half[if upper { i - $count / 2 } else { $count / 2 - 1 - i }];
-                    let y = if upper { y } else { -y };
-                    let load = 0.75 * width * (c * c);
-                    rule.y[i] = y as $float;
-                    rule.half_length[i] = c as $float;
-                    rule.width[i] = width as $float;
-                    rule.inverse[i] = (1.0 / c) as $float;
-                    rule.bend[i] = ((0.4 - y * y) * y) as $float;
-                    rule.load[i] = load as $float;
-                    rule.moment_y[i] = (load * y) as $float;
-                    rule.moment_x[i] = (load * c) as $float;
-                    rule.area[i] = (width * c / stretch) as $float;
-                    i += 1;
-                }
-                rule.stretch = (core::f64::consts::FRAC_PI_2 / stretch) as $float;
-                rule.lever = (core::f64::consts::FRAC_PI_8 / lever) as $float;
-                rule
-            };
-            const STRIPS: &'static Strips<'static, Self> = &<Self as Placed<$count>>::RULE.strips();
-        }
-    };
-}
-
-placed!(f64, 4, HALF_OF_4);
-placed!(f32, 4, HALF_OF_4);
-placed!(f64, 8, HALF_OF_8);
-placed!(f32, 8, HALF_OF_8);
-placed!(f64, 16, HALF_OF_16);
-placed!(f32, 16, HALF_OF_16);
-placed!(f64, 32, HALF_OF_32);
-placed!(f32, 32, HALF_OF_32);
-placed!(f64, 64, HALF_OF_64);
-placed!(f32, 64, HALF_OF_64);
-
 #[rustfmt::skip]
-const HALF_OF_4: Half<2> = [
+pub(super) const HALF_OF_4: Half<2> = [
     [0.2113248654051871, 0.9774158793786193, 0.5],
     [0.7886751345948129, 0.6148101593759279, 0.5],
 ];
 
 #[rustfmt::skip]
-const HALF_OF_8: Half<4> = [
+pub(super) const HALF_OF_8: Half<4> = [
     [0.06943184420297371, 0.9975866974907865, 0.17392742256872692],
     [0.33000947820757187, 0.9439776185340234, 0.32607257743127305],
     [0.6699905217924281, 0.7423696523352162, 0.32607257743127305],
@@ -127,7 +24,7 @@ const HALF_OF_8: Half<4> = [
 ];
 
 #[rustfmt::skip]
-const HALF_OF_16: Half<8> = [
+pub(super) const HALF_OF_16: Half<8> = [
     [0.019855071751231884, 0.9998028686324887, 0.05061426814518813],
     [0.10166676129318664, 0.9948185109094795, 0.11119051722668724],
     [0.2372337950418355, 0.9714525858167492, 0.15685332293894363],
@@ -139,7 +36,7 @@ const HALF_OF_16: Half<8> = [
 ];
 
 #[rustfmt::skip]
-const HALF_OF_32: Half<16> = [
+pub(super) const HALF_OF_32: Half<16> = [
     [0.005299532504175033, 0.999985957379021, 0.013576229705877048],
     [0.02771248846338371, 0.999615935238713, 0.031126761969323947],
     [0.06718439880608412, 0.9977405757796287, 0.04757925584124639],
@@ -159,7 +56,7 @@ const HALF_OF_32: Half<16> = [
 ];
 
 #[rustfmt::skip]
-const HALF_OF_64: Half<32> = [
+pub(super) const HALF_OF_64: Half<32> = [
     [0.0026497662520875167, 0.9999964893632424, 0.006788114852938524],
     [0.013856244231691855, 0.9999039976396693, 0.015563380984661973],
     [0.03359219940304206, 0.9994356228088261, 0.023789627920623196],

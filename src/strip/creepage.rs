@@ -1,0 +1,228 @@
+//! What the strips of a contact see: from creepages to `a_x, a_y, ρ, σ` and the bend `ε`.
+//!
+//! The flexibilities of Kalker's linear theory, multiplied by fitted factors that are 1 at rest, and turned into those
+//! of the rigid slip where the linear force is far beyond the friction bound.
+
+use super::constants::{SATURATION, WIDTH, WIDTH2};
+use super::kernel::Seen;
+use super::network::{INPUTS, Network};
+use crate::linear::LinearCoefficients;
+use crate::number::{Arithmetic, Number, Pair, Plain};
+use core::f64::consts::PI;
+
+/// Creepages beyond this are scaled down together: full sliding. Fourth powers still fit an `f32`.
+const CREEPAGE_LIMIT: f64 = 1e4;
+/// What strips see of them is scaled down together beyond this: its fourth powers fit an `f32`.
+const SEEN_LIMIT: f64 = 1e5;
+/// What one strip may see.
+const STRIP_LIMIT: f64 = 1e6;
+/// Axis ratios the model is evaluated with; fitted are 0.07 to 14.
+const RATIO_LIMIT: f64 = 1e3;
+
+/// Everything that depends on the contact alone.
+#[derive(Clone, Copy, Debug)]
+pub struct Prepared<F: Plain> {
+    pub(super) linear: LinearCoefficients<F>,
+    /// `√(a/b)` within the limits of the model, and its inverse.
+    pub(super) root: F,
+    pub(super) upright: F,
+    /// `(4/3π)(C11 + C22)`: the one flexibility of full sliding.
+    rigid: F,
+    /// `C23/(k_m C22) − 1`, `k_m = (4/3π) √(a/b)`: what makes the moment slope of lateral creepage Kalker's.
+    lateral_at_rest: F,
+    /// Factors of creepage and of `ρ` that make sums over strips exact at rest.
+    factors: [F; 2],
+    network: Network<F>,
+}
+
+/// What the strips of a contact see of creepages.
+#[derive(Clone, Copy, Debug)]
+pub struct Law<T: Number> {
+    /// `a_x`: longitudinal creepage in the middle strip.
+    pub longitudinal: T,
+    /// `a_y`: lateral creepage.
+    pub lateral: T,
+    /// `ρ`: how the longitudinal creepage falls over `Y`.
+    pub slope: T,
+    /// `ε`: bend of that slope.
+    pub bend: T,
+    /// `σ`: spin.
+    pub spin: T,
+    /// The creepages `vx, vy, φ` that these belong to, scaled down where they are very large.
+    pub creepage: [T; 3],
+    /// `√(a/b)`
+    pub root: T::Base,
+}
+
+/// Geometry of one strip, dimensionless.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StripGeometry<F> {
+    /// `Y = y/b` of its centre line, −1 to 1.
+    pub y: F,
+    /// Half length over the patch's, `C = c/a`, positive.
+    pub half_length: F,
+    /// Peak of the strip's friction bound over that of the patch: `Π = (μ p₀)_strip/(μ p₀)`, positive. On
+    /// an ellipse with one coefficient of friction `Π = C`.
+    pub bound: F,
+}
+
+impl<F: Plain> Prepared<F> {
+    /// `axis_ratio` is `a/b`, `linear` the coefficients for it, `factors` those of [`super::Rule`], or 1.
+    #[inline(always)]
+    pub fn new(
+        axis_ratio: F,
+        poisson_ratio: F,
+        linear: &LinearCoefficients<F>,
+        factors: [F; 2],
+    ) -> Self {
+        let root = axis_ratio.clamped(F::of(1.0 / RATIO_LIMIT), F::of(RATIO_LIMIT)).sqrt();
+        let [stretch, _] = factors;
+        let moment = (root * stretch * linear.c22).times(4.0 / (3.0 * PI));
+        let (upright, inverse) = F::Pair::of(root, moment).inverse().parts();
+        Self {
+            linear: *linear,
+            root,
+            upright,
+            rigid: (linear.c11 + linear.c22).times(4.0 / (3.0 * PI)),
+            lateral_at_rest: (linear.c23 * inverse).plus(-1.0),
+            factors,
+            network: Network::new(root, poisson_ratio),
+        }
+    }
+
+    /// What strips see of `vx, vy = G a b (υx, υy)/(μ N)` and `φ = G (a b)^{3/2} ϕ/(μ N)`.
+    ///
+    /// Fitted for `a/b` 0.1 to 10, `ν` 0 to 1/2 and `|ψ| = (π/3) √(a/b) |φ| ≤ 3`; beyond that finite, bounded and
+    /// with the right limits.
+    #[inline(always)]
+    pub fn see<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Law<T> {
+        const K: f64 = 8.0 / (3.0 * PI);
+        const LIMIT: f64 = SATURATION * SATURATION * SATURATION * SATURATION;
+        let creepage = scaled_down(creepage, CREEPAGE_LIMIT);
+        let [vx, vy, phi] = creepage;
+        let LinearCoefficients { c11, c22, c23, c33 } = self.linear;
+        let one = T::one();
+
+        // forces of the linear theory
+        let [lx, ly, ls] = [vx.scale(c11), vy.scale(c22), phi.scale(c23)];
+        let size = magnitude(T::Pair::of(lx, ly));
+        let ss = magnitude(ls);
+        let t2 = lx * lx + ly * ly;
+        let q2 = t2 + ls * ls;
+        let q4 = q2 * q2;
+
+        // rigid slip: translation against spin at the ends of the axes
+        let (px, py) = (phi.scale(self.upright), phi.scale(self.root));
+        let (x2, px2, y2, py2) = (vx * vx, px * px, vy * vy, py * py);
+
+        // every quotient (s − c)/(s + c) as 1 − 2 c/(s + c), the divisions in pairs
+        let inverse = |first: T, second: T| T::Pair::of(first, second).inverse().parts();
+        let (by_x, by_y) = size.plus(1.0).inverse().parts();
+        let (over_x, over_y) = inverse((x2 + px2).plus(0.02), (y2 + py2).plus(0.02));
+        let (by_s, by_few) = inverse(ss.plus(1.0), ss.plus(0.1));
+        let (by_less, by_more) = inverse(ss.plus(0.3), ss.plus(2.0));
+        let (by_t, by_q) = inverse(t2.plus(0.1), q2.plus(1.0));
+        let (by_n, by_n2) = inverse(q2.plus(WIDTH), q2.plus(WIDTH2));
+        let less = |quotient: T, twice: f64| quotient.times(-twice).plus(1.0);
+        let features: [T; INPUTS] = [
+            (x2 - px2) * over_x,
+            (vy * py).times(2.0) * over_y,
+            (y2 - py2) * over_y,
+            less(by_x, 2.0),
+            less(by_y, 2.0),
+            less(by_s, 2.0),
+            (ls * ly) * (by_few * by_y),
+            less(by_t, 0.2),
+            less(by_less, 0.6),
+            less(by_more, 4.0),
+            less(by_q, 2.0),
+        ];
+        let [o_x, o_y, o_slope, o_spin, o_share, o_spin_share, o_lateral, o_bend] =
+            T::map(&self.network, features);
+
+        // w = n²/(c + n²): no correction at rest
+        let (w, w2) = (less(by_n, WIDTH), less(by_n2, WIDTH2));
+        // χ = n⁴/(n⁴ + 12⁴): from the contact's own flexibilities to that of the rigid slip
+        let elastic = (q4.plus(LIMIT)).inverse().times(LIMIT);
+        let rigid = (one - elastic).scale(self.rigid);
+
+        let positive = |first: T, second: T| {
+            // o + √(1 + o²): positive, 1 at 0
+            let o = T::Pair::of(first, second);
+            (o + o.squared().plus(1.0).sqrt()).parts()
+        };
+        let (e_x, e_y) = positive(w * o_x, w * o_y);
+        let (e_spin, e_share) = positive(w * o_spin, w * o_share);
+        let bend_square = o_bend.squared();
+        let slope_square = (w2 * o_slope).squared();
+        let (slope_root, bend_root) =
+            T::Pair::of(slope_square, bend_square).plus(1.0).sqrt().parts();
+        // β and τ: how spin and lateral creepage share A_y and σ
+        let spin_share = w2 * o_spin_share;
+        let lateral_share =
+            w2 * o_lateral + (one - w2).scale(self.lateral_at_rest);
+        let lateral = ly * e_y;
+        // a_x = (8/3π) C11 vx e_x
+        let longitudinal = elastic * (lx * e_x).times(K) + rigid * vx;
+        // a_y = (8/3π) (C22 vy e_y (1 + τ) + C23 φ e_s β/(1 + |C23 φ|))
+        let lateral_creepage = elastic
+            * (lateral * lateral_share.plus(1.0) + spin_share * e_share * (ls * by_s)).times(K)
+            + rigid * vy;
+        // σ = C23 φ e_σ (1 − β) − C22 vy e_y τ
+        let spin = elastic * (ls * (one - spin_share) * e_spin - lateral_share * lateral)
+            + (rigid * py).times(0.5);
+        // ρ = (32/3π) √(a/b) C33 φ e_ρ
+        let slope = elastic
+            * (py.scale(c33) * (w2 * o_slope + slope_root)).times(32.0 / (3.0 * PI))
+            + rigid * px;
+        let bend = elastic * w2 * o_bend / bend_root;
+        let [stretch, lever] = self.factors;
+        let [longitudinal, lateral, slope, spin] = scaled_down(
+            [longitudinal.scale(stretch), lateral_creepage.scale(stretch), slope.scale(lever), spin],
+            SEEN_LIMIT,
+        );
+        Law { longitudinal, lateral, slope, bend, spin, creepage, root: self.root }
+    }
+}
+
+impl<T: Number> Law<T> {
+    /// What one strip sees: `A_x, A_y`, and `σ`.
+    #[inline(always)]
+    pub fn strip(&self, strip: &StripGeometry<T::Base>) -> (Seen<T>, T) {
+        let inverse = T::Base::one() / strip.bound;
+        let y = strip.y;
+        // A_x = (a_x − ρ Y (1 + ε (0.4 − Y²)))/Π
+        let profile = self.bend.scale((T::Base::of(0.4) - y * y) * y).shift(y);
+        let [x, y, spin] = scaled_down(
+            [
+                (self.longitudinal - self.slope * profile).scale(inverse),
+                self.lateral.scale(inverse),
+                self.spin.scale(strip.half_length * inverse),
+            ],
+            STRIP_LIMIT,
+        );
+        (Seen { x, y }, spin)
+    }
+}
+
+/// Numbers scaled down together where one exceeds a limit.
+#[inline(always)]
+fn scaled_down<T: Number, const N: usize>(numbers: [T; N], limit: f64) -> [T; N] {
+    let limit = T::Base::of(limit);
+    let mut size = T::Base::zero();
+    for number in &numbers {
+        size = size.max(number.value().abs());
+    }
+    if size.exceeds(limit) {
+        let factor = (size - limit).choose(limit / size, T::Base::one());
+        T::each(&numbers, |number| number.scale(factor))
+    } else {
+        numbers
+    }
+}
+
+/// `√(x² + 0.03²) − 0.03`
+#[inline(always)]
+fn magnitude<T: Arithmetic>(x: T) -> T {
+    x.squared().plus(0.0009).sqrt().plus(-0.03)
+}

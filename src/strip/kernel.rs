@@ -1,0 +1,282 @@
+//! One strip: Kalker's half-ellipses ahead of its separatrix, a few nodes in the slip behind it.
+//!
+//! `τ = 1 + x̂` runs from 2 at the leading edge to 0, `B = τ (2 − τ)` is the square of the bound's shape, forces are
+//! weighted with `(2/π) √B`. All of it is over the strip's own friction bound.
+
+use super::constants::{BLEND, EDGE, NODES, ROUND, ROUND_SPIN};
+use super::tables::{Closed, Node};
+use crate::number::Arithmetic;
+
+/// A separatrix nearer to the trailing edge is put here.
+const LEAST: f64 = 1e-12;
+/// Keeps roots of squares away from zero.
+const TINY: f64 = 1e-24;
+/// Spin beyond this is indistinguishable from sliding by spin alone.
+const LARGEST_SPIN: f64 = 1e5;
+
+/// What a strip sees of creepage and spin, in units of its own bound.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen<T> {
+    /// `A_x` of longitudinal creepage and spin.
+    pub x: T,
+    /// `A_y` of lateral creepage.
+    pub y: T,
+}
+
+/// Spin `σ` of a strip and what follows from it alone.
+#[derive(Clone, Copy, Debug)]
+pub struct Spin<T> {
+    /// `σ`
+    pub sigma: T,
+    /// `r`, the lateral traction of spin in adhesion over the bound; `|r| < 1`
+    pub r: T,
+    /// `σ − r`
+    pub excess: T,
+    /// `1 − r²`
+    pub room: T,
+    /// `1/(1 − r²)`
+    pub inverse_room: T,
+    /// Share of the adhesion part that is given to the nodes: 0 at small spin, 1 at large.
+    pub blend: T,
+    /// Half width `d` of the rounded cut.
+    pub round: T,
+    /// `1/(4 d)`
+    pub inverse_round: T,
+}
+
+/// What a strip carries, over its friction bound.
+#[derive(Clone, Copy, Debug)]
+pub struct Carried<T> {
+    /// Longitudinal force.
+    pub fx: T,
+    /// Lateral force.
+    pub fy: T,
+    /// `∫ x̂ Y dx̂`: moment of the lateral traction in half lengths.
+    pub mx: T,
+    /// Share of the length in adhesion.
+    pub stick: T,
+}
+
+impl<T: Arithmetic> Spin<T> {
+    /// From `σ`.
+    pub fn new(sigma: T) -> Self {
+        let sigma = sigma.min(T::constant(LARGEST_SPIN)).max(T::constant(-LARGEST_SPIN));
+        let square = sigma.squared();
+        // r = σ/(1 + σ⁴)^{1/4}
+        let root = square.squared().plus(1.0).inverse_root();
+        let factor = root * root.inverse_root();
+        let r = sigma * factor;
+        // 1 − r² = i²/(1 + i σ²), i = (1 + σ⁴)^{−1/2}
+        let over = square * root + T::one();
+        let (room, inverse_room) = (root.squared() / over, over / root.squared());
+        // w = z² (3 − 2 z)
+        let z = (sigma.abs().plus(-BLEND[0]).times(1.0 / (BLEND[1] - BLEND[0])))
+            .max(T::zero())
+            .min(T::one());
+        let blend = z.squared() * (z.times(-2.0).plus(3.0));
+        // d = d₀ + d₁ r⁴
+        let round = r.squared().squared().times(ROUND_SPIN).plus(ROUND);
+        let inverse_round = round.times(4.0).inverse();
+        Self {
+            sigma,
+            r,
+            excess: sigma - r,
+            room,
+            inverse_room,
+            blend,
+            round,
+            inverse_round,
+        }
+    }
+
+    /// Another kind of number for each of its own.
+    pub fn map<U>(&self, all: impl Fn(T) -> U) -> Spin<U> {
+        let Self { sigma, r, excess, room, inverse_room, blend, round, inverse_round } = *self;
+        Spin {
+            sigma: all(sigma),
+            r: all(r),
+            excess: all(excess),
+            room: all(room),
+            inverse_room: all(inverse_room),
+            blend: all(blend),
+            round: all(round),
+            inverse_round: all(inverse_round),
+        }
+    }
+}
+
+/// Where adhesion ends.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Separatrix<T> {
+    /// `A_y' = A_y + σ − r`
+    pub y: T,
+    /// `τ = s`: slip behind, adhesion ahead.
+    pub s: T,
+    /// `s` over the root of which it is made: below one where the strip slides from its leading edge on.
+    pub part: T,
+}
+
+impl<T: Arithmetic> Separatrix<T> {
+    /// `|A'/s + r e_y| = 1`, Kalker's (5.40): `s = (S + r A_y')/(1 − r²)`, `S² = A_y'² + (1 − r²) A_x²`.
+    #[inline(always)]
+    pub fn new(seen: &Seen<T>, spin: &Spin<T>) -> Self {
+        let y = seen.y + spin.excess;
+        let (x2, y2) = (seen.x.squared(), y.squared());
+        let square = (spin.room * x2 + y2).plus(TINY);
+        let turned = spin.r * y;
+        // D = S + |r A_y'|; where r A_y' < 0 the root is |A'|²/(S − r A_y')
+        let sum = square * square.inverse_root() + turned.abs();
+        let whole = (x2 + y2).plus(TINY);
+        let inverse = (sum * whole).inverse();
+        let root = turned.choose(sum * spin.inverse_room, whole * (whole * inverse));
+        let inverse_root = turned.choose(whole * inverse * spin.room, sum * (sum * inverse));
+        let s = root.max(T::constant(LEAST)).min(T::constant(2.0));
+        // meets the leading edge with slope zero
+        let z = s.plus(EDGE - 2.0).max(T::zero()).times(1.0 / EDGE);
+        let s = s + z.squared() * (T::one() - z).times(EDGE);
+        Self { y, s: s + spin.blend * (T::constant(2.0) - s), part: s * inverse_root }
+    }
+}
+
+/// `p/s` of the simplified theory on its way through the slip.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Slip<T> {
+    pub px: T,
+    pub py: T,
+    /// What the last cut left.
+    pub kept: T,
+}
+
+/// A node: traction over the bound and what else is summed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Traction<T> {
+    pub x: T,
+    pub y: T,
+    /// `q` before the cut.
+    pub tried: T,
+}
+
+/// A step that leads to `τ`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Step<T> {
+    /// `λ = (τ₀ − τ)/s`
+    pub length: T,
+    /// `t = τ/s`
+    pub place: T,
+    /// `s/B`
+    pub inverse_bound: T,
+    /// `ε²`: what `p` varies by within the node's cell, as spin turns it.
+    pub soft: T,
+}
+
+impl<T: Arithmetic> Slip<T> {
+    /// At the separatrix, `p = B n`.
+    #[inline(always)]
+    pub fn start([nx, ny]: [T; 2], ahead: T, part: T) -> Self {
+        Self { px: ahead * nx, py: ahead * ny, kept: part }
+    }
+
+    /// The next node: `p` grows with the rigid slip and is cut back to the bound.
+    #[inline(always)]
+    pub fn step(self, seen: &Seen<T>, spin: &Spin<T>, s: T, step: &Step<T>) -> (Self, Traction<T>) {
+        let Step { length, place, inverse_bound, soft } = *step;
+        // p* = p + λ (A + σ (2 x̂ + m λ s) e_y), x̂ = s t − 1
+        let turned = spin.sigma * s * (place + place + self.kept * length);
+        let px = self.px + length * seen.x;
+        let py = self.py + length * (seen.y - (spin.sigma + spin.sigma) + turned);
+        // q = |p*|²/B², its mean over the node's cell
+        let tried = (px * px + py * py + soft) * inverse_bound.squared();
+        // m = 1/√(max(1, q) rounded)
+        let kept = rounded(tried, spin).inverse_root();
+        let reached = tried * kept.squared();
+        let (px, py) = (px * kept, py * kept);
+        // t = r e_y + (p/B − r e_y)(1 + q m²)/2
+        let half = reached.plus(1.0).times(0.5);
+        let (tx, ty) = (px * inverse_bound, py * inverse_bound);
+        let traction = Traction {
+            x: tx * half,
+            y: spin.r + (ty - spin.r) * half,
+            tried,
+        };
+        (Self { px, py, kept }, traction)
+    }
+}
+
+/// Forces of a strip.
+#[inline(always)]
+pub(super) fn forces<T: Arithmetic>(
+    seen: &Seen<T>,
+    spin: &Spin<T>,
+    nodes: &[Node<T::Bare>; NODES],
+    closed: &Closed<T::Bare>,
+) -> Carried<T> {
+    let Separatrix { y, s, part } = Separatrix::new(seen, spin);
+    let u = s.times(0.5);
+    let ahead = T::one() - u;
+    let (inverse_s, bounds) = inverses(s, nodes);
+    // n = A'/s + r e_y
+    let n = [seen.x * inverse_s, y * inverse_s + spin.r];
+    // t = r e_y + (A'/s)(1 − R), R = √(1 − s/τ), ahead of the separatrix; behind it less n, which the nodes add
+    let c = ahead * polynomial(&closed.force, u);
+    let mut fx = seen.x * c;
+    let mut fy = y * c + spin.r * (ahead.squared() + s * c);
+    let closed_moment = (y + s * spin.r) * polynomial(&closed.moment, u);
+    let mut mx = -(ahead * ((y * ahead).times(0.5) + closed_moment));
+    let mut stick = ahead;
+    let mut slip = Slip::start(n, ahead + ahead, part);
+    let soft = (spin.sigma * s).squared();
+    let square = u.squared();
+    for (node, inverse_bound) in nodes.iter().zip(bounds) {
+        let step = Step {
+            length: T::fixed(node.length),
+            place: T::fixed(node.place),
+            inverse_bound,
+            soft: soft.weigh(node.soft),
+        };
+        let traction;
+        (slip, traction) = slip.step(seen, spin, s, &step);
+        let weight = square * polynomial(&node.weight, u);
+        let lateral = weight * traction.y;
+        fx += weight * traction.x;
+        fy += lateral;
+        mx += s.weigh(node.place).plus(-1.0) * lateral;
+        // with much spin the nodes reach into the adhesion part
+        stick += spin.blend * u.weigh(node.length) * slip.kept.squared().squared().squared();
+    }
+    Carried { fx, fy, mx, stick }
+}
+
+/// `1/s` and all `s/B = 1/(t (2 − s t))`, from one quotient.
+#[inline(always)]
+pub(super) fn inverses<T: Arithmetic>(s: T, nodes: &[Node<T::Bare>; NODES]) -> (T, [T; NODES]) {
+    let mut inverses = [s; NODES];
+    let mut product = s;
+    for (node, place) in nodes.iter().zip(&mut inverses) {
+        *place = product;
+        product = product * (T::constant(2.0) - s.weigh(node.place));
+    }
+    let mut inverse = product.inverse();
+    for (node, place) in nodes.iter().zip(&mut inverses).rev() {
+        *place = (inverse * *place).weigh(node.inverse_place);
+        inverse = inverse * (T::constant(2.0) - s.weigh(node.place));
+    }
+    (inverse, inverses)
+}
+
+/// `max(1, q)`, with a parabola between `1 − d` and `1 + d`.
+#[inline(always)]
+pub(super) fn rounded<T: Arithmetic>(q: T, spin: &Spin<T>) -> T {
+    let a = q.max(T::one() - spin.round);
+    let z = (T::one() + spin.round - a).max(T::zero());
+    a + z.squared() * spin.inverse_round
+}
+
+/// `c₀ + c₁ u + c₂ u² …`
+#[inline(always)]
+pub(super) fn polynomial<T: Arithmetic, const N: usize>(c: &[T::Bare; N], u: T) -> T {
+    let mut sum = T::zero();
+    for (i, c) in c.iter().rev().enumerate() {
+        sum = if i == 0 { T::fixed(*c) } else { sum * u + T::fixed(*c) };
+    }
+    sum
+}

@@ -1,0 +1,256 @@
+//! The kernel's tables in the precision of the caller, worked out by the compiler from the constants.
+
+use super::constants::{CELLS, NODE, NODES, PLACES, WEIGHTS};
+use super::nodes::{HALF_OF_4, HALF_OF_8, HALF_OF_16, HALF_OF_32, HALF_OF_64};
+use crate::contact::forces::StripCount;
+use crate::number::Float;
+
+/// A node of the slip part for the kinds of strips side by side.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Node<B> {
+    /// `t = τ/s`
+    pub place: B,
+    /// `t₀ − t`, with `t₀` of the node before it.
+    pub length: B,
+    /// `1/t`
+    pub inverse_place: B,
+    /// Softening over `(σ s)²`.
+    pub soft: B,
+    /// Weight over `u²`: a cubic in `u`.
+    pub weight: [B; 4],
+}
+
+/// What the closed part of a strip leaves to the nodes: polynomials in `u`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Closed<B> {
+    /// `(1 − s/4 − Σ W/s)/(1 − u)`
+    pub force: [B; 4],
+    /// `(Σ W x̂/s)/(1 − u)`
+    pub moment: [B; 5],
+}
+
+const NODE_FIELDS: usize = 8;
+const CLOSED_FIELDS: usize = 9;
+/// A number for the outermost strip and every second one, and one for the others.
+type Couple<F> = [F; 2];
+
+/// Nodes and closed part, each number for both kinds of strips.
+#[derive(Clone, Copy)]
+pub(super) struct Kernel<F: 'static> {
+    nodes: &'static [[Couple<F>; NODE_FIELDS]; NODES],
+    closed: &'static [[Couple<F>; CLOSED_FIELDS]; 1],
+}
+
+impl<F: Float> Kernel<F> {
+    pub fn get() -> Self {
+        Self {
+            nodes: F::table(&NARROW_NODES, &NODE_TABLE),
+            closed: F::table(&NARROW_CLOSED, &CLOSED_TABLE),
+        }
+    }
+
+    /// In numbers of the kernel.
+    #[inline(always)]
+    pub fn read<B: Copy>(&self, read: impl Fn(&Couple<F>) -> B) -> ([Node<B>; NODES], Closed<B>) {
+        let nodes = self.nodes.each_ref().map(|fields| {
+            let [place, length, inverse_place, soft, a, b, c, d] = fields.each_ref().map(&read);
+            Node { place, length, inverse_place, soft, weight: [a, b, c, d] }
+        });
+        let [closed] = self.closed;
+        let [a, b, c, d, e, f, g, h, i] = closed.each_ref().map(&read);
+        (nodes, Closed { force: [a, b, c, d], moment: [e, f, g, h, i] })
+    }
+}
+
+#[allow(clippy::indexing_slicing)]
+const fn node_table() -> [[Couple<f64>; NODE_FIELDS]; NODES] {
+    let mut table = [[[0.0; 2]; NODE_FIELDS]; NODES];
+    let mut kind = 0;
+    while kind < 2 {
+        let mut before = 1.0;
+        let mut k = 0;
+        while k < NODES {
+            let place = PLACES[kind][k];
+            let cell = CELLS[kind][k] * (before - place);
+            table[k][0][kind] = place;
+            table[k][1][kind] = before - place;
+            table[k][2][kind] = 1.0 / place;
+            table[k][3][kind] = 4.0 * NODE * cell * cell;
+            let mut p = 0;
+            while p < 4 {
+                table[k][4 + p][kind] = WEIGHTS[kind][k][p];
+                p += 1;
+            }
+            before = place;
+            k += 1;
+        }
+        kind += 1;
+    }
+    table
+}
+
+/// Both polynomials have the factor `1 − u`, of which the quotient's coefficients are the partial sums.
+#[allow(clippy::indexing_slicing)]
+const fn closed_table() -> [[Couple<f64>; CLOSED_FIELDS]; 1] {
+    let mut table = [[0.0; 2]; CLOSED_FIELDS];
+    let mut kind = 0;
+    while kind < 2 {
+        // 1 − u/2 − Σ W/(2 u) and Σ W (2 u t − 1)/(2 u), W = u² (c₀ + c₁ u + …)
+        let mut force = [1.0, -0.5, 0.0, 0.0, 0.0];
+        let mut moment = [0.0; 6];
+        let mut k = 0;
+        while k < NODES {
+            let mut p = 0;
+            while p < 4 {
+                let c = WEIGHTS[kind][k][p] / 2.0;
+                force[p + 1] -= c;
+                moment[p + 1] -= c;
+                moment[p + 2] += 2.0 * PLACES[kind][k] * c;
+                p += 1;
+            }
+            k += 1;
+        }
+        let (mut sum, mut i) = (0.0, 0);
+        while i < 4 {
+            sum += force[i];
+            table[i][kind] = sum;
+            i += 1;
+        }
+        (sum, i) = (0.0, 0);
+        while i < 5 {
+            sum += moment[i];
+            table[4 + i][kind] = sum;
+            i += 1;
+        }
+        kind += 1;
+    }
+    [table]
+}
+
+static NODE_TABLE: [[Couple<f64>; NODE_FIELDS]; NODES] = node_table();
+static NARROW_NODES: [[Couple<f32>; NODE_FIELDS]; NODES] = narrow(&NODE_TABLE);
+static CLOSED_TABLE: [[Couple<f64>; CLOSED_FIELDS]; 1] = closed_table();
+static NARROW_CLOSED: [[Couple<f32>; CLOSED_FIELDS]; 1] = narrow(&CLOSED_TABLE);
+
+/// Four strips of the Hertz ellipse: numbers for the outer and the inner one of two neighbours at `Y > 0`. Those
+/// at `−Y` have the same, but for the sign of `y`, `bend` and `load_y`.
+pub(super) const STRIP_FIELDS: usize = 7;
+pub(super) type FourStrips<F> = [Couple<F>; STRIP_FIELDS];
+
+/// The half of a rule with `Y > 0`, ascending: `Y`, `C`, width.
+pub(super) type Half = [[f64; 3]];
+
+/// Strips of the Hertz ellipse.
+#[derive(Clone, Copy, Debug)]
+pub struct Rule<F: 'static> {
+    /// In fours; fields: `Y`, `1/C`, `(0.4 − Y²) Y`, the share of the friction bound `(3/4) C² ΔY`, share times `C`,
+    /// share times `Y`, share of the area.
+    pub(super) fours: &'static [FourStrips<F>],
+    /// `(π/2)/Σ C ΔY`: makes the linear forces exact.
+    pub stretch: f64,
+    /// `(π/8)/Σ C Y² ΔY`: makes the linear moment of spin exact.
+    pub lever: f64,
+    half: &'static Half,
+}
+
+impl<F: Float> Rule<F> {
+    /// Where the strips lie.
+    #[must_use]
+    pub fn new(count: StripCount) -> Self {
+        let (fours, half): (&[FourStrips<F>], &Half) = match count {
+            StripCount::Four => (F::table(&NARROW_4, &TABLE_4), &HALF_OF_4),
+            StripCount::Eight => (F::table(&NARROW_8, &TABLE_8), &HALF_OF_8),
+            StripCount::Sixteen => (F::table(&NARROW_16, &TABLE_16), &HALF_OF_16),
+            StripCount::ThirtyTwo => (F::table(&NARROW_32, &TABLE_32), &HALF_OF_32),
+            StripCount::SixtyFour => (F::table(&NARROW_64, &TABLE_64), &HALF_OF_64),
+        };
+        let [stretch, lever] = match count {
+            StripCount::Four => FACTORS_4,
+            StripCount::Eight => FACTORS_8,
+            StripCount::Sixteen => FACTORS_16,
+            StripCount::ThirtyTwo => FACTORS_32,
+            StripCount::SixtyFour => FACTORS_64,
+        };
+        Self { fours, stretch, lever, half }
+    }
+
+    /// `Y`, `C` and width of the strips, ascending in `Y`.
+    pub fn places(&self) -> impl Iterator<Item = [F; 3]> {
+        let lower = self.half.iter().rev().map(|[y, c, width]| [-y, *c, *width]);
+        lower.chain(self.half.iter().copied()).map(|place| place.map(F::of))
+    }
+}
+
+/// `[π/2/Σ C ΔY, π/8/Σ C Y² ΔY]`
+#[allow(clippy::indexing_slicing)]
+const fn factors(half: &Half) -> [f64; 2] {
+    let (mut area, mut lever, mut i) = (0.0, 0.0, 0);
+    while i < half.len() {
+        let [y, c, width] = half[i];
+        area += 2.0 * width * c;
+        lever += 2.0 * width * c * (y * y);
+        i += 1;
+    }
+    [core::f64::consts::FRAC_PI_2 / area, core::f64::consts::FRAC_PI_8 / lever]
+}
+
+#[allow(clippy::indexing_slicing)]
+const fn fours<const N: usize>(half: &Half) -> [FourStrips<f64>; N] {
+    let mut fours = [[[0.0; 2]; STRIP_FIELDS]; N];
+    let area = core::f64::consts::FRAC_PI_2 / factors(half)[0];
+    let mut i = 0;
+    while i < half.len() {
+        let [y, c, width] = half[i];
+        let load = 0.75 * width * (c * c);
+        // the outermost strip is of the first kind
+        let (four, kind) = (i / 2, 1 - i % 2);
+        let fields = [
+            y,
+            1.0 / c,
+            (0.4 - y * y) * y,
+            load,
+            load * c,
+            load * y,
+            width * c / area,
+        ];
+        let mut k = 0;
+        while k < STRIP_FIELDS {
+            fours[four][k][kind] = fields[k];
+            k += 1;
+        }
+        i += 1;
+    }
+    fours
+}
+
+macro_rules! rule {
+    ($count:literal, $table:ident, $narrow:ident, $factors:ident, $half:ident) => {
+        static $table: [FourStrips<f64>; $count / 4] = fours(&$half);
+        static $narrow: [FourStrips<f32>; $count / 4] = narrow(&$table);
+        const $factors: [f64; 2] = factors(&$half);
+    };
+}
+
+rule!(4, TABLE_4, NARROW_4, FACTORS_4, HALF_OF_4);
+rule!(8, TABLE_8, NARROW_8, FACTORS_8, HALF_OF_8);
+rule!(16, TABLE_16, NARROW_16, FACTORS_16, HALF_OF_16);
+rule!(32, TABLE_32, NARROW_32, FACTORS_32, HALF_OF_32);
+rule!(64, TABLE_64, NARROW_64, FACTORS_64, HALF_OF_64);
+
+/// In single precision.
+#[allow(clippy::indexing_slicing)]
+pub(super) const fn narrow<const N: usize, const P: usize>(
+    wide: &[[[f64; 2]; P]; N],
+) -> [[[f32; 2]; P]; N] {
+    let mut table = [[[0.0; 2]; P]; N];
+    let mut i = 0;
+    while i < N {
+        let mut j = 0;
+        while j < P {
+            table[i][j] = [wide[i][j][0] as f32, wide[i][j][1] as f32];
+            j += 1;
+        }
+        i += 1;
+    }
+    table
+}
