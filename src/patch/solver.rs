@@ -16,13 +16,13 @@
 use crate::contact::creepage::{Creepage, Parameters};
 use crate::linear::LinearCoefficients;
 use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float, Real};
+use crate::number::{Float, Real};
 use crate::patch::{Lobe, PatchStrip, PatchView};
 use crate::solve::field::FieldPoint;
 use crate::solve::model::{Jacobian, Model, Precision, Solution, StripResult, rolling_point};
 use crate::status::{Error, Notice};
 use crate::strip::{Carried, Law as StripLaw, Prepared, Seen, StripGeometry, four_strips};
-use crate::strip_1967::strip::{Regime, SlidingRule, Strip, StripPoint};
+use crate::strip_1967::strip::{Regime, SlidingRule, State, Strip, StripPoint};
 use nalgebra::Matrix3;
 
 /// Share `Π` of the friction bound below which a strip is treated as one with this share: the squares of what it
@@ -54,9 +54,7 @@ impl<T: Real> Share<T> {
         let Carried { fx, fy, mx, .. } = *carried;
         let (fx, fy) = (fx.scale(bound), fy.scale(bound));
         // Mz = ∫ (x Y − y X)
-        let mz = mx.scale(bound * strip.half_length)
-            + fy.scale(strip.centre_x)
-            - fx.scale(strip.y);
+        let mz = mx.scale(bound * strip.half_length) + fy.scale(strip.centre_x) - fx.scale(strip.y);
         Self { fx, fy, mz, stick, adheres }
     }
 }

@@ -159,8 +159,7 @@ impl<F: Plain> Prepared<F> {
             T::Pair::of(slope_square, bend_square).plus(1.0).sqrt().parts();
         // β and τ: how spin and lateral creepage share A_y and σ
         let spin_share = w2 * o_spin_share;
-        let lateral_share =
-            w2 * o_lateral + (one - w2).scale(self.lateral_at_rest);
+        let lateral_share = w2 * o_lateral + (one - w2).scale(self.lateral_at_rest);
         let lateral = ly * e_y;
         // a_x = (8/3π) C11 vx e_x
         let longitudinal = elastic * (lx * e_x).times(K) + rigid * vx;
@@ -178,7 +177,12 @@ impl<F: Plain> Prepared<F> {
         let bend = elastic * w2 * o_bend / bend_root;
         let [stretch, lever] = self.factors;
         let [longitudinal, lateral, slope, spin] = scaled_down(
-            [longitudinal.scale(stretch), lateral_creepage.scale(stretch), slope.scale(lever), spin],
+            [
+                longitudinal.scale(stretch),
+                lateral_creepage.scale(stretch),
+                slope.scale(lever),
+                spin,
+            ],
             SEEN_LIMIT,
         );
         Law { longitudinal, lateral, slope, bend, spin, creepage, root: self.root }

@@ -77,16 +77,7 @@ impl<T: Arithmetic> Spin<T> {
         // d = d₀ + d₁ r⁴
         let round = r.squared().squared().times(ROUND_SPIN).plus(ROUND);
         let inverse_round = round.times(4.0).inverse();
-        Self {
-            sigma,
-            r,
-            excess: sigma - r,
-            room,
-            inverse_room,
-            blend,
-            round,
-            inverse_round,
-        }
+        Self { sigma, r, excess: sigma - r, room, inverse_room, blend, round, inverse_round }
     }
 
     /// Another kind of number for each of its own.
@@ -193,11 +184,7 @@ impl<T: Arithmetic> Slip<T> {
         // t = r e_y + (p/B − r e_y)(1 + q m²)/2
         let half = reached.plus(1.0).times(0.5);
         let (tx, ty) = (px * inverse_bound, py * inverse_bound);
-        let traction = Traction {
-            x: tx * half,
-            y: spin.r + (ty - spin.r) * half,
-            tried,
-        };
+        let traction = Traction { x: tx * half, y: spin.r + (ty - spin.r) * half, tried };
         (Self { px, py, kept }, traction)
     }
 }

@@ -75,8 +75,7 @@ pub(super) struct Network<F: Plain> {
 impl<F: Plain> Network<F> {
     #[inline(always)]
     pub fn new(root: F, poisson_ratio: F) -> Self {
-        let [offset, by_root, by_poisson] =
-            F::Stored::table(&FIRST_OFFSET.0, &FIRST_OFFSET_WIDE.0);
+        let [offset, by_root, by_poisson] = F::Stored::table(&FIRST_OFFSET.0, &FIRST_OFFSET_WIDE.0);
         let mut start = quads::<F, { UNITS / 2 }, { UNITS / 4 }>(offset);
         let ratio = ((root.plus(-1.0)) / root.plus(1.0)).times(2.0);
         add_row::<F>(&mut start, ratio, by_root);

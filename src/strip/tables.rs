@@ -204,15 +204,7 @@ const fn fours<const N: usize>(half: &Half) -> [FourStrips<f64>; N] {
         let load = 0.75 * width * (c * c);
         // the outermost strip is of the first kind
         let (four, kind) = (i / 2, 1 - i % 2);
-        let fields = [
-            y,
-            1.0 / c,
-            (0.4 - y * y) * y,
-            load,
-            load * c,
-            load * y,
-            width * c / area,
-        ];
+        let fields = [y, 1.0 / c, (0.4 - y * y) * y, load, load * c, load * y, width * c / area];
         let mut k = 0;
         while k < STRIP_FIELDS {
             fours[four][k][kind] = fields[k];

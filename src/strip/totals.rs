@@ -81,8 +81,8 @@ impl<F: Plain> PreparedStrips<F> {
             let Some(four) = self.rule.fours.get(i) else { return };
             let Carried { fx, fy, mx, stick } = kernel.forces(&law, four);
             let [_, _, _, load, load_c, load_y, area] = fields::<F>(four);
-            let mz = (mx * load_c).scale(self.contact.root)
-                - (fx * load_y).scale(self.contact.upright);
+            let mz =
+                (mx * load_c).scale(self.contact.root) - (fx * load_y).scale(self.contact.upright);
             let of = |quad: F::Quad| quad.parts().get(lane).copied().unwrap_or(F::zero());
             let share = of(load);
             let found = Totals {
@@ -119,17 +119,16 @@ pub(crate) fn four_strips<T: Number>(
 ) -> [Carried<T>; 4] {
     let four = |of: fn(&(Seen<T>, T)) -> T| T::Quad::of(T::each(seen, of));
     let spin = Spin::new(four(|(_, spin)| *spin));
-    let seen = Seen {
-        x: four(|(seen, _)| seen.x),
-        y: four(|(seen, _)| seen.y),
-    };
+    let seen = Seen { x: four(|(seen, _)| seen.x), y: four(|(seen, _)| seen.y) };
     let (nodes, closed) = Kernel::<Stored<T>>::get().read(|[outer, other]| {
         Quad::plain(inner.map(|inner| T::Base::stored(if inner { *other } else { *outer })))
     });
     let Carried { fx, fy, mx, stick } = forces(&seen, &spin, &nodes, &closed);
     let [fy, mx, stick] = [fy, mx, stick].map(T::Quad::parts);
     let mut carried = fx.parts().map(|fx| Carried { fx, fy: fx, mx: fx, stick: fx });
-    for (own, (fy, (mx, stick))) in carried.iter_mut().zip(fy.into_iter().zip(mx.into_iter().zip(stick))) {
+    for (own, (fy, (mx, stick))) in
+        carried.iter_mut().zip(fy.into_iter().zip(mx.into_iter().zip(stick)))
+    {
         *own = Carried { fx: own.fx, fy, mx, stick };
     }
     carried
@@ -182,15 +181,7 @@ fn fields<F: Plain>(four: &FourStrips<F::Stored>) -> [F::Quad; STRIP_FIELDS] {
     };
     let [y, inverse, bend, load, load_c, load_y, area] = four;
     let even = both_sides::<F>;
-    [
-        odd(y),
-        even(inverse),
-        odd(bend),
-        even(load),
-        even(load_c),
-        odd(load_y),
-        even(area),
-    ]
+    [odd(y), even(inverse), odd(bend), even(load), even(load_c), odd(load_y), even(area)]
 }
 
 /// Forces moved so that friction takes power out: `F·v n/(v·K v)`, `K = diag(C11, C22, C33)`,

@@ -9,7 +9,6 @@
 use dashu_float::{FBig, round::mode::HalfEven};
 use kstrip::number::pairs::Two;
 use kstrip::number::{Arithmetic, Elementary, Float, Map, Number, Plain};
-use kstrip::strip::{Marched, STEPS, Step};
 use kstrip::strip_1967::quadrature::{Node, StripRule, Tabulated};
 use std::any::Any;
 use std::cell::RefCell;
@@ -247,42 +246,6 @@ const fn rows<const N: usize, const M: usize>(table: &[[f64; M]; N]) -> [[Precis
         i += 1;
     }
     copy
-}
-
-/// The tables of double precision.
-impl Marched for Precise {
-    const STEPS: [Step<Self>; STEPS] = {
-        let table = <f64 as Marched>::STEPS;
-        let zero = Self::Double(0.0);
-        let mut steps = [Step {
-            x: zero,
-            length: zero,
-            square: zero,
-            turn: zero,
-            bound: zero,
-            inverse: zero,
-            inverse_square: zero,
-        }; STEPS];
-        let mut j = 0;
-        while j < STEPS {
-            let Step { x, length, square, turn, bound, inverse, inverse_square } = table[j];
-            steps[j] = Step {
-                x: Self::Double(x),
-                length: Self::Double(length),
-                square: Self::Double(square),
-                turn: Self::Double(turn),
-                bound: Self::Double(bound),
-                inverse: Self::Double(inverse),
-                inverse_square: Self::Double(inverse_square),
-            };
-            j += 1;
-        }
-        steps
-    };
-    const HIDDEN: [[Self; 20]; 13] = rows(&<f64 as Marched>::HIDDEN);
-    const HIDDEN_OFFSET: [Self; 20] = rows(&[<f64 as Marched>::HIDDEN_OFFSET])[0];
-    const OUTPUT: [[Self; 8]; 20] = rows(&<f64 as Marched>::OUTPUT);
-    const OUTPUT_OFFSET: [Self; 8] = rows(&[<f64 as Marched>::OUTPUT_OFFSET])[0];
 }
 
 const fn nodes<const N: usize>(table: &[Node<f64>]) -> [Node<Precise>; N] {

@@ -14,7 +14,7 @@ use kstrip::linear::LinearCoefficients;
 use kstrip::number::dual::Dual;
 use kstrip::number::{Arithmetic, Float, Real};
 use kstrip::solve::model::{Model, Options, Precision, solve_jacobian};
-use kstrip::strip::{Placed, RollingStrips, StripGeometry, Uniform, march};
+use kstrip::strip::PreparedStrips;
 use kstrip::strip_1967::strip::{SlidingRule, adhesion_length};
 use kstrip::strip_1967::totals::StripTheory;
 use kstrip::total::{TotalForce, total};
@@ -57,7 +57,11 @@ fn exact<T: Real<Base = Precise>>(
             let TotalForce { fx, fy, mz } = total(g, nu, &linear, v);
             (contact.friction_bound(), [fx, fy, mz])
         }
-        Model::Strip => (contact.friction_bound(), strips(&RollingStrips::new(g, nu, &linear, v))),
+        Model::Strip => {
+            let strips = PreparedStrips::new(g, nu, &linear, StripCount::Sixteen);
+            let found = strips.totals(v);
+            (contact.friction_bound(), [found.fx, found.fy, found.mz])
+        }
         _ => {
             let continuous = model == Model::Strip1967Continuous;
             let rule = if continuous { SlidingRule::Continuous } else { SlidingRule::RigidSlip };
@@ -66,30 +70,6 @@ fn exact<T: Real<Base = Precise>>(
         }
     };
     [fx.scale(unit), fy.scale(unit), mz.scale(unit * radius)]
-}
-
-/// Sums over the sixteen strips of the Hertz ellipse.
-fn strips<T: Real<Base = Precise>>(law: &RollingStrips<T>) -> [T; 3] {
-    let rule = <f64 as Placed<16>>::RULE;
-    let mut law = *law;
-    law.longitudinal = law.longitudinal.scale(Precise::Double(rule.stretch));
-    law.lateral = law.lateral.scale(Precise::Double(rule.stretch));
-    law.slope = law.slope.scale(Precise::Double(rule.lever));
-    let [mut fx, mut fy, mut by_x, mut by_y] = [T::zero(); 4];
-    for i in 0..16 {
-        let half_length = Precise::Double(rule.half_length[i]);
-        let y = Precise::Double(rule.y[i]);
-        let seen = law.strip(&StripGeometry { y, half_length, bound: half_length });
-        let ([ax], [ay]) = ([seen.longitudinal], [seen.lateral]);
-        let found = march::<T, 1, false>(&[ax], &[ay], Uniform(law.spin));
-        let ([x], [y], [m]) = (found.fx, found.fy, found.mx);
-        fx += x.scale(Precise::Double(rule.load[i]));
-        fy += y.scale(Precise::Double(rule.load[i]));
-        by_y += x.scale(Precise::Double(rule.moment_y[i]));
-        by_x += m.scale(Precise::Double(rule.moment_x[i]));
-    }
-    let root = law.axis_ratio().sqrt();
-    [fx, fy, by_x.scale(root) - by_y.scale(Precise::one() / root)]
 }
 
 /// Where inputs come from.
