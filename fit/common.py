@@ -12,7 +12,7 @@ import numpy as np
 HERE = os.path.dirname(os.path.abspath(__file__))
 DATA = os.path.join(HERE, "data")
 SOURCE = os.path.join(HERE, os.pardir, "src")
-COEFFICIENTS = os.path.join(SOURCE, "coefficients", "constants.rs")
+COEFFICIENTS = os.path.join(SOURCE, "linear", "constants.rs")
 
 LN16 = float(np.log(16.0))
 K = 3 - float(np.log(4.0))

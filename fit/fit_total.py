@@ -17,6 +17,7 @@ import common
 import jax
 import jax.numpy as jnp
 import numpy as np
+from scipy.linalg import blas, cho_factor, cho_solve
 
 jax.config.update("jax_enable_x64", True)
 
@@ -79,28 +80,95 @@ def saturation(q2):
     return k * FULL / jnp.maximum(q, FULL)
 
 
-# --- model: the same formulas as src/total.rs --------------------------------------------------
+# --- rigid slip ------------------------------------------------------------------------------
+
+# Force and moment of a patch that slides as a whole, mu p s/|s| over the ellipse, as roots of rational functions of
+# U = vx^2/N, V = vy^2/N, T = phi^2/N with N = v^2 + phi^2 (g + 1/g); A = g T, B = T/g; x <-> y is U <-> V, A <-> B:
+#   F = (bx vx, by vy)/sqrt((bx vx)^2 + (by vy)^2 + N Z),   M = phi n/sqrt(N D)
+# bx, by of degree 1, Z and D of degree 3. Z, D, n > 0 everywhere (10^6 random places, g .001 .. 1000).
+def single(values):
+    """The numbers as the library stores them."""
+    return tuple(np.float32(values).astype(float).tolist())
 
 
-def within_spin(ls):
-    """Factor for creepages and spin: 1 up to |Ls| = 16, and |Ls| to 32 at most. No row of the data is beyond 16."""
-    size = np.sqrt(ls * ls + 1e-30)
-    excess = np.maximum(size - 16, 0)
-    return np.where(size > 16, (16 + excess / (1 + excess / 16)) / size, 1.0)
+RIGID_SLOPE = single((0.4027, 0.1115, 0.4042))
+RIGID_SPIN = single((0.2064, 0.0998, 0.0201, -0.0731, 0.1199, 0.0057, 0.116, 0.0503, 0.3058, 0.1481, 0.0, 0.0))
+RIGID_ARM = single((0.206, 0.0012, -0.0309, 0.0302, 0.0019, 0.0573))
+RIGID_SIZE = single((0.1396, 0.043, 0.0315, -0.0074, -0.0021, 0.0065, 0.0127, -0.0006, 0.0055, 0.7335, -0.2074, -0.1327))
+
+
+def cubic(g, p):
+    """Coefficients of T^3, T^2 U, T^2 V, T U^2, T U V, T V^2 in a polynomial of degree 3, unchanged under x <-> y."""
+    i = 1 / g
+    s = g + i
+    return (
+        p[5] * s * (s * s - 3) + p[6] * s + p[7] * (s * s - 2) + p[8],
+        p[0] * g * g + p[1] * i * i + p[2] + p[3] * g + p[4] * i,
+        p[0] * i * i + p[1] * g * g + p[2] + p[3] * i + p[4] * g,
+        p[9] * g + p[10] * i + p[11],
+        (p[9] + p[10]) * s + 2 * p[11],
+        p[9] * i + p[10] * g + p[11],
+    )
+
+
+def at(k, u, v, t):
+    return t * (t * (t * k[0] + u * k[1] + v * k[2]) + u * (u * k[3] + v * k[4]) + v * v * k[5])
+
+
+def rigid_slip(g, vx, vy, phi):
+    """Fx, Fy, Mz of rigid slip, and the share of spin in it."""
+    i = 1 / g
+    n = 1e-12 + vx * vx + vy * vy + phi * phi * (g + i)
+    u, v, t = vx * vx / n, vy * vy / n, phi * phi / n
+    p, q, r = RIGID_SLOPE
+    x = (u + v + t * (p * g + q * i + r)) * vx
+    y = (u + v + t * (p * i + q * g + r)) * vy
+    size = 1 / np.sqrt(x * x + y * y + n * at(cubic(g, RIGID_SPIN), u, v, t) + 1e-30)
+    a = RIGID_ARM
+    arm = u * (a[0] * g + a[1] * i + a[2]) + v * (a[0] * i + a[1] * g + a[2]) + t * (a[3] * (g * g + i * i) + a[4] * (g + i) + a[5])
+    return x * size, y * size, phi * arm / np.sqrt(n * ((u + v) ** 3 + at(cubic(g, RIGID_SIZE), u, v, t)) + 1e-30), t * (g + i)
+
+
+def sliding(g, v, radii=64, angles=128):
+    """The same by quadrature: midpoints in the share of the load within a radius, equal angles."""
+    share, turn = (np.arange(radii) + 0.5) / radii, 2 * np.pi * (np.arange(angles) + 0.5) / angles
+    radius = np.sqrt(1 - (1 - share) ** (2 / 3))
+    x0, y0 = (radius[:, None] * np.cos(turn)).ravel(), (radius[:, None] * np.sin(turn)).ravel()
+    found = []
+    for k in range(0, len(g), 256):
+        root = np.sqrt(g[k : k + 256, None])
+        x, y = x0 * root, y0 / root
+        vx, vy, phi = v[k : k + 256].T[:, :, None]
+        sx, sy = vx - phi * y, vy + phi * x
+        s = np.hypot(sx, sy) + 1e-12
+        found.append(np.stack([(sx / s).mean(1), (sy / s).mean(1), ((x * sy - y * sx) / s).mean(1)], 1))
+    return np.concatenate(found)
+
+
+def spin_moment(g):
+    """Moment of sliding by spin alone, within half a per cent."""
+    return np.sqrt(0.1406 * (g + 1 / g + 0.467))
+
+
+# --- model: the same formulas as src/total/mod.rs ----------------------------------------------
+
+GROWTH = 0.004  # of the slope beyond saturation: |q| of translation does not fall below that of full sliding again
+# size of the linear force where half of the answer is that of rigid slip: translation, and spin
+TRANSLATION, SPIN = 20.0, 250.0
 
 
 def frame(g, nu, v, c):
     """Of each contact: what the network is told, and what its corrections work on."""
     c11, c22, c23, c33 = c.T
-    vx, vy, phi = (v * within_spin(c23 * v[:, 2])[:, None]).T
+    vx, vy, phi = v.T
     root = np.sqrt(g)
-    inverse = root / g
-    both = g + 1 / g
+    inverse, both = root / g, g + 1 / g
     lx, ly, ls = c11 * vx, c22 * vy, c23 * phi
-    u2, s2, p2 = lx * lx + ly * ly, ls * ls, phi * phi
+    u2, s2 = lx * lx + ly * ly, ls * ls
     ix = 1 / (1 + (c11 * (inverse + 0.27 * root) / 1.5 * phi) ** 2)
     iy = 1 / (1 + (c22 * (root + 0.27 * inverse) / 1.5 * phi) ** 2)
-    tm2 = (c33 * phi) ** 2 / (0.1406 * (both + 0.467))
+    moment = 1 / (0.1406 * (both + 0.467))
+    tm2 = (c33 * phi) ** 2 * moment
     im = 1 / (1 + tm2 + u2)
     n2 = u2 + s2 + tm2
     w = n2 / (0.05 + n2)
@@ -108,14 +176,16 @@ def frame(g, nu, v, c):
     de = 1 / (1 + 0.1 * e2 * e2)
     shape = np.clip(root, 1 / LARGEST_ROOT, LARGEST_ROOT)
     slender, poisson = (shape - 1) / (shape + 1), 4 * nu - 1
-    kappa = p2 * both / (1e-12 + vx * vx + vy * vy + p2 * both)
-    fs, fe, lys = 1 / (1 + s2), 1 / (1 + e2), ly + ls
+    rx, ry, rm, kappa = rigid_slip(g, vx, vy, phi)
+    far = n2 * n2 * ((1 - kappa) ** 8 / TRANSLATION**4 + 1 / SPIN**4)
+    far = far / (1 + far)
+    fs, fe, lys, py2 = 1 / (1 + s2), 1 / (1 + e2), ly + ls, phi * phi * g
     features = {
         "slender": slender,
         "poisson": poisson,
         "kappa": kappa,
         "kappa * slender": kappa * slender,
-        "f_y": p2 * g / (0.002 + vy * vy + p2 * g),
+        "f_y": py2 / (0.002 + vy * vy + py2),
         "f_s": fs,
         "f_s4": 1 / (1 + s2 * s2),
         "f_u": 1 / (1 + 0.5 * u2),
@@ -131,7 +201,8 @@ def frame(g, nu, v, c):
         "im": im,
     }
     by = c22 * np.sqrt(iy)
-    places = (w, vx, vy, phi, by * (1 - de), c11 * np.sqrt(ix) * de, by, c23 / (1 + s2 + 0.3 * u2), c33 * np.sqrt(im), kappa, de, 1 / (0.1406 * (both + 0.467)))
+    slide = by * (1 - de) * (1 + GROWTH * e2 * e2)
+    places = (w, vx, vy, phi, slide, c11 * np.sqrt(ix) * de, slide + by * de, c23 / (1 + s2 + 0.3 * u2), c33 * np.sqrt(im), kappa, de, moment, 1 - far, far * rx, far * ry, far * rm)
     return np.stack([features[name] for name in FEATURES], 1), np.stack(places, 1)
 
 
@@ -155,7 +226,7 @@ def positive(o):
 
 def corrected(o, place):
     """(fx, fy, mz) of one contact."""
-    w, vx, vy, phi, bx, bx1, by, spin, em, kappa, de, moment = place
+    w, vx, vy, phi, bx, bx1, by, spin, em, kappa, de, moment, near, rx, ry, rm = place
     o = w * o
     k1, k2, k3, k4, k6 = (positive(o[i]) for i in (0, 1, 2, 3, 5))
     qx, qy = k2 * (bx + bx1 * k1) * vx, k2 * by * vy + k3 * spin * phi
@@ -165,7 +236,7 @@ def corrected(o, place):
     epsilon = epsilon / (1 + (moment * (epsilon * phi) ** 2) ** 2 / 16)
     rho = activation(o[4]) * de
     mz = epsilon * phi + sigma * (2 * rho * jnp.sqrt(k2 * by * epsilon) - k3 * spin) * vy
-    return jnp.stack([sigma * qx, sigma * qy, mz])
+    return jnp.stack([near * sigma * qx + rx, near * sigma * qy + ry, near * mz + rm])
 
 
 CORRECTED = jax.jit(jax.vmap(corrected))
@@ -189,41 +260,35 @@ class Rows:
 
 
 def row_weights(data):
-    """Rows by their own error, with some emphasis on both ends of the axis ratio."""
+    """Rows by their own error, with emphasis on both ends of the axis ratio."""
     w = np.where(data["fine"], 1.0, 0.8) * 0.004 / np.hypot(0.003, 0.5 * np.minimum(data["err"], 0.01))
-    # rows of full sliding: a tenth, over the longest arm of the moment
-    w = np.where(data["err"] < 0.1, w, 0.1 / np.maximum(np.sqrt(data["g"]), 1 / np.sqrt(data["g"])))
-    return w * np.where((data["g"] > 6) | (data["g"] < 0.13), 1.3, 1.0)
+    # rows of rigid slip: over the moment of sliding by spin; nearly nothing where elasticity is still to be seen
+    w = np.where(data["err"] < 0.1, w, np.where(data["err"] < 0.15, 0.3, 0.03) / np.sqrt(spin_moment(data["g"])))
+    return w * np.where(data["g"] > 6, 1.5, np.where(data["g"] < 0.13, 1.3, 1.0))
 
 
-def sliding_rows(count=2000, seed=0):
-    """Rows far beyond the data: creepage with so much spin that the whole patch slides, also of needles, by quadrature of its own.
-
-    They keep the corrections from running away there; a tenth of a row's weight each.
-    """
-    random = np.random.default_rng(seed)
-    g, nu = 10 ** (random.uniform(-1, 1, count) * np.where(random.random(count) < 0.5, 1, 3)), 0.5 * random.random(count)
+def sliding_rows(count=2000, seed=11):
+    """Rows of rigid slip. Without a share of spin it is the truth from 6 times saturation on; with a large one, and the spin's
+    pole in the patch, 10 to 400 times saturation is no more than a hint (`err` .2)."""
+    r = np.random.default_rng(seed)
+    g, nu = np.exp(r.uniform(np.log(0.05), np.log(20), count)), 0.5 * r.random(count)
     c = np.stack(common.coefficients(g, nu), 1)
-    phi = 10 ** random.uniform(1, 2, count) * np.sqrt(0.1406 * (g + 1 / g + 0.467)) / c[:, 3]
-    size = phi * np.sqrt(g + 1 / g) * 10 ** random.uniform(-1, 1.5, count)
-    # half of them along an axis
-    angle = np.where(random.random(count) < 0.5, np.pi / 2 * random.integers(-1, 3, count), random.uniform(-np.pi, np.pi, count))
-    vx, vy = size * np.cos(angle), size * np.sin(angle)
-    # midpoints in the share of the load within a radius, equal angles
-    share, turn = (np.arange(30) + 0.5) / 30, 2 * np.pi * (np.arange(60) + 0.5) / 60
-    radius = np.sqrt(1 - (1 - share) ** (2 / 3))
-    x = (radius[:, None] * np.cos(turn)).ravel() * np.sqrt(g)[:, None]
-    y = (radius[:, None] * np.sin(turn)).ravel() / np.sqrt(g)[:, None]
-    sx, sy = vx[:, None] - phi[:, None] * y, vy[:, None] + phi[:, None] * x
-    slip = np.hypot(sx, sy) + 1e-9
-    tx, ty = sx / slip, sy / slip
-    f = np.stack([tx.mean(1), ty.mean(1), (x * ty - y * tx).mean(1)], 1)
-    return {"g": g, "nu": nu, "v": np.stack([vx, vy, phi], 1), "c": c, "f": f, "err": np.full(count, 0.1), "fine": np.zeros(count, bool)}
+    x, y, axis = 10 ** r.uniform(-2, 2, count), 10 ** r.uniform(-2, 2, count), r.random(count)
+    x, y = np.where(axis < 0.08, 0, x), np.where((axis > 0.08) & (axis < 0.16), 0, y)
+    size = 0.5 * np.sqrt(g + 1 / g)
+    v = np.stack([x * size, y * size * r.choice([-1, 1], count), np.ones(count)], 1)
+    n = np.sqrt(((c[:, :3] * v) ** 2).sum(1) + (c[:, 3] / spin_moment(g)) ** 2)
+    kappa = 4 / (4 + x * x + y * y)
+    hint = kappa > 0.3
+    times = np.where(hint, 10 ** r.uniform(1, 3.6, count), np.where(kappa > 0.05, 10 ** r.uniform(1.48, 3, count), 10 ** r.uniform(0.78, 2, count)))
+    v = v * (times * FULL / n)[:, None]
+    err = np.where(hint & (times < 400), 0.2, 0.1)
+    return {"g": g, "nu": nu, "v": v, "c": c, "f": sliding(g, v), "err": err, "fine": np.zeros(count, bool)}
 
 
 def with_sliding(data):
-    sliding = sliding_rows()
-    return {key: np.concatenate([value, sliding[key]]) for key, value in data.items()}
+    rows = sliding_rows()
+    return {key: np.concatenate([value, rows[key]]) for key, value in data.items()}
 
 
 def flat(layers):
@@ -239,10 +304,11 @@ def like(layers, p):
 def normal_equations(layers, rows, penalty):
     """J'J and J'r. J in single precision: an outer product per layer of its inputs and of the slopes behind it."""
     p = flat(layers)
-    h, gradient = penalty * np.eye(len(p)), penalty * p
-    residuals = rows.residuals(layers).astype(np.float32)
+    h, gradient = np.zeros((len(p), len(p)), order="F"), penalty * p
     out, h1, s1, h2, s2 = network(layers, rows.x)
-    slopes = np.array(SLOPES(out, rows.places)) * (rows.weight[:, None] * SCALE)[:, :, None]
+    weight = rows.weight[:, None] * SCALE
+    residuals = ((np.array(CORRECTED(out, rows.places)) - rows.data["f"]) * weight).astype(np.float32)
+    slopes = np.array(SLOPES(out, rows.places)) * weight[:, :, None]
     single = lambda a: a.astype(np.float32)  # noqa: E731
     inputs = [single(np.concatenate([np.ones((rows.count, 1)), a], 1))[:, None, :, None] for a in (rows.x, h1, h2)]
     behind = [None, None, single(slopes)]
@@ -252,8 +318,10 @@ def normal_equations(layers, rows, penalty):
         s = slice(start, start + BLOCK)
         r = residuals[s].ravel()
         j = np.concatenate([(a[s] * b[s, :, None]).reshape(len(r), -1) for a, b in zip(inputs, behind)], 1)
-        h += j.T @ j
-        gradient += j.T @ r
+        h += blas.ssyrk(1.0, j.T)  # the upper triangle
+        gradient = gradient + j.T @ r
+    h = np.triu(h) + np.triu(h, 1).T
+    h[np.diag_indices(len(p))] += penalty
     return h, gradient
 
 
@@ -269,7 +337,11 @@ def levenberg_marquardt(layers, rows, iterations, label, damping=1e-3, penalty=W
         h, gradient = normal_equations(layers, rows, penalty)
         diagonal = np.diag(h)
         for attempt in range(10):
-            change = np.linalg.solve(h + damping * np.diag(diagonal + 1e-6 * diagonal.max()), gradient)
+            try:
+                change = cho_solve(cho_factor(h + damping * np.diag(diagonal + 1e-6 * diagonal.max())), gradient)
+            except np.linalg.LinAlgError:
+                damping *= 4
+                continue
             trial = like(layers, flat(layers) - change)
             new = cost(trial)
             if new < current:
@@ -337,7 +409,8 @@ def fit(quick, seed):
         common.report(f"  {widths(layers)} after {time.time() - began:.0f} s", validation.predict(layers), validation.data)
 
     layers = start(seed)
-    few = Rows(common.take(train.data, slice(0, 4096)))
+    index = np.random.default_rng(5).permutation(train.count)[:4096]
+    few = Rows(common.take(train.data, index))
     layers = levenberg_marquardt(layers, few, first, "few rows:", damping=1e-2)
     layers = levenberg_marquardt(layers, train, second, "all rows:")
     report()
@@ -377,13 +450,17 @@ def pairs(layer):
 
 def write(layers, path):
     header = [
-        "Corrections of the model TOTAL: a network of two hidden layers, its units side by side in pairs.",
+        "Constants of the model TOTAL: rigid slip, and a network of two hidden layers, its units side by side in pairs.",
         "",
         "Written by `fit/fit_total.py` from `fit/data/train.csv` and `fit/data/train_fine.csv` (computed with CONTACT,",
         "Vollebregt, Vtech CMCC, Apache-2.0).",
     ]
     first, second, last = layers
     common.write_constants(path, header, [
+        ("Rigid slip: slopes of the force, of g, 1/g and 1.", "RIGID_SLOPE", RIGID_SLOPE),
+        ("Rigid slip: what spin takes from the force.", "RIGID_SPIN", RIGID_SPIN),
+        ("Rigid slip: arm of the moment.", "RIGID_ARM", RIGID_ARM),
+        ("Rigid slip: size of the slip in the moment.", "RIGID_SIZE", RIGID_SIZE),
         ("First hidden layer: bias, then a row for each input that depends on the contact only.", "FIXED", pairs(first[: 1 + FIXED])),
         ("First hidden layer: a row for each other input.", "FIRST", pairs(first[1 + FIXED :])),
         ("Second hidden layer: bias, then a row for each unit of the first.", "SECOND", pairs(second)),
@@ -403,11 +480,11 @@ def stored(path):
 
 
 def check_values(layers):
-    """Inputs and outputs for the unit test of src/total.rs."""
+    """Inputs and outputs for src/total/tests.rs."""
     cases = np.array([
         (1.0, 0.28, 0.1, 0.0, 0.0), (1.0, 0.28, 0.1, -0.05, 0.2), (1.0, 0.28, -0.3, 0.2, 0.7), (0.1, 0.0, 0.05, 0.3, 0.1), (0.1, 0.5, 0.0, -0.2, 2.0),
         (10.0, 0.28, 0.0, 0.0, 0.09), (10.0, 0.28, 0.05, -0.22, 0.18), (5.0, 0.1, 0.0, 0.1, -0.2), (0.3, 0.4, 3.0, -2.0, 1.0), (2.0, 0.25, 1e-4, 2e-4, -1e-4),
-        (0.02, 0.3, 0.2, 0.2, 0.5), (60.0, 0.3, 0.01, 0.02, 0.03), (1.0, 0.5, 0.0, 0.0, 40.0),
+        (0.02, 0.3, 0.2, 0.2, 0.5), (60.0, 0.3, 0.01, 0.02, 0.03), (1.0, 0.5, 0.0, 0.0, 40.0), (20.0, 0.3, 30.0, 90.0, 50.0),
     ])  # fmt: skip
     g, nu, v = cases[:, 0], cases[:, 1], cases[:, 2:]
     x, places = frame(g, nu, v, np.stack(common.coefficients(g, nu), 1))

@@ -12,6 +12,7 @@
 use crate::batch::{Problems, Solutions, check_one, evaluate_one};
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
+use crate::contact::forces::Totals;
 use crate::linear::LinearCoefficients;
 use crate::number::lanes::{F32x8, F64x4, Lanes};
 use crate::number::{Arithmetic, Plain};
@@ -288,9 +289,9 @@ where
     match MODEL {
         TOTAL => {
             let linear = &coefficients(problem.contact);
-            let total::TotalForce { fx, fy, mz } =
-                total::wanted_total::<_, true>(axis_ratio, poisson_ratio, linear, creepage);
-            Some([fx, fy, mz, -L::one(), L::one()])
+            let prepared = total::Prepared::new(axis_ratio, poisson_ratio, linear);
+            let Totals { fx, fy, mz, stick } = prepared.totals(creepage);
+            Some([fx, fy, mz, stick, L::one()])
         }
         STRIP => {
             let linear = &coefficients(problem.contact);

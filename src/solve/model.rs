@@ -217,30 +217,22 @@ impl<'a, F: Precision> Problem<'a, F> {
                     .wanted_totals::<STICK, MOMENT>(self.options.strips)
             }
             Model::Strip => self.rolling_strips(parameters),
-            Model::Total => self.total_force::<T, MOMENT>(parameters),
+            Model::Total => self.total_force(parameters),
         }
     }
 
     /// (A function of its own: on a microcontroller the other models do not share its stack, elsewhere not its
     /// registers.)
     #[inline(never)]
-    fn total_force<T: Real<Base = F>, const MOMENT: bool>(
-        &self,
-        parameters: &Parameters<T>,
-    ) -> Totals<T> {
+    fn total_force<T: Real<Base = F>>(&self, parameters: &Parameters<T>) -> Totals<T> {
         // (a microcontroller has them in flash once)
         let linear = if cfg!(target_os = "none") {
             self.linear_coefficients()
         } else {
             LinearCoefficients::at_inline(parameters.axis_ratio, parameters.poisson_ratio)
         };
-        let total::TotalForce { fx, fy, mz } = total::wanted_total::<T, MOMENT>(
-            parameters.axis_ratio,
-            parameters.poisson_ratio,
-            &linear,
-            parameters.normalised(),
-        );
-        Totals { fx, fy, mz, stick: -T::one() }
+        total::Prepared::new(parameters.axis_ratio, parameters.poisson_ratio, &linear)
+            .totals(parameters.normalised())
     }
 
     pub(crate) fn notice(&self, psi: F) -> Notice {

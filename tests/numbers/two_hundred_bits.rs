@@ -10,6 +10,7 @@ use crate::random;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::{Creepage, Parameters};
 use kstrip::contact::forces::StripCount;
+use kstrip::contact::forces::Totals;
 use kstrip::linear::LinearCoefficients;
 use kstrip::number::dual::Dual;
 use kstrip::number::{Arithmetic, Float, Real};
@@ -17,7 +18,7 @@ use kstrip::solve::model::{Model, Options, Precision, solve_jacobian};
 use kstrip::strip::PreparedStrips;
 use kstrip::strip_1967::strip::{SlidingRule, adhesion_length};
 use kstrip::strip_1967::totals::StripTheory;
-use kstrip::total::{TotalForce, total};
+use kstrip::total::Prepared;
 use precise::Precise;
 use random::Random;
 
@@ -54,7 +55,7 @@ fn exact<T: Real<Base = Precise>>(
             (contact.shear_modulus * radius * radius, [longitudinal.scale(c11), fy, mz])
         }
         Model::Total => {
-            let TotalForce { fx, fy, mz } = total(g, nu, &linear, v);
+            let Totals { fx, fy, mz, .. } = Prepared::new(g, nu, &linear).totals(v);
             (contact.friction_bound(), [fx, fy, mz])
         }
         Model::Strip => {
