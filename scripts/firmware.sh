@@ -96,7 +96,7 @@ build() {
     name=$1 flags=$2
     shift 2
     if [ $way = rustup ]; then
-        RUSTFLAGS="$flags" cargo rustc --release --lib --crate-type staticlib --target $triple \
+        RUSTFLAGS="$flags" cargo rustc --locked --release --lib --crate-type staticlib --target $triple \
             --features panic-handler "$@" >"$out/$name.log" 2>&1
     else
         RUSTFLAGS="$flags" RUSTC_BOOTSTRAP=1 RUSTC=$debian_rustc cargo rustc --release --lib \
@@ -108,7 +108,7 @@ build() {
 
 # The version for this machine, to compare with.
 build_host() {
-    cargo rustc --release --lib --crate-type staticlib --features panic-handler >"$out/host.log" 2>&1 \
+    cargo rustc --locked --release --lib --crate-type staticlib --features panic-handler >"$out/host.log" 2>&1 \
         || { tail -n 30 "$out/host.log"; fail "build of the library for this machine"; }
     cp "$target_dir/release/libkstrip.a" "$out/host.a"
 }
