@@ -64,6 +64,11 @@ if has nm && [ "$(uname -s)" != Darwin ]; then
         esac
     done
     echo "archive: the same symbols and no other"
+    # What cargo and cargo-c leave, made into that, in place
+    cp "$target/release/libkstrip.a" "$work/cargo.a"
+    sh scripts/library.sh --localize "$work/cargo.a" "$work/cargo.a"
+    nm "$work/cargo.a" | awk 'NF == 3 && $2 ~ /^[A-TV-Zuvw]$/ { print $3 }' | sort | diff "$work/committed" - ||
+        fail "scripts/library.sh --localize leaves other symbols"
 else
     echo "SKIPPED: no nm (or macOS), the exported symbols were not compared"
 fi
