@@ -71,11 +71,11 @@ def wrap(values, indent, width=100):
 
 
 def read_constants(path):
-    """The arrays of a constants file, by name."""
+    """The f32 arrays of a constants file, by name."""
     with open(path, encoding="utf-8") as file:
         text = file.read()
     found = {}
-    for name, shape, body in re.findall(r"const (\w+): (\[[^=]*\]|f32) = ([^;]*);", text):
+    for name, shape, body in re.findall(r"const (\w+): (\[+f32[^=]*\]|f32) = ([^;]*);", text):
         values = np.array([float(x) for x in re.findall(r"-?\d+\.\d*(?:e-?\d+)?", body)], dtype=np.float32).astype(float)
         sizes = [int(n) for n in re.findall(r"; (\d+)", shape)][::-1]
         found[name] = values.reshape(sizes) if sizes else values[0]
