@@ -1,5 +1,9 @@
 //! Programs in C and C++, packages, firmware, and what the pages say.
 
+#[path = "../c/fortran.rs"]
+mod fortran;
+#[path = "../c/header.rs"]
+mod header;
 #[path = "../common/names.rs"]
 mod names;
 #[path = "../c/toolchain.rs"]
@@ -9,4 +13,5 @@ mod docs;
 mod firmware;
 mod install;
 mod no_alloc;
+mod other_languages;
 mod packaging;

@@ -1,0 +1,662 @@
+! kstrip from Fortran 2018: creep forces of rolling contact by Kalker's strip theory.
+!
+! Written from include/kstrip.h; do not edit: KSTRIP_WRITE_FORTRAN=1 cargo test --test builds fortran
+!
+! Names, units and signs are those of kstrip.h, which says more. Every function returns a status: 0 is success, above 0 a warning, below 0
+! an error with outputs untouched; kstrip_message() says what. All members of all types are zero, and all pointers null, unless set:
+! zero is the default of an option. Arguments that may be NULL in C are optional. C's row by row is Fortran's column by column: the
+! derivative of force i by creepage j is jacobian(j, i).
+module kstrip
+   use, intrinsic :: iso_c_binding
+   implicit none
+
+   integer(c_int32_t), parameter :: kstrip_ok = 0
+   integer(c_int32_t), parameter :: kstrip_warning_spin = 1
+   integer(c_int32_t), parameter :: kstrip_warning_range = 2
+   integer(c_int32_t), parameter :: kstrip_warning_beyond_friction = 3
+   integer(c_int32_t), parameter :: kstrip_warning_several_frictions = 4
+   integer(c_int32_t), parameter :: kstrip_warning_not_converged = 5
+   integer(c_int32_t), parameter :: kstrip_warning_friction_at_least = 6
+   integer(c_int32_t), parameter :: kstrip_warning_creepage_at_least = 7
+   integer(c_int32_t), parameter :: kstrip_warning_pressure = 8
+   integer(c_int32_t), parameter :: kstrip_warning_creepage = 9
+   integer(c_int32_t), parameter :: kstrip_warning_semi_axis = 10
+   integer(c_int32_t), parameter :: kstrip_warning_spin_unit = 11
+   integer(c_int32_t), parameter :: kstrip_warning_friction = 12
+   integer(c_int32_t), parameter :: kstrip_warning_radius = 13
+   integer(c_int32_t), parameter :: kstrip_error_null = -1
+   integer(c_int32_t), parameter :: kstrip_error_not_finite = -2
+   integer(c_int32_t), parameter :: kstrip_error_semi_axis = -3
+   integer(c_int32_t), parameter :: kstrip_error_normal_force = -4
+   integer(c_int32_t), parameter :: kstrip_error_modulus = -5
+   integer(c_int32_t), parameter :: kstrip_error_poisson_ratio = -6
+   integer(c_int32_t), parameter :: kstrip_error_friction = -7
+   integer(c_int32_t), parameter :: kstrip_error_model = -8
+   integer(c_int32_t), parameter :: kstrip_error_strip_count = -9
+   integer(c_int32_t), parameter :: kstrip_error_curvature = -10
+   integer(c_int32_t), parameter :: kstrip_error_rolling_speed = -11
+   integer(c_int32_t), parameter :: kstrip_error_capacity = -12
+   integer(c_int32_t), parameter :: kstrip_error_not_in_model = -13
+   integer(c_int32_t), parameter :: kstrip_error_overflow = -14
+   integer(c_int32_t), parameter :: kstrip_error_friction_ratio = -15
+   integer(c_int32_t), parameter :: kstrip_error_friction_decay = -16
+   integer(c_int32_t), parameter :: kstrip_error_negative_speed = -17
+   integer(c_int32_t), parameter :: kstrip_error_slope_factor = -18
+   integer(c_int32_t), parameter :: kstrip_error_unexplained = -19
+   integer(c_int32_t), parameter :: kstrip_error_force_beyond_friction = -20
+   integer(c_int32_t), parameter :: kstrip_error_measured = -21
+   integer(c_int32_t), parameter :: kstrip_error_not_prepared = -22
+   integer(c_int32_t), parameter :: kstrip_error_floor_speed = -23
+   integer(c_int32_t), parameter :: kstrip_error_strip_size = -40
+   integer(c_int32_t), parameter :: kstrip_error_pressure = -41
+   integer(c_int32_t), parameter :: kstrip_error_strip_order = -42
+   integer(c_int32_t), parameter :: kstrip_error_patch_size = -43
+   integer(c_int32_t), parameter :: kstrip_error_profile = -44
+   integer(c_int32_t), parameter :: kstrip_error_profile_end = -45
+   integer(c_int32_t), parameter :: kstrip_error_rolling_radius = -46
+   integer(c_int32_t), parameter :: kstrip_model_default = 0
+   integer(c_int32_t), parameter :: kstrip_model_strip_1967 = 1
+   integer(c_int32_t), parameter :: kstrip_model_strip_1967_continuous = 2
+   integer(c_int32_t), parameter :: kstrip_model_strip = 3
+   integer(c_int32_t), parameter :: kstrip_model_total = 4
+   integer(c_int32_t), parameter :: kstrip_model_linear = 5
+   integer(c_int32_t), parameter :: kstrip_strips_capacity = 320
+   integer(c_int32_t), parameter :: kstrip_state_outside = 0
+   integer(c_int32_t), parameter :: kstrip_state_stick = 1
+   integer(c_int32_t), parameter :: kstrip_state_slip = 2
+   integer(c_int32_t), parameter :: kstrip_state_slip_negative_dissipation = 3
+   integer(c_int32_t), parameter :: kstrip_patch_capacity = 64
+   integer(c_int32_t), parameter :: kstrip_measured_fx = 1
+   integer(c_int32_t), parameter :: kstrip_measured_fy = 2
+   integer(c_int32_t), parameter :: kstrip_version_major = 0
+   integer(c_int32_t), parameter :: kstrip_version_minor = 2
+   integer(c_int32_t), parameter :: kstrip_version_patch = 0
+   integer(c_int32_t), parameter :: kstrip_abi_version_expected = 1
+
+   !> An isotropic elastic body.
+   type, bind(c) :: kstrip_material
+      real(c_double) :: shear_modulus = 0
+      real(c_double) :: poisson_ratio = 0
+   end type
+
+   !> The combined elastic constants of two bodies: what the contact sees.
+   type, bind(c) :: kstrip_combined_material
+      real(c_double) :: shear_modulus = 0
+      real(c_double) :: poisson_ratio = 0
+      real(c_double) :: mismatch = 0
+   end type
+
+   !> Radii of curvature of two bodies at the contact [m]: convex positive, flat infinite (INFINITY), concave negative.
+   type, bind(c) :: kstrip_radii
+      real(c_double) :: lower_x = 0
+      real(c_double) :: lower_y = 0
+      real(c_double) :: upper_x = 0
+      real(c_double) :: upper_y = 0
+   end type
+
+   !> A loaded elliptic contact with combined elastic constants and Coulomb friction.
+   type, bind(c) :: kstrip_contact
+      real(c_double) :: a = 0
+      real(c_double) :: b = 0
+      real(c_double) :: normal_force = 0
+      real(c_double) :: shear_modulus = 0
+      real(c_double) :: poisson_ratio = 0
+      real(c_double) :: friction = 0
+   end type
+
+   !> The contact ellipse of Hertz.
+   type, bind(c) :: kstrip_hertz_contact
+      real(c_double) :: a = 0
+      real(c_double) :: b = 0
+      real(c_double) :: peak_pressure = 0
+      real(c_double) :: approach = 0
+      real(c_double) :: axis_ratio = 0
+      real(c_double) :: hertz_angle = 0
+      real(c_double) :: rho = 0
+   end type
+
+   !> Velocity of one body's material at the centre of the contact, seen from the contact.
+   type, bind(c) :: kstrip_velocity
+      real(c_double) :: x = 0
+      real(c_double) :: y = 0
+      real(c_double) :: angular_z = 0
+   end type
+
+   !> Rigid slip of the upper over the lower body, divided by the rolling speed (3.3).
+   type, bind(c) :: kstrip_creepage
+      real(c_double) :: longitudinal = 0
+      real(c_double) :: lateral = 0
+      real(c_double) :: spin = 0
+   end type
+
+   !> Kalker's parameters (5.13) of a contact in motion, dimensionless.
+   type, bind(c) :: kstrip_parameters
+      real(c_double) :: xi = 0
+      real(c_double) :: eta = 0
+      real(c_double) :: psi = 0
+   end type
+
+   !> Which model, and with how many strips.
+   type, bind(c) :: kstrip_options
+      integer(c_int32_t) :: model = 0
+      integer(c_int32_t) :: strips = 0
+   end type
+
+   !> Forces on the lower body.
+   type, bind(c) :: kstrip_result
+      real(c_double) :: fx = 0
+      real(c_double) :: fy = 0
+      real(c_double) :: mz = 0
+      real(c_double) :: power = 0
+      real(c_double) :: adhesion = 0
+      integer(c_int32_t) :: status_detail = 0
+      integer(c_int32_t) :: reserved = 0
+   end type
+
+   !> Friction that falls with the slip, friction ((1 - ratio) exp(-decay w) + ratio) with the sliding velocity w [m/s],
+   !> and the stiffness of the layer between the bodies.
+   type, bind(c) :: kstrip_friction
+      real(c_double) :: friction = 0
+      real(c_double) :: ratio = 0
+      real(c_double) :: decay = 0
+      real(c_double) :: rolling_speed = 0
+      real(c_double) :: slope_factor = 0
+   end type
+
+   !> Derivatives of fx, fy, mz by creepages, load and friction.
+   type, bind(c) :: kstrip_derivatives
+      real(c_double) :: jacobian(3, 3) = 0
+      real(c_double) :: normal_force(3) = 0
+      real(c_double) :: load_through_hertz(3) = 0
+      real(c_double) :: friction(3) = 0
+   end type
+
+   !> Derivatives of fx, fy, mz by the parameters of falling friction.
+   type, bind(c) :: kstrip_law_derivatives
+      real(c_double) :: ratio(3) = 0
+      real(c_double) :: decay(3) = 0
+      real(c_double) :: rolling_speed(3) = 0
+      real(c_double) :: slope_factor(3) = 0
+   end type
+
+   !> One strip y = const of a contact or a patch: what it carries, on the lower body.
+   type, bind(c) :: kstrip_strip
+      real(c_double) :: y = 0
+      real(c_double) :: width = 0
+      real(c_double) :: half_length = 0
+      real(c_double) :: separatrix = 0
+      real(c_double) :: fx = 0
+      real(c_double) :: fy = 0
+      real(c_double) :: mz = 0
+      real(c_double) :: power = 0
+      integer(c_int32_t) :: state = 0
+      integer(c_int32_t) :: reserved = 0
+   end type
+
+   !> Where the outputs of kstrip_evaluate() and kstrip_patch_evaluate() go.
+   type, bind(c) :: kstrip_outputs
+      type(c_ptr) :: result = c_null_ptr
+      type(c_ptr) :: derivatives = c_null_ptr
+      type(c_ptr) :: law_derivatives = c_null_ptr
+      type(c_ptr) :: friction = c_null_ptr
+      type(c_ptr) :: strips = c_null_ptr
+      type(c_ptr) :: count = c_null_ptr
+      integer(c_int32_t) :: capacity = 0
+      integer(c_int32_t) :: reserved = 0
+   end type
+
+   !> Many contacts with their motion and their friction: for each quantity a pointer to the first one and the distance
+   !> to the next in bytes.
+   type, bind(c) :: kstrip_batch_inputs
+      type(c_ptr) :: a = c_null_ptr
+      integer(c_intptr_t) :: a_stride = 0
+      type(c_ptr) :: b = c_null_ptr
+      integer(c_intptr_t) :: b_stride = 0
+      type(c_ptr) :: normal_force = c_null_ptr
+      integer(c_intptr_t) :: normal_force_stride = 0
+      type(c_ptr) :: shear_modulus = c_null_ptr
+      integer(c_intptr_t) :: shear_modulus_stride = 0
+      type(c_ptr) :: poisson_ratio = c_null_ptr
+      integer(c_intptr_t) :: poisson_ratio_stride = 0
+      type(c_ptr) :: friction = c_null_ptr
+      integer(c_intptr_t) :: friction_stride = 0
+      type(c_ptr) :: longitudinal = c_null_ptr
+      integer(c_intptr_t) :: longitudinal_stride = 0
+      type(c_ptr) :: lateral = c_null_ptr
+      integer(c_intptr_t) :: lateral_stride = 0
+      type(c_ptr) :: spin = c_null_ptr
+      integer(c_intptr_t) :: spin_stride = 0
+      type(c_ptr) :: law = c_null_ptr
+      integer(c_intptr_t) :: law_stride = 0
+   end type
+
+   !> Where the results of many contacts go: for each quantity a pointer to the first one and the distance to the next in
+   !> bytes.
+   type, bind(c) :: kstrip_batch_outputs
+      type(c_ptr) :: fx = c_null_ptr
+      integer(c_intptr_t) :: fx_stride = 0
+      type(c_ptr) :: fy = c_null_ptr
+      integer(c_intptr_t) :: fy_stride = 0
+      type(c_ptr) :: mz = c_null_ptr
+      integer(c_intptr_t) :: mz_stride = 0
+      type(c_ptr) :: power = c_null_ptr
+      integer(c_intptr_t) :: power_stride = 0
+      type(c_ptr) :: adhesion = c_null_ptr
+      integer(c_intptr_t) :: adhesion_stride = 0
+      type(c_ptr) :: status_detail = c_null_ptr
+      integer(c_intptr_t) :: status_detail_stride = 0
+      type(c_ptr) :: friction = c_null_ptr
+      integer(c_intptr_t) :: friction_stride = 0
+      type(c_ptr) :: derivatives = c_null_ptr
+      integer(c_intptr_t) :: derivatives_stride = 0
+      type(c_ptr) :: law_derivatives = c_null_ptr
+      integer(c_intptr_t) :: law_derivatives_stride = 0
+   end type
+
+   !> A contact of which everything that does not depend on the motion has been computed.
+   type, bind(c) :: kstrip_prepared
+      real(c_double) :: numbers(64) = 0
+      integer(c_int32_t) :: model = 0
+      integer(c_int32_t) :: strips = 0
+   end type
+
+   !> How the upper body moves over the lower one at the contact, in axes that stay when the motion reverses.
+   type, bind(c) :: kstrip_motion
+      real(c_double) :: slip_x = 0
+      real(c_double) :: slip_y = 0
+      real(c_double) :: spin_rate = 0
+      real(c_double) :: rolling_speed = 0
+      real(c_double) :: floor_speed = 0
+   end type
+
+   !> Derivatives of fx, fy, mz by the motion, by load and by friction.
+   type, bind(c) :: kstrip_motion_derivatives
+      real(c_double) :: slip(3, 3) = 0
+      real(c_double) :: rolling_speed(3) = 0
+      real(c_double) :: normal_force(3) = 0
+      real(c_double) :: load_through_hertz(3) = 0
+      real(c_double) :: friction(3) = 0
+      real(c_double) :: ratio(3) = 0
+      real(c_double) :: decay(3) = 0
+      real(c_double) :: slope_factor(3) = 0
+   end type
+
+   !> Where the outputs of kstrip_solve_motion() go.
+   type, bind(c) :: kstrip_motion_outputs
+      type(c_ptr) :: result = c_null_ptr
+      type(c_ptr) :: derivatives = c_null_ptr
+      type(c_ptr) :: friction = c_null_ptr
+   end type
+
+   !> The state of a point of the contact plane.
+   type, bind(c) :: kstrip_point
+      real(c_double) :: pressure = 0
+      real(c_double) :: traction_x = 0
+      real(c_double) :: traction_y = 0
+      real(c_double) :: slip_x = 0
+      real(c_double) :: slip_y = 0
+      real(c_double) :: dissipation = 0
+      integer(c_int32_t) :: state = 0
+      integer(c_int32_t) :: reserved = 0
+   end type
+
+   !> What presses two profiles together.
+   type, bind(c) :: kstrip_profile_contact
+      real(c_double) :: rolling_radius = 0
+      real(c_double) :: normal_force = 0
+      real(c_double) :: approach = 0
+      real(c_double) :: smoothing_length = 0
+      real(c_double) :: shear_modulus = 0
+      real(c_double) :: poisson_ratio = 0
+      real(c_double) :: friction = 0
+      integer(c_int32_t) :: strips = 0
+      integer(c_int32_t) :: reserved = 0
+   end type
+
+   !> One strip of a patch, along the rolling direction.
+   type, bind(c) :: kstrip_patch_strip
+      real(c_double) :: y = 0
+      real(c_double) :: width = 0
+      real(c_double) :: half_length = 0
+      real(c_double) :: centre_x = 0
+      real(c_double) :: peak_pressure = 0
+      real(c_double) :: friction = 0
+   end type
+
+   !> A contact patch of any shape: its strips, in ascending y.
+   type, bind(c) :: kstrip_patch
+      type(kstrip_patch_strip) :: strips(kstrip_patch_capacity)
+      real(c_double) :: shear_modulus = 0
+      real(c_double) :: poisson_ratio = 0
+      real(c_double) :: area_scale = 0
+      real(c_double) :: lever_scale = 0
+      integer(c_int32_t) :: count = 0
+      integer(c_int32_t) :: reserved = 0
+   end type
+
+   !> How two profiles meet.
+   type, bind(c) :: kstrip_profile_result
+      real(c_double) :: approach = 0
+      real(c_double) :: peak_pressure = 0
+      real(c_double) :: normal_force = 0
+      real(c_double) :: deepest_y = 0
+      integer(c_int32_t) :: iterations = 0
+      integer(c_int32_t) :: reserved = 0
+   end type
+
+   !> What a patch carries.
+   type, bind(c) :: kstrip_patch_summary
+      real(c_double) :: normal_force = 0
+      real(c_double) :: friction_bound = 0
+      real(c_double) :: area = 0
+      integer(c_int32_t) :: lobes = 0
+      integer(c_int32_t) :: reserved = 0
+   end type
+
+   !> A coefficient of friction from a measured force.
+   type, bind(c) :: kstrip_friction_estimate
+      real(c_double) :: friction = 0
+      real(c_double) :: sensitivity = 0
+      real(c_double) :: residual = 0
+      integer(c_int32_t) :: status_detail = 0
+      integer(c_int32_t) :: reserved = 0
+   end type
+
+   interface
+      !> What a status means and what the caller must change, in English.
+      type(c_ptr) function kstrip_status_string(status) bind(c)
+         import
+         integer(c_int32_t), value :: status
+      end function
+
+      !> Combine the elastic constants of two bodies.
+      integer(c_int32_t) function kstrip_material_combine(lower, upper, combined) bind(c)
+         import
+         type(kstrip_material), intent(in) :: lower
+         type(kstrip_material), intent(in) :: upper
+         type(kstrip_combined_material), intent(inout) :: combined
+      end function
+
+      !> The contact of two bodies that a load presses together (Hertz).
+      integer(c_int32_t) function kstrip_contact_from_hertz(radii, pair, load, friction, contact, ellipse) bind(c)
+         import
+         type(kstrip_radii), intent(in) :: radii
+         type(kstrip_combined_material), intent(in) :: pair
+         real(c_double), value :: load
+         real(c_double), value :: friction
+         type(kstrip_contact), intent(inout) :: contact
+         type(kstrip_hertz_contact), intent(inout), optional :: ellipse
+      end function
+
+      !> The contact of two bodies that have approached each other: the exact inverse of Hertz, for penalty contact.
+      integer(c_int32_t) function kstrip_contact_from_approach(radii, pair, approach, friction, contact, dload_dapproach) bind(c)
+         import
+         type(kstrip_radii), intent(in) :: radii
+         type(kstrip_combined_material), intent(in) :: pair
+         real(c_double), value :: approach
+         real(c_double), value :: friction
+         type(kstrip_contact), intent(inout) :: contact
+         real(c_double), intent(inout), optional :: dload_dapproach
+      end function
+
+      !> Kalker's coefficients C11, C22, C23, C33 of the linear theory.
+      integer(c_int32_t) function kstrip_linear_coefficients(axis_ratio, poisson_ratio, coefficients) bind(c)
+         import
+         real(c_double), value :: axis_ratio
+         real(c_double), value :: poisson_ratio
+         real(c_double), intent(inout) :: coefficients(*)
+      end function
+
+      !> Creepages from the velocities of both bodies: (upper - lower)/rolling_speed.
+      integer(c_int32_t) function kstrip_creepage_from_velocities(lower, upper, rolling_speed, creepage) bind(c)
+         import
+         type(kstrip_velocity), intent(in) :: lower
+         type(kstrip_velocity), intent(in) :: upper
+         real(c_double), value :: rolling_speed
+         type(kstrip_creepage), intent(inout) :: creepage
+      end function
+
+      !> Kalker's dimensionless parameters xi, eta, psi (5.13) of a contact in motion; zero where it is lost.
+      integer(c_int32_t) function kstrip_parameters_from_creepage(contact, creepage, parameters) bind(c)
+         import
+         type(kstrip_contact), intent(in) :: contact
+         type(kstrip_creepage), intent(in) :: creepage
+         type(kstrip_parameters), intent(inout) :: parameters
+      end function
+
+      !> The creepage that has the given parameters xi, eta, psi on a contact: the inverse of
+      !> kstrip_parameters_from_creepage(); zero where it is lost.
+      integer(c_int32_t) function kstrip_creepage_from_parameters(contact, parameters, creepage) bind(c)
+         import
+         type(kstrip_contact), intent(in) :: contact
+         type(kstrip_parameters), intent(in) :: parameters
+         type(kstrip_creepage), intent(inout) :: creepage
+      end function
+
+      !> Forces of a contact in motion, on the lower body: the fast path.
+      integer(c_int32_t) function kstrip_solve(contact, creepage, options, result) bind(c)
+         import
+         type(kstrip_contact), intent(in) :: contact
+         type(kstrip_creepage), intent(in) :: creepage
+         type(kstrip_options), intent(in), optional :: options
+         type(kstrip_result), intent(inout) :: result
+      end function
+
+      !> Everything about a contact in motion in one call: of the outputs, those that are not NULL.
+      integer(c_int32_t) function kstrip_evaluate(contact, creepage, friction, options, outputs) bind(c)
+         import
+         type(kstrip_contact), intent(in) :: contact
+         type(kstrip_creepage), intent(in) :: creepage
+         type(kstrip_friction), intent(in), optional :: friction
+         type(kstrip_options), intent(in), optional :: options
+         type(kstrip_outputs), intent(in) :: outputs
+      end function
+
+      !> kstrip_evaluate() for many contacts: the same results, bit for bit.
+      integer(c_int32_t) function kstrip_evaluate_batch(inputs, count, options, outputs, first_bad) bind(c)
+         import
+         type(kstrip_batch_inputs), intent(in) :: inputs
+         integer(c_int32_t), value :: count
+         type(kstrip_options), intent(in), optional :: options
+         type(kstrip_batch_outputs), intent(in) :: outputs
+         integer(c_int32_t), intent(inout), optional :: first_bad
+      end function
+
+      !> Everything that depends on the contact and the options only, for kstrip_solve_prepared().
+      integer(c_int32_t) function kstrip_prepare(contact, options, prepared) bind(c)
+         import
+         type(kstrip_contact), intent(in) :: contact
+         type(kstrip_options), intent(in), optional :: options
+         type(kstrip_prepared), intent(inout) :: prepared
+      end function
+
+      !> kstrip_solve() for a prepared contact: the same result, bit for bit.
+      integer(c_int32_t) function kstrip_solve_prepared(prepared, creepage, result) bind(c)
+         import
+         type(kstrip_prepared), intent(in) :: prepared
+         type(kstrip_creepage), intent(in) :: creepage
+         type(kstrip_result), intent(inout) :: result
+      end function
+
+      !> Forces of a contact that rolls forward, backward, or not at all, with derivatives by its motion: for wheels that
+      !> stop, hold and reverse.
+      integer(c_int32_t) function kstrip_solve_motion(contact, motion, friction, options, outputs) bind(c)
+         import
+         type(kstrip_contact), intent(in) :: contact
+         type(kstrip_motion), intent(in) :: motion
+         type(kstrip_friction), intent(in), optional :: friction
+         type(kstrip_options), intent(in), optional :: options
+         type(kstrip_motion_outputs), intent(in) :: outputs
+      end function
+
+      !> kstrip_solve() with KSTRIP_MODEL_TOTAL; a program that calls only this links no other model.
+      integer(c_int32_t) function kstrip_solve_total(contact, creepage, result) bind(c)
+         import
+         type(kstrip_contact), intent(in) :: contact
+         type(kstrip_creepage), intent(in) :: creepage
+         type(kstrip_result), intent(inout) :: result
+      end function
+
+      !> kstrip_solve() with KSTRIP_MODEL_STRIP; a program that calls only this links no other model.
+      integer(c_int32_t) function kstrip_solve_strip(contact, creepage, strips, result) bind(c)
+         import
+         type(kstrip_contact), intent(in) :: contact
+         type(kstrip_creepage), intent(in) :: creepage
+         integer(c_int32_t), value :: strips
+         type(kstrip_result), intent(inout) :: result
+      end function
+
+      !> kstrip_solve() with KSTRIP_MODEL_STRIP_1967; a program that calls only this links no other model.
+      integer(c_int32_t) function kstrip_solve_strip_1967(contact, creepage, strips, result) bind(c)
+         import
+         type(kstrip_contact), intent(in) :: contact
+         type(kstrip_creepage), intent(in) :: creepage
+         integer(c_int32_t), value :: strips
+         type(kstrip_result), intent(inout) :: result
+      end function
+
+      !> kstrip_solve() with KSTRIP_MODEL_LINEAR; a program that calls only this links no other model.
+      integer(c_int32_t) function kstrip_solve_linear(contact, creepage, result) bind(c)
+         import
+         type(kstrip_contact), intent(in) :: contact
+         type(kstrip_creepage), intent(in) :: creepage
+         type(kstrip_result), intent(inout) :: result
+      end function
+
+      !> Pressure, traction, slip and state over a grid; one point is a grid of one.
+      integer(c_int32_t) function kstrip_field(contact, creepage, options, x, columns, y, rows, points, capacity) bind(c)
+         import
+         type(kstrip_contact), intent(in) :: contact
+         type(kstrip_creepage), intent(in) :: creepage
+         type(kstrip_options), intent(in), optional :: options
+         real(c_double), intent(in) :: x(*)
+         integer(c_int32_t), value :: columns
+         real(c_double), intent(in) :: y(*)
+         integer(c_int32_t), value :: rows
+         type(kstrip_point), intent(inout) :: points(*)
+         integer(c_int32_t), value :: capacity
+      end function
+
+      !> The patch of two profiles under a load, or at an approach.
+      integer(c_int32_t) function kstrip_patch_from_profile(y, distance, points, contact, patch, result) bind(c)
+         import
+         real(c_double), intent(in) :: y(*)
+         real(c_double), intent(in) :: distance(*)
+         integer(c_int32_t), value :: points
+         type(kstrip_profile_contact), intent(in) :: contact
+         type(kstrip_patch), intent(inout) :: patch
+         type(kstrip_profile_result), intent(inout), optional :: result
+      end function
+
+      !> A patch from strips of any origin, in any order of y.
+      integer(c_int32_t) function kstrip_patch_from_strips(strips, count, shear_modulus, poisson_ratio, patch) bind(c)
+         import
+         type(kstrip_patch_strip), intent(in) :: strips(*)
+         integer(c_int32_t), value :: count
+         real(c_double), value :: shear_modulus
+         real(c_double), value :: poisson_ratio
+         type(kstrip_patch), intent(inout) :: patch
+      end function
+
+      !> The strips of a contact's ellipse, where KSTRIP_MODEL_STRIP places them; none where it is lost.
+      integer(c_int32_t) function kstrip_patch_from_contact(contact, options, patch) bind(c)
+         import
+         type(kstrip_contact), intent(in) :: contact
+         type(kstrip_options), intent(in), optional :: options
+         type(kstrip_patch), intent(inout) :: patch
+      end function
+
+      !> Load, friction bound, area and lobes of a patch; checks it without solving.
+      integer(c_int32_t) function kstrip_patch_summarize(patch, summary) bind(c)
+         import
+         type(kstrip_patch), intent(in) :: patch
+         type(kstrip_patch_summary), intent(inout) :: summary
+      end function
+
+      !> Everything about a patch in motion in one call, on the lower body: of the outputs, those that are not NULL.
+      integer(c_int32_t) function kstrip_patch_evaluate(patch, creepage, friction, options, outputs) bind(c)
+         import
+         type(kstrip_patch), intent(in) :: patch
+         type(kstrip_creepage), intent(in) :: creepage
+         type(kstrip_friction), intent(in), optional :: friction
+         type(kstrip_options), intent(in), optional :: options
+         type(kstrip_outputs), intent(in) :: outputs
+      end function
+
+      !> Pressure, traction, slip and state of a patch over a grid; they do not vary over the width of a strip.
+      integer(c_int32_t) function kstrip_patch_field(patch, creepage, options, x, columns, y, rows, points, capacity) bind(c)
+         import
+         type(kstrip_patch), intent(in) :: patch
+         type(kstrip_creepage), intent(in) :: creepage
+         type(kstrip_options), intent(in), optional :: options
+         real(c_double), intent(in) :: x(*)
+         integer(c_int32_t), value :: columns
+         real(c_double), intent(in) :: y(*)
+         integer(c_int32_t), value :: rows
+         type(kstrip_point), intent(inout) :: points(*)
+         integer(c_int32_t), value :: capacity
+      end function
+
+      !> The coefficient of friction that explains a measured force at a known creepage.
+      integer(c_int32_t) function kstrip_estimate_friction(contact, creepage, options, measured, fx, fy, estimate) bind(c)
+         import
+         type(kstrip_contact), intent(in) :: contact
+         type(kstrip_creepage), intent(in) :: creepage
+         type(kstrip_options), intent(in), optional :: options
+         integer(c_int32_t), value :: measured
+         real(c_double), value :: fx
+         real(c_double), value :: fy
+         type(kstrip_friction_estimate), intent(inout) :: estimate
+      end function
+
+      !> The creepage at which a contact with a given spin carries a wanted force.
+      integer(c_int32_t) function kstrip_creepage_for_force(contact, fx, fy, spin, options, creepage) bind(c)
+         import
+         type(kstrip_contact), intent(in) :: contact
+         real(c_double), value :: fx
+         real(c_double), value :: fy
+         real(c_double), value :: spin
+         type(kstrip_options), intent(in), optional :: options
+         type(kstrip_creepage), intent(inout) :: creepage
+      end function
+
+      !> Fill options with zero, the defaults: KSTRIP_MODEL_DEFAULT and 16 strips.
+      integer(c_int32_t) function kstrip_options_init(options) bind(c)
+         import
+         type(kstrip_options), intent(inout) :: options
+      end function
+
+      !> The same result seen from the upper body: opposite forces and moment, same power and adhesion.
+      integer(c_int32_t) function kstrip_result_on_upper_body(lower, upper) bind(c)
+         import
+         type(kstrip_result), intent(in) :: lower
+         type(kstrip_result), intent(inout) :: upper
+      end function
+
+      !> Version of the library that is linked, such as "0.2.0".
+      type(c_ptr) function kstrip_version_string() bind(c)
+         import
+      end function
+
+      !> ABI version of the library that is linked: compare with KSTRIP_ABI_VERSION of the header.
+      integer(c_int32_t) function kstrip_abi_version() bind(c)
+         import
+      end function
+   end interface
+contains
+
+   !> What a status means and what the caller must change, in English.
+   function kstrip_message(status) result(text)
+      integer(c_int32_t), intent(in) :: status
+      character(len=:), allocatable :: text
+      character(kind=c_char), pointer :: letters(:)
+      integer :: n
+      call c_f_pointer(kstrip_status_string(status), letters, [1000])
+      n = 0
+      do while (letters(n + 1) /= c_null_char)
+         n = n + 1
+      end do
+      allocate (character(len=n) :: text)
+      text = transfer(letters(1:n), text)
+   end function
+end module

@@ -1,0 +1,158 @@
+//! Fortran, MATLAB and Octave; and the library inside a simulator of rigid bodies (ODE).
+
+use crate::fortran;
+use crate::toolchain::{cpp_compilers, library, output_of, root, run_source, say, scratch};
+use std::path::PathBuf;
+use std::process::Command;
+
+fn has(tool: &str) -> bool {
+    Command::new(tool).arg("--version").output().is_ok_and(|output| output.status.success())
+}
+
+fn read(name: &str) -> String {
+    std::fs::read_to_string(root().join(name)).expect(name)
+}
+
+/// A folder of this test's own.
+fn folder(name: &str) -> PathBuf {
+    let folder = scratch().join(name);
+    std::fs::create_dir_all(&folder).expect("scratch is writable");
+    folder
+}
+
+fn numbers(text: &str) -> Vec<f64> {
+    text.split_whitespace().filter_map(|word| word.parse().ok()).collect()
+}
+
+/// `KSTRIP_WRITE_FORTRAN=1 cargo test --test builds fortran` writes it anew.
+#[test]
+fn fortran_module_is_what_the_header_says() {
+    let (name, written) =
+        ("bindings/fortran/kstrip.f90", fortran::module(&read("include/kstrip.h")));
+    if std::env::var_os("KSTRIP_WRITE_FORTRAN").is_some() {
+        std::fs::write(root().join(name), &written).expect("the module can be written");
+    }
+    let way = "KSTRIP_WRITE_FORTRAN=1 cargo test --test builds fortran";
+    assert!(read(name) == written, "{name} is not what the header says: {way}");
+}
+
+/// The example compiles without a warning and prints what the same calls print in C.
+#[test]
+fn fortran_prints_what_c_prints() {
+    if !has("gfortran") {
+        say("SKIPPED: the Fortran module, because there is no gfortran");
+        return;
+    }
+    let folder = folder("fortran");
+    let program = folder.join("wheel_rail");
+    let sources =
+        ["kstrip.f90", "wheel_rail.f90"].map(|name| root().join("bindings/fortran").join(name));
+    let mut compiler = Command::new("gfortran");
+    compiler.args(["-std=f2018", "-Wall", "-Wextra", "-Werror", "-O1", "-J"]).arg(&folder);
+    output_of(compiler.args(sources).arg(library()).arg("-o").arg(&program));
+    let printed = output_of(&mut Command::new(program));
+
+    let twin = r#"
+#include <math.h>
+#include <stdio.h>
+#include "kstrip.h"
+int main(void)
+{
+    const kstrip_radii radii = {INFINITY, 0.30, 0.46, INFINITY};
+    const kstrip_combined_material steel = {82e9, 0.28, 0};
+    kstrip_contact contact;
+    kstrip_hertz_contact ellipse;
+    kstrip_result force;
+    kstrip_derivatives by_creepage;
+    kstrip_motion_derivatives by_slip;
+    const kstrip_outputs outputs = {.result = &force, .derivatives = &by_creepage};
+    const kstrip_motion_outputs motion_outputs = {.result = &force, .derivatives = &by_slip};
+    kstrip_contact_from_hertz(&radii, &steel, 80e3, 0.3, &contact, &ellipse);
+    printf("%.6f %.6f %.4f\n", contact.a * 1e3, contact.b * 1e3, ellipse.peak_pressure / 1e6);
+    for (int i = 0; i <= 5; i++) {
+        const kstrip_creepage creepage = {i * 1e-3, 0.5e-3, 0.1};
+        kstrip_evaluate(&contact, &creepage, NULL, NULL, &outputs);
+        printf("%.4f %.3f %.3f %.3f %.6e\n", creepage.longitudinal, force.fx, force.fy, force.mz, by_creepage.jacobian[1][2]);
+    }
+    for (int i = -2; i <= 2; i++) {
+        const kstrip_motion motion = {.slip_x = 1e-3, .rolling_speed = i * 0.5};
+        kstrip_solve_motion(&contact, &motion, NULL, NULL, &motion_outputs);
+        printf("%.4f %.3f %.6e\n", motion.rolling_speed, force.fx, by_slip.slip[0][0]);
+    }
+    puts(kstrip_status_string(KSTRIP_ERROR_FRICTION));
+    return 0;
+}
+"#;
+    let source = folder.join("twin.c");
+    std::fs::write(&source, twin).expect("scratch is writable");
+    let expected = run_source(&source);
+    let (ours, theirs) = (numbers(&printed), numbers(&expected));
+    assert!(ours.len() == theirs.len() && ours.len() > 40, "{printed}\n{expected}");
+    for (ours, theirs) in ours.iter().zip(&theirs) {
+        // Half a unit of the last place may fall to either side.
+        assert!(
+            (ours - theirs).abs() <= 1.1e-3 + 2e-6 * theirs.abs(),
+            "{ours}, in C {theirs}:\n{printed}"
+        );
+    }
+    assert_eq!(printed.lines().last(), expected.lines().last(), "the message of the status");
+}
+
+/// The mex file, by its own test: forces, derivatives, errors.
+#[test]
+fn octave_calls_the_library() {
+    if !has("mkoctfile") || !has("octave-cli") {
+        say("SKIPPED: the mex file, because there is no Octave (octave, octave-dev)");
+        return;
+    }
+    let folder = folder("octave");
+    let mut make = Command::new("mkoctfile");
+    make.current_dir(&folder).args(["--mex", "-Wall"]);
+    make.arg(format!("-I{}", root().join("include").display()));
+    make.arg(root().join("bindings/octave/kstrip.c")).arg(library());
+    output_of(make.arg("-o").arg(folder.join("kstrip.mex")));
+    let mut octave = Command::new("octave-cli");
+    octave.args(["--norc", "--path"]).arg(&folder);
+    let text = output_of(octave.arg(root().join("bindings/octave/test_kstrip.m")));
+    assert_eq!(numbers(&text).len(), 3, "the last line of the test: {text}");
+}
+
+/// A driven and braked wheelset in ODE: at 60 steps a second the slip is that of 4000, and standing on a slope of 1 in 50 it
+/// creeps by less than a fiftieth of a millimetre in three seconds.
+#[test]
+fn ode_wheelset_drives_stops_and_holds() {
+    let flags = Command::new("pkg-config").args(["--cflags", "--libs", "ode"]).output();
+    let Some(flags) = flags.ok().filter(|flags| flags.status.success()) else {
+        say("SKIPPED: hosts/ode, because there is no ODE (libode-dev, pkg-config)");
+        return;
+    };
+    let Some(compiler) = cpp_compilers().into_iter().next() else {
+        say("SKIPPED: hosts/ode, because there is no C++ compiler");
+        return;
+    };
+    let program = folder("ode").join("wheelset");
+    let mut command = Command::new(compiler);
+    command
+        .args(["-std=c++17", "-Wall", "-Wextra", "-Werror", "-O2", "-I"])
+        .arg(root().join("include"));
+    command.arg(root().join("hosts/ode/wheelset.cpp")).arg(library());
+    command.args(String::from_utf8_lossy(&flags.stdout).split_whitespace());
+    output_of(command.arg("-o").arg(&program));
+    let text = output_of(&mut Command::new(program));
+    let rows: Vec<Vec<f64>> = text
+        .lines()
+        .map(|line| line.split([' ', ',', ';', ':']).filter_map(|word| word.parse().ok()).collect())
+        .collect();
+    // rate, speed and slip after driving, speed while standing, 3 (s), drift, load, calls
+    let fine = rows.last().expect("rows");
+    assert_eq!((rows.len(), rows[0][0], fine[0]), (4, 60.0, 4000.0), "{text}");
+    for row in &rows {
+        assert!((row[2] / fine[2] - 1.0).abs() < 0.02, "slip: {text}");
+        assert!((row[1] / fine[1] - 1.0).abs() < 0.01, "speed: {text}");
+        // The brake holds by creeping downhill, and by nothing else.
+        assert!(row[5] < 0.0 && row[5].abs() < 0.02, "drift: {text}");
+        assert!((row[6] / 79_952.0 - 1.0).abs() < 1e-3, "load: {text}");
+    }
+    // Pulled by half of the friction bound: slip towards the rear
+    assert!(fine[2] < 0.0 && fine[1] > 5.0, "{text}");
+}
