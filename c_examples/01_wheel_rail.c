@@ -34,21 +34,21 @@ int main(void)
     kstrip_combined_material pair;
     kstrip_hertz_contact patch;
     check(kstrip_material_combine(&steel, &steel, &pair));
-    check(kstrip_hertz(&radii, load, &pair, &patch));
+    kstrip_contact contact;
+    check(kstrip_contact_from_hertz(&radii, &pair, load, friction, &contact, &patch));
     printf("Contact patch\n  a = %.6f mm along the rail, b = %.6f mm across\n", patch.a * 1e3,
            patch.b * 1e3);
     printf("  peak pressure %.4f MPa, approach %.6f um\n\n", patch.peak_pressure / 1e6,
            patch.approach * 1e6);
 
-    /* Forces on the rail; the wheel gets the opposite. NULL: the recommended model. */
-    const kstrip_contact contact = {patch.a,           patch.b, load, pair.shear_modulus,
-                                    pair.poisson_ratio, friction};
+    /* Forces on the rail; the wheel gets the opposite. The model that knows the stick area, for its last column. */
+    const kstrip_options strips = {.model = KSTRIP_MODEL_STRIP};
     printf("Forces on the rail\n  long. [%%]  lat. [%%] spin [1/m]     Fx [N]     Fy [N]   Mz [N m]"
            "  stick [%%]\n");
     for (size_t i = 0; i < sizeof motions / sizeof *motions; i++) {
         const kstrip_creepage m = motions[i];
         kstrip_result f;
-        check(kstrip_solve(&contact, &m, NULL, &f));
+        check(kstrip_solve(&contact, &m, &strips, &f));
         printf("%11.2f%10.2f%11.2f%11.2f%11.2f%11.4f%11.3f\n", m.longitudinal * 100,
                m.lateral * 100, m.spin, tidy(f.fx), tidy(f.fy), tidy(f.mz), f.adhesion * 100);
     }

@@ -32,7 +32,10 @@ int main(void)
     kstrip_strip strips[KSTRIP_STRIPS_CAPACITY];
     uint32_t count;
     double fx = 0, fy = 0, mz = 0, power = 0;
-    check(kstrip_strips(&contact, &motion, &options, strips, KSTRIP_STRIPS_CAPACITY, &count));
+    kstrip_result f;
+    const kstrip_outputs outputs = {
+        .result = &f, .strips = strips, .capacity = KSTRIP_STRIPS_CAPACITY, .count = &count};
+    check(kstrip_evaluate(&contact, &motion, NULL, &options, &outputs));
     printf("strip    y [mm]  width [mm]  half length [mm]  separatrix [mm]     Fx [N]     Fy [N]"
            "\n");
     for (uint32_t i = 0; i < count; i++) {
@@ -66,8 +69,6 @@ int main(void)
         }
     }
 
-    kstrip_result f;
-    check(kstrip_solve(&contact, &motion, &options, &f));
     printf("\n                        N [N]      Fx [N]      Fy [N]   Mz [N m]   power [N]\n");
     printf("solve          %14.4f%12.4f%12.4f%11.6f%12.6f\n", contact.normal_force, f.fx, f.fy,
            f.mz, f.power);

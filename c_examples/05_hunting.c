@@ -11,7 +11,7 @@
 static const double mass = 1800, inertia = 1100, lateral = 400e3, yaw = 3e6; /* kg, kg m2, N/m, N m */
 static const double radius = 0.46, half_gauge = 0.75, conicity = 0.1, h = 0.5e-3; /* m, m, -; half a step [s] */
 static const kstrip_contact contact = {6e-3, 4.5e-3, 80e3, 82e9, 0.28, 0.2};
-static unsigned long calls; /* of kstrip_solve_jacobian() */
+static unsigned long calls; /* of kstrip_evaluate() */
 
 typedef struct { double y, psi, v, w; } state; /* right [m], clockwise from above [rad], their rates */
 
@@ -25,13 +25,15 @@ static void accelerate(const state *x, double speed, const kstrip_options *model
         const kstrip_creepage c = {-arm * x->w / speed - cone * x->y, x->v / speed - x->psi, x->w / speed - cone};
         const double by[2][3] = {{-cone * h, 1 / speed, 0}, {-arm / speed, -h, 1 / speed}};
         kstrip_result f; /* on the rail: the wheel gets the opposite */
-        double j[9];
-        if (calls++, kstrip_solve_jacobian(&contact, &c, model, &f, j) < 0)
+        kstrip_derivatives d;
+        const kstrip_outputs outputs = {.result = &f, .derivatives = &d};
+        if (calls++, kstrip_evaluate(&contact, &c, NULL, model, &outputs) < 0)
             exit(EXIT_FAILURE);
         a[0] -= f.fy / mass, a[1] += (arm * f.fx - f.mz) / inertia;
         for (int k = 0; k < 2; k++)
             for (int i = 0; i < 3; i++)
-                s[0][k] -= j[3 + i] * by[k][i] / mass, s[1][k] += (arm * j[i] - j[6 + i]) * by[k][i] / inertia;
+                s[0][k] -= d.jacobian[1][i] * by[k][i] / mass,
+                    s[1][k] += (arm * d.jacobian[0][i] - d.jacobian[2][i]) * by[k][i] / inertia;
     }
 }
 

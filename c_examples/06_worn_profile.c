@@ -30,14 +30,14 @@ int main(void)
         const double s = y[i] / 4.5e-3, w = s * s - 1;
         distance[i] = 70e-6 * w * w + 3e-6 * s;
     }
-    /* Rolling radius [m], load [N], shear modulus [Pa], Poisson's ratio, friction */
-    const kstrip_profile_contact wheel = {0.46, 80e3, 82e9, 0.28, 0.35};
+    const kstrip_profile_contact wheel = {.rolling_radius = 0.46, .normal_force = 80e3, .shear_modulus = 82e9,
+                                          .poisson_ratio = 0.28, .friction = 0.35, .strips = 32};
     kstrip_profile_result found;
     kstrip_patch_summary sums;
-    check(kstrip_patch_from_profile(y, distance, POINTS, &wheel, 32, &clean, &found));
+    check(kstrip_patch_from_profile(y, distance, POINTS, &wheel, &clean, &found));
     check(kstrip_patch_summarize(&clean, &sums));
     printf("approach %.4f um, peak pressure %.3f MPa at y = %.4f mm, load %.4f N\n",
-           found.penetration * 1e6, found.peak_pressure / 1e6, found.deepest_y * 1e3,
+           found.approach * 1e6, found.peak_pressure / 1e6, found.deepest_y * 1e3,
            found.normal_force);
     printf("%u strips in %u zones, area %.4f mm2\n\n", (unsigned)clean.count, (unsigned)sums.lobes,
            sums.area * 1e6);
@@ -54,7 +54,8 @@ int main(void)
         const kstrip_creepage m = motions[i];
         for (int k = 0; k < 2; k++) {
             kstrip_result f;
-            check(kstrip_patch_solve(k ? &greasy : &clean, &m, NULL, &f));
+            const kstrip_outputs outputs = {.result = &f};
+            check(kstrip_patch_evaluate(k ? &greasy : &clean, &m, NULL, NULL, &outputs));
             printf("%9.3f %9.3f %11.3f %11.3f %11.3f %10.4f %10.4f  %s\n", m.longitudinal * 100,
                    m.lateral * 100, m.spin, f.fx, f.fy, f.mz, f.adhesion * 100,
                    k ? "greasy" : "clean");

@@ -18,10 +18,11 @@ static double traction(const kstrip_friction *law, double slip, double *slope, d
 {
     const kstrip_creepage c = {-slip, 0, 0}; /* the wheel's surface moves backwards over the rail */
     kstrip_result f;                         /* on the rail: the wheel gets the opposite */
-    double j[9];
-    if (kstrip_solve_friction_jacobian(&contact, &c, law, &model, &f, j, friction) < 0)
+    kstrip_derivatives d;
+    const kstrip_outputs outputs = {.result = &f, .derivatives = &d, .friction = friction};
+    if (kstrip_evaluate(&contact, &c, law, &model, &outputs) < 0)
         exit(EXIT_FAILURE);
-    *slope = j[0];
+    *slope = d.jacobian[0][0];
     return -f.fx;
 }
 

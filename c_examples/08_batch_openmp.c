@@ -37,7 +37,18 @@ static void solve_batch(int count, int threads)
 #pragma omp parallel for num_threads(threads) schedule(dynamic)
     for (int i = 0; i < count; i += PIECE) {
         const uint32_t length = (uint32_t)(count - i < PIECE ? count - i : PIECE);
-        check(kstrip_solve_batch(&contacts[i], &creepages[i], length, NULL, &results[i]));
+        const kstrip_contact *c = &contacts[i];
+        const kstrip_creepage *k = &creepages[i];
+        kstrip_result *r = &results[i];
+        const ptrdiff_t of_c = sizeof *c, of_k = sizeof *k, of_r = sizeof *r; /* from one to the next */
+        const kstrip_batch_inputs from = {&c->a, of_c, &c->b, of_c, &c->normal_force, of_c,
+                                          &c->shear_modulus, of_c, &c->poisson_ratio, of_c,
+                                          &c->friction, of_c, &k->longitudinal, of_k,
+                                          &k->lateral, of_k, &k->spin, of_k, NULL, 0};
+        const kstrip_batch_outputs to = {&r->fx, of_r, &r->fy, of_r, &r->mz, of_r, &r->power, of_r,
+                                         &r->adhesion, of_r, &r->status_detail, of_r,
+                                         NULL, 0, NULL, 0, NULL, 0};
+        check(kstrip_evaluate_batch(&from, length, NULL, &to, NULL));
     }
 }
 
@@ -62,7 +73,7 @@ int main(int argc, char **argv)
     int differing = 0;
     for (int threads = 0; threads <= 2; threads++) { /* 0: without batch */
         double best = 1e300;
-        memset(results, 0xff, n * sizeof *results);
+        memset(results, 0, n * sizeof *results);
         for (int round = 0; round < ROUNDS; round++) {
             const double start = omp_get_wtime();
             threads == 0 ? solve_scalar(count) : solve_batch(count, threads);

@@ -20,6 +20,7 @@ enum { SHAPES = 20, SPINS = 20, SIZES = 25, CELLS = SHAPES * SPINS * SIZES };
    friction times load, moment in those times sqrt(ab), share of the contact in adhesion. */
 enum { SHAPE, SPIN, SIZE, FORCE, LEAST, MOST, MOMENT, STICK, NUMBERS };
 static const char titles[] = "a_over_b,psi,creepage,force,force_least,force_most,moment,stick";
+static const kstrip_options strips = {KSTRIP_MODEL_STRIP, 0}; /* it knows the stick area */
 static double mine[CELLS][NUMBERS], rows[CELLS][NUMBERS];
 
 static void check(int good, const char *message)
@@ -42,7 +43,7 @@ static void solve_cell(int cell, int directions, double *row)
         kstrip_creepage creepage;
         kstrip_result f;
         kstrip_status status = kstrip_creepage_from_parameters(&contact, &p, &creepage);
-        status = status < 0 ? status : kstrip_solve(&contact, &creepage, NULL, &f);
+        status = status < 0 ? status : kstrip_solve(&contact, &creepage, &strips, &f);
         check(status >= 0, kstrip_status_string(status));
         const double force = sqrt(f.fx * f.fx + f.fy * f.fy) / bound;
         row[FORCE] += force / directions;

@@ -80,7 +80,7 @@ fn example_prints_what_rust_computes() {
     close(numbers(text, "slope")[0][0], slopes[(0, 0)], 4);
     let (_, all) = derivatives::solve(&contact, &motion, &options).expect("a solution");
     let printed = &numbers(text, "derivatives")[0];
-    close(printed[0], all.jacobian[(1, 1)], 4);
+    close(printed[0], all.jacobian[1][1], 4);
     close(printed[1], all.normal_force[0], 9);
     close(printed[2], all.friction[0], 4);
     close(printed[3], all.load_through_hertz[0], 9);

@@ -9,6 +9,8 @@ mod names;
 #[path = "../c/toolchain.rs"]
 mod toolchain;
 
+mod c_programs;
+mod cpp_programs;
 mod docs;
 mod firmware;
 mod install;

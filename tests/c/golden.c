@@ -2,7 +2,7 @@
  * tests/data/golden.txt the hashes that are right.
  *
  *     golden               one contact after the other
- *     golden batch         kstrip_solve_batch where it answers the same question
+ *     golden batch         kstrip_evaluate_batch for each contact
  *     golden threads       two threads, half of the contacts each
  *
  * golden_case.h says what is hashed of a case. Inputs are quotients of integers, so that no compiler can round
@@ -10,7 +10,7 @@
  * threads.
  */
 #define _POSIX_C_SOURCE 200809L
-#include "kstrip.h"
+#include "kstrip_f32.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -24,8 +24,8 @@ enum { CONTACTS = 100000 };
 enum { FIRST = 1000, BLOCK = 1000, BLOCKS = CONTACTS / BLOCK };
 
 /* Each has its own hash. */
-enum { SOLVES, PATCHES, FRICTION, WANTED, RIG, KINDS };
-static const char *const kinds[KINDS] = {"", " patches", " friction", " wanted", " rig"};
+enum { SOLVES, PATCHES, FRICTION, SPECIAL, RIG, KINDS };
+static const char *const kinds[KINDS] = {"", " patches", " friction", " special", " rig"};
 
 static uint64_t mixed(uint64_t hash, uint64_t bits)
 {

@@ -26,12 +26,22 @@ static void NAME(add_result)(uint64_t *hash, kstrip_status status, const NAME(ks
     }
 }
 
-static void NAME(add_jacobian)(uint64_t *hash, kstrip_status status, const NAME(kstrip_result) *r,
-                               const REAL *jacobian)
+/* With all derivatives. */
+static void NAME(add_derivatives)(uint64_t *hash, kstrip_status status, const NAME(kstrip_result) *r,
+                                  const NAME(kstrip_derivatives) *d,
+                                  const NAME(kstrip_law_derivatives) *law)
 {
     NAME(add_result)(hash, status, r);
-    if (status >= 0)
-        NAME(add_all)(hash, jacobian, 9);
+    if (status >= 0) {
+        NAME(add_all)(hash, &d->jacobian[0][0], 9);
+        NAME(add_all)(hash, d->normal_force, 3);
+        NAME(add_all)(hash, d->load_through_hertz, 3);
+        NAME(add_all)(hash, d->friction, 3);
+        NAME(add_all)(hash, law->ratio, 3);
+        NAME(add_all)(hash, law->decay, 3);
+        NAME(add_all)(hash, law->rolling_speed, 3);
+        NAME(add_all)(hash, law->slope_factor, 3);
+    }
 }
 
 static void NAME(add_point)(uint64_t *hash, kstrip_status status, const NAME(kstrip_point) *p)
@@ -64,20 +74,44 @@ static REAL NAME(part)(uint32_t whole, double of)
     return (REAL)((double)whole / of);
 }
 
+/* A batch of one contact; with derivatives unless d is NULL. */
+static kstrip_status NAME(batch)(const NAME(kstrip_contact) *c, const NAME(kstrip_creepage) *k,
+                                 const kstrip_options *o, NAME(kstrip_result) *r,
+                                 NAME(kstrip_derivatives) *d, NAME(kstrip_law_derivatives) *law)
+{
+    NAME(kstrip_batch_inputs) from;
+    NAME(kstrip_batch_outputs) to;
+    memset(&from, 0, sizeof from);
+    memset(&to, 0, sizeof to);
+    from.a = &c->a, from.b = &c->b, from.normal_force = &c->normal_force;
+    from.shear_modulus = &c->shear_modulus, from.poisson_ratio = &c->poisson_ratio;
+    from.friction = &c->friction;
+    from.longitudinal = &k->longitudinal, from.lateral = &k->lateral, from.spin = &k->spin;
+    to.fx = &r->fx, to.fy = &r->fy, to.mz = &r->mz, to.power = &r->power;
+    to.adhesion = &r->adhesion, to.status_detail = &r->status_detail;
+    to.derivatives = d, to.law_derivatives = law;
+    return NAME(kstrip_evaluate_batch)(&from, 1, o, &to, NULL);
+}
+
 /* Derivatives and three points of the field. */
 static void NAME(field)(uint64_t *hash, const NAME(kstrip_contact) *c, const NAME(kstrip_creepage) *k,
                         const kstrip_options *o, int batch)
 {
     NAME(kstrip_result) r;
+    NAME(kstrip_derivatives) d;
+    NAME(kstrip_law_derivatives) law;
+    NAME(kstrip_outputs) all;
     NAME(kstrip_point) p;
-    REAL jacobian[9];
+    kstrip_status status;
     int n;
-    kstrip_status status = batch ? NAME(kstrip_solve_jacobian_batch)(c, k, 1, o, &r, jacobian)
-                                 : NAME(kstrip_solve_jacobian)(c, k, o, &r, jacobian);
-    *hash = mixed(*hash, (uint32_t)status);
-    NAME(add_all)(hash, jacobian, 9);
+    memset(&all, 0, sizeof all);
+    all.result = &r, all.derivatives = &d, all.law_derivatives = &law;
+    status = batch ? NAME(batch)(c, k, o, &r, &d, &law)
+                   : NAME(kstrip_evaluate)(c, k, NULL, o, &all);
+    NAME(add_derivatives)(hash, status, &r, &d, &law);
     for (n = -1; n <= 1; n++) {
-        status = NAME(kstrip_traction_at)(c, k, o, c->a * (REAL)n / 2, c->b * (REAL)n / 4, &p);
+        const REAL x = c->a * (REAL)n / 2, y = c->b * (REAL)n / 4;
+        status = NAME(kstrip_field)(c, k, o, &x, 1, &y, 1, &p, 1);
         NAME(add_point)(hash, status, &p);
     }
 }
@@ -90,7 +124,7 @@ static kstrip_status NAME(build)(uint64_t *hash, uint32_t i, const NAME(kstrip_c
     kstrip_status status;
     uint32_t n, at = 0;
     if (i / 5 % 3 == 0) {
-        status = NAME(kstrip_patch_from_ellipse)(c, o->strips, patch);
+        status = NAME(kstrip_patch_from_contact)(c, o, patch);
         for (n = 0; status >= 0 && n < patch->count; n++)
             patch->strips[n].friction *= NAME(part)(4 + draw(i, 100 + n, 5), 8);
     } else if (i / 5 % 3 == 1) {
@@ -120,14 +154,16 @@ static kstrip_status NAME(build)(uint64_t *hash, uint32_t i, const NAME(kstrip_c
             y[n] = n < 16 ? -NAME(part)(away, 1000) : NAME(part)(away, 1000);
             distance[n] = NAME(part)(away * away * bend * 8 + draw(i, 100 + n, 20), 10000000);
         }
+        memset(&load, 0, sizeof load);
         load.rolling_radius = NAME(part)(200 + draw(i, 21, 800), 1000);
         load.normal_force = c->normal_force;
         load.shear_modulus = c->shear_modulus;
         load.poisson_ratio = c->poisson_ratio;
         load.friction = c->friction;
-        status = NAME(kstrip_patch_from_profile)(y, distance, 33, &load, o->strips, patch, &found);
+        load.strips = o->strips;
+        status = NAME(kstrip_patch_from_profile)(y, distance, 33, &load, patch, &found);
         if (status >= 0) {
-            const REAL numbers[4] = {found.penetration, found.peak_pressure, found.normal_force,
+            const REAL numbers[4] = {found.approach, found.peak_pressure, found.normal_force,
                                      found.deepest_y};
             NAME(add_all)(hash, numbers, 4);
             *hash = mixed(*hash, found.iterations);
@@ -144,7 +180,9 @@ static void NAME(patch)(uint64_t *hash, const NAME(kstrip_patch) *patch, const N
     NAME(kstrip_result) r;
     NAME(kstrip_point) p;
     NAME(kstrip_strip) strips[KSTRIP_PATCH_CAPACITY];
-    REAL jacobian[9];
+    NAME(kstrip_derivatives) d;
+    NAME(kstrip_law_derivatives) law;
+    NAME(kstrip_outputs) all;
     uint32_t count = 0, n;
     kstrip_status status = NAME(kstrip_patch_summarize)(patch, &sum);
     *hash = mixed(*hash, (uint32_t)status);
@@ -159,15 +197,18 @@ static void NAME(patch)(uint64_t *hash, const NAME(kstrip_patch) *patch, const N
         const REAL numbers[6] = {s.y, s.width, s.half_length, s.centre_x, s.peak_pressure, s.friction};
         NAME(add_all)(hash, numbers, 6);
     }
-    status = NAME(kstrip_patch_solve)(patch, k, o, &r);
-    NAME(add_result)(hash, status, &r);
-    status = NAME(kstrip_patch_jacobian)(patch, k, o, &r, jacobian);
-    NAME(add_jacobian)(hash, status, &r, jacobian);
-    status = NAME(kstrip_patch_strips)(patch, k, o, strips, KSTRIP_PATCH_CAPACITY, &count);
+    memset(&all, 0, sizeof all);
+    all.result = &r, all.derivatives = &d, all.law_derivatives = &law;
+    status = NAME(kstrip_patch_evaluate)(patch, k, NULL, o, &all);
+    NAME(add_derivatives)(hash, status, &r, &d, &law);
+    memset(&all, 0, sizeof all);
+    all.strips = strips, all.capacity = KSTRIP_PATCH_CAPACITY, all.count = &count;
+    status = NAME(kstrip_patch_evaluate)(patch, k, NULL, o, &all);
     NAME(add_strips)(hash, status, strips, count);
     for (n = 0; n < patch->count; n += 3) {
         const NAME(kstrip_patch_strip) s = patch->strips[n];
-        status = NAME(kstrip_patch_traction_at)(patch, k, o, s.centre_x - s.half_length / 4, s.y, &p);
+        const REAL x = s.centre_x - s.half_length / 4;
+        status = NAME(kstrip_patch_field)(patch, k, o, &x, 1, &s.y, 1, &p, 1);
         NAME(add_point)(hash, status, &p);
     }
 }
@@ -180,70 +221,60 @@ static void NAME(falling)(uint64_t *hash, uint32_t i, const NAME(kstrip_contact)
     NAME(kstrip_friction) law;
     NAME(kstrip_result) r;
     NAME(kstrip_point) p;
-    NAME(kstrip_contact) slipping;
-    NAME(kstrip_patch) under;
-    REAL jacobian[9], found;
+    NAME(kstrip_contact) slipping = *c;
+    NAME(kstrip_derivatives) d;
+    NAME(kstrip_law_derivatives) by_law;
+    NAME(kstrip_outputs) all;
+    REAL found, x, y;
     kstrip_status status;
     law.friction = NAME(part)(5 + draw(i, 30, 60), 100);
     law.ratio = NAME(part)(draw(i, 31, 11), 10);
     law.decay = NAME(part)(draw(i, 32, 20), 10);
     law.rolling_speed = NAME(part)(draw(i, 33, 60), 1);
     law.slope_factor = NAME(part)(1 + draw(i, 34, 10), 10);
-    status = NAME(kstrip_solve_friction)(c, k, &law, o, &r, &found);
-    NAME(add_result)(hash, status, &r);
-    if (status >= 0)
+    memset(&all, 0, sizeof all);
+    all.result = &r, all.friction = &found, all.derivatives = &d, all.law_derivatives = &by_law;
+    status = NAME(kstrip_evaluate)(c, k, &law, o, &all);
+    NAME(add_derivatives)(hash, status, &r, &d, &by_law);
+    if (status >= 0) {
         NAME(add)(hash, found);
-    status = NAME(kstrip_solve_friction_jacobian)(c, k, &law, o, &r, jacobian, NULL);
-    NAME(add_jacobian)(hash, status, &r, jacobian);
-    if (NAME(kstrip_contact_under_friction)(c, k, &law, o, &slipping) >= 0) {
-        status = NAME(kstrip_traction_at)(&slipping, k, o, -c->a / 4, c->b / 8, &p);
+        slipping.friction = found;
+        slipping.shear_modulus *= law.slope_factor;
+        x = -c->a / 4, y = c->b / 8;
+        status = NAME(kstrip_field)(&slipping, k, o, &x, 1, &y, 1, &p, 1);
         NAME(add_point)(hash, status, &p);
     }
     if (!patch)
         return;
-    status = NAME(kstrip_patch_solve_friction)(patch, k, &law, o, &r, &found);
-    NAME(add_result)(hash, status, &r);
+    status = NAME(kstrip_patch_evaluate)(patch, k, &law, o, &all);
+    NAME(add_derivatives)(hash, status, &r, &d, &by_law);
     if (status >= 0)
         NAME(add)(hash, found);
-    status = NAME(kstrip_patch_solve_friction_jacobian)(patch, k, &law, o, &r, jacobian, NULL);
-    NAME(add_jacobian)(hash, status, &r, jacobian);
-    if (NAME(kstrip_patch_under_friction)(patch, k, &law, o, &under, NULL) >= 0) {
-        const NAME(kstrip_patch_strip) s = under.strips[under.count / 2];
-        status = NAME(kstrip_patch_traction_at)(&under, k, o, s.centre_x - s.half_length / 4, s.y, &p);
-        NAME(add_point)(hash, status, &p);
-    }
 }
 
-/* The ways of kstrip_evaluate() that leave something out, at rest and without spin, lateral or longitudinal creepage
- * as well. */
-static void NAME(wanted)(uint64_t *hash, const NAME(kstrip_contact) *c, const NAME(kstrip_creepage) *k,
-                         const kstrip_options *o)
+/* Forces at rest and without spin, lateral or longitudinal creepage; strips. */
+static void NAME(special)(uint64_t *hash, const NAME(kstrip_contact) *c, const NAME(kstrip_creepage) *k,
+                          const kstrip_options *o)
 {
-    static const uint32_t without[4] = {KSTRIP_WANT_FORCES, KSTRIP_WANT_MOMENT, KSTRIP_WANT_ADHESION,
-                                        KSTRIP_WANT_MOMENT | KSTRIP_WANT_ADHESION};
     NAME(kstrip_strip) strips[KSTRIP_STRIPS_CAPACITY];
+    NAME(kstrip_outputs) all;
     NAME(kstrip_result) r;
-    REAL jacobian[9];
     NAME(kstrip_creepage) motion = *k;
     uint32_t count = 0;
     kstrip_status status;
-    int n, zeros;
+    int zeros;
     for (zeros = 0; zeros < 5; zeros++) {
         motion.longitudinal = zeros == 1 || zeros == 4 ? 0 : k->longitudinal;
         motion.lateral = zeros == 2 || zeros == 4 ? 0 : k->lateral;
         motion.spin = zeros == 3 || zeros == 4 ? 0 : k->spin;
-        for (n = 0; n < 4; n++) {
-            status = NAME(kstrip_evaluate)(c, &motion, o, without[n], &r, NULL, NULL, 0, NULL);
-            NAME(add_result)(hash, status, &r);
-        }
+        memset(&all, 0, sizeof all);
+        all.result = &r;
+        status = NAME(kstrip_evaluate)(c, &motion, NULL, o, &all);
+        NAME(add_result)(hash, status, &r);
     }
-    for (n = 0; n < 4; n++) {
-        status = NAME(kstrip_evaluate)(c, k, o, without[n] | KSTRIP_WANT_JACOBIAN, &r, jacobian, NULL, 0,
-                                       NULL);
-        NAME(add_jacobian)(hash, status, &r, jacobian);
-    }
-    status = NAME(kstrip_evaluate)(c, k, o, KSTRIP_WANT_STRIPS, &r, NULL, strips, KSTRIP_STRIPS_CAPACITY,
-                                   &count);
+    memset(&all, 0, sizeof all);
+    all.strips = strips, all.capacity = KSTRIP_STRIPS_CAPACITY, all.count = &count;
+    status = NAME(kstrip_evaluate)(c, k, NULL, o, &all);
     NAME(add_strips)(hash, status, strips, count);
 }
 
@@ -287,7 +318,7 @@ static void NAME(hash_case)(uint64_t hashes[KINDS], uint32_t i, int batch)
                                         (REAL)d.poisson_ratio,
                                         (REAL)d.friction};
         const NAME(kstrip_creepage) k = {(REAL)e.longitudinal, (REAL)e.lateral, (REAL)e.spin};
-        const kstrip_status status = batch ? NAME(kstrip_solve_batch)(&c, &k, 1, &o, &r)
+        const kstrip_status status = batch ? NAME(batch)(&c, &k, &o, &r, NULL, NULL)
                                            : NAME(kstrip_solve)(&c, &k, &o, &r);
         NAME(add_result)(&hashes[SOLVES], status, &r);
         if (has_field(i))
@@ -298,7 +329,7 @@ static void NAME(hash_case)(uint64_t hashes[KINDS], uint32_t i, int batch)
             if (built)
                 NAME(patch)(&hashes[PATCHES], &p, &k, &o);
             NAME(falling)(&hashes[FRICTION], i, &c, built ? &p : NULL, &k, &o);
-            NAME(wanted)(&hashes[WANTED], &c, &k, &o);
+            NAME(special)(&hashes[SPECIAL], &c, &k, &o);
             NAME(rig)(&hashes[RIG], i, &c, &k, &o, &r);
         }
     }

@@ -197,7 +197,8 @@ impl Declared {
              // KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface\nlayouts! {\n"
             .to_owned();
         for Structure { name, members } in &self.structures {
-            let members: Vec<&str> = members.iter().map(|member| member.name.as_str()).collect();
+            let of_rust = |name: &str| name.replace("status_detail", "notice");
+            let members: Vec<String> = members.iter().map(|member| of_rust(&member.name)).collect();
             text += &format!("    {name} {{ {} }}\n", members.join(", "));
         }
         text + "}\n"

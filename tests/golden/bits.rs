@@ -2,8 +2,8 @@
 //! library, in a batch, on two threads, and compiled for this very processor. `scripts/firmware.sh` runs the
 //! first thousand on a simulated Cortex-M4 and Cortex-M7.
 //!
-//! Every precision has a hash for each of: solves, derivatives and points of the field; patches; falling friction; the short paths
-//! of `kstrip_evaluate()` and strips; the inverse functions of test rigs.
+//! Every precision has a hash for each of: solves, derivatives and points of the field; patches; falling friction; special motions
+//! and strips; the inverse functions of test rigs.
 //!
 //! `KSTRIP_WRITE_GOLDEN=1 cargo test --test golden` writes the hashes anew after a deliberate change.
 //! `KSTRIP_GOLDEN_CPU=x86-64-v3` compiles for that processor instead of this one.
@@ -14,16 +14,15 @@ use crate::toolchain;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
-use kstrip::friction::{self, SlipFriction};
+use kstrip::friction::SlipFriction;
+use kstrip::patch::friction as patch_friction;
 use kstrip::patch::kik_piotrowski::ProfileContact;
 use kstrip::patch::solver::{self, PatchField};
 use kstrip::patch::{Patch, PatchStrip};
 use kstrip::rig::{Measured, creepage_for_force, estimate_friction};
-use kstrip::solve::evaluate::{Wanted, evaluate, evaluate_jacobian};
+use kstrip::solve::derivatives::{Differentiated, differentiate};
 use kstrip::solve::field::FieldPoint;
-use kstrip::solve::model::{
-    self, Field, Jacobian, Model, Options, Precision, Solution, StripResult,
-};
+use kstrip::solve::model::{self, Field, Model, Options, Precision, Solution, StripResult};
 use kstrip::status::{Error, Notice};
 use std::process::Command;
 use toolchain::{root, run_c_with, say};
@@ -31,7 +30,7 @@ use toolchain::{root, run_c_with, say};
 const CASES: u32 = 100_000;
 const BLOCK: u32 = 1000;
 /// What has a hash of its own.
-const KINDS: [&str; 5] = ["", " patches", " friction", " wanted", " rig"];
+const KINDS: [&str; 5] = ["", " patches", " friction", " special", " rig"];
 
 trait Bits: Precision {
     fn bits(self) -> u64;
@@ -80,11 +79,14 @@ impl Hash {
         }
     }
 
-    /// Row by row.
-    fn jacobian<F: Bits>(&mut self, answer: Result<(Solution<F>, Jacobian<F>), Error>) {
-        self.result(answer.map(|(r, _)| r));
-        if let Ok((_, jacobian)) = answer {
-            self.add(jacobian.transpose().as_slice());
+    fn derivatives<F: Bits>(&mut self, answer: &Result<Differentiated<F>, Error>) {
+        let solution = answer.as_ref().map(|found| found.solution).map_err(|error| *error);
+        self.result(solution);
+        if let Ok(Differentiated { derivatives: d, law, .. }) = answer {
+            d.jacobian.iter().for_each(|row| self.add(row));
+            [d.normal_force, d.load_through_hertz, d.friction].iter().for_each(|v| self.add(v));
+            let law = [law.ratio, law.decay, law.rolling_speed, law.slope_factor];
+            law.iter().for_each(|v| self.add(v));
         }
     }
 
@@ -175,7 +177,7 @@ impl<F: Bits> Case<'_, F> {
 
     fn hash(&self, hashes: &mut [Hash; KINDS.len()]) {
         let Self { i, contact, creepage, options } = *self;
-        let [solves, patches, friction, wanted, rig] = hashes;
+        let [solves, patches, friction, special, rig] = hashes;
         let r = model::solve(contact, creepage, options);
         solves.result(r);
         if has_field(i) {
@@ -187,7 +189,7 @@ impl<F: Bits> Case<'_, F> {
                 self.patch(patches, patch);
             }
             self.falling(friction, patch.as_ref());
-            self.wanted(wanted);
+            self.special(special);
             self.rig(rig, &r.expect("ordinary inputs"));
         }
     }
@@ -195,10 +197,7 @@ impl<F: Bits> Case<'_, F> {
     /// Derivatives and three points of the field.
     fn field(&self, hash: &mut Hash) {
         let Self { contact, creepage, options, .. } = *self;
-        let found = model::solve_jacobian(contact, creepage, options);
-        let (r, jacobian) = found.expect("ordinary inputs");
-        hash.code(r.notice.code());
-        hash.add(jacobian.transpose().as_slice());
+        hash.derivatives(&differentiate(contact, creepage, None, options));
         for n in [-1.0, 0.0, 1.0] {
             let place = |axis: F, parts: f64| axis * F::of(n) / F::of(parts);
             let field = Field::new(contact, creepage, options);
@@ -282,8 +281,8 @@ impl<F: Bits> Case<'_, F> {
             let PatchStrip { y, width, half_length, centre_x, peak_pressure, friction } = *s;
             hash.add(&[y, width, half_length, centre_x, peak_pressure, friction]);
         }
-        hash.result(solver::solve(&view, creepage, *model));
-        hash.jacobian(solver::solve_jacobian(&view, creepage, *model));
+        let found = patch_friction::differentiate(&view, creepage, None, *model);
+        hash.derivatives(&found);
         let mut strips = Vec::new();
         let status = solver::strips(&view, creepage, *model, &mut |s| strips.push(s));
         hash.strips(status.map_or_else(Error::code, Notice::code), &strips);
@@ -304,40 +303,28 @@ impl<F: Bits> Case<'_, F> {
             rolling_speed: part(self.draw(33, 60), 1.0),
             slope_factor: part(1 + self.draw(34, 10), 10.0),
         };
-        let found = friction::solve(contact, creepage, &law, options);
-        hash.result(found.map(|found| found.solution));
-        hash.add(found.map_or_else(|_| vec![], |found| vec![found.friction]).as_slice());
-        let found = friction::solve_jacobian(contact, creepage, &law, options);
-        hash.jacobian(found.map(|(found, jacobian)| (found.solution, jacobian)));
-        if let Ok((slipping, _)) = friction::under(contact, creepage, &law, options) {
+        let found = differentiate(contact, creepage, Some(&law), options);
+        hash.derivatives(&found);
+        if let Ok(found) = found {
+            hash.add(&[found.friction]);
+            let shear_modulus = contact.shear_modulus * law.slope_factor;
+            let slipping = Contact { friction: found.friction, shear_modulus, ..*contact };
             let (x, y) = (-contact.a / F::of(4.0), contact.b / F::of(8.0));
             let field = Field::new(&slipping, creepage, options);
             hash.point(field.map(|f| (f.at(x, y), f.notice)));
         }
         let Some(patch) = patch else { return };
         let view = patch.view().expect("as it was built");
-        let found = kstrip::patch::friction::solve(&view, creepage, &law, options.model);
-        hash.result(found.map(|found| found.solution));
-        hash.add(found.map_or_else(|_| vec![], |found| vec![found.share]).as_slice());
-        let found = kstrip::patch::friction::solve_jacobian(&view, creepage, &law, options.model);
-        hash.jacobian(found.map(|(found, jacobian)| (found.solution, jacobian)));
-        let share = kstrip::patch::friction::friction_share(&view, creepage, &law, options.model);
-        if let Ok((share, _)) = share {
-            let under = patch.clone().under(share, law.slope_factor);
-            let s = under.strips[under.strips.len() / 2];
-            let x = s.centre_x - s.half_length / F::of(4.0);
-            let view = under.view();
-            let field = view.as_ref().map_err(|error| *error);
-            let field = field.and_then(|view| PatchField::new(view, creepage, options.model));
-            hash.point(field.map(|f| (f.at(x, s.y), f.notice)));
+        let found = patch_friction::differentiate(&view, creepage, Some(&law), options.model);
+        hash.derivatives(&found);
+        if let Ok(found) = found {
+            hash.add(&[found.friction]);
         }
     }
 
-    /// What leaves something out, at rest and without spin, lateral or longitudinal creepage as well.
-    fn wanted(&self, hash: &mut Hash) {
+    /// Forces at rest and without spin, lateral or longitudinal creepage; strips.
+    fn special(&self, hash: &mut Hash) {
         let Self { contact, creepage, options, .. } = *self;
-        let without = [(false, false), (true, false), (false, true), (true, true)]
-            .map(|(moment, adhesion)| Wanted { moment, adhesion });
         let Creepage { longitudinal, lateral, spin } = *creepage;
         for zeros in 0..5 {
             let kept = |nth, x| if zeros == nth || zeros == 4 { F::zero() } else { x };
@@ -346,12 +333,7 @@ impl<F: Bits> Case<'_, F> {
                 lateral: kept(2, lateral),
                 spin: kept(3, spin),
             };
-            for wanted in without {
-                hash.result(evaluate(contact, &motion, options, wanted));
-            }
-        }
-        for wanted in without {
-            hash.jacobian(evaluate_jacobian(contact, creepage, options, wanted));
+            hash.result(model::solve(contact, &motion, options));
         }
         let mut strips = Vec::new();
         let status = model::strips(contact, creepage, options, &mut |s| strips.push(s));
