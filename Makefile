@@ -60,7 +60,7 @@ $(BUILT)/libkstrip.a: Cargo.toml Cargo.lock $(shell find src -name '*.rs')
 
 install: $(BUILT)/libkstrip.a
 	$(INSTALL) -d $(DESTDIR)$(INCLUDEDIR) $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(CMAKEDIR) $(DESTDIR)$(LICENSEDIR)
-	$(INSTALL) -m 644 include/kstrip.h include/kstrip.hpp $(DESTDIR)$(INCLUDEDIR)
+	$(INSTALL) -m 644 include/kstrip.h include/kstrip_f32.h include/kstrip.hpp $(DESTDIR)$(INCLUDEDIR)
 	$(INSTALL) -m 644 LICENSE-APACHE LICENSE-MIT $(DESTDIR)$(LICENSEDIR)
 	$(INSTALL) -m 644 $(BUILT)/libkstrip.a $(DESTDIR)$(LIBDIR)
 	$(INSTALL) -m 755 $(BUILT)/$(FULL) $(DESTDIR)$(LIBDIR)

@@ -16,7 +16,7 @@ version=$(sed -n 's/^version = "\(.*\)"$/\1/p' Cargo.toml | head -n 1)
 stage=$target_dir/package/kstrip
 rm -rf "$target_dir/package"
 mkdir -p "$stage/src/cortex-m4/fpv4-sp-d16-hard" "$stage/src/cortex-m7/fpv5-d16-hard" "$stage/examples/CreepForce"
-cp include/kstrip.h "$stage/src/"
+cp include/kstrip.h include/kstrip_f32.h "$stage/src/"
 # Without what Rust's archive carries for debugging
 for pair in m4f:cortex-m4/fpv4-sp-d16-hard m7:cortex-m7/fpv5-d16-hard; do
     cp "$built/${pair%%:*}.a" "$stage/src/${pair#*:}/libkstrip.a"

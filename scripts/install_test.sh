@@ -265,7 +265,7 @@ if [ -n "$capi" ] && [ "$(printf '%s\n' 0.10.10 "$capi" | sort -V | head -n 1)" 
 elif [ -n "$capi" ]; then
     cargo cinstall --locked --prefix="$work/capi" --libdir="$work/capi/lib" --target-dir "$target/capi" > "$work/capi.log" 2>&1 ||
         { cat "$work/capi.log"; fail "cargo cinstall"; }
-    for file in include/kstrip.h include/kstrip.hpp lib/libkstrip.a lib/libkstrip.so lib/libkstrip.so.1 lib/pkgconfig/kstrip.pc; do
+    for file in include/kstrip.h include/kstrip_f32.h include/kstrip.hpp lib/libkstrip.a lib/libkstrip.so lib/libkstrip.so.1 lib/pkgconfig/kstrip.pc; do
         [ -e "$work/capi/$file" ] || fail "cargo cinstall did not install $file"
     done
     nm -D --defined-only "$work/capi/lib/libkstrip.so" | awk '{ print $NF }' | sort | diff "$work/committed" - ||

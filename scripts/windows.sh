@@ -59,7 +59,7 @@ LISTS
     { cmake -S "$work/project" -B "$work/build" -DCMAKE_TOOLCHAIN_FILE="$work/mingw.cmake" -DKSTRIP_CARGO_TARGET_DIR="$target" -DBUILD_SHARED_LIBS=ON &&
         cmake --build "$work/build" && cmake --install "$work/build" --prefix "$work/prefix"; } > "$work/cmake.log" 2>&1 ||
         { cat "$work/cmake.log"; fail "CMake"; }
-    for file in bin/kstrip.dll lib/libkstrip.dll.a lib/libkstrip.a include/kstrip.h lib/cmake/kstrip/kstrip-config.cmake share/licenses/kstrip/LICENSE-MIT; do
+    for file in bin/kstrip.dll lib/libkstrip.dll.a lib/libkstrip.a include/kstrip.h include/kstrip_f32.h lib/cmake/kstrip/kstrip-config.cmake share/licenses/kstrip/LICENSE-MIT; do
         [ -e "$work/prefix/$file" ] || fail "CMake does not install $file"
     done
     sed -i 's/^add_subdirectory.*/find_package(kstrip CONFIG REQUIRED)/; s/by_cmake/installed/' "$work/project/CMakeLists.txt"

@@ -197,8 +197,12 @@ impl Declared {
              // KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface\nlayouts! {\n"
             .to_owned();
         for Structure { name, members } in &self.structures {
-            let of_rust = |name: &str| name.replace("status_detail", "notice");
-            let members: Vec<String> = members.iter().map(|member| of_rust(&member.name)).collect();
+            // One member has another name in Rust; in arrays it has its own.
+            let renamed = |member: &Variable| member.kind == "kstrip_status";
+            let members: Vec<&str> = members
+                .iter()
+                .map(|member| if renamed(member) { "notice" } else { member.name.as_str() })
+                .collect();
             text += &format!("    {name} {{ {} }}\n", members.join(", "));
         }
         text + "}\n"

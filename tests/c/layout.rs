@@ -10,7 +10,7 @@ layouts! {
     kstrip_creepage { longitudinal, lateral, spin }
     kstrip_parameters { xi, eta, psi }
     kstrip_options { model, strips }
-    kstrip_result { fx, fy, mz, power, adhesion, status_detail, reserved }
+    kstrip_result { fx, fy, mz, power, adhesion, notice, reserved }
     kstrip_friction { friction, ratio, decay, rolling_speed, slope_factor }
     kstrip_derivatives { jacobian, normal_force, load_through_hertz, friction }
     kstrip_law_derivatives { ratio, decay, rolling_speed, slope_factor }
@@ -28,7 +28,7 @@ layouts! {
     kstrip_patch { strips, shear_modulus, poisson_ratio, area_scale, lever_scale, count, reserved }
     kstrip_profile_result { approach, peak_pressure, normal_force, deepest_y, iterations, reserved }
     kstrip_patch_summary { normal_force, friction_bound, area, lobes, reserved }
-    kstrip_friction_estimate { friction, sensitivity, residual, status_detail, reserved }
+    kstrip_friction_estimate { friction, sensitivity, residual, notice, reserved }
     kstrip_material_f32 { shear_modulus, poisson_ratio }
     kstrip_combined_material_f32 { shear_modulus, poisson_ratio, mismatch }
     kstrip_radii_f32 { lower_x, lower_y, upper_x, upper_y }
@@ -37,7 +37,7 @@ layouts! {
     kstrip_velocity_f32 { x, y, angular_z }
     kstrip_creepage_f32 { longitudinal, lateral, spin }
     kstrip_parameters_f32 { xi, eta, psi }
-    kstrip_result_f32 { fx, fy, mz, power, adhesion, status_detail, reserved }
+    kstrip_result_f32 { fx, fy, mz, power, adhesion, notice, reserved }
     kstrip_friction_f32 { friction, ratio, decay, rolling_speed, slope_factor }
     kstrip_derivatives_f32 { jacobian, normal_force, load_through_hertz, friction }
     kstrip_law_derivatives_f32 { ratio, decay, rolling_speed, slope_factor }
@@ -55,5 +55,5 @@ layouts! {
     kstrip_patch_f32 { strips, shear_modulus, poisson_ratio, area_scale, lever_scale, count, reserved }
     kstrip_profile_result_f32 { approach, peak_pressure, normal_force, deepest_y, iterations, reserved }
     kstrip_patch_summary_f32 { normal_force, friction_bound, area, lobes, reserved }
-    kstrip_friction_estimate_f32 { friction, sensitivity, residual, status_detail, reserved }
+    kstrip_friction_estimate_f32 { friction, sensitivity, residual, notice, reserved }
 }
