@@ -10,7 +10,6 @@ mod names;
 mod toolchain;
 
 mod c_programs;
-mod cpp_programs;
 mod docs;
 mod firmware;
 mod install;
