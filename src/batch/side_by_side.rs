@@ -150,7 +150,7 @@ where
     for first in (0..count).step_by(N) {
         let mut sound = false;
         if let Some((contact, creepage)) = group::<L, N>(problems, first) {
-            let problem = Problem { contact: &contact, creepage: &creepage, options: *options };
+            let problem = Problem::of(&contact, &creepage, options);
             sound = problem.is_sound();
         }
         if !sound {
@@ -229,10 +229,10 @@ fn solve_group<L: Lanes<N>, const N: usize, const MODEL: i32>(
 where
     L::Stored: Precision,
 {
-    if !contact.is_plausible(creepage) {
+    let problem = Problem::of(contact, creepage, options);
+    if !problem.ordinary {
         return None;
     }
-    let problem = Problem { contact, creepage, options: *options };
     let load = contact.normal_force;
     let (forces, notices, within) = if MODEL == LINEAR {
         let linear = coefficients(contact);

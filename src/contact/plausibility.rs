@@ -68,20 +68,18 @@ pub fn warning<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>) -> Notice
 }
 
 impl<F: Plain> Contact<F> {
-    /// Whether the contact is loaded and [`warning`] has nothing to say, told by few comparisons; of several contacts side by
-    /// side, whether that holds for all. Rarely it does also where this says no.
+    /// Whether the numbers are of the usual sizes, so that no check can fail, and [`warning`] has nothing to say; of several contacts
+    /// side by side, whether that holds for all. A few comparisons; rarely it does also where this says no.
     #[inline(always)]
-    pub(crate) fn is_plausible(&self, creepage: &Creepage<F>) -> bool {
+    pub(crate) fn is_ordinary(&self, creepage: &Creepage<F>) -> bool {
         let load = self.normal_force.times(1.5 / PI);
         let size = creepage.spin.abs() * self.a;
-        let beyond_edge =
-            (size * (creepage.spin.abs() * self.b)).exceeds(F::of(EDGE_SLIP * EDGE_SLIP));
-        let inclined = (size * self.stiffness()).exceeds(load.times(LARGEST_INCLINATION));
+        let edge = size * (creepage.spin.abs() * self.b);
         self.is_usual()
             && creepage.is_usual()
-            && self.normal_force.is_positive_number()
             && !load.exceeds(self.stiffness().times(LARGEST_PRESSURE))
-            && !(beyond_edge && inclined)
+            && (!edge.exceeds(F::of(EDGE_SLIP * EDGE_SLIP))
+                || !(size * self.stiffness()).exceeds(load.times(LARGEST_INCLINATION)))
     }
 
     /// `G a b` \[N\]

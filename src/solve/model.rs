@@ -135,6 +135,21 @@ pub(crate) struct Problem<'a, F> {
     pub(crate) creepage: &'a Creepage<F>,
     // By value, so that a model known to the compiler stays known and the others are not linked.
     pub(crate) options: Options,
+    /// Whether nothing is to be checked or warned of, [`Contact::is_ordinary`].
+    pub(crate) ordinary: bool,
+}
+
+impl<'a, F: Plain> Problem<'a, F> {
+    /// Not checked yet.
+    #[inline(always)]
+    pub(crate) fn of(
+        contact: &'a Contact<F>,
+        creepage: &'a Creepage<F>,
+        options: &Options,
+    ) -> Self {
+        let ordinary = contact.is_ordinary(creepage);
+        Self { contact, creepage, options: *options, ordinary }
+    }
 }
 
 impl<'a, F: Precision> Problem<'a, F> {
@@ -144,7 +159,7 @@ impl<'a, F: Precision> Problem<'a, F> {
         creepage: &'a Creepage<F>,
         options: &Options,
     ) -> Result<Self, Error> {
-        let problem = Self { contact, creepage, options: *options };
+        let problem = Self::of(contact, creepage, options);
         if !problem.is_sound() {
             problem.find_fault()?;
         }
@@ -243,9 +258,12 @@ impl<'a, F: Precision> Problem<'a, F> {
 
     /// Or that an input is implausible.
     fn with_warning(&self, notice: Notice) -> Notice {
-        if self.contact.is_plausible(self.creepage) {
-            return notice;
-        }
+        if self.ordinary { notice } else { self.warned(notice) }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn warned(&self, notice: Notice) -> Notice {
         notice.worse(warning(self.contact, self.creepage))
     }
 
@@ -316,7 +334,7 @@ impl<F: Plain> Problem<'_, F> {
     /// well also where this says no: [`check`] looks closer.
     #[inline(always)]
     pub(crate) fn is_sound(&self) -> bool {
-        if self.contact.is_usual() && self.creepage.is_usual() {
+        if self.ordinary {
             return true;
         }
         let Creepage { longitudinal, lateral, spin } = *self.creepage;
@@ -888,7 +906,7 @@ mod tests {
                 usual += usize::from(contact.is_usual() && creepage.is_usual());
                 for model in Model::ALL {
                     let options = Options { model, strips: StripCount::Sixteen };
-                    let problem = Problem { contact: &contact, creepage: &creepage, options };
+                    let problem = Problem::of(&contact, &creepage, &options);
                     assert!(problem.find_fault().is_ok(), "{model:?} {contact:?} {creepage:?}");
                 }
             }

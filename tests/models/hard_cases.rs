@@ -677,7 +677,8 @@ fn spin_beyond_the_theory_is_flagged() {
         (-0.99, Notice::None),
         (1.01, Notice::SpinBeyondTheory),
         (-1.01, Notice::SpinBeyondTheory),
-        (30.0, Notice::SpinBeyondTheory),
+        (5.0, Notice::SpinBeyondTheory),
+        (30.0, Notice::Spin),
     ] {
         let m = creepage(&c, 0.2, -0.3, psi);
         let o = options(Model::Strip1967, StripCount::Sixteen);
