@@ -17,19 +17,14 @@ mod random;
 #[path = "../tests/common/reference.rs"]
 mod reference;
 
-use kstrip::contact::creepage::Parameters;
 use kstrip::contact::forces::StripCount;
-use kstrip::solve::model::{Model, Precision};
-use kstrip::strip_1967::closed_form;
-use kstrip::strip_1967::strip::SlidingRule;
-use kstrip::strip_1967::totals::StripTheory;
+use kstrip::solve::model::Model;
 use lines::Lines;
 use peer_methods::*;
 use peers::fastsim::{Bound, Flexibility, Layout};
 use peers::{polach, shen_hedrick_elkins, vermeulen_johnson};
 use pictures::*;
 use plotters::style::RGBColor;
-use random::Random;
 use reference::*;
 use std::path::Path;
 
@@ -527,64 +522,6 @@ impl Report {
         self.row(cells);
         self.line("\n![Errors of the linear coefficients](accuracy/coefficients.svg)");
     }
-
-    fn quadrature(&mut self) -> Vec<(i32, [f64; 3])> {
-        self.line("\n## Quadrature of STRIP_1967\n");
-        self.line(
-            "The theory of 1967 has its total force in closed form (`kstrip::strip_1967::closed_form::force`). Distance of the sum over \
-             strips from it, in μ N, for 10 000 random contacts: a/b 0.1 to 10, ν 0 to 0.5, |ξ| and |η| up to 1, η also \
-             log-uniform down to 1e-12, |ψ| up to 0.95 (the same as in `tests/theory/convergence.rs`). These are errors of the \
-             summation only, far below those of the theory.\n",
-        );
-        self.header(&["strips", "median", "mean", "95 %", "max", "f32: median", "95 %", "max"]);
-        let mut rows = Vec::new();
-        for count in COUNTS {
-            let double = quadrature_errors::<f64>(count);
-            let single = quadrature_errors::<f32>(count);
-            let median = |errors: &[f64]| errors[errors.len() / 2];
-            let (p, q) = (figures(&double), figures(&single));
-            let strips = count as i32;
-            let mut cells = vec![strips.to_string()];
-            cells.extend(
-                [median(&double), p.mean, p.p95, p.max, median(&single), q.p95, q.max]
-                    .map(|error| format!("{error:.1e}")),
-            );
-            self.row(cells);
-            rows.push((strips, [median(&double), p.p95, p.max]));
-        }
-        self.line("\n![Convergence of the quadrature](accuracy/convergence.svg)");
-        rows
-    }
-}
-
-/// Sorted distances between the sum over strips and the closed form (always in double precision).
-fn quadrature_errors<F: Precision>(count: StripCount) -> Vec<f64> {
-    let mut random = Random::new(1967);
-    let mut errors: Vec<f64> = (0..10_000)
-        .map(|_| {
-            let eta = if random.unit() < 0.5 {
-                random.between(-1.0, 1.0)
-            } else {
-                random.sign() * 10f64.powf(random.between(-12.0, 0.0))
-            };
-            let numbers = [
-                random.between(-1.0, 1.0),
-                eta,
-                random.between(-0.95, 0.95),
-                random.between(0.0, 0.5),
-                10f64.powf(random.between(-1.0, 1.0)),
-            ];
-            let [xi, eta, psi, poisson_ratio, axis_ratio] = numbers;
-            let exact = Parameters { xi, eta, psi, poisson_ratio, axis_ratio };
-            let (fx, fy) = closed_form::force(&exact).unwrap_or((f64::NAN, f64::NAN));
-            let [xi, eta, psi, poisson_ratio, axis_ratio] = numbers.map(F::of);
-            let parameters = Parameters { xi, eta, psi, poisson_ratio, axis_ratio };
-            let totals = StripTheory::new(&parameters, SlidingRule::RigidSlip).totals(count);
-            (totals.fx.to_f64() - fx).hypot(totals.fy.to_f64() - fy)
-        })
-        .collect();
-    errors.sort_by(f64::total_cmp);
-    errors
 }
 
 // --- pictures --------------------------------------------------------------------------------
@@ -966,39 +903,6 @@ fn coefficient_picture(path: &Path) -> Drawn {
     })
 }
 
-fn convergence_picture(path: &Path, rows: &[(i32, [f64; 3])]) -> Drawn {
-    picture(path, (640, 430), |canvas| {
-        let title = "STRIP_1967: sum over strips against the closed form";
-        write(canvas, title, (70.0, 22.0), 17, Align::Left, INK)?;
-        let plot = Plot {
-            left: 76.0,
-            top: 50.0,
-            width: 420.0,
-            height: 310.0,
-            x: Axis::logarithmic(3.5, 73.0, &[4.0, 8.0, 16.0, 32.0, 64.0]),
-            y: Axis::logarithmic(
-                1e-16,
-                1.0,
-                &[1e-16, 1e-14, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 1.0],
-            ),
-        };
-        plot.frame(canvas)?;
-        for (k, (what, ink)) in
-            [("median", BLUE), ("95 %", ORANGE), ("max", PURPLE)].iter().enumerate()
-        {
-            let points: Vec<_> = rows.iter().map(|(n, e)| (f64::from(*n), e[k])).collect();
-            plot.curve(canvas, &points, *ink, 2.0)?;
-            for (x, y) in &points {
-                dot(canvas, plot.at(*x, *y), 3.0, *ink, true)?;
-            }
-            let end = plot.at(73.0, points[points.len() - 1].1);
-            write(canvas, what, (end.0 + 12.0, end.1), 13, Align::Left, *ink)?;
-        }
-        write(canvas, "strips", (286.0, 400.0), 13, Align::Centre, INK)?;
-        write(canvas, "|f − f_closed| / (μ N)", (516.0, 40.0), 13, Align::Left, INK)
-    })
-}
-
 fn main() -> Drawn {
     let docs = project().join("docs");
     let folder = docs.join("accuracy");
@@ -1019,8 +923,6 @@ fn main() -> Drawn {
         part(&mut report);
         bar.inc(1);
     }
-    bar.set_message("quadrature");
-    let rows = report.quadrature();
     bar.inc(1);
     bar.set_message("pictures");
     std::fs::write(docs.join("accuracy.md"), &report.text)?;
@@ -1029,7 +931,6 @@ fn main() -> Drawn {
     report.creepage_spin_map(&folder)?;
     field_picture(&folder.join("fields.svg"))?;
     coefficient_picture(&folder.join("coefficients.svg"))?;
-    convergence_picture(&folder.join("convergence.svg"), &rows)?;
     bar.finish_and_clear();
     println!("wrote docs/accuracy.md and docs/accuracy/*.svg");
     Ok(())

@@ -417,7 +417,7 @@ kstrip_status kstrip_creepage_from_parameters(const struct kstrip_contact *conta
 #define KSTRIP_MODEL_LINEAR 5
 
 /** Strips that kstrip_evaluate() writes at most. */
-#define KSTRIP_STRIPS_CAPACITY 320
+#define KSTRIP_STRIPS_CAPACITY 64
 
 /** State of a point: outside the contact. */
 #define KSTRIP_STATE_OUTSIDE 0

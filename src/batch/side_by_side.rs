@@ -19,7 +19,7 @@ use crate::number::{Arithmetic, Plain};
 use crate::solve::evaluate::Wanted;
 use crate::solve::model::{self, Forces, LARGEST_SPIN, Model, Options, Precision, Problem, RATIOS};
 use crate::status::{Error, Notice};
-use crate::strip_1967::totals::StripTheory;
+use crate::strip_1967;
 use crate::total;
 
 /// Floating-point types that fill wide registers.
@@ -305,11 +305,11 @@ where
             Some([found.fx, found.fy, found.mz, found.stick, L::one()])
         }
         STRIP_1967 | CONTINUOUS => {
-            let theory = StripTheory::new(parameters, problem.sliding_rule());
-            let (found, within) = theory.totals_side_by_side::<N>(problem.options.strips.rule())?;
+            let Totals { fx, fy, mz, stick } =
+                strip_1967::totals(parameters, problem.sliding_rule());
             // (without friction or load the spin is beyond all bounds)
-            let within = problem.contact.friction_bound().choose(within, -L::one());
-            Some([found.fx, found.fy, found.mz, found.stick, within])
+            let within = problem.contact.friction_bound().choose(L::one(), -L::one());
+            Some([fx, fy, mz, stick, within])
         }
         _ => None,
     }

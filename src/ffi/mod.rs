@@ -165,8 +165,8 @@ pub const KSTRIP_STATE_SLIP: i32 = 2;
 /// error next to the leading edge of sliding strips.
 pub const KSTRIP_STATE_SLIP_NEGATIVE_DISSIPATION: i32 = 3;
 
-/// Strips that kstrip_evaluate() writes at most.
-pub const KSTRIP_STRIPS_CAPACITY: u32 = 320;
+/// Strips that kstrip_evaluate() writes at most: as many as `strips` says, up to this.
+pub const KSTRIP_STRIPS_CAPACITY: u32 = 64;
 
 /// Strips that a kstrip_patch has room for.
 pub const KSTRIP_PATCH_CAPACITY: usize = 64;

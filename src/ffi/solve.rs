@@ -304,7 +304,7 @@ pub(super) fn evaluate<F: Precision>(
     Ok(notice)
 }
 
-const _: () = assert!(super::KSTRIP_STRIPS_CAPACITY as usize == model::MOST_STRIPS_1967);
+const _: () = assert!(super::KSTRIP_STRIPS_CAPACITY == StripCount::SixtyFour as u32);
 
 /// Whether all strips fit; counts them where that is not clear beforehand, so that an array that is too small stays
 /// untouched.

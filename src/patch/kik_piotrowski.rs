@@ -36,11 +36,25 @@ use crate::number::Float;
 use crate::patch::{Patch, PatchStrip};
 use crate::solve::model::Precision;
 use crate::status::Error;
-use crate::strip_1967::quadrature::Node;
 use core::f64::consts::PI;
 
 /// Share of the approach by which the surfaces are shifted into each other.
 const VIRTUAL_SHARE: f64 = 0.55;
+/// A node of Gauss on `[-1, 1]` and its weight.
+type Node = (f64, f64);
+/// Two of them.
+const GAUSS_2: [Node; 2] = [(-0.577_350_269_189_625_8, 1.0), (0.577_350_269_189_625_8, 1.0)];
+/// Eight.
+const GAUSS_8: [Node; 8] = [
+    (-0.9602898564975363, 0.10122853629037626),
+    (-0.7966664774136267, 0.22238103445337448),
+    (-0.525532409916329, 0.31370664587788727),
+    (-0.1834346424956498, 0.362683783378362),
+    (0.1834346424956498, 0.362683783378362),
+    (0.525532409916329, 0.31370664587788727),
+    (0.7966664774136267, 0.22238103445337448),
+    (0.9602898564975363, 0.10122853629037626),
+];
 /// Evaluations of the load at most; six to nine are usual.
 const ITERATIONS: u32 = 60;
 
@@ -408,19 +422,19 @@ impl<F: Precision> Piece<F> {
             (square / reach).times(2.0) * Integrals::at((d / reach).max(F::EPSILON)).d
         };
         if length <= distance.times(0.5) {
-            quadrature(F::GAUSS_2, length, along)
+            quadrature(&GAUSS_2, length, along)
         } else {
             // Next to the deepest point it grows like a logarithm: y = L t², dy = 2 L t dt
             let graded = |t: F| (length * t).times(2.0) * along(length * t * t);
-            quadrature(F::GAUSS_8, F::one(), graded)
+            quadrature(&GAUSS_8, F::one(), graded)
         }
     }
 }
 
 /// `∫ f` from zero to `length`.
-fn quadrature<F: Float>(rule: &[Node<F>], length: F, f: impl Fn(F) -> F) -> F {
+fn quadrature<F: Float>(rule: &[Node], length: F, f: impl Fn(F) -> F) -> F {
     let sum = rule.iter().fold(F::zero(), |sum, (node, weight)| {
-        sum + f(length * node.times(0.5).plus(0.5)) * *weight
+        sum + f(length * F::of(*node).times(0.5).plus(0.5)).times(*weight)
     });
     sum * length.times(0.5)
 }

@@ -10,9 +10,8 @@ use crate::number::{Arithmetic, Float, Number, Pair, Plain, Real};
 use crate::solve::field::FieldPoint;
 use crate::status::{Error, Notice};
 use crate::strip::{Law as StripLaw, Prepared, PreparedStrips, Rule, StripGeometry};
-use crate::strip_1967::quadrature::Tabulated;
 use crate::strip_1967::strip::{SlidingRule, State, Strip, StripPoint};
-use crate::strip_1967::totals::{PlacedStrip, StripTheory};
+use crate::strip_1967::{self, strips::PlacedStrip};
 use crate::total;
 use nalgebra::Matrix3;
 
@@ -111,11 +110,11 @@ pub type Jacobian<F> = Matrix3<F>;
 
 /// Floating-point types that every model can be computed in.
 #[cfg(not(target_arch = "x86_64"))]
-pub trait Precision: Tabulated {}
+pub trait Precision: Float {}
 
 /// Floating-point types that every model can be computed in.
 #[cfg(target_arch = "x86_64")]
-pub trait Precision: Tabulated + crate::batch::side_by_side::Wide {}
+pub trait Precision: Float + crate::batch::side_by_side::Wide {}
 
 impl Precision for f64 {}
 impl Precision for f32 {}
@@ -228,8 +227,7 @@ impl<'a, F: Precision> Problem<'a, F> {
     ) -> Totals<T> {
         match self.options.model {
             Model::Strip1967 | Model::Strip1967Continuous | Model::Linear => {
-                StripTheory::new(parameters, self.sliding_rule())
-                    .wanted_totals::<STICK, MOMENT>(self.options.strips)
+                strip_1967::totals(parameters, self.sliding_rule())
             }
             Model::Strip => self.rolling_strips(parameters),
             Model::Total => self.total_force(parameters),
@@ -606,9 +604,6 @@ fn jacobian_of<F: Precision>(
     }
 }
 
-/// Strips of the theory of 1967 at most, corrections beyond unit spin included.
-pub const MOST_STRIPS_1967: usize = 320;
-
 /// One strip y = const of a contact or a patch: what it carries, on the lower body.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -646,9 +641,7 @@ pub fn most_strips<F: Precision>(
 ) -> Result<usize, Error> {
     check(contact, creepage, options)?;
     match options.model {
-        Model::Strip => Ok(options.strips as usize),
-        // Beyond |ψ| = 1 strips may follow that correct pieces of the adhesion interval.
-        Model::Strip1967 | Model::Strip1967Continuous => Ok(MOST_STRIPS_1967),
+        Model::Strip | Model::Strip1967 | Model::Strip1967Continuous => Ok(options.strips as usize),
         Model::Total | Model::Linear => Err(Error::NotInModel),
     }
 }
@@ -671,7 +664,7 @@ pub fn strips<F: Precision>(
     let bound = contact.friction_bound();
     let mut share = |strip: PlacedStrip<F>| {
         let (fx, fy) = (bound * strip.fx, bound * strip.fy);
-        let mz = bound * contact.a * strip.mz;
+        let mz = bound * problem.mean_radius() * strip.mz;
         visit(StripResult {
             y: contact.b * strip.y,
             width: contact.b * strip.width,
@@ -687,8 +680,8 @@ pub fn strips<F: Precision>(
     };
     match options.model {
         Model::Strip1967 | Model::Strip1967Continuous => {
-            StripTheory::new(&parameters, problem.sliding_rule())
-                .strips(options.strips, &mut share);
+            let rule = problem.sliding_rule();
+            strip_1967::strips::strips(&parameters, rule, options.strips, &mut share);
         }
         Model::Strip => {
             let Parameters { axis_ratio, poisson_ratio, .. } = parameters;
@@ -723,7 +716,7 @@ fn place_rolling<F: Precision>(
             adheres: stick > F::zero(),
             fx,
             fy,
-            mz: mz / strips.root(),
+            mz,
             stick: area * stick,
         });
     });

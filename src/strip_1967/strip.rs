@@ -103,19 +103,12 @@ pub struct Strip<T: Real> {
     pub xi_bar: T,
     /// Lateral creepage parameter `η`.
     pub eta: T,
-    /// Spin parameter `ψ`.
+    /// Spin parameter `ψ`, between −1 and 1: more counts as ±1 within a strip.
     pub psi: T,
     /// Poisson's ratio `ν`.
     pub poisson_ratio: T::Base,
     /// Adhesion or sliding.
     pub regime: Regime<T>,
-}
-
-/// `S = √(η² + (1 − ψ²) ξ̄²)`; zero where no root exists (`|ψ| > 1`, large `ξ̄`).
-#[inline(always)]
-pub(crate) fn root_s<T: Real>(xi_bar: T, eta: T, psi: T) -> T {
-    let q = (T::one() - psi) * (T::one() + psi);
-    (eta * eta + q * (xi_bar * xi_bar)).max(T::zero()).sqrt()
 }
 
 /// `κ/a` by the form that does not cancel; `None` when no adhesion length exists at any width.
@@ -142,22 +135,6 @@ pub fn adhesion_length<T: Real>(xi_bar: T, eta: T, psi: T) -> Option<T> {
     }
 }
 
-/// Largest `C` for which the traction on the adhesion interval stays within the bound: infinite
-/// (`None`) for `|ψ| ≤ 1` (5.3, 5.4).
-///
-/// The extreme is at the leading edge, where the bound reads `√(1 − κ/C) ≤ 2 S/(S − η ψ)`. With
-/// `P = −η ψ > 0` and κ inserted that is `C ≤ (P + S)²/((ψ² − 1)(P + 3 S))`.
-#[inline]
-pub fn bounded_half_length<T: Real>(xi_bar: T, eta: T, psi: T) -> Option<T> {
-    let q = (T::one() - psi) * (T::one() + psi);
-    if q >= T::zero() {
-        return None;
-    }
-    let p = -(eta * psi);
-    let s = root_s(xi_bar, eta, psi);
-    Some((p + s) * (p + s) / (-q * (p + s.times(3.0)) + T::from_base(T::TINY)))
-}
-
 /// The unit vector along `(x, y)`, or zero for a vector below the smallest normal number.
 #[inline]
 pub(crate) fn unit_vector<T: Real>(x: T, y: T) -> (T, T) {
@@ -181,6 +158,7 @@ impl<T: Real> Strip<T> {
         poisson_ratio: T::Base,
         rule: SlidingRule,
     ) -> Self {
+        let psi = psi.clamped(-T::one(), T::one());
         let regime = Self::adhesion(half_length, xi_bar, eta, psi)
             .unwrap_or_else(|| Self::sliding(half_length, xi_bar, eta, psi, poisson_ratio, rule));
         Self { half_length, xi_bar, eta, psi, poisson_ratio, regime }
@@ -192,26 +170,19 @@ impl<T: Real> Strip<T> {
         let size = xi_bar.value().abs().max(eta.value().abs());
         if size <= T::TINY {
             // No creepage at all: the strip sticks, with the spin's own traction ψ √(C² − x²).
-            return (psi.value().abs() <= T::Base::one()).then_some(Regime::Adhesion {
-                kappa: T::zero(),
-                alpha: T::zero(),
-                beta_plus_psi: psi,
-            });
+            let (kappa, alpha) = (T::zero(), T::zero());
+            return Some(Regime::Adhesion { kappa, alpha, beta_plus_psi: psi });
         }
         let inverse = T::Base::one() / size;
         let (x, e) = (xi_bar.scale(inverse), eta.scale(inverse));
         let length = adhesion_length(x, e, psi)?;
         let kappa = length.scale(size);
-        if !(kappa < half_length) {
-            return None;
-        }
-        if let Some(limit) = bounded_half_length(x, e, psi)
-            && !(half_length <= limit.scale(size))
-        {
-            return None;
-        }
         // α = a ξ̄/κ,  β = a η/κ   (5.40)
-        Some(Regime::Adhesion { kappa, alpha: x / length, beta_plus_psi: e / length + psi })
+        (kappa < half_length).then(|| Regime::Adhesion {
+            kappa,
+            alpha: x / length,
+            beta_plus_psi: e / length + psi,
+        })
     }
 
     fn sliding(

@@ -1,535 +1,386 @@
-//! Total forces of the strip theory of 1967 by quadrature over strips (Section 7).
+//! Total force, moment and stick area by the primitives (7.1).
 //!
-//! `(F_x, F_y)/(μ N) = (3/4) ∫ (f_x, f_y) dY`. The strips are placed where the solution needs them:
-//! Gauss panels between the edges of the contact and the points where the separatrix meets the
-//! leading edge, so that no strip ever changes its regime and the totals are a continuous function
-//! of the creepages for every strip count.
+//! With `u = h − Y`, `h = ξ/p` both square roots of the theory have one form, `√(u² + ε²)`: the adhesion length's
+//! `S = p √q √(u² + ε²)` with `ε = η/(p √q)`, and the slip of a strip that slides by the rule of the rigid slip with `ε = η/(p (1 − ν))`.
+//! Their moments are powers and `asinh(u/ε)`. Where a root hardly bends over its piece the primitives would cancel, and four nodes
+//! of Gauss give all digits.
 //!
-//! * Each panel keeps its number of strips, however short it becomes; panels appear and vanish with
-//!   zero length.
-//! * Adhesion panels run along the leading edge itself: with `t = tan(θ/4)`-type coordinates about
-//!   the middle of the panel, `Y` and `C` are rational and the square-root ends of `C` are smooth.
-//! * Sliding panels are graded towards the strip where the rigid slip turns (`ξ̄ = 0`), over the
-//!   distance in which it turns.
-//! * Weights are scaled per panel so that the friction capacity `∫ C² dY` and, with adhesion, the
-//!   stretch `∫ C dY` are exact: saturation and linear slopes come out to rounding with any count.
+//! Two integrals are not elementary: `∫ C S dY` of the moment `m_x`, and the continuous sliding rule. They are summed over nodes of the
+//! angle, so that the edges of the contact are smooth, from the known points where they bend.
 
 use crate::contact::creepage::Parameters;
-use crate::contact::forces::{StripCount, Totals};
-use crate::number::{Arithmetic, Choice, Elementary, Number, Pair, Real, Stored};
-use crate::strip_1967::leading_edge::{AdhesionInterval, EdgePoint, Released, StripFamily};
-use crate::strip_1967::panels::{
-    AdhesionPanel, Nodes, Shares, SlidingLaw, SlidingPanels, SlidingStrips,
-};
-use crate::strip_1967::quadrature::{StripRule, Tabulated};
+use crate::contact::forces::Totals;
+use crate::number::{Arithmetic, Choice, Number, Pair, Stored, atan_of_unit, ln_of_quotient};
+use crate::strip_1967::Motion;
+use crate::strip_1967::edge::{self, Arc, Edge};
 use crate::strip_1967::strip::SlidingRule;
+use core::f64::consts::PI;
 
-impl StripCount {
-    /// How they are dealt to panels.
-    #[inline(always)]
-    pub(crate) fn rule<F: Tabulated>(self) -> &'static StripRule<F> {
-        let [four, eight, sixteen, thirty_two, sixty_four] = &F::STRIPS;
-        match self {
-            Self::Four => four,
-            Self::Eight => eight,
-            Self::Sixteen => sixteen,
-            Self::ThirtyTwo => thirty_two,
-            Self::SixtyFour => sixty_four,
-        }
-    }
-}
+/// Four nodes of Gauss on `[-1, 1]`, those that are positive.
+const GAUSS_4: [(f64, f64); 2] =
+    [(0.33998104358485626, 0.6521451548625461), (0.8611363115940526, 0.34785484513745385)];
+/// Six nodes: `∫ C K dY`, on either side of the strip with `ξ̄ = 0`.
+const GAUSS_6: [(f64, f64); 6] = [
+    (-0.932469514203152, 0.17132449237917036),
+    (-0.6612093864662645, 0.3607615730481386),
+    (-0.2386191860831969, 0.46791393457269104),
+    (0.2386191860831969, 0.46791393457269104),
+    (0.6612093864662645, 0.3607615730481386),
+    (0.932469514203152, 0.17132449237917036),
+];
+/// Sixteen nodes, those that are positive: the continuous rule.
+const GAUSS_16: [(f64, f64); 8] = [
+    (0.09501250983763744, 0.1894506104550685),
+    (0.2816035507792589, 0.18260341504492358),
+    (0.45801677765722737, 0.16915651939500254),
+    (0.6178762444026438, 0.14959598881657674),
+    (0.755404408355003, 0.12462897125553388),
+    (0.8656312023878318, 0.09515851168249279),
+    (0.9445750230732326, 0.062253523938647894),
+    (0.9894009349916499, 0.027152459411754096),
+];
 
-/// One strip as the quadrature placed it, dimensionless.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PlacedStrip<T> {
-    /// `Y = y/b` of the centre line.
-    pub y: T,
-    /// Half length `C = c/a`.
-    pub half_length: T,
-    /// Width in `Y` that the strip stands for.
-    pub width: T,
-    /// Length from the trailing edge to the separatrix over two, `κ/a`; `C` when it slides.
-    pub kappa: T,
-    /// Whether it has an adhesion area.
-    pub adheres: bool,
-    /// Its share of `F_x/(μ N)`.
-    pub fx: T,
-    /// Its share of `F_y/(μ N)`.
-    pub fy: T,
-    /// Its share of `M_z/(μ N a)`, about the centre of the contact.
-    pub mz: T,
-    /// Its share of the stick area.
-    pub stick: T,
-}
-
-/// The strip theory of 1967 for one contact and creepage.
-#[derive(Clone, Copy, Debug)]
-pub struct StripTheory<T: Number> {
-    law: SlidingLaw<T>,
-    axis_ratio: T::Base,
-}
-
-/// The same derivatives with another value.
+/// How many half lengths of a piece its square root's zero is away where four nodes give all digits.
 #[inline(always)]
-fn with_value<T: Real>(of: T, value: T::Base) -> T {
-    if value == of.value() { of } else { of - T::from_base(of.value()) + T::from_base(value) }
+fn far<T: Number>() -> f64 {
+    if size_of::<Stored<T>>() == 4 { 3.5 } else { 16.0 }
 }
 
-/// What is done with the panels of a solution.
-trait Sink<T: Number> {
-    /// Sliding strips on both sides.
-    fn sliding(&mut self, panels: &SlidingPanels<T>, nodes: Nodes<Stored<T>>);
-    /// Strips with adhesion.
-    fn adhesion(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<Stored<T>>);
-    /// Strips counted among those with adhesion that slide after all.
-    fn released(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<Stored<T>>);
+/// Integrals over strips.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shares<T> {
+    /// `∫ f_x dY`
+    pub(super) fx: T,
+    /// `∫ f_y dY`
+    pub(super) fy: T,
+    /// `∫ m_x dY`
+    pub(super) mx: T,
+    /// `∫ Y f_x dY`
+    pub(super) lever: T,
+    /// `∫ (C − K) dY`
+    pub(super) stick: T,
 }
 
-/// Adds the strips up. What is not wanted stays zero, and the compiler leaves out what leads to it.
-struct Sum<T: Number, const STICK: bool, const MOMENT: bool>(Shares<T::Pair>);
-
-impl<T: Number, const STICK: bool, const MOMENT: bool> Sum<T, STICK, MOMENT> {
+impl<T: Number> Shares<T> {
+    /// These where a number is positive, else nothing.
     #[inline(always)]
-    fn add(&mut self, shares: &Shares<T::Pair>) {
-        self.0.fx += shares.fx;
-        self.0.fy += shares.fy;
-        if MOMENT {
-            self.0.mz += shares.mz;
-        }
-        if STICK {
-            self.0.stick += shares.stick;
-        }
-    }
-}
-
-impl<T: Number + Elementary, const STICK: bool, const MOMENT: bool> Sink<T>
-    for Sum<T, STICK, MOMENT>
-{
-    #[inline(always)]
-    fn sliding(&mut self, panels: &SlidingPanels<T>, nodes: Nodes<Stored<T>>) {
-        let sum = panels.sum(nodes);
-        self.add(&panels.shares(&sum, panels.scale(&sum)));
+    fn chosen(self, by: T) -> Self {
+        let Self { fx, fy, mx, lever, stick } = self;
+        let [fx, fy, mx, lever, stick] =
+            [fx, fy, mx, lever, stick].map(|share| by.choose(share, T::zero()));
+        Self { fx, fy, mx, lever, stick }
     }
 
-    #[inline(always)]
-    fn adhesion(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<Stored<T>>) {
-        self.add(&panel.carried(nodes).0);
-    }
-
-    fn released(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<Stored<T>>) {
-        let (stuck, scales) = panel.carried(nodes);
-        let mut slid = SlidingStrips::zero();
-        for node in nodes {
-            slid += panel.slid(&panel.at(node));
-        }
-        self.add(&-stuck);
-        self.add(&panel.slid_shares(&slid, &scales));
-    }
-}
-
-/// Hands the strips on, one by one.
-struct Visitor<'a, T>(&'a mut dyn FnMut(PlacedStrip<T>));
-
-impl<T: Real> Visitor<'_, T> {
-    fn hand_on(&mut self, adheres: bool, places: [T::Pair; 4], shares: &Shares<T::Pair>) {
-        let [y, half_length, width, kappa] = places.map(T::Pair::parts);
-        let [fx, fy, mz, stick] =
-            [shares.fx, shares.fy, shares.mz, shares.stick].map(T::Pair::parts);
-        (self.0)(PlacedStrip {
-            y: y.0,
-            half_length: half_length.0,
-            width: width.0,
-            kappa: kappa.0,
-            adheres,
-            fx: fx.0,
-            fy: fy.0,
-            mz: mz.0,
-            stick: stick.0,
-        });
-        (self.0)(PlacedStrip {
-            y: y.1,
-            half_length: half_length.1,
-            width: width.1,
-            kappa: kappa.1,
-            adheres,
-            fx: fx.1,
-            fy: fy.1,
-            mz: mz.1,
-            stick: stick.1,
-        });
-    }
-}
-
-impl<T: Real> Sink<T> for Visitor<'_, T> {
-    fn sliding(&mut self, panels: &SlidingPanels<T>, nodes: Nodes<T::Base>) {
-        let scale = panels.scale(&panels.sum(nodes));
-        for node in nodes {
-            let (place, strips) = panels.at(node);
-            let half_length = place.c_squared.max(T::Pair::zero()).sqrt();
-            let width = SlidingPanels::<T>::width(&place, &strips, scale);
-            let y = SlidingPanels::<T>::unmirrored(place.y);
-            let shares = panels.shares(&strips, scale);
-            self.hand_on(false, [y, half_length, width, half_length], &shares);
-        }
-    }
-
-    fn adhesion(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<T::Base>) {
-        let (_, scales) = panel.carried(nodes);
-        for node in nodes {
-            let strip = panel.at(node);
-            let shares = panel.shares(&strip.terms(), &scales);
-            self.hand_on(true, [strip.y, strip.c, strip.width, strip.kappa], &shares);
-        }
-    }
-
-    fn released(&mut self, panel: &AdhesionPanel<T>, nodes: Nodes<T::Base>) {
-        let (_, scales) = panel.carried(nodes);
-        for node in nodes {
-            let strip = panel.at(node);
-            let shares = -panel.shares(&strip.terms(), &scales);
-            self.hand_on(true, [strip.y, strip.c, -strip.width, strip.kappa], &shares);
-            let shares = panel.slid_shares(&panel.slid(&strip), &scales);
-            self.hand_on(false, [strip.y, strip.c, strip.width, strip.c], &shares);
-        }
-    }
-}
-
-impl<T: Number + Elementary> StripTheory<T> {
-    /// Set up the theory with one of its sliding rules.
-    #[inline(always)]
-    #[must_use]
-    pub fn new(parameters: &Parameters<T>, rule: SlidingRule) -> Self {
-        let one = <T::Base as Arithmetic>::one();
+    /// Multiplied: forces and their lever, `m_x`, stick area.
+    pub(super) fn times(&self, [force, moment, stick]: [T; 3]) -> Self {
         Self {
-            law: SlidingLaw {
-                family: StripFamily {
-                    xi: parameters.xi,
-                    slope: parameters.spin_slope(),
-                    eta: parameters.eta,
-                    psi: parameters.psi,
-                },
-                compliance: one - parameters.poisson_ratio,
-                rule,
-                inverse_ratio: one / parameters.axis_ratio,
-            },
-            axis_ratio: parameters.axis_ratio,
+            fx: self.fx * force,
+            fy: self.fy * force,
+            mx: self.mx * moment,
+            lever: self.lever * force,
+            stick: self.stick * stick,
         }
     }
 
-    /// Totals from the sums over all strips.
+    /// Forces and moment in units of `μ N` and `μ N √(ab)`, turned back.
     #[inline(always)]
-    fn totals_of<const STICK: bool, const MOMENT: bool>(
-        &self,
-        sum: &Sum<T, STICK, MOMENT>,
-    ) -> Totals<T> {
-        let Shares { fx, fy, mz, stick } = sum.0;
-        let (fx, fy, mz, stick) = (fx.sum(), fy.sum(), mz.sum(), stick.sum());
-        let bound = Self::bound(fx, fy);
-        let lever = self.lever();
+    pub(super) fn totals(&self, motion: &Motion<T>) -> Totals<T> {
+        let Motion { axis_ratio, turned_x, turned_y, .. } = *motion;
+        let root = axis_ratio.sqrt();
+        let inverse = T::Base::one() / root;
+        let mz = self.mx.scale(root) - self.lever.scale(inverse);
         Totals {
-            fx: fx * bound,
-            fy: fy * bound,
-            // a = √(ab) √(a/b)
-            mz: mz.clamped(-lever, lever).scale(self.axis_ratio.sqrt()),
-            stick: stick.clamped(T::zero(), T::one()),
+            fx: self.fx.scale(turned_x.times(0.75)),
+            fy: self.fy.scale(turned_y.times(0.75)),
+            mz: mz.scale(turned_y.times(0.75)),
+            stick: self.stick.times(2.0 / PI).clamped(T::zero(), T::one()),
         }
     }
 
-    /// Friction capacity is exact, stretch is exact, their mixture with few strips is not: what keeps `|F| ≤ μ N`.
     #[inline(always)]
-    fn bound(fx: T, fy: T) -> T {
-        let size = fx * fx + fy * fy;
-        T::either(size - T::one(), || T::one() / size.sqrt(), T::one)
-    }
-
-    /// Nor does a moment exceed `μ N` times the longer semi-axis, however slender the ellipse; over `a`.
-    #[inline(always)]
-    fn lever(&self) -> T {
-        let one = <T::Base as Arithmetic>::one();
-        T::from_base(one.max(one / self.axis_ratio))
-    }
-
-    /// Without spin and with `τ = √(ξ² + η²) ≥ 1` no strip adheres and all slide the same way: what the
-    /// quadrature, exact for the friction capacity, gives to rounding.
-    #[inline(always)]
-    fn all_slide(&self) -> Totals<T> {
-        let StripFamily { xi, eta, .. } = self.law.family;
-        let x = match self.law.rule {
-            SlidingRule::RigidSlip => xi.scale(self.law.compliance),
-            SlidingRule::Continuous => xi,
-        };
-        let inverse = T::one() / (x * x + eta * eta).sqrt();
-        Totals { fx: x * inverse, fy: eta * inverse, mz: T::zero(), stick: T::zero() }
-    }
-
-    /// Sliding – adhesion – sliding; `split` divides the adhesion interval where `ξ̄ = 0`.
-    ///
-    /// (On a microcontroller its stack is free while the interval and its pieces are searched for.)
-    #[cfg_attr(target_os = "none", inline(never))]
-    #[cfg_attr(not(target_os = "none"), inline(always))]
-    fn panels(
-        &self,
-        rule: &StripRule<Stored<T>>,
-        (lower, upper): (&EdgePoint<T>, &EdgePoint<T>),
-        adheres: bool,
-        sink: &mut impl Sink<T>,
-    ) {
-        let StripRule { slide, stick, split } = *rule;
-        let law = &self.law;
-        let (lower, upper) = (*lower, *upper);
-        sink.sliding(&SlidingPanels::new(law, lower, upper), slide);
-        if !adheres {
-            return;
-        }
-        let middle = if split { self.turning_strip(lower, upper) } else { lower };
-        // (a loop, so that the code of a panel is there once)
-        for (from, to) in [(lower, middle), (middle, upper)].into_iter().skip(usize::from(!split)) {
-            sink.adhesion(&AdhesionPanel::new(law, from, to), stick);
-        }
-    }
-
-    /// The strip with `ξ̄ = 0`, or the end of the interval nearest to it.
-    #[inline(always)]
-    fn turning_strip(&self, lower: EdgePoint<T>, upper: EdgePoint<T>) -> EdgePoint<T> {
-        let StripFamily { xi, slope, .. } = self.law.family;
-        let mut y = xi / slope;
-        if T::HAS_DERIVATIVES {
-            // A strip between two panels of the same rule: where exactly it lies does not matter, and with a vanishing
-            // spin its derivatives have no numbers.
-            let vanishing = T::from_base(T::ROOT_TINY) - slope.abs();
-            y = vanishing.choose(T::from_base(xi.value() / slope.value()), y);
-        }
-        let outside = EdgePoint::chosen(-(xi * slope), lower, upper);
-        let below = EdgePoint::chosen(upper.y - y, EdgePoint::on_edge(y), upper);
-        let inside = EdgePoint::chosen(y - lower.y, below, lower);
-        EdgePoint::chosen(slope.abs() - xi.abs(), inside, outside)
+    pub(super) fn add(&mut self, other: &Self) {
+        self.fx += other.fx;
+        self.fy += other.fy;
+        self.mx += other.mx;
+        self.lever += other.lever;
+        self.stick += other.stick;
     }
 }
 
-impl<T: Real> StripTheory<T>
-where
-    T::Base: Tabulated,
-{
-    /// Whether the spin is inside the theory, `|ψ| < 1`.
-    #[must_use]
-    pub fn spin_in_range(&self) -> bool {
-        self.law.family.psi.value().abs() < <T::Base as Arithmetic>::one()
+/// `F/(μ N)`, `M_z/(μ N √(ab))` and the stick area of a contact.
+///
+/// # Example
+/// Pure longitudinal creepage, (8.15):
+/// ```
+/// use kstrip::{strip_1967, strip_1967::strip::SlidingRule, contact::creepage::Parameters};
+/// let parameters = Parameters { xi: 0.5, eta: 0.0, psi: 0.0, poisson_ratio: 0.28, axis_ratio: 1.0 };
+/// let totals = strip_1967::totals(&parameters, SlidingRule::RigidSlip);
+/// let exact = 1.0 - (2.25 * 0.75_f64.sqrt() - 1.5 * 0.5_f64.acos()) / 2.0;
+/// assert!((totals.fx - exact).abs() < 1e-15 && totals.fy == 0.0);
+/// ```
+#[must_use]
+#[inline(always)]
+pub fn totals<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Totals<T> {
+    let motion = Motion::new(parameters, rule);
+    let (arc, some) = edge::adhesion(&motion);
+    let mut shares = outside(&motion, &arc);
+    if some.exceeds(T::zero()) {
+        shares.add(&adhering(&motion, &arc).chosen(some));
     }
+    shares.totals(&motion)
+}
 
-    /// Total force, moment and stick area with a fixed number of strips.
-    #[must_use]
-    pub fn totals(&self, count: StripCount) -> Totals<T> {
-        self.wanted_totals::<true, true>(count)
+/// All strips.
+pub(super) fn whole<T: Number>(motion: &Motion<T>, arc: &Arc<T>, adheres: bool) -> Shares<T> {
+    let mut shares = outside(motion, arc);
+    if adheres {
+        shares.add(&adhering(motion, arc));
     }
+    shares
+}
 
-    /// [`StripTheory::totals`] without the stick area or the moment, which are zero then.
-    #[inline(always)]
-    pub(crate) fn wanted_totals<const STICK: bool, const MOMENT: bool>(
-        &self,
-        count: StripCount,
-    ) -> Totals<T> {
-        if let Some(totals) = self.pure_sliding() {
-            return totals;
-        }
-        if T::HAS_DERIVATIVES && self.vanishes() {
-            return self.totals_of_vanishing::<STICK, MOMENT>(count);
-        }
-        self.summed::<STICK, MOMENT>(count)
-    }
+/// Strips that slide on both sides of an arc.
+#[inline(always)]
+fn outside<T: Number>(motion: &Motion<T>, arc: &Arc<T>) -> Shares<T> {
+    let [first, last] = [-T::one(), T::one()].map(|y| Edge { y, c: T::zero() });
+    sliding(motion, [first, arc.lower], [arc.upper, last])
+}
 
-    /// The largest of the parameters of all strips.
-    #[inline(always)]
-    fn size(&self) -> T::Base {
-        let StripFamily { xi, slope, eta, psi } = self.law.family;
-        let size = |v: T| v.value().abs();
-        size(xi).max(size(slope)).max(size(eta)).max(size(psi))
-    }
-
-    /// Below this the derivatives of squares of the parameters leave the number range.
-    #[inline(always)]
-    fn least_size() -> T::Base {
-        T::ROOT_TINY.times(1e6)
-    }
-
-    /// Whether creepages are so small that derivatives of their squares leave the number range.
-    #[inline(always)]
-    fn vanishes(&self) -> bool {
-        let size = self.size();
-        size < Self::least_size() && size > <T::Base as Arithmetic>::zero()
-    }
-
-    /// [`StripTheory::totals`] of larger creepages of the same direction, and the forces made smaller again: both are as
-    /// linear as rounding allows.
-    #[cold]
-    #[inline(never)]
-    fn totals_of_vanishing<const STICK: bool, const MOMENT: bool>(
-        &self,
-        count: StripCount,
-    ) -> Totals<T> {
-        let StripFamily { xi, slope, eta, psi } = self.law.family;
-        let (size, least) = (self.size(), Self::least_size());
-        let (factor, shrink) = (least / size, size / least);
-        let larger = |v: T| with_value(v, v.value() * factor);
-        let family = StripFamily {
-            xi: larger(xi),
-            slope: larger(slope),
-            eta: larger(eta),
-            psi: larger(psi),
-        };
-        let theory = Self { law: SlidingLaw { family, ..self.law }, ..*self };
-        let Totals { fx, fy, mz, stick } = theory.summed::<STICK, MOMENT>(count);
-        let shrunk = |f: T| with_value(f, f.value() * shrink);
-        Totals { fx: shrunk(fx), fy: shrunk(fy), mz: shrunk(mz), stick }
-    }
-
-    #[inline(always)]
-    fn summed<const STICK: bool, const MOMENT: bool>(&self, count: StripCount) -> Totals<T> {
-        let mut sum = Sum::<T, STICK, MOMENT>(Shares::zero());
-        self.place(count, &mut sum);
-        self.totals_of(&sum)
-    }
-
-    /// [`StripTheory::all_slide`] where it holds.
-    #[inline(always)]
-    fn pure_sliding(&self) -> Option<Totals<T>> {
-        let StripFamily { xi, eta, psi, .. } = self.law.family;
-        let zero = <T::Base as Arithmetic>::zero();
-        if T::HAS_DERIVATIVES || psi.value() != zero || !(xi * xi + eta * eta >= T::one()) {
-            return None;
-        }
-        Some(self.all_slide())
-    }
-
-    /// Hand every strip of a fixed count to `visit`. The sum of the shares is the total. For
-    /// `|ψ| > 1` strips beyond the count may follow that correct pieces of the adhesion interval
-    /// which slide (their widths are negative where they take adhesion away).
-    pub fn strips(&self, count: StripCount, visit: &mut dyn FnMut(PlacedStrip<T>)) {
-        let [mut fx, mut fy, mut mz] = [T::zero(); 3];
-        self.each(count, &mut |strip| {
-            fx += strip.fx;
-            fy += strip.fy;
-            mz += strip.mz;
-        });
-        let bound = Self::bound(fx, fy);
-        let (size, lever) = (mz.abs(), self.lever());
-        let lever = if size > lever { lever / size } else { T::one() };
-        self.each(count, &mut |strip| {
-            visit(PlacedStrip {
-                fx: strip.fx * bound,
-                fy: strip.fy * bound,
-                mz: strip.mz * lever,
-                ..strip
-            });
-        });
-    }
-
-    #[inline(never)]
-    fn each(&self, count: StripCount, visit: &mut dyn FnMut(PlacedStrip<T>)) {
-        self.place(count, &mut Visitor(visit));
-    }
-
-    #[inline(always)]
-    fn place(&self, count: StripCount, sink: &mut impl Sink<T>) {
-        let rule = count.rule();
-        let interval = self.law.family.adhesion_interval();
-        let ends = match &interval {
-            Ok(AdhesionInterval { lower, upper }) => (lower, upper),
-            Err(nearest) => (nearest, nearest),
-        };
-        self.panels(rule, ends, interval.is_ok(), sink);
-        if let Ok(interval) = interval
-            && !self.spin_in_range()
-        {
-            self.releases(&interval, sink);
-        }
-    }
-
-    /// For `|ψ| > 1`: pieces of the adhesion interval slide after all, each short enough for 4 nodes.
-    #[cold]
-    #[inline(never)]
-    fn releases(&self, interval: &AdhesionInterval<T>, sink: &mut impl Sink<T>) {
-        let [_, rule, ..] = &T::Base::STRIPS;
-        let mut released = Released::of(&self.law.family, interval);
-        while released.next_cell() {
-            for (lower, upper) in released.pieces.iter().flatten() {
-                self.release(lower, upper, rule.stick, sink);
+/// Strips with adhesion: `f_x = ξ̄ (2C − K)`, `f_y = ψ C² + η (2C − K)`, `m_x = −η (C − K)²`.
+#[inline(always)]
+pub(super) fn adhering<T: Number>(motion: &Motion<T>, arc: &Arc<T>) -> Shares<T> {
+    let Motion { xi, eta, psi, slope: p, q, eta_psi: m, .. } = *motion;
+    let both = T::Pair::both;
+    let (Edge { y: y1, c: c1 }, Edge { y: y2, c: c2 }) = (arc.lower, arc.upper);
+    let (width, sum) = (y2 - y1, y1 + y2);
+    // ∫ C dY = (asin Y + Y C)/2,  ∫ Y C dY = −C³/3,  ∫ Y² C dY = (asin Y − Y C (1 − 2Y²))/8,  ∫ C² dY = Y − Y³/3
+    let angle = atan_of_unit(arc.tangent).times(4.0);
+    let (yc1, yc2) = (y1 * c1, y2 * c2);
+    let c = (angle + (yc2 - yc1)).times(0.5);
+    let yc = (c1 * c1 * c1 - c2 * c2 * c2).times(1.0 / 3.0);
+    let bent = |y: T, yc: T| yc * (T::one() - (y * y).times(2.0));
+    let yyc = (angle - (bent(y2, yc2) - bent(y1, yc1))).times(0.125);
+    let yy = (y1 * y1 + y1 * y2 + y2 * y2).times(1.0 / 3.0);
+    let cc = width * (T::one() - yy);
+    // S hardly bends where the zero of S² is far from the interval.
+    let (middle, half) = (sum.times(0.5), width.times(0.5));
+    let (x, bend) = (motion.xi_bar(middle), p * half);
+    let smooth = eta * eta + q * (x * x - (bend * bend).times(far::<T>() * far::<T>())) + T::tiny();
+    let [k, xk, yxk, kk] = <[T; 4] as Choice<T>>::either(
+        smooth,
+        || {
+            // ∫ (K, ξ̄ K, Y ξ̄ K, K²) dY by nodes
+            let mut sums = [T::Pair::zero(); 4];
+            for (node, weight) in GAUSS_4 {
+                let y = both(middle) + T::Pair::of(half, -half).times(node);
+                let x = both(xi) - both(p) * y;
+                let k = length(motion, x);
+                let share = k.times(weight);
+                for (sum, factor) in sums.iter_mut().zip([T::Pair::one(), x, y * x, k]) {
+                    *sum += share * factor;
+                }
             }
-        }
-    }
-
-    #[inline(never)]
-    fn release(
-        &self,
-        lower: &EdgePoint<T>,
-        upper: &EdgePoint<T>,
-        nodes: Nodes<T::Base>,
-        sink: &mut impl Sink<T>,
-    ) {
-        sink.released(&AdhesionPanel::new(&self.law, *lower, *upper), nodes);
+            sums.map(|sum| sum.sum() * half)
+        },
+        || {
+            // S = σ D with D = √(u² + ε²)
+            let (root, inverse) = (q.sqrt(), p.inverse());
+            let (h, e) = (xi * inverse, eta * inverse / root);
+            let (sigma, e2) = (p * root, e * e);
+            let (u1, u2) = (h - y1, h - y2);
+            let (d1, d2) = ((u1 * u1 + e2).sqrt(), (u2 * u2 + e2).sqrt());
+            let (above, below) = arcsinh(u1, u2, d1, d2, e2);
+            // ∫ D du = (u D + ε² asinh(u/ε))/2,  ∫ u D du = D³/3,  ∫ u² D du = (u D³ − ε² ∫ D du)/4
+            let i0 = (u1 * d1 - u2 * d2 + e2 * ln_of_quotient(above, below)).times(0.5);
+            let (cube1, cube2) = (d1 * d1 * d1, d2 * d2 * d2);
+            let i1 = (cube1 - cube2).times(1.0 / 3.0);
+            let i2 = (u1 * cube1 - u2 * cube2 - e2 * i0).times(0.25);
+            // K = (S + m)/q
+            let iq = q.inverse();
+            let (s, xs, yxs) = (sigma * i0, p * sigma * i1, p * sigma * (h * i1 - i2));
+            let (x_mean, yx) = (x * width, xi * width * middle - p * (width * yy));
+            let xx = xi * xi * width - (xi * p * width * sum) + p * p * (width * yy);
+            let kk = eta * eta * width + q * xx + (m * s).times(2.0) + m * m * width;
+            [(s + m * width) * iq, (xs + m * x_mean) * iq, (yxs + m * yx) * iq, kk * iq * iq]
+        },
+    );
+    let ck = stretch_and_length(motion, arc);
+    Shares {
+        fx: (xi * c - p * yc).times(2.0) - xk,
+        fy: psi * cc + eta * (c.times(2.0) - k),
+        mx: -(eta * (cc - ck.times(2.0) + kk)),
+        lever: (xi * yc - p * yyc).times(2.0) - yxk,
+        stick: c - k,
     }
 }
 
-#[cfg(target_arch = "x86_64")]
-mod side_by_side {
-    use super::*;
-    use crate::number::lanes::Lanes;
+/// `K`, by the form of (5.41) that does not cancel.
+#[inline(always)]
+fn length<T: Number>(motion: &Motion<T>, x: T::Pair) -> T::Pair {
+    let both = T::Pair::both;
+    let Motion { eta, q, eta_psi: m, .. } = *motion;
+    let (eta2, x2) = (both(eta * eta), x * x);
+    let s = (eta2 + both(q) * x2).sqrt();
+    let m = both(m);
+    m.choose(s + m, x2 + eta2) / m.choose(both(q), s - m + T::Pair::tiny())
+}
 
-    /// The sums of several contacts, of which some adhere: where this is positive.
-    struct SumOfSome<L: Number>(Sum<L, true, true>, L);
-
-    impl<L: Number + Elementary> Sink<L> for SumOfSome<L> {
-        #[inline(always)]
-        fn sliding(&mut self, panels: &SlidingPanels<L>, nodes: Nodes<Stored<L>>) {
-            self.0.sliding(panels, nodes);
-        }
-        #[inline(always)]
-        fn adhesion(&mut self, panel: &AdhesionPanel<L>, nodes: Nodes<Stored<L>>) {
-            let adheres = L::Pair::both(self.1);
-            let Shares { fx, fy, mz, stick } = panel.carried(nodes).0;
-            let of_these = |share: L::Pair| adheres.choose(share, L::Pair::zero());
-            self.0.add(&Shares {
-                fx: of_these(fx),
-                fy: of_these(fy),
-                mz: of_these(mz),
-                stick: of_these(stick),
-            });
-        }
-        fn released(&mut self, _: &AdhesionPanel<L>, _: Nodes<Stored<L>>) {}
+/// `∫ C K dY = ∫ C² K dθ`: nodes from the strip with `ξ̄ = 0`, where `S` may have a kink, to both ends of the arc.
+#[inline(always)]
+fn stretch_and_length<T: Number>(motion: &Motion<T>, arc: &Arc<T>) -> T {
+    let Motion { xi, slope: p, .. } = *motion;
+    let both = T::Pair::both;
+    // Y = sin(θ + φ), with the tangent of φ/2 from −t to t
+    let Arc { lower, upper, middle, tangent } = *arc;
+    let h = xi / (p + T::from_base(T::ROOT_TINY));
+    let turn = Edge::chosen(h - lower.y, Edge::chosen(upper.y - h, Edge::at(h), upper), lower);
+    let cosine = turn.c * middle.c + turn.y * middle.y;
+    let split = (turn.y * middle.c - turn.c * middle.y) / (T::one() + cosine);
+    let (from, to) = (T::Pair::of(-tangent, split), T::Pair::of(split, tangent));
+    let (centre, half) = ((from + to).times(0.5), (to - from).times(0.5));
+    let mut sum = T::Pair::zero();
+    for (node, weight) in GAUSS_6 {
+        let t = centre + half.times(node);
+        let t2 = t * t;
+        let scale = (t2.plus(1.0)).inverse();
+        let (cosine, sine) = ((T::Pair::one() - t2) * scale, t.times(2.0) * scale);
+        let y = both(middle.y) * cosine + both(middle.c) * sine;
+        let c = both(middle.c) * cosine - both(middle.y) * sine;
+        let x = both(xi) - both(p) * y;
+        sum += c * c * length(motion, x) * scale.times(weight);
     }
+    // dθ = 2 dt/(1 + t²)
+    (sum * half).sum().times(2.0)
+}
 
-    impl<L: Number + Elementary> StripTheory<L> {
-        /// [`StripTheory::totals`] of several contacts, each in its lane, with the bits of one by one; and a number
-        /// that is not positive where a contact has to be solved by itself, because it reaches unit spin. `None` when
-        /// that is all but one of them.
-        #[inline(always)]
-        pub(crate) fn totals_side_by_side<const N: usize>(
-            &self,
-            rule: &StripRule<Stored<L>>,
-        ) -> Option<(Totals<L>, L)>
-        where
-            L: Lanes<N>,
-        {
-            let (family, within) = self.law.family.within_unit_spin();
-            if within.array().into_iter().filter(|x| *x > Stored::<L>::zero()).count() < 2 {
-                return None;
+/// `asinh(u₁/ε) − asinh(u₂/ε)` for `u₁ ≥ u₂` is the logarithm of this quotient; `d = √(u² + ε²)`.
+#[inline(always)]
+fn arcsinh<A: Arithmetic>(u1: A, u2: A, d1: A, d2: A, e2: A) -> (A, A) {
+    let far = |u: A, d: A| u.choose(u, -u) + d + A::tiny();
+    let (a1, a2) = (far(u1, d1), far(u2, d2));
+    let above = u1.choose(u2.choose(a1, a1 * a2), a2);
+    let below = u2.choose(a2, u1.choose(e2 + A::tiny(), a1));
+    (above, below)
+}
+
+/// Strips that slide, below and above those that adhere.
+#[inline(always)]
+pub(super) fn sliding<T: Number>(
+    motion: &Motion<T>,
+    lower: [Edge<T>; 2],
+    upper: [Edge<T>; 2],
+) -> Shares<T> {
+    let [fx, fy, lever] = match motion.rule {
+        SlidingRule::RigidSlip => rigid_slip(
+            motion,
+            T::Pair::of(lower[0].y, upper[0].y),
+            T::Pair::of(lower[1].y, upper[1].y),
+        ),
+        SlidingRule::Continuous => continuous(motion, lower, upper),
+    };
+    Shares { fx, fy, mx: T::zero(), lever, stick: T::zero() }
+}
+
+/// `∫ C² (w_x, w_y, Y w_x) dY` with `w ~ ((1 − ν) ξ̄, η)`.
+#[inline(always)]
+fn rigid_slip<T: Number>(motion: &Motion<T>, from: T::Pair, to: T::Pair) -> [T; 3] {
+    let Motion { xi, eta, slope, compliance, .. } = *motion;
+    let both = T::Pair::both;
+    let (z0, p) = (xi.scale(compliance), slope.scale(compliance));
+    let (middle, half) = ((from + to).times(0.5), (to - from).times(0.5));
+    let z = both(z0) - both(p) * middle;
+    let bend = both(p) * half;
+    let smooth = both(eta * eta) + z * z - (bend * bend).times(far::<T>() * far::<T>());
+    let (first, second) = smooth.parts();
+    <[T; 3] as Choice<T>>::either(
+        first.min(second) + T::tiny(),
+        || {
+            let mut sums = [T::Pair::zero(); 3];
+            // (at rest no strip slides, and has no direction)
+            let eta2 = both(eta * eta + T::from_base(T::EPSILON * T::EPSILON));
+            for (node, weight) in GAUSS_4.into_iter().flat_map(|(u, w)| [(-u, w), (u, w)]) {
+                let y = middle + half.times(node);
+                let z = both(z0) - both(p) * y;
+                let share = (T::Pair::one() - y * y) * half.times(weight) / (z * z + eta2).sqrt();
+                let fx = share * z;
+                let [x, w, lever] = &mut sums;
+                *x += fx;
+                *w += share;
+                *lever += y * fx;
             }
-            let theory = Self { law: SlidingLaw { family, ..self.law }, ..*self };
-            let StripFamily { xi, eta, psi, .. } = family;
-            let intervals = family.adhesion_intervals();
-            let mut sum = SumOfSome(Sum(Shares::zero()), intervals.adheres);
-            let some = intervals.adheres.exceeds(L::zero());
-            let AdhesionInterval { lower, upper } = &intervals.ends;
-            theory.panels(rule, (lower, upper), some, &mut sum);
-            let Totals { mut fx, mut fy, mut mz, mut stick } = theory.totals_of(&sum.0);
-            let spin = psi.abs();
-            if !spin.is_positive_number() {
-                let slide = theory.all_slide();
-                let inside = L::one() - (xi * xi + eta * eta);
-                let summed = |sum: L, slide| spin.choose(sum, inside.choose(sum, slide));
-                (fx, fy) = (summed(fx, slide.fx), summed(fy, slide.fy));
-                (mz, stick) = (summed(mz, slide.mz), summed(stick, slide.stick));
-            }
-            Some((Totals { fx, fy, mz, stick }, within))
+            let [fx, w, lever] = sums.map(T::Pair::sum);
+            [fx, w * eta, lever]
+        },
+        || {
+            // in units of p: w = (u, ε)/D with D = √(u² + ε²)
+            let inverse = p.inverse();
+            let (h, e) = (z0 * inverse, eta * inverse);
+            let e2 = e * e;
+            let (u1, u2) = (both(h) - from, both(h) - to);
+            let (d1, d2) = ((u1 * u1 + both(e2)).sqrt(), (u2 * u2 + both(e2)).sqrt());
+            let (above, below) = arcsinh(u1, u2, d1, d2, both(e2));
+            let ((above1, above2), (below1, below2)) = (above.parts(), below.parts());
+            // J_n = ∫ uⁿ/D du
+            let j0 = ln_of_quotient(above1 * above2, below1 * below2);
+            let j1 = (d1 - d2).sum();
+            let (ud1, ud2) = (u1 * d1, u2 * d2);
+            let j2 = ((ud1 - ud2).sum() - e2 * j0).times(0.5);
+            let j3 = (d1 * d1 * d1 - d2 * d2 * d2).sum().times(1.0 / 3.0) - e2 * j1;
+            let j4 = ((u1 * u1 * ud1 - u2 * u2 * ud2).sum() - (e2 * j2).times(3.0)).times(0.25);
+            // C² = 1 − (h − u)²
+            let (k0, k1) = (T::one() - h * h, h.times(2.0));
+            let [i0, i1, i2] = [(j0, j1, j2), (j1, j2, j3), (j2, j3, j4)]
+                .map(|(one, u, uu)| k0 * one + k1 * u - uu);
+            [i1, e * i0, h * i1 - i2]
+        },
+    )
+}
+
+/// `∫ C² (w_x, w_y, Y w_x) dY` with `w ~ (ξ̄, η + ψ C)`: nodes from the adhesion strips, next to which the direction turns, outwards.
+#[inline(always)]
+fn continuous<T: Number>(motion: &Motion<T>, lower: [Edge<T>; 2], upper: [Edge<T>; 2]) -> [T; 3] {
+    let Motion { xi, eta, psi, slope: p, .. } = *motion;
+    let both = T::Pair::both;
+    let pair = |low: Edge<T>, high: Edge<T>| Edge {
+        y: T::Pair::of(low.y, high.y),
+        c: T::Pair::of(low.c, high.c),
+    };
+    let (near, edge) = (pair(lower[1], upper[0]), pair(lower[0], upper[1]));
+    // tan(β/4) = sin(β/2)/(1 + cos(β/2)) of the angle β from the near to the far end
+    let cosine = near.y * edge.y + near.c * edge.c;
+    let halved = |cosine: T::Pair| cosine.plus(1.0).times(0.5).max(T::Pair::constant(1e-30)).sqrt();
+    let reach = halved(-cosine) / halved(cosine).plus(1.0);
+    // p C/|N|: how fast the direction of N = (ξ̄, η + ψ C) turns next to the near end
+    let n = |y: T::Pair, c: T::Pair| (both(xi) - both(p) * y, both(eta) + both(psi) * c);
+    let (nx, ny) = n(near.y, near.c);
+    let turn = both(p) * near.c / (nx * nx + ny * ny + T::Pair::tiny()).sqrt();
+    let grade = (reach * turn).times(4.0).plus(1.0).sqrt().min(T::Pair::constant(30.0));
+    let outwards = T::Pair::of(-T::one(), T::one());
+    // (at rest no strip slides, and has no direction)
+    let rest = T::Pair::from_base(T::EPSILON * T::EPSILON);
+    let mut sums = [T::Pair::zero(); 3];
+    for (node, weight) in GAUSS_16 {
+        for node in [-node, node] {
+            // v = tan(φ/4) = V r/(r + g (1 − r)), r from 0 to 1
+            let r = 0.5 + 0.5 * node;
+            let den = grade.times(1.0 - r).plus(r);
+            let v = reach.times(r);
+            let (den2, v2) = (den * den, v * v);
+            let scale = (den2 + v2).inverse();
+            // dφ = 4 V g dr/(den² + v²)
+            let step = (reach * grade * scale).times(2.0 * weight);
+            let (cos2, sin2) = ((den2 - v2) * scale, (den * v * scale).times(2.0));
+            let (cosine, sine) = (cos2 * cos2 - sin2 * sin2, (cos2 * sin2).times(2.0) * outwards);
+            let y = near.y * cosine + near.c * sine;
+            let c = near.c * cosine - near.y * sine;
+            let (x, w) = n(y, c);
+            let share = c * c * c * step / (x * x + w * w + rest).sqrt();
+            let fx = share * x;
+            let [sx, sy, lever] = &mut sums;
+            *sx += fx;
+            *sy += share * w;
+            *lever += y * fx;
         }
     }
+    sums.map(T::Pair::sum)
 }

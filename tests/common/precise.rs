@@ -9,7 +9,6 @@
 use dashu_float::{FBig, round::mode::HalfEven};
 use kstrip::number::pairs::Two;
 use kstrip::number::{Arithmetic, Elementary, Float, Map, Number, Plain};
-use kstrip::strip_1967::quadrature::{Node, StripRule, Tabulated};
 use std::any::Any;
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -179,6 +178,9 @@ impl Plain for Precise {
     fn ln_quotient(self, divisor: Self) -> Self {
         (self / divisor).ln()
     }
+    fn atan_of_unit(self) -> Self {
+        self.atan()
+    }
     fn lies_between(self, low: Self, high: Self) -> bool {
         self >= low && self <= high
     }
@@ -204,6 +206,7 @@ impl Elementary for Precise {
 
 impl Float for Precise {
     const ARTANH: &'static [Self] = &[];
+    const ARCTAN: &'static [Self] = &[];
 
     fn widened(x: f32) -> Self {
         Self::Double(x.into())
@@ -246,39 +249,4 @@ const fn rows<const N: usize, const M: usize>(table: &[[f64; M]; N]) -> [[Precis
         i += 1;
     }
     copy
-}
-
-const fn nodes<const N: usize>(table: &[Node<f64>]) -> [Node<Precise>; N] {
-    assert!(table.len() == N);
-    let mut copy = [(Precise::Double(0.0), Precise::Double(0.0)); N];
-    let mut i = 0;
-    while i < N {
-        copy[i] = (Precise::Double(table[i].0), Precise::Double(table[i].1));
-        i += 1;
-    }
-    copy
-}
-
-macro_rules! nodes {
-    ($table:expr) => {{
-        const COUNT: usize = $table.len();
-        const NODES: [Node<Precise>; COUNT] = nodes($table);
-        &NODES
-    }};
-}
-
-macro_rules! strip_rule {
-    ($i:literal) => {{
-        const RULE: StripRule<f64> = <f64 as Tabulated>::STRIPS[$i];
-        StripRule { slide: nodes!(RULE.slide), stick: nodes!(RULE.stick), split: RULE.split }
-    }};
-}
-
-/// The tables of double precision.
-impl Tabulated for Precise {
-    const GAUSS_2: &'static [Node<Self>] = nodes!(<f64 as Tabulated>::GAUSS_2);
-    const GAUSS_8: &'static [Node<Self>] = nodes!(<f64 as Tabulated>::GAUSS_8);
-    const GAUSS_16: &'static [Node<Self>] = nodes!(<f64 as Tabulated>::GAUSS_16);
-    const STRIPS: [StripRule<Self>; 5] =
-        [strip_rule!(0), strip_rule!(1), strip_rule!(2), strip_rule!(3), strip_rule!(4)];
 }

@@ -101,8 +101,8 @@ impl Law {
         let x = self.xi_bar(y);
         // A κ² + 2 B κ + C = 0
         let (a, b, c) = (
-            (1.0 - self.psi) * (1.0 + self.psi),
-            -self.eta * self.psi,
+            (1.0 - self.spin()) * (1.0 + self.spin()),
+            -self.eta * self.spin(),
             -(x * x + self.eta.powi(2)),
         );
         if a <= 0.0 && b <= 0.0 {
@@ -117,28 +117,21 @@ impl Law {
         Some(if b > 0.0 { -c / (b + root) } else { (root - b) / a })
     }
 
-    /// How far the traction at the leading edge exceeds the bound, per unit of
-    /// `r = √(h/c)`: from `α²(1 − r)² + (β(1 − r) + ψ)² − 1`.
-    fn excess(&self, y: f64, c: f64) -> f64 {
-        let Some(kappa) = self.kappa(y) else { return 1.0 };
-        let (alpha, beta) = (self.xi_bar(y) / kappa, self.eta / kappa);
-        let r = (1.0 - kappa / c).max(0.0).sqrt();
-        let square = alpha * alpha + beta * beta;
-        (square * (r - 2.0) - 2.0 * beta * self.psi) / square.max(1.0)
-    }
-
     /// `κ` if the strip adheres.
     pub fn adheres(&self, y: f64, c: f64) -> Option<f64> {
-        let kappa = self.kappa(y)?;
-        let within = kappa < c && (self.psi.abs() <= 1.0 || self.excess(y, c) <= 0.0);
-        within.then_some(kappa)
+        self.kappa(y).filter(|kappa| *kappa < c)
+    }
+
+    /// `ψ` as it counts within a strip: ±1 at most.
+    fn spin(&self) -> f64 {
+        self.psi.clamp(-1.0, 1.0)
     }
 
     /// Direction of a sliding strip.
     pub fn direction(&self, y: f64, c: f64) -> (f64, f64) {
         let x = self.xi_bar(y);
         let (wx, wy) = if self.continuous {
-            (x, self.eta + self.psi * c)
+            (x, self.eta + self.spin() * c)
         } else {
             ((1.0 - self.poisson_ratio) * x, self.eta)
         };
@@ -154,7 +147,7 @@ impl Law {
                 let reach = 2.0 * c - k;
                 (
                     self.xi_bar(y) * reach,
-                    self.psi * c * c + self.eta * reach,
+                    self.spin() * c * c + self.eta * reach,
                     -self.eta * (c - k).powi(2),
                     c - k,
                 )
@@ -195,18 +188,7 @@ impl Law {
             let (y, c) = t.sin_cos();
             self.kappa(y).map_or(10.0, |kappa| (kappa - c).min(10.0))
         };
-        let excess = |t: f64| {
-            let (y, c) = t.sin_cos();
-            self.excess(y, c)
-        };
-        let root = |t: f64| {
-            let x = self.xi_bar(t.sin());
-            self.eta * self.eta + (1.0 - self.psi) * (1.0 + self.psi) * x * x
-        };
-        let mut features: Vec<&dyn Fn(f64) -> f64> = vec![&fit];
-        if self.psi.abs() > 1.0 {
-            features.extend([&excess as &dyn Fn(f64) -> f64, &root]);
-        }
+        let features: [&dyn Fn(f64) -> f64; 1] = [&fit];
         // Turning points of the features, so that no sign change hides between two samples
         let mut samples: Vec<f64> = (0..=SCAN).map(at).collect();
         for feature in &features {

@@ -5,12 +5,12 @@
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Parameters;
-use kstrip::contact::forces::StripCount;
+use kstrip::contact::forces::{StripCount, Totals};
 use kstrip::contact::hertz::{Radii, hertz};
 use kstrip::number::Float;
 use kstrip::solve::model::{Model, Options, solve_jacobian};
-use kstrip::strip_1967::closed_form;
 use kstrip::strip_1967::strip::adhesion_length;
+use kstrip::strip_1967::{self, strip::SlidingRule};
 use std::collections::BTreeMap;
 
 struct Row {
@@ -79,7 +79,7 @@ fn errors<F: Float + kstrip::solve::model::Precision>(row: &Row) -> Vec<f64> {
                 poisson_ratio: input(3),
                 axis_ratio: input(4),
             };
-            let (fx, fy) = closed_form::force(&parameters).expect("inside the theory");
+            let Totals { fx, fy, .. } = strip_1967::totals(&parameters, SlidingRule::RigidSlip);
             let size = r0.0.hypot(r1.0);
             vec![ulps(fx.to_f64(), r0, size, epsilon), ulps(fy.to_f64(), r1, size, epsilon)]
         }

@@ -16,8 +16,8 @@ use kstrip::number::dual::Dual;
 use kstrip::number::{Arithmetic, Float, Real};
 use kstrip::solve::model::{Model, Options, Precision, solve_jacobian};
 use kstrip::strip::PreparedStrips;
+use kstrip::strip_1967;
 use kstrip::strip_1967::strip::{SlidingRule, adhesion_length};
-use kstrip::strip_1967::totals::StripTheory;
 use kstrip::total::Prepared;
 use precise::Precise;
 use random::Random;
@@ -66,7 +66,7 @@ fn exact<T: Real<Base = Precise>>(
         _ => {
             let continuous = model == Model::Strip1967Continuous;
             let rule = if continuous { SlidingRule::Continuous } else { SlidingRule::RigidSlip };
-            let found = StripTheory::new(&parameters, rule).totals(StripCount::Sixteen);
+            let found = strip_1967::totals(&parameters, rule);
             (contact.friction_bound(), [found.fx, found.fy, found.mz])
         }
     };

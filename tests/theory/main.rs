@@ -8,7 +8,6 @@ mod theory;
 mod brute_force;
 mod contact_of_bodies;
 mod continuity;
-mod convergence;
 mod creepage;
 mod hertz;
 mod limits;
