@@ -4,17 +4,10 @@
 //! `F = M f(c/M)`. It grows with `M` from full sliding, `|F| = M`, to adhesion, where it is the force of linear theory
 //! whatever `M`. So `M` lies between `|F|` and, unless the contact sticks, `20 |F|`: a root in a known
 //! interval, found by false position (Anderson and Björck, BIT 13 (1973) 253), guarded by bisection.
-//! Where spin and lateral creepage oppose each other the force may fall again; a scan of the interval tells
-//! whether there is another root. The sensitivity to the force, which grows without bound towards adhesion,
+//! Where spin and lateral creepage oppose each other the force may fall again and meet the measured one more than once. So the
+//! search goes up from `|F|` in steps that cannot pass a root, because the force changes with `M` no faster than 1.5, and where
+//! it turns close to the measured one it looks at the turn: the first root is the smallest. The sensitivity to the force, which grows without bound towards adhesion,
 //! is part of the answer.
-//!
-//! **[`Model::Total`] suits best.** [`Model::Strip`] adds up the seven steps of its march, and whenever the boundary of slip passes
-//! the end of a step the force makes a ripple: over friction at constant creepage it rises and falls again, by up to 11 % of itself
-//! (1.5 % of `μ N`) where a tenth to a third of friction is used, 1.1 % up to one half, 0.2 % up to 0.7, and not at all
-//! above. Within a ripple it gives the same force more than once. The scan is fine enough to say so: of answers without a warning
-//! fewer than one in 200 are another crossing of the same ripple, at most 8 % off. More steps would make the ripples
-//! smaller (four times as many, 1 %), at the cost of as many times the march and a new fit; steps placed differently in
-//! neighbouring strips hardly do.
 //!
 //! **Creepage.** `(F_x, F_y)` is a monotone function of `(υx, υy)`. Newton's method from the linear answer with the
 //! exact derivatives; steps that do not come closer are damped (Levenberg and Marquardt). Where that gets stuck the
@@ -58,14 +51,16 @@ pub struct FrictionEstimate<F> {
 /// Friction over used friction beyond which the contact is taken to stick: the force differs by about one per cent
 /// from that of linear theory there.
 const STICKING: f64 = 20.0;
-/// Pieces that are searched for a change of sign, and the ratio of their ends: a factor of 20 in short ones, below which
-/// no ripple of [`Model::Strip`] fits, and 50 in long ones.
-const SHORT_PIECES: usize = 48;
-const SHORT_GROWTH: f64 = 1.064_399_818;
-const LONG_PIECES: usize = 12;
-const LONG_GROWTH: f64 = 1.385_418_025;
-/// Share of the force within which a turn of [`Model::Strip`]'s force next to the measured one is taken to meet it.
-const RIPPLE: f64 = 3e-3;
+/// The force grows with `μ N` by less than this, and falls by less: so far a search for the force may go without passing it.
+const STEEPEST: f64 = 1.5;
+/// Share of friction by which the search goes on at least, where all friction is used: with the square of friction over used
+/// friction it grows, as the force comes to rest, up to a limit.
+const FINEST: f64 = 0.005;
+const COARSEST: f64 = 0.4;
+/// Places of the search at most.
+const PLACES: usize = 400;
+/// Parabolas that look for a turn of the force beyond the measured one.
+const PARABOLAS: usize = 4;
 /// Steps of false position at most.
 const ROOT_STEPS: usize = 100;
 /// Forces this near to `μ N`, relatively, are taken for full sliding.
@@ -83,7 +78,7 @@ const STAGES: usize = 24;
 /// With [`Notice::FrictionAtLeast`] the contact sticks (it uses less than a twentieth of its friction, or the force is
 /// larger than that of linear theory): the result is the used friction `|F|/N`, a lower bound. With
 /// [`Notice::SeveralFrictions`] more than one friction explains the force, which may be where spin opposes the
-/// creepage, and with [`Model::Strip`] below 0.7 of friction used: the result is the smallest that the scan tells apart.
+/// creepage: the result is the smallest.
 ///
 /// # Errors
 /// Those of [`solve`](model::solve), [`Error::NotInModel`] for [`Model::Linear`], [`Error::Unexplained`].
@@ -160,32 +155,37 @@ pub fn estimate_friction<F: Precision>(
     let sign = if target > F::zero() { F::one() } else { -F::one() };
     // How much more than measured, in the sense of what was measured
     let excess = |friction: F| Ok(sign * (rig.force(friction)? - target));
-    // The ripples of STRIP are not parabolas: a near miss counts.
-    let ripple = if options.model == Model::Strip { RIPPLE } else { 0.0 };
-    let margin = target.abs().times(ripple);
     let mut brackets = 0;
     let mut bracket = None;
-    let (mut low, mut low_excess) = (used, excess(used)?);
-    let mut before = low_excess;
-    let mut best = low_excess;
-    for piece in 0..SHORT_PIECES + LONG_PIECES {
-        let last = piece + 1 == SHORT_PIECES + LONG_PIECES;
-        let growth = if piece < SHORT_PIECES { SHORT_GROWTH } else { LONG_GROWTH };
-        let high = if last { most } else { low.times(growth) };
-        let high_excess = excess(high)?;
-        if (high_excess > F::zero()) != (low_excess > F::zero()) {
-            if bracket.is_none() && low_excess <= F::zero() {
-                bracket = Some(([low, high], [low_excess, high_excess]));
-            }
-            brackets += 1;
-        } else if piece > 0
-            && piece != SHORT_PIECES
-            && turns_beyond([before, low_excess, high_excess], margin)
-        {
-            brackets += 2;
+    let mut found = |low: [F; 2], high: [F; 2]| {
+        if bracket.is_none() && low[1] <= F::zero() {
+            bracket = Some(([low[0], high[0]], [low[1], high[1]]));
         }
-        best = best.max(high_excess);
-        (before, low, low_excess) = (low_excess, high, high_excess);
+        brackets += 1;
+    };
+    let mut low = [used, excess(used)?];
+    let mut before = low;
+    let mut best = low[1];
+    for _ in 0..PLACES {
+        let [at, off] = low;
+        let times = at / used;
+        let share = (times * times).times(FINEST).min(F::constant(COARSEST));
+        let step = (off.abs() / load).times(1.0 / STEEPEST).max(at * share);
+        let next = (at + step).min(most);
+        let high = [next, excess(next)?];
+        if (high[1] > F::zero()) != (off > F::zero()) {
+            found(low, high);
+        } else if let Some(turn) = turn_beyond(before, low, high, &excess)? {
+            // two roots, one on either side of the turn
+            let ends = if turn[0] < at { [before, low] } else { [low, high] };
+            found(ends[0], turn);
+            found(turn, ends[1]);
+        }
+        best = best.max(high[1]);
+        (before, low) = (low, high);
+        if next >= most {
+            break;
+        }
     }
     if best + target.abs() <= F::zero() {
         return Err(Error::Unexplained);
@@ -226,15 +226,39 @@ pub fn estimate_friction<F: Precision>(
     Ok(FrictionEstimate { friction, sensitivity, residual, notice, reserved: 0 })
 }
 
-/// Whether a parabola through three equidistant points of one sign has its vertex between them on the other side, or
-/// within a margin of it.
-fn turns_beyond<F: Float>([a, b, c]: [F; 3], margin: F) -> bool {
-    let (bend, tilt) = (a + c - b.times(2.0), (c - a).times(0.5));
-    // vertex at −tilt/bend steps from the middle, its value b − tilt²/(2 bend)
-    let between = tilt.abs() < bend.abs() && (bend > F::zero()) == (b > F::zero());
-    let vertex = b - tilt * (tilt / bend).times(0.5);
-    let beyond = if b > F::zero() { vertex < margin } else { vertex > -margin };
-    between && beyond && (a > F::zero()) == (b > F::zero())
+/// Where between three places the excess turns over to the other sign, if it does: the vertices of parabolas tell.
+fn turn_beyond<F: Float>(
+    mut a: [F; 2],
+    mut b: [F; 2],
+    mut c: [F; 2],
+    excess: &impl Fn(F) -> Result<F, Error>,
+) -> Result<Option<[F; 2]>, Error> {
+    let positive = b[1] > F::zero();
+    for _ in 0..PARABOLAS {
+        if a[0] >= b[0] || (a[1] > F::zero()) != positive {
+            break;
+        }
+        let (first, second) = ((b[1] - a[1]) / (b[0] - a[0]), (c[1] - b[1]) / (c[0] - b[0]));
+        let bend = (second - first) / (c[0] - a[0]);
+        let slope = first + bend * (b[0] - a[0]);
+        let vertex = b[0] - slope / bend.times(2.0);
+        // how far it is bent away from zero, or stays on this side by as much as it has come nearer
+        let value = b[1] - slope * slope / bend.times(4.0);
+        let nearer = (b[1] - value).abs();
+        let passes = if positive { value < nearer } else { value > -nearer };
+        if (bend > F::zero()) != positive || !(vertex > a[0] && vertex < c[0]) || !passes {
+            break;
+        }
+        let turn = [vertex, excess(vertex)?];
+        if (turn[1] > F::zero()) != positive {
+            return Ok(Some(turn));
+        }
+        if vertex == b[0] {
+            break;
+        }
+        (a, b, c) = if vertex < b[0] { (a, turn, b) } else { (b, turn, c) };
+    }
+    Ok(None)
 }
 
 /// A sensitivity; zero where there is no number for it.

@@ -418,10 +418,12 @@ pub(crate) fn linear_notice<F: Float>(size: F, friction_bound: F) -> Notice {
     if size > friction_bound { Notice::BeyondFriction } else { Notice::None }
 }
 
-/// Axis ratios that [`Model::Strip`] and [`Model::Total`] are made for, a hair more.
+/// Axis ratios that [`Model::Strip`] is made for, a hair more.
 pub(crate) const RATIOS: [f64; 2] = [0.099_999, 10.000_1];
-/// Spins `|ψ|` that they are made for.
+/// Spins `|ψ|` that it is made for.
 pub(crate) const LARGEST_SPIN: f64 = 3.0;
+/// Axis ratios that [`Model::Total`] is made for, a hair more; it knows the limit of large spin.
+const RATIOS_OF_TOTAL: [f64; 2] = [0.049_999, 20.000_1];
 
 /// What the caller of a model with a friction bound should know.
 #[inline(always)]
@@ -434,7 +436,13 @@ pub(crate) fn notice<F: Float>(model: Model, friction_bound: F, ratio: F, psi: F
         Model::Strip1967 | Model::Strip1967Continuous if psi.abs() >= F::one() => {
             Notice::SpinBeyondTheory
         }
-        Model::Strip | Model::Total
+        Model::Total
+            if ratio < F::constant(RATIOS_OF_TOTAL[0])
+                || ratio > F::constant(RATIOS_OF_TOTAL[1]) =>
+        {
+            Notice::OutsideRange
+        }
+        Model::Strip
             if psi.abs() > F::constant(LARGEST_SPIN)
                 || ratio < F::constant(RATIOS[0])
                 || ratio > F::constant(RATIOS[1]) =>

@@ -23,13 +23,13 @@ use self::network::Network;
 use self::rigid_slip::RigidSlip;
 use crate::contact::forces::Totals;
 use crate::linear::LinearCoefficients;
-use crate::number::{Arithmetic, Number, Plain};
+use crate::number::{Arithmetic, Number, Pair, Plain};
 
 /// Axis ratios that the formulas are evaluated with; fitted are 0.07 to 14.
 const RATIO_LIMIT: f64 = 1e3;
 /// Root of the largest axis ratio that the network is told: beyond it, the formulas around it know the limits.
 const LARGEST_ROOT: f64 = 4.0;
-/// Creepages whose linear force is beyond this, in single precision 3e3, are rigid slip, and scaled down together.
+/// Creepages whose linear force is beyond this, in single precision 1e3, are rigid slip, and scaled down together.
 const LARGEST: f64 = 1e8;
 /// Creepages below this, times the smallest normal number, have lost digits, or have products that will.
 const LOST: f64 = 1e6;
@@ -38,11 +38,11 @@ const LOST: f64 = 1e6;
 const FULL: f64 = 3.0 * core::f64::consts::PI / 4.0;
 /// Share of the squared spin force in `|q|²`: spin shears the patch also where its force and that of the creepage cancel.
 const SHEAR: f64 = 0.04;
-/// Growth of the sliding slope with `e⁴`: beyond saturation `|q|` does not fall below that of full sliding again.
-const GROWTH: f64 = 0.004;
-/// `1/n⁴` where half of the answer is rigid slip: `n = 20` in translation, 250 where there is much spin.
+/// Growth of the slopes with `e⁶` in translation: beyond saturation `|q|` does not fall below that of full sliding again.
+const GROWTH: f64 = 0.0003;
+/// `1/n⁴` where half of the answer is rigid slip: `n = 20` in translation, 150 where there is much spin.
 const TRANSLATION: f64 = 1.0 / (20.0 * 20.0 * 20.0 * 20.0);
-const SPIN: f64 = 1.0 / (250.0 * 250.0 * 250.0 * 250.0);
+const SPIN: f64 = 1.0 / (150.0 * 150.0 * 150.0 * 150.0);
 
 /// `S/|q|` in powers of `|q|` up to full sliding, lowest first. Printed by `fit/fit_total.py`: least
 /// maximum error of `S`, 1.5e-4, with the exact slope at 0 and none at full sliding.
@@ -79,6 +79,7 @@ impl<F: Plain> Prepared<F> {
     ///
     /// Made for `a/b` 0.05 to 20 and `ν` 0 to 1/2; finite and with the right limits beyond.
     #[must_use]
+    #[inline(always)]
     pub fn new(axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>) -> Self {
         let g = axis_ratio.clamped(F::of(1.0 / RATIO_LIMIT), F::of(RATIO_LIMIT));
         let inverse = F::one() / g;
@@ -89,21 +90,29 @@ impl<F: Plain> Prepared<F> {
         let largest = linear.c11.max(linear.c22).max(linear.c23).max(linear.c33);
         let shape = root.clamped(F::of(1.0 / LARGEST_ROOT), F::of(LARGEST_ROOT));
         let slender = shape.plus(-1.0) / shape.plus(1.0);
+        let poisson = poisson_ratio.times(4.0).plus(-1.0);
         Self {
             linear: *linear,
-            limit: F::of(LARGEST).min(F::HUGE.sqrt().sqrt().times(3.0)) / largest,
+            limit: F::of(LARGEST).min(F::HUGE.sqrt().sqrt()) / largest,
             ratio: g,
             both,
             moment: F::one() / both.plus(0.467).times(0.1406),
             ends: [end_x, end_y],
             slender,
             rigid: RigidSlip::new(g, inverse),
-            network: Network::of_contact([slender, poisson_ratio.times(4.0).plus(-1.0)]),
+            network: Network::of_contact([
+                slender,
+                poisson,
+                slender * slender,
+                slender * slender * slender,
+                slender * poisson,
+            ]),
         }
     }
 
     /// Totals for creepages `vx, vy = G a b (υx, υy)/(μ N)` and spin `φ = G (a b)^{3/2} ϕ/(μ N)`. The stick area is not known.
     #[must_use]
+    #[inline(always)]
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
         let one = T::one();
         let LinearCoefficients { c11, c22, c23, c33 } = self.linear;
@@ -122,31 +131,47 @@ impl<F: Plain> Prepared<F> {
 
         // spin brakes the slopes: ix = 1/(1 + tx²), iy, im;  e² = lx² ix + ly² iy
         let [end_x, end_y] = self.ends;
-        let ix = one / phi2.scale(end_x * end_x).plus(1.0);
-        let iy = one / phi2.scale(end_y * end_y).plus(1.0);
-        let im = one / (m2 + u2).plus(1.0);
+        let [ix, iy, im, f_u] = inverses([
+            phi2.scale(end_x * end_x).plus(1.0),
+            phi2.scale(end_y * end_y).plus(1.0),
+            (m2 + u2).plus(1.0),
+            u2.times(0.5).plus(1.0),
+        ]);
         let ex2 = lx2 * ix;
         let e2 = ex2 + ly2 * iy;
         let e4 = e2.squared();
 
         // corrections k₁ … k₄, k₆ > 0 and ρ within ±1: 1 and 0 at rest
-        let f_s = one / s2.plus(1.0);
-        let f_e = one / e2.plus(1.0);
         let lys = ly + ls;
         let py2 = phi2.scale(self.ratio);
-        let w = n2 / n2.plus(0.05);
+        let pole = (one - kappa).squared().squared().squared();
+        // x of the mean at the end, dₑ and the share of γ on the way
+        let x = n2.squared() * pole.times(TRANSLATION).plus(SPIN);
+        let [f_s, f_s4, f_e, f_es, f_ys, f_y, w, d, spin, near] = inverses([
+            s2.plus(1.0),
+            s2.squared().plus(1.0),
+            e2.plus(1.0),
+            (e2 + s2).plus(1.0),
+            (lys.squared() + s2).plus(1.0),
+            (vy2 + py2).plus(0.002),
+            n2.plus(0.05),
+            e4.times(0.1).plus(1.0),
+            (s2 + u2.times(0.3)).plus(1.0),
+            x.plus(1.0),
+        ]);
+        let w = n2 * w;
         let corrections = self.network.corrections([
             kappa,
             kappa.scale(self.slender),
-            py2 / (vy2 + py2).plus(0.002),
+            py2 * f_y,
             f_s,
-            one / s2.squared().plus(1.0),
-            one / u2.times(0.5).plus(1.0),
+            f_s4,
+            f_u,
             f_s.scale(self.slender),
-            lys * ls / (lys.squared() + s2).plus(1.0),
+            lys * ls * f_ys,
             f_e,
             ex2 * f_e,
-            ly * ls / (e2 + s2).plus(1.0),
+            ly * ls * f_es,
             f_e.scale(self.slender),
             f_e * kappa,
             f_e * f_s,
@@ -157,32 +182,32 @@ impl<F: Plain> Prepared<F> {
         let [k1, k2, k3, k4, k6] = T::each(&[o1, o2, o3, o4, o6], |o| positive(*o));
 
         // elastic slopes and those of sliding: dₑ = 1/(1 + e⁴/10) of the first
-        let d = one / e4.times(0.1).plus(1.0);
-        let braked = iy.sqrt().scale(c22);
-        let slide = braked * (one - d) * e4.times(GROWTH).plus(1.0);
-        let beta_x = k2 * (slide + k1 * (ix.sqrt() * d).scale(c11));
-        let beta_y = k2 * (slide + braked * d);
+        let [root_x, root_y] = roots([ix, iy]);
+        let braked = root_y.scale(c22);
+        let growth = (e4 * e2 * pole).scale(c22.times(GROWTH));
+        let beta_x = k2 * (braked * (one - d) + k1 * (root_x * d).scale(c11)) + growth;
+        let elastic_y = k2 * braked;
+        let beta_y = elastic_y + growth;
         // q = (βx vx, βy vy + γ φ), γ = k₃ C23/(1 + s² + 0.3 u²)
-        let spin = T::from_base(c23) / (s2 + u2.times(0.3)).plus(1.0);
+        let spin = spin.scale(c23);
         let gamma = k3 * spin;
         let (qx, qy) = (beta_x * vx, beta_y * vy + gamma * phi);
         let q2 = qx.squared() + qy.squared() + (spin * phi).squared().times(SHEAR);
         // F = σ q, σ = S(|q|)/(h |q|): spin keeps |F| below μ N in full sliding
-        let sigma = saturation(q2) / (kappa * w * k6).times(0.3).plus(1.0);
+        let sigma = saturation(q2, (kappa * w * k6).times(0.3).plus(1.0));
         let (fx, fy) = (sigma * qx, sigma * qy);
         // spin's own moment ε φ, at most 1.14 M₀
         let epsilon = (k4 * im.sqrt()).scale(c33);
         let excess = (epsilon * phi).squared().scale(self.moment);
-        let epsilon = epsilon / excess.squared().times(1.0 / 16.0).plus(1.0);
-        // M = ε φ − σ γ vy + 2 σ ρ √(βy ε) vy. With σ ≤ 1 and |ρ| ≤ 1 the power
-        // σ βx vx² + σ βy vy² + 2 σ ρ √(βy ε) vy φ + ε φ² is never negative
-        let rho = twice(o5) * d / o5.squared().plus(1.0);
-        let mz = epsilon * phi + sigma * (twice(rho * (beta_y * epsilon).sqrt()) - gamma) * vy;
+        let [kept, share] =
+            inverses([excess.squared().times(1.0 / 16.0).plus(1.0), o5.squared().plus(1.0)]);
+        let epsilon = epsilon * kept;
+        // M = ε φ − σ γ vy + 2 σ ρ √(β ε) vy, β ≤ βy without growth. With σ ≤ 1 and |ρ| ≤ 1 the power
+        // σ βx vx² + σ βy vy² + 2 σ ρ √(β ε) vy φ + ε φ² is never negative
+        let rho = twice(o5) * d * share;
+        let mz = epsilon * phi + sigma * (twice(rho * (elastic_y * epsilon).sqrt()) - gamma) * vy;
 
-        // (elastic + x rigid)/(1 + x), x = n⁴ ((1 − κ)⁸/20⁴ + 1/250⁴)
-        let pole = (one - kappa).squared().squared().squared();
-        let x = n2.squared() * pole.times(TRANSLATION).plus(SPIN);
-        let near = one / x.plus(1.0);
+        // (elastic + x rigid)/(1 + x), x = n⁴ ((1 − κ)⁸/20⁴ + 1/150⁴)
         let far = x * near;
         let [rx, ry, rm] = rigid;
         Totals {
@@ -195,12 +220,14 @@ impl<F: Plain> Prepared<F> {
 }
 
 /// `1 + 2o + 1.01 o²`: 1 at 0, never below 1/101.
+#[inline(always)]
 fn positive<T: Number>(o: T) -> T {
     (o * o.times(1.01).plus(2.0)).plus(1.0)
 }
 
-/// `S(|q|)/|q|` from `|q|²`, with `S = 1 − ((2 + d²) √(1 − d²) − 3 d acos d)/2`, `d = 4|q|/(3π)`, and 1 for `d ≥ 1` (8.15).
-fn saturation<T: Number>(q2: T) -> T {
+/// `S(|q|)/(h |q|)` from `|q|²` and `h`, with `S = 1 − ((2 + d²) √(1 − d²) − 3 d acos d)/2`, `d = 4|q|/(3π)`, and 1 for `d ≥ 1` (8.15).
+#[inline(always)]
+fn saturation<T: Number>(q2: T, h: T) -> T {
     // the small term keeps the derivative of the root finite at 0
     let q = q2.plus(1e-30).sqrt();
     let e = q.min(T::constant(FULL));
@@ -208,10 +235,11 @@ fn saturation<T: Number>(q2: T) -> T {
     let [k0, k1, k2, k3, k4, k5] = SATURATION;
     let low = e.times(k1).plus(k0) + e2 * e.times(k3).plus(k2);
     let s_over_q = low + e2.squared() * e.times(k5).plus(k4);
-    s_over_q * (T::constant(FULL) / q.max(T::constant(FULL)))
+    s_over_q * (T::constant(FULL) / (q.max(T::constant(FULL)) * h))
 }
 
 /// Creepages and spin that mean the same and whose powers are finite.
+#[inline(always)]
 fn within_range<T: Number>(creepage: [T; 3], limit: T::Base) -> [T; 3] {
     let [vx, vy, phi] = creepage;
     let size = vx.value().abs().max(vy.value().abs()).max(phi.value().abs());
@@ -229,6 +257,24 @@ fn within_range<T: Number>(creepage: [T; 3], limit: T::Base) -> [T; 3] {
     creepage
 }
 
+/// `1/x` of each, two at a time; an even number of them.
+#[inline(always)]
+fn inverses<T: Number, const N: usize>(mut numbers: [T; N]) -> [T; N] {
+    for two in numbers.chunks_exact_mut(2) {
+        if let [p, q] = two {
+            (*p, *q) = T::Pair::of(*p, *q).inverse().parts();
+        }
+    }
+    numbers
+}
+
+/// Two square roots at once.
+#[inline(always)]
+fn roots<T: Number>([p, q]: [T; 2]) -> [T; 2] {
+    T::Pair::of(p, q).sqrt().parts().into()
+}
+
+#[inline(always)]
 fn twice<T: Number>(x: T) -> T {
     x + x
 }

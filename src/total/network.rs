@@ -19,12 +19,14 @@ pub(super) struct Network<F> {
 }
 
 impl<F: Plain> Network<F> {
+    #[inline(always)]
     pub(super) fn of_contact(fixed: [F; FIXED_INPUTS]) -> Self {
         let sums = from_bias::<F, PAIRS_1>(&fixed, F::Stored::table(&FIXED, &FIXED_WIDE.0));
         Self { sums: sums.map(|pair| pair.parts().into()) }
     }
 
     /// The corrections for the other inputs.
+    #[inline(always)]
     pub(super) fn corrections<T: Number<Base = F>>(&self, inputs: [T; INPUTS]) -> [T; 6] {
         T::map(self, inputs)
     }

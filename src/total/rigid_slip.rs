@@ -9,6 +9,7 @@
 //! (there the pole of the spin lies at the edge of the patch).
 
 use super::constants::{RIGID_ARM, RIGID_SIZE, RIGID_SLOPE, RIGID_SPIN};
+use super::{inverses, roots};
 use crate::number::{Number, Plain};
 
 /// Coefficients for one axis ratio.
@@ -28,6 +29,7 @@ type Cubic<F> = [F; 6];
 
 impl<F: Plain> RigidSlip<F> {
     /// For `g` and `1/g`.
+    #[inline(always)]
     pub(super) fn new(g: F, i: F) -> Self {
         let of = |x: f32| F::of_f32(x);
         let (g2, i2) = (g * g, i * i);
@@ -44,6 +46,7 @@ impl<F: Plain> RigidSlip<F> {
     }
 
     /// `(Fx, Fy)/(μ N)` and `Mz/(μ N √(ab))` for creepages and their squares, and the share of spin `κ = T (g + 1/g)`.
+    #[inline(always)]
     pub(super) fn at<T: Number<Base = F>>(
         &self,
         v: [T; 3],
@@ -60,7 +63,8 @@ impl<F: Plain> RigidSlip<F> {
         let (x, y) = ((w + t.scale(sx)) * vx, (w + t.scale(sy)) * vy);
         let f2 = x.squared() + y.squared() + n * value(&self.spin, [u, v, t]);
         let m2 = n * (w * w.squared() + value(&self.size, [u, v, t]));
-        let [f, m] = [f2, m2].map(|square| T::one() / square.plus(1e-30).sqrt());
+        let roots = roots([f2.plus(1e-30), m2.plus(1e-30)]);
+        let [f, m] = inverses(roots);
         let [au, av, at] = self.arm;
         let arm = u.scale(au) + v.scale(av) + t.scale(at);
         ([x * f, y * f, phi * arm * m], t.scale(both))
@@ -68,8 +72,9 @@ impl<F: Plain> RigidSlip<F> {
 }
 
 /// Coefficients of a polynomial that does not change with `x ↔ y`.
+#[inline(always)]
 fn cubic<F: Plain>(constants: [f32; 12], g: F, i: F) -> Cubic<F> {
-    let [p0, p1, p2, p3, p4, p5, p6, p7, p8, p9, p10, p11] = constants.map(F::of_f32);
+    let [p0, p1, p2, p3, p4, p5, p6, p7, p8, p9, p10, p11] = F::each(&constants, |x| F::of_f32(*x));
     let (g2, i2, s) = (g * g, i * i, g + i);
     let s2 = s * s;
     [
@@ -82,6 +87,7 @@ fn cubic<F: Plain>(constants: [f32; 12], g: F, i: F) -> Cubic<F> {
     ]
 }
 
+#[inline(always)]
 fn value<T: Number>(k: &Cubic<T::Base>, [u, v, t]: [T; 3]) -> T {
     let [k0, k1, k2, k3, k4, k5] = *k;
     let line = t.scale(k0) + u.scale(k1) + v.scale(k2);

@@ -25,5 +25,6 @@ mod patch;
 mod patch_friction;
 mod peer_methods;
 mod rig;
+mod total;
 mod wanted;
 mod warnings;
