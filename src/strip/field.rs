@@ -36,7 +36,7 @@ impl<F: Float> Law<F> {
         let (zero, one, two) = (F::zero(), F::one(), F::of(2.0));
         let (seen, sigma) = self.strip(strip);
         let spin = Spin::new(sigma);
-        let Separatrix { y, s, part } = Separatrix::new(&seen, &spin);
+        let Separatrix { y, s, part, .. } = Separatrix::new(&seen, &spin);
         let tau = (place + one).clamped(F::of(LEAST), two);
         let inverse = one / s;
         let n = [seen.x * inverse, y * inverse + spin.r];

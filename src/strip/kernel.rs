@@ -70,9 +70,7 @@ impl<T: Arithmetic> Spin<T> {
         let over = square * root + T::one();
         let (room, inverse_room) = (root.squared() / over, over / root.squared());
         // w = z² (3 − 2 z)
-        let z = (sigma.abs().plus(-BLEND[0]).times(1.0 / (BLEND[1] - BLEND[0])))
-            .max(T::zero())
-            .min(T::one());
+        let z = blending(sigma);
         let blend = z.squared() * (z.times(-2.0).plus(3.0));
         // d = d₀ + d₁ r⁴
         let round = r.squared().squared().times(ROUND_SPIN).plus(ROUND);
@@ -96,6 +94,13 @@ impl<T: Arithmetic> Spin<T> {
     }
 }
 
+/// Where `|σ|` stands between the spins of [`BLEND`], 0 to 1.
+#[inline(always)]
+pub(super) fn blending<T: Arithmetic>(sigma: T) -> T {
+    let z = sigma.abs().plus(-BLEND[0]).times(1.0 / (BLEND[1] - BLEND[0]));
+    z.max(T::zero()).min(T::one())
+}
+
 /// Where adhesion ends.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Separatrix<T> {
@@ -105,6 +110,11 @@ pub(super) struct Separatrix<T> {
     pub s: T,
     /// `s` over the root of which it is made: below one where the strip slides from its leading edge on.
     pub part: T,
+    /// The root, before it is limited, and its inverse.
+    pub root: T,
+    pub inverse_root: T,
+    /// `1/S`
+    pub inverse_size: T,
 }
 
 impl<T: Arithmetic> Separatrix<T> {
@@ -114,9 +124,10 @@ impl<T: Arithmetic> Separatrix<T> {
         let y = seen.y + spin.excess;
         let (x2, y2) = (seen.x.squared(), y.squared());
         let square = (spin.room * x2 + y2).plus(TINY);
+        let inverse_size = square.inverse_root();
         let turned = spin.r * y;
         // D = S + |r A_y'|; where r A_y' < 0 the root is |A'|²/(S − r A_y')
-        let sum = square * square.inverse_root() + turned.abs();
+        let sum = square * inverse_size + turned.abs();
         let whole = (x2 + y2).plus(TINY);
         let inverse = (sum * whole).inverse();
         let root = turned.choose(sum * spin.inverse_room, whole * (whole * inverse));
@@ -125,7 +136,8 @@ impl<T: Arithmetic> Separatrix<T> {
         // meets the leading edge with slope zero
         let z = s.plus(EDGE - 2.0).max(T::zero()).times(1.0 / EDGE);
         let s = s + z.squared() * (T::one() - z).times(EDGE);
-        Self { y, s: s + spin.blend * (T::constant(2.0) - s), part: s * inverse_root }
+        let (part, s) = (s * inverse_root, s + spin.blend * (T::constant(2.0) - s));
+        Self { y, s, part, root, inverse_root, inverse_size }
     }
 }
 
@@ -143,6 +155,8 @@ pub(super) struct Slip<T> {
 pub(super) struct Traction<T> {
     pub x: T,
     pub y: T,
+    /// `p*/s` before the cut.
+    pub offered: [T; 2],
     /// `q` before the cut.
     pub tried: T,
 }
@@ -180,24 +194,46 @@ impl<T: Arithmetic> Slip<T> {
         // m = 1/√(max(1, q) rounded)
         let kept = rounded(tried, spin).inverse_root();
         let reached = tried * kept.squared();
+        let offered = [px, py];
         let (px, py) = (px * kept, py * kept);
         // t = r e_y + (p/B − r e_y)(1 + q m²)/2
         let half = reached.plus(1.0).times(0.5);
         let (tx, ty) = (px * inverse_bound, py * inverse_bound);
-        let traction = Traction { x: tx * half, y: spin.r + (ty - spin.r) * half, tried };
+        let y = spin.r + (ty - spin.r) * half;
+        let traction = Traction { x: tx * half, y, offered, tried };
         (Self { px, py, kept }, traction)
     }
 }
 
-/// Forces of a strip.
+/// What a strip's derivatives need of its forces.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Course<T> {
+    pub separatrix: Separatrix<T>,
+    pub inverse_s: T,
+    /// `A'/s + r e_y`
+    pub n: [T; 2],
+    pub nodes: [Passed<T>; NODES],
+}
+
+/// A node that was passed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Passed<T> {
+    pub inverse_bound: T,
+    pub weight: T,
+    pub traction: Traction<T>,
+    pub kept: T,
+}
+
+/// Forces of a strip, and how they came about.
 #[inline(always)]
 pub(super) fn forces<T: Arithmetic>(
     seen: &Seen<T>,
     spin: &Spin<T>,
     nodes: &[Node<T::Bare>; NODES],
     closed: &Closed<T::Bare>,
-) -> Carried<T> {
-    let Separatrix { y, s, part } = Separatrix::new(seen, spin);
+) -> (Carried<T>, Course<T>) {
+    let separatrix = Separatrix::new(seen, spin);
+    let Separatrix { y, s, part, .. } = separatrix;
     let u = s.times(0.5);
     let ahead = T::one() - u;
     let (inverse_s, bounds) = inverses(s, nodes);
@@ -213,7 +249,10 @@ pub(super) fn forces<T: Arithmetic>(
     let mut slip = Slip::start(n, ahead + ahead, part);
     let soft = (spin.sigma * s).squared();
     let square = u.squared();
-    for (node, inverse_bound) in nodes.iter().zip(bounds) {
+    let traction = Traction { x: s, y: s, offered: [s; 2], tried: s };
+    let passed = Passed { inverse_bound: s, weight: s, traction, kept: s };
+    let mut course = Course { separatrix, inverse_s, n, nodes: [passed; NODES] };
+    for ((node, inverse_bound), passed) in nodes.iter().zip(bounds).zip(&mut course.nodes) {
         let step = Step {
             length: T::fixed(node.length),
             place: T::fixed(node.place),
@@ -229,8 +268,9 @@ pub(super) fn forces<T: Arithmetic>(
         mx += s.weigh(node.place).plus(-1.0) * lateral;
         // with much spin the nodes reach into the adhesion part
         stick += spin.blend * u.weigh(node.length) * slip.kept.squared().squared().squared();
+        *passed = Passed { inverse_bound, weight, traction, kept: slip.kept };
     }
-    Carried { fx, fy, mx, stick }
+    (Carried { fx, fy, mx, stick }, course)
 }
 
 /// `1/s` and all `s/B = 1/(t (2 − s t))`, from one quotient.

@@ -35,6 +35,7 @@
 
 mod constants;
 mod creepage;
+mod derivative;
 mod field;
 mod kernel;
 mod network;

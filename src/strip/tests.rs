@@ -414,3 +414,31 @@ fn derivatives_are_those_of_differences() {
     }
     assert!(tight > 9000 / 4 && worst < 0.02, "{tight} {worst}");
 }
+
+/// The derivatives taken back through a strip by hand are those of dual numbers through its formulas.
+#[test]
+fn derivatives_are_those_of_dual_numbers() {
+    type D = Dual<f64, 3>;
+    let kernel = tables::Kernel::<f64>::get();
+    for k in 1..=4000_u64 {
+        let u = |x: f64| (k as f64 * x).fract() * 2.0 - 1.0;
+        let size = 10_f64.powf(2.0 * u(0.754_877_666) - 0.5);
+        let sigma = [0.0, 0.3, 0.9, 1.1, 3.0, 30.0][k as usize % 6] * u(0.324_717_957);
+        let x = if k % 7 == 0 { 0.0 } else { size * u(0.569_840_291) };
+        let inputs = [x, size * u(0.618_033_989), sigma];
+        let [x, y, sigma] = [0, 1, 2].map(|i| D::input(inputs[i], i));
+        let inner = [k % 2 == 0; 4];
+        let [found, ..] = four_strips(&[(Seen { x, y }, sigma); 4], inner);
+        let (nodes, closed) = kernel.read(|couple| couple[usize::from(inner[0])]);
+        let seen = Seen { x, y };
+        let (dual, _) = kernel::forces(&seen, &Spin::new(sigma), &nodes, &closed);
+        for (a, b) in [(found.fx, dual.fx), (found.fy, dual.fy), (found.mx, dual.mx)] {
+            assert_abs_diff_eq!(a.value, b.value, epsilon = 1e-12);
+            let size = b.gradient.iter().fold(1e-3, |size: f64, d| size.max(d.abs()));
+            for (d, e) in a.gradient.iter().zip(b.gradient) {
+                assert!((d - e).abs() < 1e-9 * size, "{inputs:?}: {a:?} {b:?}");
+            }
+        }
+        assert_abs_diff_eq!(found.stick.value, dual.stick.value, epsilon = 1e-12);
+    }
+}

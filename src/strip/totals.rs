@@ -2,7 +2,8 @@
 
 use super::constants::NODES;
 use super::creepage::{Law, Prepared};
-use super::kernel::{Carried, Seen, Spin, forces};
+use super::derivative::{Four, SpinSlopes, differentiated};
+use super::kernel::{Carried, Seen, Spin};
 use super::tables::{Closed, FourStrips, Kernel, Node, Rule, STRIP_FIELDS};
 use crate::contact::forces::{StripCount, Totals};
 use crate::linear::LinearCoefficients;
@@ -118,12 +119,15 @@ pub(crate) fn four_strips<T: Number>(
     inner: [bool; 4],
 ) -> [Carried<T>; 4] {
     let four = |of: fn(&(Seen<T>, T)) -> T| T::Quad::of(T::each(seen, of));
-    let spin = Spin::new(four(|(_, spin)| *spin));
+    let sigma = four(|(_, spin)| *spin);
+    let spin = Spin::new(sigma.bare());
     let seen = Seen { x: four(|(seen, _)| seen.x), y: four(|(seen, _)| seen.y) };
     let (nodes, closed) = Kernel::<Stored<T>>::get().read(|[outer, other]| {
         Quad::plain(inner.map(|inner| T::Base::stored(if inner { *other } else { *outer })))
     });
-    let Carried { fx, fy, mx, stick } = forces(&seen, &spin, &nodes, &closed);
+    let by_spin = SpinSlopes::new(&spin);
+    let Carried { fx, fy, mx, stick } =
+        differentiated::<T>(&seen, sigma, &spin, &nodes, &closed, &by_spin);
     let [fy, mx, stick] = [fy, mx, stick].map(T::Quad::parts);
     let mut carried = fx.parts().map(|fx| Carried { fx, fy: fx, mx: fx, stick: fx });
     for (own, (fy, (mx, stick))) in
@@ -136,16 +140,22 @@ pub(crate) fn four_strips<T: Number>(
 
 /// The kernel for four strips of an ellipse, which have one spin.
 struct FourKernel<T: Number> {
-    spin: Spin<T::Quad>,
+    sigma: T::Quad,
+    spin: Spin<Four<T>>,
+    by_spin: SpinSlopes<Four<T>>,
     nodes: FourNodes<T::Base>,
 }
 
 impl<T: Number> FourKernel<T> {
     #[inline(always)]
     fn new(law: &Law<T>) -> Self {
-        let spin = Spin::new(law.spin);
+        let spin = Spin::new(law.spin.value());
+        // (without derivatives nobody reads them)
+        let by_spin = SpinSlopes::new(&spin);
         Self {
-            spin: spin.map(T::Quad::all),
+            sigma: T::Quad::all(law.spin),
+            spin: spin.map(Quad::all),
+            by_spin: by_spin.map(Quad::all),
             nodes: Kernel::<Stored<T>>::get().read(|couple| both_sides::<T::Base>(couple)),
         }
     }
@@ -161,7 +171,7 @@ impl<T: Number> FourKernel<T> {
             y: T::Quad::all(law.lateral).weigh(inverse),
         };
         let (nodes, closed) = &self.nodes;
-        forces(&seen, &self.spin, nodes, closed)
+        differentiated::<T>(&seen, self.sigma, &self.spin, nodes, closed, &self.by_spin)
     }
 }
 

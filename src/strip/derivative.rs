@@ -1,0 +1,311 @@
+//! A strip's derivatives by `A_x, A_y` and `σ`: the kernel's formulas differentiated from their results back to what
+//! the strip sees. (Dual numbers through the kernel give the same and take longer.)
+
+use super::constants::{BLEND, EDGE, NODES, ROUND_SPIN};
+use super::kernel::{Carried, Course, Passed, Seen, Separatrix, Spin, blending, forces};
+use super::tables::{Closed, Node};
+use crate::number::{Arithmetic, Number};
+
+/// How what follows from `σ` alone moves with it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SpinSlopes<T> {
+    r: T,
+    blend: T,
+    round: T,
+}
+
+impl<T: Arithmetic> SpinSlopes<T> {
+    pub fn new(spin: &Spin<T>) -> Self {
+        // dr = (1 + σ⁴)^{−5/4} dσ
+        let root = spin.sigma.squared().squared().plus(1.0).inverse_root();
+        let r = root.squared() * (root * root.inverse_root());
+        let z = blending(spin.sigma);
+        let sign = spin.sigma.choose(T::one(), -T::one());
+        let blend = sign * (z * (T::one() - z)).times(6.0 / (BLEND[1] - BLEND[0]));
+        let round = (spin.r.squared() * spin.r * r).times(4.0 * ROUND_SPIN);
+        Self { r, blend, round }
+    }
+
+    /// Another kind of number for each of its own.
+    pub fn map<U>(&self, all: impl Fn(T) -> U) -> SpinSlopes<U> {
+        SpinSlopes { r: all(self.r), blend: all(self.blend), round: all(self.round) }
+    }
+}
+
+/// Four numbers without derivatives.
+pub(super) type Four<T> = <<T as Arithmetic>::Base as Number>::Quad;
+
+/// Forces of four strips, with derivatives if what they see has them. `σ` is that of `spin`.
+#[inline(always)]
+pub(super) fn differentiated<T: Number>(
+    seen: &Seen<T::Quad>,
+    sigma: T::Quad,
+    spin: &Spin<Four<T>>,
+    nodes: &[Node<Four<T>>; NODES],
+    closed: &Closed<Four<T>>,
+    by_spin: &SpinSlopes<Four<T>>,
+) -> Carried<T::Quad> {
+    let bare = Seen { x: seen.x.bare(), y: seen.y.bare() };
+    let (Carried { fx, fy, mx, stick }, course) = forces(&bare, spin, nodes, closed);
+    let stick = T::Quad::fixed(stick);
+    if !T::HAS_DERIVATIVES {
+        let [fx, fy, mx] = [fx, fy, mx].map(T::Quad::fixed);
+        return Carried { fx, fy, mx, stick };
+    }
+    let back = Back::new(&bare, spin, by_spin, nodes, closed, &course);
+    let by = [seen.x, seen.y, sigma];
+    Carried {
+        fx: T::Quad::composed(fx, back.from(Force::Longitudinal), by),
+        fy: T::Quad::composed(fy, back.from(Force::Lateral), by),
+        mx: T::Quad::composed(mx, back.from(Force::Moment), by),
+        stick,
+    }
+}
+
+/// Which of a strip's forces.
+#[derive(Clone, Copy, PartialEq)]
+enum Force {
+    Longitudinal,
+    Lateral,
+    Moment,
+}
+
+/// What the ways back from the three forces share.
+struct Back<'a, P> {
+    seen: &'a Seen<P>,
+    spin: &'a Spin<P>,
+    by_spin: &'a SpinSlopes<P>,
+    nodes: [(&'a Node<P>, Turned<P>); NODES],
+    course: &'a Course<P>,
+    /// The polynomials of the closed force and moment, and their slopes.
+    closed: [[P; 2]; 2],
+}
+
+/// A node on the way back.
+#[derive(Clone, Copy)]
+struct Turned<P> {
+    /// `x̂`
+    x: P,
+    weight: P,
+    /// `dW/du`
+    weight_slope: P,
+    traction: [P; 2],
+    /// `p_x/B` and `p_y/B − r`
+    p: [P; 2],
+    /// `e = (1 + q m²)/2` and `e/B`
+    half: P,
+    outer: P,
+    /// `p*` and `2 p*/B²`
+    offered: [P; 2],
+    doubled: [P; 2],
+    /// `m`, `q m`, `m²/2`
+    kept: P,
+    turned: P,
+    half_square: P,
+    /// `dm/dq` and `dm/dd`
+    cut: P,
+    round: P,
+    /// `dq/d(σ s)²`, `B d(1/B)/ds` and `dq/ds`
+    soft: P,
+    bound: P,
+    stretched: P,
+    /// `2 t + m λ` with `m` of the node before.
+    turn: P,
+}
+
+impl<P: Arithmetic<Bare = P>> Turned<P> {
+    #[inline(always)]
+    fn new(node: &Node<P>, own: &Passed<P>, before: P, s: P, spin: &Spin<P>) -> Self {
+        let one = P::one();
+        let (b, m, q) = (own.inverse_bound, own.kept, own.traction.tried);
+        let [x, y] = own.traction.offered;
+        let half = (q * (m * m)).plus(1.0).times(0.5);
+        // rounded(q): by q 1 − y, by d y (1 − y), y = z/(2 d)
+        let z = (one + spin.round - q.max(one - spin.round)).max(P::zero());
+        let z = z * (spin.inverse_round + spin.inverse_round);
+        let cut = (m * m * m).times(-0.5) * (one - z);
+        let twice = b * b + b * b;
+        let bound = node.place * node.place * b;
+        let [c0, c1, c2, c3] = node.weight;
+        let u = s.times(0.5);
+        let slope = [c0.times(2.0), c1.times(3.0), c2.times(4.0), c3.times(5.0)];
+        let [slope, _] = with_slope(&slope, u);
+        Self {
+            x: s * node.place - one,
+            weight: own.weight,
+            weight_slope: u * slope,
+            traction: [own.traction.x, own.traction.y],
+            p: [x * (m * b), y * (m * b) - spin.r],
+            half,
+            outer: half * b,
+            offered: [x, y],
+            doubled: [twice * x, twice * y],
+            kept: m,
+            turned: q * m,
+            half_square: (m * m).times(0.5),
+            cut,
+            round: cut * z,
+            soft: b * b * node.soft,
+            bound,
+            stretched: bound * (q + q),
+            turn: node.place + node.place + before * node.length,
+        }
+    }
+}
+
+impl<'a, P: Arithmetic<Bare = P>> Back<'a, P> {
+    #[inline(always)]
+    fn new(
+        seen: &'a Seen<P>,
+        spin: &'a Spin<P>,
+        by_spin: &'a SpinSlopes<P>,
+        nodes: &'a [Node<P>; NODES],
+        closed: &Closed<P>,
+        course: &'a Course<P>,
+    ) -> Self {
+        let Separatrix { s, part, .. } = course.separatrix;
+        let mut before = part;
+        let mut passed = course.nodes.iter();
+        let nodes = nodes.each_ref().map(|node| {
+            let own = passed.next().unwrap_or(&course.nodes[0]);
+            let turned = Turned::new(node, own, before, s, spin);
+            before = own.kept;
+            (node, turned)
+        });
+        let u = s.times(0.5);
+        let closed = [with_slope(&closed.force, u), with_slope(&closed.moment, u)];
+        Self { seen, spin, by_spin, nodes, course, closed }
+    }
+
+    /// The derivatives of a force by `A_x, A_y, σ`.
+    #[inline(always)]
+    fn from(&self, force: Force) -> [P; 3] {
+        let Self { seen, spin, course, .. } = self;
+        let Separatrix { y, s, .. } = course.separatrix;
+        let (zero, one, r) = (P::zero(), P::one(), spin.r);
+        let turning = spin.sigma * s;
+        // by the state ahead of a node, and sums over the nodes
+        let (mut by_px, mut by_py, mut by_kept) = (zero, zero, zero);
+        let (mut by_x, mut by_y, mut by_s, mut by_u) = (zero, zero, zero, zero);
+        let (mut by_r, mut by_round) = (zero, zero);
+        let (mut by_turning, mut by_square) = (zero, zero);
+        for (node, turned) in self.nodes.iter().rev() {
+            let Turned { weight, weight_slope, half, offered: [x, y], .. } = *turned;
+            let ([tx, ty], [px, py]) = (turned.traction, turned.p);
+            // t = r e_y + (p/B − r e_y) e
+            let through = match force {
+                Force::Longitudinal => {
+                    by_px += weight * turned.outer;
+                    by_u += weight_slope * tx;
+                    let through = weight * px;
+                    by_s += through * half * turned.bound;
+                    through
+                }
+                _ => {
+                    let moment = force == Force::Moment;
+                    let seed = if moment { weight * turned.x } else { weight };
+                    by_py += seed * turned.outer;
+                    by_r += seed * (one - half);
+                    let slope = weight_slope * ty;
+                    by_u += if moment { slope * turned.x } else { slope };
+                    let through = seed * py;
+                    by_s += (through + seed * r) * half * turned.bound;
+                    if moment {
+                        by_s += weight * ty * node.place;
+                    }
+                    through
+                }
+            };
+            // m and q
+            let by_m = by_kept + x * by_px + y * by_py + through * turned.turned;
+            let by_q = through * turned.half_square + by_m * turned.cut;
+            by_round += by_m * turned.round;
+            by_square += turned.soft * by_q;
+            by_s += turned.stretched * by_q;
+            // p* = p + λ (A + σ (2 x̂ + m λ s) e_y)
+            by_px = turned.kept * by_px + turned.doubled[0] * by_q;
+            by_py = turned.kept * by_py + turned.doubled[1] * by_q;
+            let step = node.length * by_py;
+            by_x += node.length * by_px;
+            by_y += step;
+            by_turning += step * turned.turn;
+            by_kept = step * turning * node.length;
+        }
+        by_turning += by_square * (turning + turning);
+        let mut by_sigma = by_turning * s - (by_y + by_y);
+        by_s += by_turning * spin.sigma;
+        // p = (2 − s) n, n = A'/s + r e_y
+        let ahead = one - s.times(0.5);
+        let [nx, ny] = course.n;
+        let mut by_ahead = (nx * by_px + ny * by_py).times(2.0);
+        let (by_nx, by_ny) = (by_px * (ahead + ahead), by_py * (ahead + ahead));
+        by_x += by_nx * course.inverse_s;
+        let mut by_prime = by_ny * course.inverse_s;
+        by_r += by_ny;
+        by_s -= course.inverse_s * (by_nx * nx + by_ny * (ny - r));
+        // the closed part
+        let [[k, k_slope], [l, l_slope]] = self.closed;
+        let (c, whole) = (ahead * k, y + s * r);
+        match force {
+            Force::Longitudinal => {
+                by_x += c;
+                by_ahead += seen.x * k;
+                by_u += ahead * k_slope * seen.x;
+            }
+            Force::Lateral => {
+                by_prime += c;
+                by_r += ahead.squared() + s * c;
+                by_s += r * c;
+                by_ahead += (r * ahead).times(2.0) + whole * k;
+                by_u += ahead * k_slope * whole;
+            }
+            Force::Moment => {
+                by_prime -= ahead * (ahead.times(0.5) + l);
+                by_r -= ahead * s * l;
+                by_s -= ahead * r * l;
+                by_ahead -= y * ahead + whole * l;
+                by_u -= ahead * whole * l_slope;
+            }
+        }
+        by_s += (by_u - by_ahead).times(0.5);
+        let [separatrix_x, separatrix_y, separatrix_r, by_blend] = self.separatrix(by_s, by_kept);
+        by_x += separatrix_x;
+        by_prime += separatrix_y;
+        by_r += separatrix_r;
+        // A_y' = A_y + σ − r
+        by_sigma += by_prime + (by_r - by_prime) * self.by_spin.r;
+        by_sigma += by_blend * self.by_spin.blend + by_round * self.by_spin.round;
+        [by_x, by_y + by_prime, by_sigma]
+    }
+
+    /// From `s` and `part` back to `A_x, A_y', r` and the share of blending:
+    /// `s = s₁ + w (2 − s₁)`, `part = s₁/root`, `d root = root (n · dA' + n_y root dr)/S`, `n = A'/root + r e_y`.
+    #[inline(always)]
+    fn separatrix(&self, by_s: P, by_part: P) -> [P; 4] {
+        let Self { seen, spin, course, .. } = self;
+        let Separatrix { y, part, root, inverse_root, inverse_size, .. } = course.separatrix;
+        let (zero, one, two) = (P::zero(), P::one(), P::constant(2.0));
+        let end = part * root;
+        // s₁ = root + softening; beyond 2 it stays there
+        let z = root.min(two).plus(EDGE - 2.0).max(zero).times(1.0 / EDGE);
+        let inside = two - root;
+        let slope = inside.choose((one - z) * (one + z.times(3.0)), zero);
+        let within = inside.choose(root, zero);
+        let by_end = by_s * (one - spin.blend) * slope;
+        let all = (by_end * within + by_part * (slope - part)) * inverse_size;
+        let (nx, ny) = (seen.x * inverse_root, y * inverse_root + spin.r);
+        let by_r = by_end * within * within + by_part * (slope * within - end);
+        [all * nx, all * ny, ny * inverse_size * by_r, by_s * (two - end)]
+    }
+}
+
+/// `Σ cᵢ uⁱ` and its derivative.
+#[inline(always)]
+fn with_slope<P: Arithmetic<Bare = P>, const N: usize>(c: &[P; N], u: P) -> [P; 2] {
+    let (mut sum, mut slope) = (P::zero(), P::zero());
+    for c in c.iter().rev() {
+        slope = slope * u + sum;
+        sum = sum * u + *c;
+    }
+    [sum, slope]
+}
