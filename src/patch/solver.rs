@@ -214,7 +214,8 @@ impl<'a, F: Precision> Problem<'a, F> {
         let count = lobe.strips.len();
         let mut prepared: Option<(F, StripLaw<T>)> = None;
         for (g, group) in lobe.strips.chunks(4).enumerate() {
-            let none = Seen { x: T::zero(), y: T::zero() };
+            let zero = T::zero();
+            let none = Seen { x: zero, y: zero, spread: zero, start: zero };
             let mut seen = [(none, T::zero()); 4];
             let mut inner = [false; 4];
             for (k, ((strip, seen), inner)) in
@@ -240,6 +241,7 @@ impl<'a, F: Precision> Problem<'a, F> {
 
 /// A strip in units of its lobe's ellipse.
 fn geometry<F: Float>(lobe: &Lobe<F>, strip: &PatchStrip<F>) -> StripGeometry<F> {
+    let of_sixteen = F::of(lobe.strips.len() as f64 / 16.0);
     let Lobe { y, contact, .. } = lobe;
     // Π = (μ p₀)_strip/(μ p₀)
     let whole = contact.friction * contact.peak_pressure();
@@ -247,6 +249,7 @@ fn geometry<F: Float>(lobe: &Lobe<F>, strip: &PatchStrip<F>) -> StripGeometry<F>
     StripGeometry {
         y: ((strip.y - *y) / contact.b).clamped(-F::one(), F::one()),
         half_length: strip.half_length / contact.a,
+        width: strip.width / contact.b * of_sixteen,
         bound: if whole > F::zero() { bound / whole } else { F::one() }.max(F::of(LEAST_BOUND)),
     }
 }
@@ -439,7 +442,8 @@ impl<'a, F: Precision> PatchField<'a, F> {
         let strip = found.map(|(strip, _)| strip).or(lobe.strips.last())?;
         let law = if self.problem.model == Model::Strip {
             let rolling = self.problem.law(&lobe, creepage, strip.centre_x, [F::one(), F::one()]);
-            Law::Rolling(rolling, geometry(&lobe, strip), lobe.contact.slip_scale())
+            let line = StripGeometry { width: F::zero(), ..geometry(&lobe, strip) };
+            Law::Rolling(rolling, line, lobe.contact.slip_scale())
         } else {
             let circle = strip.circle(view.shear_modulus(), view.poisson_ratio());
             Law::Theory(self.problem.theory(strip, creepage), circle.slip_scale())

@@ -815,9 +815,12 @@ impl<F: Precision> Field<F> {
                 p.poisson_ratio,
                 *rule,
             )),
-            Law::Rolling(_) => {
-                FieldStrip::Rolling(StripGeometry { y: relative, half_length, bound: half_length })
-            }
+            Law::Rolling(_) => FieldStrip::Rolling(StripGeometry {
+                y: relative,
+                half_length,
+                bound: half_length,
+                width: F::zero(),
+            }),
         })
     }
 

@@ -48,6 +48,8 @@ pub struct Law<T: Number> {
     pub bend: T,
     /// `σ`: spin.
     pub spin: T,
+    /// How far the contact is from full sliding, 1 to 0.
+    pub start: T,
     /// The creepages `vx, vy, φ` that these belong to, scaled down where they are very large.
     pub creepage: [T; 3],
     /// `√(a/b)`
@@ -64,6 +66,8 @@ pub struct StripGeometry<F> {
     /// Peak of the strip's friction bound over that of the patch: `Π = (μ p₀)_strip/(μ p₀)`, positive. On
     /// an ellipse with one coefficient of friction `Π = C`.
     pub bound: F,
+    /// Width in `Y` that one of sixteen strips has here: slip is averaged over it; 0 for a line.
+    pub width: F,
 }
 
 impl<F: Plain> Prepared<F> {
@@ -185,27 +189,28 @@ impl<F: Plain> Prepared<F> {
             ],
             SEEN_LIMIT,
         );
-        Law { longitudinal, lateral, slope, bend, spin, creepage, root: self.root }
+        Law { longitudinal, lateral, slope, bend, spin, start: elastic, creepage, root: self.root }
     }
 }
 
 impl<T: Number> Law<T> {
-    /// What one strip sees: `A_x, A_y`, and `σ`.
+    /// What one strip sees, and `σ`.
     #[inline(always)]
     pub fn strip(&self, strip: &StripGeometry<T::Base>) -> (Seen<T>, T) {
         let inverse = T::Base::one() / strip.bound;
         let y = strip.y;
         // A_x = (a_x − ρ Y (1 + ε (0.4 − Y²)))/Π
         let profile = self.bend.scale((T::Base::of(0.4) - y * y) * y).shift(y);
-        let [x, y, spin] = scaled_down(
+        let [x, y, spread, spin] = scaled_down(
             [
                 (self.longitudinal - self.slope * profile).scale(inverse),
                 self.lateral.scale(inverse),
+                self.slope.scale(strip.width * inverse),
                 self.spin.scale(strip.half_length * inverse),
             ],
             STRIP_LIMIT,
         );
-        (Seen { x, y }, spin)
+        (Seen { x, y, spread, start: self.start }, spin)
     }
 }
 

@@ -1,8 +1,8 @@
-//! A strip's derivatives by `A_x, A_y` and `σ`: the kernel's formulas differentiated from their results back to what
+//! A strip's derivatives by `A_x, A_y, σ` and what else it sees: the kernel's formulas differentiated from their results back to what
 //! the strip sees. (Dual numbers through the kernel give the same and take longer.)
 
-use super::constants::{BLEND, EDGE, NODES, ROUND_SPIN};
-use super::kernel::{Carried, Course, Passed, Seen, Separatrix, Spin, blending, forces};
+use super::constants::{AVERAGE, BLEND, EDGE, NODES, ROUND_SPIN};
+use super::kernel::{Carried, Course, Passed, Seen, Separatrix, Spin, blending, forces, widest};
 use super::tables::{Closed, Node};
 use crate::number::{Arithmetic, Number};
 
@@ -45,7 +45,8 @@ pub(super) fn differentiated<T: Number>(
     closed: &Closed<Four<T>>,
     by_spin: &SpinSlopes<Four<T>>,
 ) -> Carried<T::Quad> {
-    let bare = Seen { x: seen.x.bare(), y: seen.y.bare() };
+    let Seen { x, y, spread, start } = *seen;
+    let bare = Seen { x: x.bare(), y: y.bare(), spread: spread.bare(), start: start.bare() };
     let (Carried { fx, fy, mx, stick }, course) = forces(&bare, spin, nodes, closed);
     let stick = T::Quad::fixed(stick);
     if !T::HAS_DERIVATIVES {
@@ -53,7 +54,7 @@ pub(super) fn differentiated<T: Number>(
         return Carried { fx, fy, mx, stick };
     }
     let back = Back::new(&bare, spin, by_spin, nodes, closed, &course);
-    let by = [seen.x, seen.y, sigma];
+    let by = [x, y, sigma, spread, start];
     Carried {
         fx: T::Quad::composed(fx, back.from(Force::Longitudinal), by),
         fy: T::Quad::composed(fy, back.from(Force::Lateral), by),
@@ -95,9 +96,9 @@ struct Turned<P> {
     /// `e = (1 + q m²)/2` and `e/B`
     half: P,
     outer: P,
-    /// `p*` and `2 p*/B²`
-    offered: [P; 2],
-    doubled: [P; 2],
+    /// `p*`, and half of what `q` moves with it twice over: `2 p*/B²`
+    offered: [P; 3],
+    doubled: [P; 3],
     /// `m`, `q m`, `m²/2`
     kept: P,
     turned: P,
@@ -118,7 +119,7 @@ impl<P: Arithmetic<Bare = P>> Turned<P> {
     fn new(node: &Node<P>, own: &Passed<P>, before: P, s: P, spin: &Spin<P>) -> Self {
         let one = P::one();
         let (b, m, q) = (own.inverse_bound, own.kept, own.traction.tried);
-        let [x, y] = own.traction.offered;
+        let [x, y, wide] = own.traction.offered;
         let half = (q * (m * m)).plus(1.0).times(0.5);
         // rounded(q): by q 1 − y, by d y (1 − y), y = z/(2 d)
         let z = (one + spin.round - q.max(one - spin.round)).max(P::zero());
@@ -138,8 +139,8 @@ impl<P: Arithmetic<Bare = P>> Turned<P> {
             p: [x * (m * b), y * (m * b) - spin.r],
             half,
             outer: half * b,
-            offered: [x, y],
-            doubled: [twice * x, twice * y],
+            offered: [x, y, wide],
+            doubled: [twice * x, twice * y, (twice * wide).times(AVERAGE)],
             kept: m,
             turned: q * m,
             half_square: (m * m).times(0.5),
@@ -163,8 +164,8 @@ impl<'a, P: Arithmetic<Bare = P>> Back<'a, P> {
         closed: &Closed<P>,
         course: &'a Course<P>,
     ) -> Self {
-        let Separatrix { s, part, .. } = course.separatrix;
-        let mut before = part;
+        let s = course.separatrix.s;
+        let mut before = seen.start;
         let mut passed = course.nodes.iter();
         let nodes = nodes.each_ref().map(|node| {
             let own = passed.next().unwrap_or(&course.nodes[0]);
@@ -177,20 +178,20 @@ impl<'a, P: Arithmetic<Bare = P>> Back<'a, P> {
         Self { seen, spin, by_spin, nodes, course, closed }
     }
 
-    /// The derivatives of a force by `A_x, A_y, σ`.
+    /// The derivatives of a force by `A_x, A_y, σ`, the spread and the start.
     #[inline(always)]
-    fn from(&self, force: Force) -> [P; 3] {
+    fn from(&self, force: Force) -> [P; 5] {
         let Self { seen, spin, course, .. } = self;
         let Separatrix { y, s, .. } = course.separatrix;
         let (zero, one, r) = (P::zero(), P::one(), spin.r);
         let turning = spin.sigma * s;
         // by the state ahead of a node, and sums over the nodes
-        let (mut by_px, mut by_py, mut by_kept) = (zero, zero, zero);
+        let (mut by_px, mut by_py, mut by_wide, mut by_kept) = (zero, zero, zero, zero);
         let (mut by_x, mut by_y, mut by_s, mut by_u) = (zero, zero, zero, zero);
         let (mut by_r, mut by_round) = (zero, zero);
-        let (mut by_turning, mut by_square) = (zero, zero);
+        let (mut by_turning, mut by_square, mut by_spread) = (zero, zero, zero);
         for (node, turned) in self.nodes.iter().rev() {
-            let Turned { weight, weight_slope, half, offered: [x, y], .. } = *turned;
+            let Turned { weight, weight_slope, half, offered: [x, y, wide], .. } = *turned;
             let ([tx, ty], [px, py]) = (turned.traction, turned.p);
             // t = r e_y + (p/B − r e_y) e
             let through = match force {
@@ -217,7 +218,7 @@ impl<'a, P: Arithmetic<Bare = P>> Back<'a, P> {
                 }
             };
             // m and q
-            let by_m = by_kept + x * by_px + y * by_py + through * turned.turned;
+            let by_m = by_kept + x * by_px + y * by_py + wide * by_wide + through * turned.turned;
             let by_q = through * turned.half_square + by_m * turned.cut;
             by_round += by_m * turned.round;
             by_square += turned.soft * by_q;
@@ -225,6 +226,8 @@ impl<'a, P: Arithmetic<Bare = P>> Back<'a, P> {
             // p* = p + λ (A + σ (2 x̂ + m λ s) e_y)
             by_px = turned.kept * by_px + turned.doubled[0] * by_q;
             by_py = turned.kept * by_py + turned.doubled[1] * by_q;
+            by_wide = turned.kept * by_wide + turned.doubled[2] * by_q;
+            by_spread += node.length * by_wide;
             let step = node.length * by_py;
             by_x += node.length * by_px;
             by_y += step;
@@ -243,6 +246,12 @@ impl<'a, P: Arithmetic<Bare = P>> Back<'a, P> {
         let mut by_prime = by_ny * course.inverse_s;
         by_r += by_ny;
         by_s -= course.inverse_s * (by_nx * nx + by_ny * (ny - r));
+        // wide = (2 − s) spread/(2 s)
+        let ratio = seen.spread * course.inverse_s;
+        by_ahead += widest(ratio) * by_wide;
+        let free = (ratio - widest(ratio)).abs().choose(zero, ahead * by_wide * course.inverse_s);
+        by_spread = by_spread.times(0.5) + free;
+        by_s -= free * ratio;
         // the closed part
         let [[k, k_slope], [l, l_slope]] = self.closed;
         let (c, whole) = (ahead * k, y + s * r);
@@ -268,34 +277,31 @@ impl<'a, P: Arithmetic<Bare = P>> Back<'a, P> {
             }
         }
         by_s += (by_u - by_ahead).times(0.5);
-        let [separatrix_x, separatrix_y, separatrix_r, by_blend] = self.separatrix(by_s, by_kept);
+        let [separatrix_x, separatrix_y, separatrix_r, by_blend] = self.separatrix(by_s);
         by_x += separatrix_x;
         by_prime += separatrix_y;
         by_r += separatrix_r;
         // A_y' = A_y + σ − r
         by_sigma += by_prime + (by_r - by_prime) * self.by_spin.r;
         by_sigma += by_blend * self.by_spin.blend + by_round * self.by_spin.round;
-        [by_x, by_y + by_prime, by_sigma]
+        [by_x, by_y + by_prime, by_sigma, by_spread, by_kept]
     }
 
-    /// From `s` and `part` back to `A_x, A_y', r` and the share of blending:
-    /// `s = s₁ + w (2 − s₁)`, `part = s₁/root`, `d root = root (n · dA' + n_y root dr)/S`, `n = A'/root + r e_y`.
+    /// From `s` back to `A_x, A_y', r` and the share of blending:
+    /// `s = s₁ + w (2 − s₁)`, `d root = (A_x dA_x + g (dA_y' + root dr))/S`, `g = A_y' + root r`.
     #[inline(always)]
-    fn separatrix(&self, by_s: P, by_part: P) -> [P; 4] {
+    fn separatrix(&self, by_s: P) -> [P; 4] {
         let Self { seen, spin, course, .. } = self;
-        let Separatrix { y, part, root, inverse_root, inverse_size, .. } = course.separatrix;
+        let Separatrix { y, root, inverse_size, .. } = course.separatrix;
         let (zero, one, two) = (P::zero(), P::one(), P::constant(2.0));
-        let end = part * root;
         // s₁ = root + softening; beyond 2 it stays there
-        let z = root.min(two).plus(EDGE - 2.0).max(zero).times(1.0 / EDGE);
-        let inside = two - root;
-        let slope = inside.choose((one - z) * (one + z.times(3.0)), zero);
-        let within = inside.choose(root, zero);
-        let by_end = by_s * (one - spin.blend) * slope;
-        let all = (by_end * within + by_part * (slope - part)) * inverse_size;
-        let (nx, ny) = (seen.x * inverse_root, y * inverse_root + spin.r);
-        let by_r = by_end * within * within + by_part * (slope * within - end);
-        [all * nx, all * ny, ny * inverse_size * by_r, by_s * (two - end)]
+        let root = root.min(two);
+        let z = root.plus(EDGE - 2.0).max(zero).times(1.0 / EDGE);
+        let slope = (two - root).choose((one - z) * (one + z.times(3.0)), zero);
+        let end = root + (z.squared() * (one - z)).times(EDGE);
+        let by_root = by_s * (one - spin.blend) * slope * inverse_size;
+        let by_prime = by_root * (y + root * spin.r);
+        [by_root * seen.x, by_prime, by_prime * root, by_s * (two - end)]
     }
 }
 

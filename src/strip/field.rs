@@ -3,7 +3,7 @@
 use super::constants::EDGE;
 use super::creepage::{Law, StripGeometry};
 use super::kernel::{Seen, Separatrix, Slip, Spin, Step};
-use super::tables::{Kernel, Node};
+use super::tables::Kernel;
 use crate::number::Float;
 
 /// Nearest to the trailing edge that is told apart from it.
@@ -36,7 +36,7 @@ impl<F: Float> Law<F> {
         let (zero, one, two) = (F::zero(), F::one(), F::of(2.0));
         let (seen, sigma) = self.strip(strip);
         let spin = Spin::new(sigma);
-        let Separatrix { y, s, part, .. } = Separatrix::new(&seen, &spin);
+        let Separatrix { y, s, .. } = Separatrix::new(&seen, &spin);
         let tau = (place + one).clamped(F::of(LEAST), two);
         let inverse = one / s;
         let n = [seen.x * inverse, y * inverse + spin.r];
@@ -48,11 +48,11 @@ impl<F: Float> Law<F> {
         }
         let (nodes, _) = Kernel::<F>::get().read(|[first, _]| *first);
         let t = tau * inverse;
-        let mut slip = Slip::start(n, two - s, part);
+        let mut slip = Slip::start(n, two - s, inverse, &seen);
         let (mut before, mut from) = (one, None);
         let mut here = None;
         for node in &nodes {
-            let whole = cut_short(node, s, before, node.place);
+            let whole = step_to(s, before, node.place);
             let (next, traction) = slip.step(&seen, &spin, s, &whole);
             let to = slip_share(&seen, &spin, s, &whole, traction.tried);
             // slip over rigid slip: none at the separatrix; at the leading edge that of the first step
@@ -67,7 +67,7 @@ impl<F: Float> Law<F> {
         let Some((slip, node, before, from, to)) = here else {
             return StripTraction { x: zero, y: zero, slip_x: zero, slip_y: zero, slips: false };
         };
-        let (_, point) = slip.step(&seen, &spin, s, &cut_short(node, s, before, t));
+        let (_, point) = slip.step(&seen, &spin, s, &step_to(s, before, t));
         let part = ((before - t) / node.length).clamped(zero, one);
         // with much spin the bound may be met anywhere behind the leading edge
         let excess = (point.tried - one).times(5.0).clamped(zero, one);
@@ -95,16 +95,14 @@ impl<F: Float> Law<F> {
     }
 }
 
-/// The step of a node, to another place `t`.
-fn cut_short<F: Float>(node: &Node<F>, s: F, before: F, t: F) -> Step<F> {
-    let length = before - t;
-    let part = length / node.length;
+/// A step to `t`. At a point there is no cell to average over.
+fn step_to<F: Float>(s: F, before: F, t: F) -> Step<F> {
     let bound = t * (F::of(2.0) - s * t);
     Step {
-        length,
+        length: before - t,
         place: t,
         inverse_bound: F::one() / bound.max(F::of(LEAST)),
-        soft: node.soft * part * part,
+        soft: F::zero(),
     }
 }
 

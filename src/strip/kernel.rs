@@ -3,12 +3,14 @@
 //! `τ = 1 + x̂` runs from 2 at the leading edge to 0, `B = τ (2 − τ)` is the square of the bound's shape, forces are
 //! weighted with `(2/π) √B`. All of it is over the strip's own friction bound.
 
-use super::constants::{BLEND, EDGE, NODES, ROUND, ROUND_SPIN};
+use super::constants::{AVERAGE, BLEND, EDGE, NODES, ROUND, ROUND_SPIN};
 use super::tables::{Closed, Node};
 use crate::number::Arithmetic;
 
 /// A separatrix nearer to the trailing edge is put here.
 const LEAST: f64 = 1e-12;
+/// Slip within a strip's width over its slip part is limited to this.
+const WIDEST: f64 = 1e3;
 /// Keeps roots of squares away from zero.
 const TINY: f64 = 1e-24;
 /// Spin beyond this is indistinguishable from sliding by spin alone.
@@ -21,6 +23,10 @@ pub struct Seen<T> {
     pub x: T,
     /// `A_y` of lateral creepage.
     pub y: T,
+    /// By how much `A_x` varies over the width of one of sixteen strips.
+    pub spread: T,
+    /// How far the contact is from full sliding: what the first step into the slip part keeps of its turn, 1 to 0.
+    pub start: T,
 }
 
 /// Spin `σ` of a strip and what follows from it alone.
@@ -108,11 +114,8 @@ pub(super) struct Separatrix<T> {
     pub y: T,
     /// `τ = s`: slip behind, adhesion ahead.
     pub s: T,
-    /// `s` over the root of which it is made: below one where the strip slides from its leading edge on.
-    pub part: T,
-    /// The root, before it is limited, and its inverse.
+    /// The root, before it is limited.
     pub root: T,
-    pub inverse_root: T,
     /// `1/S`
     pub inverse_size: T,
 }
@@ -126,18 +129,14 @@ impl<T: Arithmetic> Separatrix<T> {
         let square = (spin.room * x2 + y2).plus(TINY);
         let inverse_size = square.inverse_root();
         let turned = spin.r * y;
-        // D = S + |r A_y'|; where r A_y' < 0 the root is |A'|²/(S − r A_y')
-        let sum = square * inverse_size + turned.abs();
-        let whole = (x2 + y2).plus(TINY);
-        let inverse = (sum * whole).inverse();
-        let root = turned.choose(sum * spin.inverse_room, whole * (whole * inverse));
-        let inverse_root = turned.choose(whole * inverse * spin.room, sum * (sum * inverse));
+        // where r A_y' < 0 the root is |A'|²/(S − r A_y')
+        let sum = square * inverse_size + turned.choose(turned, -turned);
+        let root = turned.choose(sum * spin.inverse_room, (x2 + y2) / sum);
         let s = root.max(T::constant(LEAST)).min(T::constant(2.0));
         // meets the leading edge with slope zero
         let z = s.plus(EDGE - 2.0).max(T::zero()).times(1.0 / EDGE);
         let s = s + z.squared() * (T::one() - z).times(EDGE);
-        let (part, s) = (s * inverse_root, s + spin.blend * (T::constant(2.0) - s));
-        Self { y, s, part, root, inverse_root, inverse_size }
+        Self { y, s: s + spin.blend * (T::constant(2.0) - s), root, inverse_size }
     }
 }
 
@@ -146,6 +145,8 @@ impl<T: Arithmetic> Separatrix<T> {
 pub(super) struct Slip<T> {
     pub px: T,
     pub py: T,
+    /// Half of what `p_x` varies by over the strip's width.
+    pub wide: T,
     /// What the last cut left.
     pub kept: T,
 }
@@ -155,8 +156,8 @@ pub(super) struct Slip<T> {
 pub(super) struct Traction<T> {
     pub x: T,
     pub y: T,
-    /// `p*/s` before the cut.
-    pub offered: [T; 2],
+    /// `p_x*, p_y*` and `wide` over `s`, before the cut.
+    pub offered: [T; 3],
     /// `q` before the cut.
     pub tried: T,
 }
@@ -177,8 +178,9 @@ pub(super) struct Step<T> {
 impl<T: Arithmetic> Slip<T> {
     /// At the separatrix, `p = B n`.
     #[inline(always)]
-    pub fn start([nx, ny]: [T; 2], ahead: T, part: T) -> Self {
-        Self { px: ahead * nx, py: ahead * ny, kept: part }
+    pub fn start([nx, ny]: [T; 2], ahead: T, inverse_s: T, seen: &Seen<T>) -> Self {
+        let wide = widest(seen.spread * inverse_s).times(0.5);
+        Self { px: ahead * nx, py: ahead * ny, wide: ahead * wide, kept: seen.start }
     }
 
     /// The next node: `p` grows with the rigid slip and is cut back to the bound.
@@ -189,19 +191,21 @@ impl<T: Arithmetic> Slip<T> {
         let turned = spin.sigma * s * (place + place + self.kept * length);
         let px = self.px + length * seen.x;
         let py = self.py + length * (seen.y - (spin.sigma + spin.sigma) + turned);
-        // q = |p*|²/B², its mean over the node's cell
-        let tried = (px * px + py * py + soft) * inverse_bound.squared();
+        let wide = self.wide + length * seen.spread.times(0.5);
+        // q = |p*|²/B², a mean over the strip's width and the node's cell
+        let square = px * px + py * py + wide.squared().times(AVERAGE) + soft;
+        let tried = square * inverse_bound.squared();
         // m = 1/√(max(1, q) rounded)
         let kept = rounded(tried, spin).inverse_root();
         let reached = tried * kept.squared();
-        let offered = [px, py];
-        let (px, py) = (px * kept, py * kept);
+        let offered = [px, py, wide];
+        let (px, py, wide) = (px * kept, py * kept, wide * kept);
         // t = r e_y + (p/B − r e_y)(1 + q m²)/2
         let half = reached.plus(1.0).times(0.5);
         let (tx, ty) = (px * inverse_bound, py * inverse_bound);
         let y = spin.r + (ty - spin.r) * half;
         let traction = Traction { x: tx * half, y, offered, tried };
-        (Self { px, py, kept }, traction)
+        (Self { px, py, wide, kept }, traction)
     }
 }
 
@@ -233,7 +237,7 @@ pub(super) fn forces<T: Arithmetic>(
     closed: &Closed<T::Bare>,
 ) -> (Carried<T>, Course<T>) {
     let separatrix = Separatrix::new(seen, spin);
-    let Separatrix { y, s, part, .. } = separatrix;
+    let Separatrix { y, s, .. } = separatrix;
     let u = s.times(0.5);
     let ahead = T::one() - u;
     let (inverse_s, bounds) = inverses(s, nodes);
@@ -246,10 +250,10 @@ pub(super) fn forces<T: Arithmetic>(
     let closed_moment = (y + s * spin.r) * polynomial(&closed.moment, u);
     let mut mx = -(ahead * ((y * ahead).times(0.5) + closed_moment));
     let mut stick = ahead;
-    let mut slip = Slip::start(n, ahead + ahead, part);
+    let mut slip = Slip::start(n, ahead + ahead, inverse_s, seen);
     let soft = (spin.sigma * s).squared();
     let square = u.squared();
-    let traction = Traction { x: s, y: s, offered: [s; 2], tried: s };
+    let traction = Traction { x: s, y: s, offered: [s; 3], tried: s };
     let passed = Passed { inverse_bound: s, weight: s, traction, kept: s };
     let mut course = Course { separatrix, inverse_s, n, nodes: [passed; NODES] };
     for ((node, inverse_bound), passed) in nodes.iter().zip(bounds).zip(&mut course.nodes) {
@@ -288,6 +292,12 @@ pub(super) fn inverses<T: Arithmetic>(s: T, nodes: &[Node<T::Bare>; NODES]) -> (
         inverse = inverse * (T::constant(2.0) - s.weigh(node.place));
     }
     (inverse, inverses)
+}
+
+/// Within what is told apart.
+#[inline(always)]
+pub(super) fn widest<T: Arithmetic>(wide: T) -> T {
+    wide.min(T::constant(WIDEST)).max(T::constant(-WIDEST))
 }
 
 /// `max(1, q)`, with a parabola between `1 − d` and `1 + d`.

@@ -134,7 +134,7 @@ static NARROW_CLOSED: [[Couple<f32>; CLOSED_FIELDS]; 1] = narrow(&CLOSED_TABLE);
 
 /// Four strips of the Hertz ellipse: numbers for the outer and the inner one of two neighbours at `Y > 0`. Those
 /// at `−Y` have the same, but for the sign of `y`, `bend` and `load_y`.
-pub(super) const STRIP_FIELDS: usize = 7;
+pub(super) const STRIP_FIELDS: usize = 8;
 pub(super) type FourStrips<F> = [Couple<F>; STRIP_FIELDS];
 
 /// The half of a rule with `Y > 0`, ascending: `Y`, `C`, width.
@@ -144,7 +144,7 @@ pub(super) type Half = [[f64; 3]];
 #[derive(Clone, Copy, Debug)]
 pub struct Rule<F: 'static> {
     /// In fours; fields: `Y`, `1/C`, `(0.4 − Y²) Y`, the share of the friction bound `(3/4) C² ΔY`, share times `C`,
-    /// share times `Y`, share of the area.
+    /// share times `Y`, share of the area, `ΔY/C` of one of sixteen strips.
     pub(super) fours: &'static [FourStrips<F>],
     /// `(π/2)/Σ C ΔY`: makes the linear forces exact.
     pub stretch: f64,
@@ -204,7 +204,16 @@ const fn fours<const N: usize>(half: &Half) -> [FourStrips<f64>; N] {
         let load = 0.75 * width * (c * c);
         // the outermost strip is of the first kind
         let (four, kind) = (i / 2, 1 - i % 2);
-        let fields = [y, 1.0 / c, (0.4 - y * y) * y, load, load * c, load * y, width * c / area];
+        let fields = [
+            y,
+            1.0 / c,
+            (0.4 - y * y) * y,
+            load,
+            load * c,
+            load * y,
+            width * c / area,
+            width / c * (half.len() as f64 / 8.0),
+        ];
         let mut k = 0;
         while k < STRIP_FIELDS {
             fours[four][k][kind] = fields[k];

@@ -54,7 +54,7 @@ impl<F: Plain> PreparedStrips<F> {
         let kernel = FourKernel::new(law);
         for four in self.rule.fours {
             let carried = kernel.forces(law, four);
-            let [_, _, _, load, load_c, load_y, area] = fields::<F>(four);
+            let [_, _, _, load, load_c, load_y, area, _] = fields::<F>(four);
             fx += carried.fx.weigh(load);
             fy += carried.fy.weigh(load);
             by_x += carried.mx.weigh(load_c);
@@ -81,7 +81,7 @@ impl<F: Plain> PreparedStrips<F> {
         let mut strip = |i: usize, lane: usize| {
             let Some(four) = self.rule.fours.get(i) else { return };
             let Carried { fx, fy, mx, stick } = kernel.forces(&law, four);
-            let [_, _, _, load, load_c, load_y, area] = fields::<F>(four);
+            let [_, _, _, load, load_c, load_y, area, _] = fields::<F>(four);
             let mz =
                 (mx * load_c).scale(self.contact.root) - (fx * load_y).scale(self.contact.upright);
             let of = |quad: F::Quad| quad.parts().get(lane).copied().unwrap_or(F::zero());
@@ -121,7 +121,12 @@ pub(crate) fn four_strips<T: Number>(
     let four = |of: fn(&(Seen<T>, T)) -> T| T::Quad::of(T::each(seen, of));
     let sigma = four(|(_, spin)| *spin);
     let spin = Spin::new(sigma.bare());
-    let seen = Seen { x: four(|(seen, _)| seen.x), y: four(|(seen, _)| seen.y) };
+    let seen = Seen {
+        x: four(|(seen, _)| seen.x),
+        y: four(|(seen, _)| seen.y),
+        spread: four(|(seen, _)| seen.spread),
+        start: four(|(seen, _)| seen.start),
+    };
     let (nodes, closed) = Kernel::<Stored<T>>::get().read(|[outer, other]| {
         Quad::plain(inner.map(|inner| T::Base::stored(if inner { *other } else { *outer })))
     });
@@ -162,13 +167,15 @@ impl<T: Number> FourKernel<T> {
 
     #[inline(always)]
     fn forces(&self, law: &Law<T>, four: &FourStrips<Stored<T>>) -> Carried<T::Quad> {
-        let [y, inverse, bend, _, _, _, _] = fields::<T::Base>(four);
+        let [y, inverse, bend, _, _, _, _, width] = fields::<T::Base>(four);
         // A_x = (a_x − ρ Y (1 + ε (0.4 − Y²)))/C
         let profile = T::Quad::all(law.bend).weigh(bend) + T::Quad::fixed(y);
         let slope = T::Quad::all(law.slope);
         let seen = Seen {
             x: (T::Quad::all(law.longitudinal) - slope * profile).weigh(inverse),
             y: T::Quad::all(law.lateral).weigh(inverse),
+            spread: slope.weigh(width),
+            start: T::Quad::all(law.start),
         };
         let (nodes, closed) = &self.nodes;
         differentiated::<T>(&seen, self.sigma, &self.spin, nodes, closed, &self.by_spin)
@@ -189,9 +196,18 @@ fn fields<F: Plain>(four: &FourStrips<F::Stored>) -> [F::Quad; STRIP_FIELDS] {
         let [a, b] = F::both_stored(*couple);
         F::Quad::plain([a, b, -a, -b])
     };
-    let [y, inverse, bend, load, load_c, load_y, area] = four;
+    let [y, inverse, bend, load, load_c, load_y, area, width] = four;
     let even = both_sides::<F>;
-    [odd(y), even(inverse), odd(bend), even(load), even(load_c), odd(load_y), even(area)]
+    [
+        odd(y),
+        even(inverse),
+        odd(bend),
+        even(load),
+        even(load_c),
+        odd(load_y),
+        even(area),
+        even(width),
+    ]
 }
 
 /// Forces moved so that friction takes power out: `F·v n/(v·K v)`, `K = diag(C11, C22, C33)`,
