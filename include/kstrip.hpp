@@ -6,14 +6,16 @@
  * see kstrip.h for axes, signs, ranges and statuses. Each function comes in two forms:
  *
  * - outputs last, returns kstrip::status, never throws;
- * - outputs returned, throws kstrip::error if the status is negative (not there without exceptions).
+ * - outputs returned, throws kstrip::error if the status is negative (not there without exceptions). Options
+ *   and falling friction are then last and may be left out; arrays are returned as std::vector.
  *
- * `contact`, `creepage`, ... are in double precision, `contact_f32`, `creepage_f32`, ... in single.
+ * `contact`, `creepage`, `6.0_mm` are in double precision, `contact_f32`, `creepage_f32`, `6.0_mm_f32` in single.
  */
 #ifndef KSTRIP_HPP
 #define KSTRIP_HPP
 
 #include "kstrip.h"
+#include "kstrip_f32.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +23,9 @@
 
 #if defined(__cpp_exceptions) || defined(_CPPUNWIND)
 #define KSTRIP_HPP_EXCEPTIONS 1
+#include <array>
 #include <exception>
+#include <vector>
 #endif
 
 #if defined(__has_include)
@@ -35,19 +39,6 @@
 
 namespace kstrip {
 
-/// Versions of the header, for the preprocessor's job without the preprocessor.
-inline constexpr int version_major = KSTRIP_VERSION_MAJOR;
-inline constexpr int version_minor = KSTRIP_VERSION_MINOR;
-inline constexpr int version_patch = KSTRIP_VERSION_PATCH;
-inline constexpr int abi_version = KSTRIP_ABI_VERSION;
-inline constexpr std::uint32_t strips_capacity = KSTRIP_STRIPS_CAPACITY;
-inline constexpr std::uint32_t patch_capacity = KSTRIP_PATCH_CAPACITY;
-
-/// Version of the library that is linked.
-inline const char *linked_version() noexcept { return kstrip_version_string(); }
-/// Whether the library that is linked has the binary interface of this header.
-inline bool linked_abi_matches() noexcept { return kstrip_abi_version() == KSTRIP_ABI_VERSION; }
-
 // ---- Status -----------------------------------------------------------------------------------
 
 /// Result of a call: 0 ok; > 0 warning, outputs valid; < 0 error, outputs untouched.
@@ -60,6 +51,12 @@ enum class [[nodiscard]] status : std::int32_t {
     warning_not_converged = KSTRIP_WARNING_NOT_CONVERGED,
     warning_friction_at_least = KSTRIP_WARNING_FRICTION_AT_LEAST,
     warning_creepage_at_least = KSTRIP_WARNING_CREEPAGE_AT_LEAST,
+    warning_pressure = KSTRIP_WARNING_PRESSURE,
+    warning_creepage = KSTRIP_WARNING_CREEPAGE,
+    warning_semi_axis = KSTRIP_WARNING_SEMI_AXIS,
+    warning_spin_unit = KSTRIP_WARNING_SPIN_UNIT,
+    warning_friction = KSTRIP_WARNING_FRICTION,
+    warning_radius = KSTRIP_WARNING_RADIUS,
     error_null = KSTRIP_ERROR_NULL,
     error_not_finite = KSTRIP_ERROR_NOT_FINITE,
     error_semi_axis = KSTRIP_ERROR_SEMI_AXIS,
@@ -81,7 +78,8 @@ enum class [[nodiscard]] status : std::int32_t {
     error_unexplained = KSTRIP_ERROR_UNEXPLAINED,
     error_force_beyond_friction = KSTRIP_ERROR_FORCE_BEYOND_FRICTION,
     error_measured = KSTRIP_ERROR_MEASURED,
-    error_wanted = KSTRIP_ERROR_WANTED,
+    error_not_prepared = KSTRIP_ERROR_NOT_PREPARED,
+    error_floor_speed = KSTRIP_ERROR_FLOOR_SPEED,
     error_strip_size = KSTRIP_ERROR_STRIP_SIZE,
     error_pressure = KSTRIP_ERROR_PRESSURE,
     error_strip_order = KSTRIP_ERROR_STRIP_ORDER,
@@ -94,25 +92,32 @@ enum class [[nodiscard]] status : std::int32_t {
 constexpr bool is_error(status s) noexcept { return static_cast<std::int32_t>(s) < 0; }
 constexpr bool is_warning(status s) noexcept { return static_cast<std::int32_t>(s) > 0; }
 /// What the status means and what to change.
-inline const char *to_string(status s) noexcept
-{
-    return kstrip_status_string(static_cast<kstrip_status>(s));
-}
+inline const char *to_string(status s) noexcept { return kstrip_status_string(static_cast<kstrip_status>(s)); }
 
 #if defined(KSTRIP_HPP_EXCEPTIONS)
 /// Thrown by the functions that return their output.
 class error : public std::exception {
 public:
-    explicit error(kstrip::status s) noexcept : status_(s) {}
+    explicit error(kstrip::status s, std::size_t index = 0) noexcept : status_(s), index_(index) {}
     kstrip::status status() const noexcept { return status_; }
+    /// Of a batch, the first bad input; else 0.
+    std::size_t index() const noexcept { return index_; }
     const char *what() const noexcept override { return to_string(status_); }
 
 private:
     kstrip::status status_;
+    std::size_t index_;
 };
 #endif
 
 // ---- Units ------------------------------------------------------------------------------------
+
+namespace detail {
+template <class> inline constexpr bool never = false;
+template <class X> struct only_type { using type = X; };
+/// A parameter that follows the precision of the others.
+template <class X> using only = typename only_type<X>::type;
+} // namespace detail
 
 /// A number with a unit. Converts from a plain number only explicitly, to one only by `value`.
 template <class Unit, class T>
@@ -120,7 +125,22 @@ struct quantity {
     T value{};
 
     constexpr quantity() noexcept = default;
-    constexpr explicit quantity(T number) noexcept : value(number) {}
+    template <class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>>
+    constexpr explicit quantity(Number number) noexcept : value(static_cast<T>(number)) {}
+    /// A number without its unit: chosen where nothing explicit may be.
+    template <class Number, class... None,
+              class = std::enable_if_t<std::is_arithmetic_v<Number> && sizeof...(None) == 0>>
+    constexpr quantity(Number, None...) noexcept
+    {
+        static_assert(detail::never<Number>, "a number lacks its unit: 6.0_mm, 80_kN, 82_GPa, spin 0.4_per_m");
+    }
+    /// Another unit or precision.
+    template <class Other, class S>
+    constexpr quantity(quantity<Other, S>) noexcept
+    {
+        static_assert(std::is_same_v<Unit, Other>, "a quantity has another unit");
+        static_assert(detail::never<S>, "a quantity has another precision: 6.0_mm_f32 is single, 6.0_mm double");
+    }
 
     constexpr quantity operator-() const noexcept { return quantity(-value); }
     friend constexpr quantity operator+(quantity p, quantity q) noexcept { return quantity(p.value + q.value); }
@@ -139,67 +159,36 @@ struct quantity {
     friend constexpr bool operator>=(quantity p, quantity q) noexcept { return p.value >= q.value; }
 };
 
-namespace unit {
-struct metre;
-struct newton;
-struct pascal;
-struct per_metre;
-struct newton_metre;
-struct radian;
-struct metre_per_second;
-struct radian_per_second;
-struct second_per_metre;
-struct square_metre;
-struct per_newton;
-} // namespace unit
+#define KSTRIP_HPP_UNIT(name)                                                                     \
+    namespace unit { struct name; }                                                               \
+    template <class T> using basic_##name = quantity<unit::name, T>;                              \
+    using name = basic_##name<double>;                                                            \
+    using name##_f32 = basic_##name<float>;
+KSTRIP_HPP_UNIT(metres)
+KSTRIP_HPP_UNIT(newtons)
+KSTRIP_HPP_UNIT(pascals)
+KSTRIP_HPP_UNIT(per_metre)
+KSTRIP_HPP_UNIT(newton_metres)
+KSTRIP_HPP_UNIT(radians)
+KSTRIP_HPP_UNIT(metres_per_second)
+KSTRIP_HPP_UNIT(radians_per_second)
+KSTRIP_HPP_UNIT(seconds_per_metre)
+KSTRIP_HPP_UNIT(square_metres)
+KSTRIP_HPP_UNIT(per_newton)
+KSTRIP_HPP_UNIT(newtons_per_metre)
+#undef KSTRIP_HPP_UNIT
 
-template <class T> using basic_metres = quantity<unit::metre, T>;
-template <class T> using basic_newtons = quantity<unit::newton, T>;
-template <class T> using basic_pascals = quantity<unit::pascal, T>;
-template <class T> using basic_per_metre = quantity<unit::per_metre, T>;
-template <class T> using basic_newton_metres = quantity<unit::newton_metre, T>;
-template <class T> using basic_radians = quantity<unit::radian, T>;
-template <class T> using basic_metres_per_second = quantity<unit::metre_per_second, T>;
-template <class T> using basic_radians_per_second = quantity<unit::radian_per_second, T>;
-template <class T> using basic_seconds_per_metre = quantity<unit::second_per_metre, T>;
-template <class T> using basic_square_metres = quantity<unit::square_metre, T>;
-template <class T> using basic_per_newton = quantity<unit::per_newton, T>;
-
-using metres = basic_metres<double>;
-using newtons = basic_newtons<double>;
-using pascals = basic_pascals<double>;
-using per_metre = basic_per_metre<double>;
-using newton_metres = basic_newton_metres<double>;
-using radians = basic_radians<double>;
-using metres_per_second = basic_metres_per_second<double>;
-using radians_per_second = basic_radians_per_second<double>;
-using seconds_per_metre = basic_seconds_per_metre<double>;
-using square_metres = basic_square_metres<double>;
-using per_newton = basic_per_newton<double>;
-
-using metres_f32 = basic_metres<float>;
-using newtons_f32 = basic_newtons<float>;
-using pascals_f32 = basic_pascals<float>;
-using per_metre_f32 = basic_per_metre<float>;
-using newton_metres_f32 = basic_newton_metres<float>;
-using radians_f32 = basic_radians<float>;
-using metres_per_second_f32 = basic_metres_per_second<float>;
-using radians_per_second_f32 = basic_radians_per_second<float>;
-using seconds_per_metre_f32 = basic_seconds_per_metre<float>;
-using square_metres_f32 = basic_square_metres<float>;
-using per_newton_f32 = basic_per_newton<float>;
-
-/// `6.0_mm`, `80_kN`, `82_GPa`, `0.4_per_m`, `20_m_per_s`: `using namespace kstrip::literals;`
+/// `6.0_mm`, `80_kN`, `82_GPa`, `0.4_per_m`, `20_m_per_s`; single: `6.0_mm_f32`. `using namespace kstrip::literals;`
 inline namespace literals {
-#define KSTRIP_HPP_LITERAL(suffix, type, divisor, factor)                                         \
-    constexpr type operator""_##suffix(long double v) noexcept                                    \
-    {                                                                                             \
-        return type(static_cast<double>(v * factor / divisor));                                   \
-    }                                                                                             \
+#define KSTRIP_HPP_LITERAL_OF(suffix, type, divisor, factor)                                      \
+    constexpr type operator""_##suffix(long double v) noexcept { return type(v * factor / divisor); } \
     constexpr type operator""_##suffix(unsigned long long v) noexcept                             \
     {                                                                                             \
-        return type(static_cast<double>(static_cast<long double>(v) * factor / divisor));         \
+        return type(static_cast<long double>(v) * factor / divisor);                              \
     }
+#define KSTRIP_HPP_LITERAL(suffix, type, divisor, factor)                                         \
+    KSTRIP_HPP_LITERAL_OF(suffix, type, divisor, factor)                                          \
+    KSTRIP_HPP_LITERAL_OF(suffix##_f32, type##_f32, divisor, factor)
 KSTRIP_HPP_LITERAL(m, metres, 1.0L, 1.0L)
 KSTRIP_HPP_LITERAL(mm, metres, 1e3L, 1.0L)
 KSTRIP_HPP_LITERAL(N, newtons, 1.0L, 1.0L)
@@ -212,9 +201,10 @@ KSTRIP_HPP_LITERAL(m_per_s, metres_per_second, 1.0L, 1.0L)
 KSTRIP_HPP_LITERAL(rad_per_s, radians_per_second, 1.0L, 1.0L)
 KSTRIP_HPP_LITERAL(s_per_m, seconds_per_metre, 1.0L, 1.0L)
 #undef KSTRIP_HPP_LITERAL
+#undef KSTRIP_HPP_LITERAL_OF
 } // namespace literals
 
-// ---- Views ------------------------------------------------------------------------------------
+// ---- Views, and the way to C ------------------------------------------------------------------
 
 #if defined(__cpp_lib_span)
 template <class T> using span = std::span<T>;
@@ -246,9 +236,234 @@ private:
 };
 #endif
 
-// ---- Structures -------------------------------------------------------------------------------
+namespace detail {
+/// The C type of a C++ type: `twin<contact>::type` is kstrip_contact.
+template <class Cpp> struct twin { using type = Cpp; };
+template <class Unit, class T> struct twin<quantity<Unit, T>> { using type = T; };
+template <class Cpp> struct twin<const Cpp> { using type = const typename twin<Cpp>::type; };
+
+template <class X> constexpr X to_c(X number) noexcept { return number; }
+template <class Unit, class T> constexpr T to_c(quantity<Unit, T> q) noexcept { return q.value; }
+template <class X> auto to_c(X *p) noexcept { return reinterpret_cast<typename twin<X>::type *>(p); }
+
+template <class F, class... A>
+status call(F function, A... arguments) noexcept { return static_cast<status>(function(to_c(arguments)...)); }
+
+/// Sizes are 32 bits in C; a larger array is used as far as that.
+constexpr std::uint32_t capacity(std::size_t size) noexcept
+{
+    return size > 0xffffffffu ? 0xffffffffu : static_cast<std::uint32_t>(size);
+}
+constexpr bool fits(std::size_t size) noexcept { return size <= 0xffffffffu; }
+
+#if defined(KSTRIP_HPP_EXCEPTIONS)
+inline void check(status s, std::size_t index = 0)
+{
+    if (is_error(s))
+        throw error(s, index);
+}
+#endif
+} // namespace detail
+
+/// The function of C in the precision T.
+#define KSTRIP_HPP_CALL(name, ...)                                                                \
+    detail::call(                                                                                 \
+        [](auto... argument) {                                                                    \
+            if constexpr (std::is_same_v<T, double>)                                              \
+                return name(argument...);                                                         \
+            else                                                                                  \
+                return name##_f32(argument...);                                                   \
+        },                                                                                        \
+        __VA_ARGS__)
+#define KSTRIP_HPP_SAME(cpp, c)                                                                   \
+    namespace detail { template <> struct twin<cpp> { using type = c; }; }                        \
+    static_assert(sizeof(cpp) == sizeof(c) && alignof(cpp) == alignof(c), #cpp " has the layout of " #c); \
+    static_assert(std::is_standard_layout_v<cpp> && std::is_trivially_copyable_v<cpp>, #cpp " is plain data");
+#define KSTRIP_HPP_BOTH(name)                                                                     \
+    using name = basic_##name<double>;                                                            \
+    using name##_f32 = basic_##name<float>;                                                       \
+    KSTRIP_HPP_SAME(name, kstrip_##name)                                                          \
+    KSTRIP_HPP_SAME(name##_f32, kstrip_##name##_f32)
+/// The body of the form that throws: outputs `to`, filled by `call`, are returned.
+#define KSTRIP_HPP_THROWING(outputs, call, ...)                                                   \
+    {                                                                                             \
+        outputs to{};                                                                             \
+        detail::check(call(__VA_ARGS__));                                                         \
+        return to;                                                                                \
+    }
+
+// ---- Bodies: materials, Hertz's ellipse and its inverse, linear coefficients ------------------
+
+template <class T>
+struct basic_material {
+    basic_pascals<T> shear_modulus;
+    T poisson_ratio;
+};
+KSTRIP_HPP_BOTH(material)
+
+template <class T>
+struct basic_combined_material {
+    basic_pascals<T> shear_modulus;
+    T poisson_ratio;
+    T mismatch;
+};
+KSTRIP_HPP_BOTH(combined_material)
+
+template <class T>
+struct basic_radii {
+    basic_metres<T> lower_x, lower_y, upper_x, upper_y;
+};
+KSTRIP_HPP_BOTH(radii)
+
+template <class T>
+struct basic_contact {
+    basic_metres<T> a, b;
+    basic_newtons<T> normal_force;
+    basic_pascals<T> shear_modulus;
+    T poisson_ratio;
+    T friction;
+};
+KSTRIP_HPP_BOTH(contact)
+
+template <class T>
+struct basic_hertz_contact {
+    basic_metres<T> a, b;
+    basic_pascals<T> peak_pressure;
+    basic_metres<T> approach;
+    T axis_ratio;
+    basic_radians<T> hertz_angle;
+    basic_metres<T> rho;
+};
+KSTRIP_HPP_BOTH(hertz_contact)
+
+template <class T>
+status combine(const basic_material<T> &lower, const basic_material<T> &upper, basic_combined_material<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_material_combine, &lower, &upper, &to);
+}
+
+template <class T>
+status contact_from_hertz(const basic_radii<T> &curvatures, const basic_combined_material<T> &pair,
+                          detail::only<basic_newtons<T>> load, detail::only<T> friction, basic_contact<T> &to,
+                          detail::only<basic_hertz_contact<T>> *ellipse = nullptr) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_contact_from_hertz, &curvatures, &pair, load, friction, &to, ellipse);
+}
+
+template <class T>
+status contact_from_approach(const basic_radii<T> &curvatures, const basic_combined_material<T> &pair,
+                             detail::only<basic_metres<T>> approach, detail::only<T> friction, basic_contact<T> &to,
+                             detail::only<basic_newtons_per_metre<T>> *stiffness = nullptr) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_contact_from_approach, &curvatures, &pair, approach, friction, &to, stiffness);
+}
+
+/// C11, C22, C23, C33
+template <class T>
+status linear_coefficients(T axis_ratio, detail::only<T> poisson_ratio, T (&to)[4]) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_linear_coefficients, axis_ratio, poisson_ratio, &to[0]);
+}
+
+#if defined(KSTRIP_HPP_EXCEPTIONS)
+template <class T>
+basic_combined_material<T> combine(const basic_material<T> &lower, const basic_material<T> &upper)
+KSTRIP_HPP_THROWING(basic_combined_material<T>, combine, lower, upper, to)
+
+template <class T>
+struct basic_hertz {
+    basic_contact<T> contact;
+    basic_hertz_contact<T> ellipse;
+};
+template <class T>
+basic_hertz<T> contact_from_hertz(const basic_radii<T> &curvatures, const basic_combined_material<T> &pair,
+                                  detail::only<basic_newtons<T>> load, detail::only<T> friction)
+KSTRIP_HPP_THROWING(basic_hertz<T>, contact_from_hertz, curvatures, pair, load, friction, to.contact, &to.ellipse)
+
+template <class T>
+struct basic_approach {
+    basic_contact<T> contact;
+    basic_newtons_per_metre<T> stiffness; ///< dN/d(approach)
+};
+template <class T>
+basic_approach<T> contact_from_approach(const basic_radii<T> &curvatures, const basic_combined_material<T> &pair,
+                                        detail::only<basic_metres<T>> approach, detail::only<T> friction)
+KSTRIP_HPP_THROWING(basic_approach<T>, contact_from_approach, curvatures, pair, approach, friction, to.contact,
+                    &to.stiffness)
+
+template <class T>
+std::array<T, 4> linear_coefficients(T axis_ratio, detail::only<T> poisson_ratio)
+{
+    T to[4];
+    detail::check(linear_coefficients(axis_ratio, poisson_ratio, to));
+    return {to[0], to[1], to[2], to[3]};
+}
+#endif
+
+// ---- Motion: creepages, Kalker's parameters ---------------------------------------------------
+
+template <class T>
+struct basic_velocity {
+    basic_metres_per_second<T> x, y;
+    basic_radians_per_second<T> angular_z;
+};
+KSTRIP_HPP_BOTH(velocity)
+
+template <class T>
+struct basic_creepage {
+    T longitudinal, lateral;
+    basic_per_metre<T> spin;
+};
+KSTRIP_HPP_BOTH(creepage)
+
+template <class T>
+struct basic_parameters {
+    T xi, eta, psi;
+};
+KSTRIP_HPP_BOTH(parameters)
+
+template <class T>
+status creepage_from_velocities(const basic_velocity<T> &lower, const basic_velocity<T> &upper,
+                                detail::only<basic_metres_per_second<T>> rolling_speed, basic_creepage<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_creepage_from_velocities, &lower, &upper, rolling_speed, &to);
+}
+
+template <class T>
+status parameters_from_creepage(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &motion,
+                                basic_parameters<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_parameters_from_creepage, &ellipse, &motion, &to);
+}
+
+template <class T>
+status creepage_from_parameters(const basic_contact<T> &ellipse, const detail::only<basic_parameters<T>> &numbers,
+                                basic_creepage<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_creepage_from_parameters, &ellipse, &numbers, &to);
+}
+
+#if defined(KSTRIP_HPP_EXCEPTIONS)
+template <class T>
+basic_creepage<T> creepage_from_velocities(const basic_velocity<T> &lower, const basic_velocity<T> &upper,
+                                           detail::only<basic_metres_per_second<T>> rolling_speed)
+KSTRIP_HPP_THROWING(basic_creepage<T>, creepage_from_velocities, lower, upper, rolling_speed, to)
+
+template <class T>
+basic_parameters<T> parameters_from_creepage(const basic_contact<T> &ellipse,
+                                             const detail::only<basic_creepage<T>> &motion)
+KSTRIP_HPP_THROWING(basic_parameters<T>, parameters_from_creepage, ellipse, motion, to)
+
+template <class T>
+basic_creepage<T> creepage_from_parameters(const basic_contact<T> &ellipse,
+                                           const detail::only<basic_parameters<T>> &numbers)
+KSTRIP_HPP_THROWING(basic_creepage<T>, creepage_from_parameters, ellipse, numbers, to)
+#endif
+
+// ---- Solve: forces, derivatives, strips -------------------------------------------------------
 
 enum class model : std::int32_t {
+    default_ = KSTRIP_MODEL_DEFAULT,
     strip_1967 = KSTRIP_MODEL_STRIP_1967,
     strip_1967_continuous = KSTRIP_MODEL_STRIP_1967_CONTINUOUS,
     strip = KSTRIP_MODEL_STRIP,
@@ -263,85 +478,14 @@ enum class state : std::int32_t {
     slip_negative_dissipation = KSTRIP_STATE_SLIP_NEGATIVE_DISSIPATION,
 };
 
-/// Which force components were measured.
-enum class measured : std::uint32_t {
-    fx = KSTRIP_MEASURED_FX,
-    fy = KSTRIP_MEASURED_FY,
-    both = KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY,
-};
+inline constexpr std::uint32_t strips_capacity = KSTRIP_STRIPS_CAPACITY;
 
-/// What evaluate() computes; `a | b` asks for both.
-enum class want : std::uint32_t {
-    forces = KSTRIP_WANT_FORCES,
-    moment = KSTRIP_WANT_MOMENT,
-    adhesion = KSTRIP_WANT_ADHESION,
-    jacobian = KSTRIP_WANT_JACOBIAN,
-    strips = KSTRIP_WANT_STRIPS,
-};
-constexpr want operator|(want p, want q) noexcept
-{
-    return static_cast<want>(static_cast<std::uint32_t>(p) | static_cast<std::uint32_t>(q));
-}
-
-/// Model and strip count; the same defaults as kstrip_options_init().
+/// Model and strip count; zero is the default.
 struct options {
-    kstrip::model model = kstrip::model::strip;
-    std::int32_t strips = 16;
+    kstrip::model model = kstrip::model::default_;
+    std::int32_t strips = 0;
 };
-
-template <class T>
-struct basic_material {
-    basic_pascals<T> shear_modulus;
-    T poisson_ratio;
-};
-
-template <class T>
-struct basic_combined_material {
-    basic_pascals<T> shear_modulus;
-    T poisson_ratio;
-    T mismatch;
-};
-
-template <class T>
-struct basic_radii {
-    basic_metres<T> lower_x, lower_y, upper_x, upper_y;
-};
-
-template <class T>
-struct basic_hertz_contact {
-    basic_metres<T> a, b;
-    basic_pascals<T> peak_pressure;
-    basic_metres<T> approach;
-    T axis_ratio;
-    basic_radians<T> hertz_angle;
-    basic_metres<T> rho;
-};
-
-template <class T>
-struct basic_velocity {
-    basic_metres_per_second<T> x, y;
-    basic_radians_per_second<T> angular_z;
-};
-
-template <class T>
-struct basic_creepage {
-    T longitudinal, lateral;
-    basic_per_metre<T> spin;
-};
-
-template <class T>
-struct basic_contact {
-    basic_metres<T> a, b;
-    basic_newtons<T> normal_force;
-    basic_pascals<T> shear_modulus;
-    T poisson_ratio;
-    T friction;
-};
-
-template <class T>
-struct basic_parameters {
-    T xi, eta, psi;
-};
+KSTRIP_HPP_SAME(options, kstrip_options)
 
 /// Forces on the lower body.
 template <class T>
@@ -353,6 +497,37 @@ struct basic_result {
     kstrip::status status_detail;
     std::int32_t reserved;
 };
+KSTRIP_HPP_BOTH(result)
+
+/// Friction that falls with the slip, and the stiffness of the layer; friction{mu} is constant.
+template <class T>
+struct basic_friction {
+    T friction;
+    T ratio = T(1);
+    basic_seconds_per_metre<T> decay{};
+    basic_metres_per_second<T> rolling_speed{};
+    T slope_factor = T(1);
+};
+KSTRIP_HPP_BOTH(friction)
+
+/// Derivatives of fx, fy, mz.
+template <class T>
+struct basic_derivatives {
+    T jacobian[3][3]; ///< by longitudinal, lateral, spin, row by row
+    T normal_force[3];
+    T load_through_hertz[3];
+    T friction[3];
+};
+KSTRIP_HPP_BOTH(derivatives)
+
+template <class T>
+struct basic_law_derivatives {
+    T ratio[3];
+    T decay[3];
+    T rolling_speed[3];
+    T slope_factor[3];
+};
+KSTRIP_HPP_BOTH(law_derivatives)
 
 template <class T>
 struct basic_strip {
@@ -363,6 +538,294 @@ struct basic_strip {
     kstrip::state state;
     std::int32_t reserved;
 };
+KSTRIP_HPP_BOTH(strip)
+
+/// Where the outputs of evaluate() go; null is not computed.
+template <class T>
+struct basic_outputs {
+    basic_result<T> *result = nullptr;
+    basic_derivatives<T> *derivatives = nullptr;
+    basic_law_derivatives<T> *law_derivatives = nullptr;
+    T *friction = nullptr;
+    basic_strip<T> *strips = nullptr;
+    std::uint32_t *count = nullptr;
+    std::uint32_t capacity = 0;
+    std::uint32_t reserved = 0;
+};
+KSTRIP_HPP_BOTH(outputs)
+
+/// Pointers to the first of each quantity and distances to the next in bytes; see batch_of().
+template <class T>
+struct basic_batch_inputs {
+    const basic_metres<T> *a = nullptr;
+    std::ptrdiff_t a_stride = 0;
+    const basic_metres<T> *b = nullptr;
+    std::ptrdiff_t b_stride = 0;
+    const basic_newtons<T> *normal_force = nullptr;
+    std::ptrdiff_t normal_force_stride = 0;
+    const basic_pascals<T> *shear_modulus = nullptr;
+    std::ptrdiff_t shear_modulus_stride = 0;
+    const T *poisson_ratio = nullptr;
+    std::ptrdiff_t poisson_ratio_stride = 0;
+    const T *friction = nullptr;
+    std::ptrdiff_t friction_stride = 0;
+    const T *longitudinal = nullptr;
+    std::ptrdiff_t longitudinal_stride = 0;
+    const T *lateral = nullptr;
+    std::ptrdiff_t lateral_stride = 0;
+    const basic_per_metre<T> *spin = nullptr;
+    std::ptrdiff_t spin_stride = 0;
+    const basic_friction<T> *law = nullptr;
+    std::ptrdiff_t law_stride = 0;
+};
+KSTRIP_HPP_BOTH(batch_inputs)
+
+/// Where the results of a batch go; null where a quantity is not wanted.
+template <class T>
+struct basic_batch_outputs {
+    basic_newtons<T> *fx = nullptr;
+    std::ptrdiff_t fx_stride = 0;
+    basic_newtons<T> *fy = nullptr;
+    std::ptrdiff_t fy_stride = 0;
+    basic_newton_metres<T> *mz = nullptr;
+    std::ptrdiff_t mz_stride = 0;
+    basic_newtons<T> *power = nullptr;
+    std::ptrdiff_t power_stride = 0;
+    T *adhesion = nullptr;
+    std::ptrdiff_t adhesion_stride = 0;
+    kstrip::status *status_detail = nullptr;
+    std::ptrdiff_t status_detail_stride = 0;
+    T *friction = nullptr;
+    std::ptrdiff_t friction_stride = 0;
+    basic_derivatives<T> *derivatives = nullptr;
+    std::ptrdiff_t derivatives_stride = 0;
+    basic_law_derivatives<T> *law_derivatives = nullptr;
+    std::ptrdiff_t law_derivatives_stride = 0;
+};
+KSTRIP_HPP_BOTH(batch_outputs)
+
+/// A contact of which everything that does not depend on the motion has been computed.
+template <class T>
+struct basic_prepared {
+    T numbers[64];
+    kstrip::model model;
+    std::int32_t strips;
+};
+KSTRIP_HPP_BOTH(prepared)
+
+/// Slip, spin rate and signed rolling speed, in axes that stay when the motion reverses.
+template <class T>
+struct basic_motion {
+    basic_metres_per_second<T> slip_x, slip_y;
+    basic_radians_per_second<T> spin_rate;
+    basic_metres_per_second<T> rolling_speed;
+    basic_metres_per_second<T> floor_speed{}; ///< 0: 0.02 m/s
+};
+KSTRIP_HPP_BOTH(motion)
+
+template <class T>
+struct basic_motion_derivatives {
+    T slip[3][3]; ///< by slip_x, slip_y, spin_rate, row by row
+    T rolling_speed[3];
+    T normal_force[3];
+    T load_through_hertz[3];
+    T friction[3];
+    T ratio[3];
+    T decay[3];
+    T slope_factor[3];
+};
+KSTRIP_HPP_BOTH(motion_derivatives)
+
+/// Where the outputs of solve_motion() go; null is not computed.
+template <class T>
+struct basic_motion_outputs {
+    basic_result<T> *result = nullptr;
+    basic_motion_derivatives<T> *derivatives = nullptr;
+    T *friction = nullptr;
+};
+KSTRIP_HPP_BOTH(motion_outputs)
+
+template <class T>
+status solve(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep, const options &how,
+             basic_result<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_solve, &ellipse, &creep, &how, &to);
+}
+
+/// `law`: null where friction is constant.
+template <class T>
+status evaluate(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep,
+                const detail::only<basic_friction<T>> *law, const options &how,
+                const detail::only<basic_outputs<T>> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_evaluate, &ellipse, &creep, law, &how, &to);
+}
+
+template <class T>
+status evaluate_batch(const basic_batch_inputs<T> &from, std::uint32_t count, const options &how,
+                      const basic_batch_outputs<T> &to, std::uint32_t *first_bad = nullptr) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_evaluate_batch, &from, count, &how, &to, first_bad);
+}
+
+/// The inputs of a batch from the first contact and the first creepage of two arrays.
+template <class T>
+basic_batch_inputs<T> batch_of(const basic_contact<T> *contacts, const basic_creepage<T> *creepages) noexcept
+{
+    constexpr std::ptrdiff_t c = sizeof(basic_contact<T>), m = sizeof(basic_creepage<T>);
+    return {&contacts->a, c, &contacts->b, c, &contacts->normal_force, c, &contacts->shear_modulus, c,
+            &contacts->poisson_ratio, c, &contacts->friction, c, &creepages->longitudinal, m, &creepages->lateral, m,
+            &creepages->spin, m, nullptr, 0};
+}
+/// The outputs of a batch into an array of results.
+template <class T>
+basic_batch_outputs<T> batch_of(basic_result<T> *results) noexcept
+{
+    constexpr std::ptrdiff_t r = sizeof(basic_result<T>);
+    return {&results->fx, r, &results->fy, r, &results->mz, r, &results->power, r, &results->adhesion, r,
+            &results->status_detail, r, nullptr, 0, nullptr, 0, nullptr, 0};
+}
+
+template <class T>
+status prepare(const basic_contact<T> &ellipse, const options &how, basic_prepared<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_prepare, &ellipse, &how, &to);
+}
+
+template <class T>
+status solve(const basic_prepared<T> &ready, const detail::only<basic_creepage<T>> &creep, basic_result<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_solve_prepared, &ready, &creep, &to);
+}
+
+template <class T>
+status solve_motion(const basic_contact<T> &ellipse, const detail::only<basic_motion<T>> &moving,
+                    const detail::only<basic_friction<T>> *law, const options &how,
+                    const detail::only<basic_motion_outputs<T>> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_solve_motion, &ellipse, &moving, law, &how, &to);
+}
+
+/// One model alone is linked by each of these.
+template <class T>
+status solve_total(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep,
+                   basic_result<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_solve_total, &ellipse, &creep, &to);
+}
+template <class T>
+status solve_strip(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep, std::int32_t strips,
+                   basic_result<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_solve_strip, &ellipse, &creep, strips, &to);
+}
+template <class T>
+status solve_strip_1967(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep,
+                        std::int32_t strips, basic_result<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_solve_strip_1967, &ellipse, &creep, strips, &to);
+}
+template <class T>
+status solve_linear(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep,
+                    basic_result<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_solve_linear, &ellipse, &creep, &to);
+}
+
+#if defined(KSTRIP_HPP_EXCEPTIONS)
+/// What evaluate() returns.
+template <class T>
+struct basic_evaluation {
+    basic_result<T> result;
+    basic_derivatives<T> derivatives;
+    basic_law_derivatives<T> law_derivatives;
+    T friction;
+    operator basic_outputs<T>() noexcept { return {&result, &derivatives, &law_derivatives, &friction}; }
+};
+/// What solve_motion() returns.
+template <class T>
+struct basic_motion_solution {
+    basic_result<T> result;
+    basic_motion_derivatives<T> derivatives;
+    T friction;
+    operator basic_motion_outputs<T>() noexcept { return {&result, &derivatives, &friction}; }
+};
+
+/// The forces; their warning, if any, is in status_detail.
+template <class T>
+basic_result<T> solve(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep,
+                      const options &how = {})
+KSTRIP_HPP_THROWING(basic_result<T>, solve, ellipse, creep, how, to)
+
+/// Forces, derivatives and the friction that agrees with the slip.
+template <class T>
+basic_evaluation<T> evaluate(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep,
+                             const options &how = {}, const detail::only<basic_friction<T>> *law = nullptr)
+KSTRIP_HPP_THROWING(basic_evaluation<T>, evaluate, ellipse, creep, law, how, to)
+
+template <class T>
+std::vector<basic_strip<T>> strips(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep,
+                                   const options &how = {}, const detail::only<basic_friction<T>> *law = nullptr)
+{
+    std::vector<basic_strip<T>> to(strips_capacity);
+    std::uint32_t count = 0;
+    basic_outputs<T> wanted;
+    wanted.strips = to.data(), wanted.count = &count, wanted.capacity = strips_capacity;
+    detail::check(evaluate(ellipse, creep, law, how, wanted));
+    to.resize(count);
+    return to;
+}
+
+/// As many results as creepages; one contact for all, or as many. Throws the index of the first bad input.
+template <class Contacts, class Creepages>
+auto evaluate_batch(const Contacts &contacts, const Creepages &creepages, const options &how = {})
+    -> std::vector<basic_result<decltype(creepages.data()->longitudinal + 0)>>
+{
+    std::vector<basic_result<decltype(creepages.data()->longitudinal + 0)>> to(creepages.size());
+    if ((contacts.size() != 1 && contacts.size() != to.size()) || !detail::fits(to.size()))
+        throw error(status::error_capacity);
+    if (to.empty())
+        return to;
+    auto from = batch_of(contacts.data(), creepages.data());
+    if (contacts.size() == 1)
+        from.a_stride = from.b_stride = from.normal_force_stride = from.shear_modulus_stride =
+            from.poisson_ratio_stride = from.friction_stride = 0;
+    std::uint32_t bad = 0;
+    const status s = evaluate_batch(from, detail::capacity(to.size()), how, batch_of(to.data()), &bad);
+    detail::check(s, bad);
+    return to;
+}
+
+template <class T>
+basic_prepared<T> prepare(const basic_contact<T> &ellipse, const options &how = {})
+KSTRIP_HPP_THROWING(basic_prepared<T>, prepare, ellipse, how, to)
+
+template <class T>
+basic_result<T> solve(const basic_prepared<T> &ready, const detail::only<basic_creepage<T>> &creep)
+KSTRIP_HPP_THROWING(basic_result<T>, solve, ready, creep, to)
+
+template <class T>
+basic_motion_solution<T> solve_motion(const basic_contact<T> &ellipse, const detail::only<basic_motion<T>> &moving,
+                                      const options &how = {}, const detail::only<basic_friction<T>> *law = nullptr)
+KSTRIP_HPP_THROWING(basic_motion_solution<T>, solve_motion, ellipse, moving, law, how, to)
+
+template <class T>
+basic_result<T> solve_total(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep)
+KSTRIP_HPP_THROWING(basic_result<T>, solve_total, ellipse, creep, to)
+template <class T>
+basic_result<T> solve_strip(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep,
+                            std::int32_t strips = 0)
+KSTRIP_HPP_THROWING(basic_result<T>, solve_strip, ellipse, creep, strips, to)
+template <class T>
+basic_result<T> solve_strip_1967(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep,
+                                 std::int32_t strips = 0)
+KSTRIP_HPP_THROWING(basic_result<T>, solve_strip_1967, ellipse, creep, strips, to)
+template <class T>
+basic_result<T> solve_linear(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep)
+KSTRIP_HPP_THROWING(basic_result<T>, solve_linear, ellipse, creep, to)
+#endif
+
+// ---- Inside the contact: pressure, traction, slip ---------------------------------------------
 
 template <class T>
 struct basic_point {
@@ -372,75 +835,46 @@ struct basic_point {
     kstrip::state state;
     std::int32_t reserved;
 };
+KSTRIP_HPP_BOTH(point)
 
-/// d(fx, fy, mz)/d(longitudinal, lateral, spin), row by row [N, N, N m over 1, 1, 1/m].
+/// The point (x[i], y[j]) is to[j * x.size() + i].
 template <class T>
-struct basic_jacobian {
-    T value[9];
-    constexpr T operator()(std::size_t row, std::size_t column) const noexcept
-    {
-        return value[3 * row + column];
-    }
-};
+status field(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep, const options &how,
+             detail::only<span<const basic_metres<T>>> x, detail::only<span<const basic_metres<T>>> y,
+             detail::only<span<basic_point<T>>> to) noexcept
+{
+    if (!detail::fits(x.size()) || !detail::fits(y.size()))
+        return status::error_capacity;
+    return KSTRIP_HPP_CALL(kstrip_field, &ellipse, &creep, &how, x.data(), detail::capacity(x.size()), y.data(),
+                           detail::capacity(y.size()), to.data(), detail::capacity(to.size()));
+}
 
-/// Derivatives of (fx, fy, mz) with respect to creepages, load and friction.
+// ---- Patches of any shape ---------------------------------------------------------------------
+
+inline constexpr std::uint32_t patch_capacity = KSTRIP_PATCH_CAPACITY;
+
+/// What presses two profiles together.
 template <class T>
-struct basic_derivatives {
-    basic_jacobian<T> jacobian;
-    T normal_force[3];
-    T friction[3];
-    T load_through_hertz[3];
+struct basic_profile_contact {
+    basic_metres<T> rolling_radius{};
+    basic_newtons<T> normal_force{};
+    basic_metres<T> approach{}; ///< only where normal_force is 0
+    basic_metres<T> smoothing_length{};
+    basic_pascals<T> shear_modulus{};
+    T poisson_ratio{};
+    T friction{};
+    std::int32_t strips = 0;
+    std::int32_t reserved = 0;
 };
+KSTRIP_HPP_BOTH(profile_contact)
 
-/// Friction that falls with the slip, and the stiffness of the layer.
-template <class T>
-struct basic_friction {
-    T friction;
-    T ratio = T(1);
-    basic_seconds_per_metre<T> decay{};
-    basic_metres_per_second<T> rolling_speed{};
-    T slope_factor = T(1);
-};
-
-/// A coefficient of friction from a measured force.
-template <class T>
-struct basic_friction_estimate {
-    T friction;
-    basic_per_newton<T> sensitivity;
-    basic_newtons<T> residual;
-    kstrip::status status_detail;
-    std::int32_t reserved;
-};
-
-/// Arrays, one for each quantity, for solve_batch_arrays().
-template <class T>
-struct basic_batch_inputs {
-    const basic_metres<T> *a, *b;
-    const basic_newtons<T> *normal_force;
-    const basic_pascals<T> *shear_modulus;
-    const T *poisson_ratio;
-    const T *friction;
-    const T *longitudinal, *lateral;
-    const basic_per_metre<T> *spin;
-};
-
-/// Where solve_batch_arrays() writes; null where a quantity is not wanted.
-template <class T>
-struct basic_batch_outputs {
-    basic_newtons<T> *fx, *fy;
-    basic_newton_metres<T> *mz;
-    basic_newtons<T> *power;
-    T *adhesion;
-    kstrip::status *status_detail;
-};
-
-/// One strip of a patch of any shape.
 template <class T>
 struct basic_patch_strip {
     basic_metres<T> y, width, half_length, centre_x;
     basic_pascals<T> peak_pressure;
     T friction;
 };
+KSTRIP_HPP_BOTH(patch_strip)
 
 /// A patch of any shape: its strips, in ascending y; the first `count` are used.
 template <class T>
@@ -453,29 +887,19 @@ struct basic_patch {
     std::uint32_t count;
     std::uint32_t reserved;
 };
+KSTRIP_HPP_BOTH(patch)
 
-/// What presses two profiles together.
-template <class T>
-struct basic_profile_contact {
-    basic_metres<T> rolling_radius;
-    basic_newtons<T> normal_force;
-    basic_pascals<T> shear_modulus;
-    T poisson_ratio;
-    T friction;
-};
-
-/// How two profiles meet under a load.
 template <class T>
 struct basic_profile_result {
-    basic_metres<T> penetration;
+    basic_metres<T> approach;
     basic_pascals<T> peak_pressure;
     basic_newtons<T> normal_force;
     basic_metres<T> deepest_y;
     std::uint32_t iterations;
     std::uint32_t reserved;
 };
+KSTRIP_HPP_BOTH(profile_result)
 
-/// What a patch carries.
 template <class T>
 struct basic_patch_summary {
     basic_newtons<T> normal_force, friction_bound;
@@ -483,676 +907,186 @@ struct basic_patch_summary {
     std::uint32_t lobes;
     std::uint32_t reserved;
 };
-
-/// Forces and their derivatives.
-template <class T>
-struct basic_linearised {
-    basic_result<T> result;
-    basic_jacobian<T> jacobian;
-};
-
-using material = basic_material<double>;
-using combined_material = basic_combined_material<double>;
-using radii = basic_radii<double>;
-using hertz_contact = basic_hertz_contact<double>;
-using velocity = basic_velocity<double>;
-using creepage = basic_creepage<double>;
-using contact = basic_contact<double>;
-using parameters = basic_parameters<double>;
-using result = basic_result<double>;
-using strip = basic_strip<double>;
-using point = basic_point<double>;
-using jacobian = basic_jacobian<double>;
-using derivatives = basic_derivatives<double>;
-using friction = basic_friction<double>;
-using friction_estimate = basic_friction_estimate<double>;
-using batch_outputs = basic_batch_outputs<double>;
-using batch_inputs = basic_batch_inputs<double>;
-using patch_summary = basic_patch_summary<double>;
-using profile_result = basic_profile_result<double>;
-using profile_contact = basic_profile_contact<double>;
-using patch = basic_patch<double>;
-using patch_strip = basic_patch_strip<double>;
-
-using material_f32 = basic_material<float>;
-using combined_material_f32 = basic_combined_material<float>;
-using radii_f32 = basic_radii<float>;
-using hertz_contact_f32 = basic_hertz_contact<float>;
-using velocity_f32 = basic_velocity<float>;
-using creepage_f32 = basic_creepage<float>;
-using contact_f32 = basic_contact<float>;
-using parameters_f32 = basic_parameters<float>;
-using result_f32 = basic_result<float>;
-using strip_f32 = basic_strip<float>;
-using point_f32 = basic_point<float>;
-using jacobian_f32 = basic_jacobian<float>;
-using derivatives_f32 = basic_derivatives<float>;
-using friction_f32 = basic_friction<float>;
-using friction_estimate_f32 = basic_friction_estimate<float>;
-using batch_outputs_f32 = basic_batch_outputs<float>;
-using batch_inputs_f32 = basic_batch_inputs<float>;
-using patch_summary_f32 = basic_patch_summary<float>;
-using profile_result_f32 = basic_profile_result<float>;
-using profile_contact_f32 = basic_profile_contact<float>;
-using patch_f32 = basic_patch<float>;
-using patch_strip_f32 = basic_patch_strip<float>;
-
-// ---- The way to C -----------------------------------------------------------------------------
-
-namespace detail {
-/// The C structure of a C++ structure: `c_type<contact>` is kstrip_contact.
-template <class Cpp> struct twin;
-template <class Cpp> using c_type = typename twin<Cpp>::type;
-
-#define KSTRIP_HPP_SAME(cpp, c)                                                                   \
-    template <> struct twin<cpp> { using type = c; };                                             \
-    static_assert(sizeof(cpp) == sizeof(c) && alignof(cpp) == alignof(c), #cpp " has the layout of " #c); \
-    static_assert(std::is_standard_layout_v<cpp> && std::is_trivially_copyable_v<cpp>, #cpp " is plain data");
-#define KSTRIP_HPP_BOTH(name)                                                                     \
-    KSTRIP_HPP_SAME(name, kstrip_##name)                                                          \
-    KSTRIP_HPP_SAME(name##_f32, kstrip_##name##_f32)
-KSTRIP_HPP_SAME(options, kstrip_options)
-KSTRIP_HPP_BOTH(material)
-KSTRIP_HPP_BOTH(combined_material)
-KSTRIP_HPP_BOTH(radii)
-KSTRIP_HPP_BOTH(hertz_contact)
-KSTRIP_HPP_BOTH(velocity)
-KSTRIP_HPP_BOTH(creepage)
-KSTRIP_HPP_BOTH(contact)
-KSTRIP_HPP_BOTH(parameters)
-KSTRIP_HPP_BOTH(result)
-KSTRIP_HPP_BOTH(strip)
-KSTRIP_HPP_BOTH(point)
-KSTRIP_HPP_BOTH(derivatives)
-KSTRIP_HPP_BOTH(friction)
-KSTRIP_HPP_BOTH(friction_estimate)
-KSTRIP_HPP_BOTH(batch_outputs)
-KSTRIP_HPP_BOTH(batch_inputs)
 KSTRIP_HPP_BOTH(patch_summary)
-KSTRIP_HPP_BOTH(profile_result)
-KSTRIP_HPP_BOTH(profile_contact)
-KSTRIP_HPP_BOTH(patch)
-KSTRIP_HPP_BOTH(patch_strip)
-#undef KSTRIP_HPP_BOTH
-#undef KSTRIP_HPP_SAME
 
-// The library reads and writes through these pointers in code that the C++ compiler does not see; the
-// layouts are the same, so no copy is made.
-template <class Cpp> const c_type<Cpp> *in(const Cpp *p) noexcept { return reinterpret_cast<const c_type<Cpp> *>(p); }
-template <class Cpp> c_type<Cpp> *out(Cpp *p) noexcept { return reinterpret_cast<c_type<Cpp> *>(p); }
-inline const double *in(const metres *p) noexcept { return reinterpret_cast<const double *>(p); }
-inline const float *in(const metres_f32 *p) noexcept { return reinterpret_cast<const float *>(p); }
+/// Arrays of different sizes: error_capacity.
+template <class T>
+status patch_from_profile(detail::only<span<const basic_metres<T>>> y,
+                          detail::only<span<const basic_metres<T>>> distance, const basic_profile_contact<T> &load,
+                          basic_patch<T> &to, detail::only<basic_profile_result<T>> *met = nullptr) noexcept
+{
+    if (y.size() != distance.size() || !detail::fits(y.size()))
+        return status::error_capacity;
+    return KSTRIP_HPP_CALL(kstrip_patch_from_profile, y.data(), distance.data(), detail::capacity(y.size()), &load, &to,
+                           met);
+}
 
-constexpr status to_status(kstrip_status s) noexcept { return static_cast<status>(s); }
-/// Sizes are 32 bits wide in C.
-constexpr bool fits(std::size_t size) noexcept { return size <= 0xffffffffu; }
+template <class T>
+status patch_from_strips(detail::only<span<const basic_patch_strip<T>>> from, basic_pascals<T> shear_modulus,
+                         detail::only<T> poisson_ratio, basic_patch<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_patch_from_strips, from.data(), detail::capacity(from.size()), shear_modulus,
+                           poisson_ratio, &to);
+}
 
-/// Call the function of the precision.
-#define KSTRIP_HPP_CALL(T, name, ...)                                                             \
-    [&]() noexcept -> ::kstrip::status {                                                          \
-        if constexpr (std::is_same_v<T, double>)                                                  \
-            return ::kstrip::detail::to_status(::name(__VA_ARGS__));                              \
-        else                                                                                      \
-            return ::kstrip::detail::to_status(::name##_f32(__VA_ARGS__));                        \
-    }()
+template <class T>
+status patch_from_contact(const basic_contact<T> &ellipse, const options &how, basic_patch<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_patch_from_contact, &ellipse, &how, &to);
+}
+
+template <class T>
+status summarize(const basic_patch<T> &area, basic_patch_summary<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_patch_summarize, &area, &to);
+}
+
+/// `law`: null where friction is constant.
+template <class T>
+status evaluate(const basic_patch<T> &area, const detail::only<basic_creepage<T>> &creep,
+                const detail::only<basic_friction<T>> *law, const options &how,
+                const detail::only<basic_outputs<T>> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_patch_evaluate, &area, &creep, law, &how, &to);
+}
+
+/// The point (x[i], y[j]) is to[j * x.size() + i].
+template <class T>
+status field(const basic_patch<T> &area, const detail::only<basic_creepage<T>> &creep, const options &how,
+             detail::only<span<const basic_metres<T>>> x, detail::only<span<const basic_metres<T>>> y,
+             detail::only<span<basic_point<T>>> to) noexcept
+{
+    if (!detail::fits(x.size()) || !detail::fits(y.size()))
+        return status::error_capacity;
+    return KSTRIP_HPP_CALL(kstrip_patch_field, &area, &creep, &how, x.data(), detail::capacity(x.size()), y.data(),
+                           detail::capacity(y.size()), to.data(), detail::capacity(to.size()));
+}
 
 #if defined(KSTRIP_HPP_EXCEPTIONS)
-inline void check(status s)
+template <class T>
+struct basic_profile_patch {
+    basic_patch<T> patch;
+    basic_profile_result<T> met;
+};
+template <class T>
+basic_profile_patch<T> patch_from_profile(detail::only<span<const basic_metres<T>>> y,
+                                          detail::only<span<const basic_metres<T>>> distance,
+                                          const basic_profile_contact<T> &load)
+KSTRIP_HPP_THROWING(basic_profile_patch<T>, patch_from_profile, y, distance, load, to.patch, &to.met)
+
+template <class T>
+basic_patch<T> patch_from_strips(detail::only<span<const basic_patch_strip<T>>> from, basic_pascals<T> shear_modulus,
+                                 detail::only<T> poisson_ratio)
+KSTRIP_HPP_THROWING(basic_patch<T>, patch_from_strips, from, shear_modulus, poisson_ratio, to)
+
+template <class T>
+basic_patch<T> patch_from_contact(const basic_contact<T> &ellipse, const options &how = {})
+KSTRIP_HPP_THROWING(basic_patch<T>, patch_from_contact, ellipse, how, to)
+
+template <class T>
+basic_patch_summary<T> summarize(const basic_patch<T> &area)
+KSTRIP_HPP_THROWING(basic_patch_summary<T>, summarize, area, to)
+
+template <class T>
+basic_evaluation<T> evaluate(const basic_patch<T> &area, const detail::only<basic_creepage<T>> &creep,
+                             const options &how = {}, const detail::only<basic_friction<T>> *law = nullptr)
+KSTRIP_HPP_THROWING(basic_evaluation<T>, evaluate, area, creep, law, how, to)
+
+/// Of a contact or a patch: the point (x[i], y[j]) is [j * x.size() + i].
+template <template <class> class Area, class T>
+std::vector<basic_point<T>> field(const Area<T> &area, const detail::only<basic_creepage<T>> &creep, const options &how,
+                                  detail::only<span<const basic_metres<T>>> x,
+                                  detail::only<span<const basic_metres<T>>> y)
 {
-    if (is_error(s))
-        throw error(s);
+    std::vector<basic_point<T>> to(x.size() * y.size());
+    detail::check(field(area, creep, how, x, y, to));
+    return to;
 }
 #endif
 
-/// The argument does not take part in finding T.
-template <class T> struct same { using type = T; };
-template <class T> using only = typename same<T>::type;
-} // namespace detail
+// ---- Test rigs: friction from a force, creepage from a force ----------------------------------
 
-// ---- Functions that return a status -----------------------------------------------------------
+/// Which force components were measured.
+enum class measured : std::uint32_t {
+    fx = KSTRIP_MEASURED_FX,
+    fy = KSTRIP_MEASURED_FY,
+    both = KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY,
+};
 
-/// kstrip_options_init()
-inline status init(options &to) noexcept { return detail::to_status(kstrip_options_init(detail::out(&to))); }
+template <class T>
+struct basic_friction_estimate {
+    T friction;
+    basic_per_newton<T> sensitivity;
+    basic_newtons<T> residual;
+    kstrip::status status_detail;
+    std::int32_t reserved;
+};
+KSTRIP_HPP_BOTH(friction_estimate)
 
-/// kstrip_material_from_youngs_modulus()
 template <class T>
-status material_from_youngs_modulus(basic_pascals<T> youngs_modulus, detail::only<T> poisson_ratio,
-                                    basic_material<T> &to) noexcept
+status estimate_friction(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep,
+                         const options &how, measured what, detail::only<basic_newtons<T>> fx,
+                         detail::only<basic_newtons<T>> fy, basic_friction_estimate<T> &to) noexcept
 {
-    return KSTRIP_HPP_CALL(T, kstrip_material_from_youngs_modulus, youngs_modulus.value, poisson_ratio,
-                           detail::out(&to));
-}
-
-/// kstrip_material_combine()
-template <class T>
-status combine(const basic_material<T> &lower, const basic_material<T> &upper,
-               basic_combined_material<T> &to) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_material_combine, detail::in(&lower), detail::in(&upper), detail::out(&to));
-}
-
-/// kstrip_hertz()
-template <class T>
-status hertz(const basic_radii<T> &curvatures, basic_newtons<T> normal_force,
-             const basic_combined_material<T> &pair, basic_hertz_contact<T> &to) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_hertz, detail::in(&curvatures), normal_force.value, detail::in(&pair),
-                           detail::out(&to));
-}
-
-/// kstrip_creepage_from_velocities()
-template <class T>
-status creepage_from_velocities(const basic_velocity<T> &lower, const basic_velocity<T> &upper,
-                                basic_metres_per_second<T> rolling_speed, basic_creepage<T> &to) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_creepage_from_velocities, detail::in(&lower), detail::in(&upper),
-                           rolling_speed.value, detail::out(&to));
-}
-
-/// kstrip_parameters_from_creepage()
-template <class T>
-status parameters_from_creepage(const basic_contact<T> &ellipse, const basic_creepage<T> &motion,
-                                basic_parameters<T> &to) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_parameters_from_creepage, detail::in(&ellipse), detail::in(&motion),
-                           detail::out(&to));
-}
-
-/// kstrip_creepage_from_parameters()
-template <class T>
-status creepage_from_parameters(const basic_contact<T> &ellipse, const basic_parameters<T> &numbers,
-                                basic_creepage<T> &to) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_creepage_from_parameters, detail::in(&ellipse), detail::in(&numbers),
-                           detail::out(&to));
-}
-
-/// kstrip_solve()
-template <class T>
-status solve(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const options &how,
-             basic_result<T> &to) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_solve, detail::in(&ellipse), detail::in(&motion), detail::in(&how),
-                           detail::out(&to));
-}
-
-/// kstrip_solve_jacobian()
-template <class T>
-status solve_jacobian(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const options &how,
-                      basic_result<T> &to, basic_jacobian<T> &slopes) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_solve_jacobian, detail::in(&ellipse), detail::in(&motion),
-                           detail::in(&how), detail::out(&to), slopes.value);
-}
-
-/// kstrip_solve_derivatives()
-template <class T>
-status solve_derivatives(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const options &how,
-                         basic_result<T> &to, basic_derivatives<T> &slopes) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_solve_derivatives, detail::in(&ellipse), detail::in(&motion),
-                           detail::in(&how), detail::out(&to), detail::out(&slopes));
-}
-
-/// kstrip_solve_friction(); `effective`, if not null, receives the friction that agrees with the slip.
-template <class T>
-status solve_friction(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const basic_friction<T> &law,
-                      const options &how, basic_result<T> &to, T *effective = nullptr) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_solve_friction, detail::in(&ellipse), detail::in(&motion), detail::in(&law),
-                           detail::in(&how), detail::out(&to), effective);
-}
-
-/// kstrip_solve_friction_jacobian()
-template <class T>
-status solve_friction_jacobian(const basic_contact<T> &ellipse, const basic_creepage<T> &motion,
-                               const basic_friction<T> &law, const options &how, basic_result<T> &to,
-                               basic_jacobian<T> &slopes, T *effective = nullptr) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_solve_friction_jacobian, detail::in(&ellipse), detail::in(&motion),
-                           detail::in(&law), detail::in(&how), detail::out(&to), slopes.value, effective);
-}
-
-/// kstrip_contact_under_friction()
-template <class T>
-status under_friction(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const basic_friction<T> &law,
-                      const options &how, basic_contact<T> &slipping) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_contact_under_friction, detail::in(&ellipse), detail::in(&motion),
-                           detail::in(&law), detail::in(&how), detail::out(&slipping));
-}
-
-/// kstrip_estimate_friction()
-template <class T>
-status estimate_friction(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const options &how,
-                         measured which, basic_newtons<T> fx, basic_newtons<T> fy,
-                         basic_friction_estimate<T> &to) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_estimate_friction, detail::in(&ellipse), detail::in(&motion), detail::in(&how),
-                           static_cast<std::uint32_t>(which), fx.value, fy.value, detail::out(&to));
-}
-
-/// kstrip_creepage_for_force()
-template <class T>
-status creepage_for_force(const basic_contact<T> &ellipse, basic_newtons<T> fx, basic_newtons<T> fy,
-                          basic_per_metre<T> spin, const options &how, basic_creepage<T> &to) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_creepage_for_force, detail::in(&ellipse), fx.value, fy.value, spin.value,
-                           detail::in(&how), detail::out(&to));
-}
-
-/// kstrip_evaluate(); what is not wanted may be null.
-template <class T>
-status evaluate(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const options &how, want wanted,
-                basic_result<T> *to, basic_jacobian<T> *slopes = nullptr, basic_strip<T> *strips_to = nullptr,
-                std::uint32_t capacity = 0, std::uint32_t *count = nullptr) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_evaluate, detail::in(&ellipse), detail::in(&motion), detail::in(&how),
-                           static_cast<std::uint32_t>(wanted), detail::out(to), slopes ? slopes->value : nullptr,
-                           detail::out(strips_to), capacity, count);
-}
-
-/// kstrip_solve_total(), kstrip_solve_linear(), kstrip_solve_strip_1967(), kstrip_solve_strip(): programs that
-/// call only these contain only the models that they name.
-template <class T>
-status solve_total(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, basic_result<T> &to) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_solve_total, detail::in(&ellipse), detail::in(&motion), detail::out(&to));
-}
-template <class T>
-status solve_linear(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, basic_result<T> &to) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_solve_linear, detail::in(&ellipse), detail::in(&motion), detail::out(&to));
-}
-template <class T>
-status solve_strip_1967(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, std::int32_t strips,
-                        basic_result<T> &to) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_solve_strip_1967, detail::in(&ellipse), detail::in(&motion), strips,
-                           detail::out(&to));
-}
-template <class T>
-status solve_strip(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, std::int32_t strips,
-                   basic_result<T> &to) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_solve_strip, detail::in(&ellipse), detail::in(&motion), strips,
-                           detail::out(&to));
-}
-
-namespace detail {
-template <class T>
-status solve_batch(span<const basic_contact<T>> contacts, span<const basic_creepage<T>> creepages,
-                   const options &how, span<basic_result<T>> to) noexcept
-{
-    if (contacts.size() != creepages.size() || contacts.size() > to.size() || !fits(contacts.size()))
-        return status::error_capacity;
-    return KSTRIP_HPP_CALL(T, kstrip_solve_batch, in(contacts.data()), in(creepages.data()),
-                           static_cast<std::uint32_t>(contacts.size()), in(&how), out(to.data()));
+    return KSTRIP_HPP_CALL(kstrip_estimate_friction, &ellipse, &creep, &how, static_cast<std::uint32_t>(what), fx, fy,
+                           &to);
 }
 
 template <class T>
-status solve_jacobian_batch(span<const basic_contact<T>> contacts, span<const basic_creepage<T>> creepages,
-                            const options &how, span<basic_result<T>> to, span<basic_jacobian<T>> slopes) noexcept
+status creepage_for_force(const basic_contact<T> &ellipse, detail::only<basic_newtons<T>> fx,
+                          detail::only<basic_newtons<T>> fy, detail::only<basic_per_metre<T>> spin, const options &how,
+                          basic_creepage<T> &to) noexcept
 {
-    if (contacts.size() != creepages.size() || contacts.size() > to.size() ||
-        contacts.size() > slopes.size() || !fits(contacts.size()))
-        return status::error_capacity;
-    static_assert(sizeof(basic_jacobian<T>) == 9 * sizeof(T), "nine numbers");
-    return KSTRIP_HPP_CALL(T, kstrip_solve_jacobian_batch, in(contacts.data()), in(creepages.data()),
-                           static_cast<std::uint32_t>(contacts.size()), in(&how), out(to.data()),
-                           reinterpret_cast<T *>(slopes.data()));
+    return KSTRIP_HPP_CALL(kstrip_creepage_for_force, &ellipse, fx, fy, spin, &how, &to);
 }
+
+#if defined(KSTRIP_HPP_EXCEPTIONS)
+template <class T>
+basic_friction_estimate<T> estimate_friction(const basic_contact<T> &ellipse,
+                                             const detail::only<basic_creepage<T>> &creep, measured what,
+                                             detail::only<basic_newtons<T>> fx, detail::only<basic_newtons<T>> fy,
+                                             const options &how = {})
+KSTRIP_HPP_THROWING(basic_friction_estimate<T>, estimate_friction, ellipse, creep, how, what, fx, fy, to)
 
 template <class T>
-status strips(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const options &how,
-              span<basic_strip<T>> to, std::uint32_t &count) noexcept
+basic_creepage<T> creepage_for_force(const basic_contact<T> &ellipse, detail::only<basic_newtons<T>> fx,
+                                     detail::only<basic_newtons<T>> fy, detail::only<basic_per_metre<T>> spin,
+                                     const options &how = {})
+KSTRIP_HPP_THROWING(basic_creepage<T>, creepage_for_force, ellipse, fx, fy, spin, how, to)
+#endif
+
+// ---- Options, upper body, version: these cannot fail ------------------------------------------
+
+inline constexpr int version_major = KSTRIP_VERSION_MAJOR;
+inline constexpr int version_minor = KSTRIP_VERSION_MINOR;
+inline constexpr int version_patch = KSTRIP_VERSION_PATCH;
+inline constexpr int abi_version = KSTRIP_ABI_VERSION;
+
+/// The defaults, like options{}.
+inline options defaults() noexcept
 {
-    const auto capacity = static_cast<std::uint32_t>(fits(to.size()) ? to.size() : 0xffffffffu);
-    return KSTRIP_HPP_CALL(T, kstrip_strips, in(&ellipse), in(&motion), in(&how), out(to.data()), capacity,
-                           &count);
+    options to{};
+    static_cast<void>(detail::call(kstrip_options_init, &to));
+    return to;
 }
 
-template <class T>
-status field(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const options &how,
-             span<const basic_metres<T>> x, span<const basic_metres<T>> y, span<basic_point<T>> to) noexcept
-{
-    if (!fits(x.size()) || !fits(y.size()))
-        return status::error_capacity;
-    const auto capacity = static_cast<std::uint32_t>(fits(to.size()) ? to.size() : 0xffffffffu);
-    return KSTRIP_HPP_CALL(T, kstrip_field, in(&ellipse), in(&motion), in(&how), in(x.data()),
-                           static_cast<std::uint32_t>(x.size()), in(y.data()),
-                           static_cast<std::uint32_t>(y.size()), out(to.data()), capacity);
-}
-} // namespace detail
-
-/// kstrip_solve_batch(). Arrays of different sizes, or a smaller one for the results: error_capacity.
-inline status solve_batch(span<const contact> contacts, span<const creepage> creepages, const options &how,
-                          span<result> to) noexcept
-{
-    return detail::solve_batch<double>(contacts, creepages, how, to);
-}
-inline status solve_batch(span<const contact_f32> contacts, span<const creepage_f32> creepages,
-                          const options &how, span<result_f32> to) noexcept
-{
-    return detail::solve_batch<float>(contacts, creepages, how, to);
-}
-
-/// kstrip_solve_jacobian_batch(). Sizes as for solve_batch().
-inline status solve_jacobian_batch(span<const contact> contacts, span<const creepage> creepages,
-                                   const options &how, span<result> to, span<jacobian> slopes) noexcept
-{
-    return detail::solve_jacobian_batch<double>(contacts, creepages, how, to, slopes);
-}
-inline status solve_jacobian_batch(span<const contact_f32> contacts, span<const creepage_f32> creepages,
-                                   const options &how, span<result_f32> to, span<jacobian_f32> slopes) noexcept
-{
-    return detail::solve_jacobian_batch<float>(contacts, creepages, how, to, slopes);
-}
-
-/// kstrip_strips(): writes the first `count` elements; strips_capacity of them are always enough.
-inline status strips(const contact &ellipse, const creepage &motion, const options &how, span<strip> to,
-                     std::uint32_t &count) noexcept
-{
-    return detail::strips<double>(ellipse, motion, how, to, count);
-}
-inline status strips(const contact_f32 &ellipse, const creepage_f32 &motion, const options &how,
-                     span<strip_f32> to, std::uint32_t &count) noexcept
-{
-    return detail::strips<float>(ellipse, motion, how, to, count);
-}
-
-/// kstrip_solve_batch_arrays()
-template <class T>
-status solve_batch_arrays(std::uint32_t count, const basic_batch_inputs<T> &from, const options &how,
-                          const basic_batch_outputs<T> &to) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_solve_batch_arrays, count, detail::in(&from), detail::in(&how), detail::in(&to));
-}
-
-/// kstrip_traction_at()
-template <class T>
-status traction_at(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const options &how,
-                   basic_metres<T> x, basic_metres<T> y, basic_point<T> &to) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_traction_at, detail::in(&ellipse), detail::in(&motion), detail::in(&how),
-                           x.value, y.value, detail::out(&to));
-}
-
-/// kstrip_field(): the point (x[i], y[j]) is to[j * x.size() + i].
-inline status field(const contact &ellipse, const creepage &motion, const options &how,
-                    span<const metres> x, span<const metres> y, span<point> to) noexcept
-{
-    return detail::field<double>(ellipse, motion, how, x, y, to);
-}
-inline status field(const contact_f32 &ellipse, const creepage_f32 &motion, const options &how,
-                    span<const metres_f32> x, span<const metres_f32> y, span<point_f32> to) noexcept
-{
-    return detail::field<float>(ellipse, motion, how, x, y, to);
-}
-
-/// kstrip_result_on_upper_body(): it cannot fail here.
 template <class T>
 basic_result<T> on_upper_body(const basic_result<T> &lower) noexcept
 {
     basic_result<T> upper{};
-    static_cast<void>(KSTRIP_HPP_CALL(T, kstrip_result_on_upper_body, detail::in(&lower), detail::out(&upper)));
+    static_cast<void>(KSTRIP_HPP_CALL(kstrip_result_on_upper_body, &lower, &upper));
     return upper;
 }
 
-// ---- Patches of any shape ---------------------------------------------------------------------
-
-/// kstrip_patch_from_ellipse()
-template <class T>
-status patch_from_ellipse(const basic_contact<T> &ellipse, std::int32_t count, basic_patch<T> &to) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_patch_from_ellipse, detail::in(&ellipse), count, detail::out(&to));
-}
-
-namespace detail {
-template <class T>
-status patch_from_strips(span<const basic_patch_strip<T>> from, basic_pascals<T> shear_modulus, T poisson_ratio,
-                         basic_patch<T> &to) noexcept
-{
-    if (!fits(from.size()))
-        return status::error_patch_size;
-    return KSTRIP_HPP_CALL(T, kstrip_patch_from_strips, in(from.data()), static_cast<std::uint32_t>(from.size()),
-                           shear_modulus.value, poisson_ratio, out(&to));
-}
-
-template <class T>
-status patch_from_profile(span<const basic_metres<T>> y, span<const basic_metres<T>> distance,
-                          const basic_profile_contact<T> &load, std::int32_t count, basic_patch<T> &to,
-                          basic_profile_result<T> &how_they_meet) noexcept
-{
-    if (y.size() != distance.size() || !fits(y.size()))
-        return status::error_capacity;
-    return KSTRIP_HPP_CALL(T, kstrip_patch_from_profile, in(y.data()), in(distance.data()),
-                           static_cast<std::uint32_t>(y.size()), in(&load), count, out(&to), out(&how_they_meet));
-}
-
-template <class T>
-status patch_strips(const basic_patch<T> &area, const basic_creepage<T> &motion, const options &how,
-                    span<basic_strip<T>> to, std::uint32_t &count) noexcept
-{
-    const auto capacity = static_cast<std::uint32_t>(fits(to.size()) ? to.size() : 0xffffffffu);
-    return KSTRIP_HPP_CALL(T, kstrip_patch_strips, in(&area), in(&motion), in(&how), out(to.data()), capacity,
-                           &count);
-}
-
-template <class T>
-status patch_field(const basic_patch<T> &area, const basic_creepage<T> &motion, const options &how,
-                   span<const basic_metres<T>> x, span<const basic_metres<T>> y, span<basic_point<T>> to) noexcept
-{
-    if (!fits(x.size()) || !fits(y.size()))
-        return status::error_capacity;
-    const auto capacity = static_cast<std::uint32_t>(fits(to.size()) ? to.size() : 0xffffffffu);
-    return KSTRIP_HPP_CALL(T, kstrip_patch_field, in(&area), in(&motion), in(&how), in(x.data()),
-                           static_cast<std::uint32_t>(x.size()), in(y.data()),
-                           static_cast<std::uint32_t>(y.size()), out(to.data()), capacity);
-}
-} // namespace detail
-
-/// kstrip_patch_from_strips()
-inline status patch_from_strips(span<const patch_strip> from, pascals shear_modulus, double poisson_ratio,
-                                patch &to) noexcept
-{
-    return detail::patch_from_strips<double>(from, shear_modulus, poisson_ratio, to);
-}
-inline status patch_from_strips(span<const patch_strip_f32> from, pascals_f32 shear_modulus, float poisson_ratio,
-                                patch_f32 &to) noexcept
-{
-    return detail::patch_from_strips<float>(from, shear_modulus, poisson_ratio, to);
-}
-
-/// kstrip_patch_from_profile(). Arrays of different sizes: error_capacity.
-inline status patch_from_profile(span<const metres> y, span<const metres> distance, const profile_contact &load,
-                                 std::int32_t count, patch &to, profile_result &how_they_meet) noexcept
-{
-    return detail::patch_from_profile<double>(y, distance, load, count, to, how_they_meet);
-}
-inline status patch_from_profile(span<const metres_f32> y, span<const metres_f32> distance,
-                                 const profile_contact_f32 &load, std::int32_t count, patch_f32 &to,
-                                 profile_result_f32 &how_they_meet) noexcept
-{
-    return detail::patch_from_profile<float>(y, distance, load, count, to, how_they_meet);
-}
-
-/// kstrip_patch_summarize()
-template <class T>
-status summarize(const basic_patch<T> &area, basic_patch_summary<T> &to) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_patch_summarize, detail::in(&area), detail::out(&to));
-}
-
-/// kstrip_patch_solve()
-template <class T>
-status solve(const basic_patch<T> &area, const basic_creepage<T> &motion, const options &how,
-             basic_result<T> &to) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_patch_solve, detail::in(&area), detail::in(&motion), detail::in(&how),
-                           detail::out(&to));
-}
-
-/// kstrip_patch_jacobian()
-template <class T>
-status solve_jacobian(const basic_patch<T> &area, const basic_creepage<T> &motion, const options &how,
-                      basic_result<T> &to, basic_jacobian<T> &slopes) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_patch_jacobian, detail::in(&area), detail::in(&motion), detail::in(&how),
-                           detail::out(&to), slopes.value);
-}
-
-/// kstrip_patch_solve_friction(); `share`, if not null, receives the share of friction that is left.
-template <class T>
-status solve_friction(const basic_patch<T> &area, const basic_creepage<T> &motion, const basic_friction<T> &law,
-                      const options &how, basic_result<T> &to, T *share = nullptr) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_patch_solve_friction, detail::in(&area), detail::in(&motion), detail::in(&law),
-                           detail::in(&how), detail::out(&to), share);
-}
-
-/// kstrip_patch_solve_friction_jacobian()
-template <class T>
-status solve_friction_jacobian(const basic_patch<T> &area, const basic_creepage<T> &motion,
-                               const basic_friction<T> &law, const options &how, basic_result<T> &to,
-                               basic_jacobian<T> &slopes, T *share = nullptr) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_patch_solve_friction_jacobian, detail::in(&area), detail::in(&motion),
-                           detail::in(&law), detail::in(&how), detail::out(&to), slopes.value, share);
-}
-
-/// kstrip_patch_under_friction()
-template <class T>
-status under_friction(const basic_patch<T> &area, const basic_creepage<T> &motion, const basic_friction<T> &law,
-                      const options &how, basic_patch<T> &slipping, T *share = nullptr) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_patch_under_friction, detail::in(&area), detail::in(&motion), detail::in(&law),
-                           detail::in(&how), detail::out(&slipping), share);
-}
-
-/// kstrip_patch_strips()
-inline status strips(const patch &area, const creepage &motion, const options &how, span<strip> to,
-                     std::uint32_t &count) noexcept
-{
-    return detail::patch_strips<double>(area, motion, how, to, count);
-}
-inline status strips(const patch_f32 &area, const creepage_f32 &motion, const options &how, span<strip_f32> to,
-                     std::uint32_t &count) noexcept
-{
-    return detail::patch_strips<float>(area, motion, how, to, count);
-}
-
-/// kstrip_patch_traction_at()
-template <class T>
-status traction_at(const basic_patch<T> &area, const basic_creepage<T> &motion, const options &how,
-                   basic_metres<T> x, basic_metres<T> y, basic_point<T> &to) noexcept
-{
-    return KSTRIP_HPP_CALL(T, kstrip_patch_traction_at, detail::in(&area), detail::in(&motion), detail::in(&how),
-                           x.value, y.value, detail::out(&to));
-}
-
-/// kstrip_patch_field()
-inline status field(const patch &area, const creepage &motion, const options &how, span<const metres> x,
-                    span<const metres> y, span<point> to) noexcept
-{
-    return detail::patch_field<double>(area, motion, how, x, y, to);
-}
-inline status field(const patch_f32 &area, const creepage_f32 &motion, const options &how,
-                    span<const metres_f32> x, span<const metres_f32> y, span<point_f32> to) noexcept
-{
-    return detail::patch_field<float>(area, motion, how, x, y, to);
-}
-
-// ---- The same, returning their output and throwing --------------------------------------------
-
-#if defined(KSTRIP_HPP_EXCEPTIONS)
-template <class T>
-basic_material<T> material_from_youngs_modulus(basic_pascals<T> youngs_modulus, detail::only<T> poisson_ratio)
-{
-    basic_material<T> to{};
-    detail::check(material_from_youngs_modulus(youngs_modulus, poisson_ratio, to));
-    return to;
-}
-
-template <class T>
-basic_combined_material<T> combine(const basic_material<T> &lower, const basic_material<T> &upper)
-{
-    basic_combined_material<T> to{};
-    detail::check(combine(lower, upper, to));
-    return to;
-}
-
-template <class T>
-basic_hertz_contact<T> hertz(const basic_radii<T> &curvatures, basic_newtons<T> normal_force,
-                             const basic_combined_material<T> &pair)
-{
-    basic_hertz_contact<T> to{};
-    detail::check(hertz(curvatures, normal_force, pair, to));
-    return to;
-}
-
-template <class T>
-basic_creepage<T> creepage_from_velocities(const basic_velocity<T> &lower, const basic_velocity<T> &upper,
-                                           basic_metres_per_second<T> rolling_speed)
-{
-    basic_creepage<T> to{};
-    detail::check(creepage_from_velocities(lower, upper, rolling_speed, to));
-    return to;
-}
-
-template <class T>
-basic_parameters<T> parameters_from_creepage(const basic_contact<T> &ellipse, const basic_creepage<T> &motion)
-{
-    basic_parameters<T> to{};
-    detail::check(parameters_from_creepage(ellipse, motion, to));
-    return to;
-}
-
-template <class T>
-basic_creepage<T> creepage_from_parameters(const basic_contact<T> &ellipse, const basic_parameters<T> &numbers)
-{
-    basic_creepage<T> to{};
-    detail::check(creepage_from_parameters(ellipse, numbers, to));
-    return to;
-}
-
-/// The forces; their warning, if any, is in status_detail.
-template <class T>
-basic_result<T> solve(const basic_contact<T> &ellipse, const basic_creepage<T> &motion, const options &how = {})
-{
-    basic_result<T> to{};
-    detail::check(solve(ellipse, motion, how, to));
-    return to;
-}
-
-template <class T>
-basic_result<T> solve(const basic_patch<T> &area, const basic_creepage<T> &motion, const options &how = {})
-{
-    basic_result<T> to{};
-    detail::check(solve(area, motion, how, to));
-    return to;
-}
-
-template <class T>
-basic_linearised<T> solve_jacobian(const basic_contact<T> &ellipse, const basic_creepage<T> &motion,
-                                   const options &how = {})
-{
-    basic_linearised<T> to{};
-    detail::check(solve_jacobian(ellipse, motion, how, to.result, to.jacobian));
-    return to;
-}
-
-template <class T>
-basic_point<T> traction_at(const basic_contact<T> &ellipse, const basic_creepage<T> &motion,
-                           const options &how, basic_metres<T> x, basic_metres<T> y)
-{
-    basic_point<T> to{};
-    detail::check(traction_at(ellipse, motion, how, x, y, to));
-    return to;
-}
-#endif
+/// Version of the library that is linked.
+inline const char *linked_version() noexcept { return kstrip_version_string(); }
+/// Whether the library that is linked has the binary interface of this header.
+inline bool linked_abi_matches() noexcept { return kstrip_abi_version() == KSTRIP_ABI_VERSION; }
 
 #undef KSTRIP_HPP_CALL
+#undef KSTRIP_HPP_SAME
+#undef KSTRIP_HPP_BOTH
+#undef KSTRIP_HPP_THROWING
 } // namespace kstrip
 
 #endif // KSTRIP_HPP

@@ -10,6 +10,7 @@ use kstrip::friction::{self, SlipFriction};
 use kstrip::solve::derivatives;
 use kstrip::solve::model::{self, Options};
 use std::f64::consts::PI;
+use std::process::Command;
 use toolchain::{cpp_compilers, root, run_cpp, say, scratch};
 
 const STANDARDS: [&str; 2] = ["c++17", "c++20"];
@@ -50,7 +51,6 @@ fn example_prints_what_rust_computes() {
         friction: 0.3,
     };
     let motion = Creepage { longitudinal: 1e-3, lateral: 0.5e-3, spin: 0.4 };
-    let options = Options::default();
     let close = |printed: f64, exact: f64, decimals: i32| {
         let allowed = 0.51 * 10_f64.powi(-decimals) + 1e-12 * exact.abs();
         assert!((printed - exact).abs() <= allowed, "{printed}, should be {exact}");
@@ -60,30 +60,39 @@ fn example_prints_what_rust_computes() {
     close(ellipse[0], patch.a * 1e3, 6);
     close(ellipse[1], patch.b * 1e3, 6);
     close(ellipse[2], patch.peak_pressure / 1e6, 4);
-    let forces = model::solve(&contact, &motion, &options).expect("a solution");
+    // N grows like the approach to 3/2
+    let approach = &numbers(text, "approach")[0];
+    close(approach[0], 80e3, 3);
+    assert!((approach[1] / (1.5 * 80e3 / patch.approach) - 1.0).abs() < 1e-6, "{approach:?}");
+    let options = Options { model: model::Model::Total, ..Options::default() };
+    let solve = |motion: &Creepage<f64>, model| {
+        model::solve(&contact, motion, &Options { model, ..options }).expect("a solution")
+    };
+    let rolling = |longitudinal, lateral| Creepage { longitudinal, lateral, spin: 0.0 };
+    // C11 and C22: linear forces over G a b times creepage
+    let coefficients = &numbers(text, "linear")[0];
+    let stiffness = 82e9 * patch.a * patch.b * 1e-3;
+    close(coefficients[0], solve(&rolling(1e-3, 0.0), model::Model::Linear).fx / stiffness, 6);
+    close(coefficients[1], solve(&rolling(0.0, 1e-3), model::Model::Linear).fy / stiffness, 6);
+    let forces = solve(&motion, model::Model::Total);
     let (rail, wheel) = (&numbers(text, "rail")[0], &numbers(text, "wheel")[0]);
     close(rail[0], forces.fx, 4);
     close(rail[1], forces.fy, 4);
     close(rail[2], forces.mz, 6);
     assert_eq!(wheel.iter().map(|v| -v).collect::<Vec<_>>(), *rail);
-    let (_, jacobian) = model::solve_jacobian(&contact, &motion, &options).expect("a solution");
-    close(numbers(text, "dFy/dlateral")[0][0], jacobian[(1, 1)], 4);
-    assert!(text.contains("status -7: ") && text.contains("thrown -7"), "{text}");
-    let curve = numbers(text, "curve");
-    assert_eq!(curve.len(), 9);
-    for (i, row) in curve.iter().enumerate() {
-        let motion = Creepage { longitudinal: i as f64 * 1e-3, lateral: 0.0, spin: 0.0 };
-        close(row[0], model::solve(&contact, &motion, &options).expect("a solution").fx, 4);
-    }
-    let second = Creepage { longitudinal: 1e-3, lateral: 0.0, spin: 0.0 };
-    let (_, slopes) = model::solve_jacobian(&contact, &second, &options).expect("a solution");
-    close(numbers(text, "slope")[0][0], slopes[(0, 0)], 4);
     let (_, all) = derivatives::solve(&contact, &motion, &options).expect("a solution");
     let printed = &numbers(text, "derivatives")[0];
     close(printed[0], all.jacobian[1][1], 4);
     close(printed[1], all.normal_force[0], 9);
     close(printed[2], all.friction[0], 4);
     close(printed[3], all.load_through_hertz[0], 9);
+    assert!(text.contains("status -7: ") && text.contains("thrown -7 5"), "{text}");
+    let curve = numbers(text, "curve");
+    assert_eq!(curve.len(), 9);
+    for (i, row) in curve.iter().enumerate() {
+        close(row[0], solve(&rolling(i as f64 * 1e-3, 0.0), model::Model::Total).fx, 4);
+    }
+    assert_eq!(numbers(text, "batch")[0], curve[8]);
     let wet = SlipFriction {
         friction: 0.3,
         ratio: 0.4,
@@ -94,38 +103,66 @@ fn example_prints_what_rust_computes() {
     let solution = friction::solve(&contact, &motion, &wet, &options).expect("a solution");
     close(numbers(text, "wet")[0][0], solution.solution.fy, 4);
     close(numbers(text, "wet")[0][1], solution.friction, 6);
-    // The same from the patch of its strips, and of the patch and the ellipse with the friction that is left
-    let patch_forces = &numbers(text, "wet patch")[0];
-    patch_forces[..3].iter().for_each(|&fy| close(fy, solution.solution.fy, 3));
-    patch_forces[3..].iter().for_each(|&friction| close(friction, solution.friction, 6));
-    // The patch of the ellipse's strips carries the ellipse's forces, half of its bound, and its area
-    let area = &numbers(text, "patch")[0];
-    assert!((area[0] - forces.fx).abs() < 1e-3 && (area[1] - forces.fy).abs() < 1e-3, "{area:?}");
-    close(area[2], 12e3, 4);
-    close(area[3], PI * patch.a * patch.b * 1e6, 6);
+    // At rest slip over the floor of the speed, .02 m/s, is the creepage
+    let standstill = &numbers(text, "standstill")[0];
+    close(standstill[0], solve(&rolling(1e-5 / 0.02, 0.0), model::Model::Total).fx, 3);
+    assert!(standstill[1] > 1e8, "{standstill:?}");
     // There and back: friction .3, creepages .001 and .0005
     let inverse = &numbers(text, "inverse")[0];
     close(inverse[0], 0.3, 4);
     close(inverse[1], motion.longitudinal, 7);
     close(inverse[2], motion.lateral, 7);
-    let total = Options { model: model::Model::Total, ..options };
-    let (exact, slopes) = model::solve_jacobian(&contact, &motion, &total).expect("a solution");
-    close(numbers(text, "evaluate")[0][0], exact.fx, 4);
-    close(numbers(text, "evaluate")[0][1], slopes[(0, 0)], 4);
+    // The patch of the ellipse's strips carries the ellipse's forces, half of its bound, and its area
+    let area = &numbers(text, "patch")[0];
+    assert!(area[0].abs() < 1e-3 && area[1].abs() < 1e-3, "{area:?}");
+    close(area[2], 12e3, 4);
+    close(area[3], PI * patch.a * patch.b * 1e6, 6);
     // The strips add up to the force, to rounding
     let strips = &numbers(text, "strips")[0];
-    assert!(strips[0] >= 16.0 && (strips[1] - forces.fx).abs() < 1e-3, "{strips:?}");
-    let field = model::Field::new(&contact, &motion, &options).expect("a field");
+    assert!(
+        strips[0] >= 16.0 && (strips[1] - solve(&motion, model::Model::Strip).fx).abs() < 1e-3,
+        "{strips:?}"
+    );
+    let strip = Options { model: model::Model::Strip, ..options };
+    let field = model::Field::new(&contact, &motion, &strip).expect("a field");
     for (row, x) in numbers(text, "point").iter().zip([-0.5, 0.0, 0.5]) {
         let point = field.at(x * patch.a, 0.0);
         assert_eq!(row[0], f64::from(point.state as i32));
         close(row[1], point.traction_x / 1e6, 4);
     }
     let single = Contact { a: 6e-3, b: 4.5e-3, ..contact };
-    let motion = Creepage { longitudinal: 1e-3, lateral: 0.0, spin: 0.0 };
-    let exact = model::solve(&single, &motion, &options).expect("a solution").fx;
+    let exact = model::solve(&single, &rolling(1e-3, 0.0), &options).expect("a solution").fx;
     // Single precision: 2e-6 of mu N is the promise, half a unit of the printed digit
     assert!((numbers(text, "single")[0][0] - exact).abs() < 2e-6 * 24e3 + 0.05);
+}
+
+/// A spin without its unit, another unit, another precision: one error that says so.
+#[test]
+fn errors_about_units_are_short() {
+    const PROGRAM: &str =
+        "#include \"kstrip.hpp\"\nusing namespace kstrip::literals;\nint main() { ";
+    let source = scratch().join("units.cpp");
+    for compiler in cpp_compilers() {
+        for (wrong, says) in [
+            ("kstrip::creepage c{0.0, 0.0, 0.4};", "lacks its unit"),
+            ("kstrip::creepage c{0.0, 0.0, 4_mm};", "another unit"),
+            ("kstrip::creepage_f32 c{0.0f, 0.0f, 0.4_per_m};", "another precision"),
+            ("kstrip::creepage c{0.0, 0.0, 0.4_per_m};", ""),
+        ] {
+            std::fs::write(&source, format!("{PROGRAM}{wrong} return c.spin.value > 1; }}\n"))
+                .expect("scratch is writable");
+            let mut command = Command::new(compiler);
+            let output = command
+                .args(["-std=c++17", "-fsyntax-only", "-I"])
+                .arg(root().join("include"))
+                .arg(&source);
+            let output = output.output().expect("the compiler runs");
+            let message = String::from_utf8(output.stderr).expect("text");
+            assert_eq!(output.status.success(), says.is_empty(), "{message}");
+            assert!(message.contains(says) && message.lines().count() <= 12, "{message}");
+            assert!(message.matches("error: ").count() <= 2, "{message}");
+        }
+    }
 }
 
 #[test]
@@ -155,6 +192,8 @@ fn layouts_defaults_and_statuses_are_those_of_c() {
         let short = name.trim_start_matches("KSTRIP_");
         let (class, member) = match short.split('_').next() {
             Some("OK" | "WARNING" | "ERROR") => ("status", short),
+            // `default` is a word of the language.
+            Some("MODEL") if name.ends_with("_DEFAULT") => ("model", "default_"),
             Some("MODEL") => ("model", &short["MODEL_".len()..]),
             Some("STATE") => ("state", &short["STATE_".len()..]),
             _ => continue,
@@ -163,9 +202,8 @@ fn layouts_defaults_and_statuses_are_those_of_c() {
         same(format!("static_cast<int>(kstrip::{class}::{member})"), name.clone());
     }
     program.push_str(
-        "int main()\n{\n    kstrip::options o{kstrip::solve::model::linear, 4};\n    \
-         if (kstrip::is_error(kstrip::init(o))) return 1;\n    \
-         std::printf(\"%d\\n\", o.model == kstrip::options{}.model && o.strips == kstrip::options{}.strips);\n}\n",
+        "int main()\n{\n    const kstrip::options o{}, d = kstrip::defaults();\n    \
+         std::printf(\"%d\\n\", o.model == d.model && o.strips == d.strips);\n}\n",
     );
     let source = scratch().join("layouts.cpp");
     std::fs::write(&source, program).expect("scratch is writable");
@@ -186,7 +224,7 @@ fn no_function_of_c_is_missing() {
         .map(|function| function.name)
         // The call with the name in double precision makes both.
         .filter(|name| !name.ends_with("_f32"))
-        .filter(|name| !cpp.contains(&format!("{name}(")) && !cpp.contains(&format!("{name},")))
+        .filter(|name| !["(", ",", ")"].iter().any(|end| cpp.contains(&format!("{name}{end}"))))
         .collect();
     assert!(missing.is_empty(), "include/kstrip.hpp has no wrapper for {missing:?}");
 }
