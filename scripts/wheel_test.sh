@@ -26,7 +26,7 @@ home = pathlib.Path(kstrip.__file__).resolve().parent
 library = pathlib.Path(kstrip.lib._name).resolve()
 assert pathlib.Path(sys.argv[1]).resolve() in home.parents, home
 assert library.parent == home, library
-for name in ("py.typed", "kstrip.h", "LICENSE-MIT", "LICENSE-APACHE"):
+for name in ("py.typed", "kstrip.h", "kstrip_f32.h", "LICENSE-MIT", "LICENSE-APACHE"):
     assert (home / name).exists(), name
 assert kstrip.lib.kstrip_abi_version() == kstrip.constants["KSTRIP_ABI_VERSION"]
 PYTHON

@@ -35,7 +35,8 @@ class Library(BuildHookInterface):
             built = target / "lib" / name
         subprocess.run(command, cwd=rust, env=environment, check=True)
         build_data["force_include"][str(built.resolve())] = f"kstrip/{name}"
-        build_data["force_include"][str(rust / "include" / "kstrip.h")] = "kstrip/kstrip.h"
+        for header in ("kstrip.h", "kstrip_f32.h"):
+            build_data["force_include"][str(rust / "include" / header)] = f"kstrip/{header}"
         for licence in ("LICENSE-APACHE", "LICENSE-MIT"):
             build_data["force_include"][str(rust / licence)] = f"kstrip/{licence}"
         build_data["pure_python"] = False

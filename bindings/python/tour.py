@@ -10,6 +10,7 @@ import csv
 import pathlib
 import sys
 import time
+import warnings
 
 import matplotlib
 
@@ -22,13 +23,15 @@ ROOT = HERE.parents[1]
 sys.path.insert(0, str(HERE))
 import kstrip
 
+# Linear theory beyond friction, the theory of 1967 beyond its spin: that is what the pictures show.
+warnings.simplefilter("ignore", kstrip.KstripWarning)
+
 # The same file from the same numbers
 plt.rcParams.update({"svg.hashsalt": "kstrip", "font.size": 9, "axes.grid": True, "grid.alpha": 0.3, "axes.axisbelow": True})
 
 # A wheel of 0.46 m on a rail head of 0.30 m, 80 kN
-STEEL = dict(shear_modulus=82e9, poisson_ratio=0.28)
-ELLIPSE = kstrip.hertz(lower_x=np.inf, lower_y=0.30, upper_x=0.46, upper_y=np.inf, normal_force=80e3, **STEEL)
-CONTACT = kstrip.contact(a=ELLIPSE["a"], b=ELLIPSE["b"], normal_force=80e3, friction=0.3, **STEEL)
+RADII = kstrip.radii(lower_y=0.30, upper_x=0.46)
+CONTACT, ELLIPSE = kstrip.contact_from_hertz(RADII, kstrip.combine((82e9, 0.28), (82e9, 0.28)), 80e3, 0.3)
 BOUND = 0.3 * 80e3
 
 
@@ -37,7 +40,7 @@ def creep_curves():
     figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained")
     creepage = np.linspace(0, 0.006, 200)
     for name, label in [("linear", "LINEAR"), ("strip_1967", "STRIP_1967"), ("strip", "STRIP"), ("total", "TOTAL")]:
-        forces = kstrip.solve(CONTACT, kstrip.creepage(longitudinal=creepage), name)
+        forces = kstrip.solve(CONTACT, kstrip.creepage(longitudinal=creepage), model=name)
         left.plot(100 * creepage, forces["fx"] / 1e3, "--" if name == "linear" else "-", label=label)
     left.set(ylim=(0, 28), xlabel="longitudinal creepage [%]", ylabel="force on the rail [kN]", title="Models, no spin")
     left.axhline(BOUND / 1e3, color="grey", lw=0.8)
@@ -45,7 +48,7 @@ def creep_curves():
     left.legend(loc="lower right")
     lateral = np.linspace(-0.006, 0.006, 400)
     for spin in (0.0, 0.25, 0.5, 1.0):
-        forces = kstrip.solve(CONTACT, kstrip.creepage(lateral=lateral, spin=spin), "total")
+        forces = kstrip.solve(CONTACT, kstrip.creepage(lateral=lateral, spin=spin))
         right.plot(100 * lateral, forces["fy"] / 1e3, label=f"spin {spin:g} /m")
     right.set(xlabel="lateral creepage [%]", ylabel="force on the rail [kN]", title="TOTAL, with spin")
     right.legend(loc="lower right")
@@ -98,13 +101,13 @@ def speed_error():
     for name, counts in [("strip_1967", (4, 8, 16, 32, 64)), ("strip", (4, 8, 16, 32, 64)), ("total", (16,)), ("linear", (16,))]:
         times, errors = [], []
         for count in counts:
-            forces = kstrip.solve(contacts, motions, name, count)
+            forces = kstrip.solve(contacts, motions, model=name, strips=count)
             errors.append(np.hypot(forces["fx"] - fx, forces["fy"] - fy).mean())
             # Processor time, the shortest of many short rounds: other programs on this machine hardly count.
             rounds = []
             for _ in range(100):
                 began = time.process_time_ns()
-                kstrip.solve(contacts, motions, name, count)
+                kstrip.solve(contacts, motions, model=name, strips=count)
                 rounds.append(time.process_time_ns() - began)
             times.append(min(rounds) / contacts.size)
         axes.plot(times, errors, "o-", label=name.upper())

@@ -1,4 +1,4 @@
-"""Reads kstrip.h and makes ctypes of it: constants, structures, functions with their comments.
+"""Reads kstrip.h and kstrip_f32.h and makes ctypes of it: constants, structures, functions with their comments.
 
 Its only syntax is what cbindgen writes for this library.
 """
@@ -12,13 +12,14 @@ SCALARS = {
     "int32_t": ctypes.c_int32,
     "uint32_t": ctypes.c_uint32,
     "kstrip_status": ctypes.c_int32,
+    "ptrdiff_t": ctypes.c_ssize_t,
 }
 
 # A comment, and what it stands before.
 COMMENT = r"(?:/\*\*(?P<comment>(?:(?!\*/).)*)\*/\s*)?"
 CONSTANT = re.compile(r"^#define (KSTRIP_\w+) (-?\d+)", re.M)
 STRUCTURE = re.compile(COMMENT + r"typedef struct (?P<name>kstrip_\w+) \{(?P<body>.*?)\n\}", re.S)
-MEMBER = re.compile(r"^\s*(?:const )?(?:struct )?(\w+) (\*?)(\w+)(?:\[(\w+)\])?;", re.M)
+MEMBER = re.compile(r"^\s*(?:const )?(?:struct )?(\w+) (\*?)(\w+)((?:\[\w+\])*);", re.M)
 FUNCTION = re.compile(
     COMMENT + r"^(?P<result>kstrip_status|int32_t|const char \*)\s*(?P<name>kstrip_\w+)\((?P<arguments>[^)]*)\);",
     re.S | re.M,
@@ -42,11 +43,13 @@ def structures(header):
     for match in STRUCTURE.finditer(header):
         body = re.sub(r"/\*.*?\*/", "", match["body"], flags=re.S)
         fields = []
-        for kind, pointer, name, count in MEMBER.findall(body):
+        for kind, pointer, name, counts in MEMBER.findall(body):
             # Pointers are addresses.
             member = ctypes.c_size_t if pointer else SCALARS.get(kind) or found[kind]
-            # A number, or a constant of the header
-            fields.append((name, member * int(known.get(count, count)) if count else member))
+            # Numbers, or constants of the header; the last index runs first
+            for count in reversed(re.findall(r"\w+", counts)):
+                member = member * int(known.get(count, count))
+            fields.append((name, member))
         doc = text_of(match["comment"])
         found[match["name"]] = type(match["name"], (ctypes.Structure,), {"_fields_": fields, "__doc__": doc})
     return found

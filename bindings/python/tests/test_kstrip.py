@@ -5,6 +5,7 @@ import os
 import re
 import sys
 import unittest
+import warnings
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
 
@@ -13,25 +14,42 @@ import numpy as np
 import kstrip
 
 STEEL = dict(a=6e-3, b=4.5e-3, normal_force=80e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3)
+CONTACT = kstrip.contact(**STEEL)
 BOUND = 0.3 * 80e3
+WET = kstrip.friction(0.3, 0.4, 0.6, 20.0)
+
+
+def quiet(test):
+    """Without the warnings that a test is not about."""
+
+    def run(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", kstrip.KstripWarning)
+            test(self)
+
+    return run
 
 
 class Binding(unittest.TestCase):
-    def test_everything_of_the_header_is_there(self):
+    def test_everything_of_the_headers_is_there(self):
         header = kstrip._text
         code = re.sub(r"/\*.*?\*/", "", header, flags=re.S)
         declared = set(re.findall(r"\b(kstrip_\w+)\(", code))
         bound = {name for name, *_ in kstrip._header.functions(header, kstrip.structures)}
         self.assertEqual(declared, bound)
+        # All have a twin but options_init, status_string, version_string and abi_version
+        self.assertEqual(2 * len([name for name in bound if name.endswith("_f32")]) + 4, len(bound))
         self.assertEqual(set(re.findall(r"typedef struct (\w+)", code)), set(kstrip.structures))
         for name, structure in kstrip.structures.items():
             self.assertEqual(kstrip.dtypes[name.removeprefix("kstrip_")].itemsize, ctypes.sizeof(structure))
+        self.assertEqual(np.zeros(2, kstrip.dtypes["derivatives"])["jacobian"][0].shape, (3, 3))
         self.assertIn(":param creepage", kstrip.lib.kstrip_solve.__doc__)
 
+    @quiet
     def test_creep_curve_is_the_closed_form(self):
         # (8.15): 1 - ((2 + tau^2) sqrt(1 - tau^2) - 3 tau acos tau)/2
         creepage = np.linspace(0, 0.01, 200)
-        curve = kstrip.solve(kstrip.contact(**STEEL), kstrip.creepage(longitudinal=creepage), "strip_1967", 64)
+        curve = kstrip.solve(CONTACT, kstrip.creepage(longitudinal=creepage), model="strip_1967", strips=64)
         pressure = 1.5 * 80e3 / (np.pi * 6e-3 * 4.5e-3)
         tau = np.minimum(creepage * 82e9 / (2 * 0.72 * 0.3 * pressure), 1)
         force = 1 - ((2 + tau**2) * np.sqrt(1 - tau**2) - 3 * tau * np.arccos(tau)) / 2
@@ -41,93 +59,183 @@ class Binding(unittest.TestCase):
     def test_batch_is_the_scalar_call_and_broadcasts(self):
         contacts = kstrip.contact(**{**STEEL, "friction": np.array([[0.1], [0.3]])})
         motions = kstrip.creepage(longitudinal=np.array([0.0, 1e-3, 2e-3]), spin=0.2)
-        results = kstrip.solve(contacts, motions, "total")
+        results = kstrip.solve(contacts, motions)
         self.assertEqual(results.shape, (2, 3))
         one = np.zeros((), kstrip.dtypes["result"])
-        options = kstrip.structures["kstrip_options"](kstrip.models["total"], 16)
         for i in range(2):
             for j in range(3):
-                contact, motion = contacts[i, :1].copy(), motions[j : j + 1].copy()
-                status = kstrip.lib.kstrip_solve(contact.ctypes.data, motion.ctypes.data, ctypes.byref(options), one.ctypes.data)
+                contact, motion = contacts[i, 0].copy(), motions[j].copy()
+                status = kstrip.lib.kstrip_solve(
+                    np.asarray(contact).ctypes.data, np.asarray(motion).ctypes.data, None, one.ctypes.data)
                 self.assertEqual(status, 0)
                 self.assertEqual(one.tobytes(), results[i, j].tobytes())
+        # One contact for all, by distance zero
+        np.testing.assert_array_equal(kstrip.solve(contacts[1, 0], motions), results[1])
+        self.assertEqual(kstrip.solve(CONTACT, kstrip.creepage(np.zeros((0, 4)))).shape, (0, 4))
+
+    def test_any_dtype_and_shape_is_converted(self):
+        motions = kstrip.creepage(np.linspace(0, 2e-3, 5), 1e-4, 0.2)
+        expected = kstrip.solve(CONTACT, motions)
+        # Mixed precision is double, another byte order and unaligned records are copies
+        mixed = kstrip.solve(CONTACT, kstrip.creepage(np.linspace(0, 2e-3, 5), 1e-4, 0.2, dtype=np.float32))
+        np.testing.assert_allclose(mixed["fx"], expected["fx"], atol=1e-5 * BOUND)
+        swapped = motions.astype(motions.dtype.newbyteorder())
+        np.testing.assert_array_equal(kstrip.solve(CONTACT, swapped), expected)
+        raw = np.zeros(motions.nbytes + 1, np.uint8)
+        raw[1:] = np.frombuffer(motions.tobytes(), np.uint8)
+        np.testing.assert_array_equal(kstrip.solve(CONTACT, raw[1:].view(motions.dtype)), expected)
+        np.testing.assert_array_equal(kstrip.solve(CONTACT, motions[::-1])[::-1], expected)
+        for wrong in (np.zeros(10**7), 1e-3, "creepage", None, CONTACT, motions.view(np.float64), motions["spin"]):
+            with self.assertRaises(TypeError):
+                kstrip.solve(CONTACT, wrong)
+        with self.assertRaises(ValueError):
+            kstrip.solve(kstrip.contact(**{**STEEL, "a": [1e-3, 2e-3]}), kstrip.creepage([0.0] * 3))
+        # One is one: nothing is taken silently from several
+        for call in (kstrip.strips, lambda c, m: kstrip.field(c, m, [0.0], [0.0])):
+            with self.assertRaises(ValueError):
+                call(CONTACT, motions)
+        with self.assertRaises(TypeError):
+            kstrip.creepage(1j)
 
     def test_single_precision(self):
         single = kstrip.solve(kstrip.contact(**STEEL, dtype=np.float32), kstrip.creepage(1e-3, dtype=np.float32))
-        double = kstrip.solve(kstrip.contact(**STEEL), kstrip.creepage(1e-3))
+        double = kstrip.solve(CONTACT, kstrip.creepage(1e-3))
         self.assertEqual(single["fx"].dtype, np.float32)
         self.assertLess(abs(single["fx"] - double["fx"]), 2e-6 * BOUND)
 
-    def test_jacobian_is_the_slope(self):
-        contact, h = kstrip.contact(**STEEL), 1e-7
-        _, slopes = kstrip.solve_jacobian(contact, kstrip.creepage(1e-3, 5e-4, 0.1))
-        for column, step in enumerate(np.eye(3) * h):
-            two = [kstrip.solve(contact, kstrip.creepage(1e-3 + s * step[0], 5e-4 + s * step[1], 0.1 + s * step[2])) for s in (1, -1)]
+    def test_derivatives_are_those_of_differences(self):
+        h = 1e-7
+        answer = kstrip.evaluate(CONTACT, kstrip.creepage(1e-3, 5e-4, 0.3), law_derivatives=True)
+        for column, step in enumerate(np.eye(3) * [h, h, h * 100]):
+            ahead, behind = (kstrip.solve(CONTACT, kstrip.creepage(*(np.array([1e-3, 5e-4, 0.3]) + s))) for s in (step, -step))
             for row, force in enumerate(("fx", "fy", "mz")):
-                slope = (two[0][force] - two[1][force]) / (2 * h)
-                self.assertLess(abs(slope - slopes[row, column]), 1e-4 * abs(slopes[row]).max())
+                slope = (ahead[force] - behind[force]) / (2 * step[column])
+                self.assertLess(abs(answer.derivatives["jacobian"][row, column] - slope), 1e-5 * abs(slope) + 1.0)
+        np.testing.assert_array_equal(answer.result, kstrip.solve(CONTACT, kstrip.creepage(1e-3, 5e-4, 0.3)))
+        self.assertEqual(answer.friction, 0.3)
+        self.assertIsNone(kstrip.evaluate(CONTACT, kstrip.creepage(1e-3), derivatives=False).derivatives)
 
-    def test_strips_and_field_add_up(self):
-        contact, motion = kstrip.contact(**STEEL), kstrip.creepage(5e-4, 1e-3, 0.3)
-        total = kstrip.solve(contact, motion, "strip_1967", 32)
-        shares = kstrip.strips(contact, motion, "strip_1967", 32)
-        self.assertLess(abs(shares["fy"].sum() - total["fy"]), 1e-9 * BOUND)
-        n = 240
-        grid = (2 * np.arange(n) + 1 - n) / n
-        points = kstrip.field(contact, motion, 6e-3 * grid, 4.5e-3 * grid, "strip_1967", 32)
-        cell = 4 * 6e-3 * 4.5e-3 / n**2
-        self.assertLess(abs(points["pressure"].sum() * cell - 80e3), 5e-5 * 80e3)
-        self.assertLess(abs(points["traction_y"].sum() * cell - total["fy"]), 5e-5 * BOUND)
-        # Element [j, i] is the point (x[i], y[j]): the trailing half has slip, the rim of b has no pressure.
-        self.assertGreater((points["state"][:, : n // 2] >= kstrip.SLIP).sum(), (points["state"][:, n // 2 :] >= kstrip.SLIP).sum())
+    def test_falling_friction(self):
+        wet = kstrip.evaluate(CONTACT, kstrip.creepage([1e-3, 0.1, 1.0]), WET, law_derivatives=True)
+        self.assertTrue((np.diff(wet.friction) < 0).all())
+        self.assertLess(abs(wet.result["fx"][2] - wet.friction[2] * 80e3), 1e-3 * BOUND)
+        self.assertEqual(wet.law_derivatives["ratio"].shape, (3, 3))
 
-    def test_friction_that_falls(self):
-        contact, motions = kstrip.contact(**STEEL), kstrip.creepage(np.array([1e-4, 0.01, 0.1, 10.0]))
-        constant, same = kstrip.solve_friction(contact, motions, kstrip.friction(0.3))
-        self.assertEqual(constant.tobytes(), kstrip.solve(contact, motions).tobytes())
-        np.testing.assert_array_equal(same, 0.3)
-        wet, effective = kstrip.solve_friction(contact, motions, kstrip.friction(0.3, 0.4, 0.6, 20.0))
-        # Full sliding: mu = mu0 ((1 - A) exp(-B V s) + A)
-        self.assertLess(abs(effective[2] - 0.3 * (0.6 * np.exp(-0.6 * 20 * 0.1) + 0.4)), 1e-3)
-        self.assertLess(abs(wet["fx"][3] - 0.4 * BOUND), 1e-6 * BOUND)
-        self.assertGreater(wet["fx"][1], wet["fx"][2])
+    def test_inside(self):
+        motion = kstrip.creepage(3e-4, 0.0, 0.6)
+        found = kstrip.strips(CONTACT, motion, strips=32)
+        self.assertEqual(len(found), 32)
+        total = kstrip.solve(CONTACT, motion, model="strip", strips=32)
+        self.assertLess(abs(found["fy"].sum() - total["fy"]), 1e-6 * BOUND)
+        points = kstrip.field(CONTACT, motion, [0.0, 1e-3, 7e-3], [0.0, 2e-3])
+        self.assertEqual(points.shape, (2, 3))
+        self.assertTrue((points["state"][:, 2] == kstrip.OUTSIDE).all())
+        self.assertAlmostEqual(points["pressure"][0, 0] / (1.5 * 80e3 / (np.pi * 6e-3 * 4.5e-3)), 1.0, places=2)
 
-    def test_patch_from_profiles(self):
+    def test_motion_stops_and_reverses(self):
+        speeds = np.array([-10.0, 0.0, 10.0])
+        answer = kstrip.solve_motion(CONTACT, kstrip.motion(slip_x=[1e-3, 1e-5, 1e-3], rolling_speed=speeds))
+        self.assertTrue((answer.result["power"] > 0).all())
+        self.assertAlmostEqual(answer.result["fx"][0], answer.result["fx"][2])
+        self.assertEqual(answer.derivatives["slip"].shape, (3, 3, 3))
+        self.assertTrue((answer.derivatives["slip"][:, 0, 0] > 0).all())
+
+    def test_prepared_contact_has_the_same_bits(self):
+        motions = kstrip.creepage(np.linspace(-1e-3, 1e-3, 7), 2e-4, 0.1)
+        for model in ("default", "strip", "linear"):
+            prepared = kstrip.prepare(CONTACT, model)
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                self.assertEqual(prepared.solve(motions).tobytes(), kstrip.solve(CONTACT, motions, model=model).tobytes())
+
+    def test_patches(self):
         y = np.linspace(-12e-3, 12e-3, 241)
         # Two bottoms: two lobes, whose bound no force exceeds and full sliding reaches
         distance = 70e-6 * ((y / 4.5e-3) ** 2 - 1) ** 2
-        patch, found = kstrip.patch_from_profile(y, distance, rolling_radius=0.46, normal_force=80e3, shear_modulus=82e9,
-                                                 poisson_ratio=0.28, friction=0.35)
+        steel = dict(rolling_radius=0.46, shear_modulus=82e9, poisson_ratio=0.28, friction=0.35)
+        patch, found = kstrip.patch_from_profile(y, distance, normal_force=80e3, **steel)
         self.assertLess(abs(found["normal_force"] - 80e3), 1e-6 * 80e3)
-        forces = kstrip.patch_solve(patch, kstrip.creepage(np.array([1e-4, 1.0])))
+        self.assertEqual(kstrip.patch_summary(patch)["lobes"], 2)
+        motions = kstrip.creepage([1e-4, 1.0])
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            forces = kstrip.solve(patch, motions)
+            wet = kstrip.evaluate(patch, motions, kstrip.friction(0.35, 0.4, 0.6, 20.0))
         self.assertLess(abs(forces["fx"][1] - 0.35 * 80e3), 1e-3 * 28e3)
         self.assertTrue(0 < forces["fx"][0] < forces["fx"][1])
-        motions = kstrip.creepage(np.array([1e-4, 1.0]))
-        wet, share = kstrip.patch_solve_friction(patch, motions, kstrip.friction(0.35, 0.4, 0.6, 20.0))
-        self.assertAlmostEqual(share[1], 0.4 + 0.6 * np.exp(-12.0))
-        self.assertAlmostEqual(wet["fx"][1] / forces["fx"][1], share[1])
-        constant, share = kstrip.patch_solve_friction(patch, motions, kstrip.friction(0.0))
-        self.assertTrue((constant == forces).all() and (share == 1).all())
+        self.assertAlmostEqual(wet.friction[1], 0.4 + 0.6 * np.exp(-12.0))
+        self.assertAlmostEqual(wet.result["fx"][1] / forces["fx"][1], wet.friction[1])
+        self.assertEqual(len(kstrip.strips(patch, motions[0])), patch["count"])
+        self.assertEqual(kstrip.field(patch, motions[0], [0.0], y).shape, (241, 1))
+        ellipse = kstrip.patch_from_contact(CONTACT)
+        same = kstrip.solve(CONTACT, kstrip.creepage(1e-3), model="strip")
+        self.assertLess(abs(kstrip.solve(ellipse, kstrip.creepage(1e-3))["fx"] - same["fx"]), 1e-9 * BOUND)
+        copied = kstrip.patch_from_strips(ellipse["strips"][: ellipse["count"]], 82e9, 0.28)
+        self.assertEqual(copied["count"], 16)
         patch["strips"]["friction"] = 0.0
-        self.assertEqual(kstrip.patch_solve(patch, kstrip.creepage(1.0))["fx"], 0)
+        self.assertEqual(kstrip.solve(patch, kstrip.creepage(1e-3))["fx"], 0)
+        patch["count"] = 1000
+        with self.assertRaises(kstrip.KstripError):
+            kstrip.strips(patch, motions[0])
 
-    def test_hertz_and_upper_body(self):
-        ellipse = kstrip.hertz(lower_x=np.inf, lower_y=np.inf, upper_x=0.1, upper_y=0.1, normal_force=1e3, shear_modulus=82e9, poisson_ratio=0.28)
+    def test_bodies(self):
+        pair = kstrip.combine((82e9, 0.28), (82e9, 0.28))
+        self.assertEqual(pair["mismatch"], 0)
+        balls = kstrip.radii(upper_x=0.1, upper_y=0.1)
+        contacts, ellipses = kstrip.contact_from_hertz(balls, pair, [1e3, 2e3, 0.0], 0.3)
         # Circle: a^3 = 3 N R/(4 E*)
-        self.assertLess(abs(ellipse["a"] ** 3 / (0.75 * 1e3 * 0.1 * 0.72 / 82e9) - 1), 1e-9)
-        forces = kstrip.solve(kstrip.contact(**STEEL), kstrip.creepage(1e-3, 2e-3))
-        self.assertEqual(kstrip.on_upper_body(forces)["fy"], -forces["fy"])
-        self.assertEqual(kstrip.combine((82e9, 0.28), (82e9, 0.28))[2], 0)
+        self.assertLess(abs(contacts["a"][0] ** 3 / (0.75 * 1e3 * 0.1 * 0.72 / 82e9) - 1), 1e-9)
+        back, stiffness = kstrip.contact_from_approach(balls, pair, ellipses["approach"], 0.3)
+        np.testing.assert_allclose(back["normal_force"], [1e3, 2e3, 0.0], rtol=1e-9)
+        self.assertAlmostEqual(stiffness[0] / (1.5 * 1e3 / ellipses["approach"][0]), 1.0)
+        # A lost contact is an ordinary input
+        self.assertEqual(kstrip.solve(contacts, kstrip.creepage(1e-3))["fx"][2], 0)
+        self.assertAlmostEqual(kstrip.linear_coefficients(1.0, 0.25)[0], 4.12, places=1)
 
-    def test_errors_have_their_status(self):
-        with self.assertRaises(kstrip.Error) as caught:
-            kstrip.solve(kstrip.contact(**{**STEEL, "friction": -1.0}), kstrip.creepage(1e-3))
+    def test_motion_and_parameters(self):
+        lower, upper = kstrip.velocity(-20.0), kstrip.velocity(-19.98, 0.01, 2.0)
+        creepage = kstrip.creepage_from_velocities(lower, upper, 20.0)
+        self.assertAlmostEqual(creepage["longitudinal"], 1e-3)
+        numbers = kstrip.parameters_from_creepage(CONTACT, creepage)
+        self.assertAlmostEqual(kstrip.creepage_from_parameters(CONTACT, numbers)["spin"], creepage["spin"])
+
+    def test_rig(self):
+        motion = kstrip.creepage(1e-3, 5e-4, 0.2)
+        forces = kstrip.solve(CONTACT, motion)
+        found = kstrip.estimate_friction(CONTACT, motion, fx=forces["fx"], fy=forces["fy"])
+        self.assertAlmostEqual(float(found["friction"]), 0.3)
+        back = kstrip.creepage_for_force(CONTACT, forces["fx"], forces["fy"], 0.2)
+        self.assertAlmostEqual(float(back["lateral"]), 5e-4)
+
+    def test_upper_body(self):
+        forces = kstrip.solve(CONTACT, kstrip.creepage(1e-3, 2e-3))
+        self.assertEqual(kstrip.on_upper_body(forces)["fy"], -forces["fy"])
+
+    def test_errors_have_status_name_and_index(self):
+        friction = np.full((2, 3), 0.3)
+        friction[1, 2] = -1.0
+        with self.assertRaises(kstrip.KstripError) as caught:
+            kstrip.solve(kstrip.contact(**{**STEEL, "friction": friction}), kstrip.creepage(1e-3))
         self.assertEqual(caught.exception.status, kstrip.constants["KSTRIP_ERROR_FRICTION"])
-        self.assertIn("friction", str(caught.exception))
-        with self.assertRaises(kstrip.Error):
-            kstrip.field(kstrip.contact(**STEEL), kstrip.creepage(1e-3), [0.0], [0.0], "total")
-        with self.assertRaises(TypeError):
-            kstrip._record("contact", float, a=1)
+        self.assertEqual((caught.exception.name, caught.exception.index), ("KSTRIP_ERROR_FRICTION", (1, 2)))
+        self.assertIn("KSTRIP_ERROR_FRICTION at index (1, 2)", str(caught.exception))
+        with self.assertRaises(kstrip.KstripError):
+            kstrip.field(CONTACT, kstrip.creepage(1e-3), [0.0], [0.0], "total")
+        with self.assertRaises(ValueError):
+            kstrip.solve(CONTACT, kstrip.creepage(1e-3), model="best")
+        for number in (99, 1 << 32, -(1 << 70)):
+            with self.assertRaises(kstrip.KstripError):
+                kstrip.solve(CONTACT, kstrip.creepage(1e-3), model=number)
+
+    def test_warnings_are_warnings(self):
+        with self.assertWarnsRegex(kstrip.KstripWarning, "KSTRIP_WARNING_CREEPAGE at index 1") as caught:
+            kstrip.solve(CONTACT, kstrip.creepage([1e-3, 20.0]))
+        self.assertEqual(os.path.basename(caught.filename), "test_kstrip.py")
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            kstrip.solve(CONTACT, kstrip.creepage(1e-3))
+            with self.assertRaises(kstrip.KstripWarning):
+                kstrip.solve(kstrip.contact(**{**STEEL, "shear_modulus": 82.0}), kstrip.creepage(1e-3))
 
 
 if __name__ == "__main__":
