@@ -83,7 +83,7 @@ def attempt(call, *arguments, **named):
 
 
 class Fuzz(unittest.TestCase):
-    @settings(deadline=None, max_examples=200)
+    @settings(deadline=None, database=None, max_examples=200)
     @given(st.one_of(argument("contact"), patches()), argument("creepage"), st.none() | argument("friction"), model, strips)
     def test_evaluate(self, contact, creepage, law, model, strips):
         answer = attempt(kstrip.evaluate, contact, creepage, law, model, strips, law_derivatives=True)
@@ -93,7 +93,7 @@ class Fuzz(unittest.TestCase):
             self.assertTrue(np.isfinite(answer.derivatives["jacobian"]).all())
         attempt(kstrip.strips, contact, creepage, law, model, strips)
 
-    @settings(deadline=None, max_examples=100)
+    @settings(deadline=None, database=None, max_examples=100)
     @given(argument("contact"), argument("motion"), st.none() | argument("friction"), model, strips, argument("creepage"))
     def test_motion_and_prepared(self, contact, motion, law, model, strips, creepage):
         answer = attempt(kstrip.solve_motion, contact, motion, law, model, strips)
@@ -103,7 +103,7 @@ class Fuzz(unittest.TestCase):
         if prepared is not None:
             attempt(prepared.solve, creepage)
 
-    @settings(deadline=None, max_examples=100)
+    @settings(deadline=None, database=None, max_examples=100)
     @given(st.one_of(argument("contact"), patches()), argument("creepage"), anything, anything, model, strips)
     def test_field_and_rig(self, area, creepage, x, y, model, strips):
         points = attempt(kstrip.field, area, creepage, x, y, model, strips)
@@ -114,7 +114,7 @@ class Fuzz(unittest.TestCase):
         attempt(kstrip.patch_summary, area)
         attempt(kstrip.on_upper_body, creepage)
 
-    @settings(deadline=None, max_examples=100)
+    @settings(deadline=None, database=None, max_examples=100)
     @given(anything, anything, anything, argument("radii"), argument("combined_material"), argument("patch_strip"))
     def test_bodies_and_patches(self, p, q, r, radii, pair, strip):
         attempt(kstrip.contact, a=p, b=q, normal_force=r, shear_modulus=1.0, poisson_ratio=0.3, friction=0.3)
