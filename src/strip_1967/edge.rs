@@ -96,15 +96,22 @@ pub fn adhesion<T: Number>(motion: &Motion<T>) -> (Arc<T>, T) {
     let root = (d * big).sqrt();
     // D/d = (m + √(dM))/d = (λ + p² + η²)/(√(dM) − m)
     let ratio = m.choose((m + root) / d, rest / (root - m + T::tiny()));
-    // (what is narrower than rounding is none)
-    let sine2 =
-        (q - lambda - eta2 - (m * ratio).times(2.0)) / l0 - T::from_base(T::EPSILON * T::EPSILON);
     // (p ξ/√M, √d), whose square is L₀
     let normal = Edge { y: p * xi / big.sqrt(), c: d.sqrt() };
     let inverse = (normal.y * normal.y + d + T::tiny()).sqrt().inverse();
     let middle = Edge { y: normal.y * inverse, c: normal.c * inverse };
+    let cosine = ratio * middle.c;
+    // sin² β as a quotient by L₀, or where L₀ is small and the quotient not below zero as 1 − cos² β
+    let pull = (m * ratio).times(2.0);
+    let excess = q - lambda - eta2 - pull;
+    let noise = (q + lambda + eta2 + m.choose(pull, -pull)).scale(T::EPSILON.times(4.0));
+    let rest = (T::one() - cosine) * (T::one() + cosine);
+    let quotient = excess / l0;
+    let small = (excess + noise).choose(rest, quotient);
+    // (what is narrower than rounding is none)
+    let sine2 = (l0 - T::one()).choose(quotient, small) - T::from_base(T::EPSILON * T::EPSILON);
     let sine = sine2.choose(sine2.min(T::one()), T::zero()).sqrt();
-    let cosine = sine2.choose(ratio * middle.c, T::one());
+    let cosine = sine2.choose(cosine, T::one());
     let (across, along) = (middle.c * sine, middle.y * sine);
     let (y, c) = (middle.y * cosine, middle.c * cosine);
     let arc = Arc {

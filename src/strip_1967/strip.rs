@@ -103,7 +103,7 @@ pub struct Strip<T: Real> {
     pub xi_bar: T,
     /// Lateral creepage parameter `η`.
     pub eta: T,
-    /// Spin parameter `ψ`, between −1 and 1: more counts as ±1 within a strip.
+    /// Spin parameter `ψ`; in tractions more than ±1 counts as that.
     pub psi: T,
     /// Poisson's ratio `ν`.
     pub poisson_ratio: T::Base,
@@ -135,6 +135,11 @@ pub fn adhesion_length<T: Real>(xi_bar: T, eta: T, psi: T) -> Option<T> {
     }
 }
 
+/// `ψ` as it counts in the tractions of a strip: ±1 at most.
+fn spin_within<T: Real>(psi: T) -> T {
+    psi.clamped(-T::one(), T::one())
+}
+
 /// The unit vector along `(x, y)`, or zero for a vector below the smallest normal number.
 #[inline]
 pub(crate) fn unit_vector<T: Real>(x: T, y: T) -> (T, T) {
@@ -158,9 +163,9 @@ impl<T: Real> Strip<T> {
         poisson_ratio: T::Base,
         rule: SlidingRule,
     ) -> Self {
-        let psi = psi.clamped(-T::one(), T::one());
-        let regime = Self::adhesion(half_length, xi_bar, eta, psi)
-            .unwrap_or_else(|| Self::sliding(half_length, xi_bar, eta, psi, poisson_ratio, rule));
+        let spin = spin_within(psi);
+        let regime = Self::adhesion(half_length, xi_bar, eta, spin)
+            .unwrap_or_else(|| Self::sliding(half_length, xi_bar, eta, spin, poisson_ratio, rule));
         Self { half_length, xi_bar, eta, psi, poisson_ratio, regime }
     }
 
@@ -226,7 +231,7 @@ impl<T: Real> Strip<T> {
             Regime::Adhesion { kappa, .. } => {
                 // f_x = ξ̄ (2C − K),  f_y = ψ C² + η (2C − K)
                 let stretch = c.times(2.0) - kappa;
-                (self.xi_bar * stretch, self.psi * (c * c) + self.eta * stretch)
+                (self.xi_bar * stretch, spin_within(self.psi) * (c * c) + self.eta * stretch)
             }
             // f = C² w
             Regime::Sliding { direction_x, direction_y } => {
@@ -245,13 +250,13 @@ impl<T: Real> Strip<T> {
     }
 
     /// Dissipation of the strip, units of `μ N · 2 μ p₀/G`: the power of its force and moment on the
-    /// rigid slip, `(1 − ν) ξ̄ f_x + η f_y + ψ m_x`.
+    /// rigid slip, `(1 − ν) ξ̄ f_x + η f_y + ψ m_x`, with `ψ` at most ±1.
     #[must_use]
     pub fn dissipation(&self) -> T {
         let (fx, fy) = self.force();
         self.xi_bar.scale(T::Base::one() - self.poisson_ratio) * fx
             + self.eta * fy
-            + self.psi * self.moment()
+            + spin_within(self.psi) * self.moment()
     }
 
     /// Pressure, traction and slip at `x` (units of `a`, leading edge at `+C`).
@@ -278,7 +283,7 @@ impl<T: Real> Strip<T> {
                     return StripPoint {
                         pressure,
                         traction_x: self.xi_bar * rise,
-                        traction_y: self.psi * pressure + self.eta * rise,
+                        traction_y: spin_within(self.psi) * pressure + self.eta * rise,
                         slip_x: T::zero(),
                         slip_y: T::zero(),
                         state: State::Stick,
@@ -291,7 +296,7 @@ impl<T: Real> Strip<T> {
                     traction_x: alpha * pressure,
                     traction_y: beta_plus_psi * pressure,
                     slip_x: (alpha * growth).scale(compliance),
-                    slip_y: (beta_plus_psi - self.psi) * growth,
+                    slip_y: (beta_plus_psi - spin_within(self.psi)) * growth,
                     state: State::Slip,
                 }
                 .judged()

@@ -222,7 +222,9 @@ fn length<T: Number>(motion: &Motion<T>, x: T::Pair) -> T::Pair {
     let (eta2, x2) = (both(eta * eta), x * x);
     let s = (eta2 + both(q) * x2).sqrt();
     let m = both(m);
-    m.choose(s + m, x2 + eta2) / m.choose(both(q), s - m + T::Pair::tiny())
+    let k = m.choose(s + m, x2 + eta2) / m.choose(both(q), s - m + T::Pair::tiny());
+    // (where strips adhere K < C ≤ 1)
+    k.min(T::Pair::one())
 }
 
 /// `∫ C K dY = ∫ C² K dθ`: nodes from the strip with `ξ̄ = 0`, where `S` may have a kink, to both ends of the arc.

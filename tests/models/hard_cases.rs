@@ -318,8 +318,8 @@ fn vanishing_lateral_creepage_with_spin_joins_none() {
         let none = at(0.0);
         for eta in [1e-300, -1e-300, 1e-200, -1e-154, 1e-100, 1e-30, -1e-16, 1e-12] {
             for (one, two) in at(eta).iter().zip(&none) {
-                // At ψ = ±1 strips with ξ̄² < 2 |η| C adhere: forces grow like √|η|
-                let allowed = if psi == 1.0 { 1e-9 + 3.0 * eta.abs().sqrt() } else { 1e-9 };
+                // From ψ = ±1 on strips with ξ̄² < 2 |η| C adhere: forces grow like √|η|
+                let allowed = if psi >= 1.0 { 1e-9 + 3.0 * eta.abs().sqrt() } else { 1e-9 };
                 for i in 0..4 {
                     assert!((one[i] - two[i]).abs() < allowed, "{psi} {eta:e}: {one:?} {two:?}");
                 }

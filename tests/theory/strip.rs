@@ -206,7 +206,8 @@ fn slip_is_that_of_the_elastic_field_of_the_traction() {
                 let across = principal_value(&strip, x, |t| strip.at(t).traction_y);
                 // s_x = υx − φy + du/dx, in units of 2μp₀/G
                 let slip_x = (1.0 - nu) * (xi_bar - along / PI);
-                let slip_y = eta + psi.clamp(-1.0, 1.0) * x - across / PI;
+                let spin = if strip.adheres() { psi.clamp(-1.0, 1.0) } else { psi };
+                let slip_y = eta + spin * x - across / PI;
                 // Quadrature of an integrand with a removable singularity
                 assert!((slip_x - point.slip_x).abs() < 1e-9, "{strip:?} {x}: {slip_x:e}");
                 assert!((slip_y - point.slip_y).abs() < 1e-9, "{strip:?} {x}: {slip_y:e}");
