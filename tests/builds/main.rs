@@ -12,6 +12,7 @@ mod toolchain;
 mod c_programs;
 mod docs;
 mod firmware;
+mod hosts;
 mod install;
 mod no_alloc;
 mod other_languages;
