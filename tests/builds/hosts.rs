@@ -1,6 +1,6 @@
 //! The programs of hosts/: kstrip inside integrators, simulators and standard interfaces. Each checks its own figures.
 
-use crate::toolchain::{library, output_of, root, say, scratch};
+use crate::toolchain::{library, output_of, root, say, scratch, shared};
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -36,4 +36,26 @@ fn sundials_vehicle() {
     arguments.extend(["-std=gnu11", "-llapack", "-lm"]);
     let text = run("cc", "hosts/sundials/vehicle.c", &arguments);
     assert_eq!(text.lines().count(), 15, "{text}");
+}
+
+/// FMUs of FMI 2.0 and 3.0: valid, through standstill, exact derivatives, the same digits in two importers.
+#[test]
+fn fmi_wheel_on_a_rail() {
+    let own = scratch().parent().expect("target/tmp is in target").join("fmi/bin/python");
+    let python = if own.exists() { own } else { PathBuf::from("python3") };
+    let modules = Command::new(&python).args(["-c", "import fmpy, libcosimpy, numpy"]).output();
+    if !modules.is_ok_and(|output| output.status.success()) {
+        say(
+            "SKIPPED: hosts/fmi, because there is no fmpy with libcosimpy (hosts/fmi/README.md: target/fmi)",
+        );
+        return;
+    }
+    let folder = scratch().join("fmu");
+    let mut build = Command::new(&python);
+    build.args(["-B", "hosts/fmi/build.py"]).current_dir(root()).arg(library()).arg(&folder);
+    output_of(&mut build);
+    let mut check = Command::new(&python);
+    check.args(["-B", "hosts/fmi/check.py"]).current_dir(root()).arg(&folder).arg(shared());
+    let text = output_of(&mut check);
+    assert_eq!(text.matches("validates without a finding").count(), 2, "{text}");
 }
