@@ -59,3 +59,18 @@ fn fmi_wheel_on_a_rail() {
     let text = output_of(&mut check);
     assert_eq!(text.matches("validates without a finding").count(), 2, "{text}");
 }
+
+/// Critical speed of runs and eigenvalues in three dimensions; decay below it, a limit cycle above.
+#[test]
+fn simbody_wheelset() {
+    let headers = ["-isystem", "/usr/include/simbody"];
+    if !has("c++", &headers, "Simbody.h") {
+        say("SKIPPED: hosts/simbody, because there is no Simbody (libsimbody-dev)");
+        return;
+    }
+    let mut arguments = vec!["-std=c++17"];
+    arguments.extend(headers);
+    arguments.extend(["-lSimTKsimbody", "-lSimTKmath", "-lSimTKcommon"]);
+    let text = run("c++", "hosts/simbody/wheelset.cpp", &arguments);
+    assert_eq!(text.lines().count(), 4, "{text}");
+}
