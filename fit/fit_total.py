@@ -17,7 +17,9 @@ import common
 import jax
 import jax.numpy as jnp
 import numpy as np
-from scipy.linalg import blas, cho_factor, cho_solve
+import rigid_slip
+from scipy.linalg import blas, cho_factor, cho_solve, solve_triangular
+from scipy.optimize import minimize
 
 jax.config.update("jax_enable_x64", True)
 
@@ -34,7 +36,7 @@ CONSTANTS = os.path.join(common.SOURCE, "total", "constants.rs")
 SCALE = np.array([1, 1, 0.55])  # weight of the moment's residual against the force's
 # penalty on the square of the coefficients: weak while the way is found, stronger at the end, which takes a few per cent
 # of accuracy on the training rows and gives back more on all others, at the edges above all
-WEAK, STRONG = 5e-4, 2e-3
+WEAK, STRONG = 5e-4, 1e-3
 BLOCK = 2048
 SHEAR = 0.04
 LARGEST_ROOT = 4  # the network does not see that a contact is more slender than a/b = 16 or 1/16; no row of the data is
@@ -80,76 +82,6 @@ def saturation(q2):
     return k * FULL / jnp.maximum(q, FULL)
 
 
-# --- rigid slip ------------------------------------------------------------------------------
-
-# Force and moment of a patch that slides as a whole, mu p s/|s| over the ellipse, as roots of rational functions of
-# U = vx^2/N, V = vy^2/N, T = phi^2/N with N = v^2 + phi^2 (g + 1/g); A = g T, B = T/g; x <-> y is U <-> V, A <-> B:
-#   F = (bx vx, by vy)/sqrt((bx vx)^2 + (by vy)^2 + N Z),   M = phi n/sqrt(N D)
-# bx, by of degree 1, Z and D of degree 3. Z, D, n > 0 everywhere (10^6 random places, g .001 .. 1000).
-def single(values):
-    """The numbers as the library stores them."""
-    return tuple(np.float32(values).astype(float).tolist())
-
-
-RIGID_SLOPE = single((0.4027, 0.1115, 0.4042))
-RIGID_SPIN = single((0.2064, 0.0998, 0.0201, -0.0731, 0.1199, 0.0057, 0.116, 0.0503, 0.3058, 0.1481, 0.0, 0.0))
-RIGID_ARM = single((0.206, 0.0012, -0.0309, 0.0302, 0.0019, 0.0573))
-RIGID_SIZE = single((0.1396, 0.043, 0.0315, -0.0074, -0.0021, 0.0065, 0.0127, -0.0006, 0.0055, 0.7335, -0.2074, -0.1327))
-
-
-def cubic(g, p):
-    """Coefficients of T^3, T^2 U, T^2 V, T U^2, T U V, T V^2 in a polynomial of degree 3, unchanged under x <-> y."""
-    i = 1 / g
-    s = g + i
-    return (
-        p[5] * s * (s * s - 3) + p[6] * s + p[7] * (s * s - 2) + p[8],
-        p[0] * g * g + p[1] * i * i + p[2] + p[3] * g + p[4] * i,
-        p[0] * i * i + p[1] * g * g + p[2] + p[3] * i + p[4] * g,
-        p[9] * g + p[10] * i + p[11],
-        (p[9] + p[10]) * s + 2 * p[11],
-        p[9] * i + p[10] * g + p[11],
-    )
-
-
-def at(k, u, v, t):
-    return t * (t * (t * k[0] + u * k[1] + v * k[2]) + u * (u * k[3] + v * k[4]) + v * v * k[5])
-
-
-def rigid_slip(g, vx, vy, phi):
-    """Fx, Fy, Mz of rigid slip, and the share of spin in it."""
-    i = 1 / g
-    n = 1e-12 + vx * vx + vy * vy + phi * phi * (g + i)
-    u, v, t = vx * vx / n, vy * vy / n, phi * phi / n
-    p, q, r = RIGID_SLOPE
-    x = (u + v + t * (p * g + q * i + r)) * vx
-    y = (u + v + t * (p * i + q * g + r)) * vy
-    size = 1 / np.sqrt(x * x + y * y + n * at(cubic(g, RIGID_SPIN), u, v, t) + 1e-30)
-    a = RIGID_ARM
-    arm = u * (a[0] * g + a[1] * i + a[2]) + v * (a[0] * i + a[1] * g + a[2]) + t * (a[3] * (g * g + i * i) + a[4] * (g + i) + a[5])
-    return x * size, y * size, phi * arm / np.sqrt(n * ((u + v) ** 3 + at(cubic(g, RIGID_SIZE), u, v, t)) + 1e-30), t * (g + i)
-
-
-def sliding(g, v, radii=64, angles=128):
-    """The same by quadrature: midpoints in the share of the load within a radius, equal angles."""
-    share, turn = (np.arange(radii) + 0.5) / radii, 2 * np.pi * (np.arange(angles) + 0.5) / angles
-    radius = np.sqrt(1 - (1 - share) ** (2 / 3))
-    x0, y0 = (radius[:, None] * np.cos(turn)).ravel(), (radius[:, None] * np.sin(turn)).ravel()
-    found = []
-    for k in range(0, len(g), 256):
-        root = np.sqrt(g[k : k + 256, None])
-        x, y = x0 * root, y0 / root
-        vx, vy, phi = v[k : k + 256].T[:, :, None]
-        sx, sy = vx - phi * y, vy + phi * x
-        s = np.hypot(sx, sy) + 1e-12
-        found.append(np.stack([(sx / s).mean(1), (sy / s).mean(1), ((x * sy - y * sx) / s).mean(1)], 1))
-    return np.concatenate(found)
-
-
-def spin_moment(g):
-    """Moment of sliding by spin alone, within half a per cent."""
-    return np.sqrt(0.1406 * (g + 1 / g + 0.467))
-
-
 # --- model: the same formulas as src/total/mod.rs ----------------------------------------------
 
 GROWTH = 0.0003  # of the slope with e^6 beyond saturation: |q| of translation does not fall below that of full sliding again
@@ -176,7 +108,8 @@ def frame(g, nu, v, c):
     de = 1 / (1 + 0.1 * e2 * e2)
     shape = np.clip(root, 1 / LARGEST_ROOT, LARGEST_ROOT)
     slender, poisson = (shape - 1) / (shape + 1), 4 * nu - 1
-    rx, ry, rm, kappa = rigid_slip(g, vx, vy, phi)
+    rx, ry, rz, ra, rd, kappa = rigid_slip.parts(RIGID, g, vx, vy, phi)
+    force = 1 / np.sqrt(rx * rx + ry * ry + rz + 1e-30)
     pole = (1 - kappa) ** 8
     far = n2 * n2 * (pole / TRANSLATION**4 + 1 / SPIN**4)
     far = far / (1 + far)
@@ -206,7 +139,7 @@ def frame(g, nu, v, c):
     }
     by = c22 * np.sqrt(iy)
     growth = c22 * GROWTH * e2**3 * pole
-    places = (w, vx, vy, phi, by * (1 - de), c11 * np.sqrt(ix) * de, by, growth, c23 / (1 + s2 + 0.3 * u2), c33 * np.sqrt(im), kappa, de, moment, 1 - far, far * rx, far * ry, far * rm)
+    places = (w, vx, vy, phi, by * (1 - de), c11 * np.sqrt(ix) * de, by, growth, c23 / (1 + s2 + 0.3 * u2), c33 * np.sqrt(im), kappa, de, moment, 1 - far, far * rx * force, far * ry * force, far * ra / np.sqrt(rd + 1e-30))
     return np.stack([features[name] for name in FEATURES], 1), np.stack(places, 1)
 
 
@@ -250,6 +183,15 @@ SLOPES = jax.jit(jax.vmap(jax.jacfwd(corrected)))
 # --- fit -------------------------------------------------------------------------------------
 
 
+def stored_rigid(path):
+    """The closed form of rigid slip as the library has it."""
+    found = common.read_constants(path)
+    return {name: found[name].reshape(shape) for name, shape in zip(rigid_slip.NAMES, rigid_slip.SHAPES) if name in found}
+
+
+RIGID = stored_rigid(CONSTANTS)
+
+
 class Rows:
     def __init__(self, data):
         self.x, self.places = frame(data["g"], data["nu"], data["v"], data["c"])
@@ -267,14 +209,14 @@ def row_weights(data):
     """Rows by their own error, with emphasis on both ends of the axis ratio."""
     w = np.where(data["fine"], 1.0, 0.8) * 0.004 / np.hypot(0.003, 0.5 * np.minimum(data["err"], 0.01))
     # rows of rigid slip: over the moment of sliding by spin; nearly nothing where elasticity is still to be seen
-    w = np.where(data["err"] < 0.1, w, np.where(data["err"] < 0.15, 0.3, 0.03) / np.sqrt(spin_moment(data["g"])))
+    w = np.where(data["err"] < 0.1, w, np.where(data["err"] < 0.15, 0.5, 0.03) / np.sqrt(rigid_slip.spin_moment(data["g"])))
     # a little spin beside a creepage: the slope over spin is seen there only
     u, spin = np.hypot(data["c"][:, 0] * data["v"][:, 0], data["c"][:, 1] * data["v"][:, 1]), abs(data["c"][:, 2] * data["v"][:, 2])
     w = w * np.where((u > 0.3) & (u < 4) & (spin < 0.4) & ((spin > 0) | (data["g"] > 5)), np.where(spin < 0.15, 2.0, 1.5), 1.0)
     return w * np.where(data["g"] > 6, 1.5, np.where(data["g"] < 0.13, 1.3, 1.0))
 
 
-def sliding_rows(count=2000, seed=11):
+def sliding_rows(count=3000, seed=11):
     """Rows of rigid slip. Without spin it is the truth from saturation on, with a little from 6 times saturation; with a large share,
     and the spin's pole in the patch, 10 to 400 times saturation is no more than a hint (`err` .2)."""
     r = np.random.default_rng(seed)
@@ -284,17 +226,17 @@ def sliding_rows(count=2000, seed=11):
     x, y = np.where(axis < 0.08, 1e-9, x), np.where((axis > 0.08) & (axis < 0.16), 1e-9, y)
     size = 0.5 * np.sqrt(g + 1 / g)
     v = np.stack([x * size, y * size * r.choice([-1, 1], count), np.ones(count)], 1)
-    n = np.sqrt(((c[:, :3] * v) ** 2).sum(1) + (c[:, 3] / spin_moment(g)) ** 2)
+    n = np.sqrt(((c[:, :3] * v) ** 2).sum(1) + (c[:, 3] / rigid_slip.spin_moment(g)) ** 2)
     kappa = 4 / (4 + x * x + y * y)
     hint = kappa > 0.3
-    times = np.where(hint, 10 ** r.uniform(1, 3.6, count), np.where(kappa > 0.05, 10 ** r.uniform(1.48, 3, count), 10 ** r.uniform(0.78, 2, count)))
+    times = np.where(hint, 10 ** np.where(r.random(count) < 0.3, r.uniform(1, 2.6, count), r.uniform(2.6, 3.6, count)), np.where(kappa > 0.05, 10 ** r.uniform(1.48, 3, count), 10 ** r.uniform(0.78, 2, count)))
     alone = r.random(count) < 0.2
     times, hint = np.where(alone, r.uniform(1.4, 6, count), times), hint & ~alone
     v[alone, 2] = 0
     n = np.where(alone, np.hypot(c[:, 0] * v[:, 0], c[:, 1] * v[:, 1]), n)
     v = v * (times * FULL / n)[:, None]
     err = np.where(hint & (times < 400), 0.2, 0.1)
-    return {"g": g, "nu": nu, "v": v, "c": c, "f": sliding(g, v), "err": err, "fine": np.zeros(count, bool)}
+    return {"g": g, "nu": nu, "v": v, "c": c, "f": rigid_slip.sliding(g, v), "err": err, "fine": np.zeros(count, bool)}
 
 
 def with_sliding(data):
@@ -409,42 +351,64 @@ def widths(layers):
     return layers[0].shape[1], layers[1].shape[1]
 
 
-def fit(quick, seed):
+def polish(layers, rows, iterations, label, penalty=WEAK):
+    """L-BFGS on all coefficients, in coordinates in which the Gauss-Newton matrix of the start is one: a step costs a twentieth of one
+    of Levenberg-Marquardt's."""
+    began, p, single = time.time(), flat(layers), [jnp.array(rows.x), jnp.array(rows.places), jnp.array(rows.data["f"]), jnp.array(rows.weight[:, None] * SCALE)]
+    ends = np.cumsum([layer.size for layer in layers])[:-1]
+
+    @jax.jit
+    def cost(p, x, places, f, weight):
+        first, second, last = (part.reshape(layer.shape) for part, layer in zip(jnp.split(p, ends), layers))
+        h = activation(x @ first[1:] + first[0])
+        h = activation(h @ second[1:] + second[0])
+        r = (jax.vmap(corrected)(h @ last[1:] + last[0], places) - f) * weight
+        return (r * r).sum() + penalty * (p * p).sum()
+
+    h, _ = normal_equations(layers, rows, penalty)
+    factor = np.linalg.cholesky(h + 1e-7 * np.diag(np.diag(h) + 1e-6 * np.diag(h).max()))
+    slope = jax.jit(jax.value_and_grad(cost))
+
+    def scaled(z):
+        value, gradient = slope(p + solve_triangular(factor, z, lower=True, trans="T"), *single)
+        return float(value) / 2, solve_triangular(factor, np.array(gradient) / 2, lower=True)
+
+    found = minimize(scaled, np.zeros(len(p)), jac=True, method="L-BFGS-B", options={"maxiter": iterations, "maxfun": 2 * iterations, "maxcor": 40, "ftol": 1e-9, "gtol": 1e-10})
+    print(f"  {label} {found.nit} steps, cost {2 * found.fun / rows.count:.4g}, {time.time() - began:.0f} s", flush=True)
+    return like(layers, p + solve_triangular(factor, found.x, lower=True, trans="T"))
+
+
+def fit(quick, seed, start_from=None):
     began = time.time()
+    if start_from is None or len(RIGID) < len(rigid_slip.NAMES):
+        RIGID.update(rigid_slip.fit())
+    rigid_slip.report(RIGID)
     train, validation = common.split(common.load("train.csv", "train_fine.csv"))
     train, validation = Rows(with_sliding(train)), Rows(validation)
-    print(f"{train.count} rows to train on, the last 2000 of them of full sliding, {validation.count} to validate; saturation curve within {SATURATION_ERROR:.1e}", flush=True)
-    first, second, between, third, tail = (5, 5, 2, 5, 5) if quick else (60, 200, 25, 150, 20)
+    print(f"{train.count} rows to train on, the last 3000 of them of rigid slip, {validation.count} to validate; saturation curve within {SATURATION_ERROR:.1e}", flush=True)
+    first, second, wide, between, rounds, steps = (5, 5, 5, 5, 1, 5) if quick else (60, 40, 1000, 150, 12, 300)
 
     def report():
         common.report(f"  {widths(layers)} after {time.time() - began:.0f} s", validation.predict(layers), validation.data)
+        save(layers)
 
-    layers = start(seed)
-    index = np.random.default_rng(5).permutation(train.count)[:4096]
-    few = Rows(common.take(train.data, index))
-    layers = levenberg_marquardt(layers, few, first, "few rows:", damping=1e-2)
-    layers = levenberg_marquardt(layers, train, second, "all rows:")
-    report()
-    while widths(layers) != WIDTHS:
-        layers = without_one_unit(layers, train, WEAK)
-        layers = levenberg_marquardt(layers, train, between, "")
+    if start_from is None:
+        index = np.random.default_rng(5).permutation(train.count)[:4096]
+        few = Rows(common.take(train.data, index))
+        layers = levenberg_marquardt(start(seed), few, first, "few rows:", damping=1e-2)
+        layers = levenberg_marquardt(layers, train, second, "all rows:")
+        layers = polish(layers, train, wide, "all rows:")
         report()
-        save(layers)
-    layers = levenberg_marquardt(layers, train, third, "all rows:")
-    report()
-    for k in range(6):  # more weight on rows that are still far off: the tail counts, not only the mean
-        layers = tail_round(layers, train.data, tail, f"tail {k + 1}:")
+        while widths(layers) != WIDTHS:
+            layers = polish(without_one_unit(layers, train, WEAK), train, between, "one unit less:")
+            report()
+    else:
+        layers = start_from
+    for k in range(rounds):
+        layers = polish(layers, train, steps, f"round {k + 1} of {rounds}:", penalty=STRONG)
         report()
-        save(layers)
     print(f"fitted in {time.time() - began:.0f} s")
     return layers
-
-
-def tail_round(layers, data, iterations, label):
-    rows = Rows(data)
-    d = (rows.predict(layers) - data["f"]) * SCALE
-    rows.weight = rows.weight * (1 + (d * d).sum(1) / 0.004**2) ** 0.125
-    return levenberg_marquardt(layers, rows, iterations, label, damping=1e-4, penalty=STRONG)
 
 
 def save(layers):
@@ -468,10 +432,13 @@ def write(layers, path):
     ]
     first, second, last = layers
     common.write_constants(path, header, [
-        ("Rigid slip: slopes of the force, of g, 1/g and 1.", "RIGID_SLOPE", RIGID_SLOPE),
-        ("Rigid slip: what spin takes from the force.", "RIGID_SPIN", RIGID_SPIN),
-        ("Rigid slip: arm of the moment.", "RIGID_ARM", RIGID_ARM),
-        ("Rigid slip: size of the slip in the moment.", "RIGID_SIZE", RIGID_SIZE),
+        ("Rigid slip, slopes of the force: polynomials in s = (g - 1)/(g + 1), powers 0, 2, 4, 1, 3.", "RIGID_SLOPE", RIGID["RIGID_SLOPE"]),
+        ("Rigid slip: what spin takes from the force.", "RIGID_SPIN", RIGID["RIGID_SPIN"]),
+        ("The part of it that is even in s, powers 0, 2, 4.", "RIGID_SPIN_EVEN", RIGID["RIGID_SPIN_EVEN"]),
+        ("Rigid slip: arm of the moment.", "RIGID_ARM", RIGID["RIGID_ARM"]),
+        ("The part of it that is even in s.", "RIGID_ARM_EVEN", RIGID["RIGID_ARM_EVEN"]),
+        ("Rigid slip: size of the slip in the moment.", "RIGID_SIZE", RIGID["RIGID_SIZE"]),
+        ("The part of it that is even in s.", "RIGID_SIZE_EVEN", RIGID["RIGID_SIZE_EVEN"]),
         ("First hidden layer: bias, then a row for each input that depends on the contact only.", "FIXED", pairs(first[: 1 + FIXED])),
         ("First hidden layer: a row for each other input.", "FIRST", pairs(first[1 + FIXED :])),
         ("Second hidden layer: bias, then a row for each unit of the first.", "SECOND", pairs(second)),
@@ -510,22 +477,17 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--evaluate", nargs="*", default=None)
-    parser.add_argument("--resume", help="state file to write constants from")
-    parser.add_argument("--tail", type=int, default=0, help="with --resume: rounds of the last stage before that")
-    parser.add_argument("--seed", type=int, default=1, help="of the random start (0 and 1 were tried)")
+    parser.add_argument("--resume", help="state file to go on from with the last stage")
+    parser.add_argument("--seed", type=int, default=1, help="of the random start")
     parser.add_argument("--output", default=CONSTANTS)
     options = parser.parse_args()
     rows = common.split(common.load("train.csv", "train_fine.csv"))
     if options.evaluate is None:
+        layers = None
         if options.resume:
             with np.load(options.resume) as state:
                 layers = [state[name] for name in sorted(state.files)]
-            for k in range(options.tail):
-                layers = tail_round(layers, with_sliding(rows[0]), 20, f"tail {k + 1}:")
-                common.report("  validation", Rows(rows[1]).predict(layers), rows[1])
-                save(layers)
-        else:
-            layers = fit(options.quick, options.seed)
+        layers = fit(options.quick, options.seed, layers)
         if not options.quick:
             write(layers, options.output)
             print("wrote", options.output)

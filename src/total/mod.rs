@@ -61,9 +61,8 @@ pub struct Prepared<F> {
     linear: LinearCoefficients<F>,
     /// Creepages beyond it are scaled down.
     limit: F,
-    /// `g = a/b`, and `g + 1/g`
+    /// `g = a/b`
     ratio: F,
-    both: F,
     /// `1/M₀²`, `M₀ = √(0.1406 (g + 1/g + 0.467))` the moment of sliding by spin alone
     moment: F,
     /// Linear force of the slip that spin makes at the ends of the axes.
@@ -95,11 +94,10 @@ impl<F: Plain> Prepared<F> {
             linear: *linear,
             limit: F::of(LARGEST).min(F::HUGE.sqrt().sqrt()) / largest,
             ratio: g,
-            both,
             moment: F::one() / both.plus(0.467).times(0.1406),
             ends: [end_x, end_y],
             slender,
-            rigid: RigidSlip::new(g, inverse),
+            rigid: RigidSlip::new(g, both),
             network: Network::of_contact([
                 slender,
                 poisson,
@@ -127,7 +125,7 @@ impl<F: Plain> Prepared<F> {
         let n2 = u2 + s2 + m2;
 
         // rigid slip, κ the share of spin in it
-        let (rigid, kappa) = self.rigid.at([vx, vy, phi], [vx2, vy2, phi2], self.both);
+        let (rigid, kappa) = self.rigid.at([vx, vy, phi], [vx2, vy2, phi2]);
 
         // spin brakes the slopes: ix = 1/(1 + tx²), iy, im;  e² = lx² ix + ly² iy
         let [end_x, end_y] = self.ends;
