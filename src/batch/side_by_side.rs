@@ -4,8 +4,7 @@
 //! The formulas are those of one contact, evaluated with the numbers of `real::lanes`, whose bits are
 //! those of plain numbers. Contacts that need another branch than their neighbours are solved one by one.
 //!
-//! The processor is asked once per batch (`cpuid`); nothing is remembered. Under a hypervisor that question takes some
-//! 4 µs, so it is asked from a number of contacts on.
+//! The processor is asked once (`cpuid`, which takes some 4 µs under a hypervisor), and the answer is remembered.
 
 #![allow(unsafe_code)]
 
@@ -23,7 +22,14 @@ use crate::strip_1967;
 use crate::total;
 
 /// Floating-point types that fill wide registers.
-pub trait Wide: Sized {
+pub trait Wide: crate::number::Float {
+    /// Sums over the strips of a contact in wide registers, if there are any.
+    fn strip_sums(
+        strips: &crate::strip::PreparedStrips<Self>,
+        law: &crate::strip::Law<Self>,
+        slopes: bool,
+    ) -> crate::strip::Sums<Self>;
+
     /// [`evaluate_batch`](crate::batch::evaluate_batch) in wide registers.
     ///
     /// # Errors
@@ -49,12 +55,27 @@ pub(crate) fn pays(model: Model, count: usize) -> bool {
     count >= least && available()
 }
 
-/// Whether the processor has registers of 256 bits and the system keeps them.
-fn available() -> bool {
-    use core::arch::x86_64::{__cpuid, _xgetbv};
+/// Whether the processor has registers of 256 bits and the system keeps them. It is asked once.
+#[inline]
+pub(crate) fn available() -> bool {
+    use core::sync::atomic::{AtomicU8, Ordering};
+    static KNOWN: AtomicU8 = AtomicU8::new(0);
     if cfg!(target_feature = "avx") {
         return true;
     }
+    match KNOWN.load(Ordering::Relaxed) {
+        0 => {
+            let found = ask();
+            KNOWN.store(if found { 2 } else { 1 }, Ordering::Relaxed);
+            found
+        }
+        known => known == 2,
+    }
+}
+
+#[cold]
+fn ask() -> bool {
+    use core::arch::x86_64::{__cpuid, _xgetbv};
     #[target_feature(enable = "xsave")]
     fn kept() -> u64 {
         // SAFETY: the caller knows that the system has switched this instruction on.
@@ -78,8 +99,16 @@ const TOTAL: i32 = Model::Total as i32;
 const LINEAR: i32 = Model::Linear as i32;
 
 macro_rules! wide {
-    ($float:ident, $lanes:ident, $count:literal) => {
+    ($float:ident, $lanes:ident, $count:literal, $sums:path) => {
         impl Wide for $float {
+            #[inline(always)]
+            fn strip_sums(
+                strips: &crate::strip::PreparedStrips<Self>,
+                law: &crate::strip::Law<Self>,
+                slopes: bool,
+            ) -> crate::strip::Sums<Self> {
+                $sums(strips, law, slopes)
+            }
             fn evaluate_wide(
                 problems: &impl Problems<Self>,
                 options: &Options,
@@ -117,8 +146,8 @@ macro_rules! wide {
     };
 }
 
-wide!(f64, F64x4, 4);
-wide!(f32, F32x8, 8);
+wide!(f64, F64x4, 4, crate::strip::registers::sums);
+wide!(f32, F32x8, 8, crate::strip::PreparedStrips::sums);
 
 /// Contacts side by side.
 type Group<L> = (Contact<L>, Creepage<L>);

@@ -252,6 +252,21 @@ pub trait Number: Arithmetic {
         map: &impl Map<Self::Base, N, M>,
         inputs: [Self; N],
     ) -> [Self; M];
+    /// A function of some numbers from its value and its derivatives by them.
+    #[inline(always)]
+    fn follow<const N: usize>(
+        value: Self::Base,
+        slopes: [Self::Base; N],
+        inputs: [Self; N],
+    ) -> Self {
+        let mut sum = Self::from_base(value);
+        if Self::HAS_DERIVATIVES {
+            for (slope, input) in slopes.into_iter().zip(inputs) {
+                sum += input.shift(-input.value()).scale(slope);
+            }
+        }
+        sum
+    }
     /// Whether it is larger than another number; of several side by side, whether one of them is.
     fn exceeds(self, other: Self) -> bool;
 

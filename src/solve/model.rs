@@ -285,8 +285,11 @@ impl<'a, F: Precision> Problem<'a, F> {
     fn rolling_strips<T: Real<Base = F>>(&self, parameters: &Parameters<T>) -> Totals<T> {
         let Parameters { axis_ratio, poisson_ratio, .. } = *parameters;
         let linear = self.linear_coefficients();
-        PreparedStrips::new(axis_ratio, poisson_ratio, &linear, self.options.strips)
-            .totals(parameters.normalised())
+        let strips = PreparedStrips::new(axis_ratio, poisson_ratio, &linear, self.options.strips);
+        #[cfg(target_arch = "x86_64")]
+        return strips.totals_by(parameters.normalised(), F::strip_sums);
+        #[cfg(not(target_arch = "x86_64"))]
+        strips.totals(parameters.normalised())
     }
 
     /// Without creepage and spin every model has zero forces and, if it knows, adhesion everywhere.

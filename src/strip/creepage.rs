@@ -194,6 +194,28 @@ impl<F: Plain> Prepared<F> {
 }
 
 impl<T: Number> Law<T> {
+    /// Without derivatives.
+    #[inline(always)]
+    pub(super) fn value(&self) -> Law<T::Base> {
+        Law {
+            longitudinal: self.longitudinal.value(),
+            lateral: self.lateral.value(),
+            slope: self.slope.value(),
+            bend: self.bend.value(),
+            spin: self.spin.value(),
+            start: self.start.value(),
+            creepage: self.creepage.map(T::value),
+            root: self.root,
+        }
+    }
+
+    /// `a_x, a_y, ρ, ρ ε, σ` and the start: what strips see is linear in the first four.
+    #[inline(always)]
+    pub(super) fn numbers(&self) -> [T; 6] {
+        let bent = self.slope * self.bend;
+        [self.longitudinal, self.lateral, self.slope, bent, self.spin, self.start]
+    }
+
     /// What one strip sees, and `σ`.
     #[inline(always)]
     pub fn strip(&self, strip: &StripGeometry<T::Base>) -> (Seen<T>, T) {

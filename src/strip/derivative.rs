@@ -4,7 +4,7 @@
 use super::constants::{AVERAGE, BLEND, EDGE, NODES, ROUND_SPIN};
 use super::kernel::{Carried, Course, Passed, Seen, Separatrix, Spin, blending, forces, widest};
 use super::tables::{Closed, Node};
-use crate::number::{Arithmetic, Number};
+use crate::number::Arithmetic;
 
 /// How what follows from `σ` alone moves with it.
 #[derive(Clone, Copy, Debug)]
@@ -32,35 +32,20 @@ impl<T: Arithmetic> SpinSlopes<T> {
     }
 }
 
-/// Four numbers without derivatives.
-pub(super) type Four<T> = <<T as Arithmetic>::Base as Number>::Quad;
-
-/// Forces of four strips, with derivatives if what they see has them. `σ` is that of `spin`.
+/// Forces of strips side by side, and the derivatives of `f_x, f_y, m_x` by `A_x, A_y, σ`, the spread and the start.
 #[inline(always)]
-pub(super) fn differentiated<T: Number>(
-    seen: &Seen<T::Quad>,
-    sigma: T::Quad,
-    spin: &Spin<Four<T>>,
-    nodes: &[Node<Four<T>>; NODES],
-    closed: &Closed<Four<T>>,
-    by_spin: &SpinSlopes<Four<T>>,
-) -> Carried<T::Quad> {
-    let Seen { x, y, spread, start } = *seen;
-    let bare = Seen { x: x.bare(), y: y.bare(), spread: spread.bare(), start: start.bare() };
-    let (Carried { fx, fy, mx, stick }, course) = forces(&bare, spin, nodes, closed);
-    let stick = T::Quad::fixed(stick);
-    if !T::HAS_DERIVATIVES {
-        let [fx, fy, mx] = [fx, fy, mx].map(T::Quad::fixed);
-        return Carried { fx, fy, mx, stick };
-    }
-    let back = Back::new(&bare, spin, by_spin, nodes, closed, &course);
-    let by = [x, y, sigma, spread, start];
-    Carried {
-        fx: T::Quad::composed(fx, back.from(Force::Longitudinal), by),
-        fy: T::Quad::composed(fy, back.from(Force::Lateral), by),
-        mx: T::Quad::composed(mx, back.from(Force::Moment), by),
-        stick,
-    }
+pub(super) fn forces_and_slopes<P: Arithmetic<Bare = P>>(
+    seen: &Seen<P>,
+    spin: &Spin<P>,
+    nodes: &[Node<P>; NODES],
+    closed: &Closed<P>,
+    by_spin: &SpinSlopes<P>,
+) -> (Carried<P>, [[P; 5]; 3]) {
+    let (carried, course) = forces(seen, spin, nodes, closed);
+    let back = Back::new(seen, spin, by_spin, nodes, closed, &course);
+    let slopes =
+        [back.from(Force::Longitudinal), back.from(Force::Lateral), back.from(Force::Moment)];
+    (carried, slopes)
 }
 
 /// Which of a strip's forces.
@@ -166,16 +151,15 @@ impl<'a, P: Arithmetic<Bare = P>> Back<'a, P> {
     ) -> Self {
         let s = course.separatrix.s;
         let mut before = seen.start;
-        let mut passed = course.nodes.iter();
-        let nodes = nodes.each_ref().map(|node| {
-            let own = passed.next().unwrap_or(&course.nodes[0]);
-            let turned = Turned::new(node, own, before, s, spin);
+        let (first, passed) = (&nodes[0], &course.nodes[0]);
+        let mut turned = [(first, Turned::new(first, passed, before, s, spin)); NODES];
+        for (place, (node, own)) in turned.iter_mut().zip(nodes.iter().zip(&course.nodes)) {
+            *place = (node, Turned::new(node, own, before, s, spin));
             before = own.kept;
-            (node, turned)
-        });
+        }
         let u = s.times(0.5);
         let closed = [with_slope(&closed.force, u), with_slope(&closed.moment, u)];
-        Self { seen, spin, by_spin, nodes, course, closed }
+        Self { seen, spin, by_spin, nodes: turned, course, closed }
     }
 
     /// The derivatives of a force by `A_x, A_y, σ`, the spread and the start.

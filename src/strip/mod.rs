@@ -40,6 +40,8 @@ mod field;
 mod kernel;
 mod network;
 mod nodes;
+#[cfg(target_arch = "x86_64")]
+pub(crate) mod registers;
 mod tables;
 mod totals;
 
@@ -47,8 +49,8 @@ pub use self::creepage::{Law, Prepared, StripGeometry};
 pub use self::field::StripTraction;
 pub use self::kernel::{Carried, Seen, Spin};
 pub use self::tables::Rule;
-pub use self::totals::PreparedStrips;
 pub(crate) use self::totals::four_strips;
+pub use self::totals::{PreparedStrips, Sums};
 
 #[cfg(test)]
 mod tests;

@@ -3,7 +3,7 @@
 use super::constants::{CELLS, NODE, NODES, PLACES, WEIGHTS};
 use super::nodes::{HALF_OF_4, HALF_OF_8, HALF_OF_16, HALF_OF_32, HALF_OF_64};
 use crate::contact::forces::StripCount;
-use crate::number::Float;
+use crate::number::{Arithmetic, Float};
 
 /// A node of the slip part for the kinds of strips side by side.
 #[derive(Clone, Copy, Debug)]
@@ -51,14 +51,27 @@ impl<F: Float> Kernel<F> {
 
     /// In numbers of the kernel.
     #[inline(always)]
-    pub fn read<B: Copy>(&self, read: impl Fn(&Couple<F>) -> B) -> ([Node<B>; NODES], Closed<B>) {
-        let nodes = self.nodes.each_ref().map(|fields| {
-            let [place, length, inverse_place, soft, a, b, c, d] = fields.each_ref().map(&read);
-            Node { place, length, inverse_place, soft, weight: [a, b, c, d] }
-        });
-        let [closed] = self.closed;
-        let [a, b, c, d, e, f, g, h, i] = closed.each_ref().map(&read);
-        (nodes, Closed { force: [a, b, c, d], moment: [e, f, g, h, i] })
+    pub fn read<B: Arithmetic>(
+        &self,
+        read: impl Fn(&Couple<F>) -> B,
+    ) -> ([Node<B>; NODES], Closed<B>) {
+        let zero = B::zero();
+        let empty =
+            Node { place: zero, length: zero, inverse_place: zero, soft: zero, weight: [zero; 4] };
+        let mut nodes = [empty; NODES];
+        for (node, fields) in nodes.iter_mut().zip(self.nodes) {
+            let [place, length, inverse_place, soft, a, b, c, d] = fields;
+            *node = Node {
+                place: read(place),
+                length: read(length),
+                inverse_place: read(inverse_place),
+                soft: read(soft),
+                weight: [read(a), read(b), read(c), read(d)],
+            };
+        }
+        let [[a, b, c, d, e, f, g, h, i]] = self.closed;
+        let force = [read(a), read(b), read(c), read(d)];
+        (nodes, Closed { force, moment: [read(e), read(f), read(g), read(h), read(i)] })
     }
 }
 

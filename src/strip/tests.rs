@@ -218,17 +218,19 @@ fn forces_are_once_differentiable() {
         };
         let here = at([vx, vy, phi]);
         let h = 1e-7 * (vx.abs() + vy.abs() + phi.abs());
-        let there = at([vx + h, vy + h, phi + h]);
-        for (a, b) in [(here.fx, there.fx), (here.fy, there.fy), (here.mz, there.mz)] {
+        let (there, back) = (at([vx + h, vy + h, phi + h]), at([vx - h, vy - h, phi - h]));
+        let all = [
+            (here.fx, there.fx, back.fx),
+            (here.fy, there.fy, back.fy),
+            (here.mz, there.mz, back.mz),
+        ];
+        for (a, b, c) in all {
             let slope: f64 = a.gradient.iter().sum();
             let size = a.gradient.iter().map(|d| d.abs()).sum::<f64>() + 1e-3;
-            let found = (b.value - a.value) / h;
+            let found = (b.value - c.value) / (2.0 * h);
             // (rounding of the forces over the step)
             let allowed = 1e-4 * size + 1e-13 / h;
-            assert!(
-                (found - slope).abs() < allowed,
-                "{g} {nu} {vx} {vy} {phi}: {found} {slope} {size}"
-            );
+            assert!((found - slope).abs() < allowed, "{g} {nu} {vx} {vy} {phi}: {found} {slope}");
             for (d, e) in a.gradient.iter().zip(b.gradient) {
                 assert!((d - e).abs() < 1e-3 * size, "{g} {nu} {vx} {vy} {phi}: {d} {e}");
             }
@@ -341,9 +343,15 @@ fn any_strips_follow_the_same_law() {
                 fy += loads[4 * k + i] * found.fy;
             }
         }
-        let sum = prepared.sum(&law);
-        assert_abs_diff_eq!(fx, sum.fx, epsilon = 1e-12);
-        assert_abs_diff_eq!(fy, sum.fy, epsilon = 1e-12);
+        let (mut sum_x, mut sum_y) = (0.0, 0.0);
+        prepared.each([vx, vy, phi], |strip, _| {
+            (sum_x, sum_y) = (sum_x + strip.fx, sum_y + strip.fy);
+        });
+        // (where nothing was moved for the power's sake)
+        if phi == 0.0 || vx.hypot(vy) > phi.abs() {
+            assert_abs_diff_eq!(fx, sum_x, epsilon = 1e-12);
+            assert_abs_diff_eq!(fy, sum_y, epsilon = 1e-12);
+        }
     }
 }
 
@@ -390,7 +398,7 @@ fn any_size_of_creepage_is_finite_in_single_precision() {
 /// Differences of sixth order, where no strip comes near a change of formula: the derivatives to 1e-7.
 #[test]
 fn derivatives_are_those_of_differences() {
-    let (mut tight, mut worst) = (0, 0.0_f64);
+    let (mut tight, mut worst) = (0, (0.0_f64, [0.0; 5]));
     for case in cases(1000) {
         let [g, nu, vx, vy, phi] = case;
         let v = [Dual::<f64, 3>::input(vx, 0), Dual::input(vy, 1), Dual::input(phi, 2)];
@@ -413,11 +421,13 @@ fn derivatives_are_those_of_differences() {
                 if error < 1e-7 {
                     tight += 1;
                 }
-                worst = worst.max(error);
+                if error > worst.0 {
+                    worst = (error, case);
+                }
             }
         }
     }
-    assert!(tight > 9000 / 4 && worst < 0.02, "{tight} {worst}");
+    assert!(tight > 8500 && worst.0 < 0.02, "{tight} {worst:?}");
 }
 
 /// The derivatives taken back through a strip by hand are those of dual numbers through its formulas.

@@ -2,12 +2,12 @@
 
 use super::constants::NODES;
 use super::creepage::{Law, Prepared};
-use super::derivative::{Four, SpinSlopes, differentiated};
-use super::kernel::{Carried, Seen, Spin};
+use super::derivative::{SpinSlopes, forces_and_slopes};
+use super::kernel::{Carried, Seen, Spin, forces};
 use super::tables::{Closed, FourStrips, Kernel, Node, Rule, STRIP_FIELDS};
 use crate::contact::forces::{StripCount, Totals};
 use crate::linear::LinearCoefficients;
-use crate::number::{Arithmetic, Float, Number, Plain, Quad, Stored};
+use crate::number::{Arithmetic, Float, Number, Plain, Quad};
 
 /// Power over that of the linear theory divided by `√(1 + n²)`: never below this.
 const FLOOR: f64 = 0.2;
@@ -21,8 +21,13 @@ pub struct PreparedStrips<F: Plain> {
     rule: Rule<F::Stored>,
 }
 
-/// Nodes and closed part for four strips.
-type FourNodes<F> = ([Node<<F as Number>::Quad>; NODES], Closed<<F as Number>::Quad>);
+/// Sums over the strips of a contact: `F_x/(μ N)`, `F_y/(μ N)`, `M_z/(μ N √(ab))` and the share in adhesion, and the
+/// derivatives of the first three by [`Law::numbers`].
+#[derive(Clone, Copy, Debug)]
+pub struct Sums<F> {
+    values: [F; 4],
+    slopes: [[F; 6]; 3],
+}
 
 impl<F: Plain> PreparedStrips<F> {
     /// `axis_ratio` is `a/b`, `linear` the coefficients for it.
@@ -41,31 +46,75 @@ impl<F: Plain> PreparedStrips<F> {
     /// Forces, moment and share in adhesion for `vx, vy = G a b (υx, υy)/(μ N)`, `φ = G (a b)^{3/2} ϕ/(μ N)`.
     #[inline(always)]
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
-        let law = self.contact.see(creepage);
-        let sums = self.sum(&law);
-        power_projected(sums, law.creepage, &self.contact.linear)
+        self.totals_by(creepage, Self::sums)
     }
 
-    /// Sums over the strips.
+    /// [`PreparedStrips::totals`] with strips added up by `sums`.
     #[inline(always)]
-    pub(super) fn sum<T: Number<Base = F>>(&self, law: &Law<T>) -> Totals<T> {
-        let zero = T::Quad::zero();
+    pub(crate) fn totals_by<T: Number<Base = F>>(
+        &self,
+        creepage: [T; 3],
+        sums: impl Fn(&Self, &Law<F>, bool) -> Sums<F>,
+    ) -> Totals<T> {
+        let law = self.contact.see(creepage);
+        let Sums { values: [fx, fy, mz, stick], slopes: [by_x, by_y, by_m] } =
+            sums(self, &law.value(), T::HAS_DERIVATIVES);
+        let by = law.numbers();
+        let totals = Totals {
+            fx: T::follow(fx, by_x, by),
+            fy: T::follow(fy, by_y, by),
+            mz: T::follow(mz, by_m, by),
+            stick: T::from_base(stick),
+        };
+        power_projected(totals, law.creepage, &self.contact.linear)
+    }
+
+    /// Sums over the strips, four at a time in [`Number::Quad`].
+    #[inline(always)]
+    pub(crate) fn sums(&self, law: &Law<F>, slopes: bool) -> Sums<F> {
+        self.sums_in::<Quads>(law, slopes)
+    }
+
+    /// Sums over the strips, four at a time.
+    #[inline(always)]
+    pub(crate) fn sums_in<R: Fours<F>>(&self, law: &Law<F>, slopes: bool) -> Sums<F> {
+        let zero = R::Four::zero();
         let [mut fx, mut fy, mut by_x, mut by_y, mut stick] = [zero; 5];
-        let kernel = FourKernel::new(law);
+        let mut sums = [[zero; 6]; 3];
+        let Prepared { root, upright, .. } = self.contact;
+        let strips = Together::new::<F, R>(law);
         for four in self.rule.fours {
-            let carried = kernel.forces(law, four);
-            let [_, _, _, load, load_c, load_y, area, _] = fields::<F>(four);
-            fx += carried.fx.weigh(load);
-            fy += carried.fy.weigh(load);
-            by_x += carried.mx.weigh(load_c);
-            by_y += carried.fx.weigh(load_y);
-            stick += carried.stick.weigh(area);
+            let fields = fields::<F, R>(four);
+            let [.., load, load_c, load_y, area, _] = fields;
+            let carried = if slopes {
+                let (carried, [x, y, m]) = strips.forces_and_slopes(&fields);
+                // Mz = ∫ (x Y − y X): lever arms √(a/b) C x̂ and √(b/a) Y
+                let (arm_m, arm_x) = (load_c * R::all(root), load_y * R::all(upright));
+                let mut z = m;
+                for (z, x) in z.iter_mut().zip(x) {
+                    *z = *z * arm_m - x * arm_x;
+                }
+                let [sum_x, sum_y, sum_z] = &mut sums;
+                strips.add(sum_x, R::Four::each(&x, |slope| *slope * load), &fields);
+                strips.add(sum_y, R::Four::each(&y, |slope| *slope * load), &fields);
+                strips.add(sum_z, z, &fields);
+                carried
+            } else {
+                strips.forces(&fields)
+            };
+            fx += carried.fx * load;
+            fy += carried.fy * load;
+            by_x += carried.mx * load_c;
+            by_y += carried.fx * load_y;
+            stick += carried.stick * area;
         }
-        // Mz = ∫ (x Y − y X): lever arms √(a/b) C x̂ and √(b/a) Y
-        let contact = &self.contact;
-        let mz = by_x.sum().scale(contact.root) - by_y.sum().scale(contact.upright);
-        let stick = stick.sum().max(T::zero()).min(T::one());
-        Totals { fx: fx.sum(), fy: fy.sum(), mz, stick }
+        let mz = R::sum(by_x) * root - R::sum(by_y) * upright;
+        let stick = R::sum(stick).clamped(F::zero(), F::one());
+        let mut by_law = [[F::zero(); 6]; 3];
+        for (by_law, sums) in by_law.iter_mut().zip(&sums) {
+            *by_law = F::each(sums, |sum| R::sum(*sum));
+        }
+        Sums { values: [R::sum(fx), R::sum(fy), mz, stick], slopes: by_law }
     }
 
     /// What each strip carries of the contact's friction bound, with its share of the area, ascending in `y`; their sum is
@@ -75,15 +124,17 @@ impl<F: Plain> PreparedStrips<F> {
         F: Float,
     {
         let law = self.contact.see(creepage);
-        let sums = self.sum(&law);
+        let Sums { values: [fx, fy, mz, stick], .. } = self.sums(&law, false);
+        let sums = Totals { fx, fy, mz, stick };
         let whole = power_projected(sums, law.creepage, &self.contact.linear);
-        let kernel = FourKernel::new(&law);
+        let strips = Together::new::<F, Quads>(&law);
         let mut strip = |i: usize, lane: usize| {
             let Some(four) = self.rule.fours.get(i) else { return };
-            let Carried { fx, fy, mx, stick } = kernel.forces(&law, four);
-            let [_, _, _, load, load_c, load_y, area, _] = fields::<F>(four);
-            let mz =
-                (mx * load_c).scale(self.contact.root) - (fx * load_y).scale(self.contact.upright);
+            let fields = fields::<F, Quads>(four);
+            let Carried { fx, fy, mx, stick } = strips.forces(&fields);
+            let [.., load, load_c, load_y, area, _] = fields;
+            let Prepared { root, upright, .. } = self.contact;
+            let mz = (mx * load_c).scale(root) - (fx * load_y).scale(upright);
             let of = |quad: F::Quad| quad.parts().get(lane).copied().unwrap_or(F::zero());
             let share = of(load);
             let found = Totals {
@@ -112,92 +163,111 @@ impl<F: Plain> PreparedStrips<F> {
     }
 }
 
-/// Any four strips: what each sees, its spin, and whether it is an inner one (of neighbours one is).
-#[inline(never)]
-pub(crate) fn four_strips<T: Number>(
-    seen: &[(Seen<T>, T); 4],
-    inner: [bool; 4],
-) -> [Carried<T>; 4] {
-    let four = |of: fn(&(Seen<T>, T)) -> T| T::Quad::of(T::each(seen, of));
-    let sigma = four(|(_, spin)| *spin);
-    let spin = Spin::new(sigma.bare());
-    let seen = Seen {
-        x: four(|(seen, _)| seen.x),
-        y: four(|(seen, _)| seen.y),
-        spread: four(|(seen, _)| seen.spread),
-        start: four(|(seen, _)| seen.start),
-    };
-    let (nodes, closed) = Kernel::<Stored<T>>::get().read(|[outer, other]| {
-        Quad::plain(inner.map(|inner| T::Base::stored(if inner { *other } else { *outer })))
-    });
-    let by_spin = SpinSlopes::new(&spin);
-    let Carried { fx, fy, mx, stick } =
-        differentiated::<T>(&seen, sigma, &spin, &nodes, &closed, &by_spin);
-    let [fy, mx, stick] = [fy, mx, stick].map(T::Quad::parts);
-    let mut carried = fx.parts().map(|fx| Carried { fx, fy: fx, mx: fx, stick: fx });
-    for (own, (fy, (mx, stick))) in
-        carried.iter_mut().zip(fy.into_iter().zip(mx.into_iter().zip(stick)))
-    {
-        *own = Carried { fx: own.fx, fy, mx, stick };
-    }
-    carried
+/// The kernel for strips of an ellipse side by side, which have one spin.
+struct Together<P: Arithmetic> {
+    /// `a_x, a_y, ρ, ε` and the start.
+    law: [P; 5],
+    spin: Spin<P>,
+    by_spin: SpinSlopes<P>,
+    nodes: [Node<P>; NODES],
+    closed: Closed<P>,
 }
 
-/// The kernel for four strips of an ellipse, which have one spin.
-struct FourKernel<T: Number> {
-    sigma: T::Quad,
-    spin: Spin<Four<T>>,
-    by_spin: SpinSlopes<Four<T>>,
-    nodes: FourNodes<T::Base>,
-}
-
-impl<T: Number> FourKernel<T> {
+impl<P: Arithmetic<Bare = P>> Together<P> {
     #[inline(always)]
-    fn new(law: &Law<T>) -> Self {
-        let spin = Spin::new(law.spin.value());
+    fn new<F: Plain, R: Fours<F, Four = P>>(law: &Law<F>) -> Self {
+        let spin = Spin::new(law.spin);
         // (without derivatives nobody reads them)
-        let by_spin = SpinSlopes::new(&spin);
-        Self {
-            sigma: T::Quad::all(law.spin),
-            spin: spin.map(Quad::all),
-            by_spin: by_spin.map(Quad::all),
-            nodes: Kernel::<Stored<T>>::get().read(|couple| both_sides::<T::Base>(couple)),
+        let by_spin = SpinSlopes::new(&spin).map(R::all);
+        let (nodes, closed) = Kernel::<F::Stored>::get().read(both_sides::<F, R>);
+        let Law { longitudinal, lateral, slope, bend, start, .. } = *law;
+        let law = P::each(&[longitudinal, lateral, slope, bend, start], |x| R::all(*x));
+        Self { law, spin: spin.map(R::all), by_spin, nodes, closed }
+    }
+
+    /// `A_x = (a_x − ρ Y (1 + ε (0.4 − Y²)))/C`, `A_y = a_y/C`
+    #[inline(always)]
+    fn seen(&self, fields: &[P; STRIP_FIELDS]) -> Seen<P> {
+        let [y, inverse, bend_y, .., width] = *fields;
+        let [longitudinal, lateral, slope, bend, start] = self.law;
+        Seen {
+            x: (longitudinal - slope * (bend * bend_y + y)) * inverse,
+            y: lateral * inverse,
+            spread: slope * width,
+            start,
         }
     }
 
     #[inline(always)]
-    fn forces(&self, law: &Law<T>, four: &FourStrips<Stored<T>>) -> Carried<T::Quad> {
-        let [y, inverse, bend, _, _, _, _, width] = fields::<T::Base>(four);
-        // A_x = (a_x − ρ Y (1 + ε (0.4 − Y²)))/C
-        let profile = T::Quad::all(law.bend).weigh(bend) + T::Quad::fixed(y);
-        let slope = T::Quad::all(law.slope);
-        let seen = Seen {
-            x: (T::Quad::all(law.longitudinal) - slope * profile).weigh(inverse),
-            y: T::Quad::all(law.lateral).weigh(inverse),
-            spread: slope.weigh(width),
-            start: T::Quad::all(law.start),
-        };
-        let (nodes, closed) = &self.nodes;
-        differentiated::<T>(&seen, self.sigma, &self.spin, nodes, closed, &self.by_spin)
+    fn forces(&self, fields: &[P; STRIP_FIELDS]) -> Carried<P> {
+        forces(&self.seen(fields), &self.spin, &self.nodes, &self.closed).0
+    }
+
+    #[inline(always)]
+    fn forces_and_slopes(&self, fields: &[P; STRIP_FIELDS]) -> (Carried<P>, [[P; 5]; 3]) {
+        let Self { spin, nodes, closed, by_spin, .. } = self;
+        forces_and_slopes(&self.seen(fields), spin, nodes, closed, by_spin)
+    }
+
+    /// Adds derivatives by what the strips see to those by [`Law::numbers`].
+    #[inline(always)]
+    fn add(&self, sums: &mut [P; 6], by_seen: [P; 5], fields: &[P; STRIP_FIELDS]) {
+        let [y, inverse, bend, .., width] = *fields;
+        let [by_x, by_y, by_spin, by_spread, by_start] = by_seen;
+        let scaled = by_x * inverse;
+        let [longitudinal, lateral, slope, bent, spin, start] = sums;
+        *longitudinal += scaled;
+        *lateral += by_y * inverse;
+        *slope += by_spread * width - scaled * y;
+        *bent -= scaled * bend;
+        *spin += by_spin;
+        *start += by_start;
+    }
+}
+
+/// How four strips stand side by side.
+pub(crate) trait Fours<F> {
+    type Four: Arithmetic<Bare = Self::Four>;
+    fn all(x: F) -> Self::Four;
+    fn of(numbers: [F; 4]) -> Self::Four;
+    fn sum(four: Self::Four) -> F;
+}
+
+/// In [`Number::Quad`].
+struct Quads;
+
+impl<F: Plain> Fours<F> for Quads {
+    type Four = F::Quad;
+    #[inline(always)]
+    fn all(x: F) -> F::Quad {
+        F::Quad::all(x)
+    }
+    #[inline(always)]
+    fn of(numbers: [F; 4]) -> F::Quad {
+        F::Quad::plain(numbers)
+    }
+    #[inline(always)]
+    fn sum(four: F::Quad) -> F {
+        four.sum()
     }
 }
 
 /// Strips at `Y` and `−Y`: the numbers of two, twice.
 #[inline(always)]
-fn both_sides<F: Plain>(couple: &[F::Stored; 2]) -> F::Quad {
+fn both_sides<F: Plain, R: Fours<F>>(couple: &[F::Stored; 2]) -> R::Four {
     let [a, b] = F::both_stored(*couple);
-    F::Quad::plain([a, b, a, b])
+    R::of([a, b, a, b])
 }
 
 /// The fields of four strips: `y`, `bend` and `load_y` are odd in `y`.
 #[inline(always)]
-fn fields<F: Plain>(four: &FourStrips<F::Stored>) -> [F::Quad; STRIP_FIELDS] {
+fn fields<F: Plain, R: Fours<F>>(four: &FourStrips<F::Stored>) -> [R::Four; STRIP_FIELDS] {
+    let even = both_sides::<F, R>;
     let odd = |couple: &[F::Stored; 2]| {
         let [a, b] = F::both_stored(*couple);
-        F::Quad::plain([a, b, -a, -b])
+        R::of([a, b, -a, -b])
     };
     let [y, inverse, bend, load, load_c, load_y, area, width] = four;
-    let even = both_sides::<F>;
     [
         odd(y),
         even(inverse),
@@ -208,6 +278,52 @@ fn fields<F: Plain>(four: &FourStrips<F::Stored>) -> [F::Quad; STRIP_FIELDS] {
         even(area),
         even(width),
     ]
+}
+
+/// Any four strips: what each sees, its spin, and whether it is an inner one (of neighbours one is).
+#[inline(never)]
+pub(crate) fn four_strips<T: Number>(
+    seen: &[(Seen<T>, T); 4],
+    inner: [bool; 4],
+) -> [Carried<T>; 4] {
+    type Four<T> = <<T as Arithmetic>::Base as Number>::Quad;
+    let four = |of: fn(&(Seen<T>, T)) -> T| -> Four<T> {
+        Quad::of(seen.each_ref().map(|own| of(own).value()))
+    };
+    let spin = Spin::new(four(|(_, spin)| *spin));
+    let plain = Seen {
+        x: four(|(seen, _)| seen.x),
+        y: four(|(seen, _)| seen.y),
+        spread: four(|(seen, _)| seen.spread),
+        start: four(|(seen, _)| seen.start),
+    };
+    let (nodes, closed) = Kernel::<<T::Base as Plain>::Stored>::get().read(|[outer, other]| {
+        let own = |inner| T::Base::stored(if inner { *other } else { *outer });
+        <Four<T> as Quad<T::Base>>::plain(inner.map(own))
+    });
+    let (Carried { fx, fy, mx, stick }, slopes) = if T::HAS_DERIVATIVES {
+        forces_and_slopes(&plain, &spin, &nodes, &closed, &SpinSlopes::new(&spin))
+    } else {
+        (forces(&plain, &spin, &nodes, &closed).0, [[Four::<T>::zero(); 5]; 3])
+    };
+    let [fx, fy, mx, stick] = [fx, fy, mx, stick].map(Quad::parts);
+    let [by_x, by_y, by_m] = slopes.map(|slopes| slopes.map(Quad::parts));
+    let mut lane = 0;
+    seen.each_ref().map(|(seen, spin)| {
+        let of = |four: &[T::Base; 4]| four.get(lane).copied().unwrap_or(T::Base::zero());
+        let by = [seen.x, seen.y, *spin, seen.spread, seen.start];
+        let follow = |value: &[T::Base; 4], slopes: &[[T::Base; 4]; 5]| {
+            T::follow(of(value), slopes.each_ref().map(of), by)
+        };
+        let carried = Carried {
+            fx: follow(&fx, &by_x),
+            fy: follow(&fy, &by_y),
+            mx: follow(&mx, &by_m),
+            stick: T::from_base(of(&stick)),
+        };
+        lane += 1;
+        carried
+    })
 }
 
 /// Forces moved so that friction takes power out: `F·v n/(v·K v)`, `K = diag(C11, C22, C33)`,
