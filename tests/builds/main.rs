@@ -10,6 +10,7 @@ mod names;
 mod toolchain;
 
 mod c_programs;
+mod cpp_programs;
 mod docs;
 mod firmware;
 mod hosts;
