@@ -300,7 +300,7 @@ fn zones_merge_without_a_jump() {
             let found = solver::solve(&view, &motion, model).unwrap();
             ([found.fx / (0.3 * load), found.fy / (0.3 * load)], view.lobes().count())
         };
-        let (mut load, mut last) = (60e3, None);
+        let (mut load, mut last): (f64, Option<[f64; 2]>) = (60e3, None);
         let (mut largest, mut apart, mut whole) = (0.0_f64, 0, 0);
         while load < 260e3 {
             let (force, lobes) = forces(load);
