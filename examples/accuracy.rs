@@ -2,6 +2,8 @@
 //! `cargo run --release --example accuracy` writes `docs/accuracy.md` and the pictures in
 //! `docs/accuracy/`. The same build writes the same files, byte by byte.
 
+#[path = "accuracy/feel.rs"]
+mod feel;
 #[path = "common/lines.rs"]
 mod lines;
 #[path = "common/peer_methods.rs"]
@@ -16,6 +18,8 @@ mod progress;
 mod random;
 #[path = "../tests/common/reference.rs"]
 mod reference;
+#[path = "../tests/common/slopes.rs"]
+mod slopes;
 
 use kstrip::contact::forces::StripCount;
 use kstrip::solve::model::Model;
@@ -908,9 +912,10 @@ fn main() -> Drawn {
     let folder = docs.join("accuracy");
     std::fs::create_dir_all(&folder)?;
     let mut report = Report::compute();
-    let parts: [Part; 7] = [
+    let parts: [Part; 8] = [
         ("introduction", Report::introduction),
         ("all methods", Report::all_methods),
+        ("what a simulation feels", Report::feel),
         ("by strip count", Report::by_strip_count),
         ("by region", Report::by_region),
         ("worst cases", Report::worst_cases),
@@ -926,6 +931,7 @@ fn main() -> Drawn {
     bar.inc(1);
     bar.set_message("pictures");
     std::fs::write(docs.join("accuracy.md"), &report.text)?;
+    report.sweep(&folder.join("sweep.svg"))?;
     report.histograms(&folder)?;
     report.shape_spin_map(&folder)?;
     report.creepage_spin_map(&folder)?;

@@ -22,18 +22,16 @@ use nalgebra::Matrix3;
 #[repr(i32)]
 #[non_exhaustive]
 pub enum Model {
-    /// The theory of 1967 with the sliding rule that the paper keeps for forces.
+    /// The theory of 1967 itself, nothing fitted, with the sliding rule that the paper keeps for forces.
     Strip1967 = 1,
     /// The theory of 1967 with the sliding rule that joins the adhesion strips without a jump.
     Strip1967Continuous = 2,
-    /// Strips that follow the slip, with the slopes of linear theory and any spin: forces, moment,
-    /// stick area and fields. The recommended model.
-    ///
-    /// On ellipses longer than wide, `a/b > 5`, that roll with hardly more than spin, the moment can have the wrong
-    /// sign: by up to `0.02 μ N √(ab)` to `a/b = 10` (with `ν > 0.37`), more beyond. The power then is as much below zero.
+    /// A strip theory in Kalker's sense: the half-ellipses of 1967 in adhesion, slip along the local rigid slip, flexibilities corrected by a
+    /// small network fitted to CONTACT. Any spin: forces, moment, stick area and fields; the power is never negative.
     #[default]
     Strip = 3,
-    /// Total forces and moment only: the most accurate and, of those with saturation, the cheapest.
+    /// A closed formula with a small network fitted to CONTACT. Total forces and moment only: the most accurate and, of those with
+    /// saturation, the cheapest; the power is never negative.
     Total = 4,
     /// Linear theory: no saturation, for stability analysis.
     Linear = 5,

@@ -2,11 +2,12 @@
 //! enough that an improvement must tighten it, and the limits that were required.
 
 use crate::reference;
+use crate::slopes;
 
 use kstrip::contact::forces::StripCount;
 use kstrip::solve::model::Model;
 use reference::*;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::fmt::Write;
 
 /// What is allowed, about 5 % above what was measured.
@@ -17,6 +18,13 @@ use std::fmt::Write;
 /// mean and maximum of the moment's; mean error of the stick area. For fields the error of the
 /// traction over the friction bound stands in the first three, the share of cells in the wrong state
 /// in the next two. For coefficients the relative error stands in the first three.
+///
+/// What a simulation feels (`tests/common/slopes.rs`): `slopes`, the worst slope of each case of `jacobians.csv` in units of the linear
+/// slope, in the first three; `rays`, the rises of the slope without spin in the first three, the fall after the maximum in the fourth;
+/// `ripple` of the slope with spin, region `fx` or `fy`, in the first three; `limits`, the force far in sliding in the first three, mean,
+/// maximum and 95th percentile of the moment in the last three; `power`, how far below zero it falls and in which share of the states.
+///
+/// A line stands once: a set, a model, a strip count and a region.
 ///
 /// To update: run the test, look at what has changed and why, and take over the table that it prints.
 const ALLOWED: &str = include_str!("../data/allowed_errors.txt");
@@ -73,6 +81,11 @@ impl Measured {
         match set.trim_end_matches("/f32") {
             "fields" => field_row(law.expect("a model"), single),
             "coefficients" => coefficient_row(model, region, single),
+            felt @ ("slopes" | "rays" | "ripple" | "limits" | "power") => {
+                let count = StripCount::from_number(strips).unwrap_or_default();
+                let options = options(law.expect("a model"), count);
+                felt_row(felt, region, &|case| answer::<f64>(case, &options))
+            }
             set => {
                 let count = StripCount::from_number(strips).unwrap_or_default();
                 let options = options(law.expect("a model"), count);
@@ -106,6 +119,41 @@ fn field_row(model: Model, single: bool) -> Row {
     })
 }
 
+/// Slopes, ripple, limits and power.
+fn felt_row(what: &str, region: &str, solve: slopes::Solve) -> Row {
+    let three = |errors: &[f64]| {
+        let Figures { mean, p95, max } = figures(errors);
+        [mean, p95, max, 0.0, 0.0, 0.0]
+    };
+    match what {
+        "slopes" => {
+            let region = REGIONS.iter().find(|r| r.name == region).expect("a region");
+            let cases = slopes::slope_cases();
+            let inside = cases.iter().filter(|slope| (region.holds)(&slope.case));
+            three(&inside.map(|slope| slope.error(solve).0).collect::<Vec<_>>())
+        }
+        "rays" => {
+            let (rises, fall) = slopes::rays(100, solve);
+            let [mean, p95, max, ..] = three(&rises);
+            [mean, p95, max, fall, 0.0, 0.0]
+        }
+        "ripple" => {
+            let [fx, fy] = slopes::ripple(solve);
+            three(if region == "fx" { &fx } else { &fy })
+        }
+        "limits" => {
+            let [force, moment] = slopes::limits(solve);
+            let ([mean, p95, max, ..], moment) = (three(&force), figures(&moment));
+            [mean, p95, max, moment.mean, moment.max, moment.p95]
+        }
+        _ => {
+            let (least, below) = slopes::power(2_000, solve);
+            let gain = if least < -1e-9 { -least } else { 0.0 };
+            [gain, below, 0.0, 0.0, 0.0, 0.0]
+        }
+    }
+}
+
 fn coefficient_row(which: &str, region: &str, single: bool) -> Row {
     let index = ["C11", "C22", "C23", "C33"].iter().position(|c| *c == which);
     let errors: Vec<f64> = coefficient_cases()
@@ -129,6 +177,7 @@ fn errors_are_within_the_table_and_the_table_is_tight() {
     let mut measured = Measured::new();
     let mut table = String::new();
     let mut complaints = String::new();
+    let mut names = HashSet::new();
     for line in ALLOWED.lines() {
         let mut words = line.split_whitespace();
         let (Some(set), Some(model), Some(strips), Some(region)) =
@@ -140,6 +189,9 @@ fn errors_are_within_the_table_and_the_table_is_tight() {
         if set == "#" {
             let _ = writeln!(table, "{line}");
             continue;
+        }
+        if !names.insert((set, model, strips, region)) {
+            let _ = writeln!(complaints, "{line}\n  stands twice");
         }
         let is = measured.row(set, model, strips.parse().expect("a strip count"), region);
         let allowed: Vec<f64> = words.map(|word| word.parse().expect("a number")).collect();

@@ -14,6 +14,8 @@ mod random;
 mod reference;
 #[path = "../common/single.rs"]
 mod single;
+#[path = "../common/slopes.rs"]
+mod slopes;
 #[path = "../common/theory.rs"]
 mod theory;
 
