@@ -187,7 +187,7 @@ impl Report {
                 };
                 let curve =
                     panel(62.0, 190.0, Axis::linear(0.0, 1.05, &[0.0, 0.25, 0.5, 0.75, 1.0]));
-                let slopes = panel(292.0, 184.0, Axis::linear(-0.6, 1.2, &[-0.5, 0.0, 0.5, 1.0]));
+                let slopes = panel(286.0, 190.0, Axis::linear(-0.6, 1.2, &[-0.5, 0.0, 0.5, 1.0]));
                 curve.frame(canvas)?;
                 slopes.frame(canvas)?;
                 let component = ["fx", "fy"][force];
