@@ -1,75 +1,61 @@
 //! Many contacts at once where the processor has registers of 256 bits (AVX): four contacts side by side in double
 //! precision, eight in single precision.
 //!
-//! The formulas are those of one contact, evaluated with the numbers of `real::lanes`, whose bits are
-//! those of plain numbers. Contacts that need another branch than their neighbours are solved one by one.
-//!
-//! The processor is asked once (`cpuid`, which takes some 4 µs under a hypervisor), and the answer is remembered.
+//! The road is that of one contact ([`Prepared`]), with the numbers of `number::lanes`, whose bits are those of plain numbers.
 
 #![allow(unsafe_code)]
 
-use crate::batch::{Problems, Solutions, check_one, evaluate_one};
+use crate::batch::{self, check};
 use crate::contact::Contact;
-use crate::contact::creepage::{Creepage, Parameters};
-use crate::contact::forces::Totals;
-use crate::linear::LinearCoefficients;
+use crate::contact::creepage::Creepage;
+use crate::number::Arithmetic;
 use crate::number::lanes::{F32x8, F64x4, Lanes};
-use crate::number::{Arithmetic, Plain};
-use crate::solve::evaluate::Wanted;
-use crate::solve::model::{self, Forces, LARGEST_SPIN, Model, Options, Precision, Problem, RATIOS};
+use crate::solve::check::is_sound;
+use crate::solve::model::{Model, Options, Precision, Solution};
+use crate::solve::prepared::{
+    Forces, LARGEST_SPIN, Prepared, RATIOS, linear_notice, linear_size, notice,
+};
 use crate::status::{Error, Notice};
-use crate::strip_1967;
-use crate::total;
+use crate::strip::StripSums;
+use core::sync::atomic::{AtomicU8, Ordering};
 
 /// Floating-point types that fill wide registers.
-pub trait Wide: crate::number::Float {
-    /// Sums over the strips of a contact in wide registers, if there are any.
-    fn strip_sums(
-        strips: &crate::strip::PreparedStrips<Self>,
-        law: &crate::strip::Law<Self>,
-        slopes: bool,
-    ) -> crate::strip::Sums<Self>;
-
-    /// [`evaluate_batch`](crate::batch::evaluate_batch) in wide registers.
+pub trait Wide: Sized {
+    /// [`solve_batch`](crate::batch::solve_batch) in wide registers.
     ///
     /// # Errors
     /// The same.
-    fn evaluate_wide(
-        problems: &impl Problems<Self>,
+    fn solve_wide(
+        count: usize,
         options: &Options,
-        wanted: Wanted,
-        solutions: &mut impl Solutions<Self>,
-    ) -> Result<Notice, Error>
+        get: impl Fn(usize) -> (Contact<Self>, Creepage<Self>),
+        put: impl FnMut(usize, Solution<Self>),
+    ) -> Result<Notice, (usize, Error)>
     where
         Self: Precision;
 }
 
-/// Whether the wide registers are there, and worth the question.
-pub(crate) fn pays(model: Model, count: usize) -> bool {
-    let least = match model {
-        Model::Strip => 16,
-        Model::Total => 48,
-        Model::Linear => 128,
-        Model::Strip1967 | Model::Strip1967Continuous => 48,
-    };
-    count >= least && available()
-}
-
-/// Whether the processor has registers of 256 bits and the system keeps them. It is asked once.
-#[inline]
+/// Whether the processor has registers of 256 bits and the system keeps them.
+///
+/// The answer is remembered, because under a hypervisor the question takes microseconds. It is the only thing that the library
+/// remembers, and no result depends on it: lanes have the bits of plain numbers. Every thread that asks at the same time
+/// writes the same answer, so no order between them is needed.
 pub(crate) fn available() -> bool {
-    use core::sync::atomic::{AtomicU8, Ordering};
-    static KNOWN: AtomicU8 = AtomicU8::new(0);
+    const UNKNOWN: u8 = 0;
+    const YES: u8 = 1;
+    const NO: u8 = 2;
+    static KNOWN: AtomicU8 = AtomicU8::new(UNKNOWN);
     if cfg!(target_feature = "avx") {
         return true;
     }
     match KNOWN.load(Ordering::Relaxed) {
-        0 => {
+        YES => true,
+        NO => false,
+        _ => {
             let found = ask();
-            KNOWN.store(if found { 2 } else { 1 }, Ordering::Relaxed);
+            KNOWN.store(if found { YES } else { NO }, Ordering::Relaxed);
             found
         }
-        known => known == 2,
     }
 }
 
@@ -99,45 +85,34 @@ const TOTAL: i32 = Model::Total as i32;
 const LINEAR: i32 = Model::Linear as i32;
 
 macro_rules! wide {
-    ($float:ident, $lanes:ident, $count:literal, $sums:path) => {
+    ($float:ident, $lanes:ident, $count:literal) => {
         impl Wide for $float {
-            #[inline(always)]
-            fn strip_sums(
-                strips: &crate::strip::PreparedStrips<Self>,
-                law: &crate::strip::Law<Self>,
-                slopes: bool,
-            ) -> crate::strip::Sums<Self> {
-                $sums(strips, law, slopes)
-            }
-            fn evaluate_wide(
-                problems: &impl Problems<Self>,
+            fn solve_wide(
+                count: usize,
                 options: &Options,
-                wanted: Wanted,
-                solutions: &mut impl Solutions<Self>,
-            ) -> Result<Notice, Error> {
+                get: impl Fn(usize) -> (Contact<Self>, Creepage<Self>),
+                put: impl FnMut(usize, Solution<Self>),
+            ) -> Result<Notice, (usize, Error)> {
                 /// One piece of code for each model.
                 #[target_feature(enable = "avx")]
                 fn with_avx<const MODEL: i32>(
-                    problems: &impl Problems<$float>,
+                    count: usize,
                     options: &Options,
-                    wanted: Wanted,
-                    solutions: &mut impl Solutions<$float>,
-                ) -> Result<Notice, Error> {
+                    get: impl Fn(usize) -> (Contact<$float>, Creepage<$float>),
+                    put: impl FnMut(usize, Solution<$float>),
+                ) -> Result<Notice, (usize, Error)> {
                     let model = Model::from_number(MODEL).unwrap_or_default();
-                    let options = Options { model, ..*options };
-                    solve::<$lanes, $count, MODEL>(problems, &options, wanted, solutions)
+                    solve::<$lanes, $count>(count, &Options { model, ..*options }, get, put)
                 }
-                // SAFETY: `pays` has asked the processor.
+                // SAFETY: the processor has been asked.
                 unsafe {
                     match options.model {
-                        Model::Total => with_avx::<TOTAL>(problems, options, wanted, solutions),
-                        Model::Linear => with_avx::<LINEAR>(problems, options, wanted, solutions),
-                        Model::Strip => with_avx::<STRIP>(problems, options, wanted, solutions),
-                        Model::Strip1967 => {
-                            with_avx::<STRIP_1967>(problems, options, wanted, solutions)
-                        }
+                        Model::Total => with_avx::<TOTAL>(count, options, get, put),
+                        Model::Linear => with_avx::<LINEAR>(count, options, get, put),
+                        Model::Strip => with_avx::<STRIP>(count, options, get, put),
+                        Model::Strip1967 => with_avx::<STRIP_1967>(count, options, get, put),
                         Model::Strip1967Continuous => {
-                            with_avx::<CONTINUOUS>(problems, options, wanted, solutions)
+                            with_avx::<CONTINUOUS>(count, options, get, put)
                         }
                     }
                 }
@@ -146,96 +121,73 @@ macro_rules! wide {
     };
 }
 
-wide!(f64, F64x4, 4, crate::strip::registers::sums);
-wide!(f32, F32x8, 8, crate::strip::PreparedStrips::sums);
+wide!(f64, F64x4, 4);
+wide!(f32, F32x8, 8);
 
 /// Contacts side by side.
-type Group<L> = (Contact<L>, Creepage<L>);
-
 #[inline(always)]
 fn group<L: Lanes<N>, const N: usize>(
-    problems: &impl Problems<L::Stored>,
     first: usize,
-) -> Option<Group<L>> {
+    get: &impl Fn(usize) -> (Contact<L::Stored>, Creepage<L::Stored>),
+) -> (Contact<L>, Creepage<L>) {
+    let mut quantities = [[L::Stored::zero(); N]; 9];
+    for lane in 0..N {
+        let (contact, creepage) = get(first + lane);
+        let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction } = contact;
+        let Creepage { longitudinal, lateral, spin } = creepage;
+        let contact = [a, b, normal_force, shear_modulus, poisson_ratio, friction];
+        let values = contact.into_iter().chain([longitudinal, lateral, spin]);
+        for (quantity, value) in quantities.iter_mut().zip(values) {
+            if let Some(place) = quantity.get_mut(lane) {
+                *place = value;
+            }
+        }
+    }
     let [a, b, normal_force, shear_modulus, poisson_ratio, friction, longitudinal, lateral, spin] =
-        L::each(&problems.side_by_side::<N>(first)?, |numbers| L::of_array(*numbers));
-    Some((
+        L::each(&quantities, |numbers| L::of_array(*numbers));
+    (
         Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction },
         Creepage { longitudinal, lateral, spin },
-    ))
+    )
 }
 
 #[inline(always)]
-fn solve<L: Lanes<N>, const N: usize, const MODEL: i32>(
-    problems: &impl Problems<L::Stored>,
+fn solve<L: Lanes<N>, const N: usize>(
+    count: usize,
     options: &Options,
-    wanted: Wanted,
-    solutions: &mut impl Solutions<L::Stored>,
-) -> Result<Notice, Error>
+    get: impl Fn(usize) -> (Contact<L::Stored>, Creepage<L::Stored>),
+    mut put: impl FnMut(usize, Solution<L::Stored>),
+) -> Result<Notice, (usize, Error)>
 where
+    L: StripSums,
     L::Stored: Precision,
 {
-    let count = problems.count();
-    for first in (0..count).step_by(N) {
-        let mut sound = false;
-        if let Some((contact, creepage)) = group::<L, N>(problems, first) {
-            let problem = Problem::of(&contact, &creepage, options);
-            sound = problem.is_sound();
-        }
-        if !sound {
-            check_apart(problems, first, count.min(first + N), options)?;
+    let whole = count - count % N;
+    for first in (0..whole).step_by(N) {
+        let (contact, creepage) = group::<L, N>(first, &get);
+        if !is_sound(&contact, &creepage, options.model) {
+            check(first..first + N, options, &get)?;
         }
     }
+    check(whole..count, options, &get)?;
     let mut worst = Notice::None;
-    for first in (0..count).step_by(N) {
-        // (no closures on this road: the compiler must inline all of it)
-        let mut together = None;
-        if let Some((contact, creepage)) = group::<L, N>(problems, first) {
-            together = solve_group::<L, N, MODEL>(&contact, &creepage, options, wanted);
-        }
-        let Some(Together { quantities, notices, within }) = together else {
-            let end = count.min(first + N);
-            let notice = evaluate_apart(problems, first, end, options, wanted, solutions)?;
-            worst = worst.worse(notice);
+    for first in (0..whole).step_by(N) {
+        let (contact, creepage) = group::<L, N>(first, &get);
+        // lost contacts, and those of which something must be said
+        if !(contact.is_ordinary(&creepage) && contact.normal_force.is_positive_number()) {
+            worst = worst.worse(batch::solve(first..first + N, options, &get, &mut put)?);
             continue;
-        };
-        solutions.put_side_by_side(first, &quantities.map(L::array), &notices);
-        for (i, (notice, within)) in (first..).zip(notices.into_iter().zip(within.array())) {
-            worst = worst.worse(if within > L::Stored::zero() {
-                notice
-            } else {
-                evaluate_apart(problems, i, i + 1, options, wanted, solutions)?
-            });
+        }
+        let Together { quantities, notices } = solve_group::<L, N>(&contact, &creepage, options);
+        let [fx, fy, mz, power, adhesion] = quantities.map(L::array);
+        let forces = fx.into_iter().zip(fy).zip(mz);
+        let rest = power.into_iter().zip(adhesion).zip(notices);
+        for (i, (((fx, fy), mz), ((power, adhesion), notice))) in (first..).zip(forces.zip(rest)) {
+            worst = worst.worse(notice);
+            put(i, Solution { fx, fy, mz, power, adhesion, notice, reserved: 0 });
         }
     }
-    Ok(worst)
-}
-
-#[cold]
-#[inline(never)]
-fn check_apart<F: Precision>(
-    problems: &impl Problems<F>,
-    first: usize,
-    end: usize,
-    options: &Options,
-) -> Result<(), Error> {
-    (first..end).try_for_each(|i| check_one(problems, i, options))
-}
-
-#[inline(never)]
-fn evaluate_apart<F: Precision>(
-    problems: &impl Problems<F>,
-    first: usize,
-    end: usize,
-    options: &Options,
-    wanted: Wanted,
-    solutions: &mut impl Solutions<F>,
-) -> Result<Notice, Error> {
-    let mut worst = Notice::None;
-    for i in first..end {
-        worst = worst.worse(evaluate_one(problems, i, options, wanted, solutions)?);
-    }
-    Ok(worst)
+    Ok(worst.worse(batch::solve(whole..count, options, &get, &mut put)?))
 }
 
 /// What was found side by side.
@@ -243,110 +195,36 @@ struct Together<L, const N: usize> {
     /// `fx, fy, mz, power, adhesion`
     quantities: [L; 5],
     notices: [Notice; N],
-    /// Not positive where the contact is to be solved by itself after all.
-    within: L,
 }
 
-/// Checked contacts; `None` when they are to be solved one by one.
+/// Checked contacts that are loaded and plausible.
 #[inline(always)]
-fn solve_group<L: Lanes<N>, const N: usize, const MODEL: i32>(
+fn solve_group<L: Lanes<N>, const N: usize>(
     contact: &Contact<L>,
     creepage: &Creepage<L>,
     options: &Options,
-    wanted: Wanted,
-) -> Option<Together<L, N>>
+) -> Together<L, N>
 where
+    L: StripSums,
     L::Stored: Precision,
 {
-    let problem = Problem::of(contact, creepage, options);
-    if !problem.ordinary {
-        return None;
-    }
-    let load = contact.normal_force;
-    let (forces, notices, within) = if MODEL == LINEAR {
-        let linear = coefficients(contact);
-        let forces = problem.linear(&linear, creepage);
-        let size = load.choose(model::linear_size(forces.fx, forces.fy), L::zero());
-        let bound = load.choose(contact.friction_bound(), L::zero());
-        (forces, linear_notices(size, bound), L::one())
+    let model = options.model;
+    let (Forces { fx, fy, mz, adhesion }, psi) = Prepared::of(contact, options).forces(creepage);
+    let bound = contact.friction_bound();
+    let notices = if model == Model::Linear {
+        linear_notices(linear_size(fx, fy), bound)
     } else {
-        let parameters = Parameters::new_inline(contact, creepage);
-        let bound = contact.friction_bound();
-        let [fx, fy, mz, adhesion, within] = totals::<L, N, MODEL>(&problem, &parameters)?;
-        let forces = Forces {
-            fx: fx.scale(bound),
-            fy: fy.scale(bound),
-            mz: mz.scale(bound * problem.mean_radius()),
-            adhesion,
-        };
-        let carried = load.choose(bound, L::zero());
-        let notices = notices(options.model, carried, parameters.axis_ratio, parameters.psi);
-        (forces, notices, within)
+        notices(model, bound, contact.a / contact.b, psi)
     };
     let Creepage { longitudinal, lateral, spin } = *creepage;
-    let Forces { fx, fy, mz, adhesion } = forces;
     let power = creepage.power([fx, fy, mz]);
     // at rest: no force, and adhesion everywhere
     let zero = L::zero();
     let motion = longitudinal.abs() + lateral.abs() + spin.abs();
-    let resting = if MODEL == TOTAL { adhesion } else { L::one() };
-    let [fx, fy, mut mz, mut power] =
-        L::each(&[fx, fy, mz, power], |x| load.choose(motion.choose(*x, zero), zero));
-    let mut adhesion = load.choose(motion.choose(adhesion, resting), zero);
-    // as `evaluate::leave_out`
-    if !wanted.moment {
-        (mz, power) = (zero, zero);
-    }
-    if !wanted.adhesion {
-        adhesion = -L::one();
-    }
-    Some(Together { quantities: [fx, fy, mz, power, adhesion], notices, within })
-}
-
-/// `Fx/(μ N)`, `Fy/(μ N)`, `Mz/(μ N √(ab))`, the share in adhesion, and a number that is not positive where a contact
-/// is to be solved by itself.
-#[inline(always)]
-fn totals<L: Lanes<N>, const N: usize, const MODEL: i32>(
-    problem: &Problem<L>,
-    parameters: &Parameters<L>,
-) -> Option<[L; 5]>
-where
-    L::Stored: Precision,
-{
-    let Parameters { axis_ratio, poisson_ratio, .. } = *parameters;
-    let creepage = parameters.normalised();
-    match MODEL {
-        TOTAL => {
-            let linear = &coefficients(problem.contact);
-            let prepared = total::Prepared::new(axis_ratio, poisson_ratio, linear);
-            let Totals { fx, fy, mz, stick } = prepared.totals(creepage);
-            Some([fx, fy, mz, stick, L::one()])
-        }
-        STRIP => {
-            let linear = &coefficients(problem.contact);
-            let strips = crate::strip::PreparedStrips::new(
-                axis_ratio,
-                poisson_ratio,
-                linear,
-                problem.options.strips,
-            );
-            let found = strips.totals(creepage);
-            Some([found.fx, found.fy, found.mz, found.stick, L::one()])
-        }
-        STRIP_1967 | CONTINUOUS => {
-            let Totals { fx, fy, mz, stick } =
-                strip_1967::totals(parameters, problem.sliding_rule());
-            // (without friction or load the spin is beyond all bounds)
-            let within = problem.contact.friction_bound().choose(L::one(), -L::one());
-            Some([fx, fy, mz, stick, within])
-        }
-        _ => None,
-    }
-}
-
-#[inline(always)]
-fn coefficients<L: Plain>(contact: &Contact<L>) -> LinearCoefficients<L> {
-    LinearCoefficients::at_inline(contact.a / contact.b, contact.poisson_ratio)
+    let resting = if model == Model::Total { adhesion } else { L::one() };
+    let [fx, fy, mz, power] = L::each(&[fx, fy, mz, power], |x| motion.choose(*x, zero));
+    let adhesion = motion.choose(adhesion, resting);
+    Together { quantities: [fx, fy, mz, power, adhesion], notices }
 }
 
 #[inline(always)]
@@ -355,7 +233,7 @@ fn linear_notices<L: Lanes<N>, const N: usize>(size: L, bound: L) -> [Notice; N]
     if size.exceeds(bound) {
         let numbers = size.array().into_iter().zip(bound.array());
         for (notice, (size, bound)) in notices.iter_mut().zip(numbers) {
-            *notice = model::linear_notice(size, bound);
+            *notice = linear_notice(size, bound);
         }
     }
     notices
@@ -364,12 +242,14 @@ fn linear_notices<L: Lanes<N>, const N: usize>(size: L, bound: L) -> [Notice; N]
 #[inline(always)]
 fn notices<L: Lanes<N>, const N: usize>(model: Model, bound: L, ratio: L, psi: L) -> [Notice; N] {
     let mut notices = [Notice::None; N];
-    let usual = psi.abs().lies_between(L::zero(), L::of(LARGEST_SPIN))
+    let largest = if matches!(model, Model::Strip | Model::Total) { LARGEST_SPIN } else { 0.999 };
+    // (for all models alike: those that it holds up are looked at one by one)
+    let usual = psi.abs().lies_between(L::zero(), L::of(largest))
         & ratio.lies_between(L::of(RATIOS[0]), L::of(RATIOS[1]));
     if !usual {
         let numbers = bound.array().into_iter().zip(ratio.array()).zip(psi.array());
-        for (notice, ((bound, ratio), psi)) in notices.iter_mut().zip(numbers) {
-            *notice = model::notice(model, bound, ratio, psi);
+        for (of_one, ((bound, ratio), psi)) in notices.iter_mut().zip(numbers) {
+            *of_one = notice(model, bound, ratio, psi);
         }
     }
     notices

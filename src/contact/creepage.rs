@@ -133,27 +133,7 @@ impl<T: Number> Parameters<T> {
     /// their direction stays and their squares remain finite.
     #[must_use]
     pub fn new(contact: &Contact<T::Base>, creepage: &Creepage<T>) -> Self {
-        Self::new_inline(contact, creepage)
-    }
-
-    #[inline(always)]
-    pub(crate) fn new_inline(contact: &Contact<T::Base>, creepage: &Creepage<T>) -> Self {
-        let g_over_2mup0 = contact.stiffness_ratio();
-        let [vx, vy, a_phi] =
-            bounded([creepage.longitudinal, creepage.lateral, creepage.spin.scale(contact.a)]);
-        // (5.13)
-        let [xi, eta, psi] = bounded([
-            vx.scale(g_over_2mup0 * (T::Base::one() / (T::Base::one() - contact.poisson_ratio))),
-            vy.scale(g_over_2mup0),
-            a_phi.scale(g_over_2mup0),
-        ]);
-        Self {
-            xi,
-            eta,
-            psi,
-            poisson_ratio: contact.poisson_ratio,
-            axis_ratio: contact.a / contact.b,
-        }
+        Units::of(contact).parameters(creepage)
     }
 
     /// The creepage that belongs to these parameters on a contact: the inverse of
@@ -173,13 +153,8 @@ impl<T: Number> Parameters<T> {
     #[inline(always)]
     #[must_use]
     pub fn normalised(&self) -> [T; 3] {
-        const FACTOR: f64 = 3.0 / core::f64::consts::PI;
-        let one = T::Base::one();
-        [
-            self.xi.scale((one - self.poisson_ratio).times(FACTOR)),
-            self.eta.times(FACTOR),
-            self.psi.scale((one / self.axis_ratio.sqrt()).times(FACTOR)),
-        ]
+        let [by_xi, by_psi] = back(self.poisson_ratio, self.axis_ratio);
+        [self.xi.scale(by_xi), self.eta.times(THREE_OVER_PI), self.psi.scale(by_psi)]
     }
 
     /// Slope of the effective longitudinal creepage over `Y = y/b`:
@@ -190,6 +165,63 @@ impl<T: Number> Parameters<T> {
         let width = (T::Base::one() - self.poisson_ratio) * self.axis_ratio;
         let huge = T::from_base(T::HUGE);
         self.psi.scale(T::Base::one() / width).clamped(-huge, huge)
+    }
+}
+
+const THREE_OVER_PI: f64 = 3.0 / core::f64::consts::PI;
+
+/// `vx/ξ` and `φ/ψ`
+#[inline(always)]
+fn back<F: Plain>(poisson_ratio: F, axis_ratio: F) -> [F; 2] {
+    let one = F::one();
+    [one - poisson_ratio, one / axis_ratio.sqrt()].map(|factor| factor.times(THREE_OVER_PI))
+}
+
+/// What turns the creepages of one contact into Kalker's parameters (5.13).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Units<F> {
+    /// Semi-axis `a`
+    a: F,
+    /// `ξ/υx`, `η/υy`, which is also `ψ/(a φ)`
+    longitudinal: F,
+    lateral: F,
+    poisson_ratio: F,
+    axis_ratio: F,
+    /// `vx/ξ` and `φ/ψ`
+    back: [F; 2],
+}
+
+impl<F: Plain> Units<F> {
+    #[inline(always)]
+    pub(crate) fn of(contact: &Contact<F>) -> Self {
+        let Contact { a, b, poisson_ratio, .. } = *contact;
+        let (lateral, axis_ratio) = (contact.stiffness_ratio(), a / b);
+        Self {
+            a,
+            longitudinal: lateral * (F::one() / (F::one() - poisson_ratio)),
+            lateral,
+            poisson_ratio,
+            axis_ratio,
+            back: back(poisson_ratio, axis_ratio),
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn parameters<T: Number<Base = F>>(&self, creepage: &Creepage<T>) -> Parameters<T> {
+        let Self { a, longitudinal, lateral, poisson_ratio, axis_ratio, .. } = *self;
+        let [vx, vy, a_phi] =
+            bounded([creepage.longitudinal, creepage.lateral, creepage.spin.scale(a)]);
+        let [xi, eta, psi] =
+            bounded([vx.scale(longitudinal), vy.scale(lateral), a_phi.scale(lateral)]);
+        Parameters { xi, eta, psi, poisson_ratio, axis_ratio }
+    }
+
+    /// As [`Parameters::normalised`].
+    #[inline(always)]
+    pub(crate) fn normalised<T: Number<Base = F>>(&self, parameters: &Parameters<T>) -> [T; 3] {
+        let Parameters { xi, eta, psi, .. } = *parameters;
+        let [by_xi, by_psi] = self.back;
+        [xi.scale(by_xi), eta.times(THREE_OVER_PI), psi.scale(by_psi)]
     }
 }
 

@@ -1,5 +1,7 @@
 //! What every model answers, in units of the friction bound, and how many strips share it.
 
+use crate::number::Number;
+
 /// Force and moment of a contact on the lower body, and its stick area, dimensionless.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Totals<T> {
@@ -11,6 +13,14 @@ pub struct Totals<T> {
     pub mz: T,
     /// Share of the contact area in adhesion, 0 to 1; −1 where a model does not know it.
     pub stick: T,
+}
+
+impl<T: Number> Totals<T> {
+    /// Nothing is carried, everything slides.
+    #[must_use]
+    pub fn nothing() -> Self {
+        Self { fx: T::zero(), fy: T::zero(), mz: T::zero(), stick: T::zero() }
+    }
 }
 
 /// How many strips share the patch.

@@ -1,8 +1,7 @@
 //! Many contacts for C: a pointer and a distance in bytes for each quantity.
 
 use super::support::*;
-use crate::batch::{Problems, Solutions, evaluate_batch};
-use crate::solve::evaluate::Wanted;
+use crate::batch::solve_batch;
 
 /// kstrip_evaluate() for many contacts: the same results, bit for bit.
 ///
@@ -81,24 +80,18 @@ impl<F: Precision> Batch<'_, F> {
         if self.count > 0 && required.iter().any(|pointer| pointer.is_null()) {
             return Err(Error::NullPointer);
         }
-        let solved = if inputs.law.is_null()
+        let alone = inputs.law.is_null()
             && outputs.derivatives.is_null()
-            && outputs.law_derivatives.is_null()
-        {
-            let wanted = Wanted {
-                moment: !outputs.mz.is_null() || !outputs.power.is_null(),
-                adhesion: !outputs.adhesion.is_null(),
-            };
-            evaluate_batch(self, &self.options, wanted, &mut Outputs(self))
+            && outputs.law_derivatives.is_null();
+        let count = self.count as usize;
+        let solved = if alone {
+            let put = |i, solution| self.put(i, &solution);
+            solve_batch(count, &self.options, |i| self.get(i), put)
         } else {
-            self.one_by_one()
+            self.one_by_one(count)
         };
-        let bad = match solved {
-            Ok(_) => self.count,
-            Err(_) => (0..self.count).find(|i| self.check(*i).is_err()).unwrap_or(self.count),
-        };
-        put(first_bad, bad);
-        solved
+        put(first_bad, solved.err().map_or(self.count, |(i, _)| i as u32));
+        solved.map_err(|(_, error)| error)
     }
 
     fn law(&self, i: usize) -> Option<SlipFriction<F>> {
@@ -107,58 +100,35 @@ impl<F: Precision> Batch<'_, F> {
         (!law.is_null()).then(|| unsafe { read(law, law_stride, i) })
     }
 
-    fn check(&self, i: u32) -> Result<(), Error> {
-        let i = i as usize;
-        let Some((contact, creepage)) = self.get(i) else {
-            return Ok(());
-        };
-        let law = self.law(i);
-        let BatchOutputs { derivatives, law_derivatives, .. } = self.outputs;
-        if !derivatives.is_null() || !law_derivatives.is_null() {
-            differentiate(&contact, &creepage, law.as_ref(), &self.options).map(|_| ())
-        } else if let Some(law) = law {
-            friction::solve(&contact, &creepage, &law, &self.options).map(|_| ())
-        } else {
-            model::check(&contact, &creepage, &self.options)
-        }
-    }
-
     /// Under falling friction, and with derivatives.
-    fn one_by_one(&self) -> Result<Notice, Error> {
-        for i in 0..self.count {
-            self.check(i)?;
+    fn one_by_one(&self, count: usize) -> Result<Notice, (usize, Error)> {
+        let solve = |i| {
+            let ((contact, creepage), law) = (self.get(i), self.law(i));
+            differentiate(&contact, &creepage, law.as_ref(), &self.options)
+                .map_err(|error| (i, error))
+        };
+        for i in 0..count {
+            solve(i)?;
         }
         let mut worst = Notice::None;
-        let Self { outputs, .. } = self;
-        for i in 0..self.count as usize {
-            let Some((contact, creepage)) = self.get(i) else {
-                continue;
-            };
-            let law = self.law(i);
-            let found = differentiate(&contact, &creepage, law.as_ref(), &self.options)?;
+        let to = self.outputs;
+        for i in 0..count {
+            let found = solve(i)?;
             worst = worst.worse(found.solution.notice);
-            Outputs(self).put(i, found.solution);
+            self.put(i, &found.solution);
             // SAFETY: the promise of `solve`.
             unsafe {
-                write(outputs.friction, outputs.friction_stride, i, found.friction);
-                write(outputs.derivatives, outputs.derivatives_stride, i, found.derivatives);
-                write(outputs.law_derivatives, outputs.law_derivatives_stride, i, found.law);
+                write(to.friction, to.friction_stride, i, found.friction);
+                write(to.derivatives, to.derivatives_stride, i, found.derivatives);
+                write(to.law_derivatives, to.law_derivatives_stride, i, found.law);
             }
         }
         Ok(worst)
     }
-}
 
-impl<F: Precision> Problems<F> for Batch<'_, F> {
+    /// Contact and creepage of a number below the count.
     #[inline(always)]
-    fn count(&self) -> usize {
-        self.count as usize
-    }
-    #[inline(always)]
-    fn get(&self, i: usize) -> Option<(Contact<F>, Creepage<F>)> {
-        if i >= self.count as usize {
-            return None;
-        }
+    fn get(&self, i: usize) -> (Contact<F>, Creepage<F>) {
         let from = self.inputs;
         // SAFETY: the promise of `solve`.
         unsafe {
@@ -175,19 +145,14 @@ impl<F: Precision> Problems<F> for Batch<'_, F> {
                 lateral: read(from.lateral, from.lateral_stride, i),
                 spin: read(from.spin, from.spin_stride, i),
             };
-            Some((contact, creepage))
+            (contact, creepage)
         }
     }
-}
 
-/// The places of the results.
-struct Outputs<'a, F: Precision>(&'a Batch<'a, F>);
-
-impl<F: Precision> Solutions<F> for Outputs<'_, F> {
     #[inline(always)]
-    fn put(&mut self, i: usize, solution: Solution<F>) {
-        let Solution { fx, fy, mz, power, adhesion, notice, .. } = solution;
-        let Batch { inputs, outputs: to, .. } = *self.0;
+    fn put(&self, i: usize, solution: &Solution<F>) {
+        let Solution { fx, fy, mz, power, adhesion, notice, .. } = *solution;
+        let Self { inputs, outputs: to, .. } = self;
         // SAFETY: the promise of `solve`.
         unsafe {
             write(to.fx, to.fx_stride, i, fx);

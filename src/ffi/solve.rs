@@ -290,7 +290,9 @@ pub(super) fn evaluate<F: Precision>(
         let stiffness = law.map_or(F::one(), SlipFriction::stiffness);
         let shear_modulus = contact.shear_modulus * stiffness;
         let contact = Contact { friction, shear_modulus, ..*contact };
-        check_room(&contact, creepage, &inside, strips.len())?;
+        if model::strips_of(&contact, creepage, &inside)? > strips.len() {
+            return Err(Error::Capacity);
+        }
         let (own, written) = write_strips(&contact, creepage, &inside, strips)?;
         notice = notice.worse(own);
         count.write(written);
@@ -302,24 +304,6 @@ pub(super) fn evaluate<F: Precision>(
         put(places.law_derivatives, law);
     }
     Ok(notice)
-}
-
-const _: () = assert!(super::KSTRIP_STRIPS_CAPACITY == StripCount::SixtyFour as u32);
-
-/// Whether all strips fit; counts them where that is not clear beforehand, so that an array that is too small stays
-/// untouched.
-fn check_room<F: Precision>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    options: &Options,
-    room: usize,
-) -> Result<(), Error> {
-    let mut needed = model::most_strips(contact, creepage, options)?;
-    if needed > room && (options.model != Model::Strip || contact.is_lost()) {
-        needed = 0;
-        model::strips(contact, creepage, options, &mut |_| needed += 1)?;
-    }
-    if needed <= room { Ok(()) } else { Err(Error::Capacity) }
 }
 
 /// Writes the strips, as many as there is room for; and how many these are.

@@ -46,8 +46,7 @@ pub struct Outputs<F> {
     pub strips: *mut StripResult<F>,
     /// How many strips were written; required with strips.
     pub count: *mut u32,
-    /// Size of strips: KSTRIP_STRIPS_CAPACITY is always enough; the number of strips asked for is with
-    /// KSTRIP_MODEL_STRIP, of patches, and where |psi| <= 1.
+    /// Size of strips: the number of strips asked for, of a patch its own; KSTRIP_STRIPS_CAPACITY is always enough.
     pub capacity: u32,
     /// Zero.
     pub reserved: u32,

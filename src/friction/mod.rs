@@ -31,8 +31,8 @@ pub(crate) use self::agreement::Agreement;
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::number::Float;
-use crate::solve::derivatives::{self, Derivatives};
-use crate::solve::model::{self, Jacobian, Model, Options, Precision, Solution};
+use crate::solve::derivatives;
+use crate::solve::model::{self, Model, Options, Precision, Solution};
 use crate::status::{Error, Notice};
 
 /// Friction that falls with the slip, friction ((1 - ratio) exp(-decay w) + ratio) with the sliding velocity w \[m/s\], and the
@@ -207,85 +207,11 @@ pub fn under<F: Precision>(
     Ok((Contact { friction, ..contact }, notice))
 }
 
-/// [`solve`] with the exact derivatives with respect to the creepages, through friction and slip.
-///
-/// # Errors
-/// Those of [`solve`]; [`Error::Overflow`] also when a derivative does not fit.
-pub fn solve_jacobian<F: Precision>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    friction: &SlipFriction<F>,
-    options: &Options,
-) -> Result<(FrictionSolution<F>, Jacobian<F>), Error> {
-    let (contact, notice) = under(contact, creepage, friction, options)?;
-    let found = contact.friction;
-    if options.model == Model::Linear || !friction.falls() || contact.friction_bound() <= F::zero()
-    {
-        let (solution, jacobian) = model::solve_jacobian(&contact, creepage, options)?;
-        return Ok((FrictionSolution { solution, friction: found }, jacobian));
-    }
-    let (mut solution, slopes) = derivatives::solve(&contact, creepage, options)?;
-    let Derivatives { jacobian, friction: by_friction, .. } = slopes;
-    let slip = Slip::new(&contact, creepage, &solution, &by_friction);
-    // (a negative power, as the theory of 1967 has it in some contacts that spin, is no slip)
-    let falling =
-        if slip.value > F::zero() { friction.falling_rate(slip.value) } else { F::zero() };
-    // s = P/(μ N) with P = F c:  μ N ∂s/∂c = F + Jᵀ c
-    let motion = [creepage.longitudinal, creepage.lateral, creepage.spin];
-    let forces = [solution.fx, solution.fy, solution.mz];
-    // μ = g(s(c, μ)):  dμ/dc = g' ∂s/∂c/(1 − g' ∂s/∂μ)
-    let gain = falling / (F::one() - falling * slip.by_friction) / contact.friction_bound();
-    let jacobian = Jacobian::from(jacobian).transpose();
-    let mut total = jacobian;
-    for ((column, force), slopes) in total.column_iter_mut().zip(forces).zip(jacobian.column_iter())
-    {
-        let mut by_creepage = force;
-        for (slope, motion) in slopes.iter().zip(motion) {
-            by_creepage += *slope * motion;
-        }
-        let change = gain * by_creepage;
-        // dF/dc = J + ∂F/∂μ dμ/dc
-        for (entry, by_friction) in column.into_iter().zip(&by_friction) {
-            *entry += *by_friction * change;
-        }
-    }
-    if !total.iter().all(|entry| entry.is_finite_number()) {
-        return Err(Error::Overflow);
-    }
-    solution.notice = solution.notice.worse(notice);
-    Ok((FrictionSolution { solution, friction: found }, total))
-}
-
 impl<F: Float> SlipFriction<F> {
     /// `dμ/ds = −B V μ₀ (1 − A) exp(−B V s)`
     pub(crate) fn falling_rate(&self, slip: F) -> F {
         let share = self.friction * self.falling_share(slip);
         -(share * self.rolling_speed) * self.decay
-    }
-}
-
-/// Mean slip over rolling speed, weighted with friction.
-#[derive(Clone, Copy)]
-struct Slip<F> {
-    value: F,
-    /// `∂s/∂μ`
-    by_friction: F,
-}
-
-impl<F: Precision> Slip<F> {
-    fn new(
-        contact: &Contact<F>,
-        creepage: &Creepage<F>,
-        solution: &Solution<F>,
-        by_friction: &[F; 3],
-    ) -> Self {
-        let bound = contact.friction_bound();
-        let value = (solution.power / bound).max(F::zero());
-        // dP/dμ = c ∂F/∂μ
-        let power = creepage.power(*by_friction);
-        // s = P/(μ N):  ∂s/∂μ = (∂P/∂μ)/(μ N) − s/μ
-        let by_friction = power / bound - value / contact.friction;
-        Self { value, by_friction }
     }
 }
 

@@ -23,9 +23,11 @@ use crate::friction::{Agreement, SlipFriction};
 use crate::number::Float;
 use crate::patch::solver;
 use crate::patch::{Patch, PatchView};
-use crate::solve::derivatives::{AtFriction, Derivatives, Differentiated, LawDerivatives};
-use crate::solve::model::{Jacobian, Model, Precision, Solution, StripResult};
+use crate::solve::derivatives::{Derivatives, Differentiated, LawDerivatives};
+use crate::solve::model::{Model, Precision, Solution, StripResult};
+use crate::solve::through_friction::AtFriction;
 use crate::status::{Error, Notice};
+use nalgebra::Matrix3;
 
 /// Forces of a patch under friction that falls with the slip.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,7 +85,7 @@ pub fn solve_jacobian<F: Precision>(
     creepage: &Creepage<F>,
     law: &SlipFriction<F>,
     model: Model,
-) -> Result<(PatchFrictionSolution<F>, Jacobian<F>), Error> {
+) -> Result<(PatchFrictionSolution<F>, Matrix3<F>), Error> {
     let problem = Problem::new(patch, creepage, law, model)?;
     let (share, notice) = problem.agreement()?;
     let (scaled, factor) = problem.scaled(share);

@@ -23,8 +23,8 @@ use crate::number::dual::Dual;
 use crate::number::{Float, Real};
 use crate::patch::zones::Zone;
 use crate::patch::{PatchStrip, PatchView};
-use crate::solve::field::FieldPoint;
-use crate::solve::model::{Jacobian, Model, Precision, Solution, StripResult, rolling_point};
+use crate::solve::field::{FieldPoint, rolling_point};
+use crate::solve::model::{Model, Precision, Solution, StripResult};
 use crate::status::{Error, Notice};
 use crate::strip::{Carried, Law as StripLaw, Prepared, Seen, StripGeometry, four_strips};
 use crate::strip_1967::strip::{Regime, SlidingRule, State, Strip, StripPoint};
@@ -414,7 +414,7 @@ pub fn solve_jacobian<F: Precision>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
     model: Model,
-) -> Result<(Solution<F>, Jacobian<F>), Error> {
+) -> Result<(Solution<F>, Matrix3<F>), Error> {
     let problem = Problem::new(patch, creepage, model)?;
     let inputs = Creepage {
         longitudinal: Dual::<F, 3>::input(creepage.longitudinal, 0),

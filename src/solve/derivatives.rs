@@ -24,10 +24,14 @@
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::forces::Totals;
-use crate::friction::{self, SlipFriction};
 use crate::number::Float;
-use crate::solve::model::{self, Forces, Model, Options, Precision, Problem, Solution};
-use crate::status::{Error, Notice};
+use crate::solve::check::check;
+use crate::solve::model::{Options, Precision, Solution};
+use crate::solve::prepared::{Forces, Kernel, Prepared};
+use crate::status::Error;
+use nalgebra::Matrix3;
+
+pub use crate::solve::through_friction::{Differentiated, LawDerivatives, differentiate};
 
 /// Derivatives of fx, fy, mz by creepages, load and friction.
 #[repr(C)]
@@ -79,16 +83,15 @@ pub fn solve<F: Precision>(
     creepage: &Creepage<F>,
     options: &Options,
 ) -> Result<(Solution<F>, Derivatives<F>), Error> {
-    let problem = Problem::new(contact, creepage, options)?;
+    check(contact, creepage, options)?;
     if contact.is_lost() {
         return Ok((Solution::nothing(), Derivatives::nothing()));
     }
-    let (solution, derivatives) = if options.model == Model::Linear {
-        linear(contact, creepage, options)?
-    } else if contact.friction_bound() > F::zero() {
-        saturating(&problem)
-    } else {
-        sliding(&problem)
+    let prepared = Prepared::of(contact, options);
+    let (solution, derivatives) = match prepared.kernel {
+        Kernel::Linear(stiffness) => linear(&prepared, stiffness, creepage),
+        _ if contact.friction_bound() > F::zero() => saturating(&prepared, creepage),
+        _ => sliding(&prepared, creepage),
     };
     if derivatives.entries().into_iter().all(F::is_finite_number) {
         Ok((solution, derivatives))
@@ -97,22 +100,44 @@ pub fn solve<F: Precision>(
     }
 }
 
-fn saturating<F: Precision>(problem: &Problem<F>) -> (Solution<F>, Derivatives<F>) {
-    let Problem { contact, creepage, .. } = *problem;
-    let parameters = Parameters::new(contact, &creepage.inputs());
-    let Totals { fx, fy, mz, stick } = problem.totals(&parameters);
-    let (bound, radius) = (contact.friction_bound(), problem.mean_radius());
+/// [`solve`] with the derivatives by the creepages as a matrix, row by row: N, N, N m over 1, 1, 1/m.
+///
+/// # Errors
+/// Those of [`solve`].
+pub fn solve_jacobian<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    options: &Options,
+) -> Result<(Solution<F>, Matrix3<F>), Error> {
+    let (solution, Derivatives { jacobian, .. }) = solve(contact, creepage, options)?;
+    // nalgebra counts columns first.
+    Ok((solution, Matrix3::from(jacobian).transpose()))
+}
+
+/// Powers of `N` that forces and moment grow with where the slip does not change.
+fn powers<F: Float>() -> [F; 3] {
+    [F::one(), F::one(), F::constant(4.0 / 3.0)]
+}
+
+fn saturating<F: Precision>(
+    prepared: &Prepared<F>,
+    creepage: &Creepage<F>,
+) -> (Solution<F>, Derivatives<F>) {
+    let Prepared { contact, radius, units, .. } = prepared;
+    let parameters = units.parameters(&creepage.inputs());
+    let Totals { fx, fy, mz, stick } = prepared.totals(&parameters);
+    let bound = contact.friction_bound();
     let forces = Forces {
         fx: fx.value * bound,
         fy: fy.value * bound,
-        mz: mz.value * (bound * radius),
+        mz: mz.value * (bound * *radius),
         adhesion: stick.value,
     };
-    let solution = problem.solution(&forces, problem.notice(parameters.psi.value));
+    let solution = prepared.solution(creepage, &forces, parameters.psi.value);
 
     let Creepage { longitudinal, lateral, spin } = *creepage;
-    let rows =
-        [(fx, F::one(), F::one()), (fy, F::one(), F::one()), (mz, radius, F::constant(4.0 / 3.0))];
+    let [by_x, by_y, by_z] = powers::<F>();
+    let rows = [(fx, F::one(), by_x), (fy, F::one(), by_y), (mz, *radius, by_z)];
     let translation = |g: &[F; 3]| g[0] * longitudinal + g[1] * lateral;
     // f − (∂f/∂c) c
     let euler = rows
@@ -121,9 +146,8 @@ fn saturating<F: Precision>(problem: &Problem<F>) -> (Solution<F>, Derivatives<F
     let hertz = rows.map(|(f, unit, power)| {
         unit * (power * f.value - translation(&f.gradient).times(1.0 / 3.0))
     });
-    let jacobian = rows.map(|(f, unit, _)| f.gradient.map(|slope| slope * (bound * unit)));
     let derivatives = Derivatives {
-        jacobian,
+        jacobian: rows.map(|(f, unit, _)| f.gradient.map(|slope| slope * (bound * unit))),
         normal_force: scaled(euler, contact.friction),
         friction: scaled(euler, contact.normal_force),
         load_through_hertz: scaled(hertz, contact.friction),
@@ -131,249 +155,47 @@ fn saturating<F: Precision>(problem: &Problem<F>) -> (Solution<F>, Derivatives<F
     (solution, derivatives)
 }
 
-/// No friction or no load: no force, and no dependence on the creepage until there is some.
-fn sliding<F: Precision>(problem: &Problem<F>) -> (Solution<F>, Derivatives<F>) {
-    let Problem { contact, creepage, .. } = *problem;
-    let parameters = Parameters::new(contact, creepage);
-    let Totals { stick, .. } = problem.totals(&parameters);
-    let none = Forces { fx: F::zero(), fy: F::zero(), mz: F::zero(), adhesion: stick };
-    let solution = problem.solution(&none, problem.notice(parameters.psi));
-    let radius = problem.mean_radius();
-    let Totals { fx, fy, mz, .. } = problem.totals(&Parameters::sliding(contact, creepage));
-    let limit = [fx, fy, mz * radius];
-    let hertz = [fx, fy, mz * radius.times(4.0 / 3.0)];
+/// No friction: no force, and no dependence on the creepage until there is some.
+fn sliding<F: Precision>(
+    prepared: &Prepared<F>,
+    creepage: &Creepage<F>,
+) -> (Solution<F>, Derivatives<F>) {
+    let Prepared { contact, radius, .. } = prepared;
+    let Totals { fx, fy, mz, .. } = prepared.totals(&Parameters::sliding(contact, creepage));
+    let limit = [fx, fy, mz * *radius];
+    let [by_x, by_y, by_z] = powers::<F>();
+    let hertz = [fx * by_x, fy * by_y, mz * *radius * by_z];
     let derivatives = Derivatives {
         jacobian: [[F::zero(); 3]; 3],
         normal_force: scaled(limit, contact.friction),
         friction: scaled(limit, contact.normal_force),
         load_through_hertz: scaled(hertz, contact.friction),
     };
-    (solution, derivatives)
+    (prepared.answer(creepage), derivatives)
 }
 
+/// The linear theory: the derivatives are its coefficients.
 fn linear<F: Precision>(
-    contact: &Contact<F>,
+    prepared: &Prepared<F>,
+    [x, y, coupling, z]: [F; 4],
     creepage: &Creepage<F>,
-    options: &Options,
-) -> Result<(Solution<F>, Derivatives<F>), Error> {
-    let (solution, jacobian) = model::solve_jacobian(contact, creepage, options)?;
+) -> (Solution<F>, Derivatives<F>) {
+    let solution = prepared.answer(creepage);
+    let none = F::zero();
+    let jacobian = [[x, none, none], [none, y, coupling], [none, -coupling, z]];
     let Solution { fx, fy, mz, .. } = solution;
-    let load = contact.normal_force;
-    let forces = [(fx, F::one()), (fy, F::one()), (mz, F::constant(4.0 / 3.0))];
-    let mut hertz = [F::zero(); 3];
-    if load > F::zero() {
-        let rows = hertz.iter_mut().zip(forces).zip(jacobian.row_iter());
-        for ((derivative, (force, power)), row) in rows {
-            // (power F − ⅓ J_v v)/N
-            let [x, y] = [row[0] * creepage.longitudinal, row[1] * creepage.lateral];
-            *derivative = (power * force - (x + y).times(1.0 / 3.0)) / load;
-        }
+    let mut hertz = [fx, fy, mz];
+    for ((force, power), [by_x, by_y, _]) in hertz.iter_mut().zip(powers::<F>()).zip(jacobian) {
+        // (power F − ⅓ J_v v)/N
+        let translation = by_x * creepage.longitudinal + by_y * creepage.lateral;
+        *force = (power * *force - translation.times(1.0 / 3.0)) / prepared.contact.normal_force;
     }
-    let none = [F::zero(); 3];
-    let j = jacobian;
-    let jacobian = [[j.m11, j.m12, j.m13], [j.m21, j.m22, j.m23], [j.m31, j.m32, j.m33]];
-    let derivatives =
-        Derivatives { jacobian, normal_force: none, friction: none, load_through_hertz: hertz };
-    Ok((solution, derivatives))
+    let derivatives = Derivatives { jacobian, load_through_hertz: hertz, ..Derivatives::nothing() };
+    (solution, derivatives)
 }
 
 fn scaled<F: Float>(vector: [F; 3], factor: F) -> [F; 3] {
     vector.map(|entry| entry * factor)
-}
-
-/// Check the inputs of [`model::solve_jacobian`]: what it would answer, mostly without solving.
-///
-/// # Errors
-/// Those of [`model::solve_jacobian`].
-pub fn check_jacobian<F: Precision>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    options: &Options,
-) -> Result<(), Error> {
-    model::check(contact, creepage, options)?;
-    let Contact { a, b, normal_force, shear_modulus, friction, .. } = *contact;
-    let within = |x: F, low: f64, high: f64| x >= F::constant(low) && x <= F::constant(high);
-    let nothing_or = |x: F, low: f64, high: f64| x == F::zero() || within(x.abs(), low, high);
-    let Parameters { xi, eta, psi, .. } = Parameters::new(contact, creepage);
-    let Creepage { longitudinal, lateral, spin } = *creepage;
-    // No derivative of such a contact exceeds G a b (a + b + 1)² times 1e6, and no square on the way to it vanishes, in
-    // single precision either.
-    let ordinary = within(a, 1e-6, 1.0)
-        && within(b, 1e-6, 1.0)
-        && within(a / b, 1e-2, 1e2)
-        && within(shear_modulus, 1.0, 1e15)
-        && within(normal_force, 1e-3, 1e9)
-        && within(friction, 1e-3, 1e2)
-        && within(contact.stiffness_ratio(), 1e-6, 1e6)
-        && [xi, eta, psi].iter().all(|parameter| nothing_or(*parameter, 1e-9, 1e3))
-        && [longitudinal, lateral, spin].iter().all(|part| nothing_or(*part, 1e-12, 1e9));
-    if ordinary { Ok(()) } else { model::solve_jacobian(contact, creepage, options).map(|_| ()) }
-}
-
-/// Derivatives of fx, fy, mz by the parameters of falling friction.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LawDerivatives<F> {
-    /// By the ratio \[N, N, N m\].
-    pub ratio: [F; 3],
-    /// By the decay \[N, N, N m over s/m\].
-    pub decay: [F; 3],
-    /// By the rolling speed of the law at constant creepages \[N, N, N m over m/s\].
-    pub rolling_speed: [F; 3],
-    /// By the factor of the initial slope, at 1 without a law \[N, N, N m\].
-    pub slope_factor: [F; 3],
-}
-
-impl<F: Float> LawDerivatives<F> {
-    /// Those of a contact that carries nothing.
-    #[must_use]
-    pub fn nothing() -> Self {
-        let none = [F::zero(); 3];
-        Self { ratio: none, decay: none, rolling_speed: none, slope_factor: none }
-    }
-}
-
-/// Forces at the friction of a law, and their derivatives while friction stays.
-pub(crate) struct AtFriction<F: Float> {
-    /// `(F_x, F_y, M_z)` at friction `μ`
-    pub force: [F; 3],
-    /// Derivatives at constant `μ`
-    pub derivatives: Derivatives<F>,
-    /// `(υx, υy, φ)`
-    pub motion: [F; 3],
-    /// `μ`
-    pub friction: F,
-    /// `N`
-    pub load: F,
-}
-
-impl<F: Float> AtFriction<F> {
-    /// The derivatives through `μ = g(s)`, `s = P/(μ N)`, by the implicit function theorem:
-    ///
-    /// ```text
-    /// dF/dp = ∂F/∂p + ∂F/∂μ dμ/dp,   dμ/dp = (∂g/∂p + g' ∂s/∂p)/(1 − g' ∂s/∂μ)
-    /// ```
-    pub(crate) fn through(
-        &self,
-        law: &SlipFriction<F>,
-        falls: bool,
-    ) -> (Derivatives<F>, LawDerivatives<F>) {
-        let Self { force, derivatives, motion, friction, load } = self;
-        let along = |by: &[F; 3]| by[0] * motion[0] + by[1] * motion[1] + by[2] * motion[2];
-        let by_friction = derivatives.friction;
-        let bound = *friction * *load;
-        // s = P/(μ N), in the limit of full sliding (∂P/∂μ)/N
-        let carries = bound > F::zero();
-        let power = along(force);
-        let slip = if carries { power / bound } else { along(&by_friction) / *load };
-        // (a power below zero, as the theory of 1967 has it in some contacts that spin, is no slip)
-        let slip = slip.max(F::zero());
-        let by = law.slopes(slip);
-        let moves = falls && slip > F::zero() && carries;
-        let rate = if moves { by.slip } else { F::zero() };
-        let over_bound = |power: F| if carries { power / bound } else { F::zero() };
-        // ∂s/∂μ = (∂P/∂μ)/(μ N) − s/μ
-        let slip_by_friction =
-            over_bound(along(&by_friction)) - if carries { slip / *friction } else { F::zero() };
-        let feedback = F::one() / (F::one() - rate * slip_by_friction);
-        let shifted = |fixed: &[F; 3], friction_by: F| {
-            let change = friction_by * feedback;
-            let mut total = *fixed;
-            for (entry, by_friction) in total.iter_mut().zip(by_friction) {
-                *entry += by_friction * change;
-            }
-            total
-        };
-        let [row_x, row_y, row_z] = derivatives.jacobian;
-        let mut jacobian = derivatives.jacobian;
-        let columns: [[F; 3]; 3] = core::array::from_fn(|j| {
-            [&row_x, &row_y, &row_z].map(|row| row.get(j).copied().unwrap_or(F::zero()))
-        });
-        for (j, (column, force)) in columns.iter().zip(force).enumerate() {
-            // μ N ∂s/∂c = F + Jᵀ c
-            let total = shifted(column, rate * over_bound(*force + along(column)));
-            for (row, entry) in jacobian.iter_mut().zip(total) {
-                if let Some(place) = row.get_mut(j) {
-                    *place = entry;
-                }
-            }
-        }
-        // ∂s/∂N = (∂P/∂N)/(μ N) − s/N
-        let by_load = |fixed: &[F; 3]| {
-            let slip_by_load = over_bound(along(fixed)) - slip / *load;
-            shifted(fixed, rate * slip_by_load)
-        };
-        // F = M f(k c/M):  k ∂F/∂k = J c
-        let stiffness = law.stiffness();
-        let by_stiffness = [row_x, row_y, row_z].map(|row| along(&row) / stiffness);
-        let none = [F::zero(); 3];
-        let through = Derivatives {
-            jacobian,
-            normal_force: by_load(&derivatives.normal_force),
-            load_through_hertz: by_load(&derivatives.load_through_hertz),
-            friction: shifted(&none, by.friction),
-        };
-        let law = LawDerivatives {
-            ratio: shifted(&none, by.ratio),
-            decay: shifted(&none, by.decay),
-            rolling_speed: shifted(&none, by.rolling_speed),
-            slope_factor: shifted(&by_stiffness, rate * over_bound(along(&by_stiffness))),
-        };
-        (through, law)
-    }
-}
-
-/// What [`differentiate`] answers.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Differentiated<F: Float> {
-    /// The forces.
-    pub solution: Solution<F>,
-    /// The coefficient of friction that agrees with the slip.
-    pub friction: F,
-    /// Derivatives by creepages, load, friction.
-    pub derivatives: Derivatives<F>,
-    /// Derivatives by the parameters of the law.
-    pub law: LawDerivatives<F>,
-}
-
-/// Forces and all derivatives, under friction that falls with the slip or not.
-///
-/// # Errors
-/// Those of [`solve`] and [`SlipFriction::check`].
-pub fn differentiate<F: Precision>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    law: Option<&SlipFriction<F>>,
-    options: &Options,
-) -> Result<Differentiated<F>, Error> {
-    let (contact, notice) = match law {
-        Some(law) => friction::under(contact, creepage, law, options)?,
-        None => (*contact, Notice::None),
-    };
-    let (mut solution, derivatives) = solve(&contact, creepage, options)?;
-    solution.notice = solution.notice.worse(notice);
-    let friction = contact.friction;
-    if contact.is_lost() {
-        let law = LawDerivatives::nothing();
-        return Ok(Differentiated { solution, friction, derivatives, law });
-    }
-    let at = AtFriction {
-        force: [solution.fx, solution.fy, solution.mz],
-        derivatives,
-        motion: [creepage.longitudinal, creepage.lateral, creepage.spin],
-        friction,
-        load: contact.normal_force,
-    };
-    let constant = SlipFriction::constant(friction);
-    let law = law.unwrap_or(&constant);
-    let falls = law.falls() && options.model != Model::Linear;
-    let (derivatives, law) = at.through(law, falls);
-    let entries = derivatives.entries().into_iter().chain(law.entries());
-    if entries.into_iter().all(F::is_finite_number) {
-        Ok(Differentiated { solution, friction, derivatives, law })
-    } else {
-        Err(Error::Overflow)
-    }
 }
 
 impl<F: Float> Derivatives<F> {
@@ -383,15 +205,5 @@ impl<F: Float> Derivatives<F> {
         let Self { normal_force, load_through_hertz, friction, .. } = *self;
         let [[j, k, l], [m, n, o], [p, q, r]] = [normal_force, load_through_hertz, friction];
         [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r]
-    }
-}
-
-impl<F: Float> LawDerivatives<F> {
-    /// All numbers.
-    pub(crate) fn entries(&self) -> [F; 12] {
-        let Self { ratio, decay, rolling_speed, slope_factor } = *self;
-        let [[a, b, c], [d, e, f], [g, h, i], [j, k, l]] =
-            [ratio, decay, rolling_speed, slope_factor];
-        [a, b, c, d, e, f, g, h, i, j, k, l]
     }
 }

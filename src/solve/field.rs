@@ -1,8 +1,15 @@
 //! Pressure, traction and slip at points of the contact, in SI units.
 
 use crate::contact::Contact;
-use crate::number::Float;
-use crate::strip_1967::strip::{State, StripPoint};
+use crate::contact::creepage::{Creepage, Parameters};
+use crate::linear::LinearCoefficients;
+use crate::number::{Float, Real};
+use crate::solve::check::check;
+use crate::solve::model::{Model, Options, Precision};
+use crate::solve::prepared::notice_of;
+use crate::status::{Error, Notice};
+use crate::strip::{Law as StripLaw, Prepared, StripGeometry};
+use crate::strip_1967::strip::{SlidingRule, State, Strip, StripPoint};
 
 /// The state of a point of the contact plane. Tractions act on the lower body.
 #[repr(C)]
@@ -52,5 +59,151 @@ impl<F: Float> FieldPoint<F> {
             state: point.state,
             reserved: 0,
         }
+    }
+}
+
+/// The traction law of a field.
+#[derive(Clone, Copy, Debug)]
+enum Law<F: Real> {
+    Theory(Parameters<F>, SlidingRule),
+    Rolling(StripLaw<F>),
+}
+
+/// The tangential field of a contact, ready to be evaluated at points.
+#[derive(Clone, Copy, Debug)]
+pub struct Field<F: Real<Base = F>> {
+    contact: Contact<F>,
+    law: Law<F>,
+    /// What the caller should know.
+    pub notice: Notice,
+}
+
+/// A strip of a [`Field`].
+#[derive(Clone, Copy, Debug)]
+pub enum FieldStrip<F: Real<Base = F>> {
+    /// Of the theory of 1967.
+    Theory(Strip<F>),
+    /// Of the corrected strips.
+    Rolling(StripGeometry<F>),
+}
+
+impl<F: Precision> Field<F> {
+    /// Prepare the field of a contact and a creepage.
+    ///
+    /// # Errors
+    /// Those of [`solve`]; [`Error::NotInModel`] for models of totals only.
+    pub fn new(
+        contact: &Contact<F>,
+        creepage: &Creepage<F>,
+        options: &Options,
+    ) -> Result<Self, Error> {
+        check(contact, creepage, options)?;
+        let parameters = Parameters::new(contact, creepage);
+        // What a point dissipates: traction times slip, which is of the size of the rigid slip, and as
+        // bounded as the parameters are.
+        let rigid = creepage.longitudinal.abs()
+            + creepage.lateral.abs()
+            + (contact.a + contact.b) * creepage.spin.abs();
+        let slip = rigid.times(8.0).min(contact.slip_unit().min(F::HUGE) * F::HUGE);
+        if !contact.is_lost()
+            && !(contact.friction * contact.peak_pressure() * slip).is_finite_number()
+        {
+            return Err(Error::Overflow);
+        }
+        let law = match options.model {
+            Model::Strip1967 => Law::Theory(parameters, SlidingRule::RigidSlip),
+            Model::Strip1967Continuous => Law::Theory(parameters, SlidingRule::Continuous),
+            Model::Strip => {
+                let Parameters { axis_ratio, poisson_ratio, .. } = parameters;
+                let linear = LinearCoefficients::at(axis_ratio, poisson_ratio);
+                let one = F::one();
+                let prepared = Prepared::new(axis_ratio, poisson_ratio, &linear, [one, one]);
+                Law::Rolling(prepared.see(parameters.normalised()))
+            }
+            Model::Total | Model::Linear => return Err(Error::NotInModel),
+        };
+        let notice = notice_of(contact, creepage, options.model, parameters.psi);
+        Ok(Self { contact: *contact, law, notice })
+    }
+
+    /// The strip through `y` \[m\]; `None` outside the contact.
+    #[must_use]
+    pub fn strip_at(&self, y: F) -> Option<FieldStrip<F>> {
+        if self.contact.is_lost() {
+            return None;
+        }
+        let relative = y / self.contact.b;
+        let square = (F::one() - relative) * (F::one() + relative);
+        if !(square > F::zero()) {
+            return None;
+        }
+        let half_length = square.sqrt();
+        Some(match &self.law {
+            Law::Theory(p, rule) => FieldStrip::Theory(Strip::solve(
+                half_length,
+                p.xi - p.spin_slope() * relative,
+                p.eta,
+                p.psi,
+                p.poisson_ratio,
+                *rule,
+            )),
+            Law::Rolling(_) => FieldStrip::Rolling(StripGeometry {
+                y: relative,
+                half_length,
+                bound: half_length,
+                width: F::zero(),
+            }),
+        })
+    }
+
+    /// The state at a point of the contact plane (`x`, `y` in metres from the centre).
+    #[must_use]
+    pub fn at(&self, x: F, y: F) -> FieldPoint<F> {
+        self.along(self.strip_at(y).as_ref(), x)
+    }
+
+    /// The state at `x` \[m\] of a strip of [`Field::strip_at`].
+    #[must_use]
+    pub fn along(&self, strip: Option<&FieldStrip<F>>, x: F) -> FieldPoint<F> {
+        let x = x / self.contact.a;
+        let point = match (strip, &self.law) {
+            (Some(FieldStrip::Theory(strip)), _) => strip.at(x),
+            (Some(FieldStrip::Rolling(geometry)), Law::Rolling(strips)) => {
+                rolling_point(strips, geometry, geometry.half_length, x)
+            }
+            _ => StripPoint::outside(),
+        };
+        FieldPoint::new(&self.contact, &point)
+    }
+}
+
+/// A point of a corrected strip in the units of the theory of 1967; the strip's half length `c` and `x` in any
+/// one unit, pressure in that in which its peak is `c`.
+pub(crate) fn rolling_point<F: Precision>(
+    strips: &StripLaw<F>,
+    geometry: &StripGeometry<F>,
+    c: F,
+    x: F,
+) -> StripPoint<F> {
+    let (ahead, behind) = (c - x, c + x);
+    if !(ahead >= F::zero() && behind >= F::zero()) {
+        return StripPoint::outside();
+    }
+    let pressure = (ahead * behind).sqrt();
+    let traction = strips.traction(geometry, x / c);
+    // Creepages come in units of μ N/(G a b) = (2 μ p₀/G) π/3.
+    let unit = F::constant(core::f64::consts::PI / 3.0);
+    let point = StripPoint {
+        pressure,
+        traction_x: pressure * traction.x,
+        traction_y: pressure * traction.y,
+        slip_x: unit * traction.slip_x,
+        slip_y: unit * traction.slip_y,
+        state: State::Slip,
+    };
+    if traction.slips {
+        point.judged()
+    } else {
+        StripPoint { slip_x: F::zero(), slip_y: F::zero(), state: State::Stick, ..point }
     }
 }

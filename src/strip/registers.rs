@@ -4,9 +4,18 @@
 #![allow(unsafe_code)]
 
 use super::creepage::Law;
-use super::totals::{Fours, PreparedStrips, Sums};
+use super::totals::{Fours, PreparedStrips, StripSums, Sums};
 use crate::number::Plain;
-use crate::number::lanes::{F64x4, Lanes};
+use crate::number::lanes::{F32x8, F64x4, Lanes};
+
+impl StripSums for F64x4 {}
+impl StripSums for F32x8 {}
+impl StripSums for f64 {
+    #[inline(always)]
+    fn strip_sums(strips: &PreparedStrips<f64>, law: &Law<f64>, slopes: bool) -> Sums<f64> {
+        sums(strips, law, slopes)
+    }
+}
 
 struct Registers;
 
@@ -28,7 +37,7 @@ impl Fours<f64> for Registers {
 }
 
 /// Sums over the strips of a contact.
-pub(crate) fn sums(strips: &PreparedStrips<f64>, law: &Law<f64>, slopes: bool) -> Sums<f64> {
+fn sums(strips: &PreparedStrips<f64>, law: &Law<f64>, slopes: bool) -> Sums<f64> {
     #[target_feature(enable = "avx")]
     fn alone(strips: &PreparedStrips<f64>, law: &Law<f64>) -> Sums<f64> {
         strips.sums_in::<Registers>(law, false)

@@ -29,6 +29,19 @@ pub struct Sums<F> {
     slopes: [[F; 6]; 3],
 }
 
+/// Numbers whose strips are added up in the widest registers that there are.
+pub trait StripSums: Plain {
+    /// Sums over the strips of a contact, with slopes where they are wanted.
+    #[inline(always)]
+    fn strip_sums(strips: &PreparedStrips<Self>, law: &Law<Self>, slopes: bool) -> Sums<Self> {
+        strips.sums(law, slopes)
+    }
+}
+
+impl StripSums for f32 {}
+#[cfg(not(target_arch = "x86_64"))]
+impl StripSums for f64 {}
+
 impl<F: Plain> PreparedStrips<F> {
     /// `axis_ratio` is `a/b`, `linear` the coefficients for it.
     #[inline(always)]

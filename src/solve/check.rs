@@ -1,0 +1,134 @@
+//! Whether the inputs have an answer: told before anything is computed, so that bad input leaves outputs untouched.
+
+use crate::contact::Contact;
+use crate::contact::creepage::Creepage;
+use crate::number::Plain;
+use crate::solve::model::{Model, Options, Precision};
+use crate::status::Error;
+
+/// Check the inputs of [`solve`](crate::solve::model::solve) without solving.
+///
+/// # Errors
+/// Those of [`Contact::check`] and [`Creepage::check`]; [`Error::Overflow`] when a force, the moment or the power could be
+/// beyond the floating-point type.
+#[inline]
+pub fn check<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    options: &Options,
+) -> Result<(), Error> {
+    if is_sound(contact, creepage, options.model) {
+        Ok(())
+    } else {
+        find_fault(contact, creepage, options.model)
+    }
+}
+
+/// Whether all is well, told by few comparisons; of several contacts side by side, with all of them. Rarely all is
+/// well also where this says no: [`check`] looks closer.
+#[inline(always)]
+pub(crate) fn is_sound<F: Plain>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    model: Model,
+) -> bool {
+    if contact.is_ordinary(creepage) {
+        return true;
+    }
+    let Creepage { longitudinal, lateral, spin } = *creepage;
+    let size = contact.a + contact.b;
+    let edge_slip = size * spin.abs();
+    let slip = longitudinal.abs() + lateral.abs() + edge_slip;
+    // No less than any of `range`, and not finite if a creepage is not
+    let sum = force_limit(contact, creepage, model) * (slip + size.plus(1.0)) + edge_slip;
+    contact.is_sound() & sum.times(1.01).lies_within(F::LARGEST)
+}
+
+#[cold]
+#[inline(never)]
+fn find_fault<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    model: Model,
+) -> Result<(), Error> {
+    contact.find_fault()?;
+    creepage.check()?;
+    let range = range(contact, creepage, model);
+    if contact.is_lost() || range.iter().all(|number| number.is_finite_number()) {
+        Ok(())
+    } else {
+        Err(Error::Overflow)
+    }
+}
+
+/// Every result is a number within its bound times these.
+fn range<F: Plain>(contact: &Contact<F>, creepage: &Creepage<F>, model: Model) -> [F; 4] {
+    let Creepage { longitudinal, lateral, spin } = *creepage;
+    let Contact { a, b, .. } = *contact;
+    let bound = force_limit(contact, creepage, model);
+    let moment = bound * (a + b);
+    let power = bound * longitudinal.abs() + bound * lateral.abs() + moment * spin.abs();
+    // The velocity that spin causes at the edge, also where nothing is carried
+    let edge_slip = (a + b) * spin.abs();
+    // (a hair above the bounds, because forces round)
+    [power, moment, bound, edge_slip].map(|number| number.times(1.001))
+}
+
+/// What no force of the model exceeds \[N\].
+#[inline(always)]
+fn force_limit<F: Plain>(contact: &Contact<F>, creepage: &Creepage<F>, model: Model) -> F {
+    if model != Model::Linear {
+        return contact.friction_bound();
+    }
+    let Creepage { longitudinal, lateral, spin } = *creepage;
+    let Contact { a, b, shear_modulus, .. } = *contact;
+    let creepage = longitudinal.abs() + lateral.abs() + (a + b) * spin.abs();
+    // No coefficient exceeds this: C23 grows like (a/b)^(3/2). At least one, because stiffness times lever
+    // is a factor of the moment.
+    let ratio = a / b + b / a;
+    let size = creepage * (ratio * ratio.sqrt()).plus(100.0);
+    shear_modulus * a * b * size.max(F::one())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// No check can fail for the sizes that are let through without: at every corner of them, in both precisions.
+    #[test]
+    fn usual_sizes_pass_every_check() {
+        fn corners<F: Precision>() -> usize {
+            let ends = [
+                [1e-6, 1.0],
+                [1e-6, 1.0],
+                [0.0, 1e9],
+                [1.0, 1e12],
+                [0.0, 0.5],
+                [0.0, 5.0],
+                [-10.0, 10.0],
+                [-10.0, 10.0],
+                [-1e4, 1e4],
+            ];
+            let mut usual = 0;
+            for corner in 0..1 << ends.len() {
+                let mut k = 0;
+                let numbers = ends.map(|ends: [f64; 2]| {
+                    k += 1;
+                    F::of(ends[(corner >> (k - 1)) & 1])
+                });
+                let [a, b, normal_force, shear_modulus, poisson_ratio, friction, x, y, spin] =
+                    numbers;
+                let contact =
+                    Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction };
+                let creepage = Creepage { longitudinal: x, lateral: y, spin };
+                usual += usize::from(contact.is_usual() && creepage.is_usual());
+                for model in Model::ALL {
+                    let found = find_fault(&contact, &creepage, model);
+                    assert!(found.is_ok(), "{model:?} {contact:?} {creepage:?}");
+                }
+            }
+            usual
+        }
+        assert_eq!((corners::<f64>(), corners::<f32>()), (512, 512));
+    }
+}

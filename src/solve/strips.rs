@@ -1,0 +1,130 @@
+//! What each strip of a solution carries.
+
+use crate::contact::Contact;
+use crate::contact::creepage::Creepage;
+use crate::contact::forces::{StripCount, Totals};
+use crate::solve::check::check;
+use crate::solve::model::{Model, Options, Precision};
+use crate::solve::prepared::{Kernel, Prepared, notice_of};
+use crate::status::{Error, Notice};
+use crate::strip::{PreparedStrips, Rule};
+use crate::strip_1967::strip::State;
+use crate::strip_1967::{self, strips::PlacedStrip};
+
+/// One strip y = const of a contact or a patch: what it carries, on the lower body.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StripResult<F> {
+    /// Centre line \[m\].
+    pub y: F,
+    /// Width that the strip stands for \[m\].
+    pub width: F,
+    /// Half of its length along x \[m\].
+    pub half_length: F,
+    /// x of the separatrix \[m\]: slip behind it, adhesion ahead of it; the leading edge where the whole strip slides.
+    pub separatrix: F,
+    /// Its share of the longitudinal force \[N\].
+    pub fx: F,
+    /// Its share of the lateral force \[N\].
+    pub fy: F,
+    /// Its share of the moment about the centre of the contact \[N m\].
+    pub mz: F,
+    /// Its share of the frictional power \[N\].
+    pub power: F,
+    /// KSTRIP_STATE_STICK if it has an adhesion area, else KSTRIP_STATE_SLIP.
+    pub state: State,
+    /// Zero.
+    pub reserved: i32,
+}
+
+/// How many strips [`strips`] hands out, without solving.
+///
+/// # Errors
+/// Those of [`strips`].
+pub fn strips_of<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    options: &Options,
+) -> Result<usize, Error> {
+    if matches!(options.model, Model::Total | Model::Linear) {
+        return Err(Error::NotInModel);
+    }
+    check(contact, creepage, options)?;
+    Ok(if contact.is_lost() { 0 } else { options.strips as usize })
+}
+
+/// Every strip of the solution, handed to `visit`. Their shares add up to the totals of [`solve`].
+///
+/// # Errors
+/// Those of [`solve`].
+pub fn strips<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    options: &Options,
+    visit: &mut dyn FnMut(StripResult<F>),
+) -> Result<Notice, Error> {
+    if matches!(options.model, Model::Total | Model::Linear) {
+        return Err(Error::NotInModel);
+    }
+    check(contact, creepage, options)?;
+    if contact.is_lost() {
+        return Ok(Notice::None);
+    }
+    let prepared = Prepared::of(contact, options);
+    let parameters = prepared.units.parameters(creepage);
+    let bound = contact.friction_bound();
+    let mut share = |strip: PlacedStrip<F>| {
+        let (fx, fy) = (bound * strip.fx, bound * strip.fy);
+        let mz = bound * prepared.radius * strip.mz;
+        visit(StripResult {
+            y: contact.b * strip.y,
+            width: contact.b * strip.width,
+            half_length: contact.a * strip.half_length,
+            separatrix: contact.a * (strip.kappa + strip.kappa - strip.half_length),
+            fx,
+            fy,
+            mz,
+            power: fx * creepage.longitudinal + fy * creepage.lateral + mz * creepage.spin,
+            state: if strip.adheres { State::Stick } else { State::Slip },
+            reserved: 0,
+        });
+    };
+    match &prepared.kernel {
+        Kernel::Strip1967(rule) => {
+            strip_1967::strips::strips(&parameters, *rule, options.strips, &mut share);
+        }
+        Kernel::Strip(law) => {
+            place_rolling(law, parameters.normalised(), options.strips, &mut share);
+        }
+        Kernel::Total(_) | Kernel::Linear(_) => {}
+    }
+    Ok(notice_of(contact, creepage, options.model, parameters.psi))
+}
+
+/// The corrected strips in the form of those of the theory of 1967.
+#[inline(never)]
+fn place_rolling<F: Precision>(
+    strips: &PreparedStrips<F>,
+    creepage: [F; 3],
+    count: StripCount,
+    visit: &mut dyn FnMut(PlacedStrip<F>),
+) {
+    let rule = Rule::<F>::new(count);
+    let mut places = rule.places();
+    strips.each(creepage, &mut |carried, area| {
+        let Some([y, c, width]) = places.next() else { return };
+        let Totals { fx, fy, mz, stick } = carried;
+        visit(PlacedStrip {
+            y,
+            half_length: c,
+            width,
+            // The adhesion length as one interval at the leading edge
+            kappa: c * (F::one() - stick),
+            adheres: stick > F::zero(),
+            fx,
+            fy,
+            mz,
+            stick: area * stick,
+        });
+    });
+}
