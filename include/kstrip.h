@@ -151,6 +151,8 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_PROFILE_END -45
 /** Error: a rolling radius is not positive. */
 #define KSTRIP_ERROR_ROLLING_RADIUS -46
+/** Error: a smoothing length is negative. */
+#define KSTRIP_ERROR_SMOOTHING_LENGTH -47
 
 /**
  * What a status means and what the caller must change, in English.
@@ -412,7 +414,7 @@ kstrip_status kstrip_creepage_from_parameters(const struct kstrip_contact *conta
 /** Kalker's linear theory, without saturation: for stability analysis. Adhesion is 1. */
 #define KSTRIP_MODEL_LINEAR 5
 
-/** Strips that kstrip_evaluate() writes at most. */
+/** Strips that kstrip_evaluate() writes at most: as many as strips says, up to this. */
 #define KSTRIP_STRIPS_CAPACITY 64
 
 /** State of a point: outside the contact. */
@@ -565,10 +567,7 @@ typedef struct kstrip_outputs {
     struct kstrip_strip *strips;
     /** How many strips were written; required with strips. */
     uint32_t *count;
-    /**
-     * Size of strips: KSTRIP_STRIPS_CAPACITY is always enough; the number of strips asked for is with
-     * KSTRIP_MODEL_STRIP, of patches, and where |psi| <= 1.
-     */
+    /** Size of strips: the number of strips asked for, of a patch its own; KSTRIP_STRIPS_CAPACITY is always enough. */
     uint32_t capacity;
     /** Zero. */
     uint32_t reserved;
@@ -927,7 +926,10 @@ typedef struct kstrip_profile_contact {
     double normal_force;
     /** Approach of distant points of the bodies [m], >= 0; only where normal_force is 0. */
     double approach;
-    /** Length over which the profile is smoothed before its curvature is taken [m]; 0: chosen by its noise. */
+    /**
+     * Length over which the profile is smoothed [m], >= 0; 0: 0.75 of the patch's approximate half length, 5 mm between
+     * a wheel and a rail.
+     */
     double smoothing_length;
     /** Combined shear modulus G [Pa], > 0. */
     double shear_modulus;
@@ -935,7 +937,7 @@ typedef struct kstrip_profile_contact {
     double poisson_ratio;
     /** Coefficient of friction of every strip [-], >= 0. */
     double friction;
-    /** Number of strips: 4, 8, 16, 32 or 64; 0: 16. With several zones of contact the patch may have a few less. */
+    /** About how many strips: 4, 8, 16, 32 or 64 (which gives 32); 0: 16. */
     int32_t strips;
     /** Zero. */
     int32_t reserved;
@@ -992,13 +994,15 @@ typedef struct kstrip_patch {
 typedef struct kstrip_profile_result {
     /** Approach of distant points of the two bodies [m]. */
     double approach;
-    /** Largest pressure [Pa], at the deepest point. */
-    double peak_pressure;
-    /** Normal force reached [N]. */
+    /** Normal force [N]. */
     double normal_force;
-    /** y of the deepest point [m]. */
-    double deepest_y;
-    /** Evaluations of the load, at most 60. */
+    /** Its derivative by the approach [N/m]. */
+    double stiffness;
+    /** Largest pressure of a strip [Pa]. */
+    double peak_pressure;
+    /** y of that strip [m]. */
+    double peak_y;
+    /** Sections of the first guess, at most 40. */
     uint32_t iterations;
     /** Zero. */
     uint32_t reserved;

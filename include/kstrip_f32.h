@@ -448,9 +448,10 @@ typedef struct kstrip_patch_f32 {
 /** How two profiles meet. */
 typedef struct kstrip_profile_result_f32 {
     float approach;
-    float peak_pressure;
     float normal_force;
-    float deepest_y;
+    float stiffness;
+    float peak_pressure;
+    float peak_y;
     uint32_t iterations;
     uint32_t reserved;
 } kstrip_profile_result_f32;

@@ -62,13 +62,18 @@ pub(super) struct Shares<T> {
 }
 
 impl<T: Number> Shares<T> {
-    /// These where a number is positive, else nothing.
+    /// These, and others with them where a number is positive.
     #[inline(always)]
-    fn chosen(self, by: T) -> Self {
-        let Self { fx, fy, mx, lever, stick } = self;
-        let [fx, fy, mx, lever, stick] =
-            [fx, fy, mx, lever, stick].map(|share| by.choose(share, T::zero()));
-        Self { fx, fy, mx, lever, stick }
+    fn with(&self, others: &Self, by: T) -> Self {
+        let mut both = *self;
+        both.add(others);
+        Self {
+            fx: by.choose(both.fx, self.fx),
+            fy: by.choose(both.fy, self.fy),
+            mx: by.choose(both.mx, self.mx),
+            lever: by.choose(both.lever, self.lever),
+            stick: by.choose(both.stick, self.stick),
+        }
     }
 
     /// Multiplied: forces and their lever, `m_x`, stick area.
@@ -125,7 +130,7 @@ pub fn totals<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Total
     let (arc, some) = edge::adhesion(&motion);
     let mut shares = outside(&motion, &arc);
     if some.exceeds(T::zero()) {
-        shares.add(&adhering(&motion, &arc).chosen(some));
+        shares = shares.with(&adhering(&motion, &arc), some);
     }
     shares.totals(&motion)
 }

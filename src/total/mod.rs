@@ -238,19 +238,20 @@ fn saturation<T: Number>(q2: T, h: T) -> T {
 
 /// Creepages and spin that mean the same and whose powers are finite.
 #[inline(always)]
-fn within_range<T: Number>(creepage: [T; 3], limit: T::Base) -> [T; 3] {
+fn within_range<T: Number>(mut creepage: [T; 3], limit: T::Base) -> [T; 3] {
     let [vx, vy, phi] = creepage;
     let size = vx.value().abs().max(vy.value().abs()).max(phi.value().abs());
     let lost = T::TINY.times(LOST);
+    // (of several contacts side by side one may be too small and another too large)
     if lost.exceeds(size) {
         // The digits of such creepages are those of the smallest numbers, and without them power may have any sign. What
         // they carry is nothing to 1e-32 of `μ N`; the slopes stay.
-        let gone = |v: T| v - T::from_base((lost - size).choose(v.value(), T::Base::zero()));
-        return [gone(vx), gone(vy), gone(phi)];
+        let gone = |v: &T| *v - T::from_base((lost - size).choose(v.value(), T::Base::zero()));
+        creepage = T::each(&creepage, gone);
     }
     if size.exceeds(limit) {
         let factor = T::from_base((size - limit).choose(limit / size, T::Base::one()));
-        return [vx * factor, vy * factor, phi * factor];
+        creepage = T::each(&creepage, |v| *v * factor);
     }
     creepage
 }

@@ -6,11 +6,25 @@ use crate::theory;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
-use kstrip::friction::{self, SlipFriction};
+use kstrip::friction::{self, FrictionSolution, SlipFriction};
+use kstrip::solve::derivatives::differentiate;
 use kstrip::solve::model::{self, Model, Options};
 use kstrip::status::{Error, Notice};
+use nalgebra::Matrix3;
 use random::Random;
 use theory::{contact, options};
+
+/// Under friction that falls with the slip, with the derivatives by the creepages as a matrix.
+pub fn with_slopes_under(
+    c: &Contact<f64>,
+    m: &Creepage<f64>,
+    law: &SlipFriction<f64>,
+    o: &Options,
+) -> Result<(FrictionSolution<f64>, Matrix3<f64>), Error> {
+    let found = differentiate(c, m, Some(law), o)?;
+    let solution = FrictionSolution { solution: found.solution, friction: found.friction };
+    Ok((solution, Matrix3::from(found.derivatives.jacobian).transpose()))
+}
 
 /// Polach's dry rail at 20 m/s.
 const DRY: SlipFriction<f64> =
@@ -67,7 +81,7 @@ fn constant_friction_is_the_plain_solution_to_the_bit() {
             let other = Contact { friction: f64::NAN, ..c };
             let found = friction::solve(&other, &m, &law, &o).unwrap();
             assert_eq!((found.solution, found.friction), (plain, c.friction));
-            let (found, jacobian) = friction::solve_jacobian(&other, &m, &law, &o).unwrap();
+            let (found, jacobian) = with_slopes_under(&other, &m, &law, &o).unwrap();
             assert_eq!((found.solution, jacobian), with_slopes);
         }
     }
@@ -136,7 +150,7 @@ fn slope_factor_stretches_the_creep_curve() {
                 assert!((found.fy - plain.fy).abs() < 1e-12 * size);
                 assert!((found.mz - plain.mz).abs() < 1e-12 * size * c.a);
             }
-            let (_, j) = friction::solve_jacobian(&c, &motion(0.0, 0.0, 0.0), &law, &o).unwrap();
+            let (_, j) = with_slopes_under(&c, &motion(0.0, 0.0, 0.0), &law, &o).unwrap();
             let (_, clean) = model::solve_jacobian(&c, &motion(0.0, 0.0, 0.0), &o).unwrap();
             assert!((j[(0, 0)] / clean[(0, 0)] - k).abs() < 1e-12);
         }
@@ -159,7 +173,7 @@ fn derivatives_follow_friction_and_slip() {
             rolling_speed: random.between(1.0, 50.0),
             slope_factor: random.between(0.3, 1.0),
         };
-        let (found, exact) = friction::solve_jacobian(&c, &m, &law, &o).unwrap();
+        let (found, exact) = with_slopes_under(&c, &m, &law, &o).unwrap();
         let same = friction::solve(&c, &m, &law, &o).unwrap();
         let bound = law.friction * c.normal_force;
         assert_eq!(found.friction, same.friction);
@@ -217,7 +231,7 @@ fn traction_curve_has_a_maximum() {
     let c = contact(1.2, 0.28);
     let o = Options::default();
     let pull = |slip: f64| {
-        let (found, j) = friction::solve_jacobian(&c, &motion(slip, 0.0, 0.0), &DRY, &o).unwrap();
+        let (found, j) = with_slopes_under(&c, &motion(slip, 0.0, 0.0), &DRY, &o).unwrap();
         (found.solution.fx, j[(0, 0)])
     };
     let mut turns = 0;
@@ -315,7 +329,7 @@ fn limits_are_answered() {
             (c, SlipFriction { friction: 0.0, ..DRY }),
             (c, SlipFriction { ratio: 0.0, decay: 1e300, ..DRY }),
         ] {
-            let (found, j) = friction::solve_jacobian(&c, &m, &law, &o).unwrap();
+            let (found, j) = with_slopes_under(&c, &m, &law, &o).unwrap();
             let s = found.solution;
             assert!(j.iter().all(|v| v.is_finite()), "{j:?}");
             assert!(s.fx.hypot(s.fy) <= 1e-9 * 0.55 * c.normal_force.max(1.0), "{s:?} {law:?}");

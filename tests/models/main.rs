@@ -31,6 +31,6 @@ mod patch_friction;
 mod peer_methods;
 mod profile;
 mod rig;
+mod special_motions;
 mod total;
-mod wanted;
 mod warnings;

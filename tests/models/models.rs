@@ -7,9 +7,7 @@ use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
 use kstrip::linear::LinearCoefficients;
-use kstrip::solve::model::{
-    self, Field, Jacobian, Model, Options, Precision, Solution, StripResult, solve,
-};
+use kstrip::solve::model::{self, Field, Model, Options, Precision, Solution, StripResult, solve};
 use kstrip::status::{Error, Notice};
 use kstrip::strip_1967::strip::State;
 use proptest::prelude::*;
@@ -91,7 +89,7 @@ fn forces(axis_ratio: f64, nu: f64, v: [f64; 3], options: &Options) -> [f64; 3] 
 
 /// Derivatives of the same by `vx, vy, φ`.
 fn slopes(axis_ratio: f64, nu: f64, v: [f64; 3], options: &Options) -> [[f64; 3]; 3] {
-    let (_, j): (_, Jacobian<f64>) =
+    let (_, j): (_, nalgebra::Matrix3<f64>) =
         model::solve_jacobian(&contact::<f64>(axis_ratio, nu), &creepage(v), options)
             .unwrap_or_else(|error| panic!("{error} {axis_ratio} {nu} {v:?} {options:?}"));
     let (row, column) = ([1.0, 1.0, 1.0 / SIZE], [1.0, 1.0, 1.0 / SIZE]);

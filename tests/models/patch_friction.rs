@@ -6,7 +6,7 @@ use crate::theory;
 
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
-use kstrip::friction::{self, SlipFriction};
+use kstrip::friction::SlipFriction;
 use kstrip::patch::friction::{friction_share, solve, solve_jacobian};
 use kstrip::patch::solver::{self, PatchField};
 use kstrip::patch::{Patch, PatchStrip};
@@ -48,7 +48,7 @@ fn elliptic_strips_give_the_answer_of_the_ellipse() {
         let m = theory::creepage(&c, p[0], p[1], p[2].clamp(-2.0, 2.0));
         let law = SlipFriction { friction: c.friction, ..any_law(&mut random) };
         let o = options(Model::Strip, count);
-        let (wanted, slopes) = friction::solve_jacobian(&c, &m, &law, &o).unwrap();
+        let (wanted, slopes) = crate::friction::with_slopes_under(&c, &m, &law, &o).unwrap();
         let patch = Full::from_ellipse(&c, count).unwrap();
         let view = patch.view().unwrap();
         let (found, j) = solve_jacobian(&view, &m, &law, Model::Strip).unwrap();

@@ -1,11 +1,11 @@
 //! Every model, alone and in a batch, says what is implausible about its contact.
 
-use kstrip::batch::{Problems, Solutions, solve_batch};
+use kstrip::batch::solve_batch;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
 use kstrip::solve::derivatives;
-use kstrip::solve::model::{self, Model, Options, Solution};
+use kstrip::solve::model::{self, Model, Options};
 use kstrip::status::Notice;
 
 const C0: Contact<f64> = Contact {
@@ -37,25 +37,6 @@ fn wrong_units() -> [(Contact<f64>, Creepage<f64>, Notice); 8] {
     ]
 }
 
-struct Many(Vec<(Contact<f64>, Creepage<f64>)>);
-
-impl Problems<f64> for Many {
-    fn count(&self) -> usize {
-        self.0.len()
-    }
-    fn get(&self, i: usize) -> Option<(Contact<f64>, Creepage<f64>)> {
-        self.0.get(i).copied()
-    }
-}
-
-struct Found(Vec<Option<Solution<f64>>>);
-
-impl Solutions<f64> for Found {
-    fn put(&mut self, i: usize, solution: Solution<f64>) {
-        self.0[i] = Some(solution);
-    }
-}
-
 #[test]
 fn wrong_units_are_named_by_every_model() {
     for model in Model::ALL {
@@ -84,11 +65,11 @@ fn in_a_batch_each_contact_gets_its_own() {
             for place in [0, 5, 16, 18] {
                 let mut many = vec![(C0, ROLLS); 19];
                 many[place] = rare;
-                let mut found = Found(vec![None; 19]);
-                let many = Many(many);
-                let worst = solve_batch(&many, &options, &mut found).unwrap();
+                let mut found = [None; 19];
+                let put = |i: usize, solution| found[i] = Some(solution);
+                let worst = solve_batch(19, &options, |i| many[i], put).unwrap();
                 let mut expected = Notice::None;
-                for (found, (contact, creepage)) in found.0.into_iter().zip(many.0) {
+                for (found, (contact, creepage)) in found.into_iter().zip(many) {
                     let alone = model::solve(&contact, &creepage, &options).unwrap();
                     assert_eq!(found, Some(alone), "{model:?} {contact:?}");
                     expected = expected.worse(alone.notice);

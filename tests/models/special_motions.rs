@@ -1,54 +1,16 @@
-//! Only what is wanted, and the short paths of special motions: the same answers, without a jump.
+//! Motions without one of their parts: the same answers as beside them, without a jump.
 
 use crate::random;
 use crate::theory;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::solve::evaluate::{Wanted, evaluate};
 use kstrip::solve::model::{self, Model, Solution};
 use random::Random;
 use theory::{COUNTS, contact, options};
 
 fn motion(longitudinal: f64, lateral: f64, spin: f64) -> Creepage<f64> {
     Creepage { longitudinal, lateral, spin }
-}
-
-fn any_motion(random: &mut Random, c: &Contact<f64>) -> Creepage<f64> {
-    let size = random.log_between(1e-3, 5.0);
-    let [xi, eta, psi] = [0; 3].map(|_| random.between(-1.0, 1.0));
-    let m = theory::creepage(c, size * xi, size * eta, size.min(2.0) * psi);
-    // Every special case as often as the general one
-    let kind = random.bits() % 6;
-    motion(
-        if matches!(kind, 1 | 3 | 5) { 0.0 } else { m.longitudinal },
-        if matches!(kind, 2 | 3) { 0.0 } else { m.lateral },
-        if matches!(kind, 4 | 5) { 0.0 } else { m.spin },
-    )
-}
-
-/// What is wanted has the bits of `solve`, what is not has its placeholder.
-#[test]
-fn wanted_is_the_solution_and_the_rest_is_left_out() {
-    let mut random = Random::new(91);
-    for n in 0..2_000 {
-        let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
-        let m = any_motion(&mut random, &c);
-        let o = options(Model::ALL[n % 5], COUNTS[n / 5 % 5]);
-        let full = model::solve(&c, &m, &o).unwrap();
-        for moment in [false, true] {
-            for adhesion in [false, true] {
-                let got = evaluate(&c, &m, &o, Wanted { moment, adhesion }).unwrap();
-                let wanted = Solution {
-                    mz: if moment { full.mz } else { 0.0 },
-                    power: if moment { full.power } else { 0.0 },
-                    adhesion: if adhesion { full.adhesion } else { -1.0 },
-                    ..full
-                };
-                assert_eq!(got, wanted, "{o:?} {m:?}");
-            }
-        }
-    }
 }
 
 /// In units of `μ N`, `μ N √(ab)`, and the patch.
