@@ -152,14 +152,13 @@ fn group<L: Lanes<N>, const N: usize>(
 }
 
 #[inline(always)]
-fn solve<L: Lanes<N>, const N: usize>(
+fn solve<L: Lanes<N> + StripSums, const N: usize>(
     count: usize,
     options: &Options,
     get: impl Fn(usize) -> (Contact<L::Stored>, Creepage<L::Stored>),
     mut put: impl FnMut(usize, Solution<L::Stored>),
 ) -> Result<Notice, (usize, Error)>
 where
-    L: StripSums,
     L::Stored: Precision,
 {
     let whole = count - count % N;
@@ -199,13 +198,12 @@ struct Together<L, const N: usize> {
 
 /// Checked contacts that are loaded and plausible.
 #[inline(always)]
-fn solve_group<L: Lanes<N>, const N: usize>(
+fn solve_group<L: Lanes<N> + StripSums, const N: usize>(
     contact: &Contact<L>,
     creepage: &Creepage<L>,
     options: &Options,
 ) -> Together<L, N>
 where
-    L: StripSums,
     L::Stored: Precision,
 {
     let model = options.model;
