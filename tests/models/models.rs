@@ -616,7 +616,7 @@ fn notices() {
             solve(&contact::<f64>(g, 0.28), &creepage([0.1, 0.0, spin_of(psi, g)]), options);
         solution.unwrap().notice
     };
-    let any_spin = [(0.05, 20.0), (20.0, 0.0), (1.0, 1e4)];
+    let any_spin = [(0.05, 3.1), (20.0, 0.0), (1.0, 4.0)];
     let strips = [(0.1, 0.0), (10.0, 0.0), (1.0, 2.99), (1.0, -2.99), (5.0, 1.0)];
     let beyond_total = [(0.0499, 0.0), (20.1, 0.0), (1e3, 1.0)];
     let beyond_strips = [(0.099, 0.0), (10.1, 0.0), (1.0, 3.01), (1.0, -3.01), (1e3, 1.0)];

@@ -301,3 +301,88 @@ fn single_precision_round_trips() {
     println!("{frictions} frictions, {creepages} creepages, {lost} not converged");
     assert!(frictions > 400 && lost * 50 < 1_000);
 }
+
+/// What the contact says of its own friction plays no part, be it what it may.
+#[test]
+fn own_friction_is_ignored() {
+    let c = contact(1.5, 0.28);
+    let m = theory::creepage(&c, 0.6, 0.2, 0.1);
+    for o in (0..4).map(any_options) {
+        let s = model::solve(&c, &m, &o).unwrap();
+        let at = |friction: f64| {
+            let contact = Contact { friction, ..c };
+            estimate_friction(&contact, &m, &o, Measured::Both, [s.fx, s.fy]).unwrap()
+        };
+        let expected = at(0.0);
+        assert!((expected.friction / c.friction - 1.0).abs() < 1e-9);
+        for friction in [1e-9, 0.9, -1.0, 1e300, f64::INFINITY, f64::NAN] {
+            assert_eq!(at(friction), expected, "{friction} {o:?}");
+        }
+    }
+}
+
+/// Where spin opposes the creepage a force may have several frictions: none is smaller than the one that is found. Every friction
+/// from full sliding to the answer is tried, in steps of a thousandth.
+#[test]
+fn the_smallest_friction_is_found() {
+    let mut random = Random::new(87);
+    let (mut several, mut found) = (0, 0);
+    for n in 0..60 {
+        let c = any_contact(&mut random);
+        let size = random.log_between(0.1, 3.0);
+        let eta = size * random.between(0.3, 1.0);
+        let psi = -eta * random.between(0.3, 1.5);
+        let m = theory::creepage(&c, 0.1 * size, eta, psi);
+        let o = options([Model::Total, Model::Strip][n % 2], StripCount::Eight);
+        let s = model::solve(&c, &m, &o).unwrap();
+        let force = |friction: f64| model::solve(&Contact { friction, ..c }, &m, &o).unwrap().fy;
+        let e = estimate_friction(&c, &m, &o, Measured::Fy, [0.0, s.fy]).unwrap();
+        if e.notice == Notice::FrictionAtLeast {
+            continue;
+        }
+        several += usize::from(e.notice == Notice::SeveralFrictions);
+        found += 1;
+        assert!(e.friction <= c.friction * (1.0 + 1e-9), "{e:?} {c:?} {m:?} {o:?}");
+        let sign = s.fy.signum();
+        let mut at = s.fy.abs() / c.normal_force * (1.0 + 1e-9);
+        while at < e.friction * (1.0 - 1e-9) {
+            let excess = sign * (force(at) - s.fy);
+            assert!(excess < 1e-9 * s.fy.abs(), "{at} fits, {e:?} {c:?} {m:?} {o:?}");
+            at *= 1.001;
+        }
+    }
+    println!("{found} found, {several} of them with several");
+    assert!(found > 40);
+}
+
+/// From a creepage to its force and back, below 0.995 of the bound: fewer than one in 10 000 fails. `KSTRIP_ROUND_TRIPS` takes
+/// more cases than two thousand.
+#[test]
+fn forces_below_the_bound_are_reached() {
+    let cases = std::env::var("KSTRIP_ROUND_TRIPS").map_or(2_000, |n| n.parse().unwrap());
+    for model in [Model::Total, Model::Strip] {
+        let mut random = Random::new(88);
+        let (mut tried, mut lost) = (0_u32, 0_u32);
+        for _ in 0..cases {
+            let c = any_contact(&mut random);
+            let size = random.log_between(1e-3, 5.0);
+            let [xi, eta, psi] = [0; 3].map(|_| random.between(-1.0, 1.0));
+            let m = theory::creepage(&c, size * xi, size * eta, 0.6 * psi);
+            let o = options(model, StripCount::Sixteen);
+            let s = model::solve(&c, &m, &o).unwrap();
+            if s.fx.hypot(s.fy) > 0.995 * c.friction * c.normal_force {
+                continue;
+            }
+            tried += 1;
+            let (got, notice) = creepage_for_force(&c, [s.fx, s.fy], m.spin, &o).unwrap();
+            let again = model::solve(&c, &got, &o).unwrap();
+            let off = (again.fx - s.fx).hypot(again.fy - s.fy) / (c.friction * c.normal_force);
+            if notice == Notice::NotConverged || off > 1e-10 {
+                lost += 1;
+                println!("{off:e} {notice:?} {c:?} {m:?} {o:?}");
+            }
+        }
+        println!("{model:?}: {lost} of {tried} lost");
+        assert!(u64::from(lost) * 10_000 < u64::from(tried), "{model:?}: {lost} of {tried}");
+    }
+}
