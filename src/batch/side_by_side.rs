@@ -16,7 +16,7 @@ use crate::solve::prepared::{
     Forces, LARGEST_SPIN, Prepared, RATIOS, linear_notice, linear_size, notice,
 };
 use crate::status::{Error, Notice};
-use crate::strip::StripSums;
+use crate::strip::StripTotals;
 use core::sync::atomic::{AtomicU8, Ordering};
 
 /// Floating-point types that fill wide registers.
@@ -152,7 +152,7 @@ fn group<L: Lanes<N>, const N: usize>(
 }
 
 #[inline(always)]
-fn solve<L: Lanes<N> + StripSums, const N: usize>(
+fn solve<L: Lanes<N> + StripTotals, const N: usize>(
     count: usize,
     options: &Options,
     get: impl Fn(usize) -> (Contact<L::Stored>, Creepage<L::Stored>),
@@ -198,7 +198,7 @@ struct Together<L, const N: usize> {
 
 /// Checked contacts that are loaded and plausible.
 #[inline(always)]
-fn solve_group<L: Lanes<N> + StripSums, const N: usize>(
+fn solve_group<L: Lanes<N> + StripTotals, const N: usize>(
     contact: &Contact<L>,
     creepage: &Creepage<L>,
     options: &Options,

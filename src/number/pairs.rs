@@ -7,6 +7,19 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 #[derive(Clone, Copy, Debug)]
 pub struct Two<T>(T, T);
 
+impl<T: Copy> Two<T> {
+    /// Put two numbers side by side.
+    #[inline(always)]
+    pub(crate) fn side_by_side(first: T, second: T) -> Self {
+        Self(first, second)
+    }
+    /// Take them apart.
+    #[inline(always)]
+    pub(crate) fn apart(self) -> [T; 2] {
+        [self.0, self.1]
+    }
+}
+
 /// Two doubles: one SSE2 register.
 #[cfg(target_arch = "x86_64")]
 #[derive(Clone, Copy, Debug)]

@@ -6,7 +6,7 @@ use crate::contact::forces::StripCount;
 use crate::number::Float;
 use crate::solve::prepared::Prepared;
 use crate::status::{Error, Notice};
-use crate::strip::StripSums;
+use crate::strip::StripTotals;
 
 pub use crate::solve::check::check;
 pub use crate::solve::derivatives::solve_jacobian;
@@ -103,11 +103,11 @@ impl<F: Float> Solution<F> {
 
 /// Floating-point types that every model can be computed in.
 #[cfg(not(target_arch = "x86_64"))]
-pub trait Precision: Float + StripSums {}
+pub trait Precision: Float + StripTotals {}
 
 /// Floating-point types that every model can be computed in.
 #[cfg(target_arch = "x86_64")]
-pub trait Precision: Float + StripSums + crate::batch::side_by_side::Wide {}
+pub trait Precision: Float + StripTotals + crate::batch::side_by_side::Wide {}
 
 impl Precision for f64 {}
 impl Precision for f32 {}

@@ -11,7 +11,7 @@ use crate::number::{Arithmetic, Float, Number, Pair, Plain};
 use crate::solve::check::check;
 use crate::solve::model::{Model, Options, Precision, Solution};
 use crate::status::{Error, Notice};
-use crate::strip::{PreparedStrips, StripSums};
+use crate::strip::{PreparedStrips, StripTotals};
 use crate::strip_1967::{self, strip::SlidingRule};
 use crate::total;
 
@@ -48,7 +48,7 @@ pub(crate) struct Forces<T> {
     pub(crate) adhesion: T,
 }
 
-impl<F: StripSums> Prepared<F> {
+impl<F: StripTotals> Prepared<F> {
     /// A checked contact.
     #[inline(always)]
     pub(crate) fn of(contact: &Contact<F>, options: &Options) -> Self {
@@ -105,9 +105,7 @@ impl<F: StripSums> Prepared<F> {
     pub(crate) fn totals<T: Number<Base = F>>(&self, parameters: &Parameters<T>) -> Totals<T> {
         match &self.kernel {
             Kernel::Strip1967(rule) => strip_1967::totals(parameters, *rule),
-            Kernel::Strip(strips) => {
-                strips.totals_by(self.units.normalised(parameters), F::strip_sums)
-            }
+            Kernel::Strip(strips) => F::strip_totals(strips, self.units.normalised(parameters)),
             Kernel::Total(total) => total.totals(self.units.normalised(parameters)),
             Kernel::Linear(_) => Totals::nothing(),
         }

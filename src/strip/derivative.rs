@@ -2,8 +2,10 @@
 //! the strip sees. (Dual numbers through the kernel give the same and take longer.)
 
 use super::constants::{AVERAGE, BLEND, EDGE, NODES, ROUND_SPIN};
-use super::kernel::{Carried, Course, Passed, Seen, Separatrix, Spin, blending, forces, widest};
-use super::tables::{Closed, Node};
+use super::kernel::{
+    Carried, Passed, Seen, Separatrix, Spin, Start, Traction, blending, forces, widest,
+};
+use super::tables::{Constants, Node};
 use crate::number::Arithmetic;
 
 /// How what follows from `σ` alone moves with it.
@@ -37,12 +39,18 @@ impl<T: Arithmetic> SpinSlopes<T> {
 pub(super) fn forces_and_slopes<P: Arithmetic<Bare = P>>(
     seen: &Seen<P>,
     spin: &Spin<P>,
-    nodes: &[Node<P>; NODES],
-    closed: &Closed<P>,
+    constants: &impl Constants<P>,
     by_spin: &SpinSlopes<P>,
 ) -> (Carried<P>, [[P; 5]; 3]) {
-    let (carried, course) = forces(seen, spin, nodes, closed);
-    let back = Back::new(seen, spin, by_spin, nodes, closed, &course);
+    let zero = P::zero();
+    let traction = Traction { x: zero, y: zero, offered: [zero; 3], tried: zero };
+    let mut nodes = [Passed { inverse_bound: zero, weight: zero, traction, kept: zero }; NODES];
+    let (carried, start) = forces(seen, spin, constants, |k, passed| {
+        if let Some(node) = nodes.get_mut(k) {
+            *node = passed;
+        }
+    });
+    let back = Back::new(seen, spin, by_spin, constants, &start, &nodes);
     let slopes =
         [back.from(Force::Longitudinal), back.from(Force::Lateral), back.from(Force::Moment)];
     (carried, slopes)
@@ -61,8 +69,8 @@ struct Back<'a, P> {
     seen: &'a Seen<P>,
     spin: &'a Spin<P>,
     by_spin: &'a SpinSlopes<P>,
-    nodes: [(&'a Node<P>, Turned<P>); NODES],
-    course: &'a Course<P>,
+    nodes: [Turned<P>; NODES],
+    start: &'a Start<P>,
     /// The polynomials of the closed force and moment, and their slopes.
     closed: [[P; 2]; 2],
 }
@@ -70,6 +78,9 @@ struct Back<'a, P> {
 /// A node on the way back.
 #[derive(Clone, Copy)]
 struct Turned<P> {
+    /// `t` and `λ`
+    place: P,
+    length: P,
     /// `x̂`
     x: P,
     weight: P,
@@ -117,6 +128,8 @@ impl<P: Arithmetic<Bare = P>> Turned<P> {
         let slope = [c0.times(2.0), c1.times(3.0), c2.times(4.0), c3.times(5.0)];
         let [slope, _] = with_slope(&slope, u);
         Self {
+            place: node.place,
+            length: node.length,
             x: s * node.place - one,
             weight: own.weight,
             weight_slope: u * slope,
@@ -145,28 +158,27 @@ impl<'a, P: Arithmetic<Bare = P>> Back<'a, P> {
         seen: &'a Seen<P>,
         spin: &'a Spin<P>,
         by_spin: &'a SpinSlopes<P>,
-        nodes: &'a [Node<P>; NODES],
-        closed: &Closed<P>,
-        course: &'a Course<P>,
+        constants: &impl Constants<P>,
+        start: &'a Start<P>,
+        passed: &[Passed<P>; NODES],
     ) -> Self {
-        let s = course.separatrix.s;
+        let s = start.separatrix.s;
         let mut before = seen.start;
-        let (first, passed) = (&nodes[0], &course.nodes[0]);
-        let mut turned = [(first, Turned::new(first, passed, before, s, spin)); NODES];
-        for (place, (node, own)) in turned.iter_mut().zip(nodes.iter().zip(&course.nodes)) {
-            *place = (node, Turned::new(node, own, before, s, spin));
+        let mut nodes = [Turned::new(&constants.node(0), &passed[0], before, s, spin); NODES];
+        for (k, (turned, own)) in nodes.iter_mut().zip(passed).enumerate() {
+            *turned = Turned::new(&constants.node(k), own, before, s, spin);
             before = own.kept;
         }
-        let u = s.times(0.5);
+        let (u, closed) = (s.times(0.5), constants.closed());
         let closed = [with_slope(&closed.force, u), with_slope(&closed.moment, u)];
-        Self { seen, spin, by_spin, nodes: turned, course, closed }
+        Self { seen, spin, by_spin, nodes, start, closed }
     }
 
     /// The derivatives of a force by `A_x, A_y, σ`, the spread and the start.
     #[inline(always)]
     fn from(&self, force: Force) -> [P; 5] {
-        let Self { seen, spin, course, .. } = self;
-        let Separatrix { y, s, .. } = course.separatrix;
+        let Self { seen, spin, start, .. } = self;
+        let Separatrix { y, s, .. } = start.separatrix;
         let (zero, one, r) = (P::zero(), P::one(), spin.r);
         let turning = spin.sigma * s;
         // by the state ahead of a node, and sums over the nodes
@@ -174,7 +186,7 @@ impl<'a, P: Arithmetic<Bare = P>> Back<'a, P> {
         let (mut by_x, mut by_y, mut by_s, mut by_u) = (zero, zero, zero, zero);
         let (mut by_r, mut by_round) = (zero, zero);
         let (mut by_turning, mut by_square, mut by_spread) = (zero, zero, zero);
-        for (node, turned) in self.nodes.iter().rev() {
+        for turned in self.nodes.iter().rev() {
             let Turned { weight, weight_slope, half, offered: [x, y, wide], .. } = *turned;
             let ([tx, ty], [px, py]) = (turned.traction, turned.p);
             // t = r e_y + (p/B − r e_y) e
@@ -196,7 +208,7 @@ impl<'a, P: Arithmetic<Bare = P>> Back<'a, P> {
                     let through = seed * py;
                     by_s += (through + seed * r) * half * turned.bound;
                     if moment {
-                        by_s += weight * ty * node.place;
+                        by_s += weight * ty * turned.place;
                     }
                     through
                 }
@@ -211,29 +223,29 @@ impl<'a, P: Arithmetic<Bare = P>> Back<'a, P> {
             by_px = turned.kept * by_px + turned.doubled[0] * by_q;
             by_py = turned.kept * by_py + turned.doubled[1] * by_q;
             by_wide = turned.kept * by_wide + turned.doubled[2] * by_q;
-            by_spread += node.length * by_wide;
-            let step = node.length * by_py;
-            by_x += node.length * by_px;
+            by_spread += turned.length * by_wide;
+            let step = turned.length * by_py;
+            by_x += turned.length * by_px;
             by_y += step;
             by_turning += step * turned.turn;
-            by_kept = step * turning * node.length;
+            by_kept = step * turning * turned.length;
         }
         by_turning += by_square * (turning + turning);
         let mut by_sigma = by_turning * s - (by_y + by_y);
         by_s += by_turning * spin.sigma;
         // p = (2 − s) n, n = A'/s + r e_y
         let ahead = one - s.times(0.5);
-        let [nx, ny] = course.n;
+        let [nx, ny] = start.n;
         let mut by_ahead = (nx * by_px + ny * by_py).times(2.0);
         let (by_nx, by_ny) = (by_px * (ahead + ahead), by_py * (ahead + ahead));
-        by_x += by_nx * course.inverse_s;
-        let mut by_prime = by_ny * course.inverse_s;
+        by_x += by_nx * start.inverse_s;
+        let mut by_prime = by_ny * start.inverse_s;
         by_r += by_ny;
-        by_s -= course.inverse_s * (by_nx * nx + by_ny * (ny - r));
+        by_s -= start.inverse_s * (by_nx * nx + by_ny * (ny - r));
         // wide = (2 − s) spread/(2 s)
-        let ratio = seen.spread * course.inverse_s;
+        let ratio = seen.spread * start.inverse_s;
         by_ahead += widest(ratio) * by_wide;
-        let free = (ratio - widest(ratio)).abs().choose(zero, ahead * by_wide * course.inverse_s);
+        let free = (ratio - widest(ratio)).abs().choose(zero, ahead * by_wide * start.inverse_s);
         by_spread = by_spread.times(0.5) + free;
         by_s -= free * ratio;
         // the closed part
@@ -275,8 +287,8 @@ impl<'a, P: Arithmetic<Bare = P>> Back<'a, P> {
     /// `s = s₁ + w (2 − s₁)`, `d root = (A_x dA_x + g (dA_y' + root dr))/S`, `g = A_y' + root r`.
     #[inline(always)]
     fn separatrix(&self, by_s: P) -> [P; 4] {
-        let Self { seen, spin, course, .. } = self;
-        let Separatrix { y, root, inverse_size, .. } = course.separatrix;
+        let Self { seen, spin, start, .. } = self;
+        let Separatrix { y, root, inverse_size, .. } = start.separatrix;
         let (zero, one, two) = (P::zero(), P::one(), P::constant(2.0));
         // s₁ = root + softening; beyond 2 it stays there
         let root = root.min(two);

@@ -1,9 +1,9 @@
 //! Traction and slip at a point of a strip: the law that the forces are summed from.
 
-use super::constants::EDGE;
+use super::constants::{EDGE, NODES};
 use super::creepage::{Law, StripGeometry};
 use super::kernel::{Seen, Separatrix, Slip, Spin, Step};
-use super::tables::Kernel;
+use super::tables::{Constants, Tables};
 use crate::number::Float;
 
 /// Nearest to the trailing edge that is told apart from it.
@@ -46,12 +46,13 @@ impl<F: Float> Law<F> {
             let (x, y) = (n[0] * share, spin.r + (n[1] - spin.r) * share);
             return StripTraction { x, y, slip_x: zero, slip_y: zero, slips: false };
         }
-        let (nodes, _) = Kernel::<F>::get().read(|[first, _]| *first);
+        let constants = Tables::new(|[first, _]: &[F; 2]| *first);
         let t = tau * inverse;
         let mut slip = Slip::start(n, two - s, inverse, &seen);
         let (mut before, mut from) = (one, None);
         let mut here = None;
-        for node in &nodes {
+        for k in 0..NODES {
+            let node = constants.node(k);
             let whole = step_to(s, before, node.place);
             let (next, traction) = slip.step(&seen, &spin, s, &whole);
             let to = slip_share(&seen, &spin, s, &whole, traction.tried);

@@ -4,7 +4,7 @@
 //! weighted with `(2/π) √B`. All of it is over the strip's own friction bound.
 
 use super::constants::{AVERAGE, BLEND, EDGE, NODES, ROUND, ROUND_SPIN};
-use super::tables::{Closed, Node};
+use super::tables::{Closed, Constants, Node};
 use crate::number::Arithmetic;
 
 /// A separatrix nearer to the trailing edge is put here.
@@ -209,14 +209,13 @@ impl<T: Arithmetic> Slip<T> {
     }
 }
 
-/// What a strip's derivatives need of its forces.
+/// Where a strip's slip part begins.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Course<T> {
+pub(super) struct Start<T> {
     pub separatrix: Separatrix<T>,
     pub inverse_s: T,
     /// `A'/s + r e_y`
     pub n: [T; 2],
-    pub nodes: [Passed<T>; NODES],
 }
 
 /// A node that was passed.
@@ -228,35 +227,34 @@ pub(super) struct Passed<T> {
     pub kept: T,
 }
 
-/// Forces of a strip, and how they came about.
+/// Forces of a strip; `note` is told each node that was passed.
 #[inline(always)]
 pub(super) fn forces<T: Arithmetic>(
     seen: &Seen<T>,
     spin: &Spin<T>,
-    nodes: &[Node<T::Bare>; NODES],
-    closed: &Closed<T::Bare>,
-) -> (Carried<T>, Course<T>) {
+    constants: &impl Constants<T::Bare>,
+    mut note: impl FnMut(usize, Passed<T>),
+) -> (Carried<T>, Start<T>) {
     let separatrix = Separatrix::new(seen, spin);
     let Separatrix { y, s, .. } = separatrix;
     let u = s.times(0.5);
     let ahead = T::one() - u;
-    let (inverse_s, bounds) = inverses(s, nodes);
+    let (inverse_s, bounds) = inverses(s, constants);
     // n = A'/s + r e_y
     let n = [seen.x * inverse_s, y * inverse_s + spin.r];
     // t = r e_y + (A'/s)(1 − R), R = √(1 − s/τ), ahead of the separatrix; behind it less n, which the nodes add
+    let closed: Closed<T::Bare> = constants.closed();
     let c = ahead * polynomial(&closed.force, u);
     let mut fx = seen.x * c;
     let mut fy = y * c + spin.r * (ahead.squared() + s * c);
     let closed_moment = (y + s * spin.r) * polynomial(&closed.moment, u);
     let mut mx = -(ahead * ((y * ahead).times(0.5) + closed_moment));
-    let mut stick = ahead;
+    let mut blended = T::zero();
     let mut slip = Slip::start(n, ahead + ahead, inverse_s, seen);
     let soft = (spin.sigma * s).squared();
     let square = u.squared();
-    let traction = Traction { x: s, y: s, offered: [s; 3], tried: s };
-    let passed = Passed { inverse_bound: s, weight: s, traction, kept: s };
-    let mut course = Course { separatrix, inverse_s, n, nodes: [passed; NODES] };
-    for ((node, inverse_bound), passed) in nodes.iter().zip(bounds).zip(&mut course.nodes) {
+    for (k, inverse_bound) in bounds.into_iter().enumerate() {
+        let node: Node<T::Bare> = constants.node(k);
         let step = Step {
             length: T::fixed(node.length),
             place: T::fixed(node.place),
@@ -270,24 +268,26 @@ pub(super) fn forces<T: Arithmetic>(
         fx += weight * traction.x;
         fy += lateral;
         mx += s.weigh(node.place).plus(-1.0) * lateral;
-        // with much spin the nodes reach into the adhesion part
-        stick += spin.blend * u.weigh(node.length) * slip.kept.squared().squared().squared();
-        *passed = Passed { inverse_bound, weight, traction, kept: slip.kept };
+        blended += slip.kept.squared().squared().squared().weigh(node.length);
+        note(k, Passed { inverse_bound, weight, traction, kept: slip.kept });
     }
-    (Carried { fx, fy, mx, stick }, course)
+    // with much spin the nodes reach into the adhesion part
+    let stick = ahead + spin.blend * (u * blended);
+    (Carried { fx, fy, mx, stick }, Start { separatrix, inverse_s, n })
 }
 
 /// `1/s` and all `s/B = 1/(t (2 − s t))`, from one quotient.
 #[inline(always)]
-pub(super) fn inverses<T: Arithmetic>(s: T, nodes: &[Node<T::Bare>; NODES]) -> (T, [T; NODES]) {
+fn inverses<T: Arithmetic>(s: T, constants: &impl Constants<T::Bare>) -> (T, [T; NODES]) {
     let mut inverses = [s; NODES];
     let mut product = s;
-    for (node, place) in nodes.iter().zip(&mut inverses) {
+    for (k, place) in inverses.iter_mut().enumerate() {
         *place = product;
-        product = product * (T::constant(2.0) - s.weigh(node.place));
+        product = product * (T::constant(2.0) - s.weigh(constants.node(k).place));
     }
     let mut inverse = product.inverse();
-    for (node, place) in nodes.iter().zip(&mut inverses).rev() {
+    for (k, place) in inverses.iter_mut().enumerate().rev() {
+        let node = constants.node(k);
         *place = (inverse * *place).weigh(node.inverse_place);
         inverse = inverse * (T::constant(2.0) - s.weigh(node.place));
     }

@@ -50,7 +50,7 @@ pub use self::field::StripTraction;
 pub use self::kernel::{Carried, Seen, Spin};
 pub use self::tables::Rule;
 pub(crate) use self::totals::four_strips;
-pub use self::totals::{PreparedStrips, StripSums, Sums};
+pub use self::totals::{PreparedStrips, StripTotals, Sums};
 
 #[cfg(test)]
 mod tests;

@@ -1,58 +1,114 @@
-//! Four strips in one register of 256 bits, where the processor has such registers: the same bits in half the
-//! instructions.
+//! Strips in registers of 256 bits, where the processor has such registers: the same bits in half the instructions.
 
 #![allow(unsafe_code)]
 
-use super::creepage::Law;
-use super::totals::{Fours, PreparedStrips, StripSums, Sums};
-use crate::number::Plain;
+use super::tables::FourStrips;
+use super::totals::{Group, PreparedStrips, StripTotals, both_sides};
+use crate::batch::side_by_side::available;
+use crate::contact::forces::Totals;
 use crate::number::lanes::{F32x8, F64x4, Lanes};
+use crate::number::pairs::Two;
+use crate::number::{Number, Plain};
 
-impl StripSums for F64x4 {}
-impl StripSums for F32x8 {}
-impl StripSums for f64 {
+type Couple = [f64; 2];
+type Four = FourStrips<f64>;
+
+/// Four strips.
+struct One;
+/// Twice as many: they do not wait for each other.
+struct Twice<R>(core::marker::PhantomData<R>);
+
+impl Group<f64> for One {
+    type Strips = F64x4;
+    type Places = Four;
+    const FOURS: usize = 1;
     #[inline(always)]
-    fn strip_sums(strips: &PreparedStrips<f64>, law: &Law<f64>, slopes: bool) -> Sums<f64> {
-        sums(strips, law, slopes)
+    fn groups(fours: &'static [Four]) -> &'static [Four] {
+        fours
     }
-}
-
-struct Registers;
-
-impl Fours<f64> for Registers {
-    type Four = F64x4;
     #[inline(always)]
     fn all(x: f64) -> F64x4 {
         F64x4::stored(x)
     }
     #[inline(always)]
-    fn of(numbers: [f64; 4]) -> F64x4 {
-        F64x4::of_array(numbers)
+    fn couple(couple: &Couple) -> F64x4 {
+        F64x4::of_array(both_sides(couple, false))
     }
     #[inline(always)]
-    fn sum(four: F64x4) -> f64 {
-        let [a, b, c, d] = four.array();
+    fn field(four: &Four, of: fn(&Four) -> &Couple, odd: bool) -> F64x4 {
+        F64x4::of_array(both_sides(of(four), odd))
+    }
+    #[inline(always)]
+    fn sum([a, b, c, d]: &[F64x4; 4]) -> f64 {
+        let [a, b, c, d] = ((*a + *c) + (*b + *d)).array();
         (a + c) + (b + d)
     }
 }
 
-/// Sums over the strips of a contact.
-fn sums(strips: &PreparedStrips<f64>, law: &Law<f64>, slopes: bool) -> Sums<f64> {
-    #[target_feature(enable = "avx")]
-    fn alone(strips: &PreparedStrips<f64>, law: &Law<f64>) -> Sums<f64> {
-        strips.sums_in::<Registers>(law, false)
+impl<R: Group<f64>> Group<f64> for Twice<R> {
+    type Strips = Two<R::Strips>;
+    type Places = [R::Places; 2];
+    const FOURS: usize = 2 * R::FOURS;
+    #[inline(always)]
+    fn groups(fours: &'static [Four]) -> &'static [Self::Places] {
+        R::groups(fours).as_chunks().0
     }
+    #[inline(always)]
+    fn all(x: f64) -> Self::Strips {
+        Two::side_by_side(R::all(x), R::all(x))
+    }
+    #[inline(always)]
+    fn couple(couple: &Couple) -> Self::Strips {
+        Two::side_by_side(R::couple(couple), R::couple(couple))
+    }
+    #[inline(always)]
+    fn field([first, second]: &Self::Places, of: fn(&Four) -> &Couple, odd: bool) -> Self::Strips {
+        Two::side_by_side(R::field(first, of, odd), R::field(second, of, odd))
+    }
+    #[inline(always)]
+    fn sum([first, second, ..]: &[Self::Strips; 4]) -> f64 {
+        let ([a, b], [c, d]) = (first.apart(), second.apart());
+        R::sum(&[a, b, c, d])
+    }
+}
+
+impl StripTotals for F64x4 {}
+impl StripTotals for F32x8 {}
+impl StripTotals for f64 {
+    #[inline(always)]
+    fn strip_totals<T: Number<Base = f64>>(
+        strips: &PreparedStrips<f64>,
+        creepage: [T; 3],
+    ) -> Totals<T> {
+        totals(strips, creepage)
+    }
+}
+
+#[inline]
+fn totals<T: Number<Base = f64>>(strips: &PreparedStrips<f64>, creepage: [T; 3]) -> Totals<T> {
     #[target_feature(enable = "avx")]
-    fn with_slopes(strips: &PreparedStrips<f64>, law: &Law<f64>) -> Sums<f64> {
-        strips.sums_in::<Registers>(law, true)
+    fn wide<T: Number<Base = f64>>(strips: &PreparedStrips<f64>, creepage: [T; 3]) -> Totals<T> {
+        let law = strips.contact.see(creepage);
+        let seen = law.value();
+        let sums = if T::HAS_DERIVATIVES {
+            strips.sums::<One, true>(&seen)
+        } else {
+            match strips.fours() {
+                1 => strips.sums::<One, false>(&seen),
+                2 => strips.sums::<Twice<One>, false>(&seen),
+                _ => strips.sums::<Twice<Twice<One>>, false>(&seen),
+            }
+        };
+        strips.totals_of(&law, sums)
     }
     #[inline(never)]
-    fn without(strips: &PreparedStrips<f64>, law: &Law<f64>, slopes: bool) -> Sums<f64> {
-        strips.sums(law, slopes)
+    fn narrow<T: Number<Base = f64>>(strips: &PreparedStrips<f64>, creepage: [T; 3]) -> Totals<T> {
+        strips.totals(creepage)
     }
-    if !crate::batch::side_by_side::available() {
-        return without(strips, law, slopes);
+    if available() {
+        // SAFETY: the processor was asked.
+        unsafe { wide(strips, creepage) }
+    } else {
+        narrow(strips, creepage)
     }
-    // SAFETY: the processor was asked.
-    unsafe { if slopes { with_slopes(strips, law) } else { alone(strips, law) } }
 }

@@ -3,7 +3,7 @@
 use super::constants::{CELLS, NODE, NODES, PLACES, WEIGHTS};
 use super::nodes::{HALF_OF_4, HALF_OF_8, HALF_OF_16, HALF_OF_32, HALF_OF_64};
 use crate::contact::forces::StripCount;
-use crate::number::{Arithmetic, Float};
+use crate::number::Float;
 
 /// A node of the slip part for the kinds of strips side by side.
 #[derive(Clone, Copy, Debug)]
@@ -34,44 +34,50 @@ const CLOSED_FIELDS: usize = 9;
 /// A number for the outermost strip and every second one, and one for the others.
 type Couple<F> = [F; 2];
 
-/// Nodes and closed part, each number for both kinds of strips.
-#[derive(Clone, Copy)]
-pub(super) struct Kernel<F: 'static> {
-    nodes: &'static [[Couple<F>; NODE_FIELDS]; NODES],
-    closed: &'static [[Couple<F>; CLOSED_FIELDS]; 1],
+/// The kernel's constants for strips side by side.
+pub(super) trait Constants<B> {
+    /// Node `k` from the separatrix on.
+    fn node(&self, k: usize) -> Node<B>;
+    fn closed(&self) -> Closed<B>;
 }
 
-impl<F: Float> Kernel<F> {
-    pub fn get() -> Self {
+/// Those of the tables, of which `read` makes numbers for the strips.
+#[derive(Clone, Copy)]
+pub(super) struct Tables<F: 'static, R> {
+    nodes: &'static [[Couple<F>; NODE_FIELDS]; NODES],
+    closed: &'static [[Couple<F>; CLOSED_FIELDS]; 1],
+    read: R,
+}
+
+impl<F: Float, R> Tables<F, R> {
+    #[inline(always)]
+    pub fn new(read: R) -> Self {
         Self {
             nodes: F::table(&NARROW_NODES, &NODE_TABLE),
             closed: F::table(&NARROW_CLOSED, &CLOSED_TABLE),
+            read,
         }
     }
+}
 
-    /// In numbers of the kernel.
+impl<F: Float, B, R: Fn(&Couple<F>) -> B> Constants<B> for Tables<F, R> {
     #[inline(always)]
-    pub fn read<B: Arithmetic>(
-        &self,
-        read: impl Fn(&Couple<F>) -> B,
-    ) -> ([Node<B>; NODES], Closed<B>) {
-        let zero = B::zero();
-        let empty =
-            Node { place: zero, length: zero, inverse_place: zero, soft: zero, weight: [zero; 4] };
-        let mut nodes = [empty; NODES];
-        for (node, fields) in nodes.iter_mut().zip(self.nodes) {
-            let [place, length, inverse_place, soft, a, b, c, d] = fields;
-            *node = Node {
-                place: read(place),
-                length: read(length),
-                inverse_place: read(inverse_place),
-                soft: read(soft),
-                weight: [read(a), read(b), read(c), read(d)],
-            };
+    fn node(&self, k: usize) -> Node<B> {
+        let Self { nodes, read, .. } = self;
+        let [place, length, inverse_place, soft, a, b, c, d] = nodes.get(k).unwrap_or(&nodes[0]);
+        Node {
+            place: read(place),
+            length: read(length),
+            inverse_place: read(inverse_place),
+            soft: read(soft),
+            weight: [read(a), read(b), read(c), read(d)],
         }
-        let [[a, b, c, d, e, f, g, h, i]] = self.closed;
+    }
+    #[inline(always)]
+    fn closed(&self) -> Closed<B> {
+        let Self { closed: [[a, b, c, d, e, f, g, h, i]], read, .. } = self;
         let force = [read(a), read(b), read(c), read(d)];
-        (nodes, Closed { force, moment: [read(e), read(f), read(g), read(h), read(i)] })
+        Closed { force, moment: [read(e), read(f), read(g), read(h), read(i)] }
     }
 }
 

@@ -1,10 +1,9 @@
 //! Sums over the strips of the Hertz ellipse, four at a time, and the power that they must not gain.
 
-use super::constants::NODES;
 use super::creepage::{Law, Prepared};
 use super::derivative::{SpinSlopes, forces_and_slopes};
 use super::kernel::{Carried, Seen, Spin, forces};
-use super::tables::{Closed, FourStrips, Kernel, Node, Rule, STRIP_FIELDS};
+use super::tables::{FourStrips, Rule, STRIP_FIELDS, Tables};
 use crate::contact::forces::{StripCount, Totals};
 use crate::linear::LinearCoefficients;
 use crate::number::{Arithmetic, Float, Number, Plain, Quad};
@@ -21,6 +20,22 @@ pub struct PreparedStrips<F: Plain> {
     rule: Rule<F::Stored>,
 }
 
+/// Numbers that contacts are solved in, and how their strips are added up.
+pub trait StripTotals: Plain {
+    /// [`PreparedStrips::totals`], in wide registers if there are any.
+    #[inline(always)]
+    fn strip_totals<T: Number<Base = Self>>(
+        strips: &PreparedStrips<Self>,
+        creepage: [T; 3],
+    ) -> Totals<T> {
+        strips.totals(creepage)
+    }
+}
+
+impl StripTotals for f32 {}
+#[cfg(not(target_arch = "x86_64"))]
+impl StripTotals for f64 {}
+
 /// Sums over the strips of a contact: `F_x/(μ N)`, `F_y/(μ N)`, `M_z/(μ N √(ab))` and the share in adhesion, and the
 /// derivatives of the first three by [`Law::numbers`].
 #[derive(Clone, Copy, Debug)]
@@ -28,19 +43,6 @@ pub struct Sums<F> {
     values: [F; 4],
     slopes: [[F; 6]; 3],
 }
-
-/// Numbers whose strips are added up in the widest registers that there are.
-pub trait StripSums: Plain {
-    /// Sums over the strips of a contact, with slopes where they are wanted.
-    #[inline(always)]
-    fn strip_sums(strips: &PreparedStrips<Self>, law: &Law<Self>, slopes: bool) -> Sums<Self> {
-        strips.sums(law, slopes)
-    }
-}
-
-impl StripSums for f32 {}
-#[cfg(not(target_arch = "x86_64"))]
-impl StripSums for f64 {}
 
 impl<F: Plain> PreparedStrips<F> {
     /// `axis_ratio` is `a/b`, `linear` the coefficients for it.
@@ -59,19 +61,19 @@ impl<F: Plain> PreparedStrips<F> {
     /// Forces, moment and share in adhesion for `vx, vy = G a b (υx, υy)/(μ N)`, `φ = G (a b)^{3/2} ϕ/(μ N)`.
     #[inline(always)]
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
-        self.totals_by(creepage, Self::sums)
+        let law = self.contact.see(creepage);
+        let sums = if T::HAS_DERIVATIVES {
+            self.sums::<Quads, true>(&law.value())
+        } else {
+            self.sums::<Quads, false>(&law.value())
+        };
+        self.totals_of(&law, sums)
     }
 
-    /// [`PreparedStrips::totals`] with strips added up by `sums`.
+    /// From the sums over the strips, with the derivatives of what they see.
     #[inline(always)]
-    pub(crate) fn totals_by<T: Number<Base = F>>(
-        &self,
-        creepage: [T; 3],
-        sums: impl Fn(&Self, &Law<F>, bool) -> Sums<F>,
-    ) -> Totals<T> {
-        let law = self.contact.see(creepage);
-        let Sums { values: [fx, fy, mz, stick], slopes: [by_x, by_y, by_m] } =
-            sums(self, &law.value(), T::HAS_DERIVATIVES);
+    pub(super) fn totals_of<T: Number<Base = F>>(&self, law: &Law<T>, sums: Sums<F>) -> Totals<T> {
+        let Sums { values: [fx, fy, mz, stick], slopes: [by_x, by_y, by_m] } = sums;
         let by = law.numbers();
         let totals = Totals {
             fx: T::follow(fx, by_x, by),
@@ -82,52 +84,61 @@ impl<F: Plain> PreparedStrips<F> {
         power_projected(totals, law.creepage, &self.contact.linear)
     }
 
-    /// Sums over the strips, four at a time in [`Number::Quad`].
+    /// Sums over the strips, group by group. Every fourth four is added up apart, whatever a group is.
     #[inline(always)]
-    pub(crate) fn sums(&self, law: &Law<F>, slopes: bool) -> Sums<F> {
-        self.sums_in::<Quads>(law, slopes)
-    }
-
-    /// Sums over the strips, four at a time.
-    #[inline(always)]
-    pub(crate) fn sums_in<R: Fours<F>>(&self, law: &Law<F>, slopes: bool) -> Sums<F> {
-        let zero = R::Four::zero();
-        let [mut fx, mut fy, mut by_x, mut by_y, mut stick] = [zero; 5];
-        let mut sums = [[zero; 6]; 3];
+    pub(super) fn sums<R: Group<F>, const SLOPES: bool>(&self, law: &Law<F>) -> Sums<F> {
+        let zero = R::Strips::zero();
+        let mut sums = [[zero; 4]; 5];
+        let mut slopes = [[[zero; 4]; 6]; 3];
         let Prepared { root, upright, .. } = self.contact;
         let strips = Together::new::<F, R>(law);
-        for four in self.rule.fours {
-            let fields = fields::<F, R>(four);
+        for (i, group) in R::groups(self.rule.fours).iter().enumerate() {
+            let fields = fields::<F, R>(group);
             let [.., load, load_c, load_y, area, _] = fields;
-            let carried = if slopes {
-                let (carried, [x, y, m]) = strips.forces_and_slopes(&fields);
+            let chain = i % (4 / R::FOURS);
+            let carried = if SLOPES {
+                let (carried, [x, y, m]) = strips.forces_and_slopes::<F, R>(&fields);
                 // Mz = ∫ (x Y − y X): lever arms √(a/b) C x̂ and √(b/a) Y
                 let (arm_m, arm_x) = (load_c * R::all(root), load_y * R::all(upright));
                 let mut z = m;
                 for (z, x) in z.iter_mut().zip(x) {
                     *z = *z * arm_m - x * arm_x;
                 }
-                let [sum_x, sum_y, sum_z] = &mut sums;
-                strips.add(sum_x, R::Four::each(&x, |slope| *slope * load), &fields);
-                strips.add(sum_y, R::Four::each(&y, |slope| *slope * load), &fields);
-                strips.add(sum_z, z, &fields);
+                let own = [
+                    R::Strips::each(&x, |slope| *slope * load),
+                    R::Strips::each(&y, |slope| *slope * load),
+                    z,
+                ];
+                for (slopes, own) in slopes.iter_mut().zip(own) {
+                    add(slopes, chain, strips.by_law(own, &fields));
+                }
                 carried
             } else {
-                strips.forces(&fields)
+                strips.forces::<F, R>(&fields)
             };
-            fx += carried.fx * load;
-            fy += carried.fy * load;
-            by_x += carried.mx * load_c;
-            by_y += carried.fx * load_y;
-            stick += carried.stick * area;
+            let Carried { fx, fy, mx, stick } = carried;
+            add(&mut sums, chain, [fx * load, fy * load, mx * load_c, fx * load_y, stick * area]);
         }
-        let mz = R::sum(by_x) * root - R::sum(by_y) * upright;
-        let stick = R::sum(stick).clamped(F::zero(), F::one());
+        let mut values = [F::zero(); 5];
+        for (value, sum) in values.iter_mut().zip(&sums) {
+            *value = R::sum(sum);
+        }
         let mut by_law = [[F::zero(); 6]; 3];
-        for (by_law, sums) in by_law.iter_mut().zip(&sums) {
-            *by_law = F::each(sums, |sum| R::sum(*sum));
+        if SLOPES {
+            for (by_law, slopes) in by_law.iter_mut().zip(&slopes) {
+                for (value, slope) in by_law.iter_mut().zip(slopes) {
+                    *value = R::sum(slope);
+                }
+            }
         }
-        Sums { values: [R::sum(fx), R::sum(fy), mz, stick], slopes: by_law }
+        let [fx, fy, by_x, by_y, stick] = values;
+        let stick = stick.clamped(F::zero(), F::one());
+        Sums { values: [fx, fy, by_x * root - by_y * upright, stick], slopes: by_law }
+    }
+
+    /// Fours of strips.
+    pub(super) fn fours(&self) -> usize {
+        self.rule.fours.len()
     }
 
     /// What each strip carries of the contact's friction bound, with its share of the area, ascending in `y`; their sum is
@@ -137,14 +148,14 @@ impl<F: Plain> PreparedStrips<F> {
         F: Float,
     {
         let law = self.contact.see(creepage);
-        let Sums { values: [fx, fy, mz, stick], .. } = self.sums(&law, false);
+        let Sums { values: [fx, fy, mz, stick], .. } = self.sums::<Quads, false>(&law);
         let sums = Totals { fx, fy, mz, stick };
         let whole = power_projected(sums, law.creepage, &self.contact.linear);
         let strips = Together::new::<F, Quads>(&law);
         let mut strip = |i: usize, lane: usize| {
             let Some(four) = self.rule.fours.get(i) else { return };
             let fields = fields::<F, Quads>(four);
-            let Carried { fx, fy, mx, stick } = strips.forces(&fields);
+            let Carried { fx, fy, mx, stick } = strips.forces::<F, Quads>(&fields);
             let [.., load, load_c, load_y, area, _] = fields;
             let Prepared { root, upright, .. } = self.contact;
             let mz = (mx * load_c).scale(root) - (fx * load_y).scale(upright);
@@ -182,20 +193,17 @@ struct Together<P: Arithmetic> {
     law: [P; 5],
     spin: Spin<P>,
     by_spin: SpinSlopes<P>,
-    nodes: [Node<P>; NODES],
-    closed: Closed<P>,
 }
 
 impl<P: Arithmetic<Bare = P>> Together<P> {
     #[inline(always)]
-    fn new<F: Plain, R: Fours<F, Four = P>>(law: &Law<F>) -> Self {
+    fn new<F: Plain, R: Group<F, Strips = P>>(law: &Law<F>) -> Self {
         let spin = Spin::new(law.spin);
         // (without derivatives nobody reads them)
         let by_spin = SpinSlopes::new(&spin).map(R::all);
-        let (nodes, closed) = Kernel::<F::Stored>::get().read(both_sides::<F, R>);
         let Law { longitudinal, lateral, slope, bend, start, .. } = *law;
         let law = P::each(&[longitudinal, lateral, slope, bend, start], |x| R::all(*x));
-        Self { law, spin: spin.map(R::all), by_spin, nodes, closed }
+        Self { law, spin: spin.map(R::all), by_spin }
     }
 
     /// `A_x = (a_x − ρ Y (1 + ε (0.4 − Y²)))/C`, `A_y = a_y/C`
@@ -212,84 +220,116 @@ impl<P: Arithmetic<Bare = P>> Together<P> {
     }
 
     #[inline(always)]
-    fn forces(&self, fields: &[P; STRIP_FIELDS]) -> Carried<P> {
-        forces(&self.seen(fields), &self.spin, &self.nodes, &self.closed).0
+    fn forces<F: Plain, R: Group<F, Strips = P>>(&self, fields: &[P; STRIP_FIELDS]) -> Carried<P> {
+        let constants = Tables::<F::Stored, _>::new(R::couple);
+        forces(&self.seen(fields), &self.spin, &constants, |_, _| ()).0
     }
 
     #[inline(always)]
-    fn forces_and_slopes(&self, fields: &[P; STRIP_FIELDS]) -> (Carried<P>, [[P; 5]; 3]) {
-        let Self { spin, nodes, closed, by_spin, .. } = self;
-        forces_and_slopes(&self.seen(fields), spin, nodes, closed, by_spin)
+    fn forces_and_slopes<F: Plain, R: Group<F, Strips = P>>(
+        &self,
+        fields: &[P; STRIP_FIELDS],
+    ) -> (Carried<P>, [[P; 5]; 3]) {
+        let constants = Tables::<F::Stored, _>::new(R::couple);
+        forces_and_slopes(&self.seen(fields), &self.spin, &constants, &self.by_spin)
     }
 
-    /// Adds derivatives by what the strips see to those by [`Law::numbers`].
+    /// Derivatives by [`Law::numbers`] from those by what the strips see.
     #[inline(always)]
-    fn add(&self, sums: &mut [P; 6], by_seen: [P; 5], fields: &[P; STRIP_FIELDS]) {
+    fn by_law(&self, by_seen: [P; 5], fields: &[P; STRIP_FIELDS]) -> [P; 6] {
         let [y, inverse, bend, .., width] = *fields;
         let [by_x, by_y, by_spin, by_spread, by_start] = by_seen;
         let scaled = by_x * inverse;
-        let [longitudinal, lateral, slope, bent, spin, start] = sums;
-        *longitudinal += scaled;
-        *lateral += by_y * inverse;
-        *slope += by_spread * width - scaled * y;
-        *bent -= scaled * bend;
-        *spin += by_spin;
-        *start += by_start;
+        let slope = by_spread * width - scaled * y;
+        [scaled, by_y * inverse, slope, -(scaled * bend), by_spin, by_start]
     }
 }
 
-/// How four strips stand side by side.
-pub(crate) trait Fours<F> {
-    type Four: Arithmetic<Bare = Self::Four>;
-    fn all(x: F) -> Self::Four;
-    fn of(numbers: [F; 4]) -> Self::Four;
-    fn sum(four: Self::Four) -> F;
+/// Adds numbers to a chain of their sums.
+#[inline(always)]
+fn add<P: Arithmetic, const N: usize>(sums: &mut [[P; 4]; N], chain: usize, own: [P; N]) {
+    for (sums, own) in sums.iter_mut().zip(own) {
+        if let Some(sum) = sums.get_mut(chain) {
+            *sum += own;
+        }
+    }
 }
 
-/// In [`Number::Quad`].
+/// Strips that are computed side by side.
+pub(crate) trait Group<F: Plain> {
+    /// Numbers of all of them.
+    type Strips: Arithmetic<Bare = Self::Strips>;
+    /// Their places.
+    type Places: 'static;
+    /// How many fours: 1, 2 or 4.
+    const FOURS: usize;
+    fn groups(fours: &'static [FourStrips<F::Stored>]) -> &'static [Self::Places];
+    /// One number for all.
+    fn all(x: F) -> Self::Strips;
+    /// One for the outer strips and one for the inner ones.
+    fn couple(couple: &[F::Stored; 2]) -> Self::Strips;
+    /// A field of the strips; of odd ones the sign changes with that of `y`.
+    fn field(
+        places: &Self::Places,
+        of: fn(&FourStrips<F::Stored>) -> &[F::Stored; 2],
+        odd: bool,
+    ) -> Self::Strips;
+    /// Of the chains of additions over each fourth four: `(c₀ + c₂) + (c₁ + c₃)`, and of its strips the same.
+    fn sum(chains: &[Self::Strips; 4]) -> F;
+}
+
+/// Four in [`Number::Quad`].
 struct Quads;
 
-impl<F: Plain> Fours<F> for Quads {
-    type Four = F::Quad;
+impl<F: Plain> Group<F> for Quads {
+    type Strips = F::Quad;
+    type Places = FourStrips<F::Stored>;
+    const FOURS: usize = 1;
+    #[inline(always)]
+    fn groups(fours: &'static [FourStrips<F::Stored>]) -> &'static [Self::Places] {
+        fours
+    }
     #[inline(always)]
     fn all(x: F) -> F::Quad {
         F::Quad::all(x)
     }
     #[inline(always)]
-    fn of(numbers: [F; 4]) -> F::Quad {
-        F::Quad::plain(numbers)
+    fn couple(couple: &[F::Stored; 2]) -> F::Quad {
+        F::Quad::plain(both_sides::<F>(couple, false))
     }
     #[inline(always)]
-    fn sum(four: F::Quad) -> F {
-        four.sum()
+    fn field(
+        places: &Self::Places,
+        of: fn(&FourStrips<F::Stored>) -> &[F::Stored; 2],
+        odd: bool,
+    ) -> F::Quad {
+        F::Quad::plain(both_sides::<F>(of(places), odd))
+    }
+    #[inline(always)]
+    fn sum([a, b, c, d]: &[F::Quad; 4]) -> F {
+        ((*a + *c) + (*b + *d)).sum()
     }
 }
 
-/// Strips at `Y` and `−Y`: the numbers of two, twice.
+/// Strips at `Y` and `−Y`: the numbers of two, twice, the second time with the other sign if they are odd.
 #[inline(always)]
-fn both_sides<F: Plain, R: Fours<F>>(couple: &[F::Stored; 2]) -> R::Four {
+pub(super) fn both_sides<F: Plain>(couple: &[F::Stored; 2], odd: bool) -> [F; 4] {
     let [a, b] = F::both_stored(*couple);
-    R::of([a, b, a, b])
+    if odd { [a, b, -a, -b] } else { [a, b, a, b] }
 }
 
-/// The fields of four strips: `y`, `bend` and `load_y` are odd in `y`.
+/// The fields of strips: `y`, `bend` and `load_y` are odd in `y`.
 #[inline(always)]
-fn fields<F: Plain, R: Fours<F>>(four: &FourStrips<F::Stored>) -> [R::Four; STRIP_FIELDS] {
-    let even = both_sides::<F, R>;
-    let odd = |couple: &[F::Stored; 2]| {
-        let [a, b] = F::both_stored(*couple);
-        R::of([a, b, -a, -b])
-    };
-    let [y, inverse, bend, load, load_c, load_y, area, width] = four;
+fn fields<F: Plain, R: Group<F>>(places: &R::Places) -> [R::Strips; STRIP_FIELDS] {
     [
-        odd(y),
-        even(inverse),
-        odd(bend),
-        even(load),
-        even(load_c),
-        odd(load_y),
-        even(area),
-        even(width),
+        R::field(places, |[y, ..]| y, true),
+        R::field(places, |[_, inverse, ..]| inverse, false),
+        R::field(places, |[_, _, bend, ..]| bend, true),
+        R::field(places, |[_, _, _, load, ..]| load, false),
+        R::field(places, |[_, _, _, _, load_c, ..]| load_c, false),
+        R::field(places, |[_, _, _, _, _, load_y, ..]| load_y, true),
+        R::field(places, |[.., area, _]| area, false),
+        R::field(places, |[.., width]| width, false),
     ]
 }
 
@@ -310,14 +350,15 @@ pub(crate) fn four_strips<T: Number>(
         spread: four(|(seen, _)| seen.spread),
         start: four(|(seen, _)| seen.start),
     };
-    let (nodes, closed) = Kernel::<<T::Base as Plain>::Stored>::get().read(|[outer, other]| {
+    type Kinds<T> = [<<T as Arithmetic>::Base as Plain>::Stored; 2];
+    let constants = Tables::<<T::Base as Plain>::Stored, _>::new(|[outer, other]: &Kinds<T>| {
         let own = |inner| T::Base::stored(if inner { *other } else { *outer });
         <Four<T> as Quad<T::Base>>::plain(inner.map(own))
     });
     let (Carried { fx, fy, mx, stick }, slopes) = if T::HAS_DERIVATIVES {
-        forces_and_slopes(&plain, &spin, &nodes, &closed, &SpinSlopes::new(&spin))
+        forces_and_slopes(&plain, &spin, &constants, &SpinSlopes::new(&spin))
     } else {
-        (forces(&plain, &spin, &nodes, &closed).0, [[Four::<T>::zero(); 5]; 3])
+        (forces(&plain, &spin, &constants, |_, _| ()).0, [[Four::<T>::zero(); 5]; 3])
     };
     let [fx, fy, mx, stick] = [fx, fy, mx, stick].map(Quad::parts);
     let [by_x, by_y, by_m] = slopes.map(|slopes| slopes.map(Quad::parts));
