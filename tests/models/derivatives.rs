@@ -383,7 +383,9 @@ fn derivatives_without_load_or_friction_are_those_of_sliding() {
 fn derivatives_in_full_sliding() {
     let c = contact(0.7, 0.3);
     for model in [Model::Strip1967, Model::Strip1967Continuous, Model::Strip, Model::Total] {
-        for (vx, vy) in [(0.3, 0.0), (0.0, -0.3)] {
+        // (STRIP's elasticity, by which lateral creepage has a share of spin, fades with the fourth power)
+        let size = if model == Model::Strip { 30.0 } else { 0.3 };
+        for (vx, vy) in [(size, 0.0), (0.0, -size)] {
             let m = Creepage { longitudinal: vx, lateral: vy, spin: 0.0 };
             let (_, d) = derivatives::solve(&c, &m, &options(model, StripCount::Sixteen)).unwrap();
             let direction =

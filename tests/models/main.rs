@@ -23,6 +23,7 @@ mod accuracy;
 mod derivatives;
 mod friction;
 mod hard_cases;
+mod hunting;
 mod models;
 mod motion;
 mod patch;
