@@ -50,9 +50,25 @@ pub(super) fn forces_and_slopes<P: Arithmetic<Bare = P>>(
             *node = passed;
         }
     });
-    let back = Back::new(seen, spin, by_spin, constants, &start, &nodes);
-    let slopes =
-        [back.from(Force::Longitudinal), back.from(Force::Lateral), back.from(Force::Moment)];
+    let s = start.separatrix.s;
+    let turning = spin.sigma * s;
+    let [mut x, mut y, mut m] = [Way::new(); 3];
+    for k in (0..NODES).rev() {
+        let Some(own) = nodes.get(k) else { continue };
+        let before = nodes.get(k.wrapping_sub(1)).map_or(seen.start, |before| before.kept);
+        let node = Turned::new(&constants.node(k), own, before, s, spin);
+        x.pass(Force::Longitudinal, &node, spin.r, turning);
+        y.pass(Force::Lateral, &node, spin.r, turning);
+        m.pass(Force::Moment, &node, spin.r, turning);
+    }
+    let (u, closed) = (s.times(0.5), constants.closed());
+    let closed = [with_slope(&closed.force, u), with_slope(&closed.moment, u)];
+    let spin = (spin, by_spin);
+    let slopes = [
+        x.end(Force::Longitudinal, seen, spin, &start, closed),
+        y.end(Force::Lateral, seen, spin, &start, closed),
+        m.end(Force::Moment, seen, spin, &start, closed),
+    ];
     (carried, slopes)
 }
 
@@ -62,17 +78,6 @@ enum Force {
     Longitudinal,
     Lateral,
     Moment,
-}
-
-/// What the ways back from the three forces share.
-struct Back<'a, P> {
-    seen: &'a Seen<P>,
-    spin: &'a Spin<P>,
-    by_spin: &'a SpinSlopes<P>,
-    nodes: [Turned<P>; NODES],
-    start: &'a Start<P>,
-    /// The polynomials of the closed force and moment, and their slopes.
-    closed: [[P; 2]; 2],
 }
 
 /// A node on the way back.
@@ -152,153 +157,185 @@ impl<P: Arithmetic<Bare = P>> Turned<P> {
     }
 }
 
-impl<'a, P: Arithmetic<Bare = P>> Back<'a, P> {
+/// The derivatives of a force on the way back: by the state ahead of a node, and sums over the nodes that were passed.
+#[derive(Clone, Copy)]
+struct Way<P> {
+    by_px: P,
+    by_py: P,
+    by_wide: P,
+    by_kept: P,
+    by_x: P,
+    by_y: P,
+    by_s: P,
+    by_u: P,
+    by_r: P,
+    by_round: P,
+    by_turning: P,
+    by_square: P,
+    by_spread: P,
+}
+
+impl<P: Arithmetic<Bare = P>> Way<P> {
     #[inline(always)]
-    fn new(
-        seen: &'a Seen<P>,
-        spin: &'a Spin<P>,
-        by_spin: &'a SpinSlopes<P>,
-        constants: &impl Constants<P>,
-        start: &'a Start<P>,
-        passed: &[Passed<P>; NODES],
-    ) -> Self {
-        let s = start.separatrix.s;
-        let mut before = seen.start;
-        let mut nodes = [Turned::new(&constants.node(0), &passed[0], before, s, spin); NODES];
-        for (k, (turned, own)) in nodes.iter_mut().zip(passed).enumerate() {
-            *turned = Turned::new(&constants.node(k), own, before, s, spin);
-            before = own.kept;
+    fn new() -> Self {
+        let zero = P::zero();
+        Self {
+            by_px: zero,
+            by_py: zero,
+            by_wide: zero,
+            by_kept: zero,
+            by_x: zero,
+            by_y: zero,
+            by_s: zero,
+            by_u: zero,
+            by_r: zero,
+            by_round: zero,
+            by_turning: zero,
+            by_square: zero,
+            by_spread: zero,
         }
-        let (u, closed) = (s.times(0.5), constants.closed());
-        let closed = [with_slope(&closed.force, u), with_slope(&closed.moment, u)];
-        Self { seen, spin, by_spin, nodes, start, closed }
     }
 
-    /// The derivatives of a force by `A_x, A_y, σ`, the spread and the start.
+    /// Past a node.
     #[inline(always)]
-    fn from(&self, force: Force) -> [P; 5] {
-        let Self { seen, spin, start, .. } = self;
+    fn pass(&mut self, force: Force, node: &Turned<P>, r: P, turning: P) {
+        let one = P::one();
+        let Turned { weight, weight_slope, half, offered: [x, y, wide], .. } = *node;
+        let ([tx, ty], [px, py]) = (node.traction, node.p);
+        // t = r e_y + (p/B − r e_y) e
+        let through = match force {
+            Force::Longitudinal => {
+                self.by_px += weight * node.outer;
+                self.by_u += weight_slope * tx;
+                let through = weight * px;
+                self.by_s += through * half * node.bound;
+                through
+            }
+            _ => {
+                let moment = force == Force::Moment;
+                let seed = if moment { weight * node.x } else { weight };
+                self.by_py += seed * node.outer;
+                self.by_r += seed * (one - half);
+                let slope = weight_slope * ty;
+                self.by_u += if moment { slope * node.x } else { slope };
+                let through = seed * py;
+                self.by_s += (through + seed * r) * half * node.bound;
+                if moment {
+                    self.by_s += weight * ty * node.place;
+                }
+                through
+            }
+        };
+        // m and q
+        let by_m = self.by_kept
+            + x * self.by_px
+            + y * self.by_py
+            + wide * self.by_wide
+            + through * node.turned;
+        let by_q = through * node.half_square + by_m * node.cut;
+        self.by_round += by_m * node.round;
+        self.by_square += node.soft * by_q;
+        self.by_s += node.stretched * by_q;
+        // p* = p + λ (A + σ (2 x̂ + m λ s) e_y)
+        self.by_px = node.kept * self.by_px + node.doubled[0] * by_q;
+        self.by_py = node.kept * self.by_py + node.doubled[1] * by_q;
+        self.by_wide = node.kept * self.by_wide + node.doubled[2] * by_q;
+        self.by_spread += node.length * self.by_wide;
+        let step = node.length * self.by_py;
+        self.by_x += node.length * self.by_px;
+        self.by_y += step;
+        self.by_turning += step * node.turn;
+        self.by_kept = step * turning * node.length;
+    }
+
+    /// From the separatrix to `A_x, A_y, σ`, the spread and the start.
+    #[inline(always)]
+    fn end(
+        mut self,
+        force: Force,
+        seen: &Seen<P>,
+        (spin, by_spin): (&Spin<P>, &SpinSlopes<P>),
+        start: &Start<P>,
+        closed: [[P; 2]; 2],
+    ) -> [P; 5] {
         let Separatrix { y, s, .. } = start.separatrix;
         let (zero, one, r) = (P::zero(), P::one(), spin.r);
         let turning = spin.sigma * s;
-        // by the state ahead of a node, and sums over the nodes
-        let (mut by_px, mut by_py, mut by_wide, mut by_kept) = (zero, zero, zero, zero);
-        let (mut by_x, mut by_y, mut by_s, mut by_u) = (zero, zero, zero, zero);
-        let (mut by_r, mut by_round) = (zero, zero);
-        let (mut by_turning, mut by_square, mut by_spread) = (zero, zero, zero);
-        for turned in self.nodes.iter().rev() {
-            let Turned { weight, weight_slope, half, offered: [x, y, wide], .. } = *turned;
-            let ([tx, ty], [px, py]) = (turned.traction, turned.p);
-            // t = r e_y + (p/B − r e_y) e
-            let through = match force {
-                Force::Longitudinal => {
-                    by_px += weight * turned.outer;
-                    by_u += weight_slope * tx;
-                    let through = weight * px;
-                    by_s += through * half * turned.bound;
-                    through
-                }
-                _ => {
-                    let moment = force == Force::Moment;
-                    let seed = if moment { weight * turned.x } else { weight };
-                    by_py += seed * turned.outer;
-                    by_r += seed * (one - half);
-                    let slope = weight_slope * ty;
-                    by_u += if moment { slope * turned.x } else { slope };
-                    let through = seed * py;
-                    by_s += (through + seed * r) * half * turned.bound;
-                    if moment {
-                        by_s += weight * ty * turned.place;
-                    }
-                    through
-                }
-            };
-            // m and q
-            let by_m = by_kept + x * by_px + y * by_py + wide * by_wide + through * turned.turned;
-            let by_q = through * turned.half_square + by_m * turned.cut;
-            by_round += by_m * turned.round;
-            by_square += turned.soft * by_q;
-            by_s += turned.stretched * by_q;
-            // p* = p + λ (A + σ (2 x̂ + m λ s) e_y)
-            by_px = turned.kept * by_px + turned.doubled[0] * by_q;
-            by_py = turned.kept * by_py + turned.doubled[1] * by_q;
-            by_wide = turned.kept * by_wide + turned.doubled[2] * by_q;
-            by_spread += turned.length * by_wide;
-            let step = turned.length * by_py;
-            by_x += turned.length * by_px;
-            by_y += step;
-            by_turning += step * turned.turn;
-            by_kept = step * turning * turned.length;
-        }
-        by_turning += by_square * (turning + turning);
-        let mut by_sigma = by_turning * s - (by_y + by_y);
-        by_s += by_turning * spin.sigma;
+        self.by_turning += self.by_square * (turning + turning);
+        let mut by_sigma = self.by_turning * s - (self.by_y + self.by_y);
+        self.by_s += self.by_turning * spin.sigma;
         // p = (2 − s) n, n = A'/s + r e_y
         let ahead = one - s.times(0.5);
         let [nx, ny] = start.n;
-        let mut by_ahead = (nx * by_px + ny * by_py).times(2.0);
-        let (by_nx, by_ny) = (by_px * (ahead + ahead), by_py * (ahead + ahead));
-        by_x += by_nx * start.inverse_s;
+        let mut by_ahead = (nx * self.by_px + ny * self.by_py).times(2.0);
+        let (by_nx, by_ny) = (self.by_px * (ahead + ahead), self.by_py * (ahead + ahead));
+        self.by_x += by_nx * start.inverse_s;
         let mut by_prime = by_ny * start.inverse_s;
-        by_r += by_ny;
-        by_s -= start.inverse_s * (by_nx * nx + by_ny * (ny - r));
+        self.by_r += by_ny;
+        self.by_s -= start.inverse_s * (by_nx * nx + by_ny * (ny - r));
         // wide = (2 − s) spread/(2 s)
         let ratio = seen.spread * start.inverse_s;
-        by_ahead += widest(ratio) * by_wide;
-        let free = (ratio - widest(ratio)).abs().choose(zero, ahead * by_wide * start.inverse_s);
-        by_spread = by_spread.times(0.5) + free;
-        by_s -= free * ratio;
+        by_ahead += widest(ratio) * self.by_wide;
+        let free =
+            (ratio - widest(ratio)).abs().choose(zero, ahead * self.by_wide * start.inverse_s);
+        self.by_spread = self.by_spread.times(0.5) + free;
+        self.by_s -= free * ratio;
         // the closed part
-        let [[k, k_slope], [l, l_slope]] = self.closed;
+        let [[k, k_slope], [l, l_slope]] = closed;
         let (c, whole) = (ahead * k, y + s * r);
         match force {
             Force::Longitudinal => {
-                by_x += c;
+                self.by_x += c;
                 by_ahead += seen.x * k;
-                by_u += ahead * k_slope * seen.x;
+                self.by_u += ahead * k_slope * seen.x;
             }
             Force::Lateral => {
                 by_prime += c;
-                by_r += ahead.squared() + s * c;
-                by_s += r * c;
+                self.by_r += ahead.squared() + s * c;
+                self.by_s += r * c;
                 by_ahead += (r * ahead).times(2.0) + whole * k;
-                by_u += ahead * k_slope * whole;
+                self.by_u += ahead * k_slope * whole;
             }
             Force::Moment => {
                 by_prime -= ahead * (ahead.times(0.5) + l);
-                by_r -= ahead * s * l;
-                by_s -= ahead * r * l;
+                self.by_r -= ahead * s * l;
+                self.by_s -= ahead * r * l;
                 by_ahead -= y * ahead + whole * l;
-                by_u -= ahead * whole * l_slope;
+                self.by_u -= ahead * whole * l_slope;
             }
         }
-        by_s += (by_u - by_ahead).times(0.5);
-        let [separatrix_x, separatrix_y, separatrix_r, by_blend] = self.separatrix(by_s);
-        by_x += separatrix_x;
+        self.by_s += (self.by_u - by_ahead).times(0.5);
+        let [separatrix_x, separatrix_y, separatrix_r, by_blend] =
+            separatrix(seen, spin, &start.separatrix, self.by_s);
+        self.by_x += separatrix_x;
         by_prime += separatrix_y;
-        by_r += separatrix_r;
+        self.by_r += separatrix_r;
         // A_y' = A_y + σ − r
-        by_sigma += by_prime + (by_r - by_prime) * self.by_spin.r;
-        by_sigma += by_blend * self.by_spin.blend + by_round * self.by_spin.round;
-        [by_x, by_y + by_prime, by_sigma, by_spread, by_kept]
+        by_sigma += by_prime + (self.by_r - by_prime) * by_spin.r;
+        by_sigma += by_blend * by_spin.blend + self.by_round * by_spin.round;
+        [self.by_x, self.by_y + by_prime, by_sigma, self.by_spread, self.by_kept]
     }
+}
 
-    /// From `s` back to `A_x, A_y', r` and the share of blending:
-    /// `s = s₁ + w (2 − s₁)`, `d root = (A_x dA_x + g (dA_y' + root dr))/S`, `g = A_y' + root r`.
-    #[inline(always)]
-    fn separatrix(&self, by_s: P) -> [P; 4] {
-        let Self { seen, spin, start, .. } = self;
-        let Separatrix { y, root, inverse_size, .. } = start.separatrix;
-        let (zero, one, two) = (P::zero(), P::one(), P::constant(2.0));
-        // s₁ = root + softening; beyond 2 it stays there
-        let root = root.min(two);
-        let z = root.plus(EDGE - 2.0).max(zero).times(1.0 / EDGE);
-        let slope = (two - root).choose((one - z) * (one + z.times(3.0)), zero);
-        let end = root + (z.squared() * (one - z)).times(EDGE);
-        let by_root = by_s * (one - spin.blend) * slope * inverse_size;
-        let by_prime = by_root * (y + root * spin.r);
-        [by_root * seen.x, by_prime, by_prime * root, by_s * (two - end)]
-    }
+/// From `s` back to `A_x, A_y', r` and the share of blending:
+/// `s = s₁ + w (2 − s₁)`, `d root = (A_x dA_x + g (dA_y' + root dr))/S`, `g = A_y' + root r`.
+#[inline(always)]
+fn separatrix<P: Arithmetic>(
+    seen: &Seen<P>,
+    spin: &Spin<P>,
+    found: &Separatrix<P>,
+    by_s: P,
+) -> [P; 4] {
+    let Separatrix { y, root, inverse_size, .. } = *found;
+    let (zero, one, two) = (P::zero(), P::one(), P::constant(2.0));
+    // s₁ = root + softening; beyond 2 it stays there
+    let root = root.min(two);
+    let z = root.plus(EDGE - 2.0).max(zero).times(1.0 / EDGE);
+    let slope = (two - root).choose((one - z) * (one + z.times(3.0)), zero);
+    let end = root + (z.squared() * (one - z)).times(EDGE);
+    let by_root = by_s * (one - spin.blend) * slope * inverse_size;
+    let by_prime = by_root * (y + root * spin.r);
+    [by_root * seen.x, by_prime, by_prime * root, by_s * (two - end)]
 }
 
 /// `Σ cᵢ uⁱ` and its derivative.
