@@ -65,12 +65,14 @@ pub enum Error {
     StripOrder = -42,
     /// More strips, or more separate zones of contact, than the patch has room for.
     PatchSize = -43,
-    /// A profile has fewer than three points, or its `y` does not ascend.
+    /// A profile has fewer than two points, or its `y` does not ascend.
     Profile = -44,
     /// The zone of contact reaches the end of the profile.
     ProfileEnd = -45,
     /// A rolling radius is not positive.
     RollingRadius = -46,
+    /// A smoothing length is negative.
+    SmoothingLength = -47,
 }
 
 impl Error {
@@ -231,11 +233,12 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
         -43 => {
             c"more strips, or more separate zones of contact, than the patch has room for: use fewer, wider strips, more strips per patch, or a smoother profile"
         }
-        -44 => c"a profile needs at least three points, with y strictly ascending",
+        -44 => c"a profile needs at least two points, with y strictly ascending",
         -45 => {
             c"the contact reaches the end of the profile: pass more of it, with the deepest point inside"
         }
         -46 => c"the rolling radius is not positive: it must be > 0 (metres)",
+        -47 => c"the smoothing length is negative: it must be >= 0 (metres), 0 for the default",
         _ => return None,
     })
 }

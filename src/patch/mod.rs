@@ -4,7 +4,7 @@
 //! `x_c`, a friction coefficient, and a pressure that is a half-ellipse in `x`,
 //! `Z = p₀ √(1 − (x − x_c)²/l²)`, so that it carries the load `(π/2) p₀ l · width`. Where the strips come from
 //! does not matter: from a Hertz ellipse ([`Patch::from_ellipse`]), from a profile
-//! ([`kik_piotrowski`]), or from any other solver ([`Patch::from_strips`]).
+//! ([`profile`]), or from any other solver ([`Patch::from_strips`]).
 //!
 //! Strips lie side by side in ascending `y`. Where the distance of two neighbours is more than one and a half
 //! times that at which they touch, there is a gap, and what lies on either side of it is a [`Lobe`] of its own.
@@ -17,7 +17,9 @@
 //! depends on one, and it is exact when the strips are a Gauss rule.
 
 pub mod friction;
-pub mod kik_piotrowski;
+mod influence;
+pub mod normal;
+pub mod profile;
 pub mod solver;
 
 use crate::contact::Contact;
