@@ -65,7 +65,7 @@ pub enum Error {
     StripOrder = -42,
     /// More strips, or more separate zones of contact, than the patch has room for.
     PatchSize = -43,
-    /// A profile has fewer than two points, or its `y` does not ascend.
+    /// A profile has fewer than three points, or its `y` does not ascend.
     Profile = -44,
     /// The zone of contact reaches the end of the profile.
     ProfileEnd = -45,
@@ -233,7 +233,7 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
         -43 => {
             c"more strips, or more separate zones of contact, than the patch has room for: use fewer, wider strips, more strips per patch, or a smoother profile"
         }
-        -44 => c"a profile needs at least two points, with y strictly ascending",
+        -44 => c"a profile needs at least three points, with y strictly ascending",
         -45 => {
             c"the contact reaches the end of the profile: pass more of it, with the deepest point inside"
         }

@@ -121,7 +121,7 @@ pub const KSTRIP_ERROR_PRESSURE: kstrip_status = -41;
 pub const KSTRIP_ERROR_STRIP_ORDER: kstrip_status = -42;
 /// Error: more strips, or more separate zones of contact, than the patch has room for.
 pub const KSTRIP_ERROR_PATCH_SIZE: kstrip_status = -43;
-/// Error: a profile has fewer than two points, or its y does not ascend.
+/// Error: a profile has fewer than three points, or its y does not ascend.
 pub const KSTRIP_ERROR_PROFILE: kstrip_status = -44;
 /// Error: the contact reaches the end of the profile.
 pub const KSTRIP_ERROR_PROFILE_END: kstrip_status = -45;

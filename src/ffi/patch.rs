@@ -4,7 +4,8 @@ use super::KSTRIP_PATCH_CAPACITY;
 use super::inside::write_grid;
 use super::solve::Places;
 use super::support::*;
-use crate::patch::kik_piotrowski::{Indentation, ProfileContact};
+use crate::patch::normal::Given;
+use crate::patch::profile::{Indentation, ProfileContact};
 use crate::patch::{self, Patch, PatchView, QuadratureScale, solver};
 
 /// The patch of two profiles under a load, or at an approach.
@@ -298,21 +299,36 @@ pub(super) fn from_profile<F: Precision>(
 ) -> Result<ProfileResult<F>, Error> {
     let ProfileOptions { rolling_radius, normal_force, shear_modulus, .. } = *options;
     let ProfileOptions { poisson_ratio, friction, approach, smoothing_length, .. } = *options;
-    if !approach.is_finite_number() || !smoothing_length.is_finite_number() {
-        return Err(Error::NotFinite);
-    }
-    if approach != F::zero() {
+    let given = if approach == F::zero() {
+        Given::Load(normal_force)
+    } else if normal_force == F::zero() {
+        Given::Approach(approach)
+    } else {
         return Err(Error::NotInModel);
-    }
-    let contact =
-        ProfileContact { rolling_radius, normal_force, shear_modulus, poisson_ratio, friction };
+    };
+    let contact = ProfileContact {
+        rolling_radius,
+        given,
+        shear_modulus,
+        poisson_ratio,
+        friction,
+        smoothing_length,
+    };
     let count = strip_count(options.strips)?;
     let (patch, found) =
         Patch::<_, KSTRIP_PATCH_CAPACITY>::from_profile(y, distance, &contact, count)?;
     StoredPatch::write(&patch.view()?, out);
-    let Indentation { penetration, peak_pressure, normal_force, deepest_y, iterations, .. } = found;
-    let approach = penetration;
-    Ok(ProfileResult { approach, peak_pressure, normal_force, deepest_y, iterations, reserved: 0 })
+    let Indentation { approach, normal_force, stiffness, peak_pressure, peak_y, iterations } =
+        found;
+    Ok(ProfileResult {
+        approach,
+        normal_force,
+        stiffness,
+        peak_pressure,
+        peak_y,
+        iterations,
+        reserved: 0,
+    })
 }
 
 pub(super) fn evaluate_patch<F: Precision>(

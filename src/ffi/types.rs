@@ -224,7 +224,8 @@ pub struct ProfileOptions<F> {
     pub normal_force: F,
     /// Approach of distant points of the bodies [m], >= 0; only where normal_force is 0.
     pub approach: F,
-    /// Length over which the profile is smoothed before its curvature is taken [m]; 0: chosen by its noise.
+    /// Length over which the profile is smoothed [m], >= 0; 0: 0.75 of the patch's approximate half length, 5 mm between
+    /// a wheel and a rail.
     pub smoothing_length: F,
     /// Combined shear modulus G [Pa], > 0.
     pub shear_modulus: F,
@@ -232,7 +233,7 @@ pub struct ProfileOptions<F> {
     pub poisson_ratio: F,
     /// Coefficient of friction of every strip [-], >= 0.
     pub friction: F,
-    /// Number of strips: 4, 8, 16, 32 or 64; 0: 16. With several zones of contact the patch may have a few less.
+    /// About how many strips: 4, 8, 16, 32 or 64 (which gives 32); 0: 16.
     pub strips: i32,
     /// Zero.
     pub reserved: i32,
@@ -244,13 +245,15 @@ pub struct ProfileOptions<F> {
 pub struct ProfileResult<F> {
     /// Approach of distant points of the two bodies [m].
     pub approach: F,
-    /// Largest pressure [Pa], at the deepest point.
-    pub peak_pressure: F,
-    /// Normal force reached [N].
+    /// Normal force [N].
     pub normal_force: F,
-    /// y of the deepest point [m].
-    pub deepest_y: F,
-    /// Evaluations of the load, at most 60.
+    /// Its derivative by the approach [N/m].
+    pub stiffness: F,
+    /// Largest pressure of a strip [Pa].
+    pub peak_pressure: F,
+    /// y of that strip [m].
+    pub peak_y: F,
+    /// Sections of the first guess, at most 40.
     pub iterations: u32,
     /// Zero.
     pub reserved: u32,

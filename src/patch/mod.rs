@@ -9,18 +9,14 @@
 //! Strips lie side by side in ascending `y`. Where the distance of two neighbours is more than one and a half
 //! times that at which they touch, there is a gap, and what lies on either side of it is a [`Lobe`] of its own.
 //!
-//! **Equivalent ellipse.** The corrected strips need an axis ratio. Every lobe has its own ellipse: as wide as
-//! its strips together, `2 b = Σ w`, and with their mean squared half length, `a² = (3/2) Σ l² w/Σ w` (on
-//! an ellipse `∫ C² dY/∫ dY = 2/3`); it carries the lobe's load and has its mean friction, `μ = Σ μ N/Σ N`.
-//! Kik and Piotrowski (1996) take the ellipse of the same area whose axes are as the largest length and
-//! width. On an ellipse both are that ellipse; the second moment depends on all strips where the largest length
-//! depends on one, and it is exact when the strips are a Gauss rule.
+//! The corrected strips need an axis ratio: that of the ellipse which stands for what a strip is connected with ([`zones`]).
 
 pub mod friction;
 mod influence;
 pub mod normal;
 pub mod profile;
 pub mod solver;
+pub mod zones;
 
 use crate::contact::Contact;
 use crate::contact::forces::StripCount;
@@ -174,8 +170,9 @@ impl<'a, F: Float> PatchView<'a, F> {
             return Err(Error::StripOrder);
         }
         let view = Self { strips, shear_modulus, poisson_ratio, scale };
-        for lobe in view.lobes() {
-            lobe.contact.check().map_err(|_| Error::Overflow)?;
+        let ellipses = if view.is_one_zone() { strips.len().min(1) } else { strips.len() };
+        for zone in (0..ellipses).filter_map(|i| view.zone(i)) {
+            zone.contact.check().map_err(|_| Error::Overflow)?;
         }
         for strip in strips {
             strip.circle(shear_modulus, poisson_ratio).check().map_err(|_| Error::Overflow)?;
@@ -231,8 +228,7 @@ impl<'a, F: Float> PatchView<'a, F> {
     }
 
     /// The parts of the patch that gaps separate, in ascending `y`.
-    pub fn lobes(&self) -> impl Iterator<Item = Lobe<'a, F>> + use<'a, F> {
-        let (shear_modulus, poisson_ratio) = (self.shear_modulus, self.poisson_ratio);
+    pub fn lobes(&self) -> impl Iterator<Item = &'a [PatchStrip<F>]> + use<'a, F> {
         let mut rest = self.strips;
         core::iter::from_fn(move || {
             let mut pairs = rest.iter().zip(rest.iter().skip(1));
@@ -242,44 +238,8 @@ impl<'a, F: Float> PatchView<'a, F> {
                 None => (rest, [].as_slice()),
             };
             rest = others;
-            Lobe::new(strips, shear_modulus, poisson_ratio)
+            (!strips.is_empty()).then_some(strips)
         })
-    }
-}
-
-/// Strips without a gap between them, and the ellipse that stands for them.
-#[derive(Clone, Copy, Debug)]
-pub struct Lobe<'a, F> {
-    /// Its strips.
-    pub strips: &'a [PatchStrip<F>],
-    /// `y` \[m\] half-way between its edges, where its ellipse lies.
-    pub y: F,
-    /// The equivalent ellipse.
-    pub contact: Contact<F>,
-}
-
-impl<'a, F: Float> Lobe<'a, F> {
-    /// `None` without strips.
-    fn new(strips: &'a [PatchStrip<F>], shear_modulus: F, poisson_ratio: F) -> Option<Self> {
-        let (first, last) = (strips.first()?, strips.last()?);
-        let load = sum(strips, PatchStrip::load);
-        let bound = sum(strips, PatchStrip::friction_bound);
-        let width = sum(strips, |strip| strip.width);
-        let longest =
-            strips.iter().fold(F::zero(), |longest, strip| longest.max(strip.half_length));
-        let mean_square =
-            sum(strips, |strip| (strip.half_length / longest).squared() * (strip.width / width));
-        let contact = Contact {
-            // a² = (3/2) Σ l² w/Σ w
-            a: longest * mean_square.times(1.5).sqrt(),
-            b: width.times(0.5),
-            normal_force: load,
-            shear_modulus,
-            poisson_ratio,
-            friction: if load > F::zero() { bound / load } else { first.friction },
-        };
-        let (lower, upper) = (first.y - first.width.times(0.5), last.y + last.width.times(0.5));
-        Some(Self { strips, y: lower.times(0.5) + upper.times(0.5), contact })
     }
 }
 

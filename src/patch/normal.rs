@@ -14,14 +14,14 @@
 //! `1/a²`, so that a step takes the root of what is wrong with it. A strip at the rim ends with `p → 0` and `a → 0`
 //! together; so zones appear, grow, touch and merge without a jump. Nothing else distinguishes them.
 
-use crate::number::{Arithmetic, Float, Plain, Real};
-use crate::patch::influence;
+use crate::number::Float;
+use crate::patch::influence::{self, Edge};
 use core::f64::consts::{FRAC_PI_2, PI};
 use heapless::Vec;
 
 /// Strips of the normal problem at most.
 pub const CELLS: usize = if cfg!(target_os = "none") { 24 } else { 48 };
-/// Rounds in which strips leave and enter, at most; two to four are usual.
+/// Rounds in which strips leave and enter, at most; one or two are usual.
 const ROUNDS: usize = 12;
 /// Share of `√(2 R δ)` squared that a strip's length squared begins with at least.
 const LEAST_SQUARE: f64 = 0.02;
@@ -35,67 +35,76 @@ pub enum Given<F> {
     Approach(F),
 }
 
+/// A number and its derivative by what is given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Moving<F> {
+    pub value: F,
+    pub slope: F,
+}
+
 /// A strip of the normal problem.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Cell<T: Real> {
+pub(crate) struct Cell<F> {
     /// Its number on the lattice: neighbours have neighbouring ones.
     pub place: i32,
     /// Undeformed distance on its middle line \[m\].
-    pub distance: T::Base,
+    pub distance: F,
     /// Half length \[m\].
-    pub half_length: T,
+    pub half_length: Moving<F>,
     /// Peak pressure \[Pa\]; zero where the bodies do not touch.
-    pub pressure: T,
+    pub pressure: Moving<F>,
+    /// Whether the bodies touch.
+    pub touches: bool,
 }
 
-impl<T: Real> Cell<T> {
-    pub(crate) fn new(place: i32, distance: T::Base) -> Self {
-        Self { place, distance, half_length: T::zero(), pressure: T::zero() }
-    }
-
-    pub(crate) fn is_loaded(&self) -> bool {
-        self.pressure > T::zero()
+impl<F: Float> Cell<F> {
+    pub(crate) fn new(place: i32, distance: F) -> Self {
+        let zero = Moving { value: F::zero(), slope: F::zero() };
+        Self { place, distance, half_length: zero, pressure: zero, touches: true }
     }
 }
 
 /// Strips of one width, ascending.
 #[derive(Clone, Debug)]
-pub(crate) struct Cells<T: Real> {
-    pub list: Vec<Cell<T>, CELLS>,
+pub(crate) struct Cells<F> {
+    pub list: Vec<Cell<F>, CELLS>,
     /// Width of a strip \[m\].
-    pub width: T::Base,
+    pub width: F,
     /// `R` \[m\]
-    pub rolling_radius: T::Base,
+    pub rolling_radius: F,
     /// `E* = G/(1 − ν)` \[Pa\]
-    pub modulus: T::Base,
+    pub modulus: F,
 }
 
-/// A row of the equations for the pressures, with two right-hand sides: one, and the distance.
-struct Row<T> {
-    factors: [T; CELLS],
-    one: T,
-    distance: T,
+/// What one strip does to all, per unit of its pressure: `a A/(π E*)` and `C/(a π E*)`, and the derivatives of both by `a`.
+struct Column<F> {
+    deflection: [F; CELLS],
+    curvature: [F; CELLS],
+    deflection_slope: [F; CELLS],
+    curvature_slope: [F; CELLS],
 }
 
-/// Influence of one strip on all: `a A_ij/(π E*)` and `C_ij/(a π E*)`.
-struct Column<T> {
-    deflection: [T; CELLS],
-    curvature: [T; CELLS],
-}
+/// Equations for the pressures of the strips that touch.
+type Rows<F> = Vec<[F; CELLS], CELLS>;
 
-impl<T: Real> Cells<T> {
-    /// Lengths to begin with: sections of the undeformed bodies at a share of the approach, where `known` tells nothing
-    /// better (squares of half lengths at the strips' places).
-    pub(crate) fn begin(&mut self, approach: T, known: impl Fn(i32, T::Base) -> T) {
-        let double = self.rolling_radius.times(2.0);
+impl<F: Float> Cells<F> {
+    /// Lengths to begin with: `known` squares, and at least a small share of `2 R δ`. They grow as Hertz's do.
+    pub(crate) fn begin(&mut self, given: Given<F>, approach: F, known: impl Fn(&Cell<F>) -> F) {
+        let growth = match given {
+            Given::Load(load) => F::one() / load.times(3.0),
+            Given::Approach(_) => F::one() / approach.times(2.0),
+        };
+        let least = (self.rolling_radius * approach).times(2.0 * LEAST_SQUARE);
         for cell in &mut self.list {
-            let least = approach.scale(double).times(LEAST_SQUARE);
-            cell.half_length = known(cell.place, cell.distance).max(least).sqrt();
+            let square = known(cell);
+            cell.touches = square > F::zero();
+            let a = square.max(least).sqrt();
+            cell.half_length = Moving { value: a, slope: a * growth };
         }
     }
 
     /// The pressures after so many corrections of the lengths; the approach.
-    pub(crate) fn solve(&mut self, given: Given<T>, steps: usize) -> T {
+    pub(crate) fn solve(&mut self, given: Given<F>, steps: usize) -> Moving<F> {
         for _ in 0..steps {
             let columns = self.columns();
             self.press(given, &columns);
@@ -105,29 +114,30 @@ impl<T: Real> Cells<T> {
         self.press(given, &columns)
     }
 
-    /// `(π/2) a w`: load of a strip over its peak pressure.
-    fn share(&self, cell: &Cell<T>) -> T {
-        cell.half_length.scale(self.width).times(FRAC_PI_2)
-    }
-
-    pub(crate) fn load(&self) -> T {
-        self.list.iter().fold(T::zero(), |sum, cell| sum + self.share(cell) * cell.pressure)
+    /// `Σ (π/2) a w p`
+    pub(crate) fn load(&self) -> Moving<F> {
+        let unit = self.width.times(FRAC_PI_2);
+        let mut sum = Moving { value: F::zero(), slope: F::zero() };
+        for Cell { half_length: a, pressure: p, .. } in &self.list {
+            sum.value += unit * a.value * p.value;
+            sum.slope += unit * (a.slope * p.value + a.value * p.slope);
+        }
+        sum
     }
 
     #[inline(never)]
-    fn columns(&self) -> Vec<Column<T>, CELLS> {
+    fn columns(&self) -> Vec<Column<F>, CELLS> {
         let mut columns = Vec::new();
-        let scale = T::Base::one() / self.modulus.times(PI);
+        let scale = F::one() / self.modulus.times(PI);
         let places = || self.list.iter().map(|cell| cell.place);
         let (first, last) = (places().next().unwrap_or(0), places().last().unwrap_or(0));
         for cell in &self.list {
-            let unit = T::from_base(self.width) / cell.half_length;
-            let at = |distance: i32| {
-                influence::edge(unit.scale(T::Base::of(f64::from(distance) + 0.5)))
-            };
+            let a = cell.half_length.value;
+            let unit = self.width / a;
+            let at = |distance: i32| influence::edge(unit * F::of(f64::from(distance) + 0.5));
             // edges at the distances that neighbours have
             let farthest = (cell.place - first).max(last - cell.place);
-            let mut edges = [[T::zero(); 2]; CELLS];
+            let mut edges = [Edge::none(); CELLS];
             for (distance, edge) in (0..=farthest).zip(&mut edges) {
                 *edge = at(distance);
             }
@@ -135,18 +145,29 @@ impl<T: Real> Cells<T> {
                 Ok(Some(edge)) => *edge,
                 _ => at(distance),
             };
-            let mut column = Column { deflection: [T::zero(); CELLS], curvature: [T::zero(); CELLS] };
-            let both = column.deflection.iter_mut().zip(&mut column.curvature);
-            for (other, (deflection, curvature)) in self.list.iter().zip(both) {
+            let none = [F::zero(); CELLS];
+            let mut column = Column {
+                deflection: none,
+                curvature: none,
+                deflection_slope: none,
+                curvature_slope: none,
+            };
+            let values = column.deflection.iter_mut().zip(&mut column.curvature);
+            let slopes = column.deflection_slope.iter_mut().zip(&mut column.curvature_slope);
+            for ((other, (deflection, curvature)), (by_a, curvature_by_a)) in
+                self.list.iter().zip(values).zip(slopes)
+            {
                 let distance = (other.place - cell.place).abs();
-                let [[near_a, near_c], [far_a, far_c]] = if distance == 0 {
-                    let [a, c] = edge(0);
-                    [[-a, -c], [a, c]]
-                } else {
-                    [edge(distance - 1), edge(distance)]
-                };
-                *deflection = (far_a - near_a).scale(scale) * cell.half_length;
-                *curvature = (far_c - near_c).scale(scale) / cell.half_length;
+                let far = edge(distance);
+                let near = if distance == 0 { far.mirrored() } else { edge(distance - 1) };
+                // a A(w/a): derivative A − t A';  C(w/a)/a: −(C + t C')/a²
+                let deflected = (far.deflection - near.deflection) * scale;
+                let curved = (far.curvature - near.curvature) * scale / a;
+                *deflection = deflected * a;
+                *curvature = curved;
+                *by_a = deflected - (far.deflection_slope - near.deflection_slope) * scale;
+                let moved = (far.curvature_slope - near.curvature_slope) * scale / a;
+                *curvature_by_a = -(curved + moved) / a;
             }
             // (as many columns as cells)
             let _ = columns.push(column);
@@ -156,126 +177,184 @@ impl<T: Real> Cells<T> {
 
     /// Pressures for the lengths as they are; the approach.
     #[inline(never)]
-    fn press(&mut self, given: Given<T>, columns: &[Column<T>]) -> T {
-        let mut loaded = [true; CELLS];
-        let mut approach = T::zero();
+    fn press(&mut self, given: Given<F>, columns: &[Column<F>]) -> Moving<F> {
+        let unit = self.width.times(FRAC_PI_2);
+        let mut approach = Moving { value: F::zero(), slope: F::zero() };
         for _ in 0..ROUNDS {
-            let mut rows: Vec<Row<T>, CELLS> = Vec::new();
-            for (i, cell) in self.list.iter().enumerate().filter(|(i, _)| is(&loaded, *i)) {
-                let mut factors = [T::zero(); CELLS];
-                let active = columns.iter().enumerate().filter(|(j, _)| is(&loaded, *j));
-                for (factor, (_, column)) in factors.iter_mut().zip(active) {
-                    *factor = column.deflection.get(i).copied().unwrap_or(T::zero());
+            let mut rows: Rows<F> = Vec::new();
+            let (mut one, mut distance) = ([F::zero(); CELLS], [F::zero(); CELLS]);
+            for ((i, cell), (one, distance)) in
+                self.touching().zip(one.iter_mut().zip(&mut distance))
+            {
+                let mut factors = [F::zero(); CELLS];
+                for ((j, _), factor) in self.touching().zip(&mut factors) {
+                    *factor = at(columns.get(j).map(|column| &column.deflection), i);
                 }
-                let distance = T::from_base(cell.distance);
-                let _ = rows.push(Row { factors, one: T::one(), distance });
+                (*one, *distance) = (F::one(), cell.distance);
+                let _ = rows.push(factors);
             }
-            solve(&mut rows);
+            factorise(&mut rows);
+            substitute(&rows, &mut one);
+            substitute(&rows, &mut distance);
             // p = δ X − Y
-            let mut found = rows.iter();
-            let (mut by_approach, mut without) = (T::zero(), T::zero());
-            let mut solved = [[T::zero(); 2]; CELLS];
-            for ((i, cell), solved) in self.list.iter().enumerate().zip(&mut solved) {
-                if is(&loaded, i)
-                    && let Some(row) = found.next()
-                {
-                    let share = self.share(cell);
-                    by_approach += share * row.one;
-                    without += share * row.distance;
-                    *solved = [row.one, row.distance];
-                }
+            let (mut by_approach, mut without) = (F::zero(), F::zero());
+            for (((_, cell), one), distance) in self.touching().zip(one).zip(distance) {
+                by_approach += unit * cell.half_length.value * one;
+                without += unit * cell.half_length.value * distance;
             }
-            approach = match given {
+            approach.value = match given {
                 Given::Load(load) => (load + without) / by_approach,
                 Given::Approach(approach) => approach,
             };
-            for (cell, [one, distance]) in self.list.iter_mut().zip(solved) {
-                cell.pressure = approach * one - distance;
-            }
-            let mut deflection = [T::zero(); CELLS];
-            for (column, cell) in columns.iter().zip(&self.list) {
-                for (sum, part) in deflection.iter_mut().zip(&column.deflection) {
-                    *sum += *part * cell.pressure;
+            let mut solved = one.iter().zip(distance);
+            for cell in &mut self.list {
+                cell.pressure.value = F::zero();
+                if cell.touches
+                    && let Some((one, distance)) = solved.next()
+                {
+                    cell.pressure.value = approach.value * *one - distance;
                 }
             }
+            let deflection = self.sum(columns, |column, cell, i| {
+                at(Some(&column.deflection), i) * cell.pressure.value
+            });
             let mut changed = false;
-            for ((cell, sum), loaded) in self.list.iter().zip(deflection).zip(&mut loaded) {
-                let stays = if *loaded {
-                    cell.is_loaded()
+            for (cell, deflection) in self.list.iter_mut().zip(deflection) {
+                let stays = if cell.touches {
+                    cell.pressure.value > F::zero()
                 } else {
                     // the bodies would overlap
-                    approach.shift(-cell.distance) > sum
+                    approach.value - cell.distance > deflection
                 };
-                changed |= stays != *loaded;
-                *loaded = stays;
+                changed |= stays != cell.touches;
+                cell.touches = stays;
             }
-            if !changed {
-                break;
+            if changed {
+                continue;
             }
+            // K dp = dδ − dK p
+            let moved = self.sum(columns, |column, cell, i| {
+                at(Some(&column.deflection_slope), i)
+                    * (cell.half_length.slope * cell.pressure.value)
+            });
+            let mut change = [F::zero(); CELLS];
+            for ((i, _), change) in self.touching().zip(&mut change) {
+                *change = -at(Some(&moved), i);
+            }
+            substitute(&rows, &mut change);
+            let mut rest = F::zero();
+            for ((_, cell), change) in self.touching().zip(change) {
+                rest += unit
+                    * (cell.half_length.value * change
+                        + cell.half_length.slope * cell.pressure.value);
+            }
+            approach.slope = match given {
+                Given::Load(_) => (F::one() - rest) / by_approach,
+                Given::Approach(_) => F::one(),
+            };
+            let mut solved = one.iter().zip(change);
+            for cell in &mut self.list {
+                cell.pressure.slope = F::zero();
+                if cell.touches
+                    && let Some((one, change)) = solved.next()
+                {
+                    cell.pressure.slope = approach.slope * *one + change;
+                }
+            }
+            break;
         }
         for cell in &mut self.list {
-            cell.pressure = cell.pressure.max(T::zero());
+            cell.pressure.value = cell.pressure.value.max(F::zero());
         }
         approach
     }
 
-    /// Lengths for the pressures as they are.
-    fn correct(&mut self, columns: &[Column<T>]) {
-        let mut curvature = [T::zero(); CELLS];
-        for (column, cell) in columns.iter().zip(&self.list) {
-            for (sum, part) in curvature.iter_mut().zip(&column.curvature) {
-                *sum += *part * cell.pressure;
+    /// The strips that touch, with their numbers.
+    fn touching(&self) -> impl Iterator<Item = (usize, &Cell<F>)> {
+        self.list.iter().enumerate().filter(|(_, cell)| cell.touches)
+    }
+
+    /// What all strips that touch do to each.
+    fn sum(
+        &self,
+        columns: &[Column<F>],
+        term: impl Fn(&Column<F>, &Cell<F>, usize) -> F,
+    ) -> [F; CELLS] {
+        let mut sums = [F::zero(); CELLS];
+        for (column, cell) in columns.iter().zip(&self.list).filter(|(_, cell)| cell.touches) {
+            for (i, sum) in sums.iter_mut().enumerate().take(self.list.len()) {
+                *sum += term(column, cell, i);
             }
         }
-        for (cell, curvature) in self.list.iter_mut().zip(curvature) {
-            if cell.is_loaded() {
+        sums
+    }
+
+    /// Lengths for the pressures as they are.
+    fn correct(&mut self, columns: &[Column<F>]) {
+        let radius = self.rolling_radius;
+        let curvature = self
+            .sum(columns, |column, cell, i| at(Some(&column.curvature), i) * cell.pressure.value);
+        let change = self.sum(columns, |column, cell, i| {
+            at(Some(&column.curvature), i) * cell.pressure.slope
+                + at(Some(&column.curvature_slope), i)
+                    * (cell.half_length.slope * cell.pressure.value)
+        });
+        for ((cell, curvature), change) in self.list.iter_mut().zip(curvature).zip(change) {
+            if cell.touches {
                 // √c as its Padé approximant: within a factor of 3 whatever c is
-                let c = curvature.scale(self.rolling_radius).max(T::zero());
-                cell.half_length = cell.half_length * (c.times(3.0).plus(1.0) / c.plus(3.0));
+                let c = (curvature * radius).max(F::zero());
+                let below = c.plus(3.0);
+                let factor = c.times(3.0).plus(1.0) / below;
+                let slope = change * radius * F::of(8.0) / (below * below);
+                let Moving { value: a, slope: da } = cell.half_length;
+                cell.half_length = Moving { value: a * factor, slope: da * factor + a * slope };
             }
         }
     }
 }
 
-fn is(flags: &[bool; CELLS], i: usize) -> bool {
-    flags.get(i).copied().unwrap_or(false)
+fn at<F: Float>(list: Option<&[F; CELLS]>, i: usize) -> F {
+    list.and_then(|list| list.get(i)).copied().unwrap_or(F::zero())
 }
 
-/// Gauss's elimination without pivots: the diagonal is the largest of its row. The right-hand sides become the solutions.
-fn solve<T: Real>(rows: &mut [Row<T>]) {
+/// Gauss's elimination without pivots: the diagonal is the largest of its row. Below it stand the factors.
+fn factorise<F: Float>(rows: &mut Rows<F>) {
     let count = rows.len();
-    let mut rest = &mut *rows;
+    let mut rest = rows.as_mut_slice();
     let mut k = 0;
     while let Some((pivot, below)) = rest.split_first_mut() {
-        let inverse = pivot.factors.get(k).copied().unwrap_or(T::one()).inverse();
+        let Some((diagonal, right)) = pivot.get(k..count).and_then(|row| row.split_first()) else {
+            return;
+        };
+        let inverse = F::one() / *diagonal;
         for row in below.iter_mut() {
-            let active = row.factors.iter_mut().zip(&pivot.factors).take(count).skip(k);
-            let mut factor = None;
-            for (own, above) in active {
-                match factor {
-                    None => factor = Some(*own * inverse),
-                    Some(factor) => *own -= factor * *above,
+            if let Some((first, own)) = row.get_mut(k..count).and_then(|row| row.split_first_mut())
+            {
+                *first = *first * inverse;
+                for (own, above) in own.iter_mut().zip(right) {
+                    *own -= *first * *above;
                 }
             }
-            let factor = factor.unwrap_or(T::zero());
-            row.one -= factor * pivot.one;
-            row.distance -= factor * pivot.distance;
         }
         rest = below;
         k += 1;
     }
-    let mut end = count;
-    while let Some((last, above)) =
-        rows.get_mut(..end).and_then(|rows| rows.split_last_mut())
-    {
-        end -= 1;
-        let inverse = last.factors.get(end).copied().unwrap_or(T::one()).inverse();
-        last.one = last.one * inverse;
-        last.distance = last.distance * inverse;
-        for row in above {
-            let factor = row.factors.get(end).copied().unwrap_or(T::zero());
-            row.one -= factor * last.one;
-            row.distance -= factor * last.distance;
+}
+
+/// The right-hand side becomes the solution.
+fn substitute<F: Float>(rows: &Rows<F>, side: &mut [F; CELLS]) {
+    for (k, row) in rows.iter().enumerate() {
+        if let Some((before, [own, ..])) = side.split_at_mut_checked(k) {
+            *own -= row.iter().zip(before).fold(F::zero(), |sum, (x, y)| sum + *x * *y);
+        }
+    }
+    let count = rows.len();
+    for (k, row) in rows.iter().enumerate().rev() {
+        if let Some(([own, after @ ..], [diagonal, factors @ ..])) =
+            side.get_mut(k..count).zip(row.get(k..count))
+        {
+            let sum = factors.iter().zip(after).fold(F::zero(), |sum, (x, y)| sum + *x * *y);
+            *own = (*own - sum) / *diagonal;
         }
     }
 }

@@ -12,8 +12,7 @@
 
 use crate::contact::forces::StripCount;
 use crate::contact::material::{check_modulus, check_poisson_ratio};
-use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float, Real};
+use crate::number::Float;
 use crate::patch::normal::{CELLS, Cell, Cells, Given, elliptic_load};
 use crate::patch::{Patch, PatchStrip};
 use crate::solve::model::Precision;
@@ -27,7 +26,7 @@ const REACH: f64 = 0.85;
 /// Sections at most in search of the first guess; five are usual.
 const GUESSES: u32 = 40;
 /// Smoothing length by default, over the half length of the section.
-const SMOOTHING: f64 = 0.6;
+const SMOOTHING: f64 = 0.75;
 /// Points that the profile is averaged at for the smoothing, at most.
 const BINS: usize = 256;
 /// Strips of the coarse lattice, and corrections of the lengths on it and on the fine one.
@@ -50,7 +49,7 @@ pub struct ProfileContact<F> {
     pub poisson_ratio: F,
     /// Coefficient of friction `μ` of every strip, not negative.
     pub friction: F,
-    /// Smoothing length `s` \[m\], not negative. Zero: 0.6 of the patch's approximate half length, 4 mm between a wheel and a rail,
+    /// Smoothing length `s` \[m\], not negative. Zero: 0.75 of the patch's approximate half length, 5 mm between a wheel and a rail,
     /// and at least two steps of the profile.
     pub smoothing_length: F,
 }
@@ -129,10 +128,10 @@ impl<'a, F: Float> Profile<'a, F> {
     /// distances does not matter.
     ///
     /// # Errors
-    /// [`Error::Profile`] for fewer than two points, arrays of different length or `y` that does not ascend;
+    /// [`Error::Profile`] for fewer than three points, arrays of different length or `y` that does not ascend;
     /// [`Error::NotFinite`].
     pub fn new(y: &'a [F], distance: &'a [F]) -> Result<Self, Error> {
-        let (Some(first), true) = (distance.first(), y.len() >= 2 && y.len() == distance.len())
+        let (Some(first), true) = (distance.first(), y.len() >= 3 && y.len() == distance.len())
         else {
             return Err(Error::Profile);
         };
@@ -263,6 +262,8 @@ impl<'a, F: Float> Profile<'a, F> {
 /// A profile averaged over bins of one width, and the parabolas through them.
 struct Smooth<F> {
     heights: Vec<F, BINS>,
+    /// What the profile covers of each bin.
+    shares: Vec<F, BINS>,
     start: F,
     step: F,
     length: F,
@@ -277,36 +278,49 @@ struct Parabola<F> {
 }
 
 impl<F: Float> Smooth<F> {
-    /// Between two places of the profile, and as far beyond as a parabola looks.
-    fn new(profile: &Profile<F>, [lower, upper]: [F; 2], length: F) -> Option<Self> {
+    /// Between two places of the profile, and as far beyond as a parabola looks. Edges of bins stand on `middle`.
+    fn new(profile: &Profile<F>, middle: F, [lower, upper]: [F; 2], length: F) -> Option<Self> {
         let [first, last] = profile.ends()?;
-        let (start, end) = ((lower - length).max(first), (upper + length).min(last));
-        let step = length.times(0.125).max((end - start) / F::of(BINS as f64));
+        let (lower, upper) = ((lower - length).max(first), (upper + length).min(last));
+        let step = length.times(0.125).max((upper - lower) / F::of((BINS - 2) as f64));
         // (a parabola needs three bins)
         let length = length.max(step.times(3.0));
-        let mut heights = Vec::new();
+        let before = ((middle - lower) / step).max(F::zero()).to_f64() as u32 + 1;
+        let start = middle - step * F::of(f64::from(before));
         let edge = |bins: u32| start + step * F::of(f64::from(bins));
-        let (mut sum, mut bins) = (F::zero(), 1);
+        let (mut heights, mut shares) = (Vec::new(), Vec::new());
+        let (mut sum, mut covered, mut bins) = (F::zero(), F::zero(), 1);
+        let mut close = |sum: &mut F, covered: &mut F| {
+            let height = if *covered > F::zero() { *sum / *covered } else { F::zero() };
+            let _ = heights.push(height);
+            let _ = shares.push(*covered / step);
+            (*sum, *covered) = (F::zero(), F::zero());
+            heights.is_full()
+        };
         // integrals of the straight pieces between the edges of the bins
-        for ([from, to], [h_from, h_to]) in profile.pieces() {
+        'pieces: for ([from, to], [h_from, h_to]) in profile.pieces() {
             let slope = (h_to - h_from) / (to - from);
             let at = |y: F| h_from - profile.lowest + (y - from) * slope;
             let mut begin = from.max(start);
-            while begin < to && !heights.is_full() {
-                let until = to.min(edge(bins));
-                sum += (until - begin).max(F::zero()) * (at(begin) + at(until)).times(0.5);
+            while begin < to {
+                let until = to.min(edge(bins)).max(begin);
+                let width = until - begin;
+                sum += width * (at(begin) + at(until)).times(0.5);
+                covered += width;
                 begin = until;
-                if edge(bins) <= to {
-                    heights.push(sum / step).ok()?;
-                    sum = F::zero();
-                    bins += 1;
+                if edge(bins) > to {
+                    break;
+                }
+                bins += 1;
+                if close(&mut sum, &mut covered) || edge(bins - 1) > upper {
+                    break 'pieces;
                 }
             }
-            if edge(bins) > end {
-                break;
-            }
         }
-        Some(Self { heights, start, step, length })
+        if covered > F::zero() && bins <= BINS as u32 {
+            close(&mut sum, &mut covered);
+        }
+        Some(Self { heights, shares, start, step, length })
     }
 
     /// About `y`, heights above the lowest point of the profile.
@@ -318,10 +332,11 @@ impl<F: Float> Smooth<F> {
         let mut moments = [F::zero(); 5];
         let mut sums = [F::zero(); 3];
         let inverse = F::one() / reach;
-        for (i, height) in self.heights.iter().enumerate().skip(near).take(width) {
+        let bins = self.heights.iter().zip(&self.shares).enumerate();
+        for (i, (height, share)) in bins.skip(near).take(width) {
             let x = (F::of(i as f64 + 0.5) - place) * inverse;
             let rest = (F::one() - x * x).max(F::zero());
-            let mut power = rest * rest * rest;
+            let mut power = rest * rest * rest * *share;
             let mut sums = sums.iter_mut();
             for moment in &mut moments {
                 *moment += power;
@@ -363,7 +378,7 @@ impl<F: Float> Lattice<F> {
     fn new(profile: &Profile<F>, level: F, length: F, count: u32) -> Option<Self> {
         let section = profile.section(level);
         let middle = profile.deepest;
-        let smooth = Smooth::new(profile, [section.lower, section.upper], length)?;
+        let smooth = Smooth::new(profile, middle, [section.lower, section.upper], length)?;
         let Parabola { height, slope, bend } = smooth.at(middle)?;
         // the vertex, and the half width of the parabola where it is narrower than the section's points tell
         let bend = bend.max(F::TINY);
@@ -386,11 +401,7 @@ impl<F: Float> Lattice<F> {
     }
 
     /// The strips below a level.
-    fn cells<T: Real<Base = F>>(
-        &self,
-        contact: &ProfileContact<F>,
-        level: F,
-    ) -> Result<Cells<T>, Error> {
+    fn cells(&self, contact: &ProfileContact<F>, level: F) -> Result<Cells<F>, Error> {
         let most = F::of(f64::from(PLACES));
         let places = |length: F| ((length / self.width).min(most).to_f64() as i32).max(1) + 1;
         let (before, after) = (places(self.middle - self.from), places(self.to - self.middle));
@@ -457,45 +468,44 @@ impl<F: Float> Indentation<F> {
         // Coarse
         let strips = lattice_strips(count);
         let level = first.times(1.1 * REACH);
-        let lattice = Lattice::new(profile, level, length, strips.min(COARSE)).ok_or(Error::Overflow)?;
+        let lattice =
+            Lattice::new(profile, level, length, strips.min(COARSE)).ok_or(Error::Overflow)?;
         let above = |lowest: F| match contact.given {
             Given::Load(load) => Given::Load(load),
             Given::Approach(approach) => Given::Approach(approach + lowest),
         };
-        let mut coarse = lattice.cells::<F>(contact, level + lattice.lowest)?;
+        let mut coarse = lattice.cells(contact, level + lattice.lowest)?;
         let section = first.times(SECTION) + lattice.lowest;
         let double = contact.rolling_radius.times(2.0);
-        coarse.begin(first, |_, distance| (section - distance) * double);
-        let approach = coarse.solve(above(lattice.lowest), COARSE_STEPS);
+        coarse.begin(contact.given, first, |cell| (section - cell.distance) * double);
+        let approach = coarse.solve(above(lattice.lowest), COARSE_STEPS).value;
         if !(approach.is_finite_number() && approach > F::zero()) {
             return Err(Error::Overflow);
         }
         // Fine, its squares of lengths between those of the coarse
         let level = approach.times(REACH);
         let fine = Lattice::new(profile, level, length, strips).ok_or(Error::Overflow)?;
-        let mut cells = fine.cells::<Dual<F, 1>>(contact, level)?;
-        let known = |place: i32, _| {
-            let between = (fine.y(place) - lattice.middle) / lattice.width;
-            let sum = coarse.list.iter().filter(|cell| cell.is_loaded()).fold(F::zero(), |sum, cell| {
+        let mut cells = fine.cells(contact, level)?;
+        cells.begin(contact.given, approach, |cell| {
+            let between = (fine.y(cell.place) - lattice.middle) / lattice.width;
+            let near = coarse.list.iter().filter(|cell| cell.touches);
+            near.fold(F::zero(), |sum, cell| {
                 let share = F::one() - (between - F::of(f64::from(cell.place))).abs();
-                sum + cell.half_length.squared() * share.max(F::zero())
-            });
-            // lengths go with the root of the approach
-            Dual { value: sum, gradient: [F::zero()] }
-        };
-        let given = match above(fine.lowest) {
-            Given::Load(load) => Given::Load(Dual::input(load, 0)),
-            Given::Approach(approach) => Given::Approach(Dual::input(approach, 0)),
-        };
-        cells.begin(Dual::from_base(approach), known);
+                sum + cell.half_length.value.squared() * share.max(F::zero())
+            })
+        });
+        let given = above(fine.lowest);
         let approach = cells.solve(given, FINE_STEPS);
         let load = cells.load();
-        let [stiffness] = match given {
-            Given::Load(_) => approach.gradient.map(|flexibility| F::one() / flexibility),
-            Given::Approach(_) => load.gradient,
+        let stiffness = match given {
+            Given::Load(_) => F::one() / approach.slope,
+            Given::Approach(_) => load.slope,
         };
         let mut found = Self {
-            approach: approach.value - fine.lowest,
+            approach: match contact.given {
+                Given::Load(_) => (approach.value - fine.lowest).max(F::zero()),
+                Given::Approach(approach) => approach,
+            },
             normal_force: load.value,
             stiffness,
             peak_pressure: F::zero(),
@@ -507,7 +517,7 @@ impl<F: Float> Indentation<F> {
         if !results.iter().all(|result| result.is_finite_number()) {
             return Err(Error::Overflow);
         }
-        for cell in cells.list.iter().filter(|cell| cell.is_loaded()) {
+        for cell in cells.list.iter().filter(|cell| cell.touches) {
             let y = fine.y(cell.place);
             if y - fine.width.times(1.5) < first || y + fine.width.times(1.5) > last {
                 return Err(Error::ProfileEnd);
@@ -566,9 +576,8 @@ impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
     ) -> Result<(Self, Indentation<F>), Error> {
         let profile = Profile::new(y, distance)?;
         let mut patch = Self::empty(contact.shear_modulus, contact.poisson_ratio);
-        let found = Indentation::new(&profile, contact, count, |strip| {
-            patch.strips.push(strip).is_ok()
-        })?;
+        let found =
+            Indentation::new(&profile, contact, count, |strip| patch.strips.push(strip).is_ok())?;
         // Lengths and gaps at the ends of the number range have no digits left.
         let lost = (patch.view()?.normal_force() - found.normal_force).abs();
         if !(lost <= found.normal_force * F::constant(1e-3)) {

@@ -6,8 +6,8 @@
 //! * Theory of 1967: [`Strip::solve`] in units of the strip. The strips do not move with the
 //!   solution, so where a strip loses its adhesion area the forces have a kink, and under
 //!   [`SlidingRule::RigidSlip`] with spin a jump as large as that strip's share.
-//! * Corrected strips: every lobe is solved as its equivalent ellipse ([`Lobe`]) at the creepage of its own
-//!   centre, and gives each strip the creepages of its `Y` and `Π = (μ p₀)_strip/(μ p₀)`. A strip whose
+//! * Corrected strips: the ellipse of a strip's [zone](super::zones) is solved at the creepage of its own centre, and
+//!   gives the strip the creepages of its `Y` and `Π = (μ p₀)_strip/(μ p₀)`. A strip whose
 //!   centre is moved by `x_c` is solved with what is seen for the lateral creepage there.
 //!
 //! [`Model::Total`] and [`Model::Linear`] know ellipses only. The linear theory of a patch is the derivative of
@@ -17,7 +17,8 @@ use crate::contact::creepage::{Creepage, Parameters};
 use crate::linear::LinearCoefficients;
 use crate::number::dual::Dual;
 use crate::number::{Float, Real};
-use crate::patch::{Lobe, PatchStrip, PatchView};
+use crate::patch::zones::Zone;
+use crate::patch::{PatchStrip, PatchView};
 use crate::solve::field::FieldPoint;
 use crate::solve::model::{Jacobian, Model, Precision, Solution, StripResult, rolling_point};
 use crate::status::{Error, Notice};
@@ -126,9 +127,13 @@ impl<'a, F: Precision> Problem<'a, F> {
         };
         let mut loaded =
             self.view.strips().iter().filter(|strip| strip.friction_bound() > F::zero());
-        let mut lobes = self.view.lobes().filter(|lobe| lobe.contact.friction_bound() > F::zero());
         if self.model == Model::Strip {
-            if lobes.any(|lobe| outside(&Parameters::new(&lobe.contact, self.creepage))) {
+            let view = self.view;
+            let ellipses = if view.is_one_zone() { 1 } else { view.strips().len() };
+            let mut zones = (0..ellipses)
+                .filter_map(|i| view.zone(i))
+                .filter(|zone| zone.contact.friction_bound() > F::zero());
+            if zones.any(|zone| outside(&Parameters::new(&zone.contact, self.creepage))) {
                 return Notice::OutsideRange;
             }
         } else if loaded.any(|strip| beyond(self.parameters(strip, self.creepage).psi)) {
@@ -144,9 +149,7 @@ impl<'a, F: Precision> Problem<'a, F> {
         visit: &mut impl FnMut(&PatchStrip<F>, Share<T>),
     ) {
         if self.model == Model::Strip {
-            for lobe in self.view.lobes() {
-                self.rolling_shares(&lobe, creepage, visit);
-            }
+            self.rolling_shares(creepage, visit);
         } else {
             for strip in self.view.strips() {
                 visit(strip, self.theory_share(strip, creepage));
@@ -190,15 +193,15 @@ impl<'a, F: Precision> Problem<'a, F> {
         Share::new(strip, &carried, stick, solved.adheres())
     }
 
-    /// The corrected strips of a lobe's ellipse, for the creepage at `x` on its middle line.
+    /// The corrected strips of a zone's ellipse, for the creepage at `x` on its middle line.
     fn law<T: Real<Base = F>>(
         &self,
-        lobe: &Lobe<F>,
+        zone: &Zone<F>,
         creepage: &Creepage<T>,
         x: F,
         factors: [F; 2],
     ) -> StripLaw<T> {
-        let parameters = Parameters::new(&lobe.contact, &creepage_at(creepage, x, lobe.y));
+        let parameters = Parameters::new(&zone.contact, &creepage_at(creepage, x, zone.y));
         let Parameters { axis_ratio, poisson_ratio, .. } = parameters;
         let linear = LinearCoefficients::at(axis_ratio, poisson_ratio);
         Prepared::new(axis_ratio, poisson_ratio, &linear, factors).see(parameters.normalised())
@@ -206,14 +209,15 @@ impl<'a, F: Precision> Problem<'a, F> {
 
     fn rolling_shares<T: Real<Base = F>>(
         &self,
-        lobe: &Lobe<F>,
         creepage: &Creepage<T>,
         visit: &mut impl FnMut(&PatchStrip<F>, Share<T>),
     ) {
         let scale = self.view.scale();
-        let count = lobe.strips.len();
-        let mut prepared: Option<(F, StripLaw<T>)> = None;
-        for (g, group) in lobe.strips.chunks(4).enumerate() {
+        let one_zone = self.view.is_one_zone();
+        let mean_width = self.view.mean_width();
+        let count = self.view.strips().len();
+        let mut prepared: Option<(Zone<F>, F, StripLaw<T>)> = None;
+        for (g, group) in self.view.strips().chunks(4).enumerate() {
             let zero = T::zero();
             let none = Seen { x: zero, y: zero, spread: zero, start: zero };
             let mut seen = [(none, T::zero()); 4];
@@ -221,14 +225,22 @@ impl<'a, F: Precision> Problem<'a, F> {
             for (k, ((strip, seen), inner)) in
                 group.iter().zip(&mut seen).zip(&mut inner).enumerate()
             {
-                let law = match prepared {
-                    Some((x, law)) if x == strip.centre_x => law,
-                    // the slopes of the linear theory, whatever the quadrature
-                    _ => self.law(lobe, creepage, strip.centre_x, [scale.area, scale.lever]),
-                };
-                prepared = Some((strip.centre_x, law));
-                *seen = law.strip(&geometry(lobe, strip));
                 let i = 4 * g + k;
+                let before = prepared.map(|(zone, ..)| zone);
+                let zone = match before {
+                    Some(zone) if one_zone => zone,
+                    _ => match self.view.zone(i) {
+                        Some(zone) => zone,
+                        None => continue,
+                    },
+                };
+                let law = match prepared {
+                    Some((last, x, law)) if x == strip.centre_x && zone.is(&last) => law,
+                    // the slopes of the linear theory, whatever the quadrature
+                    _ => self.law(&zone, creepage, strip.centre_x, [scale.area, scale.lever]),
+                };
+                prepared = Some((zone, strip.centre_x, law));
+                *seen = law.strip(&geometry(&zone, strip, mean_width));
                 *inner = i.min(count - 1 - i) % 2 == 1;
             }
             for (strip, found) in group.iter().zip(four_strips(&seen, inner)) {
@@ -239,17 +251,21 @@ impl<'a, F: Precision> Problem<'a, F> {
     }
 }
 
-/// A strip in units of its lobe's ellipse.
-fn geometry<F: Float>(lobe: &Lobe<F>, strip: &PatchStrip<F>) -> StripGeometry<F> {
-    let of_sixteen = F::of(lobe.strips.len() as f64 / 16.0);
-    let Lobe { y, contact, .. } = lobe;
+/// A strip in units of its zone's ellipse.
+fn geometry<F: Float>(
+    zone: &Zone<F>,
+    strip: &PatchStrip<F>,
+    mean_width: F,
+) -> StripGeometry<F> {
+    let Zone { y, contact } = zone;
     // Π = (μ p₀)_strip/(μ p₀)
     let whole = contact.friction * contact.peak_pressure();
     let bound = strip.friction * strip.peak_pressure;
     StripGeometry {
         y: ((strip.y - *y) / contact.b).clamped(-F::one(), F::one()),
         half_length: strip.half_length / contact.a,
-        width: strip.width / contact.b * of_sixteen,
+        // of sixteen strips, whatever their number
+        width: (strip.width / mean_width).times(0.125),
         bound: if whole > F::zero() { bound / whole } else { F::one() }.max(F::of(LEAST_BOUND)),
     }
 }
@@ -430,20 +446,26 @@ impl<'a, F: Precision> PatchField<'a, F> {
     #[must_use]
     pub fn strip_at(&self, y: F) -> Option<PatchFieldStrip<F>> {
         let Problem { view, creepage, .. } = self.problem;
+        let mut number = 0;
         let lobe = view.lobes().find(|lobe| {
-            let (first, last) = (lobe.strips.first(), lobe.strips.last());
-            first.is_some_and(|first| first.y - first.width.times(0.5) <= y)
-                && last.is_some_and(|last| y <= last.y + last.width.times(0.5))
+            let inside = lobe.first().is_some_and(|first| first.y - first.width.times(0.5) <= y)
+                && lobe.last().is_some_and(|last| y <= last.y + last.width.times(0.5));
+            number += if inside { 0 } else { lobe.len() };
+            inside
         })?;
-        let following = lobe.strips.iter().skip(1);
-        let found = lobe.strips.iter().zip(following).find(|(strip, next)| {
+        let mut pairs = lobe.iter().zip(lobe.iter().skip(1));
+        let found = pairs.position(|(strip, next)| {
             y < strip.y + (next.y - strip.y) * (strip.width / (strip.width + next.width))
         });
-        let strip = found.map(|(strip, _)| strip).or(lobe.strips.last())?;
+        let own = found.unwrap_or(lobe.len().saturating_sub(1));
+        let strip = lobe.get(own)?;
+        number += own;
         let law = if self.problem.model == Model::Strip {
-            let rolling = self.problem.law(&lobe, creepage, strip.centre_x, [F::one(), F::one()]);
-            let line = StripGeometry { width: F::zero(), ..geometry(&lobe, strip) };
-            Law::Rolling(rolling, line, lobe.contact.slip_scale())
+            let zone = view.zone(number)?;
+            let rolling = self.problem.law(&zone, creepage, strip.centre_x, [F::one(), F::one()]);
+            let line =
+                StripGeometry { width: F::zero(), ..geometry(&zone, strip, view.mean_width()) };
+            Law::Rolling(rolling, line, zone.contact.slip_scale())
         } else {
             let circle = strip.circle(view.shear_modulus(), view.poisson_ratio());
             Law::Theory(self.problem.theory(strip, creepage), circle.slip_scale())

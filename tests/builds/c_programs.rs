@@ -14,7 +14,8 @@ use kstrip::contact::forces::StripCount;
 use kstrip::ffi;
 use kstrip::friction::SlipFriction;
 use kstrip::patch::Patch;
-use kstrip::patch::kik_piotrowski::ProfileContact;
+use kstrip::patch::normal::Given;
+use kstrip::patch::profile::ProfileContact;
 use kstrip::patch::solver::{self, PatchField};
 use kstrip::solve::model::{self, Field, Model, Options, StripResult};
 use kstrip::status::Notice;
@@ -394,18 +395,19 @@ fn worn_profiles_touch_in_two_zones() {
         .unzip();
     let wheel = ProfileContact {
         rolling_radius: 0.46,
-        normal_force: 80e3,
+        given: Given::Load(80e3),
         shear_modulus: 82e9,
         poisson_ratio: 0.28,
         friction: 0.35,
+        smoothing_length: 0.0,
     };
     let (clean, found) =
         Patch::<f64, 64>::from_profile(&y, &distance, &wheel, StripCount::ThirtyTwo)
             .expect("a patch");
     let head = line_of(&text, "approach");
-    assert_printed(head[0], found.penetration * 1e6, 4, "approach");
+    assert_printed(head[0], found.approach * 1e6, 4, "approach");
     assert_printed(head[1], found.peak_pressure / 1e6, 3, "peak pressure");
-    assert_printed(head[2], found.deepest_y * 1e3, 4, "deepest point");
+    assert_printed(head[2], found.peak_y * 1e3, 4, "deepest point");
     assert_printed(head[3], 80e3, 4, "load");
     let sizes = text.lines().nth(1).map(numbers).expect("a second line");
     assert_eq!(sizes[..2], [clean.strips.len() as f64, 2.0], "strips and zones");
@@ -418,7 +420,7 @@ fn worn_profiles_touch_in_two_zones() {
         .iter()
         .flat_map(|strip| (0..400).map(move |k| (strip, (f64::from(k) + 0.5) / 400.0 - 0.5)))
         .map(|(strip, share)| {
-            let d = strip.y + share * strip.width - found.deepest_y;
+            let d = strip.y + share * strip.width - found.peak_y;
             let x = (0..400).map(|k| {
                 let angle = PI * (f64::from(k) + 0.5) / 400.0;
                 let (x, root) = (strip.half_length * angle.cos(), strip.half_length * angle.sin());
@@ -429,7 +431,7 @@ fn worn_profiles_touch_in_two_zones() {
         })
         .sum::<f64>()
         / (PI * e_star);
-    assert_close(deflection, found.penetration, 0.01 * found.penetration, "deflection");
+    assert_close(deflection, found.approach, 0.01 * found.approach, "deflection");
 
     let mut greasy = clean.clone();
     for strip in &mut greasy.strips {

@@ -16,7 +16,8 @@ use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
 use kstrip::friction::SlipFriction;
 use kstrip::patch::friction as patch_friction;
-use kstrip::patch::kik_piotrowski::ProfileContact;
+use kstrip::patch::normal::Given;
+use kstrip::patch::profile::ProfileContact;
 use kstrip::patch::solver::{self, PatchField};
 use kstrip::patch::{Patch, PatchStrip};
 use kstrip::rig::{Measured, creepage_for_force, estimate_friction};
@@ -251,16 +252,17 @@ impl<F: Bits> Case<'_, F> {
                 let distance: Vec<F> = (0..33).map(|n| part(rough(n), 1e7)).collect();
                 let load = ProfileContact {
                     rolling_radius: part(200 + self.draw(21, 800), 1000.0),
-                    normal_force: contact.normal_force,
+                    given: Given::Load(contact.normal_force),
                     shear_modulus: contact.shear_modulus,
                     poisson_ratio: contact.poisson_ratio,
                     friction: contact.friction,
+                    smoothing_length: F::zero(),
                 };
                 let built = Full::from_profile(&y, &distance, &load, options.strips);
                 built.map(|(patch, found)| {
-                    let loads = [found.penetration, found.peak_pressure, found.normal_force];
+                    let loads = [found.approach, found.peak_pressure, found.normal_force];
                     hash.add(&loads);
-                    hash.add(&[found.deepest_y]);
+                    hash.add(&[found.peak_y]);
                     hash.mix(u64::from(found.iterations));
                     patch
                 })

@@ -2,6 +2,8 @@
 
 #[path = "../common/names.rs"]
 mod names;
+#[path = "../common/patch_reference.rs"]
+mod patch_reference;
 #[path = "../common/patches.rs"]
 mod patches;
 #[path = "../../benches/peers/mod.rs"]
@@ -22,8 +24,10 @@ mod hard_cases;
 mod models;
 mod motion;
 mod patch;
+mod patch_accuracy;
 mod patch_friction;
 mod peer_methods;
+mod profile;
 mod rig;
 mod total;
 mod wanted;

@@ -1,0 +1,294 @@
+//! Patches computed with CONTACT (`tests/data/patches`), and how far ours are from them. Used by
+//! `tests/models/patch_accuracy.rs` and by `examples/patches.rs`.
+#![allow(dead_code)]
+
+use kstrip::contact::Contact;
+use kstrip::contact::creepage::Creepage;
+use kstrip::contact::forces::StripCount;
+use kstrip::patch::normal::Given;
+use kstrip::patch::profile::{Indentation, ProfileContact};
+use kstrip::patch::{Patch, PatchStrip, solver};
+use kstrip::solve::model::Model;
+use std::collections::HashMap;
+use std::path::Path;
+
+pub type Full = Patch<f64, 64>;
+
+/// A row of a table, by the names of its columns.
+type Row = HashMap<String, String>;
+
+fn rows(file: &str) -> Vec<Row> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/patches").join(file);
+    let mut reader = csv::Reader::from_path(path).unwrap();
+    reader.deserialize().map(|row| row.unwrap()).collect()
+}
+
+fn number(row: &Row, column: &str) -> f64 {
+    row[column].parse().unwrap()
+}
+
+/// Creepages in units of `k`, and CONTACT's answer in units of `μ N` and `μ N c`.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion {
+    pub creepage: [f64; 3],
+    pub force: [f64; 2],
+    pub moment: f64,
+}
+
+impl Motion {
+    fn of(row: &Row) -> Self {
+        let number = |column| number(row, column);
+        Self {
+            creepage: ["vx", "vy", "phi"].map(number),
+            force: ["fx", "fy"].map(number),
+            moment: number("mz"),
+        }
+    }
+}
+
+/// A row of cells of the reference: `y`, half length, centre, load over the width.
+#[derive(Clone, Copy, Debug)]
+pub struct Outline {
+    pub y: f64,
+    pub half_length: f64,
+    pub centre_x: f64,
+    pub peak_pressure: f64,
+    pub load: f64,
+}
+
+/// A patch of the reference, in m, N, Pa.
+#[derive(Clone, Debug, Default)]
+pub struct Case {
+    pub name: String,
+    pub family: String,
+    pub rolling_radius: f64,
+    pub load: f64,
+    pub friction: f64,
+    pub shear_modulus: f64,
+    pub poisson_ratio: f64,
+    pub size: f64,
+    pub area: f64,
+    pub peak_pressure: f64,
+    pub approach: f64,
+    pub cell: f64,
+    pub y: Vec<f64>,
+    pub distance: Vec<f64>,
+    pub outline: Vec<Outline>,
+    pub motions: Vec<Motion>,
+}
+
+/// Errors of force, moment; the latter in `μ N c`.
+#[derive(Clone, Debug, Default)]
+pub struct Errors {
+    pub force: Vec<f64>,
+    pub moment: Vec<f64>,
+}
+
+/// Mean, 95th percentile, maximum.
+pub fn statistics(errors: &[f64]) -> [f64; 3] {
+    let mut sorted = errors.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let at = |share: f64| sorted[((sorted.len() - 1) as f64 * share).round() as usize];
+    [errors.iter().sum::<f64>() / errors.len() as f64, at(0.95), at(1.0)]
+}
+
+impl Errors {
+    pub fn extend(&mut self, other: Self) {
+        self.force.extend(other.force);
+        self.moment.extend(other.moment);
+    }
+}
+
+impl Case {
+    pub fn contact(&self) -> ProfileContact<f64> {
+        ProfileContact {
+            rolling_radius: self.rolling_radius,
+            given: Given::Load(self.load),
+            shear_modulus: self.shear_modulus,
+            poisson_ratio: self.poisson_ratio,
+            friction: self.friction,
+            smoothing_length: 0.0,
+        }
+    }
+
+    pub fn patch(&self, count: StripCount) -> (Full, Indentation<f64>) {
+        Full::from_profile(&self.y, &self.distance, &self.contact(), count).unwrap()
+    }
+
+    /// CONTACT's own outline and loads as strips.
+    pub fn reference_patch(&self) -> Full {
+        let strips: Vec<_> = self
+            .outline
+            .iter()
+            .filter(|row| row.half_length > 0.0)
+            .map(|row| PatchStrip {
+                y: row.y,
+                width: self.cell,
+                half_length: row.half_length,
+                centre_x: row.centre_x,
+                peak_pressure: row.peak_pressure,
+                friction: self.friction,
+            })
+            .collect();
+        Full::from_strips(&strips, self.shear_modulus, self.poisson_ratio).unwrap()
+    }
+
+    pub fn creepage(&self, motion: &Motion) -> Creepage<f64> {
+        let unit = self.friction * self.load / (self.shear_modulus * self.size * self.size);
+        let [x, y, spin] = motion.creepage.map(|x| x * unit);
+        Creepage { longitudinal: x, lateral: y, spin: spin / self.size }
+    }
+
+    pub fn errors(&self, patch: &Full, model: Model) -> Errors {
+        let view = patch.view().unwrap();
+        let bound = self.friction * self.load;
+        let mut errors = Errors::default();
+        for motion in &self.motions {
+            let found = solver::solve(&view, &self.creepage(motion), model).unwrap();
+            let [fx, fy] = motion.force;
+            errors.force.push((found.fx / bound - fx).hypot(found.fy / bound - fy));
+            errors.moment.push((found.mz / bound / self.size - motion.moment).abs());
+        }
+        errors
+    }
+}
+
+/// The patches of profiles.
+pub fn profiles() -> Vec<Case> {
+    let mut cases: Vec<Case> = rows("cases.csv")
+        .iter()
+        .map(|row| {
+            let number = |column| number(row, column);
+            Case {
+                name: row["case"].clone(),
+                family: row["family"].clone(),
+                rolling_radius: number("rolling_radius_mm") * 1e-3,
+                load: number("normal_force_N"),
+                friction: number("mu"),
+                shear_modulus: number("G_MPa") * 1e6,
+                poisson_ratio: number("nu"),
+                size: number("c_mm") * 1e-3,
+                area: number("area_mm2") * 1e-6,
+                peak_pressure: number("pmax_MPa") * 1e6,
+                approach: number("approach_mm") * 1e-3,
+                cell: number("dy_mm") * 1e-3,
+                ..Case::default()
+            }
+        })
+        .collect();
+    let index: HashMap<_, _> =
+        cases.iter().enumerate().map(|(i, case)| (case.name.clone(), i)).collect();
+    for row in rows("profiles.csv") {
+        let case = &mut cases[index[&row["case"]]];
+        case.y.push(number(&row, "y_mm") * 1e-3);
+        case.distance.push(number(&row, "h_um") * 1e-6);
+    }
+    for row in rows("outlines.csv") {
+        let case = &mut cases[index[&row["case"]]];
+        let half_length = number(&row, "half_length_mm") * 1e-3;
+        let load = number(&row, "load_N_per_mm") * 1e3;
+        case.outline.push(Outline {
+            y: number(&row, "y_mm") * 1e-3,
+            half_length,
+            centre_x: number(&row, "centre_x_mm") * 1e-3,
+            peak_pressure: load / (std::f64::consts::FRAC_PI_2 * half_length),
+            load,
+        });
+    }
+    for row in rows("forces.csv") {
+        cases[index[&row["case"]]].motions.push(Motion::of(&row));
+    }
+    cases
+}
+
+/// Patches whose strips are given, some with their centres off `x = 0`; a half-ellipse in `x`.
+pub fn given() -> Vec<(Case, Full)> {
+    let mut strips: HashMap<String, Vec<PatchStrip<f64>>> = HashMap::new();
+    for row in rows("given_strips.csv") {
+        let number = |column| number(&row, column);
+        strips.entry(row["case"].clone()).or_default().push(PatchStrip {
+            y: number("y_mm") * 1e-3,
+            width: number("width_mm") * 1e-3,
+            half_length: number("half_length_mm") * 1e-3,
+            centre_x: number("centre_x_mm") * 1e-3,
+            peak_pressure: number("p0_MPa") * 1e6,
+            friction: 0.3,
+        });
+    }
+    let mut cases: Vec<(Case, Full)> = Vec::new();
+    for row in rows("given.csv") {
+        let motion = Motion::of(&row);
+        match cases.iter_mut().find(|(case, _)| case.name == row["case"]) {
+            Some((case, _)) => case.motions.push(motion),
+            None => {
+                let patch = Full::from_strips(&strips[&row["case"]], 82e9, 0.28).unwrap();
+                let case = Case {
+                    name: row["case"].clone(),
+                    family: "given".into(),
+                    load: number(&row, "normal_force_N"),
+                    friction: number(&row, "mu"),
+                    shear_modulus: 82e9,
+                    poisson_ratio: 0.28,
+                    size: number(&row, "c_mm") * 1e-3,
+                    area: number(&row, "area_mm2") * 1e-6,
+                    motions: vec![motion],
+                    ..Case::default()
+                };
+                cases.push((case, patch));
+            }
+        }
+    }
+    cases
+}
+
+/// Friction that varies over `y` on an ellipse.
+pub fn banded(count: StripCount) -> Vec<(Case, Full)> {
+    let mut cases: Vec<(Case, Full)> = Vec::new();
+    for row in rows("banded.csv") {
+        let motion = Motion::of(&row);
+        match cases.iter_mut().find(|(case, _)| case.name == row["case"]) {
+            Some((case, _)) => case.motions.push(motion),
+            None => {
+                let (a, b) = (number(&row, "a_mm") * 1e-3, number(&row, "b_mm") * 1e-3);
+                let contact = Contact {
+                    a,
+                    b,
+                    normal_force: number(&row, "normal_force_N"),
+                    shear_modulus: 82e9,
+                    poisson_ratio: 0.28,
+                    friction: number(&row, "mu_ref"),
+                };
+                let mut patch = Full::from_ellipse(&contact, count).unwrap();
+                for strip in &mut patch.strips {
+                    strip.friction = band(&row["band"], strip.y / b);
+                }
+                let case = Case {
+                    name: row["case"].clone(),
+                    family: row["band"].clone(),
+                    load: contact.normal_force,
+                    friction: contact.friction,
+                    shear_modulus: 82e9,
+                    poisson_ratio: 0.28,
+                    size: (a * b).sqrt(),
+                    motions: vec![motion],
+                    ..Case::default()
+                };
+                cases.push((case, patch));
+            }
+        }
+    }
+    cases
+}
+
+/// Friction at `y/b`.
+fn band(name: &str, y: f64) -> f64 {
+    let pick = |inside: bool, yes, no| if inside { yes } else { no };
+    match name {
+        "half" => pick(y > 0.0, 0.1, 0.4),
+        "middle" => pick(y.abs() < 1.0 / 3.0, 0.08, 0.4),
+        "edge" => pick(y > 0.5, 0.05, 0.4),
+        "linear" => 0.25 + 0.15 * y,
+        "two" => pick(y.abs() > 0.5, 0.1, 0.35),
+        _ => panic!("no such band: {name}"),
+    }
+}

@@ -1,0 +1,59 @@
+//! Patches against CONTACT: outlines, pressures, forces; friction in bands.
+
+use crate::patch_reference::{Case, Errors, Full, banded, given, profiles, statistics};
+
+use kstrip::contact::forces::StripCount;
+use kstrip::solve::model::Model;
+
+/// Mean, 95th percentile and maximum allowed.
+fn assert_below(what: &str, errors: &[f64], allowed: [f64; 3]) {
+    let found = statistics(errors);
+    println!("{what}: {found:.4?}, allowed {allowed:?}");
+    for (found, allowed) in found.into_iter().zip(allowed) {
+        assert!(found <= allowed, "{what}: {found}");
+    }
+}
+
+fn of(cases: &[(Case, Full)], model: Model) -> Errors {
+    let mut all = Errors::default();
+    for (case, patch) in cases {
+        all.extend(case.errors(patch, model));
+    }
+    all
+}
+
+#[test]
+fn patches_of_profiles() {
+    let cases = profiles();
+    for count in [StripCount::Sixteen, StripCount::ThirtyTwo] {
+        let (mut area, mut peak, mut approach) = (Vec::new(), Vec::new(), Vec::new());
+        let mut patches = Vec::new();
+        for case in &cases {
+            let (patch, found) = case.patch(count);
+            area.push((patch.view().unwrap().area() / case.area - 1.0).abs());
+            peak.push((found.peak_pressure / case.peak_pressure - 1.0).abs());
+            approach.push((found.approach / case.approach - 1.0).abs());
+            patches.push((case.clone(), patch));
+        }
+        assert_below("area", &area, [0.03, 0.12, 0.2]);
+        assert_below("peak pressure", &peak, [0.025, 0.1, 0.14]);
+        assert_below("approach", &approach, [0.005, 0.01, 0.04]);
+        let errors = of(&patches, Model::Strip);
+        assert_below("force", &errors.force, [0.014, 0.045, 0.11]);
+        assert_below("moment", &errors.moment, [0.016, 0.06, 0.16]);
+        patches.retain(|(case, _)| case.family == "hertz");
+        assert_below("ellipses", &of(&patches, Model::Strip).force, [0.012, 0.03, 0.04]);
+    }
+}
+
+#[test]
+fn patches_of_given_strips() {
+    assert_below("given", &of(&given(), Model::Strip).force, [0.02, 0.045, 0.045]);
+}
+
+#[test]
+fn friction_in_bands() {
+    for count in [StripCount::Sixteen, StripCount::ThirtyTwo] {
+        assert_below("banded", &of(&banded(count), Model::Strip).force, [0.018, 0.05, 0.07]);
+    }
+}

@@ -1,0 +1,285 @@
+//! Patches from profiles: Hertz's own, load and approach, zones, shapes that do not matter, noise, bad input.
+
+use crate::patch_reference::{Full, profiles};
+use crate::random::Random;
+
+use approx::assert_relative_eq;
+use kstrip::contact::creepage::Creepage;
+use kstrip::contact::forces::StripCount;
+use kstrip::contact::hertz::{Radii, hertz};
+use kstrip::patch::normal::Given;
+use kstrip::patch::profile::{Indentation, ProfileContact};
+use kstrip::patch::{Patch, solver};
+use kstrip::solve::model::Model;
+use kstrip::status::Error;
+
+const SIXTEEN: StripCount = StripCount::Sixteen;
+
+/// A parabola `y²/(2 R)` at `2 n + 1` points.
+fn parabola(radius: f64, half_width: f64, n: i32) -> (Vec<f64>, Vec<f64>) {
+    let y: Vec<f64> = (-n..=n).map(|i| half_width * f64::from(i) / f64::from(n)).collect();
+    let distance = y.iter().map(|y| y * y / (2.0 * radius)).collect();
+    (y, distance)
+}
+
+fn pressed(rolling_radius: f64, load: f64) -> ProfileContact<f64> {
+    ProfileContact {
+        rolling_radius,
+        given: Given::Load(load),
+        shear_modulus: 82e9,
+        poisson_ratio: 0.28,
+        friction: 0.3,
+        smoothing_length: 0.0,
+    }
+}
+
+fn found(y: &[f64], distance: &[f64], contact: &ProfileContact<f64>) -> Indentation<f64> {
+    Full::from_profile(y, distance, contact, SIXTEEN).unwrap().1
+}
+
+/// Paraboloids are Hertz's: semi-axes, pressure, approach, and `dN/dδ = 3 N/(2 δ)`.
+#[test]
+fn paraboloids_are_those_of_hertz() {
+    for (rolling, across) in [(0.46, 0.3), (0.46, 0.46), (0.46, 0.05), (0.46, 3.0), (0.01, 0.5)] {
+        for load in [1.0, 80e3] {
+            let flat = f64::INFINITY;
+            let radii = Radii { lower_x: flat, lower_y: across, upper_x: rolling, upper_y: flat };
+            let exact = hertz(&radii, load, 82e9, 0.28).unwrap();
+            let (y, distance) = parabola(across, 4.0 * exact.b, 200);
+            let (patch, found) =
+                Full::from_profile(&y, &distance, &pressed(rolling, load), SIXTEEN).unwrap();
+            let area = patch.view().unwrap().area();
+            let longest = patch.strips.iter().map(|s| s.half_length).fold(0.0, f64::max);
+            let deviations = [
+                longest / exact.a,
+                area / (std::f64::consts::PI * exact.a * exact.b),
+                found.peak_pressure / exact.peak_pressure,
+                found.approach / exact.approach,
+                found.stiffness * exact.approach / load / 1.5,
+            ]
+            .map(|ratio| 100.0 * (ratio - 1.0));
+            println!("R {rolling} across {across} load {load}: {deviations:.2?} %");
+            assert_eq!(found.peak_y, 0.0);
+            for (deviation, allowed) in deviations.into_iter().zip([4.0, 4.0, 1.5, 1.0, 5.0]) {
+                assert!(deviation.abs() < allowed, "{deviations:?}");
+            }
+        }
+    }
+}
+
+/// The strips carry the load, whatever their number; an approach gives the load that gave it, and `dN/dδ` is the
+/// slope of that.
+#[test]
+fn load_and_approach_are_each_others_inverse() {
+    let cases = profiles();
+    for count in [StripCount::Eight, SIXTEEN, StripCount::ThirtyTwo] {
+        let mut worst = [0.0_f64; 2];
+        for case in &cases {
+            let (patch, by_load) = case.patch(count);
+            assert_relative_eq!(
+                patch.view().unwrap().normal_force(),
+                case.load,
+                max_relative = 1e-12
+            );
+            let at = |approach: f64| {
+                let contact = ProfileContact { given: Given::Approach(approach), ..case.contact() };
+                Full::from_profile(&case.y, &case.distance, &contact, count).unwrap().1
+            };
+            let by_approach = at(by_load.approach);
+            assert_eq!(by_approach.approach, by_load.approach);
+            let step = 0.01 * by_load.approach;
+            let slope = (at(by_load.approach + step).normal_force
+                - at(by_load.approach - step).normal_force)
+                / (2.0 * step);
+            let errors =
+                [by_approach.normal_force / case.load - 1.0, by_approach.stiffness / slope - 1.0];
+            for (worst, error) in worst.iter_mut().zip(errors) {
+                *worst = worst.max(error.abs());
+            }
+            assert!(errors[0].abs() < 0.02 && errors[1].abs() < 0.15, "{} {errors:?}", case.name);
+        }
+        println!("{count:?}: load {:.1e}, stiffness {:.1e}", worst[0], worst[1]);
+    }
+}
+
+/// Refining or shifting the table of points, or lifting all of it, changes nothing but rounding.
+#[test]
+fn a_profile_is_its_shape() {
+    let points = [-9e-3, -6e-3, -4.5e-3, -2e-3, -0.3e-3, 1.1e-3, 2e-3, 4e-3, 5e-3, 7e-3, 9e-3];
+    let heights = [200e-6, 90e-6, 31e-6, 12e-6, 1e-6, 0.0, 16e-6, 25e-6, 33e-6, 100e-6, 300e-6];
+    let contact = ProfileContact { smoothing_length: 4e-3, ..pressed(0.46, 60e3) };
+    let wanted = found(&points, &heights, &contact);
+    let moved: Vec<f64> = points.iter().map(|y| y + 0.7).collect();
+    let lifted: Vec<f64> = heights.iter().map(|z| z - 0.3).collect();
+    let moved = found(&moved, &lifted, &contact);
+    assert_relative_eq!(moved.approach, wanted.approach, max_relative = 1e-8);
+    assert_relative_eq!(moved.peak_y, wanted.peak_y + 0.7, max_relative = 1e-9);
+    assert_relative_eq!(moved.peak_pressure, wanted.peak_pressure, max_relative = 1e-7);
+    // points where they are needed, and many
+    let case = &profiles()[9];
+    let even = case.patch(SIXTEEN).1;
+    let mut random = Random::new(420);
+    let at = |y: f64| {
+        let n = case.y.partition_point(|x| *x < y).clamp(1, case.y.len() - 1);
+        let share = (y - case.y[n - 1]) / (case.y[n] - case.y[n - 1]);
+        case.distance[n - 1] + share * (case.distance[n] - case.distance[n - 1])
+    };
+    for many in [150, 100_000] {
+        let ends = [case.y[0], case.y[case.y.len() - 1]];
+        let mut y: Vec<f64> = (0..many).map(|_| random.between(ends[0], ends[1])).collect();
+        y.extend(ends);
+        y.sort_by(f64::total_cmp);
+        y.dedup();
+        let distance: Vec<f64> = y.iter().map(|y| at(*y)).collect();
+        let uneven = found(&y, &distance, &case.contact());
+        println!("{many} points: {:.1e}", uneven.peak_pressure / even.peak_pressure - 1.0);
+        assert_relative_eq!(uneven.peak_pressure, even.peak_pressure, max_relative = 0.03);
+        assert_relative_eq!(uneven.approach, even.approach, max_relative = 0.01);
+    }
+}
+
+/// Load and approach rise together, also where a second zone of contact comes in.
+#[test]
+fn two_zones_of_contact() {
+    let n = 300;
+    let y: Vec<f64> = (-n..=n).map(|i| 12e-3 * f64::from(i) / f64::from(n)).collect();
+    // a double bottom, the right one 10 µm higher
+    let distance: Vec<f64> = y
+        .iter()
+        .map(|y| f64::min((y + 5e-3).powi(2) / 0.3, (y - 5e-3).powi(2) / 0.2 + 10e-6))
+        .collect();
+    let mut before = 0.0;
+    let mut lobes = Vec::new();
+    for load in [1e2, 1e3, 5e3, 1e4, 2e4, 4e4, 8e4] {
+        let (patch, found) =
+            Full::from_profile(&y, &distance, &pressed(0.46, load), StripCount::ThirtyTwo).unwrap();
+        assert!(found.approach > before, "{load} {found:?}");
+        before = found.approach;
+        let view = patch.view().unwrap();
+        assert_relative_eq!(view.normal_force(), load, max_relative = 1e-12);
+        lobes.push(view.lobes().count());
+    }
+    assert!(lobes.is_sorted() && lobes[0] == 1 && lobes[6] == 2, "{lobes:?}");
+}
+
+/// Noise of 5 µm rms, and one bad point of 20 µm anywhere, change the force by less than 0.02 of `μ N`.
+#[test]
+fn noise_and_bad_points_hardly_matter() {
+    let mut random = Random::new(421);
+    let mut all = Vec::new();
+    for case in profiles() {
+        let clean = case.patch(SIXTEEN).0;
+        for bad in [false, true] {
+            let mut distance = case.distance.clone();
+            if bad {
+                let place = random.between(-5e-3, 5e-3);
+                let i = case.y.partition_point(|y| *y < place);
+                distance[i] += 20e-6 * random.sign();
+            } else {
+                for h in &mut distance {
+                    // twelve uniform numbers make a normal one
+                    let normal: f64 = (0..12).map(|_| random.between(-0.5, 0.5)).sum();
+                    *h += 5e-6 * normal;
+                }
+            }
+            let (patch, _) =
+                Full::from_profile(&case.y, &distance, &case.contact(), SIXTEEN).unwrap();
+            let mut worst = 0.0_f64;
+            for motion in &case.motions {
+                let forces = [&clean, &patch].map(|patch| {
+                    let view = patch.view().unwrap();
+                    let found = solver::solve(&view, &case.creepage(motion), Model::Strip).unwrap();
+                    [found.fx, found.fy].map(|force| force / (case.friction * case.load))
+                });
+                let [clean, noisy] = forces;
+                worst = worst.max((clean[0] - noisy[0]).hypot(clean[1] - noisy[1]));
+            }
+            println!("{} {}: {worst:.4}", case.name, if bad { "bad point" } else { "noise" });
+            all.push(worst);
+        }
+    }
+    let largest = all.iter().copied().fold(0.0, f64::max);
+    assert!(largest < 0.02, "{largest}");
+}
+
+#[test]
+fn bad_profiles_are_named() {
+    let (y, distance) = parabola(0.3, 0.03, 20);
+    let good = pressed(0.46, 80e3);
+    let of = |y: &[f64], distance: &[f64], contact: &ProfileContact<f64>| {
+        Patch::<f64, 32>::from_profile(y, distance, contact, SIXTEEN).map(|_| ())
+    };
+    assert_eq!(of(&y, &distance, &good), Ok(()));
+    assert_eq!(of(&y[..2], &distance[..2], &good), Err(Error::Profile));
+    assert_eq!(of(&[], &[], &good), Err(Error::Profile));
+    assert_eq!(of(&y, &distance[1..], &good), Err(Error::Profile));
+    let mut back = y.clone();
+    back[5] = back[4];
+    assert_eq!(of(&back, &distance, &good), Err(Error::Profile));
+    for bad in [f64::NAN, f64::INFINITY] {
+        let mut torn = distance.clone();
+        torn[7] = bad;
+        assert_eq!(of(&y, &torn, &good), Err(Error::NotFinite));
+        for contact in [
+            pressed(bad, 80e3),
+            pressed(0.46, bad),
+            ProfileContact { friction: bad, ..good },
+            ProfileContact { given: Given::Approach(bad), ..good },
+            ProfileContact { smoothing_length: bad, ..good },
+        ] {
+            assert_eq!(of(&y, &distance, &contact), Err(Error::NotFinite));
+        }
+    }
+    for bad in [0.0, -0.46] {
+        assert_eq!(of(&y, &distance, &pressed(bad, 80e3)), Err(Error::RollingRadius));
+    }
+    assert_eq!(of(&y, &distance, &pressed(0.46, -1.0)), Err(Error::NormalForce));
+    for (contact, error) in [
+        (ProfileContact { friction: -1.0, ..good }, Error::Friction),
+        (ProfileContact { shear_modulus: 0.0, ..good }, Error::Modulus),
+        (ProfileContact { poisson_ratio: 0.7, ..good }, Error::PoissonRatio),
+        (ProfileContact { smoothing_length: -1e-3, ..good }, Error::SmoothingLength),
+    ] {
+        assert_eq!(of(&y, &distance, &contact), Err(error));
+    }
+    // Too little profile for the load, its deepest point at the end, or flat
+    let (narrow, low) = parabola(0.3, 2e-3, 20);
+    assert_eq!(of(&narrow, &low, &good), Err(Error::ProfileEnd));
+    assert_eq!(of(&y[20..], &distance[20..], &good), Err(Error::ProfileEnd));
+    assert_eq!(of(&y, &vec![0.0; 41], &good), Err(Error::ProfileEnd));
+    let few = Patch::<f64, 8>::from_profile(&y, &distance, &good, SIXTEEN);
+    assert_eq!(few.map(|_| ()), Err(Error::PatchSize));
+    // No load, no approach: no strips
+    for given in [Given::Load(0.0), Given::Approach(0.0), Given::Approach(-1e-5)] {
+        let contact = ProfileContact { given, ..good };
+        let (empty, found) = Full::from_profile(&y, &distance, &contact, SIXTEEN).unwrap();
+        assert!(empty.strips.is_empty() && found.normal_force == 0.0, "{found:?}");
+        let rest = Creepage { longitudinal: 1e-3, lateral: 0.0, spin: 0.0 };
+        assert_eq!(solver::solve(&empty.view().unwrap(), &rest, Model::Strip).unwrap().fx, 0.0);
+    }
+}
+
+/// Single precision to its rounding.
+#[test]
+fn profiles_in_single_precision() {
+    for case in profiles() {
+        let narrow = |list: &[f64]| -> Vec<f32> { list.iter().map(|x| *x as f32).collect() };
+        let contact = ProfileContact {
+            rolling_radius: case.rolling_radius as f32,
+            given: Given::Load(case.load as f32),
+            shear_modulus: case.shear_modulus as f32,
+            poisson_ratio: case.poisson_ratio as f32,
+            friction: case.friction as f32,
+            smoothing_length: 0.0,
+        };
+        let (y, distance) = (narrow(&case.y), narrow(&case.distance));
+        let (patch, found) =
+            Patch::<f32, 64>::from_profile(&y, &distance, &contact, SIXTEEN).unwrap();
+        let wanted = case.patch(SIXTEEN).1;
+        let load = f64::from(patch.view().unwrap().normal_force());
+        assert_relative_eq!(load, case.load, max_relative = 1e-4);
+        let (peak, approach) = (f64::from(found.peak_pressure), f64::from(found.approach));
+        assert_relative_eq!(peak, wanted.peak_pressure, max_relative = 1e-2);
+        assert_relative_eq!(approach, wanted.approach, max_relative = 1e-3);
+    }
+}
