@@ -32,7 +32,7 @@ const BINS: usize = 256;
 /// Strips of the coarse lattice, and corrections of the lengths on it and on the fine one.
 const COARSE: u32 = 12;
 const COARSE_STEPS: usize = 1;
-const FINE_STEPS: usize = 2;
+const FINE_STEPS: usize = 1;
 /// Places of the lattice on either side of its middle at most.
 const PLACES: i32 = 1000;
 

@@ -10,10 +10,14 @@
 //!   gives the strip the creepages of its `Y` and `Π = (μ p₀)_strip/(μ p₀)`. A strip whose
 //!   centre is moved by `x_c` is solved with what is seen for the lateral creepage there.
 //!
-//! [`Model::Total`] and [`Model::Linear`] know ellipses only. The linear theory of a patch is the derivative of
+//! * [`Model::Total`]: a strip carries its share, by friction bound, of what the ellipse of its zone carries at the creepage of
+//!   its own centre. Cheap and smooth; strips and fields are not known.
+//!
+//! [`Model::Linear`] knows ellipses only. The linear theory of a patch is the derivative of
 //! [`Model::Strip`] at zero creepage: [`solve_jacobian`].
 
 use crate::contact::creepage::{Creepage, Parameters};
+use crate::contact::forces::Totals;
 use crate::linear::LinearCoefficients;
 use crate::number::dual::Dual;
 use crate::number::{Float, Real};
@@ -24,6 +28,7 @@ use crate::solve::model::{Jacobian, Model, Precision, Solution, StripResult, rol
 use crate::status::{Error, Notice};
 use crate::strip::{Carried, Law as StripLaw, Prepared, Seen, StripGeometry, four_strips};
 use crate::strip_1967::strip::{Regime, SlidingRule, State, Strip, StripPoint};
+use crate::total;
 use nalgebra::Matrix3;
 
 /// Share `Π` of the friction bound below which a strip is treated as one with this share: the squares of what it
@@ -103,7 +108,7 @@ impl<'a, F: Precision> Problem<'a, F> {
         model: Model,
     ) -> Result<Self, Error> {
         creepage.check()?;
-        if matches!(model, Model::Total | Model::Linear) {
+        if model == Model::Linear {
             return Err(Error::NotInModel);
         }
         let reach = reach(view);
@@ -117,6 +122,18 @@ impl<'a, F: Precision> Problem<'a, F> {
         }
     }
 
+    /// For a model that knows what a strip carries.
+    fn with_strips(
+        view: &'a PatchView<'a, F>,
+        creepage: &'a Creepage<F>,
+        model: Model,
+    ) -> Result<Self, Error> {
+        if model == Model::Total {
+            return Err(Error::NotInModel);
+        }
+        Self::new(view, creepage, model)
+    }
+
     fn notice(&self) -> Notice {
         let beyond = |psi: F| psi.abs() >= F::one();
         let outside = |parameters: &Parameters<F>| {
@@ -127,7 +144,7 @@ impl<'a, F: Precision> Problem<'a, F> {
         };
         let mut loaded =
             self.view.strips().iter().filter(|strip| strip.friction_bound() > F::zero());
-        if self.model == Model::Strip {
+        if matches!(self.model, Model::Strip | Model::Total) {
             let view = self.view;
             let ellipses = if view.is_one_zone() { 1 } else { view.strips().len() };
             let mut zones = (0..ellipses)
@@ -150,6 +167,8 @@ impl<'a, F: Precision> Problem<'a, F> {
     ) {
         if self.model == Model::Strip {
             self.rolling_shares(creepage, visit);
+        } else if self.model == Model::Total {
+            self.elliptic_shares(creepage, visit);
         } else {
             for strip in self.view.strips() {
                 visit(strip, self.theory_share(strip, creepage));
@@ -207,6 +226,43 @@ impl<'a, F: Precision> Problem<'a, F> {
         Prepared::new(axis_ratio, poisson_ratio, &linear, factors).see(parameters.normalised())
     }
 
+    /// Every strip's share of what the ellipse of its zone carries.
+    #[inline(never)]
+    fn elliptic_shares<T: Real<Base = F>>(
+        &self,
+        creepage: &Creepage<T>,
+        visit: &mut impl FnMut(&PatchStrip<F>, Share<T>),
+    ) {
+        let one_zone = self.view.is_one_zone();
+        let mut solved: Option<(Zone<F>, Totals<T>)> = None;
+        for (i, strip) in self.view.strips().iter().enumerate() {
+            let (zone, totals) = match solved {
+                Some(solved) if one_zone => solved,
+                _ => {
+                    let Some(zone) = self.view.zone(i) else { return };
+                    match solved {
+                        Some((last, totals)) if zone.is(&last) => (last, totals),
+                        _ => (zone, Self::elliptic_totals(&zone, creepage)),
+                    }
+                }
+            };
+            solved = Some((zone, totals));
+            let bound = strip.friction_bound();
+            let (fx, fy) = (totals.fx.scale(bound), totals.fy.scale(bound));
+            let size = (zone.contact.a * zone.contact.b).sqrt();
+            // Mz = ∫ (x Y − y X)
+            let mz = totals.mz.scale(bound * size) + fy.scale(zone.x) - fx.scale(zone.y);
+            visit(strip, Share { fx, fy, mz, stick: -F::one(), adheres: false });
+        }
+    }
+
+    fn elliptic_totals<T: Real<Base = F>>(zone: &Zone<F>, creepage: &Creepage<T>) -> Totals<T> {
+        let parameters = Parameters::new(&zone.contact, &creepage_at(creepage, zone.x, zone.y));
+        let Parameters { axis_ratio, poisson_ratio, .. } = parameters;
+        let linear = LinearCoefficients::at(axis_ratio, poisson_ratio);
+        total::Prepared::new(axis_ratio, poisson_ratio, &linear).totals(parameters.normalised())
+    }
+
     fn rolling_shares<T: Real<Base = F>>(
         &self,
         creepage: &Creepage<T>,
@@ -257,7 +313,7 @@ fn geometry<F: Float>(
     strip: &PatchStrip<F>,
     mean_width: F,
 ) -> StripGeometry<F> {
-    let Zone { y, contact } = zone;
+    let Zone { y, contact, .. } = zone;
     // Π = (μ p₀)_strip/(μ p₀)
     let whole = contact.friction * contact.peak_pressure();
     let bound = strip.friction * strip.peak_pressure;
@@ -300,7 +356,9 @@ impl<F: Precision> Problem<'_, F> {
             fy,
             mz,
             power: self.creepage.power([fx, fy, mz]),
-            adhesion: if area > F::zero() {
+            adhesion: if self.model == Model::Total {
+                -F::one()
+            } else if area > F::zero() {
                 (stick / area).clamped(F::zero(), F::one())
             } else {
                 F::zero()
@@ -314,7 +372,7 @@ impl<F: Precision> Problem<'_, F> {
 /// Forces of a patch; the moment is about the origin of its coordinates, `|F| ≤ Σ μ N`.
 ///
 /// # Errors
-/// [`Error::NotFinite`]; [`Error::NotInModel`] for [`Model::Total`] and [`Model::Linear`];
+/// [`Error::NotFinite`]; [`Error::NotInModel`] for [`Model::Linear`];
 /// [`Error::Overflow`] when a force or the power does not fit the floating-point type.
 ///
 /// # Example
@@ -374,14 +432,14 @@ pub fn solve_jacobian<F: Precision>(
 /// [`solve`].
 ///
 /// # Errors
-/// Those of [`solve`].
+/// Those of [`solve`]; [`Error::NotInModel`] for [`Model::Total`].
 pub fn strips<F: Precision>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
     model: Model,
     visit: &mut impl FnMut(StripResult<F>),
 ) -> Result<Notice, Error> {
-    let problem = Problem::new(patch, creepage, model)?;
+    let problem = Problem::with_strips(patch, creepage, model)?;
     problem.shares(creepage, &mut |strip, share: Share<F>| {
         let Share { fx, fy, mz, stick, adheres } = share;
         visit(StripResult {
@@ -438,7 +496,7 @@ impl<'a, F: Precision> PatchField<'a, F> {
         creepage: &'a Creepage<F>,
         model: Model,
     ) -> Result<Self, Error> {
-        let problem = Problem::new(patch, creepage, model)?;
+        let problem = Problem::with_strips(patch, creepage, model)?;
         Ok(Self { problem, notice: problem.notice() })
     }
 

@@ -8,7 +8,7 @@
 //! `∫ C² l² dY/∫ C² dY = (4/5) a²`, so
 //!
 //! ```text
-//! a² = (5/4) Σ N l²/Σ N,   π a b = area,   y₀ = Σ N y/Σ N,   μ = Σ μ N/Σ N
+//! a² = (5/4) Σ N l²/Σ N,   π a b = area,   (x₀, y₀) = Σ N (x, y)/Σ N,   μ = Σ μ N/Σ N
 //! ```
 
 use crate::contact::Contact;
@@ -26,7 +26,9 @@ const GAP: f64 = 2.0;
 /// The ellipse that stands for a strip's zone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Zone<F> {
-    /// `y` \[m\] of its centre.
+    /// `x` \[m\] of its centre.
+    pub x: F,
+    /// `y` \[m\].
     pub y: F,
     /// The ellipse.
     pub contact: Contact<F>,
@@ -38,7 +40,8 @@ struct Sums<F> {
     load: F,
     bound: F,
     square: F,
-    place: F,
+    /// `x` and `y`
+    centre: [F; 2],
     area: F,
 }
 
@@ -49,7 +52,9 @@ impl<F: Float> Sums<F> {
         self.load += load;
         self.bound += load * strip.friction;
         self.square += load * (strip.half_length / unit).squared();
-        self.place += load * strip.y;
+        let [x, y] = &mut self.centre;
+        *x += load * strip.centre_x;
+        *y += load * strip.y;
         self.area += strip.half_length.times(2.0) * strip.width * weight;
     }
 }
@@ -92,6 +97,7 @@ impl<F: Float> Zone<F> {
             && near(one.b, two.b, one.b)
             && near(one.normal_force, two.normal_force, one.normal_force)
             && near(one.friction, two.friction, one.friction)
+            && near(self.x, other.x, self.x.abs() + one.a)
             && near(self.y, other.y, self.y.abs() + one.b)
     }
 }
@@ -113,7 +119,8 @@ impl<F: Float> PatchView<'_, F> {
         let (before, rest) = strips.split_at_checked(number)?;
         let (own, after) = rest.split_first()?;
         let zero = F::zero();
-        let mut sums = Sums { load: zero, bound: zero, square: zero, place: zero, area: zero };
+        let mut sums =
+            Sums { load: zero, bound: zero, square: zero, centre: [zero; 2], area: zero };
         let unit = own.half_length;
         sums.add(own, unit, F::one());
         let (mut walk, mut last) = (Walk::new(own), own);
@@ -126,7 +133,7 @@ impl<F: Float> PatchView<'_, F> {
             sums.add(strip, unit, walk.pass(last, strip));
             last = strip;
         }
-        let Sums { load, bound, square, place, area } = sums;
+        let Sums { load, bound, square, centre: [x, y], area } = sums;
         let loaded = load > zero;
         let mean = |sum: F, own: F| if loaded { sum / load } else { own };
         let a = unit * mean(square, F::one()).times(1.25).sqrt();
@@ -138,6 +145,6 @@ impl<F: Float> PatchView<'_, F> {
             poisson_ratio: self.poisson_ratio(),
             friction: mean(bound, own.friction),
         };
-        Some(Zone { y: mean(place, own.y), contact })
+        Some(Zone { x: mean(x, own.centre_x), y: mean(y, own.y), contact })
     }
 }

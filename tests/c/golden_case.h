@@ -164,7 +164,7 @@ static kstrip_status NAME(build)(uint64_t *hash, uint32_t i, const NAME(kstrip_c
         status = NAME(kstrip_patch_from_profile)(y, distance, 33, &load, patch, &found);
         if (status >= 0) {
             const REAL numbers[4] = {found.approach, found.peak_pressure, found.normal_force,
-                                     found.deepest_y};
+                                     found.peak_y};
             NAME(add_all)(hash, numbers, 4);
             *hash = mixed(*hash, found.iterations);
         }

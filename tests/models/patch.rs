@@ -612,8 +612,10 @@ fn bad_patches_are_named() {
     let patch = Full::from_strips(&[good], 82e9, 0.28).unwrap();
     let view = patch.view().unwrap();
     let rest = Creepage::default();
+    assert_eq!(solver::solve(&view, &rest, Model::Linear), Err(Error::NotInModel));
     for model in [Model::Total, Model::Linear] {
-        assert_eq!(solver::solve(&view, &rest, model), Err(Error::NotInModel));
+        let strips = solver::strips(&view, &rest, model, &mut |_| ());
+        assert_eq!(strips, Err(Error::NotInModel));
         assert!(PatchField::new(&view, &rest, model).is_err());
     }
     let bad = Creepage { spin: f64::NAN, ..rest };

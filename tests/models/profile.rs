@@ -283,3 +283,38 @@ fn profiles_in_single_precision() {
         assert_relative_eq!(approach, wanted.approach, max_relative = 1e-3);
     }
 }
+
+/// Zones that appear, grow, touch and merge: the forces follow the load without a jump.
+#[test]
+fn zones_merge_without_a_jump() {
+    let n = 1000;
+    let y: Vec<f64> = (-n..=n).map(|i| 20e-3 * f64::from(i) / f64::from(n)).collect();
+    let distance: Vec<f64> =
+        y.iter().map(|y| 70e-6 * ((y / 4.5e-3).powi(2) - 1.0).powi(2)).collect();
+    let motion = Creepage { longitudinal: 3e-4, lateral: 5e-4, spin: 0.1 };
+    for model in [Model::Strip, Model::Total] {
+        let forces = |load: f64| {
+            let contact = ProfileContact { smoothing_length: 1e-3, ..pressed(0.46, load) };
+            let (patch, _) = Full::from_profile(&y, &distance, &contact, SIXTEEN).unwrap();
+            let view = patch.view().unwrap();
+            let found = solver::solve(&view, &motion, model).unwrap();
+            ([found.fx / (0.3 * load), found.fy / (0.3 * load)], view.lobes().count())
+        };
+        let (mut load, mut last) = (60e3, None);
+        let (mut largest, mut apart, mut whole) = (0.0_f64, 0, 0);
+        while load < 260e3 {
+            let (force, lobes) = forces(load);
+            if let Some([x, y]) = last {
+                let [fx, fy]: [f64; 2] = force;
+                largest = largest.max((fx - x).hypot(fy - y));
+            }
+            apart += i32::from(lobes == 2);
+            whole += i32::from(lobes == 1);
+            last = Some(force);
+            load *= 1.0 + 1e-3;
+        }
+        println!("{model:?}: largest step {largest:.1e}; {apart} in two zones, {whole} in one");
+        assert!(apart > 100 && whole > 100, "{apart} {whole}");
+        assert!(largest < 5e-3, "{model:?} {largest}");
+    }
+}

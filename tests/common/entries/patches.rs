@@ -130,9 +130,9 @@ fn patch_from_profile(bytes: &mut Bytes) {
     if answered(status, untouched(&out) && untouched(&found)) {
         assert!(given.all(2));
         let (patch, found) = (written(&out), written(&found));
-        let numbers = [found.penetration, found.peak_pressure, found.normal_force];
+        let numbers = [found.approach, found.peak_pressure, found.normal_force];
         assert!(finite(&numbers) && numbers.iter().all(|&x| x >= 0.0), "{found:?}");
-        assert!(found.deepest_y.is_finite() && found.iterations <= 60, "{found:?}");
+        assert!(found.peak_y.is_finite() && found.iterations <= 60, "{found:?}");
         let load = f64::from(accepted(&patch).normal_force);
         let reached = f64::from(found.normal_force);
         // (far fewer digits are lost unless the numbers are at the ends of their range; tests/models/patch.rs asks for them)
