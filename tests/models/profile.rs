@@ -300,12 +300,12 @@ fn zones_merge_without_a_jump() {
             let found = solver::solve(&view, &motion, model).unwrap();
             ([found.fx / (0.3 * load), found.fy / (0.3 * load)], view.lobes().count())
         };
-        let (mut load, mut last) = (60e3, None);
+        let (mut load, mut last) = (60e3, None::<[f64; 2]>);
         let (mut largest, mut apart, mut whole) = (0.0_f64, 0, 0);
         while load < 260e3 {
             let (force, lobes) = forces(load);
             if let Some([x, y]) = last {
-                let [fx, fy]: [f64; 2] = force;
+                let [fx, fy] = force;
                 largest = largest.max((fx - x).hypot(fy - y));
             }
             apart += i32::from(lobes == 2);
