@@ -383,6 +383,8 @@ fn derivatives_without_load_or_friction_are_those_of_sliding() {
 fn derivatives_in_full_sliding() {
     let c = contact(0.7, 0.3);
     for model in [Model::Strip1967, Model::Strip1967Continuous, Model::Strip, Model::Total] {
+        // (STRIP comes to full sliding in the limit)
+        let slack = if model == Model::Strip { 3e-8 } else { 1e-12 };
         for (vx, vy) in [(0.3, 0.0), (0.0, -0.3)] {
             let m = Creepage { longitudinal: vx, lateral: vy, spin: 0.0 };
             let (_, d) = derivatives::solve(&c, &m, &options(model, StripCount::Sixteen)).unwrap();
@@ -390,9 +392,9 @@ fn derivatives_in_full_sliding() {
                 [vx.signum() * f64::from(vx != 0.0), vy.signum() * f64::from(vy != 0.0)];
             for (i, direction) in direction.into_iter().enumerate() {
                 let off = (d.normal_force[i] - c.friction * direction).abs();
-                assert!(off < 1e-8, "{model:?} {off:e}");
-                assert!((d.friction[i] / c.normal_force - direction).abs() < 1e-12);
-                assert!((d.load_through_hertz[i] - c.friction * direction).abs() < 1e-12);
+                assert!(off < slack, "{model:?} {off:e}");
+                assert!((d.friction[i] / c.normal_force - direction).abs() < slack);
+                assert!((d.load_through_hertz[i] - c.friction * direction).abs() < slack);
             }
         }
     }
