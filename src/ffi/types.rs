@@ -6,6 +6,7 @@ use crate::patch::PatchStrip;
 use crate::solve::derivatives::{Derivatives, LawDerivatives};
 use crate::solve::model::{Solution, StripResult};
 use crate::solve::motion::MotionDerivatives;
+use core::mem::MaybeUninit;
 
 /// Which model, and with how many strips. All zero is the default.
 #[repr(C)]
@@ -160,10 +161,10 @@ pub struct BatchOutputs<F> {
 /// A contact of which everything that does not depend on the motion has been computed. Filled by kstrip_prepare(); plain
 /// numbers without pointers, to be copied and kept as the caller likes, for this version of the library only.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PreparedNumbers<F> {
+#[derive(Clone, Copy, Debug)]
+pub struct PreparedNumbers<F: Copy> {
     /// Not for use.
-    pub numbers: [F; 64],
+    pub numbers: MaybeUninit<[F; 96]>,
     /// The model; 0: nothing prepared.
     pub model: i32,
     /// The strip count.
