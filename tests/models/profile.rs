@@ -321,7 +321,7 @@ fn zones_merge_without_a_jump() {
             last = Some((both, approach));
             load *= 1.0 + 1e-3;
         }
-        println!("crest {crest}: largest steps {steps:.1e}");
+        println!("crest {crest}: largest steps {steps:?}");
         assert_eq!(seen, zones);
         assert!(steps[0] < 3e-3 && steps[1] < 1.5e-3 && steps[2] < 1.5e-3, "{steps:?}");
         // 1 N more than 153826 N: 0.17 of μ N where zones merge into one with another ellipse at once
