@@ -212,7 +212,7 @@ def row_weights(data):
     w = np.where(data["err"] < 0.1, w, np.where(data["err"] < 0.15, 0.5, 0.03) / np.sqrt(rigid_slip.spin_moment(data["g"])))
     # a little spin beside a creepage: the slope over spin is seen there only
     u, spin = np.hypot(data["c"][:, 0] * data["v"][:, 0], data["c"][:, 1] * data["v"][:, 1]), abs(data["c"][:, 2] * data["v"][:, 2])
-    w = w * np.where((u > 0.3) & (u < 4) & (spin < 0.4) & ((spin > 0) | (data["g"] > 5)), np.where(spin < 0.15, 1.6, 1.25), 1.0)
+    w = w * np.where((u > 0.3) & (u < 4) & (spin < 0.4) & ((spin > 0) | (data["g"] > 5)), np.where(spin < 0.15, 1.8, 1.4), 1.0)
     # spin against a lateral creepage in a long contact: the force turns over within the patch
     opposed = (data["g"] > 3) & (data["c"][:, 1] * data["v"][:, 1] < -0.3) & (spin > 0.3)
     w = w * np.where(opposed, 1.5, 1.0)

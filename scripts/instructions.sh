@@ -2,7 +2,7 @@
 # Instructions per call of the C interface, counted by callgrind (valgrind), which are the same in every run of one
 # build, however busy the machine is.
 #
-#   scripts/instructions.sh          writes benches/instructions.txt and the table in README.md
+#   scripts/instructions.sh          writes benches/instructions.txt and the tables in docs/instructions.md
 #   scripts/instructions.sh --check  fails when a count has grown by more than 3 %
 #
 # Counts depend on the compiler. When it is not the one that is named in the file, --check prints the differences
@@ -81,7 +81,7 @@ table=$(awk '
 awk -v table="$table" '
     /<!-- instructions:begin -->/ { print; print table; skip = 1 }
     /<!-- instructions:end -->/ { skip = 0 }
-    !skip' README.md > README.md.new && mv README.md.new README.md
+    !skip' docs/instructions.md > docs/instructions.new && mv docs/instructions.new docs/instructions.md
 echo "$table"
 
 # What kstrip_evaluate() costs for each kind of motion and each choice of what is wanted.
@@ -105,5 +105,5 @@ choices=$(awk '
 awk -v table="$choices" '
     /<!-- wanted:begin -->/ { print; print table; skip = 1 }
     /<!-- wanted:end -->/ { skip = 0 }
-    !skip' README.md > README.md.new && mv README.md.new README.md
+    !skip' docs/instructions.md > docs/instructions.new && mv docs/instructions.new docs/instructions.md
 echo "$choices"

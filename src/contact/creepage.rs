@@ -178,6 +178,7 @@ fn back<F: Plain>(poisson_ratio: F, axis_ratio: F) -> [F; 2] {
 }
 
 /// What turns the creepages of one contact into Kalker's parameters (5.13).
+#[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Units<F> {
     /// Semi-axis `a`

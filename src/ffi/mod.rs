@@ -16,6 +16,7 @@
 #![allow(rustdoc::broken_intra_doc_links)]
 
 mod arrays;
+mod prepared;
 mod support;
 
 pub mod batch;

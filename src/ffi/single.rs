@@ -170,7 +170,7 @@ pub extern "C" fn kstrip_prepare_f32(
     answer(|| {
         let (contact, prepared) = (given(contact)?, given(prepared)?);
         let options = for_forces(options)?;
-        prepared.write(PreparedNumbers::of(contact, &options)?);
+        prepared.write(PreparedNumbers::of(&Prepared::new(contact, &options)?));
         Ok(Notice::None)
     })
 }
@@ -184,7 +184,7 @@ pub extern "C" fn kstrip_solve_prepared_f32(
 ) -> kstrip_status {
     answer(|| {
         let (prepared, creepage, result) = (given(prepared)?, given(creepage)?, given(result)?);
-        let solution = prepared.solve(creepage)?;
+        let solution = prepared.restored()?.solve(creepage)?;
         let notice = solution.notice;
         result.write(solution);
         Ok(notice)

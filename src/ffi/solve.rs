@@ -77,7 +77,7 @@ pub extern "C" fn kstrip_prepare(
     answer(|| {
         let (contact, prepared) = (given(contact)?, given(prepared)?);
         let options = for_forces(options)?;
-        prepared.write(PreparedNumbers::of(contact, &options)?);
+        prepared.write(PreparedNumbers::of(&Prepared::new(contact, &options)?));
         Ok(Notice::None)
     })
 }
@@ -96,7 +96,7 @@ pub extern "C" fn kstrip_solve_prepared(
 ) -> kstrip_status {
     answer(|| {
         let (prepared, creepage, result) = (given(prepared)?, given(creepage)?, given(result)?);
-        let solution = prepared.solve(creepage)?;
+        let solution = prepared.restored()?.solve(creepage)?;
         let notice = solution.notice;
         result.write(solution);
         Ok(notice)
@@ -365,25 +365,4 @@ pub(super) fn solve_motion<F: Precision>(
     put(places.result, solution);
     put(places.friction, friction);
     Ok(solution.notice)
-}
-
-impl<F: Precision> PreparedNumbers<F> {
-    pub(super) fn of(contact: &Contact<F>, options: &Options) -> Result<Self, Error> {
-        contact.check()?;
-        let mut numbers = [F::zero(); 64];
-        let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction } = *contact;
-        let own = [a, b, normal_force, shear_modulus, poisson_ratio, friction];
-        for (place, number) in numbers.iter_mut().zip(own) {
-            *place = number;
-        }
-        Ok(Self { numbers, model: options.model as i32, strips: options.strips as i32 })
-    }
-
-    pub(super) fn solve(&self, creepage: &Creepage<F>) -> Result<Solution<F>, Error> {
-        let [a, b, normal_force, shear_modulus, poisson_ratio, friction, ..] = self.numbers;
-        let contact = Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction };
-        let model = Model::from_number(self.model).ok_or(Error::NotPrepared)?;
-        let strips = strip_count(self.strips).map_err(|_| Error::NotPrepared)?;
-        model::solve(&contact, creepage, &Options { model, strips })
-    }
 }

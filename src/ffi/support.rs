@@ -20,6 +20,7 @@ pub(super) use crate::solve::model::{
     self, Field, Model, Options, Precision, Solution, StripResult,
 };
 pub(super) use crate::solve::motion::{self, Motion, MotionDerivatives};
+pub(super) use crate::solve::prepared::Prepared;
 pub(super) use crate::status::{Error, Notice};
 pub(super) use core::mem::MaybeUninit;
 

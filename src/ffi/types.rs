@@ -6,6 +6,7 @@ use crate::patch::PatchStrip;
 use crate::solve::derivatives::{Derivatives, LawDerivatives};
 use crate::solve::model::{Solution, StripResult};
 use crate::solve::motion::MotionDerivatives;
+use core::mem::MaybeUninit;
 
 /// Which model, and with how many strips. All zero is the default.
 #[repr(C)]
@@ -160,10 +161,10 @@ pub struct BatchOutputs<F> {
 /// A contact of which everything that does not depend on the motion has been computed. Filled by kstrip_prepare(); plain
 /// numbers without pointers, to be copied and kept as the caller likes, for this version of the library only.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PreparedNumbers<F> {
+#[derive(Clone, Copy, Debug)]
+pub struct PreparedNumbers<F: Copy> {
     /// Not for use.
-    pub numbers: [F; 64],
+    pub numbers: MaybeUninit<[F; 96]>,
     /// The model; 0: nothing prepared.
     pub model: i32,
     /// The strip count.
@@ -223,8 +224,8 @@ pub struct ProfileOptions<F> {
     pub normal_force: F,
     /// Approach of distant points of the bodies [m], >= 0; only where normal_force is 0.
     pub approach: F,
-    /// Length over which the profile is smoothed [m], >= 0; 0: 0.75 of the patch's approximate half length, 5 mm between
-    /// a wheel and a rail.
+    /// Length over which the profile is smoothed [m], >= 0; 0: by its noise, 0.5 to 1.25 of the patch's approximate half
+    /// length (3.5 to 8.5 mm between a wheel and a rail).
     pub smoothing_length: F,
     /// Combined shear modulus G [Pa], > 0.
     pub shear_modulus: F,

@@ -76,13 +76,36 @@ pub(crate) struct Cells<F> {
     pub modulus: F,
 }
 
-/// What one strip does to all, per unit of its pressure: `a A/(π E*)` and `C/(a π E*)`, and the derivatives of both by `a`.
-struct Column<F> {
-    deflection: [F; CELLS],
-    curvature: [F; CELLS],
-    deflection_slope: [F; CELLS],
-    curvature_slope: [F; CELLS],
+/// What one strip does to another, per unit of its pressure: `a A/(π E*)` and `C/(a π E*)`, and the derivatives of both by
+/// `a`.
+#[derive(Clone, Copy)]
+struct Influence<F> {
+    deflection: F,
+    curvature: F,
+    deflection_slope: F,
+    curvature_slope: F,
 }
+
+/// What one strip does to all.
+struct Column<F> {
+    on: [Influence<F>; CELLS],
+    known: bool,
+}
+
+impl<F: Float> Column<F> {
+    fn unknown() -> Self {
+        let zero = F::zero();
+        let none = Influence {
+            deflection: zero,
+            curvature: zero,
+            deflection_slope: zero,
+            curvature_slope: zero,
+        };
+        Self { on: [none; CELLS], known: false }
+    }
+}
+
+type Columns<F> = Vec<Column<F>, CELLS>;
 
 /// Equations for the pressures of the strips that touch.
 type Rows<F> = Vec<[F; CELLS], CELLS>;
@@ -105,13 +128,17 @@ impl<F: Float> Cells<F> {
 
     /// The pressures after so many corrections of the lengths; the approach.
     pub(crate) fn solve(&mut self, given: Given<F>, steps: usize) -> Moving<F> {
-        for _ in 0..steps {
-            let columns = self.columns();
-            self.press(given, &columns);
-            self.correct(&columns);
+        let mut columns: Columns<F> = Vec::new();
+        for _ in &self.list {
+            // (room for as many columns as cells)
+            let _ = columns.push(Column::unknown());
         }
-        let columns = self.columns();
-        self.press(given, &columns)
+        for _ in 0..steps {
+            self.press(given, &mut columns);
+            self.correct(&columns);
+            columns.iter_mut().for_each(|column| column.known = false);
+        }
+        self.press(given, &mut columns)
     }
 
     /// `Σ (π/2) a w p`
@@ -125,13 +152,28 @@ impl<F: Float> Cells<F> {
         sum
     }
 
+    /// Mean pressure over mean half length \[Pa/m\], weighted with the load.
+    pub(crate) fn mean_slope(&self) -> F {
+        let (mut sum, mut weight) = (F::zero(), F::TINY);
+        for cell in self.list.iter().filter(|cell| cell.touches) {
+            let (a, p) = (cell.half_length.value, cell.pressure.value);
+            sum += a * p * p;
+            weight += a * p * a;
+        }
+        sum / weight
+    }
+
+    /// Fills the columns of the strips that touch.
     #[inline(never)]
-    fn columns(&self) -> Vec<Column<F>, CELLS> {
-        let mut columns = Vec::new();
+    fn know(&self, columns: &mut [Column<F>]) {
         let scale = F::one() / self.modulus.times(PI);
         let places = || self.list.iter().map(|cell| cell.place);
         let (first, last) = (places().next().unwrap_or(0), places().last().unwrap_or(0));
-        for cell in &self.list {
+        for (cell, column) in self.list.iter().zip(columns) {
+            if column.known || !cell.touches {
+                continue;
+            }
+            column.known = true;
             let a = cell.half_length.value;
             let unit = self.width / a;
             let at = |distance: i32| influence::edge(unit * F::of(f64::from(distance) + 0.5));
@@ -145,42 +187,33 @@ impl<F: Float> Cells<F> {
                 Ok(Some(edge)) => *edge,
                 _ => at(distance),
             };
-            let none = [F::zero(); CELLS];
-            let mut column = Column {
-                deflection: none,
-                curvature: none,
-                deflection_slope: none,
-                curvature_slope: none,
-            };
-            let values = column.deflection.iter_mut().zip(&mut column.curvature);
-            let slopes = column.deflection_slope.iter_mut().zip(&mut column.curvature_slope);
-            for ((other, (deflection, curvature)), (by_a, curvature_by_a)) in
-                self.list.iter().zip(values).zip(slopes)
-            {
+            let (inverse, of_all) = (F::one() / a, self.list.iter());
+            for (other, influence) in of_all.zip(&mut column.on) {
                 let distance = (other.place - cell.place).abs();
                 let far = edge(distance);
                 let near = if distance == 0 { far.mirrored() } else { edge(distance - 1) };
                 // a A(w/a): derivative A − t A';  C(w/a)/a: −(C + t C')/a²
                 let deflected = (far.deflection - near.deflection) * scale;
-                let curved = (far.curvature - near.curvature) * scale / a;
-                *deflection = deflected * a;
-                *curvature = curved;
-                *by_a = deflected - (far.deflection_slope - near.deflection_slope) * scale;
-                let moved = (far.curvature_slope - near.curvature_slope) * scale / a;
-                *curvature_by_a = -(curved + moved) / a;
+                let curved = (far.curvature - near.curvature) * scale * inverse;
+                let moved = (far.curvature_slope - near.curvature_slope) * scale * inverse;
+                *influence = Influence {
+                    deflection: deflected * a,
+                    curvature: curved,
+                    deflection_slope: deflected
+                        - (far.deflection_slope - near.deflection_slope) * scale,
+                    curvature_slope: -(curved + moved) * inverse,
+                };
             }
-            // (as many columns as cells)
-            let _ = columns.push(column);
         }
-        columns
     }
 
     /// Pressures for the lengths as they are; the approach.
     #[inline(never)]
-    fn press(&mut self, given: Given<F>, columns: &[Column<F>]) -> Moving<F> {
+    fn press(&mut self, given: Given<F>, columns: &mut [Column<F>]) -> Moving<F> {
         let unit = self.width.times(FRAC_PI_2);
         let mut approach = Moving { value: F::zero(), slope: F::zero() };
         for _ in 0..ROUNDS {
+            self.know(columns);
             let mut rows: Rows<F> = Vec::new();
             let (mut one, mut distance) = ([F::zero(); CELLS], [F::zero(); CELLS]);
             for ((i, cell), (one, distance)) in
@@ -188,7 +221,8 @@ impl<F: Float> Cells<F> {
             {
                 let mut factors = [F::zero(); CELLS];
                 for ((j, _), factor) in self.touching().zip(&mut factors) {
-                    *factor = at(columns.get(j).map(|column| &column.deflection), i);
+                    let on = columns.get(j).and_then(|column| column.on.get(i));
+                    *factor = on.map_or(F::zero(), |on| on.deflection);
                 }
                 (*one, *distance) = (F::one(), cell.distance);
                 let _ = rows.push(factors);
@@ -215,9 +249,7 @@ impl<F: Float> Cells<F> {
                     cell.pressure.value = approach.value * *one - distance;
                 }
             }
-            let deflection = self.sum(columns, |column, cell, i| {
-                at(Some(&column.deflection), i) * cell.pressure.value
-            });
+            let deflection = self.sum(columns, |on, cell| on.deflection * cell.pressure.value);
             let mut changed = false;
             for (cell, deflection) in self.list.iter_mut().zip(deflection) {
                 let stays = if cell.touches {
@@ -233,9 +265,8 @@ impl<F: Float> Cells<F> {
                 continue;
             }
             // K dp = dδ − dK p
-            let moved = self.sum(columns, |column, cell, i| {
-                at(Some(&column.deflection_slope), i)
-                    * (cell.half_length.slope * cell.pressure.value)
+            let moved = self.sum(columns, |on, cell| {
+                on.deflection_slope * (cell.half_length.slope * cell.pressure.value)
             });
             let mut change = [F::zero(); CELLS];
             for ((i, _), change) in self.touching().zip(&mut change) {
@@ -278,37 +309,33 @@ impl<F: Float> Cells<F> {
     fn sum(
         &self,
         columns: &[Column<F>],
-        term: impl Fn(&Column<F>, &Cell<F>, usize) -> F,
+        term: impl Fn(&Influence<F>, &Cell<F>) -> F,
     ) -> [F; CELLS] {
         let mut sums = [F::zero(); CELLS];
         for (column, cell) in columns.iter().zip(&self.list).filter(|(_, cell)| cell.touches) {
-            for (i, sum) in sums.iter_mut().enumerate().take(self.list.len()) {
-                *sum += term(column, cell, i);
+            for ((sum, on), _) in sums.iter_mut().zip(&column.on).zip(&self.list) {
+                *sum += term(on, cell);
             }
         }
         sums
     }
 
-    /// Lengths for the pressures as they are.
+    /// Lengths for the pressures as they are; also of strips that do not touch, as if they were about to.
     fn correct(&mut self, columns: &[Column<F>]) {
         let radius = self.rolling_radius;
-        let curvature = self
-            .sum(columns, |column, cell, i| at(Some(&column.curvature), i) * cell.pressure.value);
-        let change = self.sum(columns, |column, cell, i| {
-            at(Some(&column.curvature), i) * cell.pressure.slope
-                + at(Some(&column.curvature_slope), i)
-                    * (cell.half_length.slope * cell.pressure.value)
+        let curvature = self.sum(columns, |on, cell| on.curvature * cell.pressure.value);
+        let change = self.sum(columns, |on, cell| {
+            on.curvature * cell.pressure.slope
+                + on.curvature_slope * (cell.half_length.slope * cell.pressure.value)
         });
         for ((cell, curvature), change) in self.list.iter_mut().zip(curvature).zip(change) {
-            if cell.touches {
-                // √c as its Padé approximant: within a factor of 3 whatever c is
-                let c = (curvature * radius).max(F::zero());
-                let below = c.plus(3.0);
-                let factor = c.times(3.0).plus(1.0) / below;
-                let slope = change * radius * F::of(8.0) / (below * below);
-                let Moving { value: a, slope: da } = cell.half_length;
-                cell.half_length = Moving { value: a * factor, slope: da * factor + a * slope };
-            }
+            // √c as its Padé approximant: within a factor of 3 whatever c is
+            let c = (curvature * radius).max(F::zero());
+            let below = c.plus(3.0);
+            let factor = c.times(3.0).plus(1.0) / below;
+            let slope = change * radius * F::of(8.0) / (below * below);
+            let Moving { value: a, slope: da } = cell.half_length;
+            cell.half_length = Moving { value: a * factor, slope: da * factor + a * slope };
         }
     }
 }

@@ -25,14 +25,19 @@ const SECTION: f64 = 0.55;
 const REACH: f64 = 0.85;
 /// Sections at most in search of the first guess; five are usual.
 const GUESSES: u32 = 40;
-/// Smoothing length by default, over the half length of the section.
-const SMOOTHING: f64 = 0.75;
+/// Smoothing length by default, over the half length of the section: at least, and at most.
+const SMOOTHING: f64 = 0.5;
+const MOST_SMOOTHING: f64 = 1.25;
+/// What noise may bend the smoothed profile by default, as a curvature over `1/(2 R)` and a number of the parabola's weights.
+const NOISE: f64 = 0.013;
 /// Points that the profile is averaged at for the smoothing, at most.
 const BINS: usize = 256;
+/// Share of the first guess that the approach may reach.
+const GUESS: f64 = 1.6;
 /// Strips of the coarse lattice, and corrections of the lengths on it and on the fine one.
-const COARSE: u32 = 12;
+const COARSE: u32 = 15;
 const COARSE_STEPS: usize = 1;
-const FINE_STEPS: usize = 1;
+const FINE_STEPS: usize = 2;
 /// Places of the lattice on either side of its middle at most.
 const PLACES: i32 = 1000;
 
@@ -49,8 +54,8 @@ pub struct ProfileContact<F> {
     pub poisson_ratio: F,
     /// Coefficient of friction `μ` of every strip, not negative.
     pub friction: F,
-    /// Smoothing length `s` \[m\], not negative. Zero: 0.75 of the patch's approximate half length, 5 mm between a wheel and a rail,
-    /// and at least two steps of the profile.
+    /// Smoothing length `s` \[m\], not negative. Zero: by the profile's noise, 0.5 to 1.25 of the patch's approximate half
+    /// length (3.5 to 8.5 mm between a wheel and a rail), and at least two steps of the profile.
     pub smoothing_length: F,
 }
 
@@ -177,6 +182,28 @@ impl<'a, F: Float> Profile<'a, F> {
     fn step(&self) -> F {
         let length = self.ends().map_or(F::zero(), |[first, last]| last - first);
         length / F::of(self.y.len().saturating_sub(1).max(1) as f64)
+    }
+
+    /// About the standard deviation of the distances' noise: curvatures of neighbouring threes of points differ by it.
+    fn noise(&self) -> F {
+        let mut before: Option<([F; 2], [F; 2])> = None;
+        let mut last: Option<F> = None;
+        let (mut sum, mut count) = (F::zero(), F::TINY);
+        for (y, h) in self.pieces() {
+            let ([from, to], [h_from, h_to]) = (y, h);
+            if let Some(([start, _], [h_start, _])) = before {
+                let (left, right) = (from - start, to - from);
+                let bend = ((h_to - h_from) / right - (h_from - h_start) / left) / (left + right);
+                if let Some(last) = last {
+                    sum += (bend - last).abs() * left * right;
+                    count += F::one();
+                }
+                last = Some(bend);
+            }
+            before = Some((y, h));
+        }
+        // mean of |N(0, 5 σ²)|
+        (sum / count).times(1.0 / 1.784)
     }
 
     /// The straight pieces, each with its ends.
@@ -384,7 +411,9 @@ impl<F: Float> Lattice<F> {
         let bend = bend.max(F::TINY);
         let lowest = height - (slope * (slope / bend)).times(0.25).min(height.abs());
         let half = ((level - lowest).max(F::zero()) / bend).sqrt().min(F::one()) * smooth.length;
-        let width = section.width.max(half.times(2.0)) / F::of(f64::from(count));
+        // (of a parabola the width, and smooth where a flat crest comes under the level)
+        let width = (section.volume / level).times(1.5).max(half.times(2.0));
+        let width = width / F::of(f64::from(count));
         let [first, last] = profile.ends()?;
         Some(Self {
             lowest,
@@ -423,7 +452,7 @@ const fn lattice_strips(count: StripCount) -> u32 {
         StripCount::Four => 8,
         StripCount::Eight => 12,
         StripCount::Sixteen => 21,
-        StripCount::ThirtyTwo | StripCount::SixtyFour => 40,
+        StripCount::ThirtyTwo | StripCount::SixtyFour => 36,
     };
     if wanted + 4 < CELLS as u32 { wanted } else { CELLS as u32 - 4 }
 }
@@ -463,11 +492,16 @@ impl<F: Float> Indentation<F> {
         let length = if contact.smoothing_length > F::zero() {
             contact.smoothing_length
         } else {
-            half_length.times(SMOOTHING).max(profile.step().times(2.0))
+            // σ √Δ s^(-5/2): curvature that noise of points Δ apart has in a parabola of length s
+            let step = profile.step();
+            let bent = profile.noise() * contact.rolling_radius.times(2.0 / NOISE);
+            let noise = (bent * bent * step + F::TINY).ln().times(0.2).exp();
+            let (least, most) = (half_length.times(SMOOTHING), half_length.times(MOST_SMOOTHING));
+            noise.clamped(least, most).max(step.times(2.0))
         };
         // Coarse
         let strips = lattice_strips(count);
-        let level = first.times(1.1 * REACH);
+        let level = first.times(GUESS * REACH);
         let lattice =
             Lattice::new(profile, level, length, strips.min(COARSE)).ok_or(Error::Overflow)?;
         let above = |lowest: F| match contact.given {
@@ -486,12 +520,15 @@ impl<F: Float> Indentation<F> {
         let level = approach.times(REACH);
         let fine = Lattice::new(profile, level, length, strips).ok_or(Error::Overflow)?;
         let mut cells = fine.cells(contact, level)?;
+        // (a strip of the coarse lattice that hardly carries is as short as its pressure tells)
+        let slope = coarse.mean_slope();
         cells.begin(contact.given, approach, |cell| {
             let between = (fine.y(cell.place) - lattice.middle) / lattice.width;
             let near = coarse.list.iter().filter(|cell| cell.touches);
             near.fold(F::zero(), |sum, cell| {
                 let share = F::one() - (between - F::of(f64::from(cell.place))).abs();
-                sum + cell.half_length.value.squared() * share.max(F::zero())
+                let square = cell.half_length.value * (cell.pressure.value / slope);
+                sum + square * share.max(F::zero())
             })
         });
         let given = above(fine.lowest);

@@ -21,7 +21,7 @@ use crate::contact::forces::Totals;
 use crate::linear::LinearCoefficients;
 use crate::number::dual::Dual;
 use crate::number::{Float, Real};
-use crate::patch::zones::Zone;
+use crate::patch::zones::{Zone, mean_width};
 use crate::patch::{PatchStrip, PatchView};
 use crate::solve::field::{FieldPoint, rolling_point};
 use crate::solve::model::{Model, Precision, Solution, StripResult};
@@ -270,53 +270,45 @@ impl<'a, F: Precision> Problem<'a, F> {
     ) {
         let scale = self.view.scale();
         let one_zone = self.view.is_one_zone();
-        let count = self.view.strips().len();
         let mut prepared: Option<(Zone<F>, F, StripLaw<T>)> = None;
-        for (g, group) in self.view.strips().chunks(4).enumerate() {
-            let zero = T::zero();
-            let none = Seen { x: zero, y: zero, spread: zero, start: zero };
-            let mut seen = [(none, T::zero()); 4];
-            let mut inner = [false; 4];
-            for (k, ((strip, seen), inner)) in
-                group.iter().zip(&mut seen).zip(&mut inner).enumerate()
-            {
-                let i = 4 * g + k;
-                let before = prepared.map(|(zone, ..)| zone);
-                let zone = match before {
-                    Some(zone) if one_zone => zone,
-                    _ => match self.view.zone(i) {
-                        Some(zone) => zone,
-                        None => continue,
-                    },
-                };
-                let law = match prepared {
-                    Some((last, x, law)) if x == strip.centre_x && zone.is(&last) => law,
-                    // the slopes of the linear theory, whatever the quadrature
-                    _ => self.law(&zone, creepage, strip.centre_x, [scale.area, scale.lever]),
-                };
-                prepared = Some((zone, strip.centre_x, law));
-                *seen = law.strip(&geometry(&zone, strip, of_sixteen(one_zone, count)));
-                *inner = i.min(count - 1 - i) % 2 == 1;
+        let mut before = 0;
+        for lobe in self.view.lobes() {
+            let (count, mean_width) = (lobe.len(), mean_width(lobe));
+            for (g, group) in lobe.chunks(4).enumerate() {
+                let zero = T::zero();
+                let none = Seen { x: zero, y: zero, spread: zero, start: zero };
+                let mut seen = [(none, T::zero()); 4];
+                let mut inner = [false; 4];
+                for (k, ((strip, seen), inner)) in
+                    group.iter().zip(&mut seen).zip(&mut inner).enumerate()
+                {
+                    let i = 4 * g + k;
+                    let zone = match prepared {
+                        Some((zone, ..)) if one_zone => Some(zone),
+                        _ => self.view.zone(before + i),
+                    };
+                    let Some(zone) = zone else { continue };
+                    let law = match prepared {
+                        Some((last, x, law)) if x == strip.centre_x && zone.is(&last) => law,
+                        // the slopes of the linear theory, whatever the quadrature
+                        _ => self.law(&zone, creepage, strip.centre_x, [scale.area, scale.lever]),
+                    };
+                    prepared = Some((zone, strip.centre_x, law));
+                    *seen = law.strip(&geometry(&zone, strip, mean_width));
+                    *inner = i.min(count - 1 - i) % 2 == 1;
+                }
+                for (strip, found) in group.iter().zip(four_strips(&seen, inner)) {
+                    let stick = found.stick.value();
+                    visit(strip, Share::new(strip, &found, stick, stick > F::zero()));
+                }
             }
-            for (strip, found) in group.iter().zip(four_strips(&seen, inner)) {
-                let stick = found.stick.value();
-                visit(strip, Share::new(strip, &found, stick, stick > F::zero()));
-            }
+            before += count;
         }
     }
 }
 
-/// `n/16` where one ellipse has all `n` strips; elsewhere none: strips of a sixteenth of their ellipse stand for them.
-fn of_sixteen<F: Float>(one_zone: bool, count: usize) -> Option<F> {
-    one_zone.then(|| F::of(count as f64 / 16.0))
-}
-
-/// A strip in units of its zone's ellipse, its width as if there were sixteen.
-fn geometry<F: Float>(
-    zone: &Zone<F>,
-    strip: &PatchStrip<F>,
-    of_sixteen: Option<F>,
-) -> StripGeometry<F> {
+/// A strip in units of its zone's ellipse.
+fn geometry<F: Float>(zone: &Zone<F>, strip: &PatchStrip<F>, mean_width: F) -> StripGeometry<F> {
     let Zone { y, contact, .. } = zone;
     // Π = (μ p₀)_strip/(μ p₀)
     let whole = contact.friction * contact.peak_pressure();
@@ -324,7 +316,8 @@ fn geometry<F: Float>(
     StripGeometry {
         y: ((strip.y - *y) / contact.b).clamped(-F::one(), F::one()),
         half_length: strip.half_length / contact.a,
-        width: of_sixteen.map_or(F::of(0.125), |share| strip.width / contact.b * share),
+        // of sixteen strips, whatever their number
+        width: (strip.width / mean_width).times(0.125),
         bound: if whole > F::zero() { bound / whole } else { F::one() }.max(F::of(LEAST_BOUND)),
     }
 }
@@ -524,7 +517,7 @@ impl<'a, F: Precision> PatchField<'a, F> {
         let law = if self.problem.model == Model::Strip {
             let zone = view.zone(number)?;
             let rolling = self.problem.law(&zone, creepage, strip.centre_x, [F::one(), F::one()]);
-            let line = StripGeometry { width: F::zero(), ..geometry(&zone, strip, None) };
+            let line = StripGeometry { width: F::zero(), ..geometry(&zone, strip, F::one()) };
             Law::Rolling(rolling, line, zone.contact.slip_scale())
         } else {
             let circle = strip.circle(view.shear_modulus(), view.poisson_ratio());

@@ -8,8 +8,10 @@
 //! `∫ C² l² dY/∫ C² dY = (4/5) a²`, so
 //!
 //! ```text
-//! a² = (5/4) Σ N l²/Σ N,   π a b = area,   (x₀, y₀) = Σ N (x, y)/Σ N,   μ = Σ μ N/Σ N
+//! a² = (5/4) Σ N l²/Σ N,   π a b = area = Σ 2 w p/s,   (x₀, y₀) = Σ N (x, y)/Σ N,   μ = Σ μ N/Σ N
 //! ```
+//!
+//! with `s = Σ N p/Σ N l` the mean of pressure over length, so that a strip without load changes nothing.
 
 use crate::contact::Contact;
 use crate::number::Float;
@@ -42,21 +44,40 @@ struct Sums<F> {
     square: F,
     /// `x` and `y`
     centre: [F; 2],
-    area: F,
+    /// `N p` and `N l`
+    slope: [F; 2],
+    /// `w p`
+    section: F,
 }
 
 impl<F: Float> Sums<F> {
-    /// `unit`: of half lengths.
-    fn add(&mut self, strip: &PatchStrip<F>, unit: F, weight: F) {
+    /// Lengths and widths in their units, places from the origin.
+    fn add(&mut self, strip: &PatchStrip<F>, units: &Units<F>, weight: F) {
         let load = strip.load() * weight;
+        let x = (strip.centre_x - units.x) / units.length;
+        let length = strip.half_length / units.length;
+        let y = (strip.y - units.y) / units.width;
+        let pressure = strip.peak_pressure / units.pressure;
         self.load += load;
         self.bound += load * strip.friction;
-        self.square += load * (strip.half_length / unit).squared();
-        let [x, y] = &mut self.centre;
-        *x += load * strip.centre_x;
-        *y += load * strip.y;
-        self.area += strip.half_length.times(2.0) * strip.width * weight;
+        self.square += load * length * length;
+        let [sum_x, sum_y] = &mut self.centre;
+        *sum_x += load * x;
+        *sum_y += load * y;
+        let [by_pressure, by_length] = &mut self.slope;
+        *by_pressure += load * pressure;
+        *by_length += load * length;
+        self.section += weight * (strip.width / units.width) * pressure;
     }
+}
+
+/// What a patch is measured with: its longest strip, its largest pressure, its whole width, and its middle.
+struct Units<F> {
+    length: F,
+    pressure: F,
+    width: F,
+    x: F,
+    y: F,
 }
 
 /// A walk away from a strip: the longest strip on the way, the shortest since, and what is left of the connection.
@@ -119,32 +140,63 @@ impl<F: Float> PatchView<'_, F> {
         let (before, rest) = strips.split_at_checked(number)?;
         let (own, after) = rest.split_first()?;
         let zero = F::zero();
-        let mut sums =
-            Sums { load: zero, bound: zero, square: zero, centre: [zero; 2], area: zero };
-        let unit = own.half_length;
-        sums.add(own, unit, F::one());
+        let (first, last) = (strips.first()?, strips.last()?);
+        let units = Units {
+            length: strips.iter().fold(zero, |longest, strip| longest.max(strip.half_length)),
+            pressure: strips.iter().fold(F::TINY, |most, strip| most.max(strip.peak_pressure)),
+            width: last.y - first.y + first.width.times(0.5) + last.width.times(0.5),
+            x: own.centre_x,
+            y: first.y.times(0.5) + last.y.times(0.5),
+        };
+        let mut sums = Sums {
+            load: zero,
+            bound: zero,
+            square: zero,
+            centre: [zero; 2],
+            slope: [zero; 2],
+            section: zero,
+        };
+        sums.add(own, &units, F::one());
         let (mut walk, mut last) = (Walk::new(own), own);
         for strip in before.iter().rev() {
-            sums.add(strip, unit, walk.pass(last, strip));
+            sums.add(strip, &units, walk.pass(last, strip));
             last = strip;
         }
         let (mut walk, mut last) = (Walk::new(own), own);
         for strip in after {
-            sums.add(strip, unit, walk.pass(last, strip));
+            sums.add(strip, &units, walk.pass(last, strip));
             last = strip;
         }
-        let Sums { load, bound, square, centre: [x, y], area } = sums;
+        let Sums { load, bound, square, centre: [x, y], slope: [by_pressure, by_length], section } =
+            sums;
         let loaded = load > zero;
         let mean = |sum: F, own: F| if loaded { sum / load } else { own };
-        let a = unit * mean(square, F::one()).times(1.25).sqrt();
+        let length = own.half_length / units.length;
+        let y = mean(y, (own.y - units.y) / units.width);
+        let a = mean(square, length * length).times(1.25).sqrt();
+        // half of the area, in units of the patch
+        let half = if loaded {
+            section * (by_length / by_pressure) * self.scale().area
+        } else {
+            length * (own.width / units.width)
+        };
         let contact = Contact {
-            a,
-            b: (area * self.scale().area / a).times(1.0 / PI),
+            a: units.length * a,
+            b: units.width * (half / a).times(2.0 / PI),
             normal_force: load,
             shear_modulus: self.shear_modulus(),
             poisson_ratio: self.poisson_ratio(),
             friction: mean(bound, own.friction),
         };
-        Some(Zone { x: mean(x, own.centre_x), y: mean(y, own.y), contact })
+        let (x, y) = (units.x + units.length * mean(x, zero), units.y + units.width * y);
+        Some(Zone { x, y, contact })
     }
+}
+
+/// Mean width of strips, one where there are none.
+pub(crate) fn mean_width<F: Float>(strips: &[PatchStrip<F>]) -> F {
+    let start = (F::zero(), F::zero());
+    let add = |(sum, count): (F, F), strip: &PatchStrip<F>| (sum + strip.width, count.plus(1.0));
+    let (sum, count) = strips.iter().fold(start, add);
+    if count > F::zero() { sum / count } else { F::one() }
 }

@@ -27,7 +27,7 @@ use crate::contact::forces::Totals;
 use crate::number::Float;
 use crate::solve::check::check;
 use crate::solve::model::{Options, Precision, Solution};
-use crate::solve::prepared::{Forces, Kernel, Prepared};
+use crate::solve::prepared::{Forces, Frame, Kernel, Prepared};
 use crate::status::Error;
 use nalgebra::Matrix3;
 
@@ -123,7 +123,7 @@ fn saturating<F: Precision>(
     prepared: &Prepared<F>,
     creepage: &Creepage<F>,
 ) -> (Solution<F>, Derivatives<F>) {
-    let Prepared { contact, radius, units, .. } = prepared;
+    let Frame { contact, radius, units } = &prepared.frame;
     let parameters = units.parameters(&creepage.inputs());
     let Totals { fx, fy, mz, stick } = prepared.totals(&parameters);
     let bound = contact.friction_bound();
@@ -160,7 +160,7 @@ fn sliding<F: Precision>(
     prepared: &Prepared<F>,
     creepage: &Creepage<F>,
 ) -> (Solution<F>, Derivatives<F>) {
-    let Prepared { contact, radius, .. } = prepared;
+    let Frame { contact, radius, .. } = &prepared.frame;
     let Totals { fx, fy, mz, .. } = prepared.totals(&Parameters::sliding(contact, creepage));
     let limit = [fx, fy, mz * *radius];
     let [by_x, by_y, by_z] = powers::<F>();
@@ -188,7 +188,8 @@ fn linear<F: Precision>(
     for ((force, power), [by_x, by_y, _]) in hertz.iter_mut().zip(powers::<F>()).zip(jacobian) {
         // (power F − ⅓ J_v v)/N
         let translation = by_x * creepage.longitudinal + by_y * creepage.lateral;
-        *force = (power * *force - translation.times(1.0 / 3.0)) / prepared.contact.normal_force;
+        *force =
+            (power * *force - translation.times(1.0 / 3.0)) / prepared.frame.contact.normal_force;
     }
     let derivatives = Derivatives { jacobian, load_through_hertz: hertz, ..Derivatives::nothing() };
     (solution, derivatives)

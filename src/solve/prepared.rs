@@ -18,12 +18,19 @@ use crate::total;
 /// A contact and a model, ready for creepages.
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<F: Plain> {
-    pub(crate) contact: Contact<F>,
+    pub(crate) frame: Frame<F>,
     pub(crate) options: Options,
+    pub(crate) kernel: Kernel<F>,
+}
+
+/// What every model needs of a contact: numbers only.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Frame<F> {
+    pub(crate) contact: Contact<F>,
     /// `√(ab)` \[m\]
     pub(crate) radius: F,
     pub(crate) units: Units<F>,
-    pub(crate) kernel: Kernel<F>,
 }
 
 /// What a model knows of a contact.
@@ -71,7 +78,8 @@ impl<F: StripTotals> Prepared<F> {
                 Kernel::Linear(F::each(&entries, |entry| entry.min(F::LARGEST)))
             }
         };
-        Self { contact: *contact, options: *options, radius, units: Units::of(contact), kernel }
+        let frame = Frame { contact: *contact, radius, units: Units::of(contact) };
+        Self { frame, options: *options, kernel }
     }
 
     /// Forces, and the spin parameter `ψ`.
@@ -88,13 +96,13 @@ impl<F: StripTotals> Prepared<F> {
             };
             return (forces, T::zero());
         }
-        let parameters = self.units.parameters(creepage);
-        let bound = self.contact.friction_bound();
+        let parameters = self.frame.units.parameters(creepage);
+        let bound = self.frame.contact.friction_bound();
         let Totals { fx, fy, mz, stick } = self.totals(&parameters);
         let forces = Forces {
             fx: fx.scale(bound),
             fy: fy.scale(bound),
-            mz: mz.scale(bound * self.radius),
+            mz: mz.scale(bound * self.frame.radius),
             adhesion: stick,
         };
         (forces, parameters.psi)
@@ -105,8 +113,10 @@ impl<F: StripTotals> Prepared<F> {
     pub(crate) fn totals<T: Number<Base = F>>(&self, parameters: &Parameters<T>) -> Totals<T> {
         match &self.kernel {
             Kernel::Strip1967(rule) => strip_1967::totals(parameters, *rule),
-            Kernel::Strip(strips) => F::strip_totals(strips, self.units.normalised(parameters)),
-            Kernel::Total(total) => total.totals(self.units.normalised(parameters)),
+            Kernel::Strip(strips) => {
+                F::strip_totals(strips, self.frame.units.normalised(parameters))
+            }
+            Kernel::Total(total) => total.totals(self.frame.units.normalised(parameters)),
             Kernel::Linear(_) => Totals::nothing(),
         }
     }
@@ -143,8 +153,8 @@ impl<F: Precision> Prepared<F> {
     /// Those of [`solve`](crate::solve::model::solve).
     #[inline]
     pub fn solve(&self, creepage: &Creepage<F>) -> Result<Solution<F>, Error> {
-        check(&self.contact, creepage, &self.options)?;
-        if self.contact.is_lost() {
+        check(&self.frame.contact, creepage, &self.options)?;
+        if self.frame.contact.is_lost() {
             return Ok(Solution::nothing());
         }
         Ok(self.answer(creepage))
@@ -174,13 +184,13 @@ impl<F: Precision> Prepared<F> {
     ) -> Solution<F> {
         let Forces { fx, fy, mz, adhesion } = *forces;
         let power = creepage.power([fx, fy, mz]);
-        let bound = self.contact.friction_bound();
+        let bound = self.frame.contact.friction_bound();
         let of_model = if self.options.model == Model::Linear {
             linear_notice(linear_size(fx, fy), bound)
         } else {
-            notice(self.options.model, bound, self.contact.a / self.contact.b, psi)
+            notice(self.options.model, bound, self.frame.contact.a / self.frame.contact.b, psi)
         };
-        let notice = with_warning(&self.contact, creepage, of_model);
+        let notice = with_warning(&self.frame.contact, creepage, of_model);
         Solution { fx, fy, mz, power, adhesion, notice, reserved: 0 }
     }
 }

@@ -71,11 +71,11 @@ pub fn strips<F: Precision>(
         return Ok(Notice::None);
     }
     let prepared = Prepared::of(contact, options);
-    let parameters = prepared.units.parameters(creepage);
+    let parameters = prepared.frame.units.parameters(creepage);
     let bound = contact.friction_bound();
     let mut share = |strip: PlacedStrip<F>| {
         let (fx, fy) = (bound * strip.fx, bound * strip.fy);
-        let mz = bound * prepared.radius * strip.mz;
+        let mz = bound * prepared.frame.radius * strip.mz;
         visit(StripResult {
             y: contact.b * strip.y,
             width: contact.b * strip.width,

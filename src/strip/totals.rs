@@ -58,6 +58,12 @@ impl<F: Plain> PreparedStrips<F> {
         Self { contact: Prepared::new(axis_ratio, poisson_ratio, linear, factors), rule }
     }
 
+    /// The strips of a contact that has been prepared for their number.
+    #[inline(always)]
+    pub(crate) fn from_prepared(contact: Prepared<F>, count: StripCount) -> Self {
+        Self { contact, rule: Rule::new(count) }
+    }
+
     /// Forces, moment and share in adhesion for `vx, vy = G a b (υx, υy)/(μ N)`, `φ = G (a b)^{3/2} ϕ/(μ N)`.
     #[inline(always)]
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {

@@ -59,12 +59,12 @@ const SATURATION: [f64; 6] = [
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<F> {
     linear: LinearCoefficients<F>,
-    /// Creepages beyond it are scaled down.
-    limit: F,
     /// `g = a/b`
     ratio: F,
     /// `1/M₀²`, `M₀ = √(0.1406 (g + 1/g + 0.467))` the moment of sliding by spin alone
     moment: F,
+    /// Larger of the slopes over spin of the force and of the moment over `M₀`.
+    spin_slope: F,
     /// Linear force of the slip that spin makes at the ends of the axes.
     ends: [F; 2],
     /// `√g` within `1/4 … 4` as `(√g − 1)/(√g + 1)`
@@ -86,15 +86,15 @@ impl<F: Plain> Prepared<F> {
         let inverse_root = root * inverse;
         let end_x = linear.c11 * (inverse_root + root.times(0.27)).times(1.0 / 1.5);
         let end_y = linear.c22 * (root + inverse_root.times(0.27)).times(1.0 / 1.5);
-        let largest = linear.c11.max(linear.c22).max(linear.c23).max(linear.c33);
         let shape = root.clamped(F::of(1.0 / LARGEST_ROOT), F::of(LARGEST_ROOT));
         let slender = shape.plus(-1.0) / shape.plus(1.0);
+        let moment = F::one() / both.plus(0.467).times(0.1406);
         let poisson = poisson_ratio.times(4.0).plus(-1.0);
         Self {
             linear: *linear,
-            limit: F::of(LARGEST).min(F::HUGE.sqrt().sqrt()) / largest,
             ratio: g,
-            moment: F::one() / both.plus(0.467).times(0.1406),
+            moment,
+            spin_slope: linear.c23.max(linear.c33 * moment.sqrt()),
             ends: [end_x, end_y],
             slender,
             rigid: RigidSlip::new(g, both),
@@ -114,7 +114,7 @@ impl<F: Plain> Prepared<F> {
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
         let one = T::one();
         let LinearCoefficients { c11, c22, c23, c33 } = self.linear;
-        let [vx, vy, phi] = within_range(creepage, self.limit);
+        let [vx, vy, phi] = within_range(creepage, [c11, c22, self.spin_slope]);
         let (vx2, vy2, phi2) = (vx.squared(), vy.squared(), phi.squared());
 
         // force of the linear theory; u² of translation, s² of spin, m² its moment over M₀, n² all together
@@ -236,11 +236,11 @@ fn saturation<T: Number>(q2: T, h: T) -> T {
     s_over_q * (T::constant(FULL) / (q.max(T::constant(FULL)) * h))
 }
 
-/// Creepages and spin that mean the same and whose powers are finite.
+/// Creepages and spin that mean the same and whose powers are finite. The slopes make linear forces of them.
 #[inline(always)]
-fn within_range<T: Number>(mut creepage: [T; 3], limit: T::Base) -> [T; 3] {
-    let [vx, vy, phi] = creepage;
-    let size = vx.value().abs().max(vy.value().abs()).max(phi.value().abs());
+fn within_range<T: Number>(mut creepage: [T; 3], slopes: [T::Base; 3]) -> [T; 3] {
+    let ([vx, vy, phi], [x, y, spin]) = (creepage, slopes);
+    let size = (vx.value().abs() * x).max(vy.value().abs() * y).max(phi.value().abs() * spin);
     let lost = T::TINY.times(LOST);
     // (of several contacts side by side one may be too small and another too large)
     if lost.exceeds(size) {
@@ -249,6 +249,7 @@ fn within_range<T: Number>(mut creepage: [T; 3], limit: T::Base) -> [T; 3] {
         let gone = |v: &T| *v - T::from_base((lost - size).choose(v.value(), T::Base::zero()));
         creepage = T::each(&creepage, gone);
     }
+    let limit = T::Base::HUGE.sqrt().sqrt().min(T::Base::of(LARGEST));
     if size.exceeds(limit) {
         let factor = T::from_base((size - limit).choose(limit / size, T::Base::one()));
         creepage = T::each(&creepage, |v| *v * factor);

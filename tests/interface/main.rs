@@ -13,4 +13,5 @@ mod toolchain;
 
 mod batch;
 mod binary_interface;
+mod prepared;
 mod python;

@@ -391,7 +391,8 @@ fn derivatives_in_full_sliding() {
             let direction =
                 [vx.signum() * f64::from(vx != 0.0), vy.signum() * f64::from(vy != 0.0)];
             for (i, direction) in direction.into_iter().enumerate() {
-                assert!((d.normal_force[i] - c.friction * direction).abs() < 1e-12, "{model:?}");
+                let off = (d.normal_force[i] - c.friction * direction).abs();
+                assert!(off < 1e-12, "{model:?} {off:e}");
                 assert!((d.friction[i] / c.normal_force - direction).abs() < 1e-12);
                 assert!((d.load_through_hertz[i] - c.friction * direction).abs() < 1e-12);
             }

@@ -621,10 +621,10 @@ fn notices() {
     let beyond_total = [(0.0499, 0.0), (20.1, 0.0), (1e3, 1.0)];
     let beyond_strips = [(0.099, 0.0), (10.1, 0.0), (1.0, 3.01), (1.0, -3.01), (1e3, 1.0)];
     for options in saturating() {
-        let (within, beyond): (&[(f64, f64)], &[(f64, f64)]) = if options.model == Model::Total {
-            (&any_spin, &beyond_total)
+        let (within, beyond) = if options.model == Model::Total {
+            (any_spin.as_slice(), beyond_total.as_slice())
         } else {
-            (&strips, &beyond_strips)
+            (strips.as_slice(), beyond_strips.as_slice())
         };
         for (g, psi) in within {
             assert_eq!(notice(*g, *psi, &options), Notice::None, "{options:?} {g} {psi}");

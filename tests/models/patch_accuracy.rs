@@ -36,7 +36,7 @@ fn patches_of_profiles() {
             patches.push((case.clone(), patch));
         }
         assert_below("area", &area, [0.03, 0.12, 0.2]);
-        assert_below("peak pressure", &peak, [0.025, 0.1, 0.14]);
+        assert_below("peak pressure", &peak, [0.03, 0.1, 0.15]);
         assert_below("approach", &approach, [0.005, 0.01, 0.04]);
         let errors = of(&patches, Model::Strip);
         assert_below("force", &errors.force, [0.014, 0.045, 0.11]);

@@ -43,7 +43,7 @@ fn elliptic_strips_give_the_answer_of_the_ellipse() {
     let mut random = Random::new(421);
     for i in 0..250 {
         let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
-        let count = COUNTS[i % 5];
+        let count = COUNTS[1 + i % 4];
         let p: [f64; 3] = std::array::from_fn(|_| random.sign() * random.log_between(1e-3, 4.0));
         let m = theory::creepage(&c, p[0], p[1], p[2].clamp(-2.0, 2.0));
         let law = SlipFriction { friction: c.friction, ..any_law(&mut random) };
@@ -253,9 +253,7 @@ fn bad_input_is_named() {
         assert_eq!(solve(&view, &m, &law, Model::Strip), Err(error));
         assert_eq!(friction_share(&view, &m, &law, Model::Strip), Err(error));
     }
-    for model in [Model::Total, Model::Linear] {
-        assert_eq!(solve(&view, &m, &DRY, model), Err(Error::NotInModel));
-    }
+    assert_eq!(solve(&view, &m, &DRY, Model::Linear), Err(Error::NotInModel));
     let far = Creepage { longitudinal: f64::NAN, ..m };
     assert_eq!(solve(&view, &far, &DRY, Model::Strip), Err(Error::NotFinite));
 }

@@ -96,7 +96,10 @@ fn load_and_approach_are_each_others_inverse() {
             for (worst, error) in worst.iter_mut().zip(errors) {
                 *worst = worst.max(error.abs());
             }
-            assert!(errors[0].abs() < 0.02 && errors[1].abs() < 0.15, "{} {errors:?}", case.name);
+            let allowed = if count == StripCount::Eight { [0.05, 0.2] } else { [0.02, 0.15] };
+            for (error, allowed) in errors.into_iter().zip(allowed) {
+                assert!(error.abs() < allowed, "{count:?} {} {errors:?}", case.name);
+            }
         }
         println!("{count:?}: load {:.1e}, stiffness {:.1e}", worst[0], worst[1]);
     }
@@ -284,37 +287,47 @@ fn profiles_in_single_precision() {
     }
 }
 
-/// Zones that appear, grow, touch and merge: the forces follow the load without a jump.
+/// Zones that appear, grow, touch and merge: the forces follow the load without a jump. Steps of the load by 0.001
+/// change them by 0.0005 as a rule; where a gap closes, the nodes of the strips are staggered anew, 0.002 of `μ N`.
 #[test]
 fn zones_merge_without_a_jump() {
     let n = 1000;
     let y: Vec<f64> = (-n..=n).map(|i| 20e-3 * f64::from(i) / f64::from(n)).collect();
-    let distance: Vec<f64> =
-        y.iter().map(|y| 70e-6 * ((y / 4.5e-3).powi(2) - 1.0).powi(2)).collect();
     let motion = Creepage { longitudinal: 3e-4, lateral: 5e-4, spin: 0.1 };
-    for model in [Model::Strip, Model::Total] {
+    for (crest, zones) in [(70e-6, [true, false]), (30e-6, [true, true])] {
+        let distance: Vec<f64> =
+            y.iter().map(|y| crest * ((y / 4.5e-3).powi(2) - 1.0).powi(2)).collect();
         let forces = |load: f64| {
-            let contact = ProfileContact { smoothing_length: 1e-3, ..pressed(0.46, load) };
-            let (patch, _) = Full::from_profile(&y, &distance, &contact, SIXTEEN).unwrap();
+            let contact = pressed(0.46, load);
+            let (patch, found) = Full::from_profile(&y, &distance, &contact, SIXTEEN).unwrap();
             let view = patch.view().unwrap();
-            let found = solver::solve(&view, &motion, model).unwrap();
-            ([found.fx / (0.3 * load), found.fy / (0.3 * load)], view.lobes().count())
+            let both = [Model::Strip, Model::Total].map(|model| {
+                let found = solver::solve(&view, &motion, model).unwrap();
+                [found.fx / (0.3 * load), found.fy / (0.3 * load)]
+            });
+            (both, found.approach, view.lobes().count())
         };
-        let (mut load, mut last): (f64, Option<[f64; 2]>) = (60e3, None);
-        let (mut largest, mut apart, mut whole) = (0.0_f64, 0, 0);
-        while load < 260e3 {
-            let (force, lobes) = forces(load);
-            if let Some([x, y]) = last {
-                let [fx, fy]: [f64; 2] = force;
-                largest = largest.max((fx - x).hypot(fy - y));
+        let (mut load, mut last) = (60e3, None::<([[f64; 2]; 2], f64)>);
+        let (mut steps, mut seen) = ([0.0_f64; 3], [false; 2]);
+        while load < 200e3 {
+            let (both, approach, lobes) = forces(load);
+            if let Some((before, before_approach)) = last {
+                for ((step, [x, y]), [fx, fy]) in steps.iter_mut().zip(before).zip(both) {
+                    *step = step.max((fx - x).hypot(fy - y));
+                }
+                steps[2] = steps[2].max((approach / before_approach - 1.0).abs());
             }
-            apart += i32::from(lobes == 2);
-            whole += i32::from(lobes == 1);
-            last = Some(force);
+            seen = [seen[0] || lobes == 2, seen[1] || lobes == 1];
+            last = Some((both, approach));
             load *= 1.0 + 1e-3;
         }
-        println!("{model:?}: largest step {largest:.1e}; {apart} in two zones, {whole} in one");
-        assert!(apart > 100 && whole > 100, "{apart} {whole}");
-        assert!(largest < 5e-3, "{model:?} {largest}");
+        println!("crest {crest}: largest steps {steps:?}");
+        assert_eq!(seen, zones);
+        assert!(steps[0] < 3e-3 && steps[1] < 1.5e-3 && steps[2] < 1.5e-3, "{steps:?}");
+        // 1 N more than 153826 N: 0.17 of μ N where zones merge into one with another ellipse at once
+        let [less, more] = [153_826.0, 153_827.0].map(|load| forces(load).0);
+        for ([x, y], [fx, fy]) in less.into_iter().zip(more) {
+            assert!((fx - x).hypot(fy - y) < 1e-5, "{less:?} {more:?}");
+        }
     }
 }

@@ -331,7 +331,7 @@ fn the_smallest_friction_is_found() {
         let c = any_contact(&mut random);
         let size = random.log_between(0.1, 3.0);
         let eta = size * random.between(0.3, 1.0);
-        let psi = -eta * random.between(0.3, 1.5);
+        let psi = -eta * random.between(0.6, 1.8);
         let m = theory::creepage(&c, 0.1 * size, eta, psi);
         let o = options([Model::Total, Model::Strip][n % 2], StripCount::Eight);
         let s = model::solve(&c, &m, &o).unwrap();
