@@ -2,12 +2,13 @@
  * What scripts/instructions.sh counts: each row is one entry into counted_calls(), 512 calls of the C
  * interface over creepages from partial slip to sliding. Prints the names of the rows, in their order.
  */
-#include "kstrip.h"
+#include "kstrip_f32.h"
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { CALLS = 512 };
-enum { SOLVE, JACOBIAN, BATCH };
+enum { SOLVE, EVALUATE, DERIVATIVES, PREPARED, BATCH, KINDS };
 
 static const struct {
     const char *name;
@@ -35,32 +36,72 @@ static void check(kstrip_status status)
 }
 
 /* callgrind sets its counter to zero on entry and writes it on return. */
-__attribute__((noinline)) void counted_calls(int kind, int is_f32, const kstrip_options *options);
-void counted_calls(int kind, int is_f32, const kstrip_options *options)
+__attribute__((noinline)) void counted_calls(int kind, const kstrip_options *options);
+void counted_calls(int kind, const kstrip_options *options)
 {
     static kstrip_result results[CALLS];
-    static kstrip_result_f32 results_f32[CALLS];
-    double slopes[9];
-    float slopes_f32[9];
+    static kstrip_derivatives derivatives;
+    const ptrdiff_t c = sizeof *contacts, k = sizeof *creepages, r = sizeof *results;
+    const kstrip_batch_inputs from = {
+        &contacts->a, c, &contacts->b, c, &contacts->normal_force, c, &contacts->shear_modulus, c,
+        &contacts->poisson_ratio, c, &contacts->friction, c, &creepages->longitudinal, k,
+        &creepages->lateral, k, &creepages->spin, k, NULL, 0};
+    const kstrip_batch_outputs to = {&results->fx, r, &results->fy, r, &results->mz, r,
+                                     &results->power, r, &results->adhesion, r,
+                                     &results->status_detail, r, NULL, 0, NULL, 0, NULL, 0};
+    kstrip_outputs outputs;
+    kstrip_prepared prepared;
+    memset(&outputs, 0, sizeof outputs);
+    outputs.result = results;
+    outputs.derivatives = kind == DERIVATIVES ? &derivatives : NULL;
     if (kind == BATCH) {
-        if (is_f32)
-            check(kstrip_solve_batch_f32(contacts_f32, creepages_f32, CALLS, options, results_f32));
-        else
-            check(kstrip_solve_batch(contacts, creepages, CALLS, options, results));
+        check(kstrip_evaluate_batch(&from, CALLS, options, &to, NULL));
         return;
     }
+    if (kind == PREPARED)
+        check(kstrip_prepare(contacts, options, &prepared));
     for (int i = 0; i < CALLS; i++) {
-        const kstrip_creepage *const motion = &creepages[i];
-        const kstrip_creepage_f32 *const motion_f32 = &creepages_f32[i];
-        if (kind == SOLVE && !is_f32)
-            check(kstrip_solve(contacts, motion, options, results));
-        else if (kind == SOLVE)
-            check(kstrip_solve_f32(contacts_f32, motion_f32, options, results_f32));
-        else if (!is_f32)
-            check(kstrip_solve_jacobian(contacts, motion, options, results, slopes));
+        if (kind == SOLVE)
+            check(kstrip_solve(contacts, &creepages[i], options, results));
+        else if (kind == PREPARED)
+            check(kstrip_solve_prepared(&prepared, &creepages[i], results));
         else
-            check(kstrip_solve_jacobian_f32(contacts_f32, motion_f32, options, results_f32,
-                                            slopes_f32));
+            check(kstrip_evaluate(contacts, &creepages[i], NULL, options, &outputs));
+    }
+}
+
+/* The same in single precision. */
+__attribute__((noinline)) void counted_calls_f32(int kind, const kstrip_options *options);
+void counted_calls_f32(int kind, const kstrip_options *options)
+{
+    static kstrip_result_f32 results[CALLS];
+    static kstrip_derivatives_f32 derivatives;
+    const ptrdiff_t c = sizeof *contacts_f32, k = sizeof *creepages_f32, r = sizeof *results;
+    const kstrip_batch_inputs_f32 from = {
+        &contacts_f32->a, c, &contacts_f32->b, c, &contacts_f32->normal_force, c,
+        &contacts_f32->shear_modulus, c, &contacts_f32->poisson_ratio, c, &contacts_f32->friction, c,
+        &creepages_f32->longitudinal, k, &creepages_f32->lateral, k, &creepages_f32->spin, k, NULL, 0};
+    const kstrip_batch_outputs_f32 to = {&results->fx, r, &results->fy, r, &results->mz, r,
+                                         &results->power, r, &results->adhesion, r,
+                                         &results->status_detail, r, NULL, 0, NULL, 0, NULL, 0};
+    kstrip_outputs_f32 outputs;
+    kstrip_prepared_f32 prepared;
+    memset(&outputs, 0, sizeof outputs);
+    outputs.result = results;
+    outputs.derivatives = kind == DERIVATIVES ? &derivatives : NULL;
+    if (kind == BATCH) {
+        check(kstrip_evaluate_batch_f32(&from, CALLS, options, &to, NULL));
+        return;
+    }
+    if (kind == PREPARED)
+        check(kstrip_prepare_f32(contacts_f32, options, &prepared));
+    for (int i = 0; i < CALLS; i++) {
+        if (kind == SOLVE)
+            check(kstrip_solve_f32(contacts_f32, &creepages_f32[i], options, results));
+        else if (kind == PREPARED)
+            check(kstrip_solve_prepared_f32(&prepared, &creepages_f32[i], results));
+        else
+            check(kstrip_evaluate_f32(contacts_f32, &creepages_f32[i], NULL, options, &outputs));
     }
 }
 
@@ -74,10 +115,10 @@ int main(void)
         const kstrip_creepage_f32 l = {(float)k.longitudinal, (float)k.lateral, (float)k.spin};
         contacts[i] = c, contacts_f32[i] = d, creepages[i] = k, creepages_f32[i] = l;
     }
-    static const char *const kinds[] = {"solve", "jacobian", "batch"};
+    static const char *const kinds[] = {"solve", "evaluate", "derivatives", "prepared", "batch"};
     for (size_t m = 0; m < sizeof models / sizeof *models; m++)
         for (int is_f32 = 0; is_f32 < 2; is_f32++)
-            for (int kind = SOLVE; kind <= BATCH; kind++)
+            for (int kind = SOLVE; kind < KINDS; kind++)
                 for (int32_t strips = 4; strips <= 64; strips *= 2) {
                     const int32_t number = models[m].number;
                     const int has_strips =
@@ -87,7 +128,7 @@ int main(void)
                     const kstrip_options options = {number, strips};
                     printf("%s %s %s %d\n", models[m].name, is_f32 ? "f32" : "f64", kinds[kind],
                            has_strips ? (int)strips : 0);
-                    counted_calls(kind, is_f32, &options);
+                    (is_f32 ? counted_calls_f32 : counted_calls)(kind, &options);
                 }
     return EXIT_SUCCESS;
 }

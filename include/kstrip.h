@@ -714,7 +714,7 @@ kstrip_status kstrip_evaluate_batch(const struct kstrip_batch_inputs *inputs,
  */
 typedef struct kstrip_prepared {
     /** Not for use. */
-    double numbers[64];
+    double numbers[96];
     /** The model; 0: nothing prepared. */
     int32_t model;
     /** The strip count. */

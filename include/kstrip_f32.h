@@ -289,7 +289,7 @@ kstrip_status kstrip_evaluate_batch_f32(const struct kstrip_batch_inputs_f32 *in
  * numbers without pointers, to be copied and kept as the caller likes, for this version of the library only.
  */
 typedef struct kstrip_prepared_f32 {
-    float numbers[64];
+    float numbers[96];
     int32_t model;
     int32_t strips;
 } kstrip_prepared_f32;

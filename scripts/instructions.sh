@@ -2,7 +2,7 @@
 # Instructions per call of the C interface, counted by callgrind (valgrind), which are the same in every run of one
 # build, however busy the machine is.
 #
-#   scripts/instructions.sh          writes benches/instructions.txt and the tables in docs/instructions.md
+#   scripts/instructions.sh          writes benches/instructions.txt and the table in README.md
 #   scripts/instructions.sh --check  fails when a count has grown by more than 3 %
 #
 # Counts depend on the compiler. When it is not the one that is named in the file, --check prints the differences
@@ -18,7 +18,7 @@ trap 'rm -rf "$scratch"' EXIT
 CARGO_TERM_QUIET=true sh scripts/library.sh
 cc -std=c99 -O2 -Iinclude benches/instructions.c "${CARGO_TARGET_DIR:-target}/lib/libkstrip.a" -lm -o "$scratch/calls"
 valgrind --quiet --tool=callgrind --callgrind-out-file="$scratch/counts" \
-    --zero-before=counted_calls --dump-after=counted_calls "$scratch/calls" > "$scratch/names"
+    --zero-before=counted_calls --dump-after=counted_calls --zero-before=counted_calls_f32 --dump-after=counted_calls_f32 "$scratch/calls" > "$scratch/names"
 
 # The k-th row's count is in the k-th file.
 compiler="$(rustc --version), $(rustc -vV | awk '/^host:/ { print $2 }')"
@@ -68,9 +68,9 @@ cp "$scratch/now" "$file"
 table=$(awk '
     /^#/ || $2 != "f64" { next }
     $3 == "solve" { solve[$1, $4] = $5; if (!($1 in seen)) { seen[$1]; order[++n] = $1 } }
-    $3 == "jacobian" { jacobian[$1] = $5 }
+    $3 == "derivatives" { jacobian[$1] = $5 }
     END {
-        print "| model | 4 strips | 8 | 16 | 32 | 64 | with Jacobian, 16 |"
+        print "| model | 4 strips | 8 | 16 | 32 | 64 | with derivatives, 16 |"
         print "|---|---|---|---|---|---|---|"
         for (i = 1; i <= n; i++) {
             m = order[i]
@@ -81,29 +81,5 @@ table=$(awk '
 awk -v table="$table" '
     /<!-- instructions:begin -->/ { print; print table; skip = 1 }
     /<!-- instructions:end -->/ { skip = 0 }
-    !skip' docs/instructions.md > docs/instructions.new && mv docs/instructions.new docs/instructions.md
+    !skip' README.md > README.md.new && mv README.md.new README.md
 echo "$table"
-
-# What kstrip_evaluate() costs for each kind of motion and each choice of what is wanted.
-cc -std=c99 -O2 -Iinclude benches/wanted.c "${CARGO_TARGET_DIR:-target}/lib/libkstrip.a" -lm -o "$scratch/choices"
-valgrind --quiet --tool=callgrind --callgrind-out-file="$scratch/wanted" \
-    --zero-before=counted_calls --dump-after=counted_calls "$scratch/choices" > "$scratch/wanted_names"
-k=0
-while read -r name; do
-    k=$((k + 1))
-    awk -v name="$name" '/^(totals|summary):/ { print name, int($2 / 512 + 0.5); exit }' "$scratch/wanted.$k"
-done < "$scratch/wanted_names" > "$scratch/wanted_counts"
-choices=$(awk '
-    BEGIN {
-        print "| model, 16 strips | motion | forces | + moment | + adhesion | + both | + Jacobian | + strips |"
-        print "|---|---|---|---|---|---|---|---|"
-    }
-    $3 == 0 && line != "" { print line (columns < 6 ? " – |" : "") }
-    $3 == 0 { motion = $2; gsub("_", " ", motion); line = "| " $1 " | " motion " |"; columns = 0 }
-    { line = line " " $4 " |"; columns++ }
-    END { print line (columns < 6 ? " – |" : "") }' "$scratch/wanted_counts")
-awk -v table="$choices" '
-    /<!-- wanted:begin -->/ { print; print table; skip = 1 }
-    /<!-- wanted:end -->/ { skip = 0 }
-    !skip' docs/instructions.md > docs/instructions.new && mv docs/instructions.new docs/instructions.md
-echo "$choices"

@@ -299,13 +299,11 @@ pub(super) fn from_profile<F: Precision>(
 ) -> Result<ProfileResult<F>, Error> {
     let ProfileOptions { rolling_radius, normal_force, shear_modulus, .. } = *options;
     let ProfileOptions { poisson_ratio, friction, approach, smoothing_length, .. } = *options;
-    let given = if approach == F::zero() {
-        Given::Load(normal_force)
-    } else if normal_force == F::zero() {
-        Given::Approach(approach)
-    } else {
-        return Err(Error::NotInModel);
-    };
+    if !approach.is_finite_number() {
+        return Err(Error::NotFinite);
+    }
+    let by_load = normal_force != F::zero() || approach == F::zero();
+    let given = if by_load { Given::Load(normal_force) } else { Given::Approach(approach) };
     let contact = ProfileContact {
         rolling_radius,
         given,

@@ -43,18 +43,27 @@ impl<F: Precision> PreparedNumbers<F> {
     }
 
     #[inline(always)]
-    pub(super) fn restored(&self) -> Result<Prepared<F>, Error> {
+    pub(super) fn solve(&self, creepage: &Creepage<F>) -> Result<Solution<F>, Error> {
         let model = Model::from_number(self.model).ok_or(Error::NotPrepared)?;
         let strips = StripCount::from_number(self.strips).ok_or(Error::NotPrepared)?;
         let at = kernel_at::<F>();
-        let kernel = match model {
-            Model::Strip1967 => Kernel::Strip1967(SlidingRule::RigidSlip),
-            Model::Strip1967Continuous => Kernel::Strip1967(SlidingRule::Continuous),
-            Model::Strip => Kernel::Strip(PreparedStrips::from_prepared(self.get(at), strips)),
-            Model::Total => Kernel::Total(self.get(at)),
-            Model::Linear => Kernel::Linear(self.get(at)),
+        let by = |model, kernel| {
+            Prepared { frame: self.get(0), options: Options { model, strips }, kernel }
+                .solve(creepage)
         };
-        Ok(Prepared { frame: self.get(0), options: Options { model, strips }, kernel })
+        let theory = |rule| Kernel::Strip1967(rule);
+        match model {
+            Model::Strip1967 => by(Model::Strip1967, theory(SlidingRule::RigidSlip)),
+            Model::Strip1967Continuous => {
+                by(Model::Strip1967Continuous, theory(SlidingRule::Continuous))
+            }
+            Model::Strip => {
+                let prepared = PreparedStrips::from_prepared(self.get(at), strips);
+                by(Model::Strip, Kernel::Strip(prepared))
+            }
+            Model::Total => by(Model::Total, Kernel::Total(self.get(at))),
+            Model::Linear => by(Model::Linear, Kernel::Linear(self.get(at))),
+        }
     }
 
     fn put<T: Numbers<F>>(&mut self, at: usize, value: T) {

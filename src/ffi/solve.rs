@@ -96,7 +96,7 @@ pub extern "C" fn kstrip_solve_prepared(
 ) -> kstrip_status {
     answer(|| {
         let (prepared, creepage, result) = (given(prepared)?, given(creepage)?, given(result)?);
-        let solution = prepared.restored()?.solve(creepage)?;
+        let solution = prepared.solve(creepage)?;
         let notice = solution.notice;
         result.write(solution);
         Ok(notice)

@@ -17,11 +17,26 @@ pub fn check<F: Precision>(
     creepage: &Creepage<F>,
     options: &Options,
 ) -> Result<(), Error> {
-    if is_sound(contact, creepage, options.model) {
-        Ok(())
-    } else {
-        find_fault(contact, creepage, options.model)
+    is_ordinary(contact, creepage, options.model).map(|_| ())
+}
+
+/// Checks, and tells whether [`warning`](crate::contact::warning) has nothing to say.
+///
+/// # Errors
+/// Those of [`check`].
+#[inline(always)]
+pub(crate) fn is_ordinary<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    model: Model,
+) -> Result<bool, Error> {
+    if contact.is_ordinary(creepage) {
+        return Ok(true);
     }
+    if !is_sound(contact, creepage, model) {
+        find_fault(contact, creepage, model)?;
+    }
+    Ok(false)
 }
 
 /// Whether all is well, told by few comparisons; of several contacts side by side, with all of them. Rarely all is
@@ -32,9 +47,6 @@ pub(crate) fn is_sound<F: Plain>(
     creepage: &Creepage<F>,
     model: Model,
 ) -> bool {
-    if contact.is_ordinary(creepage) {
-        return true;
-    }
     let Creepage { longitudinal, lateral, spin } = *creepage;
     let size = contact.a + contact.b;
     let edge_slip = size * spin.abs();

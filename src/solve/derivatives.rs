@@ -25,7 +25,7 @@ use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::forces::Totals;
 use crate::number::Float;
-use crate::solve::check::check;
+use crate::solve::check::is_ordinary;
 use crate::solve::model::{Options, Precision, Solution};
 use crate::solve::prepared::{Forces, Frame, Kernel, Prepared};
 use crate::status::Error;
@@ -83,15 +83,15 @@ pub fn solve<F: Precision>(
     creepage: &Creepage<F>,
     options: &Options,
 ) -> Result<(Solution<F>, Derivatives<F>), Error> {
-    check(contact, creepage, options)?;
+    let ordinary = is_ordinary(contact, creepage, options.model)?;
     if contact.is_lost() {
         return Ok((Solution::nothing(), Derivatives::nothing()));
     }
     let prepared = Prepared::of(contact, options);
     let (solution, derivatives) = match prepared.kernel {
-        Kernel::Linear(stiffness) => linear(&prepared, stiffness, creepage),
-        _ if contact.friction_bound() > F::zero() => saturating(&prepared, creepage),
-        _ => sliding(&prepared, creepage),
+        Kernel::Linear(stiffness) => linear(&prepared, stiffness, creepage, ordinary),
+        _ if contact.friction_bound() > F::zero() => saturating(&prepared, creepage, ordinary),
+        _ => sliding(&prepared, creepage, ordinary),
     };
     if derivatives.entries().into_iter().all(F::is_finite_number) {
         Ok((solution, derivatives))
@@ -122,6 +122,7 @@ fn powers<F: Float>() -> [F; 3] {
 fn saturating<F: Precision>(
     prepared: &Prepared<F>,
     creepage: &Creepage<F>,
+    ordinary: bool,
 ) -> (Solution<F>, Derivatives<F>) {
     let Frame { contact, radius, units } = &prepared.frame;
     let parameters = units.parameters(&creepage.inputs());
@@ -133,7 +134,7 @@ fn saturating<F: Precision>(
         mz: mz.value * (bound * *radius),
         adhesion: stick.value,
     };
-    let solution = prepared.solution(creepage, &forces, parameters.psi.value);
+    let solution = prepared.solution(creepage, &forces, parameters.psi.value, ordinary);
 
     let Creepage { longitudinal, lateral, spin } = *creepage;
     let [by_x, by_y, by_z] = powers::<F>();
@@ -159,6 +160,7 @@ fn saturating<F: Precision>(
 fn sliding<F: Precision>(
     prepared: &Prepared<F>,
     creepage: &Creepage<F>,
+    ordinary: bool,
 ) -> (Solution<F>, Derivatives<F>) {
     let Frame { contact, radius, .. } = &prepared.frame;
     let Totals { fx, fy, mz, .. } = prepared.totals(&Parameters::sliding(contact, creepage));
@@ -171,7 +173,7 @@ fn sliding<F: Precision>(
         friction: scaled(limit, contact.normal_force),
         load_through_hertz: scaled(hertz, contact.friction),
     };
-    (prepared.answer(creepage), derivatives)
+    (prepared.answer(creepage, ordinary), derivatives)
 }
 
 /// The linear theory: the derivatives are its coefficients.
@@ -179,8 +181,9 @@ fn linear<F: Precision>(
     prepared: &Prepared<F>,
     [x, y, coupling, z]: [F; 4],
     creepage: &Creepage<F>,
+    ordinary: bool,
 ) -> (Solution<F>, Derivatives<F>) {
-    let solution = prepared.answer(creepage);
+    let solution = prepared.answer(creepage, ordinary);
     let none = F::zero();
     let jacobian = [[x, none, none], [none, y, coupling], [none, -coupling, z]];
     let Solution { fx, fy, mz, .. } = solution;

@@ -4,6 +4,7 @@ use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::contact::forces::StripCount;
 use crate::number::Float;
+use crate::solve::check::is_ordinary;
 use crate::solve::prepared::Prepared;
 use crate::status::{Error, Notice};
 use crate::strip::StripTotals;
@@ -193,9 +194,18 @@ fn solve_inline<F: Precision>(
     creepage: &Creepage<F>,
     options: &Options,
 ) -> Result<Solution<F>, Error> {
-    check(contact, creepage, options)?;
+    let ordinary = is_ordinary(contact, creepage, options.model)?;
     if contact.is_lost() {
         return Ok(Solution::nothing());
     }
-    Ok(Prepared::of(contact, options).answer(creepage))
+    let by =
+        |model| Prepared::of(contact, &Options { model, ..*options }).answer(creepage, ordinary);
+    // Each with a model of its own that the compiler knows
+    Ok(match options.model {
+        Model::Strip1967 => by(Model::Strip1967),
+        Model::Strip1967Continuous => by(Model::Strip1967Continuous),
+        Model::Strip => by(Model::Strip),
+        Model::Total => by(Model::Total),
+        Model::Linear => by(Model::Linear),
+    })
 }

@@ -114,7 +114,7 @@ pub fn solve<F: Precision>(
         }
         None => Ok((model::solve(contact, creepage, options)?, contact.friction)),
     })?;
-    rolling.solution(contact, forward, backward)
+    rolling.solution(&without_law(contact, law.as_ref()), forward, backward)
 }
 
 /// [`solve`] with derivatives by everything.
@@ -132,13 +132,19 @@ pub fn differentiate<F: Precision>(
     let [forward, backward] = rolling
         .each(|creepage| derivatives::differentiate(contact, creepage, law.as_ref(), options))?;
     let found = |of: &Differentiated<F>| (of.solution, of.friction);
-    let (solution, friction) = rolling.solution(contact, found(&forward), found(&backward))?;
+    let contact = without_law(contact, law.as_ref());
+    let (solution, friction) = rolling.solution(&contact, found(&forward), found(&backward))?;
     let slopes = rolling.slopes(&forward, &backward);
     if slopes.entries().all(F::is_finite_number) {
         Ok((solution, friction, slopes))
     } else {
         Err(Error::Overflow)
     }
+}
+
+/// The contact with the friction that counts.
+fn without_law<F: Float>(contact: &Contact<F>, law: Option<&SlipFriction<F>>) -> Contact<F> {
+    Contact { friction: law.map_or(contact.friction, |law| law.friction), ..*contact }
 }
 
 /// A motion as creepages, and the shares of both ends.

@@ -8,7 +8,7 @@ use crate::contact::forces::Totals;
 use crate::contact::{Contact, warning};
 use crate::linear::LinearCoefficients;
 use crate::number::{Arithmetic, Float, Number, Pair, Plain};
-use crate::solve::check::check;
+use crate::solve::check::is_ordinary;
 use crate::solve::model::{Model, Options, Precision, Solution};
 use crate::status::{Error, Notice};
 use crate::strip::{PreparedStrips, StripTotals};
@@ -151,28 +151,29 @@ impl<F: Precision> Prepared<F> {
     ///
     /// # Errors
     /// Those of [`solve`](crate::solve::model::solve).
-    #[inline]
+    #[inline(always)]
     pub fn solve(&self, creepage: &Creepage<F>) -> Result<Solution<F>, Error> {
-        check(&self.frame.contact, creepage, &self.options)?;
-        if self.frame.contact.is_lost() {
+        let contact = &self.frame.contact;
+        let ordinary = is_ordinary(contact, creepage, self.options.model)?;
+        if contact.is_lost() {
             return Ok(Solution::nothing());
         }
-        Ok(self.answer(creepage))
+        Ok(self.answer(creepage, ordinary))
     }
 
     /// Of a loaded contact and a creepage that have been checked.
     #[inline(always)]
-    pub(crate) fn answer(&self, creepage: &Creepage<F>) -> Solution<F> {
+    pub(crate) fn answer(&self, creepage: &Creepage<F>, ordinary: bool) -> Solution<F> {
         let zero = F::zero();
         let Creepage { longitudinal, lateral, spin } = *creepage;
         if longitudinal == zero && lateral == zero && spin == zero {
             // no force, adhesion everywhere
             let adhesion = if self.options.model == Model::Total { -F::one() } else { F::one() };
             let none = Forces { fx: zero, fy: zero, mz: zero, adhesion };
-            return self.solution(creepage, &none, zero);
+            return self.solution(creepage, &none, zero, ordinary);
         }
         let (forces, psi) = self.forces(creepage);
-        self.solution(creepage, &forces, psi)
+        self.solution(creepage, &forces, psi, ordinary)
     }
 
     #[inline(always)]
@@ -181,6 +182,7 @@ impl<F: Precision> Prepared<F> {
         creepage: &Creepage<F>,
         forces: &Forces<F>,
         psi: F,
+        ordinary: bool,
     ) -> Solution<F> {
         let Forces { fx, fy, mz, adhesion } = *forces;
         let power = creepage.power([fx, fy, mz]);
@@ -190,7 +192,8 @@ impl<F: Precision> Prepared<F> {
         } else {
             notice(self.options.model, bound, self.frame.contact.a / self.frame.contact.b, psi)
         };
-        let notice = with_warning(&self.frame.contact, creepage, of_model);
+        let notice =
+            if ordinary { of_model } else { warned(&self.frame.contact, creepage, of_model) };
         Solution { fx, fy, mz, power, adhesion, notice, reserved: 0 }
     }
 }
@@ -203,15 +206,10 @@ pub(crate) fn notice_of<F: Float>(
     psi: F,
 ) -> Notice {
     let of_model = notice(model, contact.friction_bound(), contact.a / contact.b, psi);
-    with_warning(contact, creepage, of_model)
+    warned(contact, creepage, of_model)
 }
 
 /// Or that an input is implausible.
-#[inline(always)]
-fn with_warning<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>, notice: Notice) -> Notice {
-    if contact.is_ordinary(creepage) { notice } else { warned(contact, creepage, notice) }
-}
-
 #[cold]
 #[inline(never)]
 fn warned<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>, notice: Notice) -> Notice {

@@ -130,8 +130,38 @@ fn cases<'a>(declared: &'a Declared, rules: &[Rule]) -> Vec<Case<'a>> {
     cases
 }
 
+/// What structures of outputs point to, and a contact that is prepared.
+const PLACES: &str = "
+static double places[10][1024];
+#define P(i) ((void *)places[i])
+
+static kstrip_prepared prepared_double(void)
+{
+    const kstrip_contact contact = {6e-3, 4e-3, 80e3, 82e9, 0.28, 0.3};
+    kstrip_prepared prepared;
+    kstrip_prepare(&contact, NULL, &prepared);
+    return prepared;
+}
+
+static kstrip_prepared_f32 prepared_float(void)
+{
+    const kstrip_contact_f32 contact = {6e-3F, 4e-3F, 80e3F, 82e9F, 0.28F, 0.3F};
+    kstrip_prepared_f32 prepared;
+    kstrip_prepare_f32(&contact, NULL, &prepared);
+    return prepared;
+}
+";
+
+/// Structures of places, through which a function writes.
+const OUTPUTS_OF: [&str; 3] = ["kstrip_outputs", "kstrip_motion_outputs", "kstrip_batch_outputs"];
+
 const ELEMENTS: usize = 4;
 const OUTPUTS: usize = 256;
+
+fn writes_through_places(function: &Function) -> bool {
+    let target = |argument: &Variable| argument.target().map(|(target, _)| base(target).to_owned());
+    function.arguments.iter().filter_map(target).any(|name| OUTPUTS_OF.contains(&name.as_str()))
+}
 
 /// The block of C that makes one call and prints its number, status and whether outputs are untouched.
 fn block(
@@ -157,6 +187,11 @@ fn block(
     let has_count = function.arguments.iter().any(|a| a.name == "count" && a.target().is_none());
     let many = has_count && value_of("count") != "1";
     let (mut text, mut arguments, mut outputs) = ("    {\n".to_owned(), vec![], vec![]);
+    let places = "places".to_owned();
+    if writes_through_places(function) {
+        text += "        memset(places, POISON, sizeof places);\n";
+        outputs.push(&places);
+    }
     for (position, argument) in function.arguments.iter().enumerate() {
         let Variable { kind, name, .. } = argument;
         let bad = case.filter(|case| case.position == position);
@@ -166,7 +201,10 @@ fn block(
             Some((target, true)) => {
                 text += &format!("        static {target} {name}[{OUTPUTS}];\n");
                 text += &format!("        memset({name}, POISON, sizeof {name});\n");
-                outputs.push(name);
+                // (the index of what is bad is told with an error too)
+                if name != "first_bad" {
+                    outputs.push(name);
+                }
                 arguments.push(name.clone());
             }
             Some((target, false)) => {
@@ -187,8 +225,12 @@ fn block(
                     let place = match case.argument.split_once('.') {
                         Some((_, member)) => {
                             // Options are one for all contacts.
-                            let one =
-                                ["kstrip_options", "kstrip_batch_inputs", "kstrip_batch_outputs"];
+                            let one = [
+                                "kstrip_options",
+                                "kstrip_batch_inputs",
+                                "kstrip_batch_outputs",
+                                "kstrip_outputs",
+                            ];
                             let element = usize::from(many && !one.contains(&base(target)));
                             format!("{name}[{element}].{member}")
                         }
@@ -217,17 +259,19 @@ fn block(
 
 #[test]
 fn bad_input_gets_its_status_and_outputs_stay() {
-    let header = std::fs::read_to_string(root().join("include/kstrip.h")).expect("the header");
+    let read = |path: &str| std::fs::read_to_string(root().join(path)).expect("the header");
+    let header = read("include/kstrip.h") + &read("include/kstrip_f32.h");
     let declared = header::declared(&header);
     let (good, rules) = page();
     let cases = cases(&declared, &rules);
 
     // Blocks in functions of their own, so that no stack grows with the table
-    let mut program = "/* Written by tests/interface/bad_input.rs. */\n#include \"kstrip.h\"\n#include <float.h>\n\
+    let mut program = "/* Written by tests/interface/bad_input.rs. */\n#include \"kstrip_f32.h\"\n#include <float.h>\n\
         #include <math.h>\n#include <stdio.h>\n#include <string.h>\n\nenum { POISON = 0xA5 };\n\n\
         static int poisoned(const void *memory, size_t size)\n{\n    const unsigned char *byte = memory;\n    \
         while (size--)\n        if (*byte++ != POISON)\n            return 0;\n    return 1;\n}\n"
         .to_owned();
+    program += PLACES;
     let functions: Vec<&Function> =
         declared.functions.iter().filter(|f| f.kind == "kstrip_status").collect();
     let mut blocks: Vec<String> = functions
@@ -276,7 +320,8 @@ fn bad_input_gets_its_status_and_outputs_stay() {
     }
     for (i, function) in functions.iter().enumerate() {
         let (status, untouched) = answers[&(cases.len() + i)];
-        let writes = function.arguments.iter().any(|a| matches!(a.target(), Some((_, true))));
+        let writes = writes_through_places(function)
+            || function.arguments.iter().any(|a| matches!(a.target(), Some((_, true))));
         if status < 0 || (untouched && writes) {
             wrong.push(format!("{}: good arguments give {status}", function.name));
         }
@@ -324,10 +369,10 @@ fn bad_input_gets_its_status_and_outputs_stay() {
                                         }
                                     }
                                     None => {
-                                        ask(
-                                            &format!("{}.{}", base(target), member.name),
-                                            &member.kind,
-                                        );
+                                        let place = if member.elements > 1 { "[0]" } else { "" };
+                                        let what =
+                                            format!("{}.{}{place}", base(target), member.name);
+                                        ask(&what, &member.kind);
                                     }
                                 }
                             }

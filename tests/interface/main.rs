@@ -1,5 +1,7 @@
 //! The C interface from Rust: header, bad input, batches, properties of every function; Python.
 
+#[path = "../common/entries/mod.rs"]
+mod entries;
 #[path = "../c/groups.rs"]
 mod groups;
 #[path = "../c/header.rs"]
@@ -11,7 +13,9 @@ mod random;
 #[path = "../c/toolchain.rs"]
 mod toolchain;
 
+mod bad_input;
 mod batch;
 mod binary_interface;
+mod fuzz_properties;
 mod prepared;
 mod python;

@@ -1,7 +1,7 @@
 //! Many contacts in one call: each answer is that of the call for one contact, to the bit.
 
 use super::super::*;
-use super::contacts::{contact, creepage, same_bits, solved};
+use super::contacts::{contact, creepage, friction_of};
 use super::*;
 
 /// Contacts at most.
@@ -22,49 +22,24 @@ impl Scene {
         let creepages = std::array::from_fn(|_| creepage(bytes));
         Self { contacts, creepages, count, options, given }
     }
-
-    /// Contacts one by one by `kstrip_solve`, which must all be there, and the worst of their statuses.
-    fn one_by_one(&self) -> (Vec<kstrip_result>, i32) {
-        let solved: Vec<kstrip_result> = (0..self.count)
-            .map(|i| {
-                solved(&self.contacts[i], &self.creepages[i], self.options).expect("an answer")
-            })
-            .collect();
-        let worst = solved.iter().map(|r| r.status_detail).max().unwrap_or(0);
-        (solved, worst)
-    }
 }
 
+/// One of these, now and then `None`: a quantity that is missing.
+fn missing(bytes: &mut Bytes, count: u8) -> Option<u8> {
+    let choice = bytes.byte();
+    (choice < count).then_some(choice)
+}
+
+/// Structures side by side or one array for each quantity: the bits of the calls for one contact.
 fn batch(bytes: &mut Bytes) {
     let scene = Scene::new(bytes);
-    let given = scene.given;
-    let mut results = poisoned_array::<kstrip_result, { MOST + 1 }>();
-    // SAFETY: NULL or four elements, and the count is not larger.
-    let status = unsafe {
-        kstrip_solve_batch(
-            given.array(0, &scene.contacts),
-            given.array(1, &scene.creepages),
-            scene.count as u32,
-            scene.options.as_ref(),
-            given.places(2, &mut results),
-        )
-    };
-    if answered(status, all_untouched(&results)) {
-        assert!(given.all(3) || scene.count == 0);
-        let (wanted, worst) = scene.one_by_one();
-        assert_eq!(status, worst);
-        results.iter().zip(&wanted).for_each(|(r, wanted)| same_bits(&written(r), wanted));
-        assert!(all_untouched(&results[scene.count..]), "written past the count");
-    }
-}
-
-fn batch_arrays(bytes: &mut Bytes) {
-    let scene = Scene::new(bytes);
-    let given = scene.given;
-    let (null_inputs, null_outputs) = (bytes.byte(), bytes.byte());
+    let Scene { contacts, creepages, count, options, given } = &scene;
+    let (null, structures, wanted) = (missing(bytes, 9), bytes.byte() < 128, bytes.byte());
+    let laws: Option<[kstrip_friction; MOST]> =
+        (bytes.byte() < 96).then(|| std::array::from_fn(|_| friction_of(bytes)));
     let column = |of: &dyn Fn(usize) -> Float| -> [Float; MOST] { std::array::from_fn(of) };
-    let c = |of: &dyn Fn(&kstrip_contact) -> Float| column(&|i| of(&scene.contacts[i]));
-    let k = |of: &dyn Fn(&kstrip_creepage) -> Float| column(&|i| of(&scene.creepages[i]));
+    let c = |of: &dyn Fn(&kstrip_contact) -> Float| column(&|i| of(&contacts[i]));
+    let k = |of: &dyn Fn(&kstrip_creepage) -> Float| column(&|i| of(&creepages[i]));
     let columns = [
         c(&|c| c.a),
         c(&|c| c.b),
@@ -76,112 +51,146 @@ fn batch_arrays(bytes: &mut Bytes) {
         k(&|k| k.lateral),
         k(&|k| k.spin),
     ];
-    // One of nine, now and then.
-    let input = |i: u8| {
-        let null = null_inputs < 9 && null_inputs == i;
-        if null { std::ptr::null() } else { columns[usize::from(i)].as_ptr() }
+    let of_contact: [fn(&kstrip_contact) -> *const Float; 6] = [
+        |c| &raw const c.a,
+        |c| &raw const c.b,
+        |c| &raw const c.normal_force,
+        |c| &raw const c.shear_modulus,
+        |c| &raw const c.poisson_ratio,
+        |c| &raw const c.friction,
+    ];
+    let of_creepage: [fn(&kstrip_creepage) -> *const Float; 3] =
+        [|k| &raw const k.longitudinal, |k| &raw const k.lateral, |k| &raw const k.spin];
+    let input = |i: usize| -> (*const Float, isize) {
+        let (first, stride) = match (structures, i) {
+            (true, ..6) => (of_contact[i](&contacts[0]), size_of::<kstrip_contact>()),
+            (true, _) => (of_creepage[i - 6](&creepages[0]), size_of::<kstrip_creepage>()),
+            (false, _) => (columns[i].as_ptr(), size_of::<Float>()),
+        };
+        (if null == Some(i as u8) { std::ptr::null() } else { first }, stride as isize)
     };
+    let [a, b, normal_force, shear_modulus, poisson_ratio, friction, longitudinal, lateral, spin] =
+        std::array::from_fn(input);
     let inputs = kstrip_batch_inputs {
-        a: input(0),
-        b: input(1),
-        normal_force: input(2),
-        shear_modulus: input(3),
-        poisson_ratio: input(4),
-        friction: input(5),
-        longitudinal: input(6),
-        lateral: input(7),
-        spin: input(8),
+        a: a.0,
+        a_stride: a.1,
+        b: b.0,
+        b_stride: b.1,
+        normal_force: normal_force.0,
+        normal_force_stride: normal_force.1,
+        shear_modulus: shear_modulus.0,
+        shear_modulus_stride: shear_modulus.1,
+        poisson_ratio: poisson_ratio.0,
+        poisson_ratio_stride: poisson_ratio.1,
+        friction: friction.0,
+        friction_stride: friction.1,
+        longitudinal: longitudinal.0,
+        longitudinal_stride: longitudinal.1,
+        lateral: lateral.0,
+        lateral_stride: lateral.1,
+        spin: spin.0,
+        spin_stride: spin.1,
+        law: laws.as_ref().map_or(std::ptr::null(), |laws| laws.as_ptr()),
+        law_stride: size_of::<kstrip_friction>() as isize,
     };
-    let mut arrays = [const { [const { MaybeUninit::<Float>::uninit() }; MOST + 1] }; 5];
-    arrays.iter_mut().for_each(|array| array.fill_with(poisoned));
+    let mut arrays: [[MaybeUninit<Float>; MOST + 1]; 6] = std::array::from_fn(|_| poisoned_array());
     let mut details = poisoned_array::<i32, { MOST + 1 }>();
-    // Outputs that are not wanted are NULL: any of six.
-    let wanted = Given(if null_outputs < 64 { null_outputs } else { 0xff });
+    let mut slopes = poisoned_array::<kstrip_derivatives, { MOST + 1 }>();
+    let wanted = Given(if wanted < 192 { wanted } else { 0xff });
+    let each = size_of::<Float>() as isize;
     let outputs = {
-        let [fx, fy, mz, power, adhesion] = &mut arrays;
+        let [fx, fy, mz, power, adhesion, found] = &mut arrays;
         kstrip_batch_outputs {
             fx: wanted.places(0, fx),
+            fx_stride: each,
             fy: wanted.places(1, fy),
+            fy_stride: each,
             mz: wanted.places(2, mz),
+            mz_stride: each,
             power: wanted.places(3, power),
+            power_stride: each,
             adhesion: wanted.places(4, adhesion),
+            adhesion_stride: each,
             status_detail: wanted.places(5, &mut details),
+            status_detail_stride: size_of::<i32>() as isize,
+            friction: wanted.places(6, found),
+            friction_stride: each,
+            derivatives: wanted.places(7, &mut slopes),
+            derivatives_stride: size_of::<kstrip_derivatives>() as isize,
+            law_derivatives: std::ptr::null_mut(),
+            law_derivatives_stride: 0,
         }
     };
+    let mut bad = MaybeUninit::new(u32::MAX);
     // SAFETY: NULL or four elements, and the count is not larger.
     let status = unsafe {
-        kstrip_solve_batch_arrays(
-            scene.count as u32,
+        kstrip_evaluate_batch(
             given.input(0, &inputs),
-            scene.options.as_ref(),
+            *count as u32,
+            options.as_ref(),
             given.input(1, &outputs),
+            Some(&mut bad),
         )
     };
-    let clean = arrays.iter().all(|array| all_untouched(array)) && all_untouched(&details);
+    // SAFETY: initialised above.
+    let bad = unsafe { bad.assume_init() } as usize;
+    let clean = arrays.iter().all(|array| all_untouched(array))
+        && all_untouched(&details)
+        && all_untouched(&slopes);
+    // One by one: what each is alone, and the first that is bad
+    let alone = |i: usize| {
+        let (mut result, mut d, mut found) =
+            (poisoned::<kstrip_result>(), poisoned::<kstrip_derivatives>(), poisoned::<Float>());
+        let outputs = kstrip_outputs {
+            result: result.as_mut_ptr(),
+            derivatives: if wanted.has(7) { d.as_mut_ptr() } else { std::ptr::null_mut() },
+            law_derivatives: std::ptr::null_mut(),
+            friction: found.as_mut_ptr(),
+            strips: std::ptr::null_mut(),
+            count: std::ptr::null_mut(),
+            capacity: 0,
+            reserved: 0,
+        };
+        let law = laws.as_ref().map(|laws| &laws[i]);
+        let (contact, creepage) = (Some(&contacts[i]), Some(&creepages[i]));
+        // SAFETY: the places are there.
+        let status =
+            unsafe { kstrip_evaluate(contact, creepage, law, options.as_ref(), Some(&outputs)) };
+        if status < 0 { Err(status) } else { Ok((written(&result), written(&found), d)) }
+    };
     if !answered(status, clean) {
+        if given.all(2) && null.is_none() && bad != u32::MAX as usize {
+            assert_eq!(alone(bad).err(), Some(status));
+            assert!((0..bad).all(|i| alone(i).is_ok()));
+        }
         return;
     }
-    assert!(given.all(2) && (null_inputs >= 9 || scene.count == 0));
-    let (expected, worst) = scene.one_by_one();
-    assert_eq!(status, worst);
+    assert!(given.all(2) && (null.is_none() || *count == 0) && bad == *count);
+    let expected: Vec<_> = (0..*count).map(|i| alone(i).expect("an answer")).collect();
+    assert_eq!(status, expected.iter().map(|(r, ..)| r.notice.code()).max().unwrap_or(0));
     for (argument, array) in (0..).zip(&arrays) {
-        let count = if wanted.has(argument) { scene.count } else { 0 };
-        for (place, r) in array[..count].iter().zip(&expected) {
-            let r = [r.fx, r.fy, r.mz, r.power, r.adhesion][usize::from(argument)];
-            assert_eq!(written(place).bits(), r.bits());
+        let place = if argument == 5 { 6 } else { argument };
+        let count = if wanted.has(place) { *count } else { 0 };
+        for (place, (r, found, _)) in array[..count].iter().zip(&expected) {
+            let r = [r.fx, r.fy, r.mz, r.power, r.adhesion, *found][usize::from(argument)];
+            assert_eq!(written(place).bits(), r.bits(), "{argument} {contacts:?} {creepages:?}");
         }
         assert!(all_untouched(&array[count..]), "written past the count");
     }
-    let count = if wanted.has(5) { scene.count } else { 0 };
-    for (place, r) in details[..count].iter().zip(&expected) {
-        assert_eq!(written(place), r.status_detail);
+    let written_details = if wanted.has(5) { *count } else { 0 };
+    for (place, (r, ..)) in details[..written_details].iter().zip(&expected) {
+        assert_eq!(written(place), r.notice.code());
     }
-    assert!(all_untouched(&details[count..]), "written past the count");
-}
-
-fn jacobian_batch(bytes: &mut Bytes) {
-    let scene = Scene::new(bytes);
-    let given = scene.given;
-    let mut results = poisoned_array::<kstrip_result, { MOST + 1 }>();
-    let mut jacobians = poisoned_array::<[Float; 9], { MOST + 1 }>();
-    // SAFETY: NULL or four elements (nine numbers each), and the count is not larger.
-    let status = unsafe {
-        kstrip_solve_jacobian_batch(
-            given.array(0, &scene.contacts),
-            given.array(1, &scene.creepages),
-            scene.count as u32,
-            scene.options.as_ref(),
-            given.places(2, &mut results),
-            given.places(3, &mut jacobians).cast(),
-        )
-    };
-    if !answered(status, all_untouched(&results) && all_untouched(&jacobians)) {
-        return;
-    }
-    assert!(given.all(4) || scene.count == 0);
-    let mut worst = 0;
-    for i in 0..scene.count {
-        let (mut result, mut entries) = (poisoned::<kstrip_result>(), poisoned::<[Float; 9]>());
-        // SAFETY: nine numbers.
-        let of_one = unsafe {
-            kstrip_solve_jacobian(
-                Some(&scene.contacts[i]),
-                Some(&scene.creepages[i]),
-                scene.options.as_ref(),
-                Some(&mut result),
-                entries.as_mut_ptr().cast(),
-            )
+    let written_slopes = if wanted.has(7) { *count } else { 0 };
+    for (place, (_, _, d)) in slopes[..written_slopes].iter().zip(&expected) {
+        let bits = |d: kstrip_derivatives| {
+            let rows = [d.normal_force, d.load_through_hertz, d.friction];
+            d.jacobian.into_iter().chain(rows).flatten().map(Number::bits).collect::<Vec<_>>()
         };
-        assert!(of_one >= 0);
-        worst = worst.max(of_one);
-        same_bits(&written(&results[i]), &written(&result));
-        let (one, other) = (written(&jacobians[i]), written(&entries));
-        assert!(finite(&one), "{one:?}");
-        assert_eq!(one.map(Number::bits), other.map(Number::bits));
+        assert_eq!(bits(written(place)), bits(written(d)));
     }
-    assert_eq!(status, worst);
-    assert!(all_untouched(&results[scene.count..]) && all_untouched(&jacobians[scene.count..]));
+    assert!(all_untouched(&details[written_details..]));
+    assert!(all_untouched(&slopes[written_slopes..]));
 }
 
-pub const ENTRIES: &[Entry] =
-    &[("batch", batch), ("batch_arrays", batch_arrays), ("jacobian_batch", jacobian_batch)];
+pub const ENTRIES: &[Entry] = &[("batch", batch)];

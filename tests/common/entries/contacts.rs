@@ -2,6 +2,7 @@
 
 use super::super::*;
 use super::*;
+use kstrip::strip_1967::strip::State;
 
 pub fn contact(bytes: &mut Bytes) -> kstrip_contact {
     kstrip_contact {
@@ -28,7 +29,10 @@ pub fn numbers_of(r: &kstrip_result) -> [Float; 5] {
 
 /// The model that options stand for.
 pub fn model_of(options: Option<kstrip_options>) -> i32 {
-    options.map_or(KSTRIP_MODEL_STRIP, |options| options.model)
+    match options.map_or(KSTRIP_MODEL_DEFAULT, |options| options.model) {
+        KSTRIP_MODEL_DEFAULT => KSTRIP_MODEL_TOTAL,
+        model => model,
+    }
 }
 
 /// What holds for every result.
@@ -40,10 +44,11 @@ fn plausible(
     r: &kstrip_result,
 ) {
     let context = || format!("{contact:?} {k:?} model {model} {r:?}");
-    assert_eq!((r.status_detail, r.reserved), (status, 0));
+    assert_eq!((r.notice.code(), r.reserved), (status, 0));
     assert!(finite(&numbers_of(r)), "{}", context());
     let rounding = Float::ROUNDING;
-    let bound = f64::from(contact.friction) * f64::from(contact.normal_force);
+    let load = f64::from(contact.normal_force).max(0.0);
+    let bound = f64::from(contact.friction) * load;
     let (fx, fy) = (f64::from(r.fx), f64::from(r.fy));
     if model != KSTRIP_MODEL_LINEAR {
         let size = fx.hypot(fy);
@@ -51,6 +56,10 @@ fn plausible(
     }
     let in_range = (0.0..=1.0).contains(&r.adhesion);
     assert!(in_range || (model == KSTRIP_MODEL_TOTAL && r.adhesion == -1.0), "{}", context());
+    if contact.is_lost() {
+        assert_eq!((numbers_of(r), status), ([0.0; 5], 0), "{}", context());
+        return;
+    }
     if model == KSTRIP_MODEL_TOTAL {
         let terms = (f64::from(r.fx) * f64::from(k.longitudinal)).abs()
             + (f64::from(r.fy) * f64::from(k.lateral)).abs()
@@ -65,7 +74,7 @@ fn plausible(
 
 pub fn same_bits(one: &kstrip_result, two: &kstrip_result) {
     assert_eq!(numbers_of(one).map(Number::bits), numbers_of(two).map(Number::bits));
-    assert_eq!(one.status_detail, two.status_detail);
+    assert_eq!(one.notice, two.notice);
 }
 
 /// `kstrip_solve` once more, for what must be equal.
@@ -99,7 +108,7 @@ pub fn solve(bytes: &mut Bytes) {
     let reversed =
         kstrip_creepage { longitudinal: -k.longitudinal, lateral: -k.lateral, spin: -k.spin };
     let back = solved(&contact, &reversed, options).expect("the same status");
-    assert_eq!(back.status_detail, status);
+    assert_eq!(back.notice.code(), status);
     assert!(
         (back.fx, back.fy, back.mz) == (-r.fx, -r.fy, -r.mz)
             && (back.power, back.adhesion) == (r.power, r.adhesion),
@@ -157,152 +166,247 @@ fn solve_strip(bytes: &mut Bytes) {
     of_one_model(bytes, KSTRIP_MODEL_STRIP, |c, k, n, out| kstrip_solve_strip(c, k, n, out));
 }
 
-fn jacobian(bytes: &mut Bytes) {
-    let (contact, k) = (contact(bytes), creepage(bytes));
-    let options = bytes.options();
-    let given = bytes.given();
-    let mut out = poisoned();
-    let mut entries = poisoned_array::<Float, 9>();
-    // SAFETY: NULL or nine numbers.
-    let status = unsafe {
-        kstrip_solve_jacobian(
-            given.input(0, &contact),
-            given.input(1, &k),
-            options.as_ref(),
-            given.output(2, &mut out),
-            given.places(3, &mut entries),
-        )
-    };
-    if answered(status, untouched(&out) && all_untouched(&entries)) {
-        assert!(given.all(4));
-        plausible(&contact, &k, model_of(options), status, &written(&out));
-        let entries = entries.map(|entry| written(&entry));
-        assert!(finite(&entries), "{contact:?} {k:?} {options:?} {entries:?}");
-    }
+/// Where the outputs of an evaluation go, each with its pattern.
+pub struct All {
+    pub result: MaybeUninit<kstrip_result>,
+    pub derivatives: MaybeUninit<kstrip_derivatives>,
+    pub law_derivatives: MaybeUninit<kstrip_law_derivatives>,
+    pub friction: MaybeUninit<Float>,
+    pub strips: [MaybeUninit<kstrip_strip>; MOST_STRIPS],
+    pub count: MaybeUninit<u32>,
+    pub capacity: usize,
+    /// Which are wanted: result, derivatives, by the law, friction, strips, count.
+    given: Given,
 }
 
-fn derivatives(bytes: &mut Bytes) {
-    let (contact, k) = (contact(bytes), creepage(bytes));
-    let options = bytes.options();
-    let given = bytes.given();
-    let (mut out, mut slopes) = (poisoned(), poisoned::<kstrip_derivatives>());
-    let status = kstrip_solve_derivatives(
-        given.input(0, &contact),
-        given.input(1, &k),
-        options.as_ref(),
-        given.output(2, &mut out),
-        given.output(3, &mut slopes),
-    );
-    if answered(status, untouched(&out) && untouched(&slopes)) {
-        assert!(given.all(4));
-        plausible(&contact, &k, model_of(options), status, &written(&out));
-        let d = written(&slopes);
-        let all = finite(&d.jacobian)
-            && finite(&d.normal_force)
-            && finite(&d.friction)
-            && finite(&d.load_through_hertz);
-        assert!(all, "{contact:?} {k:?} {options:?} {d:?}");
+impl All {
+    pub fn new(bytes: &mut Bytes) -> Self {
+        let choice = bytes.byte();
+        let given = Given(if choice < 128 { bytes.byte() } else { 0xff });
+        Self {
+            result: poisoned(),
+            derivatives: poisoned(),
+            law_derivatives: poisoned(),
+            friction: poisoned(),
+            strips: poisoned_array(),
+            count: poisoned(),
+            capacity: if choice < 224 { MOST_STRIPS - 1 } else { bytes.below(MOST_STRIPS) },
+            given,
+        }
+    }
+
+    pub fn outputs(&mut self) -> kstrip_outputs {
+        let given = self.given;
+        kstrip_outputs {
+            result: given.place(0, &mut self.result),
+            derivatives: given.place(1, &mut self.derivatives),
+            law_derivatives: given.place(2, &mut self.law_derivatives),
+            friction: given.place(3, &mut self.friction),
+            strips: given.places(4, &mut self.strips),
+            count: given.place(5, &mut self.count),
+            capacity: self.capacity as u32,
+            reserved: 0,
+        }
+    }
+
+    /// Whether each of them is as it was.
+    fn untouched(&self) -> [bool; 6] {
+        [
+            untouched(&self.result),
+            untouched(&self.derivatives),
+            untouched(&self.law_derivatives),
+            untouched(&self.friction),
+            all_untouched(&self.strips),
+            untouched(&self.count),
+        ]
+    }
+
+    /// Whether there is an answer: then what is wanted is written, and nothing else.
+    pub fn answered(&self, status: i32, context: impl Fn() -> String) -> bool {
+        let untouched = self.untouched();
+        if !answered(status, untouched == [true; 6]) {
+            return false;
+        }
+        for (i, untouched) in (0..6).zip(untouched) {
+            // (a contact may have no strips, and a count is one of strips)
+            let may = i == 4 || (i == 5 && !self.given.has(4));
+            assert!(may || untouched != self.given.has(i), "output {i}: {}", context());
+        }
+        if self.given.has(1) {
+            let d = written(&self.derivatives);
+            let vectors = [d.normal_force, d.friction, d.load_through_hertz];
+            let all = d.jacobian.iter().chain(&vectors).all(|row| finite(row));
+            assert!(all, "{} {d:?}", context());
+        }
+        if self.given.has(2) {
+            let d = written(&self.law_derivatives);
+            let vectors = [d.ratio, d.decay, d.rolling_speed, d.slope_factor];
+            assert!(vectors.iter().all(|row| finite(row)), "{} {d:?}", context());
+        }
+        true
+    }
+
+    pub fn result(&self) -> Option<kstrip_result> {
+        self.given.has(0).then(|| written(&self.result))
+    }
+
+    pub fn friction(&self) -> Option<Float> {
+        self.given.has(3).then(|| written(&self.friction))
+    }
+
+    /// The strips, all of them written.
+    pub fn strips(&self) -> Option<Vec<kstrip_strip>> {
+        let count = self.given.has(4).then(|| written(&self.count) as usize)?;
+        assert!(count <= self.capacity && all_untouched(&self.strips[count..]));
+        Some(self.strips[..count].iter().map(written).collect())
     }
 }
 
 fn evaluate(bytes: &mut Bytes) {
-    let (contact, k) = (contact(bytes), creepage(bytes));
+    let (contact, k, law) = (contact(bytes), creepage(bytes), friction_of(bytes));
     let options = bytes.options();
-    let wanted = match bytes.byte() {
-        choice @ 0..=247 => u32::from(choice % 32),
-        _ => bytes.integer() as u32,
-    };
-    let wants = |flag| wanted & flag != 0;
     let given = bytes.given();
-    let capacity = bytes.below(MOST_STRIPS);
-    let mut out = poisoned();
-    let mut entries = poisoned_array::<Float, 9>();
-    let mut strips = [const { MaybeUninit::<kstrip_strip>::uninit() }; MOST_STRIPS];
-    strips[..=capacity].fill_with(poisoned);
-    let mut count = poisoned::<u32>();
-    // SAFETY: NULL or nine numbers; NULL or at least as many strips as the capacity.
+    let with_law = bytes.byte() < 128;
+    let mut all = All::new(bytes);
+    let outputs = all.outputs();
+    // SAFETY: each pointer is NULL or valid.
     let status = unsafe {
         kstrip_evaluate(
             given.input(0, &contact),
             given.input(1, &k),
+            with_law.then_some(&law),
             options.as_ref(),
-            wanted,
-            given.output(2, &mut out),
-            given.places(3, &mut entries),
-            given.places(4, &mut strips),
-            capacity as u32,
-            given.output(5, &mut count),
+            given.input(2, &outputs),
         )
     };
-    let strips = &strips[..=capacity];
-    let clean = [
-        untouched(&out),
-        all_untouched(&entries),
-        all_untouched(&strips[..capacity]) && untouched(&count),
-    ];
-    assert!(untouched(&strips[capacity]), "written past the capacity");
-    let context = || format!("{contact:?} {k:?} {options:?} {wanted}");
-    let answer = answered(status, clean == [true; 3]);
-    if !wants(KSTRIP_WANT_JACOBIAN) && !wants(KSTRIP_WANT_STRIPS) && wanted < 32 && given.all(3) {
-        let same = solved(&contact, &k, options);
-        assert_eq!(answer, same.is_ok(), "{} {status} {same:?}", context());
-        if let Ok(same) = same {
-            let r = written(&out);
-            let of_same = [same.fx, same.fy].map(Number::bits);
-            assert_eq!([r.fx, r.fy].map(Number::bits), of_same, "{}", context());
-            let moment = !wants(KSTRIP_WANT_MOMENT) || r.mz.bits() == same.mz.bits();
-            let stick = !wants(KSTRIP_WANT_ADHESION) || r.adhesion.bits() == same.adhesion.bits();
-            assert!(moment && stick, "{} {r:?} {same:?}", context());
-        }
-    }
-    if !answer {
+    let context = || format!("{contact:?} {k:?} {options:?} {:?}", with_law.then_some(law));
+    if !all.answered(status, context) {
         return;
     }
-    assert!(wanted < 32 && given.all(3));
-    let mut r = written(&out);
-    if !wants(KSTRIP_WANT_ADHESION) {
-        assert_eq!(r.adhesion, -1.0);
-        r.adhesion = 0.0;
+    assert!(given.all(3));
+    if let Some(r) = all.result() {
+        let model = model_of(options);
+        if with_law {
+            plausible_friction(&contact, &k, &law, model, &r, all.friction());
+        } else {
+            plausible(&contact, &k, model, r.notice.code(), &r);
+            same_bits(&r, &solved(&contact, &k, options).expect("an answer"));
+        }
     }
-    if !wants(KSTRIP_WANT_MOMENT) {
-        assert_eq!((r.mz, r.power), (0.0, 0.0));
+    if let Some(strips) = all.strips() {
+        plausible_strips(&contact, with_law.then_some(&law), &strips, context);
     }
-    plausible(&contact, &k, model_of(options), status, &r);
-    assert_eq!(clean[1], !wants(KSTRIP_WANT_JACOBIAN));
-    assert_eq!(clean[2], !wants(KSTRIP_WANT_STRIPS));
-    if wants(KSTRIP_WANT_JACOBIAN) {
-        let entries = entries.map(|entry| written(&entry));
-        assert!(finite(&entries), "{} {entries:?}", context());
+}
+
+/// Prepared, the same bits.
+fn prepared(bytes: &mut Bytes) {
+    let (contact, k) = (contact(bytes), creepage(bytes));
+    let options = bytes.options();
+    let given = bytes.given();
+    let mut place = poisoned::<kstrip_prepared>();
+    let status =
+        kstrip_prepare(given.input(0, &contact), options.as_ref(), given.output(1, &mut place));
+    if status < 0 {
+        assert!(untouched(&place));
+        return;
     }
-    if wants(KSTRIP_WANT_STRIPS) {
-        plausible_strips(&contact, &strips[..capacity], written(&count), context);
+    // SAFETY: status 0.
+    let prepared = unsafe { place.assume_init() };
+    let mut out = poisoned();
+    let status = kstrip_solve_prepared(
+        given.input(2, &prepared),
+        given.input(3, &k),
+        given.output(4, &mut out),
+    );
+    let answer = answered(status, untouched(&out));
+    if given.all(5) {
+        match solved(&contact, &k, options) {
+            Ok(same) => same_bits(&written(&out), &same),
+            Err(error) => assert_eq!((error, answer), (status, false)),
+        }
+    }
+}
+
+/// Forward, backward and standing: bounded, and friction never drives.
+fn motion(bytes: &mut Bytes) {
+    let (contact, law) = (contact(bytes), friction_of(bytes));
+    let motion = kstrip_motion {
+        slip_x: Number::of(bytes, 1e-2),
+        slip_y: Number::of(bytes, 1e-2),
+        spin_rate: Number::of(bytes, 1.0),
+        rolling_speed: Number::of(bytes, 10.0),
+        floor_speed: positive(bytes, 0.02),
+    };
+    let options = bytes.options();
+    let (given, wanted) = (bytes.given(), bytes.given());
+    let with_law = bytes.byte() < 128;
+    let (mut result, mut derivatives, mut friction) =
+        (poisoned::<kstrip_result>(), poisoned::<kstrip_motion_derivatives>(), poisoned());
+    let outputs = kstrip_motion_outputs {
+        result: wanted.place(0, &mut result),
+        derivatives: wanted.place(1, &mut derivatives),
+        friction: wanted.place(2, &mut friction),
+    };
+    // SAFETY: each pointer is NULL or valid.
+    let status = unsafe {
+        kstrip_solve_motion(
+            given.input(0, &contact),
+            given.input(1, &motion),
+            with_law.then_some(&law),
+            options.as_ref(),
+            given.input(2, &outputs),
+        )
+    };
+    let clean = [untouched(&result), untouched(&derivatives), untouched(&friction)];
+    if !answered(status, clean == [true; 3]) {
+        return;
+    }
+    assert!(given.all(3));
+    assert_eq!(clean, [0, 1, 2].map(|i| !wanted.has(i)));
+    let context = || format!("{contact:?} {motion:?} {options:?} {:?}", with_law.then_some(law));
+    if wanted.has(0) {
+        let r = written(&result);
+        assert!(finite(&numbers_of(&r)), "{} {r:?}", context());
+        let most = if with_law { law.friction } else { contact.friction };
+        let bound = f64::from(most) * f64::from(contact.normal_force).max(0.0);
+        let size = f64::from(r.fx).hypot(r.fy.into());
+        let limit = bound * (1.0 + 4.0 * Float::ROUNDING) + 8.0 * Float::SMALLEST;
+        assert!(model_of(options) == KSTRIP_MODEL_LINEAR || size <= limit, "{} {r:?}", context());
+    }
+    if wanted.has(1) {
+        let d = written(&derivatives);
+        let vectors = [d.rolling_speed, d.normal_force, d.load_through_hertz, d.friction];
+        let others = [d.ratio, d.decay, d.slope_factor];
+        let all = d.slip.iter().chain(&vectors).chain(&others).all(|row| finite(row));
+        assert!(all, "{} {d:?}", context());
     }
 }
 
 /// Room for the strips of a contact, and one more.
-const MOST_STRIPS: usize = 256;
+pub const MOST_STRIPS: usize = KSTRIP_STRIPS_CAPACITY as usize + 1;
 
-/// What holds for the strips of a contact: the first `count` are written, within the contact and bounded.
+/// What holds for the strips of a contact: within the contact, and bounded.
 fn plausible_strips(
     contact: &kstrip_contact,
-    strips: &[MaybeUninit<kstrip_strip>],
-    count: u32,
+    law: Option<&kstrip_friction>,
+    strips: &[kstrip_strip],
     context: impl Fn() -> String,
 ) {
-    let count = count as usize;
-    assert!(count <= strips.len());
-    assert!(all_untouched(&strips[count..]), "written past the count");
-    let bound = f64::from(contact.friction) * f64::from(contact.normal_force);
+    if contact.is_lost() {
+        assert!(strips.is_empty());
+        return;
+    }
+    let friction = law.map_or(contact.friction, |law| law.friction);
+    let bound = f64::from(friction) * f64::from(contact.normal_force);
     let lever = f64::from(contact.a).max(contact.b.into());
     // Shares of fx, fy, mz, and what there is of each to round: beyond the theory's spin some strips take away what
     // others have.
     let (mut sums, mut sizes) = ([0.0; 3], [0.0; 3]);
-    for strip in &strips[..count] {
-        let s = written(strip);
+    for s in strips {
         let numbers = [s.y, s.width, s.half_length, s.separatrix, s.fx, s.fy, s.mz, s.power];
         assert!(finite(&numbers), "{} {s:?}", context());
         assert!(s.y.abs() <= contact.b * (1.0 + 1e-5), "outside the contact: {} {s:?}", context());
-        assert!([KSTRIP_STATE_STICK, KSTRIP_STATE_SLIP].contains(&s.state));
+        assert!(matches!(s.state, State::Stick | State::Slip));
         for (i, share) in [s.fx, s.fy, s.mz].into_iter().enumerate() {
             sums[i] += f64::from(share);
             sizes[i] += f64::from(share).abs();
@@ -312,35 +416,6 @@ fn plausible_strips(
         let limit = 1.001 * bound * lever + 320.0 * Float::SMALLEST * (1.0 + lever);
         let allowed = limit + 100.0 * Float::ROUNDING * sizes[i];
         assert!(sums[i].abs() <= allowed, "{i}: {} of {limit}: {}", sums[i], context());
-    }
-}
-
-fn strips(bytes: &mut Bytes) {
-    let (contact, k) = (contact(bytes), creepage(bytes));
-    let options = bytes.options();
-    let given = bytes.given();
-    let capacity = bytes.below(MOST_STRIPS);
-    let mut strips = [const { MaybeUninit::<kstrip_strip>::uninit() }; MOST_STRIPS];
-    strips[..=capacity].fill_with(poisoned);
-    let mut count = poisoned::<u32>();
-    // SAFETY: NULL or at least as many strips as the capacity.
-    let status = unsafe {
-        kstrip_strips(
-            given.input(0, &contact),
-            given.input(1, &k),
-            options.as_ref(),
-            given.places(2, &mut strips),
-            capacity as u32,
-            given.output(3, &mut count),
-        )
-    };
-    let strips = &strips[..=capacity];
-    assert!(untouched(&strips[capacity]), "written past the capacity");
-    if answered(status, all_untouched(strips) && untouched(&count)) {
-        assert!(given.has(0) && given.has(1) && given.has(3));
-        plausible_strips(&contact, &strips[..capacity], written(&count), || {
-            format!("{contact:?} {k:?} {options:?}")
-        });
     }
 }
 
@@ -357,38 +432,18 @@ pub fn plausible_point(p: &kstrip_point, friction: Float, peak: f64, context: im
     let traction = f64::from(p.traction_x).hypot(p.traction_y.into());
     assert!(traction <= bound + allowed, "{} {p:?}", context());
     match p.state {
-        KSTRIP_STATE_OUTSIDE => assert!(numbers.iter().all(|&n| n == 0.0), "{p:?}"),
-        KSTRIP_STATE_STICK => assert!(p.slip_x == 0.0 && p.slip_y == 0.0, "{p:?}"),
-        KSTRIP_STATE_SLIP | KSTRIP_STATE_SLIP_NEGATIVE_DISSIPATION => {}
-        state => panic!("state {state}"),
+        State::Outside => assert!(numbers.iter().all(|&n| n == 0.0), "{p:?}"),
+        State::Stick => assert!(p.slip_x == 0.0 && p.slip_y == 0.0, "{p:?}"),
+        State::Slip | State::SlipNegativeDissipation => {}
     }
 }
 
 fn peak(contact: &kstrip_contact) -> f64 {
+    if contact.is_lost() {
+        return 0.0;
+    }
     let bound = f64::from(contact.friction) * f64::from(contact.normal_force);
     bound / f64::from(contact.a) / f64::from(contact.b)
-}
-
-fn traction_at(bytes: &mut Bytes) {
-    let (contact, k) = (contact(bytes), creepage(bytes));
-    let options = bytes.options();
-    let (x, y) = (Number::of(bytes, 5e-3), Number::of(bytes, 5e-3));
-    let given = bytes.given();
-    let mut point = poisoned();
-    let status = kstrip_traction_at(
-        given.input(0, &contact),
-        given.input(1, &k),
-        options.as_ref(),
-        x,
-        y,
-        given.output(2, &mut point),
-    );
-    if answered(status, untouched(&point)) {
-        assert!(given.all(3));
-        plausible_point(&written(&point), contact.friction, peak(&contact), || {
-            format!("{contact:?} {k:?} {options:?} {x} {y}")
-        });
-    }
 }
 
 /// Columns and rows of a grid, what its places may be, and room for its points.
@@ -472,85 +527,7 @@ fn plausible_friction(
     let found = effective.unwrap_or(friction.friction);
     assert!(found >= 0.0 && found <= friction.friction, "{contact:?} {k:?} {friction:?} {found}");
     let contact = kstrip_contact { friction: found, ..*contact };
-    plausible(&contact, k, model, r.status_detail, r);
-}
-
-fn solve_friction(bytes: &mut Bytes) {
-    let (contact, k, friction) = (contact(bytes), creepage(bytes), friction_of(bytes));
-    let options = bytes.options();
-    let given = bytes.given();
-    let (mut out, mut effective) = (poisoned::<kstrip_result>(), poisoned::<Float>());
-    let status = kstrip_solve_friction(
-        given.input(0, &contact),
-        given.input(1, &k),
-        given.input(2, &friction),
-        options.as_ref(),
-        given.output(3, &mut out),
-        given.output(4, &mut effective),
-    );
-    if answered(status, untouched(&out) && untouched(&effective)) {
-        assert!(given.all(4));
-        let r = written(&out);
-        assert_eq!(r.status_detail, status);
-        let effective = given.has(4).then(|| written(&effective));
-        plausible_friction(&contact, &k, &friction, model_of(options), &r, effective);
-    }
-}
-
-/// The contact as it is while it slips gives what `kstrip_solve_friction` gives.
-fn contact_under_friction(bytes: &mut Bytes) {
-    let (contact, k, friction) = (contact(bytes), creepage(bytes), friction_of(bytes));
-    let options = bytes.options();
-    let given = bytes.given();
-    let mut out = poisoned::<kstrip_contact>();
-    let status = kstrip_contact_under_friction(
-        given.input(0, &contact),
-        given.input(1, &k),
-        given.input(2, &friction),
-        options.as_ref(),
-        given.output(3, &mut out),
-    );
-    if answered(status, untouched(&out)) {
-        assert!(given.all(4));
-        let slipping = written(&out);
-        let found = slipping.friction;
-        assert!(
-            found >= 0.0 && found <= friction.friction,
-            "{contact:?} {k:?} {friction:?} {found}"
-        );
-        let r = solved(&slipping, &k, options).expect("an answer");
-        plausible(&slipping, &k, model_of(options), r.status_detail, &r);
-    }
-}
-
-fn solve_friction_jacobian(bytes: &mut Bytes) {
-    let (contact, k, friction) = (contact(bytes), creepage(bytes), friction_of(bytes));
-    let options = bytes.options();
-    let given = bytes.given();
-    let (mut out, mut effective) = (poisoned::<kstrip_result>(), poisoned::<Float>());
-    let mut entries = poisoned_array::<Float, 9>();
-    // SAFETY: NULL or nine numbers.
-    let status = unsafe {
-        kstrip_solve_friction_jacobian(
-            given.input(0, &contact),
-            given.input(1, &k),
-            given.input(2, &friction),
-            options.as_ref(),
-            given.output(3, &mut out),
-            given.places(4, &mut entries),
-            given.output(5, &mut effective),
-        )
-    };
-    let clean = untouched(&out) && all_untouched(&entries) && untouched(&effective);
-    if answered(status, clean) {
-        assert!(given.all(5));
-        let r = written(&out);
-        assert_eq!(r.status_detail, status);
-        let effective = given.has(5).then(|| written(&effective));
-        plausible_friction(&contact, &k, &friction, model_of(options), &r, effective);
-        let entries = entries.map(|entry| written(&entry));
-        assert!(finite(&entries), "{contact:?} {k:?} {friction:?} {options:?} {entries:?}");
-    }
+    plausible(&contact, k, model, r.notice.code(), r);
 }
 
 fn estimate_friction(bytes: &mut Bytes) {
@@ -577,7 +554,7 @@ fn estimate_friction(bytes: &mut Bytes) {
         let context = || format!("{contact:?} {k:?} {options:?} {measured} {fx} {fy} {found:?}");
         assert!(finite(&numbers), "{}", context());
         assert!(found.friction >= 0.0 && found.residual >= 0.0, "{}", context());
-        assert_eq!((found.status_detail, found.reserved), (status, 0));
+        assert_eq!((found.notice.code(), found.reserved), (status, 0));
     }
 }
 
@@ -610,15 +587,10 @@ pub const ENTRIES: &[Entry] = &[
     ("solve_linear", solve_linear),
     ("solve_strip_1967", solve_strip_1967),
     ("solve_strip", solve_strip),
-    ("jacobian", jacobian),
-    ("derivatives", derivatives),
     ("evaluate", evaluate),
-    ("strips", strips),
-    ("traction_at", traction_at),
+    ("prepared", prepared),
+    ("motion", motion),
     ("field", field),
-    ("solve_friction", solve_friction),
-    ("contact_under_friction", contact_under_friction),
-    ("solve_friction_jacobian", solve_friction_jacobian),
     ("estimate_friction", estimate_friction),
     ("creepage_for_force", creepage_for_force),
 ];

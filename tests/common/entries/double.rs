@@ -1,16 +1,12 @@
 //! The functions in double precision.
 
 use kstrip::ffi::batch::*;
-use kstrip::ffi::derivatives::*;
-use kstrip::ffi::double::*;
-use kstrip::ffi::evaluate::*;
-use kstrip::ffi::friction::*;
+use kstrip::ffi::bodies::*;
+use kstrip::ffi::inside::*;
+use kstrip::ffi::motion::*;
 use kstrip::ffi::patch::*;
-use kstrip::ffi::patch_friction::*;
-use kstrip::ffi::patch_types::*;
-use kstrip::ffi::per_model::*;
 use kstrip::ffi::rig::*;
-use kstrip::ffi::types::*;
+use kstrip::ffi::solve::*;
 
 pub type Float = f64;
 
@@ -22,3 +18,6 @@ pub mod arrays;
 pub mod contacts;
 #[path = "patches.rs"]
 pub mod patches;
+#[path = "types.rs"]
+mod types;
+use types::*;

@@ -17,6 +17,7 @@
 
 use kstrip::ffi::types::kstrip_options;
 use kstrip::ffi::*;
+use kstrip::status::Notice;
 use std::mem::MaybeUninit;
 
 pub mod double;
@@ -54,8 +55,8 @@ impl Bytes<'_> {
             0..=7 => None,
             8..=15 => Some(kstrip_options { model: self.integer(), strips: self.integer() }),
             _ => Some(kstrip_options {
-                model: 1 + i32::from(choice % 5),
-                strips: 4 << (choice / 5 % 5),
+                model: i32::from(choice % 6),
+                strips: [0, 4, 8, 16, 32, 64][usize::from(choice / 6 % 6)],
             }),
         }
     }
@@ -99,6 +100,11 @@ impl Given {
 
     fn array<T>(self, argument: u8, values: &[T]) -> *const T {
         if self.has(argument) { values.as_ptr() } else { std::ptr::null() }
+    }
+
+    /// A place to be filled, as a pointer.
+    fn place<T>(self, argument: u8, value: &mut MaybeUninit<T>) -> *mut T {
+        if self.has(argument) { value.as_mut_ptr() } else { std::ptr::null_mut() }
     }
 
     /// An array to be filled; its elements are numbers or structures of C.

@@ -2,7 +2,7 @@
 
 use super::super::*;
 use super::contacts::{
-    Grid, contact, creepage, friction_of, model_of, numbers_of, plausible_point,
+    All, Grid, contact, creepage, friction_of, model_of, numbers_of, plausible_point,
 };
 use super::*;
 
@@ -46,10 +46,10 @@ fn from_list(bytes: &mut Bytes, out: Option<&mut MaybeUninit<kstrip_patch>>) -> 
     unsafe { kstrip_patch_from_strips(given.array(0, &strips), count as u32, modulus, ratio, out) }
 }
 
-fn from_ellipse(bytes: &mut Bytes, out: Option<&mut MaybeUninit<kstrip_patch>>) -> i32 {
+fn from_contact(bytes: &mut Bytes, out: Option<&mut MaybeUninit<kstrip_patch>>) -> i32 {
     let contact = contact(bytes);
-    let strips = bytes.strips();
-    kstrip_patch_from_ellipse(bytes.given().input(0, &contact), strips, out)
+    let options = kstrip_options { model: 0, strips: bytes.strips() };
+    kstrip_patch_from_contact(bytes.given().input(0, &contact), Some(&options), out)
 }
 
 /// A profile that is mostly a hollow with some roughness.
@@ -74,14 +74,23 @@ fn from_profile(
         y[bytes.below(POINTS)] = Number::of(bytes, 1e-2);
         distance[bytes.below(POINTS)] = Number::of(bytes, 1e-4);
     }
+    let mut pressed = |scale: f64| -> (Float, Float) {
+        let by_load = bytes.byte() < 192;
+        let size = positive(bytes, scale * if by_load { 1.0 } else { 1e-9 });
+        if by_load { (size, 0.0) } else { (0.0, size) }
+    };
+    let (normal_force, approach) = pressed(5e4);
     let contact = kstrip_profile_contact {
         rolling_radius: positive(bytes, 0.5),
-        normal_force: positive(bytes, 5e4),
+        normal_force,
+        approach,
+        smoothing_length: if bytes.byte() < 192 { 0.0 } else { positive(bytes, 1e-3) },
         shear_modulus: positive(bytes, 82e9),
         poisson_ratio: positive(bytes, 0.06),
         friction: positive(bytes, 0.3),
+        strips: bytes.strips(),
+        reserved: 0,
     };
-    let strips = bytes.strips();
     let given = bytes.given();
     // SAFETY: NULL or at least as many points as the count says.
     unsafe {
@@ -90,7 +99,6 @@ fn from_profile(
             given.array(1, &distance),
             points as u32,
             given.input(2, &contact),
-            strips,
             out,
             found,
         )
@@ -114,10 +122,10 @@ fn patch_from_strips(bytes: &mut Bytes) {
     }
 }
 
-fn patch_from_ellipse(bytes: &mut Bytes) {
+fn patch_from_contact(bytes: &mut Bytes) {
     let with_patch = bytes.given();
     let mut out = poisoned::<kstrip_patch>();
-    let status = from_ellipse(bytes, with_patch.output(0, &mut out));
+    let status = from_contact(bytes, with_patch.output(0, &mut out));
     if answered(status, untouched(&out)) {
         accepted(&written(&out));
     }
@@ -128,8 +136,13 @@ fn patch_from_profile(bytes: &mut Bytes) {
     let (mut out, mut found) = (poisoned::<kstrip_patch>(), poisoned::<kstrip_profile_result>());
     let status = from_profile(bytes, given.output(0, &mut out), given.output(1, &mut found));
     if answered(status, untouched(&out) && untouched(&found)) {
-        assert!(given.all(2));
-        let (patch, found) = (written(&out), written(&found));
+        assert!(given.has(0));
+        let patch = written(&out);
+        if !given.has(1) {
+            accepted(&patch);
+            return;
+        }
+        let found = written(&found);
         let numbers = [found.approach, found.peak_pressure, found.normal_force];
         assert!(finite(&numbers) && numbers.iter().all(|&x| x >= 0.0), "{found:?}");
         assert!(found.peak_y.is_finite() && found.iterations <= 60, "{found:?}");
@@ -150,7 +163,7 @@ fn patch(bytes: &mut Bytes) -> Option<kstrip_patch> {
             let mut found = poisoned();
             from_profile(bytes, Some(&mut out), Some(&mut found))
         }
-        16..=79 => from_ellipse(bytes, Some(&mut out)),
+        16..=79 => from_contact(bytes, Some(&mut out)),
         80..=87 => return Some(any_bits(bytes)),
         _ => from_list(bytes, Some(&mut out)),
     };
@@ -225,7 +238,7 @@ fn plausible(
     r: &kstrip_result,
 ) {
     let context = || format!("{patch:?} {k:?} model {model} {r:?}");
-    assert_eq!((r.status_detail, r.reserved), (status, 0));
+    assert_eq!((r.notice.code(), r.reserved), (status, 0));
     assert!(finite(&numbers_of(r)), "{}", context());
     let bound = f64::from(accepted(patch).friction_bound);
     let size = f64::from(r.fx).hypot(r.fy.into());
@@ -235,73 +248,39 @@ fn plausible(
     assert!((0.0..=1.0).contains(&r.adhesion), "{}", context());
 }
 
-fn patch_solve(bytes: &mut Bytes) {
+fn patch_evaluate(bytes: &mut Bytes) {
     let Some(patch) = patch(bytes) else { return };
-    let (k, options, given) = (creepage(bytes), patch_options(bytes), bytes.given());
-    let mut out = poisoned::<kstrip_result>();
-    let status = kstrip_patch_solve(
-        given.input(0, &patch),
-        given.input(1, &k),
-        options.as_ref(),
-        given.output(2, &mut out),
-    );
-    if answered(status, untouched(&out)) {
-        assert!(given.all(3));
-        plausible(&patch, &k, model_of(options), status, &written(&out));
-    }
-}
-
-fn patch_jacobian(bytes: &mut Bytes) {
-    let Some(patch) = patch(bytes) else { return };
-    let (k, options, given) = (creepage(bytes), patch_options(bytes), bytes.given());
-    let mut out = poisoned::<kstrip_result>();
-    let mut entries = poisoned_array::<Float, 9>();
-    // SAFETY: NULL or nine numbers.
+    let (k, law) = (creepage(bytes), friction_of(bytes));
+    let (options, given) = (patch_options(bytes), bytes.given());
+    let with_law = bytes.byte() < 128;
+    let mut all = All::new(bytes);
+    let outputs = all.outputs();
+    // SAFETY: each pointer is NULL or valid.
     let status = unsafe {
-        kstrip_patch_jacobian(
+        kstrip_patch_evaluate(
             given.input(0, &patch),
             given.input(1, &k),
+            with_law.then_some(&law),
             options.as_ref(),
-            given.output(2, &mut out),
-            given.places(3, &mut entries),
+            given.input(2, &outputs),
         )
     };
-    if answered(status, untouched(&out) && all_untouched(&entries)) {
-        assert!(given.all(4));
-        plausible(&patch, &k, model_of(options), status, &written(&out));
-        let entries = entries.map(|entry| written(&entry));
-        assert!(finite(&entries), "{patch:?} {k:?} {options:?} {entries:?}");
+    let context = || format!("{patch:?} {k:?} {options:?} {:?}", with_law.then_some(law));
+    if !all.answered(status, context) {
+        return;
     }
-}
-
-fn patch_strips(bytes: &mut Bytes) {
-    const ROOM: usize = KSTRIP_PATCH_CAPACITY + 1;
-    let Some(patch) = patch(bytes) else { return };
-    let (k, options, given) = (creepage(bytes), patch_options(bytes), bytes.given());
-    let capacity = if bytes.byte() < 224 { KSTRIP_PATCH_CAPACITY } else { bytes.below(ROOM) };
-    let mut strips = poisoned_array::<kstrip_strip, ROOM>();
-    let mut count = poisoned::<u32>();
-    // SAFETY: NULL or at least as many strips as the capacity.
-    let status = unsafe {
-        kstrip_patch_strips(
-            given.input(0, &patch),
-            given.input(1, &k),
-            options.as_ref(),
-            given.places(2, &mut strips),
-            capacity as u32,
-            given.output(3, &mut count),
-        )
-    };
-    if answered(status, all_untouched(&strips) && untouched(&count)) {
-        let count = written(&count) as usize;
-        assert!(given.has(0) && given.has(1) && given.has(3));
-        assert!(count == patch.count as usize && count <= capacity);
-        assert!(all_untouched(&strips[count..]), "written past the count");
-        for (strip, of_patch) in strips[..count].iter().zip(&patch.strips) {
-            let s = written(strip);
+    assert!(given.all(3));
+    if let Some(r) = all.result() {
+        plausible(&patch, &k, model_of(options), r.notice.code(), &r);
+    }
+    if let Some(share) = all.friction() {
+        assert!((0.0..=1.0).contains(&share) && (with_law || share == 1.0), "{}", context());
+    }
+    if let Some(strips) = all.strips() {
+        assert_eq!(strips.len(), patch.count as usize);
+        for (s, of_patch) in strips.iter().zip(&patch.strips) {
             let numbers = [s.separatrix, s.fx, s.fy, s.mz, s.power];
-            assert!(finite(&numbers), "{patch:?} {k:?} {options:?} {s:?}");
-            assert_eq!(s.y, of_patch.y);
+            assert!(finite(&numbers) && s.y == of_patch.y, "{} {s:?}", context());
         }
     }
 }
@@ -318,32 +297,6 @@ fn plausible_place(
     let peak = strips.iter().map(|s| f64::from(s.friction) * f64::from(s.peak_pressure));
     let peak = peak.fold(0.0, f64::max);
     plausible_point(p, friction, peak, || format!("{patch:?} {k:?} {options:?}"));
-}
-
-fn patch_traction_at(bytes: &mut Bytes) {
-    let Some(patch) = patch(bytes) else { return };
-    let (k, options, given) = (creepage(bytes), patch_options(bytes), bytes.given());
-    let strip = patch.strips[bytes.below(MOST)];
-    let (x, y) = match bytes.byte() {
-        0..=63 => (Number::of(bytes, 5e-3), Number::of(bytes, 5e-3)),
-        share => {
-            let share = f64::from(share) / 64.0 - 2.5;
-            ((f64::from(strip.centre_x) + share * f64::from(strip.half_length)) as Float, strip.y)
-        }
-    };
-    let mut point = poisoned::<kstrip_point>();
-    let status = kstrip_patch_traction_at(
-        given.input(0, &patch),
-        given.input(1, &k),
-        options.as_ref(),
-        x,
-        y,
-        given.output(2, &mut point),
-    );
-    if answered(status, untouched(&point)) {
-        assert!(given.all(3));
-        plausible_place(&patch, &k, options, &written(&point));
-    }
 }
 
 fn patch_field(bytes: &mut Bytes) {
@@ -372,85 +325,11 @@ fn patch_field(bytes: &mut Bytes) {
     }
 }
 
-/// Friction that falls with the slip lowers that of every strip by one share.
-fn patch_solve_friction(bytes: &mut Bytes) {
-    let Some(patch) = patch(bytes) else { return };
-    let (k, friction) = (creepage(bytes), friction_of(bytes));
-    let (options, given) = (patch_options(bytes), bytes.given());
-    let (mut out, mut share) = (poisoned::<kstrip_result>(), poisoned::<Float>());
-    let status = kstrip_patch_solve_friction(
-        given.input(0, &patch),
-        given.input(1, &k),
-        given.input(2, &friction),
-        options.as_ref(),
-        given.output(3, &mut out),
-        given.output(4, &mut share),
-    );
-    if answered(status, untouched(&out) && untouched(&share)) {
-        assert!(given.all(4));
-        plausible(&patch, &k, model_of(options), status, &written(&out));
-        if given.has(4) {
-            assert!((0.0..=1.0).contains(&written(&share)), "{patch:?} {k:?} {friction:?}");
-        }
-    }
-}
-
-fn patch_solve_friction_jacobian(bytes: &mut Bytes) {
-    let Some(patch) = patch(bytes) else { return };
-    let (k, friction) = (creepage(bytes), friction_of(bytes));
-    let (options, given) = (patch_options(bytes), bytes.given());
-    let (mut out, mut share) = (poisoned::<kstrip_result>(), poisoned::<Float>());
-    let mut entries = poisoned_array::<Float, 9>();
-    // SAFETY: NULL or nine numbers.
-    let status = unsafe {
-        kstrip_patch_solve_friction_jacobian(
-            given.input(0, &patch),
-            given.input(1, &k),
-            given.input(2, &friction),
-            options.as_ref(),
-            given.output(3, &mut out),
-            given.places(4, &mut entries),
-            given.output(5, &mut share),
-        )
-    };
-    if answered(status, untouched(&out) && all_untouched(&entries) && untouched(&share)) {
-        assert!(given.all(5));
-        plausible(&patch, &k, model_of(options), status, &written(&out));
-        let entries = entries.map(|entry| written(&entry));
-        assert!(finite(&entries), "{patch:?} {k:?} {friction:?} {options:?} {entries:?}");
-    }
-}
-
-fn patch_under_friction(bytes: &mut Bytes) {
-    let Some(patch) = patch(bytes) else { return };
-    let (k, friction) = (creepage(bytes), friction_of(bytes));
-    let (options, given) = (patch_options(bytes), bytes.given());
-    let (mut out, mut share) = (poisoned::<kstrip_patch>(), poisoned::<Float>());
-    let status = kstrip_patch_under_friction(
-        given.input(0, &patch),
-        given.input(1, &k),
-        given.input(2, &friction),
-        options.as_ref(),
-        given.output(3, &mut out),
-        given.output(4, &mut share),
-    );
-    if answered(status, untouched(&out) && untouched(&share)) {
-        assert!(given.all(4));
-        accepted(&written(&out));
-    }
-}
-
 pub const ENTRIES: &[Entry] = &[
-    ("patch_from_ellipse", patch_from_ellipse),
+    ("patch_from_contact", patch_from_contact),
     ("patch_from_strips", patch_from_strips),
     ("patch_from_profile", patch_from_profile),
     ("summarize", summarize),
-    ("patch_solve", patch_solve),
-    ("patch_jacobian", patch_jacobian),
-    ("patch_strips", patch_strips),
-    ("patch_traction_at", patch_traction_at),
+    ("patch_evaluate", patch_evaluate),
     ("patch_field", patch_field),
-    ("patch_solve_friction", patch_solve_friction),
-    ("patch_solve_friction_jacobian", patch_solve_friction_jacobian),
-    ("patch_under_friction", patch_under_friction),
 ];
