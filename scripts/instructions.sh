@@ -81,5 +81,5 @@ table=$(awk '
 awk -v table="$table" '
     /<!-- instructions:begin -->/ { print; print table; skip = 1 }
     /<!-- instructions:end -->/ { skip = 0 }
-    !skip' README.md > README.md.new && mv README.md.new README.md
+    !skip' docs/instructions.md > docs/instructions.new && mv docs/instructions.new docs/instructions.md
 echo "$table"
