@@ -87,6 +87,7 @@ enum class [[nodiscard]] status : std::int32_t {
     error_profile = KSTRIP_ERROR_PROFILE,
     error_profile_end = KSTRIP_ERROR_PROFILE_END,
     error_rolling_radius = KSTRIP_ERROR_ROLLING_RADIUS,
+    error_smoothing_length = KSTRIP_ERROR_SMOOTHING_LENGTH,
 };
 
 constexpr bool is_error(status s) noexcept { return static_cast<std::int32_t>(s) < 0; }
@@ -607,7 +608,7 @@ KSTRIP_HPP_BOTH(batch_outputs)
 /// A contact of which everything that does not depend on the motion has been computed.
 template <class T>
 struct basic_prepared {
-    T numbers[64];
+    T numbers[96];
     kstrip::model model;
     std::int32_t strips;
 };
@@ -892,9 +893,10 @@ KSTRIP_HPP_BOTH(patch)
 template <class T>
 struct basic_profile_result {
     basic_metres<T> approach;
-    basic_pascals<T> peak_pressure;
     basic_newtons<T> normal_force;
-    basic_metres<T> deepest_y;
+    basic_newtons_per_metre<T> stiffness; ///< dN/d(approach)
+    basic_pascals<T> peak_pressure;
+    basic_metres<T> peak_y;
     std::uint32_t iterations;
     std::uint32_t reserved;
 };

@@ -54,13 +54,14 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_error_profile = -44
    integer(c_int32_t), parameter :: kstrip_error_profile_end = -45
    integer(c_int32_t), parameter :: kstrip_error_rolling_radius = -46
+   integer(c_int32_t), parameter :: kstrip_error_smoothing_length = -47
    integer(c_int32_t), parameter :: kstrip_model_default = 0
    integer(c_int32_t), parameter :: kstrip_model_strip_1967 = 1
    integer(c_int32_t), parameter :: kstrip_model_strip_1967_continuous = 2
    integer(c_int32_t), parameter :: kstrip_model_strip = 3
    integer(c_int32_t), parameter :: kstrip_model_total = 4
    integer(c_int32_t), parameter :: kstrip_model_linear = 5
-   integer(c_int32_t), parameter :: kstrip_strips_capacity = 320
+   integer(c_int32_t), parameter :: kstrip_strips_capacity = 64
    integer(c_int32_t), parameter :: kstrip_state_outside = 0
    integer(c_int32_t), parameter :: kstrip_state_stick = 1
    integer(c_int32_t), parameter :: kstrip_state_slip = 2
@@ -255,7 +256,7 @@ module kstrip
 
    !> A contact of which everything that does not depend on the motion has been computed.
    type, bind(c) :: kstrip_prepared
-      real(c_double) :: numbers(64) = 0
+      real(c_double) :: numbers(96) = 0
       integer(c_int32_t) :: model = 0
       integer(c_int32_t) :: strips = 0
    end type
@@ -337,9 +338,10 @@ module kstrip
    !> How two profiles meet.
    type, bind(c) :: kstrip_profile_result
       real(c_double) :: approach = 0
-      real(c_double) :: peak_pressure = 0
       real(c_double) :: normal_force = 0
-      real(c_double) :: deepest_y = 0
+      real(c_double) :: stiffness = 0
+      real(c_double) :: peak_pressure = 0
+      real(c_double) :: peak_y = 0
       integer(c_int32_t) :: iterations = 0
       integer(c_int32_t) :: reserved = 0
    end type

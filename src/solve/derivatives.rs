@@ -62,7 +62,7 @@ impl<F: Float> Derivatives<F> {
 /// respect to them are one-sided: those of full sliding.
 ///
 /// # Errors
-/// Those of [`solve`](model::solve); [`Error::Overflow`] also when a derivative does not fit the
+/// Those of [`solve`](crate::solve::model::solve); [`Error::Overflow`] also when a derivative does not fit the
 /// floating-point type.
 ///
 /// # Example

@@ -91,7 +91,7 @@ impl<F: Precision> Field<F> {
     /// Prepare the field of a contact and a creepage.
     ///
     /// # Errors
-    /// Those of [`solve`]; [`Error::NotInModel`] for models of totals only.
+    /// Those of [`solve`](crate::solve::model::solve); [`Error::NotInModel`] for models of totals only.
     pub fn new(
         contact: &Contact<F>,
         creepage: &Creepage<F>,

@@ -53,10 +53,10 @@ pub fn strips_of<F: Precision>(
     Ok(if contact.is_lost() { 0 } else { options.strips as usize })
 }
 
-/// Every strip of the solution, handed to `visit`. Their shares add up to the totals of [`solve`].
+/// Every strip of the solution, handed to `visit`. Their shares add up to the totals of [`solve`](crate::solve::model::solve).
 ///
 /// # Errors
-/// Those of [`solve`].
+/// Those of [`solve`](crate::solve::model::solve).
 pub fn strips<F: Precision>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,

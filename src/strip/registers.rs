@@ -10,7 +10,6 @@ use crate::number::lanes::{F32x8, F64x4, Lanes};
 use crate::number::pairs::Two;
 use crate::number::{Number, Plain};
 
-type Couple = [f64; 2];
 type Four = FourStrips<f64>;
 
 /// Four strips.
@@ -31,11 +30,11 @@ impl Group<f64> for One {
         F64x4::stored(x)
     }
     #[inline(always)]
-    fn couple(couple: &Couple) -> F64x4 {
+    fn couple(couple: &[f64; 2]) -> F64x4 {
         F64x4::of_array(both_sides(couple, false))
     }
     #[inline(always)]
-    fn field(four: &Four, of: fn(&Four) -> &Couple, odd: bool) -> F64x4 {
+    fn field(four: &Four, of: fn(&Four) -> &[f64; 2], odd: bool) -> F64x4 {
         F64x4::of_array(both_sides(of(four), odd))
     }
     #[inline(always)]
@@ -58,11 +57,15 @@ impl<R: Group<f64>> Group<f64> for Twice<R> {
         Two::side_by_side(R::all(x), R::all(x))
     }
     #[inline(always)]
-    fn couple(couple: &Couple) -> Self::Strips {
+    fn couple(couple: &[f64; 2]) -> Self::Strips {
         Two::side_by_side(R::couple(couple), R::couple(couple))
     }
     #[inline(always)]
-    fn field([first, second]: &Self::Places, of: fn(&Four) -> &Couple, odd: bool) -> Self::Strips {
+    fn field(
+        [first, second]: &Self::Places,
+        of: fn(&Four) -> &[f64; 2],
+        odd: bool,
+    ) -> Self::Strips {
         Two::side_by_side(R::field(first, of, odd), R::field(second, of, odd))
     }
     #[inline(always)]

@@ -37,7 +37,7 @@ impl StripTotals for f32 {}
 impl StripTotals for f64 {}
 
 /// Sums over the strips of a contact: `F_x/(μ N)`, `F_y/(μ N)`, `M_z/(μ N √(ab))` and the share in adhesion, and the
-/// derivatives of the first three by [`Law::numbers`].
+/// derivatives of the first three by `Law::numbers`.
 #[derive(Clone, Copy, Debug)]
 pub struct Sums<F> {
     values: [F; 4],
@@ -240,7 +240,7 @@ impl<P: Arithmetic<Bare = P>> Together<P> {
         forces_and_slopes(&self.seen(fields), &self.spin, &constants, &self.by_spin)
     }
 
-    /// Derivatives by [`Law::numbers`] from those by what the strips see.
+    /// Derivatives by `Law::numbers` from those by what the strips see.
     #[inline(always)]
     fn by_law(&self, by_seen: [P; 5], fields: &[P; STRIP_FIELDS]) -> [P; 6] {
         let [y, inverse, bend, .., width] = *fields;

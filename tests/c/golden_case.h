@@ -95,7 +95,7 @@ static kstrip_status NAME(batch)(const NAME(kstrip_contact) *c, const NAME(kstri
 
 /* Derivatives and three points of the field. */
 static void NAME(field)(uint64_t *hash, const NAME(kstrip_contact) *c, const NAME(kstrip_creepage) *k,
-                        const kstrip_options *o, int batch)
+                        const kstrip_options *o, int side_by_side)
 {
     NAME(kstrip_result) r;
     NAME(kstrip_derivatives) d;
@@ -106,7 +106,7 @@ static void NAME(field)(uint64_t *hash, const NAME(kstrip_contact) *c, const NAM
     int n;
     memset(&all, 0, sizeof all);
     all.result = &r, all.derivatives = &d, all.law_derivatives = &law;
-    status = batch ? NAME(batch)(c, k, o, &r, &d, &law)
+    status = side_by_side ? NAME(batch)(c, k, o, &r, &d, &law)
                    : NAME(kstrip_evaluate)(c, k, NULL, o, &all);
     NAME(add_derivatives)(hash, status, &r, &d, &law);
     for (n = -1; n <= 1; n++) {
@@ -303,7 +303,7 @@ static void NAME(rig)(uint64_t *hash, uint32_t i, const NAME(kstrip_contact) *c,
     }
 }
 
-static void NAME(hash_case)(uint64_t hashes[KINDS], uint32_t i, int batch)
+static void NAME(hash_case)(uint64_t hashes[KINDS], uint32_t i, int side_by_side)
 {
     kstrip_contact d;
     kstrip_creepage e;
@@ -318,11 +318,11 @@ static void NAME(hash_case)(uint64_t hashes[KINDS], uint32_t i, int batch)
                                         (REAL)d.poisson_ratio,
                                         (REAL)d.friction};
         const NAME(kstrip_creepage) k = {(REAL)e.longitudinal, (REAL)e.lateral, (REAL)e.spin};
-        const kstrip_status status = batch ? NAME(batch)(&c, &k, &o, &r, NULL, NULL)
+        const kstrip_status status = side_by_side ? NAME(batch)(&c, &k, &o, &r, NULL, NULL)
                                            : NAME(kstrip_solve)(&c, &k, &o, &r);
         NAME(add_result)(&hashes[SOLVES], status, &r);
         if (has_field(i))
-            NAME(field)(&hashes[SOLVES], &c, &k, &o, batch);
+            NAME(field)(&hashes[SOLVES], &c, &k, &o, side_by_side);
         if (has_rest(i)) {
             NAME(kstrip_patch) p;
             const int built = NAME(build)(&hashes[PATCHES], i, &c, &o, &p) >= 0;

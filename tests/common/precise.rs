@@ -71,7 +71,15 @@ macro_rules! operators {
     };
 }
 
-operators!(Add add, Sub sub, Mul mul, Div div);
+operators!(Add add, Sub sub, Mul mul);
+
+/// By zero it is zero: formulas that are not chosen may ask for it.
+impl Div for Precise {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        if other == Self::Double(0.0) { other } else { Self::keep(self.digits() / other.digits()) }
+    }
+}
 
 impl AddAssign for Precise {
     fn add_assign(&mut self, other: Self) {
@@ -123,8 +131,9 @@ impl Arithmetic for Precise {
     fn shift(self, term: Self) -> Self {
         self + term
     }
+    /// Of a negative number zero: formulas that are not chosen may ask for it.
     fn sqrt(self) -> Self {
-        Self::keep(self.digits().sqrt())
+        if self < Self::zero() { Self::zero() } else { Self::keep(self.digits().sqrt()) }
     }
     fn abs(self) -> Self {
         if self < Self::zero() { -self } else { self }
