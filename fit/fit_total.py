@@ -50,7 +50,7 @@ FULL = 3 * np.pi / 4  # |q| of full sliding
 def saturation_polynomial(degree=4):
     """S/|q| as a polynomial in |q| = 3 pi/4 d, lowest power first, and the largest error of S.
 
-    S = 1 - (1 - d)^2 P(d) for S of (8.15); P(0) = 1 and P'(0) give S(0) = 0 and the exact slope 3 pi/4 there, the square gives
+    S = 1 - (1 - d)^2 P(d) for S of Section 8.15; P(0) = 1 and P'(0) give S(0) = 0 and the exact slope 3 pi/4 there, the square gives
     slope 0 at d = 1. The other coefficients of P by least squares, repeated with more weight on the largest errors.
     """
     d = np.linspace(1e-4, 1, 2000)

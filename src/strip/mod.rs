@@ -16,7 +16,7 @@
 //! `p/B = A/τ + r e_y` in the simplified theory and Kalker's half-ellipses in the tractions,
 //!
 //! ```text
-//! t = r e_y + (A/s)(1 − R),   R = √(1 − s/τ)                                               (5.1)
+//! t = r e_y + (A/s)(1 − R),   R = √(1 − s/τ)                                               (5.5)
 //! ```
 //!
 //! with `s` where `|p/B| = 1`: the separatrix `x' = s − 1` in closed form, `s = 2κ/c` of (5.40). Their integrals are

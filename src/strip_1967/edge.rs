@@ -1,4 +1,4 @@
-//! Where the separatrix meets the leading edge: the ends of the interval of strips with adhesion (7.2).
+//! Where the separatrix meets the leading edge: the ends of the interval of strips with adhesion (Section 7.2).
 //!
 //! `K = C` is `ξ̄² + (η + ψ C)² = C²`, on the circle `Y² + C² = 1`: two conics with four common points, two of them with
 //! `C > 0`. Of the three pairs of lines through the four points, the one that joins the upper two belongs to the smallest root `L`

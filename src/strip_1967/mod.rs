@@ -30,7 +30,7 @@
 //! totals, whatever their number. A single strip with its traction and slip is in [`strip`].
 //!
 //! **Beyond unit spin** the theory ends. There the spin `ψ` within a strip counts as `±1`, while `ξ̄` keeps all of it: strips with
-//! `η ψ < 0` still adhere (8.26), ever fewer of them, and at large slip none. The forces are continuous at `|ψ| = 1` and cost the
+//! `η ψ < 0` still adhere (Section 8.26), ever fewer of them, and at large slip none. The forces are continuous at `|ψ| = 1` and cost the
 //! same. Every strip dissipates for `|ψ| ≤ 1` under either rule, and `ψ m_x ≥ 0` where one adheres beyond: the power is
 //! never negative.
 

@@ -114,7 +114,7 @@ pub struct Strip<T: Real> {
 /// `κ/a` by the form that does not cancel; `None` when no adhesion length exists at any width.
 ///
 /// For `|ψ| < 1` always a number (possibly larger than the strip). For `|ψ| ≥ 1` only when
-/// `η ψ < 0` and `η² ≥ (ψ² − 1) ξ̄²` (8.26).
+/// `η ψ < 0` and `η² ≥ (ψ² − 1) ξ̄²` (Section 8.26).
 #[inline]
 pub fn adhesion_length<T: Real>(xi_bar: T, eta: T, psi: T) -> Option<T> {
     let q = (T::one() - psi) * (T::one() + psi);

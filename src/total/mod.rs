@@ -34,7 +34,7 @@ const LARGEST: f64 = 1e8;
 /// Creepages below this, times the smallest normal number, have lost digits, or have products that will.
 const LOST: f64 = 1e6;
 
-/// `|q|` of full sliding (8.15).
+/// `|q|` of full sliding (Section 8.15).
 const FULL: f64 = 3.0 * core::f64::consts::PI / 4.0;
 /// Share of the squared spin force in `|q|²`: spin shears the patch also where its force and that of the creepage cancel.
 const SHEAR: f64 = 0.04;
@@ -223,7 +223,7 @@ fn positive<T: Number>(o: T) -> T {
     (o * o.times(1.01).plus(2.0)).plus(1.0)
 }
 
-/// `S(|q|)/(h |q|)` from `|q|²` and `h`, with `S = 1 − ((2 + d²) √(1 − d²) − 3 d acos d)/2`, `d = 4|q|/(3π)`, and 1 for `d ≥ 1` (8.15).
+/// `S(|q|)/(h |q|)` from `|q|²` and `h`, with `S = 1 − ((2 + d²) √(1 − d²) − 3 d acos d)/2`, `d = 4|q|/(3π)`, and 1 for `d ≥ 1` (Section 8.15).
 #[inline(always)]
 fn saturation<T: Number>(q2: T, h: T) -> T {
     // the small term keeps the derivative of the root finite at 0

@@ -245,7 +245,7 @@ fn creep_curves_hold_every_model_and_have_its_slopes() {
         assert_close(c22, PI * PI / 4.0, 1e-6, "C22 = π²/4");
         assert_close(c23, PI / 3.0 * (a / b).sqrt(), 1e-6, "C23 = (π/3) √(a/b)");
 
-        // Pure creepage: the closed form (8.15), between the slope and full sliding
+        // Pure creepage: the closed form of Section 8.15, between the slope and full sliding
         let p0 = 1.5 * CONTACT.normal_force / (PI * a * b);
         for (name, unit) in [("longitudinal", 1.0 - nu), ("lateral", 1.0)] {
             for row in curve(name) {

@@ -211,27 +211,137 @@ fn shell_blocks_run() {
     }
 }
 
-/// `module::Type::function` in docs/theory.md is something that the sources have.
+/// What a page has in single backticks outside its blocks.
+fn names(page: &Path) -> Vec<String> {
+    let text = std::fs::read_to_string(page).expect("a page");
+    let mut inside = false;
+    let mut found = Vec::new();
+    for line in text.lines() {
+        if line.starts_with("```") {
+            inside = !inside;
+        } else if !inside {
+            found.extend(line.split('`').skip(1).step_by(2).map(str::to_owned));
+        }
+    }
+    found
+}
+
+/// `module::Type::function` in the pages on theory and architecture is something that the sources have.
 #[test]
 fn theory_names_functions_that_exist() {
-    let page = std::fs::read_to_string(root().join("docs/theory.md")).expect("the page");
-    let mut count = 0;
-    for name in page.split('`').skip(1).step_by(2).filter(|name| name.contains("::")) {
-        let mut parts = name.split("::");
-        let module = parts.next().expect("a module");
-        let source = std::fs::read_to_string(root().join(format!("src/{module}.rs")))
-            .unwrap_or_else(|error| panic!("{name}: src/{module}.rs: {error}"));
-        for part in parts {
-            let found = ["fn ", "struct ", "enum ", "    "].iter().any(|kind| {
-                source.match_indices(&format!("{kind}{part}")).any(|(at, text)| {
-                    source[at + text.len()..].starts_with(['(', '<', ' ', ',', '{'])
-                })
-            });
-            assert!(found, "{name}: no {part} in src/{module}.rs");
+    for (page, least) in [("docs/theory.md", 60)] {
+        let mut count = 0;
+        for name in names(&root().join(page)) {
+            if !name.contains("::") {
+                continue;
+            }
+            let mut file = root().join("src");
+            let mut parts = name.trim_end_matches("()").split("::").peekable();
+            while let Some(part) = parts.next_if(|part| file.join(part).is_dir()) {
+                file.push(part);
+            }
+            match parts.next_if(|part| file.join(format!("{part}.rs")).exists()) {
+                Some(part) => file.push(format!("{part}.rs")),
+                None => file.push("mod.rs"),
+            }
+            let source = std::fs::read_to_string(&file)
+                .unwrap_or_else(|error| panic!("{page}: {name}: {}: {error}", file.display()));
+            for part in parts {
+                let found =
+                    ["fn ", "struct ", "enum ", "trait ", "const ", "    "].iter().any(|kind| {
+                        source.match_indices(&format!("{kind}{part}")).any(|(at, text)| {
+                            source[at + text.len()..]
+                                .starts_with(['(', '<', ' ', ',', '{', ':', ';'])
+                        })
+                    });
+                assert!(found, "{page}: {name}: no {part} in {}", file.display());
+            }
+            count += 1;
         }
-        count += 1;
+        assert!(count >= least, "{page}: {count}");
     }
-    assert!(count > 20, "{count}");
+}
+
+/// Equations of the paper that its scan shows or its list of symbols names: each is on the page, mapped or named as not computed.
+/// Its sections are not written like equations.
+#[test]
+fn theory_has_every_equation_of_the_paper() {
+    const EQUATIONS: [(u32, &[u32]); 8] = [
+        (2, &[1, 2, 3, 4, 5, 6, 7]),
+        (3, &[1, 3, 4, 5]),
+        (4, &[1, 2, 3, 4, 5, 6, 7, 10]),
+        (5, &[1, 4, 5, 7, 13, 19, 20, 24, 26, 40, 41, 42, 44]),
+        (6, &[10, 11, 16]),
+        (7, &[10, 12, 14]),
+        (8, &[2, 14, 26, 28, 29, 31, 32, 33, 34, 36, 38, 39, 43]),
+        (9, &[]),
+    ];
+    let page = std::fs::read_to_string(root().join("docs/theory.md")).expect("the page");
+    for (chapter, numbers) in EQUATIONS {
+        for number in numbers {
+            let equation = format!("({chapter}.{number})");
+            assert!(page.contains(&equation), "{equation} is not mapped");
+        }
+    }
+    let mut sources = vec![root().join("docs/theory.md")];
+    rust_files(&root().join("src"), &mut sources);
+    assert!(sources.len() > 60, "{}", sources.len());
+    for file in sources {
+        let text = std::fs::read_to_string(&file).expect("a file");
+        for section in ["(7.1)", "(7.2)", "(8.15)", "(5.3)"] {
+            assert!(!text.contains(section), "{}: {section} is a section", file.display());
+        }
+    }
+}
+
+fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            rust_files(&path, found);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            found.push(path);
+        }
+    }
+}
+
+/// Files that a page links or names in backticks are there.
+#[test]
+fn pages_name_files_that_exist() {
+    const FOLDERS: [&str; 10] = [
+        "src/",
+        "tests/",
+        "docs/",
+        "fit/",
+        "examples/",
+        "scripts/",
+        "benches/",
+        "c_examples/",
+        "bindings/",
+        "hosts/",
+    ];
+    let mut all = Vec::new();
+    pages(root(), &mut all);
+    let (mut links, mut files) = (0, 0);
+    for page in all {
+        let text = std::fs::read_to_string(&page).expect("a page");
+        let folder = page.parent().expect("a folder");
+        for link in text.split("](").skip(1).filter_map(|rest| rest.split_once(')')) {
+            let target = link.0.split('#').next().expect("a link");
+            if !target.is_empty() && !target.contains("://") {
+                assert!(folder.join(target).exists(), "{}: {target}", page.display());
+                links += 1;
+            }
+        }
+        for name in names(&page) {
+            let plain = |c: char| c.is_ascii_alphanumeric() || "/._-".contains(c);
+            if FOLDERS.iter().any(|folder| name.starts_with(folder)) && name.chars().all(plain) {
+                assert!(root().join(&name).exists(), "{}: {name}", page.display());
+                files += 1;
+            }
+        }
+    }
+    assert!(links > 40 && files > 60, "{links} {files}");
 }
 
 /// The C reference, if doxygen is here: no warning.

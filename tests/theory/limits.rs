@@ -119,7 +119,7 @@ fn saturation_is_exact_for_every_strip_count() {
     }
 }
 
-/// (8.15), the way that loses no digits: (3π/4)τ − … as an integral of its own derivative would be
+/// Section 8.15, the way that loses no digits: (3π/4)τ − … as an integral of its own derivative would be
 /// another quadrature, so the formula itself, for τ where it does not cancel.
 fn pure_creepage(tau: f64) -> f64 {
     if tau >= 1.0 {
@@ -128,7 +128,7 @@ fn pure_creepage(tau: f64) -> f64 {
     1.0 - ((2.0 + tau * tau) * (1.0 - tau * tau).sqrt() - 3.0 * tau * tau.acos()) / 2.0
 }
 
-/// Pure creepage in closed form (8.15): both rules along the axes, the continuous rule in any
+/// Pure creepage in closed form of Section 8.15: both rules along the axes, the continuous rule in any
 /// direction. The adhesion panel sees C² − ½(2C − κ)κ…, smooth in the panel's coordinate, so the error
 /// falls geometrically with the count.
 #[test]
@@ -168,7 +168,7 @@ fn pure_creepage_has_its_closed_form() {
     }
 }
 
-/// Small creepage: F = (3π/4) τ − (3/2) τ² + O(τ⁴), where (8.15) cancels.
+/// Small creepage: F = (3π/4) τ − (3/2) τ² + O(τ⁴), where Section 8.15 cancels.
 #[test]
 fn small_pure_creepage_has_its_series() {
     let c = contact(1.0, 0.28);

@@ -47,7 +47,7 @@ class Binding(unittest.TestCase):
 
     @quiet
     def test_creep_curve_is_the_closed_form(self):
-        # (8.15): 1 - ((2 + tau^2) sqrt(1 - tau^2) - 3 tau acos tau)/2
+        # Section 8.15: 1 - ((2 + tau^2) sqrt(1 - tau^2) - 3 tau acos tau)/2
         creepage = np.linspace(0, 0.01, 200)
         curve = kstrip.solve(CONTACT, kstrip.creepage(longitudinal=creepage), model="strip_1967", strips=64)
         pressure = 1.5 * 80e3 / (np.pi * 6e-3 * 4.5e-3)
