@@ -8,7 +8,7 @@
 //! from both, by `tests/header.rs`.
 
 #![allow(non_camel_case_types)]
-// The only module with unsafe code: exported names and C arrays.
+// Exported names and C arrays. (SECURITY.md lists every file with unsafe code.)
 #![allow(unsafe_code)]
 // What C callers promise about pointers stands once, at the head of the header.
 #![allow(clippy::missing_safety_doc)]

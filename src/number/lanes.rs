@@ -4,7 +4,8 @@
 //! number. Nothing here fuses a product with a sum.
 //!
 //! The compiler does not know that the processor has these registers: the file has `unsafe` code, which is sound where
-//! AVX is there. Nobody makes such a number but `wide`, which asks the processor first.
+//! AVX is there. Nobody makes such a number but `batch::side_by_side` and `strip::registers`,
+//! which ask the processor first.
 
 #![allow(unsafe_code)]
 

@@ -2,7 +2,7 @@
 //!
 //! The theory is made of square roots, and stable Rust has none in `core`. libm's is inline assembly
 //! on x86-64, which no compiler vectorises, and software on a Cortex-M with a floating-point unit
-//! (66 instructions instead of one). This file is the only place outside `ffi` with `unsafe`: each
+//! (66 instructions instead of one). What is `unsafe` here: each
 //! function is one instruction without memory access, on machines that are known to have it.
 
 #![allow(unsafe_code)]

@@ -344,6 +344,74 @@ fn pages_name_files_that_exist() {
     assert!(links > 40 && files > 60, "{links} {files}");
 }
 
+/// The numbers in the rows of docs/accuracy.md that begin with a method, in the order of the page.
+fn accuracy(method: &str) -> Vec<Vec<f64>> {
+    let page = std::fs::read_to_string(root().join("docs/accuracy.md")).expect("the page");
+    let rows = page.lines().filter_map(|line| line.strip_prefix(&format!("| {method} | ")));
+    rows.map(|row| row.split(['|', '/']).filter_map(|cell| cell.trim().parse().ok()).collect())
+        .collect()
+}
+
+/// Errors that README, tour and header state are those of docs/accuracy.md, which a program writes.
+#[test]
+fn errors_in_prose_are_those_of_the_report() {
+    let read = |page: &str| std::fs::read_to_string(root().join(page)).expect("a page");
+    let [readme, tour, header] = ["README.md", "docs/c-api.md", "include/kstrip.h"].map(read);
+    let short = |x: f64, digits: usize| format!("{x:.digits$}").trim_start_matches('0').to_owned();
+    let [strip_1967, continuous, strip, total, linear, fastsim, polach] = [
+        "STRIP_1967, 16 strips",
+        "STRIP_1967_CONTINUOUS, 16 strips",
+        "STRIP, 16 strips",
+        "TOTAL",
+        "LINEAR",
+        "FASTSIM 10x10, 3 flexibilities, parabolic",
+        "Polach",
+    ]
+    .map(accuracy);
+    // Of every method: open.csv, validation, what a simulation feels (of LINEAR that alone bears its plain name)
+    let both =
+        |row: &[f64], digits| format!("{} / {}", short(row[0], digits), short(row[1], digits));
+    let rows = [
+        ("TOTAL (default for forces)", &total, 4),
+        ("STRIP (default for fields, strips, patches)", &strip, 4),
+        ("STRIP_1967", &strip_1967, 3),
+        ("STRIP_1967_CONTINUOUS", &continuous, 3),
+    ];
+    for (name, figures, digits) in rows {
+        let row = format!("| {name} | {} | {} |", both(&figures[0], digits), both(&figures[2], 3));
+        assert!(readme.contains(&row), "README.md: {row}");
+    }
+    let row =
+        format!("| a slope, not a force | {} / {:.2} |", short(linear[0][0], 3), linear[0][1]);
+    assert!(readme.contains(&row), "README.md: {row}");
+    for text in [
+        format!("{} `μ N` from it on average", short(total[0][0], 4)),
+        format!("{} `μ N`, any spin", short(strip[0][0], 4)),
+        format!("{} and {} `μ N`", short(strip_1967[0][0], 3), short(continuous[0][0], 3)),
+        format!("has an error of {} `μ N` on our cases", short(fastsim[0][0], 3)),
+        format!("his formula is {} `μ N` from CONTACT", short(polach[0][0], 3)),
+    ] {
+        assert!(tour.contains(&text), "docs/c-api.md: {text}");
+    }
+    let header = header.replace("\n * ", " ");
+    for text in [
+        format!("{:.0} % over a/b 0.1 to 10", 100.0 * strip_1967[0][0]),
+        format!("mean error {:.0} % of mu N", 100.0 * continuous[0][0]),
+        format!(
+            "{:.1} % of mu N, of the slopes {:.0} % of the linear ones. Its slopes at rest",
+            100.0 * strip[0][0],
+            100.0 * strip[2][0]
+        ),
+        format!(
+            "{:.1} % of mu N, of the slopes {:.0} % of the linear ones. Rigid slip",
+            100.0 * total[0][0],
+            100.0 * total[2][0]
+        ),
+    ] {
+        assert!(header.contains(&text), "include/kstrip.h: {text}");
+    }
+}
+
 /// The C reference, if doxygen is here: no warning.
 #[test]
 fn doxygen_has_no_warning() {

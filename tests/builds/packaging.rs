@@ -3,6 +3,8 @@
 
 use kstrip::ffi::KSTRIP_ABI_VERSION;
 use serde_json::Value;
+
+use crate::toolchain::root;
 use std::collections::BTreeSet;
 use std::process::Command;
 
@@ -99,5 +101,79 @@ fn versions_agree() {
     // API, ABI and numerics stand apart.
     for heading in ["\nAPI\n", "\nABI\n", "\nNumerics\n"] {
         assert!(changes.contains(heading), "{heading}");
+    }
+}
+
+/// What SECURITY.md says of `unsafe`, dependencies and `--locked` is what the sources have.
+#[test]
+fn security_page_is_true() {
+    let page = read("SECURITY.md");
+    let section = |from: &str, to: &str| -> String {
+        let rest = page.split_once(from).unwrap_or_else(|| panic!("{from}")).1;
+        rest.split_once(to).unwrap_or_else(|| panic!("{to}")).0.to_owned()
+    };
+    let named: Vec<String> = section("`unsafe` stands in", "There is no build script")
+        .split('`')
+        .skip(1)
+        .step_by(2)
+        .filter(|name| name.starts_with("src/"))
+        .map(str::to_owned)
+        .collect();
+    let mut found = Vec::new();
+    let mut folders = vec![root().join("src")];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if std::fs::read_to_string(&path)
+                .is_ok_and(|text| text.contains("[allow(unsafe_code)]"))
+            {
+                let name = path.strip_prefix(root()).expect("inside").to_str().expect("text");
+                found.push(name.replace('\\', "/").replace("/mod.rs", ""));
+            }
+        }
+    }
+    found.sort();
+    let mut listed = named.clone();
+    listed.sort();
+    assert_eq!(found, listed, "files with unsafe code");
+    assert!(read("src/lib.rs").contains("#![deny(missing_docs, unsafe_code)]"));
+
+    let manifest = read("Cargo.toml");
+    let table = section("## Dependencies", "`deny.toml`");
+    let mut inside = false;
+    let mut count = 0;
+    for line in manifest.lines() {
+        if line.starts_with('[') {
+            inside = line.ends_with("dependencies]");
+        } else if let Some((name, _)) = line.split_once(" = ").filter(|_| inside) {
+            assert!(table.contains(&format!("`{name}`")), "SECURITY.md does not say why {name}");
+            count += 1;
+        }
+    }
+    assert!(count > 10, "{count}");
+
+    for entry in std::fs::read_dir(root().join("scripts")).expect("scripts") {
+        let path = entry.expect("an entry").path();
+        let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+        let script = std::fs::read_to_string(&path).expect("a script").replace("\\\n", " ");
+        for line in script.lines().filter(|line| !line.trim_start().starts_with('#')) {
+            let builds = [
+                "cargo rustc",
+                "cargo build",
+                "cargo run",
+                "cargo test",
+                "cargo check",
+                "\"$CARGO\" rustc",
+            ]
+            .iter()
+            .any(|command| line.contains(command));
+            let said = name == "fuzz.sh" || (name == "firmware.sh" && line.contains("build-std"));
+            assert!(
+                !builds || line.contains("--locked") || said || line.contains("echo"),
+                "scripts/{name}: {line}"
+            );
+        }
     }
 }
