@@ -1,7 +1,7 @@
 //! The normal problem on strips of one width: pressure and outline of a patch under a load or an approach.
 //!
 //! The bodies are half-spaces that are `h(y) + x²/(2 R)` apart. A strip's pressure is a half-ellipse over its length
-//! `2 a_i`, its peak `p_i`; both are found from two conditions on its middle line, with the sums of [`influence`] over
+//! `2 a_i`, its peak `p_i`; both are found from two conditions on its middle line, with the sums of `influence` over
 //! all strips of all zones:
 //!
 //! ```text

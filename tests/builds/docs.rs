@@ -357,7 +357,10 @@ fn accuracy(method: &str) -> Vec<Vec<f64>> {
 fn errors_in_prose_are_those_of_the_report() {
     let read = |page: &str| std::fs::read_to_string(root().join(page)).expect("a page");
     let [readme, tour, header] = ["README.md", "docs/c-api.md", "include/kstrip.h"].map(read);
-    let short = |x: f64, digits: usize| format!("{x:.digits$}").trim_start_matches('0').to_owned();
+    // as one rounds by hand: the report's last digit may be a 5
+    let short = |x: f64, digits: usize| {
+        format!("{:.digits$}", x * (1.0 + 1e-9)).trim_start_matches('0').to_owned()
+    };
     let [strip_1967, continuous, strip, total, linear, fastsim, polach] = [
         "STRIP_1967, 16 strips",
         "STRIP_1967_CONTINUOUS, 16 strips",

@@ -155,7 +155,7 @@ fn apex_angle_of_the_adhesion_area_is_76_degrees() {
 fn figure_9_lateral_force_in_pure_spin() {
     for (axis_ratio, psi, rigid, continuous) in [
         (1.0, 0.305, 0.3017, 0.304),
-        (1.0, 0.6, 0.5236, 0.583),
+        (1.0, 0.6, 0.52364, 0.583),
         (1.0, 0.8, 0.5273, 0.739),
         (0.2, 0.305, 0.1771, 0.256),
         (0.2, 0.6, 0.1677, 0.377),
