@@ -23,7 +23,7 @@
 //!
 //! Published papers leave details open (where in a cell the bound is taken, where the slip is
 //! evaluated, how three flexibilities become one). Each module says which readings it offers and
-//! which of them reproduces the published figures.
+//! which of them reproduces the figures of the survey there.
 
 #![forbid(unsafe_code)]
 #![allow(dead_code)]

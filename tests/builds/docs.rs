@@ -402,6 +402,27 @@ fn errors_in_prose_are_those_of_the_report() {
     }
 }
 
+/// What derivatives cost, as told in the pages, is what the counts say.
+#[test]
+fn costs_in_prose_are_those_of_the_counts() {
+    let read = |page: &str| std::fs::read_to_string(root().join(page)).expect("a page");
+    let counts = read("docs/instructions.md");
+    let ratio = |model: &str| {
+        let row = counts.lines().find_map(|line| line.strip_prefix(&format!("| {model} |")));
+        let cells: Vec<&str> = row.expect("a row").split('|').map(str::trim).collect();
+        let number = |i: usize| cells[i].parse::<f64>().expect("a count");
+        number(5) / number(2)
+    };
+    let [strip_1967, strip, total, linear] = ["STRIP_1967", "STRIP", "TOTAL", "LINEAR"].map(ratio);
+    let text = format!(
+        "take {strip_1967:.2} (STRIP_1967), {strip:.2} (STRIP), {total:.2} (TOTAL) and {linear:.2} (LINEAR) times"
+    );
+    assert!(read("docs/numerics.md").contains(&text), "docs/numerics.md: {text}");
+    let text = format!("Derivatives cost three to four times the forces (LINEAR: {linear:.1})");
+    assert!([strip_1967, strip, total].iter().all(|ratio| (3.0..4.0).contains(ratio)));
+    assert!(read("docs/c-api.md").contains(&text), "docs/c-api.md: {text}");
+}
+
 /// The C reference, if doxygen is here: no warning.
 #[test]
 fn doxygen_has_no_warning() {
