@@ -135,7 +135,7 @@ pub const KSTRIP_ERROR_SMOOTHING_LENGTH: kstrip_status = -47;
 pub const KSTRIP_MODEL_DEFAULT: i32 = 0;
 /// The strip theory of Kalker's paper of 1967 itself, nothing fitted, with the sliding rule that the paper keeps for forces: strips
 /// without adhesion slide along the rigid slip of their centre line. Meant for slender ellipses, a/b up to 0.2, and |psi| < 1; mean error
-/// against CONTACT there 6 % of mu N, 15 % over a/b 0.1 to 10.
+/// against CONTACT there 5 % of mu N, 15 % over a/b 0.1 to 10.
 pub const KSTRIP_MODEL_STRIP_1967: i32 = 1;
 /// The same theory with the sliding rule that joins adhesion strips without a jump; mean error 18 % of mu N.
 pub const KSTRIP_MODEL_STRIP_1967_CONTINUOUS: i32 = 2;

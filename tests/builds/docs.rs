@@ -7,6 +7,7 @@
 
 use crate::toolchain;
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use toolchain::{
@@ -113,8 +114,8 @@ fn every_block_says_its_language() {
     assert!(all.len() > 8, "{all:?}");
     for page in all {
         for block in blocks(&page) {
-            let known =
-                ["c", "cpp", "python", "sh", "output", "text"].contains(&block.language.as_str());
+            let known = ["c", "cpp", "python", "sh", "output", "text", "mermaid"]
+                .contains(&block.language.as_str());
             assert!(
                 known,
                 "{}: a block of {:?}, which is not tested",
@@ -229,7 +230,7 @@ fn names(page: &Path) -> Vec<String> {
 /// `module::Type::function` in the pages on theory and architecture is something that the sources have.
 #[test]
 fn theory_names_functions_that_exist() {
-    for (page, least) in [("docs/theory.md", 60)] {
+    for (page, least) in [("docs/theory.md", 60), ("docs/architecture.md", 30)] {
         let mut count = 0;
         for name in names(&root().join(page)) {
             if !name.contains("::") {
@@ -288,6 +289,55 @@ fn theory_has_every_equation_of_the_paper() {
         let text = std::fs::read_to_string(&file).expect("a file");
         for section in ["(7.1)", "(7.2)", "(8.15)", "(5.3)"] {
             assert!(!text.contains(section), "{}: {section} is a section", file.display());
+        }
+    }
+}
+
+/// The arrows between folders in docs/architecture.md are what the sources use.
+#[test]
+fn architecture_has_the_arrows_of_the_sources() {
+    let mut drawn = BTreeSet::new();
+    let blocks = blocks(&root().join("docs/architecture.md"));
+    let graph = blocks.iter().find(|block| block.language == "mermaid").expect("a picture");
+    for line in graph.code.lines().skip(1) {
+        // `a --> b & c`, `a -- text --> b`, `a -. text .-> b`
+        let (from, rest) = line.trim().split_once(" -").expect("an arrow");
+        let (_, to) = rest.rsplit_once("> ").expect("an arrow");
+        drawn.extend(to.split(" & ").map(|to| (from.to_owned(), to.to_owned())));
+    }
+    let mut used = BTreeSet::new();
+    let mut files = Vec::new();
+    rust_files(&root().join("src"), &mut files);
+    for file in files {
+        let path = file.strip_prefix(root().join("src")).expect("inside");
+        let from = path.iter().next().expect("a part").to_string_lossy().into_owned();
+        let text = std::fs::read_to_string(&file).expect("a file");
+        // Only what is compiled into the library, and no comments
+        let text = text.split("#[cfg(test)]").next().expect("a part").to_owned();
+        if from.ends_with(".rs") || path.ends_with("tests.rs") {
+            continue;
+        }
+        for line in text.lines().filter(|line| !line.trim_start().starts_with("//")) {
+            for rest in line.split("crate::").skip(1) {
+                let end = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+                let to = &rest[..end.unwrap_or(rest.len())];
+                if to != from && !["number", "status"].contains(&to) {
+                    used.insert((from.clone(), to.to_owned()));
+                }
+            }
+        }
+    }
+    assert!(used.len() > 20, "{used:?}");
+    assert_eq!(drawn, used, "left: drawn, right: used");
+}
+
+fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            rust_files(&path, found);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            found.push(path);
         }
     }
 }

@@ -107,6 +107,19 @@ impl Measured {
     }
 }
 
+/// What include/kstrip.h says of the theory of 1967 where it is meant to be used: a/b to 0.2, |ψ| below 1.
+#[test]
+fn the_header_states_the_error_of_the_theory_where_it_is_meant() {
+    let cases: Vec<Case> =
+        open().into_iter().filter(|c| c.axis_ratio <= 0.2 && c.psi().abs() < 1.0).collect();
+    assert!(cases.len() > 100, "{}", cases.len());
+    let errors = Errors::of_model::<f64>(&cases, &options(Model::Strip1967, StripCount::Sixteen));
+    let mean = figures(&errors.force).mean;
+    let header = std::fs::read_to_string(project().join("include/kstrip.h")).expect("the header");
+    let text = format!("against CONTACT there {:.0} % of mu N", 100.0 * mean);
+    assert!(header.replace("\n * ", " ").contains(&text), "include/kstrip.h: {text} ({mean})");
+}
+
 fn field_row(model: Model, single: bool) -> Row {
     let errors: Vec<FieldErrors> = fields()
         .iter()
