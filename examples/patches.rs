@@ -214,7 +214,7 @@ fn main() {
     for limit in [
         "The bodies are half-spaces: no conformity, one contact plane. Zones far apart in height or angle are contacts of their own.",
         "The undeformed distance is `h(y) + x²/(2 R)`: no yaw, one rolling radius; a strip's pressure is a half-ellipse in `x`.",
-        "What is narrower than the smoothing length (0.75 of the patch's half length by default) is rounded off: the pressure of a \
+        "What is narrower than the smoothing length (0.6 of the patch's half length by default) is rounded off: the pressure of a \
          sharp crest comes out too low (`worn_peak` 13 % and more). A smaller length sees it, and the noise.",
         "Noise of 5 µm rms at points 0.05 mm apart moves the force by .005 to .02 of `μ N`; points farther apart need a larger length.",
         "A narrow tail that is nearly flat (`s1002_uic60_2`) has the largest errors of force: one ellipse stands for a zone.",

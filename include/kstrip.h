@@ -927,8 +927,8 @@ typedef struct kstrip_profile_contact {
     /** Approach of distant points of the bodies [m], >= 0; only where normal_force is 0. */
     double approach;
     /**
-     * Length over which the profile is smoothed [m], >= 0; 0: by its noise, 0.5 to 1.25 of the patch's approximate half
-     * length (3.5 to 8.5 mm between a wheel and a rail).
+     * Length over which the profile is smoothed [m], >= 0; 0: 0.6 of the patch's approximate half length, 4 mm between a
+     * wheel and a rail, and at least two steps of the profile.
      */
     double smoothing_length;
     /** Combined shear modulus G [Pa], > 0. */

@@ -224,8 +224,8 @@ pub struct ProfileOptions<F> {
     pub normal_force: F,
     /// Approach of distant points of the bodies [m], >= 0; only where normal_force is 0.
     pub approach: F,
-    /// Length over which the profile is smoothed [m], >= 0; 0: by its noise, 0.5 to 1.25 of the patch's approximate half
-    /// length (3.5 to 8.5 mm between a wheel and a rail).
+    /// Length over which the profile is smoothed [m], >= 0; 0: 0.6 of the patch's approximate half length, 4 mm between a
+    /// wheel and a rail, and at least two steps of the profile.
     pub smoothing_length: F,
     /// Combined shear modulus G [Pa], > 0.
     pub shear_modulus: F,

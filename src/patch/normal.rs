@@ -11,8 +11,9 @@
 //!
 //! The first is solved directly for given lengths. Strips that would pull leave, strips whose bodies would
 //! overlap enter, until none does either. The second then corrects the lengths: on a long strip its left-hand side goes with
-//! `1/a²`, so that a step takes the root of what is wrong with it. A strip at the rim ends with `p → 0` and `a → 0`
-//! together; so zones appear, grow, touch and merge without a jump. Nothing else distinguishes them.
+//! `1/a²`, so that a step takes the root of what is wrong with it, or a little less where its neighbours move as well.
+//! A strip at the rim ends with `p → 0` and `a → 0` together; so zones appear, grow, touch and merge without a jump. Nothing
+//! else distinguishes them.
 
 use crate::number::Float;
 use crate::patch::influence::{self, Edge};
@@ -126,18 +127,16 @@ impl<F: Float> Cells<F> {
         }
     }
 
-    /// The pressures after so many corrections of the lengths; the approach.
-    pub(crate) fn solve(&mut self, given: Given<F>, steps: usize) -> Moving<F> {
+    /// The pressures after one correction of the lengths; the approach.
+    pub(crate) fn solve(&mut self, given: Given<F>, power: f64) -> Moving<F> {
         let mut columns: Columns<F> = Vec::new();
         for _ in &self.list {
             // (room for as many columns as cells)
             let _ = columns.push(Column::unknown());
         }
-        for _ in 0..steps {
-            self.press(given, &mut columns);
-            self.correct(&columns);
-            columns.iter_mut().for_each(|column| column.known = false);
-        }
+        self.press(given, &mut columns);
+        self.correct(power, &columns);
+        columns.iter_mut().for_each(|column| column.known = false);
         self.press(given, &mut columns)
     }
 
@@ -321,7 +320,7 @@ impl<F: Float> Cells<F> {
     }
 
     /// Lengths for the pressures as they are; also of strips that do not touch, as if they were about to.
-    fn correct(&mut self, columns: &[Column<F>]) {
+    fn correct(&mut self, power: f64, columns: &[Column<F>]) {
         let radius = self.rolling_radius;
         let curvature = self.sum(columns, |on, cell| on.curvature * cell.pressure.value);
         let change = self.sum(columns, |on, cell| {
@@ -329,11 +328,11 @@ impl<F: Float> Cells<F> {
                 + on.curvature_slope * (cell.half_length.slope * cell.pressure.value)
         });
         for ((cell, curvature), change) in self.list.iter_mut().zip(curvature).zip(change) {
-            // √c as its Padé approximant: within a factor of 3 whatever c is
+            // the power of c as its Padé approximant: within a factor of 3 whatever c is
             let c = (curvature * radius).max(F::zero());
-            let below = c.plus(3.0);
-            let factor = c.times(3.0).plus(1.0) / below;
-            let slope = change * radius * F::of(8.0) / (below * below);
+            let below = c.times(1.0 - power).plus(1.0 + power);
+            let factor = c.times(1.0 + power).plus(1.0 - power) / below;
+            let slope = change * radius * F::of(4.0 * power) / (below * below);
             let Moving { value: a, slope: da } = cell.half_length;
             cell.half_length = Moving { value: a * factor, slope: da * factor + a * slope };
         }

@@ -21,7 +21,7 @@ use crate::contact::forces::Totals;
 use crate::linear::LinearCoefficients;
 use crate::number::dual::Dual;
 use crate::number::{Float, Real};
-use crate::patch::zones::{Zone, mean_width};
+use crate::patch::zones::{Widths, Zone};
 use crate::patch::{PatchStrip, PatchView};
 use crate::solve::field::{FieldPoint, rolling_point};
 use crate::solve::model::{Model, Precision, Solution, StripResult};
@@ -273,12 +273,12 @@ impl<'a, F: Precision> Problem<'a, F> {
         let mut prepared: Option<(Zone<F>, F, StripLaw<T>)> = None;
         let mut before = 0;
         for lobe in self.view.lobes() {
-            let (count, mean_width) = (lobe.len(), mean_width(lobe));
+            let (count, widths) = (lobe.len(), Widths::new(lobe));
             for (g, group) in lobe.chunks(4).enumerate() {
                 let zero = T::zero();
                 let none = Seen { x: zero, y: zero, spread: zero, start: zero };
                 let mut seen = [(none, T::zero()); 4];
-                let mut inner = [false; 4];
+                let mut inner = [F::zero(); 4];
                 for (k, ((strip, seen), inner)) in
                     group.iter().zip(&mut seen).zip(&mut inner).enumerate()
                 {
@@ -294,10 +294,12 @@ impl<'a, F: Precision> Problem<'a, F> {
                         _ => self.law(&zone, creepage, strip.centre_x, [scale.area, scale.lever]),
                     };
                     prepared = Some((zone, strip.centre_x, law));
-                    *seen = law.strip(&geometry(&zone, strip, mean_width));
-                    *inner = i.min(count - 1 - i) % 2 == 1;
+                    *seen = law.strip(&geometry(&zone, strip, widths.mean));
+                    let alternating = widths.alternation.times(0.5);
+                    let is_inner = i.min(count - 1 - i) % 2 == 1;
+                    *inner = (if is_inner { alternating } else { -alternating }).plus(0.5);
                 }
-                for (strip, found) in group.iter().zip(four_strips(&seen, inner)) {
+                for (strip, found) in group.iter().zip(both_kinds(&seen, inner)) {
                     let stick = found.stick.value();
                     visit(strip, Share::new(strip, &found, stick, stick > F::zero()));
                 }
@@ -305,6 +307,29 @@ impl<'a, F: Precision> Problem<'a, F> {
             before += count;
         }
     }
+}
+
+/// Four strips with their shares of the inner strips' nodes; both kinds are evaluated where one is not enough.
+fn both_kinds<F: Precision, T: Real<Base = F>>(
+    seen: &[(Seen<T>, T); 4],
+    inner: [F; 4],
+) -> [Carried<T>; 4] {
+    let mostly = inner.map(|share| share > F::of(0.5));
+    let mut found = four_strips(seen, mostly);
+    let of_other = |share: F| share.min(F::one() - share);
+    if inner.iter().any(|share| of_other(*share) > F::zero()) {
+        let others = four_strips(seen, mostly.map(|inner| !inner));
+        for ((found, other), share) in found.iter_mut().zip(others).zip(inner) {
+            let mix = |own: T, other: T| own + (other - own).scale(of_other(share));
+            *found = Carried {
+                fx: mix(found.fx, other.fx),
+                fy: mix(found.fy, other.fy),
+                mx: mix(found.mx, other.mx),
+                stick: mix(found.stick, other.stick),
+            };
+        }
+    }
+    found
 }
 
 /// A strip in units of its zone's ellipse.

@@ -16,7 +16,7 @@ use kstrip::friction::SlipFriction;
 use kstrip::patch::Patch;
 use kstrip::patch::normal::Given;
 use kstrip::patch::profile::ProfileContact;
-use kstrip::patch::solver::{self, PatchField};
+use kstrip::patch::solver;
 use kstrip::solve::derivatives::differentiate;
 use kstrip::solve::model::{self, Field, Model, Options, StripResult};
 use kstrip::status::Notice;
@@ -383,17 +383,71 @@ fn velocities_become_opposite_forces_on_the_two_bodies() {
     assert_close(work, -heat, 5e-6, "what the forces take from the bodies is the heat");
 }
 
+/// How much larger the radius of a wheel S1002 is at `s` \[mm\] from the running circle (EN 13715).
+fn s1002(s: f64) -> f64 {
+    let tread = [
+        0.0,
+        -3.358537058e-2,
+        1.565681624e-3,
+        -2.810427944e-5,
+        5.844240864e-8,
+        -1.562379023e-8,
+        5.309217349e-15,
+        -5.957839843e-12,
+        2.646656573e-13,
+    ];
+    let root = [
+        -4.320221063e3,
+        -1.038384026e3,
+        -1.065501873e2,
+        -6.051367875,
+        -2.054332446e-1,
+        -4.169739389e-3,
+        -4.687195829e-5,
+        -2.252755540e-7,
+    ];
+    let polynomial =
+        |c: &[f64]| c.iter().enumerate().map(|(i, c)| c * s.powi(i as i32)).sum::<f64>();
+    if s > 32.15796 {
+        1.364323640 - 0.066666667 * s
+    } else if s < -26.0 {
+        polynomial(&root)
+    } else {
+        polynomial(&tread)
+    }
+}
+
+/// How far a rail head 60E1 is below its top at `s` \[mm\] from its middle: arcs of 300, 80 and 13 mm, whose centres lie on
+/// the normals at their joints (EN 13674-1).
+fn rail_60e1(s: f64) -> f64 {
+    let (mut across, mut below) = (0.0, 300.0);
+    let mut radius = 300.0_f64;
+    for (end, next) in [(10.297, 80.0), (26.05, 13.0)] {
+        if s.abs() <= end {
+            break;
+        }
+        let angle = ((end - across) / radius).asin();
+        across += (radius - next) * angle.sin();
+        below -= (radius - next) * angle.cos();
+        radius = next;
+    }
+    below - (radius.powi(2) - (s.abs() - across).powi(2)).sqrt()
+}
+
+/// The arcs and the polynomials meet without a step or a corner.
 #[test]
-fn worn_profiles_touch_in_two_zones() {
+fn profiles_of_the_standards_are_smooth() {
+    type Height = fn(f64) -> f64;
+    for (height, joint) in [(rail_60e1 as Height, 10.297), (rail_60e1, 26.05), (s1002, -26.0)] {
+        let slope = |from: f64| (height(from + 1e-3) - height(from)) / 1e-3;
+        assert_close(height(joint + 1e-9), height(joint - 1e-9), 1e-3, "height");
+        assert_close(slope(joint + 1e-6), slope(joint - 1e-3 - 1e-6), 1e-3, "slope");
+    }
+}
+
+#[test]
+fn a_wheel_on_a_rail_of_the_standards() {
     let text = run_c("c_examples/06_worn_profile.c");
-    let (y, distance): (Vec<f64>, Vec<f64>) = (0..241)
-        .map(|i| {
-            let y = 0.1e-3 * f64::from(i - 120);
-            let s = y / 4.5e-3;
-            let w = s * s - 1.0;
-            (y, 70e-6 * w * w + 3e-6 * s)
-        })
-        .unzip();
     let wheel = ProfileContact {
         rolling_radius: 0.46,
         given: Given::Load(80e3),
@@ -402,41 +456,52 @@ fn worn_profiles_touch_in_two_zones() {
         friction: 0.35,
         smoothing_length: 0.0,
     };
-    let (clean, found) =
-        Patch::<f64, 64>::from_profile(&y, &distance, &wheel, StripCount::ThirtyTwo)
-            .expect("a patch");
-    let head = line_of(&text, "approach");
-    assert_printed(head[0], found.approach * 1e6, 4, "approach");
-    assert_printed(head[1], found.peak_pressure / 1e6, 3, "peak pressure");
-    assert_printed(head[2], found.peak_y * 1e3, 4, "deepest point");
-    assert_printed(head[3], 80e3, 4, "load");
-    let sizes = text.lines().nth(1).map(numbers).expect("a second line");
-    assert_eq!(sizes[..2], [clean.strips.len() as f64, 2.0], "strips and zones");
+    let press = |shift: f64| {
+        let y: Vec<f64> = (0..1001).map(|i| -27e-3 + 0.06e-3 * f64::from(i)).collect();
+        // the rail's middle stands 3.15 mm from the running circle, and leans inwards by 1:40
+        let above = |y: f64| rail_60e1(y - 3.15) - (y - 3.15) / 40.0 - s1002(y - shift);
+        let distance: Vec<f64> = y.iter().map(|y| above(y * 1e3) * 1e-3).collect();
+        Patch::<f64, 64>::from_profile(&y, &distance, &wheel, StripCount::Sixteen).expect("a patch")
+    };
+    let rows: Vec<Vec<f64>> = text.lines().map(numbers).filter(|row| row.len() == 8).collect();
+    assert_eq!(rows.len(), 7, "shifts");
+    for (row, shift) in rows.iter().zip(-3..) {
+        let (patch, found) = press(f64::from(shift));
+        let view = patch.view().expect("a patch");
+        assert_eq!(row[0], f64::from(shift), "shift");
+        assert_close(row[1], found.approach * 1e6, 1.5e-3, "approach");
+        assert_close(row[2], found.stiffness * 1e-6, 0.02, "stiffness");
+        assert_close(row[3], found.peak_pressure * 1e-6, 0.02, "peak pressure");
+        assert_close(row[4], found.peak_y * 1e3, 2e-3, "place of the peak");
+        assert_close(row[5], view.area() * 1e6, 2e-3, "area");
+        assert_eq!(row[6], patch.strips.len() as f64, "strips");
+        assert_eq!(row[7], view.lobes().count() as f64, "zones");
 
-    // The deepest point carries the deflection: δ = (1/(π E*)) ∫∫ Z/r dA over the strips, by the midpoint
-    // rule in polar angle around the strips next to it
-    let e_star = 82e9 / 0.72;
-    let deflection: f64 = clean
-        .strips
-        .iter()
-        .flat_map(|strip| (0..400).map(move |k| (strip, (f64::from(k) + 0.5) / 400.0 - 0.5)))
-        .map(|(strip, share)| {
-            let d = strip.y + share * strip.width - found.peak_y;
-            let x = (0..400).map(|k| {
-                let angle = PI * (f64::from(k) + 0.5) / 400.0;
-                let (x, root) = (strip.half_length * angle.cos(), strip.half_length * angle.sin());
-                root * root / x.hypot(d)
+        // At the deepest point the approach is the deflection u = (1/(π E*)) ∫∫ Z/r dA, by the midpoint rule
+        let e_star = 82e9 / 0.72;
+        let deflection_at = |y: f64| {
+            let cells = patch.strips.iter().flat_map(|strip| {
+                (0..100).map(move |k| (strip, (f64::from(k) + 0.5) / 100.0 - 0.5))
             });
-            let slope = strip.peak_pressure / strip.half_length;
-            slope * x.sum::<f64>() * PI / 400.0 * strip.width / 400.0
-        })
-        .sum::<f64>()
-        / (PI * e_star);
-    assert_close(deflection, found.approach, 0.01 * found.approach, "deflection");
+            let lines = cells.map(|(strip, share)| {
+                let d = strip.y + share * strip.width - y;
+                let x = (0..100).map(|k| {
+                    let (sine, cosine) = (PI * (f64::from(k) + 0.5) / 100.0).sin_cos();
+                    strip.half_length * sine * sine / (strip.half_length * cosine).hypot(d)
+                });
+                strip.peak_pressure * x.sum::<f64>() * PI / 100.0 * strip.width / 100.0
+            });
+            lines.sum::<f64>() / (PI * e_star)
+        };
+        let deflections = patch.strips.iter().map(|strip| deflection_at(strip.y));
+        let deepest = deflections.fold(0.0, f64::max);
+        assert_close(deepest, found.approach, 0.03 * found.approach, "deflection");
+    }
 
+    let (clean, found) = press(0.0);
     let mut greasy = clean.clone();
     for strip in &mut greasy.strips {
-        strip.friction = if strip.y > 0.0 { 0.05 } else { 0.35 };
+        strip.friction = if strip.y < found.peak_y { 0.05 } else { 0.35 };
     }
     let (clean, greasy) = (clean.view().expect("a patch"), greasy.view().expect("a patch"));
     let mut rows = 0;
@@ -449,47 +514,19 @@ fn worn_profiles_touch_in_two_zones() {
         let motion =
             Creepage { longitudinal: longitudinal / 100.0, lateral: lateral / 100.0, spin };
         let exact = solver::solve(patch, &motion, Model::Strip).expect("forces");
-        assert_printed(fx, exact.fx, 3, "Fx");
-        assert_printed(fy, exact.fy, 3, "Fy");
-        assert_printed(mz, exact.mz, 4, "Mz");
-        assert_printed(stick, exact.adhesion * 100.0, 4, "stick");
+        // (the two programs round the profiles' polynomials differently)
+        assert_close(fx, exact.fx, 0.05, "Fx");
+        assert_close(fy, exact.fy, 0.05, "Fy");
+        assert_close(mz, exact.mz, 5e-4, "Mz");
+        assert_close(stick, exact.adhesion * 100.0, 5e-4, "stick");
         let bound = patch.friction_bound();
         assert!(fx.hypot(fy) <= bound + 0.01, "{line}");
         if longitudinal == 100.0 {
-            assert_printed(fx, bound, 3, "full sliding");
+            assert_close(fx, bound, 0.05, "full sliding");
         }
         rows += 1;
     }
     assert_eq!(rows, 12, "rows of the table");
-
-    let motion = Creepage { longitudinal: 1e-3, lateral: 5e-4, spin: 0.3 };
-    let field = PatchField::new(&greasy, &motion, Model::Strip).expect("a field");
-    let map: Vec<Vec<char>> = text
-        .lines()
-        .filter(|line| line.starts_with("  |"))
-        .map(|line| line.chars().collect())
-        .collect();
-    assert_eq!(map.len(), 21);
-    let mut seen = BTreeMap::new();
-    for (i, line) in map.iter().enumerate() {
-        for j in 0..45 {
-            let point = field.at(0.9e-3 * (10.0 - i as f64), 0.4e-3 * (j as f64 - 22.0));
-            let traction = point.traction_x.hypot(point.traction_y) / (0.35 * found.peak_pressure);
-            let (digit, state) = (line[3 + j], line[3 + 45 + 1 + j]);
-            let wanted = match point.state {
-                State::Outside => ' ',
-                State::Stick => '#',
-                State::Slip | State::SlipNegativeDissipation => '.',
-            };
-            assert_eq!(state, wanted, "line {i}, column {j}");
-            *seen.entry(state).or_insert(0) += 1;
-            match digit.to_digit(10) {
-                Some(digit) => assert_eq!(digit, (9.999 * traction) as u32, "line {i}, column {j}"),
-                None => assert_eq!((digit, state), (' ', ' '), "line {i}, column {j}"),
-            }
-        }
-    }
-    assert!(seen[&'#'] > 30 && seen[&'.'] > 60, "{seen:?}");
 }
 
 /// Largest real part of the eigenvalues of the wheelset of example 05 under linear creep forces.
