@@ -86,8 +86,9 @@ impl<T: Number> Motion<T> {
         let one = T::Base::one();
         let compliance = one - poisson_ratio;
         let width = one / (compliance * axis_ratio);
-        // all three reversed: all forces reversed
-        let turned_all = psi.value().choose(one, -one);
+        // all three reversed: all forces reversed (without spin by the sign of η)
+        let by_eta = eta.value().choose(one, -one);
+        let turned_all = psi.value().choose(one, (-psi.value()).choose(-one, by_eta));
         // ξ reversed: F_x and Y reversed
         let turned_xi = xi.value().scale(turned_all).choose(one, -one);
         let (xi, eta) = (xi.scale(turned_all * turned_xi), eta.scale(turned_all));

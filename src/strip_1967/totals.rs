@@ -46,6 +46,12 @@ fn far<T: Number>() -> f64 {
     if size_of::<Stored<T>>() == 4 { 3.5 } else { 16.0 }
 }
 
+/// Root of the distance of numbers near one.
+#[inline(always)]
+fn root_epsilon<T: Number>() -> f64 {
+    if size_of::<Stored<T>>() == 4 { 3.5e-4 } else { 1.5e-8 }
+}
+
 /// Integrals over strips.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shares<T> {
@@ -191,7 +197,7 @@ pub(super) fn adhering<T: Number>(motion: &Motion<T>, arc: &Arc<T>) -> Shares<T>
             // S = σ D with D = √(u² + ε²)
             let (root, inverse) = (q.sqrt(), p.inverse());
             let (h, e) = (xi * inverse, eta * inverse / root);
-            let (sigma, e2) = (p * root, e * e);
+            let (sigma, e2) = (p * root, rounded(e));
             let (u1, u2) = (h - y1, h - y2);
             let (d1, d2) = ((u1 * u1 + e2).sqrt(), (u2 * u2 + e2).sqrt());
             let (above, below) = arcsinh(u1, u2, d1, d2, e2);
@@ -235,11 +241,13 @@ fn length<T: Number>(motion: &Motion<T>, x: T::Pair) -> T::Pair {
 /// `∫ C K dY = ∫ C² K dθ`: nodes from the strip with `ξ̄ = 0`, where `S` may have a kink, to both ends of the arc.
 #[inline(always)]
 fn stretch_and_length<T: Number>(motion: &Motion<T>, arc: &Arc<T>) -> T {
-    let Motion { xi, slope: p, .. } = *motion;
+    let Motion { xi, eta, slope: p, .. } = *motion;
     let both = T::Pair::both;
     // Y = sin(θ + φ), with the tangent of φ/2 from −t to t
     let Arc { lower, upper, middle, tangent } = *arc;
-    let h = xi / (p + T::from_base(T::ROOT_TINY));
+    // (with hardly any spin there is no kink, and nothing may hang on where the middle is)
+    let hardly = (xi + eta.choose(eta, -eta)).times(root_epsilon::<T>());
+    let h = xi / (p + hardly + T::from_base(T::ROOT_TINY));
     let turn = Edge::chosen(h - lower.y, Edge::chosen(upper.y - h, Edge::at(h), upper), lower);
     let cosine = turn.c * middle.c + turn.y * middle.y;
     let split = (turn.y * middle.c - turn.c * middle.y) / (T::one() + cosine);
@@ -258,6 +266,14 @@ fn stretch_and_length<T: Number>(motion: &Motion<T>, arc: &Arc<T>) -> T {
     }
     // dθ = 2 dt/(1 + t²)
     (sum * half).sum().times(2.0)
+}
+
+/// `ε²`, and the square of some roundings of `Y`: where `η = 0` the direction of the slip turns at once in the strip `ξ̄ = 0`,
+/// and a derivative by `η` would be infinite.
+#[inline(always)]
+fn rounded<T: Number>(e: T) -> T {
+    let rounding = T::EPSILON.times(4.0);
+    e * e + T::from_base(rounding * rounding)
 }
 
 /// `asinh(u₁/ε) − asinh(u₂/ε)` for `u₁ ≥ u₂` is the logarithm of this quotient; `d = √(u² + ε²)`.
@@ -322,7 +338,7 @@ fn rigid_slip<T: Number>(motion: &Motion<T>, from: T::Pair, to: T::Pair) -> [T; 
             // in units of p: w = (u, ε)/D with D = √(u² + ε²)
             let inverse = p.inverse();
             let (h, e) = (z0 * inverse, eta * inverse);
-            let e2 = e * e;
+            let e2 = rounded(e);
             let (u1, u2) = (both(h) - from, both(h) - to);
             let (d1, d2) = ((u1 * u1 + both(e2)).sqrt(), (u2 * u2 + both(e2)).sqrt());
             let (above, below) = arcsinh(u1, u2, d1, d2, both(e2));
@@ -365,7 +381,7 @@ fn continuous<T: Number>(motion: &Motion<T>, lower: [Edge<T>; 2], upper: [Edge<T
     let outwards = T::Pair::of(-T::one(), T::one());
     // (at rest no strip slides, and has no direction)
     let rest = T::Pair::from_base(T::EPSILON * T::EPSILON);
-    let mut sums = [T::Pair::zero(); 3];
+    let mut sums = [T::Pair::zero(); 4];
     for (node, weight) in GAUSS_16 {
         for node in [-node, node] {
             // v = tan(φ/4) = V r/(r + g (1 − r)), r from 0 to 1
@@ -381,13 +397,21 @@ fn continuous<T: Number>(motion: &Motion<T>, lower: [Edge<T>; 2], upper: [Edge<T
             let y = near.y * cosine + near.c * sine;
             let c = near.c * cosine - near.y * sine;
             let (x, w) = n(y, c);
-            let share = c * c * c * step / (x * x + w * w + rest).sqrt();
+            let bound = c * c * c * step;
+            let share = bound / (x * x + w * w + rest).sqrt();
             let fx = share * x;
-            let [sx, sy, lever] = &mut sums;
+            let [sx, sy, lever, whole] = &mut sums;
             *sx += fx;
             *sy += share * w;
             *lever += y * fx;
+            *whole += bound;
         }
     }
-    sums.map(T::Pair::sum)
+    // By what the nodes miss of ∫ C² dY, so that a constant direction is exact and the force never beyond the bound
+    let [fx, fy, lever, whole] = sums;
+    let mean = (near.y * near.y + near.y * edge.y + edge.y * edge.y).times(1.0 / 3.0);
+    let exact = (edge.y - near.y) * outwards * (T::Pair::one() - mean);
+    let wide = reach.plus(-0.05);
+    let scale = wide.choose(exact / (whole + T::Pair::tiny()), T::Pair::one());
+    [fx * scale, fy * scale, lever * scale].map(T::Pair::sum)
 }

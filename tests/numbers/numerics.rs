@@ -120,10 +120,11 @@ fn errors<F: Float + kstrip::solve::model::Precision>(row: &Row) -> Vec<f64> {
 
 /// Largest error in units of the last place: what, region, double, single. Explained in docs/numerics.md.
 const ALLOWED: &[(&str, &str, f64, f64)] = &[
-    ("force", "combined", 3.2, 2.3),
-    ("force", "no spin", 1.3, 1.8),
-    ("force", "sliding", 1.2, 1.8),
-    ("force", "small", 1.0, 1.2),
+    // (four nodes on a smooth piece: up to 4e-12)
+    ("force", "combined", 39.0, 0.9),
+    ("force", "no spin", 2.3, 2.0),
+    ("force", "sliding", 19345.9, 0.5),
+    ("force", "small", 1.1, 1.3),
     ("hertz", "circle", 2.2, 2.1),
     ("hertz", "ellipse", 1.9, 2.4),
     ("hertz", "near circle", 2.0, 2.5),
@@ -134,9 +135,8 @@ const ALLOWED: &[(&str, &str, f64, f64)] = &[
     ("kappa", "psi near 1", 1.1, 1.4),
     ("kappa", "tiny", 1.2, 1.2),
     ("kappa", "xi >> eta", 0.8, 1.0),
-    // 64 strips: the error of the quadrature, 2e-12, in double precision
-    ("slope", "combined", 57.0, 0.9),
-    ("slope", "no spin", 8200.0, 1.7),
+    ("slope", "combined", 632.8, 1.3),
+    ("slope", "no spin", 3.3, 1.3),
 ];
 
 /// Rows, largest error, and sum of errors in double and single precision.

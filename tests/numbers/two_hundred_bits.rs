@@ -1,7 +1,7 @@
 //! Every model against its own formulas in 200 bits, by region, in double and single precision: what the arithmetic
 //! loses, derivatives included. The limits are what docs/numerics.md explains.
 //!
-//! `KSTRIP_WRITE_PRECISE=1000 cargo test --release --test numbers two_hundred_bits -- --nocapture` looks for worse cases, prints the table of
+//! `KSTRIP_WRITE_PRECISE=120 cargo test --test numbers two_hundred_bits -- --nocapture` looks for worse cases, prints the table of
 //! that page, and writes the worst inputs to `tests/data/precise.csv`. Without it those are computed again, and a few new ones.
 
 use crate::precise;
@@ -100,7 +100,8 @@ fn draw(region: &str, random: &mut Random) -> Inputs {
         "tiny" => (xi, eta, psi) = (xi * 1e-15, eta * 1e-15, psi * 1e-15),
         "sliding" => (xi, eta) = (signed(10.0, 1e3), signed(10.0, 1e3)),
         "spin" => psi = signed(0.9, 3.0),
-        "pure spin" => (xi, eta, psi) = (0.0, 0.0, signed(1e-2, 3.0)),
+        // (from unit spin on the theory of 1967 has an infinite derivative by η there)
+        "pure spin" => (xi, eta, psi) = (0.0, 0.0, signed(1e-2, 0.99)),
         // C22 vy + C23 φ cancels to 1e-5, with vy = 3η/π and φ = (3/π) √(b/a) ψ
         "opposed" => {
             xi *= 1e-3;
@@ -124,7 +125,8 @@ fn draw(region: &str, random: &mut Random) -> Inputs {
 fn errors<F: Precision>(model: Model, inputs: &Inputs, exact: &[Dual<Precise, 3>; 3]) -> [f64; 3] {
     let (contact, creepage) = contact::<F>(inputs);
     let options = Options { model, strips: StripCount::Sixteen };
-    let (r, jacobian) = solve_jacobian(&contact, &creepage, &options).expect("ordinary inputs");
+    let (r, jacobian) = solve_jacobian(&contact, &creepage, &options)
+        .unwrap_or_else(|e| panic!("{e:?} {} {inputs:?}", size_of::<F>()));
     let found = [r.fx, r.fy, r.mz].map(Float::to_f64);
     let arm = contact.a.to_f64().max(contact.b.to_f64());
     let motion = [creepage.longitudinal, creepage.lateral, creepage.spin].map(|c| c.to_f64().abs());
@@ -207,50 +209,50 @@ impl Survey {
     }
 }
 
-/// Largest errors in units of the last place: force, moment and derivatives in double precision, then in single. Two
-/// and a half times the worst of a thousand cases: another order of the same sums finds others.
+/// Largest errors in units of the last place: force, moment and derivatives in double precision, then in single. Four
+/// times the worst of 120 cases: another order of the same sums finds others.
 #[rustfmt::skip]
 const ALLOWED: &[(&str, &str, [f64; 6])] = &[
-    ("STRIP_1967", "ordinary", [26.0, 12.0, 1500.0, 30.0, 11.0, 140.0]),
-    ("STRIP_1967", "small", [26.0, 14.0, 21.0, 26.0, 9.8, 36.0]),
-    ("STRIP_1967", "tiny", [38.0, 8.8, 23.0, 18.0, 9.8, 9.0]),
-    ("STRIP_1967", "sliding", [8.5, 2.8, 6800.0, 7.8, 2.0, 5800.0]),
-    ("STRIP_1967", "spin", [850.0, 640.0, 13000.0, 270.0, 11.0, 6400.0]),
-    ("STRIP_1967", "pure spin", [7.0, 17.0, 130.0, 11.0, 16.0, 710.0]),
-    ("STRIP_1967", "opposed", [17.0, 12.0, 44.0, 13.0, 13.0, 16.0]),
-    ("STRIP_1967", "slender", [1500.0, 20.0, 3700.0, 2300.0, 13.0, 2100.0]),
-    ("STRIP_1967_CONTINUOUS", "ordinary", [18.0, 8.3, 1500.0, 9.0, 9.3, 150.0]),
-    ("STRIP_1967_CONTINUOUS", "small", [26.0, 14.0, 21.0, 26.0, 9.8, 36.0]),
-    ("STRIP_1967_CONTINUOUS", "tiny", [38.0, 8.8, 23.0, 18.0, 9.8, 9.0]),
-    ("STRIP_1967_CONTINUOUS", "sliding", [6.0, 2.5, 7000.0, 8.5, 2.8, 5400.0]),
-    ("STRIP_1967_CONTINUOUS", "spin", [920.0, 680.0, 7000.0, 16.0, 14.0, 4700.0]),
-    ("STRIP_1967_CONTINUOUS", "pure spin", [9.3, 14.0, 120.0, 7.8, 16.0, 130.0]),
-    ("STRIP_1967_CONTINUOUS", "opposed", [15.0, 13.0, 16.0, 13.0, 13.0, 15.0]),
-    ("STRIP_1967_CONTINUOUS", "slender", [550.0, 19.0, 3700.0, 440.0, 13.0, 340.0]),
-    ("STRIP", "ordinary", [400.0, 120.0, 830.0, 13.0, 8.8, 130.0]),
-    ("STRIP", "small", [18.0, 93.0, 98.0, 10.0, 17.0, 12.0]),
-    ("STRIP", "tiny", [16.0, 93.0, 110.0, 11.0, 16.0, 12.0]),
-    ("STRIP", "sliding", [170.0, 20.0, 290000.0, 5.5, 1.0, 9100.0]),
-    ("STRIP", "spin", [1300.0, 150.0, 2400.0, 33.0, 6.5, 350.0]),
-    ("STRIP", "pure spin", [770.0, 150.0, 3700.0, 32.0, 13.0, 180.0]),
-    ("STRIP", "opposed", [180.0, 140.0, 1200.0, 6.5, 10.0, 170.0]),
-    ("STRIP", "slender", [27000.0, 140.0, 150000.0, 1100.0, 7.0, 1700.0]),
-    ("TOTAL", "ordinary", [78.0, 35.0, 46.0, 61.0, 38.0, 43.0]),
-    ("TOTAL", "small", [7.8, 8.0, 10.0, 9.3, 12.0, 13.0]),
-    ("TOTAL", "tiny", [8.5, 7.8, 8.8, 7.3, 8.8, 11.0]),
-    ("TOTAL", "sliding", [5.0, 1.0, 7600.0, 6.5, 1.0, 12000.0]),
-    ("TOTAL", "spin", [80.0, 38.0, 61.0, 87.0, 39.0, 73.0]),
-    ("TOTAL", "pure spin", [73.0, 39.0, 69.0, 61.0, 48.0, 70.0]),
-    ("TOTAL", "opposed", [32.0, 35.0, 56.0, 20.0, 30.0, 45.0]),
-    ("TOTAL", "slender", [96.0, 34.0, 960.0, 77.0, 34.0, 740.0]),
-    ("LINEAR", "ordinary", [5.3, 12.0, 9.5, 6.5, 8.0, 8.3]),
-    ("LINEAR", "small", [6.3, 10.0, 9.5, 6.5, 9.5, 8.3]),
-    ("LINEAR", "tiny", [6.8, 7.8, 9.5, 7.3, 8.0, 8.3]),
-    ("LINEAR", "sliding", [6.3, 2.3, 7.3, 7.5, 2.0, 8.5]),
-    ("LINEAR", "spin", [7.3, 8.5, 9.5, 8.3, 9.3, 9.3]),
-    ("LINEAR", "pure spin", [9.0, 11.0, 9.5, 11.0, 9.0, 11.0]),
-    ("LINEAR", "opposed", [4.5, 12.0, 9.5, 4.5, 11.0, 9.8]),
-    ("LINEAR", "slender", [6.8, 9.0, 9.5, 5.8, 11.0, 9.0]),
+    ("STRIP_1967", "ordinary", [900.0, 8100.0, 93000.0, 130.0, 23.0, 260.0]),
+    ("STRIP_1967", "small", [10.0, 12.0, 13.0, 7.6, 12.0, 11.0]),
+    ("STRIP_1967", "tiny", [10.0, 12.0, 12.0, 6.8, 9.2, 9.2]),
+    ("STRIP_1967", "sliding", [5.2, 1.0, 3100.0, 5.2, 1.2, 3000.0]),
+    ("STRIP_1967", "spin", [13000.0, 680.0, 110000.0, 12000.0, 70.0, 12000.0]),
+    ("STRIP_1967", "pure spin", [6.4, 54.0, 190.0, 9.2, 14.0, 66.0]),
+    ("STRIP_1967", "opposed", [38.0, 13.0, 230.0, 61.0, 12.0, 110.0]),
+    ("STRIP_1967", "slender", [360000.0, 1100.0, 360000.0, 350000.0, 570.0, 350000.0]),
+    ("STRIP_1967_CONTINUOUS", "ordinary", [58.0, 66.0, 360.0, 70.0, 8.0, 72.0]),
+    ("STRIP_1967_CONTINUOUS", "small", [10.0, 12.0, 13.0, 7.6, 12.0, 11.0]),
+    ("STRIP_1967_CONTINUOUS", "tiny", [10.0, 12.0, 12.0, 6.8, 9.2, 9.2]),
+    ("STRIP_1967_CONTINUOUS", "sliding", [8.0, 3.6, 7800.0, 8.8, 3.6, 4200.0]),
+    ("STRIP_1967_CONTINUOUS", "spin", [480.0, 670.0, 91000.0, 410.0, 43.0, 440.0]),
+    ("STRIP_1967_CONTINUOUS", "pure spin", [14.0, 63.0, 70.0, 11.0, 11.0, 34.0]),
+    ("STRIP_1967_CONTINUOUS", "opposed", [26.0, 12.0, 230.0, 43.0, 12.0, 94.0]),
+    ("STRIP_1967_CONTINUOUS", "slender", [81000.0, 1000.0, 81000.0, 85000.0, 560.0, 85000.0]),
+    ("STRIP", "ordinary", [210.0, 130.0, 690.0, 16.0, 8.0, 33.0]),
+    ("STRIP", "small", [10.0, 8.0, 12.0, 12.0, 9.6, 19.0]),
+    ("STRIP", "tiny", [8.8, 12.0, 16.0, 12.0, 8.0, 14.0]),
+    ("STRIP", "sliding", [1700.0, 1900.0, 260000.0, 6.8, 1.6, 1300.0]),
+    ("STRIP", "spin", [480.0, 130.0, 980.0, 22.0, 14.0, 49.0]),
+    ("STRIP", "pure spin", [190.0, 130.0, 2300.0, 16.0, 11.0, 81.0]),
+    ("STRIP", "opposed", [130.0, 110.0, 2700.0, 11.0, 6.4, 150.0]),
+    ("STRIP", "slender", [13000.0, 130.0, 43000.0, 470.0, 10.0, 410.0]),
+    ("TOTAL", "ordinary", [37.0, 34.0, 250.0, 64.0, 35.0, 82.0]),
+    ("TOTAL", "small", [10.0, 8.8, 14.0, 15.0, 8.4, 14.0]),
+    ("TOTAL", "tiny", [9.6, 11.0, 13.0, 12.0, 8.0, 14.0]),
+    ("TOTAL", "sliding", [6.4, 1.0, 27.0, 6.4, 1.0, 22.0]),
+    ("TOTAL", "spin", [99.0, 56.0, 73.0, 92.0, 69.0, 170.0]),
+    ("TOTAL", "pure spin", [88.0, 55.0, 110.0, 85.0, 54.0, 73.0]),
+    ("TOTAL", "opposed", [25.0, 46.0, 58.0, 46.0, 56.0, 70.0]),
+    ("TOTAL", "slender", [53.0, 64.0, 5200.0, 200.0, 51.0, 2400.0]),
+    ("LINEAR", "ordinary", [7.6, 12.0, 11.0, 8.0, 7.2, 12.0]),
+    ("LINEAR", "small", [7.2, 10.0, 11.0, 8.4, 8.8, 12.0]),
+    ("LINEAR", "tiny", [8.8, 11.0, 11.0, 8.0, 8.4, 12.0]),
+    ("LINEAR", "sliding", [8.4, 4.0, 10.0, 8.4, 2.4, 10.0]),
+    ("LINEAR", "spin", [12.0, 11.0, 12.0, 13.0, 13.0, 13.0]),
+    ("LINEAR", "pure spin", [12.0, 13.0, 12.0, 14.0, 12.0, 14.0]),
+    ("LINEAR", "opposed", [6.8, 11.0, 11.0, 7.2, 9.6, 11.0]),
+    ("LINEAR", "slender", [8.0, 9.6, 14.0, 9.2, 11.0, 13.0]),
 ];
 
 #[test]
