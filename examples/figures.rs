@@ -1,5 +1,5 @@
-//! Draws figures 7a, 7b, 8a, 8b and 10 of Kalker's paper of 1967 and a set of creep curves as SVG
-//! under `docs/figures/`: `cargo run --release --example figures`.
+//! Draws figures 7a, 7b, 8a, 8b, 9 and 10 of Kalker's paper of 1967 and a set of creep curves as SVG
+//! under `docs/figures/`: `cargo run --release --example figures`. Points of CONTACT are those of `tests/data/open.csv`.
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Parameters;
@@ -21,6 +21,8 @@ const ADHESION: RGBColor = RGBColor(0xa6, 0xcb, 0xe8);
 const SLIP: RGBColor = RGBColor(0xfb, 0xe3, 0xb8);
 const NEGATIVE: RGBColor = RGBColor(0xe8, 0x8f, 0x86);
 const INK: RGBColor = RGBColor(0x22, 0x22, 0x22);
+/// Arrows of slip.
+const OPEN: RGBColor = RGBColor(0xa8, 0x1e, 0x1e);
 
 /// A figure of the paper.
 struct Case {
@@ -37,7 +39,7 @@ const CASES: [Case; 5] = [
     Case {
         file: "figure_07a.svg",
         title: "Figure 7a: pure spin, a/b = 1, ν = 0.5, ψ = 0.305",
-        remark: "apex angle 76°, as Poon measured; slip against the traction only at the two corners",
+        remark: "apex angle 76°, as Poon measured",
         axis_ratio: 1.0,
         poisson_ratio: 0.5,
         eta: 0.0,
@@ -55,7 +57,7 @@ const CASES: [Case; 5] = [
     Case {
         file: "figure_08a.svg",
         title: "Figure 8a: pure spin, a/b = 0.2, ν = 0.5, ψ = 0.305",
-        remark: "slip against the traction only at the two corners",
+        remark: "",
         axis_ratio: 0.2,
         poisson_ratio: 0.5,
         eta: 0.0,
@@ -176,6 +178,17 @@ fn areas(field: &Field<f64>, contact: &Contact<f64>, state: State) -> Vec<Area> 
     areas
 }
 
+/// Share of areas in that of the ellipse.
+fn share(areas: &[Area]) -> f64 {
+    let mut sum = 0.0;
+    for Area { lower, upper } in areas {
+        let heights: Vec<(f64, f64)> =
+            lower.iter().zip(upper).map(|((y, low), (_, high))| (*y, high - low)).collect();
+        sum += heights.windows(2).map(|w| (w[1].0 - w[0].0) * 0.5 * (w[0].1 + w[1].1)).sum::<f64>();
+    }
+    sum / PI
+}
+
 type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Drawn = Result<(), Box<dyn Error>>;
 
@@ -220,7 +233,23 @@ fn picture(path: &Path, (width, height): (u32, u32), draw: impl Fn(&Canvas) -> D
 }
 
 /// Shaft and head of an arrow from one place to another.
-fn arrow(canvas: &Canvas, (x0, y0): (f64, f64), (x1, y1): (f64, f64), width: u32) -> Drawn {
+fn arrow(canvas: &Canvas, from: (f64, f64), to: (f64, f64), width: u32) -> Drawn {
+    drawn_arrow(canvas, from, to, INK, width, true)
+}
+
+/// An arrow of slip: its head is open.
+fn slip_arrow(canvas: &Canvas, from: (f64, f64), to: (f64, f64)) -> Drawn {
+    drawn_arrow(canvas, from, to, OPEN, 1, false)
+}
+
+fn drawn_arrow(
+    canvas: &Canvas,
+    (x0, y0): (f64, f64),
+    (x1, y1): (f64, f64),
+    colour: RGBColor,
+    width: u32,
+    closed: bool,
+) -> Drawn {
     let length = (x1 - x0).hypot(y1 - y0);
     if length < 0.5 {
         return Ok(());
@@ -228,34 +257,44 @@ fn arrow(canvas: &Canvas, (x0, y0): (f64, f64), (x1, y1): (f64, f64), width: u32
     let (ux, uy) = ((x1 - x0) / length, (y1 - y0) / length);
     let head = (0.4 * length).min(8.0);
     let (bx, by) = (x1 - head * ux, y1 - head * uy);
-    canvas.draw(&PathElement::new(vec![place(x0, y0), place(bx, by)], line(INK, width)))?;
+    canvas.draw(&PathElement::new(vec![place(x0, y0), place(bx, by)], line(colour, width)))?;
     let half = 0.42 * head;
     let corners = vec![
         place(x1, y1),
         place(bx - half * uy, by + half * ux),
         place(bx + half * uy, by - half * ux),
+        place(x1, y1),
     ];
-    canvas.draw(&Polygon::new(corners, INK.filled()))?;
+    if closed {
+        canvas.draw(&Polygon::new(corners, colour.filled()))?;
+    } else {
+        canvas.draw(&Polygon::new(corners.clone(), WHITE.filled()))?;
+        canvas.draw(&PathElement::new(corners, line(colour, width)))?;
+    }
     Ok(())
 }
 
-/// Colour patches with their meaning, in a row.
-fn legend(canvas: &Canvas, left: f64, top: f64) -> Drawn {
+/// Colour patches and arrows with their meaning, in a row.
+fn legend(canvas: &Canvas, left: f64, top: f64, against: bool) -> Drawn {
     let mut x = left;
     let entries = [
-        (ADHESION, "adhesion", 95.0),
-        (SLIP, "slip", 65.0),
-        (NEGATIVE, "slip against the traction", 200.0),
+        (ADHESION, "adhesion", 88.0),
+        (SLIP, "slip", 58.0),
+        (NEGATIVE, "slip against the traction", 186.0),
     ];
-    for (colour, text, width) in entries {
+    for (colour, text, width) in entries.into_iter().filter(|entry| against || entry.0 != NEGATIVE)
+    {
         let corners = [place(x, top), place(x + 16.0, top + 12.0)];
         canvas.draw(&Rectangle::new(corners, colour.filled()))?;
         canvas.draw(&Rectangle::new(corners, line(INK, 1)))?;
         write(canvas, text, (x + 22.0, top - 1.0), 14)?;
         x += width;
     }
-    arrow(canvas, (x, top + 6.0), (x + 24.0, top + 6.0), 1)?;
-    write(canvas, "traction", (x + 30.0, top - 1.0), 14)
+    arrow(canvas, (x, top + 6.0), (x + 20.0, top + 6.0), 1)?;
+    write(canvas, "traction", (x + 25.0, top - 1.0), 14)?;
+    x += 84.0;
+    slip_arrow(canvas, (x, top + 6.0), (x + 20.0, top + 6.0))?;
+    write(canvas, "slip", (x + 25.0, top - 1.0), 14)
 }
 
 /// A number without a sign before zero, and with a true minus sign.
@@ -271,11 +310,18 @@ fn draw_case(folder: &Path, case: &Case) -> Drawn {
     let field = Field::new(&contact, &creepage, &OPTIONS)?;
     let totals = model::solve(&contact, &creepage, &OPTIONS)?;
     let bound = contact.friction_bound();
+    let against = share(&areas(&field, &contact, State::SlipNegativeDissipation));
     let subtitle = format!(
-        "adhesion on {:.0} % of the area, Fx = {} μN, Fy = {} μN",
+        "adhesion on {:.0} % of the area, slip against the traction on {:.2} %",
         totals.adhesion * 100.0,
+        against * 100.0,
+    );
+    let remark = format!(
+        "Fx = {} μN, Fy = {} μN{}{}",
         number(totals.fx / bound, 3),
-        number(totals.fy / bound, 3)
+        number(totals.fy / bound, 3),
+        if case.remark.is_empty() { "" } else { "; " },
+        case.remark
     );
 
     // Pixels per unit of y/b and of x/a: the same length in metres is as long both ways.
@@ -284,16 +330,16 @@ fn draw_case(folder: &Path, case: &Case) -> Drawn {
     let per_a = per_b * case.axis_ratio;
     let (limit_y, limit_x) = if slender { (1.08, 1.5) } else { (1.12, 1.12) };
     let plot = ((2.0 * limit_y * per_b) as u32, (2.0 * limit_x * per_a) as u32);
-    let top = if case.remark.is_empty() { 66 } else { 86 };
+    let top = 86;
     let (left, right, bottom) = (74, 20, 76);
     let margin = f64::from(left);
     let size = (plot.0 + left + right, plot.1 + top + bottom);
     picture(&folder.join(case.file), size, |canvas| {
         write(canvas, case.title, (margin, 12.0), 19)?;
         write(canvas, &subtitle, (margin, 40.0), 14)?;
-        write(canvas, case.remark, (margin, 60.0), 14)?;
+        write(canvas, &remark, (margin, 60.0), 14)?;
         draw_patch(canvas, &field, &contact, (limit_y, limit_x), [left, right, top, bottom])?;
-        draw_tractions(canvas, &field, &contact, (per_b, per_a), {
+        draw_arrows(canvas, &field, &contact, (per_b, per_a), {
             (margin + limit_y * per_b, f64::from(top) + limit_x * per_a)
         })?;
 
@@ -304,7 +350,7 @@ fn draw_case(folder: &Path, case: &Case) -> Drawn {
         let below = f64::from(top + plot.1);
         write(canvas, "y/b", (margin + limit_y * per_b - 10.0, below + 24.0), 16)?;
         write(canvas, "x/a", (12.0, f64::from(top) + limit_x * per_a - 8.0), 16)?;
-        legend(canvas, margin, below + 52.0)
+        legend(canvas, margin, below + 52.0, against > 1e-3)
     })
 }
 
@@ -358,8 +404,8 @@ fn draw_patch(
     Ok(())
 }
 
-/// Arrows on a square grid, as long as the traction over `μ p₀`.
-fn draw_tractions(
+/// Arrows of traction on a square grid, as long as the traction over `μ p₀`, and of slip between them.
+fn draw_arrows(
     canvas: &Canvas,
     field: &Field<f64>,
     contact: &Contact<f64>,
@@ -381,72 +427,298 @@ fn draw_tractions(
             arrow(canvas, (h - dh, v - dv), (h + dh, v + dv), 1)?;
         }
     }
+    // Slip between them, the longest as long as two arrows are apart
+    let mut slips = Vec::new();
+    for column in -columns - 1..=columns {
+        for row in -rows - 1..=rows + 1 {
+            let (across, along) = ((f64::from(column) + 0.5) * spacing, f64::from(row) * spacing);
+            let point = field.at(along / per_a * contact.a, across / per_b * contact.b);
+            if matches!(point.state, State::Slip | State::SlipNegativeDissipation) {
+                slips.push((across, along, point.slip_x, point.slip_y));
+            }
+        }
+    }
+    let longest = slips.iter().map(|(_, _, x, y)| x.hypot(*y)).fold(0.0, f64::max);
+    for (across, along, slip_x, slip_y) in slips {
+        let half = 0.5 * 1.3 * spacing / longest;
+        let (dh, dv) = (half * slip_y, -half * slip_x);
+        let (h, v) = (centre.0 + across, centre.1 - along);
+        slip_arrow(canvas, (h - dh, v - dv), (h + dh, v + dv))?;
+    }
     Ok(())
 }
 
-/// Longitudinal force over longitudinal creepage for several spins.
-fn draw_creep_curves(folder: &Path) -> Drawn {
-    let contact = contact(1.0, 0.28);
-    let force = |xi: f64, psi: f64| -> Result<f64, Box<dyn Error>> {
-        let parameters = Parameters { xi, eta: 0.0, psi, poisson_ratio: 0.28, axis_ratio: 1.0 };
-        let forces = model::solve(&contact, &parameters.creepage(&contact), &OPTIONS)?;
-        Ok(forces.fx / contact.friction_bound())
-    };
-    let colours = [(0x00, 0x45, 0x8b), (0x1b, 0x9e, 0x77), (0xd9, 0x5f, 0x02), (0xa0, 0x1c, 0x5b)];
-    picture(&folder.join("creep_curves.svg"), (760, 480), |canvas| {
-        let title = "Longitudinal force of a circular contact with spin";
-        write(canvas, title, (72.0, 12.0), 19)?;
-        write(canvas, "strip theory of 1967, ν = 0.28, no lateral creepage", (72.0, 38.0), 14)?;
-        let inner = canvas.margin(66 * SCALE, 8 * SCALE, 4 * SCALE, 24 * SCALE);
-        let mut chart = ChartBuilder::on(&inner)
-            .x_label_area_size(52 * SCALE)
-            .y_label_area_size(68 * SCALE)
-            .build_cartesian_2d(0.0..1.4, 0.0..1.05)?;
-        chart
-            .configure_mesh()
-            .light_line_style(TRANSPARENT)
-            .bold_line_style(line(RGBColor(0xdd, 0xdd, 0xdd), 1))
-            .x_labels(8)
-            .y_labels(6)
-            .x_label_formatter(&|v| number(*v, 1))
-            .y_label_formatter(&|v| number(*v, 1))
-            .x_desc("ξ = υx G / (2 (1 − ν) μ p0)")
-            .y_desc("Fx / (μ N)")
-            .label_style(font(14))
-            .axis_desc_style(font(16))
-            .axis_style(line(INK, 1))
-            .set_all_tick_mark_size(5 * SCALE)
-            .draw()?;
-        let sample = |x: i32, y: i32, style: ShapeStyle| {
-            PathElement::new([(x, y), (x + 24 * SCALE as i32, y)], style)
-        };
-        for (psi, (r, g, b)) in [0.0, 0.3, 0.6, 0.9].into_iter().zip(colours) {
-            let style = line(RGBColor(r, g, b), 3);
-            let places = (0..=280).map(|i| f64::from(i) / 200.0);
-            let points: Result<Vec<_>, _> = places.map(|xi| Ok((xi, force(xi, psi)?))).collect();
-            chart
-                .draw_series(LineSeries::new(points.map_err(|e: Box<dyn Error>| e)?, style))?
-                .label(format!("spin ψ = {psi}"))
-                .legend(move |(x, y)| sample(x, y, style));
+/// A case of CONTACT, `tests/data/open.csv`: `a/b`, `ξ, η, ψ`, `Fx, Fy` in `μ N`.
+struct Reference {
+    axis_ratio: f64,
+    xi: f64,
+    eta: f64,
+    psi: f64,
+    fx: f64,
+    fy: f64,
+}
+
+/// All cases, `ν = 0.28`.
+fn references() -> Result<Vec<Reference>, Box<dyn Error>> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/open.csv");
+    let mut found = Vec::new();
+    for record in csv::Reader::from_path(path)?.records() {
+        let record = record?;
+        let number = |i: usize| record[i].parse::<f64>();
+        found.push(Reference {
+            axis_ratio: number(0)?,
+            xi: number(5)?,
+            eta: number(6)?,
+            psi: number(7)?,
+            fx: number(8)?,
+            fy: number(9)?,
+        });
+    }
+    Ok(found)
+}
+
+/// `Fx, Fy` in `μ N` of a model, `ν = 0.28`.
+fn force(
+    model: Model,
+    axis_ratio: f64,
+    [xi, eta, psi]: [f64; 3],
+) -> Result<[f64; 2], Box<dyn Error>> {
+    let contact = contact(axis_ratio, 0.28);
+    let parameters = Parameters { xi, eta, psi, poisson_ratio: 0.28, axis_ratio };
+    let options = Options { model, ..OPTIONS };
+    let forces = model::solve(&contact, &parameters.creepage(&contact), &options)?;
+    let bound = contact.friction_bound();
+    Ok([forces.fx / bound, forces.fy / bound])
+}
+
+/// One curve of a diagram.
+struct Curve {
+    label: String,
+    points: Vec<(f64, f64)>,
+    colour: RGBColor,
+    kind: Kind,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Line,
+    Dashed,
+    Circles,
+    /// Circles on a thin line.
+    Joined,
+}
+
+/// Where a diagram's legend stands: the upper left corner of its first line.
+struct Diagram<'a> {
+    file: &'a str,
+    title: &'a str,
+    subtitle: &'a str,
+    limits: (f64, f64),
+    labels: (&'a str, &'a str),
+    ticks: (usize, usize),
+    legend: (f64, f64),
+}
+
+/// Points that follow a line, dash by dash. (plotters' dashed series leaves its legend solid.)
+fn dashes(points: &[(i32, i32)], dash: f64, gap: f64) -> Vec<Vec<(i32, i32)>> {
+    let (mut found, mut current) = (Vec::new(), Vec::new());
+    let (mut left, mut on) = (dash, true);
+    for pair in points.windows(2) {
+        let ([x0, y0], [x1, y1]) = (
+            [f64::from(pair[0].0), f64::from(pair[0].1)],
+            [f64::from(pair[1].0), f64::from(pair[1].1)],
+        );
+        let length = (x1 - x0).hypot(y1 - y0);
+        let mut done = 0.0;
+        while done < length {
+            let at = |s: f64| {
+                let t = s / length;
+                ((x0 + t * (x1 - x0)).round() as i32, (y0 + t * (y1 - y0)).round() as i32)
+            };
+            if on && current.is_empty() {
+                current.push(at(done));
+            }
+            let step = left.min(length - done);
+            done += step;
+            left -= step;
+            if on {
+                current.push(at(done));
+            }
+            if left <= 0.0 {
+                if on {
+                    found.push(std::mem::take(&mut current));
+                }
+                on = !on;
+                left = if on { dash } else { gap };
+            }
         }
-        let style = line(RGBColor(0x77, 0x77, 0x77), 2);
-        // Fx = (3 π/4) ξ μ N
-        let slope = [(0.0, 0.0), (4.0 / (3.0 * PI), 1.0)];
-        chart
-            .draw_series(DashedLineSeries::new(slope, 8 * SCALE, 6 * SCALE, style))?
-            .label("initial slope at ψ = 0")
-            .legend(move |(x, y)| sample(x, y, style));
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::LowerRight)
-            .background_style(WHITE)
-            .border_style(line(INK, 1))
-            .margin(16 * SCALE)
-            .legend_area_size(34 * SCALE)
-            .label_font(font(15))
-            .draw()?;
+    }
+    found.push(current);
+    found.retain(|piece| piece.len() > 1);
+    found
+}
+
+fn draw_curve(canvas: &Canvas, curve: &Curve, places: &[(i32, i32)]) -> Drawn {
+    let scale = f64::from(SCALE);
+    match curve.kind {
+        Kind::Line => {
+            canvas.draw(&PathElement::new(places.to_vec(), line(curve.colour, 2)))?;
+        }
+        Kind::Dashed => {
+            for piece in dashes(places, 7.0 * scale, 5.0 * scale) {
+                canvas.draw(&PathElement::new(piece, line(curve.colour, 1)))?;
+            }
+        }
+        Kind::Circles | Kind::Joined => {
+            if curve.kind == Kind::Joined {
+                canvas.draw(&PathElement::new(places.to_vec(), line(curve.colour, 1)))?;
+            }
+            for at in places {
+                canvas.draw(&Circle::new(*at, 4 * SCALE, WHITE.filled()))?;
+                canvas.draw(&Circle::new(*at, 4 * SCALE, line(curve.colour, 2)))?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Curves over axes from 0.
+fn draw_diagram(folder: &Path, diagram: &Diagram, curves: &[Curve]) -> Drawn {
+    let size = (760, 480);
+    let (left, right, top, bottom) = (76.0, 24.0, 70.0, 60.0);
+    let (limit_x, limit_y) = diagram.limits;
+    let (width, height) = (f64::from(size.0) - left - right, f64::from(size.1) - top - bottom);
+    let at =
+        |(x, y): (f64, f64)| place(left + x / limit_x * width, top + height - y / limit_y * height);
+    picture(&folder.join(diagram.file), size, |canvas| {
+        write(canvas, diagram.title, (left, 12.0), 19)?;
+        write(canvas, diagram.subtitle, (left, 40.0), 14)?;
+        let grid = line(RGBColor(0xdd, 0xdd, 0xdd), 1);
+        for i in 0..=diagram.ticks.0 {
+            let x = limit_x * i as f64 / diagram.ticks.0 as f64;
+            canvas.draw(&PathElement::new(vec![at((x, 0.0)), at((x, limit_y))], grid))?;
+            let label = number(x, 1);
+            write(canvas, &label, (left + x / limit_x * width - 10.0, top + height + 8.0), 14)?;
+        }
+        for i in 0..=diagram.ticks.1 {
+            let y = limit_y * i as f64 / diagram.ticks.1 as f64;
+            canvas.draw(&PathElement::new(vec![at((0.0, y)), at((limit_x, y))], grid))?;
+            let label = number(y, 1);
+            write(canvas, &label, (left - 30.0, top + height - y / limit_y * height - 8.0), 14)?;
+        }
+        let axes = vec![at((0.0, limit_y)), at((0.0, 0.0)), at((limit_x, 0.0))];
+        canvas.draw(&PathElement::new(axes, line(INK, 1)))?;
+        let (label_x, label_y) = diagram.labels;
+        let middle = left + 0.5 * width - 3.7 * label_x.chars().count() as f64;
+        write(canvas, label_x, (middle, top + height + 32.0), 16)?;
+        let upright = font(16).transform(FontTransform::Rotate270);
+        let middle = top + 0.5 * height + 3.7 * label_y.chars().count() as f64;
+        canvas.draw(&Text::new(label_y.to_owned(), place(18.0, middle), upright))?;
+        for curve in curves {
+            let inside = curve.points.iter().filter(|(x, y)| *x <= limit_x && *y <= limit_y);
+            let places: Vec<(i32, i32)> = inside.map(|point| at(*point)).collect();
+            draw_curve(canvas, curve, &places)?;
+        }
+        let (x, mut y) = diagram.legend;
+        let named: Vec<&Curve> = curves.iter().filter(|curve| !curve.label.is_empty()).collect();
+        let longest = named.iter().map(|curve| curve.label.chars().count()).max().unwrap_or(0);
+        let corner = (x + 60.0 + 6.8 * longest as f64, y + 24.0 * named.len() as f64 + 4.0);
+        let frame = [place(x - 12.0, y - 6.0), place(corner.0, corner.1)];
+        canvas.draw(&Rectangle::new(frame, WHITE.filled()))?;
+        canvas.draw(&Rectangle::new(frame, line(INK, 1)))?;
+        for curve in named {
+            let sample: Vec<(i32, i32)> = match curve.kind {
+                Kind::Circles => vec![place(x + 17.0, y + 9.0)],
+                _ => vec![place(x, y + 9.0), place(x + 34.0, y + 9.0)],
+            };
+            if curve.kind == Kind::Joined {
+                let line =
+                    Curve { kind: Kind::Line, label: String::new(), points: Vec::new(), ..*curve };
+                draw_curve(canvas, &line, &sample)?;
+                draw_curve(canvas, curve, &[place(x + 17.0, y + 9.0)])?;
+            } else {
+                draw_curve(canvas, curve, &sample)?;
+            }
+            write(canvas, &curve.label, (x + 44.0, y + 1.0), 14)?;
+            y += 24.0;
+        }
         Ok(())
     })
+}
+
+/// Figure 9: the lateral force of pure spin by both sliding rules, and CONTACT's.
+fn draw_figure_9(folder: &Path) -> Drawn {
+    let references = references()?;
+    let mut curves = Vec::new();
+    for (axis_ratio, colour) in
+        [(1.0, RGBColor(0x00, 0x45, 0x8b)), (0.2, RGBColor(0xd9, 0x5f, 0x02))]
+    {
+        for (model, rule, kind) in [
+            (Model::Strip1967, "rule of the rigid slip, as in the paper", Kind::Line),
+            (Model::Strip1967Continuous, "continuous rule", Kind::Dashed),
+        ] {
+            let places = (0..=400).map(|i| f64::from(i) / 400.0);
+            let points: Result<Vec<_>, Box<dyn Error>> = places
+                .map(|psi| Ok((psi, force(model, axis_ratio, [0.0, 0.0, psi])?[1])))
+                .collect();
+            let label = format!("a/b = {axis_ratio}, {rule}");
+            curves.push(Curve { label, points: points?, colour, kind });
+        }
+        let own = references
+            .iter()
+            .filter(|r| r.axis_ratio == axis_ratio && r.xi == 0.0 && r.eta == 0.0 && r.psi <= 1.0);
+        let mut points = vec![(0.0, 0.0)];
+        points.extend(own.map(|r| (r.psi, r.fy)));
+        let label = format!("a/b = {axis_ratio}, CONTACT");
+        curves.push(Curve { label, points, colour, kind: Kind::Joined });
+    }
+    let diagram = Diagram {
+        file: "figure_09.svg",
+        title: "Figure 9: lateral force in pure spin, ν = 0.28",
+        subtitle: "strip theory of 1967; CONTACT stands where the paper has Kalker's numerical theory of 1966",
+        limits: (1.0, 1.2),
+        labels: ("|ψ| = a |φ| G / (2 μ p0)", "|Fy| / (μ N)"),
+        ticks: (5, 6),
+        legend: (104.0, 84.0),
+    };
+    draw_diagram(folder, &diagram, &curves)
+}
+
+/// Longitudinal force over longitudinal creepage for several spins: the default model, CONTACT, and the theory of 1967.
+fn draw_creep_curves(folder: &Path) -> Drawn {
+    let references = references()?;
+    let colours = [(0x00, 0x45, 0x8b), (0x1b, 0x9e, 0x77), (0xd9, 0x5f, 0x02), (0xa0, 0x1c, 0x5b)];
+    let grey = RGBColor(0x77, 0x77, 0x77);
+    let mut curves = Vec::new();
+    for (psi, (r, g, b)) in [0.0, 0.3, 0.6, 0.9].into_iter().zip(colours) {
+        let colour = RGBColor(r, g, b);
+        let curve = |model| -> Result<Vec<(f64, f64)>, Box<dyn Error>> {
+            let places = (0..=280).map(|i| f64::from(i) / 200.0);
+            places.map(|xi| Ok((xi, force(model, 1.0, [xi, 0.0, psi])?[0]))).collect()
+        };
+        let label = format!("TOTAL, the default, spin ψ = {psi}");
+        curves.push(Curve { label, points: curve(Model::Total)?, colour, kind: Kind::Line });
+        let points = curve(Model::Strip1967)?;
+        curves.push(Curve { label: String::new(), points, colour, kind: Kind::Dashed });
+        let own = references
+            .iter()
+            .filter(|r| r.axis_ratio == 1.0 && r.eta == 0.0 && r.psi == psi && r.xi > 0.0);
+        let points = own.map(|r| (r.xi, r.fx)).collect();
+        curves.push(Curve { label: String::new(), points, colour, kind: Kind::Circles });
+    }
+    for (label, kind) in [("strip theory of 1967", Kind::Dashed), ("CONTACT", Kind::Circles)] {
+        curves.push(Curve { label: label.to_owned(), points: Vec::new(), colour: grey, kind });
+    }
+    let diagram = Diagram {
+        file: "creep_curves.svg",
+        title: "Longitudinal force of a circular contact with spin",
+        subtitle: "ν = 0.28, no lateral creepage",
+        limits: (1.4, 1.0),
+        labels: ("ξ = υx G / (2 (1 − ν) μ p0)", "Fx / (μ N)"),
+        ticks: (7, 5),
+        legend: (448.0, 250.0),
+    };
+    draw_diagram(folder, &diagram, &curves)
 }
 
 fn main() -> Drawn {
@@ -455,6 +727,7 @@ fn main() -> Drawn {
     for case in &CASES {
         draw_case(&folder, case)?;
     }
+    draw_figure_9(&folder)?;
     draw_creep_curves(&folder)?;
     println!("figures are in docs/figures");
     Ok(())
