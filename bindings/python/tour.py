@@ -98,7 +98,7 @@ def speed_error():
     """Mean error against CONTACT over time per contact, batch call, one thread of this machine."""
     contacts, motions, fx, fy = reference_cases()
     figure, axes = plt.subplots(figsize=(6.4, 4.2), layout="constrained")
-    for name, counts in [("strip_1967", (4, 8, 16, 32, 64)), ("strip", (4, 8, 16, 32, 64)), ("total", (16,)), ("linear", (16,))]:
+    for name, counts in [("strip_1967", (16,)), ("strip", (4, 8, 16, 32, 64)), ("total", (16,)), ("linear", (16,))]:
         times, errors = [], []
         for count in counts:
             forces = kstrip.solve(contacts, motions, model=name, strips=count)

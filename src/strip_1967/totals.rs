@@ -1,4 +1,4 @@
-//! Total force, moment and stick area by the primitives (7.1).
+//! Total force, moment and stick area by the primitives of Section 7.1.
 //!
 //! With `u = h − Y`, `h = ξ/p` both square roots of the theory have one form, `√(u² + ε²)`: the adhesion length's
 //! `S = p √q √(u² + ε²)` with `ε = η/(p √q)`, and the slip of a strip that slides by the rule of the rigid slip with `ε = η/(p (1 − ν))`.
@@ -121,7 +121,7 @@ impl<T: Number> Shares<T> {
 /// `F/(μ N)`, `M_z/(μ N √(ab))` and the stick area of a contact.
 ///
 /// # Example
-/// Pure longitudinal creepage, (8.15):
+/// Pure longitudinal creepage, Section 8.15:
 /// ```
 /// use kstrip::{strip_1967, strip_1967::strip::SlidingRule, contact::creepage::Parameters};
 /// let parameters = Parameters { xi: 0.5, eta: 0.0, psi: 0.0, poisson_ratio: 0.28, axis_ratio: 1.0 };

@@ -284,7 +284,9 @@ fn theory_has_every_equation_of_the_paper() {
             assert!(page.contains(&equation), "{equation} is not mapped");
         }
     }
-    let sources = [root().join("docs/theory.md")];
+    let mut sources = vec![root().join("docs/theory.md")];
+    rust_files(&root().join("src"), &mut sources);
+    assert!(sources.len() > 60, "{}", sources.len());
     for file in sources {
         let text = std::fs::read_to_string(&file).expect("a file");
         for section in ["(7.1)", "(7.2)", "(8.15)", "(5.3)"] {
@@ -464,10 +466,6 @@ fn costs_in_prose_are_those_of_the_counts() {
         number(5) / number(2)
     };
     let [strip_1967, strip, total, linear] = ["STRIP_1967", "STRIP", "TOTAL", "LINEAR"].map(ratio);
-    let text = format!(
-        "take {strip_1967:.2} (STRIP_1967), {strip:.2} (STRIP), {total:.2} (TOTAL) and {linear:.2} (LINEAR) times"
-    );
-    assert!(read("docs/numerics.md").contains(&text), "docs/numerics.md: {text}");
     let text = format!("Derivatives cost three to four times the forces (LINEAR: {linear:.1})");
     assert!([strip_1967, strip, total].iter().all(|ratio| (3.0..4.0).contains(ratio)));
     assert!(read("docs/c-api.md").contains(&text), "docs/c-api.md: {text}");
