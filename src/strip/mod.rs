@@ -53,4 +53,5 @@ pub(crate) use self::totals::four_strips;
 pub use self::totals::{PreparedStrips, StripTotals, Sums};
 
 #[cfg(test)]
+#[path = "../../tests/units/strip.rs"]
 mod tests;

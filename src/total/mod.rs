@@ -280,4 +280,5 @@ fn twice<T: Number>(x: T) -> T {
 }
 
 #[cfg(test)]
+#[path = "../../tests/units/total.rs"]
 mod tests;

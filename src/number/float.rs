@@ -1,0 +1,243 @@
+//! `f32` and `f64` as numbers of the theory.
+
+use super::{Arithmetic, Elementary, Float, Map, Number, Plain, cube_root, pairs, square_root};
+
+macro_rules! plain {
+    ($float:ident, $pair:ty, $quad:ty, $integer:ident, $mantissa:expr, $artanh:expr, $arctan:expr, |$single:ident, $double:ident| $table:expr, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $asinh:path, $cbrt:path, $exp:path, $inverse_root:path) => {
+        impl Float for $float {
+            const ARTANH: &'static [Self] = &$artanh;
+            const ARCTAN: &'static [Self] = &$arctan;
+
+            #[inline(always)]
+            fn widened(x: f32) -> Self {
+                $float::from(x)
+            }
+            #[inline(always)]
+            fn to_f64(self) -> f64 {
+                f64::from(self)
+            }
+            #[inline(always)]
+            fn is_finite_number(self) -> bool {
+                self.is_finite()
+            }
+            #[inline]
+            fn cube_root(self) -> Self {
+                $cbrt(self)
+            }
+            #[inline]
+            fn exp(self) -> Self {
+                $exp(self)
+            }
+            #[inline(always)]
+            fn table<const N: usize, const P: usize>(
+                $single: &'static [[[f32; 2]; P]; N],
+                $double: &'static [[[f64; 2]; P]; N],
+            ) -> &'static [[[Self; 2]; P]; N] {
+                let _ = ($single, $double);
+                $table
+            }
+        }
+
+        impl Plain for $float {
+            type Stored = $float;
+
+            #[inline(always)]
+            fn of(x: f64) -> Self {
+                x as $float
+            }
+            #[inline(always)]
+            fn stored(x: $float) -> Self {
+                x
+            }
+            #[inline(always)]
+            fn binary_quotient(self, divisor: Self) -> (Self, Self) {
+                // the bits of a floating-point number, read as an integer, are its binary logarithm to 0.043
+                let (p, q) = (self.to_bits() as $integer, divisor.to_bits() as $integer);
+                let k = (p - q + (1 << ($mantissa - 1))) >> $mantissa;
+                (k as $float, $float::from_bits((q + (k << $mantissa)) as _))
+            }
+            #[inline(always)]
+            fn lies_between(self, low: Self, high: Self) -> bool {
+                self >= low && self <= high
+            }
+            #[inline(always)]
+            fn lies_within(self, limit: Self) -> bool {
+                self.to_bits() <= limit.to_bits()
+            }
+            #[inline(always)]
+            fn is_positive_number(self) -> bool {
+                self.to_bits().wrapping_sub(1) < $float::MAX.to_bits()
+            }
+        }
+
+        impl Arithmetic for $float {
+            type Base = $float;
+            type Bare = $float;
+
+            #[inline(always)]
+            fn from_base(x: $float) -> Self {
+                x
+            }
+            #[inline(always)]
+            fn bare(self) -> Self {
+                self
+            }
+            #[inline(always)]
+            fn composed<const N: usize>(value: $float, _: [$float; N], _: [$float; N]) -> Self {
+                value
+            }
+            #[inline(always)]
+            fn scale(self, factor: $float) -> Self {
+                self * factor
+            }
+            #[inline(always)]
+            fn shift(self, term: $float) -> Self {
+                self + term
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                $sqrt(self)
+            }
+            #[inline(always)]
+            fn inverse_root(self) -> Self {
+                $inverse_root(self)
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                $float::abs(self)
+            }
+            #[inline(always)]
+            fn max(self, other: Self) -> Self {
+                if self > other { self } else { other }
+            }
+            #[inline(always)]
+            fn min(self, other: Self) -> Self {
+                if self < other { self } else { other }
+            }
+            #[inline(always)]
+            fn choose(self, yes: Self, no: Self) -> Self {
+                if self > 0.0 { yes } else { no }
+            }
+        }
+
+        impl Number for $float {
+            type Pair = $pair;
+            type Quad = $quad;
+            const LARGEST: $float = $float::MAX;
+            const TINY: $float = $float::MIN_POSITIVE;
+            const ROOT_TINY: $float = $root_tiny;
+            const HUGE: $float = $huge;
+            const EPSILON: $float = $float::EPSILON;
+
+            #[inline(always)]
+            fn value(self) -> $float {
+                self
+            }
+            #[inline(always)]
+            fn map<const N: usize, const M: usize>(
+                map: &impl Map<Self, N, M>,
+                inputs: [Self; N],
+            ) -> [Self; M] {
+                map.value(inputs).0
+            }
+            #[inline(always)]
+            fn exceeds(self, other: Self) -> bool {
+                self > other
+            }
+        }
+
+        impl Elementary for $float {
+            #[inline]
+            fn atan(self) -> Self {
+                $atan(self)
+            }
+            #[inline]
+            fn ln(self) -> Self {
+                $ln(self)
+            }
+            #[inline]
+            fn asinh(self) -> Self {
+                $asinh(self)
+            }
+        }
+    };
+}
+
+/// Even powers of `artanh(s)/s` for `s² ≤ 0.0403`, least on Chebyshev points: within 2e-15.
+const ARTANH_DOUBLE: [f64; 7] = [
+    1.0000000000000016,
+    0.33333333332951415,
+    0.20000000151707314,
+    0.14285691729279248,
+    0.11112703668482331,
+    0.09033493024410533,
+    0.08705642548611439,
+];
+/// The same, within 3e-9.
+const ARTANH_SINGLE: [f32; 4] = [1.0, 0.333_335_26, 0.199_761_59, 0.152_212_55];
+
+/// Even powers of `arctan(u)/u` for `u² ≤ 0.0396`, exact on Chebyshev points: within 2e-15.
+const ARCTAN_DOUBLE: [f64; 7] = [
+    0.9999999999999989,
+    -0.3333333333306184,
+    0.19999999890021358,
+    -0.1428569754907035,
+    0.11109894899408448,
+    -0.09045305142970592,
+    0.06833645556811507,
+];
+/// The same, within 2e-9.
+const ARCTAN_SINGLE: [f32; 4] = [1.0, -0.333_331_72, 0.199_794_67, -0.134_440_3];
+
+/// `Σ cᵢ zⁱ` of four or seven terms, in a tree of products that do not wait for each other.
+#[inline(always)]
+pub(super) fn even_polynomial<F: Plain>(c: &[F::Stored], z: F) -> F {
+    let z2 = z * z;
+    let line = |p: F::Stored, q: F::Stored| F::stored(p) + F::stored(q) * z;
+    match *c {
+        [p, q, r, s] => line(p, q) + line(r, s) * z2,
+        [p, q, r, s, t, u, v] => {
+            (line(p, q) + line(r, s) * z2) + (line(t, u) + F::stored(v) * z2) * (z2 * z2)
+        }
+        _ => F::zero(),
+    }
+}
+
+plain!(
+    f64,
+    pairs::F64Pair,
+    pairs::F64Quad,
+    i64,
+    52,
+    ARTANH_DOUBLE,
+    ARCTAN_DOUBLE,
+    |single, double| double,
+    1.491_668_146_240_041_3e-154,
+    1e100,
+    square_root::of_f64,
+    libm::atan,
+    libm::log,
+    libm::asinh,
+    libm::cbrt,
+    libm::exp,
+    pairs::inverse_root_f64
+);
+plain!(
+    f32,
+    pairs::F32Pair,
+    pairs::F32Quad,
+    i32,
+    23,
+    ARTANH_SINGLE,
+    ARCTAN_SINGLE,
+    |single, double| single,
+    1.084_202_2e-19,
+    1e12,
+    square_root::of_f32,
+    libm::atanf,
+    libm::logf,
+    libm::asinhf,
+    cube_root::of_f32,
+    libm::expf,
+    pairs::inverse_root_f32
+);
