@@ -310,10 +310,10 @@ for set in total linear strip_1967 strip; do
     say "$set $(size_of $set)" >>"$sizes"
     # What is not called is not linked.
     case $set in
-    total) forbidden='StripTheory|RollingStrips' ;;
-    linear) forbidden='StripTheory|RollingStrips|5total5total' ;;
-    strip_1967) forbidden='RollingStrips|5total5total' ;;
-    strip) forbidden='StripTheory|5total5total' ;;
+    total) forbidden='strip_1967|5strip6totals' ;;
+    linear) forbidden='strip_1967|5strip6totals|5total7network' ;;
+    strip_1967) forbidden='5strip6totals|5total7network' ;;
+    strip) forbidden='strip_1967|5total7network' ;;
     esac
     if arm-none-eabi-nm "$out/$set.elf" | grep -E "$forbidden" >"$out/$set.foreign"; then
         miss "kstrip_solve_${set}_f32 links another model: $(head -n 1 "$out/$set.foreign")"

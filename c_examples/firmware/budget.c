@@ -11,7 +11,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "kstrip.h"
+#include "kstrip_f32.h"
 #include "cases.h"
 
 #ifndef CASES
@@ -26,7 +26,8 @@
 typedef kstrip_status (*call)(const kstrip_contact_f32 *, const kstrip_creepage_f32 *);
 
 static kstrip_result_f32 result;
-static float jacobian[9];
+static kstrip_derivatives_f32 derivatives;
+static kstrip_prepared_f32 prepared;
 
 static kstrip_status nothing(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)
 {
@@ -41,10 +42,12 @@ static kstrip_status nothing(const kstrip_contact_f32 *c, const kstrip_creepage_
         static const kstrip_options options = {model, strips};                                      \
         return kstrip_solve_f32(c, k, &options, &result);                                           \
     }                                                                                               \
-    static kstrip_status name##_jacobian(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k) \
+    static kstrip_status name##_derivatives(const kstrip_contact_f32 *c,                            \
+                                            const kstrip_creepage_f32 *k)                           \
     {                                                                                               \
         static const kstrip_options options = {model, strips};                                      \
-        return kstrip_solve_jacobian_f32(c, k, &options, &result, jacobian);                        \
+        static const kstrip_outputs_f32 outputs = {.result = &result, .derivatives = &derivatives}; \
+        return kstrip_evaluate_f32(c, k, NULL, &options, &outputs);                                 \
     }
 
 SOLVE(strip_1967_4, KSTRIP_MODEL_STRIP_1967, 4)
@@ -72,44 +75,79 @@ static kstrip_status only_strip_1967_8(const kstrip_contact_f32 *c, const kstrip
     return kstrip_solve_strip_1967_f32(c, k, 8, &result);
 }
 
+static kstrip_status on_prepared(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)
+{
+    (void)c;
+    return kstrip_solve_prepared_f32(&prepared, k, &result);
+}
+
+static kstrip_status falling(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)
+{
+    const kstrip_friction_f32 law = {.friction = c->friction, .ratio = 0.5f, .decay = 0.1f, .rolling_speed = 20.0f};
+    static const kstrip_outputs_f32 outputs = {.result = &result, .derivatives = &derivatives};
+    return kstrip_evaluate_f32(c, k, &law, NULL, &outputs);
+}
+
+static kstrip_status in_motion(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)
+{
+    const kstrip_motion_f32 motion = {.slip_x = k->longitudinal * 10.0f, .slip_y = k->lateral * 10.0f,
+                                      .spin_rate = k->spin * 10.0f, .rolling_speed = 10.0f};
+    static kstrip_motion_derivatives_f32 slopes;
+    static const kstrip_motion_outputs_f32 outputs = {.result = &result, .derivatives = &slopes};
+    return kstrip_solve_motion_f32(c, &motion, NULL, NULL, &outputs);
+}
+
+/* A twin-disc pair whose radii follow the case: 20 mm to 640 mm. */
+static kstrip_radii_f32 radii_of(const kstrip_contact_f32 *c)
+{
+    const kstrip_radii_f32 radii = {c->a * 40.0f, 1e30f, 0.04f, c->b * 40.0f};
+    return radii;
+}
+
 static kstrip_status hertz(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)
 {
-    /* A twin-disc pair whose radii follow the case: 20 mm to 640 mm. */
-    const kstrip_radii_f32 radii = {c->a * 40.0f, 1e30f, 0.04f, c->b * 40.0f};
+    const kstrip_radii_f32 radii = radii_of(c);
     const kstrip_combined_material_f32 pair = {c->shear_modulus, c->poisson_ratio, 0.0f};
-    static kstrip_hertz_contact_f32 ellipse;
+    kstrip_contact_f32 contact;
     (void)k;
-    return kstrip_hertz_f32(&radii, c->normal_force, &pair, &ellipse);
+    return kstrip_contact_from_hertz_f32(&radii, &pair, c->normal_force, c->friction, &contact, NULL);
 }
 
-static kstrip_status traction_strip(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)
+static kstrip_status point(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k, int32_t model)
 {
-    static const kstrip_options options = {KSTRIP_MODEL_STRIP, 16};
-    static kstrip_point_f32 point;
-    return kstrip_traction_at_f32(c, k, &options, 0.3f * c->a, 0.4f * c->b, &point);
+    const kstrip_options options = {model, 16};
+    const float x = 0.3f * c->a, y = 0.4f * c->b;
+    static kstrip_point_f32 at;
+    return kstrip_field_f32(c, k, &options, &x, 1, &y, 1, &at, 1);
 }
 
-static kstrip_status traction_strip_1967(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)
+static kstrip_status point_strip(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)
 {
-    static const kstrip_options options = {KSTRIP_MODEL_STRIP_1967, 16};
-    static kstrip_point_f32 point;
-    return kstrip_traction_at_f32(c, k, &options, 0.3f * c->a, 0.4f * c->b, &point);
+    return point(c, k, KSTRIP_MODEL_STRIP);
 }
 
-static kstrip_strip_f32 written[KSTRIP_STRIPS_CAPACITY];
+static kstrip_status point_strip_1967(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)
+{
+    return point(c, k, KSTRIP_MODEL_STRIP_1967);
+}
+
+static kstrip_status strips_of(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k, int32_t model)
+{
+    const kstrip_options options = {model, 16};
+    static kstrip_strip_f32 written[16];
+    static uint32_t count;
+    static const kstrip_outputs_f32 outputs = {.strips = written, .count = &count, .capacity = 16};
+    return kstrip_evaluate_f32(c, k, NULL, &options, &outputs);
+}
 
 static kstrip_status strips_1967_16(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)
 {
-    static const kstrip_options options = {KSTRIP_MODEL_STRIP_1967, 16};
-    uint32_t count;
-    return kstrip_strips_f32(c, k, &options, written, KSTRIP_STRIPS_CAPACITY, &count);
+    return strips_of(c, k, KSTRIP_MODEL_STRIP_1967);
 }
 
 static kstrip_status strips_16(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)
 {
-    static const kstrip_options options = {KSTRIP_MODEL_STRIP, 16};
-    uint32_t count;
-    return kstrip_strips_f32(c, k, &options, written, KSTRIP_STRIPS_CAPACITY, &count);
+    return strips_of(c, k, KSTRIP_MODEL_STRIP);
 }
 
 /* SysTick's ticks during one call, those of an empty call included. */
@@ -156,6 +194,16 @@ static uint32_t used(volatile uint32_t *top)
     return (uint32_t)(top - p) * 4u;
 }
 
+/* Model that on_prepared() is measured with. */
+static kstrip_options prepared_for = {KSTRIP_MODEL_TOTAL, 16};
+
+/* The next case; its contact is prepared, which is not measured. */
+static void next(uint32_t i, kstrip_contact_f32 *contact, kstrip_creepage_f32 *creepage)
+{
+    cases_next(i, contact, creepage);
+    (void)kstrip_prepare_f32(contact, &prepared_for, &prepared);
+}
+
 /* The same frames for every call: what nothing() uses is subtracted. */
 static __attribute__((noinline)) uint32_t stack_of(call what)
 {
@@ -186,7 +234,7 @@ static void measure(const char *name, call what)
         kstrip_creepage_f32 creepage;
         kstrip_status status;
         uint32_t n;
-        cases_next(i, &contact, &creepage);
+        next(i, &contact, &creepage);
         n = ((ticks(what, &contact, &creepage, &status) - empty_ticks) * 5u + 8u) / 16u;
         if (status < 0) {
             ++refused;
@@ -236,18 +284,28 @@ int main(void)
     measure("solve_total", only_total);
     measure("solve_linear", only_linear);
     measure("solve_strip_1967.8", only_strip_1967_8);
-    measure("jacobian.STRIP_1967.4", strip_1967_4_jacobian);
-    measure("jacobian.STRIP_1967.8", strip_1967_8_jacobian);
-    measure("jacobian.STRIP_1967.16", strip_1967_16_jacobian);
-    measure("jacobian.STRIP.4", strip_4_jacobian);
-    measure("jacobian.STRIP.8", strip_8_jacobian);
-    measure("jacobian.STRIP.16", strip_16_jacobian);
-    measure("jacobian.STRIP.64", strip_64_jacobian);
-    measure("jacobian.TOTAL", total_jacobian);
-    measure("jacobian.LINEAR", linear_jacobian);
-    measure("hertz", hertz);
-    measure("traction_at.STRIP_1967", traction_strip_1967);
-    measure("traction_at.STRIP", traction_strip);
+    measure("derivatives.STRIP_1967.4", strip_1967_4_derivatives);
+    measure("derivatives.STRIP_1967.8", strip_1967_8_derivatives);
+    measure("derivatives.STRIP_1967.16", strip_1967_16_derivatives);
+    measure("derivatives.STRIP.4", strip_4_derivatives);
+    measure("derivatives.STRIP.8", strip_8_derivatives);
+    measure("derivatives.STRIP.16", strip_16_derivatives);
+    measure("derivatives.STRIP.64", strip_64_derivatives);
+    measure("derivatives.TOTAL", total_derivatives);
+    measure("derivatives.LINEAR", linear_derivatives);
+    prepared_for.model = KSTRIP_MODEL_TOTAL;
+    measure("prepared.TOTAL", on_prepared);
+    prepared_for.model = KSTRIP_MODEL_LINEAR;
+    measure("prepared.LINEAR", on_prepared);
+    prepared_for.model = KSTRIP_MODEL_STRIP_1967;
+    measure("prepared.STRIP_1967.16", on_prepared);
+    prepared_for.model = KSTRIP_MODEL_STRIP;
+    measure("prepared.STRIP.16", on_prepared);
+    measure("falling_friction.derivatives.TOTAL", falling);
+    measure("motion.derivatives.TOTAL", in_motion);
+    measure("contact_from_hertz", hertz);
+    measure("field.point.STRIP_1967", point_strip_1967);
+    measure("field.point.STRIP", point_strip);
     measure("strips.STRIP_1967.16", strips_1967_16);
     measure("strips.STRIP.16", strips_16);
     return 0;

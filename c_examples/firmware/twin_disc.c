@@ -7,7 +7,8 @@
  *   2. turns speeds into creepage and load into the contact ellipse,
  *   3. computes force, adhesion and the force's derivatives for the present estimate of friction,
  *   4. corrects that estimate by the difference to the measured traction,
- *   5. says how much traction may be asked for before the contact slides.
+ *   5. says how much traction may be asked for before the contact slides, and at which creepage that is: the
+ *      contact is now constant, prepared once, and solved for eight creepages.
  *
  * Friction is estimated with the model's own sensitivity. Force is F = mu N f(creepage/mu), so
  *   dF/dmu = (F - sum_j dF/dcreepage_j creepage_j)/mu:
@@ -26,7 +27,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "kstrip.h"
+#include "kstrip_f32.h"
 
 /* What the sensors deliver. */
 struct sensors {
@@ -42,6 +43,7 @@ struct controller {
     kstrip_creepage_f32 creepage;
     kstrip_result_f32 result;
     float available;               /* N: traction left before the limit */
+    float target;                  /* creepage at the limit */
     int32_t limited;               /* 1: reduce the torque */
 };
 
@@ -57,35 +59,53 @@ static const kstrip_options model = {KSTRIP_MODEL_STRIP, 8};
 #define FRICTION_LOWEST 0.02f
 #define FRICTION_HIGHEST 0.80f
 
+/* The creepage at which LIMIT of the friction bound is used, by halving: the force grows with the creepage. */
+static kstrip_status find_target(struct controller *self)
+{
+    kstrip_prepared_f32 prepared;
+    float low = 0.0f, high = 0.04f;
+    int i;
+    kstrip_status status = kstrip_prepare_f32(&self->contact, &model, &prepared);
+    for (i = 0; i < 8 && status >= 0; ++i) {
+        const kstrip_creepage_f32 tried = {0.5f * (low + high), 0.0f, 0.0f};
+        kstrip_result_f32 found;
+        status = kstrip_solve_prepared_f32(&prepared, &tried, &found);
+        if (found.fx < LIMIT * self->contact.friction * self->contact.normal_force) {
+            low = tried.longitudinal;
+        } else {
+            high = tried.longitudinal;
+        }
+    }
+    self->target = 0.5f * (low + high);
+    return status;
+}
+
 /* One period of the loop; what the firmware of a real rig would contain. */
 static kstrip_status control(struct controller *self, const struct sensors *in)
 {
     const kstrip_velocity_f32 lower = {-in->lower_speed, 0.0f, 0.0f};
     const kstrip_velocity_f32 upper = {-in->upper_speed, 0.0f, 0.0f};
     const float rolling_speed = 0.5f * (in->lower_speed + in->upper_speed);
-    kstrip_hertz_contact_f32 ellipse;
-    float jacobian[9];
+    kstrip_derivatives_f32 slopes;
+    const kstrip_outputs_f32 outputs = {.result = &self->result, .derivatives = &slopes};
     float sensitivity, bound;
     kstrip_status status;
 
-    status = kstrip_hertz_f32(&radii, in->load, &pair, &ellipse);
+    status = kstrip_contact_from_hertz_f32(&radii, &pair, in->load, self->contact.friction, &self->contact, NULL);
     if (status < 0) {
         return status;
     }
-    self->contact.a = ellipse.a;
-    self->contact.b = ellipse.b;
-    self->contact.normal_force = in->load;
     status = kstrip_creepage_from_velocities_f32(&lower, &upper, rolling_speed, &self->creepage);
     if (status < 0) {
         return status;
     }
-    status = kstrip_solve_jacobian_f32(&self->contact, &self->creepage, &model, &self->result, jacobian);
+    status = kstrip_evaluate_f32(&self->contact, &self->creepage, NULL, &model, &outputs);
     if (status < 0) {
         return status;
     }
 
     bound = self->contact.friction * in->load;
-    sensitivity = (self->result.fx - jacobian[0] * self->creepage.longitudinal) / self->contact.friction;
+    sensitivity = (self->result.fx - slopes.jacobian[0][0] * self->creepage.longitudinal) / self->contact.friction;
     /* Below a fifth of its greatest value the sensitivity says more about the model than about friction. */
     if (sensitivity > 0.2f * in->load || sensitivity < -0.2f * in->load) {
         float mu = self->contact.friction
@@ -95,7 +115,7 @@ static kstrip_status control(struct controller *self, const struct sensors *in)
     }
     self->available = LIMIT * bound - (self->result.fx < 0.0f ? -self->result.fx : self->result.fx);
     self->limited = self->available < 0.0f;
-    return status;
+    return find_target(self);
 }
 
 /* The simulated rig. */
@@ -129,12 +149,11 @@ static kstrip_status rig(int32_t ms, struct sensors *out)
 {
     const float creep = 0.012f * triangle(ms, 300);
     const float load = 800.0f + 200.0f * triangle(ms, 700);
-    kstrip_hertz_contact_f32 ellipse;
+    kstrip_contact_f32 contact;
     kstrip_result_f32 truth;
-    kstrip_status status = kstrip_hertz_f32(&radii, load, &pair, &ellipse);
+    kstrip_status status =
+        kstrip_contact_from_hertz_f32(&radii, &pair, load, frictions[ms / PHASE], &contact, NULL);
     if (status >= 0) {
-        const kstrip_contact_f32 contact = {ellipse.a, ellipse.b, load, pair.shear_modulus,
-                                            pair.poisson_ratio, frictions[ms / PHASE]};
         const kstrip_creepage_f32 creepage = {creep, 0.0f, 0.0f};
         const kstrip_options fine = {KSTRIP_MODEL_STRIP, 16};
         status = kstrip_solve_f32(&contact, &creepage, &fine, &truth);
@@ -172,11 +191,9 @@ int main(void)
     if (kstrip_material_combine_f32(&steel, &steel, &pair) != KSTRIP_OK) {
         return 2;
     }
-    loop.contact.shear_modulus = pair.shear_modulus;
-    loop.contact.poisson_ratio = pair.poisson_ratio;
     loop.contact.friction = 0.15f;
 
-    printf("# ms load[N] creepage[1e-6] measured[mN] predicted[mN] stick[1e-3] friction[1e-3] available[mN] limited"
+    printf("# ms load[N] creepage[1e-6] measured[mN] predicted[mN] stick[1e-3] friction[1e-3] available[mN] limited target[1e-6]"
            " | a b N G nu mu longitudinal lateral spin | fx fy mz adhesion\n");
     for (ms = 0; ms < PHASE * PHASES; ++ms) {
         struct sensors now;
@@ -195,9 +212,10 @@ int main(void)
             const kstrip_creepage_f32 *k = &loop.creepage;
             const kstrip_result_f32 *r = &loop.result;
             printf("%" PRId32 " %" PRId32 " %" PRId32 " %" PRId32 " %" PRId32 " %" PRId32 " %" PRId32
-                   " %" PRId32 " %" PRId32, ms, scaled(now.load, 1.0f), scaled(k->longitudinal, 1e6f),
+                   " %" PRId32 " %" PRId32 " %" PRId32, ms, scaled(now.load, 1.0f), scaled(k->longitudinal, 1e6f),
                    scaled(now.traction, 1e3f), scaled(r->fx, 1e3f), scaled(r->adhesion, 1e3f),
-                   scaled(c->friction, 1e3f), scaled(loop.available, 1e3f), loop.limited);
+                   scaled(c->friction, 1e3f), scaled(loop.available, 1e3f), loop.limited,
+                   scaled(loop.target, 1e6f));
             printf(" | %08" PRIx32 " %08" PRIx32 " %08" PRIx32 " %08" PRIx32 " %08" PRIx32 " %08" PRIx32
                    " %08" PRIx32 " %08" PRIx32 " %08" PRIx32, bits(c->a), bits(c->b), bits(c->normal_force),
                    bits(c->shear_modulus), bits(c->poisson_ratio), bits(before), bits(k->longitudinal),
