@@ -8,6 +8,8 @@
 # undefined symbol. Done for opt-level 3 and s, for both precisions apart and together. What is linked is
 # then searched for the names of allocators, and for anything undefined. The control: planted_panic(), which
 # exists only in this build, panics, and must not link.
+#
+#     scripts/no_panic.sh [optimisation levels, 3 and s by default]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 target=${CARGO_TARGET_DIR:-target}/no_panic
@@ -48,7 +50,7 @@ link() {
     "$cc" $flags "$target/start.c" -o "$target/$1/proof" $roots "$target/$1/release/libkstrip.a" 2> "$target/$1/link.log"
 }
 
-for level in 3 s; do
+for level in ${*:-3 s}; do
     build $level "level_$level"
     for set in '_f32$' '.'; do
         case $set in

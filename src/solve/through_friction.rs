@@ -151,10 +151,20 @@ pub fn differentiate<F: Precision>(
     let (mut solution, derivatives) = solve(&contact, creepage, options)?;
     solution.notice = solution.notice.worse(notice);
     let friction = contact.friction;
-    if contact.is_lost() {
-        let law = LawDerivatives::nothing();
-        return Ok(Differentiated { solution, friction, derivatives, law });
-    }
+    let lost = contact.is_lost();
+    let Some(law) = law.filter(|_| !lost) else {
+        // F = M f(k c/M) at k = 1
+        let along = |[x, y, z]: [F; 3]| {
+            x * creepage.longitudinal + y * creepage.lateral + z * creepage.spin
+        };
+        let slope_factor = derivatives.jacobian.map(along);
+        let law = LawDerivatives { slope_factor, ..LawDerivatives::nothing() };
+        return if slope_factor.into_iter().all(F::is_finite_number) {
+            Ok(Differentiated { solution, friction, derivatives, law })
+        } else {
+            Err(Error::Overflow)
+        };
+    };
     let at = AtFriction {
         force: [solution.fx, solution.fy, solution.mz],
         derivatives,
@@ -162,8 +172,6 @@ pub fn differentiate<F: Precision>(
         friction,
         load: contact.normal_force,
     };
-    let constant = SlipFriction::constant(friction);
-    let law = law.unwrap_or(&constant);
     let falls = law.falls() && options.model != Model::Linear;
     let (derivatives, law) = at.through(law, falls);
     let entries = derivatives.entries().into_iter().chain(law.entries());

@@ -466,8 +466,8 @@ fn costs_in_prose_are_those_of_the_counts() {
         number(5) / number(2)
     };
     let [strip_1967, strip, total, linear] = ["STRIP_1967", "STRIP", "TOTAL", "LINEAR"].map(ratio);
-    let text = format!("Derivatives cost three to four times the forces (LINEAR: {linear:.1})");
-    assert!([strip_1967, strip, total].iter().all(|ratio| (3.0..4.0).contains(ratio)));
+    let text = format!("Derivatives cost three to five times the forces (LINEAR: {linear:.1})");
+    assert!([strip_1967, strip, total].iter().all(|ratio| (3.0..5.0).contains(ratio)));
     assert!(read("docs/c-api.md").contains(&text), "docs/c-api.md: {text}");
 }
 
