@@ -73,6 +73,6 @@ install: $(BUILT)/libkstrip.a
 	$(FILL) packaging/kstrip-config-version.cmake.in > $(DESTDIR)$(CMAKEDIR)/kstrip-config-version.cmake
 
 uninstall:
-	rm -f $(DESTDIR)$(INCLUDEDIR)/kstrip.h $(DESTDIR)$(INCLUDEDIR)/kstrip.hpp
+	rm -f $(addprefix $(DESTDIR)$(INCLUDEDIR)/,kstrip.h kstrip_f32.h kstrip.hpp)
 	rm -f $(addprefix $(DESTDIR)$(LIBDIR)/,libkstrip.a $(FULL) $(NAME) $(SHARED) pkgconfig/kstrip.pc pkgconfig/kstrip-static.pc)
 	rm -rf $(DESTDIR)$(CMAKEDIR) $(DESTDIR)$(LICENSEDIR)

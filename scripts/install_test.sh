@@ -86,7 +86,7 @@ if has "$cxx"; then
     has_cxx=yes
     "$cxx" -std=c++17 -I"$prefix/include" cpp.cpp "$prefix/lib/libkstrip.a" -o cpp_static
     ./cpp_static > cpp.expected
-    grep -q 'dFy/dlateral' cpp.expected || fail "the C++ program printed something else"
+    grep -q '^derivatives ' cpp.expected || fail "the C++ program printed something else"
 else
     echo "SKIPPED: no C++ compiler, only C was tried"
 fi
@@ -104,17 +104,17 @@ int main(int count, char **words)
 {
     const kstrip_radii radii = {INFINITY, 0.30, 0.46, INFINITY};
     const kstrip_combined_material steel = {82e9, 0.28, 0.0};
-    kstrip_hertz_contact ellipse;
+    kstrip_contact contact;
     const double x = count + 1.0;
     (void)words;
-    if (kstrip_hertz(&radii, 80e3, &steel, &ellipse) < 0) return 1;
-    printf("%.6e\n", ellipse.a);
+    if (kstrip_contact_from_hertz(&radii, &steel, 80e3, 0.3, &contact, NULL) < 0) return 1;
+    printf("%.6e\n", contact.a);
     printf("%.15g %.15g %.15g %.15g %.15g %.15g\n", cbrt(x), fma(x, x, 1.0), fmod(7.5, x), sqrt(x), floor(x / 4), rint(x / 3));
     printf("%.6g %.6g %.6g %.6g\n", (double)cbrtf((float)x), (double)fmaf((float)x, 2.0f, 1.0f), (double)fmodf(7.5f, (float)x), (double)sqrtf((float)x));
     return 0;
 }
 C
-sed 's/kstrip_hertz_contact ellipse/kstrip_hertz_contact ellipse = kstrip_hertz_contact()/' math.c > math.cpp
+cp math.c math.cpp
 # keeps_libm PROGRAM: runs, and takes its mathematics from the system's library
 keeps_libm() {
     "./$1" > "$1.printed" || fail "$1 ends with an error"
