@@ -146,7 +146,7 @@ impl<F: Plain> Prepared<F> {
 
         // w = n²/(c + n²): no correction at rest
         let (w, w2) = (less(by_n, WIDTH), less(by_n2, WIDTH2));
-        // χ = n⁴/(n⁴ + 12⁴): from the contact's own flexibilities to that of the rigid slip
+        // χ = n⁴/(n⁴ + 40⁴): from the contact's own flexibilities to that of the rigid slip
         let elastic = (q4.plus(LIMIT)).inverse().times(LIMIT);
         let rigid = (one - elastic).scale(self.rigid);
 

@@ -344,6 +344,40 @@ fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
+/// Functions, structures and constants of C that a page names are in the headers.
+#[test]
+fn pages_name_what_the_headers_have() {
+    const CONSTANTS: [&str; 5] =
+        ["KSTRIP_MODEL_", "KSTRIP_ERROR_", "KSTRIP_WARNING_", "KSTRIP_STATE_", "KSTRIP_MEASURED_"];
+    // What was: a changelog; measurements say of which sources they are
+    const OTHERS: [&str; 3] = ["CHANGELOG.md", "docs/embedded.md", "docs/speed-vs-error.md"];
+    let headers: String = ["kstrip.h", "kstrip_f32.h"]
+        .map(|name| std::fs::read_to_string(root().join("include").join(name)).expect("a header"))
+        .concat();
+    let words: BTreeSet<&str> =
+        headers.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').collect();
+    let mut all = Vec::new();
+    pages(root(), &mut all);
+    let mut count = 0;
+    for page in all {
+        if OTHERS.iter().any(|name| page == root().join(name)) {
+            continue;
+        }
+        for name in names(&page) {
+            let name = name.trim_end_matches("()");
+            let plain = name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+            let ours = name.starts_with("kstrip_")
+                || CONSTANTS.iter().any(|prefix| name.starts_with(prefix));
+            // (a name that ends with `_` stands for several)
+            if plain && ours && !name.ends_with('_') {
+                assert!(words.contains(name), "{}: {name}", page.display());
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 100, "{count}");
+}
+
 /// Files that a page links or names in backticks are there.
 #[test]
 fn pages_name_files_that_exist() {
