@@ -170,8 +170,9 @@ pub(super) fn stiffness(input: &Input, flexibility: Flexibility) -> [f64; 3] {
     }
 }
 
-/// Creep force and moment. `LANES` strips are marched side by side; 1 is the classical loop.
-#[inline]
+/// Creep force and moment. `LANES` strips are marched side by side; 1 is the classical loop. (Always inlined: registers are
+/// those of the caller.)
+#[inline(always)]
 pub fn solve<const NX: usize, const NY: usize, const LANES: usize>(
     grid: &Grid<NX, NY>,
     input: &Input,

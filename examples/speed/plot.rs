@@ -1,4 +1,4 @@
-//! The picture: error over cost, both logarithmic, with labels that keep out of each other's way.
+//! The picture: two panels, error of the force and error of the slopes over cost, all logarithmic.
 
 use crate::pictures::*;
 use plotters::style::RGBColor;
@@ -6,14 +6,16 @@ use std::path::Path;
 
 /// A method in the picture.
 pub struct Mark {
-    /// Nanoseconds per call.
+    /// Nanoseconds of a contact.
     pub time: f64,
-    /// Mean error, `μ N`.
-    pub error: f64,
-    /// Empty: none.
+    /// Mean errors: of the force, of the worst slope.
+    pub errors: [f64; 2],
     pub label: String,
     pub ink: RGBColor,
+    /// Filled: one call for each contact.
     pub filled: bool,
+    /// Marks with the same number, not 0, are joined by a line.
+    pub line: usize,
 }
 
 /// A rectangle: left, top, right, bottom.
@@ -25,14 +27,17 @@ fn overlap(a: &Box4, b: &Box4) -> f64 {
     width.max(0.0) * height.max(0.0)
 }
 
+fn around((x, y): (f64, f64), radius: f64) -> Box4 {
+    [x - radius, y - radius, x + radius, y + radius]
+}
+
 const SIZE: u32 = 11;
 
 /// Where a label goes: the place near its point that covers least of what is there already.
-fn place(point: (f64, f64), text: &str, frame: &Box4, taken: &[Box4]) -> (Box4, f64) {
-    let (width, height) = (5.9 * text.chars().count() as f64, f64::from(SIZE) + 1.0);
-    let mut best = ([0.0; 4], 0.0, f64::INFINITY);
-    for ring in 0..9 {
-        let gap = 7.0 + 7.0 * f64::from(ring);
+fn place(point: (f64, f64), text: &str, frame: &Box4, taken: &[Box4]) -> Box4 {
+    let (width, height) = (5.7 * text.chars().count() as f64, f64::from(SIZE) + 1.0);
+    let mut best = ([0.0; 4], f64::INFINITY);
+    for gap in [9.0, 16.0, 24.0, 34.0, 46.0, 60.0] {
         for step in 0..24 {
             let (sine, cosine) = (f64::from(step) * std::f64::consts::TAU / 24.0).sin_cos();
             let x = point.0 + gap * cosine + 0.5 * width * (cosine * 1.5).clamp(-1.0, 1.0);
@@ -40,158 +45,115 @@ fn place(point: (f64, f64), text: &str, frame: &Box4, taken: &[Box4]) -> (Box4, 
             let here = [x - width / 2.0, y - height / 2.0, x + width / 2.0, y + height / 2.0];
             let covered: f64 = taken.iter().map(|other| overlap(&here, other)).sum();
             let outside = width * height - overlap(&here, frame);
-            let crossed: f64 = leader(point, &here)
-                .iter()
-                .filter(|at| (at[0] - point.0).hypot(at[1] - point.1) > 7.0)
-                .map(|at| taken.iter().filter(|other| overlap(at, other) > 0.0).count() as f64)
-                .sum();
-            let cost = 4.0 * covered + 100.0 * outside + 10.0 * crossed + gap;
-            if cost < best.2 {
-                best = (here, gap, cost);
+            let cost = 4.0 * covered + 100.0 * outside + gap;
+            if cost < best.1 {
+                best = (here, cost);
             }
         }
     }
-    (best.0, best.1)
+    best.0
 }
 
-/// The line from a point to its label, as a row of small boxes.
-fn leader(point: (f64, f64), label: &Box4) -> Vec<Box4> {
-    let end = (point.0.clamp(label[0], label[2]), point.1.clamp(label[1], label[3]));
-    (0..10)
-        .map(|k| {
-            let t = f64::from(k) / 10.0;
-            around((point.0 + t * (end.0 - point.0), point.1 + t * (end.1 - point.1)), 1.0)
-        })
-        .collect()
-}
-
-fn around((x, y): (f64, f64), radius: f64) -> Box4 {
-    [x - radius, y - radius, x + radius, y + radius]
-}
-
-/// The methods that no other beats in both, from the quickest on.
-pub fn front(marks: &[Mark]) -> Vec<(f64, f64)> {
-    let mut points: Vec<(f64, f64)> = marks.iter().map(|mark| (mark.time, mark.error)).collect();
-    points.sort_by(|p, q| p.0.total_cmp(&q.0).then(p.1.total_cmp(&q.1)));
-    let mut least = f64::INFINITY;
-    points.retain(|point| {
-        let better = point.1 < least;
-        least = least.min(point.1);
-        better
-    });
-    points
-}
-
-/// `measured` were timed in this run; `lines` join settings of one method; `elsewhere` are times of CONTACT's own
-/// code, `reference` that of CONTACT itself.
-pub fn draw(
-    path: &Path,
-    measured: &[Mark],
-    lines: &[(RGBColor, Vec<(f64, f64)>)],
-    elsewhere: &[Mark],
-    reference: &Mark,
-) -> Drawn {
-    let time = |low: f64, high: f64, ticks: &[(f64, &str)]| Axis {
-        low,
-        high,
-        logarithmic: true,
-        ticks: ticks.iter().map(|(tick, text)| (*tick, (*text).to_owned())).collect(),
-    };
-    let least = measured.iter().map(|mark| mark.time).fold(f64::INFINITY, f64::min);
-    let low = if least < 10.0 { 3.0 } else { 10.0 };
-    let errors = Axis::logarithmic(4e-4, 3.0, &[0.001, 0.01, 0.1, 1.0]);
-    let ticks =
-        [(10.0, "10 ns"), (100.0, "100 ns"), (1e3, "1 µs"), (1e4, "10 µs"), (1e5, "100 µs")];
-    let plot = Plot {
-        left: 64.0,
-        top: 66.0,
-        width: 760.0,
-        height: 580.0,
-        x: time(low, 4e5, &ticks),
-        y: errors.clone(),
-    };
-    let aside = Plot {
-        left: 850.0,
-        width: 100.0,
-        x: time(1e8, 2.5e9, &[(5e8, "0.5 s")]),
-        y: Axis { ticks: vec![], ..errors },
-        ..Plot { x: plot.x.clone(), y: plot.y.clone(), ..plot }
-    };
-    picture(path, (980, 730), |canvas| {
-        let title = "Error over cost: forces of one contact";
-        write(canvas, title, (64.0, 22.0), 17, Align::Left, INK)?;
-        let text = "mean error of the force against CONTACT on open.csv, in μ N";
-        write(canvas, text, (64.0, 48.0), 13, Align::Left, INK)?;
-        plot.frame(canvas)?;
-        aside.frame(canvas)?;
-
-        // the front as stairs: what is reached at a given cost
-        let mut stairs = Vec::new();
-        let mut before: Option<f64> = None;
-        for (x, y) in front(measured) {
-            stairs.push((x, before.unwrap_or(3.0)));
-            stairs.push((x, y));
-            before = Some(y);
+/// What no other method beats in both, as stairs: what is reached at a given cost.
+fn stairs(points: &[(f64, f64)], plot: &Plot) -> Vec<(f64, f64)> {
+    let mut sorted = points.to_vec();
+    sorted.sort_by(|p, q| p.0.total_cmp(&q.0));
+    let (mut stairs, mut least) = (Vec::new(), plot.y.high);
+    for (x, y) in sorted.into_iter().filter(|(_, y)| y.is_finite()) {
+        if y < least {
+            stairs.extend([(x, least), (x, y)]);
+            least = y;
         }
-        if let Some(y) = before {
-            stairs.push((4e5, y));
-        }
-        plot.curve(canvas, &stairs, RGBColor(0xf0, 0xc4, 0xa0), 5.0)?;
-        for (ink, points) in lines {
-            plot.curve(canvas, points, *ink, 1.0)?;
-        }
+    }
+    stairs.push((plot.x.high, least));
+    stairs
+}
 
-        let frame = [
-            plot.left + 2.0,
-            plot.top + 2.0,
-            plot.left + plot.width - 2.0,
-            plot.top + plot.height - 2.0,
-        ];
-        let all = || measured.iter().chain(elsewhere);
-        let mut taken: Vec<Box4> =
-            all().map(|mark| around(plot.at(mark.time, mark.error), 4.0)).collect();
-        // lines between settings and the front, as rows of small boxes, so that labels keep off them
-        for points in lines.iter().map(|(_, points)| points).chain([&stairs]) {
-            for pair in points.windows(2) {
-                let (p, q) = (plot.at(pair[0].0, pair[0].1), plot.at(pair[1].0, pair[1].1));
-                for k in 1..24 {
-                    let t = f64::from(k) / 24.0;
-                    let at = (p.0 + t * (q.0 - p.0), p.1 + t * (q.1 - p.1));
-                    taken.push(around(at, 1.5));
-                }
+fn panel(canvas: &Canvas, plot: &Plot, marks: &[Mark], which: usize) -> Drawn {
+    plot.frame(canvas)?;
+    let shown: Vec<(&Mark, (f64, f64))> = marks
+        .iter()
+        .filter(|mark| mark.errors[which] < plot.y.high)
+        .map(|mark| (mark, (mark.time, mark.errors[which])))
+        .collect();
+    let points: Vec<(f64, f64)> = shown.iter().map(|(_, point)| *point).collect();
+    let mut curves = vec![(RGBColor(0xf0, 0xc4, 0xa0), 5.0, stairs(&points, plot))];
+    for number in 1..=shown.iter().map(|(mark, _)| mark.line).max().unwrap_or(0) {
+        let of: Vec<_> = shown.iter().filter(|(mark, _)| mark.line == number).collect();
+        let ink = of.first().map_or(GREY, |(mark, _)| mark.ink);
+        curves.push((ink, 1.0, of.iter().map(|(_, point)| *point).collect()));
+    }
+    // what labels keep off: marks, and lines as rows of small boxes
+    let mut taken: Vec<Box4> = points.iter().map(|p| around(plot.at(p.0, p.1), 4.0)).collect();
+    for (ink, width, curve) in &curves {
+        plot.curve(canvas, curve, *ink, *width)?;
+        for pair in curve.windows(2) {
+            let (p, q) = (plot.at(pair[0].0, pair[0].1), plot.at(pair[1].0, pair[1].1));
+            let steps = ((p.0 - q.0).hypot(p.1 - q.1) / 4.0).ceil();
+            for k in 0..steps as usize {
+                let t = k as f64 / steps;
+                taken.push(around((p.0 + t * (q.0 - p.0), p.1 + t * (q.1 - p.1)), 1.5));
             }
         }
-        for mark in all() {
-            let at = plot.at(mark.time, mark.error);
-            dot(canvas, at, 4.0, mark.ink, mark.filled)?;
+    }
+    for (mark, (x, y)) in &shown {
+        dot(canvas, plot.at(*x, *y), 4.0, mark.ink, mark.filled)?;
+    }
+    let frame = [plot.left, plot.top, plot.left + plot.width, plot.top + plot.height];
+    // long labels first: they find room hardest
+    let mut labelled = shown;
+    labelled.sort_by_key(|(mark, _)| std::cmp::Reverse(mark.label.chars().count()));
+    for (mark, (x, y)) in labelled.into_iter().filter(|(mark, _)| !mark.label.is_empty()) {
+        let at = plot.at(x, y);
+        let here = place(at, &mark.label, &frame, &taken);
+        let end = (at.0.clamp(here[0], here[2]), at.1.clamp(here[1], here[3]));
+        if (end.0 - at.0).hypot(end.1 - at.1) > 5.0 {
+            line(canvas, &[at, end], GREY, 0.7)?;
         }
-        // long labels first: they find room hardest
-        let mut labelled: Vec<&Mark> = all().filter(|mark| !mark.label.is_empty()).collect();
-        labelled.sort_by_key(|mark| std::cmp::Reverse(mark.label.chars().count()));
-        for mark in labelled {
-            let at = plot.at(mark.time, mark.error);
-            let (here, gap) = place(at, &mark.label, &frame, &taken);
-            let middle = ((here[0] + here[2]) / 2.0, (here[1] + here[3]) / 2.0);
-            if gap > 15.0 {
-                let end = (at.0.clamp(here[0], here[2]), at.1.clamp(here[1], here[3]));
-                line(canvas, &[at, end], GREY, 0.7)?;
-                taken.extend(leader(at, &here));
-            }
-            write(canvas, &mark.label, middle, SIZE, Align::Centre, mark.ink)?;
-            taken.push(here);
-        }
+        let middle = ((here[0] + here[2]) / 2.0, (here[1] + here[3]) / 2.0);
+        write(canvas, &mark.label, middle, SIZE, Align::Centre, mark.ink)?;
+        taken.push(here);
+    }
+    Ok(())
+}
 
-        let at = aside.at(reference.time, reference.error);
-        dot(canvas, at, 4.0, reference.ink, true)?;
-        write(canvas, &reference.label, (at.0, at.1 - 14.0), SIZE, Align::Centre, reference.ink)?;
+pub fn draw(path: &Path, marks: &[Mark]) -> Drawn {
+    let ticks = [(10.0, "10 ns"), (100.0, "100 ns"), (1e3, "1 µs"), (1e4, "10 µs")];
+    let ticks: Vec<_> = ticks.into_iter().map(|(at, text)| (at, text.to_owned())).collect();
+    let panels = [
+        (
+            "mean error of the force [μ N]",
+            Axis::logarithmic(2e-3, 0.6, &[0.003, 0.01, 0.03, 0.1, 0.3]),
+        ),
+        (
+            "mean error of the worst slope, over the linear slope",
+            Axis::logarithmic(0.02, 0.6, &[0.03, 0.1, 0.3]),
+        ),
+    ];
+    picture(path, (1180, 640), |canvas| {
+        let title = "Error against CONTACT over cost: forces of one contact";
+        write(canvas, title, (56.0, 20.0), 17, Align::Left, INK)?;
+        for (which, (title, y)) in panels.iter().enumerate() {
+            let plot = Plot {
+                left: 56.0 + 580.0 * which as f64,
+                top: 66.0,
+                width: 520.0,
+                height: 470.0,
+                x: Axis { low: 4.0, high: 4e4, logarithmic: true, ticks: ticks.clone() },
+                y: y.clone(),
+            };
+            panel(canvas, &plot, marks, which)?;
+            plot.title(canvas, title)?;
+            let at = (plot.left + plot.width / 2.0, plot.top + plot.height + 32.0);
+            write(canvas, "processor time of a contact", at, 12, Align::Centre, INK)?;
+        }
         let legend = [
-            "Filled: double precision; open: single precision, and times of CONTACT's own code from another \
-             run. Orange band: the Pareto front, what no other method beats in both.",
-            "CONTACT is the reference; its point stands at its own estimated error. Numbers along a line: strips or grid. \
-             Batch: per contact of 512. LINEAR has no saturation.",
+            "Random contacts with spin, double precision. Filled: one call for each contact; open: a contact of a batch of 100, or prepared \
+             beforehand. Lines join settings of one method.",
+            "Orange band: what no other method beats in both. Larger errors lie outside: LINEAR, which has no saturation; slopes of FaStrip 50x50 and Vermeulen-Johnson.",
         ];
         for (k, text) in legend.iter().enumerate() {
-            write(canvas, text, (64.0, 684.0 + 20.0 * k as f64), 12, Align::Left, INK)?;
+            write(canvas, text, (56.0, 598.0 + 20.0 * k as f64), 12, Align::Left, INK)?;
         }
         Ok(())
     })

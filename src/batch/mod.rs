@@ -38,6 +38,10 @@ pub fn solve_batch<F: Precision>(
     get: impl Fn(usize) -> (Contact<F>, Creepage<F>),
     mut put: impl FnMut(usize, Solution<F>),
 ) -> Result<Notice, (usize, Error)> {
+    if count == 1 {
+        // (a bad input is found before anything is handed out)
+        return solve(0..1, options, &get, &mut put);
+    }
     #[cfg(target_arch = "x86_64")]
     if side_by_side::available() {
         return F::solve_wide(count, options, get, put);

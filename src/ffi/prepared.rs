@@ -46,24 +46,32 @@ impl<F: Precision> PreparedNumbers<F> {
     pub(super) fn solve(&self, creepage: &Creepage<F>) -> Result<Solution<F>, Error> {
         let model = Model::from_number(self.model).ok_or(Error::NotPrepared)?;
         let strips = StripCount::from_number(self.strips).ok_or(Error::NotPrepared)?;
-        let at = kernel_at::<F>();
-        let by = |model, kernel| {
-            Prepared { frame: self.get(0), options: Options { model, strips }, kernel }
-                .solve(creepage)
-        };
-        let theory = |rule| Kernel::Strip1967(rule);
+        let (at, options) = (kernel_at::<F>(), Options { model, strips });
+        // Each model on its own: no kernel of another one is moved.
         match model {
-            Model::Strip1967 => by(Model::Strip1967, theory(SlidingRule::RigidSlip)),
+            Model::Strip1967 => {
+                self.by(Kernel::Strip1967(SlidingRule::RigidSlip), options, creepage)
+            }
             Model::Strip1967Continuous => {
-                by(Model::Strip1967Continuous, theory(SlidingRule::Continuous))
+                self.by(Kernel::Strip1967(SlidingRule::Continuous), options, creepage)
             }
             Model::Strip => {
                 let prepared = PreparedStrips::from_prepared(self.get(at), strips);
-                by(Model::Strip, Kernel::Strip(prepared))
+                self.by(Kernel::Strip(prepared), options, creepage)
             }
-            Model::Total => by(Model::Total, Kernel::Total(self.get(at))),
-            Model::Linear => by(Model::Linear, Kernel::Linear(self.get(at))),
+            Model::Total => self.by(Kernel::Total(self.get(at)), options, creepage),
+            Model::Linear => self.by(Kernel::Linear(self.get(at)), options, creepage),
         }
+    }
+
+    #[inline(always)]
+    fn by(
+        &self,
+        kernel: Kernel<F>,
+        options: Options,
+        creepage: &Creepage<F>,
+    ) -> Result<Solution<F>, Error> {
+        Prepared { frame: self.get(0), options, kernel }.solve(creepage)
     }
 
     fn put<T: Numbers<F>>(&mut self, at: usize, value: T) {

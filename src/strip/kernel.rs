@@ -65,6 +65,7 @@ pub struct Carried<T> {
 
 impl<T: Arithmetic> Spin<T> {
     /// From `σ`.
+    #[inline(always)]
     pub fn new(sigma: T) -> Self {
         let sigma = sigma.min(T::constant(LARGEST_SPIN)).max(T::constant(-LARGEST_SPIN));
         let square = sigma.squared();
@@ -85,6 +86,7 @@ impl<T: Arithmetic> Spin<T> {
     }
 
     /// Another kind of number for each of its own.
+    #[inline(always)]
     pub fn map<U>(&self, all: impl Fn(T) -> U) -> Spin<U> {
         let Self { sigma, r, excess, room, inverse_room, blend, round, inverse_round } = *self;
         Spin {

@@ -28,30 +28,52 @@ pub(super) struct RigidSlip<F> {
     size: [F; 6],
 }
 
+/// Polynomials in `s`.
+struct Polynomials<F> {
+    s: F,
+    s2: F,
+}
+
+impl<F: Plain> Polynomials<F> {
+    /// `c₀ + c₁ s² + c₂ s⁴`
+    #[inline(always)]
+    fn even(&self, [c0, c1, c2]: [f32; 3]) -> F {
+        F::of_f32(c0) + self.s2 * (F::of_f32(c1) + self.s2 * F::of_f32(c2))
+    }
+
+    #[inline(always)]
+    fn evens<const N: usize>(&self, all: &[[f32; 3]; N]) -> [F; N] {
+        F::each(all, |c| self.even(*c))
+    }
+
+    /// The same with the odd part `(c₃ + c₄ s²) s`, at `s` and `−s`.
+    #[inline(always)]
+    fn pairs<const N: usize>(&self, all: &[[f32; 5]; N]) -> [[F; 2]; N] {
+        let mut pairs = [[F::zero(); 2]; N];
+        for (pair, [c0, c1, c2, c3, c4]) in pairs.iter_mut().zip(all) {
+            let even = self.even([*c0, *c1, *c2]);
+            let odd = self.s * (F::of_f32(*c3) + self.s2 * F::of_f32(*c4));
+            *pair = [even + odd, even - odd];
+        }
+        pairs
+    }
+}
+
 impl<F: Plain> RigidSlip<F> {
     /// For `g` and `g + 1/g`.
     #[inline(always)]
     pub(super) fn new(g: F, both: F) -> Self {
         let s = g.plus(-1.0) / g.plus(1.0);
         let s2 = s * s;
-        // c₀ + c₁ s² + c₂ s⁴, and with the odd part (c₃ + c₄ s²) s at s and −s
-        let even = |c: &[f32]| match *c {
-            [c0, c1, c2, ..] => F::of_f32(c0) + s2 * (F::of_f32(c1) + s2 * F::of_f32(c2)),
-            _ => F::zero(),
-        };
-        let pair = |c: &[f32; 5]| {
-            let [.., c3, c4] = *c;
-            let (even, odd) = (even(c), s * (F::of_f32(c3) + s2 * F::of_f32(c4)));
-            [even + odd, even - odd]
-        };
-        let [[xu, yv], [xv, yu], [xt, yt]] = RIGID_SLOPE.each_ref().map(pair);
+        let polynomials = Polynomials { s, s2 };
+        let [[xu, yv], [xv, yu], [xt, yt]] = polynomials.pairs(&RIGID_SLOPE);
         let [[k1, k2], [k3, k5], [k6, k9], [k7, k8], [k10, k14], [k11, k13]] =
-            RIGID_SPIN.each_ref().map(pair);
-        let [k0, k4, k12] = RIGID_SPIN_EVEN.each_ref().map(|c| even(c));
-        let [[au, av]] = RIGID_ARM.each_ref().map(pair);
-        let [at] = RIGID_ARM_EVEN.each_ref().map(|c| even(c));
-        let [[d1, d2], [d3, d5]] = RIGID_SIZE.each_ref().map(pair);
-        let [d0, d4] = RIGID_SIZE_EVEN.each_ref().map(|c| even(c));
+            polynomials.pairs(&RIGID_SPIN);
+        let [k0, k4, k12] = polynomials.evens(&RIGID_SPIN_EVEN);
+        let [[au, av]] = polynomials.pairs(&RIGID_ARM);
+        let [at] = polynomials.evens(&RIGID_ARM_EVEN);
+        let [[d1, d2], [d3, d5]] = polynomials.pairs(&RIGID_SIZE);
+        let [d0, d4] = polynomials.evens(&RIGID_SIZE_EVEN);
         Self {
             both,
             slopes: [[xu, xv, xt], [yv, yu, yt]],
