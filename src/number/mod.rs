@@ -222,6 +222,32 @@ pub trait Arithmetic:
     }
 }
 
+/// A rule of integration, in both precisions: no number is converted at run time.
+pub(crate) struct Nodes<const N: usize> {
+    single: [[[f32; 2]; N]; 1],
+    double: [[[f64; 2]; N]; 1],
+}
+
+impl<const N: usize> Nodes<N> {
+    /// Nodes and weights.
+    pub(crate) const fn new(double: [[f64; 2]; N]) -> Self {
+        let mut single = [[0.0; 2]; N];
+        let mut i = 0;
+        while i < N {
+            single[i] = [double[i][0] as f32, double[i][1] as f32];
+            i += 1;
+        }
+        Self { single: [single], double: [double] }
+    }
+
+    /// Nodes and weights for numbers of a kind.
+    #[inline(always)]
+    pub(crate) fn of<T: Number>(&'static self) -> impl Iterator<Item = [T::Base; 2]> {
+        let [list] = Stored::<T>::table(&self.single, &self.double);
+        list.iter().map(|pair| T::Base::both_stored(*pair))
+    }
+}
+
 /// What tables for a kind of number are stored in.
 pub(crate) type Stored<T> = <<T as Arithmetic>::Base as Plain>::Stored;
 

@@ -370,5 +370,5 @@ pub(crate) fn ellipse<F: Precision>(
             return Err(Error::PatchSize);
         }
     }
-    Ok(QuadratureScale { area: F::of(rule.stretch), lever: F::of(rule.lever) })
+    Ok(QuadratureScale { area: rule.stretch, lever: rule.lever })
 }

@@ -3,7 +3,7 @@
 use super::constants::{CELLS, NODE, NODES, PLACES, WEIGHTS};
 use super::nodes::{HALF_OF_4, HALF_OF_8, HALF_OF_16, HALF_OF_32, HALF_OF_64};
 use crate::contact::forces::StripCount;
-use crate::number::Float;
+use crate::number::{Float, Nodes};
 
 /// A node of the slip part for the kinds of strips side by side.
 #[derive(Clone, Copy, Debug)]
@@ -166,9 +166,9 @@ pub struct Rule<F: 'static> {
     /// share times `Y`, share of the area, `ΔY/C` of one of sixteen strips.
     pub(super) fours: &'static [FourStrips<F>],
     /// `(π/2)/Σ C ΔY`: makes the linear forces exact.
-    pub stretch: f64,
+    pub stretch: F,
     /// `(π/8)/Σ C Y² ΔY`: makes the linear moment of spin exact.
-    pub lever: f64,
+    pub lever: F,
     half: &'static Half,
 }
 
@@ -183,13 +183,14 @@ impl<F: Float> Rule<F> {
             StripCount::ThirtyTwo => (F::table(&NARROW_32, &TABLE_32), &HALF_OF_32),
             StripCount::SixtyFour => (F::table(&NARROW_64, &TABLE_64), &HALF_OF_64),
         };
-        let [stretch, lever] = match count {
-            StripCount::Four => FACTORS_4,
-            StripCount::Eight => FACTORS_8,
-            StripCount::Sixteen => FACTORS_16,
-            StripCount::ThirtyTwo => FACTORS_32,
-            StripCount::SixtyFour => FACTORS_64,
+        let factors = match count {
+            StripCount::Four => &FACTORS_4,
+            StripCount::Eight => &FACTORS_8,
+            StripCount::Sixteen => &FACTORS_16,
+            StripCount::ThirtyTwo => &FACTORS_32,
+            StripCount::SixtyFour => &FACTORS_64,
         };
+        let [stretch, lever] = factors.of::<F>().next().unwrap_or([F::one(); 2]);
         Self { fours, stretch, lever, half }
     }
 
@@ -247,7 +248,7 @@ macro_rules! rule {
     ($count:literal, $table:ident, $narrow:ident, $factors:ident, $half:ident) => {
         static $table: [FourStrips<f64>; $count / 4] = fours(&$half);
         static $narrow: [FourStrips<f32>; $count / 4] = narrow(&$table);
-        const $factors: [f64; 2] = factors(&$half);
+        static $factors: Nodes<1> = Nodes::new([factors(&$half)]);
     };
 }
 

@@ -54,7 +54,7 @@ impl<F: Plain> PreparedStrips<F> {
         count: StripCount,
     ) -> Self {
         let rule = Rule::new(count);
-        let factors = [F::of(rule.stretch), F::of(rule.lever)];
+        let factors = [F::stored(rule.stretch), F::stored(rule.lever)];
         Self { contact: Prepared::new(axis_ratio, poisson_ratio, linear, factors), rule }
     }
 

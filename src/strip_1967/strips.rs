@@ -44,12 +44,13 @@ pub fn strips<F: Float>(
     let motion = Motion::new(parameters, rule);
     let (arc, some) = edge::adhesion(&motion);
     let adheres = some > F::zero();
-    let width = F::of(2.0 / f64::from(count as i32));
+    let number = |i: i32| F::widened(i as f32);
+    let width = number(2) / number(count as i32);
     let piece = |i: i32| {
         // strips of a mirrored motion come in the opposite order
         let i =
             if motion.turned_x * motion.turned_y < F::zero() { count as i32 - 1 - i } else { i };
-        let edges = [i, i + 1].map(|i| Edge::at(width * F::of(f64::from(i)) - F::one()));
+        let edges = [i, i + 1].map(|i| Edge::at(width * number(i) - F::one()));
         share(&motion, &arc, adheres, edges)
     };
     // Nodes lie elsewhere in a strip than in the whole. What that makes is shared out by ∫ C² dY, of m_x by the stick area.
@@ -62,7 +63,7 @@ pub fn strips<F: Float>(
     });
     for i in 0..count as i32 {
         let mut shares = piece(i);
-        let y = width * F::of(f64::from(i) + 0.5) - F::one();
+        let y = width * number(i).plus(0.5) - F::one();
         // ∫ C² dY over its 4/3
         let load = width * (F::one() - y * y - (width * width).times(1.0 / 12.0)).times(0.75);
         shares.add(&rest.times([load, shares.stick / stick, F::zero()]));

@@ -10,35 +10,39 @@
 
 use crate::contact::creepage::Parameters;
 use crate::contact::forces::Totals;
-use crate::number::{Arithmetic, Choice, Number, Pair, Stored, atan_of_unit, ln_of_quotient};
+use crate::number::{
+    Arithmetic, Choice, Nodes, Number, Pair, Stored, atan_of_unit, ln_of_quotient,
+};
 use crate::strip_1967::Motion;
 use crate::strip_1967::edge::{self, Arc, Edge};
 use crate::strip_1967::strip::SlidingRule;
 use core::f64::consts::PI;
 
-/// Four nodes of Gauss on `[-1, 1]`, those that are positive.
-const GAUSS_4: [(f64, f64); 2] =
-    [(0.33998104358485626, 0.6521451548625461), (0.8611363115940526, 0.34785484513745385)];
+/// Four nodes of Gauss on `[-1, 1]` and their weights, those that are positive.
+static GAUSS_4: Nodes<2> = Nodes::new([
+    [0.33998104358485626, 0.6521451548625461],
+    [0.8611363115940526, 0.34785484513745385],
+]);
 /// Six nodes: `∫ C K dY`, on either side of the strip with `ξ̄ = 0`.
-const GAUSS_6: [(f64, f64); 6] = [
-    (-0.932469514203152, 0.17132449237917036),
-    (-0.6612093864662645, 0.3607615730481386),
-    (-0.2386191860831969, 0.46791393457269104),
-    (0.2386191860831969, 0.46791393457269104),
-    (0.6612093864662645, 0.3607615730481386),
-    (0.932469514203152, 0.17132449237917036),
-];
+static GAUSS_6: Nodes<6> = Nodes::new([
+    [-0.932469514203152, 0.17132449237917036],
+    [-0.6612093864662645, 0.3607615730481386],
+    [-0.2386191860831969, 0.46791393457269104],
+    [0.2386191860831969, 0.46791393457269104],
+    [0.6612093864662645, 0.3607615730481386],
+    [0.932469514203152, 0.17132449237917036],
+]);
 /// Sixteen nodes, those that are positive: the continuous rule.
-const GAUSS_16: [(f64, f64); 8] = [
-    (0.09501250983763744, 0.1894506104550685),
-    (0.2816035507792589, 0.18260341504492358),
-    (0.45801677765722737, 0.16915651939500254),
-    (0.6178762444026438, 0.14959598881657674),
-    (0.755404408355003, 0.12462897125553388),
-    (0.8656312023878318, 0.09515851168249279),
-    (0.9445750230732326, 0.062253523938647894),
-    (0.9894009349916499, 0.027152459411754096),
-];
+static GAUSS_16: Nodes<8> = Nodes::new([
+    [0.09501250983763744, 0.1894506104550685],
+    [0.2816035507792589, 0.18260341504492358],
+    [0.45801677765722737, 0.16915651939500254],
+    [0.6178762444026438, 0.14959598881657674],
+    [0.755404408355003, 0.12462897125553388],
+    [0.8656312023878318, 0.09515851168249279],
+    [0.9445750230732326, 0.062253523938647894],
+    [0.9894009349916499, 0.027152459411754096],
+]);
 
 /// How many half lengths of a piece its square root's zero is away where four nodes give all digits.
 #[inline(always)]
@@ -182,11 +186,11 @@ pub(super) fn adhering<T: Number>(motion: &Motion<T>, arc: &Arc<T>) -> Shares<T>
         || {
             // ∫ (K, ξ̄ K, Y ξ̄ K, K²) dY by nodes
             let mut sums = [T::Pair::zero(); 4];
-            for (node, weight) in GAUSS_4 {
-                let y = both(middle) + T::Pair::of(half, -half).times(node);
+            for [node, weight] in GAUSS_4.of::<T>() {
+                let y = both(middle) + T::Pair::of(half, -half).scale(node);
                 let x = both(xi) - both(p) * y;
                 let k = length(motion, x);
-                let share = k.times(weight);
+                let share = k.scale(weight);
                 for (sum, factor) in sums.iter_mut().zip([T::Pair::one(), x, y * x, k]) {
                     *sum += share * factor;
                 }
@@ -254,15 +258,15 @@ fn stretch_and_length<T: Number>(motion: &Motion<T>, arc: &Arc<T>) -> T {
     let (from, to) = (T::Pair::of(-tangent, split), T::Pair::of(split, tangent));
     let (centre, half) = ((from + to).times(0.5), (to - from).times(0.5));
     let mut sum = T::Pair::zero();
-    for (node, weight) in GAUSS_6 {
-        let t = centre + half.times(node);
+    for [node, weight] in GAUSS_6.of::<T>() {
+        let t = centre + half.scale(node);
         let t2 = t * t;
         let scale = (t2.plus(1.0)).inverse();
         let (cosine, sine) = ((T::Pair::one() - t2) * scale, t.times(2.0) * scale);
         let y = both(middle.y) * cosine + both(middle.c) * sine;
         let c = both(middle.c) * cosine - both(middle.y) * sine;
         let x = both(xi) - both(p) * y;
-        sum += c * c * length(motion, x) * scale.times(weight);
+        sum += c * c * length(motion, x) * scale.scale(weight);
     }
     // dθ = 2 dt/(1 + t²)
     (sum * half).sum().times(2.0)
@@ -321,10 +325,10 @@ fn rigid_slip<T: Number>(motion: &Motion<T>, from: T::Pair, to: T::Pair) -> [T; 
             let mut sums = [T::Pair::zero(); 3];
             // (at rest no strip slides, and has no direction)
             let eta2 = both(eta * eta + T::from_base(T::EPSILON * T::EPSILON));
-            for (node, weight) in GAUSS_4.into_iter().flat_map(|(u, w)| [(-u, w), (u, w)]) {
-                let y = middle + half.times(node);
+            for [node, weight] in GAUSS_4.of::<T>().flat_map(|[u, w]| [[-u, w], [u, w]]) {
+                let y = middle + half.scale(node);
                 let z = both(z0) - both(p) * y;
-                let share = (T::Pair::one() - y * y) * half.times(weight) / (z * z + eta2).sqrt();
+                let share = (T::Pair::one() - y * y) * half.scale(weight) / (z * z + eta2).sqrt();
                 let fx = share * z;
                 let [x, w, lever] = &mut sums;
                 *x += fx;
@@ -382,16 +386,16 @@ fn continuous<T: Number>(motion: &Motion<T>, lower: [Edge<T>; 2], upper: [Edge<T
     // (at rest no strip slides, and has no direction)
     let rest = T::Pair::from_base(T::EPSILON * T::EPSILON);
     let mut sums = [T::Pair::zero(); 4];
-    for (node, weight) in GAUSS_16 {
+    for [node, weight] in GAUSS_16.of::<T>() {
         for node in [-node, node] {
             // v = tan(φ/4) = V r/(r + g (1 − r)), r from 0 to 1
-            let r = 0.5 + 0.5 * node;
-            let den = grade.times(1.0 - r).plus(r);
-            let v = reach.times(r);
+            let r = node.times(0.5).plus(0.5);
+            let den = grade.scale(T::Base::one() - r).shift(r);
+            let v = reach.scale(r);
             let (den2, v2) = (den * den, v * v);
             let scale = (den2 + v2).inverse();
             // dφ = 4 V g dr/(den² + v²)
-            let step = (reach * grade * scale).times(2.0 * weight);
+            let step = (reach * grade * scale).scale(weight + weight);
             let (cos2, sin2) = ((den2 - v2) * scale, (den * v * scale).times(2.0));
             let (cosine, sine) = (cos2 * cos2 - sin2 * sin2, (cos2 * sin2).times(2.0) * outwards);
             let y = near.y * cosine + near.c * sine;
