@@ -24,7 +24,7 @@ impl<T: Number> Totals<T> {
 }
 
 /// How many strips share the patch.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 #[repr(i32)]
 pub enum StripCount {
     /// 4 strips: shape of the creep curve only.

@@ -20,8 +20,8 @@ use crate::patch::influence::{self, Edge};
 use core::f64::consts::{FRAC_PI_2, PI};
 use heapless::Vec;
 
-/// Strips of the normal problem at most.
-pub const CELLS: usize = if cfg!(target_os = "none") { 24 } else { 48 };
+/// Strips of the normal problem at most; on a microcontroller fewer, which patches of 32 and 64 strips notice.
+pub const CELLS: usize = if cfg!(target_os = "none") { 28 } else { 48 };
 /// Rounds in which strips leave and enter, at most; one or two are usual.
 const ROUNDS: usize = 12;
 /// Share of `√(2 R δ)` squared that a strip's length squared begins with at least.

@@ -160,7 +160,8 @@ static kstrip_status NAME(build)(uint64_t *hash, uint32_t i, const NAME(kstrip_c
         load.shear_modulus = c->shear_modulus;
         load.poisson_ratio = c->poisson_ratio;
         load.friction = c->friction;
-        load.strips = o->strips;
+        /* (more are fewer on a microcontroller) */
+        load.strips = o->strips < 16 ? o->strips : 16;
         status = NAME(kstrip_patch_from_profile)(y, distance, 33, &load, patch, &found);
         if (status >= 0) {
             const REAL numbers[4] = {found.approach, found.peak_pressure, found.normal_force,
