@@ -1,7 +1,9 @@
-//! Compares patches of profiles, of given strips and of banded friction with CONTACT:
+//! Compares patches of profiles, of given strips, of friction in bands and of falling friction with CONTACT:
 //! `cargo run --release --example patches` writes `docs/patches.md` and the pictures in `docs/patches/`. The same build
-//! writes the same files, byte by byte.
+//! writes the same files, byte by byte. `cargo run --release --example patches cost` prints what patches cost here.
 
+#[path = "common/clock.rs"]
+mod clock;
 #[path = "common/lines.rs"]
 mod lines;
 #[path = "../tests/common/patch_reference.rs"]
@@ -10,11 +12,15 @@ mod patch_reference;
 #[path = "accuracy/pictures.rs"]
 mod pictures;
 
+use kstrip::contact::Contact;
+use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
-use kstrip::patch::PatchStrip;
-use kstrip::solve::model::Model;
+use kstrip::patch::normal::Given;
+use kstrip::patch::profile::ProfileContact;
+use kstrip::patch::{PatchStrip, solver};
+use kstrip::solve::model::{self, Model, Options};
 use lines::Lines;
-use patch_reference::{Case, Errors, Full, banded, given, profiles, statistics};
+use patch_reference::{Case, Errors, Full, banded, falling, given, profiles, statistics};
 use pictures::{Align, BLUE, Canvas, Drawn, GREY, INK, ORANGE, dot, line, picture, write};
 use std::path::Path;
 
@@ -30,6 +36,8 @@ struct Compared {
     /// Relative errors of area, peak pressure, approach.
     normal: [f64; 3],
     strip: Errors,
+    /// On the strips that CONTACT's outline and loads make.
+    exact: Errors,
     total: Errors,
 }
 
@@ -43,7 +51,8 @@ impl Compared {
             found.approach / case.approach - 1.0,
         ];
         let (strip, total) = (case.errors(&patch, Model::Strip), case.errors(&patch, Model::Total));
-        Self { case, patch, normal, strip, total }
+        let exact = case.errors(&case.reference_patch(), Model::Strip);
+        Self { case, patch, normal, strip, exact, total }
     }
 }
 
@@ -75,6 +84,7 @@ fn all<'a>(list: impl Iterator<Item = &'a Errors>) -> Errors {
 fn normal_row(report: &mut Report, name: &str, list: &[&Compared]) {
     let column = |i: usize| percent(list.iter().map(|found| found.normal[i]));
     let strip = all(list.iter().map(|found| &found.strip));
+    let exact = all(list.iter().map(|found| &found.exact));
     let total = all(list.iter().map(|found| &found.total));
     report.row([
         name,
@@ -84,14 +94,17 @@ fn normal_row(report: &mut Report, name: &str, list: &[&Compared]) {
         &column(2),
         &three(&strip.force),
         &three(&strip.moment),
+        &three(&exact.force),
         &three(&total.force),
     ]);
 }
 
 fn profile_tables(report: &mut Report, list: &[Compared]) {
-    report.line("## Profiles\n");
-    report.line("Errors of area, peak pressure and approach in %, mean / largest; of the force in units of `μ N` and of the");
-    report.line("moment in units of `μ N c`, `c = √(area/π)`, mean / 95th percentile / largest over nine creepages each.\n");
+    report.line("## How far from CONTACT: profiles\n");
+    report.line("30 profiles whose normal and tangential problem CONTACT solved on elastic half-spaces (`tests/data/patches`), nine creepages each;");
+    report.line("16 strips, default smoothing. Errors of area, peak pressure and approach in %, mean / largest; of the force in units of `μ N` and of");
+    report.line("the moment in units of `μ N c`, `c = √(area/π)`, mean / 95th percentile / largest. STRIP on CONTACT's own outline and loads tells");
+    report.line("what of the error is the tangential model's: nearly all of it. Profiles of the family `hertz` are parabolas, for control.\n");
     report.header(&[
         "family",
         "profiles",
@@ -100,6 +113,7 @@ fn profile_tables(report: &mut Report, list: &[Compared]) {
         "approach",
         "force, STRIP",
         "moment, STRIP",
+        "force, STRIP on CONTACT's outline",
         "force, TOTAL",
     ]);
     let mut families: Vec<&str> = Vec::new();
@@ -131,9 +145,12 @@ fn profile_tables(report: &mut Report, list: &[Compared]) {
 }
 
 fn other_tables(report: &mut Report) {
-    report.line("\n## Given strips and friction in bands\n");
-    report.line("Force with STRIP, mean / 95th percentile / largest. Given strips have half-elliptic pressure; skewed patches have");
-    report.line("their centres off `x = 0`. Bands are on ellipses of 16 strips.\n");
+    report.line("\n## Given strips, friction in bands, falling friction\n");
+    report.line("Force and moment with STRIP, mean / 95th percentile / largest. Given strips have half-elliptic pressure; skewed patches have");
+    report.line("their centres off `x = 0`. Bands and falling friction are on ellipses of 16 strips; CONTACT's friction falls with the slip of each");
+    report.line(
+        "point, ours with the mean slip of the patch. Families of falling friction in one row.\n",
+    );
     report.header(&["patch", "force", "moment"]);
     let mut sums = [Errors::default(), Errors::default()];
     for (list, sum) in [given(), banded(COUNT)].into_iter().zip(&mut sums) {
@@ -143,8 +160,212 @@ fn other_tables(report: &mut Report) {
             sum.extend(errors);
         }
     }
-    for (name, errors) in ["**given, all**", "**bands, all**"].iter().zip(&sums) {
+    let mut under_law = Errors::default();
+    for (case, patch, law) in falling() {
+        under_law.extend(case.errors_under(&patch, Some(&law), Model::Strip));
+    }
+    let names = ["**given, all**", "**bands, all**", "**falling, all**"];
+    for (name, errors) in names.iter().zip(sums.iter().chain([&under_law])) {
         report.row([*name, &three(&errors.force), &three(&errors.moment)]);
+    }
+}
+
+/// Uniform numbers −1/2 to 1/2, the same in every build.
+struct Uniform(u64);
+
+impl Uniform {
+    fn next(&mut self) -> f64 {
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+    }
+}
+
+/// How much the forces change when points are measured with noise, or one of them is bad.
+fn noise_table(report: &mut Report, list: &[Compared]) {
+    report.line("\n## Measured points\n");
+    report.line("Change of the force, in units of `μ N`, of the 30 profiles and nine creepages when their points, 0.05 mm apart, are measured: 20 times");
+    report.line("with noise of 5 µm rms, and 20 times with one point that is wrong by 20 µm. Noise cannot be told from shape where it tilts a wide");
+    report.line("patch that spins: it moves the middle by 0.1 mm.\n");
+    report.header(&["points", "mean / 95th percentile / largest", "below 0.02, %"]);
+    let mut uniform = Uniform(20_260_117);
+    for bad in [false, true] {
+        let mut changes = Vec::new();
+        for Compared { case, patch, .. } in list {
+            let forces = |patch: &Full| -> Vec<[f64; 2]> {
+                let view = patch.view().unwrap();
+                let bound = case.friction * case.load;
+                let of = |creepage| {
+                    let found = solver::solve(&view, &creepage, Model::Strip).unwrap();
+                    [found.fx / bound, found.fy / bound]
+                };
+                case.motions.iter().map(|motion| of(case.creepage(motion))).collect()
+            };
+            let clean = forces(patch);
+            for _ in 0..20 {
+                let mut measured = case.clone();
+                if bad {
+                    let place = 10e-3 * uniform.next();
+                    let i = case.y.partition_point(|y| *y < place);
+                    measured.distance[i] += 20e-6_f64.copysign(uniform.next());
+                } else {
+                    for h in &mut measured.distance {
+                        // twelve uniform numbers make a normal one
+                        *h += 5e-6 * (0..12).map(|_| uniform.next()).sum::<f64>();
+                    }
+                }
+                let found = forces(&measured.patch(COUNT).0);
+                let pairs = clean.iter().zip(&found);
+                changes.extend(pairs.map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1])));
+            }
+        }
+        let below = changes.iter().filter(|change| **change < 0.02).count();
+        let share = 100.0 * below as f64 / changes.len() as f64;
+        let name = if bad { "one wrong by 20 µm" } else { "noise of 5 µm rms" };
+        report.row([name, &three(&changes), &format!("{share:.1}")]);
+    }
+}
+
+/// Largest change of force and approach between loads that differ by a tenth of a thousandth, while zones merge.
+fn merging_table(report: &mut Report) {
+    report.line("\n## Zones that merge\n");
+    report.line("A double bottom, 9 mm apart, `h = H ((y/4.5 mm)² − 1)²`, pressed harder and harder: two zones grow, touch and become one. Largest change");
+    report.line("when the load grows by 1/10 000 (of the force in units of `μ N`, of the approach relative): nothing jumps.\n");
+    report.header(&["H [µm]", "load [kN]", "zones", "force, STRIP", "force, TOTAL", "approach"]);
+    let y: Vec<f64> = (-1000..=1000).map(|i| 20e-6 * f64::from(i)).collect();
+    let creepage = Creepage { longitudinal: 3e-4, lateral: 5e-4, spin: 0.1 };
+    for crest in [70e-6, 30e-6] {
+        let distance: Vec<f64> =
+            y.iter().map(|y| crest * ((y / 4.5e-3).powi(2) - 1.0).powi(2)).collect();
+        let mut load = 50e3;
+        let mut last = None::<([[f64; 2]; 2], f64)>;
+        let (mut steps, mut zones) = ([0.0_f64; 3], Vec::new());
+        while load < 250e3 {
+            let (patch, found) = Full::from_profile(&y, &distance, &pressed(load), COUNT).unwrap();
+            let view = patch.view().unwrap();
+            let forces = [Model::Strip, Model::Total].map(|model| {
+                let found = solver::solve(&view, &creepage, model).unwrap();
+                [found.fx, found.fy].map(|force| force / (0.35 * load))
+            });
+            if let Some((before, approach)) = last {
+                for ((step, a), b) in steps.iter_mut().zip(before).zip(forces) {
+                    *step = step.max((a[0] - b[0]).hypot(a[1] - b[1]));
+                }
+                steps[2] = steps[2].max((found.approach / approach - 1.0).abs());
+            }
+            let lobes = view.lobes().count();
+            if zones.last() != Some(&lobes) {
+                zones.push(lobes);
+            }
+            last = Some((forces, found.approach));
+            load *= 1.0001;
+        }
+        let zones: Vec<String> = zones.iter().map(usize::to_string).collect();
+        report.row([
+            format!("{:.0}", crest * 1e6),
+            "50 to 250".into(),
+            zones.join(", then "),
+            format!("{:.5}", steps[0]),
+            format!("{:.5}", steps[1]),
+            format!("{:.5}", steps[2]),
+        ]);
+    }
+}
+
+/// A wheel on a rail.
+fn pressed(load: f64) -> ProfileContact<f64> {
+    ProfileContact {
+        rolling_radius: 0.46,
+        given: Given::Load(load),
+        shear_modulus: 82e9,
+        poisson_ratio: 0.28,
+        friction: 0.35,
+        smoothing_length: 0.0,
+    }
+}
+
+/// What the C program of the introduction prints.
+fn output() -> String {
+    let y: Vec<f64> = (0..241).map(|i| 0.1e-3 * f64::from(i - 120)).collect();
+    let distance: Vec<f64> = y
+        .iter()
+        .map(|y| {
+            let s = y / 4.5e-3;
+            70e-6 * (s * s - 1.0) * (s * s - 1.0) + 3e-6 * s
+        })
+        .collect();
+    let (patch, found) = Full::from_profile(&y, &distance, &pressed(80e3), COUNT).unwrap();
+    let creepage = Creepage { longitudinal: 1e-3, lateral: 5e-4, spin: 0.3 };
+    let forces = solver::solve(&patch.view().unwrap(), &creepage, Model::Strip).unwrap();
+    format!(
+        "approach {:.1} um, {:.0} kN/mm, {:.0} MPa at y = {:.1} mm\n{:.0} N, {:.0} N, {:.1} N m, {:.0} % sticks",
+        found.approach * 1e6,
+        found.stiffness * 1e-6,
+        found.peak_pressure * 1e-6,
+        found.peak_y * 1e3,
+        forces.fx,
+        forces.fy,
+        forces.mz,
+        forces.adhesion * 100.0
+    )
+}
+
+/// Quickest of many rounds, in µs for each call.
+fn quickest(calls: usize, mut round: impl FnMut()) -> f64 {
+    let rounds = (0..30).map(|_| clock::took(&mut round));
+    rounds.fold(f64::INFINITY, f64::min) / calls as f64 / 1e3
+}
+
+fn print_costs() {
+    let cases = profiles();
+    println!("Processor time on this machine, µs, of the quickest of 30 rounds over all profiles:");
+    for (count, name) in [(StripCount::Sixteen, 16), (StripCount::ThirtyTwo, 32)] {
+        let mut sum = 0.0;
+        let built = quickest(cases.len(), || {
+            cases.iter().for_each(|case| sum += case.patch(count).1.approach);
+        });
+        println!("{name} strips: profile to patch {built:.1}");
+        let patches: Vec<Full> = cases.iter().map(|case| case.patch(count).0).collect();
+        let views: Vec<_> = patches.iter().map(|patch| patch.view().unwrap()).collect();
+        for several in [false, true] {
+            let some: Vec<usize> = (0..cases.len())
+                .filter(|i| {
+                    let zone = |number| views[*i].zone(number).map(|zone| zone.contact.a);
+                    let own = zone(0);
+                    (1..views[*i].strips().len()).any(|number| zone(number) != own) == several
+                })
+                .collect();
+            for (model, what) in [(Model::Strip, "STRIP"), (Model::Total, "TOTAL")] {
+                let cost = quickest(9 * some.len(), || {
+                    for i in &some {
+                        for motion in &cases[*i].motions {
+                            let creepage = cases[*i].creepage(motion);
+                            sum += solver::solve(&views[*i], &creepage, model).unwrap().fx;
+                        }
+                    }
+                });
+                let zones = if several { "several zones or a neck" } else { "one zone" };
+                println!("  {what}, {} patches of {zones}: {cost:.2}", some.len());
+            }
+        }
+        let contact = Contact {
+            a: 6e-3,
+            b: 5e-3,
+            normal_force: 80e3,
+            shear_modulus: 82e9,
+            poisson_ratio: 0.28,
+            friction: 0.3,
+        };
+        let options = Options { model: Model::Strip, strips: count };
+        let cost = quickest(9 * cases.len(), || {
+            for case in &cases {
+                for motion in &case.motions {
+                    let creepage = case.creepage(motion);
+                    sum += model::solve(&contact, &creepage, &options).unwrap().fx;
+                }
+            }
+        });
+        println!("  STRIP on an ellipse: {cost:.2} ({sum:.3e})");
     }
 }
 
@@ -189,17 +410,19 @@ fn draw(found: &Compared, canvas: &Canvas) -> Drawn {
 }
 
 fn main() {
+    if std::env::args().nth(1).as_deref() == Some("cost") {
+        print_costs();
+        return;
+    }
     let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
     let list: Vec<Compared> = profiles().into_iter().map(Compared::new).collect();
     let mut report = Report(String::new());
-    report.line("# Patches that are no ellipse, against CONTACT\n");
-    report.line("Written by `cargo run --release --example patches`. The reference is `tests/data/patches`: 30 profiles whose normal and");
-    report.line("tangential problem CONTACT solved on elastic half-spaces. Ours: `Patch::from_profile` (`kstrip_patch_from_profile`),");
-    report.line(
-        "16 strips, default smoothing, then STRIP or TOTAL. How it works: `src/patch/normal.rs`.\n",
-    );
+    report.line(include_str!("patches/introduction.md").trim_end().replace("OUTPUT", &output()));
+    report.line("");
     profile_tables(&mut report, &list);
     other_tables(&mut report);
+    noise_table(&mut report, &list);
+    merging_table(&mut report);
     report.line("\n## Outlines and pressures\n");
     std::fs::create_dir_all(docs.join("patches")).unwrap();
     for name in SHOWN {
@@ -210,17 +433,6 @@ fn main() {
         .unwrap();
         report.line(format!("![Outline and pressure of {name}](patches/{name}.svg)\n"));
     }
-    report.line("## Limits\n");
-    for limit in [
-        "The bodies are half-spaces: no conformity, one contact plane. Zones far apart in height or angle are contacts of their own.",
-        "The undeformed distance is `h(y) + x²/(2 R)`: no yaw, one rolling radius; a strip's pressure is a half-ellipse in `x`.",
-        "What is narrower than the smoothing length (0.6 of the patch's half length by default) is rounded off: the pressure of a \
-         sharp crest comes out too low (`worn_peak` 13 % and more). A smaller length sees it, and the noise.",
-        "Noise of 5 µm rms at points 0.05 mm apart moves the force by .005 to .02 of `μ N`; points farther apart need a larger length.",
-        "A narrow tail that is nearly flat (`s1002_uic60_2`) has the largest errors of force: one ellipse stands for a zone.",
-        "TOTAL takes one ellipse for each zone: for stability and real time.",
-    ] {
-        report.line(format!("* {limit}"));
-    }
+    report.line(include_str!("patches/limits.md").trim_end());
     std::fs::write(docs.join("patches.md"), report.0).unwrap();
 }
