@@ -10,11 +10,11 @@ use crate::patch::{self, Patch, PatchView, QuadratureScale, solver};
 
 /// The patch of two profiles under a load, or at an approach.
 ///
-/// Zones of contact that are apart become lobes. Bounded time: at most 60 evaluations of the load, usually below ten,
-/// each proportional to the number of points in contact.
+/// Zones of contact that are apart become lobes. Bounded time: proportional to the number of points, at most 40 times to find
+/// about the approach, usually five; then two systems of linear equations of fixed size, for each two or three times.
 ///
 /// @param y, distance, points  undeformed distance of the bodies [m] on the line x = 0 at y [m], which ascends;
-///                        at least 3 points, straight between them. What is added to all distances
+///                        at least 2 points, straight between them. What is added to all distances
 ///                        does not matter.
 /// @param contact         rolling radius, load or approach, material, friction, number of strips.
 /// @param[out] patch      receives the patch.
@@ -114,9 +114,9 @@ pub extern "C" fn kstrip_patch_summarize(
 ///
 /// The creepage is that at the origin of the patch's coordinates, x = y = 0; a strip sees
 /// (longitudinal - spin y, lateral + spin centre_x), and moments are about the origin. |F| is at
-/// most the sum of friction times load over the strips. KSTRIP_MODEL_STRIP solves each lobe
-/// with an equivalent ellipse: as wide as the lobe's strips together, with their mean squared half length
-/// (two thirds of a squared), their load and their mean friction.
+/// most the sum of friction times load over the strips. KSTRIP_MODEL_STRIP takes what a strip sees from the ellipse that
+/// stands for its zone: the strips that no gap and no neck divides from it, their load, area and mean friction.
+/// KSTRIP_MODEL_TOTAL takes the forces of these ellipses as they are: cheap and smooth, without strips and share in adhesion.
 ///
 /// Derivatives by load: all pressures grow alike; through Hertz, while all lengths grow like the load's cube root. By
 /// friction: of the mean, all strips' friction growing alike. With friction its factor, (1 - ratio) exp(-decay w) + ratio,
@@ -126,12 +126,12 @@ pub extern "C" fn kstrip_patch_summarize(
 /// @param patch           the patch.
 /// @param creepage        motion at the origin.
 /// @param friction        friction that falls with the slip; NULL: constant.
-/// @param options         KSTRIP_MODEL_STRIP (the default here) or one of the models of 1967; NULL for the default. The
-///                        strip count is checked and otherwise ignored.
+/// @param options         KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967; NULL for the
+///                        default. The strip count is checked and otherwise ignored.
 /// @param outputs         where the outputs go.
-/// @return as kstrip_evaluate(); KSTRIP_WARNING_RANGE (of a lobe's ellipse);
-///         KSTRIP_ERROR_NOT_IN_MODEL for KSTRIP_MODEL_TOTAL and KSTRIP_MODEL_LINEAR (the linear theory
-///         of a patch is its derivatives at zero creepage), or one of the errors of kstrip_patch_summarize().
+/// @return as kstrip_evaluate(); KSTRIP_WARNING_RANGE (of a zone's ellipse);
+///         KSTRIP_ERROR_NOT_IN_MODEL for KSTRIP_MODEL_LINEAR (the linear theory of a patch is its derivatives at zero
+///         creepage) and for the strips of KSTRIP_MODEL_TOTAL, or one of the errors of kstrip_patch_summarize().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn kstrip_patch_evaluate(
     patch: Option<&StoredPatch<f64>>,

@@ -11,10 +11,13 @@
 //!
 //! The corrected strips need an axis ratio: that of the ellipse which stands for what a strip is connected with ([`zones`]).
 
+pub mod field;
 pub mod friction;
 mod influence;
 pub mod normal;
 pub mod profile;
+mod section;
+mod smooth;
 pub mod solver;
 pub mod zones;
 
@@ -22,6 +25,7 @@ use crate::contact::Contact;
 use crate::contact::forces::StripCount;
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::Float;
+use crate::patch::zones::Zone;
 use crate::solve::model::Precision;
 use crate::status::Error;
 use crate::strip::Rule;
@@ -137,6 +141,8 @@ pub struct PatchView<'a, F> {
     shear_modulus: F,
     poisson_ratio: F,
     scale: QuadratureScale<F>,
+    /// The zone of all strips, where nothing divides them.
+    whole: Option<Zone<F>>,
 }
 
 impl<'a, F: Float> PatchView<'a, F> {
@@ -169,9 +175,9 @@ impl<'a, F: Float> PatchView<'a, F> {
         if !strips.iter().zip(strips.iter().skip(1)).all(|(strip, next)| strip.is_beside(next)) {
             return Err(Error::StripOrder);
         }
-        let view = Self { strips, shear_modulus, poisson_ratio, scale };
-        let ellipses = if view.is_one_zone() { strips.len().min(1) } else { strips.len() };
-        for zone in (0..ellipses).filter_map(|i| view.zone(i)) {
+        let mut view = Self { strips, shear_modulus, poisson_ratio, scale, whole: None };
+        view.whole = view.only_zone();
+        for zone in view.zones() {
             zone.contact.check().map_err(|_| Error::Overflow)?;
         }
         for strip in strips {
@@ -207,6 +213,10 @@ impl<'a, F: Float> PatchView<'a, F> {
     #[must_use]
     pub fn scale(&self) -> QuadratureScale<F> {
         self.scale
+    }
+
+    pub(crate) fn whole(&self) -> Option<&Zone<F>> {
+        self.whole.as_ref()
     }
 
     /// Normal force `N` \[N\].

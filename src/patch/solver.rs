@@ -1,4 +1,4 @@
-//! Forces, derivatives, strips and fields of a patch that is given by its strips.
+//! Forces, derivatives and strips of a patch that is given by its strips.
 //!
 //! A strip sees the creepage at its own place, `(υx − φ y, υy + φ x_c, φ)`, and its own friction bound `μ p₀`:
 //! friction that varies over `y` is nothing special. Its force acts at `(x_c, y)`.
@@ -22,12 +22,11 @@ use crate::linear::LinearCoefficients;
 use crate::number::dual::Dual;
 use crate::number::{Float, Real};
 use crate::patch::zones::{Widths, Zone};
-use crate::patch::{PatchStrip, PatchView};
-use crate::solve::field::{FieldPoint, rolling_point};
+use crate::patch::{PatchStrip, PatchView, QuadratureScale};
 use crate::solve::model::{Model, Precision, Solution, StripResult};
 use crate::status::{Error, Notice};
-use crate::strip::{Carried, Law as StripLaw, Prepared, Seen, StripGeometry, four_strips};
-use crate::strip_1967::strip::{Regime, SlidingRule, State, Strip, StripPoint};
+use crate::strip::{Carried, Law as StripLaw, Prepared, Seen, StripGeometry, eight_strips};
+use crate::strip_1967::strip::{Regime, SlidingRule, State, Strip};
 use crate::total;
 use nalgebra::Matrix3;
 
@@ -95,10 +94,10 @@ pub(crate) fn check<F: Precision>(
 
 /// A patch, a creepage and a model that fit together.
 #[derive(Clone, Copy, Debug)]
-struct Problem<'a, F> {
-    view: &'a PatchView<'a, F>,
-    creepage: &'a Creepage<F>,
-    model: Model,
+pub(super) struct Problem<'a, F> {
+    pub view: &'a PatchView<'a, F>,
+    pub creepage: &'a Creepage<F>,
+    pub model: Model,
 }
 
 impl<'a, F: Precision> Problem<'a, F> {
@@ -123,7 +122,7 @@ impl<'a, F: Precision> Problem<'a, F> {
     }
 
     /// For a model that knows what a strip carries.
-    fn with_strips(
+    pub fn with_strips(
         view: &'a PatchView<'a, F>,
         creepage: &'a Creepage<F>,
         model: Model,
@@ -134,7 +133,7 @@ impl<'a, F: Precision> Problem<'a, F> {
         Self::new(view, creepage, model)
     }
 
-    fn notice(&self) -> Notice {
+    pub fn notice(&self) -> Notice {
         let beyond = |psi: F| psi.abs() >= F::one();
         let outside = |parameters: &Parameters<F>| {
             let ratio = parameters.axis_ratio;
@@ -145,11 +144,8 @@ impl<'a, F: Precision> Problem<'a, F> {
         let mut loaded =
             self.view.strips().iter().filter(|strip| strip.friction_bound() > F::zero());
         if matches!(self.model, Model::Strip | Model::Total) {
-            let view = self.view;
-            let ellipses = if view.is_one_zone() { 1 } else { view.strips().len() };
-            let mut zones = (0..ellipses)
-                .filter_map(|i| view.zone(i))
-                .filter(|zone| zone.contact.friction_bound() > F::zero());
+            let loaded = |zone: &Zone<F>| zone.contact.friction_bound() > F::zero();
+            let mut zones = self.view.zones().filter(loaded);
             if zones.any(|zone| outside(&Parameters::new(&zone.contact, self.creepage))) {
                 return Notice::OutsideRange;
             }
@@ -187,7 +183,11 @@ impl<'a, F: Precision> Problem<'a, F> {
     }
 
     /// A strip in the theory of 1967, its half length one.
-    fn theory<T: Real<Base = F>>(&self, strip: &PatchStrip<F>, creepage: &Creepage<T>) -> Strip<T> {
+    pub fn theory<T: Real<Base = F>>(
+        &self,
+        strip: &PatchStrip<F>,
+        creepage: &Creepage<T>,
+    ) -> Strip<T> {
         let rule = match self.model {
             Model::Strip1967Continuous => SlidingRule::Continuous,
             _ => SlidingRule::RigidSlip,
@@ -213,7 +213,7 @@ impl<'a, F: Precision> Problem<'a, F> {
     }
 
     /// The corrected strips of a zone's ellipse, for the creepage at `x` on its middle line.
-    fn law<T: Real<Base = F>>(
+    pub fn law<T: Real<Base = F>>(
         &self,
         zone: &Zone<F>,
         creepage: &Creepage<T>,
@@ -233,18 +233,12 @@ impl<'a, F: Precision> Problem<'a, F> {
         creepage: &Creepage<T>,
         visit: &mut impl FnMut(&PatchStrip<F>, Share<T>),
     ) {
-        let one_zone = self.view.is_one_zone();
         let mut solved: Option<(Zone<F>, Totals<T>)> = None;
         for (i, strip) in self.view.strips().iter().enumerate() {
-            let (zone, totals) = match solved {
-                Some(solved) if one_zone => solved,
-                _ => {
-                    let Some(zone) = self.view.zone(i) else { return };
-                    match solved {
-                        Some((last, totals)) if zone.is(&last) => (last, totals),
-                        _ => (zone, Self::elliptic_totals(&zone, creepage)),
-                    }
-                }
+            let Some(zone) = self.view.zone(i) else { return };
+            let totals = match solved {
+                Some((last, totals)) if zone.is(&last) => totals,
+                _ => Self::elliptic_totals(&zone, creepage),
             };
             solved = Some((zone, totals));
             let bound = strip.friction_bound();
@@ -268,38 +262,36 @@ impl<'a, F: Precision> Problem<'a, F> {
         creepage: &Creepage<T>,
         visit: &mut impl FnMut(&PatchStrip<F>, Share<T>),
     ) {
-        let scale = self.view.scale();
-        let one_zone = self.view.is_one_zone();
-        let mut prepared: Option<(Zone<F>, F, StripLaw<T>)> = None;
+        let QuadratureScale { area, lever } = self.view.scale();
+        let mut prepared: Option<Known<F, StripLaw<T>>> = None;
         let mut before = 0;
         for lobe in self.view.lobes() {
             let (count, widths) = (lobe.len(), Widths::new(lobe));
-            for (g, group) in lobe.chunks(4).enumerate() {
+            let alternating = widths.alternation.times(0.5);
+            for (g, group) in lobe.chunks(8).enumerate() {
                 let zero = T::zero();
                 let none = Seen { x: zero, y: zero, spread: zero, start: zero };
-                let mut seen = [(none, T::zero()); 4];
-                let mut inner = [F::zero(); 4];
-                for (k, ((strip, seen), inner)) in
-                    group.iter().zip(&mut seen).zip(&mut inner).enumerate()
-                {
-                    let i = 4 * g + k;
-                    let zone = match prepared {
-                        Some((zone, ..)) if one_zone => Some(zone),
-                        _ => self.view.zone(before + i),
-                    };
-                    let Some(zone) = zone else { continue };
-                    let law = match prepared {
-                        Some((last, x, law)) if x == strip.centre_x && zone.is(&last) => law,
+                let mut seen = [(none, T::zero()); 8];
+                let mut inner = [F::zero(); 8];
+                let strips = group.iter().zip(&mut seen).zip(&mut inner);
+                for (k, ((strip, seen), inner)) in strips.enumerate() {
+                    let i = 8 * g + k;
+                    let x = strip.centre_x;
+                    let known = prepared.as_ref().is_some_and(|known| {
+                        known.x == x && self.view.is_zone(before + i, &known.zone)
+                    });
+                    if !known {
+                        let Some(zone) = self.view.zone(before + i) else { continue };
                         // the slopes of the linear theory, whatever the quadrature
-                        _ => self.law(&zone, creepage, strip.centre_x, [scale.area, scale.lever]),
-                    };
-                    prepared = Some((zone, strip.centre_x, law));
-                    *seen = law.strip(&geometry(&zone, strip, widths.mean));
-                    let alternating = widths.alternation.times(0.5);
+                        let law = self.law(&zone, creepage, x, [area, lever]);
+                        prepared = Some(Known { zone, x, units: Units::new(&zone), law });
+                    }
+                    let Some(Known { units, law, .. }) = &prepared else { continue };
+                    *seen = law.strip(&units.geometry(strip, strip.width * widths.per_mean));
                     let is_inner = i.min(count - 1 - i) % 2 == 1;
                     *inner = (if is_inner { alternating } else { -alternating }).plus(0.5);
                 }
-                for (strip, found) in group.iter().zip(both_kinds(&seen, inner)) {
+                for (strip, found) in group.iter().zip(eight_strips(&seen, inner)) {
                     let stick = found.stick.value();
                     visit(strip, Share::new(strip, &found, stick, stick > F::zero()));
                 }
@@ -309,41 +301,47 @@ impl<'a, F: Precision> Problem<'a, F> {
     }
 }
 
-/// Four strips with their shares of the inner strips' nodes; both kinds are evaluated where one is not enough.
-fn both_kinds<F: Precision, T: Real<Base = F>>(
-    seen: &[(Seen<T>, T); 4],
-    inner: [F; 4],
-) -> [Carried<T>; 4] {
-    let mostly = inner.map(|share| share > F::of(0.5));
-    let mut found = four_strips(seen, mostly);
-    let of_other = |share: F| share.min(F::one() - share);
-    if inner.iter().any(|share| of_other(*share) > F::zero()) {
-        let others = four_strips(seen, mostly.map(|inner| !inner));
-        for ((found, other), share) in found.iter_mut().zip(others).zip(inner) {
-            let mix = |own: T, other: T| own + (other - own).scale(of_other(share));
-            *found = Carried {
-                fx: mix(found.fx, other.fx),
-                fy: mix(found.fy, other.fy),
-                mx: mix(found.mx, other.mx),
-                stick: mix(found.stick, other.stick),
-            };
-        }
-    }
-    found
+/// What the strips of a zone see that have one centre along `x`.
+struct Known<F, L> {
+    zone: Zone<F>,
+    x: F,
+    units: Units<F>,
+    law: L,
 }
 
-/// A strip in units of its zone's ellipse.
-fn geometry<F: Float>(zone: &Zone<F>, strip: &PatchStrip<F>, mean_width: F) -> StripGeometry<F> {
-    let Zone { y, contact, .. } = zone;
-    // Π = (μ p₀)_strip/(μ p₀)
-    let whole = contact.friction * contact.peak_pressure();
-    let bound = strip.friction * strip.peak_pressure;
-    StripGeometry {
-        y: ((strip.y - *y) / contact.b).clamped(-F::one(), F::one()),
-        half_length: strip.half_length / contact.a,
-        // of sixteen strips, whatever their number
-        width: (strip.width / mean_width).times(0.125),
-        bound: if whole > F::zero() { bound / whole } else { F::one() }.max(F::of(LEAST_BOUND)),
+/// What the strips of a zone are measured with.
+pub(super) struct Units<F> {
+    y: F,
+    per_a: F,
+    per_b: F,
+    /// `1/(μ p₀)` of the zone's ellipse; zero without friction or load.
+    per_bound: F,
+}
+
+impl<F: Float> Units<F> {
+    pub fn new(zone: &Zone<F>) -> Self {
+        let Zone { y, contact, .. } = zone;
+        let bound = contact.friction * contact.peak_pressure();
+        Self {
+            y: *y,
+            per_a: F::one() / contact.a,
+            per_b: F::one() / contact.b,
+            per_bound: if bound > F::zero() { F::one() / bound } else { F::zero() },
+        }
+    }
+
+    /// A strip in units of the ellipse; its width over the mean of all.
+    pub fn geometry(&self, strip: &PatchStrip<F>, width: F) -> StripGeometry<F> {
+        // Π = (μ p₀)_strip/(μ p₀)
+        let bound = strip.friction * strip.peak_pressure * self.per_bound;
+        let bound = if self.per_bound > F::zero() { bound } else { F::one() };
+        StripGeometry {
+            y: ((strip.y - self.y) * self.per_b).clamped(-F::one(), F::one()),
+            half_length: strip.half_length * self.per_a,
+            // of sixteen strips, whatever their number
+            width: width.times(0.125),
+            bound: bound.max(F::of(LEAST_BOUND)),
+        }
     }
 }
 
@@ -478,101 +476,4 @@ pub fn strips<F: Precision>(
         });
     });
     Ok(problem.notice())
-}
-
-/// The tangential field of a patch, ready to be evaluated at points.
-///
-/// Pressure and traction do not vary over the width of a strip: the patch is its strips. Neighbours share the
-/// distance of their centre lines in the ratio of their widths.
-#[derive(Clone, Copy, Debug)]
-pub struct PatchField<'a, F> {
-    problem: Problem<'a, F>,
-    /// What the caller should know.
-    pub notice: Notice,
-}
-
-/// A strip of a [`PatchField`].
-#[derive(Clone, Copy, Debug)]
-pub struct PatchFieldStrip<F: Real<Base = F>> {
-    strip: PatchStrip<F>,
-    law: Law<F>,
-}
-
-/// The traction law of a strip.
-#[derive(Clone, Copy, Debug)]
-enum Law<F: Real<Base = F>> {
-    /// The theory of 1967, and the unit of slip.
-    Theory(Strip<F>, F),
-    /// The corrected strips, and the unit of slip.
-    Rolling(StripLaw<F>, StripGeometry<F>, F),
-}
-
-impl<'a, F: Precision> PatchField<'a, F> {
-    /// Prepare the field.
-    ///
-    /// # Errors
-    /// Those of [`solve`].
-    pub fn new(
-        patch: &'a PatchView<'a, F>,
-        creepage: &'a Creepage<F>,
-        model: Model,
-    ) -> Result<Self, Error> {
-        let problem = Problem::with_strips(patch, creepage, model)?;
-        Ok(Self { problem, notice: problem.notice() })
-    }
-
-    /// The strip through `y` \[m\]; `None` outside the patch and in its gaps.
-    #[must_use]
-    pub fn strip_at(&self, y: F) -> Option<PatchFieldStrip<F>> {
-        let Problem { view, creepage, .. } = self.problem;
-        let mut number = 0;
-        let lobe = view.lobes().find(|lobe| {
-            let inside = lobe.first().is_some_and(|first| first.y - first.width.times(0.5) <= y)
-                && lobe.last().is_some_and(|last| y <= last.y + last.width.times(0.5));
-            number += if inside { 0 } else { lobe.len() };
-            inside
-        })?;
-        let mut pairs = lobe.iter().zip(lobe.iter().skip(1));
-        let found = pairs.position(|(strip, next)| {
-            y < strip.y + (next.y - strip.y) * (strip.width / (strip.width + next.width))
-        });
-        let own = found.unwrap_or(lobe.len().saturating_sub(1));
-        let strip = lobe.get(own)?;
-        number += own;
-        let law = if self.problem.model == Model::Strip {
-            let zone = view.zone(number)?;
-            let rolling = self.problem.law(&zone, creepage, strip.centre_x, [F::one(), F::one()]);
-            let line = StripGeometry { width: F::zero(), ..geometry(&zone, strip, F::one()) };
-            Law::Rolling(rolling, line, zone.contact.slip_scale())
-        } else {
-            let circle = strip.circle(view.shear_modulus(), view.poisson_ratio());
-            Law::Theory(self.problem.theory(strip, creepage), circle.slip_scale())
-        };
-        Some(PatchFieldStrip { strip: *strip, law })
-    }
-
-    /// The state at a point of the contact plane \[m\].
-    #[must_use]
-    pub fn at(&self, x: F, y: F) -> FieldPoint<F> {
-        Self::along(self.strip_at(y).as_ref(), x)
-    }
-
-    /// The state at `x` \[m\] of a strip of [`PatchField::strip_at`].
-    #[must_use]
-    pub fn along(strip: Option<&PatchFieldStrip<F>>, x: F) -> FieldPoint<F> {
-        let Some(PatchFieldStrip { strip, law }) = strip else {
-            let zero = F::zero();
-            return FieldPoint::in_units(zero, zero, zero, &StripPoint::outside());
-        };
-        let place = (x - strip.centre_x) / strip.half_length;
-        let pressure = strip.peak_pressure;
-        let traction = strip.friction * pressure;
-        let (slip, point) = match law {
-            Law::Theory(solved, slip) => (*slip, solved.at(place)),
-            Law::Rolling(rolling, geometry, slip) => {
-                (*slip, rolling_point(rolling, geometry, F::one(), place))
-            }
-        };
-        FieldPoint::in_units(pressure, traction, slip, &point)
-    }
 }

@@ -54,10 +54,10 @@ impl<F: Float> Sums<F> {
     /// Lengths and widths in their units, places from the origin.
     fn add(&mut self, strip: &PatchStrip<F>, units: &Units<F>, weight: F) {
         let load = strip.load() * weight;
-        let x = (strip.centre_x - units.x) / units.length;
-        let length = strip.half_length / units.length;
-        let y = (strip.y - units.y) / units.width;
-        let pressure = strip.peak_pressure / units.pressure;
+        let x = (strip.centre_x - units.x) * units.per_length;
+        let length = strip.half_length * units.per_length;
+        let y = (strip.y - units.y) * units.per_width;
+        let pressure = strip.peak_pressure * units.per_pressure;
         self.load += load;
         self.bound += load * strip.friction;
         self.square += load * length * length;
@@ -67,15 +67,17 @@ impl<F: Float> Sums<F> {
         let [by_pressure, by_length] = &mut self.slope;
         *by_pressure += load * pressure;
         *by_length += load * length;
-        self.section += weight * (strip.width / units.width) * pressure;
+        self.section += weight * (strip.width * units.per_width) * pressure;
     }
 }
 
 /// What a patch is measured with: its longest strip, its largest pressure, its whole width, and its middle.
 struct Units<F> {
     length: F,
-    pressure: F,
     width: F,
+    per_length: F,
+    per_pressure: F,
+    per_width: F,
     x: F,
     y: F,
 }
@@ -124,30 +126,51 @@ impl<F: Float> Zone<F> {
 }
 
 impl<F: Float> PatchView<'_, F> {
-    /// Whether no neck and no gap divides the patch.
-    pub(crate) fn is_one_zone(&self) -> bool {
+    /// The zone of all strips, if no neck and no gap divides the patch.
+    pub(crate) fn only_zone(&self) -> Option<Zone<F>> {
         let strips = self.strips();
-        let Some(first) = strips.first() else { return true };
-        let mut walk = Walk::new(first);
+        let mut walk = Walk::new(strips.first()?);
         let mut pairs = strips.iter().zip(strips.iter().skip(1));
-        pairs.all(|(last, next)| walk.pass(last, next) >= F::one())
+        if pairs.all(|(last, next)| walk.pass(last, next) >= F::one()) {
+            self.zone_around(0)
+        } else {
+            None
+        }
+    }
+
+    /// The zones of all strips, one if it is that of all.
+    pub(crate) fn zones(&self) -> impl Iterator<Item = Zone<F>> {
+        let count = if self.whole().is_some() { 1 } else { self.strips().len() };
+        (0..count).filter_map(|i| self.zone(i))
     }
 
     /// The zone of the strip of this number, `None` beyond the last.
     #[must_use]
     pub fn zone(&self, number: usize) -> Option<Zone<F>> {
+        match self.whole() {
+            Some(zone) => (number < self.strips().len()).then_some(*zone),
+            None => self.zone_around(number),
+        }
+    }
+
+    /// Whether a zone is that of the strip of this number.
+    pub(crate) fn is_zone(&self, number: usize, zone: &Zone<F>) -> bool {
+        self.whole().is_some() || self.zone(number).is_some_and(|own| own.is(zone))
+    }
+
+    fn zone_around(&self, number: usize) -> Option<Zone<F>> {
         let strips = self.strips();
         let (before, rest) = strips.split_at_checked(number)?;
         let (own, after) = rest.split_first()?;
         let zero = F::zero();
         let (first, last) = (strips.first()?, strips.last()?);
-        let units = Units {
-            length: strips.iter().fold(zero, |longest, strip| longest.max(strip.half_length)),
-            pressure: strips.iter().fold(F::TINY, |most, strip| most.max(strip.peak_pressure)),
-            width: last.y - first.y + first.width.times(0.5) + last.width.times(0.5),
-            x: own.centre_x,
-            y: first.y.times(0.5) + last.y.times(0.5),
-        };
+        let length = strips.iter().fold(zero, |longest, strip| longest.max(strip.half_length));
+        let pressure = strips.iter().fold(F::TINY, |most, strip| most.max(strip.peak_pressure));
+        let width = last.y - first.y + first.width.times(0.5) + last.width.times(0.5);
+        let [per_length, per_pressure, per_width] =
+            [length, pressure, width].map(|unit| F::one() / unit);
+        let (x, y) = (own.centre_x, first.y.times(0.5) + last.y.times(0.5));
+        let units = Units { length, width, per_length, per_pressure, per_width, x, y };
         let mut sums = Sums {
             load: zero,
             bound: zero,
@@ -157,28 +180,37 @@ impl<F: Float> PatchView<'_, F> {
             section: zero,
         };
         sums.add(own, &units, F::one());
+        let mut add = |strip: &PatchStrip<F>, walk: &mut Walk<F>, last: &PatchStrip<F>| {
+            let weight = walk.pass(last, strip);
+            sums.add(strip, &units, weight);
+            weight > zero
+        };
         let (mut walk, mut last) = (Walk::new(own), own);
         for strip in before.iter().rev() {
-            sums.add(strip, &units, walk.pass(last, strip));
+            if !add(strip, &mut walk, last) {
+                break;
+            }
             last = strip;
         }
         let (mut walk, mut last) = (Walk::new(own), own);
         for strip in after {
-            sums.add(strip, &units, walk.pass(last, strip));
+            if !add(strip, &mut walk, last) {
+                break;
+            }
             last = strip;
         }
         let Sums { load, bound, square, centre: [x, y], slope: [by_pressure, by_length], section } =
             sums;
         let loaded = load > zero;
         let mean = |sum: F, own: F| if loaded { sum / load } else { own };
-        let length = own.half_length / units.length;
-        let y = mean(y, (own.y - units.y) / units.width);
+        let length = own.half_length * per_length;
+        let y = mean(y, (own.y - units.y) * per_width);
         let a = mean(square, length * length).times(1.25).sqrt();
         // half of the area, in units of the patch
         let half = if loaded {
             section * (by_length / by_pressure) * self.scale().area
         } else {
-            length * (own.width / units.width)
+            length * (own.width * per_width)
         };
         let contact = Contact {
             a: units.length * a,
@@ -196,8 +228,8 @@ impl<F: Float> PatchView<'_, F> {
 /// Widths of the strips of a lobe.
 #[derive(Clone, Copy)]
 pub(crate) struct Widths<F> {
-    /// Their mean \[m\], one where there are none.
-    pub mean: F,
+    /// One over their mean \[1/m\], one where there are none.
+    pub per_mean: F,
     /// One for a rule of Gauss, whose strips take turns with two kinds of nodes along their lengths; none for strips of one
     /// width, which have half of both: then one more strip at the rim turns nothing round.
     pub alternation: F,
@@ -209,8 +241,12 @@ impl<F: Float> Widths<F> {
             |of: &dyn Fn(F) -> F| strips.iter().fold(F::zero(), |sum, strip| sum + of(strip.width));
         let (whole, count) = (sum(&|width| width), sum(&|_| F::one()));
         let mean = if count > F::zero() { whole / count } else { F::one() };
+        let per_mean = F::one() / mean;
         // mean deviation over the mean: 0.15 to 0.4 of the rules of Gauss
-        let deviation = sum(&|width| (width - mean).abs()) / (mean * count.max(F::one()));
-        Self { mean, alternation: deviation.plus(-0.05).times(20.0).clamped(F::zero(), F::one()) }
+        let deviation = sum(&|width| (width - mean).abs()) * (per_mean / count.max(F::one()));
+        Self {
+            per_mean,
+            alternation: deviation.plus(-0.05).times(20.0).clamped(F::zero(), F::one()),
+        }
     }
 }

@@ -26,13 +26,14 @@
 //! with the rigid slip and is cut back to the bound, so that the direction of sliding turns along the strip. The nodes of
 //! neighbouring strips are staggered: the pole of the spin meets no row of nodes at once.
 //!
-//! **Sums** (`totals`) run over four strips at a time. Where more power would come out of the contact than goes in, the
+//! **Sums** (`totals`, of patches `any`) run over four strips at a time. Where more power would come out of the contact than goes in, the
 //! sums are moved back along the linear forces, with a continuous slope.
 //!
 //! What holds whatever the constants: `|traction| ≤ μ Z` and `|F| ≤ μ N`; all four slopes of the linear theory at
 //! rest; the local rigid slip in full sliding; power `≥ 0`; the symmetries of the contact; continuous
 //! first derivatives. Nothing but `+ − × ÷ √`.
 
+mod any;
 mod constants;
 mod creepage;
 mod derivative;
@@ -45,11 +46,11 @@ pub(crate) mod registers;
 mod tables;
 mod totals;
 
+pub(crate) use self::any::eight_strips;
 pub use self::creepage::{Law, Prepared, StripGeometry};
 pub use self::field::StripTraction;
 pub use self::kernel::{Carried, Seen, Spin};
 pub use self::tables::Rule;
-pub(crate) use self::totals::four_strips;
 pub use self::totals::{PreparedStrips, StripTotals, Sums};
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 #![allow(unsafe_code)]
 
+use super::any::{Forces, both_kinds, of_eight, parts_of_eight};
 use super::tables::FourStrips;
 use super::totals::{Group, PreparedStrips, StripTotals, both_sides};
 use crate::batch::side_by_side::available;
@@ -85,6 +86,34 @@ impl StripTotals for f64 {
     ) -> Totals<T> {
         totals(strips, creepage)
     }
+    #[inline(always)]
+    fn eight_forces(seen: [[f64; 8]; 5], inner: [f64; 8]) -> Forces<f64, 8> {
+        #[target_feature(enable = "avx")]
+        fn wide(seen: [[f64; 8]; 5], inner: [f64; 8]) -> Forces<f64, 8> {
+            both_kinds::<_, _, 8, false>(seen, inner, of_registers, registers).0
+        }
+        #[inline(never)]
+        fn narrow(seen: [[f64; 8]; 5], inner: [f64; 8]) -> Forces<f64, 8> {
+            both_kinds::<_, _, 8, false>(seen, inner, of_eight, parts_of_eight).0
+        }
+        if available() {
+            // SAFETY: the processor was asked.
+            unsafe { wide(seen, inner) }
+        } else {
+            narrow(seen, inner)
+        }
+    }
+}
+
+#[inline(always)]
+fn of_registers([a, b, c, d, e, f, g, h]: [f64; 8]) -> Two<F64x4> {
+    Two::side_by_side(F64x4::of_array([a, b, c, d]), F64x4::of_array([e, f, g, h]))
+}
+
+#[inline(always)]
+fn registers(eight: Two<F64x4>) -> [f64; 8] {
+    let [[a, b, c, d], [e, f, g, h]] = eight.apart().map(F64x4::array);
+    [a, b, c, d, e, f, g, h]
 }
 
 #[inline]

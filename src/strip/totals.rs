@@ -1,5 +1,6 @@
 //! Sums over the strips of the Hertz ellipse, four at a time, and the power that they must not gain.
 
+use super::any::{Forces, Slopes, both_kinds, of_eight, parts_of_eight};
 use super::creepage::{Law, Prepared};
 use super::derivative::{SpinSlopes, forces_and_slopes};
 use super::kernel::{Carried, Seen, Spin, forces};
@@ -29,6 +30,16 @@ pub trait StripTotals: Plain {
         creepage: [T; 3],
     ) -> Totals<T> {
         strips.totals(creepage)
+    }
+    /// What any eight strips carry that see `A_x, A_y, σ`, the spread and the start, each with its share of the inner nodes.
+    #[inline(always)]
+    fn eight_forces(seen: [[Self; 8]; 5], inner: [Self; 8]) -> Forces<Self, 8> {
+        both_kinds::<_, _, 8, false>(seen, inner, of_eight, parts_of_eight).0
+    }
+    /// That, and its derivatives.
+    #[inline(always)]
+    fn eight_slopes(seen: [[Self; 8]; 5], inner: [Self; 8]) -> (Forces<Self, 8>, Slopes<Self, 8>) {
+        both_kinds::<_, _, 8, true>(seen, inner, of_eight, parts_of_eight)
     }
 }
 
@@ -337,53 +348,6 @@ fn fields<F: Plain, R: Group<F>>(places: &R::Places) -> [R::Strips; STRIP_FIELDS
         R::field(places, |[.., area, _]| area, false),
         R::field(places, |[.., width]| width, false),
     ]
-}
-
-/// Any four strips: what each sees, its spin, and whether it is an inner one (of neighbours one is).
-#[inline(never)]
-pub(crate) fn four_strips<T: Number>(
-    seen: &[(Seen<T>, T); 4],
-    inner: [bool; 4],
-) -> [Carried<T>; 4] {
-    type Four<T> = <<T as Arithmetic>::Base as Number>::Quad;
-    let four = |of: fn(&(Seen<T>, T)) -> T| -> Four<T> {
-        Quad::of(seen.each_ref().map(|own| of(own).value()))
-    };
-    let spin = Spin::new(four(|(_, spin)| *spin));
-    let plain = Seen {
-        x: four(|(seen, _)| seen.x),
-        y: four(|(seen, _)| seen.y),
-        spread: four(|(seen, _)| seen.spread),
-        start: four(|(seen, _)| seen.start),
-    };
-    type Kinds<T> = [<<T as Arithmetic>::Base as Plain>::Stored; 2];
-    let constants = Tables::<<T::Base as Plain>::Stored, _>::new(|[outer, other]: &Kinds<T>| {
-        let own = |inner| T::Base::stored(if inner { *other } else { *outer });
-        <Four<T> as Quad<T::Base>>::plain(inner.map(own))
-    });
-    let (Carried { fx, fy, mx, stick }, slopes) = if T::HAS_DERIVATIVES {
-        forces_and_slopes(&plain, &spin, &constants, &SpinSlopes::new(&spin))
-    } else {
-        (forces(&plain, &spin, &constants, |_, _| ()).0, [[Four::<T>::zero(); 5]; 3])
-    };
-    let [fx, fy, mx, stick] = [fx, fy, mx, stick].map(Quad::parts);
-    let [by_x, by_y, by_m] = slopes.map(|slopes| slopes.map(Quad::parts));
-    let mut lane = 0;
-    seen.each_ref().map(|(seen, spin)| {
-        let of = |four: &[T::Base; 4]| four.get(lane).copied().unwrap_or(T::Base::zero());
-        let by = [seen.x, seen.y, *spin, seen.spread, seen.start];
-        let follow = |value: &[T::Base; 4], slopes: &[[T::Base; 4]; 5]| {
-            T::follow(of(value), slopes.each_ref().map(of), by)
-        };
-        let carried = Carried {
-            fx: follow(&fx, &by_x),
-            fy: follow(&fy, &by_y),
-            mx: follow(&mx, &by_m),
-            stick: T::from_base(of(&stick)),
-        };
-        lane += 1;
-        carried
-    })
 }
 
 /// Forces moved so that friction takes power out: `F·v n/(v·K v)`, `K = diag(C11, C22, C33)`,

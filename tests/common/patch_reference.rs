@@ -5,9 +5,10 @@
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
+use kstrip::friction::SlipFriction;
 use kstrip::patch::normal::Given;
 use kstrip::patch::profile::{Indentation, ProfileContact};
-use kstrip::patch::{Patch, PatchStrip, solver};
+use kstrip::patch::{Patch, PatchStrip, friction, solver};
 use kstrip::solve::model::Model;
 use std::collections::HashMap;
 use std::path::Path;
@@ -140,11 +141,25 @@ impl Case {
     }
 
     pub fn errors(&self, patch: &Full, model: Model) -> Errors {
+        self.errors_under(patch, None, model)
+    }
+
+    /// Under friction that falls with the slip, or not.
+    pub fn errors_under(
+        &self,
+        patch: &Full,
+        law: Option<&SlipFriction<f64>>,
+        model: Model,
+    ) -> Errors {
         let view = patch.view().unwrap();
         let bound = self.friction * self.load;
         let mut errors = Errors::default();
         for motion in &self.motions {
-            let found = solver::solve(&view, &self.creepage(motion), model).unwrap();
+            let creepage = self.creepage(motion);
+            let found = match law {
+                Some(law) => friction::solve(&view, &creepage, law, model).unwrap().solution,
+                None => solver::solve(&view, &creepage, model).unwrap(),
+            };
             let [fx, fy] = motion.force;
             errors.force.push((found.fx / bound - fx).hypot(found.fy / bound - fy));
             errors.moment.push((found.mz / bound / self.size - motion.moment).abs());
@@ -274,6 +289,50 @@ pub fn banded(count: StripCount) -> Vec<(Case, Full)> {
                     ..Case::default()
                 };
                 cases.push((case, patch));
+            }
+        }
+    }
+    cases
+}
+
+/// Friction that falls with the slip, on ellipses of 16 strips: the case, the patch, the law, and its creepages.
+pub fn falling() -> Vec<(Case, Full, SlipFriction<f64>)> {
+    let mut cases: Vec<(Case, Full, SlipFriction<f64>)> = Vec::new();
+    for row in rows("falling.csv") {
+        let number = |column| number(&row, column);
+        let motion = Motion::of(&row);
+        match cases.iter_mut().find(|(case, ..)| case.name == row["case"]) {
+            Some((case, ..)) => case.motions.push(motion),
+            None => {
+                let (a, b) = (number("a_mm") * 1e-3, number("b_mm") * 1e-3);
+                let contact = Contact {
+                    a,
+                    b,
+                    normal_force: number("normal_force_N"),
+                    shear_modulus: 82e9,
+                    poisson_ratio: 0.28,
+                    friction: number("mu0"),
+                };
+                let law = SlipFriction {
+                    friction: contact.friction,
+                    ratio: number("A"),
+                    decay: number("B_s_per_m"),
+                    rolling_speed: number("speed_m_per_s"),
+                    slope_factor: 1.0,
+                };
+                let case = Case {
+                    name: row["case"].clone(),
+                    family: "falling".into(),
+                    load: contact.normal_force,
+                    friction: contact.friction,
+                    shear_modulus: 82e9,
+                    poisson_ratio: 0.28,
+                    size: (a * b).sqrt(),
+                    motions: vec![motion],
+                    ..Case::default()
+                };
+                let patch = Full::from_ellipse(&contact, StripCount::Sixteen).unwrap();
+                cases.push((case, patch, law));
             }
         }
     }

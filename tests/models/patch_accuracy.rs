@@ -1,8 +1,10 @@
 //! Patches against CONTACT: outlines, pressures, forces; friction in bands.
 
-use crate::patch_reference::{Case, Errors, Full, banded, given, profiles, statistics};
+use crate::patch_reference::{Case, Errors, Full, Motion, banded, given, profiles, statistics};
+use crate::random::Random;
 
 use kstrip::contact::forces::StripCount;
+use kstrip::patch::solver::solve;
 use kstrip::solve::model::Model;
 
 /// Mean, 95th percentile and maximum allowed.
@@ -57,5 +59,28 @@ fn patches_of_given_strips() {
 fn friction_in_bands() {
     for count in [StripCount::Sixteen, StripCount::ThirtyTwo] {
         assert_below("banded", &of(&banded(count), Model::Strip).force, [0.018, 0.05, 0.07]);
+    }
+}
+
+/// Friction takes power out of every patch, in whatever way it moves.
+#[test]
+fn power_is_not_negative() {
+    let mut random = Random::new(430);
+    let count = StripCount::Sixteen;
+    let of_profiles = profiles().into_iter().map(|case| (case.patch(count).0, case));
+    let mut cases: Vec<_> = of_profiles.map(|(patch, case)| (case, patch)).collect();
+    cases.extend(given());
+    cases.extend(banded(count));
+    for (case, patch) in &cases {
+        let view = patch.view().unwrap();
+        for _ in 0..200 {
+            let size = random.log_between(0.03, 30.0);
+            let creepage = [1.0, 1.0, 2.0].map(|most| size * random.between(-most, most));
+            let motion = case.creepage(&Motion { creepage, force: [0.0; 2], moment: 0.0 });
+            for model in [Model::Strip, Model::Total] {
+                let found = solve(&view, &motion, model).unwrap();
+                assert!(found.power > 0.0, "{} {model:?} {motion:?} {found:?}", case.name);
+            }
+        }
     }
 }

@@ -7,8 +7,9 @@ use crate::theory;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
 use kstrip::friction::SlipFriction;
-use kstrip::patch::friction::{friction_share, solve, solve_jacobian};
-use kstrip::patch::solver::{self, PatchField};
+use kstrip::patch::field::PatchField;
+use kstrip::patch::friction::{differentiate, friction_share, solve, solve_jacobian};
+use kstrip::patch::solver;
 use kstrip::patch::{Patch, PatchStrip};
 use kstrip::solve::model::Model;
 use kstrip::status::{Error, Notice};
@@ -273,4 +274,80 @@ fn friction_of_each_strip_falls_alike() {
         assert_eq!(after.friction, found.share * before.friction);
     }
     assert!(found.share < 0.9 && found.solution.mz > 0.0);
+}
+
+/// A patch whose pressures, whose lengths and pressures, or whose friction are multiplied.
+fn multiplied(patch: &Full, pressure: f64, length: f64, friction: f64) -> Full {
+    let mut patch = patch.clone();
+    for strip in &mut patch.strips {
+        strip.peak_pressure *= pressure;
+        strip.friction *= friction;
+        for size in [&mut strip.y, &mut strip.width, &mut strip.half_length, &mut strip.centre_x] {
+            *size *= length;
+        }
+    }
+    patch
+}
+
+/// A patch for a factor, the derivatives by what is multiplied, and its size.
+type Way<'a> = (&'a dyn Fn(f64) -> Full, [f64; 3], f64);
+
+/// Derivatives by load (pressures grow; through Hertz lengths grow with them) and by friction are the slopes of the forces,
+/// also under friction that falls with the slip.
+#[test]
+fn derivatives_by_load_and_friction() {
+    let mut random = Random::new(428);
+    let (mut compared, mut kinks, mut worst) = (0, 0, 0.0_f64);
+    for i in 0..120 {
+        let (patch, m, law) = (irregular(&mut random), motion(&mut random), any_law(&mut random));
+        let law = if i % 2 == 0 { Some(&law) } else { None };
+        let view = patch.view().unwrap();
+        let found = differentiate(&view, &m, law, Model::Strip).unwrap();
+        let bound = view.friction_bound();
+        let load = view.normal_force();
+        let ways: [Way; 3] = [
+            (&|t| multiplied(&patch, t, 1.0, 1.0), found.derivatives.normal_force, load),
+            (
+                &|t: f64| multiplied(&patch, t.cbrt(), t.cbrt(), 1.0),
+                found.derivatives.load_through_hertz,
+                load,
+            ),
+            (&|t| multiplied(&patch, 1.0, 1.0, t), found.derivatives.friction, bound / load),
+        ];
+        if matches!(found.solution.notice, Notice::NotConverged | Notice::SeveralFrictions) {
+            continue;
+        }
+        for (number, (way, exact, size)) in ways.into_iter().enumerate() {
+            let forces = |t: f64| {
+                let (patch, m) = (way(t), &m);
+                let view = patch.view().unwrap();
+                let s = match law {
+                    Some(law) => solve(&view, m, law, Model::Strip).unwrap().solution,
+                    None => solver::solve(&view, m, Model::Strip).unwrap(),
+                };
+                [s.fx, s.fy, s.mz]
+            };
+            let difference = |h: f64| {
+                let (more, less) = (forces(1.0 + h), forces(1.0 - h));
+                std::array::from_fn::<f64, 3, _>(|k| (more[k] - less[k]) / (2.0 * h))
+            };
+            let (coarse, fine) = (difference(2e-4), difference(1e-4));
+            for k in 0..3 {
+                let unit = bound * [1.0, 1.0, 8e-3][k];
+                if (coarse[k] - fine[k]).abs() > 1e-5 * unit {
+                    kinks += 1;
+                    continue;
+                }
+                let error = ((4.0 * fine[k] - coarse[k]) / 3.0 - exact[k] * size).abs() / unit;
+                worst = worst.max(error);
+                compared += 1;
+                assert!(
+                    error < 2e-5,
+                    "way {number}, force {k}: {fine:?} {exact:?} {law:?} {found:?}"
+                );
+            }
+        }
+    }
+    println!("{compared} compared, {kinks} left out, worst {worst:.1e}");
+    assert!(compared > 5 * kinks, "{compared} {kinks}");
 }

@@ -216,7 +216,8 @@ fn bad_profiles_are_named() {
         Patch::<f64, 32>::from_profile(y, distance, contact, SIXTEEN).map(|_| ())
     };
     assert_eq!(of(&y, &distance, &good), Ok(()));
-    assert_eq!(of(&y[..2], &distance[..2], &good), Err(Error::Profile));
+    assert_eq!(of(&y[..2], &distance[..2], &good), Err(Error::ProfileEnd));
+    assert_eq!(of(&y[..1], &distance[..1], &good), Err(Error::Profile));
     assert_eq!(of(&[], &[], &good), Err(Error::Profile));
     assert_eq!(of(&y, &distance[1..], &good), Err(Error::Profile));
     let mut back = y.clone();
@@ -290,47 +291,48 @@ fn profiles_in_single_precision() {
     }
 }
 
-/// Zones that appear, grow, touch and merge: the forces follow the load without a jump. Steps of the load by 0.001
-/// change them by 0.0005 as a rule; where a gap closes, the nodes of the strips are staggered anew, 0.002 of `μ N`.
+/// Zones that appear, grow, touch and merge: the forces follow the load without a jump. A tenth of the step is a tenth of the
+/// change, to the noise of strips that begin to touch, also where two zones become one.
 #[test]
 fn zones_merge_without_a_jump() {
     let n = 1000;
     let y: Vec<f64> = (-n..=n).map(|i| 20e-3 * f64::from(i) / f64::from(n)).collect();
     let motion = Creepage { longitudinal: 3e-4, lateral: 5e-4, spin: 0.1 };
-    for (crest, zones) in [(70e-6, [true, false]), (30e-6, [true, true])] {
+    for (crest, merging, zones) in
+        [(70e-6, [150e3, 160e3], [true, false]), (30e-6, [76e3, 84e3], [true, true])]
+    {
         let distance: Vec<f64> =
             y.iter().map(|y| crest * ((y / 4.5e-3).powi(2) - 1.0).powi(2)).collect();
-        let forces = |load: f64| {
-            let contact = pressed(0.46, load);
-            let (patch, found) = Full::from_profile(&y, &distance, &contact, SIXTEEN).unwrap();
-            let view = patch.view().unwrap();
-            let both = [Model::Strip, Model::Total].map(|model| {
-                let found = solver::solve(&view, &motion, model).unwrap();
-                [found.fx / (0.3 * load), found.fy / (0.3 * load)]
-            });
-            (both, found.approach, view.lobes().count())
-        };
-        let (mut load, mut last) = (60e3, None::<([[f64; 2]; 2], f64)>);
-        let (mut steps, mut seen) = ([0.0_f64; 3], [false; 2]);
-        while load < 200e3 {
-            let (both, approach, lobes) = forces(load);
-            if let Some((before, before_approach)) = last {
-                for ((step, [x, y]), [fx, fy]) in steps.iter_mut().zip(before).zip(both) {
-                    *step = step.max((fx - x).hypot(fy - y));
+        // largest steps of the force with STRIP and TOTAL and of the approach; whether two lobes were seen, and one
+        let steps = |[mut load, end]: [f64; 2], share: f64| {
+            let (mut steps, mut seen) = ([0.0_f64; 3], [false; 2]);
+            let mut last = None::<([[f64; 2]; 2], f64)>;
+            while load < end {
+                let contact = pressed(0.46, load);
+                let (patch, found) = Full::from_profile(&y, &distance, &contact, SIXTEEN).unwrap();
+                let view = patch.view().unwrap();
+                let both = [Model::Strip, Model::Total].map(|model| {
+                    let found = solver::solve(&view, &motion, model).unwrap();
+                    [found.fx / (0.3 * load), found.fy / (0.3 * load)]
+                });
+                if let Some((before, approach)) = last {
+                    for ((step, [x, y]), [fx, fy]) in steps.iter_mut().zip(before).zip(both) {
+                        *step = step.max((fx - x).hypot(fy - y));
+                    }
+                    steps[2] = steps[2].max((found.approach / approach - 1.0).abs());
                 }
-                steps[2] = steps[2].max((approach / before_approach - 1.0).abs());
+                let lobes = view.lobes().count();
+                seen = [seen[0] || lobes == 2, seen[1] || lobes == 1];
+                last = Some((both, found.approach));
+                load *= 1.0 + share;
             }
-            seen = [seen[0] || lobes == 2, seen[1] || lobes == 1];
-            last = Some((both, approach));
-            load *= 1.0 + 1e-3;
-        }
-        println!("crest {crest}: largest steps {steps:?}");
+            (steps, seen)
+        };
+        let (coarse, seen) = steps([60e3, 200e3], 1e-3);
+        let (fine, _) = steps(merging, 1e-4);
+        println!("crest {crest}: largest steps {coarse:?}, of a tenth of the load {fine:?}");
         assert_eq!(seen, zones);
-        assert!(steps[0] < 3e-3 && steps[1] < 1.5e-3 && steps[2] < 1.5e-3, "{steps:?}");
-        // 1 N more than 153826 N: 0.17 of μ N where zones merge into one with another ellipse at once
-        let [less, more] = [153_826.0, 153_827.0].map(|load| forces(load).0);
-        for ([x, y], [fx, fy]) in less.into_iter().zip(more) {
-            assert!((fx - x).hypot(fy - y) < 1e-5, "{less:?} {more:?}");
-        }
+        assert!(coarse[0] < 1.5e-3 && coarse[1] < 1.5e-3 && coarse[2] < 1.5e-3, "{coarse:?}");
+        assert!(fine.iter().all(|step| *step < 3e-4), "{fine:?}");
     }
 }

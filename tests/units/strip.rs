@@ -338,11 +338,12 @@ fn any_strips_follow_the_same_law() {
             loads[i] = 0.75 * c * c * width;
         }
         let (mut fx, mut fy) = (0.0, 0.0);
-        for (k, four) in seen.as_chunks::<4>().0.iter().enumerate() {
-            let inner = [0, 1, 2, 3].map(|i| (4 * k + i).min(15 - 4 * k - i) % 2 == 1);
-            for (i, found) in four_strips(four, inner).iter().enumerate() {
-                fx += loads[4 * k + i] * found.fx;
-                fy += loads[4 * k + i] * found.fy;
+        for (k, eight) in seen.as_chunks::<8>().0.iter().enumerate() {
+            let inner =
+                [0, 1, 2, 3, 4, 5, 6, 7].map(|i| ((8 * k + i).min(15 - 8 * k - i) % 2) as f64);
+            for (i, found) in eight_strips(eight, inner).iter().enumerate() {
+                fx += loads[8 * k + i] * found.fx;
+                fy += loads[8 * k + i] * found.fy;
             }
         }
         let (mut sum_x, mut sum_y) = (0.0, 0.0);
@@ -446,9 +447,8 @@ fn derivatives_are_those_of_dual_numbers() {
             [x, size * u(0.618_033_989), sigma, 0.3 * size * u(0.236_067_977), u(0.445).abs()];
         let [x, y, sigma, spread, start] = [0, 1, 2, 3, 4].map(|i| D::input(inputs[i], i));
         let seen = Seen { x, y, spread, start };
-        let inner = [k % 2 == 0; 4];
-        let [found, ..] = four_strips(&[(seen, sigma); 4], inner);
-        let kind = usize::from(inner[0]);
+        let kind = (k % 2) as usize;
+        let [found, ..] = eight_strips(&[(seen, sigma); 8], [kind as f64; 8]);
         let constants = tables::Tables::new(|couple: &[f64; 2]| couple[kind]);
         let (dual, _) = kernel::forces(&seen, &Spin::new(sigma), &constants, |_, _| ());
         for (a, b) in [(found.fx, dual.fx), (found.fy, dual.fy), (found.mx, dual.mx)] {

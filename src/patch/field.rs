@@ -1,0 +1,108 @@
+//! The tangential field of a patch that is given by its strips.
+
+use crate::contact::creepage::Creepage;
+use crate::number::Real;
+use crate::patch::solver::{Problem, Units};
+use crate::patch::{PatchStrip, PatchView};
+use crate::solve::field::{FieldPoint, rolling_point};
+use crate::solve::model::{Model, Precision};
+use crate::status::{Error, Notice};
+use crate::strip::{Law as StripLaw, StripGeometry};
+use crate::strip_1967::strip::{Strip, StripPoint};
+
+/// The tangential field of a patch, ready to be evaluated at points.
+///
+/// Pressure and traction do not vary over the width of a strip: the patch is its strips. Neighbours share the
+/// distance of their centre lines in the ratio of their widths.
+#[derive(Clone, Copy, Debug)]
+pub struct PatchField<'a, F> {
+    problem: Problem<'a, F>,
+    /// What the caller should know.
+    pub notice: Notice,
+}
+
+/// A strip of a [`PatchField`].
+#[derive(Clone, Copy, Debug)]
+pub struct PatchFieldStrip<F: Real<Base = F>> {
+    strip: PatchStrip<F>,
+    law: Law<F>,
+}
+
+/// The traction law of a strip.
+#[derive(Clone, Copy, Debug)]
+enum Law<F: Real<Base = F>> {
+    /// The theory of 1967, and the unit of slip.
+    Theory(Strip<F>, F),
+    /// The corrected strips, and the unit of slip.
+    Rolling(StripLaw<F>, StripGeometry<F>, F),
+}
+
+impl<'a, F: Precision> PatchField<'a, F> {
+    /// Prepare the field.
+    ///
+    /// # Errors
+    /// Those of [`solve`](super::solver::solve); [`Error::NotInModel`] for [`Model::Total`].
+    pub fn new(
+        patch: &'a PatchView<'a, F>,
+        creepage: &'a Creepage<F>,
+        model: Model,
+    ) -> Result<Self, Error> {
+        let problem = Problem::with_strips(patch, creepage, model)?;
+        Ok(Self { problem, notice: problem.notice() })
+    }
+
+    /// The strip through `y` \[m\]; `None` outside the patch and in its gaps.
+    #[must_use]
+    pub fn strip_at(&self, y: F) -> Option<PatchFieldStrip<F>> {
+        let Problem { view, creepage, .. } = self.problem;
+        let mut number = 0;
+        let lobe = view.lobes().find(|lobe| {
+            let inside = lobe.first().is_some_and(|first| first.y - first.width.times(0.5) <= y)
+                && lobe.last().is_some_and(|last| y <= last.y + last.width.times(0.5));
+            number += if inside { 0 } else { lobe.len() };
+            inside
+        })?;
+        let mut pairs = lobe.iter().zip(lobe.iter().skip(1));
+        let found = pairs.position(|(strip, next)| {
+            y < strip.y + (next.y - strip.y) * (strip.width / (strip.width + next.width))
+        });
+        let own = found.unwrap_or(lobe.len().saturating_sub(1));
+        let strip = lobe.get(own)?;
+        number += own;
+        let law = if self.problem.model == Model::Strip {
+            let zone = view.zone(number)?;
+            let rolling = self.problem.law(&zone, creepage, strip.centre_x, [F::one(), F::one()]);
+            let line = Units::new(&zone).geometry(strip, F::zero());
+            Law::Rolling(rolling, line, zone.contact.slip_scale())
+        } else {
+            let circle = strip.circle(view.shear_modulus(), view.poisson_ratio());
+            Law::Theory(self.problem.theory(strip, creepage), circle.slip_scale())
+        };
+        Some(PatchFieldStrip { strip: *strip, law })
+    }
+
+    /// The state at a point of the contact plane \[m\].
+    #[must_use]
+    pub fn at(&self, x: F, y: F) -> FieldPoint<F> {
+        Self::along(self.strip_at(y).as_ref(), x)
+    }
+
+    /// The state at `x` \[m\] of a strip of [`PatchField::strip_at`].
+    #[must_use]
+    pub fn along(strip: Option<&PatchFieldStrip<F>>, x: F) -> FieldPoint<F> {
+        let Some(PatchFieldStrip { strip, law }) = strip else {
+            let zero = F::zero();
+            return FieldPoint::in_units(zero, zero, zero, &StripPoint::outside());
+        };
+        let place = (x - strip.centre_x) / strip.half_length;
+        let pressure = strip.peak_pressure;
+        let traction = strip.friction * pressure;
+        let (slip, point) = match law {
+            Law::Theory(solved, slip) => (*slip, solved.at(place)),
+            Law::Rolling(rolling, geometry, slip) => {
+                (*slip, rolling_point(rolling, geometry, F::one(), place))
+            }
+        };
+        FieldPoint::in_units(pressure, traction, slip, &point)
+    }
+}
