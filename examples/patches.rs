@@ -417,7 +417,7 @@ fn main() {
     let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
     let list: Vec<Compared> = profiles().into_iter().map(Compared::new).collect();
     let mut report = Report(String::new());
-    report.line(include_str!("patches/introduction.md").trim_end().replace("OUTPUT", &output()));
+    report.line(include_str!("patches/introduction.txt").trim_end().replace("OUTPUT", &output()));
     report.line("");
     profile_tables(&mut report, &list);
     other_tables(&mut report);
@@ -433,6 +433,6 @@ fn main() {
         .unwrap();
         report.line(format!("![Outline and pressure of {name}](patches/{name}.svg)\n"));
     }
-    report.line(include_str!("patches/limits.md").trim_end());
+    report.line(include_str!("patches/limits.txt").trim_end());
     std::fs::write(docs.join("patches.md"), report.0).unwrap();
 }
