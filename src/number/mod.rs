@@ -305,32 +305,34 @@ pub trait Number: Arithmetic {
     }
 }
 
-/// What is made of numbers, and can be chosen by the sign of one.
-pub(crate) trait Choice<T: Number>: Sized {
-    /// `yes` where `by` is positive, else `no`.
-    fn chosen(by: T, yes: Self, no: Self) -> Self;
-    /// The same; of a single number nothing else is computed.
-    #[inline(always)]
-    fn either(by: T, yes: impl FnOnce() -> Self, no: impl FnOnce() -> Self) -> Self {
-        if T::LANES > 1 {
-            Self::chosen(by, yes(), no())
-        } else if by.exceeds(T::zero()) {
-            yes()
-        } else {
-            no()
-        }
+/// `yes` where a number is positive, else `no`.
+#[inline(always)]
+pub(crate) fn chosen<T: Number, const N: usize>(by: T, yes: [T; N], mut no: [T; N]) -> [T; N] {
+    for (no, yes) in no.iter_mut().zip(yes) {
+        *no = by.choose(yes, *no);
     }
+    no
 }
 
-impl<T: Number, const N: usize> Choice<T> for [T; N] {
-    #[inline(always)]
-    fn chosen(by: T, yes: Self, mut no: Self) -> Self {
-        for (no, yes) in no.iter_mut().zip(yes) {
-            *no = by.choose(yes, *no);
+/// `either!(by, yes, no)`: as [`chosen`]; what no number needs is not computed.
+///
+/// (No function of closures: the code of numbers side by side must stand inside that of their caller.)
+macro_rules! either {
+    ($by:expr, $yes:block, $no:block) => {{
+        use crate::number::{Plain as _, chosen};
+        let by = $by;
+        let some = by.exceeds(T::zero());
+        if T::LANES == 1 {
+            if some { $yes } else { $no }
+        } else {
+            let all = by.value().is_positive_number();
+            let yes = if some { $yes } else { [T::zero(); _] };
+            let no = if all { [T::zero(); _] } else { $no };
+            chosen(by, yes, no)
         }
-        no
-    }
+    }};
 }
+pub(crate) use either;
 
 /// `ln(x/y)` of two positive normal numbers; see [`Plain::ln_quotient`].
 #[inline(always)]
@@ -347,13 +349,6 @@ pub(crate) fn atan_of_unit<T: Number>(x: T) -> T {
     let p = x.value();
     let bare = |x: T::Base| T::from_base(x).bare();
     T::composed(bare(p.atan_of_unit()), [bare((p * p).plus(1.0).inverse())], [x])
-}
-
-impl<T: Number> Choice<T> for T {
-    #[inline(always)]
-    fn chosen(by: T, yes: T, no: T) -> T {
-        by.choose(yes, no)
-    }
 }
 
 /// A number that the theory can be evaluated with. Comparisons look at the value only.

@@ -11,7 +11,7 @@
 use crate::contact::creepage::Parameters;
 use crate::contact::forces::Totals;
 use crate::number::{
-    Arithmetic, Choice, Nodes, Number, Pair, Stored, atan_of_unit, ln_of_quotient,
+    Arithmetic, Nodes, Number, Pair, Stored, atan_of_unit, either, ln_of_quotient,
 };
 use crate::strip_1967::Motion;
 use crate::strip_1967::edge::{self, Arc, Edge};
@@ -181,9 +181,9 @@ pub(super) fn adhering<T: Number>(motion: &Motion<T>, arc: &Arc<T>) -> Shares<T>
     let (middle, half) = (sum.times(0.5), width.times(0.5));
     let (x, bend) = (motion.xi_bar(middle), p * half);
     let smooth = eta * eta + q * (x * x - (bend * bend).times(far::<T>() * far::<T>())) + T::tiny();
-    let [k, xk, yxk, kk] = <[T; 4] as Choice<T>>::either(
+    let [k, xk, yxk, kk] = either!(
         smooth,
-        || {
+        {
             // ∫ (K, ξ̄ K, Y ξ̄ K, K²) dY by nodes
             let mut sums = [T::Pair::zero(); 4];
             for [node, weight] in GAUSS_4.of::<T>() {
@@ -195,9 +195,9 @@ pub(super) fn adhering<T: Number>(motion: &Motion<T>, arc: &Arc<T>) -> Shares<T>
                     *sum += share * factor;
                 }
             }
-            sums.map(|sum| sum.sum() * half)
+            T::each(&sums, |sum| sum.sum() * half)
         },
-        || {
+        {
             // S = σ D with D = √(u² + ε²)
             let (root, inverse) = (q.sqrt(), p.inverse());
             let (h, e) = (xi * inverse, eta * inverse / root);
@@ -217,7 +217,7 @@ pub(super) fn adhering<T: Number>(motion: &Motion<T>, arc: &Arc<T>) -> Shares<T>
             let xx = xi * xi * width - (xi * p * width * sum) + p * p * (width * yy);
             let kk = eta * eta * width + q * xx + (m * s).times(2.0) + m * m * width;
             [(s + m * width) * iq, (xs + m * x_mean) * iq, (yxs + m * yx) * iq, kk * iq * iq]
-        },
+        }
     );
     let ck = stretch_and_length(motion, arc);
     Shares {
@@ -283,8 +283,7 @@ fn rounded<T: Number>(e: T) -> T {
 /// `asinh(u₁/ε) − asinh(u₂/ε)` for `u₁ ≥ u₂` is the logarithm of this quotient; `d = √(u² + ε²)`.
 #[inline(always)]
 fn arcsinh<A: Arithmetic>(u1: A, u2: A, d1: A, d2: A, e2: A) -> (A, A) {
-    let far = |u: A, d: A| u.choose(u, -u) + d + A::tiny();
-    let (a1, a2) = (far(u1, d1), far(u2, d2));
+    let (a1, a2) = (u1.choose(u1, -u1) + d1 + A::tiny(), u2.choose(u2, -u2) + d2 + A::tiny());
     let above = u1.choose(u2.choose(a1, a1 * a2), a2);
     let below = u2.choose(a2, u1.choose(e2 + A::tiny(), a1));
     (above, below)
@@ -319,9 +318,9 @@ fn rigid_slip<T: Number>(motion: &Motion<T>, from: T::Pair, to: T::Pair) -> [T; 
     let bend = both(p) * half;
     let smooth = both(eta * eta) + z * z - (bend * bend).times(far::<T>() * far::<T>());
     let (first, second) = smooth.parts();
-    <[T; 3] as Choice<T>>::either(
+    either!(
         first.min(second) + T::tiny(),
-        || {
+        {
             let mut sums = [T::Pair::zero(); 3];
             // (at rest no strip slides, and has no direction)
             let eta2 = both(eta * eta + T::from_base(T::EPSILON * T::EPSILON));
@@ -338,7 +337,7 @@ fn rigid_slip<T: Number>(motion: &Motion<T>, from: T::Pair, to: T::Pair) -> [T; 
             let [fx, w, lever] = sums.map(T::Pair::sum);
             [fx, w * eta, lever]
         },
-        || {
+        {
             // in units of p: w = (u, ε)/D with D = √(u² + ε²)
             let inverse = p.inverse();
             let (h, e) = (z0 * inverse, eta * inverse);
@@ -356,10 +355,10 @@ fn rigid_slip<T: Number>(motion: &Motion<T>, from: T::Pair, to: T::Pair) -> [T; 
             let j4 = ((u1 * u1 * ud1 - u2 * u2 * ud2).sum() - (e2 * j2).times(3.0)).times(0.25);
             // C² = 1 − (h − u)²
             let (k0, k1) = (T::one() - h * h, h.times(2.0));
-            let [i0, i1, i2] = [(j0, j1, j2), (j1, j2, j3), (j2, j3, j4)]
-                .map(|(one, u, uu)| k0 * one + k1 * u - uu);
+            let moments = [(j0, j1, j2), (j1, j2, j3), (j2, j3, j4)];
+            let [i0, i1, i2] = T::each(&moments, |(one, u, uu)| k0 * *one + k1 * *u - *uu);
             [i1, e * i0, h * i1 - i2]
-        },
+        }
     )
 }
 
@@ -368,18 +367,18 @@ fn rigid_slip<T: Number>(motion: &Motion<T>, from: T::Pair, to: T::Pair) -> [T; 
 fn continuous<T: Number>(motion: &Motion<T>, lower: [Edge<T>; 2], upper: [Edge<T>; 2]) -> [T; 3] {
     let Motion { xi, eta, psi, slope: p, .. } = *motion;
     let both = T::Pair::both;
-    let pair = |low: Edge<T>, high: Edge<T>| Edge {
-        y: T::Pair::of(low.y, high.y),
-        c: T::Pair::of(low.c, high.c),
-    };
-    let (near, edge) = (pair(lower[1], upper[0]), pair(lower[0], upper[1]));
+    let near =
+        Edge { y: T::Pair::of(lower[1].y, upper[0].y), c: T::Pair::of(lower[1].c, upper[0].c) };
+    let edge =
+        Edge { y: T::Pair::of(lower[0].y, upper[1].y), c: T::Pair::of(lower[0].c, upper[1].c) };
     // tan(β/4) = sin(β/2)/(1 + cos(β/2)) of the angle β from the near to the far end
     let cosine = near.y * edge.y + near.c * edge.c;
-    let halved = |cosine: T::Pair| cosine.plus(1.0).times(0.5).max(T::Pair::constant(1e-30)).sqrt();
-    let reach = halved(-cosine) / halved(cosine).plus(1.0);
+    let [sine, cosine] = T::Pair::each(&[-cosine, cosine], |cosine| {
+        cosine.plus(1.0).times(0.5).max(T::Pair::constant(1e-30)).sqrt()
+    });
+    let reach = sine / cosine.plus(1.0);
     // p C/|N|: how fast the direction of N = (ξ̄, η + ψ C) turns next to the near end
-    let n = |y: T::Pair, c: T::Pair| (both(xi) - both(p) * y, both(eta) + both(psi) * c);
-    let (nx, ny) = n(near.y, near.c);
+    let (nx, ny) = (both(xi) - both(p) * near.y, both(eta) + both(psi) * near.c);
     let turn = both(p) * near.c / (nx * nx + ny * ny + T::Pair::tiny()).sqrt();
     let grade = (reach * turn).times(4.0).plus(1.0).sqrt().min(T::Pair::constant(30.0));
     let outwards = T::Pair::of(-T::one(), T::one());
@@ -400,7 +399,7 @@ fn continuous<T: Number>(motion: &Motion<T>, lower: [Edge<T>; 2], upper: [Edge<T
             let (cosine, sine) = (cos2 * cos2 - sin2 * sin2, (cos2 * sin2).times(2.0) * outwards);
             let y = near.y * cosine + near.c * sine;
             let c = near.c * cosine - near.y * sine;
-            let (x, w) = n(y, c);
+            let (x, w) = (both(xi) - both(p) * y, both(eta) + both(psi) * c);
             let bound = c * c * c * step;
             let share = bound / (x * x + w * w + rest).sqrt();
             let fx = share * x;
