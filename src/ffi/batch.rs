@@ -1,5 +1,6 @@
 //! Many contacts for C: a pointer and a distance in bytes for each quantity.
 
+use super::solve::forces_of;
 use super::support::*;
 use crate::batch::solve_batch;
 
@@ -102,25 +103,28 @@ impl<F: Precision> Batch<'_, F> {
 
     /// Under falling friction, and with derivatives.
     fn one_by_one(&self, count: usize) -> Result<Notice, (usize, Error)> {
+        let to = self.outputs;
+        let differentiates = !to.derivatives.is_null() || !to.law_derivatives.is_null();
         let solve = |i| {
             let ((contact, creepage), law) = (self.get(i), self.law(i));
-            differentiate(&contact, &creepage, law.as_ref(), &self.options)
+            forces_of(&contact, &creepage, law.as_ref(), &self.options, differentiates)
                 .map_err(|error| (i, error))
         };
         for i in 0..count {
             solve(i)?;
         }
         let mut worst = Notice::None;
-        let to = self.outputs;
         for i in 0..count {
-            let found = solve(i)?;
-            worst = worst.worse(found.solution.notice);
-            self.put(i, &found.solution);
+            let (solution, friction, slopes) = solve(i)?;
+            worst = worst.worse(solution.notice);
+            self.put(i, &solution);
             // SAFETY: the promise of `solve`.
             unsafe {
-                write(to.friction, to.friction_stride, i, found.friction);
-                write(to.derivatives, to.derivatives_stride, i, found.derivatives);
-                write(to.law_derivatives, to.law_derivatives_stride, i, found.law);
+                write(to.friction, to.friction_stride, i, friction);
+                if let Some((derivatives, law)) = slopes {
+                    write(to.derivatives, to.derivatives_stride, i, derivatives);
+                    write(to.law_derivatives, to.law_derivatives_stride, i, law);
+                }
             }
         }
         Ok(worst)

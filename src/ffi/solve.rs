@@ -267,6 +267,27 @@ impl<F: Precision> Places<'_, F> {
     }
 }
 
+/// Forces, the friction that agrees with the slip, and derivatives by everything if they are wanted.
+pub(super) type ForcesOf<F> = (Solution<F>, F, Option<(Derivatives<F>, LawDerivatives<F>)>);
+
+pub(super) fn forces_of<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    law: Option<&SlipFriction<F>>,
+    options: &Options,
+    differentiates: bool,
+) -> Result<ForcesOf<F>, Error> {
+    if differentiates {
+        let found = differentiate(contact, creepage, law, options)?;
+        Ok((found.solution, found.friction, Some((found.derivatives, found.law))))
+    } else if let Some(law) = law {
+        let found = friction::solve(contact, creepage, law, options)?;
+        Ok((found.solution, found.friction, None))
+    } else {
+        Ok((model::solve(contact, creepage, options)?, contact.friction, None))
+    }
+}
+
 pub(super) fn evaluate<F: Precision>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
@@ -275,15 +296,8 @@ pub(super) fn evaluate<F: Precision>(
     places: Places<F>,
 ) -> Result<Notice, Error> {
     let (forces, inside) = (for_forces(options)?, for_strips(options)?);
-    let (solution, friction, slopes) = if places.differentiates() {
-        let found = differentiate(contact, creepage, law, &forces)?;
-        (found.solution, found.friction, Some((found.derivatives, found.law)))
-    } else if let Some(law) = law {
-        let found = friction::solve(contact, creepage, law, &forces)?;
-        (found.solution, found.friction, None)
-    } else {
-        (model::solve(contact, creepage, &forces)?, contact.friction, None)
-    };
+    let (solution, friction, slopes) =
+        forces_of(contact, creepage, law, &forces, places.differentiates())?;
     let mut notice = solution.notice;
     if let Some((strips, count)) = places.strips {
         let count = given(count)?;
