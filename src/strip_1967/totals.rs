@@ -104,9 +104,20 @@ impl<T: Number> Shares<T> {
         let root = axis_ratio.sqrt();
         let inverse = T::Base::one() / root;
         let mz = self.mx.scale(root) - self.lever.scale(inverse);
+        let (fx, fy) = (self.fx.scale(turned_x.times(0.75)), self.fy.scale(turned_y.times(0.75)));
+        // (differences of primitives may pass the bound by their rounding)
+        let square = fx * fx + fy * fy;
+        let [fx, fy] = either!(
+            square - T::one(),
+            {
+                let inverse = square.sqrt().inverse();
+                [fx * inverse, fy * inverse]
+            },
+            { [fx, fy] }
+        );
         Totals {
-            fx: self.fx.scale(turned_x.times(0.75)),
-            fy: self.fy.scale(turned_y.times(0.75)),
+            fx,
+            fy,
             mz: mz.scale(turned_y.times(0.75)),
             stick: self.stick.times(2.0 / PI).clamped(T::zero(), T::one()),
         }
