@@ -198,14 +198,26 @@ fn solve_inline<F: Precision>(
     if contact.is_lost() {
         return Ok(Solution::nothing());
     }
-    let by =
-        |model| Prepared::of(contact, &Options { model, ..*options }).answer(creepage, ordinary);
     // Each with a model of its own that the compiler knows
     Ok(match options.model {
-        Model::Strip1967 => by(Model::Strip1967),
-        Model::Strip1967Continuous => by(Model::Strip1967Continuous),
-        Model::Strip => by(Model::Strip),
-        Model::Total => by(Model::Total),
-        Model::Linear => by(Model::Linear),
+        Model::Strip1967 => answer_by(Model::Strip1967, contact, creepage, options, ordinary),
+        Model::Strip1967Continuous => {
+            answer_by(Model::Strip1967Continuous, contact, creepage, options, ordinary)
+        }
+        Model::Strip => answer_by(Model::Strip, contact, creepage, options, ordinary),
+        Model::Total => answer_by(Model::Total, contact, creepage, options, ordinary),
+        Model::Linear => answer_by(Model::Linear, contact, creepage, options, ordinary),
     })
+}
+
+/// Of a checked contact, in the code of each caller.
+#[inline(always)]
+fn answer_by<F: Precision>(
+    model: Model,
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    options: &Options,
+    ordinary: bool,
+) -> Solution<F> {
+    Prepared::of(contact, &Options { model, ..*options }).answer(creepage, ordinary)
 }
