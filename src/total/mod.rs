@@ -23,14 +23,17 @@ use self::network::Network;
 use self::rigid_slip::RigidSlip;
 use crate::contact::forces::Totals;
 use crate::linear::LinearCoefficients;
-use crate::number::{Arithmetic, Number, Pair, Plain};
+use crate::number::{Arithmetic, Number, Pair, Plain, Stored};
 
 /// Axis ratios that the formulas are evaluated with; fitted are 0.07 to 14.
 const RATIO_LIMIT: f64 = 1e3;
 /// Root of the largest axis ratio that the network is told: beyond it, the formulas around it know the limits.
 const LARGEST_ROOT: f64 = 4.0;
-/// Creepages whose linear force is beyond this, in single precision 1e3, are rigid slip, and scaled down together.
-const LARGEST: f64 = 1e8;
+/// Creepages whose linear force is beyond this are rigid slip, and scaled down together.
+#[inline(always)]
+fn largest<T: Number>() -> f64 {
+    if size_of::<Stored<T>>() == 4 { 1e4 } else { 1e8 }
+}
 /// Creepages below this, times the smallest normal number, have lost digits, or have products that will.
 const LOST: f64 = 1e6;
 
@@ -249,7 +252,7 @@ fn within_range<T: Number>(mut creepage: [T; 3], slopes: [T::Base; 3]) -> [T; 3]
         let gone = |v: &T| *v - T::from_base((lost - size).choose(v.value(), T::Base::zero()));
         creepage = T::each(&creepage, gone);
     }
-    let limit = T::Base::HUGE.sqrt().sqrt().min(T::Base::of(LARGEST));
+    let limit = T::Base::of(largest::<T>());
     if size.exceeds(limit) {
         let factor = T::from_base((size - limit).choose(limit / size, T::Base::one()));
         creepage = T::each(&creepage, |v| *v * factor);
