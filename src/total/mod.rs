@@ -185,7 +185,8 @@ impl<F: Plain> Prepared<F> {
         // elastic slopes and those of sliding: dₑ = 1/(1 + e⁴/10) of the first
         let [root_x, root_y] = roots([ix, iy]);
         let braked = root_y.scale(c22);
-        let growth = (e4 * e2 * pole).scale(c22.times(GROWTH));
+        // (so far in sliding that only its direction is left, and in single precision q² a number)
+        let growth = ((e4 * e2).min(T::from_base(T::HUGE)) * pole).scale(c22.times(GROWTH));
         let beta_x = k2 * (braked * (one - d) + k1 * (root_x * d).scale(c11)) + growth;
         let elastic_y = k2 * braked;
         let beta_y = elastic_y + growth;

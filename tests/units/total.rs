@@ -216,3 +216,40 @@ fn single_precision_follows() {
         }
     }
 }
+
+/// Derivatives are numbers at any creepage, in single precision too, and in full sliding those of double precision.
+#[test]
+fn derivatives_are_finite_at_any_creepage() {
+    use crate::number::dual::Dual;
+    let gradients = |g: f64, v: [f64; 3]| {
+        let single = LinearCoefficients::at(g as f32, 0.28);
+        let v = [0, 1, 2].map(|i| Dual::<f32, 3>::input(v[i] as f32, i));
+        let t = Prepared::new(g as f32, 0.28, &single).totals(v);
+        [t.fx, t.fy, t.mz].map(|force| force.gradient)
+    };
+    for size in [1e-6, 1.0, 30.0, 100.0, 1e3, 3e3, 1e4, 1e5, 1e8, 1e15, 1e30] {
+        for g in [0.05, 0.3, 1.0, 3.0, 20.0] {
+            for [x, y, phi] in [
+                [1.0, 0.087, 1e-4],
+                [1.0, 0.0, 0.0],
+                [0.0, -1.0, 0.0],
+                [0.3, 0.3, 1.0],
+                [0.0, 0.0, 1.0],
+                [1.0, -1.0, 0.01],
+            ] {
+                let v = [size * x, size * y, size * phi];
+                let all = gradients(g, v);
+                assert!(all.as_flattened().iter().all(|d| d.is_finite()), "{g} {v:?}: {all:?}");
+            }
+        }
+    }
+    let double = LinearCoefficients::at(0.64, 0.28);
+    let v = [3e3, 261.0, 0.3];
+    let dual = [0, 1, 2].map(|i| Dual::<f64, 3>::input(v[i], i));
+    let t = Prepared::new(0.64, 0.28, &double).totals(dual);
+    for (single, force) in gradients(0.64, v).iter().zip([t.fx, t.fy]) {
+        for (single, double) in single.iter().zip(force.gradient) {
+            assert!((f64::from(*single) - double).abs() < 1e-4 / 3e3, "{single} {double}");
+        }
+    }
+}
