@@ -992,9 +992,9 @@ typedef struct kstrip_patch {
 
 /** How two profiles meet. */
 typedef struct kstrip_profile_result {
-    /** Approach of distant points of the two bodies [m]. */
+    /** Approach of distant points of the two bodies [m], from the smoothed profile's deepest point. */
     double approach;
-    /** Normal force [N]. */
+    /** Normal force of the strips [N]; where a load is given, that to rounding. */
     double normal_force;
     /** Its derivative by the approach [N/m]. */
     double stiffness;

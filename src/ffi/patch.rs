@@ -5,7 +5,7 @@ use super::inside::write_grid;
 use super::solve::Places;
 use super::support::*;
 use crate::patch::normal::Given;
-use crate::patch::profile::{Indentation, ProfileContact};
+use crate::patch::profile::ProfileContact;
 use crate::patch::{self, Patch, PatchView, QuadratureScale, solver};
 
 /// The patch of two profiles under a load, or at an approach.
@@ -30,7 +30,7 @@ pub unsafe extern "C" fn kstrip_patch_from_profile(
     points: u32,
     contact: Option<&ProfileOptions<f64>>,
     patch: Option<&mut MaybeUninit<StoredPatch<f64>>>,
-    result: Option<&mut MaybeUninit<ProfileResult<f64>>>,
+    result: Option<&mut MaybeUninit<Indentation<f64>>>,
 ) -> kstrip_status {
     // SAFETY: NULL or as many elements as points says, says the header.
     let (y, distance) = unsafe { (input(y, points), input(distance, points)) };
@@ -296,7 +296,7 @@ pub(super) fn from_profile<F: Precision>(
     distance: &[F],
     options: &ProfileOptions<F>,
     out: &mut MaybeUninit<StoredPatch<F>>,
-) -> Result<ProfileResult<F>, Error> {
+) -> Result<Indentation<F>, Error> {
     let ProfileOptions { rolling_radius, normal_force, shear_modulus, .. } = *options;
     let ProfileOptions { poisson_ratio, friction, approach, smoothing_length, .. } = *options;
     if !approach.is_finite_number() {
@@ -316,17 +316,7 @@ pub(super) fn from_profile<F: Precision>(
     let (patch, found) =
         Patch::<_, KSTRIP_PATCH_CAPACITY>::from_profile(y, distance, &contact, count)?;
     StoredPatch::write(&patch.view()?, out);
-    let Indentation { approach, normal_force, stiffness, peak_pressure, peak_y, iterations } =
-        found;
-    Ok(ProfileResult {
-        approach,
-        normal_force,
-        stiffness,
-        peak_pressure,
-        peak_y,
-        iterations,
-        reserved: 0,
-    })
+    Ok(found)
 }
 
 pub(super) fn evaluate_patch<F: Precision>(

@@ -344,7 +344,7 @@ pub unsafe extern "C" fn kstrip_patch_from_profile_f32(
     points: u32,
     contact: Option<&ProfileOptions<f32>>,
     patch: Option<&mut MaybeUninit<StoredPatch<f32>>>,
-    result: Option<&mut MaybeUninit<ProfileResult<f32>>>,
+    result: Option<&mut MaybeUninit<Indentation<f32>>>,
 ) -> kstrip_status {
     // SAFETY: NULL or as many elements as points says, says the header.
     let (y, distance) = unsafe { (input(y, points), input(distance, points)) };

@@ -13,6 +13,7 @@ pub(super) use crate::linear::LinearCoefficients;
 pub(super) use crate::number::Float;
 pub(super) use crate::patch::PatchStrip;
 pub(super) use crate::patch::field::PatchField;
+pub(super) use crate::patch::profile::Indentation;
 pub(super) use crate::rig::{self, FrictionEstimate, Measured};
 pub(super) use crate::solve::derivatives::{Derivatives, LawDerivatives, differentiate};
 pub(super) use crate::solve::field::FieldPoint;

@@ -238,23 +238,3 @@ pub struct ProfileOptions<F> {
     /// Zero.
     pub reserved: i32,
 }
-
-/// How two profiles meet.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ProfileResult<F> {
-    /// Approach of distant points of the two bodies [m].
-    pub approach: F,
-    /// Normal force [N].
-    pub normal_force: F,
-    /// Its derivative by the approach [N/m].
-    pub stiffness: F,
-    /// Largest pressure of a strip [Pa].
-    pub peak_pressure: F,
-    /// y of that strip [m].
-    pub peak_y: F,
-    /// Sections of the first guess, at most 40.
-    pub iterations: u32,
-    /// Zero.
-    pub reserved: u32,
-}

@@ -62,8 +62,8 @@ pub type kstrip_patch_summary = kstrip::ffi::types::PatchSummary<f64>;
 pub type kstrip_patch_summary_f32 = kstrip::ffi::types::PatchSummary<f32>;
 pub type kstrip_profile_contact = kstrip::ffi::types::ProfileOptions<f64>;
 pub type kstrip_profile_contact_f32 = kstrip::ffi::types::ProfileOptions<f32>;
-pub type kstrip_profile_result = kstrip::ffi::types::ProfileResult<f64>;
-pub type kstrip_profile_result_f32 = kstrip::ffi::types::ProfileResult<f32>;
+pub type kstrip_profile_result = kstrip::patch::profile::Indentation<f64>;
+pub type kstrip_profile_result_f32 = kstrip::patch::profile::Indentation<f32>;
 pub type kstrip_friction_estimate = kstrip::rig::FrictionEstimate<f64>;
 pub type kstrip_friction_estimate_f32 = kstrip::rig::FrictionEstimate<f32>;
 

@@ -28,5 +28,5 @@ pub type kstrip_patch_strip = kstrip::patch::PatchStrip<Float>;
 pub type kstrip_patch = kstrip::ffi::types::StoredPatch<Float>;
 pub type kstrip_patch_summary = kstrip::ffi::types::PatchSummary<Float>;
 pub type kstrip_profile_contact = kstrip::ffi::types::ProfileOptions<Float>;
-pub type kstrip_profile_result = kstrip::ffi::types::ProfileResult<Float>;
+pub type kstrip_profile_result = kstrip::patch::profile::Indentation<Float>;
 pub type kstrip_friction_estimate = kstrip::rig::FrictionEstimate<Float>;
