@@ -80,7 +80,7 @@ for set in total strip_1967 linear; do
 done
 say "### Proofs"
 say
-say "* No panic, no allocation, by linking. Cortex-M4F: $m4_proof. Cortex-M7: $m7_proof. riscv32imac: $riscv_proof."
+say "* No panic, no allocation. Cortex-M4F: $m4_proof. Cortex-M7: $m7_proof. riscv32imac: $riscv_proof."
 say "* Double precision in single-precision functions: $doubles."
 say "* Self-test, $cases inputs, five models, mps2-an386 and mps2-an500: bit for bit the results of this machine; compiled for Cortex-M7: $m7_bits; riscv32imac (floating point by software) on QEMU's virt board: $riscv_says."
 say "* CMake with the toolchain file \`c_examples/firmware/arm-none-eabi.cmake\`: $cmake_says."

@@ -1,6 +1,9 @@
 #!/usr/bin/env bash
-# The Python package as people install it: `pip install ./bindings/python`, and `python -m build` (source distribution, and the wheel
-# made of that), each in a clean environment and imported from another folder.
+# The Python package as people install it: `pip install ./bindings/python` in a clean environment, imported from another folder; and
+# the source distribution.
+#
+#     scripts/wheel_test.sh         the source distribution has the repository's files
+#     scripts/wheel_test.sh full    and `python -m build` makes a wheel of it (builds the library once more)
 #
 # Exit status: 0 all is well, 1 something failed, 77 pip cannot (a line with SKIPPED says why).
 set -euo pipefail
@@ -36,10 +39,20 @@ CARGO_TARGET_DIR=$target "$work/pip/bin/pip" install --quiet "$root/bindings/pyt
 solves "$work/pip"
 echo "pip install ./bindings/python: imports from any folder, with its own library"
 
-# Without inlining: what is looked at is the package, not the library's speed.
-python3 -m venv "$work/clean"
-CARGO_TARGET_DIR=$target/wheel CARGO_PROFILE_RELEASE_OPT_LEVEL=1 "$work/pip/bin/python" -m build --outdir "$work/dist" "$root/bindings/python" > "$work/log" 2>&1 ||
+# The source distribution has the Rust of the repository, file by file: the library that it builds is the one above.
+[ "${1:-}" = full ] && kinds="--sdist --wheel" || kinds=--sdist
+# shellcheck disable=SC2086
+CARGO_TARGET_DIR=$target/wheel "$work/pip/bin/python" -m build $kinds --outdir "$work/dist" "$root/bindings/python" > "$work/log" 2>&1 ||
     { cat "$work/log"; fail "python -m build"; }
-"$work/clean/bin/pip" install --quiet "$work"/dist/*.whl > "$work/log" 2>&1 || { cat "$work/log"; fail "pip install of the wheel"; }
-solves "$work/clean"
-echo "python -m build: $(cd "$work/dist" && echo *)"
+mkdir "$work/unpacked"
+tar -xzf "$work"/dist/*.tar.gz -C "$work/unpacked" --strip-components 1
+for name in src include scripts/library.sh Cargo.toml Cargo.lock LICENSE-APACHE LICENSE-MIT; do
+    diff -r "$root/$name" "$work/unpacked/rust/$name" > "$work/log" || { cat "$work/log"; fail "the source distribution has another $name"; }
+done
+echo "python -m build: $(cd "$work/dist" && echo *); its Rust is the repository's"
+if [ "${1:-}" = full ]; then
+    python3 -m venv "$work/clean"
+    "$work/clean/bin/pip" install --quiet "$work"/dist/*.whl > "$work/log" 2>&1 || { cat "$work/log"; fail "pip install of the wheel"; }
+    solves "$work/clean"
+    echo "the wheel of the source distribution imports from any folder"
+fi

@@ -200,16 +200,6 @@ pub extern "C" fn kstrip_abi_version() -> i32 {
     KSTRIP_ABI_VERSION
 }
 
-/// The control of the proofs by linking (scripts/no_panic.sh, scripts/firmware.sh): this one panics, and must not link.
-///
-/// cbindgen:ignore
-#[cfg(kstrip_link_proof)]
-#[unsafe(no_mangle)]
-pub extern "C" fn planted_panic(number: i32) -> i32 {
-    assert!(number > 0);
-    number
-}
-
 const fn c_string(text: &'static str) -> &'static core::ffi::CStr {
     match core::ffi::CStr::from_bytes_with_nul(text.as_bytes()) {
         Ok(text) => text,

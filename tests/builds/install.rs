@@ -43,7 +43,8 @@ fn windows_library_serves_a_c_program() {
     run("scripts/windows.sh");
 }
 
-/// `pip install ./bindings/python` and `python -m build`: the package has the library in it and is imported from any folder.
+/// `pip install ./bindings/python`: the package has the library in it and is imported from any folder; its source distribution has the
+/// Rust of the repository.
 #[test]
 fn python_wheel_carries_the_library() {
     run("scripts/wheel_test.sh");
