@@ -208,7 +208,8 @@ where
     L::Stored: Precision,
 {
     let model = options.model;
-    let (Forces { fx, fy, mz, adhesion }, psi) = Prepared::of(contact, options).forces(creepage);
+    let prepared = Prepared::of(contact, options);
+    let (Forces { fx, fy, mz, adhesion }, psi) = prepared.view().forces(creepage);
     let bound = contact.friction_bound();
     let notices = if model == Model::Linear {
         linear_notices(linear_size(fx, fy), bound)

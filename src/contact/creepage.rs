@@ -17,6 +17,9 @@ pub struct Creepage<T> {
     pub spin: T,
 }
 
+/// Spin up to which contacts are of the usual sizes \[1/m\].
+pub(crate) const LARGEST_SPIN: f64 = 1e4;
+
 /// Velocity of one body's material at the centre of the contact, seen from the contact.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -105,9 +108,14 @@ impl<F: Plain> Creepage<F> {
     /// [`Contact::is_usual`](Contact).
     #[inline(always)]
     pub(crate) fn is_usual(&self) -> bool {
+        self.translates_usually() && self.spin.abs().lies_within(F::of(LARGEST_SPIN))
+    }
+
+    /// The same without spin.
+    #[inline(always)]
+    pub(crate) fn translates_usually(&self) -> bool {
         self.longitudinal.abs().lies_within(F::of(10.0))
             && self.lateral.abs().lies_within(F::of(10.0))
-            && self.spin.abs().lies_within(F::of(1e4))
     }
 }
 
@@ -207,6 +215,12 @@ impl<F: Plain> Units<F> {
         }
     }
 
+    /// `a/b`
+    #[inline(always)]
+    pub(crate) fn axis_ratio(&self) -> F {
+        self.axis_ratio
+    }
+
     #[inline(always)]
     pub(crate) fn parameters<T: Number<Base = F>>(&self, creepage: &Creepage<T>) -> Parameters<T> {
         let Self { a, longitudinal, lateral, poisson_ratio, axis_ratio, .. } = *self;
@@ -249,9 +263,15 @@ impl<F: Float> Parameters<F> {
 /// The same direction, no component beyond [`Number::HUGE`].
 #[inline(always)]
 fn bounded<T: Number>(components: [T; 3]) -> [T; 3] {
-    if T::LANES == 1 { bounded_apart(components) } else { bounded_inline(components) }
+    if T::LANES > 1 {
+        return bounded_inline(components);
+    }
+    let [x, y, z] = components.map(|component| component.value().abs());
+    // (the sum is no less than the largest)
+    if (x + y + z).exceeds(T::HUGE) { bounded_apart(components) } else { components }
 }
 
+#[cold]
 #[cfg_attr(target_os = "none", inline(never))]
 fn bounded_apart<T: Number>(components: [T; 3]) -> [T; 3] {
     bounded_inline(components)

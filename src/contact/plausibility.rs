@@ -21,7 +21,7 @@
 //! cent are found at their end. A spin of a tread contact, 0.1 rad/m, is in degrees that of a flange.
 
 use crate::contact::Contact;
-use crate::contact::creepage::Creepage;
+use crate::contact::creepage::{Creepage, LARGEST_SPIN};
 use crate::number::{Float, Plain};
 use crate::status::Notice;
 use core::f64::consts::PI;
@@ -90,6 +90,18 @@ impl<F: Plain> Contact<F> {
 }
 
 impl<F: Float> Contact<F> {
+    /// With `|υ|` up to 10 and `|φ|` up to this the contact [is ordinary](Contact::is_ordinary) \[1/m\]; negative
+    /// where it never is. A hair less than the largest of these.
+    pub(crate) fn ordinary_spin(&self) -> F {
+        let load = self.normal_force.times(1.5 / PI);
+        if !self.is_usual() || load > self.stiffness().times(LARGEST_PRESSURE) {
+            return -F::one();
+        }
+        let at_the_edge = F::constant(EDGE_SLIP) / (self.a * self.b).sqrt();
+        let inclined = load.times(LARGEST_INCLINATION) / (self.stiffness() * self.a);
+        at_the_edge.max(inclined).min(F::constant(LARGEST_SPIN)).times(0.999_99)
+    }
+
     /// What is implausible about the contact alone, if anything; nothing about a lost contact.
     #[must_use]
     pub fn plausibility(&self) -> Notice {

@@ -1,18 +1,29 @@
 //! A prepared contact as plain numbers that C stores.
 
 use super::support::*;
-use crate::solve::prepared::{Frame, Kernel};
+use crate::solve::check::is_ordinary;
+use crate::solve::prepared::{Frame, Kernel, KernelView, View};
 use crate::strip::{self, PreparedStrips};
 use crate::strip_1967::strip::SlidingRule;
 use crate::total;
-use core::ptr::{read_unaligned, write_unaligned};
 
 /// How many numbers there is room for.
 pub(super) const ROOM: usize = 96;
+/// The numbers begin with a [`Head`] and a [`Frame`]; those of the model begin here.
+const KERNEL: usize = 20;
 
-/// Where the numbers of the model begin: after those of the contact.
-const fn kernel_at<F: Precision>() -> usize {
-    size_of::<Frame<F>>() / size_of::<F>()
+/// What the numbers begin with where a contact has been prepared: no number that comes by chance.
+const MARK: f64 = 19_671_208.0;
+
+/// What is looked at before the rest.
+#[repr(C)]
+#[derive(Clone, Copy)]
+struct Head<F> {
+    /// [`MARK`]
+    mark: F,
+    /// With creepages of the usual sizes and spins up to this one no check of [`is_ordinary`] can fail \[1/m\]; less than
+    /// zero: look at each.
+    spin: F,
 }
 
 /// Structures that consist of numbers of one kind, so that any numbers are a value of them.
@@ -21,6 +32,7 @@ const fn kernel_at<F: Precision>() -> usize {
 /// True of the implementor.
 unsafe trait Numbers<F> {}
 // SAFETY: so they are declared.
+unsafe impl<F: Precision> Numbers<F> for Head<F> {}
 unsafe impl<F: Precision> Numbers<F> for Frame<F> {}
 unsafe impl<F: Precision> Numbers<F> for total::Prepared<F> {}
 unsafe impl<F: Precision> Numbers<F> for strip::Prepared<F> {}
@@ -31,61 +43,113 @@ impl<F: Precision> PreparedNumbers<F> {
         let Options { model, strips } = prepared.options;
         let numbers = MaybeUninit::new([F::zero(); ROOM]);
         let mut stored = Self { numbers, model: model as i32, strips: strips as i32 };
-        stored.put(0, prepared.frame);
-        let at = kernel_at::<F>();
+        let contact = &prepared.frame.contact;
+        let spin = if contact.is_lost() { -F::one() } else { contact.ordinary_spin() };
+        stored.put::<_, 0>(Head { mark: F::constant(MARK), spin });
+        stored.put::<_, 2>(prepared.frame);
         match &prepared.kernel {
             Kernel::Strip1967(_) => {}
-            Kernel::Strip(strips) => stored.put(at, strips.contact),
-            Kernel::Total(total) => stored.put(at, *total),
-            Kernel::Linear(stiffness) => stored.put(at, *stiffness),
+            Kernel::Strip(strips) => stored.put::<_, KERNEL>(strips.contact),
+            Kernel::Total(total) => stored.put::<_, KERNEL>(*total),
+            Kernel::Linear(stiffness) => stored.put::<_, KERNEL>(*stiffness),
         }
         stored
     }
 
     #[inline(always)]
     pub(super) fn solve(&self, creepage: &Creepage<F>) -> Result<Solution<F>, Error> {
+        let (model, strips, quick) = self.looked_at(creepage)?;
+        if quick && model == Model::Linear {
+            return Ok(self.linear().answer(creepage, true));
+        }
+        let mut found = Solution::nothing();
+        self.solve_other(creepage, model, strips, quick, &mut found)?;
+        Ok(found)
+    }
+
+    /// What is prepared, and whether nothing can be wrong or implausible.
+    #[inline(always)]
+    fn looked_at(&self, creepage: &Creepage<F>) -> Result<(Model, StripCount, bool), Error> {
+        let head: &Head<F> = self.part::<_, 0>();
         let model = Model::from_number(self.model).ok_or(Error::NotPrepared)?;
         let strips = StripCount::from_number(self.strips).ok_or(Error::NotPrepared)?;
-        let (at, options) = (kernel_at::<F>(), Options { model, strips });
-        // Each model on its own: no kernel of another one is moved.
-        match model {
-            Model::Strip1967 => {
-                self.by(Kernel::Strip1967(SlidingRule::RigidSlip), options, creepage)
-            }
-            Model::Strip1967Continuous => {
-                self.by(Kernel::Strip1967(SlidingRule::Continuous), options, creepage)
+        if head.mark != F::constant(MARK) {
+            return Err(Error::NotPrepared);
+        }
+        Ok((model, strips, creepage.translates_usually() && creepage.spin.abs() <= head.spin))
+    }
+
+    #[inline(always)]
+    fn linear(&self) -> View<'_, F> {
+        let kernel = KernelView::Linear(self.part::<_, KERNEL>());
+        View { frame: self.part::<_, 2>(), model: Model::Linear, kernel }
+    }
+
+    /// (Apart from the linear theory, which is done before much has been put on the stack.)
+    #[inline(never)]
+    fn solve_other(
+        &self,
+        creepage: &Creepage<F>,
+        model: Model,
+        strips: StripCount,
+        quick: bool,
+        found: &mut Solution<F>,
+    ) -> Result<(), Error> {
+        let frame: &Frame<F> = self.part::<_, 2>();
+        let ordinary = quick || is_ordinary(&frame.contact, creepage, model)?;
+        if !quick && frame.contact.is_lost() {
+            return Ok(());
+        }
+        // Each model on its own: no kernel is moved but that of strips, whose numbers may stand in wide registers.
+        let view = |model, kernel| View { frame, model, kernel };
+        *found = match model {
+            Model::Linear => self.linear().answer(creepage, ordinary),
+            Model::Total => {
+                let kernel = KernelView::Total(self.part::<_, KERNEL>());
+                view(Model::Total, kernel).answer(creepage, ordinary)
             }
             Model::Strip => {
-                let prepared = PreparedStrips::from_prepared(self.get(at), strips);
-                self.by(Kernel::Strip(prepared), options, creepage)
+                let strips = PreparedStrips::from_prepared(self.copied(), strips);
+                view(Model::Strip, KernelView::Strip(&strips)).answer(creepage, ordinary)
             }
-            Model::Total => self.by(Kernel::Total(self.get(at)), options, creepage),
-            Model::Linear => self.by(Kernel::Linear(self.get(at)), options, creepage),
-        }
-    }
-
-    #[inline(always)]
-    fn by(
-        &self,
-        kernel: Kernel<F>,
-        options: Options,
-        creepage: &Creepage<F>,
-    ) -> Result<Solution<F>, Error> {
-        Prepared { frame: self.get(0), options, kernel }.solve(creepage)
-    }
-
-    fn put<T: Numbers<F>>(&mut self, at: usize, value: T) {
-        const { assert!(size_of::<T>() <= (ROOM - 16) * size_of::<F>()) };
-        // SAFETY: there is room, as asserted: no structure begins beyond the sixteenth number.
-        unsafe {
-            write_unaligned(self.numbers.as_mut_ptr().cast::<F>().add(at.min(16)).cast(), value)
+            Model::Strip1967 => {
+                let kernel = KernelView::Strip1967(SlidingRule::RigidSlip);
+                view(Model::Strip1967, kernel).answer(creepage, ordinary)
+            }
+            Model::Strip1967Continuous => {
+                let kernel = KernelView::Strip1967(SlidingRule::Continuous);
+                view(Model::Strip1967Continuous, kernel).answer(creepage, ordinary)
+            }
         };
+        Ok(())
+    }
+
+    fn put<T: Numbers<F>, const AT: usize>(&mut self, value: T) {
+        const { assert!(size_of::<T>() <= (ROOM - AT) * size_of::<F>()) };
+        // SAFETY: there is room, as asserted.
+        unsafe { self.numbers.as_mut_ptr().cast::<F>().add(AT).cast::<T>().write_unaligned(value) };
+    }
+
+    /// Where they stand.
+    #[inline(always)]
+    fn part<T: Numbers<F>, const AT: usize>(&self) -> &T {
+        const { assert!(size_of::<T>() <= (ROOM - AT) * size_of::<F>()) };
+        const { assert!(align_of::<T>() <= align_of::<F>()) };
+        // SAFETY: numbers, aligned and within the room as asserted; any bits are a value.
+        unsafe { &*self.numbers.as_ptr().cast::<F>().add(AT).cast::<T>() }
     }
 
     #[inline(always)]
-    fn get<T: Numbers<F>>(&self, at: usize) -> T {
-        const { assert!(size_of::<T>() <= (ROOM - 16) * size_of::<F>()) };
+    fn copied(&self) -> strip::Prepared<F> {
+        const { assert!(size_of::<strip::Prepared<F>>() <= (ROOM - KERNEL) * size_of::<F>()) };
         // SAFETY: numbers, within the room as asserted; any bits are a value.
-        unsafe { read_unaligned(self.numbers.as_ptr().cast::<F>().add(at.min(16)).cast()) }
+        unsafe {
+            self.numbers
+                .as_ptr()
+                .cast::<F>()
+                .add(KERNEL)
+                .cast::<strip::Prepared<F>>()
+                .read_unaligned()
+        }
     }
 }

@@ -26,9 +26,11 @@ use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::forces::Totals;
 use crate::number::Float;
 use crate::solve::check::is_ordinary;
-use crate::solve::model::{Options, Precision, Solution};
-use crate::solve::prepared::{Forces, Frame, Kernel, Prepared};
+use crate::solve::model::{Model, Options, Precision, Solution};
+use crate::solve::prepared::{Forces, Frame, KernelView, View, with_view};
 use crate::status::Error;
+use crate::strip::PreparedStrips;
+use crate::total;
 use nalgebra::Matrix3;
 
 pub use crate::solve::through_friction::{Differentiated, LawDerivatives, differentiate};
@@ -87,12 +89,8 @@ pub fn solve<F: Precision>(
     if contact.is_lost() {
         return Ok((Solution::nothing(), Derivatives::nothing()));
     }
-    let prepared = Prepared::of(contact, options);
-    let (solution, derivatives) = match prepared.kernel {
-        Kernel::Linear(stiffness) => linear(&prepared, stiffness, creepage, ordinary),
-        _ if contact.friction_bound() > F::zero() => saturating(&prepared, creepage, ordinary),
-        _ => sliding(&prepared, creepage, ordinary),
-    };
+    let (solution, derivatives) =
+        with_view!(contact, options, |view| differentiated(&view, creepage, ordinary));
     if derivatives.entries().into_iter().all(F::is_finite_number) {
         Ok((solution, derivatives))
     } else {
@@ -114,19 +112,33 @@ pub fn solve_jacobian<F: Precision>(
     Ok((solution, Matrix3::from(jacobian).transpose()))
 }
 
+fn differentiated<F: Precision>(
+    view: &View<F>,
+    creepage: &Creepage<F>,
+    ordinary: bool,
+) -> (Solution<F>, Derivatives<F>) {
+    match view.kernel {
+        KernelView::Linear(stiffness) => linear(view, stiffness, creepage, ordinary),
+        _ if view.frame.contact.friction_bound() > F::zero() => {
+            saturating(view, creepage, ordinary)
+        }
+        _ => sliding(view, creepage, ordinary),
+    }
+}
+
 /// Powers of `N` that forces and moment grow with where the slip does not change.
 fn powers<F: Float>() -> [F; 3] {
     [F::one(), F::one(), F::constant(4.0 / 3.0)]
 }
 
 fn saturating<F: Precision>(
-    prepared: &Prepared<F>,
+    view: &View<F>,
     creepage: &Creepage<F>,
     ordinary: bool,
 ) -> (Solution<F>, Derivatives<F>) {
-    let Frame { contact, radius, units } = &prepared.frame;
+    let Frame { contact, radius, units } = view.frame;
     let parameters = units.parameters(&creepage.inputs());
-    let Totals { fx, fy, mz, stick } = prepared.totals(&parameters);
+    let Totals { fx, fy, mz, stick } = view.totals(&parameters);
     let bound = contact.friction_bound();
     let forces = Forces {
         fx: fx.value * bound,
@@ -134,7 +146,7 @@ fn saturating<F: Precision>(
         mz: mz.value * (bound * *radius),
         adhesion: stick.value,
     };
-    let solution = prepared.solution(creepage, &forces, parameters.psi.value, ordinary);
+    let solution = view.solution(creepage, &forces, parameters.psi.value, ordinary);
 
     let Creepage { longitudinal, lateral, spin } = *creepage;
     let [by_x, by_y, by_z] = powers::<F>();
@@ -158,12 +170,12 @@ fn saturating<F: Precision>(
 
 /// No friction: no force, and no dependence on the creepage until there is some.
 fn sliding<F: Precision>(
-    prepared: &Prepared<F>,
+    view: &View<F>,
     creepage: &Creepage<F>,
     ordinary: bool,
 ) -> (Solution<F>, Derivatives<F>) {
-    let Frame { contact, radius, .. } = &prepared.frame;
-    let Totals { fx, fy, mz, .. } = prepared.totals(&Parameters::sliding(contact, creepage));
+    let Frame { contact, radius, .. } = view.frame;
+    let Totals { fx, fy, mz, .. } = view.totals(&Parameters::sliding(contact, creepage));
     let limit = [fx, fy, mz * *radius];
     let [by_x, by_y, by_z] = powers::<F>();
     let hertz = [fx * by_x, fy * by_y, mz * *radius * by_z];
@@ -173,17 +185,17 @@ fn sliding<F: Precision>(
         friction: scaled(limit, contact.normal_force),
         load_through_hertz: scaled(hertz, contact.friction),
     };
-    (prepared.answer(creepage, ordinary), derivatives)
+    (view.answer(creepage, ordinary), derivatives)
 }
 
 /// The linear theory: the derivatives are its coefficients.
 fn linear<F: Precision>(
-    prepared: &Prepared<F>,
-    [x, y, coupling, z]: [F; 4],
+    view: &View<F>,
+    &[x, y, coupling, z]: &[F; 4],
     creepage: &Creepage<F>,
     ordinary: bool,
 ) -> (Solution<F>, Derivatives<F>) {
-    let solution = prepared.answer(creepage, ordinary);
+    let solution = view.answer(creepage, ordinary);
     let none = F::zero();
     let jacobian = [[x, none, none], [none, y, coupling], [none, -coupling, z]];
     let Solution { fx, fy, mz, .. } = solution;
@@ -191,8 +203,7 @@ fn linear<F: Precision>(
     for ((force, power), [by_x, by_y, _]) in hertz.iter_mut().zip(powers::<F>()).zip(jacobian) {
         // (power F − ⅓ J_v v)/N
         let translation = by_x * creepage.longitudinal + by_y * creepage.lateral;
-        *force =
-            (power * *force - translation.times(1.0 / 3.0)) / prepared.frame.contact.normal_force;
+        *force = (power * *force - translation.times(1.0 / 3.0)) / view.frame.contact.normal_force;
     }
     let derivatives = Derivatives { jacobian, load_through_hertz: hertz, ..Derivatives::nothing() };
     (solution, derivatives)

@@ -5,9 +5,10 @@ use crate::contact::creepage::Creepage;
 use crate::contact::forces::StripCount;
 use crate::number::Float;
 use crate::solve::check::is_ordinary;
-use crate::solve::prepared::Prepared;
+use crate::solve::prepared::{Prepared, with_view};
 use crate::status::{Error, Notice};
-use crate::strip::StripTotals;
+use crate::strip::{PreparedStrips, StripTotals};
+use crate::total;
 
 pub use crate::solve::check::check;
 pub use crate::solve::derivatives::solve_jacobian;
@@ -210,7 +211,7 @@ fn solve_inline<F: Precision>(
     })
 }
 
-/// Of a checked contact, in the code of each caller.
+/// Of a checked contact that is loaded, in the code of each caller.
 #[inline(always)]
 fn answer_by<F: Precision>(
     model: Model,
@@ -219,5 +220,10 @@ fn answer_by<F: Precision>(
     options: &Options,
     ordinary: bool,
 ) -> Solution<F> {
-    Prepared::of(contact, &Options { model, ..*options }).answer(creepage, ordinary)
+    let options = Options { model, ..*options };
+    if cfg!(target_os = "none") {
+        return with_view!(contact, &options, |view| view.answer(creepage, ordinary));
+    }
+    // (wide registers are filled from memory)
+    Prepared::of(contact, &options).view().answer(creepage, ordinary)
 }

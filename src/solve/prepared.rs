@@ -33,6 +33,30 @@ pub(crate) struct Frame<F> {
     pub(crate) units: Units<F>,
 }
 
+impl<F: Plain> Frame<F> {
+    #[inline(always)]
+    pub(crate) fn of(contact: &Contact<F>) -> Self {
+        let (root_a, root_b) = F::Pair::of(contact.a, contact.b).sqrt().parts();
+        Self { contact: *contact, radius: root_a * root_b, units: Units::of(contact) }
+    }
+
+    /// `a/b`
+    #[inline(always)]
+    pub(crate) fn axis_ratio(&self) -> F {
+        self.units.axis_ratio()
+    }
+
+    /// `G a b C11`, `G a b C22`, `G (ab)^{3/2} C23`, `G (ab)² C33`
+    #[inline(always)]
+    pub(crate) fn stiffness(&self, linear: &LinearCoefficients<F>) -> [F; 4] {
+        let LinearCoefficients { c11, c22, c23, c33 } = *linear;
+        let stiffness = self.contact.shear_modulus * self.contact.a * self.contact.b;
+        let lever = stiffness * self.radius;
+        let entries = [stiffness * c11, stiffness * c22, lever * c23, lever * self.radius * c33];
+        F::each(&entries, |entry| entry.min(F::LARGEST))
+    }
+}
+
 /// What a model knows of a contact.
 #[derive(Clone, Copy, Debug)]
 #[allow(clippy::large_enum_variant)]
@@ -59,39 +83,110 @@ impl<F: StripTotals> Prepared<F> {
     /// A checked contact.
     #[inline(always)]
     pub(crate) fn of(contact: &Contact<F>, options: &Options) -> Self {
-        let Contact { a, b, shear_modulus, poisson_ratio, .. } = *contact;
-        let (root_a, root_b) = F::Pair::of(a, b).sqrt().parts();
-        let (radius, ratio) = (root_a * root_b, a / b);
+        let frame = Frame::of(contact);
+        let (ratio, poisson_ratio) = (frame.axis_ratio(), contact.poisson_ratio);
         let linear = || LinearCoefficients::at_inline(ratio, poisson_ratio);
         let kernel = match options.model {
-            Model::Strip1967 => Kernel::Strip1967(SlidingRule::RigidSlip),
-            Model::Strip1967Continuous => Kernel::Strip1967(SlidingRule::Continuous),
+            Model::Strip1967 | Model::Strip1967Continuous => {
+                Kernel::Strip1967(sliding_rule(options.model))
+            }
             Model::Strip => {
                 Kernel::Strip(PreparedStrips::new(ratio, poisson_ratio, &linear(), options.strips))
             }
             Model::Total => Kernel::Total(total::Prepared::new(ratio, poisson_ratio, &linear())),
-            Model::Linear => {
-                let LinearCoefficients { c11, c22, c23, c33 } = linear();
-                let stiffness = shear_modulus * a * b;
-                let lever = stiffness * radius;
-                let entries = [stiffness * c11, stiffness * c22, lever * c23, lever * radius * c33];
-                Kernel::Linear(F::each(&entries, |entry| entry.min(F::LARGEST)))
-            }
+            Model::Linear => Kernel::Linear(frame.stiffness(&linear())),
         };
-        let frame = Frame { contact: *contact, radius, units: Units::of(contact) };
         Self { frame, options: *options, kernel }
     }
 
+    /// Where it stands.
+    #[inline(always)]
+    pub(crate) fn view(&self) -> View<'_, F> {
+        let kernel = match &self.kernel {
+            Kernel::Strip1967(rule) => KernelView::Strip1967(*rule),
+            Kernel::Strip(strips) => KernelView::Strip(strips),
+            Kernel::Total(total) => KernelView::Total(total),
+            Kernel::Linear(stiffness) => KernelView::Linear(stiffness),
+        };
+        View { frame: &self.frame, model: self.options.model, kernel }
+    }
+}
+
+/// `with_view!(contact, options, |view| …)`: what is made of a checked contact, prepared where it stands. Written once for each
+/// kind of kernel, so that a model that the compiler knows is the only one there.
+macro_rules! with_view {
+    ($contact:expr, $options:expr, |$view:ident| $take:expr) => {{
+        use crate::linear::LinearCoefficients;
+        use crate::solve::prepared::{Frame, KernelView, View, sliding_rule};
+        let (contact, options): (&Contact<_>, &Options) = ($contact, $options);
+        let (frame, model) = (&Frame::of(contact), options.model);
+        let (ratio, poisson_ratio) = (frame.axis_ratio(), contact.poisson_ratio);
+        let linear = || LinearCoefficients::at_inline(ratio, poisson_ratio);
+        match model {
+            Model::Strip1967 | Model::Strip1967Continuous => {
+                let kernel = KernelView::Strip1967(sliding_rule(model));
+                let $view = View { frame, model, kernel };
+                $take
+            }
+            Model::Strip => {
+                let count = options.strips;
+                let strips = PreparedStrips::new(ratio, poisson_ratio, &linear(), count);
+                let $view = View { frame, model, kernel: KernelView::Strip(&strips) };
+                $take
+            }
+            Model::Total => {
+                let total = total::Prepared::new(ratio, poisson_ratio, &linear());
+                let $view = View { frame, model, kernel: KernelView::Total(&total) };
+                $take
+            }
+            Model::Linear => {
+                let stiffness = frame.stiffness(&linear());
+                let $view = View { frame, model, kernel: KernelView::Linear(&stiffness) };
+                $take
+            }
+        }
+    }};
+}
+pub(crate) use with_view;
+
+/// Of a model of the theory of 1967.
+#[inline(always)]
+pub(crate) fn sliding_rule(model: Model) -> SlidingRule {
+    if model == Model::Strip1967Continuous {
+        SlidingRule::Continuous
+    } else {
+        SlidingRule::RigidSlip
+    }
+}
+
+/// A prepared contact where it stands: nothing of it is moved.
+#[derive(Clone, Copy)]
+pub(crate) struct View<'a, F: Plain> {
+    pub(crate) frame: &'a Frame<F>,
+    pub(crate) model: Model,
+    pub(crate) kernel: KernelView<'a, F>,
+}
+
+/// A [`Kernel`] where it stands.
+#[derive(Clone, Copy)]
+pub(crate) enum KernelView<'a, F: Plain> {
+    Strip1967(SlidingRule),
+    Strip(&'a PreparedStrips<F>),
+    Total(&'a total::Prepared<F>),
+    Linear(&'a [F; 4]),
+}
+
+impl<F: StripTotals> View<'_, F> {
     /// Forces, and the spin parameter `ψ`.
     #[inline(always)]
     pub(crate) fn forces<T: Number<Base = F>>(&self, creepage: &Creepage<T>) -> (Forces<T>, T) {
-        if let Kernel::Linear([x, y, coupling, z]) = self.kernel {
+        if let KernelView::Linear([x, y, coupling, z]) = self.kernel {
             // F_x = G a b C11 υx, F_y = G a b (C22 υy + √(ab) C23 φ), M_z = G (ab)^{3/2} (√(ab) C33 φ − C23 υy)
             let Creepage { longitudinal, lateral, spin } = *creepage;
             let forces = Forces {
-                fx: longitudinal.scale(x),
-                fy: lateral.scale(y) + spin.scale(coupling),
-                mz: spin.scale(z) - lateral.scale(coupling),
+                fx: longitudinal.scale(*x),
+                fy: lateral.scale(*y) + spin.scale(*coupling),
+                mz: spin.scale(*z) - lateral.scale(*coupling),
                 adhesion: T::one(),
             };
             return (forces, T::zero());
@@ -111,15 +206,39 @@ impl<F: StripTotals> Prepared<F> {
     /// Forces of a model with a friction bound, in units of it: `F/(μ N)`, `M_z/(μ N √(ab))`.
     #[inline(always)]
     pub(crate) fn totals<T: Number<Base = F>>(&self, parameters: &Parameters<T>) -> Totals<T> {
-        match &self.kernel {
-            Kernel::Strip1967(rule) => strip_1967::totals(parameters, *rule),
-            Kernel::Strip(strips) => {
-                F::strip_totals(strips, self.frame.units.normalised(parameters))
-            }
-            Kernel::Total(total) => total.totals(self.frame.units.normalised(parameters)),
-            Kernel::Linear(_) => Totals::nothing(),
+        match self.kernel {
+            // (the code of one rule alone is half as large; with derivatives it is one for both)
+            KernelView::Strip1967(rule) if T::HAS_DERIVATIVES => by_theory(parameters, rule),
+            KernelView::Strip1967(SlidingRule::RigidSlip) => by_rigid_slip(parameters),
+            KernelView::Strip1967(rule) => by_theory(parameters, rule),
+            KernelView::Strip(strips) => by_strips(strips, self.frame.units.normalised(parameters)),
+            KernelView::Total(total) => total.totals(self.frame.units.normalised(parameters)),
+            KernelView::Linear(_) => Totals::nothing(),
         }
     }
+}
+
+// On microcontrollers each model's code is there once: flash is short.
+
+#[cfg_attr(target_os = "none", inline(never))]
+#[cfg_attr(not(target_os = "none"), inline(always))]
+fn by_theory<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Totals<T> {
+    strip_1967::totals(parameters, rule)
+}
+
+#[cfg_attr(target_os = "none", inline(never))]
+#[cfg_attr(not(target_os = "none"), inline(always))]
+fn by_rigid_slip<T: Number>(parameters: &Parameters<T>) -> Totals<T> {
+    strip_1967::totals(parameters, SlidingRule::RigidSlip)
+}
+
+#[cfg_attr(target_os = "none", inline(never))]
+#[cfg_attr(not(target_os = "none"), inline(always))]
+fn by_strips<T: Number<Base: StripTotals>>(
+    strips: &PreparedStrips<T::Base>,
+    creepage: [T; 3],
+) -> Totals<T> {
+    T::Base::strip_totals(strips, creepage)
 }
 
 impl<F: Precision> Prepared<F> {
@@ -158,9 +277,11 @@ impl<F: Precision> Prepared<F> {
         if contact.is_lost() {
             return Ok(Solution::nothing());
         }
-        Ok(self.answer(creepage, ordinary))
+        Ok(self.view().answer(creepage, ordinary))
     }
+}
 
+impl<F: Precision> View<'_, F> {
     /// Of a loaded contact and a creepage that have been checked.
     #[inline(always)]
     pub(crate) fn answer(&self, creepage: &Creepage<F>, ordinary: bool) -> Solution<F> {
@@ -168,7 +289,7 @@ impl<F: Precision> Prepared<F> {
         let Creepage { longitudinal, lateral, spin } = *creepage;
         if longitudinal == zero && lateral == zero && spin == zero {
             // no force, adhesion everywhere
-            let adhesion = if self.options.model == Model::Total { -F::one() } else { F::one() };
+            let adhesion = if self.model == Model::Total { -F::one() } else { F::one() };
             let none = Forces { fx: zero, fy: zero, mz: zero, adhesion };
             return self.solution(creepage, &none, zero, ordinary);
         }
@@ -187,15 +308,33 @@ impl<F: Precision> Prepared<F> {
         let Forces { fx, fy, mz, adhesion } = *forces;
         let power = creepage.power([fx, fy, mz]);
         let bound = self.frame.contact.friction_bound();
-        let of_model = if self.options.model == Model::Linear {
-            linear_notice(linear_size(fx, fy), bound)
+        let of_model = if self.model == Model::Linear {
+            linear_notice_of(fx, fy, bound)
         } else {
-            notice(self.options.model, bound, self.frame.contact.a / self.frame.contact.b, psi)
+            notice(self.model, bound, self.frame.axis_ratio(), psi)
         };
         let notice =
             if ordinary { of_model } else { warned(&self.frame.contact, creepage, of_model) };
         Solution { fx, fy, mz, power, adhesion, notice, reserved: 0 }
     }
+}
+
+/// A bound whose square has all its digits \[N\].
+const TOLD_BY_SQUARES: f64 = 1e-12;
+
+/// [`linear_notice`] of a force, without its root and quotient where the squares tell.
+#[inline(always)]
+fn linear_notice_of<F: Float>(fx: F, fy: F, bound: F) -> Notice {
+    let (square, limit) = (fx * fx + fy * fy, bound * bound);
+    if bound > F::constant(TOLD_BY_SQUARES) {
+        if square < limit.times(0.9999) {
+            return Notice::None;
+        }
+        if square > limit.times(1.0001) {
+            return Notice::BeyondFriction;
+        }
+    }
+    linear_notice(linear_size(fx, fy), bound)
 }
 
 /// What the caller of a model with a friction bound should know, and whether an input is implausible.

@@ -1,11 +1,12 @@
 //! What each strip of a solution carries.
 
 use crate::contact::Contact;
-use crate::contact::creepage::Creepage;
+use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::forces::{StripCount, Totals};
+use crate::linear::LinearCoefficients;
 use crate::solve::check::check;
 use crate::solve::model::{Model, Options, Precision};
-use crate::solve::prepared::{Kernel, Prepared, notice_of};
+use crate::solve::prepared::{Frame, notice_of, sliding_rule};
 use crate::status::{Error, Notice};
 use crate::strip::{PreparedStrips, Rule};
 use crate::strip_1967::strip::State;
@@ -70,12 +71,12 @@ pub fn strips<F: Precision>(
     if contact.is_lost() {
         return Ok(Notice::None);
     }
-    let prepared = Prepared::of(contact, options);
-    let parameters = prepared.frame.units.parameters(creepage);
+    let frame = Frame::of(contact);
+    let parameters = frame.units.parameters(creepage);
     let bound = contact.friction_bound();
     let mut share = |strip: PlacedStrip<F>| {
         let (fx, fy) = (bound * strip.fx, bound * strip.fy);
-        let mz = bound * prepared.frame.radius * strip.mz;
+        let mz = bound * frame.radius * strip.mz;
         visit(StripResult {
             y: contact.b * strip.y,
             width: contact.b * strip.width,
@@ -89,14 +90,14 @@ pub fn strips<F: Precision>(
             reserved: 0,
         });
     };
-    match &prepared.kernel {
-        Kernel::Strip1967(rule) => {
-            strip_1967::strips::strips(&parameters, *rule, options.strips, &mut share);
-        }
-        Kernel::Strip(law) => {
-            place_rolling(law, parameters.normalised(), options.strips, &mut share);
-        }
-        Kernel::Total(_) | Kernel::Linear(_) => {}
+    if options.model == Model::Strip {
+        let Parameters { axis_ratio, poisson_ratio, .. } = parameters;
+        let linear = LinearCoefficients::at_inline(axis_ratio, poisson_ratio);
+        let law = PreparedStrips::new(axis_ratio, poisson_ratio, &linear, options.strips);
+        place_rolling(&law, parameters.normalised(), options.strips, &mut share);
+    } else {
+        let rule = sliding_rule(options.model);
+        strip_1967::strips::strips(&parameters, rule, options.strips, &mut share);
     }
     Ok(notice_of(contact, creepage, options.model, parameters.psi))
 }
