@@ -49,7 +49,8 @@ impl<F: Plain> LinearCoefficients<F> {
         Self::at_inline(axis_ratio, poisson_ratio)
     }
 
-    #[inline(always)]
+    #[cfg_attr(target_os = "none", inline(never))]
+    #[cfg_attr(not(target_os = "none"), inline(always))]
     pub(crate) fn at_inline(axis_ratio: F, poisson_ratio: F) -> Self {
         let one = F::one();
         let pair = |p: F, q: F| <F::Pair as Pair<F>>::of(p, q);

@@ -13,6 +13,10 @@ macro_rules! plain {
                 $float::from(x)
             }
             #[inline(always)]
+            fn whole(self) -> i32 {
+                self as i32
+            }
+            #[inline(always)]
             fn to_f64(self) -> f64 {
                 f64::from(self)
             }

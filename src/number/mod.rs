@@ -85,6 +85,8 @@ pub trait Float: Plain<Stored = Self> + PartialOrd + Elementary + nalgebra::Scal
     const ARCTAN: &'static [Self];
     /// A single-precision number, exactly.
     fn widened(x: f32) -> Self;
+    /// Its whole part, the nearest one that there is; 0 for NaN.
+    fn whole(self) -> i32;
     /// The value in double precision, exactly.
     fn to_f64(self) -> f64;
     /// Neither infinite nor NaN.

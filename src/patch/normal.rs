@@ -77,6 +77,26 @@ pub(crate) struct Cells<F> {
     pub modulus: F,
 }
 
+/// A power `q` that lengths are corrected with.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Power<F> {
+    /// `1 − q`
+    less: F,
+    /// `1 + q`
+    more: F,
+    /// `4 q`
+    fourfold: F,
+}
+
+impl<F: Float> Power<F> {
+    /// (A literal is converted by the compiler.)
+    #[inline(always)]
+    pub(crate) fn new(power: f64) -> Self {
+        let [less, more, fourfold] = [1.0 - power, 1.0 + power, 4.0 * power].map(F::of);
+        Self { less, more, fourfold }
+    }
+}
+
 /// What one strip does to another, per unit of its pressure: `a A/(π E*)` and `C/(a π E*)`, and the derivatives of both by
 /// `a`.
 #[derive(Clone, Copy)]
@@ -128,7 +148,7 @@ impl<F: Float> Cells<F> {
     }
 
     /// The pressures after one correction of the lengths; the approach.
-    pub(crate) fn solve(&mut self, given: Given<F>, power: f64) -> Moving<F> {
+    pub(crate) fn solve(&mut self, given: Given<F>, power: Power<F>) -> Moving<F> {
         let mut columns: Columns<F> = Vec::new();
         for _ in &self.list {
             // (room for as many columns as cells)
@@ -175,7 +195,7 @@ impl<F: Float> Cells<F> {
             column.known = true;
             let a = cell.half_length.value;
             let unit = self.width / a;
-            let at = |distance: i32| influence::edge(unit * F::of(f64::from(distance) + 0.5));
+            let at = |distance: i32| influence::edge(unit * F::widened(distance as f32).plus(0.5));
             // edges at the distances that neighbours have
             let farthest = (cell.place - first).max(last - cell.place);
             let mut edges = [Edge::none(); CELLS];
@@ -320,7 +340,8 @@ impl<F: Float> Cells<F> {
     }
 
     /// Lengths for the pressures as they are; also of strips that do not touch, as if they were about to.
-    fn correct(&mut self, power: f64, columns: &[Column<F>]) {
+    fn correct(&mut self, power: Power<F>, columns: &[Column<F>]) {
+        let Power { less, more, fourfold } = power;
         let radius = self.rolling_radius;
         let curvature = self.sum(columns, |on, cell| on.curvature * cell.pressure.value);
         let change = self.sum(columns, |on, cell| {
@@ -330,9 +351,9 @@ impl<F: Float> Cells<F> {
         for ((cell, curvature), change) in self.list.iter_mut().zip(curvature).zip(change) {
             // the power of c as its Padé approximant: within a factor of 3 whatever c is
             let c = (curvature * radius).max(F::zero());
-            let below = c.times(1.0 - power).plus(1.0 + power);
-            let factor = c.times(1.0 + power).plus(1.0 - power) / below;
-            let slope = change * radius * F::of(4.0 * power) / (below * below);
+            let below = c * less + more;
+            let factor = (c * more + less) / below;
+            let slope = change * radius * fourfold / (below * below);
             let Moving { value: a, slope: da } = cell.half_length;
             cell.half_length = Moving { value: a * factor, slope: da * factor + a * slope };
         }

@@ -13,7 +13,7 @@
 use crate::contact::forces::StripCount;
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::Float;
-use crate::patch::normal::{CELLS, Given};
+use crate::patch::normal::{CELLS, Given, Power};
 pub use crate::patch::section::Profile;
 use crate::patch::section::SECTION;
 use crate::patch::smooth::Lattice;
@@ -171,7 +171,7 @@ impl<F: Float> Indentation<F> {
         let section = first.times(SECTION) + lattice.lowest;
         let double = contact.rolling_radius.times(2.0);
         coarse.begin(contact.given, first, |cell| (section - cell.distance) * double);
-        let approach = coarse.solve(above(lattice.lowest), COARSE_POWER).value;
+        let approach = coarse.solve(above(lattice.lowest), Power::new(COARSE_POWER)).value;
         if !(approach.is_finite_number() && approach > F::zero()) {
             return Err(Error::Overflow);
         }
@@ -192,13 +192,13 @@ impl<F: Float> Indentation<F> {
             let between = (fine.y(cell.place) - lattice.y(0)) / lattice.width;
             let near = coarse.list.iter().filter(|cell| cell.touches);
             near.fold(F::zero(), |sum, cell| {
-                let share = F::one() - (between - F::of(f64::from(cell.place))).abs();
+                let share = F::one() - (between - F::widened(cell.place as f32)).abs();
                 let square = cell.half_length.value * (cell.pressure.value / slope);
                 sum + square * share.max(F::zero())
             })
         });
         let given = above(fine.lowest);
-        let approach = cells.solve(given, FINE_POWER);
+        let approach = cells.solve(given, Power::new(FINE_POWER));
         let load = cells.load();
         let stiffness = match given {
             Given::Load(_) => F::one() / approach.slope,

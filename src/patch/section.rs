@@ -86,7 +86,7 @@ impl<'a, F: Float> Profile<'a, F> {
     /// Mean distance of neighbouring points.
     pub(super) fn step(&self) -> F {
         let length = self.ends().map_or(F::zero(), |[first, last]| last - first);
-        length / F::of(self.y.len().saturating_sub(1).max(1) as f64)
+        length / F::widened(self.y.len().saturating_sub(1).max(1) as f32)
     }
 
     /// The straight pieces, each with its ends.

@@ -38,9 +38,9 @@ impl<F: Float> Smooth<F> {
         let step = length.times(0.125).max((upper - lower) / F::of((BINS - 2) as f64));
         // (a parabola needs three bins)
         let length = length.max(step.times(3.0));
-        let before = (((middle - lower) / step).max(F::zero()).to_f64() as u32).saturating_add(1);
-        let start = middle - step * F::of(f64::from(before));
-        let edge = |bins: u32| start + step * F::of(f64::from(bins));
+        let before = ((middle - lower) / step).max(F::zero()).whole().saturating_add(1);
+        let start = middle - step * F::widened(before as f32);
+        let edge = |bins: i32| start + step * F::widened(bins as f32);
         let (mut heights, mut shares) = (Vec::new(), Vec::new());
         let (mut sum, mut covered, mut bins) = (F::zero(), F::zero(), 1);
         let mut close = |sum: &mut F, covered: &mut F| {
@@ -70,7 +70,7 @@ impl<F: Float> Smooth<F> {
                 }
             }
         }
-        if covered > F::zero() && bins <= BINS as u32 {
+        if covered > F::zero() && bins <= BINS as i32 {
             close(&mut sum, &mut covered);
         }
         Some(Self { heights, shares, start, step, length })
@@ -80,14 +80,14 @@ impl<F: Float> Smooth<F> {
     fn at(&self, y: F) -> Option<Parabola<F>> {
         let reach = self.length / self.step;
         let place = (y - self.start) / self.step;
-        let near = (place - reach).max(F::zero()).to_f64() as usize;
-        let width = reach.times(2.0).to_f64() as usize + 2;
+        let near = (place - reach).max(F::zero()).whole() as usize;
+        let width = reach.times(2.0).max(F::zero()).whole() as usize + 2;
         let mut moments = [F::zero(); 5];
         let mut sums = [F::zero(); 3];
         let inverse = F::one() / reach;
         let bins = self.heights.iter().zip(&self.shares).enumerate();
         for (i, (height, share)) in bins.skip(near).take(width) {
-            let x = (F::of(i as f64 + 0.5) - place) * inverse;
+            let x = (F::widened(i as f32).plus(0.5) - place) * inverse;
             let rest = (F::one() - x * x).max(F::zero());
             let mut power = rest * rest * rest * *share;
             let mut sums = sums.iter_mut();
@@ -149,7 +149,7 @@ impl<F: Float> Lattice<F> {
         let half = ((level - lowest).max(F::zero()) / bend).sqrt().min(F::one()) * smooth.length;
         // (of a parabola the width, and smooth where a flat crest comes under the level)
         let width = (section.volume / level).times(1.5).max(half.times(2.0));
-        let width = width / F::of(f64::from(count));
+        let width = width / F::widened(count as f32);
         let [first, last] = profile.ends()?;
         Some(Self {
             lowest,
@@ -162,13 +162,13 @@ impl<F: Float> Lattice<F> {
     }
 
     pub fn y(&self, place: i32) -> F {
-        self.middle + self.width * F::of(f64::from(place))
+        self.middle + self.width * F::widened(place as f32)
     }
 
     /// The strips below a level.
     pub fn cells(&self, contact: &ProfileContact<F>, level: F) -> Result<Cells<F>, Error> {
-        let most = F::of(f64::from(PLACES));
-        let places = |length: F| ((length / self.width).min(most).to_f64() as i32).max(1) + 1;
+        let most = F::widened(PLACES as f32);
+        let places = |length: F| (length / self.width).min(most).whole().max(1) + 1;
         let (before, after) = (places(self.middle - self.from), places(self.to - self.middle));
         let mut list = Vec::new();
         for place in -before..=after {

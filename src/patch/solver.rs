@@ -159,7 +159,7 @@ impl<'a, F: Precision> Problem<'a, F> {
     fn shares<T: Real<Base = F>>(
         &self,
         creepage: &Creepage<T>,
-        visit: &mut impl FnMut(&PatchStrip<F>, Share<T>),
+        visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
     ) {
         if self.model == Model::Strip {
             self.rolling_shares(creepage, visit);
@@ -231,7 +231,7 @@ impl<'a, F: Precision> Problem<'a, F> {
     fn elliptic_shares<T: Real<Base = F>>(
         &self,
         creepage: &Creepage<T>,
-        visit: &mut impl FnMut(&PatchStrip<F>, Share<T>),
+        visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
     ) {
         let mut solved: Option<(Zone<F>, Totals<T>)> = None;
         for (i, strip) in self.view.strips().iter().enumerate() {
@@ -260,7 +260,7 @@ impl<'a, F: Precision> Problem<'a, F> {
     fn rolling_shares<T: Real<Base = F>>(
         &self,
         creepage: &Creepage<T>,
-        visit: &mut impl FnMut(&PatchStrip<F>, Share<T>),
+        visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
     ) {
         let QuadratureScale { area, lever } = self.view.scale();
         let mut prepared: Option<Known<F, StripLaw<T>>> = None;

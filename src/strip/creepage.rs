@@ -72,7 +72,8 @@ pub struct StripGeometry<F> {
 
 impl<F: Plain> Prepared<F> {
     /// `axis_ratio` is `a/b`, `linear` the coefficients for it, `factors` those of [`super::Rule`], or 1.
-    #[inline(always)]
+    #[cfg_attr(target_os = "none", inline(never))]
+    #[cfg_attr(not(target_os = "none"), inline(always))]
     pub fn new(
         axis_ratio: F,
         poisson_ratio: F,
@@ -98,7 +99,8 @@ impl<F: Plain> Prepared<F> {
     ///
     /// Fitted for `a/b` 0.1 to 10, `ν` 0 to 1/2 and `|ψ| = (π/3) √(a/b) |φ| ≤ 3`; beyond that finite, bounded and
     /// with the right limits.
-    #[inline(always)]
+    #[cfg_attr(target_os = "none", inline(never))]
+    #[cfg_attr(not(target_os = "none"), inline(always))]
     pub fn see<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Law<T> {
         const K: f64 = 8.0 / (3.0 * PI);
         const LIMIT: f64 = SATURATION * SATURATION * SATURATION * SATURATION;

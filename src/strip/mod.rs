@@ -43,6 +43,7 @@ mod network;
 mod nodes;
 #[cfg(target_arch = "x86_64")]
 pub(crate) mod registers;
+mod single;
 mod tables;
 mod totals;
 

@@ -159,6 +159,8 @@ pub(super) type FourStrips<F> = [Couple<F>; STRIP_FIELDS];
 /// The half of a rule with `Y > 0`, ascending: `Y`, `C`, width.
 pub(super) type Half = [[f64; 3]];
 
+type Place<F> = [Couple<F>; 2];
+
 /// Strips of the Hertz ellipse.
 #[derive(Clone, Copy, Debug)]
 pub struct Rule<F: 'static> {
@@ -169,26 +171,27 @@ pub struct Rule<F: 'static> {
     pub stretch: F,
     /// `(π/8)/Σ C Y² ΔY`: makes the linear moment of spin exact.
     pub lever: F,
-    half: &'static Half,
+    /// Of those at `Y > 0`, ascending: `Y` and `C`, width and nothing.
+    half: &'static [Place<F>],
 }
 
 impl<F: Float> Rule<F> {
     /// Where the strips lie.
     #[must_use]
     pub fn new(count: StripCount) -> Self {
-        let (fours, half): (&[FourStrips<F>], &Half) = match count {
-            StripCount::Four => (F::table(&NARROW_4, &TABLE_4), &HALF_OF_4),
-            StripCount::Eight => (F::table(&NARROW_8, &TABLE_8), &HALF_OF_8),
-            StripCount::Sixteen => (F::table(&NARROW_16, &TABLE_16), &HALF_OF_16),
-            StripCount::ThirtyTwo => (F::table(&NARROW_32, &TABLE_32), &HALF_OF_32),
-            StripCount::SixtyFour => (F::table(&NARROW_64, &TABLE_64), &HALF_OF_64),
+        let (fours, factors): (&[FourStrips<F>], _) = match count {
+            StripCount::Four => (F::table(&NARROW_4, &TABLE_4), &FACTORS_4),
+            StripCount::Eight => (F::table(&NARROW_8, &TABLE_8), &FACTORS_8),
+            StripCount::Sixteen => (F::table(&NARROW_16, &TABLE_16), &FACTORS_16),
+            StripCount::ThirtyTwo => (F::table(&NARROW_32, &TABLE_32), &FACTORS_32),
+            StripCount::SixtyFour => (F::table(&NARROW_64, &TABLE_64), &FACTORS_64),
         };
-        let factors = match count {
-            StripCount::Four => &FACTORS_4,
-            StripCount::Eight => &FACTORS_8,
-            StripCount::Sixteen => &FACTORS_16,
-            StripCount::ThirtyTwo => &FACTORS_32,
-            StripCount::SixtyFour => &FACTORS_64,
+        let half: &[Place<F>] = match count {
+            StripCount::Four => F::table(&NARROW_PLACES_4, &PLACES_4),
+            StripCount::Eight => F::table(&NARROW_PLACES_8, &PLACES_8),
+            StripCount::Sixteen => F::table(&NARROW_PLACES_16, &PLACES_16),
+            StripCount::ThirtyTwo => F::table(&NARROW_PLACES_32, &PLACES_32),
+            StripCount::SixtyFour => F::table(&NARROW_PLACES_64, &PLACES_64),
         };
         let [stretch, lever] = factors.of::<F>().next().unwrap_or([F::one(); 2]);
         Self { fours, stretch, lever, half }
@@ -196,9 +199,21 @@ impl<F: Float> Rule<F> {
 
     /// `Y`, `C` and width of the strips, ascending in `Y`.
     pub fn places(&self) -> impl Iterator<Item = [F; 3]> {
-        let lower = self.half.iter().rev().map(|[y, c, width]| [-y, *c, *width]);
-        lower.chain(self.half.iter().copied()).map(|place| place.map(F::of))
+        let lower = self.half.iter().rev().map(|[[y, c], [width, _]]| [-*y, *c, *width]);
+        lower.chain(self.half.iter().map(|[[y, c], [width, _]]| [*y, *c, *width]))
     }
+}
+
+#[allow(clippy::indexing_slicing)]
+const fn places<const H: usize>(half: &Half) -> [Place<f64>; H] {
+    let mut places = [[[0.0; 2]; 2]; H];
+    let mut i = 0;
+    while i < H {
+        let [y, c, width] = half[i];
+        places[i] = [[y, c], [width, 0.0]];
+        i += 1;
+    }
+    places
 }
 
 /// `[π/2/Σ C ΔY, π/8/Σ C Y² ΔY]`
@@ -245,18 +260,20 @@ const fn fours<const N: usize>(half: &Half) -> [FourStrips<f64>; N] {
 }
 
 macro_rules! rule {
-    ($count:literal, $table:ident, $narrow:ident, $factors:ident, $half:ident) => {
+    ($count:literal, $table:ident, $narrow:ident, $factors:ident, $half:ident, $places:ident, $narrow_places:ident) => {
         static $table: [FourStrips<f64>; $count / 4] = fours(&$half);
         static $narrow: [FourStrips<f32>; $count / 4] = narrow(&$table);
         static $factors: Nodes<1> = Nodes::new([factors(&$half)]);
+        static $places: [Place<f64>; $count / 2] = places(&$half);
+        static $narrow_places: [Place<f32>; $count / 2] = narrow(&$places);
     };
 }
 
-rule!(4, TABLE_4, NARROW_4, FACTORS_4, HALF_OF_4);
-rule!(8, TABLE_8, NARROW_8, FACTORS_8, HALF_OF_8);
-rule!(16, TABLE_16, NARROW_16, FACTORS_16, HALF_OF_16);
-rule!(32, TABLE_32, NARROW_32, FACTORS_32, HALF_OF_32);
-rule!(64, TABLE_64, NARROW_64, FACTORS_64, HALF_OF_64);
+rule!(4, TABLE_4, NARROW_4, FACTORS_4, HALF_OF_4, PLACES_4, NARROW_PLACES_4);
+rule!(8, TABLE_8, NARROW_8, FACTORS_8, HALF_OF_8, PLACES_8, NARROW_PLACES_8);
+rule!(16, TABLE_16, NARROW_16, FACTORS_16, HALF_OF_16, PLACES_16, NARROW_PLACES_16);
+rule!(32, TABLE_32, NARROW_32, FACTORS_32, HALF_OF_32, PLACES_32, NARROW_PLACES_32);
+rule!(64, TABLE_64, NARROW_64, FACTORS_64, HALF_OF_64, PLACES_64, NARROW_PLACES_64);
 
 /// In single precision.
 #[allow(clippy::indexing_slicing)]

@@ -4,6 +4,7 @@ use super::any::{Forces, Slopes, both_kinds, of_eight, parts_of_eight};
 use super::creepage::{Law, Prepared};
 use super::derivative::{SpinSlopes, forces_and_slopes};
 use super::kernel::{Carried, Seen, Spin, forces};
+use super::single::{self, Apart};
 use super::tables::{FourStrips, Rule, STRIP_FIELDS, Tables};
 use crate::contact::forces::{StripCount, Totals};
 use crate::linear::LinearCoefficients;
@@ -18,7 +19,7 @@ const STEP: f64 = 0.2;
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedStrips<F: Plain> {
     pub(crate) contact: Prepared<F>,
-    rule: Rule<F::Stored>,
+    pub(super) rule: Rule<F::Stored>,
 }
 
 /// Numbers that contacts are solved in, and how their strips are added up.
@@ -34,11 +35,17 @@ pub trait StripTotals: Plain {
     /// What any eight strips carry that see `A_x, A_y, σ`, the spread and the start, each with its share of the inner nodes.
     #[inline(always)]
     fn eight_forces(seen: [[Self; 8]; 5], inner: [Self; 8]) -> Forces<Self, 8> {
+        if cfg!(target_os = "none") {
+            return single::eight::<_, false>(seen, inner).0;
+        }
         both_kinds::<_, _, 8, false>(seen, inner, of_eight, parts_of_eight).0
     }
     /// That, and its derivatives.
     #[inline(always)]
     fn eight_slopes(seen: [[Self; 8]; 5], inner: [Self; 8]) -> (Forces<Self, 8>, Slopes<Self, 8>) {
+        if cfg!(target_os = "none") {
+            return single::eight::<_, true>(seen, inner);
+        }
         both_kinds::<_, _, 8, true>(seen, inner, of_eight, parts_of_eight)
     }
 }
@@ -53,6 +60,16 @@ impl StripTotals for f64 {}
 pub struct Sums<F> {
     values: [F; 4],
     slopes: [[F; 6]; 3],
+}
+
+impl<F: Plain> Sums<F> {
+    /// From `f_x, f_y`, the two parts of the moment and the stick area.
+    #[inline(always)]
+    pub(super) fn of(values: [F; 5], slopes: [[F; 6]; 3], contact: &Prepared<F>) -> Self {
+        let [fx, fy, by_x, by_y, stick] = values;
+        let mz = by_x * contact.root - by_y * contact.upright;
+        Self { values: [fx, fy, mz, stick.clamped(F::zero(), F::one())], slopes }
+    }
 }
 
 impl<F: Plain> PreparedStrips<F> {
@@ -80,11 +97,21 @@ impl<F: Plain> PreparedStrips<F> {
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
         let law = self.contact.see(creepage);
         let sums = if T::HAS_DERIVATIVES {
-            self.sums::<Quads, true>(&law.value())
+            self.plain_sums::<true>(&law.value())
         } else {
-            self.sums::<Quads, false>(&law.value())
+            self.plain_sums::<false>(&law.value())
         };
         self.totals_of(&law, sums)
+    }
+
+    /// Without wide registers.
+    #[inline(always)]
+    fn plain_sums<const SLOPES: bool>(&self, law: &Law<F>) -> Sums<F> {
+        if cfg!(target_os = "none") {
+            single::sums::<F, SLOPES>(&self.contact, self.rule.fours, law)
+        } else {
+            self.sums::<Quads, SLOPES>(law)
+        }
     }
 
     /// From the sums over the strips, with the derivatives of what they see.
@@ -148,12 +175,11 @@ impl<F: Plain> PreparedStrips<F> {
                 }
             }
         }
-        let [fx, fy, by_x, by_y, stick] = values;
-        let stick = stick.clamped(F::zero(), F::one());
-        Sums { values: [fx, fy, by_x * root - by_y * upright, stick], slopes: by_law }
+        Sums::of(values, by_law, &self.contact)
     }
 
     /// Fours of strips.
+    #[cfg(target_arch = "x86_64")]
     pub(super) fn fours(&self) -> usize {
         self.rule.fours.len()
     }
@@ -165,26 +191,23 @@ impl<F: Plain> PreparedStrips<F> {
         F: Float,
     {
         let law = self.contact.see(creepage);
-        let Sums { values: [fx, fy, mz, stick], .. } = self.sums::<Quads, false>(&law);
+        let Sums { values: [fx, fy, mz, stick], .. } = self.plain_sums::<false>(&law);
         let sums = Totals { fx, fy, mz, stick };
         let whole = power_projected(sums, law.creepage, &self.contact.linear);
-        let strips = Together::new::<F, Quads>(&law);
+        let strips = Apart::new(&law);
         let mut strip = |i: usize, lane: usize| {
             let Some(four) = self.rule.fours.get(i) else { return };
-            let fields = fields::<F, Quads>(four);
-            let Carried { fx, fy, mx, stick } = strips.forces::<F, Quads>(&fields);
+            let (Carried { fx, fy, mx, stick }, fields) = strips.strip(four, lane);
             let [.., load, load_c, load_y, area, _] = fields;
             let Prepared { root, upright, .. } = self.contact;
-            let mz = (mx * load_c).scale(root) - (fx * load_y).scale(upright);
-            let of = |quad: F::Quad| quad.parts().get(lane).copied().unwrap_or(F::zero());
-            let share = of(load);
+            let mz = mx * load_c * root - fx * load_y * upright;
             let found = Totals {
-                fx: of(fx * load) + share * (whole.fx - sums.fx),
-                fy: of(fy * load) + share * (whole.fy - sums.fy),
-                mz: of(mz) + share * (whole.mz - sums.mz),
-                stick: of(stick),
+                fx: fx * load + load * (whole.fx - sums.fx),
+                fy: fy * load + load * (whole.fy - sums.fy),
+                mz: mz + load * (whole.mz - sums.mz),
+                stick,
             };
-            take(found, of(area));
+            take(found, area);
         };
         let count = self.rule.fours.len();
         // [Y₀, Y₁, −Y₀, −Y₁] with Y₀ > Y₁, fours from the middle on
@@ -296,7 +319,7 @@ pub(crate) trait Group<F: Plain> {
 }
 
 /// Four in [`Number::Quad`].
-struct Quads;
+pub(super) struct Quads;
 
 impl<F: Plain> Group<F> for Quads {
     type Strips = F::Quad;

@@ -81,7 +81,8 @@ impl<F: Plain> Prepared<F> {
     ///
     /// Made for `a/b` 0.05 to 20 and `ν` 0 to 1/2; finite and with the right limits beyond.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(target_os = "none", inline(never))]
+    #[cfg_attr(not(target_os = "none"), inline(always))]
     pub fn new(axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>) -> Self {
         let g = axis_ratio.clamped(F::of(1.0 / RATIO_LIMIT), F::of(RATIO_LIMIT));
         let inverse = F::one() / g;
@@ -113,7 +114,8 @@ impl<F: Plain> Prepared<F> {
 
     /// Totals for creepages `vx, vy = G a b (υx, υy)/(μ N)` and spin `φ = G (a b)^{3/2} ϕ/(μ N)`. The stick area is not known.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(target_os = "none", inline(never))]
+    #[cfg_attr(not(target_os = "none"), inline(always))]
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
         let one = T::one();
         let LinearCoefficients { c11, c22, c23, c33 } = self.linear;

@@ -223,6 +223,9 @@ impl Float for Precise {
     fn to_f64(self) -> f64 {
         self.digits().to_f64().value()
     }
+    fn whole(self) -> i32 {
+        self.to_f64() as i32
+    }
     fn is_finite_number(self) -> bool {
         true
     }

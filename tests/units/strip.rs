@@ -1,6 +1,7 @@
 use super::*;
 use crate::contact::forces::StripCount;
 use crate::linear::LinearCoefficients;
+use crate::number::Float;
 use crate::number::dual::Dual;
 use approx::assert_abs_diff_eq;
 use core::f64::consts::PI;
@@ -460,4 +461,51 @@ fn derivatives_are_those_of_dual_numbers() {
         }
         assert_abs_diff_eq!(found.stick.value, dual.stick.value, epsilon = 1e-12);
     }
+}
+
+/// Strips one after the other, as on a microcontroller, give the bits of strips side by side, and so do any eight.
+#[test]
+fn single_strips_give_the_bits_of_strips_side_by_side() {
+    // (what is printed tells the bits of a number)
+    fn text(numbers: &impl core::fmt::Debug) -> heapless::String<16_384> {
+        use core::fmt::Write;
+        let mut text = heapless::String::new();
+        write!(text, "{numbers:?}").expect("room");
+        text
+    }
+    fn agree<F: StripTotals + Float>() {
+        let mut before = text(&());
+        for (k, count) in COUNTS.into_iter().enumerate() {
+            for g in [0.2, 1.0, 4.0] {
+                let (ratio, nu) = (F::of(g), F::of(0.28));
+                let linear = LinearCoefficients::at(ratio, nu);
+                let strips = PreparedStrips::new(ratio, nu, &linear, count);
+                let (contact, fours) = (&strips.contact, strips.rule.fours);
+                for v in [[0.3, 0.1, 0.2], [0.0, 2.0, -3.0], [-0.05, 0.0, 0.0], [40.0, 1.0, 9.0]] {
+                    let law = contact.see(v.map(F::of));
+                    let forces = strips.sums::<totals::Quads, false>(&law);
+                    let slopes = strips.sums::<totals::Quads, true>(&law);
+                    let own = text(&[forces, slopes]);
+                    let forces = single::sums::<F, false>(contact, fours, &law);
+                    let slopes = single::sums::<F, true>(contact, fours, &law);
+                    assert_eq!(text(&[forces, slopes]), own, "{count:?} {g} {v:?}");
+                    assert_ne!(own, before);
+                    before = own;
+                }
+            }
+            let number = |i: usize| F::of(((i * 37 + k * 11) % 97) as f64 / 40.0 - 1.0);
+            let seen = [0, 8, 16, 24, 32].map(|row| core::array::from_fn(|i| number(row + i)));
+            let inner = core::array::from_fn(|i| F::of(i as f64 / 7.0));
+            let (of, parts) = (any::of_eight::<F>, any::parts_of_eight::<F>);
+            let (forces, slopes) = any::both_kinds::<_, _, 8, true>(seen, inner, of, parts);
+            let own = text(&(forces, slopes));
+            let found = single::eight::<F, true>(seen, inner);
+            assert_eq!(text(&found), own);
+            assert_eq!(text(&single::eight::<F, false>(seen, inner).0), text(&found.0));
+            assert_ne!(own, before);
+            before = own;
+        }
+    }
+    agree::<f64>();
+    agree::<f32>();
 }
