@@ -108,14 +108,9 @@ impl<F: Plain> Creepage<F> {
     /// [`Contact::is_usual`](Contact).
     #[inline(always)]
     pub(crate) fn is_usual(&self) -> bool {
-        self.translates_usually() && self.spin.abs().lies_within(F::of(LARGEST_SPIN))
-    }
-
-    /// The same without spin.
-    #[inline(always)]
-    pub(crate) fn translates_usually(&self) -> bool {
         self.longitudinal.abs().lies_within(F::of(10.0))
             && self.lateral.abs().lies_within(F::of(10.0))
+            && self.spin.abs().lies_within(F::of(LARGEST_SPIN))
     }
 }
 

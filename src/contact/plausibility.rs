@@ -90,12 +90,12 @@ impl<F: Plain> Contact<F> {
 }
 
 impl<F: Float> Contact<F> {
-    /// With `|υ|` up to 10 and `|φ|` up to this the contact [is ordinary](Contact::is_ordinary) \[1/m\]; negative
-    /// where it never is. A hair less than the largest of these.
+    /// With `|υ|` up to 10 and `|φ|` up to this the contact [is ordinary](Contact::is_ordinary) \[1/m\]; zero
+    /// where it hardly is. A hair less than the largest of these.
     pub(crate) fn ordinary_spin(&self) -> F {
         let load = self.normal_force.times(1.5 / PI);
         if !self.is_usual() || load > self.stiffness().times(LARGEST_PRESSURE) {
-            return -F::one();
+            return F::zero();
         }
         let at_the_edge = F::constant(EDGE_SLIP) / (self.a * self.b).sqrt();
         let inclined = load.times(LARGEST_INCLINATION) / (self.stiffness() * self.a);

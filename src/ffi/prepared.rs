@@ -9,24 +9,27 @@ use crate::total;
 
 /// How many numbers there is room for.
 pub(super) const ROOM: usize = 96;
-/// The numbers begin with a [`Head`] and a [`Frame`]; those of the model begin here.
+/// The numbers begin with a [`Head`], then a [`Frame`] and what the model knows.
+const FRAME: usize = 3;
 const KERNEL: usize = 20;
 
-/// What the numbers begin with where a contact has been prepared: no number that comes by chance.
-const MARK: f64 = 19_671_208.0;
+/// What model and strip count are told with where a contact has been prepared: no bits that come by chance.
+const MARKS: [i32; 2] = [0x1967_1208, 0x0c52_e817];
 
 /// What is looked at before the rest.
 #[repr(C)]
 #[derive(Clone, Copy)]
 struct Head<F> {
-    /// [`MARK`]
-    mark: F,
-    /// With creepages of the usual sizes and spins up to this one no check of [`is_ordinary`] can fail \[1/m\]; less than
-    /// zero: look at each.
-    spin: F,
+    /// Model and strip count, each with the bits of its [`MARKS`] turned.
+    marks: [i32; 2],
+    /// `w`: where `|υx| + |υy| + w |φ| ≤ 10` no check of [`is_ordinary`] can fail; infinite where each has to be looked at.
+    per_spin: F,
 }
 
-/// Structures that consist of numbers of one kind, so that any numbers are a value of them.
+/// `|υ|` up to which no check can fail.
+const QUICK: f64 = 10.0;
+
+/// Structures that consist of numbers, so that any bits are a value of them.
 ///
 /// # Safety
 /// True of the implementor.
@@ -44,9 +47,10 @@ impl<F: Precision> PreparedNumbers<F> {
         let numbers = MaybeUninit::new([F::zero(); ROOM]);
         let mut stored = Self { numbers, model: model as i32, strips: strips as i32 };
         let contact = &prepared.frame.contact;
-        let spin = if contact.is_lost() { -F::one() } else { contact.ordinary_spin() };
-        stored.put::<_, 0>(Head { mark: F::constant(MARK), spin });
-        stored.put::<_, 2>(prepared.frame);
+        let spin = if contact.is_lost() { F::zero() } else { contact.ordinary_spin() };
+        let per_spin = F::constant(QUICK) / spin;
+        stored.put::<_, 0>(Head { marks: marks(stored.model, stored.strips), per_spin });
+        stored.put::<_, FRAME>(prepared.frame);
         match &prepared.kernel {
             Kernel::Strip1967(_) => {}
             Kernel::Strip(strips) => stored.put::<_, KERNEL>(strips.contact),
@@ -58,31 +62,25 @@ impl<F: Precision> PreparedNumbers<F> {
 
     #[inline(always)]
     pub(super) fn solve(&self, creepage: &Creepage<F>) -> Result<Solution<F>, Error> {
-        let (model, strips, quick) = self.looked_at(creepage)?;
-        if quick && model == Model::Linear {
+        let head: &Head<F> = self.part::<_, 0>();
+        if head.marks != marks(self.model, self.strips) {
+            return Err(Error::NotPrepared);
+        }
+        let Creepage { longitudinal, lateral, spin } = *creepage;
+        let size = longitudinal.abs() + lateral.abs() + spin.abs() * head.per_spin;
+        let quick = size <= F::constant(QUICK);
+        if quick && self.model == Model::Linear as i32 {
             return Ok(self.linear().answer(creepage, true));
         }
         let mut found = Solution::nothing();
-        self.solve_other(creepage, model, strips, quick, &mut found)?;
+        self.solve_other(creepage, quick, &mut found)?;
         Ok(found)
-    }
-
-    /// What is prepared, and whether nothing can be wrong or implausible.
-    #[inline(always)]
-    fn looked_at(&self, creepage: &Creepage<F>) -> Result<(Model, StripCount, bool), Error> {
-        let head: &Head<F> = self.part::<_, 0>();
-        let model = Model::from_number(self.model).ok_or(Error::NotPrepared)?;
-        let strips = StripCount::from_number(self.strips).ok_or(Error::NotPrepared)?;
-        if head.mark != F::constant(MARK) {
-            return Err(Error::NotPrepared);
-        }
-        Ok((model, strips, creepage.translates_usually() && creepage.spin.abs() <= head.spin))
     }
 
     #[inline(always)]
     fn linear(&self) -> View<'_, F> {
         let kernel = KernelView::Linear(self.part::<_, KERNEL>());
-        View { frame: self.part::<_, 2>(), model: Model::Linear, kernel }
+        View { frame: self.part::<_, FRAME>(), model: Model::Linear, kernel }
     }
 
     /// (Apart from the linear theory, which is done before much has been put on the stack.)
@@ -90,12 +88,12 @@ impl<F: Precision> PreparedNumbers<F> {
     fn solve_other(
         &self,
         creepage: &Creepage<F>,
-        model: Model,
-        strips: StripCount,
         quick: bool,
         found: &mut Solution<F>,
     ) -> Result<(), Error> {
-        let frame: &Frame<F> = self.part::<_, 2>();
+        let model = Model::from_number(self.model).ok_or(Error::NotPrepared)?;
+        let strips = StripCount::from_number(self.strips).ok_or(Error::NotPrepared)?;
+        let frame: &Frame<F> = self.part::<_, FRAME>();
         let ordinary = quick || is_ordinary(&frame.contact, creepage, model)?;
         if !quick && frame.contact.is_lost() {
             return Ok(());
@@ -152,4 +150,9 @@ impl<F: Precision> PreparedNumbers<F> {
                 .read_unaligned()
         }
     }
+}
+
+fn marks(model: i32, strips: i32) -> [i32; 2] {
+    let [of_model, of_strips] = MARKS;
+    [model ^ of_model, strips ^ of_strips]
 }
