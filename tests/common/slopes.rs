@@ -78,7 +78,8 @@ impl SlopeCase {
 }
 
 /// Without spin, along random rays (a/b 0.25 to 4) to a linear force of 2.6: the sum of the rises of the slope over the first slope,
-/// and by how much the force falls after its maximum.
+/// and by how much the force's size falls after its maximum. (Along the ray it falls where the force turns from the direction of the
+/// linear theory into that of the slip.)
 pub fn rays(count: usize, solve: Solve) -> (Vec<f64>, f64) {
     const STEPS: usize = 120;
     let mut random = Random::new(12);
@@ -86,16 +87,17 @@ pub fn rays(count: usize, solve: Solve) -> (Vec<f64>, f64) {
     let rises = (0..count).map(|_| {
         let (g, nu) = (random.log_between(0.25, 4.0), random.between(0.2, 0.4));
         let (turn, [x, y, _]) = (random.between(0.0, PI / 2.0), linear_steps(g, nu));
+        let mut most = 0.0_f64;
         let force: Vec<f64> = (0..=STEPS)
             .map(|i| {
                 let u = 2.6 * i as f64 / STEPS as f64;
                 let at = state(g, nu, [u * turn.cos() * x, u * turn.sin() * y, 0.0]);
                 let [fx, fy] = solve(&at).force;
+                most = most.max(fx.hypot(fy));
+                fall = fall.max(most - fx.hypot(fy));
                 fx * turn.cos() + fy * turn.sin()
             })
             .collect();
-        let most = force.iter().copied().fold(0.0, f64::max);
-        fall = fall.max(most - force[STEPS]);
         let slopes: Vec<f64> = force.windows(2).map(|f| f[1] - f[0]).collect();
         slopes.windows(2).map(|s| (s[1] - s[0]).max(0.0)).sum::<f64>() / slopes[0]
     });
