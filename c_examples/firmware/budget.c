@@ -169,7 +169,7 @@ static __attribute__((noinline)) uint32_t ticks(call what, const kstrip_contact_
 }
 
 /* Counts of calls per number of instructions; more than the last are counted there. */
-#define BINS (TRACED ? 1u : 500000u)
+#define BINS (TRACED ? 2u : 500000u)
 static uint16_t histogram[BINS];
 
 #define PAINTED 65536u
