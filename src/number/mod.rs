@@ -336,23 +336,6 @@ macro_rules! either {
 }
 pub(crate) use either;
 
-/// `ln(x/y)` of two positive normal numbers; see [`Plain::ln_quotient`].
-#[inline(always)]
-pub(crate) fn ln_of_quotient<T: Number>(x: T, y: T) -> T {
-    let (p, q) = (x.value(), y.value());
-    let one = T::Base::one();
-    let bare = |x: T::Base| T::from_base(x).bare();
-    T::composed(bare(p.ln_quotient(q)), [bare(one / p), bare(-(one / q))], [x, y])
-}
-
-/// `arctan x` of a number between 0 and 1; see [`Plain::atan_of_unit`].
-#[inline(always)]
-pub(crate) fn atan_of_unit<T: Number>(x: T) -> T {
-    let p = x.value();
-    let bare = |x: T::Base| T::from_base(x).bare();
-    T::composed(bare(p.atan_of_unit()), [bare((p * p).plus(1.0).inverse())], [x])
-}
-
 /// A number that the theory can be evaluated with. Comparisons look at the value only.
 pub trait Real: Number<Base: Float> + PartialEq + PartialOrd + Elementary {}
 

@@ -42,6 +42,12 @@ impl<T: Number> Edge<T> {
         Self { y, c: ((T::one() - y) * (T::one() + y)).sqrt() }
     }
 
+    /// Without derivatives.
+    #[inline(always)]
+    pub fn values(&self) -> Edge<T::Base> {
+        Edge { y: self.y.value(), c: self.c.value() }
+    }
+
     /// `yes` where a number is positive, else `no`.
     #[inline(always)]
     pub fn chosen(by: T, yes: Self, no: Self) -> Self {
@@ -63,6 +69,14 @@ pub struct Arc<T> {
 }
 
 impl<T: Number> Arc<T> {
+    /// Without derivatives.
+    #[inline(always)]
+    pub fn values(&self) -> Arc<T::Base> {
+        let (lower, upper, middle) =
+            (self.lower.values(), self.upper.values(), self.middle.values());
+        Arc { lower, upper, middle, tangent: self.tangent.value() }
+    }
+
     /// Between two points, not the whole edge.
     #[inline(always)]
     pub fn between(lower: Edge<T>, upper: Edge<T>) -> Self {
@@ -79,38 +93,35 @@ impl<T: Number> Arc<T> {
 #[inline(always)]
 pub fn adhesion<T: Number>(motion: &Motion<T>) -> (Arc<T>, T) {
     let Motion { xi, eta, slope: p, q, eta_psi: m, .. } = *motion;
-    let (xi2, p2, eta2, m2) = (xi * xi, p * p, eta * eta, m * m);
+    let (p2, eta2, none, least) = (p * p, eta * eta, T::zero(), T::from_base(T::ROOT_TINY));
     // The root as its distance s from min(ξ², p²), which is positive: neither λ nor d cancels.
     let inside = p - xi;
-    let least = inside.choose(xi2, p2);
-    let gap = inside.choose(inside, -inside) * (p + xi);
-    let (beside_p, beside_xi) = (inside.choose(gap, T::zero()), inside.choose(T::zero(), gap));
-    let d0 = q + beside_p + T::from_base(T::ROOT_TINY);
-    let cubic = Cubic { least, gap, d0, eta2, m2 };
-    let s = cubic.root();
+    let gap = inside.abs() * (p + xi);
+    let (beside_p, beside_xi) = (inside.choose(gap, none), inside.choose(none, gap));
+    let d0 = q + beside_p + least;
+    let s = root(motion, xi.min(p).squared(), gap, d0);
     let (d, lambda) = (d0 + s, beside_xi + s);
-    let l0 = p2 + q + T::from_base(T::ROOT_TINY);
-    // M = λ + p² + η² + m²/d
+    let scale = (p2 + q + least).inverse();
+    // d M, M = λ + p² + η² + m²/d
     let rest = lambda + p2 + eta2;
-    let big = rest + m2 / (d + T::tiny()) + T::from_base(T::ROOT_TINY);
-    let root = (d * big).sqrt();
+    let root = (d * rest + m * m).sqrt();
     // D/d = (m + √(dM))/d = (λ + p² + η²)/(√(dM) − m)
-    let ratio = m.choose((m + root) / d, rest / (root - m + T::tiny()));
-    // (p ξ/√M, √d), whose square is L₀
-    let normal = Edge { y: p * xi / big.sqrt(), c: d.sqrt() };
-    let inverse = (normal.y * normal.y + d + T::tiny()).sqrt().inverse();
-    let middle = Edge { y: normal.y * inverse, c: normal.c * inverse };
-    let cosine = ratio * middle.c;
-    // sin² β as a quotient by L₀, or where L₀ is small and the quotient not below zero as 1 − cos² β
+    let ratio = m.choose(m + root, rest) / m.choose(d, root - m + T::tiny());
+    // (p ξ/√M, √d)/√L₀
+    let c = (d * scale).sqrt();
+    let middle = Edge { y: p * xi * c / (root + T::tiny()), c };
+    let cosine = ratio * c;
+    // sin² β as a quotient by L₀, or where that loses more and is not below zero as 1 − cos² β
     let pull = (m * ratio).times(2.0);
-    let excess = q - lambda - eta2 - pull;
-    let noise = (q + lambda + eta2 + m.choose(pull, -pull)).scale(T::EPSILON.times(4.0));
-    let rest = (T::one() - cosine) * (T::one() + cosine);
-    let quotient = excess / l0;
-    let small = (excess + noise).choose(rest, quotient);
+    let sum = q + lambda + eta2;
+    let quotient = (q - lambda - eta2 - pull) * scale;
+    let size = (sum + pull.abs()) * scale;
+    let likely = quotient + size.scale(T::EPSILON.times(4.0));
+    let exact = (T::one() - cosine) * (T::one() + cosine);
+    let sine2 = (size - T::one()).choose(likely.choose(exact, quotient), quotient);
     // (what is narrower than rounding is none)
-    let sine2 = (l0 - T::one()).choose(quotient, small) - T::from_base(T::EPSILON * T::EPSILON);
-    let sine = sine2.choose(sine2.min(T::one()), T::zero()).sqrt();
+    let sine2 = sine2 - T::from_base(T::EPSILON * T::EPSILON);
+    let sine = sine2.min(T::one()).max(none).sqrt();
     let cosine = sine2.choose(cosine, T::one());
     let (across, along) = (middle.c * sine, middle.y * sine);
     let (y, c) = (middle.y * cosine, middle.c * cosine);
@@ -123,57 +134,45 @@ pub fn adhesion<T: Number>(motion: &Motion<T>) -> (Arc<T>, T) {
     (arc, sine2)
 }
 
-/// The cubic for `s = min(ξ², p²) − L`: `d s (s + gap) = (η² d + m²)(min(ξ², p²) − s)` with `d = d₀ + s`, one positive root.
-struct Cubic<T> {
-    least: T,
-    gap: T,
-    d0: T,
-    eta2: T,
-    m2: T,
-}
-
-impl<T: Number> Cubic<T> {
-    /// The root: two steps of Halley's for its value, one of Newton's that carries derivatives.
-    #[inline(always)]
-    fn root(&self) -> T {
-        let plain = Cubic {
-            least: self.least.value(),
-            gap: self.gap.value(),
-            d0: self.d0.value(),
-            eta2: self.eta2.value(),
-            m2: self.m2.value(),
-        };
-        let tiny = <T::Base as Arithmetic>::tiny();
-        // For a given d it is a square root, now above and now below: the mean of two in turn is near wherever it lies.
-        let below = plain.with(plain.d0 + plain.least);
-        let above = plain.with(plain.d0 + below);
-        let mut s = (above * plain.with(plain.d0 + above)).sqrt();
-        for _ in 0..2 {
-            let (value, slope) = plain.at(s);
-            let bend = s.times(3.0) + (plain.d0 + plain.gap + plain.eta2);
-            s -= value * slope / (slope * slope - value * bend + tiny);
-        }
-        let (_, slope) = plain.at(s);
-        let (value, _) = self.at(T::from_base(s));
-        let inverse = T::Base::one() / (slope + tiny);
-        (T::from_base(s) - value.scale(inverse)).max(T::zero())
-    }
-
-    #[inline(always)]
-    fn at(&self, s: T) -> (T, T) {
-        let (d, other, left) = (self.d0 + s, s + self.gap, self.least - s);
-        let pull = self.eta2 * d + self.m2;
+/// The positive root of the cubic for `s = least − L`, `least = min(ξ², p²)`:
+/// `d s (s + gap) = (η² d + m²)(least − s)` with `d = d₀ + s`.
+#[inline(always)]
+fn root<T: Number>(motion: &Motion<T>, least: T, gap: T, d0: T) -> T {
+    let (eta2, m2) = (motion.eta * motion.eta, motion.eta_psi * motion.eta_psi);
+    let inputs = [least, gap, d0, eta2, m2];
+    let (least, gap, d0) = (least.value(), gap.value(), d0.value());
+    let (eta2, m2, eta) = (eta2.value(), m2.value(), motion.eta.value().abs());
+    // For a given d it is a square root: s (s + gap) = E (least − s), E = η² + m²/d, d ≈ d₀ + least |η|/(|η| + max(ξ, p))
+    let weight = eta + motion.xi.value().max(motion.slope.value());
+    let e = eta2 + m2 * weight / (d0 * weight + least * eta + T::TINY);
+    let sum = gap + e;
+    let product = (e * least).times(2.0);
+    let mut s = product / (sum + (sum * sum + product.times(2.0)).sqrt() + T::TINY);
+    // Halley's steps, two of them nearly always; side by side those that need more
+    let mut open = T::Base::one();
+    for i in 0..16 {
+        let (d, other, left) = (d0 + s, s + gap, least - s);
+        let pull = eta2 * d + m2;
+        let slope = d * (s + other) + s * other + (pull - eta2 * left);
         let value = d * s * other - pull * left;
-        let slope = d * (s + other) + s * other + (pull - self.eta2 * left);
-        (value, slope)
+        let bend = s.times(3.0) + (d0 + gap + eta2);
+        let step = value * slope / (slope * slope - value * bend + T::TINY);
+        s = if T::LANES == 1 { s - step } else { open.choose(s - step, s) };
+        if i > 0 {
+            // the error is about the cube of the step
+            let more = step.abs() * (step * step) - T::EPSILON * s * (s * s);
+            open = open.choose(more, T::Base::zero());
+            if !open.exceeds(T::Base::zero()) {
+                break;
+            }
+        }
     }
-
-    /// `s (s + gap) = E (least − s)`, `E = η² + m²/d`
-    #[inline(always)]
-    fn with(&self, d: T) -> T {
-        let e = self.eta2 + self.m2 / (d + T::tiny());
-        let sum = self.gap + e;
-        let product = (e * self.least).times(2.0);
-        product / (sum + (sum * sum + product.times(2.0)).sqrt() + T::tiny())
-    }
+    let s = s.max(T::Base::zero());
+    let (d, other, left) = (d0 + s, s + gap, least - s);
+    let pull = eta2 * d + m2;
+    let slope = d * (s + other) + s * other + (pull - eta2 * left);
+    let by = -(slope + T::TINY).inverse();
+    let slopes = [-pull, d * s, s * other - eta2 * left, -(d * left), -left];
+    let slopes = T::Bare::each(&slopes, |part| T::from_base(*part * by).bare());
+    T::composed(T::from_base(s).bare(), slopes, inputs)
 }

@@ -35,6 +35,7 @@
 //! never negative.
 
 pub mod edge;
+mod sliding;
 pub mod strip;
 pub mod strips;
 mod totals;
@@ -42,7 +43,7 @@ mod totals;
 pub use self::totals::totals;
 
 use crate::contact::creepage::Parameters;
-use crate::number::{Arithmetic, Number, Stored};
+use crate::number::{Arithmetic, Number, Stored, either};
 use crate::strip_1967::strip::SlidingRule;
 
 /// What all strips share: creepages turned so that `ξ ≥ 0` and `0 ≤ ψ ≤ 1`.
@@ -94,13 +95,18 @@ impl<T: Number> Motion<T> {
         let (xi, eta) = (xi.scale(turned_all * turned_xi), eta.scale(turned_all));
         let psi = psi.scale(turned_all);
         let slope = psi.scale(width);
-        // far beyond any adhesion the same direction, so that powers are numbers
-        let far = (xi + eta.choose(eta, -eta) + slope).times(1.0 / largest::<T>());
-        let beyond = far - T::one();
-        let scale = beyond.choose(far.inverse(), T::one());
-        let (xi, eta, slope) = (xi * scale, eta * scale, slope * scale);
         // within a strip spin counts as one at most
-        let psi = psi.min(T::one()) * scale;
+        let within = psi.min(T::one());
+        // far beyond any adhesion the same direction, so that powers are numbers
+        let far = (xi + eta.abs() + slope).times(1.0 / largest::<T>());
+        let [xi, eta, slope, psi] = either!(
+            far - T::one(),
+            {
+                let scale = far.inverse();
+                [xi * scale, eta * scale, slope * scale, within * scale]
+            },
+            { [xi, eta, slope, within] }
+        );
         Self {
             xi,
             eta,
@@ -118,7 +124,16 @@ impl<T: Number> Motion<T> {
 
     /// `ξ̄ = ξ − p Y`
     #[inline(always)]
-    pub fn xi_bar(&self, y: T) -> T {
-        self.xi - self.slope * y
+    pub fn xi_bar(&self, y: T::Base) -> T {
+        self.xi - self.slope.scale(y)
+    }
+
+    /// Without derivatives.
+    #[inline(always)]
+    pub fn values(&self) -> Motion<T::Base> {
+        let Self { compliance, axis_ratio, rule, turned_x, turned_y, .. } = *self;
+        let (xi, eta, psi) = (self.xi.value(), self.eta.value(), self.psi.value());
+        let (slope, q, eta_psi) = (self.slope.value(), self.q.value(), self.eta_psi.value());
+        Motion { xi, eta, psi, slope, q, eta_psi, compliance, axis_ratio, rule, turned_x, turned_y }
     }
 }

@@ -8,8 +8,9 @@ use crate::contact::forces::StripCount;
 use crate::number::Float;
 use crate::strip_1967::Motion;
 use crate::strip_1967::edge::{self, Arc, Edge};
+use crate::strip_1967::sliding::sliding;
 use crate::strip_1967::strip::{SlidingRule, Strip};
-use crate::strip_1967::totals::{Shares, adhering, sliding, whole};
+use crate::strip_1967::totals::{Shares, adhering, sum, turned_back, whole};
 
 /// One strip of a solution, dimensionless.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,16 +59,18 @@ pub fn strips<F: Float>(
     let mut stick = F::TINY;
     (0..count as i32).for_each(|i| {
         let piece = piece(i);
-        stick += piece.stick;
-        rest.add(&piece.times([-F::one(); 3]));
+        stick += piece[4];
+        rest = sum(rest, piece.map(|share| -share));
     });
+    let [fx, fy, mx, lever, _] = rest;
     for i in 0..count as i32 {
-        let mut shares = piece(i);
+        let piece = piece(i);
         let y = width * number(i).plus(0.5) - F::one();
         // ∫ C² dY over its 4/3
         let load = width * (F::one() - y * y - (width * width).times(1.0 / 12.0)).times(0.75);
-        shares.add(&rest.times([load, shares.stick / stick, F::zero()]));
-        let totals = shares.totals(&motion);
+        let sticks = piece[4] / stick;
+        let more = [fx * load, fy * load, mx * sticks, lever * load, F::zero()];
+        let totals = turned_back(&motion, sum(piece, more));
         let Parameters { xi, eta, psi, poisson_ratio, .. } = *parameters;
         let c = Edge::at(y).c;
         let strip =
@@ -96,13 +99,14 @@ fn share<F: Float>(
     let (lower, upper) = (arc.lower, arc.upper);
     let below = |edge: Edge<F>| Edge::chosen(edge.y - lower.y, lower, edge);
     let above = |edge: Edge<F>| Edge::chosen(upper.y - edge.y, upper, edge);
-    let mut shares = sliding(motion, [below(from), below(to)], [above(from), above(to)]);
+    let slide = sliding(motion, [below(from), below(to)], [above(from), above(to)]);
     let inside = |edge: Edge<F>| {
         Edge::chosen(edge.y - upper.y, upper, Edge::chosen(lower.y - edge.y, lower, edge))
     };
     let (first, last) = (inside(from), inside(to));
     if adheres && last.y > first.y {
-        shares.add(&adhering(motion, &Arc::between(first, last)));
+        sum(slide, adhering(motion, &Arc::between(first, last)))
+    } else {
+        slide
     }
-    shares
 }

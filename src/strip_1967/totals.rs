@@ -10,16 +10,15 @@
 
 use crate::contact::creepage::Parameters;
 use crate::contact::forces::Totals;
-use crate::number::{
-    Arithmetic, Nodes, Number, Pair, Stored, atan_of_unit, either, ln_of_quotient,
-};
+use crate::number::{Arithmetic, Nodes, Number, Pair, Plain, Stored, chosen, either};
 use crate::strip_1967::Motion;
 use crate::strip_1967::edge::{self, Arc, Edge};
+use crate::strip_1967::sliding::{arcsinh, rounded, sliding};
 use crate::strip_1967::strip::SlidingRule;
 use core::f64::consts::PI;
 
 /// Four nodes of Gauss on `[-1, 1]` and their weights, those that are positive.
-static GAUSS_4: Nodes<2> = Nodes::new([
+pub(super) static GAUSS_4: Nodes<2> = Nodes::new([
     [0.33998104358485626, 0.6521451548625461],
     [0.8611363115940526, 0.34785484513745385],
 ]);
@@ -32,21 +31,9 @@ static GAUSS_6: Nodes<6> = Nodes::new([
     [0.6612093864662645, 0.3607615730481386],
     [0.932469514203152, 0.17132449237917036],
 ]);
-/// Sixteen nodes, those that are positive: the continuous rule.
-static GAUSS_16: Nodes<8> = Nodes::new([
-    [0.09501250983763744, 0.1894506104550685],
-    [0.2816035507792589, 0.18260341504492358],
-    [0.45801677765722737, 0.16915651939500254],
-    [0.6178762444026438, 0.14959598881657674],
-    [0.755404408355003, 0.12462897125553388],
-    [0.8656312023878318, 0.09515851168249279],
-    [0.9445750230732326, 0.062253523938647894],
-    [0.9894009349916499, 0.027152459411754096],
-]);
-
 /// How many half lengths of a piece its square root's zero is away where four nodes give all digits.
 #[inline(always)]
-fn far<T: Number>() -> f64 {
+pub(super) fn far<T: Number>() -> f64 {
     if size_of::<Stored<T>>() == 4 { 3.5 } else { 16.0 }
 }
 
@@ -56,80 +43,50 @@ fn root_epsilon<T: Number>() -> f64 {
     if size_of::<Stored<T>>() == 4 { 3.5e-4 } else { 1.5e-8 }
 }
 
-/// Integrals over strips.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Shares<T> {
-    /// `∫ f_x dY`
-    pub(super) fx: T,
-    /// `∫ f_y dY`
-    pub(super) fy: T,
-    /// `∫ m_x dY`
-    pub(super) mx: T,
-    /// `∫ Y f_x dY`
-    pub(super) lever: T,
-    /// `∫ (C − K) dY`
-    pub(super) stick: T,
+/// Two plain numbers side by side.
+pub(super) type Both<T> = <<T as Arithmetic>::Base as Number>::Pair;
+
+/// A plain number as what slopes are made of.
+#[inline(always)]
+pub(super) fn bare<T: Number>(x: T::Base) -> T::Bare {
+    T::from_base(x).bare()
 }
 
-impl<T: Number> Shares<T> {
-    /// These, and others with them where a number is positive.
-    #[inline(always)]
-    fn with(&self, others: &Self, by: T) -> Self {
-        let mut both = *self;
-        both.add(others);
-        Self {
-            fx: by.choose(both.fx, self.fx),
-            fy: by.choose(both.fy, self.fy),
-            mx: by.choose(both.mx, self.mx),
-            lever: by.choose(both.lever, self.lever),
-            stick: by.choose(both.stick, self.stick),
-        }
-    }
+/// Integrals over strips: `∫ f_x dY`, `∫ f_y dY`, `∫ m_x dY`, `∫ Y f_x dY`, `∫ (C − K) dY`.
+pub(super) type Shares<T> = [T; 5];
 
-    /// Multiplied: forces and their lever, `m_x`, stick area.
-    pub(super) fn times(&self, [force, moment, stick]: [T; 3]) -> Self {
-        Self {
-            fx: self.fx * force,
-            fy: self.fy * force,
-            mx: self.mx * moment,
-            lever: self.lever * force,
-            stick: self.stick * stick,
-        }
+/// Those of one set of strips and another.
+#[inline(always)]
+pub(super) fn sum<T: Number>(mut shares: Shares<T>, others: Shares<T>) -> Shares<T> {
+    for (share, other) in shares.iter_mut().zip(others) {
+        *share += other;
     }
+    shares
+}
 
-    /// Forces and moment in units of `μ N` and `μ N √(ab)`, turned back.
-    #[inline(always)]
-    pub(super) fn totals(&self, motion: &Motion<T>) -> Totals<T> {
-        let Motion { axis_ratio, turned_x, turned_y, .. } = *motion;
-        let root = axis_ratio.sqrt();
-        let inverse = T::Base::one() / root;
-        let mz = self.mx.scale(root) - self.lever.scale(inverse);
-        let (fx, fy) = (self.fx.scale(turned_x.times(0.75)), self.fy.scale(turned_y.times(0.75)));
-        // (differences of primitives may pass the bound by their rounding)
-        let square = fx * fx + fy * fy;
-        let [fx, fy] = either!(
-            square - T::one(),
-            {
-                let inverse = square.sqrt().inverse();
-                [fx * inverse, fy * inverse]
-            },
-            { [fx, fy] }
-        );
-        Totals {
-            fx,
-            fy,
-            mz: mz.scale(turned_y.times(0.75)),
-            stick: self.stick.times(2.0 / PI).clamped(T::zero(), T::one()),
-        }
-    }
-
-    #[inline(always)]
-    pub(super) fn add(&mut self, other: &Self) {
-        self.fx += other.fx;
-        self.fy += other.fy;
-        self.mx += other.mx;
-        self.lever += other.lever;
-        self.stick += other.stick;
+/// Forces and moment in units of `μ N` and `μ N √(ab)`, turned back.
+#[inline(always)]
+pub(super) fn turned_back<T: Number>(motion: &Motion<T>, shares: Shares<T>) -> Totals<T> {
+    let [fx, fy, mx, lever, stick] = shares;
+    let Motion { axis_ratio, turned_x, turned_y, .. } = *motion;
+    let root = axis_ratio.sqrt();
+    let mz = mx.scale(root) - lever.scale(T::Base::one() / root);
+    let (fx, fy) = (fx.scale(turned_x.times(0.75)), fy.scale(turned_y.times(0.75)));
+    // (differences of primitives may pass the bound by their rounding)
+    let square = fx * fx + fy * fy;
+    let [fx, fy] = either!(
+        square - T::one(),
+        {
+            let inverse = square.sqrt().inverse();
+            [fx * inverse, fy * inverse]
+        },
+        { [fx, fy] }
+    );
+    Totals {
+        fx,
+        fy,
+        mz: mz.scale(turned_y.times(0.75)),
+        stick: stick.times(2.0 / PI).clamped(T::zero(), T::one()),
     }
 }
 
@@ -148,284 +105,287 @@ impl<T: Number> Shares<T> {
 #[inline(always)]
 pub fn totals<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Totals<T> {
     let motion = Motion::new(parameters, rule);
-    let (arc, some) = edge::adhesion(&motion);
-    let mut shares = outside(&motion, &arc);
-    if some.exceeds(T::zero()) {
-        shares = shares.with(&adhering(&motion, &arc), some);
+    let short = || without_spin(&motion.values());
+    let shares = if T::HAS_DERIVATIVES {
+        // (the short road knows no derivative by the spin)
+        let slopes = with_spin(&motion);
+        if motion.psi.exceeds(T::zero()) { slopes } else { valued(slopes, short()) }
+    } else {
+        either!(motion.psi, { with_spin(&motion) }, { valued([T::zero(); 5], short()) })
+    };
+    turned_back(&motion, shares)
+}
+
+/// Other values with the same derivatives.
+#[inline(always)]
+fn valued<T: Number>(mut numbers: Shares<T>, values: Shares<T::Base>) -> Shares<T> {
+    for (number, value) in numbers.iter_mut().zip(values) {
+        *number = T::composed(bare::<T>(value), [T::Bare::one()], [*number]);
     }
-    shares.totals(&motion)
+    numbers
+}
+
+/// Without spin `K = τ = √(ξ² + η²)` in every strip, and strips with `C > τ` adhere (Section 8.15).
+#[inline(always)]
+fn without_spin<F: Plain>(motion: &Motion<F>) -> Shares<F> {
+    let Motion { xi, eta, compliance, rule, .. } = *motion;
+    let (one, none) = (F::one(), F::zero());
+    let (tau2, eta2) = (xi * xi + eta * eta, eta * eta);
+    let tau = tau2.sqrt();
+    let inside = one - tau;
+    // those from −Y to Y
+    let y = (inside * (one + tau)).max(none).sqrt();
+    // ∫ (2C − K) dY = 2 asin Y
+    let angle = inside.choose((y / (one + tau)).atan_of_unit().times(4.0), none);
+    let cc = (y - y * (y * y).times(1.0 / 3.0)).times(2.0);
+    let stick = inside.choose(angle.times(0.5) - y * tau, none);
+    // ∫ C² dY of those that slide, over their slip
+    let beside = tau2.min(one) / (one + y);
+    let z = if rule == SlidingRule::RigidSlip { xi * compliance } else { xi };
+    let slip = (z * z + (eta2 + F::EPSILON * F::EPSILON)).sqrt();
+    let slides = (beside * beside * y.plus(2.0)).times(2.0 / 3.0) / slip;
+    [xi * angle + z * slides, eta * (angle + slides), -(eta * (cc - tau * angle)), none, stick]
+}
+
+#[inline(always)]
+fn with_spin<T: Number>(motion: &Motion<T>) -> Shares<T> {
+    let (arc, some) = edge::adhesion(motion);
+    let slide = outside(motion, &arc);
+    if !some.exceeds(T::zero()) {
+        return slide;
+    }
+    let mut all = sum(slide, adhering(motion, &arc));
+    if T::HAS_DERIVATIVES {
+        all = sum(all, jumps(motion, &arc));
+    }
+    chosen(some, all, slide)
 }
 
 /// All strips.
-pub(super) fn whole<T: Number>(motion: &Motion<T>, arc: &Arc<T>, adheres: bool) -> Shares<T> {
-    let mut shares = outside(motion, arc);
-    if adheres {
-        shares.add(&adhering(motion, arc));
-    }
-    shares
+pub(super) fn whole<F: Plain>(motion: &Motion<F>, arc: &Arc<F>, adheres: bool) -> Shares<F> {
+    let slide = outside(motion, arc);
+    if adheres { sum(slide, adhering(motion, arc)) } else { slide }
 }
 
 /// Strips that slide on both sides of an arc.
 #[inline(always)]
 fn outside<T: Number>(motion: &Motion<T>, arc: &Arc<T>) -> Shares<T> {
-    let [first, last] = [-T::one(), T::one()].map(|y| Edge { y, c: T::zero() });
+    let (one, none) = (T::one(), T::zero());
+    let (first, last) = (Edge { y: -one, c: none }, Edge { y: one, c: none });
     sliding(motion, [first, arc.lower], [arc.upper, last])
 }
 
-/// Strips with adhesion: `f_x = ξ̄ (2C − K)`, `f_y = ψ C² + η (2C − K)`, `m_x = −η (C − K)²`.
+/// Strips with adhesion: `f_x = ξ̄ (2C − K)`, `f_y = ψ C² + η (2C − K)`, `m_x = −η (C − K)²`. Ends are fixed: derivatives are those
+/// of the integrands.
 #[inline(always)]
-pub(super) fn adhering<T: Number>(motion: &Motion<T>, arc: &Arc<T>) -> Shares<T> {
+pub(super) fn adhering<T: Number>(motion: &Motion<T>, moving: &Arc<T>) -> Shares<T> {
     let Motion { xi, eta, psi, slope: p, q, eta_psi: m, .. } = *motion;
-    let both = T::Pair::both;
+    let values = motion.values();
+    let arc = moving.values();
     let (Edge { y: y1, c: c1 }, Edge { y: y2, c: c2 }) = (arc.lower, arc.upper);
     let (width, sum) = (y2 - y1, y1 + y2);
     // ∫ C dY = (asin Y + Y C)/2,  ∫ Y C dY = −C³/3,  ∫ Y² C dY = (asin Y − Y C (1 − 2Y²))/8,  ∫ C² dY = Y − Y³/3
-    let angle = atan_of_unit(arc.tangent).times(4.0);
+    let angle = arc.tangent.atan_of_unit().times(4.0);
     let (yc1, yc2) = (y1 * c1, y2 * c2);
     let c = (angle + (yc2 - yc1)).times(0.5);
     let yc = (c1 * c1 * c1 - c2 * c2 * c2).times(1.0 / 3.0);
-    let bent = |y: T, yc: T| yc * (T::one() - (y * y).times(2.0));
+    let bent = |y: T::Base, yc: T::Base| yc * (T::Base::one() - (y * y).times(2.0));
     let yyc = (angle - (bent(y2, yc2) - bent(y1, yc1))).times(0.125);
     let yy = (y1 * y1 + y1 * y2 + y2 * y2).times(1.0 / 3.0);
-    let cc = width * (T::one() - yy);
+    let cc = width * (T::Base::one() - yy);
     // S hardly bends where the zero of S² is far from the interval.
     let (middle, half) = (sum.times(0.5), width.times(0.5));
-    let (x, bend) = (motion.xi_bar(middle), p * half);
-    let smooth = eta * eta + q * (x * x - (bend * bend).times(far::<T>() * far::<T>())) + T::tiny();
+    let (x, bend) = (values.xi_bar(middle), values.slope * half);
+    let smooth = values.eta * values.eta
+        + values.q * (x * x - (bend * bend).times(far::<T>() * far::<T>()))
+        + T::TINY;
     let [k, xk, yxk, kk] = either!(
-        smooth,
+        T::from_base(smooth),
         {
             // ∫ (K, ξ̄ K, Y ξ̄ K, K²) dY by nodes
             let mut sums = [T::Pair::zero(); 4];
             for [node, weight] in GAUSS_4.of::<T>() {
-                let y = both(middle) + T::Pair::of(half, -half).scale(node);
-                let x = both(xi) - both(p) * y;
+                let y = Both::<T>::both(middle) + Both::<T>::of(half, -half).scale(node);
+                let x = T::Pair::both(xi) - T::Pair::both(p).weigh(y);
                 let k = length(motion, x);
-                let share = k.scale(weight);
-                for (sum, factor) in sums.iter_mut().zip([T::Pair::one(), x, y * x, k]) {
-                    *sum += share * factor;
+                let (share, xk) = (k.scale(weight), (x * k).scale(weight));
+                for (sum, part) in sums.iter_mut().zip([share, xk, xk.weigh(y), share * k]) {
+                    *sum += part;
                 }
             }
-            T::each(&sums, |sum| sum.sum() * half)
+            T::each(&sums, |sum| sum.sum().scale(half))
         },
         {
             // S = σ D with D = √(u² + ε²)
             let (root, inverse) = (q.sqrt(), p.inverse());
             let (h, e) = (xi * inverse, eta * inverse / root);
-            let (sigma, e2) = (p * root, rounded(e));
-            let (u1, u2) = (h - y1, h - y2);
+            let sigma = p * root;
+            let (h0, e0) = (h.value(), e.value());
+            let e2 = rounded(e0);
+            let (u1, u2) = (h0 - y1, h0 - y2);
             let (d1, d2) = ((u1 * u1 + e2).sqrt(), (u2 * u2 + e2).sqrt());
             let (above, below) = arcsinh(u1, u2, d1, d2, e2);
             // ∫ D du = (u D + ε² asinh(u/ε))/2,  ∫ u D du = D³/3,  ∫ u² D du = (u D³ − ε² ∫ D du)/4
-            let i0 = (u1 * d1 - u2 * d2 + e2 * ln_of_quotient(above, below)).times(0.5);
+            let (ud1, ud2, j0) = (u1 * d1, u2 * d2, above.ln_quotient(below));
+            let (j1, ud) = (d1 - d2, ud1 - ud2);
+            let i0 = (ud + e2 * j0).times(0.5);
             let (cube1, cube2) = (d1 * d1 * d1, d2 * d2 * d2);
             let i1 = (cube1 - cube2).times(1.0 / 3.0);
             let i2 = (u1 * cube1 - u2 * cube2 - e2 * i0).times(0.25);
+            // d/dh ∫ uⁿ D du = uⁿ D,  d/dε ∫ uⁿ D du = ε ∫ uⁿ/D du
+            let j2 = (ud - e2 * j0).times(0.5);
+            let moment = |i: T::Base, by_h: T::Base, j: T::Base| {
+                T::composed(bare::<T>(i), [bare::<T>(by_h), bare::<T>(e0 * j)], [h, e])
+            };
+            let i0 = moment(i0, j1, j0);
+            let i1 = moment(i1, ud, j1);
+            let i2 = moment(i2, u1 * ud1 - u2 * ud2, j2);
             // K = (S + m)/q
             let iq = q.inverse();
             let (s, xs, yxs) = (sigma * i0, p * sigma * i1, p * sigma * (h * i1 - i2));
-            let (x_mean, yx) = (x * width, xi * width * middle - p * (width * yy));
-            let xx = xi * xi * width - (xi * p * width * sum) + p * p * (width * yy);
-            let kk = eta * eta * width + q * xx + (m * s).times(2.0) + m * m * width;
-            [(s + m * width) * iq, (xs + m * x_mean) * iq, (yxs + m * yx) * iq, kk * iq * iq]
+            let (x_mean, yx) =
+                (motion.xi_bar(middle).scale(width), (xi.scale(middle) - p.scale(yy)).scale(width));
+            let xx = (xi * (xi - p.scale(sum)) + (p * p).scale(yy)).scale(width);
+            let kk = (eta * eta + m * m).scale(width) + q * xx + (m * s).times(2.0);
+            [(s + m.scale(width)) * iq, (xs + m * x_mean) * iq, (yxs + m * yx) * iq, kk * iq * iq]
         }
     );
-    let ck = stretch_and_length(motion, arc);
-    Shares {
-        fx: (xi * c - p * yc).times(2.0) - xk,
-        fy: psi * cc + eta * (c.times(2.0) - k),
-        mx: -(eta * (cc - ck.times(2.0) + kk)),
-        lever: (xi * yc - p * yyc).times(2.0) - yxk,
-        stick: c - k,
-    }
+    let ck = stretch_and_length(motion, moving, c);
+    [
+        (xi.scale(c) - p.scale(yc)).times(2.0) - xk,
+        psi.scale(cc) + eta * (T::from_base(c.times(2.0)) - k),
+        -(eta * (T::from_base(cc) - ck.times(2.0) + kk)),
+        (xi.scale(yc) - p.scale(yyc)).times(2.0) - yxk,
+        T::from_base(c) - k,
+    ]
 }
 
 /// `K`, by the form of (5.41) that does not cancel.
 #[inline(always)]
 fn length<T: Number>(motion: &Motion<T>, x: T::Pair) -> T::Pair {
-    let both = T::Pair::both;
-    let Motion { eta, q, eta_psi: m, .. } = *motion;
-    let (eta2, x2) = (both(eta * eta), x * x);
-    let s = (eta2 + both(q) * x2).sqrt();
-    let m = both(m);
-    let k = m.choose(s + m, x2 + eta2) / m.choose(both(q), s - m + T::Pair::tiny());
+    let Motion { eta, psi, q, eta_psi: m, .. } = motion.values();
+    let both = Both::<T>::both;
+    let x0 = x.bare();
+    let squares = x0 * x0;
+    let s = (both(eta * eta) + squares.scale(q)).sqrt();
+    let big = s.shift(m.abs());
+    let positive = both(m);
+    let above = positive.choose(big, squares.shift(eta * eta));
     // (where strips adhere K < C ≤ 1)
-    k.min(T::Pair::one())
+    let k = (above / positive.choose(both(q), big + Both::<T>::tiny())).min(Both::<T>::one());
+    // S dK = ξ̄ dξ̄ + (η + ψ K)(dη + K dψ)
+    let inverse = (s + Both::<T>::tiny()).inverse();
+    let turn = k.scale(psi).shift(eta) * inverse;
+    let inputs = [x, T::Pair::both(motion.eta), T::Pair::both(motion.psi)];
+    T::Pair::composed(k, [x0 * inverse, turn, turn * k], inputs)
 }
 
-/// `∫ C K dY = ∫ C² K dθ`: nodes from the strip with `ξ̄ = 0`, where `S` may have a kink, to both ends of the arc.
+/// `∫ C K dY = ∫ C² K dθ`: nodes for what `K` is more than its least, from the strip with `ξ̄ = 0`, where `S` may have
+/// a kink, to both ends of the arc. Its derivatives by the ends are those of what
+/// the nodes miss.
 #[inline(always)]
-fn stretch_and_length<T: Number>(motion: &Motion<T>, arc: &Arc<T>) -> T {
-    let Motion { xi, eta, slope: p, .. } = *motion;
-    let both = T::Pair::both;
+fn stretch_and_length<T: Number>(motion: &Motion<T>, moving: &Arc<T>, stretch: T::Base) -> T {
+    let Motion { xi, eta, psi, slope, .. } = *motion;
     // Y = sin(θ + φ), with the tangent of φ/2 from −t to t
-    let Arc { lower, upper, middle, tangent } = *arc;
+    let Arc { lower, upper, middle, .. } = *moving;
     // (with hardly any spin there is no kink, and nothing may hang on where the middle is)
-    let hardly = (xi + eta.choose(eta, -eta)).times(root_epsilon::<T>());
-    let h = xi / (p + hardly + T::from_base(T::ROOT_TINY));
+    let hardly = (xi + eta.abs()).times(root_epsilon::<T>());
+    let h = xi / (slope + hardly + T::from_base(T::ROOT_TINY));
     let turn = Edge::chosen(h - lower.y, Edge::chosen(upper.y - h, Edge::at(h), upper), lower);
     let cosine = turn.c * middle.c + turn.y * middle.y;
-    let split = (turn.y * middle.c - turn.c * middle.y) / (T::one() + cosine);
-    let (from, to) = (T::Pair::of(-tangent, split), T::Pair::of(split, tangent));
+    let parting = (turn.y * middle.c - turn.c * middle.y) / (T::one() + cosine);
+    // K of the strip with ξ̄ = 0, or next to it
+    let lowest = eta.abs() / (T::one() - eta.choose(psi, -psi) + T::tiny());
+    let level = (h - lower.y).choose((upper.y - h).choose(lowest, upper.c), lower.c);
+    let inputs = [moving.tangent, parting, middle.y, level, lower.y, upper.y];
+
+    let Motion { xi, eta, psi, slope: p, q, eta_psi: m, .. } = motion.values();
+    let Arc { lower, upper, middle, tangent } = moving.values();
+    let (both, split, least) = (Both::<T>::both, parting.value(), level.value());
+    let (from, to) = (Both::<T>::of(-tangent, split), Both::<T>::of(split, tangent));
     let (centre, half) = ((from + to).times(0.5), (to - from).times(0.5));
-    let mut sum = T::Pair::zero();
+    let (size, positive) = (both(m.abs()), both(m));
+    let (x0, x1, x2) = (xi - p * middle.y, -(p * middle.c).times(2.0), xi + p * middle.y);
+    let mut sum = Both::<T>::zero();
+    let mut sums = [Both::<T>::zero(); 8];
     for [node, weight] in GAUSS_6.of::<T>() {
+        // all by D = 1 + t²: D C, D ξ̄, D S and D K
         let t = centre + half.scale(node);
-        let t2 = t * t;
-        let scale = (t2.plus(1.0)).inverse();
-        let (cosine, sine) = ((T::Pair::one() - t2) * scale, t.times(2.0) * scale);
-        let y = both(middle.y) * cosine + both(middle.c) * sine;
-        let c = both(middle.c) * cosine - both(middle.y) * sine;
-        let x = both(xi) - both(p) * y;
-        sum += c * c * length(motion, x) * scale.scale(weight);
+        let d = (t * t).plus(1.0);
+        let c = both(middle.c) - t * (t.scale(middle.c) + both(middle.y.times(2.0)));
+        let x = both(x0) + t * (t.scale(x2) + both(x1));
+        let (square, flat) = (x * x, (d * d).scale(eta * eta));
+        let s = (flat + square.scale(q)).sqrt();
+        let big = s + size * d;
+        let above = positive.choose(big, square + flat);
+        let below = positive.choose(both(q), big + Both::<T>::tiny()) * d;
+        let (bound, d2) = (c * c.scale(weight), d * d);
+        let share = (above - below.scale(least)) * bound / (below * (d2 * d));
+        sum += share;
+        if T::HAS_DERIVATIVES {
+            // S dK = ξ̄ dξ̄ + (η + ψ K)(dη + K dψ)
+            let (k, inverse) = (above / below, d.inverse());
+            let (edge, is) = (bound * inverse * inverse, (s + Both::<T>::tiny()).inverse());
+            let y =
+                (both(middle.y) - t * (t.scale(middle.y) - both(middle.c.times(2.0)))) * inverse;
+            let (by_x, by_eta) = (edge * inverse * x * is, edge * (k.scale(psi).shift(eta)) * is);
+            // along the edge C² (K − least) changes by −2 C Y (K − least) − C³ p ξ̄/S
+            let c = c * inverse;
+            let bend = (y * (k - both(least))).times(2.0) + c * c * (x * is).scale(p);
+            let bend = -(c.scale(weight) * inverse * bend);
+            let by_t = ((bend - share * t) * inverse).times(2.0);
+            let flat = edge * inverse;
+            let parts = [by_x, -(by_x * y), by_eta, by_eta * k, bend, by_t, by_t.scale(node), flat];
+            for (sum, part) in sums.iter_mut().zip(parts) {
+                *sum += part;
+            }
+        }
     }
     // dθ = 2 dt/(1 + t²)
-    (sum * half).sum().times(2.0)
-}
-
-/// `ε²`, and the square of some roundings of `Y`: where `η = 0` the direction of the slip turns at once in the strip `ξ̄ = 0`,
-/// and a derivative by `η` would be infinite.
-#[inline(always)]
-fn rounded<T: Number>(e: T) -> T {
-    let rounding = T::EPSILON.times(4.0);
-    e * e + T::from_base(rounding * rounding)
-}
-
-/// `asinh(u₁/ε) − asinh(u₂/ε)` for `u₁ ≥ u₂` is the logarithm of this quotient; `d = √(u² + ε²)`.
-#[inline(always)]
-fn arcsinh<A: Arithmetic>(u1: A, u2: A, d1: A, d2: A, e2: A) -> (A, A) {
-    let (a1, a2) = (u1.choose(u1, -u1) + d1 + A::tiny(), u2.choose(u2, -u2) + d2 + A::tiny());
-    let above = u1.choose(u2.choose(a1, a1 * a2), a2);
-    let below = u2.choose(a2, u1.choose(e2 + A::tiny(), a1));
-    (above, below)
-}
-
-/// Strips that slide, below and above those that adhere.
-#[inline(always)]
-pub(super) fn sliding<T: Number>(
-    motion: &Motion<T>,
-    lower: [Edge<T>; 2],
-    upper: [Edge<T>; 2],
-) -> Shares<T> {
-    let [fx, fy, lever] = match motion.rule {
-        SlidingRule::RigidSlip => rigid_slip(
-            motion,
-            T::Pair::of(lower[0].y, upper[0].y),
-            T::Pair::of(lower[1].y, upper[1].y),
-        ),
-        SlidingRule::Continuous => continuous(motion, lower, upper),
-    };
-    Shares { fx, fy, mx: T::zero(), lever, stick: T::zero() }
-}
-
-/// `∫ C² (w_x, w_y, Y w_x) dY` with `w ~ ((1 − ν) ξ̄, η)`.
-#[inline(always)]
-fn rigid_slip<T: Number>(motion: &Motion<T>, from: T::Pair, to: T::Pair) -> [T; 3] {
-    let Motion { xi, eta, slope, compliance, .. } = *motion;
-    let both = T::Pair::both;
-    let (z0, p) = (xi.scale(compliance), slope.scale(compliance));
-    let (middle, half) = ((from + to).times(0.5), (to - from).times(0.5));
-    let z = both(z0) - both(p) * middle;
-    let bend = both(p) * half;
-    let smooth = both(eta * eta) + z * z - (bend * bend).times(far::<T>() * far::<T>());
-    let (first, second) = smooth.parts();
-    either!(
-        first.min(second) + T::tiny(),
-        {
-            let mut sums = [T::Pair::zero(); 3];
-            // (at rest no strip slides, and has no direction)
-            let eta2 = both(eta * eta + T::from_base(T::EPSILON * T::EPSILON));
-            for [node, weight] in GAUSS_4.of::<T>().flat_map(|[u, w]| [[-u, w], [u, w]]) {
-                let y = middle + half.scale(node);
-                let z = both(z0) - both(p) * y;
-                let share = (T::Pair::one() - y * y) * half.scale(weight) / (z * z + eta2).sqrt();
-                let fx = share * z;
-                let [x, w, lever] = &mut sums;
-                *x += fx;
-                *w += share;
-                *lever += y * fx;
-            }
-            let [fx, w, lever] = sums.map(T::Pair::sum);
-            [fx, w * eta, lever]
-        },
-        {
-            // in units of p: w = (u, ε)/D with D = √(u² + ε²)
-            let inverse = p.inverse();
-            let (h, e) = (z0 * inverse, eta * inverse);
-            let e2 = rounded(e);
-            let (u1, u2) = (both(h) - from, both(h) - to);
-            let (d1, d2) = ((u1 * u1 + both(e2)).sqrt(), (u2 * u2 + both(e2)).sqrt());
-            let (above, below) = arcsinh(u1, u2, d1, d2, both(e2));
-            let ((above1, above2), (below1, below2)) = (above.parts(), below.parts());
-            // J_n = ∫ uⁿ/D du
-            let j0 = ln_of_quotient(above1 * above2, below1 * below2);
-            let j1 = (d1 - d2).sum();
-            let (ud1, ud2) = (u1 * d1, u2 * d2);
-            let j2 = ((ud1 - ud2).sum() - e2 * j0).times(0.5);
-            let j3 = (d1 * d1 * d1 - d2 * d2 * d2).sum().times(1.0 / 3.0) - e2 * j1;
-            let j4 = ((u1 * u1 * ud1 - u2 * u2 * ud2).sum() - (e2 * j2).times(3.0)).times(0.25);
-            // C² = 1 − (h − u)²
-            let (k0, k1) = (T::one() - h * h, h.times(2.0));
-            let moments = [(j0, j1, j2), (j1, j2, j3), (j2, j3, j4)];
-            let [i0, i1, i2] = T::each(&moments, |(one, u, uu)| k0 * *one + k1 * *u - *uu);
-            [i1, e * i0, h * i1 - i2]
-        }
-    )
-}
-
-/// `∫ C² (w_x, w_y, Y w_x) dY` with `w ~ (ξ̄, η + ψ C)`: nodes from the adhesion strips, next to which the direction turns, outwards.
-#[inline(always)]
-fn continuous<T: Number>(motion: &Motion<T>, lower: [Edge<T>; 2], upper: [Edge<T>; 2]) -> [T; 3] {
-    let Motion { xi, eta, psi, slope: p, .. } = *motion;
-    let both = T::Pair::both;
-    let near =
-        Edge { y: T::Pair::of(lower[1].y, upper[0].y), c: T::Pair::of(lower[1].c, upper[0].c) };
-    let edge =
-        Edge { y: T::Pair::of(lower[0].y, upper[1].y), c: T::Pair::of(lower[0].c, upper[1].c) };
-    // tan(β/4) = sin(β/2)/(1 + cos(β/2)) of the angle β from the near to the far end
-    let cosine = near.y * edge.y + near.c * edge.c;
-    let [sine, cosine] = T::Pair::each(&[-cosine, cosine], |cosine| {
-        cosine.plus(1.0).times(0.5).max(T::Pair::constant(1e-30)).sqrt()
-    });
-    let reach = sine / cosine.plus(1.0);
-    // p C/|N|: how fast the direction of N = (ξ̄, η + ψ C) turns next to the near end
-    let (nx, ny) = (both(xi) - both(p) * near.y, both(eta) + both(psi) * near.c);
-    let turn = both(p) * near.c / (nx * nx + ny * ny + T::Pair::tiny()).sqrt();
-    let grade = (reach * turn).times(4.0).plus(1.0).sqrt().min(T::Pair::constant(30.0));
-    let outwards = T::Pair::of(-T::one(), T::one());
-    // (at rest no strip slides, and has no direction)
-    let rest = T::Pair::from_base(T::EPSILON * T::EPSILON);
-    let mut sums = [T::Pair::zero(); 4];
-    for [node, weight] in GAUSS_16.of::<T>() {
-        for node in [-node, node] {
-            // v = tan(φ/4) = V r/(r + g (1 − r)), r from 0 to 1
-            let r = node.times(0.5).plus(0.5);
-            let den = grade.scale(T::Base::one() - r).shift(r);
-            let v = reach.scale(r);
-            let (den2, v2) = (den * den, v * v);
-            let scale = (den2 + v2).inverse();
-            // dφ = 4 V g dr/(den² + v²)
-            let step = (reach * grade * scale).scale(weight + weight);
-            let (cos2, sin2) = ((den2 - v2) * scale, (den * v * scale).times(2.0));
-            let (cosine, sine) = (cos2 * cos2 - sin2 * sin2, (cos2 * sin2).times(2.0) * outwards);
-            let y = near.y * cosine + near.c * sine;
-            let c = near.c * cosine - near.y * sine;
-            let (x, w) = (both(xi) - both(p) * y, both(eta) + both(psi) * c);
-            let bound = c * c * c * step;
-            let share = bound / (x * x + w * w + rest).sqrt();
-            let fx = share * x;
-            let [sx, sy, lever, whole] = &mut sums;
-            *sx += fx;
-            *sy += share * w;
-            *lever += y * fx;
-            *whole += bound;
-        }
+    let whole = |sum: Both<T>| (sum * half).sum().times(2.0);
+    let value = whole(sum) + least * stretch;
+    if !T::HAS_DERIVATIVES {
+        return T::fixed(bare::<T>(value));
     }
-    // By what the nodes miss of ∫ C² dY, so that a constant direction is exact and the force never beyond the bound
-    let [fx, fy, lever, whole] = sums;
-    let mean = (near.y * near.y + near.y * edge.y + edge.y * edge.y).times(1.0 / 3.0);
-    let exact = (edge.y - near.y) * outwards * (T::Pair::one() - mean);
-    let wide = reach.plus(-0.05);
-    let scale = wide.choose(exact / (whole + T::Pair::tiny()), T::Pair::one());
-    [fx * scale, fy * scale, lever * scale].map(T::Pair::sum)
+    let [by_x, by_p, by_eta, by_psi, bend, by_t, by_node, flat] = sums;
+    // by the tangents of the pieces' ends
+    let (by_centre, by_half) = (half * by_t, sum + half * by_node);
+    let ((first, before), (after, last)) =
+        ((by_centre - by_half).parts(), (by_centre + by_half).parts());
+    let slopes = [
+        whole(by_x),
+        whole(by_p),
+        whole(by_eta),
+        whole(by_psi),
+        last - first,
+        before + after,
+        whole(bend) / middle.c,
+        stretch - whole(flat),
+        lower.c * (lower.c - least),
+        upper.c * (least - upper.c),
+    ];
+    let [tangent, parting, middle, level, lower, upper] = inputs;
+    let Motion { xi, eta, psi, slope: p, .. } = *motion;
+    let inputs = [xi, p, eta, psi, tangent, parting, middle, level, lower, upper];
+    T::composed(bare::<T>(value), T::Bare::each(&slopes, |slope| bare::<T>(*slope)), inputs)
+}
+
+/// How integrals move with the ends, where the force jumps: no values, only derivatives.
+fn jumps<T: Number>(motion: &Motion<T>, moving: &Arc<T>) -> Shares<T> {
+    let Motion { xi, eta, psi, slope: p, compliance, rule, .. } = motion.values();
+    let (Arc { lower, upper, .. }, both) = (moving.values(), Both::<T>::both);
+    let (y, c) = (Both::<T>::of(lower.y, upper.y), Both::<T>::of(lower.c, upper.c));
+    let x = both(xi) - y.scale(p);
+    let z = x.scale(compliance);
+    // C² of one that slides over its slip, which the nodes of the continuous rule bring along
+    let rigid = T::Base::constant(if rule == SlidingRule::RigidSlip { 1.0 } else { 0.0 });
+    let slip = c.scale(rigid) / (z * z).shift(eta * eta + T::TINY).sqrt();
+    let fx = (x - z * slip) * c;
+    let fy = (c.scale(psi).shift(eta) - slip.scale(eta)) * c;
+    let along = |jump: Both<T>| {
+        let (first, last) = jump.parts();
+        let ends = [moving.lower.y, moving.upper.y];
+        T::composed(T::zero().bare(), [bare::<T>(-first), bare::<T>(last)], ends)
+    };
+    [along(fx), along(fy), T::zero(), along(fx * y), T::zero()]
 }

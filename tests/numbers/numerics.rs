@@ -122,8 +122,8 @@ fn errors<F: Float + kstrip::solve::model::Precision>(row: &Row) -> Vec<f64> {
 const ALLOWED: &[(&str, &str, f64, f64)] = &[
     // (four nodes on a smooth piece: up to 4e-12)
     ("force", "combined", 39.0, 0.9),
-    ("force", "no spin", 2.3, 2.0),
-    ("force", "sliding", 19345.9, 0.5),
+    ("force", "no spin", 1.3, 0.8),
+    ("force", "sliding", 19345.9, 0.9),
     ("force", "small", 1.1, 1.3),
     ("hertz", "circle", 2.2, 2.1),
     ("hertz", "ellipse", 1.9, 2.4),
@@ -135,8 +135,8 @@ const ALLOWED: &[(&str, &str, f64, f64)] = &[
     ("kappa", "psi near 1", 1.1, 1.4),
     ("kappa", "tiny", 1.2, 1.2),
     ("kappa", "xi >> eta", 0.8, 1.0),
-    ("slope", "combined", 632.8, 1.3),
-    ("slope", "no spin", 3.3, 1.3),
+    ("slope", "combined", 434.0, 1.3),
+    ("slope", "no spin", 1.8, 1.3),
 ];
 
 /// Rows, largest error, and sum of errors in double and single precision.

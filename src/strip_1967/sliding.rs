@@ -1,0 +1,196 @@
+//! Strips that slide, by the primitives of Section 7.1 or, under the continuous rule, by nodes.
+
+use crate::number::Nodes;
+use crate::number::{Arithmetic, Number, Pair, Plain, either};
+use crate::strip_1967::Motion;
+use crate::strip_1967::edge::Edge;
+use crate::strip_1967::strip::SlidingRule;
+use crate::strip_1967::totals::{Both, GAUSS_4, Shares, bare, far};
+
+/// Sixteen nodes, those that are positive: the continuous rule.
+static GAUSS_16: Nodes<8> = Nodes::new([
+    [0.09501250983763744, 0.1894506104550685],
+    [0.2816035507792589, 0.18260341504492358],
+    [0.45801677765722737, 0.16915651939500254],
+    [0.6178762444026438, 0.14959598881657674],
+    [0.755404408355003, 0.12462897125553388],
+    [0.8656312023878318, 0.09515851168249279],
+    [0.9445750230732326, 0.062253523938647894],
+    [0.9894009349916499, 0.027152459411754096],
+]);
+
+/// `ε²`, and the square of some roundings of `Y`: where `η = 0` the direction of the slip turns at once in the strip `ξ̄ = 0`,
+/// and a derivative by `η` would be infinite.
+#[inline(always)]
+pub(super) fn rounded<F: Plain>(e: F) -> F {
+    let rounding = F::EPSILON.times(4.0);
+    e * e + rounding * rounding
+}
+
+/// `asinh(u₁/ε) − asinh(u₂/ε)` for `u₁ ≥ u₂` is the logarithm of this quotient; `d = √(u² + ε²)`.
+#[inline(always)]
+pub(super) fn arcsinh<A: Arithmetic>(u1: A, u2: A, d1: A, d2: A, e2: A) -> (A, A) {
+    let (a1, a2) = (u1.abs() + d1 + A::tiny(), u2.abs() + d2 + A::tiny());
+    let above = u1.choose(u2.choose(a1, a1 * a2), a2);
+    let below = u2.choose(a2, u1.choose(e2 + A::tiny(), a1));
+    (above, below)
+}
+
+/// Strips that slide, below and above those that adhere.
+#[inline(always)]
+pub(super) fn sliding<T: Number>(
+    motion: &Motion<T>,
+    lower: [Edge<T>; 2],
+    upper: [Edge<T>; 2],
+) -> Shares<T> {
+    let [fx, fy, lever] = match motion.rule {
+        SlidingRule::RigidSlip => rigid_slip(
+            motion,
+            T::Pair::of(lower[0].y, upper[0].y).bare(),
+            T::Pair::of(lower[1].y, upper[1].y).bare(),
+        ),
+        SlidingRule::Continuous => continuous(motion, lower, upper),
+    };
+    [fx, fy, T::zero(), lever, T::zero()]
+}
+
+/// `∫ C² (w_x, w_y, Y w_x) dY` with `w ~ ((1 − ν) ξ̄, η)`.
+#[inline(always)]
+fn rigid_slip<T: Number>(motion: &Motion<T>, from: Both<T>, to: Both<T>) -> [T; 3] {
+    let Motion { xi, eta, slope, compliance, .. } = *motion;
+    let both = Both::<T>::both;
+    let (z0, p) = (xi.scale(compliance), slope.scale(compliance));
+    let (middle, half) = ((from + to).times(0.5), (to - from).times(0.5));
+    let z = both(z0.value()) - middle.scale(p.value());
+    let bend = half.scale(p.value());
+    let eta0 = eta.value();
+    let eta2 = eta0 * eta0;
+    let smooth = both(eta2) + z * z - (bend * bend).times(far::<T>() * far::<T>());
+    let (first, second) = smooth.parts();
+    either!(
+        T::from_base(first.min(second) + T::TINY),
+        {
+            let mut sums = [T::Pair::zero(); 3];
+            // (at rest no strip slides, and has no direction)
+            let least = eta2 + T::EPSILON * T::EPSILON;
+            for [node, weight] in GAUSS_4.of::<T>() {
+                for node in [-node, node] {
+                    let y = middle + half.scale(node);
+                    let z = T::Pair::both(z0) - T::Pair::both(p).weigh(y);
+                    let share = (Both::<T>::one() - y * y) * half.scale(weight);
+                    // z/√(z² + η²) and 1/√(z² + η²)
+                    let z0 = z.bare();
+                    let square = z0 * z0 + both(least);
+                    let fy = share / square.sqrt();
+                    let (by, fx) = (fy / square, fy * z0);
+                    let (bend, eta) = (-(by * z0), T::Pair::both(eta));
+                    let inputs = [z, eta];
+                    let fx = T::Pair::composed(fx, [by.scale(eta2), bend.scale(eta0)], inputs);
+                    let [x, w, lever] = &mut sums;
+                    *x += fx;
+                    *w += T::Pair::composed(fy, [bend, -(by.scale(eta0))], inputs);
+                    *lever += fx.weigh(y);
+                }
+            }
+            let [fx, w, lever] = T::each(&sums, |sum| sum.sum());
+            [fx, w * eta, lever]
+        },
+        {
+            // in units of p: w = (u, ε)/D with D = √(u² + ε²)
+            let inverse = p.inverse();
+            let (h, e) = (z0 * inverse, eta * inverse);
+            let (h0, e0) = (h.value(), e.value());
+            let e2 = rounded(e0);
+            let (u1, u2) = (both(h0) - from, both(h0) - to);
+            let (d1, d2) = ((u1 * u1).shift(e2).sqrt(), (u2 * u2).shift(e2).sqrt());
+            let (above, below) = arcsinh(u1, u2, d1, d2, both(e2));
+            let ((above1, above2), (below1, below2)) = (above.parts(), below.parts());
+            // J_n = ∫ uⁿ/D du
+            let j0 = (above1 * above2).ln_quotient(below1 * below2);
+            let j1 = (d1 - d2).sum();
+            let (ud1, ud2) = (u1 * d1, u2 * d2);
+            let j2 = ((ud1 - ud2).sum() - e2 * j0).times(0.5);
+            let j3 = (d1 * d1 * d1 - d2 * d2 * d2).sum().times(1.0 / 3.0) - e2 * j1;
+            let j4 = ((u1 * u1 * ud1 - u2 * u2 * ud2).sum() - (e2 * j2).times(3.0)).times(0.25);
+            // C² = 1 − (h − u)²
+            let (k0, k1) = (T::Base::one() - h0 * h0, h0.times(2.0));
+            let moment = |one, u, uu| k0 * one + k1 * u - uu;
+            let (i0, i1, i2) = (moment(j0, j1, j2), moment(j1, j2, j3), moment(j2, j3, j4));
+            // N_n = ∫ uⁿ/D³ du, the first by ε²: derivatives of u/D and ε/D are (ε², −u ε) and (−u ε, u²) over D³
+            let e2n0 = (u1 / d1 - u2 / d2).sum();
+            let n1 = (d2.inverse() - d1.inverse()).sum();
+            let n2 = j0 - e2n0;
+            let (n3, n4) = (j1 - e2 * n1, j2 - e2 * n2);
+            let (xx, xy, yy) =
+                (moment(e2n0, e2 * n1, e2 * n2), -(e0 * moment(n1, n2, n3)), moment(n2, n3, n4));
+            let of = |value: T::Base, slopes: [T::Base; 2]| {
+                T::composed(
+                    bare::<T>(value),
+                    T::Bare::each(&slopes, |slope| bare::<T>(*slope)),
+                    [h, e],
+                )
+            };
+            let lever = [h0 * xx + e0 * xy, h0 * xy + e0 * yy];
+            [of(i1, [xx, xy]), of(e0 * i0, [xy, yy]), of(h0 * i1 - i2, lever)]
+        }
+    )
+}
+
+/// `∫ C² (w_x, w_y, Y w_x) dY` with `w ~ (ξ̄, η + ψ C)`: nodes from the adhesion strips, next to which the direction turns, outwards.
+#[inline(always)]
+fn continuous<T: Number>(motion: &Motion<T>, lower: [Edge<T>; 2], upper: [Edge<T>; 2]) -> [T; 3] {
+    let Motion { xi, eta, psi, slope: p, .. } = *motion;
+    let both = T::Pair::both;
+    let near =
+        Edge { y: T::Pair::of(lower[1].y, upper[0].y), c: T::Pair::of(lower[1].c, upper[0].c) };
+    let edge =
+        Edge { y: T::Pair::of(lower[0].y, upper[1].y), c: T::Pair::of(lower[0].c, upper[1].c) };
+    // tan(β/4) = sin(β/2)/(1 + cos(β/2)) of the angle β from the near to the far end
+    let cosine = near.y * edge.y + near.c * edge.c;
+    let [sine, cosine] = T::Pair::each(&[-cosine, cosine], |cosine| {
+        cosine.plus(1.0).times(0.5).max(T::Pair::constant(1e-30)).sqrt()
+    });
+    let reach = sine / cosine.plus(1.0);
+    // p C/|N|: how fast the direction of N = (ξ̄, η + ψ C) turns next to the near end
+    let (nx, ny) = (both(xi) - both(p) * near.y, both(eta) + both(psi) * near.c);
+    let turn = reach * both(p) * near.c / (nx * nx + ny * ny + T::Pair::tiny()).sqrt();
+    let grade = turn.times(4.0).plus(1.0).sqrt().min(T::Pair::constant(30.0));
+    // (a turn within less than rounding counts for nothing)
+    let grade = grade.plus(-1.0) / turn.times(1e-6).plus(1.0) + T::Pair::one();
+    let outwards = T::Pair::of(-T::one(), T::one());
+    // (at rest no strip slides, and has no direction)
+    let rest = T::Pair::from_base(T::EPSILON * T::EPSILON);
+    let mut sums = [T::Pair::zero(); 4];
+    for [node, weight] in GAUSS_16.of::<T>() {
+        for node in [-node, node] {
+            // v = tan(φ/4) = V r/(r + g (1 − r)), r from 0 to 1
+            let r = node.times(0.5).plus(0.5);
+            let den = grade.scale(T::Base::one() - r).shift(r);
+            let v = reach.scale(r);
+            let (den2, v2) = (den * den, v * v);
+            let scale = (den2 + v2).inverse();
+            // dφ = 4 V g dr/(den² + v²)
+            let step = (reach * grade * scale).scale(weight + weight);
+            let (cos2, sin2) = ((den2 - v2) * scale, (den * v * scale).times(2.0));
+            let (cosine, sine) = (cos2 * cos2 - sin2 * sin2, (cos2 * sin2).times(2.0) * outwards);
+            let y = near.y * cosine + near.c * sine;
+            let c = near.c * cosine - near.y * sine;
+            let (x, w) = (both(xi) - both(p) * y, both(eta) + both(psi) * c);
+            let bound = c * c * c * step;
+            let share = bound / (x * x + w * w + rest).sqrt();
+            let fx = share * x;
+            let [sx, sy, lever, whole] = &mut sums;
+            *sx += fx;
+            *sy += share * w;
+            *lever += y * fx;
+            *whole += bound;
+        }
+    }
+    // By what the nodes miss of ∫ C² dY, so that a constant direction is exact and the force never beyond the bound
+    let [fx, fy, lever, whole] = sums;
+    let mean = (near.y * near.y + near.y * edge.y + edge.y * edge.y).times(1.0 / 3.0);
+    let exact = (edge.y - near.y) * outwards * (T::Pair::one() - mean);
+    let wide = reach.plus(-0.05);
+    let scale = wide.choose(exact / (whole + T::Pair::tiny()), T::Pair::one());
+    T::each(&[fx * scale, fy * scale, lever * scale], |sum| sum.sum())
+}
