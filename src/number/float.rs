@@ -196,12 +196,16 @@ const ARCTAN_SINGLE: [f32; 4] = [1.0, -0.333_331_72, 0.199_794_67, -0.134_440_3]
 /// `Σ cᵢ zⁱ` of four or seven terms, in a tree of products that do not wait for each other.
 #[inline(always)]
 pub(super) fn even_polynomial<F: Plain>(c: &[F::Stored], z: F) -> F {
+    // (no closure: the code of numbers side by side must stand inside that of their caller)
+    #[inline(always)]
+    fn line<F: Plain>(p: F::Stored, q: F::Stored, z: F) -> F {
+        F::stored(p) + F::stored(q) * z
+    }
     let z2 = z * z;
-    let line = |p: F::Stored, q: F::Stored| F::stored(p) + F::stored(q) * z;
     match *c {
-        [p, q, r, s] => line(p, q) + line(r, s) * z2,
+        [p, q, r, s] => line(p, q, z) + line(r, s, z) * z2,
         [p, q, r, s, t, u, v] => {
-            (line(p, q) + line(r, s) * z2) + (line(t, u) + F::stored(v) * z2) * (z2 * z2)
+            (line(p, q, z) + line(r, s, z) * z2) + (line(t, u, z) + F::stored(v) * z2) * (z2 * z2)
         }
         _ => F::zero(),
     }

@@ -114,15 +114,23 @@ fn rigid_slip<T: Number>(motion: &Motion<T>, from: Both<T>, to: Both<T>) -> [T; 
             let j4 = ((u1 * u1 * ud1 - u2 * u2 * ud2).sum() - (e2 * j2).times(3.0)).times(0.25);
             // C² = 1 − (h − u)²
             let (k0, k1) = (T::Base::one() - h0 * h0, h0.times(2.0));
-            let moment = |one, u, uu| k0 * one + k1 * u - uu;
-            let (i0, i1, i2) = (moment(j0, j1, j2), moment(j1, j2, j3), moment(j2, j3, j4));
+            #[inline(always)]
+            fn moment<F: Plain>([k0, k1]: [F; 2], [one, u, uu]: [F; 3]) -> F {
+                k0 * one + k1 * u - uu
+            }
+            let by = [k0, k1];
+            let (i0, i1, i2) =
+                (moment(by, [j0, j1, j2]), moment(by, [j1, j2, j3]), moment(by, [j2, j3, j4]));
             // N_n = ∫ uⁿ/D³ du, the first by ε²: derivatives of u/D and ε/D are (ε², −u ε) and (−u ε, u²) over D³
             let e2n0 = (u1 / d1 - u2 / d2).sum();
             let n1 = (d2.inverse() - d1.inverse()).sum();
             let n2 = j0 - e2n0;
             let (n3, n4) = (j1 - e2 * n1, j2 - e2 * n2);
-            let (xx, xy, yy) =
-                (moment(e2n0, e2 * n1, e2 * n2), -(e0 * moment(n1, n2, n3)), moment(n2, n3, n4));
+            let (xx, xy, yy) = (
+                moment(by, [e2n0, e2 * n1, e2 * n2]),
+                -(e0 * moment(by, [n1, n2, n3])),
+                moment(by, [n2, n3, n4]),
+            );
             let of = |value: T::Base, slopes: [T::Base; 2]| {
                 T::composed(
                     bare::<T>(value),
