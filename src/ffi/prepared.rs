@@ -2,9 +2,8 @@
 
 use super::support::*;
 use crate::solve::check::is_ordinary;
-use crate::solve::prepared::{Frame, Kernel, KernelView, View};
+use crate::solve::prepared::{Frame, Kernel, KernelView, View, sliding_rule};
 use crate::strip::{self, PreparedStrips};
-use crate::strip_1967::strip::SlidingRule;
 use crate::total;
 
 /// How many numbers there is room for.
@@ -70,17 +69,13 @@ impl<F: Precision> PreparedNumbers<F> {
         let size = longitudinal.abs() + lateral.abs() + spin.abs() * head.per_spin;
         let quick = size <= F::constant(QUICK);
         if quick && self.model == Model::Linear as i32 {
-            return Ok(self.linear().answer(creepage, true));
+            let kernel = KernelView::Linear(self.part::<_, KERNEL>());
+            let frame = self.part::<_, FRAME>();
+            return Ok(View { frame, model: Model::Linear, kernel }.answer(creepage, true));
         }
         let mut found = Solution::nothing();
         self.solve_other(creepage, quick, &mut found)?;
         Ok(found)
-    }
-
-    #[inline(always)]
-    fn linear(&self) -> View<'_, F> {
-        let kernel = KernelView::Linear(self.part::<_, KERNEL>());
-        View { frame: self.part::<_, FRAME>(), model: Model::Linear, kernel }
     }
 
     /// (Apart from the linear theory, which is done before much has been put on the stack.)
@@ -98,27 +93,20 @@ impl<F: Precision> PreparedNumbers<F> {
         if !quick && frame.contact.is_lost() {
             return Ok(());
         }
-        // Each model on its own: no kernel is moved but that of strips, whose numbers may stand in wide registers.
-        let view = |model, kernel| View { frame, model, kernel };
-        *found = match model {
-            Model::Linear => self.linear().answer(creepage, ordinary),
-            Model::Total => {
-                let kernel = KernelView::Total(self.part::<_, KERNEL>());
-                view(Model::Total, kernel).answer(creepage, ordinary)
-            }
+        // (strips alone are moved: their numbers may stand in wide registers)
+        let of_strips;
+        let kernel = match model {
+            Model::Linear => KernelView::Linear(self.part::<_, KERNEL>()),
+            Model::Total => KernelView::Total(self.part::<_, KERNEL>()),
             Model::Strip => {
-                let strips = PreparedStrips::from_prepared(self.copied(), strips);
-                view(Model::Strip, KernelView::Strip(&strips)).answer(creepage, ordinary)
+                of_strips = PreparedStrips::from_prepared(self.copied(), strips);
+                KernelView::Strip(&of_strips)
             }
-            Model::Strip1967 => {
-                let kernel = KernelView::Strip1967(SlidingRule::RigidSlip);
-                view(Model::Strip1967, kernel).answer(creepage, ordinary)
-            }
-            Model::Strip1967Continuous => {
-                let kernel = KernelView::Strip1967(SlidingRule::Continuous);
-                view(Model::Strip1967Continuous, kernel).answer(creepage, ordinary)
+            Model::Strip1967 | Model::Strip1967Continuous => {
+                KernelView::Strip1967(sliding_rule(model))
             }
         };
+        *found = View { frame, model, kernel }.answer(creepage, ordinary);
         Ok(())
     }
 
@@ -140,15 +128,9 @@ impl<F: Precision> PreparedNumbers<F> {
     #[inline(always)]
     fn copied(&self) -> strip::Prepared<F> {
         const { assert!(size_of::<strip::Prepared<F>>() <= (ROOM - KERNEL) * size_of::<F>()) };
+        let numbers = self.numbers.as_ptr().cast::<F>();
         // SAFETY: numbers, within the room as asserted; any bits are a value.
-        unsafe {
-            self.numbers
-                .as_ptr()
-                .cast::<F>()
-                .add(KERNEL)
-                .cast::<strip::Prepared<F>>()
-                .read_unaligned()
-        }
+        unsafe { numbers.add(KERNEL).cast::<strip::Prepared<F>>().read_unaligned() }
     }
 }
 

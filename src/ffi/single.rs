@@ -139,10 +139,7 @@ pub extern "C" fn kstrip_solve_f32(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        let solution = model::solve(contact, creepage, &for_forces(options)?)?;
-        let notice = solution.notice;
-        result.write(solution);
-        Ok(notice)
+        Ok(result.write(model::solve(contact, creepage, &for_forces(options)?)?).notice)
     })
 }
 
@@ -184,10 +181,7 @@ pub extern "C" fn kstrip_solve_prepared_f32(
 ) -> kstrip_status {
     answer(|| {
         let (prepared, creepage, result) = (given(prepared)?, given(creepage)?, given(result)?);
-        let solution = prepared.solve(creepage)?;
-        let notice = solution.notice;
-        result.write(solution);
-        Ok(notice)
+        Ok(result.write(prepared.solve(creepage)?).notice)
     })
 }
 
@@ -214,10 +208,7 @@ pub extern "C" fn kstrip_solve_total_f32(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        let solution = model::solve_total(contact, creepage)?;
-        let notice = solution.notice;
-        result.write(solution);
-        Ok(notice)
+        Ok(result.write(model::solve_total(contact, creepage)?).notice)
     })
 }
 
@@ -231,10 +222,7 @@ pub extern "C" fn kstrip_solve_strip_f32(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        let solution = model::solve_strip(contact, creepage, strip_count(strips)?)?;
-        let notice = solution.notice;
-        result.write(solution);
-        Ok(notice)
+        Ok(result.write(model::solve_strip(contact, creepage, strip_count(strips)?)?).notice)
     })
 }
 
@@ -248,10 +236,7 @@ pub extern "C" fn kstrip_solve_strip_1967_f32(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        let solution = model::solve_strip_1967(contact, creepage, strip_count(strips)?)?;
-        let notice = solution.notice;
-        result.write(solution);
-        Ok(notice)
+        Ok(result.write(model::solve_strip_1967(contact, creepage, strip_count(strips)?)?).notice)
     })
 }
 
@@ -264,10 +249,7 @@ pub extern "C" fn kstrip_solve_linear_f32(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        let solution = model::solve_linear(contact, creepage)?;
-        let notice = solution.notice;
-        result.write(solution);
-        Ok(notice)
+        Ok(result.write(model::solve_linear(contact, creepage)?).notice)
     })
 }
 

@@ -26,10 +26,7 @@ pub extern "C" fn kstrip_solve(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        let solution = model::solve(contact, creepage, &for_forces(options)?)?;
-        let notice = solution.notice;
-        result.write(solution);
-        Ok(notice)
+        Ok(result.write(model::solve(contact, creepage, &for_forces(options)?)?).notice)
     })
 }
 
@@ -96,10 +93,7 @@ pub extern "C" fn kstrip_solve_prepared(
 ) -> kstrip_status {
     answer(|| {
         let (prepared, creepage, result) = (given(prepared)?, given(creepage)?, given(result)?);
-        let solution = prepared.solve(creepage)?;
-        let notice = solution.notice;
-        result.write(solution);
-        Ok(notice)
+        Ok(result.write(prepared.solve(creepage)?).notice)
     })
 }
 
@@ -140,10 +134,7 @@ pub extern "C" fn kstrip_solve_total(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        let solution = model::solve_total(contact, creepage)?;
-        let notice = solution.notice;
-        result.write(solution);
-        Ok(notice)
+        Ok(result.write(model::solve_total(contact, creepage)?).notice)
     })
 }
 
@@ -160,10 +151,7 @@ pub extern "C" fn kstrip_solve_strip(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        let solution = model::solve_strip(contact, creepage, strip_count(strips)?)?;
-        let notice = solution.notice;
-        result.write(solution);
-        Ok(notice)
+        Ok(result.write(model::solve_strip(contact, creepage, strip_count(strips)?)?).notice)
     })
 }
 
@@ -180,10 +168,7 @@ pub extern "C" fn kstrip_solve_strip_1967(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        let solution = model::solve_strip_1967(contact, creepage, strip_count(strips)?)?;
-        let notice = solution.notice;
-        result.write(solution);
-        Ok(notice)
+        Ok(result.write(model::solve_strip_1967(contact, creepage, strip_count(strips)?)?).notice)
     })
 }
 
@@ -198,10 +183,7 @@ pub extern "C" fn kstrip_solve_linear(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        let solution = model::solve_linear(contact, creepage)?;
-        let notice = solution.notice;
-        result.write(solution);
-        Ok(notice)
+        Ok(result.write(model::solve_linear(contact, creepage)?).notice)
     })
 }
 
