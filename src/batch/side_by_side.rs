@@ -1,7 +1,7 @@
 //! Many contacts at once where the processor has registers of 256 bits (AVX): four contacts side by side in double
 //! precision, eight in single precision.
 //!
-//! The road is that of one contact ([`Prepared`]), with the numbers of `number::lanes`, whose bits are those of plain numbers.
+//! The road is that of one contact ([`View`](crate::solve::prepared::View)), with the numbers of `number::lanes`, whose bits are those of plain numbers.
 
 #![allow(unsafe_code)]
 
@@ -13,7 +13,7 @@ use crate::number::lanes::{F32x8, F64x4, Lanes};
 use crate::solve::check::is_sound;
 use crate::solve::model::{Model, Options, Precision, Solution};
 use crate::solve::prepared::{
-    Forces, LARGEST_SPIN, Prepared, RATIOS, linear_notice, linear_size, notice,
+    Forces, LARGEST_SPIN, RATIOS, linear_notice, linear_size, notice, with_view,
 };
 use crate::status::{Error, Notice};
 use crate::strip::StripTotals;
@@ -208,8 +208,8 @@ where
     L::Stored: Precision,
 {
     let model = options.model;
-    let prepared = Prepared::of(contact, options);
-    let (Forces { fx, fy, mz, adhesion }, psi) = prepared.view().forces(creepage);
+    let (Forces { fx, fy, mz, adhesion }, psi) =
+        with_view!(contact, options, |view| view.forces(creepage));
     let bound = contact.friction_bound();
     let notices = if model == Model::Linear {
         linear_notices(linear_size(fx, fy), bound)

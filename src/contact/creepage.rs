@@ -18,7 +18,7 @@ pub struct Creepage<T> {
 }
 
 /// Spin up to which contacts are of the usual sizes \[1/m\].
-pub(crate) const LARGEST_SPIN: f64 = 1e4;
+pub(crate) const USUAL_SPIN: f64 = 1e4;
 
 /// Velocity of one body's material at the centre of the contact, seen from the contact.
 #[repr(C)]
@@ -110,7 +110,7 @@ impl<F: Plain> Creepage<F> {
     pub(crate) fn is_usual(&self) -> bool {
         self.longitudinal.abs().lies_within(F::of(10.0))
             && self.lateral.abs().lies_within(F::of(10.0))
-            && self.spin.abs().lies_within(F::of(LARGEST_SPIN))
+            && self.spin.abs().lies_within(F::of(USUAL_SPIN))
     }
 }
 

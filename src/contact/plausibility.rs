@@ -21,7 +21,7 @@
 //! cent are found at their end. A spin of a tread contact, 0.1 rad/m, is in degrees that of a flange.
 
 use crate::contact::Contact;
-use crate::contact::creepage::{Creepage, LARGEST_SPIN};
+use crate::contact::creepage::{Creepage, USUAL_SPIN};
 use crate::number::{Float, Plain};
 use crate::status::Notice;
 use core::f64::consts::PI;
@@ -99,7 +99,7 @@ impl<F: Float> Contact<F> {
         }
         let at_the_edge = F::constant(EDGE_SLIP) / (self.a * self.b).sqrt();
         let inclined = load.times(LARGEST_INCLINATION) / (self.stiffness() * self.a);
-        at_the_edge.max(inclined).min(F::constant(LARGEST_SPIN)).times(0.999_99)
+        at_the_edge.max(inclined).min(F::constant(USUAL_SPIN)).times(0.999_99)
     }
 
     /// What is implausible about the contact alone, if anything; nothing about a lost contact.

@@ -29,8 +29,6 @@ use crate::solve::check::is_ordinary;
 use crate::solve::model::{Model, Options, Precision, Solution};
 use crate::solve::prepared::{Forces, Frame, KernelView, View, with_view};
 use crate::status::Error;
-use crate::strip::PreparedStrips;
-use crate::total;
 use nalgebra::Matrix3;
 
 pub use crate::solve::through_friction::{Differentiated, LawDerivatives, differentiate};

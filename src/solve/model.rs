@@ -5,10 +5,9 @@ use crate::contact::creepage::Creepage;
 use crate::contact::forces::StripCount;
 use crate::number::Float;
 use crate::solve::check::is_ordinary;
-use crate::solve::prepared::{Prepared, with_view};
+use crate::solve::prepared::with_view;
 use crate::status::{Error, Notice};
-use crate::strip::{PreparedStrips, StripTotals};
-use crate::total;
+use crate::strip::StripTotals;
 
 pub use crate::solve::check::check;
 pub use crate::solve::derivatives::solve_jacobian;
@@ -199,31 +198,5 @@ fn solve_inline<F: Precision>(
     if contact.is_lost() {
         return Ok(Solution::nothing());
     }
-    // Each with a model of its own that the compiler knows
-    Ok(match options.model {
-        Model::Strip1967 => answer_by(Model::Strip1967, contact, creepage, options, ordinary),
-        Model::Strip1967Continuous => {
-            answer_by(Model::Strip1967Continuous, contact, creepage, options, ordinary)
-        }
-        Model::Strip => answer_by(Model::Strip, contact, creepage, options, ordinary),
-        Model::Total => answer_by(Model::Total, contact, creepage, options, ordinary),
-        Model::Linear => answer_by(Model::Linear, contact, creepage, options, ordinary),
-    })
-}
-
-/// Of a checked contact that is loaded, in the code of each caller.
-#[inline(always)]
-fn answer_by<F: Precision>(
-    model: Model,
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    options: &Options,
-    ordinary: bool,
-) -> Solution<F> {
-    let options = Options { model, ..*options };
-    if cfg!(target_os = "none") {
-        return with_view!(contact, &options, |view| view.answer(creepage, ordinary));
-    }
-    // (wide registers are filled from memory)
-    Prepared::of(contact, &options).view().answer(creepage, ordinary)
+    Ok(with_view!(contact, options, |view| view.answer(creepage, ordinary)))
 }

@@ -1,7 +1,7 @@
 //! A contact, ready for creepages: everything that does not depend on the motion, computed once.
 //!
 //! The one way from a contact and a creepage to forces, for numbers, their derivatives, and several contacts side by side:
-//! `Prepared::of`, then `Prepared::forces`.
+//! `with_view!`, then `View::forces`.
 
 use crate::contact::creepage::{Creepage, Parameters, Units};
 use crate::contact::forces::Totals;
@@ -79,26 +79,7 @@ pub(crate) struct Forces<T> {
     pub(crate) adhesion: T,
 }
 
-impl<F: StripTotals> Prepared<F> {
-    /// A checked contact.
-    #[inline(always)]
-    pub(crate) fn of(contact: &Contact<F>, options: &Options) -> Self {
-        let frame = Frame::of(contact);
-        let (ratio, poisson_ratio) = (frame.axis_ratio(), contact.poisson_ratio);
-        let linear = || LinearCoefficients::at_inline(ratio, poisson_ratio);
-        let kernel = match options.model {
-            Model::Strip1967 | Model::Strip1967Continuous => {
-                Kernel::Strip1967(sliding_rule(options.model))
-            }
-            Model::Strip => {
-                Kernel::Strip(PreparedStrips::new(ratio, poisson_ratio, &linear(), options.strips))
-            }
-            Model::Total => Kernel::Total(total::Prepared::new(ratio, poisson_ratio, &linear())),
-            Model::Linear => Kernel::Linear(frame.stiffness(&linear())),
-        };
-        Self { frame, options: *options, kernel }
-    }
-
+impl<F: Plain> Prepared<F> {
     /// Where it stands.
     #[inline(always)]
     pub(crate) fn view(&self) -> View<'_, F> {
@@ -118,10 +99,11 @@ macro_rules! with_view {
     ($contact:expr, $options:expr, |$view:ident| $take:expr) => {{
         use crate::linear::LinearCoefficients;
         use crate::solve::prepared::{Frame, KernelView, View, sliding_rule};
+        use crate::strip::PreparedStrips;
+        use crate::total;
         let (contact, options): (&Contact<_>, &Options) = ($contact, $options);
         let (frame, model) = (&Frame::of(contact), options.model);
         let (ratio, poisson_ratio) = (frame.axis_ratio(), contact.poisson_ratio);
-        let linear = || LinearCoefficients::at_inline(ratio, poisson_ratio);
         match model {
             Model::Strip1967 | Model::Strip1967Continuous => {
                 let kernel = KernelView::Strip1967(sliding_rule(model));
@@ -129,18 +111,20 @@ macro_rules! with_view {
                 $take
             }
             Model::Strip => {
-                let count = options.strips;
-                let strips = PreparedStrips::new(ratio, poisson_ratio, &linear(), count);
+                let linear = LinearCoefficients::at_inline(ratio, poisson_ratio);
+                let strips = PreparedStrips::new(ratio, poisson_ratio, &linear, options.strips);
                 let $view = View { frame, model, kernel: KernelView::Strip(&strips) };
                 $take
             }
             Model::Total => {
-                let total = total::Prepared::new(ratio, poisson_ratio, &linear());
+                let linear = LinearCoefficients::at_inline(ratio, poisson_ratio);
+                let total = total::Prepared::new(ratio, poisson_ratio, &linear);
                 let $view = View { frame, model, kernel: KernelView::Total(&total) };
                 $take
             }
             Model::Linear => {
-                let stiffness = frame.stiffness(&linear());
+                let linear = LinearCoefficients::at_inline(ratio, poisson_ratio);
+                let stiffness = frame.stiffness(&linear);
                 let $view = View { frame, model, kernel: KernelView::Linear(&stiffness) };
                 $take
             }
@@ -174,6 +158,18 @@ pub(crate) enum KernelView<'a, F: Plain> {
     Strip(&'a PreparedStrips<F>),
     Total(&'a total::Prepared<F>),
     Linear(&'a [F; 4]),
+}
+
+impl<F: Plain> KernelView<'_, F> {
+    /// To be kept.
+    fn kept(self) -> Kernel<F> {
+        match self {
+            Self::Strip1967(rule) => Kernel::Strip1967(rule),
+            Self::Strip(strips) => Kernel::Strip(*strips),
+            Self::Total(total) => Kernel::Total(*total),
+            Self::Linear(stiffness) => Kernel::Linear(*stiffness),
+        }
+    }
 }
 
 impl<F: StripTotals> View<'_, F> {
@@ -263,7 +259,11 @@ impl<F: Precision> Prepared<F> {
     /// ```
     pub fn new(contact: &Contact<F>, options: &Options) -> Result<Self, Error> {
         contact.check()?;
-        Ok(Self::of(contact, options))
+        Ok(with_view!(contact, options, |view| Self {
+            frame: *view.frame,
+            options: *options,
+            kernel: view.kernel.kept(),
+        }))
     }
 
     /// [`solve`](crate::solve::model::solve) for this contact: the same result, to the bit.

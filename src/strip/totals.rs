@@ -4,7 +4,7 @@ use super::any::{Forces, Slopes, both_kinds, of_eight, parts_of_eight};
 use super::creepage::{Law, Prepared};
 use super::derivative::{SpinSlopes, forces_and_slopes};
 use super::kernel::{Carried, Seen, Spin, forces};
-use super::single::{self, Apart};
+use super::single;
 use super::tables::{FourStrips, Rule, STRIP_FIELDS, Tables};
 use crate::contact::forces::{StripCount, Totals};
 use crate::linear::LinearCoefficients;
@@ -134,34 +134,23 @@ impl<F: Plain> PreparedStrips<F> {
         let zero = R::Strips::zero();
         let mut sums = [[zero; 4]; 5];
         let mut slopes = [[[zero; 4]; 6]; 3];
-        let Prepared { root, upright, .. } = self.contact;
-        let strips = Together::new::<F, R>(law);
+        let arms = [self.contact.root, self.contact.upright].map(R::all);
+        let strips = Together::new(law, R::all);
+        let constants = Tables::<F::Stored, _>::new(R::couple);
         for (i, group) in R::groups(self.rule.fours).iter().enumerate() {
-            let fields = fields::<F, R>(group);
-            let [.., load, load_c, load_y, area, _] = fields;
-            let chain = i % (4 / R::FOURS);
+            let fields = fields(|of, odd| R::field(group, of, odd));
+            let (seen, chain) = (strips.seen(&fields), i % (4 / R::FOURS));
             let carried = if SLOPES {
-                let (carried, [x, y, m]) = strips.forces_and_slopes::<F, R>(&fields);
-                // Mz = ∫ (x Y − y X): lever arms √(a/b) C x̂ and √(b/a) Y
-                let (arm_m, arm_x) = (load_c * R::all(root), load_y * R::all(upright));
-                let mut z = m;
-                for (z, x) in z.iter_mut().zip(x) {
-                    *z = *z * arm_m - x * arm_x;
-                }
-                let own = [
-                    R::Strips::each(&x, |slope| *slope * load),
-                    R::Strips::each(&y, |slope| *slope * load),
-                    z,
-                ];
-                for (slopes, own) in slopes.iter_mut().zip(own) {
-                    add(slopes, chain, strips.by_law(own, &fields));
+                let (carried, own) =
+                    forces_and_slopes(&seen, &strips.spin, &constants, &strips.by_spin);
+                for (slopes, own) in slopes.iter_mut().zip(by_law(own, &fields, arms)) {
+                    add(slopes, chain, own);
                 }
                 carried
             } else {
-                strips.forces::<F, R>(&fields)
+                forces(&seen, &strips.spin, &constants, |_, _| ()).0
             };
-            let Carried { fx, fy, mx, stick } = carried;
-            add(&mut sums, chain, [fx * load, fy * load, mx * load_c, fx * load_y, stick * area]);
+            add(&mut sums, chain, shares(carried, &fields));
         }
         let mut values = [F::zero(); 5];
         for (value, sum) in values.iter_mut().zip(&sums) {
@@ -194,10 +183,11 @@ impl<F: Plain> PreparedStrips<F> {
         let Sums { values: [fx, fy, mz, stick], .. } = self.plain_sums::<false>(&law);
         let sums = Totals { fx, fy, mz, stick };
         let whole = power_projected(sums, law.creepage, &self.contact.linear);
-        let strips = Apart::new(&law);
+        let strips = Together::new(&law, |x| x);
         let mut strip = |i: usize, lane: usize| {
             let Some(four) = self.rule.fours.get(i) else { return };
-            let (Carried { fx, fy, mx, stick }, fields) = strips.strip(four, lane);
+            let fields = single::fields_of(four, lane);
+            let Carried { fx, fy, mx, stick } = single::strip(&strips, &fields, lane);
             let [.., load, load_c, load_y, area, _] = fields;
             let Prepared { root, upright, .. } = self.contact;
             let mz = mx * load_c * root - fx * load_y * upright;
@@ -227,28 +217,29 @@ impl<F: Plain> PreparedStrips<F> {
     }
 }
 
-/// The kernel for strips of an ellipse side by side, which have one spin.
-struct Together<P: Arithmetic> {
+/// What strips of an ellipse have in common: one spin.
+pub(super) struct Together<P> {
     /// `a_x, a_y, ρ, ε` and the start.
     law: [P; 5],
-    spin: Spin<P>,
-    by_spin: SpinSlopes<P>,
+    pub(super) spin: Spin<P>,
+    /// (Without derivatives nobody reads them.)
+    pub(super) by_spin: SpinSlopes<P>,
 }
 
 impl<P: Arithmetic<Bare = P>> Together<P> {
+    /// In numbers `P` that are `all` the same.
     #[inline(always)]
-    fn new<F: Plain, R: Group<F, Strips = P>>(law: &Law<F>) -> Self {
+    pub(super) fn new<F: Plain>(law: &Law<F>, all: impl Fn(F) -> P + Copy) -> Self {
         let spin = Spin::new(law.spin);
-        // (without derivatives nobody reads them)
-        let by_spin = SpinSlopes::new(&spin).map(R::all);
+        let by_spin = SpinSlopes::new(&spin).map(all);
         let Law { longitudinal, lateral, slope, bend, start, .. } = *law;
-        let law = P::each(&[longitudinal, lateral, slope, bend, start], |x| R::all(*x));
-        Self { law, spin: spin.map(R::all), by_spin }
+        let law = P::each(&[longitudinal, lateral, slope, bend, start], |x| all(*x));
+        Self { law, spin: spin.map(all), by_spin }
     }
 
     /// `A_x = (a_x − ρ Y (1 + ε (0.4 − Y²)))/C`, `A_y = a_y/C`
     #[inline(always)]
-    fn seen(&self, fields: &[P; STRIP_FIELDS]) -> Seen<P> {
+    pub(super) fn seen(&self, fields: &[P; STRIP_FIELDS]) -> Seen<P> {
         let [y, inverse, bend_y, .., width] = *fields;
         let [longitudinal, lateral, slope, bend, start] = self.law;
         Seen {
@@ -258,31 +249,35 @@ impl<P: Arithmetic<Bare = P>> Together<P> {
             start,
         }
     }
+}
 
-    #[inline(always)]
-    fn forces<F: Plain, R: Group<F, Strips = P>>(&self, fields: &[P; STRIP_FIELDS]) -> Carried<P> {
-        let constants = Tables::<F::Stored, _>::new(R::couple);
-        forces(&self.seen(fields), &self.spin, &constants, |_, _| ()).0
+/// Shares of `f_x, f_y`, the two parts of the moment, and the stick area.
+#[inline(always)]
+pub(super) fn shares<P: Arithmetic>(carried: Carried<P>, fields: &[P; STRIP_FIELDS]) -> [P; 5] {
+    let [.., load, load_c, load_y, area, _] = *fields;
+    let Carried { fx, fy, mx, stick } = carried;
+    [fx * load, fy * load, mx * load_c, fx * load_y, stick * area]
+}
+
+/// Derivatives of forces and moment by `Law::numbers` from those of `f_x, f_y, m_x` by what the strips see.
+#[inline(always)]
+pub(super) fn by_law<P: Arithmetic>(
+    [x, y, mut z]: [[P; 5]; 3],
+    fields: &[P; STRIP_FIELDS],
+    [root, upright]: [P; 2],
+) -> [[P; 6]; 3] {
+    let [at, inverse, bend, load, load_c, load_y, _, width] = *fields;
+    // Mz = ∫ (x Y − y X): lever arms √(a/b) C x̂ and √(b/a) Y
+    let (arm_m, arm_x) = (load_c * root, load_y * upright);
+    for (z, x) in z.iter_mut().zip(x) {
+        *z = *z * arm_m - x * arm_x;
     }
-
-    #[inline(always)]
-    fn forces_and_slopes<F: Plain, R: Group<F, Strips = P>>(
-        &self,
-        fields: &[P; STRIP_FIELDS],
-    ) -> (Carried<P>, [[P; 5]; 3]) {
-        let constants = Tables::<F::Stored, _>::new(R::couple);
-        forces_and_slopes(&self.seen(fields), &self.spin, &constants, &self.by_spin)
-    }
-
-    /// Derivatives by `Law::numbers` from those by what the strips see.
-    #[inline(always)]
-    fn by_law(&self, by_seen: [P; 5], fields: &[P; STRIP_FIELDS]) -> [P; 6] {
-        let [y, inverse, bend, .., width] = *fields;
-        let [by_x, by_y, by_spin, by_spread, by_start] = by_seen;
+    let loaded = |slopes: [P; 5]| P::each(&slopes, |slope| *slope * load);
+    [loaded(x), loaded(y), z].map(|[by_x, by_y, by_spin, by_spread, by_start]| {
         let scaled = by_x * inverse;
-        let slope = by_spread * width - scaled * y;
+        let slope = by_spread * width - scaled * at;
         [scaled, by_y * inverse, slope, -(scaled * bend), by_spin, by_start]
-    }
+    })
 }
 
 /// Adds numbers to a chain of their sums.
@@ -358,18 +353,20 @@ pub(super) fn both_sides<F: Plain>(couple: &[F::Stored; 2], odd: bool) -> [F; 4]
     if odd { [a, b, -a, -b] } else { [a, b, a, b] }
 }
 
-/// The fields of strips: `y`, `bend` and `load_y` are odd in `y`.
+/// The fields of strips, each read from its couple; `y`, `bend` and `load_y` are odd in `y`.
 #[inline(always)]
-fn fields<F: Plain, R: Group<F>>(places: &R::Places) -> [R::Strips; STRIP_FIELDS] {
+pub(super) fn fields<F: 'static, P>(
+    read: impl Fn(fn(&FourStrips<F>) -> &[F; 2], bool) -> P,
+) -> [P; STRIP_FIELDS] {
     [
-        R::field(places, |[y, ..]| y, true),
-        R::field(places, |[_, inverse, ..]| inverse, false),
-        R::field(places, |[_, _, bend, ..]| bend, true),
-        R::field(places, |[_, _, _, load, ..]| load, false),
-        R::field(places, |[_, _, _, _, load_c, ..]| load_c, false),
-        R::field(places, |[_, _, _, _, _, load_y, ..]| load_y, true),
-        R::field(places, |[.., area, _]| area, false),
-        R::field(places, |[.., width]| width, false),
+        read(|[y, ..]| y, true),
+        read(|[_, inverse, ..]| inverse, false),
+        read(|[_, _, bend, ..]| bend, true),
+        read(|[_, _, _, load, ..]| load, false),
+        read(|[_, _, _, _, load_c, ..]| load_c, false),
+        read(|[_, _, _, _, _, load_y, ..]| load_y, true),
+        read(|[.., area, _]| area, false),
+        read(|[.., width]| width, false),
     ]
 }
 
