@@ -10,80 +10,58 @@
 //! ```
 //!
 //! `A` grows like `(π/2) ln t`, `C` tends to `π`: of an infinitely wide strip the curvature is the plane problem's
-//! `2 p/(a E*)`. Both slopes follow from `S = 2 (K − E)/k'²`: `A' = k' S`, `C' = k'³ S`.
+//! `2 p/(a E*)`. Both are fitted as `v (P(v) + w^q Q(v) ln t)` with `v = t/(1 + t)`, `w = 1/(1 + t)`, by
+//! `fit/fit_influence.py`; slopes are those of the fits.
 
 use crate::number::Float;
 
-/// `A/k` in powers of `k²`, their products with `ln k²`, and the products of powers of `k'²` with `−ln k'²`: fitted to
-/// the integral, relative error 2.1e-5 for every `t`.
-const DEFLECTION: ([f64; 4], [f64; 3], [f64; 2]) = (
-    [2.77251183, -0.49200352, 0.45801576, 0.22478577],
-    [-1.00000504, -0.58883635, -0.41972511],
-    [0.78537349, 0.36341111],
-);
-/// `C/k` in powers of `k²` and their products with `ln k²`: fitted to `2 K`, relative error 1.1e-5.
-const CURVATURE: ([f64; 3], [f64; 3]) =
-    ([2.77272009, 0.23162634, 0.13724359], [-0.99999129, -0.2395979, -0.05245207]);
-
-/// `S` in powers of `k²` and their products with `ln k²`, relative error 8e-5.
-const SLOPE: ([f64; 3], [f64; 3]) =
-    ([0.77346187, 0.29037413, 0.50695056], [-0.99994018, -0.69203219, -0.203429]);
-
-/// What a strip does on one side of its edge.
-#[derive(Clone, Copy)]
-pub(crate) struct Edge<F> {
-    /// `A`
-    pub deflection: F,
-    /// `C`
-    pub curvature: F,
-    /// `t A'`
-    pub deflection_slope: F,
-    /// `t C'`
-    pub curvature_slope: F,
+/// Polynomials `P` and `Q` and the power `q`.
+pub(crate) struct Edge<const P: usize, const Q: usize> {
+    plain: [f64; P],
+    with_log: [f64; Q],
+    fading: u8,
 }
 
-impl<F: Float> Edge<F> {
-    pub(crate) fn none() -> Self {
-        let zero = F::zero();
-        Self { deflection: zero, curvature: zero, deflection_slope: zero, curvature_slope: zero }
-    }
+/// `A`: relative error 8.4e-6, of its slope 8.4e-5, for every `t`.
+pub(crate) const DEFLECTION: Edge<7, 6> = Edge {
+    plain: [
+        2.77389045,
+        3.86121876,
+        26.01948635,
+        -32.33292577,
+        -50.12357968,
+        79.0367212,
+        -26.27037052,
+    ],
+    with_log: [-1.99986933, -1.79288023, 7.15832449, 23.17904701, -41.44536733, 16.47140109],
+    fading: 0,
+};
+/// `C`: relative error 6.0e-6, of its slope 3.3e-5.
+pub(crate) const CURVATURE: Edge<6, 6> = Edge {
+    plain: [2.77402143, 4.12824714, 34.34429115, -109.0948159, 103.6252287, -32.63539871],
+    with_log: [-1.9998635, -7.74797116, -6.06100968, 19.35389746, -27.06566125, 17.43714061],
+    fading: 3,
+};
 
-    /// At `−t`: all are odd.
-    pub(crate) fn mirrored(self) -> Self {
-        let Self { deflection, curvature, deflection_slope, curvature_slope } = self;
-        Self {
-            deflection: -deflection,
-            curvature: -curvature,
-            deflection_slope: -deflection_slope,
-            curvature_slope: -curvature_slope,
-        }
+impl<const P: usize, const Q: usize> Edge<P, Q> {
+    /// The value and `t` times its slope, at a positive `t` whose logarithm is known.
+    #[inline(always)]
+    pub(crate) fn at<F: Float>(&self, t: F, log: F) -> [F; 2] {
+        let w = F::one() / t.plus(1.0);
+        let v = t * w;
+        let ([p, p_slope], [q, q_slope]) =
+            (with_slope(&self.plain, v), with_slope(&self.with_log, v));
+        let faded = (0..self.fading).fold(v, |product, _| product * w);
+        // t dv/dt = v w, t dw/dt = −v w
+        let slope = w * (q + v * q_slope) - (v * q).times(f64::from(self.fading));
+        [v * p + faded * q * log, v * w * (p + v * p_slope) + faded * (slope * log + q)]
     }
 }
 
-/// For a positive `t`.
-pub(crate) fn edge<F: Float>(t: F) -> Edge<F> {
-    let square = t * t;
-    // k'² and k²
-    let rest = F::one() / square.plus(1.0);
-    let m = (square * rest).max(F::tiny());
-    let (k, root) = (m.sqrt(), rest.sqrt());
-    let (log, log_rest) = (m.ln(), rest.max(F::tiny()).ln());
-    let both = |(plain, with_log): &([f64; 3], [f64; 3])| {
-        polynomial(m, plain) + polynomial(m, with_log) * log
-    };
-    let (plain, with_log, at_infinity) = &DEFLECTION;
-    let far = polynomial(rest, at_infinity) * log_rest;
-    let deflection = polynomial(m, plain) + polynomial(m, with_log) * log - far;
-    // t = k/k'
-    let slope = k * both(&SLOPE);
-    Edge {
-        deflection: k * deflection,
-        curvature: k * both(&CURVATURE),
-        deflection_slope: slope,
-        curvature_slope: slope * root * root,
-    }
-}
-
-fn polynomial<F: Float>(x: F, coefficients: &[f64]) -> F {
-    coefficients.iter().rev().fold(F::zero(), |sum, coefficient| (sum * x).plus(*coefficient))
+/// `Σ c_i xⁱ` and its derivative.
+#[inline(always)]
+fn with_slope<F: Float, const N: usize>(coefficients: &[f64; N], x: F) -> [F; 2] {
+    coefficients.iter().rev().fold([F::zero(); 2], |[sum, slope], coefficient| {
+        [(sum * x).plus(*coefficient), slope * x + sum]
+    })
 }

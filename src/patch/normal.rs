@@ -16,7 +16,7 @@
 //! else distinguishes them.
 
 use crate::number::Float;
-use crate::patch::influence::{self, Edge};
+use crate::patch::influence::{CURVATURE, DEFLECTION};
 use core::f64::consts::{FRAC_PI_2, PI};
 use heapless::Vec;
 
@@ -72,66 +72,27 @@ pub(crate) struct Cells<F> {
     /// Width of a strip \[m\].
     pub width: F,
     /// `R` \[m\]
-    pub rolling_radius: F,
-    /// `E* = G/(1 − ν)` \[Pa\]
-    pub modulus: F,
+    rolling_radius: F,
+    /// `1/(π E*)`, `E* = G/(1 − ν)` \[1/Pa\]
+    scale: F,
+    /// `ln (d + 1/2)`
+    logs: [F; CELLS],
 }
-
-/// A power `q` that lengths are corrected with.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Power<F> {
-    /// `1 − q`
-    less: F,
-    /// `1 + q`
-    more: F,
-    /// `4 q`
-    fourfold: F,
-}
-
-impl<F: Float> Power<F> {
-    /// (A literal is converted by the compiler.)
-    #[inline(always)]
-    pub(crate) fn new(power: f64) -> Self {
-        let [less, more, fourfold] = [1.0 - power, 1.0 + power, 4.0 * power].map(F::of);
-        Self { less, more, fourfold }
-    }
-}
-
-/// What one strip does to another, per unit of its pressure: `a A/(π E*)` and `C/(a π E*)`, and the derivatives of both by
-/// `a`.
-#[derive(Clone, Copy)]
-struct Influence<F> {
-    deflection: F,
-    curvature: F,
-    deflection_slope: F,
-    curvature_slope: F,
-}
-
-/// What one strip does to all.
-struct Column<F> {
-    on: [Influence<F>; CELLS],
-    known: bool,
-}
-
-impl<F: Float> Column<F> {
-    fn unknown() -> Self {
-        let zero = F::zero();
-        let none = Influence {
-            deflection: zero,
-            curvature: zero,
-            deflection_slope: zero,
-            curvature_slope: zero,
-        };
-        Self { on: [none; CELLS], known: false }
-    }
-}
-
-type Columns<F> = Vec<Column<F>, CELLS>;
 
 /// Equations for the pressures of the strips that touch.
-type Rows<F> = Vec<[F; CELLS], CELLS>;
+type Rows<'a, F> = Vec<&'a mut [F; CELLS], CELLS>;
 
 impl<F: Float> Cells<F> {
+    /// No strips yet; `R` \[m\], `E*` \[Pa\].
+    pub(crate) fn new(rolling_radius: F, modulus: F) -> Self {
+        let mut logs = [F::zero(); CELLS];
+        for (distance, log) in (0_u16..).zip(&mut logs) {
+            *log = F::widened(f32::from(distance)).plus(0.5).ln();
+        }
+        let scale = F::one() / modulus.times(PI);
+        Self { list: Vec::new(), width: F::one(), rolling_radius, scale, logs }
+    }
+
     /// Lengths to begin with: `known` squares, and at least a small share of `2 R δ`. They grow as Hertz's do.
     pub(crate) fn begin(&mut self, given: Given<F>, approach: F, known: impl Fn(&Cell<F>) -> F) {
         let growth = match given {
@@ -147,17 +108,11 @@ impl<F: Float> Cells<F> {
         }
     }
 
-    /// The pressures after one correction of the lengths; the approach.
-    pub(crate) fn solve(&mut self, given: Given<F>, power: Power<F>) -> Moving<F> {
-        let mut columns: Columns<F> = Vec::new();
-        for _ in &self.list {
-            // (room for as many columns as cells)
-            let _ = columns.push(Column::unknown());
-        }
-        self.press(given, &mut columns);
-        self.correct(power, &columns);
-        columns.iter_mut().for_each(|column| column.known = false);
-        self.press(given, &mut columns)
+    /// The pressures after one correction of the lengths by a power `q` of what is wrong with them; the approach.
+    pub(crate) fn solve(&mut self, given: Given<F>, power: F) -> Moving<F> {
+        self.press(given);
+        self.correct(power);
+        self.press(given)
     }
 
     /// `Σ (π/2) a w p`
@@ -182,76 +137,80 @@ impl<F: Float> Cells<F> {
         sum / weight
     }
 
-    /// Fills the columns of the strips that touch.
-    #[inline(never)]
-    fn know(&self, columns: &mut [Column<F>]) {
-        let scale = F::one() / self.modulus.times(PI);
-        let places = || self.list.iter().map(|cell| cell.place);
-        let (first, last) = (places().next().unwrap_or(0), places().last().unwrap_or(0));
-        for (cell, column) in self.list.iter().zip(columns) {
-            if column.known || !cell.touches {
-                continue;
-            }
-            column.known = true;
-            let a = cell.half_length.value;
-            let unit = self.width / a;
-            let at = |distance: i32| influence::edge(unit * F::widened(distance as f32).plus(0.5));
+    /// What every strip that touches does to each strip: the differences of `of` between its edges, handed to `take` with the
+    /// number of the strip, the number among those that touch of the one that acts, and that one.
+    fn around<const N: usize>(
+        &self,
+        of: impl Fn(F, F) -> [F; N],
+        mut take: impl FnMut(usize, usize, &Cell<F>, [F; N]),
+    ) {
+        for (j, cell) in self.touching().enumerate() {
+            let unit = self.width / cell.half_length.value;
+            let log = unit.ln();
+            let at = |distance: u32| {
+                let edge = F::widened(distance as f32).plus(0.5);
+                let known = self.logs.get(distance as usize).copied();
+                of(unit * edge, log + known.unwrap_or_else(|| edge.ln()))
+            };
             // edges at the distances that neighbours have
-            let farthest = (cell.place - first).max(last - cell.place);
-            let mut edges = [Edge::none(); CELLS];
+            let ends = [self.list.first(), self.list.last()].into_iter().flatten();
+            let farthest = ends.fold(0, |most, end| most.max(end.place.abs_diff(cell.place)));
+            let mut edges = [[F::zero(); N]; CELLS];
             for (distance, edge) in (0..=farthest).zip(&mut edges) {
                 *edge = at(distance);
             }
-            let edge = |distance: i32| match usize::try_from(distance).map(|i| edges.get(i)) {
-                Ok(Some(edge)) => *edge,
-                _ => at(distance),
+            let edge = |distance: u32| match edges.get(distance as usize) {
+                Some(edge) => *edge,
+                None => at(distance),
             };
-            let (inverse, of_all) = (F::one() / a, self.list.iter());
-            for (other, influence) in of_all.zip(&mut column.on) {
-                let distance = (other.place - cell.place).abs();
+            for (i, other) in self.list.iter().enumerate() {
+                let distance = other.place.abs_diff(cell.place);
                 let far = edge(distance);
-                let near = if distance == 0 { far.mirrored() } else { edge(distance - 1) };
-                // a A(w/a): derivative A − t A';  C(w/a)/a: −(C + t C')/a²
-                let deflected = (far.deflection - near.deflection) * scale;
-                let curved = (far.curvature - near.curvature) * scale * inverse;
-                let moved = (far.curvature_slope - near.curvature_slope) * scale * inverse;
-                *influence = Influence {
-                    deflection: deflected * a,
-                    curvature: curved,
-                    deflection_slope: deflected
-                        - (far.deflection_slope - near.deflection_slope) * scale,
-                    curvature_slope: -(curved + moved) * inverse,
-                };
+                // all are odd
+                let near = distance.checked_sub(1).map_or(far.map(|far| -far), edge);
+                let mut found = far;
+                each(&mut found, near, |far, near| far - near);
+                take(i, j, cell, found);
             }
         }
     }
 
     /// Pressures for the lengths as they are; the approach.
     #[inline(never)]
-    fn press(&mut self, given: Given<F>, columns: &mut [Column<F>]) -> Moving<F> {
+    fn press(&mut self, given: Given<F>) -> Moving<F> {
         let unit = self.width.times(FRAC_PI_2);
         let mut approach = Moving { value: F::zero(), slope: F::zero() };
         for _ in 0..ROUNDS {
-            self.know(columns);
-            let mut rows: Rows<F> = Vec::new();
+            // a_j A_ij/(π E*)
+            let mut all = [[F::zero(); CELLS]; CELLS];
+            self.around(
+                |t, log| {
+                    let [deflection, _] = DEFLECTION.at(t, log);
+                    [deflection]
+                },
+                |i, j, cell, [deflection]| {
+                    if let Some(factor) = all.get_mut(i).and_then(|row| row.get_mut(j)) {
+                        *factor = deflection * self.scale * cell.half_length.value;
+                    }
+                },
+            );
+            let (mut rows, mut apart) = (Rows::new(), Rows::new());
             let (mut one, mut distance) = ([F::zero(); CELLS], [F::zero(); CELLS]);
-            for ((i, cell), (one, distance)) in
-                self.touching().zip(one.iter_mut().zip(&mut distance))
-            {
-                let mut factors = [F::zero(); CELLS];
-                for ((j, _), factor) in self.touching().zip(&mut factors) {
-                    let on = columns.get(j).and_then(|column| column.on.get(i));
-                    *factor = on.map_or(F::zero(), |on| on.deflection);
+            let mut sides = one.iter_mut().zip(&mut distance);
+            for (row, cell) in all.iter_mut().zip(&self.list) {
+                if !cell.touches {
+                    let _ = apart.push(row);
+                } else if let Some((one, distance)) = sides.next() {
+                    (*one, *distance) = (F::one(), cell.distance);
+                    let _ = rows.push(row);
                 }
-                (*one, *distance) = (F::one(), cell.distance);
-                let _ = rows.push(factors);
             }
             factorise(&mut rows);
             substitute(&rows, &mut one);
             substitute(&rows, &mut distance);
             // p = δ X − Y
             let (mut by_approach, mut without) = (F::zero(), F::zero());
-            for (((_, cell), one), distance) in self.touching().zip(one).zip(distance) {
+            for ((cell, one), distance) in self.touching().zip(one).zip(distance) {
                 by_approach += unit * cell.half_length.value * one;
                 without += unit * cell.half_length.value * distance;
             }
@@ -259,23 +218,20 @@ impl<F: Float> Cells<F> {
                 Given::Load(load) => (load + without) / by_approach,
                 Given::Approach(approach) => approach,
             };
-            let mut solved = one.iter().zip(distance);
-            for cell in &mut self.list {
-                cell.pressure.value = F::zero();
-                if cell.touches
-                    && let Some((one, distance)) = solved.next()
-                {
-                    cell.pressure.value = approach.value * *one - distance;
-                }
-            }
-            let deflection = self.sum(columns, |on, cell| on.deflection * cell.pressure.value);
+            let mut pressures = [F::zero(); CELLS];
+            each(&mut pressures, one, |_, one| approach.value * one);
+            each(&mut pressures, distance, |pressed, distance| pressed - distance);
+            let (mut solved, mut apart) = (pressures.iter(), apart.iter());
             let mut changed = false;
-            for (cell, deflection) in self.list.iter_mut().zip(deflection) {
-                let stays = if cell.touches {
-                    cell.pressure.value > F::zero()
-                } else {
+            for cell in &mut self.list {
+                let pressure = if cell.touches { solved.next() } else { None };
+                cell.pressure.value = pressure.copied().unwrap_or(F::zero());
+                let stays = match pressure {
+                    Some(pressure) => *pressure > F::zero(),
                     // the bodies would overlap
-                    approach.value - cell.distance > deflection
+                    None => apart.next().is_some_and(|row| {
+                        approach.value - cell.distance > product(row.as_slice(), &pressures)
+                    }),
                 };
                 changed |= stays != cell.touches;
                 cell.touches = stays;
@@ -283,17 +239,28 @@ impl<F: Float> Cells<F> {
             if changed {
                 continue;
             }
-            // K dp = dδ − dK p
-            let moved = self.sum(columns, |on, cell| {
-                on.deflection_slope * (cell.half_length.slope * cell.pressure.value)
-            });
+            // K dp = dδ − dK p, d(a A)/da = A − t A'
+            let mut moved = [F::zero(); CELLS];
+            self.around(
+                |t, log| {
+                    let [deflection, slope] = DEFLECTION.at(t, log);
+                    [deflection - slope]
+                },
+                |i, _, cell, [change]| {
+                    if let Some(moved) = moved.get_mut(i) {
+                        *moved +=
+                            change * self.scale * (cell.half_length.slope * cell.pressure.value);
+                    }
+                },
+            );
             let mut change = [F::zero(); CELLS];
-            for ((i, _), change) in self.touching().zip(&mut change) {
-                *change = -at(Some(&moved), i);
+            let of_touching = moved.iter().zip(&self.list).filter(|(_, cell)| cell.touches);
+            for ((moved, _), change) in of_touching.zip(&mut change) {
+                *change = -*moved;
             }
             substitute(&rows, &mut change);
             let mut rest = F::zero();
-            for ((_, cell), change) in self.touching().zip(change) {
+            for (cell, change) in self.touching().zip(change) {
                 rest += unit
                     * (cell.half_length.value * change
                         + cell.half_length.slope * cell.pressure.value);
@@ -319,53 +286,55 @@ impl<F: Float> Cells<F> {
         approach
     }
 
-    /// The strips that touch, with their numbers.
-    fn touching(&self) -> impl Iterator<Item = (usize, &Cell<F>)> {
-        self.list.iter().enumerate().filter(|(_, cell)| cell.touches)
-    }
-
-    /// What all strips that touch do to each.
-    fn sum(
-        &self,
-        columns: &[Column<F>],
-        term: impl Fn(&Influence<F>, &Cell<F>) -> F,
-    ) -> [F; CELLS] {
-        let mut sums = [F::zero(); CELLS];
-        for (column, cell) in columns.iter().zip(&self.list).filter(|(_, cell)| cell.touches) {
-            for ((sum, on), _) in sums.iter_mut().zip(&column.on).zip(&self.list) {
-                *sum += term(on, cell);
-            }
-        }
-        sums
+    fn touching(&self) -> impl Iterator<Item = &Cell<F>> {
+        self.list.iter().filter(|cell| cell.touches)
     }
 
     /// Lengths for the pressures as they are; also of strips that do not touch, as if they were about to.
-    fn correct(&mut self, power: Power<F>, columns: &[Column<F>]) {
-        let Power { less, more, fourfold } = power;
+    fn correct(&mut self, power: F) {
+        let (less, more) = (F::one() - power, F::one() + power);
         let radius = self.rolling_radius;
-        let curvature = self.sum(columns, |on, cell| on.curvature * cell.pressure.value);
-        let change = self.sum(columns, |on, cell| {
-            on.curvature * cell.pressure.slope
-                + on.curvature_slope * (cell.half_length.slope * cell.pressure.value)
-        });
-        for ((cell, curvature), change) in self.list.iter_mut().zip(curvature).zip(change) {
+        // Σ C_ij p_j/(a_j π E*) and what it moves with the approach
+        let mut curvatures = [Moving { value: F::zero(), slope: F::zero() }; CELLS];
+        self.around(
+            |t, log| CURVATURE.at(t, log),
+            |i, _, cell, [curvature, change]| {
+                let inverse = self.scale / cell.half_length.value;
+                let (p, slope) = (cell.pressure, cell.half_length.slope / cell.half_length.value);
+                if let Some(sum) = curvatures.get_mut(i) {
+                    sum.value += curvature * (p.value * inverse);
+                    sum.slope += (curvature * (p.slope - p.value * slope)
+                        - change * (p.value * slope))
+                        * inverse;
+                }
+            },
+        );
+        for (cell, curvature) in self.list.iter_mut().zip(curvatures) {
             // the power of c as its Padé approximant: within a factor of 3 whatever c is
-            let c = (curvature * radius).max(F::zero());
+            let c = (curvature.value * radius).max(F::zero());
             let below = c * less + more;
             let factor = (c * more + less) / below;
-            let slope = change * radius * fourfold / (below * below);
+            let slope = curvature.slope * radius * power.times(4.0) / (below * below);
             let Moving { value: a, slope: da } = cell.half_length;
             cell.half_length = Moving { value: a * factor, slope: da * factor + a * slope };
         }
     }
 }
 
-fn at<F: Float>(list: Option<&[F; CELLS]>, i: usize) -> F {
-    list.and_then(|list| list.get(i)).copied().unwrap_or(F::zero())
+/// `by` of each and its partner.
+fn each<F: Float, const N: usize>(list: &mut [F; N], other: [F; N], by: impl Fn(F, F) -> F) {
+    for (own, other) in list.iter_mut().zip(other) {
+        *own = by(*own, other);
+    }
+}
+
+/// `Σ x_i y_i`
+fn product<F: Float>(x: &[F], y: &[F]) -> F {
+    x.iter().zip(y).fold(F::zero(), |sum, (x, y)| sum + *x * *y)
 }
 
 /// Gauss's elimination without pivots: the diagonal is the largest of its row. Below it stand the factors.
-fn factorise<F: Float>(rows: &mut Rows<F>) {
+fn factorise<F: Float>(rows: &mut Rows<'_, F>) {
     let count = rows.len();
     let mut rest = rows.as_mut_slice();
     let mut k = 0;
@@ -389,10 +358,10 @@ fn factorise<F: Float>(rows: &mut Rows<F>) {
 }
 
 /// The right-hand side becomes the solution.
-fn substitute<F: Float>(rows: &Rows<F>, side: &mut [F; CELLS]) {
+fn substitute<F: Float>(rows: &Rows<'_, F>, side: &mut [F; CELLS]) {
     for (k, row) in rows.iter().enumerate() {
         if let Some((before, [own, ..])) = side.split_at_mut_checked(k) {
-            *own -= row.iter().zip(before).fold(F::zero(), |sum, (x, y)| sum + *x * *y);
+            *own -= product(row.as_slice(), before);
         }
     }
     let count = rows.len();
@@ -400,7 +369,7 @@ fn substitute<F: Float>(rows: &Rows<F>, side: &mut [F; CELLS]) {
         if let Some(([own, after @ ..], [diagonal, factors @ ..])) =
             side.get_mut(k..count).zip(row.get(k..count))
         {
-            let sum = factors.iter().zip(after).fold(F::zero(), |sum, (x, y)| sum + *x * *y);
+            let sum = product(factors, after);
             *own = (*own - sum) / *diagonal;
         }
     }

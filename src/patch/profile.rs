@@ -13,7 +13,7 @@
 use crate::contact::forces::StripCount;
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::Float;
-use crate::patch::normal::{CELLS, Given, Power};
+use crate::patch::normal::{CELLS, Cells, Given};
 pub use crate::patch::section::Profile;
 use crate::patch::section::SECTION;
 use crate::patch::smooth::Lattice;
@@ -161,17 +161,17 @@ impl<F: Float> Indentation<F> {
         // Coarse
         let strips = lattice_strips(count);
         let level = first.times(GUESS * REACH);
-        let lattice = Lattice::new(profile, level, length, strips.min(COARSE), None)
-            .ok_or(Error::Overflow)?;
+        let none = || Cells::new(contact.rolling_radius, contact.modulus());
+        let mut coarse = none();
+        let lattice = Lattice::new(profile, level, length, strips.min(COARSE), None, &mut coarse)?;
         let above = |lowest: F| match contact.given {
             Given::Load(load) => Given::Load(load),
             Given::Approach(approach) => Given::Approach(approach + lowest),
         };
-        let mut coarse = lattice.cells(contact, level + lattice.lowest)?;
         let section = first.times(SECTION) + lattice.lowest;
         let double = contact.rolling_radius.times(2.0);
         coarse.begin(contact.given, first, |cell| (section - cell.distance) * double);
-        let approach = coarse.solve(above(lattice.lowest), Power::new(COARSE_POWER)).value;
+        let approach = coarse.solve(above(lattice.lowest), F::of(COARSE_POWER)).value;
         if !(approach.is_finite_number() && approach > F::zero()) {
             return Err(Error::Overflow);
         }
@@ -184,8 +184,8 @@ impl<F: Float> Indentation<F> {
             sum += load;
         }
         let middle = Some(profile.deepest + moment / sum);
-        let fine = Lattice::new(profile, level, length, strips, middle).ok_or(Error::Overflow)?;
-        let mut cells = fine.cells(contact, level)?;
+        let mut cells = none();
+        let fine = Lattice::new(profile, level, length, strips, middle, &mut cells)?;
         // (a strip of the coarse lattice that hardly carries is as short as its pressure tells)
         let slope = coarse.mean_slope();
         cells.begin(contact.given, approach, |cell| {
@@ -198,7 +198,7 @@ impl<F: Float> Indentation<F> {
             })
         });
         let given = above(fine.lowest);
-        let approach = cells.solve(given, Power::new(FINE_POWER));
+        let approach = cells.solve(given, F::of(FINE_POWER));
         let load = cells.load();
         let stiffness = match given {
             Given::Load(_) => F::one() / approach.slope,

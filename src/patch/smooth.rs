@@ -2,7 +2,6 @@
 
 use crate::number::Float;
 use crate::patch::normal::{Cell, Cells};
-use crate::patch::profile::ProfileContact;
 use crate::patch::section::Profile;
 use crate::status::Error;
 use heapless::Vec;
@@ -31,17 +30,29 @@ struct Parabola<F> {
 }
 
 impl<F: Float> Smooth<F> {
+    fn new() -> Self {
+        let zero = F::zero();
+        let (heights, shares) = (Vec::new(), Vec::new());
+        Self { heights, shares, start: zero, step: zero, length: zero }
+    }
+
     /// Between two places of the profile, and as far beyond as a parabola looks. Edges of bins stand on `middle`.
-    fn new(profile: &Profile<F>, middle: F, [lower, upper]: [F; 2], length: F) -> Option<Self> {
-        let [first, last] = profile.ends()?;
+    fn fill(
+        &mut self,
+        profile: &Profile<F>,
+        middle: F,
+        [lower, upper]: [F; 2],
+        length: F,
+    ) -> Result<(), Error> {
+        let [first, last] = profile.ends().ok_or(Error::Profile)?;
         let (lower, upper) = ((lower - length).max(first), (upper + length).min(last));
         let step = length.times(0.125).max((upper - lower) / F::of((BINS - 2) as f64));
         // (a parabola needs three bins)
-        let length = length.max(step.times(3.0));
+        self.length = length.max(step.times(3.0));
         let before = ((middle - lower) / step).max(F::zero()).whole().saturating_add(1);
         let start = middle - step * F::widened(before as f32);
         let edge = |bins: i32| start + step * F::widened(bins as f32);
-        let (mut heights, mut shares) = (Vec::new(), Vec::new());
+        let (heights, shares) = (&mut self.heights, &mut self.shares);
         let (mut sum, mut covered, mut bins) = (F::zero(), F::zero(), 1);
         let mut close = |sum: &mut F, covered: &mut F| {
             let height = if *covered > F::zero() { *sum / *covered } else { F::zero() };
@@ -73,7 +84,8 @@ impl<F: Float> Smooth<F> {
         if covered > F::zero() && bins <= BINS as i32 {
             close(&mut sum, &mut covered);
         }
-        Some(Self { heights, shares, start, step, length })
+        (self.start, self.step) = (start, step);
+        Ok(())
     }
 
     /// About `y`, heights above the lowest point of the profile.
@@ -115,34 +127,35 @@ impl<F: Float> Smooth<F> {
     }
 }
 
-/// The strips of the normal problem over a profile: on a lattice that stands on the middle of the load.
+/// Where the strips of the normal problem lie: on a lattice that stands on the middle of the load.
 pub(super) struct Lattice<F> {
-    smooth: Smooth<F>,
     /// The smoothed profile's lowest point above the profile's.
     pub lowest: F,
     middle: F,
     /// Of a strip \[m\].
     pub width: F,
-    from: F,
-    to: F,
 }
 
 impl<F: Float> Lattice<F> {
-    /// About so many strips below a level.
+    /// About so many strips below a level, listed in `cells`. The first lattice has its middle from the section there, and its
+    /// level is above the smoothed profile's lowest point.
+    #[inline(never)]
     pub fn new(
         profile: &Profile<F>,
         level: F,
         length: F,
         count: u32,
-        middle: Option<F>,
-    ) -> Option<Self> {
+        known: Option<F>,
+        cells: &mut Cells<F>,
+    ) -> Result<Self, Error> {
         let section = profile.section(level);
-        let middle = middle.unwrap_or(profile.deepest + section.moment / section.volume);
+        let middle = known.unwrap_or(profile.deepest + section.moment / section.volume);
         // (at the ends of the number range it may be none)
         let inside = middle >= section.lower && middle <= section.upper;
         let middle = if inside { middle } else { profile.deepest };
-        let smooth = Smooth::new(profile, middle, [section.lower, section.upper], length)?;
-        let Parabola { height, slope, bend } = smooth.at(profile.deepest)?;
+        let mut smooth = Smooth::new();
+        smooth.fill(profile, middle, [section.lower, section.upper], length)?;
+        let Parabola { height, slope, bend } = smooth.at(profile.deepest).ok_or(Error::Overflow)?;
         // the vertex, and the half width of the parabola where it is narrower than the section's points tell
         let bend = bend.max(F::TINY);
         let lowest = height - (slope * (slope / bend)).times(0.25).min(height.abs());
@@ -150,34 +163,24 @@ impl<F: Float> Lattice<F> {
         // (of a parabola the width, and smooth where a flat crest comes under the level)
         let width = (section.volume / level).times(1.5).max(half.times(2.0));
         let width = width / F::widened(count as f32);
-        let [first, last] = profile.ends()?;
-        Some(Self {
-            lowest,
-            middle,
-            width,
-            from: section.lower.min(profile.deepest - half).max(first),
-            to: section.upper.max(profile.deepest + half).min(last),
-            smooth,
-        })
+        let [first, last] = profile.ends().ok_or(Error::Profile)?;
+        let lattice = Self { lowest, middle, width };
+        let from = section.lower.min(profile.deepest - half).max(first);
+        let to = section.upper.max(profile.deepest + half).min(last);
+        let most = F::widened(PLACES as f32);
+        let places = |length: F| (length / width).min(most).whole().max(1) + 1;
+        let level = if known.is_some() { level } else { level + lowest };
+        cells.width = width;
+        for place in -places(middle - from)..=places(to - middle) {
+            let height = smooth.at(lattice.y(place)).ok_or(Error::Overflow)?.height;
+            if height < level {
+                cells.list.push(Cell::new(place, height)).map_err(|_| Error::PatchSize)?;
+            }
+        }
+        Ok(lattice)
     }
 
     pub fn y(&self, place: i32) -> F {
         self.middle + self.width * F::widened(place as f32)
-    }
-
-    /// The strips below a level.
-    pub fn cells(&self, contact: &ProfileContact<F>, level: F) -> Result<Cells<F>, Error> {
-        let most = F::widened(PLACES as f32);
-        let places = |length: F| (length / self.width).min(most).whole().max(1) + 1;
-        let (before, after) = (places(self.middle - self.from), places(self.to - self.middle));
-        let mut list = Vec::new();
-        for place in -before..=after {
-            let height = self.smooth.at(self.y(place)).ok_or(Error::Overflow)?.height;
-            if height < level {
-                list.push(Cell::new(place, height)).map_err(|_| Error::PatchSize)?;
-            }
-        }
-        let (rolling_radius, modulus) = (contact.rolling_radius, contact.modulus());
-        Ok(Cells { list, width: self.width, rolling_radius, modulus })
     }
 }
