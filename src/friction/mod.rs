@@ -207,14 +207,6 @@ pub fn under<F: Precision>(
     Ok((Contact { friction, ..contact }, notice))
 }
 
-impl<F: Float> SlipFriction<F> {
-    /// `dμ/ds = −B V μ₀ (1 − A) exp(−B V s)`
-    pub(crate) fn falling_rate(&self, slip: F) -> F {
-        let share = self.friction * self.falling_share(slip);
-        -(share * self.rolling_speed) * self.decay
-    }
-}
-
 /// The largest `μ` that agrees with the slip that it causes. `contact` has `μ₀`.
 fn agreement<F: Precision>(
     contact: &Contact<F>,

@@ -27,7 +27,6 @@ use crate::solve::derivatives::{Derivatives, Differentiated, LawDerivatives};
 use crate::solve::model::{Model, Precision, Solution, StripResult};
 use crate::solve::through_friction::AtFriction;
 use crate::status::{Error, Notice};
-use nalgebra::Matrix3;
 
 /// Forces of a patch under friction that falls with the slip.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,74 +73,6 @@ pub fn solve<F: Precision>(
     let (share, notice) = problem.agreement()?;
     let solution = solver::solve(patch, &problem.scaled(share).0, model)?;
     Ok(PatchFrictionSolution { solution: problem.under(share, &solution, notice), share })
-}
-
-/// [`solve`] with the exact derivatives with respect to the creepages, through friction and slip.
-///
-/// # Errors
-/// Those of [`solve`]; [`Error::Overflow`] also when a derivative does not fit.
-pub fn solve_jacobian<F: Precision>(
-    patch: &PatchView<F>,
-    creepage: &Creepage<F>,
-    law: &SlipFriction<F>,
-    model: Model,
-) -> Result<(PatchFrictionSolution<F>, Matrix3<F>), Error> {
-    let problem = Problem::new(patch, creepage, law, model)?;
-    let (share, notice) = problem.agreement()?;
-    let (scaled, factor) = problem.scaled(share);
-    let (found, slopes) = solver::solve_jacobian(patch, &scaled, model)?;
-    // F = λ f(k c/λ):  ∂F/∂c = k J
-    let stiffness = share * factor;
-    let mut jacobian = slopes.map(|slope| slope * stiffness);
-    let bound = problem.bound;
-    let slip = creepage.power([found.fx, found.fy, found.mz]) / bound;
-    // (a negative power, as the theory of 1967 has it in some contacts that spin, is no slip)
-    let falling = if slip > F::zero() { problem.law.falling_rate(slip) } else { F::zero() };
-    if falling < F::zero() {
-        let motion = [scaled.longitudinal, scaled.lateral, scaled.spin];
-        let forces = [found.fx, found.fy, found.mz];
-        // J (k c/λ) and Jᵀ (k c/λ)
-        let (mut along, mut across) = ([F::zero(); 3], [F::zero(); 3]);
-        let columns = slopes.column_iter().zip(motion).zip(&mut across);
-        for ((column, motion_along), across) in columns {
-            for ((slope, along), motion) in column.iter().zip(&mut along).zip(motion) {
-                *along += *slope * motion_along;
-                *across += *slope * motion;
-            }
-        }
-        // s = f c/M:  M ∂s/∂c = f + Jᵀ (k c/λ),  λ M ∂s/∂λ = −c J (k c/λ)
-        let by_share = -(creepage.power(along) / bound) / share;
-        // λ = g(s(c, λ)):  dλ/dc = g' ∂s/∂c/(1 − g' ∂s/∂λ)
-        let gain = falling / (F::one() - falling * by_share) / bound;
-        let columns = jacobian.column_iter_mut().zip(forces).zip(across);
-        for ((column, force), across) in columns {
-            let change = gain * (force + across);
-            // ∂F/∂λ = f − J (k c/λ)
-            for ((entry, force), along) in column.into_iter().zip(forces).zip(along) {
-                *entry += (force - along) * change;
-            }
-        }
-    }
-    if !jacobian.iter().all(|entry| entry.is_finite_number()) {
-        return Err(Error::Overflow);
-    }
-    let solution = problem.under(share, &found, notice);
-    Ok((PatchFrictionSolution { solution, share }, jacobian))
-}
-
-/// What a patch is while it slips: the share `λ` that friction has left, and what the caller should know.
-///
-/// [`Patch::under`] makes the patch with that friction, for everything else that can be asked of a patch: strips, fields.
-///
-/// # Errors
-/// Those of [`solve`].
-pub fn friction_share<F: Precision>(
-    patch: &PatchView<F>,
-    creepage: &Creepage<F>,
-    law: &SlipFriction<F>,
-    model: Model,
-) -> Result<(F, Notice), Error> {
-    Problem::new(patch, creepage, law, model)?.agreement()
 }
 
 impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
@@ -228,7 +159,7 @@ impl<'a, F: Precision> Problem<'a, F> {
 /// the mean of all strips without slip, all growing alike.
 ///
 /// # Errors
-/// Those of [`solve_jacobian`].
+/// Those of [`solve`]; [`Error::Overflow`] also when a derivative does not fit.
 pub fn differentiate<F: Precision>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
@@ -251,28 +182,28 @@ pub fn differentiate<F: Precision>(
         return Ok(Differentiated { solution, friction: share, derivatives, law });
     }
     // F = λ f(k c/λ):  ∂F/∂c = k J
-    let j = slopes.map(|slope| slope * (share * factor));
-    let jacobian = [[j.m11, j.m12, j.m13], [j.m21, j.m22, j.m23], [j.m31, j.m32, j.m33]];
-    let Solution { fx, fy, mz, .. } = solution;
-    let force = [fx, fy, mz];
-    let Creepage { longitudinal, lateral, spin } = *creepage;
-    // M ∂F/∂M = F − J c,  through Hertz N dF/dN = F − ⅓ J_v v,  N dM_z/dN = (4/3) M_z − ⅓ J_v v
-    let translation = jacobian.map(|row| row[0] * longitudinal + row[1] * lateral);
-    let (mut euler, mut hertz) = (force, force);
-    let rows = jacobian.iter().zip(translation).zip([1.0, 1.0, 4.0 / 3.0]);
-    for ((euler, hertz), ((row, translation), power)) in euler.iter_mut().zip(&mut hertz).zip(rows)
-    {
-        *euler -= translation + row[2] * spin;
-        *hertz = hertz.times(power) - translation.times(1.0 / 3.0);
-    }
+    let stiffness = share * factor;
+    let rows: [[F; 3]; 3] = slopes.transpose().into();
+    // M ∂F/∂M = λ (f − J k c/λ),  through Hertz N dF/dN = F − ⅓ J_v v,  N dM_z/dN = (4/3) M_z − ⅓ J_v v
     let mean = bound / load;
-    let friction = share * mean;
-    let derivatives = Derivatives {
-        jacobian,
-        normal_force: euler.map(|entry| entry / load),
-        load_through_hertz: hertz.map(|entry| entry / load),
-        friction: euler.map(|entry| entry / friction),
+    let others = |force: F, [x, y, z]: [F; 3], power: f64| {
+        let translation = x * scaled.longitudinal + y * scaled.lateral;
+        let rest = force - translation - z * scaled.spin;
+        let hertz = force.times(power) - translation.times(1.0 / 3.0);
+        [share * rest / load, share * hertz / load, rest / mean]
     };
+    let [x, y, z] = rows;
+    let [[nx, hx, mx], [ny, hy, my], [nz, hz, mz]] =
+        [others(found.fx, x, 1.0), others(found.fy, y, 1.0), others(found.mz, z, 4.0 / 3.0)];
+    let derivatives = Derivatives {
+        jacobian: rows.map(|row| row.map(|slope| slope * stiffness)),
+        normal_force: [nx, ny, nz],
+        load_through_hertz: [hx, hy, hz],
+        friction: [mx, my, mz],
+    };
+    let friction = share * mean;
+    let force = [solution.fx, solution.fy, solution.mz];
+    let Creepage { longitudinal, lateral, spin } = *creepage;
     let motion = [longitudinal, lateral, spin];
     let at = AtFriction { force, derivatives, motion, friction, load };
     let law = SlipFriction { friction: mean, ..*given };

@@ -24,6 +24,7 @@ use crate::number::{Float, Real};
 use crate::patch::zones::{Widths, Zone};
 use crate::patch::{PatchStrip, PatchView, QuadratureScale};
 use crate::solve::model::{Model, Precision, Solution, StripResult};
+use crate::solve::prepared::notice;
 use crate::status::{Error, Notice};
 use crate::strip::{Carried, Law as StripLaw, Prepared, Seen, StripGeometry, eight_strips};
 use crate::strip_1967::strip::{Regime, SlidingRule, State, Strip};
@@ -134,25 +135,22 @@ impl<'a, F: Precision> Problem<'a, F> {
     }
 
     pub fn notice(&self) -> Notice {
-        let beyond = |psi: F| psi.abs() >= F::one();
-        let outside = |parameters: &Parameters<F>| {
-            let ratio = parameters.axis_ratio;
-            parameters.psi.abs() > F::constant(3.0)
-                || ratio < F::constant(0.099_999)
-                || ratio > F::constant(10.000_1)
+        let of = |bound: F, Parameters { axis_ratio, psi, .. }: Parameters<F>| {
+            notice(self.model, bound, axis_ratio, psi)
         };
-        let mut loaded =
-            self.view.strips().iter().filter(|strip| strip.friction_bound() > F::zero());
-        if matches!(self.model, Model::Strip | Model::Total) {
-            let loaded = |zone: &Zone<F>| zone.contact.friction_bound() > F::zero();
-            let mut zones = self.view.zones().filter(loaded);
-            if zones.any(|zone| outside(&Parameters::new(&zone.contact, self.creepage))) {
-                return Notice::OutsideRange;
-            }
-        } else if loaded.any(|strip| beyond(self.parameters(strip, self.creepage).psi)) {
-            return Notice::SpinBeyondTheory;
-        }
-        Notice::None
+        let told = |notice: &Notice| *notice != Notice::None;
+        let first = if matches!(self.model, Model::Strip | Model::Total) {
+            let mut zones = self.view.zones().map(|Zone { contact, .. }| {
+                of(contact.friction_bound(), Parameters::new(&contact, self.creepage))
+            });
+            zones.find(told)
+        } else {
+            let strips = self.view.strips().iter();
+            let mut strips = strips
+                .map(|strip| of(strip.friction_bound(), self.parameters(strip, self.creepage)));
+            strips.find(told)
+        };
+        first.unwrap_or(Notice::None)
     }
 
     /// Hands what every strip carries to `visit`.

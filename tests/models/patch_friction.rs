@@ -8,11 +8,12 @@ use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
 use kstrip::friction::SlipFriction;
 use kstrip::patch::field::PatchField;
-use kstrip::patch::friction::{differentiate, friction_share, solve, solve_jacobian};
+use kstrip::patch::friction::{PatchFrictionSolution, differentiate, solve};
 use kstrip::patch::solver;
-use kstrip::patch::{Patch, PatchStrip};
+use kstrip::patch::{Patch, PatchStrip, PatchView};
 use kstrip::solve::model::Model;
 use kstrip::status::{Error, Notice};
+use nalgebra::Matrix3;
 use patches::{Comparison, Full, irregular, motion};
 use random::Random;
 use theory::{COUNTS, contact, options};
@@ -27,6 +28,18 @@ const DRY: SlipFriction<f64> = SlipFriction {
 
 /// Models without a jump on strips that do not move with the solution.
 const SMOOTH: [Model; 2] = [Model::Strip, Model::Strip1967Continuous];
+
+/// Forces, and derivatives by the creepages.
+fn solve_jacobian(
+    view: &PatchView<f64>,
+    motion: &Creepage<f64>,
+    law: &SlipFriction<f64>,
+    model: Model,
+) -> Result<(PatchFrictionSolution<f64>, Matrix3<f64>), Error> {
+    let found = differentiate(view, motion, Some(law), model)?;
+    let jacobian = Matrix3::from(found.derivatives.jacobian).transpose();
+    Ok((PatchFrictionSolution { solution: found.solution, share: found.friction }, jacobian))
+}
 
 fn any_law(random: &mut Random) -> SlipFriction<f64> {
     SlipFriction {
@@ -107,9 +120,7 @@ fn the_slipping_patch_has_the_friction_of_its_slip() {
         let (law, model) = (any_law(&mut random), SMOOTH[i % 2]);
         let view = patch.view().unwrap();
         let found = solve(&view, &m, &law, model).unwrap();
-        let (share, notice) = friction_share(&view, &m, &law, model).unwrap();
-        assert_eq!(share, found.share);
-        assert!(notice.code() <= found.solution.notice.code());
+        let (share, notice) = (found.share, found.solution.notice);
         let slipping = patch.clone().under(share, law.slope_factor);
         let slipping_view = slipping.view().unwrap();
         let (s, again) = (found.solution, solver::solve(&slipping_view, &m, model).unwrap());
@@ -252,7 +263,7 @@ fn bad_input_is_named() {
         (SlipFriction { slope_factor: -0.1, ..DRY }, Error::SlopeFactor),
     ] {
         assert_eq!(solve(&view, &m, &law, Model::Strip), Err(error));
-        assert_eq!(friction_share(&view, &m, &law, Model::Strip), Err(error));
+        assert_eq!(differentiate(&view, &m, Some(&law), Model::Strip).err(), Some(error));
     }
     assert_eq!(solve(&view, &m, &DRY, Model::Linear), Err(Error::NotInModel));
     let far = Creepage { longitudinal: f64::NAN, ..m };
