@@ -8,13 +8,11 @@
 use crate::batch::{self, check};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::number::Arithmetic;
 use crate::number::lanes::{F32x8, F64x4, Lanes};
+use crate::number::{Arithmetic, length};
 use crate::solve::check::is_sound;
 use crate::solve::model::{Model, Options, Precision, Solution};
-use crate::solve::prepared::{
-    Forces, LARGEST_SPIN, RATIOS, linear_notice, linear_size, notice, with_view,
-};
+use crate::solve::prepared::{Forces, LARGEST_SPIN, RATIOS, linear_notice, notice, with_view};
 use crate::status::{Error, Notice};
 use crate::strip::StripTotals;
 use core::sync::atomic::{AtomicU8, Ordering};
@@ -212,7 +210,7 @@ where
         with_view!(contact, options, |view| view.forces(creepage));
     let bound = contact.friction_bound();
     let notices = if model == Model::Linear {
-        linear_notices(linear_size(fx, fy), bound)
+        linear_notices(length(fx, fy), bound)
     } else {
         notices(model, bound, contact.a / contact.b, psi)
     };

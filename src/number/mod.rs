@@ -307,6 +307,15 @@ pub trait Number: Arithmetic {
     }
 }
 
+/// `√(x² + y²)` without squares, which may overflow: it lies between the larger one and the sum of both.
+#[inline(always)]
+pub(crate) fn length<F: Plain>(x: F, y: F) -> F {
+    let (x, y) = (x.abs(), y.abs());
+    let (larger, smaller) = (x.max(y), x.min(y));
+    let ratio = smaller / (larger + F::TINY);
+    larger * (F::one() + ratio * ratio).sqrt()
+}
+
 /// `yes` where a number is positive, else `no`.
 #[inline(always)]
 pub(crate) fn chosen<T: Number, const N: usize>(by: T, yes: [T; N], mut no: [T; N]) -> [T; N] {

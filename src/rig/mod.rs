@@ -15,7 +15,7 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::number::Float;
+use crate::number::{Float, length};
 use crate::solve::derivatives;
 use crate::solve::model::{self, Model, Options, Precision, Solution};
 use crate::status::{Error, Notice};
@@ -284,14 +284,6 @@ impl<F: Precision> Rig<'_, F> {
             Measured::Both => length(fx, fy),
         })
     }
-}
-
-/// `√(x² + y²)` without overflow.
-fn length<F: Float>(x: F, y: F) -> F {
-    let (x, y) = (x.abs(), y.abs());
-    let larger = x.max(y);
-    let ratio = x.min(y) / (larger + F::TINY);
-    larger * (F::one() + ratio * ratio).sqrt()
 }
 
 /// A root of `f` between two numbers where its signs differ (the first not positive, the second not negative);

@@ -7,7 +7,7 @@ use crate::contact::creepage::{Creepage, Parameters, Units};
 use crate::contact::forces::Totals;
 use crate::contact::{Contact, warning};
 use crate::linear::LinearCoefficients;
-use crate::number::{Arithmetic, Float, Number, Pair, Plain};
+use crate::number::{Arithmetic, Float, Number, Pair, Plain, length};
 use crate::solve::check::is_ordinary;
 use crate::solve::model::{Model, Options, Precision, Solution};
 use crate::status::{Error, Notice};
@@ -334,7 +334,7 @@ fn linear_notice_of<F: Float>(fx: F, fy: F, bound: F) -> Notice {
             return Notice::BeyondFriction;
         }
     }
-    linear_notice(linear_size(fx, fy), bound)
+    linear_notice(length(fx, fy), bound)
 }
 
 /// What the caller of a model with a friction bound should know, and whether an input is implausible.
@@ -353,15 +353,6 @@ pub(crate) fn notice_of<F: Float>(
 #[inline(never)]
 fn warned<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>, notice: Notice) -> Notice {
     notice.worse(warning(contact, creepage))
-}
-
-/// `|F|` without squares, which may overflow: it lies between the larger component and their sum.
-#[inline(always)]
-pub(crate) fn linear_size<F: Plain>(fx: F, fy: F) -> F {
-    let (x, y) = (fx.abs(), fy.abs());
-    let (larger, smaller) = (x.max(y), x.min(y));
-    let ratio = smaller / (larger + F::TINY);
-    larger * (F::one() + ratio * ratio).sqrt()
 }
 
 /// What the caller of the linear theory should know.
