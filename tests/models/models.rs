@@ -7,6 +7,7 @@ use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
 use kstrip::linear::LinearCoefficients;
+use kstrip::patch::{Patch, solver};
 use kstrip::solve::model::{self, Field, Model, Options, Precision, Solution, StripResult, solve};
 use kstrip::status::{Error, Notice};
 use kstrip::strip_1967::strip::State;
@@ -625,6 +626,14 @@ fn notices() {
         }
         for (g, psi) in beyond {
             assert_eq!(notice(*g, *psi, &options), Notice::OutsideRange, "{options:?} {g} {psi}");
+        }
+        // and so do the strips of the ellipse
+        for (g, psi) in [(1.0, 2.9), (1.0, 3.1), (15.0, 0.0), (0.07, 4.0), (40.0, 0.5)] {
+            let contact = contact::<f64>(g, 0.28);
+            let patch = Patch::<f64, 64>::from_ellipse(&contact, options.strips).unwrap();
+            let v = creepage([0.1, 0.0, spin_of(psi, g)]);
+            let found = solver::solve(&patch.view().unwrap(), &v, options.model).unwrap();
+            assert_eq!(found.notice, notice(g, psi, &options), "{options:?} {g} {psi}");
         }
     }
     let g = 1.0;
