@@ -201,6 +201,8 @@ impl<F: Float> PatchView<'_, F> {
         }
         let Sums { load, bound, square, centre: [x, y], slope: [by_pressure, by_length], section } =
             sums;
+        // (products of less have no digits: that carries nothing)
+        let load = if load.times(1e-6) > F::TINY { load } else { zero };
         let loaded = load > zero;
         let mean = |sum: F, own: F| if loaded { sum / load } else { own };
         let length = own.half_length * per_length;

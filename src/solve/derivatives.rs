@@ -138,12 +138,12 @@ fn saturating<F: Precision>(
     let parameters = units.parameters(&creepage.inputs());
     let Totals { fx, fy, mz, stick } = view.totals(&parameters);
     let bound = contact.friction_bound();
-    let forces = Forces {
+    let forces = view.at_rest(creepage).unwrap_or(Forces {
         fx: fx.value * bound,
         fy: fy.value * bound,
         mz: mz.value * (bound * *radius),
         adhesion: stick.value,
-    };
+    });
     let solution = view.solution(creepage, &forces, parameters.psi.value, ordinary);
 
     let Creepage { longitudinal, lateral, spin } = *creepage;

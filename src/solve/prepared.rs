@@ -285,16 +285,21 @@ impl<F: Precision> View<'_, F> {
     /// Of a loaded contact and a creepage that have been checked.
     #[inline(always)]
     pub(crate) fn answer(&self, creepage: &Creepage<F>, ordinary: bool) -> Solution<F> {
-        let zero = F::zero();
-        let Creepage { longitudinal, lateral, spin } = *creepage;
-        if longitudinal == zero && lateral == zero && spin == zero {
-            // no force, adhesion everywhere
-            let adhesion = if self.model == Model::Total { -F::one() } else { F::one() };
-            let none = Forces { fx: zero, fy: zero, mz: zero, adhesion };
-            return self.solution(creepage, &none, zero, ordinary);
+        if let Some(none) = self.at_rest(creepage) {
+            return self.solution(creepage, &none, F::zero(), ordinary);
         }
         let (forces, psi) = self.forces(creepage);
         self.solution(creepage, &forces, psi, ordinary)
+    }
+
+    /// Without creepage no force, and adhesion everywhere.
+    #[inline(always)]
+    pub(crate) fn at_rest(&self, creepage: &Creepage<F>) -> Option<Forces<F>> {
+        let zero = F::zero();
+        let Creepage { longitudinal, lateral, spin } = *creepage;
+        let adhesion = if self.model == Model::Total { -F::one() } else { F::one() };
+        let rests = longitudinal == zero && lateral == zero && spin == zero;
+        rests.then_some(Forces { fx: zero, fy: zero, mz: zero, adhesion })
     }
 
     #[inline(always)]

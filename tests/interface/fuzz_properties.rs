@@ -278,4 +278,27 @@ fn what_every_function_found_stays_repaired() {
     let found =
         estimate_friction(&light, &motion, &Options::default(), Measured::Fx, [0.0, 0.0]).unwrap();
     assert!(found.sensitivity.is_finite(), "{found:?}");
+    // At rest, derivatives or not: no force, and adhesion everywhere.
+    for model in Model::ALL {
+        for (zero, count) in [(0.0, StripCount::Four), (-0.0, StripCount::SixtyFour)] {
+            let (o, rest) = (options(model, count), fading(zero));
+            let rest = Creepage { lateral: zero, ..rest };
+            let (found, _) = solve_jacobian(&wheel, &rest, &o).unwrap();
+            let bits = |r: kstrip::solve::model::Solution<f64>| {
+                [r.fx, r.fy, r.mz, r.power, r.adhesion].map(f64::to_bits)
+            };
+            assert_eq!(bits(found), bits(solve(&wheel, &rest, &o).unwrap()), "{model:?}");
+        }
+    }
+    // A patch of an ellipse whose load is below the smallest normal number was one that no function accepts.
+    for normal_force in [2.4e-44_f32, 1e-40, 1e-38, 1e-35, 1e-32, 1e-30] {
+        let light = Contact { a: 9.7e-3, normal_force, ..single };
+        for count in [StripCount::Four, StripCount::SixtyFour] {
+            let built = Patch::<f32, 64>::from_ellipse(&light, count).unwrap();
+            assert!(built.view().is_ok(), "{normal_force}");
+        }
+    }
+    let small = Contact { a: 6.6e-39_f32, b: 1.2e-38, normal_force: 1.2e-38, ..single };
+    let built = Patch::<f32, 64>::from_ellipse(&small, StripCount::Four);
+    assert!(built.is_err() || built.unwrap().view().is_ok());
 }

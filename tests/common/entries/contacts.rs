@@ -424,10 +424,12 @@ pub fn plausible_point(p: &kstrip_point, friction: Float, peak: f64, context: im
     let numbers = [p.pressure, p.traction_x, p.traction_y, p.slip_x, p.slip_y, p.dissipation];
     assert!(finite(&numbers), "{} {p:?}", context());
     assert!(p.pressure >= 0.0 && p.reserved == 0, "{p:?}");
-    let bound = f64::from(friction) * f64::from(p.pressure);
+    // (of a lost contact friction is any number)
+    let friction = f64::from(friction).max(0.0);
+    let bound = friction * f64::from(p.pressure);
     // The bound of a point next to the separatrix is a difference of square roots; its digits are those of
     // the peak. A pressure below the smallest normal number has none.
-    let lost = 4.0 * f64::from(friction) * Float::SMALLEST;
+    let lost = 4.0 * friction * Float::SMALLEST;
     let allowed = 1e3 * Float::ROUNDING * peak + lost + 1e-30;
     let traction = f64::from(p.traction_x).hypot(p.traction_y.into());
     assert!(traction <= bound + allowed, "{} {p:?}", context());
