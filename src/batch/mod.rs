@@ -3,6 +3,9 @@
 #[cfg(target_arch = "x86_64")]
 pub(crate) mod side_by_side;
 
+#[cfg(target_arch = "x86_64")]
+pub use side_by_side::Wide;
+
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::solve::model::{self, Options, Precision, Solution};

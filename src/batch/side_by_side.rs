@@ -17,9 +17,9 @@ use crate::status::{Error, Notice};
 use crate::strip::StripTotals;
 use core::sync::atomic::{AtomicU8, Ordering};
 
-/// Floating-point types that fill wide registers.
+/// Floating-point types that may fill wide registers.
 pub trait Wide: Sized {
-    /// [`solve_batch`](crate::batch::solve_batch) in wide registers.
+    /// [`solve_batch`](crate::batch::solve_batch) in wide registers, or one after the other.
     ///
     /// # Errors
     /// The same.
@@ -27,10 +27,14 @@ pub trait Wide: Sized {
         count: usize,
         options: &Options,
         get: impl Fn(usize) -> (Contact<Self>, Creepage<Self>),
-        put: impl FnMut(usize, Solution<Self>),
+        mut put: impl FnMut(usize, Solution<Self>),
     ) -> Result<Notice, (usize, Error)>
     where
-        Self: Precision;
+        Self: Precision,
+    {
+        check(0..count, options, &get)?;
+        batch::solve(0..count, options, &get, &mut put)
+    }
 }
 
 /// Whether the processor has registers of 256 bits and the system keeps them.

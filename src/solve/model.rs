@@ -108,7 +108,7 @@ pub trait Precision: Float + StripTotals {}
 
 /// Floating-point types that every model can be computed in.
 #[cfg(target_arch = "x86_64")]
-pub trait Precision: Float + StripTotals + crate::batch::side_by_side::Wide {}
+pub trait Precision: Float + StripTotals + crate::batch::Wide {}
 
 impl Precision for f64 {}
 impl Precision for f32 {}

@@ -9,6 +9,8 @@
 use dashu_float::{FBig, round::mode::HalfEven};
 use kstrip::number::pairs::Two;
 use kstrip::number::{Arithmetic, Elementary, Float, Map, Number, Plain};
+use kstrip::solve::model::Precision;
+use kstrip::strip::StripTotals;
 use std::any::Any;
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -248,6 +250,11 @@ impl Float for Precise {
         })
     }
 }
+
+impl StripTotals for Precise {}
+#[cfg(target_arch = "x86_64")]
+impl kstrip::batch::Wide for Precise {}
+impl Precision for Precise {}
 
 const fn rows<const N: usize, const M: usize>(table: &[[f64; M]; N]) -> [[Precise; M]; N] {
     let mut copy = [[Precise::Double(0.0); M]; N];

@@ -6,4 +6,5 @@ mod precise;
 mod random;
 
 mod numerics;
+mod profiles;
 mod two_hundred_bits;
