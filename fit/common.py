@@ -35,13 +35,15 @@ def number(x):
 
 
 def write_constants(path, header, entries):
-    """Rust file of f32 constants: `entries` are (doc, NAME, array or number); three axes at most, the last one in pairs then."""
+    """Rust file of f32 constants: `entries` are (doc, NAME, array or number); three axes at most, the last one in pairs then.
+
+    A number becomes an f64 of which no more is written than a single precision has."""
     lines = [f"//! {line}".rstrip() for line in header] + ["// Generated: change the script, not this file.", ""]
     for doc, name, value in entries:
         value = np.asarray(value, dtype=np.float32)
         lines.append(f"/// {doc}")
         if value.ndim == 0:
-            lines.append(f"pub(crate) const {name}: f32 = {number(value)};")
+            lines.append(f"pub(crate) const {name}: f64 = {number(value)};")
         elif value.ndim == 1:
             lines.append("#[rustfmt::skip]")
             lines.append(f"pub(crate) const {name}: [f32; {len(value)}] = [")
@@ -71,14 +73,14 @@ def wrap(values, indent, width=100):
 
 
 def read_constants(path):
-    """The f32 arrays of a constants file, by name."""
+    """The f32 arrays and the numbers of a constants file, by name."""
     with open(path, encoding="utf-8") as file:
         text = file.read()
     found = {}
-    for name, shape, body in re.findall(r"const (\w+): (\[+f32[^=]*\]|f32) = ([^;]*);", text):
-        values = np.array([float(x) for x in re.findall(r"-?\d+\.\d*(?:e-?\d+)?", body)], dtype=np.float32).astype(float)
+    for name, shape, body in re.findall(r"const (\w+): (\[+f32[^=]*\]|f64) = ([^;]*);", text):
+        values = [float(x) for x in re.findall(r"-?\d+\.\d*(?:e-?\d+)?", body)]
         sizes = [int(n) for n in re.findall(r"; (\d+)", shape)][::-1]
-        found[name] = values.reshape(sizes) if sizes else values[0]
+        found[name] = np.array(values, dtype=np.float32).astype(float).reshape(sizes) if sizes else values[0]
     return found
 
 

@@ -361,6 +361,14 @@ def limit_rows(n, seed=77):
     return data
 
 
+def of_total(data):
+    """What TOTAL's stored constants have for these states."""
+    import fit_total
+
+    model = fit_total.stored(fit_total.CONSTANTS)
+    return fit_total.predict(model, {"g": data["g"], "nu": data["nu"], "v": data["v"].T, "c": data["c"].T}).T
+
+
 ARRAYS = ("x", "g", "v", "c", "f", "wt")
 
 
@@ -384,8 +392,6 @@ def slope_blocks(training, seed=8):
 
     The values are those of TOTAL's stored constants, which are fitted to the same rows: it tells what rows one by one do not.
     """
-    import fit_total
-
     r = np.random.default_rng(seed)
     order = r.permutation(len(training["g"]))
     d = take(training, order)
@@ -395,8 +401,7 @@ def slope_blocks(training, seed=8):
     steps = (STEP / d["c"][:3])[:, :, None] * np.eye(3)[:, None, :]
     v = (v[:, :, None, None] + steps[:, :, :, None] * np.array([1, -1])).reshape(3, -1)
     rows = case(np.repeat(d["g"], 6), np.repeat(d["nu"], 6), v)
-    x, place = fit_total.frame(rows["g"], rows["nu"], rows["v"].T, rows["c"].T)
-    f = np.array(fit_total.CORRECTED(fit_total.network(fit_total.stored(fit_total.CONSTANTS), x)[0], place))[:, :3].T
+    f = of_total(rows)
     rows["f"] = np.r_[f, np.zeros((1, f.shape[1]))]
     rows["wt"] = np.ones((4, f.shape[1])) * np.array([[1], [1], [0.5], [0]]) * SLOPE_WEIGHT / (2 * STEP)
     count = f.shape[1] // BLOCK * BLOCK
@@ -684,7 +689,7 @@ def read_back():
 def numbers(p):
     """Totals for the unit test of the Rust code: g, nu, vx, vy, phi, then fx, fy, mz, stick for 16 strips."""
     r = np.random.default_rng(5)
-    n = 14
+    n = 24
     g, nu = 10 ** r.uniform(-1, 1, n), r.uniform(0, 0.5, n)
     v = np.stack([r.normal(0, 0.3, n), r.normal(0, 0.3, n), r.normal(0, 0.5, n)], 1)
     v[0, 2], v[1, :2], v[2], v[3] = 0, 0, v[2] * 20, v[3] * 1e-3

@@ -1,12 +1,13 @@
 """Fit the corrections of the model TOTAL; write src/total/constants.rs and print check values for its tests.
 
-python fit_total.py                         the real fit (about 15 minutes on one core)
+python fit_total.py                         the real fit, from a random start (half an hour on one core)
+python fit_total.py --from-stored           the last stages alone, from the stored constants (five minutes)
 python fit_total.py --quick                 a few iterations only, to see that everything runs (constants not written)
 python fit_total.py --evaluate [file.csv]   errors of the stored constants, by region
 
 Levenberg-Marquardt on all residuals of 90 % of the rows of data/train.csv and data/train_fine.csv; the other 10 % are never
-trained on and are what "validation" means. A network that is too large is trained first; then unit after unit is taken out,
-always the one that is missed least, and what is left is trained to the end.
+trained on and are what "validation" means. A network that is too large is trained first, together with the constants of the
+formulas around it; then units are taken out, always those that are missed least, and what is left is trained to the end.
 """
 
 import argparse
@@ -18,8 +19,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import rigid_slip
-from scipy.linalg import blas, cho_factor, cho_solve, solve_triangular
-from scipy.optimize import minimize
+from scipy.linalg import blas, cho_factor, cho_solve
 
 jax.config.update("jax_enable_x64", True)
 
@@ -30,16 +30,36 @@ FEATURES = [
     "f_e", "f_ex", "f_es", "f_e * slender", "f_e * kappa", "f_e * f_s", "ix", "im",
 ]  # fmt: skip
 FIXED = 5
-START, WIDTHS = (28, 20), (22, 14)  # units of the two hidden layers, before and after those missed least are taken out
+START, WIDTHS = (32, 24), (22, 14)  # units of the two hidden layers, before and after those missed least are taken out
 OUTPUTS = 6
 CONSTANTS = os.path.join(common.SOURCE, "total", "constants.rs")
 SCALE = np.array([1, 1, 0.55])  # weight of the moment's residual against the force's
-# penalty on the square of the coefficients: weak while the way is found, stronger at the end, which takes a few per cent
-# of accuracy on the training rows and gives back more on all others, at the edges above all
-WEAK, STRONG = 5e-4, 1e-3
+# penalty on the square of the coefficients: the larger network's, that of the fit, and in the rounds at the end
+WIDE, NARROW, LAST = 6e-4, 3e-4, 6e-4
+PENALTY_FRAME = 0.03  # on the square of the logarithm of what a constant of the formulas has changed by
 BLOCK = 2048
-SHEAR = 0.04
 LARGEST_ROOT = 4  # the network does not see that a contact is more slender than a/b = 16 or 1/16; no row of the data is
+SLIDING = 3000  # rows of rigid slip
+
+# Constants of the formulas around the network, fitted with it: name in the library, what it is, first value.
+FRAME = {
+    "ONSET": ("Squared linear force at which corrections have half of their weight.", 0.05),
+    "END_X": ("Share of the other axis in the slip that spin makes at the end of an axis: longitudinal.", 0.27),
+    "END_Y": ("The same, lateral.", 0.27),
+    "REACH_X": ("How much of that slip brakes the longitudinal slope.", 1 / 1.5),
+    "REACH_Y": ("The same of the lateral slope.", 1 / 1.5),
+    "SEEN_U": ("Inputs of the network, what is added or multiplied before the inverse: `u²`.", 0.5),
+    "SEEN_Y": ("`φ² g` beside `vy²`.", 0.002),
+    "SEEN_S": ("`s²`", 1.0),
+    "SEEN_S4": ("`s⁴`", 1.0),
+    "SEEN_E": ("`e²`", 1.0),
+    "SEEN_ES": ("`e² + s²`", 1.0),
+    "SEEN_YS": ("`(ly + ls)² + s²`", 1.0),
+    "TURN": ("From elastic slopes to those of sliding: factor of `e⁴`.", 0.1),
+    "BRAKE": ("What creepage takes from the spin's slope: factor of `u²`.", 0.3),
+    "SHEAR": ("Share of the squared spin force in `|q|²`: spin shears the patch also where its force and that of the creepage cancel.", 0.04),
+    "LOSS": ("What spin takes from the force in full sliding: factor of `κ`.", 0.3),
+}
 
 
 # --- saturation curve ------------------------------------------------------------------------
@@ -89,31 +109,40 @@ GROWTH = 0.0003  # of the slope with e^6 beyond saturation: |q| of translation d
 TRANSLATION, SPIN = 20.0, 150.0
 
 
-def frame(g, nu, v, c):
-    """Of each contact: what the network is told, and what its corrections work on."""
-    c11, c22, c23, c33 = c.T
+def states(g, nu, v, c):
+    """What the formulas start from: contact, creepages, linear coefficients; rigid slip and the share of spin in it."""
     vx, vy, phi = v.T
-    root = np.sqrt(g)
+    rx, ry, rz, ra, rd, kappa = rigid_slip.parts(RIGID, g, vx, vy, phi)
+    force = 1 / np.sqrt(rx * rx + ry * ry + rz + 1e-30)
+    return np.stack([g, nu, vx, vy, phi, *c.T, rx * force, ry * force, ra / np.sqrt(rd + 1e-30), kappa], 1)
+
+
+def constants_of(logs):
+    return {name: first * jnp.exp(log) for (name, (_, first)), log in zip(FRAME.items(), logs)}
+
+
+def frame(k, state):
+    """Of each contact: what the network is told, and what its corrections work on."""
+    g, nu, vx, vy, phi, c11, c22, c23, c33, rx, ry, rm, kappa = state.T
+    root = jnp.sqrt(g)
     inverse, both = root / g, g + 1 / g
     lx, ly, ls = c11 * vx, c22 * vy, c23 * phi
     u2, s2 = lx * lx + ly * ly, ls * ls
-    ix = 1 / (1 + (c11 * (inverse + 0.27 * root) / 1.5 * phi) ** 2)
-    iy = 1 / (1 + (c22 * (root + 0.27 * inverse) / 1.5 * phi) ** 2)
+    ix = 1 / (1 + (c11 * (inverse + k["END_X"] * root) * k["REACH_X"] * phi) ** 2)
+    iy = 1 / (1 + (c22 * (root + k["END_Y"] * inverse) * k["REACH_Y"] * phi) ** 2)
     moment = 1 / (0.1406 * (both + 0.467))
     tm2 = (c33 * phi) ** 2 * moment
     im = 1 / (1 + tm2 + u2)
     n2 = u2 + s2 + tm2
-    w = n2 / (0.05 + n2)
+    w = n2 / (k["ONSET"] + n2)
     e2 = lx * lx * ix + ly * ly * iy
-    de = 1 / (1 + 0.1 * e2 * e2)
-    shape = np.clip(root, 1 / LARGEST_ROOT, LARGEST_ROOT)
+    de = 1 / (1 + k["TURN"] * e2 * e2)
+    shape = jnp.clip(root, 1 / LARGEST_ROOT, LARGEST_ROOT)
     slender, poisson = (shape - 1) / (shape + 1), 4 * nu - 1
-    rx, ry, rz, ra, rd, kappa = rigid_slip.parts(RIGID, g, vx, vy, phi)
-    force = 1 / np.sqrt(rx * rx + ry * ry + rz + 1e-30)
     pole = (1 - kappa) ** 8
     far = n2 * n2 * (pole / TRANSLATION**4 + 1 / SPIN**4)
     far = far / (1 + far)
-    fs, fe, lys, py2 = 1 / (1 + s2), 1 / (1 + e2), ly + ls, phi * phi * g
+    fs, fe, lys, py2 = 1 / (k["SEEN_S"] + s2), 1 / (k["SEEN_E"] + e2), ly + ls, phi * phi * g
     features = {
         "slender": slender,
         "poisson": poisson,
@@ -122,25 +151,26 @@ def frame(g, nu, v, c):
         "slender * poisson": slender * poisson,
         "kappa": kappa,
         "kappa * slender": kappa * slender,
-        "f_y": py2 / (0.002 + vy * vy + py2),
+        "f_y": py2 / (k["SEEN_Y"] + vy * vy + py2),
         "f_s": fs,
-        "f_s4": 1 / (1 + s2 * s2),
-        "f_u": 1 / (1 + 0.5 * u2),
+        "f_s4": 1 / (k["SEEN_S4"] + s2 * s2),
+        "f_u": 1 / (1 + k["SEEN_U"] * u2),
         "f_s * slender": fs * slender,
-        "f_ys": lys * ls / (1 + lys * lys + s2),
+        "f_ys": lys * ls / (k["SEEN_YS"] + lys * lys + s2),
         "f_e": fe,
         "f_ex": lx * lx * ix * fe,
-        "f_es": ly * ls / (1 + e2 + s2),
+        "f_es": ly * ls / (k["SEEN_ES"] + e2 + s2),
         "f_e * slender": fe * slender,
         "f_e * kappa": fe * kappa,
         "f_e * f_s": fe * fs,
         "ix": ix,
         "im": im,
     }
-    by = c22 * np.sqrt(iy)
+    by = c22 * jnp.sqrt(iy)
     growth = c22 * GROWTH * e2**3 * pole
-    places = (w, vx, vy, phi, by * (1 - de), c11 * np.sqrt(ix) * de, by, growth, c23 / (1 + s2 + 0.3 * u2), c33 * np.sqrt(im), kappa, de, moment, 1 - far, far * rx * force, far * ry * force, far * ra / np.sqrt(rd + 1e-30))
-    return np.stack([features[name] for name in FEATURES], 1), np.stack(places, 1)
+    spin = c23 / (1 + s2 + k["BRAKE"] * u2)
+    places = (w, vx, vy, phi, by * (1 - de), c11 * jnp.sqrt(ix) * de, by, growth, spin, c33 * jnp.sqrt(im), kappa, de, moment, 1 - far, far * rx, far * ry, far * rm)
+    return jnp.stack([features[name] for name in FEATURES], 1), places
 
 
 def activation(x):
@@ -161,26 +191,49 @@ def positive(o):
     return 1 + o * (2 + 1.01 * o)
 
 
-def corrected(o, place):
-    """(fx, fy, mz) of one contact."""
-    w, vx, vy, phi, bx, bx1, by, growth, spin, em, kappa, de, moment, near, rx, ry, rm = place
-    o = w * o
-    k1, k2, k3, k4, k6 = (positive(o[i]) for i in (0, 1, 2, 3, 5))
+def corrected(k, o, places):
+    """(fx, fy, mz) of each contact."""
+    w, vx, vy, phi, bx, bx1, by, growth, spin, em, kappa, de, moment, near, rx, ry, rm = places
+    o = w[:, None] * o
+    k1, k2, k3, k4, k6 = (positive(o[:, i]) for i in (0, 1, 2, 3, 5))
     qx, qy = (k2 * (bx + bx1 * k1) + growth) * vx, (k2 * by + growth) * vy + k3 * spin * phi
-    q2 = qx * qx + qy * qy + SHEAR * (spin * phi) ** 2
-    sigma = saturation(q2) / (1 + 0.3 * kappa * w * k6)
+    q2 = qx * qx + qy * qy + k["SHEAR"] * (spin * phi) ** 2
+    sigma = saturation(q2) / (1 + k["LOSS"] * kappa * w * k6)
     epsilon = em * k4
     epsilon = epsilon / (1 + (moment * (epsilon * phi) ** 2) ** 2 / 16)
-    rho = activation(o[4]) * de
+    rho = activation(o[:, 4]) * de
     mz = epsilon * phi + sigma * (2 * rho * jnp.sqrt(k2 * by * epsilon) - k3 * spin) * vy
-    return jnp.stack([near * sigma * qx + rx, near * sigma * qy + ry, near * mz + rm])
+    return jnp.stack([near * sigma * qx + rx, near * sigma * qy + ry, near * mz + rm], 1)
 
 
-CORRECTED = jax.jit(jax.vmap(corrected))
-SLOPES = jax.jit(jax.vmap(jax.jacfwd(corrected)))
+@jax.jit
+def answers(model, state):
+    """Of a model: three layers, and the logarithms of its constants of the formulas over their first values."""
+    k = constants_of(model[3])
+    x, places = frame(k, state)
+    return corrected(k, network(model, x)[0], places)
 
 
-# --- fit -------------------------------------------------------------------------------------
+@jax.jit
+def slopes(model, state):
+    """The answers, the units and their slopes, the answers' slopes over corrections and over the logarithms of the constants."""
+    k = constants_of(model[3])
+    x, places = frame(k, state)
+    o, *units = network(model, x)
+
+    def along(f, at, directions):
+        return jnp.moveaxis(jax.vmap(lambda d: jax.jvp(f, (at,), (d,))[1])(directions), 0, 2)
+
+    by_o = along(lambda o: corrected(k, o, places), o, jnp.broadcast_to(jnp.eye(OUTPUTS)[:, None], (OUTPUTS, *o.shape)))
+    by_k = along(lambda logs: answers([*model[:3], logs], state), model[3], jnp.eye(len(FRAME)))
+    return corrected(k, o, places), [a.astype(jnp.float32) for a in (x, *units, by_o, by_k)]
+
+
+def predict(model, data):
+    return np.array(answers(model, states(data["g"], data["nu"], data["v"], data["c"])))
+
+
+# --- rows ------------------------------------------------------------------------------------
 
 
 def stored_rigid(path):
@@ -194,32 +247,35 @@ RIGID = stored_rigid(CONSTANTS)
 
 class Rows:
     def __init__(self, data):
-        self.x, self.places = frame(data["g"], data["nu"], data["v"], data["c"])
+        self.state = jnp.array(states(data["g"], data["nu"], data["v"], data["c"]))
         self.data, self.count = data, len(data["g"])
         self.weight = row_weights(data)
 
-    def predict(self, layers):
-        return np.array(CORRECTED(network(layers, self.x)[0], self.places))
+    def errors(self, model):
+        return np.array(answers(model, self.state)) - self.data["f"]
 
-    def residuals(self, layers):
-        return (self.predict(layers) - self.data["f"]) * self.weight[:, None] * SCALE
+    def cost(self, model, penalty):
+        return (((self.errors(model) * self.weight[:, None] * SCALE) ** 2).sum() + (penalties(model, penalty) * flat(model) ** 2).sum()) / self.count
 
 
 def row_weights(data):
-    """Rows by their own error, with emphasis on both ends of the axis ratio."""
+    """Rows by their own error, with emphasis on both ends of the axis ratio and on much spin beside a large creepage."""
     w = np.where(data["fine"], 1.0, 0.8) * 0.004 / np.hypot(0.003, 0.5 * np.minimum(data["err"], 0.01))
     # rows of rigid slip: over the moment of sliding by spin; nearly nothing where elasticity is still to be seen
-    w = np.where(data["err"] < 0.1, w, np.where(data["err"] < 0.15, 0.5, 0.03) / np.sqrt(rigid_slip.spin_moment(data["g"])))
-    # a little spin beside a creepage: the slope over spin is seen there only
+    row = data["err"] < 0.1
+    w = np.where(row, w, np.where(data["err"] < 0.15, 0.3, 0.018) / np.sqrt(rigid_slip.spin_moment(data["g"])))
     u, spin = np.hypot(data["c"][:, 0] * data["v"][:, 0], data["c"][:, 1] * data["v"][:, 1]), abs(data["c"][:, 2] * data["v"][:, 2])
-    w = w * np.where((u > 0.3) & (u < 4) & (spin < 0.4) & ((spin > 0) | (data["g"] > 5)), np.where(spin < 0.15, 1.8, 1.4), 1.0)
+    # a little spin beside a creepage: the slope over spin is seen there only
+    w = w * np.where((u > 0.3) & (u < 4) & (spin < 0.4) & ((spin > 0) | (data["g"] > 5)), np.where(spin < 0.15, 1.3, 1.21), 1.0)
+    psi = np.pi / 3 * np.sqrt(data["g"]) * abs(data["v"][:, 2])
+    w = w * np.where(row & (u > 0.5) & (u < 4) & (psi > 0.15) & (psi < 1.3), 1.4, 1.0)
     # spin against a lateral creepage in a long contact: the force turns over within the patch
     opposed = (data["g"] > 3) & (data["c"][:, 1] * data["v"][:, 1] < -0.3) & (spin > 0.3)
-    w = w * np.where(opposed, 1.5, 1.0)
+    w = w * np.where(opposed, 1.5, 1.0) * np.where(row & (data["g"] > 4), 1.25, 1.0)
     return w * np.where(data["g"] > 6, 1.5, np.where(data["g"] < 0.13, 1.3, 1.0))
 
 
-def sliding_rows(count=3000, seed=11):
+def sliding_rows(count=SLIDING, seed=11):
     """Rows of rigid slip. Without spin it is the truth from saturation on, with a little from 6 times saturation; with a large share,
     and the spin's pole in the patch, 10 to 400 times saturation is no more than a hint (`err` .2)."""
     r = np.random.default_rng(seed)
@@ -242,38 +298,45 @@ def sliding_rows(count=3000, seed=11):
     return {"g": g, "nu": nu, "v": v, "c": c, "f": rigid_slip.sliding(g, v), "err": err, "fine": np.zeros(count, bool)}
 
 
-def with_sliding(data):
-    rows = sliding_rows()
-    return {key: np.concatenate([value, rows[key]]) for key, value in data.items()}
+def joined(*parts):
+    return {key: np.concatenate([part[key] for part in parts]) for key in parts[0]}
 
 
-def flat(layers):
-    return np.concatenate([layer.ravel() for layer in layers])
+# --- fit -------------------------------------------------------------------------------------
 
 
-def like(layers, p):
-    """The coefficients in the shape of `layers`."""
-    ends = np.cumsum([layer.size for layer in layers])
-    return [part.reshape(layer.shape) for part, layer in zip(np.split(p, ends[:-1]), layers)]
+def flat(model):
+    return np.concatenate([part.ravel() for part in model])
 
 
-def normal_equations(layers, rows, penalty):
+def like(model, p):
+    """The coefficients in the shape of `model`."""
+    ends = np.cumsum([part.size for part in model])
+    return [part.reshape(one.shape) for part, one in zip(np.split(p, ends[:-1]), model)]
+
+
+def penalties(model, penalty):
+    return np.concatenate([np.full(sum(layer.size for layer in model[:3]), penalty), np.full(len(FRAME), PENALTY_FRAME)])
+
+
+def normal_equations(model, rows, penalty):
     """J'J and J'r. J in single precision: an outer product per layer of its inputs and of the slopes behind it."""
-    p = flat(layers)
+    p, penalty = flat(model), penalties(model, penalty)
     h, gradient = np.zeros((len(p), len(p)), order="F"), penalty * p
-    out, h1, s1, h2, s2 = network(layers, rows.x)
-    weight = rows.weight[:, None] * SCALE
-    residuals = ((np.array(CORRECTED(out, rows.places)) - rows.data["f"]) * weight).astype(np.float32)
-    slopes = np.array(SLOPES(out, rows.places)) * weight[:, :, None]
-    single = lambda a: a.astype(np.float32)  # noqa: E731
-    inputs = [single(np.concatenate([np.ones((rows.count, 1)), a], 1))[:, None, :, None] for a in (rows.x, h1, h2)]
-    behind = [None, None, single(slopes)]
-    behind[1] = behind[2] @ single(layers[2][1:].T) * single(s2)[:, None]
-    behind[0] = behind[1] @ single(layers[1][1:].T) * single(s1)[:, None]
+    f, arrays = slopes(model, rows.state)
+    x, h1, s1, h2, s2, by_o, by_k = map(np.array, arrays)
+    weight = (rows.weight[:, None] * SCALE).astype(np.float32)
+    residuals = (np.array(f) - rows.data["f"]).astype(np.float32) * weight
+    inputs = [np.concatenate([np.ones((rows.count, 1), np.float32), a], 1)[:, None, :, None] for a in (x, h1, h2)]
+    last, second = (model[k][1:].T.astype(np.float32) for k in (2, 1))
+    behind = [None, None, by_o * weight[:, :, None]]
+    behind[1] = behind[2] @ last * s2[:, None]
+    behind[0] = behind[1] @ second * s1[:, None]
+    by_k = by_k * weight[:, :, None]
     for start in range(0, rows.count, BLOCK):
         s = slice(start, start + BLOCK)
         r = residuals[s].ravel()
-        j = np.concatenate([(a[s] * b[s, :, None]).reshape(len(r), -1) for a, b in zip(inputs, behind)], 1)
+        j = np.concatenate([(a[s] * b[s, :, None]).reshape(len(r), -1) for a, b in zip(inputs, behind)] + [by_k[s].reshape(len(r), -1)], 1)
         h += blas.ssyrk(1.0, j.T)  # the upper triangle
         gradient = gradient + j.T @ r
     h = np.triu(h) + np.triu(h, 1).T
@@ -281,16 +344,10 @@ def normal_equations(layers, rows, penalty):
     return h, gradient
 
 
-def levenberg_marquardt(layers, rows, iterations, label, damping=1e-3, penalty=WEAK, tolerance=2e-6):
-    began = time.time()
-
-    def cost(layers):
-        return ((rows.residuals(layers) ** 2).sum() + penalty * (flat(layers) ** 2).sum()) / rows.count
-
-    current = cost(layers)
-    history = [current]
+def levenberg_marquardt(model, rows, iterations, label, penalty, damping=1e-4):
+    began, current = time.time(), rows.cost(model, penalty)
     for step in range(1, iterations + 1):
-        h, gradient = normal_equations(layers, rows, penalty)
+        h, gradient = normal_equations(model, rows, penalty)
         diagonal = np.diag(h)
         for attempt in range(10):
             try:
@@ -298,23 +355,20 @@ def levenberg_marquardt(layers, rows, iterations, label, damping=1e-3, penalty=W
             except np.linalg.LinAlgError:
                 damping *= 4
                 continue
-            trial = like(layers, flat(layers) - change)
-            new = cost(trial)
+            trial = like(model, flat(model) - change)
+            new = rows.cost(trial, penalty)
             if new < current:
                 break
             damping *= 4
         else:
             break
-        layers, current = trial, new
+        model, current = trial, new
         if attempt == 0:
-            damping = max(damping / 3, 1e-8)
-        history.append(current)
-        if step % 20 == 0:
+            damping = max(damping / 3, 1e-9)
+        if step % 20 == 0 or step == iterations:
             spent = time.time() - began
             print(f"  {label} step {step}/{iterations} cost {current:.4g} damping {damping:.0e}, {spent:.0f} s, at most {spent / step * (iterations - step):.0f} s more", flush=True)
-        if len(history) > 15 and history[-15] / current - 1 < 15 * tolerance:
-            break
-    return layers
+    return model
 
 
 def start(seed):
@@ -326,97 +380,84 @@ def start(seed):
         size = 0.2 if last else 1.5 if i == 0 else 1.0
         bias = (0 if last else 0.5) * random.standard_normal((1, b))
         layers.append(np.vstack([bias, size * random.standard_normal((a, b)) / np.sqrt(a)]))
-    return layers
+    return [*layers, np.zeros(len(FRAME))]
 
 
-def without_one_unit(layers, rows, penalty):
-    """Take out the hidden unit that is missed least when all other coefficients make up for it (Hassibi and Stork 1993)."""
-    h, _ = normal_equations(layers, rows, penalty)
-    inverse = np.linalg.inv(h + 1e-3 * np.diag(np.diag(h)))
-    p, best = flat(layers), None
-    indices = like(layers, np.arange(len(p)))
-    for k in (0, 1):
-        for unit in range(layers[k].shape[1] if layers[k].shape[1] > WIDTHS[k] else 0):
-            cut = indices[k + 1][1 + unit]
-            change = np.linalg.solve(inverse[np.ix_(cut, cut)], p[cut])
-            # what it saves: products of pairs in the layers before and after it
-            missed = p[cut] @ change / (layers[k].shape[0] + layers[k + 1].shape[1])
-            if best is None or missed < best[0]:
-                best = missed, k, unit, inverse[:, cut] @ change
-    _, k, unit, change = best
-    layers = like(layers, p - change)
-    layers[k] = np.delete(layers[k], unit, 1)
-    layers[k + 1] = np.delete(layers[k + 1], 1 + unit, 0)
-    return layers
+def without_units(model, rows, penalty, count=2):
+    """Take out the hidden units that are missed least when all other coefficients make up for it (Hassibi and Stork 1993)."""
+    h, _ = normal_equations(model, rows, penalty)
+    network_size = sum(layer.size for layer in model[:3])
+    h = h[:network_size, :network_size]
+    inverse = np.linalg.inv(h + 1e-4 * np.diag(np.diag(h)))
+    layers, constants = model[:3], model[3]
+    for _ in range(count):
+        p, best = flat(layers), None
+        indices = like(layers, np.arange(len(p)))
+        for k in (0, 1):
+            for unit in range(layers[k].shape[1] if layers[k].shape[1] > WIDTHS[k] else 0):
+                cut = indices[k + 1][1 + unit]
+                change = np.linalg.solve(inverse[np.ix_(cut, cut)], p[cut])
+                # what it saves: products of pairs in the layers before and after it
+                missed = p[cut] @ change / (layers[k].shape[0] + layers[k + 1].shape[1])
+                if best is None or missed < best[0]:
+                    best = missed, k, unit, inverse[:, cut] @ change
+        if best is None:
+            break
+        _, k, unit, change = best
+        gone = np.concatenate([indices[k][:, unit], indices[k + 1][1 + unit]])
+        layers = like(layers, p - change)
+        layers[k] = np.delete(layers[k], unit, 1)
+        layers[k + 1] = np.delete(layers[k + 1], 1 + unit, 0)
+        # the inverse of what is left of the matrix
+        kept = np.setdiff1d(np.arange(len(p)), gone)
+        change = np.linalg.solve(inverse[np.ix_(gone, gone)], inverse[np.ix_(gone, kept)])
+        inverse = inverse[np.ix_(kept, kept)] - inverse[np.ix_(kept, gone)] @ change
+    return [*layers, constants]
 
 
-def widths(layers):
-    return layers[0].shape[1], layers[1].shape[1]
+def widths(model):
+    return model[0].shape[1], model[1].shape[1]
 
 
-def polish(layers, rows, iterations, label, penalty=WEAK):
-    """L-BFGS on all coefficients, in coordinates in which the Gauss-Newton matrix of the start is one: a step costs a twentieth of one
-    of Levenberg-Marquardt's."""
-    began, p, single = time.time(), flat(layers), [jnp.array(rows.x), jnp.array(rows.places), jnp.array(rows.data["f"]), jnp.array(rows.weight[:, None] * SCALE)]
-    ends = np.cumsum([layer.size for layer in layers])[:-1]
-
-    @jax.jit
-    def cost(p, x, places, f, weight):
-        first, second, last = (part.reshape(layer.shape) for part, layer in zip(jnp.split(p, ends), layers))
-        h = activation(x @ first[1:] + first[0])
-        h = activation(h @ second[1:] + second[0])
-        r = (jax.vmap(corrected)(h @ last[1:] + last[0], places) - f) * weight
-        return (r * r).sum() + penalty * (p * p).sum()
-
-    h, _ = normal_equations(layers, rows, penalty)
-    factor = np.linalg.cholesky(h + 1e-7 * np.diag(np.diag(h) + 1e-6 * np.diag(h).max()))
-    slope = jax.jit(jax.value_and_grad(cost))
-
-    def scaled(z):
-        value, gradient = slope(p + solve_triangular(factor, z, lower=True, trans="T"), *single)
-        return float(value) / 2, solve_triangular(factor, np.array(gradient) / 2, lower=True)
-
-    found = minimize(scaled, np.zeros(len(p)), jac=True, method="L-BFGS-B", options={"maxiter": iterations, "maxfun": 2 * iterations, "maxcor": 40, "ftol": 1e-9, "gtol": 1e-10})
-    print(f"  {label} {found.nit} steps, cost {2 * found.fun / rows.count:.4g}, {time.time() - began:.0f} s", flush=True)
-    return like(layers, p + solve_triangular(factor, found.x, lower=True, trans="T"))
+def heavier(rows, model):
+    """Weights with which large errors count more, up to three times."""
+    d = rows.errors(model) * SCALE
+    return np.where(rows.data["err"] < 0.1, np.minimum(np.sqrt(1 + 0.5 * (d * d).sum(1) / 0.005**2), 3.0), 1.0)
 
 
-def fit(quick, seed, start_from=None):
+def fit(quick, seed, from_stored):
     began = time.time()
-    if start_from is None or len(RIGID) < len(rigid_slip.NAMES):
+    if not from_stored:
         RIGID.update(rigid_slip.fit())
     rigid_slip.report(RIGID)
     train, validation = common.split(common.load("train.csv", "train_fine.csv"))
-    train, validation = Rows(with_sliding(train)), Rows(validation)
-    print(f"{train.count} rows to train on, the last 3000 of them of rigid slip, {validation.count} to validate; saturation curve within {SATURATION_ERROR:.1e}", flush=True)
-    first, second, wide, between, rounds, steps = (5, 5, 5, 5, 1, 5) if quick else (60, 40, 1000, 150, 12, 300)
+    rows = Rows(joined(train, sliding_rows()))
+    print(f"{rows.count} rows to train on, the last {SLIDING} of them of rigid slip, {len(validation['g'])} to validate; saturation curve within {SATURATION_ERROR:.1e}", flush=True)
+    few, wide, between, narrow, rounds, steps = (3, 2, 1, 2, 1, 1) if quick else (60, 150, 6, 90, 4, 20)
 
     def report():
-        common.report(f"  {widths(layers)} after {time.time() - began:.0f} s", validation.predict(layers), validation.data)
-        save(layers)
+        common.report(f"  {widths(model)} after {time.time() - began:.0f} s", predict(model, validation), validation)
+        np.savez(os.environ.get("KSTRIP_FIT_STATE", os.path.join(common.HERE, "total_state.npz")), *model)
 
-    if start_from is None:
-        index = np.random.default_rng(5).permutation(train.count)[:4096]
-        few = Rows(common.take(train.data, index))
-        layers = levenberg_marquardt(start(seed), few, first, "few rows:", damping=1e-2)
-        layers = levenberg_marquardt(layers, train, second, "all rows:")
-        layers = polish(layers, train, wide, "all rows:")
-        report()
-        while widths(layers) != WIDTHS:
-            layers = polish(without_one_unit(layers, train, WEAK), train, between, "one unit less:")
-            report()
+    if from_stored:
+        model = stored(CONSTANTS)
     else:
-        layers = start_from
+        index = np.random.default_rng(5).permutation(rows.count)[:4096]
+        model = levenberg_marquardt(start(seed), Rows(common.take(rows.data, index)), few, "few rows:", LAST, damping=1e-2)
+        model = levenberg_marquardt(model, rows, wide, "all rows:", WIDE, damping=1e-3)
+        report()
+    while widths(model) != WIDTHS:
+        model = levenberg_marquardt(without_units(model, rows, NARROW), rows, between, "fewer units:", NARROW)
+        report()
+    model = levenberg_marquardt(model, rows, narrow, "the network:", NARROW, damping=1e-5)
+    report()
+    plain = rows.weight
     for k in range(rounds):
-        layers = polish(layers, train, steps, f"round {k + 1} of {rounds}:", penalty=STRONG)
+        rows.weight = plain * heavier(rows, model)
+        model = levenberg_marquardt(model, rows, steps, f"round {k + 1} of {rounds}:", LAST, damping=1e-5)
         report()
     print(f"fitted in {time.time() - began:.0f} s")
-    return layers
-
-
-def save(layers):
-    path = os.environ.get("KSTRIP_FIT_STATE", os.path.join(common.HERE, "total_state.npz"))
-    np.savez(path, *layers)
+    return model
 
 
 # --- constants -------------------------------------------------------------------------------
@@ -426,14 +467,14 @@ def pairs(layer):
     return layer.reshape(len(layer), -1, 2)
 
 
-def write(layers, path):
+def write(model, path):
     header = [
         "Constants of the model TOTAL: rigid slip, and a network of two hidden layers, its units side by side in pairs.",
         "",
         "Written by `fit/fit_total.py` from `fit/data/train.csv` and `fit/data/train_fine.csv` (computed with CONTACT,",
         "Vollebregt, Vtech CMCC, Apache-2.0).",
     ]
-    first, second, last = layers
+    first, second, last, _ = model
     common.write_constants(path, header, [
         ("Rigid slip, slopes of the force: polynomials in s = (g - 1)/(g + 1), powers 0, 2, 4, 1, 3.", "RIGID_SLOPE", RIGID["RIGID_SLOPE"]),
         ("Rigid slip: what spin takes from the force.", "RIGID_SPIN", RIGID["RIGID_SPIN"]),
@@ -447,6 +488,7 @@ def write(layers, path):
         ("Second hidden layer: bias, then a row for each unit of the first.", "SECOND", pairs(second)),
         ("Corrections: a row for each, over the units of the second hidden layer.", "LAST", pairs(last[1:].T)),
         ("Corrections: bias.", "LAST_BIAS", last[0]),
+        *((doc, name, float(value)) for (name, (doc, _)), value in zip(FRAME.items(), constants_of(model[3]).values())),
     ])  # fmt: skip
 
 
@@ -457,10 +499,11 @@ def stored(path):
         np.vstack([single["FIXED"], single["FIRST"]]),
         single["SECOND"],
         np.vstack([found["LAST_BIAS"], single["LAST"].T]),
+        np.log([found[name] / first for name, (_, first) in FRAME.items()]),
     ]
 
 
-def check_values(layers):
+def check_values(model):
     """Inputs and outputs for tests/units/total.rs."""
     cases = np.array([
         (1.0, 0.28, 0.1, 0.0, 0.0), (1.0, 0.28, 0.1, -0.05, 0.2), (1.0, 0.28, -0.3, 0.2, 0.7), (0.1, 0.0, 0.05, 0.3, 0.1), (0.1, 0.5, 0.0, -0.2, 2.0),
@@ -468,8 +511,7 @@ def check_values(layers):
         (0.02, 0.3, 0.2, 0.2, 0.5), (60.0, 0.3, 0.01, 0.02, 0.03), (1.0, 0.5, 0.0, 0.0, 40.0), (20.0, 0.3, 30.0, 90.0, 50.0),
     ])  # fmt: skip
     g, nu, v = cases[:, 0], cases[:, 1], cases[:, 2:]
-    x, places = frame(g, nu, v, np.stack(common.coefficients(g, nu), 1))
-    forces = np.array(CORRECTED(network(layers, x)[0], places)).tolist()
+    forces = predict(model, {"g": g, "nu": nu, "v": v, "c": np.stack(common.coefficients(g, nu), 1)}).tolist()
     print("check values: a/b, nu, (vx, vy, phi) -> fx, fy, mz")
     for (g, nu, *v), force in zip(cases.tolist(), forces):
         print(f"            ({g!r}, {nu!r}, {v!r}, {force!r}),")
@@ -480,28 +522,23 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--evaluate", nargs="*", default=None)
-    parser.add_argument("--resume", help="state file to go on from with the last stage")
+    parser.add_argument("--from-stored", action="store_true", help="the last stages from the constants in src/total")
     parser.add_argument("--seed", type=int, default=1, help="of the random start")
     parser.add_argument("--output", default=CONSTANTS)
     options = parser.parse_args()
-    rows = common.split(common.load("train.csv", "train_fine.csv"))
     if options.evaluate is None:
-        layers = None
-        if options.resume:
-            with np.load(options.resume) as state:
-                layers = [state[name] for name in sorted(state.files)]
-        layers = fit(options.quick, options.seed, layers)
+        model = fit(options.quick, options.seed, options.from_stored)
         if not options.quick:
-            write(layers, options.output)
+            write(model, options.output)
             print("wrote", options.output)
     if options.evaluate is not None or not options.quick:
-        layers = stored(options.output)  # what the library will use: rounded to single precision
-    for label, data in zip(("training", "validation"), rows):
-        common.report(label, Rows(data).predict(layers), data, regions=label == "validation")
+        model = stored(options.output)  # what the library will use: rounded to single precision
+    for label, data in zip(("training", "validation"), common.split(common.load("train.csv", "train_fine.csv"))):
+        common.report(label, predict(model, data), data, regions=label == "validation")
     for path in options.evaluate or []:
         data = common.load(os.path.abspath(path))
-        common.report(os.path.basename(path), Rows(data).predict(layers), data, regions=True)
-    check_values(layers)
+        common.report(os.path.basename(path), predict(model, data), data, regions=True)
+    check_values(model)
 
 
 if __name__ == "__main__":

@@ -6,19 +6,23 @@
 //!
 //! What holds by construction, whatever the constants:
 //! * `|F| ≤ μ N`, `Mz` bounded.
-//! * Linear theory for small creepage: every correction carries the weight `w = n²/(0.05 + n²)`, `n` the size of the linear
+//! * Linear theory for small creepage: every correction carries the weight `w = n²/(ONSET + n²)`, `n` the size of the linear
 //!   force.
 //! * Rigid slip for large creepage, spin or both, in force and moment.
 //! * Symmetry: nothing but signs changes with the sign of `vx`, or with the signs of `vy` and spin together.
 //! * Power `fx vx + fy vy + mz φ ≥ 0`: both answers have it, so their mean has it.
 //! * Once continuously differentiable in creepage and spin, everywhere.
 //!
-//! Nothing but `+ − × ÷ √`. `fit/fit_total.py` fits the network and has the same formulas.
+//! Nothing but `+ − × ÷ √`. `fit/fit_total.py` fits the network and the constants beside it, and has the same formulas.
 
 mod constants;
 mod network;
 mod rigid_slip;
 
+use self::constants::{
+    BRAKE, END_X, END_Y, LOSS, ONSET, REACH_X, REACH_Y, SEEN_E, SEEN_ES, SEEN_S, SEEN_S4, SEEN_U,
+    SEEN_Y, SEEN_YS, SHEAR, TURN,
+};
 use self::network::Network;
 use self::rigid_slip::RigidSlip;
 use crate::contact::forces::Totals;
@@ -39,8 +43,6 @@ const LOST: f64 = 1e6;
 
 /// `|q|` of full sliding (Section 8.15).
 const FULL: f64 = 3.0 * core::f64::consts::PI / 4.0;
-/// Share of the squared spin force in `|q|²`: spin shears the patch also where its force and that of the creepage cancel.
-const SHEAR: f64 = 0.04;
 /// Growth of the slopes with `e⁶` in translation: beyond saturation `|q|` does not fall below that of full sliding again.
 const GROWTH: f64 = 0.0003;
 /// `1/n⁴` where half of the answer is rigid slip: `n = 20` in translation, 150 where there is much spin.
@@ -88,8 +90,8 @@ impl<F: Plain> Prepared<F> {
         let inverse = F::one() / g;
         let (root, both) = (g.sqrt(), g + inverse);
         let inverse_root = root * inverse;
-        let end_x = linear.c11 * (inverse_root + root.times(0.27)).times(1.0 / 1.5);
-        let end_y = linear.c22 * (root + inverse_root.times(0.27)).times(1.0 / 1.5);
+        let end_x = linear.c11 * (inverse_root + root.times(END_X)).times(REACH_X);
+        let end_y = linear.c22 * (root + inverse_root.times(END_Y)).times(REACH_Y);
         let shape = root.clamped(F::of(1.0 / LARGEST_ROOT), F::of(LARGEST_ROOT));
         let slender = shape.plus(-1.0) / shape.plus(1.0);
         let moment = F::one() / both.plus(0.467).times(0.1406);
@@ -138,7 +140,7 @@ impl<F: Plain> Prepared<F> {
             phi2.scale(end_x * end_x).plus(1.0),
             phi2.scale(end_y * end_y).plus(1.0),
             (m2 + u2).plus(1.0),
-            u2.times(0.5).plus(1.0),
+            u2.times(SEEN_U).plus(1.0),
         ]);
         let ex2 = lx2 * ix;
         let e2 = ex2 + ly2 * iy;
@@ -151,15 +153,15 @@ impl<F: Plain> Prepared<F> {
         // x of the mean at the end, dₑ and the share of γ on the way
         let x = n2.squared() * pole.times(TRANSLATION).plus(SPIN);
         let [f_s, f_s4, f_e, f_es, f_ys, f_y, w, d, spin, near] = inverses([
-            s2.plus(1.0),
-            s2.squared().plus(1.0),
-            e2.plus(1.0),
-            (e2 + s2).plus(1.0),
-            (lys.squared() + s2).plus(1.0),
-            (vy2 + py2).plus(0.002),
-            n2.plus(0.05),
-            e4.times(0.1).plus(1.0),
-            (s2 + u2.times(0.3)).plus(1.0),
+            s2.plus(SEEN_S),
+            s2.squared().plus(SEEN_S4),
+            e2.plus(SEEN_E),
+            (e2 + s2).plus(SEEN_ES),
+            (lys.squared() + s2).plus(SEEN_YS),
+            (vy2 + py2).plus(SEEN_Y),
+            n2.plus(ONSET),
+            e4.times(TURN).plus(1.0),
+            (s2 + u2.times(BRAKE)).plus(1.0),
             x.plus(1.0),
         ]);
         let w = n2 * w;
@@ -184,7 +186,7 @@ impl<F: Plain> Prepared<F> {
         let [o1, o2, o3, o4, o5, o6] = T::each(&corrections, |o| *o * w);
         let [k1, k2, k3, k4, k6] = T::each(&[o1, o2, o3, o4, o6], |o| positive(*o));
 
-        // elastic slopes and those of sliding: dₑ = 1/(1 + e⁴/10) of the first
+        // elastic slopes and those of sliding: dₑ = 1/(1 + TURN e⁴) of the first
         let [root_x, root_y] = roots([ix, iy]);
         let braked = root_y.scale(c22);
         // (so far in sliding that only its direction is left, and in single precision q² a number)
@@ -192,13 +194,13 @@ impl<F: Plain> Prepared<F> {
         let beta_x = k2 * (braked * (one - d) + k1 * (root_x * d).scale(c11)) + growth;
         let elastic_y = k2 * braked;
         let beta_y = elastic_y + growth;
-        // q = (βx vx, βy vy + γ φ), γ = k₃ C23/(1 + s² + 0.3 u²)
+        // q = (βx vx, βy vy + γ φ), γ = k₃ C23/(1 + s² + BRAKE u²)
         let spin = spin.scale(c23);
         let gamma = k3 * spin;
         let (qx, qy) = (beta_x * vx, beta_y * vy + gamma * phi);
         let q2 = qx.squared() + qy.squared() + (spin * phi).squared().times(SHEAR);
         // F = σ q, σ = S(|q|)/(h |q|): spin keeps |F| below μ N in full sliding
-        let sigma = saturation(q2, (kappa * w * k6).times(0.3).plus(1.0));
+        let sigma = saturation(q2, (kappa * w * k6).times(LOSS).plus(1.0));
         let (fx, fy) = (sigma * qx, sigma * qy);
         // spin's own moment ε φ, at most 1.14 M₀
         let epsilon = (k4 * im.sqrt()).scale(c33);
