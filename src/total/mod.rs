@@ -248,13 +248,16 @@ fn saturation<T: Number>(q2: T, h: T) -> T {
 #[inline(always)]
 fn within_range<T: Number>(mut creepage: [T; 3], slopes: [T::Base; 3]) -> [T; 3] {
     let ([vx, vy, phi], [x, y, spin]) = (creepage, slopes);
-    let size = (vx.value().abs() * x).max(vy.value().abs() * y).max(phi.value().abs() * spin);
+    let [vx, vy, phi] = [vx.value().abs(), vy.value().abs(), phi.value().abs()];
+    let size = (vx * x).max(vy * y).max(phi * spin);
     let lost = T::TINY.times(LOST);
+    // (creepages of a needle may be lost although steep slopes make more of them)
+    let least = vx.max(vy).max(phi).min(size);
     // (of several contacts side by side one may be too small and another too large)
-    if lost.exceeds(size) {
+    if lost.exceeds(least) {
         // The digits of such creepages are those of the smallest numbers, and without them power may have any sign. What
-        // they carry is nothing to 1e-32 of `μ N`; the slopes stay.
-        let gone = |v: &T| *v - T::from_base((lost - size).choose(v.value(), T::Base::zero()));
+        // they carry is nothing to 1e-24 of `μ N`, 1e-32 but for needles; the slopes stay.
+        let gone = |v: &T| *v - T::from_base((lost - least).choose(v.value(), T::Base::zero()));
         creepage = T::each(&creepage, gone);
     }
     let limit = T::Base::of(largest::<T>());

@@ -118,6 +118,18 @@ fn what_was_found_stays_repaired() {
     let needle = contact(1.0, f64::MAX, 0.5, 0.5, 1.0);
     let turning = creepage(0.0, 0.0, -0.09);
     assert_eq!(solve(&needle, &turning, &options(Model::Strip1967)), Err(Error::Overflow));
+    // Power below zero, where the creepages have no digits left and the slopes of a needle make much of them.
+    let (a, b) = (21263.795_f32, 0.006_376_877);
+    let soft = Contact {
+        a,
+        b,
+        normal_force: 3909.468_8,
+        shear_modulus: f32::MIN_POSITIVE,
+        poisson_ratio: 2.355e-5,
+        friction: 3.58,
+    };
+    let slow = Creepage { longitudinal: 7.0525406e-5, lateral: 1.6691238e-5, spin: -3.728531 };
+    assert!(solve(&soft, &slow, &options(Model::Total)).unwrap().power >= 0.0);
     // Spin times semi-axis overflowed, and nothing is carried.
     let light = contact(1e150, 1e150, 1e5, 1e38, 5e-324);
     let fast = creepage(0.0, -1e-4, f64::MAX);
