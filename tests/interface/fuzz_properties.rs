@@ -119,11 +119,11 @@ fn what_was_found_stays_repaired() {
     let turning = creepage(0.0, 0.0, -0.09);
     assert_eq!(solve(&needle, &turning, &options(Model::Strip1967)), Err(Error::Overflow));
     // Power below zero, where the creepages have no digits left and the slopes of a needle make much of them.
-    let (a, b) = (21263.795_f32, 0.006_376_877);
+    let (a, b) = (21263.795_f32, 0.006376877);
     let soft = Contact {
         a,
         b,
-        normal_force: 3909.468_8,
+        normal_force: 3909.4688,
         shear_modulus: f32::MIN_POSITIVE,
         poisson_ratio: 2.355e-5,
         friction: 3.58,
