@@ -5,7 +5,7 @@
 //!
 //! * Theory of 1967: [`Strip::solve`] in units of the strip. The strips do not move with the
 //!   solution, so where a strip loses its adhesion area the forces have a kink, and under
-//!   [`SlidingRule::RigidSlip`] with spin a jump as large as that strip's share.
+//!   [`SlidingRule::RigidSlip`](crate::strip_1967::strip::SlidingRule::RigidSlip) with spin a jump as large as that strip's share.
 //! * Corrected strips: the ellipse of a strip's [zone](super::zones) is solved at the creepage of its own centre, and
 //!   gives the strip the creepages of its `Y` and `Π = (μ p₀)_strip/(μ p₀)`. A strip whose
 //!   centre is moved by `x_c` is solved with what is seen for the lateral creepage there.
@@ -24,10 +24,10 @@ use crate::number::{Float, Real};
 use crate::patch::zones::{Widths, Zone};
 use crate::patch::{PatchStrip, PatchView, QuadratureScale};
 use crate::solve::model::{Model, Precision, Solution, StripResult};
-use crate::solve::prepared::notice;
+use crate::solve::prepared::{notice, sliding_rule};
 use crate::status::{Error, Notice};
 use crate::strip::{Carried, Law as StripLaw, Prepared, Seen, StripGeometry, eight_strips};
-use crate::strip_1967::strip::{Regime, SlidingRule, State, Strip};
+use crate::strip_1967::strip::{Regime, State, Strip};
 use crate::total;
 use nalgebra::Matrix3;
 
@@ -186,10 +186,7 @@ impl<'a, F: Precision> Problem<'a, F> {
         strip: &PatchStrip<F>,
         creepage: &Creepage<T>,
     ) -> Strip<T> {
-        let rule = match self.model {
-            Model::Strip1967Continuous => SlidingRule::Continuous,
-            _ => SlidingRule::RigidSlip,
-        };
+        let rule = sliding_rule(self.model);
         let Parameters { xi, eta, psi, poisson_ratio, .. } = self.parameters(strip, creepage);
         Strip::solve(T::one(), xi, eta, psi, poisson_ratio, rule)
     }
