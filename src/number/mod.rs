@@ -289,13 +289,8 @@ pub trait Number: Arithmetic {
         slopes: [Self::Base; N],
         inputs: [Self; N],
     ) -> Self {
-        let mut sum = Self::from_base(value);
-        if Self::HAS_DERIVATIVES {
-            for (slope, input) in slopes.into_iter().zip(inputs) {
-                sum += input.shift(-input.value()).scale(slope);
-            }
-        }
-        sum
+        let bare = |x: &Self::Base| Self::from_base(*x).bare();
+        Self::composed(bare(&value), slopes.each_ref().map(bare), inputs)
     }
     /// Whether it is larger than another number; of several side by side, whether one of them is.
     fn exceeds(self, other: Self) -> bool;

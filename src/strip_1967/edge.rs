@@ -173,6 +173,5 @@ fn root<T: Number>(motion: &Motion<T>, least: T, gap: T, d0: T) -> T {
     let slope = d * (s + other) + s * other + (pull - eta2 * left);
     let by = -(slope + T::TINY).inverse();
     let slopes = [-pull, d * s, s * other - eta2 * left, -(d * left), -left];
-    let slopes = T::Bare::each(&slopes, |part| T::from_base(*part * by).bare());
-    T::composed(T::from_base(s).bare(), slopes, inputs)
+    T::follow(s, T::Base::each(&slopes, |part| *part * by), inputs)
 }

@@ -5,7 +5,7 @@ use crate::number::{Arithmetic, Number, Pair, Plain, either};
 use crate::strip_1967::Motion;
 use crate::strip_1967::edge::Edge;
 use crate::strip_1967::strip::SlidingRule;
-use crate::strip_1967::totals::{Both, GAUSS_4, Shares, bare, far};
+use crate::strip_1967::totals::{Both, GAUSS_4, Shares, far};
 
 /// Sixteen nodes, those that are positive: the continuous rule.
 static GAUSS_16: Nodes<8> = Nodes::new([
@@ -131,13 +131,7 @@ fn rigid_slip<T: Number>(motion: &Motion<T>, from: Both<T>, to: Both<T>) -> [T; 
                 -(e0 * moment(by, [n1, n2, n3])),
                 moment(by, [n2, n3, n4]),
             );
-            let of = |value: T::Base, slopes: [T::Base; 2]| {
-                T::composed(
-                    bare::<T>(value),
-                    T::Bare::each(&slopes, |slope| bare::<T>(*slope)),
-                    [h, e],
-                )
-            };
+            let of = |value: T::Base, slopes: [T::Base; 2]| T::follow(value, slopes, [h, e]);
             let lever = [h0 * xx + e0 * xy, h0 * xy + e0 * yy];
             [of(i1, [xx, xy]), of(e0 * i0, [xy, yy]), of(h0 * i1 - i2, lever)]
         }

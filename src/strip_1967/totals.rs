@@ -46,12 +46,6 @@ fn root_epsilon<T: Number>() -> f64 {
 /// Two plain numbers side by side.
 pub(super) type Both<T> = <<T as Arithmetic>::Base as Number>::Pair;
 
-/// A plain number as what slopes are made of.
-#[inline(always)]
-pub(super) fn bare<T: Number>(x: T::Base) -> T::Bare {
-    T::from_base(x).bare()
-}
-
 /// Integrals over strips: `∫ f_x dY`, `∫ f_y dY`, `∫ m_x dY`, `∫ Y f_x dY`, `∫ (C − K) dY`.
 pub(super) type Shares<T> = [T; 5];
 
@@ -120,7 +114,7 @@ pub fn totals<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Total
 #[inline(always)]
 fn valued<T: Number>(mut numbers: Shares<T>, values: Shares<T::Base>) -> Shares<T> {
     for (number, value) in numbers.iter_mut().zip(values) {
-        *number = T::composed(bare::<T>(value), [T::Bare::one()], [*number]);
+        *number = T::follow(value, [T::Base::one()], [*number]);
     }
     numbers
 }
@@ -234,9 +228,8 @@ pub(super) fn adhering<T: Number>(motion: &Motion<T>, moving: &Arc<T>) -> Shares
             let i2 = (u1 * cube1 - u2 * cube2 - e2 * i0).times(0.25);
             // d/dh ∫ uⁿ D du = uⁿ D,  d/dε ∫ uⁿ D du = ε ∫ uⁿ/D du
             let j2 = (ud - e2 * j0).times(0.5);
-            let moment = |i: T::Base, by_h: T::Base, j: T::Base| {
-                T::composed(bare::<T>(i), [bare::<T>(by_h), bare::<T>(e0 * j)], [h, e])
-            };
+            let moment =
+                |i: T::Base, by_h: T::Base, j: T::Base| T::follow(i, [by_h, e0 * j], [h, e]);
             let i0 = moment(i0, j1, j0);
             let i1 = moment(i1, ud, j1);
             let i2 = moment(i2, u1 * ud1 - u2 * ud2, j2);
@@ -345,7 +338,7 @@ fn stretch_and_length<T: Number>(motion: &Motion<T>, moving: &Arc<T>, stretch: T
     let whole = |sum: Both<T>| (sum * half).sum().times(2.0);
     let value = whole(sum) + least * stretch;
     if !T::HAS_DERIVATIVES {
-        return T::fixed(bare::<T>(value));
+        return T::from_base(value);
     }
     let [by_x, by_p, by_eta, by_psi, bend, by_t, by_node, flat] = sums;
     // by the tangents of the pieces' ends
@@ -367,7 +360,7 @@ fn stretch_and_length<T: Number>(motion: &Motion<T>, moving: &Arc<T>, stretch: T
     let [tangent, parting, middle, level, lower, upper] = inputs;
     let Motion { xi, eta, psi, slope: p, .. } = *motion;
     let inputs = [xi, p, eta, psi, tangent, parting, middle, level, lower, upper];
-    T::composed(bare::<T>(value), T::Bare::each(&slopes, |slope| bare::<T>(*slope)), inputs)
+    T::follow(value, slopes, inputs)
 }
 
 /// How integrals move with the ends, where the force jumps: no values, only derivatives.
@@ -385,7 +378,7 @@ fn jumps<T: Number>(motion: &Motion<T>, moving: &Arc<T>) -> Shares<T> {
     let along = |jump: Both<T>| {
         let (first, last) = jump.parts();
         let ends = [moving.lower.y, moving.upper.y];
-        T::composed(T::zero().bare(), [bare::<T>(-first), bare::<T>(last)], ends)
+        T::follow(T::Base::zero(), [-first, last], ends)
     };
     [along(fx), along(fy), T::zero(), along(fx * y), T::zero()]
 }
