@@ -267,7 +267,7 @@ fn bounded<T: Number>(components: [T; 3]) -> [T; 3] {
 }
 
 #[cold]
-#[cfg_attr(target_os = "none", inline(never))]
+#[inline(never)]
 fn bounded_apart<T: Number>(components: [T; 3]) -> [T; 3] {
     bounded_inline(components)
 }

@@ -13,7 +13,7 @@
 mod constants;
 
 use self::constants::{E11_E22, E23_E33, M33, N23_N33};
-use crate::number::{Arithmetic, Float, Pair, Plain};
+use crate::number::{Arithmetic, Float, Pair, Plain, once};
 use core::f64::consts::{LN_2, PI};
 
 /// Kalker's linear creep coefficients of one contact ellipse.
@@ -44,14 +44,13 @@ impl<F: Plain> LinearCoefficients<F> {
     /// `a/b ≥ 5`, where the reference is known to about 1 %). Beyond that range the slender asymptotes
     /// take over.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn at(axis_ratio: F, poisson_ratio: F) -> Self {
-        Self::at_inline(axis_ratio, poisson_ratio)
+        once!(F, Self::quotients(axis_ratio, poisson_ratio))
     }
 
-    #[cfg_attr(target_os = "none", inline(never))]
-    #[cfg_attr(not(target_os = "none"), inline(always))]
-    pub(crate) fn at_inline(axis_ratio: F, poisson_ratio: F) -> Self {
+    #[inline(always)]
+    fn quotients(axis_ratio: F, poisson_ratio: F) -> Self {
         let one = F::one();
         let pair = |p: F, q: F| <F::Pair as Pair<F>>::of(p, q);
         let both = |x: F| <F::Pair as Pair<F>>::both(x);

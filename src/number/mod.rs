@@ -340,6 +340,19 @@ macro_rules! either {
 }
 pub(crate) use either;
 
+/// `once!(T, code)`: code that is there once for each kind of number `T`, whoever calls it. That of numbers side by side stands
+/// inside their caller, who alone may use their registers.
+macro_rules! once {
+    ($T:ident, $code:expr) => {{
+        #[inline(never)]
+        fn apart<R>(code: impl FnOnce() -> R) -> R {
+            code()
+        }
+        if <$T as crate::number::Number>::LANES > 1 { $code } else { apart(|| $code) }
+    }};
+}
+pub(crate) use once;
+
 /// A number that the theory can be evaluated with. Comparisons look at the value only.
 pub trait Real: Number<Base: Float> + PartialEq + PartialOrd + Elementary {}
 

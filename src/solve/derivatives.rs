@@ -116,7 +116,13 @@ fn differentiated<F: Precision>(
     ordinary: bool,
 ) -> (Solution<F>, Derivatives<F>) {
     match view.kernel {
-        KernelView::Linear(stiffness) => linear(view, stiffness, creepage, ordinary),
+        // (whose answer needs no other model)
+        KernelView::Linear(stiffness) => linear(
+            &View { kernel: KernelView::Linear(stiffness), ..*view },
+            stiffness,
+            creepage,
+            ordinary,
+        ),
         _ if view.frame.contact.friction_bound() > F::zero() => {
             saturating(view, creepage, ordinary)
         }
@@ -187,6 +193,7 @@ fn sliding<F: Precision>(
 }
 
 /// The linear theory: the derivatives are its coefficients.
+#[inline(always)]
 fn linear<F: Precision>(
     view: &View<F>,
     &[x, y, coupling, z]: &[F; 4],

@@ -111,19 +111,19 @@ macro_rules! with_view {
                 $take
             }
             Model::Strip => {
-                let linear = LinearCoefficients::at_inline(ratio, poisson_ratio);
+                let linear = LinearCoefficients::at(ratio, poisson_ratio);
                 let strips = PreparedStrips::new(ratio, poisson_ratio, &linear, options.strips);
                 let $view = View { frame, model, kernel: KernelView::Strip(&strips) };
                 $take
             }
             Model::Total => {
-                let linear = LinearCoefficients::at_inline(ratio, poisson_ratio);
+                let linear = LinearCoefficients::at(ratio, poisson_ratio);
                 let total = total::Prepared::new(ratio, poisson_ratio, &linear);
                 let $view = View { frame, model, kernel: KernelView::Total(&total) };
                 $take
             }
             Model::Linear => {
-                let linear = LinearCoefficients::at_inline(ratio, poisson_ratio);
+                let linear = LinearCoefficients::at(ratio, poisson_ratio);
                 let stiffness = frame.stiffness(&linear);
                 let $view = View { frame, model, kernel: KernelView::Linear(&stiffness) };
                 $take
@@ -203,38 +203,14 @@ impl<F: StripTotals> View<'_, F> {
     #[inline(always)]
     pub(crate) fn totals<T: Number<Base = F>>(&self, parameters: &Parameters<T>) -> Totals<T> {
         match self.kernel {
-            // (the code of one rule alone is half as large; with derivatives it is one for both)
-            KernelView::Strip1967(rule) if T::HAS_DERIVATIVES => by_theory(parameters, rule),
-            KernelView::Strip1967(SlidingRule::RigidSlip) => by_rigid_slip(parameters),
-            KernelView::Strip1967(rule) => by_theory(parameters, rule),
-            KernelView::Strip(strips) => by_strips(strips, self.frame.units.normalised(parameters)),
+            KernelView::Strip1967(rule) => strip_1967::totals(parameters, rule),
+            KernelView::Strip(strips) => {
+                F::strip_totals(strips, self.frame.units.normalised(parameters))
+            }
             KernelView::Total(total) => total.totals(self.frame.units.normalised(parameters)),
             KernelView::Linear(_) => Totals::nothing(),
         }
     }
-}
-
-// On microcontrollers each model's code is there once: flash is short.
-
-#[cfg_attr(target_os = "none", inline(never))]
-#[cfg_attr(not(target_os = "none"), inline(always))]
-fn by_theory<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Totals<T> {
-    strip_1967::totals(parameters, rule)
-}
-
-#[cfg_attr(target_os = "none", inline(never))]
-#[cfg_attr(not(target_os = "none"), inline(always))]
-fn by_rigid_slip<T: Number>(parameters: &Parameters<T>) -> Totals<T> {
-    strip_1967::totals(parameters, SlidingRule::RigidSlip)
-}
-
-#[cfg_attr(target_os = "none", inline(never))]
-#[cfg_attr(not(target_os = "none"), inline(always))]
-fn by_strips<T: Number<Base: StripTotals>>(
-    strips: &PreparedStrips<T::Base>,
-    creepage: [T; 3],
-) -> Totals<T> {
-    T::Base::strip_totals(strips, creepage)
 }
 
 impl<F: Precision> Prepared<F> {

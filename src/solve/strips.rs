@@ -92,7 +92,7 @@ pub fn strips<F: Precision>(
     };
     if options.model == Model::Strip {
         let Parameters { axis_ratio, poisson_ratio, .. } = parameters;
-        let linear = LinearCoefficients::at_inline(axis_ratio, poisson_ratio);
+        let linear = LinearCoefficients::at(axis_ratio, poisson_ratio);
         let law = PreparedStrips::new(axis_ratio, poisson_ratio, &linear, options.strips);
         place_rolling(&law, parameters.normalised(), options.strips, &mut share);
     } else {

@@ -7,7 +7,7 @@ use super::constants::{SATURATION, WIDTH, WIDTH2};
 use super::kernel::Seen;
 use super::network::{INPUTS, Network};
 use crate::linear::LinearCoefficients;
-use crate::number::{Arithmetic, Number, Pair, Plain};
+use crate::number::{Arithmetic, Number, Pair, Plain, once};
 use core::f64::consts::PI;
 
 /// Creepages beyond this are scaled down together: full sliding. Fourth powers still fit an `f32`.
@@ -72,9 +72,18 @@ pub struct StripGeometry<F> {
 
 impl<F: Plain> Prepared<F> {
     /// `axis_ratio` is `a/b`, `linear` the coefficients for it, `factors` those of [`super::Rule`], or 1.
-    #[cfg_attr(target_os = "none", inline(never))]
-    #[cfg_attr(not(target_os = "none"), inline(always))]
+    #[inline(always)]
     pub fn new(
+        axis_ratio: F,
+        poisson_ratio: F,
+        linear: &LinearCoefficients<F>,
+        factors: [F; 2],
+    ) -> Self {
+        once!(F, Self::of_contact(axis_ratio, poisson_ratio, linear, factors))
+    }
+
+    #[inline(always)]
+    fn of_contact(
         axis_ratio: F,
         poisson_ratio: F,
         linear: &LinearCoefficients<F>,
@@ -99,9 +108,13 @@ impl<F: Plain> Prepared<F> {
     ///
     /// Fitted for `a/b` 0.1 to 10, `ν` 0 to 1/2 and `|ψ| = (π/3) √(a/b) |φ| ≤ 3`; beyond that finite, bounded and
     /// with the right limits.
-    #[cfg_attr(target_os = "none", inline(never))]
-    #[cfg_attr(not(target_os = "none"), inline(always))]
+    #[inline(always)]
     pub fn see<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Law<T> {
+        once!(T, self.seen(creepage))
+    }
+
+    #[inline(always)]
+    pub(super) fn seen<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Law<T> {
         const K: f64 = 8.0 / (3.0 * PI);
         const LIMIT: f64 = SATURATION * SATURATION * SATURATION * SATURATION;
         let creepage = scaled_down(creepage, CREEPAGE_LIMIT);

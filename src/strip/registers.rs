@@ -120,7 +120,7 @@ fn registers(eight: Two<F64x4>) -> [f64; 8] {
 fn totals<T: Number<Base = f64>>(strips: &PreparedStrips<f64>, creepage: [T; 3]) -> Totals<T> {
     #[target_feature(enable = "avx")]
     fn wide<T: Number<Base = f64>>(strips: &PreparedStrips<f64>, creepage: [T; 3]) -> Totals<T> {
-        let law = strips.contact.see(creepage);
+        let law = strips.contact.seen(creepage);
         let seen = law.value();
         let sums = if T::HAS_DERIVATIVES {
             strips.sums::<One, true>(&seen)

@@ -24,13 +24,13 @@ fn of_kind<F: Plain>(couple: &[F::Stored; 2], inner: bool) -> F {
 }
 
 /// What a strip carries.
-#[cfg_attr(target_os = "none", inline(never))]
+#[inline(never)]
 fn solved<F: Plain>(seen: &Seen<F>, spin: &Spin<F>, inner: bool) -> Carried<F> {
     forces(seen, spin, &constants(inner), |_, _| ()).0
 }
 
 /// What a strip carries, with derivatives.
-#[cfg_attr(target_os = "none", inline(never))]
+#[inline(never)]
 fn differentiated<F: Plain>(
     seen: &Seen<F>,
     spin: &Spin<F>,

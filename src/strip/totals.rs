@@ -8,7 +8,7 @@ use super::single;
 use super::tables::{FourStrips, Rule, STRIP_FIELDS, Tables};
 use crate::contact::forces::{StripCount, Totals};
 use crate::linear::LinearCoefficients;
-use crate::number::{Arithmetic, Float, Number, Plain, Quad};
+use crate::number::{Arithmetic, Float, Number, Plain, Quad, once};
 
 /// Power over that of the linear theory divided by `√(1 + n²)`: never below this.
 const FLOOR: f64 = 0.2;
@@ -30,7 +30,7 @@ pub trait StripTotals: Plain {
         strips: &PreparedStrips<Self>,
         creepage: [T; 3],
     ) -> Totals<T> {
-        strips.totals(creepage)
+        once!(T, strips.totals(creepage))
     }
     /// What any eight strips carry that see `A_x, A_y, σ`, the spread and the start, each with its share of the inner nodes.
     #[inline(always)]

@@ -10,7 +10,7 @@
 
 use crate::contact::creepage::Parameters;
 use crate::contact::forces::Totals;
-use crate::number::{Arithmetic, Nodes, Number, Pair, Plain, Stored, chosen, either};
+use crate::number::{Arithmetic, Nodes, Number, Pair, Plain, Stored, chosen, either, once};
 use crate::strip_1967::Motion;
 use crate::strip_1967::edge::{self, Arc, Edge};
 use crate::strip_1967::sliding::{arcsinh, rounded, sliding};
@@ -98,6 +98,15 @@ pub(super) fn turned_back<T: Number>(motion: &Motion<T>, shares: Shares<T>) -> T
 #[must_use]
 #[inline(always)]
 pub fn totals<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Totals<T> {
+    // (the code of one rule alone is half as large; with derivatives it is one for both)
+    if rule == SlidingRule::RigidSlip && !T::HAS_DERIVATIVES {
+        return once!(T, integrals(parameters, SlidingRule::RigidSlip));
+    }
+    once!(T, integrals(parameters, rule))
+}
+
+#[inline(always)]
+fn integrals<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Totals<T> {
     let motion = Motion::new(parameters, rule);
     let short = || without_spin(&motion.values());
     let shares = if T::HAS_DERIVATIVES {

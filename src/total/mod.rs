@@ -27,7 +27,7 @@ use self::network::Network;
 use self::rigid_slip::RigidSlip;
 use crate::contact::forces::Totals;
 use crate::linear::LinearCoefficients;
-use crate::number::{Arithmetic, Number, Pair, Plain, Stored};
+use crate::number::{Arithmetic, Number, Pair, Plain, Stored, once};
 
 /// Axis ratios that the formulas are evaluated with; fitted are 0.07 to 14.
 const RATIO_LIMIT: f64 = 1e3;
@@ -83,9 +83,13 @@ impl<F: Plain> Prepared<F> {
     ///
     /// Made for `a/b` 0.05 to 20 and `ν` 0 to 1/2; finite and with the right limits beyond.
     #[must_use]
-    #[cfg_attr(target_os = "none", inline(never))]
-    #[cfg_attr(not(target_os = "none"), inline(always))]
+    #[inline(always)]
     pub fn new(axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>) -> Self {
+        once!(F, Self::of_contact(axis_ratio, poisson_ratio, linear))
+    }
+
+    #[inline(always)]
+    fn of_contact(axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>) -> Self {
         let g = axis_ratio.clamped(F::of(1.0 / RATIO_LIMIT), F::of(RATIO_LIMIT));
         let inverse = F::one() / g;
         let (root, both) = (g.sqrt(), g + inverse);
@@ -116,9 +120,13 @@ impl<F: Plain> Prepared<F> {
 
     /// Totals for creepages `vx, vy = G a b (υx, υy)/(μ N)` and spin `φ = G (a b)^{3/2} ϕ/(μ N)`. The stick area is not known.
     #[must_use]
-    #[cfg_attr(target_os = "none", inline(never))]
-    #[cfg_attr(not(target_os = "none"), inline(always))]
+    #[inline(always)]
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
+        once!(T, self.two_answers(creepage))
+    }
+
+    #[inline(always)]
+    fn two_answers<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
         let one = T::one();
         let LinearCoefficients { c11, c22, c23, c33 } = self.linear;
         let [vx, vy, phi] = within_range(creepage, [c11, c22, self.spin_slope]);
