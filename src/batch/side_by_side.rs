@@ -1,20 +1,27 @@
 //! Many contacts at once where the processor has registers of 256 bits (AVX): four contacts side by side in double
 //! precision, eight in single precision.
 //!
-//! The road is that of one contact ([`View`](crate::solve::prepared::View)), with the numbers of `number::lanes`, whose bits are those of plain numbers.
+//! The road is that of one contact ([`View`](crate::solve::prepared::View)), with the numbers of `number::lanes`, whose bits are those of plain numbers;
+//! each model has code of its own, compiled for these registers.
 
 #![allow(unsafe_code)]
 
 use crate::batch::{self, check};
 use crate::contact::Contact;
-use crate::contact::creepage::Creepage;
+use crate::contact::creepage::{Creepage, Parameters};
+use crate::contact::forces::{StripCount, Totals};
+use crate::linear::LinearCoefficients;
 use crate::number::lanes::{F32x8, F64x4, Lanes};
-use crate::number::{Arithmetic, length};
+use crate::number::{Arithmetic, Plain, length};
 use crate::solve::check::is_sound;
 use crate::solve::model::{Model, Options, Precision, Solution};
-use crate::solve::prepared::{Forces, LARGEST_SPIN, RATIOS, linear_notice, notice, with_view};
+use crate::solve::prepared::{
+    Forces, Frame, LARGEST_SPIN, RATIOS, linear_forces, linear_notice, notice,
+};
 use crate::status::{Error, Notice};
-use crate::strip::StripTotals;
+use crate::strip::PreparedStrips;
+use crate::strip_1967::{self, strip::SlidingRule};
+use crate::total;
 use core::sync::atomic::{AtomicU8, Ordering};
 
 /// Floating-point types that may fill wide registers.
@@ -79,52 +86,29 @@ fn ask() -> bool {
     features & SWITCHED_ON != 0 && features & AVX != 0 && unsafe { kept() } & REGISTERS == REGISTERS
 }
 
-// The model as a constant, so that a piece of code has nothing of the other models in it.
-const STRIP_1967: i32 = Model::Strip1967 as i32;
-const CONTINUOUS: i32 = Model::Strip1967Continuous as i32;
-const STRIP: i32 = Model::Strip as i32;
-const TOTAL: i32 = Model::Total as i32;
-const LINEAR: i32 = Model::Linear as i32;
-
-macro_rules! wide {
-    ($float:ident, $lanes:ident, $count:literal) => {
-        impl Wide for $float {
-            fn solve_wide(
-                count: usize,
-                options: &Options,
-                get: impl Fn(usize) -> (Contact<Self>, Creepage<Self>),
-                put: impl FnMut(usize, Solution<Self>),
-            ) -> Result<Notice, (usize, Error)> {
-                /// One piece of code for each model.
-                #[target_feature(enable = "avx")]
-                fn with_avx<const MODEL: i32>(
-                    count: usize,
-                    options: &Options,
-                    get: impl Fn(usize) -> (Contact<$float>, Creepage<$float>),
-                    put: impl FnMut(usize, Solution<$float>),
-                ) -> Result<Notice, (usize, Error)> {
-                    let model = Model::from_number(MODEL).unwrap_or_default();
-                    solve::<$lanes, $count>(count, &Options { model, ..*options }, get, put)
-                }
-                // SAFETY: the processor has been asked.
-                unsafe {
-                    match options.model {
-                        Model::Total => with_avx::<TOTAL>(count, options, get, put),
-                        Model::Linear => with_avx::<LINEAR>(count, options, get, put),
-                        Model::Strip => with_avx::<STRIP>(count, options, get, put),
-                        Model::Strip1967 => with_avx::<STRIP_1967>(count, options, get, put),
-                        Model::Strip1967Continuous => {
-                            with_avx::<CONTINUOUS>(count, options, get, put)
-                        }
-                    }
-                }
-            }
-        }
-    };
+impl Wide for f64 {
+    fn solve_wide(
+        count: usize,
+        options: &Options,
+        get: impl Fn(usize) -> (Contact<Self>, Creepage<Self>),
+        put: impl FnMut(usize, Solution<Self>),
+    ) -> Result<Notice, (usize, Error)> {
+        // SAFETY: the processor has been asked.
+        unsafe { solve::<F64x4, 4>(count, options, get, put) }
+    }
 }
 
-wide!(f64, F64x4, 4);
-wide!(f32, F32x8, 8);
+impl Wide for f32 {
+    fn solve_wide(
+        count: usize,
+        options: &Options,
+        get: impl Fn(usize) -> (Contact<Self>, Creepage<Self>),
+        put: impl FnMut(usize, Solution<Self>),
+    ) -> Result<Notice, (usize, Error)> {
+        // SAFETY: the processor has been asked.
+        unsafe { solve::<F32x8, 8>(count, options, get, put) }
+    }
+}
 
 /// Contacts side by side.
 #[inline(always)]
@@ -153,8 +137,8 @@ fn group<L: Lanes<N>, const N: usize>(
     )
 }
 
-#[inline(always)]
-fn solve<L: Lanes<N> + StripTotals, const N: usize>(
+#[target_feature(enable = "avx")]
+fn solve<L: Lanes<N>, const N: usize>(
     count: usize,
     options: &Options,
     get: impl Fn(usize) -> (Contact<L::Stored>, Creepage<L::Stored>),
@@ -200,8 +184,8 @@ struct Together<L, const N: usize> {
 }
 
 /// Checked contacts that are loaded and plausible.
-#[inline(always)]
-fn solve_group<L: Lanes<N> + StripTotals, const N: usize>(
+#[target_feature(enable = "avx")]
+fn solve_group<L: Lanes<N>, const N: usize>(
     contact: &Contact<L>,
     creepage: &Creepage<L>,
     options: &Options,
@@ -209,14 +193,22 @@ fn solve_group<L: Lanes<N> + StripTotals, const N: usize>(
 where
     L::Stored: Precision,
 {
-    let model = options.model;
-    let (Forces { fx, fy, mz, adhesion }, psi) =
-        with_view!(contact, options, |view| view.forces(creepage));
+    let (model, frame) = (options.model, Frame::of(contact));
     let bound = contact.friction_bound();
-    let notices = if model == Model::Linear {
-        linear_notices(length(fx, fy), bound)
+    let (Forces { fx, fy, mz, adhesion }, notices) = if model == Model::Linear {
+        let forces = by_linear(&frame, creepage);
+        let notices = linear_notices(length(forces.fx, forces.fy), bound);
+        (forces, notices)
     } else {
-        notices(model, bound, contact.a / contact.b, psi)
+        let parameters = frame.units.parameters(creepage);
+        let totals = match model {
+            Model::Strip1967 => by_theory::<L, false>(&parameters),
+            Model::Strip1967Continuous => by_theory::<L, true>(&parameters),
+            Model::Strip => by_strips(&frame, &parameters, options.strips),
+            _ => by_total(&frame, &parameters),
+        };
+        let notices = notices(model, bound, frame.axis_ratio(), parameters.psi);
+        (frame.forces(totals), notices)
     };
     let Creepage { longitudinal, lateral, spin } = *creepage;
     let power = creepage.power([fx, fy, mz]);
@@ -227,6 +219,42 @@ where
     let [fx, fy, mz, power] = L::each(&[fx, fy, mz, power], |x| motion.choose(*x, zero));
     let adhesion = motion.choose(adhesion, resting);
     Together { quantities: [fx, fy, mz, power, adhesion], notices }
+}
+
+#[target_feature(enable = "avx")]
+#[inline(never)]
+fn by_theory<L: Plain, const CONTINUOUS: bool>(parameters: &Parameters<L>) -> Totals<L> {
+    let rule = if CONTINUOUS { SlidingRule::Continuous } else { SlidingRule::RigidSlip };
+    strip_1967::totals(parameters, rule)
+}
+
+#[target_feature(enable = "avx")]
+#[inline(never)]
+fn by_strips<L: Plain>(
+    frame: &Frame<L>,
+    parameters: &Parameters<L>,
+    count: StripCount,
+) -> Totals<L> {
+    let (ratio, poisson_ratio) = (frame.axis_ratio(), frame.contact.poisson_ratio);
+    let linear = LinearCoefficients::at(ratio, poisson_ratio);
+    let strips = PreparedStrips::new(ratio, poisson_ratio, &linear, count);
+    strips.totals(frame.units.normalised(parameters))
+}
+
+#[target_feature(enable = "avx")]
+#[inline(never)]
+fn by_total<L: Plain>(frame: &Frame<L>, parameters: &Parameters<L>) -> Totals<L> {
+    let (ratio, poisson_ratio) = (frame.axis_ratio(), frame.contact.poisson_ratio);
+    let linear = LinearCoefficients::at(ratio, poisson_ratio);
+    let total = total::Prepared::new(ratio, poisson_ratio, &linear);
+    total.totals(frame.units.normalised(parameters))
+}
+
+#[target_feature(enable = "avx")]
+#[inline(never)]
+fn by_linear<L: Plain>(frame: &Frame<L>, creepage: &Creepage<L>) -> Forces<L> {
+    let linear = LinearCoefficients::at(frame.axis_ratio(), frame.contact.poisson_ratio);
+    linear_forces(&frame.stiffness(&linear), creepage)
 }
 
 #[inline(always)]

@@ -27,7 +27,7 @@ use crate::contact::forces::Totals;
 use crate::number::Float;
 use crate::solve::check::is_ordinary;
 use crate::solve::model::{Model, Options, Precision, Solution};
-use crate::solve::prepared::{Forces, Frame, KernelView, View, with_view};
+use crate::solve::prepared::{Frame, KernelView, View, with_view};
 use crate::status::Error;
 use nalgebra::Matrix3;
 
@@ -144,12 +144,9 @@ fn saturating<F: Precision>(
     let parameters = units.parameters(&creepage.inputs());
     let Totals { fx, fy, mz, stick } = view.totals(&parameters);
     let bound = contact.friction_bound();
-    let forces = view.at_rest(creepage).unwrap_or(Forces {
-        fx: fx.value * bound,
-        fy: fy.value * bound,
-        mz: mz.value * (bound * *radius),
-        adhesion: stick.value,
-    });
+    let [of_x, of_y, of_z, stick] = [fx, fy, mz, stick].map(|number| number.value);
+    let found = view.frame.forces(Totals { fx: of_x, fy: of_y, mz: of_z, stick });
+    let forces = view.at_rest(creepage).unwrap_or(found);
     let solution = view.solution(creepage, &forces, parameters.psi.value, ordinary);
 
     let Creepage { longitudinal, lateral, spin } = *creepage;

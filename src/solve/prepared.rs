@@ -46,6 +46,14 @@ impl<F: Plain> Frame<F> {
         self.units.axis_ratio()
     }
 
+    /// From `F/(μ N)`, `M_z/(μ N √(ab))`.
+    #[inline(always)]
+    pub(crate) fn forces(&self, totals: Totals<F>) -> Forces<F> {
+        let bound = self.contact.friction_bound();
+        let Totals { fx, fy, mz, stick } = totals;
+        Forces { fx: fx * bound, fy: fy * bound, mz: mz * (bound * self.radius), adhesion: stick }
+    }
+
     /// `G a b C11`, `G a b C22`, `G (ab)^{3/2} C23`, `G (ab)² C33`
     #[inline(always)]
     pub(crate) fn stiffness(&self, linear: &LinearCoefficients<F>) -> [F; 4] {
@@ -54,6 +62,22 @@ impl<F: Plain> Frame<F> {
         let lever = stiffness * self.radius;
         let entries = [stiffness * c11, stiffness * c22, lever * c23, lever * self.radius * c33];
         F::each(&entries, |entry| entry.min(F::LARGEST))
+    }
+}
+
+/// Forces of the linear theory from `G a b C11`, `G a b C22`, `G (ab)^{3/2} C23`, `G (ab)² C33`.
+#[inline(always)]
+pub(crate) fn linear_forces<F: Plain>(
+    [x, y, coupling, z]: &[F; 4],
+    creepage: &Creepage<F>,
+) -> Forces<F> {
+    // F_x = G a b C11 υx, F_y = G a b (C22 υy + √(ab) C23 φ), M_z = G (ab)^{3/2} (√(ab) C33 φ − C23 υy)
+    let Creepage { longitudinal, lateral, spin } = *creepage;
+    Forces {
+        fx: longitudinal * *x,
+        fy: lateral * *y + spin * *coupling,
+        mz: spin * *z - lateral * *coupling,
+        adhesion: F::one(),
     }
 }
 
@@ -175,28 +199,12 @@ impl<F: Plain> KernelView<'_, F> {
 impl<F: StripTotals> View<'_, F> {
     /// Forces, and the spin parameter `ψ`.
     #[inline(always)]
-    pub(crate) fn forces<T: Number<Base = F>>(&self, creepage: &Creepage<T>) -> (Forces<T>, T) {
-        if let KernelView::Linear([x, y, coupling, z]) = self.kernel {
-            // F_x = G a b C11 υx, F_y = G a b (C22 υy + √(ab) C23 φ), M_z = G (ab)^{3/2} (√(ab) C33 φ − C23 υy)
-            let Creepage { longitudinal, lateral, spin } = *creepage;
-            let forces = Forces {
-                fx: longitudinal.scale(*x),
-                fy: lateral.scale(*y) + spin.scale(*coupling),
-                mz: spin.scale(*z) - lateral.scale(*coupling),
-                adhesion: T::one(),
-            };
-            return (forces, T::zero());
+    fn forces(&self, creepage: &Creepage<F>) -> (Forces<F>, F) {
+        if let KernelView::Linear(stiffness) = self.kernel {
+            return (linear_forces(stiffness, creepage), F::zero());
         }
         let parameters = self.frame.units.parameters(creepage);
-        let bound = self.frame.contact.friction_bound();
-        let Totals { fx, fy, mz, stick } = self.totals(&parameters);
-        let forces = Forces {
-            fx: fx.scale(bound),
-            fy: fy.scale(bound),
-            mz: mz.scale(bound * self.frame.radius),
-            adhesion: stick,
-        };
-        (forces, parameters.psi)
+        (self.frame.forces(self.totals(&parameters)), parameters.psi)
     }
 
     /// Forces of a model with a friction bound, in units of it: `F/(μ N)`, `M_z/(μ N √(ab))`.

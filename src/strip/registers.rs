@@ -7,7 +7,7 @@ use super::tables::FourStrips;
 use super::totals::{Group, PreparedStrips, StripTotals, both_sides};
 use crate::batch::side_by_side::available;
 use crate::contact::forces::Totals;
-use crate::number::lanes::{F32x8, F64x4, Lanes};
+use crate::number::lanes::{F64x4, Lanes};
 use crate::number::pairs::Two;
 use crate::number::{Number, Plain};
 
@@ -76,8 +76,6 @@ impl<R: Group<f64>> Group<f64> for Twice<R> {
     }
 }
 
-impl StripTotals for F64x4 {}
-impl StripTotals for F32x8 {}
 impl StripTotals for f64 {
     #[inline(always)]
     fn strip_totals<T: Number<Base = f64>>(
