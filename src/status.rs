@@ -84,7 +84,6 @@ impl Error {
 
     /// The one with the larger code.
     #[must_use]
-    #[inline(always)]
     pub const fn worse(self, other: Self) -> Self {
         if other.code() > self.code() { other } else { self }
     }
@@ -156,7 +155,6 @@ impl Notice {
 
     /// The one with the larger code.
     #[must_use]
-    #[inline(always)]
     pub const fn worse(self, other: Self) -> Self {
         if other.code() > self.code() { other } else { self }
     }

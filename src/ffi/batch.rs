@@ -46,7 +46,6 @@ pub(super) struct Batch<'a, F: Precision> {
 
 /// # Safety
 /// `first` is valid for reading at this index.
-#[inline(always)]
 unsafe fn read<T: Copy>(first: *const T, stride: isize, i: usize) -> T {
     // SAFETY: the caller's promise.
     unsafe { first.byte_offset(stride.wrapping_mul(i as isize)).read() }
@@ -54,7 +53,6 @@ unsafe fn read<T: Copy>(first: *const T, stride: isize, i: usize) -> T {
 
 /// # Safety
 /// `first` is NULL, or valid for writing at this index.
-#[inline(always)]
 unsafe fn write<T>(first: *mut T, stride: isize, i: usize, value: T) {
     if !first.is_null() {
         // SAFETY: the caller's promise.
@@ -131,7 +129,6 @@ impl<F: Precision> Batch<'_, F> {
     }
 
     /// Contact and creepage of a number below the count.
-    #[inline(always)]
     fn get(&self, i: usize) -> (Contact<F>, Creepage<F>) {
         let from = self.inputs;
         // SAFETY: the promise of `solve`.
@@ -153,7 +150,6 @@ impl<F: Precision> Batch<'_, F> {
         }
     }
 
-    #[inline(always)]
     fn put(&self, i: usize, solution: &Solution<F>) {
         let Solution { fx, fy, mz, power, adhesion, notice, .. } = *solution;
         let Self { inputs, outputs: to, .. } = self;

@@ -45,7 +45,6 @@ pub(crate) const CURVATURE: Edge<6, 6> = Edge {
 
 impl<const P: usize, const Q: usize> Edge<P, Q> {
     /// The value and `t` times its slope, at a positive `t` whose logarithm is known.
-    #[inline(always)]
     pub(crate) fn at<F: Float>(&self, t: F, log: F) -> [F; 2] {
         let w = F::one() / t.plus(1.0);
         let v = t * w;
@@ -59,7 +58,6 @@ impl<const P: usize, const Q: usize> Edge<P, Q> {
 }
 
 /// `Σ c_i xⁱ` and its derivative.
-#[inline(always)]
 fn with_slope<F: Float, const N: usize>(coefficients: &[f64; N], x: F) -> [F; 2] {
     coefficients.iter().rev().fold([F::zero(); 2], |[sum, slope], coefficient| {
         [(sum * x).plus(*coefficient), slope * x + sum]

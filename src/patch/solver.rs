@@ -49,7 +49,6 @@ struct Share<T: Real> {
 
 impl<T: Real> Share<T> {
     /// From forces over the strip's friction bound, and the moment about its centre in half lengths.
-    #[inline(always)]
     fn new(
         strip: &PatchStrip<T::Base>,
         carried: &Carried<T>,

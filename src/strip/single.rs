@@ -13,12 +13,10 @@ use crate::number::{Plain, Stored};
 type SlopesOf<F> = [[F; 5]; 3];
 
 /// Constants for the inner or the outer kind of nodes.
-#[inline(always)]
 fn constants<F: Plain>(inner: bool) -> Tables<F::Stored, impl Fn(&[F::Stored; 2]) -> F> {
     Tables::new(move |couple: &[F::Stored; 2]| of_kind(couple, inner))
 }
 
-#[inline(always)]
 fn of_kind<F: Plain>(couple: &[F::Stored; 2], inner: bool) -> F {
     F::stored(couple.get(usize::from(inner)).copied().unwrap_or(couple[0]))
 }
@@ -41,7 +39,6 @@ fn differentiated<F: Plain>(
 }
 
 /// The fields of a strip of a four, `[Y₀, Y₁, −Y₀, −Y₁]`.
-#[inline(always)]
 pub(super) fn fields_of<F: Plain>(four: &FourStrips<Stored<F>>, lane: usize) -> [F; STRIP_FIELDS] {
     let sign = if lane >= 2 { -F::one() } else { F::one() };
     fields(|of, odd| {
@@ -51,7 +48,6 @@ pub(super) fn fields_of<F: Plain>(four: &FourStrips<Stored<F>>, lane: usize) -> 
 }
 
 /// What a strip of a four carries.
-#[inline(always)]
 pub(super) fn strip<F: Plain>(
     strips: &Together<F>,
     fields: &[F; STRIP_FIELDS],
@@ -66,7 +62,6 @@ fn is_inner(lane: usize) -> bool {
 
 /// Sums over strips in the order of [`super::PreparedStrips::sums`]: chains of every fourth four, each lane apart, and of four
 /// chains or lanes `(c₀ + c₂) + (c₁ + c₃)`.
-#[inline(always)]
 fn added_up<F: Plain, const ROWS: usize>(
     fours: &[FourStrips<Stored<F>>],
     own: impl Fn(&FourStrips<Stored<F>>, usize) -> [[F; 6]; ROWS],
@@ -97,7 +92,6 @@ fn added_up<F: Plain, const ROWS: usize>(
 }
 
 /// The sums over the strips of an ellipse.
-#[inline(always)]
 pub(super) fn sums<F: Plain, const SLOPES: bool>(
     contact: &Prepared<F>,
     fours: &[FourStrips<Stored<F>>],
@@ -129,7 +123,6 @@ pub(super) fn sums<F: Plain, const SLOPES: bool>(
 }
 
 /// Eight strips that have nothing in common, each with its share of the inner strips' nodes.
-#[inline(always)]
 pub(super) fn eight<F: Plain, const SLOPES: bool>(
     seen: [[F; 8]; 5],
     inner: [F; 8],
