@@ -57,8 +57,9 @@ macro_rules! plain {
             fn binary_quotient(self, divisor: Self) -> (Self, Self) {
                 // the bits of a floating-point number, read as an integer, are its binary logarithm to 0.043
                 let (p, q) = (self.to_bits() as $integer, divisor.to_bits() as $integer);
-                let k = (p - q + (1 << ($mantissa - 1))) >> $mantissa;
-                (k as $float, $float::from_bits((q + (k << $mantissa)) as _))
+                // (whoever computes both sides of a branch may ask for those of any sign)
+                let k = p.wrapping_sub(q).wrapping_add(1 << ($mantissa - 1)) >> $mantissa;
+                (k as $float, $float::from_bits(q.wrapping_add(k << $mantissa) as _))
             }
             #[inline(always)]
             fn lies_between(self, low: Self, high: Self) -> bool {

@@ -173,3 +173,18 @@ fn errors_against_200_bits_are_the_known_ones() {
         );
     }
 }
+
+/// Of numbers side by side some have nothing to do with what is asked for: the integers that are made of them do not overflow.
+#[test]
+fn the_binary_quotient_of_any_two_numbers_is_a_whole_number() {
+    fn check<F: Float>(numbers: &[F]) {
+        for p in numbers {
+            for q in numbers {
+                let (k, _) = p.binary_quotient(*q);
+                assert!(k.is_finite_number() && k == F::of(f64::from(k.whole())), "{p:?} {q:?}");
+            }
+        }
+    }
+    check(&[1.0, -1.0, 0.0, -0.0, f64::MAX, -f64::MAX, f64::NAN, -f64::INFINITY, 5e-324]);
+    check(&[1.0, -1.0, 0.0, -0.0, f32::MAX, -f32::MAX, f32::NAN, -f32::INFINITY, 1e-45]);
+}
