@@ -198,5 +198,5 @@ fn solve_inline<F: Precision>(
     if contact.is_lost() {
         return Ok(Solution::nothing());
     }
-    Ok(with_view!(contact, options, |view| view.answer(creepage, ordinary)))
+    with_view(contact, options, |view| Ok(view.answer(creepage, ordinary)))
 }

@@ -1,7 +1,7 @@
 //! A contact, ready for creepages: everything that does not depend on the motion, computed once.
 //!
-//! The one way from a contact and a creepage to forces, for numbers, their derivatives, and several contacts side by side:
-//! `with_view!`, then `View::forces`.
+//! The one way from a contact and a creepage to forces, for numbers and their derivatives:
+//! [`with_view`], then [`View::answer`].
 
 use crate::contact::creepage::{Creepage, Parameters, Units};
 use crate::contact::forces::Totals;
@@ -117,45 +117,35 @@ impl<F: Plain> Prepared<F> {
     }
 }
 
-/// `with_view!(contact, options, |view| …)`: what is made of a checked contact, prepared where it stands. Written once for each
-/// kind of kernel, so that a model that the compiler knows is the only one there.
-macro_rules! with_view {
-    ($contact:expr, $options:expr, |$view:ident| $take:expr) => {{
-        use crate::linear::LinearCoefficients;
-        use crate::solve::prepared::{Frame, KernelView, View, sliding_rule};
-        use crate::strip::PreparedStrips;
-        use crate::total;
-        let (contact, options): (&Contact<_>, &Options) = ($contact, $options);
-        let (frame, model) = (&Frame::of(contact), options.model);
-        let (ratio, poisson_ratio) = (frame.axis_ratio(), contact.poisson_ratio);
-        match model {
-            Model::Strip1967 | Model::Strip1967Continuous => {
-                let kernel = KernelView::Strip1967(sliding_rule(model));
-                let $view = View { frame, model, kernel };
-                $take
-            }
-            Model::Strip => {
-                let linear = LinearCoefficients::at(ratio, poisson_ratio);
-                let strips = PreparedStrips::new(ratio, poisson_ratio, &linear, options.strips);
-                let $view = View { frame, model, kernel: KernelView::Strip(&strips) };
-                $take
-            }
-            Model::Total => {
-                let linear = LinearCoefficients::at(ratio, poisson_ratio);
-                let total = total::Prepared::new(ratio, poisson_ratio, &linear);
-                let $view = View { frame, model, kernel: KernelView::Total(&total) };
-                $take
-            }
-            Model::Linear => {
-                let linear = LinearCoefficients::at(ratio, poisson_ratio);
-                let stiffness = frame.stiffness(&linear);
-                let $view = View { frame, model, kernel: KernelView::Linear(&stiffness) };
-                $take
-            }
+/// What is made of a checked contact, prepared where it stands. Written once for each kind of kernel, so that a model that the
+/// compiler knows is the only one there.
+#[inline(always)]
+pub(crate) fn with_view<F: Precision, R>(
+    contact: &Contact<F>,
+    options: &Options,
+    take: impl FnOnce(View<F>) -> R,
+) -> R {
+    let (frame, model) = (&Frame::of(contact), options.model);
+    let (ratio, poisson_ratio) = (frame.axis_ratio(), contact.poisson_ratio);
+    let linear = || LinearCoefficients::at(ratio, poisson_ratio);
+    match model {
+        Model::Strip1967 | Model::Strip1967Continuous => {
+            take(View { frame, model, kernel: KernelView::Strip1967(sliding_rule(model)) })
         }
-    }};
+        Model::Strip => {
+            let strips = PreparedStrips::new(ratio, poisson_ratio, &linear(), options.strips);
+            take(View { frame, model, kernel: KernelView::Strip(&strips) })
+        }
+        Model::Total => {
+            let total = total::Prepared::new(ratio, poisson_ratio, &linear());
+            take(View { frame, model, kernel: KernelView::Total(&total) })
+        }
+        Model::Linear => {
+            let stiffness = frame.stiffness(&linear());
+            take(View { frame, model, kernel: KernelView::Linear(&stiffness) })
+        }
+    }
 }
-pub(crate) use with_view;
 
 /// Of a model of the theory of 1967.
 #[inline(always)]
@@ -197,16 +187,6 @@ impl<F: Plain> KernelView<'_, F> {
 }
 
 impl<F: StripTotals> View<'_, F> {
-    /// Forces, and the spin parameter `ψ`.
-    #[inline(always)]
-    fn forces(&self, creepage: &Creepage<F>) -> (Forces<F>, F) {
-        if let KernelView::Linear(stiffness) = self.kernel {
-            return (linear_forces(stiffness, creepage), F::zero());
-        }
-        let parameters = self.frame.units.parameters(creepage);
-        (self.frame.forces(self.totals(&parameters)), parameters.psi)
-    }
-
     /// Forces of a model with a friction bound, in units of it: `F/(μ N)`, `M_z/(μ N √(ab))`.
     #[inline(always)]
     pub(crate) fn totals<T: Number<Base = F>>(&self, parameters: &Parameters<T>) -> Totals<T> {
@@ -243,7 +223,7 @@ impl<F: Precision> Prepared<F> {
     /// ```
     pub fn new(contact: &Contact<F>, options: &Options) -> Result<Self, Error> {
         contact.check()?;
-        Ok(with_view!(contact, options, |view| Self {
+        Ok(with_view(contact, options, |view| Self {
             frame: *view.frame,
             options: *options,
             kernel: view.kernel.kept(),
@@ -272,7 +252,12 @@ impl<F: Precision> View<'_, F> {
         if let Some(none) = self.at_rest(creepage) {
             return self.solution(creepage, &none, F::zero(), ordinary);
         }
-        let (forces, psi) = self.forces(creepage);
+        let (forces, psi) = if let KernelView::Linear(stiffness) = self.kernel {
+            (linear_forces(stiffness, creepage), F::zero())
+        } else {
+            let parameters = self.frame.units.parameters(creepage);
+            (self.frame.forces(self.totals(&parameters)), parameters.psi)
+        };
         self.solution(creepage, &forces, psi, ordinary)
     }
 

@@ -106,7 +106,8 @@ pub fn adhesion<T: Number>(motion: &Motion<T>) -> (Arc<T>, T) {
     let rest = lambda + p2 + eta2;
     let root = (d * rest + m * m).sqrt();
     // D/d = (m + √(dM))/d = (λ + p² + η²)/(√(dM) − m)
-    let ratio = m.choose(m + root, rest) / m.choose(d, root - m + T::tiny());
+    // (the square below the root may be no number any more)
+    let ratio = m.choose(m + root, rest) / m.choose(d, root - m + least);
     // (p ξ/√M, √d)/√L₀
     let c = (d * scale).sqrt();
     let middle = Edge { y: p * xi * c / (root + T::tiny()), c };

@@ -220,6 +220,23 @@ fn what_every_function_found_stays_repaired() {
         let (result, slopes) = solve_jacobian(&needle, &motion, &o).unwrap();
         assert!(result.fx == 0.0 && result.mz == 0.0 && slopes.iter().all(|s| *s == 0.0));
     }
+    // Unit spin on a needle across: squares below a root were no numbers any more, and forces neither.
+    let across = Contact { a: 1.25e-3, b: 5.6e-101, friction: 5.6e-4, ..wheel };
+    let turning = Creepage { longitudinal: 1.2e-3, lateral: -8.2e-3, spin: f64::MAX };
+    let r = solve(&across, &turning, &reference).unwrap();
+    assert!(
+        [r.fx, r.fy, r.mz, r.power].iter().all(|x| x.is_finite()) && r.adhesion == 0.0,
+        "{r:?}"
+    );
+    // With derivatives a moment that underflows had another sign of zero.
+    let o = options(Model::Strip, StripCount::Sixteen);
+    let faint = Creepage { longitudinal: 1e-3_f32, lateral: 1e-44, spin: -1e-45 };
+    let (r, _) = solve_jacobian(&single, &faint, &o).unwrap();
+    let forces = solve(&single, &faint, &o).unwrap();
+    assert_eq!(
+        [r.fx, r.fy, r.mz].map(f32::to_bits),
+        [forces.fx, forces.fy, forces.mz].map(f32::to_bits)
+    );
     // Creepages whose digits are lost made power negative (a/b does not matter).
     let soft = Contact {
         a: 0.5_f32,
