@@ -86,29 +86,24 @@ fn ask() -> bool {
     features & SWITCHED_ON != 0 && features & AVX != 0 && unsafe { kept() } & REGISTERS == REGISTERS
 }
 
-impl Wide for f64 {
-    fn solve_wide(
-        count: usize,
-        options: &Options,
-        get: impl Fn(usize) -> (Contact<Self>, Creepage<Self>),
-        put: impl FnMut(usize, Solution<Self>),
-    ) -> Result<Notice, (usize, Error)> {
-        // SAFETY: the processor has been asked.
-        unsafe { solve::<F64x4, 4>(count, options, get, put) }
-    }
+macro_rules! wide {
+    ($float:ident, $lanes:ident, $count:literal) => {
+        impl Wide for $float {
+            fn solve_wide(
+                count: usize,
+                options: &Options,
+                get: impl Fn(usize) -> (Contact<Self>, Creepage<Self>),
+                put: impl FnMut(usize, Solution<Self>),
+            ) -> Result<Notice, (usize, Error)> {
+                // SAFETY: the processor has been asked.
+                unsafe { solve::<$lanes, $count>(count, options, get, put) }
+            }
+        }
+    };
 }
 
-impl Wide for f32 {
-    fn solve_wide(
-        count: usize,
-        options: &Options,
-        get: impl Fn(usize) -> (Contact<Self>, Creepage<Self>),
-        put: impl FnMut(usize, Solution<Self>),
-    ) -> Result<Notice, (usize, Error)> {
-        // SAFETY: the processor has been asked.
-        unsafe { solve::<F32x8, 8>(count, options, get, put) }
-    }
-}
+wide!(f64, F64x4, 4);
+wide!(f32, F32x8, 8);
 
 /// Contacts side by side.
 #[inline(always)]

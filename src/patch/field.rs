@@ -2,7 +2,7 @@
 
 use crate::contact::creepage::Creepage;
 use crate::number::Real;
-use crate::patch::solver::{Problem, Units};
+use crate::patch::solver::{Problem, Units, reach, rigid_slip};
 use crate::patch::{PatchStrip, PatchView};
 use crate::solve::field::{FieldPoint, rolling_point};
 use crate::solve::model::{Model, Precision};
@@ -41,13 +41,23 @@ impl<'a, F: Precision> PatchField<'a, F> {
     /// Prepare the field.
     ///
     /// # Errors
-    /// Those of [`solve`](super::solver::solve); [`Error::NotInModel`] for [`Model::Total`].
+    /// Those of [`solve`](super::solver::solve); [`Error::NotInModel`] for [`Model::Total`]; [`Error::Overflow`] also when what
+    /// a point dissipates may not fit.
     pub fn new(
         patch: &'a PatchView<'a, F>,
         creepage: &'a Creepage<F>,
         model: Model,
     ) -> Result<Self, Error> {
         let problem = Problem::with_strips(patch, creepage, model)?;
+        // What a point dissipates: traction times slip, which is of the size of the rigid slip.
+        let traction = patch
+            .strips()
+            .iter()
+            .fold(F::zero(), |most, strip| most.max(strip.friction * strip.peak_pressure));
+        let slip = rigid_slip(creepage, reach(patch)).times(8.0);
+        if !(traction * slip).is_finite_number() {
+            return Err(Error::Overflow);
+        }
         Ok(Self { problem, notice: problem.notice() })
     }
 

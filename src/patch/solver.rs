@@ -71,14 +71,14 @@ fn creepage_at<T: Real>(creepage: &Creepage<T>, x: T::Base, y: T::Base) -> Creep
 }
 
 /// No point of a patch is farther from its origin.
-fn reach<F: Float>(view: &PatchView<F>) -> F {
+pub(super) fn reach<F: Float>(view: &PatchView<F>) -> F {
     view.strips().iter().fold(F::zero(), |reach, strip| {
         reach.max(strip.y.abs() + strip.centre_x.abs() + strip.half_length)
     })
 }
 
 /// No point within reach has a larger rigid slip.
-fn rigid_slip<F: Float>(creepage: &Creepage<F>, reach: F) -> F {
+pub(super) fn rigid_slip<F: Float>(creepage: &Creepage<F>, reach: F) -> F {
     creepage.longitudinal.abs() + creepage.lateral.abs() + creepage.spin.abs() * reach
 }
 

@@ -104,13 +104,13 @@ pub fn adhesion<T: Number>(motion: &Motion<T>) -> (Arc<T>, T) {
     let scale = (p2 + q + least).inverse();
     // d M, M = λ + p² + η² + m²/d
     let rest = lambda + p2 + eta2;
+    // (the squares below the root may be no numbers any more: it is never divided by alone)
     let root = (d * rest + m * m).sqrt();
     // D/d = (m + √(dM))/d = (λ + p² + η²)/(√(dM) − m)
-    // (the square below the root may be no number any more)
     let ratio = m.choose(m + root, rest) / m.choose(d, root - m + least);
     // (p ξ/√M, √d)/√L₀
     let c = (d * scale).sqrt();
-    let middle = Edge { y: p * xi * c / (root + T::tiny()), c };
+    let middle = Edge { y: p * xi * c / (root + least), c };
     let cosine = ratio * c;
     // sin² β as a quotient by L₀, or where that loses more and is not below zero as 1 − cos² β
     let pull = (m * ratio).times(2.0);

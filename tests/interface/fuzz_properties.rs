@@ -172,7 +172,8 @@ fn what_every_function_found_stays_repaired() {
     use kstrip::contact::Contact;
     use kstrip::contact::creepage::Creepage;
     use kstrip::contact::forces::StripCount;
-    use kstrip::patch::{Patch, PatchView, QuadratureScale};
+    use kstrip::patch::field::PatchField;
+    use kstrip::patch::{Patch, PatchStrip, PatchView, QuadratureScale};
     use kstrip::rig::{Measured, estimate_friction};
     use kstrip::solve::model::{Model, Options, Solution, solve, solve_jacobian, strips};
     use kstrip::status::Error;
@@ -222,12 +223,15 @@ fn what_every_function_found_stays_repaired() {
     }
     // Unit spin on a needle across: squares below a root were no numbers any more, and forces neither.
     let across = Contact { a: 1.25e-3, b: 5.6e-101, friction: 5.6e-4, ..wheel };
-    let turning = Creepage { longitudinal: 1.2e-3, lateral: -8.2e-3, spin: f64::MAX };
-    let r = solve(&across, &turning, &reference).unwrap();
-    assert!(
-        [r.fx, r.fy, r.mz, r.power].iter().all(|x| x.is_finite()) && r.adhesion == 0.0,
-        "{r:?}"
-    );
+    let thinner = Contact { a: 2e-5, b: 1.4e-99, normal_force: 3.9e3, friction: 0.25, ..wheel };
+    let turning = |longitudinal, lateral, spin| Creepage { longitudinal, lateral, spin };
+    for (needle, motion) in
+        [(across, turning(1.2e-3, -8.2e-3, f64::MAX)), (thinner, turning(4e-4, 0.0, 2e120))]
+    {
+        let r = solve(&needle, &motion, &reference).unwrap();
+        let finite = [r.fx, r.fy, r.mz, r.power].iter().all(|x| x.is_finite());
+        assert!(finite && r.adhesion == 0.0, "{r:?}");
+    }
     // With derivatives a moment that underflows had another sign of zero.
     let light = Contact {
         a: 2.4414062e-6_f32,
@@ -325,6 +329,20 @@ fn what_every_function_found_stays_repaired() {
         }
     }
     // A patch of an ellipse whose load is below the smallest normal number was one that no function accepts.
+    // What a point of a patch dissipates was beyond the number range.
+    let rough = PatchStrip {
+        y: 0.0_f32,
+        width: 2.5e-6,
+        half_length: 2.4e-2,
+        centre_x: 0.0,
+        peak_pressure: 3.8e7,
+        friction: 3.8e30,
+    };
+    let patch = Patch::<f32, 4>::from_strips(&[rough], 5e37, 0.01).unwrap();
+    let (view, motion) =
+        (patch.view().unwrap(), Creepage { longitudinal: 1e-3, lateral: 0.1, spin: 48.0 });
+    let field = PatchField::new(&view, &motion, Model::Strip1967Continuous);
+    assert!(field.is_err_and(|error| error == Error::Overflow));
     // At the end of the range of axis ratios the ellipse of the strips was beyond it, that of their contact not.
     for hair in 0..200 {
         let b = 1.6593862e7 * (1.0 - 1e-4 * hair as f32);
