@@ -1,7 +1,7 @@
 //! A contact, ready for creepages: everything that does not depend on the motion, computed once.
 //!
 //! The one way from a contact and a creepage to forces, for numbers and their derivatives:
-//! [`with_view`], then [`View::answer`].
+//! `with_view`, then `View::answer`.
 
 use crate::contact::creepage::{Creepage, Parameters, Units};
 use crate::contact::forces::Totals;
