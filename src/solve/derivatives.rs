@@ -26,7 +26,7 @@ use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::forces::Totals;
 use crate::number::Float;
 use crate::solve::check::is_ordinary;
-use crate::solve::model::{Options, Precision, Solution};
+use crate::solve::model::{Model, Options, Precision, Solution};
 use crate::solve::prepared::{Frame, KernelView, View, with_view};
 use crate::status::Error;
 use nalgebra::Matrix3;
@@ -88,7 +88,7 @@ pub fn solve<F: Precision>(
         return Ok((Solution::nothing(), Derivatives::nothing()));
     }
     let (solution, derivatives) =
-        with_view(contact, options, |view| differentiated(&view, creepage, ordinary));
+        with_view!(contact, options, |view| differentiated(&view, creepage, ordinary));
     if derivatives.entries().into_iter().all(F::is_finite_number) {
         Ok((solution, derivatives))
     } else {

@@ -198,5 +198,5 @@ fn solve_inline<F: Precision>(
     if contact.is_lost() {
         return Ok(Solution::nothing());
     }
-    with_view(contact, options, |view| Ok(view.answer(creepage, ordinary)))
+    Ok(with_view!(contact, options, |view| view.answer(creepage, ordinary)))
 }

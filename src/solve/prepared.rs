@@ -1,7 +1,7 @@
 //! A contact, ready for creepages: everything that does not depend on the motion, computed once.
 //!
 //! The one way from a contact and a creepage to forces, for numbers and their derivatives:
-//! `with_view`, then `View::answer`.
+//! `with_view!`, then `View::answer`.
 
 use crate::contact::creepage::{Creepage, Parameters, Units};
 use crate::contact::forces::Totals;
@@ -117,35 +117,46 @@ impl<F: Plain> Prepared<F> {
     }
 }
 
-/// What is made of a checked contact, prepared where it stands. Written once for each kind of kernel, so that a model that the
-/// compiler knows is the only one there.
-#[inline(always)]
-pub(crate) fn with_view<F: Precision, R>(
-    contact: &Contact<F>,
-    options: &Options,
-    take: impl FnOnce(View<F>) -> R,
-) -> R {
-    let (frame, model) = (&Frame::of(contact), options.model);
-    let (ratio, poisson_ratio) = (frame.axis_ratio(), contact.poisson_ratio);
-    let linear = || LinearCoefficients::at(ratio, poisson_ratio);
-    match model {
-        Model::Strip1967 | Model::Strip1967Continuous => {
-            take(View { frame, model, kernel: KernelView::Strip1967(sliding_rule(model)) })
+/// `with_view!(contact, options, |view| …)`: what is made of a checked contact, prepared where it stands. Written once for each
+/// kind of kernel, so that a model that the compiler knows is the only one there. (A function of a closure brings all models to
+/// firmware that calls one.)
+macro_rules! with_view {
+    ($contact:expr, $options:expr, |$view:ident| $take:expr) => {{
+        use crate::linear::LinearCoefficients;
+        use crate::solve::prepared::{Frame, KernelView, View, sliding_rule};
+        use crate::strip::PreparedStrips;
+        use crate::total;
+        let (contact, options): (&Contact<_>, &Options) = ($contact, $options);
+        let (frame, model) = (&Frame::of(contact), options.model);
+        let (ratio, poisson_ratio) = (frame.axis_ratio(), contact.poisson_ratio);
+        match model {
+            Model::Strip1967 | Model::Strip1967Continuous => {
+                let kernel = KernelView::Strip1967(sliding_rule(model));
+                let $view = View { frame, model, kernel };
+                $take
+            }
+            Model::Strip => {
+                let linear = LinearCoefficients::at(ratio, poisson_ratio);
+                let strips = PreparedStrips::new(ratio, poisson_ratio, &linear, options.strips);
+                let $view = View { frame, model, kernel: KernelView::Strip(&strips) };
+                $take
+            }
+            Model::Total => {
+                let linear = LinearCoefficients::at(ratio, poisson_ratio);
+                let total = total::Prepared::new(ratio, poisson_ratio, &linear);
+                let $view = View { frame, model, kernel: KernelView::Total(&total) };
+                $take
+            }
+            Model::Linear => {
+                let linear = LinearCoefficients::at(ratio, poisson_ratio);
+                let stiffness = frame.stiffness(&linear);
+                let $view = View { frame, model, kernel: KernelView::Linear(&stiffness) };
+                $take
+            }
         }
-        Model::Strip => {
-            let strips = PreparedStrips::new(ratio, poisson_ratio, &linear(), options.strips);
-            take(View { frame, model, kernel: KernelView::Strip(&strips) })
-        }
-        Model::Total => {
-            let total = total::Prepared::new(ratio, poisson_ratio, &linear());
-            take(View { frame, model, kernel: KernelView::Total(&total) })
-        }
-        Model::Linear => {
-            let stiffness = frame.stiffness(&linear());
-            take(View { frame, model, kernel: KernelView::Linear(&stiffness) })
-        }
-    }
+    }};
 }
+pub(crate) use with_view;
 
 /// Of a model of the theory of 1967.
 #[inline(always)]
@@ -223,7 +234,7 @@ impl<F: Precision> Prepared<F> {
     /// ```
     pub fn new(contact: &Contact<F>, options: &Options) -> Result<Self, Error> {
         contact.check()?;
-        Ok(with_view(contact, options, |view| Self {
+        Ok(with_view!(contact, options, |view| Self {
             frame: *view.frame,
             options: *options,
             kernel: view.kernel.kept(),
