@@ -1,0 +1,39 @@
+//! What is let through without a look passes every check.
+
+use super::*;
+
+/// No check can fail for the sizes that are let through without: at every corner of them, in both precisions.
+#[test]
+fn usual_sizes_pass_every_check() {
+    fn corners<F: Precision>() -> usize {
+        let ends = [
+            [1e-6, 1.0],
+            [1e-6, 1.0],
+            [0.0, 1e9],
+            [1.0, 1e12],
+            [0.0, 0.5],
+            [0.0, 5.0],
+            [-10.0, 10.0],
+            [-10.0, 10.0],
+            [-1e4, 1e4],
+        ];
+        let mut usual = 0;
+        for corner in 0..1 << ends.len() {
+            let mut k = 0;
+            let numbers = ends.map(|ends: [f64; 2]| {
+                k += 1;
+                F::of(ends[(corner >> (k - 1)) & 1])
+            });
+            let [a, b, normal_force, shear_modulus, poisson_ratio, friction, x, y, spin] = numbers;
+            let contact = Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction };
+            let creepage = Creepage { longitudinal: x, lateral: y, spin };
+            usual += usize::from(contact.is_usual() && creepage.is_usual());
+            for model in Model::ALL {
+                let found = find_fault(&contact, &creepage, model);
+                assert!(found.is_ok(), "{model:?} {contact:?} {creepage:?}");
+            }
+        }
+        usual
+    }
+    assert_eq!((corners::<f64>(), corners::<f32>()), (512, 512));
+}
