@@ -251,6 +251,8 @@ impl<F: Float, const M: usize> Number for Dual<F, M> {
     fn value(self) -> F {
         self.value
     }
+    /// (In the code of the caller, which may have wide registers.)
+    #[inline(always)]
     fn map<const N: usize, const K: usize>(
         map: &impl Map<F, N, K>,
         inputs: [Self; N],
