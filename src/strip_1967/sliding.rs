@@ -153,15 +153,15 @@ fn continuous<T: Number>(motion: &Motion<T>, lower: [Edge<T>; 2], upper: [Edge<T
         cosine.plus(1.0).times(0.5).max(T::Pair::constant(1e-30)).sqrt()
     });
     let reach = sine / cosine.plus(1.0);
+    // (at rest no strip slides, and has no direction)
+    let rest = T::Pair::from_base(T::EPSILON * T::EPSILON);
     // p C/|N|: how fast the direction of N = (ξ̄, η + ψ C) turns next to the near end
     let (nx, ny) = (both(xi) - both(p) * near.y, both(eta) + both(psi) * near.c);
-    let turn = reach * both(p) * near.c / (nx * nx + ny * ny + T::Pair::tiny()).sqrt();
+    let turn = reach * both(p) * near.c / (nx * nx + ny * ny + rest).sqrt();
     let grade = turn.times(4.0).plus(1.0).sqrt().min(T::Pair::constant(30.0));
     // (a turn within less than rounding counts for nothing)
     let grade = grade.plus(-1.0) / turn.times(1e-6).plus(1.0) + T::Pair::one();
     let outwards = T::Pair::of(-T::one(), T::one());
-    // (at rest no strip slides, and has no direction)
-    let rest = T::Pair::from_base(T::EPSILON * T::EPSILON);
     let mut sums = [T::Pair::zero(); 4];
     for [node, weight] in GAUSS_16.of::<T>() {
         for node in [-node, node] {

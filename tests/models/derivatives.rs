@@ -461,3 +461,32 @@ fn derivatives_beyond_unit_spin_in_single_precision() {
     // Births of adhesion areas, where rounding decides. (Without `S = 0` it was every third.)
     assert!(far <= 4, "{far} of 1000");
 }
+
+/// Where the strip whose longitudinal creepage vanishes lies on the rim, `ξ = p` to the bit, the slopes are those next to it.
+#[test]
+fn derivatives_where_creepage_vanishes_at_the_rim() {
+    let round = Contact {
+        a: 0.00390625,
+        b: 0.00390625,
+        normal_force: 80e3,
+        shear_modulus: 82e9,
+        poisson_ratio: 0.5,
+        friction: 0.3,
+    };
+    for lateral in [-3e-3, -1e-4, 0.0, 1e-5, 2e-4, 2e-3] {
+        for turned in [-1.0, 1.0] {
+            // υx = a φ
+            let at =
+                |hair| Creepage { longitudinal: turned * 0.0009765625 + hair, lateral, spin: 0.25 };
+            for model in [Model::Strip1967, Model::Strip1967Continuous] {
+                let options = Options { model, strips: StripCount::Sixteen };
+                let slope = |hair| model::solve_jacobian(&round, &at(hair), &options).unwrap().1;
+                let (own, beside) = (slope(0.0), [slope(-1e-9), slope(1e-9)]);
+                for beside in beside {
+                    let off = (own - beside).abs().max() / beside.abs().max();
+                    assert!(off < 1e-4, "{model:?} {lateral} {turned}: {own} {beside}");
+                }
+            }
+        }
+    }
+}
