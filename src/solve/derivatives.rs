@@ -116,13 +116,7 @@ fn differentiated<F: Precision>(
     ordinary: bool,
 ) -> (Solution<F>, Derivatives<F>) {
     match view.kernel {
-        // (whose answer needs no other model)
-        KernelView::Linear(stiffness) => linear(
-            &View { kernel: KernelView::Linear(stiffness), ..*view },
-            stiffness,
-            creepage,
-            ordinary,
-        ),
+        KernelView::Linear(stiffness) => linear(view, stiffness, creepage, ordinary),
         _ if view.frame.contact.friction_bound() > F::zero() => {
             saturating(view, creepage, ordinary)
         }
@@ -193,10 +187,13 @@ fn sliding<F: Precision>(
 #[inline(always)]
 fn linear<F: Precision>(
     view: &View<F>,
-    &[x, y, coupling, z]: &[F; 4],
+    stiffness: &[F; 4],
     creepage: &Creepage<F>,
     ordinary: bool,
 ) -> (Solution<F>, Derivatives<F>) {
+    // (whose answer needs no other model)
+    let view = View { kernel: KernelView::Linear(stiffness), ..*view };
+    let [x, y, coupling, z] = *stiffness;
     let solution = view.answer(creepage, ordinary);
     let none = F::zero();
     let jacobian = [[x, none, none], [none, y, coupling], [none, -coupling, z]];

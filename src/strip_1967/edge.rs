@@ -96,9 +96,9 @@ pub fn adhesion<T: Number>(motion: &Motion<T>) -> (Arc<T>, T) {
     let (p2, eta2, none, least) = (p * p, eta * eta, T::zero(), T::from_base(T::ROOT_TINY));
     // The root as its distance s from min(ξ², p²), which is positive: neither λ nor d cancels.
     let inside = p - xi;
-    let (more, less) = (inside * (p + xi), -inside * (p + xi));
+    let more = inside * (p + xi);
     // (of two that are equal the slopes are those of the side that min(ξ, p) takes)
-    let (beside_p, beside_xi) = (inside.choose(more, none), inside.choose(none, less));
+    let (beside_p, beside_xi) = (inside.choose(more, none), inside.choose(none, -more));
     let gap = beside_p + beside_xi;
     let d0 = q + beside_p + least;
     let s = root(motion, xi.min(p).squared(), gap, d0);
