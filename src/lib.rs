@@ -25,7 +25,7 @@
 //!
 //! # Promises
 //!
-//! No allocation, no panic, no global state, no dependence on `std`: the same code runs on a PC and on
+//! No allocation, no panic, no state between calls that a result depends on, no dependence on `std`: the same code runs on a PC and on
 //! a microcontroller, in `f64` and in `f32`.
 //!
 //! # Example

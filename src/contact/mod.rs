@@ -38,14 +38,8 @@ impl<F: Float> Contact<F> {
     /// [`Error::PoissonRatio`], [`Error::Friction`]; [`Error::Overflow`] when `a/b` or `b/a`
     /// exceeds [`Number::HUGE`](crate::number::Number::HUGE), or `μ N` or the pressure does not fit the
     /// floating-point type.
-    pub fn check(&self) -> Result<(), Error> {
-        if self.is_sound() { Ok(()) } else { self.find_fault() }
-    }
-
-    /// The first of the errors, if any.
-    #[cold]
     #[inline(never)]
-    pub(crate) fn find_fault(&self) -> Result<(), Error> {
+    pub fn check(&self) -> Result<(), Error> {
         let Self { a, b, normal_force, shear_modulus, poisson_ratio, friction } = *self;
         let inputs = [a, b, normal_force, shear_modulus, poisson_ratio, friction];
         if !inputs.iter().all(|input| input.is_finite_number()) {
@@ -93,22 +87,6 @@ impl<F: Plain> Contact<F> {
             && shear_modulus.lies_between(F::of(1.0), F::of(1e12))
             && poisson_ratio.lies_within(F::of(0.5))
             && friction.lies_within(F::of(5.0))
-    }
-
-    /// Whether all is well, told by few comparisons; of several contacts side by side, with all of them. Rarely all is
-    /// well also where this says no: [`Contact::check`] looks closer.
-    #[inline(always)]
-    pub(crate) fn is_sound(&self) -> bool {
-        let Self { a, b, normal_force, shear_modulus, poisson_ratio, friction } = *self;
-        let peak = self.peak_pressure();
-        a.is_positive_number()
-            & b.is_positive_number()
-            & shear_modulus.is_positive_number()
-            & poisson_ratio.lies_within(F::of(0.5))
-            & normal_force.lies_within(F::LARGEST)
-            & friction.lies_within(F::LARGEST)
-            & (a / b + b / a).lies_within(F::HUGE)
-            & (self.friction_bound() + peak + friction * peak).lies_within(F::LARGEST)
     }
 
     /// Whether there is no contact: `N ≤ 0`. Nothing else of it counts then, as long as it is finite.

@@ -208,7 +208,7 @@ pub extern "C" fn kstrip_solve_total_f32(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        Ok(result.write(model::solve_total(contact, creepage)?).notice)
+        Ok(result.write(solve_by(Model::Total, contact, creepage, 0)?).notice)
     })
 }
 
@@ -222,7 +222,7 @@ pub extern "C" fn kstrip_solve_strip_f32(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        Ok(result.write(model::solve_strip(contact, creepage, strip_count(strips)?)?).notice)
+        Ok(result.write(solve_by(Model::Strip, contact, creepage, strips)?).notice)
     })
 }
 
@@ -236,7 +236,7 @@ pub extern "C" fn kstrip_solve_strip_1967_f32(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        Ok(result.write(model::solve_strip_1967(contact, creepage, strip_count(strips)?)?).notice)
+        Ok(result.write(solve_by(Model::Strip1967, contact, creepage, strips)?).notice)
     })
 }
 
@@ -249,7 +249,7 @@ pub extern "C" fn kstrip_solve_linear_f32(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        Ok(result.write(model::solve_linear(contact, creepage)?).notice)
+        Ok(result.write(solve_by(Model::Linear, contact, creepage, 0)?).notice)
     })
 }
 

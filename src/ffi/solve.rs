@@ -134,7 +134,7 @@ pub extern "C" fn kstrip_solve_total(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        Ok(result.write(model::solve_total(contact, creepage)?).notice)
+        Ok(result.write(solve_by(Model::Total, contact, creepage, 0)?).notice)
     })
 }
 
@@ -151,7 +151,7 @@ pub extern "C" fn kstrip_solve_strip(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        Ok(result.write(model::solve_strip(contact, creepage, strip_count(strips)?)?).notice)
+        Ok(result.write(solve_by(Model::Strip, contact, creepage, strips)?).notice)
     })
 }
 
@@ -168,7 +168,7 @@ pub extern "C" fn kstrip_solve_strip_1967(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        Ok(result.write(model::solve_strip_1967(contact, creepage, strip_count(strips)?)?).notice)
+        Ok(result.write(solve_by(Model::Strip1967, contact, creepage, strips)?).notice)
     })
 }
 
@@ -183,7 +183,7 @@ pub extern "C" fn kstrip_solve_linear(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        Ok(result.write(model::solve_linear(contact, creepage)?).notice)
+        Ok(result.write(solve_by(Model::Linear, contact, creepage, 0)?).notice)
     })
 }
 

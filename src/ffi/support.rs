@@ -75,6 +75,18 @@ pub(super) fn strip_count(strips: i32) -> Result<StripCount, Error> {
     }
 }
 
+/// One model, with as many strips as C asks for.
+#[inline(always)]
+pub(super) fn solve_by<F: Precision>(
+    model: Model,
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    strips: i32,
+) -> Result<Solution<F>, Error> {
+    let options = Options { model, strips: strip_count(strips)? };
+    model::solve_inline(contact, creepage, &options)
+}
+
 /// `ξ, η, ψ`; zero where the contact is lost.
 pub(super) fn parameters_of<F: Float>(
     contact: &Contact<F>,

@@ -4,7 +4,7 @@
 //! generic formulas as a plain number it returns the exact derivatives of what those formulas
 //! compute, branch by branch; there is no step size and no second implementation to keep in step.
 
-use crate::number::{Arithmetic, Elementary, Float, Map, Number, Pair, Quad};
+use crate::number::{Arithmetic, Float, Map, Number, Pair, Quad};
 use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -272,20 +272,5 @@ impl<F: Float, const M: usize> Number for Dual<F, M> {
     }
     fn exceeds(self, other: Self) -> bool {
         self.value > other.value
-    }
-}
-
-impl<F: Float, const M: usize> Elementary for Dual<F, M> {
-    #[inline]
-    fn atan(self) -> Self {
-        self.chain(self.value.atan(), F::one() / (F::one() + self.value * self.value))
-    }
-    #[inline]
-    fn ln(self) -> Self {
-        self.chain(self.value.ln(), F::one() / self.value)
-    }
-    #[inline]
-    fn asinh(self) -> Self {
-        self.chain(self.value.asinh(), F::one() / (F::one() + self.value * self.value).sqrt())
     }
 }

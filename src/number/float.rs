@@ -1,9 +1,9 @@
 //! `f32` and `f64` as numbers of the theory.
 
-use super::{Arithmetic, Elementary, Float, Map, Number, Plain, cube_root, pairs, square_root};
+use super::{Arithmetic, Float, Map, Number, Plain, cube_root, pairs, square_root};
 
 macro_rules! plain {
-    ($float:ident, $pair:ty, $quad:ty, $integer:ident, $mantissa:expr, $artanh:expr, $arctan:expr, |$single:ident, $double:ident| $table:expr, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $asinh:path, $cbrt:path, $exp:path, $inverse_root:path) => {
+    ($float:ident, $pair:ty, $quad:ty, $integer:ident, $mantissa:expr, $artanh:expr, $arctan:expr, |$single:ident, $double:ident| $table:expr, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $cbrt:path, $exp:path, $inverse_root:path) => {
         impl Float for $float {
             const ARTANH: &'static [Self] = &$artanh;
             const ARCTAN: &'static [Self] = &$arctan;
@@ -31,6 +31,14 @@ macro_rules! plain {
             #[inline]
             fn exp(self) -> Self {
                 $exp(self)
+            }
+            #[inline]
+            fn atan(self) -> Self {
+                $atan(self)
+            }
+            #[inline]
+            fn ln(self) -> Self {
+                $ln(self)
             }
             #[inline(always)]
             fn table<const N: usize, const P: usize>(
@@ -150,21 +158,6 @@ macro_rules! plain {
                 self > other
             }
         }
-
-        impl Elementary for $float {
-            #[inline]
-            fn atan(self) -> Self {
-                $atan(self)
-            }
-            #[inline]
-            fn ln(self) -> Self {
-                $ln(self)
-            }
-            #[inline]
-            fn asinh(self) -> Self {
-                $asinh(self)
-            }
-        }
     };
 }
 
@@ -226,7 +219,6 @@ plain!(
     square_root::of_f64,
     libm::atan,
     libm::log,
-    libm::asinh,
     libm::cbrt,
     libm::exp,
     pairs::inverse_root_f64
@@ -245,7 +237,6 @@ plain!(
     square_root::of_f32,
     libm::atanf,
     libm::logf,
-    libm::asinhf,
     cube_root::of_f32,
     libm::expf,
     pairs::inverse_root_f32

@@ -10,13 +10,13 @@
 #![allow(unsafe_code)]
 
 use super::pairs::{NEWTON, NEWTON_START, Two, operators};
-use super::{Arithmetic, Elementary, Map, Number, Plain};
+use super::{Arithmetic, Map, Number, Plain};
 use core::arch::x86_64::*;
 use core::mem::transmute;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// `N` plain numbers side by side.
-pub(crate) trait Lanes<const N: usize>: Plain + Elementary {
+pub(crate) trait Lanes<const N: usize>: Plain {
     /// Side by side.
     fn of_array(numbers: [Self::Stored; N]) -> Self;
     /// One by one.
@@ -49,14 +49,6 @@ macro_rules! lanes {
         impl $lanes {
             const fn splat(x: $float) -> Self {
                 Self(unsafe { transmute::<[$float; $count], $register>([x; $count]) })
-            }
-            #[inline(always)]
-            fn one_by_one(self, function: fn($float) -> $float) -> Self {
-                let mut numbers = self.array();
-                for x in &mut numbers {
-                    *x = function(*x);
-                }
-                Self::of_array(numbers)
             }
         }
 
@@ -123,21 +115,6 @@ macro_rules! lanes {
                 Self(unsafe {
                     $blend(no.0, yes.0, $compare::<_CMP_GT_OQ>(self.0, $splat(0.0)))
                 })
-            }
-        }
-
-        impl Elementary for $lanes {
-            #[inline(always)]
-            fn atan(self) -> Self {
-                self.one_by_one(Elementary::atan)
-            }
-            #[inline(always)]
-            fn ln(self) -> Self {
-                self.one_by_one(Elementary::ln)
-            }
-            #[inline(always)]
-            fn asinh(self) -> Self {
-                self.one_by_one(Elementary::asinh)
             }
         }
 

@@ -1,7 +1,8 @@
 //! The numbers that the theory is written in.
 //!
-//! Every formula of this crate is generic over [`Real`]: `f64`, `f32`, and the forward-mode
-//! dual numbers that carry exact derivatives through the same code.
+//! The formulas of this crate are generic over [`Number`]: `f64`, `f32`, the forward-mode dual numbers that carry exact
+//! derivatives through the same code, and the numbers of several contacts side by side. What is asked about single
+//! contacts is generic over [`Float`] or [`Real`].
 //!
 //! nalgebra's `RealField` would do for the first two, but a dual number cannot honestly provide its
 //! eighty functions, and its square root goes through inline assembly that no compiler vectorises.
@@ -78,7 +79,7 @@ pub trait Plain: Number<Base = Self> + Arithmetic<Bare = Self> {
 }
 
 /// A plain floating-point number, `f32` or `f64`.
-pub trait Float: Plain<Stored = Self> + PartialOrd + Elementary + nalgebra::Scalar {
+pub trait Float: Plain<Stored = Self> + PartialOrd + nalgebra::Scalar {
     /// Even powers of `artanh(s)/s` for `s² ≤ 0.0403`.
     const ARTANH: &'static [Self];
     /// Even powers of `arctan(u)/u` for `u² ≤ 0.0396`.
@@ -95,6 +96,10 @@ pub trait Float: Plain<Stored = Self> + PartialOrd + Elementary + nalgebra::Scal
     fn cube_root(self) -> Self;
     /// Exponential function.
     fn exp(self) -> Self;
+    /// Inverse tangent.
+    fn atan(self) -> Self;
+    /// Natural logarithm of a positive number.
+    fn ln(self) -> Self;
     /// Of one table in both precisions, that in this one; the other is not even linked.
     fn table<const N: usize, const P: usize>(
         single: &'static [[[f32; 2]; P]; N],
@@ -354,19 +359,9 @@ macro_rules! once {
 pub(crate) use once;
 
 /// A number that the theory can be evaluated with. Comparisons look at the value only.
-pub trait Real: Number<Base: Float> + PartialEq + PartialOrd + Elementary {}
+pub trait Real: Number<Base: Float> + PartialEq + PartialOrd {}
 
-impl<T: Number<Base: Float> + PartialEq + PartialOrd + Elementary> Real for T {}
-
-/// Functions that are not on the hot paths.
-pub trait Elementary {
-    /// Inverse tangent.
-    fn atan(self) -> Self;
-    /// Natural logarithm of a positive number.
-    fn ln(self) -> Self;
-    /// Inverse hyperbolic sine.
-    fn asinh(self) -> Self;
-}
+impl<T: Number<Base: Float> + PartialEq + PartialOrd> Real for T {}
 
 /// A differentiable map of plain numbers.
 pub trait Map<F, const N: usize, const M: usize> {

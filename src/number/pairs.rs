@@ -1,4 +1,4 @@
-//! Two or four numbers side by side: what the strips of a panel are computed in.
+//! Two or four numbers side by side: what strips and layers of networks are computed in.
 
 use super::{Arithmetic, Pair, Plain, Quad};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};

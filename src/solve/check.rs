@@ -33,27 +33,7 @@ pub(crate) fn is_ordinary<F: Precision>(
     if contact.is_ordinary(creepage) {
         return Ok(true);
     }
-    if !is_sound(contact, creepage, model) {
-        find_fault(contact, creepage, model)?;
-    }
-    Ok(false)
-}
-
-/// Whether all is well, told by few comparisons; of several contacts side by side, with all of them. Rarely all is
-/// well also where this says no: [`check`] looks closer.
-#[inline(always)]
-pub(crate) fn is_sound<F: Plain>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    model: Model,
-) -> bool {
-    let Creepage { longitudinal, lateral, spin } = *creepage;
-    let size = contact.a + contact.b;
-    let edge_slip = size * spin.abs();
-    let slip = longitudinal.abs() + lateral.abs() + edge_slip;
-    // No less than any of `range`, and not finite if a creepage is not
-    let sum = force_limit(contact, creepage, model) * (slip + size.plus(1.0)) + edge_slip;
-    contact.is_sound() & sum.times(1.01).lies_within(F::LARGEST)
+    find_fault(contact, creepage, model).map(|()| false)
 }
 
 #[cold]
@@ -63,7 +43,7 @@ fn find_fault<F: Precision>(
     creepage: &Creepage<F>,
     model: Model,
 ) -> Result<(), Error> {
-    contact.find_fault()?;
+    contact.check()?;
     creepage.check()?;
     let range = range(contact, creepage, model);
     if contact.is_lost() || range.iter().all(|number| number.is_finite_number()) {

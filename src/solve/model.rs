@@ -139,57 +139,9 @@ pub fn solve<F: Precision>(
     solve_inline(contact, creepage, options)
 }
 
-/// [`solve`] with [`Model::Total`]; a program that calls only this links no other model.
-///
-/// # Errors
-/// Those of [`solve`].
-pub fn solve_total<F: Precision>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-) -> Result<Solution<F>, Error> {
-    let options = Options { model: Model::Total, strips: StripCount::Sixteen };
-    solve_inline(contact, creepage, &options)
-}
-
-/// [`solve`] with [`Model::Linear`]; a program that calls only this links no other model.
-///
-/// # Errors
-/// Those of [`solve`].
-pub fn solve_linear<F: Precision>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-) -> Result<Solution<F>, Error> {
-    let options = Options { model: Model::Linear, strips: StripCount::Sixteen };
-    solve_inline(contact, creepage, &options)
-}
-
-/// [`solve`] with [`Model::Strip1967`]; a program that calls only this links no other model.
-///
-/// # Errors
-/// Those of [`solve`].
-pub fn solve_strip_1967<F: Precision>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    strips: StripCount,
-) -> Result<Solution<F>, Error> {
-    solve_inline(contact, creepage, &Options { model: Model::Strip1967, strips })
-}
-
-/// [`solve`] with [`Model::Strip`]; a program that calls only this links no other model.
-///
-/// # Errors
-/// Those of [`solve`].
-pub fn solve_strip<F: Precision>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    strips: StripCount,
-) -> Result<Solution<F>, Error> {
-    solve_inline(contact, creepage, &Options { model: Model::Strip, strips })
-}
-
-/// In the code of each caller, so that a model that the compiler knows is the only one there.
+/// [`solve`] in the code of each caller, so that a model that the compiler knows is the only one there.
 #[inline(always)]
-fn solve_inline<F: Precision>(
+pub(crate) fn solve_inline<F: Precision>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,

@@ -64,7 +64,7 @@ impl<F: Float> AtFriction<F> {
         let carries = bound > F::zero();
         let power = along(force);
         let slip = if carries { power / bound } else { along(&by_friction) / *load };
-        // (a power below zero, as the theory of 1967 has it in some contacts that spin, is no slip)
+        // (what rounding leaves of a power of zero may be below zero, and is no slip)
         let slip = slip.max(F::zero());
         let by = law.slopes(slip);
         let moves = falls && slip > F::zero() && carries;

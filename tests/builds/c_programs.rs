@@ -29,6 +29,7 @@ use toolchain::{
 };
 
 /// The contact of examples 02 to 05 and 07.
+const TOTAL: Options = Options { model: Model::Total, strips: StripCount::Sixteen };
 const CONTACT: Contact<f64> = Contact {
     a: 6e-3,
     b: 4.5e-3,
@@ -363,7 +364,7 @@ fn velocities_become_opposite_forces_on_the_two_bodies() {
     assert_printed(printed[1], creepage.lateral, 9, "lateral creepage");
     assert_printed(printed[2], creepage.spin, 9, "spin");
 
-    let forces = model::solve_total(&CONTACT, &creepage).expect("a solution");
+    let forces = model::solve(&CONTACT, &creepage, &TOTAL).expect("a solution");
     let rail = line_of(&text, "force on the rail");
     let wheel = line_of(&text, "force on the wheel");
     let wanted = [forces.fx, forces.fy * tilt.cos(), forces.fy * tilt.sin(), forces.mz];

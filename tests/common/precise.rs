@@ -8,7 +8,7 @@
 
 use dashu_float::{FBig, round::mode::HalfEven};
 use kstrip::number::pairs::Two;
-use kstrip::number::{Arithmetic, Elementary, Float, Map, Number, Plain};
+use kstrip::number::{Arithmetic, Float, Map, Number, Plain};
 use kstrip::solve::model::Precision;
 use kstrip::strip::StripTotals;
 use std::any::Any;
@@ -203,18 +203,6 @@ impl Plain for Precise {
     }
 }
 
-impl Elementary for Precise {
-    fn atan(self) -> Self {
-        Self::keep(self.digits().atan())
-    }
-    fn ln(self) -> Self {
-        Self::keep(self.digits().ln())
-    }
-    fn asinh(self) -> Self {
-        Self::keep(self.digits().asinh())
-    }
-}
-
 impl Float for Precise {
     const ARTANH: &'static [Self] = &[];
     const ARCTAN: &'static [Self] = &[];
@@ -236,6 +224,12 @@ impl Float for Precise {
     }
     fn exp(self) -> Self {
         Self::keep(self.digits().exp())
+    }
+    fn atan(self) -> Self {
+        Self::keep(self.digits().atan())
+    }
+    fn ln(self) -> Self {
+        Self::keep(self.digits().ln())
     }
     fn table<const N: usize, const P: usize>(
         _: &'static [[[f32; 2]; P]; N],
