@@ -82,8 +82,9 @@ static kstrip_profile_result press(double shift, kstrip_patch *patch)
                                             .shear_modulus = 82e9,
                                             .poisson_ratio = 0.28,
                                             .friction = 0.35};
+    const kstrip_profile profile = {.y = y, .distance = distance, .points = POINTS};
     kstrip_profile_result found;
-    check(kstrip_patch_from_profile(y, distance, POINTS, &contact, patch, &found));
+    check(kstrip_patch_from_profile(&profile, &contact, patch, &found));
     return found;
 }
 

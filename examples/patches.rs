@@ -16,7 +16,7 @@ use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
 use kstrip::patch::normal::Given;
-use kstrip::patch::profile::ProfileContact;
+use kstrip::patch::profile::{Profile, ProfileContact};
 use kstrip::patch::{PatchStrip, solver};
 use kstrip::solve::model::{self, Model, Options};
 use lines::Lines;
@@ -241,7 +241,9 @@ fn merging_table(report: &mut Report) {
         let mut last = None::<([[f64; 2]; 2], f64)>;
         let (mut steps, mut zones) = ([0.0_f64; 3], Vec::new());
         while load < 250e3 {
-            let (patch, found) = Full::from_profile(&y, &distance, &pressed(load), COUNT).unwrap();
+            let (patch, found) =
+                Full::from_profile(&Profile::new(&y, &distance).unwrap(), &pressed(load), COUNT)
+                    .unwrap();
             let view = patch.view().unwrap();
             let forces = [Model::Strip, Model::Total].map(|model| {
                 let found = solver::solve(&view, &creepage, model).unwrap();
@@ -294,7 +296,8 @@ fn output() -> String {
             70e-6 * (s * s - 1.0) * (s * s - 1.0) + 3e-6 * s
         })
         .collect();
-    let (patch, found) = Full::from_profile(&y, &distance, &pressed(80e3), COUNT).unwrap();
+    let (patch, found) =
+        Full::from_profile(&Profile::new(&y, &distance).unwrap(), &pressed(80e3), COUNT).unwrap();
     let creepage = Creepage { longitudinal: 1e-3, lateral: 5e-4, spin: 0.3 };
     let forces = solver::solve(&patch.view().unwrap(), &creepage, Model::Strip).unwrap();
     format!(

@@ -915,12 +915,28 @@ kstrip_status kstrip_field(const struct kstrip_contact *contact,
 /** Strips that a kstrip_patch has room for. */
 #define KSTRIP_PATCH_CAPACITY 64
 
+/** The undeformed distance of two bodies across the rolling direction, at points in ascending y; straight between them. */
+typedef struct kstrip_profile {
+    /** Places y [m], ascending. */
+    const double *y;
+    /** Distance of the bodies there [m], the least along x; what is added to all does not matter. */
+    const double *distance;
+    /** Where along x [m] it is the least: bodies that yaw touch ahead on one side, behind on the other; NULL: at 0. */
+    const double *centre_x;
+    /** Rolling radius [m], > 0, of each point; NULL: that of the contact, which does not count otherwise. */
+    const double *rolling_radius;
+    /** Number of points, at least 2. */
+    uint32_t points;
+    /** Zero. */
+    uint32_t reserved;
+} kstrip_profile;
+
 /**
  * What presses two profiles together. Zero is the default of every member but rolling_radius, shear_modulus and one of
  * normal_force and approach.
  */
 typedef struct kstrip_profile_contact {
-    /** Rolling radius [m], > 0; of two rolling bodies 1/R = 1/R_lower + 1/R_upper. */
+    /** Rolling radius [m], > 0; of two rolling bodies 1/R = 1/R_lower + 1/R_upper. Not looked at where the profile has its own. */
     double rolling_radius;
     /** Normal force N [N], >= 0; 0: approach decides. */
     double normal_force;
@@ -1014,9 +1030,7 @@ typedef struct kstrip_profile_result {
  * Zones of contact that are apart become lobes. Bounded time: proportional to the number of points, at most 40 times to find
  * about the approach, usually five; then two systems of linear equations of fixed size, for each two or three times.
  *
- * @param y, distance, points  undeformed distance of the bodies [m] on the line x = 0 at y [m], which ascends;
- *                        at least 2 points, straight between them. What is added to all distances
- *                        does not matter.
+ * @param profile         undeformed distance of the bodies at points in ascending y.
  * @param contact         rolling radius, load or approach, material, friction, number of strips.
  * @param[out] patch      receives the patch.
  * @param[out] result     receives approach, peak pressure and load; NULL: not wanted.
@@ -1025,9 +1039,7 @@ typedef struct kstrip_profile_result {
  *         KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION,
  *         KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_PATCH_SIZE, KSTRIP_ERROR_OVERFLOW.
  */
-kstrip_status kstrip_patch_from_profile(const double *y,
-                                        const double *distance,
-                                        uint32_t points,
+kstrip_status kstrip_patch_from_profile(const struct kstrip_profile *profile,
                                         const struct kstrip_profile_contact *contact,
                                         struct kstrip_patch *patch,
                                         struct kstrip_profile_result *result);

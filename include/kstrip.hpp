@@ -854,6 +854,18 @@ status field(const basic_contact<T> &ellipse, const detail::only<basic_creepage<
 
 inline constexpr std::uint32_t patch_capacity = KSTRIP_PATCH_CAPACITY;
 
+/// The undeformed distance of two bodies at y, ascending; centre_x (yaw) and rolling_radius for each point: null for 0 and for the contact's own.
+template <class T>
+struct basic_profile {
+    const basic_metres<T> *y = nullptr;
+    const basic_metres<T> *distance = nullptr;
+    const basic_metres<T> *centre_x = nullptr;
+    const basic_metres<T> *rolling_radius = nullptr;
+    std::uint32_t points = 0;
+    std::uint32_t reserved = 0;
+};
+KSTRIP_HPP_BOTH(profile)
+
 /// What presses two profiles together.
 template <class T>
 struct basic_profile_contact {
@@ -911,6 +923,13 @@ struct basic_patch_summary {
 };
 KSTRIP_HPP_BOTH(patch_summary)
 
+template <class T>
+status patch_from_profile(const basic_profile<T> &line, const basic_profile_contact<T> &load, basic_patch<T> &to,
+                          detail::only<basic_profile_result<T>> *met = nullptr) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_patch_from_profile, &line, &load, &to, met);
+}
+
 /// Arrays of different sizes: error_capacity.
 template <class T>
 status patch_from_profile(detail::only<span<const basic_metres<T>>> y,
@@ -919,8 +938,8 @@ status patch_from_profile(detail::only<span<const basic_metres<T>>> y,
 {
     if (y.size() != distance.size() || !detail::fits(y.size()))
         return status::error_capacity;
-    return KSTRIP_HPP_CALL(kstrip_patch_from_profile, y.data(), distance.data(), detail::capacity(y.size()), &load, &to,
-                           met);
+    const basic_profile<T> line{y.data(), distance.data(), nullptr, nullptr, detail::capacity(y.size()), 0};
+    return patch_from_profile(line, load, to, met);
 }
 
 template <class T>
@@ -970,6 +989,10 @@ struct basic_profile_patch {
     basic_patch<T> patch;
     basic_profile_result<T> met;
 };
+template <class T>
+basic_profile_patch<T> patch_from_profile(const basic_profile<T> &line, const basic_profile_contact<T> &load)
+KSTRIP_HPP_THROWING(basic_profile_patch<T>, patch_from_profile, line, load, to.patch, &to.met)
+
 template <class T>
 basic_profile_patch<T> patch_from_profile(detail::only<span<const basic_metres<T>>> y,
                                           detail::only<span<const basic_metres<T>>> distance,

@@ -398,6 +398,16 @@ kstrip_status kstrip_field_f32(const struct kstrip_contact_f32 *contact,
  * @{
  */
 
+/** The undeformed distance of two bodies across the rolling direction, at points in ascending y; straight between them. */
+typedef struct kstrip_profile_f32 {
+    const float *y;
+    const float *distance;
+    const float *centre_x;
+    const float *rolling_radius;
+    uint32_t points;
+    uint32_t reserved;
+} kstrip_profile_f32;
+
 /**
  * What presses two profiles together. Zero is the default of every member but rolling_radius, shear_modulus and one of
  * normal_force and approach.
@@ -457,9 +467,7 @@ typedef struct kstrip_profile_result_f32 {
 } kstrip_profile_result_f32;
 
 /** kstrip_patch_from_profile() in single precision. */
-kstrip_status kstrip_patch_from_profile_f32(const float *y,
-                                            const float *distance,
-                                            uint32_t points,
+kstrip_status kstrip_patch_from_profile_f32(const struct kstrip_profile_f32 *profile,
                                             const struct kstrip_profile_contact_f32 *contact,
                                             struct kstrip_patch_f32 *patch,
                                             struct kstrip_profile_result_f32 *result);

@@ -301,6 +301,16 @@ module kstrip
       integer(c_int32_t) :: reserved = 0
    end type
 
+   !> The undeformed distance of two bodies at ascending y: c_loc of arrays; centre_x and rolling_radius may be c_null_ptr.
+   type, bind(c) :: kstrip_profile
+      type(c_ptr) :: y = c_null_ptr
+      type(c_ptr) :: distance = c_null_ptr
+      type(c_ptr) :: centre_x = c_null_ptr
+      type(c_ptr) :: rolling_radius = c_null_ptr
+      integer(c_int32_t) :: points = 0
+      integer(c_int32_t) :: reserved = 0
+   end type
+
    !> What presses two profiles together.
    type, bind(c) :: kstrip_profile_contact
       real(c_double) :: rolling_radius = 0
@@ -540,11 +550,9 @@ module kstrip
       end function
 
       !> The patch of two profiles under a load, or at an approach.
-      integer(c_int32_t) function kstrip_patch_from_profile(y, distance, points, contact, patch, result) bind(c)
+      integer(c_int32_t) function kstrip_patch_from_profile(profile, contact, patch, result) bind(c)
          import
-         real(c_double), intent(in) :: y(*)
-         real(c_double), intent(in) :: distance(*)
-         integer(c_int32_t), value :: points
+         type(kstrip_profile), intent(in) :: profile
          type(kstrip_profile_contact), intent(in) :: contact
          type(kstrip_patch), intent(inout) :: patch
          type(kstrip_profile_result), intent(inout), optional :: result

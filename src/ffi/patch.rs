@@ -5,7 +5,7 @@ use super::inside::write_grid;
 use super::solve::Places;
 use super::support::*;
 use crate::patch::normal::Given;
-use crate::patch::profile::ProfileContact;
+use crate::patch::profile::{Profile, ProfileContact};
 use crate::patch::{self, Patch, PatchView, QuadratureScale, solver};
 
 /// The patch of two profiles under a load, or at an approach.
@@ -13,9 +13,7 @@ use crate::patch::{self, Patch, PatchView, QuadratureScale, solver};
 /// Zones of contact that are apart become lobes. Bounded time: proportional to the number of points, at most 40 times to find
 /// about the approach, usually five; then two systems of linear equations of fixed size, for each two or three times.
 ///
-/// @param y, distance, points  undeformed distance of the bodies [m] on the line x = 0 at y [m], which ascends;
-///                        at least 2 points, straight between them. What is added to all distances
-///                        does not matter.
+/// @param profile         undeformed distance of the bodies at points in ascending y.
 /// @param contact         rolling radius, load or approach, material, friction, number of strips.
 /// @param[out] patch      receives the patch.
 /// @param[out] result     receives approach, peak pressure and load; NULL: not wanted.
@@ -25,17 +23,15 @@ use crate::patch::{self, Patch, PatchView, QuadratureScale, solver};
 ///         KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_PATCH_SIZE, KSTRIP_ERROR_OVERFLOW.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn kstrip_patch_from_profile(
-    y: *const f64,
-    distance: *const f64,
-    points: u32,
+    profile: Option<&ProfilePoints<f64>>,
     contact: Option<&ProfileOptions<f64>>,
     patch: Option<&mut MaybeUninit<StoredPatch<f64>>>,
     result: Option<&mut MaybeUninit<Indentation<f64>>>,
 ) -> kstrip_status {
     // SAFETY: NULL or as many elements as points says, says the header.
-    let (y, distance) = unsafe { (input(y, points), input(distance, points)) };
+    let profile = profile.map(|profile| unsafe { profile_of(profile) });
     answer(|| {
-        let found = from_profile(y?, distance?, given(contact)?, given(patch)?)?;
+        let found = from_profile(&given(profile)??, given(contact)?, given(patch)?)?;
         put(result, found);
         Ok(Notice::None)
     })
@@ -291,9 +287,26 @@ fn sorted<F: Precision>(
     Ok(())
 }
 
+/// # Safety
+/// Every pointer is NULL, or valid for as many elements as there are points while the profile lives.
+pub(super) unsafe fn profile_of<'a, F: Precision>(
+    points: &ProfilePoints<F>,
+) -> Result<Profile<'a, F>, Error> {
+    let ProfilePoints { y, distance, centre_x, rolling_radius, points, .. } = *points;
+    // SAFETY: the caller's promise.
+    let list = |pointer: *const F| unsafe { input(pointer, points) };
+    let mut profile = Profile::new(list(y)?, list(distance)?)?;
+    if !centre_x.is_null() {
+        profile = profile.with_centre_x(list(centre_x)?)?;
+    }
+    if !rolling_radius.is_null() {
+        profile = profile.with_rolling_radius(list(rolling_radius)?)?;
+    }
+    Ok(profile)
+}
+
 pub(super) fn from_profile<F: Precision>(
-    y: &[F],
-    distance: &[F],
+    profile: &Profile<F>,
     options: &ProfileOptions<F>,
     out: &mut MaybeUninit<StoredPatch<F>>,
 ) -> Result<Indentation<F>, Error> {
@@ -313,8 +326,7 @@ pub(super) fn from_profile<F: Precision>(
         smoothing_length,
     };
     let count = strip_count(options.strips)?;
-    let (patch, found) =
-        Patch::<_, KSTRIP_PATCH_CAPACITY>::from_profile(y, distance, &contact, count)?;
+    let (patch, found) = Patch::<_, KSTRIP_PATCH_CAPACITY>::from_profile(profile, &contact, count)?;
     StoredPatch::write(&patch.view()?, out);
     Ok(found)
 }

@@ -3,7 +3,7 @@
 
 use super::batch::Batch;
 use super::inside::write_grid;
-use super::patch::{evaluate_patch, from_contact, from_profile, from_strips};
+use super::patch::{evaluate_patch, from_contact, from_profile, from_strips, profile_of};
 use super::rig::BOTH;
 use super::solve::{MotionPlaces, Places, evaluate, solve_motion};
 use super::support::*;
@@ -321,17 +321,15 @@ pub unsafe extern "C" fn kstrip_field_f32(
 /// kstrip_patch_from_profile() in single precision.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn kstrip_patch_from_profile_f32(
-    y: *const f32,
-    distance: *const f32,
-    points: u32,
+    profile: Option<&ProfilePoints<f32>>,
     contact: Option<&ProfileOptions<f32>>,
     patch: Option<&mut MaybeUninit<StoredPatch<f32>>>,
     result: Option<&mut MaybeUninit<Indentation<f32>>>,
 ) -> kstrip_status {
     // SAFETY: NULL or as many elements as points says, says the header.
-    let (y, distance) = unsafe { (input(y, points), input(distance, points)) };
+    let profile = profile.map(|profile| unsafe { profile_of(profile) });
     answer(|| {
-        let found = from_profile(y?, distance?, given(contact)?, given(patch)?)?;
+        let found = from_profile(&given(profile)??, given(contact)?, given(patch)?)?;
         put(result, found);
         Ok(Notice::None)
     })

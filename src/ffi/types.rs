@@ -213,12 +213,30 @@ pub struct PatchSummary<F> {
     pub reserved: u32,
 }
 
+/// The undeformed distance of two bodies across the rolling direction, at points in ascending y; straight between them.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ProfilePoints<F> {
+    /// Places y [m], ascending.
+    pub y: *const F,
+    /// Distance of the bodies there [m], the least along x; what is added to all does not matter.
+    pub distance: *const F,
+    /// Where along x [m] it is the least: bodies that yaw touch ahead on one side, behind on the other; NULL: at 0.
+    pub centre_x: *const F,
+    /// Rolling radius [m], > 0, of each point; NULL: that of the contact, which does not count otherwise.
+    pub rolling_radius: *const F,
+    /// Number of points, at least 2.
+    pub points: u32,
+    /// Zero.
+    pub reserved: u32,
+}
+
 /// What presses two profiles together. Zero is the default of every member but rolling_radius, shear_modulus and one of
 /// normal_force and approach.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProfileOptions<F> {
-    /// Rolling radius [m], > 0; of two rolling bodies 1/R = 1/R_lower + 1/R_upper.
+    /// Rolling radius [m], > 0; of two rolling bodies 1/R = 1/R_lower + 1/R_upper. Not looked at where the profile has its own.
     pub rolling_radius: F,
     /// Normal force N [N], >= 0; 0: approach decides.
     pub normal_force: F,

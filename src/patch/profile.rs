@@ -131,6 +131,11 @@ impl<F: Float> Indentation<F> {
         count: StripCount,
         mut take: impl FnMut(PatchStrip<F>) -> bool,
     ) -> Result<Self, Error> {
+        let mut contact = *contact;
+        if let Some(radius) = profile.mean_rolling_radius(F::of(1.5e-4)) {
+            contact.rolling_radius = radius;
+        }
+        let contact = &contact;
         contact.check()?;
         if !(profile.depth() > F::zero()) {
             return Err(Error::ProfileEnd);
@@ -234,7 +239,7 @@ impl<F: Float> Indentation<F> {
                 y,
                 width: fine.width,
                 half_length: a * share,
-                centre_x: F::zero(),
+                centre_x: profile.centre_x(y),
                 peak_pressure: p / share,
                 friction: contact.friction,
             };
@@ -253,7 +258,7 @@ impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
     /// The patch of two profiles in contact, in about `count` strips of one width, 32 at most.
     ///
     /// # Errors
-    /// Those of [`Profile::new`] and [`ProfileContact::check`]; [`Error::ProfileEnd`] when the contact reaches an end of
+    /// Those of [`ProfileContact::check`]; [`Error::ProfileEnd`] when the contact reaches an end of
     /// the profile; [`Error::PatchSize`] when its separate zones need more strips than there are, or the capacity is too
     /// small; [`Error::Overflow`].
     ///
@@ -261,7 +266,7 @@ impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
     /// A wheel of 0.46 m radius on a rail head of 0.30 m:
     /// ```
     /// use kstrip::contact::forces::StripCount;
-    /// use kstrip::patch::{Patch, normal::Given, profile::ProfileContact};
+    /// use kstrip::patch::{Patch, normal::Given, profile::{Profile, ProfileContact}};
     /// let y: [f64; 41] = core::array::from_fn(|i| (i as f64 - 20.0) * 0.5e-3);
     /// let distance = y.map(|y| y * y / (2.0 * 0.30));
     /// let contact = ProfileContact {
@@ -269,7 +274,7 @@ impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
     ///     friction: 0.3, smoothing_length: 0.0,
     /// };
     /// let (patch, found) =
-    ///     Patch::<f64, 32>::from_profile(&y, &distance, &contact, StripCount::Sixteen)?;
+    ///     Patch::<f64, 32>::from_profile(&Profile::new(&y, &distance)?, &contact, StripCount::Sixteen)?;
     /// assert!((patch.view()?.normal_force() - 80e3).abs() < 1e-6);
     /// // Hertz: 90.5 µm; dN/dδ = 3 N/(2 δ)
     /// assert!((found.approach - 90.5e-6).abs() < 1e-6 && found.peak_y.abs() < 1e-12);
@@ -277,15 +282,13 @@ impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
     /// # Ok::<(), kstrip::status::Error>(())
     /// ```
     pub fn from_profile(
-        y: &[F],
-        distance: &[F],
+        profile: &Profile<F>,
         contact: &ProfileContact<F>,
         count: StripCount,
     ) -> Result<(Self, Indentation<F>), Error> {
-        let profile = Profile::new(y, distance)?;
         let mut patch = Self::empty(contact.shear_modulus, contact.poisson_ratio);
         let found =
-            Indentation::new(&profile, contact, count, |strip| patch.strips.push(strip).is_ok())?;
+            Indentation::new(profile, contact, count, |strip| patch.strips.push(strip).is_ok())?;
         // Lengths and gaps at the ends of the number range have no digits left.
         let lost = (patch.view()?.normal_force() - found.normal_force).abs();
         if !(lost <= found.normal_force * F::constant(1e-3)) {

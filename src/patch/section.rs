@@ -15,6 +15,10 @@ const GUESSES: u32 = 40;
 pub struct Profile<'a, F> {
     y: &'a [F],
     distance: &'a [F],
+    /// Where the distance is least along `x`; empty: at 0.
+    centre_x: &'a [F],
+    /// Empty: that of the contact.
+    rolling_radius: &'a [F],
     /// Smallest distance, and where it is.
     pub(super) lowest: F,
     pub(super) deepest: F,
@@ -66,7 +70,59 @@ impl<'a, F: Float> Profile<'a, F> {
             Some((start, _)) => (*start, bottom.last().map_or(*start, |(y, _)| *y)),
             None => (end(y.first()), end(y.last())),
         };
-        Ok(Self { y, distance, lowest, deepest: start.times(0.5) + finish.times(0.5) })
+        let deepest = start.times(0.5) + finish.times(0.5);
+        Ok(Self { y, distance, centre_x: &[], rolling_radius: &[], lowest, deepest })
+    }
+
+    /// The same with the place along `x` \[m\] where the distance is least, for each point: of bodies that yaw.
+    ///
+    /// # Errors
+    /// [`Error::Profile`] for another number of points; [`Error::NotFinite`].
+    pub fn with_centre_x(mut self, centre_x: &'a [F]) -> Result<Self, Error> {
+        self.centre_x = self.of_each_point(centre_x)?;
+        Ok(self)
+    }
+
+    /// The same with a rolling radius \[m\] for each point; that of the contact does not count then.
+    ///
+    /// # Errors
+    /// [`Error::Profile`] for another number of points; [`Error::NotFinite`]; [`Error::RollingRadius`].
+    pub fn with_rolling_radius(mut self, rolling_radius: &'a [F]) -> Result<Self, Error> {
+        self.rolling_radius = self.of_each_point(rolling_radius)?;
+        if self.rolling_radius.iter().any(|radius| *radius <= F::zero()) {
+            return Err(Error::RollingRadius);
+        }
+        Ok(self)
+    }
+
+    fn of_each_point(&self, values: &'a [F]) -> Result<&'a [F], Error> {
+        if values.len() != self.y.len() {
+            Err(Error::Profile)
+        } else if values.iter().all(|x| x.is_finite_number()) {
+            Ok(values)
+        } else {
+            Err(Error::NotFinite)
+        }
+    }
+
+    /// Where the distance is least along `x`, straight between the points.
+    pub(super) fn centre_x(&self, y: F) -> F {
+        let next = self.y.partition_point(|place| *place < y).clamp(1, self.y.len() - 1);
+        let at = |list: &[F], i: usize| list.get(i).copied().unwrap_or(F::zero());
+        let (from, to) = (at(self.y, next - 1), at(self.y, next));
+        let (before, after) = (at(self.centre_x, next - 1), at(self.centre_x, next));
+        before + (after - before) * ((y - from) / (to - from))
+    }
+
+    /// The rolling radius of about the contact: the mean, weighted with how far points lie below a height over the deepest.
+    pub(super) fn mean_rolling_radius(&self, height: F) -> Option<F> {
+        let (mut sum, mut weight) = (F::zero(), F::TINY);
+        for (radius, distance) in self.rolling_radius.iter().zip(self.distance) {
+            let depth = (self.lowest + height - *distance).max(F::TINY);
+            sum += *radius * depth;
+            weight += depth;
+        }
+        (!self.rolling_radius.is_empty()).then(|| sum / weight)
     }
 
     pub(super) fn ends(&self) -> Option<[F; 2]> {

@@ -15,7 +15,7 @@ use kstrip::ffi;
 use kstrip::friction::SlipFriction;
 use kstrip::patch::Patch;
 use kstrip::patch::normal::Given;
-use kstrip::patch::profile::ProfileContact;
+use kstrip::patch::profile::{Profile, ProfileContact};
 use kstrip::patch::solver;
 use kstrip::solve::derivatives::differentiate;
 use kstrip::solve::model::{self, Field, Model, Options, StripResult};
@@ -462,7 +462,12 @@ fn a_wheel_on_a_rail_of_the_standards() {
         // the rail's middle stands 3.15 mm from the running circle, and leans inwards by 1:40
         let above = |y: f64| rail_60e1(y - 3.15) - (y - 3.15) / 40.0 - s1002(y - shift);
         let distance: Vec<f64> = y.iter().map(|y| above(y * 1e3) * 1e-3).collect();
-        Patch::<f64, 64>::from_profile(&y, &distance, &wheel, StripCount::Sixteen).expect("a patch")
+        Patch::<f64, 64>::from_profile(
+            &Profile::new(&y, &distance).unwrap(),
+            &wheel,
+            StripCount::Sixteen,
+        )
+        .expect("a patch")
     };
     let rows: Vec<Vec<f64>> = text.lines().map(numbers).filter(|row| row.len() == 8).collect();
     assert_eq!(rows.len(), 7, "shifts");

@@ -145,6 +145,7 @@ static kstrip_status NAME(build)(uint64_t *hash, uint32_t i, const NAME(kstrip_c
         }
         status = NAME(kstrip_patch_from_strips)(strips, count, c->shear_modulus, c->poisson_ratio, patch);
     } else {
+        NAME(kstrip_profile) profile;
         NAME(kstrip_profile_contact) load;
         NAME(kstrip_profile_result) found;
         REAL y[33], distance[33];
@@ -162,7 +163,11 @@ static kstrip_status NAME(build)(uint64_t *hash, uint32_t i, const NAME(kstrip_c
         load.friction = c->friction;
         /* (more are fewer on a microcontroller) */
         load.strips = o->strips < 16 ? o->strips : 16;
-        status = NAME(kstrip_patch_from_profile)(y, distance, 33, &load, patch, &found);
+        memset(&profile, 0, sizeof profile);
+        profile.y = y;
+        profile.distance = distance;
+        profile.points = 33;
+        status = NAME(kstrip_patch_from_profile)(&profile, &load, patch, &found);
         if (status >= 0) {
             const REAL numbers[4] = {found.approach, found.peak_pressure, found.normal_force,
                                      found.peak_y};

@@ -264,7 +264,7 @@ const SINGLE_HEAD: &str = "//! The functions in single precision, written from t
 
 use super::batch::Batch;
 use super::inside::write_grid;
-use super::patch::{evaluate_patch, from_contact, from_profile, from_strips};
+use super::patch::{evaluate_patch, from_contact, from_profile, from_strips, profile_of};
 use super::rig::BOTH;
 use super::solve::{MotionPlaces, Places, evaluate, solve_motion};
 use super::support::*;

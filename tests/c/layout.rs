@@ -23,6 +23,7 @@ layouts! {
     kstrip_motion_derivatives { slip, rolling_speed, normal_force, load_through_hertz, friction, ratio, decay, slope_factor }
     kstrip_motion_outputs { result, derivatives, friction }
     kstrip_point { pressure, traction_x, traction_y, slip_x, slip_y, dissipation, state, reserved }
+    kstrip_profile { y, distance, centre_x, rolling_radius, points, reserved }
     kstrip_profile_contact { rolling_radius, normal_force, approach, smoothing_length, shear_modulus, poisson_ratio, friction, strips, reserved }
     kstrip_patch_strip { y, width, half_length, centre_x, peak_pressure, friction }
     kstrip_patch { strips, shear_modulus, poisson_ratio, area_scale, lever_scale, count, reserved }
@@ -50,6 +51,7 @@ layouts! {
     kstrip_motion_derivatives_f32 { slip, rolling_speed, normal_force, load_through_hertz, friction, ratio, decay, slope_factor }
     kstrip_motion_outputs_f32 { result, derivatives, friction }
     kstrip_point_f32 { pressure, traction_x, traction_y, slip_x, slip_y, dissipation, state, reserved }
+    kstrip_profile_f32 { y, distance, centre_x, rolling_radius, points, reserved }
     kstrip_profile_contact_f32 { rolling_radius, normal_force, approach, smoothing_length, shear_modulus, poisson_ratio, friction, strips, reserved }
     kstrip_patch_strip_f32 { y, width, half_length, centre_x, peak_pressure, friction }
     kstrip_patch_f32 { strips, shear_modulus, poisson_ratio, area_scale, lever_scale, count, reserved }

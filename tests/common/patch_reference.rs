@@ -7,7 +7,7 @@ use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
 use kstrip::friction::SlipFriction;
 use kstrip::patch::normal::Given;
-use kstrip::patch::profile::{Indentation, ProfileContact};
+use kstrip::patch::profile::{Indentation, Profile, ProfileContact};
 use kstrip::patch::{Patch, PatchStrip, friction, solver};
 use kstrip::solve::model::Model;
 use std::collections::HashMap;
@@ -113,7 +113,8 @@ impl Case {
     }
 
     pub fn patch(&self, count: StripCount) -> (Full, Indentation<f64>) {
-        Full::from_profile(&self.y, &self.distance, &self.contact(), count).unwrap()
+        Full::from_profile(&Profile::new(&self.y, &self.distance).unwrap(), &self.contact(), count)
+            .unwrap()
     }
 
     /// CONTACT's own outline and loads as strips.

@@ -18,7 +18,7 @@ use kstrip::friction::SlipFriction;
 use kstrip::patch::field::PatchField;
 use kstrip::patch::friction as patch_friction;
 use kstrip::patch::normal::Given;
-use kstrip::patch::profile::ProfileContact;
+use kstrip::patch::profile::{Profile, ProfileContact};
 use kstrip::patch::solver;
 use kstrip::patch::{Patch, PatchStrip};
 use kstrip::rig::{Measured, creepage_for_force, estimate_friction};
@@ -261,7 +261,8 @@ impl<F: Bits> Case<'_, F> {
                 };
                 // (more are fewer on a microcontroller)
                 let strips = options.strips.min(StripCount::Sixteen);
-                let built = Full::from_profile(&y, &distance, &load, strips);
+                let built =
+                    Full::from_profile(&Profile::new(&y, &distance).unwrap(), &load, strips);
                 built.map(|(patch, found)| {
                     let loads = [found.approach, found.peak_pressure, found.normal_force];
                     hash.add(&loads);

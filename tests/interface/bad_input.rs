@@ -208,19 +208,12 @@ fn block(
                 arguments.push(name.clone());
             }
             Some((target, false)) => {
-                let own = good.get(&format!("{}.{name}", base(&function.name)));
-                match own.and_then(|list| list.strip_prefix("list ")) {
-                    Some(list) => text += &format!("        {target} {name}[] = {list};\n"),
-                    None => {
-                        let value =
-                            spelt(value_of(if target == "float" { "double" } else { target }));
-                        text += &format!("        const {target} {name}_good = {value};\n");
-                        text += &format!("        {target} {name}[{ELEMENTS}];\n");
-                        text += &format!(
-                            "        for (int i = 0; i < {ELEMENTS}; i++) {name}[i] = {name}_good;\n"
-                        );
-                    }
-                }
+                let value = spelt(value_of(if target == "float" { "double" } else { target }));
+                text += &format!("        const {target} {name}_good = {value};\n");
+                text += &format!("        {target} {name}[{ELEMENTS}];\n");
+                text += &format!(
+                    "        for (int i = 0; i < {ELEMENTS}; i++) {name}[i] = {name}_good;\n"
+                );
                 if let Some(case) = bad {
                     let place = match case.argument.split_once('.') {
                         Some((_, member)) => {

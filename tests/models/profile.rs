@@ -8,7 +8,7 @@ use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
 use kstrip::contact::hertz::{Radii, hertz};
 use kstrip::patch::normal::Given;
-use kstrip::patch::profile::{Indentation, ProfileContact};
+use kstrip::patch::profile::{Indentation, Profile, ProfileContact};
 use kstrip::patch::{Patch, solver};
 use kstrip::solve::model::Model;
 use kstrip::status::Error;
@@ -34,7 +34,7 @@ fn pressed(rolling_radius: f64, load: f64) -> ProfileContact<f64> {
 }
 
 fn found(y: &[f64], distance: &[f64], contact: &ProfileContact<f64>) -> Indentation<f64> {
-    Full::from_profile(y, distance, contact, SIXTEEN).unwrap().1
+    Full::from_profile(&Profile::new(y, distance).unwrap(), contact, SIXTEEN).unwrap().1
 }
 
 /// Paraboloids are Hertz's: semi-axes, pressure, approach, and `dN/dδ = 3 N/(2 δ)`.
@@ -46,8 +46,12 @@ fn paraboloids_are_those_of_hertz() {
             let radii = Radii { lower_x: flat, lower_y: across, upper_x: rolling, upper_y: flat };
             let exact = hertz(&radii, load, 82e9, 0.28).unwrap();
             let (y, distance) = parabola(across, 4.0 * exact.b, 200);
-            let (patch, found) =
-                Full::from_profile(&y, &distance, &pressed(rolling, load), SIXTEEN).unwrap();
+            let (patch, found) = Full::from_profile(
+                &Profile::new(&y, &distance).unwrap(),
+                &pressed(rolling, load),
+                SIXTEEN,
+            )
+            .unwrap();
             let area = patch.view().unwrap().area();
             let longest = patch.strips.iter().map(|s| s.half_length).fold(0.0, f64::max);
             let deviations = [
@@ -83,7 +87,9 @@ fn load_and_approach_are_each_others_inverse() {
             );
             let at = |approach: f64| {
                 let contact = ProfileContact { given: Given::Approach(approach), ..case.contact() };
-                Full::from_profile(&case.y, &case.distance, &contact, count).unwrap().1
+                Full::from_profile(&Profile::new(&case.y, &case.distance).unwrap(), &contact, count)
+                    .unwrap()
+                    .1
             };
             let by_approach = at(by_load.approach);
             assert_eq!(by_approach.approach, by_load.approach);
@@ -154,8 +160,12 @@ fn two_zones_of_contact() {
     let mut before = 0.0;
     let mut lobes = Vec::new();
     for load in [1e2, 1e3, 5e3, 1e4, 2e4, 4e4, 8e4] {
-        let (patch, found) =
-            Full::from_profile(&y, &distance, &pressed(0.46, load), StripCount::ThirtyTwo).unwrap();
+        let (patch, found) = Full::from_profile(
+            &Profile::new(&y, &distance).unwrap(),
+            &pressed(0.46, load),
+            StripCount::ThirtyTwo,
+        )
+        .unwrap();
         assert!(found.approach > before, "{load} {found:?}");
         before = found.approach;
         let view = patch.view().unwrap();
@@ -187,8 +197,12 @@ fn noise_and_bad_points_hardly_matter() {
                     *h += 5e-6 * normal;
                 }
             }
-            let (patch, _) =
-                Full::from_profile(&case.y, &distance, &case.contact(), SIXTEEN).unwrap();
+            let (patch, _) = Full::from_profile(
+                &Profile::new(&case.y, &distance).unwrap(),
+                &case.contact(),
+                SIXTEEN,
+            )
+            .unwrap();
             for motion in &case.motions {
                 let [clean, patch] = [&clean, &patch].map(|patch| {
                     let view = patch.view().unwrap();
@@ -213,7 +227,8 @@ fn bad_profiles_are_named() {
     let (y, distance) = parabola(0.3, 0.03, 20);
     let good = pressed(0.46, 80e3);
     let of = |y: &[f64], distance: &[f64], contact: &ProfileContact<f64>| {
-        Patch::<f64, 32>::from_profile(y, distance, contact, SIXTEEN).map(|_| ())
+        Patch::<f64, 32>::from_profile(&Profile::new(y, distance).unwrap(), contact, SIXTEEN)
+            .map(|_| ())
     };
     assert_eq!(of(&y, &distance, &good), Ok(()));
     assert_eq!(of(&y[..2], &distance[..2], &good), Err(Error::ProfileEnd));
@@ -254,12 +269,13 @@ fn bad_profiles_are_named() {
     assert_eq!(of(&narrow, &low, &good), Err(Error::ProfileEnd));
     assert_eq!(of(&y[20..], &distance[20..], &good), Err(Error::ProfileEnd));
     assert_eq!(of(&y, &vec![0.0; 41], &good), Err(Error::ProfileEnd));
-    let few = Patch::<f64, 8>::from_profile(&y, &distance, &good, SIXTEEN);
+    let few = Patch::<f64, 8>::from_profile(&Profile::new(&y, &distance).unwrap(), &good, SIXTEEN);
     assert_eq!(few.map(|_| ()), Err(Error::PatchSize));
     // No load, no approach: no strips
     for given in [Given::Load(0.0), Given::Approach(0.0), Given::Approach(-1e-5)] {
         let contact = ProfileContact { given, ..good };
-        let (empty, found) = Full::from_profile(&y, &distance, &contact, SIXTEEN).unwrap();
+        let (empty, found) =
+            Full::from_profile(&Profile::new(&y, &distance).unwrap(), &contact, SIXTEEN).unwrap();
         assert!(empty.strips.is_empty() && found.normal_force == 0.0, "{found:?}");
         let rest = Creepage { longitudinal: 1e-3, lateral: 0.0, spin: 0.0 };
         assert_eq!(solver::solve(&empty.view().unwrap(), &rest, Model::Strip).unwrap().fx, 0.0);
@@ -280,8 +296,12 @@ fn profiles_in_single_precision() {
             smoothing_length: 0.0,
         };
         let (y, distance) = (narrow(&case.y), narrow(&case.distance));
-        let (patch, found) =
-            Patch::<f32, 64>::from_profile(&y, &distance, &contact, SIXTEEN).unwrap();
+        let (patch, found) = Patch::<f32, 64>::from_profile(
+            &Profile::new(&y, &distance).unwrap(),
+            &contact,
+            SIXTEEN,
+        )
+        .unwrap();
         let wanted = case.patch(SIXTEEN).1;
         let load = f64::from(patch.view().unwrap().normal_force());
         assert_relative_eq!(load, case.load, max_relative = 1e-4);
@@ -309,7 +329,9 @@ fn zones_merge_without_a_jump() {
             let mut last = None::<([[f64; 2]; 2], f64)>;
             while load < end {
                 let contact = pressed(0.46, load);
-                let (patch, found) = Full::from_profile(&y, &distance, &contact, SIXTEEN).unwrap();
+                let (patch, found) =
+                    Full::from_profile(&Profile::new(&y, &distance).unwrap(), &contact, SIXTEEN)
+                        .unwrap();
                 let view = patch.view().unwrap();
                 let both = [Model::Strip, Model::Total].map(|model| {
                     let found = solver::solve(&view, &motion, model).unwrap();

@@ -8,7 +8,7 @@ use crate::two_hundred_bits::{is_known, stated};
 
 use kstrip::contact::forces::StripCount;
 use kstrip::number::Float;
-use kstrip::patch::profile::{Indentation, ProfileContact};
+use kstrip::patch::profile::{Indentation, Profile, ProfileContact};
 use kstrip::patch::{Patch, PatchStrip, normal::Given};
 use kstrip::solve::model::Precision;
 
@@ -40,7 +40,11 @@ fn solved<F: Precision>(shape: Shape, load: f32) -> (Vec<PatchStrip<F>>, Indenta
         friction: F::widened(0.3),
         smoothing_length: F::zero(),
     };
-    let found = Patch::<F, 32>::from_profile(&y, &distance, &contact, StripCount::Sixteen);
+    let found = Patch::<F, 32>::from_profile(
+        &Profile::new(&y, &distance).unwrap(),
+        &contact,
+        StripCount::Sixteen,
+    );
     let (patch, found) = found.unwrap_or_else(|error| panic!("{error:?} {load}"));
     (patch.strips.to_vec(), found)
 }

@@ -537,22 +537,28 @@ def field(area: Records, creepage: Records, x: ArrayLike, y: ArrayLike, model: M
 # Patches of any shape: give them to solve(), evaluate(), strips() and field()
 
 
-def patch_from_profile(y: ArrayLike, distance: ArrayLike, *, rolling_radius: float, shear_modulus: float,
+def patch_from_profile(y: ArrayLike, distance: ArrayLike, *, rolling_radius: ArrayLike, shear_modulus: float,
                        poisson_ratio: float, friction: float, normal_force: float = 0.0, approach: float = 0.0,
-                       smoothing_length: float = 0.0, strips: int = 0) -> tuple[Records, Records]:
+                       smoothing_length: float = 0.0, strips: int = 0, centre_x: ArrayLike | None = None) -> tuple[Records, Records]:
     """A patch from the distance [m] of two undeformed profiles over y [m], under a load [N] or at an approach [m].
 
-    Returns the patch, whose members may be changed (friction per strip), and how the profiles meet.
+    rolling_radius [m] is one number or one for each point; centre_x [m] is where along x the distance is least (yaw), one
+    for each point. Returns the patch, whose members may be changed (friction per strip), and how the profiles meet.
     """
     y, distance = _floats(y, "y", False).reshape(-1), _floats(distance, "distance", False).reshape(-1)
-    if y.size != distance.size:
-        raise ValueError("y and distance have different sizes")
+    lists = [y, distance]
+    for values in (centre_x, rolling_radius if np.ndim(rolling_radius) else None):
+        lists.append(None if values is None else _floats(values, "centre_x, rolling_radius", False).reshape(-1))
+    if any(values is not None and values.size != y.size for values in lists):
+        raise ValueError("the arrays of a profile have different sizes")
+    pointers = [None if values is None else values.ctypes.data for values in lists]
+    profile = structures["kstrip_profile"](*pointers, _count(y.size), 0)
     load = structures["kstrip_profile_contact"](
-        rolling_radius=float(rolling_radius), normal_force=float(normal_force), approach=float(approach),
+        rolling_radius=0.0 if np.ndim(rolling_radius) else float(rolling_radius), normal_force=float(normal_force), approach=float(approach),
         smoothing_length=float(smoothing_length), shear_modulus=float(shear_modulus), poisson_ratio=float(poisson_ratio),
         friction=float(friction), strips=_options(0, strips).strips)
     patch, found = np.zeros((), dtypes["patch"]), np.zeros((), dtypes["profile_result"])
-    _call("kstrip_patch_from_profile", False, y, distance, _count(y.size), ctypes.byref(load), patch, found)
+    _call("kstrip_patch_from_profile", False, ctypes.byref(profile), ctypes.byref(load), patch, found)
     return patch, found
 
 

@@ -91,17 +91,29 @@ fn from_profile(
         strips: bytes.strips(),
         reserved: 0,
     };
+    let (mut centre_x, mut rolling_radius): ([Float; POINTS], [Float; POINTS]) = Default::default();
+    let [with_centres, with_radii] = [bytes.byte() >= 192, bytes.byte() >= 192];
+    for i in 0..POINTS {
+        if with_centres {
+            centre_x[i] = (y[i] - y[0]) * (f64::from(bytes.byte()) / 512.0) as Float;
+        }
+        if with_radii {
+            rolling_radius[i] = positive(bytes, 0.5);
+        }
+    }
     let given = bytes.given();
+    let list = |wanted, list: &[Float]| if wanted { list.as_ptr() } else { std::ptr::null() };
+    let profile = kstrip_profile {
+        y: given.array(0, &y),
+        distance: given.array(1, &distance),
+        centre_x: list(with_centres, &centre_x),
+        rolling_radius: list(with_radii, &rolling_radius),
+        points: points as u32,
+        reserved: 0,
+    };
     // SAFETY: NULL or at least as many points as the count says.
     unsafe {
-        kstrip_patch_from_profile(
-            given.array(0, &y),
-            given.array(1, &distance),
-            points as u32,
-            given.input(2, &contact),
-            out,
-            found,
-        )
+        kstrip_patch_from_profile(given.input(3, &profile), given.input(2, &contact), out, found)
     }
 }
 

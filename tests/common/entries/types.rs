@@ -27,6 +27,7 @@ pub type kstrip_motion_outputs = kstrip::ffi::types::MotionOutputs<Float>;
 pub type kstrip_patch_strip = kstrip::patch::PatchStrip<Float>;
 pub type kstrip_patch = kstrip::ffi::types::StoredPatch<Float>;
 pub type kstrip_patch_summary = kstrip::ffi::types::PatchSummary<Float>;
+pub type kstrip_profile = kstrip::ffi::types::ProfilePoints<Float>;
 pub type kstrip_profile_contact = kstrip::ffi::types::ProfileOptions<Float>;
 pub type kstrip_profile_result = kstrip::patch::profile::Indentation<Float>;
 pub type kstrip_friction_estimate = kstrip::rig::FrictionEstimate<Float>;
