@@ -1,26 +1,22 @@
 //! Many contacts at once where the processor has registers of 256 bits (AVX): four contacts side by side in double
 //! precision, eight in single precision.
 //!
-//! The road is that of one contact, with the numbers of `number::lanes`, whose bits are those of plain numbers;
+//! The road is that of one contact ([`Theory`]), with the numbers of `number::lanes`, whose bits are those of plain numbers;
 //! each model has code of its own, compiled for these registers.
 
 #![allow(unsafe_code)]
 
 use crate::batch::{self, check};
 use crate::contact::Contact;
-use crate::contact::creepage::{Creepage, Parameters};
-use crate::contact::forces::{StripCount, Totals};
-use crate::linear::LinearCoefficients;
+use crate::contact::creepage::Creepage;
 use crate::number::lanes::{F32x8, F64x4, Lanes};
-use crate::number::{Arithmetic, Plain, length};
-use crate::solve::model::{Model, Options, Precision, Solution};
-use crate::solve::prepared::{
-    Forces, Frame, LARGEST_SPIN, RATIOS, linear_forces, linear_notice, notice,
-};
+use crate::number::{Arithmetic, length};
+use crate::solve::frame::{Forces, Frame};
+use crate::solve::notice::{LARGEST_SPIN, RATIOS, linear_notice, notice};
+use crate::solve::options::{Model, Options, Precision, Solution};
+use crate::solve::theory::{Linear, Strip, Strip1967, Theory, Total};
 use crate::status::{Error, Notice};
-use crate::strip::PreparedStrips;
-use crate::strip_1967::{self, strip::SlidingRule};
-use crate::total;
+use crate::strip::StripTotals;
 use core::sync::atomic::{AtomicU8, Ordering};
 
 /// Floating-point types that may fill wide registers.
@@ -132,7 +128,7 @@ fn group<L: Lanes<N>, const N: usize>(
 }
 
 #[target_feature(enable = "avx")]
-fn solve<L: Lanes<N>, const N: usize>(
+fn solve<L: Lanes<N> + StripTotals, const N: usize>(
     count: usize,
     options: &Options,
     get: impl Fn(usize) -> (Contact<L::Stored>, Creepage<L::Stored>),
@@ -178,7 +174,7 @@ struct Together<L, const N: usize> {
 
 /// Checked contacts that are loaded and plausible.
 #[target_feature(enable = "avx")]
-fn solve_group<L: Lanes<N>, const N: usize>(
+fn solve_group<L: Lanes<N> + StripTotals, const N: usize>(
     contact: &Contact<L>,
     creepage: &Creepage<L>,
     options: &Options,
@@ -186,22 +182,19 @@ fn solve_group<L: Lanes<N>, const N: usize>(
 where
     L::Stored: Precision,
 {
-    let (model, frame) = (options.model, Frame::of(contact));
+    let (model, frame) = (options.model, &Frame::of(contact));
+    let (Forces { fx, fy, mz, adhesion }, psi) = match model {
+        Model::Strip1967 => forces_of::<L, Strip1967<false>>(frame, creepage, options),
+        Model::Strip1967Continuous => forces_of::<L, Strip1967<true>>(frame, creepage, options),
+        Model::Strip => forces_of::<L, Strip<L>>(frame, creepage, options),
+        Model::Total => forces_of::<L, Total<L>>(frame, creepage, options),
+        Model::Linear => forces_of::<L, Linear<L>>(frame, creepage, options),
+    };
     let bound = contact.friction_bound();
-    let (Forces { fx, fy, mz, adhesion }, notices) = if model == Model::Linear {
-        let forces = by_linear(&frame, creepage);
-        let notices = linear_notices(length(forces.fx, forces.fy), bound);
-        (forces, notices)
+    let notices = if model == Model::Linear {
+        linear_notices(length(fx, fy), bound)
     } else {
-        let parameters = frame.units.parameters(creepage);
-        let totals = match model {
-            Model::Strip1967 => by_theory::<L, false>(&parameters),
-            Model::Strip1967Continuous => by_theory::<L, true>(&parameters),
-            Model::Strip => by_strips(&frame, &parameters, options.strips),
-            _ => by_total(&frame, &parameters),
-        };
-        let notices = notices(model, bound, frame.axis_ratio(), parameters.psi);
-        (frame.forces(totals), notices)
+        notices(model, bound, frame.axis_ratio(), psi)
     };
     let Creepage { longitudinal, lateral, spin } = *creepage;
     let power = creepage.power([fx, fy, mz]);
@@ -216,38 +209,12 @@ where
 
 #[target_feature(enable = "avx")]
 #[inline(never)]
-fn by_theory<L: Plain, const CONTINUOUS: bool>(parameters: &Parameters<L>) -> Totals<L> {
-    let rule = if CONTINUOUS { SlidingRule::Continuous } else { SlidingRule::RigidSlip };
-    strip_1967::totals(parameters, rule)
-}
-
-#[target_feature(enable = "avx")]
-#[inline(never)]
-fn by_strips<L: Plain>(
+fn forces_of<L: StripTotals, M: Theory<L>>(
     frame: &Frame<L>,
-    parameters: &Parameters<L>,
-    count: StripCount,
-) -> Totals<L> {
-    let (ratio, poisson_ratio) = (frame.axis_ratio(), frame.contact.poisson_ratio);
-    let linear = LinearCoefficients::at(ratio, poisson_ratio);
-    let strips = PreparedStrips::new(ratio, poisson_ratio, &linear, count);
-    strips.totals(frame.units.normalised(parameters))
-}
-
-#[target_feature(enable = "avx")]
-#[inline(never)]
-fn by_total<L: Plain>(frame: &Frame<L>, parameters: &Parameters<L>) -> Totals<L> {
-    let (ratio, poisson_ratio) = (frame.axis_ratio(), frame.contact.poisson_ratio);
-    let linear = LinearCoefficients::at(ratio, poisson_ratio);
-    let total = total::Prepared::new(ratio, poisson_ratio, &linear);
-    total.totals(frame.units.normalised(parameters))
-}
-
-#[target_feature(enable = "avx")]
-#[inline(never)]
-fn by_linear<L: Plain>(frame: &Frame<L>, creepage: &Creepage<L>) -> Forces<L> {
-    let linear = LinearCoefficients::at(frame.axis_ratio(), frame.contact.poisson_ratio);
-    linear_forces(&frame.stiffness(&linear), creepage)
+    creepage: &Creepage<L>,
+    options: &Options,
+) -> (Forces<L>, L) {
+    M::of_contact(frame, options).forces(frame, creepage)
 }
 
 #[inline(always)]

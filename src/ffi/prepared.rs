@@ -2,15 +2,16 @@
 
 use super::support::*;
 use crate::solve::check::is_ordinary;
-use crate::solve::prepared::{Frame, Kernel, KernelView, View, sliding_rule};
-use crate::strip::{self, PreparedStrips};
-use crate::total;
+use crate::solve::frame::Frame;
+use crate::solve::prepared::Known;
+use crate::solve::theory::{Linear, Strip, Strip1967, Theory, Total};
+use crate::strip;
 
 /// How many numbers there is room for.
 pub(super) const ROOM: usize = 96;
 /// The numbers begin with a [`Head`], then a [`Frame`] and what the model knows.
 const FRAME: usize = 3;
-const KERNEL: usize = 20;
+const KNOWN: usize = 20;
 
 /// What model and strip count are told with where a contact has been prepared: no bits that come by chance.
 const MARKS: [i32; 2] = [0x1967_1208, 0x0c52_e817];
@@ -36,9 +37,9 @@ unsafe trait Numbers<F> {}
 // SAFETY: so they are declared.
 unsafe impl<F: Precision> Numbers<F> for Head<F> {}
 unsafe impl<F: Precision> Numbers<F> for Frame<F> {}
-unsafe impl<F: Precision> Numbers<F> for total::Prepared<F> {}
+unsafe impl<F: Precision> Numbers<F> for Total<F> {}
 unsafe impl<F: Precision> Numbers<F> for strip::Prepared<F> {}
-unsafe impl<F: Precision> Numbers<F> for [F; 4] {}
+unsafe impl<F: Precision> Numbers<F> for Linear<F> {}
 
 impl<F: Precision> PreparedNumbers<F> {
     pub(super) fn of(prepared: &Prepared<F>) -> Self {
@@ -50,11 +51,11 @@ impl<F: Precision> PreparedNumbers<F> {
         let per_spin = F::constant(QUICK) / spin;
         stored.put::<_, 0>(Head { marks: marks(stored.model, stored.strips), per_spin });
         stored.put::<_, FRAME>(prepared.frame);
-        match &prepared.kernel {
-            Kernel::Strip1967(_) => {}
-            Kernel::Strip(strips) => stored.put::<_, KERNEL>(strips.contact),
-            Kernel::Total(total) => stored.put::<_, KERNEL>(*total),
-            Kernel::Linear(stiffness) => stored.put::<_, KERNEL>(*stiffness),
+        match &prepared.known {
+            Known::Strip1967(_) | Known::Strip1967Continuous(_) => {}
+            Known::Strip(strips) => stored.put::<_, KNOWN>(strips.contact),
+            Known::Total(total) => stored.put::<_, KNOWN>(*total),
+            Known::Linear(linear) => stored.put::<_, KNOWN>(*linear),
         }
         stored
     }
@@ -69,9 +70,8 @@ impl<F: Precision> PreparedNumbers<F> {
         let size = longitudinal.abs() + lateral.abs() + spin.abs() * head.per_spin;
         let quick = size <= F::constant(QUICK);
         if quick && self.model == Model::Linear as i32 {
-            let kernel = KernelView::Linear(self.part::<_, KERNEL>());
-            let frame = self.part::<_, FRAME>();
-            return Ok(View { frame, model: Model::Linear, kernel }.answer(creepage, true));
+            let linear: &Linear<F> = self.part::<_, KNOWN>();
+            return Ok(linear.answer(self.part::<_, FRAME>(), creepage, true));
         }
         let mut found = Solution::nothing();
         self.solve_other(creepage, quick, &mut found)?;
@@ -93,20 +93,16 @@ impl<F: Precision> PreparedNumbers<F> {
         if !quick && frame.contact.is_lost() {
             return Ok(());
         }
-        // (strips alone are moved: their numbers may stand in wide registers)
-        let of_strips;
-        let kernel = match model {
-            Model::Linear => KernelView::Linear(self.part::<_, KERNEL>()),
-            Model::Total => KernelView::Total(self.part::<_, KERNEL>()),
+        *found = match model {
+            Model::Linear => self.part::<Linear<F>, KNOWN>().answer(frame, creepage, ordinary),
+            Model::Total => self.part::<Total<F>, KNOWN>().answer(frame, creepage, ordinary),
+            // (strips alone are moved: their numbers may stand in wide registers)
             Model::Strip => {
-                of_strips = PreparedStrips::from_prepared(self.copied(), strips);
-                KernelView::Strip(&of_strips)
+                Strip::from_prepared(self.copied(), strips).answer(frame, creepage, ordinary)
             }
-            Model::Strip1967 | Model::Strip1967Continuous => {
-                KernelView::Strip1967(sliding_rule(model))
-            }
+            Model::Strip1967 => Strip1967::<false>.answer(frame, creepage, ordinary),
+            Model::Strip1967Continuous => Strip1967::<true>.answer(frame, creepage, ordinary),
         };
-        *found = View { frame, model, kernel }.answer(creepage, ordinary);
         Ok(())
     }
 
@@ -127,10 +123,10 @@ impl<F: Precision> PreparedNumbers<F> {
 
     #[inline(always)]
     fn copied(&self) -> strip::Prepared<F> {
-        const { assert!(size_of::<strip::Prepared<F>>() <= (ROOM - KERNEL) * size_of::<F>()) };
+        const { assert!(size_of::<strip::Prepared<F>>() <= (ROOM - KNOWN) * size_of::<F>()) };
         let numbers = self.numbers.as_ptr().cast::<F>();
         // SAFETY: numbers, within the room as asserted; any bits are a value.
-        unsafe { numbers.add(KERNEL).cast::<strip::Prepared<F>>().read_unaligned() }
+        unsafe { numbers.add(KNOWN).cast::<strip::Prepared<F>>().read_unaligned() }
     }
 }
 

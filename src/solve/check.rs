@@ -3,7 +3,7 @@
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::number::Plain;
-use crate::solve::model::{Model, Options, Precision};
+use crate::solve::options::{Model, Options, Precision};
 use crate::status::Error;
 
 /// Check the inputs of [`solve`](crate::solve::model::solve) without solving.

@@ -26,8 +26,9 @@ use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::forces::Totals;
 use crate::number::Float;
 use crate::solve::check::is_ordinary;
-use crate::solve::model::{Model, Options, Precision, Solution};
-use crate::solve::prepared::{Frame, KernelView, View, with_view};
+use crate::solve::frame::Frame;
+use crate::solve::options::{Model, Options, Precision, Solution};
+use crate::solve::theory::{Linear, Strip, Strip1967, Theory, Total};
 use crate::status::Error;
 use nalgebra::Matrix3;
 
@@ -87,8 +88,18 @@ pub fn solve<F: Precision>(
     if contact.is_lost() {
         return Ok((Solution::nothing(), Derivatives::nothing()));
     }
-    let (solution, derivatives) =
-        with_view!(contact, options, |view| differentiated(&view, creepage, ordinary));
+    let frame = &Frame::of(contact);
+    let (solution, derivatives) = match options.model {
+        Model::Strip1967 => {
+            differentiated::<_, Strip1967<false>>(frame, creepage, options, ordinary)
+        }
+        Model::Strip1967Continuous => {
+            differentiated::<_, Strip1967<true>>(frame, creepage, options, ordinary)
+        }
+        Model::Strip => differentiated::<_, Strip<F>>(frame, creepage, options, ordinary),
+        Model::Total => differentiated::<_, Total<F>>(frame, creepage, options, ordinary),
+        Model::Linear => differentiated::<_, Linear<F>>(frame, creepage, options, ordinary),
+    };
     if derivatives.entries().into_iter().all(F::is_finite_number) {
         Ok((solution, derivatives))
     } else {
@@ -110,17 +121,19 @@ pub fn solve_jacobian<F: Precision>(
     Ok((solution, Matrix3::from(jacobian).transpose()))
 }
 
-fn differentiated<F: Precision>(
-    view: &View<F>,
+fn differentiated<F: Precision, M: Theory<F>>(
+    frame: &Frame<F>,
     creepage: &Creepage<F>,
+    options: &Options,
     ordinary: bool,
 ) -> (Solution<F>, Derivatives<F>) {
-    match view.kernel {
-        KernelView::Linear(stiffness) => linear(view, stiffness, creepage, ordinary),
-        _ if view.frame.contact.friction_bound() > F::zero() => {
-            saturating(view, creepage, ordinary)
+    let theory = M::of_contact(frame, options);
+    match theory.stiffness() {
+        Some(stiffness) => linear(&theory, frame, stiffness, creepage, ordinary),
+        None if frame.contact.friction_bound() > F::zero() => {
+            saturating(&theory, frame, creepage, ordinary)
         }
-        _ => sliding(view, creepage, ordinary),
+        None => sliding(&theory, frame, creepage, ordinary),
     }
 }
 
@@ -129,19 +142,20 @@ fn powers<F: Float>() -> [F; 3] {
     [F::one(), F::one(), F::constant(4.0 / 3.0)]
 }
 
-fn saturating<F: Precision>(
-    view: &View<F>,
+fn saturating<F: Precision, M: Theory<F>>(
+    theory: &M,
+    frame: &Frame<F>,
     creepage: &Creepage<F>,
     ordinary: bool,
 ) -> (Solution<F>, Derivatives<F>) {
-    let Frame { contact, radius, units } = view.frame;
+    let Frame { contact, radius, units } = frame;
     let parameters = units.parameters(&creepage.inputs());
-    let Totals { fx, fy, mz, stick } = view.totals(&parameters);
+    let Totals { fx, fy, mz, stick } = theory.totals(frame, &parameters);
     let bound = contact.friction_bound();
     let [of_x, of_y, of_z, stick] = [fx, fy, mz, stick].map(|number| number.value);
-    let found = view.frame.forces(Totals { fx: of_x, fy: of_y, mz: of_z, stick });
-    let forces = view.at_rest(creepage).unwrap_or(found);
-    let solution = view.solution(creepage, &forces, parameters.psi.value, ordinary);
+    let found = frame.forces(Totals { fx: of_x, fy: of_y, mz: of_z, stick });
+    let forces = M::at_rest(creepage).unwrap_or(found);
+    let solution = M::solution(frame, creepage, &forces, parameters.psi.value, ordinary);
 
     let Creepage { longitudinal, lateral, spin } = *creepage;
     let [by_x, by_y, by_z] = powers::<F>();
@@ -164,13 +178,15 @@ fn saturating<F: Precision>(
 }
 
 /// No friction: no force, and no dependence on the creepage until there is some.
-fn sliding<F: Precision>(
-    view: &View<F>,
+fn sliding<F: Precision, M: Theory<F>>(
+    theory: &M,
+    frame: &Frame<F>,
     creepage: &Creepage<F>,
     ordinary: bool,
 ) -> (Solution<F>, Derivatives<F>) {
-    let Frame { contact, radius, .. } = view.frame;
-    let Totals { fx, fy, mz, .. } = view.totals(&Parameters::sliding(contact, creepage));
+    let Frame { contact, radius, .. } = frame;
+    let parameters = Parameters::sliding(contact, creepage);
+    let Totals { fx, fy, mz, .. } = theory.totals(frame, &parameters);
     let limit = [fx, fy, mz * *radius];
     let [by_x, by_y, by_z] = powers::<F>();
     let hertz = [fx * by_x, fy * by_y, mz * *radius * by_z];
@@ -180,21 +196,20 @@ fn sliding<F: Precision>(
         friction: scaled(limit, contact.normal_force),
         load_through_hertz: scaled(hertz, contact.friction),
     };
-    (view.answer(creepage, ordinary), derivatives)
+    (theory.answer(frame, creepage, ordinary), derivatives)
 }
 
 /// The linear theory: the derivatives are its coefficients.
 #[inline(always)]
-fn linear<F: Precision>(
-    view: &View<F>,
+fn linear<F: Precision, M: Theory<F>>(
+    theory: &M,
+    frame: &Frame<F>,
     stiffness: &[F; 4],
     creepage: &Creepage<F>,
     ordinary: bool,
 ) -> (Solution<F>, Derivatives<F>) {
-    // (whose answer needs no other model)
-    let view = View { kernel: KernelView::Linear(stiffness), ..*view };
     let [x, y, coupling, z] = *stiffness;
-    let solution = view.answer(creepage, ordinary);
+    let solution = theory.answer(frame, creepage, ordinary);
     let none = F::zero();
     let jacobian = [[x, none, none], [none, y, coupling], [none, -coupling, z]];
     let Solution { fx, fy, mz, .. } = solution;
@@ -202,7 +217,7 @@ fn linear<F: Precision>(
     for ((force, power), [by_x, by_y, _]) in hertz.iter_mut().zip(powers::<F>()).zip(jacobian) {
         // (power F − ⅓ J_v v)/N
         let translation = by_x * creepage.longitudinal + by_y * creepage.lateral;
-        *force = (power * *force - translation.times(1.0 / 3.0)) / view.frame.contact.normal_force;
+        *force = (power * *force - translation.times(1.0 / 3.0)) / frame.contact.normal_force;
     }
     let derivatives = Derivatives { jacobian, load_through_hertz: hertz, ..Derivatives::nothing() };
     (solution, derivatives)

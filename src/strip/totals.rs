@@ -51,6 +51,10 @@ pub trait StripTotals: Plain {
 }
 
 impl StripTotals for f32 {}
+#[cfg(target_arch = "x86_64")]
+impl StripTotals for crate::number::lanes::F64x4 {}
+#[cfg(target_arch = "x86_64")]
+impl StripTotals for crate::number::lanes::F32x8 {}
 #[cfg(not(target_arch = "x86_64"))]
 impl StripTotals for f64 {}
 

@@ -1,0 +1,64 @@
+//! What every model needs of a contact, and how its answers become newtons.
+
+use crate::contact::Contact;
+use crate::contact::creepage::{Creepage, Units};
+use crate::contact::forces::Totals;
+use crate::number::{Arithmetic, Float, Pair, Plain};
+use crate::solve::options::Solution;
+use crate::status::Notice;
+
+/// A contact in the units of the theory: numbers only.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Frame<F> {
+    pub(crate) contact: Contact<F>,
+    /// `√(ab)` \[m\]
+    pub(crate) radius: F,
+    pub(crate) units: Units<F>,
+}
+
+impl<F: Plain> Frame<F> {
+    #[inline(always)]
+    pub(crate) fn of(contact: &Contact<F>) -> Self {
+        let (root_a, root_b) = F::Pair::of(contact.a, contact.b).sqrt().parts();
+        Self { contact: *contact, radius: root_a * root_b, units: Units::of(contact) }
+    }
+
+    /// `a/b` and `ν`
+    #[inline(always)]
+    pub(crate) fn shape(&self) -> (F, F) {
+        (self.axis_ratio(), self.contact.poisson_ratio)
+    }
+
+    /// `a/b`
+    #[inline(always)]
+    pub(crate) fn axis_ratio(&self) -> F {
+        self.units.axis_ratio()
+    }
+
+    /// From `F/(μ N)`, `M_z/(μ N √(ab))`.
+    #[inline(always)]
+    pub(crate) fn forces(&self, totals: Totals<F>) -> Forces<F> {
+        let bound = self.contact.friction_bound();
+        let Totals { fx, fy, mz, stick } = totals;
+        Forces { fx: fx * bound, fy: fy * bound, mz: mz * (bound * self.radius), adhesion: stick }
+    }
+}
+
+/// Forces in newtons, moment in newton metres, share in adhesion.
+pub(crate) struct Forces<T> {
+    pub(crate) fx: T,
+    pub(crate) fy: T,
+    pub(crate) mz: T,
+    pub(crate) adhesion: T,
+}
+
+impl<F: Float> Forces<F> {
+    /// With the power of a creepage.
+    #[inline(always)]
+    pub(crate) fn solution(&self, creepage: &Creepage<F>, notice: Notice) -> Solution<F> {
+        let Self { fx, fy, mz, adhesion } = *self;
+        let power = creepage.power([fx, fy, mz]);
+        Solution { fx, fy, mz, power, adhesion, notice, reserved: 0 }
+    }
+}

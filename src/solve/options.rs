@@ -1,0 +1,105 @@
+//! What is asked of a contact and a creepage, which model and how many strips, and what is answered.
+
+use crate::contact::forces::StripCount;
+use crate::number::Float;
+use crate::status::Notice;
+use crate::strip::StripTotals;
+
+/// Which traction law.
+///
+/// The number of each variant is its constant in the C interface; numbers are never reused.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(i32)]
+#[non_exhaustive]
+pub enum Model {
+    /// The theory of 1967 itself, nothing fitted, with the sliding rule that the paper keeps for forces.
+    Strip1967 = 1,
+    /// The theory of 1967 with the sliding rule that joins the adhesion strips without a jump.
+    Strip1967Continuous = 2,
+    /// A strip theory in Kalker's sense: the half-ellipses of 1967 in adhesion, slip along the local rigid slip, flexibilities corrected by a
+    /// small network fitted to CONTACT. Any spin: forces, moment, stick area and fields; the power is never negative.
+    #[default]
+    Strip = 3,
+    /// A closed formula with a small network fitted to CONTACT. Total forces and moment only: the most accurate and, of those with
+    /// saturation, the cheapest; the power is never negative.
+    Total = 4,
+    /// Linear theory: no saturation, for stability analysis.
+    Linear = 5,
+}
+
+impl Model {
+    /// The model for a number, if there is one.
+    #[must_use]
+    pub const fn from_number(number: i32) -> Option<Self> {
+        Some(match number {
+            1 => Self::Strip1967,
+            2 => Self::Strip1967Continuous,
+            3 => Self::Strip,
+            4 => Self::Total,
+            5 => Self::Linear,
+            _ => return None,
+        })
+    }
+
+    /// Every model.
+    pub const ALL: [Self; 5] =
+        [Self::Strip1967, Self::Strip1967Continuous, Self::Strip, Self::Total, Self::Linear];
+}
+
+/// Which model, and how many strips.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// The traction law.
+    pub model: Model,
+    /// How many strips share the patch; ignored by models without strips.
+    pub strips: StripCount,
+}
+
+/// Forces on the lower body.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Solution<F> {
+    /// Longitudinal force \[N\], positive along the rolling direction.
+    pub fx: F,
+    /// Lateral force \[N\].
+    pub fy: F,
+    /// Moment about z at the centre of the contact \[N m\].
+    pub mz: F,
+    /// Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin \[N\]: energy dissipated per metre
+    /// rolled.
+    pub power: F,
+    /// Share of the contact area in adhesion \[-\], 0 to 1. KSTRIP_MODEL_TOTAL does not know it: -1; KSTRIP_MODEL_LINEAR
+    /// has adhesion everywhere: 1.
+    pub adhesion: F,
+    /// The status of this result: 0 or one of the KSTRIP_WARNING constants.
+    pub notice: Notice,
+    /// Zero.
+    pub reserved: i32,
+}
+
+impl<F: Float> Solution<F> {
+    /// A contact that carries nothing: no force, no adhesion.
+    #[must_use]
+    pub fn nothing() -> Self {
+        let zero = F::zero();
+        let notice = Notice::None;
+        Self { fx: zero, fy: zero, mz: zero, power: zero, adhesion: zero, notice, reserved: 0 }
+    }
+
+    /// The same contact seen from the upper body: opposite forces and moment, same power.
+    #[must_use]
+    pub fn on_upper_body(&self) -> Self {
+        Self { fx: -self.fx, fy: -self.fy, mz: -self.mz, ..*self }
+    }
+}
+
+/// Floating-point types that every model can be computed in.
+#[cfg(not(target_arch = "x86_64"))]
+pub trait Precision: Float + StripTotals {}
+
+/// Floating-point types that every model can be computed in.
+#[cfg(target_arch = "x86_64")]
+pub trait Precision: Float + StripTotals + crate::batch::Wide {}
+
+impl Precision for f64 {}
+impl Precision for f32 {}

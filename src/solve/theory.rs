@@ -1,0 +1,214 @@
+//! What a model makes of a contact, and what it answers to a creepage: each model has code of its own, so that a program
+//! that calls one links no other.
+
+use crate::contact::Contact;
+use crate::contact::creepage::{Creepage, Parameters};
+use crate::contact::forces::Totals;
+use crate::linear::LinearCoefficients;
+use crate::number::{Float, Number};
+use crate::solve::frame::{Forces, Frame};
+use crate::solve::notice::{linear_notice_of, notice, warned};
+use crate::solve::options::{Model, Options, Solution};
+use crate::status::Notice;
+use crate::strip::StripTotals;
+use crate::strip_1967::{self, strip::SlidingRule};
+
+pub(crate) use crate::strip::PreparedStrips as Strip;
+pub(crate) use crate::total::Prepared as Total;
+
+/// A model, ready for the creepages of one contact.
+pub(crate) trait Theory<F: StripTotals>: Copy {
+    /// Its number.
+    const MODEL: Model;
+
+    /// All that the contact alone decides.
+    fn of_contact(frame: &Frame<F>, options: &Options) -> Self;
+
+    /// `F/(μ N)`, `M_z/(μ N √(ab))` and the share in adhesion. Of the linear theory, which knows no bound: nothing.
+    fn totals<T: Number<Base = F>>(
+        &self,
+        frame: &Frame<F>,
+        parameters: &Parameters<T>,
+    ) -> Totals<T>;
+
+    /// Of the linear theory: `G a b C11`, `G a b C22`, `G (ab)^{3/2} C23`, `G (ab)² C33`.
+    #[inline(always)]
+    fn stiffness(&self) -> Option<&[F; 4]> {
+        None
+    }
+
+    /// Of a loaded contact that moves, and `ψ`.
+    #[inline(always)]
+    fn forces(&self, frame: &Frame<F>, creepage: &Creepage<F>) -> (Forces<F>, F) {
+        let parameters = frame.units.parameters(creepage);
+        (frame.forces(self.totals(frame, &parameters)), parameters.psi)
+    }
+
+    /// Share in adhesion without creepage.
+    #[inline(always)]
+    fn resting() -> F {
+        if Self::MODEL == Model::Total { -F::one() } else { F::one() }
+    }
+
+    /// Without creepage no force, and adhesion everywhere.
+    #[inline(always)]
+    fn at_rest(creepage: &Creepage<F>) -> Option<Forces<F>>
+    where
+        F: Float,
+    {
+        let zero = F::zero();
+        let Creepage { longitudinal, lateral, spin } = *creepage;
+        let rests = longitudinal == zero && lateral == zero && spin == zero;
+        rests.then_some(Forces { fx: zero, fy: zero, mz: zero, adhesion: Self::resting() })
+    }
+
+    /// What the caller should know.
+    #[inline(always)]
+    fn notice(frame: &Frame<F>, forces: &Forces<F>, psi: F) -> Notice
+    where
+        F: Float,
+    {
+        let bound = frame.contact.friction_bound();
+        if Self::MODEL == Model::Linear {
+            linear_notice_of(forces.fx, forces.fy, bound)
+        } else {
+            notice(Self::MODEL, bound, frame.axis_ratio(), psi)
+        }
+    }
+
+    /// Of a loaded contact and a creepage that have been checked.
+    #[inline(always)]
+    fn answer(&self, frame: &Frame<F>, creepage: &Creepage<F>, ordinary: bool) -> Solution<F>
+    where
+        F: Float,
+    {
+        let (forces, psi) = match Self::at_rest(creepage) {
+            Some(none) => (none, F::zero()),
+            None => self.forces(frame, creepage),
+        };
+        Self::solution(frame, creepage, &forces, psi, ordinary)
+    }
+
+    /// Forces with power and notice.
+    #[inline(always)]
+    fn solution(
+        frame: &Frame<F>,
+        creepage: &Creepage<F>,
+        forces: &Forces<F>,
+        psi: F,
+        ordinary: bool,
+    ) -> Solution<F>
+    where
+        F: Float,
+    {
+        let of_model = Self::notice(frame, forces, psi);
+        let notice = if ordinary { of_model } else { warned(&frame.contact, creepage, of_model) };
+        forces.solution(creepage, notice)
+    }
+}
+
+/// The theory of 1967: it needs nothing of a contact but its parameters.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Strip1967<const CONTINUOUS: bool>;
+
+impl<F: StripTotals, const CONTINUOUS: bool> Theory<F> for Strip1967<CONTINUOUS> {
+    const MODEL: Model = if CONTINUOUS { Model::Strip1967Continuous } else { Model::Strip1967 };
+
+    #[inline(always)]
+    fn of_contact(_: &Frame<F>, _: &Options) -> Self {
+        Self
+    }
+    #[inline(always)]
+    fn totals<T: Number<Base = F>>(&self, _: &Frame<F>, parameters: &Parameters<T>) -> Totals<T> {
+        strip_1967::totals(parameters, sliding_rule(<Self as Theory<F>>::MODEL))
+    }
+}
+
+/// Of a model of the theory of 1967.
+#[inline(always)]
+pub(crate) fn sliding_rule(model: Model) -> SlidingRule {
+    if model == Model::Strip1967Continuous {
+        SlidingRule::Continuous
+    } else {
+        SlidingRule::RigidSlip
+    }
+}
+
+impl<F: StripTotals> Theory<F> for Strip<F> {
+    const MODEL: Model = Model::Strip;
+
+    #[inline(always)]
+    fn of_contact(frame: &Frame<F>, options: &Options) -> Self {
+        let (ratio, poisson_ratio) = frame.shape();
+        let linear = LinearCoefficients::at(ratio, poisson_ratio);
+        Self::new(ratio, poisson_ratio, &linear, options.strips)
+    }
+    #[inline(always)]
+    fn totals<T: Number<Base = F>>(
+        &self,
+        frame: &Frame<F>,
+        parameters: &Parameters<T>,
+    ) -> Totals<T> {
+        F::strip_totals(self, frame.units.normalised(parameters))
+    }
+}
+
+impl<F: StripTotals> Theory<F> for Total<F> {
+    const MODEL: Model = Model::Total;
+
+    #[inline(always)]
+    fn of_contact(frame: &Frame<F>, _: &Options) -> Self {
+        let (ratio, poisson_ratio) = frame.shape();
+        Self::new(ratio, poisson_ratio, &LinearCoefficients::at(ratio, poisson_ratio))
+    }
+    #[inline(always)]
+    fn totals<T: Number<Base = F>>(
+        &self,
+        frame: &Frame<F>,
+        parameters: &Parameters<T>,
+    ) -> Totals<T> {
+        Self::totals(self, frame.units.normalised(parameters))
+    }
+}
+
+/// The linear theory: `G a b C11`, `G a b C22`, `G (ab)^{3/2} C23`, `G (ab)² C33`.
+#[derive(Clone, Copy, Debug)]
+#[repr(transparent)]
+pub(crate) struct Linear<F>(pub(crate) [F; 4]);
+
+impl<F: StripTotals> Theory<F> for Linear<F> {
+    const MODEL: Model = Model::Linear;
+
+    #[inline(always)]
+    fn of_contact(frame: &Frame<F>, _: &Options) -> Self {
+        let (ratio, poisson_ratio) = frame.shape();
+        let LinearCoefficients { c11, c22, c23, c33 } =
+            LinearCoefficients::at(ratio, poisson_ratio);
+        let Contact { a, b, shear_modulus, .. } = frame.contact;
+        let stiffness = shear_modulus * a * b;
+        let lever = stiffness * frame.radius;
+        let entries = [stiffness * c11, stiffness * c22, lever * c23, lever * frame.radius * c33];
+        Self(F::each(&entries, |entry| entry.min(F::LARGEST)))
+    }
+    #[inline(always)]
+    fn totals<T: Number<Base = F>>(&self, _: &Frame<F>, _: &Parameters<T>) -> Totals<T> {
+        Totals::nothing()
+    }
+    #[inline(always)]
+    fn stiffness(&self) -> Option<&[F; 4]> {
+        Some(&self.0)
+    }
+    /// `F_x = G a b C11 υx`, `F_y = G a b (C22 υy + √(ab) C23 φ)`, `M_z = G (ab)^{3/2} (√(ab) C33 φ − C23 υy)`
+    #[inline(always)]
+    fn forces(&self, _: &Frame<F>, creepage: &Creepage<F>) -> (Forces<F>, F) {
+        let Self([x, y, coupling, z]) = *self;
+        let Creepage { longitudinal, lateral, spin } = *creepage;
+        let forces = Forces {
+            fx: longitudinal * x,
+            fy: lateral * y + spin * coupling,
+            mz: spin * z - lateral * coupling,
+            adhesion: F::one(),
+        };
+        (forces, F::zero())
+    }
+}
