@@ -8,7 +8,7 @@
 #include <string.h>
 
 enum { CALLS = 512 };
-enum { SOLVE, EVALUATE, DERIVATIVES, PREPARED, BATCH, KINDS };
+enum { SOLVE, EVALUATE, DERIVATIVES, PREPARED, BATCH, BATCH_DERIVATIVES, KINDS };
 
 static const struct {
     const char *name;
@@ -40,21 +40,25 @@ __attribute__((noinline)) void counted_calls(int kind, const kstrip_options *opt
 void counted_calls(int kind, const kstrip_options *options)
 {
     static kstrip_result results[CALLS];
-    static kstrip_derivatives derivatives;
+    static kstrip_derivatives derivatives[CALLS];
     const ptrdiff_t c = sizeof *contacts, k = sizeof *creepages, r = sizeof *results;
     const kstrip_batch_inputs from = {
         &contacts->a, c, &contacts->b, c, &contacts->normal_force, c, &contacts->shear_modulus, c,
         &contacts->poisson_ratio, c, &contacts->friction, c, &creepages->longitudinal, k,
         &creepages->lateral, k, &creepages->spin, k, NULL, 0};
-    const kstrip_batch_outputs to = {&results->fx, r, &results->fy, r, &results->mz, r,
+    kstrip_batch_outputs to = {&results->fx, r, &results->fy, r, &results->mz, r,
                                      &results->power, r, &results->adhesion, r,
                                      &results->status_detail, r, NULL, 0, NULL, 0, NULL, 0};
     kstrip_outputs outputs;
     kstrip_prepared prepared;
     memset(&outputs, 0, sizeof outputs);
     outputs.result = results;
-    outputs.derivatives = kind == DERIVATIVES ? &derivatives : NULL;
-    if (kind == BATCH) {
+    outputs.derivatives = kind == DERIVATIVES ? derivatives : NULL;
+    if (kind == BATCH_DERIVATIVES) {
+        to.derivatives = derivatives;
+        to.derivatives_stride = sizeof *derivatives;
+    }
+    if (kind >= BATCH) {
         check(kstrip_evaluate_batch(&from, CALLS, options, &to, NULL));
         return;
     }
@@ -75,21 +79,25 @@ __attribute__((noinline)) void counted_calls_f32(int kind, const kstrip_options 
 void counted_calls_f32(int kind, const kstrip_options *options)
 {
     static kstrip_result_f32 results[CALLS];
-    static kstrip_derivatives_f32 derivatives;
+    static kstrip_derivatives_f32 derivatives[CALLS];
     const ptrdiff_t c = sizeof *contacts_f32, k = sizeof *creepages_f32, r = sizeof *results;
     const kstrip_batch_inputs_f32 from = {
         &contacts_f32->a, c, &contacts_f32->b, c, &contacts_f32->normal_force, c,
         &contacts_f32->shear_modulus, c, &contacts_f32->poisson_ratio, c, &contacts_f32->friction, c,
         &creepages_f32->longitudinal, k, &creepages_f32->lateral, k, &creepages_f32->spin, k, NULL, 0};
-    const kstrip_batch_outputs_f32 to = {&results->fx, r, &results->fy, r, &results->mz, r,
+    kstrip_batch_outputs_f32 to = {&results->fx, r, &results->fy, r, &results->mz, r,
                                          &results->power, r, &results->adhesion, r,
                                          &results->status_detail, r, NULL, 0, NULL, 0, NULL, 0};
     kstrip_outputs_f32 outputs;
     kstrip_prepared_f32 prepared;
     memset(&outputs, 0, sizeof outputs);
     outputs.result = results;
-    outputs.derivatives = kind == DERIVATIVES ? &derivatives : NULL;
-    if (kind == BATCH) {
+    outputs.derivatives = kind == DERIVATIVES ? derivatives : NULL;
+    if (kind == BATCH_DERIVATIVES) {
+        to.derivatives = derivatives;
+        to.derivatives_stride = sizeof *derivatives;
+    }
+    if (kind >= BATCH) {
         check(kstrip_evaluate_batch_f32(&from, CALLS, options, &to, NULL));
         return;
     }
@@ -115,7 +123,8 @@ int main(void)
         const kstrip_creepage_f32 l = {(float)k.longitudinal, (float)k.lateral, (float)k.spin};
         contacts[i] = c, contacts_f32[i] = d, creepages[i] = k, creepages_f32[i] = l;
     }
-    static const char *const kinds[] = {"solve", "evaluate", "derivatives", "prepared", "batch"};
+    static const char *const kinds[] = {"solve", "evaluate", "derivatives", "prepared", "batch",
+                                        "batch_derivatives"};
     for (size_t m = 0; m < sizeof models / sizeof *models; m++)
         for (int is_f32 = 0; is_f32 < 2; is_f32++)
             for (int kind = SOLVE; kind < KINDS; kind++)

@@ -8,7 +8,10 @@ pub use side_by_side::Wide;
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::solve::model::{self, Options, Precision, Solution};
+use crate::friction::{self, FrictionSolution, SlipFriction};
+use crate::solve::model;
+use crate::solve::options::{Options, Precision, Solution};
+use crate::solve::through_friction::{self, Differentiated, differentiate};
 use crate::status::{Error, Notice};
 
 /// Forces of many contacts: what [`model::solve`] gives for each of them, bit for bit. Returns the notice with the
@@ -85,6 +88,84 @@ pub(crate) fn solve<F: Precision>(
         let solution = model::solve(&contact, &creepage, options).map_err(|error| (i, error))?;
         worst = worst.worse(solution.notice);
         put(i, solution);
+    }
+    Ok(worst)
+}
+
+/// A contact in motion and, where friction falls with the slip, its law.
+pub(crate) type Case<F> = (Contact<F>, Creepage<F>, Option<SlipFriction<F>>);
+
+/// [`solve_batch`] with friction that falls with the slip.
+///
+/// # Errors
+/// Those of [`friction::solve`], of the first bad input, with its number.
+pub(crate) fn solve_under_friction<F: Precision>(
+    count: usize,
+    options: &Options,
+    get: impl Fn(usize) -> Case<F>,
+    mut put: impl FnMut(usize, FrictionSolution<F>),
+) -> Result<Notice, (usize, Error)> {
+    one_by_one(
+        count,
+        |i| match get(i) {
+            (contact, creepage, Some(law)) => friction::check(&contact, &creepage, &law, options),
+            (contact, creepage, None) => model::check(&contact, &creepage, options),
+        },
+        |i| {
+            let (contact, creepage, law) = get(i);
+            let found = match law {
+                Some(law) => friction::solve(&contact, &creepage, &law, options)?,
+                None => FrictionSolution {
+                    solution: model::solve(&contact, &creepage, options)?,
+                    friction: contact.friction,
+                },
+            };
+            let notice = found.solution.notice;
+            put(i, found);
+            Ok(notice)
+        },
+    )
+}
+
+/// [`solve_batch`] with all derivatives, with or without friction that falls with the slip.
+///
+/// # Errors
+/// Those of [`differentiate`], of the first bad input, with its number.
+pub(crate) fn differentiate_batch<F: Precision>(
+    count: usize,
+    options: &Options,
+    get: impl Fn(usize) -> Case<F>,
+    mut put: impl FnMut(usize, &Differentiated<F>),
+) -> Result<Notice, (usize, Error)> {
+    one_by_one(
+        count,
+        |i| {
+            let (contact, creepage, law) = get(i);
+            through_friction::check(&contact, &creepage, law.as_ref(), options)
+        },
+        |i| {
+            let (contact, creepage, law) = get(i);
+            let found = differentiate(&contact, &creepage, law.as_ref(), options)?;
+            put(i, &found);
+            Ok(found.solution.notice)
+        },
+    )
+}
+
+/// All checks, then all solutions; a single one is checked by solving it.
+fn one_by_one(
+    count: usize,
+    check: impl Fn(usize) -> Result<(), Error>,
+    mut solve: impl FnMut(usize) -> Result<Notice, Error>,
+) -> Result<Notice, (usize, Error)> {
+    if count > 1 {
+        for i in 0..count {
+            check(i).map_err(|error| (i, error))?;
+        }
+    }
+    let mut worst = Notice::None;
+    for i in 0..count {
+        worst = worst.worse(solve(i).map_err(|error| (i, error))?);
     }
     Ok(worst)
 }

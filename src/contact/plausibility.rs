@@ -84,7 +84,7 @@ impl<F: Plain> Contact<F> {
 
     /// `G a b` \[N\]
     #[inline(always)]
-    fn stiffness(&self) -> F {
+    pub(crate) fn stiffness(&self) -> F {
         (self.shear_modulus * self.a) * self.b
     }
 }

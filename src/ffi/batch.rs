@@ -1,8 +1,7 @@
 //! Many contacts for C: a pointer and a distance in bytes for each quantity.
 
-use super::solve::forces_of;
 use super::support::*;
-use crate::batch::solve_batch;
+use crate::batch::{differentiate_batch, solve_batch, solve_under_friction};
 
 /// kstrip_evaluate() for many contacts: the same results, bit for bit.
 ///
@@ -87,7 +86,7 @@ impl<F: Precision> Batch<'_, F> {
             let put = |i, solution| self.put(i, &solution);
             solve_batch(count, &self.options, |i| self.get(i), put)
         } else {
-            self.one_by_one(count)
+            self.with_more(count)
         };
         put(first_bad, solved.err().map_or(self.count, |(i, _)| i as u32));
         solved.map_err(|(_, error)| error)
@@ -100,32 +99,30 @@ impl<F: Precision> Batch<'_, F> {
     }
 
     /// Under falling friction, and with derivatives.
-    fn one_by_one(&self, count: usize) -> Result<Notice, (usize, Error)> {
+    fn with_more(&self, count: usize) -> Result<Notice, (usize, Error)> {
         let to = self.outputs;
-        let differentiates = !to.derivatives.is_null() || !to.law_derivatives.is_null();
-        let solve = |i| {
-            let ((contact, creepage), law) = (self.get(i), self.law(i));
-            forces_of(&contact, &creepage, law.as_ref(), &self.options, differentiates)
-                .map_err(|error| (i, error))
+        let get = |i| {
+            let (contact, creepage) = self.get(i);
+            (contact, creepage, self.law(i))
         };
-        for i in 0..count {
-            solve(i)?;
+        let put = |i, solution: &Solution<F>, friction: F| {
+            self.put(i, solution);
+            // SAFETY: the promise of `solve`.
+            unsafe { write(to.friction, to.friction_stride, i, friction) };
+        };
+        if to.derivatives.is_null() && to.law_derivatives.is_null() {
+            return solve_under_friction(count, &self.options, get, |i, found| {
+                put(i, &found.solution, found.friction);
+            });
         }
-        let mut worst = Notice::None;
-        for i in 0..count {
-            let (solution, friction, slopes) = solve(i)?;
-            worst = worst.worse(solution.notice);
-            self.put(i, &solution);
+        differentiate_batch(count, &self.options, get, |i, found| {
+            put(i, &found.solution, found.friction);
             // SAFETY: the promise of `solve`.
             unsafe {
-                write(to.friction, to.friction_stride, i, friction);
-                if let Some((derivatives, law)) = slopes {
-                    write(to.derivatives, to.derivatives_stride, i, derivatives);
-                    write(to.law_derivatives, to.law_derivatives_stride, i, law);
-                }
+                write(to.derivatives, to.derivatives_stride, i, found.derivatives);
+                write(to.law_derivatives, to.law_derivatives_stride, i, found.law);
             }
-        }
-        Ok(worst)
+        })
     }
 
     /// Contact and creepage of a number below the count.

@@ -207,6 +207,41 @@ pub fn under<F: Precision>(
     Ok((Contact { friction, ..contact }, notice))
 }
 
+/// No point of the contact slips faster than this, over rolling speed.
+fn fastest_slip<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>) -> F {
+    creepage.longitudinal.abs()
+        + creepage.lateral.abs()
+        + (contact.a + contact.b) * creepage.spin.abs()
+}
+
+impl<F: Float> SlipFriction<F> {
+    /// The least friction that a contact can have in motion, and a bound of how fast friction falls there as it falls itself:
+    /// `g' ≤ B V s_max (1 − A) μ₀/μ`.
+    pub(crate) fn least(&self, contact: &Contact<F>, creepage: &Creepage<F>) -> (F, F) {
+        if !self.falls() {
+            return (self.friction, F::zero());
+        }
+        let slip = fastest_slip(contact, creepage);
+        let least = self.at(slip);
+        let falling = (F::one() - self.ratio) * self.friction;
+        (least, self.decay * (self.rolling_speed * slip) * (falling / (least + F::TINY)))
+    }
+}
+
+/// Checks the inputs of [`solve`] without solving.
+///
+/// # Errors
+/// Those of [`solve`]: no smaller friction brings another.
+pub fn check<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    friction: &SlipFriction<F>,
+    options: &Options,
+) -> Result<(), Error> {
+    friction.check()?;
+    model::check(&friction.contact(contact), creepage, options)
+}
+
 /// The largest `μ` that agrees with the slip that it causes. `contact` has `μ₀`.
 fn agreement<F: Precision>(
     contact: &Contact<F>,
@@ -219,21 +254,22 @@ fn agreement<F: Precision>(
     if options.model == Model::Linear || !friction.falls() || nothing {
         return Ok((friction.friction, Notice::None));
     }
-    // No point of the contact slips faster than this.
-    let rigid = creepage.longitudinal.abs()
-        + creepage.lateral.abs()
-        + (contact.a + contact.b) * creepage.spin.abs();
-    Agreement::new(friction, rigid, contact.normal_force, |friction_now| {
-        let contact = Contact { friction: friction_now, ..*contact };
-        let bound = contact.friction_bound();
-        if bound > F::zero() {
-            let solution = model::solve(&contact, creepage, options)?;
-            return Ok(friction.at(solution.power / bound));
-        }
-        // The limit of full sliding: s = (∂P/∂μ)/N
-        let (_, slopes) = derivatives::solve(&contact, creepage, options)?;
-        let power = creepage.power(slopes.friction);
-        Ok(friction.at(power / contact.normal_force))
-    })
+    Agreement::new(
+        friction,
+        fastest_slip(contact, creepage),
+        contact.normal_force,
+        |friction_now| {
+            let contact = Contact { friction: friction_now, ..*contact };
+            let bound = contact.friction_bound();
+            if bound > F::zero() {
+                let solution = model::solve(&contact, creepage, options)?;
+                return Ok(friction.at(solution.power / bound));
+            }
+            // The limit of full sliding: s = (∂P/∂μ)/N
+            let (_, slopes) = derivatives::solve(&contact, creepage, options)?;
+            let power = creepage.power(slopes.friction);
+            Ok(friction.at(power / contact.normal_force))
+        },
+    )
     .largest_solution()
 }

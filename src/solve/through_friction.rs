@@ -5,7 +5,8 @@ use crate::contact::creepage::Creepage;
 use crate::friction::{self, SlipFriction};
 use crate::number::Float;
 use crate::solve::derivatives::{Derivatives, solve};
-use crate::solve::model::{Model, Options, Precision, Solution};
+use crate::solve::model;
+use crate::solve::options::{Model, Options, Precision, Solution};
 use crate::status::{Error, Notice};
 
 /// Derivatives of fx, fy, mz by the parameters of falling friction.
@@ -180,6 +181,36 @@ pub fn differentiate<F: Precision>(
     } else {
         Err(Error::Overflow)
     }
+}
+
+/// Checks the inputs of [`differentiate`], without solving but where sizes are so unusual that a derivative might not fit.
+///
+/// # Errors
+/// Those of [`differentiate`].
+pub(crate) fn check<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    law: Option<&SlipFriction<F>>,
+    options: &Options,
+) -> Result<(), Error> {
+    let (friction, steepness) = match law {
+        Some(law) => {
+            friction::check(contact, creepage, law, options)?;
+            law.least(contact, creepage)
+        }
+        None => {
+            model::check(contact, creepage, options)?;
+            (contact.friction, F::zero())
+        }
+    };
+    // Slopes are those of linear theory, over the bound at most so many, and grow tenfold through friction.
+    let fit = contact.is_ordinary(creepage)
+        && contact.stiffness() <= Contact { friction, ..*contact }.friction_bound().times(1e6)
+        && steepness < F::constant(0.9);
+    if fit || contact.is_lost() {
+        return Ok(());
+    }
+    differentiate(contact, creepage, law, options).map(|_| ())
 }
 
 impl<F: Float> LawDerivatives<F> {

@@ -418,3 +418,95 @@ fn only_what_is_wanted_is_written_and_nothing_on_errors() {
         KSTRIP_OK
     );
 }
+
+/// Contacts of all kinds with derivatives, every second time under falling friction: bits and statuses of kstrip_evaluate(), and
+/// nothing is written where one has an error, also one that only its derivatives tell.
+macro_rules! derivatives_in_any_company {
+    ($name:ident, $float:ident, $evaluate:ident, $batch:ident) => {
+        #[test]
+        fn $name() {
+            type Derivatives = kstrip::solve::derivatives::Derivatives<$float>;
+            let law = kstrip::friction::SlipFriction::<$float> {
+                friction: 0.3,
+                ratio: 0.4,
+                decay: 0.6,
+                rolling_speed: 20.0,
+                slope_factor: 0.5,
+            };
+            let entries = |d: &Derivatives| {
+                let [x, y, z] = d.jacobian;
+                [x, y, z, d.normal_force, d.load_through_hertz, d.friction]
+                    .map(|row| row.map($float::to_bits))
+            };
+            let untouched = Derivatives::nothing();
+            let mut random = Random::new(8);
+            let mut errors = 0;
+            let rounds = (0..12).flat_map(|round| options().map(move |options| (round, options)));
+            for (round, options) in rounds {
+                let cases: Vec<_> = (0..17)
+                    .map(|kind| {
+                        // an error in every third round
+                        let kind = if round % 3 == 0 { kind } else { 11 * kind + 2 + kind % 9 };
+                        let [a, b, normal_force, shear_modulus, poisson_ratio, friction, x, y, z] =
+                            any_kind(&mut random, kind).map(|x| x as $float);
+                        (
+                            Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction },
+                            kstrip::contact::creepage::Creepage {
+                                longitudinal: x,
+                                lateral: y,
+                                spin: z,
+                            },
+                        )
+                    })
+                    .collect();
+                let law = (round % 2 == 1).then_some(&law);
+                let single = |k: usize| {
+                    let mut found = untouched;
+                    let outputs =
+                        kstrip::ffi::types::Outputs { derivatives: &mut found, ..nowhere() };
+                    let (contact, creepage) = (Some(&cases[k].0), Some(&cases[k].1));
+                    let status = unsafe {
+                        $evaluate(contact, creepage, law, Some(&options), Some(&outputs))
+                    };
+                    (status, entries(&found))
+                };
+                let (contacts, creepages): (Vec<_>, Vec<_>) = cases.iter().copied().unzip();
+                let mut found = vec![untouched; cases.len()];
+                let from = kstrip::ffi::types::BatchInputs {
+                    law: law.map_or(std::ptr::null(), |law| law),
+                    ..batch_inputs(contacts.as_ptr(), creepages.as_ptr())
+                };
+                let to = kstrip::ffi::types::BatchOutputs {
+                    derivatives: found.as_mut_ptr(),
+                    derivatives_stride: size_of::<Derivatives>() as isize,
+                    ..no_batch()
+                };
+                let count = cases.len() as u32;
+                let status = unsafe { $batch(Some(&from), count, Some(&options), Some(&to), None) };
+                let alone: Vec<_> = (0..cases.len()).map(single).collect();
+                let first = alone.iter().find(|(status, _)| *status < 0);
+                errors += usize::from(first.is_some());
+                let worst = alone.iter().map(|(status, _)| *status).max().unwrap();
+                assert_eq!(status, first.map_or(worst, |(status, _)| *status), "{options:?}");
+                for (k, (found, (_, alone))) in found.iter().zip(&alone).enumerate() {
+                    let expected = if first.is_some() { entries(&untouched) } else { *alone };
+                    assert_eq!(entries(found), expected, "{options:?} {:?}", cases[k]);
+                }
+            }
+            assert!((10..110).contains(&errors), "{errors}");
+        }
+    };
+}
+
+derivatives_in_any_company!(
+    derivatives_in_any_company_are_those_of_single_calls,
+    f64,
+    kstrip_evaluate,
+    kstrip_evaluate_batch
+);
+derivatives_in_any_company!(
+    derivatives_in_any_company_too_in_single_precision,
+    f32,
+    kstrip_evaluate_f32,
+    kstrip_evaluate_batch_f32
+);
