@@ -1,4 +1,4 @@
-//! Programs in C and C++, packages, firmware, and what the pages say.
+//! Programs in C, C++, Fortran and Octave, packages, and what the pages say.
 
 #[path = "../c/fortran.rs"]
 mod fortran;
@@ -13,8 +13,7 @@ mod c_programs;
 mod cpp_programs;
 mod docs;
 mod firmware;
-mod hosts;
-mod install;
 mod no_alloc;
 mod other_languages;
 mod packaging;
+mod proofs;

@@ -1,7 +1,7 @@
-//! Fortran, MATLAB and Octave; and the library inside a simulator of rigid bodies (ODE).
+//! Fortran, MATLAB and Octave.
 
 use crate::fortran;
-use crate::toolchain::{cpp_compilers, library, output_of, root, run_source, say, scratch};
+use crate::toolchain::{library, output_of, root, run_source, say, scratch};
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -115,44 +115,4 @@ fn octave_calls_the_library() {
     octave.args(["--norc", "--path"]).arg(&folder);
     let text = output_of(octave.arg(root().join("bindings/octave/test_kstrip.m")));
     assert_eq!(numbers(&text).len(), 3, "the last line of the test: {text}");
-}
-
-/// A driven and braked wheelset in ODE: at 60 steps a second the slip is that of 4000, and standing on a slope of 1 in 50 it
-/// creeps by less than a fiftieth of a millimetre in three seconds.
-#[test]
-fn ode_wheelset_drives_stops_and_holds() {
-    let flags = Command::new("pkg-config").args(["--cflags", "--libs", "ode"]).output();
-    let Some(flags) = flags.ok().filter(|flags| flags.status.success()) else {
-        say("SKIPPED: hosts/ode, because there is no ODE (libode-dev, pkg-config)");
-        return;
-    };
-    let Some(compiler) = cpp_compilers().into_iter().next() else {
-        say("SKIPPED: hosts/ode, because there is no C++ compiler");
-        return;
-    };
-    let program = folder("ode").join("wheelset");
-    let mut command = Command::new(compiler);
-    command
-        .args(["-std=c++17", "-Wall", "-Wextra", "-Werror", "-O2", "-I"])
-        .arg(root().join("include"));
-    command.arg(root().join("hosts/ode/wheelset.cpp")).arg(library());
-    command.args(String::from_utf8_lossy(&flags.stdout).split_whitespace());
-    output_of(command.arg("-o").arg(&program));
-    let text = output_of(&mut Command::new(program));
-    let rows: Vec<Vec<f64>> = text
-        .lines()
-        .map(|line| line.split([' ', ',', ';', ':']).filter_map(|word| word.parse().ok()).collect())
-        .collect();
-    // rate, speed and slip after driving, speed while standing, 3 (s), drift, load, calls
-    let fine = rows.last().expect("rows");
-    assert_eq!((rows.len(), rows[0][0], fine[0]), (4, 60.0, 4000.0), "{text}");
-    for row in &rows {
-        assert!((row[2] / fine[2] - 1.0).abs() < 0.02, "slip: {text}");
-        assert!((row[1] / fine[1] - 1.0).abs() < 0.01, "speed: {text}");
-        // The brake holds by creeping downhill, and by nothing else.
-        assert!(row[5] < 0.0 && row[5].abs() < 0.02, "drift: {text}");
-        assert!((row[6] / 79_952.0 - 1.0).abs() < 1e-3, "load: {text}");
-    }
-    // Pulled by half of the friction bound: slip towards the rear
-    assert!(fine[2] < 0.0 && fine[1] > 5.0, "{text}");
 }

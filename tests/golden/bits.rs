@@ -1,12 +1,11 @@
-//! The same inputs give the same bits: in this (debug) build, through the C interface of the optimised
-//! library, in a batch, on two threads, and compiled for this very processor. `scripts/firmware.sh` runs the
+//! The same inputs give the same bits: in this build without optimisation, through the C interface of the optimised library, in a
+//! batch and on two threads; compiled for this very processor: `tests/machines`. `scripts/firmware.sh` runs the
 //! first thousand on a simulated Cortex-M4 and Cortex-M7.
 //!
 //! Every precision has a hash for each of: solves, derivatives and points of the field; patches; falling friction; special motions
 //! and strips; the inverse functions of test rigs.
 //!
 //! `KSTRIP_WRITE_GOLDEN=1 cargo test --test golden` writes the hashes anew after a deliberate change.
-//! `KSTRIP_GOLDEN_CPU=x86-64-v3` compiles for that processor instead of this one.
 
 use crate::single;
 use crate::toolchain;
@@ -26,8 +25,7 @@ use kstrip::solve::derivatives::{Differentiated, differentiate};
 use kstrip::solve::field::FieldPoint;
 use kstrip::solve::model::{self, Field, Model, Options, Precision, Solution, StripResult};
 use kstrip::status::{Error, Notice};
-use std::process::Command;
-use toolchain::{root, run_c_with, say};
+use toolchain::{root, run_c_with};
 
 const CASES: u32 = 100_000;
 const BLOCK: u32 = 1000;
@@ -406,37 +404,4 @@ fn every_build_gives_the_golden_bits() {
     for mode in [&[][..], &["batch"], &["threads"]] {
         assert_eq!(run_c_with("tests/c/golden.c", mode), golden, "C program, {mode:?}; {way}");
     }
-}
-
-/// A library for this very processor, with all of its instructions, rounds the same.
-#[test]
-fn the_native_processor_gives_the_golden_bits() {
-    let golden = std::fs::read_to_string(root().join("tests/data/golden.txt")).expect("hashes");
-    let target = concat!(env!("CARGO_TARGET_TMPDIR"), "/native");
-    let mut cargo = Command::new(env!("CARGO"));
-    cargo.current_dir(root()).env_remove("CARGO_BUILD_TARGET");
-    let processor = std::env::var("KSTRIP_GOLDEN_CPU").unwrap_or_else(|_| "native".to_owned());
-    cargo.env("RUSTFLAGS", format!("-C target-cpu={processor}"));
-    cargo.args(["rustc", "--locked", "--release", "--lib", "--crate-type", "staticlib"]);
-    cargo.args(["--features", "panic-handler", "--target-dir", target]);
-    let output = cargo.output().expect("cargo runs");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let program = format!("{target}/golden");
-    let built = Command::new("cc")
-        .args(["-std=c99", "-O2", "-ffp-contract=off", "-I"])
-        .arg(root().join("include"))
-        .arg(root().join("tests/c/golden.c"))
-        .arg(format!("{target}/release/libkstrip.a"))
-        .args(["-lpthread", "-o", &program])
-        .output();
-    match built {
-        Ok(output) if output.status.success() => {}
-        Ok(output) => panic!("{}", String::from_utf8_lossy(&output.stderr)),
-        Err(error) => {
-            say(&format!("SKIPPED: golden bits with target-cpu={processor}: no cc ({error})"));
-            return;
-        }
-    }
-    let output = Command::new(&program).output().expect("the program runs");
-    assert_eq!(String::from_utf8_lossy(&output.stdout), golden, "target-cpu={processor}");
 }
