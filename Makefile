@@ -2,7 +2,8 @@
 #
 #     make                              libkstrip.a and libkstrip.so in target/lib
 #     make demo                         the same, and a wheel on a rail
-#     make install PREFIX=/usr/local    headers, libraries, licences, pkg-config files and CMake package
+#     make install PREFIX=/usr/local    headers, libraries, licences, pkg-config files and CMake package; the Fortran module's
+#                                       source and those for Octave and MATLAB in share/kstrip
 #     make uninstall PREFIX=/usr/local
 #
 # DESTDIR is put in front of every path for packagers. What is built is installed without cargo, which need not be in
@@ -11,6 +12,7 @@ PREFIX ?= /usr/local
 LIBDIR ?= $(PREFIX)/lib
 INCLUDEDIR ?= $(PREFIX)/include
 LICENSEDIR ?= $(PREFIX)/share/licenses/kstrip
+SHAREDIR ?= $(PREFIX)/share/kstrip
 CARGO ?= cargo
 INSTALL ?= install
 CARGO_TARGET_DIR ?= target
@@ -59,9 +61,12 @@ $(BUILT)/libkstrip.a: Cargo.toml Cargo.lock $(shell find src -name '*.rs')
 	CARGO="$(CARGO)" CARGO_TARGET_DIR="$(CARGO_TARGET_DIR)" sh scripts/library.sh
 
 install: $(BUILT)/libkstrip.a
-	$(INSTALL) -d $(DESTDIR)$(INCLUDEDIR) $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(CMAKEDIR) $(DESTDIR)$(LICENSEDIR)
+	$(INSTALL) -d $(DESTDIR)$(INCLUDEDIR) $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(CMAKEDIR) $(DESTDIR)$(LICENSEDIR) \
+		$(DESTDIR)$(SHAREDIR)/fortran $(DESTDIR)$(SHAREDIR)/octave
 	$(INSTALL) -m 644 include/kstrip.h include/kstrip_f32.h include/kstrip.hpp $(DESTDIR)$(INCLUDEDIR)
 	$(INSTALL) -m 644 LICENSE-APACHE LICENSE-MIT $(DESTDIR)$(LICENSEDIR)
+	$(INSTALL) -m 644 bindings/fortran/kstrip.f90 $(DESTDIR)$(SHAREDIR)/fortran
+	$(INSTALL) -m 644 bindings/octave/kstrip*.c bindings/octave/kstrip*.m $(DESTDIR)$(SHAREDIR)/octave
 	$(INSTALL) -m 644 $(BUILT)/libkstrip.a $(DESTDIR)$(LIBDIR)
 	$(INSTALL) -m 755 $(BUILT)/$(FULL) $(DESTDIR)$(LIBDIR)
 	$(SET_NAME)
@@ -75,4 +80,4 @@ install: $(BUILT)/libkstrip.a
 uninstall:
 	rm -f $(addprefix $(DESTDIR)$(INCLUDEDIR)/,kstrip.h kstrip_f32.h kstrip.hpp)
 	rm -f $(addprefix $(DESTDIR)$(LIBDIR)/,libkstrip.a $(FULL) $(NAME) $(SHARED) pkgconfig/kstrip.pc pkgconfig/kstrip-static.pc)
-	rm -rf $(DESTDIR)$(CMAKEDIR) $(DESTDIR)$(LICENSEDIR)
+	rm -rf $(DESTDIR)$(CMAKEDIR) $(DESTDIR)$(LICENSEDIR) $(DESTDIR)$(SHAREDIR)

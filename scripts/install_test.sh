@@ -22,6 +22,9 @@ make --silent install PREFIX="$prefix" CARGO_TARGET_DIR="$target" CARGO=no-cargo
 for licence in LICENSE-MIT LICENSE-APACHE; do
     cmp "$licence" "$prefix/share/licenses/kstrip/$licence" || fail "$licence is not installed"
 done
+for source in fortran/kstrip.f90 octave/kstrip_call.c octave/kstrip.m octave/kstrip_evaluate.m; do
+    cmp "bindings/$source" "$prefix/share/kstrip/$source" || fail "bindings/$source is not installed"
+done
 # What is installed finds itself wherever it is moved to.
 mv "$prefix" "$work/second"
 prefix=$work/second

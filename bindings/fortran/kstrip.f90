@@ -47,6 +47,7 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_error_measured = -21
    integer(c_int32_t), parameter :: kstrip_error_not_prepared = -22
    integer(c_int32_t), parameter :: kstrip_error_floor_speed = -23
+   integer(c_int32_t), parameter :: kstrip_error_stride = -24
    integer(c_int32_t), parameter :: kstrip_error_strip_size = -40
    integer(c_int32_t), parameter :: kstrip_error_pressure = -41
    integer(c_int32_t), parameter :: kstrip_error_strip_order = -42
@@ -207,7 +208,7 @@ module kstrip
    end type
 
    !> Many contacts with their motion and their friction: for each quantity a pointer to the first one and the distance
-   !> to the next in bytes.
+   !> to the next in bytes, its stride.
    type, bind(c) :: kstrip_batch_inputs
       type(c_ptr) :: a = c_null_ptr
       integer(c_intptr_t) :: a_stride = 0
@@ -301,7 +302,8 @@ module kstrip
       integer(c_int32_t) :: reserved = 0
    end type
 
-   !> The undeformed distance of two bodies at ascending y: c_loc of arrays; centre_x and rolling_radius may be c_null_ptr.
+   !> The undeformed distance of two bodies across the rolling direction, at points in ascending y; straight between
+   !> them.
    type, bind(c) :: kstrip_profile
       type(c_ptr) :: y = c_null_ptr
       type(c_ptr) :: distance = c_null_ptr

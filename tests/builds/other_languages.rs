@@ -109,10 +109,11 @@ fn octave_calls_the_library() {
     let mut make = Command::new("mkoctfile");
     make.current_dir(&folder).args(["--mex", "-Wall"]);
     make.arg(format!("-I{}", root().join("include").display()));
-    make.arg(root().join("bindings/octave/kstrip.c")).arg(library());
-    output_of(make.arg("-o").arg(folder.join("kstrip.mex")));
+    let sources = root().join("bindings/octave");
+    make.arg(sources.join("kstrip_call.c")).arg(library());
+    output_of(make.arg("-o").arg(folder.join("kstrip_call.mex")));
     let mut octave = Command::new("octave-cli");
-    octave.args(["--norc", "--path"]).arg(&folder);
-    let text = output_of(octave.arg(root().join("bindings/octave/test_kstrip.m")));
+    octave.args(["--norc", "--path"]).arg(&folder).arg("--path").arg(&sources);
+    let text = output_of(octave.arg(sources.join("test_kstrip.m")));
     assert_eq!(numbers(&text).len(), 3, "the last line of the test: {text}");
 }

@@ -109,6 +109,13 @@ class KstripWarning(RuntimeWarning):
     """A positive status: the outputs are valid, but read what it says."""
 
 
+def _gravity(status: int) -> tuple[int, int]:
+    """What is told of several warnings, as kstrip.h has it: the largest."""
+    rank = {"NOT_CONVERGED": 5, "SEVERAL_FRICTIONS": 4, "FRICTION_AT_LEAST": 3, "CREEPAGE_AT_LEAST": 3, "BEYOND_FRICTION": 1,
+            "SPIN": 0, "RANGE": 0}
+    return (rank.get(_statuses.get(status, "").removeprefix("KSTRIP_WARNING_"), 2) if status > 0 else -1), status
+
+
 def _report(status: int, index: Optional[tuple] = None) -> None:
     """Raises or warns in the name of the caller's caller's caller."""
     if status < 0:
@@ -137,7 +144,7 @@ def _record(name: str, dtype: DTypeLike, **members: ArrayLike) -> Records:
     if np.dtype(dtype) not in (np.dtype(np.float64), np.dtype(np.float32)):
         raise TypeError(f"{name}: dtype is float64 or float32, not {np.dtype(dtype)}")
     kind = dtypes[name if np.dtype(dtype) == np.float64 else f"{name}_f32"]
-    values = {member: _numbers(value, member) for member, value in members.items()}
+    values = {member: _numbers(value, f"{name}.{member}") for member, value in members.items()}
     made = np.zeros(np.broadcast_shapes(*(value.shape for value in values.values())), kind)
     for member, value in values.items():
         with np.errstate(over="ignore"):
@@ -145,19 +152,52 @@ def _record(name: str, dtype: DTypeLike, **members: ArrayLike) -> Records:
     return made
 
 
+def _array(value: Any) -> np.ndarray:
+    """An array of whatever it is; of objects where numpy makes nothing of it."""
+    try:
+        return np.asarray(value)
+    except ValueError:
+        return np.asarray(None)
+
+
 def _single(*values: Any) -> bool:
     """Whether all records have the structure of single precision."""
     singles = [dtype for name, dtype in dtypes.items() if name.endswith("_f32")]
-    return all(np.asarray(value).dtype in singles for value in values if value is not None)
+    return all(_array(value).dtype in singles for value in values if value is not None)
+
+
+def _seen(value: Any) -> str:
+    """What an argument is, for messages."""
+    dtype = _array(value).dtype
+    for name, kind in dtypes.items():
+        if kind == dtype:
+            return f"kstrip.{name.removesuffix('_f32')}()"
+    if dtype.names is not None:
+        return f"a record of {', '.join(dtype.names)}"
+    return f"an array of {dtype}" if isinstance(value, np.ndarray) else f"a {type(value).__name__}"
+
+
+def _maker(name: str, members: str) -> str:
+    """Where records of a structure come from, for messages."""
+    makers = {"combined_material": "combine()", "patch": "patch_from_profile(), patch_from_strips() or patch_from_contact()",
+              "prepared": "prepare()"}
+    return f"kstrip.{makers.get(name, f'{name}({members})')}"
 
 
 def _records(name: str, value: Any, single: bool) -> Records:
     """Records of this structure and precision; a copy if anything about them differs."""
-    kind, given = dtypes[name + "_f32" * single], np.asarray(value)
+    kind, given = dtypes[name + "_f32" * single], _array(value)
     if given.dtype == kind:
         return np.require(given, requirements=["C", "A"])
-    if given.dtype.names is None or sorted(given.dtype.names) != sorted(kind.names):
-        raise TypeError(f"kstrip.{name}() is needed, not {given.dtype}")
+    members, seen = ", ".join(kind.names), _seen(value)
+    if given.dtype.names is None or seen.startswith("kstrip.") and seen != f"kstrip.{name}()":
+        raise TypeError(f"{name}: make it with {_maker(name, members)}; this is {seen}")
+    for member in kind.names:
+        if member not in given.dtype.names:
+            raise TypeError(f"{name}: the field {member} is missing; this is {seen}")
+    for member in given.dtype.names:
+        if member not in kind.names:
+            raise TypeError(f"{name}: there is no field {member}; the fields are {members}")
     made = np.zeros(given.shape, kind)
     for member in kind.names:
         if kind[member].base.names:
@@ -165,7 +205,7 @@ def _records(name: str, value: Any, single: bool) -> Records:
         else:
             part = _numbers(given[member], f"{name}.{member}")
             if part.shape != made[member].shape:
-                raise TypeError(f"{name}.{member} has another shape")
+                raise TypeError(f"{name}.{member}: each has the shape {part.shape[given.ndim:]}, not {kind[member].shape}")
             with np.errstate(over="ignore", invalid="ignore"):
                 made[member] = part
     return made
@@ -181,7 +221,7 @@ def _flat(value: np.ndarray, shape: tuple) -> tuple[np.ndarray, int]:
 def _one(name: str, value: Any, single: bool) -> Records:
     record = _records(name, value, single)
     if record.size != 1:
-        raise ValueError(f"one kstrip.{name}() is needed, not {record.size}")
+        raise ValueError(f"{name}: one is needed, not {record.size}")
     return record.reshape(())
 
 
@@ -213,7 +253,7 @@ def _each(name: str, single: bool, shape: tuple, *arguments: Any) -> None:
     call, worst, at = _function_of(name, single), 0, 0
     for i in range(int(np.prod(shape))):
         status = call(*(a[0].ctypes.data + i * a[1] if isinstance(a, tuple) else a for a in arguments))
-        if status < 0 or status > worst:
+        if status < 0 or _gravity(status) > _gravity(worst):
             worst, at = status, i
         if status < 0:
             break
@@ -304,7 +344,7 @@ def _from_bodies(name: str, curvatures: Any, pair: Any, amount: ArrayLike, frict
     for i in range(amount.size):
         status = call(curvatures[0].ctypes.data + i * curvatures[1], pair[0].ctypes.data + i * pair[1], float(amount[i]),
                       float(friction[i]), contacts[0].ctypes.data + i * contacts[1], seconds[0].ctypes.data + i * seconds[1])
-        if status < 0 or status > worst:
+        if status < 0 or _gravity(status) > _gravity(worst):
             worst, at = status, i
         if status < 0:
             break
@@ -380,7 +420,7 @@ class Evaluation(NamedTuple):
 
 
 def _is_patch(area: Any) -> bool:
-    return np.asarray(area).dtype in (dtypes["patch"], dtypes["patch_f32"])
+    return _array(area).dtype in (dtypes["patch"], dtypes["patch_f32"])
 
 
 def _batch(contacts: Any, creepages: Any, law: Any, model: Model, strips: int, wanted: tuple) -> dict[str, np.ndarray]:
@@ -551,7 +591,7 @@ def patch_from_profile(y: ArrayLike, distance: ArrayLike, *, rolling_radius: Arr
         lists.append(None if values is None else _floats(values, "centre_x, rolling_radius", False).reshape(-1))
     if any(values is not None and values.size != y.size for values in lists):
         raise ValueError("the arrays of a profile have different sizes")
-    pointers = [None if values is None else values.ctypes.data for values in lists]
+    pointers = [0 if values is None else values.ctypes.data for values in lists]
     profile = structures["kstrip_profile"](*pointers, _count(y.size), 0)
     load = structures["kstrip_profile_contact"](
         rolling_radius=0.0 if np.ndim(rolling_radius) else float(rolling_radius), normal_force=float(normal_force), approach=float(approach),

@@ -97,6 +97,30 @@ class Binding(unittest.TestCase):
         with self.assertRaises(TypeError):
             kstrip.creepage(1j)
 
+    def test_messages_name_structure_and_field(self):
+        motion = kstrip.creepage(1e-3)
+        lacking = np.zeros((), [(name, float) for name in ("a", "b", "normal_force", "shear_modulus", "friction")])
+        for call, words in [
+            (lambda: kstrip.solve(CONTACT, CONTACT), ["creepage: make it with kstrip.creepage(longitudinal", "this is kstrip.contact()"]),
+            (lambda: kstrip.solve((6e-3, 4e-3), motion), ["contact: make it with kstrip.contact(a, b", "this is a tuple"]),
+            (lambda: kstrip.solve(CONTACT, [1e-3, [0]]), ["creepage: make it with", "this is a list"]),
+            (lambda: kstrip.solve(np.float32([1, 2]), motion), ["contact: make it with", "an array of float32"]),
+            (lambda: kstrip.solve(lacking, motion), ["contact: the field poisson_ratio is missing"]),
+            (lambda: kstrip.solve(CONTACT, motion, 0.3), ["friction: make it with kstrip.friction(", "this is a float"]),
+            (lambda: kstrip.contact(**{**STEEL, "a": "6 mm"}), ["contact.a: real numbers are needed"]),
+            (lambda: kstrip.contact_from_hertz(kstrip.radii(), (82e9, 0.28), 1.0, 0.3), ["combined_material: make it with kstrip.combine()"]),
+        ]:
+            with self.assertRaises(TypeError) as raised:
+                call()
+            for word in words:
+                self.assertIn(word, str(raised.exception))
+
+    @quiet
+    def test_single_and_double_go_together(self):
+        single = kstrip.creepage(1e-3, dtype=np.float32)
+        mixed = kstrip.solve(CONTACT, single)["fx"]
+        self.assertEqual(mixed, kstrip.solve(CONTACT, kstrip.creepage(float(np.float32(1e-3))))["fx"])
+
     def test_single_precision(self):
         single = kstrip.solve(kstrip.contact(**STEEL, dtype=np.float32), kstrip.creepage(1e-3, dtype=np.float32))
         double = kstrip.solve(CONTACT, kstrip.creepage(1e-3))

@@ -1,0 +1,374 @@
+/* kstrip in MATLAB and Octave: what the functions kstrip*.m of this folder call; each has help text (`help kstrip`).
+ *
+ *   make && mkoctfile --mex -Iinclude bindings/octave/kstrip_call.c target/lib/libkstrip.a -o bindings/octave/kstrip_call.mex
+ *   mex -Iinclude bindings/octave/kstrip_call.c target/lib/libkstrip.a -outdir bindings/octave            (MATLAB)
+ *   addpath bindings/octave
+ *
+ * A structure of the C interface is a column of its members, in their order; many are the columns of a matrix, and one column stands
+ * for all. Errors name the column; each kind of warning is passed on once, with its first column.
+ */
+#include "kstrip.h"
+#include "mex.h"
+#include <string.h>
+
+enum { STATUSES = 64 };
+
+/* The first column of each warning, and how many there are. */
+typedef struct {
+    size_t first[STATUSES], count[STATUSES];
+} report;
+
+static void note(report *seen, kstrip_status status, size_t column)
+{
+    if (status < 0)
+        mexErrMsgIdAndTxt("kstrip:status", "kstrip: column %d: %s", (int)column + 1, kstrip_status_string(status));
+    if (status > 0 && status < STATUSES && !seen->count[status]++) seen->first[status] = column;
+}
+
+static void warn(const report *seen)
+{
+    for (int status = 1; status < STATUSES; status++)
+        if (seen->count[status])
+            mexWarnMsgIdAndTxt("kstrip:warning", "kstrip: column %d%s: %s", (int)seen->first[status] + 1,
+                               seen->count[status] > 1 ? " and others" : "", kstrip_status_string(status));
+}
+
+/* An argument that was given and is not []. */
+static const mxArray *given(int count, const mxArray *arguments[], int i)
+{
+    return i < count && !mxIsEmpty(arguments[i]) ? arguments[i] : NULL;
+}
+
+/* Columns of an argument that has at least `least` rows and no more than the structure has members. */
+static size_t columns(const mxArray *array, const char *name, size_t least, size_t size)
+{
+    const size_t members = size / sizeof(double);
+    if (!array || !mxIsDouble(array) || mxIsComplex(array) || mxGetM(array) < least || mxGetM(array) > members)
+        mexErrMsgIdAndTxt("kstrip:argument", "kstrip: %s must be a real double matrix with %d to %d rows, see help kstrip", name, (int)least,
+                          (int)members);
+    return mxGetN(array);
+}
+
+static size_t common(size_t one, size_t other)
+{
+    if (one != other && one != 1 && other != 1)
+        mexErrMsgIdAndTxt("kstrip:argument", "kstrip: the arguments have different numbers of columns, %d and %d", (int)one, (int)other);
+    return one == 1 ? other : one;
+}
+
+/* A structure of numbers from column k, or from the only one; members that are not given are zero. */
+static void load(void *to, size_t size, const mxArray *array, size_t k)
+{
+    const size_t rows = mxGetM(array);
+    memset(to, 0, size);
+    memcpy(to, mxGetPr(array) + rows * (mxGetN(array) > 1 ? k : 0), rows * sizeof(double));
+}
+
+static double scalar(const mxArray *array, double otherwise)
+{
+    return array ? mxGetScalar(array) : otherwise;
+}
+
+static kstrip_options options_of(const mxArray *model, const mxArray *strips)
+{
+    static const char *const names[] = {"default", "strip_1967", "strip_1967_continuous", "strip", "total", "linear"};
+    kstrip_options options = {0, (int32_t)scalar(strips, 0)};
+    if (model && mxIsChar(model)) {
+        char name[32] = "";
+        mxGetString(model, name, sizeof name);
+        options.model = -1;
+        for (int i = 0; i < 6; i++)
+            if (strcmp(name, names[i]) == 0) options.model = i;
+    } else {
+        options.model = (int32_t)scalar(model, 0);
+    }
+    return options;
+}
+
+static double *field(mxArray *of, const char *name, size_t rows, size_t count)
+{
+    mxArray *made = mxCreateDoubleMatrix(rows, count, mxREAL);
+    mxAddField(of, name);
+    mxSetField(of, 0, name, made);
+    return mxGetPr(made);
+}
+
+static double *cube(mxArray *of, const char *name, size_t count)
+{
+    const mwSize sizes[3] = {3, 3, count};
+    mxArray *made = mxCreateNumericArray(3, sizes, mxDOUBLE_CLASS, mxREAL);
+    mxAddField(of, name);
+    mxSetField(of, 0, name, made);
+    return mxGetPr(made);
+}
+
+/* matrix(i, j, k): the derivative of force i by motion j. */
+static void put_rows(double *matrix, size_t k, const double rows[3][3])
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) matrix[9 * k + 3 * j + i] = rows[i][j];
+}
+
+typedef struct {
+    double *force, *power, *adhesion, *status, *friction;
+} result_fields;
+
+static result_fields results(mxArray *of, size_t n)
+{
+    const result_fields made = {field(of, "force", 3, n), field(of, "power", 1, n), field(of, "adhesion", 1, n),
+                                field(of, "status", 1, n), field(of, "friction", 1, n)};
+    return made;
+}
+
+static void put_result(const result_fields *to, size_t k, const kstrip_result *from, double friction)
+{
+    to->force[3 * k] = from->fx, to->force[3 * k + 1] = from->fy, to->force[3 * k + 2] = from->mz;
+    to->power[k] = from->power, to->adhesion[k] = from->adhesion;
+    to->status[k] = from->status_detail, to->friction[k] = friction;
+}
+
+static const char *const strip_rows = "patch.strips";
+
+static kstrip_patch patch_of(const mxArray *of)
+{
+    kstrip_patch patch;
+    memset(&patch, 0, sizeof patch);
+    const mxArray *strips = of && mxIsStruct(of) ? mxGetField(of, 0, "strips") : NULL;
+    if (!strips || !mxGetField(of, 0, "shear_modulus") || !mxGetField(of, 0, "poisson_ratio"))
+        mexErrMsgIdAndTxt("kstrip:argument", "kstrip: patch must be a struct from kstrip_patch_from_contact or kstrip_patch_from_profile");
+    const size_t count = mxIsEmpty(strips) ? 0 : columns(strips, strip_rows, 6, sizeof *patch.strips);
+    if (count > KSTRIP_PATCH_CAPACITY) mexErrMsgIdAndTxt("kstrip:status", "kstrip: %s", kstrip_status_string(KSTRIP_ERROR_PATCH_SIZE));
+    for (size_t k = 0; k < count; k++) load(&patch.strips[k], sizeof patch.strips[k], strips, k);
+    patch.count = (uint32_t)count;
+    patch.shear_modulus = mxGetScalar(mxGetField(of, 0, "shear_modulus"));
+    patch.poisson_ratio = mxGetScalar(mxGetField(of, 0, "poisson_ratio"));
+    patch.area_scale = scalar(mxGetField(of, 0, "area_scale"), 0);
+    patch.lever_scale = scalar(mxGetField(of, 0, "lever_scale"), 0);
+    return patch;
+}
+
+static mxArray *of_patch(const kstrip_patch *patch)
+{
+    mxArray *made = mxCreateStructMatrix(1, 1, 0, NULL);
+    double *strips = field(made, "strips", sizeof *patch->strips / sizeof(double), patch->count);
+    memcpy(strips, patch->strips, patch->count * sizeof *patch->strips);
+    *field(made, "shear_modulus", 1, 1) = patch->shear_modulus;
+    *field(made, "poisson_ratio", 1, 1) = patch->poisson_ratio;
+    *field(made, "area_scale", 1, 1) = patch->area_scale;
+    *field(made, "lever_scale", 1, 1) = patch->lever_scale;
+    return made;
+}
+
+/* (contact or patch, creepage, friction, model, strips) */
+static mxArray *evaluate(int count, const mxArray *in[])
+{
+    const mxArray *law = given(count, in, 2);
+    const kstrip_options options = options_of(given(count, in, 3), given(count, in, 4));
+    const int is_patch = count > 0 && mxIsStruct(in[0]);
+    kstrip_patch patch = {0};
+    size_t n = columns(given(count, in, 1), "creepage", 3, sizeof(kstrip_creepage));
+    if (is_patch)
+        patch = patch_of(in[0]);
+    else
+        n = common(n, columns(given(count, in, 0), "contact", 6, sizeof(kstrip_contact)));
+    if (law) n = common(n, columns(law, "friction", 5, sizeof(kstrip_friction)));
+    mxArray *made = mxCreateStructMatrix(1, 1, 0, NULL);
+    const result_fields to = results(made, n);
+    double *jacobian = cube(made, "jacobian", n), *by_load = field(made, "by_load", 3, n);
+    double *by_hertz = field(made, "by_load_through_hertz", 3, n), *by_friction = field(made, "by_friction", 3, n);
+    double *by_ratio = field(made, "by_ratio", 3, n), *by_decay = field(made, "by_decay", 3, n);
+    double *by_speed = field(made, "by_rolling_speed", 3, n), *by_slope = field(made, "by_slope_factor", 3, n);
+    report seen = {{0}, {0}};
+    for (size_t k = 0; k < n; k++) {
+        kstrip_contact contact;
+        kstrip_creepage creepage;
+        kstrip_friction friction;
+        kstrip_result result;
+        kstrip_derivatives by;
+        kstrip_law_derivatives by_law;
+        double left;
+        const kstrip_outputs wanted = {.result = &result, .derivatives = &by, .law_derivatives = &by_law, .friction = &left};
+        load(&creepage, sizeof creepage, in[1], k);
+        if (law) load(&friction, sizeof friction, law, k);
+        if (!is_patch) load(&contact, sizeof contact, in[0], k);
+        note(&seen,
+             is_patch ? kstrip_patch_evaluate(&patch, &creepage, law ? &friction : NULL, &options, &wanted)
+                      : kstrip_evaluate(&contact, &creepage, law ? &friction : NULL, &options, &wanted),
+             k);
+        put_result(&to, k, &result, left);
+        put_rows(jacobian, k, (const double(*)[3])by.jacobian);
+        memcpy(by_load + 3 * k, by.normal_force, sizeof by.normal_force);
+        memcpy(by_hertz + 3 * k, by.load_through_hertz, sizeof by.load_through_hertz);
+        memcpy(by_friction + 3 * k, by.friction, sizeof by.friction);
+        memcpy(by_ratio + 3 * k, by_law.ratio, sizeof by_law.ratio);
+        memcpy(by_decay + 3 * k, by_law.decay, sizeof by_law.decay);
+        memcpy(by_speed + 3 * k, by_law.rolling_speed, sizeof by_law.rolling_speed);
+        memcpy(by_slope + 3 * k, by_law.slope_factor, sizeof by_law.slope_factor);
+    }
+    warn(&seen);
+    return made;
+}
+
+/* (contact, creepage, model, strips): forces alone */
+static mxArray *forces(int count, const mxArray *in[])
+{
+    const kstrip_options options = options_of(given(count, in, 2), given(count, in, 3));
+    const size_t n = common(columns(given(count, in, 1), "creepage", 3, sizeof(kstrip_creepage)),
+                            columns(given(count, in, 0), "contact", 6, sizeof(kstrip_contact)));
+    mxArray *made = mxCreateDoubleMatrix(3, n, mxREAL);
+    double *force = mxGetPr(made);
+    report seen = {{0}, {0}};
+    for (size_t k = 0; k < n; k++) {
+        kstrip_contact contact;
+        kstrip_creepage creepage;
+        kstrip_result result;
+        load(&contact, sizeof contact, in[0], k);
+        load(&creepage, sizeof creepage, in[1], k);
+        note(&seen, kstrip_solve(&contact, &creepage, &options, &result), k);
+        force[3 * k] = result.fx, force[3 * k + 1] = result.fy, force[3 * k + 2] = result.mz;
+    }
+    warn(&seen);
+    return made;
+}
+
+/* (contact, motion, friction, model, strips) */
+static mxArray *in_motion(int count, const mxArray *in[])
+{
+    const mxArray *law = given(count, in, 2);
+    const kstrip_options options = options_of(given(count, in, 3), given(count, in, 4));
+    size_t n = common(columns(given(count, in, 0), "contact", 6, sizeof(kstrip_contact)),
+                      columns(given(count, in, 1), "motion", 4, sizeof(kstrip_motion)));
+    if (law) n = common(n, columns(law, "friction", 5, sizeof(kstrip_friction)));
+    mxArray *made = mxCreateStructMatrix(1, 1, 0, NULL);
+    const result_fields to = results(made, n);
+    double *by_slip = cube(made, "by_slip", n), *by_speed = field(made, "by_rolling_speed", 3, n);
+    double *by_load = field(made, "by_load", 3, n), *by_hertz = field(made, "by_load_through_hertz", 3, n);
+    double *by_friction = field(made, "by_friction", 3, n);
+    report seen = {{0}, {0}};
+    for (size_t k = 0; k < n; k++) {
+        kstrip_contact contact;
+        kstrip_motion motion;
+        kstrip_friction friction;
+        kstrip_result result;
+        kstrip_motion_derivatives by;
+        double left;
+        const kstrip_motion_outputs wanted = {.result = &result, .derivatives = &by, .friction = &left};
+        load(&contact, sizeof contact, in[0], k);
+        load(&motion, sizeof motion, in[1], k);
+        if (law) load(&friction, sizeof friction, law, k);
+        note(&seen, kstrip_solve_motion(&contact, &motion, law ? &friction : NULL, &options, &wanted), k);
+        put_result(&to, k, &result, left);
+        put_rows(by_slip, k, (const double(*)[3])by.slip);
+        memcpy(by_speed + 3 * k, by.rolling_speed, sizeof by.rolling_speed);
+        memcpy(by_load + 3 * k, by.normal_force, sizeof by.normal_force);
+        memcpy(by_hertz + 3 * k, by.load_through_hertz, sizeof by.load_through_hertz);
+        memcpy(by_friction + 3 * k, by.friction, sizeof by.friction);
+    }
+    warn(&seen);
+    return made;
+}
+
+/* (radii, pair, load, friction): contacts and ellipses */
+static void hertz(int outputs, mxArray *out[], int count, const mxArray *in[])
+{
+    const mxArray *loads = given(count, in, 2);
+    size_t n = common(columns(given(count, in, 0), "radii", 4, sizeof(kstrip_radii)),
+                      columns(given(count, in, 1), "pair", 2, sizeof(kstrip_combined_material)));
+    n = common(n, columns(loads, "load", 1, sizeof(double)));
+    const double friction = scalar(given(count, in, 3), 0);
+    const size_t members = sizeof(kstrip_contact) / sizeof(double), of_ellipse = sizeof(kstrip_hertz_contact) / sizeof(double);
+    out[0] = mxCreateDoubleMatrix(members, n, mxREAL);
+    mxArray *ellipses = mxCreateDoubleMatrix(of_ellipse, n, mxREAL);
+    report seen = {{0}, {0}};
+    for (size_t k = 0; k < n; k++) {
+        kstrip_radii radii;
+        kstrip_combined_material pair;
+        kstrip_contact contact;
+        kstrip_hertz_contact ellipse;
+        load(&radii, sizeof radii, in[0], k);
+        load(&pair, sizeof pair, in[1], k);
+        note(&seen, kstrip_contact_from_hertz(&radii, &pair, mxGetPr(loads)[mxGetN(loads) > 1 ? k : 0], friction, &contact, &ellipse), k);
+        memcpy(mxGetPr(out[0]) + members * k, &contact, sizeof contact);
+        memcpy(mxGetPr(ellipses) + of_ellipse * k, &ellipse, sizeof ellipse);
+    }
+    warn(&seen);
+    if (outputs > 1) out[1] = ellipses;
+}
+
+/* (y, distance, struct): a patch, and what presses it */
+static void from_profile(int outputs, mxArray *out[], int count, const mxArray *in[])
+{
+    static const char *const names[] = {"rolling_radius", "normal_force", "approach", "smoothing_length", "shear_modulus", "poisson_ratio",
+                                        "friction", "strips", "centre_x", "rolling_radii"};
+    const mxArray *y = given(count, in, 0), *distance = given(count, in, 1), *of = given(count, in, 2);
+    if (!y || !distance || !mxIsDouble(y) || !mxIsDouble(distance) || mxGetNumberOfElements(y) != mxGetNumberOfElements(distance) || !of ||
+        !mxIsStruct(of))
+        mexErrMsgIdAndTxt("kstrip:argument", "kstrip: y and distance must be vectors of one length, options a struct: help kstrip_patch_from_profile");
+    for (int i = 0; i < mxGetNumberOfFields(of); i++) {
+        int known = 0;
+        for (size_t j = 0; j < sizeof names / sizeof *names; j++) known |= strcmp(mxGetFieldNameByNumber(of, i), names[j]) == 0;
+        if (!known) mexErrMsgIdAndTxt("kstrip:argument", "kstrip: unknown field %s: help kstrip_patch_from_profile", mxGetFieldNameByNumber(of, i));
+    }
+    const double *along[2] = {NULL, NULL};
+    for (int i = 0; i < 2; i++) {
+        const mxArray *values = mxGetField(of, 0, names[8 + i]);
+        if (values && (!mxIsDouble(values) || mxGetNumberOfElements(values) != mxGetNumberOfElements(y)))
+            mexErrMsgIdAndTxt("kstrip:argument", "kstrip: %s must have one number for each point", names[8 + i]);
+        if (values) along[i] = mxGetPr(values);
+    }
+    double numbers[8];
+    for (int i = 0; i < 8; i++) numbers[i] = scalar(mxGetField(of, 0, names[i]), 0);
+    const kstrip_profile profile = {mxGetPr(y), mxGetPr(distance), along[0], along[1], (uint32_t)mxGetNumberOfElements(y), 0};
+    const kstrip_profile_contact contact = {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4],
+                                            numbers[5], numbers[6], (int32_t)numbers[7], 0};
+    kstrip_patch patch;
+    kstrip_profile_result result;
+    report seen = {{0}, {0}};
+    note(&seen, kstrip_patch_from_profile(&profile, &contact, &patch, &result), 0);
+    warn(&seen);
+    out[0] = of_patch(&patch);
+    if (outputs > 1) {
+        out[1] = mxCreateStructMatrix(1, 1, 0, NULL);
+        *field(out[1], "approach", 1, 1) = result.approach;
+        *field(out[1], "normal_force", 1, 1) = result.normal_force;
+        *field(out[1], "stiffness", 1, 1) = result.stiffness;
+        *field(out[1], "peak_pressure", 1, 1) = result.peak_pressure;
+        *field(out[1], "peak_y", 1, 1) = result.peak_y;
+    }
+}
+
+/* (contact, strips) */
+static mxArray *from_contact(int count, const mxArray *in[])
+{
+    const kstrip_options options = options_of(NULL, given(count, in, 1));
+    kstrip_contact contact;
+    kstrip_patch patch;
+    report seen = {{0}, {0}};
+    columns(given(count, in, 0), "contact", 6, sizeof contact);
+    load(&contact, sizeof contact, in[0], 0);
+    note(&seen, kstrip_patch_from_contact(&contact, &options, &patch), 0);
+    warn(&seen);
+    return of_patch(&patch);
+}
+
+void mexFunction(int outputs, mxArray *output[], int inputs, const mxArray *input[])
+{
+    char name[32] = "";
+    if (inputs > 0 && mxIsChar(input[0])) mxGetString(input[0], name, sizeof name);
+    const int count = inputs - 1;
+    const mxArray **in = input + 1;
+    if (strcmp(name, "solve") == 0)
+        output[0] = forces(count, in);
+    else if (strcmp(name, "evaluate") == 0)
+        output[0] = evaluate(count, in);
+    else if (strcmp(name, "solve_motion") == 0)
+        output[0] = in_motion(count, in);
+    else if (strcmp(name, "contact_from_hertz") == 0)
+        hertz(outputs, output, count, in);
+    else if (strcmp(name, "patch_from_profile") == 0)
+        from_profile(outputs, output, count, in);
+    else if (strcmp(name, "patch_from_contact") == 0)
+        output[0] = from_contact(count, in);
+    else
+        mexErrMsgIdAndTxt("kstrip:argument", "kstrip_call: call the functions kstrip*.m instead, see help kstrip");
+}
