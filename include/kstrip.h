@@ -25,11 +25,13 @@
  *
  * - Every function returns a kstrip_status: 0 is success, > 0 a warning with valid outputs, < 0 an
  *   error with outputs untouched. kstrip_status_string() says what to change.
+ * - Where more than one warning holds, the gravest is told: NOT_CONVERGED, then SEVERAL_FRICTIONS, then FRICTION_AT_LEAST and
+ *   CREEPAGE_AT_LEAST, then implausible inputs (PRESSURE to RADIUS), then BEYOND_FRICTION, then SPIN and RANGE.
  * - Zero is the default: kstrip_options o = {0}, a NULL for it, and a member that is zero mean the recommended choice.
  * - A lost contact is an ordinary input: normal_force <= 0 (a and b may be 0 with it) gives zero forces and
  *   derivatives, adhesion 0 and KSTRIP_OK, in every function that solves. NaN is an error.
  * - NULL, NaN, infinities and any other numbers are safe inputs. Pointers must be NULL or valid and
- *   aligned; arrays must have as many elements as their count says. Outputs must not overlap inputs.
+ *   aligned (any other pointer is undefined behaviour, as in C); arrays must have as many elements as their count says. Outputs must not overlap inputs.
  * - An output that is NULL where that is allowed is not computed and costs nothing.
  * - No function allocates, blocks, or calls back; none has state that an answer depends on: all may be used from any
  *   thread and from interrupt handlers. Stack use: docs/embedded.md.
@@ -137,6 +139,8 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_NOT_PREPARED -22
 /** Error: the floor of the speed is negative. */
 #define KSTRIP_ERROR_FLOOR_SPEED -23
+/** Error: the stride of an output of a batch is smaller than the output, or a stride is no multiple of the alignment. */
+#define KSTRIP_ERROR_STRIDE -24
 /** Error: a strip of a patch has a width or half length that is not positive. */
 #define KSTRIP_ERROR_STRIP_SIZE -40
 /** Error: the peak pressure of a strip is negative. */
@@ -577,7 +581,10 @@ typedef struct kstrip_outputs {
  * Everything about a contact in motion in one call: of the outputs, those that are not NULL.
  *
  * With friction the coefficient of friction falls with the slip and agrees with it (the contact's own does not
- * count), and all derivatives go through that. With KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
+ * count), and all derivatives go through that. Where more than one friction agrees the status is KSTRIP_WARNING_SEVERAL_FRICTIONS and the
+ * result has the largest, but for the two models of 1967 under friction that falls very steeply: their forces jump, or nearly do, where
+ * adhesion is born, and another friction, larger ones included, may stay untold in about one of a thousand such cases.
+ * With KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
  *
  * @param contact         ellipse, load, material, friction.
  * @param creepage        motion.
@@ -597,7 +604,7 @@ kstrip_status kstrip_evaluate(const struct kstrip_contact *contact,
 
 /**
  * Many contacts with their motion and their friction: for each quantity a pointer to the first one and the distance to
- * the next in bytes. Distance 0: one for all.
+ * the next in bytes, its stride. Stride 0: one for all.
  *
  * Arrays of structures (&contacts[0].a, sizeof(kstrip_contact)) are as good as one array for each quantity
  * (a, sizeof(double)). All but law are required unless there are no contacts.
@@ -652,7 +659,7 @@ typedef struct kstrip_batch_inputs {
 typedef struct kstrip_batch_outputs {
     /** Longitudinal forces on the lower bodies [N]. */
     double *fx;
-    /** Distance in bytes, as all that follow; at least the size of one. */
+    /** Distance in bytes, as all that follow; with more than one contact at least the size of one, forward or backward. */
     ptrdiff_t fx_stride;
     /** Lateral forces [N]. */
     double *fy;
@@ -695,12 +702,16 @@ typedef struct kstrip_batch_outputs {
  * written: if one is bad its status is returned, no output is touched, and first_bad receives its index. A lost contact
  * is not bad: its results are zero.
  *
+ * With more than one contact an output's stride is at least the size of the output, forward or backward, and every stride is a
+ * multiple of the alignment of its type: anything else is KSTRIP_ERROR_STRIDE. Whether the pointers themselves are aligned is
+ * not checked: misaligned ones are undefined behaviour, as in C.
+ *
  * @param inputs          contacts, creepages, falling friction.
  * @param count           how many; 0 is allowed.
  * @param options         for all contacts; NULL for the defaults.
  * @param outputs         where the outputs go; they must not overlap the inputs or each other.
  * @param[out] first_bad  receives the index of the first bad input, count without one; NULL: not wanted.
- * @return KSTRIP_OK, the largest warning, or the first error, as kstrip_evaluate().
+ * @return KSTRIP_OK, the gravest warning, or the first error, as kstrip_evaluate(); KSTRIP_ERROR_STRIDE.
  */
 kstrip_status kstrip_evaluate_batch(const struct kstrip_batch_inputs *inputs,
                                     uint32_t count,
@@ -710,7 +721,8 @@ kstrip_status kstrip_evaluate_batch(const struct kstrip_batch_inputs *inputs,
 
 /**
  * A contact of which everything that does not depend on the motion has been computed. Filled by kstrip_prepare(); plain
- * numbers without pointers, to be copied and kept as the caller likes, for this version of the library only.
+ * numbers without pointers, to be copied and kept as the caller likes, for this version of the library only. They contain their
+ * checksum: a structure that is damaged, foreign or of the other precision is KSTRIP_ERROR_NOT_PREPARED.
  */
 typedef struct kstrip_prepared {
     /** Not for use. */
@@ -724,7 +736,8 @@ typedef struct kstrip_prepared {
 /**
  * Everything that depends on the contact and the options only, for kstrip_solve_prepared().
  *
- * For rigs whose contact is constant, and for iterations on the creepage.
+ * For rigs whose contact is constant, and for iterations on the creepage. A checksum of the numbers goes with them:
+ * kstrip_solve_prepared() refuses a structure of which a number that it reads has changed, or of the other precision.
  *
  * @param contact         ellipse, load, material, friction.
  * @param options         model and strip count; NULL for the defaults.
@@ -1191,11 +1204,13 @@ typedef struct kstrip_friction_estimate {
 /**
  * The coefficient of friction that explains a measured force at a known creepage.
  *
- * Bounded iterations, about seventy solutions. The force grows with friction from full sliding, where it is
+ * At most 90 solutions with derivatives, 35 to 45 on average. The force grows with friction from full sliding, where it is
  * friction times load, to adhesion, where it does not depend on it: there (less than a twentieth of the
  * friction used, or more force than linear theory gives) the status is KSTRIP_WARNING_FRICTION_AT_LEAST and
  * the result is the used friction |force|/load, a lower bound. Where spin opposes the creepage more than one
- * friction may fit: KSTRIP_WARNING_SEVERAL_FRICTIONS, the result is the smallest. KSTRIP_MODEL_TOTAL suits best.
+ * friction may explain the force: KSTRIP_WARNING_SEVERAL_FRICTIONS, the result is the smallest. KSTRIP_MODEL_TOTAL suits best.
+ * The force of KSTRIP_MODEL_STRIP_1967 jumps where adhesion is born: there a jump across the measured force counts as one of several, is
+ * the result only with KSTRIP_WARNING_NOT_CONVERGED, and about one in ten thousand estimates misses one of several frictions.
  *
  * @param contact         ellipse, load, material; its friction is ignored.
  * @param creepage        motion.
@@ -1218,8 +1233,10 @@ kstrip_status kstrip_estimate_friction(const struct kstrip_contact *contact,
 /**
  * The creepage at which a contact with a given spin carries a wanted force.
  *
- * Bounded iterations, about six solutions with derivatives. A force within 0.1 % of friction times load is that of
- * full sliding: the status is KSTRIP_WARNING_CREEPAGE_AT_LEAST, the result is the creepage that comes as near
+ * Five solutions with derivatives mostly; 12 in all but about one of a thousand plausible contacts (two of a thousand for the models of
+ * 1967); at most 40, and then KSTRIP_WARNING_NOT_CONVERGED with the creepage that comes nearest. Where spin keeps the force from
+ * growing with the creepage more than one creepage may give the force: the result is one of them. A force within 0.1 % of friction times
+ * load is that of full sliding: the status is KSTRIP_WARNING_CREEPAGE_AT_LEAST, the result is the creepage that comes as near
  * as that, and larger ones do as well. A lost contact carries no force, at any creepage: the result is zero.
  *
  * @param contact         ellipse, load, material, friction.

@@ -80,6 +80,7 @@ enum class [[nodiscard]] status : std::int32_t {
     error_measured = KSTRIP_ERROR_MEASURED,
     error_not_prepared = KSTRIP_ERROR_NOT_PREPARED,
     error_floor_speed = KSTRIP_ERROR_FLOOR_SPEED,
+    error_stride = KSTRIP_ERROR_STRIDE,
     error_strip_size = KSTRIP_ERROR_STRIP_SIZE,
     error_pressure = KSTRIP_ERROR_PRESSURE,
     error_strip_order = KSTRIP_ERROR_STRIP_ORDER,

@@ -224,7 +224,7 @@ kstrip_status kstrip_evaluate_f32(const struct kstrip_contact_f32 *contact,
 
 /**
  * Many contacts with their motion and their friction: for each quantity a pointer to the first one and the distance to
- * the next in bytes. Distance 0: one for all.
+ * the next in bytes, its stride. Stride 0: one for all.
  *
  * Arrays of structures (&contacts[0].a, sizeof(kstrip_contact)) are as good as one array for each quantity
  * (a, sizeof(double)). All but law are required unless there are no contacts.
@@ -286,7 +286,8 @@ kstrip_status kstrip_evaluate_batch_f32(const struct kstrip_batch_inputs_f32 *in
 
 /**
  * A contact of which everything that does not depend on the motion has been computed. Filled by kstrip_prepare(); plain
- * numbers without pointers, to be copied and kept as the caller likes, for this version of the library only.
+ * numbers without pointers, to be copied and kept as the caller likes, for this version of the library only. They contain their
+ * checksum: a structure that is damaged, foreign or of the other precision is KSTRIP_ERROR_NOT_PREPARED.
  */
 typedef struct kstrip_prepared_f32 {
     float numbers[96];

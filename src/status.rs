@@ -57,6 +57,8 @@ pub enum Error {
     NotPrepared = -22,
     /// The floor of the speed is negative.
     FloorSpeed = -23,
+    /// The distance between the outputs of two contacts is smaller than an output, or a distance is no multiple of the alignment.
+    Stride = -24,
     /// A strip of a patch has a width or half length that is not positive.
     StripSize = -40,
     /// The peak pressure of a strip is negative.
@@ -153,10 +155,31 @@ impl Notice {
         self as i32
     }
 
-    /// The one with the larger code.
+    /// The graver one: a result that may be another one before a result whose inputs are implausible, and that before a result
+    /// outside the range of its model. Of equally grave ones the larger code.
     #[must_use]
     pub const fn worse(self, other: Self) -> Self {
-        if other.code() > self.code() { other } else { self }
+        let (own, of_other) = (self.gravity(), other.gravity());
+        let graver = of_other > own || (of_other == own && other.code() > self.code());
+        if graver { other } else { self }
+    }
+
+    /// How grave: told instead of all with a smaller number.
+    const fn gravity(self) -> i32 {
+        match self {
+            Self::NotConverged => 6,
+            Self::SeveralFrictions => 5,
+            Self::FrictionAtLeast | Self::CreepageAtLeast => 4,
+            Self::Pressure
+            | Self::Creepage
+            | Self::SemiAxis
+            | Self::Spin
+            | Self::Friction
+            | Self::Radius => 3,
+            Self::BeyondFriction => 2,
+            Self::OutsideRange | Self::SpinBeyondTheory => 1,
+            Self::None => 0,
+        }
     }
 }
 
@@ -224,6 +247,9 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
         -20 => c"the wanted force exceeds mu N: no creepage gives it",
         -22 => c"the contact is not prepared: fill the structure with kstrip_prepare() of the same precision",
         -23 => c"the floor of the speed is negative: it must be > 0 (m/s), or 0 for the default",
+        -24 => {
+            c"a stride of the batch is smaller than an output, or no multiple of its alignment: pass the distance in bytes between two elements"
+        }
         -21 => c"unknown measurement: use KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added",
         -40 => c"a strip of the patch has a width or a half length that is not positive (metres)",
         -41 => c"the peak pressure of a strip is negative: it must be >= 0 (pascals)",

@@ -9,12 +9,16 @@ use crate::batch::{differentiate_batch, solve_batch, solve_under_friction};
 /// written: if one is bad its status is returned, no output is touched, and first_bad receives its index. A lost contact
 /// is not bad: its results are zero.
 ///
+/// With more than one contact an output's stride is at least the size of the output, forward or backward, and every stride is a
+/// multiple of the alignment of its type: anything else is KSTRIP_ERROR_STRIDE. Whether the pointers themselves are aligned is
+/// not checked: misaligned ones are undefined behaviour, as in C.
+///
 /// @param inputs          contacts, creepages, falling friction.
 /// @param count           how many; 0 is allowed.
 /// @param options         for all contacts; NULL for the defaults.
 /// @param outputs         where the outputs go; they must not overlap the inputs or each other.
 /// @param[out] first_bad  receives the index of the first bad input, count without one; NULL: not wanted.
-/// @return KSTRIP_OK, the largest warning, or the first error, as kstrip_evaluate().
+/// @return KSTRIP_OK, the gravest warning, or the first error, as kstrip_evaluate(); KSTRIP_ERROR_STRIDE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn kstrip_evaluate_batch(
     inputs: Option<&BatchInputs<f64>>,
@@ -59,6 +63,48 @@ unsafe fn write<T>(first: *mut T, stride: isize, i: usize, value: T) {
     }
 }
 
+/// Whether elements at this distance are aligned, if the first one is.
+const fn is_aligned<T>(_: *const T, stride: isize) -> bool {
+    stride % align_of::<T>() as isize == 0
+}
+
+/// Whether outputs at this distance do not overlap, if any are wanted.
+fn lie_apart<T>(first: *mut T, stride: isize) -> bool {
+    first.is_null() || (stride.unsigned_abs() >= size_of::<T>() && is_aligned(first, stride))
+}
+
+impl<F: Precision> BatchInputs<F> {
+    fn strides_fit(&self) -> bool {
+        let numbers = [
+            self.a_stride,
+            self.b_stride,
+            self.normal_force_stride,
+            self.shear_modulus_stride,
+            self.poisson_ratio_stride,
+            self.friction_stride,
+            self.longitudinal_stride,
+            self.lateral_stride,
+            self.spin_stride,
+        ];
+        numbers.into_iter().all(|stride| is_aligned(self.a, stride))
+            && (self.law.is_null() || is_aligned(self.law, self.law_stride))
+    }
+}
+
+impl<F: Precision> BatchOutputs<F> {
+    fn strides_fit(&self) -> bool {
+        lie_apart(self.fx, self.fx_stride)
+            && lie_apart(self.fy, self.fy_stride)
+            && lie_apart(self.mz, self.mz_stride)
+            && lie_apart(self.power, self.power_stride)
+            && lie_apart(self.adhesion, self.adhesion_stride)
+            && lie_apart(self.status_detail, self.status_detail_stride)
+            && lie_apart(self.friction, self.friction_stride)
+            && lie_apart(self.derivatives, self.derivatives_stride)
+            && lie_apart(self.law_derivatives, self.law_derivatives_stride)
+    }
+}
+
 impl<F: Precision> Batch<'_, F> {
     /// # Safety
     /// Every pointer is NULL, or valid for `count` elements at its distances.
@@ -77,6 +123,9 @@ impl<F: Precision> Batch<'_, F> {
         ];
         if self.count > 0 && required.iter().any(|pointer| pointer.is_null()) {
             return Err(Error::NullPointer);
+        }
+        if self.count > 1 && !(inputs.strides_fit() && outputs.strides_fit()) {
+            return Err(Error::Stride);
         }
         let alone = inputs.law.is_null()
             && outputs.derivatives.is_null()

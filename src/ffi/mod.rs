@@ -16,6 +16,7 @@
 #![allow(rustdoc::broken_intra_doc_links)]
 
 mod arrays;
+mod checksum;
 mod prepared;
 mod support;
 
@@ -114,6 +115,8 @@ pub const KSTRIP_ERROR_MEASURED: kstrip_status = -21;
 pub const KSTRIP_ERROR_NOT_PREPARED: kstrip_status = -22;
 /// Error: the floor of the speed is negative.
 pub const KSTRIP_ERROR_FLOOR_SPEED: kstrip_status = -23;
+/// Error: the stride of an output of a batch is smaller than the output, or a stride is no multiple of the alignment.
+pub const KSTRIP_ERROR_STRIDE: kstrip_status = -24;
 /// Error: a strip of a patch has a width or half length that is not positive.
 pub const KSTRIP_ERROR_STRIP_SIZE: kstrip_status = -40;
 /// Error: the peak pressure of a strip is negative.

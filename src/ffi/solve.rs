@@ -33,7 +33,10 @@ pub extern "C" fn kstrip_solve(
 /// Everything about a contact in motion in one call: of the outputs, those that are not NULL.
 ///
 /// With friction the coefficient of friction falls with the slip and agrees with it (the contact's own does not
-/// count), and all derivatives go through that. With KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
+/// count), and all derivatives go through that. Where more than one friction agrees the status is KSTRIP_WARNING_SEVERAL_FRICTIONS and the
+/// result has the largest, but for the two models of 1967 under friction that falls very steeply: their forces jump, or nearly do, where
+/// adhesion is born, and another friction, larger ones included, may stay untold in about one of a thousand such cases.
+/// With KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
 ///
 /// @param contact         ellipse, load, material, friction.
 /// @param creepage        motion.
@@ -59,7 +62,8 @@ pub unsafe extern "C" fn kstrip_evaluate(
 
 /// Everything that depends on the contact and the options only, for kstrip_solve_prepared().
 ///
-/// For rigs whose contact is constant, and for iterations on the creepage.
+/// For rigs whose contact is constant, and for iterations on the creepage. A checksum of the numbers goes with them:
+/// kstrip_solve_prepared() refuses a structure of which a number that it reads has changed, or of the other precision.
 ///
 /// @param contact         ellipse, load, material, friction.
 /// @param options         model and strip count; NULL for the defaults.

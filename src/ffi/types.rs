@@ -66,7 +66,7 @@ pub struct MotionOutputs<F> {
 }
 
 /// Many contacts with their motion and their friction: for each quantity a pointer to the first one and the distance to
-/// the next in bytes. Distance 0: one for all.
+/// the next in bytes, its stride. Stride 0: one for all.
 ///
 /// Arrays of structures (&contacts[0].a, sizeof(kstrip_contact)) are as good as one array for each quantity
 /// (a, sizeof(double)). All but law are required unless there are no contacts.
@@ -122,7 +122,7 @@ pub struct BatchInputs<F> {
 pub struct BatchOutputs<F> {
     /// Longitudinal forces on the lower bodies [N].
     pub fx: *mut F,
-    /// Distance in bytes, as all that follow; at least the size of one.
+    /// Distance in bytes, as all that follow; with more than one contact at least the size of one, forward or backward.
     pub fx_stride: isize,
     /// Lateral forces [N].
     pub fy: *mut F,
@@ -159,7 +159,8 @@ pub struct BatchOutputs<F> {
 }
 
 /// A contact of which everything that does not depend on the motion has been computed. Filled by kstrip_prepare(); plain
-/// numbers without pointers, to be copied and kept as the caller likes, for this version of the library only.
+/// numbers without pointers, to be copied and kept as the caller likes, for this version of the library only. They contain their
+/// checksum: a structure that is damaged, foreign or of the other precision is KSTRIP_ERROR_NOT_PREPARED.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedNumbers<F: Copy> {

@@ -104,3 +104,74 @@ fn what_is_not_prepared_is_refused() {
         }
     }
 }
+
+/// Prepared for each model, as numbers and as the structure again.
+fn prepared_for(model: i32) -> kstrip_prepared {
+    let contact = kstrip_contact {
+        a: 6e-3,
+        b: 4e-3,
+        normal_force: 80e3,
+        shear_modulus: 82e9,
+        poisson_ratio: 0.28,
+        friction: 0.3,
+    };
+    let options = kstrip_options { model, strips: 16 };
+    let mut prepared = MaybeUninit::uninit();
+    assert_eq!(kstrip_prepare(Some(&contact), Some(&options), Some(&mut prepared)), 0);
+    // SAFETY: status 0.
+    unsafe { prepared.assume_init() }
+}
+
+/// A structure with one bit changed is refused, or the bit is one that the answer does not depend on.
+#[test]
+fn a_damaged_structure_is_refused() {
+    for model in 1..=5 {
+        let whole = prepared_for(model);
+        for creepage in [[1e-3, -5e-4, 0.1], [30.0, 0.0, 200.0]] {
+            let [longitudinal, lateral, spin] = creepage;
+            let creepage = kstrip_creepage { longitudinal, lateral, spin };
+            let solve = |prepared: &kstrip_prepared| {
+                let mut out = MaybeUninit::new(kstrip_result::nothing());
+                let status = kstrip_solve_prepared(Some(prepared), Some(&creepage), Some(&mut out));
+                // SAFETY: written at the start.
+                (status, unsafe { out.assume_init() })
+            };
+            let right = solve(&whole);
+            let (mut refused, bits) = (0, 8 * size_of::<kstrip_prepared>());
+            for bit in 0..bits {
+                let mut damaged = whole;
+                // SAFETY: a byte of the structure, of which any bits are a value.
+                unsafe { *(&raw mut damaged).cast::<u8>().add(bit / 8) ^= 1 << (bit % 8) };
+                let found = solve(&damaged);
+                refused += usize::from(found.0 == KSTRIP_ERROR_NOT_PREPARED);
+                assert!(found.0 == KSTRIP_ERROR_NOT_PREPARED || found == right, "{model} {bit}");
+            }
+            println!(
+                "model {model}: {refused} of {bits} single bit flips refused, no answer changed"
+            );
+            assert!(refused >= 64 * 8);
+        }
+    }
+}
+
+/// What was prepared in one precision is refused by the other.
+#[test]
+fn the_other_precision_is_refused() {
+    let creepage = kstrip_creepage_f32 { longitudinal: 1e-3, lateral: 0.0, spin: 0.0 };
+    for model in 1..=5 {
+        let double = prepared_for(model);
+        let mut single = MaybeUninit::<kstrip_prepared_f32>::uninit();
+        // SAFETY: the numbers fit, and any bits are a value.
+        let mut single = unsafe {
+            single
+                .as_mut_ptr()
+                .cast::<u8>()
+                .copy_from((&raw const double).cast(), size_of::<kstrip_prepared_f32>());
+            single.assume_init()
+        };
+        (single.model, single.strips) = (model, 16);
+        let mut out = MaybeUninit::uninit();
+        let status = kstrip_solve_prepared_f32(Some(&single), Some(&creepage), Some(&mut out));
+        assert_eq!(status, KSTRIP_ERROR_NOT_PREPARED, "{model}");
+    }
+}

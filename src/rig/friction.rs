@@ -1,0 +1,336 @@
+//! From a measured force to the coefficient of friction.
+
+use super::search::{Interval, Place, STEEPEST, Search};
+use super::{FrictionEstimate, Measured};
+use crate::contact::Contact;
+use crate::contact::creepage::Creepage;
+use crate::number::{Float, length};
+use crate::solve::derivatives;
+use crate::solve::model::{self, Model, Options, Precision, Solution};
+use crate::status::{Error, Notice};
+
+/// Friction over used friction beyond which the contact is taken to stick: the force differs by about one per cent
+/// from that of linear theory there.
+const STICKING: f64 = 20.0;
+/// Friction is looked for up to so many times what adhesion needs.
+const RANGE: f64 = 1e4;
+/// What adhesion needs is at most so many times the used friction, else all that can be told lies in full sliding.
+const SLIDING: f64 = 1e5;
+/// Steps of the way up from the used friction at most, and their share of `x`.
+const WALK: usize = 46;
+const SHARE: f64 = 0.1;
+/// Solutions up to which intervals are divided, and at most, one for the answer included.
+const DIVIDED: usize = 64;
+const MOST: usize = 90;
+/// A crossing that is so narrow and so high is a jump.
+const NARROW: f64 = 1e-9;
+const HIGH: f64 = 1e-6;
+/// Forces are zero to so many roundings.
+const ROUNDINGS: f64 = 32.0;
+
+/// The coefficient of friction that explains a measured force at a known creepage.
+///
+/// The contact's own friction is ignored. Forces act on the lower body.
+///
+/// With [`Notice::FrictionAtLeast`] the contact sticks (it uses less than a twentieth of its friction, or the force is
+/// larger than that of linear theory): the result is the used friction `|F|/N`, a lower bound. With
+/// [`Notice::SeveralFrictions`] more than one friction explains the force, which may be where spin opposes the
+/// creepage: the result is the smallest. The force of [`Model::Strip1967`] jumps where adhesion is born: a jump across the measured force
+/// counts as one of several, is the result only with [`Notice::NotConverged`], and about one in ten thousand estimates misses one of
+/// several.
+///
+/// At most 90 solutions with derivatives.
+///
+/// # Errors
+/// Those of [`solve`](model::solve), [`Error::NotInModel`] for [`Model::Linear`], [`Error::Unexplained`].
+///
+/// # Example
+/// ```
+/// use kstrip::{contact::Contact, contact::creepage::Creepage, solve::model::{solve, Options}, rig::*};
+/// let contact = Contact {
+///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.22,
+/// };
+/// let creepage = Creepage { longitudinal: 2e-3, lateral: 0.0, spin: 0.1 };
+/// let options = Options::default();
+/// let measured = solve(&contact, &creepage, &options)?.fx;
+/// let found = estimate_friction(&contact, &creepage, &options, Measured::Fx, [measured, 0.0])?;
+/// assert!((found.friction - 0.22_f64).abs() < 1e-12);
+/// # Ok::<(), kstrip::status::Error>(())
+/// ```
+pub fn estimate_friction<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    options: &Options,
+    measured: Measured,
+    force: [F; 2],
+) -> Result<FrictionEstimate<F>, Error> {
+    Rig::new(contact, creepage, options, measured, force)?.estimate(force)
+}
+
+/// A contact on a rig, and what was measured.
+pub(super) struct Rig<'a, F> {
+    /// With any friction.
+    contact: Contact<F>,
+    creepage: &'a Creepage<F>,
+    options: &'a Options,
+    measured: Measured,
+    /// The force that was measured \[N\].
+    target: F,
+    /// `|F|/N`
+    pub(super) used: F,
+    /// Friction about which the contact begins to stick; `x = μ/(μ + unit)`
+    unit: F,
+    /// Solutions so far.
+    pub(super) solved: usize,
+}
+
+impl<'a, F: Precision> Rig<'a, F> {
+    /// Checks everything.
+    pub(super) fn new(
+        contact: &Contact<F>,
+        creepage: &'a Creepage<F>,
+        options: &'a Options,
+        measured: Measured,
+        [fx, fy]: [F; 2],
+    ) -> Result<Self, Error> {
+        if options.model == Model::Linear {
+            return Err(Error::NotInModel);
+        }
+        if !fx.is_finite_number() || !fy.is_finite_number() {
+            return Err(Error::NotFinite);
+        }
+        let contact = Contact { friction: F::zero(), ..*contact };
+        model::check(&contact, creepage, options)?;
+        if contact.is_lost() {
+            return Err(Error::Unexplained);
+        }
+        let target = match measured {
+            Measured::Fx => fx,
+            Measured::Fy => fy,
+            Measured::Both => length(fx, fy),
+        };
+        let used = target.abs() / contact.normal_force;
+        if !used.is_finite_number() {
+            return Err(Error::Unexplained);
+        }
+        Self { contact, creepage, options, measured, target, used, unit: F::one(), solved: 0 }
+            .with_unit()
+    }
+
+    /// No force: friction is zero, unless there is no slip to show it.
+    fn without_force(&self) -> Result<FrictionEstimate<F>, Error> {
+        // What a little friction gives, in units of itself: the direction of full sliding
+        let (_, slopes) = derivatives::solve(&self.contact, self.creepage, self.options)?;
+        let [x, y, _] = slopes.friction;
+        let direction = match self.measured {
+            Measured::Fx => x,
+            Measured::Fy => y,
+            Measured::Both => length(x, y),
+        };
+        let mut found = self.at_least();
+        if direction != F::zero() {
+            found.notice = Notice::None;
+            found.sensitivity = finite_or_none(F::one() / direction);
+        }
+        Ok(found)
+    }
+
+    /// `4 G a b (|υx| + |υy| + √(ab) |φ|)/N`, about the force of linear theory.
+    fn with_unit(self) -> Result<Self, Error> {
+        let Contact { a, b, shear_modulus, normal_force, .. } = self.contact;
+        let Creepage { longitudinal, lateral, spin } = *self.creepage;
+        let creepage = longitudinal.abs() + lateral.abs() + (a * b).sqrt() * spin.abs();
+        let unit = (shear_modulus * a * b * creepage / normal_force).times(4.0);
+        let most = self.used.times(SLIDING);
+        let unit = if unit < most { unit } else { most };
+        // whatever is tried
+        let friction = unit.max(self.used).times(RANGE * 1.01);
+        model::check(&Contact { friction, ..self.contact }, self.creepage, self.options)?;
+        Ok(Self { unit, ..self })
+    }
+
+    /// The contact sticks.
+    fn at_least(&self) -> FrictionEstimate<F> {
+        let none = F::zero();
+        let notice = Notice::FrictionAtLeast;
+        FrictionEstimate {
+            friction: self.used,
+            sensitivity: none,
+            residual: none,
+            notice,
+            reserved: 0,
+        }
+    }
+
+    /// `μ`
+    fn friction(&self, x: F) -> F {
+        self.unit * (x / (F::one() - x))
+    }
+
+    /// Force and its derivative by friction at a friction, in the sense of what was measured.
+    fn force(&mut self, friction: F) -> Result<(Solution<F>, [F; 2]), Error> {
+        self.solved += 1;
+        let contact = Contact { friction, ..self.contact };
+        let (solution, slopes) = derivatives::solve(&contact, self.creepage, self.options)?;
+        let Solution { fx: x, fy: y, .. } = solution;
+        let [by_x, by_y, _] = slopes.friction;
+        let found = match self.measured {
+            Measured::Fx => [x, by_x],
+            Measured::Fy => [y, by_y],
+            Measured::Both => {
+                let size = length(x, y);
+                let over = size + F::TINY;
+                [size, (x / over) * by_x + (y / over) * by_y]
+            }
+        };
+        Ok((solution, found))
+    }
+
+    /// How much more than measured, over `N` and the unit, at `x`.
+    fn excess(&mut self, x: F, friction: F) -> Result<Place<F>, Error> {
+        let (_, [force, slope]) = self.force(friction)?;
+        let over = self.contact.normal_force * self.unit;
+        let over = if self.target > F::zero() { over } else { -over };
+        let value = (force - self.target) / over;
+        // dμ/dx = unit/(1 − x)²
+        let stretch = F::one() / (F::one() - x);
+        let slope = slope * self.unit / over * stretch * stretch;
+        let rounding = self.used / self.unit * F::EPSILON.times(ROUNDINGS);
+        let value = if value.abs() <= rounding { F::zero() } else { value };
+        Ok(Place { x, value, slope })
+    }
+
+    pub(super) fn estimate(&mut self, force: [F; 2]) -> Result<FrictionEstimate<F>, Error> {
+        let Self { used, unit, target, .. } = *self;
+        if target == F::zero() {
+            return self.without_force();
+        }
+        if used >= unit.times(RANGE) {
+            // More than adhesion gives at any friction
+            let (_, [found, _]) = self.force(used)?;
+            let agrees = found * target > F::zero();
+            return if agrees { Ok(self.at_least()) } else { Err(Error::Unexplained) };
+        }
+        let (search, first, most) = self.search()?;
+        if most + used / unit <= F::zero() {
+            return Err(Error::Unexplained);
+        }
+        let slides = first.value >= F::zero();
+        let (friction, settled) = if slides { (used, true) } else { self.smallest(&search)? };
+        if friction > used.times(STICKING) {
+            return Ok(self.at_least());
+        }
+        let notice = if !settled {
+            Notice::NotConverged
+        } else if search.changes() > 1 {
+            Notice::SeveralFrictions
+        } else {
+            Notice::None
+        };
+        let [fx, fy] = force;
+        let (solution, [_, slope]) = self.force(friction)?;
+        let residual = match self.measured {
+            Measured::Fx => (solution.fx - fx).abs(),
+            Measured::Fy => (solution.fy - fy).abs(),
+            Measured::Both => length(solution.fx - fx, solution.fy - fy),
+        };
+        let sensitivity = finite_or_none(F::one() / slope);
+        let notice = notice.worse(solution.notice);
+        Ok(FrictionEstimate { friction, sensitivity, residual, notice, reserved: 0 })
+    }
+
+    /// From the used friction up, and then wherever roots may hide; with the first place and the largest excess.
+    fn search(&mut self) -> Result<(Search<F>, Place<F>, F), Error> {
+        let jumps = self.options.model == Model::Strip1967;
+        let mut search = Search::new(jumps);
+        let one = F::one();
+        let end = F::constant(1.0 - 1.0 / RANGE);
+        let first = self.excess(self.used / (self.used + self.unit), self.used)?;
+        let (mut last, mut most) = (first, first.value);
+        for _ in 0..WALK {
+            if last.x >= end {
+                break;
+            }
+            // Far in sliding the force is friction times a direction, nearly.
+            let ratio = last.ratio();
+            let slides =
+                [0.1, 1.0 / 30.0, 0.01].into_iter().filter(|limit| ratio < F::constant(*limit));
+            let share = SHARE * [1.0, 2.0, 4.0, 6.0].get(slides.count()).copied().unwrap_or(1.0);
+            let mut x = last.x * F::constant(1.0 + share);
+            if !jumps {
+                let reach = ratio + last.value.abs().times(1.0 / STEEPEST);
+                x = x.max(reach / (one + reach));
+            }
+            let x = x.min(end);
+            let place = self.excess(x, self.friction(x))?;
+            search.add(last, place);
+            most = most.max(place.value);
+            last = place;
+        }
+        while self.solved < DIVIDED {
+            let Some((interval, x)) = search.next() else { break };
+            let place = self.excess(x, self.friction(x))?;
+            search.divide(&interval, place);
+        }
+        Ok((search, first, most))
+    }
+
+    /// The smallest friction that explains the force, and whether it does; infinite if there is none. A jump is one if there is no other.
+    fn smallest(&mut self, search: &Search<F>) -> Result<(F, bool), Error> {
+        let (mut from, mut jump) = (F::zero(), None);
+        while let Some(interval) = search.change_from(from) {
+            from = interval.to.x;
+            let (place, settled) = self.root(&interval)?;
+            let friction = self.friction(place.x);
+            if settled {
+                return Ok((friction, true));
+            }
+            jump = jump.or(Some(friction));
+        }
+        Ok((jump.unwrap_or(F::LARGEST), false))
+    }
+
+    /// Newton's method, guarded by bisection; and whether it ends in a root.
+    fn root(&mut self, interval: &Interval<F>) -> Result<(Place<F>, bool), Error> {
+        let mut within = *interval;
+        let Interval { from, to, .. } = within;
+        let mut place = if from.value.abs() < to.value.abs() { from } else { to };
+        let mut width = within.width();
+        for step in 0..MOST {
+            if place.value == F::zero() || self.solved + 1 >= MOST {
+                break;
+            }
+            let (low, high) = (within.from.x, within.to.x);
+            let mut x = place.x - place.value / place.slope;
+            // Halve the interval where three steps did not.
+            let third = step % 3 == 2;
+            if !(x > low && x < high) || (third && within.width() > width.times(0.5)) {
+                x = (low + high).times(0.5);
+            }
+            if third {
+                width = within.width();
+            }
+            if x <= low || x >= high {
+                break;
+            }
+            let moved = (x - place.x).abs();
+            place = self.excess(x, self.friction(x))?;
+            if place.is_positive() == within.from.is_positive() {
+                within.from = place;
+            } else {
+                within.to = place;
+            }
+            let least = within.from.value.abs().min(within.to.value.abs());
+            let jumps = within.width() < x.times(NARROW) && least > x.times(HIGH);
+            if jumps || moved <= x.min(F::one() - x) * F::EPSILON.times(4.0) {
+                break;
+            }
+        }
+        Ok((place, place.value.abs() <= place.x * F::EPSILON.sqrt()))
+    }
+}
+
+/// A sensitivity; zero where there is no number for it.
+fn finite_or_none<F: Float>(sensitivity: F) -> F {
+    if sensitivity.is_finite_number() { sensitivity } else { F::zero() }
+}

@@ -1,0 +1,176 @@
+//! Where a function of one variable changes its sign, told by values and exact derivatives: a search that does not step over two
+//! close roots.
+//!
+//! Between two places the function is the cubic that has both values and both slopes (Hermite), but for what the slopes may
+//! hide. How much that is, is judged by how far they are from a parabola's, by how much they turn, and by the width. An interval whose
+//! cubic stays away from zero by more than that is done, and one with a change of sign is done if the slope
+//! keeps its sign. The worst of the others is divided next: where the cubic turns, where it crosses zero, or where it comes closest to zero.
+
+use crate::number::Float;
+use heapless::Vec;
+
+/// Intervals that are kept: those with a change of sign, and those that may hide two.
+const KEPT: usize = 64;
+/// Slopes that are no parabola's count this much, slopes that turn, and the share of the place that the interval is wide.
+const NO_PARABOLA: f64 = 2.0;
+const TURN: f64 = 0.3;
+const WIDTH: f64 = 4.0;
+/// Values are known to so many roundings.
+const ROUNDINGS: f64 = 500.0;
+/// The function grows or falls by less than this with `x/(1 − x)`.
+pub(super) const STEEPEST: f64 = 1.5;
+
+/// A place `0 < x < 1`, the function there, and its derivative.
+#[derive(Clone, Copy)]
+pub(super) struct Place<F> {
+    pub(super) x: F,
+    pub(super) value: F,
+    pub(super) slope: F,
+}
+
+impl<F: Float> Place<F> {
+    /// `x/(1 − x)`
+    pub(super) fn ratio(&self) -> F {
+        self.x / (F::one() - self.x)
+    }
+
+    pub(super) fn is_positive(&self) -> bool {
+        self.value > F::zero()
+    }
+}
+
+/// Two neighbouring places.
+#[derive(Clone, Copy)]
+pub(super) struct Interval<F> {
+    pub(super) from: Place<F>,
+    pub(super) to: Place<F>,
+    /// Above one it may hide roots.
+    danger: F,
+}
+
+impl<F: Float> Interval<F> {
+    pub(super) fn changes(&self) -> bool {
+        self.from.is_positive() != self.to.is_positive()
+    }
+
+    pub(super) fn width(&self) -> F {
+        self.to.x - self.from.x
+    }
+
+    fn is_done(&self) -> bool {
+        self.danger <= F::one() && !self.changes()
+    }
+}
+
+/// The intervals that matter.
+pub(super) struct Search<F> {
+    kept: Vec<Interval<F>, KEPT>,
+    /// Whether the function jumps, so that nothing bounds its growth.
+    jumps: bool,
+}
+
+impl<F: Float> Search<F> {
+    pub(super) fn new(jumps: bool) -> Self {
+        Self { kept: Vec::new(), jumps }
+    }
+
+    /// Looks at the interval between two places.
+    pub(super) fn add(&mut self, from: Place<F>, to: Place<F>) {
+        let (danger, _) = self.judged(&from, &to);
+        let interval = Interval { from, to, danger };
+        if interval.is_done() {
+            return;
+        }
+        match self.kept.iter_mut().find(|kept| kept.is_done()) {
+            Some(place) => *place = interval,
+            // (Without room it is not looked at again.)
+            None => drop(self.kept.push(interval)),
+        }
+    }
+
+    /// Where to look next: in the interval that hides most, if any hides a root.
+    pub(super) fn next(&self) -> Option<(Interval<F>, F)> {
+        let mut worst: Option<&Interval<F>> = None;
+        for interval in &self.kept {
+            if interval.danger > worst.map_or(F::one(), |worst| worst.danger) {
+                worst = Some(interval);
+            }
+        }
+        worst.map(|worst| (*worst, self.judged(&worst.from, &worst.to).1))
+    }
+
+    /// Divides an interval that [`next`](Self::next) told.
+    pub(super) fn divide(&mut self, interval: &Interval<F>, at: Place<F>) {
+        if let Some(divided) = self.kept.iter_mut().find(|kept| kept.from.x == interval.from.x) {
+            (divided.danger, divided.to) = (F::zero(), divided.from);
+        }
+        self.add(interval.from, at);
+        self.add(at, interval.to);
+    }
+
+    /// How often the sign changes.
+    pub(super) fn changes(&self) -> usize {
+        self.kept.iter().filter(|interval| interval.changes()).count()
+    }
+
+    /// The first interval from here on in which the sign changes.
+    pub(super) fn change_from(&self, x: F) -> Option<Interval<F>> {
+        let mut first: Option<Interval<F>> = None;
+        for interval in self.kept.iter().filter(|kept| kept.changes() && kept.from.x >= x) {
+            if first.is_none_or(|first| interval.from.x < first.from.x) {
+                first = Some(*interval);
+            }
+        }
+        first
+    }
+
+    /// What may be hidden between two places over what is needed for a root there; and where to look for it.
+    fn judged(&self, from: &Place<F>, to: &Place<F>) -> (F, F) {
+        let width = to.x - from.x;
+        let root = F::EPSILON.cube_root();
+        if width <= to.x * root * root {
+            return (F::zero(), from.x);
+        }
+        let certain = F::constant(100.0);
+        let chord = (to.value - from.value) / width;
+        let changes = from.is_positive() != to.is_positive();
+        let upward = if changes { chord > F::zero() } else { from.is_positive() };
+        let sign = if upward { F::one() } else { -F::one() };
+        let [a, b, p, q, chord] =
+            [from.value, to.value, from.slope, to.slope, chord].map(|x| x * sign);
+        let noise = to.x * F::EPSILON.times(ROUNDINGS) / width;
+        let hidden = (p + q - chord.times(2.0)).abs().times(NO_PARABOLA)
+            + (p - q).abs().times(TURN)
+            + (width / to.x).times(WIDTH)
+            + noise;
+        if changes {
+            // the slope at both ends and in the middle
+            let least = p.min(q).min(chord.times(1.5) - (p + q).times(0.25));
+            let crossing = (a / (a - b)).clamped(F::constant(0.1), F::constant(0.9));
+            let danger = if least > F::zero() { hidden / least } else { certain };
+            return (danger, from.x + width * crossing);
+        }
+        if !self.jumps && a + b > (to.ratio() - from.ratio()).times(STEEPEST) {
+            return (F::zero(), from.x);
+        }
+        // a + t (c1 + t (c2 + t c3))
+        let (p, q) = (p * width, q * width);
+        let (c1, c2, c3) = (p, (b - a).times(3.0) - p.times(2.0) - q, (a - b).times(2.0) + p + q);
+        let (mut least, mut at) = (F::LARGEST, F::constant(0.5));
+        for eighth in 1..8 {
+            let t = F::of_f32(eighth as f32).times(0.125);
+            let reach = (a + t * (c1 + t * (c2 + t * c3))) / (t * (F::one() - t));
+            if reach < least {
+                (least, at) = (reach, t);
+            }
+        }
+        if p < F::zero() && q > F::zero() {
+            let root = (c2 * c2 - (c1 * c3).times(3.0)).max(F::zero()).sqrt();
+            let turn =
+                if c2 >= F::zero() { -c1 / (c2 + root) } else { (root - c2) / c3.times(3.0) };
+            at = turn.clamped(F::constant(0.02), F::constant(0.98));
+        }
+        let danger = if least > F::zero() { hidden * width / least } else { certain };
+        (danger, from.x + width * at)
+    }
+}

@@ -1,0 +1,196 @@
+//! What the inverse promises, with the solutions counted. `KSTRIP_CASES=4000 cargo test --release --lib rig:: -- --nocapture` prints the
+//! figures of docs/reliability.md.
+
+extern crate std;
+
+use super::creepage::Aim;
+use super::friction::Rig;
+use super::*;
+use crate::contact::Contact;
+use crate::contact::creepage::Creepage;
+use crate::contact::forces::StripCount;
+use crate::solve::model::{self, Model, Options};
+use core::f64::consts::PI;
+use std::println;
+use std::vec::Vec;
+
+#[path = "../common/random.rs"]
+mod random;
+use random::Random;
+
+const SATURATING: [Model; 4] =
+    [Model::Total, Model::Strip, Model::Strip1967Continuous, Model::Strip1967];
+
+fn options(model: Model) -> Options {
+    Options { model, strips: StripCount::Sixteen }
+}
+
+fn cases(few: usize) -> usize {
+    std::env::var("KSTRIP_CASES").map_or(few, |n| n.parse().unwrap())
+}
+
+/// Friction .05 to .8, a/b .1 to 10; the second number is the unit of slip, `2 μ p₀/G`.
+fn any_contact(random: &mut Random) -> (Contact<f64>, f64) {
+    let (b, pressure) = (random.log_between(4e-4, 8e-3), random.log_between(2e8, 2e9));
+    let a = b * random.log_between(0.1, 10.0);
+    let (normal_force, friction) = (2.0 / 3.0 * PI * a * b * pressure, random.between(0.05, 0.8));
+    let poisson_ratio = random.between(0.0, 0.5);
+    let contact = Contact { a, b, normal_force, shear_modulus: 82e9, poisson_ratio, friction };
+    (contact, 2.0 * friction * pressure / contact.shear_modulus)
+}
+
+/// A motion whose spin opposes its creepage.
+fn opposed(random: &mut Random, n: usize, contact: &Contact<f64>, unit: f64) -> Creepage<f64> {
+    let size = random.log_between(0.03, 10.0);
+    let [xi, eta] = [0; 2].map(|_| size * random.between(-1.0, 1.0));
+    let xi = xi * [0.0, 0.1, 1.0][n % 3];
+    let spin = -size * eta.signum() * random.log_between(0.3, 3.0);
+    Creepage { longitudinal: xi * unit, lateral: eta * unit, spin: spin * unit / contact.a }
+}
+
+/// The result is never larger than the friction that made the force, and where it is smaller, the status says so.
+#[test]
+fn no_friction_is_missed() {
+    for model in SATURATING {
+        let mut random = Random::new(301);
+        let (mut tried, mut larger, mut silent, mut several, mut bounds) = (0, 0, 0, 0, 0);
+        let (mut solutions, mut most, tries) = (0, 0, cases(120));
+        for n in 0..tries {
+            let (contact, unit) = any_contact(&mut random);
+            let motion = opposed(&mut random, n, &contact, unit);
+            let measured = [Measured::Fx, Measured::Fy, Measured::Both][n / 2 % 3];
+            let o = options(model);
+            let made = model::solve(&contact, &motion, &o).unwrap();
+            let measured =
+                if n % 3 == 0 && measured == Measured::Fx { Measured::Fy } else { measured };
+            let force = [made.fx, made.fy];
+            let mut rig = Rig::new(&contact, &motion, &o, measured, force).unwrap();
+            if rig.used < 1e-9 * contact.friction {
+                continue;
+            }
+            let found = rig.estimate(force).unwrap();
+            tried += 1;
+            solutions += rig.solved;
+            most = most.max(rig.solved);
+            match found.notice {
+                Notice::FrictionAtLeast => {
+                    bounds += 1;
+                    larger += usize::from(found.friction > contact.friction * (1.0 + 1e-9));
+                    continue;
+                }
+                Notice::SeveralFrictions => several += 1,
+                _ => silent += usize::from(found.friction < contact.friction * (1.0 - 1e-6)),
+            }
+            larger += usize::from(found.friction > contact.friction * (1.0 + 1e-6));
+        }
+        println!(
+            "estimates, {model:?}: {tried}; larger {larger}, smaller without a word {silent}, several {several}, lower bounds \
+             {bounds}; solutions: mean {}, at most {most}",
+            solutions / tried
+        );
+        // (its force jumps where adhesion is born)
+        let allowed = if model == Model::Strip1967 { tried / 1_000 } else { 0 };
+        assert!(larger + silent <= allowed && most <= 90, "{model:?}");
+    }
+}
+
+/// Two frictions, far apart and close together, that earlier versions did not tell.
+#[test]
+fn close_frictions_are_told() {
+    let total = Contact {
+        a: 0.003_332_947_995_765_312,
+        b: 0.004_572_332_013_238_725,
+        normal_force: 13_446.922_882_196_719,
+        shear_modulus: 82e9,
+        poisson_ratio: 0.28,
+        friction: 0.193_388_064_017_582_54,
+    };
+    let motion = Creepage {
+        longitudinal: 0.0,
+        lateral: 9.379_477_888_511_603e-4,
+        spin: -0.517_434_099_177_47,
+    };
+    let o = options(Model::Total);
+    let force = model::solve(&total, &motion, &o).unwrap();
+    let found = estimate_friction(&total, &motion, &o, Measured::Fy, [0.0, force.fy]).unwrap();
+    assert_eq!(found.notice, Notice::SeveralFrictions);
+    assert!((found.friction - 0.04173_f64).abs() < 1e-5, "{found:?}");
+    // The same in a thousand times the lengths, which hints at a wrong unit: the graver warning stays.
+    let large = Contact {
+        a: total.a * 1e3,
+        b: total.b * 1e3,
+        normal_force: total.normal_force * 1e6,
+        ..total
+    };
+    let slow = Creepage { spin: motion.spin / 1e3, ..motion };
+    let found = estimate_friction(&large, &slow, &o, Measured::Fy, [0.0, force.fy * 1e6]).unwrap();
+    assert_eq!(found.notice, Notice::SeveralFrictions);
+
+    let strip = Contact {
+        a: 0.002_858_666_393_324_693_7,
+        b: 0.000_376_578_449_471_886_9,
+        normal_force: 1_878.811_251_898_882_6,
+        shear_modulus: 82e9,
+        poisson_ratio: 0.28,
+        friction: 0.354_441_445_506_393_17,
+    };
+    let motion = Creepage {
+        longitudinal: 5.412_615_851_504_647e-5,
+        lateral: -1.878_502_823_146_83e-10,
+        spin: -0.623_965_100_721_438_2,
+    };
+    let o = options(Model::Strip);
+    let force = model::solve(&strip, &motion, &o).unwrap();
+    let found = estimate_friction(&strip, &motion, &o, Measured::Fx, [force.fx, 0.0]).unwrap();
+    assert_eq!(found.notice, Notice::SeveralFrictions);
+    assert!(found.friction < strip.friction * (1.0 + 1e-9), "{found:?}");
+}
+
+/// Solutions that a creepage costs: plausible contacts, spin-dominated ones, and any.
+#[test]
+fn creepages_cost_few_solutions() {
+    for model in SATURATING {
+        for (kind, [low, high]) in
+            [("plausible", [0.0, 0.6]), ("spin-dominated", [0.6, 3.0]), ("wild", [3.0, 1e3])]
+        {
+            let mut random = Random::new(302);
+            let (mut counts, mut lost) = (Vec::new(), 0);
+            for _ in 0..cases(250) {
+                let (contact, unit) = any_contact(&mut random);
+                let size = random.log_between(1e-3, 5.0);
+                let [xi, eta] = [0; 2].map(|_| size * random.between(-1.0, 1.0));
+                let psi = random.sign() * random.between(low, high);
+                let (longitudinal, lateral) = (xi * unit, eta * unit);
+                let motion = Creepage { longitudinal, lateral, spin: psi * unit / contact.a };
+                let o = options(model);
+                let made = model::solve(&contact, &motion, &o).unwrap();
+                let bound = contact.friction * contact.normal_force;
+                if made.fx.hypot(made.fy) > 0.999 * bound {
+                    continue;
+                }
+                let mut aim = Aim::new(&contact, [made.fx, made.fy], motion.spin, &o);
+                let found = aim.find().unwrap();
+                counts.push(aim.solved);
+                let again = model::solve(&contact, &aim.creepage(found.at), &o).unwrap();
+                let off = (again.fx - made.fx).hypot(again.fy - made.fy) / bound;
+                assert!((off < 1e-10) == (found.distance < 1e-10), "{off} {}", found.distance);
+                lost += usize::from(off > 1e-10);
+            }
+            counts.sort_unstable();
+            let (n, within) = (counts.len(), counts.iter().filter(|count| **count <= 12).count());
+            println!(
+                "creepages, {model:?}, {kind}: {n}; median {}, within 12: {} %, at most {}; not reached: {lost}",
+                counts[n / 2],
+                100.0 * within as f64 / n as f64,
+                counts[n - 1]
+            );
+            assert!(counts[n - 1] <= 40);
+            let rest = match model {
+                Model::Strip1967 => 10,
+                Model::Strip1967Continuous => 50,
+                _ => 200,
+            };
+            assert!(kind != "plausible" || n - within <= 1 + n / rest, "{model:?} {kind}");
+        }
+    }
+}
