@@ -458,7 +458,7 @@ fn errors_in_prose_are_those_of_the_report() {
         assert!(readme.contains(&row), "README.md: {row}");
     }
     let row =
-        format!("| a slope, not a force | {} / {:.2} |", short(linear[0][0], 3), linear[0][1]);
+        format!("| right for vanishing creepage only | {} / {:.2} |", short(linear[0][0], 3), linear[0][1]);
     assert!(readme.contains(&row), "README.md: {row}");
     for text in [
         format!("{} `μ N` from it on average", short(total[0][0], 4)),
