@@ -107,7 +107,8 @@ impl<'a, F: Float> Profile<'a, F> {
 
     /// Where the distance is least along `x`, straight between the points.
     pub(super) fn centre_x(&self, y: F) -> F {
-        let next = self.y.partition_point(|place| *place < y).clamp(1, self.y.len() - 1);
+        let next = self.y.partition_point(|place| *place < y);
+        let next = next.min(self.y.len().saturating_sub(1)).max(1);
         let at = |list: &[F], i: usize| list.get(i).copied().unwrap_or(F::zero());
         let (from, to) = (at(self.y, next - 1), at(self.y, next));
         let (before, after) = (at(self.centre_x, next - 1), at(self.centre_x, next));

@@ -374,6 +374,14 @@ pub(super) fn fields<F: 'static, P>(
     ]
 }
 
+/// A force of size one and some roundings within the bound, which it may pass by them.
+#[inline(always)]
+fn within_bound<T: Number>([x, y]: [T; 2]) -> [T; 2] {
+    let over = (x.value().squared() + y.value().squared()).plus(-1.0).max(T::Base::zero());
+    let size = T::Base::one() - over.times(0.5);
+    [x.scale(size), y.scale(size)]
+}
+
 /// Forces moved so that friction takes power out: `F·v n/(v·K v)`, `K = diag(C11, C22, C33)`,
 /// `n² = 1 + |K v|² + (C23 φ)²`, is 1 at rest in every direction, and lifted where it is below [`FLOOR`] + [`STEP`], to no
 /// less than [`FLOOR`] and with a continuous slope.
@@ -389,6 +397,8 @@ fn power_projected<T: Number>(
     let [kx, ky, ks] = [vx.scale(linear.c11), vy.scale(linear.c22), phi.scale(linear.c33)];
     let square = kx.squared() + ky.squared() + ks.squared() + phi.scale(linear.c23).squared();
     let Totals { fx, fy, mz, stick } = totals;
+    let [fx, fy] = within_bound([fx, fy]);
+    let totals = Totals { fx, fy, mz, stick };
     let power = fx * vx + fy * vy + mz * phi;
     let whole = kx * vx + ky * vy + ks * phi;
     // nothing to do at rest, where squares may vanish, and for x > FLOOR + STEP
@@ -410,9 +420,10 @@ fn power_projected<T: Number>(
     let factor = lift / n * (whole / along.max(T::tiny()));
     let (x, y) = (fx + factor * h * kx, fy + factor * h * ky);
     let size = (x.squared() + y.squared()).max(T::one()).inverse_root();
+    let [x, y] = within_bound([x * size, y * size]);
     Totals {
-        fx: low.choose(x * size, fx),
-        fy: low.choose(y * size, fy),
+        fx: low.choose(x, fx),
+        fy: low.choose(y, fy),
         mz: low.choose((mz + factor * ks) * size, mz),
         stick,
     }

@@ -66,6 +66,8 @@ pub(super) fn turned_back<T: Number>(motion: &Motion<T>, shares: Shares<T>) -> T
     let root = axis_ratio.sqrt();
     let mz = mx.scale(root) - lever.scale(T::Base::one() / root);
     let (fx, fy) = (fx.scale(turned_x.times(0.75)), fy.scale(turned_y.times(0.75)));
+    // the mirror image of itself
+    let fx = motion.xi.choose(fx, fx - T::from_base(fx.value()));
     // (differences of primitives may pass the bound by their rounding)
     let square = fx * fx + fy * fy;
     let [fx, fy] = either!(
@@ -193,7 +195,10 @@ pub(super) fn adhering<T: Number>(motion: &Motion<T>, moving: &Arc<T>) -> Shares
     let c = (angle + (yc2 - yc1)).times(0.5);
     let yc = (c1 * c1 * c1 - c2 * c2 * c2).times(1.0 / 3.0);
     let bent = |y: T::Base, yc: T::Base| yc * (T::Base::one() - (y * y).times(2.0));
+    // (of a narrow arc the angle has its digits behind the point only)
+    let most = (y1 * y1).max(y2 * y2) * width;
     let yyc = (angle - (bent(y2, yc2) - bent(y1, yc1))).times(0.125);
+    let yyc = yyc.min(most).max(T::Base::zero());
     let yy = (y1 * y1 + y1 * y2 + y2 * y2).times(1.0 / 3.0);
     let cc = width * (T::Base::one() - yy);
     // S hardly bends where the zero of S² is far from the interval.

@@ -2,6 +2,7 @@
 //! answer or a named status, and an error leaves the outputs as they were.
 
 use crate::names::*;
+use crate::random::Random;
 use crate::single;
 use crate::theory;
 
@@ -790,7 +791,7 @@ fn every_status_has_a_text() {
         unsafe { std::ffi::CStr::from_ptr(kstrip_status_string(status)) }.to_str().unwrap()
     };
     let mut seen = std::collections::HashSet::new();
-    for status in -23..=13 {
+    for status in -24..=13 {
         assert!(text(status).len() >= 2 && text(status) != "unknown status", "{status}");
         assert!(seen.insert(text(status)), "{status}");
     }
@@ -798,4 +799,26 @@ fn every_status_has_a_text() {
         assert_eq!(text(status), "unknown status");
     }
     assert_eq!(Error::Friction.code(), KSTRIP_ERROR_FRICTION);
+}
+
+/// Far beyond unit spin, where the strips that adhere are narrower than rounding, friction still takes power out; no force passes its
+/// bound by more than four roundings; and without longitudinal creepage, which is its own mirror image, there is no longitudinal force.
+#[test]
+fn power_bound_and_mirror_hold_to_rounding() {
+    let mut random = Random::new(310);
+    for n in 0..6_000 {
+        let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
+        let size = random.log_between(1e-3, 1e3);
+        let [xi, eta] = [0; 2].map(|_| size * random.between(-1.0, 1.0));
+        let xi = if n % 3 == 0 { 0.0 } else { xi };
+        let psi = random.sign() * random.log_between(1e-3, if n % 2 == 0 { 10.0 } else { 1e18 });
+        let m = theory::creepage(&c, xi, eta, psi);
+        for model in [Model::Strip1967, Model::Strip1967Continuous, Model::Strip, Model::Total] {
+            let s = model::solve(&c, &m, &options(model, StripCount::Sixteen)).unwrap();
+            assert!(s.power >= 0.0, "{model:?} {c:?} {m:?} {s:?}");
+            let over = s.fx.hypot(s.fy) / (c.friction * c.normal_force) - 1.0;
+            assert!(over <= 4.0 * f64::EPSILON, "{model:?} {over:e} {c:?} {m:?}");
+            assert!(xi != 0.0 || s.fx == 0.0, "{model:?} {c:?} {m:?} {s:?}");
+        }
+    }
 }
