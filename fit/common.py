@@ -129,7 +129,7 @@ def coefficients(g, nu, constants=None, xp=np):
     c23 = 2 * np.pi / 3 * xp.sqrt(g) * r
     c23 = c23 * (z + y * (n + nu * (m + LN16 - 4)) + w * polynomial(k["N23"], x, nu))
     c23 = c23 / (e + w * polynomial(k["E23"], x, nu))
-    q = t * m
+    q = w * m
     c33 = np.pi / 4 * z * ((1 - 2 * nu) * lam - 2 + 6 * nu) + np.pi**2 / 8 * y
     c33 = r / g * (c33 + w * (polynomial(k["N33"], x, nu) + q * polynomial(k["M33"][2:], 0, nu)))
     c33 = c33 / (e + w * (polynomial(k["E33"], x, nu) + q * polynomial(k["M33"][:2], 0, nu)))
@@ -149,7 +149,7 @@ def load(*names):
     g, nu = column("a_over_b"), column("nu")
     f = np.stack([column(key) for key in ("fx", "fy", "mz")], 1)
     f[:, :2] /= np.maximum(1, np.hypot(f[:, 0], f[:, 1]))[:, None]  # extrapolation overshoots mu N by .0015 at most
-    fine = np.concatenate([np.full(len(part["err"]), "fine" in name) for part, name in zip(parts, names)])
+    fine, slender = (np.concatenate([np.full(len(part["err"]), word in name) for part, name in zip(parts, names)]) for word in ("fine", "slender"))
     return {
         "g": g,
         "nu": nu,
@@ -158,6 +158,7 @@ def load(*names):
         "f": f,
         "err": column("err"),
         "fine": fine,
+        "slender": slender,
     }
 
 
@@ -190,7 +191,7 @@ def report(label, p, data, regions=False):
     psi = np.pi / 3 * np.sqrt(data["g"]) * abs(data["v"][:, 2])
     u = np.hypot(data["c"][:, 0] * data["v"][:, 0], data["c"][:, 1] * data["v"][:, 1])
     for name, x, edges in (
-        ("a/b", data["g"], (0, 0.15, 0.35, 0.7, 1.5, 3, 7, 20)),
+        ("a/b", data["g"], (0, 0.03, 0.06, 0.15, 0.35, 0.7, 1.5, 3, 7, 12, 20, 40, 61)),
         ("psi", psi, (-1, 1e-9, 0.3, 1, 2, 3.01, 20)),
         ("creep force", u, (-1, 1e-9, 0.3, 1, 2, 3, 20)),
     ):

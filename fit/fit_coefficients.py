@@ -1,6 +1,6 @@
-"""Fit the polynomials that join the slender asymptotes of C11, C22, C23, C33; write src/coefficients/constants.rs.
+"""Fit the polynomials that join the slender asymptotes of C11, C22, C23, C33; write src/linear/constants.rs.
 
-python fit_coefficients.py     (about a minute)
+python fit_coefficients.py     (a minute)
 """
 
 import sys
@@ -14,48 +14,62 @@ import common
 data = common.read("kalker_coefficients.csv")
 g, nu = data["a_over_b"], data["nu"]
 ONE = np.ones(len(g))
-# what is fitted for each coefficient, and the weight of its rows: C33 is known to about 1 % for a/b >= 5 and to .3 % below
+# what is fitted for each coefficient: how many constants, the penalty on them, and the weight of the slender limits
 PLAN = [
-    (0, "c11", {"E11": 8}, ONE),
-    (1, "c22", {"E22": 8}, ONE),
-    (2, "c23", {"E23": 8, "N23": 8}, ONE),
-    (3, "c33", {"E33": 6, "N33": 6, "M33": 4}, np.where(g > 9, 0.2, np.where(g > 4, 0.5, 1.0))),
+    (0, "c11", {"E11": 8}, 1e-4, 0),
+    (1, "c22", {"E22": 8}, 1e-4, 0),
+    (2, "c23", {"E23": 8, "N23": 8}, 1e-4, 0),
+    (3, "c33", {"E33": 6, "N33": 6, "M33": 4}, 1e-5, 1e-4),
 ]
-REGULARISATION = 1e-4
 ROUNDS = 30  # each doubles down on the rows with the largest error: least squares becomes nearly minimax
 
 
 def unpack(p, sizes):
+    """Polynomials with fewer than four pairs begin with a higher power of x: C33 reaches its limit for a >> b sooner."""
     out, k = {name: np.zeros(8) for name in ("E11", "E22", "E23", "N23", "E33", "N33", "M33")}, 0
     for name, n in sizes.items():
-        out[name] = p[k : k + n]
+        out[name] = p[k : k + n] if name == "M33" else np.append(np.zeros(8 - n), p[k : k + n])
         k += n
     return out
 
 
-def fit(index, target, sizes, weight, start):
-    p, w, best = start, weight.copy(), (np.inf, start)
+def limits():
+    """Slender contacts, the asymptote of C33, and how far from it C33 may be."""
+    slender = np.array([20, 30, 50, 100, 300, 1e3])
+    g, nu = (grid.ravel() for grid in np.meshgrid(np.append(slender, 1 / slender), [0, 0.15, 0.25, 0.28, 0.35, 0.5]))
+    m = common.LN16 + 2 * np.log(g)
+    wide = np.pi / 4 * ((1 - 2 * nu) * m - 2 + 6 * nu) / ((1 - nu) * m - 2 + 4 * nu)
+    return g, nu, np.where(g > 1, wide, np.pi**2 / 16 / (1 - nu) / g), 0.05 * (10 / np.maximum(g, 1 / g)) ** 1.2
+
+
+def fit(index, target, sizes, penalty, slender, start):
+    p, w, best = start, ONE, (np.inf, start)
+    far, far_nu, limit, tolerance = limits()
     for _ in range(ROUNDS):
 
         def residual(p, w=w):
-            c = common.coefficients(g, nu, unpack(p, sizes))[index]
-            return np.r_[(c / data[target] - 1) * w, REGULARISATION * p]
+            k = unpack(p, sizes)
+            c = common.coefficients(g, nu, k)[index]
+            parts = [(c / data[target] - 1) * w, penalty * p]
+            if slender:
+                parts.append(slender * (common.coefficients(far, far_nu, k)[index] / limit - 1) / tolerance)
+            return np.concatenate(parts)
 
         p = least_squares(residual, p, max_nfev=300).x
-        e = abs(residual(p, weight)[: len(g)])
+        e = abs(residual(p, ONE)[: len(g)])
         if e.max() < best[0]:
             best = (e.max(), p.copy())
         w = w * (1 + 0.5 * (e / e.max()) ** 2)
-        w *= weight.mean() / w.mean()
+        w /= w.mean()
     return best
 
 
 def main():
     began, found = time.time(), {}
-    for index, target, sizes, weight in PLAN:
+    for index, target, sizes, penalty, slender in PLAN:
         n = sum(sizes.values())
-        starts = [np.zeros(n)] + [np.random.default_rng(k).normal(size=n) for k in range(1, 4 if target == "c33" else 1)]
-        error, p = min((fit(index, target, sizes, weight, start) for start in starts), key=lambda b: b[0])
+        starts = [np.zeros(n)] + [np.random.default_rng(k).normal(size=n) for k in range(1, 3 if target == "c33" else 1)]
+        error, p = min((fit(index, target, sizes, penalty, slender, start) for start in starts), key=lambda b: b[0])
         fitted = unpack(p.astype(np.float32).astype(float), sizes)
         found.update({name: fitted[name] for name in sizes})
         e = 100 * (common.coefficients(g, nu, fitted)[index] / data[target] - 1)
@@ -74,7 +88,7 @@ def main():
     ]
     docs = ("Denominators of C11 and C22.", "Denominators of C23 and C33.", "Numerators of C23 and C33.")
     entries = [(doc, "_".join(names), common.couple(found, *names)) for doc, names in zip(docs, common.COUPLES)]
-    entries.append(("Factors of (1 - x) m in the denominator and in the numerator of C33.", "M33", found["M33"]))
+    entries.append(("Factors of x (1 - x) m in the denominator and in the numerator of C33.", "M33", found["M33"]))
     path = sys.argv[1] if len(sys.argv) > 1 else common.COEFFICIENTS
     common.write_constants(path, header, entries)
     print("wrote", path)

@@ -40,7 +40,7 @@ impl<F: Plain> LinearCoefficients<F> {
     /// Coefficients for the axis ratio `g = a/b`, positive, `a` along the rolling direction, and
     /// Poisson's ratio `ν`, 0 to 1/2.
     ///
-    /// Within 0.16 % of values computed with CONTACT for `a/b` 0.1 to 10 (`C33`: 0.4 % up to `a/b` 5, and 1.6 % at 10,
+    /// Within 0.16 % of values computed with CONTACT for `a/b` 0.1 to 10 (`C33`: 0.45 %,
     /// where the reference is known to about 1 %). Beyond that range the slender asymptotes
     /// take over.
     #[must_use]
@@ -74,7 +74,7 @@ impl<F: Plain> LinearCoefficients<F> {
         // every denominator and numerator below is p + q m: m comes late, and is waited for in
         // nothing but p + q m
         let line = |p: F::Pair, q: F::Pair| p + q.scale(m);
-        let wt = w * t;
+        let w2 = w * w;
         let nz = n * z;
         let zl = z.times(LN_16);
 
@@ -97,11 +97,11 @@ impl<F: Plain> LinearCoefficients<F> {
                 (linear * zl + z * nu.times(6.0).plus(-2.0)).times(PI / 4.0)
                     + y.times(PI * PI / 8.0),
             ) + cubic(&N23_N33, &WIDE_N23_N33).scale(w),
-            pair(nu * y, linear * z.times(PI / 2.0) + wt * (n0 + n1 * nu)),
+            pair(nu * y, linear * z.times(PI / 2.0) + w2 * (n0 + n1 * nu)),
         );
         let denominators = line(
             both(e) + cubic(&E23_E33, &WIDE_E23_E33).scale(w),
-            both(nz + nz) + pair(F::zero(), wt * (e0 + e1 * nu)),
+            both(nz + nz) + pair(F::zero(), w2 * (e0 + e1 * nu)),
         );
         let factors = pair(root.times(2.0 * PI / 3.0), one).scale(r);
         let (c23, c33) = (factors * numerators / (denominators * pair(one, g))).parts();
