@@ -1,12 +1,12 @@
 """Fit the corrections of the model TOTAL; write src/total/constants.rs and print check values for its tests.
 
 python fit_total.py                         the real fit, from a random start (half an hour on one core)
-python fit_total.py --from-stored           the last stages alone, from the stored constants (five minutes)
+python fit_total.py --from-stored           the last stages alone, from the stored constants (ten minutes)
 python fit_total.py --quick                 a few iterations only, to see that everything runs (constants not written)
 python fit_total.py --evaluate [file.csv]   errors of the stored constants, by region
 
-Levenberg-Marquardt on all residuals of 90 % of the rows of data/train.csv and data/train_fine.csv; the other 10 % are never
-trained on and are what "validation" means. A network that is too large is trained first, together with the constants of the
+Levenberg-Marquardt on all residuals of data/train_slender.csv and of 90 % of data/train.csv and data/train_fine.csv; the
+other 10 % are never trained on and are what "validation" means. A network that is too large is trained first, together with the constants of the
 formulas around it; then units are taken out, always those that are missed least, and what is left is trained to the end.
 """
 
@@ -38,8 +38,10 @@ SCALE = np.array([1, 1, 0.55])  # weight of the moment's residual against the fo
 WIDE, NARROW, LAST = 6e-4, 3e-4, 6e-4
 PENALTY_FRAME = 0.03  # on the square of the logarithm of what a constant of the formulas has changed by
 BLOCK = 2048
-LARGEST_ROOT = 4  # the network does not see that a contact is more slender than a/b = 16 or 1/16; no row of the data is
-SLIDING = 3000  # rows of rigid slip
+LARGEST_ROOT = 8  # the network does not see that a contact is more slender than a/b = 64 or 1/64; no row of the data is
+SLIDING = 4000  # rows of rigid slip
+WIDEST = 70  # axis ratios of rigid slip, and their inverse
+SLENDER = 3  # how often a row of train_slender.csv counts
 
 # Constants of the formulas around the network, fitted with it: name in the library, what it is, first value.
 FRAME = {
@@ -255,7 +257,14 @@ class Rows:
         return np.array(answers(model, self.state)) - self.data["f"]
 
     def cost(self, model, penalty):
-        return (((self.errors(model) * self.weight[:, None] * SCALE) ** 2).sum() + (penalties(model, penalty) * flat(model) ** 2).sum()) / self.count
+        return (((self.errors(model) * weights(self)) ** 2).sum() + (penalties(model, penalty) * flat(model) ** 2).sum()) / self.count
+
+
+def weights(rows):
+    """Of force and moment: where a contact is long the moment is large, and may be wrong by more."""
+    g = rows.data["g"]
+    moment = np.where(g > 12, np.sqrt(12 / g), 1.0)
+    return rows.weight[:, None] * SCALE * np.stack([np.ones_like(g), np.ones_like(g), moment], 1)
 
 
 def row_weights(data):
@@ -272,6 +281,7 @@ def row_weights(data):
     # spin against a lateral creepage in a long contact: the force turns over within the patch
     opposed = (data["g"] > 3) & (data["c"][:, 1] * data["v"][:, 1] < -0.3) & (spin > 0.3)
     w = w * np.where(opposed, 1.5, 1.0) * np.where(row & (data["g"] > 4), 1.25, 1.0)
+    w = w * np.where(data["slender"], np.where(data["g"] > 30, 1.3, 1.0) * np.sqrt(SLENDER), 1.0)
     return w * np.where(data["g"] > 6, 1.5, np.where(data["g"] < 0.13, 1.3, 1.0))
 
 
@@ -279,7 +289,7 @@ def sliding_rows(count=SLIDING, seed=11):
     """Rows of rigid slip. Without spin it is the truth from saturation on, with a little from 6 times saturation; with a large share,
     and the spin's pole in the patch, 10 to 400 times saturation is no more than a hint (`err` .2)."""
     r = np.random.default_rng(seed)
-    g, nu = np.exp(r.uniform(np.log(0.05), np.log(20), count)), 0.5 * r.random(count)
+    g, nu = np.exp(r.uniform(-np.log(WIDEST), np.log(WIDEST), count)), 0.5 * r.random(count)
     c = np.stack(common.coefficients(g, nu), 1)
     x, y, axis = 10 ** r.uniform(-2, 2, count), 10 ** r.uniform(-2, 2, count), r.random(count)
     x, y = np.where(axis < 0.08, 1e-9, x), np.where((axis > 0.08) & (axis < 0.16), 1e-9, y)
@@ -295,7 +305,7 @@ def sliding_rows(count=SLIDING, seed=11):
     n = np.where(alone, np.hypot(c[:, 0] * v[:, 0], c[:, 1] * v[:, 1]), n)
     v = v * (times * FULL / n)[:, None]
     err = np.where(hint & (times < 400), 0.2, 0.1)
-    return {"g": g, "nu": nu, "v": v, "c": c, "f": rigid_slip.sliding(g, v), "err": err, "fine": np.zeros(count, bool)}
+    return {"g": g, "nu": nu, "v": v, "c": c, "f": rigid_slip.sliding(g, v), "err": err, "fine": np.zeros(count, bool), "slender": np.zeros(count, bool)}
 
 
 def joined(*parts):
@@ -325,7 +335,7 @@ def normal_equations(model, rows, penalty):
     h, gradient = np.zeros((len(p), len(p)), order="F"), penalty * p
     f, arrays = slopes(model, rows.state)
     x, h1, s1, h2, s2, by_o, by_k = map(np.array, arrays)
-    weight = (rows.weight[:, None] * SCALE).astype(np.float32)
+    weight = weights(rows).astype(np.float32)
     residuals = (np.array(f) - rows.data["f"]).astype(np.float32) * weight
     inputs = [np.concatenate([np.ones((rows.count, 1), np.float32), a], 1)[:, None, :, None] for a in (x, h1, h2)]
     last, second = (model[k][1:].T.astype(np.float32) for k in (2, 1))
@@ -427,13 +437,12 @@ def heavier(rows, model):
 
 def fit(quick, seed, from_stored):
     began = time.time()
-    if not from_stored:
-        RIGID.update(rigid_slip.fit())
-    rigid_slip.report(RIGID)
+    RIGID.update(rigid_slip.fit(WIDEST))
+    rigid_slip.report(RIGID, WIDEST)
     train, validation = common.split(common.load("train.csv", "train_fine.csv"))
-    rows = Rows(joined(train, sliding_rows()))
+    rows = Rows(joined(train, common.load("train_slender.csv"), sliding_rows()))
     print(f"{rows.count} rows to train on, the last {SLIDING} of them of rigid slip, {len(validation['g'])} to validate; saturation curve within {SATURATION_ERROR:.1e}", flush=True)
-    few, wide, between, narrow, rounds, steps = (3, 2, 1, 2, 1, 1) if quick else (60, 150, 6, 90, 4, 20)
+    few, wide, between, narrow, rounds, steps = (3, 2, 1, 2, 1, 1) if quick else (60, 150, 6, 160, 2, 20)
 
     def report():
         common.report(f"  {widths(model)} after {time.time() - began:.0f} s", predict(model, validation), validation)
@@ -471,7 +480,7 @@ def write(model, path):
     header = [
         "Constants of the model TOTAL: rigid slip, and a network of two hidden layers, its units side by side in pairs.",
         "",
-        "Written by `fit/fit_total.py` from `fit/data/train.csv` and `fit/data/train_fine.csv` (computed with CONTACT,",
+        "Written by `fit/fit_total.py` from `fit/data/train.csv`, `train_fine.csv` and `train_slender.csv` (computed with CONTACT,",
         "Vollebregt, Vtech CMCC, Apache-2.0).",
     ]
     first, second, last, _ = model

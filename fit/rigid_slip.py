@@ -122,9 +122,9 @@ def like(p, names, shapes):
     return {name: part.reshape(shape) for name, shape, part in zip(names, shapes, np.split(p, ends[:-1]))}
 
 
-def fit():
-    """The constants by name, as the library stores them."""
-    g, v = cases(5000, 1, 33)
+def fit(widest):
+    """The constants by name, as the library stores them, for axis ratios to `widest` both ways."""
+    g, v = cases(6000, 1, widest)
     f, most, places = sliding(g, v, 96, 128), spin_moment(g), everywhere(5000, 5)
 
     def force_residuals(p):
@@ -158,8 +158,8 @@ def fit():
     return {name: np.float32(value).astype(float) for name, value in found.items()}
 
 
-def report(k):
-    g, v = cases(4000, 2, 20)
+def report(k, widest):
+    g, v = cases(4000, 2, widest)
     d = totals(k, g, v) - sliding(g, v, 96, 192)
     for name, e in (("force", np.hypot(d[:, 0], d[:, 1])), ("moment over that of spin", abs(d[:, 2]) / spin_moment(g))):
         print(f"rigid slip, {name}: {e.mean():.4f} / {np.percentile(e, 95):.4f} / {e.max():.4f}")
@@ -169,4 +169,4 @@ def report(k):
 
 
 if __name__ == "__main__":
-    report(fit())
+    report(fit(70), 70)

@@ -29,10 +29,10 @@ use crate::contact::forces::Totals;
 use crate::linear::LinearCoefficients;
 use crate::number::{Arithmetic, Number, Pair, Plain, Stored, once};
 
-/// Axis ratios that the formulas are evaluated with; fitted are 0.07 to 14.
+/// Axis ratios that the formulas are evaluated with; fitted are 0.015 to 60, and rigid slip from 1/70 to 70.
 const RATIO_LIMIT: f64 = 1e3;
 /// Root of the largest axis ratio that the network is told: beyond it, the formulas around it know the limits.
-const LARGEST_ROOT: f64 = 4.0;
+const LARGEST_ROOT: f64 = 8.0;
 /// Creepages whose linear force is beyond this are rigid slip, and scaled down together.
 #[inline(always)]
 fn largest<T: Number>() -> f64 {
@@ -72,7 +72,7 @@ pub struct Prepared<F> {
     spin_slope: F,
     /// Linear force of the slip that spin makes at the ends of the axes.
     ends: [F; 2],
-    /// `√g` within `1/4 … 4` as `(√g − 1)/(√g + 1)`
+    /// `√g` within `1/8 … 8` as `(√g − 1)/(√g + 1)`
     slender: F,
     rigid: RigidSlip<F>,
     network: Network<F>,
@@ -81,7 +81,7 @@ pub struct Prepared<F> {
 impl<F: Plain> Prepared<F> {
     /// For the axis ratio `g = a/b`, Poisson's ratio, and the coefficients of the linear theory for them.
     ///
-    /// Made for `a/b` 0.05 to 20 and `ν` 0 to 1/2; finite and with the right limits beyond.
+    /// Made for `a/b` 0.015 to 60 and `ν` 0 to 1/2; finite and with the right limits beyond.
     #[must_use]
     #[inline(always)]
     pub fn new(axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>) -> Self {
