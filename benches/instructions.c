@@ -116,8 +116,8 @@ void counted_calls_f32(int kind, const kstrip_options *options)
 int main(void)
 {
     for (int i = 0; i < CALLS; i++) {
-        const kstrip_contact c = {6e-3, 4e-3, 80e3, 82e9, 0.28, 0.3};
-        const kstrip_contact_f32 d = {6e-3F, 4e-3F, 80e3F, 82e9F, 0.28F, 0.3F};
+        const kstrip_contact c = {6e-3, 4e-3, 80e3, 82e9, 0.28, 0.3, 0};
+        const kstrip_contact_f32 d = {6e-3F, 4e-3F, 80e3F, 82e9F, 0.28F, 0.3F, 0};
         const kstrip_creepage k = {spread(i, 0.618034) * 8e-3, spread(i, 0.381966) * 8e-3,
                                    spread(i, 0.271828) * 1.5};
         const kstrip_creepage_f32 l = {(float)k.longitudinal, (float)k.lateral, (float)k.spin};

@@ -70,6 +70,7 @@ static void input(uint64_t *random, kstrip_contact *contact, kstrip_creepage *cr
     contact->shear_modulus = octaves(random, 1e6, 20);
     contact->poisson_ratio = 0.5 * (double)(bits(random) >> 11) / 9007199254740992.0;
     contact->friction = octaves(random, 1e-3, 11);
+    contact->mismatch = 0;
     /* Peak pressure of 2^-20 G to G/10 */
     const double pressure = contact->shear_modulus * octaves(random, 1e-6, 17);
     contact->normal_force = pressure * contact->a * contact->b * 2.094395102393195;

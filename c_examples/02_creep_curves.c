@@ -51,7 +51,7 @@ int main(void)
 {
     /* Semi-axes along and across the rolling direction [m], load [N], shear modulus [Pa],
        Poisson's ratio, friction. */
-    const kstrip_contact contact = {6e-3, 4.5e-3, 80e3, 82e9, 0.28, 0.3};
+    const kstrip_contact contact = {6e-3, 4.5e-3, 80e3, 82e9, 0.28, 0.3, 0};
     kstrip_options options;
     check(kstrip_options_init(&options));
 

@@ -24,7 +24,7 @@ int main(void)
 {
     /* Semi-axes along and across the rolling direction [m], load [N], shear modulus [Pa],
        Poisson's ratio, friction. */
-    const kstrip_contact contact = {6e-3, 4.5e-3, 80e3, 82e9, 0.28, 0.3};
+    const kstrip_contact contact = {6e-3, 4.5e-3, 80e3, 82e9, 0.28, 0.3, 0};
     const kstrip_creepage motion = {0.0005, 0.001, 0.3}; /* -, -, 1/m */
     const kstrip_options options = {KSTRIP_MODEL_STRIP_1967, 32};
     static const char *const states[] = {"outside", "stick", "slip", "slip-"};

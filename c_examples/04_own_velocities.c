@@ -59,7 +59,7 @@ int main(void)
     const body rail = {{-speed, 0, 0}, {0, 0, 0}, {0, 0, 0}};
     const body wheel = {{0, 0, 0}, {spin_rate * sin_yaw, -spin_rate * cos_yaw, 0}, {0, 0, radius}};
     /* a, b [m], load [N], shear modulus [Pa], Poisson's ratio, friction: see 01_wheel_rail.c */
-    const kstrip_contact contact = {6e-3, 4.5e-3, 80e3, 82e9, 0.28, 0.3};
+    const kstrip_contact contact = {6e-3, 4.5e-3, 80e3, 82e9, 0.28, 0.3, 0};
 
     const kstrip_velocity lower = at_contact(&rail, axes), upper = at_contact(&wheel, axes);
     kstrip_creepage creepage;

@@ -11,7 +11,7 @@
 
 static const double mass = 1800, inertia = 1100, lateral_spring = 400e3, yaw_spring = 3e6; /* kg, kg m2, N/m, N m */
 static const double radius = 0.46, half_gauge = 0.75, conicity = 0.1, step = 1e-3;         /* m, m, -, s */
-static const kstrip_contact contact = {6e-3, 4.5e-3, 80e3, 82e9, 0.28, 0.2};
+static const kstrip_contact contact = {6e-3, 4.5e-3, 80e3, 82e9, 0.28, 0.2, 0};
 static unsigned long calls; /* of kstrip_evaluate() */
 
 /* The state, x forward, y to the right, z down: place [m] and yaw [rad] to the right, and their rates */

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static const kstrip_contact contact = {6e-3, 4.5e-3, 80e3, 82e9, 0.28, 0}; /* friction: see law */
+static const kstrip_contact contact = {6e-3, 4.5e-3, 80e3, 82e9, 0.28, 0, 0}; /* friction: see law */
 static const kstrip_options model = {KSTRIP_MODEL_TOTAL, 16};
 static const double speed = 10, radius = 0.5;               /* m/s, m */
 static const double inertia = 50, stiffness = 500e3, damping = 50; /* kg m2, N m, N m s */

@@ -64,7 +64,7 @@ int main(int argc, char **argv)
         return fprintf(stderr, "how many contacts? (and memory for them)\n"), EXIT_FAILURE;
     for (int i = 0; i < count; i++) {
         /* a, b [m], load [N], shear modulus [Pa], Poisson's ratio, friction */
-        const kstrip_contact contact = {6e-3, (1 + i % 7) / 700.0, 80e3, 82e9, 0.28, 0.3};
+        const kstrip_contact contact = {6e-3, (1 + i % 7) / 700.0, 80e3, 82e9, 0.28, 0.3, 0};
         const kstrip_creepage creepage = {(i % 101 - 50) / 2e4, (i % 103 - 51) / 2e4,
                                           (i % 107 - 53) / 50.0}; /* [-], [-], [1/m] */
         contacts[i] = contact, creepages[i] = creepage;

@@ -35,7 +35,7 @@ static void solve_cell(int cell, int directions, double *row)
     row[SPIN] = 3.0 * (cell / SHAPES % SPINS) / (SPINS - 1);        /* 0 to 3 */
     row[SIZE] = pow(10, 3.0 * (cell / (SHAPES * SPINS)) / (SIZES - 1) - 2); /* 0.01 to 10 */
     const double root = sqrt(row[SHAPE]), radius = 5e-3, bound = 0.3 * 80e3; /* sqrt(ab), mu N */
-    const kstrip_contact contact = {radius * root, radius / root, 80e3, 82e9, 0.28, 0.3};
+    const kstrip_contact contact = {radius * root, radius / root, 80e3, 82e9, 0.28, 0.3, 0};
     row[LEAST] = 1;
     for (int i = 0; i < directions; i++) {
         const double angle = 6.283185307179586 * i / directions;

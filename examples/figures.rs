@@ -108,6 +108,7 @@ fn contact(axis_ratio: f64, poisson_ratio: f64) -> Contact<f64> {
         shear_modulus: 82e9,
         poisson_ratio,
         friction: 0.3,
+        mismatch: 0.0,
     }
 }
 

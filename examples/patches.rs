@@ -358,6 +358,7 @@ fn print_costs() {
             shear_modulus: 82e9,
             poisson_ratio: 0.28,
             friction: 0.3,
+            mismatch: 0.0,
         };
         let options = Options { model: Model::Strip, strips: count };
         let cost = quickest(9 * cases.len(), || {

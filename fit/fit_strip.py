@@ -40,7 +40,9 @@ WIDTH, WIDTH2, SATURATION = 0.05, 0.15, 40.0
 # residuals: fx, fy, mz, stick fraction; corrections are kept small so that the field stays physical
 WEIGHTS = np.array([1.0, 1.0, 0.8, 0.2])
 PENALTY, PRIOR, TAIL = 0.02, 5e-7, 0.3
-LIMITS = 800  # rows of rigid slip
+LIMITS = 1000  # rows of rigid slip
+WIDEST = 64  # axis ratios of them, and their inverse
+SLENDER = 3  # how often a row of train_slender.csv counts
 SLOPES, STEP, SLOPE_WEIGHT = 1000, 0.03, 0.25  # states whose slopes are fitted too: central differences with this step of linear force
 BLOCK = 1000  # rows side by side
 TINY = 1e-24
@@ -321,7 +323,7 @@ def case(g, nu, v):
 def load(*names):
     data = common.load(*names)
     stick = np.concatenate([common.read(name)["stick"] for name in names])
-    return {**case(data["g"], data["nu"], data["v"].T), "f": np.r_[data["f"].T, stick[None]], "err": data["err"], "fine": data["fine"]}
+    return {**case(data["g"], data["nu"], data["v"].T), "f": np.r_[data["f"].T, stick[None]], "err": data["err"], "fine": data["fine"], "slender": data["slender"]}
 
 
 def take(data, index):
@@ -350,7 +352,7 @@ def rigid_slip(g, vx, vy, phi, n=60):
 def limit_rows(n, seed=77):
     """Far in sliding, any mix of translation and spin: rigid slip is the truth there."""
     r = np.random.default_rng(seed)
-    g, nu, angle, k = 10 ** r.uniform(-1.35, 1.35, n), r.uniform(0, 0.5, n), r.uniform(0, 2 * np.pi, n), 10 ** r.uniform(-1.1, 1.4, n)
+    g, nu, angle, k = WIDEST ** r.uniform(-1, 1, n), r.uniform(0, 0.5, n), r.uniform(0, 2 * np.pi, n), 10 ** r.uniform(-1.1, 1.4, n)
     far = np.where(k < 3, 2000, 60 / k) * 10 ** r.uniform(-0.1, 1, n)
     data = case(g, nu, far * np.stack([k * np.cos(angle), k * np.sin(angle), np.ones(n)]))
     data["f"] = np.zeros((4, n))
@@ -375,6 +377,9 @@ ARRAYS = ("x", "g", "v", "c", "f", "wt")
 def weighted(data):
     """Less for rows of uncertain reference, more for fine grids and a/b > 4."""
     w = np.where(data["fine"], 1.25, 1.0) * (1 + 0.5 * (data["g"] > 4)) / np.sqrt(1 + (data["err"] / 0.012) ** 2)
+    w = w * np.where(data["slender"], np.sqrt(SLENDER), 1.0)
+    # where a contact is long the moment is large, and may be wrong by more
+    w = w * np.stack([np.ones_like(w), np.ones_like(w), np.where(data["g"] > 12, np.sqrt(12 / data["g"]), 1.0), np.ones_like(w)])
     return {**data, "wt": WEIGHTS[:, None] * w * np.array([[1.0], [1.0], [1.0], [0.0]]) + np.array([[0.0], [0.0], [0.0], [WEIGHTS[3]]])}
 
 
@@ -396,7 +401,7 @@ def slope_blocks(training, seed=8):
     order = r.permutation(len(training["g"]))
     d = take(training, order)
     n = np.sqrt(((d["v"] * d["c"][:3]) ** 2).sum(0))
-    d = take(d, np.flatnonzero((n > 0.1) & (n < 3) & (d["g"] >= 0.1) & (d["g"] <= 10))[:SLOPES])
+    d = take(d, np.flatnonzero((n > 0.1) & (n < 3) & (d["g"] >= 0.02) & (d["g"] <= 50))[:SLOPES])
     v = d["v"] * r.choice([-1, 1], (3, d["g"].size))
     steps = (STEP / d["c"][:3])[:, :, None] * np.eye(3)[:, None, :]
     v = (v[:, :, None, None] + steps[:, :, :, None] * np.array([1, -1])).reshape(3, -1)
@@ -604,7 +609,7 @@ def write(p, note):
         [
             "Constants of the corrected strips.",
             "",
-            "Written by `fit/fit_strip.py` from `fit/data/train.csv` and `fit/data/train_fine.csv`",
+            "Written by `fit/fit_strip.py` from `fit/data/train.csv`, `train_fine.csv` and `train_slender.csv`",
             "(values computed with CONTACT, see `fit/data/README.md`).",
             *note,
         ],
@@ -712,6 +717,7 @@ def main():
     parser.add_argument("--slopes")
     parser.add_argument("--fields")
     parser.add_argument("--save", help="file for the state in between")
+    parser.add_argument("--from-stored", action="store_true", help="start from the constants in src/strip")
     parser.add_argument("--resume", help="file of an earlier --save")
     parser.add_argument("--dry", action="store_true", help="do not write the constants")
     args = parser.parse_args()
@@ -723,6 +729,8 @@ def main():
         numbers(read_back())
         return
     training, validation = split(load("train.csv", "train_fine.csv"))
+    slender = load("train_slender.csv")
+    training = {key: np.concatenate([value, slender[key]], -1) for key, value in training.items()}
     if args.check:
         p = read_back()
     else:
@@ -730,7 +738,7 @@ def main():
             training = take(training, np.arange(min(args.rows, len(training["g"]))))
         parts = blocks(training)
         print(f"{COUNT} coefficients, {BLOCK * len(parts)} rows, {len(validation['g'])} rows for validation, at most {args.minutes:g} min", flush=True)
-        p = np.load(args.resume) if args.resume else start(args.seed)
+        p = read_back() if args.from_stored else np.load(args.resume) if args.resume else start(args.seed)
         p = fit(p, parts, slope_blocks(training), args.minutes, args.save)
         p = p.astype(np.float32).astype(float)
         if not args.dry:

@@ -92,6 +92,14 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_FRICTION 12
 /** Warning: radii are larger than 5 m in both directions: mm, mostly. */
 #define KSTRIP_WARNING_RADIUS 13
+/** Warning: the axis ratio a/b is outside 0.015 to 60 (KSTRIP_MODEL_STRIP: 20), for which the model was made. */
+#define KSTRIP_WARNING_AXIS_RATIO 14
+/** Warning: the mismatch of the materials exceeds 0.25, where the model was not compared with its reference. */
+#define KSTRIP_WARNING_MISMATCH 15
+/** Warning: the theory of 1967 neglects the mismatch of the materials. */
+#define KSTRIP_WARNING_MISMATCH_NEGLECTED 16
+/** Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction: the bodies are no half-spaces there. */
+#define KSTRIP_WARNING_CONFORMAL 17
 
 /** Error: a required pointer is NULL. */
 #define KSTRIP_ERROR_NULL -1
@@ -187,8 +195,8 @@ typedef struct kstrip_combined_material {
     /** Combined Poisson's ratio nu [-], nu/G = (nu_lower/G_lower + nu_upper/G_upper)/2 (2.6). */
     double poisson_ratio;
     /**
-     * Mismatch kappa [-] (4.3) of the two materials, which the theory neglects: 0 for like materials; an
-     * error of a few per cent is to be expected at 0.06 (steel on aluminium).
+     * Mismatch kappa [-] (4.3) of the two materials, for kstrip_contact: 0 for like materials; -0.07 for steel (lower) on
+     * aluminium, -0.15 on a polymer.
      */
     double mismatch;
 } kstrip_combined_material;
@@ -234,6 +242,12 @@ typedef struct kstrip_contact {
     double poisson_ratio;
     /** Coefficient of friction mu [-], >= 0. */
     double friction;
+    /**
+     * Mismatch kappa [-] of the two materials (4.3), as kstrip_material_combine() tells it: 0 for like ones, positive where the lower
+     * body is the softer, sign changed where the bodies are exchanged. Pressure makes a longitudinal creepage in unlike
+     * bodies, so that there is a force without creepage. Neglected by the theory of 1967.
+     */
+    double mismatch;
 } kstrip_contact;
 
 /** The contact ellipse of Hertz. */
@@ -267,7 +281,7 @@ typedef struct kstrip_hertz_contact {
  * @param[out] contact    receives the contact.
  * @param[out] ellipse    receives pressure, approach and shape; NULL: not wanted.
  * @return KSTRIP_OK, KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_SEMI_AXIS, KSTRIP_WARNING_FRICTION,
- *         KSTRIP_WARNING_RADIUS; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
+ *         KSTRIP_WARNING_RADIUS, KSTRIP_WARNING_MISMATCH, KSTRIP_WARNING_CONFORMAL; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
  *         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_CURVATURE,
  *         KSTRIP_ERROR_OVERFLOW.
  */
@@ -451,7 +465,7 @@ typedef struct kstrip_result {
     double mz;
     /**
      * Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin [N]: energy dissipated per metre
-     * rolled.
+     * rolled. Of unlike bodies the longitudinal creepage counts together with that which pressure makes.
      */
     double power;
     /**
@@ -475,7 +489,8 @@ typedef struct kstrip_result {
  * @param creepage        motion.
  * @param options         model and strip count; NULL for the defaults.
  * @param[out] result     receives forces, moment, power and adhesion.
- * @return KSTRIP_OK; KSTRIP_WARNING_SPIN, KSTRIP_WARNING_RANGE, KSTRIP_WARNING_BEYOND_FRICTION,
+ * @return KSTRIP_OK; KSTRIP_WARNING_SPIN, KSTRIP_WARNING_RANGE, KSTRIP_WARNING_AXIS_RATIO, KSTRIP_WARNING_MISMATCH,
+ *         KSTRIP_WARNING_MISMATCH_NEGLECTED, KSTRIP_WARNING_BEYOND_FRICTION,
  *         KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_CREEPAGE, KSTRIP_WARNING_SEMI_AXIS,
  *         KSTRIP_WARNING_SPIN_UNIT, KSTRIP_WARNING_FRICTION;
  *         KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_SEMI_AXIS, KSTRIP_ERROR_MODULUS,
@@ -607,7 +622,7 @@ kstrip_status kstrip_evaluate(const struct kstrip_contact *contact,
  * the next in bytes, its stride. Stride 0: one for all.
  *
  * Arrays of structures (&contacts[0].a, sizeof(kstrip_contact)) are as good as one array for each quantity
- * (a, sizeof(double)). All but law are required unless there are no contacts.
+ * (a, sizeof(double)). All but mismatch and law are required unless there are no contacts.
  */
 typedef struct kstrip_batch_inputs {
     /** Semi-axes along x [m]. */
@@ -634,6 +649,10 @@ typedef struct kstrip_batch_inputs {
     const double *friction;
     /** Distance. */
     ptrdiff_t friction_stride;
+    /** Mismatches of the materials [-]; NULL: like ones. */
+    const double *mismatch;
+    /** Distance. */
+    ptrdiff_t mismatch_stride;
     /** Longitudinal creepages [-]. */
     const double *longitudinal;
     /** Distance. */
@@ -1017,6 +1036,11 @@ typedef struct kstrip_patch {
     uint32_t count;
     /** Zero. */
     uint32_t reserved;
+    /**
+     * Mismatch kappa [-] of the two materials, as in kstrip_contact: 0 but in patches of kstrip_patch_from_contact(), and where the
+     * caller sets it.
+     */
+    double mismatch;
 } kstrip_patch;
 
 /** How two profiles meet. */

@@ -57,6 +57,10 @@ enum class [[nodiscard]] status : std::int32_t {
     warning_spin_unit = KSTRIP_WARNING_SPIN_UNIT,
     warning_friction = KSTRIP_WARNING_FRICTION,
     warning_radius = KSTRIP_WARNING_RADIUS,
+    warning_axis_ratio = KSTRIP_WARNING_AXIS_RATIO,
+    warning_mismatch = KSTRIP_WARNING_MISMATCH,
+    warning_mismatch_neglected = KSTRIP_WARNING_MISMATCH_NEGLECTED,
+    warning_conformal = KSTRIP_WARNING_CONFORMAL,
     error_null = KSTRIP_ERROR_NULL,
     error_not_finite = KSTRIP_ERROR_NOT_FINITE,
     error_semi_axis = KSTRIP_ERROR_SEMI_AXIS,
@@ -324,6 +328,7 @@ struct basic_contact {
     basic_pascals<T> shear_modulus;
     T poisson_ratio;
     T friction;
+    T mismatch = 0; ///< of the two materials; 0: like ones
 };
 KSTRIP_HPP_BOTH(contact)
 
@@ -571,6 +576,8 @@ struct basic_batch_inputs {
     std::ptrdiff_t poisson_ratio_stride = 0;
     const T *friction = nullptr;
     std::ptrdiff_t friction_stride = 0;
+    const T *mismatch = nullptr; ///< null: like materials
+    std::ptrdiff_t mismatch_stride = 0;
     const T *longitudinal = nullptr;
     std::ptrdiff_t longitudinal_stride = 0;
     const T *lateral = nullptr;
@@ -676,8 +683,8 @@ basic_batch_inputs<T> batch_of(const basic_contact<T> *contacts, const basic_cre
 {
     constexpr std::ptrdiff_t c = sizeof(basic_contact<T>), m = sizeof(basic_creepage<T>);
     return {&contacts->a, c, &contacts->b, c, &contacts->normal_force, c, &contacts->shear_modulus, c,
-            &contacts->poisson_ratio, c, &contacts->friction, c, &creepages->longitudinal, m, &creepages->lateral, m,
-            &creepages->spin, m, nullptr, 0};
+            &contacts->poisson_ratio, c, &contacts->friction, c, &contacts->mismatch, c, &creepages->longitudinal, m,
+            &creepages->lateral, m, &creepages->spin, m, nullptr, 0};
 }
 /// The outputs of a batch into an array of results.
 template <class T>
@@ -791,7 +798,7 @@ auto evaluate_batch(const Contacts &contacts, const Creepages &creepages, const 
     auto from = batch_of(contacts.data(), creepages.data());
     if (contacts.size() == 1)
         from.a_stride = from.b_stride = from.normal_force_stride = from.shear_modulus_stride =
-            from.poisson_ratio_stride = from.friction_stride = 0;
+            from.poisson_ratio_stride = from.friction_stride = from.mismatch_stride = 0;
     std::uint32_t bad = 0;
     const status s = evaluate_batch(from, detail::capacity(to.size()), how, batch_of(to.data()), &bad);
     detail::check(s, bad);
@@ -900,6 +907,7 @@ struct basic_patch {
     T lever_scale;
     std::uint32_t count;
     std::uint32_t reserved;
+    T mismatch; ///< of the two materials; 0: like ones
 };
 KSTRIP_HPP_BOTH(patch)
 

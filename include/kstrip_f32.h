@@ -57,6 +57,7 @@ typedef struct kstrip_contact_f32 {
     float shear_modulus;
     float poisson_ratio;
     float friction;
+    float mismatch;
 } kstrip_contact_f32;
 
 /** The contact ellipse of Hertz. */
@@ -227,7 +228,7 @@ kstrip_status kstrip_evaluate_f32(const struct kstrip_contact_f32 *contact,
  * the next in bytes, its stride. Stride 0: one for all.
  *
  * Arrays of structures (&contacts[0].a, sizeof(kstrip_contact)) are as good as one array for each quantity
- * (a, sizeof(double)). All but law are required unless there are no contacts.
+ * (a, sizeof(double)). All but mismatch and law are required unless there are no contacts.
  */
 typedef struct kstrip_batch_inputs_f32 {
     const float *a;
@@ -242,6 +243,8 @@ typedef struct kstrip_batch_inputs_f32 {
     ptrdiff_t poisson_ratio_stride;
     const float *friction;
     ptrdiff_t friction_stride;
+    const float *mismatch;
+    ptrdiff_t mismatch_stride;
     const float *longitudinal;
     ptrdiff_t longitudinal_stride;
     const float *lateral;
@@ -454,6 +457,7 @@ typedef struct kstrip_patch_f32 {
     float lever_scale;
     uint32_t count;
     uint32_t reserved;
+    float mismatch;
 } kstrip_patch_f32;
 
 /** How two profiles meet. */

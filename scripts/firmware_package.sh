@@ -56,7 +56,7 @@ void setup() {
 }
 
 void loop() {
-  const kstrip_contact_f32 contact = {1.2e-3f, 1.0e-3f, 800.0f, 82e9f, 0.28f, 0.3f};
+  const kstrip_contact_f32 contact = {1.2e-3f, 1.0e-3f, 800.0f, 82e9f, 0.28f, 0.3f, 0};
   const kstrip_creepage_f32 creepage = {1e-3f, 0.0f, 0.0f};
   kstrip_result_f32 result;
   if (kstrip_solve_total_f32(&contact, &creepage, &result) >= 0) {

@@ -82,7 +82,7 @@ if address=$(library address "-Z sanitizer=address -C debuginfo=1"); then
 #include "kstrip.h"
 int main(void)
 {
-    const kstrip_contact contact = {6e-3, 4e-3, 80e3, 82e9, 0.28, 0.3};
+    const kstrip_contact contact = {6e-3, 4e-3, 80e3, 82e9, 0.28, 0.3, 0};
     const kstrip_creepage creepage = {1e-3, 0, 0};
     const double x[2] = {0, 1e-3}, y[1] = {0};
     kstrip_point points[3];

@@ -42,6 +42,7 @@
 //! let contact = Contact {
 //!     a: ellipse.a, b: ellipse.b, normal_force: 80e3,
 //!     shear_modulus: pair.shear_modulus, poisson_ratio: pair.poisson_ratio, friction: 0.3,
+//!     mismatch: 0.0,
 //! };
 //! let creepage = Creepage { longitudinal: 1e-3, lateral: 0.0, spin: 0.0 };
 //! let forces = model::solve(&contact, &creepage, &model::Options::default())?;

@@ -140,13 +140,22 @@ pub enum Notice {
     Friction = 12,
     /// Both summed curvatures are below 0.2/m: radii in mm, mostly.
     Radius = 13,
+    /// The axis ratio a/b is outside 0.015 to 60 (STRIP: to 20), where the model is not what its reference says. The result is finite,
+    /// bounded by `mu N`, and has the limits of slender contacts.
+    AxisRatio = 14,
+    /// The mismatch of the materials exceeds 0.25, where the model was not compared with its reference.
+    Mismatch = 15,
+    /// The theory of 1967 neglects the mismatch of the materials.
+    MismatchNeglected = 16,
+    /// A semi-axis exceeds 0.3 of the smaller radius in its direction: the bodies are no half-spaces there.
+    Conformal = 17,
 }
 
 impl Notice {
     /// Whether an input is implausible, mostly in another unit.
     #[must_use]
     pub const fn is_implausible(self) -> bool {
-        self.code() >= Self::Pressure.code()
+        self.code() >= Self::Pressure.code() && self.code() <= Self::Radius.code()
     }
 
     /// The status of the C interface, zero or positive.
@@ -177,7 +186,12 @@ impl Notice {
             | Self::Friction
             | Self::Radius => 3,
             Self::BeyondFriction => 2,
-            Self::OutsideRange | Self::SpinBeyondTheory => 1,
+            Self::OutsideRange
+            | Self::SpinBeyondTheory
+            | Self::AxisRatio
+            | Self::Mismatch
+            | Self::MismatchNeglected
+            | Self::Conformal => 1,
             Self::None => 0,
         }
     }
@@ -217,6 +231,16 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
         }
         12 => c"implausible coefficient of friction: above 5; check that it is no percentage",
         13 => c"implausible radii: flatter than a radius of 5 m in both directions; check their unit (m, not mm)",
+        14 => {
+            c"the axis ratio a/b is outside 0.015 to 60 (strips: 20), for which the model was made; result is finite, bounded by mu N and has the right limits"
+        }
+        15 => c"the mismatch of the materials exceeds 0.25, where the model was not checked; result is finite and bounded by mu N",
+        16 => {
+            c"the theory of 1967 neglects the mismatch of the materials; use another model, or set it to 0"
+        }
+        17 => {
+            c"too conformal: a semi-axis exceeds 0.3 of the smaller radius in its direction, so that the bodies are no half-spaces; result is that of half-spaces"
+        }
         -1 => c"a required pointer is NULL: pass the address of a structure or array",
         -2 => c"an input is infinite or NaN: pass finite numbers",
         -3 => c"a semi-axis of the contact ellipse is not positive: a and b must be > 0 (metres)",

@@ -24,6 +24,10 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_warning_spin_unit = 11
    integer(c_int32_t), parameter :: kstrip_warning_friction = 12
    integer(c_int32_t), parameter :: kstrip_warning_radius = 13
+   integer(c_int32_t), parameter :: kstrip_warning_axis_ratio = 14
+   integer(c_int32_t), parameter :: kstrip_warning_mismatch = 15
+   integer(c_int32_t), parameter :: kstrip_warning_mismatch_neglected = 16
+   integer(c_int32_t), parameter :: kstrip_warning_conformal = 17
    integer(c_int32_t), parameter :: kstrip_error_null = -1
    integer(c_int32_t), parameter :: kstrip_error_not_finite = -2
    integer(c_int32_t), parameter :: kstrip_error_semi_axis = -3
@@ -104,6 +108,7 @@ module kstrip
       real(c_double) :: shear_modulus = 0
       real(c_double) :: poisson_ratio = 0
       real(c_double) :: friction = 0
+      real(c_double) :: mismatch = 0
    end type
 
    !> The contact ellipse of Hertz.
@@ -222,6 +227,8 @@ module kstrip
       integer(c_intptr_t) :: poisson_ratio_stride = 0
       type(c_ptr) :: friction = c_null_ptr
       integer(c_intptr_t) :: friction_stride = 0
+      type(c_ptr) :: mismatch = c_null_ptr
+      integer(c_intptr_t) :: mismatch_stride = 0
       type(c_ptr) :: longitudinal = c_null_ptr
       integer(c_intptr_t) :: longitudinal_stride = 0
       type(c_ptr) :: lateral = c_null_ptr
@@ -345,6 +352,7 @@ module kstrip
       real(c_double) :: lever_scale = 0
       integer(c_int32_t) :: count = 0
       integer(c_int32_t) :: reserved = 0
+      real(c_double) :: mismatch = 0
    end type
 
    !> How two profiles meet.

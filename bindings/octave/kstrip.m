@@ -4,7 +4,8 @@ function [force, jacobian] = kstrip(contact, creepage, model)
 %   force = kstrip(contact, creepage)
 %   [force, jacobian] = kstrip(contact, creepage, model)
 %
-%   contact   6 x n or 6 x 1: a, b [m], normal force [N], shear modulus [Pa], Poisson's ratio, friction
+%   contact   7 x n or 7 x 1: a, b [m], normal force [N], shear modulus [Pa], Poisson's ratio, friction, mismatch of the
+%             materials (may be left out: like ones)
 %   creepage  3 x n or 3 x 1: longitudinal, lateral [-], spin [1/m]: upper minus lower body over rolling speed
 %   model     'total' (the default), 'strip', 'strip_1967', 'strip_1967_continuous', 'linear', or its KSTRIP_MODEL number
 %   force     3 x n on the lower body: fx, fy [N], mz [N m]

@@ -144,6 +144,7 @@ static kstrip_patch patch_of(const mxArray *of)
     patch.poisson_ratio = mxGetScalar(mxGetField(of, 0, "poisson_ratio"));
     patch.area_scale = scalar(mxGetField(of, 0, "area_scale"), 0);
     patch.lever_scale = scalar(mxGetField(of, 0, "lever_scale"), 0);
+    patch.mismatch = scalar(mxGetField(of, 0, "mismatch"), 0);
     return patch;
 }
 
@@ -156,6 +157,7 @@ static mxArray *of_patch(const kstrip_patch *patch)
     *field(made, "poisson_ratio", 1, 1) = patch->poisson_ratio;
     *field(made, "area_scale", 1, 1) = patch->area_scale;
     *field(made, "lever_scale", 1, 1) = patch->lever_scale;
+    *field(made, "mismatch", 1, 1) = patch->mismatch;
     return made;
 }
 

@@ -5,7 +5,8 @@ function found = kstrip_evaluate(contact, creepage, friction, model, strips)
 %   found = kstrip_evaluate(contact, creepage, friction, model, strips)
 %   found = kstrip_evaluate(patch, creepage, ...)
 %
-%   contact   6 x n or 6 x 1: a, b [m], normal force [N], shear modulus [Pa], Poisson's ratio, friction
+%   contact   7 x n or 7 x 1: a, b [m], normal force [N], shear modulus [Pa], Poisson's ratio, friction, mismatch of the
+%             materials (may be left out: like ones)
 %   patch     a struct from kstrip_patch_from_profile or kstrip_patch_from_contact
 %   creepage  3 x n or 3 x 1: longitudinal, lateral [-], spin [1/m]
 %   friction  friction that falls with the slip, 5 x n or 5 x 1: friction without slip, ratio, decay [s/m], rolling speed [m/s], factor of

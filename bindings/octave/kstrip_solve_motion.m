@@ -4,7 +4,8 @@ function found = kstrip_solve_motion(contact, motion, friction, model, strips)
 %   found = kstrip_solve_motion(contact, motion)
 %   found = kstrip_solve_motion(contact, motion, friction, model, strips)
 %
-%   contact   6 x n or 6 x 1: a, b [m], normal force [N], shear modulus [Pa], Poisson's ratio, friction
+%   contact   7 x n or 7 x 1: a, b [m], normal force [N], shear modulus [Pa], Poisson's ratio, friction, mismatch of the
+%             materials (may be left out: like ones)
 %   motion    4 x n or 5 x n: slip along x, along y [m/s], spin rate [rad/s], signed rolling speed [m/s], and the speed below which
 %             creepages grow no further [m/s] (0 or left out: 0.02)
 %   friction, model, strips   as in kstrip_evaluate

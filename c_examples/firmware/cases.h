@@ -54,6 +54,7 @@ static void cases_next(uint32_t i, kstrip_contact_f32 *contact, kstrip_creepage_
     contact->shear_modulus = 82e9f;
     contact->poisson_ratio = 0.5f * cases_unit();
     contact->friction = 0.05f + 0.6f * cases_unit();
+    contact->mismatch = 0.0f;
     /* peak pressure 0.3 to 2.4 GPa */
     contact->normal_force = cases_spread(0.3e9f, 3) * contact->a * b * (2.0943951f);
     unit = 2.0f * contact->friction * (contact->normal_force / (2.0943951f * contact->a * b) / 82e9f);

@@ -85,7 +85,7 @@ static void compare(uint32_t index, const kstrip_contact_f32 *c, const kstrip_cr
                     const kstrip_options *options, const kstrip_result_f32 *single)
 {
     const kstrip_contact contact = {c->a, c->b, c->normal_force, c->shear_modulus, c->poisson_ratio,
-                                    c->friction};
+                                    c->friction, c->mismatch};
     const kstrip_creepage creepage = {k->longitudinal, k->lateral, k->spin};
     kstrip_result r;
     double bound = (double)c->friction * (double)c->normal_force;

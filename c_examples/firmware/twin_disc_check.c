@@ -49,6 +49,7 @@ int main(void)
         c.shear_modulus = number(w[3]);
         c.poisson_ratio = number(w[4]);
         c.friction = number(w[5]);
+        c.mismatch = 0;
         k.longitudinal = number(w[6]);
         k.lateral = number(w[7]);
         k.spin = number(w[8]);

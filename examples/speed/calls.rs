@@ -101,6 +101,7 @@ fn inputs(set: Set) -> Vec<State<f64>> {
                 shear_modulus: 82e9,
                 poisson_ratio: 0.28,
                 friction: 0.3,
+                mismatch: 0.0,
             };
             // by the golden ratio and its relatives
             let longitudinal = spread(i, 0.618_034) * 8e-3;
@@ -189,7 +190,15 @@ fn in_precision<F: Called>(set: Set) -> Vec<State<F>> {
         let [a, b, normal_force, shear_modulus, poisson_ratio, friction] =
             [c.a, c.b, c.normal_force, c.shear_modulus, c.poisson_ratio, c.friction].map(F::of);
         let [longitudinal, lateral, spin] = [k.longitudinal, k.lateral, k.spin].map(F::of);
-        let contact = Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction };
+        let contact = Contact {
+            a,
+            b,
+            normal_force,
+            shear_modulus,
+            poisson_ratio,
+            friction,
+            mismatch: F::zero(),
+        };
         (contact, Creepage { longitudinal, lateral, spin })
     };
     inputs(set).into_iter().map(of).collect()
@@ -292,6 +301,8 @@ fn batch<F: Called>(
                 poisson_ratio_stride: stride,
                 friction,
                 friction_stride: stride,
+                mismatch: null(),
+                mismatch_stride: 0,
                 longitudinal,
                 longitudinal_stride: stride,
                 lateral,
@@ -426,7 +437,7 @@ fn peers() -> Vec<(String, Solver)> {
 /// What the other methods are handed: their coefficients are ready-made.
 fn peer_inputs(set: Set) -> Vec<Input> {
     let of = |(contact, creepage): State<f64>| {
-        let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction } = contact;
+        let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, .. } = contact;
         let Creepage { longitudinal, lateral, spin } = creepage;
         let LinearCoefficients { c11, c22, c23, .. } = LinearCoefficients::at(a / b, poisson_ratio);
         Input {

@@ -30,6 +30,7 @@ use crate::status::{Error, Notice};
 /// use kstrip::{batch::solve_batch, contact::Contact, contact::creepage::Creepage, solve::model::Options};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
+///     mismatch: 0.0,
 /// };
 /// let creepage = |i| Creepage { longitudinal: i as f64 * 1e-5, lateral: 0.0, spin: 0.0 };
 /// let mut forces = [0.0; 100];

@@ -106,12 +106,13 @@ fn group<L: Lanes<N>, const N: usize>(
     first: usize,
     get: &impl Fn(usize) -> (Contact<L::Stored>, Creepage<L::Stored>),
 ) -> (Contact<L>, Creepage<L>) {
-    let mut quantities = [[L::Stored::zero(); N]; 9];
+    let mut quantities = [[L::Stored::zero(); N]; 10];
     for lane in 0..N {
         let (contact, creepage) = get(first + lane);
-        let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction } = contact;
+        let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch } =
+            contact;
         let Creepage { longitudinal, lateral, spin } = creepage;
-        let contact = [a, b, normal_force, shear_modulus, poisson_ratio, friction];
+        let contact = [a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch];
         let values = contact.into_iter().chain([longitudinal, lateral, spin]);
         for (quantity, value) in quantities.iter_mut().zip(values) {
             if let Some(place) = quantity.get_mut(lane) {
@@ -119,10 +120,20 @@ fn group<L: Lanes<N>, const N: usize>(
             }
         }
     }
-    let [a, b, normal_force, shear_modulus, poisson_ratio, friction, longitudinal, lateral, spin] =
-        L::each(&quantities, |numbers| L::of_array(*numbers));
+    let [
+        a,
+        b,
+        normal_force,
+        shear_modulus,
+        poisson_ratio,
+        friction,
+        mismatch,
+        longitudinal,
+        lateral,
+        spin,
+    ] = L::each(&quantities, |numbers| L::of_array(*numbers));
     (
-        Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction },
+        Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch },
         Creepage { longitudinal, lateral, spin },
     )
 }
@@ -148,8 +159,9 @@ where
     let mut worst = Notice::None;
     for first in (0..whole).step_by(N) {
         let (contact, creepage) = group::<L, N>(first, &get);
-        // lost contacts, and those of which something must be said
-        if !(contact.is_ordinary(&creepage) && contact.normal_force.is_positive_number()) {
+        // lost contacts, unlike materials, and those of which something must be said
+        let alike = contact.mismatch.lies_within(L::zero());
+        if !(alike && contact.is_ordinary(&creepage) && contact.normal_force.is_positive_number()) {
             worst = worst.worse(batch::solve(first..first + N, options, &get, &mut put)?);
             continue;
         }

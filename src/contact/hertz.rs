@@ -100,7 +100,7 @@ pub fn from_hertz<F: Float>(
     load: F,
     friction: F,
 ) -> Result<(Contact<F>, HertzContact<F>, Notice), Error> {
-    let CombinedMaterial { shear_modulus, poisson_ratio, .. } = *pair;
+    let CombinedMaterial { shear_modulus, poisson_ratio, mismatch } = *pair;
     let modulus = plane_strain_modulus(shear_modulus, poisson_ratio)?;
     if !load.is_finite_number() {
         return Err(Error::NotFinite);
@@ -108,9 +108,9 @@ pub fn from_hertz<F: Float>(
     let (form, normal_force) = (Form::new(radii)?, load.max(F::zero()));
     let hertz = form.under(normal_force, modulus)?;
     let HertzContact { a, b, .. } = hertz;
-    let contact = Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction };
+    let contact = Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch };
     check_loaded(&contact)?;
-    Ok((contact, hertz, form.notice(&contact)))
+    Ok((contact, hertz, form.notice(radii, &contact)))
 }
 
 /// The contact of two bodies whose distant points have come closer by `approach` \[m\]: the inverse of [`from_hertz`], as the
@@ -140,7 +140,7 @@ pub fn from_approach<F: Float>(
     approach: F,
     friction: F,
 ) -> Result<(Contact<F>, F, Notice), Error> {
-    let CombinedMaterial { shear_modulus, poisson_ratio, .. } = *pair;
+    let CombinedMaterial { shear_modulus, poisson_ratio, mismatch } = *pair;
     let modulus = plane_strain_modulus(shear_modulus, poisson_ratio)?;
     if !approach.is_finite_number() {
         return Err(Error::NotFinite);
@@ -157,15 +157,15 @@ pub fn from_approach<F: Float>(
     if ![a, b, stiffness, normal_force].iter().all(|result| result.is_finite_number()) {
         return Err(Error::Overflow);
     }
-    let contact = Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction };
+    let contact = Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch };
     check_loaded(&contact)?;
-    Ok((contact, stiffness, form.notice(&contact)))
+    Ok((contact, stiffness, form.notice(radii, &contact)))
 }
 
 /// Whether every model can do with the contact; lost, it is an ordinary one.
 fn check_loaded<F: Float>(contact: &Contact<F>) -> Result<(), Error> {
-    let Contact { friction, .. } = *contact;
-    if !friction.is_finite_number() {
+    let Contact { friction, mismatch, .. } = *contact;
+    if !(friction.is_finite_number() && mismatch.is_finite_number()) {
         return Err(Error::NotFinite);
     }
     if friction < F::zero() {
@@ -247,9 +247,16 @@ impl<F: Float> Form<F> {
     }
 
     /// Whether the contact and the radii are plausible.
-    fn notice(&self, contact: &Contact<F>) -> Notice {
-        let flat = self.large < F::constant(SMALLEST_CURVATURE);
-        if flat { Notice::Radius } else { contact.plausibility() }
+    fn notice(&self, radii: &Radii<F>, contact: &Contact<F>) -> Notice {
+        if self.large < F::constant(SMALLEST_CURVATURE) {
+            return Notice::Radius;
+        }
+        let notice = contact.plausibility();
+        if notice == Notice::None && contact.is_conformal(radii) {
+            Notice::Conformal
+        } else {
+            notice
+        }
     }
 
     /// `a`, `b` for the major semi-axis.

@@ -5,12 +5,14 @@ pub(crate) mod elliptic;
 pub mod forces;
 pub mod hertz;
 pub mod material;
-mod plausibility;
+pub(crate) mod mismatch;
+pub(crate) mod plausibility;
 
 pub use self::hertz::{from_approach, from_hertz};
 pub use self::plausibility::warning;
 
 use crate::contact::material::{check_modulus, check_poisson_ratio};
+use crate::contact::plausibility::LARGEST_MISMATCH;
 use crate::number::{Float, Plain};
 use crate::status::Error;
 
@@ -30,6 +32,10 @@ pub struct Contact<F> {
     pub poisson_ratio: F,
     /// Coefficient of friction mu \[-\], >= 0.
     pub friction: F,
+    /// Mismatch kappa \[-\] of the two materials (4.3), as kstrip_material_combine() tells it: 0 for like ones, positive where the lower
+    /// body is the softer, sign changed where the bodies are exchanged. Pressure makes a longitudinal creepage in unlike
+    /// bodies, so that there is a force without creepage. Neglected by the theory of 1967.
+    pub mismatch: F,
 }
 
 impl<F: Float> Contact<F> {
@@ -40,8 +46,8 @@ impl<F: Float> Contact<F> {
     /// floating-point type.
     #[inline(never)]
     pub fn check(&self) -> Result<(), Error> {
-        let Self { a, b, normal_force, shear_modulus, poisson_ratio, friction } = *self;
-        let inputs = [a, b, normal_force, shear_modulus, poisson_ratio, friction];
+        let Self { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch } = *self;
+        let inputs = [a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch];
         if !inputs.iter().all(|input| input.is_finite_number()) {
             return Err(Error::NotFinite);
         }
@@ -63,6 +69,7 @@ impl<F: Float> Contact<F> {
             self.friction_bound(),
             self.peak_pressure(),
             traction,
+            self.strain(),
         ];
         // Products of the ratio with anything of order one stay finite as well.
         let slender = ratios[0].max(ratios[1]) > F::HUGE;
@@ -79,7 +86,7 @@ impl<F: Plain> Contact<F> {
     /// precision: all products and quotients lie below 1e36. A few comparisons instead of five divisions.
     #[inline(always)]
     pub(crate) fn is_usual(&self) -> bool {
-        let Self { a, b, normal_force, shear_modulus, poisson_ratio, friction } = *self;
+        let Self { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch } = *self;
         let (shortest, longest) = (F::of(1e-6), F::of(1.0));
         a.lies_between(shortest, longest)
             && b.lies_between(shortest, longest)
@@ -87,6 +94,7 @@ impl<F: Plain> Contact<F> {
             && shear_modulus.lies_between(F::of(1.0), F::of(1e12))
             && poisson_ratio.lies_within(F::of(0.5))
             && friction.lies_within(F::of(5.0))
+            && mismatch.abs().lies_within(F::of(LARGEST_MISMATCH))
     }
 
     /// Whether there is no contact: `N ≤ 0`. Nothing else of it counts then, as long as it is finite.

@@ -10,6 +10,8 @@
 //! | spin | `\|φ\| √(ab) > 0.05` and `\|φ\| a > 5 p₀/G` | degrees per metre | see below |
 //! | friction | `μ > 5` | per cent | up to 2 |
 //! | radius | both summed curvatures below 0.2/m | mm | a wheel has 2/m, the roll of a mill 1/m |
+//! | mismatch | `\|κ\| > 0.25` | no reference there | steel on a polymer has -0.15 |
+//! | conformity | `a` or `b` over 0.3 of the smaller radius in its direction | no half-spaces there | 0.05 |
 //!
 //! **Spin.** A body of radius `R` that rolls with the contact inclined by `γ` to its axis spins with `φ = tan γ/R`, and Hertz has
 //! `a/R = (π/2)(1 − ν) p₀/G` (a circle). So `φ a G/p₀` is about `tan γ`: 3 on a wheel flange of 70 degrees, 1 in a ball bearing,
@@ -22,6 +24,7 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, USUAL_SPIN};
+use crate::contact::hertz::Radii;
 use crate::number::{Float, Plain};
 use crate::status::Notice;
 use core::f64::consts::PI;
@@ -36,6 +39,10 @@ const LARGEST_CREEPAGE: f64 = 10.0;
 const LARGEST_SEMI_AXIS: f64 = 1.0;
 /// `μ` at most.
 const LARGEST_FRICTION: f64 = 5.0;
+/// `|κ|` at most: beyond lies no reference.
+pub(crate) const LARGEST_MISMATCH: f64 = 0.25;
+/// Semi-axis over the smaller radius in its direction at most, for half-spaces.
+const LARGEST_OPENING: f64 = 0.3;
 /// `|φ| √(ab)` that more than rolling may be behind.
 const EDGE_SLIP: f64 = 0.05;
 /// `|φ| a G/p₀` beyond which it is.
@@ -105,7 +112,7 @@ impl<F: Float> Contact<F> {
     /// What is implausible about the contact alone, if anything; nothing about a lost contact.
     #[must_use]
     pub fn plausibility(&self) -> Notice {
-        let Self { a, b, normal_force, friction, .. } = *self;
+        let Self { a, b, normal_force, friction, mismatch, .. } = *self;
         // p₀ = 3N/(2π a b) > 0.1 G
         let pressed = self.stiffness().times(LARGEST_PRESSURE);
         if self.is_lost() {
@@ -116,8 +123,19 @@ impl<F: Float> Contact<F> {
             Notice::Pressure
         } else if friction > F::constant(LARGEST_FRICTION) {
             Notice::Friction
+        } else if mismatch.abs() > F::constant(LARGEST_MISMATCH) {
+            Notice::Mismatch
         } else {
             Notice::None
         }
+    }
+
+    /// Whether a semi-axis is long beside the radii in its direction, so that the bodies are no half-spaces there.
+    pub(super) fn is_conformal(&self, radii: &Radii<F>) -> bool {
+        let Radii { lower_x, lower_y, upper_x, upper_y } = *radii;
+        let opens = |axis: F, lower: F, upper: F| {
+            axis > lower.abs().min(upper.abs()).times(LARGEST_OPENING)
+        };
+        opens(self.a, lower_x, upper_x) || opens(self.b, lower_y, upper_y)
     }
 }

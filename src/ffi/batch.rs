@@ -87,6 +87,7 @@ impl<F: Precision> BatchInputs<F> {
             self.spin_stride,
         ];
         numbers.into_iter().all(|stride| is_aligned(self.a, stride))
+            && (self.mismatch.is_null() || is_aligned(self.mismatch, self.mismatch_stride))
             && (self.law.is_null() || is_aligned(self.law, self.law_stride))
     }
 }
@@ -186,6 +187,11 @@ impl<F: Precision> Batch<'_, F> {
                 shear_modulus: read(from.shear_modulus, from.shear_modulus_stride, i),
                 poisson_ratio: read(from.poisson_ratio, from.poisson_ratio_stride, i),
                 friction: read(from.friction, from.friction_stride, i),
+                mismatch: if from.mismatch.is_null() {
+                    F::zero()
+                } else {
+                    read(from.mismatch, from.mismatch_stride, i)
+                },
             };
             let creepage = Creepage {
                 longitudinal: read(from.longitudinal, from.longitudinal_stride, i),

@@ -69,6 +69,14 @@ pub const KSTRIP_WARNING_SPIN_UNIT: kstrip_status = 11;
 pub const KSTRIP_WARNING_FRICTION: kstrip_status = 12;
 /// Warning: radii are larger than 5 m in both directions: mm, mostly.
 pub const KSTRIP_WARNING_RADIUS: kstrip_status = 13;
+/// Warning: the axis ratio a/b is outside 0.015 to 60 (KSTRIP_MODEL_STRIP: 20), for which the model was made.
+pub const KSTRIP_WARNING_AXIS_RATIO: kstrip_status = 14;
+/// Warning: the mismatch of the materials exceeds 0.25, where the model was not compared with its reference.
+pub const KSTRIP_WARNING_MISMATCH: kstrip_status = 15;
+/// Warning: the theory of 1967 neglects the mismatch of the materials.
+pub const KSTRIP_WARNING_MISMATCH_NEGLECTED: kstrip_status = 16;
+/// Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction: the bodies are no half-spaces there.
+pub const KSTRIP_WARNING_CONFORMAL: kstrip_status = 17;
 /// Error: a required pointer is NULL.
 pub const KSTRIP_ERROR_NULL: kstrip_status = -1;
 /// Error: an input is infinite or NaN.

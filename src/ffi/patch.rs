@@ -219,7 +219,8 @@ impl<F: Precision> StoredPatch<F> {
         let or_one = |factor: F| if factor == F::zero() { F::one() } else { factor };
         let scale =
             QuadratureScale { area: or_one(self.area_scale), lever: or_one(self.lever_scale) };
-        PatchView::new(strips, self.shear_modulus, self.poisson_ratio, scale)
+        PatchView::new(strips, self.shear_modulus, self.poisson_ratio, scale)?
+            .with_mismatch(self.mismatch)
     }
 }
 
@@ -251,6 +252,7 @@ pub(super) fn from_contact<F: Precision>(
     patch::check_ellipse(contact, count)?;
     let scale = QuadratureScale::default();
     let stored = StoredPatch::write_empty(out, shear_modulus, poisson_ratio, scale);
+    stored.mismatch = contact.mismatch;
     let scale = patch::ellipse(contact, count, |strip| stored.push(strip))?;
     (stored.area_scale, stored.lever_scale) = (scale.area, scale.lever);
     Ok(())

@@ -88,9 +88,10 @@ impl<F: Precision> PreparedNumbers<F> {
         let Creepage { longitudinal, lateral, spin } = *creepage;
         let size = longitudinal.abs() + lateral.abs() + spin.abs() * head.per_spin;
         let quick = size <= F::constant(QUICK);
-        if quick && self.model == Model::Linear as i32 {
+        let frame: &Frame<F> = self.part::<_, FRAME>();
+        if quick && self.model == Model::Linear as i32 && frame.contact.mismatch == F::zero() {
             let linear: &Linear<F> = self.part::<_, KNOWN>();
-            return Ok(linear.answer(self.part::<_, FRAME>(), creepage, true));
+            return Ok(linear.answer_seen(frame, creepage, true));
         }
         let mut found = Solution::nothing();
         self.solve_other(creepage, quick, &mut found)?;
@@ -151,13 +152,14 @@ impl<F: Precision> PreparedNumbers<F> {
         unsafe { numbers.add(KNOWN).cast::<strip::Prepared<F>>().read_unaligned() }
     }
 
-    /// Of model, strips and what the linear theory reads: `w`, `N`, `μ`, stiffness.
+    /// Of model, strips and what the linear theory of like bodies reads: `w`, `N`, `μ`, `κ`, stiffness.
     #[inline(always)]
     fn quick_sum(&self) -> u64 {
         const { assert!(FRAME * size_of::<F>() + size_of::<Frame<F>>() <= KNOWN * size_of::<F>()) };
         let load = FRAME + offset_of!(Frame<F>, contact.normal_force) / size_of::<F>();
         let friction = FRAME + offset_of!(Frame<F>, contact.friction) / size_of::<F>();
-        let places = [PER_SPIN, load, friction, KNOWN, KNOWN + 1, KNOWN + 2, KNOWN + 3];
+        let mismatch = FRAME + offset_of!(Frame<F>, contact.mismatch) / size_of::<F>();
+        let places = [PER_SPIN, load, friction, mismatch, KNOWN, KNOWN + 1, KNOWN + 2, KNOWN + 3];
         // (read apart from the forces, for which they would stay in registers that are saved first)
         let stored = black_box(self);
         match stored.words() {

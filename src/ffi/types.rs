@@ -69,7 +69,7 @@ pub struct MotionOutputs<F> {
 /// the next in bytes, its stride. Stride 0: one for all.
 ///
 /// Arrays of structures (&contacts[0].a, sizeof(kstrip_contact)) are as good as one array for each quantity
-/// (a, sizeof(double)). All but law are required unless there are no contacts.
+/// (a, sizeof(double)). All but mismatch and law are required unless there are no contacts.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BatchInputs<F> {
@@ -97,6 +97,10 @@ pub struct BatchInputs<F> {
     pub friction: *const F,
     /// Distance.
     pub friction_stride: isize,
+    /// Mismatches of the materials [-]; NULL: like ones.
+    pub mismatch: *const F,
+    /// Distance.
+    pub mismatch_stride: isize,
     /// Longitudinal creepages [-].
     pub longitudinal: *const F,
     /// Distance.
@@ -196,6 +200,9 @@ pub struct StoredPatch<F> {
     pub count: u32,
     /// Zero.
     pub reserved: u32,
+    /// Mismatch kappa [-] of the two materials, as in kstrip_contact: 0 but in patches of kstrip_patch_from_contact(), and where the
+    /// caller sets it.
+    pub mismatch: F,
 }
 
 /// What a patch carries.

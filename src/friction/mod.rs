@@ -150,8 +150,10 @@ impl<F: Float> SlipFriction<F> {
 
     /// The contact at the largest friction, with the stiffness of the layer.
     fn contact(&self, contact: &Contact<F>) -> Contact<F> {
-        let shear_modulus = contact.shear_modulus * self.stiffness();
-        Contact { friction: self.friction, shear_modulus, ..*contact }
+        // The layer takes its share of every slip, also of that which the pressure of the solids makes: κ/G stays.
+        let [shear_modulus, mismatch] =
+            [contact.shear_modulus, contact.mismatch].map(|number| number * self.stiffness());
+        Contact { friction: self.friction, shear_modulus, mismatch, ..*contact }
     }
 }
 
@@ -169,6 +171,7 @@ impl<F: Float> SlipFriction<F> {
 /// use kstrip::{contact::Contact, contact::creepage::Creepage, friction::{solve, SlipFriction}, solve::model::Options};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.0,
+///     mismatch: 0.0,
 /// };
 /// let wet = SlipFriction {
 ///     friction: 0.3, ratio: 0.4, decay: 0.6, rolling_speed: 20.0, slope_factor: 0.5,
@@ -212,6 +215,7 @@ pub fn under<F: Precision>(
 /// No point of the contact slips faster than this, over rolling speed.
 fn fastest_slip<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>) -> F {
     creepage.longitudinal.abs()
+        + contact.strain().abs()
         + creepage.lateral.abs()
         + (contact.a + contact.b) * creepage.spin.abs()
 }
@@ -268,8 +272,8 @@ fn agreement<F: Precision>(
                 return Ok(friction.at(solution.power / bound));
             }
             // The limit of full sliding: s = (∂P/∂μ)/N
-            let (_, slopes) = derivatives::solve(&contact, creepage, options)?;
-            let power = creepage.power(slopes.friction);
+            let (_, slopes) = derivatives::solve_with_slopes(&contact, creepage, options)?;
+            let power = slopes.seen.power(slopes.derivatives.friction);
             Ok(friction.at(power / contact.normal_force))
         },
     )

@@ -2,7 +2,7 @@
 
 use crate::contact::creepage::Creepage;
 use crate::number::Real;
-use crate::patch::solver::{Problem, Units, reach, rigid_slip};
+use crate::patch::solver::{Problem, Slip, Units, reach, rigid_slip};
 use crate::patch::{PatchStrip, PatchView};
 use crate::solve::field::{FieldPoint, rolling_point};
 use crate::solve::model::{Model, Precision};
@@ -81,7 +81,8 @@ impl<'a, F: Precision> PatchField<'a, F> {
         number += own;
         let law = if self.problem.model == Model::Strip {
             let zone = view.zone(number)?;
-            let rolling = self.problem.law(&zone, creepage, strip.centre_x, [F::one(), F::one()]);
+            let factors = [F::one(), F::one()];
+            let (rolling, _) = Problem::law(&zone, &Slip::new(creepage), strip.centre_x, factors);
             let line = Units::new(&zone).geometry(strip, F::zero());
             Law::Rolling(rolling, line, zone.contact.slip_scale())
         } else {

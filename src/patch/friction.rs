@@ -12,18 +12,19 @@
 //! stiffness:
 //!
 //! ```text
-//! F(c; λ μ₀, k G) = λ F(k c/λ; μ₀, G)
+//! F(c, κ; λ μ₀, k G) = λ F(k c/λ, k κ/λ; μ₀, G)
 //! ```
 //!
 //! so nothing of the patch is copied: it is solved for other creepages. Derivatives follow from that and from the
 //! implicit function theorem.
 
 use crate::contact::creepage::Creepage;
+use crate::contact::plausibility::LARGEST_MISMATCH;
 use crate::friction::{Agreement, SlipFriction};
 use crate::number::Float;
 use crate::patch::solver;
 use crate::patch::{Patch, PatchView};
-use crate::solve::derivatives::{Derivatives, Differentiated, LawDerivatives};
+use crate::solve::derivatives::{Derivatives, Differentiated, LawDerivatives, Slopes};
 use crate::solve::model::{Model, Precision, Solution, StripResult};
 use crate::solve::through_friction::AtFriction;
 use crate::status::{Error, Notice};
@@ -51,6 +52,7 @@ pub struct PatchFrictionSolution<F> {
 /// use kstrip::{patch::Patch, patch::friction::solve, contact::forces::StripCount};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
+///     mismatch: 0.0,
 /// };
 /// let patch = Patch::<f64, 16>::from_ellipse(&contact, StripCount::Sixteen)?;
 /// let wet = SlipFriction {
@@ -71,8 +73,9 @@ pub fn solve<F: Precision>(
 ) -> Result<PatchFrictionSolution<F>, Error> {
     let problem = Problem::new(patch, creepage, law, model)?;
     let (share, notice) = problem.agreement()?;
-    let solution = solver::solve(patch, &problem.scaled(share).0, model)?;
-    Ok(PatchFrictionSolution { solution: problem.under(share, &solution, notice), share })
+    let Scaled { patch, creepage, factor } = problem.scaled(share)?;
+    let solution = solver::solve(&patch, &creepage, model)?;
+    Ok(PatchFrictionSolution { solution: problem.under(share, factor, &solution, notice), share })
 }
 
 impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
@@ -85,6 +88,14 @@ impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
         self.shear_modulus = self.shear_modulus * slope_factor;
         self
     }
+}
+
+/// A patch and a creepage whose forces are, but for the share `λ`, those under friction that falls.
+struct Scaled<'a, F> {
+    patch: PatchView<'a, F>,
+    creepage: Creepage<F>,
+    /// `k/λ`
+    factor: F,
 }
 
 /// A patch, a creepage, a model and a law that fit together.
@@ -121,34 +132,40 @@ impl<'a, F: Precision> Problem<'a, F> {
             return Ok((F::one(), Notice::None));
         }
         Agreement::new(&self.law, self.rigid_slip, self.bound, |share| {
-            let scaled = self.scaled(share).0;
-            let Solution { fx, fy, mz, .. } = solver::solve(self.patch, &scaled, self.model)?;
-            let power = self.creepage.power([fx, fy, mz]);
-            Ok(self.law.at(power / self.bound))
+            let scaled = self.scaled(share)?;
+            let found = solver::solve(&scaled.patch, &scaled.creepage, self.model)?;
+            Ok(self.law.at(found.power / scaled.factor / self.bound))
         })
         .largest_solution()
     }
 
-    /// `k c/λ`, and its factor; so far away that everything slides where `λ` vanishes.
-    fn scaled(&self, share: F) -> (Creepage<F>, F) {
+    /// `k c/λ` and `k κ/λ`; so far away that everything slides where `λ` vanishes.
+    fn scaled(&self, share: F) -> Result<Scaled<'a, F>, Error> {
         let factor = self.law.stiffness() / share;
         let farthest = F::HUGE * (F::HUGE / (self.bound + F::one())) / (self.rigid_slip + F::TINY);
         let factor = factor.min(farthest.max(F::one()));
         let Creepage { longitudinal, lateral, spin } = *self.creepage;
-        let scaled = Creepage {
+        let creepage = Creepage {
             longitudinal: longitudinal * factor,
             lateral: lateral * factor,
             spin: spin * factor,
         };
-        (scaled, factor)
+        let mut patch = *self.patch;
+        if patch.mismatch() != F::zero() {
+            patch = patch.with_mismatch(patch.mismatch() * factor)?;
+        }
+        Ok(Scaled { patch, creepage, factor })
     }
 
     /// What the patch carries, from what it carries at the scaled creepage.
-    fn under(&self, share: F, scaled: &Solution<F>, notice: Notice) -> Solution<F> {
-        let Solution { fx, fy, mz, adhesion, .. } = *scaled;
+    fn under(&self, share: F, factor: F, scaled: &Solution<F>, notice: Notice) -> Solution<F> {
+        let Solution { fx, fy, mz, power, adhesion, .. } = *scaled;
         let [fx, fy, mz] = [fx, fy, mz].map(|force| force * share);
-        let power = self.creepage.power([fx, fy, mz]);
-        let notice = scaled.notice.worse(notice);
+        let power = share * (power / factor);
+        let told = if scaled.notice == Notice::Mismatch { Notice::None } else { scaled.notice };
+        let far = self.patch.mismatch().abs() > F::constant(LARGEST_MISMATCH);
+        let told = if far && !self.model.is_of_1967() { Notice::Mismatch } else { told };
+        let notice = told.worse(notice);
         Solution { fx, fy, mz, power, adhesion, notice, reserved: 0 }
     }
 }
@@ -174,27 +191,32 @@ pub fn differentiate<F: Precision>(
         Some(_) => problem.agreement()?,
         None => (F::one(), Notice::None),
     };
-    let (scaled, factor) = problem.scaled(share);
-    let (found, slopes) = solver::solve_jacobian(patch, &scaled, model)?;
-    let solution = problem.under(share, &found, notice);
+    let Scaled { patch: scaled_patch, creepage: scaled, factor } = problem.scaled(share)?;
+    let (found, slopes) = solver::solve_with_slopes(&scaled_patch, &scaled, model)?;
+    let solution = problem.under(share, factor, &found, notice);
     if bound <= F::zero() {
         let (derivatives, law) = (Derivatives::nothing(), LawDerivatives::nothing());
-        return Ok(Differentiated { solution, friction: share, derivatives, law });
+        let by_mismatch = [F::zero(); 3];
+        return Ok(Differentiated { solution, friction: share, derivatives, law, by_mismatch });
     }
     // F = λ f(k c/λ):  ∂F/∂c = k J
     let stiffness = share * factor;
-    let rows: [[F; 3]; 3] = slopes.transpose().into();
-    // M ∂F/∂M = λ (f − J k c/λ),  through Hertz N dF/dN = F − ⅓ J_v v,  N dM_z/dN = (4/3) M_z − ⅓ J_v v
+    let rows = slopes.derivatives.jacobian;
+    // N ∂F/∂N = λ (f − J k c/λ),  μ ∂F/∂μ = N ∂F/∂N − λ κ ∂f/∂κ,  through Hertz N dF/dN = F − ⅓ J_v v,  N dM_z/dN = (4/3) M_z − ⅓ J_v v
     let mean = bound / load;
-    let others = |force: F, [x, y, z]: [F; 3], power: f64| {
+    let others = |force: F, [x, y, z]: [F; 3], by_mismatch: F, power: f64| {
         let translation = x * scaled.longitudinal + y * scaled.lateral;
         let rest = force - translation - z * scaled.spin;
         let hertz = force.times(power) - translation.times(1.0 / 3.0);
-        [share * rest / load, share * hertz / load, rest / mean]
+        [share * rest / load, share * hertz / load, (rest - by_mismatch) / mean]
     };
     let [x, y, z] = rows;
-    let [[nx, hx, mx], [ny, hy, my], [nz, hz, mz]] =
-        [others(found.fx, x, 1.0), others(found.fy, y, 1.0), others(found.mz, z, 4.0 / 3.0)];
+    let [by_x, by_y, by_z] = slopes.by_mismatch;
+    let [[nx, hx, mx], [ny, hy, my], [nz, hz, mz]] = [
+        others(found.fx, x, by_x, 1.0),
+        others(found.fy, y, by_y, 1.0),
+        others(found.mz, z, by_z, 4.0 / 3.0),
+    ];
     let derivatives = Derivatives {
         jacobian: rows.map(|row| row.map(|slope| slope * stiffness)),
         normal_force: [nx, ny, nz],
@@ -202,15 +224,20 @@ pub fn differentiate<F: Precision>(
         friction: [mx, my, mz],
     };
     let friction = share * mean;
-    let force = [solution.fx, solution.fy, solution.mz];
-    let Creepage { longitudinal, lateral, spin } = *creepage;
-    let motion = [longitudinal, lateral, spin];
-    let at = AtFriction { force, derivatives, motion, friction, load };
+    // P = λ²/k P(k c/λ)
+    let slopes = Slopes {
+        derivatives,
+        by_mismatch: slopes.by_mismatch.map(|slope| slope * share),
+        seen: *creepage,
+        power_by_creepage: slopes.power_by_creepage.map(|slope| slope * share),
+        power_by_mismatch: slopes.power_by_mismatch * (share / factor),
+    };
+    let at = AtFriction { slopes, power: solution.power, motion: *creepage, friction, load };
     let law = SlipFriction { friction: mean, ..*given };
-    let (derivatives, law) = at.through(&law, law.falls());
+    let (derivatives, law, by_mismatch) = at.through(&law, law.falls());
     let entries = derivatives.entries().into_iter().chain(law.entries());
     if entries.into_iter().all(F::is_finite_number) {
-        Ok(Differentiated { solution, friction: share, derivatives, law })
+        Ok(Differentiated { solution, friction: share, derivatives, law, by_mismatch })
     } else {
         Err(Error::Overflow)
     }
@@ -231,9 +258,10 @@ pub fn strips<F: Precision>(
     let Some(law) = law else {
         return solver::strips(patch, creepage, model, visit);
     };
-    let (scaled, _) = Problem::new(patch, creepage, law, model)?.scaled(share);
-    solver::strips(patch, &scaled, model, &mut |strip| {
+    let Scaled { patch, creepage, factor } =
+        Problem::new(patch, creepage, law, model)?.scaled(share)?;
+    solver::strips(&patch, &creepage, model, &mut |strip| {
         let [fx, fy, mz] = [strip.fx, strip.fy, strip.mz].map(|force| force * share);
-        visit(StripResult { fx, fy, mz, power: creepage.power([fx, fy, mz]), ..strip });
+        visit(StripResult { fx, fy, mz, power: share * (strip.power / factor), ..strip });
     })
 }

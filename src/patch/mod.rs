@@ -77,6 +77,7 @@ impl<F: Float> PatchStrip<F> {
             shear_modulus,
             poisson_ratio,
             friction,
+            mismatch: F::zero(),
         }
     }
 
@@ -141,6 +142,7 @@ pub struct PatchView<'a, F> {
     shear_modulus: F,
     poisson_ratio: F,
     scale: QuadratureScale<F>,
+    mismatch: F,
     /// The zone of all strips, where nothing divides them.
     whole: Option<Zone<F>>,
 }
@@ -175,7 +177,8 @@ impl<'a, F: Float> PatchView<'a, F> {
         if !strips.iter().zip(strips.iter().skip(1)).all(|(strip, next)| strip.is_beside(next)) {
             return Err(Error::StripOrder);
         }
-        let mut view = Self { strips, shear_modulus, poisson_ratio, scale, whole: None };
+        let mismatch = F::zero();
+        let mut view = Self { strips, shear_modulus, poisson_ratio, scale, mismatch, whole: None };
         view.whole = view.only_zone();
         for zone in view.zones() {
             zone.contact.check().map_err(|_| Error::Overflow)?;
@@ -189,6 +192,28 @@ impl<'a, F: Float> PatchView<'a, F> {
         }
         let sums = [view.friction_bound(), view.normal_force(), view.area() * scale.area];
         if sums.iter().all(|sum| sum.is_finite_number()) { Ok(view) } else { Err(Error::Overflow) }
+    }
+
+    /// Of unlike materials, with the mismatch `κ` of [`Contact`].
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`]; [`Error::Overflow`] when the creepage that pressure makes does not fit the floating-point type.
+    pub fn with_mismatch(mut self, mismatch: F) -> Result<Self, Error> {
+        if !mismatch.is_finite_number() {
+            return Err(Error::NotFinite);
+        }
+        self.mismatch = mismatch;
+        if let Some(whole) = &mut self.whole {
+            whole.contact.mismatch = mismatch;
+        }
+        let fits = self.zones().all(|zone| zone.contact.strain().is_finite_number());
+        if fits { Ok(self) } else { Err(Error::Overflow) }
+    }
+
+    /// Mismatch `κ` of the materials.
+    #[must_use]
+    pub fn mismatch(&self) -> F {
+        self.mismatch
     }
 
     /// The strips, ascending in `y`.
@@ -268,6 +293,8 @@ pub struct Patch<F, const CAPACITY: usize> {
     pub poisson_ratio: F,
     /// Factors of the quadrature.
     pub scale: QuadratureScale<F>,
+    /// Mismatch `κ` of the materials.
+    pub mismatch: F,
 }
 
 impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
@@ -279,6 +306,7 @@ impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
     pub fn from_ellipse(contact: &Contact<F>, count: StripCount) -> Result<Self, Error> {
         check_ellipse(contact, count)?;
         let mut patch = Self::empty(contact.shear_modulus, contact.poisson_ratio);
+        patch.mismatch = contact.mismatch;
         patch.scale = ellipse(contact, count, |strip| patch.strips.push(strip).is_ok())?;
         Ok(patch)
     }
@@ -300,7 +328,8 @@ impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
     }
 
     pub(crate) fn empty(shear_modulus: F, poisson_ratio: F) -> Self {
-        Self { strips: Vec::new(), shear_modulus, poisson_ratio, scale: QuadratureScale::default() }
+        let (strips, scale) = (Vec::new(), QuadratureScale::default());
+        Self { strips, shear_modulus, poisson_ratio, scale, mismatch: F::zero() }
     }
 }
 
@@ -308,9 +337,10 @@ impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
     /// The patch, checked, for the functions of [`solver`].
     ///
     /// # Errors
-    /// Those of [`PatchView::new`].
+    /// Those of [`PatchView::new`] and [`PatchView::with_mismatch`].
     pub fn view(&self) -> Result<PatchView<'_, F>, Error> {
-        PatchView::new(&self.strips, self.shear_modulus, self.poisson_ratio, self.scale)
+        PatchView::new(&self.strips, self.shear_modulus, self.poisson_ratio, self.scale)?
+            .with_mismatch(self.mismatch)
     }
 }
 

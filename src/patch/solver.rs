@@ -18,11 +18,14 @@
 
 use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::forces::Totals;
+use crate::contact::plausibility::LARGEST_MISMATCH;
+use crate::contact::{Contact, mismatch};
 use crate::linear::LinearCoefficients;
 use crate::number::dual::Dual;
 use crate::number::{Float, Real};
 use crate::patch::zones::{Widths, Zone};
 use crate::patch::{PatchStrip, PatchView, QuadratureScale};
+use crate::solve::derivatives::{Derivatives, Slopes};
 use crate::solve::model::{Model, Precision, Solution, StripResult};
 use crate::solve::notice::notice;
 use crate::solve::theory::sliding_rule;
@@ -43,6 +46,8 @@ struct Share<T: Real> {
     fy: T,
     /// About the origin of the patch.
     mz: T,
+    /// Power on what pressure adds to the creepage.
+    of_pressure: T,
     /// Share of its length in adhesion, at the leading edge.
     stick: T::Base,
     adheres: bool,
@@ -61,7 +66,20 @@ impl<T: Real> Share<T> {
         let (fx, fy) = (fx.scale(bound), fy.scale(bound));
         // Mz = ∫ (x Y − y X)
         let mz = mx.scale(bound * strip.half_length) + fy.scale(strip.centre_x) - fx.scale(strip.y);
-        Self { fx, fy, mz, stick, adheres }
+        Self { fx, fy, mz, of_pressure: T::zero(), stick, adheres }
+    }
+}
+
+/// What moves a patch: creepage at its origin, and the factor of what pressure makes in unlike bodies, which is one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Slip<T> {
+    pub creepage: Creepage<T>,
+    pub pressure: T,
+}
+
+impl<F: Float> Slip<F> {
+    pub fn new(creepage: &Creepage<F>) -> Self {
+        Self { creepage: *creepage, pressure: F::one() }
     }
 }
 
@@ -83,6 +101,14 @@ pub(super) fn rigid_slip<F: Float>(creepage: &Creepage<F>, reach: F) -> F {
     creepage.longitudinal.abs() + creepage.lateral.abs() + creepage.spin.abs() * reach
 }
 
+/// No zone's pressure makes a larger creepage.
+fn most_strain<F: Float>(view: &PatchView<F>) -> F {
+    if view.mismatch() == F::zero() {
+        return F::zero();
+    }
+    view.zones().fold(F::zero(), |most, zone| most.max(zone.contact.strain().abs()))
+}
+
 /// Checks the inputs of [`solve`] without solving; a bound of the rigid slip.
 pub(crate) fn check<F: Precision>(
     view: &PatchView<F>,
@@ -90,7 +116,7 @@ pub(crate) fn check<F: Precision>(
     model: Model,
 ) -> Result<F, Error> {
     Problem::new(view, creepage, model)?;
-    Ok(rigid_slip(creepage, reach(view)))
+    Ok(rigid_slip(creepage, reach(view)) + most_strain(view))
 }
 
 /// A patch, a creepage and a model that fit together.
@@ -112,7 +138,7 @@ impl<'a, F: Precision> Problem<'a, F> {
             return Err(Error::NotInModel);
         }
         let reach = reach(view);
-        let slip = rigid_slip(creepage, reach);
+        let slip = rigid_slip(creepage, reach) + most_strain(view);
         let bound = view.friction_bound();
         let results = [slip, bound * reach, bound * slip];
         if results.iter().all(|result| result.is_finite_number()) {
@@ -139,6 +165,12 @@ impl<'a, F: Precision> Problem<'a, F> {
             notice(self.model, bound, axis_ratio, psi)
         };
         let told = |notice: &Notice| *notice != Notice::None;
+        if self.model.is_of_1967() && self.view.mismatch() != F::zero() {
+            return Notice::MismatchNeglected;
+        }
+        if self.view.mismatch().abs() > F::constant(LARGEST_MISMATCH) {
+            return Notice::Mismatch;
+        }
         let first = if matches!(self.model, Model::Strip | Model::Total) {
             let mut zones = self.view.zones().map(|Zone { contact, .. }| {
                 of(contact.friction_bound(), Parameters::new(&contact, self.creepage))
@@ -156,16 +188,16 @@ impl<'a, F: Precision> Problem<'a, F> {
     /// Hands what every strip carries to `visit`.
     fn shares<T: Real<Base = F>>(
         &self,
-        creepage: &Creepage<T>,
+        slip: &Slip<T>,
         visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
     ) {
         if self.model == Model::Strip {
-            self.rolling_shares(creepage, visit);
+            self.rolling_shares(slip, visit);
         } else if self.model == Model::Total {
-            self.elliptic_shares(creepage, visit);
+            self.elliptic_shares(slip, visit);
         } else {
             for strip in self.view.strips() {
-                visit(strip, self.theory_share(strip, creepage));
+                visit(strip, self.theory_share(strip, &slip.creepage));
             }
         }
     }
@@ -207,58 +239,63 @@ impl<'a, F: Precision> Problem<'a, F> {
         Share::new(strip, &carried, stick, solved.adheres())
     }
 
-    /// The corrected strips of a zone's ellipse, for the creepage at `x` on its middle line.
+    /// The corrected strips of a zone's ellipse, for the creepage at `x` on its middle line, and what pressure adds to it.
     pub fn law<T: Real<Base = F>>(
-        &self,
         zone: &Zone<F>,
-        creepage: &Creepage<T>,
+        slip: &Slip<T>,
         x: F,
         factors: [F; 2],
-    ) -> StripLaw<T> {
-        let parameters = Parameters::new(&zone.contact, &creepage_at(creepage, x, zone.y));
-        let Parameters { axis_ratio, poisson_ratio, .. } = parameters;
-        let linear = LinearCoefficients::at(axis_ratio, poisson_ratio);
-        Prepared::new(axis_ratio, poisson_ratio, &linear, factors).see(parameters.normalised())
+    ) -> (StripLaw<T>, T) {
+        let Contact { a, b, poisson_ratio, .. } = zone.contact;
+        let linear = LinearCoefficients::at(a / b, poisson_ratio);
+        let (seen, shift) = seen_by(zone, &linear, slip, x);
+        let parameters = Parameters::new(&zone.contact, &seen);
+        let prepared = Prepared::new(parameters.axis_ratio, poisson_ratio, &linear, factors);
+        (prepared.see(parameters.normalised()), shift)
     }
 
     /// Every strip's share of what the ellipse of its zone carries.
     #[inline(never)]
     fn elliptic_shares<T: Real<Base = F>>(
         &self,
-        creepage: &Creepage<T>,
+        slip: &Slip<T>,
         visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
     ) {
-        let mut solved: Option<(Zone<F>, Totals<T>)> = None;
+        let mut solved: Option<(Zone<F>, (Totals<T>, T))> = None;
         for (i, strip) in self.view.strips().iter().enumerate() {
             let Some(zone) = self.view.zone(i) else { return };
-            let totals = match solved {
-                Some((last, totals)) if zone.is(&last) => totals,
-                _ => Self::elliptic_totals(&zone, creepage),
+            let found = match solved {
+                Some((last, found)) if zone.is(&last) => found,
+                _ => Self::elliptic_totals(&zone, slip),
             };
-            solved = Some((zone, totals));
+            solved = Some((zone, found));
+            let (totals, shift) = found;
             let bound = strip.friction_bound();
             let (fx, fy) = (totals.fx.scale(bound), totals.fy.scale(bound));
             let size = (zone.contact.a * zone.contact.b).sqrt();
             // Mz = ∫ (x Y − y X)
             let mz = totals.mz.scale(bound * size) + fy.scale(zone.x) - fx.scale(zone.y);
-            visit(strip, Share { fx, fy, mz, stick: -F::one(), adheres: false });
+            let of_pressure = fx * shift;
+            visit(strip, Share { fx, fy, mz, of_pressure, stick: -F::one(), adheres: false });
         }
     }
 
-    fn elliptic_totals<T: Real<Base = F>>(zone: &Zone<F>, creepage: &Creepage<T>) -> Totals<T> {
-        let parameters = Parameters::new(&zone.contact, &creepage_at(creepage, zone.x, zone.y));
-        let Parameters { axis_ratio, poisson_ratio, .. } = parameters;
-        let linear = LinearCoefficients::at(axis_ratio, poisson_ratio);
-        total::Prepared::new(axis_ratio, poisson_ratio, &linear).totals(parameters.normalised())
+    fn elliptic_totals<T: Real<Base = F>>(zone: &Zone<F>, slip: &Slip<T>) -> (Totals<T>, T) {
+        let Contact { a, b, poisson_ratio, .. } = zone.contact;
+        let linear = LinearCoefficients::at(a / b, poisson_ratio);
+        let (seen, shift) = seen_by(zone, &linear, slip, zone.x);
+        let parameters = Parameters::new(&zone.contact, &seen);
+        let total = total::Prepared::new(parameters.axis_ratio, poisson_ratio, &linear);
+        (total.totals(parameters.normalised()), shift)
     }
 
     fn rolling_shares<T: Real<Base = F>>(
         &self,
-        creepage: &Creepage<T>,
+        slip: &Slip<T>,
         visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
     ) {
         let QuadratureScale { area, lever } = self.view.scale();
-        let mut prepared: Option<Known<F, StripLaw<T>>> = None;
+        let mut prepared: Option<Known<F, T, StripLaw<T>>> = None;
         let mut before = 0;
         for lobe in self.view.lobes() {
             let (count, widths) = (lobe.len(), Widths::new(lobe));
@@ -268,8 +305,9 @@ impl<'a, F: Precision> Problem<'a, F> {
                 let none = Seen { x: zero, y: zero, spread: zero, start: zero };
                 let mut seen = [(none, T::zero()); 8];
                 let mut inner = [F::zero(); 8];
-                let strips = group.iter().zip(&mut seen).zip(&mut inner);
-                for (k, ((strip, seen), inner)) in strips.enumerate() {
+                let mut shifts = [zero; 8];
+                let strips = group.iter().zip(&mut seen).zip(&mut inner).zip(&mut shifts);
+                for (k, (((strip, seen), inner), shift)) in strips.enumerate() {
                     let i = 8 * g + k;
                     let x = strip.centre_x;
                     let known = prepared.as_ref().is_some_and(|known| {
@@ -278,17 +316,20 @@ impl<'a, F: Precision> Problem<'a, F> {
                     if !known {
                         let Some(zone) = self.view.zone(before + i) else { continue };
                         // the slopes of the linear theory, whatever the quadrature
-                        let law = self.law(&zone, creepage, x, [area, lever]);
-                        prepared = Some(Known { zone, x, units: Units::new(&zone), law });
+                        let (law, shift) = Self::law(&zone, slip, x, [area, lever]);
+                        prepared = Some(Known { zone, x, units: Units::new(&zone), law, shift });
                     }
-                    let Some(Known { units, law, .. }) = &prepared else { continue };
+                    let Some(Known { units, law, shift: own, .. }) = &prepared else { continue };
+                    *shift = *own;
                     *seen = law.strip(&units.geometry(strip, strip.width * widths.per_mean));
                     let is_inner = i.min(count - 1 - i) % 2 == 1;
                     *inner = (if is_inner { alternating } else { -alternating }).plus(0.5);
                 }
-                for (strip, found) in group.iter().zip(eight_strips(&seen, inner)) {
+                let found = eight_strips(&seen, inner).into_iter().zip(shifts);
+                for (strip, (found, shift)) in group.iter().zip(found) {
                     let stick = found.stick.value();
-                    visit(strip, Share::new(strip, &found, stick, stick > F::zero()));
+                    let share = Share::new(strip, &found, stick, stick > F::zero());
+                    visit(strip, Share { of_pressure: share.fx * shift, ..share });
                 }
             }
             before += count;
@@ -297,11 +338,25 @@ impl<'a, F: Precision> Problem<'a, F> {
 }
 
 /// What the strips of a zone see that have one centre along `x`.
-struct Known<F, L> {
+struct Known<F, T, L> {
     zone: Zone<F>,
     x: F,
     units: Units<F>,
     law: L,
+    /// What pressure adds to the creepage.
+    shift: T,
+}
+
+/// The creepage that a zone's ellipse sees at `x` on its middle line, and what of it pressure makes.
+fn seen_by<T: Real>(
+    zone: &Zone<T::Base>,
+    linear: &LinearCoefficients<T::Base>,
+    slip: &Slip<T>,
+    x: T::Base,
+) -> (Creepage<T>, T) {
+    let creepage = creepage_at(&slip.creepage, x, zone.y);
+    let seen = mismatch::seen(&zone.contact, linear, &creepage, slip.pressure);
+    (seen, seen.longitudinal - creepage.longitudinal)
 }
 
 /// What the strips of a zone are measured with.
@@ -345,15 +400,18 @@ struct Sums<T: Real> {
     fx: T,
     fy: T,
     mz: T,
+    /// Power over rolling speed.
+    power: T,
     stick: T::Base,
     area: T::Base,
 }
 
 impl<F: Precision> Problem<'_, F> {
-    fn sums<T: Real<Base = F>>(&self, creepage: &Creepage<T>) -> Sums<T> {
-        let zero = T::zero();
-        let mut sums = Sums { fx: zero, fy: zero, mz: zero, stick: F::zero(), area: F::zero() };
-        self.shares(creepage, &mut |strip, share| {
+    fn sums<T: Real<Base = F>>(&self, slip: &Slip<T>) -> Sums<T> {
+        let (zero, none) = (T::zero(), F::zero());
+        let mut sums = Sums { fx: zero, fy: zero, mz: zero, power: zero, stick: none, area: none };
+        self.shares(slip, &mut |strip, share| {
+            sums.power += share.of_pressure;
             sums.fx += share.fx;
             sums.fy += share.fy;
             sums.mz += share.mz;
@@ -361,15 +419,18 @@ impl<F: Precision> Problem<'_, F> {
             sums.stick += area * share.stick;
             sums.area += area;
         });
+        let Creepage { longitudinal, lateral, spin } = slip.creepage;
+        let power = sums.fx * longitudinal + sums.fy * lateral + sums.mz * spin;
+        sums.power += power;
         sums
     }
 
-    fn solution(&self, fx: F, fy: F, mz: F, stick: F, area: F) -> Solution<F> {
+    fn solution(&self, [fx, fy, mz, power]: [F; 4], stick: F, area: F) -> Solution<F> {
         Solution {
             fx,
             fy,
             mz,
-            power: self.creepage.power([fx, fy, mz]),
+            power,
             adhesion: if self.model == Model::Total {
                 -F::one()
             } else if area > F::zero() {
@@ -396,6 +457,7 @@ impl<F: Precision> Problem<'_, F> {
 /// use kstrip::{patch::Patch, patch::solver::solve};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
+///     mismatch: 0.0,
 /// };
 /// let mut patch = Patch::<f64, 16>::from_ellipse(&contact, StripCount::Sixteen)?;
 /// let creepage = Creepage { longitudinal: 3e-3, lateral: 0.0, spin: 0.0 };
@@ -413,8 +475,8 @@ pub fn solve<F: Precision>(
     model: Model,
 ) -> Result<Solution<F>, Error> {
     let problem = Problem::new(patch, creepage, model)?;
-    let Sums { fx, fy, mz, stick, area } = problem.sums(creepage);
-    Ok(problem.solution(fx, fy, mz, stick, area))
+    let Sums { fx, fy, mz, power, stick, area } = problem.sums(&Slip::new(creepage));
+    Ok(problem.solution([fx, fy, mz, power], stick, area))
 }
 
 /// Forces and their exact derivatives with respect to the creepages.
@@ -426,17 +488,43 @@ pub fn solve_jacobian<F: Precision>(
     creepage: &Creepage<F>,
     model: Model,
 ) -> Result<(Solution<F>, Matrix3<F>), Error> {
-    let problem = Problem::new(patch, creepage, model)?;
-    let inputs = Creepage {
-        longitudinal: Dual::<F, 3>::input(creepage.longitudinal, 0),
-        lateral: Dual::input(creepage.lateral, 1),
-        spin: Dual::input(creepage.spin, 2),
-    };
-    let Sums { fx, fy, mz, stick, area } = problem.sums(&inputs);
+    let (solution, slopes) = solve_with_slopes(patch, creepage, model)?;
     // nalgebra counts columns first.
-    let jacobian = Matrix3::from([fx.gradient, fy.gradient, mz.gradient]).transpose();
-    if jacobian.iter().all(|entry| entry.is_finite_number()) {
-        Ok((problem.solution(fx.value, fy.value, mz.value, stick, area), jacobian))
+    Ok((solution, Matrix3::from(slopes.derivatives.jacobian).transpose()))
+}
+
+/// Forces with the derivatives by the creepages, all others zero, and what else derivatives are made of.
+pub(super) fn solve_with_slopes<F: Precision>(
+    patch: &PatchView<F>,
+    creepage: &Creepage<F>,
+    model: Model,
+) -> Result<(Solution<F>, Slopes<F>), Error> {
+    let problem = Problem::new(patch, creepage, model)?;
+    let constant = |value| Dual { value, gradient: [F::zero(); 3] };
+    let pressure = constant(F::one());
+    let found = problem.sums(&Slip { creepage: creepage.inputs(), pressure });
+    let Sums { fx, fy, mz, power, stick, area } = found;
+    let jacobian = [fx.gradient, fy.gradient, mz.gradient];
+    let mut slopes = Slopes {
+        derivatives: Derivatives { jacobian, ..Derivatives::nothing() },
+        by_mismatch: [F::zero(); 3],
+        seen: *creepage,
+        power_by_creepage: power.gradient,
+        power_by_mismatch: F::zero(),
+    };
+    if patch.mismatch() != F::zero() && !model.is_of_1967() {
+        // the factor of pressure in the place of spin
+        let Creepage { longitudinal, lateral, spin } = creepage.inputs();
+        let spin = constant(spin.value);
+        let pressure = Dual::input(F::one(), 2);
+        let moved = Slip { creepage: Creepage { longitudinal, lateral, spin }, pressure };
+        let Sums { fx, fy, mz, power, .. } = problem.sums(&moved);
+        let [x, y, z, of_power] = [fx, fy, mz, power].map(|Dual { gradient: [.., last], .. }| last);
+        (slopes.by_mismatch, slopes.power_by_mismatch) = ([x, y, z], of_power);
+    }
+    let values = [fx, fy, mz, power].map(|sum| sum.value);
+    if jacobian.iter().flatten().chain(&slopes.by_mismatch).all(|entry| entry.is_finite_number()) {
+        Ok((problem.solution(values, stick, area), slopes))
     } else {
         Err(Error::Overflow)
     }
@@ -454,8 +542,8 @@ pub fn strips<F: Precision>(
     visit: &mut impl FnMut(StripResult<F>),
 ) -> Result<Notice, Error> {
     let problem = Problem::with_strips(patch, creepage, model)?;
-    problem.shares(creepage, &mut |strip, share: Share<F>| {
-        let Share { fx, fy, mz, stick, adheres } = share;
+    problem.shares(&Slip::new(creepage), &mut |strip, share: Share<F>| {
+        let Share { fx, fy, mz, of_pressure, stick, adheres } = share;
         visit(StripResult {
             y: strip.y,
             width: strip.width,
@@ -465,7 +553,7 @@ pub fn strips<F: Precision>(
             fx,
             fy,
             mz,
-            power: fx * creepage.longitudinal + fy * creepage.lateral + mz * creepage.spin,
+            power: creepage.power([fx, fy, mz]) + of_pressure,
             state: if adheres { State::Stick } else { State::Slip },
             reserved: 0,
         });

@@ -221,6 +221,7 @@ impl<F: Float> PatchView<'_, F> {
             shear_modulus: self.shear_modulus(),
             poisson_ratio: self.poisson_ratio(),
             friction: mean(bound, own.friction),
+            mismatch: self.mismatch(),
         };
         let (x, y) = (units.x + units.length * mean(x, zero), units.y + units.width * y);
         Some(Zone { x, y, contact })

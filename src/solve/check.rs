@@ -59,7 +59,8 @@ fn range<F: Plain>(contact: &Contact<F>, creepage: &Creepage<F>, model: Model) -
     let Contact { a, b, .. } = *contact;
     let bound = force_limit(contact, creepage, model);
     let moment = bound * (a + b);
-    let power = bound * longitudinal.abs() + bound * lateral.abs() + moment * spin.abs();
+    let longitudinal = longitudinal.abs() + contact.strain().abs();
+    let power = bound * longitudinal + bound * lateral.abs() + moment * spin.abs();
     // The velocity that spin causes at the edge, also where nothing is carried
     let edge_slip = (a + b) * spin.abs();
     // (a hair above the bounds, because forces round)
@@ -74,7 +75,8 @@ fn force_limit<F: Plain>(contact: &Contact<F>, creepage: &Creepage<F>, model: Mo
     }
     let Creepage { longitudinal, lateral, spin } = *creepage;
     let Contact { a, b, shear_modulus, .. } = *contact;
-    let creepage = longitudinal.abs() + lateral.abs() + (a + b) * spin.abs();
+    let longitudinal = longitudinal.abs() + contact.strain().abs();
+    let creepage = longitudinal + lateral.abs() + (a + b) * spin.abs();
     // No coefficient exceeds this: C23 grows like (a/b)^(3/2). At least one, because stiffness times lever
     // is a factor of the moment.
     let ratio = a / b + b / a;

@@ -20,10 +20,15 @@
 //! ```
 //!
 //! also for the linear theory: no derivatives with respect to `a` and `b` are needed.
+//!
+//! **Unlike materials.** What pressure adds to the creepage moves with all of them: with `w = c + Δ(c, M, κ)` the derivatives by
+//! `c` are `∂F/∂w (1 + ∂Δ/∂c)`. In units of `M` it is a function of `c/M` and `κ/μ` alone, so that nothing is to be added above by
+//! load, and by friction `κ ∂F/∂κ` is taken away. The power on the slip that there is, `P = F · w`, is as homogeneous.
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::forces::Totals;
+use crate::contact::mismatch::Shift;
 use crate::number::Float;
 use crate::solve::check::is_ordinary;
 use crate::solve::frame::Frame;
@@ -72,6 +77,7 @@ impl<F: Float> Derivatives<F> {
 /// use kstrip::{contact::Contact, contact::creepage::Creepage, solve::derivatives::solve, solve::model::Options};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
+///     mismatch: 0.0,
 /// };
 /// let sliding = Creepage { longitudinal: 0.1_f64, lateral: 0.0, spin: 0.0 };
 /// let (_, derivatives) = solve(&contact, &sliding, &Options::default())?;
@@ -84,12 +90,25 @@ pub fn solve<F: Precision>(
     creepage: &Creepage<F>,
     options: &Options,
 ) -> Result<(Solution<F>, Derivatives<F>), Error> {
+    let (solution, slopes) = solve_with_slopes(contact, creepage, options)?;
+    Ok((solution, slopes.derivatives))
+}
+
+/// [`solve`] with what else derivatives are made of.
+///
+/// # Errors
+/// Those of [`solve`].
+pub(crate) fn solve_with_slopes<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    options: &Options,
+) -> Result<(Solution<F>, Slopes<F>), Error> {
     let ordinary = is_ordinary(contact, creepage, options.model)?;
     if contact.is_lost() {
-        return Ok((Solution::nothing(), Derivatives::nothing()));
+        return Ok((Solution::nothing(), Slopes::nothing()));
     }
     let frame = &Frame::of(contact);
-    let (solution, derivatives) = match options.model {
+    let (solution, slopes) = match options.model {
         Model::Strip1967 => {
             differentiated::<_, Strip1967<false>>(frame, creepage, options, ordinary)
         }
@@ -100,10 +119,72 @@ pub fn solve<F: Precision>(
         Model::Total => differentiated::<_, Total<F>>(frame, creepage, options, ordinary),
         Model::Linear => differentiated::<_, Linear<F>>(frame, creepage, options, ordinary),
     };
-    if derivatives.entries().into_iter().all(F::is_finite_number) {
-        Ok((solution, derivatives))
+    if slopes.derivatives.entries().into_iter().all(F::is_finite_number) {
+        Ok((solution, slopes))
     } else {
         Err(Error::Overflow)
+    }
+}
+
+/// Derivatives, and what else those through friction and motion are made of.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slopes<F> {
+    pub derivatives: Derivatives<F>,
+    /// `κ ∂F/∂κ` \[N, N, N m\]
+    pub by_mismatch: [F; 3],
+    /// The creepage that the contact sees, `w`.
+    pub seen: Creepage<F>,
+    /// By the creepages, of the power over rolling speed \[N\].
+    pub power_by_creepage: [F; 3],
+    /// `κ ∂P/∂κ`
+    pub power_by_mismatch: F,
+}
+
+impl<F: Float> Slopes<F> {
+    fn nothing() -> Self {
+        let none = F::zero();
+        let rest = Creepage { longitudinal: none, lateral: none, spin: none };
+        Self::of(Derivatives::nothing(), None, &rest, [none; 3])
+    }
+
+    /// From derivatives by what is seen, and the forces there.
+    fn of(
+        mut derivatives: Derivatives<F>,
+        shift: Option<Shift<F>>,
+        seen: &Creepage<F>,
+        force: [F; 3],
+    ) -> Self {
+        let none = F::zero();
+        let mut found = Self {
+            derivatives,
+            by_mismatch: [none; 3],
+            seen: *seen,
+            power_by_creepage: force,
+            power_by_mismatch: none,
+        };
+        if let Some(Shift { by_creepage, by_mismatch, .. }) = shift {
+            // κ ∂F/∂κ = ∂F/∂υx κ ∂Δ/∂κ,   ∂F/∂c = ∂F/∂w + ∂F/∂υx ∂Δ/∂c
+            let [fx, ..] = force;
+            found.by_mismatch = derivatives.jacobian.map(|[by_x, ..]| by_x * by_mismatch);
+            found.power_by_mismatch = seen.power(found.by_mismatch) + fx * by_mismatch;
+            for row in &mut derivatives.jacobian {
+                let [by_x, ..] = *row;
+                for (entry, moves) in row.iter_mut().zip(by_creepage) {
+                    *entry += by_x * moves;
+                }
+            }
+            for (entry, moves) in found.power_by_creepage.iter_mut().zip(by_creepage) {
+                *entry += fx * moves;
+            }
+            found.derivatives = derivatives;
+        }
+        // ∂P/∂c = F ∂w/∂c + (∂F/∂c)ᵀ w
+        let [row_x, row_y, row_z] = derivatives.jacobian;
+        let columns = row_x.into_iter().zip(row_y).zip(row_z);
+        for (entry, ((x, y), z)) in found.power_by_creepage.iter_mut().zip(columns) {
+            *entry += seen.power([x, y, z]);
+        }
+        found
     }
 }
 
@@ -126,14 +207,49 @@ fn differentiated<F: Precision, M: Theory<F>>(
     creepage: &Creepage<F>,
     options: &Options,
     ordinary: bool,
-) -> (Solution<F>, Derivatives<F>) {
+) -> (Solution<F>, Slopes<F>) {
     let theory = M::of_contact(frame, options);
-    match theory.stiffness() {
-        Some(stiffness) => linear(&theory, frame, stiffness, creepage, ordinary),
+    let shift = frame.shift(creepage, M::MODEL);
+    let seen = shift.map_or(*creepage, |shift| shift.seen(creepage));
+    let (solution, mut derivatives) = match theory.stiffness() {
+        Some(stiffness) => linear(&theory, frame, stiffness, &seen, ordinary),
         None if frame.contact.friction_bound() > F::zero() => {
-            saturating(&theory, frame, creepage, ordinary)
+            saturating(&theory, frame, &seen, ordinary)
         }
-        None => sliding(&theory, frame, creepage, ordinary),
+        None => sliding(&theory, frame, &seen, ordinary),
+    };
+    if let Some(shift) = shift {
+        through_shift(&mut derivatives, &shift, creepage, &frame.contact);
+    }
+    let force = [solution.fx, solution.fy, solution.mz];
+    (solution, Slopes::of(derivatives, shift, &seen, force))
+}
+
+/// Adds what the shift moves by load and by friction: in units of `M` it is a function of `c/M` and `κ/μ`.
+#[cold]
+fn through_shift<F: Float>(
+    derivatives: &mut Derivatives<F>,
+    shift: &Shift<F>,
+    creepage: &Creepage<F>,
+    contact: &Contact<F>,
+) {
+    let [by_x, by_y, by_spin] = shift.by_creepage;
+    let translation = by_x * creepage.longitudinal + by_y * creepage.lateral;
+    // N ∂Δ/∂N = Δ − (∂Δ/∂c) c,  through Hertz ⅓ (Δ − (∂Δ/∂v) v),  μ ∂Δ/∂μ = N ∂Δ/∂N − κ ∂Δ/∂κ
+    let by_load = shift.value - (translation + by_spin * creepage.spin);
+    let through_hertz = (shift.value - translation).times(1.0 / 3.0);
+    let by_friction = by_load - shift.by_mismatch;
+    let columns = [
+        (&mut derivatives.normal_force, by_load, contact.normal_force),
+        (&mut derivatives.load_through_hertz, through_hertz, contact.normal_force),
+        (&mut derivatives.friction, by_friction, contact.friction),
+    ];
+    for (entries, moves, by) in columns {
+        if by > F::zero() {
+            for (entry, [by_x, ..]) in entries.iter_mut().zip(derivatives.jacobian) {
+                *entry += by_x * (moves / by);
+            }
+        }
     }
 }
 
@@ -196,7 +312,7 @@ fn sliding<F: Precision, M: Theory<F>>(
         friction: scaled(limit, contact.normal_force),
         load_through_hertz: scaled(hertz, contact.friction),
     };
-    (theory.answer(frame, creepage, ordinary), derivatives)
+    (theory.answer_seen(frame, creepage, ordinary), derivatives)
 }
 
 /// The linear theory: the derivatives are its coefficients.
@@ -209,7 +325,7 @@ fn linear<F: Precision, M: Theory<F>>(
     ordinary: bool,
 ) -> (Solution<F>, Derivatives<F>) {
     let [x, y, coupling, z] = *stiffness;
-    let solution = theory.answer(frame, creepage, ordinary);
+    let solution = theory.answer_seen(frame, creepage, ordinary);
     let none = F::zero();
     let jacobian = [[x, none, none], [none, y, coupling], [none, -coupling, z]];
     let Solution { fx, fy, mz, .. } = solution;

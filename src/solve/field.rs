@@ -5,6 +5,7 @@ use crate::contact::creepage::{Creepage, Parameters};
 use crate::linear::LinearCoefficients;
 use crate::number::{Float, Real};
 use crate::solve::check::check;
+use crate::solve::frame::Frame;
 use crate::solve::notice::notice_of;
 use crate::solve::options::{Model, Options, Precision};
 use crate::status::{Error, Notice};
@@ -98,6 +99,11 @@ impl<F: Precision> Field<F> {
         options: &Options,
     ) -> Result<Self, Error> {
         check(contact, creepage, options)?;
+        let creepage = &if contact.is_lost() {
+            *creepage
+        } else {
+            Frame::of(contact).seen(creepage, options.model)
+        };
         let parameters = Parameters::new(contact, creepage);
         // What a point dissipates: traction times slip, which is of the size of the rigid slip, and as
         // bounded as the parameters are.

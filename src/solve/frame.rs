@@ -3,8 +3,9 @@
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Units};
 use crate::contact::forces::Totals;
+use crate::contact::mismatch::Shift;
 use crate::number::{Arithmetic, Float, Pair, Plain};
-use crate::solve::options::Solution;
+use crate::solve::options::{Model, Solution};
 use crate::status::Notice;
 
 /// A contact in the units of the theory: numbers only.
@@ -22,6 +23,28 @@ impl<F: Plain> Frame<F> {
     pub(crate) fn of(contact: &Contact<F>) -> Self {
         let (root_a, root_b) = F::Pair::of(contact.a, contact.b).sqrt().parts();
         Self { contact: *contact, radius: root_a * root_b, units: Units::of(contact) }
+    }
+
+    /// What pressure adds to the longitudinal creepage of unlike bodies; nothing in the theory of 1967.
+    #[inline(always)]
+    pub(crate) fn shift(&self, creepage: &Creepage<F>, model: Model) -> Option<Shift<F>>
+    where
+        F: Float,
+    {
+        let none = self.contact.mismatch == F::zero() || model.is_of_1967();
+        (!none).then(|| match model {
+            Model::Linear => Shift::linear(&self.contact),
+            _ => Shift::new(&self.contact, &self.units, creepage),
+        })
+    }
+
+    /// The creepage that the contact sees.
+    #[inline(always)]
+    pub(crate) fn seen(&self, creepage: &Creepage<F>, model: Model) -> Creepage<F>
+    where
+        F: Float,
+    {
+        self.shift(creepage, model).map_or(*creepage, |shift| shift.seen(creepage))
     }
 
     /// `a/b` and `ν`

@@ -25,6 +25,7 @@ pub use crate::solve::strips::{StripResult, strips, strips_of};
 /// use kstrip::{contact::Contact, contact::creepage::Creepage, solve::model::{solve, Options}};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
+///     mismatch: 0.0,
 /// };
 /// let creepage = Creepage { longitudinal: 1e-3, lateral: 0.0, spin: 0.0 };
 /// let forces = solve(&contact, &creepage, &Options::default())?;

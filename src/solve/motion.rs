@@ -20,6 +20,9 @@
 //! oppose the slip and keep the bound, hence their mean does: power `F · slip + M_z · spin rate ≥ 0`, `|F| ≤ μ N`. Motion
 //! turned by 180 degrees gives turned forces, to the bit.
 //!
+//! **Unlike materials.** What pressure adds to the slip velocity goes with the rolling speed, and back with it: `V Δυx`. So the ends see the
+//! mismatch `±κ V/V_f`, none at standstill, and both oppose the same slip.
+//!
 //! **Falling friction** takes `V_f` for its rolling speed: what it falls with is the slip velocity, at standstill too. Each end
 //! has the friction that agrees with its own slip.
 
@@ -36,6 +39,8 @@ use crate::status::{Error, Notice};
 const FLOOR: f64 = 0.02;
 /// Beyond so many floors one end of the contact leads.
 const BLENDED: f64 = 3.0;
+/// Share of the mismatch that stands for none where its derivative is wanted: forces are linear in it.
+const STANDSTILL: f64 = 1e-9;
 /// Whether creepages are plausible is judged at this speed at least \[m/s\]: below, any slip is.
 const JUDGED: f64 = 1.0;
 
@@ -89,6 +94,7 @@ pub struct MotionDerivatives<F> {
 /// use kstrip::{contact::Contact, solve::model::Options, solve::motion::{solve, Motion}};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
+///     mismatch: 0.0,
 /// };
 /// let creeps = Motion { slip_x: 5e-6, ..Motion::default() };
 /// let backward = Motion { slip_x: 1e-3, rolling_speed: -2.0, ..Motion::default() };
@@ -106,7 +112,7 @@ pub fn solve<F: Precision>(
 ) -> Result<(Solution<F>, F), Error> {
     let rolling = Rolling::new(motion)?;
     let law = law.map(|law| SlipFriction { rolling_speed: rolling.speed, ..*law });
-    let [forward, backward] = rolling.each(|creepage| match &law {
+    let [forward, backward] = rolling.each(contact, |contact, creepage| match &law {
         Some(law) => {
             let FrictionSolution { solution, friction } =
                 friction::solve(contact, creepage, law, options)?;
@@ -129,12 +135,15 @@ pub fn differentiate<F: Precision>(
 ) -> Result<(Solution<F>, F, MotionDerivatives<F>), Error> {
     let rolling = Rolling::new(motion)?;
     let law = law.map(|law| SlipFriction { rolling_speed: rolling.speed, ..*law });
-    let [forward, backward] = rolling
-        .each(|creepage| derivatives::differentiate(contact, creepage, law.as_ref(), options))?;
+    let differentiate = |contact: &Contact<F>, creepage: &Creepage<F>| {
+        derivatives::differentiate(contact, creepage, law.as_ref(), options)
+    };
+    let [forward, backward] = rolling.each(contact, differentiate)?;
+    let by_mismatch = rolling.through_mismatch(contact, differentiate)?;
     let found = |of: &Differentiated<F>| (of.solution, of.friction);
     let contact = without_law(contact, law.as_ref());
     let (solution, friction) = rolling.solution(&contact, found(&forward), found(&backward))?;
-    let slopes = rolling.slopes(&forward, &backward);
+    let slopes = rolling.slopes(&forward, &backward, by_mismatch);
     if slopes.entries().all(F::is_finite_number) {
         Ok((solution, friction, slopes))
     } else {
@@ -194,18 +203,51 @@ impl<F: Precision> Rolling<F> {
     /// found for it, once with a share of zero.
     fn each<S: Copy>(
         &self,
-        solve: impl Fn(&Creepage<F>) -> Result<S, Error>,
+        contact: &Contact<F>,
+        solve: impl Fn(&Contact<F>, &Creepage<F>) -> Result<S, Error>,
+    ) -> Result<[S; 2], Error> {
+        self.each_at(contact, self.speed_by_rolling, solve)
+    }
+
+    /// [`Self::each`] where the ends see the mismatch `±κ V/V_f` of this ratio.
+    fn each_at<S: Copy>(
+        &self,
+        contact: &Contact<F>,
+        ratio: F,
+        solve: impl Fn(&Contact<F>, &Creepage<F>) -> Result<S, Error>,
     ) -> Result<[S; 2], Error> {
         let Creepage { longitudinal, lateral, spin } = self.creepage;
         let turned = Creepage { longitudinal: -longitudinal, lateral: -lateral, spin };
+        let mismatch = contact.mismatch * ratio;
+        let forward = || solve(&Contact { mismatch, ..*contact }, &self.creepage);
+        let backward = || solve(&Contact { mismatch: -mismatch, ..*contact }, &turned);
         let [ahead, behind] = self.shares;
         if behind <= F::zero() {
-            return solve(&self.creepage).map(|found| [found; 2]);
+            return forward().map(|found| [found; 2]);
         }
         if ahead <= F::zero() {
-            return solve(&turned).map(|found| [found; 2]);
+            return backward().map(|found| [found; 2]);
         }
-        Ok([solve(&self.creepage)?, solve(&turned)?])
+        Ok([forward()?, backward()?])
+    }
+
+    /// `∂F/∂κ_V ∂κ_V/∂V` of the mismatch `κ_V = κ V/V_f`, `∂κ_V/∂V = κ floor²/V_f³`.
+    fn through_mismatch(
+        &self,
+        contact: &Contact<F>,
+        differentiate: impl Fn(&Contact<F>, &Creepage<F>) -> Result<Differentiated<F>, Error>,
+    ) -> Result<[F; 3], Error> {
+        let ratio = self.speed_by_rolling;
+        if contact.mismatch == F::zero() {
+            return Ok([F::zero(); 3]);
+        }
+        // κ_V ∂F/∂κ_V over κ_V, which at standstill is not quite zero
+        let least = F::constant(STANDSTILL);
+        let near = if ratio.abs() < least { least } else { ratio };
+        let [forward, backward] = self.each_at(contact, near, differentiate)?;
+        let rate = (F::one() - ratio * ratio) / (self.speed * near);
+        let both = self.both(forward.by_mismatch, backward.by_mismatch);
+        Ok(both.map(|entry| entry * rate))
     }
 
     /// `w(V) p + w(−V) q`, exactly `p` where both are the same.
@@ -226,8 +268,8 @@ impl<F: Precision> Rolling<F> {
         (backward, friction_backward): (Solution<F>, F),
     ) -> Result<(Solution<F>, F), Error> {
         let [fx, fy, mz] = self.both(forces(&forward), forces(&backward));
-        let Motion { slip_x, slip_y, spin_rate, .. } = self.motion;
-        let power = fx * slip_x + fy * slip_y + mz * spin_rate;
+        // F · slip, of both ends the same slip
+        let power = self.mean(forward.power, backward.power) * self.speed;
         if !power.is_finite_number() {
             return Err(Error::Overflow);
         }
@@ -251,6 +293,7 @@ impl<F: Precision> Rolling<F> {
         &self,
         forward: &Differentiated<F>,
         backward: &Differentiated<F>,
+        by_mismatch: [F; 3],
     ) -> MotionDerivatives<F> {
         let (ahead, behind) = (&forward.derivatives, &backward.derivatives);
         let ([ax, ay, az], [bx, by, bz]) = (ahead.jacobian, behind.jacobian);
@@ -275,6 +318,9 @@ impl<F: Precision> Rolling<F> {
         for ((entry, [x, y, z]), by_law) in rolling_speed.iter_mut().zip(slip).zip(by_law) {
             let falls = (x * slip_x + y * slip_y + z * spin_rate) / self.speed;
             *entry += (by_law - falls) * self.speed_by_rolling;
+        }
+        for (entry, moves) in rolling_speed.iter_mut().zip(by_mismatch) {
+            *entry += moves;
         }
         MotionDerivatives {
             slip,

@@ -32,7 +32,8 @@ pub(crate) fn notice_of<F: Float>(
     model: Model,
     psi: F,
 ) -> Notice {
-    let of_model = notice(model, contact.friction_bound(), contact.a / contact.b, psi);
+    let of_model = notice(model, contact.friction_bound(), contact.a / contact.b, psi)
+        .worse(neglected(model, contact.mismatch));
     warned(contact, creepage, of_model)
 }
 
@@ -47,6 +48,13 @@ pub(crate) fn warned<F: Float>(
     notice.worse(warning(contact, creepage))
 }
 
+/// What the theory of 1967 neglects.
+#[inline(always)]
+pub(crate) fn neglected<F: Float>(model: Model, mismatch: F) -> Notice {
+    let neglects = model.is_of_1967() && mismatch != F::zero();
+    if neglects { Notice::MismatchNeglected } else { Notice::None }
+}
+
 /// What the caller of the linear theory should know.
 #[inline(always)]
 pub(crate) fn linear_notice<F: Float>(size: F, friction_bound: F) -> Notice {
@@ -54,11 +62,11 @@ pub(crate) fn linear_notice<F: Float>(size: F, friction_bound: F) -> Notice {
 }
 
 /// Axis ratios that [`Model::Strip`] is made for, a hair more.
-pub(crate) const RATIOS: [f64; 2] = [0.099_999, 10.000_1];
+pub(crate) const RATIOS: [f64; 2] = [0.014_999_9, 20.000_1];
+/// The largest that [`Model::Total`] is made for.
+const LONGEST_OF_TOTAL: f64 = 60.000_1;
 /// Spins `|ψ|` that it is made for.
 pub(crate) const LARGEST_SPIN: f64 = 3.0;
-/// Axis ratios that [`Model::Total`] is made for, a hair more; it knows the limit of large spin.
-const RATIOS_OF_TOTAL: [f64; 2] = [0.049_999, 20.000_1];
 
 /// What the caller of a model with a friction bound should know.
 #[inline(always)]
@@ -71,19 +79,14 @@ pub(crate) fn notice<F: Float>(model: Model, friction_bound: F, ratio: F, psi: F
         Model::Strip1967 | Model::Strip1967Continuous if psi.abs() >= F::one() => {
             Notice::SpinBeyondTheory
         }
-        Model::Total
-            if ratio < F::constant(RATIOS_OF_TOTAL[0])
-                || ratio > F::constant(RATIOS_OF_TOTAL[1]) =>
-        {
-            Notice::OutsideRange
+        Model::Total if ratio < F::constant(RATIOS[0]) || ratio > F::constant(LONGEST_OF_TOTAL) => {
+            Notice::AxisRatio
         }
-        Model::Strip
-            if psi.abs() > F::constant(LARGEST_SPIN)
-                || ratio < F::constant(RATIOS[0])
-                || ratio > F::constant(RATIOS[1]) =>
-        {
-            Notice::OutsideRange
+        Model::Strip if ratio < F::constant(RATIOS[0]) || ratio > F::constant(RATIOS[1]) => {
+            Notice::AxisRatio
         }
+        // (TOTAL knows the limit of large spin)
+        Model::Strip if psi.abs() > F::constant(LARGEST_SPIN) => Notice::OutsideRange,
         _ => Notice::None,
     }
 }

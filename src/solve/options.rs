@@ -41,6 +41,13 @@ impl Model {
         })
     }
 
+    /// Whether nothing in it is fitted, and unlike materials are neglected as in the paper.
+    #[must_use]
+    #[inline(always)]
+    pub const fn is_of_1967(self) -> bool {
+        matches!(self, Self::Strip1967 | Self::Strip1967Continuous)
+    }
+
     /// Every model.
     pub const ALL: [Self; 5] =
         [Self::Strip1967, Self::Strip1967Continuous, Self::Strip, Self::Total, Self::Linear];
@@ -66,7 +73,7 @@ pub struct Solution<F> {
     /// Moment about z at the centre of the contact \[N m\].
     pub mz: F,
     /// Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin \[N\]: energy dissipated per metre
-    /// rolled.
+    /// rolled. Of unlike bodies the longitudinal creepage counts together with that which pressure makes.
     pub power: F,
     /// Share of the contact area in adhesion \[-\], 0 to 1. KSTRIP_MODEL_TOTAL does not know it: -1; KSTRIP_MODEL_LINEAR
     /// has adhesion everywhere: 1.

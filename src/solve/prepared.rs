@@ -40,6 +40,7 @@ impl<F: Precision> Prepared<F> {
     /// use kstrip::solve::prepared::Prepared;
     /// let contact = Contact {
     ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
+    ///     mismatch: 0.0,
     /// };
     /// let disc = Prepared::new(&contact, &Options::default())?;
     /// for percent in 0..10 {

@@ -74,6 +74,7 @@ pub fn strips<F: Precision>(
         return Ok(Notice::None);
     }
     let frame = Frame::of(contact);
+    let creepage = &frame.seen(creepage, options.model);
     let parameters = frame.units.parameters(creepage);
     let bound = contact.friction_bound();
     let mut share = |strip: PlacedStrip<F>| {

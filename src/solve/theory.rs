@@ -7,7 +7,7 @@ use crate::contact::forces::Totals;
 use crate::linear::LinearCoefficients;
 use crate::number::{Float, Number};
 use crate::solve::frame::{Forces, Frame};
-use crate::solve::notice::{linear_notice_of, notice, warned};
+use crate::solve::notice::{linear_notice_of, neglected, notice, warned};
 use crate::solve::options::{Model, Options, Solution};
 use crate::status::Notice;
 use crate::strip::StripTotals;
@@ -73,12 +73,22 @@ pub(crate) trait Theory<F: StripTotals>: Copy {
             linear_notice_of(forces.fx, forces.fy, bound)
         } else {
             notice(Self::MODEL, bound, frame.axis_ratio(), psi)
+                .worse(neglected(Self::MODEL, frame.contact.mismatch))
         }
     }
 
     /// Of a loaded contact and a creepage that have been checked.
     #[inline(always)]
     fn answer(&self, frame: &Frame<F>, creepage: &Creepage<F>, ordinary: bool) -> Solution<F>
+    where
+        F: Float,
+    {
+        self.answer_seen(frame, &frame.seen(creepage, Self::MODEL), ordinary)
+    }
+
+    /// For the creepage that the contact sees.
+    #[inline(always)]
+    fn answer_seen(&self, frame: &Frame<F>, creepage: &Creepage<F>, ordinary: bool) -> Solution<F>
     where
         F: Float,
     {

@@ -4,7 +4,7 @@ use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::friction::{self, SlipFriction};
 use crate::number::Float;
-use crate::solve::derivatives::{Derivatives, solve};
+use crate::solve::derivatives::{Derivatives, Slopes, solve_with_slopes};
 use crate::solve::model;
 use crate::solve::options::{Model, Options, Precision, Solution};
 use crate::status::{Error, Notice};
@@ -32,14 +32,14 @@ impl<F: Float> LawDerivatives<F> {
     }
 }
 
-/// Forces at the friction of a law, and their derivatives while friction stays.
+/// Power at the friction of a law, and derivatives while friction stays.
 pub(crate) struct AtFriction<F: Float> {
-    /// `(F_x, F_y, M_z)` at friction `μ`
-    pub force: [F; 3],
     /// Derivatives at constant `μ`
-    pub derivatives: Derivatives<F>,
+    pub slopes: Slopes<F>,
+    /// `P`, over rolling speed
+    pub power: F,
     /// `(υx, υy, φ)`
-    pub motion: [F; 3],
+    pub motion: Creepage<F>,
     /// `μ`
     pub friction: F,
     /// `N`
@@ -52,28 +52,41 @@ impl<F: Float> AtFriction<F> {
     /// ```text
     /// dF/dp = ∂F/∂p + ∂F/∂μ dμ/dp,   dμ/dp = (∂g/∂p + g' ∂s/∂p)/(1 − g' ∂s/∂μ)
     /// ```
+    ///
+    /// The last of them are `κ dF/dκ`. As `F = M f(c/M, κ/μ)`, the power is `P = M² p(c/M, κ/μ)/(G a b)`, which tells how the
+    /// slip changes:
+    ///
+    /// ```text
+    /// N ∂s/∂N = (P − (∂P/∂c) c)/M,   through Hertz ⅓ (P − (∂P/∂v) v)/M,
+    /// μ ∂s/∂μ = N ∂s/∂N − κ (∂P/∂κ)/M = −k ∂s/∂k
+    /// ```
     pub(crate) fn through(
         &self,
         law: &SlipFriction<F>,
         falls: bool,
-    ) -> (Derivatives<F>, LawDerivatives<F>) {
-        let Self { force, derivatives, motion, friction, load } = self;
-        let along = |by: &[F; 3]| by[0] * motion[0] + by[1] * motion[1] + by[2] * motion[2];
+    ) -> (Derivatives<F>, LawDerivatives<F>, [F; 3]) {
+        let Self { power, motion, friction, load, .. } = *self;
+        let Slopes { derivatives, by_mismatch, seen, power_by_creepage, power_by_mismatch } =
+            &self.slopes;
+        let along = |by: &[F; 3]| motion.power(*by);
         let by_friction = derivatives.friction;
-        let bound = *friction * *load;
+        let bound = friction * load;
         // s = P/(μ N), in the limit of full sliding (∂P/∂μ)/N
         let carries = bound > F::zero();
-        let power = along(force);
-        let slip = if carries { power / bound } else { along(&by_friction) / *load };
+        let slip = if carries { power / bound } else { seen.power(by_friction) / load };
         // (what rounding leaves of a power of zero may be below zero, and is no slip)
         let slip = slip.max(F::zero());
         let by = law.slopes(slip);
         let moves = falls && slip > F::zero() && carries;
         let rate = if moves { by.slip } else { F::zero() };
         let over_bound = |power: F| if carries { power / bound } else { F::zero() };
-        // ∂s/∂μ = (∂P/∂μ)/(μ N) − s/μ
-        let slip_by_friction =
-            over_bound(along(&by_friction)) - if carries { slip / *friction } else { F::zero() };
+        let [power_by_x, power_by_y, _] = *power_by_creepage;
+        let translation = power_by_x * motion.longitudinal + power_by_y * motion.lateral;
+        let slip_by_load = over_bound(power - along(power_by_creepage));
+        let slip_through_hertz = over_bound((power - translation).times(1.0 / 3.0));
+        let slip_by_mismatch = over_bound(*power_by_mismatch);
+        let by_size = slip_by_load - slip_by_mismatch;
+        let slip_by_friction = if carries { by_size / friction } else { F::zero() };
         let feedback = F::one() / (F::one() - rate * slip_by_friction);
         let shifted = |fixed: &[F; 3], friction_by: F| {
             let change = friction_by * feedback;
@@ -88,37 +101,35 @@ impl<F: Float> AtFriction<F> {
         let columns: [[F; 3]; 3] = core::array::from_fn(|j| {
             [&row_x, &row_y, &row_z].map(|row| row.get(j).copied().unwrap_or(F::zero()))
         });
-        for (j, (column, force)) in columns.iter().zip(force).enumerate() {
-            // μ N ∂s/∂c = F + Jᵀ c
-            let total = shifted(column, rate * over_bound(*force + along(column)));
+        for (j, (column, power_by)) in columns.iter().zip(power_by_creepage).enumerate() {
+            let total = shifted(column, rate * over_bound(*power_by));
             for (row, entry) in jacobian.iter_mut().zip(total) {
                 if let Some(place) = row.get_mut(j) {
                     *place = entry;
                 }
             }
         }
-        // ∂s/∂N = (∂P/∂N)/(μ N) − s/N
-        let by_load = |fixed: &[F; 3]| {
-            let slip_by_load = over_bound(along(fixed)) - slip / *load;
-            shifted(fixed, rate * slip_by_load)
-        };
-        // F = M f(k c/M):  k ∂F/∂k = J c
+        // F = M f(k c/M, k κ/μ):  k ∂F/∂k = (∂F/∂c) c + κ ∂F/∂κ
         let stiffness = law.stiffness();
-        let by_stiffness = [row_x, row_y, row_z].map(|row| along(&row) / stiffness);
+        let mut by_stiffness = [row_x, row_y, row_z].map(|row| along(&row));
+        for (entry, by_mismatch) in by_stiffness.iter_mut().zip(by_mismatch) {
+            *entry = (*entry + *by_mismatch) / stiffness;
+        }
         let none = [F::zero(); 3];
+        let Derivatives { normal_force, load_through_hertz, .. } = derivatives;
         let through = Derivatives {
             jacobian,
-            normal_force: by_load(&derivatives.normal_force),
-            load_through_hertz: by_load(&derivatives.load_through_hertz),
+            normal_force: shifted(normal_force, rate * (slip_by_load / load)),
+            load_through_hertz: shifted(load_through_hertz, rate * (slip_through_hertz / load)),
             friction: shifted(&none, by.friction),
         };
         let law = LawDerivatives {
             ratio: shifted(&none, by.ratio),
             decay: shifted(&none, by.decay),
             rolling_speed: shifted(&none, by.rolling_speed),
-            slope_factor: shifted(&by_stiffness, rate * over_bound(along(&by_stiffness))),
+            slope_factor: shifted(&by_stiffness, -(rate * (by_size / stiffness))),
         };
-        (through, law)
+        (through, law, shifted(by_mismatch, rate * slip_by_mismatch))
     }
 }
 
@@ -133,6 +144,8 @@ pub struct Differentiated<F: Float> {
     pub derivatives: Derivatives<F>,
     /// Derivatives by the parameters of the law.
     pub law: LawDerivatives<F>,
+    /// `κ dF/dκ` of unlike materials \[N, N, N m\].
+    pub by_mismatch: [F; 3],
 }
 
 /// Forces and all derivatives, under friction that falls with the slip or not.
@@ -149,35 +162,31 @@ pub fn differentiate<F: Precision>(
         Some(law) => friction::under(contact, creepage, law, options)?,
         None => (*contact, Notice::None),
     };
-    let (mut solution, derivatives) = solve(&contact, creepage, options)?;
+    let (mut solution, slopes) = solve_with_slopes(&contact, creepage, options)?;
     solution.notice = solution.notice.worse(notice);
     let friction = contact.friction;
     let lost = contact.is_lost();
     let Some(law) = law.filter(|_| !lost) else {
-        // F = M f(k c/M) at k = 1
-        let along = |[x, y, z]: [F; 3]| {
-            x * creepage.longitudinal + y * creepage.lateral + z * creepage.spin
-        };
-        let slope_factor = derivatives.jacobian.map(along);
+        // F = M f(k c/M, k κ/μ) at k = 1
+        let Slopes { derivatives, by_mismatch, .. } = slopes;
+        let mut slope_factor = derivatives.jacobian.map(|row| creepage.power(row));
+        for (entry, by_mismatch) in slope_factor.iter_mut().zip(by_mismatch) {
+            *entry += by_mismatch;
+        }
         let law = LawDerivatives { slope_factor, ..LawDerivatives::nothing() };
         return if slope_factor.into_iter().all(F::is_finite_number) {
-            Ok(Differentiated { solution, friction, derivatives, law })
+            Ok(Differentiated { solution, friction, derivatives, law, by_mismatch })
         } else {
             Err(Error::Overflow)
         };
     };
-    let at = AtFriction {
-        force: [solution.fx, solution.fy, solution.mz],
-        derivatives,
-        motion: [creepage.longitudinal, creepage.lateral, creepage.spin],
-        friction,
-        load: contact.normal_force,
-    };
+    let (motion, load) = (*creepage, contact.normal_force);
+    let at = AtFriction { slopes, power: solution.power, motion, friction, load };
     let falls = law.falls() && options.model != Model::Linear;
-    let (derivatives, law) = at.through(law, falls);
+    let (derivatives, law, by_mismatch) = at.through(law, falls);
     let entries = derivatives.entries().into_iter().chain(law.entries());
     if entries.into_iter().all(F::is_finite_number) {
-        Ok(Differentiated { solution, friction, derivatives, law })
+        Ok(Differentiated { solution, friction, derivatives, law, by_mismatch })
     } else {
         Err(Error::Overflow)
     }

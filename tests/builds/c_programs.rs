@@ -37,6 +37,7 @@ const CONTACT: Contact<f64> = Contact {
     shear_modulus: 82e9,
     poisson_ratio: 0.28,
     friction: 0.3,
+    mismatch: 0.0,
 };
 
 const FRICTION_BOUND: f64 = 24e3;

@@ -49,6 +49,7 @@ fn example_prints_what_rust_computes() {
         shear_modulus: 82e9,
         poisson_ratio: 0.28,
         friction: 0.3,
+        mismatch: 0.0,
     };
     let motion = Creepage { longitudinal: 1e-3, lateral: 0.5e-3, spin: 0.4 };
     let close = |printed: f64, exact: f64, decimals: i32| {

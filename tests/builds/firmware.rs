@@ -21,6 +21,7 @@ macro_rules! same_as_solve {
                 shear_modulus: 82e9,
                 poisson_ratio: 0.28,
                 friction: 0.3,
+                mismatch: 0.0,
             };
             let creepage = $creepage { longitudinal: x, lateral: y, spin: s };
             let (contact, creepage) = (Some(&contact), Some(&creepage));

@@ -60,6 +60,7 @@ macro_rules! everything {
             shear_modulus: pair.shear_modulus,
             poisson_ratio: pair.poisson_ratio,
             friction: 0.3,
+            mismatch: 0.0,
         };
         // At rest, small, combined, sliding, |ψ| > 1 with adhesion, NaN
         for (x, y, s) in [
@@ -125,6 +126,7 @@ fn c_functions_do_not_allocate() {
         shear_modulus: 82e9,
         poisson_ratio: 0.28,
         friction: 0.3,
+        mismatch: 0.0,
     };
     let creepage = kstrip_creepage { longitudinal: 1e-3, lateral: -1e-3, spin: 0.3 };
     let (contacts, creepages) = ([contact; 8], [creepage; 8]);

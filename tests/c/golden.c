@@ -69,6 +69,7 @@ static void inputs(uint32_t i, kstrip_contact *c, kstrip_creepage *k, kstrip_opt
     c->shear_modulus = (1 + draw(i, 4, 100)) * 1e9;
     c->poisson_ratio = draw(i, 5, 101) / 200.0;
     c->friction = (1 + draw(i, 6, 100)) / 100.0;
+    c->mismatch = 0;
     k->longitudinal = creep(i, 7, 1000);
     k->lateral = creep(i, 10, 1000);
     k->spin = creep(i, 13, 10);

@@ -85,7 +85,7 @@ static kstrip_status NAME(batch)(const NAME(kstrip_contact) *c, const NAME(kstri
     memset(&to, 0, sizeof to);
     from.a = &c->a, from.b = &c->b, from.normal_force = &c->normal_force;
     from.shear_modulus = &c->shear_modulus, from.poisson_ratio = &c->poisson_ratio;
-    from.friction = &c->friction;
+    from.friction = &c->friction, from.mismatch = &c->mismatch;
     from.longitudinal = &k->longitudinal, from.lateral = &k->lateral, from.spin = &k->spin;
     to.fx = &r->fx, to.fy = &r->fy, to.mz = &r->mz, to.power = &r->power;
     to.adhesion = &r->adhesion, to.status_detail = &r->status_detail;
@@ -322,7 +322,8 @@ static void NAME(hash_case)(uint64_t hashes[KINDS], uint32_t i, int side_by_side
                                         (REAL)d.normal_force,
                                         (REAL)d.shear_modulus,
                                         (REAL)d.poisson_ratio,
-                                        (REAL)d.friction};
+                                        (REAL)d.friction,
+                                        (REAL)d.mismatch};
         const NAME(kstrip_creepage) k = {(REAL)e.longitudinal, (REAL)e.lateral, (REAL)e.spin};
         const kstrip_status status = side_by_side ? NAME(batch)(&c, &k, &o, &r, NULL, NULL)
                                            : NAME(kstrip_solve)(&c, &k, &o, &r);

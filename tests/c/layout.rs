@@ -4,7 +4,7 @@ layouts! {
     kstrip_material { shear_modulus, poisson_ratio }
     kstrip_combined_material { shear_modulus, poisson_ratio, mismatch }
     kstrip_radii { lower_x, lower_y, upper_x, upper_y }
-    kstrip_contact { a, b, normal_force, shear_modulus, poisson_ratio, friction }
+    kstrip_contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch }
     kstrip_hertz_contact { a, b, peak_pressure, approach, axis_ratio, hertz_angle, rho }
     kstrip_velocity { x, y, angular_z }
     kstrip_creepage { longitudinal, lateral, spin }
@@ -16,7 +16,7 @@ layouts! {
     kstrip_law_derivatives { ratio, decay, rolling_speed, slope_factor }
     kstrip_strip { y, width, half_length, separatrix, fx, fy, mz, power, state, reserved }
     kstrip_outputs { result, derivatives, law_derivatives, friction, strips, count, capacity, reserved }
-    kstrip_batch_inputs { a, a_stride, b, b_stride, normal_force, normal_force_stride, shear_modulus, shear_modulus_stride, poisson_ratio, poisson_ratio_stride, friction, friction_stride, longitudinal, longitudinal_stride, lateral, lateral_stride, spin, spin_stride, law, law_stride }
+    kstrip_batch_inputs { a, a_stride, b, b_stride, normal_force, normal_force_stride, shear_modulus, shear_modulus_stride, poisson_ratio, poisson_ratio_stride, friction, friction_stride, mismatch, mismatch_stride, longitudinal, longitudinal_stride, lateral, lateral_stride, spin, spin_stride, law, law_stride }
     kstrip_batch_outputs { fx, fx_stride, fy, fy_stride, mz, mz_stride, power, power_stride, adhesion, adhesion_stride, status_detail, status_detail_stride, friction, friction_stride, derivatives, derivatives_stride, law_derivatives, law_derivatives_stride }
     kstrip_prepared { numbers, model, strips }
     kstrip_motion { slip_x, slip_y, spin_rate, rolling_speed, floor_speed }
@@ -26,14 +26,14 @@ layouts! {
     kstrip_profile { y, distance, centre_x, rolling_radius, points, reserved }
     kstrip_profile_contact { rolling_radius, normal_force, approach, smoothing_length, shear_modulus, poisson_ratio, friction, strips, reserved }
     kstrip_patch_strip { y, width, half_length, centre_x, peak_pressure, friction }
-    kstrip_patch { strips, shear_modulus, poisson_ratio, area_scale, lever_scale, count, reserved }
+    kstrip_patch { strips, shear_modulus, poisson_ratio, area_scale, lever_scale, count, reserved, mismatch }
     kstrip_profile_result { approach, normal_force, stiffness, peak_pressure, peak_y, iterations, reserved }
     kstrip_patch_summary { normal_force, friction_bound, area, lobes, reserved }
     kstrip_friction_estimate { friction, sensitivity, residual, notice, reserved }
     kstrip_material_f32 { shear_modulus, poisson_ratio }
     kstrip_combined_material_f32 { shear_modulus, poisson_ratio, mismatch }
     kstrip_radii_f32 { lower_x, lower_y, upper_x, upper_y }
-    kstrip_contact_f32 { a, b, normal_force, shear_modulus, poisson_ratio, friction }
+    kstrip_contact_f32 { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch }
     kstrip_hertz_contact_f32 { a, b, peak_pressure, approach, axis_ratio, hertz_angle, rho }
     kstrip_velocity_f32 { x, y, angular_z }
     kstrip_creepage_f32 { longitudinal, lateral, spin }
@@ -44,7 +44,7 @@ layouts! {
     kstrip_law_derivatives_f32 { ratio, decay, rolling_speed, slope_factor }
     kstrip_strip_f32 { y, width, half_length, separatrix, fx, fy, mz, power, state, reserved }
     kstrip_outputs_f32 { result, derivatives, law_derivatives, friction, strips, count, capacity, reserved }
-    kstrip_batch_inputs_f32 { a, a_stride, b, b_stride, normal_force, normal_force_stride, shear_modulus, shear_modulus_stride, poisson_ratio, poisson_ratio_stride, friction, friction_stride, longitudinal, longitudinal_stride, lateral, lateral_stride, spin, spin_stride, law, law_stride }
+    kstrip_batch_inputs_f32 { a, a_stride, b, b_stride, normal_force, normal_force_stride, shear_modulus, shear_modulus_stride, poisson_ratio, poisson_ratio_stride, friction, friction_stride, mismatch, mismatch_stride, longitudinal, longitudinal_stride, lateral, lateral_stride, spin, spin_stride, law, law_stride }
     kstrip_batch_outputs_f32 { fx, fx_stride, fy, fy_stride, mz, mz_stride, power, power_stride, adhesion, adhesion_stride, status_detail, status_detail_stride, friction, friction_stride, derivatives, derivatives_stride, law_derivatives, law_derivatives_stride }
     kstrip_prepared_f32 { numbers, model, strips }
     kstrip_motion_f32 { slip_x, slip_y, spin_rate, rolling_speed, floor_speed }
@@ -54,7 +54,7 @@ layouts! {
     kstrip_profile_f32 { y, distance, centre_x, rolling_radius, points, reserved }
     kstrip_profile_contact_f32 { rolling_radius, normal_force, approach, smoothing_length, shear_modulus, poisson_ratio, friction, strips, reserved }
     kstrip_patch_strip_f32 { y, width, half_length, centre_x, peak_pressure, friction }
-    kstrip_patch_f32 { strips, shear_modulus, poisson_ratio, area_scale, lever_scale, count, reserved }
+    kstrip_patch_f32 { strips, shear_modulus, poisson_ratio, area_scale, lever_scale, count, reserved, mismatch }
     kstrip_profile_result_f32 { approach, normal_force, stiffness, peak_pressure, peak_y, iterations, reserved }
     kstrip_patch_summary_f32 { normal_force, friction_bound, area, lobes, reserved }
     kstrip_friction_estimate_f32 { friction, sensitivity, residual, notice, reserved }

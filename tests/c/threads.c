@@ -20,7 +20,7 @@ static void *run(void *argument)
 {
     work *const mine = argument;
     for (int i = 0; i < CASES; i++) {
-        const kstrip_contact contact = {6e-3, (1 + i % 7) / 700.0, 80e3, 82e9, i % 6 / 10.0, 0.3};
+        const kstrip_contact contact = {6e-3, (1 + i % 7) / 700.0, 80e3, 82e9, i % 6 / 10.0, 0.3, 0};
         const kstrip_creepage creepage = {(i % 16 - 7) / 4000.0, (i / 16 % 16 - 7) / 4000.0,
                                           (i / 256 - 7) / 8.0};
         const kstrip_options options = {1 + i % 5, 4 << i / 5 % 5};

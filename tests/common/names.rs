@@ -131,6 +131,8 @@ pub fn batch_inputs<F>(
         poisson_ratio_stride: contact,
         friction: member(5),
         friction_stride: contact,
+        mismatch: member(6),
+        mismatch_stride: contact,
         longitudinal: part(0),
         longitudinal_stride: creepage,
         lateral: part(1),
@@ -142,11 +144,21 @@ pub fn batch_inputs<F>(
     }
 }
 
-/// Inputs of a batch that lie in one array for each quantity.
-pub fn batch_arrays<F>(arrays: [*const F; 9]) -> kstrip::ffi::types::BatchInputs<F> {
+/// Inputs of a batch that lie in one array for each quantity, the mismatch last.
+pub fn batch_arrays<F>(arrays: [*const F; 10]) -> kstrip::ffi::types::BatchInputs<F> {
     let each = size_of::<F>() as isize;
-    let [a, b, normal_force, shear_modulus, poisson_ratio, friction, longitudinal, lateral, spin] =
-        arrays;
+    let [
+        a,
+        b,
+        normal_force,
+        shear_modulus,
+        poisson_ratio,
+        friction,
+        longitudinal,
+        lateral,
+        spin,
+        mismatch,
+    ] = arrays;
     kstrip::ffi::types::BatchInputs {
         a,
         a_stride: each,
@@ -160,6 +172,8 @@ pub fn batch_arrays<F>(arrays: [*const F; 9]) -> kstrip::ffi::types::BatchInputs
         poisson_ratio_stride: each,
         friction,
         friction_stride: each,
+        mismatch,
+        mismatch_stride: each,
         longitudinal,
         longitudinal_stride: each,
         lateral,

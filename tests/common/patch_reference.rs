@@ -273,6 +273,7 @@ pub fn banded(count: StripCount) -> Vec<(Case, Full)> {
                     shear_modulus: 82e9,
                     poisson_ratio: 0.28,
                     friction: number(&row, "mu_ref"),
+                    mismatch: 0.0,
                 };
                 let mut patch = Full::from_ellipse(&contact, count).unwrap();
                 for strip in &mut patch.strips {
@@ -313,6 +314,7 @@ pub fn falling() -> Vec<(Case, Full, SlipFriction<f64>)> {
                     shear_modulus: 82e9,
                     poisson_ratio: 0.28,
                     friction: number("mu0"),
+                    mismatch: 0.0,
                 };
                 let law = SlipFriction {
                     friction: contact.friction,

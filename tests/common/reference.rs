@@ -89,6 +89,7 @@ pub fn contact<F: Precision>(axis_ratio: f64, poisson_ratio: f64) -> Contact<F> 
         shear_modulus: F::of(SHEAR_MODULUS),
         poisson_ratio: F::of(poisson_ratio),
         friction: F::of(FRICTION),
+        mismatch: F::zero(),
     }
 }
 
@@ -139,6 +140,12 @@ fn case(table: &Table, row: usize) -> Case {
 /// The 854 cases of `tests/data/open.csv`.
 pub fn open() -> Vec<Case> {
     let table = Table::read(project().join("tests/data/open.csv"));
+    (0..table.len()).map(|row| case(&table, row)).collect()
+}
+
+/// The 140 slender cases of `tests/data/open_slender.csv`.
+pub fn slender() -> Vec<Case> {
+    let table = Table::read(project().join("tests/data/open_slender.csv"));
     (0..table.len()).map(|row| case(&table, row)).collect()
 }
 

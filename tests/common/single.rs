@@ -13,6 +13,7 @@ pub fn single(c: &Contact<f64>) -> Contact<f32> {
         shear_modulus: c.shear_modulus as f32,
         poisson_ratio: c.poisson_ratio as f32,
         friction: c.friction as f32,
+        mismatch: 0.0,
     }
 }
 
@@ -29,6 +30,7 @@ pub fn double(c: &Contact<f32>) -> Contact<f64> {
         shear_modulus: c.shear_modulus.into(),
         poisson_ratio: c.poisson_ratio.into(),
         friction: c.friction.into(),
+        mismatch: 0.0,
     }
 }
 

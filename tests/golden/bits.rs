@@ -142,6 +142,7 @@ fn inputs(i: u32) -> (Contact<f64>, Creepage<f64>, Options) {
         shear_modulus: f64::from(1 + draw(i, 4, 100)) * 1e9,
         poisson_ratio: f64::from(draw(i, 5, 101)) / 200.0,
         friction: f64::from(1 + draw(i, 6, 100)) / 100.0,
+        mismatch: 0.0,
     };
     let creepage = Creepage {
         longitudinal: creep(i, 7, 1000.0),

@@ -137,7 +137,7 @@ static double places[10][1024];
 
 static kstrip_prepared prepared_double(void)
 {
-    const kstrip_contact contact = {6e-3, 4e-3, 80e3, 82e9, 0.28, 0.3};
+    const kstrip_contact contact = {6e-3, 4e-3, 80e3, 82e9, 0.28, 0.3, 0};
     kstrip_prepared prepared;
     kstrip_prepare(&contact, NULL, &prepared);
     return prepared;
@@ -145,7 +145,7 @@ static kstrip_prepared prepared_double(void)
 
 static kstrip_prepared_f32 prepared_float(void)
 {
-    const kstrip_contact_f32 contact = {6e-3F, 4e-3F, 80e3F, 82e9F, 0.28F, 0.3F};
+    const kstrip_contact_f32 contact = {6e-3F, 4e-3F, 80e3F, 82e9F, 0.28F, 0.3F, 0};
     kstrip_prepared_f32 prepared;
     kstrip_prepare_f32(&contact, NULL, &prepared);
     return prepared;

@@ -110,6 +110,7 @@ fn what_was_found_stays_repaired() {
         shear_modulus,
         poisson_ratio: 0.25,
         friction,
+        mismatch: 0.0,
     };
     let creepage = |longitudinal, lateral, spin| Creepage { longitudinal, lateral, spin };
     let options = |model| Options { model, strips: StripCount::Sixteen };
@@ -127,6 +128,7 @@ fn what_was_found_stays_repaired() {
         shear_modulus: f32::MIN_POSITIVE,
         poisson_ratio: 2.355e-5,
         friction: 3.58,
+        mismatch: 0.0,
     };
     let slow = Creepage { longitudinal: 7.0525406e-5, lateral: 1.6691238e-5, spin: -3.728531 };
     assert!(solve(&soft, &slow, &options(Model::Total)).unwrap().power >= 0.0);
@@ -146,6 +148,7 @@ fn what_was_found_stays_repaired() {
         shear_modulus: 1e-45,
         poisson_ratio: 1e-4,
         friction: 1e-3,
+        mismatch: 0.0,
     };
     let sliding = Creepage { longitudinal: f32::MAX, lateral: -3e-6, spin: -0.04 };
     assert_eq!(solve(&soft, &sliding, &options(Model::Linear)), Err(Error::Overflow));
@@ -185,6 +188,7 @@ fn what_every_function_found_stays_repaired() {
         shear_modulus: 63.5e9,
         poisson_ratio: 0.03,
         friction: 0.11,
+        mismatch: 0.0,
     };
     let single = Contact::<f32> {
         a: 6e-3,
@@ -193,6 +197,7 @@ fn what_every_function_found_stays_repaired() {
         shear_modulus: 82e9,
         poisson_ratio: 0.28,
         friction: 0.3,
+        mismatch: 0.0,
     };
     let options = |model, strips| Options { model, strips };
     let reference = options(Model::Strip1967, StripCount::SixtyFour);
@@ -240,6 +245,7 @@ fn what_every_function_found_stays_repaired() {
         shear_modulus: 3.1061554e11,
         poisson_ratio: 8.197403e-3,
         friction: 7.785678e-3,
+        mismatch: 0.0,
     };
     let faint = Creepage { longitudinal: -3.463707e-3, lateral: 1e-45, spin: 1e-45 };
     let o = options(Model::Strip, StripCount::Four);
@@ -254,6 +260,7 @@ fn what_every_function_found_stays_repaired() {
         shear_modulus: 8.737095e-24,
         poisson_ratio: 1.17e-4,
         friction: 0.125,
+        mismatch: 0.0,
     };
     let motion = Creepage { longitudinal: 0.000625, lateral: -0.04046875, spin: 3.800583 };
     let total = options(Model::Total, StripCount::Sixteen);
@@ -266,6 +273,7 @@ fn what_every_function_found_stays_repaired() {
         shear_modulus: 56934452056.884766,
         poisson_ratio: 0.0037428188323974606,
         friction: 0.0016288906335830688,
+        mismatch: 0.0,
     };
     let motion = Creepage {
         longitudinal: 3.5e25,
@@ -286,6 +294,7 @@ fn what_every_function_found_stays_repaired() {
         shear_modulus: 18167724609.375,
         poisson_ratio: 0.24,
         friction: 0.03125,
+        mismatch: 0.0,
     };
     let motion = Creepage { longitudinal: 0.000634765625, lateral: 1.0, spin: -42.9525146484375 };
     for count in [StripCount::Four, StripCount::SixtyFour] {

@@ -23,6 +23,7 @@ macro_rules! same_bits {
                     shear_modulus: 82e9,
                     poisson_ratio: random.between(0.0, 0.5) as $float,
                     friction: if n % 11 == 0 { 0.0 } else { random.between(0.01, 0.6) as $float },
+                    mismatch: if n % 5 == 0 { random.between(-0.2, 0.2) as $float } else { 0.0 },
                 };
                 let options = kstrip_options {
                     model: n % 6,
@@ -114,6 +115,7 @@ fn prepared_for(model: i32) -> kstrip_prepared {
         shear_modulus: 82e9,
         poisson_ratio: 0.28,
         friction: 0.3,
+        mismatch: 0.0,
     };
     let options = kstrip_options { model, strips: 16 };
     let mut prepared = MaybeUninit::uninit();

@@ -472,6 +472,7 @@ fn derivatives_where_creepage_vanishes_at_the_rim() {
         shear_modulus: 82e9,
         poisson_ratio: 0.5,
         friction: 0.3,
+        mismatch: 0.0,
     };
     for lateral in [-3e-3, -1e-4, 0.0, 1e-5, 2e-4, 2e-3] {
         for turned in [-1.0, 1.0] {

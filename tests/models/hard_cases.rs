@@ -24,6 +24,7 @@ const WHEEL: Contact<f64> = Contact {
     shear_modulus: 82e9,
     poisson_ratio: 0.28,
     friction: 0.3,
+    mismatch: 0.0,
 };
 
 const MOTION: Creepage<f64> = Creepage { longitudinal: 1e-3, lateral: -5e-4, spin: 0.2 };
@@ -372,6 +373,7 @@ fn spin_of_exactly_one() {
             shear_modulus: 2.0,
             poisson_ratio: 0.29,
             friction: 1.0,
+            mismatch: 0.0,
         };
         for (xi, eta) in [(0.0, -0.5), (0.0, 0.5), (0.0, 0.0), (0.3, -0.2), (0.3, 0.0), (0.3, 0.2)]
         {

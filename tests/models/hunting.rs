@@ -19,6 +19,7 @@ const CONTACT: Contact<f64> = Contact {
     shear_modulus: 82e9,
     poisson_ratio: 0.28,
     friction: 0.2,
+    mismatch: 0.0,
 };
 
 /// `d rate/d state` of the straight run; the state is place, yaw, and their rates.

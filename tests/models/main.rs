@@ -32,6 +32,8 @@ mod patch_friction;
 mod peer_methods;
 mod profile;
 mod rig;
+mod slender;
 mod special_motions;
 mod total;
+mod unlike;
 mod warnings;

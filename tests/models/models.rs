@@ -60,6 +60,7 @@ fn contact<F: Precision>(axis_ratio: f64, poisson_ratio: f64) -> Contact<F> {
         shear_modulus: F::of(SHEAR_MODULUS),
         poisson_ratio: F::of(poisson_ratio),
         friction: F::of(FRICTION),
+        mismatch: F::zero(),
     }
 }
 
@@ -422,6 +423,7 @@ fn everywhere(
         shear_modulus: narrow(double.shear_modulus),
         poisson_ratio: narrow(double.poisson_ratio),
         friction: narrow(double.friction),
+        mismatch: 0.0,
     };
     let slow = Creepage {
         longitudinal: narrow(motion.longitudinal),
@@ -611,24 +613,28 @@ fn notices() {
             solve(&contact::<f64>(g, 0.28), &creepage([0.1, 0.0, spin_of(psi, g)]), options);
         solution.unwrap().notice
     };
-    let any_spin = [(0.05, 3.1), (20.0, 0.0), (1.0, 4.0)];
-    let strips = [(0.1, 0.0), (10.0, 0.0), (1.0, 2.99), (1.0, -2.99), (5.0, 1.0)];
-    let beyond_total = [(0.0499, 0.0), (20.1, 0.0), (1e3, 1.0)];
-    let beyond_strips = [(0.099, 0.0), (10.1, 0.0), (1.0, 3.01), (1.0, -3.01), (1e3, 1.0)];
+    let any_spin = [(0.015, 3.1), (60.0, 0.0), (1.0, 4.0)];
+    let strips = [(0.015, 0.0), (20.0, 0.0), (1.0, 2.99), (1.0, -2.99), (5.0, 1.0)];
+    let slender =
+        [(0.0149, 0.0), (60.1, 0.0), (1e3, 1.0)].map(|(g, psi)| (g, psi, Notice::AxisRatio));
+    let spinning = [3.01, -3.01].map(|psi| (1.0, psi, Notice::OutsideRange));
+    let long = [(20.1, 0.0, Notice::AxisRatio)];
+    let beyond_strips = [slender.as_slice(), &spinning, &long].concat();
     for options in saturating() {
         let (within, beyond) = if options.model == Model::Total {
-            (any_spin.as_slice(), beyond_total.as_slice())
+            (any_spin.as_slice(), slender.as_slice())
         } else {
             (strips.as_slice(), beyond_strips.as_slice())
         };
         for (g, psi) in within {
             assert_eq!(notice(*g, *psi, &options), Notice::None, "{options:?} {g} {psi}");
         }
-        for (g, psi) in beyond {
-            assert_eq!(notice(*g, *psi, &options), Notice::OutsideRange, "{options:?} {g} {psi}");
+        for (g, psi, expected) in beyond {
+            assert_eq!(notice(*g, *psi, &options), *expected, "{options:?} {g} {psi}");
         }
         // and so do the strips of the ellipse
-        for (g, psi) in [(1.0, 2.9), (1.0, 3.1), (15.0, 0.0), (0.07, 4.0), (40.0, 0.5)] {
+        for (g, psi) in [(1.0, 2.9), (1.0, 3.1), (15.0, 0.0), (0.07, 4.0), (40.0, 0.5), (70.0, 0.5)]
+        {
             let contact = contact::<f64>(g, 0.28);
             let patch = Patch::<f64, 64>::from_ellipse(&contact, options.strips).unwrap();
             let v = creepage([0.1, 0.0, spin_of(psi, g)]);

@@ -17,6 +17,7 @@ const C0: Contact<f64> = Contact {
     shear_modulus: 82e9,
     poisson_ratio: 0.28,
     friction: 0.3,
+    mismatch: 0.0,
 };
 const FLOOR: f64 = 0.02;
 const WET: SlipFriction<f64> =
@@ -518,6 +519,7 @@ fn single_precision_follows() {
             shear_modulus: c.shear_modulus as f32,
             poisson_ratio: c.poisson_ratio as f32,
             friction: c.friction as f32,
+            mismatch: 0.0,
         };
         let motion = Motion::<f32> {
             slip_x: m.slip_x as f32,

@@ -27,7 +27,7 @@ fn any_contact(random: &mut Random) -> Contact<f64> {
 }
 
 fn rough(notice: Notice) -> bool {
-    matches!(notice, Notice::SpinBeyondTheory | Notice::OutsideRange)
+    matches!(notice, Notice::SpinBeyondTheory | Notice::OutsideRange | Notice::AxisRatio)
 }
 
 /// Solve, forget the friction, find it again: from either component and from both.

@@ -97,6 +97,7 @@ fn short_paths_join_in_single_precision() {
             shear_modulus: wide.shear_modulus as f32,
             poisson_ratio: wide.poisson_ratio as f32,
             friction: wide.friction as f32,
+            mismatch: 0.0,
         };
         let o = options(Model::ALL[n % 4], COUNTS[n / 4 % 5]);
         let [xi, eta, psi] = [0; 3].map(|_| random.between(-1.5, 1.5));

@@ -15,6 +15,7 @@ const C0: Contact<f64> = Contact {
     shear_modulus: 82e9,
     poisson_ratio: 0.28,
     friction: 0.3,
+    mismatch: 0.0,
 };
 /// A worn wheel in a curve.
 const ROLLS: Creepage<f64> = Creepage { longitudinal: 1e-4, lateral: 1e-4, spin: 0.4 };

@@ -93,6 +93,7 @@ fn errors<F: Float + kstrip::solve::model::Precision>(row: &Row) -> Vec<f64> {
                 shear_modulus: F::of(2.0),
                 poisson_ratio: input(3),
                 friction: F::one(),
+                mismatch: F::zero(),
             };
             let parameters = Parameters {
                 xi: input(0),

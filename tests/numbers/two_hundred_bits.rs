@@ -40,7 +40,7 @@ fn contact<F: Float>(inputs: &Inputs) -> (Contact<F>, Creepage<F>) {
         _,
     ] = inputs.map(F::widened);
     (
-        Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction },
+        Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch: F::zero() },
         Creepage { longitudinal, lateral, spin },
     )
 }
@@ -120,6 +120,7 @@ fn patch<F: Precision>(strips: Strips, inputs: &Inputs) -> Patch<F, 16> {
         shear_modulus: contact.shear_modulus,
         poisson_ratio: contact.poisson_ratio,
         scale: QuadratureScale { area: F::widened(scale.area), lever: F::widened(scale.lever) },
+        mismatch: F::zero(),
     }
 }
 
@@ -179,6 +180,7 @@ fn draw(region: &str, random: &mut Random) -> Inputs {
         shear_modulus: 82e9 * random.log_between(0.1, 2.0),
         poisson_ratio: random.between(0.0, 0.5),
         friction: random.between(0.05, 0.8),
+        mismatch: 0.0,
     };
     let linear = LinearCoefficients::at(ratio, contact.poisson_ratio);
     let mut signed = |low, high| random.sign() * random.log_between(low, high);
@@ -200,7 +202,7 @@ fn draw(region: &str, random: &mut Random) -> Inputs {
     let parameters =
         Parameters { xi, eta, psi, poisson_ratio: contact.poisson_ratio, axis_ratio: ratio };
     let Creepage { longitudinal, lateral, spin } = parameters.creepage(&contact);
-    let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction } = contact;
+    let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, .. } = contact;
     let speed = random.log_between(1.0, 100.0);
     [a, b, normal_force, shear_modulus, poisson_ratio, friction, longitudinal, lateral, spin, speed]
         .map(|x| x as f32)

@@ -21,7 +21,7 @@ fn a_contact_of_a_load_is_that_of_hertz() {
     for load in [1e-300, 1e-3, 1.0, 80e3, 1e7] {
         let (contact, ellipse, notice) = from_hertz(&WHEEL, &STEEL, load, 0.3).unwrap();
         assert_eq!(Ok(ellipse), hertz(&WHEEL, load, 82e9, 0.28));
-        let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction } = contact;
+        let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, .. } = contact;
         assert_eq!((a, b, normal_force), (ellipse.a, ellipse.b, load));
         assert_eq!((shear_modulus, poisson_ratio, friction), (82e9, 0.28, 0.3));
         let crushed = ellipse.peak_pressure > 8.2e9;
@@ -104,7 +104,8 @@ fn without_load_or_approach_contact_is_lost() {
         assert_eq!((ellipse.a, ellipse.peak_pressure, ellipse.approach), (0.0, 0.0, 0.0));
         assert_eq!((stiffness, notice, notice_apart), (0.0, Notice::None, Notice::None));
         for contact in [contact, apart] {
-            let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction } = contact;
+            let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, .. } =
+                contact;
             assert_eq!([a, b, normal_force], [0.0; 3]);
             assert!(a.is_sign_positive() && normal_force.is_sign_positive());
             assert_eq!((shear_modulus, poisson_ratio, friction), (82e9, 0.28, 0.3));

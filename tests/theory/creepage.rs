@@ -25,6 +25,7 @@ fn parameters_follow_their_definitions() {
             shear_modulus: random.log_between(1e4, 1e12),
             poisson_ratio: random.between(0.0, 0.5),
             friction: random.log_between(1e-3, 2.0),
+            mismatch: 0.0,
         };
         let motion = Creepage {
             longitudinal: random.between(-0.1, 0.1),
@@ -66,6 +67,7 @@ fn parameters_of_a_round_example() {
         shear_modulus: 80e9,
         poisson_ratio: 0.25,
         friction: 0.25,
+        mismatch: 0.0,
     };
     let p: Parameters<f64> =
         Parameters::new(&c, &Creepage { longitudinal: 1e-3, lateral: -2e-3, spin: 0.5 });
@@ -114,6 +116,7 @@ fn tiny_and_huge_creepages_in_single_precision() {
         shear_modulus: 82e9,
         poisson_ratio: 0.28,
         friction: 0.3,
+        mismatch: 0.0,
     };
     for exponent in -30..=30 {
         let size = 10f32.powi(exponent);

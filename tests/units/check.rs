@@ -25,7 +25,15 @@ fn usual_sizes_pass_every_check() {
                 F::of(ends[(corner >> (k - 1)) & 1])
             });
             let [a, b, normal_force, shear_modulus, poisson_ratio, friction, x, y, spin] = numbers;
-            let contact = Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction };
+            let contact = Contact {
+                a,
+                b,
+                normal_force,
+                shear_modulus,
+                poisson_ratio,
+                friction,
+                mismatch: F::zero(),
+            };
             let creepage = Creepage { longitudinal: x, lateral: y, spin };
             usual += usize::from(contact.is_usual() && creepage.is_usual());
             for model in Model::ALL {

@@ -35,7 +35,8 @@ fn any_contact(random: &mut Random) -> (Contact<f64>, f64) {
     let a = b * random.log_between(0.1, 10.0);
     let (normal_force, friction) = (2.0 / 3.0 * PI * a * b * pressure, random.between(0.05, 0.8));
     let poisson_ratio = random.between(0.0, 0.5);
-    let contact = Contact { a, b, normal_force, shear_modulus: 82e9, poisson_ratio, friction };
+    let contact =
+        Contact { a, b, normal_force, shear_modulus: 82e9, poisson_ratio, friction, mismatch: 0.0 };
     (contact, 2.0 * friction * pressure / contact.shear_modulus)
 }
 
@@ -104,6 +105,7 @@ fn close_frictions_are_told() {
         shear_modulus: 82e9,
         poisson_ratio: 0.28,
         friction: 0.193_388_064_017_582_54,
+        mismatch: 0.0,
     };
     let motion = Creepage {
         longitudinal: 0.0,
@@ -133,6 +135,7 @@ fn close_frictions_are_told() {
         shear_modulus: 82e9,
         poisson_ratio: 0.28,
         friction: 0.354_441_445_506_393_17,
+        mismatch: 0.0,
     };
     let motion = Creepage {
         longitudinal: 5.412_615_851_504_647e-5,

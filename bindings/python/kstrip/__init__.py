@@ -269,10 +269,10 @@ def _out(name: str, shape: tuple, single: bool) -> tuple[np.ndarray, int]:
 
 
 def contact(*, a: ArrayLike, b: ArrayLike, normal_force: ArrayLike, shear_modulus: ArrayLike, poisson_ratio: ArrayLike,
-            friction: ArrayLike, dtype: DTypeLike = np.float64) -> Records:
-    """Contacts: semi-axes a along and b across the rolling direction [m], load [N], combined G [Pa], nu, mu."""
+            friction: ArrayLike, mismatch: ArrayLike = 0.0, dtype: DTypeLike = np.float64) -> Records:
+    """Contacts: semi-axes a along and b across the rolling direction [m], load [N], combined G [Pa], nu, mu, mismatch of the materials."""
     return _record("contact", dtype, a=a, b=b, normal_force=normal_force, shear_modulus=shear_modulus,
-                   poisson_ratio=poisson_ratio, friction=friction)
+                   poisson_ratio=poisson_ratio, friction=friction, mismatch=mismatch)
 
 
 def creepage(longitudinal: ArrayLike = 0.0, lateral: ArrayLike = 0.0, spin: ArrayLike = 0.0,

@@ -50,6 +50,7 @@ fn batch(bytes: &mut Bytes) {
         k(&|k| k.longitudinal),
         k(&|k| k.lateral),
         k(&|k| k.spin),
+        c(&|c| c.mismatch),
     ];
     let of_contact: [fn(&kstrip_contact) -> *const Float; 6] = [
         |c| &raw const c.a,
@@ -64,13 +65,24 @@ fn batch(bytes: &mut Bytes) {
     let input = |i: usize| -> (*const Float, isize) {
         let (first, stride) = match (structures, i) {
             (true, ..6) => (of_contact[i](&contacts[0]), size_of::<kstrip_contact>()),
+            (true, 9) => (&raw const contacts[0].mismatch, size_of::<kstrip_contact>()),
             (true, _) => (of_creepage[i - 6](&creepages[0]), size_of::<kstrip_creepage>()),
             (false, _) => (columns[i].as_ptr(), size_of::<Float>()),
         };
         (if null == Some(i as u8) { std::ptr::null() } else { first }, stride as isize)
     };
-    let [a, b, normal_force, shear_modulus, poisson_ratio, friction, longitudinal, lateral, spin] =
-        std::array::from_fn(input);
+    let [
+        a,
+        b,
+        normal_force,
+        shear_modulus,
+        poisson_ratio,
+        friction,
+        longitudinal,
+        lateral,
+        spin,
+        mismatch,
+    ] = std::array::from_fn(input);
     let inputs = kstrip_batch_inputs {
         a: a.0,
         a_stride: a.1,
@@ -84,6 +96,8 @@ fn batch(bytes: &mut Bytes) {
         poisson_ratio_stride: poisson_ratio.1,
         friction: friction.0,
         friction_stride: friction.1,
+        mismatch: mismatch.0,
+        mismatch_stride: mismatch.1,
         longitudinal: longitudinal.0,
         longitudinal_stride: longitudinal.1,
         lateral: lateral.0,
@@ -167,7 +181,11 @@ fn batch(bytes: &mut Bytes) {
     }
     assert!(given.all(2) && (null.is_none() || *count == 0) && bad == *count);
     let expected: Vec<_> = (0..*count).map(|i| alone(i).expect("an answer")).collect();
-    assert_eq!(status, expected.iter().map(|(r, ..)| r.notice.code()).max().unwrap_or(0));
+    let notices = expected.iter().map(|(r, ..)| r.notice);
+    assert_eq!(
+        status,
+        notices.fold(kstrip::status::Notice::None, kstrip::status::Notice::worse).code()
+    );
     for (argument, array) in (0..).zip(&arrays) {
         let place = if argument == 5 { 6 } else { argument };
         let count = if wanted.has(place) { *count } else { 0 };

@@ -12,6 +12,7 @@ pub fn contact(bytes: &mut Bytes) -> kstrip_contact {
         shear_modulus: positive(bytes, 82e10),
         poisson_ratio: positive(bytes, 0.06),
         friction: positive(bytes, 1.0),
+        mismatch: if bytes.byte() < 64 { Number::of(bytes, 0.2) } else { 0.0 },
     }
 }
 
@@ -107,7 +108,9 @@ pub fn solve(bytes: &mut Bytes) {
     plausible(&contact, &k, model_of(options), status, &r);
     let reversed =
         kstrip_creepage { longitudinal: -k.longitudinal, lateral: -k.lateral, spin: -k.spin };
-    let back = solved(&contact, &reversed, options).expect("the same status");
+    // exchanged bodies too: what pressure adds changes its sign
+    let exchanged = kstrip_contact { mismatch: -contact.mismatch, ..contact };
+    let back = solved(&exchanged, &reversed, options).expect("the same status");
     assert_eq!(back.notice.code(), status);
     assert!(
         (back.fx, back.fy, back.mz) == (-r.fx, -r.fy, -r.mz)

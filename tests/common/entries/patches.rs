@@ -217,6 +217,7 @@ fn any_bits(bytes: &mut Bytes) -> kstrip_patch {
         lever_scale: any(),
         count: bytes.below(256) as u32,
         reserved: bytes.integer() as u32,
+        mismatch: if bytes.byte() < 64 { Number::of(bytes, 0.2) } else { 0.0 },
     }
 }
 

@@ -1,0 +1,168 @@
+//! Unlike materials: the creepage that pressure makes (Section 4.1 neglects it).
+//!
+//! Pressure moves the surfaces of unlike half-spaces tangentially by different amounts, lower minus upper
+//! `u = −(κ/(π G)) ∫ p (x − x')/r²`, hence `div u = −(2κ/G) p`. A semi-ellipsoid of pressure is a pile of uniform ellipses, and inside
+//! each of them `∂u/∂x = −(2κ/G) p b/(a + b)`. Rolling through it is a creepage, to be added to the longitudinal one:
+//!
+//! ```text
+//! Δυx = −c' κ N/(G a (a + b))
+//! c' = 16/π³ − 0.057 g/(g + 0.45)   in full adhesion, g = a/b: derived for g → 0, the rest computed with CONTACT
+//! c' = 9/(4π)                       in full slip: the mean weighted with pressure
+//! ```
+//!
+//! `∂v/∂x` is odd in `x` and `y`: no lateral part, no moment. Between adhesion and slip `c'` is a quotient of squares of linear
+//! forces (`share`) fitted to cases of CONTACT by `fit/fit_mismatch.py`: it is smaller where the pressure's own slip saturates the
+//! rear of the contact.
+//!
+//! **Power.** The work of friction is done on the slip that there is: `P = F_x (υx + Δυx) + F_y υy + M_z φ ≥ 0`. Its part `F_x Δυx`
+//! comes out of the load: tangential traction tilts the pressure of unlike bodies, which the rolling motion works against.
+
+use crate::contact::Contact;
+use crate::contact::creepage::{Creepage, Units};
+use crate::linear::LinearCoefficients;
+use crate::number::dual::Dual;
+use crate::number::{Arithmetic, Float, Number, Plain};
+use core::f64::consts::PI;
+
+/// `c'` of full adhesion for `a ≪ b`, and of full slip.
+const ADHESION: f64 = 16.0 / (PI * PI * PI);
+const SLIP: f64 = 9.0 / (4.0 * PI);
+/// What `c'` of full adhesion falls by, and the axis ratio where half of it is reached.
+const WIDE: [f64; 2] = [0.057, 0.45];
+/// Linear forces beyond which nothing changes.
+const FARTHEST: f64 = 1e4;
+
+mod fitted {
+    //! Written down by `fit/fit_mismatch.py`.
+
+    /// Linear force half way between adhesion and slip.
+    pub(super) const HALF: f64 = 4.535;
+    /// How much the force of the pressure itself counts there, and that of spin.
+    pub(super) const PRESSURE: f64 = 2.7;
+    pub(super) const SPIN: f64 = 6.692;
+    /// Saturated rear: how much the forces of pressure, creepage and spin count.
+    pub(super) const REAR: [f64; 3] = [1.192, 0.707, 2.379];
+    /// `c'` of a saturated rear.
+    pub(super) const SATURATED: f64 = 0.307;
+}
+
+impl<F: Plain> Contact<F> {
+    /// `κ N/(G a (a + b))`: what [`shift`] multiplies with `−c'` \[–\].
+    #[inline(always)]
+    pub(crate) fn strain(&self) -> F {
+        let Self { a, b, normal_force, shear_modulus, mismatch, .. } = *self;
+        mismatch * normal_force / a / (a + b) / shear_modulus
+    }
+}
+
+/// `Δυx` for a creepage and [`Contact::strain`].
+#[inline(always)]
+pub(crate) fn shift<T: Number>(
+    units: &Units<T::Base>,
+    linear: &LinearCoefficients<T::Base>,
+    creepage: &Creepage<T>,
+    strain: T,
+) -> T {
+    let zero = T::zero();
+    let of_pressure = Creepage { longitudinal: strain, lateral: zero, spin: zero };
+    let [vx, vy, phi] = units.normalised(&units.parameters(creepage));
+    let [d, ..] = units.normalised(&units.parameters(&of_pressure));
+    let LinearCoefficients { c11, c22, c23, .. } = *linear;
+    let adhesion = adhesion(units.axis_ratio());
+    let forces = [vx.scale(c11), vy.scale(c22), phi.scale(c23), d.scale(c11 * adhesion)];
+    -(share(forces.map(within), adhesion) * strain)
+}
+
+/// The creepage that an ellipse sees, where pressure counts with a factor that may be a variable: one.
+#[inline(always)]
+pub(crate) fn seen<T: Number>(
+    contact: &Contact<T::Base>,
+    linear: &LinearCoefficients<T::Base>,
+    creepage: &Creepage<T>,
+    pressure: T,
+) -> Creepage<T> {
+    if !contact.mismatch.abs().exceeds(T::Base::zero()) {
+        return *creepage;
+    }
+    let strain = pressure.scale(contact.strain());
+    let longitudinal = creepage.longitudinal + shift(&Units::of(contact), linear, creepage, strain);
+    Creepage { longitudinal, ..*creepage }
+}
+
+/// `Δυx` of the linear theory, which knows adhesion only.
+#[inline(always)]
+pub(crate) fn linear_shift<F: Plain>(axis_ratio: F, strain: F) -> F {
+    -(adhesion(axis_ratio) * strain)
+}
+
+/// `c'` of full adhesion.
+#[inline(always)]
+fn adhesion<F: Plain>(axis_ratio: F) -> F {
+    let [height, half] = WIDE;
+    F::of(ADHESION) - axis_ratio.times(height) / axis_ratio.plus(half)
+}
+
+#[inline(always)]
+fn within<T: Number>(force: T) -> T {
+    let farthest = T::constant(FARTHEST);
+    force.min(farthest).max(-farthest)
+}
+
+/// `c'` between adhesion and slip, from the linear forces of longitudinal and lateral creepage, of spin, and of the pressure, against which
+/// a creepage of the same sign acts.
+#[inline(always)]
+fn share<T: Number>([lx, ly, ls, d]: [T; 4], adhesion: T::Base) -> T {
+    let translation = lx.squared() + ly.squared();
+    let others = ls.times(fitted::SPIN).squared() + d.times(fitted::PRESSURE).squared();
+    let slip = (translation + others).times(1.0 / (fitted::HALF * fitted::HALF)).squared();
+    let [of_pressure, of_creepage, of_spin] = fitted::REAR;
+    let along = d.times(of_pressure) - lx.times(of_creepage);
+    let rear = along.squared() + ls.times(of_spin).squared();
+    let sum = slip.times(SLIP) + rear.times(fitted::SATURATED) + T::from_base(adhesion);
+    sum / (slip + rear).plus(1.0)
+}
+
+/// `Δυx` and what it depends on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Shift<F> {
+    /// `Δυx` \[–\]
+    pub value: F,
+    /// By the creepages.
+    pub by_creepage: [F; 3],
+    /// `κ ∂Δυx/∂κ`
+    pub by_mismatch: F,
+}
+
+impl<F: Float> Shift<F> {
+    #[inline(never)]
+    pub(crate) fn new(contact: &Contact<F>, units: &Units<F>, creepage: &Creepage<F>) -> Self {
+        let linear = LinearCoefficients::at(units.axis_ratio(), contact.poisson_ratio);
+        let input = |value, index| Dual::<F, 4>::input(value, index);
+        let Creepage { longitudinal, lateral, spin } = *creepage;
+        let seen = Creepage {
+            longitudinal: input(longitudinal, 0),
+            lateral: input(lateral, 1),
+            spin: input(spin, 2),
+        };
+        let strain = contact.strain();
+        let found = shift(units, &linear, &seen, input(strain, 3));
+        let [by_x, by_y, by_spin, by_strain] = found.gradient;
+        Self {
+            value: found.value,
+            by_creepage: [by_x, by_y, by_spin],
+            by_mismatch: by_strain * strain,
+        }
+    }
+
+    /// The creepage that the contact sees.
+    #[inline(always)]
+    pub(crate) fn seen(&self, creepage: &Creepage<F>) -> Creepage<F> {
+        Creepage { longitudinal: creepage.longitudinal + self.value, ..*creepage }
+    }
+
+    /// Of the linear theory.
+    pub(crate) fn linear(contact: &Contact<F>) -> Self {
+        let value = linear_shift(contact.a / contact.b, contact.strain());
+        Self { value, by_creepage: [F::zero(); 3], by_mismatch: value }
+    }
+}
