@@ -9,6 +9,9 @@
 
 enum { CALLS = 512 };
 enum { SOLVE, EVALUATE, DERIVATIVES, PREPARED, BATCH, BATCH_DERIVATIVES, KINDS };
+/* of a profile with two bottoms, and of its patch */
+enum { FROM_PROFILE = KINDS, PATCH, PATCH_DERIVATIVES, OF_PATCHES };
+enum { POINTS = 400 };
 
 static const struct {
     const char *name;
@@ -35,6 +38,19 @@ static void check(kstrip_status status)
         exit(EXIT_FAILURE);
 }
 
+/* A patch from 400 points: a parabola, or two bottoms 12 mm apart. */
+static void press(int two, kstrip_patch *patch)
+{
+    static double y[POINTS], distance[POINTS];
+    const kstrip_profile profile = {y, distance, NULL, NULL, POINTS, 0};
+    const kstrip_profile_contact contact = {0.46, 80e3, 0, 0, 82e9, 0.28, 0.3, 16, 0};
+    for (int i = 0; i < POINTS; i++) {
+        const double s = (y[i] = (i - 199.5) * 125e-6) / 6e-3;
+        distance[i] = y[i] * y[i] / 0.6 + two * 90e-6 * (s * s - 1) * (s * s - 1);
+    }
+    check(kstrip_patch_from_profile(&profile, &contact, patch, NULL));
+}
+
 /* callgrind sets its counter to zero on entry and writes it on return. */
 __attribute__((noinline)) void counted_calls(int kind, const kstrip_options *options);
 void counted_calls(int kind, const kstrip_options *options)
@@ -57,6 +73,21 @@ void counted_calls(int kind, const kstrip_options *options)
     if (kind == BATCH_DERIVATIVES) {
         to.derivatives = derivatives;
         to.derivatives_stride = sizeof *derivatives;
+    }
+    if (kind >= FROM_PROFILE) {
+        static kstrip_patch patch;
+        /* (without strip count: two bottoms) */
+        const int two = options->strips == 0;
+        if (kind != FROM_PROFILE)
+            press(two, &patch);
+        outputs.derivatives = kind == PATCH_DERIVATIVES ? derivatives : NULL;
+        for (int i = 0; i < CALLS; i++) {
+            if (kind == FROM_PROFILE)
+                press(two, &patch);
+            else
+                check(kstrip_patch_evaluate(&patch, &creepages[i], NULL, options, &outputs));
+        }
+        return;
     }
     if (kind >= BATCH) {
         check(kstrip_evaluate_batch(&from, CALLS, options, &to, NULL));
@@ -139,5 +170,13 @@ int main(void)
                            has_strips ? (int)strips : 0);
                     (is_f32 ? counted_calls_f32 : counted_calls)(kind, &options);
                 }
+    static const char *const of_patches[] = {"from_profile", "patch", "patch_derivatives"};
+    for (int kind = FROM_PROFILE; kind < OF_PATCHES; kind++)
+        for (int two = 0; two < 2; two++) {
+            const kstrip_options options = {KSTRIP_MODEL_STRIP, two ? 0 : 16};
+            printf("STRIP f64 %s_%s_%s 16\n", of_patches[kind - FROM_PROFILE], two ? "two" : "one",
+                   two ? "zones" : "zone");
+            counted_calls(kind, &options);
+        }
     return EXIT_SUCCESS;
 }

@@ -20,13 +20,15 @@ use kstrip::patch::profile::{Profile, ProfileContact};
 use kstrip::patch::{PatchStrip, solver};
 use kstrip::solve::model::{self, Model, Options};
 use lines::Lines;
-use patch_reference::{Case, Errors, Full, banded, falling, given, profiles, statistics};
+use patch_reference::{Case, Errors, Full, banded, falling, given, profiles, real, statistics};
 use pictures::{Align, BLUE, Canvas, Drawn, GREY, INK, ORANGE, dot, line, picture, write};
 use std::path::Path;
 
 /// Profiles in pictures.
 const SHOWN: [&str; 6] =
     ["two_100_500", "sextic", "bump_4.5_0.07", "worn_step", "s1002_uic60_1", "random_11"];
+/// Real patches in pictures.
+const SHOWN_REAL: [&str; 4] = ["mb_f006_1", "uicworn_p022_1", "mb_p082_1", "car7216_p019_1"];
 const COUNT: StripCount = StripCount::Sixteen;
 
 /// A profile, its patch, and how far it is from CONTACT.
@@ -286,6 +288,183 @@ fn pressed(load: f64) -> ProfileContact<f64> {
     }
 }
 
+/// Real wheels on real rails, by pair.
+fn real_table(report: &mut Report, list: &[Case]) {
+    report.line("\n## Real wheels on real rails\n");
+    report.line("36 patches of six pairs of profiles, new and worn, with yaw (`tests/data/real`): each point has its rolling radius and its place along `x`,");
+    report.line("creepages and moment are about the origin of the profile. Errors against CONTACT as above.\n");
+    report.header(&["pair", "patches", "area", "peak pressure", "force, STRIP", "moment, STRIP"]);
+    let mut pairs: Vec<&str> = Vec::new();
+    for case in list {
+        if !pairs.contains(&case.family.as_str()) {
+            pairs.push(&case.family);
+        }
+    }
+    let mut row = |name: &str, own: &[&Case]| {
+        let built: Vec<_> = own.iter().map(|case| case.patch(COUNT)).collect();
+        let pairs = || own.iter().zip(&built);
+        let area = percent(
+            pairs().map(|(case, (patch, _))| patch.view().unwrap().area() / case.area - 1.0),
+        );
+        let peak = percent(
+            pairs().map(|(case, (_, found))| found.peak_pressure / case.peak_pressure - 1.0),
+        );
+        let errors: Vec<Errors> =
+            pairs().map(|(case, (patch, _))| case.errors(patch, Model::Strip)).collect();
+        let errors = all(errors.iter());
+        let count = own.len().to_string();
+        report.row([name, &count, &area, &peak, &three(&errors.force), &three(&errors.moment)]);
+    };
+    for pair in pairs {
+        row(pair, &list.iter().filter(|case| case.family == pair).collect::<Vec<_>>());
+    }
+    row("**all**", &list.iter().collect::<Vec<_>>());
+}
+
+/// Mean error of the peak pressure of the real patches under noise, by smoothing length.
+fn smoothing_table(report: &mut Report, list: &[Case]) {
+    report.line("\n## What smoothing does\n");
+    report.line("Mean error of the peak pressure of the real patches, in %, when their points are measured with noise.\n");
+    report.header(&["smoothing length", "no noise", "2 µm rms", "5 µm rms"]);
+    for (name, smoothing_length) in
+        [("0 (default)", 0.0), ("1 mm", 1e-3), ("2 mm", 2e-3), ("4 mm", 4e-3)]
+    {
+        let mut cells = vec![name.to_owned()];
+        for noise in [0.0, 2e-6, 5e-6] {
+            let mut uniform = Uniform(20_260_118);
+            let errors: Vec<f64> = list
+                .iter()
+                .map(|case| {
+                    let mut measured = case.clone();
+                    for h in &mut measured.distance {
+                        *h += noise * (0..12).map(|_| uniform.next()).sum::<f64>();
+                    }
+                    let contact = ProfileContact { smoothing_length, ..case.contact() };
+                    let found = Full::from_profile(&measured.profile(), &contact, COUNT).unwrap().1;
+                    100.0 * (found.peak_pressure / case.peak_pressure - 1.0).abs()
+                })
+                .collect();
+            cells.push(format!("{:.1}", statistics(&errors)[0]));
+        }
+        report.row([&cells[0], &cells[1], &cells[2], &cells[3]]);
+    }
+}
+
+/// A curve with its title, over an axis from 0 to 1 of the values given.
+fn curve(canvas: &Canvas, left: f64, title: &str, ends: [&str; 2], points: &[[f64; 2]]) -> Drawn {
+    let range = |i: usize| {
+        let of = points.iter().map(|point| point[i]);
+        (of.clone().fold(f64::INFINITY, f64::min), of.fold(-f64::INFINITY, f64::max))
+    };
+    let ((x0, x1), (y0, y1)) = (range(0), range(1));
+    let (y0, y1) = (y0 - 0.1 * (y1 - y0).max(1e-9), y1 + 0.1 * (y1 - y0).max(1e-9));
+    write(canvas, title, (left, 14.0), 11, Align::Left, INK)?;
+    line(canvas, &[(left, 30.0), (left, 190.0), (left + 190.0, 190.0)], GREY, 1.0)?;
+    let drawn: Vec<(f64, f64)> = points
+        .iter()
+        .map(|[x, y]| (left + 190.0 * (x - x0) / (x1 - x0), 190.0 - 160.0 * (y - y0) / (y1 - y0)))
+        .collect();
+    line(canvas, &drawn, BLUE, 1.5)?;
+    for (place, value) in [(190.0, y0), (38.0, y1)] {
+        write(canvas, &format!("{value:.4}"), (left + 4.0, place - 4.0), 9, Align::Left, GREY)?;
+    }
+    write(canvas, ends[0], (left, 204.0), 10, Align::Left, INK)?;
+    write(canvas, ends[1], (left + 190.0, 204.0), 10, Align::Right, INK)
+}
+
+/// Light contact, a zone that appears, a profile that moves sideways.
+fn draw_sweeps(canvas: &Canvas) -> Drawn {
+    let parabola: Vec<f64> = (0..201).map(|i| 0.4e-3 * (f64::from(i) - 100.3)).collect();
+    let heights: Vec<f64> = parabola.iter().map(|y| y * y / 0.6).collect();
+    let at = |y: &[f64], distance: &[f64], given| {
+        let contact = ProfileContact { given, ..pressed(0.0) };
+        Full::from_profile(&Profile::new(y, distance).unwrap(), &contact, COUNT).unwrap()
+    };
+    let light: Vec<[f64; 2]> = (0..=80)
+        .map(|i| {
+            let approach = 10_f64.powf(-12.0 + 0.1 * f64::from(i));
+            let found = at(&parabola, &heights, Given::Approach(approach)).1;
+            [f64::from(i), found.normal_force / approach.powf(1.5) * 1e-9]
+        })
+        .collect();
+    curve(canvas, 20.0, "N/approach^1.5 [kN/mm^1.5]", ["1e-12 m", "1e-4 m"], &light)?;
+    let y: Vec<f64> = (-400..=400).map(|i| 1e-4 * f64::from(i)).collect();
+    let bottoms = |y: &f64| ((y - 6e-3).powi(2) / 0.3).min((y + 5e-3).powi(2) / 0.2 + 12e-6);
+    let distance: Vec<f64> = y.iter().map(bottoms).collect();
+    let birth: Vec<[f64; 2]> = (0..=200)
+        .map(|i| {
+            let approach = 8e-6 + 0.06e-6 * f64::from(i);
+            let found = at(&y, &distance, Given::Approach(approach)).1;
+            [approach, found.normal_force * 1e-3]
+        })
+        .collect();
+    curve(canvas, 260.0, "N [kN], a second zone from 13 µm on", ["8 µm", "20 µm"], &birth)?;
+    let creepage = Creepage { longitudinal: 1e-3, lateral: 5e-4, spin: 0.3 };
+    let y: Vec<f64> = (0..304).map(|i| 50e-3 * (f64::from(i) / 303.0 - 0.5)).collect();
+    let moved: Vec<[f64; 2]> = (-100..=100)
+        .map(|i| {
+            let shift = 20e-6 * f64::from(i);
+            let shape =
+                |y: &f64| 90e-6 * (((y - shift) / 6e-3).powi(2) - 1.0).powi(2) + y * y / 0.6;
+            let distance: Vec<f64> = y.iter().map(shape).collect();
+            let (patch, _) = at(&y, &distance, Given::Load(80e3));
+            let found = solver::solve(&patch.view().unwrap(), &creepage, Model::Strip).unwrap();
+            [shift, found.fx / (0.35 * 80e3)]
+        })
+        .collect();
+    curve(canvas, 500.0, "FX/(µ N), two bottoms move sideways", ["−2 mm", "2 mm"], &moved)
+}
+
+/// A real patch: outline, pressure, and CONTACT's largest pressure.
+fn draw_real(case: &Case, canvas: &Canvas) -> Drawn {
+    let strips = case.patch(COUNT).0.strips;
+    let ends = strips.iter().fold([f64::INFINITY, -f64::INFINITY], |[least, most], strip| {
+        [least.min(strip.y - strip.width), most.max(strip.y + strip.width)]
+    });
+    let [least, most] = ends;
+    let longest =
+        1.15 * strips.iter().map(|s| s.half_length + s.centre_x.abs()).fold(0.0, f64::max);
+    let title = format!(
+        "{}: outline x [mm], left, and peak pressure [MPa], right, over y [mm]; dashes: CONTACT's largest, {:.0} MPa",
+        case.name,
+        case.peak_pressure * 1e-6
+    );
+    write(canvas, &title, (20.0, 14.0), 11, Align::Left, INK)?;
+    let across = |left: f64, y: f64| left + 300.0 * (y - least) / (most - least);
+    let along = |x: f64| 125.0 - 85.0 * x / longest;
+    let tall = |p: f64| 210.0 - 170.0 * p / (1.2 * case.peak_pressure);
+    for strip in &strips {
+        let (from, to) = (strip.y - strip.width / 2.0, strip.y + strip.width / 2.0);
+        for x in [strip.centre_x - strip.half_length, strip.centre_x + strip.half_length] {
+            line(
+                canvas,
+                &[(across(45.0, from), along(x)), (across(45.0, to), along(x))],
+                BLUE,
+                2.0,
+            )?;
+        }
+        let height = tall(strip.peak_pressure);
+        line(canvas, &[(across(400.0, from), height), (across(400.0, to), height)], ORANGE, 2.0)?;
+    }
+    for i in 0..30 {
+        let (from, to) = (400.0 + 10.0 * f64::from(i), 405.0 + 10.0 * f64::from(i));
+        let height = tall(case.peak_pressure);
+        line(canvas, &[(from, height), (to, height)], INK, 1.0)?;
+    }
+    for (left, top, text) in [
+        (45.0, along(longest / 1.15), format!("{:.1}", longest / 1.15 * 1e3)),
+        (400.0, tall(case.peak_pressure), format!("{:.0}", case.peak_pressure * 1e-6)),
+    ] {
+        line(canvas, &[(left, 40.0), (left, 210.0), (left + 300.0, 210.0)], GREY, 1.0)?;
+        write(canvas, &text, (left - 5.0, top), 10, Align::Right, INK)?;
+        for y in ends {
+            let text = format!("{:.1}", y * 1e3).replace('-', "−");
+            write(canvas, &text, (across(left, y), 222.0), 10, Align::Centre, INK)?;
+        }
+    }
+    Ok(())
+}
+
 /// What the C program of the introduction prints.
 fn output() -> String {
     let y: Vec<f64> = (0..241).map(|i| 0.1e-3 * f64::from(i - 120)).collect();
@@ -425,6 +604,9 @@ fn main() {
     report.line("");
     profile_tables(&mut report, &list);
     other_tables(&mut report);
+    let rails = real();
+    real_table(&mut report, &rails);
+    smoothing_table(&mut report, &rails);
     noise_table(&mut report, &list);
     merging_table(&mut report);
     report.line("\n## Outlines and pressures\n");
@@ -437,6 +619,18 @@ fn main() {
         .unwrap();
         report.line(format!("![Outline and pressure of {name}](patches/{name}.svg)\n"));
     }
+    report.line("## Real patches\n");
+    for name in SHOWN_REAL {
+        let case = rails.iter().find(|case| case.name == name).unwrap();
+        picture(&docs.join(format!("patches/{name}.svg")), (720, 235), |canvas| {
+            draw_real(case, canvas)
+        })
+        .unwrap();
+        report.line(format!("![Outline and pressure of {name}](patches/{name}.svg)\n"));
+    }
+    report.line("## Continuous\n");
+    picture(&docs.join("patches/sweeps.svg"), (720, 215), draw_sweeps).unwrap();
+    report.line("![Light contact, a zone that appears, a shift](patches/sweeps.svg)\n");
     report.line(include_str!("patches/limits.txt").trim_end());
     std::fs::write(docs.join("patches.md"), report.0).unwrap();
 }

@@ -100,6 +100,8 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_MISMATCH_NEGLECTED 16
 /** Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction: the bodies are no half-spaces there. */
 #define KSTRIP_WARNING_CONFORMAL 17
+/** Warning: a zone of contact ends with the profile, as if the bodies ended there. */
+#define KSTRIP_WARNING_PROFILE_END 18
 
 /** Error: a required pointer is NULL. */
 #define KSTRIP_ERROR_NULL -1
@@ -159,7 +161,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_PATCH_SIZE -43
 /** Error: a profile has fewer than three points, or its y does not ascend. */
 #define KSTRIP_ERROR_PROFILE -44
-/** Error: the contact reaches the end of the profile. */
+/** Error: there is no profile where contact is looked for. */
 #define KSTRIP_ERROR_PROFILE_END -45
 /** Error: a rolling radius is not positive. */
 #define KSTRIP_ERROR_ROLLING_RADIUS -46
@@ -975,8 +977,8 @@ typedef struct kstrip_profile_contact {
     /** Approach of distant points of the bodies [m], >= 0; only where normal_force is 0. */
     double approach;
     /**
-     * Length over which the profile is smoothed [m], >= 0; 0: 0.6 of the patch's approximate half length, 4 mm between a
-     * wheel and a rail, and at least two steps of the profile.
+     * Length over which the profile is smoothed [m], >= 0; 0: half the width of
+     * the contact and at most 2 mm; always at least 2.5 steps of the profile. Rough profiles gain from 4 mm.
      */
     double smoothing_length;
     /** Combined shear modulus G [Pa], > 0. */
@@ -985,7 +987,7 @@ typedef struct kstrip_profile_contact {
     double poisson_ratio;
     /** Coefficient of friction of every strip [-], >= 0. */
     double friction;
-    /** About how many strips: 4, 8, 16, 32 or 64 (which gives 32); 0: 16. */
+    /** About how many strips, over all zones: 4, 8, 16, 32 or 64 (which gives 40); 0: 16. */
     int32_t strips;
     /** Zero. */
     int32_t reserved;
@@ -1057,24 +1059,29 @@ typedef struct kstrip_profile_result {
     double peak_y;
     /** Sections of the first guess, at most 40. */
     uint32_t iterations;
-    /** Zero. */
-    uint32_t reserved;
+    /** [Notice::ProfileEnd] where a zone of contact ends with the profile: the status again. */
+    kstrip_status status_detail;
 } kstrip_profile_result;
 
 /**
  * The patch of two profiles under a load, or at an approach.
  *
- * Zones of contact that are apart become lobes. Bounded time: proportional to the number of points, at most 40 times to find
- * about the approach, usually five; then two systems of linear equations of fixed size, for each two or three times.
+ * Zones of contact that are apart become lobes. Load, approach and strips are continuous functions of load, approach and
+ * distances: zones appear with width and load of zero, grow, touch and merge; the stiffness is the derivative of what is
+ * computed. The approach counts from the lowest point of the smoothed profile: where two bottoms change places as the lowest
+ * it has a kink. A zone that reaches an end of the profile ends there, as bodies would that end: KSTRIP_WARNING_PROFILE_END.
+ *
+ * Bounded time: proportional to the number of points, then a system of linear equations of fixed size, three times or more
+ * often while cells leave and enter.
  *
  * @param profile         undeformed distance of the bodies at points in ascending y.
  * @param contact         rolling radius, load or approach, material, friction, number of strips.
  * @param[out] patch      receives the patch.
  * @param[out] result     receives approach, peak pressure and load; NULL: not wanted.
- * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE,
- *         KSTRIP_ERROR_PROFILE_END, KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_NORMAL_FORCE,
- *         KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION,
- *         KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_PATCH_SIZE, KSTRIP_ERROR_OVERFLOW.
+ * @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE,
+ *         KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_NORMAL_FORCE, KSTRIP_ERROR_MODULUS,
+ *         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_SMOOTHING_LENGTH,
+ *         KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_OVERFLOW.
  */
 kstrip_status kstrip_patch_from_profile(const struct kstrip_profile *profile,
                                         const struct kstrip_profile_contact *contact,
@@ -1151,6 +1158,10 @@ kstrip_status kstrip_patch_summarize(const struct kstrip_patch *patch,
  * most the sum of friction times load over the strips. KSTRIP_MODEL_STRIP takes what a strip sees from the ellipse that
  * stands for its zone: the strips that no gap and no neck divides from it, their load, area and mean friction.
  * KSTRIP_MODEL_TOTAL takes the forces of these ellipses as they are: cheap and smooth, without strips and share in adhesion.
+ *
+ * Forces of KSTRIP_MODEL_STRIP and KSTRIP_MODEL_TOTAL follow widths, gaps and necks without a jump, while strips have one width
+ * but for narrower ones. KSTRIP_MODEL_STRIP_1967 does jump, by up to what a strip carries, where a strip with spin stops
+ * adhering; KSTRIP_MODEL_STRIP_1967_CONTINUOUS has a kink there.
  *
  * Derivatives by load: all pressures grow alike; through Hertz, while all lengths grow like the load's cube root. By
  * friction: of the mean, all strips' friction growing alike. With friction its factor, (1 - ratio) exp(-decay w) + ratio,

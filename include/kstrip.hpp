@@ -61,6 +61,7 @@ enum class [[nodiscard]] status : std::int32_t {
     warning_mismatch = KSTRIP_WARNING_MISMATCH,
     warning_mismatch_neglected = KSTRIP_WARNING_MISMATCH_NEGLECTED,
     warning_conformal = KSTRIP_WARNING_CONFORMAL,
+    warning_profile_end = KSTRIP_WARNING_PROFILE_END,
     error_null = KSTRIP_ERROR_NULL,
     error_not_finite = KSTRIP_ERROR_NOT_FINITE,
     error_semi_axis = KSTRIP_ERROR_SEMI_AXIS,
@@ -919,7 +920,7 @@ struct basic_profile_result {
     basic_pascals<T> peak_pressure;
     basic_metres<T> peak_y;
     std::uint32_t iterations;
-    std::uint32_t reserved;
+    kstrip::status status_detail;
 };
 KSTRIP_HPP_BOTH(profile_result)
 

@@ -468,7 +468,7 @@ typedef struct kstrip_profile_result_f32 {
     float peak_pressure;
     float peak_y;
     uint32_t iterations;
-    uint32_t reserved;
+    kstrip_status status_detail;
 } kstrip_profile_result_f32;
 
 /** kstrip_patch_from_profile() in single precision. */

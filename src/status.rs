@@ -67,9 +67,9 @@ pub enum Error {
     StripOrder = -42,
     /// More strips, or more separate zones of contact, than the patch has room for.
     PatchSize = -43,
-    /// A profile has fewer than three points, or its `y` does not ascend.
+    /// A profile has fewer than two points, or its `y` does not ascend.
     Profile = -44,
-    /// The zone of contact reaches the end of the profile.
+    /// There is no profile where contact is looked for.
     ProfileEnd = -45,
     /// A rolling radius is not positive.
     RollingRadius = -46,
@@ -149,6 +149,8 @@ pub enum Notice {
     MismatchNeglected = 16,
     /// A semi-axis exceeds 0.3 of the smaller radius in its direction: the bodies are no half-spaces there.
     Conformal = 17,
+    /// A zone of contact ends with the profile, as if the bodies ended there.
+    ProfileEnd = 18,
 }
 
 impl Notice {
@@ -185,7 +187,7 @@ impl Notice {
             | Self::Spin
             | Self::Friction
             | Self::Radius => 3,
-            Self::BeyondFriction => 2,
+            Self::BeyondFriction | Self::ProfileEnd => 2,
             Self::OutsideRange
             | Self::SpinBeyondTheory
             | Self::AxisRatio
@@ -241,6 +243,7 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
         17 => {
             c"too conformal: a semi-axis exceeds 0.3 of the smaller radius in its direction, so that the bodies are no half-spaces; result is that of half-spaces"
         }
+        18 => c"a zone of contact ends with the profile, as if the bodies ended there: pass more of it",
         -1 => c"a required pointer is NULL: pass the address of a structure or array",
         -2 => c"an input is infinite or NaN: pass finite numbers",
         -3 => c"a semi-axis of the contact ellipse is not positive: a and b must be > 0 (metres)",
@@ -281,10 +284,8 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
         -43 => {
             c"more strips, or more separate zones of contact, than the patch has room for: use fewer, wider strips, more strips per patch, or a smoother profile"
         }
-        -44 => c"a profile needs at least three points, with y strictly ascending",
-        -45 => {
-            c"the contact reaches the end of the profile: pass more of it, with the deepest point inside"
-        }
+        -44 => c"a profile needs at least two points, with y strictly ascending",
+        -45 => c"there is no profile where contact is looked for: pass more of it",
         -46 => c"the rolling radius is not positive: it must be > 0 (metres)",
         -47 => c"the smoothing length is negative: it must be >= 0 (metres), 0 for the default",
         _ => return None,

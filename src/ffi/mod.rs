@@ -77,6 +77,8 @@ pub const KSTRIP_WARNING_MISMATCH: kstrip_status = 15;
 pub const KSTRIP_WARNING_MISMATCH_NEGLECTED: kstrip_status = 16;
 /// Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction: the bodies are no half-spaces there.
 pub const KSTRIP_WARNING_CONFORMAL: kstrip_status = 17;
+/// Warning: a zone of contact ends with the profile, as if the bodies ended there.
+pub const KSTRIP_WARNING_PROFILE_END: kstrip_status = 18;
 /// Error: a required pointer is NULL.
 pub const KSTRIP_ERROR_NULL: kstrip_status = -1;
 /// Error: an input is infinite or NaN.
@@ -135,7 +137,7 @@ pub const KSTRIP_ERROR_STRIP_ORDER: kstrip_status = -42;
 pub const KSTRIP_ERROR_PATCH_SIZE: kstrip_status = -43;
 /// Error: a profile has fewer than three points, or its y does not ascend.
 pub const KSTRIP_ERROR_PROFILE: kstrip_status = -44;
-/// Error: the contact reaches the end of the profile.
+/// Error: there is no profile where contact is looked for.
 pub const KSTRIP_ERROR_PROFILE_END: kstrip_status = -45;
 /// Error: a rolling radius is not positive.
 pub const KSTRIP_ERROR_ROLLING_RADIUS: kstrip_status = -46;

@@ -10,17 +10,22 @@ use crate::patch::{self, Patch, PatchView, QuadratureScale, solver};
 
 /// The patch of two profiles under a load, or at an approach.
 ///
-/// Zones of contact that are apart become lobes. Bounded time: proportional to the number of points, at most 40 times to find
-/// about the approach, usually five; then two systems of linear equations of fixed size, for each two or three times.
+/// Zones of contact that are apart become lobes. Load, approach and strips are continuous functions of load, approach and
+/// distances: zones appear with width and load of zero, grow, touch and merge; the stiffness is the derivative of what is
+/// computed. The approach counts from the lowest point of the smoothed profile: where two bottoms change places as the lowest
+/// it has a kink. A zone that reaches an end of the profile ends there, as bodies would that end: KSTRIP_WARNING_PROFILE_END.
+///
+/// Bounded time: proportional to the number of points, then a system of linear equations of fixed size, three times or more
+/// often while cells leave and enter.
 ///
 /// @param profile         undeformed distance of the bodies at points in ascending y.
 /// @param contact         rolling radius, load or approach, material, friction, number of strips.
 /// @param[out] patch      receives the patch.
 /// @param[out] result     receives approach, peak pressure and load; NULL: not wanted.
-/// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE,
-///         KSTRIP_ERROR_PROFILE_END, KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_NORMAL_FORCE,
-///         KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION,
-///         KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_PATCH_SIZE, KSTRIP_ERROR_OVERFLOW.
+/// @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE,
+///         KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_NORMAL_FORCE, KSTRIP_ERROR_MODULUS,
+///         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_SMOOTHING_LENGTH,
+///         KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_OVERFLOW.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn kstrip_patch_from_profile(
     profile: Option<&ProfilePoints<f64>>,
@@ -33,7 +38,7 @@ pub unsafe extern "C" fn kstrip_patch_from_profile(
     answer(|| {
         let found = from_profile(&given(profile)??, given(contact)?, given(patch)?)?;
         put(result, found);
-        Ok(Notice::None)
+        Ok(found.notice)
     })
 }
 
@@ -113,6 +118,10 @@ pub extern "C" fn kstrip_patch_summarize(
 /// most the sum of friction times load over the strips. KSTRIP_MODEL_STRIP takes what a strip sees from the ellipse that
 /// stands for its zone: the strips that no gap and no neck divides from it, their load, area and mean friction.
 /// KSTRIP_MODEL_TOTAL takes the forces of these ellipses as they are: cheap and smooth, without strips and share in adhesion.
+///
+/// Forces of KSTRIP_MODEL_STRIP and KSTRIP_MODEL_TOTAL follow widths, gaps and necks without a jump, while strips have one width
+/// but for narrower ones. KSTRIP_MODEL_STRIP_1967 does jump, by up to what a strip carries, where a strip with spin stops
+/// adhering; KSTRIP_MODEL_STRIP_1967_CONTINUOUS has a kink there.
 ///
 /// Derivatives by load: all pressures grow alike; through Hertz, while all lengths grow like the load's cube root. By
 /// friction: of the mean, all strips' friction growing alike. With friction its factor, (1 - ratio) exp(-decay w) + ratio,

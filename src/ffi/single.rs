@@ -331,7 +331,7 @@ pub unsafe extern "C" fn kstrip_patch_from_profile_f32(
     answer(|| {
         let found = from_profile(&given(profile)??, given(contact)?, given(patch)?)?;
         put(result, found);
-        Ok(Notice::None)
+        Ok(found.notice)
     })
 }
 

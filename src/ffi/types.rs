@@ -250,8 +250,8 @@ pub struct ProfileOptions<F> {
     pub normal_force: F,
     /// Approach of distant points of the bodies [m], >= 0; only where normal_force is 0.
     pub approach: F,
-    /// Length over which the profile is smoothed [m], >= 0; 0: 0.6 of the patch's approximate half length, 4 mm between a
-    /// wheel and a rail, and at least two steps of the profile.
+    /// Length over which the profile is smoothed [m], >= 0; 0: half the width of
+    /// the contact and at most 2 mm; always at least 2.5 steps of the profile. Rough profiles gain from 4 mm.
     pub smoothing_length: F,
     /// Combined shear modulus G [Pa], > 0.
     pub shear_modulus: F,
@@ -259,7 +259,7 @@ pub struct ProfileOptions<F> {
     pub poisson_ratio: F,
     /// Coefficient of friction of every strip [-], >= 0.
     pub friction: F,
-    /// About how many strips: 4, 8, 16, 32 or 64 (which gives 32); 0: 16.
+    /// About how many strips, over all zones: 4, 8, 16, 32 or 64 (which gives 40); 0: 16.
     pub strips: i32,
     /// Zero.
     pub reserved: i32,

@@ -13,7 +13,7 @@
 //! `2 p/(a E*)`. Both are fitted as `v (P(v) + w^q Q(v) ln t)` with `v = t/(1 + t)`, `w = 1/(1 + t)`, by
 //! `fit/fit_influence.py`; slopes are those of the fits.
 
-use crate::number::Float;
+use crate::number::Arithmetic;
 
 /// Polynomials `P` and `Q` and the power `q`.
 pub(crate) struct Edge<const P: usize, const Q: usize> {
@@ -44,9 +44,9 @@ pub(crate) const CURVATURE: Edge<6, 6> = Edge {
 };
 
 impl<const P: usize, const Q: usize> Edge<P, Q> {
-    /// The value and `t` times its slope, at a positive `t` whose logarithm is known.
-    pub(crate) fn at<F: Float>(&self, t: F, log: F) -> [F; 2] {
-        let w = F::one() / t.plus(1.0);
+    /// The value and `t` times its slope, at a positive `t` of which `w = 1/(1 + t)` and the logarithm are known.
+    #[inline(always)]
+    pub(crate) fn at<T: Arithmetic>(&self, t: T, w: T, log: T) -> [T; 2] {
         let v = t * w;
         let ([p, p_slope], [q, q_slope]) =
             (with_slope(&self.plain, v), with_slope(&self.with_log, v));
@@ -58,8 +58,9 @@ impl<const P: usize, const Q: usize> Edge<P, Q> {
 }
 
 /// `Σ c_i xⁱ` and its derivative.
-fn with_slope<F: Float, const N: usize>(coefficients: &[f64; N], x: F) -> [F; 2] {
-    coefficients.iter().rev().fold([F::zero(); 2], |[sum, slope], coefficient| {
+#[inline(always)]
+fn with_slope<T: Arithmetic, const N: usize>(coefficients: &[f64; N], x: T) -> [T; 2] {
+    coefficients.iter().rev().fold([T::zero(); 2], |[sum, slope], coefficient| {
         [(sum * x).plus(*coefficient), slope * x + sum]
     })
 }

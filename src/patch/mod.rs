@@ -11,9 +11,11 @@
 //!
 //! The corrected strips need an axis ratio: that of the ellipse which stands for what a strip is connected with ([`zones`]).
 
+mod estimate;
 pub mod field;
 pub mod friction;
 mod influence;
+mod lattice;
 pub mod normal;
 pub mod profile;
 mod section;
@@ -325,6 +327,12 @@ impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
         sort(&mut patch.strips);
         patch.view()?;
         Ok(patch)
+    }
+
+    /// Whether the strips carry this load: those at the ends of the number range have no digits left.
+    pub(crate) fn check(&self, load: F) -> Result<(), Error> {
+        let lost = (self.view()?.normal_force() - load).abs();
+        if lost <= load * F::constant(1e-3) { Ok(()) } else { Err(Error::Overflow) }
     }
 
     pub(crate) fn empty(shear_modulus: F, poisson_ratio: F) -> Self {

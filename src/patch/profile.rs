@@ -1,37 +1,40 @@
 //! A contact patch from profiles: the distance of two bodies across the rolling direction, and what presses them together.
 //!
-//! 1. **First guess** of the approach `δ`: where the bodies would overlap if they were shifted by `0.55 δ` only, the section has
-//!    a volume and a width; the ellipse of both carries about the load.
-//! 2. **Smoothing.** Around each strip a parabola is fitted to the profile, points weighted with `(1 − (d/s)²)³` up
-//!    to the smoothing length `s` away: measured points have noise that the bodies' elasticity would take for asperities.
-//! 3. **Coarse, then fine**: the [normal problem](super::normal) on half as many strips gives the approach, and with it the width
-//!    of the strips; on these it is solved again, lengths interpolated from the first.
+//! 1. **About the approach** `δ`, and the width of the contact, from where the bodies would overlap if they were shifted by
+//!    `0.55 δ` only ([`Profile`]).
+//! 2. **Smoothing** over a length that this width tells: measured points have noise that the bodies' elasticity would take for
+//!    asperities ([`Curve`]).
+//! 3. **Estimate** of load and deflection by the least energy ([`Estimate`]), and with it `δ` again.
+//! 4. **Zones** where `h + 0.73 u < δ`, laid end to end, and cells on them ([`lattice`]).
+//! 5. The [normal problem](super::normal) on the cells: pressures, lengths corrected, pressures, and both again.
 //!
-//! The lattice of strips stands on the middle of the load and stretches with it; strips that may touch are more than
-//! those that do. Everything is a continuous function of load and distances.
+//! Every number carries its derivative by what is given; no branch changes a value where it switches. So load, approach and
+//! strips are continuous functions of load, approach and distances, and the stiffness is the derivative of what is computed.
 
 use crate::contact::forces::StripCount;
 use crate::contact::material::{check_modulus, check_poisson_ratio};
-use crate::number::Float;
-use crate::patch::normal::{CELLS, Cells, Given};
+use crate::number::{Arithmetic, Float};
+use crate::patch::estimate::{DEEP, Estimate, OVERLAP};
+use crate::patch::lattice::{lattice, lean, width};
+use crate::patch::normal::{Cells, Given};
 pub use crate::patch::section::Profile;
-use crate::patch::section::SECTION;
-use crate::patch::smooth::Lattice;
+use crate::patch::section::{Moving, invert};
+use crate::patch::smooth::{Curve, length_for};
 use crate::patch::{Patch, PatchStrip};
 use crate::solve::model::Precision;
-use crate::status::Error;
+use crate::status::{Error, Notice};
+use core::f64::consts::PI;
 
-/// Share of the approach below which bodies so far apart may touch: 0.5 for a circle, 0.74 in a long flat tail.
-const REACH: f64 = 0.85;
-/// Smoothing length by default, over the half length of the section.
-const SMOOTHING: f64 = 0.6;
-/// Share of the first guess that the approach may reach.
-const GUESS: f64 = 1.6;
-/// Strips of the coarse lattice.
-const COARSE: u32 = 15;
-/// Powers that correct the lengths of strips on the coarse lattice and on the fine one.
-const COARSE_POWER: f64 = 0.5;
-const FINE_POWER: f64 = 0.42;
+/// Share of the deflection of the estimate by which undeformed bodies are farther apart where they touch.
+const DEFLECTED: f64 = 0.73;
+/// Share of the first guess of the approach that heights above the deepest point may have.
+const REACH: f64 = 1.6;
+/// Corrections of the lengths.
+const PASSES: usize = 2;
+/// Power of a correction times the number of lengths that it moves.
+const POWER: f64 = 0.94;
+/// Of a half length's square at least, over `R δ`.
+const LEAST_SQUARE: f64 = 0.06;
 
 /// Pressure over length, over the mean of the patch, below which a strip is shortened, and to what share at most.
 const LEAST_SLOPE: f64 = 0.25;
@@ -50,9 +53,8 @@ pub struct ProfileContact<F> {
     pub poisson_ratio: F,
     /// Coefficient of friction `μ` of every strip, not negative.
     pub friction: F,
-    /// Smoothing length `s` \[m\], not negative. Zero: 0.6 of the patch's approximate half length, 4 mm between a wheel and a
-    /// rail, and at least two steps of the profile. Noise of 5 µm at points 0.05 mm apart then moves the force by 0.004 of `μ N`
-    /// in the mean; what is narrower is rounded off.
+    /// Smoothing length `s` \[m\], not negative. Zero: half the width of the contact and at most 2 mm; always at least 2.5 steps of
+    /// the profile. What is narrower is rounded off. Twice as much halves what noise of 3 µm does to the peak pressure.
     pub smoothing_length: F,
 }
 
@@ -60,13 +62,14 @@ impl<F: Float> ProfileContact<F> {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::RollingRadius`], [`Error::NormalForce`], [`Error::Modulus`],
     /// [`Error::PoissonRatio`], [`Error::Friction`], [`Error::SmoothingLength`].
-    pub fn check(&self) -> Result<(), Error> {
+    pub fn check(&self, has_radii: bool) -> Result<(), Error> {
         let (Given::Load(given) | Given::Approach(given)) = self.given;
-        let inputs = [self.rolling_radius, given, self.friction, self.smoothing_length];
+        let radius = if has_radii { F::one() } else { self.rolling_radius };
+        let inputs = [radius, given, self.friction, self.smoothing_length];
         if !inputs.iter().all(|input| input.is_finite_number()) {
             return Err(Error::NotFinite);
         }
-        if self.rolling_radius <= F::zero() {
+        if radius <= F::zero() {
             return Err(Error::RollingRadius);
         }
         if matches!(self.given, Given::Load(load) if load < F::zero()) {
@@ -105,22 +108,37 @@ pub struct Indentation<F> {
     pub peak_y: F,
     /// Sections of the first guess, at most 40.
     pub iterations: u32,
-    /// Zero.
-    pub reserved: u32,
+    /// [`Notice::ProfileEnd`] where a zone of contact ends with the profile: the status again.
+    pub notice: Notice,
 }
 
-/// Strips of the lattice for about `count` strips that touch.
-const fn lattice_strips(count: StripCount) -> u32 {
-    let wanted = match count {
+/// Cells of the normal problem for about `count` strips.
+const fn cells(count: StripCount) -> usize {
+    match count {
         StripCount::Four => 8,
         StripCount::Eight => 12,
-        StripCount::Sixteen => 21,
-        StripCount::ThirtyTwo | StripCount::SixtyFour => 36,
-    };
-    if wanted + 4 < CELLS as u32 { wanted } else { CELLS as u32 - 4 }
+        StripCount::Sixteen => 18,
+        StripCount::ThirtyTwo => 36,
+        StripCount::SixtyFour => 40,
+    }
 }
 
 impl<F: Float> Indentation<F> {
+    /// Without contact.
+    fn none(profile: &Profile<F>) -> Self {
+        let [first, last] = profile.ends();
+        let none = F::zero();
+        Self {
+            approach: none,
+            normal_force: none,
+            stiffness: none,
+            peak_pressure: none,
+            peak_y: first.times(0.5) + last.times(0.5),
+            iterations: 0,
+            notice: Notice::None,
+        }
+    }
+
     /// The strips that touch, handed to `take`, and what they carry.
     ///
     /// # Errors
@@ -131,120 +149,58 @@ impl<F: Float> Indentation<F> {
         count: StripCount,
         mut take: impl FnMut(PatchStrip<F>) -> bool,
     ) -> Result<Self, Error> {
-        let mut contact = *contact;
-        if let Some(radius) = profile.mean_rolling_radius(F::of(1.5e-4)) {
-            contact.rolling_radius = radius;
+        contact.check(profile.has_radii())?;
+        let (Given::Load(value) | Given::Approach(value)) = contact.given;
+        if value <= F::zero() {
+            return Ok(Self::none(profile));
         }
-        let contact = &contact;
-        contact.check()?;
-        if !(profile.depth() > F::zero()) {
-            return Err(Error::ProfileEnd);
-        }
-        let (Given::Load(given) | Given::Approach(given)) = contact.given;
-        if given <= F::zero() {
-            let none = F::zero();
-            return Ok(Self {
-                approach: none,
-                normal_force: none,
-                stiffness: none,
-                peak_pressure: none,
-                peak_y: profile.deepest,
-                iterations: 0,
-                reserved: 0,
-            });
-        }
-        let (first, iterations) = match contact.given {
-            Given::Load(load) => profile.guess(contact, load)?,
-            Given::Approach(approach) => (approach, 0),
+        // N/(π E*), or the approach
+        let unit = F::one() / contact.modulus().times(PI);
+        let input = Moving::input(value, 0);
+        let given = match contact.given {
+            Given::Load(_) => Given::Load(input.scale(unit)),
+            Given::Approach(_) => Given::Approach(input),
         };
-        let half_length = (contact.rolling_radius * first).times(2.0 * SECTION).sqrt();
-        let length = if contact.smoothing_length > F::zero() {
-            contact.smoothing_length
-        } else {
-            half_length.times(SMOOTHING).max(profile.step().times(2.0))
-        };
-        // Coarse
-        let strips = lattice_strips(count);
-        let level = first.times(GUESS * REACH);
-        let none = || Cells::new(contact.rolling_radius, contact.modulus());
-        let mut coarse = none();
-        let lattice = Lattice::new(profile, level, length, strips.min(COARSE), None, &mut coarse)?;
-        let above = |lowest: F| match contact.given {
-            Given::Load(load) => Given::Load(load),
-            Given::Approach(approach) => Given::Approach(approach + lowest),
-        };
-        let section = first.times(SECTION) + lattice.lowest;
-        let double = contact.rolling_radius.times(2.0);
-        coarse.begin(contact.given, first, |cell| (section - cell.distance) * double);
-        let approach = coarse.solve(above(lattice.lowest), F::of(COARSE_POWER)).value;
-        if !(approach.is_finite_number() && approach > F::zero()) {
-            return Err(Error::Overflow);
+        let Outline { mut cells, power, iterations, at_end } =
+            Outline::new(profile, contact, given, count)?;
+        let mut pressed = cells.press(given);
+        for _ in 0..PASSES {
+            cells.correct(power);
+            pressed = cells.press(given);
         }
-        // Fine, its squares of lengths between those of the coarse
-        let level = approach.times(REACH);
-        let (mut moment, mut sum) = (F::zero(), F::TINY);
-        for cell in coarse.list.iter().filter(|cell| cell.touches) {
-            let load = cell.half_length.value * (cell.pressure.value / contact.modulus());
-            moment += load * (lattice.y(cell.place) - profile.deepest);
-            sum += load;
-        }
-        let middle = Some(profile.deepest + moment / sum);
-        let mut cells = none();
-        let fine = Lattice::new(profile, level, length, strips, middle, &mut cells)?;
-        // (a strip of the coarse lattice that hardly carries is as short as its pressure tells)
-        let slope = coarse.mean_slope();
-        cells.begin(contact.given, approach, |cell| {
-            let between = (fine.y(cell.place) - lattice.y(0)) / lattice.width;
-            let near = coarse.list.iter().filter(|cell| cell.touches);
-            near.fold(F::zero(), |sum, cell| {
-                let share = F::one() - (between - F::widened(cell.place as f32)).abs();
-                let square = cell.half_length.value * (cell.pressure.value / slope);
-                sum + square * share.max(F::zero())
-            })
-        });
-        let given = above(fine.lowest);
-        let approach = cells.solve(given, F::of(FINE_POWER));
         let load = cells.load();
-        let stiffness = match given {
-            Given::Load(_) => F::one() / approach.slope,
-            Given::Approach(_) => load.slope,
-        };
+        let ([by_load], [by_approach]) = (pressed.gradient, load.gradient);
+        let modulus = contact.modulus().times(PI);
         let mut found = Self {
-            approach: match contact.given {
-                Given::Load(_) => (approach.value - fine.lowest).max(F::zero()),
-                Given::Approach(approach) => approach,
+            approach: pressed.value,
+            normal_force: load.value * modulus,
+            stiffness: match given {
+                Given::Load(_) => F::one() / by_load,
+                Given::Approach(_) => by_approach * modulus,
             },
-            normal_force: load.value,
-            stiffness,
-            peak_pressure: F::zero(),
-            peak_y: profile.deepest,
             iterations,
-            reserved: 0,
+            notice: if at_end { Notice::ProfileEnd } else { Notice::None },
+            ..Self::none(profile)
         };
-        let [first, last] = profile.ends().ok_or(Error::Profile)?;
         let results = [found.approach, found.normal_force, found.stiffness];
         if !results.iter().all(|result| result.is_finite_number()) {
             return Err(Error::Overflow);
         }
         let slope = cells.mean_slope().times(LEAST_SLOPE);
-        for cell in cells.list.iter().filter(|cell| cell.touches) {
-            let y = fine.y(cell.place);
-            if y - fine.width.times(1.5) < first || y + fine.width.times(1.5) > last {
-                return Err(Error::ProfileEnd);
-            }
+        for cell in cells.list.iter().filter(|cell| cell.pressure.value > F::zero()) {
             // the same load on less: the length of a strip that begins to touch vanishes with its pressure
             let (a, p) = (cell.half_length.value, cell.pressure.value);
             let share = (p / (slope * a)).min(F::one()).sqrt().max(F::of(LEAST_LENGTH));
             let strip = PatchStrip {
-                y,
-                width: fine.width,
+                y: cell.y.value,
+                width: cell.width.value,
                 half_length: a * share,
-                centre_x: profile.centre_x(y),
-                peak_pressure: p / share,
+                centre_x: profile.centre_x(cell.y.value),
+                peak_pressure: p / share * modulus,
                 friction: contact.friction,
             };
             if strip.peak_pressure > found.peak_pressure {
-                (found.peak_pressure, found.peak_y) = (strip.peak_pressure, y);
+                (found.peak_pressure, found.peak_y) = (strip.peak_pressure, strip.y);
             }
             if !take(strip) {
                 return Err(Error::PatchSize);
@@ -254,13 +210,128 @@ impl<F: Float> Indentation<F> {
     }
 }
 
+/// Where cells lie, with their first lengths.
+struct Outline<F> {
+    cells: Cells<F>,
+    /// Of a correction of the lengths.
+    power: Moving<F>,
+    iterations: u32,
+    /// Whether a zone ends with the profile.
+    at_end: bool,
+}
+
+impl<F: Float> Outline<F> {
+    /// (Out of line: what leads to the cells need not be kept while they are solved.)
+    #[inline(never)]
+    fn new(
+        profile: &Profile<F>,
+        contact: &ProfileContact<F>,
+        given: Given<Moving<F>>,
+        count: StripCount,
+    ) -> Result<Self, Error> {
+        let radius = contact.rolling_radius;
+        // about the approach, and the curve that its width asks for
+        let (first, mut iterations) = match given {
+            Given::Approach(approach) => (approach, 0),
+            Given::Load(load) => {
+                let load = load.times(PI);
+                // of a sphere: N = (4/3) E* √R δ^(3/2)
+                let like_sphere = (load.value.times(0.75) / radius.sqrt()).cube_root();
+                let start = like_sphere * like_sphere;
+                invert(load, start, |approach| profile.load(approach, radius))
+                    .ok_or(Error::Overflow)?
+            }
+        };
+        let section = profile.section(first, radius);
+        let length = if contact.smoothing_length > F::zero() {
+            Moving::from_base(contact.smoothing_length)
+        } else {
+            length_for(section.half_width)
+        };
+        let curve = Curve::new(profile, length, first.value.times(REACH));
+        // load and deflection before the normal problem
+        let at = |approach| Estimate::new(&curve, approach, section.rolling_radius);
+        let approach = match given {
+            Given::Approach(approach) => approach,
+            Given::Load(load) => {
+                let found = invert(load, first.value, |approach| at(approach).load);
+                let (approach, steps) = found.ok_or(Error::Overflow)?;
+                iterations += steps;
+                approach
+            }
+        };
+        let estimate = at(approach);
+        let (zones, at_end) = curve.zones(|y, height, slope| {
+            // (there it is positive anyway)
+            if height.value > approach.value {
+                return [height - approach.times(0.5), slope];
+            }
+            let [deflection, bend] = estimate.deflection(y);
+            let height = height - approach + deflection.times(DEFLECTED);
+            [height, slope + bend.times(DEFLECTED)]
+        });
+        let mut places = lattice(&zones, cells(count), approach.times(DEEP));
+        lean(&mut places);
+        let first_lengths = Lengths::new(width(&zones), section.rolling_radius, approach);
+        let cells = Cells::new(&places, |y| {
+            let height = curve.at(y);
+            let radius = profile.rolling_radius(y, radius);
+            let touches = approach.value.times(OVERLAP) > height.value;
+            ([height, radius, first_lengths.at(height, radius)], touches)
+        });
+        Ok(Self { cells, power: first_lengths.power(given), iterations, at_end })
+    }
+}
+
+/// Half lengths to begin with: those of an ellipse at whose rim bodies that approach by `δ` are `λ δ` apart undeformed.
+struct Lengths<F> {
+    rim: Moving<F>,
+    /// `2.1 ln` of about the axes' ratio.
+    slenderness: Moving<F>,
+    approach: Moving<F>,
+}
+
+impl<F: Float> Lengths<F> {
+    fn new(width: Moving<F>, radius: Moving<F>, approach: Moving<F>) -> Self {
+        let ratio = width.times(1.0 / 2.1) / (radius * approach).sqrt();
+        let logarithm = ratio.value.ln_quotient(F::one());
+        let logarithm = Moving::composed(logarithm, [F::one() / ratio.value], [ratio]);
+        let x = logarithm.times(1.13);
+        let rim = (x / x.squared().times(1.53).plus(16.2).sqrt()).plus(1.0).times(0.5);
+        Self { rim, slenderness: x, approach }
+    }
+
+    /// `a² = 2 R (1 − λ)(δ − h/λ)`, and at least about `0.06 R δ`.
+    fn at(&self, height: Moving<F>, radius: Moving<F>) -> Moving<F> {
+        let double = radius.times(2.0);
+        let square = double * (Moving::one() - self.rim) * (self.approach - height / self.rim);
+        let least = (radius * self.approach).times(LEAST_SQUARE);
+        let apart = square - least;
+        let root = (apart.squared() + least.squared()).sqrt();
+        (square + least + root).times(0.5).sqrt()
+    }
+
+    /// The power that corrects lengths: what is wrong with one moves its neighbours as well, less so in slender patches.
+    fn power(&self, given: Given<Moving<F>>) -> Moving<F> {
+        let more = match given {
+            // 1.6/(1 + (g/0.6)^1.3)
+            Given::Load(_) => {
+                let logarithm = self.slenderness.plus(0.510_825_623_765_990_7).times(1.3);
+                let power = logarithm.value.min(F::of(60.0)).exp();
+                let power = Moving::composed(power, [power], [logarithm]);
+                power.plus(1.0).inverse().times(1.6)
+            }
+            Given::Approach(_) => Moving::constant(0.1),
+        };
+        more.plus(2.0).inverse().times(POWER)
+    }
+}
+
 impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
     /// The patch of two profiles in contact, in about `count` strips of one width, 32 at most.
     ///
     /// # Errors
-    /// Those of [`ProfileContact::check`]; [`Error::ProfileEnd`] when the contact reaches an end of
-    /// the profile; [`Error::PatchSize`] when its separate zones need more strips than there are, or the capacity is too
-    /// small; [`Error::Overflow`].
+    /// Those of [`ProfileContact::check`]; [`Error::PatchSize`] when the capacity is too small; [`Error::Overflow`].
     ///
     /// # Example
     /// A wheel of 0.46 m radius on a rail head of 0.30 m:
@@ -289,11 +360,7 @@ impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
         let mut patch = Self::empty(contact.shear_modulus, contact.poisson_ratio);
         let found =
             Indentation::new(profile, contact, count, |strip| patch.strips.push(strip).is_ok())?;
-        // Lengths and gaps at the ends of the number range have no digits left.
-        let lost = (patch.view()?.normal_force() - found.normal_force).abs();
-        if !(lost <= found.normal_force * F::constant(1e-3)) {
-            return Err(Error::Overflow);
-        }
+        patch.check(found.normal_force)?;
         Ok((patch, found))
     }
 }

@@ -1,38 +1,39 @@
 //! The distance of two bodies as it was given, and where they would overlap if they were shifted into each other.
 
-use crate::number::Float;
-use crate::patch::normal::elliptic_load;
-use crate::patch::profile::ProfileContact;
+use crate::number::dual::Dual;
+use crate::number::{Arithmetic, Float};
 use crate::status::Error;
 
+/// A number and its derivative by the load or the approach that is given.
+pub(super) type Moving<F> = Dual<F, 1>;
+
 /// Share of the approach by which the section of the undeformed bodies is about the patch.
-pub(super) const SECTION: f64 = 0.55;
-/// Sections at most in search of the first guess; five are usual.
-const GUESSES: u32 = 40;
+const SECTION: f64 = 0.55;
+/// `(3/4) V/(0.55 δ)` is half the width of a parabola's section.
+const HALF_WIDTH: f64 = 0.75;
+/// Halvings and Newton steps of a search at most; five are usual.
+const STEPS: u32 = 60;
 
 /// The undeformed distance of two bodies along `y`, straight between its points.
 #[derive(Clone, Copy, Debug)]
 pub struct Profile<'a, F> {
-    y: &'a [F],
-    distance: &'a [F],
+    pub(super) y: &'a [F],
+    pub(super) distance: &'a [F],
     /// Where the distance is least along `x`; empty: at 0.
     centre_x: &'a [F],
     /// Empty: that of the contact.
     rolling_radius: &'a [F],
-    /// Smallest distance, and where it is.
+    /// Smallest distance.
     pub(super) lowest: F,
-    pub(super) deepest: F,
 }
 
-/// Where the bodies would overlap: `∫ (h₀ − h) dy`, its width, and its ends.
+/// Where the bodies would overlap.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Section<F> {
-    pub volume: F,
-    width: F,
-    /// `∫ (h₀ − h) (y − y₀) dy` about the deepest point.
-    pub moment: F,
-    pub lower: F,
-    pub upper: F,
+    /// Half the width of the parabola of the same volume \[m\].
+    pub half_width: Moving<F>,
+    /// Rolling radius, its mean over the volume \[m\].
+    pub rolling_radius: Moving<F>,
 }
 
 impl<'a, F: Float> Profile<'a, F> {
@@ -53,25 +54,8 @@ impl<'a, F: Float> Profile<'a, F> {
         if !y.iter().zip(y.iter().skip(1)).all(|(y, next)| y < next) {
             return Err(Error::Profile);
         }
-        // The middle of the flat bottom of the medians of three neighbours: a single bad point is none
-        let medians = || {
-            let (before, after) = (distance.iter(), distance.iter().skip(2));
-            let middle = before.zip(distance.iter().skip(1)).zip(after);
-            let medians = middle.map(|((a, b), c)| a.min(*b).max(a.max(*b).min(*c)));
-            y.iter().skip(1).zip(medians)
-        };
-        let end = |h: Option<&F>| h.copied().unwrap_or(*first);
-        let ends = end(distance.first()).min(end(distance.last()));
-        let lowest = medians().fold(ends, |lowest, (_, h)| lowest.min(h));
-        // (of two bottoms as low the first)
-        let mut bottom =
-            medians().skip_while(|(_, h)| *h > lowest).take_while(|(_, h)| *h <= lowest);
-        let (start, finish) = match bottom.next() {
-            Some((start, _)) => (*start, bottom.last().map_or(*start, |(y, _)| *y)),
-            None => (end(y.first()), end(y.last())),
-        };
-        let deepest = start.times(0.5) + finish.times(0.5);
-        Ok(Self { y, distance, centre_x: &[], rolling_radius: &[], lowest, deepest })
+        let lowest = distance.iter().fold(*first, |lowest, h| lowest.min(*h));
+        Ok(Self { y, distance, centre_x: &[], rolling_radius: &[], lowest })
     }
 
     /// The same with the place along `x` \[m\] where the distance is least, for each point: of bodies that yaw.
@@ -105,130 +89,138 @@ impl<'a, F: Float> Profile<'a, F> {
         }
     }
 
-    /// Where the distance is least along `x`, straight between the points.
-    pub(super) fn centre_x(&self, y: F) -> F {
-        let next = self.y.partition_point(|place| *place < y);
-        let next = next.min(self.y.len().saturating_sub(1)).max(1);
-        let at = |list: &[F], i: usize| list.get(i).copied().unwrap_or(F::zero());
-        let (from, to) = (at(self.y, next - 1), at(self.y, next));
-        let (before, after) = (at(self.centre_x, next - 1), at(self.centre_x, next));
-        before + (after - before) * ((y - from) / (to - from))
+    /// Whether points have rolling radii of their own.
+    pub(super) fn has_radii(&self) -> bool {
+        !self.rolling_radius.is_empty()
     }
 
-    /// The rolling radius of about the contact: the mean, weighted with how far points lie below a height over the deepest.
-    pub(super) fn mean_rolling_radius(&self, height: F) -> Option<F> {
-        let (mut sum, mut weight) = (F::zero(), F::TINY);
-        for (radius, distance) in self.rolling_radius.iter().zip(self.distance) {
-            let depth = (self.lowest + height - *distance).max(F::TINY);
-            sum += *radius * depth;
-            weight += depth;
-        }
-        (!self.rolling_radius.is_empty()).then(|| sum / weight)
-    }
-
-    pub(super) fn ends(&self) -> Option<[F; 2]> {
-        Some([*self.y.first()?, *self.y.last()?])
-    }
-
-    /// Largest height above the deepest point that both ends have.
-    pub(super) fn depth(&self) -> F {
-        let ends = [self.distance.first(), self.distance.last()];
-        ends.into_iter()
-            .flatten()
-            .map(|end| *end - self.lowest)
-            .reduce(|a, b| a.min(b))
-            .unwrap_or(F::zero())
+    pub(super) fn ends(&self) -> [F; 2] {
+        let end = |y: Option<&F>| y.copied().unwrap_or(F::zero());
+        [end(self.y.first()), end(self.y.last())]
     }
 
     /// Mean distance of neighbouring points.
     pub(super) fn step(&self) -> F {
-        let length = self.ends().map_or(F::zero(), |[first, last]| last - first);
-        length / F::widened(self.y.len().saturating_sub(1).max(1) as f32)
+        let [first, last] = self.ends();
+        (last - first) / F::widened(self.y.len().saturating_sub(1).max(1) as f32)
     }
 
-    /// The straight pieces, each with its ends.
-    pub(super) fn pieces(&self) -> impl Iterator<Item = ([F; 2], [F; 2])> + use<'a, F> {
-        let points = self.y.iter().zip(self.distance);
+    /// Where the distance is least along `x`.
+    pub(super) fn centre_x(&self, y: F) -> F {
+        if self.centre_x.is_empty() {
+            return F::zero();
+        }
+        self.between(self.centre_x, Moving::from_base(y)).value
+    }
+
+    /// The rolling radius of a point; `otherwise` that of the contact.
+    pub(super) fn rolling_radius(&self, y: Moving<F>, otherwise: F) -> Moving<F> {
+        if self.rolling_radius.is_empty() {
+            return Moving::from_base(otherwise);
+        }
+        self.between(self.rolling_radius, y)
+    }
+
+    /// Straight between the points.
+    fn between(&self, list: &[F], y: Moving<F>) -> Moving<F> {
+        let next = self
+            .y
+            .partition_point(|place| *place < y.value)
+            .min(self.y.len().saturating_sub(1))
+            .max(1);
+        let at = |list: &[F], i: usize| list.get(i).copied().unwrap_or(F::zero());
+        let (from, to) = (at(self.y, next - 1), at(self.y, next));
+        let (before, after) = (at(list, next - 1), at(list, next));
+        (y - Moving::from_base(from)).scale((after - before) / (to - from)).shift(before)
+    }
+
+    /// The straight pieces, each with its ends: `y`, distance above the lowest point, rolling radius.
+    fn pieces(&self, radius: F) -> impl Iterator<Item = [[F; 3]; 2]> + use<'_, 'a, F> {
+        let lowest = self.lowest;
+        let radii = self.rolling_radius.iter().copied().chain(core::iter::repeat(radius));
+        let points = self.y.iter().zip(self.distance).zip(radii);
+        let points = points.map(move |((y, h), radius)| [*y, *h - lowest, radius]);
         let next = points.clone().skip(1);
-        points.zip(next).map(|((y, h), (next, above))| ([*y, *next], [*h, *above]))
+        points.zip(next).map(|(from, to)| [from, to])
     }
 
-    pub(super) fn section(&self, level: F) -> Section<F> {
-        let deepest = self.deepest;
-        let mut section = Section {
-            volume: F::zero(),
-            width: F::zero(),
-            moment: F::zero(),
-            lower: deepest,
-            upper: deepest,
-        };
-        let height = self.lowest + level;
-        for ([from, to], [h_from, h_to]) in self.pieces() {
-            let (g_from, g_to) = (height - h_from, height - h_to);
-            let (low, high) = (g_from.min(g_to), g_from.max(g_to));
-            if high <= F::zero() {
+    /// `V = ∫ (h₀ − h) dy` over the overlap at `h₀ = 0.55 δ`; `radius` that of a contact whose profile has none.
+    pub(super) fn section(&self, approach: Moving<F>, radius: F) -> Section<F> {
+        let level = approach.times(SECTION);
+        let mut volume = Moving::from_base(F::TINY);
+        let mut moment = Moving::from_base(radius * F::TINY);
+        for [[from, low, before], [to, high, after]] in self.pieces(radius) {
+            let ((low, high), inner) =
+                if low < high { ((low, high), before) } else { ((high, low), after) };
+            if level.value <= low {
                 continue;
             }
-            // the part of the piece where g > 0
-            let part = if low < F::zero() { high / (high - low) } else { F::one() };
-            let length = (to - from) * part;
-            section.width += length;
-            let volume = length * (high + low.max(F::zero())).times(0.5);
-            section.volume += volume;
-            section.moment += volume * (from.times(0.5) + to.times(0.5) - deepest);
-            section.lower = section.lower.min(if g_from >= g_to { from } else { to - length });
-            section.upper = section.upper.max(if g_to >= g_from { to } else { from + length });
+            let (depth, least) = (level.shift(-low), level.shift(-high));
+            // the part of the piece where the bodies overlap
+            let part = if least.value < F::zero() {
+                depth.squared().scale((to - from).times(0.5) / (high - low))
+            } else {
+                (depth + least).scale((to - from).times(0.5))
+            };
+            volume += part;
+            let _ = inner;
+            moment += part.scale(before.times(0.5) + after.times(0.5));
         }
-        section
+        Section { half_width: (volume / level).times(HALF_WIDTH), rolling_radius: moment / volume }
     }
 
-    /// About the load at an approach.
-    fn load(&self, contact: &ProfileContact<F>, approach: F) -> F {
-        let Section { volume, width, .. } = self.section(approach.times(SECTION));
-        // a² = (3/2) mean of 2 R g
-        let a = (contact.rolling_radius.times(3.0) * (volume / (width + F::TINY))).sqrt();
-        elliptic_load(a + F::TINY, width.times(0.5) + F::TINY, contact.modulus(), approach)
-    }
-
-    /// About the approach under a load, by secants through `N^{2/3}` between two brackets; the value at an end that stays
-    /// twice is halved (the Illinois rule).
-    pub(super) fn guess(&self, contact: &ProfileContact<F>, wanted: F) -> Result<(F, u32), Error> {
-        let power = |load: F| load.cube_root() * load.cube_root();
-        let target = power(wanted);
-        let (mut low, mut high) = (F::zero(), self.depth().times(1.0 / SECTION));
-        let largest = self.load(contact, high);
-        if !largest.is_finite_number() {
-            return Err(Error::Overflow);
-        }
-        if largest < wanted {
-            return Err(Error::ProfileEnd);
-        }
-        let (mut below, mut above) = (target, power(largest) - target);
-        let (mut moved, mut iterations) = (0_i32, 1);
-        let mut tried = high;
-        while iterations < GUESSES {
-            let secant = low + (high - low) * (below / (below + above));
-            let inside = secant > low && secant < high;
-            tried = if inside { secant } else { low.times(0.5) + high.times(0.5) };
-            iterations += 1;
-            let excess = power(self.load(contact, tried)) - target;
-            if excess.abs() <= target * F::of(1e-5) {
+    /// About the load over `E*`: of the ellipse with `a² = 1.1 R δ` and the width of the section,
+    /// `N = (4/3) E* δ M(a, b)` with Gauss's mean `M`.
+    pub(super) fn load(&self, approach: Moving<F>, radius: F) -> Moving<F> {
+        let Section { half_width, rolling_radius } = self.section(approach, radius);
+        let mut a = (rolling_radius * approach).times(2.0 * SECTION).sqrt();
+        let mut b = half_width;
+        for _ in 0..12 {
+            (a, b) = ((a + b).times(0.5), (a * b).sqrt());
+            if (a.value - b.value).abs() <= F::EPSILON * a.value {
                 break;
             }
-            if excess < F::zero() {
-                (low, below) = (tried, -excess);
-                if moved < 0 {
-                    above = above.times(0.5);
-                }
-                moved = -1;
-            } else {
-                (high, above) = (tried, excess);
-                if moved > 0 {
-                    below = below.times(0.5);
-                }
-                moved = 1;
-            }
         }
-        Ok((tried, iterations))
+        (approach * a).times(4.0 / 3.0)
     }
+}
+
+/// Where a function that rises with its argument has the value `wanted`: Newton's steps in logarithms between brackets, the
+/// last without a test, so that derivatives are those of the inverse function. `None` beyond the range of the numbers.
+pub(super) fn invert<F: Float>(
+    wanted: Moving<F>,
+    start: F,
+    mut function: impl FnMut(Moving<F>) -> Moving<F>,
+) -> Option<(Moving<F>, u32)> {
+    let (mut low, mut high) = (F::zero(), F::LARGEST);
+    let mut x = start;
+    let close = F::EPSILON.sqrt().max(F::of(1e-5));
+    for step in 1..=STEPS {
+        let found = function(Dual::input(x, 0));
+        let [slope] = found.gradient;
+        if !(found.value > F::zero()) || !found.value.is_finite_number() {
+            return None;
+        }
+        let excess = found.value.ln_quotient(wanted.value);
+        // (over a step of the function the brackets close)
+        let closed = high - low <= x * F::EPSILON.times(8.0);
+        if excess.abs() <= close || closed || step == STEPS {
+            let inverse = F::one() / slope;
+            let better = x + (wanted.value - found.value) * inverse;
+            let x = if better > low && better < high { better } else { x };
+            let gradient = wanted.gradient.map(|d| d * inverse);
+            return Some((Dual { value: x, gradient }, step));
+        }
+        if excess < F::zero() {
+            low = x
+        } else {
+            high = x
+        }
+        // (a function of x^p between x^(1/2) and x^8)
+        let power = (slope * x / found.value).max(F::of(0.5)).min(F::of(8.0));
+        let next = x * (-excess / power).max(F::of(-3.0)).min(F::of(3.0)).exp();
+        let inside = next > low && next < high;
+        x = if inside { next } else { low.max(F::TINY).sqrt() * high.sqrt() };
+    }
+    None
 }

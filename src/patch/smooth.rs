@@ -1,186 +1,464 @@
-//! A smoothed profile, and the strips that stand on it.
+//! A smoothed profile: local parabolas, and cubics between them.
+//!
+//! At each knot of an even grid the parabola is taken that fits the points around best, these weighted with
+//! `(1 − x²)³`, `x` their distance over the smoothing length `s`, and with the length that each stands for. Between knots a cubic
+//! has the parabolas' values and slopes. A parabola comes out as it was, wherever its points lie.
 
-use crate::number::Float;
-use crate::patch::normal::{Cell, Cells};
-use crate::patch::section::Profile;
-use crate::status::Error;
+use crate::number::{Arithmetic, Float};
+use crate::patch::section::{Moving, Profile};
 use heapless::Vec;
 
-/// Points that the profile is averaged at for the smoothing, at most.
-const BINS: usize = 256;
-/// Places of the lattice on either side of its middle at most.
-const PLACES: i32 = 1000;
+/// Knots at most.
+const KNOTS: usize = if cfg!(target_os = "none") { 40 } else { 160 };
+/// Zones of contact at most; what is more counts with its neighbour.
+pub(super) const ZONES: usize = if cfg!(target_os = "none") { 4 } else { 8 };
+/// Smoothing length over the distance of neighbouring points, at least.
+const STEPS: f64 = 2.5;
+/// Widest the smoothing length by itself \[m\].
+const WIDEST: f64 = 2e-3;
+/// Smoothing length of narrow contacts over their width.
+const SHARE: f64 = 0.5;
 
-/// A profile averaged over bins of one width, and the parabolas through them.
-struct Smooth<F> {
-    heights: Vec<F, BINS>,
-    /// What the profile covers of each bin.
-    shares: Vec<F, BINS>,
-    start: F,
-    step: F,
+/// A place with the height and slope of the smoothed profile.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Knot<F> {
+    pub y: F,
+    pub height: Moving<F>,
+    pub slope: Moving<F>,
+    /// Whether the one before is the neighbour.
+    joined: bool,
+}
+
+/// A zone where a function is negative.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Zone<F> {
+    /// Where it begins \[m\].
+    pub from: Moving<F>,
+    /// Where it ends \[m\].
+    pub to: Moving<F>,
+    /// The most that the function is below zero.
+    pub depth: Moving<F>,
+}
+
+impl<F: Float> Zone<F> {
+    pub fn width(&self) -> Moving<F> {
+        self.to - self.from
+    }
+}
+
+pub(super) type Zones<F> = Vec<Zone<F>, ZONES>;
+
+/// `c₀ + c₁ t + c₂ t² + c₃ t³` over `t` from 0 to a length.
+#[derive(Clone, Copy)]
+struct Cubic<F> {
+    c: [Moving<F>; 4],
     length: F,
 }
 
-/// `c₀ + c₁ x + c₂ x²` with `x` in smoothing lengths from a place.
-#[derive(Clone, Copy)]
-struct Parabola<F> {
-    height: F,
-    slope: F,
-    bend: F,
-}
-
-impl<F: Float> Smooth<F> {
-    fn new() -> Self {
-        let zero = F::zero();
-        let (heights, shares) = (Vec::new(), Vec::new());
-        Self { heights, shares, start: zero, step: zero, length: zero }
+impl<F: Float> Cubic<F> {
+    fn new(length: F, [from, slope]: [Moving<F>; 2], [to, end]: [Moving<F>; 2]) -> Self {
+        let inverse = F::one() / length;
+        let rise = (to - from).scale(inverse);
+        let c2 = (rise.times(3.0) - slope.times(2.0) - end).scale(inverse);
+        let c3 = (slope + end - rise.times(2.0)).scale(inverse * inverse);
+        Self { c: [from, slope, c2, c3], length }
     }
 
-    /// Between two places of the profile, and as far beyond as a parabola looks. Edges of bins stand on `middle`.
-    fn fill(
-        &mut self,
-        profile: &Profile<F>,
-        middle: F,
-        [lower, upper]: [F; 2],
-        length: F,
-    ) -> Result<(), Error> {
-        let [first, last] = profile.ends().ok_or(Error::Profile)?;
-        let (lower, upper) = ((lower - length).max(first), (upper + length).min(last));
-        let step = length.times(0.125).max((upper - lower) / F::of((BINS - 2) as f64));
-        // (a parabola needs three bins)
-        self.length = length.max(step.times(3.0));
-        let before = ((middle - lower) / step).max(F::zero()).whole().saturating_add(1);
-        let start = middle - step * F::widened(before as f32);
-        let edge = |bins: i32| start + step * F::widened(bins as f32);
-        let (heights, shares) = (&mut self.heights, &mut self.shares);
-        let (mut sum, mut covered, mut bins) = (F::zero(), F::zero(), 1);
-        let mut close = |sum: &mut F, covered: &mut F| {
-            let height = if *covered > F::zero() { *sum / *covered } else { F::zero() };
-            let _ = heights.push(height);
-            let _ = shares.push(*covered / step);
-            (*sum, *covered) = (F::zero(), F::zero());
-            heights.is_full()
-        };
-        // integrals of the straight pieces between the edges of the bins
-        'pieces: for ([from, to], [h_from, h_to]) in profile.pieces() {
-            let slope = (h_to - h_from) / (to - from);
-            let at = |y: F| h_from - profile.lowest + (y - from) * slope;
-            let mut begin = from.max(start);
-            while begin < to {
-                let until = to.min(edge(bins)).max(begin);
-                let width = until - begin;
-                sum += width * (at(begin) + at(until)).times(0.5);
-                covered += width;
-                begin = until;
-                if edge(bins) > to {
-                    break;
-                }
-                bins += 1;
-                if close(&mut sum, &mut covered) || edge(bins - 1) > upper {
-                    break 'pieces;
-                }
-            }
-        }
-        if covered > F::zero() && bins <= BINS as i32 {
-            close(&mut sum, &mut covered);
-        }
-        (self.start, self.step) = (start, step);
-        Ok(())
+    fn at(&self, t: Moving<F>) -> Moving<F> {
+        let [c0, c1, c2, c3] = self.c;
+        c0 + t * (c1 + t * (c2 + t * c3))
     }
 
-    /// About `y`, heights above the lowest point of the profile.
-    fn at(&self, y: F) -> Option<Parabola<F>> {
-        let reach = self.length / self.step;
-        let place = (y - self.start) / self.step;
-        let near = (place - reach).max(F::zero()).whole() as usize;
-        let width = reach.times(2.0).max(F::zero()).whole() as usize + 2;
-        let mut moments = [F::zero(); 5];
-        let mut sums = [F::zero(); 3];
-        let inverse = F::one() / reach;
-        let bins = self.heights.iter().zip(&self.shares).enumerate();
-        for (i, (height, share)) in bins.skip(near).take(width) {
-            let x = (F::widened(i as f32).plus(0.5) - place) * inverse;
-            let rest = (F::one() - x * x).max(F::zero());
-            let mut power = rest * rest * rest * *share;
-            let mut sums = sums.iter_mut();
-            for moment in &mut moments {
-                *moment += power;
-                if let Some(sum) = sums.next() {
-                    *sum += power * *height;
-                }
-                power = power * x;
-            }
+    fn slope(&self, t: Moving<F>) -> Moving<F> {
+        let [_, c1, c2, c3] = self.c;
+        c1 + t * (c2.times(2.0) + t * c3.times(3.0))
+    }
+
+    /// The beginning, the places of extremes, and the end.
+    fn cuts(&self) -> [F; 4] {
+        let (length, zero) = (self.length, F::zero());
+        let [_, c1, c2, c3] = self.c.map(|c| c.value);
+        // c₁ + 2 c₂ t + 3 c₃ t² = 0 without cancellation
+        let root = c2 * c2 - c1 * c3.times(3.0);
+        let mut cuts = [zero, zero, length, length];
+        if root > zero {
+            let root = root.sqrt();
+            let q = if c2 < zero { root - c2 } else { -root - c2 };
+            let inside = |t: F| if t > zero && t < length { t } else { zero };
+            let (one, two) = (inside(c1 / q), inside(q / c3.times(3.0)));
+            cuts = [zero, one.min(two), one.max(two), length];
         }
-        // Least squares by Cramer's rule
-        let [m0, m1, m2, m3, m4] = moments;
-        let [s0, s1, s2] = sums;
-        let [c00, c01, c02] = [m2 * m4 - m3 * m3, m2 * m3 - m1 * m4, m1 * m3 - m2 * m2];
-        let [c11, c12, c22] = [m0 * m4 - m2 * m2, m1 * m2 - m0 * m3, m0 * m2 - m1 * m1];
-        let inverse = F::one() / (m0 * c00 + m1 * c01 + m2 * c02);
-        let found = Parabola {
-            height: (s0 * c00 + s1 * c01 + s2 * c02) * inverse,
-            slope: (s0 * c01 + s1 * c11 + s2 * c12) * inverse,
-            bend: (s0 * c02 + s1 * c12 + s2 * c22) * inverse,
-        };
-        let Parabola { height, slope, bend } = found;
-        [height, slope, bend].iter().all(|x| x.is_finite_number()).then_some(found)
+        cuts
     }
 }
 
-/// Where the strips of the normal problem lie: on a lattice that stands on the middle of the load.
-pub(super) struct Lattice<F> {
-    /// The smoothed profile's lowest point above the profile's.
-    pub lowest: F,
-    middle: F,
-    /// Of a strip \[m\].
-    pub width: F,
+/// The smoothed profile where contact is likely.
+#[derive(Clone, Debug)]
+pub(super) struct Curve<F> {
+    pub knots: Vec<Knot<F>, KNOTS>,
+    /// Distance of neighbouring knots.
+    step: F,
+    /// Its lowest point.
+    pub lowest: Moving<F>,
+    ends: [F; 2],
 }
 
-impl<F: Float> Lattice<F> {
-    /// About so many strips below a level, listed in `cells`. The first lattice has its middle from the section there, and its
-    /// level is above the smoothed profile's lowest point.
+/// The smoothing length without regard to the points: half the width of a narrow contact, 2 mm of a wide one.
+pub(super) fn length_for<F: Float>(half_width: Moving<F>) -> Moving<F> {
+    let narrow = half_width.times(2.0 * SHARE);
+    let widest = Moving::from_base(F::of(WIDEST));
+    // (m⁻⁴ + c⁻⁴)^(−1/4)
+    let (small, large) = (narrow.min(widest), narrow.max(widest));
+    let ratio = (small / large).squared().squared();
+    small / ratio.plus(1.0).sqrt().sqrt()
+}
+
+impl<F: Float> Curve<F> {
+    /// Of a profile smoothed over a length, where its points are less than `level` above the lowest.
     #[inline(never)]
-    pub fn new(
-        profile: &Profile<F>,
-        level: F,
-        length: F,
-        count: u32,
-        known: Option<F>,
-        cells: &mut Cells<F>,
-    ) -> Result<Self, Error> {
-        let section = profile.section(level);
-        let middle = known.unwrap_or(profile.deepest + section.moment / section.volume);
-        // (at the ends of the number range it may be none)
-        let inside = middle >= section.lower && middle <= section.upper;
-        let middle = if inside { middle } else { profile.deepest };
-        let mut smooth = Smooth::new();
-        smooth.fill(profile, middle, [section.lower, section.upper], length)?;
-        let Parabola { height, slope, bend } = smooth.at(profile.deepest).ok_or(Error::Overflow)?;
-        // the vertex, and the half width of the parabola where it is narrower than the section's points tell
-        let bend = bend.max(F::TINY);
-        let lowest = height - (slope * (slope / bend)).times(0.25).min(height.abs());
-        let half = ((level - lowest).max(F::zero()) / bend).sqrt().min(F::one()) * smooth.length;
-        // (of a parabola the width, and smooth where a flat crest comes under the level)
-        let width = (section.volume / level).times(1.5).max(half.times(2.0));
-        let width = width / F::widened(count as f32);
-        let [first, last] = profile.ends().ok_or(Error::Profile)?;
-        let lattice = Self { lowest, middle, width };
-        let from = section.lower.min(profile.deepest - half).max(first);
-        let to = section.upper.max(profile.deepest + half).min(last);
-        let most = F::widened(PLACES as f32);
-        let places = |length: F| (length / width).min(most).whole().max(1) + 1;
-        let level = if known.is_some() { level } else { level + lowest };
-        cells.width = width;
-        for place in -places(middle - from)..=places(to - middle) {
-            let height = smooth.at(lattice.y(place)).ok_or(Error::Overflow)?.height;
-            if height < level {
-                cells.list.push(Cell::new(place, height)).map_err(|_| Error::PatchSize)?;
-            }
+    pub fn new(profile: &Profile<F>, length: Moving<F>, level: F) -> Self {
+        let ends = profile.ends();
+        let [first, last] = ends;
+        let whole = last - first;
+        let widest = Moving::from_base(whole);
+        let length = length.min(widest);
+        let least = length.value.max(profile.step().times(STEPS)).max(whole / F::of(4096.0));
+        let mut pieces = 4_u32;
+        while F::widened(pieces as f32) * least < whole.times(2.0) {
+            pieces *= 2;
         }
-        Ok(lattice)
+        let mut curve =
+            Self { knots: Vec::new(), step: whole, lowest: Moving::from_base(F::zero()), ends };
+        while !curve.fill(profile, length, level, pieces) && pieces > 4 {
+            pieces /= 2;
+        }
+        let mut lowest = Moving::from_base(F::LARGEST);
+        curve.pieces(
+            |knot| [knot.height, knot.slope],
+            |_, cubic| {
+                for t in cubic.cuts() {
+                    lowest = lowest.min(cubic.at(Moving::from_base(t)));
+                }
+            },
+        );
+        curve.lowest = lowest;
+        curve
     }
 
-    pub fn y(&self, place: i32) -> F {
-        self.middle + self.width * F::widened(place as f32)
+    /// Knots at the ends of so many pieces, near those where the profile is low; whether there was room.
+    fn fill(&mut self, profile: &Profile<F>, length: Moving<F>, level: F, pieces: u32) -> bool {
+        let [first, last] = self.ends;
+        self.knots.clear();
+        self.step = (last - first) / F::widened(pieces as f32);
+        let at = |knot: u32| {
+            let share = F::widened(knot as f32) / F::widened(pieces as f32);
+            first * (F::one() - share) + last * share
+        };
+        // of each piece the lowest and the highest point, with the points beside it
+        let ranges = |take: &mut dyn FnMut(u32, F, F) -> bool| {
+            let mut from = 0;
+            for piece in 0..pieces {
+                let (begin, end) = (at(piece), at(piece + 1));
+                let (mut low, mut high) = (F::LARGEST, -F::LARGEST);
+                let points = profile.y.iter().zip(profile.distance).enumerate().skip(from);
+                for (i, (y, h)) in points {
+                    if *y <= begin {
+                        from = i;
+                        (low, high) = (*h, *h);
+                    } else {
+                        low = low.min(*h);
+                        high = high.max(*h);
+                    }
+                    if *y >= end {
+                        break;
+                    }
+                }
+                if !take(piece, low - profile.lowest, high - profile.lowest) {
+                    return false;
+                }
+            }
+            true
+        };
+        let mut bottom = F::LARGEST;
+        ranges(&mut |_, _, high| {
+            bottom = bottom.min(high);
+            true
+        });
+        let mut next = 0;
+        let mut joined = false;
+        let knots = &mut self.knots;
+        ranges(&mut |piece, low, _| {
+            if low > bottom + level {
+                return true;
+            }
+            let wanted = piece.saturating_sub(2);
+            joined = joined && wanted <= next;
+            for knot in wanted.max(next)..=(piece + 3).min(pieces) {
+                let y = at(knot);
+                let (height, slope) = parabola(profile, y, length);
+                if knots.push(Knot { y, height, slope, joined }).is_err() {
+                    return false;
+                }
+                joined = true;
+                next = knot + 1;
+            }
+            true
+        })
     }
+
+    /// Hands every piece to `take`, with the cubic of what `of` makes of knots.
+    fn pieces(
+        &self,
+        of: impl Fn(&Knot<F>) -> [Moving<F>; 2],
+        mut take: impl FnMut(&Knot<F>, &Cubic<F>),
+    ) {
+        for (knot, next) in self.knots.iter().zip(self.knots.iter().skip(1)) {
+            if next.joined {
+                take(knot, &Cubic::new(self.step, of(knot), of(next)));
+            }
+        }
+    }
+
+    /// Height above the lowest point.
+    pub fn at(&self, y: Moving<F>) -> Moving<F> {
+        let next = self.knots.partition_point(|knot| knot.y < y.value);
+        let next = next.min(self.knots.len().saturating_sub(1)).max(1);
+        match self.knots.get(next - 1..=next) {
+            Some([knot, end]) => {
+                let ends = [[knot.height, knot.slope], [end.height, end.slope]];
+                let cubic = Cubic::new(self.step, ends[0], ends[1]);
+                cubic.at(y.shift(-knot.y)) - self.lowest
+            }
+            _ => Moving::from_base(F::zero()),
+        }
+    }
+
+    /// Where a function is negative that `of` makes of a place, the height there and the slope: its value and slope. Whether one
+    /// of the zones ends with the profile.
+    pub fn zones(
+        &self,
+        of: impl Fn(Moving<F>, Moving<F>, Moving<F>) -> [Moving<F>; 2],
+    ) -> (Zones<F>, bool) {
+        let mut found = Found { zones: Vec::new(), begun: None, lowest: Moving::zero() };
+        let [start, finish] = self.ends;
+        let mut at_end = false;
+        let at =
+            |knot: &Knot<F>| of(Moving::from_base(knot.y), knot.height - self.lowest, knot.slope);
+        let mut last: Option<(F, [Moving<F>; 2])> = None;
+        let next = self.knots.iter().skip(1).map(Some).chain([None]);
+        for (knot, next) in self.knots.iter().zip(next) {
+            let own = match last {
+                Some((_, own)) if knot.joined => own,
+                _ => at(knot),
+            };
+            if !knot.joined {
+                if let Some((end, _)) = last {
+                    found.end(Moving::from_base(end));
+                }
+                if own[0].value < F::zero() {
+                    found.begun = Some(Moving::from_base(knot.y));
+                    at_end = at_end || knot.y <= start;
+                }
+            }
+            last = Some((knot.y, own));
+            let Some(next) = next.filter(|next| next.joined) else { continue };
+            let end = at(next);
+            last = Some((next.y, end));
+            // no cubic falls farther below its ends
+            let fall = (knot.slope.value.abs() + next.slope.value.abs()) * self.step.times(0.15);
+            let least = own[0].value.min(end[0].value);
+            if least > fall {
+                continue;
+            }
+            let heights = Cubic::new(
+                self.step,
+                [knot.height - self.lowest, knot.slope],
+                [next.height - self.lowest, next.slope],
+            );
+            let exact = |t: Moving<F>| of(t.shift(knot.y), heights.at(t), heights.slope(t));
+            // extremes of the profile, and those of the function as a cubic
+            let ([zero, a, b, _], [_, c, d, length]) =
+                (heights.cuts(), Cubic::new(self.step, own, end).cuts());
+            let mut cuts = [a, b, c, d, length];
+            for i in 1..cuts.len() {
+                for k in (0..i).rev() {
+                    if let Some([one, two]) = cuts.get_mut(k..k + 2)
+                        && *two < *one
+                    {
+                        core::mem::swap(one, two);
+                    }
+                }
+            }
+            let (mut from, mut before) = (zero, own[0]);
+            for to in cuts {
+                if to <= from {
+                    continue;
+                }
+                let after = if to < length { exact(Moving::from_base(to))[0] } else { end[0] };
+                found.lowest = found.lowest.min(before).min(after);
+                let (inside, stays) = (before.value < F::zero(), after.value < F::zero());
+                if inside && !stays {
+                    found.end(root(&exact, from, to).shift(knot.y));
+                } else if stays && !inside {
+                    found.begun = Some(root(&exact, to, from).shift(knot.y));
+                }
+                (from, before) = (to, after);
+            }
+        }
+        if let Some((end, _)) = last {
+            at_end = at_end || (found.begun.is_some() && end >= finish);
+            found.end(Moving::from_base(end));
+        }
+        (found.zones, at_end)
+    }
+}
+
+/// Zones on the way along the profile.
+struct Found<F> {
+    zones: Zones<F>,
+    begun: Option<Moving<F>>,
+    lowest: Moving<F>,
+}
+
+impl<F: Float> Found<F> {
+    /// One zone more than there is room for: those beside the narrowest gap become one.
+    fn close_a_gap(&mut self, next: Zone<F>) {
+        let after = self.zones.iter().skip(1).chain([&next]);
+        let gaps = self.zones.iter().zip(after).map(|(zone, next)| (next.from - zone.to).value);
+        let least = gaps
+            .enumerate()
+            .fold((0, F::LARGEST), |least, (i, gap)| if gap < least.1 { (i, gap) } else { least });
+        let mut carried = next;
+        // from the last zone down to the one after the gap each makes room for the next
+        for (i, zone) in self.zones.iter_mut().enumerate().rev() {
+            if i > least.0 {
+                core::mem::swap(zone, &mut carried);
+            } else {
+                zone.to = carried.to;
+                zone.depth = zone.depth.max(carried.depth);
+                break;
+            }
+        }
+    }
+
+    /// The zone that has begun ends.
+    fn end(&mut self, to: Moving<F>) {
+        let depth = -self.lowest;
+        self.lowest = Moving::zero();
+        let Some(from) = self.begun.take() else { return };
+        let zone = Zone { from, to, depth };
+        if !(to.value > from.value) {
+            return;
+        }
+        if self.zones.is_full() {
+            self.close_a_gap(zone);
+        } else {
+            let _ = self.zones.push(zone);
+        }
+    }
+}
+
+/// Where a function is zero between two places of different sign: Newton's steps between brackets.
+fn root<F: Float>(
+    of: impl Fn(Moving<F>) -> [Moving<F>; 2],
+    mut negative: F,
+    mut positive: F,
+) -> Moving<F> {
+    let mut t = negative.times(0.5) + positive.times(0.5);
+    let small = (positive - negative).abs() * F::EPSILON.times(4.0);
+    for _ in 0..60 {
+        let [value, slope] = of(Moving::from_base(t)).map(|x| x.value);
+        if value < F::zero() {
+            negative = t
+        } else {
+            positive = t
+        }
+        let next = t - value / slope;
+        let between = (next - negative) * (next - positive) < F::zero();
+        let next = if between { next } else { negative.times(0.5) + positive.times(0.5) };
+        let moved = (next - t).abs();
+        t = next;
+        // (the step after this one would be as small as the square of it)
+        if moved <= small.max((positive - negative).abs() * F::EPSILON.sqrt()) {
+            break;
+        }
+    }
+    let [value, slope] = of(Moving::from_base(t));
+    // (a zone that is just born widens without limit, and carries nothing)
+    let steep = if slope.value.abs() > F::TINY { F::one() / slope.value } else { F::zero() };
+    Moving { value: t, gradient: value.gradient.map(|d| -(d * steep)) }
+}
+
+/// Height and slope of the parabola about `y`.
+fn parabola<F: Float>(profile: &Profile<F>, y: F, length: Moving<F>) -> (Moving<F>, Moving<F>) {
+    let floor = spacing(profile, y);
+    // s² = s₀² + (2.5 steps)²
+    let length = (length.squared().shift(floor * floor)).sqrt();
+    let inverse = F::one() / length.value;
+    let (places, heights) = (profile.y, profile.distance);
+    // Σ (1 − x²)² x^k over the points, and with their heights
+    let mut moments = [F::zero(); 7];
+    let mut sums = [F::zero(); 5];
+    let begin = places.partition_point(|place| *place <= y - length.value);
+    let first = places.get(begin.saturating_sub(1)).or(places.first());
+    let mut before = first.copied().unwrap_or(y);
+    let points = places.iter().zip(heights).enumerate().skip(begin);
+    for (i, (place, height)) in points {
+        let x = (*place - y) * inverse;
+        if x >= F::one() {
+            break;
+        }
+        let after = places.get(i + 1).copied().unwrap_or(*place);
+        let width = after - before;
+        before = *place;
+        let rest = F::one() - x * x;
+        let mut power = rest * rest * width;
+        let height = *height - profile.lowest;
+        for (moment, sum) in moments.iter_mut().zip(&mut sums) {
+            *moment += power;
+            *sum += power * height;
+            power = power * x;
+        }
+        let [.., fifth, sixth] = &mut moments;
+        *fifth += power;
+        *sixth += power * x;
+    }
+    let [relative] = length.gradient.map(|d| d * inverse);
+    // w = (1 − x²)³ = (1 − x²)² − x² (1 − x²)²; by ln s, x being what it was: dw = 6 x² (1 − x²)²
+    let of = |list: &[F], k: usize| {
+        let at = |k: usize| list.get(k).copied().unwrap_or(F::zero());
+        let (low, high) = (at(k), at(k + 2));
+        Moving { value: low - high, gradient: [high.times(6.0) * relative] }
+    };
+    let m: [Moving<F>; 5] = core::array::from_fn(|k| of(&moments, k));
+    let s: [Moving<F>; 3] = core::array::from_fn(|k| of(&sums, k));
+    let [m0, m1, m2, m3, m4] = m;
+    let [s0, s1, s2] = s;
+    // (two points alone make a line)
+    let m4 = m4 + m0.scale(F::EPSILON.sqrt().times(0.1));
+    let [c00, c01, c02] = [m2 * m4 - m3 * m3, m2 * m3 - m1 * m4, m1 * m3 - m2 * m2];
+    let [c11, c12] = [m0 * m4 - m2 * m2, m1 * m2 - m0 * m3];
+    let scale = (m0 * c00 + m1 * c01 + m2 * c02).inverse();
+    let height = (s0 * c00 + s1 * c01 + s2 * c02) * scale;
+    let slope = (s0 * c01 + s1 * c11 + s2 * c12) * scale.scale(inverse);
+    (height, slope)
+}
+
+/// 2.5 steps of the profile at `y`, straight between its points; at least 1.25 times the gap that `y` lies in.
+fn spacing<F: Float>(profile: &Profile<F>, y: F) -> F {
+    let places = profile.y;
+    let last = places.len().saturating_sub(1);
+    let next = places.partition_point(|place| *place < y).min(last).max(1);
+    let at = |i: usize| places.get(i.min(last)).copied().unwrap_or(y);
+    let of = |i: usize| {
+        let (low, high) = (i.saturating_sub(2), (i + 2).min(last));
+        let gaps = F::widened((high - low).max(1) as f32);
+        let even = (at(high) - at(low)) / gaps;
+        let gap = (at(i + 1) - at(i)).max(at(i) - at(i.saturating_sub(1)));
+        even.times(STEPS).max(gap.times(0.5 * STEPS))
+    };
+    let (from, to) = (at(next - 1), at(next));
+    let share = (y - from) / (to - from);
+    let (before, after) = (of(next - 1), of(next));
+    before + (after - before) * share
 }

@@ -262,8 +262,14 @@ impl<'a, F: Precision> Problem<'a, F> {
         visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
     ) {
         let mut solved: Option<(Zone<F>, (Totals<T>, T))> = None;
-        for (i, strip) in self.view.strips().iter().enumerate() {
-            let Some(zone) = self.view.zone(i) else { return };
+        let mut before = 0;
+        let all = self.view.lobes().flat_map(|lobe| {
+            let (first, of_lobe) = (before, self.view.zone_of_lobe(before, lobe));
+            before += lobe.len();
+            lobe.iter().zip(first..).map(move |(strip, i)| (strip, i, of_lobe))
+        });
+        for (strip, i, of_lobe) in all {
+            let Some(zone) = of_lobe.or_else(|| self.view.zone(i)) else { return };
             let found = match solved {
                 Some((last, found)) if zone.is(&last) => found,
                 _ => Self::elliptic_totals(&zone, slip),
@@ -297,8 +303,11 @@ impl<'a, F: Precision> Problem<'a, F> {
         let QuadratureScale { area, lever } = self.view.scale();
         let mut prepared: Option<Known<F, T, StripLaw<T>>> = None;
         let mut before = 0;
+        let of_patch = Widths::new(self.view.strips());
         for lobe in self.view.lobes() {
-            let (count, widths) = (lobe.len(), Widths::new(lobe));
+            let alternates = of_patch.alternation > F::zero();
+            let widths = if alternates { Widths::new(lobe) } else { of_patch };
+            let (count, of_lobe) = (lobe.len(), self.view.zone_of_lobe(before, lobe));
             let alternating = widths.alternation.times(0.5);
             for (g, group) in lobe.chunks(8).enumerate() {
                 let zero = T::zero();
@@ -310,11 +319,11 @@ impl<'a, F: Precision> Problem<'a, F> {
                 for (k, (((strip, seen), inner), shift)) in strips.enumerate() {
                     let i = 8 * g + k;
                     let x = strip.centre_x;
-                    let known = prepared.as_ref().is_some_and(|known| {
-                        known.x == x && self.view.is_zone(before + i, &known.zone)
-                    });
+                    let own = of_lobe.or_else(|| self.view.zone(before + i));
+                    let Some(zone) = own else { continue };
+                    let known =
+                        prepared.as_ref().is_some_and(|known| known.x == x && zone.is(&known.zone));
                     if !known {
-                        let Some(zone) = self.view.zone(before + i) else { continue };
                         // the slopes of the linear theory, whatever the quadrature
                         let (law, shift) = Self::law(&zone, slip, x, [area, lever]);
                         prepared = Some(Known { zone, x, units: Units::new(&zone), law, shift });

@@ -21,9 +21,9 @@ use core::f64::consts::PI;
 /// Neck over the smaller part: no connection, and all of it.
 const APART: f64 = 0.55;
 const WHOLE: f64 = 0.85;
-/// Distance of neighbours, over that at which they touch, where their connection begins to end, and where it has.
-const TOUCHING: f64 = 1.5;
-const GAP: f64 = 2.0;
+/// Gap between neighbours, over the width of a strip, where their connection begins to end, and where it has.
+const TOUCHING: f64 = 0.5;
+const GAP: f64 = 1.0;
 
 /// The ellipse that stands for a strip's zone.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,11 +87,13 @@ struct Walk<F> {
     peak: F,
     neck: F,
     weight: F,
+    /// One over the width of a strip of the patch.
+    per_width: F,
 }
 
 impl<F: Float> Walk<F> {
-    fn new(strip: &PatchStrip<F>) -> Self {
-        Self { peak: strip.half_length, neck: strip.half_length, weight: F::one() }
+    fn new(strip: &PatchStrip<F>, per_width: F) -> Self {
+        Self { peak: strip.half_length, neck: strip.half_length, weight: F::one(), per_width }
     }
 
     /// The weight of the next strip.
@@ -100,8 +102,9 @@ impl<F: Float> Walk<F> {
         self.neck = self.neck.min(l);
         let smaller = self.peak.min(l);
         let share = (self.neck / smaller).plus(-APART).times(1.0 / (WHOLE - APART));
-        let distance = (next.y - last.y).abs() / (next.width + last.width).times(0.5);
-        let near = (F::of(GAP) - distance).times(1.0 / (GAP - TOUCHING));
+        // (strips of any width end as narrow ones: what counts is the gap, not the distance of their middles)
+        let gap = (next.y - last.y).abs() - (next.width + last.width).times(0.5);
+        let near = (F::of(GAP) - gap * self.per_width).times(1.0 / (GAP - TOUCHING));
         let share = share.min(near).clamped(F::zero(), F::one());
         self.weight = self.weight.min(share * share * (F::of(3.0) - share.times(2.0)));
         if l > self.peak {
@@ -129,7 +132,7 @@ impl<F: Float> PatchView<'_, F> {
     /// The zone of all strips, if no neck and no gap divides the patch.
     pub(crate) fn only_zone(&self) -> Option<Zone<F>> {
         let strips = self.strips();
-        let mut walk = Walk::new(strips.first()?);
+        let mut walk = Walk::new(strips.first()?, self.per_width());
         let mut pairs = strips.iter().zip(strips.iter().skip(1));
         if pairs.all(|(last, next)| walk.pass(last, next) >= F::one()) {
             self.zone_around(0)
@@ -138,10 +141,16 @@ impl<F: Float> PatchView<'_, F> {
         }
     }
 
-    /// The zones of all strips, one if it is that of all.
+    /// The zones of all strips, one for those of a lobe that have the same.
     pub(crate) fn zones(&self) -> impl Iterator<Item = Zone<F>> {
-        let count = if self.whole().is_some() { 1 } else { self.strips().len() };
-        (0..count).filter_map(|i| self.zone(i))
+        let mut before = 0;
+        self.lobes().flat_map(move |lobe| {
+            let first = before;
+            before += lobe.len();
+            let of_lobe = self.zone_of_lobe(first, lobe);
+            let count = if of_lobe.is_some() { 1 } else { lobe.len() };
+            (0..count).filter_map(move |i| of_lobe.or_else(|| self.zone(first + i)))
+        })
     }
 
     /// The zone of the strip of this number, `None` beyond the last.
@@ -153,9 +162,37 @@ impl<F: Float> PatchView<'_, F> {
         }
     }
 
-    /// Whether a zone is that of the strip of this number.
-    pub(crate) fn is_zone(&self, number: usize, zone: &Zone<F>) -> bool {
-        self.whole().is_some() || self.zone(number).is_some_and(|own| own.is(zone))
+    /// One over the width of a strip: the mean over the width, which strips as narrow as one likes do not change \[1/m\].
+    fn per_width(&self) -> F {
+        let (mut sum, mut squares) = (F::TINY, F::TINY);
+        let widest = self.strips().iter().fold(F::TINY, |widest, strip| widest.max(strip.width));
+        for strip in self.strips() {
+            let width = strip.width / widest;
+            sum += width;
+            squares += width * width;
+        }
+        sum / squares / widest
+    }
+
+    /// The zone of all strips of a lobe that begins with this number, where no neck divides it and no other is near.
+    pub(crate) fn zone_of_lobe(&self, number: usize, lobe: &[PatchStrip<F>]) -> Option<Zone<F>> {
+        if self.whole().is_some() {
+            return self.whole().copied();
+        }
+        let per_width = self.per_width();
+        let (first, last) = (lobe.first()?, lobe.last()?);
+        let before = number.checked_sub(1).and_then(|i| self.strips().get(i));
+        let after = self.strips().get(number + lobe.len());
+        let near = |one: Option<&PatchStrip<F>>, two: &PatchStrip<F>| {
+            one.is_some_and(|one| Walk::new(one, per_width).pass(one, two) > F::zero())
+        };
+        let mut walk = Walk::new(first, per_width);
+        let mut pairs = lobe.iter().zip(lobe.iter().skip(1));
+        let whole = pairs.all(|(last, next)| walk.pass(last, next) >= F::one());
+        let alone = whole && !near(before, first) && !near(after, last);
+        // (strips without load have no ellipse in common)
+        let zone = if alone { self.zone_around(number)? } else { return None };
+        (zone.contact.normal_force > F::zero()).then_some(zone)
     }
 
     fn zone_around(&self, number: usize) -> Option<Zone<F>> {
@@ -180,19 +217,20 @@ impl<F: Float> PatchView<'_, F> {
             section: zero,
         };
         sums.add(own, &units, F::one());
+        let per_strip = self.per_width();
         let mut add = |strip: &PatchStrip<F>, walk: &mut Walk<F>, last: &PatchStrip<F>| {
             let weight = walk.pass(last, strip);
             sums.add(strip, &units, weight);
             weight > zero
         };
-        let (mut walk, mut last) = (Walk::new(own), own);
+        let (mut walk, mut last) = (Walk::new(own, per_strip), own);
         for strip in before.iter().rev() {
             if !add(strip, &mut walk, last) {
                 break;
             }
             last = strip;
         }
-        let (mut walk, mut last) = (Walk::new(own), own);
+        let (mut walk, mut last) = (Walk::new(own, per_strip), own);
         for strip in after {
             if !add(strip, &mut walk, last) {
                 break;
@@ -228,28 +266,32 @@ impl<F: Float> PatchView<'_, F> {
     }
 }
 
-/// Widths of the strips of a lobe.
+/// Widths of the strips of a lobe or a patch.
 #[derive(Clone, Copy)]
 pub(crate) struct Widths<F> {
     /// One over their mean \[1/m\], one where there are none.
     pub per_mean: F,
     /// One for a rule of Gauss, whose strips take turns with two kinds of nodes along their lengths; none for strips of one
-    /// width, which have half of both: then one more strip at the rim turns nothing round.
+    /// width but a few, which have half of both: then one more strip at the rim turns nothing round.
     pub alternation: F,
 }
 
 impl<F: Float> Widths<F> {
     pub(crate) fn new(strips: &[PatchStrip<F>]) -> Self {
-        let sum =
-            |of: &dyn Fn(F) -> F| strips.iter().fold(F::zero(), |sum, strip| sum + of(strip.width));
-        let (whole, count) = (sum(&|width| width), sum(&|_| F::one()));
-        let mean = if count > F::zero() { whole / count } else { F::one() };
-        let per_mean = F::one() / mean;
-        // mean deviation over the mean: 0.15 to 0.4 of the rules of Gauss
-        let deviation = sum(&|width| (width - mean).abs()) * (per_mean / count.max(F::one()));
-        Self {
-            per_mean,
-            alternation: deviation.plus(-0.05).times(20.0).clamped(F::zero(), F::one()),
+        let widest = strips.iter().fold(F::TINY, |widest, strip| widest.max(strip.width));
+        let (mut count, mut sum, mut squares, mut wide) = (F::zero(), F::TINY, F::TINY, F::zero());
+        for strip in strips {
+            let width = strip.width / widest;
+            count += F::one();
+            sum += width;
+            squares += width * width;
+            wide += width * width.plus(-0.9).times(20.0).clamped(F::zero(), F::one());
         }
+        // share of the width that the widest have: at most 0.66 in the rules of Gauss
+        let alternation = (F::of(0.74) - wide / sum).times(12.5).clamped(F::zero(), F::one());
+        // the mean of the strips of a rule, that over the width of others
+        let (of_rule, of_others) = (count / sum, sum / squares);
+        let per_mean = (of_others + (of_rule - of_others) * alternation) / widest;
+        Self { per_mean, alternation }
     }
 }

@@ -457,8 +457,11 @@ fn errors_in_prose_are_those_of_the_report() {
         let row = format!("| {name} | {} | {} |", both(&figures[0], digits), both(&figures[2], 3));
         assert!(readme.contains(&row), "README.md: {row}");
     }
-    let row =
-        format!("| right for vanishing creepage only | {} / {:.2} |", short(linear[0][0], 3), linear[0][1]);
+    let row = format!(
+        "| right for vanishing creepage only | {} / {:.2} |",
+        short(linear[0][0], 3),
+        linear[0][1]
+    );
     assert!(readme.contains(&row), "README.md: {row}");
     for text in [
         format!("{} `μ N` from it on average", short(total[0][0], 4)),

@@ -19,7 +19,11 @@ pub type Full = Patch<f64, 64>;
 type Row = HashMap<String, String>;
 
 fn rows(file: &str) -> Vec<Row> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/patches").join(file);
+    rows_of("patches", file)
+}
+
+fn rows_of(folder: &str, file: &str) -> Vec<Row> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(folder).join(file);
     let mut reader = csv::Reader::from_path(path).unwrap();
     reader.deserialize().map(|row| row.unwrap()).collect()
 }
@@ -74,6 +78,10 @@ pub struct Case {
     pub cell: f64,
     pub y: Vec<f64>,
     pub distance: Vec<f64>,
+    /// Of each point; empty: none.
+    pub centre_x: Vec<f64>,
+    pub radii: Vec<f64>,
+    pub zones: usize,
     pub outline: Vec<Outline>,
     pub motions: Vec<Motion>,
 }
@@ -112,9 +120,19 @@ impl Case {
         }
     }
 
+    pub fn profile(&self) -> Profile<'_, f64> {
+        let mut profile = Profile::new(&self.y, &self.distance).unwrap();
+        if !self.centre_x.is_empty() {
+            profile = profile.with_centre_x(&self.centre_x).unwrap();
+        }
+        if !self.radii.is_empty() {
+            profile = profile.with_rolling_radius(&self.radii).unwrap();
+        }
+        profile
+    }
+
     pub fn patch(&self, count: StripCount) -> (Full, Indentation<f64>) {
-        Full::from_profile(&Profile::new(&self.y, &self.distance).unwrap(), &self.contact(), count)
-            .unwrap()
+        Full::from_profile(&self.profile(), &self.contact(), count).unwrap()
     }
 
     /// CONTACT's own outline and loads as strips.
@@ -212,6 +230,43 @@ pub fn profiles() -> Vec<Case> {
         });
     }
     for row in rows("forces.csv") {
+        cases[index[&row["case"]]].motions.push(Motion::of(&row));
+    }
+    cases
+}
+
+/// Patches of real wheels on real rails, with yaw.
+pub fn real() -> Vec<Case> {
+    let mut cases: Vec<Case> = rows_of("real", "cases.csv")
+        .iter()
+        .map(|row| {
+            let number = |column| number(row, column);
+            Case {
+                name: row["case"].clone(),
+                family: row["family"].clone(),
+                rolling_radius: 0.46,
+                load: number("normal_force_N"),
+                friction: number("mu"),
+                shear_modulus: number("G_MPa") * 1e6,
+                poisson_ratio: number("nu"),
+                size: number("c_mm") * 1e-3,
+                area: number("area_mm2") * 1e-6,
+                peak_pressure: number("pmax_MPa") * 1e6,
+                zones: number("zones") as usize,
+                ..Case::default()
+            }
+        })
+        .collect();
+    let index: HashMap<_, _> =
+        cases.iter().enumerate().map(|(i, case)| (case.name.clone(), i)).collect();
+    for row in rows_of("real", "profiles.csv") {
+        let case = &mut cases[index[&row["case"]]];
+        case.y.push(number(&row, "y_mm") * 1e-3);
+        case.distance.push(number(&row, "h_um") * 1e-6);
+        case.centre_x.push(number(&row, "xcentre_mm") * 1e-3);
+        case.radii.push(number(&row, "R_mm") * 1e-3);
+    }
+    for row in rows_of("real", "forces.csv") {
         cases[index[&row["case"]]].motions.push(Motion::of(&row));
     }
     cases

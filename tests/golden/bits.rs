@@ -211,6 +211,7 @@ impl<F: Bits> Case<'_, F> {
     /// A patch by one of its three builders.
     fn build(&self, hash: &mut Hash) -> Option<Full<F>> {
         let Self { i, contact, options, .. } = *self;
+        let mut notice = Notice::None;
         let patch = match i / 5 % 3 {
             0 => Full::from_ellipse(contact, options.strips).map(|mut patch| {
                 for (strip, n) in patch.strips.iter_mut().zip(0..) {
@@ -267,11 +268,12 @@ impl<F: Bits> Case<'_, F> {
                     hash.add(&loads);
                     hash.add(&[found.peak_y]);
                     hash.mix(u64::from(found.iterations));
+                    notice = found.notice;
                     patch
                 })
             }
         };
-        hash.status(patch.map(|patch| (patch, Notice::None)))
+        hash.status(patch.map(|patch| (patch, notice)))
     }
 
     fn patch(&self, hash: &mut Hash, patch: &Full<F>) {

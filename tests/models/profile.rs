@@ -1,6 +1,6 @@
 //! Patches from profiles: Hertz's own, load and approach, zones, shapes that do not matter, noise, bad input.
 
-use crate::patch_reference::{Full, profiles, statistics};
+use crate::patch_reference::{Full, profiles, real, statistics};
 use crate::random::Random;
 
 use approx::assert_relative_eq;
@@ -11,7 +11,7 @@ use kstrip::patch::normal::Given;
 use kstrip::patch::profile::{Indentation, Profile, ProfileContact};
 use kstrip::patch::{Patch, solver};
 use kstrip::solve::model::Model;
-use kstrip::status::Error;
+use kstrip::status::{Error, Notice};
 
 const SIXTEEN: StripCount = StripCount::Sixteen;
 
@@ -227,11 +227,11 @@ fn bad_profiles_are_named() {
     let (y, distance) = parabola(0.3, 0.03, 20);
     let good = pressed(0.46, 80e3);
     let of = |y: &[f64], distance: &[f64], contact: &ProfileContact<f64>| {
-        Patch::<f64, 32>::from_profile(&Profile::new(y, distance).unwrap(), contact, SIXTEEN)
+        Profile::new(y, distance)
+            .and_then(|profile| Patch::<f64, 32>::from_profile(&profile, contact, SIXTEEN))
             .map(|_| ())
     };
     assert_eq!(of(&y, &distance, &good), Ok(()));
-    assert_eq!(of(&y[..2], &distance[..2], &good), Err(Error::ProfileEnd));
     assert_eq!(of(&y[..1], &distance[..1], &good), Err(Error::Profile));
     assert_eq!(of(&[], &[], &good), Err(Error::Profile));
     assert_eq!(of(&y, &distance[1..], &good), Err(Error::Profile));
@@ -264,11 +264,17 @@ fn bad_profiles_are_named() {
     ] {
         assert_eq!(of(&y, &distance, &contact), Err(error));
     }
-    // Too little profile for the load, its deepest point at the end, or flat
+    // Too little profile for the load, its deepest point at the end, or flat: the bodies end there
     let (narrow, low) = parabola(0.3, 2e-3, 20);
-    assert_eq!(of(&narrow, &low, &good), Err(Error::ProfileEnd));
-    assert_eq!(of(&y[20..], &distance[20..], &good), Err(Error::ProfileEnd));
-    assert_eq!(of(&y, &vec![0.0; 41], &good), Err(Error::ProfileEnd));
+    let flat = vec![0.0; 41];
+    let ends: [(&[f64], &[f64]); 4] =
+        [(&narrow, &low), (&y[20..], &distance[20..]), (&y, &flat), (&y[..2], &distance[..2])];
+    for (y, distance) in ends {
+        let found = found(y, distance, &good);
+        assert_eq!(found.notice, Notice::ProfileEnd);
+        assert_relative_eq!(found.normal_force, 80e3, max_relative = 1e-12);
+    }
+    assert_eq!(found(&y, &distance, &good).notice, Notice::None);
     let few = Patch::<f64, 8>::from_profile(&Profile::new(&y, &distance).unwrap(), &good, SIXTEEN);
     assert_eq!(few.map(|_| ()), Err(Error::PatchSize));
     // No load, no approach: no strips
@@ -357,4 +363,168 @@ fn zones_merge_without_a_jump() {
         assert!(coarse[0] < 1.5e-3 && coarse[1] < 1.5e-3 && coarse[2] < 1.5e-3, "{coarse:?}");
         assert!(fine.iter().all(|step| *step < 3e-4), "{fine:?}");
     }
+}
+
+/// Two bottoms, 12 mm apart.
+fn two_bottoms(shift: f64) -> (Vec<f64>, Vec<f64>) {
+    let y: Vec<f64> = (0..304).map(|i| 50e-3 * (f64::from(i) / 303.0 - 0.5)).collect();
+    let distance =
+        y.iter().map(|y| 90e-6 * (((y - shift) / 6e-3).powi(2) - 1.0).powi(2) + y * y / 0.6);
+    let distance = distance.collect();
+    (y, distance)
+}
+
+fn flat_with_shoulders(half_width: f64) -> (Vec<f64>, Vec<f64>) {
+    let y: Vec<f64> = (-200..=200).map(|i| 0.2e-3 * f64::from(i)).collect();
+    let distance = y.iter().map(|y| (y.abs() - half_width).max(0.0).powi(2) / 0.6).collect();
+    (y, distance)
+}
+
+/// From 1e-12 m on, within one step of the points: no contact is refused, and a parabola's load goes with `δ^1.5`.
+#[test]
+fn light_contacts_are_ordinary() {
+    let shapes = [parabola(0.3, 40e-3, 100), parabola(0.3, 40e-3, 1001), two_bottoms(0.0)];
+    for (i, (y, distance)) in shapes.iter().chain([&flat_with_shoulders(8e-3)]).enumerate() {
+        let mut scaled = Vec::new();
+        for power in 0..14 {
+            let approach = 1e-12 * 4_f64.powi(power);
+            let contact = ProfileContact { given: Given::Approach(approach), ..pressed(0.46, 0.0) };
+            let light = found(y, distance, &contact);
+            scaled.push(light.normal_force / approach.powf(1.5));
+            let back = found(y, distance, &pressed(0.46, light.normal_force));
+            assert!(i > 1 || (back.approach / approach - 1.0).abs() < 2e-3, "{approach} {back:?}");
+        }
+        for next in &scaled {
+            assert!(*next > 0.0, "{scaled:?}");
+            assert!(i > 1 || (next / scaled[0] - 1.0).abs() < 1e-6, "{i} {scaled:?}");
+        }
+        for power in 0..20 {
+            found(y, distance, &pressed(0.46, 1e-6 * 4_f64.powi(power)));
+        }
+    }
+}
+
+/// Short smoothing, many strips: never refused.
+#[test]
+fn refining_never_fails() {
+    for count in [4, 8, 16, 32, 64].map(|n| StripCount::from_number(n).unwrap()) {
+        for shift in [-2.9e-3, -2e-3, 0.0, 1.5e-3] {
+            for smoothing_length in [0.0, 0.2e-3, 1e-3, 4e-3] {
+                let (y, distance) = two_bottoms(shift);
+                let contact = ProfileContact { smoothing_length, ..pressed(0.46, 80e3) };
+                let profile = Profile::new(&y, &distance).unwrap();
+                let (patch, _) = Full::from_profile(&profile, &contact, count).unwrap();
+                let load = patch.view().unwrap().normal_force();
+                assert_relative_eq!(load, 80e3, max_relative = 1e-12);
+            }
+        }
+    }
+}
+
+/// `dN/dδ` is the derivative of what is computed: by approach and by load, for smooth shapes, two zones and shoulders.
+#[test]
+fn stiffness_is_the_slope_of_the_load() {
+    let shapes = [
+        parabola(0.3, 40e-3, 200),
+        flat_with_shoulders(4e-3),
+        two_bottoms(0.0),
+        two_bottoms(1.7e-3),
+    ];
+    for (y, distance) in shapes {
+        for approach in [5e-6, 20e-6, 70e-6] {
+            let at = |given| found(&y, &distance, &ProfileContact { given, ..pressed(0.46, 0.0) });
+            let middle = at(Given::Approach(approach));
+            let [low, high] = [-1e-4, 1e-4].map(|x| at(Given::Approach(approach * (1.0 + x))));
+            let slope = (high.normal_force - low.normal_force) / (2e-4 * approach);
+            assert_relative_eq!(middle.stiffness, slope, max_relative = 1e-4);
+            let load = middle.normal_force;
+            let [low, high] = [-1e-4, 1e-4].map(|x| at(Given::Load(load * (1.0 + x))));
+            let slope = 2e-4 * load / (high.approach - low.approach);
+            assert_relative_eq!(at(Given::Load(load)).stiffness, slope, max_relative = 1e-4);
+        }
+    }
+}
+
+/// A second bottom, 12 um higher, begins to touch: the load goes on with its stiffness, step by step.
+#[test]
+fn a_second_zone_begins_with_nothing() {
+    let y: Vec<f64> = (-400..=400).map(|i| 1e-4 * f64::from(i)).collect();
+    let bottom = |y: f64| ((y - 6.213e-3).powi(2) / 0.3).min((y + 4.787e-3).powi(2) / 0.2 + 12e-6);
+    let distance: Vec<f64> = y.iter().map(|y| bottom(*y)).collect();
+    let mut last = None::<(f64, Indentation<f64>)>;
+    for i in 0..400 {
+        let approach = 12.2e-6 + 2.5e-9 * f64::from(i);
+        let contact = ProfileContact { given: Given::Approach(approach), ..pressed(0.46, 0.0) };
+        let next = found(&y, &distance, &contact);
+        if let Some((before, last)) = last {
+            let mean = 0.5 * (last.stiffness + next.stiffness);
+            let jump = next.normal_force - last.normal_force - mean * (approach - before);
+            assert!(jump.abs() < 1e-4 * next.normal_force, "{approach} {next:?}");
+        }
+        last = Some((approach, next));
+    }
+}
+
+/// A flat bottom that moves sideways under the points.
+#[test]
+fn no_sample_anchors_anything() {
+    let y: Vec<f64> = (0..304).map(|i| 50e-3 * (f64::from(i) / 303.0 - 0.5)).collect();
+    let at = |shift: f64| {
+        let shape = |y: &f64| 1e-4 * ((y - shift) / 6e-3).powi(6) + 1.23e-3 * y;
+        let distance: Vec<f64> = y.iter().map(shape).collect();
+        found(&y, &distance, &pressed(0.46, 109e3)).approach
+    };
+    let values: Vec<f64> = (0..60).map(|i| at(-2.3e-3 + 10e-6 * f64::from(i))).collect();
+    for three in values.windows(3) {
+        let bend = (three[2] - 2.0 * three[1] + three[0]).abs();
+        assert!(bend < 1.5e-4 * three[1], "{three:?}");
+    }
+}
+
+/// Mirrored, and with a constant added, rough shapes give the same answer.
+#[test]
+fn rough_shapes_in_the_mirror() {
+    let mut random = Random::new(712);
+    for _ in 0..100 {
+        let y: Vec<f64> = (-90..=90).map(|i| 0.2e-3 * f64::from(i)).collect();
+        let rough = |random: &mut Random| random.between(0.0, 20e-6);
+        let distance: Vec<f64> = y.iter().map(|y| y * y / 0.5 + rough(&mut random)).collect();
+        let contact = pressed(0.46, 10_f64.powf(random.between(0.0, 5.0)));
+        let wanted = found(&y, &distance, &contact);
+        let mirrored: Vec<f64> = distance.iter().rev().copied().collect();
+        let lifted: Vec<f64> = distance.iter().map(|h| h + 1e-3).collect();
+        for (other, allowed) in [(mirrored, 1e-9), (lifted, 1e-7)] {
+            let other = found(&y, &other, &contact);
+            assert_relative_eq!(other.approach, wanted.approach, max_relative = allowed);
+            assert_relative_eq!(
+                other.peak_pressure,
+                wanted.peak_pressure,
+                max_relative = 100.0 * allowed
+            );
+        }
+    }
+}
+
+/// Real wheels on real rails against CONTACT: peak pressure, area, force, moment; zones that yaw shifts along `x`, about the
+/// origin of the profile.
+#[test]
+fn real_patches_are_those_of_contact() {
+    let [mut pressures, mut areas, mut forces, mut moments] = [const { Vec::new() }; 4];
+    for case in real() {
+        let (patch, found) = case.patch(SIXTEEN);
+        pressures.push((found.peak_pressure / case.peak_pressure - 1.0).abs());
+        areas.push((patch.view().unwrap().area() / case.area - 1.0).abs());
+        let errors = case.errors(&patch, Model::Strip);
+        if case.zones > 1 {
+            assert!(errors.moment.iter().all(|error| *error < 0.05), "{} {errors:?}", case.name);
+        }
+        forces.extend(errors.force);
+        moments.extend(errors.moment);
+    }
+    let [pressure, area, force, moment] =
+        [&pressures, &areas, &forces, &moments].map(|errors| statistics(errors));
+    println!("pressure {pressure:.4?} area {area:.4?} force {force:.4?} moment {moment:.4?}");
+    assert!(pressure[0] < 0.015 && pressure[1] < 0.05, "{pressure:?}");
+    assert!(area[0] < 0.03 && area[1] < 0.08, "{area:?}");
+    assert!(force[0] < 0.02 && force[1] < 0.06, "{force:?}");
 }
