@@ -6,7 +6,7 @@
 //!
 //! `bx, by` of degree 2 in `U, V, T`, `Z` of degree 5, `A` of degree 1 and `D` of degree 3, all positive; `Z` vanishes without spin.
 //! Their coefficients are polynomials in `s = (g − 1)/(g + 1)`, and `x ↔ y` is `U ↔ V`, `s ↔ −s`. Fitted by
-//! `fit/rigid_slip.py` to quadrature for `g` 0.05 to 20: within 0.003 of `F` in the mean, 0.009 at the 95th percentile, 0.035 at
+//! `fit/rigid_slip.py` to quadrature for `g` 1/70 to 70: within 0.0035 of `F` in the mean, 0.011 at the 95th percentile, 0.033 at
 //! worst (there the pole of the spin lies at the edge of the patch).
 
 use super::constants::*;
