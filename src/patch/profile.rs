@@ -328,7 +328,7 @@ impl<F: Float> Lengths<F> {
 }
 
 impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
-    /// The patch of two profiles in contact, in about `count` strips of one width, 32 at most.
+    /// The patch of two profiles in contact, in about `count` strips, 40 at most, and one more for each further zone.
     ///
     /// # Errors
     /// Those of [`ProfileContact::check`]; [`Error::PatchSize`] when the capacity is too small; [`Error::Overflow`].
