@@ -136,12 +136,12 @@ impl<'a, F: Precision> Rig<'a, F> {
         Ok(found)
     }
 
-    /// `4 G a b (|υx| + |υy| + √(ab) |φ|)/N`, about the force of linear theory.
+    /// `4 (G a b (|υx| + |υy| + √(ab) |φ|)/N + |κ|)`, about the force of linear theory.
     fn with_unit(self) -> Result<Self, Error> {
-        let Contact { a, b, shear_modulus, normal_force, .. } = self.contact;
+        let Contact { a, b, shear_modulus, normal_force, mismatch, .. } = self.contact;
         let Creepage { longitudinal, lateral, spin } = *self.creepage;
         let creepage = longitudinal.abs() + lateral.abs() + (a * b).sqrt() * spin.abs();
-        let unit = (shear_modulus * a * b * creepage / normal_force).times(4.0);
+        let unit = (shear_modulus * a * b * creepage / normal_force + mismatch.abs()).times(4.0);
         let most = self.used.times(SLIDING);
         let unit = if unit < most { unit } else { most };
         // whatever is tried

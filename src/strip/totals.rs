@@ -388,7 +388,7 @@ fn within_bound<T: Number>([x, y]: [T; 2]) -> [T; 2] {
 ///
 /// `F' = F + λ h K v` with `h = (1 − |F|²)/10` on the forces and 1 on the moment; beyond `|F'| = 1` all of it is scaled down.
 #[inline(always)]
-fn power_projected<T: Number>(
+pub(super) fn power_projected<T: Number>(
     totals: Totals<T>,
     creepage: [T; 3],
     linear: &LinearCoefficients<T::Base>,

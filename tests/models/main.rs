@@ -33,6 +33,7 @@ mod peer_methods;
 mod profile;
 mod rig;
 mod slender;
+mod small_print;
 mod special_motions;
 mod total;
 mod unlike;

@@ -1,5 +1,5 @@
 use super::*;
-use crate::contact::forces::StripCount;
+use crate::contact::forces::{StripCount, Totals};
 use crate::linear::LinearCoefficients;
 use crate::number::Float;
 use crate::number::dual::Dual;
@@ -508,4 +508,23 @@ fn single_strips_give_the_bits_of_strips_side_by_side() {
     }
     agree::<f64>();
     agree::<f32>();
+}
+
+/// Forces that would give power are moved by one factor along `h K v`, `h = (1 − |F|²)/10` on the force and 1 on the moment.
+#[test]
+fn forces_are_lifted_along_the_linear_ones() {
+    let linear = LinearCoefficients::<f64>::at(1.4, 0.28);
+    let before = Totals { fx: -0.3, fy: 0.1, mz: 0.02, stick: 0.5 };
+    let creepage = [0.4, -0.2, 0.3];
+    let after = super::totals::power_projected(before, creepage, &linear);
+    let share = (1.0 - (before.fx * before.fx + before.fy * before.fy)) / 10.0;
+    let factors = [
+        (after.fx - before.fx) / (share * linear.c11 * creepage[0]),
+        (after.fy - before.fy) / (share * linear.c22 * creepage[1]),
+        (after.mz - before.mz) / (linear.c33 * creepage[2]),
+    ];
+    assert!(factors[2] > 0.01 && after.fx.hypot(after.fy) < 1.0, "{after:?}");
+    for factor in factors {
+        assert_abs_diff_eq!(factor, factors[2], epsilon = 1e-12);
+    }
 }

@@ -1,0 +1,165 @@
+//! What a wrong sign or one per cent of a constant would leave unnoticed elsewhere.
+
+use crate::names::*;
+use crate::random::Random;
+use crate::single::{single, single_motion};
+use crate::theory::{contact, creepage, options};
+
+use kstrip::contact::Contact;
+use kstrip::contact::creepage::Creepage;
+use kstrip::contact::forces::StripCount;
+use kstrip::patch::field::PatchField;
+use kstrip::patch::{Patch, PatchStrip};
+use kstrip::solve::model::{self, Field, Model, StripResult};
+use kstrip::status::Notice;
+use std::mem::MaybeUninit;
+
+const WITH_STRIPS: [Model; 3] = [Model::Strip1967, Model::Strip1967Continuous, Model::Strip];
+
+fn strips(c: &Contact<f64>, m: &Creepage<f64>, model: Model) -> Vec<StripResult<f64>> {
+    let mut found = Vec::new();
+    model::strips(c, m, &options(model, StripCount::Eight), &mut |strip| found.push(strip))
+        .unwrap();
+    found
+}
+
+/// Each strip's own forces in every octant of the signs: all three motions reversed reverse the forces of each strip where it stands;
+/// `(υx, φ)` reversed reverses `F_x` and keeps `F_y`; `(υy, φ)` reversed keeps `F_x` of the strip on the other side and reverses `F_y`.
+#[test]
+fn strips_carry_mirrored_forces_in_all_octants() {
+    let mut random = Random::new(320);
+    for n in 0..120 {
+        let c = contact(random.log_between(0.2, 5.0), random.between(0.0, 0.5));
+        let unit = c.friction * c.normal_force;
+        let [xi, eta, psi] = [0; 3].map(|_| random.sign() * random.log_between(0.05, 1.0));
+        let model = WITH_STRIPS[n % 3];
+        let own = strips(&c, &creepage(&c, xi, eta, 0.9 * psi), model);
+        let same = |turned: Vec<StripResult<f64>>, mirrored: bool, by_x: f64, by_y: f64| {
+            assert_eq!(own.len(), turned.len());
+            for (i, strip) in own.iter().enumerate() {
+                let other = &turned[if mirrored { own.len() - 1 - i } else { i }];
+                let off = (strip.fx - by_x * other.fx).abs() + (strip.fy - by_y * other.fy).abs();
+                assert!(off < 1e-12 * unit, "{model:?} {i}: {strip:?} {other:?}");
+            }
+        };
+        same(strips(&c, &creepage(&c, -xi, -eta, -0.9 * psi), model), false, -1.0, -1.0);
+        same(strips(&c, &creepage(&c, -xi, eta, 0.9 * psi), model), true, -1.0, 1.0);
+        same(strips(&c, &creepage(&c, xi, -eta, -0.9 * psi), model), true, 1.0, -1.0);
+    }
+}
+
+/// Far in sliding every point slips as the bodies move, `(υx − φ y, υy + φ x)`.
+#[test]
+fn slip_far_in_sliding_is_rigid_slip() {
+    let c = contact(1.3, 0.28);
+    let m = creepage(&c, 3e3, -2e3, 1.5e3);
+    let size = m.longitudinal.hypot(m.lateral);
+    for model in WITH_STRIPS {
+        // (of the theory of 1967 no more than unit spin is in its slip)
+        let m = if model == Model::Strip { m } else { Creepage { spin: 0.0, ..m } };
+        let field = Field::new(&c, &m, &options(model, StripCount::Sixteen)).unwrap();
+        for [x, y] in [[0.0, 0.0], [0.5, 0.3], [-0.4, -0.6], [-0.7, 0.2]] {
+            let (x, y) = (x * c.a, y * c.b);
+            let point = field.at(x, y);
+            let [rigid_x, rigid_y] = [m.longitudinal - m.spin * y, m.lateral + m.spin * x];
+            let off = (point.slip_x - rigid_x).hypot(point.slip_y - rigid_y);
+            assert!(off < 2e-3 * size, "{model:?} {x} {y}: {point:?} {rigid_x} {rigid_y}");
+        }
+    }
+}
+
+/// A patch of two ellipses has, on each, the field of that ellipse alone.
+#[test]
+fn fields_of_lobes_are_those_of_each_alone() {
+    let pair = [contact(0.5, 0.28), Contact { friction: 0.2, ..contact(3.0, 0.28) }];
+    let centres = [-pair[0].b - 1e-3, pair[1].b + 9e-3];
+    let alone = |c: &Contact<f64>| Patch::<f64, 64>::from_ellipse(c, StripCount::Eight).unwrap();
+    let mut placed = Vec::new();
+    for (c, centre) in pair.iter().zip(centres) {
+        let shifted = |strip: &PatchStrip<f64>| PatchStrip { y: strip.y + centre, ..*strip };
+        placed.extend(alone(c).strips.iter().map(shifted));
+    }
+    let mut both = Patch::<f64, 64>::from_strips(&placed, 82e9, 0.28).unwrap();
+    both.scale = alone(&pair[0]).scale;
+    let m = creepage(&pair[0], 0.3, -0.2, 0.0);
+    let view = both.view().unwrap();
+    let field = PatchField::new(&view, &m, Model::Strip).unwrap();
+    for (c, centre) in pair.iter().zip(centres) {
+        let own = alone(c);
+        let own_view = own.view().unwrap();
+        let own = PatchField::new(&own_view, &m, Model::Strip).unwrap();
+        for [x, y] in [[0.0, 0.05], [-0.5, 0.4], [0.3, -0.6]] {
+            let (x, y) = (x * c.a, y * c.b);
+            let (one, other) = (field.at(x, y + centre), own.at(x, y));
+            let unit = c.friction * c.peak_pressure();
+            let off = (one.traction_x - other.traction_x).hypot(one.traction_y - other.traction_y);
+            assert!(off < 1e-9 * unit && one.pressure > 0.0, "{one:?} {other:?}");
+        }
+    }
+}
+
+/// TOTAL in single precision is that in double, from partial slip to any creepage that the type has.
+#[test]
+fn total_in_single_precision_is_right_at_any_creepage() {
+    let c = contact(1.5, 0.28);
+    let o = options(Model::Total, StripCount::Sixteen);
+    for exponent in -2..=28 {
+        let size = 10_f64.powi(exponent);
+        let m = creepage(&c, 0.6 * size, -0.5 * size, 0.3 * size);
+        let double = model::solve(&c, &m, &o).unwrap();
+        let one = model::solve(&single(&c), &single_motion(&m), &o).unwrap();
+        let off = (f64::from(one.fx) - double.fx).hypot(f64::from(one.fy) - double.fy);
+        assert!(off < 3e-5 * c.friction * c.normal_force, "1e{exponent}: {one:?} {double:?}");
+    }
+}
+
+/// The warning of a spin in another unit begins at `|φ| √(ab) = 0.05`; that of the theory of 1967 with `|ψ| = 1` itself.
+#[test]
+fn warnings_begin_where_they_say() {
+    let c = contact(1.0, 0.28);
+    let radius = (c.a * c.b).sqrt();
+    let light = Contact { normal_force: c.normal_force * 1e-3, ..c };
+    for (share, notice) in [(0.998, Notice::None), (1.002, Notice::Spin)] {
+        let m = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.05 * share / radius };
+        let o = options(Model::Total, StripCount::Sixteen);
+        assert_eq!(model::solve(&light, &m, &o).unwrap().notice, notice, "{share}");
+    }
+    // the numbers next to unit spin, one of which is exactly one
+    let o = options(Model::Strip1967, StripCount::Sixteen);
+    let mut unit_spins = 0;
+    for n in 0..200 {
+        let c = kstrip_contact { friction: 0.2 + 1e-3 * f64::from(n), ..c };
+        let near = creepage(&c, 0.0, 0.0, 1.0).spin;
+        for step in -4..=4 {
+            let spin = f64::from_bits(near.to_bits().wrapping_add_signed(step));
+            let m = kstrip_creepage { longitudinal: 1e-3, lateral: 0.0, spin };
+            let mut told = MaybeUninit::uninit();
+            assert_eq!(kstrip_parameters_from_creepage(Some(&c), Some(&m), Some(&mut told)), 0);
+            // SAFETY: status 0.
+            let psi = unsafe { told.assume_init() }.psi;
+            let notice = model::solve(&c, &m, &o).unwrap().notice;
+            unit_spins += i32::from(psi == 1.0);
+            assert_eq!(notice == Notice::SpinBeyondTheory, psi >= 1.0, "{psi:e}");
+        }
+    }
+    assert!(unit_spins > 20, "{unit_spins}");
+}
+
+/// What overflows for a contact does for one turned by a right angle.
+#[test]
+fn linear_theory_overflows_on_needles_either_way() {
+    let o = options(Model::Linear, StripCount::Sixteen);
+    let c = contact(1.0, 0.28);
+    let mut refused = 0;
+    for exponent in 1..=100 {
+        let (long, short) = (10_f64.powi(exponent), 10_f64.powi(-exponent));
+        let at = |a: f64, b: f64| {
+            let c = Contact { a, b, ..c };
+            let m = Creepage { longitudinal: 1e3, lateral: 1e3, spin: 0.0 };
+            model::check(&c, &m, &o)
+        };
+        assert_eq!(at(long, short), at(short, long), "1e{exponent}");
+        refused += i32::from(at(long, short).is_err());
+    }
+    assert!(refused > 5 && refused < 95, "{refused}");
+}
