@@ -1,6 +1,6 @@
 /*
- * A wheel on a rail as the standards draw them: the patch from their distance, its approach and pressure under a load,
- * how both move with the lateral shift of the wheel, and forces on a clean and on a half-greasy rail.
+ * A wheel on a rail as the standards draw them, in one call: where they touch as the wheel shifts, its rolling radius, the angle, area
+ * and pressure of contact, and the forces on the wheel, on a dry rail and on one that is greased on the gauge side; equivalent conicity.
  *
  * Wheel: S1002, the polynomials of EN 13715. Rail: 60E1 (UIC60), the arcs of EN 13674-1 (radii 300, 80 and 13 mm), leaning
  * inwards by 1:40. Running circle 750 mm from the middle of the track, gauge 1435 mm, 14 mm below the top of the rail.
@@ -12,9 +12,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { POINTS = 1001 };
+enum { POINTS = 261 };
 
-static kstrip_patch clean, greasy;
+static kstrip_surface rail, wheel;
+static kstrip_wheel_workspace workspace;
 
 static void check(kstrip_status status)
 {
@@ -25,7 +26,7 @@ static void check(kstrip_status status)
 }
 
 /* How much larger the wheel's radius is at s [mm] from the running circle, positive away from the flange */
-static double wheel(double s)
+static double wheel_at(double s)
 {
     static const double tread[] = {0,
                                    -3.358537058e-2,
@@ -48,7 +49,7 @@ static double wheel(double s)
 }
 
 /* How far the rail head is below its top at s [mm] from its middle, upright: three arcs that are tangent to each other */
-static double rail(double s)
+static double rail_at(double s)
 {
     const double first = 10.297, second = 26.05; /* ends of the arcs of 300 and of 80 mm */
     const double sine = first / 300, cosine = sqrt(1 - sine * sine);
@@ -62,64 +63,97 @@ static double rail(double s)
     return 300 - 220 * cosine - 67 * cosine2 - sqrt(13 * 13 - (d - middle) * (d - middle));
 }
 
-/* Their distance [m] at y [m] from the running circle of the unshifted wheel; the flange is at negative y */
-static double distance_at(double y, double shift)
+/* Middle of the rail head from the running circle: 1435/2 + 36 - 14/40 - 750 mm */
+static const double offset = 3.15e-3;
+
+static void draw(void)
 {
-    /* middle of the rail head from the running circle: 1435/2 + 36 - 14/40 - 750 */
-    const double s = y * 1e3 - 3.15;
-    return (rail(s) - s / 40 - wheel(y * 1e3 - shift * 1e3)) * 1e-3;
+    double y[POINTS], z[POINTS];
+    for (int i = 0; i < POINTS; i++) {
+        const double s = -32 + i * 60.0 / (POINTS - 1);
+        y[i] = s * 1e-3;
+        z[i] = wheel_at(s) * 1e-3;
+    }
+    check(kstrip_prepare_profile(y, z, POINTS, 0, 0, &wheel));
+    for (int i = 0; i < POINTS; i++) {
+        const double s = -33 + i * 66.0 / (POINTS - 1);
+        y[i] = s * 1e-3;
+        z[i] = (rail_at(s) - s / 40) * 1e-3;
+    }
+    check(kstrip_prepare_profile(y, z, POINTS, 0, 0, &rail));
 }
 
-static kstrip_profile_result press(double shift, kstrip_patch *patch)
+static kstrip_wheel_pair steel(double friction)
 {
-    double y[POINTS], distance[POINTS];
-    for (int i = 0; i < POINTS; i++) {
-        y[i] = -27e-3 + 0.06e-3 * i;
-        distance[i] = distance_at(y[i], shift);
-    }
-    const kstrip_profile_contact contact = {.rolling_radius = 0.46,
-                                            .normal_force = 80e3,
-                                            .shear_modulus = 82e9,
-                                            .poisson_ratio = 0.28,
-                                            .friction = 0.35};
-    const kstrip_profile profile = {.y = y, .distance = distance, .points = POINTS};
-    kstrip_profile_result found;
-    check(kstrip_patch_from_profile(&profile, &contact, patch, &found));
-    return found;
+    const kstrip_wheel_pair pair = {
+        .wheel_radius = 0.46, .shear_modulus = 82e9, .poisson_ratio = 0.28, .friction = friction};
+    return pair;
+}
+
+/* Where a wheel that is shifted carries 80 kN */
+static kstrip_wheel_position loaded(double shift)
+{
+    const kstrip_wheel_pair pair = steel(0.35);
+    kstrip_wheel_position position = {.lateral = shift - offset};
+    check(kstrip_height_for_load(&rail, &wheel, &pair, &position, 80e3, NULL, NULL, &workspace,
+                                 &position.vertical));
+    return position;
+}
+
+/* Rolling radius there, of the contact that carries most */
+static double radius_at(double shift)
+{
+    loaded(shift);
+    const kstrip_wheel_contact *most = workspace.contacts;
+    for (uint32_t i = 1; i < workspace.count; i++)
+        if (workspace.contacts[i].normal_force > most->normal_force)
+            most = workspace.contacts + i;
+    return most->radius;
 }
 
 int main(void)
 {
-    printf("shift [mm]  approach [um]  stiffness [kN/mm]  peak [MPa]  at y [mm]  area [mm2]  strips  zones\n");
-    for (int shift = -3; shift <= 3; shift++) {
-        kstrip_patch_summary sums;
-        const kstrip_profile_result found = press(shift * 1e-3, &clean);
-        check(kstrip_patch_summarize(&clean, &sums));
-        printf("%10d %14.3f %18.2f %11.2f %10.3f %11.3f %7u %6u\n", shift, found.approach * 1e6,
-               found.stiffness * 1e-6, found.peak_pressure * 1e-6, found.peak_y * 1e3, sums.area * 1e6,
-               (unsigned)clean.count, (unsigned)sums.lobes);
-    }
-
-    /* Grease on the gauge side: friction is a number of each strip */
-    const double middle = press(0, &clean).peak_y;
-    greasy = clean;
-    for (uint32_t i = 0; i < greasy.count; i++)
-        greasy.strips[i].friction = greasy.strips[i].y < middle ? 0.05 : 0.35;
-
-    printf("\nlong. [%%]  lat. [%%]  spin [1/m]      Fx [N]      Fy [N]   Mz [N m]  stick [%%]\n");
-    static const kstrip_creepage motions[] = {
-        {5e-4, 0, 0}, {2e-3, 0, 0}, {0, 2e-3, 0}, {1e-3, 5e-4, 0.3}, {0, 0, 0.5}, {1, 0, 0}};
-    for (unsigned i = 0; i < sizeof motions / sizeof motions[0]; i++) {
-        const kstrip_creepage m = motions[i];
-        for (int k = 0; k < 2; k++) {
-            kstrip_result f;
-            const kstrip_outputs wanted = {.result = &f};
-            const kstrip_options options = {.model = KSTRIP_MODEL_STRIP};
-            check(kstrip_patch_evaluate(k ? &greasy : &clean, &m, NULL, &options, &wanted));
-            printf("%9.3f %9.3f %11.3f %11.3f %11.3f %10.4f %10.4f  %s\n", m.longitudinal * 100,
-                   m.lateral * 100, m.spin, f.fx, f.fy, f.mz, f.adhesion * 100,
-                   k ? "greasy" : "clean");
+    draw();
+    printf("shift [mm]  at y [mm]  radius [mm]  angle [rad]  load [kN]  area [mm2]  peak [MPa]\n");
+    for (int shift = -3; shift <= 6; shift++) {
+        const kstrip_wheel_position position = loaded(shift * 1e-3);
+        for (uint32_t i = 0; i < workspace.count; i++) {
+            const kstrip_wheel_contact *c = &workspace.contacts[i];
+            kstrip_patch_summary sums;
+            double peak = 0;
+            check(kstrip_patch_summarize(&c->patch, &sums));
+            for (uint32_t k = 0; k < c->patch.count; k++)
+                peak = fmax(peak, c->patch.strips[k].peak_pressure);
+            printf("%10d %10.3f %12.4f %12.5f %10.4f %11.3f %11.2f\n", shift,
+                   (c->origin[1] + position.lateral) * 1e3, c->radius * 1e3, c->angle,
+                   c->normal_force * 1e-3, sums.area * 1e6, peak * 1e-6);
         }
     }
+
+    /* Klingel: a wheelset with this conicity has the same difference of the radii, linear; half the distance of the rails is 750 mm */
+    const double amplitude = 3e-3;
+    printf("\nequivalent conicity at 3 mm %.4f\n",
+           (radius_at(amplitude) - radius_at(-amplitude)) / (2 * amplitude));
+
+    /* Grease on the gauge side: friction along the rail */
+    kstrip_wheel_pair dry = steel(0.35), greasy = steel(0.35);
+    greasy.friction_points = 2;
+    greasy.friction_y[0] = -15e-3;
+    greasy.friction_y[1] = 0;
+    greasy.friction_at[0] = 0.05;
+    greasy.friction_at[1] = 0.35;
+    const kstrip_wheel_position position = loaded(2e-3);
+    printf("\ncreepage [%%]       forward [N]   lateral [N]  down [N]  about the axle [N m]\n");
+    static const double creepages[] = {-1e-2, -1e-3, 0, 1e-3, 1e-2};
+    for (unsigned i = 0; i < sizeof creepages / sizeof creepages[0]; i++)
+        for (int k = 0; k < 2; k++) {
+            const kstrip_wheel_velocity velocity = {
+                .forward = 20, .pitch = -20 / 0.4604 * (1 + creepages[i])};
+            kstrip_wrench w;
+            check(kstrip_wheel_on_rail(&rail, &wheel, k ? &greasy : &dry, &position, &velocity, NULL,
+                                       &workspace, &w, NULL, NULL));
+            printf("%9.3f %18.3f %13.3f %12.3f %14.4f  %s\n", creepages[i] * 100, w.force[0],
+                   w.force[1], w.force[2], w.moment[1], k ? "greasy" : "dry");
+        }
     return EXIT_SUCCESS;
 }

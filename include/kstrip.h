@@ -100,6 +100,11 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_MISMATCH_NEGLECTED 16
 /** Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction: the bodies are no half-spaces there. */
 #define KSTRIP_WARNING_CONFORMAL 17
+/**
+ * Warning: the normal turns by more than 30 degrees over a contact of a wheel: one plane of contact is not enough, forces are off
+ * by 0.2 of mu N in the mean.
+ */
+#define KSTRIP_WARNING_ANGLE_RANGE 19
 /** Warning: a zone of contact ends with the profile, as if the bodies ended there. */
 #define KSTRIP_WARNING_PROFILE_END 18
 
@@ -1206,6 +1211,375 @@ kstrip_status kstrip_patch_field(const struct kstrip_patch *patch,
                                  uint32_t rows,
                                  struct kstrip_point *points,
                                  uint32_t capacity);
+
+/** @} */
+
+/**
+ * @defgroup kstrip_wheel_rail Wheel on rail: from two profiles to the forces on the wheel
+ * @{
+ */
+
+/** Points that a prepared profile and a gap have room for. */
+#define KSTRIP_SURFACE_CAPACITY 512
+
+/** Contacts of one wheel at most: four, and those that stand for two of them less than 8 mm apart. */
+#define KSTRIP_CONTACTS_CAPACITY 6
+
+/** Places along the rail between which friction may vary. */
+#define KSTRIP_RAIL_FRICTION_CAPACITY 4
+
+/**
+ * A profile, prepared by kstrip_prepare_profile(): points at equal steps of its length, toward larger y, and its direction.
+ * Plain numbers, to be copied and kept as the caller likes.
+ */
+typedef struct kstrip_surface {
+    /** y [m], of a rail to the right of its origin, of a wheel from its running circle, the flange at small y. */
+    double y[KSTRIP_SURFACE_CAPACITY];
+    /** z [m], down; of a wheel what its radius exceeds the wheel radius by. */
+    double z[KSTRIP_SURFACE_CAPACITY];
+    /** Derivative of y by the length: the cosine of the profile's angle. */
+    double cosine[KSTRIP_SURFACE_CAPACITY];
+    /** Derivative of z by the length: its sine. */
+    double sine[KSTRIP_SURFACE_CAPACITY];
+    /** Length between two points [m]. */
+    double step;
+    /** Number of points, 4 to KSTRIP_SURFACE_CAPACITY. */
+    uint32_t count;
+    /** Zero. */
+    uint32_t reserved;
+} kstrip_surface;
+
+/**
+ * A profile of a rail or a wheel from its points, once for all.
+ *
+ * Points may turn back (a flange that was measured), run either way along y and lie at any distances; their order counts. A
+ * wheel's flange and a rail's gauge side are at small y (profiles of a right wheel), z points down.
+ *
+ * @param y, z, points    the points [m], at least 4; of a rail from its origin, of a wheel from its running circle, z what its radius
+ *                        exceeds the wheel radius by.
+ * @param step            length between prepared points [m]; 0: the length over the capacity, at least 0.2 mm.
+ * @param smoothing_length  each point becomes that of a parabola fitted to the points up to so far away [m], >= 0; 0: through all
+ *                        points. 2 to 4 mm for measured profiles.
+ * @param[out] surface    receives the profile.
+ * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (too few points, two that coincide, a negative
+ *         step), KSTRIP_ERROR_SMOOTHING_LENGTH, KSTRIP_ERROR_CAPACITY (of the step), KSTRIP_ERROR_OVERFLOW (no length of a profile).
+ */
+kstrip_status kstrip_prepare_profile(const double *y,
+                                     const double *z,
+                                     uint32_t points,
+                                     double step,
+                                     double smoothing_length,
+                                     struct kstrip_surface *surface);
+
+/** Where the wheel is, over straight track. A right wheel leans on the gauge side, which is at small y, with its flange. */
+typedef struct kstrip_wheel_position {
+    /**
+     * y of the wheel's centre from the origin of the rail's profile [m], to the right. The centre is the point of the axle at
+     * y = 0 of the wheel's profile.
+     */
+    double lateral;
+    /** How far the centre is below its height over the rail's origin at which it would be one wheel radius [m]. */
+    double vertical;
+    /** Turn about the vertical, which points down [rad]: positive from x to y, below 1. */
+    double yaw;
+    /** Turn about x [rad]: positive from y to z, below 1; yaw turns about the axis that roll has turned. */
+    double roll;
+} kstrip_wheel_position;
+
+/**
+ * What lies between a wheel and a rail, point by point along the rail: what a host with its own search of contact must give. The first
+ * count elements of each member are used.
+ */
+typedef struct kstrip_gap {
+    /** Length on the rail's surface from any origin [m], ascending; of a host that works in a plane, the coordinate in it. */
+    double along[KSTRIP_SURFACE_CAPACITY];
+    /** Distance of the undeformed surfaces along the rail's normal [m]; negative where they would overlap. */
+    double distance[KSTRIP_SURFACE_CAPACITY];
+    /** x of the point on the wheel's undeformed surface from the wheel's centre, axes of the track [m]: 0 without yaw. */
+    double x[KSTRIP_SURFACE_CAPACITY];
+    /** Its y [m]. */
+    double y[KSTRIP_SURFACE_CAPACITY];
+    /** Its z [m], about the wheel's radius. */
+    double z[KSTRIP_SURFACE_CAPACITY];
+    /** Angle of the tangent across x, mean of both surfaces [rad]: positive from y to z, of a right wheel's flange about -1.2. */
+    double angle[KSTRIP_SURFACE_CAPACITY];
+    /** Radius of curvature along x [m]: distance from the axle over the cosine of the angle between normal and radius. */
+    double rolling_radius[KSTRIP_SURFACE_CAPACITY];
+    /** Number of points. */
+    uint32_t count;
+    /** Zero. */
+    uint32_t reserved;
+} kstrip_gap;
+
+/**
+ * The gap between a wheel and a rail: the line on the wheel where its normal is across x, and its distance from the rail.
+ *
+ * @param rail, wheel     prepared profiles.
+ * @param wheel_radius    radius of the wheel at z = 0 of its profile [m], > 0.
+ * @param position        where the wheel is, a right one; of a left one lateral, yaw and roll with opposite signs.
+ * @param reach           points farther apart are left out [m]; 0: 2 mm.
+ * @param[out] gap        receives the points.
+ * @param[out] least      receives their least distance [m], negative where the surfaces overlap, reach where none is nearer;
+ *                        NULL: not wanted.
+ * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NOT_PREPARED, KSTRIP_ERROR_ROLLING_RADIUS,
+ *         KSTRIP_ERROR_PROFILE_END (the wheel is beside the rail).
+ */
+kstrip_status kstrip_touch(const struct kstrip_surface *rail,
+                           const struct kstrip_surface *wheel,
+                           double wheel_radius,
+                           const struct kstrip_wheel_position *position,
+                           double reach,
+                           struct kstrip_gap *gap,
+                           double *least);
+
+/**
+ * What two bodies are made of and how they are computed: once for a wheel. Zero is the default of every member but
+ * wheel_radius and shear_modulus.
+ */
+typedef struct kstrip_wheel_pair {
+    /** Radius of the wheel at z = 0 of its profile [m], > 0. */
+    double wheel_radius;
+    /** Combined shear modulus G [Pa], > 0. */
+    double shear_modulus;
+    /** Combined Poisson's ratio [-], 0 to 0.5. */
+    double poisson_ratio;
+    /** Coefficient of friction [-], >= 0; where friction_points is 0. */
+    double friction;
+    /** Places on the rail, y of its profile [m], ascending. */
+    double friction_y[KSTRIP_RAIL_FRICTION_CAPACITY];
+    /** Coefficient of friction there [-], >= 0; straight between them, constant beyond. */
+    double friction_at[KSTRIP_RAIL_FRICTION_CAPACITY];
+    /** How many of these places there are, at most KSTRIP_RAIL_FRICTION_CAPACITY; 0: friction is the same everywhere. */
+    uint32_t friction_points;
+    /** Not 0: a left wheel. Its profiles are those of a right wheel; position, velocity and wrench are the left wheel's own. */
+    int32_t left;
+    /** Length over which the distance of the surfaces is smoothed [m], >= 0; 0: as kstrip_patch_from_profile() does. */
+    double smoothing_length;
+    /** About how many strips a contact has: 4, 8, 16, 32 or 64; 0: 16. */
+    int32_t strips;
+    /** KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967. */
+    int32_t model;
+} kstrip_wheel_pair;
+
+/** One contact of a wheel. Its frame is (x, t, n): forward, across along the surface, into the rail. */
+typedef struct kstrip_wheel_contact {
+    /** Where the pressure attacks, on the wheel's undeformed surface, from the wheel's centre [m], axes of the track. */
+    double origin[3];
+    /** Angle of the pressure: mean of the strips' angles, weighted with load [rad]; of the right wheel for a left one too. */
+    double angle;
+    /** By how much the angle turns over the patch [rad]; above 0.52 the status is KSTRIP_WARNING_ANGLE_RANGE. */
+    double angle_range;
+    /** Distance of the origin from the axle [m]. */
+    double radius;
+    /** Load of the strips [N]. */
+    double normal_force;
+    /**
+     * By how much load and forces count [-]: 1, but for contacts 4 to 8 mm apart, which count in part by themselves and in part
+     * as one.
+     */
+    double share;
+    /** Overlap of the undeformed, smoothed surfaces where it is deepest [m]. */
+    double approach;
+    /** Derivative of the load by the approach [N/m]. */
+    double stiffness;
+    /** Length on the rail at y = 0 of the patch [m]. */
+    double along;
+    /**
+     * What the pressure's resultant over the load does work on: normal velocity of the wheel, into the rail, by the members of
+     * kstrip_wheel_velocity; the force on the wheel is minus share times normal_force times this.
+     */
+    double normal[6];
+    /** slip_x of kstrip_motion at the patch's origin, by the members of kstrip_wheel_velocity. */
+    double slip_x[6];
+    /** slip_y. */
+    double slip_y[6];
+    /** spin_rate. */
+    double spin_rate[6];
+    /** rolling_speed. */
+    double rolling_speed[6];
+    /** The strips; y along the rail's surface, x forward from the origin. */
+    struct kstrip_patch patch;
+} kstrip_wheel_contact;
+
+/**
+ * The contacts of a gap, in ascending y of a right wheel.
+ *
+ * All zones are one normal problem; those that more than 4 mm part are contacts of their own.
+ *
+ * @param gap             what lies between the surfaces, from kstrip_touch() or a host's own search.
+ * @param pair            materials, friction, side.
+ * @param position        where the wheel is.
+ * @param workspace       memory for the strips of all contacts; it may hold anything.
+ * @param[out] contacts   array of KSTRIP_CONTACTS_CAPACITY elements; receives the contacts. (After an error some may have been
+ *                        written; count has not.)
+ * @param[out] count      receives their number; 0: the wheel is lifted.
+ * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_ERROR_NULL, KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_PATCH_SIZE (more contacts than
+ *         there is room for), KSTRIP_ERROR_PROFILE (lengths or places of friction do not ascend, an angle beyond 1.6), or one of the errors of
+ *         kstrip_patch_from_profile().
+ */
+kstrip_status kstrip_contacts_from_gap(const struct kstrip_gap *gap,
+                                       const struct kstrip_wheel_pair *pair,
+                                       const struct kstrip_wheel_position *position,
+                                       struct kstrip_patch *workspace,
+                                       struct kstrip_wheel_contact *contacts,
+                                       uint32_t *count);
+
+/**
+ * How the wheel moves over the rail, whose axes are at rest; in a curve of the momentary track. Lateral, roll and yaw have the
+ * track's signs for a left wheel too.
+ */
+typedef struct kstrip_wheel_velocity {
+    /** Of the wheel's centre along x [m/s]. */
+    double forward;
+    /** Along y [m/s]. */
+    double lateral;
+    /** Along z, down [m/s]. */
+    double vertical;
+    /** About the wheelset's own x [rad/s]: axes that yaw and roll but do not spin. */
+    double roll;
+    /** About the axle [rad/s]: about minus forward over radius. */
+    double pitch;
+    /** About the wheelset's own z [rad/s]. */
+    double yaw;
+} kstrip_wheel_velocity;
+
+/**
+ * How the wheel moves over the rail at a contact: slip, spin rate and rolling speed, for kstrip_solve_motion() or, divided by the
+ * rolling speed, kstrip_patch_evaluate(). Linear in the velocity.
+ *
+ * @param contact         a contact.
+ * @param velocity        how the wheel moves.
+ * @param[out] motion     receives the motion; floor_speed is 0.
+ * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE.
+ */
+kstrip_status kstrip_wheel_motion(const struct kstrip_wheel_contact *contact,
+                                  const struct kstrip_wheel_velocity *velocity,
+                                  struct kstrip_motion *motion);
+
+/** What acts on a wheel. Force and moment are conjugate to the members of kstrip_wheel_velocity: their products add up to power. */
+typedef struct kstrip_wrench {
+    /** Force on the wheel, axes of the track [N]: forward, lateral, vertical (down; the rail's support is negative). */
+    double force[3];
+    /** Moment on the wheel about its centre [N m] about the wheelset's own axes: roll, pitch (about the axle), yaw. */
+    double moment[3];
+    /** Frictional power [W], not negative: creep forces on the rail times slip. Of the creep forces on the wheel it is minus the power. */
+    double dissipation;
+    /** Load of all contacts [N]: each along its own normal. */
+    double normal_force;
+    /** Number of contacts; 0: the wheel is lifted, and nothing acts. */
+    uint32_t contacts;
+    /** The status of this result: 0 or one of the KSTRIP_WARNING constants. */
+    kstrip_status status_detail;
+} kstrip_wrench;
+
+/** Derivatives of the wrench that are exact. Rows: force and moment. */
+typedef struct kstrip_wrench_derivatives {
+    /** By the members of kstrip_wheel_velocity [N, N m over m/s, rad/s]. */
+    double velocity[6][6];
+    /** By a factor that multiplies all friction, at 1 [N, N m]. */
+    double friction[6];
+} kstrip_wrench_derivatives;
+
+/**
+ * Force and moment on the wheel from its contacts, wherever they come from: a table, kstrip_contacts_from_gap().
+ *
+ * Rolling forward, backward and standstill are those of kstrip_solve_motion(): continuous through rest, with its default floor.
+ *
+ * @param contacts, count  the contacts, at most KSTRIP_CONTACTS_CAPACITY; none: the wheel is lifted, and nothing acts.
+ * @param velocity        how the wheel moves.
+ * @param model           KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967.
+ * @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL: constant.
+ * @param[out] wrench     receives force and moment.
+ * @param[out] derivatives  receives their derivatives by velocity and friction; NULL: not wanted.
+ * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE or a status of kstrip_patch_evaluate(); KSTRIP_ERROR_PATCH_SIZE.
+ */
+kstrip_status kstrip_wrench_from_contacts(const struct kstrip_wheel_contact *contacts,
+                                          uint32_t count,
+                                          const struct kstrip_wheel_velocity *velocity,
+                                          int32_t model,
+                                          const struct kstrip_friction *friction,
+                                          struct kstrip_wrench *wrench,
+                                          struct kstrip_wrench_derivatives *derivatives);
+
+/**
+ * Memory of the caller that one wheel is computed in; it may hold anything before. After KSTRIP_OK or a warning it holds the gap
+ * and the contacts of the position, after an error nothing of use.
+ */
+typedef struct kstrip_wheel_workspace {
+    /** What lies between the surfaces. */
+    struct kstrip_gap gap;
+    /** What a contact is pressed in. */
+    struct kstrip_patch strips;
+    /** The contacts, in ascending y of a right wheel; the first count are used. */
+    struct kstrip_wheel_contact contacts[KSTRIP_CONTACTS_CAPACITY];
+    /** Number of contacts. */
+    uint32_t count;
+    /** How many of them are more than 4 mm apart. */
+    uint32_t apart;
+} kstrip_wheel_workspace;
+
+/** Derivatives of the wrench by the wheel's position at constant velocity: central differences of the whole road, made inside. */
+typedef struct kstrip_wrench_by_position {
+    /** By the lateral position [N, N m over m]. */
+    double lateral[6];
+    /** By the vertical position [N, N m over m]. */
+    double vertical[6];
+    /** By yaw [N, N m over rad]. */
+    double yaw[6];
+    /** By roll [N, N m over rad]. */
+    double roll[6];
+} kstrip_wrench_by_position;
+
+/**
+ * Force and moment on a wheel on a rail in one call: kstrip_touch(), kstrip_contacts_from_gap(), kstrip_wrench_from_contacts().
+ *
+ * Straight track; in a curve the velocity is that over the momentary track, which is at rest. Bounded time.
+ *
+ * @param rail, wheel     prepared profiles.
+ * @param pair            materials, friction, side, number of strips, model.
+ * @param position        where the wheel is.
+ * @param velocity        how it moves.
+ * @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL: constant.
+ * @param workspace       memory that may hold anything; receives gap and contacts.
+ * @param[out] wrench     receives force and moment.
+ * @param[out] derivatives  receives their exact derivatives by velocity and friction; NULL: not wanted.
+ * @param[out] by_position  receives their derivatives by the position: central differences of 1 um and 1 urad (15 in single precision),
+ *                        eight times the cost of a call; NULL: not wanted.
+ * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE, or a status of one of these functions.
+ */
+kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,
+                                   const struct kstrip_surface *wheel,
+                                   const struct kstrip_wheel_pair *pair,
+                                   const struct kstrip_wheel_position *position,
+                                   const struct kstrip_wheel_velocity *velocity,
+                                   const struct kstrip_friction *friction,
+                                   struct kstrip_wheel_workspace *workspace,
+                                   struct kstrip_wrench *wrench,
+                                   struct kstrip_wrench_derivatives *derivatives,
+                                   struct kstrip_wrench_by_position *by_position);
+
+/**
+ * The vertical position at which the rail supports a wheel with a given force: to begin a run, and for tables. At most 40 positions are
+ * tried, about eight.
+ *
+ * @param rail, wheel, pair  as in kstrip_wheel_on_rail().
+ * @param position        where the wheel is; its vertical member is where the search begins.
+ * @param support         wanted upward force of the rail on the wheel [N], > 0.
+ * @param velocity        how the wheel moves, whose creep forces carry as well; NULL: the pressure alone.
+ * @param friction        as in kstrip_wheel_on_rail().
+ * @param workspace       memory that may hold anything; receives gap and contacts.
+ * @param[out] vertical   receives the vertical position [m].
+ * @return KSTRIP_OK, KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_NORMAL_FORCE (support), or an error of kstrip_wheel_on_rail().
+ */
+kstrip_status kstrip_height_for_load(const struct kstrip_surface *rail,
+                                     const struct kstrip_surface *wheel,
+                                     const struct kstrip_wheel_pair *pair,
+                                     const struct kstrip_wheel_position *position,
+                                     double support,
+                                     const struct kstrip_wheel_velocity *velocity,
+                                     const struct kstrip_friction *friction,
+                                     struct kstrip_wheel_workspace *workspace,
+                                     double *vertical);
 
 /** @} */
 

@@ -61,6 +61,7 @@ enum class [[nodiscard]] status : std::int32_t {
     warning_mismatch = KSTRIP_WARNING_MISMATCH,
     warning_mismatch_neglected = KSTRIP_WARNING_MISMATCH_NEGLECTED,
     warning_conformal = KSTRIP_WARNING_CONFORMAL,
+    warning_angle_range = KSTRIP_WARNING_ANGLE_RANGE,
     warning_profile_end = KSTRIP_WARNING_PROFILE_END,
     error_null = KSTRIP_ERROR_NULL,
     error_not_finite = KSTRIP_ERROR_NOT_FINITE,
@@ -1037,6 +1038,201 @@ std::vector<basic_point<T>> field(const Area<T> &area, const detail::only<basic_
     detail::check(field(area, creep, how, x, y, to));
     return to;
 }
+#endif
+
+// ---- Wheel on rail ----------------------------------------------------------------------------
+
+inline constexpr std::uint32_t surface_capacity = KSTRIP_SURFACE_CAPACITY;
+inline constexpr std::uint32_t contacts_capacity = KSTRIP_CONTACTS_CAPACITY;
+inline constexpr std::uint32_t rail_friction_capacity = KSTRIP_RAIL_FRICTION_CAPACITY;
+
+/// A profile, prepared: 16 KiB, 8 in single precision.
+template <class T>
+struct basic_surface {
+    basic_metres<T> y[surface_capacity], z[surface_capacity];
+    T cosine[surface_capacity], sine[surface_capacity];
+    basic_metres<T> step;
+    std::uint32_t count;
+    std::uint32_t reserved;
+};
+KSTRIP_HPP_BOTH(surface)
+
+template <class T>
+struct basic_wheel_position {
+    basic_metres<T> lateral{}, vertical{}; ///< y of the centre over the rail; below one wheel radius over it
+    basic_radians<T> yaw{}, roll{};
+};
+KSTRIP_HPP_BOTH(wheel_position)
+
+template <class T>
+struct basic_wheel_velocity {
+    basic_metres_per_second<T> forward{}, lateral{}, vertical{};
+    basic_radians_per_second<T> roll{}, pitch{}, yaw{}; ///< about the wheelset's own axes; pitch is about -forward/radius
+};
+KSTRIP_HPP_BOTH(wheel_velocity)
+
+/// Materials, friction (one number, or by y on the rail), side, strips, model.
+template <class T>
+struct basic_wheel_pair {
+    basic_metres<T> wheel_radius{};
+    basic_pascals<T> shear_modulus{};
+    T poisson_ratio{};
+    T friction{};
+    basic_metres<T> friction_y[rail_friction_capacity]{};
+    T friction_at[rail_friction_capacity]{};
+    std::uint32_t friction_points = 0;
+    std::int32_t left = 0;
+    basic_metres<T> smoothing_length{};
+    std::int32_t strips = 0;
+    std::int32_t model = 0;
+};
+KSTRIP_HPP_BOTH(wheel_pair)
+
+/// What lies between the surfaces along the rail; the first `count` are used.
+template <class T>
+struct basic_gap {
+    basic_metres<T> along[surface_capacity], distance[surface_capacity];
+    basic_metres<T> x[surface_capacity], y[surface_capacity], z[surface_capacity];
+    basic_radians<T> angle[surface_capacity];
+    basic_metres<T> rolling_radius[surface_capacity];
+    std::uint32_t count;
+    std::uint32_t reserved;
+};
+KSTRIP_HPP_BOTH(gap)
+
+template <class T>
+struct basic_wheel_contact {
+    basic_metres<T> origin[3];
+    basic_radians<T> angle, angle_range;
+    basic_metres<T> radius;
+    basic_newtons<T> normal_force;
+    T share;
+    basic_metres<T> approach;
+    basic_newtons_per_metre<T> stiffness;
+    basic_metres<T> along;
+    T normal[6], slip_x[6], slip_y[6], spin_rate[6], rolling_speed[6]; ///< by the members of the velocity
+    basic_patch<T> patch;
+};
+KSTRIP_HPP_BOTH(wheel_contact)
+
+/// Memory for one wheel; after a call its gap and contacts.
+template <class T>
+struct basic_wheel_workspace {
+    basic_gap<T> gap;
+    basic_patch<T> strips;
+    basic_wheel_contact<T> contacts[contacts_capacity];
+    std::uint32_t count;
+    std::uint32_t apart;
+};
+KSTRIP_HPP_BOTH(wheel_workspace)
+
+/// Force (track) and moment (wheelset's own axes) on the wheel at its centre.
+template <class T>
+struct basic_wrench {
+    basic_newtons<T> force[3];
+    basic_newton_metres<T> moment[3];
+    T dissipation; ///< W
+    basic_newtons<T> normal_force;
+    std::uint32_t contacts;
+    status status_detail;
+};
+KSTRIP_HPP_BOTH(wrench)
+
+template <class T>
+struct basic_wrench_derivatives {
+    T velocity[6][6];
+    T friction[6];
+};
+KSTRIP_HPP_BOTH(wrench_derivatives)
+
+template <class T>
+struct basic_wrench_by_position {
+    T lateral[6], vertical[6], yaw[6], roll[6];
+};
+KSTRIP_HPP_BOTH(wrench_by_position)
+
+/// Arrays of different sizes: error_capacity.
+template <class T>
+status prepare_profile(detail::only<span<const basic_metres<T>>> y, detail::only<span<const basic_metres<T>>> z,
+                       basic_metres<T> step, basic_metres<T> smoothing_length, basic_surface<T> &to) noexcept
+{
+    if (y.size() != z.size() || !detail::fits(y.size()))
+        return status::error_capacity;
+    return KSTRIP_HPP_CALL(kstrip_prepare_profile, y.data(), z.data(), detail::capacity(y.size()), step,
+                           smoothing_length, &to);
+}
+
+/// `reach` 0: 2 mm. `least`: the smallest distance; null: not wanted.
+template <class T>
+status touch(const basic_surface<T> &rail, const basic_surface<T> &wheel, basic_metres<T> wheel_radius,
+             const basic_wheel_position<T> &where, detail::only<basic_metres<T>> reach, basic_gap<T> &to,
+             detail::only<basic_metres<T>> *least = nullptr) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_touch, &rail, &wheel, wheel_radius, &where, reach, &to, least);
+}
+
+template <class T>
+status contacts_from_gap(const basic_gap<T> &between, const basic_wheel_pair<T> &both,
+                         const basic_wheel_position<T> &where, basic_patch<T> &workspace,
+                         basic_wheel_contact<T> (&to)[contacts_capacity], std::uint32_t &count) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_contacts_from_gap, &between, &both, &where, &workspace, &to[0], &count);
+}
+
+template <class T>
+status wheel_motion(const basic_wheel_contact<T> &at, const basic_wheel_velocity<T> &velocity,
+                    basic_motion<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_wheel_motion, &at, &velocity, &to);
+}
+
+/// `law`: null where friction is constant; `slopes`: null where they are not wanted.
+template <class T>
+status wrench_from_contacts(detail::only<span<const basic_wheel_contact<T>>> contacts,
+                            const basic_wheel_velocity<T> &velocity, model how,
+                            const detail::only<basic_friction<T>> *law, basic_wrench<T> &to,
+                            detail::only<basic_wrench_derivatives<T>> *slopes = nullptr) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_wrench_from_contacts, contacts.data(), detail::capacity(contacts.size()), &velocity,
+                           static_cast<std::int32_t>(how), law, &to, slopes);
+}
+
+/// `law`: null where friction is constant; `slopes`, `by_position`: null where they are not wanted.
+template <class T>
+status wheel_on_rail(const basic_surface<T> &rail, const basic_surface<T> &wheel, const basic_wheel_pair<T> &both,
+                     const basic_wheel_position<T> &where, const basic_wheel_velocity<T> &velocity,
+                     const detail::only<basic_friction<T>> *law, basic_wheel_workspace<T> &workspace,
+                     basic_wrench<T> &to, detail::only<basic_wrench_derivatives<T>> *slopes = nullptr,
+                     detail::only<basic_wrench_by_position<T>> *by_position = nullptr) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_wheel_on_rail, &rail, &wheel, &both, &where, &velocity, law, &workspace, &to, slopes,
+                           by_position);
+}
+
+/// `velocity`: null for the pressure alone.
+template <class T>
+status height_for_load(const basic_surface<T> &rail, const basic_surface<T> &wheel, const basic_wheel_pair<T> &both,
+                       const basic_wheel_position<T> &where, detail::only<basic_newtons<T>> support,
+                       const detail::only<basic_wheel_velocity<T>> *velocity,
+                       const detail::only<basic_friction<T>> *law, basic_wheel_workspace<T> &workspace,
+                       basic_metres<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_height_for_load, &rail, &wheel, &both, &where, support, velocity, law, &workspace,
+                           &to);
+}
+
+#if defined(KSTRIP_HPP_EXCEPTIONS)
+template <class T>
+basic_wrench<T> wheel_on_rail(const basic_surface<T> &rail, const basic_surface<T> &wheel,
+                              const basic_wheel_pair<T> &both, const basic_wheel_position<T> &where,
+                              const basic_wheel_velocity<T> &velocity, basic_wheel_workspace<T> &workspace)
+KSTRIP_HPP_THROWING(basic_wrench<T>, wheel_on_rail, rail, wheel, both, where, velocity, nullptr, workspace, to)
+
+template <class T>
+basic_metres<T> height_for_load(const basic_surface<T> &rail, const basic_surface<T> &wheel,
+                                const basic_wheel_pair<T> &both, const basic_wheel_position<T> &where,
+                                detail::only<basic_newtons<T>> support, basic_wheel_workspace<T> &workspace)
+KSTRIP_HPP_THROWING(basic_metres<T>, height_for_load, rail, wheel, both, where, support, nullptr, nullptr, workspace, to)
 #endif
 
 // ---- Test rigs: friction from a force, creepage from a force ----------------------------------

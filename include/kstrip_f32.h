@@ -523,6 +523,199 @@ kstrip_status kstrip_patch_field_f32(const struct kstrip_patch_f32 *patch,
 /** @} */
 
 /**
+ * @defgroup kstrip_wheel_rail_f32 Wheel on rail: from two profiles to the forces on the wheel
+ * @{
+ */
+
+/**
+ * A profile, prepared by kstrip_prepare_profile(): points at equal steps of its length, toward larger y, and its direction.
+ * Plain numbers, to be copied and kept as the caller likes.
+ */
+typedef struct kstrip_surface_f32 {
+    float y[KSTRIP_SURFACE_CAPACITY];
+    float z[KSTRIP_SURFACE_CAPACITY];
+    float cosine[KSTRIP_SURFACE_CAPACITY];
+    float sine[KSTRIP_SURFACE_CAPACITY];
+    float step;
+    uint32_t count;
+    uint32_t reserved;
+} kstrip_surface_f32;
+
+/** kstrip_prepare_profile() in single precision. */
+kstrip_status kstrip_prepare_profile_f32(const float *y,
+                                         const float *z,
+                                         uint32_t points,
+                                         float step,
+                                         float smoothing_length,
+                                         struct kstrip_surface_f32 *surface);
+
+/** Where the wheel is, over straight track. A right wheel leans on the gauge side, which is at small y, with its flange. */
+typedef struct kstrip_wheel_position_f32 {
+    float lateral;
+    float vertical;
+    float yaw;
+    float roll;
+} kstrip_wheel_position_f32;
+
+/**
+ * What lies between a wheel and a rail, point by point along the rail: what a host with its own search of contact must give. The first
+ * count elements of each member are used.
+ */
+typedef struct kstrip_gap_f32 {
+    float along[KSTRIP_SURFACE_CAPACITY];
+    float distance[KSTRIP_SURFACE_CAPACITY];
+    float x[KSTRIP_SURFACE_CAPACITY];
+    float y[KSTRIP_SURFACE_CAPACITY];
+    float z[KSTRIP_SURFACE_CAPACITY];
+    float angle[KSTRIP_SURFACE_CAPACITY];
+    float rolling_radius[KSTRIP_SURFACE_CAPACITY];
+    uint32_t count;
+    uint32_t reserved;
+} kstrip_gap_f32;
+
+/** kstrip_touch() in single precision. */
+kstrip_status kstrip_touch_f32(const struct kstrip_surface_f32 *rail,
+                               const struct kstrip_surface_f32 *wheel,
+                               float wheel_radius,
+                               const struct kstrip_wheel_position_f32 *position,
+                               float reach,
+                               struct kstrip_gap_f32 *gap,
+                               float *least);
+
+/**
+ * What two bodies are made of and how they are computed: once for a wheel. Zero is the default of every member but
+ * wheel_radius and shear_modulus.
+ */
+typedef struct kstrip_wheel_pair_f32 {
+    float wheel_radius;
+    float shear_modulus;
+    float poisson_ratio;
+    float friction;
+    float friction_y[KSTRIP_RAIL_FRICTION_CAPACITY];
+    float friction_at[KSTRIP_RAIL_FRICTION_CAPACITY];
+    uint32_t friction_points;
+    int32_t left;
+    float smoothing_length;
+    int32_t strips;
+    int32_t model;
+} kstrip_wheel_pair_f32;
+
+/** One contact of a wheel. Its frame is (x, t, n): forward, across along the surface, into the rail. */
+typedef struct kstrip_wheel_contact_f32 {
+    float origin[3];
+    float angle;
+    float angle_range;
+    float radius;
+    float normal_force;
+    float share;
+    float approach;
+    float stiffness;
+    float along;
+    float normal[6];
+    float slip_x[6];
+    float slip_y[6];
+    float spin_rate[6];
+    float rolling_speed[6];
+    struct kstrip_patch_f32 patch;
+} kstrip_wheel_contact_f32;
+
+/** kstrip_contacts_from_gap() in single precision. */
+kstrip_status kstrip_contacts_from_gap_f32(const struct kstrip_gap_f32 *gap,
+                                           const struct kstrip_wheel_pair_f32 *pair,
+                                           const struct kstrip_wheel_position_f32 *position,
+                                           struct kstrip_patch_f32 *workspace,
+                                           struct kstrip_wheel_contact_f32 *contacts,
+                                           uint32_t *count);
+
+/**
+ * How the wheel moves over the rail, whose axes are at rest; in a curve of the momentary track. Lateral, roll and yaw have the
+ * track's signs for a left wheel too.
+ */
+typedef struct kstrip_wheel_velocity_f32 {
+    float forward;
+    float lateral;
+    float vertical;
+    float roll;
+    float pitch;
+    float yaw;
+} kstrip_wheel_velocity_f32;
+
+/** kstrip_wheel_motion() in single precision. */
+kstrip_status kstrip_wheel_motion_f32(const struct kstrip_wheel_contact_f32 *contact,
+                                      const struct kstrip_wheel_velocity_f32 *velocity,
+                                      struct kstrip_motion_f32 *motion);
+
+/** What acts on a wheel. Force and moment are conjugate to the members of kstrip_wheel_velocity: their products add up to power. */
+typedef struct kstrip_wrench_f32 {
+    float force[3];
+    float moment[3];
+    float dissipation;
+    float normal_force;
+    uint32_t contacts;
+    kstrip_status status_detail;
+} kstrip_wrench_f32;
+
+/** Derivatives of the wrench that are exact. Rows: force and moment. */
+typedef struct kstrip_wrench_derivatives_f32 {
+    float velocity[6][6];
+    float friction[6];
+} kstrip_wrench_derivatives_f32;
+
+/** kstrip_wrench_from_contacts() in single precision. */
+kstrip_status kstrip_wrench_from_contacts_f32(const struct kstrip_wheel_contact_f32 *contacts,
+                                              uint32_t count,
+                                              const struct kstrip_wheel_velocity_f32 *velocity,
+                                              int32_t model,
+                                              const struct kstrip_friction_f32 *friction,
+                                              struct kstrip_wrench_f32 *wrench,
+                                              struct kstrip_wrench_derivatives_f32 *derivatives);
+
+/**
+ * Memory of the caller that one wheel is computed in; it may hold anything before. After KSTRIP_OK or a warning it holds the gap
+ * and the contacts of the position, after an error nothing of use.
+ */
+typedef struct kstrip_wheel_workspace_f32 {
+    struct kstrip_gap_f32 gap;
+    struct kstrip_patch_f32 strips;
+    struct kstrip_wheel_contact_f32 contacts[KSTRIP_CONTACTS_CAPACITY];
+    uint32_t count;
+    uint32_t apart;
+} kstrip_wheel_workspace_f32;
+
+/** Derivatives of the wrench by the wheel's position at constant velocity: central differences of the whole road, made inside. */
+typedef struct kstrip_wrench_by_position_f32 {
+    float lateral[6];
+    float vertical[6];
+    float yaw[6];
+    float roll[6];
+} kstrip_wrench_by_position_f32;
+
+/** kstrip_wheel_on_rail() in single precision. */
+kstrip_status kstrip_wheel_on_rail_f32(const struct kstrip_surface_f32 *rail,
+                                       const struct kstrip_surface_f32 *wheel,
+                                       const struct kstrip_wheel_pair_f32 *pair,
+                                       const struct kstrip_wheel_position_f32 *position,
+                                       const struct kstrip_wheel_velocity_f32 *velocity,
+                                       const struct kstrip_friction_f32 *friction,
+                                       struct kstrip_wheel_workspace_f32 *workspace,
+                                       struct kstrip_wrench_f32 *wrench,
+                                       struct kstrip_wrench_derivatives_f32 *derivatives,
+                                       struct kstrip_wrench_by_position_f32 *by_position);
+
+/** kstrip_height_for_load() in single precision. */
+kstrip_status kstrip_height_for_load_f32(const struct kstrip_surface_f32 *rail,
+                                         const struct kstrip_surface_f32 *wheel,
+                                         const struct kstrip_wheel_pair_f32 *pair,
+                                         const struct kstrip_wheel_position_f32 *position,
+                                         float support,
+                                         const struct kstrip_wheel_velocity_f32 *velocity,
+                                         const struct kstrip_friction_f32 *friction,
+                                         struct kstrip_wheel_workspace_f32 *workspace,
+                                         float *vertical);
+
+/** @} */
+
+/**
  * @defgroup kstrip_rig_f32 Test rigs: friction from a force, creepage from a force
  * @{
  */

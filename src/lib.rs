@@ -66,6 +66,7 @@ pub mod status;
 pub mod strip;
 pub mod strip_1967;
 pub mod total;
+pub mod wheel_rail;
 
 /// A library without `std` needs a panic handler; nothing reaches it.
 #[cfg(all(feature = "panic-handler", panic = "abort", not(test)))]

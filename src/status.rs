@@ -149,6 +149,8 @@ pub enum Notice {
     MismatchNeglected = 16,
     /// A semi-axis exceeds 0.3 of the smaller radius in its direction: the bodies are no half-spaces there.
     Conformal = 17,
+    /// The normal turns by more than 30 degrees over a contact: one plane of contact is not enough.
+    AngleRange = 19,
     /// A zone of contact ends with the profile, as if the bodies ended there.
     ProfileEnd = 18,
 }
@@ -187,7 +189,7 @@ impl Notice {
             | Self::Spin
             | Self::Friction
             | Self::Radius => 3,
-            Self::BeyondFriction | Self::ProfileEnd => 2,
+            Self::BeyondFriction | Self::AngleRange | Self::ProfileEnd => 2,
             Self::OutsideRange
             | Self::SpinBeyondTheory
             | Self::AxisRatio
@@ -242,6 +244,9 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
         }
         17 => {
             c"too conformal: a semi-axis exceeds 0.3 of the smaller radius in its direction, so that the bodies are no half-spaces; result is that of half-spaces"
+        }
+        19 => {
+            c"the normal turns by more than 30 degrees over a contact of the wheel: one plane of contact is not enough"
         }
         18 => c"a zone of contact ends with the profile, as if the bodies ended there: pass more of it",
         -1 => c"a required pointer is NULL: pass the address of a structure or array",

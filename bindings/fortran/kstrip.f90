@@ -28,6 +28,8 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_warning_mismatch = 15
    integer(c_int32_t), parameter :: kstrip_warning_mismatch_neglected = 16
    integer(c_int32_t), parameter :: kstrip_warning_conformal = 17
+   integer(c_int32_t), parameter :: kstrip_warning_angle_range = 19
+   integer(c_int32_t), parameter :: kstrip_warning_profile_end = 18
    integer(c_int32_t), parameter :: kstrip_error_null = -1
    integer(c_int32_t), parameter :: kstrip_error_not_finite = -2
    integer(c_int32_t), parameter :: kstrip_error_semi_axis = -3
@@ -72,6 +74,9 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_state_slip = 2
    integer(c_int32_t), parameter :: kstrip_state_slip_negative_dissipation = 3
    integer(c_int32_t), parameter :: kstrip_patch_capacity = 64
+   integer(c_int32_t), parameter :: kstrip_surface_capacity = 512
+   integer(c_int32_t), parameter :: kstrip_contacts_capacity = 6
+   integer(c_int32_t), parameter :: kstrip_rail_friction_capacity = 4
    integer(c_int32_t), parameter :: kstrip_measured_fx = 1
    integer(c_int32_t), parameter :: kstrip_measured_fy = 2
    integer(c_int32_t), parameter :: kstrip_version_major = 0
@@ -363,7 +368,7 @@ module kstrip
       real(c_double) :: peak_pressure = 0
       real(c_double) :: peak_y = 0
       integer(c_int32_t) :: iterations = 0
-      integer(c_int32_t) :: reserved = 0
+      integer(c_int32_t) :: status_detail = 0
    end type
 
    !> What a patch carries.
@@ -373,6 +378,118 @@ module kstrip
       real(c_double) :: area = 0
       integer(c_int32_t) :: lobes = 0
       integer(c_int32_t) :: reserved = 0
+   end type
+
+   !> A profile, prepared by kstrip_prepare_profile(): points at equal steps of its length, toward larger y, and its
+   !> direction.
+   type, bind(c) :: kstrip_surface
+      real(c_double) :: y(kstrip_surface_capacity) = 0
+      real(c_double) :: z(kstrip_surface_capacity) = 0
+      real(c_double) :: cosine(kstrip_surface_capacity) = 0
+      real(c_double) :: sine(kstrip_surface_capacity) = 0
+      real(c_double) :: step = 0
+      integer(c_int32_t) :: count = 0
+      integer(c_int32_t) :: reserved = 0
+   end type
+
+   !> Where the wheel is, over straight track.
+   type, bind(c) :: kstrip_wheel_position
+      real(c_double) :: lateral = 0
+      real(c_double) :: vertical = 0
+      real(c_double) :: yaw = 0
+      real(c_double) :: roll = 0
+   end type
+
+   !> What lies between a wheel and a rail, point by point along the rail: what a host with its own search of contact
+   !> must give.
+   type, bind(c) :: kstrip_gap
+      real(c_double) :: along(kstrip_surface_capacity) = 0
+      real(c_double) :: distance(kstrip_surface_capacity) = 0
+      real(c_double) :: x(kstrip_surface_capacity) = 0
+      real(c_double) :: y(kstrip_surface_capacity) = 0
+      real(c_double) :: z(kstrip_surface_capacity) = 0
+      real(c_double) :: angle(kstrip_surface_capacity) = 0
+      real(c_double) :: rolling_radius(kstrip_surface_capacity) = 0
+      integer(c_int32_t) :: count = 0
+      integer(c_int32_t) :: reserved = 0
+   end type
+
+   !> What two bodies are made of and how they are computed: once for a wheel.
+   type, bind(c) :: kstrip_wheel_pair
+      real(c_double) :: wheel_radius = 0
+      real(c_double) :: shear_modulus = 0
+      real(c_double) :: poisson_ratio = 0
+      real(c_double) :: friction = 0
+      real(c_double) :: friction_y(kstrip_rail_friction_capacity) = 0
+      real(c_double) :: friction_at(kstrip_rail_friction_capacity) = 0
+      integer(c_int32_t) :: friction_points = 0
+      integer(c_int32_t) :: left = 0
+      real(c_double) :: smoothing_length = 0
+      integer(c_int32_t) :: strips = 0
+      integer(c_int32_t) :: model = 0
+   end type
+
+   !> One contact of a wheel.
+   type, bind(c) :: kstrip_wheel_contact
+      real(c_double) :: origin(3) = 0
+      real(c_double) :: angle = 0
+      real(c_double) :: angle_range = 0
+      real(c_double) :: radius = 0
+      real(c_double) :: normal_force = 0
+      real(c_double) :: share = 0
+      real(c_double) :: approach = 0
+      real(c_double) :: stiffness = 0
+      real(c_double) :: along = 0
+      real(c_double) :: normal(6) = 0
+      real(c_double) :: slip_x(6) = 0
+      real(c_double) :: slip_y(6) = 0
+      real(c_double) :: spin_rate(6) = 0
+      real(c_double) :: rolling_speed(6) = 0
+      type(kstrip_patch) :: patch
+   end type
+
+   !> How the wheel moves over the rail, whose axes are at rest; in a curve of the momentary track.
+   type, bind(c) :: kstrip_wheel_velocity
+      real(c_double) :: forward = 0
+      real(c_double) :: lateral = 0
+      real(c_double) :: vertical = 0
+      real(c_double) :: roll = 0
+      real(c_double) :: pitch = 0
+      real(c_double) :: yaw = 0
+   end type
+
+   !> What acts on a wheel.
+   type, bind(c) :: kstrip_wrench
+      real(c_double) :: force(3) = 0
+      real(c_double) :: moment(3) = 0
+      real(c_double) :: dissipation = 0
+      real(c_double) :: normal_force = 0
+      integer(c_int32_t) :: contacts = 0
+      integer(c_int32_t) :: status_detail = 0
+   end type
+
+   !> Derivatives of the wrench that are exact.
+   type, bind(c) :: kstrip_wrench_derivatives
+      real(c_double) :: velocity(6, 6) = 0
+      real(c_double) :: friction(6) = 0
+   end type
+
+   !> Memory of the caller that one wheel is computed in; it may hold anything before.
+   type, bind(c) :: kstrip_wheel_workspace
+      type(kstrip_gap) :: gap
+      type(kstrip_patch) :: strips
+      type(kstrip_wheel_contact) :: contacts(kstrip_contacts_capacity)
+      integer(c_int32_t) :: count = 0
+      integer(c_int32_t) :: apart = 0
+   end type
+
+   !> Derivatives of the wrench by the wheel's position at constant velocity: central differences of the whole road, made
+   !> inside.
+   type, bind(c) :: kstrip_wrench_by_position
+      real(c_double) :: lateral(6) = 0
+      real(c_double) :: vertical(6) = 0
+      real(c_double) :: yaw(6) = 0
+      real(c_double) :: roll(6) = 0
    end type
 
    !> A coefficient of friction from a measured force.
@@ -615,6 +732,95 @@ module kstrip
          integer(c_int32_t), value :: rows
          type(kstrip_point), intent(inout) :: points(*)
          integer(c_int32_t), value :: capacity
+      end function
+
+      !> A profile of a rail or a wheel from its points, once for all.
+      integer(c_int32_t) function kstrip_prepare_profile(y, z, points, step, smoothing_length, surface) bind(c)
+         import
+         real(c_double), intent(in) :: y(*)
+         real(c_double), intent(in) :: z
+         integer(c_int32_t), value :: points
+         real(c_double), value :: step
+         real(c_double), value :: smoothing_length
+         type(kstrip_surface), intent(inout) :: surface
+      end function
+
+      !> The gap between a wheel and a rail: the line on the wheel where its normal is across x, and its distance from
+      !> the rail.
+      integer(c_int32_t) function kstrip_touch(rail, wheel, wheel_radius, position, reach, gap, least) bind(c)
+         import
+         type(kstrip_surface), intent(in) :: rail
+         type(kstrip_surface), intent(in) :: wheel
+         real(c_double), value :: wheel_radius
+         type(kstrip_wheel_position), intent(in) :: position
+         real(c_double), value :: reach
+         type(kstrip_gap), intent(inout) :: gap
+         real(c_double), intent(inout), optional :: least
+      end function
+
+      !> The contacts of a gap, in ascending y of a right wheel.
+      integer(c_int32_t) function kstrip_contacts_from_gap(gap, pair, position, workspace, contacts, count) bind(c)
+         import
+         type(kstrip_gap), intent(in) :: gap
+         type(kstrip_wheel_pair), intent(in) :: pair
+         type(kstrip_wheel_position), intent(in) :: position
+         type(kstrip_patch), intent(inout) :: workspace
+         type(kstrip_wheel_contact), intent(inout) :: contacts
+         integer(c_int32_t), intent(inout) :: count
+      end function
+
+      !> How the wheel moves over the rail at a contact: slip, spin rate and rolling speed, for kstrip_solve_motion() or,
+      !> divided by the rolling speed, kstrip_patch_evaluate().
+      integer(c_int32_t) function kstrip_wheel_motion(contact, velocity, motion) bind(c)
+         import
+         type(kstrip_wheel_contact), intent(in) :: contact
+         type(kstrip_wheel_velocity), intent(in) :: velocity
+         type(kstrip_motion), intent(inout) :: motion
+      end function
+
+      !> Force and moment on the wheel from its contacts, wherever they come from: a table, kstrip_contacts_from_gap().
+      integer(c_int32_t) function kstrip_wrench_from_contacts(contacts, count, velocity, model, &
+         friction, wrench, derivatives) bind(c)
+         import
+         type(kstrip_wheel_contact), intent(in) :: contacts
+         integer(c_int32_t), value :: count
+         type(kstrip_wheel_velocity), intent(in) :: velocity
+         integer(c_int32_t), value :: model
+         type(kstrip_friction), intent(in), optional :: friction
+         type(kstrip_wrench), intent(inout) :: wrench
+         type(kstrip_wrench_derivatives), intent(inout), optional :: derivatives
+      end function
+
+      !> Force and moment on a wheel on a rail in one call: kstrip_touch(), kstrip_contacts_from_gap(),
+      !> kstrip_wrench_from_contacts().
+      integer(c_int32_t) function kstrip_wheel_on_rail(rail, wheel, pair, position, velocity, &
+         friction, workspace, wrench, derivatives, by_position) bind(c)
+         import
+         type(kstrip_surface), intent(in) :: rail
+         type(kstrip_surface), intent(in) :: wheel
+         type(kstrip_wheel_pair), intent(in) :: pair
+         type(kstrip_wheel_position), intent(in) :: position
+         type(kstrip_wheel_velocity), intent(in) :: velocity
+         type(kstrip_friction), intent(in), optional :: friction
+         type(kstrip_wheel_workspace), intent(inout) :: workspace
+         type(kstrip_wrench), intent(inout) :: wrench
+         type(kstrip_wrench_derivatives), intent(inout), optional :: derivatives
+         type(kstrip_wrench_by_position), intent(inout), optional :: by_position
+      end function
+
+      !> The vertical position at which the rail supports a wheel with a given force: to begin a run, and for tables.
+      integer(c_int32_t) function kstrip_height_for_load(rail, wheel, pair, position, support, &
+         velocity, friction, workspace, vertical) bind(c)
+         import
+         type(kstrip_surface), intent(in) :: rail
+         type(kstrip_surface), intent(in) :: wheel
+         type(kstrip_wheel_pair), intent(in) :: pair
+         type(kstrip_wheel_position), intent(in) :: position
+         real(c_double), value :: support
+         type(kstrip_wheel_velocity), intent(in), optional :: velocity
+         type(kstrip_friction), intent(in) :: friction
+         type(kstrip_wheel_workspace), intent(inout) :: workspace
+         real(c_double), intent(inout) :: vertical
       end function
 
       !> The coefficient of friction that explains a measured force at a known creepage.

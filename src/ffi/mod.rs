@@ -29,6 +29,7 @@ pub mod rig;
 pub mod single;
 pub mod solve;
 pub mod types;
+pub mod wheel_rail;
 
 use crate::status::advice;
 use core::ffi::c_char;
@@ -77,6 +78,9 @@ pub const KSTRIP_WARNING_MISMATCH: kstrip_status = 15;
 pub const KSTRIP_WARNING_MISMATCH_NEGLECTED: kstrip_status = 16;
 /// Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction: the bodies are no half-spaces there.
 pub const KSTRIP_WARNING_CONFORMAL: kstrip_status = 17;
+/// Warning: the normal turns by more than 30 degrees over a contact of a wheel: one plane of contact is not enough, forces are off
+/// by 0.2 of mu N in the mean.
+pub const KSTRIP_WARNING_ANGLE_RANGE: kstrip_status = 19;
 /// Warning: a zone of contact ends with the profile, as if the bodies ended there.
 pub const KSTRIP_WARNING_PROFILE_END: kstrip_status = 18;
 /// Error: a required pointer is NULL.
@@ -180,9 +184,6 @@ pub const KSTRIP_STATE_SLIP_NEGATIVE_DISSIPATION: i32 = 3;
 
 /// Strips that kstrip_evaluate() writes at most: as many as `strips` says, up to this.
 pub const KSTRIP_STRIPS_CAPACITY: u32 = 64;
-
-/// Strips that a kstrip_patch has room for.
-pub const KSTRIP_PATCH_CAPACITY: usize = 64;
 
 /// Version of the library, major.
 pub const KSTRIP_VERSION_MAJOR: i32 = 0;

@@ -1,12 +1,11 @@
 //! Patches: contacts of any shape, given by their strips.
 
-use super::KSTRIP_PATCH_CAPACITY;
 use super::inside::write_grid;
 use super::solve::Places;
 use super::support::*;
 use crate::patch::normal::Given;
 use crate::patch::profile::{Profile, ProfileContact};
-use crate::patch::{self, Patch, PatchView, QuadratureScale, solver};
+use crate::patch::{self, KSTRIP_PATCH_CAPACITY, Patch, PatchView, QuadratureScale, solver};
 
 /// The patch of two profiles under a load, or at an approach.
 ///
@@ -203,33 +202,12 @@ impl<F: Precision> StoredPatch<F> {
         patch
     }
 
-    /// Adds a strip, and tells whether there was room.
-    fn push(&mut self, strip: PatchStrip<F>) -> bool {
-        let place = self.strips.get_mut(self.count as usize);
-        let room = place.is_some();
-        if let Some(place) = place {
-            *place = strip;
-            self.count = self.count.saturating_add(1);
-        }
-        room
-    }
-
     fn write(view: &PatchView<F>, out: &mut MaybeUninit<Self>) {
         let (shear_modulus, poisson_ratio) = (view.shear_modulus(), view.poisson_ratio());
         let patch = Self::write_empty(out, shear_modulus, poisson_ratio, view.scale());
         for strip in view.strips() {
             patch.push(*strip);
         }
-    }
-
-    /// Checked.
-    pub(super) fn view(&self) -> Result<PatchView<'_, F>, Error> {
-        let strips = self.strips.get(..self.count as usize).ok_or(Error::PatchSize)?;
-        let or_one = |factor: F| if factor == F::zero() { F::one() } else { factor };
-        let scale =
-            QuadratureScale { area: or_one(self.area_scale), lever: or_one(self.lever_scale) };
-        PatchView::new(strips, self.shear_modulus, self.poisson_ratio, scale)?
-            .with_mismatch(self.mismatch)
     }
 }
 

@@ -7,6 +7,7 @@ use super::patch::{evaluate_patch, from_contact, from_profile, from_strips, prof
 use super::rig::BOTH;
 use super::solve::{MotionPlaces, Places, evaluate, solve_motion};
 use super::support::*;
+use super::wheel_rail::{law_of, scene_of};
 
 /// kstrip_material_combine() in single precision.
 #[unsafe(no_mangle)]
@@ -414,6 +415,159 @@ pub unsafe extern "C" fn kstrip_patch_field_f32(
         let along = |strip: &Option<_>, x| PatchField::along(strip.as_ref(), x);
         write_grid(x?, y?, points?, |y| field.strip_at(y), along)?;
         Ok(field.notice)
+    })
+}
+
+/// kstrip_prepare_profile() in single precision.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn kstrip_prepare_profile_f32(
+    y: *const f32,
+    z: *const f32,
+    points: u32,
+    step: f32,
+    smoothing_length: f32,
+    surface: Option<&mut Surface<f32>>,
+) -> kstrip_status {
+    // SAFETY: NULL or as many elements as points says, says the header.
+    let (y, z) = unsafe { (input(y, points), input(z, points)) };
+    answer(|| {
+        given(surface)?.prepare(y?, z?, step, smoothing_length)?;
+        Ok(Notice::None)
+    })
+}
+
+/// kstrip_touch() in single precision.
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_touch_f32(
+    rail: Option<&Surface<f32>>,
+    wheel: Option<&Surface<f32>>,
+    wheel_radius: f32,
+    position: Option<&Position<f32>>,
+    reach: f32,
+    gap: Option<&mut Gap<f32>>,
+    least: Option<&mut MaybeUninit<f32>>,
+) -> kstrip_status {
+    answer(|| {
+        let (rail, wheel, position) = (given(rail)?, given(wheel)?, given(position)?);
+        put(least, touch::touch(rail, wheel, wheel_radius, position, reach, given(gap)?)?);
+        Ok(Notice::None)
+    })
+}
+
+/// kstrip_contacts_from_gap() in single precision.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn kstrip_contacts_from_gap_f32(
+    gap: Option<&Gap<f32>>,
+    pair: Option<&Pair<f32>>,
+    position: Option<&Position<f32>>,
+    workspace: Option<&mut StoredPatch<f32>>,
+    contacts: *mut WheelContact<f32>,
+    count: Option<&mut MaybeUninit<u32>>,
+) -> kstrip_status {
+    // SAFETY: NULL or KSTRIP_CONTACTS_CAPACITY elements, says the header.
+    let contacts =
+        unsafe { contacts.cast::<[WheelContact<f32>; KSTRIP_CONTACTS_CAPACITY]>().as_mut() };
+    answer(|| {
+        let (gap, pair, position, whole) =
+            (given(gap)?, given(pair)?, given(position)?, given(workspace)?);
+        let (contacts, count) = (given(contacts)?, given(count)?);
+        let strips = strip_count(pair.strips)?;
+        let found = contacts::from_gap(gap, pair, position, strips, whole, contacts)?;
+        count.write(found.written as u32);
+        Ok(found.notice)
+    })
+}
+
+/// kstrip_wheel_motion() in single precision.
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_wheel_motion_f32(
+    contact: Option<&WheelContact<f32>>,
+    velocity: Option<&Velocity<f32>>,
+    motion: Option<&mut MaybeUninit<Motion<f32>>>,
+) -> kstrip_status {
+    answer(|| {
+        let (contact, velocity, motion) = (given(contact)?, given(velocity)?, given(motion)?);
+        motion.write(contact.checked_motion(velocity)?);
+        Ok(Notice::None)
+    })
+}
+
+/// kstrip_wrench_from_contacts() in single precision.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn kstrip_wrench_from_contacts_f32(
+    contacts: *const WheelContact<f32>,
+    count: u32,
+    velocity: Option<&Velocity<f32>>,
+    model: i32,
+    friction: Option<&SlipFriction<f32>>,
+    wrench: Option<&mut MaybeUninit<Wrench<f32>>>,
+    derivatives: Option<&mut MaybeUninit<WrenchDerivatives<f32>>>,
+) -> kstrip_status {
+    // SAFETY: NULL or count elements, says the header.
+    let contacts = unsafe { input(contacts, count) };
+    answer(|| {
+        let (contacts, velocity, out) = (contacts?, given(velocity)?, given(wrench)?);
+        if contacts.len() > KSTRIP_CONTACTS_CAPACITY {
+            return Err(Error::PatchSize);
+        }
+        let law = law_of(model, friction)?;
+        let mut slopes = WrenchDerivatives::nothing();
+        let wanted = derivatives.is_some().then_some(&mut slopes);
+        let found = wrench::of_contacts(contacts, velocity, law, wanted)?;
+        put(derivatives, slopes);
+        out.write(found);
+        Ok(found.status_detail)
+    })
+}
+
+/// kstrip_wheel_on_rail() in single precision.
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_wheel_on_rail_f32(
+    rail: Option<&Surface<f32>>,
+    wheel: Option<&Surface<f32>>,
+    pair: Option<&Pair<f32>>,
+    position: Option<&Position<f32>>,
+    velocity: Option<&Velocity<f32>>,
+    friction: Option<&SlipFriction<f32>>,
+    workspace: Option<&mut Workspace<f32>>,
+    wrench: Option<&mut MaybeUninit<Wrench<f32>>>,
+    derivatives: Option<&mut MaybeUninit<WrenchDerivatives<f32>>>,
+    by_position: Option<&mut MaybeUninit<WrenchByPosition<f32>>>,
+) -> kstrip_status {
+    answer(|| {
+        let scene = scene_of(rail, wheel, pair, friction)?;
+        let (position, velocity) = (given(position)?, given(velocity)?);
+        let (memory, out) = (given(workspace)?, given(wrench)?);
+        let (mut slopes, mut moved) = (WrenchDerivatives::nothing(), WrenchByPosition::nothing());
+        let wanted = derivatives.is_some().then_some(&mut slopes);
+        let by = by_position.is_some().then_some(&mut moved);
+        let found = scene.solve(position, velocity, memory, wanted, by)?;
+        put(derivatives, slopes);
+        put(by_position, moved);
+        out.write(found);
+        Ok(found.status_detail)
+    })
+}
+
+/// kstrip_height_for_load() in single precision.
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_height_for_load_f32(
+    rail: Option<&Surface<f32>>,
+    wheel: Option<&Surface<f32>>,
+    pair: Option<&Pair<f32>>,
+    position: Option<&Position<f32>>,
+    support: f32,
+    velocity: Option<&Velocity<f32>>,
+    friction: Option<&SlipFriction<f32>>,
+    workspace: Option<&mut Workspace<f32>>,
+    vertical: Option<&mut MaybeUninit<f32>>,
+) -> kstrip_status {
+    answer(|| {
+        let scene = scene_of(rail, wheel, pair, friction)?;
+        let (position, memory, out) = (given(position)?, given(workspace)?, given(vertical)?);
+        let (found, notice) = scene.height_for_load(position, support, velocity, memory)?;
+        out.write(found);
+        Ok(notice)
     })
 }
 

@@ -23,6 +23,12 @@ pub(super) use crate::solve::model::{
 pub(super) use crate::solve::motion::{self, Motion, MotionDerivatives};
 pub(super) use crate::solve::prepared::Prepared;
 pub(super) use crate::status::{Error, Notice};
+pub(super) use crate::wheel_rail::contacts::{self, WheelContact};
+pub(super) use crate::wheel_rail::scene::Workspace;
+pub(super) use crate::wheel_rail::surface::Surface;
+pub(super) use crate::wheel_rail::touch::{self, Gap};
+pub(super) use crate::wheel_rail::wrench::{self, Wrench, WrenchByPosition, WrenchDerivatives};
+pub(super) use crate::wheel_rail::{KSTRIP_CONTACTS_CAPACITY, Pair, Position, Velocity};
 pub(super) use core::mem::MaybeUninit;
 
 /// Run a fallible body and turn its outcome into a status.

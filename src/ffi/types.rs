@@ -1,8 +1,7 @@
 //! Structures that only C has: options, and where outputs go.
 
-use super::KSTRIP_PATCH_CAPACITY;
 use crate::friction::SlipFriction;
-use crate::patch::PatchStrip;
+pub use crate::patch::StoredPatch;
 use crate::solve::derivatives::{Derivatives, LawDerivatives};
 use crate::solve::model::{Solution, StripResult};
 use crate::solve::motion::MotionDerivatives;
@@ -174,35 +173,6 @@ pub struct PreparedNumbers<F: Copy> {
     pub model: i32,
     /// The strip count.
     pub strips: i32,
-}
-
-/// A contact patch of any shape: its strips, in ascending y. Filled by kstrip_patch_from_contact(),
-/// kstrip_patch_from_strips() or kstrip_patch_from_profile(); the members may then be changed. All functions check it
-/// again. All zero but shear_modulus is a patch without load.
-///
-/// Where the distance of two neighbours is more than one and a half times that at which they touch,
-/// there is a gap: what lies on either side is a lobe of its own.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StoredPatch<F> {
-    /// The strips; the first count are used.
-    pub strips: [PatchStrip<F>; KSTRIP_PATCH_CAPACITY],
-    /// Combined shear modulus G [Pa], > 0.
-    pub shear_modulus: F,
-    /// Combined Poisson's ratio [-], 0 to 0.5.
-    pub poisson_ratio: F,
-    /// Factor [-], > 0, that makes the sum of the strips' areas the patch's area: 1 unless the strips
-    /// are a quadrature rule (kstrip_patch_from_contact()); 0 stands for 1.
-    pub area_scale: F,
-    /// The same for the moment of the area about x, the sum of y^2 times area.
-    pub lever_scale: F,
-    /// Number of strips, 0 to KSTRIP_PATCH_CAPACITY. None: no load.
-    pub count: u32,
-    /// Zero.
-    pub reserved: u32,
-    /// Mismatch kappa [-] of the two materials, as in kstrip_contact: 0 but in patches of kstrip_patch_from_contact(), and where the
-    /// caller sets it.
-    pub mismatch: F,
 }
 
 /// What a patch carries.

@@ -21,7 +21,10 @@ pub mod profile;
 mod section;
 mod smooth;
 pub mod solver;
+mod stored;
 pub mod zones;
+
+pub use self::stored::{KSTRIP_PATCH_CAPACITY, StoredPatch};
 
 use crate::contact::Contact;
 use crate::contact::forces::StripCount;

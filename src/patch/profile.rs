@@ -86,6 +86,14 @@ impl<F: Float> ProfileContact<F> {
         Ok(())
     }
 
+    fn smoothing(&self, half_width: Moving<F>) -> Moving<F> {
+        if self.smoothing_length > F::zero() {
+            Moving::from_base(self.smoothing_length)
+        } else {
+            length_for(half_width)
+        }
+    }
+
     /// `E* = G/(1 − ν)`
     pub(super) fn modulus(&self) -> F {
         self.shear_modulus / (F::one() - self.poisson_ratio)
@@ -137,6 +145,19 @@ impl<F: Float> Indentation<F> {
             iterations: 0,
             notice: Notice::None,
         }
+    }
+
+    /// The approach at which distances of zero are the bodies' surfaces: how far below zero the smoothed profile reaches. None
+    /// where no distance is negative.
+    pub(crate) fn overlap(profile: &Profile<F>, contact: &ProfileContact<F>) -> F {
+        let first = -profile.lowest;
+        if first <= F::zero() {
+            return F::zero();
+        }
+        let section = profile.section(Moving::from_base(first), contact.rolling_radius);
+        let length = contact.smoothing(section.half_width);
+        let curve = Curve::new(profile, length, first.times(REACH));
+        (first - curve.lowest.value).max(F::zero())
     }
 
     /// The strips that touch, handed to `take`, and what they carry.
@@ -243,11 +264,7 @@ impl<F: Float> Outline<F> {
             }
         };
         let section = profile.section(first, radius);
-        let length = if contact.smoothing_length > F::zero() {
-            Moving::from_base(contact.smoothing_length)
-        } else {
-            length_for(section.half_width)
-        };
+        let length = contact.smoothing(section.half_width);
         let curve = Curve::new(profile, length, first.value.times(REACH));
         // load and deflection before the normal problem
         let at = |approach| Estimate::new(&curve, approach, section.rolling_radius);

@@ -157,10 +157,10 @@ fn without_law<F: Float>(contact: &Contact<F>, law: Option<&SlipFriction<F>>) ->
 }
 
 /// A motion as creepages, and the shares of both ends.
-struct Rolling<F> {
+pub(crate) struct Rolling<F> {
     motion: Motion<F>,
     /// `V_f` \[m/s\]
-    speed: F,
+    pub(crate) speed: F,
     /// `∂V_f/∂V = V/V_f`
     speed_by_rolling: F,
     /// `w(V)`, `w(−V)`
@@ -171,7 +171,7 @@ struct Rolling<F> {
 }
 
 impl<F: Precision> Rolling<F> {
-    fn new(motion: &Motion<F>) -> Result<Self, Error> {
+    pub(crate) fn new(motion: &Motion<F>) -> Result<Self, Error> {
         let Motion { slip_x, slip_y, spin_rate, rolling_speed, floor_speed } = *motion;
         let inputs = [slip_x, slip_y, spin_rate, rolling_speed, floor_speed];
         if !inputs.iter().all(|input| input.is_finite_number()) {
@@ -199,9 +199,27 @@ impl<F: Precision> Rolling<F> {
         Ok(Self { motion: *motion, speed, speed_by_rolling, shares, share_slope, creepage })
     }
 
+    /// What is found forward, and what is found backward in axes turned by 180 degrees: whether they are is told; where one end
+    /// leads, twice what is found for it.
+    pub(crate) fn each_end<S: Copy>(
+        &self,
+        solve: impl Fn(&Creepage<F>, bool) -> Result<S, Error>,
+    ) -> Result<[S; 2], Error> {
+        let Creepage { longitudinal, lateral, spin } = self.creepage;
+        let turned = Creepage { longitudinal: -longitudinal, lateral: -lateral, spin };
+        let [ahead, behind] = self.shares;
+        if behind <= F::zero() {
+            return solve(&self.creepage, false).map(|found| [found; 2]);
+        }
+        if ahead <= F::zero() {
+            return solve(&turned, true).map(|found| [found; 2]);
+        }
+        Ok([solve(&self.creepage, false)?, solve(&turned, true)?])
+    }
+
     /// What is found forward, and what is found backward in axes turned by 180 degrees; where one end leads, twice what is
-    /// found for it, once with a share of zero.
-    fn each<S: Copy>(
+    /// found for it, once with a share of zero. The function is told whether the axes are turned.
+    pub(crate) fn each<S: Copy>(
         &self,
         contact: &Contact<F>,
         solve: impl Fn(&Contact<F>, &Creepage<F>) -> Result<S, Error>,
@@ -251,13 +269,13 @@ impl<F: Precision> Rolling<F> {
     }
 
     /// `w(V) p + w(−V) q`, exactly `p` where both are the same.
-    fn mean(&self, p: F, q: F) -> F {
+    pub(crate) fn mean(&self, p: F, q: F) -> F {
         let [ahead, behind] = self.shares;
         if p == q { p } else { ahead * p + behind * q }
     }
 
     /// `w(V) F₊ + w(−V) R F₋` of forces, or of their derivatives by what does not turn.
-    fn both(&self, [x, y, z]: [F; 3], [turned_x, turned_y, z_turned]: [F; 3]) -> [F; 3] {
+    pub(crate) fn both(&self, [x, y, z]: [F; 3], [turned_x, turned_y, z_turned]: [F; 3]) -> [F; 3] {
         [self.mean(x, -turned_x), self.mean(y, -turned_y), self.mean(z, z_turned)]
     }
 
@@ -289,7 +307,7 @@ impl<F: Precision> Rolling<F> {
         Ok((solution, self.mean(friction, friction_backward)))
     }
 
-    fn slopes(
+    pub(crate) fn slopes(
         &self,
         forward: &Differentiated<F>,
         backward: &Differentiated<F>,
@@ -341,7 +359,7 @@ fn forces<F: Float>(solution: &Solution<F>) -> [F; 3] {
 }
 
 impl<F: Float> MotionDerivatives<F> {
-    fn entries(&self) -> impl Iterator<Item = F> {
+    pub(crate) fn entries(&self) -> impl Iterator<Item = F> {
         let Self { slip: [x, y, z], rolling_speed, normal_force, load_through_hertz, .. } = *self;
         let Self { friction, ratio, decay, slope_factor, .. } = *self;
         [

@@ -150,6 +150,20 @@ fn function(header: &str, found: &Function) -> String {
 
 /// The whole module.
 pub fn module(header: &str) -> String {
+    whole_module(header).lines().fold(String::new(), |text, line| text + &broken(line) + "\n")
+}
+
+/// A statement that is too long for Fortran's 132 columns goes on in the next line.
+fn broken(line: &str) -> String {
+    match line.get(..100).and_then(|start| start.rfind(", ")) {
+        Some(end) if line.len() > 130 && !line.trim_start().starts_with('!') => {
+            format!("{}, &\n         {}", &line[..end], &line[end + 2..])
+        }
+        _ => line.to_owned(),
+    }
+}
+
+fn whole_module(header: &str) -> String {
     let declared = declared(header);
     let mut text = HEAD.to_owned() + "\n";
     for (name, value) in &declared.constants {

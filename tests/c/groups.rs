@@ -9,7 +9,7 @@ struct Group {
 }
 
 /// In the order of the header.
-const GROUPS: [Group; 8] = [
+const GROUPS: [Group; 9] = [
     Group {
         id: "status",
         title: "Status",
@@ -71,6 +71,20 @@ const GROUPS: [Group; 8] = [
             "patch_summarize",
             "patch_evaluate",
             "patch_field",
+        ],
+    },
+    Group {
+        id: "wheel_rail",
+        title: "Wheel on rail: from two profiles to the forces on the wheel",
+        constants: &["KSTRIP_SURFACE_", "KSTRIP_CONTACTS_", "KSTRIP_RAIL_"],
+        functions: &[
+            "prepare_profile",
+            "touch",
+            "contacts_from_gap",
+            "wheel_motion",
+            "wrench_from_contacts",
+            "wheel_on_rail",
+            "height_for_load",
         ],
     },
     Group {
@@ -268,4 +282,5 @@ use super::patch::{evaluate_patch, from_contact, from_profile, from_strips, prof
 use super::rig::BOTH;
 use super::solve::{MotionPlaces, Places, evaluate, solve_motion};
 use super::support::*;
+use super::wheel_rail::{law_of, scene_of};
 ";

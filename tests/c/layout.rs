@@ -29,6 +29,16 @@ layouts! {
     kstrip_patch { strips, shear_modulus, poisson_ratio, area_scale, lever_scale, count, reserved, mismatch }
     kstrip_profile_result { approach, normal_force, stiffness, peak_pressure, peak_y, iterations, notice }
     kstrip_patch_summary { normal_force, friction_bound, area, lobes, reserved }
+    kstrip_surface { y, z, cosine, sine, step, count, reserved }
+    kstrip_wheel_position { lateral, vertical, yaw, roll }
+    kstrip_gap { along, distance, x, y, z, angle, rolling_radius, count, reserved }
+    kstrip_wheel_pair { wheel_radius, shear_modulus, poisson_ratio, friction, friction_y, friction_at, friction_points, left, smoothing_length, strips, model }
+    kstrip_wheel_contact { origin, angle, angle_range, radius, normal_force, share, approach, stiffness, along, normal, slip_x, slip_y, spin_rate, rolling_speed, patch }
+    kstrip_wheel_velocity { forward, lateral, vertical, roll, pitch, yaw }
+    kstrip_wrench { force, moment, dissipation, normal_force, contacts, notice }
+    kstrip_wrench_derivatives { velocity, friction }
+    kstrip_wheel_workspace { gap, strips, contacts, count, apart }
+    kstrip_wrench_by_position { lateral, vertical, yaw, roll }
     kstrip_friction_estimate { friction, sensitivity, residual, notice, reserved }
     kstrip_material_f32 { shear_modulus, poisson_ratio }
     kstrip_combined_material_f32 { shear_modulus, poisson_ratio, mismatch }
@@ -57,5 +67,15 @@ layouts! {
     kstrip_patch_f32 { strips, shear_modulus, poisson_ratio, area_scale, lever_scale, count, reserved, mismatch }
     kstrip_profile_result_f32 { approach, normal_force, stiffness, peak_pressure, peak_y, iterations, notice }
     kstrip_patch_summary_f32 { normal_force, friction_bound, area, lobes, reserved }
+    kstrip_surface_f32 { y, z, cosine, sine, step, count, reserved }
+    kstrip_wheel_position_f32 { lateral, vertical, yaw, roll }
+    kstrip_gap_f32 { along, distance, x, y, z, angle, rolling_radius, count, reserved }
+    kstrip_wheel_pair_f32 { wheel_radius, shear_modulus, poisson_ratio, friction, friction_y, friction_at, friction_points, left, smoothing_length, strips, model }
+    kstrip_wheel_contact_f32 { origin, angle, angle_range, radius, normal_force, share, approach, stiffness, along, normal, slip_x, slip_y, spin_rate, rolling_speed, patch }
+    kstrip_wheel_velocity_f32 { forward, lateral, vertical, roll, pitch, yaw }
+    kstrip_wrench_f32 { force, moment, dissipation, normal_force, contacts, notice }
+    kstrip_wrench_derivatives_f32 { velocity, friction }
+    kstrip_wheel_workspace_f32 { gap, strips, contacts, count, apart }
+    kstrip_wrench_by_position_f32 { lateral, vertical, yaw, roll }
     kstrip_friction_estimate_f32 { friction, sensitivity, residual, notice, reserved }
 }

@@ -10,6 +10,7 @@ pub use kstrip::ffi::rig::*;
 pub use kstrip::ffi::single::*;
 pub use kstrip::ffi::solve::*;
 pub use kstrip::ffi::types::kstrip_options;
+pub use kstrip::ffi::wheel_rail::*;
 pub use kstrip::ffi::*;
 
 pub type kstrip_contact = kstrip::contact::Contact<f64>;
@@ -67,7 +68,27 @@ pub type kstrip_profile_contact_f32 = kstrip::ffi::types::ProfileOptions<f32>;
 pub type kstrip_profile_result = kstrip::patch::profile::Indentation<f64>;
 pub type kstrip_profile_result_f32 = kstrip::patch::profile::Indentation<f32>;
 pub type kstrip_friction_estimate = kstrip::rig::FrictionEstimate<f64>;
+pub type kstrip_surface = kstrip::wheel_rail::surface::Surface<f64>;
+pub type kstrip_wheel_position = kstrip::wheel_rail::Position<f64>;
+pub type kstrip_wheel_velocity = kstrip::wheel_rail::Velocity<f64>;
+pub type kstrip_wheel_pair = kstrip::wheel_rail::Pair<f64>;
+pub type kstrip_gap = kstrip::wheel_rail::touch::Gap<f64>;
+pub type kstrip_wheel_contact = kstrip::wheel_rail::contacts::WheelContact<f64>;
+pub type kstrip_wheel_workspace = kstrip::wheel_rail::scene::Workspace<f64>;
+pub type kstrip_wrench = kstrip::wheel_rail::wrench::Wrench<f64>;
+pub type kstrip_wrench_derivatives = kstrip::wheel_rail::wrench::WrenchDerivatives<f64>;
+pub type kstrip_wrench_by_position = kstrip::wheel_rail::wrench::WrenchByPosition<f64>;
 pub type kstrip_friction_estimate_f32 = kstrip::rig::FrictionEstimate<f32>;
+pub type kstrip_surface_f32 = kstrip::wheel_rail::surface::Surface<f32>;
+pub type kstrip_wheel_position_f32 = kstrip::wheel_rail::Position<f32>;
+pub type kstrip_wheel_velocity_f32 = kstrip::wheel_rail::Velocity<f32>;
+pub type kstrip_wheel_pair_f32 = kstrip::wheel_rail::Pair<f32>;
+pub type kstrip_gap_f32 = kstrip::wheel_rail::touch::Gap<f32>;
+pub type kstrip_wheel_contact_f32 = kstrip::wheel_rail::contacts::WheelContact<f32>;
+pub type kstrip_wheel_workspace_f32 = kstrip::wheel_rail::scene::Workspace<f32>;
+pub type kstrip_wrench_f32 = kstrip::wheel_rail::wrench::Wrench<f32>;
+pub type kstrip_wrench_derivatives_f32 = kstrip::wheel_rail::wrench::WrenchDerivatives<f32>;
+pub type kstrip_wrench_by_position_f32 = kstrip::wheel_rail::wrench::WrenchByPosition<f32>;
 
 /// No output.
 pub const fn nowhere<F>() -> kstrip::ffi::types::Outputs<F> {

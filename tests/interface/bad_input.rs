@@ -76,8 +76,8 @@ fn is_meant(declared: &Declared, argument: &Variable, pattern: &str) -> bool {
         Some((structure, member)) => {
             let known = |kind: &str| {
                 let structure = declared.structures.iter().find(|s| s.name == kind);
-                // A member that is an array stands with an index and what follows it.
-                let (member, _) = member.split_once('[').unwrap_or((member, ""));
+                // A member that is an array or a structure stands with what follows it.
+                let (member, _) = member.split_once(['[', '.']).unwrap_or((member, ""));
                 structure.is_some_and(|s| s.members.iter().any(|m| m.name == member))
             };
             target.is_some_and(|(kind, output)| !output && base(kind) == structure && known(kind))
@@ -152,11 +152,60 @@ static kstrip_prepared_f32 prepared_float(void)
 }
 ";
 
+/// Profiles of a wheel on a rail, their gap and contact, and a wheel that presses, in each precision.
+const WHEEL: &str = "
+static kstrip_surfaceSUFFIX surface_REAL(void)
+{
+    static kstrip_surfaceSUFFIX surface;
+    REAL y[41], z[41];
+    for (int i = 0; i < 41; i++) {
+        y[i] = (REAL)((i - 20) * 1e-3);
+        z[i] = (REAL)((i - 20) * (i - 20) * 1e-6);
+    }
+    kstrip_prepare_profileSUFFIX(y, z, 41, 0, 0, &surface);
+    return surface;
+}
+
+static const kstrip_wheel_pairSUFFIX pair_REAL = {(REAL)0.46, (REAL)82e9, (REAL)0.28, (REAL)0.3, {-1, 1, 0, 0}, {(REAL)0.3, (REAL)0.3, 0, 0}, 2, 0, 0, 16, 0};
+static const kstrip_wheel_positionSUFFIX position_REAL = {0, (REAL)5e-5, 0, 0};
+
+static kstrip_surfaceSUFFIX wheel_REAL(void)
+{
+    kstrip_surfaceSUFFIX wheel = surface_REAL();
+    for (uint32_t i = 0; i < wheel.count; i++) {
+        wheel.z[i] = -wheel.z[i];
+        wheel.sine[i] = -wheel.sine[i];
+    }
+    return wheel;
+}
+
+static kstrip_gapSUFFIX gap_REAL(void)
+{
+    static kstrip_gapSUFFIX gap;
+    const kstrip_surfaceSUFFIX rail = surface_REAL(), wheel = wheel_REAL();
+    kstrip_touchSUFFIX(&rail, &wheel, (REAL)0.46, &position_REAL, 0, &gap, NULL);
+    return gap;
+}
+
+static kstrip_wheel_contactSUFFIX contact_REAL(void)
+{
+    static kstrip_wheel_contactSUFFIX contacts[KSTRIP_CONTACTS_CAPACITY];
+    static kstrip_patchSUFFIX strips;
+    const kstrip_gapSUFFIX gap = gap_REAL();
+    uint32_t count;
+    kstrip_contacts_from_gapSUFFIX(&gap, &pair_REAL, &position_REAL, &strips, contacts, &count);
+    return contacts[0];
+}
+";
+
 /// Structures of places, through which a function writes.
 const OUTPUTS_OF: [&str; 3] = ["kstrip_outputs", "kstrip_motion_outputs", "kstrip_batch_outputs"];
 
 const ELEMENTS: usize = 4;
 const OUTPUTS: usize = 256;
+/// Structures too large for as many, and how many there are then.
+const LARGE: [&str; 5] = ["surface", "gap", "wheel_contact", "wheel_workspace", "patch"];
+const FEW: usize = 6;
 
 fn writes_through_places(function: &Function) -> bool {
     let target = |argument: &Variable| argument.target().map(|(target, _)| base(target).to_owned());
@@ -199,20 +248,28 @@ fn block(
         match argument.target() {
             Some(_) if is_null => arguments.push("NULL".to_owned()),
             Some((target, true)) => {
-                text += &format!("        static {target} {name}[{OUTPUTS}];\n");
+                let large = LARGE.iter().any(|large| base(target) == format!("kstrip_{large}"));
+                let size = if large { FEW } else { OUTPUTS };
+                text += &format!("        static {target} {name}[{size}];\n");
                 text += &format!("        memset({name}, POISON, sizeof {name});\n");
-                // (the index of what is bad is told with an error too)
-                if name != "first_bad" {
+                // (the index of what is bad is told with an error too; a workspace is no output)
+                if name != "first_bad" && name != "workspace" {
                     outputs.push(name);
                 }
                 arguments.push(name.clone());
             }
             Some((target, false)) => {
-                let value = spelt(value_of(if target == "float" { "double" } else { target }));
+                let of_number = matches!(target, "double" | "float");
+                // what is an argument of several functions may have a name of its own
+                let own = good.get(name).filter(|_| base(target) == "kstrip_surface");
+                let value =
+                    own.unwrap_or_else(|| value_of(if of_number { "double" } else { target }));
+                let value = spelt(value);
                 text += &format!("        const {target} {name}_good = {value};\n");
                 text += &format!("        {target} {name}[{ELEMENTS}];\n");
                 text += &format!(
-                    "        for (int i = 0; i < {ELEMENTS}; i++) {name}[i] = {name}_good;\n"
+                    "        for (int i = 0; i < {ELEMENTS}; i++) {name}[i] = {name}_good{};\n",
+                    if of_number { " * (float)(i + 1)" } else { "" }
                 );
                 if let Some(case) = bad {
                     let place = match case.argument.split_once('.') {
@@ -265,6 +322,9 @@ fn bad_input_gets_its_status_and_outputs_stay() {
         while (size--)\n        if (*byte++ != POISON)\n            return 0;\n    return 1;\n}\n"
         .to_owned();
     program += PLACES;
+    for (real, suffix) in [("double", ""), ("float", "_f32")] {
+        program += &WHEEL.replace("REAL", real).replace("SUFFIX", suffix);
+    }
     let functions: Vec<&Function> =
         declared.functions.iter().filter(|f| f.kind == "kstrip_status").collect();
     let mut blocks: Vec<String> = functions
@@ -354,10 +414,22 @@ fn bad_input_gets_its_status_and_outputs_stay() {
                                     declared.structures.iter().find(|s| s.name == member.kind);
                                 match inner {
                                     Some(inner) => {
-                                        for part in &inner.members {
-                                            let (array, part_name) = (&member.name, &part.name);
+                                        let index =
+                                            |elements| if elements > 1 { "[0]" } else { "" };
+                                        let array =
+                                            format!("{}{}", member.name, index(member.elements));
+                                        let is_number = |kind: &str| {
+                                            !kind.starts_with("kstrip_") || kind == "kstrip_status"
+                                        };
+                                        for part in inner
+                                            .members
+                                            .iter()
+                                            .filter(|part| is_number(&part.kind))
+                                        {
+                                            let part_name =
+                                                format!("{}{}", part.name, index(part.elements));
                                             let place =
-                                                format!("{}.{array}[0].{part_name}", base(target));
+                                                format!("{}.{array}.{part_name}", base(target));
                                             ask(&place, &part.kind);
                                         }
                                     }

@@ -23,7 +23,8 @@ fn generated() -> String {
 const HEADERS: [&str; 2] = ["include/kstrip.h", "include/kstrip_f32.h"];
 
 /// The files in the order of the header, the functions in double precision.
-const SOURCES: [&str; 7] = ["bodies", "motion", "solve", "batch", "inside", "patch", "rig"];
+const SOURCES: [&str; 8] =
+    ["bodies", "motion", "solve", "batch", "inside", "patch", "wheel_rail", "rig"];
 
 /// Compares a file with what it should be, and writes it first where that is wanted.
 #[track_caller]
@@ -61,7 +62,7 @@ fn committed_headers_are_current() {
     let [double, _] = &headers;
     let functions = header::declared(double).functions.len();
     let lines = double.lines().count();
-    assert!(functions <= 34 && lines <= 1400, "{functions} functions, {lines} lines");
+    assert!(functions <= 41 && lines <= 1750, "{functions} functions, {lines} lines");
 }
 
 /// `docs/abi.txt` and `tests/c/layout.rs` are written by the same command as the header. A line that

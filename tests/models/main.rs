@@ -38,3 +38,4 @@ mod special_motions;
 mod total;
 mod unlike;
 mod warnings;
+mod wheel_rail;

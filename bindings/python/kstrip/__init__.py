@@ -627,6 +627,83 @@ def patch_summary(patch: Records) -> Records:
     return made
 
 
+# Wheel on rail
+
+
+def prepare_profile(y: ArrayLike, z: ArrayLike, step: float = 0.0, smoothing_length: float = 0.0, dtype: DTypeLike = np.float64) -> Records:
+    """A profile of a rail or a wheel from its points [m], z down, the gauge side or the flange at small y."""
+    single = np.dtype(dtype) == np.float32
+    y, z = _floats(y, "y", single).reshape(-1), _floats(z, "z", single).reshape(-1)
+    if y.size != z.size:
+        raise ValueError("y and z have different sizes")
+    made = np.zeros((), dtypes["surface" + "_f32" * single])
+    _call("kstrip_prepare_profile", single, y, z, _count(y.size), float(step), float(smoothing_length), made)
+    return made
+
+
+def wheel_pair(*, wheel_radius: float, shear_modulus: float, poisson_ratio: float, friction: Union[float, Sequence] = 0.0, left: bool = False,
+               smoothing_length: float = 0.0, strips: int = 0, model: Model = "default", dtype: DTypeLike = np.float64) -> Records:
+    """Materials, side and friction: one number, or up to four pairs (y on the rail [m], friction)."""
+    places = np.atleast_2d(np.asarray(friction, float)) if np.ndim(friction) else np.zeros((0, 2))
+    room = constants["KSTRIP_RAIL_FRICTION_CAPACITY"]
+    if places.shape[1:] != (2,) or len(places) > room:
+        raise ValueError(f"friction is one number, or up to {room} pairs of y and friction")
+    made = _record("wheel_pair", dtype, wheel_radius=wheel_radius, shear_modulus=shear_modulus, poisson_ratio=poisson_ratio,
+                   friction=0.0 if len(places) else friction, friction_points=len(places), left=int(left), smoothing_length=smoothing_length)
+    chosen = _options(model, strips)
+    made["friction_y"][: len(places)], made["friction_at"][: len(places)] = places.T
+    made["strips"], made["model"] = chosen.strips, chosen.model
+    return made
+
+
+def wheel_position(*, lateral: ArrayLike, vertical: ArrayLike = 0.0, yaw: ArrayLike = 0.0, roll: ArrayLike = 0.0, dtype: DTypeLike = np.float64) -> Records:
+    """Where a wheel's centre is over the rail [m, m, rad, rad]: vertical 0 is one wheel radius over the rail's origin, down is positive."""
+    return _record("wheel_position", dtype, lateral=lateral, vertical=vertical, yaw=yaw, roll=roll)
+
+
+def wheel_velocity(*, forward: ArrayLike, pitch: ArrayLike, lateral: ArrayLike = 0.0, vertical: ArrayLike = 0.0, roll: ArrayLike = 0.0,
+                   yaw: ArrayLike = 0.0, dtype: DTypeLike = np.float64) -> Records:
+    """How a wheel moves over the rail [m/s; rad/s about its wheelset's own axes]; pitch is about -forward/radius."""
+    return _record("wheel_velocity", dtype, forward=forward, lateral=lateral, vertical=vertical, roll=roll, pitch=pitch, yaw=yaw)
+
+
+class WheelOnRail(NamedTuple):
+    """What acts on a wheel."""
+
+    wrench: Records
+    #: by velocity and by a factor of friction; exact
+    derivatives: Records
+    #: by lateral, vertical, yaw, roll; central differences
+    by_position: Optional[Records]
+    #: records of kstrip_wheel_contact
+    contacts: Records
+
+
+def wheel_on_rail(rail: Records, wheel: Records, pair: Records, position: Records, velocity: Records, friction: Optional[Records] = None,
+                  by_position: bool = False) -> WheelOnRail:
+    """Force and moment on a wheel of prepared profiles at one position and velocity. `friction`: a law of friction() that falls with the slip."""
+    single = _single(rail, wheel, pair, position, velocity, friction)
+    given = [_one(name, value, single) for name, value in zip(("surface", "surface", "wheel_pair", "wheel_position", "wheel_velocity"),
+                                                              (rail, wheel, pair, position, velocity))]
+    law = None if friction is None else _one("friction", friction, single)
+    memory, wrench, slopes, moved = (np.zeros((), dtypes[name + "_f32" * single])
+                                     for name in ("wheel_workspace", "wrench", "wrench_derivatives", "wrench_by_position"))
+    _call("kstrip_wheel_on_rail", single, *given, law, memory, wrench, slopes, moved if by_position else None)
+    return WheelOnRail(wrench, slopes, moved if by_position else None, memory["contacts"][: int(memory["count"])])
+
+
+def height_for_load(rail: Records, wheel: Records, pair: Records, position: Records, support: float, velocity: Optional[Records] = None,
+                    friction: Optional[Records] = None) -> float:
+    """The vertical position [m] at which the rail supports a wheel with a force [N]; without velocity by pressure alone."""
+    single = _single(rail, wheel, pair, position, velocity, friction)
+    given = [_one(name, value, single) for name, value in zip(("surface", "surface", "wheel_pair", "wheel_position"), (rail, wheel, pair, position))]
+    motion = None if velocity is None else _one("wheel_velocity", velocity, single)
+    law = None if friction is None else _one("friction", friction, single)
+    memory, found = np.zeros((), dtypes["wheel_workspace" + "_f32" * single]), np.zeros((), np.float32 if single else np.float64)
+    _call("kstrip_height_for_load", single, *given, float(support), motion, law, memory, found)
+    return float(found)
+
+
 # Test rigs
 
 

@@ -7,6 +7,7 @@ use kstrip::ffi::motion::*;
 use kstrip::ffi::patch::*;
 use kstrip::ffi::rig::*;
 use kstrip::ffi::solve::*;
+use kstrip::ffi::wheel_rail::*;
 
 pub type Float = f64;
 
@@ -20,4 +21,6 @@ pub mod contacts;
 pub mod patches;
 #[path = "types.rs"]
 mod types;
+#[path = "wheels.rs"]
+pub mod wheels;
 use types::*;

@@ -254,7 +254,7 @@ fn answered(status: i32, outputs_untouched: bool) -> bool {
 pub type Entry = (&'static str, fn(&mut Bytes));
 
 /// The functions of a precision.
-fn entry(lists: [&'static [Entry]; 4], mut choice: usize) -> Entry {
+fn entry(lists: [&'static [Entry]; 5], mut choice: usize) -> Entry {
     choice %= lists.iter().map(|list| list.len()).sum::<usize>();
     for list in lists {
         match list.get(choice) {
@@ -273,6 +273,7 @@ pub fn chosen(choice: u8) -> Entry {
             double::arrays::ENTRIES,
             double::patches::ENTRIES,
             double::arguments::ENTRIES,
+            double::wheels::ENTRIES,
         ]
     } else {
         [
@@ -280,6 +281,7 @@ pub fn chosen(choice: u8) -> Entry {
             single::arrays::ENTRIES,
             single::patches::ENTRIES,
             single::arguments::ENTRIES,
+            single::wheels::ENTRIES,
         ]
     };
     entry(lists, usize::from(choice % 128))

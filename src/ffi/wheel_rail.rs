@@ -1,0 +1,256 @@
+//! Wheel on rail: from two profiles and a position to the forces on the wheel.
+
+use super::support::*;
+use crate::wheel_rail::scene::Scene;
+use crate::wheel_rail::wrench::Law;
+
+/// A profile of a rail or a wheel from its points, once for all.
+///
+/// Points may turn back (a flange that was measured), run either way along y and lie at any distances; their order counts. A
+/// wheel's flange and a rail's gauge side are at small y (profiles of a right wheel), z points down.
+///
+/// @param y, z, points    the points [m], at least 4; of a rail from its origin, of a wheel from its running circle, z what its radius
+///                        exceeds the wheel radius by.
+/// @param step            length between prepared points [m]; 0: the length over the capacity, at least 0.2 mm.
+/// @param smoothing_length  each point becomes that of a parabola fitted to the points up to so far away [m], >= 0; 0: through all
+///                        points. 2 to 4 mm for measured profiles.
+/// @param[out] surface    receives the profile.
+/// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (too few points, two that coincide, a negative
+///         step), KSTRIP_ERROR_SMOOTHING_LENGTH, KSTRIP_ERROR_CAPACITY (of the step), KSTRIP_ERROR_OVERFLOW (no length of a profile).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn kstrip_prepare_profile(
+    y: *const f64,
+    z: *const f64,
+    points: u32,
+    step: f64,
+    smoothing_length: f64,
+    surface: Option<&mut Surface<f64>>,
+) -> kstrip_status {
+    // SAFETY: NULL or as many elements as points says, says the header.
+    let (y, z) = unsafe { (input(y, points), input(z, points)) };
+    answer(|| {
+        given(surface)?.prepare(y?, z?, step, smoothing_length)?;
+        Ok(Notice::None)
+    })
+}
+
+/// The gap between a wheel and a rail: the line on the wheel where its normal is across x, and its distance from the rail.
+///
+/// @param rail, wheel     prepared profiles.
+/// @param wheel_radius    radius of the wheel at z = 0 of its profile [m], > 0.
+/// @param position        where the wheel is, a right one; of a left one lateral, yaw and roll with opposite signs.
+/// @param reach           points farther apart are left out [m]; 0: 2 mm.
+/// @param[out] gap        receives the points.
+/// @param[out] least      receives their least distance [m], negative where the surfaces overlap, reach where none is nearer;
+///                        NULL: not wanted.
+/// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NOT_PREPARED, KSTRIP_ERROR_ROLLING_RADIUS,
+///         KSTRIP_ERROR_PROFILE_END (the wheel is beside the rail).
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_touch(
+    rail: Option<&Surface<f64>>,
+    wheel: Option<&Surface<f64>>,
+    wheel_radius: f64,
+    position: Option<&Position<f64>>,
+    reach: f64,
+    gap: Option<&mut Gap<f64>>,
+    least: Option<&mut MaybeUninit<f64>>,
+) -> kstrip_status {
+    answer(|| {
+        let (rail, wheel, position) = (given(rail)?, given(wheel)?, given(position)?);
+        put(least, touch::touch(rail, wheel, wheel_radius, position, reach, given(gap)?)?);
+        Ok(Notice::None)
+    })
+}
+
+/// The contacts of a gap, in ascending y of a right wheel.
+///
+/// All zones are one normal problem; those that more than 4 mm part are contacts of their own.
+///
+/// @param gap             what lies between the surfaces, from kstrip_touch() or a host's own search.
+/// @param pair            materials, friction, side.
+/// @param position        where the wheel is.
+/// @param workspace       memory for the strips of all contacts; it may hold anything.
+/// @param[out] contacts   array of KSTRIP_CONTACTS_CAPACITY elements; receives the contacts. (After an error some may have been
+///                        written; count has not.)
+/// @param[out] count      receives their number; 0: the wheel is lifted.
+/// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_ERROR_NULL, KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_PATCH_SIZE (more contacts than
+///         there is room for), KSTRIP_ERROR_PROFILE (lengths or places of friction do not ascend, an angle beyond 1.6), or one of the errors of
+///         kstrip_patch_from_profile().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn kstrip_contacts_from_gap(
+    gap: Option<&Gap<f64>>,
+    pair: Option<&Pair<f64>>,
+    position: Option<&Position<f64>>,
+    workspace: Option<&mut StoredPatch<f64>>,
+    contacts: *mut WheelContact<f64>,
+    count: Option<&mut MaybeUninit<u32>>,
+) -> kstrip_status {
+    // SAFETY: NULL or KSTRIP_CONTACTS_CAPACITY elements, says the header.
+    let contacts =
+        unsafe { contacts.cast::<[WheelContact<f64>; KSTRIP_CONTACTS_CAPACITY]>().as_mut() };
+    answer(|| {
+        let (gap, pair, position, whole) =
+            (given(gap)?, given(pair)?, given(position)?, given(workspace)?);
+        let (contacts, count) = (given(contacts)?, given(count)?);
+        let strips = strip_count(pair.strips)?;
+        let found = contacts::from_gap(gap, pair, position, strips, whole, contacts)?;
+        count.write(found.written as u32);
+        Ok(found.notice)
+    })
+}
+
+/// How the wheel moves over the rail at a contact: slip, spin rate and rolling speed, for kstrip_solve_motion() or, divided by the
+/// rolling speed, kstrip_patch_evaluate(). Linear in the velocity.
+///
+/// @param contact         a contact.
+/// @param velocity        how the wheel moves.
+/// @param[out] motion     receives the motion; floor_speed is 0.
+/// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE.
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_wheel_motion(
+    contact: Option<&WheelContact<f64>>,
+    velocity: Option<&Velocity<f64>>,
+    motion: Option<&mut MaybeUninit<Motion<f64>>>,
+) -> kstrip_status {
+    answer(|| {
+        let (contact, velocity, motion) = (given(contact)?, given(velocity)?, given(motion)?);
+        motion.write(contact.checked_motion(velocity)?);
+        Ok(Notice::None)
+    })
+}
+
+/// Force and moment on the wheel from its contacts, wherever they come from: a table, kstrip_contacts_from_gap().
+///
+/// Rolling forward, backward and standstill are those of kstrip_solve_motion(): continuous through rest, with its default floor.
+///
+/// @param contacts, count  the contacts, at most KSTRIP_CONTACTS_CAPACITY; none: the wheel is lifted, and nothing acts.
+/// @param velocity        how the wheel moves.
+/// @param model           KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967.
+/// @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL: constant.
+/// @param[out] wrench     receives force and moment.
+/// @param[out] derivatives  receives their derivatives by velocity and friction; NULL: not wanted.
+/// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE or a status of kstrip_patch_evaluate(); KSTRIP_ERROR_PATCH_SIZE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn kstrip_wrench_from_contacts(
+    contacts: *const WheelContact<f64>,
+    count: u32,
+    velocity: Option<&Velocity<f64>>,
+    model: i32,
+    friction: Option<&SlipFriction<f64>>,
+    wrench: Option<&mut MaybeUninit<Wrench<f64>>>,
+    derivatives: Option<&mut MaybeUninit<WrenchDerivatives<f64>>>,
+) -> kstrip_status {
+    // SAFETY: NULL or count elements, says the header.
+    let contacts = unsafe { input(contacts, count) };
+    answer(|| {
+        let (contacts, velocity, out) = (contacts?, given(velocity)?, given(wrench)?);
+        if contacts.len() > KSTRIP_CONTACTS_CAPACITY {
+            return Err(Error::PatchSize);
+        }
+        let law = law_of(model, friction)?;
+        let mut slopes = WrenchDerivatives::nothing();
+        let wanted = derivatives.is_some().then_some(&mut slopes);
+        let found = wrench::of_contacts(contacts, velocity, law, wanted)?;
+        put(derivatives, slopes);
+        out.write(found);
+        Ok(found.status_detail)
+    })
+}
+
+/// Force and moment on a wheel on a rail in one call: kstrip_touch(), kstrip_contacts_from_gap(), kstrip_wrench_from_contacts().
+///
+/// Straight track; in a curve the velocity is that over the momentary track, which is at rest. Bounded time.
+///
+/// @param rail, wheel     prepared profiles.
+/// @param pair            materials, friction, side, number of strips, model.
+/// @param position        where the wheel is.
+/// @param velocity        how it moves.
+/// @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL: constant.
+/// @param workspace       memory that may hold anything; receives gap and contacts.
+/// @param[out] wrench     receives force and moment.
+/// @param[out] derivatives  receives their exact derivatives by velocity and friction; NULL: not wanted.
+/// @param[out] by_position  receives their derivatives by the position: central differences of 1 um and 1 urad (15 in single precision),
+///                        eight times the cost of a call; NULL: not wanted.
+/// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE, or a status of one of these functions.
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_wheel_on_rail(
+    rail: Option<&Surface<f64>>,
+    wheel: Option<&Surface<f64>>,
+    pair: Option<&Pair<f64>>,
+    position: Option<&Position<f64>>,
+    velocity: Option<&Velocity<f64>>,
+    friction: Option<&SlipFriction<f64>>,
+    workspace: Option<&mut Workspace<f64>>,
+    wrench: Option<&mut MaybeUninit<Wrench<f64>>>,
+    derivatives: Option<&mut MaybeUninit<WrenchDerivatives<f64>>>,
+    by_position: Option<&mut MaybeUninit<WrenchByPosition<f64>>>,
+) -> kstrip_status {
+    answer(|| {
+        let scene = scene_of(rail, wheel, pair, friction)?;
+        let (position, velocity) = (given(position)?, given(velocity)?);
+        let (memory, out) = (given(workspace)?, given(wrench)?);
+        let (mut slopes, mut moved) = (WrenchDerivatives::nothing(), WrenchByPosition::nothing());
+        let wanted = derivatives.is_some().then_some(&mut slopes);
+        let by = by_position.is_some().then_some(&mut moved);
+        let found = scene.solve(position, velocity, memory, wanted, by)?;
+        put(derivatives, slopes);
+        put(by_position, moved);
+        out.write(found);
+        Ok(found.status_detail)
+    })
+}
+
+/// The vertical position at which the rail supports a wheel with a given force: to begin a run, and for tables. At most 40 positions are
+/// tried, about eight.
+///
+/// @param rail, wheel, pair  as in kstrip_wheel_on_rail().
+/// @param position        where the wheel is; its vertical member is where the search begins.
+/// @param support         wanted upward force of the rail on the wheel [N], > 0.
+/// @param velocity        how the wheel moves, whose creep forces carry as well; NULL: the pressure alone.
+/// @param friction        as in kstrip_wheel_on_rail().
+/// @param workspace       memory that may hold anything; receives gap and contacts.
+/// @param[out] vertical   receives the vertical position [m].
+/// @return KSTRIP_OK, KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_NORMAL_FORCE (support), or an error of kstrip_wheel_on_rail().
+#[unsafe(no_mangle)]
+pub extern "C" fn kstrip_height_for_load(
+    rail: Option<&Surface<f64>>,
+    wheel: Option<&Surface<f64>>,
+    pair: Option<&Pair<f64>>,
+    position: Option<&Position<f64>>,
+    support: f64,
+    velocity: Option<&Velocity<f64>>,
+    friction: Option<&SlipFriction<f64>>,
+    workspace: Option<&mut Workspace<f64>>,
+    vertical: Option<&mut MaybeUninit<f64>>,
+) -> kstrip_status {
+    answer(|| {
+        let scene = scene_of(rail, wheel, pair, friction)?;
+        let (position, memory, out) = (given(position)?, given(workspace)?, given(vertical)?);
+        let (found, notice) = scene.height_for_load(position, support, velocity, memory)?;
+        out.write(found);
+        Ok(notice)
+    })
+}
+
+pub(super) fn scene_of<'a, F: Precision>(
+    rail: Option<&'a Surface<F>>,
+    wheel: Option<&'a Surface<F>>,
+    pair: Option<&'a Pair<F>>,
+    friction: Option<&'a SlipFriction<F>>,
+) -> Result<Scene<'a, F>, Error> {
+    let (rail, wheel, pair) = (given(rail)?, given(wheel)?, given(pair)?);
+    let (strips, law) = (strip_count(pair.strips)?, law_of(pair.model, friction)?);
+    Ok(Scene { rail, wheel, pair, strips, law })
+}
+
+pub(super) fn law_of<F: Precision>(
+    model: i32,
+    falling: Option<&SlipFriction<F>>,
+) -> Result<Law<'_, F>, Error> {
+    let model = for_strips(Some(&kstrip_options { model, strips: 0 }))?.model;
+    if model == Model::Linear {
+        return Err(Error::NotInModel);
+    }
+    falling.map_or(Ok(()), SlipFriction::check)?;
+    Ok(Law { model, falling })
+}

@@ -1,0 +1,73 @@
+//! A patch as C and callers keep it: room for a fixed number of strips, and how many are used.
+
+use super::{PatchStrip, PatchView, QuadratureScale};
+use crate::number::Float;
+use crate::solve::model::Precision;
+use crate::status::Error;
+
+/// Strips that a kstrip_patch has room for.
+pub const KSTRIP_PATCH_CAPACITY: usize = 64;
+
+/// A contact patch of any shape: its strips, in ascending y. Filled by kstrip_patch_from_contact(),
+/// kstrip_patch_from_strips() or kstrip_patch_from_profile(); the members may then be changed. All functions check it
+/// again. All zero but shear_modulus is a patch without load.
+///
+/// Where the distance of two neighbours is more than one and a half times that at which they touch,
+/// there is a gap: what lies on either side is a lobe of its own.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StoredPatch<F> {
+    /// The strips; the first count are used.
+    pub strips: [PatchStrip<F>; KSTRIP_PATCH_CAPACITY],
+    /// Combined shear modulus G \[Pa\], > 0.
+    pub shear_modulus: F,
+    /// Combined Poisson's ratio \[-\], 0 to 0.5.
+    pub poisson_ratio: F,
+    /// Factor \[-\], > 0, that makes the sum of the strips' areas the patch's area: 1 unless the strips
+    /// are a quadrature rule (kstrip_patch_from_contact()); 0 stands for 1.
+    pub area_scale: F,
+    /// The same for the moment of the area about x, the sum of y^2 times area.
+    pub lever_scale: F,
+    /// Number of strips, 0 to KSTRIP_PATCH_CAPACITY. None: no load.
+    pub count: u32,
+    /// Zero.
+    pub reserved: u32,
+    /// Mismatch kappa \[-\] of the two materials, as in kstrip_contact: 0 but in patches of kstrip_patch_from_contact(), and where the
+    /// caller sets it.
+    pub mismatch: F,
+}
+
+impl<F: Float> StoredPatch<F> {
+    /// Takes all strips away.
+    pub(crate) fn clear(&mut self, shear_modulus: F, poisson_ratio: F) {
+        (self.shear_modulus, self.poisson_ratio) = (shear_modulus, poisson_ratio);
+        (self.area_scale, self.lever_scale) = (F::one(), F::one());
+        (self.count, self.reserved, self.mismatch) = (0, 0, F::zero());
+    }
+
+    /// Adds a strip, and tells whether there was room.
+    pub(crate) fn push(&mut self, strip: PatchStrip<F>) -> bool {
+        let place = self.strips.get_mut(self.count as usize);
+        let room = place.is_some();
+        if let Some(place) = place {
+            *place = strip;
+            self.count = self.count.saturating_add(1);
+        }
+        room
+    }
+}
+
+impl<F: Precision> StoredPatch<F> {
+    /// Checked.
+    ///
+    /// # Errors
+    /// [`Error::PatchSize`]; those of [`PatchView::new`].
+    pub fn view(&self) -> Result<PatchView<'_, F>, Error> {
+        let strips = self.strips.get(..self.count as usize).ok_or(Error::PatchSize)?;
+        let or_one = |factor: F| if factor == F::zero() { F::one() } else { factor };
+        let scale =
+            QuadratureScale { area: or_one(self.area_scale), lever: or_one(self.lever_scale) };
+        PatchView::new(strips, self.shear_modulus, self.poisson_ratio, scale)?
+            .with_mismatch(self.mismatch)
+    }
+}

@@ -1,0 +1,190 @@
+//! Wheel on rail: from two profiles and a position to the forces on the wheel.
+//!
+//! Axes of the track: `x` forward, `y` to the right, `z` down. The wheel is the right one; the left one is its mirror image
+//! ([`Pair::left`]).
+//!
+//! 1. [`surface`]: measured or drawn points to a profile at equal steps of its length.
+//! 2. [`touch`]: the line on the wheel where its normal is across `x`, on which all contact lies, and its distance from the rail.
+//! 3. [`contacts`]: zones of contact, each with a [patch](crate::patch), the direction of its pressure, and rows that turn the
+//!    wheel's velocity into what the patch sees.
+//! 4. [`wrench`]: motion, creep forces and pressure to force and moment on the wheel, with their derivatives.
+//! 5. [`scene`]: all of it for a position; [`scene::height_for_load`] for a load.
+//!
+//! Every step is linear in the velocities `v` of the wheel (three of its centre, three rates), so that one matrix `B` says all of a
+//! contact's kinematics, and virtual power gives the wrench without any further geometry:
+//!
+//! ```text
+//! slip = B v,   W = −Bᵀ F − N n,   W·v = −F·slip − N n·v
+//! ```
+
+pub mod contacts;
+pub mod scene;
+pub mod surface;
+pub mod touch;
+pub mod wrench;
+
+use crate::number::Float;
+use crate::status::Error;
+
+/// Points that a prepared profile and a gap have room for.
+pub const KSTRIP_SURFACE_CAPACITY: usize = 512;
+/// Contacts of one wheel at most: four, and those that stand for two of them less than 8 mm apart.
+pub const KSTRIP_CONTACTS_CAPACITY: usize = 6;
+/// Places along the rail between which friction may vary.
+pub const KSTRIP_RAIL_FRICTION_CAPACITY: usize = 4;
+
+/// Where the wheel is, over straight track. A right wheel leans on the gauge side, which is at small y, with its flange.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Position<F> {
+    /// y of the wheel's centre from the origin of the rail's profile \[m\], to the right. The centre is the point of the axle at
+    /// y = 0 of the wheel's profile.
+    pub lateral: F,
+    /// How far the centre is below its height over the rail's origin at which it would be one wheel radius \[m\].
+    pub vertical: F,
+    /// Turn about the vertical, which points down \[rad\]: positive from x to y, below 1.
+    pub yaw: F,
+    /// Turn about x \[rad\]: positive from y to z, below 1; yaw turns about the axis that roll has turned.
+    pub roll: F,
+}
+
+impl<F: Float> Position<F> {
+    /// Of the right wheel that is the mirror image of a left one.
+    pub(crate) fn mirrored(self, left: bool) -> Self {
+        let Self { lateral, yaw, roll, .. } = self;
+        if left { Self { lateral: -lateral, yaw: -yaw, roll: -roll, ..self } } else { self }
+    }
+
+    /// # Errors
+    /// [`Error::NotFinite`]; [`Error::ProfileEnd`] where the wheel lies on its side.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        let Self { lateral, vertical, yaw, roll } = *self;
+        if ![lateral, vertical, yaw, roll].iter().all(|x| x.is_finite_number()) {
+            return Err(Error::NotFinite);
+        }
+        let upright = yaw.abs() < F::one() && roll.abs() < F::one();
+        if upright { Ok(()) } else { Err(Error::ProfileEnd) }
+    }
+}
+
+/// How the wheel moves over the rail, whose axes are at rest; in a curve of the momentary track. Lateral, roll and yaw have the
+/// track's signs for a left wheel too.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Velocity<F> {
+    /// Of the wheel's centre along x \[m/s\].
+    pub forward: F,
+    /// Along y \[m/s\].
+    pub lateral: F,
+    /// Along z, down \[m/s\].
+    pub vertical: F,
+    /// About the wheelset's own x \[rad/s\]: axes that yaw and roll but do not spin.
+    pub roll: F,
+    /// About the axle \[rad/s\]: about minus forward over radius.
+    pub pitch: F,
+    /// About the wheelset's own z \[rad/s\].
+    pub yaw: F,
+}
+
+impl<F: Float> Velocity<F> {
+    pub(crate) fn members(&self) -> [F; 6] {
+        let Self { forward, lateral, vertical, roll, pitch, yaw } = *self;
+        [forward, lateral, vertical, roll, pitch, yaw]
+    }
+}
+
+/// What two bodies are made of and how they are computed: once for a wheel. Zero is the default of every member but
+/// wheel_radius and shear_modulus.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pair<F> {
+    /// Radius of the wheel at z = 0 of its profile \[m\], > 0.
+    pub wheel_radius: F,
+    /// Combined shear modulus G \[Pa\], > 0.
+    pub shear_modulus: F,
+    /// Combined Poisson's ratio \[-\], 0 to 0.5.
+    pub poisson_ratio: F,
+    /// Coefficient of friction \[-\], >= 0; where friction_points is 0.
+    pub friction: F,
+    /// Places on the rail, y of its profile \[m\], ascending.
+    pub friction_y: [F; KSTRIP_RAIL_FRICTION_CAPACITY],
+    /// Coefficient of friction there \[-\], >= 0; straight between them, constant beyond.
+    pub friction_at: [F; KSTRIP_RAIL_FRICTION_CAPACITY],
+    /// How many of these places there are, at most KSTRIP_RAIL_FRICTION_CAPACITY; 0: friction is the same everywhere.
+    pub friction_points: u32,
+    /// Not 0: a left wheel. Its profiles are those of a right wheel; position, velocity and wrench are the left wheel's own.
+    pub left: i32,
+    /// Length over which the distance of the surfaces is smoothed \[m\], >= 0; 0: as kstrip_patch_from_profile() does.
+    pub smoothing_length: F,
+    /// About how many strips a contact has: 4, 8, 16, 32 or 64; 0: 16.
+    pub strips: i32,
+    /// KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967.
+    pub model: i32,
+}
+
+impl<F: Float> Pair<F> {
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::RollingRadius`], [`Error::Friction`], [`Error::Profile`] for places that do not ascend,
+    /// [`Error::Capacity`] for too many of them. (Materials are checked with the patch.)
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        let places = self.friction_points as usize;
+        let (Some(y), Some(at)) = (self.friction_y.get(..places), self.friction_at.get(..places))
+        else {
+            return Err(Error::Capacity);
+        };
+        let inputs = [self.wheel_radius, self.friction, self.smoothing_length];
+        if !inputs.iter().chain(y).chain(at).all(|x| x.is_finite_number()) {
+            return Err(Error::NotFinite);
+        }
+        if self.wheel_radius <= F::zero() {
+            return Err(Error::RollingRadius);
+        }
+        if at.iter().chain([&self.friction]).any(|friction| *friction < F::zero()) {
+            return Err(Error::Friction);
+        }
+        if self.smoothing_length < F::zero() {
+            return Err(Error::SmoothingLength);
+        }
+        let ascends = y.iter().zip(y.iter().skip(1)).all(|(y, next)| y < next);
+        if ascends { Ok(()) } else { Err(Error::Profile) }
+    }
+
+    /// Coefficient of friction at a place of the rail.
+    pub(crate) fn friction_at_rail(&self, y: F) -> F {
+        let places = self.friction_y.iter().zip(&self.friction_at);
+        let mut last: Option<(F, F)> = None;
+        for (&place, &friction) in places.take(self.friction_points as usize) {
+            if y < place {
+                let Some((before, from)) = last else { return friction };
+                return from + (friction - from) * ((y - before) / (place - before));
+            }
+            last = Some((place, friction));
+        }
+        last.map_or(self.friction, |(_, friction)| friction)
+    }
+}
+
+/// Sine and cosine of an angle up to 1.6 in size.
+pub(crate) fn sine_cosine<F: Float>(angle: F) -> (F, F) {
+    // half the angle by Taylor's series, then sin 2x = 2 sin x cos x,  1 − cos 2x = 2 sin² x
+    let x = angle.times(0.5);
+    let square = x * x;
+    let (mut sine, mut cosine) = (F::zero(), F::zero());
+    for k in (1..=9_i32).rev() {
+        let [odd, even] = [(2 * k) * (2 * k + 1), (2 * k) * (2 * k - 1)];
+        sine = square.times(-1.0 / f64::from(odd)) * sine.plus(1.0);
+        cosine = square.times(-1.0 / f64::from(even)) * cosine.plus(1.0);
+    }
+    let (sine, cosine) = (x * sine.plus(1.0), cosine.plus(1.0));
+    ((sine * cosine).times(2.0), F::one() - (sine * sine).times(2.0))
+}
+
+/// The vector product.
+pub(crate) fn cross<F: Float>([a, b, c]: [F; 3], [x, y, z]: [F; 3]) -> [F; 3] {
+    [b * z - c * y, c * x - a * z, a * y - b * x]
+}
+
+/// `a·b` of vectors of any length.
+pub(crate) fn dot<F: Float, const N: usize>(a: &[F; N], b: &[F; N]) -> F {
+    a.iter().zip(b).fold(F::zero(), |sum, (a, b)| sum + *a * *b)
+}

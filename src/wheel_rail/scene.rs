@@ -1,0 +1,240 @@
+//! The whole road for a position, and the height of a wheel that carries a load.
+
+use super::contacts::{self, WheelContact};
+use super::surface::Surface;
+use super::touch::{Gap, touch};
+use super::wrench::{self, Law, Wrench, WrenchByPosition, WrenchDerivatives};
+use super::{KSTRIP_CONTACTS_CAPACITY, Pair, Position, Velocity};
+use crate::contact::forces::StripCount;
+use crate::patch::StoredPatch;
+use crate::solve::model::Precision;
+use crate::status::{Error, Notice};
+
+/// Steps of the differences by position, over the cube root of the rounding \[m, rad\]: 1 µm in double precision, 15 µm in single.
+const STEP: f64 = 0.15;
+const ANGLE_STEP: f64 = 0.15;
+/// Heights that are tried at most for a load.
+const HEIGHTS: u32 = 40;
+/// How far the wheel moves at most from one height to the next \[m\], and when it stays \[m\].
+const FARTHEST: f64 = 1e-4;
+
+/// Memory of the caller that one wheel is computed in; it may hold anything before. After KSTRIP_OK or a warning it holds the gap
+/// and the contacts of the position, after an error nothing of use.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Workspace<F> {
+    /// What lies between the surfaces.
+    pub gap: Gap<F>,
+    /// What a contact is pressed in.
+    pub strips: StoredPatch<F>,
+    /// The contacts, in ascending y of a right wheel; the first count are used.
+    pub contacts: [WheelContact<F>; KSTRIP_CONTACTS_CAPACITY],
+    /// Number of contacts.
+    pub count: u32,
+    /// How many of them are more than 4 mm apart.
+    pub apart: u32,
+}
+
+/// Two surfaces, what they are made of, and how they are computed.
+#[derive(Clone, Copy)]
+pub struct Scene<'a, F> {
+    /// The rail.
+    pub rail: &'a Surface<F>,
+    /// The wheel.
+    pub wheel: &'a Surface<F>,
+    /// Materials, friction, side.
+    pub pair: &'a Pair<F>,
+    /// Number of strips.
+    pub strips: StripCount,
+    /// Creep forces.
+    pub law: Law<'a, F>,
+}
+
+impl<F: Precision> Scene<'_, F> {
+    /// Finds the contacts of a position.
+    ///
+    /// # Errors
+    /// Those of [`touch`] and [`contacts::from_gap`].
+    pub fn place(
+        &self,
+        position: &Position<F>,
+        memory: &mut Workspace<F>,
+    ) -> Result<Notice, Error> {
+        let Self { rail, wheel, pair, strips, .. } = *self;
+        pair.check()?;
+        let right = position.mirrored(pair.left != 0);
+        let Workspace { gap, strips: whole, contacts, count, apart } = memory;
+        touch(rail, wheel, pair.wheel_radius, &right, F::zero(), gap)?;
+        let found = contacts::from_gap(gap, pair, position, strips, whole, contacts)?;
+        (*count, *apart) = (found.written as u32, found.apart);
+        Ok(found.notice)
+    }
+
+    fn wrench(
+        &self,
+        position: &Position<F>,
+        velocity: &Velocity<F>,
+        memory: &mut Workspace<F>,
+        derivatives: Option<&mut WrenchDerivatives<F>>,
+    ) -> Result<Wrench<F>, Error> {
+        self.place(position, memory)?;
+        let wrench = wrench::of_contacts(memory.found(), velocity, self.law, derivatives)?;
+        Ok(Wrench { contacts: memory.apart, ..wrench })
+    }
+
+    /// The wrench of a position and a velocity.
+    ///
+    /// # Errors
+    /// Those of [`Scene::place`] and [`wrench::of_contacts`].
+    pub fn solve(
+        &self,
+        position: &Position<F>,
+        velocity: &Velocity<F>,
+        memory: &mut Workspace<F>,
+        derivatives: Option<&mut WrenchDerivatives<F>>,
+        by_position: Option<&mut WrenchByPosition<F>>,
+    ) -> Result<Wrench<F>, Error> {
+        if let Some(slopes) = by_position {
+            *slopes = self.differences(position, velocity, memory)?;
+        }
+        self.wrench(position, velocity, memory, derivatives)
+    }
+
+    /// Central differences.
+    fn differences(
+        &self,
+        position: &Position<F>,
+        velocity: &Velocity<F>,
+        memory: &mut Workspace<F>,
+    ) -> Result<WrenchByPosition<F>, Error> {
+        let cube = F::EPSILON.cube_root();
+        let (step, turn) = (cube.times(STEP), cube.times(ANGLE_STEP));
+        let mut by = |moved: &dyn Fn(F) -> Position<F>, step: F| {
+            let mut at = |step: F| {
+                self.wrench(&moved(step), velocity, memory, None).map(|found| found.members())
+            };
+            let (above, mut slopes) = (at(step)?, at(-step)?);
+            for (slope, above) in slopes.iter_mut().zip(above) {
+                *slope = (above - *slope) / step.times(2.0);
+            }
+            Ok(slopes)
+        };
+        let p = *position;
+        Ok(WrenchByPosition {
+            lateral: by(&|step| Position { lateral: p.lateral + step, ..p }, step)?,
+            vertical: by(&|step| Position { vertical: p.vertical + step, ..p }, step)?,
+            yaw: by(&|step| Position { yaw: p.yaw + step, ..p }, turn)?,
+            roll: by(&|step| Position { roll: p.roll + step, ..p }, turn)?,
+        })
+    }
+
+    /// The vertical position at which the rail supports the wheel with a force; `velocity` decides whether creep forces help it.
+    ///
+    /// The support grows with the vertical position, from zero where the wheel is lifted: by bracketing, then by secants over force to
+    /// the power 2/3, as Hertz's is nearly straight.
+    ///
+    /// # Errors
+    /// Those of [`Scene::solve`]; [`Error::NormalForce`] for a force that is not positive.
+    pub fn height_for_load(
+        &self,
+        position: &Position<F>,
+        support: F,
+        velocity: Option<&Velocity<F>>,
+        memory: &mut Workspace<F>,
+    ) -> Result<(F, Notice), Error> {
+        if !support.is_finite_number() {
+            return Err(Error::NotFinite);
+        }
+        if support <= F::zero() {
+            return Err(Error::NormalForce);
+        }
+        self.pair.check()?;
+        let mut here = self.first_touch(position, memory)?;
+        let straight = |force: F| force.max(F::zero()).squared().cube_root();
+        let wanted = straight(support);
+        // lifted, or less than wanted; more than wanted
+        let (mut above, mut below): (Option<(F, F)>, Option<(F, F)>) =
+            (Some((here, F::zero())), None);
+        let far = F::of(FARTHEST);
+        here = here + far.times(0.5);
+        for _ in 0..HEIGHTS {
+            let force = straight(self.support(
+                &Position { vertical: here, ..*position },
+                velocity,
+                memory,
+            )?);
+            let rest = force - wanted;
+            if rest.abs() <= wanted * F::EPSILON.times(64.0) {
+                return Ok((here, Notice::None));
+            }
+            if rest < F::zero() {
+                above = Some((here, force));
+            } else {
+                below = Some((here, force));
+            }
+            let next = match (above, below) {
+                (Some((high, less)), Some((low, more))) => {
+                    let share = ((wanted - less) / (more - less)).clamped(F::of(0.02), F::of(0.98));
+                    high + (low - high) * share
+                }
+                (Some((high, _)), None) => high + far,
+                (None, Some((low, _))) => low - far,
+                (None, None) => here,
+            };
+            if next == here {
+                return Ok((here, Notice::None));
+            }
+            here = next;
+        }
+        Ok((here, Notice::NotConverged))
+    }
+
+    /// The upward force of the rail on the wheel; without velocity that of the pressure alone.
+    fn support(
+        &self,
+        position: &Position<F>,
+        velocity: Option<&Velocity<F>>,
+        memory: &mut Workspace<F>,
+    ) -> Result<F, Error> {
+        if let Some(velocity) = velocity {
+            let [_, _, vertical] = self.wrench(position, velocity, memory, None)?.force;
+            return Ok(-vertical);
+        }
+        self.place(position, memory)?;
+        let pressures = memory.found().iter().map(|contact| {
+            let [_, _, vertical, ..] = contact.normal;
+            contact.share * contact.normal_force * vertical
+        });
+        Ok(pressures.fold(F::zero(), |sum, pressure| sum + pressure))
+    }
+
+    /// About the vertical position at which the wheel touches: lowered by the distance that is left, a few times.
+    fn first_touch(&self, position: &Position<F>, memory: &mut Workspace<F>) -> Result<F, Error> {
+        let mut here = *position;
+        let right = |position: &Position<F>| position.mirrored(self.pair.left != 0);
+        for _ in 0..HEIGHTS {
+            let gap = &mut memory.gap;
+            let left = touch(
+                self.rail,
+                self.wheel,
+                self.pair.wheel_radius,
+                &right(&here),
+                F::zero(),
+                gap,
+            )?;
+            here.vertical += left;
+            if left.abs() < F::of(1e-6) {
+                break;
+            }
+        }
+        Ok(here.vertical)
+    }
+}
+
+impl<F> Workspace<F> {
+    /// The contacts.
+    #[must_use]
+    pub fn found(&self) -> &[WheelContact<F>] {
+        self.contacts.get(..self.count as usize).unwrap_or(&[])
+    }
+}

@@ -1,0 +1,346 @@
+//! What lies between wheel and rail: the line on the wheel where its normal is across `x`, and its distance from the rail.
+//!
+//! A wheel of radius `r(y)` that yaws touches ahead of its lowest line where it is steep. In the wheel's axes, `θ` about the axle
+//! from below, `α` the angle of its profile and `R` the turn by roll and yaw,
+//!
+//! ```text
+//! p = R (r sin θ, y, r cos θ),   n = R (cos α sin θ, −sin α, cos α cos θ),   n_x = 0:  sin θ = tan α R₀₁/R₀₀ = −tan α tan yaw
+//! ```
+//!
+//! The distance of `p` is along the rail's normal, from the rail's point under it; no plane of contact needs to be chosen, and a flange
+//! at 70 degrees is as good as a tread.
+
+use super::surface::{Place, Surface};
+use super::{KSTRIP_SURFACE_CAPACITY, Position, sine_cosine};
+use crate::number::{Float, length};
+use crate::status::Error;
+
+/// Distance below which points are added \[m\], and how many there are for one of the wheel's at most.
+const NEAR: f64 = 0.3e-3;
+const FINEST: usize = 4;
+/// How far apart surfaces may be where nothing is said \[m\].
+const REACH: f64 = 2e-3;
+/// Cosine of the profile's angle, and sine of θ, beyond which no wheel touches.
+const STEEPEST: f64 = 0.06;
+const FARTHEST: f64 = 0.9;
+/// Cosine of the angle between the surfaces where they face each other.
+const FACING: f64 = 0.5;
+/// Corrections of the rail's point under the wheel's: each doubles its digits.
+const CORRECTIONS: u32 = 4;
+
+/// What lies between a wheel and a rail, point by point along the rail: what a host with its own search of contact must give. The first
+/// count elements of each member are used.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gap<F> {
+    /// Length on the rail's surface from any origin \[m\], ascending; of a host that works in a plane, the coordinate in it.
+    pub along: [F; KSTRIP_SURFACE_CAPACITY],
+    /// Distance of the undeformed surfaces along the rail's normal \[m\]; negative where they would overlap.
+    pub distance: [F; KSTRIP_SURFACE_CAPACITY],
+    /// x of the point on the wheel's undeformed surface from the wheel's centre, axes of the track \[m\]: 0 without yaw.
+    pub x: [F; KSTRIP_SURFACE_CAPACITY],
+    /// Its y \[m\].
+    pub y: [F; KSTRIP_SURFACE_CAPACITY],
+    /// Its z \[m\], about the wheel's radius.
+    pub z: [F; KSTRIP_SURFACE_CAPACITY],
+    /// Angle of the tangent across x, mean of both surfaces \[rad\]: positive from y to z, of a right wheel's flange about -1.2.
+    pub angle: [F; KSTRIP_SURFACE_CAPACITY],
+    /// Radius of curvature along x \[m\]: distance from the axle over the cosine of the angle between normal and radius.
+    pub rolling_radius: [F; KSTRIP_SURFACE_CAPACITY],
+    /// Number of points.
+    pub count: u32,
+    /// Zero.
+    pub reserved: u32,
+}
+
+/// One point of a [`Gap`].
+#[derive(Clone, Copy, Debug)]
+struct GapPoint<F> {
+    along: F,
+    distance: F,
+    place: [F; 3],
+    angle: F,
+    rolling_radius: F,
+}
+
+impl<F: Float> Gap<F> {
+    fn set(&mut self, k: usize, point: &GapPoint<F>) {
+        let [x, y, z] = point.place;
+        let members = [
+            (&mut self.along, point.along),
+            (&mut self.distance, point.distance),
+            (&mut self.x, x),
+            (&mut self.y, y),
+            (&mut self.z, z),
+            (&mut self.angle, point.angle),
+            (&mut self.rolling_radius, point.rolling_radius),
+        ];
+        for (list, value) in members {
+            if let Some(place) = list.get_mut(k) {
+                *place = value;
+            }
+        }
+    }
+}
+
+/// How a wheel stands: sines and cosines of its roll and yaw.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Turn<F> {
+    roll: (F, F),
+    yaw: (F, F),
+}
+
+impl<F: Float> Turn<F> {
+    pub fn new(position: &Position<F>) -> Self {
+        Self { roll: sine_cosine(position.roll), yaw: sine_cosine(position.yaw) }
+    }
+
+    /// From the wheelset's axes to the track's: yaw, then roll.
+    pub fn to_track(self, [x, y, z]: [F; 3]) -> [F; 3] {
+        let ((sin_roll, cos_roll), (sin_yaw, cos_yaw)) = (self.roll, self.yaw);
+        let across = sin_yaw * x + cos_yaw * y;
+        [
+            cos_yaw * x - sin_yaw * y,
+            cos_roll * across - sin_roll * z,
+            sin_roll * across + cos_roll * z,
+        ]
+    }
+
+    /// From the track's axes to the wheelset's.
+    pub fn to_wheelset(self, [x, y, z]: [F; 3]) -> [F; 3] {
+        let ((sin_roll, cos_roll), (sin_yaw, cos_yaw)) = (self.roll, self.yaw);
+        let across = cos_roll * y + sin_roll * z;
+        [
+            cos_yaw * x + sin_yaw * across,
+            cos_yaw * across - sin_yaw * x,
+            cos_roll * z - sin_roll * y,
+        ]
+    }
+}
+
+/// A point of the wheel's line of contact.
+struct Line<F> {
+    /// From the wheel's centre, axes of the track.
+    place: [F; 3],
+    /// How far it is below where it would be one wheel radius under the centre.
+    below: F,
+    /// Normal in the plane of y and z, out of the wheel.
+    normal: [F; 2],
+    /// Distance from the axle over the cosine of the angle between normal and radius.
+    rolling_radius: F,
+}
+
+fn line_of_contact<F: Float>(point: Place<F>, wheel_radius: F, turn: Turn<F>) -> Option<Line<F>> {
+    let Place { y, z, cosine, sine } = point;
+    let size = length(cosine, sine);
+    if !(cosine > size.times(STEEPEST)) {
+        return None;
+    }
+    let ((sin_roll, cos_roll), (sin_yaw, cos_yaw)) = (turn.roll, turn.yaw);
+    // sin θ = −tan α tan yaw
+    let sin = -(sine * sin_yaw) / (cosine * cos_yaw);
+    if !(sin.abs() < F::of(FARTHEST)) {
+        return None;
+    }
+    let cos = (F::one() - sin * sin).sqrt();
+    let radius = wheel_radius + z;
+    let place = turn.to_track([radius * sin, y, radius * cos]);
+    let [_, normal_y, normal_z] = turn.to_track([cosine * sin, -sine, cosine * cos]);
+    // p_z − radius, where nothing large is subtracted: cos roll cos θ − 1 = −sin² roll/(1 + cos roll) cos θ − sin² θ/(1 + cos θ)
+    let less = (sin_roll * sin_roll) / cos_roll.plus(1.0) * cos + (sin * sin) / cos.plus(1.0);
+    let across = sin_yaw * (radius * sin) + cos_yaw * y;
+    let below = sin_roll * across + z * cos_roll * cos - wheel_radius * less;
+    // the normal of the wheel makes the profile's angle with its radius
+    Some(Line {
+        place,
+        below,
+        normal: [normal_y, normal_z],
+        rolling_radius: radius * size / cosine,
+    })
+}
+
+/// Where on a rail the point under another is.
+struct Under<'a, F> {
+    rail: &'a Surface<F>,
+    /// The nearest of its points, where the search for the next one begins.
+    nearest: Option<usize>,
+}
+
+impl<F: Float> Under<'_, F> {
+    fn away(&self, k: usize, [y, z]: [F; 2]) -> Option<F> {
+        let rail = self.rail.point(k)?;
+        Some((y - rail.y).squared() + (z - rail.z).squared())
+    }
+
+    /// The nearest of the rail's points: of all for the first, then downhill from the last.
+    fn find(&mut self, point: [F; 2]) -> usize {
+        let count = self.rail.count as usize;
+        let Some(mut k) = self.nearest else {
+            let mut best = (0, F::LARGEST);
+            for k in 0..count {
+                if let Some(away) = self.away(k, point)
+                    && away < best.1
+                {
+                    best = (k, away);
+                }
+            }
+            self.nearest = Some(best.0);
+            return best.0;
+        };
+        let mut away = self.away(k, point).unwrap_or(F::LARGEST);
+        for direction in [1, -1_isize] {
+            for _ in 0..count {
+                let Some(next) = k.checked_add_signed(direction).filter(|next| *next < count)
+                else {
+                    break;
+                };
+                match self.away(next, point) {
+                    Some(nearer) if nearer < away => (k, away) = (next, nearer),
+                    _ => break,
+                }
+            }
+        }
+        self.nearest = Some(k);
+        k
+    }
+
+    /// The rail's point under another: place along the rail \[m\], distance along its normal, and the normal's direction, into the rail.
+    fn foot(&mut self, point: [F; 2], reach: F) -> Option<(F, F, [F; 2])> {
+        let k = self.find(point);
+        let last = self.rail.count.saturating_sub(1) as i32;
+        let mut s = F::constant(k as f64);
+        // far away: not computed further (the point is half a step from the nearest at most)
+        if self.away(k, point)? > (reach + self.rail.step).squared() {
+            let is_end = k == 0 || k as i32 == last;
+            return (!is_end).then_some((s * self.rail.step, F::LARGEST, [F::zero(), F::one()]));
+        }
+        let [y, z] = point;
+        let (mut distance, mut normal) = (F::zero(), [F::zero(), F::one()]);
+        for _ in 0..CORRECTIONS {
+            let rail = self.rail.at(s)?;
+            let (e_y, e_z) = (y - rail.y, z - rail.z);
+            let size = F::one() / length(rail.cosine, rail.sine);
+            let (cosine, sine) = (rail.cosine * size, rail.sine * size);
+            distance = e_y * sine - e_z * cosine;
+            normal = [-sine, cosine];
+            // (e·t) = 0, by the secant that a circle would need
+            let ahead = (e_y * cosine + e_z * sine) * size / self.rail.step;
+            s = (s + ahead).clamped(F::zero(), F::constant(f64::from(last)));
+        }
+        let inside = s > F::zero() && s < F::constant(f64::from(last));
+        inside.then_some((s * self.rail.step, distance, normal))
+    }
+}
+
+/// A wheel over a rail.
+struct Above<'a, F> {
+    wheel: &'a Surface<F>,
+    wheel_radius: F,
+    position: Position<F>,
+    turn: Turn<F>,
+    reach: F,
+    under: Under<'a, F>,
+}
+
+impl<F: Float> Above<'_, F> {
+    /// The wheel's line of contact at a place of its profile, counted in steps, and what it finds on the rail: place, distance, normal.
+    fn look(&mut self, s: F) -> Option<(Line<F>, (F, F, [F; 2]))> {
+        let line = line_of_contact(self.wheel.at(s)?, self.wheel_radius, self.turn)?;
+        let [_, y, _] = line.place;
+        let point = [self.position.lateral + y, self.position.vertical + line.below];
+        let (along, distance, normal) = self.under.foot(point, self.reach)?;
+        let ([wheel_y, wheel_z], [rail_y, rail_z]) = (line.normal, normal);
+        let facing = wheel_y * rail_y + wheel_z * rail_z > length(wheel_y, wheel_z).times(FACING);
+        facing.then_some((line, (along, distance, normal)))
+    }
+
+    fn point(&mut self, s: F) -> Option<GapPoint<F>> {
+        let (line, (along, distance, [normal_y, normal_z])) = self.look(s)?;
+        let Line { place, normal: [wheel_y, wheel_z], rolling_radius, .. } = line;
+        // the mean of both surfaces' angles is that of the sum of their unit normals
+        let size = length(wheel_y, wheel_z);
+        let (sum_y, sum_z) = (wheel_y + normal_y * size, wheel_z + normal_z * size);
+        if !(distance < self.reach && sum_z > F::zero() && rolling_radius > F::zero()) {
+            return None;
+        }
+        Some(GapPoint { along, distance, place, angle: (-sum_y / sum_z).atan(), rolling_radius })
+    }
+}
+
+/// The gap between a right wheel and a rail. Only points nearer to the rail than `reach` are written; zero: 2 mm. Where surfaces are
+/// nearer than 0.3 mm there are up to four points for one of the wheel's profile: a flange touches on one millimetre. Tells the
+/// smallest distance of the points, `reach` where all are farther.
+///
+/// # Errors
+/// [`Error::NotPrepared`], [`Error::NotFinite`], [`Error::RollingRadius`]; [`Error::ProfileEnd`] when no point of the wheel is above the
+/// rail. Nothing has been written then.
+pub fn touch<F: Float>(
+    rail: &Surface<F>,
+    wheel: &Surface<F>,
+    wheel_radius: F,
+    position: &Position<F>,
+    reach: F,
+    gap: &mut Gap<F>,
+) -> Result<F, Error> {
+    rail.check()?;
+    wheel.check()?;
+    position.check()?;
+    if ![wheel_radius, reach].iter().all(|x| x.is_finite_number()) {
+        return Err(Error::NotFinite);
+    }
+    if wheel_radius <= F::zero() {
+        return Err(Error::RollingRadius);
+    }
+    let reach = if reach > F::zero() { reach } else { F::of(REACH) };
+    let (position, turn) = (*position, Turn::new(position));
+    let under = Under { rail, nearest: None };
+    let mut above = Above { wheel, wheel_radius, position, turn, reach, under };
+    // what there is
+    let is_near = |distance: Option<F>| distance.is_some_and(|distance| distance < F::of(NEAR));
+    let (mut coarse, mut near, mut faces) = (0, 0, false);
+    let mut last: Option<F> = None;
+    for k in 0..wheel.count {
+        let here = above.look(F::constant(f64::from(k))).map(|(_, (_, distance, _))| distance);
+        faces |= here.is_some();
+        coarse += usize::from(here.is_some_and(|distance| distance < reach));
+        near += usize::from(is_near(last) && is_near(here));
+        last = here;
+    }
+    if !faces {
+        return Err(Error::ProfileEnd);
+    }
+    let room = KSTRIP_SURFACE_CAPACITY.saturating_sub(coarse) / near.max(1);
+    let parts = (room + 1).min(FINEST) as u32;
+    // points in ascending order along the rail
+    let (mut count, mut least) = (0, reach);
+    let mut end: Option<F> = None;
+    let mut write = |point: GapPoint<F>| {
+        if end.is_none_or(|end| point.along > end) && count < KSTRIP_SURFACE_CAPACITY {
+            gap.set(count, &point);
+            count += 1;
+            least = least.min(point.distance);
+            end = Some(point.along);
+        }
+    };
+    let mut before: Option<F> = None;
+    for k in 0..wheel.count {
+        let s = F::constant(f64::from(k));
+        let here = above.point(s);
+        let distance = here.map(|point| point.distance);
+        if is_near(before) && is_near(distance) {
+            for part in 1..parts {
+                let share = f64::from(part) / f64::from(parts);
+                if let Some(point) = above.point(s.plus(share - 1.0)) {
+                    write(point);
+                }
+            }
+        }
+        if let Some(point) = here {
+            write(point);
+        }
+        before = distance;
+    }
+    gap.count = count as u32;
+    gap.reserved = 0;
+    Ok(least)
+}

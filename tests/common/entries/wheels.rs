@@ -1,0 +1,284 @@
+//! Wheel on rail: profiles that are mostly round, positions near contact, contacts with any changes.
+
+use super::super::*;
+use super::contacts::friction_of;
+use super::*;
+
+const POINTS: usize = 24;
+
+/// Zeroed memory of a structure of plain numbers, on the heap because it is large.
+fn zeroed<T>() -> Box<T> {
+    // SAFETY: all bits zero are a structure of numbers.
+    unsafe { Box::<T>::new_zeroed().assume_init() }
+}
+
+/// Points of an arc of about 20 mm, some of them moved.
+fn points(bytes: &mut Bytes, radius: f64) -> ([Float; POINTS], [Float; POINTS]) {
+    let (mut y, mut z): ([Float; POINTS], [Float; POINTS]) = Default::default();
+    for i in 0..POINTS {
+        let s = (i as f64 - 11.5) * 1.8e-3;
+        y[i] = s as Float;
+        z[i] = (s * s / (2.0 * radius)) as Float;
+    }
+    if bytes.byte() < 48 {
+        y[bytes.below(POINTS)] = Number::of(bytes, 1e-2);
+        z[bytes.below(POINTS)] = Number::of(bytes, 1e-4);
+    }
+    (y, z)
+}
+
+fn prepare(bytes: &mut Bytes, radius: f64, surface: Option<&mut kstrip_surface>) -> i32 {
+    let (y, z) = points(bytes, radius);
+    let count = if bytes.byte() < 16 { bytes.below(POINTS + 1) } else { POINTS };
+    let length = |bytes: &mut Bytes| if bytes.byte() < 192 { 0.0 } else { positive(bytes, 2e-3) };
+    let (step, smoothing) = (length(bytes), length(bytes));
+    let given = bytes.given();
+    // SAFETY: NULL or at least as many points as the count says.
+    unsafe {
+        let (y, z) = (given.array(0, &y), given.array(1, &z));
+        kstrip_prepare_profile(y, z, count as u32, step, smoothing, surface)
+    }
+}
+
+fn prepare_profile(bytes: &mut Bytes) {
+    let mut surface = zeroed::<kstrip_surface>();
+    let radius = f64::from(positive::<Float>(bytes, 0.3));
+    let with = bytes.byte() >= 16;
+    let status = prepare(bytes, radius, with.then_some(&mut surface));
+    if answered(status, surface.count == 0 && surface.step == 0.0) {
+        assert!(with && (4..=512).contains(&surface.count), "{}", surface.count);
+        let count = surface.count as usize;
+        let lists = [&surface.y, &surface.z, &surface.cosine, &surface.sine];
+        assert!(lists.iter().all(|list| finite(&list[..count])) && surface.step > 0.0);
+    }
+}
+
+/// A wheel over a rail as a program may have it.
+struct Scene {
+    rail: Box<kstrip_surface>,
+    wheel: Box<kstrip_surface>,
+    pair: kstrip_wheel_pair,
+    position: kstrip_wheel_position,
+    velocity: kstrip_wheel_velocity,
+}
+
+impl Scene {
+    fn new(bytes: &mut Bytes) -> Self {
+        let (mut rail, mut wheel) = (zeroed::<kstrip_surface>(), zeroed::<kstrip_surface>());
+        prepare(bytes, 0.3, Some(&mut rail));
+        prepare(bytes, -0.5, Some(&mut wheel));
+        if bytes.byte() < 16 {
+            wheel.count = bytes.integer() as u32;
+            rail.y[bytes.below(100)] = Number::of(bytes, 1e-2);
+        }
+        let mut any = |scale: f64| -> Float { Number::of(bytes, scale) };
+        let pair = kstrip_wheel_pair {
+            wheel_radius: 0.46,
+            shear_modulus: any(82e9).abs(),
+            poisson_ratio: 0.28,
+            friction: any(0.3).abs(),
+            friction_y: [-5e-3, 0.0, 5e-3, any(1e-2)],
+            friction_at: [0.1, any(0.3).abs(), 0.3, 0.4],
+            friction_points: 0,
+            left: 0,
+            smoothing_length: 0.0,
+            strips: 0,
+            model: 0,
+        };
+        let position = kstrip_wheel_position {
+            lateral: any(1e-3),
+            vertical: any(1e-4),
+            yaw: any(1e-2),
+            roll: any(1e-2),
+        };
+        let velocity = kstrip_wheel_velocity {
+            forward: any(20.0),
+            lateral: any(0.1),
+            vertical: any(0.01),
+            roll: any(0.1),
+            pitch: any(43.0),
+            yaw: any(0.1),
+        };
+        let mut scene = Self { rail, wheel, pair, position, velocity };
+        let choice = bytes.byte();
+        scene.pair.left = i32::from(choice % 2);
+        scene.pair.friction_points = u32::from(choice / 2 % 8);
+        scene.pair.strips = bytes.strips();
+        scene.pair.model = if choice < 128 { 0 } else { i32::from(choice % 7) };
+        scene
+    }
+}
+
+fn touch(bytes: &mut Bytes) {
+    let (scene, given) = (Scene::new(bytes), bytes.given());
+    let (mut gap, mut least) = (zeroed::<kstrip_gap>(), poisoned::<Float>());
+    let reach = if bytes.byte() < 192 { 0.0 } else { Number::of(bytes, 1e-3) };
+    let status = kstrip_touch(
+        given.input(0, &scene.rail),
+        given.input(1, &scene.wheel),
+        scene.pair.wheel_radius,
+        given.input(2, &scene.position),
+        reach,
+        given.has(3).then_some(&mut gap),
+        given.output(4, &mut least),
+    );
+    if answered(status, untouched(&least) && gap.along.iter().all(|&along| along == 0.0)) {
+        assert!(given.all(4));
+        let along = &gap.along[..gap.count as usize];
+        assert!(along.windows(2).all(|pair| pair[0] < pair[1]), "{along:?}");
+    }
+}
+
+/// The contacts of a gap that may have been changed, and how many there are.
+fn contacts(bytes: &mut Bytes, scene: &Scene) -> Option<(Box<[kstrip_wheel_contact; 6]>, u32)> {
+    let (mut gap, mut strips) = (zeroed::<kstrip_gap>(), zeroed::<kstrip_patch>());
+    let (rail, wheel, radius) = (&scene.rail, &scene.wheel, scene.pair.wheel_radius);
+    kstrip_touch(Some(rail), Some(wheel), radius, Some(&scene.position), 0.0, Some(&mut gap), None);
+    match bytes.byte() {
+        0..=15 => gap.along[bytes.below(200)] = Number::of(bytes, 1e-2),
+        16..=31 => gap.angle[bytes.below(200)] = Number::of(bytes, 1.0),
+        32..=47 => gap.x[bytes.below(200)] = Number::of(bytes, 1e-2),
+        48..=55 => gap.count = bytes.integer() as u32,
+        _ => {}
+    }
+    let given = bytes.given();
+    let (mut found, mut count) = (zeroed::<[kstrip_wheel_contact; 6]>(), poisoned::<u32>());
+    // SAFETY: NULL or six elements.
+    let status = unsafe {
+        kstrip_contacts_from_gap(
+            given.input(0, &gap),
+            given.input(1, &scene.pair),
+            given.input(2, &scene.position),
+            given.has(3).then_some(&mut strips),
+            if given.has(4) { found.as_mut_ptr() } else { std::ptr::null_mut() },
+            given.output(5, &mut count),
+        )
+    };
+    if !answered(status, untouched(&count)) {
+        return None;
+    }
+    let count = written(&count);
+    for contact in &found[..count as usize] {
+        let rows = [contact.slip_x, contact.slip_y, contact.spin_rate, contact.normal];
+        let rows = rows.iter().flatten().chain(&contact.rolling_speed);
+        assert!(rows.into_iter().all(|x| x.is_finite()), "{contact:?}");
+        assert!(contact.normal_force >= 0.0 && (0.0..=1.0).contains(&contact.share));
+    }
+    Some((found, count))
+}
+
+fn contacts_from_gap(bytes: &mut Bytes) {
+    let scene = Scene::new(bytes);
+    contacts(bytes, &scene);
+}
+
+fn motion(bytes: &mut Bytes) {
+    let scene = Scene::new(bytes);
+    let Some((mut contacts, _)) = contacts(bytes, &scene) else { return };
+    if bytes.byte() < 64 {
+        contacts[0].slip_x[bytes.below(6)] = Number::of(bytes, 1.0);
+    }
+    let given = bytes.given();
+    let mut out = poisoned::<kstrip_motion>();
+    let status = kstrip_wheel_motion(
+        given.input(0, &contacts[0]),
+        given.input(1, &scene.velocity),
+        given.output(2, &mut out),
+    );
+    if answered(status, untouched(&out)) {
+        let m = written(&out);
+        assert!(finite(&[m.slip_x, m.slip_y, m.spin_rate, m.rolling_speed]), "{m:?}");
+    }
+}
+
+/// What holds for a wrench: nothing of a lifted wheel, no energy gained.
+fn plausible(wrench: &kstrip_wrench, status: i32) {
+    assert_eq!(wrench.status_detail.code(), status);
+    assert!(finite(&wrench.members()) && finite(&[wrench.dissipation, wrench.normal_force]));
+    if wrench.contacts == 0 {
+        assert_eq!((wrench.force, wrench.moment), ([0.0; 3], [0.0; 3]));
+    }
+}
+
+fn wrench_from_contacts(bytes: &mut Bytes) {
+    let scene = Scene::new(bytes);
+    let Some((mut contacts, mut count)) = contacts(bytes, &scene) else { return };
+    match bytes.byte() {
+        0..=15 => contacts[0].share = Number::of(bytes, 1.0),
+        16..=31 => contacts[0].patch.strips[0].y = Number::of(bytes, 1e-2),
+        32..=39 => count = u32::from(bytes.byte() % 7),
+        _ => {}
+    }
+    let (law, with_law, given) = (friction_of(bytes), bytes.byte() < 128, bytes.given());
+    let (mut out, mut slopes) = (poisoned::<kstrip_wrench>(), poisoned());
+    // SAFETY: NULL or six elements.
+    let status = unsafe {
+        kstrip_wrench_from_contacts(
+            given.array(0, contacts.as_slice()),
+            count,
+            given.input(1, &scene.velocity),
+            scene.pair.model,
+            with_law.then_some(&law),
+            given.output(2, &mut out),
+            given.output(3, &mut slopes),
+        )
+    };
+    if answered(status, untouched(&out) && untouched::<kstrip_wrench_derivatives>(&slopes)) {
+        plausible(&written(&out), status);
+    }
+}
+
+fn wheel_on_rail(bytes: &mut Bytes) {
+    let scene = Scene::new(bytes);
+    let (law, with_law, given) = (friction_of(bytes), bytes.byte() < 64, bytes.given());
+    let mut memory = zeroed::<kstrip_wheel_workspace>();
+    let (mut out, mut slopes, mut moved) = (poisoned::<kstrip_wrench>(), poisoned(), poisoned());
+    let wanted = bytes.byte();
+    let status = kstrip_wheel_on_rail(
+        given.input(0, &scene.rail),
+        given.input(1, &scene.wheel),
+        given.input(2, &scene.pair),
+        given.input(3, &scene.position),
+        given.input(4, &scene.velocity),
+        with_law.then_some(&law),
+        given.has(5).then_some(&mut memory),
+        given.output(6, &mut out),
+        (wanted < 32).then_some(&mut slopes),
+        (wanted < 8).then_some(&mut moved),
+    );
+    let slopes_untouched = untouched::<kstrip_wrench_derivatives>(&slopes)
+        && untouched::<kstrip_wrench_by_position>(&moved);
+    if answered(status, untouched(&out) && slopes_untouched) {
+        plausible(&written(&out), status);
+    }
+}
+
+fn height_for_load(bytes: &mut Bytes) {
+    let (scene, given) = (Scene::new(bytes), bytes.given());
+    let mut memory = zeroed::<kstrip_wheel_workspace>();
+    let mut out = poisoned::<Float>();
+    let status = kstrip_height_for_load(
+        given.input(0, &scene.rail),
+        given.input(1, &scene.wheel),
+        given.input(2, &scene.pair),
+        given.input(3, &scene.position),
+        Number::of(bytes, 1e4),
+        given.input(4, &scene.velocity),
+        None,
+        given.has(5).then_some(&mut memory),
+        given.output(6, &mut out),
+    );
+    if answered(status, untouched(&out)) {
+        assert!(written(&out).is_finite());
+    }
+}
+
+pub const ENTRIES: &[Entry] = &[
+    ("prepare_profile", prepare_profile),
+    ("touch", touch),
+    ("contacts_from_gap", contacts_from_gap),
+    ("motion", motion),
+    ("wrench_from_contacts", wrench_from_contacts),
+    ("wheel_on_rail", wheel_on_rail),
+    ("height_for_load", height_for_load),
+];
