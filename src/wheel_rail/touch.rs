@@ -212,7 +212,12 @@ impl<F: Float> Under<'_, F> {
         // far away: not computed further (the point is half a step from the nearest at most)
         if self.away(k, point)? > (reach + self.rail.step).squared() {
             let is_end = k == 0 || k as i32 == last;
-            return (!is_end).then_some((s * self.rail.step, F::LARGEST, [F::zero(), F::one()]));
+            let Place { y, z, cosine, sine } = self.rail.point(k)?;
+            let [across, above] = [point[0] - y, point[1] - z].map(F::abs);
+            // beside the rail rather than above it
+            let is_beside = across > above.times(2.0) + reach;
+            let normal = [-sine, cosine];
+            return (!is_end && !is_beside).then_some((s * self.rail.step, F::LARGEST, normal));
         }
         let [y, z] = point;
         let (mut distance, mut normal) = (F::zero(), [F::zero(), F::one()]);
