@@ -298,9 +298,9 @@ impl<F: Float> Curve<F> {
                 found.lowest = found.lowest.min(before).min(after);
                 let (inside, stays) = (before.value < F::zero(), after.value < F::zero());
                 if inside && !stays {
-                    found.end(root(&exact, from, to).shift(knot.y));
+                    found.end(root(exact, from, to).shift(knot.y));
                 } else if stays && !inside {
-                    found.begun = Some(root(&exact, to, from).shift(knot.y));
+                    found.begun = Some(root(exact, to, from).shift(knot.y));
                 }
                 (from, before) = (to, after);
             }

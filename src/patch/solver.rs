@@ -35,6 +35,9 @@ use crate::strip_1967::strip::{Regime, State, Strip};
 use crate::total;
 use nalgebra::Matrix3;
 
+/// What the ellipse of a zone carries, and the longitudinal creepage by which the pressure of unlike materials shifts it.
+type ZoneTotals<T> = (Totals<T>, T);
+
 /// Share `Π` of the friction bound below which a strip is treated as one with this share: the squares of what it
 /// sees fit an `f32`.
 const LEAST_BOUND: f64 = 1e-9;
@@ -261,7 +264,7 @@ impl<'a, F: Precision> Problem<'a, F> {
         slip: &Slip<T>,
         visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
     ) {
-        let mut solved: Option<(Zone<F>, (Totals<T>, T))> = None;
+        let mut solved: Option<(Zone<F>, ZoneTotals<T>)> = None;
         let mut before = 0;
         let all = self.view.lobes().flat_map(|lobe| {
             let (first, of_lobe) = (before, self.view.zone_of_lobe(before, lobe));
@@ -286,7 +289,7 @@ impl<'a, F: Precision> Problem<'a, F> {
         }
     }
 
-    fn elliptic_totals<T: Real<Base = F>>(zone: &Zone<F>, slip: &Slip<T>) -> (Totals<T>, T) {
+    fn elliptic_totals<T: Real<Base = F>>(zone: &Zone<F>, slip: &Slip<T>) -> ZoneTotals<T> {
         let Contact { a, b, poisson_ratio, .. } = zone.contact;
         let linear = LinearCoefficients::at(a / b, poisson_ratio);
         let (seen, shift) = seen_by(zone, &linear, slip, zone.x);

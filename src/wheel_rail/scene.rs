@@ -153,10 +153,10 @@ impl<F: Precision> Scene<'_, F> {
         let straight = |force: F| force.max(F::zero()).squared().cube_root();
         let wanted = straight(support);
         // lifted, or less than wanted; more than wanted
-        let (mut above, mut below): (Option<(F, F)>, Option<(F, F)>) =
-            (Some((here, F::zero())), None);
+        let mut above: Option<(F, F)> = Some((here, F::zero()));
+        let mut below: Option<(F, F)> = None;
         let far = F::of(FARTHEST);
-        here = here + far.times(0.5);
+        here += far.times(0.5);
         for _ in 0..HEIGHTS {
             let force = straight(self.support(
                 &Position { vertical: here, ..*position },

@@ -237,6 +237,9 @@ impl<F: Float> Under<'_, F> {
     }
 }
 
+/// Where a point finds the rail: place along it \[m\], distance \[m\], normal.
+type Foot<F> = (F, F, [F; 2]);
+
 /// A wheel over a rail.
 struct Above<'a, F> {
     wheel: &'a Surface<F>,
@@ -249,7 +252,7 @@ struct Above<'a, F> {
 
 impl<F: Float> Above<'_, F> {
     /// The wheel's line of contact at a place of its profile, counted in steps, and what it finds on the rail: place, distance, normal.
-    fn look(&mut self, s: F) -> Option<(Line<F>, (F, F, [F; 2]))> {
+    fn look(&mut self, s: F) -> Option<(Line<F>, Foot<F>)> {
         let line = line_of_contact(self.wheel.at(s)?, self.wheel_radius, self.turn)?;
         let [_, y, _] = line.place;
         let point = [self.position.lateral + y, self.position.vertical + line.below];

@@ -179,9 +179,9 @@ impl<F: Precision> WrenchDerivatives<F> {
         let members = self.velocity.iter_mut().zip(&mut self.friction).enumerate();
         for (k, (row, by_friction)) in members {
             let column = contact.rows().map(|row| entry(&row, k) * contact.share);
-            *by_friction = *by_friction - dot(&column, &friction);
+            *by_friction -= dot(&column, &friction);
             for (j, place) in row.iter_mut().enumerate() {
-                *place = *place - dot(&column, &by_velocity.map(|by| entry(&by, j)));
+                *place -= dot(&column, &by_velocity.map(|by| entry(&by, j)));
             }
         }
     }
@@ -251,11 +251,14 @@ fn through_mirror<F: Precision, S>(
 }
 
 /// Creep forces on the rail, their derivatives by motion, and by a factor of all friction.
+type Sloped<F> = (Solution<F>, MotionDerivatives<F>, [F; 3]);
+
+/// What a patch does in motion, with its slopes.
 fn differentiated<F: Precision>(
     patch: &StoredPatch<F>,
     rolling: &Rolling<F>,
     law: Law<F>,
-) -> Result<(Solution<F>, MotionDerivatives<F>, [F; 3]), Error> {
+) -> Result<Sloped<F>, Error> {
     let falling = at_speed(law, rolling.speed);
     let solve = |view: &PatchView<F>, creepage: &Creepage<F>| {
         patch::friction::differentiate(view, creepage, falling.as_ref(), law.model)

@@ -9,7 +9,7 @@ const POINTS: usize = 24;
 /// Zeroed memory of a structure of plain numbers, on the heap because it is large.
 fn zeroed<T>() -> Box<T> {
     // SAFETY: all bits zero are a structure of numbers.
-    unsafe { Box::<T>::new_zeroed().assume_init() }
+    unsafe { Box::new(std::mem::MaybeUninit::<T>::zeroed().assume_init()) }
 }
 
 /// Points of an arc of about 20 mm, some of them moved.
