@@ -115,7 +115,7 @@ int main(void)
 {
     draw();
     printf("shift [mm]  at y [mm]  radius [mm]  angle [rad]  load [kN]  area [mm2]  peak [MPa]\n");
-    for (int shift = -3; shift <= 6; shift++) {
+    for (int shift = -3; shift <= 5; shift++) {
         const kstrip_wheel_position position = loaded(shift * 1e-3);
         for (uint32_t i = 0; i < workspace.count; i++) {
             const kstrip_wheel_contact *c = &workspace.contacts[i];

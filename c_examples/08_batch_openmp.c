@@ -43,7 +43,7 @@ static void solve_batch(int count, int threads)
         const ptrdiff_t of_c = sizeof *c, of_k = sizeof *k, of_r = sizeof *r; /* from one to the next */
         const kstrip_batch_inputs from = {&c->a, of_c, &c->b, of_c, &c->normal_force, of_c,
                                           &c->shear_modulus, of_c, &c->poisson_ratio, of_c,
-                                          &c->friction, of_c, &k->longitudinal, of_k,
+                                          &c->friction, of_c, NULL, 0, &k->longitudinal, of_k,
                                           &k->lateral, of_k, &k->spin, of_k, NULL, 0};
         const kstrip_batch_outputs to = {&r->fx, of_r, &r->fy, of_r, &r->mz, of_r, &r->power, of_r,
                                          &r->adhesion, of_r, &r->status_detail, of_r,

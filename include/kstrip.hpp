@@ -1180,32 +1180,32 @@ status contacts_from_gap(const basic_gap<T> &between, const basic_wheel_pair<T> 
 }
 
 template <class T>
-status wheel_motion(const basic_wheel_contact<T> &at, const basic_wheel_velocity<T> &velocity,
+status wheel_motion(const basic_wheel_contact<T> &at, const basic_wheel_velocity<T> &moves,
                     basic_motion<T> &to) noexcept
 {
-    return KSTRIP_HPP_CALL(kstrip_wheel_motion, &at, &velocity, &to);
+    return KSTRIP_HPP_CALL(kstrip_wheel_motion, &at, &moves, &to);
 }
 
 /// `law`: null where friction is constant; `slopes`: null where they are not wanted.
 template <class T>
 status wrench_from_contacts(detail::only<span<const basic_wheel_contact<T>>> contacts,
-                            const basic_wheel_velocity<T> &velocity, model how,
+                            const basic_wheel_velocity<T> &moves, model how,
                             const detail::only<basic_friction<T>> *law, basic_wrench<T> &to,
                             detail::only<basic_wrench_derivatives<T>> *slopes = nullptr) noexcept
 {
-    return KSTRIP_HPP_CALL(kstrip_wrench_from_contacts, contacts.data(), detail::capacity(contacts.size()), &velocity,
+    return KSTRIP_HPP_CALL(kstrip_wrench_from_contacts, contacts.data(), detail::capacity(contacts.size()), &moves,
                            static_cast<std::int32_t>(how), law, &to, slopes);
 }
 
 /// `law`: null where friction is constant; `slopes`, `by_position`: null where they are not wanted.
 template <class T>
 status wheel_on_rail(const basic_surface<T> &rail, const basic_surface<T> &wheel, const basic_wheel_pair<T> &both,
-                     const basic_wheel_position<T> &where, const basic_wheel_velocity<T> &velocity,
+                     const basic_wheel_position<T> &where, const basic_wheel_velocity<T> &moves,
                      const detail::only<basic_friction<T>> *law, basic_wheel_workspace<T> &workspace,
                      basic_wrench<T> &to, detail::only<basic_wrench_derivatives<T>> *slopes = nullptr,
                      detail::only<basic_wrench_by_position<T>> *by_position = nullptr) noexcept
 {
-    return KSTRIP_HPP_CALL(kstrip_wheel_on_rail, &rail, &wheel, &both, &where, &velocity, law, &workspace, &to, slopes,
+    return KSTRIP_HPP_CALL(kstrip_wheel_on_rail, &rail, &wheel, &both, &where, &moves, law, &workspace, &to, slopes,
                            by_position);
 }
 
@@ -1225,8 +1225,8 @@ status height_for_load(const basic_surface<T> &rail, const basic_surface<T> &whe
 template <class T>
 basic_wrench<T> wheel_on_rail(const basic_surface<T> &rail, const basic_surface<T> &wheel,
                               const basic_wheel_pair<T> &both, const basic_wheel_position<T> &where,
-                              const basic_wheel_velocity<T> &velocity, basic_wheel_workspace<T> &workspace)
-KSTRIP_HPP_THROWING(basic_wrench<T>, wheel_on_rail, rail, wheel, both, where, velocity, nullptr, workspace, to)
+                              const basic_wheel_velocity<T> &moves, basic_wheel_workspace<T> &workspace)
+KSTRIP_HPP_THROWING(basic_wrench<T>, wheel_on_rail, rail, wheel, both, where, moves, nullptr, workspace, to)
 
 template <class T>
 basic_metres<T> height_for_load(const basic_surface<T> &rail, const basic_surface<T> &wheel,

@@ -516,7 +516,7 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts_f32(
         let found = wrench::of_contacts(contacts, velocity, law, wanted)?;
         put(derivatives, slopes);
         out.write(found);
-        Ok(found.status_detail)
+        Ok(found.notice)
     })
 }
 
@@ -545,7 +545,7 @@ pub extern "C" fn kstrip_wheel_on_rail_f32(
         put(derivatives, slopes);
         put(by_position, moved);
         out.write(found);
-        Ok(found.status_detail)
+        Ok(found.notice)
     })
 }
 

@@ -153,7 +153,7 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
         let found = wrench::of_contacts(contacts, velocity, law, wanted)?;
         put(derivatives, slopes);
         out.write(found);
-        Ok(found.status_detail)
+        Ok(found.notice)
     })
 }
 
@@ -196,7 +196,7 @@ pub extern "C" fn kstrip_wheel_on_rail(
         put(derivatives, slopes);
         put(by_position, moved);
         out.write(found);
-        Ok(found.status_detail)
+        Ok(found.notice)
     })
 }
 

@@ -364,8 +364,9 @@ impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
     /// let (patch, found) =
     ///     Patch::<f64, 32>::from_profile(&Profile::new(&y, &distance)?, &contact, StripCount::Sixteen)?;
     /// assert!((patch.view()?.normal_force() - 80e3).abs() < 1e-6);
-    /// // Hertz: 90.5 µm; dN/dδ = 3 N/(2 δ)
-    /// assert!((found.approach - 90.5e-6).abs() < 1e-6 && found.peak_y.abs() < 1e-12);
+    /// // Hertz: 90.5 µm; the highest pressure within a strip of the middle; dN/dδ = 3 N/(2 δ)
+    /// assert!((found.approach - 90.5e-6).abs() < 1e-6, "{}", found.approach);
+    /// assert!(found.peak_y.abs() < 0.5e-3, "{}", found.peak_y);
     /// assert!((found.stiffness * found.approach / 80e3 - 1.5).abs() < 0.05);
     /// # Ok::<(), kstrip::status::Error>(())
     /// ```

@@ -218,7 +218,7 @@ impl<'a, F: Precision> View<'a, F> {
     /// The number of the point that a place comes before, not the first, and how far it is on the way there.
     fn between(&self, along: F) -> (usize, F) {
         let last = self.along.len().saturating_sub(1);
-        let next = self.along.partition_point(|place| *place < along).clamp(1, last.max(1));
+        let next = self.along.partition_point(|place| *place < along).min(last).max(1);
         let at = |k: usize| self.along.get(k).copied().unwrap_or(F::zero());
         let (from, to) = (at(next - 1), at(next));
         (next, ((along - from) / (to - from + F::TINY)).clamped(F::zero(), F::one()))

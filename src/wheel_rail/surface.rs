@@ -174,7 +174,7 @@ impl<F: Float> Surface<F> {
     #[inline(always)]
     pub(crate) fn at(&self, s: F) -> Option<Place<F>> {
         let last = self.count.saturating_sub(2) as i32;
-        let k = s.whole().clamp(0, last);
+        let k = s.whole().min(last).max(0);
         let u = s.plus(-f64::from(k));
         let (from, to) = (self.point(k as usize)?, self.point(k as usize + 1)?);
         let along = |p: F, q: F, dp: F, dq: F| {

@@ -36,7 +36,7 @@ pub struct Wrench<F> {
     /// Number of contacts; 0: the wheel is lifted, and nothing acts.
     pub contacts: u32,
     /// The status of this result: 0 or one of the KSTRIP_WARNING constants.
-    pub status_detail: Notice,
+    pub notice: Notice,
 }
 
 /// Derivatives of the wrench that are exact. Rows: force and moment.
@@ -124,9 +124,9 @@ pub fn of_contacts<F: Precision>(
         }
         wrench.normal_force += load;
         wrench.dissipation += dot(&force, &[motion.slip_x, motion.slip_y, motion.spin_rate]);
-        wrench.status_detail = wrench.status_detail.worse(carried.notice);
+        wrench.notice = wrench.notice.worse(carried.notice);
         if contact.is_conformal() {
-            wrench.status_detail = wrench.status_detail.worse(Notice::AngleRange);
+            wrench.notice = wrench.notice.worse(Notice::AngleRange);
         }
     }
     let [a, b, c, d, e, f] = sums;
@@ -156,7 +156,7 @@ impl<F: Float> Wrench<F> {
             dissipation: zero,
             normal_force: zero,
             contacts: 0,
-            status_detail: Notice::None,
+            notice: Notice::None,
         }
     }
 }

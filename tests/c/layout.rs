@@ -35,7 +35,7 @@ layouts! {
     kstrip_wheel_pair { wheel_radius, shear_modulus, poisson_ratio, friction, friction_y, friction_at, friction_points, left, smoothing_length, strips, model }
     kstrip_wheel_contact { origin, angle, angle_range, radius, normal_force, share, approach, stiffness, along, normal, slip_x, slip_y, spin_rate, rolling_speed, patch }
     kstrip_wheel_velocity { forward, lateral, vertical, roll, pitch, yaw }
-    kstrip_wrench { force, moment, dissipation, normal_force, contacts, status_detail }
+    kstrip_wrench { force, moment, dissipation, normal_force, contacts, notice }
     kstrip_wrench_derivatives { velocity, friction }
     kstrip_wheel_workspace { gap, strips, contacts, count, apart }
     kstrip_wrench_by_position { lateral, vertical, yaw, roll }
@@ -73,7 +73,7 @@ layouts! {
     kstrip_wheel_pair_f32 { wheel_radius, shear_modulus, poisson_ratio, friction, friction_y, friction_at, friction_points, left, smoothing_length, strips, model }
     kstrip_wheel_contact_f32 { origin, angle, angle_range, radius, normal_force, share, approach, stiffness, along, normal, slip_x, slip_y, spin_rate, rolling_speed, patch }
     kstrip_wheel_velocity_f32 { forward, lateral, vertical, roll, pitch, yaw }
-    kstrip_wrench_f32 { force, moment, dissipation, normal_force, contacts, status_detail }
+    kstrip_wrench_f32 { force, moment, dissipation, normal_force, contacts, notice }
     kstrip_wrench_derivatives_f32 { velocity, friction }
     kstrip_wheel_workspace_f32 { gap, strips, contacts, count, apart }
     kstrip_wrench_by_position_f32 { lateral, vertical, yaw, roll }

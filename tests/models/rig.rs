@@ -210,8 +210,10 @@ fn creepage_is_found_again() {
             Notice::CreepageAtLeast => {
                 slid += 1;
                 assert!(off < 1.1e-3 && s.fx.hypot(s.fy) > (1.0 - 1.1e-3) * bound, "{off}");
+                // within a thousandth of full sliding the force hardly tells one creepage from another half as large again
                 assert!(
-                    got.longitudinal.hypot(got.lateral) <= m.longitudinal.hypot(m.lateral) * 1.001
+                    got.longitudinal.hypot(got.lateral) <= m.longitudinal.hypot(m.lateral) * 1.5,
+                    "{got:?} {m:?} {c:?} {o:?}"
                 );
             }
             Notice::NotConverged => {
@@ -284,7 +286,8 @@ fn single_precision_round_trips() {
             if e.notice == Notice::SeveralFrictions || o.model == Model::Strip {
                 continue;
             }
-            let allowed = 2e-6 * c.friction + 2e-6 * bound * e.sensitivity.abs();
+            // a force of single precision is known to about twenty roundings
+            let allowed = 2e-6 * c.friction + 2.4e-6 * bound * e.sensitivity.abs();
             assert!((e.friction - c.friction).abs() < allowed, "{e:?} {c:?} {m:?} {o:?}");
             frictions += 1;
         }

@@ -197,11 +197,15 @@ fn contact(case: &Case) -> Contact<f64> {
     let (contact, ellipse, notice) =
         from_hertz(&bodies(case, 1.0), &pair(case.shear_modulus), case.load, case.friction)
             .unwrap();
-    assert_eq!(notice, Notice::None, "{}: {ellipse:?}", case.what);
+    // a ball in its race at the limit of its load is ordinary, and wide for half-spaces
+    let [_, lower_y, _, upper_y] = case.radii.map(f64::abs);
+    let wide = ellipse.b > 0.3 * lower_y.min(upper_y);
+    let expected = if wide { Notice::Conformal } else { Notice::None };
+    assert_eq!(notice, expected, "{}: {ellipse:?}", case.what);
     let (_, _, notice) =
         from_approach(&bodies(case, 1.0), &pair(case.shear_modulus), ellipse.approach, 0.3)
             .unwrap();
-    assert_eq!(notice, Notice::None, "{}", case.what);
+    assert_eq!(notice, expected, "{}", case.what);
     contact
 }
 
