@@ -1062,9 +1062,9 @@ typedef struct kstrip_profile_result {
     double peak_pressure;
     /** y of that strip [m]. */
     double peak_y;
-    /** Sections of the first guess, at most 40. */
+    /** Steps of the two searches for the approach, at most 60 each. */
     uint32_t iterations;
-    /** [Notice::ProfileEnd] where a zone of contact ends with the profile: the status again. */
+    /** The status of this result: 0, or KSTRIP_WARNING_PROFILE_END where a zone of contact ends with the profile. */
     kstrip_status status_detail;
 } kstrip_profile_result;
 

@@ -3,9 +3,9 @@
 //! 1. **About the approach** `δ`, and the width of the contact, from where the bodies would overlap if they were shifted by
 //!    `0.55 δ` only ([`Profile`]).
 //! 2. **Smoothing** over a length that this width tells: measured points have noise that the bodies' elasticity would take for
-//!    asperities ([`Curve`]).
-//! 3. **Estimate** of load and deflection by the least energy ([`Estimate`]), and with it `δ` again.
-//! 4. **Zones** where `h + 0.73 u < δ`, laid end to end, and cells on them ([`lattice`]).
+//!    asperities (`Curve`).
+//! 3. **Estimate** of load and deflection by the least energy (`Estimate`), and with it `δ` again.
+//! 4. **Zones** where `h + 0.73 u < δ`, laid end to end, and cells on them (`lattice`).
 //! 5. The [normal problem](super::normal) on the cells: pressures, lengths corrected, pressures, and both again.
 //!
 //! Every number carries its derivative by what is given; no branch changes a value where it switches. So load, approach and
@@ -114,9 +114,9 @@ pub struct Indentation<F> {
     pub peak_pressure: F,
     /// y of that strip \[m\].
     pub peak_y: F,
-    /// Sections of the first guess, at most 40.
+    /// Steps of the two searches for the approach, at most 60 each.
     pub iterations: u32,
-    /// [`Notice::ProfileEnd`] where a zone of contact ends with the profile: the status again.
+    /// The status of this result: 0, or KSTRIP_WARNING_PROFILE_END where a zone of contact ends with the profile.
     pub notice: Notice,
 }
 

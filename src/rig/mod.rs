@@ -3,7 +3,7 @@
 //! **Friction.** By homogeneity (see [`derivatives`](crate::solve::derivatives)) the force at known creepage depends on `M = μ N` as
 //! `F = M f(c/M)`. It grows with `M` from full sliding, `|F| = M`, to adhesion, where it is the force of linear theory
 //! whatever `M`. So `M` lies between `|F|` and, unless the contact sticks, `20 |F|`. Where spin and translation oppose each other
-//! the force may fall again and meet the measured one more than once: [`search`] looks for all of these places. The sensitivity to
+//! the force may fall again and meet the measured one more than once: `search` looks for all of these places. The sensitivity to
 //! the force, which grows without bound towards adhesion, is part of the answer.
 //!
 //! **Creepage.** `(F_x, F_y)` is a monotone function of `(υx, υy)`. Newton's method from the linear answer with the

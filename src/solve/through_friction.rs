@@ -151,7 +151,7 @@ pub struct Differentiated<F: Float> {
 /// Forces and all derivatives, under friction that falls with the slip or not.
 ///
 /// # Errors
-/// Those of [`solve`] and [`SlipFriction::check`].
+/// Those of `solve` and [`SlipFriction::check`].
 pub fn differentiate<F: Precision>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,

@@ -8,7 +8,7 @@
 //! 3. [`contacts`]: zones of contact, each with a [patch](crate::patch), the direction of its pressure, and rows that turn the
 //!    wheel's velocity into what the patch sees.
 //! 4. [`wrench`]: motion, creep forces and pressure to force and moment on the wheel, with their derivatives.
-//! 5. [`scene`]: all of it for a position; [`scene::height_for_load`] for a load.
+//! 5. [`scene`]: all of it for a position; `height_for_load` for a load.
 //!
 //! Every step is linear in the velocities `v` of the wheel (three of its centre, three rates), so that one matrix `B` says all of a
 //! contact's kinematics, and virtual power gives the wrench without any further geometry:

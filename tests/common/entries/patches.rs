@@ -157,7 +157,8 @@ fn patch_from_profile(bytes: &mut Bytes) {
         let found = written(&found);
         let numbers = [found.approach, found.peak_pressure, found.normal_force];
         assert!(finite(&numbers) && numbers.iter().all(|&x| x >= 0.0), "{found:?}");
-        assert!(found.peak_y.is_finite() && found.iterations <= 60, "{found:?}");
+        // two searches of at most 60 steps
+        assert!(found.peak_y.is_finite() && found.iterations <= 120, "{found:?}");
         let load = f64::from(accepted(&patch).normal_force);
         let reached = f64::from(found.normal_force);
         // (far fewer digits are lost unless the numbers are at the ends of their range; tests/models/patch.rs asks for them)
