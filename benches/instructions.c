@@ -60,7 +60,7 @@ void counted_calls(int kind, const kstrip_options *options)
     const ptrdiff_t c = sizeof *contacts, k = sizeof *creepages, r = sizeof *results;
     const kstrip_batch_inputs from = {
         &contacts->a, c, &contacts->b, c, &contacts->normal_force, c, &contacts->shear_modulus, c,
-        &contacts->poisson_ratio, c, &contacts->friction, c, &creepages->longitudinal, k,
+        &contacts->poisson_ratio, c, &contacts->friction, c, NULL, 0, &creepages->longitudinal, k,
         &creepages->lateral, k, &creepages->spin, k, NULL, 0};
     kstrip_batch_outputs to = {&results->fx, r, &results->fy, r, &results->mz, r,
                                      &results->power, r, &results->adhesion, r,
@@ -114,7 +114,7 @@ void counted_calls_f32(int kind, const kstrip_options *options)
     const ptrdiff_t c = sizeof *contacts_f32, k = sizeof *creepages_f32, r = sizeof *results;
     const kstrip_batch_inputs_f32 from = {
         &contacts_f32->a, c, &contacts_f32->b, c, &contacts_f32->normal_force, c,
-        &contacts_f32->shear_modulus, c, &contacts_f32->poisson_ratio, c, &contacts_f32->friction, c,
+        &contacts_f32->shear_modulus, c, &contacts_f32->poisson_ratio, c, &contacts_f32->friction, c, NULL, 0,
         &creepages_f32->longitudinal, k, &creepages_f32->lateral, k, &creepages_f32->spin, k, NULL, 0};
     kstrip_batch_outputs_f32 to = {&results->fx, r, &results->fy, r, &results->mz, r,
                                          &results->power, r, &results->adhesion, r,
