@@ -16,7 +16,7 @@ type Members = [f64; 6];
 /// Zeroed memory of plain numbers, on the heap because it is large.
 fn zeroed<T>() -> Box<T> {
     // SAFETY: all bits zero are a structure of numbers.
-    unsafe { Box::<T>::new_zeroed().assume_init() }
+    unsafe { Box::new(std::mem::MaybeUninit::<T>::zeroed().assume_init()) }
 }
 
 fn rows(name: &str) -> Vec<HashMap<String, String>> {
@@ -325,7 +325,8 @@ fn derivatives_by_position_are_those_of_differences() {
     scene.solve(&position, &velocity, memory, None, Some(&mut slopes)).unwrap();
     let step = 3e-6;
     let p = position;
-    let by: [(&str, &dyn Fn(f64) -> Position<f64>, Members); 4] = [
+    type Moved<'a> = (&'a str, &'a dyn Fn(f64) -> Position<f64>, Members);
+    let by: [Moved<'_>; 4] = [
         ("lateral", &|d| Position { lateral: p.lateral + d, ..p }, slopes.lateral),
         ("vertical", &|d| Position { vertical: p.vertical + d, ..p }, slopes.vertical),
         ("yaw", &|d| Position { yaw: p.yaw + d, ..p }, slopes.yaw),
