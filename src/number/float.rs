@@ -1,10 +1,13 @@
 //! `f32` and `f64` as numbers of the theory.
 
-use super::{Arithmetic, Float, Map, Number, Plain, cube_root, pairs, square_root};
+use super::lanes::Lanes;
+use super::{Arithmetic, Float, Map, Number, Plain, cube_root, registers};
 
 macro_rules! plain {
-    ($float:ident, $pair:ty, $quad:ty, $integer:ident, $mantissa:expr, $artanh:expr, $arctan:expr, |$single:ident, $double:ident| $table:expr, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $cbrt:path, $exp:path, $inverse_root:path) => {
+    ($float:ident, $contacts:ty, $four:ty, $eight:ty, $wide_four:ty, $wide_eight:ty, $wide_sixteen:ty, $integer:ident, $mantissa:expr, $artanh:expr, $arctan:expr, |$single:ident, $double:ident| $table:expr, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $cbrt:path, $exp:path) => {
         impl Float for $float {
+            type Contacts = $contacts;
+            const SMALLEST: Self = $float::from_bits(1);
             const ARTANH: &'static [Self] = &$artanh;
             const ARCTAN: &'static [Self] = &$arctan;
 
@@ -41,22 +44,23 @@ macro_rules! plain {
                 $ln(self)
             }
             #[inline(always)]
-            fn table<const N: usize, const P: usize>(
-                $single: &'static [[[f32; 2]; P]; N],
-                $double: &'static [[[f64; 2]; P]; N],
-            ) -> &'static [[[Self; 2]; P]; N] {
+            fn table<const R: usize, const C: usize>(
+                $single: &'static [[f32; C]; R],
+                $double: &'static [[f64; C]; R],
+            ) -> &'static [[Self; C]; R] {
                 let _ = ($single, $double);
                 $table
             }
         }
 
         impl Plain for $float {
+            type Four = $four;
+            type Eight = $eight;
+            type WideFour = $wide_four;
+            type WideEight = $wide_eight;
+            type WideSixteen = $wide_sixteen;
             type Stored = $float;
 
-            #[inline(always)]
-            fn of(x: f64) -> Self {
-                x as $float
-            }
             #[inline(always)]
             fn stored(x: $float) -> Self {
                 x
@@ -84,15 +88,23 @@ macro_rules! plain {
         }
 
         impl Arithmetic for $float {
-            type Base = $float;
             type Bare = $float;
+
+            #[inline(always)]
+            fn constant(x: f64) -> Self {
+                x as $float
+            }
+            #[inline(always)]
+            fn tiny() -> Self {
+                $float::MIN_POSITIVE
+            }
 
             #[inline(always)]
             fn from_base(x: $float) -> Self {
                 x
             }
             #[inline(always)]
-            fn bare(self) -> Self {
+            fn value(self) -> Self {
                 self
             }
             #[inline(always)]
@@ -110,10 +122,6 @@ macro_rules! plain {
             #[inline(always)]
             fn sqrt(self) -> Self {
                 $sqrt(self)
-            }
-            #[inline(always)]
-            fn inverse_root(self) -> Self {
-                $inverse_root(self)
             }
             #[inline(always)]
             fn abs(self) -> Self {
@@ -134,18 +142,14 @@ macro_rules! plain {
         }
 
         impl Number for $float {
-            type Pair = $pair;
-            type Quad = $quad;
+            type Base = Self;
+            type Pair = Lanes<Self, 2>;
             const LARGEST: $float = $float::MAX;
             const TINY: $float = $float::MIN_POSITIVE;
             const ROOT_TINY: $float = $root_tiny;
             const HUGE: $float = $huge;
             const EPSILON: $float = $float::EPSILON;
 
-            #[inline(always)]
-            fn value(self) -> $float {
-                self
-            }
             #[inline(always)]
             fn map<const N: usize, const M: usize>(
                 map: &impl Map<Self, N, M>,
@@ -207,8 +211,12 @@ pub(super) fn even_polynomial<F: Plain>(c: &[F::Stored], z: F) -> F {
 
 plain!(
     f64,
-    pairs::F64Pair,
-    pairs::F64Quad,
+    Lanes<f64, 4>,
+    Lanes<Lanes<f64, 2>, 2>,
+    Lanes<Lanes<Lanes<f64, 2>, 2>, 2>,
+    Lanes<f64, 4>,
+    Lanes<Lanes<f64, 4>, 2>,
+    Lanes<Lanes<Lanes<f64, 4>, 2>, 2>,
     i64,
     52,
     ARTANH_DOUBLE,
@@ -216,17 +224,20 @@ plain!(
     |single, double| double,
     1.491_668_146_240_041_3e-154,
     1e100,
-    square_root::of_f64,
+    registers::of_f64,
     libm::atan,
     libm::log,
     libm::cbrt,
-    libm::exp,
-    pairs::inverse_root_f64
+    libm::exp
 );
 plain!(
     f32,
-    pairs::F32Pair,
-    pairs::F32Quad,
+    Lanes<f32, 8>,
+    Lanes<f32, 4>,
+    Lanes<Lanes<f32, 4>, 2>,
+    Lanes<f32, 4>,
+    Lanes<f32, 8>,
+    Lanes<Lanes<f32, 8>, 2>,
     i32,
     23,
     ARTANH_SINGLE,
@@ -234,10 +245,9 @@ plain!(
     |single, double| single,
     1.084_202_2e-19,
     1e12,
-    square_root::of_f32,
+    registers::of_f32,
     libm::atanf,
     libm::logf,
     cube_root::of_f32,
-    libm::expf,
-    pairs::inverse_root_f32
+    libm::expf
 );
