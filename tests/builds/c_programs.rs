@@ -443,7 +443,7 @@ fn profiles_of_the_standards_are_smooth() {
     }
 }
 
-/// Where the surfaces are parallel the wheel touches, as far off as an 80 kN patch is long; the radius is the wheel's there.
+/// Where the surfaces are parallel the wheel touches, as far off as an 80 kN patch is long; the radius is the wheel's mean there.
 #[test]
 fn a_wheel_on_a_rail_of_the_standards() {
     let text = run_c("c_examples/06_worn_profile.c");
@@ -463,7 +463,9 @@ fn a_wheel_on_a_rail_of_the_standards() {
         // the mean over the patch's 10 mm is not the slope at one place
         let slope = (wheel(0.1) - wheel(-0.1) + rail(0.1) - rail(-0.1)) / 0.4;
         assert_close(angle, slope.atan(), 0.02 + 0.1 * angle.abs(), "angle");
-        assert_close(radius, 460.0 + wheel(0.0), 0.05, "radius");
+        // a mean over up to 8 mm of a hollow curve is between the curve and its chord
+        let (curve, chord) = (460.0 + wheel(0.0), 460.0 + (wheel(-4.0) + wheel(4.0)) / 2.0);
+        assert!((curve - 0.05..chord.max(curve) + 0.05).contains(&radius), "radius: {row:?}");
         assert!(load * 1e3 < peak * area && peak * area < 4.0 * load * 1e3, "{row:?}");
     }
     let [conicity] = line_of(&text, "equivalent conicity")[1..] else { panic!("two numbers") };
