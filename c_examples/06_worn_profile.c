@@ -114,7 +114,7 @@ static double radius_at(double shift)
 int main(void)
 {
     draw();
-    printf("shift [mm]  at y [mm]  radius [mm]  angle [rad]  load [kN]  area [mm2]  peak [MPa]\n");
+    printf("shift [mm]  at y [mm]  radius [mm]  angle [rad]  its range  load [kN]  area [mm2]  peak [MPa]\n");
     for (int shift = -3; shift <= 5; shift++) {
         const kstrip_wheel_position position = loaded(shift * 1e-3);
         for (uint32_t i = 0; i < workspace.count; i++) {
@@ -124,9 +124,9 @@ int main(void)
             check(kstrip_patch_summarize(&c->patch, &sums));
             for (uint32_t k = 0; k < c->patch.count; k++)
                 peak = fmax(peak, c->patch.strips[k].peak_pressure);
-            printf("%10d %10.3f %12.4f %12.5f %10.4f %11.3f %11.2f\n", shift,
+            printf("%10d %10.3f %12.4f %12.5f %10.4f %10.4f %11.3f %11.2f\n", shift,
                    (c->origin[1] + position.lateral) * 1e3, c->radius * 1e3, c->angle,
-                   c->normal_force * 1e-3, sums.area * 1e6, peak * 1e-6);
+                   c->angle_range, c->normal_force * 1e-3, sums.area * 1e6, peak * 1e-6);
         }
     }
 
