@@ -24,7 +24,7 @@ INPUT_NAMES, OUTPUT_NAMES = [row[0] for row in INPUTS], [row[0] for row in OUTPU
 def direct(x):
     """F_x, F_y, M_z, power by a call of the library."""
     numbers = lambda *values: (ctypes.c_double * len(values))(*values)
-    contact, result = numbers(*[0] * 6), numbers(*[0] * 6)
+    contact, result = numbers(*[0] * 7), numbers(*[0] * 6)
     radii, steel, motion = numbers(np.inf, 0.3, 0.46, np.inf), numbers(82e9, 0.28, 0), numbers(*x[:4], 0.02)
     outputs = (ctypes.c_void_p * 3)(ctypes.addressof(result), None, None)
     assert library.kstrip_contact_from_hertz(radii, steel, ctypes.c_double(x[4]), ctypes.c_double(x[5]), contact, None) >= 0
