@@ -34,7 +34,7 @@
  *   aligned (any other pointer is undefined behaviour, as in C); arrays must have as many elements as their count says. Outputs must not overlap inputs.
  * - An output that is NULL where that is allowed is not computed and costs nothing.
  * - No function allocates, blocks, or calls back; none has state that an answer depends on: all may be used from any
- *   thread and from interrupt handlers. Stack use: docs/embedded.md.
+ *   thread and from interrupt handlers. Stack use: docs/reference/embedded.md.
  * - kstrip_f32.h has the same functions and structures in single precision, with the suffix _f32.
  * - Same inputs, same bits: on every machine with IEEE arithmetic, in every thread.
  */

@@ -1,10 +1,10 @@
 #!/bin/sh
 # Builds the library for microcontrollers, runs the firmware examples on simulated boards, measures.
 #
-#     scripts/firmware.sh           everything; writes the measured part of docs/embedded.md
+#     scripts/firmware.sh           everything; writes the measured part of docs/reference/embedded.md
 #     scripts/firmware.sh quick     builds, runs self-test and twin disc on both boards
 #     scripts/firmware.sh proof     only: nothing can panic, nothing allocates, on a Cortex-M4F
-#     scripts/firmware.sh ci        everything with fewer cases, and docs/embedded.md left as it is
+#     scripts/firmware.sh ci        everything with fewer cases, and docs/reference/embedded.md left as it is
 #
 # Exit status: 0 all is well, 1 something failed, 77 a tool is missing (a line with SKIPPED says which).
 #
@@ -388,14 +388,14 @@ fi
 say "riscv32imac: $riscv_says"
 
 . scripts/firmware_table.sh >"$out/table.md"
-# Between the two marks of docs/embedded.md
+# Between the two marks of docs/reference/embedded.md
 if [ "$mode" = all ]; then
     awk -v table="$out/table.md" '
         /<!-- measured: begin -->/ { print; while ((getline line < table) > 0) print line; inside = 1 }
         /<!-- measured: end -->/ { inside = 0 }
-        !inside && !/<!-- measured: begin -->/ { print }' docs/embedded.md >"$out/embedded.md"
-    cp "$out/embedded.md" docs/embedded.md
-    say "docs/embedded.md rewritten"
+        !inside && !/<!-- measured: begin -->/ { print }' docs/reference/embedded.md >"$out/embedded.md"
+    cp "$out/embedded.md" docs/reference/embedded.md
+    say "docs/reference/embedded.md rewritten"
 fi
 [ $failures = 0 ] || { say "firmware: $failures checks failed"; exit 1; }
 say "firmware: all checks passed"

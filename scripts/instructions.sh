@@ -81,5 +81,5 @@ table=$(awk '
 awk -v table="$table" '
     /<!-- instructions:begin -->/ { print; print table; skip = 1 }
     /<!-- instructions:end -->/ { skip = 0 }
-    !skip' docs/instructions.md > docs/instructions.new && mv docs/instructions.new docs/instructions.md
+    !skip' docs/reference/instructions.md > docs/instructions.new && mv docs/instructions.new docs/reference/instructions.md
 echo "$table"

@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 work=${CARGO_TARGET_DIR:-$PWD/target}/minimal_versions
 rm -rf "$work/source"
 mkdir -p "$work/source"
-git ls-files -z src Cargo.toml Cargo.lock README.md benches examples tests cbindgen.toml | xargs -0 cp --parents -t "$work/source"
+git ls-files -z src Cargo.toml Cargo.lock README.md benches examples reports tests cbindgen.toml | xargs -0 cp --parents -t "$work/source"
 cd "$work/source"
 if ! RUSTC_BOOTSTRAP=1 cargo update --quiet -Z direct-minimal-versions 2> "$work/update.log"; then
     if grep -qiE 'could not (resolve|connect)|failed to (download|get)|network|timed out|offline' "$work/update.log"; then

@@ -28,7 +28,7 @@ library() {
     echo "$target/$1/$host/release/libkstrip.a"
 }
 
-# Every program of the repository, and the one that the test of docs/bad-input.md writes, if it has run.
+# Every program of the repository, and the one that the test of docs/reference/bad-input.md writes, if it has run.
 programs=()
 for source in c_examples/[0-9]*.c tests/c/*.c; do
     if grep -qE '^#include <(omp|mpi)\.h>' "$source"; then
@@ -39,7 +39,7 @@ for source in c_examples/[0-9]*.c tests/c/*.c; do
 done
 written=$(ls -t "${CARGO_TARGET_DIR:-target}"/tmp/bad_input.c 2> /dev/null | head -1 || true)
 [ -n "$written" ] && programs+=("$written") \
-    || echo "SKIPPED: the calls of docs/bad-input.md: run cargo test --test interface bad_input first"
+    || echo "SKIPPED: the calls of docs/reference/bad-input.md: run cargo test --test interface bad_input first"
 
 # each LABEL COMPILER FLAGS LIBRARY RUNNER: compile, run, and stop at the first report
 each() {

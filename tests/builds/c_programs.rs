@@ -753,7 +753,7 @@ fn rust_layouts() -> BTreeMap<String, usize> {
     layouts
 }
 
-/// What the header says by the rule of natural alignment: the numbers of `docs/abi.txt`.
+/// What the header says by the rule of natural alignment: the numbers of `docs/reference/abi.txt`.
 fn layouts_of_header(declared: &Declared) -> BTreeMap<String, usize> {
     let mut numbers = BTreeMap::from([("size kstrip_status".to_owned(), 4)]);
     let layouts = declared.layouts();
@@ -767,7 +767,7 @@ fn layouts_of_header(declared: &Declared) -> BTreeMap<String, usize> {
     numbers
 }
 
-/// Sizes and offsets of every structure: as C prints them, as Rust sees them, as `docs/abi.txt` has them.
+/// Sizes and offsets of every structure: as C prints them, as Rust sees them, as `docs/reference/abi.txt` has them.
 #[test]
 fn structures_have_one_layout() {
     let declared = declared();

@@ -350,7 +350,8 @@ fn pages_name_what_the_headers_have() {
     const CONSTANTS: [&str; 5] =
         ["KSTRIP_MODEL_", "KSTRIP_ERROR_", "KSTRIP_WARNING_", "KSTRIP_STATE_", "KSTRIP_MEASURED_"];
     // What was: a changelog; measurements say of which sources they are
-    const OTHERS: [&str; 3] = ["CHANGELOG.md", "docs/embedded.md", "docs/speed-vs-error.md"];
+    const OTHERS: [&str; 3] =
+        ["CHANGELOG.md", "docs/reference/embedded.md", "docs/reference/speed-vs-error.md"];
     let headers: String = ["kstrip.h", "kstrip_f32.h"]
         .map(|name| std::fs::read_to_string(root().join("include").join(name)).expect("a header"))
         .concat();
@@ -381,12 +382,13 @@ fn pages_name_what_the_headers_have() {
 /// Files that a page links or names in backticks are there.
 #[test]
 fn pages_name_files_that_exist() {
-    const FOLDERS: [&str; 10] = [
+    const FOLDERS: [&str; 11] = [
         "src/",
         "tests/",
         "docs/",
         "fit/",
         "examples/",
+        "reports/",
         "scripts/",
         "benches/",
         "c_examples/",
@@ -417,19 +419,21 @@ fn pages_name_files_that_exist() {
     assert!(links > 40 && files > 60, "{links} {files}");
 }
 
-/// The numbers in the rows of docs/accuracy.md that begin with a method, in the order of the page.
+/// The numbers in the rows of docs/reference/accuracy.md that begin with a method, in the order of the page.
 fn accuracy(method: &str) -> Vec<Vec<f64>> {
-    let page = std::fs::read_to_string(root().join("docs/accuracy.md")).expect("the page");
+    let page =
+        std::fs::read_to_string(root().join("docs/reference/accuracy.md")).expect("the page");
     let rows = page.lines().filter_map(|line| line.strip_prefix(&format!("| {method} | ")));
     rows.map(|row| row.split(['|', '/']).filter_map(|cell| cell.trim().parse().ok()).collect())
         .collect()
 }
 
-/// Errors that README, tour and header state are those of docs/accuracy.md, which a program writes.
+/// Errors that README, tour and header state are those of docs/reference/accuracy.md, which a program writes.
 #[test]
 fn errors_in_prose_are_those_of_the_report() {
     let read = |page: &str| std::fs::read_to_string(root().join(page)).expect("a page");
-    let [readme, tour, header] = ["README.md", "docs/c-api.md", "include/kstrip.h"].map(read);
+    let [readme, tour, header] =
+        ["README.md", "docs/reference/c-api.md", "include/kstrip.h"].map(read);
     // as one rounds by hand: the report's last digit may be a 5
     let short = |x: f64, digits: usize| {
         format!("{:.digits$}", x * (1.0 + 1e-9)).trim_start_matches('0').to_owned()
@@ -470,7 +474,7 @@ fn errors_in_prose_are_those_of_the_report() {
         format!("has an error of {} `μ N` on our cases", short(fastsim[0][0], 3)),
         format!("his formula is {} `μ N` from CONTACT", short(polach[0][0], 3)),
     ] {
-        assert!(tour.contains(&text), "docs/c-api.md: {text}");
+        assert!(tour.contains(&text), "docs/reference/c-api.md: {text}");
     }
     let header = header.replace("\n * ", " ");
     for text in [
@@ -495,7 +499,7 @@ fn errors_in_prose_are_those_of_the_report() {
 #[test]
 fn costs_in_prose_are_those_of_the_counts() {
     let read = |page: &str| std::fs::read_to_string(root().join(page)).expect("a page");
-    let counts = read("docs/instructions.md");
+    let counts = read("docs/reference/instructions.md");
     let ratio = |model: &str| {
         let row = counts.lines().find_map(|line| line.strip_prefix(&format!("| {model} |")));
         let cells: Vec<&str> = row.expect("a row").split('|').map(str::trim).collect();
@@ -505,7 +509,7 @@ fn costs_in_prose_are_those_of_the_counts() {
     let [strip_1967, strip, total, linear] = ["STRIP_1967", "STRIP", "TOTAL", "LINEAR"].map(ratio);
     let text = format!("Derivatives cost three to five times the forces (LINEAR: {linear:.1})");
     assert!([strip_1967, strip, total].iter().all(|ratio| (3.0..5.0).contains(ratio)));
-    assert!(read("docs/c-api.md").contains(&text), "docs/c-api.md: {text}");
+    assert!(read("docs/reference/c-api.md").contains(&text), "docs/reference/c-api.md: {text}");
 }
 
 /// The C reference, if doxygen is here: no warning.

@@ -1,5 +1,5 @@
 //! Patches computed with CONTACT (`tests/data/patches`), and how far ours are from them. Used by
-//! `tests/models/patch_accuracy.rs` and by `examples/patches.rs`.
+//! `tests/models/patch_accuracy.rs` and by `reports/patches.rs`.
 #![allow(dead_code)]
 
 use kstrip::contact::Contact;

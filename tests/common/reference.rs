@@ -1,5 +1,5 @@
 //! Cases computed with CONTACT, and how far a model is from them. Used by `tests/models/accuracy.rs` and
-//! by `examples/accuracy.rs`.
+//! by `reports/accuracy.rs`.
 #![allow(dead_code)]
 
 use kstrip::contact::Contact;

@@ -1,5 +1,5 @@
 //! What a simulation feels of a model besides its values: slopes against CONTACT's own, ripple, limits, power. Each figure of any
-//! method that answers a [`Case`]. Used by `tests/models/accuracy.rs` and by `examples/accuracy.rs`.
+//! method that answers a [`Case`]. Used by `tests/models/accuracy.rs` and by `reports/accuracy.rs`.
 #![allow(dead_code)]
 
 use crate::random::Random;

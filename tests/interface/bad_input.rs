@@ -1,4 +1,4 @@
-//! Bad input gets the status that `docs/bad-input.md` names, from C, with outputs untouched.
+//! Bad input gets the status that `docs/reference/bad-input.md` names, from C, with outputs untouched.
 //!
 //! The C program that asks is written from the tables of that page and the declarations of the header.
 
@@ -52,7 +52,8 @@ fn covers(pattern: &str, name: &str) -> bool {
 }
 
 fn page() -> (BTreeMap<String, String>, Vec<Rule>) {
-    let text = std::fs::read_to_string(root().join("docs/bad-input.md")).expect("the page");
+    let text =
+        std::fs::read_to_string(root().join("docs/reference/bad-input.md")).expect("the page");
     let good = table(&text, "## Good arguments")
         .into_iter()
         .map(|row| (codes(row[0]).remove(0), codes(row[1]).remove(0)))
@@ -230,7 +231,7 @@ fn block(
         let of_function = format!("{}.{name}", base(&function.name));
         let value = good.get(&of_function).or_else(|| good.get(base(name)));
         value.unwrap_or_else(|| {
-            panic!("docs/bad-input.md: no good value for {name} of {}", function.name)
+            panic!("docs/reference/bad-input.md: no good value for {name} of {}", function.name)
         })
     };
     let has_count = function.arguments.iter().any(|a| a.name == "count" && a.target().is_none());
@@ -448,5 +449,9 @@ fn bad_input_gets_its_status_and_outputs_stay() {
             }
         }
     }
-    assert!(missing.is_empty(), "docs/bad-input.md has no line for:\n{}", missing.join("\n"));
+    assert!(
+        missing.is_empty(),
+        "docs/reference/bad-input.md has no line for:\n{}",
+        missing.join("\n")
+    );
 }

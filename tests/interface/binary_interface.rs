@@ -65,7 +65,7 @@ fn committed_headers_are_current() {
     assert!(functions <= 41 && lines <= 1750, "{functions} functions, {lines} lines");
 }
 
-/// `docs/abi.txt` and `tests/c/layout.rs` are written by the same command as the header. A line that
+/// `docs/reference/abi.txt` and `tests/c/layout.rs` are written by the same command as the header. A line that
 /// disappears is an incompatible change: it needs another `KSTRIP_ABI_VERSION`. While a version has not
 /// been released `KSTRIP_ABI_UNRELEASED=1` lets it change.
 #[test]
@@ -74,7 +74,7 @@ fn binary_interface_is_the_committed_one() {
     let interface = format!("{}\n{}", ABI_HEAD.trim(), declared.interface());
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let read = |path: &str| std::fs::read_to_string(root.join(path)).unwrap_or_default();
-    let committed = read("docs/abi.txt");
+    let committed = read("docs/reference/abi.txt");
     let version = |text: &str| {
         text.lines()
             .find(|line| line.starts_with("constant KSTRIP_ABI_VERSION "))
@@ -87,24 +87,24 @@ fn binary_interface_is_the_committed_one() {
         || std::env::var_os("KSTRIP_ABI_UNRELEASED").is_some();
     assert!(
         lost.is_empty() || allowed,
-        "an incompatible change of the binary interface: raise KSTRIP_ABI_VERSION (docs/abi.md), or \
+        "an incompatible change of the binary interface: raise KSTRIP_ABI_VERSION (docs/reference/abi.md), or \
          set KSTRIP_ABI_UNRELEASED=1 as long as the version has not been released: {lost:#?}"
     );
     let list = declared.rust_list();
     if std::env::var_os("KSTRIP_WRITE_HEADER").is_some() {
-        std::fs::write(root.join("docs/abi.txt"), &interface).expect("docs/ is writable");
+        std::fs::write(root.join("docs/reference/abi.txt"), &interface).expect("docs/ is writable");
         std::fs::write(root.join("tests/c/layout.rs"), &list).expect("tests/c/ is writable");
     }
     assert!(
-        read("docs/abi.txt") == interface && read("tests/c/layout.rs") == list,
-        "docs/abi.txt or tests/c/layout.rs is not what the header says; \
+        read("docs/reference/abi.txt") == interface && read("tests/c/layout.rs") == list,
+        "docs/reference/abi.txt or tests/c/layout.rs is not what the header says; \
          run KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface"
     );
 }
 
 const ABI_HEAD: &str = "
 # The binary interface, written by KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface and compared by that test.
-# Offsets and sizes in bytes. docs/abi.md has the rules.
+# Offsets and sizes in bytes. docs/reference/abi.md has the rules.
 ";
 
 #[test]

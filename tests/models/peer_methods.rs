@@ -136,7 +136,7 @@ type Figures = [f64; 3];
 enum Survey {
     /// Met within a relative difference: its figures have two digits (2 %), the rest is the reading of the paper.
     Met(f64, f64),
-    /// Missed by more than a fifth: docs/accuracy.md says so.
+    /// Missed by more than a fifth: docs/reference/accuracy.md says so.
     Missed(f64),
     /// Not in it.
     Silent,
@@ -159,9 +159,12 @@ fn check(name: &str, solve: impl Fn(&Input) -> Output, ours: Figures, survey: [S
             Missed(other) => {
                 assert!((f[k] / other - 1.0).abs() > 0.2, "{name}: {} meets {other}", f[k]);
                 let said = format!("{:.4} against {other}", ours[k]);
-                let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/accuracy.md");
+                let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/reference/accuracy.md");
                 let page = std::fs::read_to_string(page).expect("the report");
-                assert!(page.contains(&said), "{name}: docs/accuracy.md does not say {said}");
+                assert!(
+                    page.contains(&said),
+                    "{name}: docs/reference/accuracy.md does not say {said}"
+                );
             }
             Silent => {}
         }

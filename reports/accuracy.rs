@@ -1,6 +1,6 @@
 //! Compares every model, and the other methods of `benches/peers`, with the reference data:
-//! `cargo run --release --example accuracy` writes `docs/accuracy.md` and the pictures in
-//! `docs/accuracy/`. The same build writes the same files, byte by byte.
+//! `cargo run --release --example accuracy` writes `docs/reference/accuracy.md` and the pictures in
+//! `docs/reference/accuracy/`. The same build writes the same files, byte by byte.
 
 #[path = "accuracy/feel.rs"]
 mod feel;
@@ -908,7 +908,7 @@ fn coefficient_picture(path: &Path) -> Drawn {
 }
 
 fn main() -> Drawn {
-    let docs = project().join("docs");
+    let docs = project().join("docs/reference");
     let folder = docs.join("accuracy");
     std::fs::create_dir_all(&folder)?;
     let mut report = Report::compute();
@@ -938,6 +938,6 @@ fn main() -> Drawn {
     field_picture(&folder.join("fields.svg"))?;
     coefficient_picture(&folder.join("coefficients.svg"))?;
     bar.finish_and_clear();
-    println!("wrote docs/accuracy.md and docs/accuracy/*.svg");
+    println!("wrote docs/reference/accuracy.md and docs/reference/accuracy/*.svg");
     Ok(())
 }

@@ -1,5 +1,5 @@
 //! What a call costs, and what it is worth: `cargo run --release --example speed` writes
-//! `docs/speed-vs-error.md` and `docs/speed-vs-error.svg`.
+//! `docs/reference/speed-vs-error.md` and `docs/reference/speed-vs-error.svg`.
 //!
 //! Every model through the C interface and every method of `benches/peers`: nanoseconds (median of
 //! rounds that take turns) and errors against CONTACT, all in one run.
@@ -426,8 +426,8 @@ fn main() -> Drawn {
         return Ok(());
     }
     let marks: Vec<Mark> = report.rows.iter().filter_map(|row| report.mark(row)).collect();
-    std::fs::write(project().join("docs/speed-vs-error.md"), &report.text)?;
-    plot::draw(&project().join("docs/speed-vs-error.svg"), &marks)?;
-    println!("wrote docs/speed-vs-error.md and docs/speed-vs-error.svg");
+    std::fs::write(project().join("docs/reference/speed-vs-error.md"), &report.text)?;
+    plot::draw(&project().join("docs/reference/speed-vs-error.svg"), &marks)?;
+    println!("wrote docs/reference/speed-vs-error.md and docs/reference/speed-vs-error.svg");
     Ok(())
 }
