@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # The library with the oldest versions of its direct dependencies that Cargo.toml allows.
 #
-# Works on a copy: Cargo.lock stays as it is. Needs the registry; without it the step is SKIPPED.
+# Works on a copy of what `cargo publish` would send: Cargo.lock stays as it is. Needs the registry; without it the step is SKIPPED.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 work=${CARGO_TARGET_DIR:-$PWD/target}/minimal_versions
 rm -rf "$work/source"
 mkdir -p "$work/source"
-git ls-files -z src Cargo.toml Cargo.lock README.md benches examples reports tests cbindgen.toml | xargs -0 cp --parents -t "$work/source"
+cargo package --list --allow-dirty | grep -v -e '^Cargo.toml.orig$' -e '^.cargo_vcs_info.json$' | tr '\n' '\0' | xargs -0 cp --parents -t "$work/source"
 cd "$work/source"
 if ! RUSTC_BOOTSTRAP=1 cargo update --quiet -Z direct-minimal-versions 2> "$work/update.log"; then
     if grep -qiE 'could not (resolve|connect)|failed to (download|get)|network|timed out|offline' "$work/update.log"; then
