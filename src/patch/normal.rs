@@ -65,6 +65,30 @@ const EDGES: usize = 2 * CELLS;
 
 type Matrix<F> = [[F; CELLS]; CELLS];
 
+/// Room for the equations of as many cells as there are.
+pub(crate) struct Equations<F> {
+    /// `∂u_i/∂p_j`
+    influence: Matrix<F>,
+    /// Their derivatives.
+    slopes: Matrix<F>,
+    factors: Matrix<F>,
+}
+
+impl<F: Float> Equations<F> {
+    pub(crate) fn new() -> Self {
+        let none = [[F::zero(); CELLS]; CELLS];
+        Self { influence: none, slopes: none, factors: none }
+    }
+
+    fn copy_to_factors(&mut self, count: usize) {
+        for (row, from) in self.factors.iter_mut().zip(&self.influence).take(count) {
+            for (factor, entry) in row.iter_mut().zip(from).take(count) {
+                *factor = *entry;
+            }
+        }
+    }
+}
+
 /// Cells in ascending `y`.
 #[derive(Clone, Debug)]
 pub(crate) struct Cells<F> {
@@ -116,10 +140,13 @@ impl<F: Float> Cells<F> {
 
     /// Pressures for the lengths as they are, of `N/(π E*)` or an approach; the approach.
     #[inline(never)]
-    pub(crate) fn press(&mut self, given: Given<Moving<F>>) -> Moving<F> {
-        let (mut all, mut slopes) = ([[F::zero(); CELLS]; CELLS], [[F::zero(); CELLS]; CELLS]);
+    pub(crate) fn press(
+        &mut self,
+        equations: &mut Equations<F>,
+        given: Given<Moving<F>>,
+    ) -> Moving<F> {
         for (j, cell) in self.list.iter().enumerate() {
-            let mut rows = all.iter_mut().zip(&mut slopes);
+            let mut rows = equations.influence.iter_mut().zip(&mut equations.slopes);
             Edges::new(cell).across(&DEFLECTION, &self.list, |difference| {
                 let found = difference * cell.half_length;
                 let Some((row, slope)) = rows.next() else { return };
@@ -128,8 +155,11 @@ impl<F: Float> Cells<F> {
                 }
             });
         }
-        for (i, (cell, (row, slope))) in
-            self.list.iter().zip(all.iter_mut().zip(&mut slopes)).enumerate()
+        for (i, (cell, (row, slope))) in self
+            .list
+            .iter()
+            .zip(equations.influence.iter_mut().zip(&mut equations.slopes))
+            .enumerate()
         {
             let [before, after] = cell.leans;
             for (kappa, k) in [(before, i.wrapping_sub(1)), (after, i + 1)] {
@@ -153,11 +183,9 @@ impl<F: Float> Cells<F> {
         }
         let count = self.list.len();
         let mut approach = Moving::zero();
-        let mut factors = all;
         for round in 0..ROUNDS {
-            if round > 0 {
-                factors = all;
-            }
+            equations.copy_to_factors(count);
+            let Equations { influence, slopes, factors } = equations;
             let mut active: Vec<usize, CELLS> = Vec::new();
             for (i, cell) in self.list.iter().enumerate() {
                 if cell.touches {
@@ -171,9 +199,9 @@ impl<F: Float> Cells<F> {
                     (*one, *distance) = (F::one(), cell.distance.value);
                 }
             }
-            factorise(&mut factors, &active, count);
-            substitute(&factors, &active, &mut one, count);
-            substitute(&factors, &active, &mut distance, count);
+            factorise(factors, &active, count);
+            substitute(factors, &active, &mut one, count);
+            substitute(factors, &active, &mut distance, count);
             // p = δ X − Y
             let (mut by_approach, mut without) = (F::zero(), F::zero());
             for ((cell, one), distance) in self.list.iter().zip(one).zip(distance) {
@@ -190,7 +218,7 @@ impl<F: Float> Cells<F> {
                 *p = approach.value * one - distance;
             }
             let mut changed = false;
-            for ((cell, p), row) in self.list.iter_mut().zip(&pressures).zip(&all) {
+            for ((cell, p), row) in self.list.iter_mut().zip(&pressures).zip(influence.iter()) {
                 cell.pressure.value = *p;
                 let stays = if cell.touches {
                     *p > F::zero()
@@ -209,7 +237,7 @@ impl<F: Float> Cells<F> {
             }
             // A dp = dδ − dh − dA p
             let mut rest = [F::zero(); CELLS];
-            for ((rest, cell), row) in rest.iter_mut().zip(&self.list).zip(&slopes) {
+            for ((rest, cell), row) in rest.iter_mut().zip(&self.list).zip(slopes.iter()) {
                 let [moved] = cell.distance.gradient;
                 *rest = -(moved + product(row.get(..count).unwrap_or(row), &pressures));
             }
@@ -218,7 +246,7 @@ impl<F: Float> Cells<F> {
                     *rest = F::zero();
                 }
             }
-            substitute(&factors, &active, &mut rest, count);
+            substitute(factors, &active, &mut rest, count);
             let mut carried = F::zero();
             for (cell, rest) in self.list.iter().zip(rest) {
                 let area = cell.half_length * cell.width;

@@ -16,7 +16,7 @@ use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::{Arithmetic, Float};
 use crate::patch::estimate::{DEEP, Estimate, OVERLAP};
 use crate::patch::lattice::{lattice, lean, width};
-use crate::patch::normal::{Cells, Given};
+use crate::patch::normal::{Cells, Equations, Given};
 pub use crate::patch::section::Profile;
 use crate::patch::section::{Moving, invert};
 use crate::patch::smooth::{Curve, length_for};
@@ -184,10 +184,11 @@ impl<F: Float> Indentation<F> {
         };
         let Outline { mut cells, power, iterations, at_end } =
             Outline::new(profile, contact, given, count)?;
-        let mut pressed = cells.press(given);
+        let mut equations = Equations::new();
+        let mut pressed = cells.press(&mut equations, given);
         for _ in 0..PASSES {
             cells.correct(power);
-            pressed = cells.press(given);
+            pressed = cells.press(&mut equations, given);
         }
         let load = cells.load();
         let ([by_load], [by_approach]) = (pressed.gradient, load.gradient);

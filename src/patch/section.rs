@@ -150,8 +150,7 @@ impl<'a, F: Float> Profile<'a, F> {
         let mut volume = Moving::from_base(F::TINY);
         let mut moment = Moving::from_base(radius * F::TINY);
         for [[from, low, before], [to, high, after]] in self.pieces(radius) {
-            let ((low, high), inner) =
-                if low < high { ((low, high), before) } else { ((high, low), after) };
+            let (low, high) = (low.min(high), low.max(high));
             if level.value <= low {
                 continue;
             }
@@ -163,7 +162,6 @@ impl<'a, F: Float> Profile<'a, F> {
                 (depth + least).scale((to - from).times(0.5))
             };
             volume += part;
-            let _ = inner;
             moment += part.scale(before.times(0.5) + after.times(0.5));
         }
         Section { half_width: (volume / level).times(HALF_WIDTH), rolling_radius: moment / volume }
