@@ -5,7 +5,7 @@ use crate::random;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Parameters;
-use kstrip::status::Notice;
+use kstrip::status::{Error, Notice};
 use random::Random;
 use std::mem::MaybeUninit;
 use std::ptr::null_mut;
@@ -562,6 +562,15 @@ macro_rules! derivatives_in_any_company {
                     let expected = if first.is_some() { entries(&untouched) } else { *alone };
                     assert_eq!(entries(found), expected, "{options:?} {:?}", cases[k]);
                 }
+                // aligned, and smaller than what it steps over
+                let packed = kstrip::ffi::types::BatchOutputs {
+                    derivatives: found.as_mut_ptr(),
+                    derivatives_stride: align_of::<Derivatives>() as isize,
+                    ..no_batch()
+                };
+                let status =
+                    unsafe { $batch(Some(&from), count, Some(&options), Some(&packed), None) };
+                assert_eq!(status, Error::Stride.code(), "{options:?}");
             }
             assert!((10..110).contains(&errors), "{errors}");
         }

@@ -113,7 +113,8 @@ fn total_in_single_precision_is_right_at_any_creepage() {
     }
 }
 
-/// The warning of a spin in another unit begins at `|φ| √(ab) = 0.05`; that of the theory of 1967 with `|ψ| = 1` itself.
+/// The warning of a spin in another unit begins at `|φ| √(ab) = 0.05`; that of friction in per cent above 5, that of STRIP above
+/// `|ψ| = 3`; that of the theory of 1967 with `|ψ| = 1` itself.
 #[test]
 fn warnings_begin_where_they_say() {
     let c = contact(1.0, 0.28);
@@ -123,6 +124,18 @@ fn warnings_begin_where_they_say() {
         let m = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.05 * share / radius };
         let o = options(Model::Total, StripCount::Sixteen);
         assert_eq!(model::solve(&light, &m, &o).unwrap().notice, notice, "{share}");
+    }
+    for (friction, notice) in [(4.99, Notice::None), (5.01, Notice::Friction)] {
+        let slippery = Contact { friction, ..c };
+        let o = options(Model::Total, StripCount::Sixteen);
+        let rest = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
+        assert_eq!(model::solve(&slippery, &rest, &o).unwrap().notice, notice, "{friction}");
+    }
+    for (psi, notice) in [(2.99, Notice::None), (-2.99, Notice::None), (3.01, Notice::OutsideRange)]
+    {
+        let o = options(Model::Strip, StripCount::Sixteen);
+        let m = creepage(&c, 0.0, 0.0, psi);
+        assert_eq!(model::solve(&c, &m, &o).unwrap().notice, notice, "{psi}");
     }
     // the numbers next to unit spin, one of which is exactly one
     let o = options(Model::Strip1967, StripCount::Sixteen);
@@ -150,16 +163,18 @@ fn warnings_begin_where_they_say() {
 fn linear_theory_overflows_on_needles_either_way() {
     let o = options(Model::Linear, StripCount::Sixteen);
     let c = contact(1.0, 0.28);
-    let mut refused = 0;
-    for exponent in 1..=100 {
-        let (long, short) = (10_f64.powi(exponent), 10_f64.powi(-exponent));
-        let at = |a: f64, b: f64| {
-            let c = Contact { a, b, ..c };
-            let m = Creepage { longitudinal: 1e3, lateral: 1e3, spin: 0.0 };
-            model::check(&c, &m, &o)
-        };
-        assert_eq!(at(long, short), at(short, long), "1e{exponent}");
-        refused += i32::from(at(long, short).is_err());
+    let mut refused = [0; 2];
+    for (size, refused) in [1e3, 1e120].into_iter().zip(&mut refused) {
+        for exponent in 1..=70 {
+            let (long, short) = (10_f64.powi(exponent), 10_f64.powi(-exponent));
+            let at = |a: f64, b: f64| {
+                let c = Contact { a, b, ..c };
+                let m = Creepage { longitudinal: size, lateral: size, spin: 0.0 };
+                model::check(&c, &m, &o)
+            };
+            assert_eq!(at(long, short), at(short, long), "1e{exponent}");
+            *refused += i32::from(at(long, short).is_err());
+        }
     }
-    assert!(refused > 5 && refused < 95, "{refused}");
+    assert!(refused[0] < refused[1] && refused[1] < 70, "{refused:?}");
 }

@@ -70,6 +70,17 @@ fn ellipse_agrees_with_high_precision_in_double() {
     assert!(smallest < 1.1e-4);
 }
 
+/// `1/ρ` is the mean of the four curvatures (2.3).
+#[test]
+fn rho_is_the_mean_curvature() {
+    for row in rows() {
+        let rho = hertz(&radii(row.radii), row.load, row.modulus, row.poisson).unwrap().rho;
+        let mean = row.radii.iter().map(|radius| 1.0 / radius).sum::<f64>() / 4.0;
+        let error = (rho * mean - 1.0).abs();
+        assert!(error <= 1e-14 * condition(row.radii), "{:?}: {error:e}", row.radii);
+    }
+}
+
 /// The same rows in single precision, to 5e-6.
 #[test]
 fn ellipse_agrees_with_high_precision_in_single() {
