@@ -369,6 +369,69 @@ impl Report {
         self.line("![Force error over creepage and spin](accuracy/map_creepage_spin.svg)");
     }
 
+    fn slender(&mut self) {
+        self.line("\n## Slender contacts\n");
+        self.line(
+            "`open_slender.csv`: 140 cases beyond the axis ratios of `open.csv`, ν from 0 to 0.5, fitted by nothing. Force: mean / 95 % / max; \
+             moment in μ N √(ab): mean / max. FASTSIM and FaStrip get the linear coefficients of the library. STRIP warns above \
+             a/b = 20, TOTAL above 60, both below 0.015.\n",
+        );
+        let cases = slender();
+        let peers =
+            other_methods().into_iter().filter(|(name, _)| COMPARED.contains(&name.as_str()));
+        let columns: Vec<(String, Errors)> = [Model::Total, Model::Strip]
+            .into_iter()
+            .map(|model| {
+                let options = options(model, StripCount::Sixteen);
+                (name(model).to_owned(), Errors::of_model::<f64>(&cases, &options))
+            })
+            .chain(peers.map(|(name, solve)| (name, peer_errors(&cases, &[], &solve))))
+            .collect();
+        let mut header = vec!["region".to_owned(), "cases".to_owned()];
+        header.extend(columns.iter().map(|(name, _)| name.clone()));
+        header.extend(columns.iter().map(|(name, _)| format!("{name}: moment")));
+        self.header(&header);
+        let borders = [0.015, 0.03, 0.06, 0.12, 8.0, 12.0, 20.0, 40.0, 60.1];
+        for (region, holds) in ranges("a/b", &borders, |case| case.axis_ratio) {
+            let count = cases.iter().filter(|case| holds(case)).count();
+            if count == 0 {
+                continue;
+            }
+            let mut cells = vec![region.replace("60.1", "60"), count.to_string()];
+            cells.extend(columns.iter().map(|(_, errors)| three(&errors.only(&cases, &holds))));
+            cells.extend(columns.iter().map(|(_, errors)| two(&errors.only(&cases, &holds))));
+            self.row(cells);
+        }
+    }
+
+    fn unlike(&mut self) {
+        self.line("\n## Unlike materials\n");
+        self.line(
+            "`kappa.csv`: 170 pairs of answers of CONTACT with the mismatch `κ` of the materials and without. Error of the difference that `κ` makes to \
+             the force, `|(f − f₀) − (f − f₀)_ref|` in μ N: mean / 95 % / max. Ordinary pairs: `|κ|` up to 0.13, μ from 0.3 on \
+             (steel on aluminium, cast iron or bronze). Methods without `κ` have the error of the first row: FASTSIM, FaStrip, \
+             STRIP_1967.\n",
+        );
+        self.header(&["method", "all", "ordinary pairs"]);
+        let pairs = unlike();
+        let models = [Model::Total, Model::Strip, Model::Linear];
+        for model in [None].into_iter().chain(models.map(Some)) {
+            let mut errors = Errors::default();
+            let mut ordinary = Errors::default();
+            for pair in &pairs {
+                let difference = model.map_or([0.0; 2], |model| pair.difference(model));
+                let off =
+                    (difference[0] - pair.difference[0]).hypot(difference[1] - pair.difference[1]);
+                errors.force.push(off);
+                if pair.is_ordinary() {
+                    ordinary.force.push(off);
+                }
+            }
+            let title = model.map_or("`κ` neglected", name);
+            self.row([title.to_owned(), three(&errors), three(&ordinary)]);
+        }
+    }
+
     fn worst_cases(&mut self) {
         for (model, open) in [
             (Model::Strip, true),
@@ -912,12 +975,14 @@ fn main() -> Drawn {
     let folder = docs.join("accuracy");
     std::fs::create_dir_all(&folder)?;
     let mut report = Report::compute();
-    let parts: [Part; 8] = [
+    let parts: [Part; 10] = [
         ("introduction", Report::introduction),
         ("all methods", Report::all_methods),
         ("what a simulation feels", Report::feel),
         ("by strip count", Report::by_strip_count),
         ("by region", Report::by_region),
+        ("slender contacts", Report::slender),
+        ("unlike materials", Report::unlike),
         ("worst cases", Report::worst_cases),
         ("fields", Report::fields),
         ("coefficients", Report::coefficients),

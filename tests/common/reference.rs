@@ -168,6 +168,53 @@ fn training_files(validation: bool) -> Vec<Case> {
     cases
 }
 
+/// A contact of unlike materials, and the same of like ones.
+pub struct UnlikePair {
+    pub contact: Contact<f64>,
+    pub motion: Creepage<f64>,
+    /// Force of the first minus force of the second, in `μ N`.
+    pub difference: [f64; 2],
+}
+
+impl UnlikePair {
+    /// What a model has for the difference.
+    pub fn difference(&self, model: Model) -> [f64; 2] {
+        let options = options(model, StripCount::Sixteen);
+        let force = |mismatch| {
+            let contact = Contact { mismatch, ..self.contact };
+            let found = model::solve(&contact, &self.motion, &options).expect("valid input");
+            [found.fx, found.fy].map(|force| force / contact.friction_bound())
+        };
+        let ([x, y], [x0, y0]) = (force(self.contact.mismatch), force(0.0));
+        [x - x0, y - y0]
+    }
+
+    /// Steel on aluminium, cast iron or bronze, dry.
+    pub fn is_ordinary(&self) -> bool {
+        self.contact.mismatch.abs() <= 0.13 && self.contact.friction >= 0.3
+    }
+}
+
+/// `tests/data/kappa.csv`.
+pub fn unlike() -> Vec<UnlikePair> {
+    let table = Table::read(project().join("tests/data/kappa.csv"));
+    let pair = |row| {
+        let at = |column| table.number(row, column);
+        let unit = at("mu") * NORMAL_FORCE / (SHEAR_MODULUS * SIZE * SIZE);
+        let like = contact(at("a_over_b"), at("nu"));
+        UnlikePair {
+            contact: Contact { friction: at("mu"), mismatch: at("kappa"), ..like },
+            motion: Creepage {
+                longitudinal: at("vx") * unit,
+                lateral: at("vy") * unit,
+                spin: at("phi") * unit / SIZE,
+            },
+            difference: [at("fx") - at("fx0"), at("fy") - at("fy0")],
+        }
+    };
+    (0..table.len()).map(pair).collect()
+}
+
 /// The 1784 cases kept for validation.
 pub fn validation() -> Vec<Case> {
     training_files(true)

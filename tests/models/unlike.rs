@@ -236,27 +236,14 @@ fn a_patch_carries_the_mismatch_of_its_contact() {
 /// Unlike minus like against CONTACT, `tests/data/kappa.csv`.
 #[test]
 fn agrees_with_contact() {
-    let table = Table::read(project().join("tests/data/kappa.csv"));
+    let pairs = unlike();
     for model in [Model::Total, Model::Strip] {
         let (mut all, mut ordinary) = (Vec::new(), Vec::new());
-        for row in 0..table.len() {
-            let at = |column| table.number(row, column);
-            let like = Contact { friction: at("mu"), ..contact(at("a_over_b"), at("nu")) };
-            let unit = at("mu") * NORMAL_FORCE / (SHEAR_MODULUS * SIZE * SIZE);
-            let creepage = Creepage {
-                longitudinal: at("vx") * unit,
-                lateral: at("vy") * unit,
-                spin: at("phi") * unit / SIZE,
-            };
-            let force = |mismatch| {
-                let contact = Contact { mismatch, ..like };
-                let found = model::solve(&contact, &creepage, &options(model)).unwrap();
-                [found.fx, found.fy].map(|force| force / (at("mu") * NORMAL_FORCE))
-            };
-            let ([x, y], [x0, y0]) = (force(at("kappa")), force(0.0));
-            let off = (x - x0 - at("fx") + at("fx0")).hypot(y - y0 - at("fy") + at("fy0"));
+        for pair in &pairs {
+            let ([x, y], [x0, y0]) = (pair.difference(model), pair.difference);
+            let off = (x - x0).hypot(y - y0);
             all.push(off);
-            if at("kappa").abs() <= 0.13 && at("mu") >= 0.3 {
+            if pair.is_ordinary() {
                 ordinary.push(off);
             }
         }
