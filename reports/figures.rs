@@ -1,5 +1,11 @@
 //! Draws figures 7a, 7b, 8a, 8b, 9 and 10 of Kalker's paper of 1967 and a set of creep curves as SVG
-//! under `docs/figures/`: `cargo run --release --example figures`. Points of CONTACT are those of `tests/data/open.csv`.
+//! under `docs/figures/`, and the pictures of the tour, of the models and of the cookbook:
+//! `cargo run --release --example figures`. Points of CONTACT are those of `tests/data/open.csv`.
+
+#[path = "figures/panel.rs"]
+mod panel;
+#[path = "figures/runs.rs"]
+mod runs;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Parameters;
@@ -730,6 +736,7 @@ fn main() -> Drawn {
     }
     draw_figure_9(&folder)?;
     draw_creep_curves(&folder)?;
+    runs::draw(&folder)?;
     println!("figures are in docs/figures");
     Ok(())
 }

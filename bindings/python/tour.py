@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A tour of kstrip in pictures: creep curves, a traction map, speed against error. Writes docs/tour/*.svg.
+"""A tour of kstrip in pictures: creep curves, a traction map, speed against error. Writes target/tour/*.svg.
 
     make && python bindings/python/tour.py            (needs requirements.txt)
 
@@ -123,12 +123,12 @@ def speed_error():
 
 
 def main():
-    folder = ROOT / "docs" / "tour"
+    folder = ROOT / "target" / "tour"
     folder.mkdir(parents=True, exist_ok=True)
     for draw in (creep_curves, traction_map, speed_error):
         figure = draw()
         figure.savefig(folder / f"{draw.__name__}.svg", metadata={"Date": None})
-        print(f"wrote docs/tour/{draw.__name__}.svg")
+        print(f"wrote target/tour/{draw.__name__}.svg")
 
 
 if __name__ == "__main__":

@@ -129,7 +129,7 @@ fn every_block_says_its_language() {
 #[test]
 fn c_blocks_print_what_the_pages_say() {
     let programs = programs("c");
-    assert!(programs.len() >= 2, "README and tour");
+    assert!(programs.len() >= 4, "README, tour, reference, cookbook");
     for (page, code, output) in programs {
         let source = program_name(&page, "c");
         std::fs::write(&source, with_main(&code, "#include <stdio.h>\n"))
@@ -428,16 +428,25 @@ fn accuracy(method: &str) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// Errors that README, tour and header state are those of docs/reference/accuracy.md, which a program writes.
+/// Columns of numbers of a row of a report that begins with these words, each cell as its numbers.
+fn cells(page: &str, row: &str) -> Vec<Vec<f64>> {
+    let text = std::fs::read_to_string(root().join(page)).expect("the page");
+    let found = text.lines().find_map(|line| line.strip_prefix(&format!("| {row} | ")));
+    let numbers = |cell: &str| cell.split('/').filter_map(|x| x.trim().parse().ok()).collect();
+    found.unwrap_or_else(|| panic!("{page}: {row}")).split('|').map(numbers).collect()
+}
+
+/// As one rounds by hand (the report's last digit may be a 5), without the zero before the point.
+fn short(x: f64, digits: usize) -> String {
+    format!("{:.digits$}", x * (1.0 + 1e-9)).trim_start_matches('0').to_owned()
+}
+
+/// Errors and costs that the pages and the header state are those of the reports, which programs write.
 #[test]
 fn errors_in_prose_are_those_of_the_report() {
     let read = |page: &str| std::fs::read_to_string(root().join(page)).expect("a page");
-    let [readme, tour, header] =
-        ["README.md", "docs/reference/c-api.md", "include/kstrip.h"].map(read);
-    // as one rounds by hand: the report's last digit may be a 5
-    let short = |x: f64, digits: usize| {
-        format!("{:.digits$}", x * (1.0 + 1e-9)).trim_start_matches('0').to_owned()
-    };
+    let [models, others, header] =
+        ["docs/models.md", "docs/reference/other-programs.md", "include/kstrip.h"].map(read);
     let [strip_1967, continuous, strip, total, linear, fastsim, polach] = [
         "STRIP_1967, 16 strips",
         "STRIP_1967_CONTINUOUS, 16 strips",
@@ -451,30 +460,89 @@ fn errors_in_prose_are_those_of_the_report() {
     // Of every method: open.csv, validation, what a simulation feels (of LINEAR that alone bears its plain name)
     let both =
         |row: &[f64], digits| format!("{} / {}", short(row[0], digits), short(row[1], digits));
+    let cost = |model: &str| {
+        let row = cells("docs/reference/instructions.md", model);
+        // TOTAL and LINEAR have no strips: their only count stands in the column of 16
+        format!("{} | {} |", row[2][0], row[5][0])
+    };
     let rows = [
-        ("TOTAL (default for forces)", &total, 4),
-        ("STRIP (default for fields, strips, patches)", &strip, 4),
-        ("STRIP_1967", &strip_1967, 3),
-        ("STRIP_1967_CONTINUOUS", &continuous, 3),
+        ("TOTAL, the default for forces", "TOTAL", &total, 4),
+        ("STRIP, the default for strips, fields and patches", "STRIP", &strip, 4),
+        ("STRIP_1967", "STRIP_1967", &strip_1967, 3),
+        ("STRIP_1967_CONTINUOUS", "STRIP_1967_CONTINUOUS", &continuous, 3),
     ];
-    for (name, figures, digits) in rows {
-        let row = format!("| {name} | {} | {} |", both(&figures[0], digits), both(&figures[2], 3));
-        assert!(readme.contains(&row), "README.md: {row}");
+    for (name, model, figures, digits) in rows {
+        let [force, slopes] = [both(&figures[0], digits), both(&figures[2], 3)];
+        let row = format!("| {name} | {force} | {slopes} | {}", cost(model));
+        assert!(models.contains(&row), "docs/models.md: {row}");
     }
     let row = format!(
-        "| right for vanishing creepage only | {} / {:.2} |",
+        "| valid for small creepage | {} / {:.2} | {}",
         short(linear[0][0], 3),
-        linear[0][1]
+        linear[0][1],
+        cost("LINEAR")
     );
-    assert!(readme.contains(&row), "README.md: {row}");
+    assert!(models.contains(&row), "docs/models.md: {row}");
+    // What other cases have: mean errors of the rows of a report, of these columns
+    let report = "docs/reference/accuracy.md";
+    let span = |rows: &[&str], column: usize| {
+        let means: Vec<f64> = rows
+            .iter()
+            .map(|row| {
+                // (a region is told in several tables: the slender cases are the last that have it)
+                let text = read(report);
+                let table = text.split("## Slender contacts").nth(1).expect("the section");
+                let start = format!("| a/b {row} | ");
+                let line = table.lines().find_map(|line| line.strip_prefix(&start)).expect("a row");
+                let cell = line.split('|').nth(column).expect("a cell");
+                cell.split('/').next().expect("a mean").trim().parse().expect("a number")
+            })
+            .collect();
+        let [least, most] =
+            [means.iter().copied().fold(9.0, f64::min), means.iter().copied().fold(0.0, f64::max)];
+        format!("{} to {}", short(least, 4), short(most, 4))
+    };
+    let slender = |what: &str, rows: &[&str]| {
+        format!("| slender ellipses, {what} | {} | {} |", span(rows, 1), span(rows, 2))
+    };
+    let all = cells("docs/patches.md", "**all**");
+    let [total_unlike, strip_unlike] = {
+        let text = read(report);
+        let table = text.split("## Unlike materials").nth(1).expect("the section").to_owned();
+        ["TOTAL", "STRIP"].map(|model| {
+            let start = format!("| {model} | ");
+            let line = table.lines().find_map(|line| line.strip_prefix(&start)).expect("a row");
+            let cell = line.split('|').nth(1).expect("ordinary pairs");
+            cell.split('/').next().expect("a mean").trim().parse::<f64>().expect("a number")
+        })
+    };
     for text in [
-        format!("{} `μ N` from it on average", short(total[0][0], 4)),
-        format!("{} `μ N`, any spin", short(strip[0][0], 4)),
-        format!("{} and {} `μ N`", short(strip_1967[0][0], 3), short(continuous[0][0], 3)),
+        format!("FASTSIM with 10 × 10 cells has a mean error of {}", short(fastsim[0][0], 3)),
+        format!(
+            "more spin (1784 validation cases) | {} | {} |",
+            short(total[1][0], 4),
+            short(strip[1][0], 4)
+        ),
+        slender(
+            "`a/b` from 0.015 to 0.12 (`open_slender.csv`)",
+            &["0.015 to 0.03", "0.03 to 0.06", "0.06 to 0.12"],
+        ),
+        slender("`a/b` from 8 to 20", &["8 to 12", "12 to 20"]),
+        slender("`a/b` from 20 to 60", &["20 to 40", "40 to 60"]),
+        format!("([patches.md](patches.md)) | {} | {} |", short(all[7][0], 4), short(all[4][0], 4)),
+        format!(
+            "what the mismatch adds | {} | {} |",
+            short(total_unlike, 4),
+            short(strip_unlike, 4)
+        ),
+    ] {
+        assert!(models.contains(&text), "docs/models.md: {text}");
+    }
+    for text in [
         format!("has an error of {} `μ N` on our cases", short(fastsim[0][0], 3)),
         format!("his formula is {} `μ N` from CONTACT", short(polach[0][0], 3)),
     ] {
-        assert!(tour.contains(&text), "docs/reference/c-api.md: {text}");
+        assert!(others.contains(&text), "docs/reference/other-programs.md: {text}");
     }
     let header = header.replace("\n * ", " ");
     for text in [
@@ -498,18 +566,38 @@ fn errors_in_prose_are_those_of_the_report() {
 /// What derivatives cost, as told in the pages, is what the counts say.
 #[test]
 fn costs_in_prose_are_those_of_the_counts() {
-    let read = |page: &str| std::fs::read_to_string(root().join(page)).expect("a page");
-    let counts = read("docs/reference/instructions.md");
     let ratio = |model: &str| {
-        let row = counts.lines().find_map(|line| line.strip_prefix(&format!("| {model} |")));
-        let cells: Vec<&str> = row.expect("a row").split('|').map(str::trim).collect();
-        let number = |i: usize| cells[i].parse::<f64>().expect("a count");
-        number(5) / number(2)
+        let row = cells("docs/reference/instructions.md", model);
+        row[5][0] / row[2][0]
     };
-    let [strip_1967, strip, total, linear] = ["STRIP_1967", "STRIP", "TOTAL", "LINEAR"].map(ratio);
+    let [strip_1967, continuous, strip, total, linear] =
+        ["STRIP_1967", "STRIP_1967_CONTINUOUS", "STRIP", "TOTAL", "LINEAR"].map(ratio);
     let text = format!("Derivatives cost three to five times the forces (LINEAR: {linear:.1})");
-    assert!([strip_1967, strip, total].iter().all(|ratio| (3.0..5.0).contains(ratio)));
-    assert!(read("docs/reference/c-api.md").contains(&text), "docs/reference/c-api.md: {text}");
+    assert!(
+        [strip_1967, continuous, strip, total].iter().all(|ratio| (3.0..5.0).contains(ratio)),
+        "{strip_1967} {continuous} {strip} {total}"
+    );
+    // In a batch, from the counts themselves
+    let counts = std::fs::read_to_string(root().join("benches/instructions.txt")).expect("counts");
+    let count = |model: &str, what: &str| {
+        let start = format!("{model} f64 {what} ");
+        let row = counts.lines().find_map(|line| line.strip_prefix(&start)).expect("a count");
+        row.split(' ').nth(1).expect("a count").parse::<f64>().expect("a number")
+    };
+    let ratios = ["STRIP_1967", "STRIP_1967_CONTINUOUS", "STRIP", "TOTAL", "LINEAR"]
+        .map(|model| count(model, "batch_derivatives") / count(model, "batch"));
+    let [least, most] =
+        [ratios.into_iter().fold(99.0, f64::min), ratios.into_iter().fold(0.0, f64::max)];
+    let [one, many] = ["solve", "batch"].map(|what| count("TOTAL", what));
+    let page = std::fs::read_to_string(root().join("docs/models.md")).expect("a page");
+    let page = page.replace('\n', " ");
+    for text in [
+        text,
+        format!("TOTAL takes {many} instructions a contact instead of {one}"),
+        format!("they cost {least:.1} to {most:.1} times the forces"),
+    ] {
+        assert!(page.contains(&text), "docs/models.md: {text}");
+    }
 }
 
 /// The C reference, if doxygen is here: no warning.

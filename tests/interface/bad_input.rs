@@ -56,7 +56,10 @@ fn page() -> (BTreeMap<String, String>, Vec<Rule>) {
         std::fs::read_to_string(root().join("docs/reference/bad-input.md")).expect("the page");
     let good = table(&text, "## Good arguments")
         .into_iter()
-        .map(|row| (codes(row[0]).remove(0), codes(row[1]).remove(0)))
+        .flat_map(|row| {
+            let value = codes(row[1]).remove(0);
+            codes(row[0]).into_iter().map(move |name| (name, value.clone()))
+        })
         .collect();
     let rules = table(&text, "## Bad arguments")
         .into_iter()
