@@ -126,6 +126,20 @@ fn every_block_says_its_language() {
     }
 }
 
+/// Eight recipes of at most 40 lines of code, each with its output.
+#[test]
+fn the_cookbook_has_eight_short_recipes() {
+    let page = root().join("docs/cookbook.md");
+    let text = std::fs::read_to_string(&page).expect("the page");
+    assert_eq!(text.lines().filter(|line| line.starts_with("## ")).count(), 8);
+    let blocks = blocks(&page);
+    // The first block is the contact that all recipes use.
+    let recipes: Vec<&Block> = blocks.iter().filter(|b| b.language == "c").skip(1).collect();
+    assert_eq!(recipes.len(), 8);
+    assert_eq!(blocks.iter().filter(|block| block.language == "output").count(), 8);
+    assert!(recipes.iter().all(|recipe| recipe.code.lines().count() <= 40));
+}
+
 #[test]
 fn c_blocks_print_what_the_pages_say() {
     let programs = programs("c");
@@ -377,6 +391,19 @@ fn pages_name_what_the_headers_have() {
         }
     }
     assert!(count > 100, "{count}");
+}
+
+/// A page that people write has at most 250 lines.
+#[test]
+fn pages_are_short() {
+    let mut all = Vec::new();
+    pages(&root().join("docs"), &mut all);
+    for page in all {
+        let text = std::fs::read_to_string(&page).expect("a page");
+        let generated = text.lines().take(3).any(|line| line.contains("Written by `cargo run"));
+        let lines = text.lines().count();
+        assert!(generated || lines <= 250, "{}: {lines} lines", page.display());
+    }
 }
 
 /// Files that a page links or names in backticks are there.
