@@ -25,18 +25,18 @@
  *
  * - Every function returns a kstrip_status: 0 is success, > 0 a warning with valid outputs, < 0 an
  *   error with outputs untouched. kstrip_status_string() says what to change.
- * - Where more than one warning holds, the gravest is told: NOT_CONVERGED, then SEVERAL_FRICTIONS, then FRICTION_AT_LEAST and
- *   CREEPAGE_AT_LEAST, then implausible inputs (PRESSURE to RADIUS), then BEYOND_FRICTION, then SPIN and RANGE.
- * - Zero is the default: kstrip_options o = {0}, a NULL for it, and a member that is zero mean the recommended choice.
+ * - Where more than one warning holds, the gravest is returned: NOT_CONVERGED, then SEVERAL_FRICTIONS, then FRICTION_AT_LEAST and
+ *   CREEPAGE_AT_LEAST, then implausible inputs (PRESSURE to RADIUS), then BEYOND_FRICTION, ANGLE_RANGE and PROFILE_END, then the others.
+ * - Zero is the default. Options that are NULL, options that are all zero, and a single member that is zero mean the recommended choice.
  * - A lost contact is an ordinary input: normal_force <= 0 (a and b may be 0 with it) gives zero forces and
  *   derivatives, adhesion 0 and KSTRIP_OK, in every function that solves. NaN is an error.
  * - NULL, NaN, infinities and any other numbers are safe inputs. Pointers must be NULL or valid and
  *   aligned (any other pointer is undefined behaviour, as in C); arrays must have as many elements as their count says. Outputs must not overlap inputs.
- * - An output that is NULL where that is allowed is not computed and costs nothing.
- * - No function allocates, blocks, or calls back; none has state that an answer depends on: all may be used from any
+ * - An output that may be NULL and is NULL is not computed and costs nothing.
+ * - No function allocates, blocks or calls back, and no result depends on earlier calls. Every function may be called from any
  *   thread and from interrupt handlers. Stack use: docs/reference/embedded.md.
  * - kstrip_f32.h has the same functions and structures in single precision, with the suffix _f32.
- * - Same inputs, same bits: on every machine with IEEE arithmetic, in every thread.
+ * - The same inputs give the same bits on every machine with IEEE arithmetic, and in every thread.
  */
 
 #ifndef KSTRIP_H
@@ -61,11 +61,11 @@ typedef int32_t kstrip_status;
 #define KSTRIP_OK 0
 
 /**
- * Warning: spin parameter |psi| >= 1, beyond the theory of 1967. The result is its continuation:
- * finite, continuous, bounded by mu N.
+ * Warning: the spin parameter |psi| is 1 or more, beyond the theory of 1967. The result continues that theory in a way that is this
+ * library's own: finite, continuous and bounded by mu N.
  */
 #define KSTRIP_WARNING_SPIN 1
-/** Warning: an input is outside the range in which the model was checked against its reference. */
+/** Warning: the spin parameter |psi| is above 3, where KSTRIP_MODEL_STRIP was not checked against its reference. */
 #define KSTRIP_WARNING_RANGE 2
 /** Warning: the linear force exceeds mu N. */
 #define KSTRIP_WARNING_BEYOND_FRICTION 3
@@ -74,23 +74,23 @@ typedef int32_t kstrip_status;
  * which is reached from adhesion; an estimate from a measured force is the smallest.
  */
 #define KSTRIP_WARNING_SEVERAL_FRICTIONS 4
-/** Warning: a bounded iteration ended before its result was accurate to rounding. */
+/** Warning: an iteration reached its largest number of steps before its result was accurate to rounding. */
 #define KSTRIP_WARNING_NOT_CONVERGED 5
-/** Warning: the contact sticks, and the measured force tells only a lower bound of friction. */
+/** Warning: the contact sticks, so that the measured force gives only a lower bound of friction. */
 #define KSTRIP_WARNING_FRICTION_AT_LEAST 6
 /** Warning: the wanted force is that of full sliding, which every larger creepage gives as well. */
 #define KSTRIP_WARNING_CREEPAGE_AT_LEAST 7
-/** Warning: the peak pressure exceeds a tenth of the shear modulus: modulus, load or semi-axes are in another unit. */
+/** Warning: the peak pressure exceeds a tenth of the shear modulus. The modulus, the load or the semi-axes are probably in another unit. */
 #define KSTRIP_WARNING_PRESSURE 8
-/** Warning: a creepage exceeds 10: per cent, or a rolling speed that is none. */
+/** Warning: a creepage exceeds 10. It is probably in per cent, or the rolling speed is close to zero. */
 #define KSTRIP_WARNING_CREEPAGE 9
-/** Warning: a semi-axis exceeds 1 m: mm, mostly. */
+/** Warning: a semi-axis exceeds 1 m. It is probably in mm. */
 #define KSTRIP_WARNING_SEMI_AXIS 10
-/** Warning: more spin than rolling bodies of this curvature can have: degrees per metre, mostly. */
+/** Warning: the spin is larger than rolling bodies of this curvature can have. It is probably in degrees per metre. */
 #define KSTRIP_WARNING_SPIN_UNIT 11
-/** Warning: the coefficient of friction exceeds 5: per cent, mostly. */
+/** Warning: the coefficient of friction exceeds 5. It is probably in per cent. */
 #define KSTRIP_WARNING_FRICTION 12
-/** Warning: radii are larger than 5 m in both directions: mm, mostly. */
+/** Warning: the radii are larger than 5 m in both directions. They are probably in mm. */
 #define KSTRIP_WARNING_RADIUS 13
 /** Warning: the axis ratio a/b is outside 0.015 to 60 (KSTRIP_MODEL_STRIP: 20), for which the model was made. */
 #define KSTRIP_WARNING_AXIS_RATIO 14
@@ -98,11 +98,11 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_MISMATCH 15
 /** Warning: the theory of 1967 neglects the mismatch of the materials. */
 #define KSTRIP_WARNING_MISMATCH_NEGLECTED 16
-/** Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction: the bodies are no half-spaces there. */
+/** Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction, where the bodies are no longer half-spaces. */
 #define KSTRIP_WARNING_CONFORMAL 17
 /**
- * Warning: the normal turns by more than 30 degrees over a contact of a wheel: one plane of contact is not enough, forces are off
- * by 0.2 of mu N in the mean.
+ * Warning: the normal turns by more than 30 degrees over a contact of a wheel. One plane of contact is then not enough, and forces are
+ * off by 0.2 of mu N in the mean.
  */
 #define KSTRIP_WARNING_ANGLE_RANGE 19
 /** Warning: a zone of contact ends with the profile, as if the bodies ended there. */
@@ -132,7 +132,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_ROLLING_SPEED -11
 /** Error: the caller's array is too small. */
 #define KSTRIP_ERROR_CAPACITY -12
-/** Error: the model has totals only, no strips and no field. */
+/** Error: the model has no strips, no field or no patches: it cannot compute a wanted output. */
 #define KSTRIP_ERROR_NOT_IN_MODEL -13
 /** Error: a result is beyond the range of the floating-point type. */
 #define KSTRIP_ERROR_OVERFLOW -14
@@ -164,9 +164,9 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_STRIP_ORDER -42
 /** Error: more strips, or more separate zones of contact, than the patch has room for. */
 #define KSTRIP_ERROR_PATCH_SIZE -43
-/** Error: a profile has fewer than three points, or its y does not ascend. */
+/** Error: a profile has too few points (fewer than 2; for kstrip_prepare_profile() fewer than 4), or its y does not ascend. */
 #define KSTRIP_ERROR_PROFILE -44
-/** Error: there is no profile where contact is looked for. */
+/** Error: a profile ends before the place where the bodies would touch. */
 #define KSTRIP_ERROR_PROFILE_END -45
 /** Error: a rolling radius is not positive. */
 #define KSTRIP_ERROR_ROLLING_RADIUS -46
@@ -174,9 +174,9 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_SMOOTHING_LENGTH -47
 
 /**
- * What a status means and what the caller must change, in English.
+ * Text that says in English what a status means and what the caller must change.
  *
- * Returns a static string; for a number that is no status, "unknown status". Never NULL.
+ * Returns a static string, never NULL. For a number that is no status the text is "unknown status".
  */
 const char *kstrip_status_string(kstrip_status status);
 
@@ -241,7 +241,7 @@ typedef struct kstrip_contact {
     double a;
     /** Semi-axis b along y [m], > 0. */
     double b;
-    /** Normal force N [N]; <= 0: the contact is lost, and nothing else of it counts as long as it is finite. */
+    /** Normal force N [N]. If it is <= 0 the contact is lost, and the other members only need to be finite. */
     double normal_force;
     /** Combined shear modulus G [Pa] (2.6), > 0. */
     double shear_modulus;
@@ -250,9 +250,9 @@ typedef struct kstrip_contact {
     /** Coefficient of friction mu [-], >= 0. */
     double friction;
     /**
-     * Mismatch kappa [-] of the two materials (4.3), as kstrip_material_combine() tells it: 0 for like ones, positive where the lower
-     * body is the softer, sign changed where the bodies are exchanged. Pressure makes a longitudinal creepage in unlike
-     * bodies, so that there is a force without creepage. Neglected by the theory of 1967.
+     * Mismatch kappa [-] of the two materials (4.3), from kstrip_material_combine(). It is 0 for like materials and positive where the lower
+     * body is the softer one; its sign changes where the bodies are exchanged. In unlike bodies pressure makes a longitudinal creepage, so
+     * that there is a force without creepage. The theory of 1967 neglects the mismatch.
      */
     double mismatch;
 } kstrip_contact;
@@ -321,8 +321,8 @@ kstrip_status kstrip_contact_from_approach(const struct kstrip_radii *radii,
  * Kalker's coefficients C11, C22, C23, C33 of the linear theory.
  *
  * For vanishing creepage fx = G a b C11 longitudinal, fy = G a b (C22 lateral + sqrt(ab) C23 spin),
- * mz = G (ab)^(3/2) (sqrt(ab) C33 spin - C23 lateral). Within 0.16 % of CONTACT (C33: 0.4 %) for axis ratios of 0.1 to 10,
- * beyond with the slender asymptotes.
+ * mz = G (ab)^(3/2) (sqrt(ab) C33 spin - C23 lateral). For axis ratios of 0.1 to 10 they are within 0.16 % of CONTACT (C33: 0.5 %);
+ * beyond, they follow the asymptotes of slender ellipses.
  *
  * @param axis_ratio      a/b [-], > 0; a along the rolling direction.
  * @param poisson_ratio   combined Poisson's ratio [-], 0 to 0.5.
@@ -414,29 +414,30 @@ kstrip_status kstrip_creepage_from_parameters(const struct kstrip_contact *conta
  * @{
  */
 
-/** The default, 0: forces from KSTRIP_MODEL_TOTAL, the most accurate; fields, strips and patches from KSTRIP_MODEL_STRIP. */
+/** The default, 0: forces and derivatives from KSTRIP_MODEL_TOTAL; fields, strips and patches from KSTRIP_MODEL_STRIP. */
 #define KSTRIP_MODEL_DEFAULT 0
 /**
- * The strip theory of Kalker's paper of 1967 itself, nothing fitted, with the sliding rule that the paper keeps for forces: strips
- * without adhesion slide along the rigid slip of their centre line. Meant for slender ellipses, a/b up to 0.2, and |psi| < 1; mean error
- * against CONTACT there 5 % of mu N, 15 % over a/b 0.1 to 10.
+ * The strip theory of Kalker's paper of 1967. Nothing in it is fitted. It has the sliding rule that the paper keeps for forces: strips
+ * without adhesion slide along the rigid slip of their centre line. The paper made it for slender ellipses, a/b up to 0.2, and |psi| < 1.
+ * Its mean error against CONTACT is 5 % of mu N there, and 15 % over a/b 0.1 to 10.
  */
 #define KSTRIP_MODEL_STRIP_1967 1
-/** The same theory with the sliding rule that joins adhesion strips without a jump; mean error 18 % of mu N. */
+/** The same theory with the sliding rule that joins adhesion strips without a jump. Its forces have a mean error of 18 % of mu N. */
 #define KSTRIP_MODEL_STRIP_1967_CONTINUOUS 2
 /**
  * A strip theory in Kalker's sense: the half-ellipses of 1967 where a strip adheres, slip along the local rigid slip where it does not, and
- * flexibilities corrected by a small network fitted to CONTACT. Any spin; forces, moment, stick area and fields. Mean error against CONTACT
- * 0.6 % of mu N, of the slopes 3 % of the linear ones. Its slopes at rest are those of linear theory, its power is never negative.
+ * flexibilities corrected by a small network fitted to CONTACT. It has forces, moment, stick area and fields. The mean error of the force
+ * against CONTACT is 0.6 % of mu N, that of the slopes 3 % of the linear ones. Its slopes at rest are those of linear theory, and its power
+ * is never negative.
  */
 #define KSTRIP_MODEL_STRIP 3
 /**
- * A closed formula with a small network fitted to CONTACT: total forces and moment only, most accurate and cheapest. Mean error against
- * CONTACT 0.3 % of mu N, of the slopes 3 % of the linear ones. Rigid slip far in sliding, never negative power. No strips, no field;
- * adhesion is reported as -1 (unknown).
+ * A closed formula with a small network fitted to CONTACT. It has forces and moment, and is the most accurate model. The mean error of the
+ * force against CONTACT is 0.3 % of mu N, that of the slopes 3 % of the linear ones. Far in sliding it is rigid slip, and its power is never
+ * negative. It has no strips and no field; adhesion is reported as -1 (unknown).
  */
 #define KSTRIP_MODEL_TOTAL 4
-/** Kalker's linear theory, without saturation: for stability analysis. Adhesion is 1. */
+/** Kalker's linear theory, for stability analysis. Its force grows with the creepage without a limit. Adhesion is 1. */
 #define KSTRIP_MODEL_LINEAR 5
 
 /** Strips that kstrip_evaluate() writes at most: as many as strips says, up to this. */
@@ -449,8 +450,8 @@ kstrip_status kstrip_creepage_from_parameters(const struct kstrip_contact *conta
 /** State of a point: slip. */
 #define KSTRIP_STATE_SLIP 2
 /**
- * State of a point: slip against the traction (negative local dissipation), the strip theory's
- * error next to the leading edge of sliding strips.
+ * State of a point: slip against the traction (negative local dissipation). The strip theory has this error next to the leading edge of
+ * sliding strips.
  */
 #define KSTRIP_STATE_SLIP_NEGATIVE_DISSIPATION 3
 
@@ -489,8 +490,8 @@ typedef struct kstrip_result {
 /**
  * Forces of a contact in motion, on the lower body: the fast path.
  *
- * Continuous in all inputs; |F| <= mu N. Zero creepage and spin give zero, and so does a lost contact
- * (normal_force <= 0), with adhesion 0. Bounded time, no iteration that depends on convergence alone.
+ * The forces are continuous in all inputs, and |F| <= mu N. They are zero where creepage and spin are zero, and where the contact is
+ * lost (normal_force <= 0), with adhesion 0. The time is bounded: every iteration has a largest number of steps.
  *
  * @param contact         ellipse, load, material, friction.
  * @param creepage        motion.
@@ -510,8 +511,8 @@ kstrip_status kstrip_solve(const struct kstrip_contact *contact,
                            struct kstrip_result *result);
 
 /**
- * Friction that falls with the slip, friction ((1 - ratio) exp(-decay w) + ratio) with the sliding velocity w [m/s], and the
- * stiffness of the layer between the bodies.
+ * Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) + ratio), where w is the sliding velocity
+ * [m/s]. A factor reduces the initial slope of the creep curve, for the layer between the bodies.
  *
  * Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m; wet 0.3, 0.4, 0.2 s/m.
  */
@@ -576,7 +577,7 @@ typedef struct kstrip_strip {
     int32_t reserved;
 } kstrip_strip;
 
-/** Where the outputs of kstrip_evaluate() and kstrip_patch_evaluate() go. NULL is not computed and costs nothing. */
+/** Where the outputs of kstrip_evaluate() and kstrip_patch_evaluate() go. An output that is NULL is not computed and costs nothing. */
 typedef struct kstrip_outputs {
     /** Forces, moment, power, adhesion: those of kstrip_solve(), bit for bit, where friction is constant. */
     struct kstrip_result *result;
@@ -600,12 +601,13 @@ typedef struct kstrip_outputs {
 } kstrip_outputs;
 
 /**
- * Everything about a contact in motion in one call: of the outputs, those that are not NULL.
+ * Computes, for a contact in motion, every output that is not NULL.
  *
- * With friction the coefficient of friction falls with the slip and agrees with it (the contact's own does not
- * count), and all derivatives go through that. Where more than one friction agrees the status is KSTRIP_WARNING_SEVERAL_FRICTIONS and the
- * result has the largest, but for the two models of 1967 under friction that falls very steeply: their forces jump, or nearly do, where
- * adhesion is born, and another friction, larger ones included, may stay untold in about one of a thousand such cases.
+ * If friction is given, the coefficient of friction falls with the slip and agrees with it; the contact's own coefficient is ignored. All
+ * derivatives include that dependence. Where more than one friction agrees with its slip, the status is KSTRIP_WARNING_SEVERAL_FRICTIONS
+ * and the result has the largest. The two models of 1967 are an exception under friction that falls very steeply: their forces jump, or
+ * nearly jump, where a first strip begins to adhere, and in about one of a thousand such cases another friction, perhaps a larger one, is
+ * not found.
  * With KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
  *
  * @param contact         ellipse, load, material, friction.
@@ -626,10 +628,10 @@ kstrip_status kstrip_evaluate(const struct kstrip_contact *contact,
 
 /**
  * Many contacts with their motion and their friction: for each quantity a pointer to the first one and the distance to
- * the next in bytes, its stride. Stride 0: one for all.
+ * the next in bytes, its stride. An input with stride 0 is the same for all contacts.
  *
- * Arrays of structures (&contacts[0].a, sizeof(kstrip_contact)) are as good as one array for each quantity
- * (a, sizeof(double)). All but mismatch and law are required unless there are no contacts.
+ * Arrays of structures (&contacts[0].a, sizeof(kstrip_contact)) and one array for each quantity (a, sizeof(double)) are both possible. All
+ * members but mismatch and law are required, unless there are no contacts.
  */
 typedef struct kstrip_batch_inputs {
     /** Semi-axes along x [m]. */
@@ -680,7 +682,7 @@ typedef struct kstrip_batch_inputs {
 
 /**
  * Where the results of many contacts go: for each quantity a pointer to the first one and the distance to the next in
- * bytes. NULL is not wanted and costs nothing.
+ * bytes. An output that is NULL is not computed and costs nothing.
  */
 typedef struct kstrip_batch_outputs {
     /** Longitudinal forces on the lower bodies [N]. */
@@ -746,9 +748,9 @@ kstrip_status kstrip_evaluate_batch(const struct kstrip_batch_inputs *inputs,
                                     uint32_t *first_bad);
 
 /**
- * A contact of which everything that does not depend on the motion has been computed. Filled by kstrip_prepare(); plain
- * numbers without pointers, to be copied and kept as the caller likes, for this version of the library only. They contain their
- * checksum: a structure that is damaged, foreign or of the other precision is KSTRIP_ERROR_NOT_PREPARED.
+ * A contact for which kstrip_prepare() has computed everything that does not depend on the motion. The structure holds plain numbers and no
+ * pointers, so it may be copied and kept, for this version of the library only. It contains a checksum of its numbers: a structure that is
+ * damaged, foreign or of the other precision gives KSTRIP_ERROR_NOT_PREPARED.
  */
 typedef struct kstrip_prepared {
     /** Not for use. */
@@ -760,10 +762,10 @@ typedef struct kstrip_prepared {
 } kstrip_prepared;
 
 /**
- * Everything that depends on the contact and the options only, for kstrip_solve_prepared().
+ * Computes what depends on the contact and the options only, for kstrip_solve_prepared().
  *
- * For rigs whose contact is constant, and for iterations on the creepage. A checksum of the numbers goes with them:
- * kstrip_solve_prepared() refuses a structure of which a number that it reads has changed, or of the other precision.
+ * Use this for rigs whose contact is constant, and for iterations on the creepage. The structure contains a checksum of its numbers:
+ * kstrip_solve_prepared() refuses a structure whose numbers have changed, or one of the other precision.
  *
  * @param contact         ellipse, load, material, friction.
  * @param options         model and strip count; NULL for the defaults.
@@ -820,7 +822,7 @@ typedef struct kstrip_motion_derivatives {
     double slope_factor[3];
 } kstrip_motion_derivatives;
 
-/** Where the outputs of kstrip_solve_motion() go. NULL is not computed and costs nothing. */
+/** Where the outputs of kstrip_solve_motion() go. An output that is NULL is not computed and costs nothing. */
 typedef struct kstrip_motion_outputs {
     /** Forces and moment on the lower body, adhesion; power here in watts: fx slip_x + fy slip_y + mz spin_rate. */
     struct kstrip_result *result;
@@ -834,9 +836,9 @@ typedef struct kstrip_motion_outputs {
  * Forces of a contact that rolls forward, backward, or not at all, with derivatives by its motion: for wheels that stop,
  * hold and reverse.
  *
- * sqrt(rolling_speed^2 + floor_speed^2) stands for the rolling speed in the creepages. Far from standstill the result is
- * that of the patch whose leading edge lies ahead; near it both directions are blended, so that forces and derivatives are
- * continuous. Friction opposes the slip at every speed. x stays where it is when the motion reverses.
+ * The creepages are slip over sqrt(rolling_speed^2 + floor_speed^2). Far from standstill the leading edge of the patch lies ahead, in the
+ * direction of the motion. Near standstill the results of both directions are blended, so that forces and derivatives are continuous.
+ * Friction opposes the slip at every speed. The axis x keeps its direction when the motion reverses.
  *
  * @param contact         ellipse, load, material, friction.
  * @param motion          slip, spin rate, signed rolling speed.
@@ -921,8 +923,8 @@ typedef struct kstrip_point {
 /**
  * Pressure, traction, slip and state over a grid; one point is a grid of one.
  *
- * Under falling friction: set the contact's friction to that of kstrip_evaluate(), and multiply its shear_modulus with the
- * law's slope_factor.
+ * Under falling friction set the contact's friction to that of kstrip_evaluate(), and multiply its shear_modulus by the law's
+ * slope_factor.
  *
  * @param contact         ellipse, load, material, friction.
  * @param creepage        motion.
@@ -1071,13 +1073,13 @@ typedef struct kstrip_profile_result {
 /**
  * The patch of two profiles under a load, or at an approach.
  *
- * Zones of contact that are apart become lobes. Load, approach and strips are continuous functions of load, approach and
- * distances: zones appear with width and load of zero, grow, touch and merge; the stiffness is the derivative of what is
- * computed. The approach counts from the lowest point of the smoothed profile: where two bottoms change places as the lowest
- * it has a kink. A zone that reaches an end of the profile ends there, as bodies would that end: KSTRIP_WARNING_PROFILE_END.
+ * Zones of contact that are apart become lobes. The results are continuous in load, approach and distances: a zone appears with zero width
+ * and zero load, grows, touches its neighbour and merges. The stiffness is the derivative of the computed load. The approach counts from the
+ * lowest point of the smoothed profile; it has a kink where another point becomes the lowest. A zone that reaches an end of the profile ends
+ * there, as if the bodies ended, and the status is KSTRIP_WARNING_PROFILE_END.
  *
- * Bounded time: proportional to the number of points, then a system of linear equations of fixed size, three times or more
- * often while cells leave and enter.
+ * The time is bounded. One part is proportional to the number of points. The other solves a system of linear equations of fixed size, three
+ * times or more while cells leave and enter.
  *
  * @param profile         undeformed distance of the bodies at points in ascending y.
  * @param contact         rolling radius, load or approach, material, friction, number of strips.
@@ -1117,9 +1119,9 @@ kstrip_status kstrip_patch_from_strips(const struct kstrip_patch_strip *strips,
 /**
  * The strips of a contact's ellipse, where KSTRIP_MODEL_STRIP places them; none where it is lost.
  *
- * kstrip_patch_evaluate() with KSTRIP_MODEL_STRIP gives the answer of kstrip_solve() with that model and the same strip
- * count, to rounding. The strips of the models of 1967 move with the solution in kstrip_solve(), here they do not: the
- * forces differ by a part of what one strip carries.
+ * kstrip_patch_evaluate() with KSTRIP_MODEL_STRIP gives the result of kstrip_solve() with that model and the same strip count, to rounding.
+ * For the models of 1967 kstrip_solve() integrates over the whole ellipse in closed form, and a patch sums its strips: the forces differ by
+ * a part of what one strip carries.
  *
  * @param contact         the loaded contact.
  * @param options         strip count; its model is checked and otherwise ignored. NULL for the defaults.
@@ -1156,22 +1158,22 @@ kstrip_status kstrip_patch_summarize(const struct kstrip_patch *patch,
                                      struct kstrip_patch_summary *summary);
 
 /**
- * Everything about a patch in motion in one call, on the lower body: of the outputs, those that are not NULL.
+ * Computes, for a patch in motion, every output that is not NULL. Forces act on the lower body.
  *
  * The creepage is that at the origin of the patch's coordinates, x = y = 0; a strip sees
  * (longitudinal - spin y, lateral + spin centre_x), and moments are about the origin. |F| is at
- * most the sum of friction times load over the strips. KSTRIP_MODEL_STRIP takes what a strip sees from the ellipse that
- * stands for its zone: the strips that no gap and no neck divides from it, their load, area and mean friction.
- * KSTRIP_MODEL_TOTAL takes the forces of these ellipses as they are: cheap and smooth, without strips and share in adhesion.
+ * most the sum of friction times load over the strips. For KSTRIP_MODEL_STRIP an ellipse stands for the zone of a strip: the strips that no
+ * gap and no neck divides from it, with their load, area and mean friction. The flexibilities of the strip are those of this ellipse.
+ * KSTRIP_MODEL_TOTAL takes the forces of these ellipses as they are. It is cheap and smooth, and has no strips and no share in adhesion.
  *
- * Forces of KSTRIP_MODEL_STRIP and KSTRIP_MODEL_TOTAL follow widths, gaps and necks without a jump, while strips have one width
- * but for narrower ones. KSTRIP_MODEL_STRIP_1967 does jump, by up to what a strip carries, where a strip with spin stops
- * adhering; KSTRIP_MODEL_STRIP_1967_CONTINUOUS has a kink there.
+ * The forces of KSTRIP_MODEL_STRIP and KSTRIP_MODEL_TOTAL follow widths, gaps and necks without a jump, as long as all strips have one width
+ * or are narrower than it. The force of KSTRIP_MODEL_STRIP_1967 jumps, by up to what a strip carries, where a strip with spin stops
+ * adhering; that of KSTRIP_MODEL_STRIP_1967_CONTINUOUS has a kink there.
  *
- * Derivatives by load: all pressures grow alike; through Hertz, while all lengths grow like the load's cube root. By
- * friction: of the mean, all strips' friction growing alike. With friction its factor, (1 - ratio) exp(-decay w) + ratio,
- * multiplies that of all strips; its own friction does not count, and derivatives by it are those by the mean of the
- * strips' friction. outputs->strips receives patch->count strips.
+ * For the derivatives by load, all pressures grow by one factor; through Hertz, all lengths grow with the load's cube root as well. For the
+ * derivatives by friction, the friction of all strips grows by one factor, and the derivative is by its mean. If friction is given, the
+ * factor (1 - ratio) exp(-decay w) + ratio multiplies the friction of all strips, and the law's own coefficient is ignored.
+ * outputs->strips receives patch->count strips.
  *
  * @param patch           the patch.
  * @param creepage        motion at the origin.
@@ -1190,9 +1192,9 @@ kstrip_status kstrip_patch_evaluate(const struct kstrip_patch *patch,
                                     const struct kstrip_outputs *outputs);
 
 /**
- * Pressure, traction, slip and state of a patch over a grid; they do not vary over the width of a strip.
+ * Pressure, traction, slip and state of a patch over a grid. They do not vary over the width of a strip.
  *
- * Under falling friction: multiply all strips' friction with that of kstrip_patch_evaluate(), and the shear modulus with
+ * Under falling friction multiply the friction of all strips by the factor that kstrip_patch_evaluate() returns, and the shear modulus by
  * the law's slope_factor.
  *
  * @param x, columns      array of x [m] and its size; outside is allowed.
@@ -1533,7 +1535,7 @@ typedef struct kstrip_wrench_by_position {
 /**
  * Force and moment on a wheel on a rail in one call: kstrip_touch(), kstrip_contacts_from_gap(), kstrip_wrench_from_contacts().
  *
- * Straight track; in a curve the velocity is that over the momentary track, which is at rest. Bounded time.
+ * The track is straight. In a curve, pass the velocity relative to the momentary track, which is at rest. The time is bounded.
  *
  * @param rail, wheel     prepared profiles.
  * @param pair            materials, friction, side, number of strips, model.
@@ -1613,13 +1615,14 @@ typedef struct kstrip_friction_estimate {
 /**
  * The coefficient of friction that explains a measured force at a known creepage.
  *
- * At most 90 solutions with derivatives, 35 to 45 on average. The force grows with friction from full sliding, where it is
- * friction times load, to adhesion, where it does not depend on it: there (less than a twentieth of the
- * friction used, or more force than linear theory gives) the status is KSTRIP_WARNING_FRICTION_AT_LEAST and
- * the result is the used friction |force|/load, a lower bound. Where spin opposes the creepage more than one
- * friction may explain the force: KSTRIP_WARNING_SEVERAL_FRICTIONS, the result is the smallest. KSTRIP_MODEL_TOTAL suits best.
- * The force of KSTRIP_MODEL_STRIP_1967 jumps where adhesion is born: there a jump across the measured force counts as one of several, is
- * the result only with KSTRIP_WARNING_NOT_CONVERGED, and about one in ten thousand estimates misses one of several frictions.
+ * The search needs at most 90 solutions with derivatives, and 35 to 45 on average. In full sliding the force is friction times load. As
+ * friction grows the contact begins to adhere, and the force depends on friction less and less. Where the contact adheres (less than a
+ * twentieth of the friction is used, or the force is larger than linear theory gives) the status is KSTRIP_WARNING_FRICTION_AT_LEAST, and
+ * the result is the used friction |force|/load, a lower bound. Where spin opposes the creepage, more than one friction may explain the
+ * force: the status is KSTRIP_WARNING_SEVERAL_FRICTIONS, and the result is the smallest. KSTRIP_MODEL_TOTAL suits best.
+ * The force of KSTRIP_MODEL_STRIP_1967 jumps where a first strip begins to adhere. A jump across the measured force counts there as one of
+ * several solutions, and is returned only with KSTRIP_WARNING_NOT_CONVERGED. About one in ten thousand estimates misses one of several
+ * frictions.
  *
  * @param contact         ellipse, load, material; its friction is ignored.
  * @param creepage        motion.
@@ -1642,11 +1645,11 @@ kstrip_status kstrip_estimate_friction(const struct kstrip_contact *contact,
 /**
  * The creepage at which a contact with a given spin carries a wanted force.
  *
- * Five solutions with derivatives mostly; 12 in all but about one of a thousand plausible contacts (two of a thousand for the models of
- * 1967); at most 40, and then KSTRIP_WARNING_NOT_CONVERGED with the creepage that comes nearest. Where spin keeps the force from
- * growing with the creepage more than one creepage may give the force: the result is one of them. A force within 0.1 % of friction times
- * load is that of full sliding: the status is KSTRIP_WARNING_CREEPAGE_AT_LEAST, the result is the creepage that comes as near
- * as that, and larger ones do as well. A lost contact carries no force, at any creepage: the result is zero.
+ * The search mostly needs five solutions with derivatives, and 12 in all but about one of a thousand plausible contacts (two of a thousand
+ * for the models of 1967). It ends after 40 with KSTRIP_WARNING_NOT_CONVERGED and the creepage that comes nearest. Where spin keeps the
+ * force from growing with the creepage, more than one creepage may give the force; the result is one of them. A force within 0.1 % of
+ * friction times load is that of full sliding. The status is then KSTRIP_WARNING_CREEPAGE_AT_LEAST, and every creepage larger than the
+ * result gives the force as well. A lost contact carries no force at any creepage; the result is zero.
  *
  * @param contact         ellipse, load, material, friction.
  * @param fx, fy          wanted force on the lower body [N].

@@ -1,13 +1,13 @@
 /**
  * @file kstrip.hpp
- * kstrip for C++17 and later: kstrip.h with units in the types, nothing else.
+ * kstrip for C++17 and later: the functions of kstrip.h, with units in the types.
  *
  * Every structure here has the layout of its C namesake, every function is one call of its C namesake:
  * see kstrip.h for axes, signs, ranges and statuses. Each function comes in two forms:
  *
- * - outputs last, returns kstrip::status, never throws;
- * - outputs returned, throws kstrip::error if the status is negative (not there without exceptions). Options
- *   and falling friction are then last and may be left out; arrays are returned as std::vector.
+ * - One form has the outputs as last arguments, returns kstrip::status and never throws.
+ * - The other form returns the outputs and throws kstrip::error if the status is negative. It does not exist where exceptions are
+ *   switched off. Options and falling friction are its last arguments and may be left out; arrays are returned as std::vector.
  *
  * `contact`, `creepage`, `6.0_mm` are in double precision, `contact_f32`, `creepage_f32`, `6.0_mm_f32` in single.
  */
@@ -127,7 +127,7 @@ template <class X> struct only_type { using type = X; };
 template <class X> using only = typename only_type<X>::type;
 } // namespace detail
 
-/// A number with a unit. Converts from a plain number only explicitly, to one only by `value`.
+/// A number with a unit. A plain number converts to it only explicitly, and `value` converts it back.
 template <class Unit, class T>
 struct quantity {
     T value{};
@@ -217,7 +217,7 @@ KSTRIP_HPP_LITERAL(s_per_m, seconds_per_metre, 1.0L, 1.0L)
 #if defined(__cpp_lib_span)
 template <class T> using span = std::span<T>;
 #else
-/// A pointer and a size, where std::span is not there yet.
+/// A pointer and a size, for compilers without std::span.
 template <class T>
 class span {
 public:
@@ -257,7 +257,7 @@ template <class X> auto to_c(X *p) noexcept { return reinterpret_cast<typename t
 template <class F, class... A>
 status call(F function, A... arguments) noexcept { return static_cast<status>(function(to_c(arguments)...)); }
 
-/// Sizes are 32 bits in C; a larger array is used as far as that.
+/// Sizes are 32 bits in C; of a larger array only that many elements are used.
 constexpr std::uint32_t capacity(std::size_t size) noexcept
 {
     return size > 0xffffffffu ? 0xffffffffu : static_cast<std::uint32_t>(size);
@@ -549,7 +549,7 @@ struct basic_strip {
 };
 KSTRIP_HPP_BOTH(strip)
 
-/// Where the outputs of evaluate() go; null is not computed.
+/// Where the outputs of evaluate() go; an output that is null is not computed.
 template <class T>
 struct basic_outputs {
     basic_result<T> *result = nullptr;
@@ -615,7 +615,7 @@ struct basic_batch_outputs {
 };
 KSTRIP_HPP_BOTH(batch_outputs)
 
-/// A contact of which everything that does not depend on the motion has been computed.
+/// A contact for which everything that does not depend on the motion has been computed.
 template <class T>
 struct basic_prepared {
     T numbers[96];
@@ -647,7 +647,7 @@ struct basic_motion_derivatives {
 };
 KSTRIP_HPP_BOTH(motion_derivatives)
 
-/// Where the outputs of solve_motion() go; null is not computed.
+/// Where the outputs of solve_motion() go; an output that is null is not computed.
 template <class T>
 struct basic_motion_outputs {
     basic_result<T> *result = nullptr;
@@ -717,7 +717,7 @@ status solve_motion(const basic_contact<T> &ellipse, const detail::only<basic_mo
     return KSTRIP_HPP_CALL(kstrip_solve_motion, &ellipse, &moving, law, &how, &to);
 }
 
-/// One model alone is linked by each of these.
+/// Each of these functions links one model alone.
 template <class T>
 status solve_total(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep,
                    basic_result<T> &to) noexcept
@@ -787,7 +787,7 @@ std::vector<basic_strip<T>> strips(const basic_contact<T> &ellipse, const detail
     return to;
 }
 
-/// As many results as creepages; one contact for all, or as many. Throws the index of the first bad input.
+/// Gives as many results as there are creepages, with one contact for all or as many contacts. The exception has the index of the first bad input.
 template <class Contacts, class Creepages>
 auto evaluate_batch(const Contacts &contacts, const Creepages &creepages, const options &how = {})
     -> std::vector<basic_result<decltype(creepages.data()->longitudinal + 0)>>

@@ -161,8 +161,8 @@ kstrip_status kstrip_solve_f32(const struct kstrip_contact_f32 *contact,
                                struct kstrip_result_f32 *result);
 
 /**
- * Friction that falls with the slip, friction ((1 - ratio) exp(-decay w) + ratio) with the sliding velocity w [m/s], and the
- * stiffness of the layer between the bodies.
+ * Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) + ratio), where w is the sliding velocity
+ * [m/s]. A factor reduces the initial slope of the creep curve, for the layer between the bodies.
  *
  * Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m; wet 0.3, 0.4, 0.2 s/m.
  */
@@ -204,7 +204,7 @@ typedef struct kstrip_strip_f32 {
     int32_t reserved;
 } kstrip_strip_f32;
 
-/** Where the outputs of kstrip_evaluate() and kstrip_patch_evaluate() go. NULL is not computed and costs nothing. */
+/** Where the outputs of kstrip_evaluate() and kstrip_patch_evaluate() go. An output that is NULL is not computed and costs nothing. */
 typedef struct kstrip_outputs_f32 {
     struct kstrip_result_f32 *result;
     struct kstrip_derivatives_f32 *derivatives;
@@ -225,10 +225,10 @@ kstrip_status kstrip_evaluate_f32(const struct kstrip_contact_f32 *contact,
 
 /**
  * Many contacts with their motion and their friction: for each quantity a pointer to the first one and the distance to
- * the next in bytes, its stride. Stride 0: one for all.
+ * the next in bytes, its stride. An input with stride 0 is the same for all contacts.
  *
- * Arrays of structures (&contacts[0].a, sizeof(kstrip_contact)) are as good as one array for each quantity
- * (a, sizeof(double)). All but mismatch and law are required unless there are no contacts.
+ * Arrays of structures (&contacts[0].a, sizeof(kstrip_contact)) and one array for each quantity (a, sizeof(double)) are both possible. All
+ * members but mismatch and law are required, unless there are no contacts.
  */
 typedef struct kstrip_batch_inputs_f32 {
     const float *a;
@@ -257,7 +257,7 @@ typedef struct kstrip_batch_inputs_f32 {
 
 /**
  * Where the results of many contacts go: for each quantity a pointer to the first one and the distance to the next in
- * bytes. NULL is not wanted and costs nothing.
+ * bytes. An output that is NULL is not computed and costs nothing.
  */
 typedef struct kstrip_batch_outputs_f32 {
     float *fx;
@@ -288,9 +288,9 @@ kstrip_status kstrip_evaluate_batch_f32(const struct kstrip_batch_inputs_f32 *in
                                         uint32_t *first_bad);
 
 /**
- * A contact of which everything that does not depend on the motion has been computed. Filled by kstrip_prepare(); plain
- * numbers without pointers, to be copied and kept as the caller likes, for this version of the library only. They contain their
- * checksum: a structure that is damaged, foreign or of the other precision is KSTRIP_ERROR_NOT_PREPARED.
+ * A contact for which kstrip_prepare() has computed everything that does not depend on the motion. The structure holds plain numbers and no
+ * pointers, so it may be copied and kept, for this version of the library only. It contains a checksum of its numbers: a structure that is
+ * damaged, foreign or of the other precision gives KSTRIP_ERROR_NOT_PREPARED.
  */
 typedef struct kstrip_prepared_f32 {
     float numbers[96];
@@ -329,7 +329,7 @@ typedef struct kstrip_motion_derivatives_f32 {
     float slope_factor[3];
 } kstrip_motion_derivatives_f32;
 
-/** Where the outputs of kstrip_solve_motion() go. NULL is not computed and costs nothing. */
+/** Where the outputs of kstrip_solve_motion() go. An output that is NULL is not computed and costs nothing. */
 typedef struct kstrip_motion_outputs_f32 {
     struct kstrip_result_f32 *result;
     struct kstrip_motion_derivatives_f32 *derivatives;

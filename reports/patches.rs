@@ -17,11 +17,11 @@ use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
 use kstrip::patch::normal::Given;
 use kstrip::patch::profile::{Profile, ProfileContact};
-use kstrip::patch::{PatchStrip, solver};
+use kstrip::patch::solver;
 use kstrip::solve::model::{self, Model, Options};
 use lines::Lines;
 use patch_reference::{Case, Errors, Full, banded, falling, given, profiles, real, statistics};
-use pictures::{Align, BLUE, Canvas, Drawn, GREY, INK, ORANGE, dot, line, picture, write};
+use pictures::{Align, BLUE, Canvas, Drawn, GREY, INK, ORANGE, PALE, dot, line, picture, write};
 use std::path::Path;
 
 /// Profiles in pictures.
@@ -105,8 +105,8 @@ fn profile_tables(report: &mut Report, list: &[Compared]) {
     report.line("## How far from CONTACT: profiles\n");
     report.line("30 profiles whose normal and tangential problem CONTACT solved on elastic half-spaces (`tests/data/patches`), nine creepages each;");
     report.line("16 strips, default smoothing. Errors of area, peak pressure and approach in %, mean / largest; of the force in units of `μ N` and of");
-    report.line("the moment in units of `μ N c`, `c = √(area/π)`, mean / 95th percentile / largest. STRIP on CONTACT's own outline and loads tells");
-    report.line("what of the error is the tangential model's: nearly all of it. Profiles of the family `hertz` are parabolas, for control.\n");
+    report.line("the moment in units of `μ N c`, `c = √(area/π)`, mean / 95th percentile / largest. The column of STRIP on CONTACT's own outline and loads");
+    report.line("shows which part of the error comes from the tangential model: nearly all of it. Profiles of the family `hertz` are parabolas, for control.\n");
     report.header(&[
         "family",
         "profiles",
@@ -148,11 +148,9 @@ fn profile_tables(report: &mut Report, list: &[Compared]) {
 
 fn other_tables(report: &mut Report) {
     report.line("\n## Given strips, friction in bands, falling friction\n");
-    report.line("Force and moment with STRIP, mean / 95th percentile / largest. Given strips have half-elliptic pressure; skewed patches have");
-    report.line("their centres off `x = 0`. Bands and falling friction are on ellipses of 16 strips; CONTACT's friction falls with the slip of each");
-    report.line(
-        "point, ours with the mean slip of the patch. Families of falling friction in one row.\n",
-    );
+    report.line("Force and moment with STRIP, mean / 95th percentile / largest. Given strips have half-elliptic pressure. The strips of skewed patches have");
+    report.line("their centres off `x = 0`. Bands and falling friction are on ellipses of 16 strips. CONTACT's friction falls with the slip of each");
+    report.line("point, ours with the mean slip of the patch. One row has all families of falling friction.\n");
     report.header(&["patch", "force", "moment"]);
     let mut sums = [Errors::default(), Errors::default()];
     for (list, sum) in [given(), banded(COUNT)].into_iter().zip(&mut sums) {
@@ -186,9 +184,9 @@ impl Uniform {
 /// How much the forces change when points are measured with noise, or one of them is bad.
 fn noise_table(report: &mut Report, list: &[Compared]) {
     report.line("\n## Measured points\n");
-    report.line("Change of the force, in units of `μ N`, of the 30 profiles and nine creepages when their points, 0.05 mm apart, are measured: 20 times");
-    report.line("with noise of 5 µm rms, and 20 times with one point that is wrong by 20 µm. Noise cannot be told from shape where it tilts a wide");
-    report.line("patch that spins: it moves the middle by 0.1 mm.\n");
+    report.line("Change of the force, in units of `μ N`, of the 30 profiles and nine creepages when their points are measured. The points are 0.05 mm apart.");
+    report.line("Each profile was disturbed 20 times with noise of 5 µm rms, and 20 times with one point that is wrong by 20 µm. The largest changes come from");
+    report.line("noise that tilts a wide patch with spin, and moves its middle by 0.1 mm.\n");
     report.header(&["points", "mean / 95th percentile / largest", "below 0.02, %"]);
     let mut uniform = Uniform(20_260_117);
     for bad in [false, true] {
@@ -231,8 +229,8 @@ fn noise_table(report: &mut Report, list: &[Compared]) {
 /// Largest change of force and approach between loads that differ by a tenth of a thousandth, while zones merge.
 fn merging_table(report: &mut Report) {
     report.line("\n## Zones that merge\n");
-    report.line("A double bottom, 9 mm apart, `h = H ((y/4.5 mm)² − 1)²`, pressed harder and harder: two zones grow, touch and become one. Largest change");
-    report.line("when the load grows by 1/10 000 (of the force in units of `μ N`, of the approach relative): nothing jumps.\n");
+    report.line("A profile with two bottoms 9 mm apart, `h = H ((y/4.5 mm)² − 1)²`, is pressed harder and harder. Two zones grow, touch and become one. The table");
+    report.line("has the largest change when the load grows by 1/10 000, of the force in units of `μ N` and of the approach as a share: nothing jumps.\n");
     report.header(&["H [µm]", "load [kN]", "zones", "force, STRIP", "force, TOTAL", "approach"]);
     let y: Vec<f64> = (-1000..=1000).map(|i| 20e-6 * f64::from(i)).collect();
     let creepage = Creepage { longitudinal: 3e-4, lateral: 5e-4, spin: 0.1 };
@@ -291,8 +289,8 @@ fn pressed(load: f64) -> ProfileContact<f64> {
 /// Real wheels on real rails, by pair.
 fn real_table(report: &mut Report, list: &[Case]) {
     report.line("\n## Real wheels on real rails\n");
-    report.line("36 patches of six pairs of profiles, new and worn, with yaw (`tests/data/real`): each point has its rolling radius and its place along `x`,");
-    report.line("creepages and moment are about the origin of the profile. Errors against CONTACT as above.\n");
+    report.line("36 patches of six pairs of profiles, new and worn, with yaw (`tests/data/real`). Each point has its rolling radius and its place along `x`.");
+    report.line("Creepages and moment are about the origin of the profile. The errors against CONTACT are defined as above.\n");
     report.header(&["pair", "patches", "area", "peak pressure", "force, STRIP", "moment, STRIP"]);
     let mut pairs: Vec<&str> = Vec::new();
     for case in list {
@@ -357,7 +355,9 @@ fn curve(canvas: &Canvas, left: f64, title: &str, ends: [&str; 2], points: &[[f6
         (of.clone().fold(f64::INFINITY, f64::min), of.fold(-f64::INFINITY, f64::max))
     };
     let ((x0, x1), (y0, y1)) = (range(0), range(1));
-    let (y0, y1) = (y0 - 0.1 * (y1 - y0).max(1e-9), y1 + 0.1 * (y1 - y0).max(1e-9));
+    // (a curve that is constant but for rounding is drawn flat)
+    let room = (0.1 * (y1 - y0)).max(0.01 * y1.abs());
+    let (y0, y1) = (y0 - room, y1 + room);
     write(canvas, title, (left, 14.0), 11, Align::Left, INK)?;
     line(canvas, &[(left, 30.0), (left, 190.0), (left + 190.0, 190.0)], GREY, 1.0)?;
     let drawn: Vec<(f64, f64)> = points
@@ -415,52 +415,99 @@ fn draw_sweeps(canvas: &Canvas) -> Drawn {
     curve(canvas, 500.0, "FX/(µ N), two bottoms move sideways", ["−2 mm", "2 mm"], &moved)
 }
 
+/// One of 1, 2, 5 times a power of ten: ticks at this distance are two to five.
+fn step(range: f64) -> f64 {
+    let power = 10_f64.powf((range / 5.0).log10().floor());
+    [1.0, 2.0, 5.0, 10.0].into_iter().map(|k| k * power).find(|k| range / k <= 5.0).unwrap_or(range)
+}
+
+/// Axes with ticks and labels: across in mm, upward from `low` to `high`.
+struct Axes {
+    left: f64,
+    /// y \[m\]
+    ends: [f64; 2],
+    low: f64,
+    high: f64,
+}
+
+impl Axes {
+    fn across(&self, y: f64) -> f64 {
+        self.left + 290.0 * (y - self.ends[0]) / (self.ends[1] - self.ends[0])
+    }
+
+    fn up(&self, value: f64) -> f64 {
+        215.0 - 165.0 * (value - self.low) / (self.high - self.low)
+    }
+
+    fn draw(&self, canvas: &Canvas, label: &str) -> Drawn {
+        let number = |x: f64| format!("{x:.0}").replace('-', "−").replace("−0", "0");
+        let [low, high] = self.ends.map(|y| 1e3 * y);
+        let across = step(high - low);
+        for i in (low / across).ceil() as i32..=(high / across).floor() as i32 {
+            let y = f64::from(i) * across;
+            let h = self.across(1e-3 * y);
+            line(canvas, &[(h, 50.0), (h, 218.0)], PALE, 1.0)?;
+            write(canvas, &number(y), (h, 228.0), 10, Align::Centre, INK)?;
+        }
+        let upward = step(self.high - self.low);
+        for i in (self.low / upward).ceil() as i32..=(self.high / upward).floor() as i32 {
+            let v = self.up(f64::from(i) * upward);
+            line(canvas, &[(self.left - 3.0, v), (self.left + 290.0, v)], PALE, 1.0)?;
+            let text = number(f64::from(i) * upward);
+            write(canvas, &text, (self.left - 6.0, v), 10, Align::Right, INK)?;
+        }
+        let corner = [(self.left, 50.0), (self.left, 215.0), (self.left + 290.0, 215.0)];
+        line(canvas, &corner, INK, 1.0)?;
+        write(canvas, label, (self.left - 30.0, 38.0), 11, Align::Left, INK)?;
+        write(canvas, "y [mm]", (self.left + 145.0, 245.0), 11, Align::Centre, INK)
+    }
+}
+
+/// The title, and what lines and dots (or dashes) stand for.
+fn title(canvas: &Canvas, name: &str, contact: &str, dashes: bool) -> Drawn {
+    write(canvas, name, (20.0, 14.0), 12, Align::Left, INK)?;
+    line(canvas, &[(330.0, 14.0), (350.0, 14.0)], BLUE, 2.0)?;
+    line(canvas, &[(355.0, 14.0), (375.0, 14.0)], ORANGE, 2.0)?;
+    write(canvas, "kstrip, 16 strips", (382.0, 14.0), 11, Align::Left, INK)?;
+    if dashes {
+        for left in [515.0, 525.0] {
+            line(canvas, &[(left, 14.0), (left + 6.0, 14.0)], INK, 1.0)?;
+        }
+    } else {
+        for left in [515.0, 522.0, 529.0] {
+            dot(canvas, (left, 14.0), 1.3, INK, true)?;
+        }
+    }
+    write(canvas, contact, (538.0, 14.0), 11, Align::Left, INK)
+}
+
 /// A real patch: outline, pressure, and CONTACT's largest pressure.
 fn draw_real(case: &Case, canvas: &Canvas) -> Drawn {
     let strips = case.patch(COUNT).0.strips;
     let ends = strips.iter().fold([f64::INFINITY, -f64::INFINITY], |[least, most], strip| {
         [least.min(strip.y - strip.width), most.max(strip.y + strip.width)]
     });
-    let [least, most] = ends;
     let longest =
-        1.15 * strips.iter().map(|s| s.half_length + s.centre_x.abs()).fold(0.0, f64::max);
-    let title = format!(
-        "{}: outline x [mm], left, and peak pressure [MPa], right, over y [mm]; dashes: CONTACT's largest, {:.0} MPa",
-        case.name,
-        case.peak_pressure * 1e-6
-    );
-    write(canvas, &title, (20.0, 14.0), 11, Align::Left, INK)?;
-    let across = |left: f64, y: f64| left + 300.0 * (y - least) / (most - least);
-    let along = |x: f64| 125.0 - 85.0 * x / longest;
-    let tall = |p: f64| 210.0 - 170.0 * p / (1.2 * case.peak_pressure);
+        1.15e3 * strips.iter().map(|s| s.half_length + s.centre_x.abs()).fold(0.0, f64::max);
+    let peak = 1e-6 * case.peak_pressure;
+    title(canvas, &case.name, "CONTACT, largest", true)?;
+    let outline = Axes { left: 50.0, ends, low: -longest, high: longest };
+    let pressure = Axes { left: 410.0, ends, low: 0.0, high: 1.2 * peak };
+    outline.draw(canvas, "outline, x [mm]")?;
+    pressure.draw(canvas, "peak pressure of a strip [MPa]")?;
     for strip in &strips {
         let (from, to) = (strip.y - strip.width / 2.0, strip.y + strip.width / 2.0);
         for x in [strip.centre_x - strip.half_length, strip.centre_x + strip.half_length] {
-            line(
-                canvas,
-                &[(across(45.0, from), along(x)), (across(45.0, to), along(x))],
-                BLUE,
-                2.0,
-            )?;
+            let v = outline.up(1e3 * x);
+            line(canvas, &[(outline.across(from), v), (outline.across(to), v)], BLUE, 2.0)?;
         }
-        let height = tall(strip.peak_pressure);
-        line(canvas, &[(across(400.0, from), height), (across(400.0, to), height)], ORANGE, 2.0)?;
+        let v = pressure.up(1e-6 * strip.peak_pressure);
+        line(canvas, &[(pressure.across(from), v), (pressure.across(to), v)], ORANGE, 2.0)?;
     }
-    for i in 0..30 {
-        let (from, to) = (400.0 + 10.0 * f64::from(i), 405.0 + 10.0 * f64::from(i));
-        let height = tall(case.peak_pressure);
-        line(canvas, &[(from, height), (to, height)], INK, 1.0)?;
-    }
-    for (left, top, text) in [
-        (45.0, along(longest / 1.15), format!("{:.1}", longest / 1.15 * 1e3)),
-        (400.0, tall(case.peak_pressure), format!("{:.0}", case.peak_pressure * 1e-6)),
-    ] {
-        line(canvas, &[(left, 40.0), (left, 210.0), (left + 300.0, 210.0)], GREY, 1.0)?;
-        write(canvas, &text, (left - 5.0, top), 10, Align::Right, INK)?;
-        for y in ends {
-            let text = format!("{:.1}", y * 1e3).replace('-', "−");
-            write(canvas, &text, (across(left, y), 222.0), 10, Align::Centre, INK)?;
-        }
+    for i in 0..29 {
+        let left = pressure.left + 10.0 * f64::from(i);
+        let v = pressure.up(peak);
+        line(canvas, &[(left, v), (left + 5.0, v)], INK, 1.0)?;
     }
     Ok(())
 }
@@ -552,42 +599,31 @@ fn print_costs() {
     }
 }
 
-/// Outline and pressure, ours as lines, CONTACT's as dots.
+/// Half lengths and pressure, ours as lines, CONTACT's as dots.
 fn draw(found: &Compared, canvas: &Canvas) -> Drawn {
     let (case, strips) = (&found.case, &found.patch.strips);
     let outline = || case.outline.iter();
     let least = outline().map(|row| row.y).fold(f64::INFINITY, f64::min) - 1e-3;
     let most = outline().map(|row| row.y).fold(-f64::INFINITY, f64::max) + 1e-3;
-    let longest = 1.15 * outline().map(|row| row.half_length).fold(0.0, f64::max);
-    let peak = 1.2 * case.peak_pressure;
-    let title = format!(
-        "{}: outline [mm] and peak pressure [MPa] over y [mm]; lines kstrip, dots CONTACT",
-        case.name
-    );
-    write(canvas, &title, (20.0, 14.0), 11, Align::Left, INK)?;
-    let across = |left: f64, y: f64| left + 300.0 * (y - least) / (most - least);
-    let tall = |value: f64, top: f64| 210.0 - 170.0 * value / top;
-    for (left, top, unit) in [(45.0, longest, 1e3), (400.0, peak, 1e-6)] {
-        line(canvas, &[(left, 40.0), (left, 210.0), (left + 300.0, 210.0)], GREY, 1.0)?;
-        let text = format!("{:.0}", top * unit * 0.8);
-        write(canvas, &text, (left - 5.0, tall(0.8 * top, top)), 10, Align::Right, INK)?;
-        for y in [least + 1e-3, most - 1e-3] {
-            let text = format!("{:.1}", y * 1e3).replace('-', "−");
-            write(canvas, &text, (across(left, y), 222.0), 10, Align::Centre, INK)?;
-        }
-    }
-    let length = |strip: &PatchStrip<f64>| (45.0, strip.half_length, longest, BLUE);
-    let pressure = |strip: &PatchStrip<f64>| (400.0, strip.peak_pressure, peak, ORANGE);
+    let longest = 1.15e3 * outline().map(|row| row.half_length).fold(0.0, f64::max);
+    let ends = [least, most];
+    title(canvas, &case.name, "CONTACT", false)?;
+    let length = Axes { left: 50.0, ends, low: 0.0, high: longest };
+    let pressure = Axes { left: 410.0, ends, low: 0.0, high: 1.2e-6 * case.peak_pressure };
+    length.draw(canvas, "half length of a strip [mm]")?;
+    pressure.draw(canvas, "peak pressure of a strip [MPa]")?;
     for strip in strips {
-        for (left, value, top, ink) in [length(strip), pressure(strip)] {
-            let (from, to) = (strip.y - strip.width / 2.0, strip.y + strip.width / 2.0);
-            let height = tall(value, top);
-            line(canvas, &[(across(left, from), height), (across(left, to), height)], ink, 2.0)?;
-        }
+        let (from, to) = (strip.y - strip.width / 2.0, strip.y + strip.width / 2.0);
+        let (high, tall) =
+            (length.up(1e3 * strip.half_length), pressure.up(1e-6 * strip.peak_pressure));
+        line(canvas, &[(length.across(from), high), (length.across(to), high)], BLUE, 2.0)?;
+        line(canvas, &[(pressure.across(from), tall), (pressure.across(to), tall)], ORANGE, 2.0)?;
     }
     for row in outline() {
-        dot(canvas, (across(45.0, row.y), tall(row.half_length, longest)), 1.3, INK, true)?;
-        dot(canvas, (across(400.0, row.y), tall(row.peak_pressure, peak)), 1.3, INK, true)?;
+        let at = (length.across(row.y), length.up(1e3 * row.half_length));
+        dot(canvas, at, 1.3, INK, true)?;
+        let at = (pressure.across(row.y), pressure.up(1e-6 * row.peak_pressure));
+        dot(canvas, at, 1.3, INK, true)?;
     }
     Ok(())
 }
@@ -613,7 +649,7 @@ fn main() {
     std::fs::create_dir_all(docs.join("patches")).unwrap();
     for name in SHOWN {
         let found = list.iter().find(|found| found.case.name == name).unwrap();
-        picture(&docs.join(format!("patches/{name}.svg")), (720, 235), |canvas| {
+        picture(&docs.join(format!("patches/{name}.svg")), (720, 255), |canvas| {
             draw(found, canvas)
         })
         .unwrap();
@@ -622,13 +658,13 @@ fn main() {
     report.line("## Real patches\n");
     for name in SHOWN_REAL {
         let case = rails.iter().find(|case| case.name == name).unwrap();
-        picture(&docs.join(format!("patches/{name}.svg")), (720, 235), |canvas| {
+        picture(&docs.join(format!("patches/{name}.svg")), (720, 255), |canvas| {
             draw_real(case, canvas)
         })
         .unwrap();
         report.line(format!("![Outline and pressure of {name}](patches/{name}.svg)\n"));
     }
-    report.line("## Continuous\n");
+    report.line("## Light contact, zones that appear, profiles that move\n");
     picture(&docs.join("patches/sweeps.svg"), (720, 215), draw_sweeps).unwrap();
     report.line("![Light contact, a zone that appears, a shift](patches/sweeps.svg)\n");
     report.line(include_str!("patches/limits.txt").trim_end());

@@ -165,8 +165,8 @@ module kstrip
       integer(c_int32_t) :: reserved = 0
    end type
 
-   !> Friction that falls with the slip, friction ((1 - ratio) exp(-decay w) + ratio) with the sliding velocity w [m/s],
-   !> and the stiffness of the layer between the bodies.
+   !> Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) + ratio), where w is the
+   !> sliding velocity [m/s].
    type, bind(c) :: kstrip_friction
       real(c_double) :: friction = 0
       real(c_double) :: ratio = 0
@@ -267,7 +267,7 @@ module kstrip
       integer(c_intptr_t) :: law_derivatives_stride = 0
    end type
 
-   !> A contact of which everything that does not depend on the motion has been computed.
+   !> A contact for which kstrip_prepare() has computed everything that does not depend on the motion.
    type, bind(c) :: kstrip_prepared
       real(c_double) :: numbers(96) = 0
       integer(c_int32_t) :: model = 0
@@ -502,7 +502,7 @@ module kstrip
    end type
 
    interface
-      !> What a status means and what the caller must change, in English.
+      !> Text that says in English what a status means and what the caller must change.
       type(c_ptr) function kstrip_status_string(status) bind(c)
          import
          integer(c_int32_t), value :: status
@@ -581,7 +581,7 @@ module kstrip
          type(kstrip_result), intent(inout) :: result
       end function
 
-      !> Everything about a contact in motion in one call: of the outputs, those that are not NULL.
+      !> Computes, for a contact in motion, every output that is not NULL.
       integer(c_int32_t) function kstrip_evaluate(contact, creepage, friction, options, outputs) bind(c)
          import
          type(kstrip_contact), intent(in) :: contact
@@ -601,7 +601,7 @@ module kstrip
          integer(c_int32_t), intent(inout), optional :: first_bad
       end function
 
-      !> Everything that depends on the contact and the options only, for kstrip_solve_prepared().
+      !> Computes what depends on the contact and the options only, for kstrip_solve_prepared().
       integer(c_int32_t) function kstrip_prepare(contact, options, prepared) bind(c)
          import
          type(kstrip_contact), intent(in) :: contact
@@ -710,7 +710,7 @@ module kstrip
          type(kstrip_patch_summary), intent(inout) :: summary
       end function
 
-      !> Everything about a patch in motion in one call, on the lower body: of the outputs, those that are not NULL.
+      !> Computes, for a patch in motion, every output that is not NULL.
       integer(c_int32_t) function kstrip_patch_evaluate(patch, creepage, friction, options, outputs) bind(c)
          import
          type(kstrip_patch), intent(in) :: patch
@@ -720,7 +720,7 @@ module kstrip
          type(kstrip_outputs), intent(in) :: outputs
       end function
 
-      !> Pressure, traction, slip and state of a patch over a grid; they do not vary over the width of a strip.
+      !> Pressure, traction, slip and state of a patch over a grid.
       integer(c_int32_t) function kstrip_patch_field(patch, creepage, options, x, columns, y, rows, points, capacity) bind(c)
          import
          type(kstrip_patch), intent(in) :: patch

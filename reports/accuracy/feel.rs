@@ -91,7 +91,7 @@ impl Report {
         let methods = methods();
         let cases = slope_cases();
         self.line("\n## What a simulation feels\n");
-        self.line(include_str!("feel.md").trim_end());
+        self.line(include_str!("feel.txt").trim_end());
         self.line("");
         self.header(&[
             "method",

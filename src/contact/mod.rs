@@ -24,7 +24,7 @@ pub struct Contact<F> {
     pub a: F,
     /// Semi-axis b along y \[m\], > 0.
     pub b: F,
-    /// Normal force N \[N\]; <= 0: the contact is lost, and nothing else of it counts as long as it is finite.
+    /// Normal force N \[N\]. If it is <= 0 the contact is lost, and the other members only need to be finite.
     pub normal_force: F,
     /// Combined shear modulus G \[Pa\] (2.6), > 0.
     pub shear_modulus: F,
@@ -32,9 +32,9 @@ pub struct Contact<F> {
     pub poisson_ratio: F,
     /// Coefficient of friction mu \[-\], >= 0.
     pub friction: F,
-    /// Mismatch kappa \[-\] of the two materials (4.3), as kstrip_material_combine() tells it: 0 for like ones, positive where the lower
-    /// body is the softer, sign changed where the bodies are exchanged. Pressure makes a longitudinal creepage in unlike
-    /// bodies, so that there is a force without creepage. Neglected by the theory of 1967.
+    /// Mismatch kappa \[-\] of the two materials (4.3), from kstrip_material_combine(). It is 0 for like materials and positive where the lower
+    /// body is the softer one; its sign changes where the bodies are exchanged. In unlike bodies pressure makes a longitudinal creepage, so
+    /// that there is a force without creepage. The theory of 1967 neglects the mismatch.
     pub mismatch: F,
 }
 

@@ -4,8 +4,8 @@ use super::support::*;
 
 /// Pressure, traction, slip and state over a grid; one point is a grid of one.
 ///
-/// Under falling friction: set the contact's friction to that of kstrip_evaluate(), and multiply its shear_modulus with the
-/// law's slope_factor.
+/// Under falling friction set the contact's friction to that of kstrip_evaluate(), and multiply its shear_modulus by the law's
+/// slope_factor.
 ///
 /// @param contact         ellipse, load, material, friction.
 /// @param creepage        motion.

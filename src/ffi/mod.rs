@@ -42,33 +42,33 @@ pub type kstrip_status = i32;
 
 /// Success.
 pub const KSTRIP_OK: kstrip_status = 0;
-/// Warning: spin parameter |psi| >= 1, beyond the theory of 1967. The result is its continuation:
-/// finite, continuous, bounded by mu N.
+/// Warning: the spin parameter |psi| is 1 or more, beyond the theory of 1967. The result continues that theory in a way that is this
+/// library's own: finite, continuous and bounded by mu N.
 pub const KSTRIP_WARNING_SPIN: kstrip_status = 1;
-/// Warning: an input is outside the range in which the model was checked against its reference.
+/// Warning: the spin parameter |psi| is above 3, where KSTRIP_MODEL_STRIP was not checked against its reference.
 pub const KSTRIP_WARNING_RANGE: kstrip_status = 2;
 /// Warning: the linear force exceeds mu N.
 pub const KSTRIP_WARNING_BEYOND_FRICTION: kstrip_status = 3;
 /// Warning: more than one coefficient of friction fits. Under falling friction the result has the largest,
 /// which is reached from adhesion; an estimate from a measured force is the smallest.
 pub const KSTRIP_WARNING_SEVERAL_FRICTIONS: kstrip_status = 4;
-/// Warning: a bounded iteration ended before its result was accurate to rounding.
+/// Warning: an iteration reached its largest number of steps before its result was accurate to rounding.
 pub const KSTRIP_WARNING_NOT_CONVERGED: kstrip_status = 5;
-/// Warning: the contact sticks, and the measured force tells only a lower bound of friction.
+/// Warning: the contact sticks, so that the measured force gives only a lower bound of friction.
 pub const KSTRIP_WARNING_FRICTION_AT_LEAST: kstrip_status = 6;
 /// Warning: the wanted force is that of full sliding, which every larger creepage gives as well.
 pub const KSTRIP_WARNING_CREEPAGE_AT_LEAST: kstrip_status = 7;
-/// Warning: the peak pressure exceeds a tenth of the shear modulus: modulus, load or semi-axes are in another unit.
+/// Warning: the peak pressure exceeds a tenth of the shear modulus. The modulus, the load or the semi-axes are probably in another unit.
 pub const KSTRIP_WARNING_PRESSURE: kstrip_status = 8;
-/// Warning: a creepage exceeds 10: per cent, or a rolling speed that is none.
+/// Warning: a creepage exceeds 10. It is probably in per cent, or the rolling speed is close to zero.
 pub const KSTRIP_WARNING_CREEPAGE: kstrip_status = 9;
-/// Warning: a semi-axis exceeds 1 m: mm, mostly.
+/// Warning: a semi-axis exceeds 1 m. It is probably in mm.
 pub const KSTRIP_WARNING_SEMI_AXIS: kstrip_status = 10;
-/// Warning: more spin than rolling bodies of this curvature can have: degrees per metre, mostly.
+/// Warning: the spin is larger than rolling bodies of this curvature can have. It is probably in degrees per metre.
 pub const KSTRIP_WARNING_SPIN_UNIT: kstrip_status = 11;
-/// Warning: the coefficient of friction exceeds 5: per cent, mostly.
+/// Warning: the coefficient of friction exceeds 5. It is probably in per cent.
 pub const KSTRIP_WARNING_FRICTION: kstrip_status = 12;
-/// Warning: radii are larger than 5 m in both directions: mm, mostly.
+/// Warning: the radii are larger than 5 m in both directions. They are probably in mm.
 pub const KSTRIP_WARNING_RADIUS: kstrip_status = 13;
 /// Warning: the axis ratio a/b is outside 0.015 to 60 (KSTRIP_MODEL_STRIP: 20), for which the model was made.
 pub const KSTRIP_WARNING_AXIS_RATIO: kstrip_status = 14;
@@ -76,10 +76,10 @@ pub const KSTRIP_WARNING_AXIS_RATIO: kstrip_status = 14;
 pub const KSTRIP_WARNING_MISMATCH: kstrip_status = 15;
 /// Warning: the theory of 1967 neglects the mismatch of the materials.
 pub const KSTRIP_WARNING_MISMATCH_NEGLECTED: kstrip_status = 16;
-/// Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction: the bodies are no half-spaces there.
+/// Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction, where the bodies are no longer half-spaces.
 pub const KSTRIP_WARNING_CONFORMAL: kstrip_status = 17;
-/// Warning: the normal turns by more than 30 degrees over a contact of a wheel: one plane of contact is not enough, forces are off
-/// by 0.2 of mu N in the mean.
+/// Warning: the normal turns by more than 30 degrees over a contact of a wheel. One plane of contact is then not enough, and forces are
+/// off by 0.2 of mu N in the mean.
 pub const KSTRIP_WARNING_ANGLE_RANGE: kstrip_status = 19;
 /// Warning: a zone of contact ends with the profile, as if the bodies ended there.
 pub const KSTRIP_WARNING_PROFILE_END: kstrip_status = 18;
@@ -107,7 +107,7 @@ pub const KSTRIP_ERROR_CURVATURE: kstrip_status = -10;
 pub const KSTRIP_ERROR_ROLLING_SPEED: kstrip_status = -11;
 /// Error: the caller's array is too small.
 pub const KSTRIP_ERROR_CAPACITY: kstrip_status = -12;
-/// Error: the model has totals only, no strips and no field.
+/// Error: the model has no strips, no field or no patches: it cannot compute a wanted output.
 pub const KSTRIP_ERROR_NOT_IN_MODEL: kstrip_status = -13;
 /// Error: a result is beyond the range of the floating-point type.
 pub const KSTRIP_ERROR_OVERFLOW: kstrip_status = -14;
@@ -139,32 +139,33 @@ pub const KSTRIP_ERROR_PRESSURE: kstrip_status = -41;
 pub const KSTRIP_ERROR_STRIP_ORDER: kstrip_status = -42;
 /// Error: more strips, or more separate zones of contact, than the patch has room for.
 pub const KSTRIP_ERROR_PATCH_SIZE: kstrip_status = -43;
-/// Error: a profile has fewer than three points, or its y does not ascend.
+/// Error: a profile has too few points (fewer than 2; for kstrip_prepare_profile() fewer than 4), or its y does not ascend.
 pub const KSTRIP_ERROR_PROFILE: kstrip_status = -44;
-/// Error: there is no profile where contact is looked for.
+/// Error: a profile ends before the place where the bodies would touch.
 pub const KSTRIP_ERROR_PROFILE_END: kstrip_status = -45;
 /// Error: a rolling radius is not positive.
 pub const KSTRIP_ERROR_ROLLING_RADIUS: kstrip_status = -46;
 /// Error: a smoothing length is negative.
 pub const KSTRIP_ERROR_SMOOTHING_LENGTH: kstrip_status = -47;
 
-/// The default, 0: forces from KSTRIP_MODEL_TOTAL, the most accurate; fields, strips and patches from KSTRIP_MODEL_STRIP.
+/// The default, 0: forces and derivatives from KSTRIP_MODEL_TOTAL; fields, strips and patches from KSTRIP_MODEL_STRIP.
 pub const KSTRIP_MODEL_DEFAULT: i32 = 0;
-/// The strip theory of Kalker's paper of 1967 itself, nothing fitted, with the sliding rule that the paper keeps for forces: strips
-/// without adhesion slide along the rigid slip of their centre line. Meant for slender ellipses, a/b up to 0.2, and |psi| < 1; mean error
-/// against CONTACT there 5 % of mu N, 15 % over a/b 0.1 to 10.
+/// The strip theory of Kalker's paper of 1967. Nothing in it is fitted. It has the sliding rule that the paper keeps for forces: strips
+/// without adhesion slide along the rigid slip of their centre line. The paper made it for slender ellipses, a/b up to 0.2, and |psi| < 1.
+/// Its mean error against CONTACT is 5 % of mu N there, and 15 % over a/b 0.1 to 10.
 pub const KSTRIP_MODEL_STRIP_1967: i32 = 1;
-/// The same theory with the sliding rule that joins adhesion strips without a jump; mean error 18 % of mu N.
+/// The same theory with the sliding rule that joins adhesion strips without a jump. Its forces have a mean error of 18 % of mu N.
 pub const KSTRIP_MODEL_STRIP_1967_CONTINUOUS: i32 = 2;
 /// A strip theory in Kalker's sense: the half-ellipses of 1967 where a strip adheres, slip along the local rigid slip where it does not, and
-/// flexibilities corrected by a small network fitted to CONTACT. Any spin; forces, moment, stick area and fields. Mean error against CONTACT
-/// 0.6 % of mu N, of the slopes 3 % of the linear ones. Its slopes at rest are those of linear theory, its power is never negative.
+/// flexibilities corrected by a small network fitted to CONTACT. It has forces, moment, stick area and fields. The mean error of the force
+/// against CONTACT is 0.6 % of mu N, that of the slopes 3 % of the linear ones. Its slopes at rest are those of linear theory, and its power
+/// is never negative.
 pub const KSTRIP_MODEL_STRIP: i32 = 3;
-/// A closed formula with a small network fitted to CONTACT: total forces and moment only, most accurate and cheapest. Mean error against
-/// CONTACT 0.3 % of mu N, of the slopes 3 % of the linear ones. Rigid slip far in sliding, never negative power. No strips, no field;
-/// adhesion is reported as -1 (unknown).
+/// A closed formula with a small network fitted to CONTACT. It has forces and moment, and is the most accurate model. The mean error of the
+/// force against CONTACT is 0.3 % of mu N, that of the slopes 3 % of the linear ones. Far in sliding it is rigid slip, and its power is never
+/// negative. It has no strips and no field; adhesion is reported as -1 (unknown).
 pub const KSTRIP_MODEL_TOTAL: i32 = 4;
-/// Kalker's linear theory, without saturation: for stability analysis. Adhesion is 1.
+/// Kalker's linear theory, for stability analysis. Its force grows with the creepage without a limit. Adhesion is 1.
 pub const KSTRIP_MODEL_LINEAR: i32 = 5;
 
 /// The longitudinal force was measured.
@@ -178,8 +179,8 @@ pub const KSTRIP_STATE_OUTSIDE: i32 = 0;
 pub const KSTRIP_STATE_STICK: i32 = 1;
 /// State of a point: slip.
 pub const KSTRIP_STATE_SLIP: i32 = 2;
-/// State of a point: slip against the traction (negative local dissipation), the strip theory's
-/// error next to the leading edge of sliding strips.
+/// State of a point: slip against the traction (negative local dissipation). The strip theory has this error next to the leading edge of
+/// sliding strips.
 pub const KSTRIP_STATE_SLIP_NEGATIVE_DISSIPATION: i32 = 3;
 
 /// Strips that kstrip_evaluate() writes at most: as many as `strips` says, up to this.
@@ -194,9 +195,9 @@ pub const KSTRIP_VERSION_PATCH: i32 = 0;
 /// Changes whenever a structure or function changes incompatibly.
 pub const KSTRIP_ABI_VERSION: i32 = 1;
 
-/// What a status means and what the caller must change, in English.
+/// Text that says in English what a status means and what the caller must change.
 ///
-/// Returns a static string; for a number that is no status, "unknown status". Never NULL.
+/// Returns a static string, never NULL. For a number that is no status the text is "unknown status".
 #[unsafe(no_mangle)]
 pub extern "C" fn kstrip_status_string(status: kstrip_status) -> *const c_char {
     advice(status).unwrap_or(c"unknown status").as_ptr()

@@ -9,13 +9,13 @@ use crate::patch::{self, KSTRIP_PATCH_CAPACITY, Patch, PatchView, QuadratureScal
 
 /// The patch of two profiles under a load, or at an approach.
 ///
-/// Zones of contact that are apart become lobes. Load, approach and strips are continuous functions of load, approach and
-/// distances: zones appear with width and load of zero, grow, touch and merge; the stiffness is the derivative of what is
-/// computed. The approach counts from the lowest point of the smoothed profile: where two bottoms change places as the lowest
-/// it has a kink. A zone that reaches an end of the profile ends there, as bodies would that end: KSTRIP_WARNING_PROFILE_END.
+/// Zones of contact that are apart become lobes. The results are continuous in load, approach and distances: a zone appears with zero width
+/// and zero load, grows, touches its neighbour and merges. The stiffness is the derivative of the computed load. The approach counts from the
+/// lowest point of the smoothed profile; it has a kink where another point becomes the lowest. A zone that reaches an end of the profile ends
+/// there, as if the bodies ended, and the status is KSTRIP_WARNING_PROFILE_END.
 ///
-/// Bounded time: proportional to the number of points, then a system of linear equations of fixed size, three times or more
-/// often while cells leave and enter.
+/// The time is bounded. One part is proportional to the number of points. The other solves a system of linear equations of fixed size, three
+/// times or more while cells leave and enter.
 ///
 /// @param profile         undeformed distance of the bodies at points in ascending y.
 /// @param contact         rolling radius, load or approach, material, friction, number of strips.
@@ -72,9 +72,9 @@ pub unsafe extern "C" fn kstrip_patch_from_strips(
 
 /// The strips of a contact's ellipse, where KSTRIP_MODEL_STRIP places them; none where it is lost.
 ///
-/// kstrip_patch_evaluate() with KSTRIP_MODEL_STRIP gives the answer of kstrip_solve() with that model and the same strip
-/// count, to rounding. The strips of the models of 1967 move with the solution in kstrip_solve(), here they do not: the
-/// forces differ by a part of what one strip carries.
+/// kstrip_patch_evaluate() with KSTRIP_MODEL_STRIP gives the result of kstrip_solve() with that model and the same strip count, to rounding.
+/// For the models of 1967 kstrip_solve() integrates over the whole ellipse in closed form, and a patch sums its strips: the forces differ by
+/// a part of what one strip carries.
 ///
 /// @param contact         the loaded contact.
 /// @param options         strip count; its model is checked and otherwise ignored. NULL for the defaults.
@@ -110,22 +110,22 @@ pub extern "C" fn kstrip_patch_summarize(
     })
 }
 
-/// Everything about a patch in motion in one call, on the lower body: of the outputs, those that are not NULL.
+/// Computes, for a patch in motion, every output that is not NULL. Forces act on the lower body.
 ///
 /// The creepage is that at the origin of the patch's coordinates, x = y = 0; a strip sees
 /// (longitudinal - spin y, lateral + spin centre_x), and moments are about the origin. |F| is at
-/// most the sum of friction times load over the strips. KSTRIP_MODEL_STRIP takes what a strip sees from the ellipse that
-/// stands for its zone: the strips that no gap and no neck divides from it, their load, area and mean friction.
-/// KSTRIP_MODEL_TOTAL takes the forces of these ellipses as they are: cheap and smooth, without strips and share in adhesion.
+/// most the sum of friction times load over the strips. For KSTRIP_MODEL_STRIP an ellipse stands for the zone of a strip: the strips that no
+/// gap and no neck divides from it, with their load, area and mean friction. The flexibilities of the strip are those of this ellipse.
+/// KSTRIP_MODEL_TOTAL takes the forces of these ellipses as they are. It is cheap and smooth, and has no strips and no share in adhesion.
 ///
-/// Forces of KSTRIP_MODEL_STRIP and KSTRIP_MODEL_TOTAL follow widths, gaps and necks without a jump, while strips have one width
-/// but for narrower ones. KSTRIP_MODEL_STRIP_1967 does jump, by up to what a strip carries, where a strip with spin stops
-/// adhering; KSTRIP_MODEL_STRIP_1967_CONTINUOUS has a kink there.
+/// The forces of KSTRIP_MODEL_STRIP and KSTRIP_MODEL_TOTAL follow widths, gaps and necks without a jump, as long as all strips have one width
+/// or are narrower than it. The force of KSTRIP_MODEL_STRIP_1967 jumps, by up to what a strip carries, where a strip with spin stops
+/// adhering; that of KSTRIP_MODEL_STRIP_1967_CONTINUOUS has a kink there.
 ///
-/// Derivatives by load: all pressures grow alike; through Hertz, while all lengths grow like the load's cube root. By
-/// friction: of the mean, all strips' friction growing alike. With friction its factor, (1 - ratio) exp(-decay w) + ratio,
-/// multiplies that of all strips; its own friction does not count, and derivatives by it are those by the mean of the
-/// strips' friction. outputs->strips receives patch->count strips.
+/// For the derivatives by load, all pressures grow by one factor; through Hertz, all lengths grow with the load's cube root as well. For the
+/// derivatives by friction, the friction of all strips grows by one factor, and the derivative is by its mean. If friction is given, the
+/// factor (1 - ratio) exp(-decay w) + ratio multiplies the friction of all strips, and the law's own coefficient is ignored.
+/// outputs->strips receives patch->count strips.
 ///
 /// @param patch           the patch.
 /// @param creepage        motion at the origin.
@@ -149,9 +149,9 @@ pub unsafe extern "C" fn kstrip_patch_evaluate(
     answer(|| evaluate_patch(given(patch)?, given(creepage)?, friction, options, given(places)?))
 }
 
-/// Pressure, traction, slip and state of a patch over a grid; they do not vary over the width of a strip.
+/// Pressure, traction, slip and state of a patch over a grid. They do not vary over the width of a strip.
 ///
-/// Under falling friction: multiply all strips' friction with that of kstrip_patch_evaluate(), and the shear modulus with
+/// Under falling friction multiply the friction of all strips by the factor that kstrip_patch_evaluate() returns, and the shear modulus by
 /// the law's slope_factor.
 ///
 /// @param x, columns      array of x [m] and its size; outside is allowed.

@@ -4,13 +4,14 @@ use super::support::*;
 
 /// The coefficient of friction that explains a measured force at a known creepage.
 ///
-/// At most 90 solutions with derivatives, 35 to 45 on average. The force grows with friction from full sliding, where it is
-/// friction times load, to adhesion, where it does not depend on it: there (less than a twentieth of the
-/// friction used, or more force than linear theory gives) the status is KSTRIP_WARNING_FRICTION_AT_LEAST and
-/// the result is the used friction |force|/load, a lower bound. Where spin opposes the creepage more than one
-/// friction may explain the force: KSTRIP_WARNING_SEVERAL_FRICTIONS, the result is the smallest. KSTRIP_MODEL_TOTAL suits best.
-/// The force of KSTRIP_MODEL_STRIP_1967 jumps where adhesion is born: there a jump across the measured force counts as one of several, is
-/// the result only with KSTRIP_WARNING_NOT_CONVERGED, and about one in ten thousand estimates misses one of several frictions.
+/// The search needs at most 90 solutions with derivatives, and 35 to 45 on average. In full sliding the force is friction times load. As
+/// friction grows the contact begins to adhere, and the force depends on friction less and less. Where the contact adheres (less than a
+/// twentieth of the friction is used, or the force is larger than linear theory gives) the status is KSTRIP_WARNING_FRICTION_AT_LEAST, and
+/// the result is the used friction |force|/load, a lower bound. Where spin opposes the creepage, more than one friction may explain the
+/// force: the status is KSTRIP_WARNING_SEVERAL_FRICTIONS, and the result is the smallest. KSTRIP_MODEL_TOTAL suits best.
+/// The force of KSTRIP_MODEL_STRIP_1967 jumps where a first strip begins to adhere. A jump across the measured force counts there as one of
+/// several solutions, and is returned only with KSTRIP_WARNING_NOT_CONVERGED. About one in ten thousand estimates misses one of several
+/// frictions.
 ///
 /// @param contact         ellipse, load, material; its friction is ignored.
 /// @param creepage        motion.
@@ -52,11 +53,11 @@ pub(super) const BOTH: u32 = KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY;
 
 /// The creepage at which a contact with a given spin carries a wanted force.
 ///
-/// Five solutions with derivatives mostly; 12 in all but about one of a thousand plausible contacts (two of a thousand for the models of
-/// 1967); at most 40, and then KSTRIP_WARNING_NOT_CONVERGED with the creepage that comes nearest. Where spin keeps the force from
-/// growing with the creepage more than one creepage may give the force: the result is one of them. A force within 0.1 % of friction times
-/// load is that of full sliding: the status is KSTRIP_WARNING_CREEPAGE_AT_LEAST, the result is the creepage that comes as near
-/// as that, and larger ones do as well. A lost contact carries no force, at any creepage: the result is zero.
+/// The search mostly needs five solutions with derivatives, and 12 in all but about one of a thousand plausible contacts (two of a thousand
+/// for the models of 1967). It ends after 40 with KSTRIP_WARNING_NOT_CONVERGED and the creepage that comes nearest. Where spin keeps the
+/// force from growing with the creepage, more than one creepage may give the force; the result is one of them. A force within 0.1 % of
+/// friction times load is that of full sliding. The status is then KSTRIP_WARNING_CREEPAGE_AT_LEAST, and every creepage larger than the
+/// result gives the force as well. A lost contact carries no force at any creepage; the result is zero.
 ///
 /// @param contact         ellipse, load, material, friction.
 /// @param fx, fy          wanted force on the lower body [N].

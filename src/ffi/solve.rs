@@ -4,8 +4,8 @@ use super::support::*;
 
 /// Forces of a contact in motion, on the lower body: the fast path.
 ///
-/// Continuous in all inputs; |F| <= mu N. Zero creepage and spin give zero, and so does a lost contact
-/// (normal_force <= 0), with adhesion 0. Bounded time, no iteration that depends on convergence alone.
+/// The forces are continuous in all inputs, and |F| <= mu N. They are zero where creepage and spin are zero, and where the contact is
+/// lost (normal_force <= 0), with adhesion 0. The time is bounded: every iteration has a largest number of steps.
 ///
 /// @param contact         ellipse, load, material, friction.
 /// @param creepage        motion.
@@ -31,12 +31,13 @@ pub extern "C" fn kstrip_solve(
     })
 }
 
-/// Everything about a contact in motion in one call: of the outputs, those that are not NULL.
+/// Computes, for a contact in motion, every output that is not NULL.
 ///
-/// With friction the coefficient of friction falls with the slip and agrees with it (the contact's own does not
-/// count), and all derivatives go through that. Where more than one friction agrees the status is KSTRIP_WARNING_SEVERAL_FRICTIONS and the
-/// result has the largest, but for the two models of 1967 under friction that falls very steeply: their forces jump, or nearly do, where
-/// adhesion is born, and another friction, larger ones included, may stay untold in about one of a thousand such cases.
+/// If friction is given, the coefficient of friction falls with the slip and agrees with it; the contact's own coefficient is ignored. All
+/// derivatives include that dependence. Where more than one friction agrees with its slip, the status is KSTRIP_WARNING_SEVERAL_FRICTIONS
+/// and the result has the largest. The two models of 1967 are an exception under friction that falls very steeply: their forces jump, or
+/// nearly jump, where a first strip begins to adhere, and in about one of a thousand such cases another friction, perhaps a larger one, is
+/// not found.
 /// With KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
 ///
 /// @param contact         ellipse, load, material, friction.
@@ -61,10 +62,10 @@ pub unsafe extern "C" fn kstrip_evaluate(
     answer(|| evaluate(given(contact)?, given(creepage)?, friction, options, given(places)?))
 }
 
-/// Everything that depends on the contact and the options only, for kstrip_solve_prepared().
+/// Computes what depends on the contact and the options only, for kstrip_solve_prepared().
 ///
-/// For rigs whose contact is constant, and for iterations on the creepage. A checksum of the numbers goes with them:
-/// kstrip_solve_prepared() refuses a structure of which a number that it reads has changed, or of the other precision.
+/// Use this for rigs whose contact is constant, and for iterations on the creepage. The structure contains a checksum of its numbers:
+/// kstrip_solve_prepared() refuses a structure whose numbers have changed, or one of the other precision.
 ///
 /// @param contact         ellipse, load, material, friction.
 /// @param options         model and strip count; NULL for the defaults.
@@ -105,9 +106,9 @@ pub extern "C" fn kstrip_solve_prepared(
 /// Forces of a contact that rolls forward, backward, or not at all, with derivatives by its motion: for wheels that stop,
 /// hold and reverse.
 ///
-/// sqrt(rolling_speed^2 + floor_speed^2) stands for the rolling speed in the creepages. Far from standstill the result is
-/// that of the patch whose leading edge lies ahead; near it both directions are blended, so that forces and derivatives are
-/// continuous. Friction opposes the slip at every speed. x stays where it is when the motion reverses.
+/// The creepages are slip over sqrt(rolling_speed^2 + floor_speed^2). Far from standstill the leading edge of the patch lies ahead, in the
+/// direction of the motion. Near standstill the results of both directions are blended, so that forces and derivatives are continuous.
+/// Friction opposes the slip at every speed. The axis x keeps its direction when the motion reverses.
 ///
 /// @param contact         ellipse, load, material, friction.
 /// @param motion          slip, spin rate, signed rolling speed.

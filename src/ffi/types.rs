@@ -29,7 +29,7 @@ pub struct KalkerParameters<F> {
     pub psi: F,
 }
 
-/// Where the outputs of kstrip_evaluate() and kstrip_patch_evaluate() go. NULL is not computed and costs nothing.
+/// Where the outputs of kstrip_evaluate() and kstrip_patch_evaluate() go. An output that is NULL is not computed and costs nothing.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outputs<F> {
@@ -52,7 +52,7 @@ pub struct Outputs<F> {
     pub reserved: u32,
 }
 
-/// Where the outputs of kstrip_solve_motion() go. NULL is not computed and costs nothing.
+/// Where the outputs of kstrip_solve_motion() go. An output that is NULL is not computed and costs nothing.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionOutputs<F> {
@@ -65,10 +65,10 @@ pub struct MotionOutputs<F> {
 }
 
 /// Many contacts with their motion and their friction: for each quantity a pointer to the first one and the distance to
-/// the next in bytes, its stride. Stride 0: one for all.
+/// the next in bytes, its stride. An input with stride 0 is the same for all contacts.
 ///
-/// Arrays of structures (&contacts[0].a, sizeof(kstrip_contact)) are as good as one array for each quantity
-/// (a, sizeof(double)). All but mismatch and law are required unless there are no contacts.
+/// Arrays of structures (&contacts[0].a, sizeof(kstrip_contact)) and one array for each quantity (a, sizeof(double)) are both possible. All
+/// members but mismatch and law are required, unless there are no contacts.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BatchInputs<F> {
@@ -119,7 +119,7 @@ pub struct BatchInputs<F> {
 }
 
 /// Where the results of many contacts go: for each quantity a pointer to the first one and the distance to the next in
-/// bytes. NULL is not wanted and costs nothing.
+/// bytes. An output that is NULL is not computed and costs nothing.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BatchOutputs<F> {
@@ -161,9 +161,9 @@ pub struct BatchOutputs<F> {
     pub law_derivatives_stride: isize,
 }
 
-/// A contact of which everything that does not depend on the motion has been computed. Filled by kstrip_prepare(); plain
-/// numbers without pointers, to be copied and kept as the caller likes, for this version of the library only. They contain their
-/// checksum: a structure that is damaged, foreign or of the other precision is KSTRIP_ERROR_NOT_PREPARED.
+/// A contact for which kstrip_prepare() has computed everything that does not depend on the motion. The structure holds plain numbers and no
+/// pointers, so it may be copied and kept, for this version of the library only. It contains a checksum of its numbers: a structure that is
+/// damaged, foreign or of the other precision gives KSTRIP_ERROR_NOT_PREPARED.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedNumbers<F: Copy> {

@@ -159,7 +159,7 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
 
 /// Force and moment on a wheel on a rail in one call: kstrip_touch(), kstrip_contacts_from_gap(), kstrip_wrench_from_contacts().
 ///
-/// Straight track; in a curve the velocity is that over the momentary track, which is at rest. Bounded time.
+/// The track is straight. In a curve, pass the velocity relative to the momentary track, which is at rest. The time is bounded.
 ///
 /// @param rail, wheel     prepared profiles.
 /// @param pair            materials, friction, side, number of strips, model.

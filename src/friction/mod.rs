@@ -37,8 +37,8 @@ use crate::solve::derivatives;
 use crate::solve::model::{self, Model, Options, Precision, Solution};
 use crate::status::{Error, Notice};
 
-/// Friction that falls with the slip, friction ((1 - ratio) exp(-decay w) + ratio) with the sliding velocity w \[m/s\], and the
-/// stiffness of the layer between the bodies.
+/// Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) + ratio), where w is the sliding velocity
+/// \[m/s\]. A factor reduces the initial slope of the creep curve, for the layer between the bodies.
 ///
 /// Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m; wet 0.3, 0.4, 0.2 s/m.
 #[repr(C)]

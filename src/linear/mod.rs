@@ -40,7 +40,7 @@ impl<F: Plain> LinearCoefficients<F> {
     /// Coefficients for the axis ratio `g = a/b`, positive, `a` along the rolling direction, and
     /// Poisson's ratio `ν`, 0 to 1/2.
     ///
-    /// Within 0.16 % of values computed with CONTACT for `a/b` 0.1 to 10 (`C33`: 0.45 %,
+    /// Within 0.16 % of values computed with CONTACT for `a/b` 0.1 to 10 (`C33`: 0.5 %,
     /// where the reference is known to about 1 %). Beyond that range the slender asymptotes
     /// take over.
     #[must_use]

@@ -123,7 +123,7 @@ pub(super) struct Separatrix<T> {
 }
 
 impl<T: Arithmetic> Separatrix<T> {
-    /// `|A'/s + r e_y| = 1`, Kalker's (5.40): `s = (S + r A_y')/(1 − r²)`, `S² = A_y'² + (1 − r²) A_x²`.
+    /// `|A'/s + r e_y| = 1`, Kalker's (5.41): `s = (S + r A_y')/(1 − r²)`, `S² = A_y'² + (1 − r²) A_x²`.
     #[inline(always)]
     pub fn new(seen: &Seen<T>, spin: &Spin<T>) -> Self {
         let y = seen.y + spin.excess;

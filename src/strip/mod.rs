@@ -19,7 +19,7 @@
 //! t = r e_y + (A/s)(1 − R),   R = √(1 − s/τ)                                               (5.5)
 //! ```
 //!
-//! with `s` where `|p/B| = 1`: the separatrix `x' = s − 1` in closed form, `s = 2κ/c` of (5.40). Their integrals are
+//! with `s` where `|p/B| = 1`: the separatrix `x' = s − 1` in closed form, `s = 2κ/c` of (5.41). Their integrals are
 //! closed too.
 //!
 //! **Behind it** a few nodes `τ = s t` move with the separatrix: nothing stands at fixed places. From node to node `p` grows

@@ -80,7 +80,7 @@ pub enum Regime<T> {
     Adhesion {
         /// `κ/a`: half the distance from the trailing edge to the separatrix, `0 ≤ κ < C`.
         kappa: T,
-        /// `α = ξ̄/κ`: longitudinal amplitude of the half-ellipses, (5.40).
+        /// `α = ξ̄/κ`: longitudinal amplitude of the half-ellipses, (5.5) and (5.40).
         alpha: T,
         /// `β + ψ = η/κ + ψ`: lateral amplitude; `α² + (β + ψ)² = 1`.
         beta_plus_psi: T,
