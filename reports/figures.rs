@@ -6,6 +6,8 @@
 mod panel;
 #[path = "figures/runs.rs"]
 mod runs;
+#[path = "figures/wheelset.rs"]
+mod wheelset;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Parameters;
@@ -737,6 +739,7 @@ fn main() -> Drawn {
     draw_figure_9(&folder)?;
     draw_creep_curves(&folder)?;
     runs::draw(&folder)?;
+    wheelset::draw(&folder)?;
     println!("figures are in docs/figures");
     Ok(())
 }
