@@ -1252,10 +1252,10 @@ typedef struct kstrip_surface {
 } kstrip_surface;
 
 /**
- * A profile of a rail or a wheel from its points, once for all.
+ * Prepares a profile of a rail or a wheel from its points. Do this once for each profile.
  *
- * Points may turn back (a flange that was measured), run either way along y and lie at any distances; their order counts. A
- * wheel's flange and a rail's gauge side are at small y (profiles of a right wheel), z points down.
+ * The points are in their order along the profile. They may run either way along y, turn back (as those of a measured flange do) and lie at
+ * any distances. The flange of a wheel and the gauge side of a rail are at small y (profiles of a right wheel), and z points down.
  *
  * @param y, z, points    the points [m], at least 4; of a rail from its origin, of a wheel from its running circle, z what its radius
  *                        exceeds the wheel radius by.
@@ -1314,7 +1314,7 @@ typedef struct kstrip_gap {
 } kstrip_gap;
 
 /**
- * The gap between a wheel and a rail: the line on the wheel where its normal is across x, and its distance from the rail.
+ * The gap between a wheel and a rail: the line on the wheel along which its normal is perpendicular to x, and its distance from the rail.
  *
  * @param rail, wheel     prepared profiles.
  * @param wheel_radius    radius of the wheel at z = 0 of its profile [m], > 0.
@@ -1335,7 +1335,7 @@ kstrip_status kstrip_touch(const struct kstrip_surface *rail,
                            double *least);
 
 /**
- * What two bodies are made of and how they are computed: once for a wheel. Zero is the default of every member but
+ * Materials and friction of a wheel and a rail, and options of the computation. Zero is the default of every member but
  * wheel_radius and shear_modulus.
  */
 typedef struct kstrip_wheel_pair {
@@ -1406,7 +1406,7 @@ typedef struct kstrip_wheel_contact {
 /**
  * The contacts of a gap, in ascending y of a right wheel.
  *
- * All zones are one normal problem; those that more than 4 mm part are contacts of their own.
+ * All zones are solved together as one normal problem. Zones that are more than 4 mm apart become contacts of their own.
  *
  * @param gap             what lies between the surfaces, from kstrip_touch() or a host's own search.
  * @param pair            materials, friction, side.
@@ -1446,8 +1446,8 @@ typedef struct kstrip_wheel_velocity {
 } kstrip_wheel_velocity;
 
 /**
- * How the wheel moves over the rail at a contact: slip, spin rate and rolling speed, for kstrip_solve_motion() or, divided by the
- * rolling speed, kstrip_patch_evaluate(). Linear in the velocity.
+ * How the wheel moves over the rail at a contact: slip, spin rate and rolling speed. They are the input of kstrip_solve_motion(); divided by
+ * the rolling speed they are that of kstrip_patch_evaluate(). The motion is linear in the velocity.
  *
  * @param contact         a contact.
  * @param velocity        how the wheel moves.
@@ -1483,9 +1483,10 @@ typedef struct kstrip_wrench_derivatives {
 } kstrip_wrench_derivatives;
 
 /**
- * Force and moment on the wheel from its contacts, wherever they come from: a table, kstrip_contacts_from_gap().
+ * Force and moment on the wheel from its contacts. The contacts may come from kstrip_contacts_from_gap() or from a table.
  *
- * Rolling forward, backward and standstill are those of kstrip_solve_motion(): continuous through rest, with its default floor.
+ * The wheel may roll forward or backward, or stand still, as in kstrip_solve_motion(): forces are continuous through rest, with the default
+ * floor of the speed.
  *
  * @param contacts, count  the contacts, at most KSTRIP_CONTACTS_CAPACITY; none: the wheel is lifted, and nothing acts.
  * @param velocity        how the wheel moves.
@@ -1561,8 +1562,8 @@ kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,
                                    struct kstrip_wrench_by_position *by_position);
 
 /**
- * The vertical position at which the rail supports a wheel with a given force: to begin a run, and for tables. At most 40 positions are
- * tried, about eight.
+ * The vertical position at which the rail supports a wheel with a given force. Use it to begin a run, and for tables. The search tries about
+ * eight positions, and 40 at most.
  *
  * @param rail, wheel, pair  as in kstrip_wheel_on_rail().
  * @param position        where the wheel is; its vertical member is where the search begins.

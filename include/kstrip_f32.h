@@ -583,7 +583,7 @@ kstrip_status kstrip_touch_f32(const struct kstrip_surface_f32 *rail,
                                float *least);
 
 /**
- * What two bodies are made of and how they are computed: once for a wheel. Zero is the default of every member but
+ * Materials and friction of a wheel and a rail, and options of the computation. Zero is the default of every member but
  * wheel_radius and shear_modulus.
  */
 typedef struct kstrip_wheel_pair_f32 {

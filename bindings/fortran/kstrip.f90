@@ -414,7 +414,7 @@ module kstrip
       integer(c_int32_t) :: reserved = 0
    end type
 
-   !> What two bodies are made of and how they are computed: once for a wheel.
+   !> Materials and friction of a wheel and a rail, and options of the computation.
    type, bind(c) :: kstrip_wheel_pair
       real(c_double) :: wheel_radius = 0
       real(c_double) :: shear_modulus = 0
@@ -734,7 +734,7 @@ module kstrip
          integer(c_int32_t), value :: capacity
       end function
 
-      !> A profile of a rail or a wheel from its points, once for all.
+      !> Prepares a profile of a rail or a wheel from its points.
       integer(c_int32_t) function kstrip_prepare_profile(y, z, points, step, smoothing_length, surface) bind(c)
          import
          real(c_double), intent(in) :: y(*)
@@ -745,8 +745,8 @@ module kstrip
          type(kstrip_surface), intent(inout) :: surface
       end function
 
-      !> The gap between a wheel and a rail: the line on the wheel where its normal is across x, and its distance from
-      !> the rail.
+      !> The gap between a wheel and a rail: the line on the wheel along which its normal is perpendicular to x, and its
+      !> distance from the rail.
       integer(c_int32_t) function kstrip_touch(rail, wheel, wheel_radius, position, reach, gap, least) bind(c)
          import
          type(kstrip_surface), intent(in) :: rail
@@ -769,8 +769,7 @@ module kstrip
          integer(c_int32_t), intent(inout) :: count
       end function
 
-      !> How the wheel moves over the rail at a contact: slip, spin rate and rolling speed, for kstrip_solve_motion() or,
-      !> divided by the rolling speed, kstrip_patch_evaluate().
+      !> How the wheel moves over the rail at a contact: slip, spin rate and rolling speed.
       integer(c_int32_t) function kstrip_wheel_motion(contact, velocity, motion) bind(c)
          import
          type(kstrip_wheel_contact), intent(in) :: contact
@@ -778,7 +777,7 @@ module kstrip
          type(kstrip_motion), intent(inout) :: motion
       end function
 
-      !> Force and moment on the wheel from its contacts, wherever they come from: a table, kstrip_contacts_from_gap().
+      !> Force and moment on the wheel from its contacts.
       integer(c_int32_t) function kstrip_wrench_from_contacts(contacts, count, velocity, model, &
          friction, wrench, derivatives) bind(c)
          import
@@ -808,7 +807,7 @@ module kstrip
          type(kstrip_wrench_by_position), intent(inout), optional :: by_position
       end function
 
-      !> The vertical position at which the rail supports a wheel with a given force: to begin a run, and for tables.
+      !> The vertical position at which the rail supports a wheel with a given force.
       integer(c_int32_t) function kstrip_height_for_load(rail, wheel, pair, position, support, &
          velocity, friction, workspace, vertical) bind(c)
          import

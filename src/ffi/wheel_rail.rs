@@ -4,10 +4,10 @@ use super::support::*;
 use crate::wheel_rail::scene::Scene;
 use crate::wheel_rail::wrench::Law;
 
-/// A profile of a rail or a wheel from its points, once for all.
+/// Prepares a profile of a rail or a wheel from its points. Do this once for each profile.
 ///
-/// Points may turn back (a flange that was measured), run either way along y and lie at any distances; their order counts. A
-/// wheel's flange and a rail's gauge side are at small y (profiles of a right wheel), z points down.
+/// The points are in their order along the profile. They may run either way along y, turn back (as those of a measured flange do) and lie at
+/// any distances. The flange of a wheel and the gauge side of a rail are at small y (profiles of a right wheel), and z points down.
 ///
 /// @param y, z, points    the points [m], at least 4; of a rail from its origin, of a wheel from its running circle, z what its radius
 ///                        exceeds the wheel radius by.
@@ -34,7 +34,7 @@ pub unsafe extern "C" fn kstrip_prepare_profile(
     })
 }
 
-/// The gap between a wheel and a rail: the line on the wheel where its normal is across x, and its distance from the rail.
+/// The gap between a wheel and a rail: the line on the wheel along which its normal is perpendicular to x, and its distance from the rail.
 ///
 /// @param rail, wheel     prepared profiles.
 /// @param wheel_radius    radius of the wheel at z = 0 of its profile [m], > 0.
@@ -64,7 +64,7 @@ pub extern "C" fn kstrip_touch(
 
 /// The contacts of a gap, in ascending y of a right wheel.
 ///
-/// All zones are one normal problem; those that more than 4 mm part are contacts of their own.
+/// All zones are solved together as one normal problem. Zones that are more than 4 mm apart become contacts of their own.
 ///
 /// @param gap             what lies between the surfaces, from kstrip_touch() or a host's own search.
 /// @param pair            materials, friction, side.
@@ -99,8 +99,8 @@ pub unsafe extern "C" fn kstrip_contacts_from_gap(
     })
 }
 
-/// How the wheel moves over the rail at a contact: slip, spin rate and rolling speed, for kstrip_solve_motion() or, divided by the
-/// rolling speed, kstrip_patch_evaluate(). Linear in the velocity.
+/// How the wheel moves over the rail at a contact: slip, spin rate and rolling speed. They are the input of kstrip_solve_motion(); divided by
+/// the rolling speed they are that of kstrip_patch_evaluate(). The motion is linear in the velocity.
 ///
 /// @param contact         a contact.
 /// @param velocity        how the wheel moves.
@@ -119,9 +119,10 @@ pub extern "C" fn kstrip_wheel_motion(
     })
 }
 
-/// Force and moment on the wheel from its contacts, wherever they come from: a table, kstrip_contacts_from_gap().
+/// Force and moment on the wheel from its contacts. The contacts may come from kstrip_contacts_from_gap() or from a table.
 ///
-/// Rolling forward, backward and standstill are those of kstrip_solve_motion(): continuous through rest, with its default floor.
+/// The wheel may roll forward or backward, or stand still, as in kstrip_solve_motion(): forces are continuous through rest, with the default
+/// floor of the speed.
 ///
 /// @param contacts, count  the contacts, at most KSTRIP_CONTACTS_CAPACITY; none: the wheel is lifted, and nothing acts.
 /// @param velocity        how the wheel moves.
@@ -200,8 +201,8 @@ pub extern "C" fn kstrip_wheel_on_rail(
     })
 }
 
-/// The vertical position at which the rail supports a wheel with a given force: to begin a run, and for tables. At most 40 positions are
-/// tried, about eight.
+/// The vertical position at which the rail supports a wheel with a given force. Use it to begin a run, and for tables. The search tries about
+/// eight positions, and 40 at most.
 ///
 /// @param rail, wheel, pair  as in kstrip_wheel_on_rail().
 /// @param position        where the wheel is; its vertical member is where the search begins.

@@ -93,7 +93,7 @@ impl<F: Float> Velocity<F> {
     }
 }
 
-/// What two bodies are made of and how they are computed: once for a wheel. Zero is the default of every member but
+/// Materials and friction of a wheel and a rail, and options of the computation. Zero is the default of every member but
 /// wheel_radius and shear_modulus.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]

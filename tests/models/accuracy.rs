@@ -116,7 +116,7 @@ fn the_header_states_the_error_of_the_theory_where_it_is_meant() {
     let errors = Errors::of_model::<f64>(&cases, &options(Model::Strip1967, StripCount::Sixteen));
     let mean = figures(&errors.force).mean;
     let header = std::fs::read_to_string(project().join("include/kstrip.h")).expect("the header");
-    let text = format!("against CONTACT there {:.0} % of mu N", 100.0 * mean);
+    let text = format!("mean error against CONTACT is {:.0} % of mu N there", 100.0 * mean);
     assert!(header.replace("\n * ", " ").contains(&text), "include/kstrip.h: {text} ({mean})");
 }
 
