@@ -2,7 +2,9 @@
 # Instructions per call of the C interface, counted by callgrind (valgrind), which are the same in every run of one
 # build, however busy the machine is.
 #
-#   scripts/instructions.sh          writes benches/instructions.txt and the table in README.md
+#   scripts/instructions.sh          writes benches/instructions.txt and the table in docs/reference/instructions.md; docs/models.md has
+#                                    two columns of it (`cargo test --test builds prose` prints its rows), and its picture is drawn by
+#                                    `cargo run --release --example figures`
 #   scripts/instructions.sh --check  fails when a count has grown by more than 3 %
 #
 # Counts depend on the compiler. When it is not the one that is named in the file, --check prints the differences
