@@ -1,21 +1,20 @@
 //! Creep forces of rolling contact by Kalker's strip theory.
 //!
-//! Two bodies roll over each other, pressed together with a force `N`. Where they touch, in an ellipse
-//! with semi-axes `a` (along rolling) and `b` (across), they slip a little, and slip drags: the creep
-//! forces that steer a railway wheel and heat a bearing. J. J. Kalker's *A strip theory for rolling
-//! with slip and spin* (Proc. Kon. Ned. Akad. Wetenschappen B 70 (1967) 10–62) gives them in closed
-//! form: the ellipse is cut into strips along the rolling direction, each a plane problem with an
-//! adhesion area at its leading edge and slip behind it.
+//! Two bodies roll over each other, pressed together with a force `N`. They touch in an ellipse with semi-axes `a`
+//! (along the rolling direction) and `b` (across it), and slip a little there. The slip causes the creep forces, which
+//! steer a railway wheel and heat a bearing. J. J. Kalker's *A strip theory for rolling with slip and spin* (Proc. Kon.
+//! Ned. Akad. Wetenschappen B 70 (1967) 10–62) gives them in closed form. The ellipse is cut into strips along the
+//! rolling direction; each strip is a plane problem with an adhesion area at its leading edge and slip behind it.
 //!
-//! One road leads through the crate, in the direction in which the physics flows:
+//! The modules follow the physics, from the bodies to the results:
 //!
 //! 1. [`contact`]: two bodies, their elastic constants, Hertz's ellipse, creepages from velocities.
 //! 2. [`linear`]: Kalker's coefficients and his linear theory.
 //! 3. [`strip_1967`]: the theory of the paper. [`strip`]: strips that follow the slip. [`total`]: total forces.
-//! 4. [`solve`]: contact, creepage and what is wanted to results and derivatives, for every model. [`batch`]: many at once.
+//! 4. [`solve`]: results and derivatives of a contact and a creepage, for every model. [`batch`]: many contacts at once.
 //! 5. [`patch`]: a patch of any shape as its strips. [`friction`]: friction that falls with the slip. [`rig`]: from a
 //!    measured force to friction, from a wanted force to creepage.
-//! 6. [`number`]: what formulas are written in. [`ffi`]: all of it for C (`include/kstrip.h`).
+//! 6. [`number`]: the types of number that the formulas are written in. [`ffi`]: the functions for C (`include/kstrip.h`).
 //!
 //! # Frame and signs
 //!
@@ -25,7 +24,7 @@
 //!
 //! # Promises
 //!
-//! No allocation, no panic, no state between calls that a result depends on, no dependence on `std`: the same code runs on a PC and on
+//! No function allocates or panics, no result depends on earlier calls, and nothing depends on `std`. The same code runs on a PC and on
 //! a microcontroller, in `f64` and in `f32`.
 //!
 //! # Example

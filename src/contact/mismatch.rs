@@ -14,8 +14,8 @@
 //! forces (`share`) fitted to cases of CONTACT by `fit/fit_mismatch.py`: it is smaller where the pressure's own slip saturates the
 //! rear of the contact.
 //!
-//! **Power.** The work of friction is done on the slip that there is: `P = F_x (υx + Δυx) + F_y υy + M_z φ ≥ 0`. Its part `F_x Δυx`
-//! comes out of the load: tangential traction tilts the pressure of unlike bodies, which the rolling motion works against.
+//! **Power.** Friction does its work on the whole slip: `P = F_x (υx + Δυx) + F_y υy + M_z φ ≥ 0`. The load supplies the part `F_x Δυx`:
+//! in unlike bodies tangential traction tilts the pressure, and the rolling motion works against the tilted pressure.
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Units};

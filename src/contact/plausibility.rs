@@ -1,6 +1,6 @@
-//! Numbers that no contact of two bodies has: mostly a wrong unit.
+//! Numbers that no contact of two bodies has. Their usual cause is a wrong unit.
 //!
-//! A valid result comes with a notice that names the quantity. What is looked at, and what it finds:
+//! The result is valid and comes with a notice that names the quantity. These quantities are tested:
 //!
 //! | quantity | implausible | typical cause | ordinary contacts |
 //! |---|---|---|---|
@@ -15,12 +15,12 @@
 //!
 //! **Spin.** A body of radius `R` that rolls with the contact inclined by `γ` to its axis spins with `φ = tan γ/R`, and Hertz has
 //! `a/R = (π/2)(1 − ν) p₀/G` (a circle). So `φ a G/p₀` is about `tan γ`: 3 on a wheel flange of 70 degrees, 1 in a ball bearing,
-//! and 57 times as much in degrees per metre, found from `γ = 5°` on. Where the ellipse does not follow the load, little load
-//! raises that quotient; then `|φ| √(ab)` tells, the slip by spin at the edge of the contact over rolling speed: 0.01 on the
-//! flange, 0.05 to 0.1 in a ball bearing.
+//! and 57 times as much in degrees per metre, which is detected from `γ = 5°` on. Where the ellipse does not follow the load, a small load
+//! raises that quotient. For this reason `|φ| √(ab)` is tested as well: it is the slip by spin at the edge of the contact over the rolling
+//! speed, 0.01 on the flange and 0.05 to 0.1 in a ball bearing.
 //!
-//! A creepage of 0.1 to 10 is sliding as a ratio, whether or not it was meant as per cent; creep curves in per
-//! cent are found at their end. A spin of a tread contact, 0.1 rad/m, is in degrees that of a flange.
+//! Two cases cannot be detected. A creepage of 0.1 to 10 is sliding, whether or not it was meant as per cent; creep curves in per cent are
+//! detected at their end. The spin of a tread contact, 0.1 rad/m, looks in degrees like that of a flange.
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, USUAL_SPIN};

@@ -7,8 +7,8 @@
 //! ```
 //!
 //! is proportional to the creepage in the theory of Vermeulen and Johnson (J. Appl. Mech. 31 (1964) 338), and nearly so
-//! here. A step that leads no closer is shortened to where the cubic through both ends crosses zero. Where that gets stuck, as beside a fold of the
-//! force, it starts again with larger creepages along the wanted force.
+//! here. A step that leads no closer is shortened to where the cubic through both ends crosses zero. If the search still makes no progress, as
+//! beside a fold of the force, it starts again with larger creepages along the wanted force.
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
@@ -35,9 +35,9 @@ const TAKEN: f64 = 1e4;
 /// With [`Notice::CreepageAtLeast`] the force is within 0.1 % of `μ N`: the result is where it comes as near as that,
 /// and larger creepages do as well.
 ///
-/// Five solutions with derivatives mostly, 12 in all but one of a thousand plausible contacts (two of a thousand for the models of 1967),
-/// at most 40; with [`Notice::NotConverged`] the nearest one that was found. Where spin leaves the force nearly as large over a range of
-/// creepages, more than one creepage may give it, and the result is one of them.
+/// The search mostly needs five solutions with derivatives, and 12 in all but one of a thousand plausible contacts (two of a thousand for the
+/// models of 1967). It ends after 40 with [`Notice::NotConverged`] and the nearest creepage that was found. Where spin keeps the force nearly
+/// constant over a range of creepages, more than one creepage may give it, and the result is one of them.
 ///
 /// # Errors
 /// Those of [`solve`](model::solve), [`Error::ForceBeyondFriction`].

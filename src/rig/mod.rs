@@ -1,14 +1,13 @@
 //! The inverse, for test rigs: from a measured force to friction, from a wanted force to creepage.
 //!
-//! **Friction.** By homogeneity (see [`derivatives`](crate::solve::derivatives)) the force at known creepage depends on `M = μ N` as
-//! `F = M f(c/M)`. It grows with `M` from full sliding, `|F| = M`, to adhesion, where it is the force of linear theory
-//! whatever `M`. So `M` lies between `|F|` and, unless the contact sticks, `20 |F|`. Where spin and translation oppose each other
-//! the force may fall again and meet the measured one more than once: `search` looks for all of these places. The sensitivity to
-//! the force, which grows without bound towards adhesion, is part of the answer.
+//! **Friction.** By homogeneity (see [`derivatives`](crate::solve::derivatives)) the force at a known creepage depends on `M = μ N` as
+//! `F = M f(c/M)`. In full sliding it is `|F| = M`. As `M` grows the contact begins to adhere, and the force tends to that of linear theory,
+//! which does not depend on `M`. So `M` lies between `|F|` and, unless the contact sticks, `20 |F|`. Where spin and translation oppose each
+//! other the force may fall again and equal the measured one more than once; `search` finds all of these places. The sensitivity to the
+//! force, which grows without bound towards adhesion, is part of the result.
 //!
-//! **Creepage.** `(F_x, F_y)` is a monotone function of `(υx, υy)`. Newton's method from the linear answer with the
-//! exact derivatives; steps that do not come closer are damped (Levenberg and Marquardt). Where that gets stuck the
-//! wanted force is approached in stages.
+//! **Creepage.** Newton's method with exact derivatives is applied to the force that there would be without saturation, which is nearly
+//! proportional to the creepage (`creepage`).
 
 mod creepage;
 mod friction;

@@ -1,10 +1,10 @@
-//! Where a function of one variable changes its sign, told by values and exact derivatives: a search that does not step over two
+//! The places where a function of one variable changes its sign, from values and exact derivatives. The search does not step over two
 //! close roots.
 //!
-//! Between two places the function is the cubic that has both values and both slopes (Hermite), but for what the slopes may
-//! hide. How much that is, is judged by how far they are from a parabola's, by how much they turn, and by the width. An interval whose
-//! cubic stays away from zero by more than that is done, and one with a change of sign is done if the slope
-//! keeps its sign. The worst of the others is divided next: where the cubic turns, where it crosses zero, or where it comes closest to zero.
+//! Between two places the function is taken for the cubic that has both values and both slopes (Hermite). The error of this cubic is estimated
+//! from the distance of the slopes to those of a parabola, from the change of the slopes, and from the width. An interval is finished if its
+//! cubic stays away from zero by more than this error, or if the function changes its sign in it and the slope does not. The worst of the other
+//! intervals is divided next: where the cubic turns, where it crosses zero, or where it comes closest to zero.
 
 use crate::number::Float;
 use heapless::Vec;

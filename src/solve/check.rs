@@ -1,4 +1,4 @@
-//! Whether the inputs have an answer: told before anything is computed, so that bad input leaves outputs untouched.
+//! Checks of the inputs before anything is computed, so that bad input leaves outputs untouched.
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;

@@ -1,13 +1,13 @@
 //! Rolling forward, backward, and standstill between them.
 //!
-//! **Creepage** is slip over rolling speed, which ends where the wheel stands. A floor below the speed carries it through:
+//! **Creepage** is slip over rolling speed, which is not defined where the wheel stands. A floor of the speed makes it finite:
 //!
 //! ```text
 //! V_f = √(V² + floor²),   υx, υy = slip/V_f,   φ = spin rate/V_f
 //! ```
 //!
-//! At standstill the contact is then a damper of `C/floor`, `C` the slope of the creep curve; with the default floor of 0.02 m/s a railway
-//! wheel that is held on a slope of 1:50 creeps at 3 µm/s.
+//! At standstill the contact is then a damper of `C/floor`, where `C` is the slope of the creep curve. With the default floor of 0.02 m/s a
+//! railway wheel that is held on a slope of 1:50 creeps at 3 µm/s.
 //!
 //! **The leading edge** is at `x > 0` forward and at `x < 0` backward. Backward rolling is forward rolling seen from the other
 //! end: turn the contact by 180 degrees about `z`, solve, turn back. With `R = diag(−1, −1, 1)`
@@ -16,14 +16,14 @@
 //! F₊(c) = F(c),   F₋(c) = R F(R c),   F = w(V) F₊ + w(−V) F₋,   w = (2 + 3t − t³)/4,   t = V/(3 floor)
 //! ```
 //!
-//! `w` is 1 from `t = 1` on, so that beyond three floors one end leads; between, forces and all derivatives are continuous. Both ends
-//! oppose the slip and keep the bound, hence their mean does: power `F · slip + M_z · spin rate ≥ 0`, `|F| ≤ μ N`. Motion
+//! `w` is 1 from `t = 1` on, so that beyond three floors only one end leads. Between, forces and all derivatives are continuous. The forces of
+//! both ends oppose the slip and keep the bound, hence their mean does: power `F · slip + M_z · spin rate ≥ 0`, `|F| ≤ μ N`. Motion
 //! turned by 180 degrees gives turned forces, to the bit.
 //!
-//! **Unlike materials.** What pressure adds to the slip velocity goes with the rolling speed, and back with it: `V Δυx`. So the ends see the
-//! mismatch `±κ V/V_f`, none at standstill, and both oppose the same slip.
+//! **Unlike materials.** The slip velocity that pressure adds is `V Δυx`: it is proportional to the rolling speed and changes its sign with it.
+//! So the mismatch is `±κ V/V_f` at the two ends and zero at standstill, and the forces of both ends oppose the same slip.
 //!
-//! **Falling friction** takes `V_f` for its rolling speed: what it falls with is the slip velocity, at standstill too. Each end
+//! **Falling friction** takes `V_f` for its rolling speed. Friction falls with the slip velocity, at standstill too. Each end
 //! has the friction that agrees with its own slip.
 
 use crate::contact::Contact;

@@ -1,4 +1,4 @@
-//! A contact, ready for creepages: everything that does not depend on the motion, computed once.
+//! A contact for which everything that does not depend on the motion has been computed.
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
