@@ -134,7 +134,7 @@ const fn cells(count: StripCount) -> usize {
 impl<F: Float> Indentation<F> {
     /// Without contact.
     fn none(profile: &Profile<F>) -> Self {
-        let [first, last] = profile.ends();
+        let [first, last] = profile.ends;
         let none = F::zero();
         Self {
             approach: none,
@@ -266,19 +266,27 @@ impl<F: Float> Outline<F> {
         };
         let section = profile.section(first, radius);
         let length = contact.smoothing(section.half_width);
-        let curve = Curve::new(profile, length, first.value.times(REACH));
+        let mut curve = Curve::new(profile, length, first.value.times(REACH));
+        let radius_there = section.rolling_radius;
         // load and deflection before the normal problem
-        let at = |approach| Estimate::new(&curve, approach, section.rolling_radius);
         let approach = match given {
             Given::Approach(approach) => approach,
             Given::Load(load) => {
-                let found = invert(load, first.value, |approach| at(approach).load);
-                let (approach, steps) = found.ok_or(Error::Overflow)?;
+                curve.still = true;
+                let still_radius = Moving::from_base(radius_there.value);
+                let load_at = |approach| Estimate::new(&curve, approach, still_radius).load;
+                let (found, steps) = invert(load, first.value, load_at).ok_or(Error::Overflow)?;
+                curve.still = false;
                 iterations += steps;
-                approach
+                // f(δ, c) = N, the curve c depending on N: dδ/dN = (1 − ∂f/∂c dc/dN)/(∂f/∂δ)
+                let here = Moving::from_base(found.value);
+                let [by_curve] = Estimate::new(&curve, here, radius_there).load.gradient;
+                let ([by_load], [unit]) = (found.gradient, load.gradient);
+                let rest = F::one() - by_curve / unit;
+                Moving { value: found.value, gradient: [by_load * rest] }
             }
         };
-        let estimate = at(approach);
+        let estimate = Estimate::new(&curve, approach, radius_there);
         let (zones, at_end) = curve.zones(|y, height, slope| {
             // (there it is positive anyway)
             if height.value > approach.value {

@@ -25,6 +25,11 @@ pub struct Profile<'a, F> {
     rolling_radius: &'a [F],
     /// Smallest distance.
     pub(super) lowest: F,
+    pub(super) ends: [F; 2],
+    /// Where knots are counted from, y \[m\].
+    pub(super) middle: F,
+    /// Mean distance of the points \[m\].
+    pub(super) step: F,
 }
 
 /// Where the bodies would overlap.
@@ -55,7 +60,20 @@ impl<'a, F: Float> Profile<'a, F> {
             return Err(Error::Profile);
         }
         let lowest = distance.iter().fold(*first, |lowest, h| lowest.min(*h));
-        Ok(Self { y, distance, centre_x: &[], rolling_radius: &[], lowest })
+        let end = |y: Option<&F>| y.copied().unwrap_or(F::zero());
+        let ends = [end(y.first()), end(y.last())];
+        let [from, to] = ends;
+        let middle = from.times(0.5) + to.times(0.5);
+        let step = (to - from) / F::widened((y.len() - 1) as f32);
+        let none: &[F] = &[];
+        let (centre_x, rolling_radius) = (none, none);
+        Ok(Self { y, distance, centre_x, rolling_radius, lowest, ends, middle, step })
+    }
+
+    /// The same as part of a longer profile, which is smoothed about the same places whichever part is taken.
+    pub(crate) fn part_of_longer(mut self) -> Self {
+        self.middle = F::zero();
+        self
     }
 
     /// The same with the place along `x` \[m\] where the distance is least, for each point: of bodies that yaw.
@@ -92,17 +110,6 @@ impl<'a, F: Float> Profile<'a, F> {
     /// Whether points have rolling radii of their own.
     pub(super) fn has_radii(&self) -> bool {
         !self.rolling_radius.is_empty()
-    }
-
-    pub(super) fn ends(&self) -> [F; 2] {
-        let end = |y: Option<&F>| y.copied().unwrap_or(F::zero());
-        [end(self.y.first()), end(self.y.last())]
-    }
-
-    /// Mean distance of neighbouring points.
-    pub(super) fn step(&self) -> F {
-        let [first, last] = self.ends();
-        (last - first) / F::widened(self.y.len().saturating_sub(1).max(1) as f32)
     }
 
     /// Where the distance is least along `x`.

@@ -14,15 +14,23 @@ const KNOTS: usize = if cfg!(target_os = "none") { 40 } else { 160 };
 pub(super) const ZONES: usize = if cfg!(target_os = "none") { 4 } else { 8 };
 /// Smoothing length over the distance of neighbouring points, at least.
 const STEPS: f64 = 2.5;
+/// Pieces of a profile at most, but for its memory.
+const PIECES: f64 = 4096.0;
 /// Widest the smoothing length by itself \[m\].
 const WIDEST: f64 = 2e-3;
 /// Smoothing length of narrow contacts over their width.
 const SHARE: f64 = 0.5;
 
+/// Knots to a smoothing length.
+const KNOTS_TO_A_LENGTH: f64 = 4.0;
+/// Where the last piece is shorter than this share of the others, the one before ends the profile.
+const STUB: f64 = 1e-3;
+
 /// A place with the height and slope of the smoothed profile.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Knot<F> {
-    pub y: F,
+    /// Moves with the smoothing length.
+    pub y: Moving<F>,
     pub height: Moving<F>,
     pub slope: Moving<F>,
     /// Whether the one before is the neighbour.
@@ -52,15 +60,15 @@ pub(super) type Zones<F> = Vec<Zone<F>, ZONES>;
 #[derive(Clone, Copy)]
 struct Cubic<F> {
     c: [Moving<F>; 4],
-    length: F,
+    length: Moving<F>,
 }
 
 impl<F: Float> Cubic<F> {
-    fn new(length: F, [from, slope]: [Moving<F>; 2], [to, end]: [Moving<F>; 2]) -> Self {
-        let inverse = F::one() / length;
-        let rise = (to - from).scale(inverse);
-        let c2 = (rise.times(3.0) - slope.times(2.0) - end).scale(inverse);
-        let c3 = (slope + end - rise.times(2.0)).scale(inverse * inverse);
+    fn new(length: Moving<F>, [from, slope]: [Moving<F>; 2], [to, end]: [Moving<F>; 2]) -> Self {
+        let inverse = length.inverse();
+        let rise = (to - from) * inverse;
+        let c2 = (rise.times(3.0) - slope.times(2.0) - end) * inverse;
+        let c3 = (slope + end - rise.times(2.0)) * inverse.squared();
         Self { c: [from, slope, c2, c3], length }
     }
 
@@ -76,7 +84,7 @@ impl<F: Float> Cubic<F> {
 
     /// The beginning, the places of extremes, and the end.
     fn cuts(&self) -> [F; 4] {
-        let (length, zero) = (self.length, F::zero());
+        let (length, zero) = (self.length.value, F::zero());
         let [_, c1, c2, c3] = self.c.map(|c| c.value);
         // c₁ + 2 c₂ t + 3 c₃ t² = 0 without cancellation
         let root = c2 * c2 - c1 * c3.times(3.0);
@@ -96,11 +104,12 @@ impl<F: Float> Cubic<F> {
 #[derive(Clone, Debug)]
 pub(super) struct Curve<F> {
     pub knots: Vec<Knot<F>, KNOTS>,
-    /// Distance of neighbouring knots.
-    step: F,
     /// Its lowest point.
     pub lowest: Moving<F>,
+    /// Of the profile.
     ends: [F; 2],
+    /// Whether it is taken as it stands: without the derivatives by what its smoothing length depends on.
+    pub still: bool,
 }
 
 /// The smoothing length without regard to the points: half the width of a narrow contact, 2 mm of a wide one.
@@ -117,20 +126,19 @@ impl<F: Float> Curve<F> {
     /// Of a profile smoothed over a length, where its points are less than `level` above the lowest.
     #[inline(never)]
     pub fn new(profile: &Profile<F>, length: Moving<F>, level: F) -> Self {
-        let ends = profile.ends();
-        let [first, last] = ends;
+        let [first, last] = profile.ends;
         let whole = last - first;
-        let widest = Moving::from_base(whole);
-        let length = length.min(widest);
-        let least = length.value.max(profile.step().times(STEPS)).max(whole / F::of(4096.0));
-        let mut pieces = 4_u32;
-        while F::widened(pieces as f32) * least < whole.times(2.0) {
-            pieces *= 2;
-        }
-        let mut curve =
-            Self { knots: Vec::new(), step: whole, lowest: Moving::from_base(F::zero()), ends };
-        while !curve.fill(profile, length, level, pieces) && pieces > 4 {
-            pieces /= 2;
+        let length = length.min(Moving::from_base(whole));
+        let floor = profile.step.times(STEPS);
+        // s² = s₀² + (2.5 steps)², about as the parabolas have it
+        let smooth = length.squared().shift(floor * floor).sqrt();
+        let mut step = smooth.times(1.0 / KNOTS_TO_A_LENGTH);
+        let least = Moving::from_base(whole.times(1.0 / PIECES));
+        step = step.max(least);
+        let lowest = Moving::from_base(F::zero());
+        let mut curve = Self { knots: Vec::new(), lowest, ends: profile.ends, still: false };
+        while !curve.fill(profile, length, level, step) && step.value < whole {
+            step = step.times(2.0);
         }
         let mut lowest = Moving::from_base(F::LARGEST);
         curve.pieces(
@@ -145,20 +153,35 @@ impl<F: Float> Curve<F> {
         curve
     }
 
-    /// Knots at the ends of so many pieces, near those where the profile is low; whether there was room.
-    fn fill(&mut self, profile: &Profile<F>, length: Moving<F>, level: F, pieces: u32) -> bool {
-        let [first, last] = self.ends;
+    /// Knots at equal steps to both sides of the profile's middle, and at its ends, near those where the profile is low; whether there
+    /// was room.
+    fn fill(&mut self, profile: &Profile<F>, length: Moving<F>, level: F, step: Moving<F>) -> bool {
         self.knots.clear();
-        self.step = (last - first) / F::widened(pieces as f32);
-        let at = |knot: u32| {
-            let share = F::widened(knot as f32) / F::widened(pieces as f32);
-            first * (F::one() - share) + last * share
+        let ([from, to], middle) = (profile.ends, profile.middle);
+        // numbers of the knots next to the ends, which are knots themselves
+        let number = |end: F, outward: f64| {
+            let steps = (end - middle) / step.value;
+            let inside = steps.plus(-STUB * outward);
+            let whole = F::widened(inside.whole() as f32);
+            // (the whole part is that toward zero)
+            let short = (inside - whole).times(outward) < F::zero();
+            inside.whole() + if short { 0 } else { outward as i32 }
+        };
+        let (low_end, high_end) = (number(from, -1.0), number(to, 1.0));
+        let at = |knot: i32| {
+            if knot <= low_end {
+                Moving::from_base(from)
+            } else if knot >= high_end {
+                Moving::from_base(to)
+            } else {
+                step.scale(F::widened(knot as f32)).shift(middle)
+            }
         };
         // of each piece the lowest and the highest point, with the points beside it
-        let ranges = |take: &mut dyn FnMut(u32, F, F) -> bool| {
+        let ranges = |take: &mut dyn FnMut(i32, F, F) -> bool| {
             let mut from = 0;
-            for piece in 0..pieces {
-                let (begin, end) = (at(piece), at(piece + 1));
+            for piece in low_end..high_end {
+                let (begin, end) = (at(piece).value, at(piece + 1).value);
                 let (mut low, mut high) = (F::LARGEST, -F::LARGEST);
                 let points = profile.y.iter().zip(profile.distance).enumerate().skip(from);
                 for (i, (y, h)) in points {
@@ -184,16 +207,16 @@ impl<F: Float> Curve<F> {
             bottom = bottom.min(high);
             true
         });
-        let mut next = 0;
+        let mut next = low_end;
         let mut joined = false;
         let knots = &mut self.knots;
         ranges(&mut |piece, low, _| {
             if low > bottom + level {
                 return true;
             }
-            let wanted = piece.saturating_sub(2);
+            let wanted = (piece - 2).max(low_end);
             joined = joined && wanted <= next;
-            for knot in wanted.max(next)..=(piece + 3).min(pieces) {
+            for knot in wanted.max(next)..=(piece + 3).min(high_end) {
                 let y = at(knot);
                 let (height, slope) = parabola(profile, y, length);
                 if knots.push(Knot { y, height, slope, joined }).is_err() {
@@ -214,20 +237,28 @@ impl<F: Float> Curve<F> {
     ) {
         for (knot, next) in self.knots.iter().zip(self.knots.iter().skip(1)) {
             if next.joined {
-                take(knot, &Cubic::new(self.step, of(knot), of(next)));
+                take(knot, &Cubic::new(next.y - knot.y, of(knot), of(next)));
             }
         }
     }
 
+    fn seen(&self, x: Moving<F>) -> Moving<F> {
+        if self.still { Moving::from_base(x.value) } else { x }
+    }
+
+    /// Place, height above the lowest point, and slope of a knot.
+    fn knot(&self, Knot { y, height, slope, .. }: &Knot<F>) -> [Moving<F>; 3] {
+        [self.seen(*y), self.seen(*height - self.lowest), self.seen(*slope)]
+    }
+
     /// Height above the lowest point.
     pub fn at(&self, y: Moving<F>) -> Moving<F> {
-        let next = self.knots.partition_point(|knot| knot.y < y.value);
+        let next = self.knots.partition_point(|knot| knot.y.value < y.value);
         let next = next.min(self.knots.len().saturating_sub(1)).max(1);
         match self.knots.get(next - 1..=next) {
             Some([knot, end]) => {
-                let ends = [[knot.height, knot.slope], [end.height, end.slope]];
-                let cubic = Cubic::new(self.step, ends[0], ends[1]);
-                cubic.at(y.shift(-knot.y)) - self.lowest
+                let ([from, height, slope], [to, high, steep]) = (self.knot(knot), self.knot(end));
+                Cubic::new(to - from, [height, slope], [high, steep]).at(y - from)
             }
             _ => Moving::from_base(F::zero()),
         }
@@ -242,9 +273,11 @@ impl<F: Float> Curve<F> {
         let mut found = Found { zones: Vec::new(), begun: None, lowest: Moving::zero() };
         let [start, finish] = self.ends;
         let mut at_end = false;
-        let at =
-            |knot: &Knot<F>| of(Moving::from_base(knot.y), knot.height - self.lowest, knot.slope);
-        let mut last: Option<(F, [Moving<F>; 2])> = None;
+        let at = |knot: &Knot<F>| {
+            let [y, height, slope] = self.knot(knot);
+            of(y, height, slope)
+        };
+        let mut last: Option<(Moving<F>, [Moving<F>; 2])> = None;
         let next = self.knots.iter().skip(1).map(Some).chain([None]);
         for (knot, next) in self.knots.iter().zip(next) {
             let own = match last {
@@ -253,32 +286,30 @@ impl<F: Float> Curve<F> {
             };
             if !knot.joined {
                 if let Some((end, _)) = last {
-                    found.end(Moving::from_base(end));
+                    found.end(end);
                 }
                 if own[0].value < F::zero() {
-                    found.begun = Some(Moving::from_base(knot.y));
-                    at_end = at_end || knot.y <= start;
+                    found.begun = Some(self.seen(knot.y));
+                    at_end = at_end || knot.y.value <= start;
                 }
             }
-            last = Some((knot.y, own));
+            last = Some((self.seen(knot.y), own));
             let Some(next) = next.filter(|next| next.joined) else { continue };
             let end = at(next);
-            last = Some((next.y, end));
+            last = Some((self.seen(next.y), end));
             // no cubic falls farther below its ends
-            let fall = (knot.slope.value.abs() + next.slope.value.abs()) * self.step.times(0.15);
+            let ([y, height, slope], [next_y, high, steep]) = (self.knot(knot), self.knot(next));
+            let step = next_y - y;
+            let fall = (slope.value.abs() + steep.value.abs()) * step.value.times(0.15);
             let least = own[0].value.min(end[0].value);
             if least > fall {
                 continue;
             }
-            let heights = Cubic::new(
-                self.step,
-                [knot.height - self.lowest, knot.slope],
-                [next.height - self.lowest, next.slope],
-            );
-            let exact = |t: Moving<F>| of(t.shift(knot.y), heights.at(t), heights.slope(t));
+            let heights = Cubic::new(step, [height, slope], [high, steep]);
+            let exact = |t: Moving<F>| of(t + y, heights.at(t), heights.slope(t));
             // extremes of the profile, and those of the function as a cubic
             let ([zero, a, b, _], [_, c, d, length]) =
-                (heights.cuts(), Cubic::new(self.step, own, end).cuts());
+                (heights.cuts(), Cubic::new(step, own, end).cuts());
             let mut cuts = [a, b, c, d, length];
             for i in 1..cuts.len() {
                 for k in (0..i).rev() {
@@ -298,16 +329,16 @@ impl<F: Float> Curve<F> {
                 found.lowest = found.lowest.min(before).min(after);
                 let (inside, stays) = (before.value < F::zero(), after.value < F::zero());
                 if inside && !stays {
-                    found.end(root(exact, from, to).shift(knot.y));
+                    found.end(root(exact, from, to) + y);
                 } else if stays && !inside {
-                    found.begun = Some(root(exact, to, from).shift(knot.y));
+                    found.begun = Some(root(exact, to, from) + y);
                 }
                 (from, before) = (to, after);
             }
         }
         if let Some((end, _)) = last {
-            at_end = at_end || (found.begun.is_some() && end >= finish);
-            found.end(Moving::from_base(end));
+            at_end = at_end || (found.begun.is_some() && end.value >= finish);
+            found.end(end);
         }
         (found.zones, at_end)
     }
@@ -389,11 +420,15 @@ fn root<F: Float>(
     Moving { value: t, gradient: value.gradient.map(|d| -(d * steep)) }
 }
 
-/// Height and slope of the parabola about `y`.
-fn parabola<F: Float>(profile: &Profile<F>, y: F, length: Moving<F>) -> (Moving<F>, Moving<F>) {
-    let floor = spacing(profile, y);
+/// Height and slope of the parabola about a place.
+fn parabola<F: Float>(
+    profile: &Profile<F>,
+    place: Moving<F>,
+    length: Moving<F>,
+) -> (Moving<F>, Moving<F>) {
     // s² = s₀² + (2.5 steps)²
-    let length = (length.squared().shift(floor * floor)).sqrt();
+    let length = (length.squared() + spacing(profile, place).squared()).sqrt();
+    let y = place.value;
     let inverse = F::one() / length.value;
     let (places, heights) = (profile.y, profile.distance);
     // Σ (1 − x²)² x^k over the points, and with their heights
@@ -424,11 +459,13 @@ fn parabola<F: Float>(profile: &Profile<F>, y: F, length: Moving<F>) -> (Moving<
         *sixth += power * x;
     }
     let [relative] = length.gradient.map(|d| d * inverse);
-    // w = (1 − x²)³ = (1 − x²)² − x² (1 − x²)²; by ln s, x being what it was: dw = 6 x² (1 − x²)²
+    let [shifted] = place.gradient.map(|d| d * inverse);
+    // w = (1 − x²)³ = (1 − x²)² − x² (1 − x²)²; by ln s and by the place over s, x^k being what it was:
+    // dw = 6 x² (1 − x²)², 6 x (1 − x²)²
     let of = |list: &[F], k: usize| {
         let at = |k: usize| list.get(k).copied().unwrap_or(F::zero());
-        let (low, high) = (at(k), at(k + 2));
-        Moving { value: low - high, gradient: [high.times(6.0) * relative] }
+        let (low, middle, high) = (at(k), at(k + 1), at(k + 2));
+        Moving { value: low - high, gradient: [(high * relative + middle * shifted).times(6.0)] }
     };
     let m: [Moving<F>; 5] = core::array::from_fn(|k| of(&moments, k));
     let s: [Moving<F>; 3] = core::array::from_fn(|k| of(&sums, k));
@@ -440,13 +477,19 @@ fn parabola<F: Float>(profile: &Profile<F>, y: F, length: Moving<F>) -> (Moving<
     let [c11, c12] = [m0 * m4 - m2 * m2, m1 * m2 - m0 * m3];
     let scale = (m0 * c00 + m1 * c01 + m2 * c02).inverse();
     let height = (s0 * c00 + s1 * c01 + s2 * c02) * scale;
-    let slope = (s0 * c01 + s1 * c11 + s2 * c12) * scale.scale(inverse);
+    let slope = (s0 * c01 + s1 * c11 + s2 * c12) * scale;
+    let bend = (s0 * c02 + s1 * c12 + s2 * (m0 * m2 - m1 * m1)) * scale;
+    // the same parabola about the place that has moved
+    let moved =
+        |x: Moving<F>, slope: F| x + Moving { value: F::zero(), gradient: [slope * shifted] };
+    let (height, slope) =
+        (moved(height, slope.value), moved(slope, bend.value.times(2.0)).scale(inverse));
     (height, slope)
 }
 
 /// 2.5 steps of the profile at `y`, straight between its points; at least 1.25 times the gap that `y` lies in.
-fn spacing<F: Float>(profile: &Profile<F>, y: F) -> F {
-    let places = profile.y;
+fn spacing<F: Float>(profile: &Profile<F>, place: Moving<F>) -> Moving<F> {
+    let (places, y) = (profile.y, place.value);
     let last = places.len().saturating_sub(1);
     let next = places.partition_point(|place| *place < y).min(last).max(1);
     let at = |i: usize| places.get(i.min(last)).copied().unwrap_or(y);
@@ -458,7 +501,7 @@ fn spacing<F: Float>(profile: &Profile<F>, y: F) -> F {
         even.times(STEPS).max(gap.times(0.5 * STEPS))
     };
     let (from, to) = (at(next - 1), at(next));
-    let share = (y - from) / (to - from);
+    let share = place.shift(-from).scale(F::one() / (to - from));
     let (before, after) = (of(next - 1), of(next));
-    before + (after - before) * share
+    share.scale(after - before).shift(before)
 }

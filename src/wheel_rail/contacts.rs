@@ -211,6 +211,7 @@ impl<'a, F: Precision> View<'a, F> {
     fn profile(&self, window: Range<usize>) -> Result<Profile<'a, F>, Error> {
         let part = |list: &'a [F]| list.get(window.clone()).unwrap_or(&[]);
         Profile::new(part(self.along), part(self.distance))?
+            .part_of_longer()
             .with_centre_x(part(&self.gap.x))?
             .with_rolling_radius(part(&self.gap.rolling_radius))
     }

@@ -14,9 +14,10 @@ use crate::status::{Error, Notice};
 const STEP: f64 = 0.15;
 const ANGLE_STEP: f64 = 0.15;
 /// Heights that are tried at most for a load.
-const HEIGHTS: u32 = 40;
-/// How far the wheel moves at most from one height to the next \[m\], and when it stays \[m\].
+const HEIGHTS: u32 = 64;
+/// How far the wheel moves at most from one height to the next \[m\], and which heights are one \[m\].
 const FARTHEST: f64 = 1e-4;
+const NEAREST: f64 = 1e-14;
 
 /// Memory of the caller that one wheel is computed in; it may hold anything before. After KSTRIP_OK or a warning it holds the gap
 /// and the contacts of the position, after an error nothing of use.
@@ -130,8 +131,8 @@ impl<F: Precision> Scene<'_, F> {
 
     /// The vertical position at which the rail supports the wheel with a force; `velocity` decides whether creep forces help it.
     ///
-    /// The support grows with the vertical position, from zero where the wheel is lifted: by bracketing, then by secants over force to
-    /// the power 2/3, as Hertz's is nearly straight.
+    /// The support grows with the vertical position, from zero where the wheel is lifted: by bracketing, then by the Illinois variant of
+    /// false position over force to the power 2/3, as Hertz's is nearly straight.
     ///
     /// # Errors
     /// Those of [`Scene::solve`]; [`Error::NormalForce`] for a force that is not positive.
@@ -152,9 +153,10 @@ impl<F: Precision> Scene<'_, F> {
         let mut here = self.first_touch(position, memory)?;
         let straight = |force: F| force.max(F::zero()).squared().cube_root();
         let wanted = straight(support);
-        // lifted, or less than wanted; more than wanted
-        let mut above: Option<(F, F)> = Some((here, F::zero()));
+        // lifted, or less than wanted; more than wanted: the height, and what the load exceeds the wanted one by
+        let mut above: Option<(F, F)> = Some((here, -wanted));
         let mut below: Option<(F, F)> = None;
+        let (mut sank, mut rose) = (false, false);
         let far = F::of(FARTHEST);
         here += far.times(0.5);
         for _ in 0..HEIGHTS {
@@ -167,14 +169,21 @@ impl<F: Precision> Scene<'_, F> {
             if rest.abs() <= wanted * F::EPSILON.times(64.0) {
                 return Ok((here, Notice::None));
             }
+            // an end that stays counts half
             if rest < F::zero() {
-                above = Some((here, force));
+                below = below.map(|(low, more)| (low, if sank { more.times(0.5) } else { more }));
+                above = Some((here, rest));
             } else {
-                below = Some((here, force));
+                above = above.map(|(high, less)| (high, if rose { less.times(0.5) } else { less }));
+                below = Some((here, rest));
             }
+            (sank, rose) = (rest < F::zero(), rest >= F::zero());
             let next = match (above, below) {
                 (Some((high, less)), Some((low, more))) => {
-                    let share = ((wanted - less) / (more - less)).clamped(F::of(0.02), F::of(0.98));
+                    if low - high <= F::of(NEAREST) {
+                        return Ok((here, Notice::None));
+                    }
+                    let share = (less / (less - more)).clamped(F::of(0.02), F::of(0.98));
                     high + (low - high) * share
                 }
                 (Some((high, _)), None) => high + far,

@@ -436,11 +436,11 @@ fn stiffness_is_the_slope_of_the_load() {
             let middle = at(Given::Approach(approach));
             let [low, high] = [-1e-4, 1e-4].map(|x| at(Given::Approach(approach * (1.0 + x))));
             let slope = (high.normal_force - low.normal_force) / (2e-4 * approach);
-            assert_relative_eq!(middle.stiffness, slope, max_relative = 1e-4);
+            assert_relative_eq!(middle.stiffness, slope, max_relative = 1e-6);
             let load = middle.normal_force;
             let [low, high] = [-1e-4, 1e-4].map(|x| at(Given::Load(load * (1.0 + x))));
             let slope = 2e-4 * load / (high.approach - low.approach);
-            assert_relative_eq!(at(Given::Load(load)).stiffness, slope, max_relative = 1e-4);
+            assert_relative_eq!(at(Given::Load(load)).stiffness, slope, max_relative = 1e-6);
         }
     }
 }
