@@ -22,7 +22,7 @@ const WIDEST: f64 = 2e-3;
 const SHARE: f64 = 0.5;
 
 /// Knots to a smoothing length.
-const KNOTS_TO_A_LENGTH: f64 = 4.0;
+const KNOTS_TO_A_LENGTH: f64 = 6.0;
 /// Where the last piece is shorter than this share of the others, the one before ends the profile.
 const STUB: f64 = 1e-3;
 
