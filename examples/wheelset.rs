@@ -373,10 +373,9 @@ fn lifts_one_wheel_and_sets_it_down() -> Result<(), Error> {
     let carried = LOAD * BOX / (BOX + HALF_WIDTH);
     assert!(height > 14e-3 && right == 0.0, "{height} {right}");
     assert!((left / carried - 1.0).abs() < 0.02, "{left} {carried}");
+    // (the wheelset still swings back from the flange to the middle)
     let [_, _, right, left] = history[history.len() - 1];
-    assert!(
-        (right / left - 1.0).abs() < 0.1 && (right + left - LOAD).abs() < 500.0,
-        "{right} {left}"
-    );
+    assert!((right / left - 1.0).abs() < 0.1, "{right} {left}");
+    assert!((right + left - LOAD).abs() < 0.02 * LOAD, "{right} {left}");
     Ok(())
 }
