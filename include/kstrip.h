@@ -473,7 +473,7 @@ typedef struct kstrip_result {
     double mz;
     /**
      * Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin [N]: energy dissipated per metre
-     * rolled. Of unlike bodies the longitudinal creepage counts together with that which pressure makes.
+     * rolled. For unlike bodies the creepage that pressure makes is added to the longitudinal one.
      */
     double power;
     /**
@@ -519,7 +519,7 @@ kstrip_status kstrip_solve(const struct kstrip_contact *contact,
 typedef struct kstrip_friction {
     /** Coefficient of friction without slip [-], >= 0. */
     double friction;
-    /** Friction at infinite sliding velocity over that at none [-], 0 to 1; 1: friction is constant. */
+    /** Friction at infinite sliding velocity over friction at zero velocity [-], 0 to 1; 1: friction is constant. */
     double ratio;
     /** How fast friction falls [s/m], >= 0; 0: friction is constant. */
     double decay;
@@ -956,15 +956,15 @@ kstrip_status kstrip_field(const struct kstrip_contact *contact,
 /** Strips that a kstrip_patch has room for. */
 #define KSTRIP_PATCH_CAPACITY 64
 
-/** The undeformed distance of two bodies across the rolling direction, at points in ascending y; straight between them. */
+/** The undeformed distance of two bodies across the rolling direction, at points in ascending y. It is linear between the points. */
 typedef struct kstrip_profile {
     /** Places y [m], ascending. */
     const double *y;
-    /** Distance of the bodies there [m], the least along x; what is added to all does not matter. */
+    /** Distance of the bodies there [m], the least along x. A constant added to all distances changes nothing. */
     const double *distance;
-    /** Where along x [m] it is the least: bodies that yaw touch ahead on one side, behind on the other; NULL: at 0. */
+    /** Place along x [m] where the distance is least; bodies that yaw touch ahead on one side and behind on the other. NULL: at 0. */
     const double *centre_x;
-    /** Rolling radius [m], > 0, of each point; NULL: that of the contact, which does not count otherwise. */
+    /** Rolling radius [m], > 0, of each point; it replaces that of the contact. NULL: the contact's own. */
     const double *rolling_radius;
     /** Number of points, at least 2. */
     uint32_t points;
@@ -977,7 +977,7 @@ typedef struct kstrip_profile {
  * normal_force and approach.
  */
 typedef struct kstrip_profile_contact {
-    /** Rolling radius [m], > 0; of two rolling bodies 1/R = 1/R_lower + 1/R_upper. Not looked at where the profile has its own. */
+    /** Rolling radius [m], > 0; of two rolling bodies 1/R = 1/R_lower + 1/R_upper. It is ignored where the profile has its own radii. */
     double rolling_radius;
     /** Normal force N [N], >= 0; 0: approach decides. */
     double normal_force;
@@ -1117,7 +1117,7 @@ kstrip_status kstrip_patch_from_strips(const struct kstrip_patch_strip *strips,
                                        struct kstrip_patch *patch);
 
 /**
- * The strips of a contact's ellipse, where KSTRIP_MODEL_STRIP places them; none where it is lost.
+ * The strips of a contact's ellipse, at the places of KSTRIP_MODEL_STRIP. A lost contact has no strips.
  *
  * kstrip_patch_evaluate() with KSTRIP_MODEL_STRIP gives the result of kstrip_solve() with that model and the same strip count, to rounding.
  * For the models of 1967 kstrip_solve() integrates over the whole ellipse in closed form, and a patch sums its strips: the forces differ by
@@ -1321,7 +1321,7 @@ typedef struct kstrip_gap {
  * @param position        where the wheel is, a right one; of a left one lateral, yaw and roll with opposite signs.
  * @param reach           points farther apart are left out [m]; 0: 2 mm.
  * @param[out] gap        receives the points.
- * @param[out] least      receives their least distance [m], negative where the surfaces overlap, reach where none is nearer;
+ * @param[out] least      receives their least distance [m]: negative where the surfaces overlap, and reach where no point is nearer;
  *                        NULL: not wanted.
  * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NOT_PREPARED, KSTRIP_ERROR_ROLLING_RADIUS,
  *         KSTRIP_ERROR_PROFILE_END (the wheel is beside the rail).
@@ -1488,7 +1488,7 @@ typedef struct kstrip_wrench_derivatives {
  * The wheel may roll forward or backward, or stand still, as in kstrip_solve_motion(): forces are continuous through rest, with the default
  * floor of the speed.
  *
- * @param contacts, count  the contacts, at most KSTRIP_CONTACTS_CAPACITY; none: the wheel is lifted, and nothing acts.
+ * @param contacts, count  the contacts, at most KSTRIP_CONTACTS_CAPACITY; a wheel without contacts is lifted, and its forces are zero.
  * @param velocity        how the wheel moves.
  * @param model           KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967.
  * @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL: constant.

@@ -402,7 +402,7 @@ kstrip_status kstrip_field_f32(const struct kstrip_contact_f32 *contact,
  * @{
  */
 
-/** The undeformed distance of two bodies across the rolling direction, at points in ascending y; straight between them. */
+/** The undeformed distance of two bodies across the rolling direction, at points in ascending y. It is linear between the points. */
 typedef struct kstrip_profile_f32 {
     const float *y;
     const float *distance;

@@ -314,8 +314,7 @@ module kstrip
       integer(c_int32_t) :: reserved = 0
    end type
 
-   !> The undeformed distance of two bodies across the rolling direction, at points in ascending y; straight between
-   !> them.
+   !> The undeformed distance of two bodies across the rolling direction, at points in ascending y.
    type, bind(c) :: kstrip_profile
       type(c_ptr) :: y = c_null_ptr
       type(c_ptr) :: distance = c_null_ptr
@@ -695,7 +694,7 @@ module kstrip
          type(kstrip_patch), intent(inout) :: patch
       end function
 
-      !> The strips of a contact's ellipse, where KSTRIP_MODEL_STRIP places them; none where it is lost.
+      !> The strips of a contact's ellipse, at the places of KSTRIP_MODEL_STRIP.
       integer(c_int32_t) function kstrip_patch_from_contact(contact, options, patch) bind(c)
          import
          type(kstrip_contact), intent(in) :: contact

@@ -70,7 +70,7 @@ pub unsafe extern "C" fn kstrip_patch_from_strips(
     })
 }
 
-/// The strips of a contact's ellipse, where KSTRIP_MODEL_STRIP places them; none where it is lost.
+/// The strips of a contact's ellipse, at the places of KSTRIP_MODEL_STRIP. A lost contact has no strips.
 ///
 /// kstrip_patch_evaluate() with KSTRIP_MODEL_STRIP gives the result of kstrip_solve() with that model and the same strip count, to rounding.
 /// For the models of 1967 kstrip_solve() integrates over the whole ellipse in closed form, and a patch sums its strips: the forces differ by

@@ -191,17 +191,17 @@ pub struct PatchSummary<F> {
     pub reserved: u32,
 }
 
-/// The undeformed distance of two bodies across the rolling direction, at points in ascending y; straight between them.
+/// The undeformed distance of two bodies across the rolling direction, at points in ascending y. It is linear between the points.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProfilePoints<F> {
     /// Places y [m], ascending.
     pub y: *const F,
-    /// Distance of the bodies there [m], the least along x; what is added to all does not matter.
+    /// Distance of the bodies there [m], the least along x. A constant added to all distances changes nothing.
     pub distance: *const F,
-    /// Where along x [m] it is the least: bodies that yaw touch ahead on one side, behind on the other; NULL: at 0.
+    /// Place along x [m] where the distance is least; bodies that yaw touch ahead on one side and behind on the other. NULL: at 0.
     pub centre_x: *const F,
-    /// Rolling radius [m], > 0, of each point; NULL: that of the contact, which does not count otherwise.
+    /// Rolling radius [m], > 0, of each point; it replaces that of the contact. NULL: the contact's own.
     pub rolling_radius: *const F,
     /// Number of points, at least 2.
     pub points: u32,
@@ -214,7 +214,7 @@ pub struct ProfilePoints<F> {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProfileOptions<F> {
-    /// Rolling radius [m], > 0; of two rolling bodies 1/R = 1/R_lower + 1/R_upper. Not looked at where the profile has its own.
+    /// Rolling radius [m], > 0; of two rolling bodies 1/R = 1/R_lower + 1/R_upper. It is ignored where the profile has its own radii.
     pub rolling_radius: F,
     /// Normal force N [N], >= 0; 0: approach decides.
     pub normal_force: F,

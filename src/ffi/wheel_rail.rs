@@ -41,7 +41,7 @@ pub unsafe extern "C" fn kstrip_prepare_profile(
 /// @param position        where the wheel is, a right one; of a left one lateral, yaw and roll with opposite signs.
 /// @param reach           points farther apart are left out [m]; 0: 2 mm.
 /// @param[out] gap        receives the points.
-/// @param[out] least      receives their least distance [m], negative where the surfaces overlap, reach where none is nearer;
+/// @param[out] least      receives their least distance [m]: negative where the surfaces overlap, and reach where no point is nearer;
 ///                        NULL: not wanted.
 /// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NOT_PREPARED, KSTRIP_ERROR_ROLLING_RADIUS,
 ///         KSTRIP_ERROR_PROFILE_END (the wheel is beside the rail).
@@ -124,7 +124,7 @@ pub extern "C" fn kstrip_wheel_motion(
 /// The wheel may roll forward or backward, or stand still, as in kstrip_solve_motion(): forces are continuous through rest, with the default
 /// floor of the speed.
 ///
-/// @param contacts, count  the contacts, at most KSTRIP_CONTACTS_CAPACITY; none: the wheel is lifted, and nothing acts.
+/// @param contacts, count  the contacts, at most KSTRIP_CONTACTS_CAPACITY; a wheel without contacts is lifted, and its forces are zero.
 /// @param velocity        how the wheel moves.
 /// @param model           KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967.
 /// @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL: constant.

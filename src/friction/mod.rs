@@ -46,7 +46,7 @@ use crate::status::{Error, Notice};
 pub struct SlipFriction<F> {
     /// Coefficient of friction without slip \[-\], >= 0.
     pub friction: F,
-    /// Friction at infinite sliding velocity over that at none \[-\], 0 to 1; 1: friction is constant.
+    /// Friction at infinite sliding velocity over friction at zero velocity \[-\], 0 to 1; 1: friction is constant.
     pub ratio: F,
     /// How fast friction falls \[s/m\], >= 0; 0: friction is constant.
     pub decay: F,

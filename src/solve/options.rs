@@ -73,7 +73,7 @@ pub struct Solution<F> {
     /// Moment about z at the centre of the contact \[N m\].
     pub mz: F,
     /// Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin \[N\]: energy dissipated per metre
-    /// rolled. Of unlike bodies the longitudinal creepage counts together with that which pressure makes.
+    /// rolled. For unlike bodies the creepage that pressure makes is added to the longitudinal one.
     pub power: F,
     /// Share of the contact area in adhesion \[-\], 0 to 1. KSTRIP_MODEL_TOTAL does not know it: -1; KSTRIP_MODEL_LINEAR
     /// has adhesion everywhere: 1.

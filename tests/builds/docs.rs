@@ -406,6 +406,22 @@ fn pages_are_short() {
     }
 }
 
+/// The order of the warnings has all of them.
+#[test]
+fn every_warning_has_its_place() {
+    let read = |page: &str| std::fs::read_to_string(root().join(page)).expect("a page");
+    let page = read("docs/reference/bad-input.md");
+    let order = page.split("## Which warning is told").nth(1).expect("the section");
+    let header = read("include/kstrip.h");
+    let mut count = 0;
+    for line in header.lines().filter_map(|line| line.strip_prefix("#define KSTRIP_WARNING_")) {
+        let name = format!("`KSTRIP_WARNING_{}`", line.split(' ').next().expect("a name"));
+        assert_eq!(order.matches(&name).count(), 1, "{name}");
+        count += 1;
+    }
+    assert!(count > 15, "{count}");
+}
+
 /// Files that a page links or names in backticks are there.
 #[test]
 fn pages_name_files_that_exist() {
