@@ -12,6 +12,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
 import numpy as np
 
 import kstrip
+import wheel_on_rail as scene
 
 STEEL = dict(a=6e-3, b=4.5e-3, normal_force=80e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3)
 CONTACT = kstrip.contact(**STEEL)
@@ -260,6 +261,93 @@ class Binding(unittest.TestCase):
             kstrip.solve(CONTACT, kstrip.creepage(1e-3))
             with self.assertRaises(kstrip.KstripWarning):
                 kstrip.solve(kstrip.contact(**{**STEEL, "shear_modulus": 82.0}), kstrip.creepage(1e-3))
+
+
+class WheelOnRail(unittest.TestCase):
+    """The functions of the scene, and the example bindings/python/wheel_on_rail.py."""
+
+    VELOCITY = kstrip.wheel_velocity(forward=20.0, pitch=-43.6, lateral=0.02)
+
+    def test_rail_carries_the_load_and_friction_bounds_the_rest(self):
+        found = kstrip.wheel_on_rail(scene.RAIL, scene.WHEEL, scene.pair(), scene.carried(1e-3), self.VELOCITY, by_position=True)
+        contact, wrench = found.contacts[0], found.wrench
+        self.assertEqual((len(found.contacts), int(wrench["contacts"])), (1, 1))
+        self.assertAlmostEqual(float(contact["normal_force"] * contact["normal"][2]), scene.LOAD, delta=1e-6 * scene.LOAD)
+        fx, fy, _ = wrench["force"]
+        self.assertGreater(fx, 0.0)
+        self.assertLess(np.hypot(fx, fy), 0.32 * scene.LOAD)
+        # creep forces take from the wheel what friction dissipates; pressure does no work but by the normal velocity
+        velocity = np.array([self.VELOCITY[name] for name in ("forward", "lateral", "vertical", "roll", "pitch", "yaw")], float)
+        given = float(np.concatenate([wrench["force"], wrench["moment"]]) @ velocity)
+        pressed = -float(contact["normal_force"] * (contact["normal"] @ velocity))
+        self.assertAlmostEqual(given - pressed, -float(wrench["dissipation"]), delta=1e-9 * abs(given) + 1e-3)
+        # derivatives by height: differences
+        place = scene.carried(1e-3)
+        sides = []
+        for step in (-1e-6, 1e-6):
+            moved = place.copy()
+            moved["vertical"] += step
+            sides.append(kstrip.wheel_on_rail(scene.RAIL, scene.WHEEL, scene.pair(), moved, self.VELOCITY).wrench["force"][2])
+        slope = (sides[1] - sides[0]) / 2e-6
+        self.assertAlmostEqual(float(found.by_position["vertical"][2]) / slope, 1.0, delta=1e-3)
+
+    def test_left_wheel_is_the_mirror_image(self):
+        right, left = scene.forces(2e-3), scene.forces(-2e-3, left=True)
+        mirrored = np.array([1.0, -1.0, 1.0]) * left.wrench["force"]
+        np.testing.assert_array_equal(right.wrench["force"], mirrored)
+
+    def test_lifted_wheel_has_no_force(self):
+        place = scene.carried(0.0)
+        place["vertical"] -= 5e-3
+        found = kstrip.wheel_on_rail(scene.RAIL, scene.WHEEL, scene.pair(), place, self.VELOCITY)
+        self.assertEqual((len(found.contacts), int(found.wrench["contacts"])), (0, 0))
+        self.assertFalse(np.any(found.wrench["force"]) or np.any(found.wrench["moment"]))
+
+    def test_friction_differs_along_the_rail_and_falls(self):
+        place, fast = scene.carried(0.0), kstrip.wheel_velocity(forward=20.0, pitch=-48.0)
+        forces = []
+        for friction, law in ((0.3, None), ([(-0.05, 0.3), (0.05, 0.3)], None), ([(-0.02, 0.1), (0.0, 0.3)], None), (0.3, WET)):
+            pair = kstrip.wheel_pair(wheel_radius=0.46, shear_modulus=82e9, poisson_ratio=0.28, friction=friction)
+            forces.append(float(kstrip.wheel_on_rail(scene.RAIL, scene.WHEEL, pair, place, fast, law).wrench["force"][0]))
+        even, places, greased, falling = forces
+        self.assertAlmostEqual(places / even, 1.0, delta=1e-12)
+        self.assertTrue(0.4 * even < greased < 0.9 * even, greased / even)
+        # the wheel slides at 2 m/s: friction is 0.6 exp(-0.6 * 2) ... of itself
+        self.assertAlmostEqual(falling / even, 0.4 + 0.6 * np.exp(-0.6 * 2.0), delta=0.03)
+
+    def test_single_precision(self):
+        rail, wheel = (kstrip.prepare_profile(given["y"][: int(given["count"])], given["z"][: int(given["count"])], dtype=np.float32)
+                       for given in (scene.RAIL, scene.WHEEL))
+        pair = kstrip.wheel_pair(wheel_radius=0.46, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3, dtype=np.float32)
+        place = kstrip.wheel_position(lateral=scene.carried(0.0)["lateral"], dtype=np.float32)
+        place["vertical"] = kstrip.height_for_load(rail, wheel, pair, place, scene.LOAD)
+        velocity = kstrip.wheel_velocity(forward=20.0, pitch=-43.6, dtype=np.float32)
+        single = kstrip.wheel_on_rail(rail, wheel, pair, place, velocity).wrench
+        double = scene.forces(0.0, pitch=-43.6).wrench
+        self.assertEqual(single["force"].dtype, np.float32)
+        np.testing.assert_allclose(single["force"], double["force"], atol=0.01 * scene.LOAD)
+
+    def test_bad_input_is_named(self):
+        with self.assertRaisesRegex(kstrip.KstripError, "profile"):
+            kstrip.prepare_profile([0.0, 1e-3, 2e-3], [0.0, 0.0, 0.0])
+        with self.assertRaisesRegex(ValueError, "up to 4 pairs"):
+            kstrip.wheel_pair(wheel_radius=0.46, shear_modulus=82e9, poisson_ratio=0.28, friction=[(0.0, 0.3)] * 5)
+        beside = kstrip.wheel_position(lateral=0.3)
+        with self.assertRaises(kstrip.KstripError):
+            kstrip.wheel_on_rail(scene.RAIL, scene.WHEEL, scene.pair(), beside, self.VELOCITY)
+
+    def test_curve_steers_and_table_converges(self):
+        # a wheelset to the outside of a curve: the outer wheel runs ahead in straight track, and no more where the curve asks for its radius
+        outer, inner = scene.curve(np.inf, -4e-3)
+        self.assertTrue(outer > 5e3 and inner < -5e3)
+        difference = scene.rolling_radius(-4e-3, left=True) - scene.rolling_radius(-4e-3)
+        radial = 2.0 * scene.HALF_WIDTH * scene.RADIUS / difference
+        balanced, _ = scene.curve(radial, -4e-3)
+        self.assertLess(abs(balanced), 0.12 * outer)
+        between = np.linspace(-2.9e-3, 2.9e-3, 11)
+        means = [scene.Table(np.linspace(-3e-3, 3e-3, count), self.VELOCITY).error(between, self.VELOCITY)[0] for count in (7, 25)]
+        self.assertTrue(means[1] < 0.5 * means[0] and means[1] < 0.002, means)
+        self.assertAlmostEqual(scene.equivalent_conicity(3e-3), 0.163, delta=0.002)
 
 
 if __name__ == "__main__":
