@@ -6,6 +6,8 @@
 mod panel;
 #[path = "figures/runs.rs"]
 mod runs;
+#[path = "figures/scenes.rs"]
+mod scenes;
 #[path = "figures/wheelset.rs"]
 mod wheelset;
 
@@ -740,6 +742,7 @@ fn main() -> Drawn {
     draw_creep_curves(&folder)?;
     runs::draw(&folder)?;
     wheelset::draw(&folder)?;
+    scenes::draw(&folder)?;
     println!("figures are in docs/figures");
     Ok(())
 }

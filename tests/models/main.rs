@@ -1,5 +1,7 @@
 //! The models against CONTACT, their slopes, patches, friction and the inverse.
 
+#[path = "../common/manchester.rs"]
+mod manchester;
 #[path = "../common/names.rs"]
 mod names;
 #[path = "../common/patch_reference.rs"]

@@ -1,5 +1,6 @@
 //! Wheel on rail: against CONTACT on real profiles, exact cases, symmetry, power, slopes, continuity, friction by place, bad input.
 
+use crate::manchester::{self, Wheelset, points, zeroed};
 use approx::assert_relative_eq;
 use kstrip::contact::forces::StripCount;
 use kstrip::contact::hertz::{Radii, hertz};
@@ -12,12 +13,6 @@ use kstrip::wheel_rail::{Pair, Position, Velocity};
 use std::collections::HashMap;
 
 type Members = [f64; 6];
-
-/// Zeroed memory of plain numbers, on the heap because it is large.
-fn zeroed<T>() -> Box<T> {
-    // SAFETY: all bits zero are a structure of numbers.
-    unsafe { Box::new(std::mem::MaybeUninit::<T>::zeroed().assume_init()) }
-}
 
 fn rows(name: &str) -> Vec<HashMap<String, String>> {
     let path = format!("{}/tests/data/wheel_rail/{name}.csv", env!("CARGO_MANIFEST_DIR"));
@@ -36,12 +31,11 @@ fn surface(y: &[f64], z: &[f64]) -> Box<Surface<f64>> {
 
 /// A profile of the data, turned about its origin.
 fn profile(name: &str, turn: f64) -> Box<Surface<f64>> {
-    let points: Vec<[f64; 2]> = rows(name)
-        .iter()
-        .map(|row| [number(row, "y_mm") * 1e-3, number(row, "z_mm") * 1e-3])
-        .map(|[y, z]| [y * turn.cos() - z * turn.sin(), y * turn.sin() + z * turn.cos()])
-        .collect();
-    let [y, z] = [0, 1].map(|i| points.iter().map(|point| point[i]).collect::<Vec<_>>());
+    let [y, z] = points(name);
+    let (sine, cosine) = turn.sin_cos();
+    let turned =
+        |along: f64, across: f64| (along * cosine - across * sine, along * sine + across * cosine);
+    let (y, z): (Vec<f64>, Vec<f64>) = y.iter().zip(&z).map(|(y, z)| turned(*y, *z)).unzip();
     surface(&y, &z)
 }
 
@@ -449,71 +443,24 @@ fn bad_input_has_a_name() {
     assert_eq!(solve(&mut stand, lifted), Err(Error::NotPrepared));
 }
 
-/// What one wheel of a wheelset does under its load at a lateral shift, yaw, roll and speed of the axle, on its own track.
-fn carried(
-    stand: &mut Stand,
-    [shift, yaw, roll, pitch]: [f64; 4],
-    load: f64,
-    left: bool,
-) -> (Position<f64>, Wrench<f64>) {
-    let side = if left { -1.0 } else { 1.0 };
-    stand.pair.left = i32::from(left);
-    let lateral = shift + side * (0.75 * yaw.cos() * roll.cos() - 0.75 - OFFSET);
-    let position = Position { lateral, yaw, roll, ..Position::default() };
-    let velocity = Velocity { forward: 2.0, pitch, ..Velocity::default() };
-    let vertical = stand.height(&position, load, Some(&velocity));
-    let position = Position { vertical, ..position };
-    (position, stand.solve(&position, &velocity))
-}
-
-/// Both wheels of a wheelset over lateral shift and yaw, 10 kN each, 2 m/s: place of contact, angle, load, area, peak pressure and creep
-/// forces beside CONTACT's in case of the Manchester benchmark. Roll is that of wheels on both rails, and the axle turns with the
-/// mean radius, as the benchmark has it; its roll itself is not at hand, which counts where the flange begins to climb (6.5 to 7.5 mm).
+/// Both wheels of a wheelset over lateral shift and yaw: place of contact, angle, load, area, peak pressure and creep forces beside
+/// CONTACT's, but where the flange begins to climb.
 #[test]
 fn manchester_benchmark_is_that_of_contact() {
-    let rows = rows("manchester");
-    let mut stand = Stand::new_profiles();
+    let mut wheelset = Wheelset::new();
     let mut errors: [Vec<f64>; 6] = Default::default();
-    for row in &rows {
-        let (shift, left) = (number(row, "shift_mm") * 1e-3, row["side"] == "left");
-        if !left && (6.4e-3..7.6e-3).contains(&shift) {
+    for (left, shift, theirs) in manchester::contact() {
+        if !left && (6.4..7.6).contains(&shift) {
             continue;
         }
-        let yaw = 2.4 * shift;
-        let (mut roll, mut pitch) = (0.0_f64, -2.0 / 0.46);
-        for _ in 0..6 {
-            let mut of_wheel = |left| {
-                let (position, _) = carried(&mut stand, [shift, yaw, roll, pitch], 10e3, left);
-                let found = stand.memory.found();
-                let weights = found.iter().map(|c| c.share * c.normal_force);
-                let radii = found.iter().map(|c| c.share * c.normal_force * c.radius);
-                (position.vertical, radii.sum::<f64>() / weights.sum::<f64>())
-            };
-            let [right, left] = [of_wheel(false), of_wheel(true)];
-            roll = (right.0 - left.0) / 1.5;
-            pitch = -4.0 / (right.1 + left.1);
-        }
-        let (position, wrench) = carried(&mut stand, [shift, yaw, roll, pitch], 10e3, left);
-        let rail = if left { -0.75 - OFFSET } else { 0.75 + OFFSET };
-        let mut sums = [0.0; 4];
-        let mut peak = 0.0_f64;
-        for contact in stand.memory.found() {
-            let strips = contact.patch.view().unwrap();
-            let weight = contact.share * contact.normal_force;
-            let y = contact.origin[1] + position.lateral + rail;
-            let terms = [weight, weight * y, weight * contact.angle, contact.share * strips.area()];
-            sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
-            peak = strips.strips().iter().fold(peak, |peak, strip| peak.max(strip.peak_pressure));
-        }
-        let [load, y, angle, area] = sums;
-        let off = |value: f64, name: &str| value / number(row, name) - 1.0;
-        let forces = (wrench.force[0] + number(row, "fx_N"), wrench.force[1] + number(row, "fy_N"));
-        errors[0].push(y / load * 1e3 - number(row, "contact_y_mm"));
-        errors[1].push((angle / load).to_degrees() - number(row, "angle_deg"));
-        errors[2].push(off(load, "normal_force_N"));
-        errors[3].push(off(area * 1e6, "area_mm2"));
-        errors[4].push(off(peak * 1e-6, "peak_pressure_MPa"));
-        errors[5].push(forces.0.hypot(forces.1) / (0.3 * number(row, "normal_force_N")));
+        let ours = wheelset.at(shift * 1e-3)[usize::from(left)];
+        let forces = (ours.fx - theirs.fx).hypot(ours.fy - theirs.fy);
+        errors[0].push(ours.y - theirs.y);
+        errors[1].push(ours.angle - theirs.angle);
+        errors[2].push(ours.load / theirs.load - 1.0);
+        errors[3].push(ours.area / theirs.area - 1.0);
+        errors[4].push(ours.peak / theirs.peak - 1.0);
+        errors[5].push(forces / (0.3 * theirs.load));
     }
     let [y, angle, load, area, peak, forces] = errors.map(mean_and_p95);
     println!(

@@ -1,0 +1,141 @@
+//! Case of the Manchester benchmark: a wheelset with wheels S1002 on rails 60E1 that shifts and yaws, 10 kN on each wheel, 2 m/s.
+//!
+//! Roll is that of wheels on both rails, and the axle turns with the mean radius, as the benchmark has it; its roll itself is not at
+//! hand, which counts where the flange begins to climb (6.5 to 7.5 mm).
+
+use kstrip::contact::forces::StripCount;
+use kstrip::solve::model::Model;
+use kstrip::wheel_rail::scene::{Scene, Workspace};
+use kstrip::wheel_rail::surface::Surface;
+use kstrip::wheel_rail::wrench::Law;
+use kstrip::wheel_rail::{Pair, Position, Velocity};
+
+/// Load of a wheel [N], speed [m/s], yaw over shift [rad/m].
+const LOAD: f64 = 10e3;
+const SPEED: f64 = 2.0;
+const YAW: f64 = 2.4;
+/// From the middle of the wheelset to y = 0 of a wheel's profile, and from the middle of the track to a rail's origin [m].
+const HALF_WIDTH: f64 = 0.75;
+const HALF_GAUGE: f64 = 0.760_532_5;
+
+/// What a wheel does: its contacts together, weighted with load; forces are those on the rail.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Wheel {
+    /// From the middle of the track [mm].
+    pub y: f64,
+    /// [degrees]
+    pub angle: f64,
+    /// [N]
+    pub load: f64,
+    /// [mm^2]
+    pub area: f64,
+    /// [MPa]
+    pub peak: f64,
+    /// [N]
+    pub fx: f64,
+    /// [N]
+    pub fy: f64,
+    radius: f64,
+    vertical: f64,
+}
+
+/// CONTACT's figures: whether the wheel is the left one, shift [mm], and what it does.
+pub fn contact() -> Vec<(bool, f64, Wheel)> {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/wheel_rail/manchester.csv");
+    let row = |record: csv::StringRecord| {
+        let number = |i: usize| record[i].parse::<f64>().unwrap();
+        let [shift, fx, fy, load, y, angle, area, peak] = std::array::from_fn(|i| number(i + 1));
+        let wheel = Wheel { y, angle, load, area, peak, fx, fy, ..Wheel::default() };
+        (&record[0] == "left", shift, wheel)
+    };
+    csv::Reader::from_path(path).unwrap().records().map(|record| row(record.unwrap())).collect()
+}
+
+/// Zeroed memory of plain numbers, on the heap because it is large.
+pub fn zeroed<T>() -> Box<T> {
+    // SAFETY: all bits zero are a structure of numbers.
+    unsafe { Box::new(std::mem::MaybeUninit::<T>::zeroed().assume_init()) }
+}
+
+/// Columns y and z of a file of `tests/data/wheel_rail` [m].
+pub fn points(name: &str) -> [Vec<f64>; 2] {
+    let path = format!("{}/tests/data/wheel_rail/{name}.csv", env!("CARGO_MANIFEST_DIR"));
+    let records: Vec<csv::StringRecord> =
+        csv::Reader::from_path(path).unwrap().records().map(Result::unwrap).collect();
+    [0, 1].map(|i| records.iter().map(|record| 1e-3 * record[i].parse::<f64>().unwrap()).collect())
+}
+
+fn profile(name: &str) -> Box<Surface<f64>> {
+    let [y, z] = points(name);
+    let mut surface = zeroed::<Surface<f64>>();
+    surface.prepare(&y, &z, 0.0, 0.0).unwrap();
+    surface
+}
+
+pub struct Wheelset {
+    rail: Box<Surface<f64>>,
+    wheel: Box<Surface<f64>>,
+    memory: Box<Workspace<f64>>,
+}
+
+impl Wheelset {
+    pub fn new() -> Self {
+        Self { rail: profile("uic60"), wheel: profile("s1002"), memory: zeroed() }
+    }
+
+    /// The right wheel and the left one at a shift [m].
+    pub fn at(&mut self, shift: f64) -> [Wheel; 2] {
+        let (mut roll, mut pitch) = (0.0, -SPEED / 0.46);
+        let mut wheels = [Wheel::default(); 2];
+        for _ in 0..7 {
+            wheels = [false, true].map(|left| self.wheel(left, shift, roll, pitch));
+            let [right, left] = wheels;
+            roll = (right.vertical - left.vertical) / (2.0 * HALF_WIDTH);
+            pitch = -2.0 * SPEED / (right.radius + left.radius);
+        }
+        wheels
+    }
+
+    fn wheel(&mut self, left: bool, shift: f64, roll: f64, pitch: f64) -> Wheel {
+        let (side, yaw) = (if left { -1.0 } else { 1.0 }, YAW * shift);
+        let pair = Pair {
+            wheel_radius: 0.46,
+            shear_modulus: 82e9,
+            poisson_ratio: 0.28,
+            friction: 0.3,
+            friction_y: [0.0; 4],
+            friction_at: [0.0; 4],
+            friction_points: 0,
+            left: i32::from(left),
+            smoothing_length: 0.0,
+            strips: 0,
+            model: 0,
+        };
+        let Self { rail, wheel, memory } = self;
+        let law = Law { model: Model::Strip, falling: None };
+        let scene = Scene { rail, wheel, pair: &pair, strips: StripCount::Sixteen, law };
+        let lateral = shift + side * (HALF_WIDTH * yaw.cos() * roll.cos() - HALF_GAUGE);
+        let position = Position { lateral, yaw, roll, ..Position::default() };
+        let velocity = Velocity { forward: SPEED, pitch, ..Velocity::default() };
+        let (vertical, _) =
+            scene.height_for_load(&position, LOAD, Some(&velocity), memory).unwrap();
+        let position = Position { vertical, ..position };
+        let wrench = scene.solve(&position, &velocity, memory, None, None).unwrap();
+        let [fx, fy, _] = wrench.force;
+        let mut sum = Wheel { fx: -fx, fy: -fy, vertical, ..Wheel::default() };
+        for contact in memory.found() {
+            let strips = contact.patch.view().unwrap();
+            let weight = contact.share * contact.normal_force;
+            let y = contact.origin[1] + lateral + side * HALF_GAUGE;
+            sum.load += weight;
+            sum.y += weight * y * 1e3;
+            sum.angle += weight * contact.angle.to_degrees();
+            sum.radius += weight * contact.radius;
+            sum.area += contact.share * strips.area() * 1e6;
+            let peaks = strips.strips().iter().map(|strip| strip.peak_pressure * 1e-6);
+            sum.peak = peaks.fold(sum.peak, f64::max);
+        }
+        let load = sum.load;
+        Wheel { y: sum.y / load, angle: sum.angle / load, radius: sum.radius / load, ..sum }
+    }
+}
