@@ -82,12 +82,11 @@ fn draw_manchester(folder: &Path) -> Drawn {
     })
 }
 
-/// Curves over time, each with its name and colour.
-fn history(
-    canvas: &Canvas,
-    panel: &Panel,
-    curves: [(&str, RGBColor, Vec<(f64, f64)>, f64); 2],
-) -> Drawn {
+/// Name, colour, points over time, and the time that the name stands beside.
+type Curve<'a> = (&'a str, RGBColor, Vec<(f64, f64)>, f64);
+
+/// Curves over time.
+fn history(canvas: &Canvas, panel: &Panel, curves: [Curve; 2]) -> Drawn {
     panel.draw(canvas)?;
     for (name, colour, points, beside) in curves {
         panel.curve(canvas, &points, colour, Kind::Line)?;
@@ -133,8 +132,12 @@ fn draw_wheelset(folder: &Path) -> Drawn {
             [("speed", BLUE, speed, 0.05), ("rails on wheels", ORANGE, force, 0.7)],
         )?;
         let x = time(&[0.0, 0.3, 0.6, 0.9, 1.2], 1);
-        let shown =
-            panel(2.0, 0.0, x, axis("support of the rail [kN]", &[0.0, 40.0, 80.0, 120.0, 160.0], 0));
+        let shown = panel(
+            2.0,
+            0.0,
+            x,
+            axis("support of the rail [kN]", &[0.0, 40.0, 80.0, 120.0, 160.0], 0),
+        );
         let right = lift.iter().map(|[t, _, right, _]| (*t, right * 1e-3)).collect();
         let left = lift.iter().map(|[t, _, _, left]| (*t, left * 1e-3)).collect();
         history(
