@@ -1,4 +1,4 @@
-"""Fit of STRIP, the corrected strips. See README.md in this folder; the formulas are those of `src/strip`.
+"""Fit of STRIP. See README.md in this folder; the formulas are those of `src/strip`.
 
     python3 fit_strip.py                    fit, validate, write src/strip/constants.rs
     python3 fit_strip.py --check            validate the committed constants
@@ -607,7 +607,7 @@ def write(p, note):
     common.write_constants(
         OUT,
         [
-            "Constants of the corrected strips.",
+            "Constants of the strips of STRIP.",
             "",
             "Written by `fit/fit_strip.py` from `fit/data/train.csv`, `train_fine.csv` and `train_slender.csv`",
             "(values computed with CONTACT, see `fit/data/README.md`).",

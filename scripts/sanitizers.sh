@@ -108,7 +108,7 @@ if has valgrind; then
    a relaxed atomic, which helgrind takes for a plain byte: whether the processor has wide registers
    Helgrind:Race
    ...
-   fun:*available*
+   fun:*are_wide*
    ...
 }
 SUPP

@@ -207,7 +207,7 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
     Some(match code {
         0 => c"ok",
         1 => {
-            c"spin parameter |psi| >= 1: beyond the strip theory of 1967, result is its bounded continuation; use the corrected strips or the total-force model"
+            c"spin parameter |psi| >= 1: beyond the strip theory of 1967, result is its bounded continuation; use STRIP or TOTAL"
         }
         2 => {
             c"an input is outside the range in which the model was checked; result is finite and bounded by mu N"

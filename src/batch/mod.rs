@@ -3,9 +3,6 @@
 #[cfg(target_arch = "x86_64")]
 pub(crate) mod side_by_side;
 
-#[cfg(target_arch = "x86_64")]
-pub use side_by_side::Wide;
-
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::friction::{self, FrictionSolution, SlipFriction};
@@ -50,8 +47,8 @@ pub fn solve_batch<F: Precision>(
         return solve(0..1, options, &get, &mut put);
     }
     #[cfg(target_arch = "x86_64")]
-    if side_by_side::available() {
-        return F::solve_wide(count, options, get, put);
+    if let Some(solved) = side_by_side::solve(count, options, &get, &mut put) {
+        return solved;
     }
     check(0..count, options, &get)?;
     solve(0..count, options, &get, &mut put)
@@ -65,11 +62,10 @@ pub(crate) fn check<F: Precision>(
     options: &Options,
     get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
 ) -> Result<(), (usize, Error)> {
-    for i in numbers {
+    each(numbers, |i| {
         let (contact, creepage) = get(i);
-        model::check(&contact, &creepage, options).map_err(|error| (i, error))?;
-    }
-    Ok(())
+        model::check(&contact, &creepage, options)
+    })
 }
 
 /// One after the other.
@@ -106,26 +102,27 @@ pub(crate) fn solve_under_friction<F: Precision>(
     get: impl Fn(usize) -> Case<F>,
     mut put: impl FnMut(usize, FrictionSolution<F>),
 ) -> Result<Notice, (usize, Error)> {
-    one_by_one(
-        count,
-        |i| match get(i) {
+    if count > 1 {
+        each(0..count, |i| match get(i) {
             (contact, creepage, Some(law)) => friction::check(&contact, &creepage, &law, options),
             (contact, creepage, None) => model::check(&contact, &creepage, options),
-        },
-        |i| {
-            let (contact, creepage, law) = get(i);
-            let found = match law {
-                Some(law) => friction::solve(&contact, &creepage, &law, options)?,
-                None => FrictionSolution {
-                    solution: model::solve(&contact, &creepage, options)?,
-                    friction: contact.friction,
-                },
-            };
-            let notice = found.solution.notice;
-            put(i, found);
-            Ok(notice)
-        },
-    )
+        })?;
+    }
+    let mut worst = Notice::None;
+    each(0..count, |i| {
+        let (contact, creepage, law) = get(i);
+        let found = match law {
+            Some(law) => friction::solve(&contact, &creepage, &law, options)?,
+            None => FrictionSolution {
+                solution: model::solve(&contact, &creepage, options)?,
+                friction: contact.friction,
+            },
+        };
+        worst = worst.worse(found.solution.notice);
+        put(i, found);
+        Ok(())
+    })?;
+    Ok(worst)
 }
 
 /// [`solve_batch`] with all derivatives, with or without friction that falls with the slip.
@@ -138,35 +135,42 @@ pub(crate) fn differentiate_batch<F: Precision>(
     get: impl Fn(usize) -> Case<F>,
     mut put: impl FnMut(usize, &Differentiated<F>),
 ) -> Result<Notice, (usize, Error)> {
-    one_by_one(
-        count,
-        |i| {
+    if count > 1 {
+        each(0..count, |i| {
             let (contact, creepage, law) = get(i);
             through_friction::check(&contact, &creepage, law.as_ref(), options)
-        },
-        |i| {
-            let (contact, creepage, law) = get(i);
-            let found = differentiate(&contact, &creepage, law.as_ref(), options)?;
-            put(i, &found);
-            Ok(found.solution.notice)
-        },
-    )
-}
-
-/// All checks, then all solutions; a single one is checked by solving it.
-fn one_by_one(
-    count: usize,
-    check: impl Fn(usize) -> Result<(), Error>,
-    mut solve: impl FnMut(usize) -> Result<Notice, Error>,
-) -> Result<Notice, (usize, Error)> {
-    if count > 1 {
-        for i in 0..count {
-            check(i).map_err(|error| (i, error))?;
+        })?;
+        #[cfg(target_arch = "x86_64")]
+        if let Some(solved) = side_by_side::differentiate(count, options, &get, &mut put) {
+            return solved;
         }
     }
+    differentiate_each(0..count, options, &get, &mut put)
+}
+
+/// One after the other.
+#[inline(never)]
+pub(crate) fn differentiate_each<F: Precision>(
+    numbers: core::ops::Range<usize>,
+    options: &Options,
+    get: &impl Fn(usize) -> Case<F>,
+    put: &mut impl FnMut(usize, &Differentiated<F>),
+) -> Result<Notice, (usize, Error)> {
     let mut worst = Notice::None;
-    for i in 0..count {
-        worst = worst.worse(solve(i).map_err(|error| (i, error))?);
-    }
+    each(numbers, |i| {
+        let (contact, creepage, law) = get(i);
+        let found = differentiate(&contact, &creepage, law.as_ref(), options)?;
+        worst = worst.worse(found.solution.notice);
+        put(i, &found);
+        Ok(())
+    })?;
     Ok(worst)
+}
+
+/// Stops at the first error, and tells its number.
+fn each(
+    mut numbers: core::ops::Range<usize>,
+    mut task: impl FnMut(usize) -> Result<(), Error>,
+) -> Result<(), (usize, Error)> {
+    numbers.try_for_each(|i| task(i).map_err(|error| (i, error)))
 }

@@ -1,113 +1,159 @@
 //! Many contacts at once where the processor has registers of 256 bits (AVX): four contacts side by side in double
 //! precision, eight in single precision.
 //!
-//! The road is that of one contact ([`Theory`]), with the numbers of `number::lanes`, whose bits are those of plain numbers;
+//! The road is that of one contact ([`Theory`]), with [`Lanes`](crate::number::lanes::Lanes) for numbers, whose bits are those of plain numbers;
 //! each model has code of its own, compiled for these registers.
 
 #![allow(unsafe_code)]
 
-use crate::batch::{self, check};
+use crate::batch::{self, Case};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::number::lanes::{F32x8, F64x4, Lanes};
-use crate::number::{Arithmetic, length};
+use crate::number::registers::are_wide;
+use crate::number::{Plain, Strips, length};
+use crate::solve::derivatives::{Derivatives, with_slopes};
 use crate::solve::frame::{Forces, Frame};
 use crate::solve::notice::{LARGEST_SPIN, RATIOS, linear_notice, notice};
 use crate::solve::options::{Model, Options, Precision, Solution};
 use crate::solve::theory::{Linear, Strip, Strip1967, Theory, Total};
+use crate::solve::through_friction::{self, Differentiated};
 use crate::status::{Error, Notice};
-use crate::strip::StripTotals;
-use core::sync::atomic::{AtomicU8, Ordering};
 
-/// Floating-point types that may fill wide registers.
-pub trait Wide: Sized {
-    /// [`solve_batch`](crate::batch::solve_batch) in wide registers, or one after the other.
-    ///
-    /// # Errors
-    /// The same.
-    fn solve_wide(
-        count: usize,
-        options: &Options,
-        get: impl Fn(usize) -> (Contact<Self>, Creepage<Self>),
-        mut put: impl FnMut(usize, Solution<Self>),
-    ) -> Result<Notice, (usize, Error)>
-    where
-        Self: Precision,
-    {
-        check(0..count, options, &get)?;
-        batch::solve(0..count, options, &get, &mut put)
-    }
+/// Contacts that stand side by side at most.
+const MOST: usize = 8;
+
+/// [`batch::solve_batch`] side by side, if the processor has wide registers.
+#[inline(always)]
+pub(super) fn solve<F: Precision>(
+    count: usize,
+    options: &Options,
+    get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
+    put: &mut impl FnMut(usize, Solution<F>),
+) -> Option<Result<Notice, (usize, Error)>> {
+    // SAFETY: the processor was asked.
+    are_wide().then(|| unsafe { solve_groups(count, options, get, put) })
 }
 
-/// Whether the processor has registers of 256 bits and the system keeps them.
-///
-/// The answer is remembered, because under a hypervisor the question takes microseconds. It is the only thing that the library
-/// remembers, and no result depends on it: lanes have the bits of plain numbers. Every thread that asks at the same time
-/// writes the same answer, so no order between them is needed.
-pub(crate) fn available() -> bool {
-    const UNKNOWN: u8 = 0;
-    const YES: u8 = 1;
-    const NO: u8 = 2;
-    static KNOWN: AtomicU8 = AtomicU8::new(UNKNOWN);
-    if cfg!(target_feature = "avx") {
-        return true;
-    }
-    match KNOWN.load(Ordering::Relaxed) {
-        YES => true,
-        NO => false,
-        _ => {
-            let found = ask();
-            KNOWN.store(if found { YES } else { NO }, Ordering::Relaxed);
-            found
+/// [`batch::differentiate_batch`] of checked contacts side by side, if the processor has wide registers; of models with strips these are
+/// full with those of one contact.
+#[inline(always)]
+pub(super) fn differentiate<F: Precision>(
+    count: usize,
+    options: &Options,
+    get: &impl Fn(usize) -> Case<F>,
+    put: &mut impl FnMut(usize, &Differentiated<F>),
+) -> Option<Result<Notice, (usize, Error)>> {
+    let together = are_wide() && matches!(options.model, Model::Total | Model::Linear);
+    // SAFETY: the processor was asked.
+    together.then(|| unsafe { differentiate_groups(count, options, get, put) })
+}
+
+#[target_feature(enable = "avx")]
+fn solve_groups<F: Precision>(
+    count: usize,
+    options: &Options,
+    get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
+    put: &mut impl FnMut(usize, Solution<F>),
+) -> Result<Notice, (usize, Error)> {
+    let whole = count - count % F::Contacts::COUNT;
+    for first in (0..whole).step_by(F::Contacts::COUNT) {
+        let (contact, creepage) = group(first, get);
+        if !contact.is_ordinary(&creepage) {
+            batch::check(first..first + F::Contacts::COUNT, options, get)?;
         }
     }
-}
-
-#[cold]
-fn ask() -> bool {
-    use core::arch::x86_64::{__cpuid, _xgetbv};
-    #[target_feature(enable = "xsave")]
-    fn kept() -> u64 {
-        // SAFETY: the caller knows that the system has switched this instruction on.
-        unsafe { _xgetbv(0) }
-    }
-    const SWITCHED_ON: u32 = 1 << 27;
-    const AVX: u32 = 1 << 28;
-    const REGISTERS: u64 = 0b110;
-    // SAFETY: every x86-64 processor has this instruction and its leaf 1.
-    #[allow(unused_unsafe)]
-    let features = unsafe { __cpuid(1) }.ecx;
-    // SAFETY: the instruction is there when the first flag says so.
-    features & SWITCHED_ON != 0 && features & AVX != 0 && unsafe { kept() } & REGISTERS == REGISTERS
-}
-
-macro_rules! wide {
-    ($float:ident, $lanes:ident, $count:literal) => {
-        impl Wide for $float {
-            fn solve_wide(
-                count: usize,
-                options: &Options,
-                get: impl Fn(usize) -> (Contact<Self>, Creepage<Self>),
-                put: impl FnMut(usize, Solution<Self>),
-            ) -> Result<Notice, (usize, Error)> {
-                // SAFETY: the processor has been asked.
-                unsafe { solve::<$lanes, $count>(count, options, get, put) }
+    batch::check(whole..count, options, get)?;
+    let mut worst = Notice::None;
+    for first in (0..whole).step_by(F::Contacts::COUNT) {
+        let (contact, creepage) = group(first, get);
+        // lost contacts, unlike materials, and those of which something must be said
+        if !(is_alike(&contact)
+            && contact.is_ordinary(&creepage)
+            && contact.normal_force.is_positive_number())
+        {
+            let alone = first..first + F::Contacts::COUNT;
+            worst = worst.worse(batch::solve(alone, options, get, put)?);
+            continue;
+        }
+        let frame = &Frame::of(&contact);
+        let (forces, psi) = match options.model {
+            Model::Strip1967 => forces_of::<_, Strip1967<false>>(frame, &creepage, options),
+            Model::Strip1967Continuous => {
+                forces_of::<_, Strip1967<true>>(frame, &creepage, options)
             }
+            Model::Strip => forces_of::<_, Strip<F::Contacts>>(frame, &creepage, options),
+            Model::Total => forces_of::<_, Total<F::Contacts>>(frame, &creepage, options),
+            Model::Linear => forces_of::<_, Linear<F::Contacts>>(frame, &creepage, options),
+        };
+        let together = Together::new(options.model, frame, &creepage, &forces, psi);
+        for k in 0..F::Contacts::COUNT {
+            let solution = together.solution(k);
+            worst = worst.worse(solution.notice);
+            put(first + k, solution);
         }
-    };
+    }
+    Ok(worst.worse(batch::solve(whole..count, options, get, put)?))
 }
 
-wide!(f64, F64x4, 4);
-wide!(f32, F32x8, 8);
+#[target_feature(enable = "avx")]
+fn differentiate_groups<F: Precision>(
+    count: usize,
+    options: &Options,
+    get: &impl Fn(usize) -> Case<F>,
+    put: &mut impl FnMut(usize, &Differentiated<F>),
+) -> Result<Notice, (usize, Error)> {
+    let whole = count - count % F::Contacts::COUNT;
+    let mut worst = Notice::None;
+    for first in (0..whole).step_by(F::Contacts::COUNT) {
+        let numbers = first..first + F::Contacts::COUNT;
+        let (contact, creepage) = group(first, &|i| {
+            let (contact, creepage, _) = get(i);
+            (contact, creepage)
+        });
+        let free = numbers.clone().all(|i| get(i).2.is_none());
+        if !(free
+            && is_alike(&contact)
+            && contact.is_ordinary(&creepage)
+            && contact.friction_bound().is_positive_number())
+        {
+            let found = batch::differentiate_each(numbers, options, get, put);
+            worst = worst.worse(found?);
+            continue;
+        }
+        let frame = &Frame::of(&contact);
+        let (forces, psi, slopes) = if options.model == Model::Linear {
+            slopes_of::<_, Linear<F::Contacts>>(frame, &creepage, options)
+        } else {
+            slopes_of::<_, Total<F::Contacts>>(frame, &creepage, options)
+        };
+        let together = Together::new(options.model, frame, &creepage, &forces, psi);
+        for (k, i) in numbers.enumerate() {
+            let (contact, creepage, _) = get(i);
+            let derivatives = lane_of(&slopes, k);
+            let solution = together.solution(k);
+            worst = worst.worse(solution.notice);
+            let (friction, by_mismatch) = (contact.friction, [F::zero(); 3]);
+            let law = through_friction::without_law(&derivatives, by_mismatch, &creepage);
+            put(i, &Differentiated { solution, friction, derivatives, law, by_mismatch });
+        }
+    }
+    Ok(worst.worse(batch::differentiate_each(whole..count, options, get, put)?))
+}
+
+/// Whether no pressure adds to the creepage of any.
+#[inline(always)]
+fn is_alike<L: Plain>(contact: &Contact<L>) -> bool {
+    contact.mismatch.lies_within(L::zero())
+}
 
 /// Contacts side by side.
 #[inline(always)]
-fn group<L: Lanes<N>, const N: usize>(
+fn group<F: Precision>(
     first: usize,
-    get: &impl Fn(usize) -> (Contact<L::Stored>, Creepage<L::Stored>),
-) -> (Contact<L>, Creepage<L>) {
-    let mut quantities = [[L::Stored::zero(); N]; 10];
-    for lane in 0..N {
+    get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
+) -> (Contact<F::Contacts>, Creepage<F::Contacts>) {
+    let mut quantities = [[F::zero(); MOST]; 10];
+    for lane in 0..F::Contacts::COUNT {
         let (contact, creepage) = get(first + lane);
         let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch } =
             contact;
@@ -131,7 +177,9 @@ fn group<L: Lanes<N>, const N: usize>(
         longitudinal,
         lateral,
         spin,
-    ] = L::each(&quantities, |numbers| L::of_array(*numbers));
+    ] = quantities
+        .each_ref()
+        .map(|numbers| F::Contacts::gather(|lane| numbers.get(lane).copied().unwrap_or(F::zero())));
     (
         Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch },
         Creepage { longitudinal, lateral, spin },
@@ -139,89 +187,8 @@ fn group<L: Lanes<N>, const N: usize>(
 }
 
 #[target_feature(enable = "avx")]
-fn solve<L: Lanes<N> + StripTotals, const N: usize>(
-    count: usize,
-    options: &Options,
-    get: impl Fn(usize) -> (Contact<L::Stored>, Creepage<L::Stored>),
-    mut put: impl FnMut(usize, Solution<L::Stored>),
-) -> Result<Notice, (usize, Error)>
-where
-    L::Stored: Precision,
-{
-    let whole = count - count % N;
-    for first in (0..whole).step_by(N) {
-        let (contact, creepage) = group::<L, N>(first, &get);
-        if !contact.is_ordinary(&creepage) {
-            check(first..first + N, options, &get)?;
-        }
-    }
-    check(whole..count, options, &get)?;
-    let mut worst = Notice::None;
-    for first in (0..whole).step_by(N) {
-        let (contact, creepage) = group::<L, N>(first, &get);
-        // lost contacts, unlike materials, and those of which something must be said
-        let alike = contact.mismatch.lies_within(L::zero());
-        if !(alike && contact.is_ordinary(&creepage) && contact.normal_force.is_positive_number()) {
-            worst = worst.worse(batch::solve(first..first + N, options, &get, &mut put)?);
-            continue;
-        }
-        let Together { quantities, notices } = solve_group::<L, N>(&contact, &creepage, options);
-        let [fx, fy, mz, power, adhesion] = quantities.map(L::array);
-        let forces = fx.into_iter().zip(fy).zip(mz);
-        let rest = power.into_iter().zip(adhesion).zip(notices);
-        for (i, (((fx, fy), mz), ((power, adhesion), notice))) in (first..).zip(forces.zip(rest)) {
-            worst = worst.worse(notice);
-            put(i, Solution { fx, fy, mz, power, adhesion, notice, reserved: 0 });
-        }
-    }
-    Ok(worst.worse(batch::solve(whole..count, options, &get, &mut put)?))
-}
-
-/// What was found side by side.
-struct Together<L, const N: usize> {
-    /// `fx, fy, mz, power, adhesion`
-    quantities: [L; 5],
-    notices: [Notice; N],
-}
-
-/// Checked contacts that are loaded and plausible.
-#[target_feature(enable = "avx")]
-fn solve_group<L: Lanes<N> + StripTotals, const N: usize>(
-    contact: &Contact<L>,
-    creepage: &Creepage<L>,
-    options: &Options,
-) -> Together<L, N>
-where
-    L::Stored: Precision,
-{
-    let (model, frame) = (options.model, &Frame::of(contact));
-    let (Forces { fx, fy, mz, adhesion }, psi) = match model {
-        Model::Strip1967 => forces_of::<L, Strip1967<false>>(frame, creepage, options),
-        Model::Strip1967Continuous => forces_of::<L, Strip1967<true>>(frame, creepage, options),
-        Model::Strip => forces_of::<L, Strip<L>>(frame, creepage, options),
-        Model::Total => forces_of::<L, Total<L>>(frame, creepage, options),
-        Model::Linear => forces_of::<L, Linear<L>>(frame, creepage, options),
-    };
-    let bound = contact.friction_bound();
-    let notices = if model == Model::Linear {
-        linear_notices(length(fx, fy), bound)
-    } else {
-        notices(model, bound, frame.axis_ratio(), psi)
-    };
-    let Creepage { longitudinal, lateral, spin } = *creepage;
-    let power = creepage.power([fx, fy, mz]);
-    // at rest: no force, and adhesion everywhere
-    let zero = L::zero();
-    let motion = longitudinal.abs() + lateral.abs() + spin.abs();
-    let resting = if model == Model::Total { adhesion } else { L::one() };
-    let [fx, fy, mz, power] = L::each(&[fx, fy, mz, power], |x| motion.choose(*x, zero));
-    let adhesion = motion.choose(adhesion, resting);
-    Together { quantities: [fx, fy, mz, power, adhesion], notices }
-}
-
-#[target_feature(enable = "avx")]
 #[inline(never)]
-fn forces_of<L: StripTotals, M: Theory<L>>(
+fn forces_of<L: Plain, M: Theory<L>>(
     frame: &Frame<L>,
     creepage: &Creepage<L>,
     options: &Options,
@@ -229,29 +196,102 @@ fn forces_of<L: StripTotals, M: Theory<L>>(
     M::of_contact(frame, options).forces(frame, creepage)
 }
 
+#[target_feature(enable = "avx")]
+#[inline(never)]
+fn slopes_of<L: Plain, M: Theory<L>>(
+    frame: &Frame<L>,
+    creepage: &Creepage<L>,
+    options: &Options,
+) -> (Forces<L>, L, Derivatives<L>) {
+    with_slopes(&M::of_contact(frame, options), frame, creepage)
+}
+
+/// The derivatives of one contact.
 #[inline(always)]
-fn linear_notices<L: Lanes<N>, const N: usize>(size: L, bound: L) -> [Notice; N] {
-    let mut notices = [Notice::None; N];
+fn lane_of<L: Plain + Strips<L::Stored>>(
+    slopes: &Derivatives<L>,
+    k: usize,
+) -> Derivatives<L::Stored> {
+    let row = |row: &[L; 3]| row.each_ref().map(|slope| slope.lane(k));
+    Derivatives {
+        jacobian: slopes.jacobian.each_ref().map(row),
+        normal_force: row(&slopes.normal_force),
+        load_through_hertz: row(&slopes.load_through_hertz),
+        friction: row(&slopes.friction),
+    }
+}
+
+/// What was found side by side.
+struct Together<L> {
+    /// `fx, fy, mz, power, adhesion`
+    quantities: [L; 5],
+    notices: [Notice; MOST],
+}
+
+impl<L: Plain + Strips<L::Stored>> Together<L>
+where
+    L::Stored: Precision,
+{
+    #[inline(always)]
+    fn new(
+        model: Model,
+        frame: &Frame<L>,
+        creepage: &Creepage<L>,
+        forces: &Forces<L>,
+        psi: L,
+    ) -> Self {
+        let Forces { fx, fy, mz, adhesion } = *forces;
+        let bound = frame.contact.friction_bound();
+        let notices = if model == Model::Linear {
+            linear_notices(length(fx, fy), bound)
+        } else {
+            notices(model, bound, frame.axis_ratio(), psi)
+        };
+        let Creepage { longitudinal, lateral, spin } = *creepage;
+        let power = creepage.power([fx, fy, mz]);
+        // at rest: no force, and adhesion everywhere
+        let zero = L::zero();
+        let motion = longitudinal.abs() + lateral.abs() + spin.abs();
+        let resting = if model == Model::Total { adhesion } else { L::one() };
+        let [fx, fy, mz, power] = L::each(&[fx, fy, mz, power], |x| motion.choose(*x, zero));
+        let adhesion = motion.choose(adhesion, resting);
+        Self { quantities: [fx, fy, mz, power, adhesion], notices }
+    }
+
+    #[inline(always)]
+    fn solution(&self, k: usize) -> Solution<L::Stored> {
+        let [fx, fy, mz, power, adhesion] = self.quantities.each_ref().map(|of| of.lane(k));
+        let notice = self.notices.get(k).copied().unwrap_or_default();
+        Solution { fx, fy, mz, power, adhesion, notice, reserved: 0 }
+    }
+}
+
+#[inline(always)]
+fn linear_notices<L: Plain + Strips<L::Stored>>(size: L, bound: L) -> [Notice; MOST] {
+    let mut notices = [Notice::None; MOST];
     if size.exceeds(bound) {
-        let numbers = size.array().into_iter().zip(bound.array());
-        for (notice, (size, bound)) in notices.iter_mut().zip(numbers) {
-            *notice = linear_notice(size, bound);
+        for (k, notice) in notices.iter_mut().enumerate().take(L::COUNT) {
+            *notice = linear_notice(size.lane(k), bound.lane(k));
         }
     }
     notices
 }
 
 #[inline(always)]
-fn notices<L: Lanes<N>, const N: usize>(model: Model, bound: L, ratio: L, psi: L) -> [Notice; N] {
-    let mut notices = [Notice::None; N];
+fn notices<L: Plain + Strips<L::Stored>>(
+    model: Model,
+    bound: L,
+    ratio: L,
+    psi: L,
+) -> [Notice; MOST] {
+    let mut notices = [Notice::None; MOST];
     let largest = if matches!(model, Model::Strip | Model::Total) { LARGEST_SPIN } else { 0.999 };
     // (for all models alike: those that it holds up are looked at one by one)
     let usual = psi.abs().lies_between(L::zero(), L::of(largest))
         & ratio.lies_between(L::of(RATIOS[0]), L::of(RATIOS[1]));
     if !usual {
-        let numbers = bound.array().into_iter().zip(ratio.array()).zip(psi.array());
-        for (of_one, ((bound, ratio), psi)) in notices.iter_mut().zip(numbers) {
-            *of_one = notice(model, bound, ratio, psi);
+        for (k, of_one) in notices.iter_mut().enumerate().take(L::COUNT) {
+            *of_one = notice(model, bound.lane(k), ratio.lane(k), psi.lane(k));
         }
     }
     notices

@@ -75,17 +75,6 @@ impl<F: Float> Creepage<F> {
         Ok(creepage)
     }
 
-    /// The three creepages as what everything is differentiated by.
-    #[must_use]
-    #[inline(always)]
-    pub fn inputs(&self) -> Creepage<Dual<F, 3>> {
-        Creepage {
-            longitudinal: Dual::input(self.longitudinal, 0),
-            lateral: Dual::input(self.lateral, 1),
-            spin: Dual::input(self.spin, 2),
-        }
-    }
-
     /// # Errors
     /// [`Error::NotFinite`].
     pub fn check(&self) -> Result<(), Error> {
@@ -97,6 +86,17 @@ impl<F: Float> Creepage<F> {
 }
 
 impl<F: Plain> Creepage<F> {
+    /// The three creepages as what everything is differentiated by.
+    #[must_use]
+    #[inline(always)]
+    pub fn inputs(&self) -> Creepage<Dual<F, 3>> {
+        Creepage {
+            longitudinal: Dual::input(self.longitudinal, 0),
+            lateral: Dual::input(self.lateral, 1),
+            spin: Dual::input(self.spin, 2),
+        }
+    }
+
     /// `F_x υx + F_y υy + M_z φ` \[N\]: the power of forces `[F_x, F_y, M_z]` \[N, N, N m\] over the rolling speed;
     /// positive where they follow the slip.
     #[inline(always)]
@@ -245,7 +245,7 @@ impl<F: Float> Parameters<F> {
             creepage.lateral,
             creepage.spin * contact.a,
         ];
-        let [x, y, z] = direction.map(F::abs);
+        let [x, y, z] = direction.map(Arithmetic::abs);
         let largest = x.max(y).max(z);
         // Divide first: the quotients are at most 1.
         let [xi, eta, psi] = direction

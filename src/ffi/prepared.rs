@@ -49,7 +49,7 @@ unsafe trait Numbers<F> {}
 unsafe impl<F: Precision> Numbers<F> for Head<F> {}
 unsafe impl<F: Precision> Numbers<F> for Frame<F> {}
 unsafe impl<F: Precision> Numbers<F> for Total<F> {}
-unsafe impl<F: Precision> Numbers<F> for strip::Prepared<F> {}
+unsafe impl<F: Precision> Numbers<F> for strip::Flexibilities<F> {}
 unsafe impl<F: Precision> Numbers<F> for Linear<F> {}
 // SAFETY: integers.
 unsafe impl<F: Precision> Numbers<F> for u64 {}
@@ -145,11 +145,11 @@ impl<F: Precision> PreparedNumbers<F> {
     }
 
     #[inline(always)]
-    fn copied(&self) -> strip::Prepared<F> {
-        const { assert!(size_of::<strip::Prepared<F>>() <= (ROOM - KNOWN) * size_of::<F>()) };
+    fn copied(&self) -> strip::Flexibilities<F> {
+        const { assert!(size_of::<strip::Flexibilities<F>>() <= (ROOM - KNOWN) * size_of::<F>()) };
         let numbers = self.numbers.as_ptr().cast::<F>();
         // SAFETY: numbers, within the room as asserted; any bits are a value.
-        unsafe { numbers.add(KNOWN).cast::<strip::Prepared<F>>().read_unaligned() }
+        unsafe { numbers.add(KNOWN).cast::<strip::Flexibilities<F>>().read_unaligned() }
     }
 
     /// Of model, strips and what the linear theory of like bodies reads: `w`, `N`, `μ`, `κ`, stiffness.
@@ -176,7 +176,7 @@ impl<F: Precision> PreparedNumbers<F> {
     fn whole_sum(&self, model: Model) -> u64 {
         let of_model = match model {
             Model::Strip1967 | Model::Strip1967Continuous => 0,
-            Model::Strip => size_of::<strip::Prepared<F>>(),
+            Model::Strip => size_of::<strip::Flexibilities<F>>(),
             Model::Total => size_of::<Total<F>>(),
             Model::Linear => size_of::<Linear<F>>(),
         };

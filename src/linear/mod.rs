@@ -13,7 +13,9 @@
 mod constants;
 
 use self::constants::{E11_E22, E23_E33, M33, N23_N33};
-use crate::number::{Arithmetic, Float, Pair, Plain, once};
+use crate::number::registers::compiled_twice;
+use crate::number::tables::{row, rows, table, widen};
+use crate::number::{Arithmetic, Pair, Plain};
 use core::f64::consts::{LN_2, PI};
 
 /// Kalker's linear creep coefficients of one contact ellipse.
@@ -46,7 +48,9 @@ impl<F: Plain> LinearCoefficients<F> {
     #[must_use]
     #[inline(always)]
     pub fn at(axis_ratio: F, poisson_ratio: F) -> Self {
-        once!(F, Self::quotients(axis_ratio, poisson_ratio))
+        compiled_twice!(if F::LANES => <F: Plain>(axis_ratio: F = axis_ratio, poisson_ratio: F = poisson_ratio) -> LinearCoefficients<F> {
+            LinearCoefficients::quotients(axis_ratio, poisson_ratio)
+        })
     }
 
     #[inline(always)]
@@ -69,85 +73,56 @@ impl<F: Plain> LinearCoefficients<F> {
         let n = one - nu;
         let two_nu = nu + nu;
         let x2 = x * x;
-        let cubic = |single, double| Cubic::<F>(F::Stored::table(single, double)).at(x, x2, nu);
+        let cubic = |coefficients| cubic::<F>(coefficients, x, x2, nu);
 
         // every denominator and numerator below is p + q m: m comes late, and is waited for in
         // nothing but p + q m
-        let line = |p: F::Pair, q: F::Pair| p + q.scale(m);
+        let line = |p: F::Pair, q: F::Pair| p + q * both(m);
         let w2 = w * w;
         let nz = n * z;
         let zl = z.times(LN_16);
 
         // a ≫ b: C11 = 2π g/(Λ − 2ν − k);  a ≪ b: C11 = π²/(4(1−ν))
         // a ≫ b: C22 = 2π g/((1−ν)(Λ − k) + 2ν);  a ≪ b: C22 = π²/4
-        let fitted = cubic(&E11_E22, &WIDE_E11_E22).scale(w);
-        let near = pair(n, one).scale(y.times(8.0 / PI));
-        let far = pair(one, n).scale(F::of(LN_16 - K)) + pair(-two_nu, two_nu);
-        let denominators = line(far.scale(z) + (near + fitted), pair(z + z, nz + nz));
+        let fitted = cubic(table!(F, rows(&E11_E22))) * both(w);
+        let near = pair(n, one) * both(y.times(8.0 / PI));
+        let far = pair(one, n).times(LN_16 - K) + pair(-two_nu, two_nu);
+        let denominators = line(far * both(z) + (near + fitted), pair(z + z, nz + nz));
         let (c11, c22) = (both(r.times(2.0 * PI)) / denominators).parts();
         // a ≫ b: e = (1−ν)Λ − 2 + 4ν;  a ≪ b: 2(1−ν)
         let e = n * zl + (z * (two_nu + two_nu).plus(-2.0) + y * (n + n));
         // a ≫ b: C23 = (2π/3) g^{3/2}/e;  a ≪ b: C23 = (π/3) √g (1 + ν(ln(16/g) − 5))/(1−ν)
         // a ≫ b: C33 = (π/4)((1−2ν)Λ − 2 + 6ν)/e;  a ≪ b: C33 = π²/(16(1−ν) g)
-        let [e0, e1, n0, n1] = F::each(&M33, |x| F::of_f32(*x));
+        let [m33] = table!(F, widen(&[M33]));
+        let [e0, e1, n0, n1] = row::<F, 4>(m33);
         let linear = one - two_nu;
         let numerators = line(
             pair(
                 (y * n + z) + (nu * y).times(LN_16 - 4.0),
                 (linear * zl + z * nu.times(6.0).plus(-2.0)).times(PI / 4.0)
                     + y.times(PI * PI / 8.0),
-            ) + cubic(&N23_N33, &WIDE_N23_N33).scale(w),
+            ) + cubic(table!(F, rows(&N23_N33))) * both(w),
             pair(nu * y, linear * z.times(PI / 2.0) + w2 * (n0 + n1 * nu)),
         );
         let denominators = line(
-            both(e) + cubic(&E23_E33, &WIDE_E23_E33).scale(w),
+            both(e) + cubic(table!(F, rows(&E23_E33))) * both(w),
             both(nz + nz) + pair(F::zero(), w2 * (e0 + e1 * nu)),
         );
-        let factors = pair(root.times(2.0 * PI / 3.0), one).scale(r);
+        let factors = pair(root.times(2.0 * PI / 3.0), one) * both(r);
         let (c23, c33) = (factors * numerators / (denominators * pair(one, g))).parts();
         Self { c11, c22, c23, c33 }
     }
 }
 
 /// Two cubic polynomials in `x` side by side, each coefficient a constant and a factor of `ν`.
-struct Cubic<F: Plain>(&'static [[[F::Stored; 2]; 2]; 4]);
-
-impl<F: Plain> Cubic<F> {
-    #[inline(always)]
-    fn at(&self, x: F, x2: F, nu: F) -> F::Pair {
-        let [c0, c1, c2, c3] = self.0;
-        let nu = <F::Pair as Pair<F>>::both(nu);
-        (Self::coefficient(c0, nu) + Self::coefficient(c1, nu).scale(x))
-            + (Self::coefficient(c2, nu) + Self::coefficient(c3, nu).scale(x)).scale(x2)
-    }
-
-    #[inline(always)]
-    fn coefficient([constant, factor]: &[[F::Stored; 2]; 2], nu: F::Pair) -> F::Pair {
-        <F::Pair as Pair<F>>::plain(F::both_stored(*constant))
-            + nu.scale_each(F::both_stored(*factor))
-    }
-}
-
-static WIDE_E11_E22: [[[f64; 2]; 2]; 4] = widen(&E11_E22);
-static WIDE_E23_E33: [[[f64; 2]; 2]; 4] = widen(&E23_E33);
-static WIDE_N23_N33: [[[f64; 2]; 2]; 4] = widen(&N23_N33);
-
-/// The constants in double precision: converted once by the compiler, not in every call.
-#[allow(clippy::indexing_slicing)]
-pub(crate) const fn widen<const N: usize, const P: usize>(
-    narrow: &[[[f32; 2]; P]; N],
-) -> [[[f64; 2]; P]; N] {
-    let mut wide = [[[0.0; 2]; P]; N];
-    let mut i = 0;
-    while i < N {
-        let mut j = 0;
-        while j < P {
-            wide[i][j] = [narrow[i][j][0] as f64, narrow[i][j][1] as f64];
-            j += 1;
-        }
-        i += 1;
-    }
-    wide
+#[inline(always)]
+fn cubic<F: Plain>([c0, c1, c2, c3]: &[[F::Stored; 4]; 4], x: F, x2: F, nu: F) -> F::Pair {
+    let [nu, x, x2] = F::Pair::each(&[nu, x, x2], |x| <F::Pair as Pair<F>>::both(*x));
+    let coefficient = |[c, d, by_nu, of_d]: &[F::Stored; 4]| {
+        F::Pair::of(F::stored(*c), F::stored(*d))
+            + nu * F::Pair::of(F::stored(*by_nu), F::stored(*of_d))
+    };
+    (coefficient(c0) + coefficient(c1) * x) + (coefficient(c2) + coefficient(c3) * x) * x2
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@
 //! generic formulas as a plain number it returns the exact derivatives of what those formulas
 //! compute, branch by branch; there is no step size and no second implementation to keep in step.
 
-use crate::number::{Arithmetic, Float, Map, Number, Pair, Quad};
+use crate::number::{Arithmetic, Float, Map, Number, Pair, Plain};
 use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -18,9 +18,10 @@ pub struct Dual<P, const M: usize> {
     pub gradient: [P; M],
 }
 
-impl<F: Float, const M: usize> Dual<F, M> {
+impl<F: Plain, const M: usize> Dual<F, M> {
     /// The input number `index`: its derivative with respect to itself is one.
     #[must_use]
+    #[inline(always)]
     pub fn input(value: F, index: usize) -> Self {
         let mut gradient = [F::zero(); M];
         if let Some(own) = gradient.get_mut(index) {
@@ -32,10 +33,12 @@ impl<F: Float, const M: usize> Dual<F, M> {
 
 impl<P: Arithmetic<Bare = P>, const M: usize> Dual<P, M> {
     /// A function of this number: its value, and its slope times the derivatives.
+    #[inline(always)]
     fn chain(self, value: P, slope: P) -> Self {
         Self { value, gradient: self.gradient.map(|d| d * slope) }
     }
 
+    #[inline(always)]
     fn combine(self, other: Self, value: P, by_self: P, by_other: P) -> Self {
         let mut gradient = self.gradient;
         for (own, other) in gradient.iter_mut().zip(other.gradient) {
@@ -45,6 +48,7 @@ impl<P: Arithmetic<Bare = P>, const M: usize> Dual<P, M> {
     }
 
     /// `yes` where the test is positive, else `no`.
+    #[inline(always)]
     fn pick(test: P, yes: Self, no: Self) -> Self {
         let mut gradient = no.gradient;
         for (own, other) in gradient.iter_mut().zip(yes.gradient) {
@@ -55,12 +59,14 @@ impl<P: Arithmetic<Bare = P>, const M: usize> Dual<P, M> {
 }
 
 impl<F: Float, const M: usize> PartialEq for Dual<F, M> {
+    #[inline(always)]
     fn eq(&self, other: &Self) -> bool {
         self.value == other.value
     }
 }
 
 impl<F: Float, const M: usize> PartialOrd for Dual<F, M> {
+    #[inline(always)]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         self.value.partial_cmp(&other.value)
     }
@@ -68,6 +74,7 @@ impl<F: Float, const M: usize> PartialOrd for Dual<F, M> {
 
 impl<P: Arithmetic<Bare = P>, const M: usize> Add for Dual<P, M> {
     type Output = Self;
+    #[inline(always)]
     fn add(mut self, other: Self) -> Self {
         self += other;
         self
@@ -76,6 +83,7 @@ impl<P: Arithmetic<Bare = P>, const M: usize> Add for Dual<P, M> {
 
 impl<P: Arithmetic<Bare = P>, const M: usize> Sub for Dual<P, M> {
     type Output = Self;
+    #[inline(always)]
     fn sub(mut self, other: Self) -> Self {
         self -= other;
         self
@@ -83,6 +91,7 @@ impl<P: Arithmetic<Bare = P>, const M: usize> Sub for Dual<P, M> {
 }
 
 impl<P: Arithmetic<Bare = P>, const M: usize> AddAssign for Dual<P, M> {
+    #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         self.value += other.value;
         for (own, other) in self.gradient.iter_mut().zip(other.gradient) {
@@ -92,6 +101,7 @@ impl<P: Arithmetic<Bare = P>, const M: usize> AddAssign for Dual<P, M> {
 }
 
 impl<P: Arithmetic<Bare = P>, const M: usize> SubAssign for Dual<P, M> {
+    #[inline(always)]
     fn sub_assign(&mut self, other: Self) {
         self.value -= other.value;
         for (own, other) in self.gradient.iter_mut().zip(other.gradient) {
@@ -102,6 +112,7 @@ impl<P: Arithmetic<Bare = P>, const M: usize> SubAssign for Dual<P, M> {
 
 impl<P: Arithmetic<Bare = P>, const M: usize> Mul for Dual<P, M> {
     type Output = Self;
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         self.combine(other, self.value * other.value, other.value, self.value)
     }
@@ -109,6 +120,7 @@ impl<P: Arithmetic<Bare = P>, const M: usize> Mul for Dual<P, M> {
 
 impl<P: Arithmetic<Bare = P>, const M: usize> Div for Dual<P, M> {
     type Output = Self;
+    #[inline(always)]
     fn div(self, other: Self) -> Self {
         let quotient = self.value / other.value;
         let inverse = P::one() / other.value;
@@ -118,21 +130,32 @@ impl<P: Arithmetic<Bare = P>, const M: usize> Div for Dual<P, M> {
 
 impl<P: Arithmetic<Bare = P>, const M: usize> Neg for Dual<P, M> {
     type Output = Self;
+    #[inline(always)]
     fn neg(self) -> Self {
         Self { value: -self.value, gradient: self.gradient.map(|d| -d) }
     }
 }
 
 impl<P: Arithmetic<Bare = P>, const M: usize> Arithmetic for Dual<P, M> {
-    type Base = P::Base;
     type Bare = P;
 
-    fn from_base(value: P::Base) -> Self {
-        Self { value: P::from_base(value), gradient: [P::zero(); M] }
+    #[inline(always)]
+    fn constant(x: f64) -> Self {
+        Self::from_base(P::constant(x))
     }
-    fn bare(self) -> P {
+    #[inline(always)]
+    fn tiny() -> Self {
+        Self::from_base(P::tiny())
+    }
+    #[inline(always)]
+    fn from_base(value: P) -> Self {
+        Self { value, gradient: [P::zero(); M] }
+    }
+    #[inline(always)]
+    fn value(self) -> P {
         self.value
     }
+    #[inline(always)]
     fn composed<const N: usize>(value: P, slopes: [P; N], inputs: [Self; N]) -> Self {
         let mut terms = slopes.into_iter().zip(inputs);
         let Some((slope, input)) = terms.next() else {
@@ -146,45 +169,56 @@ impl<P: Arithmetic<Bare = P>, const M: usize> Arithmetic for Dual<P, M> {
         }
         Self { value, gradient }
     }
+    #[inline(always)]
     fn inverse(self) -> Self {
         let inverse = P::one() / self.value;
         self.chain(inverse, -(inverse * inverse))
     }
-    fn scale(self, factor: P::Base) -> Self {
-        Self { value: self.value.scale(factor), gradient: self.gradient.map(|d| d.scale(factor)) }
+    #[inline(always)]
+    fn scale(self, factor: P) -> Self {
+        self.chain(self.value * factor, factor)
     }
-    fn shift(mut self, term: P::Base) -> Self {
-        self.value = self.value.shift(term);
+    #[inline(always)]
+    fn shift(mut self, term: P) -> Self {
+        self.value += term;
         self
     }
+    #[inline(always)]
     fn squared(self) -> Self {
         self.chain(self.value * self.value, self.value + self.value)
     }
+    #[inline(always)]
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
         self.chain(root, P::constant(0.5) / root.max(P::tiny()))
     }
+    #[inline(always)]
     fn inverse_root(self) -> Self {
         let y = self.value.inverse_root();
         self.chain(y, (y * (y * y)).times(-0.5))
     }
+    #[inline(always)]
     fn abs(self) -> Self {
         let negative = -self.value;
         let value = negative.choose(negative, self.value);
         Self { value, gradient: self.gradient.map(|d| negative.choose(-d, d)) }
     }
+    #[inline(always)]
     fn max(self, other: Self) -> Self {
         Self::pick(self.value - other.value, self, other)
     }
+    #[inline(always)]
     fn min(self, other: Self) -> Self {
         Self::pick(other.value - self.value, self, other)
     }
+    #[inline(always)]
     fn choose(self, yes: Self, no: Self) -> Self {
         Self::pick(self.value, yes, no)
     }
 }
 
-impl<F: Float, const M: usize> Pair<Dual<F, M>> for Dual<F::Pair, M> {
+impl<F: Plain, const M: usize> Pair<Dual<F, M>> for Dual<F::Pair, M> {
+    #[inline(always)]
     fn of(first: Dual<F, M>, second: Dual<F, M>) -> Self {
         let mut gradient = [F::Pair::zero(); M];
         for (pair, (d, e)) in gradient.iter_mut().zip(first.gradient.iter().zip(second.gradient)) {
@@ -192,6 +226,7 @@ impl<F: Float, const M: usize> Pair<Dual<F, M>> for Dual<F::Pair, M> {
         }
         Self { value: F::Pair::of(first.value, second.value), gradient }
     }
+    #[inline(always)]
     fn parts(self) -> (Dual<F, M>, Dual<F, M>) {
         let (first, second) = self.value.parts();
         let slopes = self.gradient.map(F::Pair::parts);
@@ -200,57 +235,23 @@ impl<F: Float, const M: usize> Pair<Dual<F, M>> for Dual<F::Pair, M> {
             Dual { value: second, gradient: slopes.map(|slope| slope.1) },
         )
     }
+    #[inline(always)]
     fn both(x: Dual<F, M>) -> Self {
         Self { value: F::Pair::both(x.value), gradient: x.gradient.map(F::Pair::both) }
     }
-    fn scale_each(self, factors: [F; 2]) -> Self {
-        Self {
-            value: self.value.scale_each(factors),
-            gradient: self.gradient.map(|d| d.scale_each(factors)),
-        }
-    }
-    fn plain([first, second]: [F; 2]) -> Self {
-        Self { value: F::Pair::of(first, second), gradient: [F::Pair::zero(); M] }
-    }
 }
 
-impl<F: Float, const M: usize> Quad<Dual<F, M>> for Dual<F::Quad, M> {
-    fn of_halves(first: Dual<F::Pair, M>, second: Dual<F::Pair, M>) -> Self {
-        let mut gradient = [F::Quad::zero(); M];
-        for (quad, (d, e)) in gradient.iter_mut().zip(first.gradient.iter().zip(second.gradient)) {
-            *quad = F::Quad::of_halves(*d, e);
-        }
-        Self { value: F::Quad::of_halves(first.value, second.value), gradient }
-    }
-    fn halves(self) -> [Dual<F::Pair, M>; 2] {
-        let slopes = self.gradient.map(F::Quad::halves);
-        let [first, second] = self.value.halves();
-        [
-            Dual { value: first, gradient: slopes.map(|[slope, _]| slope) },
-            Dual { value: second, gradient: slopes.map(|[_, slope]| slope) },
-        ]
-    }
-    fn all(x: Dual<F, M>) -> Self {
-        Self { value: F::Quad::all(x.value), gradient: x.gradient.map(F::Quad::all) }
-    }
-    fn plain(values: [F; 4]) -> Self {
-        Self { value: F::Quad::plain(values), gradient: [F::Quad::zero(); M] }
-    }
-}
-
-impl<F: Float, const M: usize> Number for Dual<F, M> {
+impl<F: Plain, const M: usize> Number for Dual<F, M> {
+    type Base = F;
     type Pair = Dual<F::Pair, M>;
-    type Quad = Dual<F::Quad, M>;
     const HAS_DERIVATIVES: bool = true;
+    const LANES: usize = F::LANES;
     const LARGEST: F = F::LARGEST;
     const TINY: F = F::TINY;
     const ROOT_TINY: F = F::ROOT_TINY;
     const HUGE: F = F::HUGE;
     const EPSILON: F = F::EPSILON;
 
-    fn value(self) -> F {
-        self.value
-    }
     /// (In the code of the caller, which may have wide registers.)
     #[inline(always)]
     fn map<const N: usize, const K: usize>(
@@ -270,7 +271,8 @@ impl<F: Float, const M: usize> Number for Dual<F, M> {
         }
         outputs
     }
+    #[inline(always)]
     fn exceeds(self, other: Self) -> bool {
-        self.value > other.value
+        self.value.exceeds(other.value)
     }
 }

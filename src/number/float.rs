@@ -1,10 +1,13 @@
 //! `f32` and `f64` as numbers of the theory.
 
-use super::{Arithmetic, Float, Map, Number, Plain, cube_root, pairs, square_root};
+use super::lanes::{F32Pair, Lanes, Wide};
+use super::{Arithmetic, Float, Map, Number, Plain, cube_root, registers};
 
 macro_rules! plain {
-    ($float:ident, $pair:ty, $quad:ty, $integer:ident, $mantissa:expr, $artanh:expr, $arctan:expr, |$single:ident, $double:ident| $table:expr, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $cbrt:path, $exp:path, $inverse_root:path) => {
+    ($float:ident, $pair:ty, $contacts:ty, $four:ty, $eight:ty, $wide_four:ty, $wide_eight:ty, $wide_sixteen:ty, $integer:ident, $mantissa:expr, $artanh:expr, $arctan:expr, |$single:ident, $double:ident| $table:expr, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $cbrt:path, $exp:path, $inverse_root:path) => {
         impl Float for $float {
+            type Contacts = $contacts;
+            const SMALLEST: Self = $float::from_bits(1);
             const ARTANH: &'static [Self] = &$artanh;
             const ARCTAN: &'static [Self] = &$arctan;
 
@@ -41,22 +44,23 @@ macro_rules! plain {
                 $ln(self)
             }
             #[inline(always)]
-            fn table<const N: usize, const P: usize>(
-                $single: &'static [[[f32; 2]; P]; N],
-                $double: &'static [[[f64; 2]; P]; N],
-            ) -> &'static [[[Self; 2]; P]; N] {
+            fn table<const R: usize, const C: usize>(
+                $single: &'static [[f32; C]; R],
+                $double: &'static [[f64; C]; R],
+            ) -> &'static [[Self; C]; R] {
                 let _ = ($single, $double);
                 $table
             }
         }
 
         impl Plain for $float {
+            type Four = $four;
+            type Eight = $eight;
+            type WideFour = $wide_four;
+            type WideEight = $wide_eight;
+            type WideSixteen = $wide_sixteen;
             type Stored = $float;
 
-            #[inline(always)]
-            fn of(x: f64) -> Self {
-                x as $float
-            }
             #[inline(always)]
             fn stored(x: $float) -> Self {
                 x
@@ -84,15 +88,23 @@ macro_rules! plain {
         }
 
         impl Arithmetic for $float {
-            type Base = $float;
             type Bare = $float;
+
+            #[inline(always)]
+            fn constant(x: f64) -> Self {
+                x as $float
+            }
+            #[inline(always)]
+            fn tiny() -> Self {
+                $float::MIN_POSITIVE
+            }
 
             #[inline(always)]
             fn from_base(x: $float) -> Self {
                 x
             }
             #[inline(always)]
-            fn bare(self) -> Self {
+            fn value(self) -> Self {
                 self
             }
             #[inline(always)]
@@ -134,18 +146,14 @@ macro_rules! plain {
         }
 
         impl Number for $float {
+            type Base = Self;
             type Pair = $pair;
-            type Quad = $quad;
             const LARGEST: $float = $float::MAX;
             const TINY: $float = $float::MIN_POSITIVE;
             const ROOT_TINY: $float = $root_tiny;
             const HUGE: $float = $huge;
             const EPSILON: $float = $float::EPSILON;
 
-            #[inline(always)]
-            fn value(self) -> $float {
-                self
-            }
             #[inline(always)]
             fn map<const N: usize, const M: usize>(
                 map: &impl Map<Self, N, M>,
@@ -187,6 +195,24 @@ const ARCTAN_DOUBLE: [f64; 7] = [
 /// The same, within 2e-9.
 const ARCTAN_SINGLE: [f32; 4] = [1.0, -0.333_331_72, 0.199_794_67, -0.134_440_3];
 
+/// `2^(−1/3)`, to single precision.
+pub(super) const NEWTON_START: f32 = 0.793_700_5;
+/// `3 · 2^(−2/3)`
+pub(super) const NEWTON: f64 = 1.889_881_574_842_309_7;
+
+/// `y ≈ 2^(−1/3)/√x` comes from single precision; `y (3 · 2^(−2/3) − x y²)` is then Newton's iteration for `1/√x`, never
+/// above it but by rounding.
+#[inline(always)]
+fn inverse_root_f64(x: f64) -> f64 {
+    let y = f64::from(NEWTON_START / Arithmetic::sqrt(x as f32));
+    y * (NEWTON - x * (y * y))
+}
+
+#[inline(always)]
+fn inverse_root_f32(x: f32) -> f32 {
+    1.0 / Arithmetic::sqrt(x)
+}
+
 /// `Σ cᵢ zⁱ` of four or seven terms, in a tree of products that do not wait for each other.
 #[inline(always)]
 pub(super) fn even_polynomial<F: Plain>(c: &[F::Stored], z: F) -> F {
@@ -207,8 +233,13 @@ pub(super) fn even_polynomial<F: Plain>(c: &[F::Stored], z: F) -> F {
 
 plain!(
     f64,
-    pairs::F64Pair,
-    pairs::F64Quad,
+    Lanes<f64, 2>,
+    Lanes<f64, 4>,
+    Lanes<Lanes<f64, 2>, 2>,
+    Lanes<Lanes<Lanes<f64, 2>, 2>, 2>,
+    Lanes<f64, 4, Wide>,
+    Lanes<Lanes<f64, 4, Wide>, 2>,
+    Lanes<Lanes<Lanes<f64, 4, Wide>, 2>, 2>,
     i64,
     52,
     ARTANH_DOUBLE,
@@ -216,17 +247,22 @@ plain!(
     |single, double| double,
     1.491_668_146_240_041_3e-154,
     1e100,
-    square_root::of_f64,
+    registers::of_f64,
     libm::atan,
     libm::log,
     libm::cbrt,
     libm::exp,
-    pairs::inverse_root_f64
+    inverse_root_f64
 );
 plain!(
     f32,
-    pairs::F32Pair,
-    pairs::F32Quad,
+    F32Pair,
+    Lanes<f32, 8>,
+    Lanes<f32, 4>,
+    Lanes<Lanes<f32, 4>, 2>,
+    Lanes<f32, 4>,
+    Lanes<f32, 8, Wide>,
+    Lanes<Lanes<f32, 8, Wide>, 2>,
     i32,
     23,
     ARTANH_SINGLE,
@@ -234,10 +270,10 @@ plain!(
     |single, double| single,
     1.084_202_2e-19,
     1e12,
-    square_root::of_f32,
+    registers::of_f32,
     libm::atanf,
     libm::logf,
     cube_root::of_f32,
     libm::expf,
-    pairs::inverse_root_f32
+    inverse_root_f32
 );

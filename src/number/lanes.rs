@@ -1,264 +1,285 @@
-//! Numbers of several contacts side by side, in registers of 256 bits (AVX): four doubles or eight floats.
+//! Numbers side by side: pairs, strips, the numbers of several contacts.
 //!
-//! Every operation is the correctly rounded one of a plain number, lane by lane, so the bits are those of the plain
-//! number. Nothing here fuses a product with a sum.
-//!
-//! The compiler does not know that the processor has these registers: the file has `unsafe` code, which is sound where
-//! AVX is there. Nobody makes such a number but `batch::side_by_side` and `strip::registers`,
-//! which ask the processor first.
+//! One array with the operations of its numbers, each the correctly rounded one of a plain number, so that the bits are those of plain
+//! numbers one after the other. Nothing here fuses a product with a sum. Arrays that fill a register are computed in it
+//! ([`InRegisters`]): four doubles or eight floats only where the processor has AVX, which whoever makes them has asked.
 
-#![allow(unsafe_code)]
-
-use super::pairs::{NEWTON, NEWTON_START, Two, operators};
-use super::{Arithmetic, Map, Number, Plain};
-use core::arch::x86_64::*;
-use core::mem::transmute;
+use super::registers::InRegisters;
+use super::{Arithmetic, Float, Map, Number, Pair, Plain, Strips};
+use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// `N` plain numbers side by side.
-pub(crate) trait Lanes<const N: usize>: Plain {
-    /// Side by side.
-    fn of_array(numbers: [Self::Stored; N]) -> Self;
+/// `N` numbers side by side.
+#[derive(Clone, Copy, Debug)]
+pub struct Lanes<T, const N: usize, A = ()>([T; N], [A; 0]);
+
+/// Where numbers side by side stand in memory: `()`, anywhere, or [`Wide`].
+pub trait Alignment: Copy + Debug + 'static {}
+
+impl Alignment for () {}
+
+/// Where a register of 256 bits is read at once.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(32))]
+pub struct Wide;
+
+impl Alignment for Wide {}
+
+impl<T, const N: usize, A> Lanes<T, N, A> {
+    /// Side by side. (Whoever makes numbers for wide registers has asked whether there are any.)
+    #[inline(always)]
+    pub(crate) fn new(numbers: [T; N]) -> Self {
+        Self(numbers, [])
+    }
     /// One by one.
-    fn array(self) -> [Self::Stored; N];
+    #[inline(always)]
+    pub(crate) fn numbers(self) -> [T; N] {
+        self.0
+    }
 }
 
-/// Four doubles.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct F64x4(__m256d);
-
-/// Eight single-precision numbers.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct F32x8(__m256);
-
-macro_rules! lanes {
-    (
-        $lanes:ident, $register:ident, $float:ident, $count:literal, $splat:ident, $add:ident, $sub:ident, $mul:ident, $div:ident,
-        $sqrt:ident, $max:ident, $min:ident, $xor:ident, $andnot:ident, $compare:ident, $blend:ident, $mask:ident,
-        |$x:ident| $inverse_root:expr, { $($special:item)* }
-    ) => {
-        // SAFETY (of this whole macro): arithmetic on registers, no memory access; with AVX, see above. The
-        // registers have the layout of arrays.
-        operators!([] $lanes: |a, b|
-            $lanes(unsafe { $add(a.0, b.0) }),
-            $lanes(unsafe { $sub(a.0, b.0) }),
-            $lanes(unsafe { $mul(a.0, b.0) }),
-            $lanes(unsafe { $div(a.0, b.0) }),
-            $lanes(unsafe { $xor(a.0, $splat(-0.0)) }));
-
-        impl $lanes {
-            const fn splat(x: $float) -> Self {
-                Self(unsafe { transmute::<[$float; $count], $register>([x; $count]) })
-            }
-        }
-
-        impl Lanes<$count> for $lanes {
+macro_rules! operators {
+    ($($operator:ident $function:ident $all:ident),*) => {
+        $(impl<T: InRegisters, const N: usize, A: Alignment> $operator for Lanes<T, N, A> {
+            type Output = Self;
             #[inline(always)]
-            fn of_array(numbers: [$float; $count]) -> Self {
-                Self(unsafe { transmute::<[$float; $count], $register>(numbers) })
+            fn $function(self, other: Self) -> Self {
+                Self(T::$all(self.0, other.0), [])
             }
-            #[inline(always)]
-            fn array(self) -> [$float; $count] {
-                unsafe { transmute::<$register, [$float; $count]>(self.0) }
-            }
-        }
-
-        impl Arithmetic for $lanes {
-            type Base = Self;
-            type Bare = Self;
-
-            #[inline(always)]
-            fn from_base(x: Self) -> Self {
-                x
-            }
-            #[inline(always)]
-            fn bare(self) -> Self {
-                self
-            }
-            #[inline(always)]
-            fn composed<const N: usize>(value: Self, _: [Self; N], _: [Self; N]) -> Self {
-                value
-            }
-            #[inline(always)]
-            fn scale(self, factor: Self) -> Self {
-                self * factor
-            }
-            #[inline(always)]
-            fn shift(self, term: Self) -> Self {
-                self + term
-            }
-            #[inline(always)]
-            fn sqrt(self) -> Self {
-                Self(unsafe { $sqrt(self.0) })
-            }
-            #[inline(always)]
-            fn inverse_root(self) -> Self {
-                let $x = self;
-                $inverse_root
-            }
-            $($special)*
-            #[inline(always)]
-            fn abs(self) -> Self {
-                Self(unsafe { $andnot($splat(-0.0), self.0) })
-            }
-            #[inline(always)]
-            fn max(self, other: Self) -> Self {
-                // the second one where they are equal or one is not a number, as everywhere here
-                Self(unsafe { $max(self.0, other.0) })
-            }
-            #[inline(always)]
-            fn min(self, other: Self) -> Self {
-                Self(unsafe { $min(self.0, other.0) })
-            }
-            #[inline(always)]
-            fn choose(self, yes: Self, no: Self) -> Self {
-                Self(unsafe {
-                    $blend(no.0, yes.0, $compare::<_CMP_GT_OQ>(self.0, $splat(0.0)))
-                })
-            }
-        }
-
-        impl Number for $lanes {
-            type Pair = Two<Self>;
-            type Quad = Two<Two<Self>>;
-            const LANES: usize = $count;
-            const LARGEST: Self = Self::splat(<$float as Number>::LARGEST);
-            const TINY: Self = Self::splat(<$float as Number>::TINY);
-            const ROOT_TINY: Self = Self::splat(<$float as Number>::ROOT_TINY);
-            const HUGE: Self = Self::splat(<$float as Number>::HUGE);
-            const EPSILON: Self = Self::splat(<$float as Number>::EPSILON);
-
-            #[inline(always)]
-            fn value(self) -> Self {
-                self
-            }
-            #[inline(always)]
-            fn map<const N: usize, const M: usize>(
-                map: &impl Map<Self, N, M>,
-                inputs: [Self; N],
-            ) -> [Self; M] {
-                map.value(inputs).0
-            }
-            #[inline(always)]
-            fn exceeds(self, other: Self) -> bool {
-                unsafe { $mask($compare::<_CMP_GT_OQ>(self.0, other.0)) != 0 }
-            }
-        }
-
-        impl Plain for $lanes {
-            type Stored = $float;
-
-            #[inline(always)]
-            fn of(x: f64) -> Self {
-                Self::stored(x as $float)
-            }
-            #[inline(always)]
-            fn stored(x: $float) -> Self {
-                Self(unsafe { $splat(x) })
-            }
-            #[inline(always)]
-            fn binary_quotient(self, divisor: Self) -> (Self, Self) {
-                let (mut k, mut divisors) = (self.array(), divisor.array());
-                for (k, divisor) in k.iter_mut().zip(&mut divisors) {
-                    (*k, *divisor) = k.binary_quotient(*divisor);
-                }
-                (Self::of_array(k), Self::of_array(divisors))
-            }
-            #[inline(always)]
-            fn lies_between(self, low: Self, high: Self) -> bool {
-                const ALL: i32 = (1 << $count) - 1;
-                let low = unsafe { $mask($compare::<_CMP_GE_OQ>(self.0, low.0)) };
-                let high = unsafe { $mask($compare::<_CMP_LE_OQ>(self.0, high.0)) };
-                (low & high) == ALL
-            }
-            #[inline(always)]
-            fn lies_within(self, limit: Self) -> bool {
-                self.lies_between(Self::splat(0.0), limit)
-            }
-            #[inline(always)]
-            fn is_positive_number(self) -> bool {
-                // (the smallest positive number, a subnormal one)
-                self.lies_between(Self::splat($float::from_bits(1)), Self::splat($float::MAX))
-            }
-        }
+        })*
     };
 }
+operators!(Add add sums, Sub sub differences, Mul mul products, Div div quotients);
 
-lanes!(
-    F64x4,
-    __m256d,
-    f64,
-    4,
-    _mm256_set1_pd,
-    _mm256_add_pd,
-    _mm256_sub_pd,
-    _mm256_mul_pd,
-    _mm256_div_pd,
-    _mm256_sqrt_pd,
-    _mm256_max_pd,
-    _mm256_min_pd,
-    _mm256_xor_pd,
-    _mm256_andnot_pd,
-    _mm256_cmp_pd,
-    _mm256_blendv_pd,
-    _mm256_movemask_pd,
-    |x| {
-        let y = Self(unsafe {
-            let root = _mm_sqrt_ps(_mm256_cvtpd_ps(x.0));
-            _mm256_cvtps_pd(_mm_div_ps(_mm_set1_ps(NEWTON_START), root))
-        });
-        x.newton(y)
-    },
-    {
-        /// Root and quotient of eight numbers at once: they take as long as those of four.
-        #[inline(always)]
-        fn inverse_roots<const N: usize>(mut numbers: [Self; N]) -> [Self; N] {
-            let mut couples = numbers.chunks_exact_mut(2);
-            for couple in &mut couples {
-                if let [a, b] = couple {
-                    let (first, second) = unsafe {
-                        let x = _mm256_set_m128(_mm256_cvtpd_ps(b.0), _mm256_cvtpd_ps(a.0));
-                        let y = _mm256_div_ps(_mm256_set1_ps(NEWTON_START), _mm256_sqrt_ps(x));
-                        let (low, high) =
-                            (_mm256_castps256_ps128(y), _mm256_extractf128_ps::<1>(y));
-                        (_mm256_cvtps_pd(low), _mm256_cvtps_pd(high))
-                    };
-                    (*a, *b) = (a.newton(Self(first)), b.newton(Self(second)));
-                }
-            }
-            for single in couples.into_remainder() {
-                *single = single.inverse_root();
-            }
-            numbers
-        }
-    }
-);
-lanes!(
-    F32x8,
-    __m256,
-    f32,
-    8,
-    _mm256_set1_ps,
-    _mm256_add_ps,
-    _mm256_sub_ps,
-    _mm256_mul_ps,
-    _mm256_div_ps,
-    _mm256_sqrt_ps,
-    _mm256_max_ps,
-    _mm256_min_ps,
-    _mm256_xor_ps,
-    _mm256_andnot_ps,
-    _mm256_cmp_ps,
-    _mm256_blendv_ps,
-    _mm256_movemask_ps,
-    |x| Self::one() / x.sqrt(),
-    {}
-);
-
-impl F64x4 {
-    /// `1/√x` from that of single precision times `2^(−1/3)`, as `pairs::inverse_root_f64`.
+impl<T: InRegisters, const N: usize, A: Alignment> AddAssign for Lanes<T, N, A> {
     #[inline(always)]
-    fn newton(self, y: Self) -> Self {
-        y * (Self::of(NEWTON) - self * (y * y))
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
     }
 }
+
+impl<T: InRegisters, const N: usize, A: Alignment> SubAssign for Lanes<T, N, A> {
+    #[inline(always)]
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+
+impl<T: InRegisters, const N: usize, A: Alignment> Neg for Lanes<T, N, A> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(T::opposites(self.0), [])
+    }
+}
+
+impl<T: InRegisters, const N: usize, A: Alignment> Arithmetic for Lanes<T, N, A> {
+    type Bare = Self;
+
+    #[inline(always)]
+    fn constant(x: f64) -> Self {
+        Self([T::constant(x); N], [])
+    }
+    #[inline(always)]
+    fn tiny() -> Self {
+        Self([T::tiny(); N], [])
+    }
+    #[inline(always)]
+    fn from_base(x: Self) -> Self {
+        x
+    }
+    #[inline(always)]
+    fn value(self) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn composed<const K: usize>(value: Self, _: [Self; K], _: [Self; K]) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn scale(self, factor: Self) -> Self {
+        self * factor
+    }
+    #[inline(always)]
+    fn shift(self, term: Self) -> Self {
+        self + term
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(T::roots(self.0), [])
+    }
+    #[inline(always)]
+    fn inverse_root(self) -> Self {
+        Self(T::inverse_roots(self.0), [])
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(T::sizes(self.0), [])
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Self(T::larger(self.0, other.0), [])
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Self(T::smaller(self.0, other.0), [])
+    }
+    #[inline(always)]
+    fn choose(self, yes: Self, no: Self) -> Self {
+        Self(T::chosen(self.0, yes.0, no.0), [])
+    }
+}
+
+impl<T: Plain, const N: usize> Number for Lanes<T, N> {
+    type Base = Self;
+    type Pair = Lanes<Self, 2>;
+    const LANES: usize = N * T::LANES;
+    const LARGEST: Self = Self([T::LARGEST; N], []);
+    const TINY: Self = Self([T::TINY; N], []);
+    const ROOT_TINY: Self = Self([T::ROOT_TINY; N], []);
+    const HUGE: Self = Self([T::HUGE; N], []);
+    const EPSILON: Self = Self([T::EPSILON; N], []);
+
+    #[inline(always)]
+    fn map<const K: usize, const M: usize>(
+        map: &impl Map<Self, K, M>,
+        inputs: [Self; K],
+    ) -> [Self; M] {
+        map.value(inputs).0
+    }
+    #[inline(always)]
+    fn exceeds(self, other: Self) -> bool {
+        T::any_exceeds(self.0, other.0)
+    }
+}
+
+impl<T: Plain, const N: usize> Plain for Lanes<T, N> {
+    type Stored = T::Stored;
+    type Four = Lanes<Lanes<Self, 2>, 2>;
+    type Eight = Lanes<Self::Four, 2>;
+    type WideFour = Self::Four;
+    type WideEight = Self::Eight;
+    type WideSixteen = Self::Eight;
+
+    #[inline(always)]
+    fn stored(x: T::Stored) -> Self {
+        Self([T::stored(x); N], [])
+    }
+    #[inline(always)]
+    fn binary_quotient(self, divisor: Self) -> (Self, Self) {
+        let (mut k, mut divisors) = (self.0, divisor.0);
+        for (k, divisor) in k.iter_mut().zip(&mut divisors) {
+            (*k, *divisor) = k.binary_quotient(*divisor);
+        }
+        (Self(k, []), Self(divisors, []))
+    }
+    #[inline(always)]
+    fn lies_between(self, low: Self, high: Self) -> bool {
+        T::all_between(self.0, low.0, high.0)
+    }
+    #[inline(always)]
+    fn lies_within(self, limit: Self) -> bool {
+        self.lies_between(Self::zero(), limit)
+    }
+    #[inline(always)]
+    fn is_positive_number(self) -> bool {
+        self.lies_between(Self([T::stored(T::Stored::SMALLEST); N], []), Self([T::LARGEST; N], []))
+    }
+}
+
+impl<T: Plain<Pair = Self>> Pair<T> for Lanes<T, 2> {
+    #[inline(always)]
+    fn of(first: T, second: T) -> Self {
+        Self([first, second], [])
+    }
+    #[inline(always)]
+    fn parts(self) -> (T, T) {
+        self.0.into()
+    }
+}
+
+/// Two in half a register of four, because that is what one instruction takes anyway; harmless numbers in the other half.
+#[cfg(target_arch = "x86_64")]
+pub type F32Pair = Lanes<f32, 4>;
+
+/// Two of them.
+#[cfg(not(target_arch = "x86_64"))]
+pub type F32Pair = Lanes<f32, 2>;
+
+#[cfg(target_arch = "x86_64")]
+impl Pair<f32> for Lanes<f32, 4> {
+    #[inline(always)]
+    fn of(first: f32, second: f32) -> Self {
+        Self([first, second, 1.0, 1.0], [])
+    }
+    #[inline(always)]
+    fn parts(self) -> (f32, f32) {
+        let [first, second, ..] = self.0;
+        (first, second)
+    }
+}
+
+/// As many strips as there are numbers.
+impl<F: Plain, const N: usize, A: Alignment> Strips<F> for Lanes<F, N, A> {
+    const COUNT: usize = N;
+    #[inline(always)]
+    fn gather(of: impl Fn(usize) -> F) -> Self {
+        let mut numbers = [F::zero(); N];
+        for (i, place) in numbers.iter_mut().enumerate() {
+            *place = of(i);
+        }
+        Self(numbers, [])
+    }
+    #[inline(always)]
+    fn lane(&self, i: usize) -> F {
+        self.0.get(i).copied().unwrap_or(F::zero())
+    }
+    #[inline(always)]
+    fn all(x: F) -> Self {
+        Self([x; N], [])
+    }
+    #[inline(always)]
+    fn total(self) -> F {
+        let (mut sums, mut half) = (self.0, N / 2);
+        while half > 0 {
+            let (first, second) = sums.split_at_mut(half);
+            for (sum, other) in first.iter_mut().zip(second) {
+                *sum += *other;
+            }
+            half /= 2;
+        }
+        sums.first().copied().unwrap_or(F::zero())
+    }
+}
+
+macro_rules! twice {
+    ($(<$N:ident, $A:ident> $half:ty: $count:expr),*) => {$(
+        /// Twice as many.
+        impl<F: Plain, const $N: usize, $A: Alignment> Strips<F> for Lanes<$half, 2> {
+            const COUNT: usize = 2 * $count;
+            #[inline(always)]
+            fn gather(of: impl Fn(usize) -> F) -> Self {
+                Self([Strips::gather(&of), Strips::gather(|i| of(i + $count))], [])
+            }
+            #[inline(always)]
+            fn lane(&self, i: usize) -> F {
+                let [first, second] = &self.0;
+                if i < $count { first.lane(i) } else { second.lane(i - $count) }
+            }
+            #[inline(always)]
+            fn all(x: F) -> Self {
+                Self([<$half>::all(x); 2], [])
+            }
+            #[inline(always)]
+            fn total(self) -> F {
+                let [first, second] = self.0;
+                (first + second).total()
+            }
+        }
+    )*};
+}
+twice!(<N, A> Lanes<F, N, A>: N, <N, A> Lanes<Lanes<F, N, A>, 2>: 2 * N);
+
+#[cfg(test)]
+#[path = "../../tests/units/lanes.rs"]
+mod tests;

@@ -13,23 +13,36 @@ pub mod dual;
 
 mod cube_root;
 mod float;
-#[cfg(target_arch = "x86_64")]
-pub(crate) mod lanes;
-pub mod pairs;
-mod square_root;
+pub mod lanes;
+pub(crate) mod registers;
+pub(crate) mod tables;
 
 use self::float::even_polynomial;
+pub use self::registers::InRegisters;
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// A number without derivatives: what constants and tables are made of. `f32`, `f64`, or the numbers of several
 /// contacts side by side.
-pub trait Plain: Number<Base = Self> + Arithmetic<Bare = Self> {
+pub trait Plain: Number<Base = Self> + InRegisters {
+    /// Four strips side by side.
+    type Four: Strips<Self>;
+    /// Eight strips.
+    type Eight: Strips<Self>;
+    /// Four where registers are wide ([`registers`]).
+    type WideFour: Strips<Self>;
+    /// Eight there.
+    type WideEight: Strips<Self>;
+    /// Sixteen there: they do not wait for each other.
+    type WideSixteen: Strips<Self>;
     /// What tables are stored in.
     type Stored: Float;
 
     /// The nearest number to a constant written in double precision. Free when `x` is a literal.
-    fn of(x: f64) -> Self;
+    #[inline(always)]
+    fn of(x: f64) -> Self {
+        Self::constant(x)
+    }
     /// A number of a table, exactly.
     fn stored(x: Self::Stored) -> Self;
     /// `k` and `2^k` times the divisor, so that the quotient of two positive normal numbers by it is between
@@ -71,15 +84,15 @@ pub trait Plain: Number<Base = Self> + Arithmetic<Bare = Self> {
     fn of_f32(x: f32) -> Self {
         Self::stored(Self::Stored::widened(x))
     }
-    /// Two numbers of a table.
-    #[inline(always)]
-    fn both_stored([first, second]: [Self::Stored; 2]) -> [Self; 2] {
-        [Self::stored(first), Self::stored(second)]
-    }
 }
 
 /// A plain floating-point number, `f32` or `f64`.
 pub trait Float: Plain<Stored = Self> + PartialOrd + nalgebra::Scalar {
+    /// As many contacts side by side as fill a wide register.
+    type Contacts: Plain<Stored = Self> + Strips<Self>;
+
+    /// Smallest positive number, a subnormal one.
+    const SMALLEST: Self;
     /// Even powers of `artanh(s)/s` for `s² ≤ 0.0403`.
     const ARTANH: &'static [Self];
     /// Even powers of `arctan(u)/u` for `u² ≤ 0.0396`.
@@ -101,16 +114,13 @@ pub trait Float: Plain<Stored = Self> + PartialOrd + nalgebra::Scalar {
     /// Natural logarithm of a positive number.
     fn ln(self) -> Self;
     /// Of one table in both precisions, that in this one; the other is not even linked.
-    fn table<const N: usize, const P: usize>(
-        single: &'static [[[f32; 2]; P]; N],
-        double: &'static [[[f64; 2]; P]; N],
-    ) -> &'static [[[Self; 2]; P]; N];
+    fn table<const R: usize, const C: usize>(
+        single: &'static [[f32; C]; R],
+        double: &'static [[f64; C]; R],
+    ) -> &'static [[Self; C]; R];
 }
 
-/// What formulas without a decision need: one number, or two side by side in [`Number::Pair`].
-///
-/// `Base` is the plain number below a dual number or a pair, and a plain number itself; products and
-/// sums with it cost no derivatives.
+/// What formulas without a decision need: one number, or several side by side.
 pub trait Arithmetic:
     Copy
     + Debug
@@ -123,15 +133,18 @@ pub trait Arithmetic:
     + SubAssign
     + 'static
 {
-    /// The plain number: `f64` for `f64` and for dual numbers over `f64`.
-    type Base: Plain;
-    /// The same without derivatives: one plain number, or a pair of them.
-    type Bare: Arithmetic<Base = Self::Base>;
+    /// The same without derivatives: products and sums with it cost none.
+    type Bare: Arithmetic<Bare = Self::Bare>;
 
-    /// A plain number; its derivatives are zero.
-    fn from_base(x: Self::Base) -> Self;
+    /// A constant written in double precision. Free when `x` is a literal.
+    fn constant(x: f64) -> Self;
+    /// Smallest positive normal number: added to denominators that may vanish together with their
+    /// numerators.
+    fn tiny() -> Self;
+    /// A number whose derivatives are zero.
+    fn from_base(x: Self::Bare) -> Self;
     /// Without derivatives.
-    fn bare(self) -> Self::Bare;
+    fn value(self) -> Self::Bare;
     /// A function of some numbers from its value and its derivatives by them, worked out by hand. Without derivatives it
     /// is the value, and what leads to the slopes is left out by the compiler.
     fn composed<const N: usize>(
@@ -139,20 +152,10 @@ pub trait Arithmetic:
         slopes: [Self::Bare; N],
         inputs: [Self; N],
     ) -> Self;
-    /// Product with a plain number.
-    fn scale(self, factor: Self::Base) -> Self;
-    /// Product with numbers without derivatives, each with its own.
-    #[inline(always)]
-    fn weigh(self, factor: Self::Bare) -> Self {
-        Self::composed(self.bare() * factor, [factor], [self])
-    }
-    /// Numbers without derivatives.
-    #[inline(always)]
-    fn fixed(x: Self::Bare) -> Self {
-        Self::composed(x, [], [])
-    }
-    /// Sum with a plain number.
-    fn shift(self, term: Self::Base) -> Self;
+    /// Product with a number without derivatives.
+    fn scale(self, factor: Self::Bare) -> Self;
+    /// Sum with a number without derivatives.
+    fn shift(self, term: Self::Bare) -> Self;
     /// Square root of a number that is not negative.
     fn sqrt(self) -> Self;
     /// `1/x`
@@ -164,14 +167,6 @@ pub trait Arithmetic:
     #[inline(always)]
     fn inverse_root(self) -> Self {
         Self::one() / self.sqrt()
-    }
-    /// The same of several, which may be quicker together.
-    #[inline(always)]
-    fn inverse_roots<const N: usize>(mut numbers: [Self; N]) -> [Self; N] {
-        for x in &mut numbers {
-            *x = x.inverse_root();
-        }
-        numbers
     }
     /// Absolute value.
     fn abs(self) -> Self;
@@ -191,11 +186,6 @@ pub trait Arithmetic:
         }
         mapped
     }
-    /// A constant written in double precision.
-    #[inline(always)]
-    fn constant(x: f64) -> Self {
-        Self::from_base(Self::Base::of(x))
-    }
     /// Zero.
     #[inline(always)]
     fn zero() -> Self {
@@ -206,21 +196,15 @@ pub trait Arithmetic:
     fn one() -> Self {
         Self::constant(1.0)
     }
-    /// Smallest positive normal number: added to denominators that may vanish together with their
-    /// numerators.
-    #[inline(always)]
-    fn tiny() -> Self {
-        Self::from_base(<Self::Base as Number>::TINY)
-    }
     /// Product with a literal.
     #[inline(always)]
     fn times(self, factor: f64) -> Self {
-        self.scale(Self::Base::of(factor))
+        self.scale(Self::Bare::constant(factor))
     }
     /// Sum with a literal.
     #[inline(always)]
     fn plus(self, term: f64) -> Self {
-        self.shift(Self::Base::of(term))
+        self.shift(Self::Bare::constant(term))
     }
     /// Square.
     #[inline(always)]
@@ -229,41 +213,15 @@ pub trait Arithmetic:
     }
 }
 
-/// A rule of integration, in both precisions: no number is converted at run time.
-pub(crate) struct Nodes<const N: usize> {
-    single: [[[f32; 2]; N]; 1],
-    double: [[[f64; 2]; N]; 1],
-}
-
-impl<const N: usize> Nodes<N> {
-    /// Nodes and weights.
-    pub(crate) const fn new(double: [[f64; 2]; N]) -> Self {
-        let mut single = [[0.0; 2]; N];
-        let mut i = 0;
-        while i < N {
-            single[i] = [double[i][0] as f32, double[i][1] as f32];
-            i += 1;
-        }
-        Self { single: [single], double: [double] }
-    }
-
-    /// Nodes and weights for numbers of a kind.
-    #[inline(always)]
-    pub(crate) fn of<T: Number>(&'static self) -> impl Iterator<Item = [T::Base; 2]> {
-        let [list] = Stored::<T>::table(&self.single, &self.double);
-        list.iter().map(|pair| T::Base::both_stored(*pair))
-    }
-}
-
 /// What tables for a kind of number are stored in.
-pub(crate) type Stored<T> = <<T as Arithmetic>::Base as Plain>::Stored;
+pub(crate) type Stored<T> = <<T as Number>::Base as Plain>::Stored;
 
 /// A number that formulas without a branch can be evaluated with.
-pub trait Number: Arithmetic {
+pub trait Number: Arithmetic<Bare = <Self as Number>::Base> {
+    /// The plain number: itself, or that below a dual number.
+    type Base: Plain;
     /// Two numbers side by side, in one register where the machine has such registers.
     type Pair: Pair<Self> + Arithmetic<Bare = <Self::Base as Number>::Pair>;
-    /// Four numbers side by side, in as many registers as the machine needs for them.
-    type Quad: Quad<Self> + Arithmetic<Bare = <Self::Base as Number>::Quad>;
 
     /// Whether there is more to it than a value.
     const HAS_DERIVATIVES: bool = false;
@@ -280,23 +238,11 @@ pub trait Number: Arithmetic {
     /// Distance from 1 to the next number.
     const EPSILON: Self::Base;
 
-    /// The value without derivatives.
-    fn value(self) -> Self::Base;
     /// The outputs of a map of plain numbers that brings its own derivatives.
     fn map<const N: usize, const M: usize>(
         map: &impl Map<Self::Base, N, M>,
         inputs: [Self; N],
     ) -> [Self; M];
-    /// A function of some numbers from its value and its derivatives by them.
-    #[inline(always)]
-    fn follow<const N: usize>(
-        value: Self::Base,
-        slopes: [Self::Base; N],
-        inputs: [Self; N],
-    ) -> Self {
-        let bare = |x: &Self::Base| Self::from_base(*x).bare();
-        Self::composed(bare(&value), slopes.each_ref().map(bare), inputs)
-    }
     /// Whether it is larger than another number; of several side by side, whether one of them is.
     fn exceeds(self, other: Self) -> bool;
 
@@ -345,19 +291,6 @@ macro_rules! either {
 }
 pub(crate) use either;
 
-/// `once!(T, code)`: code that is there once for each kind of number `T`, whoever calls it. That of numbers side by side stands
-/// inside their caller, who alone may use their registers.
-macro_rules! once {
-    ($T:ident, $code:expr) => {{
-        #[inline(never)]
-        fn apart<R>(code: impl FnOnce() -> R) -> R {
-            code()
-        }
-        if <$T as crate::number::Number>::LANES > 1 { $code } else { apart(|| $code) }
-    }};
-}
-pub(crate) use once;
-
 /// A number that the theory can be evaluated with. Comparisons look at the value only.
 pub trait Real: Number<Base: Float> + PartialEq + PartialOrd {}
 
@@ -374,7 +307,7 @@ pub trait Map<F, const N: usize, const M: usize> {
 }
 
 /// Two numbers side by side.
-pub trait Pair<T: Number>: Arithmetic<Base = T::Base> {
+pub trait Pair<T: Number>: Arithmetic<Bare = <T::Base as Number>::Pair> {
     /// Put two numbers side by side.
     fn of(first: T, second: T) -> Self;
     /// Take them apart.
@@ -384,18 +317,15 @@ pub trait Pair<T: Number>: Arithmetic<Base = T::Base> {
     fn both(x: T) -> Self {
         Self::of(x, x)
     }
-    /// Each multiplied by its own plain number.
+    /// Both multiplied by a plain number.
     #[inline(always)]
-    fn scale_each(self, factors: [T::Base; 2]) -> Self {
-        let [p, q] = factors;
-        let (first, second) = self.parts();
-        Self::of(first.scale(p), second.scale(q))
+    fn by(self, factor: T::Base) -> Self {
+        self.scale(<T::Base as Number>::Pair::both(factor))
     }
-    /// A plain number for each.
+    /// A plain number added to both.
     #[inline(always)]
-    fn plain(values: [T::Base; 2]) -> Self {
-        let [first, second] = values;
-        Self::of(T::from_base(first), T::from_base(second))
+    fn more(self, term: T::Base) -> Self {
+        self.shift(<T::Base as Number>::Pair::both(term))
     }
     /// Their sum.
     #[inline(always)]
@@ -405,32 +335,16 @@ pub trait Pair<T: Number>: Arithmetic<Base = T::Base> {
     }
 }
 
-/// Four numbers side by side.
-pub trait Quad<T: Number>: Arithmetic<Base = T::Base> {
-    /// Put two pairs side by side.
-    fn of_halves(first: T::Pair, second: T::Pair) -> Self;
-    /// Take them apart.
-    fn halves(self) -> [T::Pair; 2];
-    /// The same number four times.
-    fn all(x: T) -> Self;
-    /// A plain number for each.
-    fn plain(values: [T::Base; 4]) -> Self;
-    /// Put four numbers side by side.
-    #[inline(always)]
-    fn of([a, b, c, d]: [T; 4]) -> Self {
-        Self::of_halves(T::Pair::of(a, b), T::Pair::of(c, d))
-    }
-    /// Take them apart.
-    #[inline(always)]
-    fn parts(self) -> [T; 4] {
-        let [first, second] = self.halves();
-        let ((a, b), (c, d)) = (first.parts(), second.parts());
-        [a, b, c, d]
-    }
-    /// Their sum: that of the sums of the first and third, and of the second and fourth.
-    #[inline(always)]
-    fn sum(self) -> T {
-        let [first, second] = self.halves();
-        (first + second).sum()
-    }
+/// Strips side by side.
+pub trait Strips<F>: InRegisters {
+    /// How many.
+    const COUNT: usize;
+    /// The number of each.
+    fn gather(of: impl Fn(usize) -> F) -> Self;
+    /// The number of one.
+    fn lane(&self, i: usize) -> F;
+    /// The same number for all.
+    fn all(x: F) -> Self;
+    /// Their sum: of the halves, half by half.
+    fn total(self) -> F;
 }

@@ -4,10 +4,10 @@ use crate::contact::creepage::Creepage;
 use crate::number::Real;
 use crate::patch::solver::{Problem, Slip, Units, reach, rigid_slip};
 use crate::patch::{PatchStrip, PatchView};
-use crate::solve::field::{FieldPoint, rolling_point};
+use crate::solve::field::{FieldPoint, strip_point};
 use crate::solve::model::{Model, Precision};
 use crate::status::{Error, Notice};
-use crate::strip::{Law as StripLaw, StripGeometry};
+use crate::strip::{Distribution, StripGeometry};
 use crate::strip_1967::strip::{Strip, StripPoint};
 
 /// The tangential field of a patch, ready to be evaluated at points.
@@ -25,16 +25,16 @@ pub struct PatchField<'a, F> {
 #[derive(Clone, Copy, Debug)]
 pub struct PatchFieldStrip<F: Real<Base = F>> {
     strip: PatchStrip<F>,
-    law: Law<F>,
+    law: Tractions<F>,
 }
 
 /// The traction law of a strip.
 #[derive(Clone, Copy, Debug)]
-enum Law<F: Real<Base = F>> {
+enum Tractions<F: Real<Base = F>> {
     /// The theory of 1967, and the unit of slip.
-    Theory(Strip<F>, F),
-    /// The corrected strips, and the unit of slip.
-    Rolling(StripLaw<F>, StripGeometry<F>, F),
+    Strip1967(Strip<F>, F),
+    /// STRIP, and the unit of slip.
+    Strip(Distribution<F>, StripGeometry<F>, F),
 }
 
 impl<'a, F: Precision> PatchField<'a, F> {
@@ -84,10 +84,10 @@ impl<'a, F: Precision> PatchField<'a, F> {
             let factors = [F::one(), F::one()];
             let (rolling, _) = Problem::law(&zone, &Slip::new(creepage), strip.centre_x, factors);
             let line = Units::new(&zone).geometry(strip, F::zero());
-            Law::Rolling(rolling, line, zone.contact.slip_scale())
+            Tractions::Strip(rolling, line, zone.contact.slip_scale())
         } else {
             let circle = strip.circle(view.shear_modulus(), view.poisson_ratio());
-            Law::Theory(self.problem.theory(strip, creepage), circle.slip_scale())
+            Tractions::Strip1967(self.problem.theory(strip, creepage), circle.slip_scale())
         };
         Some(PatchFieldStrip { strip: *strip, law })
     }
@@ -109,9 +109,9 @@ impl<'a, F: Precision> PatchField<'a, F> {
         let pressure = strip.peak_pressure;
         let traction = strip.friction * pressure;
         let (slip, point) = match law {
-            Law::Theory(solved, slip) => (*slip, solved.at(place)),
-            Law::Rolling(rolling, geometry, slip) => {
-                (*slip, rolling_point(rolling, geometry, F::one(), place))
+            Tractions::Strip1967(solved, slip) => (*slip, solved.at(place)),
+            Tractions::Strip(rolling, geometry, slip) => {
+                (*slip, strip_point(rolling, geometry, F::one(), place))
             }
         };
         FieldPoint::in_units(pressure, traction, slip, &point)

@@ -52,7 +52,7 @@ pub(super) fn lattice<F: Float>(zones: &Zones<F>, count: usize, deep: Moving<F>)
         x.squared() * (Moving::constant(3.0) - x.times(2.0))
     };
     let total = zones.iter().fold(Moving::zero(), |sum, zone| sum + zone.width() * counts(zone));
-    let inverse = Moving::fixed(count) / total;
+    let inverse = Moving::from_base(count) / total;
     // what is narrower than rounding, of lengths or of places, is left out
     let far = zones
         .iter()
@@ -68,7 +68,7 @@ pub(super) fn lattice<F: Float>(zones: &Zones<F>, count: usize, deep: Moving<F>)
         let (mut at, mut cell) = (begin, (begin.value + least).whole());
         while at.value < end.value - least {
             cell = cell.saturating_add(1);
-            let next = Moving::fixed(F::widened(cell as f32));
+            let next = Moving::from_base(F::widened(cell as f32));
             let next = if next.value < end.value - least { next } else { end };
             let share = next - at;
             if share.value > least {

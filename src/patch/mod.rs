@@ -9,7 +9,7 @@
 //! Strips lie side by side in ascending `y`. Where the distance of two neighbours is more than one and a half
 //! times that at which they touch, there is a gap, and what lies on either side of it is a lobe of its own.
 //!
-//! The corrected strips need an axis ratio: that of the ellipse which stands for what a strip is connected with ([`zones`]).
+//! STRIP needs an axis ratio: that of the ellipse which stands for what a strip is connected with ([`zones`]).
 
 mod estimate;
 pub mod field;

@@ -16,7 +16,7 @@
 //! Of a cell that a zone's end cuts to the share `r` the pressure leans on that of its neighbour in the zone,
 //! `u_i + κ (p_i − p_k) = δ − h_i`, `κ = 0.3 w (1 − r)²/r`: it takes the neighbour's as its width vanishes.
 
-use crate::number::{Arithmetic, Float, Quad};
+use crate::number::{Arithmetic, Float, Strips};
 use crate::patch::influence::{CURVATURE, DEFLECTION, Edge};
 use crate::patch::lattice::Places;
 use crate::patch::section::Moving;
@@ -374,8 +374,9 @@ impl<F: Float> Edges<F> {
                 *inverse = t.plus(1.0) * both;
                 *log = size.ln_quotient(self.half_length);
             }
-            let found = of.at(F::Quad::plain(t), F::Quad::plain(w), F::Quad::plain(log));
-            let [values, slopes] = found.map(|found| found.parts());
+            let four = |all: [F; 4]| F::Four::gather(|k| all.get(k).copied().unwrap_or(F::one()));
+            let found = of.at(four(t), four(w), four(log));
+            let [values, slopes] = found.map(|found| [0, 1, 2, 3].map(|k| found.lane(k)));
             let lanes = values.into_iter().zip(slopes).zip(inverse);
             for (distance, ((value, slope), inverse)) in distances.iter_mut().zip(lanes) {
                 let [moved] = distance.gradient;

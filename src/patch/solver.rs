@@ -6,7 +6,7 @@
 //! * Theory of 1967: [`Strip::solve`] in units of the strip. The strips do not move with the
 //!   solution, so where a strip loses its adhesion area the forces have a kink, and under
 //!   [`SlidingRule::RigidSlip`](crate::strip_1967::strip::SlidingRule::RigidSlip) with spin a jump as large as that strip's share.
-//! * Corrected strips: the ellipse of a strip's [zone](super::zones) is solved at the creepage of its own centre, and
+//! * [`Model::Strip`]: the ellipse of a strip's [zone](super::zones) is solved at the creepage of its own centre, and
 //!   gives the strip the creepages of its `Y` and `Π = (μ p₀)_strip/(μ p₀)`. A strip whose
 //!   centre is moved by `x_c` is solved with what is seen for the lateral creepage there.
 //!
@@ -30,7 +30,7 @@ use crate::solve::model::{Model, Precision, Solution, StripResult};
 use crate::solve::notice::notice;
 use crate::solve::theory::sliding_rule;
 use crate::status::{Error, Notice};
-use crate::strip::{Carried, Law as StripLaw, Prepared, Seen, StripGeometry, eight_strips};
+use crate::strip::{Carried, Distribution, Flexibilities, Seen, StripGeometry, eight_strips};
 use crate::strip_1967::strip::{Regime, State, Strip};
 use crate::total;
 use nalgebra::Matrix3;
@@ -195,7 +195,7 @@ impl<'a, F: Precision> Problem<'a, F> {
         visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
     ) {
         if self.model == Model::Strip {
-            self.rolling_shares(slip, visit);
+            self.strip_shares(slip, visit);
         } else if self.model == Model::Total {
             self.elliptic_shares(slip, visit);
         } else {
@@ -242,18 +242,18 @@ impl<'a, F: Precision> Problem<'a, F> {
         Share::new(strip, &carried, stick, solved.adheres())
     }
 
-    /// The corrected strips of a zone's ellipse, for the creepage at `x` on its middle line, and what pressure adds to it.
+    /// The strips of a zone's ellipse, for the creepage at `x` on its middle line, and what pressure adds to it.
     pub fn law<T: Real<Base = F>>(
         zone: &Zone<F>,
         slip: &Slip<T>,
         x: F,
         factors: [F; 2],
-    ) -> (StripLaw<T>, T) {
+    ) -> (Distribution<T>, T) {
         let Contact { a, b, poisson_ratio, .. } = zone.contact;
         let linear = LinearCoefficients::at(a / b, poisson_ratio);
         let (seen, shift) = seen_by(zone, &linear, slip, x);
         let parameters = Parameters::new(&zone.contact, &seen);
-        let prepared = Prepared::new(parameters.axis_ratio, poisson_ratio, &linear, factors);
+        let prepared = Flexibilities::new(parameters.axis_ratio, poisson_ratio, &linear, factors);
         (prepared.see(parameters.normalised()), shift)
     }
 
@@ -294,17 +294,17 @@ impl<'a, F: Precision> Problem<'a, F> {
         let linear = LinearCoefficients::at(a / b, poisson_ratio);
         let (seen, shift) = seen_by(zone, &linear, slip, zone.x);
         let parameters = Parameters::new(&zone.contact, &seen);
-        let total = total::Prepared::new(parameters.axis_ratio, poisson_ratio, &linear);
+        let total = total::Total::new(parameters.axis_ratio, poisson_ratio, &linear);
         (total.totals(parameters.normalised()), shift)
     }
 
-    fn rolling_shares<T: Real<Base = F>>(
+    fn strip_shares<T: Real<Base = F>>(
         &self,
         slip: &Slip<T>,
         visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
     ) {
         let QuadratureScale { area, lever } = self.view.scale();
-        let mut prepared: Option<Known<F, T, StripLaw<T>>> = None;
+        let mut prepared: Option<Known<F, T, Distribution<T>>> = None;
         let mut before = 0;
         let of_patch = Widths::new(self.view.strips());
         for lobe in self.view.lobes() {

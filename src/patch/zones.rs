@@ -1,6 +1,6 @@
 //! What a strip takes for its own ellipse: the strips that it is connected with.
 //!
-//! The corrected strips need an axis ratio. A strip's zone is all strips that it reaches without passing a neck; beyond a neck
+//! STRIP needs an axis ratio. A strip's zone is all strips that it reaches without passing a neck; beyond a neck
 //! they count with a weight, one where the neck is 0.85 of the smaller of the two parts that it connects, none below
 //! 0.55. So a patch that is pinched falls apart without a jump, and a strip in the neck belongs to both sides.
 //!

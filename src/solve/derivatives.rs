@@ -29,9 +29,9 @@ use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::forces::Totals;
 use crate::contact::mismatch::Shift;
-use crate::number::Float;
+use crate::number::{Float, Plain};
 use crate::solve::check::is_ordinary;
-use crate::solve::frame::Frame;
+use crate::solve::frame::{Forces, Frame};
 use crate::solve::options::{Model, Options, Precision, Solution};
 use crate::solve::theory::{Linear, Strip, Strip1967, Theory, Total};
 use crate::status::Error;
@@ -211,12 +211,13 @@ fn differentiated<F: Precision, M: Theory<F>>(
     let theory = M::of_contact(frame, options);
     let shift = frame.shift(creepage, M::MODEL);
     let seen = shift.map_or(*creepage, |shift| shift.seen(creepage));
-    let (solution, mut derivatives) = match theory.stiffness() {
-        Some(stiffness) => linear(&theory, frame, stiffness, &seen, ordinary),
-        None if frame.contact.friction_bound() > F::zero() => {
-            saturating(&theory, frame, &seen, ordinary)
-        }
-        None => sliding(&theory, frame, &seen, ordinary),
+    let bound = frame.contact.friction_bound();
+    let (solution, mut derivatives) = if theory.stiffness().is_none() && bound <= F::zero() {
+        (theory.answer_seen(frame, &seen, ordinary), sliding(&theory, frame, &seen))
+    } else {
+        let (forces, psi, derivatives) = with_slopes(&theory, frame, &seen);
+        let forces = M::at_rest(&seen).unwrap_or(forces);
+        (M::solution(frame, &seen, &forces, psi, ordinary), derivatives)
     };
     if let Some(shift) = shift {
         through_shift(&mut derivatives, &shift, creepage, &frame.contact);
@@ -253,25 +254,40 @@ fn through_shift<F: Float>(
     }
 }
 
-/// Powers of `N` that forces and moment grow with where the slip does not change.
-fn powers<F: Float>() -> [F; 3] {
-    [F::one(), F::one(), F::constant(4.0 / 3.0)]
-}
-
-fn saturating<F: Precision, M: Theory<F>>(
+/// Forces of a contact with load and friction, `ψ`, and the derivatives of forces.
+#[inline(always)]
+pub(crate) fn with_slopes<F: Plain, M: Theory<F>>(
     theory: &M,
     frame: &Frame<F>,
     creepage: &Creepage<F>,
-    ordinary: bool,
-) -> (Solution<F>, Derivatives<F>) {
+) -> (Forces<F>, F, Derivatives<F>) {
+    match theory.stiffness() {
+        Some(stiffness) => {
+            let (forces, psi) = theory.forces(frame, creepage);
+            let derivatives = linear(stiffness, frame, creepage, &forces);
+            (forces, psi, derivatives)
+        }
+        None => saturating(theory, frame, creepage),
+    }
+}
+
+/// Powers of `N` that forces and moment grow with where the slip does not change.
+fn powers<F: Plain>() -> [F; 3] {
+    [F::one(), F::one(), F::constant(4.0 / 3.0)]
+}
+
+#[inline(always)]
+fn saturating<F: Plain, M: Theory<F>>(
+    theory: &M,
+    frame: &Frame<F>,
+    creepage: &Creepage<F>,
+) -> (Forces<F>, F, Derivatives<F>) {
     let Frame { contact, radius, units } = frame;
     let parameters = units.parameters(&creepage.inputs());
     let Totals { fx, fy, mz, stick } = theory.totals(frame, &parameters);
     let bound = contact.friction_bound();
-    let [of_x, of_y, of_z, stick] = [fx, fy, mz, stick].map(|number| number.value);
-    let found = frame.forces(Totals { fx: of_x, fy: of_y, mz: of_z, stick });
-    let forces = M::at_rest(creepage).unwrap_or(found);
-    let solution = M::solution(frame, creepage, &forces, parameters.psi.value, ordinary);
+    let [of_x, of_y, of_z, stick] = [fx.value, fy.value, mz.value, stick.value];
+    let forces = frame.forces(Totals { fx: of_x, fy: of_y, mz: of_z, stick });
 
     let Creepage { longitudinal, lateral, spin } = *creepage;
     let [by_x, by_y, by_z] = powers::<F>();
@@ -290,7 +306,7 @@ fn saturating<F: Precision, M: Theory<F>>(
         friction: scaled(euler, contact.normal_force),
         load_through_hertz: scaled(hertz, contact.friction),
     };
-    (solution, derivatives)
+    (forces, parameters.psi.value, derivatives)
 }
 
 /// No friction: no force, and no dependence on the creepage until there is some.
@@ -298,48 +314,43 @@ fn sliding<F: Precision, M: Theory<F>>(
     theory: &M,
     frame: &Frame<F>,
     creepage: &Creepage<F>,
-    ordinary: bool,
-) -> (Solution<F>, Derivatives<F>) {
+) -> Derivatives<F> {
     let Frame { contact, radius, .. } = frame;
     let parameters = Parameters::sliding(contact, creepage);
     let Totals { fx, fy, mz, .. } = theory.totals(frame, &parameters);
     let limit = [fx, fy, mz * *radius];
     let [by_x, by_y, by_z] = powers::<F>();
     let hertz = [fx * by_x, fy * by_y, mz * *radius * by_z];
-    let derivatives = Derivatives {
+    Derivatives {
         jacobian: [[F::zero(); 3]; 3],
         normal_force: scaled(limit, contact.friction),
         friction: scaled(limit, contact.normal_force),
         load_through_hertz: scaled(hertz, contact.friction),
-    };
-    (theory.answer_seen(frame, creepage, ordinary), derivatives)
+    }
 }
 
 /// The linear theory: the derivatives are its coefficients.
 #[inline(always)]
-fn linear<F: Precision, M: Theory<F>>(
-    theory: &M,
+fn linear<F: Plain>(
+    [x, y, coupling, z]: &[F; 4],
     frame: &Frame<F>,
-    stiffness: &[F; 4],
     creepage: &Creepage<F>,
-    ordinary: bool,
-) -> (Solution<F>, Derivatives<F>) {
-    let [x, y, coupling, z] = *stiffness;
-    let solution = theory.answer_seen(frame, creepage, ordinary);
+    forces: &Forces<F>,
+) -> Derivatives<F> {
     let none = F::zero();
-    let jacobian = [[x, none, none], [none, y, coupling], [none, -coupling, z]];
-    let Solution { fx, fy, mz, .. } = solution;
-    let mut hertz = [fx, fy, mz];
+    let jacobian = [[*x, none, none], [none, *y, *coupling], [none, -*coupling, *z]];
+    let mut hertz = [forces.fx, forces.fy, forces.mz];
     for ((force, power), [by_x, by_y, _]) in hertz.iter_mut().zip(powers::<F>()).zip(jacobian) {
         // (power F − ⅓ J_v v)/N
         let translation = by_x * creepage.longitudinal + by_y * creepage.lateral;
         *force = (power * *force - translation.times(1.0 / 3.0)) / frame.contact.normal_force;
     }
-    let derivatives = Derivatives { jacobian, load_through_hertz: hertz, ..Derivatives::nothing() };
-    (solution, derivatives)
+    let none = [none; 3];
+    Derivatives { jacobian, normal_force: none, load_through_hertz: hertz, friction: none }
 }
 
-fn scaled<F: Float>(vector: [F; 3], factor: F) -> [F; 3] {
+#[inline(always)]
+fn scaled<F: Plain>(vector: [F; 3], factor: F) -> [F; 3] {
     vector.map(|entry| entry * factor)
 }
 

@@ -9,7 +9,7 @@ use crate::solve::frame::Frame;
 use crate::solve::notice::notice_of;
 use crate::solve::options::{Model, Options, Precision};
 use crate::status::{Error, Notice};
-use crate::strip::{Law as StripLaw, Prepared, StripGeometry};
+use crate::strip::{Distribution, Flexibilities, StripGeometry};
 use crate::strip_1967::strip::{SlidingRule, State, Strip, StripPoint};
 
 /// The state of a point of the contact plane. Tractions act on the lower body.
@@ -65,16 +65,16 @@ impl<F: Float> FieldPoint<F> {
 
 /// The traction law of a field.
 #[derive(Clone, Copy, Debug)]
-enum Law<F: Real> {
-    Theory(Parameters<F>, SlidingRule),
-    Rolling(StripLaw<F>),
+enum Tractions<F: Real> {
+    Strip1967(Parameters<F>, SlidingRule),
+    Strip(Distribution<F>),
 }
 
 /// The tangential field of a contact, ready to be evaluated at points.
 #[derive(Clone, Copy, Debug)]
 pub struct Field<F: Real<Base = F>> {
     contact: Contact<F>,
-    law: Law<F>,
+    law: Tractions<F>,
     /// What the caller should know.
     pub notice: Notice,
 }
@@ -83,9 +83,9 @@ pub struct Field<F: Real<Base = F>> {
 #[derive(Clone, Copy, Debug)]
 pub enum FieldStrip<F: Real<Base = F>> {
     /// Of the theory of 1967.
-    Theory(Strip<F>),
-    /// Of the corrected strips.
-    Rolling(StripGeometry<F>),
+    Strip1967(Strip<F>),
+    /// Of STRIP.
+    Strip(StripGeometry<F>),
 }
 
 impl<F: Precision> Field<F> {
@@ -117,14 +117,14 @@ impl<F: Precision> Field<F> {
             return Err(Error::Overflow);
         }
         let law = match options.model {
-            Model::Strip1967 => Law::Theory(parameters, SlidingRule::RigidSlip),
-            Model::Strip1967Continuous => Law::Theory(parameters, SlidingRule::Continuous),
+            Model::Strip1967 => Tractions::Strip1967(parameters, SlidingRule::RigidSlip),
+            Model::Strip1967Continuous => Tractions::Strip1967(parameters, SlidingRule::Continuous),
             Model::Strip => {
                 let Parameters { axis_ratio, poisson_ratio, .. } = parameters;
                 let linear = LinearCoefficients::at(axis_ratio, poisson_ratio);
                 let one = F::one();
-                let prepared = Prepared::new(axis_ratio, poisson_ratio, &linear, [one, one]);
-                Law::Rolling(prepared.see(parameters.normalised()))
+                let prepared = Flexibilities::new(axis_ratio, poisson_ratio, &linear, [one, one]);
+                Tractions::Strip(prepared.see(parameters.normalised()))
             }
             Model::Total | Model::Linear => return Err(Error::NotInModel),
         };
@@ -145,7 +145,7 @@ impl<F: Precision> Field<F> {
         }
         let half_length = square.sqrt();
         Some(match &self.law {
-            Law::Theory(p, rule) => FieldStrip::Theory(Strip::solve(
+            Tractions::Strip1967(p, rule) => FieldStrip::Strip1967(Strip::solve(
                 half_length,
                 p.xi - p.spin_slope() * relative,
                 p.eta,
@@ -153,7 +153,7 @@ impl<F: Precision> Field<F> {
                 p.poisson_ratio,
                 *rule,
             )),
-            Law::Rolling(_) => FieldStrip::Rolling(StripGeometry {
+            Tractions::Strip(_) => FieldStrip::Strip(StripGeometry {
                 y: relative,
                 half_length,
                 bound: half_length,
@@ -173,9 +173,9 @@ impl<F: Precision> Field<F> {
     pub fn along(&self, strip: Option<&FieldStrip<F>>, x: F) -> FieldPoint<F> {
         let x = x / self.contact.a;
         let point = match (strip, &self.law) {
-            (Some(FieldStrip::Theory(strip)), _) => strip.at(x),
-            (Some(FieldStrip::Rolling(geometry)), Law::Rolling(strips)) => {
-                rolling_point(strips, geometry, geometry.half_length, x)
+            (Some(FieldStrip::Strip1967(strip)), _) => strip.at(x),
+            (Some(FieldStrip::Strip(geometry)), Tractions::Strip(strips)) => {
+                strip_point(strips, geometry, geometry.half_length, x)
             }
             _ => StripPoint::outside(),
         };
@@ -183,10 +183,10 @@ impl<F: Precision> Field<F> {
     }
 }
 
-/// A point of a corrected strip in the units of the theory of 1967; the strip's half length `c` and `x` in any
+/// A point of a strip of STRIP in the units of the theory of 1967; the strip's half length `c` and `x` in any
 /// one unit, pressure in that in which its peak is `c`.
-pub(crate) fn rolling_point<F: Precision>(
-    strips: &StripLaw<F>,
+pub(crate) fn strip_point<F: Precision>(
+    strips: &Distribution<F>,
     geometry: &StripGeometry<F>,
     c: F,
     x: F,

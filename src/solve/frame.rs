@@ -5,8 +5,7 @@ use crate::contact::creepage::{Creepage, Units};
 use crate::contact::forces::Totals;
 use crate::contact::mismatch::Shift;
 use crate::number::{Arithmetic, Float, Pair, Plain};
-use crate::solve::options::{Model, Solution};
-use crate::status::Notice;
+use crate::solve::options::Model;
 
 /// A contact in the units of the theory: numbers only.
 #[repr(C)]
@@ -74,14 +73,4 @@ pub(crate) struct Forces<T> {
     pub(crate) fy: T,
     pub(crate) mz: T,
     pub(crate) adhesion: T,
-}
-
-impl<F: Float> Forces<F> {
-    /// With the power of a creepage.
-    #[inline(always)]
-    pub(crate) fn solution(&self, creepage: &Creepage<F>, notice: Notice) -> Solution<F> {
-        let Self { fx, fy, mz, adhesion } = *self;
-        let power = creepage.power([fx, fy, mz]);
-        Solution { fx, fy, mz, power, adhesion, notice, reserved: 0 }
-    }
 }

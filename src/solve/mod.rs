@@ -2,8 +2,7 @@
 //!
 //! Types first, each file knowing those before it: `options`, what is asked and answered; `check`, whether there is an answer;
 //! `frame`, a contact in units of the theory; `notice`, what a caller should know; `theory`, what a model makes of a contact and
-//! answers to a creepage; `prepared`, what it makes of one, kept. Then what callers ask: [`model`] for forces, [`derivatives`],
-//! [`strips`], [`field`], and [`motion`]: forward, backward, standstill.
+//! answers to a creepage; `prepared`, what it makes of one, kept. Then what callers ask: [`model`] for forces, [`derivatives`], [`strips`], [`field`], and [`motion`]: forward, backward, standstill.
 
 pub mod check;
 pub mod derivatives;

@@ -53,22 +53,14 @@ pub(crate) fn solve_inline<F: Precision>(
     }
     let frame = &Frame::of(contact);
     Ok(match options.model {
-        Model::Strip1967 => answer::<_, Strip1967<false>>(frame, creepage, options, ordinary),
-        Model::Strip1967Continuous => {
-            answer::<_, Strip1967<true>>(frame, creepage, options, ordinary)
+        Model::Strip1967 => {
+            Strip1967::<false>::of_contact(frame, options).answer(frame, creepage, ordinary)
         }
-        Model::Strip => answer::<_, Strip<F>>(frame, creepage, options, ordinary),
-        Model::Total => answer::<_, Total<F>>(frame, creepage, options, ordinary),
-        Model::Linear => answer::<_, Linear<F>>(frame, creepage, options, ordinary),
+        Model::Strip1967Continuous => {
+            Strip1967::<true>::of_contact(frame, options).answer(frame, creepage, ordinary)
+        }
+        Model::Strip => Strip::of_contact(frame, options).answer(frame, creepage, ordinary),
+        Model::Total => Total::of_contact(frame, options).answer(frame, creepage, ordinary),
+        Model::Linear => Linear::of_contact(frame, options).answer(frame, creepage, ordinary),
     })
-}
-
-#[inline(always)]
-fn answer<F: Precision, M: Theory<F>>(
-    frame: &Frame<F>,
-    creepage: &Creepage<F>,
-    options: &Options,
-    ordinary: bool,
-) -> Solution<F> {
-    M::of_contact(frame, options).answer(frame, creepage, ordinary)
 }

@@ -3,7 +3,6 @@
 use crate::contact::forces::StripCount;
 use crate::number::Float;
 use crate::status::Notice;
-use crate::strip::StripTotals;
 
 /// Which traction law.
 ///
@@ -101,12 +100,7 @@ impl<F: Float> Solution<F> {
 }
 
 /// Floating-point types that every model can be computed in.
-#[cfg(not(target_arch = "x86_64"))]
-pub trait Precision: Float + StripTotals {}
-
-/// Floating-point types that every model can be computed in.
-#[cfg(target_arch = "x86_64")]
-pub trait Precision: Float + StripTotals + crate::batch::Wide {}
+pub trait Precision: Float {}
 
 impl Precision for f64 {}
 impl Precision for f32 {}

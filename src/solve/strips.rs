@@ -10,7 +10,7 @@ use crate::solve::notice::notice_of;
 use crate::solve::options::{Model, Options, Precision};
 use crate::solve::theory::sliding_rule;
 use crate::status::{Error, Notice};
-use crate::strip::{PreparedStrips, Rule};
+use crate::strip::{EllipseStrips, Rule};
 use crate::strip_1967::strip::State;
 use crate::strip_1967::{self, strips::PlacedStrip};
 
@@ -96,8 +96,8 @@ pub fn strips<F: Precision>(
     if options.model == Model::Strip {
         let Parameters { axis_ratio, poisson_ratio, .. } = parameters;
         let linear = LinearCoefficients::at(axis_ratio, poisson_ratio);
-        let law = PreparedStrips::new(axis_ratio, poisson_ratio, &linear, options.strips);
-        place_rolling(&law, parameters.normalised(), options.strips, &mut share);
+        let law = EllipseStrips::new(axis_ratio, poisson_ratio, &linear, options.strips);
+        place_strips(&law, parameters.normalised(), options.strips, &mut share);
     } else {
         let rule = sliding_rule(options.model);
         strip_1967::strips::strips(&parameters, rule, options.strips, &mut share);
@@ -105,10 +105,10 @@ pub fn strips<F: Precision>(
     Ok(notice_of(contact, creepage, options.model, parameters.psi))
 }
 
-/// The corrected strips in the form of those of the theory of 1967.
+/// The strips of STRIP in the form of those of the theory of 1967.
 #[inline(never)]
-fn place_rolling<F: Precision>(
-    strips: &PreparedStrips<F>,
+fn place_strips<F: Precision>(
+    strips: &EllipseStrips<F>,
     creepage: [F; 3],
     count: StripCount,
     visit: &mut dyn FnMut(PlacedStrip<F>),

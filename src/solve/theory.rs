@@ -5,19 +5,18 @@ use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::forces::Totals;
 use crate::linear::LinearCoefficients;
-use crate::number::{Float, Number};
+use crate::number::{Float, Number, Plain};
 use crate::solve::frame::{Forces, Frame};
 use crate::solve::notice::{linear_notice_of, neglected, notice, warned};
 use crate::solve::options::{Model, Options, Solution};
 use crate::status::Notice;
-use crate::strip::StripTotals;
 use crate::strip_1967::{self, strip::SlidingRule};
 
-pub(crate) use crate::strip::PreparedStrips as Strip;
-pub(crate) use crate::total::Prepared as Total;
+pub(crate) use crate::strip::EllipseStrips as Strip;
+pub(crate) use crate::total::Total;
 
 /// A model, ready for the creepages of one contact.
-pub(crate) trait Theory<F: StripTotals>: Copy {
+pub(crate) trait Theory<F: Plain>: Copy {
     /// Its number.
     const MODEL: Model;
 
@@ -113,7 +112,9 @@ pub(crate) trait Theory<F: StripTotals>: Copy {
     {
         let of_model = Self::notice(frame, forces, psi);
         let notice = if ordinary { of_model } else { warned(&frame.contact, creepage, of_model) };
-        forces.solution(creepage, notice)
+        let Forces { fx, fy, mz, adhesion } = *forces;
+        let power = creepage.power([fx, fy, mz]);
+        Solution { fx, fy, mz, power, adhesion, notice, reserved: 0 }
     }
 }
 
@@ -121,7 +122,7 @@ pub(crate) trait Theory<F: StripTotals>: Copy {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Strip1967<const CONTINUOUS: bool>;
 
-impl<F: StripTotals, const CONTINUOUS: bool> Theory<F> for Strip1967<CONTINUOUS> {
+impl<F: Plain, const CONTINUOUS: bool> Theory<F> for Strip1967<CONTINUOUS> {
     const MODEL: Model = if CONTINUOUS { Model::Strip1967Continuous } else { Model::Strip1967 };
 
     #[inline(always)]
@@ -144,7 +145,7 @@ pub(crate) fn sliding_rule(model: Model) -> SlidingRule {
     }
 }
 
-impl<F: StripTotals> Theory<F> for Strip<F> {
+impl<F: Plain> Theory<F> for Strip<F> {
     const MODEL: Model = Model::Strip;
 
     #[inline(always)]
@@ -159,11 +160,11 @@ impl<F: StripTotals> Theory<F> for Strip<F> {
         frame: &Frame<F>,
         parameters: &Parameters<T>,
     ) -> Totals<T> {
-        F::strip_totals(self, frame.units.normalised(parameters))
+        Self::totals(self, frame.units.normalised(parameters))
     }
 }
 
-impl<F: StripTotals> Theory<F> for Total<F> {
+impl<F: Plain> Theory<F> for Total<F> {
     const MODEL: Model = Model::Total;
 
     #[inline(always)]
@@ -186,7 +187,7 @@ impl<F: StripTotals> Theory<F> for Total<F> {
 #[repr(transparent)]
 pub(crate) struct Linear<F>(pub(crate) [F; 4]);
 
-impl<F: StripTotals> Theory<F> for Linear<F> {
+impl<F: Plain> Theory<F> for Linear<F> {
     const MODEL: Model = Model::Linear;
 
     #[inline(always)]

@@ -167,14 +167,9 @@ pub fn differentiate<F: Precision>(
     let friction = contact.friction;
     let lost = contact.is_lost();
     let Some(law) = law.filter(|_| !lost) else {
-        // F = M f(k c/M, k κ/μ) at k = 1
         let Slopes { derivatives, by_mismatch, .. } = slopes;
-        let mut slope_factor = derivatives.jacobian.map(|row| creepage.power(row));
-        for (entry, by_mismatch) in slope_factor.iter_mut().zip(by_mismatch) {
-            *entry += by_mismatch;
-        }
-        let law = LawDerivatives { slope_factor, ..LawDerivatives::nothing() };
-        return if slope_factor.into_iter().all(F::is_finite_number) {
+        let law = without_law(&derivatives, by_mismatch, creepage);
+        return if law.slope_factor.into_iter().all(F::is_finite_number) {
             Ok(Differentiated { solution, friction, derivatives, law, by_mismatch })
         } else {
             Err(Error::Overflow)
@@ -190,6 +185,19 @@ pub fn differentiate<F: Precision>(
     } else {
         Err(Error::Overflow)
     }
+}
+
+/// Friction that is constant: of the law there is the slope factor alone, `F = M f(k c/M, k κ/μ)` at `k = 1`.
+pub(crate) fn without_law<F: Float>(
+    derivatives: &Derivatives<F>,
+    by_mismatch: [F; 3],
+    creepage: &Creepage<F>,
+) -> LawDerivatives<F> {
+    let mut slope_factor = derivatives.jacobian.map(|row| creepage.power(row));
+    for (entry, by_mismatch) in slope_factor.iter_mut().zip(by_mismatch) {
+        *entry += by_mismatch;
+    }
+    LawDerivatives { slope_factor, ..LawDerivatives::nothing() }
 }
 
 /// Checks the inputs of [`differentiate`], without solving but where sizes are so unusual that a derivative might not fit.

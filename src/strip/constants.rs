@@ -1,4 +1,4 @@
-//! Constants of the corrected strips.
+//! Constants of the strips of STRIP.
 //!
 //! Written by `fit/fit_strip.py` from `fit/data/train.csv` and `fit/data/train_fine.csv`
 //! (values computed with CONTACT, see `fit/data/README.md`).

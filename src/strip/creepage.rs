@@ -7,7 +7,8 @@ use super::constants::{SATURATION, WIDTH, WIDTH2};
 use super::kernel::Seen;
 use super::network::{INPUTS, Network};
 use crate::linear::LinearCoefficients;
-use crate::number::{Arithmetic, Number, Pair, Plain, once};
+use crate::number::registers::compiled_twice;
+use crate::number::{Arithmetic, Number, Pair, Plain};
 use core::f64::consts::PI;
 
 /// Creepages beyond this are scaled down together: full sliding. Fourth powers still fit an `f32`.
@@ -21,7 +22,7 @@ const RATIO_LIMIT: f64 = 1e3;
 
 /// Everything that depends on the contact alone.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<F: Plain> {
+pub struct Flexibilities<F: Plain> {
     pub(super) linear: LinearCoefficients<F>,
     /// `√(a/b)` within the limits of the model, and its inverse.
     pub(super) root: F,
@@ -37,7 +38,7 @@ pub struct Prepared<F: Plain> {
 
 /// What the strips of a contact see of creepages.
 #[derive(Clone, Copy, Debug)]
-pub struct Law<T: Number> {
+pub struct Distribution<T: Number> {
     /// `a_x`: longitudinal creepage in the middle strip.
     pub longitudinal: T,
     /// `a_y`: lateral creepage.
@@ -70,7 +71,7 @@ pub struct StripGeometry<F> {
     pub width: F,
 }
 
-impl<F: Plain> Prepared<F> {
+impl<F: Plain> Flexibilities<F> {
     /// `axis_ratio` is `a/b`, `linear` the coefficients for it, `factors` those of [`super::Rule`], or 1.
     #[inline(always)]
     pub fn new(
@@ -79,7 +80,10 @@ impl<F: Plain> Prepared<F> {
         linear: &LinearCoefficients<F>,
         factors: [F; 2],
     ) -> Self {
-        once!(F, Self::of_contact(axis_ratio, poisson_ratio, linear, factors))
+        compiled_twice!(if F::LANES => <F: Plain>(axis_ratio: F = axis_ratio, poisson_ratio: F = poisson_ratio,
+            linear: &LinearCoefficients<F> = linear, factors: [F; 2] = factors) -> Flexibilities<F> {
+            Flexibilities::of_contact(axis_ratio, poisson_ratio, linear, factors)
+        })
     }
 
     #[inline(always)]
@@ -109,12 +113,14 @@ impl<F: Plain> Prepared<F> {
     /// Fitted for `a/b` 0.1 to 10, `ν` 0 to 1/2 and `|ψ| = (π/3) √(a/b) |φ| ≤ 3`; beyond that finite, bounded and
     /// with the right limits.
     #[inline(always)]
-    pub fn see<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Law<T> {
-        once!(T, self.seen(creepage))
+    pub fn see<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Distribution<T> {
+        compiled_twice!(if T::LANES => <F: Plain, T: Number<Base = F>>(contact: &Flexibilities<F> = self, creepage: [T; 3] = creepage) -> Distribution<T> {
+            contact.seen(creepage)
+        })
     }
 
     #[inline(always)]
-    pub(super) fn seen<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Law<T> {
+    pub(super) fn seen<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Distribution<T> {
         const K: f64 = 8.0 / (3.0 * PI);
         const LIMIT: f64 = SATURATION * SATURATION * SATURATION * SATURATION;
         let creepage = scaled_down(creepage, CREEPAGE_LIMIT);
@@ -204,15 +210,24 @@ impl<F: Plain> Prepared<F> {
             ],
             SEEN_LIMIT,
         );
-        Law { longitudinal, lateral, slope, bend, spin, start: elastic, creepage, root: self.root }
+        Distribution {
+            longitudinal,
+            lateral,
+            slope,
+            bend,
+            spin,
+            start: elastic,
+            creepage,
+            root: self.root,
+        }
     }
 }
 
-impl<T: Number> Law<T> {
+impl<T: Number> Distribution<T> {
     /// Without derivatives.
     #[inline(always)]
-    pub(super) fn value(&self) -> Law<T::Base> {
-        Law {
+    pub(super) fn value(&self) -> Distribution<T::Base> {
+        Distribution {
             longitudinal: self.longitudinal.value(),
             lateral: self.lateral.value(),
             slope: self.slope.value(),

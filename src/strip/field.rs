@@ -1,7 +1,7 @@
 //! Traction and slip at a point of a strip: the law that the forces are summed from.
 
 use super::constants::{EDGE, NODES};
-use super::creepage::{Law, StripGeometry};
+use super::creepage::{Distribution, StripGeometry};
 use super::kernel::{Seen, Separatrix, Slip, Spin, Step};
 use super::tables::{Constants, Tables};
 use crate::number::Float;
@@ -26,7 +26,7 @@ pub struct StripTraction<T> {
     pub slips: bool,
 }
 
-impl<F: Float> Law<F> {
+impl<F: Float> Distribution<F> {
     /// Traction, state and slip at `x̂ = x/c` of a strip, −1 to 1.
     ///
     /// The step between two nodes is cut short at the point: at the nodes the values are those that the forces are

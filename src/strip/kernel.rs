@@ -258,10 +258,10 @@ pub(super) fn forces<T: Arithmetic>(
     for (k, inverse_bound) in bounds.into_iter().enumerate() {
         let node: Node<T::Bare> = constants.node(k);
         let step = Step {
-            length: T::fixed(node.length),
-            place: T::fixed(node.place),
+            length: T::from_base(node.length),
+            place: T::from_base(node.place),
             inverse_bound,
-            soft: soft.weigh(node.soft),
+            soft: soft.scale(node.soft),
         };
         let traction;
         (slip, traction) = slip.step(seen, spin, s, &step);
@@ -269,8 +269,8 @@ pub(super) fn forces<T: Arithmetic>(
         let lateral = weight * traction.y;
         fx += weight * traction.x;
         fy += lateral;
-        mx += s.weigh(node.place).plus(-1.0) * lateral;
-        blended += slip.kept.squared().squared().squared().weigh(node.length);
+        mx += s.scale(node.place).plus(-1.0) * lateral;
+        blended += slip.kept.squared().squared().squared().scale(node.length);
         note(k, Passed { inverse_bound, weight, traction, kept: slip.kept });
     }
     // with much spin the nodes reach into the adhesion part
@@ -285,13 +285,13 @@ fn inverses<T: Arithmetic>(s: T, constants: &impl Constants<T::Bare>) -> (T, [T;
     let mut product = s;
     for (k, place) in inverses.iter_mut().enumerate() {
         *place = product;
-        product = product * (T::constant(2.0) - s.weigh(constants.node(k).place));
+        product = product * (T::constant(2.0) - s.scale(constants.node(k).place));
     }
     let mut inverse = product.inverse();
     for (k, place) in inverses.iter_mut().enumerate().rev() {
         let node = constants.node(k);
-        *place = (inverse * *place).weigh(node.inverse_place);
-        inverse = inverse * (T::constant(2.0) - s.weigh(node.place));
+        *place = (inverse * *place).scale(node.inverse_place);
+        inverse = inverse * (T::constant(2.0) - s.scale(node.place));
     }
     (inverse, inverses)
 }
@@ -315,7 +315,7 @@ pub(super) fn rounded<T: Arithmetic>(q: T, spin: &Spin<T>) -> T {
 pub(super) fn polynomial<T: Arithmetic, const N: usize>(c: &[T::Bare; N], u: T) -> T {
     let mut sum = T::zero();
     for (i, c) in c.iter().rev().enumerate() {
-        sum = if i == 0 { T::fixed(*c) } else { sum * u + T::fixed(*c) };
+        sum = if i == 0 { T::from_base(*c) } else { sum * u + T::from_base(*c) };
     }
     sum
 }

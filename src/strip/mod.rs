@@ -1,4 +1,4 @@
-//! The corrected strip theory: forces, moment, stick area and fields for any creepage and spin.
+//! STRIP: forces, moment, stick area and fields for any creepage and spin.
 //!
 //! A strip theory in Kalker's sense: the patch is cut into strips along the rolling direction, each strip sees
 //! creepage and spin of its own place, adheres ahead of a separatrix and slips behind it. What the theory of 1967
@@ -26,7 +26,7 @@
 //! with the rigid slip and is cut back to the bound, so that the direction of sliding turns along the strip. The nodes of
 //! neighbouring strips are staggered: the pole of the spin meets no row of nodes at once.
 //!
-//! **Sums** (`totals`, of patches `any`) run over four strips at a time. Where more power would come out of the contact than goes in, the
+//! **Sums** (`totals`, of patches `any`) run over strips side by side, in one order. Where more power would come out of the contact than goes in, the
 //! sums are moved back along the linear forces, with a continuous slope.
 //!
 //! What holds whatever the constants: `|traction| ≤ μ Z` and `|F| ≤ μ N`; all four slopes of the linear theory at
@@ -41,18 +41,15 @@ mod field;
 mod kernel;
 mod network;
 mod nodes;
-#[cfg(target_arch = "x86_64")]
-pub(crate) mod registers;
-mod single;
 mod tables;
 mod totals;
 
 pub(crate) use self::any::eight_strips;
-pub use self::creepage::{Law, Prepared, StripGeometry};
+pub use self::creepage::{Distribution, Flexibilities, StripGeometry};
 pub use self::field::StripTraction;
 pub use self::kernel::{Carried, Seen, Spin};
 pub use self::tables::Rule;
-pub use self::totals::{PreparedStrips, StripTotals, Sums};
+pub use self::totals::EllipseStrips;
 
 #[cfg(test)]
 #[path = "../../tests/units/strip.rs"]

@@ -3,7 +3,8 @@
 use super::constants::{CELLS, NODE, NODES, PLACES, WEIGHTS};
 use super::nodes::{HALF_OF_4, HALF_OF_8, HALF_OF_16, HALF_OF_32, HALF_OF_64};
 use crate::contact::forces::StripCount;
-use crate::number::{Float, Nodes};
+use crate::number::tables::table;
+use crate::number::{Arithmetic, Float};
 
 /// A node of the slip part for the kinds of strips side by side.
 #[derive(Clone, Copy, Debug)]
@@ -44,27 +45,33 @@ pub(super) trait Constants<B> {
 /// Those of the tables, of which `read` makes numbers for the strips.
 #[derive(Clone, Copy)]
 pub(super) struct Tables<F: 'static, R> {
-    nodes: &'static [[Couple<F>; NODE_FIELDS]; NODES],
-    closed: &'static [[Couple<F>; CLOSED_FIELDS]; 1],
+    nodes: &'static [[Couple<F>; NODE_FIELDS]],
+    closed: &'static [Couple<F>; CLOSED_FIELDS],
     read: R,
 }
 
 impl<F: Float, R> Tables<F, R> {
     #[inline(always)]
     pub fn new(read: R) -> Self {
-        Self {
-            nodes: F::table(&NARROW_NODES, &NODE_TABLE),
-            closed: F::table(&NARROW_CLOSED, &CLOSED_TABLE),
-            read,
-        }
+        let nodes = table!(F, NODE_TABLE).as_chunks().0;
+        Self { nodes, closed: table!(F, closed_table()), read }
     }
 }
 
-impl<F: Float, B, R: Fn(&Couple<F>) -> B> Constants<B> for Tables<F, R> {
+impl<F: Float, B: Arithmetic, R: Fn(&Couple<F>) -> B> Constants<B> for Tables<F, R> {
     #[inline(always)]
     fn node(&self, k: usize) -> Node<B> {
         let Self { nodes, read, .. } = self;
-        let [place, length, inverse_place, soft, a, b, c, d] = nodes.get(k).unwrap_or(&nodes[0]);
+        let zero = B::zero();
+        let Some([place, length, inverse_place, soft, a, b, c, d]) = nodes.get(k) else {
+            return Node {
+                place: zero,
+                length: zero,
+                inverse_place: zero,
+                soft: zero,
+                weight: [zero; 4],
+            };
+        };
         Node {
             place: read(place),
             length: read(length),
@@ -75,15 +82,15 @@ impl<F: Float, B, R: Fn(&Couple<F>) -> B> Constants<B> for Tables<F, R> {
     }
     #[inline(always)]
     fn closed(&self) -> Closed<B> {
-        let Self { closed: [[a, b, c, d, e, f, g, h, i]], read, .. } = self;
+        let Self { closed: [a, b, c, d, e, f, g, h, i], read, .. } = self;
         let force = [read(a), read(b), read(c), read(d)];
         Closed { force, moment: [read(e), read(f), read(g), read(h), read(i)] }
     }
 }
 
 #[allow(clippy::indexing_slicing)]
-const fn node_table() -> [[Couple<f64>; NODE_FIELDS]; NODES] {
-    let mut table = [[[0.0; 2]; NODE_FIELDS]; NODES];
+const NODE_TABLE: [Couple<f64>; NODE_FIELDS * NODES] = {
+    let mut table = [[0.0; 2]; NODE_FIELDS * NODES];
     let mut kind = 0;
     while kind < 2 {
         let mut before = 1.0;
@@ -91,13 +98,13 @@ const fn node_table() -> [[Couple<f64>; NODE_FIELDS]; NODES] {
         while k < NODES {
             let place = PLACES[kind][k];
             let cell = CELLS[kind][k] * (before - place);
-            table[k][0][kind] = place;
-            table[k][1][kind] = before - place;
-            table[k][2][kind] = 1.0 / place;
-            table[k][3][kind] = 4.0 * NODE * cell * cell;
+            table[NODE_FIELDS * k][kind] = place;
+            table[NODE_FIELDS * k + 1][kind] = before - place;
+            table[NODE_FIELDS * k + 2][kind] = 1.0 / place;
+            table[NODE_FIELDS * k + 3][kind] = 4.0 * NODE * cell * cell;
             let mut p = 0;
             while p < 4 {
-                table[k][4 + p][kind] = WEIGHTS[kind][k][p];
+                table[NODE_FIELDS * k + 4 + p][kind] = WEIGHTS[kind][k][p];
                 p += 1;
             }
             before = place;
@@ -106,11 +113,11 @@ const fn node_table() -> [[Couple<f64>; NODE_FIELDS]; NODES] {
         kind += 1;
     }
     table
-}
+};
 
 /// Both polynomials have the factor `1 − u`, of which the quotient's coefficients are the partial sums.
 #[allow(clippy::indexing_slicing)]
-const fn closed_table() -> [[Couple<f64>; CLOSED_FIELDS]; 1] {
+const fn closed_table() -> [Couple<f64>; CLOSED_FIELDS] {
     let mut table = [[0.0; 2]; CLOSED_FIELDS];
     let mut kind = 0;
     while kind < 2 {
@@ -143,13 +150,8 @@ const fn closed_table() -> [[Couple<f64>; CLOSED_FIELDS]; 1] {
         }
         kind += 1;
     }
-    [table]
+    table
 }
-
-static NODE_TABLE: [[Couple<f64>; NODE_FIELDS]; NODES] = node_table();
-static NARROW_NODES: [[Couple<f32>; NODE_FIELDS]; NODES] = narrow(&NODE_TABLE);
-static CLOSED_TABLE: [[Couple<f64>; CLOSED_FIELDS]; 1] = closed_table();
-static NARROW_CLOSED: [[Couple<f32>; CLOSED_FIELDS]; 1] = narrow(&CLOSED_TABLE);
 
 /// Four strips of the Hertz ellipse: numbers for the outer and the inner one of two neighbours at `Y > 0`. Those
 /// at `−Y` have the same, but for the sign of `y`, `bend` and `load_y`.
@@ -158,8 +160,6 @@ pub(super) type FourStrips<F> = [Couple<F>; STRIP_FIELDS];
 
 /// The half of a rule with `Y > 0`, ascending: `Y`, `C`, width.
 pub(super) type Half = [[f64; 3]];
-
-type Place<F> = [Couple<F>; 2];
 
 /// Strips of the Hertz ellipse.
 #[derive(Clone, Copy, Debug)]
@@ -171,49 +171,38 @@ pub struct Rule<F: 'static> {
     pub stretch: F,
     /// `(π/8)/Σ C Y² ΔY`: makes the linear moment of spin exact.
     pub lever: F,
-    /// Of those at `Y > 0`, ascending: `Y` and `C`, width and nothing.
-    half: &'static [Place<F>],
+    /// Of those at `Y > 0`, ascending: `Y`, `C`, width.
+    half: &'static [[F; 3]],
 }
 
 impl<F: Float> Rule<F> {
     /// Where the strips lie.
     #[must_use]
     pub fn new(count: StripCount) -> Self {
-        let (fours, factors): (&[FourStrips<F>], _) = match count {
-            StripCount::Four => (F::table(&NARROW_4, &TABLE_4), &FACTORS_4),
-            StripCount::Eight => (F::table(&NARROW_8, &TABLE_8), &FACTORS_8),
-            StripCount::Sixteen => (F::table(&NARROW_16, &TABLE_16), &FACTORS_16),
-            StripCount::ThirtyTwo => (F::table(&NARROW_32, &TABLE_32), &FACTORS_32),
-            StripCount::SixtyFour => (F::table(&NARROW_64, &TABLE_64), &FACTORS_64),
+        macro_rules! of {
+            ($half:ident) => {
+                (
+                    table!(F, fours::<{ 4 * $half.len() }>(&$half)).as_chunks().0,
+                    table!(F, [factors(&$half)]),
+                    table!(F, $half).as_slice(),
+                )
+            };
+        }
+        let (fours, [[stretch, lever]], half) = match count {
+            StripCount::Four => of!(HALF_OF_4),
+            StripCount::Eight => of!(HALF_OF_8),
+            StripCount::Sixteen => of!(HALF_OF_16),
+            StripCount::ThirtyTwo => of!(HALF_OF_32),
+            StripCount::SixtyFour => of!(HALF_OF_64),
         };
-        let half: &[Place<F>] = match count {
-            StripCount::Four => F::table(&NARROW_PLACES_4, &PLACES_4),
-            StripCount::Eight => F::table(&NARROW_PLACES_8, &PLACES_8),
-            StripCount::Sixteen => F::table(&NARROW_PLACES_16, &PLACES_16),
-            StripCount::ThirtyTwo => F::table(&NARROW_PLACES_32, &PLACES_32),
-            StripCount::SixtyFour => F::table(&NARROW_PLACES_64, &PLACES_64),
-        };
-        let [stretch, lever] = factors.of::<F>().next().unwrap_or([F::one(); 2]);
-        Self { fours, stretch, lever, half }
+        Self { fours, stretch: *stretch, lever: *lever, half }
     }
 
     /// `Y`, `C` and width of the strips, ascending in `Y`.
     pub fn places(&self) -> impl Iterator<Item = [F; 3]> {
-        let lower = self.half.iter().rev().map(|[[y, c], [width, _]]| [-*y, *c, *width]);
-        lower.chain(self.half.iter().map(|[[y, c], [width, _]]| [*y, *c, *width]))
+        let lower = self.half.iter().rev().map(|[y, c, width]| [-*y, *c, *width]);
+        lower.chain(self.half.iter().copied())
     }
-}
-
-#[allow(clippy::indexing_slicing)]
-const fn places<const H: usize>(half: &Half) -> [Place<f64>; H] {
-    let mut places = [[[0.0; 2]; 2]; H];
-    let mut i = 0;
-    while i < H {
-        let [y, c, width] = half[i];
-        places[i] = [[y, c], [width, 0.0]];
-        i += 1;
-    }
-    places
 }
 
 /// `[π/2/Σ C ΔY, π/8/Σ C Y² ΔY]`
@@ -230,8 +219,8 @@ const fn factors(half: &Half) -> [f64; 2] {
 }
 
 #[allow(clippy::indexing_slicing)]
-const fn fours<const N: usize>(half: &Half) -> [FourStrips<f64>; N] {
-    let mut fours = [[[0.0; 2]; STRIP_FIELDS]; N];
+const fn fours<const N: usize>(half: &Half) -> [Couple<f64>; N] {
+    let mut fours = [[0.0; 2]; N];
     let area = core::f64::consts::FRAC_PI_2 / factors(half)[0];
     let mut i = 0;
     while i < half.len() {
@@ -251,44 +240,10 @@ const fn fours<const N: usize>(half: &Half) -> [FourStrips<f64>; N] {
         ];
         let mut k = 0;
         while k < STRIP_FIELDS {
-            fours[four][k][kind] = fields[k];
+            fours[STRIP_FIELDS * four + k][kind] = fields[k];
             k += 1;
         }
         i += 1;
     }
     fours
-}
-
-macro_rules! rule {
-    ($count:literal, $table:ident, $narrow:ident, $factors:ident, $half:ident, $places:ident, $narrow_places:ident) => {
-        static $table: [FourStrips<f64>; $count / 4] = fours(&$half);
-        static $narrow: [FourStrips<f32>; $count / 4] = narrow(&$table);
-        static $factors: Nodes<1> = Nodes::new([factors(&$half)]);
-        static $places: [Place<f64>; $count / 2] = places(&$half);
-        static $narrow_places: [Place<f32>; $count / 2] = narrow(&$places);
-    };
-}
-
-rule!(4, TABLE_4, NARROW_4, FACTORS_4, HALF_OF_4, PLACES_4, NARROW_PLACES_4);
-rule!(8, TABLE_8, NARROW_8, FACTORS_8, HALF_OF_8, PLACES_8, NARROW_PLACES_8);
-rule!(16, TABLE_16, NARROW_16, FACTORS_16, HALF_OF_16, PLACES_16, NARROW_PLACES_16);
-rule!(32, TABLE_32, NARROW_32, FACTORS_32, HALF_OF_32, PLACES_32, NARROW_PLACES_32);
-rule!(64, TABLE_64, NARROW_64, FACTORS_64, HALF_OF_64, PLACES_64, NARROW_PLACES_64);
-
-/// In single precision.
-#[allow(clippy::indexing_slicing)]
-pub(super) const fn narrow<const N: usize, const P: usize>(
-    wide: &[[[f64; 2]; P]; N],
-) -> [[[f32; 2]; P]; N] {
-    let mut table = [[[0.0; 2]; P]; N];
-    let mut i = 0;
-    while i < N {
-        let mut j = 0;
-        while j < P {
-            table[i][j] = [wide[i][j][0] as f32, wide[i][j][1] as f32];
-            j += 1;
-        }
-        i += 1;
-    }
-    table
 }

@@ -1,14 +1,14 @@
-//! Sums over the strips of the Hertz ellipse, four at a time, and the power that they must not gain.
+//! Sums over the strips of the Hertz ellipse, and the power that they must not gain.
 
-use super::any::{Forces, Slopes, both_kinds, of_eight, parts_of_eight};
-use super::creepage::{Law, Prepared};
+use super::creepage::{Distribution, Flexibilities};
 use super::derivative::{SpinSlopes, forces_and_slopes};
 use super::kernel::{Carried, Seen, Spin, forces};
-use super::single;
-use super::tables::{FourStrips, Rule, STRIP_FIELDS, Tables};
+use super::tables::{Constants, FourStrips, Rule, STRIP_FIELDS, Tables};
 use crate::contact::forces::{StripCount, Totals};
 use crate::linear::LinearCoefficients;
-use crate::number::{Arithmetic, Float, Number, Plain, Quad, once};
+use crate::number::lanes::Lanes;
+use crate::number::registers::compiled_twice;
+use crate::number::{Arithmetic, Float, Number, Plain, Strips};
 
 /// Power over that of the linear theory divided by `√(1 + n²)`: never below this.
 const FLOOR: f64 = 0.2;
@@ -17,66 +17,20 @@ const STEP: f64 = 0.2;
 
 /// A contact's strips, ready for creepages.
 #[derive(Clone, Copy, Debug)]
-pub struct PreparedStrips<F: Plain> {
-    pub(crate) contact: Prepared<F>,
+pub struct EllipseStrips<F: Plain> {
+    pub(crate) contact: Flexibilities<F>,
     pub(super) rule: Rule<F::Stored>,
 }
 
-/// Numbers that contacts are solved in, and how their strips are added up.
-pub trait StripTotals: Plain {
-    /// [`PreparedStrips::totals`], in wide registers if there are any.
-    #[inline(always)]
-    fn strip_totals<T: Number<Base = Self>>(
-        strips: &PreparedStrips<Self>,
-        creepage: [T; 3],
-    ) -> Totals<T> {
-        once!(T, strips.totals(creepage))
-    }
-    /// What any eight strips carry that see `A_x, A_y, σ`, the spread and the start, each with its share of the inner nodes.
-    #[inline(always)]
-    fn eight_forces(seen: [[Self; 8]; 5], inner: [Self; 8]) -> Forces<Self, 8> {
-        if cfg!(target_os = "none") {
-            return single::eight::<_, false>(seen, inner).0;
-        }
-        both_kinds::<_, _, 8, false>(seen, inner, of_eight, parts_of_eight).0
-    }
-    /// That, and its derivatives.
-    #[inline(always)]
-    fn eight_slopes(seen: [[Self; 8]; 5], inner: [Self; 8]) -> (Forces<Self, 8>, Slopes<Self, 8>) {
-        if cfg!(target_os = "none") {
-            return single::eight::<_, true>(seen, inner);
-        }
-        both_kinds::<_, _, 8, true>(seen, inner, of_eight, parts_of_eight)
-    }
-}
+/// Sums over the strips: of `f_x, f_y`, the two parts of the moment, the stick area, nothing; with derivatives also, for `f_x, f_y` and
+/// the moment, the derivatives by [`Distribution::numbers`].
+type Rows<P, const ROWS: usize> = [[P; 6]; ROWS];
 
-impl StripTotals for f32 {}
-#[cfg(target_arch = "x86_64")]
-impl StripTotals for crate::number::lanes::F64x4 {}
-#[cfg(target_arch = "x86_64")]
-impl StripTotals for crate::number::lanes::F32x8 {}
-#[cfg(not(target_arch = "x86_64"))]
-impl StripTotals for f64 {}
+/// How many rows: without derivatives, and with them.
+const VALUES: usize = 1;
+const SLOPES: usize = 4;
 
-/// Sums over the strips of a contact: `F_x/(μ N)`, `F_y/(μ N)`, `M_z/(μ N √(ab))` and the share in adhesion, and the
-/// derivatives of the first three by `Law::numbers`.
-#[derive(Clone, Copy, Debug)]
-pub struct Sums<F> {
-    values: [F; 4],
-    slopes: [[F; 6]; 3],
-}
-
-impl<F: Plain> Sums<F> {
-    /// From `f_x, f_y`, the two parts of the moment and the stick area.
-    #[inline(always)]
-    pub(super) fn of(values: [F; 5], slopes: [[F; 6]; 3], contact: &Prepared<F>) -> Self {
-        let [fx, fy, by_x, by_y, stick] = values;
-        let mz = by_x * contact.root - by_y * contact.upright;
-        Self { values: [fx, fy, mz, stick.clamped(F::zero(), F::one())], slopes }
-    }
-}
-
-impl<F: Plain> PreparedStrips<F> {
+impl<F: Plain> EllipseStrips<F> {
     /// `axis_ratio` is `a/b`, `linear` the coefficients for it.
     #[inline(always)]
     pub fn new(
@@ -87,113 +41,152 @@ impl<F: Plain> PreparedStrips<F> {
     ) -> Self {
         let rule = Rule::new(count);
         let factors = [F::stored(rule.stretch), F::stored(rule.lever)];
-        Self { contact: Prepared::new(axis_ratio, poisson_ratio, linear, factors), rule }
+        Self { contact: Flexibilities::new(axis_ratio, poisson_ratio, linear, factors), rule }
     }
 
     /// The strips of a contact that has been prepared for their number.
     #[inline(always)]
-    pub(crate) fn from_prepared(contact: Prepared<F>, count: StripCount) -> Self {
+    pub(crate) fn from_prepared(contact: Flexibilities<F>, count: StripCount) -> Self {
         Self { contact, rule: Rule::new(count) }
     }
 
     /// Forces, moment and share in adhesion for `vx, vy = G a b (υx, υy)/(μ N)`, `φ = G (a b)^{3/2} ϕ/(μ N)`.
     #[inline(always)]
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
-        let law = self.contact.see(creepage);
-        let sums = if T::HAS_DERIVATIVES {
-            self.plain_sums::<true>(&law.value())
-        } else {
-            self.plain_sums::<false>(&law.value())
-        };
-        self.totals_of(&law, sums)
+        compiled_twice!(if T::LANES => <F: Plain, T: Number<Base = F>>(strips: &EllipseStrips<F> = self, creepage: [T; 3] = creepage) -> Totals<T> {
+            let law = strips.contact.seen(creepage);
+            if cfg!(target_os = "none") {
+                // (one after the other, where flash is short)
+                strips.totals_of::<T, Lanes<F, 1>, Lanes<F, 1>>(&law)
+            } else {
+                strips.totals_of::<T, F::Four, F::Four>(&law)
+            }
+        } {
+            let law = strips.contact.seen(creepage);
+            let count = 4 * strips.rule.fours.len();
+            if count >= F::WideSixteen::COUNT && !T::HAS_DERIVATIVES {
+                strips.totals_of::<T, F::WideSixteen, F::WideFour>(&law)
+            } else if count >= F::WideEight::COUNT && (!T::HAS_DERIVATIVES || size_of::<F>() == 4) {
+                strips.totals_of::<T, F::WideEight, F::WideEight>(&law)
+            } else {
+                strips.totals_of::<T, F::WideFour, F::WideFour>(&law)
+            }
+        })
     }
 
-    /// Without wide registers.
+    /// From what the strips see; `P` and `Q` are strips side by side, without and with derivatives.
     #[inline(always)]
-    fn plain_sums<const SLOPES: bool>(&self, law: &Law<F>) -> Sums<F> {
-        if cfg!(target_os = "none") {
-            single::sums::<F, SLOPES>(&self.contact, self.rule.fours, law)
+    fn totals_of<T: Number<Base = F>, P: Strips<F>, Q: Strips<F>>(
+        &self,
+        law: &Distribution<T>,
+    ) -> Totals<T> {
+        let totals = if T::HAS_DERIVATIVES {
+            let [values, by_x, by_y, by_z] = self.sums::<Q, SLOPES>(&law.value());
+            let (by, found) = (law.numbers(), self.values(values));
+            Totals {
+                fx: T::composed(found.fx, by_x, by),
+                fy: T::composed(found.fy, by_y, by),
+                mz: T::composed(found.mz, by_z, by),
+                stick: T::from_base(found.stick),
+            }
         } else {
-            self.sums::<Quads, SLOPES>(law)
-        }
-    }
-
-    /// From the sums over the strips, with the derivatives of what they see.
-    #[inline(always)]
-    pub(super) fn totals_of<T: Number<Base = F>>(&self, law: &Law<T>, sums: Sums<F>) -> Totals<T> {
-        let Sums { values: [fx, fy, mz, stick], slopes: [by_x, by_y, by_m] } = sums;
-        let by = law.numbers();
-        let totals = Totals {
-            fx: T::follow(fx, by_x, by),
-            fy: T::follow(fy, by_y, by),
-            mz: T::follow(mz, by_m, by),
-            stick: T::from_base(stick),
+            let [values] = self.sums::<P, VALUES>(&law.value());
+            let Totals { fx, fy, mz, stick } = self.values(values);
+            let [fx, fy, mz, stick] = [fx, fy, mz, stick].map(T::from_base);
+            Totals { fx, fy, mz, stick }
         };
         power_projected(totals, law.creepage, &self.contact.linear)
     }
 
-    /// Sums over the strips, group by group. Every fourth four is added up apart, whatever a group is.
     #[inline(always)]
-    pub(super) fn sums<R: Group<F>, const SLOPES: bool>(&self, law: &Law<F>) -> Sums<F> {
-        let zero = R::Strips::zero();
-        let mut sums = [[zero; 4]; 5];
-        let mut slopes = [[[zero; 4]; 6]; 3];
-        let arms = [self.contact.root, self.contact.upright].map(R::all);
-        let strips = Together::new(law, R::all);
-        let constants = Tables::<F::Stored, _>::new(R::couple);
-        for (i, group) in R::groups(self.rule.fours).iter().enumerate() {
-            let fields = fields(|of, odd| R::field(group, of, odd));
-            let (seen, chain) = (strips.seen(&fields), i % (4 / R::FOURS));
-            let carried = if SLOPES {
-                let (carried, own) =
-                    forces_and_slopes(&seen, &strips.spin, &constants, &strips.by_spin);
-                for (slopes, own) in slopes.iter_mut().zip(by_law(own, &fields, arms)) {
-                    add(slopes, chain, own);
-                }
-                carried
-            } else {
-                forces(&seen, &strips.spin, &constants, |_, _| ()).0
-            };
-            add(&mut sums, chain, shares(carried, &fields));
-        }
-        let mut values = [F::zero(); 5];
-        for (value, sum) in values.iter_mut().zip(&sums) {
-            *value = R::sum(sum);
-        }
-        let mut by_law = [[F::zero(); 6]; 3];
-        if SLOPES {
-            for (by_law, slopes) in by_law.iter_mut().zip(&slopes) {
-                for (value, slope) in by_law.iter_mut().zip(slopes) {
-                    *value = R::sum(slope);
-                }
-            }
-        }
-        Sums::of(values, by_law, &self.contact)
+    fn values(&self, [fx, fy, by_x, by_y, stick, _]: [F; 6]) -> Totals<F> {
+        let mz = by_x * self.contact.root - by_y * self.contact.upright;
+        Totals { fx, fy, mz, stick: stick.clamped(F::zero(), F::one()) }
     }
 
-    /// Fours of strips.
-    #[cfg(target_arch = "x86_64")]
-    pub(super) fn fours(&self) -> usize {
-        self.rule.fours.len()
+    /// Sums over the strips, `P` of them at a time.
+    ///
+    /// The order is the same whatever their number: each lane of every fourth four is added up apart, and of chains and then of lanes
+    /// `(c₀ + c₂) + (c₁ + c₃)`.
+    #[inline(always)]
+    pub(super) fn sums<P: Strips<F>, const ROWS: usize>(
+        &self,
+        law: &Distribution<F>,
+    ) -> Rows<F, ROWS> {
+        let strips = Together::<P>::new(law, P::all);
+        let sum = if P::COUNT >= 4 {
+            self.chains::<P, ROWS>(&strips, 0)
+        } else {
+            let [mut first, mut second, third, last] =
+                [0, 1, 2, 3].map(|lane| self.chains::<P, ROWS>(&strips, lane));
+            add(&mut first, &third);
+            add(&mut second, &last);
+            add(&mut first, &second);
+            first
+        };
+        let mut totals = [[F::zero(); 6]; ROWS];
+        for (total, sum) in totals.as_flattened_mut().iter_mut().zip(sum.as_flattened()) {
+            *total = sum.total();
+        }
+        totals
+    }
+
+    /// The sums over every four, of its lanes from one on.
+    #[inline(always)]
+    fn chains<P: Strips<F>, const ROWS: usize>(
+        &self,
+        strips: &Together<P>,
+        lane: usize,
+    ) -> Rows<P, ROWS> {
+        let fours = const { if P::COUNT < 4 { 1 } else { P::COUNT / 4 } };
+        let arms = [self.contact.root, self.contact.upright].map(P::all);
+        let constants = Tables::<F::Stored, _>::new(|couple: &[F::Stored; 2]| {
+            P::gather(|k| of_lane(couple, lane + k))
+        });
+        // (a chain is added up apart, 0, 2, 1, 3 of four, and then to its half)
+        let (chains, nothing) = (4 / fours, [[P::zero(); 6]; ROWS]);
+        let mut halves = [nothing; 2];
+        for k in 0..chains {
+            let chain = if chains == 4 { (k & 1) << 1 | k >> 1 } else { k };
+            let mut sums = nothing;
+            for group in self.rule.fours.chunks_exact(fours).skip(chain).step_by(chains) {
+                let fields = fields(|of, odd| {
+                    P::gather(|k| {
+                        let four = group.get(k / 4).or(group.first());
+                        four.map_or(F::zero(), |four| of_side(of(four), lane + k % 4, odd))
+                    })
+                });
+                strips.add_rows(&mut sums, &fields, &constants, arms);
+            }
+            if let Some(half) = halves.get_mut(2 * k / chains) {
+                add(half, &sums);
+            }
+        }
+        let [mut first, second] = halves;
+        if chains > 1 {
+            add(&mut first, &second);
+        }
+        first
     }
 
     /// What each strip carries of the contact's friction bound, with its share of the area, ascending in `y`; their sum is
-    /// what [`PreparedStrips::totals`] answers.
+    /// what [`EllipseStrips::totals`] answers.
     pub fn each(&self, creepage: [F; 3], mut take: impl FnMut(Totals<F>, F))
     where
         F: Float,
     {
         let law = self.contact.see(creepage);
-        let Sums { values: [fx, fy, mz, stick], .. } = self.plain_sums::<false>(&law);
-        let sums = Totals { fx, fy, mz, stick };
+        let [values] = self.sums::<Lanes<F, 1>, VALUES>(&law);
+        let sums = self.values(values);
         let whole = power_projected(sums, law.creepage, &self.contact.linear);
         let strips = Together::new(&law, |x| x);
         let mut strip = |i: usize, lane: usize| {
             let Some(four) = self.rule.fours.get(i) else { return };
-            let fields = single::fields_of(four, lane);
-            let Carried { fx, fy, mx, stick } = single::strip(&strips, &fields, lane);
+            let fields = fields(|of, odd| of_side::<F>(of(four), lane, odd));
+            let seen = strips.seen(&fields);
+            let Carried { fx, fy, mx, stick } = alone(&seen, &strips.spin, lane & 1 == 1);
             let [.., load, load_c, load_y, area, _] = fields;
-            let Prepared { root, upright, .. } = self.contact;
+            let Flexibilities { root, upright, .. } = self.contact;
             let mz = mx * load_c * root - fx * load_y * upright;
             let found = Totals {
                 fx: fx * load + load * (whole.fx - sums.fx),
@@ -221,6 +214,28 @@ impl<F: Plain> PreparedStrips<F> {
     }
 }
 
+/// What one strip carries.
+#[inline(never)]
+pub(super) fn alone<F: Plain>(seen: &Seen<F>, spin: &Spin<F>, inner: bool) -> Carried<F> {
+    let constants = Tables::<F::Stored, _>::new(|couple: &[F::Stored; 2]| {
+        of_lane::<F>(couple, usize::from(inner))
+    });
+    forces(seen, spin, &constants, |_, _| ()).0
+}
+
+/// The number for a strip of a four, `[Y₀, Y₁, −Y₀, −Y₁]`: outer and inner take turns.
+#[inline(always)]
+fn of_lane<F: Plain>([outer, inner]: &[F::Stored; 2], lane: usize) -> F {
+    F::stored(if lane & 1 == 1 { *inner } else { *outer })
+}
+
+/// The same, at `−Y` with the other sign if the field is odd.
+#[inline(always)]
+fn of_side<F: Plain>(couple: &[F::Stored; 2], lane: usize, odd: bool) -> F {
+    let field = of_lane::<F>(couple, lane);
+    if odd && lane & 2 == 2 { -field } else { field }
+}
+
 /// What strips of an ellipse have in common: one spin.
 pub(super) struct Together<P> {
     /// `a_x, a_y, ρ, ε` and the start.
@@ -233,10 +248,10 @@ pub(super) struct Together<P> {
 impl<P: Arithmetic<Bare = P>> Together<P> {
     /// In numbers `P` that are `all` the same.
     #[inline(always)]
-    pub(super) fn new<F: Plain>(law: &Law<F>, all: impl Fn(F) -> P + Copy) -> Self {
+    pub(super) fn new<F: Plain>(law: &Distribution<F>, all: impl Fn(F) -> P + Copy) -> Self {
         let spin = Spin::new(law.spin);
         let by_spin = SpinSlopes::new(&spin).map(all);
-        let Law { longitudinal, lateral, slope, bend, start, .. } = *law;
+        let Distribution { longitudinal, lateral, slope, bend, start, .. } = *law;
         let law = P::each(&[longitudinal, lateral, slope, bend, start], |x| all(*x));
         Self { law, spin: spin.map(all), by_spin }
     }
@@ -253,6 +268,32 @@ impl<P: Arithmetic<Bare = P>> Together<P> {
             start,
         }
     }
+
+    /// Adds what strips carry to the sums.
+    #[inline(always)]
+    fn add_rows<const ROWS: usize>(
+        &self,
+        sums: &mut Rows<P, ROWS>,
+        fields: &[P; STRIP_FIELDS],
+        constants: &impl Constants<P>,
+        arms: [P; 2],
+    ) {
+        let seen = self.seen(fields);
+        let carried = if ROWS == SLOPES {
+            let (carried, own) = forces_and_slopes(&seen, &self.spin, constants, &self.by_spin);
+            for (sums, own) in sums.iter_mut().skip(1).zip(by_law(own, fields, arms)) {
+                add(core::array::from_mut(sums), &[own]);
+            }
+            carried
+        } else {
+            forces(&seen, &self.spin, constants, |_, _| ()).0
+        };
+        if let Some(sums) = sums.first_mut() {
+            for (sum, share) in sums.iter_mut().zip(shares(carried, fields)) {
+                *sum += share;
+            }
+        }
+    }
 }
 
 /// Shares of `f_x, f_y`, the two parts of the moment, and the stick area.
@@ -263,7 +304,7 @@ pub(super) fn shares<P: Arithmetic>(carried: Carried<P>, fields: &[P; STRIP_FIEL
     [fx * load, fy * load, mx * load_c, fx * load_y, stick * area]
 }
 
-/// Derivatives of forces and moment by `Law::numbers` from those of `f_x, f_y, m_x` by what the strips see.
+/// Derivatives of forces and moment by `Distribution::numbers` from those of `f_x, f_y, m_x` by what the strips see.
 #[inline(always)]
 pub(super) fn by_law<P: Arithmetic>(
     [x, y, mut z]: [[P; 5]; 3],
@@ -284,77 +325,12 @@ pub(super) fn by_law<P: Arithmetic>(
     })
 }
 
-/// Adds numbers to a chain of their sums.
+/// Adds numbers to their sums.
 #[inline(always)]
-fn add<P: Arithmetic, const N: usize>(sums: &mut [[P; 4]; N], chain: usize, own: [P; N]) {
-    for (sums, own) in sums.iter_mut().zip(own) {
-        if let Some(sum) = sums.get_mut(chain) {
-            *sum += own;
-        }
+fn add<P: Arithmetic, const ROWS: usize>(sums: &mut Rows<P, ROWS>, own: &Rows<P, ROWS>) {
+    for (sum, own) in sums.as_flattened_mut().iter_mut().zip(own.as_flattened()) {
+        *sum += *own;
     }
-}
-
-/// Strips that are computed side by side.
-pub(crate) trait Group<F: Plain> {
-    /// Numbers of all of them.
-    type Strips: Arithmetic<Bare = Self::Strips>;
-    /// Their places.
-    type Places: 'static;
-    /// How many fours: 1, 2 or 4.
-    const FOURS: usize;
-    fn groups(fours: &'static [FourStrips<F::Stored>]) -> &'static [Self::Places];
-    /// One number for all.
-    fn all(x: F) -> Self::Strips;
-    /// One for the outer strips and one for the inner ones.
-    fn couple(couple: &[F::Stored; 2]) -> Self::Strips;
-    /// A field of the strips; of odd ones the sign changes with that of `y`.
-    fn field(
-        places: &Self::Places,
-        of: fn(&FourStrips<F::Stored>) -> &[F::Stored; 2],
-        odd: bool,
-    ) -> Self::Strips;
-    /// Of the chains of additions over each fourth four: `(c₀ + c₂) + (c₁ + c₃)`, and of its strips the same.
-    fn sum(chains: &[Self::Strips; 4]) -> F;
-}
-
-/// Four in [`Number::Quad`].
-pub(super) struct Quads;
-
-impl<F: Plain> Group<F> for Quads {
-    type Strips = F::Quad;
-    type Places = FourStrips<F::Stored>;
-    const FOURS: usize = 1;
-    #[inline(always)]
-    fn groups(fours: &'static [FourStrips<F::Stored>]) -> &'static [Self::Places] {
-        fours
-    }
-    #[inline(always)]
-    fn all(x: F) -> F::Quad {
-        F::Quad::all(x)
-    }
-    #[inline(always)]
-    fn couple(couple: &[F::Stored; 2]) -> F::Quad {
-        F::Quad::plain(both_sides::<F>(couple, false))
-    }
-    #[inline(always)]
-    fn field(
-        places: &Self::Places,
-        of: fn(&FourStrips<F::Stored>) -> &[F::Stored; 2],
-        odd: bool,
-    ) -> F::Quad {
-        F::Quad::plain(both_sides::<F>(of(places), odd))
-    }
-    #[inline(always)]
-    fn sum([a, b, c, d]: &[F::Quad; 4]) -> F {
-        ((*a + *c) + (*b + *d)).sum()
-    }
-}
-
-/// Strips at `Y` and `−Y`: the numbers of two, twice, the second time with the other sign if they are odd.
-#[inline(always)]
-pub(super) fn both_sides<F: Plain>(couple: &[F::Stored; 2], odd: bool) -> [F; 4] {
-    let [a, b] = F::both_stored(*couple);
-    if odd { [a, b, -a, -b] } else { [a, b, a, b] }
 }
 
 /// The fields of strips, each read from its couple; `y`, `bend` and `load_y` are odd in `y`.

@@ -176,5 +176,5 @@ fn root<T: Number>(motion: &Motion<T>, least: T, gap: T, d0: T) -> T {
     let slope = d * (s + other) + s * other + (pull - eta2 * left);
     let by = -(slope + T::TINY).inverse();
     let slopes = [-pull, d * s, s * other - eta2 * left, -(d * left), -left];
-    T::follow(s, T::Base::each(&slopes, |part| *part * by), inputs)
+    T::composed(s, T::Base::each(&slopes, |part| *part * by), inputs)
 }

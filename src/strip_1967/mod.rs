@@ -36,6 +36,7 @@
 
 pub mod edge;
 mod sliding;
+mod slopes;
 pub mod strip;
 pub mod strips;
 mod totals;

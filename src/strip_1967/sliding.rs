@@ -1,14 +1,15 @@
 //! Strips that slide, by the primitives of Section 7.1 or, under the continuous rule, by nodes.
 
-use crate::number::Nodes;
+use crate::number::tables::{row, table};
 use crate::number::{Arithmetic, Number, Pair, Plain, either};
 use crate::strip_1967::Motion;
 use crate::strip_1967::edge::Edge;
+use crate::strip_1967::slopes;
 use crate::strip_1967::strip::SlidingRule;
 use crate::strip_1967::totals::{Both, GAUSS_4, Shares, far};
 
 /// Sixteen nodes, those that are positive: the continuous rule.
-static GAUSS_16: Nodes<8> = Nodes::new([
+const GAUSS_16: [[f64; 2]; 8] = [
     [0.09501250983763744, 0.1894506104550685],
     [0.2816035507792589, 0.18260341504492358],
     [0.45801677765722737, 0.16915651939500254],
@@ -17,7 +18,7 @@ static GAUSS_16: Nodes<8> = Nodes::new([
     [0.8656312023878318, 0.09515851168249279],
     [0.9445750230732326, 0.062253523938647894],
     [0.9894009349916499, 0.027152459411754096],
-]);
+];
 
 /// `ε²`, and the square of some roundings of `Y`: where `η = 0` the direction of the slip turns at once in the strip `ξ̄ = 0`,
 /// and a derivative by `η` would be infinite.
@@ -46,8 +47,8 @@ pub(super) fn sliding<T: Number>(
     let [fx, fy, lever] = match motion.rule {
         SlidingRule::RigidSlip => rigid_slip(
             motion,
-            T::Pair::of(lower[0].y, upper[0].y).bare(),
-            T::Pair::of(lower[1].y, upper[1].y).bare(),
+            T::Pair::of(lower[0].y, upper[0].y).value(),
+            T::Pair::of(lower[1].y, upper[1].y).value(),
         ),
         SlidingRule::Continuous => continuous(motion, lower, upper),
     };
@@ -61,8 +62,8 @@ fn rigid_slip<T: Number>(motion: &Motion<T>, from: Both<T>, to: Both<T>) -> [T; 
     let both = Both::<T>::both;
     let (z0, p) = (xi.scale(compliance), slope.scale(compliance));
     let (middle, half) = ((from + to).times(0.5), (to - from).times(0.5));
-    let z = both(z0.value()) - middle.scale(p.value());
-    let bend = half.scale(p.value());
+    let z = both(z0.value()) - middle.by(p.value());
+    let bend = half.by(p.value());
     let eta0 = eta.value();
     let eta2 = eta0 * eta0;
     let smooth = both(eta2) + z * z - (bend * bend).times(far::<T>() * far::<T>());
@@ -73,23 +74,23 @@ fn rigid_slip<T: Number>(motion: &Motion<T>, from: Both<T>, to: Both<T>) -> [T; 
             let mut sums = [T::Pair::zero(); 3];
             // (at rest no strip slides, and has no direction)
             let least = eta2 + T::EPSILON * T::EPSILON;
-            for [node, weight] in GAUSS_4.of::<T>() {
+            for [node, weight] in table!(T::Base, GAUSS_4).iter().map(row::<T::Base, 2>) {
                 for node in [-node, node] {
-                    let y = middle + half.scale(node);
-                    let z = T::Pair::both(z0) - T::Pair::both(p).weigh(y);
-                    let share = (Both::<T>::one() - y * y) * half.scale(weight);
+                    let y = middle + half.by(node);
+                    let z = T::Pair::both(z0) - T::Pair::both(p).scale(y);
+                    let share = (Both::<T>::one() - y * y) * half.by(weight);
                     // z/√(z² + η²) and 1/√(z² + η²)
-                    let z0 = z.bare();
+                    let z0 = z.value();
                     let square = z0 * z0 + both(least);
                     let fy = share / square.sqrt();
                     let (by, fx) = (fy / square, fy * z0);
                     let (bend, eta) = (-(by * z0), T::Pair::both(eta));
                     let inputs = [z, eta];
-                    let fx = T::Pair::composed(fx, [by.scale(eta2), bend.scale(eta0)], inputs);
+                    let fx = T::Pair::composed(fx, [by.by(eta2), bend.by(eta0)], inputs);
                     let [x, w, lever] = &mut sums;
                     *x += fx;
-                    *w += T::Pair::composed(fy, [bend, -(by.scale(eta0))], inputs);
-                    *lever += fx.weigh(y);
+                    *w += T::Pair::composed(fy, [bend, -(by.by(eta0))], inputs);
+                    *lever += fx.scale(y);
                 }
             }
             let [fx, w, lever] = T::each(&sums, |sum| sum.sum());
@@ -102,7 +103,7 @@ fn rigid_slip<T: Number>(motion: &Motion<T>, from: Both<T>, to: Both<T>) -> [T; 
             let (h0, e0) = (h.value(), e.value());
             let e2 = rounded(e0);
             let (u1, u2) = (both(h0) - from, both(h0) - to);
-            let (d1, d2) = ((u1 * u1).shift(e2).sqrt(), (u2 * u2).shift(e2).sqrt());
+            let (d1, d2) = ((u1 * u1).more(e2).sqrt(), (u2 * u2).more(e2).sqrt());
             let (above, below) = arcsinh(u1, u2, d1, d2, both(e2));
             let ((above1, above2), (below1, below2)) = (above.parts(), below.parts());
             // J_n = ∫ uⁿ/D du
@@ -114,28 +115,21 @@ fn rigid_slip<T: Number>(motion: &Motion<T>, from: Both<T>, to: Both<T>) -> [T; 
             let j4 = ((u1 * u1 * ud1 - u2 * u2 * ud2).sum() - (e2 * j2).times(3.0)).times(0.25);
             // C² = 1 − (h − u)²
             let (k0, k1) = (T::Base::one() - h0 * h0, h0.times(2.0));
-            #[inline(always)]
-            fn moment<F: Plain>([k0, k1]: [F; 2], [one, u, uu]: [F; 3]) -> F {
-                k0 * one + k1 * u - uu
-            }
             let by = [k0, k1];
             let (i0, i1, i2) =
                 (moment(by, [j0, j1, j2]), moment(by, [j1, j2, j3]), moment(by, [j2, j3, j4]));
-            // N_n = ∫ uⁿ/D³ du, the first by ε²: derivatives of u/D and ε/D are (ε², −u ε) and (−u ε, u²) over D³
-            let e2n0 = (u1 / d1 - u2 / d2).sum();
-            let n1 = (d2.inverse() - d1.inverse()).sum();
-            let n2 = j0 - e2n0;
-            let (n3, n4) = (j1 - e2 * n1, j2 - e2 * n2);
-            let (xx, xy, yy) = (
-                moment(by, [e2n0, e2 * n1, e2 * n2]),
-                -(e0 * moment(by, [n1, n2, n3])),
-                moment(by, [n2, n3, n4]),
-            );
-            let of = |value: T::Base, slopes: [T::Base; 2]| T::follow(value, slopes, [h, e]);
-            let lever = [h0 * xx + e0 * xy, h0 * xy + e0 * yy];
-            [of(i1, [xx, xy]), of(e0 * i0, [xy, yy]), of(h0 * i1 - i2, lever)]
+            let [by_x, by_w, by_lever] =
+                slopes::rigid_slip([h0, e0, e2], [u1, u2, d1, d2], [j0, j1, j2], by);
+            let of = |value: T::Base, slopes: [T::Base; 2]| T::composed(value, slopes, [h, e]);
+            [of(i1, by_x), of(e0 * i0, by_w), of(h0 * i1 - i2, by_lever)]
         }
     )
+}
+
+/// `∫ C² uⁿ … du` with `C² = k₀ + k₁ u − u²`, from the integrals with `uⁿ`, `uⁿ⁺¹`, `uⁿ⁺²`.
+#[inline(always)]
+pub(super) fn moment<F: Plain>([k0, k1]: [F; 2], [one, u, uu]: [F; 3]) -> F {
+    k0 * one + k1 * u - uu
 }
 
 /// `∫ C² (w_x, w_y, Y w_x) dY` with `w ~ (ξ̄, η + ψ C)`: nodes from the adhesion strips, next to which the direction turns, outwards.
@@ -154,7 +148,7 @@ fn continuous<T: Number>(motion: &Motion<T>, lower: [Edge<T>; 2], upper: [Edge<T
     });
     let reach = sine / cosine.plus(1.0);
     // (at rest no strip slides, and has no direction)
-    let rest = T::Pair::from_base(T::EPSILON * T::EPSILON);
+    let rest = T::Pair::from_base(Both::<T>::both(T::EPSILON * T::EPSILON));
     // p C/|N|: how fast the direction of N = (ξ̄, η + ψ C) turns next to the near end
     let (nx, ny) = (both(xi) - both(p) * near.y, both(eta) + both(psi) * near.c);
     let turn = reach * both(p) * near.c / (nx * nx + ny * ny + rest).sqrt();
@@ -163,16 +157,16 @@ fn continuous<T: Number>(motion: &Motion<T>, lower: [Edge<T>; 2], upper: [Edge<T
     let grade = grade.plus(-1.0) / turn.times(1e-6).plus(1.0) + T::Pair::one();
     let outwards = T::Pair::of(-T::one(), T::one());
     let mut sums = [T::Pair::zero(); 4];
-    for [node, weight] in GAUSS_16.of::<T>() {
+    for [node, weight] in table!(T::Base, GAUSS_16).iter().map(row::<T::Base, 2>) {
         for node in [-node, node] {
             // v = tan(φ/4) = V r/(r + g (1 − r)), r from 0 to 1
             let r = node.times(0.5).plus(0.5);
-            let den = grade.scale(T::Base::one() - r).shift(r);
-            let v = reach.scale(r);
+            let den = grade.by(T::Base::one() - r).more(r);
+            let v = reach.by(r);
             let (den2, v2) = (den * den, v * v);
             let scale = (den2 + v2).inverse();
             // dφ = 4 V g dr/(den² + v²)
-            let step = (reach * grade * scale).scale(weight + weight);
+            let step = (reach * grade * scale).by(weight + weight);
             let (cos2, sin2) = ((den2 - v2) * scale, (den * v * scale).times(2.0));
             let (cosine, sine) = (cos2 * cos2 - sin2 * sin2, (cos2 * sin2).times(2.0) * outwards);
             let y = near.y * cosine + near.c * sine;

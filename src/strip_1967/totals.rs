@@ -10,27 +10,28 @@
 
 use crate::contact::creepage::Parameters;
 use crate::contact::forces::Totals;
-use crate::number::{Arithmetic, Nodes, Number, Pair, Plain, Stored, chosen, either, once};
+use crate::number::registers::compiled_twice;
+use crate::number::tables::{row, table};
+use crate::number::{Arithmetic, Number, Pair, Plain, Stored, chosen, either};
 use crate::strip_1967::Motion;
 use crate::strip_1967::edge::{self, Arc, Edge};
 use crate::strip_1967::sliding::{arcsinh, rounded, sliding};
+use crate::strip_1967::slopes;
 use crate::strip_1967::strip::SlidingRule;
 use core::f64::consts::PI;
 
 /// Four nodes of Gauss on `[-1, 1]` and their weights, those that are positive.
-pub(super) static GAUSS_4: Nodes<2> = Nodes::new([
-    [0.33998104358485626, 0.6521451548625461],
-    [0.8611363115940526, 0.34785484513745385],
-]);
+pub(super) const GAUSS_4: [[f64; 2]; 2] =
+    [[0.33998104358485626, 0.6521451548625461], [0.8611363115940526, 0.34785484513745385]];
 /// Six nodes: `∫ C K dY`, on either side of the strip with `ξ̄ = 0`.
-static GAUSS_6: Nodes<6> = Nodes::new([
+pub(super) const GAUSS_6: [[f64; 2]; 6] = [
     [-0.932469514203152, 0.17132449237917036],
     [-0.6612093864662645, 0.3607615730481386],
     [-0.2386191860831969, 0.46791393457269104],
     [0.2386191860831969, 0.46791393457269104],
     [0.6612093864662645, 0.3607615730481386],
     [0.932469514203152, 0.17132449237917036],
-]);
+];
 /// How many half lengths of a piece its square root's zero is away where four nodes give all digits.
 #[inline(always)]
 pub(super) fn far<T: Number>() -> f64 {
@@ -44,7 +45,7 @@ fn root_epsilon<T: Number>() -> f64 {
 }
 
 /// Two plain numbers side by side.
-pub(super) type Both<T> = <<T as Arithmetic>::Base as Number>::Pair;
+pub(super) type Both<T> = <<T as Number>::Base as Number>::Pair;
 
 /// Integrals over strips: `∫ f_x dY`, `∫ f_y dY`, `∫ m_x dY`, `∫ Y f_x dY`, `∫ (C − K) dY`.
 pub(super) type Shares<T> = [T; 5];
@@ -102,9 +103,14 @@ pub(super) fn turned_back<T: Number>(motion: &Motion<T>, shares: Shares<T>) -> T
 pub fn totals<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Totals<T> {
     // (the code of one rule alone is half as large; with derivatives it is one for both)
     if rule == SlidingRule::RigidSlip && !T::HAS_DERIVATIVES {
-        return once!(T, integrals(parameters, SlidingRule::RigidSlip));
+        compiled_twice!(if T::LANES => <T: Number>(parameters: &Parameters<T> = parameters) -> Totals<T> {
+            integrals(parameters, SlidingRule::RigidSlip)
+        })
+    } else {
+        compiled_twice!(if T::LANES => <T: Number>(parameters: &Parameters<T> = parameters, rule: SlidingRule = rule) -> Totals<T> {
+            integrals(parameters, rule)
+        })
     }
-    once!(T, integrals(parameters, rule))
 }
 
 #[inline(always)]
@@ -125,7 +131,7 @@ fn integrals<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Totals
 #[inline(always)]
 fn valued<T: Number>(mut numbers: Shares<T>, values: Shares<T::Base>) -> Shares<T> {
     for (number, value) in numbers.iter_mut().zip(values) {
-        *number = T::follow(value, [T::Base::one()], [*number]);
+        *number = T::composed(value, [T::Base::one()], [*number]);
     }
     numbers
 }
@@ -161,7 +167,7 @@ fn with_spin<T: Number>(motion: &Motion<T>) -> Shares<T> {
     }
     let mut all = sum(slide, adhering(motion, &arc));
     if T::HAS_DERIVATIVES {
-        all = sum(all, jumps(motion, &arc));
+        all = sum(all, slopes::jumps(motion, &arc));
     }
     chosen(some, all, slide)
 }
@@ -212,12 +218,12 @@ pub(super) fn adhering<T: Number>(motion: &Motion<T>, moving: &Arc<T>) -> Shares
         {
             // ∫ (K, ξ̄ K, Y ξ̄ K, K²) dY by nodes
             let mut sums = [T::Pair::zero(); 4];
-            for [node, weight] in GAUSS_4.of::<T>() {
-                let y = Both::<T>::both(middle) + Both::<T>::of(half, -half).scale(node);
-                let x = T::Pair::both(xi) - T::Pair::both(p).weigh(y);
+            for [node, weight] in table!(T::Base, GAUSS_4).iter().map(row::<T::Base, 2>) {
+                let y = Both::<T>::both(middle) + Both::<T>::of(half, -half).by(node);
+                let x = T::Pair::both(xi) - T::Pair::both(p).scale(y);
                 let k = length(motion, x);
-                let (share, xk) = (k.scale(weight), (x * k).scale(weight));
-                for (sum, part) in sums.iter_mut().zip([share, xk, xk.weigh(y), share * k]) {
+                let (share, xk) = (k.by(weight), (x * k).by(weight));
+                for (sum, part) in sums.iter_mut().zip([share, xk, xk.scale(y), share * k]) {
                     *sum += part;
                 }
             }
@@ -243,7 +249,7 @@ pub(super) fn adhering<T: Number>(motion: &Motion<T>, moving: &Arc<T>) -> Shares
             // d/dh ∫ uⁿ D du = uⁿ D,  d/dε ∫ uⁿ D du = ε ∫ uⁿ/D du
             let j2 = (ud - e2 * j0).times(0.5);
             let moment =
-                |i: T::Base, by_h: T::Base, j: T::Base| T::follow(i, [by_h, e0 * j], [h, e]);
+                |i: T::Base, by_h: T::Base, j: T::Base| T::composed(i, [by_h, e0 * j], [h, e]);
             let i0 = moment(i0, j1, j0);
             let i1 = moment(i1, ud, j1);
             let i2 = moment(i2, u1 * ud1 - u2 * ud2, j2);
@@ -272,127 +278,112 @@ pub(super) fn adhering<T: Number>(motion: &Motion<T>, moving: &Arc<T>) -> Shares
 fn length<T: Number>(motion: &Motion<T>, x: T::Pair) -> T::Pair {
     let Motion { eta, psi, q, eta_psi: m, .. } = motion.values();
     let both = Both::<T>::both;
-    let x0 = x.bare();
+    let x0 = x.value();
     let squares = x0 * x0;
-    let s = (both(eta * eta) + squares.scale(q)).sqrt();
-    let big = s.shift(m.abs());
+    let s = (both(eta * eta) + squares.by(q)).sqrt();
+    let big = s.more(m.abs());
     let positive = both(m);
-    let above = positive.choose(big, squares.shift(eta * eta));
+    let above = positive.choose(big, squares.more(eta * eta));
     // (where strips adhere K < C ≤ 1)
     let k = (above / positive.choose(both(q), big + Both::<T>::tiny())).min(Both::<T>::one());
     // S dK = ξ̄ dξ̄ + (η + ψ K)(dη + K dψ)
     let inverse = (s + Both::<T>::tiny()).inverse();
-    let turn = k.scale(psi).shift(eta) * inverse;
+    let turn = k.by(psi).more(eta) * inverse;
     let inputs = [x, T::Pair::both(motion.eta), T::Pair::both(motion.psi)];
     T::Pair::composed(k, [x0 * inverse, turn, turn * k], inputs)
 }
 
 /// `∫ C K dY = ∫ C² K dθ`: nodes for what `K` is more than its least, from the strip with `ξ̄ = 0`, where `S` may have
-/// a kink, to both ends of the arc. Its derivatives by the ends are those of what
-/// the nodes miss.
+/// a kink, to both ends of the arc.
 #[inline(always)]
-fn stretch_and_length<T: Number>(motion: &Motion<T>, moving: &Arc<T>, stretch: T::Base) -> T {
+fn stretch_and_length<T: Number>(motion: &Motion<T>, arc: &Arc<T>, stretch: T::Base) -> T {
+    let split @ [parting, level] = parted(motion, arc);
+    let pieces = Pieces::new(motion.values(), arc.values(), parting.value(), level.value());
+    if T::HAS_DERIVATIVES {
+        return slopes::stretch_and_length(motion, arc, split, &pieces, stretch);
+    }
+    let mut sum = Both::<T>::zero();
+    for [node, weight] in table!(T::Base, GAUSS_6).iter().map(row::<T::Base, 2>) {
+        sum += pieces.at(node, weight).share;
+    }
+    // dθ = 2 dt/(1 + t²)
+    T::from_base(pieces.whole(sum) + pieces.least * stretch)
+}
+
+/// Where the arc is parted, as the tangent of half an angle, and `K` there: at the strip with `ξ̄ = 0`, or next to it.
+#[inline(always)]
+fn parted<T: Number>(motion: &Motion<T>, arc: &Arc<T>) -> [T; 2] {
     let Motion { xi, eta, psi, slope, .. } = *motion;
-    // Y = sin(θ + φ), with the tangent of φ/2 from −t to t
-    let Arc { lower, upper, middle, .. } = *moving;
+    let Arc { lower, upper, middle, .. } = *arc;
     // (with hardly any spin there is no kink, and nothing may hang on where the middle is)
     let hardly = (xi + eta.abs()).times(root_epsilon::<T>());
     let h = xi / (slope + hardly + T::from_base(T::ROOT_TINY));
     let turn = Edge::chosen(h - lower.y, Edge::chosen(upper.y - h, Edge::at(h), upper), lower);
     let cosine = turn.c * middle.c + turn.y * middle.y;
     let parting = (turn.y * middle.c - turn.c * middle.y) / (T::one() + cosine);
-    // K of the strip with ξ̄ = 0, or next to it
     let lowest = eta.abs() / (T::one() - eta.choose(psi, -psi) + T::tiny());
     let level = (h - lower.y).choose((upper.y - h).choose(lowest, upper.c), lower.c);
-    let inputs = [moving.tangent, parting, middle.y, level, lower.y, upper.y];
-
-    let Motion { xi, eta, psi, slope: p, q, eta_psi: m, .. } = motion.values();
-    let Arc { lower, upper, middle, tangent } = moving.values();
-    let (both, split, least) = (Both::<T>::both, parting.value(), level.value());
-    let (from, to) = (Both::<T>::of(-tangent, split), Both::<T>::of(split, tangent));
-    let (centre, half) = ((from + to).times(0.5), (to - from).times(0.5));
-    let (size, positive) = (both(m.abs()), both(m));
-    let (x0, x1, x2) = (xi - p * middle.y, -(p * middle.c).times(2.0), xi + p * middle.y);
-    let mut sum = Both::<T>::zero();
-    let mut sums = [Both::<T>::zero(); 8];
-    for [node, weight] in GAUSS_6.of::<T>() {
-        // all by D = 1 + t²: D C, D ξ̄, D S and D K
-        let t = centre + half.scale(node);
-        let d = (t * t).plus(1.0);
-        let c = both(middle.c) - t * (t.scale(middle.c) + both(middle.y.times(2.0)));
-        let x = both(x0) + t * (t.scale(x2) + both(x1));
-        let (square, flat) = (x * x, (d * d).scale(eta * eta));
-        let s = (flat + square.scale(q)).sqrt();
-        let big = s + size * d;
-        let above = positive.choose(big, square + flat);
-        let below = positive.choose(both(q), big + Both::<T>::tiny()) * d;
-        let (bound, d2) = (c * c.scale(weight), d * d);
-        let share = (above - below.scale(least)) * bound / (below * (d2 * d));
-        sum += share;
-        if T::HAS_DERIVATIVES {
-            // S dK = ξ̄ dξ̄ + (η + ψ K)(dη + K dψ)
-            let (k, inverse) = (above / below, d.inverse());
-            let (edge, is) = (bound * inverse * inverse, (s + Both::<T>::tiny()).inverse());
-            let y =
-                (both(middle.y) - t * (t.scale(middle.y) - both(middle.c.times(2.0)))) * inverse;
-            let (by_x, by_eta) = (edge * inverse * x * is, edge * (k.scale(psi).shift(eta)) * is);
-            // along the edge C² (K − least) changes by −2 C Y (K − least) − C³ p ξ̄/S
-            let c = c * inverse;
-            let bend = (y * (k - both(least))).times(2.0) + c * c * (x * is).scale(p);
-            let bend = -(c.scale(weight) * inverse * bend);
-            let by_t = ((bend - share * t) * inverse).times(2.0);
-            let flat = edge * inverse;
-            let parts = [by_x, -(by_x * y), by_eta, by_eta * k, bend, by_t, by_t.scale(node), flat];
-            for (sum, part) in sums.iter_mut().zip(parts) {
-                *sum += part;
-            }
-        }
-    }
-    // dθ = 2 dt/(1 + t²)
-    let whole = |sum: Both<T>| (sum * half).sum().times(2.0);
-    let value = whole(sum) + least * stretch;
-    if !T::HAS_DERIVATIVES {
-        return T::from_base(value);
-    }
-    let [by_x, by_p, by_eta, by_psi, bend, by_t, by_node, flat] = sums;
-    // by the tangents of the pieces' ends
-    let (by_centre, by_half) = (half * by_t, sum + half * by_node);
-    let ((first, before), (after, last)) =
-        ((by_centre - by_half).parts(), (by_centre + by_half).parts());
-    let slopes = [
-        whole(by_x),
-        whole(by_p),
-        whole(by_eta),
-        whole(by_psi),
-        last - first,
-        before + after,
-        whole(bend) / middle.c,
-        stretch - whole(flat),
-        lower.c * (lower.c - least),
-        upper.c * (least - upper.c),
-    ];
-    let [tangent, parting, middle, level, lower, upper] = inputs;
-    let Motion { xi, eta, psi, slope: p, .. } = *motion;
-    let inputs = [xi, p, eta, psi, tangent, parting, middle, level, lower, upper];
-    T::follow(value, slopes, inputs)
+    [parting, level]
 }
 
-/// How integrals move with the ends, where the force jumps: no values, only derivatives.
-fn jumps<T: Number>(motion: &Motion<T>, moving: &Arc<T>) -> Shares<T> {
-    let Motion { xi, eta, psi, slope: p, compliance, rule, .. } = motion.values();
-    let (Arc { lower, upper, .. }, both) = (moving.values(), Both::<T>::both);
-    let (y, c) = (Both::<T>::of(lower.y, upper.y), Both::<T>::of(lower.c, upper.c));
-    let x = both(xi) - y.scale(p);
-    let z = x.scale(compliance);
-    // C² of one that slides over its slip, which the nodes of the continuous rule bring along
-    let rigid = T::Base::constant(if rule == SlidingRule::RigidSlip { 1.0 } else { 0.0 });
-    let slip = c.scale(rigid) / (z * z).shift(eta * eta + T::TINY).sqrt();
-    let fx = (x - z * slip) * c;
-    let fy = (c.scale(psi).shift(eta) - slip.scale(eta)) * c;
-    let along = |jump: Both<T>| {
-        let (first, last) = jump.parts();
-        let ends = [moving.lower.y, moving.upper.y];
-        T::follow(T::Base::zero(), [-first, last], ends)
-    };
-    [along(fx), along(fy), T::zero(), along(fx * y), T::zero()]
+/// The two pieces of an arc side by side: `Y = sin(θ + φ)`, with the tangent `t` of `φ/2` from `−t₁` to the parting and on to `t₁`.
+pub(super) struct Pieces<F: Plain> {
+    motion: Motion<F>,
+    middle: Edge<F>,
+    /// Middle and half length of each in `t`.
+    centre: F::Pair,
+    pub half: F::Pair,
+    /// `K` at the parting.
+    pub least: F,
+}
+
+/// Of a node in each piece.
+pub(super) struct Node<P> {
+    pub t: P,
+    /// `D = 1 + t²`
+    pub d: P,
+    /// `D C`, `D ξ̄`, `D S` and `K` as a quotient
+    pub c: P,
+    pub x: P,
+    pub s: P,
+    pub above: P,
+    pub below: P,
+    /// `C² D² w` and its share of the integral
+    pub bound: P,
+    pub share: P,
+}
+
+impl<F: Plain> Pieces<F> {
+    #[inline(always)]
+    fn new(motion: Motion<F>, arc: Arc<F>, parting: F, least: F) -> Self {
+        let (from, to) = (F::Pair::of(-arc.tangent, parting), F::Pair::of(parting, arc.tangent));
+        let (centre, half) = ((from + to).times(0.5), (to - from).times(0.5));
+        Self { motion, middle: arc.middle, centre, half, least }
+    }
+
+    #[inline(always)]
+    pub fn at(&self, node: F, weight: F) -> Node<F::Pair> {
+        let Motion { xi, eta, slope: p, q, eta_psi: m, .. } = self.motion;
+        let (Edge { y: y0, c: c0 }, both) = (self.middle, <F::Pair as Pair<F>>::both);
+        let t = self.centre + self.half.by(node);
+        let d = (t * t).plus(1.0);
+        // D C = c₀ − t (2 y₀ + t c₀),  D ξ̄ = ξ − p y₀ − t (2 p c₀ − t (ξ + p y₀))
+        let c = both(c0) - t * (t.by(c0) + both(y0.times(2.0)));
+        let x = both(xi - p * y0) + t * (t.by(xi + p * y0) + both(-(p * c0).times(2.0)));
+        let (square, flat) = (x * x, (d * d).by(eta * eta));
+        let s = (flat + square.by(q)).sqrt();
+        // (5.41) by the form that does not cancel
+        let (big, positive) = (s + both(m.abs()) * d, both(m));
+        let above = positive.choose(big, square + flat);
+        let below = positive.choose(both(q), big + F::Pair::tiny()) * d;
+        let bound = c * c.by(weight);
+        let share = (above - below.by(self.least)) * bound / (below * (d * d * d));
+        Node { t, d, c, x, s, above, below, bound, share }
+    }
+
+    /// Of both, from `dt` to `dθ = 2 dt/(1 + t²)`.
+    #[inline(always)]
+    pub fn whole(&self, sum: F::Pair) -> F {
+        (sum * self.half).sum().times(2.0)
+    }
 }

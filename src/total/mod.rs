@@ -27,7 +27,8 @@ use self::network::Network;
 use self::rigid_slip::RigidSlip;
 use crate::contact::forces::Totals;
 use crate::linear::LinearCoefficients;
-use crate::number::{Arithmetic, Number, Pair, Plain, Stored, once};
+use crate::number::registers::compiled_twice;
+use crate::number::{Arithmetic, Number, Pair, Plain, Stored};
 
 /// Axis ratios that the formulas are evaluated with; fitted are 0.015 to 60, and rigid slip from 1/70 to 70.
 const RATIO_LIMIT: f64 = 1e3;
@@ -62,7 +63,7 @@ const SATURATION: [f64; 6] = [
 
 /// What TOTAL needs to know of a contact, whatever its creepages.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<F> {
+pub struct Total<F> {
     linear: LinearCoefficients<F>,
     /// `g = a/b`
     ratio: F,
@@ -78,14 +79,16 @@ pub struct Prepared<F> {
     network: Network<F>,
 }
 
-impl<F: Plain> Prepared<F> {
+impl<F: Plain> Total<F> {
     /// For the axis ratio `g = a/b`, Poisson's ratio, and the coefficients of the linear theory for them.
     ///
     /// Made for `a/b` 0.015 to 60 and `ν` 0 to 1/2; finite and with the right limits beyond.
     #[must_use]
     #[inline(always)]
     pub fn new(axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>) -> Self {
-        once!(F, Self::of_contact(axis_ratio, poisson_ratio, linear))
+        compiled_twice!(if F::LANES => <F: Plain>(axis_ratio: F = axis_ratio, poisson_ratio: F = poisson_ratio, linear: &LinearCoefficients<F> = linear) -> Total<F> {
+            Total::of_contact(axis_ratio, poisson_ratio, linear)
+        })
     }
 
     #[inline(always)]
@@ -122,7 +125,9 @@ impl<F: Plain> Prepared<F> {
     #[must_use]
     #[inline(always)]
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
-        once!(T, self.two_answers(creepage))
+        compiled_twice!(if T::LANES => <F: Plain, T: Number<Base = F>>(contact: &Total<F> = self, creepage: [T; 3] = creepage) -> Totals<T> {
+            contact.two_answers(creepage)
+        })
     }
 
     #[inline(always)]

@@ -11,6 +11,7 @@
 
 use super::constants::*;
 use super::{inverses, roots};
+use crate::number::tables::{row, table, widen};
 use crate::number::{Number, Plain};
 
 /// Coefficients for one axis ratio.
@@ -37,22 +38,23 @@ struct Polynomials<F> {
 impl<F: Plain> Polynomials<F> {
     /// `c₀ + c₁ s² + c₂ s⁴`
     #[inline(always)]
-    fn even(&self, [c0, c1, c2]: [f32; 3]) -> F {
-        F::of_f32(c0) + self.s2 * (F::of_f32(c1) + self.s2 * F::of_f32(c2))
+    fn even(&self, [c0, c1, c2]: [F; 3]) -> F {
+        c0 + self.s2 * (c1 + self.s2 * c2)
     }
 
     #[inline(always)]
-    fn evens<const N: usize>(&self, all: &[[f32; 3]; N]) -> [F; N] {
-        F::each(all, |c| self.even(*c))
+    fn evens<const N: usize>(&self, all: &[[F::Stored; 3]; N]) -> [F; N] {
+        F::each(all, |c| self.even(row(c)))
     }
 
     /// The same with the odd part `(c₃ + c₄ s²) s`, at `s` and `−s`.
     #[inline(always)]
-    fn pairs<const N: usize>(&self, all: &[[f32; 5]; N]) -> [[F; 2]; N] {
+    fn pairs<const N: usize>(&self, all: &[[F::Stored; 5]; N]) -> [[F; 2]; N] {
         let mut pairs = [[F::zero(); 2]; N];
-        for (pair, [c0, c1, c2, c3, c4]) in pairs.iter_mut().zip(all) {
-            let even = self.even([*c0, *c1, *c2]);
-            let odd = self.s * (F::of_f32(*c3) + self.s2 * F::of_f32(*c4));
+        for (pair, c) in pairs.iter_mut().zip(all) {
+            let [c0, c1, c2, c3, c4] = row(c);
+            let even = self.even([c0, c1, c2]);
+            let odd = self.s * (c3 + self.s2 * c4);
             *pair = [even + odd, even - odd];
         }
         pairs
@@ -66,14 +68,14 @@ impl<F: Plain> RigidSlip<F> {
         let s = g.plus(-1.0) / g.plus(1.0);
         let s2 = s * s;
         let polynomials = Polynomials { s, s2 };
-        let [[xu, yv], [xv, yu], [xt, yt]] = polynomials.pairs(&RIGID_SLOPE);
+        let [[xu, yv], [xv, yu], [xt, yt]] = polynomials.pairs(table!(F, widen(&RIGID_SLOPE)));
         let [[k1, k2], [k3, k5], [k6, k9], [k7, k8], [k10, k14], [k11, k13]] =
-            polynomials.pairs(&RIGID_SPIN);
-        let [k0, k4, k12] = polynomials.evens(&RIGID_SPIN_EVEN);
-        let [[au, av]] = polynomials.pairs(&RIGID_ARM);
-        let [at] = polynomials.evens(&RIGID_ARM_EVEN);
-        let [[d1, d2], [d3, d5]] = polynomials.pairs(&RIGID_SIZE);
-        let [d0, d4] = polynomials.evens(&RIGID_SIZE_EVEN);
+            polynomials.pairs(table!(F, widen(&RIGID_SPIN)));
+        let [k0, k4, k12] = polynomials.evens(table!(F, widen(&RIGID_SPIN_EVEN)));
+        let [[au, av]] = polynomials.pairs(table!(F, widen(&RIGID_ARM)));
+        let [at] = polynomials.evens(table!(F, widen(&RIGID_ARM_EVEN)));
+        let [[d1, d2], [d3, d5]] = polynomials.pairs(table!(F, widen(&RIGID_SIZE)));
+        let [d0, d4] = polynomials.evens(table!(F, widen(&RIGID_SIZE_EVEN)));
         Self {
             both,
             slopes: [[xu, xv, xt], [yv, yu, yt]],
@@ -94,23 +96,33 @@ impl<F: Plain> RigidSlip<F> {
         let (u, v, t) = (vx2 * share, vy2 * share, spin2 * share);
         let (u2, uv, v2, w) = (u * u, u * v, v * v, u + v);
         let w2 = w * w;
-        let slope = |[own, other, spin]: [F; 3], p: T, q: T| {
-            w2 + t * (p.scale(own) + q.scale(other) + t.scale(spin))
-        };
         let [of_x, of_y] = self.slopes;
-        let (x, y) = (slope(of_x, u, v) * vx, slope(of_y, v, u) * vy);
+        let (x, y) = (slope(of_x, w2, [u, v, t]) * vx, slope(of_y, w2, [v, u, t]) * vy);
         let [k0, k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14] = self.spin;
-        let square = |a: F, b: F, c: F| u2.scale(a) + uv.scale(b) + v2.scale(c);
+        let squares = [u2, uv, v2];
         let third = u * (u2.scale(k6) + uv.scale(k7)) + v * (uv.scale(k8) + v2.scale(k9));
-        let fourth = u2 * square(k10, k11, k12) + v2 * (uv.scale(k13) + v2.scale(k14));
-        let z = t * (t.scale(k0) + u.scale(k1) + v.scale(k2)) + square(k3, k4, k5);
+        let fourth = u2 * mean([k10, k11, k12], squares) + v2 * (uv.scale(k13) + v2.scale(k14));
+        let z = t * (t.scale(k0) + u.scale(k1) + v.scale(k2)) + mean([k3, k4, k5], squares);
         let z = t * (fourth + t * (third + t * z));
         let [d0, d1, d2, d3, d4, d5] = self.size;
-        let d = t * (t * (t.scale(d0) + u.scale(d1) + v.scale(d2)) + square(d3, d4, d5));
+        let d = t * (t * (t.scale(d0) + u.scale(d1) + v.scale(d2)) + mean([d3, d4, d5], squares));
         let [f, m] =
             inverses(roots([(x * x + y * y + n * z).plus(1e-30), (n * (w * w2 + d)).plus(1e-30)]));
         let [au, av, at] = self.arm;
         let arm = u.scale(au) + v.scale(av) + t.scale(at);
         ([x * f, y * f, phi * arm * m], t)
     }
+}
+
+/// `W² + T (p U + q V + r T)`, of `V` and `U` across.
+#[inline(always)]
+fn slope<T: Number>(coefficients: [T::Base; 3], w2: T, shares: [T; 3]) -> T {
+    let [_, _, t] = shares;
+    w2 + t * mean(coefficients, shares)
+}
+
+/// `a x + b y + c z`
+#[inline(always)]
+fn mean<T: Number>([a, b, c]: [T::Base; 3], [x, y, z]: [T; 3]) -> T {
+    x.scale(a) + y.scale(b) + z.scale(c)
 }

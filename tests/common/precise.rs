@@ -7,10 +7,9 @@
 #![allow(dead_code)]
 
 use dashu_float::{FBig, round::mode::HalfEven};
-use kstrip::number::pairs::Two;
-use kstrip::number::{Arithmetic, Float, Map, Number, Plain};
+use kstrip::number::lanes::Lanes;
+use kstrip::number::{Arithmetic, Float, InRegisters, Map, Number, Plain};
 use kstrip::solve::model::Precision;
-use kstrip::strip::StripTotals;
 use std::any::Any;
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -23,7 +22,7 @@ pub type Digits = FBig<HalfEven, 2>;
 thread_local! {
     static KEPT: RefCell<Vec<Digits>> = const { RefCell::new(Vec::new()) };
     /// Tables by their address.
-    static TABLES: RefCell<HashMap<usize, &'static dyn Any>> = RefCell::new(HashMap::new());
+    static TABLES: RefCell<HashMap<(usize, usize, usize), &'static dyn Any>> = RefCell::new(HashMap::new());
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -115,13 +114,18 @@ impl PartialOrd for Precise {
 }
 
 impl Arithmetic for Precise {
-    type Base = Self;
     type Bare = Self;
 
+    fn constant(x: f64) -> Self {
+        Self::Double(x)
+    }
+    fn tiny() -> Self {
+        Self::TINY
+    }
     fn from_base(x: Self) -> Self {
         x
     }
-    fn bare(self) -> Self {
+    fn value(self) -> Self {
         self
     }
     fn composed<const N: usize>(value: Self, _: [Self; N], _: [Self; N]) -> Self {
@@ -152,17 +156,14 @@ impl Arithmetic for Precise {
 }
 
 impl Number for Precise {
-    type Pair = Two<Self>;
-    type Quad = Two<Two<Self>>;
+    type Base = Self;
+    type Pair = Lanes<Self, 2>;
     const LARGEST: Self = Self::Double(f64::LARGEST);
     const TINY: Self = Self::Double(f64::TINY);
     const ROOT_TINY: Self = Self::Double(f64::ROOT_TINY);
     const HUGE: Self = Self::Double(f64::HUGE);
     const EPSILON: Self = Self::Double(f64::EPSILON);
 
-    fn value(self) -> Self {
-        self
-    }
     fn map<const N: usize, const M: usize>(
         map: &impl Map<Self, N, M>,
         inputs: [Self; N],
@@ -175,11 +176,13 @@ impl Number for Precise {
 }
 
 impl Plain for Precise {
+    type Four = Lanes<Self, 4>;
+    type Eight = Lanes<Self, 8>;
+    type WideFour = Self::Four;
+    type WideEight = Self::Eight;
+    type WideSixteen = Lanes<Self, 16>;
     type Stored = Self;
 
-    fn of(x: f64) -> Self {
-        Self::Double(x)
-    }
     fn stored(x: Self) -> Self {
         x
     }
@@ -203,7 +206,18 @@ impl Plain for Precise {
     }
 }
 
+impl InRegisters for Precise {
+    fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool {
+        a.iter().zip(&b).any(|(a, b)| a > b)
+    }
+    fn all_between<const N: usize>(a: [Self; N], low: [Self; N], high: [Self; N]) -> bool {
+        (0..N).all(|k| a[k] >= low[k] && a[k] <= high[k])
+    }
+}
+
 impl Float for Precise {
+    type Contacts = Lanes<Self, 2>;
+    const SMALLEST: Self = Self::Double(f64::from_bits(1));
     const ARTANH: &'static [Self] = &[];
     const ARCTAN: &'static [Self] = &[];
 
@@ -231,13 +245,13 @@ impl Float for Precise {
     fn ln(self) -> Self {
         Self::keep(self.digits().ln())
     }
-    fn table<const N: usize, const P: usize>(
-        _: &'static [[[f32; 2]; P]; N],
-        double: &'static [[[f64; 2]; P]; N],
-    ) -> &'static [[[Self; 2]; P]; N] {
+    fn table<const R: usize, const C: usize>(
+        _: &'static [[f32; C]; R],
+        double: &'static [[f64; C]; R],
+    ) -> &'static [[Self; C]; R] {
         TABLES.with_borrow_mut(|tables| {
-            let table = *tables.entry(double.as_ptr().addr()).or_insert_with(|| {
-                let table: Box<[[[Self; 2]; P]; N]> = Box::new(double.each_ref().map(rows));
+            let table = *tables.entry((double.as_ptr().addr(), R, C)).or_insert_with(|| {
+                let table: Box<[[Self; C]; R]> = Box::new(double.map(|row| row.map(Self::Double)));
                 Box::leak(table)
             });
             table.downcast_ref().expect("one size at one address")
@@ -245,21 +259,4 @@ impl Float for Precise {
     }
 }
 
-impl StripTotals for Precise {}
-#[cfg(target_arch = "x86_64")]
-impl kstrip::batch::Wide for Precise {}
 impl Precision for Precise {}
-
-const fn rows<const N: usize, const M: usize>(table: &[[f64; M]; N]) -> [[Precise; M]; N] {
-    let mut copy = [[Precise::Double(0.0); M]; N];
-    let mut i = 0;
-    while i < N {
-        let mut j = 0;
-        while j < M {
-            copy[i][j] = Precise::Double(table[i][j]);
-            j += 1;
-        }
-        i += 1;
-    }
-    copy
-}

@@ -44,7 +44,7 @@ pub fn contact(axis_ratio: f64, poisson_ratio: f64) -> Contact<f64> {
 /// The strip of a field of the 1967 theory.
 pub fn strip_at(field: &Field<f64>, y: f64) -> Option<Strip<f64>> {
     match field.strip_at(y)? {
-        FieldStrip::Theory(strip) => Some(strip),
+        FieldStrip::Strip1967(strip) => Some(strip),
         other => panic!("{other:?}"),
     }
 }

@@ -35,7 +35,7 @@ fn ellipse(contact: &Contact<f64>, count: StripCount) -> Full {
     Full::from_ellipse(contact, count).unwrap()
 }
 
-/// The corrected strips of an ellipse are those of the model: the same forces, moment, stick area and
+/// STRIP's strips of an ellipse are those of the model: the same forces, moment, stick area and
 /// derivatives to rounding, from eight strips on (sums over the load of four are not exact).
 #[test]
 fn elliptic_strips_give_the_answer_of_the_ellipse() {
@@ -395,7 +395,7 @@ fn fields_integrate_to_the_forces() {
         let unit = view.friction_bound();
         assert_relative_eq!(load, view.normal_force(), max_relative = 1e-5);
         let found = solve(&patch, &motion, model);
-        // The slip of the corrected strips is marched in seven steps, its field between them.
+        // The slip of STRIP's strips is marched in seven steps, its field between them.
         let allowed = if model == Model::Strip { 0.04 } else { 1e-4 } * unit;
         assert!((fx - found.fx).abs() < allowed, "{model:?} {fx} {found:?}");
         assert!((fy - found.fy).abs() < allowed, "{model:?} {fy} {found:?}");

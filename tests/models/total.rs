@@ -6,12 +6,12 @@ use crate::reference::{self, figures};
 use kstrip::contact::forces::Totals;
 use kstrip::linear::LinearCoefficients;
 use kstrip::solve::model::{self, Model, Options};
-use kstrip::total::Prepared;
+use kstrip::total::Total;
 use std::f64::consts::PI;
 
-fn prepared(g: f64, nu: f64) -> (Prepared<f64>, LinearCoefficients<f64>) {
+fn prepared(g: f64, nu: f64) -> (Total<f64>, LinearCoefficients<f64>) {
     let linear = LinearCoefficients::at(g, nu);
-    (Prepared::new(g, nu, &linear), linear)
+    (Total::new(g, nu, &linear), linear)
 }
 
 /// The worst entry of each Jacobian of the force, in units of the linear slopes, against CONTACT's own differences: mean, 95th

@@ -6,12 +6,12 @@ use crate::number::dual::Dual;
 use approx::assert_abs_diff_eq;
 use core::f64::consts::PI;
 
-fn prepared(g: f64, nu: f64) -> PreparedStrips<f64> {
-    PreparedStrips::new(g, nu, &LinearCoefficients::at(g, nu), StripCount::Sixteen)
+fn prepared(g: f64, nu: f64) -> EllipseStrips<f64> {
+    EllipseStrips::new(g, nu, &LinearCoefficients::at(g, nu), StripCount::Sixteen)
 }
 
-fn law([g, nu, vx, vy, phi]: [f64; 5], factors: [f64; 2]) -> Law<f64> {
-    Prepared::new(g, nu, &LinearCoefficients::at(g, nu), factors).see([vx, vy, phi])
+fn law([g, nu, vx, vy, phi]: [f64; 5], factors: [f64; 2]) -> Distribution<f64> {
+    Flexibilities::new(g, nu, &LinearCoefficients::at(g, nu), factors).see([vx, vy, phi])
 }
 
 const COUNTS: [StripCount; 5] = [
@@ -87,7 +87,7 @@ fn slopes_at_rest_are_kalkers() {
             for count in COUNTS {
                 let c = LinearCoefficients::at(g, nu);
                 let v = [0, 1, 2].map(|i| Dual::<f64, 3>::input(0.0, i));
-                let t = PreparedStrips::new(g, nu, &c, count).totals(v);
+                let t = EllipseStrips::new(g, nu, &c, count).totals(v);
                 let expected = [[c.c11, 0.0, 0.0], [0.0, c.c22, c.c23], [0.0, -c.c23, c.c33]];
                 let size = 1.0 + c.c11 + c.c22 + c.c23 + c.c33;
                 for (force, expected) in [t.fx, t.fy, t.mz].iter().zip(expected) {
@@ -261,7 +261,7 @@ fn power_is_never_negative() {
         let n2 = linear.iter().map(|k| k * k).sum::<f64>() + (c.c23 * phi).powi(2);
         let power = t.fx * v[0] + t.fy * v[1] + t.mz * v[2];
         least = least.min(power * (1.0 + n2).sqrt() / whole);
-        let single = PreparedStrips::new(
+        let single = EllipseStrips::new(
             g as f32,
             nu as f32,
             &LinearCoefficients::at(g as f32, nu as f32),
@@ -313,7 +313,7 @@ fn strip_counts_converge() {
     let distance = |count| {
         let distances = cases(500).map(|[g, nu, vx, vy, phi]| {
             let c = LinearCoefficients::at(g, nu);
-            let at = |count| PreparedStrips::new(g, nu, &c, count).totals([vx, vy, phi]);
+            let at = |count| EllipseStrips::new(g, nu, &c, count).totals([vx, vy, phi]);
             let (a, b) = (at(count), at(StripCount::SixtyFour));
             (a.fx - b.fx).hypot(a.fy - b.fy)
         });
@@ -365,7 +365,7 @@ fn single_precision_agrees() {
         let t = totals([g, nu, vx, vy, phi]);
         let [g, nu, vx, vy, phi] = [g, nu, vx, vy, phi].map(|x| x as f32);
         let c = LinearCoefficients::at(g, nu);
-        let s = PreparedStrips::new(g, nu, &c, StripCount::Sixteen).totals([vx, vy, phi]);
+        let s = EllipseStrips::new(g, nu, &c, StripCount::Sixteen).totals([vx, vy, phi]);
         for (value, expected) in [s.fx, s.fy, s.mz].iter().zip(t) {
             assert_abs_diff_eq!(f64::from(*value), expected, epsilon = 2e-4);
         }
@@ -382,8 +382,8 @@ fn any_size_of_creepage_is_finite_in_single_precision() {
                 for nu in [0.0, 0.5] {
                     let c = LinearCoefficients::at(g, nu);
                     let v = [size * vx, size * vy, size * phi];
-                    let solution = Prepared::new(g, nu, &c, [1.0, 1.0]).see(v);
-                    let t = PreparedStrips::new(g, nu, &c, StripCount::Sixteen).totals(v);
+                    let solution = Flexibilities::new(g, nu, &c, [1.0, 1.0]).see(v);
+                    let t = EllipseStrips::new(g, nu, &c, StripCount::Sixteen).totals(v);
                     assert!(t.fx.hypot(t.fy) <= 1.0 + 1e-5, "{size} {g} {nu} {t:?}");
                     assert!(t.mz.is_finite() && (0.0..=1.00001).contains(&t.stick), "{t:?}");
                     let geometry =
@@ -450,7 +450,7 @@ fn derivatives_are_those_of_dual_numbers() {
         let seen = Seen { x, y, spread, start };
         let kind = (k % 2) as usize;
         let [found, ..] = eight_strips(&[(seen, sigma); 8], [kind as f64; 8]);
-        let constants = tables::Tables::new(|couple: &[f64; 2]| couple[kind]);
+        let constants = tables::Tables::<f64, _>::new(|couple: &[f64; 2]| couple[kind]);
         let (dual, _) = kernel::forces(&seen, &Spin::new(sigma), &constants, |_, _| ());
         for (a, b) in [(found.fx, dual.fx), (found.fy, dual.fy), (found.mx, dual.mx)] {
             assert_abs_diff_eq!(a.value, b.value, epsilon = 1e-12);
@@ -463,9 +463,13 @@ fn derivatives_are_those_of_dual_numbers() {
     }
 }
 
-/// Strips one after the other, as on a microcontroller, give the bits of strips side by side, and so do any eight.
+/// Strips one after the other, as on a microcontroller, give the bits of strips side by side in any registers, and so do any eight.
 #[test]
-fn single_strips_give_the_bits_of_strips_side_by_side() {
+fn strips_have_the_same_bits_one_by_one_and_side_by_side() {
+    use crate::number::Strips;
+    use crate::number::lanes::Lanes;
+    use crate::number::registers::are_wide;
+
     // (what is printed tells the bits of a number)
     fn text(numbers: &impl core::fmt::Debug) -> heapless::String<16_384> {
         use core::fmt::Write;
@@ -473,35 +477,50 @@ fn single_strips_give_the_bits_of_strips_side_by_side() {
         write!(text, "{numbers:?}").expect("room");
         text
     }
-    fn agree<F: StripTotals + Float>() {
+    fn sums<F: Float, P: Strips<F>>(
+        strips: &EllipseStrips<F>,
+        law: &Distribution<F>,
+    ) -> heapless::String<16_384> {
+        text(&(strips.sums::<P, 1>(law), strips.sums::<P, 4>(law)))
+    }
+    fn eight<F: Float, P: Strips<F>>(all: &[[F; 8]; 6]) -> heapless::String<16_384> {
+        let found = any::found::<Dual<F, 1>, P>(all);
+        assert_eq!(text(&found.0), text(&any::found::<F, P>(all).0));
+        text(&found)
+    }
+    fn agree<F: Float>() {
         let mut before = text(&());
         for (k, count) in COUNTS.into_iter().enumerate() {
             for g in [0.2, 1.0, 4.0] {
                 let (ratio, nu) = (F::of(g), F::of(0.28));
                 let linear = LinearCoefficients::at(ratio, nu);
-                let strips = PreparedStrips::new(ratio, nu, &linear, count);
-                let (contact, fours) = (&strips.contact, strips.rule.fours);
+                let strips = EllipseStrips::new(ratio, nu, &linear, count);
                 for v in [[0.3, 0.1, 0.2], [0.0, 2.0, -3.0], [-0.05, 0.0, 0.0], [40.0, 1.0, 9.0]] {
-                    let law = contact.see(v.map(F::of));
-                    let forces = strips.sums::<totals::Quads, false>(&law);
-                    let slopes = strips.sums::<totals::Quads, true>(&law);
-                    let own = text(&[forces, slopes]);
-                    let forces = single::sums::<F, false>(contact, fours, &law);
-                    let slopes = single::sums::<F, true>(contact, fours, &law);
-                    assert_eq!(text(&[forces, slopes]), own, "{count:?} {g} {v:?}");
+                    let law = strips.contact.see(v.map(F::of));
+                    let own = sums::<F, Lanes<F, 1>>(&strips, &law);
+                    assert_eq!(sums::<F, F::Four>(&strips, &law), own, "{count:?} {g} {v:?}");
+                    if are_wide() {
+                        assert_eq!(sums::<F, F::WideFour>(&strips, &law), own);
+                        if count as usize >= 8 {
+                            assert_eq!(sums::<F, F::WideEight>(&strips, &law), own);
+                        }
+                        if count as usize >= 16 {
+                            assert_eq!(sums::<F, F::WideSixteen>(&strips, &law), own);
+                        }
+                    }
                     assert_ne!(own, before);
                     before = own;
                 }
             }
             let number = |i: usize| F::of(((i * 37 + k * 11) % 97) as f64 / 40.0 - 1.0);
-            let seen = [0, 8, 16, 24, 32].map(|row| core::array::from_fn(|i| number(row + i)));
-            let inner = core::array::from_fn(|i| F::of(i as f64 / 7.0));
-            let (of, parts) = (any::of_eight::<F>, any::parts_of_eight::<F>);
-            let (forces, slopes) = any::both_kinds::<_, _, 8, true>(seen, inner, of, parts);
-            let own = text(&(forces, slopes));
-            let found = single::eight::<F, true>(seen, inner);
-            assert_eq!(text(&found), own);
-            assert_eq!(text(&single::eight::<F, false>(seen, inner).0), text(&found.0));
+            let mut all =
+                [0, 8, 16, 24, 32, 0].map(|row| core::array::from_fn(|i| number(row + i)));
+            all[5] = core::array::from_fn(|i| F::of(i as f64 / 7.0));
+            let own = eight::<F, Lanes<F, 1>>(&all);
+            assert_eq!(eight::<F, F::Eight>(&all), own);
+            if are_wide() {
+                assert_eq!(eight::<F, F::WideEight>(&all), own);
+            }
             assert_ne!(own, before);
             before = own;
         }

@@ -4,7 +4,7 @@ use super::*;
 use approx::assert_relative_eq;
 
 fn at(g: f64, nu: f64, v: [f64; 3]) -> [f64; 3] {
-    let Totals { fx, fy, mz, .. } = Prepared::new(g, nu, &LinearCoefficients::at(g, nu)).totals(v);
+    let Totals { fx, fy, mz, .. } = Total::new(g, nu, &LinearCoefficients::at(g, nu)).totals(v);
     [fx, fy, mz]
 }
 
@@ -208,7 +208,7 @@ fn single_precision_follows() {
         let g = 10_f64.powf(2.0 * random.next() - 1.0) as f32;
         let nu = 0.5 * random.next() as f32;
         let v = [0; 3].map(|_| random.spread(-3.0, 1.0) as f32);
-        let single = Prepared::new(g, nu, &LinearCoefficients::at(g, nu)).totals(v);
+        let single = Total::new(g, nu, &LinearCoefficients::at(g, nu)).totals(v);
         let double = at(g.into(), nu.into(), v.map(f64::from));
         for (single, double) in [single.fx, single.fy, single.mz].into_iter().zip(double) {
             assert_relative_eq!(f64::from(single), double, epsilon = 2e-5);
@@ -216,7 +216,7 @@ fn single_precision_follows() {
     }
     for v in [1e-38_f32, 1e-30, 1e12, 1e30, 3e38] {
         for g in [1e-30_f32, 0.1, 1.0, 10.0, 1e30] {
-            let f = Prepared::new(g, 0.5, &LinearCoefficients::at(g, 0.5)).totals([v, -v, v]);
+            let f = Total::new(g, 0.5, &LinearCoefficients::at(g, 0.5)).totals([v, -v, v]);
             assert!(f.fx.hypot(f.fy) <= 1.00001 && f.mz.is_finite(), "{g} {v} {f:?}");
         }
     }
@@ -229,7 +229,7 @@ fn derivatives_are_finite_at_any_creepage() {
     let gradients = |g: f64, v: [f64; 3]| {
         let single = LinearCoefficients::at(g as f32, 0.28);
         let v = [0, 1, 2].map(|i| Dual::<f32, 3>::input(v[i] as f32, i));
-        let t = Prepared::new(g as f32, 0.28, &single).totals(v);
+        let t = Total::new(g as f32, 0.28, &single).totals(v);
         [t.fx, t.fy, t.mz].map(|force| force.gradient)
     };
     for size in [1e-6, 1.0, 30.0, 100.0, 1e3, 3e3, 1e4, 1e5, 1e8, 1e15, 1e30] {
@@ -251,7 +251,7 @@ fn derivatives_are_finite_at_any_creepage() {
     let double = LinearCoefficients::at(0.64, 0.28);
     let v = [3e3, 261.0, 0.3];
     let dual = [0, 1, 2].map(|i| Dual::<f64, 3>::input(v[i], i));
-    let t = Prepared::new(0.64, 0.28, &double).totals(dual);
+    let t = Total::new(0.64, 0.28, &double).totals(dual);
     for (single, force) in gradients(0.64, v).iter().zip([t.fx, t.fy]) {
         for (single, double) in single.iter().zip(force.gradient) {
             assert!((f64::from(*single) - double).abs() < 1e-4 / 3e3, "{single} {double}");

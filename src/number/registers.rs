@@ -1,0 +1,453 @@
+//! The registers of the machine: what is computed side by side in one of them, and whether there are wide ones.
+//!
+//! x86-64 has registers of 128 bits; those of 256 bits (AVX) are there on most processors, which are asked once. Everything here
+//! is the correctly rounded operation of a plain number. What is `unsafe`: instructions on registers without memory access,
+//! on machines that are known to have them.
+
+#![allow(unsafe_code)]
+
+use super::Arithmetic;
+use super::lanes::{Alignment, Lanes};
+
+pub(super) use self::root::{of_f32, of_f64};
+
+/// Numbers that stand side by side in an array: one by one, and in a register where there is one for so many.
+pub trait InRegisters: Arithmetic<Bare = Self> {
+    /// Sums.
+    #[inline(always)]
+    fn sums<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
+        both(a, b, |a, b| a + b)
+    }
+    /// Differences.
+    #[inline(always)]
+    fn differences<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
+        both(a, b, |a, b| a - b)
+    }
+    /// Products.
+    #[inline(always)]
+    fn products<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
+        both(a, b, |a, b| a * b)
+    }
+    /// Quotients.
+    #[inline(always)]
+    fn quotients<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
+        both(a, b, |a, b| a / b)
+    }
+    /// The opposite.
+    #[inline(always)]
+    fn opposites<const N: usize>(a: [Self; N]) -> [Self; N] {
+        both(a, a, |a, _| -a)
+    }
+    /// Square roots.
+    #[inline(always)]
+    fn roots<const N: usize>(a: [Self; N]) -> [Self; N] {
+        both(a, a, |a, _| Arithmetic::sqrt(a))
+    }
+    /// `1/√x`, as [`Arithmetic::inverse_root`].
+    #[inline(always)]
+    fn inverse_roots<const N: usize>(mut a: [Self; N]) -> [Self; N] {
+        for a in &mut a {
+            *a = a.inverse_root();
+        }
+        a
+    }
+    /// The same of several arrays, which may be quicker together.
+    #[inline(always)]
+    fn inverse_roots_of<const M: usize, const N: usize>(
+        mut rows: [[Self; M]; N],
+    ) -> [[Self; M]; N] {
+        for row in &mut rows {
+            *row = Self::inverse_roots(*row);
+        }
+        rows
+    }
+    /// Absolute values.
+    #[inline(always)]
+    fn sizes<const N: usize>(a: [Self; N]) -> [Self; N] {
+        both(a, a, |a, _| Arithmetic::abs(a))
+    }
+    /// The larger of two; the second one where they are equal or one is not a number.
+    #[inline(always)]
+    fn larger<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
+        both(a, b, Arithmetic::max)
+    }
+    /// The smaller of two.
+    #[inline(always)]
+    fn smaller<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
+        both(a, b, Arithmetic::min)
+    }
+    /// `yes` where a number is positive, else `no`.
+    #[inline(always)]
+    fn chosen<const N: usize>(by: [Self; N], yes: [Self; N], no: [Self; N]) -> [Self; N] {
+        let mut chosen = no;
+        for ((place, by), yes) in chosen.iter_mut().zip(by).zip(yes) {
+            *place = Arithmetic::choose(by, yes, *place);
+        }
+        chosen
+    }
+    /// Whether one is larger than its neighbour.
+    fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool;
+    /// Whether all lie between others.
+    fn all_between<const N: usize>(a: [Self; N], low: [Self; N], high: [Self; N]) -> bool;
+}
+
+/// Pairs straight on, more in a loop.
+#[inline(always)]
+fn both<T: Copy, const N: usize>(mut a: [T; N], b: [T; N], of: impl Fn(T, T) -> T) -> [T; N] {
+    if let ([a0, a1], [b0, b1]) = (&mut a[..], &b[..]) {
+        (*a0, *a1) = (of(*a0, *b0), of(*a1, *b1));
+        return a;
+    }
+    for (a, b) in a.iter_mut().zip(b) {
+        *a = of(*a, b);
+    }
+    a
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+macro_rules! lane_by_lane {
+    () => {
+        #[inline(always)]
+        fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool {
+            a.iter().zip(&b).fold(false, |any, (a, b)| any | (a > b))
+        }
+        #[inline(always)]
+        fn all_between<const N: usize>(a: [Self; N], low: [Self; N], high: [Self; N]) -> bool {
+            let bounds = low.iter().zip(&high);
+            a.iter().zip(bounds).fold(true, |all, (a, (low, high))| all & (a >= low) & (a <= high))
+        }
+    };
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+impl InRegisters for f64 {
+    lane_by_lane!();
+}
+#[cfg(not(target_arch = "x86_64"))]
+impl InRegisters for f32 {
+    lane_by_lane!();
+}
+
+/// Numbers side by side that are side by side themselves: as many as fill several registers.
+impl<T: InRegisters, const M: usize, A: Alignment> InRegisters for Lanes<T, M, A> {
+    #[inline(always)]
+    fn inverse_roots<const N: usize>(mut a: [Self; N]) -> [Self; N] {
+        let mut rows = [[T::zero(); M]; N];
+        for (row, a) in rows.iter_mut().zip(a) {
+            *row = a.numbers();
+        }
+        for (a, row) in a.iter_mut().zip(T::inverse_roots_of(rows)) {
+            *a = Self::new(row);
+        }
+        a
+    }
+    #[inline(always)]
+    fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool {
+        let mut pairs = a.into_iter().zip(b);
+        pairs.any(|(a, b)| T::any_exceeds(a.numbers(), b.numbers()))
+    }
+    #[inline(always)]
+    fn all_between<const N: usize>(a: [Self; N], low: [Self; N], high: [Self; N]) -> bool {
+        let mut all = a.into_iter().zip(low.into_iter().zip(high));
+        all.all(|(a, (low, high))| T::all_between(a.numbers(), low.numbers(), high.numbers()))
+    }
+}
+
+/// Whether there are registers of 256 bits.
+#[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
+#[inline(always)]
+pub(crate) fn are_wide() -> bool {
+    #[cfg(target_arch = "x86_64")]
+    return x86::are_wide();
+    #[cfg(not(target_arch = "x86_64"))]
+    false
+}
+
+/// `compiled_twice!(<T: Number>(a: A = value) -> R { code })`: code that is there once for each kind of number `T`, whoever calls it, and once more
+/// for wide registers. With `{ code } { other }` the other is that for wide registers. Code of contacts side by side, `N` of them, stands inside
+/// their caller, who knows the registers: `if N > 1`.
+macro_rules! compiled_twice {
+    (if $lanes:expr => <$($T:ident: $bound:path),*>($($name:ident: $type:ty = $value:expr),*) -> $result:ty $code:block) => {
+        $crate::number::registers::compiled_twice!(if $lanes => <$($T: $bound),*>($($name: $type = $value),*) -> $result $code $code)
+    };
+    (if $lanes:expr => <$($T:ident: $bound:path),*>($($name:ident: $type:ty = $value:expr),*) -> $result:ty $code:block $wide:block) => {{
+        #[cfg(target_arch = "x86_64")]
+        #[target_feature(enable = "avx")]
+        fn wide<$($T: $bound),*>($($name: $type),*) -> $result $wide
+        #[inline(never)]
+        fn narrow<$($T: $bound),*>($($name: $type),*) -> $result $code
+        if $lanes > 1 {
+            $(let $name: $type = $value;)*
+            return $code;
+        }
+        // (one call for both, which writes its result where the caller wants it)
+        #[allow(unused_mut)]
+        let mut code: unsafe fn($($type),*) -> $result = narrow;
+        #[cfg(target_arch = "x86_64")]
+        if $crate::number::registers::are_wide() {
+            code = wide;
+        }
+        // SAFETY: the processor was asked.
+        #[allow(unsafe_code)]
+        unsafe {
+            code($($value),*)
+        }
+    }};
+}
+pub(crate) use compiled_twice;
+
+#[cfg(target_arch = "x86_64")]
+mod x86 {
+    use super::{InRegisters, both};
+    use crate::number::Arithmetic;
+    use crate::number::float::{NEWTON, NEWTON_START};
+    use core::arch::x86_64::*;
+
+    cpufeatures::new!(avx, "avx");
+
+    /// Whether the processor has registers of 256 bits and the system keeps them: asked once, because under a hypervisor the
+    /// question takes microseconds. It is the only thing that the library remembers, and no result depends on it.
+    #[inline(always)]
+    pub fn are_wide() -> bool {
+        avx::get()
+    }
+
+    /// An array and a register of the same size.
+    #[repr(C)]
+    union Either<T: Copy, R: Copy> {
+        from: T,
+        to: R,
+    }
+
+    /// An array as a register of the same size, or back.
+    ///
+    /// # Safety
+    /// Both have one size, or this is not reached.
+    #[inline(always)]
+    unsafe fn cast<T: Copy, R: Copy>(from: T) -> R {
+        // SAFETY: as said; any bits are a value of either.
+        unsafe { Either { from }.to }
+    }
+
+    // SAFETY (of both macros): arithmetic on registers, no memory access; arrays of so many numbers have their size. Those of 256 bits belong to
+    // callers who have asked.
+    macro_rules! operation {
+        ($narrow:literal $wide:literal $name:ident($($x:ident),*): $of_narrow:expr, $of_wide:expr, $one_by_one:expr) => {
+            #[inline(always)]
+            fn $name<const N: usize>($($x: [Self; N]),*) -> [Self; N] {
+                match N {
+                    $narrow => unsafe {
+                        $(let $x = cast($x);)*
+                        cast($of_narrow)
+                    },
+                    $wide => unsafe {
+                        $(let $x = cast($x);)*
+                        cast($of_wide)
+                    },
+                    _ => $one_by_one,
+                }
+            }
+        };
+    }
+
+    macro_rules! registers {
+        ($float:ident, $n:literal: $add:ident $sub:ident $mul:ident $div:ident $sqrt:ident $max:ident $min:ident $and:ident
+            $andnot:ident $or:ident $xor:ident $greater:ident $set:ident;
+            $w:literal: $wadd:ident $wsub:ident $wmul:ident $wdiv:ident $wsqrt:ident $wmax:ident $wmin:ident
+            $wandnot:ident $wxor:ident $compare:ident $blend:ident $mask:ident $wset:ident; { $($inverse_roots:item)* }) => {
+            impl InRegisters for $float {
+                $($inverse_roots)*
+                operation!($n $w sums(a, b): $add(a, b), $wadd(a, b), both(a, b, |a, b| a + b));
+                operation!($n $w differences(a, b): $sub(a, b), $wsub(a, b), both(a, b, |a, b| a - b));
+                operation!($n $w products(a, b): $mul(a, b), $wmul(a, b), both(a, b, |a, b| a * b));
+                operation!($n $w quotients(a, b): $div(a, b), $wdiv(a, b), both(a, b, |a, b| a / b));
+                operation!($n $w larger(a, b): $max(a, b), $wmax(a, b), both(a, b, Arithmetic::max));
+                operation!($n $w smaller(a, b): $min(a, b), $wmin(a, b), both(a, b, Arithmetic::min));
+                operation!($n $w opposites(a): $xor(a, $set(-0.0)), $wxor(a, $wset(-0.0)), both(a, a, |a, _| -a));
+                operation!($n $w sizes(a): $andnot($set(-0.0), a), $wandnot($wset(-0.0), a), both(a, a, |a, _| Arithmetic::abs(a)));
+                operation!($n $w roots(a): $sqrt(a), $wsqrt(a), both(a, a, |a, _| Arithmetic::sqrt(a)));
+                operation!($n $w chosen(by, yes, no):
+                    {
+                        let mask = $greater(by, $set(0.0));
+                        $or($and(mask, yes), $andnot(mask, no))
+                    },
+                    $blend(no, yes, $compare::<_CMP_GT_OQ>(by, $wset(0.0))),
+                    {
+                        let mut chosen = no;
+                        for ((place, by), yes) in chosen.iter_mut().zip(by).zip(yes) {
+                            *place = Arithmetic::choose(by, yes, *place);
+                        }
+                        chosen
+                    });
+                #[inline(always)]
+                fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool {
+                    if N == $w {
+                        return unsafe { $mask($compare::<_CMP_GT_OQ>(cast(a), cast(b))) != 0 };
+                    }
+                    a.iter().zip(&b).fold(false, |any, (a, b)| any | (a > b))
+                }
+                #[inline(always)]
+                fn all_between<const N: usize>(a: [Self; N], low: [Self; N], high: [Self; N]) -> bool {
+                    if N == $w {
+                        const ALL: i32 = (1 << $w) - 1;
+                        let low = unsafe { $mask($compare::<_CMP_GE_OQ>(cast(a), cast(low))) };
+                        let high = unsafe { $mask($compare::<_CMP_LE_OQ>(cast(a), cast(high))) };
+                        return (low & high) == ALL;
+                    }
+                    let bounds = low.iter().zip(&high);
+                    a.iter().zip(bounds).fold(true, |all, (a, (low, high))| all & (a >= low) & (a <= high))
+                }
+            }
+        };
+    }
+
+    registers!(f64, 2: _mm_add_pd _mm_sub_pd _mm_mul_pd _mm_div_pd _mm_sqrt_pd _mm_max_pd _mm_min_pd _mm_and_pd
+    _mm_andnot_pd _mm_or_pd _mm_xor_pd _mm_cmpgt_pd _mm_set1_pd;
+    4: _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd _mm256_sqrt_pd _mm256_max_pd _mm256_min_pd
+    _mm256_andnot_pd _mm256_xor_pd _mm256_cmp_pd _mm256_blendv_pd _mm256_movemask_pd _mm256_set1_pd; {
+        #[inline(always)]
+        fn inverse_roots<const N: usize>(mut a: [Self; N]) -> [Self; N] {
+            match N {
+                2 => unsafe {
+                    // (twice in one register: nothing is divided by the zeros of an empty half)
+                    let x = cast(a);
+                    let single = _mm_cvtpd_ps(x);
+                    cast(newton(x, started(_mm_movelh_ps(single, single))))
+                },
+                4 => unsafe {
+                    let x = cast(a);
+                    cast(wide_newton(x, started(_mm256_cvtpd_ps(x))))
+                },
+                _ => {
+                    for a in &mut a {
+                        *a = Arithmetic::inverse_root(*a);
+                    }
+                    a
+                }
+            }
+        }
+        #[inline(always)]
+        fn inverse_roots_of<const M: usize, const N: usize>(
+            mut rows: [[Self; M]; N],
+        ) -> [[Self; M]; N] {
+            let (couples, rest) = rows.as_chunks_mut::<2>();
+            for [a, b] in couples {
+                match M {
+                    2 => unsafe {
+                        let (x, y) = (cast(*a), cast(*b));
+                        let start = started(_mm_movelh_ps(_mm_cvtpd_ps(x), _mm_cvtpd_ps(y)));
+                        (*a, *b) = (cast(newton(x, start)), cast(newton(y, _mm_movehl_ps(start, start))));
+                    },
+                    4 => unsafe {
+                        let (x, y) = (cast(*a), cast(*b));
+                        let single = _mm256_set_m128(_mm256_cvtpd_ps(y), _mm256_cvtpd_ps(x));
+                        let start = _mm256_div_ps(_mm256_set1_ps(NEWTON_START), _mm256_sqrt_ps(single));
+                        *a = cast(wide_newton(x, _mm256_castps256_ps128(start)));
+                        *b = cast(wide_newton(y, _mm256_extractf128_ps::<1>(start)));
+                    },
+                    _ => (*a, *b) = (Self::inverse_roots(*a), Self::inverse_roots(*b)),
+                }
+            }
+            for row in rest {
+                *row = Self::inverse_roots(*row);
+            }
+            rows
+        }
+    });
+    registers!(f32, 4: _mm_add_ps _mm_sub_ps _mm_mul_ps _mm_div_ps _mm_sqrt_ps _mm_max_ps _mm_min_ps _mm_and_ps
+    _mm_andnot_ps _mm_or_ps _mm_xor_ps _mm_cmpgt_ps _mm_set1_ps;
+    8: _mm256_add_ps _mm256_sub_ps _mm256_mul_ps _mm256_div_ps _mm256_sqrt_ps _mm256_max_ps _mm256_min_ps
+    _mm256_andnot_ps _mm256_xor_ps _mm256_cmp_ps _mm256_blendv_ps _mm256_movemask_ps _mm256_set1_ps; {
+        #[inline(always)]
+        fn inverse_roots<const N: usize>(a: [Self; N]) -> [Self; N] {
+            Self::quotients([1.0; N], Self::roots(a))
+        }
+    });
+
+    /// `2^(−1/3)/√x` of four.
+    #[inline(always)]
+    fn started(x: __m128) -> __m128 {
+        // SAFETY: SSE2 is there.
+        unsafe { _mm_div_ps(_mm_set1_ps(NEWTON_START), _mm_sqrt_ps(x)) }
+    }
+
+    /// One step of Newton's to `1/√x` of two.
+    #[inline(always)]
+    fn newton(x: __m128d, start: __m128) -> __m128d {
+        // SAFETY: SSE2 is there.
+        unsafe {
+            let y = _mm_cvtps_pd(start);
+            _mm_mul_pd(y, _mm_sub_pd(_mm_set1_pd(NEWTON), _mm_mul_pd(x, _mm_mul_pd(y, y))))
+        }
+    }
+
+    /// The same of four.
+    ///
+    /// # Safety
+    /// There are wide registers.
+    #[inline(always)]
+    unsafe fn wide_newton(x: __m256d, start: __m128) -> __m256d {
+        // SAFETY: as said.
+        unsafe {
+            let y = _mm256_cvtps_pd(start);
+            let rest = _mm256_sub_pd(_mm256_set1_pd(NEWTON), _mm256_mul_pd(x, _mm256_mul_pd(y, y)));
+            _mm256_mul_pd(y, rest)
+        }
+    }
+}
+
+/// The square root instruction of the machine.
+///
+/// The theory is made of square roots, and stable Rust has none in `core`. libm's is inline assembly on x86-64, which no compiler
+/// vectorises, and software on a Cortex-M with a floating-point unit (66 instructions instead of one).
+mod root {
+    /// Square root in double precision.
+    #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+    #[inline(always)]
+    pub(in crate::number) fn of_f64(x: f64) -> f64 {
+        use core::arch::x86_64::{_mm_cvtsd_f64, _mm_set_sd, _mm_sqrt_sd};
+        // SAFETY: `sqrtsd` belongs to SSE2, which this function is compiled only with.
+        unsafe {
+            let x = _mm_set_sd(x);
+            _mm_cvtsd_f64(_mm_sqrt_sd(x, x))
+        }
+    }
+
+    /// Square root in single precision.
+    #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+    #[inline(always)]
+    pub(in crate::number) fn of_f32(x: f32) -> f32 {
+        use core::arch::x86_64::{_mm_cvtss_f32, _mm_set_ss, _mm_sqrt_ss};
+        // SAFETY: `sqrtss` belongs to SSE, which SSE2 implies; compiled only with it.
+        unsafe { _mm_cvtss_f32(_mm_sqrt_ss(_mm_set_ss(x))) }
+    }
+
+    /// Square root in single precision: VSQRT of the Cortex-M4F and its successors.
+    #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+    #[inline(always)]
+    pub(in crate::number) fn of_f32(x: f32) -> f32 {
+        let root: u32;
+        // SAFETY: the hard-float ABI implies a single-precision unit; registers only, no memory.
+        unsafe {
+            core::arch::asm!(
+                "vmov s0, {x}",
+                "vsqrt.f32 s0, s0",
+                "vmov {root}, s0",
+                x = in(reg) x.to_bits(),
+                root = lateout(reg) root,
+                out("s0") _,
+                options(nomem, nostack, pure),
+            );
+        }
+        f32::from_bits(root)
+    }
+
+    #[cfg(not(any(
+        all(target_arch = "x86_64", target_feature = "sse2"),
+        all(target_arch = "arm", target_abi = "eabihf")
+    )))]
+    pub(in crate::number) use libm::sqrtf as of_f32;
+
+    #[cfg(not(all(target_arch = "x86_64", target_feature = "sse2")))]
+    pub(in crate::number) use libm::sqrt as of_f64;
+}
