@@ -10,7 +10,7 @@
 enum { CALLS = 512 };
 enum { SOLVE, EVALUATE, DERIVATIVES, PREPARED, BATCH, BATCH_DERIVATIVES, KINDS };
 /* of a profile with two bottoms, and of its patch */
-enum { FROM_PROFILE = KINDS, PATCH, PATCH_DERIVATIVES, OF_PATCHES };
+enum { FROM_PROFILE = KINDS, PATCH, PATCH_DERIVATIVES, WHEEL_ON_RAIL, OF_PATCHES };
 enum { POINTS = 400 };
 
 static const struct {
@@ -51,6 +51,25 @@ static void press(int two, kstrip_patch *patch)
     check(kstrip_patch_from_profile(&profile, &contact, patch, NULL));
 }
 
+/* A wheel on a rail of 400 points each, with the same gap between them: a round rail, and a wheel that is flat or has two bottoms. */
+static kstrip_surface rail, wheel;
+static kstrip_wheel_workspace workspace;
+static const kstrip_wheel_pair pair = {.wheel_radius = 0.46, .shear_modulus = 82e9, .poisson_ratio = 0.28, .friction = 0.3};
+static kstrip_wheel_position position;
+
+static void place(int two)
+{
+    static double y[POINTS], below[POINTS], bumps[POINTS];
+    for (int i = 0; i < POINTS; i++) {
+        const double s = (y[i] = (i - 199.5) * 125e-6) / 6e-3;
+        below[i] = y[i] * y[i] / 0.6;
+        bumps[i] = two * -90e-6 * (s * s - 1) * (s * s - 1);
+    }
+    check(kstrip_prepare_profile(y, below, POINTS, 0, 0, &rail));
+    check(kstrip_prepare_profile(y, bumps, POINTS, 0, 0, &wheel));
+    check(kstrip_height_for_load(&rail, &wheel, &pair, &position, 80e3, NULL, NULL, &workspace, &position.vertical));
+}
+
 /* callgrind sets its counter to zero on entry and writes it on return. */
 __attribute__((noinline)) void counted_calls(int kind, const kstrip_options *options);
 void counted_calls(int kind, const kstrip_options *options)
@@ -73,6 +92,15 @@ void counted_calls(int kind, const kstrip_options *options)
     if (kind == BATCH_DERIVATIVES) {
         to.derivatives = derivatives;
         to.derivatives_stride = sizeof *derivatives;
+    }
+    if (kind == WHEEL_ON_RAIL) {
+        static kstrip_wrench wrench;
+        static kstrip_wrench_derivatives slopes;
+        for (int i = 0; i < CALLS; i++) {
+            const kstrip_wheel_velocity velocity = {.forward = 20, .pitch = -(1 + creepages[i].longitudinal) * 20 / 0.46};
+            check(kstrip_wheel_on_rail(&rail, &wheel, &pair, &position, &velocity, NULL, &workspace, &wrench, &slopes, NULL));
+        }
+        return;
     }
     if (kind >= FROM_PROFILE) {
         static kstrip_patch patch;
@@ -170,12 +198,14 @@ int main(void)
                            has_strips ? (int)strips : 0);
                     (is_f32 ? counted_calls_f32 : counted_calls)(kind, &options);
                 }
-    static const char *const of_patches[] = {"from_profile", "patch", "patch_derivatives"};
+    static const char *const of_patches[] = {"from_profile", "patch", "patch_derivatives", "wheel_on_rail"};
     for (int kind = FROM_PROFILE; kind < OF_PATCHES; kind++)
         for (int two = 0; two < 2; two++) {
             const kstrip_options options = {KSTRIP_MODEL_STRIP, two ? 0 : 16};
             printf("STRIP f64 %s_%s_%s 16\n", of_patches[kind - FROM_PROFILE], two ? "two" : "one",
                    two ? "zones" : "zone");
+            if (kind == WHEEL_ON_RAIL)
+                place(two);
             counted_calls(kind, &options);
         }
     return EXIT_SUCCESS;

@@ -1563,7 +1563,7 @@ kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,
 
 /**
  * The vertical position at which the rail supports a wheel with a given force. Use it to begin a run, and for tables. The search tries about
- * eight positions, and 40 at most.
+ * eight positions, and 64 at most.
  *
  * @param rail, wheel, pair  as in kstrip_wheel_on_rail().
  * @param position        where the wheel is; its vertical member is where the search begins.
