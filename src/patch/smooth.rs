@@ -471,8 +471,10 @@ fn parabola<F: Float>(
     let s: [Moving<F>; 3] = core::array::from_fn(|k| of(&sums, k));
     let [m0, m1, m2, m3, m4] = m;
     let [s0, s1, s2] = s;
-    // (two points alone make a line)
-    let m4 = m4 + m0.scale(F::EPSILON.sqrt().times(0.1));
+    // (two points alone, where x² does not vary, make a line)
+    let ridge = Moving::from_base(F::EPSILON.sqrt().times(0.1));
+    let varies = (m0 * m4 - m2.squared()).max(Moving::zero()) * m0.squared().inverse();
+    let m4 = m4 + m0 * ridge.squared() * (varies + ridge).inverse();
     let [c00, c01, c02] = [m2 * m4 - m3 * m3, m2 * m3 - m1 * m4, m1 * m3 - m2 * m2];
     let [c11, c12] = [m0 * m4 - m2 * m2, m1 * m2 - m0 * m3];
     let scale = (m0 * c00 + m1 * c01 + m2 * c02).inverse();
