@@ -20,7 +20,7 @@
 //! goes down from `μ₀` and up from the smallest possible `μ`, and a notice tells when they do not meet.
 //! The forces of the models of 1967 jump, or nearly do, where adhesion is born, so that `g` may be steeper than that bound: for them
 //! another solution may stay untold.
-//! Derivatives follow by the implicit function theorem, `∂s/∂μ` by homogeneity ([`derivatives`](crate::solve::derivatives)).
+//! Derivatives follow by the implicit function theorem, `∂s/∂μ` by homogeneity ([`derivatives`]).
 //!
 //! **The slope factor** `k` multiplies the shear modulus: a contact with the layer is as stiff as one of
 //! modulus `k G`. Forces depend on `G c/(μ N)` only, so the creep curve is stretched along the creepage by

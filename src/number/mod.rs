@@ -29,7 +29,7 @@ pub trait Plain: Number<Base = Self> + InRegisters {
     type Four: Strips<Self>;
     /// Eight strips.
     type Eight: Strips<Self>;
-    /// Four where registers are wide ([`registers`]).
+    /// Four where registers are wide (`registers`).
     type WideFour: Strips<Self>;
     /// Eight there.
     type WideEight: Strips<Self>;
