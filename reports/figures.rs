@@ -2,6 +2,8 @@
 //! under `docs/figures/`, and the pictures of the tour, of the models and of the cookbook:
 //! `cargo run --release --example figures`. Points of CONTACT are those of `tests/data/open.csv`.
 
+#[path = "../tests/common/manchester.rs"]
+mod manchester;
 #[path = "figures/panel.rs"]
 mod panel;
 #[path = "figures/runs.rs"]

@@ -1,14 +1,12 @@
 //! Scenes of wheel on rail: the Manchester benchmark beside CONTACT, and the wheelset of `examples/wheelset.rs`.
 
-#[path = "../../tests/common/manchester.rs"]
-mod manchester;
 #[allow(dead_code)]
 #[path = "../../examples/wheelset.rs"]
 mod wheelset;
 
+use super::manchester::{self, Wheel, Wheelset};
 use super::panel::{Axis, Panel};
 use super::{Canvas, Drawn, Kind, picture, write};
-use manchester::{Wheel, Wheelset};
 use plotters::prelude::*;
 use std::path::Path;
 

@@ -1,15 +1,14 @@
 //! A wheel S1002 on a rail 60E1, moved sideways under 80 kN: the forces on the wheel over its lateral shift.
 
+use super::manchester::{profile, steel, zeroed};
 use super::panel::{Axis, Panel};
 use super::{Drawn, Kind, picture, write};
 use kstrip::contact::forces::StripCount;
 use kstrip::solve::options::Model;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
-use kstrip::wheel_rail::surface::Surface;
 use kstrip::wheel_rail::wrench::Law;
-use kstrip::wheel_rail::{Pair, Position, Velocity};
+use kstrip::wheel_rail::{Position, Velocity};
 use plotters::prelude::*;
-use std::error::Error;
 use std::path::Path;
 
 /// Radius of the wheel [m], speed [m/s], load [N].
@@ -19,43 +18,9 @@ const LOAD: f64 = 80e3;
 /// The wheel's centre is 750 mm from the middle of the track, the rail's origin 760.5325 mm.
 const OFFSET: f64 = 10.5325e-3;
 
-/// Memory of plain numbers, on the heap because it is large.
-fn zeroed<T>() -> Box<T> {
-    // SAFETY: all bits zero are a structure of numbers.
-    unsafe { Box::new(std::mem::MaybeUninit::<T>::zeroed().assume_init()) }
-}
-
-fn profile(name: &str) -> Result<Box<Surface<f64>>, Box<dyn Error>> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut points = [Vec::new(), Vec::new()];
-    for record in
-        csv::Reader::from_path(root.join(format!("tests/data/wheel_rail/{name}.csv")))?.records()
-    {
-        let record = record?;
-        for (i, column) in points.iter_mut().enumerate() {
-            column.push(1e-3 * record[i].parse::<f64>()?);
-        }
-    }
-    let mut surface = zeroed::<Surface<f64>>();
-    surface.prepare(&points[0], &points[1], 0.0, 0.0)?;
-    Ok(surface)
-}
-
 pub fn draw(folder: &Path) -> Drawn {
-    let (rail, wheel) = (profile("uic60")?, profile("s1002")?);
-    let pair = Pair {
-        wheel_radius: RADIUS,
-        shear_modulus: 82e9,
-        poisson_ratio: 0.28,
-        friction: 0.3,
-        friction_y: [0.0; 4],
-        friction_at: [0.0; 4],
-        friction_points: 0,
-        left: 0,
-        smoothing_length: 0.0,
-        strips: 0,
-        model: 0,
-    };
+    let (rail, wheel) = (profile("uic60"), profile("s1002"));
+    let pair = steel(RADIUS);
     let law = Law { model: Model::Strip, falling: None };
     let scene = Scene { rail: &rail, wheel: &wheel, pair: &pair, strips: StripCount::Sixteen, law };
     let velocity = Velocity {

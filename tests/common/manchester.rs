@@ -65,11 +65,29 @@ pub fn points(name: &str) -> [Vec<f64>; 2] {
     [0, 1].map(|i| records.iter().map(|record| 1e-3 * record[i].parse::<f64>().unwrap()).collect())
 }
 
-fn profile(name: &str) -> Box<Surface<f64>> {
+/// The profile of such a file.
+pub fn profile(name: &str) -> Box<Surface<f64>> {
     let [y, z] = points(name);
     let mut surface = zeroed::<Surface<f64>>();
     surface.prepare(&y, &z, 0.0, 0.0).unwrap();
     surface
+}
+
+/// A right wheel of a radius [m], of steel on steel, with friction 0.3.
+pub fn steel(wheel_radius: f64) -> Pair<f64> {
+    Pair {
+        wheel_radius,
+        shear_modulus: 82e9,
+        poisson_ratio: 0.28,
+        friction: 0.3,
+        friction_y: [0.0; 4],
+        friction_at: [0.0; 4],
+        friction_points: 0,
+        left: 0,
+        smoothing_length: 0.0,
+        strips: 0,
+        model: 0,
+    }
 }
 
 pub struct Wheelset {
@@ -98,19 +116,7 @@ impl Wheelset {
 
     fn wheel(&mut self, left: bool, shift: f64, roll: f64, pitch: f64) -> Wheel {
         let (side, yaw) = (if left { -1.0 } else { 1.0 }, YAW * shift);
-        let pair = Pair {
-            wheel_radius: 0.46,
-            shear_modulus: 82e9,
-            poisson_ratio: 0.28,
-            friction: 0.3,
-            friction_y: [0.0; 4],
-            friction_at: [0.0; 4],
-            friction_points: 0,
-            left: i32::from(left),
-            smoothing_length: 0.0,
-            strips: 0,
-            model: 0,
-        };
+        let pair = Pair { left: i32::from(left), ..steel(0.46) };
         let Self { rail, wheel, memory } = self;
         let law = Law { model: Model::Strip, falling: None };
         let scene = Scene { rail, wheel, pair: &pair, strips: StripCount::Sixteen, law };

@@ -1,6 +1,6 @@
 //! Wheel on rail: against CONTACT on real profiles, exact cases, symmetry, power, slopes, continuity, friction by place, bad input.
 
-use crate::manchester::{self, Wheelset, points, zeroed};
+use crate::manchester::{self, Wheelset, points, steel, zeroed};
 use approx::assert_relative_eq;
 use kstrip::contact::forces::StripCount;
 use kstrip::contact::hertz::{Radii, hertz};
@@ -39,22 +39,6 @@ fn profile(name: &str, turn: f64) -> Box<Surface<f64>> {
     surface(&y, &z)
 }
 
-fn pair(wheel_radius: f64) -> Pair<f64> {
-    Pair {
-        wheel_radius,
-        shear_modulus: 82e9,
-        poisson_ratio: 0.28,
-        friction: 0.3,
-        friction_y: [0.0; 4],
-        friction_at: [0.0; 4],
-        friction_points: 0,
-        left: 0,
-        smoothing_length: 0.0,
-        strips: 0,
-        model: 0,
-    }
-}
-
 /// A wheel, a rail, and memory.
 struct Stand {
     rail: Box<Surface<f64>>,
@@ -66,7 +50,7 @@ struct Stand {
 
 impl Stand {
     fn new(rail: Box<Surface<f64>>, wheel: Box<Surface<f64>>, wheel_radius: f64) -> Self {
-        Self { rail, wheel, pair: pair(wheel_radius), model: Model::Strip, memory: zeroed() }
+        Self { rail, wheel, pair: steel(wheel_radius), model: Model::Strip, memory: zeroed() }
     }
 
     /// S1002 on UIC60, both new; the wheel's centre is 10.5325 mm to the left of the rail's at y = 0 of the wheelset.
@@ -436,9 +420,9 @@ fn bad_input_has_a_name() {
     assert_eq!(solve(&mut stand, Position { roll: f64::NAN, ..lifted }), Err(Error::NotFinite));
     stand.pair.wheel_radius = 0.0;
     assert_eq!(solve(&mut stand, lifted), Err(Error::RollingRadius));
-    stand.pair = Pair { friction_points: 9, ..pair(0.46) };
+    stand.pair = Pair { friction_points: 9, ..steel(0.46) };
     assert_eq!(solve(&mut stand, lifted), Err(Error::Capacity));
-    stand.pair = pair(0.46);
+    stand.pair = steel(0.46);
     stand.rail.count = 0;
     assert_eq!(solve(&mut stand, lifted), Err(Error::NotPrepared));
 }
