@@ -17,6 +17,7 @@ pub mod friction;
 mod influence;
 mod lattice;
 pub mod normal;
+mod parabola;
 pub mod profile;
 mod section;
 mod smooth;
