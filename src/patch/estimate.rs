@@ -1,5 +1,5 @@
-//! Load and deflection of an approach, before the normal problem: shape of the load from where undeformed bodies overlap, its size
-//! by the least energy.
+//! An estimate of load and deflection for an approach, made before the normal problem is solved. The overlap of the undeformed bodies
+//! gives the shape of the load, and the least energy its size.
 //!
 //! The load per width is `f q`, `q = (0.6 δ − h)₊`. With line loads that act at the distance `√(d² + ε²)`, `ε` about a third of the
 //! half length, the deflection is `u = Σ f q w K/(π E*)`, `K = [arsinh((d ± w/2)/ε)]/w`, and of all sizes
@@ -8,23 +8,23 @@
 //! N = f Σ q w,   f = π E* Σ q w (δ − h)/Σ q w K q w
 //! ```
 //!
-//! has the least energy: within 3 % of Hertz's load for axis ratios of 0.13 to 8.
+//! has the least energy. This load is within 3 % of Hertz's for axis ratios of 0.13 to 8.
 
 use crate::number::{Arithmetic, Float};
 use crate::patch::lattice::{Places, lattice};
 use crate::patch::section::Moving;
 use crate::patch::smooth::Curve;
 
-/// Share of the approach by which undeformed bodies overlap about where they touch.
+/// Share of the approach: undeformed bodies that are shifted by so much overlap about where they touch.
 pub(super) const OVERLAP: f64 = 0.6;
 /// `ε/√(1.1 R δ)`
 const BREADTH: f64 = 0.22;
-/// Depth of a zone over the approach, from which its cells are as narrow as those of others.
+/// Depth of a zone over the approach, from which its cells are as narrow as those of other zones.
 pub(super) const DEEP: f64 = 0.03;
-/// Cells of the estimate.
+/// Number of cells of the estimate.
 const COUNT: usize = 10;
 
-/// An approach with its load.
+/// The load of an approach and its distribution.
 #[derive(Clone, Debug)]
 pub(super) struct Estimate<F> {
     /// `N/(π E*)` \[m²\]
@@ -44,7 +44,7 @@ fn arsinh<F: Float>(x: Moving<F>) -> [Moving<F>; 2] {
     let t = x.value.abs();
     let root = (t * t + F::one()).sqrt();
     let inverse = F::one() / root;
-    // (differences of it count: rounding of 1 is small enough)
+    // (only differences of this value are used, so that the rounding of 1 is small enough)
     let sum = t + root;
     let value = sum.ln_quotient(F::one());
     let value = x.value.choose(value, -value);
@@ -82,7 +82,7 @@ impl<F: Float> Estimate<F> {
         estimate
     }
 
-    /// Deflection and its slope along `y`.
+    /// The deflection at `y`, and its slope along `y`.
     pub fn deflection(&self, y: Moving<F>) -> [Moving<F>; 2] {
         let zero = Moving::zero();
         let (mut sum, mut slope) = (zero, zero);

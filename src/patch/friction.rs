@@ -1,13 +1,13 @@
 //! Friction that falls with the slip, and reduced initial slope, on patches of strips.
 //!
 //! Every strip has its own coefficient of friction without slip, `μ₀(y)`. Polach's law multiplies all of them with one
-//! number, the share `λ`, that belongs to the mean slip of the patch, weighted with friction:
+//! number, the share `λ`, which follows from the mean slip `s` of the patch, weighted with friction:
 //!
 //! ```text
 //! μ(y) = λ μ₀(y),   λ = (1 − A) exp(−B V s) + A,   s = P/(λ Σ μ₀ N)
 //! ```
 //!
-//! as in [`friction`](crate::friction), so that the strips of an ellipse give the ellipse's answer. (The law's own `μ₀` is not
+//! as in [`friction`](crate::friction), so that the strips of an ellipse give the result of the ellipse. (The law's own `μ₀` is not
 //! used.) Forces of a patch are homogeneous in creepage and friction, and the slope factor `k` multiplies the
 //! stiffness:
 //!
@@ -15,7 +15,7 @@
 //! F(c, κ; λ μ₀, k G) = λ F(k c/λ, k κ/λ; μ₀, G)
 //! ```
 //!
-//! so nothing of the patch is copied: it is solved for other creepages. Derivatives follow from that and from the
+//! The patch need not be copied: it is solved at the scaled creepages. The derivatives follow from this and from the
 //! implicit function theorem.
 
 use crate::contact::creepage::Creepage;
@@ -32,7 +32,7 @@ use crate::status::{Error, Notice};
 /// Forces of a patch under friction that falls with the slip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PatchFrictionSolution<F> {
-    /// The forces; its notice is also that of the friction.
+    /// The forces, with the warning of the forces or of the friction.
     pub solution: Solution<F>,
     /// `λ`: friction that agrees with the slip over friction without slip, the same for all strips.
     pub share: F,
@@ -107,7 +107,7 @@ struct Problem<'a, F: Float> {
     model: Model,
     /// `Σ μ₀ N`
     bound: F,
-    /// What no point slips faster than, over rolling speed.
+    /// Upper bound of the slip of all points, over the rolling speed.
     rigid_slip: F,
 }
 
@@ -139,7 +139,7 @@ impl<'a, F: Precision> Problem<'a, F> {
         .largest_solution()
     }
 
-    /// `k c/λ` and `k κ/λ`; so far away that everything slides where `λ` vanishes.
+    /// `k c/λ` and `k κ/λ`; where `λ` vanishes, creepages so large that the whole patch slides.
     fn scaled(&self, share: F) -> Result<Scaled<'a, F>, Error> {
         let factor = self.law.stiffness() / share;
         let farthest = F::HUGE * (F::HUGE / (self.bound + F::one())) / (self.rigid_slip + F::TINY);
@@ -157,7 +157,7 @@ impl<'a, F: Precision> Problem<'a, F> {
         Ok(Scaled { patch, creepage, factor })
     }
 
-    /// What the patch carries, from what it carries at the scaled creepage.
+    /// The solution of the patch from that at the scaled creepage.
     fn under(&self, share: F, factor: F, scaled: &Solution<F>, notice: Notice) -> Solution<F> {
         let Solution { fx, fy, mz, power, adhesion, .. } = *scaled;
         let [fx, fy, mz] = [fx, fy, mz].map(|force| force * share);
@@ -172,8 +172,8 @@ impl<'a, F: Precision> Problem<'a, F> {
 
 /// Forces of a patch and all derivatives, under friction that falls with the slip or not; `friction` is the share `λ`.
 ///
-/// By load: all pressures grow alike; through Hertz, while all lengths grow like the cube root of the load. By friction: of
-/// the mean of all strips without slip, all growing alike.
+/// For the derivatives by load, all pressures grow by one factor; through Hertz, all lengths also grow like the cube root of the load.
+/// For those by friction, the friction of all strips grows by one factor, and the derivative is by its mean without slip.
 ///
 /// # Errors
 /// Those of [`solve`]; [`Error::Overflow`] also when a derivative does not fit.
@@ -243,7 +243,7 @@ pub fn differentiate<F: Precision>(
     }
 }
 
-/// Every strip of the solution at a share `λ` of friction, handed to `visit` as [`solver::strips`] does.
+/// Hands every strip of the solution at a share `λ` of friction to `visit`, as [`solver::strips`] does.
 ///
 /// # Errors
 /// Those of [`solve`].

@@ -1,17 +1,17 @@
 //! Deflection of a half-space under a strip of half-elliptic pressure.
 //!
 //! A strip of half length `a` carries `p √(1 − (x/a)²)`. Over its own width it acts at the distance `d` on the line `x = 0` of
-//! another strip, by Boussinesq's `u = ∫∫ p/(π E* r) dA`. Both what it deflects there and how much it curves that deflection
-//! along `x` are differences of one odd function of `t = d/a`, taken at the strip's two edges:
+//! another strip, by Boussinesq's `u = ∫∫ p/(π E* r) dA`. The deflection there and its curvature along `x` are each the difference of
+//! an odd function of `t = d/a` between the strip's two edges:
 //!
 //! ```text
 //! π E* u      = p a [A(t)],    A(t) = ∫ √(1 − ξ²) arsinh(t/|ξ|) dξ,   −1 < ξ < 1
 //! −π E* ∂²u/∂x² = (p/a) [C(t)],  C(t) = 2 k K(k'),   k = t/√(1 + t²),  k' = 1/√(1 + t²)
 //! ```
 //!
-//! `A` grows like `(π/2) ln t`, `C` tends to `π`: of an infinitely wide strip the curvature is the plane problem's
+//! `A` grows like `(π/2) ln t`. `C` tends to `π`, so that the curvature of an infinitely wide strip is that of the plane problem,
 //! `2 p/(a E*)`. Both are fitted as `v (P(v) + w^q Q(v) ln t)` with `v = t/(1 + t)`, `w = 1/(1 + t)`, by
-//! `fit/fit_influence.py`; slopes are those of the fits.
+//! `fit/fit_influence.py`. The slopes are the derivatives of the fits.
 
 use crate::number::Arithmetic;
 
@@ -22,7 +22,7 @@ pub(crate) struct Edge<const P: usize, const Q: usize> {
     fading: u8,
 }
 
-/// `A`: relative error 8.4e-6, of its slope 8.4e-5, for every `t`.
+/// `A`, with a relative error of 8.4e-6, and of 8.4e-5 in its slope, for every `t`.
 pub(crate) const DEFLECTION: Edge<7, 6> = Edge {
     plain: [
         2.77389045,
@@ -36,7 +36,7 @@ pub(crate) const DEFLECTION: Edge<7, 6> = Edge {
     with_log: [-1.99986933, -1.79288023, 7.15832449, 23.17904701, -41.44536733, 16.47140109],
     fading: 0,
 };
-/// `C`: relative error 6.0e-6, of its slope 3.3e-5.
+/// `C`, with a relative error of 6.0e-6, and of 3.3e-5 in its slope.
 pub(crate) const CURVATURE: Edge<6, 6> = Edge {
     plain: [2.77402143, 4.12824714, 34.34429115, -109.0948159, 103.6252287, -32.63539871],
     with_log: [-1.9998635, -7.74797116, -6.06100968, 19.35389746, -27.06566125, 17.43714061],

@@ -1,7 +1,7 @@
 //! Where the cells of the normal problem lie.
 //!
-//! All zones laid end to end are divided into cells of one width; a cell is cut where a zone ends. A zone that appears takes no
-//! width at first and moves the others' cells continuously; no sample of the profile and no deepest point anchors anything.
+//! All zones are laid end to end and divided into cells of one width. A cell is cut where a zone ends. A zone that appears has no
+//! width at first and moves the cells of the other zones continuously. The cells do not depend on where the points of the profile lie.
 
 use crate::number::{Arithmetic, Float};
 use crate::patch::normal::CELLS;
@@ -9,17 +9,17 @@ use crate::patch::section::Moving;
 use crate::patch::smooth::{ZONES, Zone, Zones};
 use heapless::Vec;
 
-/// A part of the line `x = 0`.
+/// The place of a cell, or of a part of one, on the line `x = 0`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place<F> {
     /// Its middle \[m\].
     pub y: Moving<F>,
     /// Its width \[m\].
     pub width: Moving<F>,
-    /// Where the conditions of contact are asked for \[m\]: the middle, but of two parts of one cell with hardly a gap
-    /// between them the middle of both.
+    /// Where the conditions of contact hold \[m\]: at the middle; of two parts of one cell with hardly a gap between them, at the middle
+    /// of both.
     pub at: Moving<F>,
-    /// How much the pressure leans on that of the place before and on that of the one after, `κ` \[m\].
+    /// How strongly the pressure is coupled to that of the place before and to that of the place after, `κ` \[m\].
     pub leans: [Moving<F>; 2],
     /// Share of a whole cell.
     share: Moving<F>,
@@ -41,8 +41,8 @@ pub(super) fn width<F: Float>(zones: &Zones<F>) -> Moving<F> {
     zones.iter().fold(Moving::zero(), |sum, zone| sum + zone.width())
 }
 
-/// At most `count` cells, and one more for each zone but the first. A zone less than `deep` has wider cells, so that it takes
-/// its part of them without haste.
+/// At most `count` cells, and one more for each zone but the first. A zone less than `deep` has wider cells, so that its number of
+/// cells grows slowly from zero.
 pub(super) fn lattice<F: Float>(zones: &Zones<F>, count: usize, deep: Moving<F>) -> Places<F> {
     let mut places: Places<F> = Vec::new();
     let count = F::widened(count.min(CELLS - ZONES) as f32);
@@ -86,9 +86,9 @@ pub(super) fn lattice<F: Float>(zones: &Zones<F>, count: usize, deep: Moving<F>)
     places
 }
 
-/// What makes parts of cells vanish and become one without a jump. A part `r` of a cell leans on its neighbour in the zone
-/// with `κ = 0.3 w (1 − r)²/r`. Two parts of one cell with a gap `g` between them, `φ = g²/(g² + w²/4)`, lean on each other with
-/// `0.3 w (1 − φ)/φ`, less on their zones by the factor `φ`, and meet the bodies where both together would.
+/// Couples the pressures of parts of cells, so that parts vanish and merge without a jump. A part `r` of a cell is coupled to its
+/// neighbour in the zone with `κ = 0.3 w (1 − r)²/r`. Two parts of one cell with a gap `g` between them, `φ = g²/(g² + w²/4)`, are
+/// coupled to each other with `0.3 w (1 − φ)/φ`, to their zones less by the factor `φ`, and meet the bodies where both together would.
 pub(super) fn lean<F: Float>(places: &mut Places<F>) {
     let (zero, one) = (Moving::zero(), Moving::one());
     let apart = |place: &Place<F>, next: &Place<F>| {
@@ -115,7 +115,7 @@ pub(super) fn lean<F: Float>(places: &mut Places<F>) {
         {
             let Some(other) = other else { continue };
             if other.zone == own.zone {
-                // (a part at the other end of its zone, or a whole cell, which does not lean)
+                // (a part at the other end of its zone, or a whole cell, which is not coupled)
                 *lean = by_zone * *across;
             } else if other.cell == own.cell {
                 *lean = unit * (one - fade) / fade.shift(F::EPSILON.sqrt().times(100.0));

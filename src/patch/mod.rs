@@ -1,4 +1,4 @@
-//! A contact patch as its strips: any shape, any pressure along `y`, friction of its own in every strip.
+//! A contact patch of any shape as a list of strips. Pressure and friction may differ from strip to strip.
 //!
 //! A strip runs along the rolling direction. It has a centre line `y`, a width, a half length `l`, a centre
 //! `x_c`, a friction coefficient, and a pressure that is a half-ellipse in `x`,
@@ -9,7 +9,7 @@
 //! Strips lie side by side in ascending `y`. Where the distance of two neighbours is more than one and a half
 //! times that at which they touch, there is a gap, and what lies on either side of it is a lobe of its own.
 //!
-//! STRIP needs an axis ratio: that of the ellipse which stands for what a strip is connected with ([`zones`]).
+//! The model STRIP needs an axis ratio. It takes that of an ellipse which stands for the strips around ([`zones`]).
 
 mod estimate;
 pub mod field;
@@ -64,7 +64,7 @@ impl<F: Float> PatchStrip<F> {
         (self.peak_pressure * self.half_length).times(FRAC_PI_2) * self.width
     }
 
-    /// `μ` times the load \[N\].
+    /// Coefficient of friction times the load \[N\].
     #[must_use]
     pub fn friction_bound(&self) -> F {
         self.friction * self.load()
@@ -87,6 +87,8 @@ impl<F: Float> PatchStrip<F> {
         }
     }
 
+    /// Checks the members.
+    ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::StripSize`], [`Error::Pressure`], [`Error::Friction`].
     pub fn check(&self) -> Result<(), Error> {
@@ -123,10 +125,10 @@ impl<F: Float> PatchStrip<F> {
     }
 }
 
-/// What a sum over strips has to be multiplied with to be the integral that it stands for.
+/// Factors that turn a sum over the strips into the integral over the patch.
 ///
-/// One for strips that are the patch themselves. A Gauss rule of an ellipse misses the root at its ends by a
-/// little, and these two make the slopes of the linear theory exact.
+/// They are 1 where the strips are the patch itself. The strips of an ellipse are a rule of Gauss, whose sums miss the integrals by a
+/// little; these two factors make the slopes of the linear theory exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct QuadratureScale<F> {
     /// For the area `∫ 2 l dy`.
@@ -141,7 +143,7 @@ impl<F: Float> Default for QuadratureScale<F> {
     }
 }
 
-/// A checked patch that somebody else stores.
+/// A checked patch, whose strips the caller stores.
 #[derive(Clone, Copy, Debug)]
 pub struct PatchView<'a, F> {
     strips: &'a [PatchStrip<F>],
@@ -149,13 +151,13 @@ pub struct PatchView<'a, F> {
     poisson_ratio: F,
     scale: QuadratureScale<F>,
     mismatch: F,
-    /// The zone of all strips, where nothing divides them.
+    /// The zone of all strips; none where a gap or a neck divides the patch.
     whole: Option<Zone<F>>,
 }
 
 impl<'a, F: Float> PatchView<'a, F> {
-    /// Strips in ascending `y`, combined shear modulus `G` \[Pa\] and Poisson's ratio `ν`. No strips are a
-    /// patch without load.
+    /// Checks strips in ascending `y`, the combined shear modulus `G` \[Pa\] and Poisson's ratio `ν`. A patch without strips carries
+    /// no load.
     ///
     /// # Errors
     /// Those of [`PatchStrip::check`]; [`Error::Modulus`], [`Error::PoissonRatio`];
@@ -200,7 +202,7 @@ impl<'a, F: Float> PatchView<'a, F> {
         if sums.iter().all(|sum| sum.is_finite_number()) { Ok(view) } else { Err(Error::Overflow) }
     }
 
-    /// Of unlike materials, with the mismatch `κ` of [`Contact`].
+    /// The same patch of unlike materials, with the mismatch `κ` as in [`Contact`].
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::Overflow`] when the creepage that pressure makes does not fit the floating-point type.
@@ -304,7 +306,7 @@ pub struct Patch<F, const CAPACITY: usize> {
 }
 
 impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
-    /// The strips of the Hertz ellipse, where [`Model::Strip`](crate::solve::model::Model::Strip) places them.
+    /// The patch of a Hertz ellipse, with strips at the places of [`Model::Strip`](crate::solve::model::Model::Strip).
     ///
     /// # Errors
     /// Those of [`Contact::check`]; [`Error::PatchSize`] when the capacity is below the count;
@@ -317,7 +319,7 @@ impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
         Ok(patch)
     }
 
-    /// A caller's strips, in any order.
+    /// A patch of strips in any order.
     ///
     /// # Errors
     /// [`Error::PatchSize`] when there are more than the capacity, else those of [`PatchView::new`].
@@ -333,7 +335,7 @@ impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
         Ok(patch)
     }
 
-    /// Whether the strips carry this load: those at the ends of the number range have no digits left.
+    /// An error where the strips do not carry this load, because at the ends of the number range no digits are left.
     pub(crate) fn check(&self, load: F) -> Result<(), Error> {
         let lost = (self.view()?.normal_force() - load).abs();
         if lost <= load * F::constant(1e-3) { Ok(()) } else { Err(Error::Overflow) }
@@ -356,7 +358,7 @@ impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
     }
 }
 
-/// Ascending in `y`, without a panic and without a second array; lists that ascend already take one pass.
+/// Sorts strips by `y`, in place. A list that ascends already takes one pass.
 pub(crate) fn sort<F: Float>(strips: &mut [PatchStrip<F>]) {
     for end in 1..strips.len() {
         for i in (0..end).rev() {
@@ -368,7 +370,7 @@ pub(crate) fn sort<F: Float>(strips: &mut [PatchStrip<F>]) {
     }
 }
 
-/// Whether the strips of an ellipse make a patch that [`PatchView::new`] accepts.
+/// Checks that the strips of an ellipse make a patch that [`PatchView::new`] accepts.
 ///
 /// # Errors
 /// Those of [`Contact::check`]; [`Error::Overflow`] when its strips do not fit the floating-point type.
@@ -405,7 +407,7 @@ pub(crate) fn check_ellipse<F: Precision>(
     Ok(())
 }
 
-/// Hands the strips of a checked ellipse to `take`, which tells whether it had room.
+/// Hands the strips of a checked ellipse to `take`, which returns whether there was room.
 pub(crate) fn ellipse<F: Precision>(
     contact: &Contact<F>,
     count: StripCount,

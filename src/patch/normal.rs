@@ -1,20 +1,20 @@
 //! The normal problem on cells: pressure and outline of a patch under a load or an approach.
 //!
-//! The bodies are half-spaces that are `h(y) + x²/(2 R)` apart. A cell's pressure is a half-ellipse over its length
-//! `2 a_i`, its peak `p_i`; both are found from two conditions on its middle line, with the sums of `influence` over
-//! all cells of all zones:
+//! The bodies are half-spaces that are `h(y) + x²/(2 R)` apart. The pressure of a cell is a half-ellipse over its length
+//! `2 a_i` with the peak `p_i`. Length and peak follow from two conditions on the cell's middle line, with the sums of `influence`
+//! over all cells of all zones:
 //!
 //! ```text
 //! u_i = Σ_j A_ij a_j p_j/(π E*) = δ − h_i        the bodies touch               (linear in p, p ≥ 0)
 //! −∂²u_i/∂x² = Σ_j C_ij p_j/(a_j π E*) = 1/R_i   and keep touching along x      (gives a)
 //! ```
 //!
-//! The first is solved directly for given lengths. Cells that would pull leave, cells whose bodies would
-//! overlap enter, until none does either. The second then corrects the lengths: on a long cell its left-hand side goes with
-//! `1/a²`, so that a step takes the root of what is wrong with it, or a little less where its neighbours move as well.
+//! The first condition is solved directly for given lengths. Cells that would pull are removed and cells whose bodies would
+//! overlap are added, until neither happens. The second condition then corrects the lengths. On a long cell its left-hand side goes with
+//! `1/a²`, so that a step multiplies `a` by the root of the quotient of both sides, or by a little less where the neighbours move as well.
 //!
-//! Of a cell that a zone's end cuts to the share `r` the pressure leans on that of its neighbour in the zone,
-//! `u_i + κ (p_i − p_k) = δ − h_i`, `κ = 0.3 w (1 − r)²/r`: it takes the neighbour's as its width vanishes.
+//! The end of a zone may cut a cell to the share `r`. The pressure of such a cell is coupled to that of its neighbour in the zone,
+//! `u_i + κ (p_i − p_k) = δ − h_i` with `κ = 0.3 w (1 − r)²/r`, and takes the neighbour's value as its width vanishes.
 
 use crate::number::{Arithmetic, Float, Strips};
 use crate::patch::influence::{CURVATURE, DEFLECTION, Edge};
@@ -23,9 +23,10 @@ use crate::patch::section::Moving;
 use core::f64::consts::FRAC_PI_2;
 use heapless::Vec;
 
-/// Cells of the normal problem at most; on a microcontroller fewer, which patches of 32 and 64 strips notice.
+/// Largest number of cells of the normal problem. On a microcontroller there are fewer, so that patches asked for with 32 and 64 strips
+/// have fewer.
 pub const CELLS: usize = if cfg!(target_os = "none") { 20 } else { 48 };
-/// Rounds in which cells leave and enter; one or two are usual. From then on they only leave.
+/// Rounds in which cells are removed and added; one or two are usual. In later rounds cells are only removed.
 const ENTERING: usize = 12;
 const ROUNDS: usize = ENTERING + CELLS;
 /// What is given of a contact.
@@ -54,13 +55,13 @@ pub(crate) struct Cell<F> {
     pub pressure: Moving<F>,
     /// Whether the bodies touch.
     pub touches: bool,
-    /// Where the conditions of contact are asked for \[m\].
+    /// Where the conditions of contact hold \[m\].
     at: Moving<F>,
-    /// `κ` to the cell before and to that after.
+    /// `κ` to the cell before and to the cell after.
     leans: [Moving<F>; 2],
 }
 
-/// Edges that a cell may see.
+/// Largest number of edges whose distances from a cell are needed.
 const EDGES: usize = 2 * CELLS;
 
 type Matrix<F> = [[F; CELLS]; CELLS];
@@ -138,7 +139,7 @@ impl<F: Float> Cells<F> {
         sum / weight
     }
 
-    /// Pressures for the lengths as they are, of `N/(π E*)` or an approach; the approach.
+    /// Finds the pressures for the present lengths and a given load `N/(π E*)` or approach; returns the approach.
     #[inline(never)]
     pub(crate) fn press(
         &mut self,
@@ -273,8 +274,8 @@ impl<F: Float> Cells<F> {
         approach
     }
 
-    /// Lengths for the pressures as they are, by a power `q` of what is wrong with them; also of cells that do not touch, as if
-    /// they were about to.
+    /// Corrects the lengths for the present pressures, by a power of the quotient of both sides of the second condition; also those of cells
+    /// that do not touch, as if they were about to.
     #[inline(never)]
     pub(crate) fn correct(&mut self, power: Moving<F>) {
         let (less, more) = (Moving::one() - power, Moving::one() + power);
@@ -289,7 +290,7 @@ impl<F: Float> Cells<F> {
             });
         }
         for (cell, curvature) in self.list.iter_mut().zip(curvatures) {
-            // the power of c as its Padé approximant: within a factor of 4 whatever c is
+            // the power of c as its Padé approximant, which keeps the correction within a factor of 4 for every c
             let c = (curvature * cell.rolling_radius).max(Moving::zero());
             cell.half_length = cell.half_length * ((c * more + less) / (c * less + more));
         }
@@ -358,7 +359,7 @@ impl<F: Float> Edges<F> {
         }
     }
 
-    /// The function instead of each distance, of four at a time.
+    /// Replaces each distance by the value of the function, four at a time.
     #[inline(always)]
     fn all_at<const P: usize, const Q: usize>(&self, of: &Edge<P, Q>, distances: &mut [Moving<F>]) {
         for distances in distances.chunks_mut(4) {
@@ -420,7 +421,7 @@ fn factorise<F: Float>(matrix: &mut Matrix<F>, active: &[usize], count: usize) {
     }
 }
 
-/// The right-hand side becomes the solution; zero where cells are apart.
+/// Solves for a right-hand side, in place; zero for cells that do not touch.
 fn substitute<F: Float>(matrix: &Matrix<F>, active: &[usize], side: &mut [F; CELLS], count: usize) {
     for k in active {
         let Some(row) = matrix.get(*k) else { return };

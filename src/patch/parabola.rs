@@ -1,6 +1,6 @@
-//! The parabola that fits the points around a place best: what a smoothed profile goes through.
+//! The parabola that fits the points around a place best; the smoothed profile goes through it.
 //!
-//! Points weigh `(1 − x²)³`, `x` their distance over the smoothing length `s`, times the length that each stands for.
+//! The weight of a point is `(1 − x²)³`, where `x` is its distance over the smoothing length `s`, times the length that it stands for.
 
 use crate::number::{Arithmetic, Float};
 use crate::patch::section::{Moving, Profile};

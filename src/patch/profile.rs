@@ -1,15 +1,16 @@
 //! A contact patch from profiles: the distance of two bodies across the rolling direction, and what presses them together.
 //!
-//! 1. **About the approach** `δ`, and the width of the contact, from where the bodies would overlap if they were shifted by
-//!    `0.55 δ` only ([`Profile`]).
-//! 2. **Smoothing** over a length that this width tells: measured points have noise that the bodies' elasticity would take for
+//! 1. **Approach**: a first guess of the approach `δ` and of the contact's width, from the overlap of the undeformed bodies when they
+//!    are shifted by `0.55 δ` ([`Profile`]).
+//! 2. **Smoothing** over a length that follows from this width. Without smoothing the noise of measured points would act like
 //!    asperities (`Curve`).
-//! 3. **Estimate** of load and deflection by the least energy (`Estimate`), and with it `δ` again.
+//! 3. **Estimate** of load and deflection by the least energy (`Estimate`), which gives `δ` again.
 //! 4. **Zones** where `h + 0.73 u < δ`, laid end to end, and cells on them (`lattice`).
-//! 5. The [normal problem](super::normal) on the cells: pressures, lengths corrected, pressures, and both again.
+//! 5. The [normal problem](super::normal) on the cells. The pressures are solved for, then the lengths are corrected; this is done twice,
+//!    and the pressures are solved for once more.
 //!
-//! Every number carries its derivative by what is given; no branch changes a value where it switches. So load, approach and
-//! strips are continuous functions of load, approach and distances, and the stiffness is the derivative of what is computed.
+//! Every number carries its derivative by the given load or approach, and no branch changes a value where it switches. Therefore load,
+//! approach and strips are continuous functions of load, approach and distances, and the stiffness is the derivative of the computed load.
 
 use crate::contact::forces::StripCount;
 use crate::contact::material::{check_modulus, check_poisson_ratio};
@@ -27,13 +28,13 @@ use core::f64::consts::PI;
 
 /// Share of the deflection of the estimate by which undeformed bodies are farther apart where they touch.
 const DEFLECTED: f64 = 0.73;
-/// Share of the first guess of the approach that heights above the deepest point may have.
+/// Largest height above the lowest point, over the first guess of the approach, at which the curve has knots.
 const REACH: f64 = 1.6;
-/// Corrections of the lengths.
+/// Number of corrections of the lengths.
 const PASSES: usize = 2;
 /// Power of a correction times the number of lengths that it moves.
 const POWER: f64 = 0.94;
-/// Of a half length's square at least, over `R δ`.
+/// Least square of a half length, over `R δ`.
 const LEAST_SQUARE: f64 = 0.06;
 
 /// Pressure over length, over the mean of the patch, below which a strip is shortened, and to what share at most.
@@ -53,12 +54,14 @@ pub struct ProfileContact<F> {
     pub poisson_ratio: F,
     /// Coefficient of friction `μ` of every strip, not negative.
     pub friction: F,
-    /// Smoothing length `s` \[m\], not negative. Zero: half the width of the contact and at most 2 mm; always at least 2.5 steps of
-    /// the profile. What is narrower is rounded off. Twice as much halves what noise of 3 µm does to the peak pressure.
+    /// Smoothing length `s` \[m\], not negative. Zero: half the width of the contact and at most 2 mm. It is always at least 2.5 steps of
+    /// the profile. Narrower details are rounded off. Twice the length halves the effect of a noise of 3 µm on the peak pressure.
     pub smoothing_length: F,
 }
 
 impl<F: Float> ProfileContact<F> {
+    /// Checks the members; a rolling radius of its own is needed unless the profile has radii.
+    ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::RollingRadius`], [`Error::NormalForce`], [`Error::Modulus`],
     /// [`Error::PoissonRatio`], [`Error::Friction`], [`Error::SmoothingLength`].
@@ -132,7 +135,7 @@ const fn cells(count: StripCount) -> usize {
 }
 
 impl<F: Float> Indentation<F> {
-    /// Without contact.
+    /// The result without contact.
     fn none(profile: &Profile<F>) -> Self {
         let [first, last] = profile.ends;
         let none = F::zero();
@@ -147,7 +150,7 @@ impl<F: Float> Indentation<F> {
         }
     }
 
-    /// The approach at which distances of zero are the bodies' surfaces: how far below zero the smoothed profile reaches. None
+    /// The approach of a profile whose distances are those of the bodies in place: how far the smoothed profile reaches below zero. Zero
     /// where no distance is negative.
     pub(crate) fn overlap(profile: &Profile<F>, contact: &ProfileContact<F>) -> F {
         let first = -profile.lowest;
@@ -160,7 +163,7 @@ impl<F: Float> Indentation<F> {
         (first - curve.lowest.value).max(F::zero())
     }
 
-    /// The strips that touch, handed to `take`, and what they carry.
+    /// Solves the contact, and hands the strips that touch to `take`.
     ///
     /// # Errors
     /// Those of [`Patch::from_profile`].
@@ -309,10 +312,10 @@ impl<F: Float> Outline<F> {
     }
 }
 
-/// Half lengths to begin with: those of an ellipse at whose rim bodies that approach by `δ` are `λ δ` apart undeformed.
+/// First half lengths: those of an ellipse at whose rim the undeformed bodies are `λ δ` apart when they approach by `δ`.
 struct Lengths<F> {
     rim: Moving<F>,
-    /// `2.1 ln` of about the axes' ratio.
+    /// About the logarithm of the axis ratio, times 1.13.
     slenderness: Moving<F>,
     approach: Moving<F>,
 }
@@ -337,7 +340,8 @@ impl<F: Float> Lengths<F> {
         (square + least + root).times(0.5).sqrt()
     }
 
-    /// The power that corrects lengths: what is wrong with one moves its neighbours as well, less so in slender patches.
+    /// The power of a correction of the lengths. A correction of one length changes the condition at its neighbours as well, less so in
+    /// slender patches.
     fn power(&self, given: Given<Moving<F>>) -> Moving<F> {
         let more = match given {
             // 1.6/(1 + (g/0.6)^1.3)

@@ -1,4 +1,4 @@
-//! The distance of two bodies as it was given, and where they would overlap if they were shifted into each other.
+//! The given distance of two bodies, and the section in which they would overlap if they were shifted into each other.
 
 use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float};
@@ -7,14 +7,14 @@ use crate::status::Error;
 /// A number and its derivative by the load or the approach that is given.
 pub(super) type Moving<F> = Dual<F, 1>;
 
-/// Share of the approach by which the section of the undeformed bodies is about the patch.
+/// Share of the approach: undeformed bodies that are shifted by so much overlap about over the width of the patch.
 const SECTION: f64 = 0.55;
 /// `(3/4) V/(0.55 δ)` is half the width of a parabola's section.
 const HALF_WIDTH: f64 = 0.75;
 /// Halvings and Newton steps of a search at most; five are usual.
 const STEPS: u32 = 60;
 
-/// The undeformed distance of two bodies along `y`, straight between its points.
+/// The undeformed distance of two bodies along `y`, linear between its points.
 #[derive(Clone, Copy, Debug)]
 pub struct Profile<'a, F> {
     pub(super) y: &'a [F],
@@ -42,8 +42,8 @@ pub(super) struct Section<F> {
 }
 
 impl<'a, F: Float> Profile<'a, F> {
-    /// Points `y` \[m\], strictly ascending, and the distance of the bodies there \[m\]; what is added to all
-    /// distances does not matter.
+    /// A profile from points `y` \[m\], strictly ascending, and the distance of the bodies there \[m\]. A constant added to all
+    /// distances changes nothing.
     ///
     /// # Errors
     /// [`Error::Profile`] for fewer than two points, arrays of different length or `y` that does not ascend;
@@ -70,7 +70,7 @@ impl<'a, F: Float> Profile<'a, F> {
         Ok(Self { y, distance, centre_x, rolling_radius, lowest, ends, middle, step })
     }
 
-    /// The same as part of a longer profile, which is smoothed about the same places whichever part is taken.
+    /// The same as a part of a longer profile. Every part of one profile is smoothed about the same places.
     pub(crate) fn part_of_longer(mut self) -> Self {
         self.middle = F::zero();
         self
@@ -85,7 +85,7 @@ impl<'a, F: Float> Profile<'a, F> {
         Ok(self)
     }
 
-    /// The same with a rolling radius \[m\] for each point; that of the contact does not count then.
+    /// The same with a rolling radius \[m\] for each point, which replaces that of the contact.
     ///
     /// # Errors
     /// [`Error::Profile`] for another number of points; [`Error::NotFinite`]; [`Error::RollingRadius`].
@@ -120,7 +120,7 @@ impl<'a, F: Float> Profile<'a, F> {
         self.between(self.centre_x, Moving::from_base(y)).value
     }
 
-    /// The rolling radius of a point; `otherwise` that of the contact.
+    /// The rolling radius at a place; `otherwise` is that of the contact.
     pub(super) fn rolling_radius(&self, y: Moving<F>, otherwise: F) -> Moving<F> {
         if self.rolling_radius.is_empty() {
             return Moving::from_base(otherwise);
@@ -128,7 +128,7 @@ impl<'a, F: Float> Profile<'a, F> {
         self.between(self.rolling_radius, y)
     }
 
-    /// Straight between the points.
+    /// Interpolates linearly between the points.
     fn between(&self, list: &[F], y: Moving<F>) -> Moving<F> {
         let next = self
             .y

@@ -1,26 +1,26 @@
 //! A smoothed profile: local parabolas, and cubics between them.
 //!
-//! At each knot of an even grid the parabola is taken that fits the points around best, these weighted with
-//! `(1 − x²)³`, `x` their distance over the smoothing length `s`, and with the length that each stands for. Between knots a cubic
-//! has the parabolas' values and slopes. A parabola comes out as it was, wherever its points lie.
+//! Each knot of an even grid has the value and the slope of the parabola that fits the points around best. The weight of a point is
+//! `(1 − x²)³`, where `x` is its distance over the smoothing length `s`, times the length that it stands for. A cubic joins two
+//! knots. A profile that is a parabola is not changed, wherever its points lie.
 
 use crate::number::{Arithmetic, Float};
 use crate::patch::parabola::{STEPS, parabola};
 use crate::patch::section::{Moving, Profile};
 use heapless::Vec;
 
-/// Knots at most.
+/// Largest number of knots.
 const KNOTS: usize = if cfg!(target_os = "none") { 40 } else { 160 };
-/// Zones of contact at most; what is more counts with its neighbour.
+/// Largest number of zones of contact; further zones are joined with their neighbours.
 pub(super) const ZONES: usize = if cfg!(target_os = "none") { 4 } else { 8 };
-/// Pieces of a profile at most, but for its memory.
+/// Largest number of pieces of a whole profile; the step of the knots is not smaller.
 const PIECES: f64 = 4096.0;
-/// Widest the smoothing length by itself \[m\].
+/// Smoothing length of wide contacts \[m\].
 const WIDEST: f64 = 2e-3;
 /// Smoothing length of narrow contacts over their width.
 const SHARE: f64 = 0.5;
 
-/// Knots to a smoothing length.
+/// Number of knots in a smoothing length.
 const KNOTS_TO_A_LENGTH: f64 = 6.0;
 /// Where the last piece is shorter than this share of the others, the one before ends the profile.
 const STUB: f64 = 1e-3;
@@ -32,7 +32,7 @@ pub(super) struct Knot<F> {
     pub y: Moving<F>,
     pub height: Moving<F>,
     pub slope: Moving<F>,
-    /// Whether the one before is the neighbour.
+    /// Whether a piece joins this knot to the one before.
     joined: bool,
 }
 
@@ -81,7 +81,7 @@ impl<F: Float> Cubic<F> {
         c1 + t * (c2.times(2.0) + t * c3.times(3.0))
     }
 
-    /// The beginning, the places of extremes, and the end.
+    /// The places of the beginning, the two extremes and the end.
     fn cuts(&self) -> [F; 4] {
         let (length, zero) = (self.length.value, F::zero());
         let [_, c1, c2, c3] = self.c.map(|c| c.value);
@@ -105,9 +105,9 @@ pub(super) struct Curve<F> {
     pub knots: Vec<Knot<F>, KNOTS>,
     /// Its lowest point.
     pub lowest: Moving<F>,
-    /// Of the profile.
+    /// Ends of the profile.
     ends: [F; 2],
-    /// Whether it is taken as it stands: without the derivatives by what its smoothing length depends on.
+    /// Whether the curve counts as constant, without its derivatives by load or approach.
     pub still: bool,
 }
 
@@ -122,7 +122,7 @@ pub(super) fn length_for<F: Float>(half_width: Moving<F>) -> Moving<F> {
 }
 
 impl<F: Float> Curve<F> {
-    /// Of a profile smoothed over a length, where its points are less than `level` above the lowest.
+    /// The curve of a profile smoothed over a length, where its points are less than `level` above the lowest.
     #[inline(never)]
     pub fn new(profile: &Profile<F>, length: Moving<F>, level: F) -> Self {
         let [first, last] = profile.ends;
@@ -152,8 +152,7 @@ impl<F: Float> Curve<F> {
         curve
     }
 
-    /// Knots at equal steps to both sides of the profile's middle, and at its ends, near those where the profile is low; whether there
-    /// was room.
+    /// Places knots where the profile is low: at equal steps to both sides of its middle, and at its ends. Returns whether there was room.
     fn fill(&mut self, profile: &Profile<F>, length: Moving<F>, level: F, step: Moving<F>) -> bool {
         self.knots.clear();
         let ([from, to], middle) = (profile.ends, profile.middle);
@@ -162,7 +161,7 @@ impl<F: Float> Curve<F> {
             let steps = (end - middle) / step.value;
             let inside = steps.plus(-STUB * outward);
             let whole = F::widened(inside.whole() as f32);
-            // (the whole part is that toward zero)
+            // (the whole part is rounded toward zero)
             let short = (inside - whole).times(outward) < F::zero();
             inside.whole() + if short { 0 } else { outward as i32 }
         };
@@ -228,7 +227,7 @@ impl<F: Float> Curve<F> {
         })
     }
 
-    /// Hands every piece to `take`, with the cubic of what `of` makes of knots.
+    /// Hands every piece to `take`, with the cubic through the value and the slope that `of` gives at its knots.
     fn pieces(
         &self,
         of: impl Fn(&Knot<F>) -> [Moving<F>; 2],
@@ -263,8 +262,8 @@ impl<F: Float> Curve<F> {
         }
     }
 
-    /// Where a function is negative that `of` makes of a place, the height there and the slope: its value and slope. Whether one
-    /// of the zones ends with the profile.
+    /// The zones where a function is negative, and whether one of them ends with the profile. `of` gives the value and the slope of the
+    /// function from a place, the height there and its slope.
     pub fn zones(
         &self,
         of: impl Fn(Moving<F>, Moving<F>, Moving<F>) -> [Moving<F>; 2],
@@ -351,7 +350,7 @@ struct Found<F> {
 }
 
 impl<F: Float> Found<F> {
-    /// One zone more than there is room for: those beside the narrowest gap become one.
+    /// Makes room for one more zone: the two zones beside the narrowest gap become one.
     fn close_a_gap(&mut self, next: Zone<F>) {
         let after = self.zones.iter().skip(1).chain([&next]);
         let gaps = self.zones.iter().zip(after).map(|(zone, next)| (next.from - zone.to).value);
@@ -359,7 +358,7 @@ impl<F: Float> Found<F> {
             .enumerate()
             .fold((0, F::LARGEST), |least, (i, gap)| if gap < least.1 { (i, gap) } else { least });
         let mut carried = next;
-        // from the last zone down to the one after the gap each makes room for the next
+        // each zone after the gap moves back by one place
         for (i, zone) in self.zones.iter_mut().enumerate().rev() {
             if i > least.0 {
                 core::mem::swap(zone, &mut carried);
@@ -388,7 +387,7 @@ impl<F: Float> Found<F> {
     }
 }
 
-/// Where a function is zero between two places of different sign: Newton's steps between brackets.
+/// The place where a function is zero between two places of different sign, by Newton's steps between brackets.
 fn root<F: Float>(
     of: impl Fn(Moving<F>) -> [Moving<F>; 2],
     mut negative: F,
@@ -414,7 +413,7 @@ fn root<F: Float>(
         }
     }
     let [value, slope] = of(Moving::from_base(t));
-    // (a zone that is just born widens without limit, and carries nothing)
+    // (the width of a zone that just appears grows infinitely fast, and carries nothing)
     let steep = if slope.value.abs() > F::TINY { F::one() / slope.value } else { F::zero() };
     Moving { value: t, gradient: value.gradient.map(|d| -(d * steep)) }
 }

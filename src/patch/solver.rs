@@ -1,19 +1,18 @@
 //! Forces, derivatives and strips of a patch that is given by its strips.
 //!
-//! A strip sees the creepage at its own place, `(υx − φ y, υy + φ x_c, φ)`, and its own friction bound `μ p₀`:
-//! friction that varies over `y` is nothing special. Its force acts at `(x_c, y)`.
+//! A strip has the creepage of its own place, `(υx − φ y, υy + φ x_c, φ)`, and its own friction bound `μ p₀`, so that friction
+//! may vary over `y`. The force of a strip acts at `(x_c, y)`.
 //!
 //! * Theory of 1967: [`Strip::solve`] in units of the strip. The strips do not move with the
-//!   solution, so where a strip loses its adhesion area the forces have a kink, and under
+//!   solution. The forces have a kink where a strip loses its adhesion area, and under
 //!   [`SlidingRule::RigidSlip`](crate::strip_1967::strip::SlidingRule::RigidSlip) with spin a jump as large as that strip's share.
 //! * [`Model::Strip`]: the ellipse of a strip's [zone](super::zones) is solved at the creepage of its own centre, and
 //!   gives the strip the creepages of its `Y` and `Π = (μ p₀)_strip/(μ p₀)`. A strip whose
-//!   centre is moved by `x_c` is solved with what is seen for the lateral creepage there.
-//!
+//!   centre is moved by `x_c` is solved with the lateral creepage there.
 //! * [`Model::Total`]: a strip carries its share, by friction bound, of what the ellipse of its zone carries at the creepage of
-//!   its own centre. Cheap and smooth; strips and fields are not known.
+//!   its own centre. This is cheap and smooth, and gives neither strips nor fields.
 //!
-//! [`Model::Linear`] knows ellipses only. The linear theory of a patch is the derivative of
+//! [`Model::Linear`] holds for ellipses only. The linear theory of a patch is the derivative of
 //! [`Model::Strip`] at zero creepage: [`solve_jacobian`].
 
 use crate::contact::creepage::{Creepage, Parameters};
@@ -35,21 +34,21 @@ use crate::strip_1967::strip::{Regime, State, Strip};
 use crate::total;
 use nalgebra::Matrix3;
 
-/// What the ellipse of a zone carries, and the longitudinal creepage by which the pressure of unlike materials shifts it.
+/// Forces of the ellipse of a zone, and the longitudinal creepage that pressure adds in unlike materials.
 type ZoneTotals<T> = (Totals<T>, T);
 
-/// Share `Π` of the friction bound below which a strip is treated as one with this share: the squares of what it
-/// sees fit an `f32`.
+/// Least share `Π` of the friction bound. A strip with less is treated as one with this share, so that the squares of its creepages fit
+/// an `f32`.
 const LEAST_BOUND: f64 = 1e-9;
 
-/// What a strip carries.
+/// Forces of a strip.
 #[derive(Clone, Copy, Debug)]
 struct Share<T: Real> {
     fx: T,
     fy: T,
-    /// About the origin of the patch.
+    /// Moment about the origin of the patch.
     mz: T,
-    /// Power on what pressure adds to the creepage.
+    /// Power of the force on the creepage that pressure adds.
     of_pressure: T,
     /// Share of its length in adhesion, at the leading edge.
     stick: T::Base,
@@ -57,7 +56,7 @@ struct Share<T: Real> {
 }
 
 impl<T: Real> Share<T> {
-    /// From forces over the strip's friction bound, and the moment about its centre in half lengths.
+    /// The share of a strip from its forces over the friction bound and from the moment about its centre in half lengths.
     fn new(
         strip: &PatchStrip<T::Base>,
         carried: &Carried<T>,
@@ -73,7 +72,7 @@ impl<T: Real> Share<T> {
     }
 }
 
-/// What moves a patch: creepage at its origin, and the factor of what pressure makes in unlike bodies, which is one.
+/// The motion of a patch: the creepage at its origin, and the factor of the creepage that pressure adds in unlike bodies, which is one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slip<T> {
     pub creepage: Creepage<T>,
@@ -92,19 +91,19 @@ fn creepage_at<T: Real>(creepage: &Creepage<T>, x: T::Base, y: T::Base) -> Creep
     Creepage { longitudinal: longitudinal - spin.scale(y), lateral: lateral + spin.scale(x), spin }
 }
 
-/// No point of a patch is farther from its origin.
+/// Upper bound of the distance of the patch's points from its origin.
 pub(super) fn reach<F: Float>(view: &PatchView<F>) -> F {
     view.strips().iter().fold(F::zero(), |reach, strip| {
         reach.max(strip.y.abs() + strip.centre_x.abs() + strip.half_length)
     })
 }
 
-/// No point within reach has a larger rigid slip.
+/// Upper bound of the rigid slip of all points within reach.
 pub(super) fn rigid_slip<F: Float>(creepage: &Creepage<F>, reach: F) -> F {
     creepage.longitudinal.abs() + creepage.lateral.abs() + creepage.spin.abs() * reach
 }
 
-/// No zone's pressure makes a larger creepage.
+/// Upper bound of the creepage that pressure adds in any zone.
 fn most_strain<F: Float>(view: &PatchView<F>) -> F {
     if view.mismatch() == F::zero() {
         return F::zero();
@@ -112,7 +111,7 @@ fn most_strain<F: Float>(view: &PatchView<F>) -> F {
     view.zones().fold(F::zero(), |most, zone| most.max(zone.contact.strain().abs()))
 }
 
-/// Checks the inputs of [`solve`] without solving; a bound of the rigid slip.
+/// Checks the inputs of [`solve`] without solving; returns an upper bound of the rigid slip.
 pub(crate) fn check<F: Precision>(
     view: &PatchView<F>,
     creepage: &Creepage<F>,
@@ -151,7 +150,7 @@ impl<'a, F: Precision> Problem<'a, F> {
         }
     }
 
-    /// For a model that knows what a strip carries.
+    /// The same for a model with strips.
     pub fn with_strips(
         view: &'a PatchView<'a, F>,
         creepage: &'a Creepage<F>,
@@ -188,7 +187,7 @@ impl<'a, F: Precision> Problem<'a, F> {
         first.unwrap_or(Notice::None)
     }
 
-    /// Hands what every strip carries to `visit`.
+    /// Hands the forces of every strip to `visit`.
     fn shares<T: Real<Base = F>>(
         &self,
         slip: &Slip<T>,
@@ -242,7 +241,7 @@ impl<'a, F: Precision> Problem<'a, F> {
         Share::new(strip, &carried, stick, solved.adheres())
     }
 
-    /// The strips of a zone's ellipse, for the creepage at `x` on its middle line, and what pressure adds to it.
+    /// The creepages of the strips of a zone's ellipse, for the creepage at `x` on its middle line with that which pressure adds.
     pub fn law<T: Real<Base = F>>(
         zone: &Zone<F>,
         slip: &Slip<T>,
@@ -257,7 +256,7 @@ impl<'a, F: Precision> Problem<'a, F> {
         (prepared.see(parameters.normalised()), shift)
     }
 
-    /// Every strip's share of what the ellipse of its zone carries.
+    /// Every strip's share of the forces of the ellipse of its zone.
     #[inline(never)]
     fn elliptic_shares<T: Real<Base = F>>(
         &self,
@@ -349,17 +348,17 @@ impl<'a, F: Precision> Problem<'a, F> {
     }
 }
 
-/// What the strips of a zone see that have one centre along `x`.
+/// The creepages of the strips of a zone that have one centre along `x`.
 struct Known<F, T, L> {
     zone: Zone<F>,
     x: F,
     units: Units<F>,
     law: L,
-    /// What pressure adds to the creepage.
+    /// The creepage that pressure adds.
     shift: T,
 }
 
-/// The creepage that a zone's ellipse sees at `x` on its middle line, and what of it pressure makes.
+/// The creepage of a zone's ellipse at `x` on its middle line, and the part of it that pressure adds.
 fn seen_by<T: Real>(
     zone: &Zone<T::Base>,
     linear: &LinearCoefficients<T::Base>,
@@ -371,7 +370,7 @@ fn seen_by<T: Real>(
     (seen, seen.longitudinal - creepage.longitudinal)
 }
 
-/// What the strips of a zone are measured with.
+/// The units of the strips of a zone.
 pub(super) struct Units<F> {
     y: F,
     per_a: F,

@@ -1,4 +1,4 @@
-//! A patch as C and callers keep it: room for a fixed number of strips, and how many are used.
+//! A patch as a C structure: room for a fixed number of strips, and the number of those that are used.
 
 use super::{PatchStrip, PatchView, QuadratureScale};
 use crate::number::Float;
@@ -38,14 +38,14 @@ pub struct StoredPatch<F> {
 }
 
 impl<F: Float> StoredPatch<F> {
-    /// Takes all strips away.
+    /// Removes all strips.
     pub(crate) fn clear(&mut self, shear_modulus: F, poisson_ratio: F) {
         (self.shear_modulus, self.poisson_ratio) = (shear_modulus, poisson_ratio);
         (self.area_scale, self.lever_scale) = (F::one(), F::one());
         (self.count, self.reserved, self.mismatch) = (0, 0, F::zero());
     }
 
-    /// Adds a strip, and tells whether there was room.
+    /// Adds a strip; returns whether there was room.
     pub(crate) fn push(&mut self, strip: PatchStrip<F>) -> bool {
         let place = self.strips.get_mut(self.count as usize);
         let room = place.is_some();
@@ -58,7 +58,7 @@ impl<F: Float> StoredPatch<F> {
 }
 
 impl<F: Precision> StoredPatch<F> {
-    /// Checked.
+    /// The checked patch.
     ///
     /// # Errors
     /// [`Error::PatchSize`]; those of [`PatchView::new`].

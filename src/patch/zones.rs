@@ -1,11 +1,11 @@
-//! What a strip takes for its own ellipse: the strips that it is connected with.
+//! The ellipse that stands for a strip and for the strips that it is connected with.
 //!
-//! STRIP needs an axis ratio. A strip's zone is all strips that it reaches without passing a neck; beyond a neck
-//! they count with a weight, one where the neck is 0.85 of the smaller of the two parts that it connects, none below
-//! 0.55. So a patch that is pinched falls apart without a jump, and a strip in the neck belongs to both sides.
+//! The model STRIP needs an axis ratio. The zone of a strip has all strips that are reached from it without passing a neck. Strips beyond a neck
+//! count with a weight, which is 1 where the neck is at least 0.85 of the smaller of the two parts that it connects, and 0 below
+//! 0.55. A patch that is pinched therefore falls apart without a jump, and a strip in the neck belongs to both sides.
 //!
-//! **Equivalent ellipse**, of the zone's load and friction, from sums over the load: on an ellipse
-//! `∫ C² l² dY/∫ C² dY = (4/5) a²`, so
+//! The **equivalent ellipse** has the load and the friction of the zone and follows from sums over the load. On an ellipse
+//! `∫ C² l² dY/∫ C² dY = (4/5) a²`, therefore
 //!
 //! ```text
 //! a² = (5/4) Σ N l²/Σ N,   π a b = area = Σ 2 w p/s,   (x₀, y₀) = Σ N (x, y)/Σ N,   μ = Σ μ N/Σ N
@@ -18,7 +18,7 @@ use crate::number::Float;
 use crate::patch::{PatchStrip, PatchView};
 use core::f64::consts::PI;
 
-/// Neck over the smaller part: no connection, and all of it.
+/// Neck over the smaller part, below which there is no connection and above which it is full.
 const APART: f64 = 0.55;
 const WHOLE: f64 = 0.85;
 /// Gap between neighbours, over the width of a strip, where their connection begins to end, and where it has.
@@ -51,7 +51,7 @@ struct Sums<F> {
 }
 
 impl<F: Float> Sums<F> {
-    /// Lengths and widths in their units, places from the origin.
+    /// Adds a strip; lengths and widths in the units of the patch, places from its middle.
     fn add(&mut self, strip: &PatchStrip<F>, units: &Units<F>, weight: F) {
         let load = strip.load() * weight;
         let x = (strip.centre_x - units.x) * units.per_length;
@@ -71,7 +71,7 @@ impl<F: Float> Sums<F> {
     }
 }
 
-/// What a patch is measured with: its longest strip, its largest pressure, its whole width, and its middle.
+/// The units of a patch: its longest strip, its largest pressure, its whole width, and its middle.
 struct Units<F> {
     length: F,
     width: F,
@@ -115,7 +115,7 @@ impl<F: Float> Walk<F> {
 }
 
 impl<F: Float> Zone<F> {
-    /// The same but for rounding.
+    /// Whether two zones are the same but for rounding.
     pub(crate) fn is(&self, other: &Self) -> bool {
         let near = |x: F, y: F, size: F| (x - y).abs() <= size * F::EPSILON.times(32.0);
         let (one, two) = (&self.contact, &other.contact);
@@ -239,7 +239,7 @@ impl<F: Float> PatchView<'_, F> {
         }
         let Sums { load, bound, square, centre: [x, y], slope: [by_pressure, by_length], section } =
             sums;
-        // (products of less have no digits: that carries nothing)
+        // (smaller products have no digits left; such a zone carries nothing)
         let load = if load.times(1e-6) > F::TINY { load } else { zero };
         let loaded = load > zero;
         let mean = |sum: F, own: F| if loaded { sum / load } else { own };
