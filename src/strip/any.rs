@@ -1,6 +1,6 @@
 //! Strips of any shape, side by side, that are not those of one ellipse.
 //!
-//! Strips are of two kinds, whose nodes along the length are staggered. Here both kinds are evaluated side by side, and mixed.
+//! Strips are of two kinds, whose nodes along the length are staggered. This module evaluates both kinds side by side and mixes them.
 
 use super::derivative::{SpinSlopes, forces_and_slopes};
 use super::kernel::{Carried, Seen, Spin, forces};
@@ -9,12 +9,12 @@ use crate::number::lanes::Lanes;
 use crate::number::registers::compiled_twice;
 use crate::number::{Arithmetic, Number, Plain, Strips};
 
-/// Of eight strips, what they see: `A_x, A_y, σ`, the spread and the start; and their share of the inner strips' nodes, 0 to 1.
+/// The creepages of eight strips, `A_x, A_y, σ`, the spread and the start; and their share of the inner strips' nodes, 0 to 1.
 type Eight<F> = [[F; 8]; 6];
-/// What they carry, `f_x, f_y, m_x` and the share in adhesion, and the derivatives of the first three by what they see.
+/// The forces `f_x, f_y, m_x` of eight strips and the share in adhesion, and the derivatives of the first three by the creepages.
 type Found<F> = ([[F; 8]; 4], [[[F; 8]; 5]; 3]);
 
-/// What eight strips carry. Each has its share of the inner strips' nodes, 0 to 1.
+/// The forces of eight strips. Each has a share of the inner strips' nodes, 0 to 1.
 #[inline(never)]
 pub(crate) fn eight_strips<T: Number>(
     seen: &[(Seen<T>, T); 8],

@@ -1,4 +1,4 @@
-//! What the strips of a contact see: from creepages to `a_x, a_y, ρ, σ` and the bend `ε`.
+//! The creepages of the strips of a contact: from `vx, vy, φ` to `a_x, a_y, ρ, σ` and the bend `ε`.
 //!
 //! The flexibilities of Kalker's linear theory, multiplied by fitted factors that are 1 at rest, and turned into those
 //! of the rigid slip where the linear force is far beyond the friction bound.
@@ -11,13 +11,13 @@ use crate::number::registers::compiled_twice;
 use crate::number::{Arithmetic, Number, Pair, Plain};
 use core::f64::consts::PI;
 
-/// Creepages beyond this are scaled down together: full sliding. Fourth powers still fit an `f32`.
+/// Creepages beyond this are scaled down together, because the contact slides fully. Their fourth powers fit an `f32`.
 const CREEPAGE_LIMIT: f64 = 1e4;
-/// What strips see of them is scaled down together beyond this: its fourth powers fit an `f32`.
+/// The creepages of strips are scaled down together beyond this, so that their fourth powers fit an `f32`.
 const SEEN_LIMIT: f64 = 1e5;
-/// What one strip may see.
+/// Largest creepage of one strip.
 const STRIP_LIMIT: f64 = 1e6;
-/// Axis ratios the model is evaluated with; fitted are 0.07 to 14.
+/// Axis ratios with which the model is evaluated. It is fitted for 0.07 to 14.
 const RATIO_LIMIT: f64 = 1e3;
 
 /// Everything that depends on the contact alone.
@@ -27,29 +27,29 @@ pub struct Flexibilities<F: Plain> {
     /// `√(a/b)` within the limits of the model, and its inverse.
     pub(super) root: F,
     pub(super) upright: F,
-    /// `(4/3π)(C11 + C22)`: the one flexibility of full sliding.
+    /// `(4/3π)(C11 + C22)`, the common flexibility of full sliding.
     rigid: F,
-    /// `C23/(k_m C22) − 1`, `k_m = (4/3π) √(a/b)`: what makes the moment slope of lateral creepage Kalker's.
+    /// `C23/(k_m C22) − 1` with `k_m = (4/3π) √(a/b)`. It gives the moment of a small lateral creepage Kalker's slope.
     lateral_at_rest: F,
     /// Factors of creepage and of `ρ` that make sums over strips exact at rest.
     factors: [F; 2],
     network: Network<F>,
 }
 
-/// What the strips of a contact see of creepages.
+/// The creepages of the strips of a contact.
 #[derive(Clone, Copy, Debug)]
 pub struct Distribution<T: Number> {
     /// `a_x`: longitudinal creepage in the middle strip.
     pub longitudinal: T,
     /// `a_y`: lateral creepage.
     pub lateral: T,
-    /// `ρ`: how the longitudinal creepage falls over `Y`.
+    /// `ρ`: slope by which the longitudinal creepage falls over `Y`.
     pub slope: T,
     /// `ε`: bend of that slope.
     pub bend: T,
     /// `σ`: spin.
     pub spin: T,
-    /// How far the contact is from full sliding, 1 to 0.
+    /// Distance from full sliding: 1 at rest, 0 in full sliding.
     pub start: T,
     /// The creepages `vx, vy, φ` that these belong to, scaled down where they are very large.
     pub creepage: [T; 3],
@@ -67,7 +67,7 @@ pub struct StripGeometry<F> {
     /// Peak of the strip's friction bound over that of the patch: `Π = (μ p₀)_strip/(μ p₀)`, positive. On
     /// an ellipse with one coefficient of friction `Π = C`.
     pub bound: F,
-    /// Width in `Y` that one of sixteen strips has here: slip is averaged over it; 0 for a line.
+    /// Width in `Y` of one of sixteen strips at this place, over which slip is averaged; 0 for a line.
     pub width: F,
 }
 
@@ -108,10 +108,10 @@ impl<F: Plain> Flexibilities<F> {
         }
     }
 
-    /// What strips see of `vx, vy = G a b (υx, υy)/(μ N)` and `φ = G (a b)^{3/2} ϕ/(μ N)`.
+    /// The creepages of the strips, from `vx, vy = G a b (υx, υy)/(μ N)` and `φ = G (a b)^{3/2} ϕ/(μ N)`.
     ///
-    /// Fitted for `a/b` 0.1 to 10, `ν` 0 to 1/2 and `|ψ| = (π/3) √(a/b) |φ| ≤ 3`; beyond that finite, bounded and
-    /// with the right limits.
+    /// The factors are fitted for `a/b` 0.07 to 14, `ν` 0 to 1/2 and `|ψ| = (π/3) √(a/b) |φ| ≤ 3`. Beyond that range the results are finite
+    /// and bounded and have the right limits.
     #[inline(always)]
     pub fn see<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Distribution<T> {
         compiled_twice!(if T::LANES => <F: Plain, T: Number<Base = F>>(contact: &Flexibilities<F> = self, creepage: [T; 3] = creepage) -> Distribution<T> {
@@ -239,14 +239,14 @@ impl<T: Number> Distribution<T> {
         }
     }
 
-    /// `a_x, a_y, ρ, ρ ε, σ` and the start: what strips see is linear in the first four.
+    /// `a_x, a_y, ρ, ρ ε, σ` and the start. The creepages of strips are linear in the first four.
     #[inline(always)]
     pub(super) fn numbers(&self) -> [T; 6] {
         let bent = self.slope * self.bend;
         [self.longitudinal, self.lateral, self.slope, bent, self.spin, self.start]
     }
 
-    /// What one strip sees, and `σ`.
+    /// The creepages of one strip, and `σ`.
     #[inline(always)]
     pub fn strip(&self, strip: &StripGeometry<T::Base>) -> (Seen<T>, T) {
         let inverse = T::Base::one() / strip.bound;

@@ -1,5 +1,5 @@
-//! A strip's derivatives by `A_x, A_y, σ` and what else it sees: the kernel's formulas differentiated from their results back to what
-//! the strip sees. (Dual numbers through the kernel give the same and take longer.)
+//! Derivatives of a strip's forces by `A_x, A_y, σ`, the spread and the start, by reverse differentiation of the kernel's formulas, from the
+//! results back to the inputs. (Dual numbers through the kernel give the same and take longer.)
 
 use super::constants::{AVERAGE, BLEND, EDGE, NODES, ROUND_SPIN};
 use super::kernel::{
@@ -8,7 +8,7 @@ use super::kernel::{
 use super::tables::{Constants, Node};
 use crate::number::Arithmetic;
 
-/// How what follows from `σ` alone moves with it.
+/// Derivatives by `σ` of the numbers that depend on `σ` alone.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SpinSlopes<T> {
     r: T,
@@ -28,7 +28,7 @@ impl<T: Arithmetic> SpinSlopes<T> {
         Self { r, blend, round }
     }
 
-    /// Another kind of number for each of its own.
+    /// The same in another kind of number.
     pub fn map<U>(&self, all: impl Fn(T) -> U) -> SpinSlopes<U> {
         SpinSlopes { r: all(self.r), blend: all(self.blend), round: all(self.round) }
     }
@@ -72,7 +72,7 @@ pub(super) fn forces_and_slopes<P: Arithmetic<Bare = P>>(
     (carried, slopes)
 }
 
-/// Which of a strip's forces.
+/// One of the forces of a strip.
 #[derive(Clone, Copy, PartialEq)]
 enum Force {
     Longitudinal,
@@ -80,7 +80,7 @@ enum Force {
     Moment,
 }
 
-/// A node on the way back.
+/// A node, as the reverse pass needs it.
 #[derive(Clone, Copy)]
 struct Turned<P> {
     /// `t` and `λ`
@@ -157,7 +157,7 @@ impl<P: Arithmetic<Bare = P>> Turned<P> {
     }
 }
 
-/// The derivatives of a force on the way back: by the state ahead of a node, and sums over the nodes that were passed.
+/// The derivatives of a force in the reverse pass: by the state ahead of a node, and sums over the nodes that were passed.
 #[derive(Clone, Copy)]
 struct Way<P> {
     by_px: P,
@@ -196,7 +196,7 @@ impl<P: Arithmetic<Bare = P>> Way<P> {
         }
     }
 
-    /// Past a node.
+    /// Passes a node.
     #[inline(always)]
     fn pass(&mut self, force: Force, node: &Turned<P>, r: P, turning: P) {
         let one = P::one();

@@ -1,4 +1,4 @@
-//! Traction and slip at a point of a strip: the law that the forces are summed from.
+//! Traction and slip at a point of a strip, by the same law from which the forces are summed.
 
 use super::constants::{EDGE, NODES};
 use super::creepage::{Distribution, StripGeometry};
@@ -6,7 +6,7 @@ use super::kernel::{Seen, Separatrix, Slip, Spin, Step};
 use super::tables::{Constants, Tables};
 use crate::number::Float;
 
-/// Nearest to the trailing edge that is told apart from it.
+/// Least distance from the trailing edge; a point that is nearer counts as being there.
 const LEAST: f64 = 1e-9;
 /// Keeps quotients finite where no traction acts.
 const NO_TRACTION: f64 = 1e-30;
@@ -29,8 +29,8 @@ pub struct StripTraction<T> {
 impl<F: Float> Distribution<F> {
     /// Traction, state and slip at `x̂ = x/c` of a strip, −1 to 1.
     ///
-    /// The step between two nodes is cut short at the point: at the nodes the values are those that the forces are
-    /// summed from.
+    /// The step from one node to the next ends at the point, so that at a node the values are those from which the forces are
+    /// summed.
     #[must_use]
     pub fn traction(&self, strip: &StripGeometry<F>, place: F) -> StripTraction<F> {
         let (zero, one, two) = (F::zero(), F::one(), F::of(2.0));
@@ -56,7 +56,7 @@ impl<F: Float> Distribution<F> {
             let whole = step_to(s, before, node.place);
             let (next, traction) = slip.step(&seen, &spin, s, &whole);
             let to = slip_share(&seen, &spin, s, &whole, traction.tried);
-            // slip over rigid slip: none at the separatrix; at the leading edge that of the first step
+            // slip over rigid slip: zero at the separatrix; at the leading edge that of the first step
             let at_start = from.unwrap_or(to * s.plus(EDGE - 2.0).max(zero).times(1.0 / EDGE));
             here = Some((slip, node, before, at_start, to));
             if t >= node.place {
@@ -70,7 +70,7 @@ impl<F: Float> Distribution<F> {
         };
         let (_, point) = slip.step(&seen, &spin, s, &step_to(s, before, t));
         let part = ((before - t) / node.length).clamped(zero, one);
-        // with much spin the bound may be met anywhere behind the leading edge
+        // with much spin the traction may reach the bound anywhere behind the leading edge
         let excess = (point.tried - one).times(5.0).clamped(zero, one);
         let share = (from + (to - from) * part) * (one - spin.blend * (one - excess));
         let slips = spin.blend == zero || point.tried > one;
@@ -107,7 +107,7 @@ fn step_to<F: Float>(s: F, before: F, t: F) -> Step<F> {
     }
 }
 
-/// Slip over rigid slip on a step: what was cut off over what was offered.
+/// Slip over rigid slip on a step: the part of the traction's growth that the bound cuts off, over the whole growth.
 fn slip_share<F: Float>(seen: &Seen<F>, spin: &Spin<F>, s: F, step: &Step<F>, tried: F) -> F {
     let turn = spin.sigma * (s * step.place).plus(-1.0).times(2.0);
     let (x, y) = (seen.x, seen.y + turn);

@@ -1,13 +1,13 @@
-//! One strip: Kalker's half-ellipses ahead of its separatrix, a few nodes in the slip behind it.
+//! One strip, with Kalker's half-ellipses ahead of its separatrix and a few nodes in the slip behind the separatrix.
 //!
 //! `τ = 1 + x̂` runs from 2 at the leading edge to 0, `B = τ (2 − τ)` is the square of the bound's shape, forces are
-//! weighted with `(2/π) √B`. All of it is over the strip's own friction bound.
+//! weighted with `(2/π) √B`. Tractions and forces are divided by the strip's own friction bound.
 
 use super::constants::{AVERAGE, BLEND, EDGE, NODES, ROUND, ROUND_SPIN};
 use super::tables::{Closed, Constants, Node};
 use crate::number::Arithmetic;
 
-/// A separatrix nearer to the trailing edge is put here.
+/// Least distance of the separatrix from the trailing edge.
 const LEAST: f64 = 1e-12;
 /// Slip within a strip's width over its slip part is limited to this.
 const WIDEST: f64 = 1e3;
@@ -16,20 +16,20 @@ const TINY: f64 = 1e-24;
 /// Spin beyond this is indistinguishable from sliding by spin alone.
 const LARGEST_SPIN: f64 = 1e5;
 
-/// What a strip sees of creepage and spin, in units of its own bound.
+/// Creepage and spin of a strip, in units of its own friction bound.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<T> {
     /// `A_x` of longitudinal creepage and spin.
     pub x: T,
     /// `A_y` of lateral creepage.
     pub y: T,
-    /// By how much `A_x` varies over the width of one of sixteen strips.
+    /// Variation of `A_x` over the width of one of sixteen strips.
     pub spread: T,
-    /// How far the contact is from full sliding: what the first step into the slip part keeps of its turn, 1 to 0.
+    /// Distance from full sliding, 1 to 0: share of its turn that the first step into the slip part keeps.
     pub start: T,
 }
 
-/// Spin `σ` of a strip and what follows from it alone.
+/// Spin `σ` of a strip, and the numbers that depend on it alone.
 #[derive(Clone, Copy, Debug)]
 pub struct Spin<T> {
     /// `σ`
@@ -50,7 +50,7 @@ pub struct Spin<T> {
     pub inverse_round: T,
 }
 
-/// What a strip carries, over its friction bound.
+/// Forces of a strip over its friction bound.
 #[derive(Clone, Copy, Debug)]
 pub struct Carried<T> {
     /// Longitudinal force.
@@ -64,7 +64,7 @@ pub struct Carried<T> {
 }
 
 impl<T: Arithmetic> Spin<T> {
-    /// From `σ`.
+    /// Computes all members from `σ`.
     #[inline(always)]
     pub fn new(sigma: T) -> Self {
         let sigma = sigma.min(T::constant(LARGEST_SPIN)).max(T::constant(-LARGEST_SPIN));
@@ -85,7 +85,7 @@ impl<T: Arithmetic> Spin<T> {
         Self { sigma, r, excess: sigma - r, room, inverse_room, blend, round, inverse_round }
     }
 
-    /// Another kind of number for each of its own.
+    /// The same in another kind of number.
     #[inline(always)]
     pub fn map<U>(&self, all: impl Fn(T) -> U) -> Spin<U> {
         let Self { sigma, r, excess, room, inverse_room, blend, round, inverse_round } = *self;
@@ -109,7 +109,7 @@ pub(super) fn blending<T: Arithmetic>(sigma: T) -> T {
     z.max(T::zero()).min(T::one())
 }
 
-/// Where adhesion ends.
+/// The place where adhesion ends.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Separatrix<T> {
     /// `A_y' = A_y + σ − r`
@@ -142,18 +142,18 @@ impl<T: Arithmetic> Separatrix<T> {
     }
 }
 
-/// `p/s` of the simplified theory on its way through the slip.
+/// `p/s` of the simplified theory, from node to node through the slip.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slip<T> {
     pub px: T,
     pub py: T,
-    /// Half of what `p_x` varies by over the strip's width.
+    /// Half of the variation of `p_x` over the strip's width.
     pub wide: T,
-    /// What the last cut left.
+    /// The factor `m` of the last cut.
     pub kept: T,
 }
 
-/// A node: traction over the bound and what else is summed.
+/// A node: traction over the bound, and the other summands.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Traction<T> {
     pub x: T,
@@ -173,7 +173,7 @@ pub(super) struct Step<T> {
     pub place: T,
     /// `s/B`
     pub inverse_bound: T,
-    /// `ε²`: what `p` varies by within the node's cell, as spin turns it.
+    /// `ε²`: square of the variation of `p` within the node's cell, as spin turns `p`.
     pub soft: T,
 }
 
@@ -185,7 +185,7 @@ impl<T: Arithmetic> Slip<T> {
         Self { px: ahead * nx, py: ahead * ny, wide: ahead * wide, kept: seen.start }
     }
 
-    /// The next node: `p` grows with the rigid slip and is cut back to the bound.
+    /// Goes to the next node: `p` grows with the rigid slip and is cut back to the bound.
     #[inline(always)]
     pub fn step(self, seen: &Seen<T>, spin: &Spin<T>, s: T, step: &Step<T>) -> (Self, Traction<T>) {
         let Step { length, place, inverse_bound, soft } = *step;
@@ -211,7 +211,7 @@ impl<T: Arithmetic> Slip<T> {
     }
 }
 
-/// Where a strip's slip part begins.
+/// The beginning of a strip's slip part.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Start<T> {
     pub separatrix: Separatrix<T>,
@@ -220,7 +220,7 @@ pub(super) struct Start<T> {
     pub n: [T; 2],
 }
 
-/// A node that was passed.
+/// A node, as the reverse pass of the derivatives needs it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Passed<T> {
     pub inverse_bound: T,
@@ -229,7 +229,7 @@ pub(super) struct Passed<T> {
     pub kept: T,
 }
 
-/// Forces of a strip; `note` is told each node that was passed.
+/// Forces of a strip; `note` receives each node.
 #[inline(always)]
 pub(super) fn forces<T: Arithmetic>(
     seen: &Seen<T>,
@@ -296,7 +296,7 @@ fn inverses<T: Arithmetic>(s: T, constants: &impl Constants<T::Bare>) -> (T, [T;
     (inverse, inverses)
 }
 
-/// Within what is told apart.
+/// Limits the spread of a strip.
 #[inline(always)]
 pub(super) fn widest<T: Arithmetic>(wide: T) -> T {
     wide.min(T::constant(WIDEST)).max(T::constant(-WIDEST))

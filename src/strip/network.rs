@@ -7,9 +7,9 @@ use crate::number::{Map, Plain};
 pub(super) const CORRECTIONS: usize = OUTPUT_OFFSET.len();
 const UNITS: usize = HIDDEN_OFFSET.len();
 const FEATURES: usize = HIDDEN.len();
-/// Features that the contact alone decides: the axis ratio and Poisson's ratio.
+/// Features that depend on the contact alone: the axis ratio and Poisson's ratio.
 const FIXED: [usize; 2] = [3, 4];
-/// The others.
+/// Features that depend on the motion as well.
 pub(super) const INPUTS: usize = FEATURES - FIXED.len();
 
 const OFFSETS: [[f32; UNITS]; 3] = [HIDDEN_OFFSET, HIDDEN[FIXED[0]], HIDDEN[FIXED[1]]];
@@ -29,7 +29,7 @@ const MOVING: [[f32; UNITS]; INPUTS] = {
 /// The network of one contact.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Network<F> {
-    /// Sums of the units over the features that the contact decides.
+    /// Sums of the units over the features of the contact.
     start: [F; UNITS],
 }
 

@@ -6,7 +6,7 @@ use crate::contact::forces::StripCount;
 use crate::number::tables::table;
 use crate::number::{Arithmetic, Float};
 
-/// A node of the slip part for the kinds of strips side by side.
+/// A node of the slip part, for both kinds of strips side by side.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node<B> {
     /// `t = τ/s`
@@ -21,7 +21,7 @@ pub(super) struct Node<B> {
     pub weight: [B; 4],
 }
 
-/// What the closed part of a strip leaves to the nodes: polynomials in `u`.
+/// Share of the integrals over a strip that the nodes do not sum: polynomials in `u`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Closed<B> {
     /// `(1 − s/4 − Σ W/s)/(1 − u)`
@@ -42,7 +42,7 @@ pub(super) trait Constants<B> {
     fn closed(&self) -> Closed<B>;
 }
 
-/// Those of the tables, of which `read` makes numbers for the strips.
+/// The tables; `read` turns their numbers into numbers for the strips.
 #[derive(Clone, Copy)]
 pub(super) struct Tables<F: 'static, R> {
     nodes: &'static [[Couple<F>; NODE_FIELDS]],

@@ -1,4 +1,4 @@
-//! Sums over the strips of the Hertz ellipse, and the power that they must not gain.
+//! Sums over the strips of the Hertz ellipse, and the correction that keeps the power of friction from being negative.
 
 use super::creepage::{Distribution, Flexibilities};
 use super::derivative::{SpinSlopes, forces_and_slopes};
@@ -10,9 +10,9 @@ use crate::number::lanes::Lanes;
 use crate::number::registers::compiled_twice;
 use crate::number::{Arithmetic, Float, Number, Plain, Strips};
 
-/// Power over that of the linear theory divided by `√(1 + n²)`: never below this.
+/// Least power, over that of the linear theory divided by `√(1 + n²)`.
 const FLOOR: f64 = 0.2;
-/// Nothing happens above the floor and this. References computed with CONTACT are above 0.64.
+/// The correction begins where the power is less than the floor and this. References computed with CONTACT are above 0.64.
 const STEP: f64 = 0.2;
 
 /// A contact's strips, ready for creepages.
@@ -74,7 +74,7 @@ impl<F: Plain> EllipseStrips<F> {
         })
     }
 
-    /// From what the strips see; `P` and `Q` are strips side by side, without and with derivatives.
+    /// Sums for the creepages of the strips; `P` and `Q` are strips side by side, without and with derivatives.
     #[inline(always)]
     fn totals_of<T: Number<Base = F>, P: Strips<F>, Q: Strips<F>>(
         &self,
@@ -169,8 +169,8 @@ impl<F: Plain> EllipseStrips<F> {
         first
     }
 
-    /// What each strip carries of the contact's friction bound, with its share of the area, ascending in `y`; their sum is
-    /// what [`EllipseStrips::totals`] answers.
+    /// The forces of each strip over the contact's friction bound, with its share of the area, ascending in `y`. Their sum is the result of
+    /// [`EllipseStrips::totals`].
     pub fn each(&self, creepage: [F; 3], mut take: impl FnMut(Totals<F>, F))
     where
         F: Float,
@@ -214,7 +214,7 @@ impl<F: Plain> EllipseStrips<F> {
     }
 }
 
-/// What one strip carries.
+/// Forces of one strip.
 #[inline(never)]
 pub(super) fn alone<F: Plain>(seen: &Seen<F>, spin: &Spin<F>, inner: bool) -> Carried<F> {
     let constants = Tables::<F::Stored, _>::new(|couple: &[F::Stored; 2]| {
@@ -236,17 +236,17 @@ fn of_side<F: Plain>(couple: &[F::Stored; 2], lane: usize, odd: bool) -> F {
     if odd && lane & 2 == 2 { -field } else { field }
 }
 
-/// What strips of an ellipse have in common: one spin.
+/// The creepages that the strips of an ellipse have in common.
 pub(super) struct Together<P> {
     /// `a_x, a_y, ρ, ε` and the start.
     law: [P; 5],
     pub(super) spin: Spin<P>,
-    /// (Without derivatives nobody reads them.)
+    /// (Used only with derivatives.)
     pub(super) by_spin: SpinSlopes<P>,
 }
 
 impl<P: Arithmetic<Bare = P>> Together<P> {
-    /// In numbers `P` that are `all` the same.
+    /// The same in numbers `P`, made by `all`.
     #[inline(always)]
     pub(super) fn new<F: Plain>(law: &Distribution<F>, all: impl Fn(F) -> P + Copy) -> Self {
         let spin = Spin::new(law.spin);
@@ -269,7 +269,7 @@ impl<P: Arithmetic<Bare = P>> Together<P> {
         }
     }
 
-    /// Adds what strips carry to the sums.
+    /// Adds the forces of strips to the sums.
     #[inline(always)]
     fn add_rows<const ROWS: usize>(
         &self,
@@ -304,7 +304,7 @@ pub(super) fn shares<P: Arithmetic>(carried: Carried<P>, fields: &[P; STRIP_FIEL
     [fx * load, fy * load, mx * load_c, fx * load_y, stick * area]
 }
 
-/// Derivatives of forces and moment by `Distribution::numbers` from those of `f_x, f_y, m_x` by what the strips see.
+/// Derivatives of forces and moment by `Distribution::numbers` from those of `f_x, f_y, m_x` by the creepages of the strips.
 #[inline(always)]
 pub(super) fn by_law<P: Arithmetic>(
     [x, y, mut z]: [[P; 5]; 3],
@@ -350,7 +350,7 @@ pub(super) fn fields<F: 'static, P>(
     ]
 }
 
-/// A force of size one and some roundings within the bound, which it may pass by them.
+/// Scales a force back to the friction bound, which rounding may exceed.
 #[inline(always)]
 fn within_bound<T: Number>([x, y]: [T; 2]) -> [T; 2] {
     let over = (x.value().squared() + y.value().squared()).plus(-1.0).max(T::Base::zero());
@@ -377,7 +377,7 @@ pub(super) fn power_projected<T: Number>(
     let totals = Totals { fx, fy, mz, stick };
     let power = fx * vx + fy * vy + mz * phi;
     let whole = kx * vx + ky * vy + ks * phi;
-    // nothing to do at rest, where squares may vanish, and for x > FLOOR + STEP
+    // no correction at rest, where squares may vanish, and for x > FLOOR + STEP
     let n = square.plus(1.0).sqrt();
     let loaded = square.plus(-1e-12);
     let missing = whole.times(FLOOR + STEP) - power * n;
