@@ -101,8 +101,8 @@ typedef int32_t kstrip_status;
 /** Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction, where the bodies are no longer half-spaces. */
 #define KSTRIP_WARNING_CONFORMAL 17
 /**
- * Warning: the normal turns by more than 30 degrees over a contact of a wheel. One plane of contact is then not enough, and forces are
- * off by 0.2 of mu N in the mean.
+ * Warning: the normal turns by more than 30 degrees over a contact of a wheel. One plane of contact is then not enough: forces are off
+ * by 0.2 of mu N in the mean, and by up to 0.5.
  */
 #define KSTRIP_WARNING_ANGLE_RANGE 19
 /** Warning: a zone of contact ends with the profile, as if the bodies ended there. */
@@ -114,7 +114,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_NOT_FINITE -2
 /** Error: a semi-axis is not positive. */
 #define KSTRIP_ERROR_SEMI_AXIS -3
-/** Error: the normal force of a profile is negative. */
+/** Error: the normal force of a profile is negative, or the wanted support of a wheel is not positive. */
 #define KSTRIP_ERROR_NORMAL_FORCE -4
 /** Error: a modulus of elasticity is not positive. */
 #define KSTRIP_ERROR_MODULUS -5
@@ -130,7 +130,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_CURVATURE -10
 /** Error: the rolling speed is not positive. */
 #define KSTRIP_ERROR_ROLLING_SPEED -11
-/** Error: the caller's array is too small. */
+/** Error: the caller's array is too small, or a count exceeds the capacity of a structure. */
 #define KSTRIP_ERROR_CAPACITY -12
 /** Error: the model has no strips, no field or no patches: it cannot compute a wanted output. */
 #define KSTRIP_ERROR_NOT_IN_MODEL -13
@@ -150,7 +150,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_FORCE_BEYOND_FRICTION -20
 /** Error: what was measured is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum. */
 #define KSTRIP_ERROR_MEASURED -21
-/** Error: the structure was not filled by kstrip_prepare() of the same precision. */
+/** Error: a structure was not filled by kstrip_prepare() of the same precision, or a profile not by kstrip_prepare_profile(). */
 #define KSTRIP_ERROR_NOT_PREPARED -22
 /** Error: the floor of the speed is negative. */
 #define KSTRIP_ERROR_FLOOR_SPEED -23
@@ -162,13 +162,16 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_PRESSURE -41
 /** Error: strips of a patch overlap, or do not ascend in y. */
 #define KSTRIP_ERROR_STRIP_ORDER -42
-/** Error: more strips, or more separate zones of contact, than the patch has room for. */
+/** Error: there are more strips than a patch has room for, or more contacts than a wheel may have. */
 #define KSTRIP_ERROR_PATCH_SIZE -43
-/** Error: a profile has too few points (fewer than 2; for kstrip_prepare_profile() fewer than 4), or its y does not ascend. */
+/**
+ * Error: a profile has too few points (fewer than 2; for kstrip_prepare_profile() fewer than 4), two of its points coincide, or numbers
+ * that must ascend do not: its y, the lengths of a gap, or the places of friction.
+ */
 #define KSTRIP_ERROR_PROFILE -44
-/** Error: a profile ends before the place where the bodies would touch. */
+/** Error: a profile ends where the bodies would touch, or the wheel is beside the rail. */
 #define KSTRIP_ERROR_PROFILE_END -45
-/** Error: a rolling radius is not positive. */
+/** Error: a rolling radius or the radius of a wheel is not positive. */
 #define KSTRIP_ERROR_ROLLING_RADIUS -46
 /** Error: a smoothing length is negative. */
 #define KSTRIP_ERROR_SMOOTHING_LENGTH -47
@@ -1224,7 +1227,7 @@ kstrip_status kstrip_patch_field(const struct kstrip_patch *patch,
 /** Points that a prepared profile and a gap have room for. */
 #define KSTRIP_SURFACE_CAPACITY 512
 
-/** Contacts of one wheel at most: four, and those that stand for two of them less than 8 mm apart. */
+/** Largest number of contacts of one wheel: four, and those that stand for two neighbours less than 8 mm apart. */
 #define KSTRIP_CONTACTS_CAPACITY 6
 
 /** Places along the rail between which friction may vary. */
@@ -1257,14 +1260,15 @@ typedef struct kstrip_surface {
  * The points are in their order along the profile. They may run either way along y, turn back (as those of a measured flange do) and lie at
  * any distances. The flange of a wheel and the gauge side of a rail are at small y (profiles of a right wheel), and z points down.
  *
- * @param y, z, points    the points [m], at least 4; of a rail from its origin, of a wheel from its running circle, z what its radius
- *                        exceeds the wheel radius by.
+ * @param y, z, points    the points [m], at least 4. Those of a rail are measured from its origin, those of a wheel from its running
+ *                        circle; the z of a wheel is its radius minus wheel_radius.
  * @param step            length between prepared points [m]; 0: the length over the capacity, at least 0.2 mm.
- * @param smoothing_length  each point becomes that of a parabola fitted to the points up to so far away [m], >= 0; 0: through all
- *                        points. 2 to 4 mm for measured profiles.
+ * @param smoothing_length  each point is replaced by that of a parabola fitted to the points up to this distance [m], >= 0; 0: the
+ *                        profile goes through all points. 2 to 4 mm suit measured profiles.
  * @param[out] surface    receives the profile.
  * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (too few points, two that coincide, a negative
- *         step), KSTRIP_ERROR_SMOOTHING_LENGTH, KSTRIP_ERROR_CAPACITY (of the step), KSTRIP_ERROR_OVERFLOW (no length of a profile).
+ *         step), KSTRIP_ERROR_SMOOTHING_LENGTH, KSTRIP_ERROR_CAPACITY (the step needs too many
+ *         points), KSTRIP_ERROR_OVERFLOW (the profile is shorter than 1 um or longer than 1 km).
  */
 kstrip_status kstrip_prepare_profile(const double *y,
                                      const double *z,
@@ -1282,9 +1286,9 @@ typedef struct kstrip_wheel_position {
     double lateral;
     /** How far the centre is below its height over the rail's origin at which it would be one wheel radius [m]. */
     double vertical;
-    /** Turn about the vertical, which points down [rad]: positive from x to y, below 1. */
+    /** Turn about the vertical, which points down [rad]: positive from x to y, between -1 and 1. */
     double yaw;
-    /** Turn about x [rad]: positive from y to z, below 1; yaw turns about the axis that roll has turned. */
+    /** Turn about x [rad]: positive from y to z, between -1 and 1. Yaw turns about the axis that roll has turned. */
     double roll;
 } kstrip_wheel_position;
 
@@ -1318,8 +1322,8 @@ typedef struct kstrip_gap {
  *
  * @param rail, wheel     prepared profiles.
  * @param wheel_radius    radius of the wheel at z = 0 of its profile [m], > 0.
- * @param position        where the wheel is, a right one; of a left one lateral, yaw and roll with opposite signs.
- * @param reach           points farther apart are left out [m]; 0: 2 mm.
+ * @param position        where the wheel is, if it is a right one; for a left wheel lateral, yaw and roll with opposite signs.
+ * @param reach           distance from the rail above which points are left out [m]; 0: 2 mm.
  * @param[out] gap        receives the points.
  * @param[out] least      receives their least distance [m]: negative where the surfaces overlap, and reach where no point is nearer;
  *                        NULL: not wanted.
@@ -1349,7 +1353,7 @@ typedef struct kstrip_wheel_pair {
     double friction;
     /** Places on the rail, y of its profile [m], ascending. */
     double friction_y[KSTRIP_RAIL_FRICTION_CAPACITY];
-    /** Coefficient of friction there [-], >= 0; straight between them, constant beyond. */
+    /** Coefficient of friction at these places [-], >= 0; linear between them, constant beyond. */
     double friction_at[KSTRIP_RAIL_FRICTION_CAPACITY];
     /** How many of these places there are, at most KSTRIP_RAIL_FRICTION_CAPACITY; 0: friction is the same everywhere. */
     uint32_t friction_points;
@@ -1406,18 +1410,19 @@ typedef struct kstrip_wheel_contact {
 /**
  * The contacts of a gap, in ascending y of a right wheel.
  *
- * All zones are solved together as one normal problem. Zones that are more than 4 mm apart become contacts of their own.
+ * Zones of overlap less than 4 mm apart are one contact and one normal problem; zones more than 8 mm apart are contacts of their own.
+ * Between these distances the common contact and the single ones each count by a share.
  *
  * @param gap             what lies between the surfaces, from kstrip_touch() or a host's own search.
  * @param pair            materials, friction, side.
  * @param position        where the wheel is.
- * @param workspace       memory for the strips of all contacts; it may hold anything.
+ * @param workspace       memory for the strips of a contact; it may hold anything.
  * @param[out] contacts   array of KSTRIP_CONTACTS_CAPACITY elements; receives the contacts. (After an error some may have been
  *                        written; count has not.)
  * @param[out] count      receives their number; 0: the wheel is lifted.
  * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_ERROR_NULL, KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_PATCH_SIZE (more contacts than
- *         there is room for), KSTRIP_ERROR_PROFILE (lengths or places of friction do not ascend, an angle beyond 1.6), or one of the errors of
- *         kstrip_patch_from_profile().
+ *         there is room for), KSTRIP_ERROR_PROFILE (lengths or places of friction do not ascend, an angle beyond 1.6),
+ *         KSTRIP_ERROR_PROFILE_END (a contact at an end of the gap), or one of the errors of kstrip_patch_from_profile().
  */
 kstrip_status kstrip_contacts_from_gap(const struct kstrip_gap *gap,
                                        const struct kstrip_wheel_pair *pair,
@@ -1427,27 +1432,27 @@ kstrip_status kstrip_contacts_from_gap(const struct kstrip_gap *gap,
                                        uint32_t *count);
 
 /**
- * How the wheel moves over the rail, whose axes are at rest; in a curve of the momentary track. Lateral, roll and yaw have the
- * track's signs for a left wheel too.
+ * How the wheel moves over the rail. The axes are at rest; in a curve they are those of the momentary track. Lateral, roll and yaw
+ * have the track's signs for a left wheel too.
  */
 typedef struct kstrip_wheel_velocity {
-    /** Of the wheel's centre along x [m/s]. */
+    /** Velocity of the wheel's centre along x [m/s]. */
     double forward;
-    /** Along y [m/s]. */
+    /** Velocity of the centre along y [m/s]. */
     double lateral;
-    /** Along z, down [m/s]. */
+    /** Velocity of the centre along z, down [m/s]. */
     double vertical;
-    /** About the wheelset's own x [rad/s]: axes that yaw and roll but do not spin. */
+    /** Rate about the wheelset's own x [rad/s]. These axes yaw and roll with the wheelset but do not spin. */
     double roll;
-    /** About the axle [rad/s]: about minus forward over radius. */
+    /** Rate about the axle [rad/s]: about minus forward over radius. */
     double pitch;
-    /** About the wheelset's own z [rad/s]. */
+    /** Rate about the wheelset's own z [rad/s]. */
     double yaw;
 } kstrip_wheel_velocity;
 
 /**
- * How the wheel moves over the rail at a contact: slip, spin rate and rolling speed. They are the input of kstrip_solve_motion(); divided by
- * the rolling speed they are that of kstrip_patch_evaluate(). The motion is linear in the velocity.
+ * How the wheel moves over the rail at a contact: slip, spin rate and rolling speed. They are the input of kstrip_solve_motion(). Slip and
+ * spin rate divided by the rolling speed are the creepages of kstrip_patch_evaluate(). The motion is linear in the velocity.
  *
  * @param contact         a contact.
  * @param velocity        how the wheel moves.
@@ -1464,9 +1469,9 @@ typedef struct kstrip_wrench {
     double force[3];
     /** Moment on the wheel about its centre [N m] about the wheelset's own axes: roll, pitch (about the axle), yaw. */
     double moment[3];
-    /** Frictional power [W], not negative: creep forces on the rail times slip. Of the creep forces on the wheel it is minus the power. */
+    /** Frictional power [W], not negative: creep forces on the rail times slip. The power of the creep forces on the wheel is minus this. */
     double dissipation;
-    /** Load of all contacts [N]: each along its own normal. */
+    /** Sum of the loads of all contacts [N], each along its own normal. */
     double normal_force;
     /** Number of contacts; 0: the wheel is lifted, and nothing acts. */
     uint32_t contacts;
@@ -1474,11 +1479,11 @@ typedef struct kstrip_wrench {
     kstrip_status status_detail;
 } kstrip_wrench;
 
-/** Derivatives of the wrench that are exact. Rows: force and moment. */
+/** Exact derivatives of the wrench. The rows are the members of force and moment. */
 typedef struct kstrip_wrench_derivatives {
     /** By the members of kstrip_wheel_velocity [N, N m over m/s, rad/s]. */
     double velocity[6][6];
-    /** By a factor that multiplies all friction, at 1 [N, N m]. */
+    /** By a factor on all coefficients of friction, at 1 [N, N m]. */
     double friction[6];
 } kstrip_wrench_derivatives;
 
@@ -1505,23 +1510,23 @@ kstrip_status kstrip_wrench_from_contacts(const struct kstrip_wheel_contact *con
                                           struct kstrip_wrench_derivatives *derivatives);
 
 /**
- * Memory of the caller that one wheel is computed in; it may hold anything before. After KSTRIP_OK or a warning it holds the gap
- * and the contacts of the position, after an error nothing of use.
+ * Memory of the caller for the computation of one wheel. It may hold anything before a call. After KSTRIP_OK or a warning it holds the
+ * gap and the contacts of the position; after an error its contents have no meaning.
  */
 typedef struct kstrip_wheel_workspace {
-    /** What lies between the surfaces. */
+    /** The gap between the surfaces. */
     struct kstrip_gap gap;
-    /** What a contact is pressed in. */
+    /** Memory in which the normal problem of a contact is solved. */
     struct kstrip_patch strips;
     /** The contacts, in ascending y of a right wheel; the first count are used. */
     struct kstrip_wheel_contact contacts[KSTRIP_CONTACTS_CAPACITY];
     /** Number of contacts. */
     uint32_t count;
-    /** How many of them are more than 4 mm apart. */
+    /** Number of contacts that are more than 4 mm apart from each other. */
     uint32_t apart;
 } kstrip_wheel_workspace;
 
-/** Derivatives of the wrench by the wheel's position at constant velocity: central differences of the whole road, made inside. */
+/** Derivatives of the wrench by the wheel's position at constant velocity: central differences of complete computations, made inside. */
 typedef struct kstrip_wrench_by_position {
     /** By the lateral position [N, N m over m]. */
     double lateral[6];
@@ -1536,7 +1541,9 @@ typedef struct kstrip_wrench_by_position {
 /**
  * Force and moment on a wheel on a rail in one call: kstrip_touch(), kstrip_contacts_from_gap(), kstrip_wrench_from_contacts().
  *
- * The track is straight. In a curve, pass the velocity relative to the momentary track, which is at rest. The time is bounded.
+ * The track is straight. In a curve, pass the velocity relative to the momentary track, which is at rest. Force and moment are continuous
+ * in position and velocity: a contact appears and vanishes with zero load, and two contacts between 8 and 4 mm apart go over into one.
+ * The time is bounded.
  *
  * @param rail, wheel     prepared profiles.
  * @param pair            materials, friction, side, number of strips, model.

@@ -628,8 +628,8 @@ kstrip_status kstrip_contacts_from_gap_f32(const struct kstrip_gap_f32 *gap,
                                            uint32_t *count);
 
 /**
- * How the wheel moves over the rail, whose axes are at rest; in a curve of the momentary track. Lateral, roll and yaw have the
- * track's signs for a left wheel too.
+ * How the wheel moves over the rail. The axes are at rest; in a curve they are those of the momentary track. Lateral, roll and yaw
+ * have the track's signs for a left wheel too.
  */
 typedef struct kstrip_wheel_velocity_f32 {
     float forward;
@@ -655,7 +655,7 @@ typedef struct kstrip_wrench_f32 {
     kstrip_status status_detail;
 } kstrip_wrench_f32;
 
-/** Derivatives of the wrench that are exact. Rows: force and moment. */
+/** Exact derivatives of the wrench. The rows are the members of force and moment. */
 typedef struct kstrip_wrench_derivatives_f32 {
     float velocity[6][6];
     float friction[6];
@@ -671,8 +671,8 @@ kstrip_status kstrip_wrench_from_contacts_f32(const struct kstrip_wheel_contact_
                                               struct kstrip_wrench_derivatives_f32 *derivatives);
 
 /**
- * Memory of the caller that one wheel is computed in; it may hold anything before. After KSTRIP_OK or a warning it holds the gap
- * and the contacts of the position, after an error nothing of use.
+ * Memory of the caller for the computation of one wheel. It may hold anything before a call. After KSTRIP_OK or a warning it holds the
+ * gap and the contacts of the position; after an error its contents have no meaning.
  */
 typedef struct kstrip_wheel_workspace_f32 {
     struct kstrip_gap_f32 gap;
@@ -682,7 +682,7 @@ typedef struct kstrip_wheel_workspace_f32 {
     uint32_t apart;
 } kstrip_wheel_workspace_f32;
 
-/** Derivatives of the wrench by the wheel's position at constant velocity: central differences of the whole road, made inside. */
+/** Derivatives of the wrench by the wheel's position at constant velocity: central differences of complete computations, made inside. */
 typedef struct kstrip_wrench_by_position_f32 {
     float lateral[6];
     float vertical[6];

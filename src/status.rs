@@ -16,7 +16,7 @@ pub enum Error {
     NotFinite = -2,
     /// A semi-axis of the contact ellipse is not positive.
     SemiAxis = -3,
-    /// The normal force of a profile is negative.
+    /// The normal force of a profile is negative, or the wanted support of a wheel is not positive.
     NormalForce = -4,
     /// A modulus of elasticity is not positive.
     Modulus = -5,
@@ -67,11 +67,12 @@ pub enum Error {
     StripOrder = -42,
     /// More strips, or more separate zones of contact, than the patch has room for.
     PatchSize = -43,
-    /// A profile has fewer than two points, or its `y` does not ascend.
+    /// A profile has too few points, two of them coincide, or numbers that must ascend do not: its `y`, the lengths of a gap, or the places
+    /// of friction.
     Profile = -44,
-    /// There is no profile where contact is looked for.
+    /// A profile ends where the bodies would touch, or the wheel is beside the rail.
     ProfileEnd = -45,
-    /// A rolling radius is not positive.
+    /// A rolling radius or the radius of a wheel is not positive.
     RollingRadius = -46,
     /// A smoothing length is negative.
     SmoothingLength = -47,
@@ -252,7 +253,9 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
         -1 => c"a required pointer is NULL: pass the address of a structure or array",
         -2 => c"an input is infinite or NaN: pass finite numbers",
         -3 => c"a semi-axis of the contact ellipse is not positive: a and b must be > 0 (metres)",
-        -4 => c"the normal force of a profile is negative: it must be >= 0 (newtons), compression positive",
+        -4 => {
+            c"the normal force of a profile is negative, or the wanted support of a wheel is not positive (newtons): compression is positive"
+        }
         -5 => c"a modulus of elasticity is not positive: it must be > 0 (pascals)",
         -6 => c"Poisson's ratio is outside [0, 0.5]",
         -7 => c"the coefficient of friction is negative: it must be >= 0",
@@ -289,9 +292,11 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
         -43 => {
             c"more strips, or more separate zones of contact, than the patch has room for: use fewer, wider strips, more strips per patch, or a smoother profile"
         }
-        -44 => c"a profile needs at least two points, with y strictly ascending",
+        -44 => {
+            c"a profile has too few points, two that coincide, or y that does not ascend; or the lengths of a gap or the places of friction do not ascend"
+        }
         -45 => c"there is no profile where contact is looked for: pass more of it",
-        -46 => c"the rolling radius is not positive: it must be > 0 (metres)",
+        -46 => c"a rolling radius or the radius of a wheel is not positive: it must be > 0 (metres)",
         -47 => c"the smoothing length is negative: it must be >= 0 (metres), 0 for the default",
         _ => return None,
     })

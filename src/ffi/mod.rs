@@ -78,8 +78,8 @@ pub const KSTRIP_WARNING_MISMATCH: kstrip_status = 15;
 pub const KSTRIP_WARNING_MISMATCH_NEGLECTED: kstrip_status = 16;
 /// Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction, where the bodies are no longer half-spaces.
 pub const KSTRIP_WARNING_CONFORMAL: kstrip_status = 17;
-/// Warning: the normal turns by more than 30 degrees over a contact of a wheel. One plane of contact is then not enough, and forces are
-/// off by 0.2 of mu N in the mean.
+/// Warning: the normal turns by more than 30 degrees over a contact of a wheel. One plane of contact is then not enough: forces are off
+/// by 0.2 of mu N in the mean, and by up to 0.5.
 pub const KSTRIP_WARNING_ANGLE_RANGE: kstrip_status = 19;
 /// Warning: a zone of contact ends with the profile, as if the bodies ended there.
 pub const KSTRIP_WARNING_PROFILE_END: kstrip_status = 18;
@@ -89,7 +89,7 @@ pub const KSTRIP_ERROR_NULL: kstrip_status = -1;
 pub const KSTRIP_ERROR_NOT_FINITE: kstrip_status = -2;
 /// Error: a semi-axis is not positive.
 pub const KSTRIP_ERROR_SEMI_AXIS: kstrip_status = -3;
-/// Error: the normal force of a profile is negative.
+/// Error: the normal force of a profile is negative, or the wanted support of a wheel is not positive.
 pub const KSTRIP_ERROR_NORMAL_FORCE: kstrip_status = -4;
 /// Error: a modulus of elasticity is not positive.
 pub const KSTRIP_ERROR_MODULUS: kstrip_status = -5;
@@ -105,7 +105,7 @@ pub const KSTRIP_ERROR_STRIP_COUNT: kstrip_status = -9;
 pub const KSTRIP_ERROR_CURVATURE: kstrip_status = -10;
 /// Error: the rolling speed is not positive.
 pub const KSTRIP_ERROR_ROLLING_SPEED: kstrip_status = -11;
-/// Error: the caller's array is too small.
+/// Error: the caller's array is too small, or a count exceeds the capacity of a structure.
 pub const KSTRIP_ERROR_CAPACITY: kstrip_status = -12;
 /// Error: the model has no strips, no field or no patches: it cannot compute a wanted output.
 pub const KSTRIP_ERROR_NOT_IN_MODEL: kstrip_status = -13;
@@ -125,7 +125,7 @@ pub const KSTRIP_ERROR_UNEXPLAINED: kstrip_status = -19;
 pub const KSTRIP_ERROR_FORCE_BEYOND_FRICTION: kstrip_status = -20;
 /// Error: what was measured is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum.
 pub const KSTRIP_ERROR_MEASURED: kstrip_status = -21;
-/// Error: the structure was not filled by kstrip_prepare() of the same precision.
+/// Error: a structure was not filled by kstrip_prepare() of the same precision, or a profile not by kstrip_prepare_profile().
 pub const KSTRIP_ERROR_NOT_PREPARED: kstrip_status = -22;
 /// Error: the floor of the speed is negative.
 pub const KSTRIP_ERROR_FLOOR_SPEED: kstrip_status = -23;
@@ -137,13 +137,14 @@ pub const KSTRIP_ERROR_STRIP_SIZE: kstrip_status = -40;
 pub const KSTRIP_ERROR_PRESSURE: kstrip_status = -41;
 /// Error: strips of a patch overlap, or do not ascend in y.
 pub const KSTRIP_ERROR_STRIP_ORDER: kstrip_status = -42;
-/// Error: more strips, or more separate zones of contact, than the patch has room for.
+/// Error: there are more strips than a patch has room for, or more contacts than a wheel may have.
 pub const KSTRIP_ERROR_PATCH_SIZE: kstrip_status = -43;
-/// Error: a profile has too few points (fewer than 2; for kstrip_prepare_profile() fewer than 4), or its y does not ascend.
+/// Error: a profile has too few points (fewer than 2; for kstrip_prepare_profile() fewer than 4), two of its points coincide, or numbers
+/// that must ascend do not: its y, the lengths of a gap, or the places of friction.
 pub const KSTRIP_ERROR_PROFILE: kstrip_status = -44;
-/// Error: a profile ends before the place where the bodies would touch.
+/// Error: a profile ends where the bodies would touch, or the wheel is beside the rail.
 pub const KSTRIP_ERROR_PROFILE_END: kstrip_status = -45;
-/// Error: a rolling radius is not positive.
+/// Error: a rolling radius or the radius of a wheel is not positive.
 pub const KSTRIP_ERROR_ROLLING_RADIUS: kstrip_status = -46;
 /// Error: a smoothing length is negative.
 pub const KSTRIP_ERROR_SMOOTHING_LENGTH: kstrip_status = -47;

@@ -9,14 +9,15 @@ use crate::wheel_rail::wrench::Law;
 /// The points are in their order along the profile. They may run either way along y, turn back (as those of a measured flange do) and lie at
 /// any distances. The flange of a wheel and the gauge side of a rail are at small y (profiles of a right wheel), and z points down.
 ///
-/// @param y, z, points    the points [m], at least 4; of a rail from its origin, of a wheel from its running circle, z what its radius
-///                        exceeds the wheel radius by.
+/// @param y, z, points    the points [m], at least 4. Those of a rail are measured from its origin, those of a wheel from its running
+///                        circle; the z of a wheel is its radius minus wheel_radius.
 /// @param step            length between prepared points [m]; 0: the length over the capacity, at least 0.2 mm.
-/// @param smoothing_length  each point becomes that of a parabola fitted to the points up to so far away [m], >= 0; 0: through all
-///                        points. 2 to 4 mm for measured profiles.
+/// @param smoothing_length  each point is replaced by that of a parabola fitted to the points up to this distance [m], >= 0; 0: the
+///                        profile goes through all points. 2 to 4 mm suit measured profiles.
 /// @param[out] surface    receives the profile.
 /// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (too few points, two that coincide, a negative
-///         step), KSTRIP_ERROR_SMOOTHING_LENGTH, KSTRIP_ERROR_CAPACITY (of the step), KSTRIP_ERROR_OVERFLOW (no length of a profile).
+///         step), KSTRIP_ERROR_SMOOTHING_LENGTH, KSTRIP_ERROR_CAPACITY (the step needs too many
+///         points), KSTRIP_ERROR_OVERFLOW (the profile is shorter than 1 um or longer than 1 km).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn kstrip_prepare_profile(
     y: *const f64,
@@ -38,8 +39,8 @@ pub unsafe extern "C" fn kstrip_prepare_profile(
 ///
 /// @param rail, wheel     prepared profiles.
 /// @param wheel_radius    radius of the wheel at z = 0 of its profile [m], > 0.
-/// @param position        where the wheel is, a right one; of a left one lateral, yaw and roll with opposite signs.
-/// @param reach           points farther apart are left out [m]; 0: 2 mm.
+/// @param position        where the wheel is, if it is a right one; for a left wheel lateral, yaw and roll with opposite signs.
+/// @param reach           distance from the rail above which points are left out [m]; 0: 2 mm.
 /// @param[out] gap        receives the points.
 /// @param[out] least      receives their least distance [m]: negative where the surfaces overlap, and reach where no point is nearer;
 ///                        NULL: not wanted.
@@ -64,18 +65,19 @@ pub extern "C" fn kstrip_touch(
 
 /// The contacts of a gap, in ascending y of a right wheel.
 ///
-/// All zones are solved together as one normal problem. Zones that are more than 4 mm apart become contacts of their own.
+/// Zones of overlap less than 4 mm apart are one contact and one normal problem; zones more than 8 mm apart are contacts of their own.
+/// Between these distances the common contact and the single ones each count by a share.
 ///
 /// @param gap             what lies between the surfaces, from kstrip_touch() or a host's own search.
 /// @param pair            materials, friction, side.
 /// @param position        where the wheel is.
-/// @param workspace       memory for the strips of all contacts; it may hold anything.
+/// @param workspace       memory for the strips of a contact; it may hold anything.
 /// @param[out] contacts   array of KSTRIP_CONTACTS_CAPACITY elements; receives the contacts. (After an error some may have been
 ///                        written; count has not.)
 /// @param[out] count      receives their number; 0: the wheel is lifted.
 /// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_ERROR_NULL, KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_PATCH_SIZE (more contacts than
-///         there is room for), KSTRIP_ERROR_PROFILE (lengths or places of friction do not ascend, an angle beyond 1.6), or one of the errors of
-///         kstrip_patch_from_profile().
+///         there is room for), KSTRIP_ERROR_PROFILE (lengths or places of friction do not ascend, an angle beyond 1.6),
+///         KSTRIP_ERROR_PROFILE_END (a contact at an end of the gap), or one of the errors of kstrip_patch_from_profile().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn kstrip_contacts_from_gap(
     gap: Option<&Gap<f64>>,
@@ -99,8 +101,8 @@ pub unsafe extern "C" fn kstrip_contacts_from_gap(
     })
 }
 
-/// How the wheel moves over the rail at a contact: slip, spin rate and rolling speed. They are the input of kstrip_solve_motion(); divided by
-/// the rolling speed they are that of kstrip_patch_evaluate(). The motion is linear in the velocity.
+/// How the wheel moves over the rail at a contact: slip, spin rate and rolling speed. They are the input of kstrip_solve_motion(). Slip and
+/// spin rate divided by the rolling speed are the creepages of kstrip_patch_evaluate(). The motion is linear in the velocity.
 ///
 /// @param contact         a contact.
 /// @param velocity        how the wheel moves.
@@ -160,7 +162,9 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
 
 /// Force and moment on a wheel on a rail in one call: kstrip_touch(), kstrip_contacts_from_gap(), kstrip_wrench_from_contacts().
 ///
-/// The track is straight. In a curve, pass the velocity relative to the momentary track, which is at rest. The time is bounded.
+/// The track is straight. In a curve, pass the velocity relative to the momentary track, which is at rest. Force and moment are continuous
+/// in position and velocity: a contact appears and vanishes with zero load, and two contacts between 8 and 4 mm apart go over into one.
+/// The time is bounded.
 ///
 /// @param rail, wheel     prepared profiles.
 /// @param pair            materials, friction, side, number of strips, model.

@@ -3,15 +3,16 @@
 //! Axes of the track: `x` forward, `y` to the right, `z` down. The wheel is the right one; the left one is its mirror image
 //! ([`Pair::left`]).
 //!
-//! 1. [`surface`]: measured or drawn points to a profile at equal steps of its length.
-//! 2. [`touch`]: the line on the wheel where its normal is across `x`, on which all contact lies, and its distance from the rail.
-//! 3. [`contacts`]: zones of contact, each with a [patch](crate::patch), the direction of its pressure, and rows that turn the
-//!    wheel's velocity into what the patch sees.
-//! 4. [`wrench`]: motion, creep forces and pressure to force and moment on the wheel, with their derivatives.
-//! 5. [`scene`]: all of it for a position; `height_for_load` for a load.
+//! 1. [`surface`] turns measured or drawn points into a profile at equal steps of its length.
+//! 2. [`touch`] finds the line on the wheel where its normal is perpendicular to `x`, and its distance from the rail. All contacts lie on
+//!    this line.
+//! 3. [`contacts`] finds the zones of contact. Each has a [patch](crate::patch), the direction of its pressure, and rows that turn the
+//!    velocity of the wheel into the motion of the patch.
+//! 4. [`wrench`] turns motion, creep forces and pressure into force and moment on the wheel, with their derivatives.
+//! 5. [`scene`] does all of this for a position, and finds the height of the wheel for a load.
 //!
-//! Every step is linear in the velocities `v` of the wheel (three of its centre, three rates), so that one matrix `B` says all of a
-//! contact's kinematics, and virtual power gives the wrench without any further geometry:
+//! Every step is linear in the velocities `v` of the wheel (three of its centre, and three rates). One matrix `B` therefore describes the
+//! kinematics of a contact, and virtual power gives the wrench without any further geometry:
 //!
 //! ```text
 //! slip = B v,   W = −Bᵀ F − N n,   W·v = −F·slip − N n·v
@@ -28,7 +29,7 @@ use crate::status::Error;
 
 /// Points that a prepared profile and a gap have room for.
 pub const KSTRIP_SURFACE_CAPACITY: usize = 512;
-/// Contacts of one wheel at most: four, and those that stand for two of them less than 8 mm apart.
+/// Largest number of contacts of one wheel: four, and those that stand for two neighbours less than 8 mm apart.
 pub const KSTRIP_CONTACTS_CAPACITY: usize = 6;
 /// Places along the rail between which friction may vary.
 pub const KSTRIP_RAIL_FRICTION_CAPACITY: usize = 4;
@@ -42,21 +43,23 @@ pub struct Position<F> {
     pub lateral: F,
     /// How far the centre is below its height over the rail's origin at which it would be one wheel radius \[m\].
     pub vertical: F,
-    /// Turn about the vertical, which points down \[rad\]: positive from x to y, below 1.
+    /// Turn about the vertical, which points down \[rad\]: positive from x to y, between -1 and 1.
     pub yaw: F,
-    /// Turn about x \[rad\]: positive from y to z, below 1; yaw turns about the axis that roll has turned.
+    /// Turn about x \[rad\]: positive from y to z, between -1 and 1. Yaw turns about the axis that roll has turned.
     pub roll: F,
 }
 
 impl<F: Float> Position<F> {
-    /// Of the right wheel that is the mirror image of a left one.
+    /// The position of the right wheel that is the mirror image of a left one.
     pub(crate) fn mirrored(self, left: bool) -> Self {
         let Self { lateral, yaw, roll, .. } = self;
         if left { Self { lateral: -lateral, yaw: -yaw, roll: -roll, ..self } } else { self }
     }
 
+    /// Checks the members.
+    ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::ProfileEnd`] where the wheel lies on its side.
+    /// [`Error::NotFinite`]; [`Error::ProfileEnd`] where yaw or roll are 1 or more in size.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let Self { lateral, vertical, yaw, roll } = *self;
         if ![lateral, vertical, yaw, roll].iter().all(|x| x.is_finite_number()) {
@@ -67,22 +70,22 @@ impl<F: Float> Position<F> {
     }
 }
 
-/// How the wheel moves over the rail, whose axes are at rest; in a curve of the momentary track. Lateral, roll and yaw have the
-/// track's signs for a left wheel too.
+/// How the wheel moves over the rail. The axes are at rest; in a curve they are those of the momentary track. Lateral, roll and yaw
+/// have the track's signs for a left wheel too.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Velocity<F> {
-    /// Of the wheel's centre along x \[m/s\].
+    /// Velocity of the wheel's centre along x \[m/s\].
     pub forward: F,
-    /// Along y \[m/s\].
+    /// Velocity of the centre along y \[m/s\].
     pub lateral: F,
-    /// Along z, down \[m/s\].
+    /// Velocity of the centre along z, down \[m/s\].
     pub vertical: F,
-    /// About the wheelset's own x \[rad/s\]: axes that yaw and roll but do not spin.
+    /// Rate about the wheelset's own x \[rad/s\]. These axes yaw and roll with the wheelset but do not spin.
     pub roll: F,
-    /// About the axle \[rad/s\]: about minus forward over radius.
+    /// Rate about the axle \[rad/s\]: about minus forward over radius.
     pub pitch: F,
-    /// About the wheelset's own z \[rad/s\].
+    /// Rate about the wheelset's own z \[rad/s\].
     pub yaw: F,
 }
 
@@ -108,7 +111,7 @@ pub struct Pair<F> {
     pub friction: F,
     /// Places on the rail, y of its profile \[m\], ascending.
     pub friction_y: [F; KSTRIP_RAIL_FRICTION_CAPACITY],
-    /// Coefficient of friction there \[-\], >= 0; straight between them, constant beyond.
+    /// Coefficient of friction at these places \[-\], >= 0; linear between them, constant beyond.
     pub friction_at: [F; KSTRIP_RAIL_FRICTION_CAPACITY],
     /// How many of these places there are, at most KSTRIP_RAIL_FRICTION_CAPACITY; 0: friction is the same everywhere.
     pub friction_points: u32,
@@ -123,9 +126,11 @@ pub struct Pair<F> {
 }
 
 impl<F: Float> Pair<F> {
+    /// Checks the members but for the materials, which are checked with the patch.
+    ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::RollingRadius`], [`Error::Friction`], [`Error::Profile`] for places that do not ascend,
-    /// [`Error::Capacity`] for too many of them. (Materials are checked with the patch.)
+    /// [`Error::Capacity`] for too many of them.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let places = self.friction_points as usize;
         let (Some(y), Some(at)) = (self.friction_y.get(..places), self.friction_at.get(..places))

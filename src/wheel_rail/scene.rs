@@ -1,4 +1,4 @@
-//! The whole road for a position, and the height of a wheel that carries a load.
+//! Force and moment for a position, and the height of a wheel that carries a load.
 
 use super::contacts::{self, WheelContact};
 use super::surface::Surface;
@@ -13,30 +13,30 @@ use crate::status::{Error, Notice};
 /// Steps of the differences by position, over the cube root of the rounding \[m, rad\]: 1 µm in double precision, 15 µm in single.
 const STEP: f64 = 0.15;
 const ANGLE_STEP: f64 = 0.15;
-/// Heights that are tried at most for a load.
+/// Largest number of heights that are tried for a load.
 const HEIGHTS: u32 = 64;
-/// How far the wheel moves at most from one height to the next \[m\], and which heights are one \[m\].
+/// Largest step from one height to the next \[m\], and the distance below which two heights are the same \[m\].
 const FARTHEST: f64 = 1e-4;
 const NEAREST: f64 = 1e-14;
 
-/// Memory of the caller that one wheel is computed in; it may hold anything before. After KSTRIP_OK or a warning it holds the gap
-/// and the contacts of the position, after an error nothing of use.
+/// Memory of the caller for the computation of one wheel. It may hold anything before a call. After KSTRIP_OK or a warning it holds the
+/// gap and the contacts of the position; after an error its contents have no meaning.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Workspace<F> {
-    /// What lies between the surfaces.
+    /// The gap between the surfaces.
     pub gap: Gap<F>,
-    /// What a contact is pressed in.
+    /// Memory in which the normal problem of a contact is solved.
     pub strips: StoredPatch<F>,
     /// The contacts, in ascending y of a right wheel; the first count are used.
     pub contacts: [WheelContact<F>; KSTRIP_CONTACTS_CAPACITY],
     /// Number of contacts.
     pub count: u32,
-    /// How many of them are more than 4 mm apart.
+    /// Number of contacts that are more than 4 mm apart from each other.
     pub apart: u32,
 }
 
-/// Two surfaces, what they are made of, and how they are computed.
+/// Two surfaces, their materials, and the options of the computation.
 #[derive(Clone, Copy)]
 pub struct Scene<'a, F> {
     /// The rail.
@@ -47,7 +47,7 @@ pub struct Scene<'a, F> {
     pub pair: &'a Pair<F>,
     /// Number of strips.
     pub strips: StripCount,
-    /// Creep forces.
+    /// The law of the creep forces.
     pub law: Law<'a, F>,
 }
 
@@ -83,7 +83,7 @@ impl<F: Precision> Scene<'_, F> {
         Ok(Wrench { contacts: memory.apart, ..wrench })
     }
 
-    /// The wrench of a position and a velocity.
+    /// Computes the wrench of a position and a velocity.
     ///
     /// # Errors
     /// Those of [`Scene::place`] and [`wrench::of_contacts`].
@@ -101,7 +101,7 @@ impl<F: Precision> Scene<'_, F> {
         self.wrench(position, velocity, memory, derivatives)
     }
 
-    /// Central differences.
+    /// Derivatives by the position, by central differences.
     fn differences(
         &self,
         position: &Position<F>,
@@ -129,10 +129,10 @@ impl<F: Precision> Scene<'_, F> {
         })
     }
 
-    /// The vertical position at which the rail supports the wheel with a force; `velocity` decides whether creep forces help it.
+    /// The vertical position at which the rail supports the wheel with a force. Creep forces carry as well if there is a `velocity`.
     ///
-    /// The support grows with the vertical position, from zero where the wheel is lifted: by bracketing, then by the Illinois variant of
-    /// false position over force to the power 2/3, as Hertz's is nearly straight.
+    /// The support grows with the vertical position, from zero where the wheel is lifted. The search brackets the position and then uses
+    /// the Illinois variant of false position on the force to the power 2/3, which is nearly linear for Hertz's contacts.
     ///
     /// # Errors
     /// Those of [`Scene::solve`]; [`Error::NormalForce`] for a force that is not positive.
@@ -198,7 +198,7 @@ impl<F: Precision> Scene<'_, F> {
         Ok((here, Notice::NotConverged))
     }
 
-    /// The upward force of the rail on the wheel; without velocity that of the pressure alone.
+    /// The upward force of the rail on the wheel; without a velocity that of the pressure alone.
     fn support(
         &self,
         position: &Position<F>,
@@ -217,7 +217,7 @@ impl<F: Precision> Scene<'_, F> {
         Ok(pressures.fold(F::zero(), |sum, pressure| sum + pressure))
     }
 
-    /// About the vertical position at which the wheel touches: lowered by the distance that is left, a few times.
+    /// About the vertical position at which the wheel touches, by lowering the wheel a few times by the distance that is left.
     fn first_touch(&self, position: &Position<F>, memory: &mut Workspace<F>) -> Result<F, Error> {
         let mut here = *position;
         let right = |position: &Position<F>| position.mirrored(self.pair.left != 0);

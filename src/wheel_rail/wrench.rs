@@ -1,7 +1,7 @@
 //! From contacts and velocities to force and moment on the wheel.
 //!
-//! Rolling forward, backward and standstill are those of [`motion`](crate::solve::motion). Backward rolling is forward rolling in a
-//! mirror across `x`: with `X = diag(−1, 1, −1)` and the strips' centres on the other side, `F₋(c) = X F₊(X c)`.
+//! The wheel may roll forward or backward, or stand still, as in [`motion`](crate::solve::motion). Backward rolling is forward rolling in
+//! a mirror across `x`: with `X = diag(−1, 1, −1)` and the strips' centres on the other side, `F₋(c) = X F₊(X c)`.
 //!
 //! ```text
 //! W = −Bᵀ F − N n,   ∂W/∂v = −Bᵀ (∂F/∂slip B + ∂F/∂V ∂V/∂v)
@@ -18,7 +18,7 @@ use crate::solve::model::{Model, Precision, Solution};
 use crate::solve::motion::{MotionDerivatives, Rolling};
 use crate::status::{Error, Notice};
 
-/// Below this speed any slip is plausible \[m/s\].
+/// Speed below which any slip is plausible \[m/s\].
 const JUDGED: f64 = 1.0;
 
 /// What acts on a wheel. Force and moment are conjugate to the members of kstrip_wheel_velocity: their products add up to power.
@@ -29,9 +29,9 @@ pub struct Wrench<F> {
     pub force: [F; 3],
     /// Moment on the wheel about its centre \[N m\] about the wheelset's own axes: roll, pitch (about the axle), yaw.
     pub moment: [F; 3],
-    /// Frictional power \[W\], not negative: creep forces on the rail times slip. Of the creep forces on the wheel it is minus the power.
+    /// Frictional power \[W\], not negative: creep forces on the rail times slip. The power of the creep forces on the wheel is minus this.
     pub dissipation: F,
-    /// Load of all contacts \[N\]: each along its own normal.
+    /// Sum of the loads of all contacts \[N\], each along its own normal.
     pub normal_force: F,
     /// Number of contacts; 0: the wheel is lifted, and nothing acts.
     pub contacts: u32,
@@ -39,17 +39,17 @@ pub struct Wrench<F> {
     pub notice: Notice,
 }
 
-/// Derivatives of the wrench that are exact. Rows: force and moment.
+/// Exact derivatives of the wrench. The rows are the members of force and moment.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WrenchDerivatives<F> {
     /// By the members of kstrip_wheel_velocity \[N, N m over m/s, rad/s\].
     pub velocity: [[F; 6]; 6],
-    /// By a factor that multiplies all friction, at 1 \[N, N m\].
+    /// By a factor on all coefficients of friction, at 1 \[N, N m\].
     pub friction: [F; 6],
 }
 
-/// Derivatives of the wrench by the wheel's position at constant velocity: central differences of the whole road, made inside.
+/// Derivatives of the wrench by the wheel's position at constant velocity: central differences of complete computations, made inside.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WrenchByPosition<F> {
@@ -72,16 +72,16 @@ impl<F: Float> Wrench<F> {
     }
 }
 
-/// Which creep forces, and whether friction falls.
+/// The model of the creep forces, and the law of friction.
 #[derive(Clone, Copy)]
 pub struct Law<'a, F> {
     /// The model.
     pub model: Model,
-    /// Falling friction: its own friction and rolling speed do not count.
+    /// Friction that falls with the slip; its own coefficient and rolling speed are ignored.
     pub falling: Option<&'a SlipFriction<F>>,
 }
 
-/// The wrench of contacts, and its derivatives where they are wanted.
+/// Computes the wrench of contacts, and its derivatives where they are wanted.
 ///
 /// # Errors
 /// [`Error::NotFinite`]; those of [`solver::solve`], [`patch::friction::solve`] and [`StoredPatch::view`].
@@ -187,7 +187,7 @@ impl<F: Precision> WrenchDerivatives<F> {
     }
 }
 
-/// `X F` of forces that were found in the mirror, in the turned axes that [`Rolling::each`] expects.
+/// `X F` of forces that were computed in the mirror, in the turned axes that [`Rolling::each`] expects.
 fn mirrored<F: Precision>(found: Solution<F>) -> Solution<F> {
     Solution { fy: -found.fy, mz: -found.mz, ..found }
 }
@@ -233,7 +233,7 @@ fn joined<F: Precision>(
     Solution { fx, fy, mz, notice: if slow { Notice::None } else { notice }, ..ahead }
 }
 
-/// The patch in a mirror across `x`: strips' centres on the other side. Out of line, because of the copy on the stack (3 KiB).
+/// The patch in a mirror across `x`, with the strips' centres on the other side. Out of line, because of the copy on the stack (3 KiB).
 #[inline(never)]
 fn through_mirror<F: Precision, S>(
     patch: &StoredPatch<F>,
@@ -253,7 +253,7 @@ fn through_mirror<F: Precision, S>(
 /// Creep forces on the rail, their derivatives by motion, and by a factor of all friction.
 type Sloped<F> = (Solution<F>, MotionDerivatives<F>, [F; 3]);
 
-/// What a patch does in motion, with its slopes.
+/// Forces of a patch in motion, with their derivatives.
 fn differentiated<F: Precision>(
     patch: &StoredPatch<F>,
     rolling: &Rolling<F>,
@@ -281,7 +281,7 @@ fn differentiated<F: Precision>(
     Ok((joined(rolling, forward.solution, backward.solution), slopes, friction))
 }
 
-/// The same in the turned axes: of a row those entries change sign that are lateral or spin, but not both.
+/// The same in the turned axes. The entries of a row that are lateral or spin, but not both, change their signs.
 fn mirrored_slopes<F: Precision>(found: Differentiated<F>) -> Differentiated<F> {
     let three = |[x, y, z]: [F; 3]| [x, -y, -z];
     let [x, y, z] = found.derivatives.jacobian.map(three);
