@@ -1386,7 +1386,7 @@ typedef struct kstrip_wheel_contact {
     double share;
     /** Overlap of the undeformed, smoothed surfaces where it is deepest [m]. */
     double approach;
-    /** Derivative of the load by the approach [N/m]. */
+    /** Derivative of the load by how far the surfaces are moved into each other [N/m]. */
     double stiffness;
     /** Length on the rail at y = 0 of the patch [m]. */
     double along;

@@ -29,6 +29,7 @@ pub const CELLS: usize = if cfg!(target_os = "none") { 20 } else { 48 };
 /// Rounds in which cells are removed and added; one or two are usual. In later rounds cells are only removed.
 const ENTERING: usize = 12;
 const ROUNDS: usize = ENTERING + CELLS;
+
 /// What is given of a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Given<F> {
@@ -36,6 +37,16 @@ pub enum Given<F> {
     Load(F),
     /// Approach of distant points of the two bodies \[m\]; none or a negative one is no contact.
     Approach(F),
+    /// By how much the bodies are moved into each other from where their lowest point touches \[m\]: the approach is this less
+    /// the height of the smoothed profile there, and the stiffness is the derivative by the overlap.
+    Overlap(F),
+}
+
+impl<F> Given<F> {
+    pub(crate) fn value(self) -> F {
+        let (Self::Load(value) | Self::Approach(value) | Self::Overlap(value)) = self;
+        value
+    }
 }
 
 /// A cell of the normal problem.
@@ -212,7 +223,7 @@ impl<F: Float> Cells<F> {
             }
             approach.value = match given {
                 Given::Load(load) => (load.value.times(1.0 / FRAC_PI_2) + without) / by_approach,
-                Given::Approach(approach) => approach.value,
+                Given::Approach(approach) | Given::Overlap(approach) => approach.value,
             };
             let mut pressures = [F::zero(); CELLS];
             for ((p, one), distance) in pressures.iter_mut().zip(one).zip(distance) {
@@ -258,7 +269,7 @@ impl<F: Float> Cells<F> {
                 Given::Load(load) => {
                     load.gradient.map(|d| (d.times(1.0 / FRAC_PI_2) - carried) / by_approach)
                 }
-                Given::Approach(approach) => approach.gradient,
+                Given::Approach(approach) | Given::Overlap(approach) => approach.gradient,
             };
             let [slope] = approach.gradient;
             for ((cell, one), rest) in self.list.iter_mut().zip(one).zip(rest) {

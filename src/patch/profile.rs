@@ -46,7 +46,7 @@ const LEAST_LENGTH: f64 = 1e-3;
 pub struct ProfileContact<F> {
     /// Rolling radius `R` \[m\], positive; of two rolling bodies `1/R = 1/R₁ + 1/R₂`.
     pub rolling_radius: F,
-    /// The load or the approach.
+    /// The load, the approach or the overlap.
     pub given: Given<F>,
     /// Combined shear modulus `G` \[Pa\], positive.
     pub shear_modulus: F,
@@ -66,7 +66,7 @@ impl<F: Float> ProfileContact<F> {
     /// [`Error::NotFinite`], [`Error::RollingRadius`], [`Error::NormalForce`], [`Error::Modulus`],
     /// [`Error::PoissonRatio`], [`Error::Friction`], [`Error::SmoothingLength`].
     pub fn check(&self, has_radii: bool) -> Result<(), Error> {
-        let (Given::Load(given) | Given::Approach(given)) = self.given;
+        let given = self.given.value();
         let radius = if has_radii { F::one() } else { self.rolling_radius };
         let inputs = [radius, given, self.friction, self.smoothing_length];
         if !inputs.iter().all(|input| input.is_finite_number()) {
@@ -150,19 +150,6 @@ impl<F: Float> Indentation<F> {
         }
     }
 
-    /// The approach of a profile whose distances are those of the bodies in place: how far the smoothed profile reaches below zero. Zero
-    /// where no distance is negative.
-    pub(crate) fn overlap(profile: &Profile<F>, contact: &ProfileContact<F>) -> F {
-        let first = -profile.lowest;
-        if first <= F::zero() {
-            return F::zero();
-        }
-        let section = profile.section(Moving::from_base(first), contact.rolling_radius);
-        let length = contact.smoothing(section.half_width);
-        let curve = Curve::new(profile, length, first.times(REACH));
-        (first - curve.lowest.value).max(F::zero())
-    }
-
     /// Solves the contact, and hands the strips that touch to `take`.
     ///
     /// # Errors
@@ -174,7 +161,7 @@ impl<F: Float> Indentation<F> {
         mut take: impl FnMut(PatchStrip<F>) -> bool,
     ) -> Result<Self, Error> {
         contact.check(profile.has_radii())?;
-        let (Given::Load(value) | Given::Approach(value)) = contact.given;
+        let value = contact.given.value();
         if value <= F::zero() {
             return Ok(Self::none(profile));
         }
@@ -184,9 +171,12 @@ impl<F: Float> Indentation<F> {
         let given = match contact.given {
             Given::Load(_) => Given::Load(input.scale(unit)),
             Given::Approach(_) => Given::Approach(input),
+            Given::Overlap(_) => Given::Overlap(input),
         };
-        let Outline { mut cells, power, iterations, at_end } =
-            Outline::new(profile, contact, given, count)?;
+        let Some(outline) = Outline::new(profile, contact, given, count)? else {
+            return Ok(Self::none(profile));
+        };
+        let Outline { mut cells, given, power, iterations, at_end } = outline;
         let mut equations = Equations::new();
         let mut pressed = cells.press(&mut equations, given);
         for _ in 0..PASSES {
@@ -201,7 +191,7 @@ impl<F: Float> Indentation<F> {
             normal_force: load.value * modulus,
             stiffness: match given {
                 Given::Load(_) => F::one() / by_load,
-                Given::Approach(_) => by_approach * modulus,
+                _ => by_approach * modulus,
             },
             iterations,
             notice: if at_end { Notice::ProfileEnd } else { Notice::None },
@@ -238,6 +228,8 @@ impl<F: Float> Indentation<F> {
 /// Where cells lie, with their first lengths.
 struct Outline<F> {
     cells: Cells<F>,
+    /// The load or the approach.
+    given: Given<Moving<F>>,
     /// Of a correction of the lengths.
     power: Moving<F>,
     iterations: u32,
@@ -246,18 +238,18 @@ struct Outline<F> {
 }
 
 impl<F: Float> Outline<F> {
-    /// (Out of line: what leads to the cells need not be kept while they are solved.)
+    /// None where the smoothed profile does not reach the other body. (Out of line: what leads to the cells need not be kept while they are solved.)
     #[inline(never)]
     fn new(
         profile: &Profile<F>,
         contact: &ProfileContact<F>,
         given: Given<Moving<F>>,
         count: StripCount,
-    ) -> Result<Self, Error> {
+    ) -> Result<Option<Self>, Error> {
         let radius = contact.rolling_radius;
         // about the approach, and the curve that its width asks for
         let (first, mut iterations) = match given {
-            Given::Approach(approach) => (approach, 0),
+            Given::Approach(approach) | Given::Overlap(approach) => (approach, 0),
             Given::Load(load) => {
                 let load = load.times(PI);
                 // of a sphere: N = (4/3) E* √R δ^(3/2)
@@ -274,6 +266,7 @@ impl<F: Float> Outline<F> {
         // load and deflection before the normal problem
         let approach = match given {
             Given::Approach(approach) => approach,
+            Given::Overlap(overlap) => overlap - curve.lowest,
             Given::Load(load) => {
                 curve.still = true;
                 let still_radius = Moving::from_base(radius_there.value);
@@ -288,6 +281,13 @@ impl<F: Float> Outline<F> {
                 let rest = F::one() - by_curve / unit;
                 Moving { value: found.value, gradient: [by_load * rest] }
             }
+        };
+        if approach.value <= F::zero() {
+            return Ok(None);
+        }
+        let given = match given {
+            Given::Load(load) => Given::Load(load),
+            _ => Given::Approach(approach),
         };
         let estimate = Estimate::new(&curve, approach, radius_there);
         let (zones, at_end) = curve.zones(|y, height, slope| {
@@ -308,7 +308,8 @@ impl<F: Float> Outline<F> {
             let touches = approach.value.times(OVERLAP) > height.value;
             ([height, radius, first_lengths.at(height, radius)], touches)
         });
-        Ok(Self { cells, power: first_lengths.power(given), iterations, at_end })
+        let power = first_lengths.power(given);
+        Ok(Some(Self { cells, given, power, iterations, at_end }))
     }
 }
 
@@ -351,7 +352,7 @@ impl<F: Float> Lengths<F> {
                 let power = Moving::composed(power, [power], [logarithm]);
                 power.plus(1.0).inverse().times(1.6)
             }
-            Given::Approach(_) => Moving::constant(0.1),
+            _ => Moving::constant(0.1),
         };
         more.plus(2.0).inverse().times(POWER)
     }

@@ -70,6 +70,11 @@ impl<'a, F: Float> Profile<'a, F> {
         Ok(Self { y, distance, centre_x, rolling_radius, lowest, ends, middle, step })
     }
 
+    /// How far it reaches below zero: by how much the bodies overlap where distances are those of their surfaces.
+    pub(crate) fn overlap(&self) -> F {
+        (-self.lowest).max(F::zero())
+    }
+
     /// The same as a part of a longer profile. Every part of one profile is smoothed about the same places.
     pub(crate) fn part_of_longer(mut self) -> Self {
         self.middle = F::zero();

@@ -60,7 +60,7 @@ pub struct WheelContact<F> {
     pub share: F,
     /// Overlap of the undeformed, smoothed surfaces where it is deepest \[m\].
     pub approach: F,
-    /// Derivative of the load by the approach \[N/m\].
+    /// Derivative of the load by how far the surfaces are moved into each other \[N/m\].
     pub stiffness: F,
     /// Length on the rail at y = 0 of the patch \[m\].
     pub along: F,
@@ -314,14 +314,12 @@ fn press<F: Precision>(
     let profile = view.profile(window)?;
     let contact = ProfileContact {
         rolling_radius: pair.wheel_radius,
-        given: Given::Approach(F::zero()),
+        given: Given::Overlap(profile.overlap()),
         shear_modulus: pair.shear_modulus,
         poisson_ratio: pair.poisson_ratio,
         friction: pair.friction,
         smoothing_length: pair.smoothing_length,
     };
-    let given = Given::Approach(Indentation::overlap(&profile, &contact));
-    let contact = ProfileContact { given, ..contact };
     let found = Indentation::new(&profile, &contact, count, |strip| strips.push(strip))?;
     if found.notice == Notice::ProfileEnd {
         return Err(Error::ProfileEnd);

@@ -170,13 +170,18 @@ impl<F: Float> Surface<F> {
         })
     }
 
+    /// The points around a place, and the number of the first.
+    #[inline(always)]
+    fn around(&self, s: F) -> Option<(i32, [Place<F>; 2])> {
+        let k = s.whole().min(self.count.saturating_sub(2) as i32).max(0);
+        Some((k, [self.point(k as usize)?, self.point(k as usize + 1)?]))
+    }
+
     /// The curve between two points: a cubic with their directions, and its derivative; `s` in steps.
     #[inline(always)]
     pub(crate) fn at(&self, s: F) -> Option<Place<F>> {
-        let last = self.count.saturating_sub(2) as i32;
-        let k = s.whole().min(last).max(0);
-        let u = s.plus(-f64::from(k));
-        let (from, to) = (self.point(k as usize)?, self.point(k as usize + 1)?);
+        let (k, [from, to]) = self.around(s)?;
+        let (u, by_step) = (s.plus(-f64::from(k)), F::one() / self.step);
         let along = |p: F, q: F, dp: F, dq: F| {
             let (dp, dq) = (dp * self.step, dq * self.step);
             let rise = q - p;
@@ -185,11 +190,17 @@ impl<F: Float> Surface<F> {
             let square = rise - dp - cubic;
             let value = p + u * (dp + u * (square + u * cubic));
             let slope = dp + u * (square.times(2.0) + u * cubic.times(3.0));
-            (value, slope / self.step)
+            (value, slope * by_step)
         };
         let (y, cosine) = along(from.y, to.y, from.cosine, to.cosine);
         let (z, sine) = along(from.z, to.z, from.sine, to.sine);
         Some(Place { y, z, cosine, sine })
+    }
+
+    /// About the curvature times the step, between the directions of the points around a place: positive where the angle grows.
+    pub(crate) fn bend(&self, s: F) -> Option<F> {
+        let (_, [from, to]) = self.around(s)?;
+        Some(from.cosine * to.sine - from.sine * to.cosine)
     }
 }
 

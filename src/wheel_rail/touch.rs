@@ -64,6 +64,16 @@ struct GapPoint<F> {
 }
 
 impl<F: Float> Gap<F> {
+    fn get(&self, k: usize) -> Option<GapPoint<F>> {
+        Some(GapPoint {
+            along: *self.along.get(k)?,
+            distance: *self.distance.get(k)?,
+            place: [*self.x.get(k)?, *self.y.get(k)?, *self.z.get(k)?],
+            angle: *self.angle.get(k)?,
+            rolling_radius: *self.rolling_radius.get(k)?,
+        })
+    }
+
     fn set(&mut self, k: usize, point: &GapPoint<F>) {
         let [x, y, z] = point.place;
         let members = [
@@ -172,45 +182,36 @@ impl<F: Float> Under<'_, F> {
         Some((y - rail.y).squared() + (z - rail.z).squared())
     }
 
-    /// The nearest of the rail's points: of all for the first, then downhill from the last.
-    fn find(&mut self, point: [F; 2]) -> usize {
+    /// The nearest of the rail's points, and the square of its distance: of all for the first, then downhill from the last.
+    fn find(&mut self, point: [F; 2]) -> Option<(usize, F)> {
         let count = self.rail.count as usize;
-        let Some(mut k) = self.nearest else {
-            let mut best = (0, F::LARGEST);
-            for k in 0..count {
-                if let Some(away) = self.away(k, point)
-                    && away < best.1
-                {
-                    best = (k, away);
-                }
-            }
-            self.nearest = Some(best.0);
-            return best.0;
+        let mut best = match self.nearest {
+            Some(k) => (k, self.away(k, point)?),
+            None => (0..count).fold((0, F::LARGEST), |best, k| match self.away(k, point) {
+                Some(away) if away < best.1 => (k, away),
+                _ => best,
+            }),
         };
-        let mut away = self.away(k, point).unwrap_or(F::LARGEST);
         for direction in [1, -1_isize] {
-            for _ in 0..count {
-                let Some(next) = k.checked_add_signed(direction).filter(|next| *next < count)
-                else {
-                    break;
-                };
-                match self.away(next, point) {
-                    Some(nearer) if nearer < away => (k, away) = (next, nearer),
-                    _ => break,
-                }
+            let beside = |k: usize| {
+                let next = k.checked_add_signed(direction).filter(|next| *next < count)?;
+                Some((next, self.away(next, point)?))
+            };
+            while let Some(next) = beside(best.0).filter(|next| next.1 < best.1) {
+                best = next;
             }
         }
-        self.nearest = Some(k);
-        k
+        self.nearest = Some(best.0);
+        Some(best)
     }
 
     /// The rail's point under another: place along the rail \[m\], distance along its normal, and the normal's direction, into the rail.
     fn foot(&mut self, point: [F; 2], reach: F) -> Option<(F, F, [F; 2])> {
-        let k = self.find(point);
+        let (k, away) = self.find(point)?;
         let last = self.rail.count.saturating_sub(1) as i32;
         let mut s = F::constant(k as f64);
         // far away: not computed further (the point is half a step from the nearest at most)
-        if self.away(k, point)? > (reach + self.rail.step).squared() {
+        if away > (reach + self.rail.step).squared() {
             let is_end = k == 0 || k as i32 == last;
             let Place { y, z, cosine, sine } = self.rail.point(k)?;
             let [across, above] = [point[0] - y, point[1] - z].map(F::abs);
@@ -220,20 +221,28 @@ impl<F: Float> Under<'_, F> {
             return (!is_end && !is_beside).then_some((s * self.rail.step, F::LARGEST, normal));
         }
         let [y, z] = point;
-        let (mut distance, mut normal) = (F::zero(), [F::zero(), F::one()]);
+        let (last, close) = (F::constant(f64::from(last)), F::EPSILON.sqrt());
+        let mut rail = self.rail.at(s)?;
         for _ in 0..CORRECTIONS {
-            let rail = self.rail.at(s)?;
             let (e_y, e_z) = (y - rail.y, z - rail.z);
-            let size = F::one() / length(rail.cosine, rail.sine);
-            let (cosine, sine) = (rail.cosine * size, rail.sine * size);
-            distance = e_y * sine - e_z * cosine;
-            normal = [-sine, cosine];
-            // (e·t) = 0, by the secant that a circle would need
-            let ahead = (e_y * cosine + e_z * sine) * size / self.rail.step;
-            s = (s + ahead).clamped(F::zero(), F::constant(f64::from(last)));
+            let Place { cosine, sine, .. } = rail;
+            let apart = e_y * sine - e_z * cosine;
+            // e·t = 0 by Newton's step: −d(e·t)/ds = t·t + κ (e × t)
+            let step = self.rail.step;
+            let slope = (cosine.squared() + sine.squared()) * step + self.rail.bend(s)? * apart;
+            let ahead = (e_y * cosine + e_z * sine) / slope.max(step.times(0.5));
+            s = (s + ahead).clamped(F::zero(), last);
+            rail = self.rail.at(s)?;
+            // (the next step would be about as its square)
+            if ahead.abs() <= close {
+                break;
+            }
         }
-        let inside = s > F::zero() && s < F::constant(f64::from(last));
-        inside.then_some((s * self.rail.step, distance, normal))
+        let inside = s > F::zero() && s < last;
+        let size = F::one() / length(rail.cosine, rail.sine);
+        let (cosine, sine) = (rail.cosine * size, rail.sine * size);
+        let distance = (y - rail.y) * sine - (z - rail.z) * cosine;
+        inside.then_some((s * self.rail.step, distance, [-sine, cosine]))
     }
 }
 
@@ -262,8 +271,11 @@ impl<F: Float> Above<'_, F> {
         facing.then_some((line, (along, distance, normal)))
     }
 
-    fn point(&mut self, s: F) -> Option<GapPoint<F>> {
-        let (line, (along, distance, [normal_y, normal_z])) = self.look(s)?;
+    /// What has been seen as a point of the gap, where that is within reach.
+    fn point(
+        &self,
+        (line, (along, distance, [normal_y, normal_z])): (Line<F>, Foot<F>),
+    ) -> Option<GapPoint<F>> {
         let Line { place, normal: [wheel_y, wheel_z], rolling_radius, .. } = line;
         // the mean of both surfaces' angles is that of the sum of their unit normals
         let size = length(wheel_y, wheel_z);
@@ -303,50 +315,57 @@ pub fn touch<F: Float>(
     let (position, turn) = (*position, Turn::new(position));
     let under = Under { rail, nearest: None };
     let mut above = Above { wheel, wheel_radius, position, turn, reach, under };
-    // what there is
-    let is_near = |distance: Option<F>| distance.is_some_and(|distance| distance < F::of(NEAR));
-    let (mut coarse, mut near, mut faces) = (0, 0, false);
-    let mut last: Option<F> = None;
-    for k in 0..wheel.count {
-        let here = above.look(F::constant(f64::from(k))).map(|(_, (_, distance, _))| distance);
-        faces |= here.is_some();
-        coarse += usize::from(here.is_some_and(|distance| distance < reach));
-        near += usize::from(is_near(last) && is_near(here));
-        last = here;
+    let is_near = |point: &Option<GapPoint<F>>| {
+        point.as_ref().is_some_and(|point| point.distance < F::of(NEAR))
+    };
+    // those of the wheel's own points, from the last to the first, at the end of the room
+    let mut there = [false; KSTRIP_SURFACE_CAPACITY];
+    let (mut first, mut near, mut is_last_near, mut faces) =
+        (KSTRIP_SURFACE_CAPACITY, 0, false, false);
+    for (k, there) in there.iter_mut().enumerate().take(wheel.count as usize).rev() {
+        let seen = above.look(F::constant(k as f64));
+        faces |= seen.is_some();
+        let here = seen.and_then(|seen| above.point(seen));
+        if let Some(point) = &here {
+            first = first.saturating_sub(1);
+            gap.set(first, point);
+            *there = true;
+        }
+        near += usize::from(is_last_near && is_near(&here));
+        is_last_near = is_near(&here);
     }
     if !faces {
         return Err(Error::ProfileEnd);
     }
-    let room = KSTRIP_SURFACE_CAPACITY.saturating_sub(coarse) / near.max(1);
-    let parts = (room + 1).min(FINEST) as u32;
-    // points in ascending order along the rail
+    let parts = (first / near.max(1) + 1).min(FINEST);
+    // with those between them, in ascending order along the rail, from the first on: there is room before what is still to be read
     let (mut count, mut least) = (0, reach);
     let mut end: Option<F> = None;
-    let mut write = |point: GapPoint<F>| {
-        if end.is_none_or(|end| point.along > end) && count < KSTRIP_SURFACE_CAPACITY {
+    let mut write = |gap: &mut Gap<F>, point: GapPoint<F>| {
+        if end.is_none_or(|end| point.along > end) {
             gap.set(count, &point);
             count += 1;
             least = least.min(point.distance);
             end = Some(point.along);
         }
     };
-    let mut before: Option<F> = None;
-    for k in 0..wheel.count {
-        let s = F::constant(f64::from(k));
-        let here = above.point(s);
-        let distance = here.map(|point| point.distance);
-        if is_near(before) && is_near(distance) {
+    let mut is_last_near = false;
+    for (k, there) in there.iter().enumerate().take(wheel.count as usize) {
+        let here = if *there { gap.get(first) } else { None };
+        first += usize::from(*there);
+        if is_last_near && is_near(&here) {
             for part in 1..parts {
-                let share = f64::from(part) / f64::from(parts);
-                if let Some(point) = above.point(s.plus(share - 1.0)) {
-                    write(point);
+                let share = part as f64 / parts as f64;
+                let seen = above.look(F::constant(k as f64 - 1.0 + share));
+                if let Some(point) = seen.and_then(|seen| above.point(seen)) {
+                    write(gap, point);
                 }
             }
         }
+        is_last_near = is_near(&here);
         if let Some(point) = here {
-            write(point);
+            write(gap, point);
         }
-        before = distance;
     }
     gap.count = count as u32;
     gap.reserved = 0;
