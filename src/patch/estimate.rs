@@ -14,6 +14,7 @@ use crate::number::{Arithmetic, Float};
 use crate::patch::lattice::{Places, lattice};
 use crate::patch::section::Moving;
 use crate::patch::smooth::Curve;
+use heapless::Vec;
 
 /// Share of the approach: undeformed bodies that are shifted by so much overlap about where they touch.
 pub(super) const OVERLAP: f64 = 0.6;
@@ -53,23 +54,30 @@ fn arsinh<F: Float>(x: Moving<F>) -> [Moving<F>; 2] {
 }
 
 impl<F: Float> Estimate<F> {
+    /// The load alone. (Out of line, so that only this function keeps the places.)
+    #[inline(never)]
+    pub fn load(curve: &Curve<F>, approach: Moving<F>, radius: Moving<F>) -> Moving<F> {
+        Self::new(curve, approach, radius).load
+    }
+
     #[inline(never)]
     pub fn new(curve: &Curve<F>, approach: Moving<F>, radius: Moving<F>) -> Self {
         let level = approach.times(OVERLAP);
         let (zones, _) = curve.zones(|_, height, slope| [height - level, slope]);
         let breadth = (radius * approach).times(1.1).sqrt().times(BREADTH);
-        let places = lattice(&zones, COUNT, approach.times(DEEP));
         let zero = Moving::zero();
         let mut shares = [zero; SHARES];
+        let mut estimate = Self { load: zero, places: Vec::new(), shares, breadth };
+        lattice(&zones, COUNT, approach.times(DEEP), &mut estimate.places);
         let (mut work, mut load) = (zero, zero);
-        for (share, place) in shares.iter_mut().zip(&places) {
+        for (share, place) in shares.iter_mut().zip(&estimate.places) {
             let height = curve.at(place.y);
             let q = (level - height).max(zero) * place.width;
             *share = q;
             load += q;
             work += q * (approach - height);
         }
-        let mut estimate = Self { load, places, shares, breadth };
+        estimate.shares = shares;
         let energy = estimate.places.iter().zip(&shares).fold(zero, |sum, (place, share)| {
             let [deflection, _] = estimate.deflection(place.y);
             sum + *share * deflection

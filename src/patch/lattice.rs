@@ -42,9 +42,14 @@ pub(super) fn width<F: Float>(zones: &Zones<F>) -> Moving<F> {
 }
 
 /// At most `count` cells, and one more for each zone but the first. A zone less than `deep` has wider cells, so that its number of
-/// cells grows slowly from zero.
-pub(super) fn lattice<F: Float>(zones: &Zones<F>, count: usize, deep: Moving<F>) -> Places<F> {
-    let mut places: Places<F> = Vec::new();
+/// cells grows slowly from zero. (The cells are written where they stay: a copy would take room on the stack.)
+pub(super) fn lattice<F: Float>(
+    zones: &Zones<F>,
+    count: usize,
+    deep: Moving<F>,
+    places: &mut Places<F>,
+) {
+    places.clear();
     let count = F::widened(count.min(CELLS - ZONES) as f32);
     let counts = |zone: &Zone<F>| {
         // 3 x² − 2 x³
@@ -76,19 +81,19 @@ pub(super) fn lattice<F: Float>(zones: &Zones<F>, count: usize, deep: Moving<F>)
                 let leans = [zero; 2];
                 let place = Place { y, width: share * each, at: y, leans, share, cell, zone };
                 if places.push(place).is_err() {
-                    return places;
+                    return;
                 }
             }
             at = next;
         }
         begin = end;
     }
-    places
 }
 
 /// Couples the pressures of parts of cells, so that parts vanish and merge without a jump. A part `r` of a cell is coupled to its
 /// neighbour in the zone with `κ = 0.3 w (1 − r)²/r`. Two parts of one cell with a gap `g` between them, `φ = g²/(g² + w²/4)`, are
 /// coupled to each other with `0.3 w (1 − φ)/φ`, to their zones less by the factor `φ`, and meet the bodies where both together would.
+#[inline(never)]
 pub(super) fn lean<F: Float>(places: &mut Places<F>) {
     let (zero, one) = (Moving::zero(), Moving::one());
     let apart = |place: &Place<F>, next: &Place<F>| {

@@ -109,11 +109,13 @@ pub(crate) struct Cells<F> {
 
 impl<F: Float> Cells<F> {
     /// Cells at their places; `of` gives distance, rolling radius and half length of each, and whether it may touch.
-    pub(super) fn new(
+    pub(super) fn place(
+        &mut self,
         places: &Places<F>,
         of: impl Fn(Moving<F>) -> ([Moving<F>; 3], bool),
-    ) -> Self {
-        let mut list = Vec::new();
+    ) {
+        let list = &mut self.list;
+        list.clear();
         for place in places {
             let ([distance, rolling_radius, half_length], touches) = of(place.at);
             let _ = list.push(Cell {
@@ -128,7 +130,6 @@ impl<F: Float> Cells<F> {
                 leans: place.leans,
             });
         }
-        Self { list }
     }
 
     /// `N/(π E*) = Σ (π/2) a w p/(π E*)`

@@ -20,11 +20,12 @@ use crate::patch::lattice::{lattice, lean, width};
 use crate::patch::normal::{Cells, Equations, Given};
 pub use crate::patch::section::Profile;
 use crate::patch::section::{Moving, invert};
-use crate::patch::smooth::{Curve, length_for};
+use crate::patch::smooth::{Curve, Zones, length_for};
 use crate::patch::{Patch, PatchStrip};
 use crate::solve::model::Precision;
 use crate::status::{Error, Notice};
 use core::f64::consts::PI;
+use heapless::Vec;
 
 /// Share of the deflection of the estimate by which undeformed bodies are farther apart where they touch.
 const DEFLECTED: f64 = 0.73;
@@ -124,7 +125,7 @@ pub struct Indentation<F> {
 }
 
 /// Cells of the normal problem for about `count` strips.
-const fn cells(count: StripCount) -> usize {
+const fn number_of_cells(count: StripCount) -> usize {
     match count {
         StripCount::Four => 8,
         StripCount::Eight => 12,
@@ -173,16 +174,12 @@ impl<F: Float> Indentation<F> {
             Given::Approach(_) => Given::Approach(input),
             Given::Overlap(_) => Given::Overlap(input),
         };
-        let Some(outline) = Outline::new(profile, contact, given, count)? else {
+        let mut cells = Cells { list: Vec::new() };
+        let Some(outline) = Outline::new(profile, contact, given, count, &mut cells)? else {
             return Ok(Self::none(profile));
         };
-        let Outline { mut cells, given, power, iterations, at_end } = outline;
-        let mut equations = Equations::new();
-        let mut pressed = cells.press(&mut equations, given);
-        for _ in 0..PASSES {
-            cells.correct(power);
-            pressed = cells.press(&mut equations, given);
-        }
+        let Outline { given, power, iterations, at_end } = outline;
+        let pressed = solved(&mut cells, power, given);
         let load = cells.load();
         let ([by_load], [by_approach]) = (pressed.gradient, load.gradient);
         let modulus = contact.modulus().times(PI);
@@ -225,9 +222,20 @@ impl<F: Float> Indentation<F> {
     }
 }
 
-/// Where cells lie, with their first lengths.
+/// Pressures and corrected lengths of the cells; the approach. (Out of line, lest the equations take room while the outline is made.)
+#[inline(never)]
+fn solved<F: Float>(cells: &mut Cells<F>, power: Moving<F>, given: Given<Moving<F>>) -> Moving<F> {
+    let mut equations = Equations::new();
+    let mut pressed = cells.press(&mut equations, given);
+    for _ in 0..PASSES {
+        cells.correct(power);
+        pressed = cells.press(&mut equations, given);
+    }
+    pressed
+}
+
+/// What is known of the cells besides.
 struct Outline<F> {
-    cells: Cells<F>,
     /// The load or the approach.
     given: Given<Moving<F>>,
     /// Of a correction of the lengths.
@@ -238,13 +246,15 @@ struct Outline<F> {
 }
 
 impl<F: Float> Outline<F> {
-    /// None where the smoothed profile does not reach the other body. (Out of line: what leads to the cells need not be kept while they are solved.)
+    /// Where cells lie, with their first lengths. None where the smoothed profile does not reach the other body. (Out of line: what
+    /// leads to the cells need not be kept while they are solved.)
     #[inline(never)]
     fn new(
         profile: &Profile<F>,
         contact: &ProfileContact<F>,
         given: Given<Moving<F>>,
         count: StripCount,
+        cells: &mut Cells<F>,
     ) -> Result<Option<Self>, Error> {
         let radius = contact.rolling_radius;
         // about the approach, and the curve that its width asks for
@@ -270,13 +280,13 @@ impl<F: Float> Outline<F> {
             Given::Load(load) => {
                 curve.still = true;
                 let still_radius = Moving::from_base(radius_there.value);
-                let load_at = |approach| Estimate::new(&curve, approach, still_radius).load;
+                let load_at = |approach| Estimate::load(&curve, approach, still_radius);
                 let (found, steps) = invert(load, first.value, load_at).ok_or(Error::Overflow)?;
                 curve.still = false;
                 iterations += steps;
                 // f(δ, c) = N, the curve c depending on N: dδ/dN = (1 − ∂f/∂c dc/dN)/(∂f/∂δ)
                 let here = Moving::from_base(found.value);
-                let [by_curve] = Estimate::new(&curve, here, radius_there).load.gradient;
+                let [by_curve] = Estimate::load(&curve, here, radius_there).gradient;
                 let ([by_load], [unit]) = (found.gradient, load.gradient);
                 let rest = F::one() - by_curve / unit;
                 Moving { value: found.value, gradient: [by_load * rest] }
@@ -289,28 +299,40 @@ impl<F: Float> Outline<F> {
             Given::Load(load) => Given::Load(load),
             _ => Given::Approach(approach),
         };
-        let estimate = Estimate::new(&curve, approach, radius_there);
-        let (zones, at_end) = curve.zones(|y, height, slope| {
-            // (there it is positive anyway)
-            if height.value > approach.value {
-                return [height - approach.times(0.5), slope];
-            }
-            let [deflection, bend] = estimate.deflection(y);
-            let height = height - approach + deflection.times(DEFLECTED);
-            [height, slope + bend.times(DEFLECTED)]
-        });
-        let mut places = lattice(&zones, cells(count), approach.times(DEEP));
+        let (zones, at_end) = touching(&curve, approach, radius_there);
+        let mut places = Vec::new();
+        lattice(&zones, number_of_cells(count), approach.times(DEEP), &mut places);
         lean(&mut places);
         let first_lengths = Lengths::new(width(&zones), section.rolling_radius, approach);
-        let cells = Cells::new(&places, |y| {
+        cells.place(&places, |y| {
             let height = curve.at(y);
             let radius = profile.rolling_radius(y, radius);
             let touches = approach.value.times(OVERLAP) > height.value;
             ([height, radius, first_lengths.at(height, radius)], touches)
         });
         let power = first_lengths.power(given);
-        Ok(Some(Self { cells, given, power, iterations, at_end }))
+        Ok(Some(Self { given, power, iterations, at_end }))
     }
+}
+
+/// Zones where the bodies touch by the estimate, and whether one of them ends with the profile. (Out of line: the estimate need not be
+/// kept while the cells are made.)
+#[inline(never)]
+fn touching<F: Float>(
+    curve: &Curve<F>,
+    approach: Moving<F>,
+    radius: Moving<F>,
+) -> (Zones<F>, bool) {
+    let estimate = Estimate::new(curve, approach, radius);
+    curve.zones(|y, height, slope| {
+        // (there it is positive anyway)
+        if height.value > approach.value {
+            return [height - approach.times(0.5), slope];
+        }
+        let [deflection, bend] = estimate.deflection(y);
+        let height = height - approach + deflection.times(DEFLECTED);
+        [height, slope + bend.times(DEFLECTED)]
+    })
 }
 
 /// First half lengths: those of an ellipse at whose rim the undeformed bodies are `λ δ` apart when they approach by `δ`.
