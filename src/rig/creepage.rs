@@ -205,8 +205,8 @@ impl<'a, F: Precision> Aim<'a, F> {
         let direction = self.target.map(|part| part / size);
         let mut best: Option<Place<F>> = None;
         let mut reach = F::one();
-        for (limit, larger) in STARTS {
-            let start = direction.map(|part| part * reach.times(larger));
+        for (limit, larger) in STARTS.map(|(limit, larger)| (limit, F::constant(larger))) {
+            let start = direction.map(|part| part * (reach * larger));
             let Ok(start) = self.place(start) else { break };
             let found = self.follow(start, limit);
             if best.is_none() {

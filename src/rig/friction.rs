@@ -16,9 +16,11 @@ const STICKING: f64 = 20.0;
 const RANGE: f64 = 1e4;
 /// What adhesion needs is at most so many times the used friction, else all that can be told lies in full sliding.
 const SLIDING: f64 = 1e5;
-/// Steps of the way up from the used friction at most, and their share of `x`.
+/// Steps of the way up from the used friction at most, ratios that tell how far in sliding the contact is, and growth of `x` in a step:
+/// above all of them, and below one, two and three.
 const WALK: usize = 46;
-const SHARE: f64 = 0.1;
+const LIMITS: [f64; 3] = [0.1, 1.0 / 30.0, 0.01];
+const GROWTH: [f64; 4] = [1.0 + 0.1, 1.0 + 0.1 * 2.0, 1.0 + 0.1 * 4.0, 1.0 + 0.1 * 6.0];
 /// Solutions up to which intervals are divided, and at most, one for the answer included.
 const DIVIDED: usize = 64;
 const MOST: usize = 90;
@@ -254,10 +256,9 @@ impl<'a, F: Precision> Rig<'a, F> {
             }
             // Far in sliding the force is friction times a direction, nearly.
             let ratio = last.ratio();
-            let slides =
-                [0.1, 1.0 / 30.0, 0.01].into_iter().filter(|limit| ratio < F::constant(*limit));
-            let share = SHARE * [1.0, 2.0, 4.0, 6.0].get(slides.count()).copied().unwrap_or(1.0);
-            let mut x = last.x * F::constant(1.0 + share);
+            let slides = LIMITS.map(F::constant).into_iter().filter(|limit| ratio < *limit);
+            let growth = GROWTH.map(F::constant);
+            let mut x = last.x * growth.get(slides.count()).copied().unwrap_or(one);
             if !jumps {
                 let reach = ratio + last.value.abs().times(1.0 / STEEPEST);
                 x = x.max(reach / (one + reach));
