@@ -176,9 +176,10 @@ pub(crate) fn sine_cosine<F: Float>(angle: F) -> (F, F) {
     let square = x * x;
     let (mut sine, mut cosine) = (F::zero(), F::zero());
     for k in (1..=9_i32).rev() {
-        let [odd, even] = [(2 * k) * (2 * k + 1), (2 * k) * (2 * k - 1)];
-        sine = square.times(-1.0 / f64::from(odd)) * sine.plus(1.0);
-        cosine = square.times(-1.0 / f64::from(even)) * cosine.plus(1.0);
+        let [odd, even] = [(2 * k) * (2 * k + 1), (2 * k) * (2 * k - 1)]
+            .map(|product| -F::one() / F::widened(product as f32));
+        sine = square * odd * sine.plus(1.0);
+        cosine = square * even * cosine.plus(1.0);
     }
     let (sine, cosine) = (x * sine.plus(1.0), cosine.plus(1.0));
     ((sine * cosine).times(2.0), F::one() - (sine * sine).times(2.0))

@@ -89,13 +89,13 @@ impl<F: Float> Surface<F> {
         let cells = 4 * KSTRIP_SURFACE_CAPACITY as i32;
         let (mut smooth, mut last) = (F::zero(), raw.at(F::zero()));
         for k in 1..=cells {
-            let place = raw.at(length.times(f64::from(k) / f64::from(cells)));
+            let place = raw.at(length * (F::widened(k as f32) / F::widened(cells as f32)));
             smooth += distance(last, place);
             last = place;
         }
         let intervals =
             (smooth / wanted).plus(0.5).whole().clamp(3, KSTRIP_SURFACE_CAPACITY as i32 - 1);
-        let step = smooth.times(1.0 / f64::from(intervals));
+        let step = smooth * (F::one() / F::widened(intervals as f32));
         // equal steps of the smooth curve, at its own speed
         raw.begin();
         let reversed = y.last() < y.first();
@@ -181,7 +181,7 @@ impl<F: Float> Surface<F> {
     #[inline(always)]
     pub(crate) fn at(&self, s: F) -> Option<Place<F>> {
         let (k, [from, to]) = self.around(s)?;
-        let (u, by_step) = (s.plus(-f64::from(k)), F::one() / self.step);
+        let (u, by_step) = (s - F::widened(k as f32), F::one() / self.step);
         let along = |p: F, q: F, dp: F, dq: F| {
             let (dp, dq) = (dp * self.step, dq * self.step);
             let rise = q - p;

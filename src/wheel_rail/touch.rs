@@ -209,7 +209,7 @@ impl<F: Float> Under<'_, F> {
     fn foot(&mut self, point: [F; 2], reach: F) -> Option<(F, F, [F; 2])> {
         let (k, away) = self.find(point)?;
         let last = self.rail.count.saturating_sub(1) as i32;
-        let mut s = F::constant(k as f64);
+        let mut s = F::widened(k as f32);
         // far away: not computed further (the point is half a step from the nearest at most)
         if away > (reach + self.rail.step).squared() {
             let is_end = k == 0 || k as i32 == last;
@@ -221,7 +221,7 @@ impl<F: Float> Under<'_, F> {
             return (!is_end && !is_beside).then_some((s * self.rail.step, F::LARGEST, normal));
         }
         let [y, z] = point;
-        let (last, close) = (F::constant(f64::from(last)), F::EPSILON.sqrt());
+        let (last, close) = (F::widened(last as f32), F::EPSILON.sqrt());
         let mut rail = self.rail.at(s)?;
         for _ in 0..CORRECTIONS {
             let (e_y, e_z) = (y - rail.y, z - rail.z);
@@ -323,7 +323,7 @@ pub fn touch<F: Float>(
     let (mut first, mut near, mut is_last_near, mut faces) =
         (KSTRIP_SURFACE_CAPACITY, 0, false, false);
     for (k, there) in there.iter_mut().enumerate().take(wheel.count as usize).rev() {
-        let seen = above.look(F::constant(k as f64));
+        let seen = above.look(F::widened(k as f32));
         faces |= seen.is_some();
         let here = seen.and_then(|seen| above.point(seen));
         if let Some(point) = &here {
@@ -355,8 +355,8 @@ pub fn touch<F: Float>(
         first += usize::from(*there);
         if is_last_near && is_near(&here) {
             for part in 1..parts {
-                let share = part as f64 / parts as f64;
-                let seen = above.look(F::constant(k as f64 - 1.0 + share));
+                let share = F::widened(part as f32) / F::widened(parts as f32);
+                let seen = above.look(F::widened(k as f32) + (share - F::one()));
                 if let Some(point) = seen.and_then(|seen| above.point(seen)) {
                     write(gap, point);
                 }
