@@ -1,17 +1,17 @@
-//! Zones of contact in a gap: how they are pressed, where their pressure points, and what they see of the wheel's motion.
+//! Zones of contact in a gap: their patches, the direction of their pressure, and their motion as the wheel moves.
 //!
-//! **Zones** are where the undeformed surfaces overlap. Those less than 4 mm apart are one contact, as in CONTACT, and one normal problem;
-//! contacts more than 8 mm apart know nothing of each other. Between, forces go over from the one to the other: with the
-//! nearness `w`, 1 at 4 mm and 0 at 8 mm, the contact of both zones counts by a share of `w` and each by itself by `1 − w`.
+//! **Zones** are where the undeformed surfaces overlap. Zones less than 4 mm apart are one contact, as in CONTACT, and one normal problem.
+//! Contacts more than 8 mm apart do not depend on each other. Between these distances the nearness `w` falls from 1 at 4 mm to 0 at 8 mm: the
+//! contact of both zones counts by a share of `w`, and each zone by itself by `1 − w`.
 //!
 //! **Each strip has a direction of its own**: at angle `a` the tangent `t = (0, cos a, sin a)` and the normal into the rail
-//! `n = (0, −sin a, cos a)`; its point `p` is on the wheel's undeformed surface. Of the wheel's velocity `v` and rates `ω` it sees
+//! `n = (0, −sin a, cos a)`; its point `p` is on the wheel's undeformed surface. With the wheel's velocity `v` and rates `ω`
 //!
 //! ```text
 //! slip_x = (v + ω×p)·e_x,   slip_y = (v + ω×p)·t,   spin rate = ω·n;   V = (v_x − (ω×p)_x)/2
 //! ```
 //!
-//! and the patch the mean of these, weighted with the strips' loads `N`, referred to its origin. The pressure is `Σ N n`.
+//! The patch has the mean of these, weighted with the strips' loads `N` and referred to its origin. The force of the pressure is `Σ N n`.
 
 use super::touch::{Gap, Turn};
 use super::{
@@ -28,15 +28,15 @@ use crate::status::{Error, Notice};
 use core::ops::Range;
 use heapless::Vec;
 
-/// Free length between zones up to which they are one contact \[m\], and from which they know nothing of each other.
+/// Free length between zones up to which they are one contact \[m\], and from which they do not depend on each other.
 const ONE_CONTACT: f64 = 4e-3;
 const APART: f64 = 8e-3;
-/// Contacts that lie apart, at most; with those that stand for two or three of them there is room for more.
+/// Largest number of contacts that lie apart. With those that stand for two or three of them there may be more.
 const APART_AT_MOST: usize = 4;
-/// Distance of the surfaces up to which a contact looks around, over its depth, and at least \[m\].
+/// Distance of the surfaces up to which points belong to the profile of a contact: over its depth, and at least \[m\].
 const SEES: f64 = 4.0;
 const SEES_LEAST: f64 = 1e-4;
-/// Angles of a gap are smaller \[rad\].
+/// Upper bound of the angles of a gap \[rad\].
 const STEEPEST: f64 = 1.6;
 /// Turn of the normal over a contact \[rad\] from which one plane is not enough.
 const FLAT: f64 = 30.0 * core::f64::consts::PI / 180.0;
@@ -85,7 +85,7 @@ impl<F: Precision> WheelContact<F> {
         [self.slip_x, self.slip_y, self.spin_rate]
     }
 
-    /// How the wheel moves over the rail at the contact.
+    /// The motion of the wheel over the rail at the contact.
     pub fn motion(&self, velocity: &[F; 6]) -> Motion<F> {
         let [slip_x, slip_y, spin_rate] = self.rows().map(|row| dot(&row, velocity));
         let rolling_speed = dot(&self.rolling_speed, velocity);
@@ -110,7 +110,7 @@ impl<F: Precision> WheelContact<F> {
         rows.chain(numbers).all(F::is_finite_number)
     }
 
-    /// Whether its normal turns by more than one plane can follow.
+    /// Whether the normal turns by too much for one plane of contact.
     pub(crate) fn is_conformal(&self) -> bool {
         self.angle_range > F::of(FLAT)
     }
@@ -128,7 +128,7 @@ struct Means<F> {
     angle: F,
 }
 
-/// What a strip is, seen from the wheel.
+/// The place of a strip on the wheel and its direction.
 #[derive(Clone, Copy)]
 struct Seen<F> {
     place: [F; 3],
@@ -170,7 +170,7 @@ fn add<F: Float, const N: usize>(sums: &mut [F; N], weight: F, terms: [F; N]) {
     }
 }
 
-/// A row for velocities in the track's axes as one for the members of [`Velocity`](super::Velocity), of a left wheel its own.
+/// Turns a row for velocities in the track's axes into one for the members of [`Velocity`](super::Velocity), for a left wheel its own.
 fn in_members<F: Float>([x, y, z, a, b, c]: [F; 6], turn: Turn<F>, left: bool) -> [F; 6] {
     let [roll, pitch, yaw] = turn.to_wheelset([a, b, c]);
     if left { [x, -y, z, -roll, pitch, -yaw] } else { [x, y, z, roll, pitch, yaw] }
@@ -216,7 +216,7 @@ impl<'a, F: Precision> View<'a, F> {
             .with_rolling_radius(part(&self.gap.rolling_radius))
     }
 
-    /// The number of the point that a place comes before, not the first, and how far it is on the way there.
+    /// The number of the first point behind a place, at least 1, and the share of the way from the point before it.
     fn between(&self, along: F) -> (usize, F) {
         let last = self.along.len().saturating_sub(1);
         let next = self.along.partition_point(|place| *place < along).min(last).max(1);
@@ -273,7 +273,7 @@ impl<'a, F: Precision> View<'a, F> {
         Ok(())
     }
 
-    /// The points around a contact: to the crest between it and its neighbours, and as far as distances are small.
+    /// The points around a contact, up to the crests between it and its neighbours, and as far as distances are small.
     fn window(&self, own: &Range<usize>, before: usize, after: usize) -> Range<usize> {
         let at = |k: usize| self.distance.get(k).copied().unwrap_or(F::zero());
         let depth = own.clone().fold(F::zero(), |depth, k| depth.max(-at(k)));
@@ -295,7 +295,7 @@ impl<'a, F: Precision> View<'a, F> {
     }
 }
 
-/// By how much contacts are one over a free length: wholly up to 4 mm, not at all from 8 mm on, smooth between.
+/// Nearness of two contacts over the free length between them: 1 up to 4 mm, 0 from 8 mm on, smooth between.
 fn nearness<F: Float>(free: F) -> F {
     let t =
         (free.plus(-ONE_CONTACT).times(1.0 / (APART - ONE_CONTACT))).clamped(F::zero(), F::one());
@@ -351,7 +351,7 @@ impl<F: Precision> Groups<F> {
         Ok(groups)
     }
 
-    /// By how much the contacts from one to another count as one.
+    /// Share by which the contacts from one to another count as one contact.
     fn share(&self, first: usize, last: usize) -> F {
         let near = |k: usize| self.near.get(k).copied().unwrap_or(F::zero());
         let inside = (first..last).fold(F::one(), |product, k| product * near(k));
@@ -360,18 +360,18 @@ impl<F: Precision> Groups<F> {
     }
 }
 
-/// What [`from_gap`] has found.
+/// The result of [`from_gap`].
 #[derive(Clone, Copy, Debug)]
 pub struct Found {
     /// Contacts that were written.
     pub written: usize,
     /// Contacts more than 4 mm apart.
     pub apart: u32,
-    /// What should be known.
+    /// The warning, if there is one.
     pub notice: Notice,
 }
 
-/// The contacts of a gap, in ascending y; none: the wheel is lifted. `strips` is memory that each is pressed in.
+/// The contacts of a gap, in ascending y; none where the wheel is lifted. `strips` is memory for the normal problem of each.
 ///
 /// # Errors
 /// [`Error::Profile`] for a gap that does not ascend, or an angle beyond 1.6; [`Error::PatchSize`] for more than four contacts apart, or more than
@@ -421,7 +421,7 @@ pub fn from_gap<F: Precision>(
 }
 
 impl<F: Precision> WheelContact<F> {
-    /// From the strips of a patch along the rail; the position is that of a right wheel.
+    /// Fills the contact from the strips of a patch along the rail; the position is that of a right wheel.
     fn fill(
         &mut self,
         view: &View<F>,

@@ -1,15 +1,15 @@
-//! A profile at equal steps of its length, with its direction: cubic between the points, so that distances have continuous slopes.
+//! A profile at equal steps of its length, with its direction. It is cubic between the points, so that distances have continuous slopes.
 
 use super::KSTRIP_SURFACE_CAPACITY;
 use crate::number::Float;
 use crate::status::Error;
 
-/// Step where none is given: the length over the capacity, at least this \[m\].
+/// Least default of the step \[m\]; the default is the length over the capacity.
 const LEAST_STEP: f64 = 0.2e-3;
-/// Lengths of a profile that there are \[m\].
+/// Shortest and longest profile \[m\].
 const SHORTEST: f64 = 1e-6;
 const LONGEST: f64 = 1e3;
-/// Points nearer to the last one than this share of the step add rounding only.
+/// Points that are nearer to the last one than this share of the step are passed over, because they add only rounding.
 const CROWDED: f64 = 0.02;
 
 /// A profile, prepared by kstrip_prepare_profile(): points at equal steps of its length, toward larger y, and its direction.
@@ -43,9 +43,9 @@ pub(crate) struct Place<F> {
 }
 
 impl<F: Float> Surface<F> {
-    /// Fills the surface. Points may turn back (a flange that was measured), run either way along y, and lie at any distances;
-    /// only the order counts. Smoothing replaces every point by the parabola through its surroundings, points weighted with
-    /// `(1 − (d/s)²)³` and their spacing up to the smoothing length `s` away: straight lines and parabolas stay.
+    /// Fills the surface. Points may turn back (those of a measured flange do), run either way along y, and lie at any distances;
+    /// only their order counts. Smoothing replaces every point by that of the parabola through the points up to the smoothing length `s` away,
+    /// weighted with `(1 − (d/s)²)³` and with their spacing. Straight lines and parabolas are not changed.
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::Profile`] for fewer than four points, two that coincide, or a negative step;
@@ -177,7 +177,7 @@ impl<F: Float> Surface<F> {
         Some((k, [self.point(k as usize)?, self.point(k as usize + 1)?]))
     }
 
-    /// The curve between two points: a cubic with their directions, and its derivative; `s` in steps.
+    /// The curve between two points and its derivative, a cubic with the directions of both; `s` in steps.
     #[inline(always)]
     pub(crate) fn at(&self, s: F) -> Option<Place<F>> {
         let (k, [from, to]) = self.around(s)?;

@@ -1,4 +1,4 @@
-//! What lies between wheel and rail: the line on the wheel where its normal is across `x`, and its distance from the rail.
+//! The gap between wheel and rail: the line on the wheel where its normal is perpendicular to `x`, and the distance of this line from the rail.
 //!
 //! A wheel of radius `r(y)` that yaws touches ahead of its lowest line where it is steep. In the wheel's axes, `θ` about the axle
 //! from below, `α` the angle of its profile and `R` the turn by roll and yaw,
@@ -7,25 +7,25 @@
 //! p = R (r sin θ, y, r cos θ),   n = R (cos α sin θ, −sin α, cos α cos θ),   n_x = 0:  sin θ = tan α R₀₁/R₀₀ = −tan α tan yaw
 //! ```
 //!
-//! The distance of `p` is along the rail's normal, from the rail's point under it; no plane of contact needs to be chosen, and a flange
-//! at 70 degrees is as good as a tread.
+//! The distance of `p` is measured along the rail's normal, from the rail's point under `p`. No plane of contact needs to be chosen, and a
+//! flange at 70 degrees is treated like a tread.
 
 use super::surface::{Place, Surface};
 use super::{KSTRIP_SURFACE_CAPACITY, Position, sine_cosine};
 use crate::number::{Float, length};
 use crate::status::Error;
 
-/// Distance below which points are added \[m\], and how many there are for one of the wheel's at most.
+/// Distance below which points are added \[m\], and the largest number of points for one of the wheel's.
 const NEAR: f64 = 0.3e-3;
 const FINEST: usize = 4;
-/// How far apart surfaces may be where nothing is said \[m\].
+/// Default of the distance above which points are left out \[m\].
 const REACH: f64 = 2e-3;
-/// Cosine of the profile's angle, and sine of θ, beyond which no wheel touches.
+/// Least cosine of the profile's angle, and largest sine of θ, at which a wheel can touch.
 const STEEPEST: f64 = 0.06;
 const FARTHEST: f64 = 0.9;
-/// Cosine of the angle between the surfaces where they face each other.
+/// Least cosine of the angle between two surfaces that face each other.
 const FACING: f64 = 0.5;
-/// Corrections of the rail's point under the wheel's: each doubles its digits.
+/// Number of corrections of the rail's point under the wheel's. Each doubles the number of correct digits.
 const CORRECTIONS: u32 = 4;
 
 /// What lies between a wheel and a rail, point by point along the rail: what a host with its own search of contact must give. The first
@@ -93,7 +93,7 @@ impl<F: Float> Gap<F> {
     }
 }
 
-/// How a wheel stands: sines and cosines of its roll and yaw.
+/// Sines and cosines of the roll and the yaw of a wheel.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turn<F> {
     roll: (F, F),
@@ -105,7 +105,7 @@ impl<F: Float> Turn<F> {
         Self { roll: sine_cosine(position.roll), yaw: sine_cosine(position.yaw) }
     }
 
-    /// From the wheelset's axes to the track's: yaw, then roll.
+    /// Turns a vector from the wheelset's axes to the track's: by yaw, then by roll.
     pub fn to_track(self, [x, y, z]: [F; 3]) -> [F; 3] {
         let ((sin_roll, cos_roll), (sin_yaw, cos_yaw)) = (self.roll, self.yaw);
         let across = sin_yaw * x + cos_yaw * y;
@@ -116,7 +116,7 @@ impl<F: Float> Turn<F> {
         ]
     }
 
-    /// From the track's axes to the wheelset's.
+    /// Turns a vector from the track's axes to the wheelset's.
     pub fn to_wheelset(self, [x, y, z]: [F; 3]) -> [F; 3] {
         let ((sin_roll, cos_roll), (sin_yaw, cos_yaw)) = (self.roll, self.yaw);
         let across = cos_roll * y + sin_roll * z;
@@ -130,9 +130,9 @@ impl<F: Float> Turn<F> {
 
 /// A point of the wheel's line of contact.
 struct Line<F> {
-    /// From the wheel's centre, axes of the track.
+    /// Place from the wheel's centre, axes of the track \[m\].
     place: [F; 3],
-    /// How far it is below where it would be one wheel radius under the centre.
+    /// Depth below the place one wheel radius under the centre \[m\].
     below: F,
     /// Normal in the plane of y and z, out of the wheel.
     normal: [F; 2],
@@ -156,7 +156,7 @@ fn line_of_contact<F: Float>(point: Place<F>, wheel_radius: F, turn: Turn<F>) ->
     let radius = wheel_radius + z;
     let place = turn.to_track([radius * sin, y, radius * cos]);
     let [_, normal_y, normal_z] = turn.to_track([cosine * sin, -sine, cosine * cos]);
-    // p_z − radius, where nothing large is subtracted: cos roll cos θ − 1 = −sin² roll/(1 + cos roll) cos θ − sin² θ/(1 + cos θ)
+    // p_z − radius, without a difference of large numbers: cos roll cos θ − 1 = −sin² roll/(1 + cos roll) cos θ − sin² θ/(1 + cos θ)
     let less = (sin_roll * sin_roll) / cos_roll.plus(1.0) * cos + (sin * sin) / cos.plus(1.0);
     let across = sin_yaw * (radius * sin) + cos_yaw * y;
     let below = sin_roll * across + z * cos_roll * cos - wheel_radius * less;
@@ -169,7 +169,7 @@ fn line_of_contact<F: Float>(point: Place<F>, wheel_radius: F, turn: Turn<F>) ->
     })
 }
 
-/// Where on a rail the point under another is.
+/// Search for the point of a rail under another point.
 struct Under<'a, F> {
     rail: &'a Surface<F>,
     /// The nearest of its points, where the search for the next one begins.
@@ -210,7 +210,7 @@ impl<F: Float> Under<'_, F> {
         let (k, away) = self.find(point)?;
         let last = self.rail.count.saturating_sub(1) as i32;
         let mut s = F::widened(k as f32);
-        // far away: not computed further (the point is half a step from the nearest at most)
+        // far away: no correction (the point is at most half a step from the nearest)
         if away > (reach + self.rail.step).squared() {
             let is_end = k == 0 || k as i32 == last;
             let Place { y, z, cosine, sine } = self.rail.point(k)?;
@@ -233,7 +233,7 @@ impl<F: Float> Under<'_, F> {
             let ahead = (e_y * cosine + e_z * sine) / slope.max(step.times(0.5));
             s = (s + ahead).clamped(F::zero(), last);
             rail = self.rail.at(s)?;
-            // (the next step would be about as its square)
+            // (the next step would be about the square of this one)
             if ahead.abs() <= close {
                 break;
             }
@@ -246,7 +246,7 @@ impl<F: Float> Under<'_, F> {
     }
 }
 
-/// Where a point finds the rail: place along it \[m\], distance \[m\], normal.
+/// The rail's point under another: place along the rail \[m\], distance \[m\], normal.
 type Foot<F> = (F, F, [F; 2]);
 
 /// A wheel over a rail.
@@ -260,7 +260,7 @@ struct Above<'a, F> {
 }
 
 impl<F: Float> Above<'_, F> {
-    /// The wheel's line of contact at a place of its profile, counted in steps, and what it finds on the rail: place, distance, normal.
+    /// The wheel's line of contact at a place of its profile, counted in steps, and the rail's point under it.
     fn look(&mut self, s: F) -> Option<(Line<F>, Foot<F>)> {
         let line = line_of_contact(self.wheel.at(s)?, self.wheel_radius, self.turn)?;
         let [_, y, _] = line.place;
@@ -271,7 +271,7 @@ impl<F: Float> Above<'_, F> {
         facing.then_some((line, (along, distance, normal)))
     }
 
-    /// What has been seen as a point of the gap, where that is within reach.
+    /// The result of a look as a point of the gap, where the point is within reach.
     fn point(
         &self,
         (line, (along, distance, [normal_y, normal_z])): (Line<F>, Foot<F>),
@@ -288,12 +288,12 @@ impl<F: Float> Above<'_, F> {
 }
 
 /// The gap between a right wheel and a rail. Only points nearer to the rail than `reach` are written; zero: 2 mm. Where surfaces are
-/// nearer than 0.3 mm there are up to four points for one of the wheel's profile: a flange touches on one millimetre. Tells the
-/// smallest distance of the points, `reach` where all are farther.
+/// nearer than 0.3 mm there are up to four points for one of the wheel's profile, because the contact of a flange is one millimetre wide.
+/// Returns the smallest distance of the points, or `reach` where all are farther.
 ///
 /// # Errors
 /// [`Error::NotPrepared`], [`Error::NotFinite`], [`Error::RollingRadius`]; [`Error::ProfileEnd`] when no point of the wheel is above the
-/// rail. Nothing has been written then.
+/// rail; nothing has been written then.
 pub fn touch<F: Float>(
     rail: &Surface<F>,
     wheel: &Surface<F>,
