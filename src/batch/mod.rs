@@ -6,6 +6,8 @@ pub(crate) mod side_by_side;
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::friction::{self, FrictionSolution, SlipFriction};
+#[cfg(target_arch = "x86_64")]
+use crate::number::registers::HAS_WIDE_CODE;
 use crate::solve::model;
 use crate::solve::options::{Options, Precision, Solution};
 use crate::solve::through_friction::{self, Differentiated, differentiate};
@@ -47,7 +49,7 @@ pub fn solve_batch<F: Precision>(
         return solve(0..1, options, &get, &mut put);
     }
     #[cfg(target_arch = "x86_64")]
-    if let Some(solved) = side_by_side::solve(count, options, &get, &mut put) {
+    if HAS_WIDE_CODE && let Some(solved) = side_by_side::solve(count, options, &get, &mut put) {
         return solved;
     }
     check(0..count, options, &get)?;
@@ -141,7 +143,9 @@ pub(crate) fn differentiate_batch<F: Precision>(
             through_friction::check(&contact, &creepage, law.as_ref(), options)
         })?;
         #[cfg(target_arch = "x86_64")]
-        if let Some(solved) = side_by_side::differentiate(count, options, &get, &mut put) {
+        if HAS_WIDE_CODE
+            && let Some(solved) = side_by_side::differentiate(count, options, &get, &mut put)
+        {
             return solved;
         }
     }

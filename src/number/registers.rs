@@ -153,6 +153,10 @@ impl<T: InRegisters, const M: usize, A: Alignment> InRegisters for Lanes<T, M, A
     }
 }
 
+/// Whether whole functions are compiled for wide registers too. Debug builds have only those for narrow ones, with the same bits: both would
+/// take three times as long to compile. Release builds prove what holds for wide registers.
+pub(crate) const HAS_WIDE_CODE: bool = cfg!(all(target_arch = "x86_64", not(debug_assertions)));
+
 /// Whether there are registers of 256 bits.
 #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
 #[inline(always)]
@@ -184,7 +188,7 @@ macro_rules! compiled_twice {
         #[allow(unused_mut)]
         let mut code: unsafe fn($($type),*) -> $result = narrow;
         #[cfg(target_arch = "x86_64")]
-        if $crate::number::registers::are_wide() {
+        if $crate::number::registers::HAS_WIDE_CODE && $crate::number::registers::are_wide() {
             code = wide;
         }
         // SAFETY: the processor was asked.
