@@ -15,7 +15,7 @@ row() {
 
 say
 say "Compiler: $compiler. $(arm-none-eabi-gcc --version | head -n 1). $(qemu-system-arm --version | head -n 1)."
-if commit=$(git rev-parse --short HEAD 2>/dev/null); then
+if commit=$(git log -1 --format=%h -- src 2>/dev/null); then
     say "Library sources at $commit$(git diff --quiet HEAD -- src || say ' with changes')."
 fi
 say
@@ -43,6 +43,7 @@ for m in STRIP_1967.16 STRIP.16 TOTAL LINEAR; do
 done
 row "deepest painted stack of any call [bytes]" "$(awk '!/^#/ && $5 > m { m = $5 } END { print m }' "$out/budget.txt")" 2048
 row "deepest possible stack of any call [bytes]" "$(awk '$1 > m { m = $1 } END { print m }' "$out/stack.txt")" 2048
+row "deepest possible stack of \`kstrip_wheel_on_rail_f32\` [bytes]" "$(awk '$2 == "kstrip_wheel_on_rail_f32" { print $1 }' "$out/stack.txt")" 12288
 row "flash, only \`kstrip_solve_total_f32\` [bytes]" "$(size total 2)" 11264
 row "flash, only \`kstrip_solve_strip_1967_f32\` [bytes]" "$(size strip_1967 2)" 8192
 row "flash, everything f32 [bytes]" "$(size all 2)" 131072
@@ -65,13 +66,15 @@ say "The deepest path through the calls of each function, from the disassembly (
 say
 say "| function | bytes | budget 2048 |"
 say "|---|---:|---|"
-awk '{ printf "| `%s` | %d%s | %s |\n", $2, $1, $3 == "" ? "" : " ?", $1 <= 2048 ? "kept" : "missed" }' "$out/stack.txt"
+awk '$1 >= 600 { printf "| `%s` | %d%s | %s |\n", $2, $1, $3 == "" ? "" : " ?", $1 <= 2048 ? "kept" : "missed" }
+    $1 < 600 { most = most > $1 ? most : $1; ++others }
+    END { printf "\nThe other %d functions need at most %d bytes.\n", others, most }' "$out/stack.txt"
 say
 say "### What one function brings along"
 say
 say "From the link maps of programs that call one function; functions of 400 bytes and more."
 say
-for set in total strip_1967 linear; do
+for set in total strip_1967; do
     say "\`kstrip_solve_${set}_f32\`, $(size $set 2) bytes:"
     say
     say '```text'

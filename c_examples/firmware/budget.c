@@ -1,8 +1,8 @@
 /* Instructions and stack of the single-precision calls, over the inputs of cases.h.
  *
- * Under `qemu-system-arm -icount shift=7` one instruction takes 2^7 ns of simulated time, and SysTick
- * counts 25 MHz: 3.2 ticks for an instruction, the same in every run. These are instructions, not cycles:
- * cycles need the real chip, where the same program with the core's own clock gives them.
+ * Under `qemu-system-arm -icount shift=7` one instruction takes 2^7 ns of simulated time, and the board's
+ * timer counts 25 MHz: 3.2 ticks for an instruction, the same in every run. These are instructions, not
+ * cycles: cycles need the real chip, where the same program with the core's own clock gives them.
  *
  * One line per call: name, fewest, median and most instructions, bytes of stack, most instructions of the
  * cases without a warning (inside the model's range), the case that took most, cases refused.
@@ -10,6 +10,7 @@
 #include <inttypes.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "kstrip_f32.h"
 #include "cases.h"
@@ -22,9 +23,13 @@
 #define TRACED 0
 #endif
 
-#define SYST_CSR (*(volatile uint32_t *)0xE000E010u)
-#define SYST_RVR (*(volatile uint32_t *)0xE000E014u)
-#define SYST_CVR (*(volatile uint32_t *)0xE000E018u)
+/* Cases of a call that takes millions of instructions. */
+#define FEW (TRACED ? 3u : CASES / 50u)
+
+/* The first timer of the board: 32 bits, downward. */
+#define TIMER_CTRL (*(volatile uint32_t *)0x40000000u)
+#define TIMER_VALUE (*(volatile uint32_t *)0x40000004u)
+#define TIMER_RELOAD (*(volatile uint32_t *)0x40000008u)
 
 /* What is measured: every call with the same arguments. */
 typedef kstrip_status (*call)(const kstrip_contact_f32 *, const kstrip_creepage_f32 *);
@@ -54,8 +59,6 @@ static kstrip_status nothing(const kstrip_contact_f32 *c, const kstrip_creepage_
         return kstrip_evaluate_f32(c, k, NULL, &options, &outputs);                                 \
     }
 
-SOLVE(strip_1967_4, KSTRIP_MODEL_STRIP_1967, 4)
-SOLVE(strip_1967_8, KSTRIP_MODEL_STRIP_1967, 8)
 SOLVE(strip_1967_16, KSTRIP_MODEL_STRIP_1967, 16)
 SOLVE(strip_4, KSTRIP_MODEL_STRIP, 4)
 SOLVE(strip_8, KSTRIP_MODEL_STRIP, 8)
@@ -154,23 +157,133 @@ static kstrip_status strips_16(const kstrip_contact_f32 *c, const kstrip_creepag
     return strips_of(c, k, KSTRIP_MODEL_STRIP);
 }
 
-/* SysTick's ticks during one call, those of an empty call included. */
+/* A wheel on a rail: a head of 300 mm radius with a gauge corner, a cone of 1:20 with a flange. */
+#define POINTS 300
+static float rail_y[POINTS], rail_z[POINTS], wheel_y[POINTS], wheel_z[POINTS];
+static kstrip_surface_f32 rail, wheel;
+static kstrip_wheel_workspace_f32 workspace;
+static kstrip_wheel_position_f32 position;
+static kstrip_wheel_velocity_f32 velocity;
+static kstrip_wrench_f32 wrench;
+static kstrip_wrench_derivatives_f32 wrench_slopes;
+static kstrip_wrench_by_position_f32 wrench_by_position;
+static const kstrip_wheel_pair_f32 wheel_pair = {.wheel_radius = 0.46f, .shear_modulus = 82e9f, .poisson_ratio = 0.28f,
+                                                 .friction = 0.3f};
+
+static void profiles(void)
+{
+    uint32_t i;
+    for (i = 0; i < POINTS; ++i) {
+        const float y = -38e-3f + 76e-3f * ((float)i / (POINTS - 1)), corner = y + 27e-3f;
+        const float w = -55e-3f + 100e-3f * ((float)i / (POINTS - 1)), root = w + 32e-3f;
+        rail_y[i] = y;
+        rail_z[i] = y * y / 0.6f + (corner < 0.0f ? corner * corner / 8e-3f : 0.0f);
+        wheel_y[i] = w;
+        wheel_z[i] = -0.05f * w + (root < 0.0f ? root * root / 30e-3f : 0.0f);
+    }
+}
+
+/* The wheel touches with its tread, with its flange, or with both; yaw and creepage of every size; the surfaces overlap by
+ * 20 to 160 um. */
+static void next_wheel(uint32_t i, kstrip_contact_f32 *contact, kstrip_creepage_f32 *creepage)
+{
+    float least;
+    cases_next(i, contact, creepage);
+    position.lateral = 4e-3f + 5e-3f * cases_unit();
+    position.yaw = cases_signed(6e-3f * cases_unit());
+    position.vertical = 0.0f;
+    position.roll = 0.0f;
+    (void)kstrip_touch_f32(&rail, &wheel, wheel_pair.wheel_radius, &position, 5e-3f, &workspace.gap, &least);
+    position.vertical = least + cases_spread(20e-6f, 3);
+    velocity.forward = 20.0f;
+    velocity.lateral = creepage->lateral * 20.0f;
+    velocity.pitch = -20.0f / wheel_pair.wheel_radius * (1.0f + creepage->longitudinal);
+    (void)kstrip_wheel_on_rail_f32(&rail, &wheel, &wheel_pair, &position, &velocity, NULL, &workspace, &wrench, NULL, NULL);
+}
+
+static kstrip_status prepare_profile(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)
+{
+    static kstrip_surface_f32 surface;
+    (void)c;
+    (void)k;
+    return kstrip_prepare_profile_f32(wheel_y, wheel_z, POINTS, 0.0f, 2e-3f, &surface);
+}
+
+static kstrip_status touch(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)
+{
+    float least;
+    (void)c;
+    (void)k;
+    return kstrip_touch_f32(&rail, &wheel, wheel_pair.wheel_radius, &position, 0.0f, &workspace.gap, &least);
+}
+
+static kstrip_status contacts_from_gap(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)
+{
+    (void)c;
+    (void)k;
+    return kstrip_contacts_from_gap_f32(&workspace.gap, &wheel_pair, &position, &workspace.strips, workspace.contacts,
+                                        &workspace.count);
+}
+
+static kstrip_status wrench_from_contacts(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)
+{
+    (void)c;
+    (void)k;
+    return kstrip_wrench_from_contacts_f32(workspace.contacts, workspace.count, &velocity, 0, NULL, &wrench, NULL);
+}
+
+static kstrip_status wheel_on_rail(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)
+{
+    (void)c;
+    (void)k;
+    return kstrip_wheel_on_rail_f32(&rail, &wheel, &wheel_pair, &position, &velocity, NULL, &workspace, &wrench, NULL, NULL);
+}
+
+static kstrip_status wheel_on_rail_derivatives(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)
+{
+    (void)c;
+    (void)k;
+    return kstrip_wheel_on_rail_f32(&rail, &wheel, &wheel_pair, &position, &velocity, NULL, &workspace, &wrench,
+                                    &wrench_slopes, NULL);
+}
+
+static kstrip_status wheel_on_rail_by_position(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)
+{
+    (void)c;
+    (void)k;
+    return kstrip_wheel_on_rail_f32(&rail, &wheel, &wheel_pair, &position, &velocity, NULL, &workspace, &wrench,
+                                    &wrench_slopes, &wrench_by_position);
+}
+
+static kstrip_status height_for_load(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)
+{
+    float vertical;
+    (void)c;
+    (void)k;
+    return kstrip_height_for_load_f32(&rail, &wheel, &wheel_pair, &position, 80e3f, NULL, NULL, &workspace, &vertical);
+}
+
+/* The timer's ticks during one call, those of an empty call included. */
 static __attribute__((noinline)) uint32_t ticks(call what, const kstrip_contact_f32 *c,
                                                 const kstrip_creepage_f32 *k, kstrip_status *status)
 {
     uint32_t before, after;
-    SYST_CVR = 0;
     __asm volatile("" ::: "memory");
-    before = SYST_CVR;
+    before = TIMER_VALUE;
     *status = what(c, k);
-    after = SYST_CVR;
+    after = TIMER_VALUE;
     __asm volatile("" ::: "memory");
-    return (before - after) & 0xFFFFFFu;
+    return before - after;
 }
 
-/* Counts of calls per number of instructions; more than the last are counted there. */
-#define BINS (TRACED ? 2u : 500000u)
-static uint16_t histogram[BINS];
+/* Instructions of each call. */
+static uint32_t counts[CASES];
+
+static int ascending(const void *a, const void *b)
+{
+    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+    return (x > y) - (x < y);
+}
 
 #define PAINTED 65536u
 #define PAINT 0x5AA5C33Cu
@@ -208,7 +321,31 @@ static void next(uint32_t i, kstrip_contact_f32 *contact, kstrip_creepage_f32 *c
     (void)kstrip_prepare_f32(contact, &prepared_for, &prepared);
 }
 
-/* The same frames for every call: what nothing() uses is subtracted. */
+/* What makes a case; it is not measured. */
+typedef void (*maker)(uint32_t, kstrip_contact_f32 *, kstrip_creepage_f32 *);
+
+/* The same frames for every call: what nothing() uses is subtracted. Case by case, lest the stack of `make` count. */
+static __attribute__((noinline)) uint32_t stack_of_each(call what, maker make, uint32_t cases)
+{
+    uint32_t i, deepest = 0;
+    cases_restart();
+    for (i = 0; i < cases; ++i) {
+        kstrip_contact_f32 contact;
+        kstrip_creepage_f32 creepage;
+        volatile uint32_t *top;
+        uint32_t n;
+        make(i, &contact, &creepage);
+        top = paint();
+        what(&contact, &creepage);
+        n = used(top);
+        if (n > deepest) {
+            deepest = n;
+        }
+    }
+    return deepest;
+}
+
+/* The same for cheap calls, whose cases need no stack: painted once. */
 static __attribute__((noinline)) uint32_t stack_of(call what)
 {
     volatile uint32_t *top = paint();
@@ -223,29 +360,21 @@ static __attribute__((noinline)) uint32_t stack_of(call what)
     return used(top);
 }
 
-static uint32_t empty_ticks, empty_stack;
+static uint32_t empty_ticks, empty_stack, empty_stack_of_each;
 
-static __attribute__((noinline)) void measure(const char *name, call what)
+static __attribute__((noinline)) void measure(const char *name, call what, maker make, uint32_t cases)
 {
-    uint32_t i, fewest = 0xFFFFFFFFu, most = 0, sum = 0, median = 0, refused = 0;
-    uint32_t most_case = 0, most_in_range = 0;
-    for (i = 0; i < BINS; ++i) {
-        histogram[i] = 0;
-    }
+    uint32_t i, accepted = 0, most = 0, most_case = 0, most_in_range = 0, stack = 0;
     cases_restart();
-    for (i = 0; i < CASES; ++i) {
+    for (i = 0; i < cases; ++i) {
         kstrip_contact_f32 contact;
         kstrip_creepage_f32 creepage;
         kstrip_status status;
         uint32_t n;
-        next(i, &contact, &creepage);
-        n = ((ticks(what, &contact, &creepage, &status) - empty_ticks) * 5u + 8u) / 16u;
+        make(i, &contact, &creepage);
+        n = (uint32_t)(((uint64_t)(ticks(what, &contact, &creepage, &status) - empty_ticks) * 5u + 8u) / 16u);
         if (status < 0) {
-            ++refused;
             continue;
-        }
-        if (n < fewest) {
-            fewest = n;
         }
         if (n > most) {
             most = n;
@@ -254,13 +383,28 @@ static __attribute__((noinline)) void measure(const char *name, call what)
         if (status == KSTRIP_OK && n > most_in_range) {
             most_in_range = n;
         }
-        histogram[n < BINS ? n : BINS - 1u] += 1;
+        counts[accepted++] = n;
     }
-    while (median < BINS - 1u && (sum += histogram[median]) * 2u < CASES - refused) {
-        ++median;
+    if (accepted == 0) {
+        printf("%s: every case is refused\n", name);
+        exit(1);
+    }
+    qsort(counts, accepted, sizeof *counts, ascending);
+    if (!TRACED) {
+        stack = make == next ? stack_of(what) - empty_stack : stack_of_each(what, make, cases) - empty_stack_of_each;
     }
     printf("%s %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 "\n", name,
-           fewest, median, most, TRACED ? 0u : stack_of(what) - empty_stack, most_in_range, most_case, refused);
+           counts[0], counts[(accepted - 1u) / 2u], most, stack, most_in_range, most_case, cases - accepted);
+}
+
+static void of_contact(const char *name, call what)
+{
+    measure(name, what, next, CASES);
+}
+
+static void of_wheel(const char *name, call what)
+{
+    measure(name, what, next_wheel, FEW);
 }
 
 int main(void)
@@ -268,49 +412,59 @@ int main(void)
     kstrip_contact_f32 contact;
     kstrip_creepage_f32 creepage;
     kstrip_status status;
-    SYST_RVR = 0xFFFFFFu;
-    SYST_CVR = 0;
-    SYST_CSR = 5u; /* core clock, no interrupt */
+    TIMER_CTRL = 0;
+    TIMER_RELOAD = TIMER_VALUE = 0xFFFFFFFFu;
+    TIMER_CTRL = 1u;
+    profiles();
+    if (kstrip_prepare_profile_f32(rail_y, rail_z, POINTS, 0.0f, 0.0f, &rail) < 0
+        || kstrip_prepare_profile_f32(wheel_y, wheel_z, POINTS, 0.0f, 0.0f, &wheel) < 0) {
+        return 1;
+    }
     cases_restart();
     cases_next(0, &contact, &creepage);
     empty_ticks = ticks(nothing, &contact, &creepage, &status);
     empty_stack = stack_of(nothing);
+    empty_stack_of_each = stack_of_each(nothing, next, 10);
     printf("# call fewest median most stack most_in_range case_of_most refused\n");
-    measure("solve.STRIP_1967.4", strip_1967_4);
-    measure("solve.STRIP_1967.8", strip_1967_8);
-    measure("solve.STRIP_1967.16", strip_1967_16);
-    measure("solve.STRIP.4", strip_4);
-    measure("solve.STRIP.8", strip_8);
-    measure("solve.STRIP.16", strip_16);
-    measure("solve.STRIP.64", strip_64);
-    measure("solve.TOTAL", total);
-    measure("solve.LINEAR", linear);
-    measure("solve_total", only_total);
-    measure("solve_linear", only_linear);
-    measure("solve_strip_1967.8", only_strip_1967_8);
-    measure("derivatives.STRIP_1967.4", strip_1967_4_derivatives);
-    measure("derivatives.STRIP_1967.8", strip_1967_8_derivatives);
-    measure("derivatives.STRIP_1967.16", strip_1967_16_derivatives);
-    measure("derivatives.STRIP.4", strip_4_derivatives);
-    measure("derivatives.STRIP.8", strip_8_derivatives);
-    measure("derivatives.STRIP.16", strip_16_derivatives);
-    measure("derivatives.STRIP.64", strip_64_derivatives);
-    measure("derivatives.TOTAL", total_derivatives);
-    measure("derivatives.LINEAR", linear_derivatives);
+    of_contact("solve.STRIP_1967.16", strip_1967_16);
+    of_contact("solve.STRIP.4", strip_4);
+    of_contact("solve.STRIP.8", strip_8);
+    of_contact("solve.STRIP.16", strip_16);
+    of_contact("solve.STRIP.64", strip_64);
+    of_contact("solve.TOTAL", total);
+    of_contact("solve.LINEAR", linear);
+    of_contact("solve_total", only_total);
+    of_contact("solve_linear", only_linear);
+    of_contact("solve_strip_1967.8", only_strip_1967_8);
+    of_contact("derivatives.STRIP_1967.16", strip_1967_16_derivatives);
+    of_contact("derivatives.STRIP.4", strip_4_derivatives);
+    of_contact("derivatives.STRIP.8", strip_8_derivatives);
+    of_contact("derivatives.STRIP.16", strip_16_derivatives);
+    of_contact("derivatives.STRIP.64", strip_64_derivatives);
+    of_contact("derivatives.TOTAL", total_derivatives);
+    of_contact("derivatives.LINEAR", linear_derivatives);
     prepared_for.model = KSTRIP_MODEL_TOTAL;
-    measure("prepared.TOTAL", on_prepared);
+    of_contact("prepared.TOTAL", on_prepared);
     prepared_for.model = KSTRIP_MODEL_LINEAR;
-    measure("prepared.LINEAR", on_prepared);
+    of_contact("prepared.LINEAR", on_prepared);
     prepared_for.model = KSTRIP_MODEL_STRIP_1967;
-    measure("prepared.STRIP_1967.16", on_prepared);
+    of_contact("prepared.STRIP_1967.16", on_prepared);
     prepared_for.model = KSTRIP_MODEL_STRIP;
-    measure("prepared.STRIP.16", on_prepared);
-    measure("falling_friction.derivatives.TOTAL", falling);
-    measure("motion.derivatives.TOTAL", in_motion);
-    measure("contact_from_hertz", hertz);
-    measure("field.point.STRIP_1967", point_strip_1967);
-    measure("field.point.STRIP", point_strip);
-    measure("strips.STRIP_1967.16", strips_1967_16);
-    measure("strips.STRIP.16", strips_16);
+    of_contact("prepared.STRIP.16", on_prepared);
+    of_contact("falling_friction.derivatives.TOTAL", falling);
+    of_contact("motion.derivatives.TOTAL", in_motion);
+    of_contact("contact_from_hertz", hertz);
+    of_contact("field.point.STRIP_1967", point_strip_1967);
+    of_contact("field.point.STRIP", point_strip);
+    of_contact("strips.STRIP_1967.16", strips_1967_16);
+    of_contact("strips.STRIP.16", strips_16);
+    of_wheel("prepare_profile", prepare_profile);
+    of_wheel("touch", touch);
+    of_wheel("contacts_from_gap", contacts_from_gap);
+    of_wheel("wrench_from_contacts", wrench_from_contacts);
+    of_wheel("wheel_on_rail", wheel_on_rail);
+    of_wheel("wheel_on_rail.derivatives", wheel_on_rail_derivatives);
+    of_wheel("wheel_on_rail.by_position", wheel_on_rail_by_position);
+    of_wheel("height_for_load", height_for_load);
     return 0;
 }
