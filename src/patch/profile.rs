@@ -184,7 +184,8 @@ impl<F: Float> Indentation<F> {
         let ([by_load], [by_approach]) = (pressed.gradient, load.gradient);
         let modulus = contact.modulus().times(PI);
         let mut found = Self {
-            approach: pressed.value,
+            // (of a profile at the ends of the number range rounding leaves less than nothing)
+            approach: pressed.value.max(F::zero()),
             normal_force: load.value * modulus,
             stiffness: match given {
                 Given::Load(_) => F::one() / by_load,
