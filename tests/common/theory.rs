@@ -25,6 +25,11 @@ pub fn options(model: Model, strips: StripCount) -> Options {
     Options { model, strips }
 }
 
+/// 16 strips, as any number for the totals of the theory of 1967 (`limits::any_number_of_strips_has_the_same_totals`).
+pub fn sixteen(model: Model) -> Options {
+    options(model, StripCount::Sixteen)
+}
+
 /// A steel contact under 1 GPa with a given axis ratio and Poisson's ratio.
 pub fn contact(axis_ratio: f64, poisson_ratio: f64) -> Contact<f64> {
     let mean = 5e-3;
@@ -66,16 +71,16 @@ pub fn creepage(contact: &Contact<f64>, xi: f64, eta: f64, psi: f64) -> Creepage
 }
 
 /// Forces in units of `μ N`, the moment in units of `μ N √(ab)`, and the stick fraction.
-pub fn solve(law: &Law, strips: StripCount) -> [f64; 4] {
+pub fn solve(law: &Law) -> [f64; 4] {
     let contact = contact(law.axis_ratio, law.poisson_ratio);
     let motion = creepage(&contact, law.xi, law.eta, law.psi);
     let model = if law.continuous { Model::Strip1967Continuous } else { Model::Strip1967 };
-    let s = kstrip::solve::model::solve(&contact, &motion, &options(model, strips)).unwrap();
+    let s = kstrip::solve::model::solve(&contact, &motion, &sixteen(model)).unwrap();
     let bound = contact.friction * contact.normal_force;
     let mean = (contact.a * contact.b).sqrt();
     let answer = [s.fx / bound, s.fy / bound, s.mz / (bound * mean), s.adhesion];
     // Maxima of errors would pass over a NaN
-    assert!(answer.iter().all(|v| v.is_finite()), "{law:?} {strips:?}: {answer:?}");
+    assert!(answer.iter().all(|v| v.is_finite()), "{law:?}: {answer:?}");
     answer
 }
 

@@ -1,6 +1,7 @@
 //! Rolling forward, backward, and standstill between them.
 
 use crate::random::Random;
+use crate::single::single;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
@@ -512,15 +513,7 @@ fn single_precision_follows() {
         let (c, o) = (any_contact(&mut random), options(Model::ALL[n % 5]));
         let speed = any_speed(&mut random);
         let m = any_motion(&mut random, &c, speed);
-        let single = Contact::<f32> {
-            a: c.a as f32,
-            b: c.b as f32,
-            normal_force: c.normal_force as f32,
-            shear_modulus: c.shear_modulus as f32,
-            poisson_ratio: c.poisson_ratio as f32,
-            friction: c.friction as f32,
-            mismatch: 0.0,
-        };
+        let single = single(&c);
         let motion = Motion::<f32> {
             slip_x: m.slip_x as f32,
             slip_y: m.slip_y as f32,

@@ -1,6 +1,7 @@
 //! Motions without one of their parts: the same answers as beside them, without a jump.
 
 use crate::random;
+use crate::single::single;
 use crate::theory;
 
 use kstrip::contact::Contact;
@@ -90,15 +91,7 @@ fn short_paths_join_in_single_precision() {
     let mut random = Random::new(93);
     for n in 0..2_000 {
         let wide = contact(random.log_between(0.2, 5.0), random.between(0.0, 0.5));
-        let c = Contact::<f32> {
-            a: wide.a as f32,
-            b: wide.b as f32,
-            normal_force: wide.normal_force as f32,
-            shear_modulus: wide.shear_modulus as f32,
-            poisson_ratio: wide.poisson_ratio as f32,
-            friction: wide.friction as f32,
-            mismatch: 0.0,
-        };
+        let c = single(&wide);
         let o = options(Model::ALL[n % 4], COUNTS[n / 4 % 5]);
         let [xi, eta, psi] = [0; 3].map(|_| random.between(-1.5, 1.5));
         let m = theory::creepage(&wide, xi, eta, 0.6 * psi);

@@ -1,4 +1,4 @@
-//! Totals are continuous functions of the creepages for both rules and every strip count.
+//! Totals are continuous functions of the creepages for both rules.
 //!
 //! A sweep in steps of 1e-6 may show a kink or the beginning of a square root, not a jump. A step more
 //! than three times as large as its larger neighbour is looked at closely: halved twenty times, always
@@ -7,9 +7,8 @@
 use crate::random;
 use crate::theory;
 
-use kstrip::contact::forces::StripCount;
 use random::Random;
-use theory::{COUNTS, Law, solve};
+use theory::{Law, solve};
 
 const STEP: f64 = 1e-6;
 
@@ -21,17 +20,12 @@ fn distance(law: &Law, p: &[f64; 4], q: &[f64; 4]) -> f64 {
 }
 
 /// What is left of a change when its interval is halved into the half that changes more, and where.
-fn remaining(
-    at: &dyn Fn(f64) -> Law,
-    count: StripCount,
-    (mut low, mut high): (f64, f64),
-    width: f64,
-) -> (f64, f64) {
+fn remaining(at: &dyn Fn(f64) -> Law, (mut low, mut high): (f64, f64), width: f64) -> (f64, f64) {
     let law = at(low);
-    let (mut at_low, mut at_high) = (solve(&at(low), count), solve(&at(high), count));
+    let (mut at_low, mut at_high) = (solve(&at(low)), solve(&at(high)));
     while high - low > width {
         let middle = 0.5 * (low + high);
-        let value = solve(&at(middle), count);
+        let value = solve(&at(middle));
         if distance(&law, &at_low, &value) > distance(&law, &value, &at_high) {
             (high, at_high) = (middle, value);
         } else {
@@ -42,10 +36,9 @@ fn remaining(
 }
 
 /// A sweep of `steps` to both sides without jump.
-fn check_sweep(name: &str, steps: i32, at: impl Fn(f64) -> Law, count: StripCount) {
+fn check_sweep(name: &str, steps: i32, at: impl Fn(f64) -> Law) {
     let place = |i: usize| STEP * (i as f64 - f64::from(steps));
-    let values: Vec<[f64; 4]> =
-        (0..=2 * steps as usize).map(|i| solve(&at(place(i)), count)).collect();
+    let values: Vec<[f64; 4]> = (0..=2 * steps as usize).map(|i| solve(&at(place(i)))).collect();
     let law = at(0.0);
     let moves: Vec<f64> =
         values.windows(2).map(|pair| distance(&law, &pair[0], &pair[1])).collect();
@@ -54,18 +47,14 @@ fn check_sweep(name: &str, steps: i32, at: impl Fn(f64) -> Law, count: StripCoun
         if moves[i] <= 3.0 * neighbour + 1e-9 {
             continue;
         }
-        let (jump, found) = remaining(&at, count, (place(i), place(i + 1)), STEP * 1e-6);
+        let (jump, found) = remaining(&at, (place(i), place(i + 1)), STEP * 1e-6);
         assert!(
             jump <= 0.03 * moves[i] + 1e-10,
-            "{name}, {count:?}: jump of {jump:e} in a step of {:e} beside {neighbour:e} at {:?}",
+            "{name}: jump of {jump:e} in a step of {:e} beside {neighbour:e} at {:?}",
             moves[i],
             at(found)
         );
     }
-}
-
-fn laws() -> impl Iterator<Item = (bool, StripCount)> {
-    [false, true].into_iter().flat_map(|rule| COUNTS.into_iter().map(move |count| (rule, count)))
 }
 
 const BASE: Law =
@@ -74,7 +63,7 @@ const BASE: Law =
 /// ψ through ±1 with both signs of ηψ, also without η or ξ.
 #[test]
 fn sweep_of_spin_through_unity() {
-    for (continuous, count) in laws() {
+    for continuous in [false, true] {
         for sign in [1.0, -1.0] {
             for (xi, eta, axis_ratio) in [
                 (0.0, -0.5, 1.0),
@@ -97,7 +86,7 @@ fn sweep_of_spin_through_unity() {
                     continuous,
                     ..BASE
                 };
-                check_sweep("ψ through 1", 150, at, count);
+                check_sweep("ψ through 1", 150, at);
             }
         }
     }
@@ -142,9 +131,9 @@ fn sweep_where_the_adhesion_interval_vanishes() {
                 };
                 let Some(critical) = threshold(&ray) else { continue };
                 found += 1;
-                for (continuous, count) in laws() {
+                for continuous in [false, true] {
                     let at = |t| Law { continuous, ..ray(critical + t) };
-                    check_sweep("adhesion vanishes", 60, at, count);
+                    check_sweep("adhesion vanishes", 60, at);
                 }
             }
         }
@@ -155,18 +144,16 @@ fn sweep_where_the_adhesion_interval_vanishes() {
 /// The kink at η = 0 with spin, for small and large spin, and the same for ξ.
 #[test]
 fn sweep_of_lateral_creepage_through_zero_with_spin() {
-    for (continuous, count) in laws() {
+    for continuous in [false, true] {
         for psi in [1e-3_f64, 0.2, -0.7, 0.999, -1.0, 1.4, 3.0] {
             for xi in [0.0, 0.2, -1.1] {
                 for axis_ratio in [0.2, 5.0] {
                     let law = Law { xi, psi, axis_ratio, continuous, ..BASE };
-                    check_sweep("η through 0", 25, |t| Law { eta: t, ..law }, count);
-                    check_sweep(
-                        "η through 0, half a step off",
-                        25,
-                        |t| Law { eta: t + 0.5 * STEP, ..law },
-                        count,
-                    );
+                    check_sweep("η through 0", 25, |t| Law { eta: t, ..law });
+                    check_sweep("η through 0, half a step off", 25, |t| Law {
+                        eta: t + 0.5 * STEP,
+                        ..law
+                    });
                     let law = Law {
                         xi: 0.0,
                         eta: -0.3 * psi.signum(),
@@ -175,7 +162,7 @@ fn sweep_of_lateral_creepage_through_zero_with_spin() {
                         continuous,
                         ..BASE
                     };
-                    check_sweep("ξ through 0", 25, |t| Law { xi: xi + t, ..law }, count);
+                    check_sweep("ξ through 0", 25, |t| Law { xi: xi + t, ..law });
                 }
             }
         }
@@ -185,18 +172,18 @@ fn sweep_of_lateral_creepage_through_zero_with_spin() {
 /// Through zero creepage and through zero spin.
 #[test]
 fn sweep_through_rest() {
-    for (continuous, count) in laws() {
+    for continuous in [false, true] {
         for axis_ratio in [0.1, 1.0, 10.0] {
             let law = Law { axis_ratio, continuous, ..BASE };
-            check_sweep("ξ through rest", 60, |t| Law { xi: t, ..law }, count);
-            check_sweep("η through rest", 60, |t| Law { eta: t, ..law }, count);
-            check_sweep("ψ through rest", 60, |t| Law { psi: t, ..law }, count);
-            check_sweep("all through rest", 60, |t| Law { xi: t, eta: -t, psi: t, ..law }, count);
+            check_sweep("ξ through rest", 60, |t| Law { xi: t, ..law });
+            check_sweep("η through rest", 60, |t| Law { eta: t, ..law });
+            check_sweep("ψ through rest", 60, |t| Law { psi: t, ..law });
+            check_sweep("all through rest", 60, |t| Law { xi: t, eta: -t, psi: t, ..law });
             for (xi, eta) in
                 [(0.3, 0.0), (0.0, 0.4), (0.5, -0.5), (1.0, 0.0), (0.6, 0.8), (2.0, 1.0)]
             {
                 let law = Law { xi, eta, axis_ratio, continuous, ..BASE };
-                check_sweep("ψ through 0", 60, |t| Law { psi: t, ..law }, count);
+                check_sweep("ψ through 0", 60, |t| Law { psi: t, ..law });
             }
         }
     }
@@ -218,11 +205,8 @@ fn sweep_beyond_unit_spin() {
         };
         let (dx, dy, dp) =
             (random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-1.0, 1.0));
-        for count in COUNTS {
-            let at =
-                |t| Law { xi: law.xi + dx * t, eta: law.eta + dy * t, psi: psi + dp * t, ..law };
-            check_sweep("beyond unit spin", 60, at, count);
-        }
+        let at = |t| Law { xi: law.xi + dx * t, eta: law.eta + dy * t, psi: psi + dp * t, ..law };
+        check_sweep("beyond unit spin", 60, at);
     }
 }
 
@@ -248,26 +232,25 @@ fn no_jump_is_found_by_bisection_along_random_paths() {
             continuous: path % 2 == 0,
             ..BASE
         };
-        let count = COUNTS[path % 5];
         let at = |t: f64| {
             let mix = |i: usize| start[i] + (end[i] - start[i]) * t;
             Law { xi: mix(0), eta: mix(1), psi: mix(2), ..base }
         };
         const CELLS: usize = 200;
         let grid: Vec<f64> = (0..=CELLS).map(|i| i as f64 / CELLS as f64).collect();
-        let values: Vec<[f64; 4]> = grid.iter().map(|&t| solve(&at(t), count)).collect();
+        let values: Vec<[f64; 4]> = grid.iter().map(|&t| solve(&at(t))).collect();
         // Cells that change more than their neighbours first
         let changes: Vec<f64> = values.windows(2).map(|v| distance(&base, &v[0], &v[1])).collect();
         let mut order: Vec<usize> = (1..CELLS - 1).collect();
         let excess = |i: usize| changes[i] - 0.5 * (changes[i - 1] + changes[i + 1]);
         order.sort_by(|&i, &j| excess(j).total_cmp(&excess(i)));
         for &cell in order.iter().take(6) {
-            let (jump, low) = remaining(&at, count, (grid[cell], grid[cell + 1]), 1e-13);
+            let (jump, low) = remaining(&at, (grid[cell], grid[cell + 1]), 1e-13);
             // Beyond unit spin a narrow piece between two samples of the bound can be missed; wanted
             // is 1e-5 there too.
             let allowed = 1e-5;
             if jump > allowed {
-                jumps.push(format!("{jump:.1e} with {count:?} at {:?}", at(low)));
+                jumps.push(format!("{jump:.1e} at {:?}", at(low)));
             }
         }
     }

@@ -1,6 +1,7 @@
 //! Creepages from velocities (3.3), parameters (5.13) and their inverse.
 
 use crate::random;
+use crate::single::single;
 use crate::theory;
 
 use kstrip::contact::Contact;
@@ -109,15 +110,7 @@ fn tiny_and_huge_creepages_keep_their_direction() {
 #[test]
 fn tiny_and_huge_creepages_in_single_precision() {
     let wide = theory::contact(1.0, 0.28);
-    let c = Contact::<f32> {
-        a: wide.a as f32,
-        b: wide.b as f32,
-        normal_force: wide.normal_force as f32,
-        shear_modulus: 82e9,
-        poisson_ratio: 0.28,
-        friction: 0.3,
-        mismatch: 0.0,
-    };
+    let c = single(&wide);
     for exponent in -30..=30 {
         let size = 10f32.powi(exponent);
         let motion = Creepage { longitudinal: 3.0 * size, lateral: -4.0 * size, spin: size };

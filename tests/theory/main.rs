@@ -2,6 +2,8 @@
 
 #[path = "../common/random.rs"]
 mod random;
+#[path = "../common/single.rs"]
+mod single;
 #[path = "../common/theory.rs"]
 mod theory;
 
