@@ -130,44 +130,10 @@ pub const fn no_batch<F>() -> kstrip::ffi::types::BatchOutputs<F> {
     }
 }
 
-/// Inputs of a batch that lie in arrays of structures.
-pub fn batch_inputs<F>(
-    contacts: *const kstrip::contact::Contact<F>,
-    creepages: *const kstrip::contact::creepage::Creepage<F>,
-) -> kstrip::ffi::types::BatchInputs<F> {
-    let contact = size_of::<kstrip::contact::Contact<F>>() as isize;
-    let creepage = size_of::<kstrip::contact::creepage::Creepage<F>>() as isize;
-    let member = |i: usize| contacts.cast::<F>().wrapping_add(i);
-    let part = |i: usize| creepages.cast::<F>().wrapping_add(i);
-    kstrip::ffi::types::BatchInputs {
-        a: member(0),
-        a_stride: contact,
-        b: member(1),
-        b_stride: contact,
-        normal_force: member(2),
-        normal_force_stride: contact,
-        shear_modulus: member(3),
-        shear_modulus_stride: contact,
-        poisson_ratio: member(4),
-        poisson_ratio_stride: contact,
-        friction: member(5),
-        friction_stride: contact,
-        mismatch: member(6),
-        mismatch_stride: contact,
-        longitudinal: part(0),
-        longitudinal_stride: creepage,
-        lateral: part(1),
-        lateral_stride: creepage,
-        spin: part(2),
-        spin_stride: creepage,
-        law: std::ptr::null(),
-        law_stride: 0,
-    }
-}
-
-/// Inputs of a batch that lie in one array for each quantity, the mismatch last.
-pub fn batch_arrays<F>(arrays: [*const F; 10]) -> kstrip::ffi::types::BatchInputs<F> {
-    let each = size_of::<F>() as isize;
+/// A contact and its creepage from their numbers, the mismatch last.
+pub fn problem<F>(
+    numbers: [F; 10],
+) -> (kstrip::contact::Contact<F>, kstrip::contact::creepage::Creepage<F>) {
     let [
         a,
         b,
@@ -179,30 +145,103 @@ pub fn batch_arrays<F>(arrays: [*const F; 10]) -> kstrip::ffi::types::BatchInput
         lateral,
         spin,
         mismatch,
-    ] = arrays;
+    ] = numbers;
+    (
+        kstrip::contact::Contact {
+            a,
+            b,
+            normal_force,
+            shear_modulus,
+            poisson_ratio,
+            friction,
+            mismatch,
+        },
+        kstrip::contact::creepage::Creepage { longitudinal, lateral, spin },
+    )
+}
+
+/// Inputs of a batch by the first number of each quantity and its stride, the mismatch last.
+pub fn batch_from<F>(
+    quantity: impl FnMut(usize) -> (*const F, isize),
+) -> kstrip::ffi::types::BatchInputs<F> {
+    let [
+        (a, a_stride),
+        (b, b_stride),
+        (normal_force, normal_force_stride),
+        (shear_modulus, shear_modulus_stride),
+        (poisson_ratio, poisson_ratio_stride),
+        (friction, friction_stride),
+        (longitudinal, longitudinal_stride),
+        (lateral, lateral_stride),
+        (spin, spin_stride),
+        (mismatch, mismatch_stride),
+    ] = std::array::from_fn(quantity);
     kstrip::ffi::types::BatchInputs {
         a,
-        a_stride: each,
+        a_stride,
         b,
-        b_stride: each,
+        b_stride,
         normal_force,
-        normal_force_stride: each,
+        normal_force_stride,
         shear_modulus,
-        shear_modulus_stride: each,
+        shear_modulus_stride,
         poisson_ratio,
-        poisson_ratio_stride: each,
+        poisson_ratio_stride,
         friction,
-        friction_stride: each,
+        friction_stride,
         mismatch,
-        mismatch_stride: each,
+        mismatch_stride,
         longitudinal,
-        longitudinal_stride: each,
+        longitudinal_stride,
         lateral,
-        lateral_stride: each,
+        lateral_stride,
         spin,
-        spin_stride: each,
+        spin_stride,
         law: std::ptr::null(),
         law_stride: 0,
+    }
+}
+
+/// Inputs of a batch that lie in arrays of structures.
+pub fn batch_inputs<F>(
+    contacts: *const kstrip::contact::Contact<F>,
+    creepages: *const kstrip::contact::creepage::Creepage<F>,
+) -> kstrip::ffi::types::BatchInputs<F> {
+    let contact = size_of::<kstrip::contact::Contact<F>>() as isize;
+    let creepage = size_of::<kstrip::contact::creepage::Creepage<F>>() as isize;
+    batch_from(|i| match i {
+        ..6 => (contacts.cast::<F>().wrapping_add(i), contact),
+        6..9 => (creepages.cast::<F>().wrapping_add(i - 6), creepage),
+        _ => (contacts.cast::<F>().wrapping_add(6), contact),
+    })
+}
+
+/// Inputs of a batch that lie in one array for each quantity, the mismatch last.
+pub fn batch_arrays<F>(arrays: [*const F; 10]) -> kstrip::ffi::types::BatchInputs<F> {
+    batch_from(|i| (arrays[i], size_of::<F>() as isize))
+}
+
+/// Results of a batch: fx, fy, mz, power, adhesion, by their first number; the statuses; strides.
+fn results_at<F>(
+    [fx, fy, mz, power, adhesion]: [*mut F; 5],
+    stride: isize,
+    details: *mut i32,
+    details_stride: isize,
+) -> kstrip::ffi::types::BatchOutputs<F> {
+    kstrip::ffi::types::BatchOutputs {
+        fx,
+        fx_stride: stride,
+        fy,
+        fy_stride: stride,
+        mz,
+        mz_stride: stride,
+        power,
+        power_stride: stride,
+        adhesion,
+        adhesion_stride: stride,
+        status_detail: details,
+        status_detail_stride: details_stride,
+        ..no_batch()
     }
 }
 
@@ -212,21 +251,7 @@ pub fn batch_results<F>(
 ) -> kstrip::ffi::types::BatchOutputs<F> {
     let stride = size_of::<kstrip::solve::model::Solution<F>>() as isize;
     let member = |i: usize| results.cast::<F>().wrapping_add(i);
-    kstrip::ffi::types::BatchOutputs {
-        fx: member(0),
-        fx_stride: stride,
-        fy: member(1),
-        fy_stride: stride,
-        mz: member(2),
-        mz_stride: stride,
-        power: member(3),
-        power_stride: stride,
-        adhesion: member(4),
-        adhesion_stride: stride,
-        status_detail: member(5).cast(),
-        status_detail_stride: stride,
-        ..no_batch()
-    }
+    results_at(std::array::from_fn(member), stride, member(5).cast(), stride)
 }
 
 /// Results of a batch as one array for each quantity: fx, fy, mz, power, adhesion, status.
@@ -234,21 +259,5 @@ pub fn batch_results_arrays<F>(
     arrays: [*mut F; 5],
     details: *mut i32,
 ) -> kstrip::ffi::types::BatchOutputs<F> {
-    let each = size_of::<F>() as isize;
-    let [fx, fy, mz, power, adhesion] = arrays;
-    kstrip::ffi::types::BatchOutputs {
-        fx,
-        fx_stride: each,
-        fy,
-        fy_stride: each,
-        mz,
-        mz_stride: each,
-        power,
-        power_stride: each,
-        adhesion,
-        adhesion_stride: each,
-        status_detail: details,
-        status_detail_stride: size_of::<i32>() as isize,
-        ..no_batch()
-    }
+    results_at(arrays, size_of::<F>() as isize, details, size_of::<i32>() as isize)
 }

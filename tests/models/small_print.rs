@@ -178,3 +178,23 @@ fn linear_theory_overflows_on_needles_either_way() {
     }
     assert!(refused[0] < refused[1] && refused[1] < 70, "{refused:?}");
 }
+
+/// STRIP's force does not exceed friction by more than two units of the last place, far in sliding and turning.
+#[test]
+fn strip_keeps_the_friction_bound_to_its_last_digits() {
+    let mut random = Random::new(326);
+    let mut worst = [0.0_f64; 2];
+    for _ in 0..4000 {
+        let c = contact(random.log_between(0.05, 20.0), random.between(0.0, 0.5));
+        let [xi, eta, psi] = [0; 3].map(|_| random.sign() * random.log_between(1e-3, 1e4));
+        let (m, o) = (creepage(&c, xi, eta, psi), options(Model::Strip, StripCount::Sixteen));
+        let of = model::solve(&c, &m, &o).unwrap();
+        worst[0] = worst[0].max((of.fx.hypot(of.fy) / c.friction_bound() - 1.0) / f64::EPSILON);
+        let c = single(&c);
+        let of = model::solve(&c, &single_motion(&m), &o).unwrap();
+        let size = f64::from(of.fx).hypot(f64::from(of.fy)) / f64::from(c.friction_bound());
+        worst[1] = worst[1].max((size - 1.0) / f64::from(f32::EPSILON));
+    }
+    println!("{worst:?} units");
+    assert!(worst.iter().all(|worst| *worst <= 2.0), "{worst:?}");
+}

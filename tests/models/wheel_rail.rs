@@ -6,9 +6,10 @@ use kstrip::contact::forces::StripCount;
 use kstrip::contact::hertz::{Radii, hertz};
 use kstrip::solve::model::Model;
 use kstrip::status::{Error, Notice};
+use kstrip::wheel_rail::contacts::WheelContact;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
 use kstrip::wheel_rail::surface::Surface;
-use kstrip::wheel_rail::wrench::{Law, Wrench, WrenchByPosition, WrenchDerivatives};
+use kstrip::wheel_rail::wrench::{Law, Wrench, WrenchByPosition, WrenchDerivatives, of_contacts};
 use kstrip::wheel_rail::{Pair, Position, Velocity};
 use std::collections::HashMap;
 
@@ -188,6 +189,11 @@ fn a_cone_on_a_round_head_is_that_of_hertz() {
         assert_relative_eq!(contact.origin[1] + shift, place, epsilon = 2e-5);
         // what the rate about the axle moves the surface with
         assert_relative_eq!(contact.slip_x[4], contact.radius, max_relative = 1e-3);
+        // the mean of what rail and wheel run through the contact with
+        assert_relative_eq!(contact.rolling_speed[0], 0.5, max_relative = 1e-12);
+        assert_relative_eq!(contact.rolling_speed[4], -0.5 * radius, max_relative = 1e-3);
+        // the head turns by 2 b over its radius below the patch, and the cone does not
+        assert_relative_eq!(contact.angle_range, exact.b / head, max_relative = 0.1);
     }
 }
 
@@ -372,6 +378,56 @@ fn rest_reversal_and_lift_off_are_continuous() {
         if below < -1e-7 {
             assert_eq!((wrench.contacts, wrench.members()), (0, [0.0; 6]));
         }
+    }
+}
+
+/// A patch rolls backward as its mirror image rolls forward, also where yaw has put its strips askew.
+#[test]
+fn a_skewed_patch_rolls_backward_as_its_mirror_image_forward() {
+    let mut stand = Stand::new_profiles();
+    let position = Position { yaw: 0.03, ..stand.at(6e-3, 80e3) };
+    stand.solve(&position, &ROLLING);
+    let contact = stand.memory.found().last().expect("a contact");
+    // velocities that are slip, spin and rolling speed themselves
+    let [slip_x, slip_y, rolling_speed, spin_rate] =
+        [0, 1, 4, 5].map(|k| std::array::from_fn(|i| f64::from(u8::from(i == k))));
+    let rows = WheelContact { slip_x, slip_y, rolling_speed, spin_rate, ..*contact };
+    let ahead = WheelContact { normal: [0.0; 6], ..rows };
+    let mut image = ahead;
+    image.patch.strips.iter_mut().for_each(|strip| strip.centre_x = -strip.centre_x);
+    let skew = contact.patch.strips.iter().map(|strip| strip.centre_x.abs()).fold(0.0, f64::max);
+    assert!(skew > 1e-3, "{skew}");
+    let forward =
+        Velocity { forward: 0.02, lateral: 0.01, pitch: 20.0, yaw: 4.0, ..Velocity::default() };
+    let backward = Velocity { forward: -0.02, pitch: -20.0, yaw: -4.0, ..forward };
+    for model in [Model::Strip, Model::Strip1967Continuous] {
+        let law = Law { model, falling: None };
+        let found = of_contacts(&[ahead], &forward, law, None).unwrap();
+        let mirrored = of_contacts(&[image], &backward, law, None).unwrap();
+        let [x, y, _] = found.force;
+        assert!(x.hypot(y) > 1e3, "{found:?}");
+        let expected = [-x, y, -found.moment[2]];
+        for (is, expected) in
+            [mirrored.force[0], mirrored.force[1], mirrored.moment[2]].iter().zip(expected)
+        {
+            assert_relative_eq!(*is, expected, max_relative = 1e-9);
+        }
+    }
+}
+
+/// Smoothing leaves a parabola, wherever its points lie, and takes out points that are off.
+#[test]
+fn smoothing_leaves_parabolas() {
+    let across = |i: i32| 0.25e-3 * f64::from(i) + 0.06e-3 * f64::from(i * i * 7 % 3 - 1);
+    let y: Vec<f64> = (-100..=100).map(across).collect();
+    let z: Vec<f64> = y.iter().map(|y| y * y / 0.6).collect();
+    let mut smooth = zeroed::<Surface<f64>>();
+    smooth.prepare(&y, &z, 0.0, 2e-3).unwrap();
+    let points = smooth.y.iter().zip(&smooth.z).take(smooth.count as usize);
+    let inside: Vec<_> = points.filter(|(y, _)| y.abs() < 22e-3).collect();
+    assert!(inside.len() > 100);
+    for (y, z) in inside {
+        assert!((z - y * y / 0.6).abs() < 2e-8, "{y}: {z}");
     }
 }
 

@@ -30,6 +30,7 @@ fn agree<F: Float, const N: usize>(bits: fn(F) -> u64) {
             same("min", a.min(b), &|a, b, _| a.min(b));
             same("choose", a.choose(b, c), &|a, b, c| a.choose(b, c));
             same("root", a.abs().sqrt(), &|a, _, _| a.abs().sqrt());
+            same("inverse root", a.abs().inverse_root(), &|a, _, _| a.abs().inverse_root());
             let any = (0..N).any(|k| a.lane(k) > b.lane(k));
             assert_eq!(a.exceeds(b), any);
             let all = (0..N).all(|k| a.lane(k) >= b.lane(k) && a.lane(k) <= c.lane(k));
