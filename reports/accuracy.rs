@@ -1,5 +1,5 @@
 //! Compares every model, and the other methods of `benches/peers`, with the reference data:
-//! `cargo run --release --example accuracy` writes `docs/reference/accuracy.md` and the pictures in
+//! `cargo bench --bench accuracy` writes `docs/reference/accuracy.md` and the pictures in
 //! `docs/reference/accuracy/`. The same build writes the same files, byte by byte.
 
 #[path = "accuracy/feel.rs"]

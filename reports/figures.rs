@@ -1,6 +1,6 @@
 //! Draws figures 7a, 7b, 8a, 8b, 9 and 10 of Kalker's paper of 1967 and a set of creep curves as SVG
 //! under `docs/figures/`, and the pictures of the tour, of the models and of the cookbook:
-//! `cargo run --release --example figures`. Points of CONTACT are those of `tests/data/open.csv`.
+//! `cargo bench --bench figures`. Points of CONTACT are those of `tests/data/open.csv`.
 
 #[path = "../tests/common/manchester.rs"]
 mod manchester;

@@ -1,6 +1,6 @@
 //! Compares patches of profiles, of given strips, of friction in bands and of falling friction with CONTACT:
-//! `cargo run --release --example patches` writes `docs/patches.md` and the pictures in `docs/patches/`. The same build
-//! writes the same files, byte by byte. `cargo run --release --example patches cost` prints what patches cost here.
+//! `cargo bench --bench patches` writes `docs/patches.md` and the pictures in `docs/patches/`. The same build
+//! writes the same files, byte by byte. `cargo bench --bench patches -- cost` prints what patches cost here.
 
 #[path = "common/clock.rs"]
 mod clock;

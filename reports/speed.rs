@@ -1,11 +1,11 @@
-//! What a call costs, and what it is worth: `cargo run --release --example speed` writes
+//! What a call costs, and what it is worth: `cargo bench --bench speed` writes
 //! `docs/reference/speed-vs-error.md` and `docs/reference/speed-vs-error.svg`.
 //!
 //! Every model through the C interface and every method of `benches/peers`: nanoseconds (median of
 //! rounds that take turns) and errors against CONTACT, all in one run.
 //!
-//! `cargo run --release --example speed -- print` writes nothing and prints the page: for builds of another kind, as
-//! `RUSTFLAGS="-C target-cpu=x86-64-v3" cargo run --release --example speed -- print`.
+//! `cargo bench --bench speed -- print` writes nothing and prints the page: for builds of another kind, as
+//! `RUSTFLAGS="-C target-cpu=x86-64-v3" cargo bench --bench speed -- print`.
 
 #[path = "speed/calls.rs"]
 mod calls;
@@ -75,7 +75,7 @@ const UNCHANGED: [(&str, f64); 6] = [
 ];
 
 /// Methods of which this implementation misses the largest error that was published for it on the same cases
-/// (`tests/models/peer_methods.rs`).
+/// (`tests/peers.rs`).
 const MISSED: [(&str, f64); 3] = [
     ("FaStrip 20x20, flexibility (1982)", 0.18),
     ("FaStrip 80x50, flexibility (1982)", 0.16),
@@ -193,7 +193,7 @@ impl Report {
 
     fn introduction(&mut self, machine: &str) {
         self.line("# Speed against error\n");
-        self.line("Written by one command, one run: `cargo run --release --example speed`; do not edit.\n");
+        self.line("Written by one command, one run: `cargo bench --bench speed`; do not edit.\n");
         self.line("![Error over cost](speed-vs-error.svg)\n");
         self.line("Times belong to a processor, and so do ratios of times: another processor changes them by up to a third. Counts of instructions do not");
         self.line("depend on the processor.\n");

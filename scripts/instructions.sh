@@ -4,7 +4,7 @@
 #
 #   scripts/instructions.sh          writes benches/instructions.txt and the table in docs/reference/instructions.md; docs/models.md has
 #                                    two columns of it (`cargo test --test builds prose` prints its rows), and its picture is drawn by
-#                                    `cargo run --release --example figures`
+#                                    `cargo bench --bench figures`
 #   scripts/instructions.sh --check  fails when a count has grown by more than 3 %
 #
 # Counts depend on the compiler. When it is not the one that is named in the file, --check prints the differences

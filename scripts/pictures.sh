@@ -5,7 +5,7 @@
 #     scripts/pictures.sh
 set -eu
 cd "$(dirname "$0")/.."
-cargo run --quiet --locked --release --example accuracy
-cargo run --quiet --locked --release --example figures
-cargo run --quiet --locked --release --example patches
-cargo run --quiet --locked --release --example speed
+cargo bench --quiet --locked --bench accuracy
+cargo bench --quiet --locked --bench figures
+cargo bench --quiet --locked --bench patches
+cargo bench --quiet --locked --bench speed

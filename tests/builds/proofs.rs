@@ -28,3 +28,29 @@ fn proofs_without_their_tools_are_not_green() {
         assert!(text.starts_with("SKIPPED: "), "{script}: {text}");
     }
 }
+
+/// What `cargo test` leaves out is a step of `.ci/run`, which names the test.
+#[test]
+fn ignored_tests_are_steps_of_continuous_integration() {
+    let run = std::fs::read_to_string(root().join(".ci/run")).expect("the steps");
+    let mut files = Vec::new();
+    crate::docs::rust_files(&root().join("tests"), &mut files);
+    let mut count = 0;
+    for file in files {
+        let text = std::fs::read_to_string(&file).expect("a file");
+        for ignored in text.split("\n#[ignore").skip(1) {
+            let (reason, rest) = ignored.split_once("]\n").expect("the end of the attribute");
+            assert!(reason.starts_with(" = \"a step of .ci/run: "), "{}: {reason}", file.display());
+            let name = rest.split("fn ").nth(1).and_then(|rest| rest.split('(').next());
+            let module = file.file_stem().expect("a name").to_string_lossy();
+            let test = format!("{module}::{}", name.expect("a function"));
+            let step = run.lines().any(|line| {
+                line.contains("--ignored --exact")
+                    && line.split_whitespace().any(|word| word == test)
+            });
+            assert!(step, "no step of .ci/run runs {test}");
+            count += 1;
+        }
+    }
+    assert!(count > 0);
+}

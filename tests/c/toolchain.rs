@@ -136,18 +136,18 @@ pub fn run_source(source: &Path) -> String {
     run_source_with(source, &[])
 }
 
-/// The same for a long program that is written by a test: not optimised, which would take a minute.
+/// The same for a long program that is written by a test: not optimised and without warnings, which would take a minute.
 pub fn run_written(source: &str) -> String {
-    run_source_by(&root().join(source), &["-O0"], &[])
+    run_source_by(&root().join(source), &["-O0", "-w"], &[])
 }
 
 fn run_source_with(source: &Path, given: &[&str]) -> String {
-    run_source_by(source, &[], given)
+    run_source_by(source, &STRICT, given)
 }
 
 fn run_source_by(source: &Path, flags: &[&str], given: &[&str]) -> String {
     let library = library();
-    let mut arguments: Vec<&OsStr> = STRICT.iter().chain(flags).map(OsStr::new).collect();
+    let mut arguments: Vec<&OsStr> = flags.iter().map(OsStr::new).collect();
     arguments.extend([library.as_os_str(), OsStr::new("-lpthread"), OsStr::new("-lm")]);
     let program = compile(false, "c99", source, &arguments)
         .unwrap_or_else(|message| panic!("{}: {message}", source.display()));

@@ -8,8 +8,6 @@ mod names;
 mod patch_reference;
 #[path = "../common/patches.rs"]
 mod patches;
-#[path = "../../benches/peers/mod.rs"]
-mod peers;
 #[path = "../common/random.rs"]
 mod random;
 #[path = "../common/reference.rs"]
@@ -31,7 +29,6 @@ mod motion;
 mod patch;
 mod patch_accuracy;
 mod patch_friction;
-mod peer_methods;
 mod profile;
 mod rig;
 mod slender;

@@ -1,7 +1,9 @@
 //! The other methods (`benches/peers`) against a survey's numbers, against the reference data and
-//! against their own limits. A peer that is wrong, or slower than it must be, proves nothing.
+//! against their own limits. A peer that is wrong, or slower than it must be, proves nothing. They are no part of the library: `.ci/run` calls
+//! `cargo test --test peers`, and `cargo test` leaves them out.
 
-use crate::peers;
+#[path = "../benches/peers/mod.rs"]
+mod peers;
 
 use approx::assert_relative_eq;
 use peers::fastsim::{Bound, Flexibility, Grid, Layout};
