@@ -447,7 +447,7 @@ module kstrip
       type(kstrip_patch) :: patch
    end type
 
-   !> How the wheel moves over the rail, whose axes are at rest; in a curve of the momentary track.
+   !> How the wheel moves over the rail.
    type, bind(c) :: kstrip_wheel_velocity
       real(c_double) :: forward = 0
       real(c_double) :: lateral = 0
@@ -467,13 +467,13 @@ module kstrip
       integer(c_int32_t) :: status_detail = 0
    end type
 
-   !> Derivatives of the wrench that are exact.
+   !> Exact derivatives of the wrench.
    type, bind(c) :: kstrip_wrench_derivatives
       real(c_double) :: velocity(6, 6) = 0
       real(c_double) :: friction(6) = 0
    end type
 
-   !> Memory of the caller that one wheel is computed in; it may hold anything before.
+   !> Memory of the caller for the computation of one wheel.
    type, bind(c) :: kstrip_wheel_workspace
       type(kstrip_gap) :: gap
       type(kstrip_patch) :: strips
@@ -482,8 +482,8 @@ module kstrip
       integer(c_int32_t) :: apart = 0
    end type
 
-   !> Derivatives of the wrench by the wheel's position at constant velocity: central differences of the whole road, made
-   !> inside.
+   !> Derivatives of the wrench by the wheel's position at constant velocity: central differences of complete
+   !> computations, made inside.
    type, bind(c) :: kstrip_wrench_by_position
       real(c_double) :: lateral(6) = 0
       real(c_double) :: vertical(6) = 0
