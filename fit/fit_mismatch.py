@@ -1,10 +1,13 @@
 """Fit of c' between adhesion and slip, what unlike materials add to the longitudinal creepage (`src/contact/mismatch.rs`).
 
-python3 fit_mismatch.py     (half a minute; prints the constants and the errors)
+python3 fit_mismatch.py     (half a minute; prints the errors of the stored constants, constants fitted anew, and their errors)
 
 The forces are those of TOTAL's stored constants: unlike minus like, against CONTACT's (`data/kappa.csv`). Rows of ordinary pairs,
 |kappa| <= .13 and mu >= .3, count 1.8 times.
 """
+
+import os
+import re
 
 import common
 import fit_total
@@ -54,6 +57,14 @@ def residuals(p, used, first=FIRST):
     return np.concatenate([(errors(p) * weight)[used].ravel(), 1e-3 * (p - first)])
 
 
+def stored():
+    """The constants in `src/contact/mismatch.rs`."""
+    with open(os.path.join(common.SOURCE, "contact", "mismatch.rs"), encoding="utf-8") as file:
+        found = dict(re.findall(r"const (HALF|PRESSURE|SPIN|REAR|SATURATED): [^=]*= ([^;]*);", file.read()))
+    rear = [float(x) for x in found["REAR"].strip("[]").split(",")]
+    return np.array([*(float(found[name]) for name in NAMES[:3]), *rear[:2], float(found["SATURATED"]), rear[2]])
+
+
 def figures(e):
     return f"{e.mean():.4f} / {np.percentile(e, 95):.4f} / {e.max():.4f}"
 
@@ -65,6 +76,8 @@ def main():
     def force(p):
         return np.hypot(*errors(p)[:, :2].T)
 
+    p = stored()
+    print(f"stored: force, all {figures(force(p))}, ordinary pairs {figures(force(p)[ORDINARY])}")
     p = fit(np.ones(len(g), bool))
     print(", ".join(f"{name} {value:.3f}" for name, value in zip(NAMES, p)))
     print(f"force, all {figures(force(p))}, ordinary pairs {figures(force(p)[ORDINARY])}")
