@@ -1,6 +1,6 @@
 """Fit of STRIP. See README.md in this folder; the formulas are those of `src/strip`.
 
-    python3 fit_strip.py                    fit, validate, write src/strip/constants.rs
+    python3 fit_strip.py                    fit, validate, write src/strip/constants.rs (then fit_strip_long.py)
     python3 fit_strip.py --check            validate the committed constants
     python3 fit_strip.py --numbers          totals printed for the test of the Rust code
     python3 fit_strip.py --nodes            write src/strip/nodes.rs, the places of the strips (needs mpmath)
@@ -23,6 +23,7 @@ jax.config.update("jax_enable_x64", True)
 
 FOLDER = os.path.join(common.SOURCE, "strip")
 OUT = os.path.join(FOLDER, "constants.rs")
+LONG = os.path.join(FOLDER, "long_constants.rs")
 STRIPS = 16
 FEATURES, UNITS, CORRECTIONS = 13, 20, 8
 COUNT = FEATURES * UNITS + UNITS + UNITS * CORRECTIONS + CORRECTIONS
@@ -36,6 +37,9 @@ BLEND = (0.8, 1.3)  # spins between which the slip part grows over the whole str
 EDGE = 0.4  # the separatrix meets the leading edge smoothly over this length
 # Linear forces squared from which on corrections act; linear force where the flexibilities are those of rigid slip
 WIDTH, WIDTH2, SATURATION = 0.05, 0.15, 40.0
+SHARE_OF_ALL = False  # whether creepage counts toward rigid slip as little as spin in long contacts: while fit_strip_long.py fits
+# Long contacts: sqrt(a/b) from which on, and over which distance, the corrections of `fit_strip_long.py` set in
+LONG_FROM, LONG_OVER = 2.65, 1.1
 
 # residuals: fx, fy, mz, stick fraction; corrections are kept small so that the field stays physical
 WEIGHTS = np.array([1.0, 1.0, 0.8, 0.2])
@@ -139,6 +143,47 @@ def features(g, nu, v, c):
     )
 
 
+def share_of_long(g):
+    """Weight of the corrections of long contacts, 0 to 1, with two continuous derivatives."""
+    z = jnp.clip((jnp.sqrt(g) - LONG_FROM) / LONG_OVER, 0, 1)
+    return z**3 * (10 - 15 * z + 6 * z * z)
+
+
+def long_features(g, nu, v, c):
+    """Five numbers of the contact, ten of long contacts alone and the last eight of `features`."""
+    s = np.sqrt(g)
+    length, poisson = 4 * (s - 1) / (s + 1) - 2.4, 4 * nu - 1
+    fixed = [np.ones_like(g), length, length * length, poisson, poisson * length]
+    x2, y2, p2 = v[0] ** 2, v[1] ** 2, v[2] ** 2 * g
+    lx2, ly2, ls2 = (v * c[:3]) ** 2
+    small, psi = 0.1 / g**2, np.sqrt((np.pi / 3) ** 2 * p2 + 0.0009) - 0.03
+    own = [
+        (x2 - p2) / (x2 + p2 + small),
+        2 * v[1] * v[2] * s / (y2 + p2 + small),
+        (y2 - p2) / (y2 + p2 + small),
+        v[1] * v[2] * c[1] * c[2] / (ly2 + ls2 + 0.01),
+        (ly2 - ls2) / (ly2 + ls2 + 0.01),
+        (lx2 - ls2) / (lx2 + ls2 + 0.01),
+        (lx2 - ly2) / (lx2 + ly2 + 0.01),
+        (psi - 0.3) / (psi + 0.3),
+        (psi - 1) / (psi + 1),
+        (lx2 + ly2 + ls2 - 300) / (lx2 + ly2 + ls2 + 300),
+    ]
+    return np.concatenate([np.stack(fixed + own), features(g, nu, v, c)[5:]])
+
+
+def of_long(long, x):
+    """Corrections of long contacts: weights (FIXED and INPUT together), OUTPUT, OFFSET."""
+    m1, m2, b2 = long
+    h = m1.T @ x
+    return m2.T @ (h / jnp.sqrt(1 + h * h)) + b2[:, None]
+
+
+def read_long():
+    k = common.read_constants(LONG)
+    return np.concatenate([k["FIXED"], k["INPUT"]]), k["OUTPUT"], k["OFFSET"]
+
+
 def unpack(p):
     i, j = FEATURES * UNITS, FEATURES * UNITS + UNITS
     k = j + UNITS * CORRECTIONS
@@ -167,7 +212,11 @@ def parameters(g, v, c, o, rule):
     force, s = v * c[:3], jnp.sqrt(g)
     q2 = force[0] ** 2 + force[1] ** 2 + force[2] ** 2
     w, w2 = q2 / (WIDTH + q2), q2 / (WIDTH2 + q2)  # no correction at rest
-    chi = q2 * q2 / (q2 * q2 + SATURATION**4)
+    # the linear force of a spin grows with the contact's length, its slip does not
+    of_spin = 1 / jnp.sqrt(1 + share_of_long(g) * ((g / 10) ** 3 - 1))
+    of_creepage = of_spin if SHARE_OF_ALL else 1
+    m2 = of_creepage * (force[0] ** 2 + force[1] ** 2) + of_spin * force[2] ** 2
+    chi = m2 * m2 / (m2 * m2 + SATURATION**4)
     rigid = 4 / (3 * np.pi) * (c[0] + c[1])
     k = 8 / (3 * np.pi)
     size = jnp.sqrt(force[2] ** 2 + 0.0009) - 0.03
@@ -317,7 +366,7 @@ def traction(q, x, y):
 
 def case(g, nu, v):
     c = np.stack(common.coefficients(g, nu))
-    return {"g": g, "nu": nu, "v": v, "c": c, "x": features(g, nu, v, c)}
+    return {"g": g, "nu": nu, "v": v, "c": c, "x": features(g, nu, v, c), "z": long_features(g, nu, v, c)}
 
 
 def load(*names):
@@ -350,9 +399,15 @@ def rigid_slip(g, vx, vy, phi, n=60):
 
 
 def limit_rows(n, seed=77):
-    """Far in sliding, any mix of translation and spin: rigid slip is the truth there."""
+    """Far in sliding, any mix of translation and spin."""
     r = np.random.default_rng(seed)
-    g, nu, angle, k = WIDEST ** r.uniform(-1, 1, n), r.uniform(0, 0.5, n), r.uniform(0, 2 * np.pi, n), 10 ** r.uniform(-1.1, 1.4, n)
+    return sliding(WIDEST ** r.uniform(-1, 1, n), r.uniform(0, 0.5, n), r)
+
+
+def sliding(g, nu, r):
+    """Rows far in sliding: rigid slip is the truth there."""
+    n = len(g)
+    angle, k = r.uniform(0, 2 * np.pi, n), 10 ** r.uniform(-1.1, 1.4, n)
     far = np.where(k < 3, 2000, 60 / k) * 10 ** r.uniform(-0.1, 1, n)
     data = case(g, nu, far * np.stack([k * np.cos(angle), k * np.sin(angle), np.ones(n)]))
     data["f"] = np.zeros((4, n))
@@ -392,8 +447,8 @@ def blocks(training):
     return [{key: jnp.asarray(data[key][..., part], jnp.float32) for key in ARRAYS} for part in order.reshape(-1, BLOCK)]
 
 
-def slope_blocks(training, seed=8):
-    """Differences of neighbouring states, three pairs for each of SLOPES training states, mirrored at random.
+def neighbours(training, count, seed=8):
+    """Neighbouring states, three pairs for each of `count` training states, mirrored at random: their differences are fitted.
 
     The values are those of TOTAL's stored constants, which are fitted to the same rows: it tells what rows one by one do not.
     """
@@ -401,7 +456,7 @@ def slope_blocks(training, seed=8):
     order = r.permutation(len(training["g"]))
     d = take(training, order)
     n = np.sqrt(((d["v"] * d["c"][:3]) ** 2).sum(0))
-    d = take(d, np.flatnonzero((n > 0.1) & (n < 3) & (d["g"] >= 0.02) & (d["g"] <= 50))[:SLOPES])
+    d = take(d, np.flatnonzero((n > 0.1) & (n < 3) & (d["g"] >= 0.02) & (d["g"] <= 50))[:count])
     v = d["v"] * r.choice([-1, 1], (3, d["g"].size))
     steps = (STEP / d["c"][:3])[:, :, None] * np.eye(3)[:, None, :]
     v = (v[:, :, None, None] + steps[:, :, :, None] * np.array([1, -1])).reshape(3, -1)
@@ -409,7 +464,12 @@ def slope_blocks(training, seed=8):
     f = of_total(rows)
     rows["f"] = np.r_[f, np.zeros((1, f.shape[1]))]
     rows["wt"] = np.ones((4, f.shape[1])) * np.array([[1], [1], [0.5], [0]]) * SLOPE_WEIGHT / (2 * STEP)
-    count = f.shape[1] // BLOCK * BLOCK
+    return rows
+
+
+def slope_blocks(training):
+    rows = neighbours(training, SLOPES)
+    count = len(rows["g"]) // BLOCK * BLOCK
     return [{key: jnp.asarray(rows[key][..., i : i + BLOCK], jnp.float32) for key in ARRAYS} for i in range(0, count, BLOCK)]
 
 
@@ -470,7 +530,7 @@ def cost(p, d, pairs=False):
 
 @jax.jit
 def heavier(p, d, weight):
-    """Weights of the second half: rows with large errors count up to four times."""
+    """Weights of the second part: rows with large errors count up to four times."""
     d_ = from_parameters(parameters(d["g"], d["v"], d["c"], corrections(p, d["x"]), RULE), d["g"], RULE, TABLE) - d["f"]
     force = jnp.minimum(jnp.sqrt(1 + TAIL * (d_[0] ** 2 + d_[1] ** 2) / 0.01**2), 4.0)
     moment = jnp.minimum(jnp.sqrt(1 + TAIL * d_[2] ** 2 / 0.014**2), 4.0)
@@ -490,7 +550,12 @@ def start(seed):
 
 
 def fit(p, parts, slopes, minutes, save=None):
-    """Levenberg-Marquardt, products in single precision; from .4 of the time on rows with large errors weigh more, renewed every ten steps."""
+    return levenberg_marquardt(p, parts, slopes, minutes, (normal_equations, cost, heavier), 0.4, save)
+
+
+def levenberg_marquardt(p, parts, slopes, minutes, functions, share, save=None):
+    """Levenberg-Marquardt, products in single precision; from this share of the time on rows with large errors weigh more, renewed every ten steps; 1: never."""
+    normal_equations, cost, heavier = functions
     began, damping, gains, iteration, second = time.time(), 1e-2, [], 0, False
     n = BLOCK * len(parts)
     both = [(part, False) for part in parts] + [(part, True) for part in slopes]
@@ -522,9 +587,9 @@ def fit(p, parts, slopes, minutes, save=None):
             if save:
                 np.save(save, p)
         slow = len(gains) > 40 and np.mean(gains[-20:]) < 1e-5
-        if spent > minutes or (second and slow):
+        if spent > minutes or (slow and (second or share == 1)):
             break
-        if not second and (spent > 0.4 * minutes or slow):
+        if not second and (spent > share * minutes or slow):
             second, gains, iteration = True, [], iteration // 10 * 10 + 10
     return p
 
@@ -532,19 +597,26 @@ def fit(p, parts, slopes, minutes, save=None):
 # --- reports -----------------------------------------------------------------------------------
 
 
-def predict(p, data, count=STRIPS, power=True):
-    def run(x, g, v, c):
-        f = totals(g, v, c, corrections(p, x), count)
+def corrected(p, x, z, g, long=None):
+    """All corrections; those of long contacts are the stored ones unless others are given."""
+    return corrections(p, x) + share_of_long(g) * of_long(long or read_long(), z)
+
+
+def predict(p, data, count=STRIPS, power=True, long=None):
+    long = long or read_long()
+
+    def run(x, z, g, v, c):
+        f = totals(g, v, c, corrected(p, x, z, g, long), count)
         return dissipative(f, v, c) if power else f
 
     run, size = jax.jit(run), len(data["g"])
     block = min(BLOCK, size)
     index = np.r_[np.arange(size), np.zeros(-size % block, int)]
-    return np.concatenate([np.array(run(*(jnp.array(data[key][..., i]) for key in ("x", "g", "v", "c")))) for i in index.reshape(-1, block)], 1)[:, :size]
+    return np.concatenate([np.array(run(*(jnp.array(data[key][..., i]) for key in ("x", "z", "g", "v", "c")))) for i in index.reshape(-1, block)], 1)[:, :size]
 
 
-def report(label, p, data, regions=False, count=STRIPS):
-    value = predict(p, data, count)
+def report(label, p, data, regions=False, count=STRIPS, long=None):
+    value = predict(p, data, count, long=long)
     plain = {"g": data["g"], "v": data["v"].T, "c": data["c"].T, "f": data["f"][:3].T}
     common.report(label, value[:3].T, plain, regions)
     d = value[3] - data["f"][3]
@@ -587,7 +659,7 @@ def report_fields(p, folder):
             points = list(csv.DictReader(file))
         x, y, px, py = (np.array([float(point[key]) for point in points]) for key in ("x_over_a", "y_over_b", "px", "py"))
         reference = np.array([point["state"] == "stick" for point in points])
-        q = np.array(parameters(data["g"], data["v"], data["c"], corrections(p, data["x"]), RULE))[:, 0]
+        q = np.array(parameters(data["g"], data["v"], data["c"], corrected(p, data["x"], data["z"], data["g"]), RULE))[:, 0]
         tx, ty, stick, pressure = map(np.array, traction(q, x, y))
         errors.append(np.hypot(tx - px, ty - py).sum() / pressure.sum())
         sticks.append(stick.mean() - reference.mean())
@@ -695,7 +767,7 @@ def numbers(p):
     """Totals for the unit test of the Rust code: g, nu, vx, vy, phi, then fx, fy, mz, stick for 16 strips."""
     r = np.random.default_rng(5)
     n = 24
-    g, nu = 10 ** r.uniform(-1, 1, n), r.uniform(0, 0.5, n)
+    g, nu = 10 ** r.uniform(-1, 1.8, n), r.uniform(0, 0.5, n)
     v = np.stack([r.normal(0, 0.3, n), r.normal(0, 0.3, n), r.normal(0, 0.5, n)], 1)
     v[0, 2], v[1, :2], v[2], v[3] = 0, 0, v[2] * 20, v[3] * 1e-3
     g, nu, v = g.round(3), nu.round(3), v.round(5)
@@ -730,6 +802,7 @@ def main():
         return
     training, validation = split(load("train.csv", "train_fine.csv"))
     slender = load("train_slender.csv")
+    slender = take(slender, slender["g"] < 14)  # longer ones: fit_strip_long.py
     training = {key: np.concatenate([value, slender[key]], -1) for key, value in training.items()}
     if args.check:
         p = read_back()

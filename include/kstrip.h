@@ -92,7 +92,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_FRICTION 12
 /** Warning: the radii are larger than 5 m in both directions. They are probably in mm. */
 #define KSTRIP_WARNING_RADIUS 13
-/** Warning: the axis ratio a/b is outside 0.015 to 60 (KSTRIP_MODEL_STRIP: 20), for which the model was made. */
+/** Warning: the axis ratio a/b is outside 0.015 to 60, for which the model was made. */
 #define KSTRIP_WARNING_AXIS_RATIO 14
 /** Warning: the mismatch of the materials exceeds 0.25, where the model was not compared with its reference. */
 #define KSTRIP_WARNING_MISMATCH 15

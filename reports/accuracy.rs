@@ -404,8 +404,8 @@ impl Report {
         self.line("\n## Slender contacts\n");
         self.line(
             "`open_slender.csv`: 140 cases beyond the axis ratios of `open.csv`, ν from 0 to 0.5, fitted by nothing. Force: mean / 95 % / max; \
-             moment in μ N √(ab): mean / max. FASTSIM and FaStrip get the linear coefficients of the library. STRIP warns above \
-             a/b = 20, TOTAL above 60, both below 0.015.\n",
+             moment in μ N √(ab): mean / max. FASTSIM and FaStrip get the linear coefficients of the library. STRIP and TOTAL \
+             warn below 0.015 and above 60.\n",
         );
         let cases = slender();
         let peers =

@@ -141,7 +141,7 @@ pub enum Notice {
     Friction = 12,
     /// Both summed curvatures are below 0.2/m: radii in mm, mostly.
     Radius = 13,
-    /// The axis ratio a/b is outside 0.015 to 60 (STRIP: to 20), where the model is not what its reference says. The result is finite,
+    /// The axis ratio a/b is outside 0.015 to 60, where the model is not what its reference says. The result is finite,
     /// bounded by `mu N`, and has the limits of slender contacts.
     AxisRatio = 14,
     /// The mismatch of the materials exceeds 0.25, where the model was not compared with its reference.
@@ -237,7 +237,7 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
         12 => c"implausible coefficient of friction: above 5; check that it is no percentage",
         13 => c"implausible radii: flatter than a radius of 5 m in both directions; check their unit (m, not mm)",
         14 => {
-            c"the axis ratio a/b is outside 0.015 to 60 (strips: 20), for which the model was made; result is finite, bounded by mu N and has the right limits"
+            c"the axis ratio a/b is outside 0.015 to 60, for which the model was made; result is finite, bounded by mu N and has the right limits"
         }
         15 => c"the mismatch of the materials exceeds 0.25, where the model was not checked; result is finite and bounded by mu N",
         16 => {

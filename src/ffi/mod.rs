@@ -70,7 +70,7 @@ pub const KSTRIP_WARNING_SPIN_UNIT: kstrip_status = 11;
 pub const KSTRIP_WARNING_FRICTION: kstrip_status = 12;
 /// Warning: the radii are larger than 5 m in both directions. They are probably in mm.
 pub const KSTRIP_WARNING_RADIUS: kstrip_status = 13;
-/// Warning: the axis ratio a/b is outside 0.015 to 60 (KSTRIP_MODEL_STRIP: 20), for which the model was made.
+/// Warning: the axis ratio a/b is outside 0.015 to 60, for which the model was made.
 pub const KSTRIP_WARNING_AXIS_RATIO: kstrip_status = 14;
 /// Warning: the mismatch of the materials exceeds 0.25, where the model was not compared with its reference.
 pub const KSTRIP_WARNING_MISMATCH: kstrip_status = 15;

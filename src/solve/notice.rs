@@ -61,10 +61,8 @@ pub(crate) fn linear_notice<F: Float>(size: F, friction_bound: F) -> Notice {
     if size > friction_bound { Notice::BeyondFriction } else { Notice::None }
 }
 
-/// Axis ratios that [`Model::Strip`] is made for, a hair more.
-pub(crate) const RATIOS: [f64; 2] = [0.014_999_9, 20.000_1];
-/// The largest that [`Model::Total`] is made for.
-const LONGEST_OF_TOTAL: f64 = 60.000_1;
+/// Axis ratios that [`Model::Strip`] and [`Model::Total`] are made for, a hair more.
+pub(crate) const RATIOS: [f64; 2] = [0.014_999_9, 60.000_1];
 /// Spins `|ψ|` that it is made for.
 pub(crate) const LARGEST_SPIN: f64 = 3.0;
 
@@ -79,10 +77,9 @@ pub(crate) fn notice<F: Float>(model: Model, friction_bound: F, ratio: F, psi: F
         Model::Strip1967 | Model::Strip1967Continuous if psi.abs() >= F::one() => {
             Notice::SpinBeyondTheory
         }
-        Model::Total if ratio < F::constant(RATIOS[0]) || ratio > F::constant(LONGEST_OF_TOTAL) => {
-            Notice::AxisRatio
-        }
-        Model::Strip if ratio < F::constant(RATIOS[0]) || ratio > F::constant(RATIOS[1]) => {
+        Model::Total | Model::Strip
+            if ratio < F::constant(RATIOS[0]) || ratio > F::constant(RATIOS[1]) =>
+        {
             Notice::AxisRatio
         }
         // (TOTAL knows the limit of large spin)

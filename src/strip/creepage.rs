@@ -5,6 +5,7 @@
 
 use super::constants::{SATURATION, WIDTH, WIDTH2};
 use super::kernel::Seen;
+use super::long::LongContact;
 use super::network::{INPUTS, Network};
 use crate::linear::LinearCoefficients;
 use crate::number::registers::compiled_twice;
@@ -17,8 +18,11 @@ const CREEPAGE_LIMIT: f64 = 1e4;
 const SEEN_LIMIT: f64 = 1e5;
 /// Largest creepage of one strip.
 const STRIP_LIMIT: f64 = 1e6;
-/// Axis ratios with which the model is evaluated. It is fitted for 0.07 to 14.
+/// Axis ratios with which the model is evaluated. It is fitted for 0.015 to 60.
 const RATIO_LIMIT: f64 = 1e3;
+
+/// `40⁴`
+const LIMIT: f64 = SATURATION * SATURATION * SATURATION * SATURATION;
 
 /// Everything that depends on the contact alone.
 #[derive(Clone, Copy, Debug)]
@@ -34,6 +38,9 @@ pub struct Flexibilities<F: Plain> {
     /// Factors of creepage and of `ρ` that make sums over strips exact at rest.
     factors: [F; 2],
     network: Network<F>,
+    long: LongContact<F>,
+    /// Share of the square of a spin's linear force that counts toward rigid slip: 1, less in long contacts.
+    of_spin: F,
 }
 
 /// The creepages of the strips of a contact.
@@ -97,6 +104,9 @@ impl<F: Plain> Flexibilities<F> {
         let [stretch, _] = factors;
         let moment = (root * stretch * linear.c22).times(4.0 / (3.0 * PI));
         let (upright, inverse) = F::Pair::of(root, moment).inverse().parts();
+        let ratio = (root.plus(-1.0) / root.plus(1.0)).times(2.0);
+        let poisson = poisson_ratio.times(4.0).plus(-1.0);
+        let long = LongContact::new(root, ratio, poisson);
         Self {
             linear: *linear,
             root,
@@ -104,13 +114,15 @@ impl<F: Plain> Flexibilities<F> {
             rigid: (linear.c11 + linear.c22).times(4.0 / (3.0 * PI)),
             lateral_at_rest: (linear.c23 * inverse).plus(-1.0),
             factors,
-            network: Network::new(root, poisson_ratio),
+            network: Network::new(ratio, poisson),
+            of_spin: long.of_spin(root),
+            long,
         }
     }
 
     /// The creepages of the strips, from `vx, vy = G a b (υx, υy)/(μ N)` and `φ = G (a b)^{3/2} ϕ/(μ N)`.
     ///
-    /// The factors are fitted for `a/b` 0.07 to 14, `ν` 0 to 1/2 and `|ψ| = (π/3) √(a/b) |φ| ≤ 3`. Beyond that range the results are finite
+    /// The factors are fitted for `a/b` 0.015 to 60, `ν` 0 to 1/2 and `|ψ| = (π/3) √(a/b) |φ| ≤ 3`. Beyond that range the results are finite
     /// and bounded and have the right limits.
     #[inline(always)]
     pub fn see<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Distribution<T> {
@@ -122,7 +134,6 @@ impl<F: Plain> Flexibilities<F> {
     #[inline(always)]
     pub(super) fn seen<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Distribution<T> {
         const K: f64 = 8.0 / (3.0 * PI);
-        const LIMIT: f64 = SATURATION * SATURATION * SATURATION * SATURATION;
         let creepage = scaled_down(creepage, CREEPAGE_LIMIT);
         let [vx, vy, phi] = creepage;
         let LinearCoefficients { c11, c22, c23, c33 } = self.linear;
@@ -133,8 +144,8 @@ impl<F: Plain> Flexibilities<F> {
         let size = magnitude(T::Pair::of(lx, ly));
         let ss = magnitude(ls);
         let t2 = lx * lx + ly * ly;
-        let q2 = t2 + ls * ls;
-        let q4 = q2 * q2;
+        let s2 = ls * ls;
+        let q2 = t2 + s2;
 
         // rigid slip: translation against spin at the ends of the axes
         let (px, py) = (phi.scale(self.upright), phi.scale(self.root));
@@ -162,13 +173,23 @@ impl<F: Plain> Flexibilities<F> {
             less(by_more, 4.0),
             less(by_q, 2.0),
         ];
-        let [o_x, o_y, o_slope, o_spin, o_share, o_spin_share, o_lateral, o_bend] =
-            T::map(&self.network, features);
+        let mut corrections = T::map(&self.network, features);
+        if self.long.share.exceeds(F::zero()) {
+            let [_, _, _, shared @ ..] = features;
+            let psi = magnitude(py.times(PI / 3.0));
+            let more = self.long.corrections(shared, [lx, ly, ls], [x2, y2, py2], vy * py, psi);
+            for (correction, more) in corrections.iter_mut().zip(more) {
+                *correction += more;
+            }
+        }
+        let [o_x, o_y, o_slope, o_spin, o_share, o_spin_share, o_lateral, o_bend] = corrections;
 
         // w = n²/(c + n²): no correction at rest
         let (w, w2) = (less(by_n, WIDTH), less(by_n2, WIDTH2));
-        // χ = n⁴/(n⁴ + 40⁴): from the contact's own flexibilities to that of the rigid slip
-        let elastic = (q4.plus(LIMIT)).inverse().times(LIMIT);
+        // χ = m⁴/(m⁴ + 40⁴), m² that of the creepages and a share of that of the spin: from the contact's own flexibilities to that of
+        // the rigid slip
+        let m2 = t2 + s2.scale(self.of_spin);
+        let elastic = (m2 * m2).plus(LIMIT).inverse().times(LIMIT);
         let rigid = (one - elastic).scale(self.rigid);
 
         let positive = |first: T, second: T| {

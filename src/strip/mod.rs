@@ -6,7 +6,8 @@
 //!
 //! **Creepages of a strip** (`creepage`). The flexibilities are those of Kalker's linear coefficients, so that forces and
 //! moment have the slopes `C11, C22, C23, C33` at rest. Away from rest a small network, fitted to 16 000 cases
-//! computed with CONTACT, multiplies the flexibilities by factors near one. Far in sliding they become that of the rigid slip:
+//! computed with CONTACT, multiplies the flexibilities by factors near one. Far in sliding they become that of the rigid slip. Contacts that are long
+//! in the rolling direction have a second network (`long`):
 //!
 //! ```text
 //! A_x = (a_x − ρ Y (1 + ε (0.4 − Y²)))/C,   A_y = a_y/C,   σ,      C = √(1 − Y²) on an ellipse.
@@ -39,6 +40,8 @@ mod creepage;
 mod derivative;
 mod field;
 mod kernel;
+mod long;
+mod long_constants;
 mod network;
 mod nodes;
 mod tables;

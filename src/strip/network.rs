@@ -34,12 +34,11 @@ pub(super) struct Network<F> {
 }
 
 impl<F: Plain> Network<F> {
+    /// From `2(√g − 1)/(√g + 1)` and `4ν − 1`.
     #[inline(always)]
-    pub fn new(root: F, poisson_ratio: F) -> Self {
+    pub fn new(ratio: F, poisson: F) -> Self {
         let [offset, weights @ ..] = table!(F, widen(&OFFSETS));
-        let ratio = (root.plus(-1.0) / root.plus(1.0)).times(2.0);
-        let inputs = [ratio, poisson_ratio.times(4.0).plus(-1.0)];
-        Self { start: add_rows(row(offset), &inputs, weights) }
+        Self { start: add_rows(row(offset), &[ratio, poisson], weights) }
     }
 }
 
@@ -49,19 +48,10 @@ impl<F: Plain> Map<F, INPUTS, CORRECTIONS> for Network<F> {
 
     #[inline(always)]
     fn value(&self, inputs: [F; INPUTS]) -> ([F; CORRECTIONS], [F; UNITS]) {
-        let mut units = add_rows(self.start, &inputs, table!(F, widen(&MOVING)));
-        let mut slopes = units;
-        for slope in &mut slopes {
-            *slope = slope.squared().plus(1.0);
-        }
-        let mut slopes = F::inverse_roots(slopes);
-        for (h, root) in units.iter_mut().zip(&mut slopes) {
-            *h = *h * *root;
-            // (1 + h²)^{−3/2}
-            *root = *root * root.squared();
-        }
+        let sums = add_rows(self.start, &inputs, table!(F, widen(&MOVING)));
+        let (units, slopes) = units(sums);
         let [offset] = table!(F, widen(&[OUTPUT_OFFSET]));
-        (last(&units, row(offset)), slopes)
+        (last(&units, row(offset), table!(F, widen(&OUTPUT))), slopes)
     }
 
     #[inline(always)]
@@ -70,15 +60,36 @@ impl<F: Plain> Map<F, INPUTS, CORRECTIONS> for Network<F> {
         for (h, slope) in units.iter_mut().zip(slopes) {
             *h = *h * *slope;
         }
-        last(&units, [F::zero(); CORRECTIONS])
+        last(&units, [F::zero(); CORRECTIONS], table!(F, widen(&OUTPUT)))
     }
+}
+
+/// `x = h/√(1 + h²)` and `dx/dh = (1 + h²)^{−3/2}`
+#[inline(always)]
+pub(super) fn units<F: Plain, const UNITS: usize>(
+    mut sums: [F; UNITS],
+) -> ([F; UNITS], [F; UNITS]) {
+    let mut slopes = sums;
+    for slope in &mut slopes {
+        *slope = slope.squared().plus(1.0);
+    }
+    let mut slopes = F::inverse_roots(slopes);
+    for (h, root) in sums.iter_mut().zip(&mut slopes) {
+        *h = *h * *root;
+        *root = *root * root.squared();
+    }
+    (sums, slopes)
 }
 
 /// The last layer, in two chains of additions.
 #[inline(always)]
-fn last<F: Plain>(units: &[F; UNITS], start: [F; CORRECTIONS]) -> [F; CORRECTIONS] {
+pub(super) fn last<F: Plain, const UNITS: usize>(
+    units: &[F; UNITS],
+    start: [F; CORRECTIONS],
+    rows: &[[F::Stored; CORRECTIONS]; UNITS],
+) -> [F; CORRECTIONS] {
     let (mut sums, mut others) = (start, [F::zero(); CORRECTIONS]);
-    let (units, rows) = (units.as_chunks::<2>().0, table!(F, widen(&OUTPUT)).as_chunks::<2>().0);
+    let (units, rows) = (units.as_chunks::<2>().0, rows.as_chunks::<2>().0);
     for ([a, b], [of_a, of_b]) in units.iter().zip(rows) {
         for ((sum, other), (p, q)) in sums.iter_mut().zip(&mut others).zip(of_a.iter().zip(of_b)) {
             *sum += *a * F::stored(*p);

@@ -546,5 +546,6 @@ fn real_patches_are_those_of_contact() {
     println!("pressure {pressure:.4?} area {area:.4?} force {force:.4?} moment {moment:.4?}");
     assert!(pressure[0] < 0.015 && pressure[1] < 0.05, "{pressure:?}");
     assert!(area[0] < 0.03 && area[1] < 0.08, "{area:?}");
-    assert!(force[0] < 0.02 && force[1] < 0.06, "{force:?}");
+    assert!(force[0] < 0.02 && force[1] < 0.05, "{force:?}");
+    assert!(moment[1] < 0.05, "{moment:?}");
 }

@@ -5,15 +5,15 @@ use crate::reference::*;
 use kstrip::contact::forces::StripCount;
 use kstrip::solve::model::{Model, Options};
 
-/// Axis ratios from and to; allowed of TOTAL and of STRIP, which says from 20 on that it was not made for them: mean and 95th percentile of the force, mean of the moment.
+/// Axis ratios from and to; allowed of TOTAL and of STRIP: mean and 95th percentile of the force, mean of the moment.
 const BINS: [([f64; 2], [f64; 3], [f64; 3]); 7] = [
     ([0.015, 0.03], [0.006, 0.018, 0.010], [0.010, 0.035, 0.05]),
     ([0.03, 0.06], [0.006, 0.018, 0.010], [0.010, 0.035, 0.05]),
     ([0.06, 0.12], [0.006, 0.018, 0.010], [0.010, 0.035, 0.05]),
     ([8.0, 12.0], [0.006, 0.018, 0.010], [0.010, 0.035, 0.05]),
-    ([12.0, 20.0], [0.006, 0.018, 0.020], [0.020, 0.050, 0.05]),
-    ([20.0, 40.0], [0.006, 0.018, 0.020], [0.06, 0.17, 0.10]),
-    ([40.0, 60.1], [0.009, 0.020, 0.070], [0.06, 0.17, 0.15]),
+    ([12.0, 20.0], [0.006, 0.018, 0.020], [0.010, 0.035, 0.05]),
+    ([20.0, 40.0], [0.006, 0.018, 0.020], [0.010, 0.035, 0.05]),
+    ([40.0, 60.1], [0.009, 0.020, 0.070], [0.012, 0.035, 0.05]),
 ];
 
 #[test]

@@ -1,3 +1,4 @@
+use super::long::LongContact;
 use super::*;
 use crate::contact::forces::{StripCount, Totals};
 use crate::linear::LinearCoefficients;
@@ -545,5 +546,42 @@ fn forces_are_lifted_along_the_linear_ones() {
     assert!(factors[2] > 0.01 && after.fx.hypot(after.fy) < 1.0, "{after:?}");
     for factor in factors {
         assert_abs_diff_eq!(factor, factors[2], epsilon = 1e-12);
+    }
+}
+
+/// The corrections of long contacts set in with two continuous derivatives by the axis ratio, and nothing of them is left below.
+#[test]
+fn long_contacts_are_reached_smoothly() {
+    let share = |root: f64| LongContact::new(root, 0.0, 0.0).share;
+    for root in [0.1, 1.0, 2.65] {
+        assert_eq!(share(root), 0.0);
+        assert_eq!(LongContact::new(root, 0.0, 0.0).of_spin(root), 1.0);
+    }
+    assert_abs_diff_eq!(share(3.75), 1.0, epsilon = 1e-14);
+    assert_abs_diff_eq!(share(1e3), 1.0, epsilon = 1e-14);
+    let step = 1e-3;
+    let mut before: Option<f64> = None;
+    for k in 0..1400 {
+        let root = 2.5 + step * f64::from(k);
+        let [low, here, high] = [root - step, root, root + step].map(share);
+        assert!(low <= here && here <= high && (0.0..=1.0).contains(&here));
+        // w'' is at most 5.8/1.1², its slope 60/1.1³ at the ends
+        let curvature = (low - here - here + high) / (step * step);
+        assert!(before.is_none_or(|before| (curvature - before).abs() < 0.05), "{root}");
+        before = Some(curvature);
+    }
+    // and so do forces: no step, and no kink, at either end
+    for root in [2.65_f64, 3.75] {
+        for v in [[0.03, 0.02, 0.05], [0.0, 0.05, 0.1], [0.01, -0.04, -0.2]] {
+            let [a, b, c, d] = [-1.5, -0.5, 0.5, 1.5].map(|k| {
+                let g = (root + 1e-4 * k).powi(2);
+                totals([g, 0.28, v[0], v[1], v[2]])
+            });
+            for i in 0..4 {
+                let slopes = [b[i] - a[i], c[i] - b[i], d[i] - c[i]];
+                assert!(slopes.iter().all(|slope| slope.abs() < 1e-3));
+                assert_abs_diff_eq!(slopes[0], slopes[2], epsilon = 2e-7);
+            }
+        }
     }
 }

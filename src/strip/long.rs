@@ -1,0 +1,122 @@
+//! More corrections where the contact is long, `a ≫ b`.
+//!
+//! In a long contact the strips move each other: what one of them feels is the load of the whole cross-section, with `ln(a/b)`. The
+//! corrections of `network` know axis ratios to 14. From `√(a/b)` = 2.65 on those of a second network are added, which was fitted to
+//! long contacts alone, with a weight that has two continuous derivatives and is one from 3.75 on. Shorter contacts do not have it.
+//! (Ours: no paper has it.)
+
+use super::long_constants::{FIXED, INPUT, OFFSET, OUTPUT};
+use super::network::{CORRECTIONS, last, units};
+use crate::number::tables::{add_rows, row, table, widen};
+use crate::number::{Arithmetic, Map, Number, Pair, Plain};
+
+const UNITS: usize = OUTPUT.len();
+/// Features of all contacts that are used here too: the last ones.
+const SHARED: usize = 8;
+const INPUTS: usize = INPUT.len();
+/// `√(a/b)` from which on, and over which distance, the corrections set in.
+const FROM: f64 = 2.65;
+const OVER: f64 = 1.1;
+/// Axis ratio where the flexibilities of rigid slip take over at [`super::constants::SATURATION`].
+const SATURATES_AT: f64 = 10.0;
+
+/// The second network of one contact.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LongContact<F> {
+    /// Weight of its corrections, 0 to 1.
+    pub share: F,
+    /// `0.1 (b/a)²`: squares of creepages that are small.
+    small: F,
+    /// Sums of the units over what the contact decides.
+    start: [F; UNITS],
+}
+
+impl<F: Plain> LongContact<F> {
+    /// From `√(a/b)`, `2(√g − 1)/(√g + 1)` and `4ν − 1`.
+    #[inline(always)]
+    pub fn new(root: F, ratio: F, poisson: F) -> Self {
+        // w = z³ (10 − 15 z + 6 z²)
+        let z = root.plus(-FROM).times(1.0 / OVER).clamped(F::zero(), F::one());
+        let share = z * z.squared() * (z * (z.times(6.0).plus(-15.0))).plus(10.0);
+        if !share.exceeds(F::zero()) {
+            return Self { share, small: F::zero(), start: [F::zero(); UNITS] };
+        }
+        let length = ratio.times(2.0).plus(-2.4);
+        let fixed = [length, length.squared(), poisson, poisson * length];
+        let [offset, weights @ ..] = table!(F, widen(&FIXED));
+        let start = add_rows(row(offset), &fixed, weights);
+        Self { share, small: root.squared().squared().inverse().times(0.1), start }
+    }
+
+    /// `(1 + w ((a/10 b)³ − 1))^(−1/2)`: the linear force of a spin grows with the contact's length, its slip does not, so that less of
+    /// it counts toward rigid slip.
+    #[inline(always)]
+    pub fn of_spin(&self, root: F) -> F {
+        let length = root.squared().times(1.0 / SATURATES_AT);
+        (self.share * (length * length.squared()).plus(-1.0)).plus(1.0).sqrt().inverse()
+    }
+
+    /// What is added to the corrections. `shared` are the last features of all contacts, `forces` those of the linear theory, `squares`
+    /// of `vx, vy` and `p = √(a/b) φ`, `turn` is `vy p` and `psi` is `|ψ|`, rounded.
+    #[inline(always)]
+    pub fn corrections<T: Number<Base = F>>(
+        &self,
+        shared: [T; SHARED],
+        [lx, ly, ls]: [T; 3],
+        [x2, y2, p2]: [T; 3],
+        turn: T,
+        psi: T,
+    ) -> [T; CORRECTIONS] {
+        let inverse = |first: T, second: T| T::Pair::of(first, second).inverse().parts();
+        // rigid slip of creepage against that of spin at the ends of the long axis
+        let (over_x, over_y) = inverse((x2 + p2).shift(self.small), (y2 + p2).shift(self.small));
+        // linear forces against each other and all of them, |ψ| alone
+        let (lx2, ly2, ls2) = (lx * lx, ly * ly, ls * ls);
+        let (by_ys, by_xs) = inverse((ly2 + ls2).plus(0.01), (lx2 + ls2).plus(0.01));
+        let (by_less, by_more) = inverse(psi.plus(0.3), psi.plus(1.0));
+        let (by_xy, by_far) = inverse((lx2 + ly2).plus(0.01), (lx2 + ly2 + ls2).plus(300.0));
+        let [x, y, spin, couple, few, less, more, all] = shared;
+        let inputs: [T; INPUTS] = [
+            (x2 - p2) * over_x,
+            turn.times(2.0) * over_y,
+            (y2 - p2) * over_y,
+            (ls * ly) * by_ys,
+            (ly2 - ls2) * by_ys,
+            (lx2 - ls2) * by_xs,
+            (lx2 - ly2) * by_xy,
+            by_less.times(-0.6).plus(1.0),
+            by_more.times(-2.0).plus(1.0),
+            by_far.times(-600.0).plus(1.0),
+            x,
+            y,
+            spin,
+            couple,
+            few,
+            less,
+            more,
+            all,
+        ];
+        T::each(&T::map(self, inputs), |correction| correction.scale(self.share))
+    }
+}
+
+impl<F: Plain> Map<F, INPUTS, CORRECTIONS> for LongContact<F> {
+    /// `dx/dh` of the units `x = h/√(1 + h²)`
+    type Place = [F; UNITS];
+
+    #[inline(always)]
+    fn value(&self, inputs: [F; INPUTS]) -> ([F; CORRECTIONS], [F; UNITS]) {
+        let (units, slopes) = units(add_rows(self.start, &inputs, table!(F, widen(&INPUT))));
+        let [offset] = table!(F, widen(&[OFFSET]));
+        (last(&units, row(offset), table!(F, widen(&OUTPUT))), slopes)
+    }
+
+    #[inline(always)]
+    fn tangent(&self, slopes: &[F; UNITS], inputs: [F; INPUTS]) -> [F; CORRECTIONS] {
+        let mut units = add_rows([F::zero(); UNITS], &inputs, table!(F, widen(&INPUT)));
+        for (h, slope) in units.iter_mut().zip(slopes) {
+            *h = *h * *slope;
+        }
+        last(&units, [F::zero(); CORRECTIONS], table!(F, widen(&OUTPUT)))
+    }
+}
