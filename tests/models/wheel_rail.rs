@@ -4,6 +4,7 @@ use crate::manchester::{self, Wheelset, points, steel, zeroed};
 use approx::assert_relative_eq;
 use kstrip::contact::forces::StripCount;
 use kstrip::contact::hertz::{Radii, hertz};
+use kstrip::friction::SlipFriction;
 use kstrip::solve::model::Model;
 use kstrip::status::{Error, Notice};
 use kstrip::wheel_rail::contacts::WheelContact;
@@ -46,12 +47,14 @@ struct Stand {
     wheel: Box<Surface<f64>>,
     pair: Pair<f64>,
     model: Model,
+    falling: Option<SlipFriction<f64>>,
     memory: Box<Workspace<f64>>,
 }
 
 impl Stand {
     fn new(rail: Box<Surface<f64>>, wheel: Box<Surface<f64>>, wheel_radius: f64) -> Self {
-        Self { rail, wheel, pair: steel(wheel_radius), model: Model::Strip, memory: zeroed() }
+        let (pair, model) = (steel(wheel_radius), Model::Strip);
+        Self { rail, wheel, pair, model, falling: None, memory: zeroed() }
     }
 
     /// S1002 on UIC60, both new; the wheel's centre is 10.5325 mm to the left of the rail's at y = 0 of the wheelset.
@@ -60,8 +63,8 @@ impl Stand {
     }
 
     fn split(&mut self) -> (Scene<'_, f64>, &mut Workspace<f64>) {
-        let Self { rail, wheel, pair, model, memory } = self;
-        let law = Law { model: *model, falling: None };
+        let Self { rail, wheel, pair, model, falling, memory } = self;
+        let law = Law { model: *model, falling: falling.as_ref() };
         (Scene { rail, wheel, pair, strips: StripCount::Sixteen, law }, memory)
     }
 
@@ -294,6 +297,46 @@ fn derivatives_by_velocity_are_those_of_differences() {
         let largest = slopes.friction.iter().fold(1e-9, |most: f64, slope| most.max(slope.abs()));
         for (slope, expected) in slopes.friction.iter().zip(difference(&plus, &minus, 1e-5)) {
             assert!((slope - expected).abs() < 1e-4 * largest, "{speed}: {slope} {expected}");
+        }
+    }
+}
+
+/// Friction that falls with the slip: a locked wheel is held by the law's friction at its speed, and slopes are those of differences.
+#[test]
+fn friction_falls_with_the_slip() {
+    let law = SlipFriction {
+        friction: 0.3,
+        ratio: 0.4,
+        decay: 0.6,
+        rolling_speed: 0.0,
+        slope_factor: 0.8,
+    };
+    for model in [Model::Strip, Model::Total] {
+        let mut stand = Stand::new_profiles();
+        let position = stand.at(1e-3, 80e3);
+        (stand.model, stand.falling) = (model, Some(law));
+        for speed in [0.3, 1.0, 3.0, 10.0] {
+            let velocity = Velocity { forward: speed, ..Velocity::default() };
+            let wrench = stand.solve(&position, &velocity);
+            let expected = 0.3 * (0.4 + 0.6 * (-0.6 * speed).exp());
+            let [forward, ..] = wrench.force;
+            let found = -forward / wrench.normal_force;
+            assert!((found / expected - 1.0).abs() < 5e-3, "{model:?} {speed} {found} {expected}");
+            assert!((wrench.dissipation / (speed * -forward) - 1.0).abs() < 1e-2, "{speed}");
+        }
+        let velocity = Velocity { lateral: 0.05, ..ROLLING };
+        let mut slopes: Box<WrenchDerivatives<f64>> = zeroed();
+        let (scene, memory) = stand.split();
+        scene.solve(&position, &velocity, memory, Some(&mut slopes), None).unwrap();
+        for k in [0, 1, 4] {
+            let step = 4e-6;
+            let [plus, minus] =
+                [step, -step].map(|step| stand.solve(&position, &moved(&velocity, k, step)));
+            let expected = difference(&plus, &minus, step);
+            let largest = expected.iter().fold(0.0, |most: f64, slope| most.max(slope.abs()));
+            for (row, expected) in slopes.velocity.iter().zip(expected) {
+                assert!((row[k] - expected).abs() < 1e-4 * largest, "{k}: {} {expected}", row[k]);
+            }
         }
     }
 }
