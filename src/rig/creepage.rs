@@ -7,8 +7,11 @@
 //! ```
 //!
 //! is proportional to the creepage in the theory of Vermeulen and Johnson (J. Appl. Mech. 31 (1964) 338), and nearly so
-//! here. A step that leads no closer is shortened to where the cubic through both ends crosses zero. If the search still makes no progress, as
-//! beside a fold of the force, it starts again with larger creepages along the wanted force.
+//! here. From the second step on the model of the force is not only its slopes but the cubics through the last two places, as a tensor method has
+//! it (Schnabel and Frank, SIAM J. Numer. Anal. 21 (1984) 815), because the slopes alone are nearly singular where spin and creepage make the
+//! force turn back: its folds. A step that leads no closer is shortened to where the cubic through both ends crosses zero, or damped; one that
+//! leads beyond a fold is halved, because the force that is wanted is mostly found before it turns back. If the search still makes no progress, it
+//! starts again elsewhere along the wanted force.
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
@@ -19,12 +22,18 @@ use crate::status::{Error, Notice};
 
 /// Forces this near to `μ N`, relatively, are taken for full sliding.
 const SLIDING: f64 = 1e-3;
-/// Solutions up to which each start is followed, and over the creepage that the first one came to, where it begins.
-const STARTS: [(usize, f64); 3] = [(14, 0.0), (27, 2.5), (40, 8.0)];
-/// Lengths of one step that are tried.
-const LENGTHS: usize = 4;
-/// Over the sum of the squares of the slopes, where a step without it leads nowhere.
+/// Solutions at most.
+const MOST: usize = 40;
+/// After so many solutions in a row that do not halve the error the search starts again: along the wanted force, at these creepages over
+/// the one where the first start ended, or over `NEAREST` in units of slip.
+const IDLE: usize = 6;
+const STARTS: [f64; 5] = [0.6, 2.0, 4.0, 0.3, 8.0];
+const NEAREST: f64 = 0.3;
+/// Added over the sum of the squares of the slopes where the plain step leads nowhere, and by how much more each time.
 const DAMPING: f64 = 0.03;
+const GROWTH: f64 = 10.0;
+/// A step along the cubics through the last two places is trusted where the cubic that tells its length grows at least so steeply.
+const STEEP: f64 = 0.1;
 /// Distances from the wanted force over `μ N`: what is reached, what is left to rounding, and what is taken.
 const REACHED: f64 = 16.0;
 const ROUNDING: f64 = 5e3;
@@ -35,9 +44,9 @@ const TAKEN: f64 = 1e4;
 /// With [`Notice::CreepageAtLeast`] the force is within 0.1 % of `μ N`: the result is where it comes as near as that,
 /// and larger creepages do as well.
 ///
-/// The search mostly needs five solutions with derivatives, and 12 in all but one of a thousand plausible contacts (two of a thousand for the
-/// models of 1967). It ends after 40 with [`Notice::NotConverged`] and the nearest creepage that was found. Where spin keeps the force nearly
-/// constant over a range of creepages, more than one creepage may give it, and the result is one of them.
+/// The search mostly needs five solutions with derivatives, and more than 12 for three of ten thousand plausible contacts (22 with
+/// [`Model::Strip1967`], whose force jumps). It ends after 40 with [`Notice::NotConverged`] and the nearest creepage that was found. Where
+/// spin keeps the force nearly constant over a range of creepages, more than one creepage may give it, and the result is one of them.
 ///
 /// # Errors
 /// Those of [`solve`](model::solve), [`Error::ForceBeyondFriction`].
@@ -102,7 +111,7 @@ pub fn creepage_for_force<F: Precision>(
 }
 
 /// A contact and a force that it shall carry.
-pub(crate) struct Aim<'a, F> {
+pub(super) struct Aim<'a, F> {
     contact: &'a Contact<F>,
     options: &'a Options,
     spin: F,
@@ -114,14 +123,14 @@ pub(crate) struct Aim<'a, F> {
     slip: F,
     saturates: bool,
     /// Solutions so far.
-    pub(crate) solved: usize,
+    pub(super) solved: usize,
 }
 
 /// A creepage and what it leads to.
 #[derive(Clone, Copy)]
-pub(crate) struct Place<F> {
+pub(super) struct Place<F> {
     /// `(υx, υy)` over the unit of slip
-    pub(crate) at: [F; 2],
+    pub(super) at: [F; 2],
     /// `L(F) − L(target)`
     error: [F; 2],
     /// Its derivatives, row by row.
@@ -129,7 +138,7 @@ pub(crate) struct Place<F> {
     /// How large the error is.
     off: F,
     /// `|F − target|` over the unit
-    pub(crate) distance: F,
+    pub(super) distance: F,
     notice: Notice,
 }
 
@@ -147,13 +156,25 @@ fn unsaturated<F: Float>([x, y]: [F; 2]) -> ([F; 2], [[F; 2]; 2]) {
     ([x * t * k, y * t * k], slopes)
 }
 
+impl<F: Float> Place<F> {
+    fn determinant(&self) -> F {
+        let [[xx, xy], [yx, yy]] = self.slopes;
+        xx * yy - xy * yx
+    }
+
+    /// Whether the force has turned back on the way: the slopes have another orientation than at rest and at the place before.
+    fn is_beyond_a_fold_from(&self, before: &Self) -> bool {
+        self.determinant() <= F::zero() && before.determinant() > F::zero()
+    }
+}
+
 fn times<F: Float>(rows: &[[F; 2]; 2], [x, y]: [F; 2]) -> [F; 2] {
     rows.map(|[by_x, by_y]| by_x * x + by_y * y)
 }
 
 impl<'a, F: Precision> Aim<'a, F> {
     /// Of a contact with load and, unless the theory is linear, friction.
-    pub(crate) fn new(
+    pub(super) fn new(
         contact: &'a Contact<F>,
         target: [F; 2],
         spin: F,
@@ -173,7 +194,7 @@ impl<'a, F: Precision> Aim<'a, F> {
         Self { contact, options, spin, target, unit, slip, saturates, solved: 0 }
     }
 
-    pub(crate) fn creepage(&self, [x, y]: [F; 2]) -> Creepage<F> {
+    pub(super) fn creepage(&self, [x, y]: [F; 2]) -> Creepage<F> {
         Creepage { longitudinal: x * self.slip, lateral: y * self.slip, spin: self.spin }
     }
 
@@ -200,90 +221,125 @@ impl<'a, F: Precision> Aim<'a, F> {
     }
 
     /// The place of the wanted force, or the nearest that was found.
-    pub(crate) fn find(&mut self) -> Result<Place<F>, Error> {
+    pub(super) fn find(&mut self) -> Result<Place<F>, Error> {
+        let start = self.place([F::zero(); 2])?;
+        let mut best = self.follow(start);
+        let reach = length(best.at[0], best.at[1]).max(F::constant(NEAREST));
         let size = length(self.target[0], self.target[1]) + F::TINY;
         let direction = self.target.map(|part| part / size);
-        let mut best: Option<Place<F>> = None;
-        let mut reach = F::one();
-        for (limit, larger) in STARTS.map(|(limit, larger)| (limit, F::constant(larger))) {
-            let start = direction.map(|part| part * (reach * larger));
-            let Ok(start) = self.place(start) else { break };
-            let found = self.follow(start, limit);
-            if best.is_none() {
-                reach = length(found.at[0], found.at[1]).max(F::one());
-            }
-            if best.is_none_or(|best| found.distance < best.distance) {
-                best = Some(found);
-            }
-            if found.distance <= F::EPSILON.times(TAKEN) {
+        for larger in STARTS.map(F::constant) {
+            if best.distance <= F::EPSILON.times(TAKEN) || self.solved >= MOST {
                 break;
             }
+            let Ok(start) = self.place(direction.map(|part| part * (reach * larger))) else {
+                break;
+            };
+            let found = self.follow(start);
+            if found.distance < best.distance {
+                best = found;
+            }
         }
-        best.ok_or(Error::Overflow)
+        Ok(best)
     }
 
-    /// Newton's method from a place, as long as it leads closer.
-    fn follow(&mut self, start: Place<F>, limit: usize) -> Place<F> {
-        let mut place = start;
-        let mut damping = F::zero();
-        while self.solved < limit && place.distance > F::EPSILON.times(REACHED) {
-            match self.step(&place, damping, limit) {
-                Some(closer) => (place, damping) = (closer, F::zero()),
-                None if place.distance <= F::EPSILON.times(ROUNDING) || damping > F::zero() => {
+    /// Step by step from a place, as long as steps lead closer.
+    fn follow(&mut self, start: Place<F>) -> Place<F> {
+        let (mut place, mut before) = (start, None);
+        let (mut share, mut damping) = (F::one(), F::zero());
+        let (mut mark, mut idle) = (start.off, 0);
+        while self.solved < MOST && idle < IDLE && place.distance > F::EPSILON.times(REACHED) {
+            let Place { at, error, off, distance, .. } = place;
+            let step = self.step(&place, before.as_ref(), damping).map(|part| part * share);
+            let Ok(next) = self.place([at[0] + step[0], at[1] + step[1]]) else { break };
+            let halves = next.off < mark.times(0.5);
+            (mark, idle) = if halves { (next.off, 0) } else { (mark, idle + 1) };
+            let near = distance <= F::EPSILON.times(ROUNDING);
+            let closer = next.off < off || next.distance <= F::EPSILON.times(REACHED);
+            if closer && (near || !next.is_beyond_a_fold_from(&place)) {
+                (before, place, share, damping) = (Some(place), next, F::one(), F::zero());
+                if near && next.distance > distance.times(0.1) {
                     break;
                 }
-                None => damping = F::constant(DAMPING),
+            } else if near {
+                break;
+            } else {
+                // along the error, which the step shall take to zero
+                let along = |[x, y]: [F; 2]| (x * error[0] + y * error[1]) / off;
+                let beyond = along(next.error);
+                if beyond < F::zero() {
+                    let slopes = [place.slopes, next.slopes].map(|rows| along(times(&rows, step)));
+                    let shorter = crossing([off, beyond], slopes);
+                    share = share * shorter.clamped(F::constant(0.05), F::constant(0.95));
+                } else if closer {
+                    share = share.times(0.5);
+                } else {
+                    (before, share) = (None, F::one());
+                    damping = damping.times(GROWTH).max(F::constant(DAMPING));
+                }
             }
         }
         place
     }
 
-    /// One step of Newton's method, `(Jᵀ J + λ) Δ = −Jᵀ error`, as long as it may be; none if it leads no closer.
-    fn step(&mut self, place: &Place<F>, damping: F, limit: usize) -> Option<Place<F>> {
-        let Place { at, error, slopes: [[xx, xy], [yx, yy]], off, .. } = *place;
-        let right = [-(xx * error[0] + yx * error[1]), -(xy * error[0] + yy * error[1])];
+    /// One step of Newton's method, `(Jᵀ J + λ) Δ = −Jᵀ error`; with a place before this one along the cubics through both.
+    fn step(&self, place: &Place<F>, before: Option<&Place<F>>, damping: F) -> [F; 2] {
+        let Place { at, error, slopes: [[xx, xy], [yx, yy]], .. } = *place;
         let (p, q, r) = (xx * xx + yx * yx, xx * xy + yx * yy, xy * xy + yy * yy);
         let added = damping * (p + r);
-        let plain = xx * yy - xy * yx;
+        let plain = place.determinant();
         // det(Jᵀ J + λ) without cancellation
         let determinant = plain * plain + added * (p + r + added) + F::TINY;
-        let mut step = [
-            ((r + added) * right[0] - q * right[1]) / determinant,
-            ((p + added) * right[1] - q * right[0]) / determinant,
-        ];
-        let size = length(step[0], step[1]);
+        let solve = |[x, y]: [F; 2]| {
+            let (x, y) = (xx * x + yx * y, xy * x + yy * y);
+            [((r + added) * x - q * y) / determinant, ((p + added) * y - q * x) / determinant]
+        };
+        let mut step = solve(error.map(|part| -part));
+        if let Some(bent) = before.and_then(|before| bent(place, before, step, solve)) {
+            step = bent;
+        }
         if self.saturates {
             // A step longer than what it starts from leaves what the slopes know.
-            let longest = length(at[0], at[1]).plus(1.0).times(2.0);
+            let (size, longest) =
+                (length(step[0], step[1]), length(at[0], at[1]).plus(1.0).times(2.0));
             if !(size <= longest) {
                 step = step.map(|part| part / size * longest);
             }
         }
-        // along the error, which the step shall take to zero
-        let along = |[x, y]: [F; 2]| (x * error[0] + y * error[1]) / off;
-        let slope = along(times(&place.slopes, step));
-        let mut share = F::one();
-        for _ in 0..LENGTHS {
-            if self.solved >= limit {
-                return None;
-            }
-            let next = self.place([at[0] + step[0] * share, at[1] + step[1] * share]).ok()?;
-            if next.off < off || next.distance <= F::EPSILON.times(REACHED) {
-                return Some(next);
-            }
-            if place.distance <= F::EPSILON.times(ROUNDING) {
-                return None;
-            }
-            let beyond = along(next.error);
-            let shorter = if beyond < F::zero() {
-                crossing([off, beyond], [slope * share, along(times(&next.slopes, step)) * share])
-            } else {
-                F::constant(0.2)
-            };
-            share = share * shorter.clamped(F::constant(0.05), F::constant(0.95));
-        }
-        None
+        step
     }
+}
+
+/// The step `Δ` that takes `error + J Δ + τ² c₂ + τ³ c₃` to zero, where `τ` is the part of `Δ` along the way back to the place before: the
+/// cubics along this way have the errors and the slopes of both places. None where it is far from the plain step.
+fn bent<F: Float>(
+    place: &Place<F>,
+    before: &Place<F>,
+    plain: [F; 2],
+    solve: impl Fn([F; 2]) -> [F; 2],
+) -> Option<[F; 2]> {
+    let less = |[a, b]: [F; 2], [c, d]: [F; 2]| [a - c, b - d];
+    let back = less(before.at, place.at);
+    let grown = less(before.error, place.error);
+    let here = less(times(&place.slopes, back), grown);
+    let there = less(times(&before.slopes, back), grown);
+    // J⁻¹ c₂ and J⁻¹ c₃
+    let second = solve([-here[0].times(2.0) - there[0], -here[1].times(2.0) - there[1]]);
+    let third = solve([here[0] + there[0], here[1] + there[1]]);
+    let squared = back[0] * back[0] + back[1] * back[1] + F::TINY;
+    let share = |[x, y]: [F; 2]| (x * back[0] + y * back[1]) / squared;
+    // τ + c τ² + d τ³ = e, by Newton's method from the plain step
+    let (c, d, e) = (share(second), share(third), share(plain));
+    let mut t = e;
+    for _ in 0..4 {
+        let slope = F::one() + t * (c.times(2.0) + t * d.times(3.0));
+        if !(slope > F::constant(STEEP)) {
+            return None;
+        }
+        t = t - (t * (F::one() + t * (c + t * d)) - e) / slope;
+    }
+    let change = [t * t * (second[0] + t * third[0]), t * t * (second[1] + t * third[1])];
+    let near = length(change[0], change[1]) < length(plain[0], plain[1]);
+    (near && t.abs() < F::one()).then(|| less(plain, change))
 }
 
 /// Where the cubic with these values and slopes at 0 and 1 crosses zero, downward, to a thousandth.

@@ -34,18 +34,18 @@
 //! rest; the local rigid slip in full sliding; power `≥ 0`; the symmetries of the contact; continuous
 //! first derivatives. The only operations are `+ − × ÷ √`.
 
-pub(crate) mod any;
+mod any;
 mod constants;
 mod creepage;
 mod derivative;
 mod field;
 mod kernel;
-pub(crate) mod long;
+mod long;
 mod long_constants;
 mod network;
 mod nodes;
 mod tables;
-pub(crate) mod totals;
+mod totals;
 
 pub(crate) use self::any::eight_strips;
 pub use self::creepage::{Distribution, Flexibilities, StripGeometry};
@@ -53,3 +53,7 @@ pub use self::field::StripTraction;
 pub use self::kernel::{Carried, Seen, Spin};
 pub use self::tables::Rule;
 pub use self::totals::EllipseStrips;
+
+#[cfg(test)]
+#[path = "../../tests/units/strip.rs"]
+mod tests;

@@ -1,15 +1,22 @@
-//! What the inverse promises, with the solutions counted. `KSTRIP_CASES=4000 cargo test --release --test units rig:: -- --nocapture` prints the
+//! What the inverse promises, with the solutions counted. `KSTRIP_CASES=100000 cargo test --release --lib rig:: -- --nocapture` prints the
 //! figures of docs/reliability.md.
 
-use crate::random::Random;
+extern crate std;
+
+use super::creepage::Aim;
+use super::friction::Rig;
+use super::*;
+use crate::contact::Contact;
+use crate::contact::creepage::Creepage;
+use crate::contact::forces::StripCount;
+use crate::solve::model::{self, Model, Options};
 use core::f64::consts::PI;
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
-use kstrip::internals::{creepage_counted, estimate_counted};
-use kstrip::rig::{Measured, estimate_friction};
-use kstrip::solve::model::{self, Model, Options};
-use kstrip::status::Notice;
+use std::println;
+use std::vec::Vec;
+
+#[path = "../common/random.rs"]
+mod random;
+use random::Random;
 
 const SATURATING: [Model; 4] =
     [Model::Total, Model::Strip, Model::Strip1967Continuous, Model::Strip1967];
@@ -58,14 +65,19 @@ fn no_friction_is_missed() {
             let measured =
                 if n % 3 == 0 && measured == Measured::Fx { Measured::Fy } else { measured };
             let force = [made.fx, made.fy];
-            let (used, found, solved) =
-                estimate_counted(&contact, &motion, &o, measured, force).unwrap();
-            if used < 1e-9 * contact.friction {
+            let mut rig = Rig::new(&contact, &motion, &o, measured, force).unwrap();
+            if rig.used < 1e-9 * contact.friction {
                 continue;
             }
+            let found = rig.estimate(force);
             tried += 1;
-            solutions += solved;
-            most = most.max(solved);
+            solutions += rig.solved;
+            most = most.max(rig.solved);
+            let Ok(found) = found else {
+                // no friction is said to explain the force
+                silent += 1;
+                continue;
+            };
             match found.notice {
                 Notice::FrictionAtLeast => {
                     bounds += 1;
@@ -83,7 +95,7 @@ fn no_friction_is_missed() {
             solutions / tried
         );
         // (its force jumps where adhesion is born)
-        let allowed = if model == Model::Strip1967 { tried / 1_000 } else { 0 };
+        let allowed = tried / if model == Model::Strip1967 { 1_000 } else { 20_000 };
         assert!(larger + silent <= allowed && most <= 90, "{model:?}");
     }
 }
@@ -164,29 +176,30 @@ fn creepages_cost_few_solutions() {
                 if made.fx.hypot(made.fy) > 0.999 * bound {
                     continue;
                 }
-                let (found, distance, solved) =
-                    creepage_counted(&contact, [made.fx, made.fy], motion.spin, &o).unwrap();
-                counts.push(solved);
-                let again = model::solve(&contact, &found, &o).unwrap();
+                let mut aim = Aim::new(&contact, [made.fx, made.fy], motion.spin, &o);
+                let found = aim.find().unwrap();
+                counts.push(aim.solved);
+                let again = model::solve(&contact, &aim.creepage(found.at), &o).unwrap();
                 let off = (again.fx - made.fx).hypot(again.fy - made.fy) / bound;
-                assert!((off < 1e-10) == (distance < 1e-10), "{off} {distance}");
+                assert!((off < 1e-10) == (found.distance < 1e-10), "{off} {}", found.distance);
                 lost += usize::from(off > 1e-10);
             }
             counts.sort_unstable();
             let (n, within) = (counts.len(), counts.iter().filter(|count| **count <= 12).count());
             println!(
-                "creepages, {model:?}, {kind}: {n}; median {}, within 12: {} %, at most {}; not reached: {lost}",
+                "creepages, {model:?}, {kind}: {n}; median {}, within 12: {:.3} %, at most {}; not reached: {lost}",
                 counts[n / 2],
                 100.0 * within as f64 / n as f64,
                 counts[n - 1]
             );
             assert!(counts[n - 1] <= 40);
-            let rest = match model {
-                Model::Strip1967 => 10,
-                Model::Strip1967Continuous => 50,
-                _ => 200,
+            // (the force of STRIP_1967 jumps where adhesion is born)
+            let [more, not_reached] = match model {
+                Model::Strip1967 => [1 + n / 400, 1 + n / 3_000],
+                _ => [n / 2_500, n / 50_000],
             };
-            assert!(kind != "plausible" || n - within <= 1 + n / rest, "{model:?} {kind}");
+            let few = n - within <= more && lost <= not_reached;
+            assert!(kind != "plausible" || few, "{model:?}: {} {lost}", n - within);
         }
     }
 }
