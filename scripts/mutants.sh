@@ -98,8 +98,7 @@ lib.write_text("#![allow(unused_parens)]\n" + lib.read_text() + switch)
 
 def run(number, tests, **more):
     program, words = tests.split()[0], tests.split()[1:]
-    where = ["--lib"] if program == "lib" else ["--test", program]
-    return subprocess.run(["cargo", "test", "-q", *where, "--", *words], cwd=copy, capture_output=True, text=True, timeout=900,
+    return subprocess.run(["cargo", "test", "-q", "--test", program, "--", *words], cwd=copy, capture_output=True, text=True, timeout=900,
                           env={**os.environ, "KSTRIP_MUTANT": str(number)}, **more)
 
 for tests in sorted({tests for _, tests, _ in mutants}):

@@ -51,14 +51,13 @@
 
 #![no_std]
 #![deny(missing_docs, unsafe_code)]
-// (unit tests are built without the C interface, which takes a minute to compile and has tests of its own)
-#![cfg_attr(test, allow(dead_code))]
 
 pub mod batch;
 pub mod contact;
-#[cfg(not(test))]
 pub mod ffi;
 pub mod friction;
+#[doc(hidden)]
+pub mod internals;
 pub mod linear;
 pub mod number;
 pub mod patch;
@@ -71,14 +70,14 @@ pub mod total;
 pub mod wheel_rail;
 
 /// A library without `std` needs a panic handler; nothing reaches it.
-#[cfg(all(feature = "panic-handler", panic = "abort", not(test)))]
+#[cfg(all(feature = "panic-handler", panic = "abort"))]
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo) -> ! {
     a_panic_can_be_reached()
 }
 
 /// Not in the optimised library, as `scripts/no_panic.sh` and `scripts/firmware.sh` prove: they look for its name.
-#[cfg(all(feature = "panic-handler", panic = "abort", not(test)))]
+#[cfg(all(feature = "panic-handler", panic = "abort"))]
 #[inline(never)]
 fn a_panic_can_be_reached() -> ! {
     loop {

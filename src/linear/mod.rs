@@ -124,7 +124,3 @@ fn cubic<F: Plain>([c0, c1, c2, c3]: &[[F::Stored; 4]; 4], x: F, x2: F, nu: F) -
     };
     (coefficient(c0) + coefficient(c1) * x) + (coefficient(c2) + coefficient(c3) * x) * x2
 }
-
-#[cfg(test)]
-#[path = "../../tests/units/linear.rs"]
-mod tests;

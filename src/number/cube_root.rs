@@ -18,7 +18,3 @@ pub(super) fn of_f32(x: f32) -> f32 {
     }
     (root * scale).copysign(x)
 }
-
-#[cfg(test)]
-#[path = "../../tests/units/cube_root.rs"]
-mod tests;

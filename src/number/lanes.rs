@@ -279,7 +279,3 @@ macro_rules! twice {
     )*};
 }
 twice!(<N, A> Lanes<F, N, A>: N, <N, A> Lanes<Lanes<F, N, A>, 2>: 2 * N);
-
-#[cfg(test)]
-#[path = "../../tests/units/lanes.rs"]
-mod tests;

@@ -111,7 +111,7 @@ pub fn creepage_for_force<F: Precision>(
 }
 
 /// A contact and a force that it shall carry.
-pub(super) struct Aim<'a, F> {
+pub(crate) struct Aim<'a, F> {
     contact: &'a Contact<F>,
     options: &'a Options,
     spin: F,
@@ -123,14 +123,14 @@ pub(super) struct Aim<'a, F> {
     slip: F,
     saturates: bool,
     /// Solutions so far.
-    pub(super) solved: usize,
+    pub(crate) solved: usize,
 }
 
 /// A creepage and what it leads to.
 #[derive(Clone, Copy)]
-pub(super) struct Place<F> {
+pub(crate) struct Place<F> {
     /// `(υx, υy)` over the unit of slip
-    pub(super) at: [F; 2],
+    pub(crate) at: [F; 2],
     /// `L(F) − L(target)`
     error: [F; 2],
     /// Its derivatives, row by row.
@@ -138,7 +138,7 @@ pub(super) struct Place<F> {
     /// How large the error is.
     off: F,
     /// `|F − target|` over the unit
-    pub(super) distance: F,
+    pub(crate) distance: F,
     notice: Notice,
 }
 
@@ -174,7 +174,7 @@ fn times<F: Float>(rows: &[[F; 2]; 2], [x, y]: [F; 2]) -> [F; 2] {
 
 impl<'a, F: Precision> Aim<'a, F> {
     /// Of a contact with load and, unless the theory is linear, friction.
-    pub(super) fn new(
+    pub(crate) fn new(
         contact: &'a Contact<F>,
         target: [F; 2],
         spin: F,
@@ -194,7 +194,7 @@ impl<'a, F: Precision> Aim<'a, F> {
         Self { contact, options, spin, target, unit, slip, saturates, solved: 0 }
     }
 
-    pub(super) fn creepage(&self, [x, y]: [F; 2]) -> Creepage<F> {
+    pub(crate) fn creepage(&self, [x, y]: [F; 2]) -> Creepage<F> {
         Creepage { longitudinal: x * self.slip, lateral: y * self.slip, spin: self.spin }
     }
 
@@ -221,7 +221,7 @@ impl<'a, F: Precision> Aim<'a, F> {
     }
 
     /// The place of the wanted force, or the nearest that was found.
-    pub(super) fn find(&mut self) -> Result<Place<F>, Error> {
+    pub(crate) fn find(&mut self) -> Result<Place<F>, Error> {
         let start = self.place([F::zero(); 2])?;
         let mut best = self.follow(start);
         let reach = length(best.at[0], best.at[1]).max(F::constant(NEAREST));

@@ -72,7 +72,7 @@ pub fn estimate_friction<F: Precision>(
 }
 
 /// A contact on a rig, and what was measured.
-pub(super) struct Rig<'a, F> {
+pub(crate) struct Rig<'a, F> {
     /// With any friction.
     contact: Contact<F>,
     creepage: &'a Creepage<F>,
@@ -81,16 +81,16 @@ pub(super) struct Rig<'a, F> {
     /// The force that was measured \[N\].
     target: F,
     /// `|F|/N`
-    pub(super) used: F,
+    pub(crate) used: F,
     /// Friction about which the contact begins to stick; `x = μ/(μ + unit)`
     unit: F,
     /// Solutions so far.
-    pub(super) solved: usize,
+    pub(crate) solved: usize,
 }
 
 impl<'a, F: Precision> Rig<'a, F> {
     /// Checks everything.
-    pub(super) fn new(
+    pub(crate) fn new(
         contact: &Contact<F>,
         creepage: &'a Creepage<F>,
         options: &'a Options,
@@ -204,7 +204,7 @@ impl<'a, F: Precision> Rig<'a, F> {
         Ok(Place { x, value, slope })
     }
 
-    pub(super) fn estimate(&mut self, force: [F; 2]) -> Result<FrictionEstimate<F>, Error> {
+    pub(crate) fn estimate(&mut self, force: [F; 2]) -> Result<FrictionEstimate<F>, Error> {
         let Self { used, unit, target, .. } = *self;
         if target == F::zero() {
             return self.without_force();

@@ -9,8 +9,8 @@
 //! **Creepage.** Newton's method with exact derivatives is applied to the force that there would be without saturation, which is nearly
 //! proportional to the creepage (`creepage`).
 
-mod creepage;
-mod friction;
+pub(crate) mod creepage;
+pub(crate) mod friction;
 mod search;
 
 pub use self::creepage::creepage_for_force;
@@ -45,7 +45,3 @@ pub struct FrictionEstimate<F> {
     /// Zero.
     pub reserved: i32,
 }
-
-#[cfg(test)]
-#[path = "../../tests/units/rig.rs"]
-mod tests;

@@ -38,7 +38,7 @@ pub(crate) fn is_ordinary<F: Precision>(
 
 #[cold]
 #[inline(never)]
-fn find_fault<F: Precision>(
+pub(crate) fn find_fault<F: Precision>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     model: Model,
@@ -83,7 +83,3 @@ fn force_limit<F: Plain>(contact: &Contact<F>, creepage: &Creepage<F>, model: Mo
     let size = creepage * (ratio * ratio.sqrt()).plus(100.0);
     shear_modulus * a * b * size.max(F::one())
 }
-
-#[cfg(test)]
-#[path = "../../tests/units/check.rs"]
-mod tests;

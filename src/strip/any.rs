@@ -5,6 +5,7 @@
 use super::derivative::{SpinSlopes, forces_and_slopes};
 use super::kernel::{Carried, Seen, Spin, forces};
 use super::tables::Tables;
+use crate::number::dual::Dual;
 use crate::number::lanes::Lanes;
 use crate::number::registers::compiled_twice;
 use crate::number::{Arithmetic, Number, Plain, Strips};
@@ -20,6 +21,32 @@ pub(crate) fn eight_strips<T: Number>(
     seen: &[(Seen<T>, T); 8],
     inner: [T::Base; 8],
 ) -> [Carried<T>; 8] {
+    // (one code for all numbers of derivatives)
+    if T::HAS_DERIVATIVES {
+        carried(seen, inner, both_kinds::<Dual<T::Base, 1>>)
+    } else {
+        carried(seen, inner, both_kinds::<T::Base>)
+    }
+}
+
+/// The same, one after the other.
+pub(crate) fn eight_one_by_one<T: Number>(
+    seen: &[(Seen<T>, T); 8],
+    inner: [T::Base; 8],
+) -> [Carried<T>; 8] {
+    if T::HAS_DERIVATIVES {
+        carried(seen, inner, found::<Dual<T::Base, 1>, Lanes<T::Base, 1>>)
+    } else {
+        carried(seen, inner, found::<T::Base, Lanes<T::Base, 1>>)
+    }
+}
+
+#[inline(always)]
+fn carried<T: Number>(
+    seen: &[(Seen<T>, T); 8],
+    inner: [T::Base; 8],
+    forces: impl Fn(&Eight<T::Base>) -> Found<T::Base>,
+) -> [Carried<T>; 8] {
     let all = |of: fn(&(Seen<T>, T)) -> T| seen.each_ref().map(|own| of(own).value());
     let eight = [
         all(|(seen, _)| seen.x),
@@ -29,7 +56,7 @@ pub(crate) fn eight_strips<T: Number>(
         all(|(seen, _)| seen.start),
         inner,
     ];
-    let ([fx, fy, mx, stick], [by_x, by_y, by_m]) = both_kinds::<T>(&eight);
+    let ([fx, fy, mx, stick], [by_x, by_y, by_m]) = forces(&eight);
     let mut lane = 0;
     seen.each_ref().map(|(seen, spin)| {
         let of = |all: &[T::Base; 8]| all.get(lane).copied().unwrap_or(T::Base::zero());
@@ -63,7 +90,7 @@ fn both_kinds<T: Number>(eight: &Eight<T::Base>) -> Found<T::Base> {
 
 /// As many strips at a time as stand side by side in `P`.
 #[inline(always)]
-pub(super) fn found<T: Number, P: Strips<T::Base>>(eight: &Eight<T::Base>) -> Found<T::Base> {
+fn found<T: Number, P: Strips<T::Base>>(eight: &Eight<T::Base>) -> Found<T::Base> {
     let zero = T::Base::zero();
     let (mut carried, mut slopes) = ([[zero; 8]; 4], [[[zero; 8]; 5]; 3]);
     for first in (0..8).step_by(P::COUNT) {

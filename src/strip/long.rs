@@ -22,7 +22,7 @@ const SATURATES_AT: f64 = 10.0;
 
 /// The second network of one contact.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct LongContact<F> {
+pub(crate) struct LongContact<F> {
     /// Weight of its corrections, 0 to 1.
     pub share: F,
     /// `0.1 (b/a)²`: squares of creepages that are small.

@@ -34,18 +34,18 @@
 //! rest; the local rigid slip in full sliding; power `≥ 0`; the symmetries of the contact; continuous
 //! first derivatives. The only operations are `+ − × ÷ √`.
 
-mod any;
+pub(crate) mod any;
 mod constants;
 mod creepage;
 mod derivative;
 mod field;
 mod kernel;
-mod long;
+pub(crate) mod long;
 mod long_constants;
 mod network;
 mod nodes;
 mod tables;
-mod totals;
+pub(crate) mod totals;
 
 pub(crate) use self::any::eight_strips;
 pub use self::creepage::{Distribution, Flexibilities, StripGeometry};
@@ -53,7 +53,3 @@ pub use self::field::StripTraction;
 pub use self::kernel::{Carried, Seen, Spin};
 pub use self::tables::Rule;
 pub use self::totals::EllipseStrips;
-
-#[cfg(test)]
-#[path = "../../tests/units/strip.rs"]
-mod tests;

@@ -74,6 +74,11 @@ impl<F: Plain> EllipseStrips<F> {
         })
     }
 
+    /// The same, one strip after the other.
+    pub(crate) fn totals_one_by_one<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
+        self.totals_of::<T, Lanes<F, 1>, Lanes<F, 1>>(&self.contact.seen(creepage))
+    }
+
     /// Sums for the creepages of the strips; `P` and `Q` are strips side by side, without and with derivatives.
     #[inline(always)]
     fn totals_of<T: Number<Base = F>, P: Strips<F>, Q: Strips<F>>(
@@ -216,9 +221,13 @@ impl<F: Plain> EllipseStrips<F> {
 
 /// Forces of one strip.
 #[inline(never)]
-pub(super) fn alone<F: Plain>(seen: &Seen<F>, spin: &Spin<F>, inner: bool) -> Carried<F> {
-    let constants = Tables::<F::Stored, _>::new(|couple: &[F::Stored; 2]| {
-        of_lane::<F>(couple, usize::from(inner))
+pub(crate) fn alone<T: Arithmetic<Bare: Plain>>(
+    seen: &Seen<T>,
+    spin: &Spin<T>,
+    inner: bool,
+) -> Carried<T> {
+    let constants = Tables::<<T::Bare as Plain>::Stored, _>::new(|couple: &[_; 2]| {
+        of_lane::<T::Bare>(couple, usize::from(inner))
     });
     forces(seen, spin, &constants, |_, _| ()).0
 }
@@ -364,7 +373,7 @@ fn within_bound<T: Number>([x, y]: [T; 2]) -> [T; 2] {
 ///
 /// `F' = F + λ h K v` with `h = (1 − |F|²)/10` on the forces and 1 on the moment; beyond `|F'| = 1` all of it is scaled down.
 #[inline(always)]
-pub(super) fn power_projected<T: Number>(
+pub(crate) fn power_projected<T: Number>(
     totals: Totals<T>,
     creepage: [T; 3],
     linear: &LinearCoefficients<T::Base>,

@@ -302,7 +302,3 @@ fn roots<T: Number>([p, q]: [T; 2]) -> [T; 2] {
 fn twice<T: Number>(x: T) -> T {
     x + x
 }
-
-#[cfg(test)]
-#[path = "../../tests/units/total.rs"]
-mod tests;

@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use toolchain::{
-    cpp_compilers, library, output_of, python, root, run_cpp, run_source, say, scratch,
+    cpp_compilers, output_of, python, released, root, run_cpp, run_source, say, scratch,
 };
 
 struct Block {
@@ -189,7 +189,7 @@ fn shell_blocks_run() {
         return;
     }
     // So that nothing but the blocks builds while they run.
-    library();
+    released("libkstrip.a");
     let target = scratch().parent().expect("target/tmp is in target").display().to_string();
     let has =
         |tool: &str| Command::new(tool).arg("--version").output().is_ok_and(|o| o.status.success());

@@ -110,7 +110,17 @@ fn octave_calls_the_library() {
     make.current_dir(&folder).args(["--mex", "-Wall"]);
     make.arg(format!("-I{}", root().join("include").display()));
     let sources = root().join("bindings/octave");
-    make.arg(sources.join("kstrip_call.c")).arg(library());
+    make.arg(sources.join("kstrip_call.c"));
+    // (mkoctfile takes archives as files, and shared libraries by name only)
+    let (folder_of, name) = (library().parent(), library().file_stem());
+    let folder_of = folder_of.expect("a folder").display();
+    if library().extension().is_some_and(|extension| extension == "a") {
+        make.arg(library());
+    } else {
+        let name = name.expect("a name").to_string_lossy();
+        make.arg(format!("-L{folder_of}")).arg(format!("-Wl,-rpath,{folder_of}"));
+        make.arg(format!("-l{}", name.trim_start_matches("lib")));
+    }
     output_of(make.arg("-o").arg(folder.join("kstrip_call.mex")));
     let mut octave = Command::new("octave-cli");
     octave.args(["--norc", "--path"]).arg(&folder).arg("--path").arg(&sources);

@@ -1,4 +1,6 @@
-//! Builds the C library once, and compiles and runs C and C++ programs against it.
+//! Compiles and runs C and C++ programs against the C interface: as `cargo test` has compiled it (`tests/c/library.rs`), or against the
+//! library that users link, which `scripts/library.sh` builds, with `KSTRIP_RELEASE_LIBRARY` set or where the other is not up to date,
+//! as in `cargo test --test golden` after a change.
 #![allow(dead_code)]
 
 use std::ffi::OsStr;
@@ -32,30 +34,56 @@ fn report(output: &Output) -> String {
     format!("{}\n{}{}", output.status, text(&output.stdout), text(&output.stderr))
 }
 
-/// `target/lib`, filled by `scripts/library.sh` in the target directory of this test.
-fn libraries() -> &'static Path {
+/// A file of `target/lib`, which `scripts/library.sh` fills in the target directory of this test.
+pub fn released(name: &str) -> PathBuf {
     static FOLDER: OnceLock<PathBuf> = OnceLock::new();
-    FOLDER.get_or_init(|| {
+    let folder = FOLDER.get_or_init(|| {
         let target = scratch().parent().expect("target/tmp is in target");
         let mut script = Command::new("sh");
         script.current_dir(root()).arg("scripts/library.sh").env_remove("TARGET");
         script.env("CARGO", env!("CARGO")).env("CARGO_TARGET_DIR", target);
         output_of(&mut script);
         target.join("lib")
-    })
+    });
+    folder.join(name)
 }
 
-/// `libkstrip.a` as `make` gives it.
+/// What C programs link: the shared library of this build, or `libkstrip.a` as `make` gives it.
 pub fn library() -> &'static Path {
     static LIBRARY: OnceLock<PathBuf> = OnceLock::new();
-    LIBRARY.get_or_init(|| libraries().join("libkstrip.a"))
+    LIBRARY.get_or_init(|| built("libkstrip.a"))
 }
 
-/// The shared library as `make` gives it.
+/// What Python loads: the same, or the shared library as `make` gives it.
 pub fn shared() -> &'static Path {
     static LIBRARY: OnceLock<PathBuf> = OnceLock::new();
-    let name = if cfg!(target_os = "macos") { "libkstrip.dylib" } else { "libkstrip.so" };
-    LIBRARY.get_or_init(|| libraries().join(name))
+    LIBRARY.get_or_init(|| built(&format!("libkstrip{}", std::env::consts::DLL_SUFFIX)))
+}
+
+fn built(name: &str) -> PathBuf {
+    let changed = |path: &Path| path.metadata().and_then(|data| data.modified()).ok();
+    let beside = scratch().with_file_name("debug/examples").join(format!(
+        "{}c_interface{}",
+        std::env::consts::DLL_PREFIX,
+        std::env::consts::DLL_SUFFIX
+    ));
+    let mut folders = vec![root().join("src")];
+    let mut newest = changed(&root().join("Cargo.toml"));
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).expect("a folder of sources") {
+            let path = entry.expect("an entry").path();
+            newest = newest.max(changed(&path));
+            if path.is_dir() {
+                folders.push(path);
+            }
+        }
+    }
+    let current = changed(&beside).is_some_and(|built| newest.is_some_and(|newest| built > newest));
+    if current && std::env::var_os("KSTRIP_RELEASE_LIBRARY").is_none() {
+        beside
+    } else {
+        released(name)
+    }
 }
 
 /// The Python of `PYTHON`, else `python3`, if it has numpy (and finds the binding and the library);
@@ -88,7 +116,14 @@ fn compiler(cpp: bool) -> Command {
         host.expect("rustc -vV names its host").to_owned()
     });
     let mut build = cc::Build::new();
-    build.cpp(cpp).target(host).host(host).opt_level(1).debug(false).cargo_metadata(false);
+    build
+        .cpp(cpp)
+        .target(host)
+        .host(host)
+        .opt_level(1)
+        .debug(false)
+        .warnings(false)
+        .cargo_metadata(false);
     build.get_compiler().to_command()
 }
 
@@ -136,7 +171,8 @@ pub fn run_source(source: &Path) -> String {
     run_source_with(source, &[])
 }
 
-/// The same for a long program that is written by a test: not optimised and without warnings, which would take a minute.
+/// The same for a long program that is written by a test: not optimised and without warnings, which would take a minute (gcc reads the
+/// file again and again to judge its indentation).
 pub fn run_written(source: &str) -> String {
     run_source_by(&root().join(source), &["-O0", "-w"], &[])
 }
@@ -236,10 +272,10 @@ pub fn compile_with(compiler: &str, source: &str) -> Option<Result<(), String>> 
     Some(if output.status.success() { Ok(()) } else { Err(report(&output)) })
 }
 
-/// Names of the functions that the static library defines; `None` without `nm`.
+/// Names of the functions that the library defines; `None` without `nm`.
 pub fn symbols_of_library() -> Option<Vec<String>> {
-    // Parts of the archive that are no objects make nm complain and end with a status.
-    let output = Command::new("nm").arg("--defined-only").arg(library()).output().ok()?;
+    // Parts of an archive that are no objects make nm complain and end with a status.
+    let output = Command::new("nm").args(["-g", "--defined-only"]).arg(library()).output().ok()?;
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     let global = |line: &str| {
         let (head, name) = line.rsplit_once(' ')?;

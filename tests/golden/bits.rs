@@ -1,5 +1,5 @@
-//! The same inputs give the same bits: in this build without optimisation, through the C interface of the optimised library, in a
-//! batch and on two threads; compiled for this very processor: `tests/machines`. `scripts/firmware.sh` runs the
+//! The same inputs give the same bits: in this build, through the C interface (with `KSTRIP_RELEASE_LIBRARY` of the optimised library), in
+//! a batch and on two threads; compiled for this very processor: `tests/machines`. `scripts/firmware.sh` runs the
 //! first thousand on a simulated Cortex-M4 and Cortex-M7.
 //!
 //! Every precision has a hash for each of: solves, derivatives and points of the field; patches; falling friction; special motions

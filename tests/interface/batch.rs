@@ -1,6 +1,6 @@
 //! Batches give the bits of single solves, whatever the layout of the arrays; bad input touches nothing.
 //!
-//! Only release builds solve contacts side by side in wide registers: `cargo test --release --test interface batch`.
+//! Only builds without debug assertions solve contacts side by side in wide registers: `cargo test --config tests/plain.toml --test interface batch`.
 
 use crate::names::*;
 use crate::random;

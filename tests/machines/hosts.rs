@@ -1,6 +1,6 @@
 //! The programs of hosts/: kstrip inside integrators, simulators and standard interfaces. Each checks its own figures.
 
-use crate::toolchain::{cpp_compilers, library, output_of, root, say, scratch, shared};
+use crate::toolchain::{cpp_compilers, output_of, released, root, say, scratch};
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -9,7 +9,12 @@ fn run(compiler: &str, source: &str, arguments: &[&str]) -> String {
     let program = scratch().join(source.replace(['/', '.'], "_"));
     let mut command = Command::new(compiler);
     command.args(["-Wall", "-Wextra", "-Werror", "-O2", "-I"]).arg(root().join("include"));
-    command.arg(root().join(source)).arg(library()).args(arguments).arg("-o").arg(&program);
+    command
+        .arg(root().join(source))
+        .arg(released("libkstrip.a"))
+        .args(arguments)
+        .arg("-o")
+        .arg(&program);
     output_of(&mut command);
     output_of(&mut Command::new(program))
 }
@@ -52,10 +57,18 @@ fn fmi_wheel_on_a_rail() {
     }
     let folder = scratch().join("fmu");
     let mut build = Command::new(&python);
-    build.args(["-B", "hosts/fmi/build.py"]).current_dir(root()).arg(library()).arg(&folder);
+    build
+        .args(["-B", "hosts/fmi/build.py"])
+        .current_dir(root())
+        .arg(released("libkstrip.a"))
+        .arg(&folder);
     output_of(&mut build);
     let mut check = Command::new(&python);
-    check.args(["-B", "hosts/fmi/check.py"]).current_dir(root()).arg(&folder).arg(shared());
+    check
+        .args(["-B", "hosts/fmi/check.py"])
+        .current_dir(root())
+        .arg(&folder)
+        .arg(released("libkstrip.so"));
     let text = output_of(&mut check);
     assert_eq!(text.matches("validates without a finding").count(), 2, "{text}");
 }
@@ -93,7 +106,7 @@ fn ode_wheelset_drives_stops_and_holds() {
     command
         .args(["-std=c++17", "-Wall", "-Wextra", "-Werror", "-O2", "-I"])
         .arg(root().join("include"));
-    command.arg(root().join("hosts/ode/wheelset.cpp")).arg(library());
+    command.arg(root().join("hosts/ode/wheelset.cpp")).arg(released("libkstrip.a"));
     command.args(String::from_utf8_lossy(&flags.stdout).split_whitespace());
     output_of(command.arg("-o").arg(&program));
     let text = output_of(&mut Command::new(program));

@@ -1,7 +1,7 @@
 //! Errors in units of the last place against 200-bit arithmetic (`tests/data/make_numerics.py`), by region, for
 //! double and single precision; the limits are what docs/reference/numerics.md explains.
 //!
-//! `cargo test --profile plain --test numbers numerics -- --nocapture` prints the table of that page.
+//! `cargo test --config tests/plain.toml --test numbers numerics -- --nocapture` prints the table of that page.
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Parameters;

@@ -1,7 +1,7 @@
 //! Patches from profiles, the normal problem of strips: against the same formulas in 200 bits, by shape, in double and single
 //! precision. The limits are what docs/reference/numerics.md explains.
 //!
-//! `cargo test --profile plain --test numbers profiles -- --nocapture` prints the table of that page.
+//! `cargo test --config tests/plain.toml --test numbers profiles -- --nocapture` prints the table of that page.
 
 use crate::precise::Precise;
 use crate::two_hundred_bits::{is_known, stated};

@@ -2,7 +2,7 @@
 //! single precision: what the arithmetic loses, derivatives included. docs/reference/numerics.md states and explains the errors; four
 //! times as much is too much.
 //!
-//! `KSTRIP_WRITE_PRECISE=120 cargo test --profile plain --test numbers two_hundred_bits -- --nocapture` looks for worse cases, prints the table of
+//! `KSTRIP_WRITE_PRECISE=120 cargo test --config tests/plain.toml --test numbers two_hundred_bits -- --nocapture` looks for worse cases, prints the table of
 //! that page, and writes the worst inputs to `tests/data/precise.csv`. Without it those are computed again, and a few new ones.
 
 use crate::precise;

@@ -1,6 +1,8 @@
 //! Registers against plain numbers, bit by bit.
 
-use super::*;
+use kstrip::internals::are_wide;
+use kstrip::number::lanes::Lanes;
+use kstrip::number::{Arithmetic, Float, Number, Plain, Strips};
 
 /// Every operation of `N` numbers side by side has the bits of plain numbers, signs of zeros included.
 fn agree<F: Float, const N: usize>(bits: fn(F) -> u64) {
@@ -46,7 +48,7 @@ fn registers_have_the_bits_of_plain_numbers() {
     agree::<f64, 3>(double);
     agree::<f32, 2>(single);
     agree::<f32, 4>(single);
-    if crate::number::registers::are_wide() {
+    if are_wide() {
         agree::<f64, 4>(double);
         agree::<f32, 8>(single);
     }

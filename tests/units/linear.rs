@@ -1,7 +1,11 @@
 //! Kalker's coefficients: asymptotes, table, both precisions.
 
-use super::*;
 use approx::assert_relative_eq;
+use core::f64::consts::{LN_2, PI};
+use kstrip::linear::LinearCoefficients;
+
+/// `3 − 2 ln 2` of Kalker's slender contacts.
+const K: f64 = 3.0 - 2.0 * LN_2;
 
 fn at(g: f64, nu: f64) -> [f64; 4] {
     let c = LinearCoefficients::at(g, nu);

@@ -1,22 +1,15 @@
-//! What the inverse promises, with the solutions counted. `KSTRIP_CASES=100000 cargo test --release --lib rig:: -- --nocapture` prints the
+//! What the inverse promises, with the solutions counted. `KSTRIP_CASES=100000 cargo test --release --test units rig:: -- --nocapture` prints the
 //! figures of docs/reliability.md.
 
-extern crate std;
-
-use super::creepage::Aim;
-use super::friction::Rig;
-use super::*;
-use crate::contact::Contact;
-use crate::contact::creepage::Creepage;
-use crate::contact::forces::StripCount;
-use crate::solve::model::{self, Model, Options};
+use crate::random::Random;
 use core::f64::consts::PI;
-use std::println;
-use std::vec::Vec;
-
-#[path = "../common/random.rs"]
-mod random;
-use random::Random;
+use kstrip::contact::Contact;
+use kstrip::contact::creepage::Creepage;
+use kstrip::contact::forces::StripCount;
+use kstrip::internals::{creepage_counted, estimate_counted};
+use kstrip::rig::{Measured, estimate_friction};
+use kstrip::solve::model::{self, Model, Options};
+use kstrip::status::Notice;
 
 const SATURATING: [Model; 4] =
     [Model::Total, Model::Strip, Model::Strip1967Continuous, Model::Strip1967];
@@ -65,19 +58,23 @@ fn no_friction_is_missed() {
             let measured =
                 if n % 3 == 0 && measured == Measured::Fx { Measured::Fy } else { measured };
             let force = [made.fx, made.fy];
-            let mut rig = Rig::new(&contact, &motion, &o, measured, force).unwrap();
-            if rig.used < 1e-9 * contact.friction {
+            let size = match measured {
+                Measured::Fx => made.fx.abs(),
+                Measured::Fy => made.fy.abs(),
+                Measured::Both => made.fx.hypot(made.fy),
+            };
+            if size < 1e-9 * contact.friction * contact.normal_force {
                 continue;
             }
-            let found = rig.estimate(force);
             tried += 1;
-            solutions += rig.solved;
-            most = most.max(rig.solved);
-            let Ok(found) = found else {
+            let Ok((_, found, solved)) = estimate_counted(&contact, &motion, &o, measured, force)
+            else {
                 // no friction is said to explain the force
                 silent += 1;
                 continue;
             };
+            solutions += solved;
+            most = most.max(solved);
             match found.notice {
                 Notice::FrictionAtLeast => {
                     bounds += 1;
@@ -176,12 +173,12 @@ fn creepages_cost_few_solutions() {
                 if made.fx.hypot(made.fy) > 0.999 * bound {
                     continue;
                 }
-                let mut aim = Aim::new(&contact, [made.fx, made.fy], motion.spin, &o);
-                let found = aim.find().unwrap();
-                counts.push(aim.solved);
-                let again = model::solve(&contact, &aim.creepage(found.at), &o).unwrap();
+                let (found, distance, solved) =
+                    creepage_counted(&contact, [made.fx, made.fy], motion.spin, &o).unwrap();
+                counts.push(solved);
+                let again = model::solve(&contact, &found, &o).unwrap();
                 let off = (again.fx - made.fx).hypot(again.fy - made.fy) / bound;
-                assert!((off < 1e-10) == (found.distance < 1e-10), "{off} {}", found.distance);
+                assert!((off < 1e-10) == (distance < 1e-10), "{off} {distance}");
                 lost += usize::from(off > 1e-10);
             }
             counts.sort_unstable();

@@ -1,11 +1,14 @@
-use super::long::LongContact;
-use super::*;
-use crate::contact::forces::{StripCount, Totals};
-use crate::linear::LinearCoefficients;
-use crate::number::Float;
-use crate::number::dual::Dual;
+//! Strips that follow the slip: bounds, limits, slopes, and the same bits in any registers.
+
 use approx::assert_abs_diff_eq;
 use core::f64::consts::PI;
+use core::fmt::Debug;
+use kstrip::contact::forces::{StripCount, Totals};
+use kstrip::internals;
+use kstrip::linear::LinearCoefficients;
+use kstrip::number::dual::Dual;
+use kstrip::number::{Float, Number};
+use kstrip::strip::{Distribution, EllipseStrips, Flexibilities, Rule, Seen, StripGeometry};
 
 fn prepared(g: f64, nu: f64) -> EllipseStrips<f64> {
     EllipseStrips::new(g, nu, &LinearCoefficients::at(g, nu), StripCount::Sixteen)
@@ -343,7 +346,7 @@ fn any_strips_follow_the_same_law() {
         for (k, eight) in seen.as_chunks::<8>().0.iter().enumerate() {
             let inner =
                 [0, 1, 2, 3, 4, 5, 6, 7].map(|i| ((8 * k + i).min(15 - 8 * k - i) % 2) as f64);
-            for (i, found) in eight_strips(eight, inner).iter().enumerate() {
+            for (i, found) in internals::eight_strips(eight, inner).iter().enumerate() {
                 fx += loads[8 * k + i] * found.fx;
                 fy += loads[8 * k + i] * found.fy;
             }
@@ -450,9 +453,8 @@ fn derivatives_are_those_of_dual_numbers() {
         let [x, y, sigma, spread, start] = [0, 1, 2, 3, 4].map(|i| D::input(inputs[i], i));
         let seen = Seen { x, y, spread, start };
         let kind = (k % 2) as usize;
-        let [found, ..] = eight_strips(&[(seen, sigma); 8], [kind as f64; 8]);
-        let constants = tables::Tables::<f64, _>::new(|couple: &[f64; 2]| couple[kind]);
-        let (dual, _) = kernel::forces(&seen, &Spin::new(sigma), &constants, |_, _| ());
+        let [found, ..] = internals::eight_strips(&[(seen, sigma); 8], [kind as f64; 8]);
+        let dual = internals::strip_forces(&seen, sigma, kind == 1);
         for (a, b) in [(found.fx, dual.fx), (found.fy, dual.fy), (found.mx, dual.mx)] {
             assert_abs_diff_eq!(a.value, b.value, epsilon = 1e-12);
             let size = b.gradient.iter().fold(1e-3, |size: f64, d| size.max(d.abs()));
@@ -464,70 +466,45 @@ fn derivatives_are_those_of_dual_numbers() {
     }
 }
 
-/// Strips one after the other, as on a microcontroller, give the bits of strips side by side in any registers, and so do any eight.
+/// Strips one after the other, as on a microcontroller, give the bits of strips side by side, and so do any eight. (Builds with debug
+/// assertions have no code for wide registers; `.ci/run` has a step without.)
 #[test]
 fn strips_have_the_same_bits_one_by_one_and_side_by_side() {
-    use crate::number::Strips;
-    use crate::number::lanes::Lanes;
-    use crate::number::registers::are_wide;
-
     // (what is printed tells the bits of a number)
-    fn text(numbers: &impl core::fmt::Debug) -> heapless::String<16_384> {
-        use core::fmt::Write;
-        let mut text = heapless::String::new();
-        write!(text, "{numbers:?}").expect("room");
-        text
-    }
-    fn sums<F: Float, P: Strips<F>>(
-        strips: &EllipseStrips<F>,
-        law: &Distribution<F>,
-    ) -> heapless::String<16_384> {
-        text(&(strips.sums::<P, 1>(law), strips.sums::<P, 4>(law)))
-    }
-    fn eight<F: Float, P: Strips<F>>(all: &[[F; 8]; 6]) -> heapless::String<16_384> {
-        let found = any::found::<Dual<F, 1>, P>(all);
-        assert_eq!(text(&found.0), text(&any::found::<F, P>(all).0));
-        text(&found)
-    }
-    fn agree<F: Float>() {
-        let mut before = text(&());
+    fn agree<F: Float, T: Number<Base = F>>(input: fn(F, usize) -> T) {
+        let mut before = String::new();
+        let mut same = |side_by_side: &dyn Debug, one_by_one: &dyn Debug| {
+            let own = format!("{one_by_one:?}");
+            assert_eq!(format!("{side_by_side:?}"), own);
+            assert_ne!(own, before);
+            before = own;
+        };
         for (k, count) in COUNTS.into_iter().enumerate() {
             for g in [0.2, 1.0, 4.0] {
                 let (ratio, nu) = (F::of(g), F::of(0.28));
                 let linear = LinearCoefficients::at(ratio, nu);
                 let strips = EllipseStrips::new(ratio, nu, &linear, count);
                 for v in [[0.3, 0.1, 0.2], [0.0, 2.0, -3.0], [-0.05, 0.0, 0.0], [40.0, 1.0, 9.0]] {
-                    let law = strips.contact.see(v.map(F::of));
-                    let own = sums::<F, Lanes<F, 1>>(&strips, &law);
-                    assert_eq!(sums::<F, F::Four>(&strips, &law), own, "{count:?} {g} {v:?}");
-                    if are_wide() {
-                        assert_eq!(sums::<F, F::WideFour>(&strips, &law), own);
-                        if count as usize >= 8 {
-                            assert_eq!(sums::<F, F::WideEight>(&strips, &law), own);
-                        }
-                        if count as usize >= 16 {
-                            assert_eq!(sums::<F, F::WideSixteen>(&strips, &law), own);
-                        }
-                    }
-                    assert_ne!(own, before);
-                    before = own;
+                    let v = [0, 1, 2].map(|i| input(F::of(v[i]), i));
+                    same(&strips.totals(v), &internals::totals_one_by_one(&strips, v));
                 }
             }
             let number = |i: usize| F::of(((i * 37 + k * 11) % 97) as f64 / 40.0 - 1.0);
-            let mut all =
-                [0, 8, 16, 24, 32, 0].map(|row| core::array::from_fn(|i| number(row + i)));
-            all[5] = core::array::from_fn(|i| F::of(i as f64 / 7.0));
-            let own = eight::<F, Lanes<F, 1>>(&all);
-            assert_eq!(eight::<F, F::Eight>(&all), own);
-            if are_wide() {
-                assert_eq!(eight::<F, F::WideEight>(&all), own);
-            }
-            assert_ne!(own, before);
-            before = own;
+            let seen = core::array::from_fn(|i| {
+                let [x, y, sigma, spread] = [0, 8, 16, 24].map(|row| number(row + i));
+                let [x, y, sigma] = [input(x, 0), input(y, 1), input(sigma, 2)];
+                let [spread, start] = [spread, number(32 + i)].map(T::from_base);
+                (Seen { x, y, spread, start }, sigma)
+            });
+            let inner = core::array::from_fn(|i| F::of(i as f64 / 7.0));
+            let one_by_one = internals::eight_one_by_one(&seen, inner);
+            same(&internals::eight_strips(&seen, inner), &one_by_one);
         }
     }
-    agree::<f64>();
-    agree::<f32>();
+    agree::<f64, f64>(|x, _| x);
+    agree::<f32, f32>(|x, _| x);
+    agree::<f64, Dual<f64, 3>>(Dual::input);
+    agree::<f32, Dual<f32, 3>>(Dual::input);
 }
 
 /// Forces that would give power are moved by one factor along `h K v`, `h = (1 − |F|²)/10` on the force and 1 on the moment.
@@ -536,7 +513,7 @@ fn forces_are_lifted_along_the_linear_ones() {
     let linear = LinearCoefficients::<f64>::at(1.4, 0.28);
     let before = Totals { fx: -0.3, fy: 0.1, mz: 0.02, stick: 0.5 };
     let creepage = [0.4, -0.2, 0.3];
-    let after = super::totals::power_projected(before, creepage, &linear);
+    let after = internals::power_projected(before, creepage, &linear);
     let share = (1.0 - (before.fx * before.fx + before.fy * before.fy)) / 10.0;
     let factors = [
         (after.fx - before.fx) / (share * linear.c11 * creepage[0]),
@@ -552,10 +529,10 @@ fn forces_are_lifted_along_the_linear_ones() {
 /// The corrections of long contacts set in with two continuous derivatives by the axis ratio, and nothing of them is left below.
 #[test]
 fn long_contacts_are_reached_smoothly() {
-    let share = |root: f64| LongContact::new(root, 0.0, 0.0).share;
+    let share = |root: f64| internals::long_contact(root)[0];
     for root in [0.1, 1.0, 2.65] {
         assert_eq!(share(root), 0.0);
-        assert_eq!(LongContact::new(root, 0.0, 0.0).of_spin(root), 1.0);
+        assert_eq!(internals::long_contact(root)[1], 1.0);
     }
     assert_abs_diff_eq!(share(3.75), 1.0, epsilon = 1e-14);
     assert_abs_diff_eq!(share(1e3), 1.0, epsilon = 1e-14);

@@ -1,7 +1,10 @@
 //! What must hold whatever the constants are, and that the fit has the same formulas.
 
-use super::*;
 use approx::assert_relative_eq;
+use kstrip::contact::forces::Totals;
+use kstrip::linear::LinearCoefficients;
+use kstrip::number::dual::Dual;
+use kstrip::total::Total;
 
 fn at(g: f64, nu: f64, v: [f64; 3]) -> [f64; 3] {
     let Totals { fx, fy, mz, .. } = Total::new(g, nu, &LinearCoefficients::at(g, nu)).totals(v);
@@ -225,7 +228,6 @@ fn single_precision_follows() {
 /// Derivatives are numbers at any creepage, in single precision too, and in full sliding those of double precision.
 #[test]
 fn derivatives_are_finite_at_any_creepage() {
-    use crate::number::dual::Dual;
     let gradients = |g: f64, v: [f64; 3]| {
         let single = LinearCoefficients::at(g as f32, 0.28);
         let v = [0, 1, 2].map(|i| Dual::<f32, 3>::input(v[i] as f32, i));

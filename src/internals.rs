@@ -1,0 +1,105 @@
+//! What `tests/units` see from inside, and no part of the interface. (As unit tests of the library they would compile every formula twice.)
+
+use crate::contact::Contact;
+use crate::contact::creepage::Creepage;
+use crate::contact::forces::Totals;
+use crate::linear::LinearCoefficients;
+use crate::number::{Arithmetic, Number, Plain};
+use crate::rig::creepage::Aim;
+use crate::rig::friction::Rig;
+use crate::rig::{FrictionEstimate, Measured};
+use crate::solve::model::{Model, Options, Precision};
+use crate::status::Error;
+use crate::strip::long::LongContact;
+use crate::strip::{Carried, EllipseStrips, Seen, Spin, any, totals};
+
+/// Whether this processor has registers of 256 bits.
+pub fn are_wide() -> bool {
+    crate::number::registers::are_wide()
+}
+
+/// Whether a contact and a creepage are let through without a look, and what a look finds.
+pub fn looked_at<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    model: Model,
+) -> (bool, Result<(), Error>) {
+    let found = crate::solve::check::find_fault(contact, creepage, model);
+    (contact.is_usual() && creepage.is_usual(), found)
+}
+
+/// The friction over what is used of it, the estimate, and how many solutions it took.
+///
+/// # Errors
+/// Those of [`estimate_friction`](crate::rig::estimate_friction).
+pub fn estimate_counted<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    options: &Options,
+    measured: Measured,
+    force: [F; 2],
+) -> Result<(F, FrictionEstimate<F>, usize), Error> {
+    let mut rig = Rig::new(contact, creepage, options, measured, force)?;
+    let estimate = rig.estimate(force)?;
+    Ok((rig.used, estimate, rig.solved))
+}
+
+/// The creepage for a force, how far its force is from there over `μ N`, and how many solutions it took.
+///
+/// # Errors
+/// Those of [`creepage_for_force`](crate::rig::creepage_for_force).
+pub fn creepage_counted<F: Precision>(
+    contact: &Contact<F>,
+    force: [F; 2],
+    spin: F,
+    options: &Options,
+) -> Result<(Creepage<F>, F, usize), Error> {
+    let mut aim = Aim::new(contact, force, spin, options);
+    let found = aim.find()?;
+    Ok((aim.creepage(found.at), found.distance, aim.solved))
+}
+
+/// The weight of the network for long contacts and what is left of the spin's linear force, by `√(a/b)`.
+pub fn long_contact<F: Plain>(root: F) -> [F; 2] {
+    let long = LongContact::new(root, F::zero(), F::zero());
+    [long.share, long.of_spin(root)]
+}
+
+/// Forces of one strip, outer or inner, by the formulas as they stand.
+pub fn strip_forces<T: Arithmetic<Bare: Plain>>(
+    seen: &Seen<T>,
+    spin: T,
+    inner: bool,
+) -> Carried<T> {
+    totals::alone(seen, &Spin::new(spin), inner)
+}
+
+/// Forces of any eight strips, side by side.
+pub fn eight_strips<T: Number>(seen: &[(Seen<T>, T); 8], inner: [T::Base; 8]) -> [Carried<T>; 8] {
+    any::eight_strips(seen, inner)
+}
+
+/// The same, one after the other.
+pub fn eight_one_by_one<T: Number>(
+    seen: &[(Seen<T>, T); 8],
+    inner: [T::Base; 8],
+) -> [Carried<T>; 8] {
+    any::eight_one_by_one(seen, inner)
+}
+
+/// Totals with the strips of an ellipse one after the other.
+pub fn totals_one_by_one<F: Plain, T: Number<Base = F>>(
+    strips: &EllipseStrips<F>,
+    creepage: [T; 3],
+) -> Totals<T> {
+    strips.totals_one_by_one(creepage)
+}
+
+/// Forces moved so that friction takes power out.
+pub fn power_projected<T: Number>(
+    forces: Totals<T>,
+    creepage: [T; 3],
+    linear: &LinearCoefficients<T::Base>,
+) -> Totals<T> {
+    totals::power_projected(forces, creepage, linear)
+}

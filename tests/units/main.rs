@@ -1,0 +1,11 @@
+//! Parts of the library by themselves: Kalker's coefficients, the models' totals, strips, searches, registers.
+
+mod check;
+mod cube_root;
+mod lanes;
+mod linear;
+#[path = "../common/random.rs"]
+mod random;
+mod rig;
+mod strip;
+mod total;
