@@ -646,6 +646,37 @@ fn costs_in_prose_are_those_of_the_counts() {
     }
 }
 
+/// In a batch derivatives cost at most 1.05 of a loop of `kstrip_evaluate`, of TOTAL and LINEAR at most seven tenths; a prepared contact of
+/// LINEAR costs at most 15 instructions beyond the 107 that it took without a checksum (16 beyond 109 in single precision).
+#[test]
+fn calls_cost_what_they_may() {
+    let counts = std::fs::read_to_string(root().join("benches/instructions.txt")).expect("counts");
+    for (precision, most) in [("f64", 107.0 + 15.0), ("f32", 109.0 + 16.0)] {
+        let count = |model: &str, what: &str| {
+            let start = format!("{model} {precision} {what} ");
+            let row = counts.lines().find_map(|line| line.strip_prefix(&start)).expect("a count");
+            row.split(' ').nth(1).expect("a count").parse::<f64>().expect("a number")
+        };
+        for (model, share) in [
+            ("STRIP_1967", 1.05),
+            ("STRIP_1967_CONTINUOUS", 1.05),
+            ("STRIP", 1.05),
+            ("TOTAL", 0.7),
+            ("LINEAR", 0.7),
+        ] {
+            let (batch, alone) = (count(model, "batch_derivatives"), count(model, "derivatives"));
+            println!(
+                "{model} {precision}: derivatives in a batch {:.3} of the loop",
+                batch / alone
+            );
+            assert!(batch <= share * alone, "{model} {precision}: {batch} {alone}");
+        }
+        let prepared = count("LINEAR", "prepared");
+        println!("LINEAR {precision}: a prepared contact {prepared} instructions");
+        assert!(prepared <= most, "{precision}: {prepared}");
+    }
+}
+
 /// The C reference, if doxygen is here: no warning.
 #[test]
 fn doxygen_has_no_warning() {
