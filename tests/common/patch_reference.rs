@@ -187,41 +187,54 @@ impl Case {
     }
 }
 
-/// The patches of profiles.
-pub fn profiles() -> Vec<Case> {
-    let mut cases: Vec<Case> = rows("cases.csv")
-        .iter()
-        .map(|row| {
-            let number = |column| number(row, column);
-            Case {
-                name: row["case"].clone(),
-                family: row["family"].clone(),
-                rolling_radius: number("rolling_radius_mm") * 1e-3,
-                load: number("normal_force_N"),
-                friction: number("mu"),
-                shear_modulus: number("G_MPa") * 1e6,
-                poisson_ratio: number("nu"),
-                size: number("c_mm") * 1e-3,
-                area: number("area_mm2") * 1e-6,
-                peak_pressure: number("pmax_MPa") * 1e6,
-                approach: number("approach_mm") * 1e-3,
-                cell: number("dy_mm") * 1e-3,
-                ..Case::default()
-            }
-        })
-        .collect();
-    let index: HashMap<_, _> =
-        cases.iter().enumerate().map(|(i, case)| (case.name.clone(), i)).collect();
-    for row in rows("profiles.csv") {
+/// The cases of a folder, their profiles and forces, and what only one of the folders has of a case and of a point.
+fn read(folder: &str, of_case: fn(&Row, &mut Case), of_point: fn(&Row, &mut Case)) -> Vec<Case> {
+    let mut cases = Vec::new();
+    let mut index = HashMap::new();
+    for row in rows_of(folder, "cases.csv") {
+        let number = |column| number(&row, column);
+        let mut case = Case {
+            name: row["case"].clone(),
+            family: row["family"].clone(),
+            load: number("normal_force_N"),
+            friction: number("mu"),
+            shear_modulus: number("G_MPa") * 1e6,
+            poisson_ratio: number("nu"),
+            size: number("c_mm") * 1e-3,
+            area: number("area_mm2") * 1e-6,
+            peak_pressure: number("pmax_MPa") * 1e6,
+            ..Case::default()
+        };
+        of_case(&row, &mut case);
+        index.insert(case.name.clone(), cases.len());
+        cases.push(case);
+    }
+    for row in rows_of(folder, "profiles.csv") {
         let case = &mut cases[index[&row["case"]]];
         case.y.push(number(&row, "y_mm") * 1e-3);
         case.distance.push(number(&row, "h_um") * 1e-6);
+        of_point(&row, case);
     }
+    for row in rows_of(folder, "forces.csv") {
+        cases[index[&row["case"]]].motions.push(Motion::of(&row));
+    }
+    cases
+}
+
+/// The patches of profiles.
+pub fn profiles() -> Vec<Case> {
+    let of_case = |row: &Row, case: &mut Case| {
+        case.rolling_radius = number(row, "rolling_radius_mm") * 1e-3;
+        case.approach = number(row, "approach_mm") * 1e-3;
+        case.cell = number(row, "dy_mm") * 1e-3;
+    };
+    let mut cases = read("patches", of_case, |_, _| ());
+    let index: HashMap<_, _> =
+        cases.iter().enumerate().map(|(i, case)| (case.name.clone(), i)).collect();
     for row in rows("outlines.csv") {
-        let case = &mut cases[index[&row["case"]]];
         let half_length = number(&row, "half_length_mm") * 1e-3;
         let load = number(&row, "load_N_per_mm") * 1e3;
-        case.outline.push(Outline {
+        cases[index[&row["case"]]].outline.push(Outline {
             y: number(&row, "y_mm") * 1e-3,
             half_length,
             centre_x: number(&row, "centre_x_mm") * 1e-3,
@@ -229,47 +242,19 @@ pub fn profiles() -> Vec<Case> {
             load,
         });
     }
-    for row in rows("forces.csv") {
-        cases[index[&row["case"]]].motions.push(Motion::of(&row));
-    }
     cases
 }
 
 /// Patches of real wheels on real rails, with yaw.
 pub fn real() -> Vec<Case> {
-    let mut cases: Vec<Case> = rows_of("real", "cases.csv")
-        .iter()
-        .map(|row| {
-            let number = |column| number(row, column);
-            Case {
-                name: row["case"].clone(),
-                family: row["family"].clone(),
-                rolling_radius: 0.46,
-                load: number("normal_force_N"),
-                friction: number("mu"),
-                shear_modulus: number("G_MPa") * 1e6,
-                poisson_ratio: number("nu"),
-                size: number("c_mm") * 1e-3,
-                area: number("area_mm2") * 1e-6,
-                peak_pressure: number("pmax_MPa") * 1e6,
-                zones: number("zones") as usize,
-                ..Case::default()
-            }
-        })
-        .collect();
-    let index: HashMap<_, _> =
-        cases.iter().enumerate().map(|(i, case)| (case.name.clone(), i)).collect();
-    for row in rows_of("real", "profiles.csv") {
-        let case = &mut cases[index[&row["case"]]];
-        case.y.push(number(&row, "y_mm") * 1e-3);
-        case.distance.push(number(&row, "h_um") * 1e-6);
-        case.centre_x.push(number(&row, "xcentre_mm") * 1e-3);
-        case.radii.push(number(&row, "R_mm") * 1e-3);
-    }
-    for row in rows_of("real", "forces.csv") {
-        cases[index[&row["case"]]].motions.push(Motion::of(&row));
-    }
-    cases
+    let of_case = |row: &Row, case: &mut Case| {
+        case.rolling_radius = 0.46;
+        case.zones = number(row, "zones") as usize;
+    };
+    read("real", of_case, |row, case| {
+        case.centre_x.push(number(row, "xcentre_mm") * 1e-3);
+        case.radii.push(number(row, "R_mm") * 1e-3);
+    })
 }
 
 /// Patches whose strips are given, some with their centres off `x = 0`; a half-ellipse in `x`.

@@ -6,6 +6,7 @@ use crate::random::Random;
 use crate::single;
 use crate::theory;
 
+use crate::C0;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
@@ -17,15 +18,7 @@ use std::f64::consts::PI;
 use std::mem::MaybeUninit;
 use theory::{Law, MODELS, contact, creepage, options};
 
-const WHEEL: Contact<f64> = Contact {
-    a: 6e-3,
-    b: 4e-3,
-    normal_force: 80e3,
-    shear_modulus: 82e9,
-    poisson_ratio: 0.28,
-    friction: 0.3,
-    mismatch: 0.0,
-};
+const WHEEL: Contact<f64> = Contact { b: 4e-3, ..C0 };
 
 const MOTION: Creepage<f64> = Creepage { longitudinal: 1e-3, lateral: -5e-4, spin: 0.2 };
 

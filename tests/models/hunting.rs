@@ -1,5 +1,6 @@
 //! What a vehicle feels of the slopes: the critical speed of the wheelset of `c_examples/05_hunting.c`.
 
+use crate::C0;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
@@ -12,15 +13,7 @@ const LATERAL_SPRING: f64 = 400e3;
 const YAW_SPRING: f64 = 3e6;
 const RADIUS: f64 = 0.46;
 const HALF_GAUGE: f64 = 0.75;
-const CONTACT: Contact<f64> = Contact {
-    a: 6e-3,
-    b: 4.5e-3,
-    normal_force: 80e3,
-    shear_modulus: 82e9,
-    poisson_ratio: 0.28,
-    friction: 0.2,
-    mismatch: 0.0,
-};
+const CONTACT: Contact<f64> = Contact { friction: 0.2, ..C0 };
 
 /// `d rate/d state` of the straight run; the state is place, yaw, and their rates.
 fn linearised(model: Model, conicity: f64, speed: f64) -> Matrix4<f64> {

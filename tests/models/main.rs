@@ -1,5 +1,7 @@
 //! The models against CONTACT, their slopes, patches, friction and the inverse.
 
+use kstrip::contact::Contact;
+
 #[path = "../common/manchester.rs"]
 mod manchester;
 #[path = "../common/names.rs"]
@@ -38,3 +40,14 @@ mod total;
 mod unlike;
 mod warnings;
 mod wheel_rail;
+
+/// A wheel on a rail.
+const C0: Contact<f64> = Contact {
+    a: 6e-3,
+    b: 4.5e-3,
+    normal_force: 80e3,
+    shear_modulus: 82e9,
+    poisson_ratio: 0.28,
+    friction: 0.3,
+    mismatch: 0.0,
+};

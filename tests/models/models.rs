@@ -2,6 +2,7 @@
 //! smoothness, hard inputs, and that strips and fields belong to the totals.
 
 use crate::random;
+use crate::theory::COUNTS;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
@@ -23,14 +24,6 @@ const BOUND: f64 = 24e3;
 const FRICTION: f64 = 0.3;
 /// Creepage for `vx = 1`.
 const UNIT: f64 = BOUND / (SHEAR_MODULUS * SIZE * SIZE);
-
-const COUNTS: [StripCount; 5] = [
-    StripCount::Four,
-    StripCount::Eight,
-    StripCount::Sixteen,
-    StripCount::ThirtyTwo,
-    StripCount::SixtyFour,
-];
 
 /// Every model with saturation that is tested here, with every count that it has.
 fn saturating() -> Vec<Options> {

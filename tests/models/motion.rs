@@ -1,5 +1,6 @@
 //! Rolling forward, backward, and standstill between them.
 
+use crate::C0;
 use crate::random::Random;
 use crate::single::single;
 use kstrip::contact::Contact;
@@ -11,15 +12,6 @@ use kstrip::solve::model::{self, Model, Options, Solution};
 use kstrip::solve::motion::{Motion, MotionDerivatives, differentiate, solve};
 use kstrip::status::{Error, Notice};
 
-const C0: Contact<f64> = Contact {
-    a: 6e-3,
-    b: 4.5e-3,
-    normal_force: 80e3,
-    shear_modulus: 82e9,
-    poisson_ratio: 0.28,
-    friction: 0.3,
-    mismatch: 0.0,
-};
 const FLOOR: f64 = 0.02;
 const WET: SlipFriction<f64> =
     SlipFriction { friction: 0.3, ratio: 0.4, decay: 0.6, rolling_speed: 0.0, slope_factor: 0.5 };

@@ -1,5 +1,6 @@
 //! Every model, alone and in a batch, says what is implausible about its contact.
 
+use crate::C0;
 use kstrip::batch::solve_batch;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
@@ -8,15 +9,6 @@ use kstrip::solve::derivatives;
 use kstrip::solve::model::{self, Model, Options};
 use kstrip::status::Notice;
 
-const C0: Contact<f64> = Contact {
-    a: 6e-3,
-    b: 4.5e-3,
-    normal_force: 80e3,
-    shear_modulus: 82e9,
-    poisson_ratio: 0.28,
-    friction: 0.3,
-    mismatch: 0.0,
-};
 /// A worn wheel in a curve.
 const ROLLS: Creepage<f64> = Creepage { longitudinal: 1e-4, lateral: 1e-4, spin: 0.4 };
 
