@@ -1656,10 +1656,11 @@ kstrip_status kstrip_estimate_friction(const struct kstrip_contact *contact,
  *
  * The search mostly needs five solutions with derivatives. Of ten thousand plausible contacts three need more than 12, near friction
  * times load, where spin makes the force turn back before it grows on; with KSTRIP_MODEL_STRIP_1967, whose force jumps, 22 of ten thousand.
- * The search ends after 40 with KSTRIP_WARNING_NOT_CONVERGED and the creepage that comes nearest. Where spin keeps the force from growing
- * with the creepage, more than one creepage may give the force; the result is one of them. A force within 0.1 % of friction times load is
- * that of full sliding. The status is then KSTRIP_WARNING_CREEPAGE_AT_LEAST, and every creepage larger than the result gives the force
- * as well. A lost contact carries no force at any creepage; the result is zero.
+ * The search ends after 40 with KSTRIP_WARNING_NOT_CONVERGED and the creepage that comes nearest; a force within a jump of STRIP_1967 has
+ * no creepage, which happens to seven of a thousand forces with spin. Where spin keeps the force from growing with the creepage, more than
+ * one creepage may give the force; the result is one of them. A force within 0.1 % of friction times load is that of full sliding. The
+ * status is then KSTRIP_WARNING_CREEPAGE_AT_LEAST, and every creepage larger than the result gives the force as well. A lost contact
+ * carries no force at any creepage; the result is zero.
  *
  * @param contact         ellipse, load, material, friction.
  * @param fx, fy          wanted force on the lower body [N].
