@@ -12,6 +12,7 @@ import numpy as np
 HERE = os.path.dirname(os.path.abspath(__file__))
 DATA = os.path.join(HERE, "data")
 SOURCE = os.path.join(HERE, os.pardir, "src")
+OWN = "boundary_elements.csv"
 COEFFICIENTS = os.path.join(SOURCE, "linear", "constants.rs")
 
 LN16 = float(np.log(16.0))
@@ -149,7 +150,7 @@ def load(*names):
     g, nu = column("a_over_b"), column("nu")
     f = np.stack([column(key) for key in ("fx", "fy", "mz")], 1)
     f[:, :2] /= np.maximum(1, np.hypot(f[:, 0], f[:, 1]))[:, None]  # extrapolation overshoots mu N by .0015 at most
-    fine, slender = (np.concatenate([np.full(len(part["err"]), word in name) for part, name in zip(parts, names)]) for word in ("fine", "slender"))
+    fine, slender, own = (np.concatenate([np.full(len(part["err"]), word in name) for part, name in zip(parts, names)]) for word in ("fine", "slender", OWN))
     return {
         "g": g,
         "nu": nu,
@@ -159,6 +160,7 @@ def load(*names):
         "err": column("err"),
         "fine": fine,
         "slender": slender,
+        "own": own,
     }
 
 
@@ -171,6 +173,19 @@ def split(data, seed=0, part=0.9):
     order = np.random.default_rng(seed).permutation(len(data["g"]))
     cut = int(part * len(order))
     return take(data, order[:cut]), take(data, order[cut:])
+
+
+def own_rows():
+    """Rows of `boundary_elements.py`: those of nine contacts in ten, and the others, which no fit uses."""
+    data = load(OWN)
+    held = of_held_contacts(data["g"])
+    return take(data, ~held), take(data, held)
+
+
+def of_held_contacts(g):
+    """Every tenth contact of rows in which those of one contact follow each other."""
+    contact = np.cumsum(np.diff(g, prepend=0) != 0) - 1
+    return contact % 10 == 9
 
 
 def report(label, p, data, regions=False):

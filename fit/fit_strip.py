@@ -37,7 +37,6 @@ BLEND = (0.8, 1.3)  # spins between which the slip part grows over the whole str
 EDGE = 0.4  # the separatrix meets the leading edge smoothly over this length
 # Linear forces squared from which on corrections act; linear force where the flexibilities are those of rigid slip
 WIDTH, WIDTH2, SATURATION = 0.05, 0.15, 40.0
-SHARE_OF_ALL = False  # whether creepage counts toward rigid slip as little as spin in long contacts: while fit_strip_long.py fits
 # Long contacts: sqrt(a/b) from which on, and over which distance, the corrections of `fit_strip_long.py` set in
 LONG_FROM, LONG_OVER = 2.65, 1.1
 
@@ -46,6 +45,7 @@ WEIGHTS = np.array([1.0, 1.0, 0.8, 0.2])
 PENALTY, PRIOR, TAIL = 0.02, 5e-7, 0.3
 LIMITS = 1000  # rows of rigid slip
 WIDEST = 64  # axis ratios of them, and their inverse
+LONGEST = 14  # axis ratio of the rows; those of longer contacts are for fit_strip_long.py
 SLENDER = 3  # how often a row of train_slender.csv counts
 SLOPES, STEP, SLOPE_WEIGHT = 1000, 0.03, 0.25  # states whose slopes are fitted too: central differences with this step of linear force
 BLOCK = 1000  # rows side by side
@@ -214,8 +214,7 @@ def parameters(g, v, c, o, rule):
     w, w2 = q2 / (WIDTH + q2), q2 / (WIDTH2 + q2)  # no correction at rest
     # the linear force of a spin grows with the contact's length, its slip does not
     of_spin = 1 / jnp.sqrt(1 + share_of_long(g) * ((g / 10) ** 3 - 1))
-    of_creepage = of_spin if SHARE_OF_ALL else 1
-    m2 = of_creepage * (force[0] ** 2 + force[1] ** 2) + of_spin * force[2] ** 2
+    m2 = force[0] ** 2 + force[1] ** 2 + of_spin * force[2] ** 2
     chi = m2 * m2 / (m2 * m2 + SATURATION**4)
     rigid = 4 / (3 * np.pi) * (c[0] + c[1])
     k = 8 / (3 * np.pi)
@@ -372,7 +371,7 @@ def case(g, nu, v):
 def load(*names):
     data = common.load(*names)
     stick = np.concatenate([common.read(name)["stick"] for name in names])
-    return {**case(data["g"], data["nu"], data["v"].T), "f": np.r_[data["f"].T, stick[None]], "err": data["err"], "fine": data["fine"], "slender": data["slender"]}
+    return {**case(data["g"], data["nu"], data["v"].T), "f": np.r_[data["f"].T, stick[None]], "err": data["err"], "fine": data["fine"], "slender": data["slender"], "own": data["own"]}
 
 
 def take(data, index):
@@ -384,6 +383,17 @@ def split(data, part=0.9):
     order = np.random.default_rng(0).permutation(len(data["g"]))
     cut = int(part * len(order))
     return take(data, order[:cut]), take(data, order[cut:])
+
+
+def own_rows():
+    """Those of common.own_rows."""
+    data = load(common.OWN)
+    held = common.of_held_contacts(data["g"])
+    return take(data, ~held), take(data, held)
+
+
+def joined(*parts):
+    return {key: np.concatenate([part[key] for part in parts], -1) for key in parts[0]}
 
 
 def rigid_slip(g, vx, vy, phi, n=60):
@@ -801,9 +811,9 @@ def main():
         numbers(read_back())
         return
     training, validation = split(load("train.csv", "train_fine.csv"))
+    own = joined(*own_rows())
     slender = load("train_slender.csv")
-    slender = take(slender, slender["g"] < 14)  # longer ones: fit_strip_long.py
-    training = {key: np.concatenate([value, slender[key]], -1) for key, value in training.items()}
+    training = joined(training, take(slender, slender["g"] < LONGEST))
     if args.check:
         p = read_back()
     else:
@@ -817,6 +827,7 @@ def main():
         if not args.dry:
             write(p, [f"Trained on {len(training['g'])} rows and {LIMITS} of rigid slip; {len(validation['g'])} others were kept for validation."])
     report("validation", p, validation, regions=args.check)
+    report("boundary_elements.csv", p, own, regions=args.check)
     report_limits(p)
     if args.open:
         data = load(os.path.abspath(args.open))

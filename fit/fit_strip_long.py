@@ -1,12 +1,12 @@
 """Corrections of STRIP for contacts that are long in the rolling direction, added to those of `fit_strip.py`; writes src/strip/long_constants.rs.
 
     python3 fit_strip_long.py                  fit, validate, write (seven minutes)
+    python3 fit_strip_long.py --from-stored    the same, from the stored constants
     python3 fit_strip_long.py --fold K         keep every fifth slender row from the Kth on back, print its errors, write nothing
     options: --minutes M  --seed S  --open FILE (reports only, never fitted)
 
 Fit the strips and TOTAL first. The constants of `fit_strip.py` stay as they are: contacts with sqrt(a/b) below 2.65 do not have these corrections.
-Fitted are the rows with a/b > 7, rigid slip, states near the slender rows whose values are those of TOTAL (which is fitted to the same rows and fills the gaps
-between them), and differences of neighbouring states of TOTAL.
+Fitted are the rows with a/b > 7, rigid slip, and differences of neighbouring states of TOTAL.
 """
 
 import argparse
@@ -21,11 +21,10 @@ import jax.numpy as jnp
 import numpy as np
 
 LEAST, WIDEST = 7, 66  # axis ratios
-UNITS, FIXED = 20, 5
+UNITS, FIXED = 24, 5
 PENALTY = 0.01
-LIMITS, STATES, SLIDING, SLOPES = 300, 8000, 3000, 600  # rows of rigid slip, states of TOTAL, those on the way to sliding, states whose slopes are fitted
-STATE_WEIGHT = 0.7
-DENSER = 0.7  # below 1: more states of TOTAL where contacts are very long
+SLENDER, OWN = 8, 0.5  # how often a row of train_slender.csv and of boundary_elements.csv counts
+LIMITS, SLOPES = 300, 600  # rows of rigid slip, states whose slopes are fitted
 BLOCK = 1000
 KEYS = ("g", "v", "c", "z", "ob", "w", "f", "wt")
 STORED = strip.read_back()
@@ -37,10 +36,6 @@ RULE, TABLE = strip.RULE, strip.TABLE
 
 def only_long(data):
     return strip.take(data, data["g"] > LEAST)
-
-
-def joined(parts, keys):
-    return {key: np.concatenate([part[key] for part in parts], -1) for key in keys}
 
 
 def with_stored(data):
@@ -55,46 +50,11 @@ def limit_rows(n, seed=77):
     return strip.sliding(g, nu, r)
 
 
-def states_of_total(rows, n, seed=3):
-    """States around those of the rows, and a third of any kind; the values of TOTAL.
-
-    Its moment is not taken where it is not known to be right: in very long contacts with much spin.
-    """
-    r = np.random.default_rng(seed)
-    i = r.integers(0, len(rows["g"]), n)
-    linear, psi = rows["v"][:, i] * rows["c"][:3, i], np.pi / 3 * np.sqrt(rows["g"][i]) * rows["v"][2, i]
-    g = np.exp(np.log(LEAST) + np.log(64 / LEAST) * r.random(n) ** DENSER)
-    nu = np.where(r.random(n) < 0.6, 0.28, r.uniform(0, 0.5, n))
-    c, per_psi = np.stack(common.coefficients(g, nu)), 3 / np.pi / np.sqrt(g)
-    v = linear / c[:3] * np.exp(r.normal(0, 0.25, (3, n))) * r.choice([-1, 1], (3, n))
-    # half of them keep psi instead of the linear force
-    same = psi * per_psi * np.sign(v[2]) * np.sign(psi) * np.exp(r.normal(0, 0.2, n))
-    v[2] = np.where(r.random(n) < 0.5, same, v[2])
-    m = n // 3
-    force = np.exp(r.uniform(np.log(0.03), np.log(5), (2, m))) * r.choice([-1, 1], (2, m)) * (r.random((2, m)) > 0.15)
-    v[:2, :m] = force / c[:2, :m]
-    v[2, :m] = np.exp(r.uniform(np.log(0.01), np.log(3.1), m)) * r.choice([-1, 1], m) * per_psi[:m]
-    kept = abs(v[2]) < 3.2 * per_psi
-    return valued(strip.case(g[kept], nu[kept], v[:, kept]), 1)
-
-
-def on_the_way_to_sliding(n, seed=5):
-    """Linear forces from 4 on, where no row of CONTACT is, with any spin; the values of TOTAL, which knows the limit."""
-    r = np.random.default_rng(seed)
-    g, nu = np.exp(r.uniform(np.log(LEAST), np.log(64), n)), np.where(r.random(n) < 0.6, 0.28, r.uniform(0, 0.5, n))
-    c, force, angle = np.stack(common.coefficients(g, nu)), np.exp(r.uniform(np.log(4), np.log(300), n)), r.uniform(0, 2 * np.pi, n)
-    psi = np.exp(r.uniform(np.log(0.005), np.log(3), n)) * r.choice([-1, 1], n)
-    v = np.stack([force * np.cos(angle) / c[0], force * np.sin(angle) / c[1], psi * 3 / np.pi / np.sqrt(g)])
-    return valued(strip.case(g, nu, v), 4 / force)
-
-
-def valued(data, doubt):
-    """With the values and weights of TOTAL, whose moment is doubtful in very long contacts with much spin."""
-    f = strip.of_total(data)
-    data["f"] = np.r_[f, np.zeros((1, f.shape[1]))]
-    g, psi = data["g"], np.pi / 3 * np.sqrt(data["g"]) * data["v"][2]
-    moment = strip.WEIGHTS[2] * np.minimum(12 / g, 1) / (1 + (np.maximum(g / 20, 1) * psi * doubt) ** 2)
-    data["wt"] = STATE_WEIGHT * np.stack([np.ones_like(g), np.ones_like(g), moment, np.zeros_like(g)])
+def weighted(data):
+    """As the rows of the other strips, with more weight for slender rows and at both ends of the range."""
+    data, g = strip.weighted(data), data["g"]
+    often = np.where(data["slender"], np.sqrt(SLENDER / strip.SLENDER), np.where(data["own"], np.sqrt(OWN), 1.0))
+    data["wt"] = data["wt"] * often * np.where(g < 14, 1.25, np.where(g > 30, 1.3, 1.0))
     return data
 
 
@@ -114,16 +74,17 @@ def blocks(data, seed=1):
 def load(fold):
     """Blocks of rows, blocks of differences, rows for validation."""
     training, validation = strip.split(strip.load("train.csv", "train_fine.csv"))
+    own, own_validation = map(only_long, strip.own_rows())
     training, validation, slender = only_long(training), only_long(validation), only_long(strip.load("train_slender.csv"))
     if fold is not None:
         held = np.arange(len(slender["g"])) % 5 == fold % 5
         validation, slender = strip.take(slender, held), strip.take(slender, ~held)
-    rows = joined([training, slender], training)
+    rows = strip.joined(training, slender, own)
     keys = ("g", "v", "c", "x", "z", "f", "wt")
-    parts = [strip.weighted(rows), limit_rows(LIMITS), states_of_total(slender, STATES), on_the_way_to_sliding(SLIDING)]
+    parts = [weighted(rows), limit_rows(LIMITS)]
     pairs = with_stored(strip.neighbours(rows, SLOPES))
     pairs = [{key: jnp.asarray(pairs[key][..., k : k + BLOCK], jnp.float32) for key in KEYS} for k in range(0, pairs["g"].size // BLOCK * BLOCK, BLOCK)]
-    return blocks(with_stored(joined(parts, keys))), pairs, validation
+    return blocks(with_stored(strip.joined(*({key: part[key] for key in keys} for part in parts)))), pairs, validation, own_validation
 
 
 # --- the fit -----------------------------------------------------------------------------------
@@ -206,8 +167,8 @@ def write(p):
     header = [
         "Constants of the corrections of long contacts.",
         "",
-        "Written by `fit/fit_strip_long.py` from rows with `a/b` above 7 of `fit/data/train.csv`, `train_fine.csv` and",
-        "`train_slender.csv` (values computed with CONTACT, see `fit/data/README.md`) and from TOTAL's constants.",
+        "Written by `fit/fit_strip_long.py` from rows with `a/b` above 7 of `fit/data/train.csv`, `train_fine.csv`,",
+        "`train_slender.csv` (values computed with CONTACT, see `fit/data/README.md`) and `boundary_elements.csv`.",
     ]
     entries = [
         ("Fitted: offsets of the units, and weights of what the contact decides.", "FIXED", m1[:FIXED]),
@@ -223,18 +184,18 @@ def main():
     parser.add_argument("--fold", type=int)
     parser.add_argument("--minutes", type=float, default=7.0)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--from-stored", action="store_true")
     parser.add_argument("--open")
     args = parser.parse_args()
-    strip.SHARE_OF_ALL = True  # (real patches are better with the constants that were fitted so)
-    parts, pairs, validation = load(args.fold)
+    parts, pairs, validation, own_validation = load(args.fold)
     print(f"{COUNT} coefficients, {BLOCK * len(parts)} rows, at most {args.minutes:g} min", flush=True)
-    p = fit(start(args.seed), parts, pairs, args.minutes).astype(np.float32).astype(float)
-    strip.SHARE_OF_ALL = False
-    jax.clear_caches()
+    first = np.concatenate([np.ravel(part) for part in strip.read_long()]) if args.from_stored else start(args.seed)
+    p = fit(first, parts, pairs, args.minutes).astype(np.float32).astype(float)
     if args.fold is None:
         write(p)
     report = functools.partial(strip.report, p=STORED, regions=True, long=unpack(p))
     report("validation" if args.fold is None else "held back", data=validation)
+    report("own rows, validation", data=own_validation)
     if args.open:
         report("open", data=strip.load(os.path.abspath(args.open)))
 

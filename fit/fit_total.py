@@ -5,8 +5,8 @@ python fit_total.py --from-stored           the last stages alone, from the stor
 python fit_total.py --quick                 a few iterations only, to see that everything runs (constants not written)
 python fit_total.py --evaluate [file.csv]   errors of the stored constants, by region
 
-Levenberg-Marquardt on all residuals of data/train_slender.csv and of 90 % of data/train.csv and data/train_fine.csv; the
-other 10 % are never trained on and are what "validation" means. A network that is too large is trained first, together with the constants of the
+Levenberg-Marquardt on all residuals of data/train_slender.csv and of 90 % of data/train.csv, data/train_fine.csv and data/boundary_elements.csv;
+the other 10 % are never trained on and are what "validation" means. A network that is too large is trained first, together with the constants of the
 formulas around it; then units are taken out, always those that are missed least, and what is left is trained to the end.
 """
 
@@ -35,12 +35,14 @@ OUTPUTS = 6
 CONSTANTS = os.path.join(common.SOURCE, "total", "constants.rs")
 SCALE = np.array([1, 1, 0.55])  # weight of the moment's residual against the force's
 # penalty on the square of the coefficients: the larger network's, that of the fit, and in the rounds at the end
-WIDE, NARROW, LAST = 6e-4, 3e-4, 6e-4
+WIDE, NARROW, LAST = 6e-4, 6e-4, 6e-4
 PENALTY_FRAME = 0.03  # on the square of the logarithm of what a constant of the formulas has changed by
 BLOCK = 2048
 LARGEST_ROOT = 8  # the network does not see that a contact is more slender than a/b = 64 or 1/64; no row of the data is
 SLIDING = 4000  # rows of rigid slip
 WIDEST = 70  # axis ratios of rigid slip, and their inverse
+OWN = 0.05  # how often a row of boundary_elements.csv counts: they lie where little slip turns much, and the network is small
+STEP, SLOPE_WEIGHT = 0.04, 0.4  # of the differences of boundary_slopes.csv in linear force; weight of a slope's error over the linear slope
 SLENDER = 3  # how often a row of train_slender.csv counts
 
 # Constants of the formulas around the network, fitted with it: name in the library, what it is, first value.
@@ -248,16 +250,44 @@ RIGID = stored_rigid(CONSTANTS)
 
 
 class Rows:
-    def __init__(self, data):
+    """Rows to fit and, in `pairs`, neighbouring states whose differences are fitted: first and second one after the other."""
+
+    def __init__(self, data, pairs=None):
         self.state = jnp.array(states(data["g"], data["nu"], data["v"], data["c"]))
         self.data, self.count = data, len(data["g"])
+        self.pairs = pairs
         self.weight = row_weights(data)
 
     def errors(self, model):
         return np.array(answers(model, self.state)) - self.data["f"]
 
     def cost(self, model, penalty):
-        return (((self.errors(model) * weights(self)) ** 2).sum() + (penalties(model, penalty) * flat(model) ** 2).sum()) / self.count
+        squares = ((self.errors(model) * weights(self)) ** 2).sum()
+        if self.pairs:
+            squares += (differences(self.pairs.errors(model) * weights(self.pairs)) ** 2).sum()
+        return (squares + (penalties(model, penalty) * flat(model) ** 2).sum()) / self.count
+
+
+def differences(a):
+    return a[0::2] - a[1::2]
+
+
+def slope_rows():
+    """The slopes of boundary_slopes.csv as neighbouring states: the first has the difference, the second zero."""
+    k = common.read("boundary_slopes.csv")
+    g, nu, v = k["a_over_b"], k["nu"], np.stack([k["vx"], k["vy"], k["phi"]], 1)
+    c = np.stack(common.coefficients(g, nu), 1)
+    moved = STEP / c[:, :3, None] * np.eye(3)
+    v = v[:, None, None] + moved[:, :, None] * np.array([[1], [-1]])
+    slopes = np.stack([np.stack([k[f"{f}_{by}"] for f in ("fx", "fy", "mz")], 1) for by in ("vx", "vy", "phi")], 1)
+    f = np.zeros((len(g), 3, 2, 3))
+    f[:, :, 0] = 2 * STEP * slopes / c[:, :3, None]
+    count = 6 * len(g)
+    data = {"g": np.repeat(g, 6), "nu": np.repeat(nu, 6), "v": v.reshape(count, 3), "c": np.repeat(c, 6, 0), "f": f.reshape(count, 3)}
+    none = np.zeros(count, bool)
+    pairs = Rows({**data, "err": np.zeros(count), "fine": none, "slender": none, "own": none})
+    pairs.weight = np.full(count, SLOPE_WEIGHT / (2 * STEP))
+    return pairs
 
 
 def weights(rows):
@@ -281,6 +311,7 @@ def row_weights(data):
     # spin against a lateral creepage in a long contact: the force turns over within the patch
     opposed = (data["g"] > 3) & (data["c"][:, 1] * data["v"][:, 1] < -0.3) & (spin > 0.3)
     w = w * np.where(opposed, 1.5, 1.0) * np.where(row & (data["g"] > 4), 1.25, 1.0)
+    w = w * np.where(data["own"], np.sqrt(OWN), 1.0)
     w = w * np.where(data["slender"], np.where(data["g"] > 30, 1.3, 1.0) * np.sqrt(SLENDER), 1.0)
     return w * np.where(data["g"] > 6, 1.5, np.where(data["g"] < 0.13, 1.3, 1.0))
 
@@ -305,7 +336,7 @@ def sliding_rows(count=SLIDING, seed=11):
     n = np.where(alone, np.hypot(c[:, 0] * v[:, 0], c[:, 1] * v[:, 1]), n)
     v = v * (times * FULL / n)[:, None]
     err = np.where(hint & (times < 400), 0.2, 0.1)
-    return {"g": g, "nu": nu, "v": v, "c": c, "f": rigid_slip.sliding(g, v), "err": err, "fine": np.zeros(count, bool), "slender": np.zeros(count, bool)}
+    return {"g": g, "nu": nu, "v": v, "c": c, "f": rigid_slip.sliding(g, v), "err": err, "fine": np.zeros(count, bool), "slender": np.zeros(count, bool), "own": np.zeros(count, bool)}
 
 
 def joined(*parts):
@@ -330,9 +361,21 @@ def penalties(model, penalty):
 
 
 def normal_equations(model, rows, penalty):
-    """J'J and J'r. J in single precision: an outer product per layer of its inputs and of the slopes behind it."""
+    """J'J and J'r."""
     p, penalty = flat(model), penalties(model, penalty)
-    h, gradient = np.zeros((len(p), len(p)), order="F"), penalty * p
+    h, gradient = products(model, rows)
+    if rows.pairs:
+        of_pairs = products(model, rows.pairs, differences)
+        h, gradient = h + of_pairs[0], gradient + of_pairs[1]
+    h = np.triu(h) + np.triu(h, 1).T
+    h[np.diag_indices(len(p))] += penalty
+    return h, gradient + penalty * p
+
+
+def products(model, rows, of=lambda a: a):
+    """Upper triangle of J'J, and J'r. J in single precision: an outer product per layer of its inputs and of the slopes behind it."""
+    p = flat(model)
+    h, gradient = np.zeros((len(p), len(p)), order="F"), np.zeros(len(p))
     f, arrays = slopes(model, rows.state)
     x, h1, s1, h2, s2, by_o, by_k = map(np.array, arrays)
     weight = weights(rows).astype(np.float32)
@@ -345,12 +388,11 @@ def normal_equations(model, rows, penalty):
     by_k = by_k * weight[:, :, None]
     for start in range(0, rows.count, BLOCK):
         s = slice(start, start + BLOCK)
-        r = residuals[s].ravel()
-        j = np.concatenate([(a[s] * b[s, :, None]).reshape(len(r), -1) for a, b in zip(inputs, behind)] + [by_k[s].reshape(len(r), -1)], 1)
-        h += blas.ssyrk(1.0, j.T)  # the upper triangle
+        r = of(residuals[s])
+        j = np.concatenate([(a[s] * b[s, :, None]).reshape(*residuals[s].shape, -1) for a, b in zip(inputs, behind)] + [by_k[s]], 2)
+        j, r = of(j).reshape(r.size, -1), r.ravel()
+        h += blas.ssyrk(1.0, j.T)
         gradient = gradient + j.T @ r
-    h = np.triu(h) + np.triu(h, 1).T
-    h[np.diag_indices(len(p))] += penalty
     return h, gradient
 
 
@@ -440,12 +482,14 @@ def fit(quick, seed, from_stored):
     RIGID.update(rigid_slip.fit(WIDEST))
     rigid_slip.report(RIGID, WIDEST)
     train, validation = common.split(common.load("train.csv", "train_fine.csv"))
-    rows = Rows(joined(train, common.load("train_slender.csv"), sliding_rows()))
+    own, own_validation = common.own_rows()
+    rows = Rows(joined(train, common.load("train_slender.csv"), own, sliding_rows()), slope_rows())
     print(f"{rows.count} rows to train on, the last {SLIDING} of them of rigid slip, {len(validation['g'])} to validate; saturation curve within {SATURATION_ERROR:.1e}", flush=True)
     few, wide, between, narrow, rounds, steps = (3, 2, 1, 2, 1, 1) if quick else (60, 150, 6, 160, 2, 20)
 
     def report():
         common.report(f"  {widths(model)} after {time.time() - began:.0f} s", predict(model, validation), validation)
+        common.report("  own rows", predict(model, own_validation), own_validation)
         np.savez(os.environ.get("KSTRIP_FIT_STATE", os.path.join(common.HERE, "total_state.npz")), *model)
 
     if from_stored:
@@ -481,7 +525,7 @@ def write(model, path):
         "Constants of the model TOTAL: rigid slip, and a network of two hidden layers, its units side by side in pairs.",
         "",
         "Written by `fit/fit_total.py` from `fit/data/train.csv`, `train_fine.csv` and `train_slender.csv` (computed with CONTACT,",
-        "Vollebregt, Vtech CMCC, Apache-2.0).",
+        "Vollebregt, Vtech CMCC, Apache-2.0) and `boundary_elements.csv`.",
     ]
     first, second, last, _ = model
     common.write_constants(path, header, [
@@ -544,6 +588,8 @@ def main():
         model = stored(options.output)  # what the library will use: rounded to single precision
     for label, data in zip(("training", "validation"), common.split(common.load("train.csv", "train_fine.csv"))):
         common.report(label, predict(model, data), data, regions=label == "validation")
+    for label, data in zip(("own rows, training", "own rows, validation"), common.own_rows()):
+        common.report(label, predict(model, data), data, regions=label.endswith("validation"))
     for path in options.evaluate or []:
         data = common.load(os.path.abspath(path))
         common.report(os.path.basename(path), predict(model, data), data, regions=True)

@@ -137,16 +137,24 @@ fn case(table: &Table, row: usize) -> Case {
     }
 }
 
+fn cases(file: &str) -> Vec<Case> {
+    let table = Table::read(project().join("tests/data").join(file));
+    (0..table.len()).map(|row| case(&table, row)).collect()
+}
+
 /// The 854 cases of `tests/data/open.csv`.
 pub fn open() -> Vec<Case> {
-    let table = Table::read(project().join("tests/data/open.csv"));
-    (0..table.len()).map(|row| case(&table, row)).collect()
+    cases("open.csv")
 }
 
 /// The 140 slender cases of `tests/data/open_slender.csv`.
 pub fn slender() -> Vec<Case> {
-    let table = Table::read(project().join("tests/data/open_slender.csv"));
-    (0..table.len()).map(|row| case(&table, row)).collect()
+    cases("open_slender.csv")
+}
+
+/// The 576 cases of `tests/data/boundary_elements.csv`: large creepage that spin turns around within the contact.
+pub fn turning() -> Vec<Case> {
+    cases("boundary_elements.csv")
 }
 
 /// The rows of the training files on which no model was trained (`fit/validation_rows.py`), or the others.

@@ -2,6 +2,7 @@
 //! figures of docs/reliability.md.
 
 use crate::random::Random;
+use approx::assert_relative_eq;
 use core::f64::consts::PI;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
@@ -118,7 +119,10 @@ fn close_frictions_are_told() {
     let force = model::solve(&total, &motion, &o).unwrap();
     let found = estimate_friction(&total, &motion, &o, Measured::Fy, [0.0, force.fy]).unwrap();
     assert_eq!(found.notice, Notice::SeveralFrictions);
-    assert!((found.friction - 0.03982_f64).abs() < 1e-5, "{found:?}");
+    assert!(found.friction < 0.5 * total.friction, "{found:?}");
+    let less = Contact { friction: found.friction, ..total };
+    let again = model::solve(&less, &motion, &o).unwrap();
+    assert_relative_eq!(again.fy, force.fy, max_relative = 1e-9);
     // The same in a thousand times the lengths, which hints at a wrong unit: the graver warning stays.
     let large = Contact {
         a: total.a * 1e3,
@@ -190,8 +194,9 @@ fn creepages_cost_few_solutions() {
                 counts[n - 1]
             );
             assert!(counts[n - 1] <= 40);
-            // (the force of STRIP_1967 jumps where adhesion is born)
+            // (the force of STRIP_1967 jumps where adhesion is born; beyond .99 of the bound that of TOTAL turns back by a thousandth)
             let [more, not_reached] = match model {
+                Model::Total => [1 + n / 200, 1 + n / 50_000],
                 Model::Strip1967 => [1 + n / 400, 1 + n / 3_000],
                 _ => [n / 2_500, n / 50_000],
             };
