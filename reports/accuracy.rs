@@ -441,8 +441,8 @@ impl Report {
                 continue;
             }
             let mut cells = vec![region.replace("60.1", "60"), count.to_string()];
-            cells.extend(columns.iter().map(|(_, errors)| three(&errors.only(&cases, &holds))));
-            cells.extend(columns.iter().map(|(_, errors)| two(&errors.only(&cases, &holds))));
+            cells.extend(columns.iter().map(|(_, errors)| three(&errors.only(cases, &holds))));
+            cells.extend(columns.iter().map(|(_, errors)| two(&errors.only(cases, &holds))));
             self.row(cells);
         }
     }
