@@ -159,8 +159,8 @@ fn forces_and_heights_are_those_of_contact() {
         "heights {heights:.2?} um, planar {planar:.4?}, conformal {conformal:.4?}, same contacts {share:.3}"
     );
     assert!(share >= 0.97 && heights[0] < 1.5 && heights[1] < 5.0);
-    assert!(planar[0] < 0.030 && planar[1] < 0.12);
-    let allowed = [0.027, 0.023, 0.025, 0.038];
+    assert!(planar[0] < 0.030 && planar[1] < 0.10);
+    let allowed = [0.022, 0.023, 0.025, 0.038];
     assert!(conformal.iter().zip(allowed).all(|(error, allowed)| *error < allowed));
 }
 
