@@ -44,9 +44,10 @@ const TAKEN: f64 = 1e4;
 /// With [`Notice::CreepageAtLeast`] the force is within 0.1 % of `μ N`: the result is where it comes as near as that,
 /// and larger creepages do as well.
 ///
-/// The search mostly needs five solutions with derivatives, and more than 12 for three of ten thousand plausible contacts (22 with
-/// [`Model::Strip1967`], whose force jumps). It ends after 40 with [`Notice::NotConverged`] and the nearest creepage that was found. Where
-/// spin keeps the force nearly constant over a range of creepages, more than one creepage may give it, and the result is one of them.
+/// The search mostly needs five solutions with derivatives, and more than 12 for one or two of ten thousand plausible contacts (30 with
+/// [`Model::Total`], near `μ N`; 22 with [`Model::Strip1967`], whose force jumps). It ends after 40 with [`Notice::NotConverged`] and the
+/// nearest creepage that was found. Where spin keeps the force nearly constant over a range of creepages, more than one creepage may give
+/// it, and the result is one of them.
 ///
 /// # Errors
 /// Those of [`solve`](model::solve), [`Error::ForceBeyondFriction`].
