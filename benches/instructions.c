@@ -38,8 +38,10 @@ static void check(kstrip_status status)
         exit(EXIT_FAILURE);
 }
 
+static kstrip_patch patch;
+
 /* A patch from 400 points: a parabola, or two bottoms 12 mm apart. */
-static void press(int two, kstrip_patch *patch)
+static void press(int two, kstrip_patch *to)
 {
     static double y[POINTS], distance[POINTS];
     const kstrip_profile profile = {y, distance, NULL, NULL, POINTS, 0};
@@ -48,7 +50,7 @@ static void press(int two, kstrip_patch *patch)
         const double s = (y[i] = (i - 199.5) * 125e-6) / 6e-3;
         distance[i] = y[i] * y[i] / 0.6 + two * 90e-6 * (s * s - 1) * (s * s - 1);
     }
-    check(kstrip_patch_from_profile(&profile, &contact, patch, NULL));
+    check(kstrip_patch_from_profile(&profile, &contact, to, NULL));
 }
 
 /* A wheel on a rail of 400 points each, with the same gap between them: a round rail, and a wheel that is flat or has two bottoms. */
@@ -103,11 +105,8 @@ void counted_calls(int kind, const kstrip_options *options)
         return;
     }
     if (kind >= FROM_PROFILE) {
-        static kstrip_patch patch;
         /* (without strip count: two bottoms) */
         const int two = options->strips == 0;
-        if (kind != FROM_PROFILE)
-            press(two, &patch);
         outputs.derivatives = kind == PATCH_DERIVATIVES ? derivatives : NULL;
         for (int i = 0; i < CALLS; i++) {
             if (kind == FROM_PROFILE)
@@ -206,6 +205,8 @@ int main(void)
                    two ? "zones" : "zone");
             if (kind == WHEEL_ON_RAIL)
                 place(two);
+            else
+                press(two, &patch);
             counted_calls(kind, &options);
         }
     return EXIT_SUCCESS;

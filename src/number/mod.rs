@@ -18,6 +18,7 @@ pub(crate) mod registers;
 pub(crate) mod tables;
 
 use self::float::even_polynomial;
+pub(crate) use self::float::ln_quotients;
 pub use self::registers::InRegisters;
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};

@@ -10,9 +10,10 @@
 //!
 //! has the least energy. This load is within 3 % of Hertz's for axis ratios of 0.13 to 8.
 
-use crate::number::{Arithmetic, Float};
-use crate::patch::lattice::{Places, lattice};
-use crate::patch::section::Moving;
+use crate::number::registers::compiled_twice;
+use crate::number::{Arithmetic, Float, Strips, ln_quotients};
+use crate::patch::lattice::{Place, Places, lattice};
+use crate::patch::section::{Moving, side_by_side};
 use crate::patch::smooth::Curve;
 use heapless::Vec;
 
@@ -30,28 +31,14 @@ const COUNT: usize = 10;
 pub(super) struct Estimate<F> {
     /// `N/(π E*)` \[m²\]
     pub load: Moving<F>,
-    places: Places<F>,
-    /// `f q w/(π E*)` of each place.
-    shares: [Moving<F>; SHARES],
+    /// Edges of the places, each with what the load per width grows by there, `f q/(π E*)` \[m\].
+    edges: Vec<Moving<F>, EDGES>,
+    growth: Vec<Moving<F>, EDGES>,
     breadth: Moving<F>,
 }
 
-/// Places of the estimate at most.
-const SHARES: usize = COUNT + crate::patch::smooth::ZONES;
-
-/// `arsinh x`, odd, and its slope `1/√(1 + x²)`.
-#[inline(always)]
-fn arsinh<F: Float>(x: Moving<F>) -> [Moving<F>; 2] {
-    let t = x.value.abs();
-    let root = (t * t + F::one()).sqrt();
-    let inverse = F::one() / root;
-    // (only differences of this value are used, so that the rounding of 1 is small enough)
-    let sum = t + root;
-    let value = sum.ln_quotient(F::one());
-    let value = x.value.choose(value, -value);
-    let slope = -(x.value * inverse * inverse * inverse);
-    [Moving::composed(value, [inverse], [x]), Moving::composed(inverse, [slope], [x])]
-}
+/// Edges at most.
+const EDGES: usize = 2 * (COUNT + crate::patch::smooth::ZONES);
 
 impl<F: Float> Estimate<F> {
     /// The load alone. (Out of line, so that only this function keeps the places.)
@@ -66,51 +53,82 @@ impl<F: Float> Estimate<F> {
         let (zones, _) = curve.zones(|_, height, slope| [height - level, slope]);
         let breadth = (radius * approach).times(1.1).sqrt().times(BREADTH);
         let zero = Moving::zero();
-        let mut shares = [zero; SHARES];
-        let mut estimate = Self { load: zero, places: Vec::new(), shares, breadth };
-        lattice(&zones, COUNT, approach.times(DEEP), &mut estimate.places);
+        let mut places: Places<F> = Vec::new();
+        lattice(&zones, COUNT, approach.times(DEEP), &mut places);
+        let mut estimate = Self { load: zero, edges: Vec::new(), growth: Vec::new(), breadth };
         let (mut work, mut load) = (zero, zero);
-        for (share, place) in shares.iter_mut().zip(&estimate.places) {
-            let height = curve.at(place.y);
-            let q = (level - height).max(zero) * place.width;
-            *share = q;
-            load += q;
-            work += q * (approach - height);
+        let depth = |place: &Place<F>| (level - curve.at(place.y)).max(zero);
+        for place in &places {
+            let q = depth(place);
+            estimate.add(place, q);
+            load += q * place.width;
+            work += q * place.width * (approach - level + q);
         }
-        estimate.shares = shares;
-        let energy = estimate.places.iter().zip(&shares).fold(zero, |sum, (place, share)| {
+        let energy = places.iter().fold(zero, |sum, place| {
             let [deflection, _] = estimate.deflection(place.y);
-            sum + *share * deflection
+            sum + depth(place) * place.width * deflection
         });
         let size = work / energy.shift(F::TINY);
         estimate.load = load * size;
-        for share in &mut estimate.shares {
-            *share = *share * size;
+        for growth in &mut estimate.growth {
+            *growth = *growth * size;
         }
         estimate
     }
 
+    /// Adds the load per width of a place. Neighbours share an edge.
+    fn add(&mut self, place: &Place<F>, density: Moving<F>) {
+        let half = place.width.times(0.5);
+        let (lower, upper) = (place.y - half, place.y + half);
+        let shared = |edge: &Moving<F>| (edge.value - lower.value).abs() <= half.value.times(1e-4);
+        match self.growth.last_mut() {
+            Some(growth) if self.edges.last().is_some_and(shared) => *growth += density,
+            _ => {
+                let _ = self.edges.push(lower);
+                let _ = self.growth.push(density);
+            }
+        }
+        let _ = self.edges.push(upper);
+        let _ = self.growth.push(-density);
+    }
+
     /// The deflection at `y`, and its slope along `y`.
     pub fn deflection(&self, y: Moving<F>) -> [Moving<F>; 2] {
-        let zero = Moving::zero();
-        let (mut sum, mut slope) = (zero, zero);
+        compiled_twice!(if 1 => <F: Float>(estimate: &Estimate<F> = self, y: Moving<F> = y) -> [Moving<F>; 2] {
+            estimate.in_fours::<F::Four>(y)
+        } {
+            estimate.in_fours::<F::WideFour>(y)
+        })
+    }
+
+    /// `Σ growth arsinh((y − edge)/ε)`, four edges side by side, and its slope.
+    #[inline(always)]
+    fn in_fours<P: Strips<F>>(&self, y: Moving<F>) -> [Moving<F>; 2] {
+        let one = P::one();
         let inverse = self.breadth.inverse();
-        // neighbours share an edge
-        let mut last: Option<(Moving<F>, [Moving<F>; 2])> = None;
-        for (place, share) in self.places.iter().zip(&self.shares) {
-            let at = |edge: Moving<F>| arsinh((y - edge) * inverse);
-            let half = place.width.times(0.5);
-            let (lower, upper) = (place.y - half, place.y + half);
-            let known =
-                last.filter(|(edge, _)| (edge.value - lower.value).abs() <= half.value.times(1e-4));
-            let far = known.map_or_else(|| at(lower), |(_, found)| found);
-            let near = at(upper);
-            last = Some((upper, near));
-            let density = *share / place.width;
-            let ([far, far_slope], [near, near_slope]) = (far, near);
-            sum += (far - near) * density;
-            slope += (far_slope - near_slope) * density;
+        let ([y_moved], [inverse_moved]) = (y.gradient, inverse.gradient);
+        let mut sums = [P::zero(); 4];
+        for (edges, growth) in self.edges.chunks(4).zip(self.growth.chunks(4)) {
+            let ([edge, edge_moved], [growth, growth_moved]) =
+                (side_by_side::<F, P>(edges, F::zero()), side_by_side::<F, P>(growth, F::zero()));
+            let distance = P::all(y.value) - edge;
+            let x = distance * P::all(inverse.value);
+            let moved = (P::all(y_moved) - edge_moved) * P::all(inverse.value)
+                + distance * P::all(inverse_moved);
+            // arsinh x = ln(|x| + √(1 + x²)) with the sign of x, its slope 1/√(1 + x²), and the slope of that
+            let root = (x.squared() + one).sqrt();
+            let slope = one / root;
+            let bend = -(x * slope * slope.squared());
+            let size = ln_quotients(x.abs() + root, F::one());
+            let value = x.choose(size, -size);
+            let [a, b, c, d] = &mut sums;
+            *a += growth * value;
+            *b += growth_moved * value + growth * slope * moved;
+            *c += growth * slope;
+            *d += growth_moved * slope + growth * bend * moved;
         }
-        [sum, slope * inverse]
+        let [a, b, c, d] = sums.map(P::total);
+        let slope = Moving { value: c, gradient: [d] };
+        [Moving { value: a, gradient: [b] }, slope * inverse]
     }
 }

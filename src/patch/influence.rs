@@ -15,52 +15,57 @@
 
 use crate::number::Arithmetic;
 
-/// Polynomials `P` and `Q` and the power `q`.
-pub(crate) struct Edge<const P: usize, const Q: usize> {
-    plain: [f64; P],
-    with_log: [f64; Q],
-    fading: u8,
+/// `A` or `C`: the polynomials `P` and `Q` and the power `q`.
+pub(crate) trait Edge {
+    const PLAIN: [f64; 7];
+    const WITH_LOG: [f64; 6];
+    const FADING: u8;
+
+    /// The value and `t` times its slope, at a positive `t` of which `w = 1/(1 + t)` and the logarithm are known.
+    #[inline(always)]
+    fn at<T: Arithmetic>(t: T, w: T, log: T) -> [T; 2] {
+        let v = t * w;
+        let ([p, p_slope], [q, q_slope]) =
+            (with_slope(&Self::PLAIN, v), with_slope(&Self::WITH_LOG, v));
+        let mut faded = v;
+        for _ in 0..Self::FADING {
+            faded = faded * w;
+        }
+        // t dv/dt = v w, t dw/dt = −v w
+        let slope = w * (q + v * q_slope) - (v * q).times(f64::from(Self::FADING));
+        [v * p + faded * q * log, v * w * (p + v * p_slope) + faded * (slope * log + q)]
+    }
 }
 
 /// `A`, with a relative error of 8.4e-6, and of 8.4e-5 in its slope, for every `t`.
-pub(crate) const DEFLECTION: Edge<7, 6> = Edge {
-    plain: [
-        2.77389045,
-        3.86121876,
-        26.01948635,
-        -32.33292577,
-        -50.12357968,
-        79.0367212,
-        -26.27037052,
-    ],
-    with_log: [-1.99986933, -1.79288023, 7.15832449, 23.17904701, -41.44536733, 16.47140109],
-    fading: 0,
-};
-/// `C`, with a relative error of 6.0e-6, and of 3.3e-5 in its slope.
-pub(crate) const CURVATURE: Edge<6, 6> = Edge {
-    plain: [2.77402143, 4.12824714, 34.34429115, -109.0948159, 103.6252287, -32.63539871],
-    with_log: [-1.9998635, -7.74797116, -6.06100968, 19.35389746, -27.06566125, 17.43714061],
-    fading: 3,
-};
+pub(crate) struct Deflection;
 
-impl<const P: usize, const Q: usize> Edge<P, Q> {
-    /// The value and `t` times its slope, at a positive `t` of which `w = 1/(1 + t)` and the logarithm are known.
-    #[inline(always)]
-    pub(crate) fn at<T: Arithmetic>(&self, t: T, w: T, log: T) -> [T; 2] {
-        let v = t * w;
-        let ([p, p_slope], [q, q_slope]) =
-            (with_slope(&self.plain, v), with_slope(&self.with_log, v));
-        let faded = (0..self.fading).fold(v, |product, _| product * w);
-        // t dv/dt = v w, t dw/dt = −v w
-        let slope = w * (q + v * q_slope) - (v * q).times(f64::from(self.fading));
-        [v * p + faded * q * log, v * w * (p + v * p_slope) + faded * (slope * log + q)]
-    }
+impl Edge for Deflection {
+    const PLAIN: [f64; 7] =
+        [2.77389045, 3.86121876, 26.01948635, -32.33292577, -50.12357968, 79.0367212, -26.27037052];
+    const WITH_LOG: [f64; 6] =
+        [-1.99986933, -1.79288023, 7.15832449, 23.17904701, -41.44536733, 16.47140109];
+    const FADING: u8 = 0;
+}
+
+/// `C`, with a relative error of 6.0e-6, and of 3.3e-5 in its slope.
+pub(crate) struct Curvature;
+
+impl Edge for Curvature {
+    const PLAIN: [f64; 7] =
+        [2.77402143, 4.12824714, 34.34429115, -109.0948159, 103.6252287, -32.63539871, 0.0];
+    const WITH_LOG: [f64; 6] =
+        [-1.9998635, -7.74797116, -6.06100968, 19.35389746, -27.06566125, 17.43714061];
+    const FADING: u8 = 3;
 }
 
 /// `Σ c_i xⁱ` and its derivative.
 #[inline(always)]
 fn with_slope<T: Arithmetic, const N: usize>(coefficients: &[f64; N], x: T) -> [T; 2] {
-    coefficients.iter().rev().fold([T::zero(); 2], |[sum, slope], coefficient| {
-        [(sum * x).plus(*coefficient), slope * x + sum]
-    })
+    let (mut sum, mut slope) = (T::zero(), T::zero());
+    for coefficient in coefficients.iter().rev() {
+        slope = slope * x + sum;
+        sum = (sum * x).plus(*coefficient);
+    }
+    [sum, slope]
 }

@@ -31,7 +31,7 @@ use crate::contact::Contact;
 use crate::contact::forces::StripCount;
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::Float;
-use crate::patch::zones::Zone;
+use crate::patch::zones::{Sizes, Zone};
 use crate::solve::model::Precision;
 use crate::status::Error;
 use crate::strip::Rule;
@@ -109,6 +109,18 @@ impl<F: Float> PatchStrip<F> {
         Ok(())
     }
 
+    /// Whether the numbers are of the usual sizes, 1 nm to 1 m and up to TPa: then no check can fail, in either precision.
+    fn is_usual(&self) -> bool {
+        let Self { y, width, half_length, centre_x, peak_pressure, friction } = *self;
+        let (shortest, longest) = (F::of(1e-9), F::of(1.0));
+        y.abs().lies_within(longest)
+            && width.lies_between(shortest, longest)
+            && half_length.lies_between(shortest, longest)
+            && centre_x.abs().lies_within(longest)
+            && peak_pressure.lies_within(F::of(1e12))
+            && friction.lies_within(F::of(5.0))
+    }
+
     /// Distance of the centre lines over that at which the strips touch.
     fn distance(&self, next: &Self) -> F {
         (next.y - self.y) / (self.width.times(0.5) + next.width.times(0.5))
@@ -143,6 +155,9 @@ impl<F: Float> Default for QuadratureScale<F> {
     }
 }
 
+/// Number of lobes whose zones a view keeps; those of further lobes are found again wherever they are needed.
+const LOBES: usize = 4;
+
 /// A checked patch, whose strips the caller stores.
 #[derive(Clone, Copy, Debug)]
 pub struct PatchView<'a, F> {
@@ -151,8 +166,11 @@ pub struct PatchView<'a, F> {
     poisson_ratio: F,
     scale: QuadratureScale<F>,
     mismatch: F,
+    sizes: Sizes<F>,
     /// The zone of all strips; none where a gap or a neck divides the patch.
     whole: Option<Zone<F>>,
+    /// Of a divided patch the zones of the first lobes, where all strips of the lobe have the same.
+    of_lobes: [Option<Zone<F>>; LOBES],
 }
 
 impl<'a, F: Float> PatchView<'a, F> {
@@ -179,17 +197,34 @@ impl<'a, F: Float> PatchView<'a, F> {
                 return Err(Error::Overflow);
             }
         }
-        for strip in strips {
-            strip.check()?;
+        let are_usual = strips.iter().all(PatchStrip::is_usual);
+        if !are_usual {
+            for strip in strips {
+                strip.check()?;
+            }
         }
         if !strips.iter().zip(strips.iter().skip(1)).all(|(strip, next)| strip.is_beside(next)) {
             return Err(Error::StripOrder);
         }
         let mismatch = F::zero();
-        let mut view = Self { strips, shear_modulus, poisson_ratio, scale, mismatch, whole: None };
+        let (sizes, whole, of_lobes) = (Sizes::new(strips), None, [None; LOBES]);
+        let mut view =
+            Self { strips, shear_modulus, poisson_ratio, scale, mismatch, sizes, whole, of_lobes };
         view.whole = view.only_zone();
+        if view.whole.is_none() {
+            let mut zones = [None; LOBES];
+            let mut first = 0;
+            for (zone, lobe) in zones.iter_mut().zip(view.lobes()) {
+                *zone = view.zone_of_lobe(first, lobe);
+                first += lobe.len();
+            }
+            view.of_lobes = zones;
+        }
         for zone in view.zones() {
             zone.contact.check().map_err(|_| Error::Overflow)?;
+        }
+        if are_usual {
+            return Ok(view);
         }
         for strip in strips {
             strip.circle(shear_modulus, poisson_ratio).check().map_err(|_| Error::Overflow)?;
@@ -211,8 +246,11 @@ impl<'a, F: Float> PatchView<'a, F> {
             return Err(Error::NotFinite);
         }
         self.mismatch = mismatch;
-        if let Some(whole) = &mut self.whole {
-            whole.contact.mismatch = mismatch;
+        if mismatch == F::zero() {
+            return Ok(self);
+        }
+        for zone in self.whole.iter_mut().chain(self.of_lobes.iter_mut().flatten()) {
+            zone.contact.mismatch = mismatch;
         }
         let fits = self.zones().all(|zone| zone.contact.strain().is_finite_number());
         if fits { Ok(self) } else { Err(Error::Overflow) }
@@ -250,6 +288,27 @@ impl<'a, F: Float> PatchView<'a, F> {
 
     pub(crate) fn whole(&self) -> Option<&Zone<F>> {
         self.whole.as_ref()
+    }
+
+    fn sizes(&self) -> &Sizes<F> {
+        &self.sizes
+    }
+
+    /// The lobes in ascending `y`, each with the number of its first strip and with its zone, if all its strips have the same.
+    pub(crate) fn lobes_and_zones(
+        &self,
+    ) -> impl Iterator<Item = (usize, &'a [PatchStrip<F>], Option<Zone<F>>)> {
+        let mut first = 0;
+        self.lobes().enumerate().map(move |(number, lobe)| {
+            let begin = first;
+            first += lobe.len();
+            let zone = match (self.whole, self.of_lobes.get(number)) {
+                (Some(whole), _) => Some(whole),
+                (None, Some(known)) => *known,
+                (None, None) => self.zone_of_lobe(begin, lobe),
+            };
+            (begin, lobe, zone)
+        })
     }
 
     /// Normal force `N` \[N\].

@@ -16,11 +16,13 @@
 //! The end of a zone may cut a cell to the share `r`. The pressure of such a cell is coupled to that of its neighbour in the zone,
 //! `u_i + κ (p_i − p_k) = δ − h_i` with `κ = 0.3 w (1 − r)²/r`, and takes the neighbour's value as its width vanishes.
 
-use crate::number::{Arithmetic, Float, Strips};
-use crate::patch::influence::{CURVATURE, DEFLECTION, Edge};
+use crate::number::registers::compiled_twice;
+use crate::number::{Arithmetic, Float, Strips, ln_quotients};
+use crate::patch::influence::{Curvature, Deflection, Edge};
 use crate::patch::lattice::Places;
-use crate::patch::section::Moving;
+use crate::patch::section::{Moving, side_by_side};
 use core::f64::consts::FRAC_PI_2;
+use core::marker::PhantomData;
 use heapless::Vec;
 
 /// Largest number of cells of the normal problem. On a microcontroller there are fewer, so that patches asked for with 32 and 64 strips
@@ -75,7 +77,7 @@ pub(crate) struct Cell<F> {
 /// Largest number of edges whose distances from a cell are needed.
 const EDGES: usize = 2 * CELLS;
 
-type Matrix<F> = [[F; CELLS]; CELLS];
+type Matrix<F> = Vec<[F; CELLS], CELLS>;
 
 /// Room for the equations of as many cells as there are.
 pub(crate) struct Equations<F> {
@@ -87,9 +89,13 @@ pub(crate) struct Equations<F> {
 }
 
 impl<F: Float> Equations<F> {
-    pub(crate) fn new() -> Self {
-        let none = [[F::zero(); CELLS]; CELLS];
-        Self { influence: none, slopes: none, factors: none }
+    pub(crate) fn new(count: usize) -> Self {
+        let rows = || {
+            let mut rows = Matrix::new();
+            let _ = rows.resize(count.min(CELLS), [F::zero(); CELLS]);
+            rows
+        };
+        Self { influence: rows(), slopes: rows(), factors: rows() }
     }
 
     fn copy_to_factors(&mut self, count: usize) {
@@ -160,7 +166,7 @@ impl<F: Float> Cells<F> {
     ) -> Moving<F> {
         for (j, cell) in self.list.iter().enumerate() {
             let mut rows = equations.influence.iter_mut().zip(&mut equations.slopes);
-            Edges::new(cell).across(&DEFLECTION, &self.list, |difference| {
+            Edges::new(cell).across::<Deflection>(&self.list, |difference| {
                 let found = difference * cell.half_length;
                 let Some((row, slope)) = rows.next() else { return };
                 if let (Some(entry), Some(slope)) = (row.get_mut(j), slope.get_mut(j)) {
@@ -295,7 +301,7 @@ impl<F: Float> Cells<F> {
         for cell in self.list.iter().filter(|cell| cell.touches) {
             let share = cell.pressure / cell.half_length;
             let mut sums = curvatures.iter_mut();
-            Edges::new(cell).across(&CURVATURE, &self.list, |difference| {
+            Edges::new(cell).across::<Curvature>(&self.list, |difference| {
                 if let Some(sum) = sums.next() {
                     *sum += difference * share;
                 }
@@ -336,13 +342,7 @@ impl<F: Float> Edges<F> {
 
     /// The differences of an odd function of `t = d/a` between the distances of the edges from each cell's place. Where cells as
     /// wide as this one are neighbours, one's lower edge is as far as the other's upper edge.
-    #[inline(always)]
-    fn across<const P: usize, const Q: usize>(
-        &self,
-        of: &Edge<P, Q>,
-        cells: &[Cell<F>],
-        mut take: impl FnMut(Moving<F>),
-    ) {
+    fn across<E: Edge>(&self, cells: &[Cell<F>], mut take: impl FnMut(Moving<F>)) {
         let width = (self.upper - self.lower).value;
         let near =
             |place: F, before: F| (place - before - width).abs() <= width * F::EPSILON.times(256.0);
@@ -356,7 +356,7 @@ impl<F: Float> Edges<F> {
             let _ = distances.push(cell.at - self.lower);
             last = Some(place);
         }
-        self.all_at(of, &mut distances);
+        self.all_at::<E>(&mut distances);
         let mut found = distances.iter();
         let mut last: Option<(F, Moving<F>)> = None;
         for cell in cells {
@@ -371,32 +371,34 @@ impl<F: Float> Edges<F> {
         }
     }
 
-    /// Replaces each distance by the value of the function, four at a time.
+    /// Replaces each distance by the value of the function.
+    fn all_at<E: Edge>(&self, distances: &mut [Moving<F>]) {
+        compiled_twice!(if 1 => <F: Float, E: Edge>(edges: &Edges<F> = self, _of: PhantomData<E> = PhantomData::<E>, distances: &mut [Moving<F>] = distances) -> () {
+            edges.in_fours::<E, F::Four>(distances)
+        } {
+            edges.in_fours::<E, F::WideFour>(distances)
+        })
+    }
+
+    /// The same, four side by side.
     #[inline(always)]
-    fn all_at<const P: usize, const Q: usize>(&self, of: &Edge<P, Q>, distances: &mut [Moving<F>]) {
-        for distances in distances.chunks_mut(4) {
-            let one = [F::one(); 4];
-            let (mut t, mut w, mut log, mut inverse) = (one, one, one, one);
-            let lanes = t.iter_mut().zip(&mut w).zip(&mut log).zip(&mut inverse);
-            for (distance, (((t, w), log), inverse)) in distances.iter().zip(lanes) {
-                let size = distance.value.abs();
-                *t = size * self.scale;
-                // one division for 1/(1 + t) and 1/d
-                let both = F::one() / (size * t.plus(1.0));
-                *w = size * both;
-                *inverse = t.plus(1.0) * both;
-                *log = size.ln_quotient(self.half_length);
-            }
-            let four = |all: [F; 4]| F::Four::gather(|k| all.get(k).copied().unwrap_or(F::one()));
-            let found = of.at(four(t), four(w), four(log));
-            let [values, slopes] = found.map(|found| [0, 1, 2, 3].map(|k| found.lane(k)));
-            let lanes = values.into_iter().zip(slopes).zip(inverse);
-            for (distance, ((value, slope), inverse)) in distances.iter_mut().zip(lanes) {
-                let [moved] = distance.gradient;
-                let sign = distance.value.choose(F::one(), -F::one());
-                // d ln t = d(distance)/distance − da/a
-                let relative = sign * moved * inverse - self.growth;
-                *distance = Moving { value: sign * value, gradient: [sign * slope * relative] };
+    fn in_fours<E: Edge, P: Strips<F>>(&self, distances: &mut [Moving<F>]) {
+        let one = P::one();
+        for four in distances.chunks_mut(4) {
+            let [distance, moved] = side_by_side::<F, P>(four, F::one());
+            let size = distance.abs();
+            let t = size * P::all(self.scale);
+            // one division for 1/(1 + t) and 1/d
+            let both = one / (size * (t + one));
+            let (w, inverse) = (size * both, (t + one) * both);
+            let log = ln_quotients(size, self.half_length);
+            let [value, slope] = E::at(t, w, log);
+            let sign = distance.choose(one, -one);
+            // d ln t = d(distance)/distance − da/a
+            let relative = sign * moved * inverse - P::all(self.growth);
+            let (value, slope) = (sign * value, sign * slope * relative);
+            for (k, distance) in four.iter_mut().enumerate() {
+                *distance = Moving { value: value.lane(k), gradient: [slope.lane(k)] };
             }
         }
     }

@@ -2,7 +2,8 @@
 //!
 //! The weight of a point is `(1 − x²)³`, where `x` is its distance over the smoothing length `s`, times the length that it stands for.
 
-use crate::number::{Arithmetic, Float};
+use crate::number::registers::compiled_twice;
+use crate::number::{Arithmetic, Float, Strips};
 use crate::patch::section::{Moving, Profile};
 
 /// Smoothing length over the distance of neighbouring points, at least.
@@ -18,34 +19,7 @@ pub(super) fn parabola<F: Float>(
     let length = (length.squared() + spacing(profile, place).squared()).sqrt();
     let y = place.value;
     let inverse = F::one() / length.value;
-    let (places, heights) = (profile.y, profile.distance);
-    // Σ (1 − x²)² x^k over the points, and with their heights
-    let mut moments = [F::zero(); 7];
-    let mut sums = [F::zero(); 5];
-    let begin = places.partition_point(|place| *place <= y - length.value);
-    let first = places.get(begin.saturating_sub(1)).or(places.first());
-    let mut before = first.copied().unwrap_or(y);
-    let points = places.iter().zip(heights).enumerate().skip(begin);
-    for (i, (place, height)) in points {
-        let x = (*place - y) * inverse;
-        if x >= F::one() {
-            break;
-        }
-        let after = places.get(i + 1).copied().unwrap_or(*place);
-        let width = after - before;
-        before = *place;
-        let rest = F::one() - x * x;
-        let mut power = rest * rest * width;
-        let height = *height - profile.lowest;
-        for (moment, sum) in moments.iter_mut().zip(&mut sums) {
-            *moment += power;
-            *sum += power * height;
-            power = power * x;
-        }
-        let [.., fifth, sixth] = &mut moments;
-        *fifth += power;
-        *sixth += power * x;
-    }
+    let (moments, sums) = moments(profile, y, inverse);
     let [relative] = length.gradient.map(|d| d * inverse);
     let [shifted] = place.gradient.map(|d| d * inverse);
     // w = (1 − x²)³ = (1 − x²)² − x² (1 − x²)²; by ln s and by the place over s, x^k being what it was:
@@ -75,6 +49,61 @@ pub(super) fn parabola<F: Float>(
     let (height, slope) =
         (moved(height, slope.value), moved(slope, bend.value.times(2.0)).scale(inverse));
     (height, slope)
+}
+
+/// `Σ w (1 − x²)² xᵏ` over the points with `|x| < 1`, `x` the distance from `y` times `inverse` and `w` the length that a point stands for;
+/// and the same sums with the heights of the points.
+fn moments<F: Float>(profile: &Profile<F>, y: F, inverse: F) -> ([F; 7], [F; 5]) {
+    compiled_twice!(if 1 => <F: Float>(profile: &Profile<F> = profile, y: F = y, inverse: F = inverse) -> ([F; 7], [F; 5]) {
+        moments_in_fours::<F, F::Four>(profile, y, inverse)
+    } {
+        moments_in_fours::<F, F::WideFour>(profile, y, inverse)
+    })
+}
+
+/// The same, four points side by side.
+#[inline(always)]
+fn moments_in_fours<F: Float, P: Strips<F>>(
+    profile: &Profile<F>,
+    y: F,
+    inverse: F,
+) -> ([F; 7], [F; 5]) {
+    let (places, heights) = (profile.y, profile.distance);
+    let (mut moments, mut sums) = ([P::zero(); 7], [P::zero(); 5]);
+    let begin = places.partition_point(|place| (*place - y) * inverse <= -F::one());
+    let end = places.partition_point(|place| (*place - y) * inverse < F::one());
+    let (y, inverse, lowest) = (P::all(y), P::all(inverse), P::all(profile.lowest));
+    let (one, zero) = (P::one(), P::zero());
+    for first in (begin..end).step_by(4) {
+        let x = (four::<F, P>(places, first) - y) * inverse;
+        let before = if first > 0 {
+            four::<F, P>(places, first - 1)
+        } else {
+            P::gather(|k| places.get(k.saturating_sub(1)).copied().unwrap_or(F::zero()))
+        };
+        let width = four::<F, P>(places, first + 1) - before;
+        let height = four::<F, P>(heights, first) - lowest;
+        let rest = (one - x.squared()).max(zero);
+        let mut power = rest.squared() * width;
+        for (moment, sum) in moments.iter_mut().zip(&mut sums) {
+            *moment += power;
+            *sum += power * height;
+            power = power * x;
+        }
+        let [.., fifth, sixth] = &mut moments;
+        *fifth += power;
+        *sixth += power * x;
+    }
+    (moments.map(P::total), sums.map(P::total))
+}
+
+/// Four numbers of a list; where it ends the last one again.
+#[inline(always)]
+fn four<F: Float, P: Strips<F>>(list: &[F], first: usize) -> P {
+    match list.get(first..first + 4) {
+        Some(four) => P::gather(|k| four.get(k).copied().unwrap_or(F::zero())),
+        None => P::gather(|k| list.get(first + k).or(list.last()).copied().unwrap_or(F::zero())),
+    }
 }
 
 /// 2.5 steps of the profile at `y`, straight between its points; at least 1.25 times the gap that `y` lies in.

@@ -1,11 +1,19 @@
 //! The given distance of two bodies, and the section in which they would overlap if they were shifted into each other.
 
 use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float};
+use crate::number::{Arithmetic, Float, Strips};
 use crate::status::Error;
 
 /// A number and its derivative by the load or the approach that is given.
 pub(super) type Moving<F> = Dual<F, 1>;
+
+/// Four such numbers side by side, and their derivatives; where there are fewer, `other` and 0.
+#[inline(always)]
+pub(super) fn side_by_side<F: Float, P: Strips<F>>(four: &[Moving<F>], other: F) -> [P; 2] {
+    let value = P::gather(|k| four.get(k).map_or(other, |own| own.value));
+    let gradient = P::gather(|k| four.get(k).map_or(F::zero(), |own| own.gradient[0]));
+    [value, gradient]
+}
 
 /// Share of the approach: undeformed bodies that are shifted by so much overlap about over the width of the patch.
 const SECTION: f64 = 0.55;

@@ -264,10 +264,7 @@ impl<'a, F: Precision> Problem<'a, F> {
         visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
     ) {
         let mut solved: Option<(Zone<F>, ZoneTotals<T>)> = None;
-        let mut before = 0;
-        let all = self.view.lobes().flat_map(|lobe| {
-            let (first, of_lobe) = (before, self.view.zone_of_lobe(before, lobe));
-            before += lobe.len();
+        let all = self.view.lobes_and_zones().flat_map(|(first, lobe, of_lobe)| {
             lobe.iter().zip(first..).map(move |(strip, i)| (strip, i, of_lobe))
         });
         for (strip, i, of_lobe) in all {
@@ -304,12 +301,12 @@ impl<'a, F: Precision> Problem<'a, F> {
     ) {
         let QuadratureScale { area, lever } = self.view.scale();
         let mut prepared: Option<Known<F, T, Distribution<T>>> = None;
-        let mut before = 0;
         let of_patch = Widths::new(self.view.strips());
-        for lobe in self.view.lobes() {
+        for (first, lobe, of_lobe) in self.view.lobes_and_zones() {
             let alternates = of_patch.alternation > F::zero();
             let widths = if alternates { Widths::new(lobe) } else { of_patch };
-            let (count, of_lobe) = (lobe.len(), self.view.zone_of_lobe(before, lobe));
+            let count = lobe.len();
+            let mut in_lobe = false;
             let alternating = widths.alternation.times(0.5);
             for (g, group) in lobe.chunks(8).enumerate() {
                 let zero = T::zero();
@@ -321,10 +318,13 @@ impl<'a, F: Precision> Problem<'a, F> {
                 for (k, (((strip, seen), inner), shift)) in strips.enumerate() {
                     let i = 8 * g + k;
                     let x = strip.centre_x;
-                    let own = of_lobe.or_else(|| self.view.zone(before + i));
+                    let own = of_lobe.or_else(|| self.view.zone(first + i));
                     let Some(zone) = own else { continue };
-                    let known =
-                        prepared.as_ref().is_some_and(|known| known.x == x && zone.is(&known.zone));
+                    let same = in_lobe && of_lobe.is_some();
+                    let known = prepared
+                        .as_ref()
+                        .is_some_and(|known| known.x == x && (same || zone.is(&known.zone)));
+                    in_lobe = true;
                     if !known {
                         // the slopes of the linear theory, whatever the quadrature
                         let (law, shift) = Self::law(&zone, slip, x, [area, lever]);
@@ -343,7 +343,6 @@ impl<'a, F: Precision> Problem<'a, F> {
                     visit(strip, Share { of_pressure: share.fx * shift, ..share });
                 }
             }
-            before += count;
         }
     }
 }

@@ -52,9 +52,9 @@ struct Sums<F> {
 
 impl<F: Float> Sums<F> {
     /// Adds a strip; lengths and widths in the units of the patch, places from its middle.
-    fn add(&mut self, strip: &PatchStrip<F>, units: &Units<F>, weight: F) {
+    fn add(&mut self, strip: &PatchStrip<F>, units: &Sizes<F>, centre_x: F, weight: F) {
         let load = strip.load() * weight;
-        let x = (strip.centre_x - units.x) * units.per_length;
+        let x = (strip.centre_x - centre_x) * units.per_length;
         let length = strip.half_length * units.per_length;
         let y = (strip.y - units.y) * units.per_width;
         let pressure = strip.peak_pressure * units.per_pressure;
@@ -71,15 +71,51 @@ impl<F: Float> Sums<F> {
     }
 }
 
-/// The units of a patch: its longest strip, its largest pressure, its whole width, and its middle.
-struct Units<F> {
+/// The sizes of a patch.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sizes<F> {
+    /// The longest half length \[m\].
     length: F,
+    /// The whole width \[m\].
     width: F,
+    /// One over the longest half length, the largest pressure and the whole width.
     per_length: F,
     per_pressure: F,
     per_width: F,
-    x: F,
+    /// The middle \[m\].
     y: F,
+    /// One over the width of a strip: the mean over the width, which strips as narrow as one likes do not change \[1/m\].
+    per_strip: F,
+}
+
+impl<F: Float> Sizes<F> {
+    pub fn new(strips: &[PatchStrip<F>]) -> Self {
+        let largest = |of: fn(&PatchStrip<F>) -> F| {
+            strips.iter().fold(F::TINY, |largest, strip| largest.max(of(strip)))
+        };
+        let (length, pressure) =
+            (largest(|strip| strip.half_length), largest(|strip| strip.peak_pressure));
+        let widest = largest(|strip| strip.width);
+        let [low, high] = match (strips.first(), strips.last()) {
+            (Some(first), Some(last)) => {
+                [first.y - first.width.times(0.5), last.y + last.width.times(0.5)]
+            }
+            _ => [F::zero(), F::one()],
+        };
+        let (mut sum, mut squares) = (F::TINY, F::TINY);
+        let per_widest = F::one() / widest;
+        for strip in strips {
+            let width = strip.width * per_widest;
+            sum += width;
+            squares += width * width;
+        }
+        let width = high - low;
+        let [per_length, per_pressure, per_width] =
+            [length, pressure, width].map(|unit| F::one() / unit);
+        let y = low.times(0.5) + high.times(0.5);
+        let per_strip = sum / squares * per_widest;
+        Self { length, width, per_length, per_pressure, per_width, y, per_strip }
+    }
 }
 
 /// A walk away from a strip: the longest strip on the way, the shortest since, and what is left of the connection.
@@ -132,7 +168,7 @@ impl<F: Float> PatchView<'_, F> {
     /// The zone of all strips, if no neck and no gap divides the patch.
     pub(crate) fn only_zone(&self) -> Option<Zone<F>> {
         let strips = self.strips();
-        let mut walk = Walk::new(strips.first()?, self.per_width());
+        let mut walk = Walk::new(strips.first()?, self.sizes().per_strip);
         let mut pairs = strips.iter().zip(strips.iter().skip(1));
         if pairs.all(|(last, next)| walk.pass(last, next) >= F::one()) {
             self.zone_around(0)
@@ -143,11 +179,7 @@ impl<F: Float> PatchView<'_, F> {
 
     /// The zones of all strips, one for those of a lobe that have the same.
     pub(crate) fn zones(&self) -> impl Iterator<Item = Zone<F>> {
-        let mut before = 0;
-        self.lobes().flat_map(move |lobe| {
-            let first = before;
-            before += lobe.len();
-            let of_lobe = self.zone_of_lobe(first, lobe);
+        self.lobes_and_zones().flat_map(move |(first, lobe, of_lobe)| {
             let count = if of_lobe.is_some() { 1 } else { lobe.len() };
             (0..count).filter_map(move |i| of_lobe.or_else(|| self.zone(first + i)))
         })
@@ -162,24 +194,9 @@ impl<F: Float> PatchView<'_, F> {
         }
     }
 
-    /// One over the width of a strip: the mean over the width, which strips as narrow as one likes do not change \[1/m\].
-    fn per_width(&self) -> F {
-        let (mut sum, mut squares) = (F::TINY, F::TINY);
-        let widest = self.strips().iter().fold(F::TINY, |widest, strip| widest.max(strip.width));
-        for strip in self.strips() {
-            let width = strip.width / widest;
-            sum += width;
-            squares += width * width;
-        }
-        sum / squares / widest
-    }
-
     /// The zone of all strips of a lobe that begins with this number, where no neck divides it and no other is near.
     pub(crate) fn zone_of_lobe(&self, number: usize, lobe: &[PatchStrip<F>]) -> Option<Zone<F>> {
-        if self.whole().is_some() {
-            return self.whole().copied();
-        }
-        let per_width = self.per_width();
+        let per_width = self.sizes().per_strip;
         let (first, last) = (lobe.first()?, lobe.last()?);
         let before = number.checked_sub(1).and_then(|i| self.strips().get(i));
         let after = self.strips().get(number + lobe.len());
@@ -200,14 +217,8 @@ impl<F: Float> PatchView<'_, F> {
         let (before, rest) = strips.split_at_checked(number)?;
         let (own, after) = rest.split_first()?;
         let zero = F::zero();
-        let (first, last) = (strips.first()?, strips.last()?);
-        let length = strips.iter().fold(zero, |longest, strip| longest.max(strip.half_length));
-        let pressure = strips.iter().fold(F::TINY, |most, strip| most.max(strip.peak_pressure));
-        let width = last.y - first.y + first.width.times(0.5) + last.width.times(0.5);
-        let [per_length, per_pressure, per_width] =
-            [length, pressure, width].map(|unit| F::one() / unit);
-        let (x, y) = (own.centre_x, first.y.times(0.5) + last.y.times(0.5));
-        let units = Units { length, width, per_length, per_pressure, per_width, x, y };
+        let units = self.sizes();
+        let Sizes { per_length, per_width, per_strip, .. } = *units;
         let mut sums = Sums {
             load: zero,
             bound: zero,
@@ -216,11 +227,10 @@ impl<F: Float> PatchView<'_, F> {
             slope: [zero; 2],
             section: zero,
         };
-        sums.add(own, &units, F::one());
-        let per_strip = self.per_width();
+        sums.add(own, units, own.centre_x, F::one());
         let mut add = |strip: &PatchStrip<F>, walk: &mut Walk<F>, last: &PatchStrip<F>| {
             let weight = walk.pass(last, strip);
-            sums.add(strip, &units, weight);
+            sums.add(strip, units, own.centre_x, weight);
             weight > zero
         };
         let (mut walk, mut last) = (Walk::new(own, per_strip), own);
@@ -261,7 +271,7 @@ impl<F: Float> PatchView<'_, F> {
             friction: mean(bound, own.friction),
             mismatch: self.mismatch(),
         };
-        let (x, y) = (units.x + units.length * mean(x, zero), units.y + units.width * y);
+        let (x, y) = (own.centre_x + units.length * mean(x, zero), units.y + units.width * y);
         Some(Zone { x, y, contact })
     }
 }

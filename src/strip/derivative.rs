@@ -42,9 +42,10 @@ pub(super) fn forces_and_slopes<P: Arithmetic<Bare = P>>(
     constants: &impl Constants<P>,
     by_spin: &SpinSlopes<P>,
 ) -> (Carried<P>, [[P; 5]; 3]) {
-    let zero = P::zero();
-    let traction = Traction { x: zero, y: zero, offered: [zero; 3], tried: zero };
-    let mut nodes = [Passed { inverse_bound: zero, weight: zero, traction, kept: zero }; NODES];
+    // (any number will do until the nodes are noted)
+    let any = seen.x;
+    let traction = Traction { x: any, y: any, offered: [any; 3], tried: any };
+    let mut nodes = [Passed { inverse_bound: any, weight: any, traction, kept: any }; NODES];
     let (carried, start) = forces(seen, spin, constants, |k, passed| {
         if let Some(node) = nodes.get_mut(k) {
             *node = passed;
