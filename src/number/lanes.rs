@@ -39,17 +39,17 @@ impl<T, const N: usize, A> Lanes<T, N, A> {
 }
 
 macro_rules! operators {
-    ($($operator:ident $function:ident $all:ident),*) => {
+    ($($operator:ident $function:ident $operation:literal),*) => {
         $(impl<T: InRegisters, const N: usize, A: Alignment> $operator for Lanes<T, N, A> {
             type Output = Self;
             #[inline(always)]
             fn $function(self, other: Self) -> Self {
-                Self(T::$all(self.0, other.0), [])
+                Self(T::apply::<$operation, N>(self.0, other.0), [])
             }
         })*
     };
 }
-operators!(Add add sums, Sub sub differences, Mul mul products, Div div quotients);
+operators!(Add add '+', Sub sub '−', Mul mul '×', Div div '÷');
 
 impl<T: InRegisters, const N: usize, A: Alignment> AddAssign for Lanes<T, N, A> {
     #[inline(always)]
@@ -69,7 +69,7 @@ impl<T: InRegisters, const N: usize, A: Alignment> Neg for Lanes<T, N, A> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Self(T::opposites(self.0), [])
+        Self(T::apply::<'~', N>(self.0, self.0), [])
     }
 }
 
@@ -106,7 +106,7 @@ impl<T: InRegisters, const N: usize, A: Alignment> Arithmetic for Lanes<T, N, A>
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
-        Self(T::roots(self.0), [])
+        Self(T::apply::<'√', N>(self.0, self.0), [])
     }
     #[inline(always)]
     fn inverse_root(self) -> Self {
@@ -114,15 +114,15 @@ impl<T: InRegisters, const N: usize, A: Alignment> Arithmetic for Lanes<T, N, A>
     }
     #[inline(always)]
     fn abs(self) -> Self {
-        Self(T::sizes(self.0), [])
+        Self(T::apply::<'|', N>(self.0, self.0), [])
     }
     #[inline(always)]
     fn max(self, other: Self) -> Self {
-        Self(T::larger(self.0, other.0), [])
+        Self(T::apply::<'>', N>(self.0, other.0), [])
     }
     #[inline(always)]
     fn min(self, other: Self) -> Self {
-        Self(T::smaller(self.0, other.0), [])
+        Self(T::apply::<'<', N>(self.0, other.0), [])
     }
     #[inline(always)]
     fn choose(self, yes: Self, no: Self) -> Self {

@@ -13,35 +13,11 @@ pub(super) use self::root::{of_f32, of_f64};
 
 /// Numbers that stand side by side in an array: one by one, and in a register where there is one for so many.
 pub trait InRegisters: Arithmetic<Bare = Self> {
-    /// Sums.
+    /// `+ − × ÷` of each and its neighbour, the larger `>` or the smaller `<` of both; of the first alone its opposite `~`, its size `|` or
+    /// its root `√`.
     #[inline(always)]
-    fn sums<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
-        both(a, b, |a, b| a + b)
-    }
-    /// Differences.
-    #[inline(always)]
-    fn differences<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
-        both(a, b, |a, b| a - b)
-    }
-    /// Products.
-    #[inline(always)]
-    fn products<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
-        both(a, b, |a, b| a * b)
-    }
-    /// Quotients.
-    #[inline(always)]
-    fn quotients<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
-        both(a, b, |a, b| a / b)
-    }
-    /// The opposite.
-    #[inline(always)]
-    fn opposites<const N: usize>(a: [Self; N]) -> [Self; N] {
-        both(a, a, |a, _| -a)
-    }
-    /// Square roots.
-    #[inline(always)]
-    fn roots<const N: usize>(a: [Self; N]) -> [Self; N] {
-        both(a, a, |a, _| Arithmetic::sqrt(a))
+    fn apply<const OPERATION: char, const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
+        one_by_one::<Self, OPERATION, N>(a, b)
     }
     /// `1/√x`, as [`Arithmetic::inverse_root`].
     #[inline(always)]
@@ -61,29 +37,10 @@ pub trait InRegisters: Arithmetic<Bare = Self> {
         }
         rows
     }
-    /// Absolute values.
-    #[inline(always)]
-    fn sizes<const N: usize>(a: [Self; N]) -> [Self; N] {
-        both(a, a, |a, _| Arithmetic::abs(a))
-    }
-    /// The larger of two; the second one where they are equal or one is not a number.
-    #[inline(always)]
-    fn larger<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
-        both(a, b, Arithmetic::max)
-    }
-    /// The smaller of two.
-    #[inline(always)]
-    fn smaller<const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
-        both(a, b, Arithmetic::min)
-    }
     /// `yes` where a number is positive, else `no`.
     #[inline(always)]
     fn chosen<const N: usize>(by: [Self; N], yes: [Self; N], no: [Self; N]) -> [Self; N] {
-        let mut chosen = no;
-        for ((place, by), yes) in chosen.iter_mut().zip(by).zip(yes) {
-            *place = Arithmetic::choose(by, yes, *place);
-        }
-        chosen
+        chosen_one_by_one(by, yes, no)
     }
     /// Whether one is larger than its neighbour.
     fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool;
@@ -91,9 +48,24 @@ pub trait InRegisters: Arithmetic<Bare = Self> {
     fn all_between<const N: usize>(a: [Self; N], low: [Self; N], high: [Self; N]) -> bool;
 }
 
-/// Pairs straight on, more in a loop.
+/// [`InRegisters::apply`] without registers: pairs straight on, more in a loop. The second one is the larger and the smaller where both are
+/// equal or one is not a number.
 #[inline(always)]
-fn both<T: Copy, const N: usize>(mut a: [T; N], b: [T; N], of: impl Fn(T, T) -> T) -> [T; N] {
+fn one_by_one<T: Arithmetic, const OPERATION: char, const N: usize>(
+    mut a: [T; N],
+    b: [T; N],
+) -> [T; N] {
+    let of = |a: T, b: T| match OPERATION {
+        '+' => a + b,
+        '−' => a - b,
+        '×' => a * b,
+        '÷' => a / b,
+        '>' => a.max(b),
+        '<' => a.min(b),
+        '~' => -a,
+        '|' => a.abs(),
+        _ => a.sqrt(),
+    };
     if let ([a0, a1], [b0, b1]) = (&mut a[..], &b[..]) {
         (*a0, *a1) = (of(*a0, *b0), of(*a1, *b1));
         return a;
@@ -104,28 +76,39 @@ fn both<T: Copy, const N: usize>(mut a: [T; N], b: [T; N], of: impl Fn(T, T) -> 
     a
 }
 
-#[cfg(not(target_arch = "x86_64"))]
-macro_rules! lane_by_lane {
-    () => {
-        #[inline(always)]
-        fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool {
-            a.iter().zip(&b).fold(false, |any, (a, b)| any | (a > b))
-        }
-        #[inline(always)]
-        fn all_between<const N: usize>(a: [Self; N], low: [Self; N], high: [Self; N]) -> bool {
-            let bounds = low.iter().zip(&high);
-            a.iter().zip(bounds).fold(true, |all, (a, (low, high))| all & (a >= low) & (a <= high))
-        }
-    };
+#[inline(always)]
+fn chosen_one_by_one<T: Arithmetic, const N: usize>(
+    by: [T; N],
+    yes: [T; N],
+    mut no: [T; N],
+) -> [T; N] {
+    for ((no, by), yes) in no.iter_mut().zip(by).zip(yes) {
+        *no = by.choose(yes, *no);
+    }
+    no
+}
+
+#[inline]
+fn one_exceeds<T: PartialOrd, const N: usize>(a: [T; N], b: [T; N]) -> bool {
+    a.iter().zip(&b).fold(false, |any, (a, b)| any | (a > b))
+}
+
+#[inline]
+fn each_between<T: PartialOrd, const N: usize>(a: [T; N], low: [T; N], high: [T; N]) -> bool {
+    let bounds = low.iter().zip(&high);
+    a.iter().zip(bounds).fold(true, |all, (a, (low, high))| all & (a >= low) & (a <= high))
 }
 
 #[cfg(not(target_arch = "x86_64"))]
-impl InRegisters for f64 {
-    lane_by_lane!();
-}
-#[cfg(not(target_arch = "x86_64"))]
-impl InRegisters for f32 {
-    lane_by_lane!();
+impl<F: super::Float> InRegisters for F {
+    #[inline]
+    fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool {
+        one_exceeds(a, b)
+    }
+    #[inline]
+    fn all_between<const N: usize>(a: [Self; N], low: [Self; N], high: [Self; N]) -> bool {
+        each_between(a, low, high)
+    }
 }
 
 /// Numbers side by side that are side by side themselves: as many as fill several registers.
@@ -202,7 +185,7 @@ pub(crate) use compiled_twice;
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {
-    use super::{InRegisters, both};
+    use super::{InRegisters, chosen_one_by_one, each_between, one_by_one, one_exceeds};
     use crate::number::Arithmetic;
     use crate::number::float::{NEWTON, NEWTON_START};
     use core::arch::x86_64::*;
@@ -233,27 +216,8 @@ mod x86 {
         unsafe { Either { from }.to }
     }
 
-    // SAFETY (of both macros): arithmetic on registers, no memory access; arrays of so many numbers have their size. Those of 256 bits belong to
-    // callers who have asked.
-    macro_rules! operation {
-        ($narrow:literal $wide:literal $name:ident($($x:ident),*): $of_narrow:expr, $of_wide:expr, $one_by_one:expr) => {
-            #[inline(always)]
-            fn $name<const N: usize>($($x: [Self; N]),*) -> [Self; N] {
-                match N {
-                    $narrow => unsafe {
-                        $(let $x = cast($x);)*
-                        cast($of_narrow)
-                    },
-                    $wide => unsafe {
-                        $(let $x = cast($x);)*
-                        cast($of_wide)
-                    },
-                    _ => $one_by_one,
-                }
-            }
-        };
-    }
-
+    // SAFETY (of the macro): arithmetic on registers, no memory access; arrays of so many numbers have their size. Those of 256 bits belong
+    // to callers who have asked.
     macro_rules! registers {
         ($float:ident, $n:literal: $add:ident $sub:ident $mul:ident $div:ident $sqrt:ident $max:ident $min:ident $and:ident
             $andnot:ident $or:ident $xor:ident $greater:ident $set:ident;
@@ -261,34 +225,60 @@ mod x86 {
             $wandnot:ident $wxor:ident $compare:ident $blend:ident $mask:ident $wset:ident; { $($inverse_roots:item)* }) => {
             impl InRegisters for $float {
                 $($inverse_roots)*
-                operation!($n $w sums(a, b): $add(a, b), $wadd(a, b), both(a, b, |a, b| a + b));
-                operation!($n $w differences(a, b): $sub(a, b), $wsub(a, b), both(a, b, |a, b| a - b));
-                operation!($n $w products(a, b): $mul(a, b), $wmul(a, b), both(a, b, |a, b| a * b));
-                operation!($n $w quotients(a, b): $div(a, b), $wdiv(a, b), both(a, b, |a, b| a / b));
-                operation!($n $w larger(a, b): $max(a, b), $wmax(a, b), both(a, b, Arithmetic::max));
-                operation!($n $w smaller(a, b): $min(a, b), $wmin(a, b), both(a, b, Arithmetic::min));
-                operation!($n $w opposites(a): $xor(a, $set(-0.0)), $wxor(a, $wset(-0.0)), both(a, a, |a, _| -a));
-                operation!($n $w sizes(a): $andnot($set(-0.0), a), $wandnot($wset(-0.0), a), both(a, a, |a, _| Arithmetic::abs(a)));
-                operation!($n $w roots(a): $sqrt(a), $wsqrt(a), both(a, a, |a, _| Arithmetic::sqrt(a)));
-                operation!($n $w chosen(by, yes, no):
-                    {
-                        let mask = $greater(by, $set(0.0));
-                        $or($and(mask, yes), $andnot(mask, no))
-                    },
-                    $blend(no, yes, $compare::<_CMP_GT_OQ>(by, $wset(0.0))),
-                    {
-                        let mut chosen = no;
-                        for ((place, by), yes) in chosen.iter_mut().zip(by).zip(yes) {
-                            *place = Arithmetic::choose(by, yes, *place);
-                        }
-                        chosen
-                    });
+                #[inline(always)]
+                fn apply<const OPERATION: char, const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
+                    match N {
+                        $n => unsafe {
+                            let (a, b) = (cast(a), cast(b));
+                            cast(match OPERATION {
+                                '+' => $add(a, b),
+                                '−' => $sub(a, b),
+                                '×' => $mul(a, b),
+                                '÷' => $div(a, b),
+                                '>' => $max(a, b),
+                                '<' => $min(a, b),
+                                '~' => $xor(a, $set(-0.0)),
+                                '|' => $andnot($set(-0.0), a),
+                                _ => $sqrt(a),
+                            })
+                        },
+                        $w => unsafe {
+                            let (a, b) = (cast(a), cast(b));
+                            cast(match OPERATION {
+                                '+' => $wadd(a, b),
+                                '−' => $wsub(a, b),
+                                '×' => $wmul(a, b),
+                                '÷' => $wdiv(a, b),
+                                '>' => $wmax(a, b),
+                                '<' => $wmin(a, b),
+                                '~' => $wxor(a, $wset(-0.0)),
+                                '|' => $wandnot($wset(-0.0), a),
+                                _ => $wsqrt(a),
+                            })
+                        },
+                        _ => one_by_one::<Self, OPERATION, N>(a, b),
+                    }
+                }
+                #[inline(always)]
+                fn chosen<const N: usize>(by: [Self; N], yes: [Self; N], no: [Self; N]) -> [Self; N] {
+                    match N {
+                        $n => unsafe {
+                            let mask = $greater(cast(by), $set(0.0));
+                            cast($or($and(mask, cast(yes)), $andnot(mask, cast(no))))
+                        },
+                        $w => unsafe {
+                            let mask = $compare::<_CMP_GT_OQ>(cast(by), $wset(0.0));
+                            cast($blend(cast(no), cast(yes), mask))
+                        },
+                        _ => chosen_one_by_one(by, yes, no),
+                    }
+                }
                 #[inline(always)]
                 fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool {
                     if N == $w {
                         return unsafe { $mask($compare::<_CMP_GT_OQ>(cast(a), cast(b))) != 0 };
                     }
-                    a.iter().zip(&b).fold(false, |any, (a, b)| any | (a > b))
+                    one_exceeds(a, b)
                 }
                 #[inline(always)]
                 fn all_between<const N: usize>(a: [Self; N], low: [Self; N], high: [Self; N]) -> bool {
@@ -298,8 +288,7 @@ mod x86 {
                         let high = unsafe { $mask($compare::<_CMP_LE_OQ>(cast(a), cast(high))) };
                         return (low & high) == ALL;
                     }
-                    let bounds = low.iter().zip(&high);
-                    a.iter().zip(bounds).fold(true, |all, (a, (low, high))| all & (a >= low) & (a <= high))
+                    each_between(a, low, high)
                 }
             }
         };
@@ -364,7 +353,7 @@ mod x86 {
     _mm256_andnot_ps _mm256_xor_ps _mm256_cmp_ps _mm256_blendv_ps _mm256_movemask_ps _mm256_set1_ps; {
         #[inline(always)]
         fn inverse_roots<const N: usize>(a: [Self; N]) -> [Self; N] {
-            Self::quotients([1.0; N], Self::roots(a))
+            Self::apply::<'÷', N>([1.0; N], Self::apply::<'√', N>(a, a))
         }
     });
 

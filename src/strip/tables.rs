@@ -171,63 +171,76 @@ pub struct Rule<F: 'static> {
     pub stretch: F,
     /// `(π/8)/Σ C Y² ΔY`: makes the linear moment of spin exact.
     pub lever: F,
-    /// Of those at `Y > 0`, ascending: `Y`, `C`, width.
-    half: &'static [[F; 3]],
+    count: StripCount,
 }
 
 impl<F: Float> Rule<F> {
     /// Where the strips lie.
     #[must_use]
     pub fn new(count: StripCount) -> Self {
-        macro_rules! of {
-            ($half:ident) => {
-                (
-                    table!(F, fours::<{ 4 * $half.len() }>(&$half)).as_chunks().0,
-                    table!(F, [factors(&$half)]),
-                    table!(F, $half).as_slice(),
-                )
-            };
-        }
-        let (fours, [[stretch, lever]], half) = match count {
-            StripCount::Four => of!(HALF_OF_4),
-            StripCount::Eight => of!(HALF_OF_8),
-            StripCount::Sixteen => of!(HALF_OF_16),
-            StripCount::ThirtyTwo => of!(HALF_OF_32),
-            StripCount::SixtyFour => of!(HALF_OF_64),
-        };
-        Self { fours, stretch: *stretch, lever: *lever, half }
+        // (all rules stand in one table: before the n/4 fours of this one there are n/4 − 1)
+        let fours = table!(F, FOURS).as_chunks().0;
+        let factors = table!(F, FACTORS).get((count as usize).ilog2() as usize - 2);
+        let [stretch, lever] = *factors.unwrap_or(&[F::one(); 2]);
+        let n = count as usize / 4;
+        Self { fours: fours.get(n - 1..2 * n - 1).unwrap_or_default(), stretch, lever, count }
     }
 
     /// `Y`, `C` and width of the strips, ascending in `Y`.
     pub fn places(&self) -> impl Iterator<Item = [F; 3]> {
-        let lower = self.half.iter().rev().map(|[y, c, width]| [-*y, *c, *width]);
-        lower.chain(self.half.iter().copied())
+        let n = self.count as usize / 2;
+        let half = table!(F, HALVES).get(n - 2..2 * n - 2).unwrap_or_default();
+        let lower = half.iter().rev().map(|[y, c, width]| [-*y, *c, *width]);
+        lower.chain(half.iter().copied())
     }
 }
 
-/// `[π/2/Σ C ΔY, π/8/Σ C Y² ΔY]`
+/// The strips at `Y > 0` of all rules together.
+const STRIPS: usize = 2 + 4 + 8 + 16 + 32;
+const RULES: [&Half; 5] = [&HALF_OF_4, &HALF_OF_8, &HALF_OF_16, &HALF_OF_32, &HALF_OF_64];
+
+/// The halves of all rules, one after the other.
 #[allow(clippy::indexing_slicing)]
-const fn factors(half: &Half) -> [f64; 2] {
-    let (mut area, mut lever, mut i) = (0.0, 0.0, 0);
-    while i < half.len() {
-        let [y, c, width] = half[i];
-        area += 2.0 * width * c;
-        lever += 2.0 * width * c * (y * y);
+const HALVES: [[f64; 3]; STRIPS] = {
+    let mut halves = [[0.0; 3]; STRIPS];
+    let (mut rule, mut i) = (0, 0);
+    while i < STRIPS {
+        rule += (i == 2 * RULES[rule].len() - 2) as usize;
+        halves[i] = RULES[rule][i + 2 - RULES[rule].len()];
         i += 1;
     }
-    [core::f64::consts::FRAC_PI_2 / area, core::f64::consts::FRAC_PI_8 / lever]
-}
+    halves
+};
 
+/// `[π/2/Σ C ΔY, π/8/Σ C Y² ΔY]` of all rules.
 #[allow(clippy::indexing_slicing)]
-const fn fours<const N: usize>(half: &Half) -> [Couple<f64>; N] {
-    let mut fours = [[0.0; 2]; N];
-    let area = core::f64::consts::FRAC_PI_2 / factors(half)[0];
-    let mut i = 0;
-    while i < half.len() {
-        let [y, c, width] = half[i];
+const FACTORS: [[f64; 2]; RULES.len()] = {
+    let mut factors = [[0.0; 2]; RULES.len()];
+    let mut rule = 0;
+    while rule < RULES.len() {
+        let (mut area, mut lever, mut i) = (0.0, 0.0, 0);
+        while i < RULES[rule].len() {
+            let [y, c, width] = RULES[rule][i];
+            area += 2.0 * width * c;
+            lever += 2.0 * width * c * (y * y);
+            i += 1;
+        }
+        factors[rule] = [core::f64::consts::FRAC_PI_2 / area, core::f64::consts::FRAC_PI_8 / lever];
+        rule += 1;
+    }
+    factors
+};
+
+/// The fours of all rules, one after the other.
+#[allow(clippy::indexing_slicing)]
+const FOURS: [Couple<f64>; STRIP_FIELDS * STRIPS / 2] = {
+    let mut fours = [[0.0; 2]; STRIP_FIELDS * STRIPS / 2];
+    let (mut rule, mut i) = (0, 0);
+    while i < STRIPS {
+        rule += (i == 2 * RULES[rule].len() - 2) as usize;
+        let [y, c, width] = HALVES[i];
+        let area = core::f64::consts::FRAC_PI_2 / FACTORS[rule][0];
         let load = 0.75 * width * (c * c);
-        // the outermost strip is of the first kind
-        let (four, kind) = (i / 2, 1 - i % 2);
         let fields = [
             y,
             1.0 / c,
@@ -236,14 +249,15 @@ const fn fours<const N: usize>(half: &Half) -> [Couple<f64>; N] {
             load * c,
             load * y,
             width * c / area,
-            width / c * (half.len() as f64 / 8.0),
+            width / c * (RULES[rule].len() as f64 / 8.0),
         ];
         let mut k = 0;
         while k < STRIP_FIELDS {
-            fours[STRIP_FIELDS * four + k][kind] = fields[k];
+            // the outermost strip is of the first kind
+            fours[STRIP_FIELDS * (i / 2) + k][1 - i % 2] = fields[k];
             k += 1;
         }
         i += 1;
     }
     fours
-}
+};
