@@ -199,9 +199,7 @@ impl<P: Arithmetic<Bare = P>, const M: usize> Arithmetic for Dual<P, M> {
     }
     #[inline(always)]
     fn abs(self) -> Self {
-        let negative = -self.value;
-        let value = negative.choose(negative, self.value);
-        Self { value, gradient: self.gradient.map(|d| negative.choose(-d, d)) }
+        Self::pick(-self.value, -self, self)
     }
     #[inline(always)]
     fn max(self, other: Self) -> Self {

@@ -108,18 +108,6 @@ macro_rules! plain {
                 self
             }
             #[inline(always)]
-            fn composed<const N: usize>(value: $float, _: [$float; N], _: [$float; N]) -> Self {
-                value
-            }
-            #[inline(always)]
-            fn scale(self, factor: $float) -> Self {
-                self * factor
-            }
-            #[inline(always)]
-            fn shift(self, term: $float) -> Self {
-                self + term
-            }
-            #[inline(always)]
             fn sqrt(self) -> Self {
                 $sqrt(self)
             }

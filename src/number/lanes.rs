@@ -93,18 +93,6 @@ impl<T: InRegisters, const N: usize, A: Alignment> Arithmetic for Lanes<T, N, A>
         self
     }
     #[inline(always)]
-    fn composed<const K: usize>(value: Self, _: [Self; K], _: [Self; K]) -> Self {
-        value
-    }
-    #[inline(always)]
-    fn scale(self, factor: Self) -> Self {
-        self * factor
-    }
-    #[inline(always)]
-    fn shift(self, term: Self) -> Self {
-        self + term
-    }
-    #[inline(always)]
     fn sqrt(self) -> Self {
         Self(T::apply::<'√', N>(self.0, self.0), [])
     }

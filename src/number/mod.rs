@@ -148,15 +148,24 @@ pub trait Arithmetic:
     fn value(self) -> Self::Bare;
     /// A function of some numbers from its value and its derivatives by them, worked out by hand. Without derivatives it
     /// is the value, and what leads to the slopes is left out by the compiler.
+    #[inline(always)]
     fn composed<const N: usize>(
         value: Self::Bare,
-        slopes: [Self::Bare; N],
-        inputs: [Self; N],
-    ) -> Self;
+        _slopes: [Self::Bare; N],
+        _inputs: [Self; N],
+    ) -> Self {
+        Self::from_base(value)
+    }
     /// Product with a number without derivatives.
-    fn scale(self, factor: Self::Bare) -> Self;
+    #[inline(always)]
+    fn scale(self, factor: Self::Bare) -> Self {
+        self * Self::from_base(factor)
+    }
     /// Sum with a number without derivatives.
-    fn shift(self, term: Self::Bare) -> Self;
+    #[inline(always)]
+    fn shift(self, term: Self::Bare) -> Self {
+        self + Self::from_base(term)
+    }
     /// Square root of a number that is not negative.
     fn sqrt(self) -> Self;
     /// `1/x`

@@ -4,6 +4,7 @@ use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Units};
 use crate::contact::forces::Totals;
 use crate::contact::mismatch::Shift;
+use crate::linear::LinearCoefficients;
 use crate::number::{Arithmetic, Float, Pair, Plain};
 use crate::solve::options::Model;
 
@@ -46,10 +47,11 @@ impl<F: Plain> Frame<F> {
         self.shift(creepage, model).map_or(*creepage, |shift| shift.seen(creepage))
     }
 
-    /// `a/b` and `ν`
+    /// `a/b` and `ν`, and the coefficients for them.
     #[inline(always)]
-    pub(crate) fn shape(&self) -> (F, F) {
-        (self.axis_ratio(), self.contact.poisson_ratio)
+    pub(crate) fn shape(&self) -> (F, F, LinearCoefficients<F>) {
+        let (ratio, poisson_ratio) = (self.axis_ratio(), self.contact.poisson_ratio);
+        (ratio, poisson_ratio, LinearCoefficients::at(ratio, poisson_ratio))
     }
 
     /// `a/b`

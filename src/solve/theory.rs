@@ -43,13 +43,7 @@ pub(crate) trait Theory<F: Plain>: Copy {
         (frame.forces(self.totals(frame, &parameters)), parameters.psi)
     }
 
-    /// Share in adhesion without creepage.
-    #[inline(always)]
-    fn resting() -> F {
-        if Self::MODEL == Model::Total { -F::one() } else { F::one() }
-    }
-
-    /// Without creepage no force, and adhesion everywhere.
+    /// Without creepage no force, and adhesion everywhere, or not known.
     #[inline(always)]
     fn at_rest(creepage: &Creepage<F>) -> Option<Forces<F>>
     where
@@ -58,7 +52,8 @@ pub(crate) trait Theory<F: Plain>: Copy {
         let zero = F::zero();
         let Creepage { longitudinal, lateral, spin } = *creepage;
         let rests = longitudinal == zero && lateral == zero && spin == zero;
-        rests.then_some(Forces { fx: zero, fy: zero, mz: zero, adhesion: Self::resting() })
+        let adhesion = if Self::MODEL == Model::Total { -F::one() } else { F::one() };
+        rests.then_some(Forces { fx: zero, fy: zero, mz: zero, adhesion })
     }
 
     /// What the caller should know.
@@ -150,8 +145,7 @@ impl<F: Plain> Theory<F> for Strip<F> {
 
     #[inline(always)]
     fn of_contact(frame: &Frame<F>, options: &Options) -> Self {
-        let (ratio, poisson_ratio) = frame.shape();
-        let linear = LinearCoefficients::at(ratio, poisson_ratio);
+        let (ratio, poisson_ratio, linear) = frame.shape();
         Self::new(ratio, poisson_ratio, &linear, options.strips)
     }
     #[inline(always)]
@@ -169,8 +163,8 @@ impl<F: Plain> Theory<F> for Total<F> {
 
     #[inline(always)]
     fn of_contact(frame: &Frame<F>, _: &Options) -> Self {
-        let (ratio, poisson_ratio) = frame.shape();
-        Self::new(ratio, poisson_ratio, &LinearCoefficients::at(ratio, poisson_ratio))
+        let (ratio, poisson_ratio, linear) = frame.shape();
+        Self::new(ratio, poisson_ratio, &linear)
     }
     #[inline(always)]
     fn totals<T: Number<Base = F>>(
@@ -192,9 +186,7 @@ impl<F: Plain> Theory<F> for Linear<F> {
 
     #[inline(always)]
     fn of_contact(frame: &Frame<F>, _: &Options) -> Self {
-        let (ratio, poisson_ratio) = frame.shape();
-        let LinearCoefficients { c11, c22, c23, c33 } =
-            LinearCoefficients::at(ratio, poisson_ratio);
+        let (_, _, LinearCoefficients { c11, c22, c23, c33 }) = frame.shape();
         let Contact { a, b, shear_modulus, .. } = frame.contact;
         let stiffness = shear_modulus * a * b;
         let lever = stiffness * frame.radius;

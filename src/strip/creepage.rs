@@ -173,7 +173,7 @@ impl<F: Plain> Flexibilities<F> {
             less(by_more, 4.0),
             less(by_q, 2.0),
         ];
-        let mut corrections = T::map(&self.network, features);
+        let mut corrections = self.network.corrections(features);
         if self.long.share.exceeds(F::zero()) {
             let [_, _, _, shared @ ..] = features;
             let psi = magnitude(py.times(PI / 3.0));

@@ -6,9 +6,9 @@
 //! (Ours: no paper has it.)
 
 use super::long_constants::{FIXED, INPUT, OFFSET, OUTPUT};
-use super::network::{CORRECTIONS, last, units};
+use super::network::{CORRECTIONS, Layers};
 use crate::number::tables::{add_rows, row, table, widen};
-use crate::number::{Arithmetic, Map, Number, Pair, Plain};
+use crate::number::{Arithmetic, Number, Pair, Plain};
 
 const UNITS: usize = OUTPUT.len();
 /// Features of all contacts that are used here too: the last ones.
@@ -96,27 +96,9 @@ impl<F: Plain> LongContact<F> {
             more,
             all,
         ];
-        T::each(&T::map(self, inputs), |correction| correction.scale(self.share))
-    }
-}
-
-impl<F: Plain> Map<F, INPUTS, CORRECTIONS> for LongContact<F> {
-    /// `dx/dh` of the units `x = h/√(1 + h²)`
-    type Place = [F; UNITS];
-
-    #[inline(always)]
-    fn value(&self, inputs: [F; INPUTS]) -> ([F; CORRECTIONS], [F; UNITS]) {
-        let (units, slopes) = units(add_rows(self.start, &inputs, table!(F, widen(&INPUT))));
         let [offset] = table!(F, widen(&[OFFSET]));
-        (last(&units, row(offset), table!(F, widen(&OUTPUT))), slopes)
-    }
-
-    #[inline(always)]
-    fn tangent(&self, slopes: &[F; UNITS], inputs: [F; INPUTS]) -> [F; CORRECTIONS] {
-        let mut units = add_rows([F::zero(); UNITS], &inputs, table!(F, widen(&INPUT)));
-        for (h, slope) in units.iter_mut().zip(slopes) {
-            *h = *h * *slope;
-        }
-        last(&units, [F::zero(); CORRECTIONS], table!(F, widen(&OUTPUT)))
+        let (input, output) = (table!(F, widen(&INPUT)), table!(F, widen(&OUTPUT)));
+        let corrections = T::map(&Layers { start: &self.start, input, offset, output }, inputs);
+        T::each(&corrections, |correction| correction.scale(self.share))
     }
 }

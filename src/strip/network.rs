@@ -2,7 +2,7 @@
 
 use super::constants::{HIDDEN, HIDDEN_OFFSET, OUTPUT, OUTPUT_OFFSET};
 use crate::number::tables::{add_rows, row, table, widen};
-use crate::number::{Map, Plain};
+use crate::number::{Map, Number, Plain};
 
 pub(super) const CORRECTIONS: usize = OUTPUT_OFFSET.len();
 const UNITS: usize = HIDDEN_OFFSET.len();
@@ -40,50 +40,56 @@ impl<F: Plain> Network<F> {
         let [offset, weights @ ..] = table!(F, widen(&OFFSETS));
         Self { start: add_rows(row(offset), &[ratio, poisson], weights) }
     }
+
+    #[inline(always)]
+    pub fn corrections<T: Number<Base = F>>(&self, inputs: [T; INPUTS]) -> [T; CORRECTIONS] {
+        let [offset] = table!(F, widen(&[OUTPUT_OFFSET]));
+        let (input, output) = (table!(F, widen(&MOVING)), table!(F, widen(&OUTPUT)));
+        T::map(&Layers { start: &self.start, input, offset, output }, inputs)
+    }
 }
 
-impl<F: Plain> Map<F, INPUTS, CORRECTIONS> for Network<F> {
+/// One layer of units, and corrections.
+pub(super) struct Layers<'a, F: Plain, const INPUTS: usize, const UNITS: usize> {
+    /// Sums of the units over what the contact decides.
+    pub start: &'a [F; UNITS],
+    /// Weights of the other inputs, of the corrections themselves, and of the units.
+    pub input: &'static [[F::Stored; UNITS]; INPUTS],
+    pub offset: &'static [F::Stored; CORRECTIONS],
+    pub output: &'static [[F::Stored; CORRECTIONS]; UNITS],
+}
+
+impl<F: Plain, const INPUTS: usize, const UNITS: usize> Map<F, INPUTS, CORRECTIONS>
+    for Layers<'_, F, INPUTS, UNITS>
+{
     /// `dx/dh` of the units `x = h/√(1 + h²)`
     type Place = [F; UNITS];
 
     #[inline(always)]
     fn value(&self, inputs: [F; INPUTS]) -> ([F; CORRECTIONS], [F; UNITS]) {
-        let sums = add_rows(self.start, &inputs, table!(F, widen(&MOVING)));
-        let (units, slopes) = units(sums);
-        let [offset] = table!(F, widen(&[OUTPUT_OFFSET]));
-        (last(&units, row(offset), table!(F, widen(&OUTPUT))), slopes)
+        let mut units = add_rows(*self.start, &inputs, self.input);
+        let mut slopes = F::inverse_roots(F::each(&units, |h| h.squared().plus(1.0)));
+        // x = h/√(1 + h²) and dx/dh = (1 + h²)^{−3/2}
+        for (h, root) in units.iter_mut().zip(&mut slopes) {
+            *h = *h * *root;
+            *root = *root * root.squared();
+        }
+        (last(&units, row(self.offset), self.output), slopes)
     }
 
     #[inline(always)]
     fn tangent(&self, slopes: &[F; UNITS], inputs: [F; INPUTS]) -> [F; CORRECTIONS] {
-        let mut units = add_rows([F::zero(); UNITS], &inputs, table!(F, widen(&MOVING)));
+        let mut units = add_rows([F::zero(); UNITS], &inputs, self.input);
         for (h, slope) in units.iter_mut().zip(slopes) {
             *h = *h * *slope;
         }
-        last(&units, [F::zero(); CORRECTIONS], table!(F, widen(&OUTPUT)))
+        last(&units, [F::zero(); CORRECTIONS], self.output)
     }
-}
-
-/// `x = h/√(1 + h²)` and `dx/dh = (1 + h²)^{−3/2}`
-#[inline(always)]
-pub(super) fn units<F: Plain, const UNITS: usize>(
-    mut sums: [F; UNITS],
-) -> ([F; UNITS], [F; UNITS]) {
-    let mut slopes = sums;
-    for slope in &mut slopes {
-        *slope = slope.squared().plus(1.0);
-    }
-    let mut slopes = F::inverse_roots(slopes);
-    for (h, root) in sums.iter_mut().zip(&mut slopes) {
-        *h = *h * *root;
-        *root = *root * root.squared();
-    }
-    (sums, slopes)
 }
 
 /// The last layer, in two chains of additions.
 #[inline(always)]
-pub(super) fn last<F: Plain, const UNITS: usize>(
+fn last<F: Plain, const UNITS: usize>(
     units: &[F; UNITS],
     start: [F; CORRECTIONS],
     rows: &[[F::Stored; CORRECTIONS]; UNITS],
