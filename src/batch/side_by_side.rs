@@ -241,12 +241,7 @@ where
         psi: L,
     ) -> Self {
         let Forces { fx, fy, mz, adhesion } = *forces;
-        let bound = frame.contact.friction_bound();
-        let notices = if model == Model::Linear {
-            linear_notices(length(fx, fy), bound)
-        } else {
-            notices(model, bound, frame.axis_ratio(), psi)
-        };
+        let notices = notices(model, frame, forces, psi);
         let Creepage { longitudinal, lateral, spin } = *creepage;
         let power = creepage.power([fx, fy, mz]);
         // at rest: no force, and adhesion everywhere
@@ -266,25 +261,25 @@ where
     }
 }
 
-#[inline(always)]
-fn linear_notices<L: Plain + Strips<L::Stored>>(size: L, bound: L) -> [Notice; MOST] {
-    let mut notices = [Notice::None; MOST];
-    if size.exceeds(bound) {
-        for (k, notice) in notices.iter_mut().enumerate().take(L::COUNT) {
-            *notice = linear_notice(size.lane(k), bound.lane(k));
-        }
-    }
-    notices
-}
-
+/// What the callers should know.
 #[inline(always)]
 fn notices<L: Plain + Strips<L::Stored>>(
     model: Model,
-    bound: L,
-    ratio: L,
+    frame: &Frame<L>,
+    forces: &Forces<L>,
     psi: L,
 ) -> [Notice; MOST] {
     let mut notices = [Notice::None; MOST];
+    let (bound, ratio) = (frame.contact.friction_bound(), frame.axis_ratio());
+    if model == Model::Linear {
+        let size = length(forces.fx, forces.fy);
+        if size.exceeds(bound) {
+            for (k, notice) in notices.iter_mut().enumerate().take(L::COUNT) {
+                *notice = linear_notice(size.lane(k), bound.lane(k));
+            }
+        }
+        return notices;
+    }
     let largest = if matches!(model, Model::Strip | Model::Total) { LARGEST_SPIN } else { 0.999 };
     // (for all models alike: those that it holds up are looked at one by one)
     let usual = psi.abs().lies_between(L::zero(), L::of(largest))
