@@ -138,6 +138,7 @@ impl<T: InRegisters, const M: usize, A: Alignment> InRegisters for Lanes<T, M, A
 
 /// Whether whole functions are compiled for wide registers too. Debug builds have only those for narrow ones, with the same bits: both would
 /// take three times as long to compile. Release builds prove what holds for wide registers.
+#[cfg(target_arch = "x86_64")]
 pub(crate) const HAS_WIDE_CODE: bool = cfg!(all(target_arch = "x86_64", not(debug_assertions)));
 
 /// Whether there are registers of 256 bits.
