@@ -33,7 +33,8 @@ struct Head<F> {
     quick: F,
     /// Checksum of everything from the frame on that the model reads.
     whole: F,
-    /// `w`: where `|υx| + |υy| + w |φ| ≤ 10` no check of [`is_ordinary`] can fail; infinite where each has to be looked at.
+    /// `w`: where `|υx| + |υy| + w |φ| ≤ 10` no check of [`is_ordinary`] can fail; infinite where each has to be looked at, and of unlike
+    /// materials, whose pressure moves the creepage.
     per_spin: F,
 }
 
@@ -62,7 +63,8 @@ impl<F: Precision> PreparedNumbers<F> {
         let numbers = MaybeUninit::new([F::zero(); ROOM]);
         let mut stored = Self { numbers, model: model as i32, strips: strips as i32 };
         let contact = &prepared.frame.contact;
-        let spin = if contact.is_lost() { F::zero() } else { contact.ordinary_spin() };
+        let quick = !contact.is_lost() && contact.mismatch == F::zero();
+        let spin = if quick { contact.ordinary_spin() } else { F::zero() };
         let per_spin = F::constant(QUICK) / spin;
         let none = F::zero();
         stored.put::<_, 0>(Head { quick: none, whole: none, per_spin });
@@ -89,7 +91,7 @@ impl<F: Precision> PreparedNumbers<F> {
         let size = longitudinal.abs() + lateral.abs() + spin.abs() * head.per_spin;
         let quick = size <= F::constant(QUICK);
         let frame: &Frame<F> = self.part::<_, FRAME>();
-        if quick && self.model == Model::Linear as i32 && frame.contact.mismatch == F::zero() {
+        if quick && self.model == Model::Linear as i32 {
             let linear: &Linear<F> = self.part::<_, KNOWN>();
             return Ok(linear.answer_seen(frame, creepage, true));
         }
@@ -152,14 +154,13 @@ impl<F: Precision> PreparedNumbers<F> {
         unsafe { numbers.add(KNOWN).cast::<strip::Flexibilities<F>>().read_unaligned() }
     }
 
-    /// Of model, strips and what the linear theory of like bodies reads: `w`, `N`, `μ`, `κ`, stiffness.
+    /// Of model, strips and what the linear theory of like bodies reads: `w`, `N`, `μ`, stiffness.
     #[inline(always)]
     fn quick_sum(&self) -> u64 {
         const { assert!(FRAME * size_of::<F>() + size_of::<Frame<F>>() <= KNOWN * size_of::<F>()) };
         let load = FRAME + offset_of!(Frame<F>, contact.normal_force) / size_of::<F>();
         let friction = FRAME + offset_of!(Frame<F>, contact.friction) / size_of::<F>();
-        let mismatch = FRAME + offset_of!(Frame<F>, contact.mismatch) / size_of::<F>();
-        let places = [PER_SPIN, load, friction, mismatch, KNOWN, KNOWN + 1, KNOWN + 2, KNOWN + 3];
+        let places = [PER_SPIN, load, friction, KNOWN, KNOWN + 1, KNOWN + 2, KNOWN + 3];
         // (read apart from the forces, for which they would stay in registers that are saved first)
         let stored = black_box(self);
         match stored.words() {

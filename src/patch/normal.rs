@@ -89,13 +89,16 @@ pub(crate) struct Equations<F> {
 }
 
 impl<F: Float> Equations<F> {
-    pub(crate) fn new(count: usize) -> Self {
-        let rows = || {
-            let mut rows = Matrix::new();
-            let _ = rows.resize(count.min(CELLS), [F::zero(); CELLS]);
-            rows
-        };
-        Self { influence: rows(), slopes: rows(), factors: rows() }
+    #[inline(always)]
+    pub(crate) fn new() -> Self {
+        Self { influence: Vec::new(), slopes: Vec::new(), factors: Vec::new() }
+    }
+
+    /// Makes room for so many cells, in place.
+    fn make_room(&mut self, count: usize) {
+        for rows in [&mut self.influence, &mut self.slopes, &mut self.factors] {
+            while rows.len() < count && rows.push([F::zero(); CELLS]).is_ok() {}
+        }
     }
 
     fn copy_to_factors(&mut self, count: usize) {
@@ -164,6 +167,7 @@ impl<F: Float> Cells<F> {
         equations: &mut Equations<F>,
         given: Given<Moving<F>>,
     ) -> Moving<F> {
+        equations.make_room(self.list.len());
         for (j, cell) in self.list.iter().enumerate() {
             let mut rows = equations.influence.iter_mut().zip(&mut equations.slopes);
             Edges::new(cell).across::<Deflection>(&self.list, |difference| {

@@ -226,7 +226,7 @@ impl<F: Float> Indentation<F> {
 /// Pressures and corrected lengths of the cells; the approach. (Out of line, lest the equations take room while the outline is made.)
 #[inline(never)]
 fn solved<F: Float>(cells: &mut Cells<F>, power: Moving<F>, given: Given<Moving<F>>) -> Moving<F> {
-    let mut equations = Equations::new(cells.list.len());
+    let mut equations = Equations::new();
     let mut pressed = cells.press(&mut equations, given);
     for _ in 0..PASSES {
         cells.correct(power);
