@@ -48,7 +48,7 @@ mod fitted {
 
 impl<F: Plain> Contact<F> {
     /// `κ N/(G a (a + b))`: what [`shift`] multiplies with `−c'` \[–\].
-    #[inline(always)]
+    #[inline]
     pub(crate) fn strain(&self) -> F {
         let Self { a, b, normal_force, shear_modulus, mismatch, .. } = *self;
         mismatch * normal_force / a / (a + b) / shear_modulus
@@ -56,7 +56,7 @@ impl<F: Plain> Contact<F> {
 }
 
 /// `Δυx` for a creepage and [`Contact::strain`].
-#[inline(always)]
+#[inline]
 pub(crate) fn shift<T: Number>(
     units: &Units<T::Base>,
     linear: &LinearCoefficients<T::Base>,
@@ -74,7 +74,7 @@ pub(crate) fn shift<T: Number>(
 }
 
 /// The creepage that an ellipse sees, where pressure counts with a factor that may be a variable: one.
-#[inline(always)]
+#[inline]
 pub(crate) fn seen<T: Number>(
     contact: &Contact<T::Base>,
     linear: &LinearCoefficients<T::Base>,
@@ -90,19 +90,19 @@ pub(crate) fn seen<T: Number>(
 }
 
 /// `Δυx` of the linear theory, which knows adhesion only.
-#[inline(always)]
+#[inline]
 pub(crate) fn linear_shift<F: Plain>(axis_ratio: F, strain: F) -> F {
     -(adhesion(axis_ratio) * strain)
 }
 
 /// `c'` of full adhesion.
-#[inline(always)]
+#[inline]
 fn adhesion<F: Plain>(axis_ratio: F) -> F {
     let [height, half] = WIDE;
     F::of(ADHESION) - axis_ratio.times(height) / axis_ratio.plus(half)
 }
 
-#[inline(always)]
+#[inline]
 fn within<T: Number>(force: T) -> T {
     let farthest = T::constant(FARTHEST);
     force.min(farthest).max(-farthest)
@@ -110,7 +110,7 @@ fn within<T: Number>(force: T) -> T {
 
 /// `c'` between adhesion and slip, from the linear forces of longitudinal and lateral creepage, of spin, and of the pressure, against which
 /// a creepage of the same sign acts.
-#[inline(always)]
+#[inline]
 fn share<T: Number>([lx, ly, ls, d]: [T; 4], adhesion: T::Base) -> T {
     let translation = lx.squared() + ly.squared();
     let others = ls.times(fitted::SPIN).squared() + d.times(fitted::PRESSURE).squared();
@@ -155,7 +155,7 @@ impl<F: Float> Shift<F> {
     }
 
     /// The creepage that the contact sees.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn seen(&self, creepage: &Creepage<F>) -> Creepage<F> {
         Creepage { longitudinal: creepage.longitudinal + self.value, ..*creepage }
     }

@@ -113,7 +113,7 @@ impl<F: Plain> Contact<F> {
 
     /// Pressure at the centre `p₀ = 3N/(2π a b)` \[Pa\].
     #[must_use]
-    #[inline(always)]
+    #[inline]
     pub fn peak_pressure(&self) -> F {
         self.normal_force.times(1.5 / core::f64::consts::PI) / self.a / self.b
     }

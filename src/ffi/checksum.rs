@@ -9,7 +9,7 @@ impl Word for Wrapping<u32> {}
 impl Word for Wrapping<u64> {}
 
 /// Words added and exclusive-ored by turns: what changes one of them, changes the sum.
-#[inline(always)]
+#[inline]
 pub(super) fn checksum<W: Word>(start: W, words: &[W]) -> W {
     let (fours, rest) = words.as_chunks::<4>();
     let sum = fours.iter().fold(start, |sum, [a, b, c, d]| (((sum + *a) ^ *b) + *c) ^ *d);

@@ -81,7 +81,7 @@ impl<F: Precision> PreparedNumbers<F> {
         stored
     }
 
-    #[inline(always)]
+    #[inline]
     pub(super) fn solve(&self, creepage: &Creepage<F>) -> Result<Solution<F>, Error> {
         if self.stored_sum::<QUICK_SUM>() != self.quick_sum() {
             return Err(Error::NotPrepared);
@@ -138,7 +138,7 @@ impl<F: Precision> PreparedNumbers<F> {
     }
 
     /// Where they stand.
-    #[inline(always)]
+    #[inline]
     fn part<T: Numbers<F>, const AT: usize>(&self) -> &T {
         const { assert!(size_of::<T>() <= (ROOM - AT) * size_of::<F>()) };
         const { assert!(align_of::<T>() <= align_of::<F>()) };
@@ -146,7 +146,7 @@ impl<F: Precision> PreparedNumbers<F> {
         unsafe { &*self.numbers.as_ptr().cast::<F>().add(AT).cast::<T>() }
     }
 
-    #[inline(always)]
+    #[inline]
     fn copied(&self) -> strip::Flexibilities<F> {
         const { assert!(size_of::<strip::Flexibilities<F>>() <= (ROOM - KNOWN) * size_of::<F>()) };
         let numbers = self.numbers.as_ptr().cast::<F>();
@@ -155,7 +155,7 @@ impl<F: Precision> PreparedNumbers<F> {
     }
 
     /// Of model, strips and what the linear theory of like bodies reads: `w`, `N`, `μ`, stiffness.
-    #[inline(always)]
+    #[inline]
     fn quick_sum(&self) -> u64 {
         const { assert!(FRAME * size_of::<F>() + size_of::<Frame<F>>() <= KNOWN * size_of::<F>()) };
         let load = FRAME + offset_of!(Frame<F>, contact.normal_force) / size_of::<F>();
@@ -191,7 +191,7 @@ impl<F: Precision> PreparedNumbers<F> {
     }
 
     /// All numbers as words, with what a sum of them starts with.
-    #[inline(always)]
+    #[inline]
     fn words(&self) -> Words<'_> {
         let [model, strips] = [self.model, self.strips].map(i32::cast_unsigned);
         let numbers = self.numbers.as_ptr();
@@ -216,7 +216,7 @@ impl<F: Precision> PreparedNumbers<F> {
     }
 
     /// A stored sum.
-    #[inline(always)]
+    #[inline]
     fn stored_sum<const AT: usize>(&self) -> u64 {
         match self.words() {
             Words::Double(words, _) => words.get(AT).map_or(0, |word| word.0),

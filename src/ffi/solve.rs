@@ -258,7 +258,7 @@ impl<F: Precision> Places<'_, F> {
 /// Forces, the friction that agrees with the slip, and derivatives by everything if they are wanted.
 pub(super) type ForcesOf<F> = (Solution<F>, F, Option<(Derivatives<F>, LawDerivatives<F>)>);
 
-#[inline(always)]
+#[inline]
 pub(super) fn forces_of<F: Precision>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,

@@ -32,7 +32,7 @@ pub(super) use crate::wheel_rail::{KSTRIP_CONTACTS_CAPACITY, Pair, Position, Vel
 pub(super) use core::mem::MaybeUninit;
 
 /// Run a fallible body and turn its outcome into a status.
-#[inline(always)]
+#[inline]
 pub(super) fn answer(body: impl FnOnce() -> Result<Notice, Error>) -> kstrip_status {
     match body() {
         Ok(notice) => notice.code(),

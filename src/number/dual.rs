@@ -21,7 +21,7 @@ pub struct Dual<P, const M: usize> {
 impl<F: Plain, const M: usize> Dual<F, M> {
     /// The input number `index`: its derivative with respect to itself is one.
     #[must_use]
-    #[inline(always)]
+    #[inline]
     pub fn input(value: F, index: usize) -> Self {
         let mut gradient = [F::zero(); M];
         if let Some(own) = gradient.get_mut(index) {
@@ -59,14 +59,14 @@ impl<P: Arithmetic<Bare = P>, const M: usize> Dual<P, M> {
 }
 
 impl<F: Float, const M: usize> PartialEq for Dual<F, M> {
-    #[inline(always)]
+    #[inline]
     fn eq(&self, other: &Self) -> bool {
         self.value == other.value
     }
 }
 
 impl<F: Float, const M: usize> PartialOrd for Dual<F, M> {
-    #[inline(always)]
+    #[inline]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         self.value.partial_cmp(&other.value)
     }
@@ -139,19 +139,19 @@ impl<P: Arithmetic<Bare = P>, const M: usize> Neg for Dual<P, M> {
 impl<P: Arithmetic<Bare = P>, const M: usize> Arithmetic for Dual<P, M> {
     type Bare = P;
 
-    #[inline(always)]
+    #[inline]
     fn constant(x: f64) -> Self {
         Self::from_base(P::constant(x))
     }
-    #[inline(always)]
+    #[inline]
     fn tiny() -> Self {
         Self::from_base(P::tiny())
     }
-    #[inline(always)]
+    #[inline]
     fn from_base(value: P) -> Self {
         Self { value, gradient: [P::zero(); M] }
     }
-    #[inline(always)]
+    #[inline]
     fn value(self) -> P {
         self.value
     }

@@ -11,19 +11,19 @@ macro_rules! plain {
             const ARTANH: &'static [Self] = &$artanh;
             const ARCTAN: &'static [Self] = &$arctan;
 
-            #[inline(always)]
+            #[inline]
             fn widened(x: f32) -> Self {
                 $float::from(x)
             }
-            #[inline(always)]
+            #[inline]
             fn whole(self) -> i32 {
                 self as i32
             }
-            #[inline(always)]
+            #[inline]
             fn to_f64(self) -> f64 {
                 f64::from(self)
             }
-            #[inline(always)]
+            #[inline]
             fn is_finite_number(self) -> bool {
                 self.is_finite()
             }
@@ -43,7 +43,7 @@ macro_rules! plain {
             fn ln(self) -> Self {
                 $ln(self)
             }
-            #[inline(always)]
+            #[inline]
             fn table<const R: usize, const C: usize>(
                 $single: &'static [[f32; C]; R],
                 $double: &'static [[f64; C]; R],
@@ -61,11 +61,11 @@ macro_rules! plain {
             type WideSixteen = $wide_sixteen;
             type Stored = $float;
 
-            #[inline(always)]
+            #[inline]
             fn stored(x: $float) -> Self {
                 x
             }
-            #[inline(always)]
+            #[inline]
             fn binary_quotient(self, divisor: Self) -> (Self, Self) {
                 // the bits of a floating-point number, read as an integer, are its binary logarithm to 0.043
                 let (p, q) = (self.to_bits() as $integer, divisor.to_bits() as $integer);
@@ -73,15 +73,15 @@ macro_rules! plain {
                 let k = p.wrapping_sub(q).wrapping_add(1 << ($mantissa - 1)) >> $mantissa;
                 (k as $float, $float::from_bits(q.wrapping_add(k << $mantissa) as _))
             }
-            #[inline(always)]
+            #[inline]
             fn lies_between(self, low: Self, high: Self) -> bool {
                 self >= low && self <= high
             }
-            #[inline(always)]
+            #[inline]
             fn lies_within(self, limit: Self) -> bool {
                 self.to_bits() <= limit.to_bits()
             }
-            #[inline(always)]
+            #[inline]
             fn is_positive_number(self) -> bool {
                 self.to_bits().wrapping_sub(1) < $float::MAX.to_bits()
             }
@@ -90,44 +90,44 @@ macro_rules! plain {
         impl Arithmetic for $float {
             type Bare = $float;
 
-            #[inline(always)]
+            #[inline]
             fn constant(x: f64) -> Self {
                 x as $float
             }
-            #[inline(always)]
+            #[inline]
             fn tiny() -> Self {
                 $float::MIN_POSITIVE
             }
 
-            #[inline(always)]
+            #[inline]
             fn from_base(x: $float) -> Self {
                 x
             }
-            #[inline(always)]
+            #[inline]
             fn value(self) -> Self {
                 self
             }
-            #[inline(always)]
+            #[inline]
             fn sqrt(self) -> Self {
                 $sqrt(self)
             }
-            #[inline(always)]
+            #[inline]
             fn inverse_root(self) -> Self {
                 $inverse_root(self)
             }
-            #[inline(always)]
+            #[inline]
             fn abs(self) -> Self {
                 $float::abs(self)
             }
-            #[inline(always)]
+            #[inline]
             fn max(self, other: Self) -> Self {
                 if self > other { self } else { other }
             }
-            #[inline(always)]
+            #[inline]
             fn min(self, other: Self) -> Self {
                 if self < other { self } else { other }
             }
-            #[inline(always)]
+            #[inline]
             fn choose(self, yes: Self, no: Self) -> Self {
                 if self > 0.0 { yes } else { no }
             }
@@ -149,7 +149,7 @@ macro_rules! plain {
             ) -> [Self; M] {
                 map.value(inputs).0
             }
-            #[inline(always)]
+            #[inline]
             fn exceeds(self, other: Self) -> bool {
                 self > other
             }
@@ -190,13 +190,13 @@ pub(super) const NEWTON: f64 = 1.889_881_574_842_309_7;
 
 /// `y ≈ 2^(−1/3)/√x` comes from single precision; `y (3 · 2^(−2/3) − x y²)` is then Newton's iteration for `1/√x`, never
 /// above it but by rounding.
-#[inline(always)]
+#[inline]
 fn inverse_root_f64(x: f64) -> f64 {
     let y = f64::from(NEWTON_START / Arithmetic::sqrt(x as f32));
     y * (NEWTON - x * (y * y))
 }
 
-#[inline(always)]
+#[inline]
 fn inverse_root_f32(x: f32) -> f32 {
     1.0 / Arithmetic::sqrt(x)
 }

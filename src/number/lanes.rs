@@ -27,12 +27,12 @@ impl Alignment for Wide {}
 
 impl<T, const N: usize, A> Lanes<T, N, A> {
     /// Side by side. (Whoever makes numbers for wide registers has asked whether there are any.)
-    #[inline(always)]
+    #[inline]
     pub(crate) fn new(numbers: [T; N]) -> Self {
         Self(numbers, [])
     }
     /// One by one.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn numbers(self) -> [T; N] {
         self.0
     }
@@ -76,19 +76,19 @@ impl<T: InRegisters, const N: usize, A: Alignment> Neg for Lanes<T, N, A> {
 impl<T: InRegisters, const N: usize, A: Alignment> Arithmetic for Lanes<T, N, A> {
     type Bare = Self;
 
-    #[inline(always)]
+    #[inline]
     fn constant(x: f64) -> Self {
         Self([T::constant(x); N], [])
     }
-    #[inline(always)]
+    #[inline]
     fn tiny() -> Self {
         Self([T::tiny(); N], [])
     }
-    #[inline(always)]
+    #[inline]
     fn from_base(x: Self) -> Self {
         x
     }
-    #[inline(always)]
+    #[inline]
     fn value(self) -> Self {
         self
     }
@@ -149,7 +149,7 @@ impl<T: Plain, const N: usize> Plain for Lanes<T, N> {
     type WideEight = Self::Eight;
     type WideSixteen = Self::Eight;
 
-    #[inline(always)]
+    #[inline]
     fn stored(x: T::Stored) -> Self {
         Self([T::stored(x); N], [])
     }

@@ -40,7 +40,7 @@ pub trait Plain: Number<Base = Self> + InRegisters {
     type Stored: Float;
 
     /// The nearest number to a constant written in double precision. Free when `x` is a literal.
-    #[inline(always)]
+    #[inline]
     fn of(x: f64) -> Self {
         Self::constant(x)
     }
@@ -81,7 +81,7 @@ pub trait Plain: Number<Base = Self> + InRegisters {
     }
 
     /// A stored single-precision constant, exactly.
-    #[inline(always)]
+    #[inline]
     fn of_f32(x: f32) -> Self {
         Self::stored(Self::Stored::widened(x))
     }
@@ -197,12 +197,12 @@ pub trait Arithmetic:
         mapped
     }
     /// Zero.
-    #[inline(always)]
+    #[inline]
     fn zero() -> Self {
         Self::constant(0.0)
     }
     /// One.
-    #[inline(always)]
+    #[inline]
     fn one() -> Self {
         Self::constant(1.0)
     }

@@ -143,7 +143,7 @@ pub(crate) const HAS_WIDE_CODE: bool = cfg!(all(target_arch = "x86_64", not(debu
 
 /// Whether there are registers of 256 bits.
 #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
-#[inline(always)]
+#[inline]
 pub(crate) fn are_wide() -> bool {
     #[cfg(target_arch = "x86_64")]
     return x86::are_wide();
@@ -195,7 +195,7 @@ mod x86 {
 
     /// Whether the processor has registers of 256 bits and the system keeps them: asked once, because under a hypervisor the
     /// question takes microseconds. It is the only thing that the library remembers, and no result depends on it.
-    #[inline(always)]
+    #[inline]
     pub fn are_wide() -> bool {
         avx::get()
     }
@@ -211,7 +211,7 @@ mod x86 {
     ///
     /// # Safety
     /// Both have one size, or this is not reached.
-    #[inline(always)]
+    #[inline]
     unsafe fn cast<T: Copy, R: Copy>(from: T) -> R {
         // SAFETY: as said; any bits are a value of either.
         unsafe { Either { from }.to }
@@ -397,7 +397,7 @@ mod x86 {
 mod root {
     /// Square root in double precision.
     #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
-    #[inline(always)]
+    #[inline]
     pub(in crate::number) fn of_f64(x: f64) -> f64 {
         use core::arch::x86_64::{_mm_cvtsd_f64, _mm_set_sd, _mm_sqrt_sd};
         // SAFETY: `sqrtsd` belongs to SSE2, which this function is compiled only with.
@@ -409,7 +409,7 @@ mod root {
 
     /// Square root in single precision.
     #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
-    #[inline(always)]
+    #[inline]
     pub(in crate::number) fn of_f32(x: f32) -> f32 {
         use core::arch::x86_64::{_mm_cvtss_f32, _mm_set_ss, _mm_sqrt_ss};
         // SAFETY: `sqrtss` belongs to SSE, which SSE2 implies; compiled only with it.
@@ -418,7 +418,7 @@ mod root {
 
     /// Square root in single precision: VSQRT of the Cortex-M4F and its successors.
     #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-    #[inline(always)]
+    #[inline]
     pub(in crate::number) fn of_f32(x: f32) -> f32 {
         let root: u32;
         // SAFETY: the hard-float ABI implies a single-precision unit; registers only, no memory.

@@ -349,7 +349,7 @@ fn linear<F: Plain>(
     Derivatives { jacobian, normal_force: none, load_through_hertz: hertz, friction: none }
 }
 
-#[inline(always)]
+#[inline]
 fn scaled<F: Plain>(vector: [F; 3], factor: F) -> [F; 3] {
     vector.map(|entry| entry * factor)
 }

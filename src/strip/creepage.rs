@@ -246,7 +246,7 @@ impl<F: Plain> Flexibilities<F> {
 
 impl<T: Number> Distribution<T> {
     /// Without derivatives.
-    #[inline(always)]
+    #[inline]
     pub(super) fn value(&self) -> Distribution<T::Base> {
         Distribution {
             longitudinal: self.longitudinal.value(),

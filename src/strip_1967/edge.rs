@@ -43,7 +43,7 @@ impl<T: Number> Edge<T> {
     }
 
     /// Without derivatives.
-    #[inline(always)]
+    #[inline]
     pub fn values(&self) -> Edge<T::Base> {
         Edge { y: self.y.value(), c: self.c.value() }
     }
@@ -70,7 +70,7 @@ pub struct Arc<T> {
 
 impl<T: Number> Arc<T> {
     /// Without derivatives.
-    #[inline(always)]
+    #[inline]
     pub fn values(&self) -> Arc<T::Base> {
         let (lower, upper, middle) =
             (self.lower.values(), self.upper.values(), self.middle.values());

@@ -74,7 +74,7 @@ pub struct Motion<T: Number> {
 }
 
 /// Sums of creepages up to which their eighth powers are numbers.
-#[inline(always)]
+#[inline]
 fn largest<T: Number>() -> f64 {
     if size_of::<Stored<T>>() == 4 { 1e4 } else { 1e30 }
 }
@@ -130,7 +130,7 @@ impl<T: Number> Motion<T> {
     }
 
     /// Without derivatives.
-    #[inline(always)]
+    #[inline]
     pub fn values(&self) -> Motion<T::Base> {
         let Self { compliance, axis_ratio, rule, turned_x, turned_y, .. } = *self;
         let (xi, eta, psi) = (self.xi.value(), self.eta.value(), self.psi.value());

@@ -33,13 +33,13 @@ pub(super) const GAUSS_6: [[f64; 2]; 6] = [
     [0.932469514203152, 0.17132449237917036],
 ];
 /// How many half lengths of a piece its square root's zero is away where four nodes give all digits.
-#[inline(always)]
+#[inline]
 pub(super) fn far<T: Number>() -> f64 {
     if size_of::<Stored<T>>() == 4 { 3.5 } else { 16.0 }
 }
 
 /// Root of the distance of numbers near one.
-#[inline(always)]
+#[inline]
 fn root_epsilon<T: Number>() -> f64 {
     if size_of::<Stored<T>>() == 4 { 3.5e-4 } else { 1.5e-8 }
 }

@@ -35,7 +35,7 @@ const RATIO_LIMIT: f64 = 1e3;
 /// Root of the largest axis ratio that the network is told: beyond it, the formulas around it know the limits.
 const LARGEST_ROOT: f64 = 8.0;
 /// Creepages whose linear force is beyond this are rigid slip, and scaled down together.
-#[inline(always)]
+#[inline]
 fn largest<T: Number>() -> f64 {
     if size_of::<Stored<T>>() == 4 { 1e4 } else { 1e8 }
 }
