@@ -27,7 +27,7 @@ const MOST: usize = 40;
 /// After so many solutions in a row that do not halve the error the search starts again: along the wanted force, at these creepages over
 /// the one where the first start ended, or over `NEAREST` in units of slip.
 const IDLE: usize = 6;
-const STARTS: [f64; 5] = [0.6, 2.0, 4.0, 0.3, 8.0];
+const STARTS: [f64; 6] = [1.15, 0.6, 2.0, 4.0, 0.3, 8.0];
 const NEAREST: f64 = 0.3;
 /// Added over the sum of the squares of the slopes where the plain step leads nowhere, and by how much more each time.
 const DAMPING: f64 = 0.03;
@@ -44,7 +44,7 @@ const TAKEN: f64 = 1e4;
 /// With [`Notice::CreepageAtLeast`] the force is within 0.1 % of `μ N`: the result is where it comes as near as that,
 /// and larger creepages do as well.
 ///
-/// The search mostly needs five solutions with derivatives, and more than 12 for one or two of ten thousand plausible contacts (30 with
+/// The search mostly needs five solutions with derivatives, and more than 12 for one or two of ten thousand plausible contacts (four with
 /// [`Model::Total`], near `μ N`; 22 with [`Model::Strip1967`], whose force jumps). It ends after 40 with [`Notice::NotConverged`] and the
 /// nearest creepage that was found. Where spin keeps the force nearly constant over a range of creepages, more than one creepage may give
 /// it, and the result is one of them.
