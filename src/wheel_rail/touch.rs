@@ -211,9 +211,10 @@ impl<F: Float> Under<'_, F> {
         let last = self.rail.count.saturating_sub(1) as i32;
         let mut s = F::widened(k as f32);
         // far away: no correction (the point is at most half a step from the nearest)
+        let mut rail = self.rail.point(k)?;
         if away > (reach + self.rail.step).squared() {
             let is_end = k == 0 || k as i32 == last;
-            let Place { y, z, cosine, sine } = self.rail.point(k)?;
+            let Place { y, z, cosine, sine } = rail;
             let [across, above] = [point[0] - y, point[1] - z].map(F::abs);
             // beside the rail rather than above it
             let is_beside = across > above.times(2.0) + reach;
@@ -222,7 +223,6 @@ impl<F: Float> Under<'_, F> {
         }
         let [y, z] = point;
         let (last, close) = (F::widened(last as f32), F::EPSILON.sqrt());
-        let mut rail = self.rail.at(s)?;
         for _ in 0..CORRECTIONS {
             let (e_y, e_z) = (y - rail.y, z - rail.z);
             let Place { cosine, sine, .. } = rail;
@@ -251,7 +251,6 @@ type Foot<F> = (F, F, [F; 2]);
 
 /// A wheel over a rail.
 struct Above<'a, F> {
-    wheel: &'a Surface<F>,
     wheel_radius: F,
     position: Position<F>,
     turn: Turn<F>,
@@ -260,9 +259,9 @@ struct Above<'a, F> {
 }
 
 impl<F: Float> Above<'_, F> {
-    /// The wheel's line of contact at a place of its profile, counted in steps, and the rail's point under it.
-    fn look(&mut self, s: F) -> Option<(Line<F>, Foot<F>)> {
-        let line = line_of_contact(self.wheel.at(s)?, self.wheel_radius, self.turn)?;
+    /// The wheel's line of contact at a place of its profile, and the rail's point under it.
+    fn look(&mut self, place: Place<F>) -> Option<(Line<F>, Foot<F>)> {
+        let line = line_of_contact(place, self.wheel_radius, self.turn)?;
         let [_, y, _] = line.place;
         let point = [self.position.lateral + y, self.position.vertical + line.below];
         let (along, distance, normal) = self.under.foot(point, self.reach)?;
@@ -314,7 +313,7 @@ pub fn touch<F: Float>(
     let reach = if reach > F::zero() { reach } else { F::of(REACH) };
     let (position, turn) = (*position, Turn::new(position));
     let under = Under { rail, nearest: None };
-    let mut above = Above { wheel, wheel_radius, position, turn, reach, under };
+    let mut above = Above { wheel_radius, position, turn, reach, under };
     let is_near = |point: &Option<GapPoint<F>>| {
         point.as_ref().is_some_and(|point| point.distance < F::of(NEAR))
     };
@@ -323,7 +322,7 @@ pub fn touch<F: Float>(
     let (mut first, mut near, mut is_last_near, mut faces) =
         (KSTRIP_SURFACE_CAPACITY, 0, false, false);
     for (k, there) in there.iter_mut().enumerate().take(wheel.count as usize).rev() {
-        let seen = above.look(F::widened(k as f32));
+        let seen = wheel.point(k).and_then(|place| above.look(place));
         faces |= seen.is_some();
         let here = seen.and_then(|seen| above.point(seen));
         if let Some(point) = &here {
@@ -356,7 +355,8 @@ pub fn touch<F: Float>(
         if is_last_near && is_near(&here) {
             for part in 1..parts {
                 let share = F::widened(part as f32) / F::widened(parts as f32);
-                let seen = above.look(F::widened(k as f32) + (share - F::one()));
+                let place = wheel.at(F::widened(k as f32) + (share - F::one()));
+                let seen = place.and_then(|place| above.look(place));
                 if let Some(point) = seen.and_then(|seen| above.point(seen)) {
                     write(gap, point);
                 }
