@@ -1,7 +1,7 @@
 //! `f32` and `f64` as numbers of the theory.
 
 use super::lanes::{F32Pair, Lanes, Wide};
-use super::{Arithmetic, Float, Map, Number, Plain, Strips, cube_root, registers};
+use super::{Arithmetic, Float, Map, Number, Plain, cube_root, registers};
 
 macro_rules! plain {
     ($float:ident, $pair:ty, $contacts:ty, $four:ty, $eight:ty, $wide_four:ty, $wide_eight:ty, $wide_sixteen:ty, $integer:ident, $mantissa:expr, $artanh:expr, $arctan:expr, |$single:ident, $double:ident| $table:expr, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $cbrt:path, $exp:path, $inverse_root:path) => {
@@ -217,20 +217,6 @@ pub(super) fn even_polynomial<F: Plain>(c: &[F::Stored], z: F) -> F {
         }
         _ => F::zero(),
     }
-}
-
-/// `ln(x/divisor)` of positive normal numbers side by side, as [`Plain::ln_quotient`].
-#[inline(always)]
-pub(crate) fn ln_quotients<F: Float, P: Strips<F>>(x: P, divisor: F) -> P {
-    let k = P::gather(|i| x.lane(i).binary_quotient(divisor).0);
-    let divisors = P::gather(|i| x.lane(i).binary_quotient(divisor).1);
-    let s = (x - divisors) / (x + divisors);
-    let s2 = s.squared();
-    let mut sum = P::zero();
-    for coefficient in F::ARTANH.iter().rev() {
-        sum = sum * s2 + P::all(*coefficient);
-    }
-    k.times(core::f64::consts::LN_2) + (s + s) * sum
 }
 
 plain!(

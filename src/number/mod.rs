@@ -18,7 +18,6 @@ pub(crate) mod registers;
 pub(crate) mod tables;
 
 use self::float::even_polynomial;
-pub(crate) use self::float::ln_quotients;
 pub use self::registers::InRegisters;
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
@@ -65,6 +64,20 @@ pub trait Plain: Number<Base = Self> + InRegisters {
         let s = (self - divisor) / (self + divisor);
         let s2 = s * s;
         k.times(core::f64::consts::LN_2) + (s + s) * even_polynomial(Self::Stored::ARTANH, s2)
+    }
+
+    /// The same of numbers side by side.
+    #[inline(always)]
+    fn ln_quotients<P: Strips<Self>>(x: P, divisor: Self) -> P {
+        let k = P::gather(|i| x.lane(i).binary_quotient(divisor).0);
+        let divisors = P::gather(|i| x.lane(i).binary_quotient(divisor).1);
+        let s = (x - divisors) / (x + divisors);
+        let s2 = s.squared();
+        let mut sum = P::zero();
+        for coefficient in Self::Stored::ARTANH.iter().rev() {
+            sum = sum * s2 + P::all(Self::stored(*coefficient));
+        }
+        k.times(core::f64::consts::LN_2) + (s + s) * sum
     }
 
     /// `arctan x` of a number between 0 and 1, to rounding, without a branch.

@@ -11,7 +11,7 @@
 //! has the least energy. This load is within 3 % of Hertz's for axis ratios of 0.13 to 8.
 
 use crate::number::registers::compiled_twice;
-use crate::number::{Arithmetic, Float, Strips, ln_quotients};
+use crate::number::{Arithmetic, Float, Strips};
 use crate::patch::lattice::{Place, Places, lattice};
 use crate::patch::section::{Moving, side_by_side};
 use crate::patch::smooth::Curve;
@@ -119,7 +119,7 @@ impl<F: Float> Estimate<F> {
             let root = (x.squared() + one).sqrt();
             let slope = one / root;
             let bend = -(x * slope * slope.squared());
-            let size = ln_quotients(x.abs() + root, F::one());
+            let size = F::ln_quotients(x.abs() + root, F::one());
             let value = x.choose(size, -size);
             let [a, b, c, d] = &mut sums;
             *a += growth * value;

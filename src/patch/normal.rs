@@ -17,7 +17,7 @@
 //! `u_i + κ (p_i − p_k) = δ − h_i` with `κ = 0.3 w (1 − r)²/r`, and takes the neighbour's value as its width vanishes.
 
 use crate::number::registers::compiled_twice;
-use crate::number::{Arithmetic, Float, Strips, ln_quotients};
+use crate::number::{Arithmetic, Float, Strips};
 use crate::patch::influence::{Curvature, Deflection, Edge};
 use crate::patch::lattice::Places;
 use crate::patch::section::{Moving, side_by_side};
@@ -395,7 +395,7 @@ impl<F: Float> Edges<F> {
             // one division for 1/(1 + t) and 1/d
             let both = one / (size * (t + one));
             let (w, inverse) = (size * both, (t + one) * both);
-            let log = ln_quotients(size, self.half_length);
+            let log = F::ln_quotients(size, self.half_length);
             let [value, slope] = E::at(t, w, log);
             let sign = distance.choose(one, -one);
             // d ln t = d(distance)/distance − da/a

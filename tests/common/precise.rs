@@ -8,7 +8,7 @@
 
 use dashu_float::{FBig, round::mode::HalfEven};
 use kstrip::number::lanes::Lanes;
-use kstrip::number::{Arithmetic, Float, InRegisters, Map, Number, Plain};
+use kstrip::number::{Arithmetic, Float, InRegisters, Map, Number, Plain, Strips};
 use kstrip::solve::model::Precision;
 use std::any::Any;
 use std::cell::RefCell;
@@ -191,6 +191,9 @@ impl Plain for Precise {
     }
     fn ln_quotient(self, divisor: Self) -> Self {
         (self / divisor).ln()
+    }
+    fn ln_quotients<P: Strips<Self>>(x: P, divisor: Self) -> P {
+        P::gather(|i| x.lane(i).ln_quotient(divisor))
     }
     fn atan_of_unit(self) -> Self {
         self.atan()
