@@ -963,7 +963,7 @@ fn coefficient_picture(path: &Path) -> Drawn {
     let cases = coefficient_cases();
     let ratios = [(0.0, BLUE), (0.25, GREEN), (0.28, ORANGE), (0.5, PURPLE)];
     picture(path, (880, 620), |canvas| {
-        let title = "Linear coefficients against CONTACT, per cent";
+        let title = "Linear coefficients against CONTACT";
         write(canvas, title, (50.0, 22.0), 17, Align::Left, INK)?;
         for (k, name) in ["C11", "C22", "C23", "C33"].iter().enumerate() {
             let (limit, ticks) = if k == 3 {
@@ -980,7 +980,8 @@ fn coefficient_picture(path: &Path) -> Drawn {
                 y: Axis::linear(-limit, limit, &ticks),
             };
             plot.frame(canvas)?;
-            plot.title(canvas, name)?;
+            plot.title(canvas, &format!("{name}: deviation [%]"))?;
+            write(canvas, "a/b", (plot.left + 175.0, plot.top + 226.0), 12, Align::Centre, INK)?;
             for (nu, ink) in ratios {
                 let mut points: Vec<(f64, f64)> = cases
                     .iter()
@@ -995,8 +996,6 @@ fn coefficient_picture(path: &Path) -> Drawn {
             }
         }
         let (y, mut x) = (596.0, 58.0);
-        write(canvas, "over a/b;", (x, y), 13, Align::Left, INK)?;
-        x += 74.0;
         for (nu, ink) in ratios {
             dot(canvas, (x, y), 3.0, ink, true)?;
             write(canvas, &format!("ν = {nu}"), (x + 10.0, y), 13, Align::Left, INK)?;
@@ -1004,7 +1003,7 @@ fn coefficient_picture(path: &Path) -> Drawn {
         }
         write(
             canvas,
-            "frames of C11, C22, C23: the required 0.5 %",
+            "the frames of C11, C22 and C23 end at the required 0.5 %",
             (x + 20.0, y),
             13,
             Align::Left,

@@ -21,7 +21,9 @@ use kstrip::patch::solver;
 use kstrip::solve::model::{self, Model, Options};
 use lines::Lines;
 use patch_reference::{Case, Errors, Full, banded, falling, given, profiles, real, statistics};
-use pictures::{Align, BLUE, Canvas, Drawn, GREY, INK, ORANGE, PALE, dot, line, picture, write};
+use pictures::{
+    Align, Axis, BLUE, Canvas, Drawn, INK, ORANGE, PALE, Plot, dot, line, picture, write,
+};
 use std::path::Path;
 
 /// Profiles in pictures.
@@ -348,28 +350,20 @@ fn smoothing_table(report: &mut Report, list: &[Case]) {
     }
 }
 
-/// A curve with its title, over an axis from 0 to 1 of the values given.
-fn curve(canvas: &Canvas, left: f64, title: &str, ends: [&str; 2], points: &[[f64; 2]]) -> Drawn {
-    let range = |i: usize| {
-        let of = points.iter().map(|point| point[i]);
-        (of.clone().fold(f64::INFINITY, f64::min), of.fold(-f64::INFINITY, f64::max))
-    };
-    let ((x0, x1), (y0, y1)) = (range(0), range(1));
-    // (a curve that is constant but for rounding is drawn flat)
-    let room = (0.1 * (y1 - y0)).max(0.01 * y1.abs());
-    let (y0, y1) = (y0 - room, y1 + room);
-    write(canvas, title, (left, 14.0), 11, Align::Left, INK)?;
-    line(canvas, &[(left, 30.0), (left, 190.0), (left + 190.0, 190.0)], GREY, 1.0)?;
-    let drawn: Vec<(f64, f64)> = points
-        .iter()
-        .map(|[x, y]| (left + 190.0 * (x - x0) / (x1 - x0), 190.0 - 160.0 * (y - y0) / (y1 - y0)))
-        .collect();
-    line(canvas, &drawn, BLUE, 1.5)?;
-    for (place, value) in [(190.0, y0), (38.0, y1)] {
-        write(canvas, &format!("{value:.4}"), (left + 4.0, place - 4.0), 9, Align::Left, GREY)?;
-    }
-    write(canvas, ends[0], (left, 204.0), 10, Align::Left, INK)?;
-    write(canvas, ends[1], (left + 190.0, 204.0), 10, Align::Right, INK)
+/// One of three panels beside each other, with its title and the name of its horizontal axis.
+fn panel(
+    canvas: &Canvas,
+    column: usize,
+    [title, across]: [&str; 2],
+    [x, y]: [Axis; 2],
+    points: &[(f64, f64)],
+) -> Drawn {
+    let left = 48.0 + 290.0 * column as f64;
+    let plot = Plot { left, top: 40.0, width: 230.0, height: 170.0, x, y };
+    plot.frame(canvas)?;
+    plot.title(canvas, title)?;
+    plot.curve(canvas, points, BLUE, 2.0)?;
+    write(canvas, across, (left + 115.0, 242.0), 12, Align::Centre, INK)
 }
 
 /// Light contact, a zone that appears, a profile that moves sideways.
@@ -380,28 +374,36 @@ fn draw_sweeps(canvas: &Canvas) -> Drawn {
         let contact = ProfileContact { given, ..pressed(0.0) };
         Full::from_profile(&Profile::new(y, distance).unwrap(), &contact, COUNT).unwrap()
     };
-    let light: Vec<[f64; 2]> = (0..=80)
+    let light: Vec<(f64, f64)> = (0..=80)
         .map(|i| {
             let approach = 10_f64.powf(-12.0 + 0.1 * f64::from(i));
             let found = at(&parabola, &heights, Given::Approach(approach)).1;
-            [f64::from(i), found.normal_force / approach.powf(1.5) * 1e-9]
+            (approach, found.normal_force / approach.powf(1.5) * 1e-9)
         })
         .collect();
-    curve(canvas, 20.0, "N/approach^1.5 [kN/mm^1.5]", ["1e-12 m", "1e-4 m"], &light)?;
+    let axes = [
+        Axis::logarithmic(1e-12, 1e-4, &[1e-12, 1e-10, 1e-8, 1e-6, 1e-4]),
+        Axis::linear(0.0, 120.0, &[0.0, 40.0, 80.0, 120.0]),
+    ];
+    panel(canvas, 0, ["load/approach^1.5 [GN/m^1.5]", "approach [m], a parabola"], axes, &light)?;
     let y: Vec<f64> = (-400..=400).map(|i| 1e-4 * f64::from(i)).collect();
     let bottoms = |y: &f64| ((y - 6e-3).powi(2) / 0.3).min((y + 5e-3).powi(2) / 0.2 + 12e-6);
     let distance: Vec<f64> = y.iter().map(bottoms).collect();
-    let birth: Vec<[f64; 2]> = (0..=200)
+    let birth: Vec<(f64, f64)> = (0..=200)
         .map(|i| {
             let approach = 8e-6 + 0.06e-6 * f64::from(i);
             let found = at(&y, &distance, Given::Approach(approach)).1;
-            [approach, found.normal_force * 1e-3]
+            (approach * 1e6, found.normal_force * 1e-3)
         })
         .collect();
-    curve(canvas, 260.0, "N [kN], a second zone from 13 µm on", ["8 µm", "20 µm"], &birth)?;
+    let axes = [
+        Axis::linear(8.0, 20.0, &[8.0, 12.0, 16.0, 20.0]),
+        Axis::linear(0.0, 9.0, &[0.0, 3.0, 6.0, 9.0]),
+    ];
+    panel(canvas, 1, ["load [kN]", "approach [µm], a second zone from 13 µm on"], axes, &birth)?;
     let creepage = Creepage { longitudinal: 1e-3, lateral: 5e-4, spin: 0.3 };
     let y: Vec<f64> = (0..304).map(|i| 50e-3 * (f64::from(i) / 303.0 - 0.5)).collect();
-    let moved: Vec<[f64; 2]> = (-100..=100)
+    let moved: Vec<(f64, f64)> = (-100..=100)
         .map(|i| {
             let shift = 20e-6 * f64::from(i);
             let shape =
@@ -409,10 +411,14 @@ fn draw_sweeps(canvas: &Canvas) -> Drawn {
             let distance: Vec<f64> = y.iter().map(shape).collect();
             let (patch, _) = at(&y, &distance, Given::Load(80e3));
             let found = solver::solve(&patch.view().unwrap(), &creepage, Model::Strip).unwrap();
-            [shift, found.fx / (0.35 * 80e3)]
+            (shift * 1e3, found.fx / (0.35 * 80e3))
         })
         .collect();
-    curve(canvas, 500.0, "FX/(µ N), two bottoms move sideways", ["−2 mm", "2 mm"], &moved)
+    let axes = [
+        Axis::linear(-2.0, 2.0, &[-2.0, -1.0, 0.0, 1.0, 2.0]),
+        Axis::linear(0.0, 0.5, &[0.0, 0.1, 0.2, 0.3, 0.4, 0.5]),
+    ];
+    panel(canvas, 2, ["Fx/(µ N)", "shift of two bottoms [mm]"], axes, &moved)
 }
 
 /// One of 1, 2, 5 times a power of ten: ticks at this distance are two to five.
@@ -665,7 +671,9 @@ fn main() {
         report.line(format!("![Outline and pressure of {name}](patches/{name}.svg)\n"));
     }
     report.line("## Light contact, zones that appear, profiles that move\n");
-    picture(&docs.join("patches/sweeps.svg"), (720, 215), draw_sweeps).unwrap();
+    report.line("Left: the load of a light contact of a parabola over the power of its approach is the same from 1e-12 m on. Middle: a second zone appears");
+    report.line("while two bodies approach, and the load has no step. Right: a profile with two bottoms moves sideways at 80 kN, and the force has no step.\n");
+    picture(&docs.join("patches/sweeps.svg"), (880, 260), draw_sweeps).unwrap();
     report.line("![Light contact, a zone that appears, a shift](patches/sweeps.svg)\n");
     report.line(include_str!("patches/limits.txt").trim_end());
     std::fs::write(docs.join("patches.md"), report.0).unwrap();

@@ -100,42 +100,50 @@ fn draw_wheelset(folder: &Path) -> Drawn {
     let stop = wheelset::stop_and_roll_back(2.4).map_err(failed)?;
     let lift = wheelset::lift().map_err(failed)?;
     let time = |ticks: &[f64], decimals| axis("time [s]", ticks, decimals);
-    picture(&folder.join("wheelset.svg"), (1130, 320), |canvas| {
-        write(
-            canvas,
-            "A wheelset on real profiles: it hunts, stops on a grade of 3 % and rolls back, lifts a wheel",
-            (90.0, 10.0),
-            19,
-        )?;
-        let remark = "examples/wheelset.rs; one implicit rule and the derivatives of the library for rolling, standstill and lift";
+    let below = |row: usize, x: Axis, y: Axis| Panel {
+        left: 90.0,
+        top: 96.0 + 265.0 * row as f64,
+        width: 640.0,
+        height: 170.0,
+        x,
+        y,
+    };
+    picture(&folder.join("wheelset.svg"), (760, 860), |canvas| {
+        write(canvas, "A wheelset S1002 on rails 60E1 (examples/wheelset.rs)", (90.0, 10.0), 19)?;
+        let remark = "one implicit rule with the derivatives of the library for rolling, standstill and lift";
         write(canvas, remark, (90.0, 38.0), 14)?;
+        let titles = [
+            "displaced by 3 mm at 5 m/s: it hunts",
+            "uphill on a grade of 3 %: the brake stops and holds it, and it rolls back when the brake opens",
+            "a jack under the right axle box lifts one wheel and sets it down, at 5 m/s",
+        ];
+        for (row, title) in titles.into_iter().enumerate() {
+            write(canvas, title, (90.0, 72.0 + 265.0 * row as f64), 14)?;
+        }
         let x = time(&[0.0, 1.0, 2.0, 3.0, 4.0], 0);
-        let shown =
-            panel(0.0, 0.0, x, axis("shift [mm], yaw [mrad]", &[-4.0, -2.0, 0.0, 2.0, 4.0], 0));
+        let shown = below(0, x, axis("shift [mm], yaw [mrad]", &[-4.0, -2.0, 0.0, 2.0, 4.0], 0));
         let lateral = hunting.iter().map(|[t, y, _]| (*t, y * 1e3)).collect();
         let yaw = hunting.iter().map(|[t, _, yaw]| (*t, yaw * 1e3)).collect();
-        history(canvas, &shown, [("shift", BLUE, lateral, 0.05), ("yaw", ORANGE, yaw, 3.1)])?;
+        history(canvas, &shown, [("shift", BLUE, lateral, 1.85), ("yaw", ORANGE, yaw, 1.25)])?;
         let x = time(&[0.0, 0.6, 1.2, 1.8, 2.4], 1);
-        let shown = panel(
-            1.0,
-            0.0,
+        let shown = below(
+            1,
             x,
-            axis("speed [m/s], force [10 kN]", &[-1.5, -1.0, -0.5, 0.0, 0.5, 1.0], 1),
+            axis("speed [m/s], force [10 kN]", &[-1.5, -1.0, -0.5, 0.0, 0.5, 1.0, 1.5], 1),
         );
         let speed = stop.iter().map(|[t, speed, ..]| (*t, *speed)).collect();
         let force = stop.iter().map(|[t, _, _, force]| (*t, force * 1e-4)).collect();
         history(
             canvas,
             &shown,
-            [("speed", BLUE, speed, 0.05), ("rails on wheels", ORANGE, force, 0.7)],
+            [
+                ("speed", BLUE, speed, 0.05),
+                ("force of the rails on the wheels", ORANGE, force, 0.7),
+            ],
         )?;
         let x = time(&[0.0, 0.3, 0.6, 0.9, 1.2], 1);
-        let shown = panel(
-            2.0,
-            0.0,
-            x,
-            axis("support of the rail [kN]", &[0.0, 40.0, 80.0, 120.0, 160.0], 0),
-        );
+        let shown =
+            below(2, x, axis("support of the rail [kN]", &[0.0, 50.0, 100.0, 150.0, 200.0], 0));
         let right = lift.iter().map(|[t, _, right, _]| (*t, right * 1e-3)).collect();
         let left = lift.iter().map(|[t, _, _, left]| (*t, left * 1e-3)).collect();
         history(
