@@ -92,13 +92,13 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_FRICTION 12
 /** Warning: the radii are larger than 5 m in both directions. They are probably in mm. */
 #define KSTRIP_WARNING_RADIUS 13
-/** Warning: the axis ratio a/b is outside 0.015 to 60, for which the model was made. */
+/** Warning: the axis ratio a/b is outside 0.015 to 60, the range for which the model was made. */
 #define KSTRIP_WARNING_AXIS_RATIO 14
 /** Warning: the mismatch of the materials exceeds 0.25, where the model was not compared with its reference. */
 #define KSTRIP_WARNING_MISMATCH 15
 /** Warning: the theory of 1967 neglects the mismatch of the materials. */
 #define KSTRIP_WARNING_MISMATCH_NEGLECTED 16
-/** Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction, where the bodies are no longer half-spaces. */
+/** Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction, where the bodies are not half-spaces. */
 #define KSTRIP_WARNING_CONFORMAL 17
 /**
  * Warning: the normal turns by more than 30 degrees over a contact of a wheel. One plane of contact is then not enough: forces are off
@@ -443,7 +443,7 @@ kstrip_status kstrip_creepage_from_parameters(const struct kstrip_contact *conta
 /** Kalker's linear theory, for stability analysis. Its force grows with the creepage without a limit. Adhesion is 1. */
 #define KSTRIP_MODEL_LINEAR 5
 
-/** Strips that kstrip_evaluate() writes at most: as many as strips says, up to this. */
+/** Largest number of strips that kstrip_evaluate() writes. */
 #define KSTRIP_STRIPS_CAPACITY 64
 
 /** State of a point: outside the contact. */
@@ -486,7 +486,7 @@ typedef struct kstrip_result {
     double adhesion;
     /** The status of this result: 0 or one of the KSTRIP_WARNING constants. */
     kstrip_status status_detail;
-    /** Zero. */
+    /** Reserved: zero. */
     int32_t reserved;
 } kstrip_result;
 
@@ -556,7 +556,7 @@ typedef struct kstrip_law_derivatives {
     double slope_factor[3];
 } kstrip_law_derivatives;
 
-/** One strip y = const of a contact or a patch: what it carries, on the lower body. */
+/** One strip y = const of a contact or a patch, and the forces that it carries on the lower body. */
 typedef struct kstrip_strip {
     /** Centre line [m]. */
     double y;
@@ -564,7 +564,7 @@ typedef struct kstrip_strip {
     double width;
     /** Half of its length along x [m]. */
     double half_length;
-    /** x of the separatrix [m]: slip behind it, adhesion ahead of it; the leading edge where the whole strip slides. */
+    /** x of the separatrix [m], with slip behind it and adhesion ahead of it; the leading edge if the whole strip slides. */
     double separatrix;
     /** Its share of the longitudinal force [N]. */
     double fx;
@@ -576,7 +576,7 @@ typedef struct kstrip_strip {
     double power;
     /** KSTRIP_STATE_STICK if it has an adhesion area, else KSTRIP_STATE_SLIP. */
     int32_t state;
-    /** Zero. */
+    /** Reserved: zero. */
     int32_t reserved;
 } kstrip_strip;
 
@@ -584,22 +584,25 @@ typedef struct kstrip_strip {
 typedef struct kstrip_outputs {
     /** Forces, moment, power, adhesion: those of kstrip_solve(), bit for bit, where friction is constant. */
     struct kstrip_result *result;
-    /** Derivatives by creepages, load and friction; under falling friction through it. */
+    /** Derivatives by creepages, load and friction. Under falling friction they include the change of friction. */
     struct kstrip_derivatives *derivatives;
     /** Derivatives by the parameters of falling friction. */
     struct kstrip_law_derivatives *law_derivatives;
     /**
-     * The coefficient of friction that agrees with the slip: the contact's own where friction is constant. Of a
-     * patch the factor that all strips have in common, 1 where friction is constant.
+     * The coefficient of friction that agrees with the slip; the contact's own where friction is constant. For a
+     * patch it is the factor that multiplies the friction of all strips, 1 where friction is constant.
      */
     double *friction;
     /** What each strip carries; capacity elements. Their shares add up to the result of the same model. */
     struct kstrip_strip *strips;
     /** How many strips were written; required with strips. */
     uint32_t *count;
-    /** Size of strips: the number of strips asked for, of a patch its own; KSTRIP_STRIPS_CAPACITY is always enough. */
+    /**
+     * Size of the array strips: at least the strip count of the options, or of a patch its number of strips; KSTRIP_STRIPS_CAPACITY is
+     * always enough.
+     */
     uint32_t capacity;
-    /** Zero. */
+    /** Reserved: zero. */
     uint32_t reserved;
 } kstrip_outputs;
 
@@ -639,47 +642,47 @@ kstrip_status kstrip_evaluate(const struct kstrip_contact *contact,
 typedef struct kstrip_batch_inputs {
     /** Semi-axes along x [m]. */
     const double *a;
-    /** Distance in bytes, as all that follow. */
+    /** Stride [bytes]: distance from one semi-axis to the next. The other strides are those of the inputs before them. */
     ptrdiff_t a_stride;
     /** Semi-axes along y [m]. */
     const double *b;
-    /** Distance. */
+    /** Stride [bytes]. */
     ptrdiff_t b_stride;
-    /** Normal forces [N]; not positive: lost. */
+    /** Normal forces [N]; a contact whose force is not positive is lost. */
     const double *normal_force;
-    /** Distance. */
+    /** Stride [bytes]. */
     ptrdiff_t normal_force_stride;
     /** Combined shear moduli G [Pa]. */
     const double *shear_modulus;
-    /** Distance. */
+    /** Stride [bytes]. */
     ptrdiff_t shear_modulus_stride;
     /** Combined Poisson's ratios [-]. */
     const double *poisson_ratio;
-    /** Distance. */
+    /** Stride [bytes]. */
     ptrdiff_t poisson_ratio_stride;
     /** Coefficients of friction [-]. */
     const double *friction;
-    /** Distance. */
+    /** Stride [bytes]. */
     ptrdiff_t friction_stride;
-    /** Mismatches of the materials [-]; NULL: like ones. */
+    /** Mismatches of the materials [-]; NULL: like materials. */
     const double *mismatch;
-    /** Distance. */
+    /** Stride [bytes]. */
     ptrdiff_t mismatch_stride;
     /** Longitudinal creepages [-]. */
     const double *longitudinal;
-    /** Distance. */
+    /** Stride [bytes]. */
     ptrdiff_t longitudinal_stride;
     /** Lateral creepages [-]. */
     const double *lateral;
-    /** Distance. */
+    /** Stride [bytes]. */
     ptrdiff_t lateral_stride;
     /** Spins [1/m]. */
     const double *spin;
-    /** Distance. */
+    /** Stride [bytes]. */
     ptrdiff_t spin_stride;
     /** Falling friction; NULL: constant. */
     const struct kstrip_friction *law;
-    /** Distance. */
+    /** Stride [bytes]. */
     ptrdiff_t law_stride;
 } kstrip_batch_inputs;
 
@@ -690,39 +693,42 @@ typedef struct kstrip_batch_inputs {
 typedef struct kstrip_batch_outputs {
     /** Longitudinal forces on the lower bodies [N]. */
     double *fx;
-    /** Distance in bytes, as all that follow; with more than one contact at least the size of one, forward or backward. */
+    /**
+     * Stride [bytes]: distance from one force to the next, forward or backward. With more than one contact a stride is at least the size of
+     * its output.
+     */
     ptrdiff_t fx_stride;
     /** Lateral forces [N]. */
     double *fy;
-    /** Distance. */
+    /** Stride [bytes]. */
     ptrdiff_t fy_stride;
     /** Moments about z at the centres of the contacts [N m]. */
     double *mz;
-    /** Distance. */
+    /** Stride [bytes]. */
     ptrdiff_t mz_stride;
     /** Frictional powers over rolling speed [N]. */
     double *power;
-    /** Distance. */
+    /** Stride [bytes]. */
     ptrdiff_t power_stride;
     /** Shares of the contact areas in adhesion [-], 0 to 1, or -1 for unknown. */
     double *adhesion;
-    /** Distance. */
+    /** Stride [bytes]. */
     ptrdiff_t adhesion_stride;
     /** The status of each result: 0 or one of the KSTRIP_WARNING constants. */
     int32_t *status_detail;
-    /** Distance. */
+    /** Stride [bytes]. */
     ptrdiff_t status_detail_stride;
     /** Coefficients of friction that agree with the slip [-]. */
     double *friction;
-    /** Distance. */
+    /** Stride [bytes]. */
     ptrdiff_t friction_stride;
     /** Derivatives by creepages, load and friction. */
     struct kstrip_derivatives *derivatives;
-    /** Distance. */
+    /** Stride [bytes]. */
     ptrdiff_t derivatives_stride;
     /** Derivatives by the parameters of falling friction. */
     struct kstrip_law_derivatives *law_derivatives;
-    /** Distance. */
+    /** Stride [bytes]. */
     ptrdiff_t law_derivatives_stride;
 } kstrip_batch_outputs;
 
@@ -756,7 +762,7 @@ kstrip_status kstrip_evaluate_batch(const struct kstrip_batch_inputs *inputs,
  * damaged, foreign or of the other precision gives KSTRIP_ERROR_NOT_PREPARED.
  */
 typedef struct kstrip_prepared {
-    /** Not for use. */
+    /** For use by the library only. */
     double numbers[96];
     /** The model; 0: nothing prepared. */
     int32_t model;
@@ -795,13 +801,13 @@ kstrip_status kstrip_solve_prepared(const struct kstrip_prepared *prepared,
 typedef struct kstrip_motion {
     /** Velocity of the upper over the lower body along x [m/s]. */
     double slip_x;
-    /** Along y [m/s]. */
+    /** Velocity of the upper over the lower body along y [m/s]. */
     double slip_y;
     /** Angular velocity of the upper over the lower body about z [rad/s]. */
     double spin_rate;
     /** Rolling speed [m/s]: positive along x, negative backward, zero at standstill. */
     double rolling_speed;
-    /** Speed below which creepages grow no further [m/s], >= 0; 0: 0.02. */
+    /** Floor of the speed [m/s], >= 0: creepages are slip over sqrt(rolling_speed^2 + floor_speed^2). 0 stands for 0.02. */
     double floor_speed;
 } kstrip_motion;
 
@@ -827,7 +833,7 @@ typedef struct kstrip_motion_derivatives {
 
 /** Where the outputs of kstrip_solve_motion() go. An output that is NULL is not computed and costs nothing. */
 typedef struct kstrip_motion_outputs {
-    /** Forces and moment on the lower body, adhesion; power here in watts: fx slip_x + fy slip_y + mz spin_rate. */
+    /** Forces and moment on the lower body, and adhesion. The power is in watts here: fx slip_x + fy slip_y + mz spin_rate. */
     struct kstrip_result *result;
     /** Derivatives by the motion, by load and by friction. */
     struct kstrip_motion_derivatives *derivatives;
@@ -919,7 +925,7 @@ typedef struct kstrip_point {
     double dissipation;
     /** One of the KSTRIP_STATE constants. */
     int32_t state;
-    /** Zero. */
+    /** Reserved: zero. */
     int32_t reserved;
 } kstrip_point;
 
@@ -971,12 +977,12 @@ typedef struct kstrip_profile {
     const double *rolling_radius;
     /** Number of points, at least 2. */
     uint32_t points;
-    /** Zero. */
+    /** Reserved: zero. */
     uint32_t reserved;
 } kstrip_profile;
 
 /**
- * What presses two profiles together. Zero is the default of every member but rolling_radius, shear_modulus and one of
+ * Load or approach, material and friction of two profiles that are pressed together. Zero is the default of every member but rolling_radius, shear_modulus and one of
  * normal_force and approach.
  */
 typedef struct kstrip_profile_contact {
@@ -987,8 +993,8 @@ typedef struct kstrip_profile_contact {
     /** Approach of distant points of the bodies [m], >= 0; only where normal_force is 0. */
     double approach;
     /**
-     * Length over which the profile is smoothed [m], >= 0; 0: half the width of
-     * the contact and at most 2 mm; always at least 2.5 steps of the profile. Rough profiles gain from 4 mm.
+     * Length over which the profile is smoothed [m], >= 0. 0 stands for half the width of the contact, at most 2 mm. The length is
+     * always at least 2.5 steps of the profile. For rough profiles set it to 4 mm.
      */
     double smoothing_length;
     /** Combined shear modulus G [Pa], > 0. */
@@ -997,9 +1003,9 @@ typedef struct kstrip_profile_contact {
     double poisson_ratio;
     /** Coefficient of friction of every strip [-], >= 0. */
     double friction;
-    /** About how many strips, over all zones: 4, 8, 16, 32 or 64 (which gives 40); 0: 16. */
+    /** About how many strips all zones have together: 4, 8, 16, 32 or 64 (which gives 40); 0: 16. */
     int32_t strips;
-    /** Zero. */
+    /** Reserved: zero. */
     int32_t reserved;
 } kstrip_profile_contact;
 
@@ -1025,7 +1031,7 @@ typedef struct kstrip_patch_strip {
 /**
  * A contact patch of any shape: its strips, in ascending y. Filled by kstrip_patch_from_contact(),
  * kstrip_patch_from_strips() or kstrip_patch_from_profile(); the members may then be changed. All functions check it
- * again. All zero but shear_modulus is a patch without load.
+ * again. A patch whose members are all zero, except shear_modulus, carries no load.
  *
  * Where the distance of two neighbours is more than one and a half times that at which they touch,
  * there is a gap: what lies on either side is a lobe of its own.
@@ -1046,26 +1052,26 @@ typedef struct kstrip_patch {
     double lever_scale;
     /** Number of strips, 0 to KSTRIP_PATCH_CAPACITY. None: no load. */
     uint32_t count;
-    /** Zero. */
+    /** Reserved: zero. */
     uint32_t reserved;
     /**
-     * Mismatch kappa [-] of the two materials, as in kstrip_contact: 0 but in patches of kstrip_patch_from_contact(), and where the
-     * caller sets it.
+     * Mismatch kappa [-] of the two materials, as in kstrip_contact. Only kstrip_patch_from_contact() sets it; the other functions leave
+     * it 0, and the caller may set it.
      */
     double mismatch;
 } kstrip_patch;
 
-/** How two profiles meet. */
+/** Approach, load and pressure of two profiles in contact. */
 typedef struct kstrip_profile_result {
     /** Approach of distant points of the two bodies [m], from the smoothed profile's deepest point. */
     double approach;
-    /** Normal force of the strips [N]; where a load is given, that to rounding. */
+    /** Normal force of the strips [N]. If a load is given, it is that load to rounding. */
     double normal_force;
-    /** Its derivative by the approach [N/m]. */
+    /** Derivative of the normal force by the approach [N/m]. */
     double stiffness;
     /** Largest pressure of a strip [Pa]. */
     double peak_pressure;
-    /** y of that strip [m]. */
+    /** y of the strip with the largest pressure [m]. */
     double peak_y;
     /** Steps of the two searches for the approach, at most 60 each. */
     uint32_t iterations;
@@ -1135,7 +1141,7 @@ kstrip_status kstrip_patch_from_contact(const struct kstrip_contact *contact,
                                         const struct kstrip_options *options,
                                         struct kstrip_patch *patch);
 
-/** What a patch carries. */
+/** Load, friction bound and area of a patch. */
 typedef struct kstrip_patch_summary {
     /** Normal force [N]. */
     double normal_force;
@@ -1145,7 +1151,7 @@ typedef struct kstrip_patch_summary {
     double area;
     /** Number of lobes. */
     uint32_t lobes;
-    /** Zero. */
+    /** Reserved: zero. */
     uint32_t reserved;
 } kstrip_patch_summary;
 
@@ -1227,30 +1233,30 @@ kstrip_status kstrip_patch_field(const struct kstrip_patch *patch,
 /** Points that a prepared profile and a gap have room for. */
 #define KSTRIP_SURFACE_CAPACITY 512
 
-/** Largest number of contacts of one wheel: four, and those that stand for two neighbours less than 8 mm apart. */
+/** Largest number of contacts of one wheel: four, and two more, each of which stands for neighbours less than 8 mm apart. */
 #define KSTRIP_CONTACTS_CAPACITY 6
 
-/** Places along the rail between which friction may vary. */
+/** Largest number of places along the rail at which friction is given. */
 #define KSTRIP_RAIL_FRICTION_CAPACITY 4
 
 /**
  * A profile, prepared by kstrip_prepare_profile(): points at equal steps of its length, toward larger y, and its direction.
- * Plain numbers, to be copied and kept as the caller likes.
+ * It holds plain numbers and may be copied.
  */
 typedef struct kstrip_surface {
-    /** y [m], of a rail to the right of its origin, of a wheel from its running circle, the flange at small y. */
+    /** y [m], to the right: of a rail from its origin, of a wheel from its running circle, with the flange at small y. */
     double y[KSTRIP_SURFACE_CAPACITY];
-    /** z [m], down; of a wheel what its radius exceeds the wheel radius by. */
+    /** z [m], down; of a wheel its radius minus wheel_radius. */
     double z[KSTRIP_SURFACE_CAPACITY];
     /** Derivative of y by the length: the cosine of the profile's angle. */
     double cosine[KSTRIP_SURFACE_CAPACITY];
-    /** Derivative of z by the length: its sine. */
+    /** Derivative of z by the length: the sine of the profile's angle. */
     double sine[KSTRIP_SURFACE_CAPACITY];
     /** Length between two points [m]. */
     double step;
     /** Number of points, 4 to KSTRIP_SURFACE_CAPACITY. */
     uint32_t count;
-    /** Zero. */
+    /** Reserved: zero. */
     uint32_t reserved;
 } kstrip_surface;
 
@@ -1284,7 +1290,7 @@ typedef struct kstrip_wheel_position {
      * y = 0 of the wheel's profile.
      */
     double lateral;
-    /** How far the centre is below its height over the rail's origin at which it would be one wheel radius [m]. */
+    /** Depth of the centre below its place one wheel radius over the rail's origin [m]. */
     double vertical;
     /** Turn about the vertical, which points down [rad]: positive from x to y, between -1 and 1. */
     double yaw;
@@ -1293,27 +1299,27 @@ typedef struct kstrip_wheel_position {
 } kstrip_wheel_position;
 
 /**
- * What lies between a wheel and a rail, point by point along the rail: what a host with its own search of contact must give. The first
+ * The gap between a wheel and a rail, point by point along the rail. A host with its own search of contact fills it. The first
  * count elements of each member are used.
  */
 typedef struct kstrip_gap {
-    /** Length on the rail's surface from any origin [m], ascending; of a host that works in a plane, the coordinate in it. */
+    /** Length on the rail's surface from any origin [m], ascending. A host that works in a plane passes its coordinate in this plane. */
     double along[KSTRIP_SURFACE_CAPACITY];
     /** Distance of the undeformed surfaces along the rail's normal [m]; negative where they would overlap. */
     double distance[KSTRIP_SURFACE_CAPACITY];
     /** x of the point on the wheel's undeformed surface from the wheel's centre, axes of the track [m]: 0 without yaw. */
     double x[KSTRIP_SURFACE_CAPACITY];
-    /** Its y [m]. */
+    /** y of this point [m]. */
     double y[KSTRIP_SURFACE_CAPACITY];
-    /** Its z [m], about the wheel's radius. */
+    /** z of this point [m], about the wheel's radius. */
     double z[KSTRIP_SURFACE_CAPACITY];
-    /** Angle of the tangent across x, mean of both surfaces [rad]: positive from y to z, of a right wheel's flange about -1.2. */
+    /** Angle of the tangent across x, mean of both surfaces [rad], positive from y to z; about -1.2 at the flange of a right wheel. */
     double angle[KSTRIP_SURFACE_CAPACITY];
     /** Radius of curvature along x [m]: distance from the axle over the cosine of the angle between normal and radius. */
     double rolling_radius[KSTRIP_SURFACE_CAPACITY];
     /** Number of points. */
     uint32_t count;
-    /** Zero. */
+    /** Reserved: zero. */
     uint32_t reserved;
 } kstrip_gap;
 
@@ -1322,7 +1328,7 @@ typedef struct kstrip_gap {
  *
  * @param rail, wheel     prepared profiles.
  * @param wheel_radius    radius of the wheel at z = 0 of its profile [m], > 0.
- * @param position        where the wheel is, if it is a right one; for a left wheel lateral, yaw and roll with opposite signs.
+ * @param position        where the right wheel is. For a left wheel pass lateral, yaw and roll with the opposite signs.
  * @param reach           distance from the rail above which points are left out [m]; 0: 2 mm.
  * @param[out] gap        receives the points.
  * @param[out] least      receives their least distance [m]: negative where the surfaces overlap, and reach where no point is nearer;
@@ -1357,7 +1363,10 @@ typedef struct kstrip_wheel_pair {
     double friction_at[KSTRIP_RAIL_FRICTION_CAPACITY];
     /** How many of these places there are, at most KSTRIP_RAIL_FRICTION_CAPACITY; 0: friction is the same everywhere. */
     uint32_t friction_points;
-    /** Not 0: a left wheel. Its profiles are those of a right wheel; position, velocity and wrench are the left wheel's own. */
+    /**
+     * 0: a right wheel; any other number: a left wheel. The profiles are always those of a right wheel; position, velocity and wrench are the
+     * wheel's own.
+     */
     int32_t left;
     /** Length over which the distance of the surfaces is smoothed [m], >= 0; 0: as kstrip_patch_from_profile() does. */
     double smoothing_length;
@@ -1369,9 +1378,9 @@ typedef struct kstrip_wheel_pair {
 
 /** One contact of a wheel. Its frame is (x, t, n): forward, across along the surface, into the rail. */
 typedef struct kstrip_wheel_contact {
-    /** Where the pressure attacks, on the wheel's undeformed surface, from the wheel's centre [m], axes of the track. */
+    /** Point where the pressure acts, on the wheel's undeformed surface, from the wheel's centre [m], axes of the track. */
     double origin[3];
-    /** Angle of the pressure: mean of the strips' angles, weighted with load [rad]; of the right wheel for a left one too. */
+    /** Angle of the pressure [rad]: mean of the strips' angles, weighted with load. For a left wheel it is that of the mirrored right wheel. */
     double angle;
     /** By how much the angle turns over the patch [rad]; above 0.52 the status is KSTRIP_WARNING_ANGLE_RANGE. */
     double angle_range;
@@ -1380,28 +1389,28 @@ typedef struct kstrip_wheel_contact {
     /** Load of the strips [N]. */
     double normal_force;
     /**
-     * By how much load and forces count [-]: 1, but for contacts 4 to 8 mm apart, which count in part by themselves and in part
-     * as one.
+     * Factor of load and forces in the sum over the contacts [-]: 1, except for contacts 4 to 8 mm apart, which count partly by
+     * themselves and partly as one contact.
      */
     double share;
     /** Overlap of the undeformed, smoothed surfaces where it is deepest [m]. */
     double approach;
-    /** Derivative of the load by how far the surfaces are moved into each other [N/m]. */
+    /** Derivative of the load by the distance by which the surfaces are moved into each other [N/m]. */
     double stiffness;
     /** Length on the rail at y = 0 of the patch [m]. */
     double along;
     /**
-     * What the pressure's resultant over the load does work on: normal velocity of the wheel, into the rail, by the members of
-     * kstrip_wheel_velocity; the force on the wheel is minus share times normal_force times this.
+     * Derivatives of the wheel's velocity into the rail, mean of the strips weighted with load, by the members of kstrip_wheel_velocity. The
+     * force and the moment of the pressure on the wheel are minus share times normal_force times these six numbers.
      */
     double normal[6];
     /** slip_x of kstrip_motion at the patch's origin, by the members of kstrip_wheel_velocity. */
     double slip_x[6];
-    /** slip_y. */
+    /** slip_y of kstrip_motion. */
     double slip_y[6];
-    /** spin_rate. */
+    /** spin_rate of kstrip_motion. */
     double spin_rate[6];
-    /** rolling_speed. */
+    /** rolling_speed of kstrip_motion. */
     double rolling_speed[6];
     /** The strips; y along the rail's surface, x forward from the origin. */
     struct kstrip_patch patch;
@@ -1413,7 +1422,7 @@ typedef struct kstrip_wheel_contact {
  * Zones of overlap less than 4 mm apart are one contact and one normal problem; zones more than 8 mm apart are contacts of their own.
  * Between these distances the common contact and the single ones each count by a share.
  *
- * @param gap             what lies between the surfaces, from kstrip_touch() or a host's own search.
+ * @param gap             the gap between the surfaces, from kstrip_touch() or a host's own search.
  * @param pair            materials, friction, side.
  * @param position        where the wheel is.
  * @param workspace       memory for the strips of a contact; it may hold anything.
@@ -1463,7 +1472,7 @@ kstrip_status kstrip_wheel_motion(const struct kstrip_wheel_contact *contact,
                                   const struct kstrip_wheel_velocity *velocity,
                                   struct kstrip_motion *motion);
 
-/** What acts on a wheel. Force and moment are conjugate to the members of kstrip_wheel_velocity: their products add up to power. */
+/** Force and moment on a wheel. They are conjugate to the members of kstrip_wheel_velocity: the products add up to power. */
 typedef struct kstrip_wrench {
     /** Force on the wheel, axes of the track [N]: forward, lateral, vertical (down; the rail's support is negative). */
     double force[3];
@@ -1526,7 +1535,7 @@ typedef struct kstrip_wheel_workspace {
     uint32_t apart;
 } kstrip_wheel_workspace;
 
-/** Derivatives of the wrench by the wheel's position at constant velocity: central differences of complete computations, made inside. */
+/** Derivatives of the wrench by the wheel's position at constant velocity: central differences of complete computations. */
 typedef struct kstrip_wrench_by_position {
     /** By the lateral position [N, N m over m]. */
     double lateral[6];
@@ -1542,7 +1551,7 @@ typedef struct kstrip_wrench_by_position {
  * Force and moment on a wheel on a rail in one call: kstrip_touch(), kstrip_contacts_from_gap(), kstrip_wrench_from_contacts().
  *
  * The track is straight. In a curve, pass the velocity relative to the momentary track, which is at rest. Force and moment are continuous
- * in position and velocity: a contact appears and vanishes with zero load, and two contacts between 8 and 4 mm apart go over into one.
+ * in position and velocity: a contact appears and vanishes with zero load, and two contacts between 8 and 4 mm of distance become one.
  * The time is bounded.
  *
  * @param rail, wheel     prepared profiles.
@@ -1575,7 +1584,7 @@ kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,
  * @param rail, wheel, pair  as in kstrip_wheel_on_rail().
  * @param position        where the wheel is; its vertical member is where the search begins.
  * @param support         wanted upward force of the rail on the wheel [N], > 0.
- * @param velocity        how the wheel moves, whose creep forces carry as well; NULL: the pressure alone.
+ * @param velocity        how the wheel moves; its creep forces carry a part of the load. NULL: the pressure carries all of it.
  * @param friction        as in kstrip_wheel_on_rail().
  * @param workspace       memory that may hold anything; receives gap and contacts.
  * @param[out] vertical   receives the vertical position [m].
@@ -1607,16 +1616,16 @@ kstrip_status kstrip_height_for_load(const struct kstrip_surface *rail,
 typedef struct kstrip_friction_estimate {
     /** Coefficient of friction [-]; a lower bound with KSTRIP_WARNING_FRICTION_AT_LEAST. */
     double friction;
-    /** d(friction)/d(force) [1/N]: what an error of the measured force does to it; 0 for a lower bound. */
+    /** d(friction)/d(force) [1/N]: change of the coefficient for an error of 1 N in the measured force; 0 for a lower bound. */
     double sensitivity;
     /**
-     * Distance between the measured and the computed force [N], of the components that were measured:
-     * rounding for one component, for both what their direction is off.
+     * Distance between the measured and the computed force [N] in the components that were measured. For one component it is rounding;
+     * for both it is what friction cannot explain, because the directions of the forces differ.
      */
     double residual;
     /** The status of this result: 0 or one of the KSTRIP_WARNING constants. */
     kstrip_status status_detail;
-    /** Zero. */
+    /** Reserved: zero. */
     int32_t reserved;
 } kstrip_friction_estimate;
 
@@ -1629,9 +1638,9 @@ typedef struct kstrip_friction_estimate {
  * the result is the used friction |force|/load, a lower bound. Where spin opposes the creepage, more than one friction may explain the
  * force: the status is KSTRIP_WARNING_SEVERAL_FRICTIONS, and the result is the smallest. KSTRIP_MODEL_TOTAL suits best.
  * The force of KSTRIP_MODEL_STRIP_1967 jumps where a first strip begins to adhere. A jump across the measured force counts there as one of
- * several solutions, and is returned only with KSTRIP_WARNING_NOT_CONVERGED. Of ten thousand estimates with one of the models of 1967 up to
- * one misses one of several frictions, or the only one; of a hundred thousand with KSTRIP_MODEL_STRIP one did, with KSTRIP_MODEL_TOTAL
- * none. Most of these forces are nearly zero.
+ * several solutions, and is returned only with KSTRIP_WARNING_NOT_CONVERGED. An estimate may miss a friction, most often where the
+ * force is nearly zero: this happened to up to one of ten thousand estimates with each of the models of 1967, to one of a hundred thousand
+ * with KSTRIP_MODEL_STRIP, and to none with KSTRIP_MODEL_TOTAL.
  *
  * @param contact         ellipse, load, material; its friction is ignored.
  * @param creepage        motion.
@@ -1655,7 +1664,8 @@ kstrip_status kstrip_estimate_friction(const struct kstrip_contact *contact,
  * The creepage at which a contact with a given spin carries a wanted force.
  *
  * The search mostly needs five solutions with derivatives. Of ten thousand plausible contacts one or two need more than 12 (four with
- * KSTRIP_MODEL_TOTAL), near friction times load, where the force turns back before it grows on; with KSTRIP_MODEL_STRIP_1967, whose force jumps, 22.
+ * KSTRIP_MODEL_TOTAL, 22 with KSTRIP_MODEL_STRIP_1967, whose force jumps). The wanted forces of these contacts are near friction times
+ * load, where the force turns back before it grows on.
  * The search ends after 40 with KSTRIP_WARNING_NOT_CONVERGED and the creepage that comes nearest; a force within a jump of STRIP_1967 has
  * no creepage, which happens to seven of a thousand forces with spin. Where spin keeps the force from growing with the creepage, more than
  * one creepage may give the force; the result is one of them. A force within 0.1 % of friction times load is that of full sliding. The

@@ -135,7 +135,7 @@ struct quantity {
     constexpr quantity() noexcept = default;
     template <class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>>
     constexpr explicit quantity(Number number) noexcept : value(static_cast<T>(number)) {}
-    /// A number without its unit: chosen where nothing explicit may be.
+    /// A number without its unit does not compile; this constructor gives the reason.
     template <class Number, class... None,
               class = std::enable_if_t<std::is_arithmetic_v<Number> && sizeof...(None) == 0>>
     constexpr quantity(Number, None...) noexcept
@@ -257,7 +257,7 @@ template <class X> auto to_c(X *p) noexcept { return reinterpret_cast<typename t
 template <class F, class... A>
 status call(F function, A... arguments) noexcept { return static_cast<status>(function(to_c(arguments)...)); }
 
-/// Sizes are 32 bits in C; of a larger array only that many elements are used.
+/// The size of an array for C, where sizes have 32 bits. Of a larger array the elements beyond are not used.
 constexpr std::uint32_t capacity(std::size_t size) noexcept
 {
     return size > 0xffffffffu ? 0xffffffffu : static_cast<std::uint32_t>(size);
@@ -876,7 +876,7 @@ struct basic_profile {
 };
 KSTRIP_HPP_BOTH(profile)
 
-/// What presses two profiles together.
+/// Load or approach, material and friction of two profiles that are pressed together.
 template <class T>
 struct basic_profile_contact {
     basic_metres<T> rolling_radius{};
@@ -1088,7 +1088,7 @@ struct basic_wheel_pair {
 };
 KSTRIP_HPP_BOTH(wheel_pair)
 
-/// What lies between the surfaces along the rail; the first `count` are used.
+/// The gap between the surfaces along the rail; the first `count` elements are used.
 template <class T>
 struct basic_gap {
     basic_metres<T> along[surface_capacity], distance[surface_capacity];
@@ -1209,7 +1209,7 @@ status wheel_on_rail(const basic_surface<T> &rail, const basic_surface<T> &wheel
                            by_position);
 }
 
-/// `moves`: null for the pressure alone.
+/// `moves`: the velocity of the wheel; null: the pressure carries all of the load.
 template <class T>
 status height_for_load(const basic_surface<T> &rail, const basic_surface<T> &wheel, const basic_wheel_pair<T> &both,
                        const basic_wheel_position<T> &where, detail::only<basic_newtons<T>> support,

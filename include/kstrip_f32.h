@@ -190,7 +190,7 @@ typedef struct kstrip_law_derivatives_f32 {
     float slope_factor[3];
 } kstrip_law_derivatives_f32;
 
-/** One strip y = const of a contact or a patch: what it carries, on the lower body. */
+/** One strip y = const of a contact or a patch, and the forces that it carries on the lower body. */
 typedef struct kstrip_strip_f32 {
     float y;
     float width;
@@ -413,7 +413,7 @@ typedef struct kstrip_profile_f32 {
 } kstrip_profile_f32;
 
 /**
- * What presses two profiles together. Zero is the default of every member but rolling_radius, shear_modulus and one of
+ * Load or approach, material and friction of two profiles that are pressed together. Zero is the default of every member but rolling_radius, shear_modulus and one of
  * normal_force and approach.
  */
 typedef struct kstrip_profile_contact_f32 {
@@ -444,7 +444,7 @@ typedef struct kstrip_patch_strip_f32 {
 /**
  * A contact patch of any shape: its strips, in ascending y. Filled by kstrip_patch_from_contact(),
  * kstrip_patch_from_strips() or kstrip_patch_from_profile(); the members may then be changed. All functions check it
- * again. All zero but shear_modulus is a patch without load.
+ * again. A patch whose members are all zero, except shear_modulus, carries no load.
  *
  * Where the distance of two neighbours is more than one and a half times that at which they touch,
  * there is a gap: what lies on either side is a lobe of its own.
@@ -460,7 +460,7 @@ typedef struct kstrip_patch_f32 {
     float mismatch;
 } kstrip_patch_f32;
 
-/** How two profiles meet. */
+/** Approach, load and pressure of two profiles in contact. */
 typedef struct kstrip_profile_result_f32 {
     float approach;
     float normal_force;
@@ -489,7 +489,7 @@ kstrip_status kstrip_patch_from_contact_f32(const struct kstrip_contact_f32 *con
                                             const struct kstrip_options *options,
                                             struct kstrip_patch_f32 *patch);
 
-/** What a patch carries. */
+/** Load, friction bound and area of a patch. */
 typedef struct kstrip_patch_summary_f32 {
     float normal_force;
     float friction_bound;
@@ -529,7 +529,7 @@ kstrip_status kstrip_patch_field_f32(const struct kstrip_patch_f32 *patch,
 
 /**
  * A profile, prepared by kstrip_prepare_profile(): points at equal steps of its length, toward larger y, and its direction.
- * Plain numbers, to be copied and kept as the caller likes.
+ * It holds plain numbers and may be copied.
  */
 typedef struct kstrip_surface_f32 {
     float y[KSTRIP_SURFACE_CAPACITY];
@@ -558,7 +558,7 @@ typedef struct kstrip_wheel_position_f32 {
 } kstrip_wheel_position_f32;
 
 /**
- * What lies between a wheel and a rail, point by point along the rail: what a host with its own search of contact must give. The first
+ * The gap between a wheel and a rail, point by point along the rail. A host with its own search of contact fills it. The first
  * count elements of each member are used.
  */
 typedef struct kstrip_gap_f32 {
@@ -645,7 +645,7 @@ kstrip_status kstrip_wheel_motion_f32(const struct kstrip_wheel_contact_f32 *con
                                       const struct kstrip_wheel_velocity_f32 *velocity,
                                       struct kstrip_motion_f32 *motion);
 
-/** What acts on a wheel. Force and moment are conjugate to the members of kstrip_wheel_velocity: their products add up to power. */
+/** Force and moment on a wheel. They are conjugate to the members of kstrip_wheel_velocity: the products add up to power. */
 typedef struct kstrip_wrench_f32 {
     float force[3];
     float moment[3];
@@ -682,7 +682,7 @@ typedef struct kstrip_wheel_workspace_f32 {
     uint32_t apart;
 } kstrip_wheel_workspace_f32;
 
-/** Derivatives of the wrench by the wheel's position at constant velocity: central differences of complete computations, made inside. */
+/** Derivatives of the wrench by the wheel's position at constant velocity: central differences of complete computations. */
 typedef struct kstrip_wrench_by_position_f32 {
     float lateral[6];
     float vertical[6];

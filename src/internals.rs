@@ -1,4 +1,5 @@
-//! What `tests/units` see from inside, and no part of the interface. (As unit tests of the library they would compile every formula twice.)
+//! Functions of the inside that `tests/units` call. They are no part of the interface. (As unit tests of the library the tests would compile
+//! every formula twice.)
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
@@ -18,7 +19,7 @@ pub fn are_wide() -> bool {
     crate::number::registers::are_wide()
 }
 
-/// Whether a contact and a creepage are let through without a look, and what a look finds.
+/// Whether the quick check accepts a contact and a creepage, and what the complete check finds.
 pub fn looked_at<F: Precision>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
@@ -28,7 +29,7 @@ pub fn looked_at<F: Precision>(
     (contact.is_usual() && creepage.is_usual(), found)
 }
 
-/// The friction over what is used of it, the estimate, and how many solutions it took.
+/// The estimate of friction, its quotient by the used friction, and the number of solutions.
 ///
 /// # Errors
 /// Those of [`estimate_friction`](crate::rig::estimate_friction).
@@ -44,7 +45,7 @@ pub fn estimate_counted<F: Precision>(
     Ok((rig.used, estimate, rig.solved))
 }
 
-/// The creepage for a force, how far its force is from there over `μ N`, and how many solutions it took.
+/// The creepage for a force, the distance of its force from the wanted one over `μ N`, and the number of solutions.
 ///
 /// # Errors
 /// Those of [`creepage_for_force`](crate::rig::creepage_for_force).

@@ -65,7 +65,7 @@ pub enum Error {
     Pressure = -41,
     /// Strips of a patch overlap, or do not ascend in `y`.
     StripOrder = -42,
-    /// More strips, or more separate zones of contact, than the patch has room for.
+    /// There are more strips than a patch has room for, or more contacts than a wheel may have.
     PatchSize = -43,
     /// A profile has too few points, two of them coincide, or numbers that must ascend do not: its `y`, the lengths of a gap, or the places
     /// of friction.
@@ -128,20 +128,20 @@ pub enum Notice {
     FrictionAtLeast = 6,
     /// The wanted force is that of full sliding, which every larger creepage gives as well.
     CreepageAtLeast = 7,
-    /// The peak pressure exceeds a tenth of the shear modulus: the load, the semi-axes or, mostly, the modulus are in
+    /// The peak pressure exceeds a tenth of the shear modulus. The modulus, the load or the semi-axes are probably in
     /// another unit.
     Pressure = 8,
-    /// A creepage exceeds 10: per cent, or a rolling speed that is no longer one.
+    /// A creepage exceeds 10. It is probably in per cent, or the rolling speed is close to zero.
     Creepage = 9,
-    /// A semi-axis exceeds 1 m: mm, mostly.
+    /// A semi-axis exceeds 1 m. It is probably in mm.
     SemiAxis = 10,
-    /// More spin than rolling bodies of this curvature can have: degrees per metre, mostly.
+    /// The spin is larger than rolling bodies of this curvature can have. It is probably in degrees per metre.
     Spin = 11,
-    /// The coefficient of friction exceeds 5: per cent, mostly.
+    /// The coefficient of friction exceeds 5. It is probably in per cent.
     Friction = 12,
-    /// Both summed curvatures are below 0.2/m: radii in mm, mostly.
+    /// Both summed curvatures are below 0.2/m. The radii are probably in mm.
     Radius = 13,
-    /// The axis ratio a/b is outside 0.015 to 60, where the model is not what its reference says. The result is finite,
+    /// The axis ratio a/b is outside 0.015 to 60, the range for which the model was made. The result is finite,
     /// bounded by `mu N`, and has the limits of slender contacts.
     AxisRatio = 14,
     /// The mismatch of the materials exceeds 0.25, where the model was not compared with its reference.
@@ -157,7 +157,7 @@ pub enum Notice {
 }
 
 impl Notice {
-    /// Whether an input is implausible, mostly in another unit.
+    /// Whether the notice says that an input is implausible, which is mostly because of another unit.
     #[must_use]
     pub const fn is_implausible(self) -> bool {
         self.code() >= Self::Pressure.code() && self.code() <= Self::Radius.code()
@@ -169,8 +169,8 @@ impl Notice {
         self as i32
     }
 
-    /// The graver one: a result that may be another one before a result whose inputs are implausible, and that before a result
-    /// outside the range of its model. Of equally grave ones the larger code.
+    /// The graver one. A warning that the result may be another one is graver than one of implausible inputs, and that is graver than one of
+    /// inputs outside the range of the model. Of two that are equally grave it is the one with the larger code.
     #[must_use]
     pub const fn worse(self, other: Self) -> Self {
         let (own, of_other) = (self.gravity(), other.gravity());
@@ -178,7 +178,7 @@ impl Notice {
         if graver { other } else { self }
     }
 
-    /// How grave: told instead of all with a smaller number.
+    /// How grave the notice is. Of two notices the one with the larger number is returned.
     const fn gravity(self) -> i32 {
         match self {
             Self::NotConverged => 6,
@@ -237,7 +237,7 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
         12 => c"implausible coefficient of friction: above 5; check that it is no percentage",
         13 => c"implausible radii: flatter than a radius of 5 m in both directions; check their unit (m, not mm)",
         14 => {
-            c"the axis ratio a/b is outside 0.015 to 60, for which the model was made; result is finite, bounded by mu N and has the right limits"
+            c"the axis ratio a/b is outside 0.015 to 60, the range for which the model was made; result is finite, bounded by mu N and has the right limits"
         }
         15 => c"the mismatch of the materials exceeds 0.25, where the model was not checked; result is finite and bounded by mu N",
         16 => {
@@ -249,7 +249,7 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
         19 => {
             c"the normal turns by more than 30 degrees over a contact of the wheel: one plane of contact is not enough"
         }
-        18 => c"a zone of contact ends with the profile, as if the bodies ended there: pass more of it",
+        18 => c"a zone of contact ends with the profile, as if the bodies ended there: pass more of the profile",
         -1 => c"a required pointer is NULL: pass the address of a structure or array",
         -2 => c"an input is infinite or NaN: pass finite numbers",
         -3 => c"a semi-axis of the contact ellipse is not positive: a and b must be > 0 (metres)",
@@ -268,7 +268,7 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
         -12 => {
             c"the array is too small: pass the capacity that the documentation of the function asks for"
         }
-        -13 => c"the model has totals only: choose a strip model for strips and fields",
+        -13 => c"the model cannot compute this output: take STRIP for strips and fields, and any model but LINEAR for patches",
         -14 => {
             c"the result is beyond the range of the floating-point type: check the units (N, m, Pa)"
         }
@@ -290,12 +290,12 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
         -41 => c"the peak pressure of a strip is negative: it must be >= 0 (pascals)",
         -42 => c"strips of the patch overlap, or are not in ascending order of y",
         -43 => {
-            c"more strips, or more separate zones of contact, than the patch has room for: use fewer, wider strips, more strips per patch, or a smoother profile"
+            c"more strips than a patch has room for, or more contacts than a wheel may have: use fewer and wider strips, or a smoother profile"
         }
         -44 => {
             c"a profile has too few points, two that coincide, or y that does not ascend; or the lengths of a gap or the places of friction do not ascend"
         }
-        -45 => c"there is no profile where contact is looked for: pass more of it",
+        -45 => c"a profile ends where the bodies would touch, or the wheel is beside the rail: pass more of the profile",
         -46 => c"a rolling radius or the radius of a wheel is not positive: it must be > 0 (metres)",
         -47 => c"the smoothing length is negative: it must be >= 0 (metres), 0 for the default",
         _ => return None,

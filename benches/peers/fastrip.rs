@@ -12,7 +12,7 @@
 //! [`solve`] is the paper as we read it: strips of equal cell count, the slip area marched on from the
 //! strip theory's last adhesion cell under the parabolic bound, and only its direction used: the
 //! size in the slip area is Hertz's bound. What the paper's flexibility is, we could not establish. With
-//! `Flexibility::Kalker` the mean and the 95th percentile of the survey (`tests/models/peer_methods.rs`) come out within 6 %
+//! `Flexibility::Kalker` the mean and the 95th percentile of the survey (`tests/peers.rs`) come out within 6 %
 //! (its maximum is 0.18, ours 0.22); `Flexibility::Energy` is better throughout, and is the
 //! one to compare against. The published 200x200 check (0.644) lies between the two.
 //!

@@ -22,7 +22,7 @@
 //! slip at the trailing end of each cell, `StripCentres` at its centre. `Rectangle` is CONTACT's: one rectangular
 //! grid, cells whose centre lies in the ellipse, bound at the centre, slip a sixth of a cell ahead of it.
 //!
-//! # What reproduces the survey's figures (`tests/models/peer_methods.rs`)
+//! # What reproduces the survey's figures (`tests/peers.rs`)
 //!
 //! * `StripEnds` with three flexibilities reproduces the survey's table for plain FASTSIM;
 //!   `StripCentres` is better on every grid and costs the same, so that is the one to compare against.

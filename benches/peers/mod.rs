@@ -19,7 +19,7 @@
 //! `(vx − φ y, vy + φ x)`, and the force acts on the LOWER body, positive along the slip.
 //! The literature often gives the force on the other body, with the opposite sign.
 //!
-//! # What the numbers of `tests/models/peer_methods.rs` mean
+//! # What the numbers of `tests/peers.rs` mean
 //!
 //! Published papers leave details open (where in a cell the bound is taken, where the slip is
 //! evaluated, how three flexibilities become one). Each module says which readings it offers and

@@ -191,7 +191,7 @@ module kstrip
       real(c_double) :: slope_factor(3) = 0
    end type
 
-   !> One strip y = const of a contact or a patch: what it carries, on the lower body.
+   !> One strip y = const of a contact or a patch, and the forces that it carries on the lower body.
    type, bind(c) :: kstrip_strip
       real(c_double) :: y = 0
       real(c_double) :: width = 0
@@ -324,7 +324,7 @@ module kstrip
       integer(c_int32_t) :: reserved = 0
    end type
 
-   !> What presses two profiles together.
+   !> Load or approach, material and friction of two profiles that are pressed together.
    type, bind(c) :: kstrip_profile_contact
       real(c_double) :: rolling_radius = 0
       real(c_double) :: normal_force = 0
@@ -359,7 +359,7 @@ module kstrip
       real(c_double) :: mismatch = 0
    end type
 
-   !> How two profiles meet.
+   !> Approach, load and pressure of two profiles in contact.
    type, bind(c) :: kstrip_profile_result
       real(c_double) :: approach = 0
       real(c_double) :: normal_force = 0
@@ -370,7 +370,7 @@ module kstrip
       integer(c_int32_t) :: status_detail = 0
    end type
 
-   !> What a patch carries.
+   !> Load, friction bound and area of a patch.
    type, bind(c) :: kstrip_patch_summary
       real(c_double) :: normal_force = 0
       real(c_double) :: friction_bound = 0
@@ -399,8 +399,7 @@ module kstrip
       real(c_double) :: roll = 0
    end type
 
-   !> What lies between a wheel and a rail, point by point along the rail: what a host with its own search of contact
-   !> must give.
+   !> The gap between a wheel and a rail, point by point along the rail.
    type, bind(c) :: kstrip_gap
       real(c_double) :: along(kstrip_surface_capacity) = 0
       real(c_double) :: distance(kstrip_surface_capacity) = 0
@@ -457,7 +456,7 @@ module kstrip
       real(c_double) :: yaw = 0
    end type
 
-   !> What acts on a wheel.
+   !> Force and moment on a wheel.
    type, bind(c) :: kstrip_wrench
       real(c_double) :: force(3) = 0
       real(c_double) :: moment(3) = 0
@@ -483,7 +482,7 @@ module kstrip
    end type
 
    !> Derivatives of the wrench by the wheel's position at constant velocity: central differences of complete
-   !> computations, made inside.
+   !> computations.
    type, bind(c) :: kstrip_wrench_by_position
       real(c_double) :: lateral(6) = 0
       real(c_double) :: vertical(6) = 0

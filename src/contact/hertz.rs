@@ -162,7 +162,7 @@ pub fn from_approach<F: Float>(
     Ok((contact, stiffness, form.notice(radii, &contact)))
 }
 
-/// Whether every model can do with the contact; lost, it is an ordinary one.
+/// Checks that every model accepts the contact. A lost contact passes.
 fn check_loaded<F: Float>(contact: &Contact<F>) -> Result<(), Error> {
     let Contact { friction, mismatch, .. } = *contact;
     if !(friction.is_finite_number() && mismatch.is_finite_number()) {

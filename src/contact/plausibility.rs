@@ -31,26 +31,26 @@ use core::f64::consts::PI;
 
 // `Contact::is_usual` and `Creepage::is_usual` know the limits of creepage, semi-axes and friction too.
 
-/// `p₀/G` at most.
+/// Largest plausible `p₀/G`.
 const LARGEST_PRESSURE: f64 = 0.1;
-/// `|υ|` at most.
+/// Largest plausible `|υ|`.
 const LARGEST_CREEPAGE: f64 = 10.0;
-/// `a`, `b` at most \[m\].
+/// Largest plausible `a`, `b` \[m\].
 const LARGEST_SEMI_AXIS: f64 = 1.0;
-/// `μ` at most.
+/// Largest plausible `μ`.
 const LARGEST_FRICTION: f64 = 5.0;
-/// `|κ|` at most: beyond lies no reference.
+/// Largest `|κ|` that was compared with the reference.
 pub(crate) const LARGEST_MISMATCH: f64 = 0.25;
-/// Semi-axis over the smaller radius in its direction at most, for half-spaces.
+/// Largest semi-axis over the smaller radius in its direction, for bodies that count as half-spaces.
 const LARGEST_OPENING: f64 = 0.3;
-/// `|φ| √(ab)` that more than rolling may be behind.
+/// `|φ| √(ab)` up to which every spin is plausible.
 const EDGE_SLIP: f64 = 0.05;
-/// `|φ| a G/p₀` beyond which it is.
+/// `|φ| a G/p₀` up to which a larger spin is plausible.
 const LARGEST_INCLINATION: f64 = 5.0;
-/// The larger summed curvature at least, halved \[1/m\].
+/// Half of the least plausible value of the larger summed curvature \[1/m\].
 pub(super) const SMALLEST_CURVATURE: f64 = 0.1;
 
-/// What is implausible about a contact and its creepage, if anything: the contact first. Nothing about a lost contact.
+/// What is implausible about a contact and its creepage, if anything; the contact is examined first. Nothing is implausible about a lost contact.
 #[must_use]
 pub fn warning<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>) -> Notice {
     let of_contact = contact.plausibility();
@@ -75,8 +75,8 @@ pub fn warning<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>) -> Notice
 }
 
 impl<F: Plain> Contact<F> {
-    /// Whether the numbers are of the usual sizes, so that no check can fail, and [`warning`] has nothing to say; of several contacts
-    /// side by side, whether that holds for all. A few comparisons; rarely it does also where this says no.
+    /// Whether the numbers have the usual sizes, so that no check can fail and [`warning`] returns nothing; for several contacts side by side,
+    /// whether this holds for all of them. The test takes a few comparisons, and refuses a few contacts that would pass every check.
     #[inline(always)]
     pub(crate) fn is_ordinary(&self, creepage: &Creepage<F>) -> bool {
         let load = self.normal_force.times(1.5 / PI);
@@ -97,8 +97,8 @@ impl<F: Plain> Contact<F> {
 }
 
 impl<F: Float> Contact<F> {
-    /// With `|υ|` up to 10 and `|φ|` up to this the contact [is ordinary](Contact::is_ordinary) \[1/m\]; zero
-    /// where it hardly is. A hair less than the largest of these.
+    /// A spin up to which the contact [is ordinary](Contact::is_ordinary) with any `|υ|` up to 10 \[1/m\]: slightly less than the largest such
+    /// spin, or zero for a contact that is not ordinary.
     pub(crate) fn ordinary_spin(&self) -> F {
         let load = self.normal_force.times(1.5 / PI);
         if !self.is_usual() || load > self.stiffness().times(LARGEST_PRESSURE) {

@@ -1,11 +1,11 @@
 //! The C interface: C types in, C types out; no physics.
 //!
 //! Structures of the core have the layout of C (`#[repr(C)]`), so that nothing is converted: they come in as `Option<&T>`
-//! and go out through `Option<&mut MaybeUninit<T>>`, which have the layout of C pointers and need no unsafe code;
-//! only arrays and structures of pointers do.
+//! and go out through `Option<&mut MaybeUninit<T>>`. These have the layout of C pointers and need no unsafe code. Only arrays and
+//! structures of pointers need it.
 //!
 //! The functions stand in double precision, in the order of the header; `single.rs` is written from them, and the headers
-//! from both, by `tests/header.rs`.
+//! from both, by `tests/interface/binary_interface.rs`.
 
 #![allow(non_camel_case_types)]
 // Exported names and C arrays. (SECURITY.md lists every file with unsafe code.)
@@ -70,13 +70,13 @@ pub const KSTRIP_WARNING_SPIN_UNIT: kstrip_status = 11;
 pub const KSTRIP_WARNING_FRICTION: kstrip_status = 12;
 /// Warning: the radii are larger than 5 m in both directions. They are probably in mm.
 pub const KSTRIP_WARNING_RADIUS: kstrip_status = 13;
-/// Warning: the axis ratio a/b is outside 0.015 to 60, for which the model was made.
+/// Warning: the axis ratio a/b is outside 0.015 to 60, the range for which the model was made.
 pub const KSTRIP_WARNING_AXIS_RATIO: kstrip_status = 14;
 /// Warning: the mismatch of the materials exceeds 0.25, where the model was not compared with its reference.
 pub const KSTRIP_WARNING_MISMATCH: kstrip_status = 15;
 /// Warning: the theory of 1967 neglects the mismatch of the materials.
 pub const KSTRIP_WARNING_MISMATCH_NEGLECTED: kstrip_status = 16;
-/// Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction, where the bodies are no longer half-spaces.
+/// Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction, where the bodies are not half-spaces.
 pub const KSTRIP_WARNING_CONFORMAL: kstrip_status = 17;
 /// Warning: the normal turns by more than 30 degrees over a contact of a wheel. One plane of contact is then not enough: forces are off
 /// by 0.2 of mu N in the mean, and by up to 0.5.
@@ -184,7 +184,7 @@ pub const KSTRIP_STATE_SLIP: i32 = 2;
 /// sliding strips.
 pub const KSTRIP_STATE_SLIP_NEGATIVE_DISSIPATION: i32 = 3;
 
-/// Strips that kstrip_evaluate() writes at most: as many as `strips` says, up to this.
+/// Largest number of strips that kstrip_evaluate() writes.
 pub const KSTRIP_STRIPS_CAPACITY: u32 = 64;
 
 /// Version of the library, major.

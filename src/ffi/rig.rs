@@ -10,9 +10,9 @@ use super::support::*;
 /// the result is the used friction |force|/load, a lower bound. Where spin opposes the creepage, more than one friction may explain the
 /// force: the status is KSTRIP_WARNING_SEVERAL_FRICTIONS, and the result is the smallest. KSTRIP_MODEL_TOTAL suits best.
 /// The force of KSTRIP_MODEL_STRIP_1967 jumps where a first strip begins to adhere. A jump across the measured force counts there as one of
-/// several solutions, and is returned only with KSTRIP_WARNING_NOT_CONVERGED. Of ten thousand estimates with one of the models of 1967 up to
-/// one misses one of several frictions, or the only one; of a hundred thousand with KSTRIP_MODEL_STRIP one did, with KSTRIP_MODEL_TOTAL
-/// none. Most of these forces are nearly zero.
+/// several solutions, and is returned only with KSTRIP_WARNING_NOT_CONVERGED. An estimate may miss a friction, most often where the
+/// force is nearly zero: this happened to up to one of ten thousand estimates with each of the models of 1967, to one of a hundred thousand
+/// with KSTRIP_MODEL_STRIP, and to none with KSTRIP_MODEL_TOTAL.
 ///
 /// @param contact         ellipse, load, material; its friction is ignored.
 /// @param creepage        motion.
@@ -55,7 +55,8 @@ pub(super) const BOTH: u32 = KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY;
 /// The creepage at which a contact with a given spin carries a wanted force.
 ///
 /// The search mostly needs five solutions with derivatives. Of ten thousand plausible contacts one or two need more than 12 (four with
-/// KSTRIP_MODEL_TOTAL), near friction times load, where the force turns back before it grows on; with KSTRIP_MODEL_STRIP_1967, whose force jumps, 22.
+/// KSTRIP_MODEL_TOTAL, 22 with KSTRIP_MODEL_STRIP_1967, whose force jumps). The wanted forces of these contacts are near friction times
+/// load, where the force turns back before it grows on.
 /// The search ends after 40 with KSTRIP_WARNING_NOT_CONVERGED and the creepage that comes nearest; a force within a jump of STRIP_1967 has
 /// no creepage, which happens to seven of a thousand forces with spin. Where spin keeps the force from growing with the creepage, more than
 /// one creepage may give the force; the result is one of them. A force within 0.1 % of friction times load is that of full sliding. The

@@ -35,20 +35,21 @@ pub struct KalkerParameters<F> {
 pub struct Outputs<F> {
     /// Forces, moment, power, adhesion: those of kstrip_solve(), bit for bit, where friction is constant.
     pub result: *mut Solution<F>,
-    /// Derivatives by creepages, load and friction; under falling friction through it.
+    /// Derivatives by creepages, load and friction. Under falling friction they include the change of friction.
     pub derivatives: *mut Derivatives<F>,
     /// Derivatives by the parameters of falling friction.
     pub law_derivatives: *mut LawDerivatives<F>,
-    /// The coefficient of friction that agrees with the slip: the contact's own where friction is constant. Of a
-    /// patch the factor that all strips have in common, 1 where friction is constant.
+    /// The coefficient of friction that agrees with the slip; the contact's own where friction is constant. For a
+    /// patch it is the factor that multiplies the friction of all strips, 1 where friction is constant.
     pub friction: *mut F,
     /// What each strip carries; capacity elements. Their shares add up to the result of the same model.
     pub strips: *mut StripResult<F>,
     /// How many strips were written; required with strips.
     pub count: *mut u32,
-    /// Size of strips: the number of strips asked for, of a patch its own; KSTRIP_STRIPS_CAPACITY is always enough.
+    /// Size of the array strips: at least the strip count of the options, or of a patch its number of strips; KSTRIP_STRIPS_CAPACITY is
+    /// always enough.
     pub capacity: u32,
-    /// Zero.
+    /// Reserved: zero.
     pub reserved: u32,
 }
 
@@ -56,7 +57,7 @@ pub struct Outputs<F> {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionOutputs<F> {
-    /// Forces and moment on the lower body, adhesion; power here in watts: fx slip_x + fy slip_y + mz spin_rate.
+    /// Forces and moment on the lower body, and adhesion. The power is in watts here: fx slip_x + fy slip_y + mz spin_rate.
     pub result: *mut Solution<F>,
     /// Derivatives by the motion, by load and by friction.
     pub derivatives: *mut MotionDerivatives<F>,
@@ -74,47 +75,47 @@ pub struct MotionOutputs<F> {
 pub struct BatchInputs<F> {
     /// Semi-axes along x [m].
     pub a: *const F,
-    /// Distance in bytes, as all that follow.
+    /// Stride [bytes]: distance from one semi-axis to the next. The other strides are those of the inputs before them.
     pub a_stride: isize,
     /// Semi-axes along y [m].
     pub b: *const F,
-    /// Distance.
+    /// Stride [bytes].
     pub b_stride: isize,
-    /// Normal forces [N]; not positive: lost.
+    /// Normal forces [N]; a contact whose force is not positive is lost.
     pub normal_force: *const F,
-    /// Distance.
+    /// Stride [bytes].
     pub normal_force_stride: isize,
     /// Combined shear moduli G [Pa].
     pub shear_modulus: *const F,
-    /// Distance.
+    /// Stride [bytes].
     pub shear_modulus_stride: isize,
     /// Combined Poisson's ratios [-].
     pub poisson_ratio: *const F,
-    /// Distance.
+    /// Stride [bytes].
     pub poisson_ratio_stride: isize,
     /// Coefficients of friction [-].
     pub friction: *const F,
-    /// Distance.
+    /// Stride [bytes].
     pub friction_stride: isize,
-    /// Mismatches of the materials [-]; NULL: like ones.
+    /// Mismatches of the materials [-]; NULL: like materials.
     pub mismatch: *const F,
-    /// Distance.
+    /// Stride [bytes].
     pub mismatch_stride: isize,
     /// Longitudinal creepages [-].
     pub longitudinal: *const F,
-    /// Distance.
+    /// Stride [bytes].
     pub longitudinal_stride: isize,
     /// Lateral creepages [-].
     pub lateral: *const F,
-    /// Distance.
+    /// Stride [bytes].
     pub lateral_stride: isize,
     /// Spins [1/m].
     pub spin: *const F,
-    /// Distance.
+    /// Stride [bytes].
     pub spin_stride: isize,
     /// Falling friction; NULL: constant.
     pub law: *const SlipFriction<F>,
-    /// Distance.
+    /// Stride [bytes].
     pub law_stride: isize,
 }
 
@@ -125,39 +126,40 @@ pub struct BatchInputs<F> {
 pub struct BatchOutputs<F> {
     /// Longitudinal forces on the lower bodies [N].
     pub fx: *mut F,
-    /// Distance in bytes, as all that follow; with more than one contact at least the size of one, forward or backward.
+    /// Stride [bytes]: distance from one force to the next, forward or backward. With more than one contact a stride is at least the size of
+    /// its output.
     pub fx_stride: isize,
     /// Lateral forces [N].
     pub fy: *mut F,
-    /// Distance.
+    /// Stride [bytes].
     pub fy_stride: isize,
     /// Moments about z at the centres of the contacts [N m].
     pub mz: *mut F,
-    /// Distance.
+    /// Stride [bytes].
     pub mz_stride: isize,
     /// Frictional powers over rolling speed [N].
     pub power: *mut F,
-    /// Distance.
+    /// Stride [bytes].
     pub power_stride: isize,
     /// Shares of the contact areas in adhesion [-], 0 to 1, or -1 for unknown.
     pub adhesion: *mut F,
-    /// Distance.
+    /// Stride [bytes].
     pub adhesion_stride: isize,
     /// The status of each result: 0 or one of the KSTRIP_WARNING constants.
     pub status_detail: *mut i32,
-    /// Distance.
+    /// Stride [bytes].
     pub status_detail_stride: isize,
     /// Coefficients of friction that agree with the slip [-].
     pub friction: *mut F,
-    /// Distance.
+    /// Stride [bytes].
     pub friction_stride: isize,
     /// Derivatives by creepages, load and friction.
     pub derivatives: *mut Derivatives<F>,
-    /// Distance.
+    /// Stride [bytes].
     pub derivatives_stride: isize,
     /// Derivatives by the parameters of falling friction.
     pub law_derivatives: *mut LawDerivatives<F>,
-    /// Distance.
+    /// Stride [bytes].
     pub law_derivatives_stride: isize,
 }
 
@@ -167,7 +169,7 @@ pub struct BatchOutputs<F> {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedNumbers<F: Copy> {
-    /// Not for use.
+    /// For use by the library only.
     pub numbers: MaybeUninit<[F; 96]>,
     /// The model; 0: nothing prepared.
     pub model: i32,
@@ -175,7 +177,7 @@ pub struct PreparedNumbers<F: Copy> {
     pub strips: i32,
 }
 
-/// What a patch carries.
+/// Load, friction bound and area of a patch.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PatchSummary<F> {
@@ -187,7 +189,7 @@ pub struct PatchSummary<F> {
     pub area: F,
     /// Number of lobes.
     pub lobes: u32,
-    /// Zero.
+    /// Reserved: zero.
     pub reserved: u32,
 }
 
@@ -205,11 +207,11 @@ pub struct ProfilePoints<F> {
     pub rolling_radius: *const F,
     /// Number of points, at least 2.
     pub points: u32,
-    /// Zero.
+    /// Reserved: zero.
     pub reserved: u32,
 }
 
-/// What presses two profiles together. Zero is the default of every member but rolling_radius, shear_modulus and one of
+/// Load or approach, material and friction of two profiles that are pressed together. Zero is the default of every member but rolling_radius, shear_modulus and one of
 /// normal_force and approach.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -220,8 +222,8 @@ pub struct ProfileOptions<F> {
     pub normal_force: F,
     /// Approach of distant points of the bodies [m], >= 0; only where normal_force is 0.
     pub approach: F,
-    /// Length over which the profile is smoothed [m], >= 0; 0: half the width of
-    /// the contact and at most 2 mm; always at least 2.5 steps of the profile. Rough profiles gain from 4 mm.
+    /// Length over which the profile is smoothed [m], >= 0. 0 stands for half the width of the contact, at most 2 mm. The length is
+    /// always at least 2.5 steps of the profile. For rough profiles set it to 4 mm.
     pub smoothing_length: F,
     /// Combined shear modulus G [Pa], > 0.
     pub shear_modulus: F,
@@ -229,8 +231,8 @@ pub struct ProfileOptions<F> {
     pub poisson_ratio: F,
     /// Coefficient of friction of every strip [-], >= 0.
     pub friction: F,
-    /// About how many strips, over all zones: 4, 8, 16, 32 or 64 (which gives 40); 0: 16.
+    /// About how many strips all zones have together: 4, 8, 16, 32 or 64 (which gives 40); 0: 16.
     pub strips: i32,
-    /// Zero.
+    /// Reserved: zero.
     pub reserved: i32,
 }

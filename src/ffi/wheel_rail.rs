@@ -39,7 +39,7 @@ pub unsafe extern "C" fn kstrip_prepare_profile(
 ///
 /// @param rail, wheel     prepared profiles.
 /// @param wheel_radius    radius of the wheel at z = 0 of its profile [m], > 0.
-/// @param position        where the wheel is, if it is a right one; for a left wheel lateral, yaw and roll with opposite signs.
+/// @param position        where the right wheel is. For a left wheel pass lateral, yaw and roll with the opposite signs.
 /// @param reach           distance from the rail above which points are left out [m]; 0: 2 mm.
 /// @param[out] gap        receives the points.
 /// @param[out] least      receives their least distance [m]: negative where the surfaces overlap, and reach where no point is nearer;
@@ -68,7 +68,7 @@ pub extern "C" fn kstrip_touch(
 /// Zones of overlap less than 4 mm apart are one contact and one normal problem; zones more than 8 mm apart are contacts of their own.
 /// Between these distances the common contact and the single ones each count by a share.
 ///
-/// @param gap             what lies between the surfaces, from kstrip_touch() or a host's own search.
+/// @param gap             the gap between the surfaces, from kstrip_touch() or a host's own search.
 /// @param pair            materials, friction, side.
 /// @param position        where the wheel is.
 /// @param workspace       memory for the strips of a contact; it may hold anything.
@@ -163,7 +163,7 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
 /// Force and moment on a wheel on a rail in one call: kstrip_touch(), kstrip_contacts_from_gap(), kstrip_wrench_from_contacts().
 ///
 /// The track is straight. In a curve, pass the velocity relative to the momentary track, which is at rest. Force and moment are continuous
-/// in position and velocity: a contact appears and vanishes with zero load, and two contacts between 8 and 4 mm apart go over into one.
+/// in position and velocity: a contact appears and vanishes with zero load, and two contacts between 8 and 4 mm of distance become one.
 /// The time is bounded.
 ///
 /// @param rail, wheel     prepared profiles.
@@ -211,7 +211,7 @@ pub extern "C" fn kstrip_wheel_on_rail(
 /// @param rail, wheel, pair  as in kstrip_wheel_on_rail().
 /// @param position        where the wheel is; its vertical member is where the search begins.
 /// @param support         wanted upward force of the rail on the wheel [N], > 0.
-/// @param velocity        how the wheel moves, whose creep forces carry as well; NULL: the pressure alone.
+/// @param velocity        how the wheel moves; its creep forces carry a part of the load. NULL: the pressure carries all of it.
 /// @param friction        as in kstrip_wheel_on_rail().
 /// @param workspace       memory that may hold anything; receives gap and contacts.
 /// @param[out] vertical   receives the vertical position [m].

@@ -4,15 +4,15 @@ use super::SlipFriction;
 use crate::number::Float;
 use crate::status::{Error, Notice};
 
-/// Steps of the monotone iteration at most.
+/// Largest number of steps of the monotone iteration.
 const WALK_STEPS: usize = 100;
-/// Steps of the secant method at most; it ends after four to six.
+/// Largest number of steps of the secant method, which ends after four to six.
 const SECANT_STEPS: usize = 60;
 
 /// `μ = g(μ)`, with what is known of `g`.
 pub(crate) struct Agreement<'a, F, G> {
     law: &'a SlipFriction<F>,
-    /// What no point slips faster than, over rolling speed.
+    /// Upper bound of the slip of all points, over the rolling speed.
     rigid_slip: F,
     /// The friction bound at `μ = 1`.
     load: F,
@@ -57,9 +57,9 @@ impl<'a, F: Float, G: Fn(F) -> Result<F, Error>> Agreement<'a, F, G> {
         Ok((upper, notice))
     }
 
-    /// The only solution between two numbers, given with `g(μ) − μ` at the upper one and where to look first:
-    /// the secant through the last two, guarded by bisection, until rounding is all that is left; and whether it
-    /// came so far, which it does not where the forces jump (strips of 1967 that do not move with the solution).
+    /// The only solution between two numbers, from `g(μ) − μ` at the upper one and from a first guess, by the secant method guarded by
+    /// bisection. The second result tells whether the method reached rounding. It does not where the forces jump (strips of 1967 that do
+    /// not move with the solution).
     fn between(
         &self,
         mut low: F,

@@ -19,7 +19,7 @@
 //! it in four to six solutions of the contact. Otherwise the iteration
 //! goes down from `μ₀` and up from the smallest possible `μ`, and a notice tells when they do not meet.
 //! The forces of the models of 1967 jump, or nearly do, where adhesion is born, so that `g` may be steeper than that bound: for them
-//! another solution may stay untold.
+//! another solution may not be reported.
 //! Derivatives follow by the implicit function theorem, `∂s/∂μ` by homogeneity ([`derivatives`]).
 //!
 //! **The slope factor** `k` multiplies the shear modulus: a contact with the layer is as stiff as one of
@@ -138,12 +138,12 @@ impl<F: Float> SlipFriction<F> {
         }
     }
 
-    /// Whether the slip matters.
+    /// Whether friction depends on the slip.
     pub(crate) fn falls(&self) -> bool {
         self.ratio < F::one() && self.decay > F::zero() && self.rolling_speed > F::zero()
     }
 
-    /// `k`, where it is set, else 1.
+    /// `k`, or 1 where `k` is zero.
     pub(crate) fn stiffness(&self) -> F {
         if self.slope_factor > F::zero() { self.slope_factor } else { F::one() }
     }
@@ -195,8 +195,8 @@ pub fn solve<F: Precision>(
     Ok(FrictionSolution { solution, friction: contact.friction })
 }
 
-/// The contact as it is while it slips, with the friction that agrees with the slip and the stiffness of the layer: for
-/// everything else that can be asked of a contact, as strips and fields.
+/// The contact with the friction that agrees with the slip and with the stiffness of the layer. Strips and fields are computed from
+/// this contact.
 ///
 /// # Errors
 /// Those of [`solve`].
@@ -221,8 +221,7 @@ fn fastest_slip<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>) -> F {
 }
 
 impl<F: Float> SlipFriction<F> {
-    /// The least friction that a contact can have in motion, and a bound of how fast friction falls there as it falls itself:
-    /// `g' ≤ B V s_max (1 − A) μ₀/μ`.
+    /// The least friction that the law can give a contact in motion, and an upper bound of `g'` there: `g' ≤ B V s_max (1 − A) μ₀/μ`.
     pub(crate) fn least(&self, contact: &Contact<F>, creepage: &Creepage<F>) -> (F, F) {
         if !self.falls() {
             return (self.friction, F::zero());

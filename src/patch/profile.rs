@@ -27,7 +27,7 @@ use crate::status::{Error, Notice};
 use core::f64::consts::PI;
 use heapless::Vec;
 
-/// Share of the deflection of the estimate by which undeformed bodies are farther apart where they touch.
+/// Share of the estimated deflection that lies between the undeformed bodies at the edge of the contact.
 const DEFLECTED: f64 = 0.73;
 /// Largest height above the lowest point, over the first guess of the approach, at which the curve has knots.
 const REACH: f64 = 1.6;
@@ -38,7 +38,7 @@ const POWER: f64 = 0.94;
 /// Least square of a half length, over `R δ`.
 const LEAST_SQUARE: f64 = 0.06;
 
-/// Pressure over length, over the mean of the patch, below which a strip is shortened, and to what share at most.
+/// Pressure over length, in units of the mean of the patch, below which a strip is shortened, and the least share that is left of its length.
 const LEAST_SLOPE: f64 = 0.25;
 const LEAST_LENGTH: f64 = 1e-3;
 
@@ -104,19 +104,19 @@ impl<F: Float> ProfileContact<F> {
     }
 }
 
-/// How two profiles meet.
+/// Approach, load and pressure of two profiles in contact.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Indentation<F> {
     /// Approach of distant points of the two bodies \[m\], from the smoothed profile's deepest point.
     pub approach: F,
-    /// Normal force of the strips \[N\]; where a load is given, that to rounding.
+    /// Normal force of the strips \[N\]. If a load is given, it is that load to rounding.
     pub normal_force: F,
-    /// Its derivative by the approach \[N/m\].
+    /// Derivative of the normal force by the approach \[N/m\].
     pub stiffness: F,
     /// Largest pressure of a strip \[Pa\].
     pub peak_pressure: F,
-    /// y of that strip \[m\].
+    /// y of the strip with the largest pressure \[m\].
     pub peak_y: F,
     /// Steps of the two searches for the approach, at most 60 each.
     pub iterations: u32,

@@ -56,7 +56,7 @@ struct Share<T: Real> {
 }
 
 impl<T: Real> Share<T> {
-    /// The share of a strip from its forces over the friction bound and from the moment about its centre in half lengths.
+    /// The forces of a strip, from its forces over the friction bound and its moment about its centre in half lengths.
     fn new(
         strip: &PatchStrip<T::Base>,
         carried: &Carried<T>,

@@ -10,7 +10,7 @@ pub const KSTRIP_PATCH_CAPACITY: usize = 64;
 
 /// A contact patch of any shape: its strips, in ascending y. Filled by kstrip_patch_from_contact(),
 /// kstrip_patch_from_strips() or kstrip_patch_from_profile(); the members may then be changed. All functions check it
-/// again. All zero but shear_modulus is a patch without load.
+/// again. A patch whose members are all zero, except shear_modulus, carries no load.
 ///
 /// Where the distance of two neighbours is more than one and a half times that at which they touch,
 /// there is a gap: what lies on either side is a lobe of its own.
@@ -30,10 +30,10 @@ pub struct StoredPatch<F> {
     pub lever_scale: F,
     /// Number of strips, 0 to KSTRIP_PATCH_CAPACITY. None: no load.
     pub count: u32,
-    /// Zero.
+    /// Reserved: zero.
     pub reserved: u32,
-    /// Mismatch kappa \[-\] of the two materials, as in kstrip_contact: 0 but in patches of kstrip_patch_from_contact(), and where the
-    /// caller sets it.
+    /// Mismatch kappa \[-\] of the two materials, as in kstrip_contact. Only kstrip_patch_from_contact() sets it; the other functions leave
+    /// it 0, and the caller may set it.
     pub mismatch: F,
 }
 

@@ -20,21 +20,21 @@ use crate::solve::derivatives::{self, Derivatives};
 use crate::solve::model::{self, Model, Options, Precision};
 use crate::status::{Error, Notice};
 
-/// Forces this near to `μ N`, relatively, are taken for full sliding.
+/// Relative distance from `μ N` up to which a force counts as full sliding.
 const SLIDING: f64 = 1e-3;
-/// Solutions at most.
+/// Largest number of solutions.
 const MOST: usize = 40;
-/// After so many solutions in a row that do not halve the error the search starts again: along the wanted force, at these creepages over
-/// the one where the first start ended, or over `NEAREST` in units of slip.
+/// Number of solutions in a row that do not halve the error, after which the search starts again: along the wanted force, at the creepages
+/// `STARTS` times that where the first start ended, which counts at least as `NEAREST` units of slip.
 const IDLE: usize = 6;
 const STARTS: [f64; 6] = [1.15, 0.6, 2.0, 4.0, 0.3, 8.0];
 const NEAREST: f64 = 0.3;
-/// Added over the sum of the squares of the slopes where the plain step leads nowhere, and by how much more each time.
+/// Damping, over the sum of the squares of the slopes, where the plain step leads no closer, and the factor by which the damping grows.
 const DAMPING: f64 = 0.03;
 const GROWTH: f64 = 10.0;
-/// A step along the cubics through the last two places is trusted where the cubic that tells its length grows at least so steeply.
+/// Least slope of the cubic that gives the length of a step along the cubics through the last two places; with less the plain step is taken.
 const STEEP: f64 = 0.1;
-/// Distances from the wanted force over `μ N`: what is reached, what is left to rounding, and what is taken.
+/// Distances from the wanted force over `μ N`, in roundings: the search ends; a place is left to rounding; a place is still accepted.
 const REACHED: f64 = 16.0;
 const ROUNDING: f64 = 5e3;
 const TAKEN: f64 = 1e4;

@@ -12,22 +12,22 @@ use crate::status::{Error, Notice};
 /// Friction over used friction beyond which the contact is taken to stick: the force differs by about one per cent
 /// from that of linear theory there.
 const STICKING: f64 = 20.0;
-/// Friction is looked for up to so many times what adhesion needs.
+/// Largest friction that is tried, over the friction that adhesion needs.
 const RANGE: f64 = 1e4;
-/// What adhesion needs is at most so many times the used friction, else all that can be told lies in full sliding.
+/// Largest friction that adhesion may need, over the used friction. Beyond it only full sliding can be told.
 const SLIDING: f64 = 1e5;
-/// Steps of the way up from the used friction at most, ratios that tell how far in sliding the contact is, and growth of `x` in a step:
-/// above all of them, and below one, two and three.
+/// The way up from the used friction: the largest number of steps; limits of the ratio that tells how far in sliding the contact is; and the
+/// growth of `x` in a step, for a ratio above all limits, below one, below two and below three of them.
 const WALK: usize = 46;
 const LIMITS: [f64; 3] = [0.1, 1.0 / 30.0, 0.01];
 const GROWTH: [f64; 4] = [1.0 + 0.1, 1.0 + 0.1 * 2.0, 1.0 + 0.1 * 4.0, 1.0 + 0.1 * 6.0];
-/// Solutions up to which intervals are divided, and at most, one for the answer included.
+/// Number of solutions up to which intervals are divided, and the largest number of all solutions with that of the answer.
 const DIVIDED: usize = 64;
 const MOST: usize = 90;
-/// A crossing that is so narrow and so high is a jump.
+/// Width below which, and height above which, a crossing is a jump.
 const NARROW: f64 = 1e-9;
 const HIGH: f64 = 1e-6;
-/// Forces are zero to so many roundings.
+/// Number of roundings up to which a force counts as zero.
 const ROUNDINGS: f64 = 32.0;
 
 /// The coefficient of friction that explains a measured force at a known creepage.
@@ -38,9 +38,9 @@ const ROUNDINGS: f64 = 32.0;
 /// larger than that of linear theory): the result is the used friction `|F|/N`, a lower bound. With
 /// [`Notice::SeveralFrictions`] more than one friction explains the force, which may be where spin opposes the
 /// creepage: the result is the smallest. The force of [`Model::Strip1967`] jumps where adhesion is born: a jump across the measured force
-/// counts as one of several, and is the result only with [`Notice::NotConverged`]. Of ten thousand estimates with one of the models of 1967
-/// up to one misses one of several frictions, or the only one; of a hundred thousand with [`Model::Strip`] one did, with [`Model::Total`]
-/// none.
+/// counts as one of several, and is the result only with [`Notice::NotConverged`]. An estimate may miss a friction: this happened to up to one
+/// of ten thousand estimates with each of the models of 1967, to one of a hundred thousand with [`Model::Strip`], and to none with
+/// [`Model::Total`].
 ///
 /// At most 90 solutions with derivatives.
 ///
@@ -243,7 +243,7 @@ impl<'a, F: Precision> Rig<'a, F> {
         Ok(FrictionEstimate { friction, sensitivity, residual, notice, reserved: 0 })
     }
 
-    /// From the used friction up, and then wherever roots may hide; with the first place and the largest excess.
+    /// Searches from the used friction upward, and then in the intervals that may hide roots. Also returns the first place and the largest excess.
     fn search(&mut self) -> Result<(Search<F>, Place<F>, F), Error> {
         let jumps = self.options.model == Model::Strip1967;
         let mut search = Search::new(jumps);
@@ -278,7 +278,7 @@ impl<'a, F: Precision> Rig<'a, F> {
         Ok((search, first, most))
     }
 
-    /// The smallest friction that explains the force, and whether it does; infinite if there is none. A jump is one if there is no other.
+    /// The smallest friction that explains the force, infinite if there is none, and whether it is a root. A jump is taken if there is no root.
     fn smallest(&mut self, search: &Search<F>) -> Result<(F, bool), Error> {
         let (mut from, mut jump) = (F::zero(), None);
         while let Some(interval) = search.change_from(from) {
@@ -293,7 +293,7 @@ impl<'a, F: Precision> Rig<'a, F> {
         Ok((jump.unwrap_or(F::LARGEST), false))
     }
 
-    /// Newton's method, guarded by bisection; and whether it ends in a root.
+    /// Newton's method, guarded by bisection. The second result tells whether it ends in a root.
     fn root(&mut self, interval: &Interval<F>) -> Result<(Place<F>, bool), Error> {
         let mut within = *interval;
         let Interval { from, to, .. } = within;

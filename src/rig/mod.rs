@@ -35,13 +35,13 @@ pub enum Measured {
 pub struct FrictionEstimate<F> {
     /// Coefficient of friction \[-\]; a lower bound with KSTRIP_WARNING_FRICTION_AT_LEAST.
     pub friction: F,
-    /// d(friction)/d(force) \[1/N\]: what an error of the measured force does to it; 0 for a lower bound.
+    /// d(friction)/d(force) \[1/N\]: change of the coefficient for an error of 1 N in the measured force; 0 for a lower bound.
     pub sensitivity: F,
-    /// Distance between the measured and the computed force \[N\], of the components that were measured:
-    /// rounding for one component, for both what their direction is off.
+    /// Distance between the measured and the computed force \[N\] in the components that were measured. For one component it is rounding;
+    /// for both it is what friction cannot explain, because the directions of the forces differ.
     pub residual: F,
     /// The status of this result: 0 or one of the KSTRIP_WARNING constants.
     pub notice: Notice,
-    /// Zero.
+    /// Reserved: zero.
     pub reserved: i32,
 }

@@ -9,15 +9,16 @@
 use crate::number::Float;
 use heapless::Vec;
 
-/// Intervals that are kept: those with a change of sign, and those that may hide two.
+/// Largest number of intervals that are kept: those with a change of sign, and those that may hide two roots.
 const KEPT: usize = 64;
-/// Slopes that are no parabola's count this much, slopes that turn, and the share of the place that the interval is wide.
+/// Weights of the three parts of the error estimate: the distance of the slopes from those of a parabola, the change of the slopes, and the
+/// width of the interval over its place.
 const NO_PARABOLA: f64 = 2.0;
 const TURN: f64 = 0.3;
 const WIDTH: f64 = 4.0;
-/// Values are known to so many roundings.
+/// Error of the values, in roundings.
 const ROUNDINGS: f64 = 500.0;
-/// The function grows or falls by less than this with `x/(1 − x)`.
+/// Largest slope of the function over `x/(1 − x)`, up or down.
 pub(super) const STEEPEST: f64 = 1.5;
 
 /// A place `0 < x < 1`, the function there, and its derivative.
@@ -88,7 +89,7 @@ impl<F: Float> Search<F> {
         }
     }
 
-    /// Where to look next: in the interval that hides most, if any hides a root.
+    /// The interval that most probably hides a root, if any may hide one, and where to divide it.
     pub(super) fn next(&self) -> Option<(Interval<F>, F)> {
         let mut worst: Option<&Interval<F>> = None;
         for interval in &self.kept {

@@ -30,7 +30,7 @@ pub struct FieldPoint<F> {
     pub dissipation: F,
     /// One of the KSTRIP_STATE constants.
     pub state: State,
-    /// Zero.
+    /// Reserved: zero.
     pub reserved: i32,
 }
 

@@ -37,11 +37,11 @@ use crate::status::{Error, Notice};
 
 /// Floor of the rolling speed where none is given \[m/s\].
 const FLOOR: f64 = 0.02;
-/// Beyond so many floors one end of the contact leads.
+/// Rolling speed over the floor beyond which only one end of the contact leads.
 const BLENDED: f64 = 3.0;
-/// Share of the mismatch that stands for none where its derivative is wanted: forces are linear in it.
+/// Share of the mismatch that is used at standstill, where its derivative is wanted: forces are linear in so small a mismatch.
 const STANDSTILL: f64 = 1e-9;
-/// Whether creepages are plausible is judged at this speed at least \[m/s\]: below, any slip is.
+/// Least speed at which the plausibility of creepages is judged \[m/s\]: below this speed any slip is plausible.
 const JUDGED: f64 = 1.0;
 
 /// How the upper body moves over the lower one at the contact, in axes that stay when the motion reverses.
@@ -50,13 +50,13 @@ const JUDGED: f64 = 1.0;
 pub struct Motion<F> {
     /// Velocity of the upper over the lower body along x \[m/s\].
     pub slip_x: F,
-    /// Along y \[m/s\].
+    /// Velocity of the upper over the lower body along y \[m/s\].
     pub slip_y: F,
     /// Angular velocity of the upper over the lower body about z \[rad/s\].
     pub spin_rate: F,
     /// Rolling speed \[m/s\]: positive along x, negative backward, zero at standstill.
     pub rolling_speed: F,
-    /// Speed below which creepages grow no further \[m/s\], >= 0; 0: 0.02.
+    /// Floor of the speed \[m/s\], >= 0: creepages are slip over sqrt(rolling_speed^2 + floor_speed^2). 0 stands for 0.02.
     pub floor_speed: F,
 }
 
@@ -199,8 +199,8 @@ impl<F: Precision> Rolling<F> {
         Ok(Self { motion: *motion, speed, speed_by_rolling, shares, share_slope, creepage })
     }
 
-    /// What is found forward, and what is found backward in axes turned by 180 degrees: whether they are is told; where one end
-    /// leads, twice what is found for it.
+    /// Calls the function for forward rolling, and for backward rolling in axes turned by 180 degrees; its argument tells whether the axes are
+    /// turned. Where only one end leads, both results are those of this end.
     pub(crate) fn each_end<S: Copy>(
         &self,
         solve: impl Fn(&Creepage<F>, bool) -> Result<S, Error>,
@@ -217,8 +217,8 @@ impl<F: Precision> Rolling<F> {
         Ok([solve(&self.creepage, false)?, solve(&turned, true)?])
     }
 
-    /// What is found forward, and what is found backward in axes turned by 180 degrees; where one end leads, twice what is
-    /// found for it, once with a share of zero. The function is told whether the axes are turned.
+    /// The results for forward rolling, and for backward rolling in axes turned by 180 degrees. Where only one end leads, both are those of
+    /// this end, and one of them has a share of zero. The argument of the function tells whether the axes are turned.
     pub(crate) fn each<S: Copy>(
         &self,
         contact: &Contact<F>,

@@ -79,7 +79,7 @@ pub struct Solution<F> {
     pub adhesion: F,
     /// The status of this result: 0 or one of the KSTRIP_WARNING constants.
     pub notice: Notice,
-    /// Zero.
+    /// Reserved: zero.
     pub reserved: i32,
 }
 

@@ -14,7 +14,7 @@ use crate::strip::{EllipseStrips, Rule};
 use crate::strip_1967::strip::State;
 use crate::strip_1967::{self, strips::PlacedStrip};
 
-/// One strip y = const of a contact or a patch: what it carries, on the lower body.
+/// One strip y = const of a contact or a patch, and the forces that it carries on the lower body.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StripResult<F> {
@@ -24,7 +24,7 @@ pub struct StripResult<F> {
     pub width: F,
     /// Half of its length along x \[m\].
     pub half_length: F,
-    /// x of the separatrix \[m\]: slip behind it, adhesion ahead of it; the leading edge where the whole strip slides.
+    /// x of the separatrix \[m\], with slip behind it and adhesion ahead of it; the leading edge if the whole strip slides.
     pub separatrix: F,
     /// Its share of the longitudinal force \[N\].
     pub fx: F,
@@ -36,7 +36,7 @@ pub struct StripResult<F> {
     pub power: F,
     /// KSTRIP_STATE_STICK if it has an adhesion area, else KSTRIP_STATE_SLIP.
     pub state: State,
-    /// Zero.
+    /// Reserved: zero.
     pub reserved: i32,
 }
 

@@ -45,9 +45,9 @@ const FLAT: f64 = 30.0 * core::f64::consts::PI / 180.0;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WheelContact<F> {
-    /// Where the pressure attacks, on the wheel's undeformed surface, from the wheel's centre \[m\], axes of the track.
+    /// Point where the pressure acts, on the wheel's undeformed surface, from the wheel's centre \[m\], axes of the track.
     pub origin: [F; 3],
-    /// Angle of the pressure: mean of the strips' angles, weighted with load \[rad\]; of the right wheel for a left one too.
+    /// Angle of the pressure \[rad\]: mean of the strips' angles, weighted with load. For a left wheel it is that of the mirrored right wheel.
     pub angle: F,
     /// By how much the angle turns over the patch \[rad\]; above 0.52 the status is KSTRIP_WARNING_ANGLE_RANGE.
     pub angle_range: F,
@@ -55,25 +55,25 @@ pub struct WheelContact<F> {
     pub radius: F,
     /// Load of the strips \[N\].
     pub normal_force: F,
-    /// By how much load and forces count \[-\]: 1, but for contacts 4 to 8 mm apart, which count in part by themselves and in part
-    /// as one.
+    /// Factor of load and forces in the sum over the contacts \[-\]: 1, except for contacts 4 to 8 mm apart, which count partly by
+    /// themselves and partly as one contact.
     pub share: F,
     /// Overlap of the undeformed, smoothed surfaces where it is deepest \[m\].
     pub approach: F,
-    /// Derivative of the load by how far the surfaces are moved into each other \[N/m\].
+    /// Derivative of the load by the distance by which the surfaces are moved into each other \[N/m\].
     pub stiffness: F,
     /// Length on the rail at y = 0 of the patch \[m\].
     pub along: F,
-    /// What the pressure's resultant over the load does work on: normal velocity of the wheel, into the rail, by the members of
-    /// kstrip_wheel_velocity; the force on the wheel is minus share times normal_force times this.
+    /// Derivatives of the wheel's velocity into the rail, mean of the strips weighted with load, by the members of kstrip_wheel_velocity. The
+    /// force and the moment of the pressure on the wheel are minus share times normal_force times these six numbers.
     pub normal: [F; 6],
     /// slip_x of kstrip_motion at the patch's origin, by the members of kstrip_wheel_velocity.
     pub slip_x: [F; 6],
-    /// slip_y.
+    /// slip_y of kstrip_motion.
     pub slip_y: [F; 6],
-    /// spin_rate.
+    /// spin_rate of kstrip_motion.
     pub spin_rate: [F; 6],
-    /// rolling_speed.
+    /// rolling_speed of kstrip_motion.
     pub rolling_speed: [F; 6],
     /// The strips; y along the rail's surface, x forward from the origin.
     pub patch: StoredPatch<F>,

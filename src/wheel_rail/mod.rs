@@ -29,9 +29,9 @@ use crate::status::Error;
 
 /// Points that a prepared profile and a gap have room for.
 pub const KSTRIP_SURFACE_CAPACITY: usize = 512;
-/// Largest number of contacts of one wheel: four, and those that stand for two neighbours less than 8 mm apart.
+/// Largest number of contacts of one wheel: four, and two more, each of which stands for neighbours less than 8 mm apart.
 pub const KSTRIP_CONTACTS_CAPACITY: usize = 6;
-/// Places along the rail between which friction may vary.
+/// Largest number of places along the rail at which friction is given.
 pub const KSTRIP_RAIL_FRICTION_CAPACITY: usize = 4;
 
 /// Where the wheel is, over straight track. A right wheel leans on the gauge side, which is at small y, with its flange.
@@ -41,7 +41,7 @@ pub struct Position<F> {
     /// y of the wheel's centre from the origin of the rail's profile \[m\], to the right. The centre is the point of the axle at
     /// y = 0 of the wheel's profile.
     pub lateral: F,
-    /// How far the centre is below its height over the rail's origin at which it would be one wheel radius \[m\].
+    /// Depth of the centre below its place one wheel radius over the rail's origin \[m\].
     pub vertical: F,
     /// Turn about the vertical, which points down \[rad\]: positive from x to y, between -1 and 1.
     pub yaw: F,
@@ -115,7 +115,8 @@ pub struct Pair<F> {
     pub friction_at: [F; KSTRIP_RAIL_FRICTION_CAPACITY],
     /// How many of these places there are, at most KSTRIP_RAIL_FRICTION_CAPACITY; 0: friction is the same everywhere.
     pub friction_points: u32,
-    /// Not 0: a left wheel. Its profiles are those of a right wheel; position, velocity and wrench are the left wheel's own.
+    /// 0: a right wheel; any other number: a left wheel. The profiles are always those of a right wheel; position, velocity and wrench are the
+    /// wheel's own.
     pub left: i32,
     /// Length over which the distance of the surfaces is smoothed \[m\], >= 0; 0: as kstrip_patch_from_profile() does.
     pub smoothing_length: F,

@@ -13,23 +13,23 @@ const LONGEST: f64 = 1e3;
 const CROWDED: f64 = 0.02;
 
 /// A profile, prepared by kstrip_prepare_profile(): points at equal steps of its length, toward larger y, and its direction.
-/// Plain numbers, to be copied and kept as the caller likes.
+/// It holds plain numbers and may be copied.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface<F> {
-    /// y \[m\], of a rail to the right of its origin, of a wheel from its running circle, the flange at small y.
+    /// y \[m\], to the right: of a rail from its origin, of a wheel from its running circle, with the flange at small y.
     pub y: [F; KSTRIP_SURFACE_CAPACITY],
-    /// z \[m\], down; of a wheel what its radius exceeds the wheel radius by.
+    /// z \[m\], down; of a wheel its radius minus wheel_radius.
     pub z: [F; KSTRIP_SURFACE_CAPACITY],
     /// Derivative of y by the length: the cosine of the profile's angle.
     pub cosine: [F; KSTRIP_SURFACE_CAPACITY],
-    /// Derivative of z by the length: its sine.
+    /// Derivative of z by the length: the sine of the profile's angle.
     pub sine: [F; KSTRIP_SURFACE_CAPACITY],
     /// Length between two points \[m\].
     pub step: F,
     /// Number of points, 4 to KSTRIP_SURFACE_CAPACITY.
     pub count: u32,
-    /// Zero.
+    /// Reserved: zero.
     pub reserved: u32,
 }
 

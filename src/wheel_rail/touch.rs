@@ -28,28 +28,28 @@ const FACING: f64 = 0.5;
 /// Number of corrections of the rail's point under the wheel's. Each doubles the number of correct digits.
 const CORRECTIONS: u32 = 4;
 
-/// What lies between a wheel and a rail, point by point along the rail: what a host with its own search of contact must give. The first
+/// The gap between a wheel and a rail, point by point along the rail. A host with its own search of contact fills it. The first
 /// count elements of each member are used.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gap<F> {
-    /// Length on the rail's surface from any origin \[m\], ascending; of a host that works in a plane, the coordinate in it.
+    /// Length on the rail's surface from any origin \[m\], ascending. A host that works in a plane passes its coordinate in this plane.
     pub along: [F; KSTRIP_SURFACE_CAPACITY],
     /// Distance of the undeformed surfaces along the rail's normal \[m\]; negative where they would overlap.
     pub distance: [F; KSTRIP_SURFACE_CAPACITY],
     /// x of the point on the wheel's undeformed surface from the wheel's centre, axes of the track \[m\]: 0 without yaw.
     pub x: [F; KSTRIP_SURFACE_CAPACITY],
-    /// Its y \[m\].
+    /// y of this point \[m\].
     pub y: [F; KSTRIP_SURFACE_CAPACITY],
-    /// Its z \[m\], about the wheel's radius.
+    /// z of this point \[m\], about the wheel's radius.
     pub z: [F; KSTRIP_SURFACE_CAPACITY],
-    /// Angle of the tangent across x, mean of both surfaces \[rad\]: positive from y to z, of a right wheel's flange about -1.2.
+    /// Angle of the tangent across x, mean of both surfaces \[rad\], positive from y to z; about -1.2 at the flange of a right wheel.
     pub angle: [F; KSTRIP_SURFACE_CAPACITY],
     /// Radius of curvature along x \[m\]: distance from the axle over the cosine of the angle between normal and radius.
     pub rolling_radius: [F; KSTRIP_SURFACE_CAPACITY],
     /// Number of points.
     pub count: u32,
-    /// Zero.
+    /// Reserved: zero.
     pub reserved: u32,
 }
 

@@ -21,7 +21,7 @@ use crate::status::{Error, Notice};
 /// Speed below which any slip is plausible \[m/s\].
 const JUDGED: f64 = 1.0;
 
-/// What acts on a wheel. Force and moment are conjugate to the members of kstrip_wheel_velocity: their products add up to power.
+/// Force and moment on a wheel. They are conjugate to the members of kstrip_wheel_velocity: the products add up to power.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wrench<F> {
@@ -49,7 +49,7 @@ pub struct WrenchDerivatives<F> {
     pub friction: [F; 6],
 }
 
-/// Derivatives of the wrench by the wheel's position at constant velocity: central differences of complete computations, made inside.
+/// Derivatives of the wrench by the wheel's position at constant velocity: central differences of complete computations.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WrenchByPosition<F> {
