@@ -398,13 +398,45 @@ fn pages_name_what_the_headers_have() {
 #[test]
 fn pages_are_short() {
     let mut all = Vec::new();
-    pages(&root().join("docs"), &mut all);
+    pages(root(), &mut all);
     for page in all {
         let text = std::fs::read_to_string(&page).expect("a page");
         let generated = text.lines().take(3).any(|line| line.contains("Written by `cargo bench"));
         let lines = text.lines().count();
         assert!(generated || lines <= 250, "{}: {lines} lines", page.display());
     }
+}
+
+/// Every picture stands on a page, and has a background of its own, so that it is readable on light and on dark pages.
+#[test]
+fn pictures_stand_on_pages_and_have_a_background() {
+    let mut all = Vec::new();
+    pages(root(), &mut all);
+    let mut linked = BTreeSet::new();
+    for page in &all {
+        let text = std::fs::read_to_string(page).expect("a page");
+        for link in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+            if link.ends_with(".svg") {
+                let picture = page.parent().expect("a folder").join(link);
+                linked.insert(picture.canonicalize().expect("the picture that a page shows"));
+            }
+        }
+    }
+    let mut pictures = 0;
+    for folder in ["figures", "patches", "reference", "reference/accuracy"] {
+        for entry in std::fs::read_dir(root().join("docs").join(folder)).expect("a folder") {
+            let picture = entry.expect("an entry").path().canonicalize().expect("a path");
+            if picture.extension().is_some_and(|extension| extension == "svg") {
+                assert!(linked.contains(&picture), "{}: on no page", picture.display());
+                let text = std::fs::read_to_string(&picture).expect("a picture");
+                let first = text.lines().nth(1).expect("a background");
+                assert!(first.starts_with("<rect x=\"0\" y=\"0\""), "{}", picture.display());
+                assert!(first.contains("fill=\"#FFFFFF\""), "{}", picture.display());
+                pictures += 1;
+            }
+        }
+    }
+    assert!(pictures > 25, "{pictures}");
 }
 
 /// The order of the warnings has all of them.
