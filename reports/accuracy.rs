@@ -403,7 +403,7 @@ impl Report {
     fn slender(&mut self) {
         self.line("\n## Slender contacts\n");
         self.line(
-            "`open_slender.csv`: 140 cases beyond the axis ratios of `open.csv`, ν from 0 to 0.5, fitted by nothing. Force: mean / 95 % / max; \
+            "`open_slender.csv`: 140 cases beyond the axis ratios of `open.csv`, ν from 0 to 0.5, which no fit uses. Force: mean / 95 % / max; \
              moment in μ N √(ab): mean / max. FASTSIM and FaStrip get the linear coefficients of the library. STRIP and TOTAL \
              warn below 0.015 and above 60.\n",
         );
@@ -414,7 +414,7 @@ impl Report {
         self.line("\n## Large creepage that spin turns around\n");
         self.line(
             "`boundary_elements.csv`: 576 cases of 24 contacts, linear forces to 100 and ψ to 5, half of them with a creepage that balances the spin somewhere in \
-             the contact; computed by boundary elements of our own (`fit/boundary_elements.py`), and fitted by nothing.\n",
+             the contact; computed by boundary elements of our own (`fit/boundary_elements.py`), and used by no fit.\n",
         );
         self.by_axis_ratio(&turning(), &[0.015, 0.12, 7.0, 20.0, 60.1]);
     }
