@@ -101,8 +101,8 @@ typedef int32_t kstrip_status;
 /** Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction, where the bodies are not half-spaces. */
 #define KSTRIP_WARNING_CONFORMAL 17
 /**
- * Warning: the normal turns by more than 30 degrees over a contact of a wheel. One plane of contact is then not enough: forces are off
- * by 0.2 of mu N in the mean, and by up to 0.5.
+ * Warning: the normal turns by more than 30 degrees over a contact of a wheel. One plane of contact is then not enough: forces may be off
+ * by some tenths of mu N.
  */
 #define KSTRIP_WARNING_ANGLE_RANGE 19
 /** Warning: a zone of contact ends with the profile, as if the bodies ended there. */

@@ -78,8 +78,8 @@ pub const KSTRIP_WARNING_MISMATCH: kstrip_status = 15;
 pub const KSTRIP_WARNING_MISMATCH_NEGLECTED: kstrip_status = 16;
 /// Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction, where the bodies are not half-spaces.
 pub const KSTRIP_WARNING_CONFORMAL: kstrip_status = 17;
-/// Warning: the normal turns by more than 30 degrees over a contact of a wheel. One plane of contact is then not enough: forces are off
-/// by 0.2 of mu N in the mean, and by up to 0.5.
+/// Warning: the normal turns by more than 30 degrees over a contact of a wheel. One plane of contact is then not enough: forces may be off
+/// by some tenths of mu N.
 pub const KSTRIP_WARNING_ANGLE_RANGE: kstrip_status = 19;
 /// Warning: a zone of contact ends with the profile, as if the bodies ended there.
 pub const KSTRIP_WARNING_PROFILE_END: kstrip_status = 18;

@@ -110,20 +110,23 @@ fn mean_and_p95(mut errors: Vec<f64>) -> [f64; 2] {
     [errors.iter().sum::<f64>() / errors.len() as f64, p95]
 }
 
-/// 354 wheels on real rails (every third of those under 30 degrees of range), loads with creep forces as CONTACT's: heights in um,
-/// forces over mu N, number of contacts.
+/// The page on wheel and rail has these words.
+fn assert_told(words: &str) {
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/wheel-rail.md");
+    let page = std::fs::read_to_string(page).unwrap().replace('\n', " ");
+    assert!(page.contains(words), "docs/wheel-rail.md: {words}");
+}
+
+/// 354 wheels on real rails, 345 of them under 30 degrees of range, loads with creep forces as CONTACT's: heights in um, forces over mu N,
+/// number of contacts. Beyond 30 degrees only forces against conformal CONTACT.
 #[test]
 fn forces_and_heights_are_those_of_contact() {
     let mut stands: HashMap<(String, String), Stand> = HashMap::new();
     let (mut heights, mut planar, mut same) = (vec![], vec![], 0);
-    let mut conformal = [const { Vec::<f64>::new() }; 4];
+    let mut conformal = [const { Vec::<f64>::new() }; 5];
     let runs = rows("runs");
-    let runs: Vec<_> = runs.iter().filter(|row| number(row, "angle_range_deg") < 30.0).collect();
-    for (i, row) in runs.iter().enumerate() {
-        let with_conformal = !row["conformal_FX_N"].is_empty();
-        if i % 3 != 0 && !with_conformal {
-            continue;
-        }
+    assert_eq!(runs.len(), 354);
+    for row in &runs {
         let names = (row["rail"].clone(), row["wheel"].clone());
         let stand = stands.entry(names).or_insert_with(|| {
             let rail = profile(&row["rail"], number(row, "rail_turn_rad"));
@@ -143,25 +146,38 @@ fn forces_and_heights_are_those_of_contact() {
             let [fx, fy, _] = wrench.force;
             (fx + number(row, x)).hypot(fy + number(row, y)) / bound
         };
-        heights.push(vertical * 1e6 - number(row, "vertical_mm") * 1e3);
-        planar.push(off("FX_N", "FY_N"));
-        same += usize::from(f64::from(wrench.contacts) == number(row, "contacts"));
-        if with_conformal {
-            let range = number(row, "angle_range_deg");
-            let class = [5.0, 10.0, 20.0].iter().filter(|&&end| range >= end).count();
+        let range = number(row, "angle_range_deg");
+        if range < 30.0 {
+            heights.push(vertical * 1e6 - number(row, "vertical_mm") * 1e3);
+            planar.push(off("FX_N", "FY_N"));
+            same += usize::from(f64::from(wrench.contacts) == number(row, "contacts"));
+        }
+        if !row["conformal_FX_N"].is_empty() {
+            let class = [5.0, 10.0, 20.0, 30.0].iter().filter(|&&end| range >= end).count();
             conformal[class].push(off("conformal_FX_N", "conformal_FY_N"));
         }
     }
+    assert_eq!(heights.len(), 345);
     let share = same as f64 / heights.len() as f64;
     let [heights, planar] = [mean_and_p95(heights), mean_and_p95(planar)];
+    let [least, most] = [f64::min, f64::max].map(|choose| {
+        conformal[4].iter().copied().reduce(choose).expect("wheels beyond 30 degrees")
+    });
+    assert_eq!(conformal[4].len(), 3);
     let conformal = conformal.map(|errors| mean_and_p95(errors)[0]);
     println!(
         "heights {heights:.2?} um, planar {planar:.4?}, conformal {conformal:.4?}, same contacts {share:.3}"
     );
     assert!(share >= 0.97 && heights[0] < 1.5 && heights[1] < 5.0);
     assert!(planar[0] < 0.030 && planar[1] < 0.10);
-    let allowed = [0.022, 0.023, 0.025, 0.038];
+    let allowed = [0.022, 0.023, 0.025, 0.038, 0.2];
     assert!(conformal.iter().zip(allowed).all(|(error, allowed)| *error < allowed));
+    assert_told(&format!("with one plane of contact | {:.3} |", planar[0]));
+    let [a, b, c, d, _] = conformal;
+    assert_told(&format!("20 to 30 degrees | {a:.3}, {b:.3}, {c:.3}, {d:.3} |"));
+    assert_told(&format!("mean and 95 % | {:.1} µm, {:.1} µm |", heights[0], heights[1]));
+    assert_told(&format!("as many contacts as in CONTACT | {:.0} % |", 100.0 * share));
+    assert_told(&format!("forces are off by {least:.2} to {most:.2} of μ N"));
 }
 
 /// A cone on a round head is Hertz's contact: radii `r/cos a` along and the head's across.
@@ -552,4 +568,13 @@ fn manchester_benchmark_is_that_of_contact() {
     println!("forces {forces:.4?} of mu N");
     assert!(y[0] < 0.15 && angle[0] < 0.15 && load[0] < 2e-3);
     assert!(area[0] < 0.03 && peak[0] < 0.015 && forces[0] < 0.02);
+    assert_told(&format!(
+        "place of contact {:.2} mm, angle {:.2} degrees, load {:.2} %, area {:.1} %, peak pressure {:.1} %, forces {:.3} of μ N",
+        y[0],
+        angle[0],
+        100.0 * load[0],
+        100.0 * area[0],
+        100.0 * peak[0],
+        forces[0]
+    ));
 }
