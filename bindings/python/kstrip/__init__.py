@@ -98,7 +98,7 @@ def _says(status: int, index: Optional[tuple]) -> str:
 
 
 class KstripError(ValueError):
-    """A negative status: its number, its name in the header, and of arrays the index of the first bad input."""
+    """A negative status: its number, its name in the header, and for arrays the index of the first bad input."""
 
     def __init__(self, status: int, index: Optional[tuple] = None):
         super().__init__(_says(status, index))
@@ -106,18 +106,18 @@ class KstripError(ValueError):
 
 
 class KstripWarning(RuntimeWarning):
-    """A positive status: the outputs are valid, but read what it says."""
+    """A positive status: the outputs are valid, and the message says what the caller should know."""
 
 
 def _gravity(status: int) -> tuple[int, int]:
-    """What is told of several warnings, as kstrip.h has it: the largest."""
-    rank = {"NOT_CONVERGED": 5, "SEVERAL_FRICTIONS": 4, "FRICTION_AT_LEAST": 3, "CREEPAGE_AT_LEAST": 3, "BEYOND_FRICTION": 1,
-            "SPIN": 0, "RANGE": 0}
-    return (rank.get(_statuses.get(status, "").removeprefix("KSTRIP_WARNING_"), 2) if status > 0 else -1), status
+    """Of several warnings the one with the largest gravity is told, in the order of kstrip.h."""
+    rank = {"NOT_CONVERGED": 5, "SEVERAL_FRICTIONS": 4, "FRICTION_AT_LEAST": 3, "CREEPAGE_AT_LEAST": 3, "PRESSURE": 2, "CREEPAGE": 2,
+            "SEMI_AXIS": 2, "SPIN_UNIT": 2, "FRICTION": 2, "RADIUS": 2, "BEYOND_FRICTION": 1, "ANGLE_RANGE": 1, "PROFILE_END": 1}
+    return (rank.get(_statuses.get(status, "").removeprefix("KSTRIP_WARNING_"), 0) if status > 0 else -1), status
 
 
 def _report(status: int, index: Optional[tuple] = None) -> None:
-    """Raises or warns in the name of the caller's caller's caller."""
+    """Raises or warns; the warning names the line of the user that called the binding."""
     if status < 0:
         raise KstripError(status, index)
     if status > 0:
@@ -407,7 +407,7 @@ def creepage_from_parameters(contacts: Records, parameters: Records) -> Records:
 
 
 class Evaluation(NamedTuple):
-    """What evaluate() and solve_motion() answer; None where it was not asked for."""
+    """The results of evaluate() and solve_motion(); None where one was not asked for."""
 
     #: fx, fy [N], mz [N m], power [N; of a motion W], adhesion, status_detail
     result: Records
@@ -464,7 +464,7 @@ def solve(contacts: Records, creepages: Records, friction: Optional[Records] = N
           strips: int = 0) -> Records:
     """Forces on the lower body: fx, fy [N], mz [N m], power [N], adhesion, status_detail.
 
-    `friction`: a law of friction() that falls with the slip. Of a patch, the same by kstrip_patch_evaluate().
+    `friction`: a law of friction() that falls with the slip. For a patch the results are those of kstrip_patch_evaluate().
     """
     if _is_patch(contacts):
         return _of_patch(contacts, creepages, friction, model, strips, ())["result"]

@@ -252,6 +252,17 @@ class Binding(unittest.TestCase):
             with self.assertRaises(kstrip.KstripError):
                 kstrip.solve(CONTACT, kstrip.creepage(1e-3), model=number)
 
+    def test_the_gravest_warning_is_told(self):
+        page = os.path.join(os.path.dirname(__file__), *[os.pardir] * 3, "docs", "reference", "bad-input.md")
+        with open(page, encoding="utf-8") as text:
+            order = text.read().split("## Which warning is told")[1].split("\nThe status of a batch")[0]
+        lines = [re.findall(r"`(KSTRIP_WARNING_\w+)`", line) for line in re.split(r"\n\d\. ", order)[1:]]
+        named = [name for line in lines for name in line]
+        self.assertEqual(set(named), {name for name in kstrip.constants if name.startswith("KSTRIP_WARNING_")})
+        told = sorted(named, key=lambda name: kstrip._gravity(kstrip.constants[name]), reverse=True)
+        self.assertEqual(told, [name for line in lines for name in sorted(line, key=lambda name: -kstrip.constants[name])])
+        self.assertTrue(all(kstrip._gravity(1) > kstrip._gravity(status) for status in (0, -1)))
+
     def test_warnings_are_warnings(self):
         with self.assertWarnsRegex(kstrip.KstripWarning, "KSTRIP_WARNING_CREEPAGE at index 1") as caught:
             kstrip.solve(CONTACT, kstrip.creepage([1e-3, 20.0]))
