@@ -20,7 +20,7 @@ pub fn check<F: Precision>(
     is_ordinary(contact, creepage, options.model).map(|_| ())
 }
 
-/// Checks, and tells whether [`warning`](crate::contact::warning) has nothing to say.
+/// Checks the inputs, and tells whether [`warning`](crate::contact::warning) returns nothing.
 ///
 /// # Errors
 /// Those of [`check`].
@@ -53,7 +53,7 @@ pub(crate) fn find_fault<F: Precision>(
     }
 }
 
-/// Every result is a number within its bound times these.
+/// Upper bounds of power, moment, force and the slip by spin: every result is a number if these are.
 fn range<F: Plain>(contact: &Contact<F>, creepage: &Creepage<F>, model: Model) -> [F; 4] {
     let Creepage { longitudinal, lateral, spin } = *creepage;
     let Contact { a, b, .. } = *contact;
@@ -61,13 +61,13 @@ fn range<F: Plain>(contact: &Contact<F>, creepage: &Creepage<F>, model: Model) -
     let moment = bound * (a + b);
     let longitudinal = longitudinal.abs() + contact.strain().abs();
     let power = bound * longitudinal + bound * lateral.abs() + moment * spin.abs();
-    // The velocity that spin causes at the edge, also where nothing is carried
+    // The slip that spin makes at the edge, also where nothing is carried
     let edge_slip = (a + b) * spin.abs();
-    // (a hair above the bounds, because forces round)
+    // (slightly above the bounds, because forces round)
     [power, moment, bound, edge_slip].map(|number| number.times(1.001))
 }
 
-/// What no force of the model exceeds \[N\].
+/// Upper bound of the forces of the model \[N\].
 #[inline(always)]
 fn force_limit<F: Plain>(contact: &Contact<F>, creepage: &Creepage<F>, model: Model) -> F {
     if model != Model::Linear {

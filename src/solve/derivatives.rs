@@ -355,7 +355,7 @@ fn scaled<F: Plain>(vector: [F; 3], factor: F) -> [F; 3] {
 }
 
 impl<F: Float> Derivatives<F> {
-    /// All numbers.
+    /// All derivatives in one array.
     pub(crate) fn entries(&self) -> [F; 18] {
         let Self { jacobian: [[a, b, c], [d, e, f], [g, h, i]], .. } = *self;
         let Self { normal_force, load_through_hertz, friction, .. } = *self;

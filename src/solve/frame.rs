@@ -25,7 +25,7 @@ impl<F: Plain> Frame<F> {
         Self { contact: *contact, radius: root_a * root_b, units: Units::of(contact) }
     }
 
-    /// What pressure adds to the longitudinal creepage of unlike bodies; nothing in the theory of 1967.
+    /// The creepage that pressure adds to the longitudinal one in unlike bodies; `None` for like bodies and in the theory of 1967.
     #[inline(always)]
     pub(crate) fn shift(&self, creepage: &Creepage<F>, model: Model) -> Option<Shift<F>>
     where
@@ -60,7 +60,7 @@ impl<F: Plain> Frame<F> {
         self.units.axis_ratio()
     }
 
-    /// From `F/(μ N)`, `M_z/(μ N √(ab))`.
+    /// Forces in newtons from `F/(μ N)` and `M_z/(μ N √(ab))`.
     #[inline(always)]
     pub(crate) fn forces(&self, totals: Totals<F>) -> Forces<F> {
         let bound = self.contact.friction_bound();

@@ -7,10 +7,10 @@ use crate::number::{Float, length};
 use crate::solve::options::Model;
 use crate::status::Notice;
 
-/// A bound whose square has all its digits \[N\].
+/// Friction bound above which its square has all digits \[N\].
 const TOLD_BY_SQUARES: f64 = 1e-12;
 
-/// [`linear_notice`] of a force, without its root and quotient where the squares tell.
+/// [`linear_notice`] of a force. Where the squares of force and bound are far enough apart, no root is needed.
 #[inline(always)]
 pub(crate) fn linear_notice_of<F: Float>(fx: F, fy: F, bound: F) -> Notice {
     let (square, limit) = (fx * fx + fy * fy, bound * bound);
@@ -37,7 +37,7 @@ pub(crate) fn notice_of<F: Float>(
     warned(contact, creepage, of_model)
 }
 
-/// Or that an input is implausible.
+/// The graver of a notice of the model and of a warning that an input is implausible.
 #[cold]
 #[inline(never)]
 pub(crate) fn warned<F: Float>(
@@ -48,7 +48,7 @@ pub(crate) fn warned<F: Float>(
     notice.worse(warning(contact, creepage))
 }
 
-/// What the theory of 1967 neglects.
+/// The notice that the theory of 1967 neglects the mismatch of the materials.
 #[inline(always)]
 pub(crate) fn neglected<F: Float>(model: Model, mismatch: F) -> Notice {
     let neglects = model.is_of_1967() && mismatch != F::zero();
@@ -61,9 +61,9 @@ pub(crate) fn linear_notice<F: Float>(size: F, friction_bound: F) -> Notice {
     if size > friction_bound { Notice::BeyondFriction } else { Notice::None }
 }
 
-/// Axis ratios that [`Model::Strip`] and [`Model::Total`] are made for, a hair more.
+/// Range of the axis ratio for which [`Model::Strip`] and [`Model::Total`] are made, slightly widened because quotients round.
 pub(crate) const RATIOS: [f64; 2] = [0.014_999_9, 60.000_1];
-/// Spins `|ψ|` that it is made for.
+/// Largest spin `|ψ|` for which [`Model::Strip`] is made.
 pub(crate) const LARGEST_SPIN: f64 = 3.0;
 
 /// What the caller of a model with a friction bound should know.

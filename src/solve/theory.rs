@@ -17,33 +17,33 @@ pub(crate) use crate::total::Total;
 
 /// A model, ready for the creepages of one contact.
 pub(crate) trait Theory<F: Plain>: Copy {
-    /// Its number.
+    /// The number of the model.
     const MODEL: Model;
 
-    /// All that the contact alone decides.
+    /// Computes everything that depends on the contact alone.
     fn of_contact(frame: &Frame<F>, options: &Options) -> Self;
 
-    /// `F/(μ N)`, `M_z/(μ N √(ab))` and the share in adhesion. Of the linear theory, which knows no bound: nothing.
+    /// `F/(μ N)`, `M_z/(μ N √(ab))` and the share in adhesion. The linear theory has no bound `μ N` and does not use this function.
     fn totals<T: Number<Base = F>>(
         &self,
         frame: &Frame<F>,
         parameters: &Parameters<T>,
     ) -> Totals<T>;
 
-    /// Of the linear theory: `G a b C11`, `G a b C22`, `G (ab)^{3/2} C23`, `G (ab)² C33`.
+    /// `G a b C11`, `G a b C22`, `G (ab)^{3/2} C23`, `G (ab)² C33` for the linear theory; `None` for all other models.
     #[inline(always)]
     fn stiffness(&self) -> Option<&[F; 4]> {
         None
     }
 
-    /// Of a loaded contact that moves, and `ψ`.
+    /// The forces of a loaded contact that moves, and `ψ`.
     #[inline(always)]
     fn forces(&self, frame: &Frame<F>, creepage: &Creepage<F>) -> (Forces<F>, F) {
         let parameters = frame.units.parameters(creepage);
         (frame.forces(self.totals(frame, &parameters)), parameters.psi)
     }
 
-    /// Without creepage no force, and adhesion everywhere, or not known.
+    /// The forces where there is no creepage: zero, with adhesion everywhere, or unknown for TOTAL. `None` where there is creepage.
     #[inline(always)]
     fn at_rest(creepage: &Creepage<F>) -> Option<Forces<F>>
     where
@@ -71,7 +71,7 @@ pub(crate) trait Theory<F: Plain>: Copy {
         }
     }
 
-    /// Of a loaded contact and a creepage that have been checked.
+    /// The solution for a loaded contact and a creepage that have been checked.
     #[inline(always)]
     fn answer(&self, frame: &Frame<F>, creepage: &Creepage<F>, ordinary: bool) -> Solution<F>
     where
@@ -80,7 +80,7 @@ pub(crate) trait Theory<F: Plain>: Copy {
         self.answer_seen(frame, &frame.seen(creepage, Self::MODEL), ordinary)
     }
 
-    /// For the creepage that the contact sees.
+    /// The solution for the creepage that the contact sees.
     #[inline(always)]
     fn answer_seen(&self, frame: &Frame<F>, creepage: &Creepage<F>, ordinary: bool) -> Solution<F>
     where

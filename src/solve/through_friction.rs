@@ -231,7 +231,7 @@ pub(crate) fn check<F: Precision>(
 }
 
 impl<F: Float> LawDerivatives<F> {
-    /// All numbers.
+    /// All derivatives in one array.
     pub(crate) fn entries(&self) -> [F; 12] {
         let Self { ratio, decay, rolling_speed, slope_factor } = *self;
         let [[a, b, c], [d, e, f], [g, h, i], [j, k, l]] =

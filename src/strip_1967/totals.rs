@@ -20,10 +20,10 @@ use crate::strip_1967::slopes;
 use crate::strip_1967::strip::SlidingRule;
 use core::f64::consts::PI;
 
-/// Four nodes of Gauss on `[-1, 1]` and their weights, those that are positive.
+/// The positive two of the four nodes of Gauss on `[-1, 1]`, with their weights.
 pub(super) const GAUSS_4: [[f64; 2]; 2] =
     [[0.33998104358485626, 0.6521451548625461], [0.8611363115940526, 0.34785484513745385]];
-/// Six nodes: `∫ C K dY`, on either side of the strip with `ξ̄ = 0`.
+/// Six nodes of Gauss, for `∫ C K dY` on either side of the strip with `ξ̄ = 0`.
 pub(super) const GAUSS_6: [[f64; 2]; 6] = [
     [-0.932469514203152, 0.17132449237917036],
     [-0.6612093864662645, 0.3607615730481386],
@@ -32,13 +32,13 @@ pub(super) const GAUSS_6: [[f64; 2]; 6] = [
     [0.6612093864662645, 0.3607615730481386],
     [0.932469514203152, 0.17132449237917036],
 ];
-/// How many half lengths of a piece its square root's zero is away where four nodes give all digits.
+/// Distance of the zero of the square root from the middle of a piece, in half lengths, beyond which four nodes give all digits.
 #[inline]
 pub(super) fn far<T: Number>() -> f64 {
     if size_of::<Stored<T>>() == 4 { 3.5 } else { 16.0 }
 }
 
-/// Root of the distance of numbers near one.
+/// Square root of the distance between 1 and the next number.
 #[inline]
 fn root_epsilon<T: Number>() -> f64 {
     if size_of::<Stored<T>>() == 4 { 3.5e-4 } else { 1.5e-8 }
@@ -50,7 +50,7 @@ pub(super) type Both<T> = <<T as Number>::Base as Number>::Pair;
 /// Integrals over strips: `∫ f_x dY`, `∫ f_y dY`, `∫ m_x dY`, `∫ Y f_x dY`, `∫ (C − K) dY`.
 pub(super) type Shares<T> = [T; 5];
 
-/// Those of one set of strips and another.
+/// The sums of the integrals of two sets of strips.
 #[inline(always)]
 pub(super) fn sum<T: Number>(mut shares: Shares<T>, others: Shares<T>) -> Shares<T> {
     for (share, other) in shares.iter_mut().zip(others) {
@@ -118,7 +118,7 @@ fn integrals<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Totals
     let motion = Motion::new(parameters, rule);
     let short = || without_spin(&motion.values());
     let shares = if T::HAS_DERIVATIVES {
-        // (the short road knows no derivative by the spin)
+        // (the formulas without spin have no derivative by the spin)
         let slopes = with_spin(&motion);
         if motion.psi.exceeds(T::zero()) { slopes } else { valued(slopes, short()) }
     } else {
@@ -127,7 +127,7 @@ fn integrals<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Totals
     turned_back(&motion, shares)
 }
 
-/// Other values with the same derivatives.
+/// Replaces the values of numbers and keeps their derivatives.
 #[inline(always)]
 fn valued<T: Number>(mut numbers: Shares<T>, values: Shares<T::Base>) -> Shares<T> {
     for (number, value) in numbers.iter_mut().zip(values) {
