@@ -1,4 +1,5 @@
-//! The programs of hosts/: kstrip inside integrators, simulators and standard interfaces. Each checks its own figures.
+//! The programs of hosts/: kstrip inside integrators, simulators and standard interfaces. Each checks its own figures, and those that
+//! docs/hosts.md prints are compared with the page.
 
 use crate::toolchain::{cpp_compilers, output_of, released, root, say, scratch};
 use std::path::PathBuf;
@@ -28,6 +29,29 @@ fn has(compiler: &str, arguments: &[&str], headers: &str) -> bool {
     command.output().is_ok_and(|output| output.status.success())
 }
 
+/// The numbers in a text, in their order.
+fn numbers(text: &str) -> Vec<f64> {
+    let inside = |c: char| c.is_ascii_digit() || c == '.' || c == '-';
+    text.split(|c| !inside(c)).filter_map(|word| word.parse().ok()).collect()
+}
+
+/// The numbers in the last cell of a host's row in docs/hosts.md are these, each to a tolerance.
+fn assert_told(host: &str, found: &[(f64, f64)]) {
+    let page = std::fs::read_to_string(root().join("docs/hosts.md")).expect("the page");
+    let row = page.lines().find(|line| line.starts_with(&format!("| {host} |"))).expect("a row");
+    let told = numbers(row.trim_end_matches([' ', '|']).rsplit('|').next().expect("a cell"));
+    assert_eq!(told.len(), found.len(), "docs/hosts.md, {host}: {told:?}");
+    for (told, (found, tolerance)) in told.iter().zip(found) {
+        assert!((told - found).abs() <= *tolerance, "docs/hosts.md, {host}: {told} is {found}");
+    }
+}
+
+/// Runs and eigenvalue of a line with a critical speed, which is told to a hundredth.
+fn critical(line: &str) -> [(f64, f64); 2] {
+    let line = numbers(line);
+    [(line[2], 0.02), (line[0], 0.02)]
+}
+
 /// Critical speed of runs and eigenvalues, curving, stop, hold and restart, all with exact Jacobians.
 #[test]
 fn sundials_vehicle() {
@@ -41,6 +65,19 @@ fn sundials_vehicle() {
     arguments.extend(["-std=gnu11", "-llapack", "-lm"]);
     let text = run("cc", "hosts/sundials/vehicle.c", &arguments);
     assert_eq!(text.lines().count(), 15, "{text}");
+    let lines: Vec<&str> = text.lines().collect();
+    let ([run, value], [run_of_total, value_of_total]) = (critical(lines[1]), critical(lines[2]));
+    let most = |what: &str, column: usize| {
+        let rows = lines.iter().filter(|line| line.contains("curve of") && line.contains(what));
+        (rows.map(|line| numbers(line)[column]).fold(0.0, f64::max), 0.0)
+    };
+    let drift = numbers(lines[13].split("drift").nth(1).expect("the drift"))[0];
+    let told = [
+        [run, value, run_of_total, value_of_total],
+        [(250.0, 0.0), most("kstrip", 1), most("kstrip", 2), most("differences", 2)],
+        [(1.0, 0.0), (50.0, 0.0), (-1e-3 * drift, 6e-4), (3.0, 0.0)],
+    ];
+    assert_told("SUNDIALS 6", told.as_flattened());
 }
 
 /// FMUs of FMI 2.0 and 3.0: valid, through standstill, exact derivatives, the same digits in two importers.
@@ -86,6 +123,12 @@ fn simbody_wheelset() {
     arguments.extend(["-lSimTKsimbody", "-lSimTKmath", "-lSimTKcommon"]);
     let text = run("c++", "hosts/simbody/wheelset.cpp", &arguments);
     assert_eq!(text.lines().count(), 4, "{text}");
+    let lines: Vec<&str> = text.lines().collect();
+    let ([run, value], [run_of_total, value_of_total]) = (critical(lines[0]), critical(lines[1]));
+    let [below, above] = [lines[2], lines[3]].map(|line| numbers(line)[2]);
+    let speeds = [run, value, run_of_total, value_of_total];
+    let sizes = [(3.0, 0.0), (below, 2e-4), (90.0, 0.0), (above, 0.1), (110.0, 0.0)];
+    assert_told("Simbody 3.7", &[&speeds[..], &sizes].concat());
 }
 
 /// A driven and braked wheelset in ODE: at 60 steps a second the slip is that of 4000, and standing on a slope of 1 in 50 it
@@ -126,4 +169,7 @@ fn ode_wheelset_drives_stops_and_holds() {
     }
     // Pulled by half of the friction bound: slip towards the rear
     assert!(fine[2] < 0.0 && fine[1] > 5.0, "{text}");
+    let off = 100.0 * (rows[0][2] / fine[2] - 1.0).abs();
+    let hill = [(1.0, 0.0), (50.0, 0.0), (-rows[0][5], 5e-4), (3.0, 0.0)];
+    assert_told("ODE 0.16", &[&[(off, 0.05), (60.0, 0.0)], &hill[..]].concat());
 }
