@@ -108,6 +108,13 @@ fn fmi_wheel_on_a_rail() {
         .arg(released("libkstrip.so"));
     let text = output_of(&mut check);
     assert_eq!(text.matches("validates without a finding").count(), 2, "{text}");
+    // docs/hosts.md: within 1e-9 mu N of differences
+    let off: Vec<f64> = text
+        .split("against differences: ")
+        .skip(1)
+        .map(|rest| rest.split(' ').next().expect("a word").parse().expect("a number"))
+        .collect();
+    assert!(off.len() == 2 && off.iter().all(|off| *off < 1e-9), "{text}");
 }
 
 /// Critical speed of runs and eigenvalues in three dimensions; decay below it, a limit cycle above.
