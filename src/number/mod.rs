@@ -285,6 +285,11 @@ pub(crate) fn length<F: Plain>(x: F, y: F) -> F {
     larger * (F::one() + ratio * ratio).sqrt()
 }
 
+/// Whether none is infinite or NaN. (All are asked, several at once.)
+pub(crate) fn are_finite<F: Float>(numbers: &[F]) -> bool {
+    numbers.iter().fold(true, |finite, x| finite & x.is_finite_number())
+}
+
 /// `yes` where a number is positive, else `no`.
 #[inline(always)]
 pub(crate) fn chosen<T: Number, const N: usize>(by: T, yes: [T; N], mut no: [T; N]) -> [T; N] {

@@ -57,16 +57,17 @@ impl<F: Float> Estimate<F> {
         lattice(&zones, COUNT, approach.times(DEEP), &mut places);
         let mut estimate = Self { load: zero, edges: Vec::new(), growth: Vec::new(), breadth };
         let (mut work, mut load) = (zero, zero);
-        let depth = |place: &Place<F>| (level - curve.at(place.y)).max(zero);
+        let mut depths: Vec<Moving<F>, EDGES> = Vec::new();
         for place in &places {
-            let q = depth(place);
+            let q = (level - curve.at(place.y)).max(zero);
             estimate.add(place, q);
             load += q * place.width;
             work += q * place.width * (approach - level + q);
+            let _ = depths.push(q);
         }
-        let energy = places.iter().fold(zero, |sum, place| {
+        let energy = places.iter().zip(&depths).fold(zero, |sum, (place, q)| {
             let [deflection, _] = estimate.deflection(place.y);
-            sum + depth(place) * place.width * deflection
+            sum + *q * place.width * deflection
         });
         let size = work / energy.shift(F::TINY);
         estimate.load = load * size;

@@ -1,7 +1,7 @@
 //! The given distance of two bodies, and the section in which they would overlap if they were shifted into each other.
 
 use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float, Strips};
+use crate::number::{Arithmetic, Float, Strips, are_finite};
 use crate::status::Error;
 
 /// A number and its derivative by the load or the approach that is given.
@@ -61,7 +61,7 @@ impl<'a, F: Float> Profile<'a, F> {
         else {
             return Err(Error::Profile);
         };
-        if !y.iter().chain(distance).all(|x| x.is_finite_number()) {
+        if !(are_finite(y) && are_finite(distance)) {
             return Err(Error::NotFinite);
         }
         if !y.iter().zip(y.iter().skip(1)).all(|(y, next)| y < next) {
@@ -113,7 +113,7 @@ impl<'a, F: Float> Profile<'a, F> {
     fn of_each_point(&self, values: &'a [F]) -> Result<&'a [F], Error> {
         if values.len() != self.y.len() {
             Err(Error::Profile)
-        } else if values.iter().all(|x| x.is_finite_number()) {
+        } else if are_finite(values) {
             Ok(values)
         } else {
             Err(Error::NotFinite)
@@ -154,26 +154,21 @@ impl<'a, F: Float> Profile<'a, F> {
         (y - Moving::from_base(from)).scale((after - before) / (to - from)).shift(before)
     }
 
-    /// The straight pieces, each with its ends: `y`, distance above the lowest point, rolling radius.
-    fn pieces(&self, radius: F) -> impl Iterator<Item = [[F; 3]; 2]> + use<'_, 'a, F> {
-        let lowest = self.lowest;
-        let radii = self.rolling_radius.iter().copied().chain(core::iter::repeat(radius));
-        let points = self.y.iter().zip(self.distance).zip(radii);
-        let points = points.map(move |((y, h), radius)| [*y, *h - lowest, radius]);
-        let next = points.clone().skip(1);
-        points.zip(next).map(|(from, to)| [from, to])
-    }
-
     /// `V = ∫ (h₀ − h) dy` over the overlap at `h₀ = 0.55 δ`; `radius` that of a contact whose profile has none.
     pub(super) fn section(&self, approach: Moving<F>, radius: F) -> Section<F> {
         let level = approach.times(SECTION);
         let mut volume = Moving::from_base(F::TINY);
         let mut moment = Moving::from_base(radius * F::TINY);
-        for [[from, low, before], [to, high, after]] in self.pieces(radius) {
-            let (low, high) = (low.min(high), low.max(high));
+        // straight pieces between the points
+        for (k, ends) in self.distance.windows(2).enumerate() {
+            let [from, to] = ends else { continue };
+            let (low, high) = (from.min(*to) - self.lowest, from.max(*to) - self.lowest);
             if level.value <= low {
                 continue;
             }
+            let of = |list: &[F], k: usize| list.get(k).copied().unwrap_or(radius);
+            let (from, to) = (of(self.y, k), of(self.y, k + 1));
+            let radii = [k, k + 1].map(|k| of(self.rolling_radius, k).times(0.5));
             let (depth, least) = (level.shift(-low), level.shift(-high));
             // the part of the piece where the bodies overlap
             let part = if least.value < F::zero() {
@@ -182,7 +177,7 @@ impl<'a, F: Float> Profile<'a, F> {
                 (depth + least).scale((to - from).times(0.5))
             };
             volume += part;
-            moment += part.scale(before.times(0.5) + after.times(0.5));
+            moment += part.scale(radii[0] + radii[1]);
         }
         Section { half_width: (volume / level).times(HALF_WIDTH), rolling_radius: moment / volume }
     }

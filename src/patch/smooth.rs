@@ -21,7 +21,7 @@ const WIDEST: f64 = 2e-3;
 const SHARE: f64 = 0.5;
 
 /// Number of knots in a smoothing length.
-const KNOTS_TO_A_LENGTH: f64 = 6.0;
+const KNOTS_TO_A_LENGTH: f64 = 5.0;
 /// Where the last piece is shorter than this share of the others, the one before ends the profile.
 const STUB: f64 = 1e-3;
 
@@ -181,10 +181,10 @@ impl<F: Float> Curve<F> {
             for piece in low_end..high_end {
                 let (begin, end) = (at(piece).value, at(piece + 1).value);
                 let (mut low, mut high) = (F::LARGEST, -F::LARGEST);
-                let points = profile.y.iter().zip(profile.distance).enumerate().skip(from);
-                for (i, (y, h)) in points {
+                let mut k = from;
+                while let (Some(y), Some(h)) = (profile.y.get(k), profile.distance.get(k)) {
                     if *y <= begin {
-                        from = i;
+                        from = k;
                         (low, high) = (*h, *h);
                     } else {
                         low = low.min(*h);
@@ -193,6 +193,7 @@ impl<F: Float> Curve<F> {
                     if *y >= end {
                         break;
                     }
+                    k += 1;
                 }
                 if !take(piece, low - profile.lowest, high - profile.lowest) {
                     return false;

@@ -4,8 +4,8 @@ use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::friction::{self, SlipFriction};
 use crate::number::Float;
+use crate::solve::check::is_ordinary;
 use crate::solve::derivatives::{Derivatives, Slopes, solve_with_slopes};
-use crate::solve::model;
 use crate::solve::options::{Model, Options, Precision, Solution};
 use crate::status::{Error, Notice};
 
@@ -210,18 +210,18 @@ pub(crate) fn check<F: Precision>(
     law: Option<&SlipFriction<F>>,
     options: &Options,
 ) -> Result<(), Error> {
-    let (friction, steepness) = match law {
+    let (ordinary, (friction, steepness)) = match law {
         Some(law) => {
             friction::check(contact, creepage, law, options)?;
-            law.least(contact, creepage)
+            (contact.is_ordinary(creepage), law.least(contact, creepage))
         }
         None => {
-            model::check(contact, creepage, options)?;
-            (contact.friction, F::zero())
+            let ordinary = is_ordinary(contact, creepage, options.model)?;
+            (ordinary, (contact.friction, F::zero()))
         }
     };
     // Slopes are those of linear theory, over the bound at most so many, and grow tenfold through friction.
-    let fit = contact.is_ordinary(creepage)
+    let fit = ordinary
         && contact.stiffness() <= Contact { friction, ..*contact }.friction_bound().times(1e6)
         && steepness < F::constant(0.9);
     if fit || contact.is_lost() {

@@ -13,12 +13,13 @@
 //!
 //! The patch has the mean of these, weighted with the strips' loads `N` and referred to its origin. The force of the pressure is `Σ N n`.
 
-use super::touch::{Gap, Turn};
+use super::line_of_contact::Turn;
+use super::touch::Gap;
 use super::{
     KSTRIP_CONTACTS_CAPACITY, KSTRIP_SURFACE_CAPACITY, Pair, Position, Velocity, cross, dot,
 };
 use crate::contact::forces::StripCount;
-use crate::number::{Float, length};
+use crate::number::{Float, are_finite, length};
 use crate::patch::normal::Given;
 use crate::patch::profile::{Indentation, Profile, ProfileContact};
 use crate::patch::{PatchStrip, StoredPatch};
@@ -194,10 +195,9 @@ impl<'a, F: Precision> View<'a, F> {
         let count = gap.count as usize;
         let along = gap.along.get(..count).ok_or(Error::Capacity)?;
         let distance = gap.distance.get(..count).ok_or(Error::Capacity)?;
-        let others = [&gap.x, &gap.y, &gap.z, &gap.angle, &gap.rolling_radius]
-            .map(|list| list.iter().take(count));
-        let mut numbers = others.into_iter().flatten().chain(along).chain(distance);
-        if !numbers.all(|x| x.is_finite_number()) {
+        let others = [&gap.x, &gap.y, &gap.z, &gap.angle, &gap.rolling_radius];
+        let others = others.map(|list| list.get(..count).unwrap_or(&[]));
+        if !(others.into_iter().all(are_finite) && are_finite(along) && are_finite(distance)) {
             return Err(Error::NotFinite);
         }
         if gap.rolling_radius.iter().take(count).any(|radius| *radius <= F::zero()) {

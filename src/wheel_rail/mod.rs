@@ -19,9 +19,11 @@
 //! ```
 
 pub mod contacts;
+mod line_of_contact;
 pub mod scene;
 pub mod surface;
 pub mod touch;
+mod under;
 pub mod wrench;
 
 use crate::number::Float;

@@ -1,7 +1,7 @@
 //! A profile at equal steps of its length, with its direction. It is cubic between the points, so that distances have continuous slopes.
 
 use super::KSTRIP_SURFACE_CAPACITY;
-use crate::number::Float;
+use crate::number::{Arithmetic, Float, Strips, are_finite};
 use crate::status::Error;
 
 /// Least default of the step \[m\]; the default is the length over the capacity.
@@ -155,7 +155,7 @@ impl<F: Float> Surface<F> {
             && self.step.is_finite_number()
             && self.step > F::zero();
         let lists = [&self.y, &self.z, &self.cosine, &self.sine];
-        let finite = lists.iter().all(|list| list.iter().take(count).all(|x| x.is_finite_number()));
+        let finite = lists.iter().all(|list| list.get(..count).is_some_and(are_finite));
         if sound && finite { Ok(()) } else { Err(Error::NotPrepared) }
     }
 
@@ -170,37 +170,73 @@ impl<F: Float> Surface<F> {
         })
     }
 
-    /// The points around a place, and the number of the first.
+    /// Points side by side, by their numbers.
     #[inline(always)]
-    fn around(&self, s: F) -> Option<(i32, [Place<F>; 2])> {
-        let k = s.whole().min(self.count.saturating_sub(2) as i32).max(0);
-        Some((k, [self.point(k as usize)?, self.point(k as usize + 1)?]))
-    }
-
-    /// The curve between two points and its derivative, a cubic with the directions of both; `s` in steps.
-    #[inline(always)]
-    pub(crate) fn at(&self, s: F) -> Option<Place<F>> {
-        let (k, [from, to]) = self.around(s)?;
-        let (u, by_step) = (s - F::widened(k as f32), F::one() / self.step);
-        let along = |p: F, q: F, dp: F, dq: F| {
-            let (dp, dq) = (dp * self.step, dq * self.step);
-            let rise = q - p;
-            // p + u (dp + u (3 rise − 2 dp − dq + u (dp + dq − 2 rise)))
-            let cubic = dp + dq - rise.times(2.0);
-            let square = rise - dp - cubic;
-            let value = p + u * (dp + u * (square + u * cubic));
-            let slope = dp + u * (square.times(2.0) + u * cubic.times(3.0));
-            (value, slope * by_step)
+    pub(crate) fn points<P: Strips<F>>(&self, numbers: impl Fn(usize) -> usize) -> Place<P> {
+        let of = |list: &[F; KSTRIP_SURFACE_CAPACITY]| {
+            P::gather(|i| list.get(numbers(i)).copied().unwrap_or(F::zero()))
         };
-        let (y, cosine) = along(from.y, to.y, from.cosine, to.cosine);
-        let (z, sine) = along(from.z, to.z, from.sine, to.sine);
-        Some(Place { y, z, cosine, sine })
+        Place { y: of(&self.y), z: of(&self.z), cosine: of(&self.cosine), sine: of(&self.sine) }
     }
 
-    /// About the curvature times the step, between the directions of the points around a place: positive where the angle grows.
-    pub(crate) fn bend(&self, s: F) -> Option<F> {
-        let (_, [from, to]) = self.around(s)?;
-        Some(from.cosine * to.sine - from.sine * to.cosine)
+    /// The point of the curve at a share of the way from a point to the next.
+    pub(crate) fn at(&self, k: usize, share: F) -> Option<Place<F>> {
+        let [y, z] = Piece::new(self.point(k)?, self.point(k + 1)?, self.step).at(share);
+        let per_step = F::one() / self.step;
+        Some(Place { y: y.value, z: z.value, cosine: y.slope * per_step, sine: z.slope * per_step })
+    }
+}
+
+/// The curve between two points: cubics with the directions of both. The place on it is the share of the way.
+pub(crate) struct Piece<T> {
+    y: Cubic<T>,
+    z: Cubic<T>,
+}
+
+/// The coefficients of a cubic, the constant first.
+struct Cubic<T>([T; 4]);
+
+/// A number along a piece, with its derivatives.
+pub(crate) struct Along<T> {
+    pub value: T,
+    pub slope: T,
+    pub bend: T,
+}
+
+impl<T: Arithmetic> Piece<T> {
+    #[inline(always)]
+    pub(crate) fn new(from: Place<T>, to: Place<T>, step: T) -> Self {
+        Self {
+            y: Cubic::new([from.y, to.y], [from.cosine * step, to.cosine * step]),
+            z: Cubic::new([from.z, to.z], [from.sine * step, to.sine * step]),
+        }
+    }
+
+    /// y and z at a share of the way.
+    #[inline(always)]
+    pub(crate) fn at(&self, u: T) -> [Along<T>; 2] {
+        [self.y.at(u), self.z.at(u)]
+    }
+}
+
+impl<T: Arithmetic> Cubic<T> {
+    /// From the values and the slopes at 0 and 1.
+    #[inline(always)]
+    fn new([from, to]: [T; 2], [slope, last]: [T; 2]) -> Self {
+        let rise = to - from;
+        let cubic = slope + last - (rise + rise);
+        Self([from, slope, rise - slope - cubic, cubic])
+    }
+
+    #[inline(always)]
+    fn at(&self, u: T) -> Along<T> {
+        let [value, slope, square, cubic] = self.0;
+        let (once, thrice) = (u * cubic, (u * cubic).times(3.0));
+        Along {
+            value: value + u * (slope + u * (square + once)),
+            slope: slope + u * (square + square + thrice),
+            bend: (square + thrice) + (square + thrice),
+        }
     }
 }
 

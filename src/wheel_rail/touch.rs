@@ -1,18 +1,14 @@
-//! The gap between wheel and rail: the line on the wheel where its normal is perpendicular to `x`, and the distance of this line from the rail.
+//! The gap between wheel and rail: the line of contact of the wheel (`line_of_contact`), and the distance of this line from the rail.
 //!
-//! A wheel of radius `r(y)` that yaws touches ahead of its lowest line where it is steep. In the wheel's axes, `θ` about the axle
-//! from below, `α` the angle of its profile and `R` the turn by roll and yaw,
-//!
-//! ```text
-//! p = R (r sin θ, y, r cos θ),   n = R (cos α sin θ, −sin α, cos α cos θ),   n_x = 0:  sin θ = tan α R₀₁/R₀₀ = −tan α tan yaw
-//! ```
-//!
-//! The distance of `p` is measured along the rail's normal, from the rail's point under `p`. No plane of contact needs to be chosen, and a
+//! The distance of a point is measured along the rail's normal, from the rail's point under it (`under`). No plane of contact needs to be chosen, and a
 //! flange at 70 degrees is treated like a tread.
 
+use super::line_of_contact::Wheel;
 use super::surface::{Place, Surface};
-use super::{KSTRIP_SURFACE_CAPACITY, Position, sine_cosine};
-use crate::number::{Float, length};
+use super::under::{Rail, Under};
+use super::{KSTRIP_SURFACE_CAPACITY, Position};
+use crate::number::registers::compiled_twice;
+use crate::number::{Float, Strips};
 use crate::status::Error;
 
 /// Distance below which points are added \[m\], and the largest number of points for one of the wheel's.
@@ -20,13 +16,10 @@ const NEAR: f64 = 0.3e-3;
 const FINEST: usize = 4;
 /// Default of the distance above which points are left out \[m\].
 const REACH: f64 = 2e-3;
-/// Least cosine of the profile's angle, and largest sine of θ, at which a wheel can touch.
-const STEEPEST: f64 = 0.06;
-const FARTHEST: f64 = 0.9;
 /// Least cosine of the angle between two surfaces that face each other.
 const FACING: f64 = 0.5;
-/// Number of corrections of the rail's point under the wheel's. Each doubles the number of correct digits.
-const CORRECTIONS: u32 = 4;
+/// Number of points that are looked at side by side.
+const FOUR: usize = 4;
 
 /// The gap between a wheel and a rail, point by point along the rail. A host with its own search of contact fills it. The first
 /// count elements of each member are used.
@@ -93,197 +86,85 @@ impl<F: Float> Gap<F> {
     }
 }
 
-/// Sines and cosines of the roll and the yaw of a wheel.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Turn<F> {
-    roll: (F, F),
-    yaw: (F, F),
-}
-
-impl<F: Float> Turn<F> {
-    pub fn new(position: &Position<F>) -> Self {
-        Self { roll: sine_cosine(position.roll), yaw: sine_cosine(position.yaw) }
-    }
-
-    /// Turns a vector from the wheelset's axes to the track's: by yaw, then by roll.
-    pub fn to_track(self, [x, y, z]: [F; 3]) -> [F; 3] {
-        let ((sin_roll, cos_roll), (sin_yaw, cos_yaw)) = (self.roll, self.yaw);
-        let across = sin_yaw * x + cos_yaw * y;
-        [
-            cos_yaw * x - sin_yaw * y,
-            cos_roll * across - sin_roll * z,
-            sin_roll * across + cos_roll * z,
-        ]
-    }
-
-    /// Turns a vector from the track's axes to the wheelset's.
-    pub fn to_wheelset(self, [x, y, z]: [F; 3]) -> [F; 3] {
-        let ((sin_roll, cos_roll), (sin_yaw, cos_yaw)) = (self.roll, self.yaw);
-        let across = cos_roll * y + sin_roll * z;
-        [
-            cos_yaw * x + sin_yaw * across,
-            cos_yaw * across - sin_yaw * x,
-            cos_roll * z - sin_roll * y,
-        ]
-    }
-}
-
-/// A point of the wheel's line of contact.
-struct Line<F> {
-    /// Place from the wheel's centre, axes of the track \[m\].
-    place: [F; 3],
-    /// Depth below the place one wheel radius under the centre \[m\].
-    below: F,
-    /// Normal in the plane of y and z, out of the wheel.
-    normal: [F; 2],
-    /// Distance from the axle over the cosine of the angle between normal and radius.
-    rolling_radius: F,
-}
-
-fn line_of_contact<F: Float>(point: Place<F>, wheel_radius: F, turn: Turn<F>) -> Option<Line<F>> {
-    let Place { y, z, cosine, sine } = point;
-    let size = length(cosine, sine);
-    if !(cosine > size.times(STEEPEST)) {
-        return None;
-    }
-    let ((sin_roll, cos_roll), (sin_yaw, cos_yaw)) = (turn.roll, turn.yaw);
-    // sin θ = −tan α tan yaw
-    let sin = -(sine * sin_yaw) / (cosine * cos_yaw);
-    if !(sin.abs() < F::of(FARTHEST)) {
-        return None;
-    }
-    let cos = (F::one() - sin * sin).sqrt();
-    let radius = wheel_radius + z;
-    let place = turn.to_track([radius * sin, y, radius * cos]);
-    let [_, normal_y, normal_z] = turn.to_track([cosine * sin, -sine, cosine * cos]);
-    // p_z − radius, without a difference of large numbers: cos roll cos θ − 1 = −sin² roll/(1 + cos roll) cos θ − sin² θ/(1 + cos θ)
-    let less = (sin_roll * sin_roll) / cos_roll.plus(1.0) * cos + (sin * sin) / cos.plus(1.0);
-    let across = sin_yaw * (radius * sin) + cos_yaw * y;
-    let below = sin_roll * across + z * cos_roll * cos - wheel_radius * less;
-    // the normal of the wheel makes the profile's angle with its radius
-    Some(Line {
-        place,
-        below,
-        normal: [normal_y, normal_z],
-        rolling_radius: radius * size / cosine,
-    })
-}
-
-/// Search for the point of a rail under another point.
-struct Under<'a, F> {
-    rail: &'a Surface<F>,
-    /// The nearest of its points, where the search for the next one begins.
-    nearest: Option<usize>,
-}
-
-impl<F: Float> Under<'_, F> {
-    fn away(&self, k: usize, [y, z]: [F; 2]) -> Option<F> {
-        let rail = self.rail.point(k)?;
-        Some((y - rail.y).squared() + (z - rail.z).squared())
-    }
-
-    /// The nearest of the rail's points, and the square of its distance: of all for the first, then downhill from the last.
-    fn find(&mut self, point: [F; 2]) -> Option<(usize, F)> {
-        let count = self.rail.count as usize;
-        let mut best = match self.nearest {
-            Some(k) => (k, self.away(k, point)?),
-            None => (0..count).fold((0, F::LARGEST), |best, k| match self.away(k, point) {
-                Some(away) if away < best.1 => (k, away),
-                _ => best,
-            }),
-        };
-        for direction in [1, -1_isize] {
-            let beside = |k: usize| {
-                let next = k.checked_add_signed(direction).filter(|next| *next < count)?;
-                Some((next, self.away(next, point)?))
-            };
-            while let Some(next) = beside(best.0).filter(|next| next.1 < best.1) {
-                best = next;
-            }
-        }
-        self.nearest = Some(best.0);
-        Some(best)
-    }
-
-    /// The rail's point under another: place along the rail \[m\], distance along its normal, and the normal's direction, into the rail.
-    fn foot(&mut self, point: [F; 2], reach: F) -> Option<(F, F, [F; 2])> {
-        let (k, away) = self.find(point)?;
-        let last = self.rail.count.saturating_sub(1) as i32;
-        let mut s = F::widened(k as f32);
-        // far away: no correction (the point is at most half a step from the nearest)
-        let mut rail = self.rail.point(k)?;
-        if away > (reach + self.rail.step).squared() {
-            let is_end = k == 0 || k as i32 == last;
-            let Place { y, z, cosine, sine } = rail;
-            let [across, above] = [point[0] - y, point[1] - z].map(F::abs);
-            // beside the rail rather than above it
-            let is_beside = across > above.times(2.0) + reach;
-            let normal = [-sine, cosine];
-            return (!is_end && !is_beside).then_some((s * self.rail.step, F::LARGEST, normal));
-        }
-        let [y, z] = point;
-        let (last, close) = (F::widened(last as f32), F::EPSILON.sqrt());
-        for _ in 0..CORRECTIONS {
-            let (e_y, e_z) = (y - rail.y, z - rail.z);
-            let Place { cosine, sine, .. } = rail;
-            let apart = e_y * sine - e_z * cosine;
-            // e·t = 0 by Newton's step: −d(e·t)/ds = t·t + κ (e × t)
-            let step = self.rail.step;
-            let slope = (cosine.squared() + sine.squared()) * step + self.rail.bend(s)? * apart;
-            let ahead = (e_y * cosine + e_z * sine) / slope.max(step.times(0.5));
-            s = (s + ahead).clamped(F::zero(), last);
-            rail = self.rail.at(s)?;
-            // (the next step would be about the square of this one)
-            if ahead.abs() <= close {
-                break;
-            }
-        }
-        let inside = s > F::zero() && s < last;
-        let size = F::one() / length(rail.cosine, rail.sine);
-        let (cosine, sine) = (rail.cosine * size, rail.sine * size);
-        let distance = (y - rail.y) * sine - (z - rail.z) * cosine;
-        inside.then_some((s * self.rail.step, distance, [-sine, cosine]))
-    }
-}
-
-/// The rail's point under another: place along the rail \[m\], distance \[m\], normal.
-type Foot<F> = (F, F, [F; 2]);
-
 /// A wheel over a rail.
 struct Above<'a, F> {
-    wheel_radius: F,
+    wheel: Wheel<F>,
     position: Position<F>,
-    turn: Turn<F>,
     reach: F,
-    under: Under<'a, F>,
+    rail: Rail<'a, F>,
+    /// Whether a point of the wheel has faced the rail.
+    faces: bool,
 }
 
 impl<F: Float> Above<'_, F> {
-    /// The wheel's line of contact at a place of its profile, and the rail's point under it.
-    fn look(&mut self, place: Place<F>) -> Option<(Line<F>, Foot<F>)> {
-        let line = line_of_contact(place, self.wheel_radius, self.turn)?;
-        let [_, y, _] = line.place;
-        let point = [self.position.lateral + y, self.position.vertical + line.below];
-        let (along, distance, normal) = self.under.foot(point, self.reach)?;
-        let ([wheel_y, wheel_z], [rail_y, rail_z]) = (line.normal, normal);
-        let facing = wheel_y * rail_y + wheel_z * rail_z > length(wheel_y, wheel_z).times(FACING);
-        facing.then_some((line, (along, distance, normal)))
+    /// Looks down from places of the wheel's profile, up to four. None where the rail is out of reach.
+    fn look(&mut self, places: &[Place<F>; FOUR]) -> [Option<GapPoint<F>>; FOUR] {
+        compiled_twice!(if 1 => <F: Float>(above: &mut Above<'_, F> = self, places: &[Place<F>; FOUR] = places) -> [Option<GapPoint<F>>; FOUR] {
+            above.look_from::<F::Four>(places)
+        } {
+            above.look_from::<F::WideFour>(places)
+        })
     }
 
-    /// The result of a look as a point of the gap, where the point is within reach.
-    fn point(
-        &self,
-        (line, (along, distance, [normal_y, normal_z])): (Line<F>, Foot<F>),
-    ) -> Option<GapPoint<F>> {
-        let Line { place, normal: [wheel_y, wheel_z], rolling_radius, .. } = line;
-        // the mean of both surfaces' angles is that of the sum of their unit normals
-        let size = length(wheel_y, wheel_z);
-        let (sum_y, sum_z) = (wheel_y + normal_y * size, wheel_z + normal_z * size);
-        if !(distance < self.reach && sum_z > F::zero() && rolling_radius > F::zero()) {
-            return None;
+    #[inline(always)]
+    fn look_from<P: Strips<F>>(
+        &mut self,
+        places: &[Place<F>; FOUR],
+    ) -> [Option<GapPoint<F>>; FOUR] {
+        let Position { lateral, vertical, .. } = self.position;
+        let places = Place {
+            y: P::gather(|i| places.get(i).map_or(F::zero(), |place| place.y)),
+            z: P::gather(|i| places.get(i).map_or(F::zero(), |place| place.z)),
+            cosine: P::gather(|i| places.get(i).map_or(F::zero(), |place| place.cosine)),
+            sine: P::gather(|i| places.get(i).map_or(F::zero(), |place| place.sine)),
+        };
+        let line = self.wheel.for_all::<P>().line_of_contact(places);
+        let [wheel_y, wheel_z] = line.normal;
+        let point = [P::all(lateral) + line.place[1], P::all(vertical) + line.below];
+        let mut under = [Under::Nowhere; FOUR];
+        for (i, under) in under.iter_mut().enumerate() {
+            if line.can_touch.lane(i) > F::zero() {
+                *under = self.rail.under([point[0].lane(i), point[1].lane(i)]);
+            }
         }
-        Some(GapPoint { along, distance, place, angle: (-sum_y / sum_z).atan(), rolling_radius })
+        let foot = self.rail.feet(point, &under);
+        let [rail_y, rail_z] = foot.normal;
+        // the mean of both surfaces' angles is that of the sum of their unit normals
+        let (sum_y, sum_z) = (wheel_y + rail_y * line.size, wheel_z + rail_z * line.size);
+        let mut found = [const { None }; FOUR];
+        for (i, (found, under)) in found.iter_mut().zip(under).enumerate() {
+            let [rail_y, rail_z] = match under {
+                Under::Nowhere => continue,
+                Under::Far(normal) => normal,
+                Under::Between(..) => [rail_y.lane(i), rail_z.lane(i)],
+            };
+            let facing = wheel_y.lane(i) * rail_y + wheel_z.lane(i) * rail_z;
+            if !(facing > line.size.lane(i).times(FACING)) {
+                continue;
+            }
+            self.faces = true;
+            let (distance, sum_z) = (foot.distance.lane(i), sum_z.lane(i));
+            let rolling_radius = line.rolling_radius.lane(i);
+            let is_near = matches!(under, Under::Between(..)) && distance < self.reach;
+            if is_near && sum_z > F::zero() && rolling_radius > F::zero() {
+                *found = Some(GapPoint {
+                    along: foot.along.lane(i),
+                    distance,
+                    place: [line.place[0].lane(i), line.place[1].lane(i), line.place[2].lane(i)],
+                    angle: (-sum_y.lane(i) / sum_z).atan(),
+                    rolling_radius,
+                });
+            }
+        }
+        found
     }
+}
+
+/// Four places of a profile; where there is none, one at which no wheel touches.
+fn four<F: Float>(place: impl Fn(usize) -> Option<Place<F>>) -> [Place<F>; FOUR] {
+    let zero = F::zero();
+    let none = Place { y: zero, z: zero, cosine: zero, sine: zero };
+    core::array::from_fn(|i| place(i).unwrap_or(none))
 }
 
 /// The gap between a right wheel and a rail. Only points nearer to the rail than `reach` are written; zero: 2 mm. Where surfaces are
@@ -311,60 +192,69 @@ pub fn touch<F: Float>(
         return Err(Error::RollingRadius);
     }
     let reach = if reach > F::zero() { reach } else { F::of(REACH) };
-    let (position, turn) = (*position, Turn::new(position));
-    let under = Under { rail, nearest: None };
-    let mut above = Above { wheel_radius, position, turn, reach, under };
-    let is_near = |point: &Option<GapPoint<F>>| {
-        point.as_ref().is_some_and(|point| point.distance < F::of(NEAR))
-    };
+    let (turned, rail) = (Wheel::new(wheel_radius, position), Rail::new(rail, reach));
+    let mut above = Above { wheel: turned, position: *position, reach, rail, faces: false };
     // those of the wheel's own points, from the last to the first, at the end of the room
-    let mut there = [false; KSTRIP_SURFACE_CAPACITY];
-    let (mut first, mut near, mut is_last_near, mut faces) =
-        (KSTRIP_SURFACE_CAPACITY, 0, false, false);
-    for (k, there) in there.iter_mut().enumerate().take(wheel.count as usize).rev() {
-        let seen = wheel.point(k).and_then(|place| above.look(place));
-        faces |= seen.is_some();
-        let here = seen.and_then(|seen| above.point(seen));
-        if let Some(point) = &here {
-            first = first.saturating_sub(1);
-            gap.set(first, point);
-            *there = true;
+    let points = wheel.count as usize;
+    let mut is_there = [false; KSTRIP_SURFACE_CAPACITY];
+    // whether a point and the one before it are near
+    let mut are_near = [false; KSTRIP_SURFACE_CAPACITY];
+    let (mut first, mut near, mut is_next_near) = (KSTRIP_SURFACE_CAPACITY, 0, false);
+    for group in (0..points).step_by(FOUR) {
+        let number = |i: usize| points.checked_sub(group + i + 1);
+        let found = above.look(&four(|i| wheel.point(number(i)?)));
+        for (i, point) in found.iter().enumerate() {
+            let Some(k) = number(i) else { break };
+            let is_near = point.as_ref().is_some_and(|point| point.distance < F::of(NEAR));
+            if let Some(point) = point {
+                first = first.saturating_sub(1);
+                gap.set(first, point);
+            }
+            if let Some(is_there) = is_there.get_mut(k) {
+                *is_there = point.is_some();
+            }
+            if let Some(are_near) = are_near.get_mut(k + 1) {
+                *are_near = is_near && is_next_near;
+                near += usize::from(*are_near);
+            }
+            is_next_near = is_near;
         }
-        near += usize::from(is_last_near && is_near(&here));
-        is_last_near = is_near(&here);
     }
-    if !faces {
+    if !above.faces {
         return Err(Error::ProfileEnd);
     }
     let parts = (first / near.max(1) + 1).min(FINEST);
     // with those between them, in ascending order along the rail, from the first on: there is room before what is still to be read
     let (mut count, mut least) = (0, reach);
     let mut end: Option<F> = None;
-    let mut write = |gap: &mut Gap<F>, point: GapPoint<F>| {
+    let mut write = |gap: &mut Gap<F>, point: &GapPoint<F>| {
         if end.is_none_or(|end| point.along > end) {
-            gap.set(count, &point);
+            gap.set(count, point);
             count += 1;
             least = least.min(point.distance);
             end = Some(point.along);
         }
     };
-    let mut is_last_near = false;
-    for (k, there) in there.iter().enumerate().take(wheel.count as usize) {
-        let here = if *there { gap.get(first) } else { None };
-        first += usize::from(*there);
-        if is_last_near && is_near(&here) {
-            for part in 1..parts {
-                let share = F::widened(part as f32) / F::widened(parts as f32);
-                let place = wheel.at(F::widened(k as f32) + (share - F::one()));
-                let seen = place.and_then(|place| above.look(place));
-                if let Some(point) = seen.and_then(|seen| above.point(seen)) {
-                    write(gap, point);
-                }
+    for group in (0..points).step_by(FOUR) {
+        let mut between = [[const { None }; FOUR]; FINEST - 1];
+        let is_near = |i: usize| are_near.get(group + i).is_some_and(|near| *near);
+        if (0..FOUR).any(is_near) {
+            for (part, found) in between.iter_mut().enumerate().take(parts - 1) {
+                let share = F::widened((part + 1) as f32) / F::widened(parts as f32);
+                let at = |i: usize| wheel.at((group + i).checked_sub(1)?, share);
+                *found = above.look(&four(|i| if is_near(i) { at(i) } else { None }));
             }
         }
-        is_last_near = is_near(&here);
-        if let Some(point) = here {
-            write(gap, point);
+        for i in 0..FOUR {
+            for point in between.iter().filter_map(|found| found.get(i)?.as_ref()) {
+                write(gap, point);
+            }
+            if is_there.get(group + i).is_some_and(|there| *there) {
+                if let Some(point) = gap.get(first) {
+                    write(gap, &point);
+                }
+                first += 1;
+            }
         }
     }
     gap.count = count as u32;

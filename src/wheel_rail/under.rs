@@ -1,0 +1,136 @@
+//! The point of a rail under another point: where the rail's normal leads to it.
+
+use super::surface::{Piece, Surface};
+use crate::number::{Float, Strips};
+
+/// Number of corrections of a place on the rail. Each doubles the number of correct digits. The last is smaller than this share of the way
+/// between two points.
+const CORRECTIONS: u32 = 4;
+const CLOSE: f64 = 1e-5;
+
+/// A rail, and where the search for the next point begins.
+pub(super) struct Rail<'a, F> {
+    surface: &'a Surface<F>,
+    /// Distance from the rail above which only the nearest of its points is looked for \[m\].
+    reach: F,
+    /// The nearest of its points to the last point.
+    nearest: Option<usize>,
+}
+
+/// Where the rail is under a point.
+#[derive(Clone, Copy)]
+pub(super) enum Under<F> {
+    /// Beyond its ends, or beside it.
+    Nowhere,
+    /// Farther than the reach, near a point with this normal into the rail.
+    Far([F; 2]),
+    /// Between a point and the next, nearest to the share 0 or 1 of the way.
+    Between(usize, F),
+}
+
+/// Points of a rail, seen from the points above them.
+pub(super) struct Foot<P> {
+    /// Places along the rail \[m\].
+    pub along: P,
+    /// Distances along its normal \[m\].
+    pub distance: P,
+    /// Unit normals into the rail, in the plane of y and z.
+    pub normal: [P; 2],
+}
+
+impl<'a, F: Float> Rail<'a, F> {
+    pub fn new(surface: &'a Surface<F>, reach: F) -> Self {
+        Self { surface, reach, nearest: None }
+    }
+
+    fn away(&self, k: usize, [y, z]: [F; 2]) -> Option<F> {
+        let rail = self.surface.point(k)?;
+        Some((y - rail.y).squared() + (z - rail.z).squared())
+    }
+
+    /// The nearest of the rail's points, and the square of its distance: of all for the first, then downhill from the last.
+    fn find(&mut self, point: [F; 2]) -> Option<(usize, F)> {
+        let count = self.surface.count as usize;
+        let begun = match self.nearest {
+            Some(k) => (k, self.away(k, point)?),
+            None => (0..count).fold((0, F::LARGEST), |best, k| match self.away(k, point) {
+                Some(away) if away < best.1 => (k, away),
+                _ => best,
+            }),
+        };
+        let mut best = begun;
+        for direction in [1, -1_isize] {
+            let beside = |k: usize| {
+                let next = k.checked_add_signed(direction).filter(|next| *next < count)?;
+                Some((next, self.away(next, point)?))
+            };
+            while let Some(next) = beside(best.0).filter(|next| next.1 < best.1) {
+                best = next;
+            }
+            if best.0 != begun.0 {
+                break;
+            }
+        }
+        self.nearest = Some(best.0);
+        Some(best)
+    }
+
+    /// Where the rail is under a point.
+    pub fn under(&mut self, point: [F; 2]) -> Under<F> {
+        let Some((k, away)) = self.find(point) else { return Under::Nowhere };
+        let Some(rail) = self.surface.point(k) else { return Under::Nowhere };
+        let last = self.surface.count.saturating_sub(1) as usize;
+        let [y, z] = point;
+        let [e_y, e_z] = [y - rail.y, z - rail.z];
+        if away > (self.reach + self.surface.step).squared() {
+            // beside the rail rather than above it
+            let is_beside = e_y.abs() > e_z.abs().times(2.0) + self.reach;
+            let is_end = k == 0 || k == last;
+            let normal = [-rail.sine, rail.cosine];
+            return if is_end || is_beside { Under::Nowhere } else { Under::Far(normal) };
+        }
+        // the next point on this side is not nearer, so that e·t = 0 before it
+        if e_y * rail.cosine + e_z * rail.sine > F::zero() {
+            if k < last { Under::Between(k, F::zero()) } else { Under::Nowhere }
+        } else {
+            k.checked_sub(1).map_or(Under::Nowhere, |before| Under::Between(before, F::one()))
+        }
+    }
+
+    /// The rail's points under others, side by side, for those that are [`Under::Between`]; of others numbers without a meaning.
+    #[inline(always)]
+    pub fn feet<P: Strips<F>, const N: usize>(
+        &self,
+        [y, z]: [P; 2],
+        under: &[Under<F>; N],
+    ) -> Foot<P> {
+        let start = |i: usize| match under.get(i) {
+            Some(Under::Between(k, u)) => (*k, *u),
+            _ => (0, F::zero()),
+        };
+        let step = P::all(self.surface.step);
+        let first = P::gather(|i| F::widened(start(i).0 as f32));
+        let from = self.surface.points(|i| start(i).0);
+        let to = self.surface.points(|i| start(i).0 + 1);
+        let piece = Piece::new(from, to, step);
+        let mut u: P = P::gather(|i| start(i).1);
+        for _ in 0..CORRECTIONS {
+            let [rail_y, rail_z] = piece.at(u);
+            let (e_y, e_z) = (y - rail_y.value, z - rail_z.value);
+            // Newton's step of e·t = 0: −d(e·t)/du = t·t − e·t'
+            let square = rail_y.slope.squared() + rail_z.slope.squared();
+            let slope = square - (e_y * rail_y.bend + e_z * rail_z.bend);
+            let ahead = (e_y * rail_y.slope + e_z * rail_z.slope) / slope.max(square.times(0.5));
+            u = (u + ahead).max(P::zero()).min(P::one());
+            // (the next step would be less than the square of this one)
+            if !P::any_exceeds([ahead.abs()], [P::constant(CLOSE)]) {
+                break;
+            }
+        }
+        let [rail_y, rail_z] = piece.at(u);
+        let size = (rail_y.slope.squared() + rail_z.slope.squared()).sqrt().inverse();
+        let (cosine, sine) = (rail_y.slope * size, rail_z.slope * size);
+        let distance = (y - rail_y.value) * sine - (z - rail_z.value) * cosine;
+        Foot { along: (first + u) * step, distance, normal: [-sine, cosine] }
+    }
+}
