@@ -1,10 +1,11 @@
 //! `f32` and `f64` as numbers of the theory.
 
 use super::lanes::{F32Pair, Lanes, Wide};
+use super::registers::compiled_twice;
 use super::{Arithmetic, Float, Map, Number, Plain, cube_root, registers};
 
 macro_rules! plain {
-    ($float:ident, $pair:ty, $contacts:ty, $four:ty, $eight:ty, $wide_four:ty, $wide_eight:ty, $wide_sixteen:ty, $integer:ident, $mantissa:expr, $artanh:expr, $arctan:expr, |$single:ident, $double:ident| $table:expr, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $cbrt:path, $exp:path, $inverse_root:path) => {
+    ($float:ident, $pair:ty, $contacts:ty, $four:ty, $eight:ty, $wide_four:ty, $wide_eight:ty, $wide_sixteen:ty, $wide_row:ty, $integer:ident, $mantissa:expr, $artanh:expr, $arctan:expr, |$single:ident, $double:ident| $table:expr, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $cbrt:path, $exp:path, $inverse_root:path) => {
         impl Float for $float {
             type Contacts = $contacts;
             const SMALLEST: Self = $float::from_bits(1);
@@ -59,6 +60,7 @@ macro_rules! plain {
             type WideFour = $wide_four;
             type WideEight = $wide_eight;
             type WideSixteen = $wide_sixteen;
+            type WideRow = $wide_row;
             type Stored = $float;
 
             #[inline]
@@ -142,12 +144,16 @@ macro_rules! plain {
             const HUGE: $float = $huge;
             const EPSILON: $float = $float::EPSILON;
 
-            #[inline(always)]
-            fn map<const N: usize, const M: usize>(
-                map: &impl Map<Self, N, M>,
+            #[inline]
+            fn map<A: Map<Self, N, M>, const N: usize, const M: usize>(
+                map: &A,
                 inputs: [Self; N],
             ) -> [Self; M] {
-                map.value(inputs).0
+                compiled_twice!(if 1 => <A: Map<$float, N, M>; N, M>(map: &A = map, inputs: [$float; N] = inputs) -> [$float; M] {
+                    map.value::<$four>(inputs.iter().copied()).0
+                } {
+                    map.value::<$wide_row>(inputs.iter().copied()).0
+                })
             }
             #[inline]
             fn exceeds(self, other: Self) -> bool {
@@ -228,6 +234,7 @@ plain!(
     Lanes<f64, 4, Wide>,
     Lanes<Lanes<f64, 4, Wide>, 2>,
     Lanes<Lanes<Lanes<f64, 4, Wide>, 2>, 2>,
+    Lanes<f64, 4, Wide>,
     i64,
     52,
     ARTANH_DOUBLE,
@@ -251,6 +258,7 @@ plain!(
     Lanes<f32, 4>,
     Lanes<f32, 8, Wide>,
     Lanes<Lanes<f32, 8, Wide>, 2>,
+    Lanes<f32, 8, Wide>,
     i32,
     23,
     ARTANH_SINGLE,

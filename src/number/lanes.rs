@@ -129,11 +129,11 @@ impl<T: Plain, const N: usize> Number for Lanes<T, N> {
     const EPSILON: Self = Self([T::EPSILON; N], []);
 
     #[inline(always)]
-    fn map<const K: usize, const M: usize>(
-        map: &impl Map<Self, K, M>,
+    fn map<A: Map<Self, K, M>, const K: usize, const M: usize>(
+        map: &A,
         inputs: [Self; K],
     ) -> [Self; M] {
-        map.value(inputs).0
+        map.value::<Lanes<Self, 1>>(inputs.iter().copied()).0
     }
     #[inline(always)]
     fn exceeds(self, other: Self) -> bool {
@@ -148,6 +148,7 @@ impl<T: Plain, const N: usize> Plain for Lanes<T, N> {
     type WideFour = Self::Four;
     type WideEight = Self::Eight;
     type WideSixteen = Self::Eight;
+    type WideRow = Lanes<Self, 1>;
 
     #[inline]
     fn stored(x: T::Stored) -> Self {

@@ -35,6 +35,8 @@ pub trait Plain: Number<Base = Self> + InRegisters {
     type WideEight: Strips<Self>;
     /// Sixteen there: they do not wait for each other.
     type WideSixteen: Strips<Self>;
+    /// As many as one register holds there.
+    type WideRow: Strips<Self>;
     /// What tables are stored in.
     type Stored: Float;
 
@@ -262,8 +264,8 @@ pub trait Number: Arithmetic<Bare = <Self as Number>::Base> {
     const EPSILON: Self::Base;
 
     /// The outputs of a map of plain numbers that brings its own derivatives.
-    fn map<const N: usize, const M: usize>(
-        map: &impl Map<Self::Base, N, M>,
+    fn map<A: Map<Self::Base, N, M>, const N: usize, const M: usize>(
+        map: &A,
         inputs: [Self; N],
     ) -> [Self; M];
     /// Whether it is larger than another number; of several side by side, whether one of them is.
@@ -328,10 +330,15 @@ impl<T: Number<Base: Float> + PartialEq + PartialOrd> Real for T {}
 pub trait Map<F, const N: usize, const M: usize> {
     /// What [`Map::tangent`] needs to know of the place where the map was evaluated.
     type Place;
-    /// The outputs.
-    fn value(&self, inputs: [F; N]) -> ([F; M], Self::Place);
+    /// The outputs, computed with as many numbers side by side as `P` has.
+    fn value<P: Strips<F>>(&self, inputs: impl Iterator<Item = F> + Clone)
+    -> ([F; M], Self::Place);
     /// How the outputs move when the inputs do.
-    fn tangent(&self, place: &Self::Place, inputs: [F; N]) -> [F; M];
+    fn tangent<P: Strips<F>>(
+        &self,
+        place: &Self::Place,
+        inputs: impl Iterator<Item = F> + Clone,
+    ) -> [F; M];
 }
 
 /// Two numbers side by side.

@@ -155,15 +155,15 @@ pub(crate) fn are_wide() -> bool {
 /// for wide registers. With `{ code } { other }` the other is that for wide registers. Code of contacts side by side, `N` of them, stands inside
 /// their caller, who knows the registers: `if N > 1`.
 macro_rules! compiled_twice {
-    (if $lanes:expr => <$($T:ident: $bound:path),*>($($name:ident: $type:ty = $value:expr),*) -> $result:ty $code:block) => {
-        $crate::number::registers::compiled_twice!(if $lanes => <$($T: $bound),*>($($name: $type = $value),*) -> $result $code $code)
+    (if $lanes:expr => <$($T:ident: $bound:path),*$(; $($N:ident),*)?>($($name:ident: $type:ty = $value:expr),*) -> $result:ty $code:block) => {
+        $crate::number::registers::compiled_twice!(if $lanes => <$($T: $bound),*$(; $($N),*)?>($($name: $type = $value),*) -> $result $code $code)
     };
-    (if $lanes:expr => <$($T:ident: $bound:path),*>($($name:ident: $type:ty = $value:expr),*) -> $result:ty $code:block $wide:block) => {{
+    (if $lanes:expr => <$($T:ident: $bound:path),*$(; $($N:ident),*)?>($($name:ident: $type:ty = $value:expr),*) -> $result:ty $code:block $wide:block) => {{
         #[cfg(target_arch = "x86_64")]
         #[target_feature(enable = "avx")]
-        fn wide<$($T: $bound),*>($($name: $type),*) -> $result $wide
+        fn wide<$($T: $bound,)* $($(const $N: usize),*)?>($($name: $type),*) -> $result $wide
         #[inline(never)]
-        fn narrow<$($T: $bound),*>($($name: $type),*) -> $result $code
+        fn narrow<$($T: $bound,)* $($(const $N: usize),*)?>($($name: $type),*) -> $result $code
         if $lanes > 1 {
             $(let $name: $type = $value;)*
             return $code;

@@ -1,6 +1,6 @@
 //! Tables of constants in both precisions: no number is converted at run time, and a program in one precision has none of the other.
 
-use super::Plain;
+use super::{Plain, Strips};
 
 /// `table!(F, constants)`: a constant table `[[f64; C]; R]` or `[[f32; C]; R]`, in the precision that numbers `F` are stored in.
 macro_rules! table {
@@ -54,41 +54,88 @@ pub(crate) fn row<F: Plain, const C: usize>(stored: &[F::Stored; C]) -> [F; C] {
     F::each(stored, |x| F::stored(*x))
 }
 
-/// `sums + Σ xᵢ rowᵢ`: a few sums at a time, which stay in registers and do not wait for each other, then the rows again.
+/// Registers of sums at a time: they do not wait for each other.
+const BLOCK: usize = 6;
+
+/// `sums + Σ xᵢ rowᵢ`, columns side by side in `P`, then in fours, and the rest one by one.
 ///
-/// (Numbers of several contacts side by side fill whole registers.)
+/// (Numbers of several contacts side by side fill whole registers: some of them, then the rows again.)
 #[inline(always)]
-pub(crate) fn add_rows<F: Plain, const C: usize>(
-    sums: [F; C],
-    inputs: &[F],
+pub(crate) fn add_rows<F: Plain, P: Strips<F>, const C: usize>(
+    mut sums: [F; C],
+    inputs: impl Iterator<Item = F> + Clone,
     rows: &[[F::Stored; C]],
 ) -> [F; C] {
-    if F::LANES == 1 {
-        add_in_blocks::<F, C, 8>(sums, inputs, rows)
-    } else {
-        add_in_blocks::<F, C, 6>(sums, inputs, rows)
+    if F::LANES > 1 || P::COUNT == 1 {
+        add_in_blocks(&mut sums, inputs, rows);
+        return sums;
     }
+    const { assert!(P::COUNT == 1 || C <= BLOCK * P::COUNT) };
+    let next = add_columns::<F, P, C>(&mut sums, inputs.clone(), rows, 0);
+    if P::COUNT > 4 {
+        add_columns::<F, F::WideFour, C>(&mut sums, inputs, rows, next);
+    }
+    sums
+}
+
+/// Columns from `first` on, as many as fill several `P`; the rest too where these are fours. The first one that is left.
+#[inline(always)]
+fn add_columns<F: Plain, P: Strips<F>, const C: usize>(
+    sums: &mut [F; C],
+    inputs: impl Iterator<Item = F>,
+    rows: &[[F::Stored; C]],
+    first: usize,
+) -> usize {
+    let groups = (C - first) / P::COUNT;
+    let next = first + groups * P::COUNT;
+    let left = if P::COUNT == 4 { C - next } else { 0 };
+    let sum = |sums: &[F; C], i: usize| sums.get(i).copied().unwrap_or(F::zero());
+    let weight = |row: &[F::Stored; C], i: usize| row.get(i).map_or(F::zero(), |x| F::stored(*x));
+    let (mut found, mut rest) = ([P::zero(); BLOCK], [F::zero(); 3]);
+    for (k, found) in found.iter_mut().enumerate().take(groups) {
+        *found = P::gather(|i| sum(sums, first + k * P::COUNT + i));
+    }
+    for (i, rest) in rest.iter_mut().enumerate().take(left) {
+        *rest = sum(sums, next + i);
+    }
+    for (x, row) in inputs.zip(rows) {
+        let all = P::all(x);
+        for (k, found) in found.iter_mut().enumerate().take(groups) {
+            *found += all * P::gather(|i| weight(row, first + k * P::COUNT + i));
+        }
+        for (i, rest) in rest.iter_mut().enumerate().take(left) {
+            *rest += x * weight(row, next + i);
+        }
+    }
+    for (i, sum) in sums.iter_mut().enumerate().skip(first).take(groups * P::COUNT) {
+        *sum = found
+            .get((i - first) / P::COUNT)
+            .map_or(F::zero(), |of| of.lane((i - first) % P::COUNT));
+    }
+    for (sum, rest) in sums.iter_mut().skip(next).take(left).zip(rest) {
+        *sum = rest;
+    }
+    next
 }
 
 #[inline(always)]
-fn add_in_blocks<F: Plain, const C: usize, const BLOCK: usize>(
-    mut sums: [F; C],
-    inputs: &[F],
+fn add_in_blocks<F: Plain, const C: usize>(
+    sums: &mut [F; C],
+    inputs: impl Iterator<Item = F> + Clone,
     rows: &[[F::Stored; C]],
-) -> [F; C] {
+) {
     let (blocks, rest) = sums.as_chunks_mut::<BLOCK>();
     for (k, block) in blocks.iter_mut().enumerate() {
-        for (x, row) in inputs.iter().zip(rows) {
+        for (x, row) in inputs.clone().zip(rows) {
             let weights = row.as_chunks::<BLOCK>().0.get(k).into_iter().flatten();
             for (sum, weight) in block.iter_mut().zip(weights) {
-                *sum += *x * F::stored(*weight);
+                *sum += x * F::stored(*weight);
             }
         }
     }
-    for (x, row) in inputs.iter().zip(rows) {
+    for (x, row) in inputs.zip(rows) {
         for (sum, weight) in rest.iter_mut().zip(row.as_chunks::<BLOCK>().1) {
-            *sum += *x * F::stored(*weight);
+            *sum += x * F::stored(*weight);
         }
     }
-    sums
 }

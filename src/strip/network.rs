@@ -2,7 +2,7 @@
 
 use super::constants::{HIDDEN, HIDDEN_OFFSET, OUTPUT, OUTPUT_OFFSET};
 use crate::number::tables::{add_rows, row, table, widen};
-use crate::number::{Map, Number, Plain};
+use crate::number::{Map, Number, Plain, Strips};
 
 pub(super) const CORRECTIONS: usize = OUTPUT_OFFSET.len();
 const UNITS: usize = HIDDEN_OFFSET.len();
@@ -38,7 +38,13 @@ impl<F: Plain> Network<F> {
     #[inline(always)]
     pub fn new(ratio: F, poisson: F) -> Self {
         let [offset, weights @ ..] = table!(F, widen(&OFFSETS));
-        Self { start: add_rows(row(offset), &[ratio, poisson], weights) }
+        Self {
+            start: add_rows::<F, F::Four, _>(
+                row(offset),
+                [ratio, poisson].iter().copied(),
+                weights,
+            ),
+        }
     }
 
     #[inline(always)]
@@ -66,8 +72,11 @@ impl<F: Plain, const INPUTS: usize, const UNITS: usize> Map<F, INPUTS, CORRECTIO
     type Place = [F; UNITS];
 
     #[inline(always)]
-    fn value(&self, inputs: [F; INPUTS]) -> ([F; CORRECTIONS], [F; UNITS]) {
-        let mut units = add_rows(*self.start, &inputs, self.input);
+    fn value<P: Strips<F>>(
+        &self,
+        inputs: impl Iterator<Item = F> + Clone,
+    ) -> ([F; CORRECTIONS], [F; UNITS]) {
+        let mut units = add_rows::<F, P, _>(*self.start, inputs, self.input);
         let mut slopes = F::inverse_roots(F::each(&units, |h| h.squared().plus(1.0)));
         // x = h/√(1 + h²) and dx/dh = (1 + h²)^{−3/2}
         for (h, root) in units.iter_mut().zip(&mut slopes) {
@@ -78,8 +87,12 @@ impl<F: Plain, const INPUTS: usize, const UNITS: usize> Map<F, INPUTS, CORRECTIO
     }
 
     #[inline(always)]
-    fn tangent(&self, slopes: &[F; UNITS], inputs: [F; INPUTS]) -> [F; CORRECTIONS] {
-        let mut units = add_rows([F::zero(); UNITS], &inputs, self.input);
+    fn tangent<P: Strips<F>>(
+        &self,
+        slopes: &[F; UNITS],
+        inputs: impl Iterator<Item = F> + Clone,
+    ) -> [F; CORRECTIONS] {
+        let mut units = add_rows::<F, P, _>([F::zero(); UNITS], inputs, self.input);
         for (h, slope) in units.iter_mut().zip(slopes) {
             *h = *h * *slope;
         }

@@ -2,7 +2,7 @@
 
 use super::constants::{FIRST, FIXED, LAST, LAST_BIAS, SECOND};
 use crate::number::tables::{add_rows, row, rows, table, widen};
-use crate::number::{Map, Number, Plain};
+use crate::number::{Map, Number, Plain, Strips};
 
 /// What the network is told that depends on the contact only, and the rest.
 const FIXED_INPUTS: usize = FIXED.len() - 1;
@@ -21,7 +21,7 @@ impl<F: Plain> Network<F> {
     #[inline(always)]
     pub(super) fn of_contact(fixed: [F; FIXED_INPUTS]) -> Self {
         let [offset, weights @ ..] = table!(F, rows(&FIXED));
-        Self { sums: add_rows(row(offset), &fixed, weights) }
+        Self { sums: add_rows::<F, F::Four, _>(row(offset), fixed.iter().copied(), weights) }
     }
 
     /// The corrections for the other inputs.
@@ -36,19 +36,32 @@ impl<F: Plain> Map<F, INPUTS, 6> for Network<F> {
     type Place = ([F; UNITS_1], [F; UNITS_2]);
 
     #[inline(always)]
-    fn value(&self, inputs: [F; INPUTS]) -> ([F; 6], Self::Place) {
-        let (units, slopes_1) = activation(add_rows(self.sums, &inputs, table!(F, rows(&FIRST))));
+    fn value<P: Strips<F>>(
+        &self,
+        inputs: impl Iterator<Item = F> + Clone,
+    ) -> ([F; 6], Self::Place) {
+        let (units, slopes_1) =
+            activation(add_rows::<F, P, _>(self.sums, inputs, table!(F, rows(&FIRST))));
         let [offset, weights @ ..] = table!(F, rows(&SECOND));
-        let (units, slopes_2) = activation(add_rows(row(offset), &units, weights));
+        let (units, slopes_2) =
+            activation(add_rows::<F, P, _>(row(offset), units.iter().copied(), weights));
         let [offset] = table!(F, widen(&[LAST_BIAS]));
         (last_layer(units, row(offset)), (slopes_1, slopes_2))
     }
 
     #[inline(always)]
-    fn tangent(&self, (slopes_1, slopes_2): &Self::Place, inputs: [F; INPUTS]) -> [F; 6] {
-        let units = add_rows([F::zero(); UNITS_1], &inputs, table!(F, rows(&FIRST)));
+    fn tangent<P: Strips<F>>(
+        &self,
+        (slopes_1, slopes_2): &Self::Place,
+        inputs: impl Iterator<Item = F> + Clone,
+    ) -> [F; 6] {
+        let units = add_rows::<F, P, _>([F::zero(); UNITS_1], inputs, table!(F, rows(&FIRST)));
         let [_, weights @ ..] = table!(F, rows(&SECOND));
-        let units = add_rows([F::zero(); UNITS_2], &times(units, slopes_1), weights);
+        let units = add_rows::<F, P, _>(
+            [F::zero(); UNITS_2],
+            times(units, slopes_1).iter().copied(),
+            weights,
+        );
         last_layer(times(units, slopes_2), [F::zero(); 6])
     }
 }

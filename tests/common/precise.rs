@@ -164,11 +164,11 @@ impl Number for Precise {
     const HUGE: Self = Self::Double(f64::HUGE);
     const EPSILON: Self = Self::Double(f64::EPSILON);
 
-    fn map<const N: usize, const M: usize>(
-        map: &impl Map<Self, N, M>,
+    fn map<A: Map<Self, N, M>, const N: usize, const M: usize>(
+        map: &A,
         inputs: [Self; N],
     ) -> [Self; M] {
-        map.value(inputs).0
+        map.value::<Lanes<Self, 1>>(inputs.iter().copied()).0
     }
     fn exceeds(self, other: Self) -> bool {
         self > other
@@ -180,6 +180,7 @@ impl Plain for Precise {
     type Eight = Lanes<Self, 8>;
     type WideFour = Self::Four;
     type WideEight = Self::Eight;
+    type WideRow = Lanes<Self, 1>;
     type WideSixteen = Lanes<Self, 16>;
     type Stored = Self;
 
