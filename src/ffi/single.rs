@@ -140,7 +140,7 @@ pub extern "C" fn kstrip_solve_f32(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        Ok(result.write(model::solve(contact, creepage, &for_forces(options)?)?).notice)
+        written(result, model::solve(contact, creepage, &for_forces(options)?))
     })
 }
 
@@ -182,7 +182,7 @@ pub extern "C" fn kstrip_solve_prepared_f32(
 ) -> kstrip_status {
     answer(|| {
         let (prepared, creepage, result) = (given(prepared)?, given(creepage)?, given(result)?);
-        Ok(result.write(prepared.solve(creepage)?).notice)
+        written(result, prepared.solve(creepage))
     })
 }
 
@@ -209,7 +209,7 @@ pub extern "C" fn kstrip_solve_total_f32(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        Ok(result.write(solve_by(Model::Total, contact, creepage, 0)?).notice)
+        written(result, solve_by(Model::Total, contact, creepage, 0))
     })
 }
 
@@ -223,7 +223,7 @@ pub extern "C" fn kstrip_solve_strip_f32(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        Ok(result.write(solve_by(Model::Strip, contact, creepage, strips)?).notice)
+        written(result, solve_by(Model::Strip, contact, creepage, strips))
     })
 }
 
@@ -237,7 +237,7 @@ pub extern "C" fn kstrip_solve_strip_1967_f32(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        Ok(result.write(solve_by(Model::Strip1967, contact, creepage, strips)?).notice)
+        written(result, solve_by(Model::Strip1967, contact, creepage, strips))
     })
 }
 
@@ -250,7 +250,7 @@ pub extern "C" fn kstrip_solve_linear_f32(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        Ok(result.write(solve_by(Model::Linear, contact, creepage, 0)?).notice)
+        written(result, solve_by(Model::Linear, contact, creepage, 0))
     })
 }
 

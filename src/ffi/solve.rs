@@ -27,7 +27,7 @@ pub extern "C" fn kstrip_solve(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        Ok(result.write(model::solve(contact, creepage, &for_forces(options)?)?).notice)
+        written(result, model::solve(contact, creepage, &for_forces(options)?))
     })
 }
 
@@ -99,7 +99,7 @@ pub extern "C" fn kstrip_solve_prepared(
 ) -> kstrip_status {
     answer(|| {
         let (prepared, creepage, result) = (given(prepared)?, given(creepage)?, given(result)?);
-        Ok(result.write(prepared.solve(creepage)?).notice)
+        written(result, prepared.solve(creepage))
     })
 }
 
@@ -140,7 +140,7 @@ pub extern "C" fn kstrip_solve_total(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        Ok(result.write(solve_by(Model::Total, contact, creepage, 0)?).notice)
+        written(result, solve_by(Model::Total, contact, creepage, 0))
     })
 }
 
@@ -157,7 +157,7 @@ pub extern "C" fn kstrip_solve_strip(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        Ok(result.write(solve_by(Model::Strip, contact, creepage, strips)?).notice)
+        written(result, solve_by(Model::Strip, contact, creepage, strips))
     })
 }
 
@@ -174,7 +174,7 @@ pub extern "C" fn kstrip_solve_strip_1967(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        Ok(result.write(solve_by(Model::Strip1967, contact, creepage, strips)?).notice)
+        written(result, solve_by(Model::Strip1967, contact, creepage, strips))
     })
 }
 
@@ -189,7 +189,7 @@ pub extern "C" fn kstrip_solve_linear(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        Ok(result.write(solve_by(Model::Linear, contact, creepage, 0)?).notice)
+        written(result, solve_by(Model::Linear, contact, creepage, 0))
     })
 }
 
@@ -255,28 +255,6 @@ impl<F: Precision> Places<'_, F> {
     }
 }
 
-/// Forces, the friction that agrees with the slip, and derivatives by everything if they are wanted.
-pub(super) type ForcesOf<F> = (Solution<F>, F, Option<(Derivatives<F>, LawDerivatives<F>)>);
-
-#[inline]
-pub(super) fn forces_of<F: Precision>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    law: Option<&SlipFriction<F>>,
-    options: &Options,
-    differentiates: bool,
-) -> Result<ForcesOf<F>, Error> {
-    if differentiates {
-        let found = differentiate(contact, creepage, law, options)?;
-        Ok((found.solution, found.friction, Some((found.derivatives, found.law))))
-    } else if let Some(law) = law {
-        let found = friction::solve(contact, creepage, law, options)?;
-        Ok((found.solution, found.friction, None))
-    } else {
-        Ok((model::solve(contact, creepage, options)?, contact.friction, None))
-    }
-}
-
 pub(super) fn evaluate<F: Precision>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
@@ -285,38 +263,49 @@ pub(super) fn evaluate<F: Precision>(
     places: Places<F>,
 ) -> Result<Notice, Error> {
     let (forces, inside) = (for_forces(options)?, for_strips(options)?);
-    let (solution, friction, slopes) =
-        forces_of(contact, creepage, law, &forces, places.differentiates())?;
+    // (what was found is read where it stands)
+    let (differentiated, under_law, alone);
+    let (solution, friction, slopes) = if places.differentiates() {
+        differentiated = differentiate(contact, creepage, law, &forces);
+        let found = given_by(&differentiated)?;
+        (&found.solution, found.friction, Some((&found.derivatives, &found.law)))
+    } else if let Some(law) = law {
+        under_law = friction::solve(contact, creepage, law, &forces);
+        let found = given_by(&under_law)?;
+        (&found.solution, found.friction, None)
+    } else {
+        alone = model::solve(contact, creepage, &forces);
+        (given_by(&alone)?, contact.friction, None)
+    };
     let mut notice = solution.notice;
-    if let Some((strips, count)) = places.strips {
-        let count = given(count)?;
+    if let Some(strips) = places.strips {
         let stiffness = law.map_or(F::one(), SlipFriction::stiffness);
         let shear_modulus = contact.shear_modulus * stiffness;
         let contact = Contact { friction, shear_modulus, ..*contact };
-        if model::strips_of(&contact, creepage, &inside)? > strips.len() {
-            return Err(Error::Capacity);
-        }
-        let (own, written) = write_strips(&contact, creepage, &inside, strips)?;
-        notice = notice.worse(own);
-        count.write(written);
+        notice = notice.worse(write_strips(&contact, creepage, &inside, strips)?);
     }
-    put(places.result, solution);
+    put(places.result, *solution);
     put(places.friction, friction);
     if let Some((derivatives, law)) = slopes {
-        put(places.derivatives, derivatives);
-        put(places.law_derivatives, law);
+        put(places.derivatives, *derivatives);
+        put(places.law_derivatives, *law);
     }
     Ok(notice)
 }
 
-/// Writes the strips, as many as there is room for; and how many these are.
+/// Writes the strips and how many they are, if there is room for all.
+#[inline(never)]
 fn write_strips<F: Precision>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,
-    out: &mut [MaybeUninit<StripResult<F>>],
-) -> Result<(Notice, u32), Error> {
-    let mut places = out.iter_mut();
+    (strips, count): StripPlaces<F>,
+) -> Result<Notice, Error> {
+    let count = given(count)?;
+    if model::strips_of(contact, creepage, options)? > strips.len() {
+        return Err(Error::Capacity);
+    }
+    let mut places = strips.iter_mut();
     let mut written = 0_u32;
     let notice = model::strips(contact, creepage, options, &mut |strip| {
         if let Some(place) = places.next() {
@@ -324,7 +313,8 @@ fn write_strips<F: Precision>(
             written += 1;
         }
     })?;
-    Ok((notice, written))
+    count.write(written);
+    Ok(notice)
 }
 
 /// The wanted outputs of a motion.

@@ -93,6 +93,21 @@ pub(super) fn solve_by<F: Precision>(
     model::solve_inline(contact, creepage, &options)
 }
 
+/// What was found, where it stands.
+#[inline]
+pub(super) fn given_by<T>(found: &Result<T, Error>) -> Result<&T, Error> {
+    found.as_ref().map_err(|error| *error)
+}
+
+/// Writes a solution and tells its notice.
+#[inline]
+pub(super) fn written<F: Precision>(
+    place: &mut MaybeUninit<Solution<F>>,
+    solved: Result<Solution<F>, Error>,
+) -> Result<Notice, Error> {
+    Ok(place.write(*given_by(&solved)?).notice)
+}
+
 /// `ξ, η, ψ`; zero where the contact is lost.
 pub(super) fn parameters_of<F: Float>(
     contact: &Contact<F>,

@@ -162,12 +162,14 @@ pub fn differentiate<F: Precision>(
         Some(law) => friction::under(contact, creepage, law, options)?,
         None => (*contact, Notice::None),
     };
-    let (mut solution, slopes) = solve_with_slopes(&contact, creepage, options)?;
-    solution.notice = solution.notice.worse(notice);
+    // (looked at where it stands)
+    let solved = solve_with_slopes(&contact, creepage, options);
+    let (solution, slopes) = solved.as_ref().map_err(|error| *error)?;
+    let solution = Solution { notice: solution.notice.worse(notice), ..*solution };
     let friction = contact.friction;
     let lost = contact.is_lost();
     let Some(law) = law.filter(|_| !lost) else {
-        let Slopes { derivatives, by_mismatch, .. } = slopes;
+        let Slopes { derivatives, by_mismatch, .. } = *slopes;
         let law = without_law(&derivatives, by_mismatch, creepage);
         return if law.slope_factor.into_iter().all(F::is_finite_number) {
             Ok(Differentiated { solution, friction, derivatives, law, by_mismatch })
@@ -176,7 +178,7 @@ pub fn differentiate<F: Precision>(
         };
     };
     let (motion, load) = (*creepage, contact.normal_force);
-    let at = AtFriction { slopes, power: solution.power, motion, friction, load };
+    let at = AtFriction { slopes: *slopes, power: solution.power, motion, friction, load };
     let falls = law.falls() && options.model != Model::Linear;
     let (derivatives, law, by_mismatch) = at.through(law, falls);
     let entries = derivatives.entries().into_iter().chain(law.entries());

@@ -9,6 +9,7 @@ use crate::strip_1967::strip::SlidingRule;
 use crate::strip_1967::totals::{Both, GAUSS_6, Node, Pieces, Shares};
 
 /// `∫ C K dY` with its derivatives. Those by the ends are those of what the nodes miss.
+#[inline(always)]
 pub(super) fn stretch_and_length<T: Number>(
     motion: &Motion<T>,
     arc: &Arc<T>,
