@@ -84,9 +84,10 @@ pub(crate) fn solve<F: Precision>(
     let mut worst = Notice::None;
     for i in numbers {
         let (contact, creepage) = get(i);
-        let solution = model::solve(&contact, &creepage, options).map_err(|error| (i, error))?;
+        let solution = model::solve(&contact, &creepage, options);
+        let solution = solution.as_ref().map_err(|error| (i, *error))?;
         worst = worst.worse(solution.notice);
-        put(i, solution);
+        put(i, *solution);
     }
     Ok(worst)
 }
@@ -163,9 +164,10 @@ pub(crate) fn differentiate_each<F: Precision>(
     let mut worst = Notice::None;
     each(numbers, |i| {
         let (contact, creepage, law) = get(i);
-        let found = differentiate(&contact, &creepage, law.as_ref(), options)?;
+        let found = differentiate(&contact, &creepage, law.as_ref(), options);
+        let found = found.as_ref().map_err(|error| *error)?;
         worst = worst.worse(found.solution.notice);
-        put(i, &found);
+        put(i, found);
         Ok(())
     })?;
     Ok(worst)

@@ -158,12 +158,16 @@ pub fn differentiate<F: Precision>(
     law: Option<&SlipFriction<F>>,
     options: &Options,
 ) -> Result<Differentiated<F>, Error> {
+    let under;
     let (contact, notice) = match law {
-        Some(law) => friction::under(contact, creepage, law, options)?,
-        None => (*contact, Notice::None),
+        Some(law) => {
+            under = friction::under(contact, creepage, law, options)?;
+            (&under.0, under.1)
+        }
+        None => (contact, Notice::None),
     };
     // (looked at where it stands)
-    let solved = solve_with_slopes(&contact, creepage, options);
+    let solved = solve_with_slopes(contact, creepage, options);
     let (solution, slopes) = solved.as_ref().map_err(|error| *error)?;
     let solution = Solution { notice: solution.notice.worse(notice), ..*solution };
     let friction = contact.friction;
