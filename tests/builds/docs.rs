@@ -641,6 +641,54 @@ fn errors_in_prose_are_those_of_the_report() {
     }
 }
 
+/// The table of rounding in docs/reliability.md has the largest errors of docs/reference/numerics.md: forces, and derivatives without full
+/// sliding, in ordinary and in slender contacts; and those of patches from profiles.
+#[test]
+fn rounding_in_brief_is_that_of_the_page() {
+    let read = |page: &str| std::fs::read_to_string(root().join(page)).expect("a page");
+    let (page, brief) = (read("docs/reference/numerics.md"), read("docs/reliability.md"));
+    let cell = |row: &str, column: usize| -> f64 {
+        let cell = row.split('|').nth(column).expect("a cell");
+        cell.rsplit('/').next().expect("the worst").trim().parse().expect("a number")
+    };
+    let told =
+        |worst: f64| if worst < 99.95 { format!("{worst:.1}") } else { format!("{worst:.0}") };
+    for model in ["STRIP_1967", "STRIP_1967_CONTINUOUS", "STRIP", "TOTAL", "LINEAR"] {
+        let start = format!("| {model} | ");
+        let rows: Vec<&str> = page.lines().filter(|line| line.starts_with(&start)).collect();
+        assert_eq!(rows.len(), 8, "{model}");
+        let worst = |column: usize, without: &[&str]| {
+            let counts = |row: &&&str| !without.iter().any(|region| row.contains(region));
+            told(rows.iter().filter(counts).map(|row| cell(row, column)).fold(0.0, f64::max))
+        };
+        let slender = rows.iter().find(|row| row.contains("slender")).expect("a row");
+        let row = format!(
+            "| {model} | {} | {} | {} | {} | {} | {} |",
+            worst(3, &["slender"]),
+            worst(5, &["slender", "sliding"]),
+            worst(6, &["slender"]),
+            worst(8, &["slender", "sliding"]),
+            told(cell(slender, 3)),
+            told(cell(slender, 6))
+        );
+        assert!(brief.contains(&row), "docs/reliability.md: {row}");
+    }
+    let shapes = page.split("| shape |").nth(1).expect("the table of profiles");
+    let rows: Vec<&str> = shapes.lines().skip(2).take_while(|line| line.starts_with('|')).collect();
+    assert_eq!(rows.len(), 5);
+    let worst = |columns: &[usize]| {
+        let all = rows.iter().flat_map(|row| columns.iter().map(|column| cell(row, *column)));
+        all.fold(0.0, f64::max)
+    };
+    let text = format!(
+        "pressures within {:.0} in f64 and {:.0} in f32, approach and stiffness within {:.0}.",
+        worst(&[5]),
+        worst(&[9]),
+        worst(&[2, 3, 6, 7]).ceil()
+    );
+    assert!(brief.replace("\n ", "").contains(&text), "docs/reliability.md: {text}");
+}
+
 /// What derivatives cost, as told in the pages, is what the counts say.
 #[test]
 fn costs_in_prose_are_those_of_the_counts() {
