@@ -1172,7 +1172,7 @@ kstrip_status kstrip_patch_summarize(const struct kstrip_patch *patch,
  * The creepage is that at the origin of the patch's coordinates, x = y = 0; a strip sees
  * (longitudinal - spin y, lateral + spin centre_x), and moments are about the origin. |F| is at
  * most the sum of friction times load over the strips. For KSTRIP_MODEL_STRIP an ellipse stands for the zone of a strip: the strips that no
- * gap and no neck divides from it, with their load, area and mean friction. The flexibilities of the strip are those of this ellipse.
+ * gap and no neck divides from it, with their load and their mean lengths, pressures and friction. The flexibilities of the strip are those of this ellipse.
  * KSTRIP_MODEL_TOTAL takes the forces of these ellipses as they are. It is cheap and smooth, and has no strips and no share in adhesion.
  *
  * The forces of KSTRIP_MODEL_STRIP and KSTRIP_MODEL_TOTAL follow widths, gaps and necks without a jump, as long as all strips have one width

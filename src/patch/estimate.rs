@@ -21,8 +21,6 @@ use heapless::Vec;
 pub(super) const OVERLAP: f64 = 0.6;
 /// `ε/√(1.1 R δ)`
 const BREADTH: f64 = 0.22;
-/// Depth of a zone over the approach, from which its cells are as narrow as those of other zones.
-pub(super) const DEEP: f64 = 0.03;
 /// Number of cells of the estimate.
 const COUNT: usize = 10;
 
@@ -50,11 +48,11 @@ impl<F: Float> Estimate<F> {
     #[inline(never)]
     pub fn new(curve: &Curve<F>, approach: Moving<F>, radius: Moving<F>) -> Self {
         let level = approach.times(OVERLAP);
-        let (zones, _) = curve.zones(|_, height, slope| [height - level, slope]);
+        let (zones, _) = curve.zones(approach, |_, height, slope| [height - level, slope]);
         let breadth = (radius * approach).times(1.1).sqrt().times(BREADTH);
         let zero = Moving::zero();
         let mut places: Places<F> = Vec::new();
-        lattice(&zones, COUNT, approach.times(DEEP), &mut places);
+        lattice(&zones, COUNT, &mut places);
         let mut estimate = Self { load: zero, edges: Vec::new(), growth: Vec::new(), breadth };
         let (mut work, mut load) = (zero, zero);
         let mut depths: Vec<Moving<F>, EDGES> = Vec::new();

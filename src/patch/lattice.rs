@@ -1,12 +1,12 @@
 //! Where the cells of the normal problem lie.
 //!
-//! All zones are laid end to end and divided into cells of one width. A cell is cut where a zone ends. A zone that appears has no
-//! width at first and moves the cells of the other zones continuously. The cells do not depend on where the points of the profile lie.
+//! All zones are laid end to end and divided into cells of one width. A cell is cut where a zone ends. A zone that appears has few cells
+//! at first and moves those of the other zones slowly. The cells do not depend on where the points of the profile lie.
 
 use crate::number::{Arithmetic, Float};
 use crate::patch::normal::CELLS;
 use crate::patch::section::Moving;
-use crate::patch::smooth::{ZONES, Zone, Zones};
+use crate::patch::smooth::{ZONES, Zones};
 use heapless::Vec;
 
 /// The place of a cell, or of a part of one, on the line `x = 0`.
@@ -41,22 +41,12 @@ pub(super) fn width<F: Float>(zones: &Zones<F>) -> Moving<F> {
     zones.iter().fold(Moving::zero(), |sum, zone| sum + zone.width())
 }
 
-/// At most `count` cells, and one more for each zone but the first. A zone less than `deep` has wider cells, so that its number of
+/// At most `count` cells, and one more for each zone but the first. A zone that has just appeared has wider cells, so that its number of
 /// cells grows slowly from zero. (The cells are written where they stay: a copy would take room on the stack.)
-pub(super) fn lattice<F: Float>(
-    zones: &Zones<F>,
-    count: usize,
-    deep: Moving<F>,
-    places: &mut Places<F>,
-) {
+pub(super) fn lattice<F: Float>(zones: &Zones<F>, count: usize, places: &mut Places<F>) {
     places.clear();
     let count = F::widened(count.min(CELLS - ZONES) as f32);
-    let counts = |zone: &Zone<F>| {
-        // 3 x² − 2 x³
-        let x = (zone.depth / deep).min(Moving::one());
-        x.squared() * (Moving::constant(3.0) - x.times(2.0))
-    };
-    let total = zones.iter().fold(Moving::zero(), |sum, zone| sum + zone.width() * counts(zone));
+    let total = zones.iter().fold(Moving::zero(), |sum, zone| sum + zone.width() * zone.density);
     let inverse = Moving::from_base(count) / total;
     // what is narrower than rounding, of lengths or of places, is left out
     let far = zones
@@ -67,7 +57,7 @@ pub(super) fn lattice<F: Float>(
     // the place of a zone's beginning, in cells
     let mut begin = zero;
     for (zone, own) in zones.iter().enumerate() {
-        let density = counts(own) * inverse;
+        let density = own.density * inverse;
         let end = begin + own.width() * density;
         let each = density.shift(F::TINY).inverse();
         let (mut at, mut cell) = (begin, (begin.value + least).whole());

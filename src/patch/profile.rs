@@ -15,7 +15,7 @@
 use crate::contact::forces::StripCount;
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::{Arithmetic, Float};
-use crate::patch::estimate::{DEEP, Estimate, OVERLAP};
+use crate::patch::estimate::{Estimate, OVERLAP};
 use crate::patch::lattice::{lattice, lean, width};
 use crate::patch::normal::{Cells, Equations, Given};
 pub use crate::patch::section::Profile;
@@ -302,7 +302,7 @@ impl<F: Float> Outline<F> {
         };
         let (zones, at_end) = touching(&curve, approach, radius_there);
         let mut places = Vec::new();
-        lattice(&zones, number_of_cells(count), approach.times(DEEP), &mut places);
+        lattice(&zones, number_of_cells(count), &mut places);
         lean(&mut places);
         let first_lengths = Lengths::new(width(&zones), section.rolling_radius, approach);
         cells.place(&places, |y| {
@@ -325,7 +325,7 @@ fn touching<F: Float>(
     radius: Moving<F>,
 ) -> (Zones<F>, bool) {
     let estimate = Estimate::new(curve, approach, radius);
-    curve.zones(|y, height, slope| {
+    curve.zones(approach, |y, height, slope| {
         // (there it is positive anyway)
         if height.value > approach.value {
             return [height - approach.times(0.5), slope];

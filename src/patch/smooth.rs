@@ -25,6 +25,11 @@ const KNOTS_TO_A_LENGTH: f64 = 5.0;
 /// Where the last piece is shorter than this share of the others, the one before ends the profile.
 const STUB: f64 = 1e-3;
 
+/// Depth of a zone over the approach, from which its cells are as narrow as those of other zones.
+const WHOLE_ZONE: f64 = 0.075;
+/// Height of a gap over the approach, from which it divides two zones entirely.
+const WHOLE_GAP: f64 = 0.03;
+
 /// A place with the height and slope of the smoothed profile.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Knot<F> {
@@ -44,7 +49,11 @@ pub(super) struct Zone<F> {
     /// Where it ends \[m\].
     pub to: Moving<F>,
     /// The most that the function is below zero.
-    pub depth: Moving<F>,
+    depth: Moving<F>,
+    /// The most that it is above zero in the gap before.
+    rise: Moving<F>,
+    /// How closely cells lie, between 0 where the zone has just appeared and 1.
+    pub density: Moving<F>,
 }
 
 impl<F: Float> Zone<F> {
@@ -264,12 +273,13 @@ impl<F: Float> Curve<F> {
     }
 
     /// The zones where a function is negative, and whether one of them ends with the profile. `of` gives the value and the slope of the
-    /// function from a place, the height there and its slope.
+    /// function from a place, the height there and its slope. Which zones and gaps are whole is measured with the approach.
     pub fn zones(
         &self,
+        approach: Moving<F>,
         of: impl Fn(Moving<F>, Moving<F>, Moving<F>) -> [Moving<F>; 2],
     ) -> (Zones<F>, bool) {
-        let mut found = Found { zones: Vec::new(), begun: None, lowest: Moving::zero() };
+        let mut found = Found::new();
         let [start, finish] = self.ends;
         let mut at_end = false;
         let at = |knot: &Knot<F>| {
@@ -287,8 +297,9 @@ impl<F: Float> Curve<F> {
                 if let Some((end, _)) = last {
                     found.end(end);
                 }
+                found.highest = Moving::from_base(F::LARGEST);
                 if own[0].value < F::zero() {
-                    found.begun = Some(self.seen(knot.y));
+                    found.begin(self.seen(knot.y));
                     at_end = at_end || knot.y.value <= start;
                 }
             }
@@ -301,7 +312,8 @@ impl<F: Float> Curve<F> {
             let step = next_y - y;
             let fall = (slope.value.abs() + steep.value.abs()) * step.value.times(0.15);
             let least = own[0].value.min(end[0].value);
-            if least > fall {
+            if least > fall.max(approach.value.times(WHOLE_GAP)) {
+                found.highest = found.highest.max(own[0]).max(end[0]);
                 continue;
             }
             let heights = Cubic::new(step, [height, slope], [high, steep]);
@@ -326,11 +338,12 @@ impl<F: Float> Curve<F> {
                 }
                 let after = if to < length { exact(Moving::from_base(to))[0] } else { end[0] };
                 found.lowest = found.lowest.min(before).min(after);
+                found.highest = found.highest.max(before).max(after);
                 let (inside, stays) = (before.value < F::zero(), after.value < F::zero());
                 if inside && !stays {
                     found.end(root(exact, from, to) + y);
                 } else if stays && !inside {
-                    found.begun = Some(root(exact, to, from) + y);
+                    found.begin(root(exact, to, from) + y);
                 }
                 (from, before) = (to, after);
             }
@@ -339,18 +352,64 @@ impl<F: Float> Curve<F> {
             at_end = at_end || (found.begun.is_some() && end.value >= finish);
             found.end(end);
         }
+        join(&mut found.zones, approach);
         (found.zones, at_end)
+    }
+}
+
+/// Zones that have just appeared have few cells, and zones with hardly a gap between them share the gap. So zones appear, part and merge
+/// without a jump, although the width of a zone or of a gap grows infinitely fast at first.
+fn join<F: Float>(zones: &mut Zones<F>, approach: Moving<F>) {
+    let one = Moving::one();
+    // 3 x² − 2 x³
+    let step = |height: Moving<F>, whole: f64| {
+        let x = (height / approach.times(whole)).min(one);
+        x.squared() * (Moving::constant(3.0) - x.times(2.0))
+    };
+    let closed = |zone: &Zone<F>| one - step(zone.rise, WHOLE_GAP);
+    for zone in zones.iter_mut() {
+        zone.density = step(zone.depth, WHOLE_ZONE);
+    }
+    let mut rest: &mut [Zone<F>] = zones;
+    while let [before, after @ ..] = rest {
+        if let [next, ..] = after {
+            let closed = closed(next);
+            let half = (next.from - before.to).times(0.5) * closed;
+            before.to += half;
+            next.from = next.from - half;
+            next.density = next.density.max(before.density * closed);
+        }
+        rest = after;
+    }
+    let mut rest: &mut [Zone<F>] = zones;
+    while let [before @ .., last] = rest {
+        if let [.., own] = before {
+            own.density = own.density.max(last.density * closed(last));
+        }
+        rest = before;
     }
 }
 
 /// Zones on the way along the profile.
 struct Found<F> {
     zones: Zones<F>,
-    begun: Option<Moving<F>>,
+    /// Where a zone has begun, and the highest value in the gap before.
+    begun: Option<[Moving<F>; 2]>,
+    /// Lowest value since the last zone, highest since this one began.
     lowest: Moving<F>,
+    highest: Moving<F>,
 }
 
 impl<F: Float> Found<F> {
+    fn new() -> Self {
+        let (zero, far) = (Moving::zero(), Moving::from_base(F::LARGEST));
+        Self { zones: Vec::new(), begun: None, lowest: zero, highest: far }
+    }
+
+    fn begin(&mut self, from: Moving<F>) {
+        self.begun = Some([from, self.highest]);
+    }
+
     /// Makes room for one more zone: the two zones beside the narrowest gap become one.
     fn close_a_gap(&mut self, next: Zone<F>) {
         let after = self.zones.iter().skip(1).chain([&next]);
@@ -375,8 +434,9 @@ impl<F: Float> Found<F> {
     fn end(&mut self, to: Moving<F>) {
         let depth = -self.lowest;
         self.lowest = Moving::zero();
-        let Some(from) = self.begun.take() else { return };
-        let zone = Zone { from, to, depth };
+        let Some([from, rise]) = self.begun.take() else { return };
+        self.highest = Moving::zero();
+        let zone = Zone { from, to, depth, rise, density: depth };
         if !(to.value > from.value) {
             return;
         }

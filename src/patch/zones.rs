@@ -4,14 +4,14 @@
 //! count with a weight, which is 1 where the neck is at least 0.85 of the smaller of the two parts that it connects, and 0 below
 //! 0.55. A patch that is pinched therefore falls apart without a jump, and a strip in the neck belongs to both sides.
 //!
-//! The **equivalent ellipse** has the load and the friction of the zone and follows from sums over the load. On an ellipse
-//! `∫ C² l² dY/∫ C² dY = (4/5) a²`, therefore
+//! The **equivalent ellipse** has the load and the friction of the zone and follows from means over the load. On an ellipse
+//! `∫ C² l² dY/∫ C² dY = (4/5) a²` and likewise for the peak pressure, therefore
 //!
 //! ```text
-//! a² = (5/4) Σ N l²/Σ N,   π a b = area = Σ 2 w p/s,   (x₀, y₀) = Σ N (x, y)/Σ N,   μ = Σ μ N/Σ N
+//! a² = (5/4) Σ N l²/Σ N,   p₀² = (5/4) Σ N p²/Σ N,   N = (2/3) π a b p₀,   (x₀, y₀) = Σ N (x, y)/Σ N,   μ = Σ μ N/Σ N
 //! ```
 //!
-//! with `s = Σ N p/Σ N l` the mean of pressure over length, so that a strip without load changes nothing.
+//! Every strip counts by its load, so that a strip that begins to touch changes nothing at first.
 
 use crate::contact::Contact;
 use crate::number::Float;
@@ -44,10 +44,10 @@ struct Sums<F> {
     square: F,
     /// `x` and `y`
     centre: [F; 2],
-    /// `N p` and `N l`
-    slope: [F; 2],
-    /// `w p`
-    section: F,
+    /// `N p²`
+    pressure: F,
+    /// `w l p`
+    volume: F,
 }
 
 impl<F: Float> Sums<F> {
@@ -64,10 +64,8 @@ impl<F: Float> Sums<F> {
         let [sum_x, sum_y] = &mut self.centre;
         *sum_x += load * x;
         *sum_y += load * y;
-        let [by_pressure, by_length] = &mut self.slope;
-        *by_pressure += load * pressure;
-        *by_length += load * length;
-        self.section += weight * (strip.width * units.per_width) * pressure;
+        self.pressure += load * pressure * pressure;
+        self.volume += weight * (strip.width * units.per_width) * length * pressure;
     }
 }
 
@@ -224,8 +222,8 @@ impl<F: Float> PatchView<'_, F> {
             bound: zero,
             square: zero,
             centre: [zero; 2],
-            slope: [zero; 2],
-            section: zero,
+            pressure: zero,
+            volume: zero,
         };
         sums.add(own, units, own.centre_x, F::one());
         let mut add = |strip: &PatchStrip<F>, walk: &mut Walk<F>, last: &PatchStrip<F>| {
@@ -247,24 +245,25 @@ impl<F: Float> PatchView<'_, F> {
             }
             last = strip;
         }
-        let Sums { load, bound, square, centre: [x, y], slope: [by_pressure, by_length], section } =
-            sums;
+        let Sums { load, bound, square, centre: [x, y], pressure, volume } = sums;
         // (smaller products have no digits left; such a zone carries nothing)
         let load = if load.times(1e-6) > F::TINY { load } else { zero };
         let loaded = load > zero;
         let mean = |sum: F, own: F| if loaded { sum / load } else { own };
         let length = own.half_length * per_length;
         let y = mean(y, (own.y - units.y) * per_width);
+        // a² = (5/4) Σ N l²/Σ N, p₀² = (5/4) Σ N p²/Σ N
         let a = mean(square, length * length).times(1.25).sqrt();
-        // half of the area, in units of the patch
-        let half = if loaded {
-            section * (by_length / by_pressure) * self.scale().area
+        let p0 = mean(pressure, F::zero()).times(1.25).sqrt();
+        // b = 3 N/(2 π a p₀), the load being (π/2) Σ w l p
+        let b = if loaded {
+            (volume / (a * p0)).times(0.75)
         } else {
-            length * (own.width * per_width)
+            (length * (own.width * per_width) / a).times(2.0 / PI)
         };
         let contact = Contact {
             a: units.length * a,
-            b: units.width * (half / a).times(2.0 / PI),
+            b: units.width * b,
             normal_force: load,
             shear_modulus: self.shear_modulus(),
             poisson_ratio: self.poisson_ratio(),

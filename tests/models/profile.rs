@@ -385,6 +385,39 @@ fn zones_merge_without_a_jump() {
     }
 }
 
+/// Two bottoms with flanks slide under a load, in steps of 1 µm: a second zone appears, and the gap between the zones closes. The second
+/// differences are those of kinks where strips begin to touch, not those of cells that move at once: of the approach over its mean, of
+/// the force over `μ N`.
+#[test]
+fn a_zone_appears_and_a_gap_closes_slowly() {
+    let motion = Creepage { longitudinal: 1e-3, lateral: 5e-4, spin: 0.3 };
+    let at = |shift: f64| {
+        let (y, mut distance) = two_bottoms(shift);
+        for (y, distance) in y.iter().zip(&mut distance) {
+            *distance += (y.abs() - 10e-3).max(0.0).powi(2) / 0.2;
+        }
+        let (patch, found) = Full::from_profile(
+            &Profile::new(&y, &distance).unwrap(),
+            &pressed(0.46, 80e3),
+            SIXTEEN,
+        )
+        .unwrap();
+        let forces = solver::solve(&patch.view().unwrap(), &motion, Model::Strip).unwrap();
+        [found.approach / 110e-6, forces.fx / 24e3, forces.fy / 24e3]
+    };
+    for micrometres in [-2960..-2780, -2475..-2295] {
+        let found: Vec<_> = micrometres.map(|shift| at(1e-6 * f64::from(shift))).collect();
+        let mut largest = [0.0_f64; 3];
+        for three in found.windows(3) {
+            for (k, largest) in largest.iter_mut().enumerate() {
+                *largest = largest.max((three[0][k] - 2.0 * three[1][k] + three[2][k]).abs());
+            }
+        }
+        println!("largest second differences {largest:?}");
+        assert!(largest.iter().all(|difference| *difference < 1e-4), "{largest:?}");
+    }
+}
+
 /// Two bottoms, 12 mm apart.
 fn two_bottoms(shift: f64) -> (Vec<f64>, Vec<f64>) {
     let y: Vec<f64> = (0..304).map(|i| 50e-3 * (f64::from(i) / 303.0 - 0.5)).collect();
