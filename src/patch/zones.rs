@@ -135,12 +135,15 @@ impl<F: Float> Walk<F> {
         let l = next.half_length;
         self.neck = self.neck.min(l);
         let smaller = self.peak.min(l);
-        let share = (self.neck / smaller).plus(-APART).times(1.0 / (WHOLE - APART));
         // (strips of any width end as narrow ones: what counts is the gap, not the distance of their middles)
         let gap = (next.y - last.y).abs() - (next.width + last.width).times(0.5);
-        let near = (F::of(GAP) - gap * self.per_width).times(1.0 / (GAP - TOUCHING));
-        let share = share.min(near).clamped(F::zero(), F::one());
-        self.weight = self.weight.min(share * share * (F::of(3.0) - share.times(2.0)));
+        let gap = gap * self.per_width;
+        if self.neck < smaller.times(WHOLE) || gap > F::of(TOUCHING) {
+            let share = (self.neck / smaller).plus(-APART).times(1.0 / (WHOLE - APART));
+            let near = (F::of(GAP) - gap).times(1.0 / (GAP - TOUCHING));
+            let share = share.min(near).clamped(F::zero(), F::one());
+            self.weight = self.weight.min(share * share * (F::of(3.0) - share.times(2.0)));
+        }
         if l > self.peak {
             (self.peak, self.neck) = (l, l);
         }
