@@ -1063,7 +1063,7 @@ typedef struct kstrip_patch {
 
 /** Approach, load and pressure of two profiles in contact. */
 typedef struct kstrip_profile_result {
-    /** Approach of distant points of the two bodies [m], from the smoothed profile's deepest point. */
+    /** Approach of distant points of the two bodies [m] from where they touch: at the lowest point of the smoothed profile. */
     double approach;
     /** Normal force of the strips [N]. If a load is given, it is that load to rounding. */
     double normal_force;
@@ -1077,6 +1077,11 @@ typedef struct kstrip_profile_result {
     uint32_t iterations;
     /** The status of this result: 0, or KSTRIP_WARNING_PROFILE_END where a zone of contact ends with the profile. */
     kstrip_status status_detail;
+    /**
+     * Distance at the lowest point of the smoothed profile [m]; without contact, of the given points. The sum approach + lowest is by how
+     * much the bodies have moved toward each other. It is smooth where another point becomes the lowest, and approach has a kink there.
+     */
+    double lowest;
 } kstrip_profile_result;
 
 /**
@@ -1084,7 +1089,7 @@ typedef struct kstrip_profile_result {
  *
  * Zones of contact that are apart become lobes. The results are continuous in load, approach and distances: a zone appears with zero width
  * and zero load, grows, touches its neighbour and merges. The stiffness is the derivative of the computed load. The approach counts from the
- * lowest point of the smoothed profile; it has a kink where another point becomes the lowest. A zone that reaches an end of the profile ends
+ * lowest point of the smoothed profile. It has a kink where another point becomes the lowest, and approach + lowest has none. A zone that reaches an end of the profile ends
  * there, as if the bodies ended, and the status is KSTRIP_WARNING_PROFILE_END.
  *
  * The time is bounded. One part is proportional to the number of points. The other solves a system of linear equations of fixed size, three

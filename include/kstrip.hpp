@@ -922,6 +922,7 @@ struct basic_profile_result {
     basic_metres<T> peak_y;
     std::uint32_t iterations;
     kstrip::status status_detail;
+    basic_metres<T> lowest; ///< of the smoothed profile's distances
 };
 KSTRIP_HPP_BOTH(profile_result)
 

@@ -469,6 +469,7 @@ typedef struct kstrip_profile_result_f32 {
     float peak_y;
     uint32_t iterations;
     kstrip_status status_detail;
+    float lowest;
 } kstrip_profile_result_f32;
 
 /** kstrip_patch_from_profile() in single precision. */

@@ -368,6 +368,7 @@ module kstrip
       real(c_double) :: peak_y = 0
       integer(c_int32_t) :: iterations = 0
       integer(c_int32_t) :: status_detail = 0
+      real(c_double) :: lowest = 0
    end type
 
    !> Load, friction bound and area of a patch.

@@ -336,6 +336,7 @@ static void from_profile(int outputs, mxArray *out[], int count, const mxArray *
         *field(out[1], "stiffness", 1, 1) = result.stiffness;
         *field(out[1], "peak_pressure", 1, 1) = result.peak_pressure;
         *field(out[1], "peak_y", 1, 1) = result.peak_y;
+        *field(out[1], "lowest", 1, 1) = result.lowest;
     }
 }
 

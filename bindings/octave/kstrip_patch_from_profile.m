@@ -14,7 +14,7 @@ function [patch, result] = kstrip_patch_from_profile(y, distance, options)
 %     centre_x, rolling_radii         for each point, along x and its own rolling radius [m]
 %   patch     a struct for kstrip_evaluate: strips (6 x n: y, width, half length, centre x, peak pressure, friction), shear_modulus,
 %             poisson_ratio, area_scale, lever_scale
-%   result    approach [m], normal_force [N], stiffness [N/m], peak_pressure [Pa], peak_y [m]
+%   result    approach [m], normal_force [N], stiffness [N/m], peak_pressure [Pa], peak_y [m], lowest distance [m]
 %
 %   See also kstrip_evaluate, kstrip_patch_from_contact.
     [patch, result] = kstrip_call('patch_from_profile', y, distance, options);

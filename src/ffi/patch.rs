@@ -11,7 +11,7 @@ use crate::patch::{self, KSTRIP_PATCH_CAPACITY, Patch, PatchView, QuadratureScal
 ///
 /// Zones of contact that are apart become lobes. The results are continuous in load, approach and distances: a zone appears with zero width
 /// and zero load, grows, touches its neighbour and merges. The stiffness is the derivative of the computed load. The approach counts from the
-/// lowest point of the smoothed profile; it has a kink where another point becomes the lowest. A zone that reaches an end of the profile ends
+/// lowest point of the smoothed profile. It has a kink where another point becomes the lowest, and approach + lowest has none. A zone that reaches an end of the profile ends
 /// there, as if the bodies ended, and the status is KSTRIP_WARNING_PROFILE_END.
 ///
 /// The time is bounded. One part is proportional to the number of points. The other solves a system of linear equations of fixed size, three

@@ -108,7 +108,7 @@ impl<F: Float> ProfileContact<F> {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Indentation<F> {
-    /// Approach of distant points of the two bodies \[m\], from the smoothed profile's deepest point.
+    /// Approach of distant points of the two bodies \[m\] from where they touch: at the lowest point of the smoothed profile.
     pub approach: F,
     /// Normal force of the strips \[N\]. If a load is given, it is that load to rounding.
     pub normal_force: F,
@@ -122,6 +122,9 @@ pub struct Indentation<F> {
     pub iterations: u32,
     /// The status of this result: 0, or KSTRIP_WARNING_PROFILE_END where a zone of contact ends with the profile.
     pub notice: Notice,
+    /// Distance at the lowest point of the smoothed profile \[m\]; without contact, of the given points. The sum approach + lowest is by how
+    /// much the bodies have moved toward each other. It is smooth where another point becomes the lowest, and approach has a kink there.
+    pub lowest: F,
 }
 
 /// Cells of the normal problem for about `count` strips.
@@ -148,6 +151,7 @@ impl<F: Float> Indentation<F> {
             peak_y: first.times(0.5) + last.times(0.5),
             iterations: 0,
             notice: Notice::None,
+            lowest: profile.lowest,
         }
     }
 
@@ -178,7 +182,7 @@ impl<F: Float> Indentation<F> {
         let Some(outline) = Outline::new(profile, contact, given, count, &mut cells)? else {
             return Ok(Self::none(profile));
         };
-        let Outline { given, power, iterations, at_end } = outline;
+        let Outline { given, power, iterations, at_end, lowest } = outline;
         let pressed = solved(&mut cells, power, given);
         let load = cells.load();
         let ([by_load], [by_approach]) = (pressed.gradient, load.gradient);
@@ -193,9 +197,10 @@ impl<F: Float> Indentation<F> {
             },
             iterations,
             notice: if at_end { Notice::ProfileEnd } else { Notice::None },
+            lowest: profile.lowest + lowest,
             ..Self::none(profile)
         };
-        let results = [found.approach, found.normal_force, found.stiffness];
+        let results = [found.approach, found.normal_force, found.stiffness, found.lowest];
         if !results.iter().all(|result| result.is_finite_number()) {
             return Err(Error::Overflow);
         }
@@ -244,6 +249,8 @@ struct Outline<F> {
     iterations: u32,
     /// Whether a zone ends with the profile.
     at_end: bool,
+    /// Lowest point of the smoothed profile above that of the given points.
+    lowest: F,
 }
 
 impl<F: Float> Outline<F> {
@@ -312,7 +319,7 @@ impl<F: Float> Outline<F> {
             ([height, radius, first_lengths.at(height, radius)], touches)
         });
         let power = first_lengths.power(given);
-        Ok(Some(Self { given, power, iterations, at_end }))
+        Ok(Some(Self { given, power, iterations, at_end, lowest: curve.lowest.value }))
     }
 }
 

@@ -27,7 +27,7 @@ layouts! {
     kstrip_profile_contact { rolling_radius, normal_force, approach, smoothing_length, shear_modulus, poisson_ratio, friction, strips, reserved }
     kstrip_patch_strip { y, width, half_length, centre_x, peak_pressure, friction }
     kstrip_patch { strips, shear_modulus, poisson_ratio, area_scale, lever_scale, count, reserved, mismatch }
-    kstrip_profile_result { approach, normal_force, stiffness, peak_pressure, peak_y, iterations, notice }
+    kstrip_profile_result { approach, normal_force, stiffness, peak_pressure, peak_y, iterations, notice, lowest }
     kstrip_patch_summary { normal_force, friction_bound, area, lobes, reserved }
     kstrip_surface { y, z, cosine, sine, step, count, reserved }
     kstrip_wheel_position { lateral, vertical, yaw, roll }
@@ -65,7 +65,7 @@ layouts! {
     kstrip_profile_contact_f32 { rolling_radius, normal_force, approach, smoothing_length, shear_modulus, poisson_ratio, friction, strips, reserved }
     kstrip_patch_strip_f32 { y, width, half_length, centre_x, peak_pressure, friction }
     kstrip_patch_f32 { strips, shear_modulus, poisson_ratio, area_scale, lever_scale, count, reserved, mismatch }
-    kstrip_profile_result_f32 { approach, normal_force, stiffness, peak_pressure, peak_y, iterations, notice }
+    kstrip_profile_result_f32 { approach, normal_force, stiffness, peak_pressure, peak_y, iterations, notice, lowest }
     kstrip_patch_summary_f32 { normal_force, friction_bound, area, lobes, reserved }
     kstrip_surface_f32 { y, z, cosine, sine, step, count, reserved }
     kstrip_wheel_position_f32 { lateral, vertical, yaw, roll }
