@@ -26,11 +26,22 @@ use pictures::{
 };
 use std::path::Path;
 
-/// Profiles in pictures.
-const SHOWN: [&str; 6] =
-    ["two_100_500", "sextic", "bump_4.5_0.07", "worn_step", "s1002_uic60_1", "random_11"];
-/// Real patches in pictures.
-const SHOWN_REAL: [&str; 4] = ["mb_f006_1", "uicworn_p022_1", "mb_p082_1", "car7216_p019_1"];
+/// Profiles in pictures, and what they are.
+const SHOWN: [(&str, &str); 6] = [
+    ("two_100_500", "radii of 100 and 500 mm"),
+    ("sextic", "flat bottom, sixth power of y"),
+    ("bump_4.5_0.07", "two bottoms, 9 mm apart"),
+    ("worn_step", "arcs of 500, 50, 800 and 60 mm"),
+    ("s1002_uic60_1", "S1002 on 60E1, shift 1 mm"),
+    ("random_11", "random waves, two zones"),
+];
+/// Real patches in pictures, and what they are.
+const SHOWN_REAL: [(&str, &str); 4] = [
+    ("mb_f006_1", "S1002 on 60E1, narrow"),
+    ("uicworn_p022_1", "worn profiles, wide"),
+    ("mb_p082_1", "S1002 on 60E1, two zones"),
+    ("car7216_p019_1", "profiles in service"),
+];
 const COUNT: StripCount = StripCount::Sixteen;
 
 /// A profile, its patch, and how far it is from CONTACT.
@@ -105,8 +116,9 @@ fn normal_row(report: &mut Report, name: &str, list: &[&Compared]) {
 
 fn profile_tables(report: &mut Report, list: &[Compared]) {
     report.line("## How far from CONTACT: profiles\n");
-    report.line("30 profiles whose normal and tangential problem CONTACT solved on elastic half-spaces (`tests/data/patches`), nine creepages each;");
-    report.line("16 strips, default smoothing. Errors of area, peak pressure and approach in %, mean / largest; of the force in units of `μ N` and of");
+    report.line("30 profiles whose normal and tangential problem CONTACT solved on elastic half-spaces (`tests/data/patches`), nine creepages each:");
+    report.line("steel (`ν = 0.28`), 31 to 100 kN, friction 0.3, and patches whose length along the rolling direction is 0.6 to 4.7 of their width. 16 strips,");
+    report.line("default smoothing. Errors of area, peak pressure and approach in %, mean / largest; of the force in units of `μ N` and of");
     report.line("the moment in units of `μ N c`, `c = √(area/π)`, mean / 95th percentile / largest. The column of STRIP on CONTACT's own outline and loads");
     report.line("shows which part of the error comes from the tangential model: nearly all of it. Profiles of the family `hertz` are parabolas, for control.\n");
     report.header(&[
@@ -151,8 +163,8 @@ fn profile_tables(report: &mut Report, list: &[Compared]) {
 fn other_tables(report: &mut Report) {
     report.line("\n## Given strips, friction in bands, falling friction\n");
     report.line("Force and moment with STRIP, mean / 95th percentile / largest. Given strips have half-elliptic pressure. The strips of skewed patches have");
-    report.line("their centres off `x = 0`. Bands and falling friction are on ellipses of 16 strips. CONTACT's friction falls with the slip of each");
-    report.line("point, ours with the mean slip of the patch. One row has all families of falling friction.\n");
+    report.line("their centres off `x = 0`. Bands and falling friction are on ellipses of 16 strips with `a/b` 0.5, 1 and 2.5. All are of steel (`ν = 0.28`).");
+    report.line("CONTACT's friction falls with the slip of each point, ours with the mean slip of the patch. One row has all families of falling friction.\n");
     report.header(&["patch", "force", "moment"]);
     let mut sums = [Errors::default(), Errors::default()];
     for (list, sum) in [given(), banded(COUNT)].into_iter().zip(&mut sums) {
@@ -292,6 +304,7 @@ fn pressed(load: f64) -> ProfileContact<f64> {
 fn real_table(report: &mut Report, list: &[Case]) {
     report.line("\n## Real wheels on real rails\n");
     report.line("36 patches of six pairs of profiles, new and worn, with yaw (`tests/data/real`). Each point has its rolling radius and its place along `x`.");
+    report.line("The bodies are of steel (`ν = 0.28`), the load is 34 to 146 kN, friction 0.3, and the mean length of the patches is 0.3 to 24 of their width.");
     report.line("Creepages and moment are about the origin of the profile. The errors against CONTACT are defined as above.\n");
     report.header(&["pair", "patches", "area", "peak pressure", "force, STRIP", "moment, STRIP"]);
     let mut pairs: Vec<&str> = Vec::new();
@@ -488,7 +501,7 @@ fn title(canvas: &Canvas, name: &str, contact: &str, dashes: bool) -> Drawn {
 }
 
 /// A real patch: outline, pressure, and CONTACT's largest pressure.
-fn draw_real(case: &Case, canvas: &Canvas) -> Drawn {
+fn draw_real(case: &Case, what: &str, canvas: &Canvas) -> Drawn {
     let strips = case.patch(COUNT).0.strips;
     let ends = strips.iter().fold([f64::INFINITY, -f64::INFINITY], |[least, most], strip| {
         [least.min(strip.y - strip.width), most.max(strip.y + strip.width)]
@@ -496,7 +509,7 @@ fn draw_real(case: &Case, canvas: &Canvas) -> Drawn {
     let longest =
         1.15e3 * strips.iter().map(|s| s.half_length + s.centre_x.abs()).fold(0.0, f64::max);
     let peak = 1e-6 * case.peak_pressure;
-    title(canvas, &case.name, "CONTACT, largest", true)?;
+    title(canvas, &format!("{}: {what}", case.name), "CONTACT, largest", true)?;
     let outline = Axes { left: 50.0, ends, low: -longest, high: longest };
     let pressure = Axes { left: 410.0, ends, low: 0.0, high: 1.2 * peak };
     outline.draw(canvas, "outline, x [mm]")?;
@@ -606,14 +619,14 @@ fn print_costs() {
 }
 
 /// Half lengths and pressure, ours as lines, CONTACT's as dots.
-fn draw(found: &Compared, canvas: &Canvas) -> Drawn {
+fn draw(found: &Compared, what: &str, canvas: &Canvas) -> Drawn {
     let (case, strips) = (&found.case, &found.patch.strips);
     let outline = || case.outline.iter();
     let least = outline().map(|row| row.y).fold(f64::INFINITY, f64::min) - 1e-3;
     let most = outline().map(|row| row.y).fold(-f64::INFINITY, f64::max) + 1e-3;
     let longest = 1.15e3 * outline().map(|row| row.half_length).fold(0.0, f64::max);
     let ends = [least, most];
-    title(canvas, &case.name, "CONTACT", false)?;
+    title(canvas, &format!("{}: {what}", case.name), "CONTACT", false)?;
     let length = Axes { left: 50.0, ends, low: 0.0, high: longest };
     let pressure = Axes { left: 410.0, ends, low: 0.0, high: 1.2e-6 * case.peak_pressure };
     length.draw(canvas, "half length of a strip [mm]")?;
@@ -651,21 +664,23 @@ fn main() {
     smoothing_table(&mut report, &rails);
     noise_table(&mut report, &list);
     merging_table(&mut report);
-    report.line("\n## Outlines and pressures\n");
+    report.line("\n## Lengths and pressures\n");
+    report.line("Each line is a strip: on the left its half length, on the right its peak pressure. The dots are CONTACT's rows of cells.\n");
     std::fs::create_dir_all(docs.join("patches")).unwrap();
-    for name in SHOWN {
+    for (name, what) in SHOWN {
         let found = list.iter().find(|found| found.case.name == name).unwrap();
         picture(&docs.join(format!("patches/{name}.svg")), (720, 255), |canvas| {
-            draw(found, canvas)
+            draw(found, what, canvas)
         })
         .unwrap();
-        report.line(format!("![Outline and pressure of {name}](patches/{name}.svg)\n"));
+        report.line(format!("![Half lengths and pressures of {name}](patches/{name}.svg)\n"));
     }
     report.line("## Real patches\n");
-    for name in SHOWN_REAL {
+    report.line("On the left are both ends of each strip. The data have only the largest pressure of CONTACT, the dashed line.\n");
+    for (name, what) in SHOWN_REAL {
         let case = rails.iter().find(|case| case.name == name).unwrap();
         picture(&docs.join(format!("patches/{name}.svg")), (720, 255), |canvas| {
-            draw_real(case, canvas)
+            draw_real(case, what, canvas)
         })
         .unwrap();
         report.line(format!("![Outline and pressure of {name}](patches/{name}.svg)\n"));
