@@ -2,19 +2,21 @@
 //!
 //! Two bodies roll over each other, pressed together with a force `N`. They touch in an ellipse with semi-axes `a`
 //! (along the rolling direction) and `b` (across it), and slip a little there. The slip causes the creep forces, which
-//! steer a railway wheel and heat a bearing. J. J. Kalker's *A strip theory for rolling with slip and spin* (Proc. Kon.
-//! Ned. Akad. Wetenschappen B 70 (1967) 10–62) gives them in closed form. The ellipse is cut into strips along the
+//! steer a railway wheel and heat a disc. J. J. Kalker's *A strip theory for rolling with slip and spin* (Proc. Kon.
+//! Ned. Akad. Wetenschappen B 70 (1967) 10–62) gives these forces in closed form. The ellipse is cut into strips along the
 //! rolling direction; each strip is a plane problem with an adhesion area at its leading edge and slip behind it.
 //!
 //! The modules follow the physics, from the bodies to the results:
 //!
 //! 1. [`contact`]: two bodies, their elastic constants, Hertz's ellipse, creepages from velocities.
 //! 2. [`linear`]: Kalker's coefficients and his linear theory.
-//! 3. [`strip_1967`]: the theory of the paper. [`strip`]: strips that follow the slip. [`total`]: total forces.
+//! 3. [`strip_1967`]: the theory of the paper. [`strip`]: its strips with flexibilities fitted to CONTACT. [`total`]: a closed
+//!    formula for force and moment, fitted to CONTACT.
 //! 4. [`solve`]: results and derivatives of a contact and a creepage, for every model. [`batch`]: many contacts at once.
 //! 5. [`patch`]: a patch of any shape as its strips. [`friction`]: friction that falls with the slip. [`rig`]: from a
 //!    measured force to friction, from a wanted force to creepage.
-//! 6. [`number`]: the types of number that the formulas are written in. [`ffi`]: the functions for C (`include/kstrip.h`).
+//! 6. [`wheel_rail`]: from two profiles and a position to the force and the moment on a wheel.
+//! 7. [`number`]: the types of number that the formulas are written in. [`ffi`]: the functions for C (`include/kstrip.h`).
 //!
 //! # Frame and signs
 //!

@@ -33,7 +33,7 @@ pub enum Error {
     Curvature = -10,
     /// The rolling speed is not positive.
     RollingSpeed = -11,
-    /// The caller's array is too small.
+    /// The caller's array is too small, or a count exceeds the capacity of a structure.
     Capacity = -12,
     /// The model has no such result (a total-force model has no strips and no field).
     NotInModel = -13,
@@ -53,7 +53,7 @@ pub enum Error {
     ForceBeyondFriction = -20,
     /// What was measured is none of the longitudinal force, the lateral force, and both.
     Measured = -21,
-    /// A structure was not filled by preparing a contact.
+    /// A structure was not filled by preparing a contact or a profile.
     NotPrepared = -22,
     /// The floor of the speed is negative.
     FloorSpeed = -23,

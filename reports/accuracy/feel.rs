@@ -239,7 +239,7 @@ impl Report {
                 }
                 let middle = left + 185.0;
                 let name = ["C11 vx", "C22 vy", "C23 φ"][axis];
-                let text = format!("{what} as the force {name} of linear theory");
+                let text = format!("{what}: linear force {name} over μ N");
                 write(canvas, &text, (middle, 504.0), 13, Align::Centre, INK)?;
             }
             let (y, mut x) = (538.0, 56.0);

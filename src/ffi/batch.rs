@@ -17,7 +17,7 @@ use crate::batch::{differentiate_batch, solve_batch, solve_under_friction};
 /// @param count           how many; 0 is allowed.
 /// @param options         for all contacts; NULL for the defaults.
 /// @param outputs         where the outputs go; they must not overlap the inputs or each other.
-/// @param[out] first_bad  receives the index of the first bad input, count without one; NULL: not wanted.
+/// @param[out] first_bad  receives the index of the first bad contact, or count where none is bad; NULL: not wanted.
 /// @return KSTRIP_OK, the gravest warning, or the first error, as kstrip_evaluate(); KSTRIP_ERROR_STRIDE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn kstrip_evaluate_batch(

@@ -14,7 +14,7 @@ use super::support::*;
 /// @param y, rows         array of y [m] and its size.
 /// @param[out] points     array of rows * columns elements; the point (x[i], y[j]) is
 ///                        points[j * columns + i].
-/// @param capacity        its size.
+/// @param capacity        size of points, at least rows * columns.
 /// @return as kstrip_solve(); KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_NOT_IN_MODEL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn kstrip_field(

@@ -45,12 +45,12 @@ pub const KSTRIP_OK: kstrip_status = 0;
 /// Warning: the spin parameter |psi| is 1 or more, beyond the theory of 1967. The result continues that theory in a way that is this
 /// library's own: finite, continuous and bounded by mu N.
 pub const KSTRIP_WARNING_SPIN: kstrip_status = 1;
-/// Warning: the spin parameter |psi| is above 3, where KSTRIP_MODEL_STRIP was not checked against its reference.
+/// Warning: the spin parameter |psi| is above 3, where KSTRIP_MODEL_STRIP was not compared with CONTACT.
 pub const KSTRIP_WARNING_RANGE: kstrip_status = 2;
-/// Warning: the linear force exceeds mu N.
+/// Warning: the force of KSTRIP_MODEL_LINEAR exceeds mu N.
 pub const KSTRIP_WARNING_BEYOND_FRICTION: kstrip_status = 3;
-/// Warning: more than one coefficient of friction fits. Under falling friction the result has the largest,
-/// which is reached from adhesion; an estimate from a measured force is the smallest.
+/// Warning: more than one coefficient of friction fits. Under falling friction the result has the largest, which a contact has whose slip
+/// grows from rest. An estimate from a measured force is the smallest.
 pub const KSTRIP_WARNING_SEVERAL_FRICTIONS: kstrip_status = 4;
 /// Warning: an iteration reached its largest number of steps before its result was accurate to rounding.
 pub const KSTRIP_WARNING_NOT_CONVERGED: kstrip_status = 5;
@@ -97,17 +97,17 @@ pub const KSTRIP_ERROR_MODULUS: kstrip_status = -5;
 pub const KSTRIP_ERROR_POISSON_RATIO: kstrip_status = -6;
 /// Error: the coefficient of friction is negative.
 pub const KSTRIP_ERROR_FRICTION: kstrip_status = -7;
-/// Error: unknown model.
+/// Error: the model is not one of the KSTRIP_MODEL constants.
 pub const KSTRIP_ERROR_MODEL: kstrip_status = -8;
 /// Error: the strip count is not 4, 8, 16, 32 or 64.
 pub const KSTRIP_ERROR_STRIP_COUNT: kstrip_status = -9;
-/// Error: the bodies do not touch in an ellipse.
+/// Error: a radius is zero or NaN, or the summed curvature in a plane is not positive, so that the bodies do not touch in an ellipse.
 pub const KSTRIP_ERROR_CURVATURE: kstrip_status = -10;
 /// Error: the rolling speed is not positive.
 pub const KSTRIP_ERROR_ROLLING_SPEED: kstrip_status = -11;
 /// Error: the caller's array is too small, or a count exceeds the capacity of a structure.
 pub const KSTRIP_ERROR_CAPACITY: kstrip_status = -12;
-/// Error: the model has no strips, no field or no patches: it cannot compute a wanted output.
+/// Error: the model cannot compute a wanted output: it has no strips, no field or no patches, or its force does not depend on friction.
 pub const KSTRIP_ERROR_NOT_IN_MODEL: kstrip_status = -13;
 /// Error: a result is beyond the range of the floating-point type.
 pub const KSTRIP_ERROR_OVERFLOW: kstrip_status = -14;
@@ -180,8 +180,8 @@ pub const KSTRIP_STATE_OUTSIDE: i32 = 0;
 pub const KSTRIP_STATE_STICK: i32 = 1;
 /// State of a point: slip.
 pub const KSTRIP_STATE_SLIP: i32 = 2;
-/// State of a point: slip against the traction (negative local dissipation). The strip theory has this error next to the leading edge of
-/// sliding strips.
+/// State of a point: slip against the traction (negative local dissipation). This is a fault of the strip theory, next to the
+/// leading edge of sliding strips.
 pub const KSTRIP_STATE_SLIP_NEGATIVE_DISSIPATION: i32 = 3;
 
 /// Largest number of strips that kstrip_evaluate() writes.

@@ -154,11 +154,14 @@ pub unsafe extern "C" fn kstrip_patch_evaluate(
 /// Under falling friction multiply the friction of all strips by the factor that kstrip_patch_evaluate() returns, and the shear modulus by
 /// the law's slope_factor.
 ///
-/// @param x, columns      array of x [m] and its size; outside is allowed.
+/// @param patch           the patch.
+/// @param creepage        motion at the origin.
+/// @param options         as in kstrip_patch_evaluate(), but not KSTRIP_MODEL_TOTAL; NULL for the default.
+/// @param x, columns      array of x [m] and its size; places outside of the patch are allowed.
 /// @param y, rows         array of y [m] and its size.
 /// @param[out] points     array of rows * columns elements; the point (x[i], y[j]) is
 ///                        points[j * columns + i].
-/// @param capacity        its size.
+/// @param capacity        size of points, at least rows * columns.
 /// @return as kstrip_patch_evaluate(); KSTRIP_ERROR_CAPACITY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn kstrip_patch_field(

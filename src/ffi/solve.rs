@@ -69,7 +69,7 @@ pub unsafe extern "C" fn kstrip_evaluate(
 ///
 /// @param contact         ellipse, load, material, friction.
 /// @param options         model and strip count; NULL for the defaults.
-/// @param[out] prepared   receives plain numbers.
+/// @param[out] prepared   receives the prepared contact.
 /// @return as kstrip_solve().
 #[unsafe(no_mangle)]
 pub extern "C" fn kstrip_prepare(

@@ -13,7 +13,7 @@ use core::mem::MaybeUninit;
 pub struct kstrip_options {
     /// One of the KSTRIP_MODEL constants.
     pub model: i32,
-    /// Number of strips: 4, 8, 16, 32 or 64; 0: 16. Ignored by models without strips, but checked.
+    /// Number of strips: 4, 8, 16, 32 or 64; 0: 16. Models without strips check it and ignore it otherwise.
     pub strips: i32,
 }
 
@@ -46,8 +46,8 @@ pub struct Outputs<F> {
     pub strips: *mut StripResult<F>,
     /// How many strips were written; required with strips.
     pub count: *mut u32,
-    /// Size of the array strips: at least the strip count of the options, or of a patch its number of strips; KSTRIP_STRIPS_CAPACITY is
-    /// always enough.
+    /// Size of the array strips: at least the strip count of the options; for a patch, at least its number of strips. KSTRIP_STRIPS_CAPACITY
+    /// is always enough.
     pub capacity: u32,
     /// Reserved: zero.
     pub reserved: u32,
@@ -193,7 +193,8 @@ pub struct PatchSummary<F> {
     pub reserved: u32,
 }
 
-/// The undeformed distance of two bodies across the rolling direction, at points in ascending y. It is linear between the points.
+/// The undeformed distance of two bodies across the rolling direction, at points in ascending y. The points are smoothed over the length that
+/// kstrip_profile_contact gives.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProfilePoints<F> {
