@@ -18,7 +18,7 @@ static void check(kstrip_status status)
         exit(EXIT_FAILURE);
 }
 
-/* Rounding errors as plain zeros: nicer to read. */
+/* Prints rounding errors as plain zeros. */
 static double tidy(double v) { return v < 5e-5 && v > -5e-5 ? 0 : v; }
 
 int main(void)
@@ -41,7 +41,7 @@ int main(void)
     printf("  peak pressure %.4f MPa, approach %.6f um\n\n", patch.peak_pressure / 1e6,
            patch.approach * 1e6);
 
-    /* Forces on the rail; the wheel gets the opposite. The model that knows the stick area, for its last column. */
+    /* Forces on the rail; the wheel gets the opposite. STRIP knows the stick area, which the last column has. */
     const kstrip_options strips = {.model = KSTRIP_MODEL_STRIP};
     printf("Forces on the rail\n  long. [%%]  lat. [%%] spin [1/m]     Fx [N]     Fy [N]   Mz [N m]"
            "  stick [%%]\n");

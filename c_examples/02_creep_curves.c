@@ -20,7 +20,7 @@ static const struct {
     {"linear", KSTRIP_MODEL_LINEAR},
 };
 
-/* One line per curve: the motion at size 1, and what does not grow with the size. */
+/* One line per curve: the motion of size 1, and a constant motion that is added to it. */
 static const struct {
     const char *name;
     kstrip_creepage direction, constant; /* longitudinal [-], lateral [-], spin [1/m] */

@@ -17,7 +17,7 @@ static unsigned long calls; /* of kstrip_evaluate() */
 /* The state, x forward, y to the right, z down: place [m] and yaw [rad] to the right, and their rates */
 enum { Y, YAW, Y_RATE, YAW_RATE, STATES };
 
-/* Adds what one wheel does (side = -1: left, 1: right) to the rates of the state and to their derivatives by the state. */
+/* Adds the forces of one wheel (side = -1: left, 1: right) to the rates of the state, and their derivatives by the state. */
 static void add_wheel(int side, double speed, const kstrip_options *model, const double x[STATES], double rate[STATES],
                       double by[STATES][STATES])
 {
@@ -98,7 +98,7 @@ static void advance(double speed, const kstrip_options *model, double x[STATES],
     }
 }
 
-/* Starts aside; the largest |y| of the last quarter, and that over the largest of the second. */
+/* Starts at a displacement. Gives the largest |y| of the last quarter of the run, and returns its ratio to that of the second quarter. */
 static double growth(double speed, const kstrip_options *model, double aside, double seconds, double *last)
 {
     double x[STATES] = {aside, 0, 0, 0}, rate[STATES], by[STATES][STATES], largest[4] = {0};
@@ -109,7 +109,7 @@ static double growth(double speed, const kstrip_options *model, double aside, do
         largest[4L * n / steps] = fmax(largest[4L * n / steps], fabs(x[Y]));
     }
     *last = largest[3];
-    return largest[3] > 0 ? largest[3] / largest[1] : INFINITY; /* none: it ran away */
+    return largest[3] > 0 ? largest[3] / largest[1] : INFINITY; /* the last quarter was not reached: it ran away */
 }
 
 int main(void)

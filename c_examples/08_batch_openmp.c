@@ -1,5 +1,5 @@
 /*
- * Many contacts over threads, nothing shared: contacts per second, and every bit as kstrip_solve().
+ * Many contacts on several threads, which share nothing: prints contacts per second, and checks that every bit is that of kstrip_solve().
  *
  *   cc -std=c99 -O2 -fopenmp -Iinclude c_examples/08_batch_openmp.c target/lib/libkstrip.a \
  *      -o batch && ./batch [contacts]
@@ -40,7 +40,7 @@ static void solve_batch(int count, int threads)
         const kstrip_contact *c = &contacts[i];
         const kstrip_creepage *k = &creepages[i];
         kstrip_result *r = &results[i];
-        const ptrdiff_t of_c = sizeof *c, of_k = sizeof *k, of_r = sizeof *r; /* from one to the next */
+        const ptrdiff_t of_c = sizeof *c, of_k = sizeof *k, of_r = sizeof *r; /* distances from one to the next [bytes] */
         const kstrip_batch_inputs from = {&c->a, of_c, &c->b, of_c, &c->normal_force, of_c,
                                           &c->shear_modulus, of_c, &c->poisson_ratio, of_c,
                                           &c->friction, of_c, NULL, 0, &k->longitudinal, of_k,

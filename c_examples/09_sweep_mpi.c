@@ -1,12 +1,12 @@
 /*
- * A map of creepage, spin and shape of the contact over machines: 10^7 cases, one CSV file.
+ * A map over creepage, spin and shape of the contact, computed on several machines: 10^7 cases, one CSV file.
  *
  *   mpicc -std=c99 -O2 -Iinclude c_examples/09_sweep_mpi.c target/lib/libkstrip.a -lm -o sweep
  *   mpirun -n 2 ./sweep map.csv [directions]
  *
  * 10 000 cells, one row each (1.5 MB): shape a/b, spin psi, size of the creepage |(xi, eta)|.
- * A cell sums up cases that differ in the direction of the creepage, 1000 if not said otherwise.
- * One process solves it and the others add zero, so the file has the same bits however many run.
+ * A cell sums up cases that differ in the direction of the creepage, 1000 unless the second argument says otherwise.
+ * One process solves a cell and the others add zero, so that the file has the same bits however many processes run.
  */
 #include "kstrip.h"
 #include <math.h>
@@ -65,7 +65,7 @@ int main(int argc, char **argv)
     const double start = MPI_Wtime();
     for (int cell = rank, done = 1; cell < CELLS; cell += ranks, done++) {
         solve_cell(cell, directions, mine[cell]);
-        if (rank == 0 && done % 500 == 0) /* the others are about as far */
+        if (rank == 0 && done % 500 == 0) /* the other processes are about as far */
             fprintf(stderr, "%3d %%, about %.0f s left\n", 100 * done * ranks / CELLS,
                     (MPI_Wtime() - start) * (CELLS - done * ranks) / (done * ranks));
     }

@@ -1,7 +1,7 @@
 /*
  * Through standstill in one run: a vehicle on a slope of 1:50 brakes to rest, is held, rolls back, is held again and drives off.
- * One linearly implicit step at 60 Hz with one call of kstrip_solve_motion() each. Checks itself: the exit code is 0 when it held,
- * rolled and gained no energy as it must.
+ * Each linearly implicit step of 1/60 s makes one call of kstrip_solve_motion(). The program checks itself: its exit code is 0 when the
+ * vehicle was held, rolled and gained no energy, as it must.
  *   cc -std=c99 -Iinclude c_examples/10_standstill.c target/lib/libkstrip.a -lm -o standstill
  */
 #include "kstrip.h"

@@ -108,7 +108,7 @@ class error : public std::exception {
 public:
     explicit error(kstrip::status s, std::size_t index = 0) noexcept : status_(s), index_(index) {}
     kstrip::status status() const noexcept { return status_; }
-    /// Of a batch, the first bad input; else 0.
+    /// For a batch the index of the first bad input; otherwise 0.
     std::size_t index() const noexcept { return index_; }
     const char *what() const noexcept override { return to_string(status_); }
 
@@ -186,7 +186,7 @@ KSTRIP_HPP_UNIT(per_newton)
 KSTRIP_HPP_UNIT(newtons_per_metre)
 #undef KSTRIP_HPP_UNIT
 
-/// `6.0_mm`, `80_kN`, `82_GPa`, `0.4_per_m`, `20_m_per_s`; single: `6.0_mm_f32`. `using namespace kstrip::literals;`
+/// `6.0_mm`, `80_kN`, `82_GPa`, `0.4_per_m`, `20_m_per_s`; in single precision `6.0_mm_f32`. Write `using namespace kstrip::literals;` first.
 inline namespace literals {
 #define KSTRIP_HPP_LITERAL_OF(suffix, type, divisor, factor)                                      \
     constexpr type operator""_##suffix(long double v) noexcept { return type(v * factor / divisor); } \
@@ -787,7 +787,8 @@ std::vector<basic_strip<T>> strips(const basic_contact<T> &ellipse, const detail
     return to;
 }
 
-/// Gives as many results as there are creepages, with one contact for all or as many contacts. The exception has the index of the first bad input.
+/// Returns one result for each creepage. Pass one contact for all creepages, or as many contacts as creepages. The exception has the index of
+/// the first bad input.
 template <class Contacts, class Creepages>
 auto evaluate_batch(const Contacts &contacts, const Creepages &creepages, const options &how = {})
     -> std::vector<basic_result<decltype(creepages.data()->longitudinal + 0)>>
@@ -864,7 +865,8 @@ status field(const basic_contact<T> &ellipse, const detail::only<basic_creepage<
 
 inline constexpr std::uint32_t patch_capacity = KSTRIP_PATCH_CAPACITY;
 
-/// The undeformed distance of two bodies at y, ascending; centre_x (yaw) and rolling_radius for each point: null for 0 and for the contact's own.
+/// The undeformed distance of two bodies at points in ascending y. `centre_x` (for yaw; null: 0) and `rolling_radius` (null: the contact's own)
+/// belong to the points.
 template <class T>
 struct basic_profile {
     const basic_metres<T> *y = nullptr;
@@ -942,7 +944,7 @@ status patch_from_profile(const basic_profile<T> &line, const basic_profile_cont
     return KSTRIP_HPP_CALL(kstrip_patch_from_profile, &line, &load, &to, met);
 }
 
-/// Arrays of different sizes: error_capacity.
+/// Returns error_capacity where the arrays have different sizes.
 template <class T>
 status patch_from_profile(detail::only<span<const basic_metres<T>>> y,
                           detail::only<span<const basic_metres<T>>> distance, const basic_profile_contact<T> &load,
@@ -1060,7 +1062,7 @@ KSTRIP_HPP_BOTH(surface)
 
 template <class T>
 struct basic_wheel_position {
-    basic_metres<T> lateral{}, vertical{}; ///< y of the centre over the rail; below one wheel radius over it
+    basic_metres<T> lateral{}, vertical{}; ///< y of the wheel's centre; its depth below one wheel radius over the rail
     basic_radians<T> yaw{}, roll{};
 };
 KSTRIP_HPP_BOTH(wheel_position)
@@ -1072,7 +1074,7 @@ struct basic_wheel_velocity {
 };
 KSTRIP_HPP_BOTH(wheel_velocity)
 
-/// Materials, friction (one number, or by y on the rail), side, strips, model.
+/// Materials, friction (one number, or numbers at places y of the rail), side, strips, model.
 template <class T>
 struct basic_wheel_pair {
     basic_metres<T> wheel_radius{};
@@ -1116,7 +1118,7 @@ struct basic_wheel_contact {
 };
 KSTRIP_HPP_BOTH(wheel_contact)
 
-/// Memory for one wheel; after a call its gap and contacts.
+/// Memory for one wheel. After a call it holds the gap and the contacts.
 template <class T>
 struct basic_wheel_workspace {
     basic_gap<T> gap;
@@ -1152,7 +1154,7 @@ struct basic_wrench_by_position {
 };
 KSTRIP_HPP_BOTH(wrench_by_position)
 
-/// Arrays of different sizes: error_capacity.
+/// Returns error_capacity where the arrays have different sizes.
 template <class T>
 status prepare_profile(detail::only<span<const basic_metres<T>>> y, detail::only<span<const basic_metres<T>>> z,
                        basic_metres<T> step, basic_metres<T> smoothing_length, basic_surface<T> &to) noexcept
@@ -1210,7 +1212,7 @@ status wheel_on_rail(const basic_surface<T> &rail, const basic_surface<T> &wheel
                            by_position);
 }
 
-/// `moves`: the velocity of the wheel; null: the pressure carries all of the load.
+/// `moves`: the velocity of the wheel; null: the pressure carries the whole load.
 template <class T>
 status height_for_load(const basic_surface<T> &rail, const basic_surface<T> &wheel, const basic_wheel_pair<T> &both,
                        const basic_wheel_position<T> &where, detail::only<basic_newtons<T>> support,
