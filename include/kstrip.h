@@ -21,10 +21,14 @@
  *   CONTACT and Simpack report the force on the upper body, hence their minus signs.
  * - SI units everywhere: N, m, Pa, 1/m, rad/s.
  *
+ * In the comments mu is the coefficient of friction, N the normal force, G the combined shear modulus, nu the combined Poisson's ratio,
+ * p0 the pressure at the centre of the ellipse and |F| the length of the tangential force. Numbers such as (2.6) are equations of Kalker's
+ * paper of 1967 (docs/theory.md). CONTACT is the reference program against which all errors are measured.
+ *
  * ## Conventions
  *
  * - Every function returns a kstrip_status: 0 is success, > 0 a warning with valid outputs, < 0 an
- *   error with outputs untouched. kstrip_status_string() says what to change.
+ *   error with outputs untouched. kstrip_status_string() says in English what to change.
  * - Where more than one warning holds, the gravest is returned: NOT_CONVERGED, then SEVERAL_FRICTIONS, then FRICTION_AT_LEAST and
  *   CREEPAGE_AT_LEAST, then implausible inputs (PRESSURE to RADIUS), then BEYOND_FRICTION, ANGLE_RANGE and PROFILE_END, then the others.
  * - Zero is the default. Options that are NULL, options that are all zero, and a single member that is zero mean the recommended choice.
@@ -65,13 +69,13 @@ typedef int32_t kstrip_status;
  * library's own: finite, continuous and bounded by mu N.
  */
 #define KSTRIP_WARNING_SPIN 1
-/** Warning: the spin parameter |psi| is above 3, where KSTRIP_MODEL_STRIP was not checked against its reference. */
+/** Warning: the spin parameter |psi| is above 3, where KSTRIP_MODEL_STRIP was not compared with CONTACT. */
 #define KSTRIP_WARNING_RANGE 2
-/** Warning: the linear force exceeds mu N. */
+/** Warning: the force of KSTRIP_MODEL_LINEAR exceeds mu N. */
 #define KSTRIP_WARNING_BEYOND_FRICTION 3
 /**
- * Warning: more than one coefficient of friction fits. Under falling friction the result has the largest,
- * which is reached from adhesion; an estimate from a measured force is the smallest.
+ * Warning: more than one coefficient of friction fits. Under falling friction the result has the largest, which a contact has whose slip
+ * grows from rest. An estimate from a measured force is the smallest.
  */
 #define KSTRIP_WARNING_SEVERAL_FRICTIONS 4
 /** Warning: an iteration reached its largest number of steps before its result was accurate to rounding. */
@@ -122,17 +126,17 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_POISSON_RATIO -6
 /** Error: the coefficient of friction is negative. */
 #define KSTRIP_ERROR_FRICTION -7
-/** Error: unknown model. */
+/** Error: the model is not one of the KSTRIP_MODEL constants. */
 #define KSTRIP_ERROR_MODEL -8
 /** Error: the strip count is not 4, 8, 16, 32 or 64. */
 #define KSTRIP_ERROR_STRIP_COUNT -9
-/** Error: the bodies do not touch in an ellipse. */
+/** Error: a radius is zero or NaN, or the summed curvature in a plane is not positive, so that the bodies do not touch in an ellipse. */
 #define KSTRIP_ERROR_CURVATURE -10
 /** Error: the rolling speed is not positive. */
 #define KSTRIP_ERROR_ROLLING_SPEED -11
 /** Error: the caller's array is too small, or a count exceeds the capacity of a structure. */
 #define KSTRIP_ERROR_CAPACITY -12
-/** Error: the model has no strips, no field or no patches: it cannot compute a wanted output. */
+/** Error: the model cannot compute a wanted output: it has no strips, no field or no patches, or its force does not depend on friction. */
 #define KSTRIP_ERROR_NOT_IN_MODEL -13
 /** Error: a result is beyond the range of the floating-point type. */
 #define KSTRIP_ERROR_OVERFLOW -14
@@ -453,8 +457,8 @@ kstrip_status kstrip_creepage_from_parameters(const struct kstrip_contact *conta
 /** State of a point: slip. */
 #define KSTRIP_STATE_SLIP 2
 /**
- * State of a point: slip against the traction (negative local dissipation). The strip theory has this error next to the leading edge of
- * sliding strips.
+ * State of a point: slip against the traction (negative local dissipation). This is a fault of the strip theory, next to the
+ * leading edge of sliding strips.
  */
 #define KSTRIP_STATE_SLIP_NEGATIVE_DISSIPATION 3
 
@@ -462,7 +466,7 @@ kstrip_status kstrip_creepage_from_parameters(const struct kstrip_contact *conta
 typedef struct kstrip_options {
     /** One of the KSTRIP_MODEL constants. */
     int32_t model;
-    /** Number of strips: 4, 8, 16, 32 or 64; 0: 16. Ignored by models without strips, but checked. */
+    /** Number of strips: 4, 8, 16, 32 or 64; 0: 16. Models without strips check it and ignore it otherwise. */
     int32_t strips;
 } kstrip_options;
 
@@ -598,8 +602,8 @@ typedef struct kstrip_outputs {
     /** How many strips were written; required with strips. */
     uint32_t *count;
     /**
-     * Size of the array strips: at least the strip count of the options, or of a patch its number of strips; KSTRIP_STRIPS_CAPACITY is
-     * always enough.
+     * Size of the array strips: at least the strip count of the options; for a patch, at least its number of strips. KSTRIP_STRIPS_CAPACITY
+     * is always enough.
      */
     uint32_t capacity;
     /** Reserved: zero. */
@@ -747,7 +751,7 @@ typedef struct kstrip_batch_outputs {
  * @param count           how many; 0 is allowed.
  * @param options         for all contacts; NULL for the defaults.
  * @param outputs         where the outputs go; they must not overlap the inputs or each other.
- * @param[out] first_bad  receives the index of the first bad input, count without one; NULL: not wanted.
+ * @param[out] first_bad  receives the index of the first bad contact, or count where none is bad; NULL: not wanted.
  * @return KSTRIP_OK, the gravest warning, or the first error, as kstrip_evaluate(); KSTRIP_ERROR_STRIDE.
  */
 kstrip_status kstrip_evaluate_batch(const struct kstrip_batch_inputs *inputs,
@@ -778,7 +782,7 @@ typedef struct kstrip_prepared {
  *
  * @param contact         ellipse, load, material, friction.
  * @param options         model and strip count; NULL for the defaults.
- * @param[out] prepared   receives plain numbers.
+ * @param[out] prepared   receives the prepared contact.
  * @return as kstrip_solve().
  */
 kstrip_status kstrip_prepare(const struct kstrip_contact *contact,
@@ -942,7 +946,7 @@ typedef struct kstrip_point {
  * @param y, rows         array of y [m] and its size.
  * @param[out] points     array of rows * columns elements; the point (x[i], y[j]) is
  *                        points[j * columns + i].
- * @param capacity        its size.
+ * @param capacity        size of points, at least rows * columns.
  * @return as kstrip_solve(); KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_NOT_IN_MODEL.
  */
 kstrip_status kstrip_field(const struct kstrip_contact *contact,
@@ -965,7 +969,10 @@ kstrip_status kstrip_field(const struct kstrip_contact *contact,
 /** Strips that a kstrip_patch has room for. */
 #define KSTRIP_PATCH_CAPACITY 64
 
-/** The undeformed distance of two bodies across the rolling direction, at points in ascending y. It is linear between the points. */
+/**
+ * The undeformed distance of two bodies across the rolling direction, at points in ascending y. The points are smoothed over the length that
+ * kstrip_profile_contact gives.
+ */
 typedef struct kstrip_profile {
     /** Places y [m], ascending. */
     const double *y;
@@ -1211,11 +1218,14 @@ kstrip_status kstrip_patch_evaluate(const struct kstrip_patch *patch,
  * Under falling friction multiply the friction of all strips by the factor that kstrip_patch_evaluate() returns, and the shear modulus by
  * the law's slope_factor.
  *
- * @param x, columns      array of x [m] and its size; outside is allowed.
+ * @param patch           the patch.
+ * @param creepage        motion at the origin.
+ * @param options         as in kstrip_patch_evaluate(), but not KSTRIP_MODEL_TOTAL; NULL for the default.
+ * @param x, columns      array of x [m] and its size; places outside of the patch are allowed.
  * @param y, rows         array of y [m] and its size.
  * @param[out] points     array of rows * columns elements; the point (x[i], y[j]) is
  *                        points[j * columns + i].
- * @param capacity        its size.
+ * @param capacity        size of points, at least rows * columns.
  * @return as kstrip_patch_evaluate(); KSTRIP_ERROR_CAPACITY.
  */
 kstrip_status kstrip_patch_field(const struct kstrip_patch *patch,

@@ -402,7 +402,10 @@ kstrip_status kstrip_field_f32(const struct kstrip_contact_f32 *contact,
  * @{
  */
 
-/** The undeformed distance of two bodies across the rolling direction, at points in ascending y. It is linear between the points. */
+/**
+ * The undeformed distance of two bodies across the rolling direction, at points in ascending y. The points are smoothed over the length that
+ * kstrip_profile_contact gives.
+ */
 typedef struct kstrip_profile_f32 {
     const float *y;
     const float *distance;
