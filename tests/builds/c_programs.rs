@@ -743,16 +743,24 @@ macro_rules! layouts {
 }
 
 fn rust_layouts() -> BTreeMap<String, usize> {
-    let mut layouts: BTreeMap<String, usize> = include!("../c/layout.rs");
-    // The one member that has another name in Rust
-    let others: Vec<String> =
-        layouts.keys().filter(|key| key.ends_with(".notice")).cloned().collect();
-    for key in others {
-        let offset = layouts.remove(&key).expect("a key");
-        layouts.insert(key.replace(".notice", ".status_detail"), offset);
-    }
+    let double: BTreeMap<String, usize> = include!("../c/layout.rs");
+    let single: BTreeMap<String, usize> = {
+        use crate::names::single::*;
+        include!("../c/layout.rs")
+    };
+    let named = |key: String| {
+        let (structure, member) =
+            key.split_once('.').map_or((&*key, ""), |(s, _)| (s, &key[s.len()..]));
+        format!("{structure}_f32{member}")
+    };
+    let single = single.into_iter().filter(|(key, _)| !key.contains(" kstrip_options"));
+    let mut layouts = double;
+    layouts.extend(single.map(|(key, number)| (named(key), number)));
     layouts.insert("size kstrip_status".to_owned(), size_of::<ffi::kstrip_status>());
-    layouts
+    // The one member that has another name in Rust
+    let c_name =
+        |(key, number): (String, usize)| (key.replace(".notice", ".status_detail"), number);
+    layouts.into_iter().map(c_name).collect()
 }
 
 /// What the header says by the rule of natural alignment: the numbers of `docs/reference/abi.txt`.

@@ -1,11 +1,11 @@
 //! The functions that are made for microcontrollers.
 
 use crate::names::*;
+use kstrip::solve::model::Solution;
 use std::mem::MaybeUninit;
 
 macro_rules! same_as_solve {
-    ($solve:ident, $contact:ident, $creepage:ident, $result:ident,
-     $total:ident, $linear:ident, $strip_1967:ident, $strip:ident) => {{
+    ($float:ident, $solve:ident, $total:ident, $linear:ident, $strip_1967:ident, $strip:ident) => {{
         for (ratio, x, y, s) in [
             (1.0, 0.0, 0.0, 0.0),
             (1.4, 1e-3, -2e-3, 0.3),
@@ -14,18 +14,10 @@ macro_rules! same_as_solve {
             (1.0, 1e-3, -8e-3, 3.0),
             (20.0, 1e-3, 1e-3, 0.1),
         ] {
-            let contact = $contact {
-                a: 4e-3 * ratio,
-                b: 4e-3,
-                normal_force: 80e3,
-                shear_modulus: 82e9,
-                poisson_ratio: 0.28,
-                friction: 0.3,
-                mismatch: 0.0,
-            };
-            let creepage = $creepage { longitudinal: x, lateral: y, spin: s };
+            let numbers = [4e-3 * ratio, 4e-3, 80e3, 82e9, 0.28, 0.3, x, y, s, 0.0];
+            let (contact, creepage) = problem::<$float>(numbers);
             let (contact, creepage) = (Some(&contact), Some(&creepage));
-            let run = |solve: &dyn Fn(Option<&mut MaybeUninit<$result>>) -> i32| {
+            let run = |solve: &dyn Fn(Option<&mut MaybeUninit<Solution<$float>>>) -> i32| {
                 let mut result = MaybeUninit::uninit();
                 let status = solve(Some(&mut result));
                 assert!(status >= 0, "status {status}");
@@ -36,23 +28,15 @@ macro_rules! same_as_solve {
                 let options = kstrip_options { model, strips };
                 run(&|out| $solve(contact, creepage, Some(&options), out))
             };
-            assert_eq!(
-                run(&|out| $total(contact, creepage, out)),
-                by_options(KSTRIP_MODEL_TOTAL, 16)
-            );
-            assert_eq!(
-                run(&|out| $linear(contact, creepage, out)),
-                by_options(KSTRIP_MODEL_LINEAR, 16)
-            );
+            let own = run(&|out| $total(contact, creepage, out));
+            assert_eq!(own, by_options(KSTRIP_MODEL_TOTAL, 16));
+            let own = run(&|out| $linear(contact, creepage, out));
+            assert_eq!(own, by_options(KSTRIP_MODEL_LINEAR, 16));
             for strips in [4, 8, 16, 32, 64] {
-                assert_eq!(
-                    run(&|out| $strip_1967(contact, creepage, strips, out)),
-                    by_options(KSTRIP_MODEL_STRIP_1967, strips)
-                );
-                assert_eq!(
-                    run(&|out| $strip(contact, creepage, strips, out)),
-                    by_options(KSTRIP_MODEL_STRIP, strips)
-                );
+                let own = run(&|out| $strip_1967(contact, creepage, strips, out));
+                assert_eq!(own, by_options(KSTRIP_MODEL_STRIP_1967, strips));
+                let own = run(&|out| $strip(contact, creepage, strips, out));
+                assert_eq!(own, by_options(KSTRIP_MODEL_STRIP, strips));
             }
             let mut result = MaybeUninit::uninit();
             assert_eq!($total(None, creepage, Some(&mut result)), KSTRIP_ERROR_NULL);
@@ -67,20 +51,16 @@ macro_rules! same_as_solve {
 #[test]
 fn functions_per_model_are_those_of_solve() {
     same_as_solve!(
+        f64,
         kstrip_solve,
-        kstrip_contact,
-        kstrip_creepage,
-        kstrip_result,
         kstrip_solve_total,
         kstrip_solve_linear,
         kstrip_solve_strip_1967,
         kstrip_solve_strip
     );
     same_as_solve!(
+        f32,
         kstrip_solve_f32,
-        kstrip_contact_f32,
-        kstrip_creepage_f32,
-        kstrip_result_f32,
         kstrip_solve_total_f32,
         kstrip_solve_linear_f32,
         kstrip_solve_strip_1967_f32,

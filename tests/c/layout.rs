@@ -1,4 +1,4 @@
-// Every structure of the header. Written together with it:
+// Every structure of include/kstrip.h. Written together with it:
 // KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface
 layouts! {
     kstrip_material { shear_modulus, poisson_ratio }
@@ -40,42 +40,4 @@ layouts! {
     kstrip_wheel_workspace { gap, strips, contacts, count, apart }
     kstrip_wrench_by_position { lateral, vertical, yaw, roll }
     kstrip_friction_estimate { friction, sensitivity, residual, notice, reserved }
-    kstrip_material_f32 { shear_modulus, poisson_ratio }
-    kstrip_combined_material_f32 { shear_modulus, poisson_ratio, mismatch }
-    kstrip_radii_f32 { lower_x, lower_y, upper_x, upper_y }
-    kstrip_contact_f32 { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch }
-    kstrip_hertz_contact_f32 { a, b, peak_pressure, approach, axis_ratio, hertz_angle, rho }
-    kstrip_velocity_f32 { x, y, angular_z }
-    kstrip_creepage_f32 { longitudinal, lateral, spin }
-    kstrip_parameters_f32 { xi, eta, psi }
-    kstrip_result_f32 { fx, fy, mz, power, adhesion, notice, reserved }
-    kstrip_friction_f32 { friction, ratio, decay, rolling_speed, slope_factor }
-    kstrip_derivatives_f32 { jacobian, normal_force, load_through_hertz, friction }
-    kstrip_law_derivatives_f32 { ratio, decay, rolling_speed, slope_factor }
-    kstrip_strip_f32 { y, width, half_length, separatrix, fx, fy, mz, power, state, reserved }
-    kstrip_outputs_f32 { result, derivatives, law_derivatives, friction, strips, count, capacity, reserved }
-    kstrip_batch_inputs_f32 { a, a_stride, b, b_stride, normal_force, normal_force_stride, shear_modulus, shear_modulus_stride, poisson_ratio, poisson_ratio_stride, friction, friction_stride, mismatch, mismatch_stride, longitudinal, longitudinal_stride, lateral, lateral_stride, spin, spin_stride, law, law_stride }
-    kstrip_batch_outputs_f32 { fx, fx_stride, fy, fy_stride, mz, mz_stride, power, power_stride, adhesion, adhesion_stride, status_detail, status_detail_stride, friction, friction_stride, derivatives, derivatives_stride, law_derivatives, law_derivatives_stride }
-    kstrip_prepared_f32 { numbers, model, strips }
-    kstrip_motion_f32 { slip_x, slip_y, spin_rate, rolling_speed, floor_speed }
-    kstrip_motion_derivatives_f32 { slip, rolling_speed, normal_force, load_through_hertz, friction, ratio, decay, slope_factor }
-    kstrip_motion_outputs_f32 { result, derivatives, friction }
-    kstrip_point_f32 { pressure, traction_x, traction_y, slip_x, slip_y, dissipation, state, reserved }
-    kstrip_profile_f32 { y, distance, centre_x, rolling_radius, points, reserved }
-    kstrip_profile_contact_f32 { rolling_radius, normal_force, approach, smoothing_length, shear_modulus, poisson_ratio, friction, strips, reserved }
-    kstrip_patch_strip_f32 { y, width, half_length, centre_x, peak_pressure, friction }
-    kstrip_patch_f32 { strips, shear_modulus, poisson_ratio, area_scale, lever_scale, count, reserved, mismatch }
-    kstrip_profile_result_f32 { approach, normal_force, stiffness, peak_pressure, peak_y, iterations, notice, lowest }
-    kstrip_patch_summary_f32 { normal_force, friction_bound, area, lobes, reserved }
-    kstrip_surface_f32 { y, z, cosine, sine, step, count, reserved }
-    kstrip_wheel_position_f32 { lateral, vertical, yaw, roll }
-    kstrip_gap_f32 { along, distance, x, y, z, angle, rolling_radius, count, reserved }
-    kstrip_wheel_pair_f32 { wheel_radius, shear_modulus, poisson_ratio, friction, friction_y, friction_at, friction_points, left, smoothing_length, strips, model }
-    kstrip_wheel_contact_f32 { origin, angle, angle_range, radius, normal_force, share, approach, stiffness, along, normal, slip_x, slip_y, spin_rate, rolling_speed, patch }
-    kstrip_wheel_velocity_f32 { forward, lateral, vertical, roll, pitch, yaw }
-    kstrip_wrench_f32 { force, moment, dissipation, normal_force, contacts, notice }
-    kstrip_wrench_derivatives_f32 { velocity, friction }
-    kstrip_wheel_workspace_f32 { gap, strips, contacts, count, apart }
-    kstrip_wrench_by_position_f32 { lateral, vertical, yaw, roll }
-    kstrip_friction_estimate_f32 { friction, sensitivity, residual, notice, reserved }
 }

@@ -3,84 +3,51 @@
 use crate::names::*;
 use crate::random::Random;
 
+use kstrip::contact::creepage::Creepage;
+use kstrip::solve::model::Solution;
 use std::mem::MaybeUninit;
 
 macro_rules! same_bits {
-    ($name:ident, $float:ident, $contact:ident, $creepage:ident, $result:ident, $solve:ident, $prepare:ident,
-     $prepared:ident) => {
-        #[test]
-        fn $name() {
-            let mut random = Random::new(7);
-            for n in 0..4000 {
-                let contact = $contact {
-                    a: (4e-3 * random.log_between(0.02, 50.0)) as $float,
-                    b: 4e-3,
-                    normal_force: if n % 9 == 0 {
-                        0.0
-                    } else {
-                        random.log_between(1.0, 1e6) as $float
-                    },
-                    shear_modulus: 82e9,
-                    poisson_ratio: random.between(0.0, 0.5) as $float,
-                    friction: if n % 11 == 0 { 0.0 } else { random.between(0.01, 0.6) as $float },
-                    mismatch: if n % 5 == 0 { random.between(-0.2, 0.2) as $float } else { 0.0 },
-                };
-                let options = kstrip_options {
-                    model: n % 6,
-                    strips: [0, 4, 8, 16, 32, 64][(n / 6) as usize % 6],
-                };
+    ($float:ident, $solve:ident, $prepare:ident, $prepared:ident) => {
+        let mut random = Random::new(7);
+        for n in 0..4000 {
+            let load = if n % 9 == 0 { 0.0 } else { random.log_between(1.0, 1e6) };
+            let friction = if n % 11 == 0 { 0.0 } else { random.between(0.01, 0.6) };
+            let mismatch = if n % 5 == 0 { random.between(-0.2, 0.2) } else { 0.0 };
+            let (a, nu) = (4e-3 * random.log_between(0.02, 50.0), random.between(0.0, 0.5));
+            let strips = [0, 4, 8, 16, 32, 64][(n / 6) as usize % 6];
+            let options = kstrip_options { model: n % 6, strips };
+            for k in 0..4 {
+                let size = random.log_between(1e-7, 1.0);
+                let mut part = |zero| if zero { 0.0 } else { size * random.between(-1.0, 1.0) };
+                let [x, y, spin] = [part(k == 1), part(k == 2), 100.0 * part(k == 3)];
+                let numbers = [a, 4e-3, load, 82e9, nu, friction, x, y, spin, mismatch];
+                let (contact, creepage) = problem(numbers.map(|number| number as $float));
                 let mut prepared = MaybeUninit::uninit();
                 assert_eq!($prepare(Some(&contact), Some(&options), Some(&mut prepared)), 0);
                 // SAFETY: status 0.
                 let prepared = unsafe { prepared.assume_init() };
-                for k in 0..4 {
-                    let size = random.log_between(1e-7, 1.0);
-                    let mut part = |zero| {
-                        if zero { 0.0 } else { (size * random.between(-1.0, 1.0)) as $float }
-                    };
-                    let creepage = $creepage {
-                        longitudinal: part(k == 1),
-                        lateral: part(k == 2),
-                        spin: part(k == 3) * 100.0,
-                    };
-                    let (mut one, mut other) = (MaybeUninit::uninit(), MaybeUninit::uninit());
-                    let status =
-                        $solve(Some(&contact), Some(&creepage), Some(&options), Some(&mut one));
-                    let same = $prepared(Some(&prepared), Some(&creepage), Some(&mut other));
-                    assert!(status >= 0 && status == same, "{status} {same}");
-                    // SAFETY: written.
-                    let (one, other): ($result, $result) =
-                        unsafe { (one.assume_init(), other.assume_init()) };
-                    let bits =
-                        |r: $result| [r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits);
-                    assert_eq!(bits(one), bits(other), "{options:?} {contact:?} {creepage:?}");
-                    assert_eq!(one.notice, other.notice);
-                }
+                let mut found = [MaybeUninit::<Solution<$float>>::uninit(); 2];
+                let [one, other] = &mut found;
+                let status = $solve(Some(&contact), Some(&creepage), Some(&options), Some(one));
+                let same = $prepared(Some(&prepared), Some(&creepage), Some(other));
+                assert!(status >= 0 && status == same, "{status} {same}");
+                // SAFETY: written.
+                let [one, other] = found.map(|found| unsafe { found.assume_init() });
+                let bits = |r: Solution<$float>| {
+                    ([r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits), r.notice)
+                };
+                assert_eq!(bits(one), bits(other), "{options:?} {contact:?} {creepage:?}");
             }
         }
     };
 }
 
-same_bits!(
-    prepared_contacts_give_the_same_bits,
-    f64,
-    kstrip_contact,
-    kstrip_creepage,
-    kstrip_result,
-    kstrip_solve,
-    kstrip_prepare,
-    kstrip_solve_prepared
-);
-same_bits!(
-    prepared_contacts_give_the_same_bits_in_single_precision,
-    f32,
-    kstrip_contact_f32,
-    kstrip_creepage_f32,
-    kstrip_result_f32,
-    kstrip_solve_f32,
-    kstrip_prepare_f32,
-    kstrip_solve_prepared_f32
-);
+#[test]
+fn prepared_contacts_give_the_same_bits() {
+    same_bits!(f64, kstrip_solve, kstrip_prepare, kstrip_solve_prepared);
+    same_bits!(f32, kstrip_solve_f32, kstrip_prepare_f32, kstrip_solve_prepared_f32);
+}
 
 /// Zero, and any other bits, with a model and without.
 #[test]
@@ -106,17 +73,9 @@ fn what_is_not_prepared_is_refused() {
     }
 }
 
-/// Prepared for each model, as numbers and as the structure again.
+/// A contact that is prepared for a model.
 fn prepared_for(model: i32) -> kstrip_prepared {
-    let contact = kstrip_contact {
-        a: 6e-3,
-        b: 4e-3,
-        normal_force: 80e3,
-        shear_modulus: 82e9,
-        poisson_ratio: 0.28,
-        friction: 0.3,
-        mismatch: 0.0,
-    };
+    let (contact, _) = problem([6e-3, 4e-3, 80e3, 82e9, 0.28, 0.3, 0.0, 0.0, 0.0, 0.0]);
     let options = kstrip_options { model, strips: 16 };
     let mut prepared = MaybeUninit::uninit();
     assert_eq!(kstrip_prepare(Some(&contact), Some(&options), Some(&mut prepared)), 0);
@@ -159,16 +118,16 @@ fn a_damaged_structure_is_refused() {
 /// What was prepared in one precision is refused by the other.
 #[test]
 fn the_other_precision_is_refused() {
-    let creepage = kstrip_creepage_f32 { longitudinal: 1e-3, lateral: 0.0, spin: 0.0 };
+    let creepage = Creepage::<f32> { longitudinal: 1e-3, lateral: 0.0, spin: 0.0 };
     for model in 1..=5 {
         let double = prepared_for(model);
-        let mut single = MaybeUninit::<kstrip_prepared_f32>::uninit();
+        let mut single = MaybeUninit::<single::kstrip_prepared>::uninit();
         // SAFETY: the numbers fit, and any bits are a value.
         let mut single = unsafe {
             single
                 .as_mut_ptr()
                 .cast::<u8>()
-                .copy_from((&raw const double).cast(), size_of::<kstrip_prepared_f32>());
+                .copy_from((&raw const double).cast(), size_of::<single::kstrip_prepared>());
             single.assume_init()
         };
         (single.model, single.strips) = (model, 16);

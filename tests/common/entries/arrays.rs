@@ -37,76 +37,26 @@ fn batch(bytes: &mut Bytes) {
     let (null, structures, wanted) = (missing(bytes, 9), bytes.byte() < 128, bytes.byte());
     let laws: Option<[kstrip_friction; MOST]> =
         (bytes.byte() < 96).then(|| std::array::from_fn(|_| friction_of(bytes)));
-    let column = |of: &dyn Fn(usize) -> Float| -> [Float; MOST] { std::array::from_fn(of) };
-    let c = |of: &dyn Fn(&kstrip_contact) -> Float| column(&|i| of(&contacts[i]));
-    let k = |of: &dyn Fn(&kstrip_creepage) -> Float| column(&|i| of(&creepages[i]));
-    let columns = [
-        c(&|c| c.a),
-        c(&|c| c.b),
-        c(&|c| c.normal_force),
-        c(&|c| c.shear_modulus),
-        c(&|c| c.poisson_ratio),
-        c(&|c| c.friction),
-        k(&|k| k.longitudinal),
-        k(&|k| k.lateral),
-        k(&|k| k.spin),
-        c(&|c| c.mismatch),
-    ];
-    let of_contact: [fn(&kstrip_contact) -> *const Float; 6] = [
-        |c| &raw const c.a,
-        |c| &raw const c.b,
-        |c| &raw const c.normal_force,
-        |c| &raw const c.shear_modulus,
-        |c| &raw const c.poisson_ratio,
-        |c| &raw const c.friction,
-    ];
-    let of_creepage: [fn(&kstrip_creepage) -> *const Float; 3] =
-        [|k| &raw const k.longitudinal, |k| &raw const k.lateral, |k| &raw const k.spin];
-    let input = |i: usize| -> (*const Float, isize) {
-        let (first, stride) = match (structures, i) {
-            (true, ..6) => (of_contact[i](&contacts[0]), size_of::<kstrip_contact>()),
-            (true, 9) => (&raw const contacts[0].mismatch, size_of::<kstrip_contact>()),
-            (true, _) => (of_creepage[i - 6](&creepages[0]), size_of::<kstrip_creepage>()),
-            (false, _) => (columns[i].as_ptr(), size_of::<Float>()),
+    let rows: [[Float; 10]; MOST] = std::array::from_fn(|i| {
+        let (c, k) = (&contacts[i], &creepages[i]);
+        let kstrip_contact { a, b, normal_force: n, shear_modulus: g, poisson_ratio: nu, .. } = *c;
+        [a, b, n, g, nu, c.friction, k.longitudinal, k.lateral, k.spin, c.mismatch]
+    });
+    let columns: [[Float; MOST]; 10] = std::array::from_fn(|q| rows.map(|row| row[q]));
+    let (of_contact, of_creepage) = (size_of::<kstrip_contact>(), size_of::<kstrip_creepage>());
+    let own = batch_from(|q| {
+        let (first, stride) = match q {
+            _ if null == Some(q as u8) => (std::ptr::null(), 0),
+            _ if !structures => (columns[q].as_ptr(), size_of::<Float>()),
+            6..9 => (creepages.as_ptr().cast::<Float>().wrapping_add(q - 6), of_creepage),
+            9 => (&raw const contacts[0].mismatch, of_contact),
+            _ => (contacts.as_ptr().cast::<Float>().wrapping_add(q), of_contact),
         };
-        (if null == Some(i as u8) { std::ptr::null() } else { first }, stride as isize)
-    };
-    let [
-        a,
-        b,
-        normal_force,
-        shear_modulus,
-        poisson_ratio,
-        friction,
-        longitudinal,
-        lateral,
-        spin,
-        mismatch,
-    ] = std::array::from_fn(input);
-    let inputs = kstrip_batch_inputs {
-        a: a.0,
-        a_stride: a.1,
-        b: b.0,
-        b_stride: b.1,
-        normal_force: normal_force.0,
-        normal_force_stride: normal_force.1,
-        shear_modulus: shear_modulus.0,
-        shear_modulus_stride: shear_modulus.1,
-        poisson_ratio: poisson_ratio.0,
-        poisson_ratio_stride: poisson_ratio.1,
-        friction: friction.0,
-        friction_stride: friction.1,
-        mismatch: mismatch.0,
-        mismatch_stride: mismatch.1,
-        longitudinal: longitudinal.0,
-        longitudinal_stride: longitudinal.1,
-        lateral: lateral.0,
-        lateral_stride: lateral.1,
-        spin: spin.0,
-        spin_stride: spin.1,
-        law: laws.as_ref().map_or(std::ptr::null(), |laws| laws.as_ptr()),
-        law_stride: size_of::<kstrip_friction>() as isize,
-    };
+        (first, stride as isize)
+    });
+    let law = laws.as_ref().map_or(std::ptr::null(), |laws| laws.as_ptr());
+    let law_stride = size_of::<kstrip_friction>() as isize;
+    let inputs = kstrip_batch_inputs { law, law_stride, ..own };
     let mut arrays: [[MaybeUninit<Float>; MOST + 1]; 6] = std::array::from_fn(|_| poisoned_array());
     let mut details = poisoned_array::<i32, { MOST + 1 }>();
     let mut slopes = poisoned_array::<kstrip_derivatives, { MOST + 1 }>();
@@ -131,8 +81,7 @@ fn batch(bytes: &mut Bytes) {
             friction_stride: each,
             derivatives: wanted.places(7, &mut slopes),
             derivatives_stride: size_of::<kstrip_derivatives>() as isize,
-            law_derivatives: std::ptr::null_mut(),
-            law_derivatives_stride: 0,
+            ..no_batch()
         }
     };
     let mut bad = MaybeUninit::new(u32::MAX);
@@ -158,12 +107,8 @@ fn batch(bytes: &mut Bytes) {
         let outputs = kstrip_outputs {
             result: result.as_mut_ptr(),
             derivatives: if wanted.has(7) { d.as_mut_ptr() } else { std::ptr::null_mut() },
-            law_derivatives: std::ptr::null_mut(),
             friction: found.as_mut_ptr(),
-            strips: std::ptr::null_mut(),
-            count: std::ptr::null_mut(),
-            capacity: 0,
-            reserved: 0,
+            ..nowhere()
         };
         let law = laws.as_ref().map(|laws| &laws[i]);
         let (contact, creepage) = (Some(&contacts[i]), Some(&creepages[i]));

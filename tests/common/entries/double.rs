@@ -19,8 +19,6 @@ pub mod arrays;
 pub mod contacts;
 #[path = "patches.rs"]
 pub mod patches;
-#[path = "types.rs"]
-mod types;
 #[path = "wheels.rs"]
 pub mod wheels;
-use types::*;
+use super::structures::double::*;

@@ -20,8 +20,19 @@ use kstrip::ffi::*;
 use kstrip::status::Notice;
 use std::mem::MaybeUninit;
 
+#[path = "../places.rs"]
+mod places;
+#[path = "../poison.rs"]
+mod poison;
+#[path = "../structures.rs"]
+mod structures;
+
 pub mod double;
 pub mod single;
+
+use places::{batch_from, no_batch, nowhere};
+pub use poison::poisoned;
+use poison::untouched as all_untouched;
 
 /// Arbitrary bytes as arguments. Past their end everything is zero.
 pub struct Bytes<'a>(&'a [u8]);
@@ -113,36 +124,14 @@ impl Given {
     }
 }
 
-/// The pattern that outputs have before a call.
-const POISON: u8 = 0xA5;
-
-/// A value filled with the pattern.
-pub fn poisoned<T>() -> MaybeUninit<T> {
-    let mut value = MaybeUninit::uninit();
-    // SAFETY: any bytes are a MaybeUninit.
-    unsafe { std::ptr::write_bytes(&mut value, POISON, 1) };
-    value
-}
-
 /// As many of them.
 fn poisoned_array<T, const N: usize>() -> [MaybeUninit<T>; N] {
     std::array::from_fn(|_| poisoned())
 }
 
 /// Whether a value still has its pattern in every byte.
-///
-/// The structures of the C interface have no padding.
 pub fn untouched<T>(value: &MaybeUninit<T>) -> bool {
     all_untouched(std::slice::from_ref(value))
-}
-
-/// The same for an array.
-pub fn all_untouched<T>(values: &[MaybeUninit<T>]) -> bool {
-    const PATTERN: [u8; 256] = [POISON; 256];
-    // SAFETY: every byte was set by `poisoned` or by a write of a structure without padding.
-    let bytes =
-        unsafe { std::slice::from_raw_parts(values.as_ptr().cast::<u8>(), size_of_val(values)) };
-    bytes.chunks(PATTERN.len()).all(|chunk| *chunk == PATTERN[..chunk.len()])
 }
 
 /// What a call has written, if its status says so.

@@ -41,8 +41,6 @@ pub mod arrays;
 pub mod contacts;
 #[path = "patches.rs"]
 pub mod patches;
-#[path = "types.rs"]
-mod types;
 #[path = "wheels.rs"]
 pub mod wheels;
-use types::*;
+use super::structures::single::*;
