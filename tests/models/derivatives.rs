@@ -171,30 +171,6 @@ fn check_models(
     assert!(skipped * 50 < 3 * points, "{skipped} of {} stencils met a breakpoint", 3 * points);
 }
 
-/// `solve_jacobian` returns the forces of `solve`, to the last bits.
-#[test]
-fn solution_beside_the_derivatives_is_the_solution() {
-    let mut random = Random::new(64);
-    for n in 0..3_000 {
-        let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
-        let o = sixteen(MODELS[n % 2]);
-        let m = theory::creepage(
-            &c,
-            random.between(-1.3, 1.3),
-            random.between(-1.3, 1.3),
-            random.between(-2.0, 2.0),
-        );
-        let one = model::solve(&c, &m, &o).unwrap();
-        let (two, _) = model::solve_jacobian(&c, &m, &o).unwrap();
-        let unit = c.friction * c.normal_force;
-        // The order of operations may differ, nothing else
-        assert!((one.fx - two.fx).abs() < 1e-13 * unit && (one.fy - two.fy).abs() < 1e-13 * unit);
-        assert!((one.mz - two.mz).abs() < 1e-13 * unit * (c.a + c.b));
-        assert!((one.adhesion - two.adhesion).abs() < 1e-13);
-        assert_eq!(one.notice, two.notice);
-    }
-}
-
 /// In full sliding the force only turns: no derivative along the slip direction, μN/slip across it.
 #[test]
 fn saturated_force_has_no_derivative_along_the_slip() {
@@ -298,6 +274,7 @@ fn derivatives_by_load_and_friction_are_those_of_the_computed_forces() {
         let (same, j) = model::solve_jacobian(&c, &m, &o).unwrap();
         let rows = std::array::from_fn(|i| std::array::from_fn(|k| j[(i, k)]));
         assert_eq!((solution, d.jacobian), (same, rows), "{o:?}");
+        assert_eq!(solution, model::solve(&c, &m, &o).unwrap(), "{o:?}");
         for change in [Change::Load, Change::Friction, Change::Hertz] {
             let exact = change.slope(&c, &d);
             let units = change.of(&c, 0.0);

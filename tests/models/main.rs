@@ -10,6 +10,8 @@ mod names;
 mod patch_reference;
 #[path = "../common/patches.rs"]
 mod patches;
+#[path = "../common/poison.rs"]
+mod poison;
 #[path = "../common/random.rs"]
 mod random;
 #[path = "../common/reference.rs"]
