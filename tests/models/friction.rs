@@ -336,22 +336,3 @@ fn limits_are_answered() {
         }
     }
 }
-
-#[test]
-fn bad_input_is_named_and_touches_nothing() {
-    let (c, m) = (contact(1.0, 0.28), motion(1e-3, 0.0, 0.1));
-    let o = Options::default();
-    for (law, error) in [
-        (SlipFriction { friction: -0.1, ..DRY }, Error::Friction),
-        (SlipFriction { friction: f64::NAN, ..DRY }, Error::NotFinite),
-        (SlipFriction { ratio: 1.1, ..DRY }, Error::FrictionRatio),
-        (SlipFriction { ratio: -0.1, ..DRY }, Error::FrictionRatio),
-        (SlipFriction { decay: -1.0, ..DRY }, Error::FrictionDecay),
-        (SlipFriction { decay: f64::INFINITY, ..DRY }, Error::NotFinite),
-        (SlipFriction { rolling_speed: -1.0, ..DRY }, Error::NegativeSpeed),
-        (SlipFriction { slope_factor: -0.1, ..DRY }, Error::SlopeFactor),
-        (SlipFriction { slope_factor: 1.1, ..DRY }, Error::SlopeFactor),
-    ] {
-        assert_eq!(friction::solve(&c, &m, &law, &o), Err(error));
-    }
-}

@@ -222,41 +222,6 @@ fn force_and_derivatives_are_continuous_through_standstill() {
     }
 }
 
-/// From -4 to 4 floors in steps: the force is the integral of its derivative by V, so that neither jumps anywhere.
-#[test]
-fn the_force_is_the_integral_of_its_slope_by_speed() {
-    for law in LAWS {
-        for [x, y, z] in [[2e-5, 1e-5, 8e-3], [1e-3, -5e-4, 0.2], [0.0, 1e-5, 0.0], [0.0, 0.0, 0.3]]
-        {
-            let at = |v: f64| {
-                let m = Motion {
-                    slip_x: x,
-                    slip_y: y,
-                    spin_rate: z,
-                    rolling_speed: v,
-                    floor_speed: FLOOR,
-                };
-                let (found, _, slopes) =
-                    differentiate(&C0, &m, law.as_ref(), &options(Model::Total)).unwrap();
-                (of(&found), slopes.rolling_speed)
-            };
-            let (n, end) = (1000, 4.0 * FLOOR);
-            let h = 2.0 * end / f64::from(n);
-            let (mut before, mut worst) = (at(-end), 0.0_f64);
-            for k in 1..=n {
-                let (force, slope) = at(f64::from(k) * h - end);
-                for i in 0..3 {
-                    let size = 24e3 * [1.0, 1.0, 5e-3][i];
-                    let change = h * 0.5 * (slope[i] + before.1[i]);
-                    worst = worst.max((force[i] - before.0[i] - change).abs() / size);
-                }
-                before = (force, slope);
-            }
-            assert!(worst < 1e-5, "{law:?} {x} {y} {z}: {worst:e}");
-        }
-    }
-}
-
 /// Every derivative against differences: slip, spin rate, speed, load at a fixed ellipse and through Hertz, friction and the law.
 #[test]
 fn derivatives_are_those_of_the_forces() {
@@ -421,45 +386,20 @@ fn a_lost_contact_carries_nothing_at_any_speed() {
     }
 }
 
+/// Squares that overflow or vanish on the way.
 #[test]
-fn bad_motions_are_named_and_extreme_ones_answered() {
+fn extreme_motions_are_answered_or_named() {
     let o = options(Model::Total);
-    let good =
-        Motion { slip_x: 1e-3, slip_y: 1e-3, spin_rate: 0.1, rolling_speed: 1.0, floor_speed: 0.0 };
-    let refused = |m: Motion<f64>| {
-        let error = solve(&C0, &m, None, &o).err();
-        assert_eq!(error, differentiate(&C0, &m, None, &o).err());
-        error
-    };
-    assert_eq!(refused(good), None);
-    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        for m in [
-            Motion { slip_x: bad, ..good },
-            Motion { slip_y: bad, ..good },
-            Motion { spin_rate: bad, ..good },
-            Motion { rolling_speed: bad, ..good },
-            Motion { floor_speed: bad, ..good },
-        ] {
-            assert_eq!(refused(m), Some(Error::NotFinite));
-        }
-    }
-    assert_eq!(refused(Motion { floor_speed: -1e-9, ..good }), Some(Error::FloorSpeed));
-    let no_contact = Contact { a: 0.0, ..C0 };
-    assert_eq!(solve(&no_contact, &good, None, &o).err(), Some(Error::SemiAxis));
-    // squares that overflow or vanish
-    for (speed, floor) in [(1e200, 1e-3), (-1e200, 0.0), (0.0, 1e-200), (1e-250, 1e-200)] {
-        let m = Motion {
-            slip_x: 1e-205,
-            slip_y: 0.0,
-            spin_rate: 0.0,
-            rolling_speed: speed,
-            floor_speed: floor,
-        };
+    for (rolling_speed, floor_speed) in
+        [(1e200, 1e-3), (-1e200, 0.0), (0.0, 1e-200), (1e-250, 1e-200)]
+    {
+        let m = Motion { slip_x: 1e-205, rolling_speed, floor_speed, ..Motion::default() };
         let (found, _) = solve(&C0, &m, None, &o).unwrap();
-        assert!(found.fx >= 0.0 && found.fx < 24e3, "{speed:e} {floor:e} {found:?}");
+        assert!(found.fx >= 0.0 && found.fx < 24e3, "{m:?} {found:?}");
     }
-    let beyond = Motion { slip_x: 1e200, floor_speed: 1e-200, rolling_speed: 0.0, ..good };
-    assert_eq!(refused(beyond), Some(Error::Overflow));
+    let beyond = Motion { slip_x: 1e200, floor_speed: 1e-200, ..Motion::default() };
+    assert_eq!(solve(&C0, &beyond, None, &o).err(), Some(Error::Overflow));
+    assert_eq!(differentiate(&C0, &beyond, None, &o).err(), Some(Error::Overflow));
 }
 
 /// Below walking pace any slip is plausible; at speed, a spin rate in degrees per second is not.
@@ -518,75 +458,5 @@ fn single_precision_follows() {
         let size = c.friction_bound().max(expected.fx.hypot(expected.fy));
         assert!((f64::from(found.fx) - expected.fx).abs() < 1e-4 * size, "{n} {o:?}");
         assert!((f64::from(found.fy) - expected.fy).abs() < 1e-4 * size, "{n} {o:?}");
-    }
-}
-
-/// A quarter of a vehicle on a slope of 1:50, x uphill: brake to rest, hold, roll back, hold, drive off, in one run of a linearly
-/// implicit step at 60 Hz with one call each.
-#[test]
-fn a_vehicle_stops_holds_rolls_back_and_drives_off() {
-    // mass of the vehicle and of the rim \[kg\], weight along the slope \[N\]
-    let (mass, rim, weight) = (8150.0, 400.0, 8150.0 * 9.81 / 50.0);
-    let h = 1.0 / 60.0;
-    for model in [Model::Total, Model::Strip, Model::Linear] {
-        for law in LAWS.into_iter().take(if model == Model::Total { 2 } else { 1 }) {
-            let (mut s, mut v, mut w) = (0.0, 2.0, 2.0);
-            let mut marks = Vec::new();
-            for step in 0..20 * 60 {
-                let t = f64::from(step) * h;
-                let braked = t < 8.0 || (11.0..16.0).contains(&t);
-                let drive = if t >= 16.0 { 6e3 } else { 0.0 };
-                let m = Motion { slip_x: v - w, rolling_speed: v, ..Motion::default() };
-                let (found, _, slopes) =
-                    differentiate(&C0, &m, law.as_ref(), &options(model)).unwrap();
-                let (force, by_slip) = (found.fx, slopes.slip[0][0]);
-                let by_v = by_slip + slopes.rolling_speed[0];
-                // (1 + h F_v/m) dv - h F_s/m dw = -h (F + weight)/m,  -h F_v/r dv + (1 + h F_s/r) dw = h (F + torque)/r
-                let step = |torque: f64| {
-                    let [[p, q], [r, u]] = [
-                        [1.0 + h * by_v / mass, -h * by_slip / mass],
-                        [-h * by_v / rim, 1.0 + h * by_slip / rim],
-                    ];
-                    let [f, g] = [-h * (force + weight) / mass, h * (force + torque) / rim];
-                    let det = p * u - q * r;
-                    [(f * u - g * q) / det, (p * g - r * f) / det]
-                };
-                let brake = if braked { -6e3 * f64::signum(w) } else { 0.0 };
-                let [mut dv, mut dw] = step(drive + brake);
-                if braked && (w == 0.0 || w * (w + dw) < 0.0) {
-                    // The brake locks the wheel.
-                    dw = -w;
-                    dv = (-h * (force + weight) / mass + h * by_slip / mass * dw)
-                        / (1.0 + h * by_v / mass);
-                }
-                let energy =
-                    |s: f64, v: f64, w: f64| mass * v * v / 2.0 + rim * w * w / 2.0 + weight * s;
-                let before = energy(s, v, w);
-                s += h * (v + 0.5 * dv);
-                (v, w) = (v + dv, w + dw);
-                let gain = energy(s, v, w) - before;
-                // A step is right to first order: it may gain a millionth of what the vehicle had.
-                assert!(gain <= drive * h * (w - 0.5 * dw) + 0.016, "{model:?} at {t}: {gain}");
-                marks.push([s, v, w]);
-            }
-            let at = |t: f64| marks[(t * 60.0) as usize - 1];
-            let what = format!("{model:?} {law:?}");
-            // stopped and held: creeps below 10 um/s
-            assert_eq!(at(5.0)[2], 0.0, "{what}");
-            let ([s5, v5, _], [s8, ..]) = (at(5.0), at(8.0));
-            assert!(
-                v5 < 0.0 && v5 > -1e-5 && s8 < s5 && s5 - s8 < 3e-5,
-                "{what} {v5:e} {}",
-                s5 - s8
-            );
-            // rolls back like a body of mass and rim
-            let free = -weight / (mass + rim) * 3.0;
-            assert!((at(11.0)[1] / free - 1.0).abs() < 1e-3, "{what} {} {free}", at(11.0)[1]);
-            let ([s14, ..], [s16, v16, w16]) = (at(14.0), at(16.0));
-            assert!(w16 == 0.0 && v16 < 0.0 && v16 > -1e-5 && (s14 - s16) < 2e-5, "{what}");
-            // and drives off
-            let driven = (6e3 - weight) / (mass + rim) * 4.0;
-            assert!((at(20.0)[1] / driven - 1.0).abs() < 2e-3, "{what} {} {driven}", at(20.0)[1]);
-        }
     }
 }

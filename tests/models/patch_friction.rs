@@ -169,28 +169,6 @@ fn full_sliding_is_polachs_law() {
     }
 }
 
-/// `k` multiplies the initial slope and leaves saturation alone.
-#[test]
-fn slope_factor_stretches_the_creep_curve() {
-    let mut random = Random::new(425);
-    for i in 0..60 {
-        let (patch, model) = (irregular(&mut random), SMOOTH[i % 2]);
-        let view = patch.view().unwrap();
-        let m = motion(&mut random);
-        let k = random.between(0.1, 1.0);
-        let law = SlipFriction { ratio: 1.0, slope_factor: k, ..DRY };
-        let scaled =
-            Creepage { longitudinal: k * m.longitudinal, lateral: k * m.lateral, spin: k * m.spin };
-        let found = solve(&view, &m, &law, model).unwrap().solution;
-        let wanted = solver::solve(&view, &scaled, model).unwrap();
-        assert_eq!((found.fx, found.fy, found.mz), (wanted.fx, wanted.fy, wanted.mz));
-        let rest = Creepage::default();
-        let (_, soft) = solve_jacobian(&view, &rest, &law, model).unwrap();
-        let (_, clean) = solver::solve_jacobian(&view, &rest, model).unwrap();
-        assert!((soft[(0, 0)] / clean[(0, 0)] - k).abs() < 1e-12);
-    }
-}
-
 /// The derivatives are those of the computed forces: extrapolated differences of the whole function.
 #[test]
 fn derivatives_follow_friction_and_slip() {
@@ -247,27 +225,6 @@ fn limits_are_answered() {
         let found = solve(&view, &m, &law, Model::Strip1967).unwrap();
         assert!(found.share >= law.ratio && found.share <= 1.0, "{i} {found:?}");
     }
-}
-
-#[test]
-fn bad_input_is_named() {
-    let c = contact(1.0, 0.28);
-    let patch = Full::from_ellipse(&c, StripCount::Eight).unwrap();
-    let view = patch.view().unwrap();
-    let m = theory::creepage(&c, 0.3, 0.1, 0.1);
-    for (law, error) in [
-        (SlipFriction { ratio: 1.1, ..DRY }, Error::FrictionRatio),
-        (SlipFriction { decay: -1.0, ..DRY }, Error::FrictionDecay),
-        (SlipFriction { decay: f64::INFINITY, ..DRY }, Error::NotFinite),
-        (SlipFriction { rolling_speed: -1.0, ..DRY }, Error::NegativeSpeed),
-        (SlipFriction { slope_factor: -0.1, ..DRY }, Error::SlopeFactor),
-    ] {
-        assert_eq!(solve(&view, &m, &law, Model::Strip), Err(error));
-        assert_eq!(differentiate(&view, &m, Some(&law), Model::Strip).err(), Some(error));
-    }
-    assert_eq!(solve(&view, &m, &DRY, Model::Linear), Err(Error::NotInModel));
-    let far = Creepage { longitudinal: f64::NAN, ..m };
-    assert_eq!(solve(&view, &far, &DRY, Model::Strip), Err(Error::NotFinite));
 }
 
 /// A greasy half under falling friction: each strip has the same share of its own friction.

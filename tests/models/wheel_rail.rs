@@ -6,7 +6,7 @@ use kstrip::contact::forces::StripCount;
 use kstrip::contact::hertz::{Radii, hertz};
 use kstrip::friction::SlipFriction;
 use kstrip::solve::model::Model;
-use kstrip::status::{Error, Notice};
+use kstrip::status::Notice;
 use kstrip::wheel_rail::contacts::WheelContact;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
 use kstrip::wheel_rail::surface::Surface;
@@ -508,38 +508,6 @@ fn friction_varies_along_the_rail() {
     let expected = (0.1 + (place + 0.1) * 2.0) / 0.3;
     let mixed = stand.solve(&position, &velocity);
     assert_relative_eq!(mixed.force[0] / dry.force[0], expected, max_relative = 2e-3);
-}
-
-/// What is wrong has a name, and a wheel beside the rail is not one that is lifted.
-#[test]
-fn bad_input_has_a_name() {
-    let mut surface = zeroed::<Surface<f64>>();
-    let points: [f64; 5] = [0.0, 1e-3, 2e-3, 3e-3, 4e-3];
-    let mut prepare =
-        |y: &[f64], step, smoothing| surface.prepare(y, &points[..y.len()], step, smoothing);
-    assert_eq!(prepare(&points[..3], 0.0, 0.0), Err(Error::Profile));
-    assert_eq!(prepare(&points, -1.0, 0.0), Err(Error::Profile));
-    assert_eq!(prepare(&points, 1e-9, 0.0), Err(Error::Capacity));
-    assert_eq!(prepare(&points, 0.0, -1.0), Err(Error::SmoothingLength));
-    assert_eq!(prepare(&[0.0, f64::NAN, 0.0, 0.0], 0.0, 0.0), Err(Error::NotFinite));
-    assert_eq!(surface.prepare(&[0.0; 5], &[0.0; 5], 0.0, 0.0), Err(Error::Profile));
-    let mut stand = Stand::new_profiles();
-    let solve = |stand: &mut Stand, position: Position<f64>| {
-        let (scene, memory) = stand.split();
-        scene.solve(&position, &ROLLING, memory, None, None).map(|wrench| wrench.contacts)
-    };
-    let lifted = Position { lateral: -OFFSET, vertical: -0.05, ..Position::default() };
-    assert_eq!(solve(&mut stand, lifted), Ok(0));
-    assert_eq!(solve(&mut stand, Position { lateral: 0.3, ..lifted }), Err(Error::ProfileEnd));
-    assert_eq!(solve(&mut stand, Position { yaw: 2.0, ..lifted }), Err(Error::ProfileEnd));
-    assert_eq!(solve(&mut stand, Position { roll: f64::NAN, ..lifted }), Err(Error::NotFinite));
-    stand.pair.wheel_radius = 0.0;
-    assert_eq!(solve(&mut stand, lifted), Err(Error::RollingRadius));
-    stand.pair = Pair { friction_points: 9, ..steel(0.46) };
-    assert_eq!(solve(&mut stand, lifted), Err(Error::Capacity));
-    stand.pair = steel(0.46);
-    stand.rail.count = 0;
-    assert_eq!(solve(&mut stand, lifted), Err(Error::NotPrepared));
 }
 
 /// Both wheels of a wheelset over lateral shift and yaw: place of contact, angle, load, area, peak pressure and creep forces beside

@@ -3,7 +3,7 @@
 use kstrip::contact::hertz::{Radii, hertz};
 use kstrip::contact::material::CombinedMaterial;
 use kstrip::contact::{Contact, from_approach, from_hertz};
-use kstrip::status::{Error, Notice};
+use kstrip::status::Notice;
 
 const FLAT: f64 = f64::INFINITY;
 const STEEL: CombinedMaterial<f64> =
@@ -116,31 +116,6 @@ fn without_load_or_approach_contact_is_lost() {
     assert!(!touching.is_lost() && touching.normal_force < 1e-30 && stiffness < 1e-3);
     // one that has parted is lost whatever else it says; NaN is no load
     assert!(Contact { normal_force: -1.0, ..touching }.is_lost());
-}
-
-#[test]
-fn wrong_numbers_of_bodies_are_named() {
-    let steel = STEEL;
-    for (x, friction, pair, error) in [
-        (f64::NAN, 0.3, steel, Error::NotFinite),
-        (FLAT, 0.3, steel, Error::NotFinite),
-        (-FLAT, 0.3, steel, Error::NotFinite),
-        (1e-5, f64::NAN, steel, Error::NotFinite),
-        (1e-5, -0.1, steel, Error::Friction),
-        (-1.0, -0.1, steel, Error::Friction),
-        (-1.0, f64::NAN, steel, Error::NotFinite),
-        (1e-5, 0.3, CombinedMaterial { shear_modulus: 0.0, ..steel }, Error::Modulus),
-        (1e-5, 0.3, CombinedMaterial { poisson_ratio: 0.7, ..steel }, Error::PoissonRatio),
-        (f64::MAX, 0.3, CombinedMaterial { shear_modulus: 1e300, ..steel }, Error::Overflow),
-    ] {
-        assert_eq!(from_approach(&WHEEL, &pair, x, friction).err(), Some(error), "{x} {friction}");
-        if error != Error::Overflow {
-            assert_eq!(from_hertz(&WHEEL, &pair, x, friction).err(), Some(error));
-        }
-    }
-    let flat = Radii { upper_x: FLAT, ..WHEEL };
-    assert_eq!(from_approach(&flat, &steel, 1e-5, 0.3).err(), Some(Error::Curvature));
-    assert_eq!(from_approach(&flat, &steel, -1e-5, 0.3).err(), Some(Error::Curvature));
 }
 
 /// Single precision follows to its rounding.

@@ -247,20 +247,6 @@ fn pure_spin_force_is_that_of_the_adhesion_strips() {
     }
 }
 
-/// Figure 9's trend: with a/b = 0.2 the rigid-slip curve falls from ψ = 0.305 to 0.8 while the continuous one rises.
-#[test]
-fn figure_9_rules_differ_in_their_trend() {
-    let c = contact(0.2, 0.28);
-    let fy = |psi, kind| {
-        model::solve(&c, &creepage(&c, 0.0, 0.0, psi), &options(kind, StripCount::SixtyFour))
-            .unwrap()
-            .fy
-    };
-    assert!(fy(0.305, Model::Strip1967) > fy(0.6, Model::Strip1967));
-    assert!(fy(0.6, Model::Strip1967) > fy(0.8, Model::Strip1967));
-    assert!(fy(0.305, Model::Strip1967Continuous) < fy(0.8, Model::Strip1967Continuous));
-}
-
 /// (8.39): in strips without adhesion the dissipation is negative for |ψy|/(1 − ν) < x < c in pure
 /// spin, and nowhere else.
 #[test]
