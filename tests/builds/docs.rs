@@ -20,27 +20,41 @@ struct Block {
     code: String,
 }
 
-/// All pages below a folder of the repository.
-fn pages(folder: &Path, found: &mut Vec<PathBuf>) {
-    let mut entries: Vec<PathBuf> = std::fs::read_dir(folder)
-        .expect("a folder")
-        .map(|entry| entry.expect("an entry").path())
-        .collect();
-    entries.sort();
-    for path in entries {
-        let name = path.file_name().expect("a name").to_string_lossy().into_owned();
-        if path.is_dir() {
-            if !name.starts_with('.') && name != "target" && !path.join("CACHEDIR.TAG").exists() {
-                pages(&path, found);
+/// All pages of the repository.
+fn pages() -> Vec<PathBuf> {
+    fn below(folder: &Path, found: &mut Vec<PathBuf>) {
+        for path in entries(folder) {
+            let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+            let is_ours = !name.starts_with('.') && name != "target";
+            if path.is_dir() && is_ours && !path.join("CACHEDIR.TAG").exists() {
+                below(&path, found);
+            } else if name.ends_with(".md") {
+                found.push(path);
             }
-        } else if name.ends_with(".md") {
-            found.push(path);
         }
     }
+    let mut found = Vec::new();
+    below(root(), &mut found);
+    assert!(found.len() > 8, "{found:?}");
+    found
+}
+
+/// What a folder holds, in the order of its names.
+fn entries(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).expect("a folder");
+    let mut entries: Vec<_> = entries.map(|entry| entry.expect("an entry").path()).collect();
+    entries.sort();
+    entries
+}
+
+/// A file of the repository.
+fn read(path: impl AsRef<Path>) -> String {
+    let path = root().join(path);
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
 fn blocks(page: &Path) -> Vec<Block> {
-    let text = std::fs::read_to_string(page).expect("a page");
+    let text = read(page);
     let mut found: Vec<Block> = Vec::new();
     let mut inside = false;
     for line in text.lines() {
@@ -67,9 +81,7 @@ fn blocks(page: &Path) -> Vec<Block> {
 /// The programs of one language, one per page, with what the pages say that they print.
 fn programs(language: &str) -> Vec<(PathBuf, String, String)> {
     let mut found = Vec::new();
-    let mut all = Vec::new();
-    pages(root(), &mut all);
-    for page in all {
+    for page in pages() {
         let (mut code, mut output, mut last) = (String::new(), String::new(), String::new());
         for block in blocks(&page) {
             if block.language == language {
@@ -109,10 +121,7 @@ fn with_main(code: &str, includes: &str) -> String {
 
 #[test]
 fn every_block_says_its_language() {
-    let mut all = Vec::new();
-    pages(root(), &mut all);
-    assert!(all.len() > 8, "{all:?}");
-    for page in all {
+    for page in pages() {
         for block in blocks(&page) {
             let known = ["c", "cpp", "python", "sh", "output", "text", "mermaid"]
                 .contains(&block.language.as_str());
@@ -130,7 +139,7 @@ fn every_block_says_its_language() {
 #[test]
 fn the_cookbook_has_eight_short_recipes() {
     let page = root().join("docs/cookbook.md");
-    let text = std::fs::read_to_string(&page).expect("the page");
+    let text = read(&page);
     assert_eq!(text.lines().filter(|line| line.starts_with("## ")).count(), 8);
     let blocks = blocks(&page);
     // The first block is the contact that all recipes use.
@@ -193,9 +202,7 @@ fn shell_blocks_run() {
     let target = scratch().parent().expect("target/tmp is in target").display().to_string();
     let has =
         |tool: &str| Command::new(tool).arg("--version").output().is_ok_and(|o| o.status.success());
-    let mut all = Vec::new();
-    pages(root(), &mut all);
-    for page in all {
+    for page in pages() {
         for block in blocks(&page).into_iter().filter(|block| block.language == "sh") {
             let name = page.strip_prefix(root()).expect("inside").display().to_string();
             for word in block.code.split_whitespace() {
@@ -229,7 +236,7 @@ fn shell_blocks_run() {
 
 /// What a page has in single backticks outside its blocks.
 fn names(page: &Path) -> Vec<String> {
-    let text = std::fs::read_to_string(page).expect("a page");
+    let text = read(page);
     let mut inside = false;
     let mut found = Vec::new();
     for line in text.lines() {
@@ -292,7 +299,7 @@ fn theory_has_every_equation_of_the_paper() {
         (8, &[2, 14, 26, 28, 29, 31, 32, 33, 34, 36, 38, 39, 43]),
         (9, &[]),
     ];
-    let page = std::fs::read_to_string(root().join("docs/theory.md")).expect("the page");
+    let page = read("docs/theory.md");
     for (chapter, numbers) in EQUATIONS {
         for number in numbers {
             let equation = format!("({chapter}.{number})");
@@ -303,7 +310,7 @@ fn theory_has_every_equation_of_the_paper() {
     rust_files(&root().join("src"), &mut sources);
     assert!(sources.len() > 60, "{}", sources.len());
     for file in sources {
-        let text = std::fs::read_to_string(&file).expect("a file");
+        let text = read(&file);
         for section in ["(7.1)", "(7.2)", "(8.15)", "(5.3)"] {
             assert!(!text.contains(section), "{}: {section} is a section", file.display());
         }
@@ -328,7 +335,7 @@ fn architecture_has_the_arrows_of_the_sources() {
     for file in files {
         let path = file.strip_prefix(root().join("src")).expect("inside");
         let from = path.iter().next().expect("a part").to_string_lossy().into_owned();
-        let text = std::fs::read_to_string(&file).expect("a file");
+        let text = read(&file);
         // Only what is compiled into the library, and no comments
         let text = text.split("#[cfg(test)]").next().expect("a part").to_owned();
         if from.ends_with(".rs") || path.ends_with("tests.rs") {
@@ -348,9 +355,9 @@ fn architecture_has_the_arrows_of_the_sources() {
     assert_eq!(drawn, used, "left: drawn, right: used");
 }
 
+/// The Rust files below a folder.
 pub fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
-    for entry in std::fs::read_dir(folder).expect("a folder") {
-        let path = entry.expect("an entry").path();
+    for path in entries(folder) {
         if path.is_dir() {
             rust_files(&path, found);
         } else if path.extension().is_some_and(|extension| extension == "rs") {
@@ -367,15 +374,11 @@ fn pages_name_what_the_headers_have() {
     // What was: a changelog; measurements say of which sources they are
     const OTHERS: [&str; 3] =
         ["CHANGELOG.md", "docs/reference/embedded.md", "docs/reference/speed-vs-error.md"];
-    let headers: String = ["kstrip.h", "kstrip_f32.h"]
-        .map(|name| std::fs::read_to_string(root().join("include").join(name)).expect("a header"))
-        .concat();
+    let headers = read("include/kstrip.h") + &read("include/kstrip_f32.h");
     let words: BTreeSet<&str> =
         headers.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').collect();
-    let mut all = Vec::new();
-    pages(root(), &mut all);
     let mut count = 0;
-    for page in all {
+    for page in pages() {
         if OTHERS.iter().any(|name| page == root().join(name)) {
             continue;
         }
@@ -397,10 +400,8 @@ fn pages_name_what_the_headers_have() {
 /// A page that people write has at most 250 lines.
 #[test]
 fn pages_are_short() {
-    let mut all = Vec::new();
-    pages(root(), &mut all);
-    for page in all {
-        let text = std::fs::read_to_string(&page).expect("a page");
+    for page in pages() {
+        let text = read(&page);
         let generated = text.lines().take(3).any(|line| line.contains("Written by `cargo bench"));
         let lines = text.lines().count();
         assert!(generated || lines <= 250, "{}: {lines} lines", page.display());
@@ -410,11 +411,9 @@ fn pages_are_short() {
 /// Every picture stands on a page, and has a background of its own, so that it is readable on light and on dark pages.
 #[test]
 fn pictures_stand_on_pages_and_have_a_background() {
-    let mut all = Vec::new();
-    pages(root(), &mut all);
     let mut linked = BTreeSet::new();
-    for page in &all {
-        let text = std::fs::read_to_string(page).expect("a page");
+    for page in &pages() {
+        let text = read(&page);
         for link in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
             if link.ends_with(".svg") {
                 let picture = page.parent().expect("a folder").join(link);
@@ -424,11 +423,11 @@ fn pictures_stand_on_pages_and_have_a_background() {
     }
     let mut pictures = 0;
     for folder in ["figures", "patches", "reference", "reference/accuracy"] {
-        for entry in std::fs::read_dir(root().join("docs").join(folder)).expect("a folder") {
-            let picture = entry.expect("an entry").path().canonicalize().expect("a path");
+        for picture in entries(&root().join("docs").join(folder)) {
+            let picture = picture.canonicalize().expect("a path");
             if picture.extension().is_some_and(|extension| extension == "svg") {
                 assert!(linked.contains(&picture), "{}: on no page", picture.display());
-                let text = std::fs::read_to_string(&picture).expect("a picture");
+                let text = read(&picture);
                 let first = text.lines().nth(1).expect("a background");
                 assert!(first.starts_with("<rect x=\"0\" y=\"0\""), "{}", picture.display());
                 assert!(first.contains("fill=\"#FFFFFF\""), "{}", picture.display());
@@ -442,7 +441,6 @@ fn pictures_stand_on_pages_and_have_a_background() {
 /// The order of the warnings has all of them.
 #[test]
 fn every_warning_has_its_place() {
-    let read = |page: &str| std::fs::read_to_string(root().join(page)).expect("a page");
     let page = read("docs/reference/bad-input.md");
     let order = page.split("## Which warning is told").nth(1).expect("the section");
     let header = read("include/kstrip.h");
@@ -471,11 +469,9 @@ fn pages_name_files_that_exist() {
         "bindings/",
         "hosts/",
     ];
-    let mut all = Vec::new();
-    pages(root(), &mut all);
     let (mut links, mut files) = (0, 0);
-    for page in all {
-        let text = std::fs::read_to_string(&page).expect("a page");
+    for page in pages() {
+        let text = read(&page);
         let folder = page.parent().expect("a folder");
         for link in text.split("](").skip(1).filter_map(|rest| rest.split_once(')')) {
             let target = link.0.split('#').next().expect("a link");
@@ -495,21 +491,35 @@ fn pages_name_files_that_exist() {
     assert!(links > 40 && files > 60, "{links} {files}");
 }
 
-/// The numbers in the rows of docs/reference/accuracy.md that begin with a method, in the order of the page.
-fn accuracy(method: &str) -> Vec<Vec<f64>> {
-    let page =
-        std::fs::read_to_string(root().join("docs/reference/accuracy.md")).expect("the page");
-    let rows = page.lines().filter_map(|line| line.strip_prefix(&format!("| {method} | ")));
-    rows.map(|row| row.split(['|', '/']).filter_map(|cell| cell.trim().parse().ok()).collect())
-        .collect()
+/// The rows of a report that begin with these words, after the first that has this heading: each cell as its numbers.
+fn rows(page: &str, heading: &str, row: &str) -> Vec<Vec<Vec<f64>>> {
+    let text = read(page);
+    let (_, section) = text.split_once(heading).unwrap_or_else(|| panic!("{page}: {heading}"));
+    let start = format!("| {row} | ");
+    let numbers = |cell: &str| cell.split('/').filter_map(|x| x.trim().parse().ok()).collect();
+    let rows = section.lines().filter_map(|line| line.strip_prefix(&start));
+    rows.map(|row| row.split('|').map(numbers).collect()).collect()
 }
 
-/// Columns of numbers of a row of a report that begins with these words, each cell as its numbers.
-fn cells(page: &str, row: &str) -> Vec<Vec<f64>> {
-    let text = std::fs::read_to_string(root().join(page)).expect("the page");
-    let found = text.lines().find_map(|line| line.strip_prefix(&format!("| {row} | ")));
-    let numbers = |cell: &str| cell.split('/').filter_map(|x| x.trim().parse().ok()).collect();
-    found.unwrap_or_else(|| panic!("{page}: {row}")).split('|').map(numbers).collect()
+/// The first of them.
+fn cells(page: &str, heading: &str, row: &str) -> Vec<Vec<f64>> {
+    let rows = rows(page, heading, row);
+    rows.into_iter().next().unwrap_or_else(|| panic!("{page}, {heading}: {row}"))
+}
+
+/// A count of `benches/instructions.txt`.
+fn count(model: &str, precision: &str, what: &str) -> f64 {
+    let counts = read("benches/instructions.txt");
+    let start = format!("{model} {precision} {what} ");
+    let row = counts.lines().find_map(|line| line.strip_prefix(&start)).expect("a count");
+    row.split(' ').nth(1).expect("a count").parse().expect("a number")
+}
+
+/// A page has these words.
+#[track_caller]
+fn assert_told(page: &str, words: &str) {
+    let text = read(page).replace("\n * ", " ").replace("\n ", "").replace('\n', " ");
+    assert!(text.contains(words), "{page}: {words}");
 }
 
 /// As one rounds by hand (the report's last digit may be a 5), without the zero before the point.
@@ -520,9 +530,11 @@ fn short(x: f64, digits: usize) -> String {
 /// Errors and costs that the pages and the header state are those of the reports, which programs write.
 #[test]
 fn errors_in_prose_are_those_of_the_report() {
-    let read = |page: &str| std::fs::read_to_string(root().join(page)).expect("a page");
-    let [models, others, header] =
-        ["docs/models.md", "docs/reference/other-programs.md", "include/kstrip.h"].map(read);
+    const REPORT: &str = "docs/reference/accuracy.md";
+    // Of every method: open.csv, validation, what a simulation feels (of LINEAR that alone bears its plain name)
+    let accuracy = |method: &str| -> Vec<Vec<f64>> {
+        rows(REPORT, "", method).into_iter().map(|row| row.concat()).collect()
+    };
     let [strip_1967, continuous, strip, total, linear, fastsim, polach] = [
         "STRIP_1967, 16 strips",
         "STRIP_1967_CONTINUOUS, 16 strips",
@@ -533,111 +545,71 @@ fn errors_in_prose_are_those_of_the_report() {
         "Polach",
     ]
     .map(accuracy);
-    // Of every method: open.csv, validation, what a simulation feels (of LINEAR that alone bears its plain name)
     let both =
         |row: &[f64], digits| format!("{} / {}", short(row[0], digits), short(row[1], digits));
     let cost = |model: &str| {
-        let row = cells("docs/reference/instructions.md", model);
+        let row = cells("docs/reference/instructions.md", "", model);
         // TOTAL and LINEAR have no strips: their only count stands in the column of 16
         format!("{} | {} |", row[2][0], row[5][0])
     };
-    let rows = [
+    for (name, model, figures, digits) in [
         ("TOTAL, the default for forces", "TOTAL", &total, 4),
         ("STRIP, the default for strips, fields and patches", "STRIP", &strip, 4),
         ("STRIP_1967", "STRIP_1967", &strip_1967, 3),
         ("STRIP_1967_CONTINUOUS", "STRIP_1967_CONTINUOUS", &continuous, 3),
-    ];
-    for (name, model, figures, digits) in rows {
+    ] {
         let [force, slopes] = [both(&figures[0], digits), both(&figures[2], 3)];
         let row = format!("| {name} | {force} | {slopes} | {}", cost(model));
-        assert!(models.contains(&row), "docs/models.md: {row}");
+        assert_told("docs/models.md", &row);
     }
-    let row = format!(
-        "| valid for small creepage | {} / {:.2} | {}",
-        short(linear[0][0], 3),
-        linear[0][1],
-        cost("LINEAR")
-    );
-    assert!(models.contains(&row), "docs/models.md: {row}");
-    // What other cases have: mean errors of the rows of a report, of these columns
-    let report = "docs/reference/accuracy.md";
-    let span = |rows: &[&str], column: usize| {
-        let means: Vec<f64> = rows
-            .iter()
-            .map(|row| {
-                // (a region is told in several tables: the slender cases are the last that have it)
-                let text = read(report);
-                let table = text.split("## Slender contacts").nth(1).expect("the section");
-                let start = format!("| a/b {row} | ");
-                let line = table.lines().find_map(|line| line.strip_prefix(&start)).expect("a row");
-                let cell = line.split('|').nth(column).expect("a cell");
-                cell.split('/').next().expect("a mean").trim().parse().expect("a number")
-            })
-            .collect();
-        let [least, most] =
-            [means.iter().copied().fold(9.0, f64::min), means.iter().copied().fold(0.0, f64::max)];
-        format!("{} to {}", short(least, 4), short(most, 4))
+    let [mean, p95] = [short(linear[0][0], 3), format!("{:.2}", linear[0][1])];
+    let row = format!("| valid for small creepage | {mean} / {p95} | {}", cost("LINEAR"));
+    assert_told("docs/models.md", &row);
+    // Mean errors of TOTAL and STRIP on slender contacts
+    let slender = |what: &str, regions: &[&str]| {
+        let of = |region: &&str| cells(REPORT, "## Slender contacts", &format!("a/b {region}"));
+        let rows: Vec<_> = regions.iter().map(of).collect();
+        let [total, strip] = [1, 2].map(|column| {
+            let means = || rows.iter().map(|row| row[column][0]);
+            let (least, most) = (means().fold(9.0, f64::min), means().fold(0.0, f64::max));
+            format!("{} to {}", short(least, 4), short(most, 4))
+        });
+        format!("| slender ellipses, {what} | {total} | {strip} |")
     };
-    let slender = |what: &str, rows: &[&str]| {
-        format!("| slender ellipses, {what} | {} | {} |", span(rows, 1), span(rows, 2))
-    };
-    let all = cells("docs/patches.md", "**all** | 30");
-    let real = cells("docs/patches.md", "**all** | 36");
-    let [total_unlike, strip_unlike] = {
-        let text = read(report);
-        let table = text.split("## Unlike materials").nth(1).expect("the section").to_owned();
-        ["TOTAL", "STRIP"].map(|model| {
-            let start = format!("| {model} | ");
-            let line = table.lines().find_map(|line| line.strip_prefix(&start)).expect("a row");
-            let cell = line.split('|').nth(1).expect("ordinary pairs");
-            cell.split('/').next().expect("a mean").trim().parse::<f64>().expect("a number")
-        })
-    };
+    let all = cells("docs/patches.md", "", "**all** | 30");
+    let real = cells("docs/patches.md", "", "**all** | 36");
+    let [unlike_total, unlike_strip] =
+        ["TOTAL", "STRIP"].map(|model| cells(REPORT, "## Unlike materials", model)[1][0]);
+    let pair = |total: f64, strip: f64| format!("{} | {} |", short(total, 4), short(strip, 4));
+    let shallow = ["0.015 to 0.03", "0.03 to 0.06", "0.06 to 0.12"];
     for text in [
         format!("FASTSIM with 10 × 10 cells has a mean error of {}", short(fastsim[0][0], 3)),
-        format!(
-            "more spin (1784 validation cases) | {} | {} |",
-            short(total[1][0], 4),
-            short(strip[1][0], 4)
-        ),
-        slender(
-            "`a/b` from 0.015 to 0.12 (`open_slender.csv`)",
-            &["0.015 to 0.03", "0.03 to 0.06", "0.06 to 0.12"],
-        ),
+        format!("more spin (1784 validation cases) | {}", pair(total[1][0], strip[1][0])),
+        slender("`a/b` from 0.015 to 0.12 (`open_slender.csv`)", &shallow),
         slender("`a/b` from 8 to 20", &["8 to 12", "12 to 20"]),
         slender("`a/b` from 20 to 60", &["20 to 40", "40 to 60"]),
-        format!("([patches.md](patches.md)) | {} | {} |", short(all[6][0], 4), short(all[3][0], 4)),
+        format!("([patches.md](patches.md)) | {}", pair(all[6][0], all[3][0])),
         format!("real rails, with yaw | – | {} |", short(real[2][0], 4)),
+        format!("what the mismatch adds | {}", pair(unlike_total, unlike_strip)),
+    ] {
+        assert_told("docs/models.md", &text);
+    }
+    let others = "docs/reference/other-programs.md";
+    assert_told(others, &format!("has an error of {} `μ N` on our cases", short(fastsim[0][0], 3)));
+    assert_told(others, &format!("his formula is {} `μ N` from CONTACT", short(polach[0][0], 3)));
+    let of_both = |figures: &[Vec<f64>], next: &str| {
+        let (force, slopes) = (100.0 * figures[0][0], 100.0 * figures[2][0]);
         format!(
-            "what the mismatch adds | {} | {} |",
-            short(total_unlike, 4),
-            short(strip_unlike, 4)
-        ),
-    ] {
-        assert!(models.contains(&text), "docs/models.md: {text}");
-    }
-    for text in [
-        format!("has an error of {} `μ N` on our cases", short(fastsim[0][0], 3)),
-        format!("his formula is {} `μ N` from CONTACT", short(polach[0][0], 3)),
-    ] {
-        assert!(others.contains(&text), "docs/reference/other-programs.md: {text}");
-    }
-    let header = header.replace("\n * ", " ");
+            "against CONTACT is {force:.1} % of mu N, that of the slopes {slopes:.0} % of the linear ones. {next}"
+        )
+    };
     for text in [
         format!("{:.0} % over a/b 0.1 to 10", 100.0 * strip_1967[0][0]),
         format!("mean error of {:.0} % of mu N", 100.0 * continuous[0][0]),
-        format!(
-            "against CONTACT is {:.1} % of mu N, that of the slopes {:.0} % of the linear ones. Its slopes at rest",
-            100.0 * strip[0][0],
-            100.0 * strip[2][0]
-        ),
-        format!(
-            "against CONTACT is {:.1} % of mu N, that of the slopes {:.0} % of the linear ones. Far in sliding",
-            100.0 * total[0][0],
-            100.0 * total[2][0]
-        ),
+        of_both(&strip, "Its slopes at rest"),
+        of_both(&total, "Far in sliding"),
     ] {
-        assert!(header.contains(&text), "include/kstrip.h: {text}");
+        assert_told("include/kstrip.h", &text);
     }
 }
 
@@ -645,7 +617,6 @@ fn errors_in_prose_are_those_of_the_report() {
 /// sliding, in ordinary and in slender contacts; and those of patches from profiles.
 #[test]
 fn rounding_in_brief_is_that_of_the_page() {
-    let read = |page: &str| std::fs::read_to_string(root().join(page)).expect("a page");
     let (page, brief) = (read("docs/reference/numerics.md"), read("docs/reliability.md"));
     let cell = |row: &str, column: usize| -> f64 {
         let cell = row.split('|').nth(column).expect("a cell");
@@ -686,57 +657,38 @@ fn rounding_in_brief_is_that_of_the_page() {
         worst(&[9]),
         worst(&[2, 3, 6, 7]).ceil()
     );
-    assert!(brief.replace("\n ", "").contains(&text), "docs/reliability.md: {text}");
+    assert_told("docs/reliability.md", &text);
 }
 
 /// What derivatives cost, as told in the pages, is what the counts say.
 #[test]
 fn costs_in_prose_are_those_of_the_counts() {
-    let ratio = |model: &str| {
-        let row = cells("docs/reference/instructions.md", model);
+    const MODELS: [&str; 5] = ["STRIP_1967", "STRIP_1967_CONTINUOUS", "STRIP", "TOTAL", "LINEAR"];
+    let [of_strips @ .., linear] = MODELS.map(|model| {
+        let row = cells("docs/reference/instructions.md", "", model);
         row[5][0] / row[2][0]
-    };
-    let [strip_1967, continuous, strip, total, linear] =
-        ["STRIP_1967", "STRIP_1967_CONTINUOUS", "STRIP", "TOTAL", "LINEAR"].map(ratio);
-    let text = format!("Derivatives cost three to five times the forces (LINEAR: {linear:.1})");
-    assert!(
-        [strip_1967, continuous, strip, total].iter().all(|ratio| (3.0..5.0).contains(ratio)),
-        "{strip_1967} {continuous} {strip} {total}"
-    );
+    });
+    assert!(of_strips.iter().all(|ratio| (3.0..5.0).contains(ratio)), "{of_strips:?}");
     // In a batch, from the counts themselves
-    let counts = std::fs::read_to_string(root().join("benches/instructions.txt")).expect("counts");
-    let count = |model: &str, what: &str| {
-        let start = format!("{model} f64 {what} ");
-        let row = counts.lines().find_map(|line| line.strip_prefix(&start)).expect("a count");
-        row.split(' ').nth(1).expect("a count").parse::<f64>().expect("a number")
-    };
-    let ratios = ["STRIP_1967", "STRIP_1967_CONTINUOUS", "STRIP", "TOTAL", "LINEAR"]
-        .map(|model| count(model, "batch_derivatives") / count(model, "batch"));
-    let [least, most] =
-        [ratios.into_iter().fold(99.0, f64::min), ratios.into_iter().fold(0.0, f64::max)];
-    let [one, many] = ["solve", "batch"].map(|what| count("TOTAL", what));
-    let page = std::fs::read_to_string(root().join("docs/models.md")).expect("a page");
-    let page = page.replace('\n', " ");
+    let in_batch = |model| count(model, "f64", "batch_derivatives") / count(model, "f64", "batch");
+    let ratios = MODELS.map(in_batch);
+    let (least, most) =
+        (ratios.into_iter().fold(99.0, f64::min), ratios.into_iter().fold(0.0, f64::max));
+    let [one, many] = ["solve", "batch"].map(|what| count("TOTAL", "f64", what));
     for text in [
-        text,
+        format!("Derivatives cost three to five times the forces (LINEAR: {linear:.1})"),
         format!("TOTAL takes {many} instructions a contact instead of {one}"),
         format!("they cost {least:.1} to {most:.1} times the forces"),
     ] {
-        assert!(page.contains(&text), "docs/models.md: {text}");
+        assert_told("docs/models.md", &text);
     }
 }
 
 /// In a batch derivatives cost at most 1.05 of a loop of `kstrip_evaluate`, of TOTAL and LINEAR at most seven tenths; a prepared contact of
-/// LINEAR costs at most 15 instructions beyond the 107 that it took without a checksum (16 beyond 109 in single precision).
+/// LINEAR costs at most 15 instructions beyond the 107 that it took without a checksum (109 in single precision).
 #[test]
 fn calls_cost_what_they_may() {
-    let counts = std::fs::read_to_string(root().join("benches/instructions.txt")).expect("counts");
     for (precision, most) in [("f64", 107.0 + 15.0), ("f32", 109.0 + 15.0)] {
-        let count = |model: &str, what: &str| {
-            let start = format!("{model} {precision} {what} ");
-            let row = counts.lines().find_map(|line| line.strip_prefix(&start)).expect("a count");
-            row.split(' ').nth(1).expect("a count").parse::<f64>().expect("a number")
-        };
         for (model, share) in [
             ("STRIP_1967", 1.05),
             ("STRIP_1967_CONTINUOUS", 1.05),
@@ -744,14 +696,12 @@ fn calls_cost_what_they_may() {
             ("TOTAL", 0.7),
             ("LINEAR", 0.7),
         ] {
-            let (batch, alone) = (count(model, "batch_derivatives"), count(model, "derivatives"));
-            println!(
-                "{model} {precision}: derivatives in a batch {:.3} of the loop",
-                batch / alone
-            );
-            assert!(batch <= share * alone, "{model} {precision}: {batch} {alone}");
+            let of = |what| count(model, precision, what);
+            let ratio = of("batch_derivatives") / of("derivatives");
+            println!("{model} {precision}: derivatives in a batch {ratio:.3} of the loop");
+            assert!(ratio <= share, "{model} {precision}: {ratio}");
         }
-        let prepared = count("LINEAR", "prepared");
+        let prepared = count("LINEAR", precision, "prepared");
         println!("LINEAR {precision}: a prepared contact {prepared} instructions");
         assert!(prepared <= most, "{precision}: {prepared}");
     }
@@ -768,7 +718,7 @@ fn doxygen_has_no_warning() {
         say("SKIPPED: the C reference by doxygen, which is not installed");
         return;
     }
-    let settings = std::fs::read_to_string(root().join("docs/Doxyfile")).expect("settings");
+    let settings = read("docs/Doxyfile");
     let folder = scratch().join("doxygen");
     std::fs::create_dir_all(&folder).expect("scratch is writable");
     let settings = format!("{settings}\nOUTPUT_DIRECTORY = {:?}\n", folder.display().to_string());

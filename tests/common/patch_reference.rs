@@ -257,6 +257,48 @@ pub fn real() -> Vec<Case> {
     })
 }
 
+/// The cases of a table of motions: the first row of each makes it.
+fn grouped<T>(
+    file: &str,
+    make: impl Fn(&Row) -> T,
+    motions: impl Fn(&mut T) -> (&str, &mut Vec<Motion>),
+) -> Vec<T> {
+    let mut cases: Vec<T> = Vec::new();
+    for row in rows(file) {
+        let place = cases.iter_mut().position(|case| motions(case).0 == row["case"]);
+        let place = place.unwrap_or_else(|| {
+            cases.push(make(&row));
+            cases.len() - 1
+        });
+        motions(&mut cases[place]).1.push(Motion::of(&row));
+    }
+    cases
+}
+
+/// A case of steel on steel whose load and size are told, without its profile.
+fn steel(row: &Row, family: &str, friction: &str, size: f64) -> Case {
+    Case {
+        name: row["case"].clone(),
+        family: family.into(),
+        load: number(row, "normal_force_N"),
+        friction: number(row, friction),
+        shear_modulus: 82e9,
+        poisson_ratio: 0.28,
+        size,
+        ..Case::default()
+    }
+}
+
+/// Such a case whose patch is the strips of an ellipse.
+fn elliptic(row: &Row, family: &str, friction: &str, count: StripCount) -> (Case, Full) {
+    let (a, b) = (number(row, "a_mm") * 1e-3, number(row, "b_mm") * 1e-3);
+    let case = steel(row, family, friction, (a * b).sqrt());
+    let Case { load: normal_force, friction, shear_modulus, poisson_ratio, .. } = case;
+    let contact =
+        Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch: 0.0 };
+    (case, Full::from_ellipse(&contact, count).unwrap())
+}
+
 /// Patches whose strips are given, some with their centres off `x = 0`; a half-ellipse in `x`.
 pub fn given() -> Vec<(Case, Full)> {
     let mut strips: HashMap<String, Vec<PatchStrip<f64>>> = HashMap::new();
@@ -271,115 +313,40 @@ pub fn given() -> Vec<(Case, Full)> {
             friction: 0.3,
         });
     }
-    let mut cases: Vec<(Case, Full)> = Vec::new();
-    for row in rows("given.csv") {
-        let motion = Motion::of(&row);
-        match cases.iter_mut().find(|(case, _)| case.name == row["case"]) {
-            Some((case, _)) => case.motions.push(motion),
-            None => {
-                let patch = Full::from_strips(&strips[&row["case"]], 82e9, 0.28).unwrap();
-                let case = Case {
-                    name: row["case"].clone(),
-                    family: "given".into(),
-                    load: number(&row, "normal_force_N"),
-                    friction: number(&row, "mu"),
-                    shear_modulus: 82e9,
-                    poisson_ratio: 0.28,
-                    size: number(&row, "c_mm") * 1e-3,
-                    area: number(&row, "area_mm2") * 1e-6,
-                    motions: vec![motion],
-                    ..Case::default()
-                };
-                cases.push((case, patch));
-            }
-        }
-    }
-    cases
+    let make = |row: &Row| {
+        let case = steel(row, "given", "mu", number(row, "c_mm") * 1e-3);
+        let patch = Full::from_strips(&strips[&row["case"]], 82e9, 0.28).unwrap();
+        (Case { area: number(row, "area_mm2") * 1e-6, ..case }, patch)
+    };
+    grouped("given.csv", make, |(case, _)| (&case.name, &mut case.motions))
 }
 
 /// Friction that varies over `y` on an ellipse.
 pub fn banded(count: StripCount) -> Vec<(Case, Full)> {
-    let mut cases: Vec<(Case, Full)> = Vec::new();
-    for row in rows("banded.csv") {
-        let motion = Motion::of(&row);
-        match cases.iter_mut().find(|(case, _)| case.name == row["case"]) {
-            Some((case, _)) => case.motions.push(motion),
-            None => {
-                let (a, b) = (number(&row, "a_mm") * 1e-3, number(&row, "b_mm") * 1e-3);
-                let contact = Contact {
-                    a,
-                    b,
-                    normal_force: number(&row, "normal_force_N"),
-                    shear_modulus: 82e9,
-                    poisson_ratio: 0.28,
-                    friction: number(&row, "mu_ref"),
-                    mismatch: 0.0,
-                };
-                let mut patch = Full::from_ellipse(&contact, count).unwrap();
-                for strip in &mut patch.strips {
-                    strip.friction = band(&row["band"], strip.y / b);
-                }
-                let case = Case {
-                    name: row["case"].clone(),
-                    family: row["band"].clone(),
-                    load: contact.normal_force,
-                    friction: contact.friction,
-                    shear_modulus: 82e9,
-                    poisson_ratio: 0.28,
-                    size: (a * b).sqrt(),
-                    motions: vec![motion],
-                    ..Case::default()
-                };
-                cases.push((case, patch));
-            }
+    let make = |row: &Row| {
+        let (case, mut patch) = elliptic(row, &row["band"], "mu_ref", count);
+        for strip in &mut patch.strips {
+            strip.friction = band(&row["band"], strip.y / (number(row, "b_mm") * 1e-3));
         }
-    }
-    cases
+        (case, patch)
+    };
+    grouped("banded.csv", make, |(case, _)| (&case.name, &mut case.motions))
 }
 
 /// Friction that falls with the slip, on ellipses of 16 strips: the case, the patch, the law, and its creepages.
 pub fn falling() -> Vec<(Case, Full, SlipFriction<f64>)> {
-    let mut cases: Vec<(Case, Full, SlipFriction<f64>)> = Vec::new();
-    for row in rows("falling.csv") {
-        let number = |column| number(&row, column);
-        let motion = Motion::of(&row);
-        match cases.iter_mut().find(|(case, ..)| case.name == row["case"]) {
-            Some((case, ..)) => case.motions.push(motion),
-            None => {
-                let (a, b) = (number("a_mm") * 1e-3, number("b_mm") * 1e-3);
-                let contact = Contact {
-                    a,
-                    b,
-                    normal_force: number("normal_force_N"),
-                    shear_modulus: 82e9,
-                    poisson_ratio: 0.28,
-                    friction: number("mu0"),
-                    mismatch: 0.0,
-                };
-                let law = SlipFriction {
-                    friction: contact.friction,
-                    ratio: number("A"),
-                    decay: number("B_s_per_m"),
-                    rolling_speed: number("speed_m_per_s"),
-                    slope_factor: 1.0,
-                };
-                let case = Case {
-                    name: row["case"].clone(),
-                    family: "falling".into(),
-                    load: contact.normal_force,
-                    friction: contact.friction,
-                    shear_modulus: 82e9,
-                    poisson_ratio: 0.28,
-                    size: (a * b).sqrt(),
-                    motions: vec![motion],
-                    ..Case::default()
-                };
-                let patch = Full::from_ellipse(&contact, StripCount::Sixteen).unwrap();
-                cases.push((case, patch, law));
-            }
-        }
-    }
-    cases
+    let make = |row: &Row| {
+        let (case, patch) = elliptic(row, "falling", "mu0", StripCount::Sixteen);
+        let law = SlipFriction {
+            friction: case.friction,
+            ratio: number(row, "A"),
+            decay: number(row, "B_s_per_m"),
+            rolling_speed: number(row, "speed_m_per_s"),
+            slope_factor: 1.0,
+        };
+        (case, patch, law)
+    };
+    grouped("falling.csv", make, |(case, ..)| (&case.name, &mut case.motions))
 }
 
 /// Friction at `y/b`.

@@ -8,7 +8,6 @@ use kstrip::contact::forces::StripCount;
 use kstrip::linear::LinearCoefficients;
 use kstrip::solve::field::FieldPoint;
 use kstrip::solve::model::{self, Field, Model};
-use kstrip::status::Notice;
 use kstrip::strip_1967::strip::{Regime, SlidingRule, State, Strip};
 use std::f64::consts::PI;
 use theory::{MODELS, contact, creepage, options};
@@ -385,7 +384,7 @@ fn section_9_spin_has_its_limit_without_poissons_ratio_only() {
 }
 
 /// Figure 10: ψ = 1, η = −0.5, ξ = 0, a/b = 1, ν = 0.29 has an adhesion area, limited by the formula
-/// κ = (ξ̄² + η²)/(2|η|), and a finite force; the spin is flagged.
+/// κ = (ξ̄² + η²)/(2|η|), and a finite force.
 #[test]
 fn figure_10_has_an_adhesion_area_at_unit_spin() {
     let c = contact(1.0, 0.29);
@@ -421,12 +420,6 @@ fn figure_10_has_an_adhesion_area_at_unit_spin() {
             }
         }
     }
-    let beyond = creepage(&c, 0.0, -0.5, 1.000_001);
-    let s = model::solve(&c, &beyond, &options(Model::Strip1967, StripCount::Sixteen)).unwrap();
-    assert_eq!(s.notice, Notice::SpinBeyondTheory);
-    let below = creepage(&c, 0.0, -0.5, 0.999_999);
-    let s = model::solve(&c, &below, &options(Model::Strip1967, StripCount::Sixteen)).unwrap();
-    assert_eq!(s.notice, Notice::None);
 }
 
 /// Section 8.1 as the paper uses it: κ = aτ on every strip, adhesion in |y| < b √(1 − τ²), and the
@@ -450,15 +443,5 @@ fn pure_creepage_shifts_the_leading_edge() {
                 assert!((tx * eta - ty * xi).abs() < 1e-12 * tx.hypot(ty).max(1.0));
             }
         }
-        // Series of Section 8.15 for one direction: two terms are (3π/4)τ − (3/2)τ²
-        let small = 1e-3;
-        let s = model::solve(
-            &c,
-            &creepage(&c, xi / tau * small, eta / tau * small, 0.0),
-            &options(Model::Strip1967Continuous, StripCount::SixtyFour),
-        )
-        .unwrap();
-        let force = s.fx.hypot(s.fy) / (c.friction * c.normal_force);
-        assert!((force - (0.75 * PI * small - 1.5 * small * small)).abs() < 1e-11);
     }
 }
