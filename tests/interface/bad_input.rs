@@ -5,7 +5,7 @@
 use crate::header;
 use crate::toolchain;
 
-use header::{Declared, Function, Variable};
+use header::{Declared, Function, Structure, Variable};
 use std::collections::{BTreeMap, BTreeSet};
 use toolchain::{root, run_written, write_scratch};
 
@@ -311,6 +311,25 @@ fn block(
     text
 }
 
+/// The numbers in a structure as the tables name them, of arrays the first, with those of the structures that are its members.
+fn places<'a>(
+    declared: &'a Declared,
+    structure: &'a Structure,
+    within: &str,
+    deeper: bool,
+    found: &mut Vec<(String, &'a str)>,
+) {
+    for member in &structure.members {
+        let index = if member.elements > 1 { "[0]" } else { "" };
+        let place = format!("{within}.{}{index}", member.name);
+        match declared.structures.iter().find(|s| s.name == member.kind) {
+            None => found.push((place, &member.kind)),
+            Some(part) if deeper => places(declared, part, &place, false, found),
+            Some(_) => {}
+        }
+    }
+}
+
 #[test]
 fn bad_input_gets_its_status_and_outputs_stay() {
     let read = |path: &str| std::fs::read_to_string(root().join(path)).expect("the header");
@@ -413,38 +432,9 @@ fn bad_input_gets_its_status_and_outputs_stay() {
                     ask(&argument.name, "pointer");
                     match declared.structures.iter().find(|s| s.name == target) {
                         Some(structure) => {
-                            for member in &structure.members {
-                                let inner =
-                                    declared.structures.iter().find(|s| s.name == member.kind);
-                                match inner {
-                                    Some(inner) => {
-                                        let index =
-                                            |elements| if elements > 1 { "[0]" } else { "" };
-                                        let array =
-                                            format!("{}{}", member.name, index(member.elements));
-                                        let is_number = |kind: &str| {
-                                            !kind.starts_with("kstrip_") || kind == "kstrip_status"
-                                        };
-                                        for part in inner
-                                            .members
-                                            .iter()
-                                            .filter(|part| is_number(&part.kind))
-                                        {
-                                            let part_name =
-                                                format!("{}{}", part.name, index(part.elements));
-                                            let place =
-                                                format!("{}.{array}.{part_name}", base(target));
-                                            ask(&place, &part.kind);
-                                        }
-                                    }
-                                    None => {
-                                        let place = if member.elements > 1 { "[0]" } else { "" };
-                                        let what =
-                                            format!("{}.{}{place}", base(target), member.name);
-                                        ask(&what, &member.kind);
-                                    }
-                                }
-                            }
+                            let mut found = Vec::new();
+                            places(&declared, structure, base(target), true, &mut found);
+                            found.iter().for_each(|(place, kind)| ask(place, kind));
                         }
                         None => ask(&format!("{}[1]", argument.name), target),
                     }

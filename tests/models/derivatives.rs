@@ -1,5 +1,6 @@
 //! The derivatives of `solve_jacobian` against differences of `solve`.
 
+use crate::differences::trusted_differences;
 use crate::random;
 use crate::single;
 use crate::theory;
@@ -27,41 +28,6 @@ fn slopes(c: &Contact<f64>, p: [f64; 3], o: &Options) -> [[f64; 3]; 3] {
     let slip = theory::slip_unit(c);
     let columns = [slip * (1.0 - c.poisson_ratio), slip, slip / c.a];
     std::array::from_fn(|i| std::array::from_fn(|k| j[(i, k)] * columns[k] / rows[i]))
-}
-
-/// Central differences with h, h/2, h/4, extrapolated; and how far the last two extrapolations differ:
-/// an error of the order h or h² betrays a kink within the stencil.
-fn differences(f: &dyn Fn(f64) -> [f64; 3], h: f64) -> ([f64; 3], [f64; 3]) {
-    let central = |h: f64| {
-        let (ahead, behind) = (f(h), f(-h));
-        std::array::from_fn::<f64, 3, _>(|i| (ahead[i] - behind[i]) / (2.0 * h))
-    };
-    let (d1, d2, d4) = (central(h), central(h / 2.0), central(h / 4.0));
-    let (mut result, mut doubt) = ([0.0; 3], [0.0; 3]);
-    for i in 0..3 {
-        let (r1, r2) = ((4.0 * d2[i] - d1[i]) / 3.0, (4.0 * d4[i] - d2[i]) / 3.0);
-        result[i] = (16.0 * r2 - r1) / 15.0;
-        doubt[i] = (r2 - r1).abs();
-    }
-    (result, doubt)
-}
-
-/// Differences that converged: over the largest stencil with a doubt below 1e-9 of `size`, else over the
-/// one with the smallest doubt, if that is below 1e-8. Rounding is 1e-16/h/4, 1e-11 at the smallest; a
-/// breakpoint of a slope inside the stencil makes the doubt a few times smaller than the error.
-fn trusted_differences(f: &dyn Fn(f64) -> [f64; 3], size: &[f64; 3]) -> Option<[f64; 3]> {
-    let mut best = (1e-8, None);
-    for h in [1e-3, 1e-4, 1e-5] {
-        let (got, doubt) = differences(f, h);
-        let doubt = (0..3).map(|i| doubt[i] / size[i]).fold(0.0, f64::max);
-        if doubt < best.0 {
-            best = (doubt, Some(got));
-        }
-        if doubt < 1e-9 {
-            break;
-        }
-    }
-    best.1
 }
 
 /// Thousands of random points, both rules, every count, |ψ| ≤ 0.98: 1e-7 of the size of the row. Points

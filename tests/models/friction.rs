@@ -1,5 +1,6 @@
 //! Friction that falls with the slip, and reduced initial slope.
 
+use crate::differences::trusted_differences;
 use crate::random;
 use crate::theory;
 
@@ -194,23 +195,7 @@ fn derivatives_follow_friction_and_slip() {
                 let s = friction::solve(&c, &motion(q[0], q[1], q[2]), &law, &o).unwrap().solution;
                 [s.fx / rows[0], s.fy / rows[1], s.mz / rows[2]]
             };
-            let central = |h: f64| {
-                let (ahead, behind) = (f(h), f(-h));
-                std::array::from_fn::<f64, 3, _>(|i| (ahead[i] - behind[i]) / (2.0 * h))
-            };
-            let found = [1e-3, 1e-4].into_iter().find_map(|h| {
-                let (d1, d2, d4) = (central(h), central(h / 2.0), central(h / 4.0));
-                let mut result = [0.0; 3];
-                for i in 0..3 {
-                    let (r1, r2) = ((4.0 * d2[i] - d1[i]) / 3.0, (4.0 * d4[i] - d2[i]) / 3.0);
-                    if (r2 - r1).abs() > 1e-8 * size[i] {
-                        return None;
-                    }
-                    result[i] = (16.0 * r2 - r1) / 15.0;
-                }
-                Some(result)
-            });
-            let Some(got) = found else {
+            let Some(got) = trusted_differences(&f, &size) else {
                 skipped += 1;
                 continue;
             };

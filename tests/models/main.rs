@@ -2,6 +2,8 @@
 
 use kstrip::contact::Contact;
 
+#[path = "../common/differences.rs"]
+mod differences;
 #[path = "../common/manchester.rs"]
 mod manchester;
 #[path = "../common/names.rs"]

@@ -1,6 +1,7 @@
 //! Patches that are given by their strips: the ellipse as its strips, lobes, friction that varies, places,
 //! fields, derivatives.
 
+use crate::differences::Comparison;
 use crate::patches;
 use crate::random;
 use crate::theory;
@@ -14,7 +15,7 @@ use kstrip::patch::solver;
 use kstrip::patch::{Patch, PatchStrip, PatchView, QuadratureScale};
 use kstrip::solve::model::{self, Model, Solution};
 use kstrip::status::{Error, Notice};
-use patches::{Comparison, Full, irregular, motion};
+use patches::{Full, irregular, motion};
 use random::Random;
 use std::f64::consts::PI;
 use theory::{COUNTS, MODELS, contact, creepage, options};
@@ -357,9 +358,9 @@ fn derivatives_are_those_of_the_forces() {
         let unit = patch.view().unwrap().friction_bound();
         comparison.add(|row, column| exact[row][column], &motion, unit, forces, &model);
     }
-    let Comparison { compared, kinks, .. } = comparison;
-    println!("{compared} compared, {kinks} left out");
-    assert!(compared > 4 * kinks, "{compared} {kinks}");
+    let Comparison { compared, kinks, worst } = comparison;
+    println!("{compared} compared, {kinks} left out, worst {worst:e}");
+    assert!(compared > 100 * kinks, "{compared} {kinks}");
 }
 
 /// The field of the theory of 1967 integrates to the forces, the pressure of all models to the load; inside

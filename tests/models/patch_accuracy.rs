@@ -37,23 +37,23 @@ fn patches_of_profiles() {
             approach.push((found.approach / case.approach - 1.0).abs());
             patches.push((case.clone(), patch));
         }
-        assert_below("area", &area, [0.02, 0.06, 0.1]);
-        assert_below("peak pressure", &peak, [0.015, 0.06, 0.08]);
-        assert_below("approach", &approach, [0.004, 0.0125, 0.016]);
+        assert_below("area", &area, [0.011, 0.04, 0.045]);
+        assert_below("peak pressure", &peak, [0.01, 0.045, 0.07]);
+        assert_below("approach", &approach, [0.0035, 0.0115, 0.016]);
         let errors = of(&patches, Model::Strip);
-        assert_below("force", &errors.force, [0.014, 0.045, 0.11]);
-        assert_below("moment", &errors.moment, [0.016, 0.06, 0.16]);
+        assert_below("force", &errors.force, [0.014, 0.045, 0.09]);
+        assert_below("moment", &errors.moment, [0.01, 0.03, 0.05]);
         let errors = of(&patches, Model::Total);
         // (largest on a flat tail, `s1002_uic60_1`: an ellipse with the load and the pressure of the peak is narrower than the patch)
-        assert_below("force of TOTAL", &errors.force, [0.02, 0.06, 0.18]);
+        assert_below("force of TOTAL", &errors.force, [0.019, 0.058, 0.18]);
         patches.retain(|(case, _)| case.family == "hertz");
-        assert_below("ellipses", &of(&patches, Model::Strip).force, [0.012, 0.03, 0.04]);
+        assert_below("ellipses", &of(&patches, Model::Strip).force, [0.005, 0.011, 0.013]);
     }
 }
 
 #[test]
 fn patches_of_given_strips() {
-    assert_below("given", &of(&given(), Model::Strip).force, [0.02, 0.045, 0.045]);
+    assert_below("given", &of(&given(), Model::Strip).force, [0.016, 0.038, 0.047]);
 }
 
 #[test]

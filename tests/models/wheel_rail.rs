@@ -216,6 +216,29 @@ fn a_cone_on_a_round_head_is_that_of_hertz() {
     }
 }
 
+/// A cylinder that swings about the centre of a round head keeps its contact, which is that of Hertz: roll moves the wheel's centre by
+/// `(R + r) sin φ` across and by `(R + r)(1 − cos φ)` down.
+#[test]
+fn a_rolled_cylinder_touches_where_geometry_says() {
+    let (head, radius) = (0.3, 0.46);
+    let points: Vec<f64> = (-80..=80).map(|i| f64::from(i) * 0.4e-3).collect();
+    let arc: Vec<f64> = points.iter().map(|y| head - (head * head - y * y).sqrt()).collect();
+    let flat = vec![0.0; points.len()];
+    let mut stand = Stand::new(surface(&points, &arc), surface(&points, &flat), radius);
+    let far = f64::INFINITY;
+    let radii = Radii { lower_x: far, lower_y: head, upper_x: radius, upper_y: far };
+    for roll in [-0.06, 0.0, 0.03, 0.07_f64] {
+        let load = 80e3;
+        let exact = hertz(&radii, load, 82e9, 0.28).unwrap();
+        let lateral = (head + radius) * roll.sin();
+        let position = Position { lateral, roll, ..Position::default() };
+        let vertical = stand.height(&position, load * roll.cos(), None);
+        let touches = (head + radius) * (1.0 - roll.cos());
+        let approach = (vertical - touches) * roll.cos();
+        assert_relative_eq!(approach, exact.approach, max_relative = 1e-3);
+    }
+}
+
 /// A left wheel is a right one in the mirror, to the bit.
 #[test]
 fn left_is_the_mirror_of_right() {
