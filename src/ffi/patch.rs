@@ -11,8 +11,8 @@ use crate::patch::{self, KSTRIP_PATCH_CAPACITY, Patch, PatchView, QuadratureScal
 ///
 /// Zones of contact that are apart become lobes. The results are continuous in load, approach and distances: a zone appears with zero width
 /// and zero load, grows, touches its neighbour and merges. The stiffness is the derivative of the computed load. The approach counts from the
-/// lowest point of the smoothed profile. It has a kink where another point becomes the lowest, and approach + lowest has none. A zone that reaches an end of the profile ends
-/// there, as if the bodies ended, and the status is KSTRIP_WARNING_PROFILE_END.
+/// lowest point of the smoothed profile. It has a kink where another point becomes the lowest, and approach + lowest has none. A zone that
+/// reaches an end of the profile ends there, as if the bodies ended, and the status is KSTRIP_WARNING_PROFILE_END.
 ///
 /// The time is bounded. One part is proportional to the number of points. The other solves a system of linear equations of fixed size, three
 /// times or more while cells leave and enter.
@@ -72,8 +72,8 @@ pub unsafe extern "C" fn kstrip_patch_from_strips(
 
 /// The strips of a contact's ellipse, at the places of KSTRIP_MODEL_STRIP. A lost contact has no strips.
 ///
-/// kstrip_patch_evaluate() with KSTRIP_MODEL_STRIP gives the result of kstrip_solve() with that model and the same strip count, to rounding.
-/// For the models of 1967 kstrip_solve() integrates over the whole ellipse in closed form, and a patch sums its strips: the forces differ by
+/// kstrip_patch_evaluate() with KSTRIP_MODEL_STRIP gives the result of kstrip_solve() with that model and the same strip count: with eight
+/// strips or more to rounding, with four to 1 %. For the models of 1967 kstrip_solve() integrates over the whole ellipse in closed form, and a patch sums its strips: the forces differ by
 /// a part of what one strip carries.
 ///
 /// @param contact         the loaded contact.
@@ -115,7 +115,8 @@ pub extern "C" fn kstrip_patch_summarize(
 /// The creepage is that at the origin of the patch's coordinates, x = y = 0; a strip sees
 /// (longitudinal - spin y, lateral + spin centre_x), and moments are about the origin. |F| is at
 /// most the sum of friction times load over the strips. For KSTRIP_MODEL_STRIP an ellipse stands for the zone of a strip: the strips that no
-/// gap and no neck divides from it, with their load and their mean lengths, pressures and friction. The flexibilities of the strip are those of this ellipse.
+/// gap and no neck divides from it, with their load and their mean lengths, pressures and friction. The flexibilities of the strip are those
+/// of this ellipse.
 /// KSTRIP_MODEL_TOTAL takes the forces of these ellipses as they are. It is cheap and smooth, and has no strips and no share in adhesion.
 ///
 /// The forces of KSTRIP_MODEL_STRIP and KSTRIP_MODEL_TOTAL follow widths, gaps and necks without a jump, as long as all strips have one width

@@ -122,8 +122,7 @@ pub struct Indentation<F> {
     pub iterations: u32,
     /// The status of this result: 0, or KSTRIP_WARNING_PROFILE_END where a zone of contact ends with the profile.
     pub notice: Notice,
-    /// Distance at the lowest point of the smoothed profile \[m\]; without contact, of the given points. The sum approach + lowest is by how
-    /// much the bodies have moved toward each other. It is smooth where another point becomes the lowest, and approach has a kink there.
+    /// Distance at that lowest point \[m\], or of the given points without contact: the bodies have moved by approach + lowest.
     pub lowest: F,
 }
 

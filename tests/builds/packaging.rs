@@ -112,13 +112,14 @@ fn security_page_is_true() {
         let rest = page.split_once(from).unwrap_or_else(|| panic!("{from}")).1;
         rest.split_once(to).unwrap_or_else(|| panic!("{to}")).0.to_owned()
     };
-    let named: Vec<String> = section("`unsafe` stands in", "There is no build script")
-        .split('`')
-        .skip(1)
-        .step_by(2)
-        .filter(|name| name.starts_with("src/"))
-        .map(str::to_owned)
-        .collect();
+    let named: Vec<String> =
+        section("these files contain `unsafe` code", "There is no build script")
+            .split('`')
+            .skip(1)
+            .step_by(2)
+            .filter(|name| name.starts_with("src/"))
+            .map(str::to_owned)
+            .collect();
     let mut found = Vec::new();
     let mut folders = vec![root().join("src")];
     while let Some(folder) = folders.pop() {
