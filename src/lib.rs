@@ -13,9 +13,9 @@
 //! 3. [`strip_1967`]: the theory of the paper. [`strip`]: its strips with flexibilities fitted to CONTACT. [`total`]: a closed
 //!    formula for force and moment, fitted to CONTACT.
 //! 4. [`solve`]: results and derivatives of a contact and a creepage, for every model. [`batch`]: many contacts at once.
-//! 5. [`patch`]: a patch of any shape as its strips. [`friction`]: friction that falls with the slip. [`rig`]: from a
+//! 5. [`friction`]: friction that falls with the slip. [`motion`]: rolling forward, backward, and standstill. [`rig`]: from a
 //!    measured force to friction, from a wanted force to creepage.
-//! 6. [`wheel_rail`]: from two profiles and a position to the force and the moment on a wheel.
+//! 6. [`patch`]: a patch of any shape as its strips. [`wheel_rail`]: from two profiles and a position to the force and the moment on a wheel.
 //! 7. [`number`]: the types of number that the formulas are written in. [`ffi`]: the functions for C (`include/kstrip.h`).
 //!
 //! # Frame and signs
@@ -61,6 +61,7 @@ pub mod friction;
 #[doc(hidden)]
 pub mod internals;
 pub mod linear;
+pub mod motion;
 pub mod number;
 pub mod patch;
 pub mod rig;

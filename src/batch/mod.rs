@@ -5,12 +5,12 @@ pub(crate) mod side_by_side;
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
+use crate::friction::derivatives::{self, Differentiated, differentiate};
 use crate::friction::{self, FrictionSolution, SlipFriction};
 #[cfg(target_arch = "x86_64")]
 use crate::number::registers::HAS_WIDE_CODE;
 use crate::solve::model;
 use crate::solve::options::{Options, Precision, Solution};
-use crate::solve::through_friction::{self, Differentiated, differentiate};
 use crate::status::{Error, Notice};
 
 /// Forces of many contacts: what [`model::solve`] gives for each of them, bit for bit. Returns the notice with the
@@ -141,7 +141,7 @@ pub(crate) fn differentiate_batch<F: Precision>(
     if count > 1 {
         each(0..count, |i| {
             let (contact, creepage, law) = get(i);
-            through_friction::check(&contact, &creepage, law.as_ref(), options)
+            derivatives::check(&contact, &creepage, law.as_ref(), options)
         })?;
         #[cfg(target_arch = "x86_64")]
         if HAS_WIDE_CODE

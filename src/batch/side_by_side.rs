@@ -9,6 +9,7 @@
 use crate::batch::{self, Case};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
+use crate::friction::derivatives::{Differentiated, without_law};
 use crate::number::registers::are_wide;
 use crate::number::{Plain, Strips, length};
 use crate::solve::derivatives::{Derivatives, with_slopes};
@@ -16,7 +17,6 @@ use crate::solve::frame::{Forces, Frame};
 use crate::solve::notice::{LARGEST_SPIN, RATIOS, linear_notice, notice};
 use crate::solve::options::{Model, Options, Precision, Solution};
 use crate::solve::theory::{Linear, Strip, Strip1967, Theory, Total};
-use crate::solve::through_friction::{self, Differentiated};
 use crate::status::{Error, Notice};
 
 /// Contacts that stand side by side at most.
@@ -133,7 +133,7 @@ fn differentiate_groups<F: Precision>(
             let solution = together.solution(k);
             worst = worst.worse(solution.notice);
             let (friction, by_mismatch) = (contact.friction, [F::zero(); 3]);
-            let law = through_friction::without_law(&derivatives, by_mismatch, &creepage);
+            let law = without_law(&derivatives, by_mismatch, &creepage);
             put(i, &Differentiated { solution, friction, derivatives, law, by_mismatch });
         }
     }

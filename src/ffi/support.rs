@@ -8,19 +8,20 @@ pub(super) use crate::contact::forces::StripCount;
 pub(super) use crate::contact::hertz::{HertzContact, Radii};
 pub(super) use crate::contact::material::{self, CombinedMaterial, Material};
 pub(super) use crate::contact::{Contact, from_approach, from_hertz};
+pub(super) use crate::friction::derivatives::{LawDerivatives, differentiate};
 pub(super) use crate::friction::{self, SlipFriction};
 pub(super) use crate::linear::LinearCoefficients;
+pub(super) use crate::motion::{self, Motion, MotionDerivatives};
 pub(super) use crate::number::Float;
 pub(super) use crate::patch::PatchStrip;
 pub(super) use crate::patch::field::PatchField;
 pub(super) use crate::patch::profile::Indentation;
 pub(super) use crate::rig::{self, FrictionEstimate, Measured};
-pub(super) use crate::solve::derivatives::{Derivatives, LawDerivatives, differentiate};
+pub(super) use crate::solve::derivatives::Derivatives;
 pub(super) use crate::solve::field::FieldPoint;
 pub(super) use crate::solve::model::{
     self, Field, Model, Options, Precision, Solution, StripResult,
 };
-pub(super) use crate::solve::motion::{self, Motion, MotionDerivatives};
 pub(super) use crate::solve::prepared::Prepared;
 pub(super) use crate::status::{Error, Notice};
 pub(super) use crate::wheel_rail::contacts::{self, WheelContact};

@@ -1,10 +1,11 @@
 //! Structures that only C has: options, and where outputs go.
 
 use crate::friction::SlipFriction;
+use crate::friction::derivatives::LawDerivatives;
+use crate::motion::MotionDerivatives;
 pub use crate::patch::StoredPatch;
-use crate::solve::derivatives::{Derivatives, LawDerivatives};
+use crate::solve::derivatives::Derivatives;
 use crate::solve::model::{Solution, StripResult};
-use crate::solve::motion::MotionDerivatives;
 use core::mem::MaybeUninit;
 
 /// Which model, and with how many strips. All zero is the default.

@@ -1,6 +1,6 @@
 //! The scalar equation `μ = g(μ)` between friction and the slip that it leaves.
 
-use super::SlipFriction;
+use crate::friction::law::SlipFriction;
 use crate::number::Float;
 use crate::status::{Error, Notice};
 

@@ -27,43 +27,18 @@
 //! `1/k` and keeps its shape and its saturation; patch and pressure stay.
 
 mod agreement;
+pub mod derivatives;
+mod law;
 
 pub(crate) use self::agreement::Agreement;
+pub use self::law::SlipFriction;
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::number::Float;
-use crate::solve::derivatives;
+use crate::friction::law::fastest_slip;
+use crate::solve::derivatives::solve_with_slopes;
 use crate::solve::model::{self, Model, Options, Precision, Solution};
 use crate::status::{Error, Notice};
-
-/// Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) + ratio), where w is the sliding velocity
-/// \[m/s\]. A factor reduces the initial slope of the creep curve, for the layer between the bodies.
-///
-/// Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m; wet 0.3, 0.4, 0.2 s/m.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SlipFriction<F> {
-    /// Coefficient of friction without slip \[-\], >= 0.
-    pub friction: F,
-    /// Friction at infinite sliding velocity over friction at zero velocity \[-\], 0 to 1; 1: friction is constant.
-    pub ratio: F,
-    /// How fast friction falls \[s/m\], >= 0; 0: friction is constant.
-    pub decay: F,
-    /// Rolling speed \[m/s\], >= 0: sliding velocity is slip times rolling speed; 0: friction is constant.
-    pub rolling_speed: F,
-    /// Initial slope of the creep curve over that of clean bodies \[-\], 0 to 1; 0 stands for 1, clean.
-    pub slope_factor: F,
-}
-
-/// Derivatives of the law at constant slip, and by the slip.
-pub(crate) struct FrictionSlopes<F> {
-    pub(crate) friction: F,
-    pub(crate) ratio: F,
-    pub(crate) decay: F,
-    pub(crate) rolling_speed: F,
-    pub(crate) slip: F,
-}
 
 /// Forces under friction that falls with the slip.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,89 +47,6 @@ pub struct FrictionSolution<F> {
     pub solution: Solution<F>,
     /// The coefficient of friction that agrees with the slip.
     pub friction: F,
-}
-
-impl<F: Float> SlipFriction<F> {
-    /// # Errors
-    /// [`Error::NotFinite`], [`Error::Friction`], [`Error::FrictionRatio`], [`Error::FrictionDecay`],
-    /// [`Error::NegativeSpeed`], [`Error::SlopeFactor`].
-    pub fn check(&self) -> Result<(), Error> {
-        let Self { friction, ratio, decay, rolling_speed, slope_factor } = *self;
-        let inputs = [friction, ratio, decay, rolling_speed, slope_factor];
-        if !inputs.iter().all(|input| input.is_finite_number()) {
-            return Err(Error::NotFinite);
-        }
-        if friction < F::zero() {
-            return Err(Error::Friction);
-        }
-        if ratio < F::zero() || ratio > F::one() {
-            return Err(Error::FrictionRatio);
-        }
-        if decay < F::zero() {
-            return Err(Error::FrictionDecay);
-        }
-        if rolling_speed < F::zero() {
-            return Err(Error::NegativeSpeed);
-        }
-        if slope_factor < F::zero() || slope_factor > F::one() {
-            return Err(Error::SlopeFactor);
-        }
-        Ok(())
-    }
-
-    /// `μ` for a slip `s` over rolling speed.
-    #[must_use]
-    pub fn at(&self, slip: F) -> F {
-        self.friction * (self.falling_share(slip) + self.ratio)
-    }
-
-    /// `(1 − A) exp(−B V s)`
-    fn falling_share(&self, slip: F) -> F {
-        // Two factors: B V may overflow where B V s does not.
-        let exponent = self.decay * (self.rolling_speed * slip.max(F::zero()));
-        (F::one() - self.ratio) * (-exponent.min(F::constant(1e4))).exp()
-    }
-
-    /// Constant friction, clean bodies.
-    #[must_use]
-    pub fn constant(friction: F) -> Self {
-        let zero = F::zero();
-        Self { friction, ratio: F::one(), decay: zero, rolling_speed: zero, slope_factor: zero }
-    }
-
-    /// The derivatives of `μ = μ₀ ((1 − A) exp(−B V s) + A)`.
-    pub(crate) fn slopes(&self, slip: F) -> FrictionSlopes<F> {
-        let Self { friction, decay, rolling_speed, .. } = *self;
-        // (1 − A) exp(−B V s), and without the factor
-        let share = self.falling_share(slip);
-        let whole = Self { ratio: F::zero(), ..*self }.falling_share(slip);
-        let falling = -(friction * share);
-        FrictionSlopes {
-            friction: share + self.ratio,
-            ratio: friction * (F::one() - whole),
-            decay: falling * rolling_speed * slip,
-            rolling_speed: falling * decay * slip,
-            slip: falling * rolling_speed * decay,
-        }
-    }
-
-    /// Whether friction depends on the slip.
-    pub(crate) fn falls(&self) -> bool {
-        self.ratio < F::one() && self.decay > F::zero() && self.rolling_speed > F::zero()
-    }
-
-    /// `k`, or 1 where `k` is zero.
-    pub(crate) fn stiffness(&self) -> F {
-        if self.slope_factor > F::zero() { self.slope_factor } else { F::one() }
-    }
-
-    /// The contact at the largest friction, with the stiffness of the layer.
-    fn contact(&self, contact: &Contact<F>) -> Contact<F> {
-        // The layer takes its share of every slip, also of that which the pressure of the solids makes: κ/G stays.
-        let [shear_modulus, mismatch] =
-            [contact.shear_modulus, contact.mismatch].map(|number| number * self.stiffness());
-        Contact { friction: self.friction, shear_modulus, mismatch, ..*contact }
-    }
 }
 
 /// Forces for a contact, a creepage and friction that falls with the slip.
@@ -212,27 +104,6 @@ pub fn under<F: Precision>(
     Ok((Contact { friction, ..contact }, notice))
 }
 
-/// No point of the contact slips faster than this, over rolling speed.
-fn fastest_slip<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>) -> F {
-    creepage.longitudinal.abs()
-        + contact.strain().abs()
-        + creepage.lateral.abs()
-        + (contact.a + contact.b) * creepage.spin.abs()
-}
-
-impl<F: Float> SlipFriction<F> {
-    /// The least friction that the law can give a contact in motion, and an upper bound of `g'` there: `g' ≤ B V s_max (1 − A) μ₀/μ`.
-    pub(crate) fn least(&self, contact: &Contact<F>, creepage: &Creepage<F>) -> (F, F) {
-        if !self.falls() {
-            return (self.friction, F::zero());
-        }
-        let slip = fastest_slip(contact, creepage);
-        let least = self.at(slip);
-        let falling = (F::one() - self.ratio) * self.friction;
-        (least, self.decay * (self.rolling_speed * slip) * (falling / (least + F::TINY)))
-    }
-}
-
 /// Checks the inputs of [`solve`] without solving.
 ///
 /// # Errors
@@ -271,7 +142,7 @@ fn agreement<F: Precision>(
                 return Ok(friction.at(solution.power / bound));
             }
             // The limit of full sliding: s = (∂P/∂μ)/N
-            let (_, slopes) = derivatives::solve_with_slopes(&contact, creepage, options)?;
+            let (_, slopes) = solve_with_slopes(&contact, creepage, options)?;
             let power = slopes.seen.power(slopes.derivatives.friction);
             Ok(friction.at(power / contact.normal_force))
         },

@@ -20,13 +20,13 @@
 
 use crate::contact::creepage::Creepage;
 use crate::contact::plausibility::LARGEST_MISMATCH;
+use crate::friction::derivatives::{AtFriction, Differentiated, LawDerivatives};
 use crate::friction::{Agreement, SlipFriction};
 use crate::number::Float;
 use crate::patch::solver;
 use crate::patch::{Patch, PatchView};
-use crate::solve::derivatives::{Derivatives, Differentiated, LawDerivatives, Slopes};
+use crate::solve::derivatives::{Derivatives, Slopes};
 use crate::solve::model::{Model, Precision, Solution, StripResult};
-use crate::solve::through_friction::AtFriction;
 use crate::status::{Error, Notice};
 
 /// Forces of a patch under friction that falls with the slip.

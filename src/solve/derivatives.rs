@@ -37,8 +37,6 @@ use crate::solve::theory::{Linear, Strip, Strip1967, Theory, Total};
 use crate::status::Error;
 use nalgebra::Matrix3;
 
-pub use crate::solve::through_friction::{Differentiated, LawDerivatives, differentiate};
-
 /// Derivatives of fx, fy, mz by creepages, load and friction.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,17 +2,15 @@
 //!
 //! Types first, each file knowing those before it: `options`, what is asked and answered; `check`, whether there is an answer;
 //! `frame`, a contact in units of the theory; `notice`, what a caller should know; `theory`, what a model makes of a contact and
-//! answers to a creepage; `prepared`, what it makes of one, kept. Then what callers ask: [`model`] for forces, [`derivatives`], [`strips`], [`field`], and [`motion`]: forward, backward, standstill.
+//! answers to a creepage; `prepared`, what it makes of one, kept. Then what callers ask: [`model`] for forces, [`derivatives`], [`strips`], [`field`].
 
 pub mod check;
 pub mod derivatives;
 pub mod field;
 pub(crate) mod frame;
 pub mod model;
-pub mod motion;
 pub(crate) mod notice;
 pub mod options;
 pub mod prepared;
 pub mod strips;
 pub(crate) mod theory;
-pub(crate) mod through_friction;

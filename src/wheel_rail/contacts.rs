@@ -19,12 +19,12 @@ use super::{
     KSTRIP_CONTACTS_CAPACITY, KSTRIP_SURFACE_CAPACITY, Pair, Position, Velocity, cross, dot,
 };
 use crate::contact::forces::StripCount;
+use crate::motion::Motion;
 use crate::number::{Float, are_finite, length};
 use crate::patch::normal::Given;
 use crate::patch::profile::{Indentation, Profile, ProfileContact};
 use crate::patch::{PatchStrip, StoredPatch};
 use crate::solve::model::Precision;
-use crate::solve::motion::Motion;
 use crate::status::{Error, Notice};
 use core::ops::Range;
 use heapless::Vec;

@@ -1,6 +1,6 @@
 //! From contacts and velocities to force and moment on the wheel.
 //!
-//! The wheel may roll forward or backward, or stand still, as in [`motion`](crate::solve::motion). Backward rolling is forward rolling in
+//! The wheel may roll forward or backward, or stand still, as in [`motion`](crate::motion). Backward rolling is forward rolling in
 //! a mirror across `x`: with `X = diag(−1, 1, −1)` and the strips' centres on the other side, `F₋(c) = X F₊(X c)`.
 //!
 //! ```text
@@ -11,11 +11,12 @@ use super::contacts::WheelContact;
 use super::{Velocity, dot};
 use crate::contact::creepage::Creepage;
 use crate::friction::SlipFriction;
+use crate::friction::derivatives::{Differentiated, LawDerivatives};
+use crate::motion::{MotionDerivatives, Rolling};
 use crate::number::Float;
 use crate::patch::{self, PatchView, StoredPatch, solver};
-use crate::solve::derivatives::{Derivatives, Differentiated, LawDerivatives};
+use crate::solve::derivatives::Derivatives;
 use crate::solve::model::{Model, Precision, Solution};
-use crate::solve::motion::{MotionDerivatives, Rolling};
 use crate::status::{Error, Notice};
 
 /// Speed below which any slip is plausible \[m/s\].

@@ -14,7 +14,7 @@ use kstrip::contact::forces::StripCount;
 use kstrip::contact::hertz::{Radii, hertz};
 use kstrip::ffi;
 use kstrip::friction::SlipFriction;
-use kstrip::solve::derivatives::differentiate;
+use kstrip::friction::derivatives::differentiate;
 use kstrip::solve::model::{self, Field, Model, Options, StripResult};
 use kstrip::status::Notice;
 use kstrip::strip_1967::strip::State;

@@ -16,13 +16,13 @@ macro_rules! structures {
         pub type kstrip_strip = kstrip::solve::model::StripResult<$float>;
         pub type kstrip_point = kstrip::solve::field::FieldPoint<$float>;
         pub type kstrip_derivatives = kstrip::solve::derivatives::Derivatives<$float>;
-        pub type kstrip_law_derivatives = kstrip::solve::derivatives::LawDerivatives<$float>;
+        pub type kstrip_law_derivatives = kstrip::friction::derivatives::LawDerivatives<$float>;
         pub type kstrip_outputs = kstrip::ffi::types::Outputs<$float>;
         pub type kstrip_batch_inputs = kstrip::ffi::types::BatchInputs<$float>;
         pub type kstrip_batch_outputs = kstrip::ffi::types::BatchOutputs<$float>;
         pub type kstrip_prepared = kstrip::ffi::types::PreparedNumbers<$float>;
-        pub type kstrip_motion = kstrip::solve::motion::Motion<$float>;
-        pub type kstrip_motion_derivatives = kstrip::solve::motion::MotionDerivatives<$float>;
+        pub type kstrip_motion = kstrip::motion::Motion<$float>;
+        pub type kstrip_motion_derivatives = kstrip::motion::MotionDerivatives<$float>;
         pub type kstrip_motion_outputs = kstrip::ffi::types::MotionOutputs<$float>;
         pub type kstrip_patch_strip = kstrip::patch::PatchStrip<$float>;
         pub type kstrip_patch = kstrip::ffi::types::StoredPatch<$float>;

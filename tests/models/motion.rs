@@ -8,9 +8,9 @@ use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
 use kstrip::friction::{self, SlipFriction};
+use kstrip::motion::{Motion, MotionDerivatives, differentiate, solve};
 use kstrip::solve::derivatives;
 use kstrip::solve::model::{self, Model, Options, Solution};
-use kstrip::solve::motion::{Motion, MotionDerivatives, differentiate, solve};
 use kstrip::status::{Error, Notice};
 
 const FLOOR: f64 = 0.02;

@@ -9,10 +9,11 @@ use kstrip::contact::forces::StripCount;
 use kstrip::contact::hertz::{Radii, from_approach, from_hertz};
 use kstrip::contact::material::{Material, combine};
 use kstrip::friction::SlipFriction;
+use kstrip::friction::derivatives;
+use kstrip::motion::{self, Motion};
 use kstrip::patch::{Patch, friction as patch_friction, solver};
-use kstrip::solve::derivatives::{self, Derivatives};
+use kstrip::solve::derivatives::Derivatives;
 use kstrip::solve::model::{self, Model, Options, Solution};
-use kstrip::solve::motion::{self, Motion};
 use kstrip::status::Notice;
 
 const MODELS: [Model; 3] = [Model::Strip, Model::Total, Model::Linear];

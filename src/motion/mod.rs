@@ -29,9 +29,9 @@
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::contact::warning;
+use crate::friction::derivatives::{self, Differentiated};
 use crate::friction::{self, FrictionSolution, SlipFriction};
 use crate::number::Float;
-use crate::solve::derivatives::{self, Differentiated};
 use crate::solve::model::{self, Options, Precision, Solution};
 use crate::status::{Error, Notice};
 
@@ -91,7 +91,7 @@ pub struct MotionDerivatives<F> {
 /// # Example
 /// A wheel that stands on a slope creeps, and one that rolls back is braked:
 /// ```
-/// use kstrip::{contact::Contact, solve::model::Options, solve::motion::{solve, Motion}};
+/// use kstrip::{contact::Contact, solve::model::Options, motion::{solve, Motion}};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
 ///     mismatch: 0.0,
