@@ -7,6 +7,7 @@ pub mod hertz;
 pub mod material;
 pub(crate) mod mismatch;
 pub(crate) mod plausibility;
+mod radii;
 
 pub use self::hertz::{from_approach, from_hertz};
 pub use self::plausibility::warning;

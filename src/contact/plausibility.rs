@@ -24,7 +24,7 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, USUAL_SPIN};
-use crate::contact::hertz::Radii;
+use crate::contact::radii::Radii;
 use crate::number::{Float, Plain};
 use crate::status::Notice;
 use core::f64::consts::PI;

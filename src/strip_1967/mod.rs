@@ -34,7 +34,9 @@
 //! same. Every strip dissipates for `|ψ| ≤ 1` under either rule, and `ψ m_x ≥ 0` where one adheres beyond: the power is
 //! never negative.
 
+mod adhesion;
 pub mod edge;
+mod integrals;
 mod sliding;
 mod slopes;
 pub mod strip;

@@ -1,12 +1,12 @@
 //! Strips that slide, by the primitives of Section 7.1 or, under the continuous rule, by nodes.
 
 use crate::number::tables::{row, table};
-use crate::number::{Arithmetic, Number, Pair, Plain, either};
+use crate::number::{Arithmetic, Number, Pair, either};
 use crate::strip_1967::Motion;
 use crate::strip_1967::edge::Edge;
+use crate::strip_1967::integrals::{Both, GAUSS_4, Shares, arcsinh, far, moment, rounded};
 use crate::strip_1967::slopes;
 use crate::strip_1967::strip::SlidingRule;
-use crate::strip_1967::totals::{Both, GAUSS_4, Shares, far};
 
 /// Sixteen nodes, those that are positive: the continuous rule.
 const GAUSS_16: [[f64; 2]; 8] = [
@@ -19,23 +19,6 @@ const GAUSS_16: [[f64; 2]; 8] = [
     [0.9445750230732326, 0.062253523938647894],
     [0.9894009349916499, 0.027152459411754096],
 ];
-
-/// `ε²`, and the square of some roundings of `Y`: where `η = 0` the direction of the slip turns at once in the strip `ξ̄ = 0`,
-/// and a derivative by `η` would be infinite.
-#[inline(always)]
-pub(super) fn rounded<F: Plain>(e: F) -> F {
-    let rounding = F::EPSILON.times(4.0);
-    e * e + rounding * rounding
-}
-
-/// `asinh(u₁/ε) − asinh(u₂/ε)` for `u₁ ≥ u₂` is the logarithm of this quotient; `d = √(u² + ε²)`.
-#[inline(always)]
-pub(super) fn arcsinh<A: Arithmetic>(u1: A, u2: A, d1: A, d2: A, e2: A) -> (A, A) {
-    let (a1, a2) = (u1.abs() + d1 + A::tiny(), u2.abs() + d2 + A::tiny());
-    let above = u1.choose(u2.choose(a1, a1 * a2), a2);
-    let below = u2.choose(a2, u1.choose(e2 + A::tiny(), a1));
-    (above, below)
-}
 
 /// Strips that slide, below and above those that adhere.
 #[inline(always)]
@@ -124,12 +107,6 @@ fn rigid_slip<T: Number>(motion: &Motion<T>, from: Both<T>, to: Both<T>) -> [T; 
             [of(i1, by_x), of(e0 * i0, by_w), of(h0 * i1 - i2, by_lever)]
         }
     )
-}
-
-/// `∫ C² uⁿ … du` with `C² = k₀ + k₁ u − u²`, from the integrals with `uⁿ`, `uⁿ⁺¹`, `uⁿ⁺²`.
-#[inline(always)]
-pub(super) fn moment<F: Plain>([k0, k1]: [F; 2], [one, u, uu]: [F; 3]) -> F {
-    k0 * one + k1 * u - uu
 }
 
 /// `∫ C² (w_x, w_y, Y w_x) dY` with `w ~ (ξ̄, η + ψ C)`: nodes from the adhesion strips, next to which the direction turns, outwards.

@@ -7,10 +7,12 @@ use crate::contact::creepage::Parameters;
 use crate::contact::forces::StripCount;
 use crate::number::Float;
 use crate::strip_1967::Motion;
+use crate::strip_1967::adhesion::adhering;
 use crate::strip_1967::edge::{self, Arc, Edge};
+use crate::strip_1967::integrals::{Shares, sum};
 use crate::strip_1967::sliding::sliding;
 use crate::strip_1967::strip::{SlidingRule, Strip};
-use crate::strip_1967::totals::{Shares, adhering, sum, turned_back, whole};
+use crate::strip_1967::totals::{turned_back, whole};
 
 /// One strip of a solution, dimensionless.
 #[derive(Clone, Copy, Debug, PartialEq)]
