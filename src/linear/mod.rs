@@ -48,7 +48,7 @@ impl<F: Plain> LinearCoefficients<F> {
     #[must_use]
     #[inline(always)]
     pub fn at(axis_ratio: F, poisson_ratio: F) -> Self {
-        compiled_twice!(if F::LANES => <F: Plain>(axis_ratio: F = axis_ratio, poisson_ratio: F = poisson_ratio) -> LinearCoefficients<F> {
+        compiled_twice!(if F::LANES => <F: Plain>(axis_ratio: F, poisson_ratio: F) -> LinearCoefficients<F> {
             LinearCoefficients::quotients(axis_ratio, poisson_ratio)
         })
     }

@@ -275,7 +275,7 @@ fn valued<F: Plain, A: Map<F, N, K>, const M: usize, const N: usize, const K: us
     map: &A,
     inputs: &[Dual<F, M>; N],
 ) -> ([F; K], A::Place) {
-    compiled_twice!(if F::LANES => <F: Plain, A: Map<F, N, K>; M, N, K>(map: &A = map, inputs: &[Dual<F, M>; N] = inputs) -> ([F; K], A::Place) {
+    compiled_twice!(if F::LANES => <F: Plain, A: Map<F, N, K>; M, N, K>(map: &A, inputs: &[Dual<F, M>; N]) -> ([F; K], A::Place) {
         map.value::<F::Four>(inputs.iter().map(|x| x.value))
     } {
         map.value::<F::WideRow>(inputs.iter().map(|x| x.value))
@@ -291,8 +291,8 @@ fn moved<F: Plain, A: Map<F, N, K>, const M: usize, const N: usize, const K: usi
     direction: usize,
     outputs: &mut [Dual<F, M>; K],
 ) {
-    compiled_twice!(if F::LANES => <F: Plain, A: Map<F, N, K>; M, N, K>(map: &A = map, place: &A::Place = place,
-        inputs: &[Dual<F, M>; N] = inputs, direction: usize = direction, outputs: &mut [Dual<F, M>; K] = outputs) -> () {
+    compiled_twice!(if F::LANES => <F: Plain, A: Map<F, N, K>; M, N, K>(map: &A, place: &A::Place,
+        inputs: &[Dual<F, M>; N], direction: usize, outputs: &mut [Dual<F, M>; K]) -> () {
         moved_of::<F, A, F::Four, M, N, K>(map, place, inputs, direction, outputs);
     } {
         moved_of::<F, A, F::WideRow, M, N, K>(map, place, inputs, direction, outputs);

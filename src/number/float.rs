@@ -149,7 +149,7 @@ macro_rules! plain {
                 map: &A,
                 inputs: [Self; N],
             ) -> [Self; M] {
-                compiled_twice!(if 1 => <A: Map<$float, N, M>; N, M>(map: &A = map, inputs: [$float; N] = inputs) -> [$float; M] {
+                compiled_twice!(if 1 => <A: Map<$float, N, M>; N, M>(map: &A, inputs: [$float; N]) -> [$float; M] {
                     map.value::<$four>(inputs.iter().copied()).0
                 } {
                     map.value::<$wide_row>(inputs.iter().copied()).0

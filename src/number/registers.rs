@@ -151,21 +151,23 @@ pub(crate) fn are_wide() -> bool {
     false
 }
 
-/// `compiled_twice!(<T: Number>(a: A = value) -> R { code })`: code that is there once for each kind of number `T`, whoever calls it, and once more
-/// for wide registers. With `{ code } { other }` the other is that for wide registers. Code of contacts side by side, `N` of them, stands inside
-/// their caller, who knows the registers: `if N > 1`.
+/// `compiled_twice!(if N => <T: Number>(a: A, b: B = value) -> R { code })`: code that is there once for each kind of number `T`, whoever calls it,
+/// and once more for wide registers. With `{ code } { other }` the other is that for wide registers. The code sees its arguments only: `a` is the
+/// caller's variable of this name. Code of contacts side by side, `N` of them, stands inside their caller, who knows the registers.
 macro_rules! compiled_twice {
-    (if $lanes:expr => <$($T:ident: $bound:path),*$(; $($N:ident),*)?>($($name:ident: $type:ty = $value:expr),*) -> $result:ty $code:block) => {
-        $crate::number::registers::compiled_twice!(if $lanes => <$($T: $bound),*$(; $($N),*)?>($($name: $type = $value),*) -> $result $code $code)
+    (@ $name:ident) => { $name };
+    (@ $name:ident $value:expr) => { $value };
+    (if $lanes:expr => <$($T:ident: $bound:path),*$(; $($N:ident),*)?>($($name:ident: $type:ty $(= $value:expr)?),*) -> $result:ty $code:block) => {
+        $crate::number::registers::compiled_twice!(if $lanes => <$($T: $bound),*$(; $($N),*)?>($($name: $type $(= $value)?),*) -> $result $code $code)
     };
-    (if $lanes:expr => <$($T:ident: $bound:path),*$(; $($N:ident),*)?>($($name:ident: $type:ty = $value:expr),*) -> $result:ty $code:block $wide:block) => {{
+    (if $lanes:expr => <$($T:ident: $bound:path),*$(; $($N:ident),*)?>($($name:ident: $type:ty $(= $value:expr)?),*) -> $result:ty $code:block $wide:block) => {{
         #[cfg(target_arch = "x86_64")]
         #[target_feature(enable = "avx")]
         fn wide<$($T: $bound,)* $($(const $N: usize),*)?>($($name: $type),*) -> $result $wide
         #[inline(never)]
         fn narrow<$($T: $bound,)* $($(const $N: usize),*)?>($($name: $type),*) -> $result $code
         if $lanes > 1 {
-            $(let $name: $type = $value;)*
+            $(let $name: $type = $crate::number::registers::compiled_twice!(@ $name $($value)?);)*
             return $code;
         }
         // (one call for both, which writes its result where the caller wants it)
@@ -178,7 +180,7 @@ macro_rules! compiled_twice {
         // SAFETY: the processor was asked.
         #[allow(unsafe_code)]
         unsafe {
-            code($($value),*)
+            code($($crate::number::registers::compiled_twice!(@ $name $($value)?)),*)
         }
     }};
 }

@@ -76,7 +76,7 @@ fn carried<T: Number>(
 }
 
 fn both_kinds<T: Number>(eight: &Eight<T::Base>) -> Found<T::Base> {
-    compiled_twice!(if 1 => <T: Number>(_of: core::marker::PhantomData<T> = core::marker::PhantomData::<T>, eight: &Eight<T::Base> = eight) -> Found<T::Base> {
+    compiled_twice!(if 1 => <T: Number>(_of: core::marker::PhantomData<T> = core::marker::PhantomData::<T>, eight: &Eight<T::Base>) -> Found<T::Base> {
         if cfg!(target_os = "none") {
             // (one after the other, where flash is short)
             found::<T, Lanes<T::Base, 1>>(eight)

@@ -87,8 +87,8 @@ impl<F: Plain> Flexibilities<F> {
         linear: &LinearCoefficients<F>,
         factors: [F; 2],
     ) -> Self {
-        compiled_twice!(if F::LANES => <F: Plain>(axis_ratio: F = axis_ratio, poisson_ratio: F = poisson_ratio,
-            linear: &LinearCoefficients<F> = linear, factors: [F; 2] = factors) -> Flexibilities<F> {
+        compiled_twice!(if F::LANES => <F: Plain>(axis_ratio: F, poisson_ratio: F,
+            linear: &LinearCoefficients<F>, factors: [F; 2]) -> Flexibilities<F> {
             Flexibilities::of_contact(axis_ratio, poisson_ratio, linear, factors)
         })
     }
@@ -126,7 +126,7 @@ impl<F: Plain> Flexibilities<F> {
     /// and bounded and have the right limits.
     #[inline(always)]
     pub fn see<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Distribution<T> {
-        compiled_twice!(if T::LANES => <F: Plain, T: Number<Base = F>>(contact: &Flexibilities<F> = self, creepage: [T; 3] = creepage) -> Distribution<T> {
+        compiled_twice!(if T::LANES => <F: Plain, T: Number<Base = F>>(contact: &Flexibilities<F> = self, creepage: [T; 3]) -> Distribution<T> {
             contact.seen(creepage)
         })
     }

@@ -53,7 +53,7 @@ impl<F: Plain> EllipseStrips<F> {
     /// Forces, moment and share in adhesion for `vx, vy = G a b (υx, υy)/(μ N)`, `φ = G (a b)^{3/2} ϕ/(μ N)`.
     #[inline(always)]
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
-        compiled_twice!(if T::LANES => <F: Plain, T: Number<Base = F>>(strips: &EllipseStrips<F> = self, creepage: [T; 3] = creepage) -> Totals<T> {
+        compiled_twice!(if T::LANES => <F: Plain, T: Number<Base = F>>(strips: &EllipseStrips<F> = self, creepage: [T; 3]) -> Totals<T> {
             let law = strips.contact.seen(creepage);
             if cfg!(target_os = "none") {
                 // (one after the other, where flash is short)

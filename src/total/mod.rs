@@ -86,7 +86,7 @@ impl<F: Plain> Total<F> {
     #[must_use]
     #[inline(always)]
     pub fn new(axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>) -> Self {
-        compiled_twice!(if F::LANES => <F: Plain>(axis_ratio: F = axis_ratio, poisson_ratio: F = poisson_ratio, linear: &LinearCoefficients<F> = linear) -> Total<F> {
+        compiled_twice!(if F::LANES => <F: Plain>(axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>) -> Total<F> {
             Total::of_contact(axis_ratio, poisson_ratio, linear)
         })
     }
@@ -125,7 +125,7 @@ impl<F: Plain> Total<F> {
     #[must_use]
     #[inline(always)]
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
-        compiled_twice!(if T::LANES => <F: Plain, T: Number<Base = F>>(contact: &Total<F> = self, creepage: [T; 3] = creepage) -> Totals<T> {
+        compiled_twice!(if T::LANES => <F: Plain, T: Number<Base = F>>(contact: &Total<F> = self, creepage: [T; 3]) -> Totals<T> {
             contact.two_answers(creepage)
         })
     }
