@@ -56,10 +56,10 @@ fn elliptic_strips_give_the_answer_of_the_ellipse() {
         let (wanted, wanted_slopes) = model::solve_jacobian(&c, &motion, &model).unwrap();
         let found = solve(&patch, &motion, Model::Strip);
         let unit = c.friction * c.normal_force;
-        assert!((found.fx - wanted.fx).abs() < 1e-12 * unit, "{found:?} {wanted:?}");
-        assert!((found.fy - wanted.fy).abs() < 1e-12 * unit, "{found:?} {wanted:?}");
-        assert!((found.mz - wanted.mz).abs() < 1e-12 * unit * (c.a + c.b), "{found:?} {wanted:?}");
-        assert!((found.adhesion - wanted.adhesion).abs() < 1e-12, "{found:?} {wanted:?}");
+        assert!((found.fx - wanted.fx).abs() < 4e-15 * unit, "{found:?} {wanted:?}");
+        assert!((found.fy - wanted.fy).abs() < 5e-15 * unit, "{found:?} {wanted:?}");
+        assert!((found.mz - wanted.mz).abs() < 4e-15 * unit * (c.a + c.b), "{found:?} {wanted:?}");
+        assert!((found.adhesion - wanted.adhesion).abs() < 4e-15, "{found:?} {wanted:?}");
         assert_eq!(found.notice, wanted.notice);
         let slopes = jacobian(&patch, &motion, Model::Strip);
         for (row, slopes) in slopes.iter().enumerate() {
@@ -171,9 +171,9 @@ fn a_mirrored_patch_gives_mirrored_forces() {
         let model = WITH_STRIPS[i % 3];
         let (found, other) = (solve(&patch, &motion, model), solve(&mirrored, &other, model));
         let unit = patch.view().unwrap().friction_bound();
-        assert!((found.fx - other.fx).abs() < 1e-11 * unit, "{found:?} {other:?}");
-        assert!((found.fy + other.fy).abs() < 1e-11 * unit, "{found:?} {other:?}");
-        assert!((found.mz + other.mz).abs() < 1e-12 * unit, "{found:?} {other:?}");
+        assert!((found.fx - other.fx).abs() < 4e-15 * unit, "{found:?} {other:?}");
+        assert!((found.fy + other.fy).abs() < 4e-15 * unit, "{found:?} {other:?}");
+        assert!((found.mz + other.mz).abs() < 4e-15 * unit, "{found:?} {other:?}");
     }
 }
 
@@ -200,7 +200,7 @@ fn a_moved_patch_is_the_same_patch() {
         let (found, other) = (solve(&patch, &motion, model), solve(&moved, &there, model));
         let unit = patch.view().unwrap().friction_bound();
         // rounding of the creepages, as steep as the theory is
-        let slack = 1e-9 * unit;
+        let slack = 3e-14 * unit;
         assert!((found.fx - other.fx).abs() < slack, "{found:?} {other:?}");
         assert!((found.fy - other.fy).abs() < slack, "{found:?} {other:?}");
         let arms = found.mz + x * found.fy - y * found.fx;
@@ -242,9 +242,9 @@ fn lobes_do_not_know_of_each_other() {
             mz += own.mz - centre * own.fx;
         }
         let unit = both.view().unwrap().friction_bound();
-        assert!((found.fx - fx).abs() < 1e-9 * unit, "{found:?} {fx}");
-        assert!((found.fy - fy).abs() < 1e-9 * unit, "{found:?} {fy}");
-        assert!((found.mz - mz).abs() < 1e-10 * unit, "{found:?} {mz}");
+        assert!((found.fx - fx).abs() < 4e-15 * unit, "{found:?} {fx}");
+        assert!((found.fy - fy).abs() < 4e-15 * unit, "{found:?} {fy}");
+        assert!((found.mz - mz).abs() < 4e-15 * unit, "{found:?} {mz}");
     }
 }
 
@@ -259,10 +259,10 @@ fn an_ellipse_is_one_lobe() {
             assert_eq!(view.lobes().count(), 1);
             for i in 0..patch.strips.len() {
                 let zone = view.zone(i).unwrap();
-                assert_relative_eq!(zone.contact.a, c.a, max_relative = 1e-14);
-                assert_relative_eq!(zone.contact.b, c.b, max_relative = 1e-14);
+                assert_relative_eq!(zone.contact.a, c.a, max_relative = 4e-15);
+                assert_relative_eq!(zone.contact.b, c.b, max_relative = 4e-15);
                 assert!(zone.y.abs() < 1e-15 * c.b);
-                assert_relative_eq!(zone.contact.friction, c.friction, max_relative = 1e-14);
+                assert_relative_eq!(zone.contact.friction, c.friction, max_relative = 4e-15);
             }
         }
     }
@@ -292,7 +292,7 @@ fn a_contaminated_band_carries_less() {
         // Full sliding: Σ μ N
         let sliding = solve(&band, &creepage(&c, 1e3, 0.0, 0.0), model);
         let bound = band.view().unwrap().friction_bound();
-        assert_relative_eq!(sliding.fx, bound, max_relative = 1e-12);
+        assert_relative_eq!(sliding.fx, bound, max_relative = 4e-15);
         // No creepage to speak of: friction does not matter, the slopes are those of the dry ellipse
         let (banded, uniform) = (
             jacobian(&band, &Creepage::default(), model),
@@ -394,10 +394,10 @@ fn fields_integrate_to_the_forces() {
             }
         }
         let unit = view.friction_bound();
-        assert_relative_eq!(load, view.normal_force(), max_relative = 1e-5);
+        assert_relative_eq!(load, view.normal_force(), max_relative = 5e-14);
         let found = solve(&patch, &motion, model);
         // The slip of STRIP's strips is marched in seven steps, its field between them.
-        let allowed = if model == Model::Strip { 0.04 } else { 1e-4 } * unit;
+        let allowed = if model == Model::Strip { 0.01 } else { 1e-4 } * unit;
         assert!((fx - found.fx).abs() < allowed, "{model:?} {fx} {found:?}");
         assert!((fy - found.fy).abs() < allowed, "{model:?} {fy} {found:?}");
         assert!((mz - found.mz).abs() < allowed * 2e-2, "{model:?} {mz} {found:?}");
@@ -433,11 +433,11 @@ fn fields_of_elliptic_strips() {
                 let x = strip.half_length * f64::from(k) / 10.0;
                 let (found, wanted) = (field.at(x, strip.y), wanted.at(x, strip.y));
                 let p0 = c.peak_pressure();
-                assert!((found.pressure - wanted.pressure).abs() < 1e-9 * p0);
-                assert!((found.traction_x - wanted.traction_x).abs() < 1e-9 * p0);
-                assert!((found.traction_y - wanted.traction_y).abs() < 1e-9 * p0);
-                assert!((found.slip_x - wanted.slip_x).abs() < 1e-11);
-                assert!((found.slip_y - wanted.slip_y).abs() < 1e-11);
+                assert!((found.pressure - wanted.pressure).abs() < 4e-15 * p0);
+                assert!((found.traction_x - wanted.traction_x).abs() < 4e-15 * p0);
+                assert!((found.traction_y - wanted.traction_y).abs() < 5e-15 * p0);
+                assert!((found.slip_x - wanted.slip_x).abs() < 4e-15);
+                assert!((found.slip_y - wanted.slip_y).abs() < 4e-15);
                 assert_eq!(found.state, wanted.state, "{model:?} {x} {}", strip.y);
             }
         }
@@ -477,9 +477,9 @@ fn single_precision() {
         if wanted.notice == Notice::SpinBeyondTheory {
             continue;
         }
-        assert!((f64::from(found.fx) - wanted.fx).abs() < 3e-5 * unit, "{found:?} {wanted:?}");
-        assert!((f64::from(found.fy) - wanted.fy).abs() < 3e-5 * unit, "{found:?} {wanted:?}");
-        assert!((f64::from(found.mz) - wanted.mz).abs() < 1e-6 * unit, "{found:?} {wanted:?}");
+        assert!((f64::from(found.fx) - wanted.fx).abs() < 6e-7 * unit, "{found:?} {wanted:?}");
+        assert!((f64::from(found.fy) - wanted.fy).abs() < 2e-6 * unit, "{found:?} {wanted:?}");
+        assert!((f64::from(found.mz) - wanted.mz).abs() < 5e-9 * unit, "{found:?} {wanted:?}");
         let view = single.view().unwrap();
         let (_, slopes) = solver::solve_jacobian(&view, &slow, model).unwrap();
         assert!(slopes.iter().all(|slope| slope.is_finite()));

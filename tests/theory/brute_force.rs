@@ -182,7 +182,7 @@ fn single_strips_agree_with_the_second_implementation() {
             (Regime::Adhesion { kappa, .. }, Some(expected)) => {
                 adhering += 1;
                 // S loses digits where η² ≈ (ψ² − 1) ξ̄²
-                assert!((kappa - expected).abs() <= 1e-7 * expected, "{law:?} {y}");
+                assert!((kappa - expected).abs() <= 4e-15 * expected, "{law:?} {y}");
             }
             (Regime::Sliding { direction_x, direction_y }, None) => {
                 let (wx, wy) = law.direction(y, c);

@@ -69,7 +69,7 @@ fn the_stiffness_is_the_slope_of_the_load() {
                     - (load(approach + 2.0 * h) - load(approach - 2.0 * h)))
                     / (12.0 * h);
                 let (_, stiffness, _) = from_approach(&radii, &STEEL, approach, 0.3).unwrap();
-                assert!((slope / stiffness - 1.0).abs() < 1e-11, "{ratio} {approach:e}");
+                assert!((slope / stiffness - 1.0).abs() < 1e-12, "{ratio} {approach:e}");
             }
         }
     }
