@@ -1,11 +1,11 @@
 //! The headers from what cbindgen writes: grouped, types beside the functions that use them, single precision apart.
 
-/// Heading, what it is about, constants by their beginnings, functions.
+/// Heading, what it is about, constants by their beginnings, functions: words.
 struct Group {
     id: &'static str,
     title: &'static str,
-    constants: &'static [&'static str],
-    functions: &'static [&'static str],
+    constants: &'static str,
+    functions: &'static str,
 }
 
 /// In the order of the header.
@@ -13,91 +13,59 @@ const GROUPS: [Group; 9] = [
     Group {
         id: "status",
         title: "Status",
-        constants: &["KSTRIP_OK", "KSTRIP_WARNING_", "KSTRIP_ERROR_"],
-        functions: &["status_string"],
+        constants: "KSTRIP_OK KSTRIP_WARNING_ KSTRIP_ERROR_",
+        functions: "status_string",
     },
     Group {
         id: "bodies",
         title: "Bodies: materials, Hertz's ellipse and its inverse, linear coefficients",
-        constants: &[],
-        functions: &[
-            "material_combine",
-            "contact_from_hertz",
-            "contact_from_approach",
-            "linear_coefficients",
-        ],
+        constants: "",
+        functions: "material_combine contact_from_hertz contact_from_approach linear_coefficients",
     },
     Group {
         id: "motion",
         title: "Motion: creepages, Kalker's parameters",
-        constants: &[],
-        functions: &[
-            "creepage_from_velocities",
-            "parameters_from_creepage",
-            "creepage_from_parameters",
-        ],
+        constants: "",
+        functions: "creepage_from_velocities parameters_from_creepage creepage_from_parameters",
     },
     Group {
         id: "solve",
         title: "Solve: forces, derivatives, strips",
-        constants: &["KSTRIP_MODEL_", "KSTRIP_STRIPS_", "KSTRIP_STATE_"],
-        functions: &[
-            "solve",
-            "evaluate",
-            "evaluate_batch",
-            "prepare",
-            "solve_prepared",
-            "solve_motion",
-            "solve_total",
-            "solve_strip",
-            "solve_strip_1967",
-            "solve_linear",
-        ],
+        constants: "KSTRIP_MODEL_ KSTRIP_STRIPS_ KSTRIP_STATE_",
+        functions: "solve evaluate evaluate_batch prepare solve_prepared solve_motion \
+            solve_total solve_strip solve_strip_1967 solve_linear",
     },
     Group {
         id: "inside",
         title: "Inside the contact: pressure, traction, slip",
-        constants: &[],
-        functions: &["field"],
+        constants: "",
+        functions: "field",
     },
     Group {
         id: "patch",
         title: "Patches of any shape",
-        constants: &["KSTRIP_PATCH_"],
-        functions: &[
-            "patch_from_profile",
-            "patch_from_strips",
-            "patch_from_contact",
-            "patch_summarize",
-            "patch_evaluate",
-            "patch_field",
-        ],
+        constants: "KSTRIP_PATCH_",
+        functions: "patch_from_profile patch_from_strips patch_from_contact patch_summarize \
+            patch_evaluate patch_field",
     },
     Group {
         id: "wheel_rail",
         title: "Wheel on rail: from two profiles to the forces on the wheel",
-        constants: &["KSTRIP_SURFACE_", "KSTRIP_CONTACTS_", "KSTRIP_RAIL_"],
-        functions: &[
-            "prepare_profile",
-            "touch",
-            "contacts_from_gap",
-            "wheel_motion",
-            "wrench_from_contacts",
-            "wheel_on_rail",
-            "height_for_load",
-        ],
+        constants: "KSTRIP_SURFACE_ KSTRIP_CONTACTS_ KSTRIP_RAIL_",
+        functions: "prepare_profile touch contacts_from_gap wheel_motion wrench_from_contacts \
+            wheel_on_rail height_for_load",
     },
     Group {
         id: "rig",
         title: "Test rigs: friction from a force, creepage from a force",
-        constants: &["KSTRIP_MEASURED_"],
-        functions: &["estimate_friction", "creepage_for_force"],
+        constants: "KSTRIP_MEASURED_",
+        functions: "estimate_friction creepage_for_force",
     },
     Group {
         id: "rest",
         title: "Options, upper body, version",
-        constants: &["KSTRIP_VERSION_", "KSTRIP_ABI_"],
-        functions: &["options_init", "result_on_upper_body", "version_string", "abi_version"],
+        constants: "KSTRIP_VERSION_ KSTRIP_ABI_",
+        functions: "options_init result_on_upper_body version_string abi_version",
     },
 ];
 
@@ -154,14 +122,14 @@ fn body(items: &mut Vec<Item>, suffix: &str) -> String {
                 group += &take(items, "kstrip_status").expect("the type of a status");
                 group.push('\n');
             }
-            for prefix in *constants {
+            for prefix in constants.split_whitespace() {
                 while let Some(i) = items.iter().position(|item| item.name.starts_with(prefix)) {
                     group += &items.remove(i).text;
                 }
                 group.push('\n');
             }
         }
-        for function in *functions {
+        for function in functions.split_whitespace() {
             let name = format!("kstrip_{function}{suffix}");
             if let Some(declaration) = take(items, &name) {
                 add_types(items, &declaration, &mut group);

@@ -286,7 +286,7 @@ proptest! {
     }
 }
 
-/// The field integrates to the totals. They are computed apart: the totals from ten steps a
+/// The field integrates to the totals. They are computed apart: the totals from a few nodes of each
 /// strip, the field point by point. Of `μ N`, and of `μ N √(ab)` for the moment, over 200 cases of the range
 /// that the model states.
 #[test]

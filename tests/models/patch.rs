@@ -340,8 +340,8 @@ fn strips_without_friction_or_load() {
     }
 }
 
-/// The derivatives are those of the forces: central differences with two steps. A kink of the fixed strips
-/// within the stencil shows itself by differences that do not agree; there are few.
+/// The derivatives are those of the forces. A kink of the fixed strips within the stencil shows itself by differences that do not agree;
+/// there are few.
 #[test]
 fn derivatives_are_those_of_the_forces() {
     let mut random = Random::new(408);
@@ -396,7 +396,7 @@ fn fields_integrate_to_the_forces() {
         let unit = view.friction_bound();
         assert_relative_eq!(load, view.normal_force(), max_relative = 5e-14);
         let found = solve(&patch, &motion, model);
-        // The slip of STRIP's strips is marched in seven steps, its field between them.
+        // The forces of STRIP's strips are sums over a few nodes of their slip part, its field lies between them.
         let allowed = if model == Model::Strip { 0.01 } else { 1e-4 } * unit;
         assert!((fx - found.fx).abs() < allowed, "{model:?} {fx} {found:?}");
         assert!((fy - found.fy).abs() < allowed, "{model:?} {fy} {found:?}");

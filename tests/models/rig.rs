@@ -34,7 +34,7 @@ fn rough(notice: Notice) -> bool {
 #[test]
 fn friction_is_found_again() {
     let mut random = Random::new(81);
-    let (mut found, mut several, mut ripples) = (0, 0, 0);
+    let (mut found, mut several) = (0, 0);
     for n in 0..1_500 {
         let c = any_contact(&mut random);
         let size = random.log_between(0.03, 20.0);
@@ -69,11 +69,6 @@ fn friction_is_found_again() {
                 Measured::Both => again.fx.hypot(again.fy),
             };
             assert!((again - used).abs() <= 1e-11 * bound, "{e:?} {measured:?} {c:?} {m:?} {o:?}");
-            if o.model == Model::Strip {
-                // Its steps make ripples of the force over friction: another friction may give the same force
-                ripples += usize::from((e.friction / c.friction - 1.0).abs() > 1e-9);
-                continue;
-            }
             // Rounding of the force, times what the answer says of its sensitivity
             let allowed = 1e-12 * c.friction + 1e-12 * bound * e.sensitivity.abs();
             assert!(
@@ -83,8 +78,8 @@ fn friction_is_found_again() {
             found += 1;
         }
     }
-    println!("{found} found, {several} with several, {ripples} other ones of STRIP");
-    assert!(found > 1_000 && several * 10 < found && ripples < 10);
+    println!("{found} found, {several} with several");
+    assert!(found > 1_000 && several * 10 < found);
 }
 
 /// The sensitivity is the derivative of the answer.
@@ -244,7 +239,7 @@ fn single_precision_round_trips() {
         let bound = c.friction * c.normal_force;
         if s.fx.hypot(s.fy) > 0.1 * bound && size * xi.hypot(eta) > 0.2 {
             let e = estimate_friction(&c, &m, &o, Measured::Both, [s.fx, s.fy]).unwrap();
-            if e.notice == Notice::SeveralFrictions || o.model == Model::Strip {
+            if e.notice == Notice::SeveralFrictions {
                 continue;
             }
             // a force of single precision is known to about twenty roundings

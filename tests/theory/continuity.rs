@@ -223,7 +223,7 @@ fn no_jump_is_found_by_bisection_along_random_paths() {
             if wide { random.between(-3.0, 3.0) } else { random.between(-1.2, 1.2) },
         ]
     };
-    let mut jumps = Vec::new();
+    let (mut jumps, mut worst) = (Vec::new(), 0.0_f64);
     for path in 0..250 {
         let (start, end) = (point(&mut random), point(&mut random));
         let base = Law {
@@ -246,13 +246,12 @@ fn no_jump_is_found_by_bisection_along_random_paths() {
         order.sort_by(|&i, &j| excess(j).total_cmp(&excess(i)));
         for &cell in order.iter().take(6) {
             let (jump, low) = remaining(&at, (grid[cell], grid[cell + 1]), 1e-13);
-            // Beyond unit spin a narrow piece between two samples of the bound can be missed; wanted
-            // is 1e-5 there too.
-            let allowed = 1e-5;
-            if jump > allowed {
+            worst = worst.max(jump);
+            if jump > 5e-9 {
                 jumps.push(format!("{jump:.1e} at {:?}", at(low)));
             }
         }
     }
+    println!("largest change in 1e-13: {worst:e}");
     assert!(jumps.is_empty(), "{} jumps:\n{}", jumps.len(), jumps.join("\n"));
 }

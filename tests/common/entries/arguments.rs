@@ -10,23 +10,13 @@ fn combine(bytes: &mut Bytes) {
         poisson_ratio: positive(bytes, 0.06),
     };
     let (lower, upper) = (material(), material());
-    let given = bytes.given();
-    let mut out = poisoned::<kstrip_combined_material>();
-    let status = kstrip_material_combine(
-        given.input(0, &lower),
-        given.input(1, &upper),
-        given.output(2, &mut out),
-    );
-    if answered(status, untouched(&out)) {
-        assert!(given.all(3));
-        let m = written(&out);
-        assert!(
-            finite(&[m.shear_modulus, m.poisson_ratio, m.mismatch]),
-            "{lower:?} {upper:?} {m:?}"
-        );
-        let in_range = m.shear_modulus > 0.0
-            && (0.0..=0.5).contains(&m.poisson_ratio)
-            && m.mismatch.abs() <= 0.5;
+    let answer = asked::<kstrip_combined_material>(bytes, 2, |given, out| {
+        kstrip_material_combine(given.input(0, &lower), given.input(1, &upper), out)
+    });
+    if let Some((_, m)) = answer {
+        let numbers = [m.shear_modulus, m.poisson_ratio, m.mismatch];
+        let plausible = (0.0..=0.5).contains(&m.poisson_ratio) && m.mismatch.abs() <= 0.5;
+        let in_range = finite(&numbers) && m.shear_modulus > 0.0 && plausible;
         assert!(in_range, "{lower:?} {upper:?} {m:?}");
     }
 }
@@ -124,33 +114,20 @@ fn velocities(bytes: &mut Bytes) {
     };
     let (lower, upper) = (velocity(), velocity());
     let speed = positive(bytes, 20.0);
-    let given = bytes.given();
-    let mut out = poisoned::<kstrip_creepage>();
-    let status = kstrip_creepage_from_velocities(
-        given.input(0, &lower),
-        given.input(1, &upper),
-        speed,
-        given.output(2, &mut out),
-    );
-    if answered(status, untouched(&out)) {
-        assert!(given.all(3));
-        let k = written(&out);
+    let answer = asked::<kstrip_creepage>(bytes, 2, |given, out| {
+        kstrip_creepage_from_velocities(given.input(0, &lower), given.input(1, &upper), speed, out)
+    });
+    if let Some((_, k)) = answer {
         assert!(finite(&[k.longitudinal, k.lateral, k.spin]), "{lower:?} {upper:?} {speed} {k:?}");
     }
 }
 
 fn parameters_from_creepage(bytes: &mut Bytes) {
     let (contact, k) = (contact(bytes), creepage(bytes));
-    let given = bytes.given();
-    let mut out = poisoned::<kstrip_parameters>();
-    let status = kstrip_parameters_from_creepage(
-        given.input(0, &contact),
-        given.input(1, &k),
-        given.output(2, &mut out),
-    );
-    if answered(status, untouched(&out)) {
-        assert!(given.all(3));
-        let p = written(&out);
+    let answer = asked::<kstrip_parameters>(bytes, 2, |given, out| {
+        kstrip_parameters_from_creepage(given.input(0, &contact), given.input(1, &k), out)
+    });
+    if let Some((_, p)) = answer {
         assert!(finite(&[p.xi, p.eta, p.psi]), "{contact:?} {k:?} {p:?}");
     }
 }
@@ -162,16 +139,10 @@ fn creepage_from_parameters(bytes: &mut Bytes) {
         eta: Number::of(bytes, 1.0),
         psi: Number::of(bytes, 1.0),
     };
-    let given = bytes.given();
-    let mut out = poisoned::<kstrip_creepage>();
-    let status = kstrip_creepage_from_parameters(
-        given.input(0, &contact),
-        given.input(1, &wanted),
-        given.output(2, &mut out),
-    );
-    if answered(status, untouched(&out)) {
-        assert!(given.all(3));
-        let k = written(&out);
+    let answer = asked::<kstrip_creepage>(bytes, 2, |given, out| {
+        kstrip_creepage_from_parameters(given.input(0, &contact), given.input(1, &wanted), out)
+    });
+    if let Some((_, k)) = answer {
         assert!(finite(&[k.longitudinal, k.lateral, k.spin]), "{contact:?} {wanted:?} {k:?}");
     }
 }

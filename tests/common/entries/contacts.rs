@@ -92,19 +92,10 @@ pub fn solved(
 pub fn solve(bytes: &mut Bytes) {
     let (contact, k) = (contact(bytes), creepage(bytes));
     let options = bytes.options();
-    let given = bytes.given();
-    let mut out = poisoned();
-    let status = kstrip_solve(
-        given.input(0, &contact),
-        given.input(1, &k),
-        options.as_ref(),
-        given.output(2, &mut out),
-    );
-    if !answered(status, untouched(&out)) {
-        return;
-    }
-    assert!(given.all(3));
-    let r = written(&out);
+    let answer = asked(bytes, 2, |given, out| {
+        kstrip_solve(given.input(0, &contact), given.input(1, &k), options.as_ref(), out)
+    });
+    let Some((status, r)) = answer else { return };
     plausible(&contact, &k, model_of(options), status, &r);
     let reversed =
         kstrip_creepage { longitudinal: -k.longitudinal, lateral: -k.lateral, spin: -k.spin };
@@ -541,20 +532,11 @@ fn estimate_friction(bytes: &mut Bytes) {
     let measured =
         if bytes.byte() < 8 { bytes.integer() as u32 } else { 1 + bytes.below(3) as u32 };
     let (fx, fy) = (Number::of(bytes, 1e5), Number::of(bytes, 1e5));
-    let given = bytes.given();
-    let mut out = poisoned::<kstrip_friction_estimate>();
-    let status = kstrip_estimate_friction(
-        given.input(0, &contact),
-        given.input(1, &k),
-        options.as_ref(),
-        measured,
-        fx,
-        fy,
-        given.output(2, &mut out),
-    );
-    if answered(status, untouched(&out)) {
-        assert!(given.all(3));
-        let found = written(&out);
+    let answer = asked::<kstrip_friction_estimate>(bytes, 2, |given, out| {
+        let (contact, k) = (given.input(0, &contact), given.input(1, &k));
+        kstrip_estimate_friction(contact, k, options.as_ref(), measured, fx, fy, out)
+    });
+    if let Some((status, found)) = answer {
         let numbers = [found.friction, found.sensitivity, found.residual];
         let context = || format!("{contact:?} {k:?} {options:?} {measured} {fx} {fy} {found:?}");
         assert!(finite(&numbers), "{}", context());
@@ -567,19 +549,10 @@ fn creepage_for_force(bytes: &mut Bytes) {
     let contact = contact(bytes);
     let (fx, fy, spin) = (Number::of(bytes, 1e5), Number::of(bytes, 1e5), Number::of(bytes, 3.0));
     let options = bytes.options();
-    let given = bytes.given();
-    let mut out = poisoned::<kstrip_creepage>();
-    let status = kstrip_creepage_for_force(
-        given.input(0, &contact),
-        fx,
-        fy,
-        spin,
-        options.as_ref(),
-        given.output(1, &mut out),
-    );
-    if answered(status, untouched(&out)) {
-        assert!(given.all(2));
-        let k = written(&out);
+    let answer = asked::<kstrip_creepage>(bytes, 1, |given, out| {
+        kstrip_creepage_for_force(given.input(0, &contact), fx, fy, spin, options.as_ref(), out)
+    });
+    if let Some((_, k)) = answer {
         let context = || format!("{contact:?} {fx} {fy} {options:?} {k:?}");
         assert!(finite(&[k.longitudinal, k.lateral]), "{}", context());
         assert_eq!(k.spin.bits(), Number::bits(spin), "{}", context());

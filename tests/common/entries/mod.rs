@@ -239,6 +239,22 @@ fn answered(status: i32, outputs_untouched: bool) -> bool {
     status >= 0
 }
 
+/// A call with some inputs, any of which may be missing, and one output after them: the status and what was written, if it is an answer.
+#[track_caller]
+fn asked<T: Copy>(
+    bytes: &mut Bytes,
+    inputs: u8,
+    call: impl FnOnce(Given, Option<&mut MaybeUninit<T>>) -> i32,
+) -> Option<(i32, T)> {
+    let given = bytes.given();
+    let mut out = poisoned();
+    let status = call(given, given.output(inputs, &mut out));
+    answered(status, untouched(&out)).then(|| {
+        assert!(given.all(inputs + 1));
+        (status, written(&out))
+    })
+}
+
 /// A function with its checks.
 pub type Entry = (&'static str, fn(&mut Bytes));
 

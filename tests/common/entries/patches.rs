@@ -233,12 +233,10 @@ fn patch_options(bytes: &mut Bytes) -> Option<kstrip_options> {
 
 fn summarize(bytes: &mut Bytes) {
     let Some(patch) = patch(bytes) else { return };
-    let given = bytes.given();
-    let mut out = poisoned::<kstrip_patch_summary>();
-    let status = kstrip_patch_summarize(given.input(0, &patch), given.output(1, &mut out));
-    if answered(status, untouched(&out)) {
-        assert!(given.all(2));
-        let s = written(&out);
+    let answer = asked::<kstrip_patch_summary>(bytes, 1, |given, out| {
+        kstrip_patch_summarize(given.input(0, &patch), out)
+    });
+    if let Some((_, s)) = answer {
         assert!(finite(&[s.normal_force, s.friction_bound, s.area]), "{patch:?} {s:?}");
         let in_range = s.normal_force >= 0.0 && s.friction_bound >= 0.0 && s.area >= 0.0;
         assert!(in_range && s.lobes <= patch.count && s.reserved == 0, "{patch:?} {s:?}");

@@ -178,15 +178,10 @@ fn motion(bytes: &mut Bytes) {
     if bytes.byte() < 64 {
         contacts[0].slip_x[bytes.below(6)] = Number::of(bytes, 1.0);
     }
-    let given = bytes.given();
-    let mut out = poisoned::<kstrip_motion>();
-    let status = kstrip_wheel_motion(
-        given.input(0, &contacts[0]),
-        given.input(1, &scene.velocity),
-        given.output(2, &mut out),
-    );
-    if answered(status, untouched(&out)) {
-        let m = written(&out);
+    let answer = asked::<kstrip_motion>(bytes, 2, |given, out| {
+        kstrip_wheel_motion(given.input(0, &contacts[0]), given.input(1, &scene.velocity), out)
+    });
+    if let Some((_, m)) = answer {
         assert!(finite(&[m.slip_x, m.slip_y, m.spin_rate, m.rolling_speed]), "{m:?}");
     }
 }
