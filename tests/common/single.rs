@@ -1,40 +1,38 @@
-//! The same contact and motion in single precision.
+//! The same contact and motion in another precision.
 
 #![allow(dead_code)]
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
+use kstrip::solve::model::Precision;
+
+/// Without a mismatch.
+pub fn converted<F: Precision, G: Precision>(c: &Contact<F>) -> Contact<G> {
+    let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, .. } = *c;
+    let [a, b, normal_force, shear_modulus, poisson_ratio, friction] =
+        [a, b, normal_force, shear_modulus, poisson_ratio, friction].map(|x| G::of(x.to_f64()));
+    Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch: G::zero() }
+}
+
+pub fn converted_motion<F: Precision, G: Precision>(m: &Creepage<F>) -> Creepage<G> {
+    let [longitudinal, lateral, spin] =
+        [m.longitudinal, m.lateral, m.spin].map(|x| G::of(x.to_f64()));
+    Creepage { longitudinal, lateral, spin }
+}
 
 pub fn single(c: &Contact<f64>) -> Contact<f32> {
-    Contact {
-        a: c.a as f32,
-        b: c.b as f32,
-        normal_force: c.normal_force as f32,
-        shear_modulus: c.shear_modulus as f32,
-        poisson_ratio: c.poisson_ratio as f32,
-        friction: c.friction as f32,
-        mismatch: 0.0,
-    }
+    converted(c)
 }
 
 pub fn single_motion(m: &Creepage<f64>) -> Creepage<f32> {
-    Creepage { longitudinal: m.longitudinal as f32, lateral: m.lateral as f32, spin: m.spin as f32 }
+    converted_motion(m)
 }
 
 /// A contact of single precision, exactly.
 pub fn double(c: &Contact<f32>) -> Contact<f64> {
-    Contact {
-        a: c.a.into(),
-        b: c.b.into(),
-        normal_force: c.normal_force.into(),
-        shear_modulus: c.shear_modulus.into(),
-        poisson_ratio: c.poisson_ratio.into(),
-        friction: c.friction.into(),
-        mismatch: 0.0,
-    }
+    converted(c)
 }
 
 pub fn double_motion(m: &Creepage<f32>) -> Creepage<f64> {
-    let Creepage { longitudinal, lateral, spin } = *m;
-    Creepage { longitudinal: longitudinal.into(), lateral: lateral.into(), spin: spin.into() }
+    converted_motion(m)
 }

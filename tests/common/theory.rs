@@ -194,35 +194,30 @@ impl Law {
             let (y, c) = t.sin_cos();
             self.kappa(y).map_or(10.0, |kappa| (kappa - c).min(10.0))
         };
-        let features: [&dyn Fn(f64) -> f64; 1] = [&fit];
-        // Turning points of the features, so that no sign change hides between two samples
+        // Turning points of it, so that no sign change hides between two samples
         let mut samples: Vec<f64> = (0..=SCAN).map(at).collect();
-        for feature in &features {
-            for i in 1..SCAN {
-                let (l, m, r) = (feature(at(i - 1)), feature(at(i)), feature(at(i + 1)));
-                for sign in [1.0, -1.0] {
-                    if sign * m <= sign * l && sign * m <= sign * r && !(l == m && m == r) {
-                        samples.push(golden(|t| sign * feature(t), at(i - 1), at(i + 1)));
-                    }
+        for i in 1..SCAN {
+            let (l, m, r) = (fit(at(i - 1)), fit(at(i)), fit(at(i + 1)));
+            for sign in [1.0, -1.0] {
+                if sign * m <= sign * l && sign * m <= sign * r && !(l == m && m == r) {
+                    samples.push(golden(|t| sign * fit(t), at(i - 1), at(i + 1)));
                 }
             }
         }
         samples.extend(cuts.iter());
         samples.retain(|t| (-end..=end).contains(t));
         samples.sort_by(f64::total_cmp);
-        for feature in &features {
-            for pair in samples.windows(2) {
-                let (mut low, mut high) = (pair[0], pair[1]);
-                let sign = feature(low) > 0.0;
-                if sign == (feature(high) > 0.0) {
-                    continue;
-                }
-                for _ in 0..60 {
-                    let middle = 0.5 * (low + high);
-                    if (feature(middle) > 0.0) == sign { low = middle } else { high = middle }
-                }
-                cuts.push(0.5 * (low + high));
+        for pair in samples.windows(2) {
+            let (mut low, mut high) = (pair[0], pair[1]);
+            let sign = fit(low) > 0.0;
+            if sign == (fit(high) > 0.0) {
+                continue;
             }
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                if (fit(middle) > 0.0) == sign { low = middle } else { high = middle }
+            }
+            cuts.push(0.5 * (low + high));
         }
         cuts.retain(|t| (-end..=end).contains(t));
         cuts.sort_by(f64::total_cmp);

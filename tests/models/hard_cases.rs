@@ -5,6 +5,7 @@ use crate::C0;
 use crate::names::*;
 use crate::poison::{poisoned, untouched};
 use crate::random::Random;
+use crate::single::{converted, converted_motion};
 use crate::theory::{self, Law, MODELS, contact, creepage, options};
 
 use kstrip::contact::Contact;
@@ -27,48 +28,24 @@ fn motion(longitudinal: f64, lateral: f64, spin: f64) -> Creepage<f64> {
     Creepage { longitudinal, lateral, spin }
 }
 
+/// What a function is asked about.
+type Asked<'a, F> = (&'a Contact<F>, &'a Creepage<F>, &'a kstrip_options);
+
 /// The C functions of a precision; all places that they get are there.
 trait InC: Precision {
-    fn solve(
-        c: &Contact<Self>,
-        m: &Creepage<Self>,
-        o: &kstrip_options,
-        out: &mut MaybeUninit<Solution<Self>>,
-    ) -> i32;
-    unsafe fn evaluate(
-        c: &Contact<Self>,
-        m: &Creepage<Self>,
-        o: &kstrip_options,
-        out: &Outputs<Self>,
-    ) -> i32;
+    fn solve(asked: Asked<Self>, out: &mut MaybeUninit<Solution<Self>>) -> i32;
+    unsafe fn evaluate(asked: Asked<Self>, out: &Outputs<Self>) -> i32;
     unsafe fn batch(from: &BatchInputs<Self>, o: &kstrip_options, to: &BatchOutputs<Self>) -> i32;
-    unsafe fn field(
-        c: &Contact<Self>,
-        m: &Creepage<Self>,
-        o: &kstrip_options,
-        x: &[Self],
-        y: &[Self],
-        to: *mut FieldPoint<Self>,
-    ) -> i32;
+    unsafe fn field(asked: Asked<Self>, x: &[Self], y: &[Self], to: *mut FieldPoint<Self>) -> i32;
 }
 
 macro_rules! in_c {
     ($float:ident, $solve:ident, $evaluate:ident, $batch:ident, $field:ident) => {
         impl InC for $float {
-            fn solve(
-                c: &Contact<Self>,
-                m: &Creepage<Self>,
-                o: &kstrip_options,
-                out: &mut MaybeUninit<Solution<Self>>,
-            ) -> i32 {
+            fn solve((c, m, o): Asked<Self>, out: &mut MaybeUninit<Solution<Self>>) -> i32 {
                 $solve(Some(c), Some(m), Some(o), Some(out))
             }
-            unsafe fn evaluate(
-                c: &Contact<Self>,
-                m: &Creepage<Self>,
-                o: &kstrip_options,
-                out: &Outputs<Self>,
-            ) -> i32 {
+            unsafe fn evaluate((c, m, o): Asked<Self>, out: &Outputs<Self>) -> i32 {
                 unsafe { $evaluate(Some(c), Some(m), None, Some(o), Some(out)) }
             }
             unsafe fn batch(
@@ -79,18 +56,14 @@ macro_rules! in_c {
                 unsafe { $batch(Some(from), 1, Some(o), Some(to), None) }
             }
             unsafe fn field(
-                c: &Contact<Self>,
-                m: &Creepage<Self>,
-                o: &kstrip_options,
+                (c, m, o): Asked<Self>,
                 x: &[Self],
                 y: &[Self],
                 to: *mut FieldPoint<Self>,
             ) -> i32 {
                 let (columns, rows) = (x.len() as u32, y.len() as u32);
-                let (c, m, o) = (Some(c), Some(m), Some(o));
-                unsafe {
-                    $field(c, m, o, x.as_ptr(), columns, y.as_ptr(), rows, to, columns * rows)
-                }
+                let (c, m, o, x, y) = (Some(c), Some(m), Some(o), x.as_ptr(), y.as_ptr());
+                unsafe { $field(c, m, o, x, columns, y, rows, to, columns * rows) }
             }
         }
     };
@@ -106,7 +79,7 @@ fn finite<F: Precision>(numbers: &[F]) -> bool {
 /// What a model answers, at every entry point alike: forces over `μ N`, the moment over `μ N √(ab)`, and the stick area; and the same with
 /// few strips as with many unless it is STRIP.
 fn answer<F: InC>(c: &Contact<f64>, m: &Creepage<f64>, model: Model) -> Result<[f64; 4], Error> {
-    let (c, m) = (narrowed::<F>(c), narrowed_motion::<F>(m));
+    let (c, m) = (converted::<_, F>(c), converted_motion::<_, F>(m));
     let [few, many] =
         [StripCount::Four, StripCount::SixtyFour].map(|count| one_answer(&c, &m, model, count));
     assert!(
@@ -114,18 +87,6 @@ fn answer<F: InC>(c: &Contact<f64>, m: &Creepage<f64>, model: Model) -> Result<[
         "{few:?} {many:?}"
     );
     many
-}
-
-fn narrowed<F: Precision>(c: &Contact<f64>) -> Contact<F> {
-    let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, .. } = *c;
-    let [a, b, normal_force, shear_modulus, poisson_ratio, friction] =
-        [a, b, normal_force, shear_modulus, poisson_ratio, friction].map(F::of);
-    Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch: F::zero() }
-}
-
-fn narrowed_motion<F: Precision>(m: &Creepage<f64>) -> Creepage<F> {
-    let [longitudinal, lateral, spin] = [m.longitudinal, m.lateral, m.spin].map(F::of);
-    Creepage { longitudinal, lateral, spin }
 }
 
 fn one_answer<F: InC>(
@@ -139,7 +100,7 @@ fn one_answer<F: InC>(
     let expected = model::solve(c, m, &options(model, count));
     let status = expected.as_ref().map_or_else(|error| error.code(), |s| s.notice.code());
     let mut result = [poisoned::<Solution<F>>()];
-    assert_eq!(F::solve(c, m, &o, &mut result[0]), status, "{}", what());
+    assert_eq!(F::solve((c, m, &o), &mut result[0]), status, "{}", what());
     let mut one = [poisoned::<Solution<F>>()];
     // SAFETY: one contact, and a place for one result.
     let batch = unsafe { F::batch(&batch_inputs(c, m), &o, &batch_results(one[0].as_mut_ptr())) };
@@ -154,7 +115,7 @@ fn one_answer<F: InC>(
         ..nowhere()
     };
     // SAFETY: the places are there.
-    let with_slopes = unsafe { F::evaluate(c, m, &o, &outputs) };
+    let with_slopes = unsafe { F::evaluate((c, m, &o), &outputs) };
     // A derivative may be too large where the force is not.
     let overflows = status >= 0 && with_slopes == Error::Overflow.code();
     assert!(with_slopes == status || overflows, "{with_slopes} {}", what());
@@ -182,7 +143,10 @@ fn one_answer<F: InC>(
     let mut points: [MaybeUninit<FieldPoint<F>>; 15] = std::array::from_fn(|_| poisoned());
     // SAFETY: the places are there, and as many as the counts say.
     let inside = unsafe {
-        [F::evaluate(c, m, &o, &outputs), F::field(c, m, &o, &x, &y, points.as_mut_ptr().cast())]
+        [
+            F::evaluate((c, m, &o), &outputs),
+            F::field((c, m, &o), &x, &y, points.as_mut_ptr().cast()),
+        ]
     };
     let has_strips = !matches!(model, Model::Total | Model::Linear);
     for inside in inside {

@@ -4,6 +4,7 @@
 use crate::differences::Comparison;
 use crate::patches;
 use crate::random;
+use crate::single::single_motion;
 use crate::theory;
 
 use approx::assert_relative_eq;
@@ -464,11 +465,7 @@ fn single_precision() {
             })
             .collect();
         let single = Patch::<f32, 64>::from_strips(&narrow, 82e9, 0.28).unwrap();
-        let slow = Creepage {
-            longitudinal: motion.longitudinal as f32,
-            lateral: motion.lateral as f32,
-            spin: motion.spin as f32,
-        };
+        let slow = single_motion(&motion);
         // the sliding rule of the paper jumps: a strip on the other side of its jump is no error
         let model = [Model::Strip1967Continuous, Model::Strip][i % 2];
         let found = solver::solve(&single.view().unwrap(), &slow, model).unwrap();

@@ -11,7 +11,7 @@ use kstrip::rig::{Measured, creepage_for_force, estimate_friction};
 use kstrip::solve::model::{self, Model, Options};
 use kstrip::status::{Error, Notice};
 use random::Random;
-use single::single;
+use single::{single, single_motion};
 use theory::{contact, options};
 
 const SATURATING: [Model; 4] =
@@ -229,11 +229,7 @@ fn single_precision_round_trips() {
         let size = random.log_between(0.1, 3.0);
         let [xi, eta, psi] = [0; 3].map(|_| random.between(-1.0, 1.0));
         let m = theory::creepage(&wide, size * xi, size * eta, 0.1 * psi);
-        let m = Creepage {
-            longitudinal: m.longitudinal as f32,
-            lateral: m.lateral as f32,
-            spin: m.spin as f32,
-        };
+        let m = single_motion(&m);
         let o = any_options(n);
         let s = model::solve(&c, &m, &o).unwrap();
         let bound = c.friction * c.normal_force;

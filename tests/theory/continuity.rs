@@ -189,27 +189,6 @@ fn sweep_through_rest() {
     }
 }
 
-/// Beyond unit spin pieces of the adhesion interval slide by the traction bound; they appear and vanish.
-#[test]
-fn sweep_beyond_unit_spin() {
-    let mut random = Random::new(8);
-    for _ in 0..60 {
-        let psi = random.sign() * random.between(1.0, 3.0);
-        let law = Law {
-            xi: random.between(-0.6, 0.6),
-            eta: -psi.signum() * random.between(0.0, 1.0),
-            psi,
-            poisson_ratio: random.between(0.0, 0.5),
-            axis_ratio: random.log_between(0.2, 10.0),
-            continuous: random.unit() < 0.5,
-        };
-        let (dx, dy, dp) =
-            (random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-1.0, 1.0));
-        let at = |t| Law { xi: law.xi + dx * t, eta: law.eta + dy * t, psi: psi + dp * t, ..law };
-        check_sweep("beyond unit spin", 60, at);
-    }
-}
-
 /// A hunt for jumps anywhere: along random paths the interval with the largest unexplained change is
 /// halved until it is 1e-13 wide. A continuous function has nothing left there (a square root 3e-7).
 #[test]
