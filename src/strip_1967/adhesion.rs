@@ -90,14 +90,14 @@ pub(super) fn adhering<T: Number>(motion: &Motion<T>, moving: &Arc<T>) -> Shares
             [(s + m.scale(width)) * iq, (xs + m * x_mean) * iq, (yxs + m * yx) * iq, kk * iq * iq]
         }
     );
+    // ∫ ξ̄ (2C − K) dY, ∫ (ψ C² + η (2C − K)) dY, ∫ Y ξ̄ (2C − K) dY, ∫ (C − K) dY, −η ∫ (C − K)² dY
+    let fx = (xi.scale(c) - p.scale(yc)).times(2.0) - xk;
+    let fy = psi.scale(cc) + eta * (T::from_base(c.times(2.0)) - k);
+    let lever = (xi.scale(yc) - p.scale(yyc)).times(2.0) - yxk;
+    let stick = T::from_base(c) - k;
     let ck = stretch_and_length(motion, moving, c);
-    [
-        (xi.scale(c) - p.scale(yc)).times(2.0) - xk,
-        psi.scale(cc) + eta * (T::from_base(c.times(2.0)) - k),
-        -(eta * (T::from_base(cc) - ck.times(2.0) + kk)),
-        (xi.scale(yc) - p.scale(yyc)).times(2.0) - yxk,
-        T::from_base(c) - k,
-    ]
+    let mx = -(eta * (T::from_base(cc) - ck.times(2.0) + kk));
+    [fx, fy, mx, lever, stick]
 }
 
 /// `K`, by the form of (5.41) that does not cancel.

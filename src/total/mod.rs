@@ -200,7 +200,7 @@ impl<F: Plain> Total<F> {
         let [k1, k2, k3, k4, k6] = T::each(&[o1, o2, o3, o4, o6], |o| positive(*o));
 
         // elastic slopes and those of sliding: dₑ = 1/(1 + TURN e⁴) of the first
-        let [root_x, root_y] = roots([ix, iy]);
+        let (root_x, root_y) = T::Pair::of(ix, iy).sqrt().parts();
         let braked = root_y.scale(c22);
         // (so far in sliding that only its direction is left, and in single precision q² a number)
         let growth = ((e4 * e2).min(T::from_base(T::HUGE)) * pole).scale(c22.times(GROWTH));
@@ -223,8 +223,9 @@ impl<F: Plain> Total<F> {
         let epsilon = epsilon * kept;
         // M = ε φ − σ γ vy + 2 σ ρ √(β ε) vy, β ≤ βy without growth. With σ ≤ 1 and |ρ| ≤ 1 the power
         // σ βx vx² + σ βy vy² + 2 σ ρ √(β ε) vy φ + ε φ² is never negative
-        let rho = twice(o5) * d * share;
-        let mz = epsilon * phi + sigma * (twice(rho * (elastic_y * epsilon).sqrt()) - gamma) * vy;
+        let rho = (o5 + o5) * d * share;
+        let coupling = rho * (elastic_y * epsilon).sqrt();
+        let mz = epsilon * phi + sigma * ((coupling + coupling) - gamma) * vy;
 
         // (elastic + x rigid)/(1 + x), x = n⁴ ((1 − κ)⁸/20⁴ + 1/150⁴)
         let far = x * near;
@@ -290,15 +291,4 @@ fn inverses<T: Number, const N: usize>(mut numbers: [T; N]) -> [T; N] {
         }
     }
     numbers
-}
-
-/// Two square roots at once.
-#[inline(always)]
-fn roots<T: Number>([p, q]: [T; 2]) -> [T; 2] {
-    T::Pair::of(p, q).sqrt().parts().into()
-}
-
-#[inline(always)]
-fn twice<T: Number>(x: T) -> T {
-    x + x
 }

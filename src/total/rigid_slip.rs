@@ -10,9 +10,8 @@
 //! worst (there the pole of the spin lies at the edge of the patch).
 
 use super::constants::*;
-use super::{inverses, roots};
 use crate::number::tables::{row, table, widen};
-use crate::number::{Number, Plain};
+use crate::number::{Arithmetic, Number, Pair, Plain};
 
 /// Coefficients for one axis ratio.
 #[derive(Clone, Copy, Debug)]
@@ -106,8 +105,8 @@ impl<F: Plain> RigidSlip<F> {
         let z = t * (fourth + t * (third + t * z));
         let [d0, d1, d2, d3, d4, d5] = self.size;
         let d = t * (t * (t.scale(d0) + u.scale(d1) + v.scale(d2)) + mean([d3, d4, d5], squares));
-        let [f, m] =
-            inverses(roots([(x * x + y * y + n * z).plus(1e-30), (n * (w * w2 + d)).plus(1e-30)]));
+        let (force, moment) = ((x * x + y * y + n * z).plus(1e-30), (n * (w * w2 + d)).plus(1e-30));
+        let (f, m) = T::Pair::of(force, moment).sqrt().inverse().parts();
         let [au, av, at] = self.arm;
         let arm = u.scale(au) + v.scale(av) + t.scale(at);
         ([x * f, y * f, phi * arm * m], t)
