@@ -56,6 +56,8 @@ pub(crate) fn row<F: Plain, const C: usize>(stored: &[F::Stored; C]) -> [F; C] {
 
 /// Registers of sums at a time: they do not wait for each other.
 const BLOCK: usize = 6;
+/// The same of contacts side by side: a register is left for the input and one for the weight.
+const CONTACTS_BLOCK: usize = 12;
 
 /// `sums + Σ xᵢ rowᵢ`, columns side by side in `P`, then in fours, and the rest one by one.
 ///
@@ -124,17 +126,17 @@ fn add_in_blocks<F: Plain, const C: usize>(
     inputs: impl Iterator<Item = F> + Clone,
     rows: &[[F::Stored; C]],
 ) {
-    let (blocks, rest) = sums.as_chunks_mut::<BLOCK>();
+    let (blocks, rest) = sums.as_chunks_mut::<CONTACTS_BLOCK>();
     for (k, block) in blocks.iter_mut().enumerate() {
         for (x, row) in inputs.clone().zip(rows) {
-            let weights = row.as_chunks::<BLOCK>().0.get(k).into_iter().flatten();
+            let weights = row.as_chunks::<CONTACTS_BLOCK>().0.get(k).into_iter().flatten();
             for (sum, weight) in block.iter_mut().zip(weights) {
                 *sum += x * F::stored(*weight);
             }
         }
     }
     for (x, row) in inputs.zip(rows) {
-        for (sum, weight) in rest.iter_mut().zip(row.as_chunks::<BLOCK>().1) {
+        for (sum, weight) in rest.iter_mut().zip(row.as_chunks::<CONTACTS_BLOCK>().1) {
             *sum += x * F::stored(*weight);
         }
     }
