@@ -132,6 +132,10 @@ fn any_kind(random: &mut Random, kind: usize) -> [f64; 10] {
         let motion = parameters.creepage(&contact);
         [values[6], values[7], values[8]] = [motion.longitudinal, motion.lateral, motion.spin];
     }
+    // neither load nor spin
+    if kind % 17 == 9 {
+        (values[2], values[8]) = (0.0, 0.0);
+    }
     let hard = match kind % 11 {
         0 => 1 + (random.between(0.0, 3.0) as usize),
         1 => 9,
