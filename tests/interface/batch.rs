@@ -315,6 +315,16 @@ fn only_what_is_wanted_is_written_and_nothing_on_errors() {
     assert_eq!(solve(Some(&missing), Some(&wanted)), KSTRIP_ERROR_NULL);
     assert_eq!(solve(None, Some(&wanted)), KSTRIP_ERROR_NULL);
     assert_eq!(solve(Some(&from(&arrays)), None), KSTRIP_ERROR_NULL);
+    // under friction that falls with the slip, of two contacts as of many
+    (arrays[0][1], arrays[2][1]) = (-4e-3, 1e4);
+    let (friction, ratio, decay, rolling_speed, slope_factor) = (0.3, 0.4, 0.6, 20.0, 1.0);
+    let law = kstrip_friction { friction, ratio, decay, rolling_speed, slope_factor };
+    let falling = kstrip_batch_inputs { law: &law, law_stride: 0, ..from(&arrays) };
+    for count in [2, count] {
+        let status =
+            unsafe { kstrip_evaluate_batch(Some(&falling), count, None, Some(&wanted), None) };
+        assert_eq!(status, KSTRIP_ERROR_SEMI_AXIS);
+    }
     assert!(fy.iter().all(|fy| *fy == 7.0));
     let empty = kstrip_batch_inputs { a: std::ptr::null(), ..missing };
     assert_eq!(
