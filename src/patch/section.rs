@@ -83,9 +83,10 @@ impl<'a, F: Float> Profile<'a, F> {
         (-self.lowest).max(F::zero())
     }
 
-    /// The same as a part of a longer profile. Every part of one profile is smoothed about the same places.
-    pub(crate) fn part_of_longer(mut self) -> Self {
-        self.middle = F::zero();
+    /// The same as a part of a longer profile. The caller says where knots are counted from and how far apart the points are, so that
+    /// points which come and go far from the contact change nothing.
+    pub(crate) fn part_of_longer(mut self, middle: F, step: F) -> Self {
+        (self.middle, self.step) = (middle, step);
         self
     }
 

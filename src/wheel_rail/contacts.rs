@@ -208,10 +208,29 @@ impl<'a, F: Precision> View<'a, F> {
         if ascends && upright { Ok(Self { gap, along, distance }) } else { Err(Error::Profile) }
     }
 
-    fn profile(&self, window: Range<usize>) -> Result<Profile<'a, F>, Error> {
+    /// Middle of an overlap, and distance between its points: means weighted with the square of the overlap. Points enter with weight
+    /// zero, and points around the overlap do not count, so that both are continuous while points come and go.
+    fn middle_and_step(&self, own: Range<usize>) -> [F; 2] {
+        let at = |k: usize| self.along.get(k).copied();
+        let [mut weights, mut middle, mut step] = [F::zero(); 3];
+        for k in own {
+            let (Some(here), Some(distance)) = (at(k), self.distance.get(k)) else { break };
+            let before = k.checked_sub(1).and_then(at).unwrap_or(here);
+            let half = (at(k + 1).unwrap_or(here) - before).times(0.5);
+            let weight = (-*distance).max(F::zero()).squared() * half;
+            weights += weight;
+            middle += weight * here;
+            step += weight * half;
+        }
+        [middle, step].map(|sum| sum / (weights + F::TINY))
+    }
+
+    /// The profile of a contact: its points, and those around.
+    fn profile(&self, own: Range<usize>, window: Range<usize>) -> Result<Profile<'a, F>, Error> {
         let part = |list: &'a [F]| list.get(window.clone()).unwrap_or(&[]);
+        let [middle, step] = self.middle_and_step(own);
         Profile::new(part(self.along), part(self.distance))?
-            .part_of_longer()
+            .part_of_longer(middle, step)
             .with_centre_x(part(&self.gap.x))?
             .with_rolling_radius(part(&self.gap.rolling_radius))
     }
@@ -302,16 +321,19 @@ fn nearness<F: Float>(free: F) -> F {
     F::one() - t * t * (F::constant(3.0) - t.times(2.0))
 }
 
-/// The strips of a contact, at the approach at which the surfaces overlap as they do.
+/// The strips of a contact with its own points, between the end of the one before and the start of the one after, at the approach at
+/// which the surfaces overlap as they do.
 fn press<F: Precision>(
     view: &View<F>,
-    window: Range<usize>,
+    own: Range<usize>,
+    [before, after]: [usize; 2],
     pair: &Pair<F>,
     count: StripCount,
     strips: &mut StoredPatch<F>,
 ) -> Result<Option<Indentation<F>>, Error> {
     strips.clear(pair.shear_modulus, pair.poisson_ratio);
-    let profile = view.profile(window)?;
+    let window = view.window(&own, before, after);
+    let profile = view.profile(own, window)?;
     let contact = ProfileContact {
         rolling_radius: pair.wheel_radius,
         given: Given::Overlap(profile.overlap()),
@@ -403,8 +425,9 @@ pub fn from_gap<F: Precision>(
             }
             let own = start_of(first)..end_of(last);
             let before = first.checked_sub(1).map_or(0, end_of);
-            let window = view.window(&own, before, start_of(last + 1));
-            let Some(pressed) = press(&view, window, pair, count, strips)? else { continue };
+            let after = start_of(last + 1);
+            let pressed = press(&view, own, [before, after], pair, count, strips)?;
+            let Some(pressed) = pressed else { continue };
             let contact = contacts.get_mut(found.written).ok_or(Error::PatchSize)?;
             contact.fill(&view, pair, &position, strips, &pressed);
             contact.share = share;
