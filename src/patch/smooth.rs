@@ -376,7 +376,7 @@ fn join<F: Float>(zones: &mut Zones<F>, approach: Moving<F>) {
             let closed = closed(next);
             let half = (next.from - before.to).times(0.5) * closed;
             before.to += half;
-            next.from = next.from - half;
+            next.from -= half;
             next.density = next.density.max(before.density * closed);
         }
         rest = after;

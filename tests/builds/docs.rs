@@ -423,7 +423,7 @@ fn pages_are_short() {
 fn pictures_stand_on_pages_and_have_a_background() {
     let mut linked = BTreeSet::new();
     for page in &pages() {
-        let text = read(&page);
+        let text = read(page);
         for link in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
             if link.ends_with(".svg") {
                 let picture = page.parent().expect("a folder").join(link);
