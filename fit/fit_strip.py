@@ -1,10 +1,11 @@
 """Fit of STRIP. See README.md in this folder; the formulas are those of `src/strip`.
 
-    python3 fit_strip.py                    fit, validate, write src/strip/constants.rs (then fit_strip_long.py)
+    python3 fit_strip.py --seed S           fit from random starts, validate, write src/strip/constants.rs (then fit_strip_long.py)
+    python3 fit_strip.py --from-stored      the same without random starts, from the stored constants
     python3 fit_strip.py --check            validate the committed constants
     python3 fit_strip.py --numbers          totals printed for the test of the Rust code
     python3 fit_strip.py --nodes            write src/strip/nodes.rs, the places of the strips (needs mpmath)
-    options: --minutes M  --rows R (0: all)  --seed S  --resume FILE
+    options: --minutes M (at most, of each round after the random starts)  --rows R (0: all)  --save FILE  --resume FILE
              --open FILE  --slopes FILE  --fields FOLDER (reports only, never fitted)
 """
 
@@ -42,10 +43,13 @@ LONG_FROM, LONG_OVER = 2.65, 1.1
 
 # residuals: fx, fy, mz, stick fraction; corrections are kept small so that the field stays physical
 WEIGHTS = np.array([1.0, 1.0, 0.8, 0.2])
-PENALTY, PRIOR, TAIL = 0.02, 5e-7, 0.3
-LIMITS = 1000  # rows of rigid slip
-WIDEST = 64  # axis ratios of them, and their inverse
-LONGEST = 14  # axis ratio of the rows; those of longer contacts are for fit_strip_long.py
+PENALTY, PRIOR, TAIL = 0.02, 1e-7, 0.3
+WIDEST = 64  # axis ratios of the rows of rigid slip, and their inverse
+LONGEST = 9  # axis ratio of the rows; those of longer contacts are for fit_strip_long.py
+OWN, OWN_LONGEST = 0.15, 7  # how often a row of boundary_elements.csv counts, and the axis ratio where those of fit_strip_long.py begin
+STARTS, FIRST = 3, 50  # random starts, and steps of each on every third block
+STEPS = 50  # steps of the best one on all rows
+ROUNDS, RENEWED = 2, 20  # rounds and steps of each in which rows with large errors weigh more
 SLENDER = 3  # how often a row of train_slender.csv counts
 SLOPES, STEP, SLOPE_WEIGHT = 1000, 0.03, 0.25  # states whose slopes are fitted too: central differences with this step of linear force
 BLOCK = 1000  # rows side by side
@@ -442,16 +446,17 @@ ARRAYS = ("x", "g", "v", "c", "f", "wt")
 def weighted(data):
     """Less for rows of uncertain reference, more for fine grids and a/b > 4."""
     w = np.where(data["fine"], 1.25, 1.0) * (1 + 0.5 * (data["g"] > 4)) / np.sqrt(1 + (data["err"] / 0.012) ** 2)
-    w = w * np.where(data["slender"], np.sqrt(SLENDER), 1.0)
+    w = w * np.where(data["slender"], np.sqrt(SLENDER), np.where(data["own"], np.sqrt(OWN), 1.0))
     # where a contact is long the moment is large, and may be wrong by more
     w = w * np.stack([np.ones_like(w), np.ones_like(w), np.where(data["g"] > 12, np.sqrt(12 / data["g"]), 1.0), np.ones_like(w)])
     return {**data, "wt": WEIGHTS[:, None] * w * np.array([[1.0], [1.0], [1.0], [0.0]]) + np.array([[0.0], [0.0], [0.0], [WEIGHTS[3]]])}
 
 
 def blocks(training):
-    """Rows and limits in equal blocks in random order; the remainder is dropped."""
-    limits = limit_rows(LIMITS)
-    data = {key: np.concatenate([weighted(training)[key], limits[key]], -1) for key in ARRAYS}
+    """Rows in equal blocks in random order; the remainder is dropped.
+
+    Rigid slip is not among them: no correction is left there."""
+    data = weighted(training)
     order = np.random.default_rng(1).permutation(len(data["g"]))
     order = order[: len(order) // BLOCK * BLOCK]
     return [{key: jnp.asarray(data[key][..., part], jnp.float32) for key in ARRAYS} for part in order.reshape(-1, BLOCK)]
@@ -547,8 +552,8 @@ def heavier(p, d, weight):
     return weight * jnp.stack([force, force, moment, jnp.ones_like(force)])
 
 
-def start(seed):
-    r = np.random.default_rng(seed)
+def start(r):
+    """Small weights: the answers are nearly those without corrections."""
     return np.concatenate(
         [
             r.standard_normal(FEATURES * UNITS) / np.sqrt(FEATURES),
@@ -559,49 +564,70 @@ def start(seed):
     )
 
 
+FUNCTIONS = (normal_equations, cost, heavier)
+
+
+def best_start(seed, parts, slopes):
+    """The best of some random starts after a few steps on every third block."""
+    r, best = np.random.default_rng(seed), (None, np.inf)
+    for k in range(STARTS):
+        print(f"start {k + 1} of {STARTS}", flush=True)
+        best = min(best, levenberg_marquardt(start(r), parts[::3], slopes[::3], FUNCTIONS, FIRST), key=lambda found: found[1])
+    return best[0]
+
+
 def fit(p, parts, slopes, minutes, save=None):
-    return levenberg_marquardt(p, parts, slopes, minutes, (normal_equations, cost, heavier), 0.4, save)
+    print("all rows", flush=True)
+    p, _ = levenberg_marquardt(p, parts, slopes, FUNCTIONS, STEPS, minutes, save=save)
+    for k in range(ROUNDS):
+        print(f"rows with large errors weigh more, round {k + 1} of {ROUNDS}", flush=True)
+        p, _ = levenberg_marquardt(p, parts, slopes, FUNCTIONS, RENEWED, minutes, renew=True, save=save)
+    return p
 
 
-def levenberg_marquardt(p, parts, slopes, minutes, functions, share, save=None):
-    """Levenberg-Marquardt, products in single precision; from this share of the time on rows with large errors weigh more, renewed every ten steps; 1: never."""
+def levenberg_marquardt(p, parts, slopes, functions, steps, minutes=np.inf, renew=False, prior=PRIOR, save=None):
+    """Levenberg-Marquardt, products in single precision: coefficients and sum of squares for a row; `renew`: rows with large errors weigh more, renewed every ten steps."""
     normal_equations, cost, heavier = functions
-    began, damping, gains, iteration, second = time.time(), 1e-2, [], 0, False
+    began, damping, gains = time.time(), 1e-2, []
     n = BLOCK * len(parts)
+    plain, prior = [part["wt"] for part in parts], prior * n
     both = [(part, False) for part in parts] + [(part, True) for part in slopes]
-    prior, plain = PRIOR * n, [part["wt"] for part in parts]
-    while True:
-        if second and iteration % 10 == 0:
+
+    def total(p):
+        return sum(float(cost(jnp.float32(p), part, pairs)) for part, pairs in both) + prior * np.sum(p * p)
+
+    for iteration in range(1, steps + 1):
+        if renew and iteration % 10 == 1:
             for part, weight in zip(parts, plain):
                 part["wt"] = heavier(jnp.float32(p), part, weight)
-        h, grad, before = prior * np.eye(len(p)), prior * p, prior * np.sum(p * p)
+        h, grad, before = prior * np.eye(len(p)), prior * p, total(p)
         for part, pairs in both:
-            hk, gk, ck = normal_equations(jnp.float32(p), part, pairs)
-            h, grad, before = h + np.array(hk), grad + np.array(gk), before + float(ck)
+            hk, gk, _ = normal_equations(jnp.float32(p), part, pairs)
+            h, grad = h + np.array(hk), grad + np.array(gk)
         scale = np.diag(h) + 1e-9 * n
         for attempt in range(8):
             q = p - np.linalg.solve(h + damping * np.diag(scale), grad)
-            after = sum(float(cost(jnp.float32(q), part, pairs)) for part, pairs in both) + prior * np.sum(q * q)
+            after = total(q)
             if after < before:
                 break
             damping *= 4
         else:
             break
-        iteration += 1
-        p, gain = q, 1 - after / before
+        p = q
         damping = max(damping / (3 if attempt == 0 else 1), 1e-8)
-        gains.append(gain)
+        gains.append(1 - after / before)
         spent = (time.time() - began) / 60
         if iteration % 10 == 0 or iteration < 4:
-            print(f"  iteration {iteration:4d} rms {np.sqrt(after / n):.5f} gain {gain:.1e}, {spent:.1f} min, at most {max(0, minutes - spent):.1f} min to go", flush=True)
+            left = min(minutes - spent, spent / iteration * (steps - iteration))
+            print(f"  iteration {iteration:4d} rms {np.sqrt(after / n):.5f} gain {gains[-1]:.1e}, {spent:.1f} min, at most {max(0, left):.1f} min to go", flush=True)
             if save:
                 np.save(save, p)
-        slow = len(gains) > 40 and np.mean(gains[-20:]) < 1e-5
-        if spent > minutes or (slow and (second or share == 1)):
+        if spent > minutes or (len(gains) > 40 and np.mean(gains[-20:]) < 1e-5):
             break
-        if not second and (spent > share * minutes or slow):
-            second, gains, iteration = True, [], iteration // 10 * 10 + 10
-    return p
+    value = total(p) / n
+    for part, weight in zip(parts, plain):
+        part["wt"] = weight
+    return p, value
 
 
 # --- reports -----------------------------------------------------------------------------------
@@ -692,7 +718,7 @@ def write(p, note):
             "Constants of the strips of STRIP.",
             "",
             "Written by `fit/fit_strip.py` from `fit/data/train.csv`, `train_fine.csv` and `train_slender.csv`",
-            "(values computed with CONTACT, see `fit/data/README.md`).",
+            "(values computed with CONTACT, see `fit/data/README.md`) and `boundary_elements.csv`.",
             *note,
         ],
         [
@@ -792,7 +818,7 @@ def main():
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--numbers", action="store_true")
     parser.add_argument("--nodes", action="store_true")
-    parser.add_argument("--minutes", type=float, default=20.0)
+    parser.add_argument("--minutes", type=float, default=30.0)
     parser.add_argument("--rows", type=int, default=0)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--open")
@@ -811,23 +837,26 @@ def main():
         numbers(read_back())
         return
     training, validation = split(load("train.csv", "train_fine.csv"))
-    own = joined(*own_rows())
+    own, held = own_rows()
     slender = load("train_slender.csv")
-    training = joined(training, take(slender, slender["g"] < LONGEST))
+    training = joined(training, slender)
+    training = joined(take(training, training["g"] < LONGEST), take(own, own["g"] < OWN_LONGEST))
     if args.check:
         p = read_back()
     else:
         if args.rows:
             training = take(training, np.arange(min(args.rows, len(training["g"]))))
         parts = blocks(training)
-        print(f"{COUNT} coefficients, {BLOCK * len(parts)} rows, {len(validation['g'])} rows for validation, at most {args.minutes:g} min", flush=True)
-        p = read_back() if args.from_stored else np.load(args.resume) if args.resume else start(args.seed)
-        p = fit(p, parts, slope_blocks(training), args.minutes, args.save)
+        slopes = slope_blocks(training)
+        print(f"{COUNT} coefficients, {BLOCK * len(parts)} rows, {len(validation['g'])} rows for validation", flush=True)
+        p = read_back() if args.from_stored else np.load(args.resume) if args.resume else best_start(args.seed, parts, slopes)
+        p = fit(p, parts, slopes, args.minutes, args.save)
         p = p.astype(np.float32).astype(float)
         if not args.dry:
-            write(p, [f"Trained on {len(training['g'])} rows and {LIMITS} of rigid slip; {len(validation['g'])} others were kept for validation."])
+            write(p, [f"Trained on {len(training['g'])} rows; {len(validation['g'])} others of CONTACT were kept for validation."])
     report("validation", p, validation, regions=args.check)
-    report("boundary_elements.csv", p, own, regions=args.check)
+    report("boundary_elements.csv", p, joined(own, held), regions=args.check)
+    report("  held back, a/b < 7", p, take(held, held["g"] < OWN_LONGEST))
     report_limits(p)
     if args.open:
         data = load(os.path.abspath(args.open))

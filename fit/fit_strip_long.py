@@ -22,9 +22,10 @@ import numpy as np
 
 LEAST, WIDEST = 7, 66  # axis ratios
 UNITS, FIXED = 24, 5
-PENALTY = 0.01
+PENALTY, PRIOR = 0.01, 5e-7
 SLENDER, OWN = 8, 0.5  # how often a row of train_slender.csv and of boundary_elements.csv counts
 LIMITS, SLOPES = 300, 600  # rows of rigid slip, states whose slopes are fitted
+STEPS = 300  # at most
 BLOCK = 1000
 KEYS = ("g", "v", "c", "z", "ob", "w", "f", "wt")
 STORED = strip.read_back()
@@ -53,7 +54,7 @@ def limit_rows(n, seed=77):
 def weighted(data):
     """As the rows of the other strips, with more weight for slender rows and at both ends of the range."""
     data, g = strip.weighted(data), data["g"]
-    often = np.where(data["slender"], np.sqrt(SLENDER / strip.SLENDER), np.where(data["own"], np.sqrt(OWN), 1.0))
+    often = np.where(data["slender"], np.sqrt(SLENDER / strip.SLENDER), np.where(data["own"], np.sqrt(OWN / strip.OWN), 1.0))
     data["wt"] = data["wt"] * often * np.where(g < 14, 1.25, np.where(g > 30, 1.3, 1.0))
     return data
 
@@ -159,7 +160,7 @@ def start(seed):
 
 
 def fit(p, parts, pairs, minutes):
-    return strip.levenberg_marquardt(p, parts, pairs, minutes, (normal_equations, cost, None), 1)
+    return strip.levenberg_marquardt(p, parts, pairs, (normal_equations, cost, None), STEPS, minutes, prior=PRIOR)[0]
 
 
 def write(p):
