@@ -8,7 +8,10 @@
 #include <string.h>
 
 enum { CALLS = 512 };
-enum { SOLVE, EVALUATE, DERIVATIVES, PREPARED, BATCH, BATCH_DERIVATIVES, KINDS };
+enum {
+    SOLVE, EVALUATE, DERIVATIVES, FALLING, FALLING_DERIVATIVES, PREPARED,
+    BATCH, BATCH_DERIVATIVES, BATCH_FALLING, BATCH_FALLING_DERIVATIVES, KINDS
+};
 /* of a profile with two bottoms, and of its patch */
 enum { FROM_PROFILE = KINDS, PATCH, PATCH_DERIVATIVES, WHEEL_ON_RAIL, OF_PATCHES };
 enum { POINTS = 400 };
@@ -26,6 +29,17 @@ static const struct {
 
 static kstrip_contact contacts[CALLS];
 static kstrip_creepage creepages[CALLS];
+/* friction that falls with the slip, at 20 m/s */
+static const kstrip_friction law = {0.3, 0.4, 0.6, 20, 1};
+static const kstrip_friction_f32 law_f32 = {0.3F, 0.4F, 0.6F, 20, 1};
+static int falls(int kind)
+{
+    return kind == FALLING || kind == FALLING_DERIVATIVES || kind == BATCH_FALLING || kind == BATCH_FALLING_DERIVATIVES;
+}
+static int differentiates(int kind)
+{
+    return kind == DERIVATIVES || kind == FALLING_DERIVATIVES || kind == BATCH_DERIVATIVES || kind == BATCH_FALLING_DERIVATIVES;
+}
 static kstrip_contact_f32 contacts_f32[CALLS];
 static kstrip_creepage_f32 creepages_f32[CALLS];
 
@@ -82,7 +96,7 @@ void counted_calls(int kind, const kstrip_options *options)
     const kstrip_batch_inputs from = {
         &contacts->a, c, &contacts->b, c, &contacts->normal_force, c, &contacts->shear_modulus, c,
         &contacts->poisson_ratio, c, &contacts->friction, c, NULL, 0, &creepages->longitudinal, k,
-        &creepages->lateral, k, &creepages->spin, k, NULL, 0};
+        &creepages->lateral, k, &creepages->spin, k, falls(kind) ? &law : NULL, 0};
     kstrip_batch_outputs to = {&results->fx, r, &results->fy, r, &results->mz, r,
                                      &results->power, r, &results->adhesion, r,
                                      &results->status_detail, r, NULL, 0, NULL, 0, NULL, 0};
@@ -90,8 +104,8 @@ void counted_calls(int kind, const kstrip_options *options)
     kstrip_prepared prepared;
     memset(&outputs, 0, sizeof outputs);
     outputs.result = results;
-    outputs.derivatives = kind == DERIVATIVES ? derivatives : NULL;
-    if (kind == BATCH_DERIVATIVES) {
+    outputs.derivatives = differentiates(kind) ? derivatives : NULL;
+    if (differentiates(kind)) {
         to.derivatives = derivatives;
         to.derivatives_stride = sizeof *derivatives;
     }
@@ -128,7 +142,7 @@ void counted_calls(int kind, const kstrip_options *options)
         else if (kind == PREPARED)
             check(kstrip_solve_prepared(&prepared, &creepages[i], results));
         else
-            check(kstrip_evaluate(contacts, &creepages[i], NULL, options, &outputs));
+            check(kstrip_evaluate(contacts, &creepages[i], falls(kind) ? &law : NULL, options, &outputs));
     }
 }
 
@@ -142,7 +156,8 @@ void counted_calls_f32(int kind, const kstrip_options *options)
     const kstrip_batch_inputs_f32 from = {
         &contacts_f32->a, c, &contacts_f32->b, c, &contacts_f32->normal_force, c,
         &contacts_f32->shear_modulus, c, &contacts_f32->poisson_ratio, c, &contacts_f32->friction, c, NULL, 0,
-        &creepages_f32->longitudinal, k, &creepages_f32->lateral, k, &creepages_f32->spin, k, NULL, 0};
+        &creepages_f32->longitudinal, k, &creepages_f32->lateral, k, &creepages_f32->spin, k,
+        falls(kind) ? &law_f32 : NULL, 0};
     kstrip_batch_outputs_f32 to = {&results->fx, r, &results->fy, r, &results->mz, r,
                                          &results->power, r, &results->adhesion, r,
                                          &results->status_detail, r, NULL, 0, NULL, 0, NULL, 0};
@@ -150,8 +165,8 @@ void counted_calls_f32(int kind, const kstrip_options *options)
     kstrip_prepared_f32 prepared;
     memset(&outputs, 0, sizeof outputs);
     outputs.result = results;
-    outputs.derivatives = kind == DERIVATIVES ? derivatives : NULL;
-    if (kind == BATCH_DERIVATIVES) {
+    outputs.derivatives = differentiates(kind) ? derivatives : NULL;
+    if (differentiates(kind)) {
         to.derivatives = derivatives;
         to.derivatives_stride = sizeof *derivatives;
     }
@@ -167,7 +182,7 @@ void counted_calls_f32(int kind, const kstrip_options *options)
         else if (kind == PREPARED)
             check(kstrip_solve_prepared_f32(&prepared, &creepages_f32[i], results));
         else
-            check(kstrip_evaluate_f32(contacts_f32, &creepages_f32[i], NULL, options, &outputs));
+            check(kstrip_evaluate_f32(contacts_f32, &creepages_f32[i], falls(kind) ? &law_f32 : NULL, options, &outputs));
     }
 }
 
@@ -181,8 +196,8 @@ int main(void)
         const kstrip_creepage_f32 l = {(float)k.longitudinal, (float)k.lateral, (float)k.spin};
         contacts[i] = c, contacts_f32[i] = d, creepages[i] = k, creepages_f32[i] = l;
     }
-    static const char *const kinds[] = {"solve", "evaluate", "derivatives", "prepared", "batch",
-                                        "batch_derivatives"};
+    static const char *const kinds[] = {"solve", "evaluate", "derivatives", "falling", "falling_derivatives", "prepared", "batch",
+                                        "batch_derivatives", "batch_falling", "batch_falling_derivatives"};
     for (size_t m = 0; m < sizeof models / sizeof *models; m++)
         for (int is_f32 = 0; is_f32 < 2; is_f32++)
             for (int kind = SOLVE; kind < KINDS; kind++)

@@ -5,10 +5,12 @@ pub(crate) mod side_by_side;
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::friction::derivatives::{self, Differentiated, differentiate};
+use crate::friction::derivatives::{self, Differentiated, LawDerivatives, differentiate_checked};
 use crate::friction::{self, FrictionSolution, SlipFriction};
+use crate::number::Float;
 #[cfg(target_arch = "x86_64")]
 use crate::number::registers::HAS_WIDE_CODE;
+use crate::solve::derivatives::{Derivatives, Slopes, solve_with_slopes};
 use crate::solve::model;
 use crate::solve::options::{Options, Precision, Solution};
 use crate::status::{Error, Notice};
@@ -105,69 +107,128 @@ pub(crate) fn solve_under_friction<F: Precision>(
     get: impl Fn(usize) -> Case<F>,
     mut put: impl FnMut(usize, FrictionSolution<F>),
 ) -> Result<Notice, (usize, Error)> {
-    if count > 1 {
-        each(0..count, |i| match get(i) {
-            (contact, creepage, Some(law)) => friction::check(&contact, &creepage, &law, options),
-            (contact, creepage, None) => model::check(&contact, &creepage, options),
-        })?;
-    }
+    check_each(count, &get, |(contact, creepage, law)| match law {
+        Some(law) => friction::check(contact, creepage, law, options),
+        None => model::check(contact, creepage, options),
+    })?;
     let mut worst = Notice::None;
     each(0..count, |i| {
         let (contact, creepage, law) = get(i);
         let found = match law {
-            Some(law) => friction::solve(&contact, &creepage, &law, options)?,
+            Some(law) => friction::solve_checked(&contact, &creepage, &law, options)?,
             None => FrictionSolution {
                 solution: model::solve(&contact, &creepage, options)?,
                 friction: contact.friction,
             },
         };
-        worst = worst.worse(found.solution.notice);
+        if found.solution.notice != Notice::None {
+            worst = worst.worse(found.solution.notice);
+        }
         put(i, found);
         Ok(())
     })?;
     Ok(worst)
 }
 
+/// Checks all contacts, one by one unless they are ordinary in groups.
+///
+/// # Errors
+/// Those of the check, of the first bad input.
+#[inline(always)]
+fn check_each<F: Precision>(
+    count: usize,
+    get: &impl Fn(usize) -> Case<F>,
+    check: impl Fn(&Case<F>) -> Result<(), Error>,
+) -> Result<(), (usize, Error)> {
+    let check = |numbers| each(numbers, |i| check(&get(i)));
+    #[cfg(target_arch = "x86_64")]
+    if HAS_WIDE_CODE && let Some(checked) = side_by_side::check(count, get, &check) {
+        return checked;
+    }
+    check(0..count)
+}
+
+/// Forces and derivatives of a contact, where they stand.
+pub(crate) struct Found<'a, F: Float> {
+    pub(crate) solution: &'a Solution<F>,
+    /// The coefficient of friction that agrees with the slip.
+    pub(crate) friction: F,
+    pub(crate) derivatives: &'a Derivatives<F>,
+    creepage: &'a Creepage<F>,
+    /// `κ dF/dκ` \[N, N, N m\]
+    by_mismatch: &'a [F; 3],
+    /// By the parameters of the law where there is one.
+    law: Option<&'a LawDerivatives<F>>,
+}
+
+impl<F: Float> Found<'_, F> {
+    /// Derivatives by the parameters of the law, or those of constant friction.
+    pub(crate) fn law(&self) -> LawDerivatives<F> {
+        self.law.copied().unwrap_or_else(|| {
+            derivatives::without_law(self.derivatives, *self.by_mismatch, self.creepage)
+        })
+    }
+}
+
 /// [`solve_batch`] with all derivatives, with or without friction that falls with the slip.
 ///
 /// # Errors
-/// Those of [`differentiate`], of the first bad input, with its number.
+/// Those of [`differentiate`](derivatives::differentiate), of the first bad input, with its number.
 pub(crate) fn differentiate_batch<F: Precision>(
     count: usize,
     options: &Options,
     get: impl Fn(usize) -> Case<F>,
-    mut put: impl FnMut(usize, &Differentiated<F>),
+    mut put: impl FnMut(usize, &Found<F>),
 ) -> Result<Notice, (usize, Error)> {
-    if count > 1 {
-        each(0..count, |i| {
-            let (contact, creepage, law) = get(i);
-            derivatives::check(&contact, &creepage, law.as_ref(), options)
-        })?;
-        #[cfg(target_arch = "x86_64")]
-        if HAS_WIDE_CODE
-            && let Some(solved) = side_by_side::differentiate(count, options, &get, &mut put)
-        {
-            return solved;
-        }
+    check_each(count, &get, |(contact, creepage, law)| {
+        derivatives::check(contact, creepage, law.as_ref(), options)
+    })?;
+    #[cfg(target_arch = "x86_64")]
+    if HAS_WIDE_CODE
+        && let Some(solved) = side_by_side::differentiate(count, options, &get, &mut put)
+    {
+        return solved;
     }
     differentiate_each(0..count, options, &get, &mut put)
 }
 
-/// One after the other.
+/// Checked contacts one after the other.
 #[inline(never)]
 pub(crate) fn differentiate_each<F: Precision>(
     numbers: core::ops::Range<usize>,
     options: &Options,
     get: &impl Fn(usize) -> Case<F>,
-    put: &mut impl FnMut(usize, &Differentiated<F>),
+    put: &mut impl FnMut(usize, &Found<F>),
 ) -> Result<Notice, (usize, Error)> {
     let mut worst = Notice::None;
     each(numbers, |i| {
         let (contact, creepage, law) = get(i);
-        let found = differentiate(&contact, &creepage, law.as_ref(), options);
-        let found = found.as_ref().map_err(|error| *error)?;
-        worst = worst.worse(found.solution.notice);
-        put(i, found);
+        let creepage = &creepage;
+        // (what was found is read where it stands)
+        let notice = match law {
+            None => {
+                let found = solve_with_slopes(&contact, creepage, options);
+                let (solution, slopes) = found.as_ref().map_err(|error| *error)?;
+                let Slopes { derivatives, by_mismatch, .. } = slopes;
+                let friction = contact.friction;
+                put(
+                    i,
+                    &Found { solution, friction, derivatives, creepage, by_mismatch, law: None },
+                );
+                solution.notice
+            }
+            Some(law) => {
+                let found = differentiate_checked(&contact, creepage, Some(&law), options);
+                let found = found.as_ref().map_err(|error| *error)?;
+                let Differentiated { solution, friction, derivatives, law, by_mismatch } = found;
+                let (friction, law) = (*friction, Some(law));
+                put(i, &Found { solution, friction, derivatives, creepage, by_mismatch, law });
+                solution.notice
+            }
+        };
+        if notice != Notice::None {
+            worst = worst.worse(notice);
+        }
         Ok(())
     })?;
     Ok(worst)

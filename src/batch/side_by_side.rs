@@ -6,18 +6,19 @@
 
 #![allow(unsafe_code)]
 
-use crate::batch::{self, Case};
+use crate::batch::{self, Case, Found};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::friction::derivatives::{Differentiated, without_law};
+use crate::friction::{SlipFriction, fastest_slip};
 use crate::number::registers::are_wide;
-use crate::number::{Plain, Strips, length};
+use crate::number::{Arithmetic, Number, Plain, Strips, length};
 use crate::solve::derivatives::{Derivatives, with_slopes};
 use crate::solve::frame::{Forces, Frame};
 use crate::solve::notice::{LARGEST_SPIN, RATIOS, linear_notice, notice};
 use crate::solve::options::{Model, Options, Precision, Solution};
 use crate::solve::theory::{Linear, Strip, Strip1967, Theory, Total};
 use crate::status::{Error, Notice};
+use core::ops::Range;
 
 /// Contacts that stand side by side at most.
 const MOST: usize = 8;
@@ -34,18 +35,89 @@ pub(super) fn solve<F: Precision>(
     are_wide().then(|| unsafe { solve_groups(count, options, get, put) })
 }
 
-/// [`batch::differentiate_batch`] of checked contacts side by side, if the processor has wide registers; of models with strips these are
-/// full with those of one contact.
+/// [`batch::differentiate_batch`] of checked contacts side by side, if the processor has wide registers and no friction falls; of models with strips
+/// the registers are full with those of one contact.
 #[inline(always)]
 pub(super) fn differentiate<F: Precision>(
     count: usize,
     options: &Options,
     get: &impl Fn(usize) -> Case<F>,
-    put: &mut impl FnMut(usize, &Differentiated<F>),
+    put: &mut impl FnMut(usize, &Found<F>),
 ) -> Option<Result<Notice, (usize, Error)>> {
-    let together = are_wide() && matches!(options.model, Model::Total | Model::Linear);
+    let together = are_wide()
+        && matches!(options.model, Model::Total | Model::Linear)
+        && (0..count).all(|i| get(i).2.is_none());
     // SAFETY: the processor was asked.
     together.then(|| unsafe { differentiate_groups(count, options, get, put) })
+}
+
+/// Checks inputs, those that are not ordinary by another check, if the processor has wide registers.
+#[inline(always)]
+pub(super) fn check<F: Precision>(
+    count: usize,
+    get: &impl Fn(usize) -> Case<F>,
+    check: &impl Fn(Range<usize>) -> Result<(), (usize, Error)>,
+) -> Option<Result<(), (usize, Error)>> {
+    // SAFETY: the processor was asked.
+    are_wide().then(|| unsafe { check_groups(count, get, check) })
+}
+
+#[target_feature(enable = "avx")]
+fn check_groups<F: Precision>(
+    count: usize,
+    get: &impl Fn(usize) -> Case<F>,
+    check: &impl Fn(Range<usize>) -> Result<(), (usize, Error)>,
+) -> Result<(), (usize, Error)> {
+    let whole = count - count % F::Contacts::COUNT;
+    for first in (0..whole).step_by(F::Contacts::COUNT) {
+        let numbers = first..first + F::Contacts::COUNT;
+        if !are_ordinary(numbers.clone(), get) {
+            check(numbers)?;
+        }
+    }
+    check(whole..count)
+}
+
+/// Most that the steepness of a law may be ([`SlipFriction::least`]) without a look at each contact.
+const MILD: f64 = 0.47;
+
+/// Whether a few comparisons tell of contacts side by side that no check fails, and that no derivative is too large.
+#[inline(always)]
+fn are_ordinary<F: Precision>(numbers: Range<usize>, get: &impl Fn(usize) -> Case<F>) -> bool {
+    let first = numbers.start;
+    let (mut contact, creepage) = group(first, &|i| {
+        let (contact, creepage, _) = get(i);
+        (contact, creepage)
+    });
+    let zero = F::Contacts::zero();
+    let mut steepness = zero;
+    if numbers.into_iter().any(|i| get(i).2.is_some()) {
+        let [friction, ratio, decay, rolling_speed, slope_factor] = together(first, &|i| {
+            let (contact, _, law) = get(i);
+            let law = law.unwrap_or(SlipFriction::constant(contact.friction));
+            let SlipFriction { friction, ratio, decay, rolling_speed, slope_factor } = law;
+            [friction, ratio, decay, rolling_speed, slope_factor]
+        });
+        let (one, largest) = (F::Contacts::one(), F::Contacts::of(1e6));
+        let is_usual = ratio.lies_between(zero, one)
+            && decay.lies_within(largest)
+            && rolling_speed.lies_within(largest)
+            && slope_factor.lies_within(one);
+        if !is_usual {
+            return false;
+        }
+        let stiffness = slope_factor.choose(slope_factor, one);
+        contact.friction = friction;
+        contact.shear_modulus = contact.shear_modulus * stiffness;
+        contact.mismatch = contact.mismatch * stiffness;
+        // B V s_max (1 − A)
+        let slip = fastest_slip(&contact, &creepage);
+        steepness = (one - ratio) * (decay * (rolling_speed * slip));
+    }
+    // μ ≥ μ₀ (1 − steepness), because exp(−x) ≥ 1 − x
+    contact.is_ordinary(&creepage)
+        && !steepness.exceeds(F::Contacts::of(MILD))
+        && !contact.stiffness().exceeds(contact.friction_bound().times(1e6 * (1.0 - MILD)))
 }
 
 #[target_feature(enable = "avx")]
@@ -100,7 +172,7 @@ fn differentiate_groups<F: Precision>(
     count: usize,
     options: &Options,
     get: &impl Fn(usize) -> Case<F>,
-    put: &mut impl FnMut(usize, &Differentiated<F>),
+    put: &mut impl FnMut(usize, &Found<F>),
 ) -> Result<Notice, (usize, Error)> {
     let whole = count - count % F::Contacts::COUNT;
     let mut worst = Notice::None;
@@ -110,9 +182,7 @@ fn differentiate_groups<F: Precision>(
             let (contact, creepage, _) = get(i);
             (contact, creepage)
         });
-        let free = numbers.clone().all(|i| get(i).2.is_none());
-        if !(free
-            && is_alike(&contact)
+        if !(is_alike(&contact)
             && contact.is_ordinary(&creepage)
             && contact.friction_bound().is_positive_number())
         {
@@ -128,13 +198,12 @@ fn differentiate_groups<F: Precision>(
         };
         let together = Together::new(options.model, frame, &creepage, &forces, psi);
         for (k, i) in numbers.enumerate() {
-            let (contact, creepage, _) = get(i);
-            let derivatives = lane_of(&slopes, k);
-            let solution = together.solution(k);
+            let (Contact { friction, .. }, creepage, _) = get(i);
+            let (creepage, derivatives) = (&creepage, &lane_of(&slopes, k));
+            let solution = &together.solution(k);
             worst = worst.worse(solution.notice);
-            let (friction, by_mismatch) = (contact.friction, [F::zero(); 3]);
-            let law = without_law(&derivatives, by_mismatch, &creepage);
-            put(i, &Differentiated { solution, friction, derivatives, law, by_mismatch });
+            let by_mismatch = &[F::zero(); 3];
+            put(i, &Found { solution, friction, derivatives, creepage, by_mismatch, law: None });
         }
     }
     Ok(worst.worse(batch::differentiate_each(whole..count, options, get, put)?))
@@ -152,20 +221,6 @@ fn group<F: Precision>(
     first: usize,
     get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
 ) -> (Contact<F::Contacts>, Creepage<F::Contacts>) {
-    let mut quantities = [[F::zero(); MOST]; 10];
-    for lane in 0..F::Contacts::COUNT {
-        let (contact, creepage) = get(first + lane);
-        let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch } =
-            contact;
-        let Creepage { longitudinal, lateral, spin } = creepage;
-        let contact = [a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch];
-        let values = contact.into_iter().chain([longitudinal, lateral, spin]);
-        for (quantity, value) in quantities.iter_mut().zip(values) {
-            if let Some(place) = quantity.get_mut(lane) {
-                *place = value;
-            }
-        }
-    }
     let [
         a,
         b,
@@ -177,13 +232,47 @@ fn group<F: Precision>(
         longitudinal,
         lateral,
         spin,
-    ] = quantities
-        .each_ref()
-        .map(|numbers| F::Contacts::gather(|lane| numbers.get(lane).copied().unwrap_or(F::zero())));
+    ] = together(first, &|i| {
+        let (contact, creepage) = get(i);
+        let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch } =
+            contact;
+        let Creepage { longitudinal, lateral, spin } = creepage;
+        [
+            a,
+            b,
+            normal_force,
+            shear_modulus,
+            poisson_ratio,
+            friction,
+            mismatch,
+            longitudinal,
+            lateral,
+            spin,
+        ]
+    });
     (
         Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch },
         Creepage { longitudinal, lateral, spin },
     )
+}
+
+/// Numbers of contacts, each side by side.
+#[inline(always)]
+fn together<F: Precision, const N: usize>(
+    first: usize,
+    of: &impl Fn(usize) -> [F; N],
+) -> [F::Contacts; N] {
+    let mut quantities = [[F::zero(); MOST]; N];
+    for lane in 0..F::Contacts::COUNT {
+        for (quantity, value) in quantities.iter_mut().zip(of(first + lane)) {
+            if let Some(place) = quantity.get_mut(lane) {
+                *place = value;
+            }
+        }
+    }
+    quantities
+        .each_ref()
+        .map(|numbers| F::Contacts::gather(|lane| numbers.get(lane).copied().unwrap_or(F::zero())))
 }
 
 #[target_feature(enable = "avx")]

@@ -132,11 +132,20 @@ impl<F: Precision> Batch<'_, F> {
             && outputs.derivatives.is_null()
             && outputs.law_derivatives.is_null();
         let count = self.count as usize;
+        // (read like the others, without a question for each contact)
+        let none = F::zero();
+        let mismatch = match inputs.mismatch.is_null() {
+            true => (&raw const none, 0),
+            false => (inputs.mismatch, inputs.mismatch_stride),
+        };
+        let get = |i| self.get(i, mismatch);
         let solved = if alone {
-            let put = |i, solution| self.put(i, &solution);
-            solve_batch(count, &self.options, |i| self.get(i), put)
+            // SAFETY: the promise of this function.
+            let own = |i| unsafe { read(inputs.friction, inputs.friction_stride, i) };
+            let put = |i, solution| self.put(i, &solution, || own(i));
+            solve_batch(count, &self.options, get, put)
         } else {
-            self.with_more(count)
+            self.with_more(count, get)
         };
         put(first_bad, solved.err().map_or(self.count, |(i, _)| i as u32));
         solved.map_err(|(_, error)| error)
@@ -149,34 +158,35 @@ impl<F: Precision> Batch<'_, F> {
     }
 
     /// Under falling friction, and with derivatives.
-    fn with_more(&self, count: usize) -> Result<Notice, (usize, Error)> {
+    fn with_more(
+        &self,
+        count: usize,
+        get: impl Fn(usize) -> (Contact<F>, Creepage<F>),
+    ) -> Result<Notice, (usize, Error)> {
         let to = self.outputs;
         let get = |i| {
-            let (contact, creepage) = self.get(i);
+            let (contact, creepage) = get(i);
             (contact, creepage, self.law(i))
-        };
-        let put = |i, solution: &Solution<F>, friction: F| {
-            self.put(i, solution);
-            // SAFETY: the promise of `solve`.
-            unsafe { write(to.friction, to.friction_stride, i, friction) };
         };
         if to.derivatives.is_null() && to.law_derivatives.is_null() {
             return solve_under_friction(count, &self.options, get, |i, found| {
-                put(i, &found.solution, found.friction);
+                self.put(i, &found.solution, || found.friction);
             });
         }
         differentiate_batch(count, &self.options, get, |i, found| {
-            put(i, &found.solution, found.friction);
+            self.put(i, found.solution, || found.friction);
             // SAFETY: the promise of `solve`.
             unsafe {
-                write(to.derivatives, to.derivatives_stride, i, found.derivatives);
-                write(to.law_derivatives, to.law_derivatives_stride, i, found.law);
+                write(to.derivatives, to.derivatives_stride, i, *found.derivatives);
+                if !to.law_derivatives.is_null() {
+                    write(to.law_derivatives, to.law_derivatives_stride, i, found.law());
+                }
             }
         })
     }
 
-    /// Contact and creepage of a number below the count.
-    fn get(&self, i: usize) -> (Contact<F>, Creepage<F>) {
+    /// Contact and creepage of a number below the count, with the place and the stride of the mismatch.
+    fn get(&self, i: usize, mismatch: (*const F, isize)) -> (Contact<F>, Creepage<F>) {
         let from = self.inputs;
         // SAFETY: the promise of `solve`.
         unsafe {
@@ -187,11 +197,7 @@ impl<F: Precision> Batch<'_, F> {
                 shear_modulus: read(from.shear_modulus, from.shear_modulus_stride, i),
                 poisson_ratio: read(from.poisson_ratio, from.poisson_ratio_stride, i),
                 friction: read(from.friction, from.friction_stride, i),
-                mismatch: if from.mismatch.is_null() {
-                    F::zero()
-                } else {
-                    read(from.mismatch, from.mismatch_stride, i)
-                },
+                mismatch: read(mismatch.0, mismatch.1, i),
             };
             let creepage = Creepage {
                 longitudinal: read(from.longitudinal, from.longitudinal_stride, i),
@@ -202,9 +208,9 @@ impl<F: Precision> Batch<'_, F> {
         }
     }
 
-    fn put(&self, i: usize, solution: &Solution<F>) {
+    fn put(&self, i: usize, solution: &Solution<F>, friction: impl FnOnce() -> F) {
         let Solution { fx, fy, mz, power, adhesion, notice, .. } = *solution;
-        let Self { inputs, outputs: to, .. } = self;
+        let to = self.outputs;
         // SAFETY: the promise of `solve`.
         unsafe {
             write(to.fx, to.fx_stride, i, fx);
@@ -214,8 +220,7 @@ impl<F: Precision> Batch<'_, F> {
             write(to.adhesion, to.adhesion_stride, i, adhesion);
             write(to.status_detail, to.status_detail_stride, i, notice.code());
             if !to.friction.is_null() {
-                let own = read(inputs.friction, inputs.friction_stride, i);
-                write(to.friction, to.friction_stride, i, own);
+                write(to.friction, to.friction_stride, i, friction());
             }
         }
     }

@@ -158,10 +158,26 @@ pub fn differentiate<F: Precision>(
     law: Option<&SlipFriction<F>>,
     options: &Options,
 ) -> Result<Differentiated<F>, Error> {
+    if let Some(law) = law {
+        friction::check(contact, creepage, law, options)?;
+    }
+    differentiate_checked(contact, creepage, law, options)
+}
+
+/// [`differentiate`] for a law that [`friction::check`] has accepted with the contact and the creepage.
+///
+/// # Errors
+/// Those of [`differentiate`].
+pub(crate) fn differentiate_checked<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    law: Option<&SlipFriction<F>>,
+    options: &Options,
+) -> Result<Differentiated<F>, Error> {
     let under;
     let (contact, notice) = match law {
         Some(law) => {
-            under = friction::under(contact, creepage, law, options)?;
+            under = friction::under_checked(contact, creepage, law, options)?;
             (&under.0, under.1)
         }
         None => (contact, Notice::None),

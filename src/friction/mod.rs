@@ -32,10 +32,10 @@ mod law;
 
 pub(crate) use self::agreement::Agreement;
 pub use self::law::SlipFriction;
+pub(crate) use self::law::fastest_slip;
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::friction::law::fastest_slip;
 use crate::solve::derivatives::solve_with_slopes;
 use crate::solve::model::{self, Model, Options, Precision, Solution};
 use crate::status::{Error, Notice};
@@ -81,7 +81,21 @@ pub fn solve<F: Precision>(
     friction: &SlipFriction<F>,
     options: &Options,
 ) -> Result<FrictionSolution<F>, Error> {
-    let (contact, notice) = under(contact, creepage, friction, options)?;
+    check(contact, creepage, friction, options)?;
+    solve_checked(contact, creepage, friction, options)
+}
+
+/// [`solve`] for inputs that [`check`] has accepted.
+///
+/// # Errors
+/// Those of [`model::solve`], which no such inputs bring.
+pub(crate) fn solve_checked<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    friction: &SlipFriction<F>,
+    options: &Options,
+) -> Result<FrictionSolution<F>, Error> {
+    let (contact, notice) = under_checked(contact, creepage, friction, options)?;
     let mut solution = model::solve(&contact, creepage, options)?;
     solution.notice = solution.notice.worse(notice);
     Ok(FrictionSolution { solution, friction: contact.friction })
@@ -98,7 +112,20 @@ pub fn under<F: Precision>(
     friction: &SlipFriction<F>,
     options: &Options,
 ) -> Result<(Contact<F>, Notice), Error> {
-    friction.check()?;
+    check(contact, creepage, friction, options)?;
+    under_checked(contact, creepage, friction, options)
+}
+
+/// [`under`] for inputs that [`check`] has accepted.
+///
+/// # Errors
+/// Those of [`model::solve`], which no such inputs bring.
+pub(crate) fn under_checked<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    friction: &SlipFriction<F>,
+    options: &Options,
+) -> Result<(Contact<F>, Notice), Error> {
     let contact = friction.contact(contact);
     let (friction, notice) = agreement(&contact, creepage, friction, options)?;
     Ok((Contact { friction, ..contact }, notice))
@@ -118,14 +145,13 @@ pub fn check<F: Precision>(
     model::check(&friction.contact(contact), creepage, options)
 }
 
-/// The largest `μ` that agrees with the slip that it causes. `contact` has `μ₀`.
+/// The largest `μ` that agrees with the slip that it causes. `contact` has `μ₀`, and was checked.
 fn agreement<F: Precision>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     friction: &SlipFriction<F>,
     options: &Options,
 ) -> Result<(F, Notice), Error> {
-    model::check(contact, creepage, options)?;
     let nothing = contact.friction_bound() <= F::zero();
     if options.model == Model::Linear || !friction.falls() || nothing {
         return Ok((friction.friction, Notice::None));
