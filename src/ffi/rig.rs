@@ -54,8 +54,8 @@ pub(super) const BOTH: u32 = KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY;
 
 /// The creepage at which a contact with a given spin carries a wanted force.
 ///
-/// The search mostly needs five solutions with derivatives. Of ten thousand plausible contacts one or two need more than 12 (four with
-/// KSTRIP_MODEL_TOTAL, 22 with KSTRIP_MODEL_STRIP_1967, whose force jumps). The wanted forces of these contacts are near friction times
+/// The search mostly needs five solutions with derivatives. Of ten thousand plausible contacts about one needs more than 12 (14 with
+/// KSTRIP_MODEL_STRIP_1967, whose force jumps). The wanted forces of these contacts are near friction times
 /// load, where the force turns back before it grows on.
 /// The search ends after 40 with KSTRIP_WARNING_NOT_CONVERGED and the creepage that comes nearest; a force within a jump of STRIP_1967 has
 /// no creepage, which happens to seven of a thousand forces with spin. Where spin keeps the force from growing with the creepage, more than

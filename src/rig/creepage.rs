@@ -9,9 +9,11 @@
 //! is proportional to the creepage in the theory of Vermeulen and Johnson (J. Appl. Mech. 31 (1964) 338), and nearly so
 //! here. From the second step on the model of the force is not only its slopes but the cubics through the last two places, as a tensor method has
 //! it (Schnabel and Frank, SIAM J. Numer. Anal. 21 (1984) 815), because the slopes alone are nearly singular where spin and creepage make the
-//! force turn back: its folds. A step that leads no closer is shortened to where the cubic through both ends crosses zero, or damped; one that
-//! leads beyond a fold is halved, because the force that is wanted is mostly found before it turns back. If the search still makes no progress, it
-//! starts again elsewhere along the wanted force.
+//! force turn back: its folds. A step leads closer if the error falls, or if the next step is shorter: near folds and jumps the error measures the
+//! direction of the force alone, and a step that brings the creepage nearer may make it grow (natural monotonicity: Deuflhard, Newton Methods for
+//! Nonlinear Problems, Springer 2004). A step that leads no closer is shortened to where the cubic through both ends crosses zero, or damped; one
+//! that leads beyond a fold is halved, because the force that is wanted is mostly found before it turns back. If the search makes no progress, or
+//! no step leads closer to a force that is almost reached, it starts again elsewhere along the wanted force.
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
@@ -27,8 +29,12 @@ const MOST: usize = 40;
 /// Number of solutions in a row that do not halve the error, after which the search starts again: along the wanted force, at the creepages
 /// `STARTS` times that where the first start ended, which counts at least as `NEAREST` units of slip.
 const IDLE: usize = 6;
-const STARTS: [f64; 6] = [1.15, 0.6, 2.0, 4.0, 0.3, 8.0];
+const STARTS: [f64; 7] = [1.15, 1.5, 2.0, 0.6, 4.0, 0.3, 8.0];
 const NEAREST: f64 = 0.3;
+/// The next step over this one, up to which this one leads closer.
+const SHORTER: f64 = 0.8;
+/// Error below which no step is damped: the force has turned back, and is found beyond.
+const CLOSE: f64 = 0.1;
 /// Damping, over the sum of the squares of the slopes, where the plain step leads no closer, and the factor by which the damping grows.
 const DAMPING: f64 = 0.03;
 const GROWTH: f64 = 10.0;
@@ -44,8 +50,8 @@ const TAKEN: f64 = 1e4;
 /// With [`Notice::CreepageAtLeast`] the force is within 0.1 % of `μ N`: the result is where it comes as near as that,
 /// and larger creepages do as well.
 ///
-/// The search mostly needs five solutions with derivatives, and more than 12 for one or two of ten thousand plausible contacts (four with
-/// [`Model::Total`], near `μ N`; 22 with [`Model::Strip1967`], whose force jumps). It ends after 40 with [`Notice::NotConverged`] and the
+/// The search mostly needs five solutions with derivatives, and more than 12 for about one of ten thousand plausible contacts, near `μ N`
+/// (14 with [`Model::Strip1967`], whose force jumps). It ends after 40 with [`Notice::NotConverged`] and the
 /// nearest creepage that was found. Where spin keeps the force nearly constant over a range of creepages, more than one creepage may give
 /// it, and the result is one of them.
 ///
@@ -163,6 +169,13 @@ impl<F: Float> Place<F> {
         xx * yy - xy * yx
     }
 
+    /// Whether the next step, `J⁻¹ error`, is shorter than the one that has led here.
+    fn contracts(&self, step: [F; 2]) -> bool {
+        let ([x, y], [[xx, xy], [yx, yy]]) = (self.error, self.slopes);
+        let size = length(yy * x - xy * y, xx * y - yx * x);
+        size < self.determinant() * length(step[0], step[1]).times(SHORTER)
+    }
+
     /// Whether the force has turned back on the way: the slopes have another orientation than at rest and at the place before.
     fn is_beyond_a_fold_from(&self, before: &Self) -> bool {
         self.determinant() <= F::zero() && before.determinant() > F::zero()
@@ -235,6 +248,9 @@ impl<'a, F: Precision> Aim<'a, F> {
             let Ok(start) = self.place(direction.map(|part| part * (reach * larger))) else {
                 break;
             };
+            if start.determinant() <= F::zero() {
+                continue;
+            }
             let found = self.follow(start);
             if found.distance < best.distance {
                 best = found;
@@ -255,7 +271,8 @@ impl<'a, F: Precision> Aim<'a, F> {
             let halves = next.off < mark.times(0.5);
             (mark, idle) = if halves { (next.off, 0) } else { (mark, idle + 1) };
             let near = distance <= F::EPSILON.times(ROUNDING);
-            let closer = next.off < off || next.distance <= F::EPSILON.times(REACHED);
+            let contracts = !near && next.contracts(step);
+            let closer = next.off < off || contracts || next.distance <= F::EPSILON.times(REACHED);
             if closer && (near || !next.is_beyond_a_fold_from(&place)) {
                 (before, place, share, damping) = (Some(place), next, F::one(), F::zero());
                 if near && next.distance > distance.times(0.1) {
@@ -273,6 +290,8 @@ impl<'a, F: Precision> Aim<'a, F> {
                     share = share * shorter.clamped(F::constant(0.05), F::constant(0.95));
                 } else if closer {
                     share = share.times(0.5);
+                } else if off < F::constant(CLOSE) {
+                    break;
                 } else {
                     (before, share) = (None, F::one());
                     damping = damping.times(GROWTH).max(F::constant(DAMPING));
