@@ -1,7 +1,7 @@
 //! `f32` and `f64` as numbers of the theory.
 
 use super::lanes::{F32Pair, Lanes, Wide};
-use super::registers::compiled_twice;
+use super::registers::{NEWTON, NEWTON_START, compiled_twice};
 use super::{Arithmetic, Float, Map, Number, Plain, cube_root, registers};
 
 macro_rules! plain {
@@ -188,11 +188,6 @@ const ARCTAN_DOUBLE: [f64; 7] = [
 ];
 /// The same, within 2e-9.
 const ARCTAN_SINGLE: [f32; 4] = [1.0, -0.333_331_72, 0.199_794_67, -0.134_440_3];
-
-/// `2^(−1/3)`, to single precision.
-pub(super) const NEWTON_START: f32 = 0.793_700_5;
-/// `3 · 2^(−2/3)`
-pub(super) const NEWTON: f64 = 1.889_881_574_842_309_7;
 
 /// `y ≈ 2^(−1/3)/√x` comes from single precision; `y (3 · 2^(−2/3) − x y²)` is then Newton's iteration for `1/√x`, never
 /// above it but by rounding.

@@ -7,9 +7,13 @@
 #![allow(unsafe_code)]
 
 use super::Arithmetic;
-use super::lanes::{Alignment, Lanes};
 
 pub(super) use self::root::{of_f32, of_f64};
+
+/// `2^(−1/3)`, to single precision.
+pub(super) const NEWTON_START: f32 = 0.793_700_5;
+/// `3 · 2^(−2/3)`
+pub(super) const NEWTON: f64 = 1.889_881_574_842_309_7;
 
 /// Numbers that stand side by side in an array: one by one, and in a register where there is one for so many.
 pub trait InRegisters: Arithmetic<Bare = Self> {
@@ -111,31 +115,6 @@ impl<F: super::Float> InRegisters for F {
     }
 }
 
-/// Numbers side by side that are side by side themselves: as many as fill several registers.
-impl<T: InRegisters, const M: usize, A: Alignment> InRegisters for Lanes<T, M, A> {
-    #[inline(always)]
-    fn inverse_roots<const N: usize>(mut a: [Self; N]) -> [Self; N] {
-        let mut rows = [[T::zero(); M]; N];
-        for (row, a) in rows.iter_mut().zip(a) {
-            *row = a.numbers();
-        }
-        for (a, row) in a.iter_mut().zip(T::inverse_roots_of(rows)) {
-            *a = Self::new(row);
-        }
-        a
-    }
-    #[inline(always)]
-    fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool {
-        let mut pairs = a.into_iter().zip(b);
-        pairs.any(|(a, b)| T::any_exceeds(a.numbers(), b.numbers()))
-    }
-    #[inline(always)]
-    fn all_between<const N: usize>(a: [Self; N], low: [Self; N], high: [Self; N]) -> bool {
-        let mut all = a.into_iter().zip(low.into_iter().zip(high));
-        all.all(|(a, (low, high))| T::all_between(a.numbers(), low.numbers(), high.numbers()))
-    }
-}
-
 /// Whether whole functions are compiled for wide registers too. Debug builds have only those for narrow ones, with the same bits: both would
 /// take three times as long to compile. Release builds prove what holds for wide registers.
 #[cfg(target_arch = "x86_64")]
@@ -188,9 +167,10 @@ pub(crate) use compiled_twice;
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {
-    use super::{InRegisters, chosen_one_by_one, each_between, one_by_one, one_exceeds};
+    use super::{
+        InRegisters, NEWTON, NEWTON_START, chosen_one_by_one, each_between, one_by_one, one_exceeds,
+    };
     use crate::number::Arithmetic;
-    use crate::number::float::{NEWTON, NEWTON_START};
     use core::arch::x86_64::*;
 
     cpufeatures::new!(avx, "avx");
