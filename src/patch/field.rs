@@ -2,7 +2,8 @@
 
 use crate::contact::creepage::Creepage;
 use crate::number::Real;
-use crate::patch::solver::{Problem, Slip, Units, reach, rigid_slip};
+use crate::patch::shares::Units;
+use crate::patch::solver::{Problem, Slip, reach, rigid_slip};
 use crate::patch::{PatchStrip, PatchView};
 use crate::solve::field::{FieldPoint, strip_point};
 use crate::solve::model::{Model, Precision};

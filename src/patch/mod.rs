@@ -20,6 +20,7 @@ pub mod normal;
 mod parabola;
 pub mod profile;
 mod section;
+mod shares;
 mod smooth;
 pub mod solver;
 mod stored;

@@ -1,0 +1,144 @@
+//! What each strip of a patch carries in the model STRIP: its zone's ellipse gives it the creepages of its `Y` and of its friction bound
+//! `Π = (μ p₀)_strip/(μ p₀)`.
+
+use crate::contact::creepage::{Creepage, Parameters};
+use crate::contact::{Contact, mismatch};
+use crate::linear::LinearCoefficients;
+use crate::number::{Float, Real};
+use crate::patch::solver::{Problem, Share, Slip, creepage_at};
+use crate::patch::zones::{Widths, Zone};
+use crate::patch::{PatchStrip, QuadratureScale};
+use crate::solve::model::Precision;
+use crate::strip::{Distribution, Flexibilities, Seen, StripGeometry, eight_strips};
+
+/// Least share `Π` of the friction bound. A strip with less is treated as one with this share, so that the squares of its creepages fit
+/// an `f32`.
+const LEAST_BOUND: f64 = 1e-9;
+
+impl<F: Precision> Problem<'_, F> {
+    /// The creepages of the strips of a zone's ellipse, for the creepage at `x` on its middle line with that which pressure adds.
+    pub fn law<T: Real<Base = F>>(
+        zone: &Zone<F>,
+        slip: &Slip<T>,
+        x: F,
+        factors: [F; 2],
+    ) -> (Distribution<T>, T) {
+        let Contact { a, b, poisson_ratio, .. } = zone.contact;
+        let linear = LinearCoefficients::at(a / b, poisson_ratio);
+        let (seen, shift) = seen_by(zone, &linear, slip, x);
+        let parameters = Parameters::new(&zone.contact, &seen);
+        let prepared = Flexibilities::new(parameters.axis_ratio, poisson_ratio, &linear, factors);
+        (prepared.see(parameters.normalised()), shift)
+    }
+
+    /// Hands the forces of every strip to `visit`, eight strips side by side.
+    pub(super) fn strip_shares<T: Real<Base = F>>(
+        &self,
+        slip: &Slip<T>,
+        visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
+    ) {
+        let QuadratureScale { area, lever } = self.view.scale();
+        let mut prepared: Option<Known<F, T, Distribution<T>>> = None;
+        let of_patch = Widths::new(self.view.strips());
+        for (first, lobe, of_lobe) in self.view.lobes_and_zones() {
+            let alternates = of_patch.alternation > F::zero();
+            let widths = if alternates { Widths::new(lobe) } else { of_patch };
+            let count = lobe.len();
+            let mut in_lobe = false;
+            let alternating = widths.alternation.times(0.5);
+            for (g, group) in lobe.chunks(8).enumerate() {
+                let zero = T::zero();
+                let none = Seen { x: zero, y: zero, spread: zero, start: zero };
+                let mut seen = [(none, T::zero()); 8];
+                let mut inner = [F::zero(); 8];
+                let mut shifts = [zero; 8];
+                let strips = group.iter().zip(&mut seen).zip(&mut inner).zip(&mut shifts);
+                for (k, (((strip, seen), inner), shift)) in strips.enumerate() {
+                    let i = 8 * g + k;
+                    let x = strip.centre_x;
+                    let own = of_lobe.or_else(|| self.view.zone(first + i));
+                    let Some(zone) = own else { continue };
+                    let same = in_lobe && of_lobe.is_some();
+                    let known = prepared
+                        .as_ref()
+                        .is_some_and(|known| known.x == x && (same || zone.is(&known.zone)));
+                    in_lobe = true;
+                    if !known {
+                        // the slopes of the linear theory, whatever the quadrature
+                        let (law, shift) = Self::law(&zone, slip, x, [area, lever]);
+                        prepared = Some(Known { zone, x, units: Units::new(&zone), law, shift });
+                    }
+                    let Some(Known { units, law, shift: own, .. }) = &prepared else { continue };
+                    *shift = *own;
+                    *seen = law.strip(&units.geometry(strip, strip.width * widths.per_mean));
+                    let is_inner = i.min(count - 1 - i) % 2 == 1;
+                    *inner = (if is_inner { alternating } else { -alternating }).plus(0.5);
+                }
+                let found = eight_strips(&seen, inner).into_iter().zip(shifts);
+                for (strip, (found, shift)) in group.iter().zip(found) {
+                    let stick = found.stick.value();
+                    let share = Share::new(strip, &found, stick, stick > F::zero());
+                    visit(strip, Share { of_pressure: share.fx * shift, ..share });
+                }
+            }
+        }
+    }
+}
+
+/// The creepages of the strips of a zone that have one centre along `x`.
+struct Known<F, T, L> {
+    zone: Zone<F>,
+    x: F,
+    units: Units<F>,
+    law: L,
+    /// The creepage that pressure adds.
+    shift: T,
+}
+
+/// The creepage of a zone's ellipse at `x` on its middle line, and the part of it that pressure adds.
+pub(super) fn seen_by<T: Real>(
+    zone: &Zone<T::Base>,
+    linear: &LinearCoefficients<T::Base>,
+    slip: &Slip<T>,
+    x: T::Base,
+) -> (Creepage<T>, T) {
+    let creepage = creepage_at(&slip.creepage, x, zone.y);
+    let seen = mismatch::seen(&zone.contact, linear, &creepage, slip.pressure);
+    (seen, seen.longitudinal - creepage.longitudinal)
+}
+
+/// The units of the strips of a zone.
+pub(super) struct Units<F> {
+    y: F,
+    per_a: F,
+    per_b: F,
+    /// `1/(μ p₀)` of the zone's ellipse; zero without friction or load.
+    per_bound: F,
+}
+
+impl<F: Float> Units<F> {
+    pub fn new(zone: &Zone<F>) -> Self {
+        let Zone { y, contact, .. } = zone;
+        let bound = contact.friction * contact.peak_pressure();
+        Self {
+            y: *y,
+            per_a: F::one() / contact.a,
+            per_b: F::one() / contact.b,
+            per_bound: if bound > F::zero() { F::one() / bound } else { F::zero() },
+        }
+    }
+
+    /// A strip in units of the ellipse; its width over the mean of all.
+    pub fn geometry(&self, strip: &PatchStrip<F>, width: F) -> StripGeometry<F> {
+        // Π = (μ p₀)_strip/(μ p₀)
+        let bound = strip.friction * strip.peak_pressure * self.per_bound;
+        let bound = if self.per_bound > F::zero() { bound } else { F::one() };
+        StripGeometry {
+            y: ((strip.y - self.y) * self.per_b).clamped(-F::one(), F::one()),
+            half_length: strip.half_length * self.per_a,
+            // of sixteen strips, whatever their number
+            width: width.times(0.125),
+            bound: bound.max(F::of(LEAST_BOUND)),
+        }
+    }
+}
