@@ -208,8 +208,8 @@ impl<'a, F: Precision> View<'a, F> {
         if ascends && upright { Ok(Self { gap, along, distance }) } else { Err(Error::Profile) }
     }
 
-    /// Middle of an overlap, and distance between its points: means weighted with the square of the overlap. Points enter with weight
-    /// zero, and points around the overlap do not count, so that both are continuous while points come and go.
+    /// Middle of an overlap, and distance between its points: means weighted with the overlap. Points enter with weight zero, and points
+    /// around the overlap do not count, so that both are continuous while points come and go.
     fn middle_and_step(&self, own: Range<usize>) -> [F; 2] {
         let at = |k: usize| self.along.get(k).copied();
         let [mut weights, mut middle, mut step] = [F::zero(); 3];
@@ -217,7 +217,7 @@ impl<'a, F: Precision> View<'a, F> {
             let (Some(here), Some(distance)) = (at(k), self.distance.get(k)) else { break };
             let before = k.checked_sub(1).and_then(at).unwrap_or(here);
             let half = (at(k + 1).unwrap_or(here) - before).times(0.5);
-            let weight = (-*distance).max(F::zero()).squared() * half;
+            let weight = (-*distance).max(F::zero()) * half;
             weights += weight;
             middle += weight * here;
             step += weight * half;
