@@ -61,14 +61,19 @@ impl<F: Precision> Scene<'_, F> {
         position: &Position<F>,
         memory: &mut Workspace<F>,
     ) -> Result<Notice, Error> {
-        let Self { rail, wheel, pair, strips, .. } = *self;
+        let Self { pair, strips, .. } = *self;
         pair.check()?;
-        let right = position.mirrored(pair.left != 0);
         let Workspace { gap, strips: whole, contacts, count, apart } = memory;
-        touch(rail, wheel, pair.wheel_radius, &right, F::zero(), gap)?;
+        self.touch(position, gap)?;
         let found = contacts::from_gap(gap, pair, position, strips, whole, contacts)?;
         (*count, *apart) = (found.written as u32, found.apart);
         Ok(found.notice)
+    }
+
+    fn touch(&self, position: &Position<F>, gap: &mut Gap<F>) -> Result<F, Error> {
+        let Self { rail, wheel, pair, .. } = *self;
+        let right = position.mirrored(pair.left != 0);
+        touch(rail, wheel, pair.wheel_radius, &right, F::zero(), gap)
     }
 
     fn wrench(
@@ -220,17 +225,8 @@ impl<F: Precision> Scene<'_, F> {
     /// About the vertical position at which the wheel touches, by lowering the wheel a few times by the distance that is left.
     fn first_touch(&self, position: &Position<F>, memory: &mut Workspace<F>) -> Result<F, Error> {
         let mut here = *position;
-        let right = |position: &Position<F>| position.mirrored(self.pair.left != 0);
         for _ in 0..HEIGHTS {
-            let gap = &mut memory.gap;
-            let left = touch(
-                self.rail,
-                self.wheel,
-                self.pair.wheel_radius,
-                &right(&here),
-                F::zero(),
-                gap,
-            )?;
+            let left = self.touch(&here, &mut memory.gap)?;
             here.vertical += left;
             if left.abs() < F::of(1e-6) {
                 break;
