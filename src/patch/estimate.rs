@@ -48,7 +48,8 @@ impl<F: Float> Estimate<F> {
     #[inline(never)]
     pub fn new(curve: &Curve<F>, approach: Moving<F>, radius: Moving<F>) -> Self {
         let level = approach.times(OVERLAP);
-        let (zones, _) = curve.zones(approach, |_, height, slope| [height - level, slope]);
+        let mut zones = Vec::new();
+        curve.zones(approach, &mut zones, |_, height, slope| [height - level, slope]);
         let breadth = (radius * approach).times(1.1).sqrt().times(BREADTH);
         let zero = Moving::zero();
         let mut places: Places<F> = Vec::new();

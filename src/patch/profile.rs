@@ -306,7 +306,8 @@ impl<F: Float> Outline<F> {
             Given::Load(load) => Given::Load(load),
             _ => Given::Approach(approach),
         };
-        let (zones, at_end) = touching(&curve, approach, radius_there);
+        let mut zones = Vec::new();
+        let at_end = touching(&curve, approach, radius_there, &mut zones);
         let mut places = Vec::new();
         lattice(&zones, number_of_cells(count), &mut places);
         lean(&mut places);
@@ -322,16 +323,17 @@ impl<F: Float> Outline<F> {
     }
 }
 
-/// Zones where the bodies touch by the estimate, and whether one of them ends with the profile. (Out of line: the estimate need not be
+/// Zones where the bodies touch by the estimate; returns whether one of them ends with the profile. (Out of line: the estimate need not be
 /// kept while the cells are made.)
 #[inline(never)]
 fn touching<F: Float>(
     curve: &Curve<F>,
     approach: Moving<F>,
     radius: Moving<F>,
-) -> (Zones<F>, bool) {
+    zones: &mut Zones<F>,
+) -> bool {
     let estimate = Estimate::new(curve, approach, radius);
-    curve.zones(approach, |y, height, slope| {
+    curve.zones(approach, zones, |y, height, slope| {
         // (there it is positive anyway)
         if height.value > approach.value {
             return [height - approach.times(0.5), slope];

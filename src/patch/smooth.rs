@@ -48,12 +48,10 @@ pub(super) struct Zone<F> {
     pub from: Moving<F>,
     /// Where it ends \[m\].
     pub to: Moving<F>,
-    /// The most that the function is below zero.
-    depth: Moving<F>,
-    /// The most that it is above zero in the gap before.
-    rise: Moving<F>,
     /// How closely cells lie, between 0 where the zone has just appeared and 1.
     pub density: Moving<F>,
+    /// Share of the gap before that belongs to the zones beside it, between 0 and 1 where the gap has just appeared.
+    closed: Moving<F>,
 }
 
 impl<F: Float> Zone<F> {
@@ -272,14 +270,16 @@ impl<F: Float> Curve<F> {
         }
     }
 
-    /// The zones where a function is negative, and whether one of them ends with the profile. `of` gives the value and the slope of the
-    /// function from a place, the height there and its slope. Which zones and gaps are whole is measured with the approach.
+    /// The zones where a function is negative; returns whether one of them ends with the profile. `of` gives the value and the slope of the
+    /// function from a place, the height there and its slope. Which zones and gaps are whole is measured with the approach. (The zones are
+    /// written where they stay: a copy would take room on the stack.)
     pub fn zones(
         &self,
         approach: Moving<F>,
+        zones: &mut Zones<F>,
         of: impl Fn(Moving<F>, Moving<F>, Moving<F>) -> [Moving<F>; 2],
-    ) -> (Zones<F>, bool) {
-        let mut found = Found::new();
+    ) -> bool {
+        let mut found = Found::new(zones, approach);
         let [start, finish] = self.ends;
         let mut at_end = false;
         let at = |knot: &Knot<F>| {
@@ -352,62 +352,59 @@ impl<F: Float> Curve<F> {
             at_end = at_end || (found.begun.is_some() && end.value >= finish);
             found.end(end);
         }
-        join(&mut found.zones, approach);
-        (found.zones, at_end)
+        join(found.zones);
+        at_end
     }
 }
 
-/// Zones that have just appeared have few cells, and zones with hardly a gap between them share the gap. So zones appear, part and merge
-/// without a jump, although the width of a zone or of a gap grows infinitely fast at first.
-fn join<F: Float>(zones: &mut Zones<F>, approach: Moving<F>) {
-    let one = Moving::one();
-    // 3 x² − 2 x³
-    let step = |height: Moving<F>, whole: f64| {
-        let x = (height / approach.times(whole)).min(one);
-        x.squared() * (Moving::constant(3.0) - x.times(2.0))
-    };
-    let closed = |zone: &Zone<F>| one - step(zone.rise, WHOLE_GAP);
-    for zone in zones.iter_mut() {
-        zone.density = step(zone.depth, WHOLE_ZONE);
-    }
-    let mut rest: &mut [Zone<F>] = zones;
+/// Zones with hardly a gap between them share the gap and the closer cells of the two. So zones part and merge without a jump, although the
+/// width of a gap grows infinitely fast at first.
+fn join<F: Float>(zones: &mut [Zone<F>]) {
+    let mut rest = &mut *zones;
     while let [before, after @ ..] = rest {
         if let [next, ..] = after {
-            let closed = closed(next);
-            let half = (next.from - before.to).times(0.5) * closed;
+            let half = (next.from - before.to).times(0.5) * next.closed;
             before.to += half;
             next.from -= half;
-            next.density = next.density.max(before.density * closed);
+            next.density = next.density.max(before.density * next.closed);
         }
         rest = after;
     }
-    let mut rest: &mut [Zone<F>] = zones;
+    let mut rest = zones;
     while let [before @ .., last] = rest {
         if let [.., own] = before {
-            own.density = own.density.max(last.density * closed(last));
+            own.density = own.density.max(last.density * last.closed);
         }
         rest = before;
     }
 }
 
 /// Zones on the way along the profile.
-struct Found<F> {
-    zones: Zones<F>,
-    /// Where a zone has begun, and the highest value in the gap before.
+struct Found<'a, F> {
+    zones: &'a mut Zones<F>,
+    approach: Moving<F>,
+    /// Where a zone has begun, and how far the gap before is closed.
     begun: Option<[Moving<F>; 2]>,
     /// Lowest value since the last zone, highest since this one began.
     lowest: Moving<F>,
     highest: Moving<F>,
 }
 
-impl<F: Float> Found<F> {
-    fn new() -> Self {
+impl<'a, F: Float> Found<'a, F> {
+    fn new(zones: &'a mut Zones<F>, approach: Moving<F>) -> Self {
+        zones.clear();
         let (zero, far) = (Moving::zero(), Moving::from_base(F::LARGEST));
-        Self { zones: Vec::new(), begun: None, lowest: zero, highest: far }
+        Self { zones, approach, begun: None, lowest: zero, highest: far }
     }
 
     fn begin(&mut self, from: Moving<F>) {
-        self.begun = Some([from, self.highest]);
+        self.begun = Some([from, Moving::one() - self.step(self.highest, WHOLE_GAP)]);
+    }
+
+    /// `3 x² − 2 x³` of a height over this share of the approach, 1 beyond it.
+    fn step(&self, height: Moving<F>, share: f64) -> Moving<F> {
+        let x = (height / self.approach.times(share)).min(Moving::one());
+        x.squared() * (Moving::constant(3.0) - x.times(2.0))
     }
 
     /// Makes room for one more zone: the two zones beside the narrowest gap become one.
@@ -424,7 +421,7 @@ impl<F: Float> Found<F> {
                 core::mem::swap(zone, &mut carried);
             } else {
                 zone.to = carried.to;
-                zone.depth = zone.depth.max(carried.depth);
+                zone.density = zone.density.max(carried.density);
                 break;
             }
         }
@@ -432,11 +429,11 @@ impl<F: Float> Found<F> {
 
     /// The zone that has begun ends.
     fn end(&mut self, to: Moving<F>) {
-        let depth = -self.lowest;
+        let density = self.step(-self.lowest, WHOLE_ZONE);
         self.lowest = Moving::zero();
-        let Some([from, rise]) = self.begun.take() else { return };
+        let Some([from, closed]) = self.begun.take() else { return };
         self.highest = Moving::zero();
-        let zone = Zone { from, to, depth, rise, density: depth };
+        let zone = Zone { from, to, density, closed };
         if !(to.value > from.value) {
             return;
         }

@@ -35,9 +35,9 @@ pub(crate) fn eight_one_by_one<T: Number>(
     inner: [T::Base; 8],
 ) -> [Carried<T>; 8] {
     if T::HAS_DERIVATIVES {
-        carried(seen, inner, found::<Dual<T::Base, 1>, Lanes<T::Base, 1>>)
+        carried(seen, inner, of_kinds::<Dual<T::Base, 1>, Lanes<T::Base, 1>>)
     } else {
-        carried(seen, inner, found::<T::Base, Lanes<T::Base, 1>>)
+        carried(seen, inner, of_kinds::<T::Base, Lanes<T::Base, 1>>)
     }
 }
 
@@ -45,7 +45,7 @@ pub(crate) fn eight_one_by_one<T: Number>(
 fn carried<T: Number>(
     seen: &[(Seen<T>, T); 8],
     inner: [T::Base; 8],
-    forces: impl Fn(&Eight<T::Base>) -> Found<T::Base>,
+    forces: impl Fn(&Eight<T::Base>, &mut Found<T::Base>),
 ) -> [Carried<T>; 8] {
     let all = |of: fn(&(Seen<T>, T)) -> T| seen.each_ref().map(|own| of(own).value());
     let eight = [
@@ -56,7 +56,11 @@ fn carried<T: Number>(
         all(|(seen, _)| seen.start),
         inner,
     ];
-    let ([fx, fy, mx, stick], [by_x, by_y, by_m]) = forces(&eight);
+    let zero = T::Base::zero();
+    // (written where it stays: a copy would take room on the stack)
+    let mut found = ([[zero; 8]; 4], [[[zero; 8]; 5]; 3]);
+    forces(&eight, &mut found);
+    let ([fx, fy, mx, stick], [by_x, by_y, by_m]) = &found;
     let mut lane = 0;
     seen.each_ref().map(|(seen, spin)| {
         let of = |all: &[T::Base; 8]| all.get(lane).copied().unwrap_or(T::Base::zero());
@@ -65,34 +69,34 @@ fn carried<T: Number>(
             T::composed(of(value), slopes.each_ref().map(of), by)
         };
         let carried = Carried {
-            fx: composed(&fx, &by_x),
-            fy: composed(&fy, &by_y),
-            mx: composed(&mx, &by_m),
-            stick: T::from_base(of(&stick)),
+            fx: composed(fx, by_x),
+            fy: composed(fy, by_y),
+            mx: composed(mx, by_m),
+            stick: T::from_base(of(stick)),
         };
         lane += 1;
         carried
     })
 }
 
-fn both_kinds<T: Number>(eight: &Eight<T::Base>) -> Found<T::Base> {
-    compiled_twice!(if 1 => <T: Number>(_of: core::marker::PhantomData<T> = core::marker::PhantomData::<T>, eight: &Eight<T::Base>) -> Found<T::Base> {
+fn both_kinds<T: Number>(eight: &Eight<T::Base>, found: &mut Found<T::Base>) {
+    compiled_twice!(if 1 => <T: Number>(_of: core::marker::PhantomData<T> = core::marker::PhantomData::<T>, eight: &Eight<T::Base>, found: &mut Found<T::Base>) -> () {
         if cfg!(target_os = "none") {
             // (one after the other, where flash is short)
-            found::<T, Lanes<T::Base, 1>>(eight)
+            of_kinds::<T, Lanes<T::Base, 1>>(eight, found)
         } else {
-            found::<T, <T::Base as Plain>::Eight>(eight)
+            of_kinds::<T, <T::Base as Plain>::Eight>(eight, found)
         }
     } {
-        found::<T, <T::Base as Plain>::WideEight>(eight)
+        of_kinds::<T, <T::Base as Plain>::WideEight>(eight, found)
     })
 }
 
 /// As many strips at a time as stand side by side in `P`.
 #[inline(always)]
-fn found<T: Number, P: Strips<T::Base>>(eight: &Eight<T::Base>) -> Found<T::Base> {
+fn of_kinds<T: Number, P: Strips<T::Base>>(eight: &Eight<T::Base>, found: &mut Found<T::Base>) {
     let zero = T::Base::zero();
-    let (mut carried, mut slopes) = ([[zero; 8]; 4], [[[zero; 8]; 5]; 3]);
+    let (carried, slopes) = found;
     for first in (0..8).step_by(P::COUNT) {
         let gather = |of: &[T::Base; 8]| P::gather(|k| of.get(first + k).copied().unwrap_or(zero));
         let [x, y, spin, spread, start, inner] = eight.each_ref().map(gather);
@@ -124,5 +128,4 @@ fn found<T: Number, P: Strips<T::Base>>(eight: &Eight<T::Base>) -> Found<T::Base
             put(carried, own);
         }
     }
-    (carried, slopes)
 }
