@@ -42,11 +42,20 @@ impl<F: Float> Estimate<F> {
     /// The load alone. (Out of line, so that only this function keeps the places.)
     #[inline(never)]
     pub fn load(curve: &Curve<F>, approach: Moving<F>, radius: Moving<F>) -> Moving<F> {
-        Self::new(curve, approach, radius).load
+        let mut estimate = Self::nothing();
+        estimate.fill(curve, approach, radius);
+        estimate.load
     }
 
+    /// No load.
+    pub fn nothing() -> Self {
+        let zero = Moving::zero();
+        Self { load: zero, edges: Vec::new(), growth: Vec::new(), breadth: zero }
+    }
+
+    /// The estimate for an approach, from none. (It is written where it stays: a copy would take room on the stack.)
     #[inline(never)]
-    pub fn new(curve: &Curve<F>, approach: Moving<F>, radius: Moving<F>) -> Self {
+    pub fn fill(&mut self, curve: &Curve<F>, approach: Moving<F>, radius: Moving<F>) {
         let level = approach.times(OVERLAP);
         let mut zones = Vec::new();
         curve.zones(approach, &mut zones, |_, height, slope| [height - level, slope]);
@@ -54,26 +63,25 @@ impl<F: Float> Estimate<F> {
         let zero = Moving::zero();
         let mut places: Places<F> = Vec::new();
         lattice(&zones, COUNT, &mut places);
-        let mut estimate = Self { load: zero, edges: Vec::new(), growth: Vec::new(), breadth };
+        self.breadth = breadth;
         let (mut work, mut load) = (zero, zero);
         let mut depths: Vec<Moving<F>, EDGES> = Vec::new();
         for place in &places {
             let q = (level - curve.at(place.y)).max(zero);
-            estimate.add(place, q);
+            self.add(place, q);
             load += q * place.width;
             work += q * place.width * (approach - level + q);
             let _ = depths.push(q);
         }
         let energy = places.iter().zip(&depths).fold(zero, |sum, (place, q)| {
-            let [deflection, _] = estimate.deflection(place.y);
+            let [deflection, _] = self.deflection(place.y);
             sum + *q * place.width * deflection
         });
         let size = work / energy.shift(F::TINY);
-        estimate.load = load * size;
-        for growth in &mut estimate.growth {
+        self.load = load * size;
+        for growth in &mut self.growth {
             *growth = *growth * size;
         }
-        estimate
     }
 
     /// Adds the load per width of a place. Neighbours share an edge.

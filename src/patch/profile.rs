@@ -332,7 +332,8 @@ fn touching<F: Float>(
     radius: Moving<F>,
     zones: &mut Zones<F>,
 ) -> bool {
-    let estimate = Estimate::new(curve, approach, radius);
+    let mut estimate = Estimate::nothing();
+    estimate.fill(curve, approach, radius);
     curve.zones(approach, zones, |y, height, slope| {
         // (there it is positive anyway)
         if height.value > approach.value {
