@@ -3,7 +3,7 @@
 use super::inside::write_grid;
 use super::solve::Places;
 use super::support::*;
-use crate::patch::normal::Given;
+use crate::patch::normal::{CELLS, Given};
 use crate::patch::profile::{Profile, ProfileContact};
 use crate::patch::{self, KSTRIP_PATCH_CAPACITY, Patch, PatchView, QuadratureScale, solver};
 
@@ -319,7 +319,8 @@ pub(super) fn from_profile<F: Precision>(
         smoothing_length,
     };
     let count = strip_count(options.strips)?;
-    let (patch, found) = Patch::<_, KSTRIP_PATCH_CAPACITY>::from_profile(profile, &contact, count)?;
+    // (a strip for each cell that touches)
+    let (patch, found) = Patch::<_, CELLS>::from_profile(profile, &contact, count)?;
     StoredPatch::write(&patch.view()?, out);
     Ok(found)
 }
