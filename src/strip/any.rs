@@ -13,7 +13,11 @@ use crate::number::{Arithmetic, Number, Plain, Strips};
 /// The creepages of eight strips, `A_x, A_y, σ`, the spread and the start; and their share of the inner strips' nodes, 0 to 1.
 type Eight<F> = [[F; 8]; 6];
 /// The forces `f_x, f_y, m_x` of eight strips and the share in adhesion, and the derivatives of the first three by the creepages.
-type Found<F> = ([[F; 8]; 4], [[[F; 8]; 5]; 3]);
+type Found<F, const ROWS: usize> = ([[F; 8]; 4], [[[F; 8]; 5]; ROWS]);
+
+/// How many rows of derivatives: without them, and with them.
+const VALUES: usize = 0;
+const SLOPES: usize = 3;
 
 /// The forces of eight strips. Each has a share of the inner strips' nodes, 0 to 1.
 #[inline(never)]
@@ -23,9 +27,9 @@ pub(crate) fn eight_strips<T: Number>(
 ) -> [Carried<T>; 8] {
     // (one code for all numbers of derivatives)
     if T::HAS_DERIVATIVES {
-        carried(seen, inner, both_kinds::<Dual<T::Base, 1>>)
+        carried(seen, inner, both_kinds::<Dual<T::Base, 1>, SLOPES>)
     } else {
-        carried(seen, inner, both_kinds::<T::Base>)
+        carried(seen, inner, both_kinds::<T::Base, VALUES>)
     }
 }
 
@@ -35,17 +39,17 @@ pub(crate) fn eight_one_by_one<T: Number>(
     inner: [T::Base; 8],
 ) -> [Carried<T>; 8] {
     if T::HAS_DERIVATIVES {
-        carried(seen, inner, of_kinds::<Dual<T::Base, 1>, Lanes<T::Base, 1>>)
+        carried(seen, inner, of_kinds::<Dual<T::Base, 1>, Lanes<T::Base, 1>, SLOPES>)
     } else {
-        carried(seen, inner, of_kinds::<T::Base, Lanes<T::Base, 1>>)
+        carried(seen, inner, of_kinds::<T::Base, Lanes<T::Base, 1>, VALUES>)
     }
 }
 
 #[inline(always)]
-fn carried<T: Number>(
+fn carried<T: Number, const ROWS: usize>(
     seen: &[(Seen<T>, T); 8],
     inner: [T::Base; 8],
-    forces: impl Fn(&Eight<T::Base>, &mut Found<T::Base>),
+    forces: impl Fn(&Eight<T::Base>, &mut Found<T::Base, ROWS>),
 ) -> [Carried<T>; 8] {
     let all = |of: fn(&(Seen<T>, T)) -> T| seen.each_ref().map(|own| of(own).value());
     let eight = [
@@ -58,20 +62,21 @@ fn carried<T: Number>(
     ];
     let zero = T::Base::zero();
     // (written where it stays: a copy would take room on the stack)
-    let mut found = ([[zero; 8]; 4], [[[zero; 8]; 5]; 3]);
+    let mut found = ([[zero; 8]; 4], [[[zero; 8]; 5]; ROWS]);
     forces(&eight, &mut found);
-    let ([fx, fy, mx, stick], [by_x, by_y, by_m]) = &found;
+    let ([fx, fy, mx, stick], slopes) = &found;
     let mut lane = 0;
     seen.each_ref().map(|(seen, spin)| {
         let of = |all: &[T::Base; 8]| all.get(lane).copied().unwrap_or(T::Base::zero());
         let by = [seen.x, seen.y, *spin, seen.spread, seen.start];
-        let composed = |value: &[T::Base; 8], slopes: &[[T::Base; 8]; 5]| {
-            T::composed(of(value), slopes.each_ref().map(of), by)
+        let composed = |value: &[T::Base; 8], row: usize| {
+            let slopes = slopes.get(row).map_or([zero; 5], |slopes| slopes.each_ref().map(of));
+            T::composed(of(value), slopes, by)
         };
         let carried = Carried {
-            fx: composed(fx, by_x),
-            fy: composed(fy, by_y),
-            mx: composed(mx, by_m),
+            fx: composed(fx, 0),
+            fy: composed(fy, 1),
+            mx: composed(mx, 2),
             stick: T::from_base(of(stick)),
         };
         lane += 1;
@@ -79,22 +84,28 @@ fn carried<T: Number>(
     })
 }
 
-fn both_kinds<T: Number>(eight: &Eight<T::Base>, found: &mut Found<T::Base>) {
-    compiled_twice!(if 1 => <T: Number>(_of: core::marker::PhantomData<T> = core::marker::PhantomData::<T>, eight: &Eight<T::Base>, found: &mut Found<T::Base>) -> () {
+fn both_kinds<T: Number, const ROWS: usize>(
+    eight: &Eight<T::Base>,
+    found: &mut Found<T::Base, ROWS>,
+) {
+    compiled_twice!(if 1 => <T: Number; ROWS>(_of: core::marker::PhantomData<T> = core::marker::PhantomData::<T>, eight: &Eight<T::Base>, found: &mut Found<T::Base, ROWS>) -> () {
         if cfg!(target_os = "none") {
             // (one after the other, where flash is short)
-            of_kinds::<T, Lanes<T::Base, 1>>(eight, found)
+            of_kinds::<T, Lanes<T::Base, 1>, ROWS>(eight, found)
         } else {
-            of_kinds::<T, <T::Base as Plain>::Eight>(eight, found)
+            of_kinds::<T, <T::Base as Plain>::Eight, ROWS>(eight, found)
         }
     } {
-        of_kinds::<T, <T::Base as Plain>::WideEight>(eight, found)
+        of_kinds::<T, <T::Base as Plain>::WideEight, ROWS>(eight, found)
     })
 }
 
 /// As many strips at a time as stand side by side in `P`.
 #[inline(always)]
-fn of_kinds<T: Number, P: Strips<T::Base>>(eight: &Eight<T::Base>, found: &mut Found<T::Base>) {
+fn of_kinds<T: Number, P: Strips<T::Base>, const ROWS: usize>(
+    eight: &Eight<T::Base>,
+    found: &mut Found<T::Base, ROWS>,
+) {
     let zero = T::Base::zero();
     let (carried, slopes) = found;
     for first in (0..8).step_by(P::COUNT) {
