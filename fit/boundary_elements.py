@@ -1,6 +1,6 @@
 """Rows for the fits where CONTACT's rows end, and slopes: steady rolling of an elastic ellipse by boundary elements.
 
-    python3 boundary_elements.py               # write data/boundary_elements.csv (half an hour)
+    python3 boundary_elements.py               # write data/boundary_elements.csv (40 minutes)
     python3 boundary_elements.py --slopes      # write data/boundary_slopes.csv (ten minutes)
     python3 boundary_elements.py --check N     # compare every Nth row of the files of CONTACT with this script, write nothing
 
@@ -19,7 +19,7 @@ import numpy as np
 CELLS, CELLS_OF_SLOPES = 1400, 1200  # of the rectangle around the ellipse, on the finer grid
 MOTIONS = 24  # of each contact
 GROUPS = 4  # motions of like size are solved together
-LONG, MIDDLE, WIDE = 170, 50, 24  # contacts
+LONG, MIDDLE, WIDE, BALANCED, OPPOSED, FLANGE = 170, 50, 24, 64, 48, 50  # contacts
 SLOPES, STATES, STEP = 76, 4, 0.04  # contacts, states of each, and the step of the linear force in their central differences
 TOLERANCE, STEPS = 2e-4, 600
 NAMES = ("a_over_b", "nu", "vx", "vy", "phi", "fx", "fy", "mz", "stick", "err")
@@ -97,15 +97,15 @@ def extrapolated(g, nu, v, cells=CELLS):
     return f[1] + step, stick, np.hypot(step[0], step[1])
 
 
-def motions(g, nu, n, least, r):
-    """Creepages by their linear force (from `least` to 100) beside spin, creepages that balance the spin somewhere in the contact, and spin alone."""
+def motions(g, nu, n, least, r, most=100):
+    """Creepages by their linear force (from `least` to `most`) beside spin, creepages that balance the spin somewhere in the contact, and spin alone."""
 
     def log_uniform(low, high, k=n):
         return np.exp(r.uniform(np.log(low), np.log(high), k))
 
     c = common.coefficients(g, nu)
     phi = log_uniform(0.02, 5) * 3 / np.pi / np.sqrt(g) * (r.random(n) > 0.08)
-    force, angle = log_uniform(least, 100), r.uniform(-np.pi / 2, np.pi / 2, n)
+    force, angle = log_uniform(least, most), r.uniform(-np.pi / 2, np.pi / 2, n)
     angle = np.where(r.random(n) < 0.15, r.choice([-np.pi / 2, 0, np.pi / 2], n), angle)
     vx, vy = force * np.cos(angle) / c[0], force * np.sin(angle) / c[1]
     balanced = (r.random(n) < 0.45) & (phi > 0)
@@ -115,16 +115,40 @@ def motions(g, nu, n, least, r):
     return np.stack([np.where(alone, 0, vx), np.where(alone, 0, vy), phi])
 
 
+def opposed(g, nu, n, _, r):
+    """A lateral creepage against spin, of .7 to 5 and .6 to 4 in linear force, with little or no longitudinal creepage: the force turns over within the contact."""
+
+    def log_uniform(low, high):
+        return np.exp(r.uniform(np.log(low), np.log(high), n))
+
+    c = common.coefficients(g, nu)
+    lateral = -log_uniform(0.7, 5)
+    return np.stack([lateral * r.choice([0, 0, 0.1, 0.4], n) / c[0], lateral / c[1], log_uniform(0.6, 4) / c[2]])
+
+
+def moderate(*of):
+    """Creepages before full sliding."""
+    return motions(*of, most=5)
+
+
 def contacts(r):
-    """Axis ratio, Poisson's ratio, and least linear force of a creepage: all forces in slender contacts, large ones in the others."""
-    for count, low, high, least in ((LONG, 7, 66, 0.1), (MIDDLE, 0.07, 7, 3), (WIDE, 0.013, 0.07, 0.1)):
+    """Axis ratio, Poisson's ratio, and motions: all forces in slender contacts and in a part of the others, large ones in the rest."""
+    for count, low, high, least, of in (
+        (LONG, 7, 66, 0.1, motions),
+        (MIDDLE, 0.07, 7, 3, motions),
+        (WIDE, 0.013, 0.07, 0.1, motions),
+        (BALANCED, 1, 12, 0.3, motions),
+        (OPPOSED, 0.5, 14, None, opposed),
+        (FLANGE, 28, 66, 0.1, moderate),
+    ):
         for _ in range(count):
-            yield np.exp(r.uniform(np.log(low), np.log(high))), 0.28 if r.random() < 0.6 else r.uniform(0, 0.5), least
+            g, nu = np.exp(r.uniform(np.log(low), np.log(high))), 0.28 if r.random() < 0.6 else r.uniform(0, 0.5)
+            yield g, nu, of(g, nu, MOTIONS, least, r)
 
 
 def write(path):
     r, begin = np.random.default_rng(1), time.time()
-    cases = [(g, nu, motions(g, nu, MOTIONS, least, r)) for g, nu, least in contacts(r)]
+    cases = list(contacts(r))
     with open(path, "w", newline="", encoding="utf-8") as file:
         out = csv.writer(file, lineterminator="\n")
         out.writerow(NAMES)

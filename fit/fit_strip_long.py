@@ -1,6 +1,6 @@
 """Corrections of STRIP for contacts that are long in the rolling direction, added to those of `fit_strip.py`; writes src/strip/long_constants.rs.
 
-    python3 fit_strip_long.py                  fit, validate, write (seven minutes)
+    python3 fit_strip_long.py                  fit from a random start (`--seed`), validate, write (four minutes)
     python3 fit_strip_long.py --from-stored    the same, from the stored constants
     python3 fit_strip_long.py --fold K         keep every fifth slender row from the Kth on back, print its errors, write nothing
     options: --minutes M  --seed S  --open FILE (reports only, never fitted)
@@ -25,7 +25,7 @@ UNITS, FIXED = 24, 5
 PENALTY, PRIOR = 0.01, 5e-7
 SLENDER, OWN = 8, 0.5  # how often a row of train_slender.csv and of boundary_elements.csv counts
 LIMITS, SLOPES = 300, 600  # rows of rigid slip, states whose slopes are fitted
-STEPS = 300  # at most
+STEPS = 300
 BLOCK = 1000
 KEYS = ("g", "v", "c", "z", "ob", "w", "f", "wt")
 STORED = strip.read_back()
@@ -55,7 +55,7 @@ def weighted(data):
     """As the rows of the other strips, with more weight for slender rows and at both ends of the range."""
     data, g = strip.weighted(data), data["g"]
     often = np.where(data["slender"], np.sqrt(SLENDER / strip.SLENDER), np.where(data["own"], np.sqrt(OWN / strip.OWN), 1.0))
-    data["wt"] = data["wt"] * often * np.where(g < 14, 1.25, np.where(g > 30, 1.3, 1.0))
+    data["wt"] = data["wt"] * often * np.where(g < 14, 1.6, np.where(g > 30, 1.3, 1.0))
     return data
 
 
@@ -183,8 +183,8 @@ def write(p):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--fold", type=int)
-    parser.add_argument("--minutes", type=float, default=7.0)
-    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--minutes", type=float, default=30.0)
+    parser.add_argument("--seed", type=int, default=4)
     parser.add_argument("--from-stored", action="store_true")
     parser.add_argument("--open")
     args = parser.parse_args()
