@@ -2,7 +2,7 @@
 //!
 //! The formulas of this crate are generic over [`Number`]: `f64`, `f32`, the forward-mode dual numbers that carry exact
 //! derivatives through the same code, and the numbers of several contacts side by side. What is asked about single
-//! contacts is generic over [`Float`] or [`Real`].
+//! contacts is generic over [`Float`].
 //!
 //! nalgebra's `RealField` would do for the first two, but a dual number cannot honestly provide its
 //! eighty functions, and its square root goes through inline assembly that no compiler vectorises.
@@ -320,11 +320,6 @@ macro_rules! either {
     }};
 }
 pub(crate) use either;
-
-/// A number that the theory can be evaluated with. Comparisons look at the value only.
-pub trait Real: Number<Base: Float> + PartialEq + PartialOrd {}
-
-impl<T: Number<Base: Float> + PartialEq + PartialOrd> Real for T {}
 
 /// A differentiable map of plain numbers.
 pub trait Map<F, const N: usize, const M: usize> {

@@ -1,7 +1,7 @@
 //! The tangential field of a patch that is given by its strips.
 
 use crate::contact::creepage::Creepage;
-use crate::number::Real;
+use crate::number::Float;
 use crate::patch::shares::Units;
 use crate::patch::solver::{Problem, Slip, reach, rigid_slip};
 use crate::patch::{PatchStrip, PatchView};
@@ -24,14 +24,14 @@ pub struct PatchField<'a, F> {
 
 /// A strip of a [`PatchField`].
 #[derive(Clone, Copy, Debug)]
-pub struct PatchFieldStrip<F: Real<Base = F>> {
+pub struct PatchFieldStrip<F: Float> {
     strip: PatchStrip<F>,
     law: Tractions<F>,
 }
 
 /// The traction law of a strip.
 #[derive(Clone, Copy, Debug)]
-enum Tractions<F: Real<Base = F>> {
+enum Tractions<F: Float> {
     /// The theory of 1967, and the unit of slip.
     Strip1967(Strip<F>, F),
     /// STRIP, and the unit of slip.

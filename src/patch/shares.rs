@@ -4,7 +4,7 @@
 use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::{Contact, mismatch};
 use crate::linear::LinearCoefficients;
-use crate::number::{Float, Real};
+use crate::number::{Float, Number};
 use crate::patch::solver::{Problem, Share, Slip, creepage_at};
 use crate::patch::zones::{Widths, Zone};
 use crate::patch::{PatchStrip, QuadratureScale};
@@ -17,7 +17,7 @@ const LEAST_BOUND: f64 = 1e-9;
 
 impl<F: Precision> Problem<'_, F> {
     /// The creepages of the strips of a zone's ellipse, for the creepage at `x` on its middle line with that which pressure adds.
-    pub fn law<T: Real<Base = F>>(
+    pub fn law<T: Number<Base = F>>(
         zone: &Zone<F>,
         slip: &Slip<T>,
         x: F,
@@ -32,7 +32,7 @@ impl<F: Precision> Problem<'_, F> {
     }
 
     /// Hands the forces of every strip to `visit`, eight strips side by side.
-    pub(super) fn strip_shares<T: Real<Base = F>>(
+    pub(super) fn strip_shares<T: Number<Base = F>>(
         &self,
         slip: &Slip<T>,
         visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
@@ -96,7 +96,7 @@ struct Known<F, T, L> {
 }
 
 /// The creepage of a zone's ellipse at `x` on its middle line, and the part of it that pressure adds.
-pub(super) fn seen_by<T: Real>(
+pub(super) fn seen_by<T: Number>(
     zone: &Zone<T::Base>,
     linear: &LinearCoefficients<T::Base>,
     slip: &Slip<T>,

@@ -21,7 +21,7 @@ use crate::contact::forces::Totals;
 use crate::contact::plausibility::LARGEST_MISMATCH;
 use crate::linear::LinearCoefficients;
 use crate::number::dual::Dual;
-use crate::number::{Float, Real};
+use crate::number::{Float, Number};
 use crate::patch::shares::seen_by;
 use crate::patch::zones::Zone;
 use crate::patch::{PatchStrip, PatchView};
@@ -40,7 +40,7 @@ type ZoneTotals<T> = (Totals<T>, T);
 
 /// Forces of a strip.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Share<T: Real> {
+pub(super) struct Share<T: Number> {
     pub fx: T,
     pub fy: T,
     /// Moment about the origin of the patch.
@@ -52,7 +52,7 @@ pub(super) struct Share<T: Real> {
     pub adheres: bool,
 }
 
-impl<T: Real> Share<T> {
+impl<T: Number<Base: Float>> Share<T> {
     /// The forces of a strip, from its forces over the friction bound and its moment about its centre in half lengths.
     pub fn new(
         strip: &PatchStrip<T::Base>,
@@ -83,7 +83,11 @@ impl<F: Float> Slip<F> {
 }
 
 /// Rigid slip at the point `(x, y)` as creepage of a contact there: `(υx − φ y, υy + φ x, φ)`.
-pub(super) fn creepage_at<T: Real>(creepage: &Creepage<T>, x: T::Base, y: T::Base) -> Creepage<T> {
+pub(super) fn creepage_at<T: Number>(
+    creepage: &Creepage<T>,
+    x: T::Base,
+    y: T::Base,
+) -> Creepage<T> {
     let Creepage { longitudinal, lateral, spin } = *creepage;
     Creepage { longitudinal: longitudinal - spin.scale(y), lateral: lateral + spin.scale(x), spin }
 }
@@ -185,7 +189,7 @@ impl<'a, F: Precision> Problem<'a, F> {
     }
 
     /// Hands the forces of every strip to `visit`.
-    fn shares<T: Real<Base = F>>(
+    fn shares<T: Number<Base = F>>(
         &self,
         slip: &Slip<T>,
         visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
@@ -202,7 +206,7 @@ impl<'a, F: Precision> Problem<'a, F> {
     }
 
     /// Kalker's parameters in units of a strip.
-    fn parameters<T: Real<Base = F>>(
+    fn parameters<T: Number<Base = F>>(
         &self,
         strip: &PatchStrip<F>,
         creepage: &Creepage<T>,
@@ -212,7 +216,7 @@ impl<'a, F: Precision> Problem<'a, F> {
     }
 
     /// A strip in the theory of 1967, its half length one.
-    pub fn theory<T: Real<Base = F>>(
+    pub fn theory<T: Number<Base = F>>(
         &self,
         strip: &PatchStrip<F>,
         creepage: &Creepage<T>,
@@ -223,7 +227,7 @@ impl<'a, F: Precision> Problem<'a, F> {
     }
 
     #[inline(never)]
-    fn theory_share<T: Real<Base = F>>(
+    fn theory_share<T: Number<Base = F>>(
         &self,
         strip: &PatchStrip<F>,
         creepage: &Creepage<T>,
@@ -240,7 +244,7 @@ impl<'a, F: Precision> Problem<'a, F> {
 
     /// Every strip's share of the forces of the ellipse of its zone.
     #[inline(never)]
-    fn elliptic_shares<T: Real<Base = F>>(
+    fn elliptic_shares<T: Number<Base = F>>(
         &self,
         slip: &Slip<T>,
         visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
@@ -267,7 +271,7 @@ impl<'a, F: Precision> Problem<'a, F> {
         }
     }
 
-    fn elliptic_totals<T: Real<Base = F>>(zone: &Zone<F>, slip: &Slip<T>) -> ZoneTotals<T> {
+    fn elliptic_totals<T: Number<Base = F>>(zone: &Zone<F>, slip: &Slip<T>) -> ZoneTotals<T> {
         let Contact { a, b, poisson_ratio, .. } = zone.contact;
         let linear = LinearCoefficients::at(a / b, poisson_ratio);
         let (seen, shift) = seen_by(zone, &linear, slip, zone.x);
@@ -278,7 +282,7 @@ impl<'a, F: Precision> Problem<'a, F> {
 }
 
 /// Sums over the strips.
-struct Sums<T: Real> {
+struct Sums<T: Number> {
     fx: T,
     fy: T,
     mz: T,
@@ -289,7 +293,7 @@ struct Sums<T: Real> {
 }
 
 impl<F: Precision> Problem<'_, F> {
-    fn sums<T: Real<Base = F>>(&self, slip: &Slip<T>) -> Sums<T> {
+    fn sums<T: Number<Base = F>>(&self, slip: &Slip<T>) -> Sums<T> {
         let (zero, none) = (T::zero(), F::zero());
         let mut sums = Sums { fx: zero, fy: zero, mz: zero, power: zero, stick: none, area: none };
         self.shares(slip, &mut |strip, share| {

@@ -3,7 +3,7 @@
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
 use crate::linear::LinearCoefficients;
-use crate::number::{Float, Real};
+use crate::number::Float;
 use crate::solve::check::check;
 use crate::solve::frame::Frame;
 use crate::solve::notice::notice_of;
@@ -65,14 +65,14 @@ impl<F: Float> FieldPoint<F> {
 
 /// The traction law of a field.
 #[derive(Clone, Copy, Debug)]
-enum Tractions<F: Real> {
+enum Tractions<F: Float> {
     Strip1967(Parameters<F>, SlidingRule),
     Strip(Distribution<F>),
 }
 
 /// The tangential field of a contact, ready to be evaluated at points.
 #[derive(Clone, Copy, Debug)]
-pub struct Field<F: Real<Base = F>> {
+pub struct Field<F: Float> {
     contact: Contact<F>,
     law: Tractions<F>,
     /// What the caller should know.
@@ -81,7 +81,7 @@ pub struct Field<F: Real<Base = F>> {
 
 /// A strip of a [`Field`].
 #[derive(Clone, Copy, Debug)]
-pub enum FieldStrip<F: Real<Base = F>> {
+pub enum FieldStrip<F: Float> {
     /// Of the theory of 1967.
     Strip1967(Strip<F>),
     /// Of STRIP.

@@ -7,7 +7,7 @@
 //! and the spin `ψ`. If its adhesion length allows (`κ < C`) it sticks next to the leading edge, else
 //! it slides as a whole.
 
-use crate::number::{Arithmetic, Real};
+use crate::number::{Arithmetic, Float, Number};
 
 /// Direction of the traction in a strip without adhesion area (Section 6).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -52,10 +52,10 @@ pub struct StripPoint<T> {
     pub state: State,
 }
 
-impl<T: Real> StripPoint<T> {
+impl<F: Float> StripPoint<F> {
     /// `P = X s_x + Y s_y`, units of `2 (μ p₀)²/G`.
     #[must_use]
-    pub fn dissipation(&self) -> T {
+    pub fn dissipation(&self) -> F {
         self.traction_x * self.slip_x + self.traction_y * self.slip_y
     }
 
@@ -63,11 +63,11 @@ impl<T: Real> StripPoint<T> {
     #[must_use]
     pub fn outside() -> Self {
         Self {
-            pressure: T::zero(),
-            traction_x: T::zero(),
-            traction_y: T::zero(),
-            slip_x: T::zero(),
-            slip_y: T::zero(),
+            pressure: F::zero(),
+            traction_x: F::zero(),
+            traction_y: F::zero(),
+            slip_x: F::zero(),
+            slip_y: F::zero(),
             state: State::Outside,
         }
     }
@@ -96,7 +96,7 @@ pub enum Regime<T> {
 
 /// The solution of one strip.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Strip<T: Real> {
+pub struct Strip<T: Number> {
     /// Half width `C = c/a`.
     pub half_length: T,
     /// Effective longitudinal creepage `ξ̄ = ξ − ψ (y/a)/(1 − ν)`.
@@ -116,18 +116,18 @@ pub struct Strip<T: Real> {
 /// For `|ψ| < 1` always a number (possibly larger than the strip). For `|ψ| ≥ 1` only when
 /// `η ψ < 0` and `η² ≥ (ψ² − 1) ξ̄²` (Section 8.26).
 #[inline]
-pub fn adhesion_length<T: Real>(xi_bar: T, eta: T, psi: T) -> Option<T> {
+pub fn adhesion_length<T: Number>(xi_bar: T, eta: T, psi: T) -> Option<T> {
     let q = (T::one() - psi) * (T::one() + psi);
     let eta_psi = eta * psi;
     let s_squared = eta * eta + q * (xi_bar * xi_bar);
-    if s_squared < T::zero() {
+    if T::zero().exceeds(s_squared) {
         return None;
     }
     let s = s_squared.max(T::from_base(T::TINY)).sqrt();
-    if eta_psi < T::zero() {
+    if T::zero().exceeds(eta_psi) {
         // κ/a = (ξ̄² + η²)/(S − η ψ)   (5.41)
         Some((xi_bar * xi_bar + eta * eta) / (s - eta_psi))
-    } else if q > T::zero() {
+    } else if q.exceeds(T::zero()) {
         // κ/a = (S + η ψ)/(1 − ψ²)   (5.41)
         Some((s_squared.max(T::zero()).sqrt() + eta_psi) / q)
     } else {
@@ -136,15 +136,15 @@ pub fn adhesion_length<T: Real>(xi_bar: T, eta: T, psi: T) -> Option<T> {
 }
 
 /// `ψ` as it counts in the tractions of a strip: ±1 at most.
-fn spin_within<T: Real>(psi: T) -> T {
+fn spin_within<T: Number>(psi: T) -> T {
     psi.clamped(-T::one(), T::one())
 }
 
 /// The unit vector along `(x, y)`, or zero for a vector below the smallest normal number.
 #[inline]
-pub(crate) fn unit_vector<T: Real>(x: T, y: T) -> (T, T) {
+pub(crate) fn unit_vector<T: Number>(x: T, y: T) -> (T, T) {
     let size = x.value().abs().max(y.value().abs());
-    if size <= T::TINY {
+    if !size.exceeds(T::TINY) {
         return (T::zero(), T::zero());
     }
     let (x, y) = (x.scale(T::Base::one() / size), y.scale(T::Base::one() / size));
@@ -152,7 +152,7 @@ pub(crate) fn unit_vector<T: Real>(x: T, y: T) -> (T, T) {
     (x / length, y / length)
 }
 
-impl<T: Real> Strip<T> {
+impl<T: Number> Strip<T> {
     /// Solve a strip of half width `half_length > 0`.
     #[must_use]
     pub fn solve(
@@ -173,7 +173,7 @@ impl<T: Real> Strip<T> {
         // α and β + ψ do not change when ξ̄ and η are scaled together; κ scales with them. Solving
         // at size one keeps squares of tiny creepages from underflowing.
         let size = xi_bar.value().abs().max(eta.value().abs());
-        if size <= T::TINY {
+        if !size.exceeds(T::TINY) {
             // No creepage at all: the strip sticks, with the spin's own traction ψ √(C² − x²).
             let (kappa, alpha) = (T::zero(), T::zero());
             return Some(Regime::Adhesion { kappa, alpha, beta_plus_psi: psi });
@@ -183,7 +183,7 @@ impl<T: Real> Strip<T> {
         let length = adhesion_length(x, e, psi)?;
         let kappa = length.scale(size);
         // α = a ξ̄/κ,  β = a η/κ   (5.40)
-        (kappa < half_length).then(|| Regime::Adhesion {
+        half_length.exceeds(kappa).then(|| Regime::Adhesion {
             kappa,
             alpha: x / length,
             beta_plus_psi: e / length + psi,
@@ -258,34 +258,36 @@ impl<T: Real> Strip<T> {
             + self.eta * fy
             + spin_within(self.psi) * self.moment()
     }
+}
 
+impl<F: Float> Strip<F> {
     /// Pressure, traction and slip at `x` (units of `a`, leading edge at `+C`).
     #[must_use]
-    pub fn at(&self, x: T) -> StripPoint<T> {
+    pub fn at(&self, x: F) -> StripPoint<F> {
         let c = self.half_length;
         // C² − x² and C + x without cancellation at the edges
         let (ahead, behind) = (c - x, c + x);
-        if !(ahead >= T::zero() && behind >= T::zero()) {
+        if !(ahead >= F::zero() && behind >= F::zero()) {
             return StripPoint::outside();
         }
         // Z/p₀ = √(C² − x²)   (2.7)
         let pressure = (ahead * behind).sqrt();
-        let compliance = T::Base::one() - self.poisson_ratio;
+        let compliance = F::one() - self.poisson_ratio;
         match self.regime {
             Regime::Adhesion { kappa, alpha, beta_plus_psi } => {
                 let past_separatrix = behind - kappa.times(2.0);
-                if past_separatrix >= T::zero() {
+                if past_separatrix >= F::zero() {
                     // X = α [√(C² − x²) − √(h² − x'²)] with h² − x'² = (C − x)(C + x − 2κ), and
                     // α κ = ξ̄: X = 2 ξ̄ √(C − x)/(√(C + x) + √(C + x − 2κ)). Likewise Y.
                     let sum = behind.sqrt() + past_separatrix.sqrt();
                     let rise =
-                        if sum > T::zero() { (ahead.sqrt() / sum).times(2.0) } else { T::zero() };
+                        if sum > F::zero() { (ahead.sqrt() / sum).times(2.0) } else { F::zero() };
                     return StripPoint {
                         pressure,
                         traction_x: self.xi_bar * rise,
                         traction_y: spin_within(self.psi) * pressure + self.eta * rise,
-                        slip_x: T::zero(),
-                        slip_y: T::zero(),
+                        slip_x: F::zero(),
+                        slip_y: F::zero(),
                         state: State::Stick,
                     };
                 }
@@ -315,10 +317,10 @@ impl<T: Real> Strip<T> {
     }
 }
 
-impl<T: Real> StripPoint<T> {
+impl<F: Float> StripPoint<F> {
     /// Tell slip that dissipates from slip against the traction.
     pub(crate) fn judged(mut self) -> Self {
-        if self.dissipation() < T::zero() {
+        if self.dissipation() < F::zero() {
             self.state = State::SlipNegativeDissipation;
         }
         self
