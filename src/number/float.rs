@@ -8,7 +8,6 @@ macro_rules! plain {
     ($float:ident, $pair:ty, $contacts:ty, $four:ty, $eight:ty, $wide_four:ty, $wide_eight:ty, $wide_sixteen:ty, $wide_row:ty, $integer:ident, $mantissa:expr, $artanh:expr, $arctan:expr, |$single:ident, $double:ident| $table:expr, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $cbrt:path, $exp:path, $inverse_root:path) => {
         impl Float for $float {
             type Contacts = $contacts;
-            const SMALLEST: Self = $float::from_bits(1);
             const ARTANH: &'static [Self] = &$artanh;
             const ARCTAN: &'static [Self] = &$arctan;
 

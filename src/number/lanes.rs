@@ -5,7 +5,7 @@
 //! ([`InRegisters`]): four doubles or eight floats only where the processor has AVX, which whoever makes them has asked.
 
 use super::registers::InRegisters;
-use super::{Arithmetic, Float, Map, Number, Pair, Plain, Strips};
+use super::{Arithmetic, Map, Number, Pair, Plain, Strips};
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -197,7 +197,7 @@ impl<T: Plain, const N: usize> Plain for Lanes<T, N> {
     }
     #[inline(always)]
     fn is_positive_number(self) -> bool {
-        self.lies_between(Self([T::stored(T::Stored::SMALLEST); N], []), Self([T::LARGEST; N], []))
+        self.lies_between(Self::TINY, Self::LARGEST)
     }
 }
 

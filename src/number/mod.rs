@@ -55,7 +55,7 @@ pub trait Plain: Number<Base = Self> + InRegisters {
     /// Whether it is at least zero and at most `limit`, of which the bits tell in one comparison; of several side by
     /// side, whether all are. Not for NaN; negative zero may be refused.
     fn lies_within(self, limit: Self) -> bool;
-    /// Whether it is positive and finite; of several side by side, whether all are. Not for NaN.
+    /// Whether it is positive and finite; of several side by side, whether all are. Not for NaN; of several, subnormal numbers are refused.
     fn is_positive_number(self) -> bool;
 
     /// `ln(self/divisor)` of two positive normal numbers, to rounding, without a branch.
@@ -94,12 +94,6 @@ pub trait Plain: Number<Base = Self> + InRegisters {
         let u = (self - tangent) / (self * tangent).plus(1.0);
         angle + u * even_polynomial(Self::Stored::ARCTAN, u * u)
     }
-
-    /// A stored single-precision constant, exactly.
-    #[inline]
-    fn of_f32(x: f32) -> Self {
-        Self::stored(Self::Stored::widened(x))
-    }
 }
 
 /// A plain floating-point number, `f32` or `f64`.
@@ -107,8 +101,6 @@ pub trait Float: Plain<Stored = Self> + PartialOrd + nalgebra::Scalar {
     /// As many contacts side by side as fill a wide register.
     type Contacts: Plain<Stored = Self> + Strips<Self>;
 
-    /// Smallest positive number, a subnormal one.
-    const SMALLEST: Self;
     /// Even powers of `artanh(s)/s` for `s² ≤ 0.0403`.
     const ARTANH: &'static [Self];
     /// Even powers of `arctan(u)/u` for `u² ≤ 0.0396`.

@@ -159,7 +159,7 @@ impl<F: Float> Search<F> {
         let (c1, c2, c3) = (p, (b - a).times(3.0) - p.times(2.0) - q, (a - b).times(2.0) + p + q);
         let (mut least, mut at) = (F::LARGEST, F::constant(0.5));
         for eighth in 1..8 {
-            let t = F::of_f32(eighth as f32).times(0.125);
+            let t = F::widened(eighth as f32).times(0.125);
             let reach = (a + t * (c1 + t * (c2 + t * c3))) / (t * (F::one() - t));
             if reach < least {
                 (least, at) = (reach, t);

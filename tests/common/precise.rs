@@ -221,7 +221,6 @@ impl InRegisters for Precise {
 
 impl Float for Precise {
     type Contacts = Lanes<Self, 2>;
-    const SMALLEST: Self = Self::Double(f64::from_bits(1));
     const ARTANH: &'static [Self] = &[];
     const ARCTAN: &'static [Self] = &[];
 

@@ -180,7 +180,7 @@ fn one_answer<F: InC>(
     let [fx, fy, mz, _, adhesion] = numbers.map(|number| number.to_f64());
     let bound = c.friction.to_f64() * c.normal_force.to_f64().max(0.0);
     // (a unit in the last place is coarse among subnormal numbers)
-    let limit = bound * (1.0 + 8.0 * F::EPSILON.to_f64()) + 3.0 * F::SMALLEST.to_f64();
+    let limit = bound * (1.0 + 8.0 * F::EPSILON.to_f64()) + 3.0 * (F::TINY * F::EPSILON).to_f64();
     assert!(fx.hypot(fy) <= limit || model == Model::Linear, "{s:?} {}", what());
     let unit = if bound > 0.0 { bound } else { 1.0 };
     let mean = (c.a.to_f64()).sqrt() * c.b.to_f64().sqrt();
