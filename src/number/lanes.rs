@@ -121,17 +121,6 @@ impl<T: InRegisters, const N: usize, A: Alignment> Arithmetic for Lanes<T, N, A>
 /// Numbers side by side that are side by side themselves: as many as fill several registers.
 impl<T: InRegisters, const M: usize, A: Alignment> InRegisters for Lanes<T, M, A> {
     #[inline(always)]
-    fn inverse_roots<const N: usize>(mut a: [Self; N]) -> [Self; N] {
-        let mut rows = [[T::zero(); M]; N];
-        for (row, a) in rows.iter_mut().zip(a) {
-            *row = a.numbers();
-        }
-        for (a, row) in a.iter_mut().zip(T::inverse_roots_of(rows)) {
-            *a = Self::new(row);
-        }
-        a
-    }
-    #[inline(always)]
     fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool {
         let mut pairs = a.into_iter().zip(b);
         pairs.any(|(a, b)| T::any_exceeds(a.numbers(), b.numbers()))

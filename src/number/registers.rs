@@ -31,16 +31,6 @@ pub trait InRegisters: Arithmetic<Bare = Self> {
         }
         a
     }
-    /// The same of several arrays, which may be quicker together.
-    #[inline(always)]
-    fn inverse_roots_of<const M: usize, const N: usize>(
-        mut rows: [[Self; M]; N],
-    ) -> [[Self; M]; N] {
-        for row in &mut rows {
-            *row = Self::inverse_roots(*row);
-        }
-        rows
-    }
     /// `yes` where a number is positive, else `no`.
     #[inline(always)]
     fn chosen<const N: usize>(by: [Self; N], yes: [Self; N], no: [Self; N]) -> [Self; N] {
@@ -288,11 +278,16 @@ mod x86 {
                     // (twice in one register: nothing is divided by the zeros of an empty half)
                     let x = cast(a);
                     let single = _mm_cvtpd_ps(x);
-                    cast(newton(x, started(_mm_movelh_ps(single, single))))
+                    let y = _mm_cvtps_pd(started(_mm_movelh_ps(single, single)));
+                    let rest = _mm_sub_pd(_mm_set1_pd(NEWTON), _mm_mul_pd(x, _mm_mul_pd(y, y)));
+                    cast(_mm_mul_pd(y, rest))
                 },
                 4 => unsafe {
                     let x = cast(a);
-                    cast(wide_newton(x, started(_mm256_cvtpd_ps(x))))
+                    let y = _mm256_cvtps_pd(started(_mm256_cvtpd_ps(x)));
+                    let square = _mm256_mul_pd(y, y);
+                    let rest = _mm256_sub_pd(_mm256_set1_pd(NEWTON), _mm256_mul_pd(x, square));
+                    cast(_mm256_mul_pd(y, rest))
                 },
                 _ => {
                     for a in &mut a {
@@ -301,33 +296,6 @@ mod x86 {
                     a
                 }
             }
-        }
-        #[inline(always)]
-        fn inverse_roots_of<const M: usize, const N: usize>(
-            mut rows: [[Self; M]; N],
-        ) -> [[Self; M]; N] {
-            let (couples, rest) = rows.as_chunks_mut::<2>();
-            for [a, b] in couples {
-                match M {
-                    2 => unsafe {
-                        let (x, y) = (cast(*a), cast(*b));
-                        let start = started(_mm_movelh_ps(_mm_cvtpd_ps(x), _mm_cvtpd_ps(y)));
-                        (*a, *b) = (cast(newton(x, start)), cast(newton(y, _mm_movehl_ps(start, start))));
-                    },
-                    4 => unsafe {
-                        let (x, y) = (cast(*a), cast(*b));
-                        let single = _mm256_set_m128(_mm256_cvtpd_ps(y), _mm256_cvtpd_ps(x));
-                        let start = _mm256_div_ps(_mm256_set1_ps(NEWTON_START), _mm256_sqrt_ps(single));
-                        *a = cast(wide_newton(x, _mm256_castps256_ps128(start)));
-                        *b = cast(wide_newton(y, _mm256_extractf128_ps::<1>(start)));
-                    },
-                    _ => (*a, *b) = (Self::inverse_roots(*a), Self::inverse_roots(*b)),
-                }
-            }
-            for row in rest {
-                *row = Self::inverse_roots(*row);
-            }
-            rows
         }
     });
     registers!(f32, 4: _mm_add_ps _mm_sub_ps _mm_mul_ps _mm_div_ps _mm_sqrt_ps _mm_max_ps _mm_min_ps _mm_and_ps
@@ -345,30 +313,6 @@ mod x86 {
     fn started(x: __m128) -> __m128 {
         // SAFETY: SSE2 is there.
         unsafe { _mm_div_ps(_mm_set1_ps(NEWTON_START), _mm_sqrt_ps(x)) }
-    }
-
-    /// One step of Newton's to `1/√x` of two.
-    #[inline(always)]
-    fn newton(x: __m128d, start: __m128) -> __m128d {
-        // SAFETY: SSE2 is there.
-        unsafe {
-            let y = _mm_cvtps_pd(start);
-            _mm_mul_pd(y, _mm_sub_pd(_mm_set1_pd(NEWTON), _mm_mul_pd(x, _mm_mul_pd(y, y))))
-        }
-    }
-
-    /// The same of four.
-    ///
-    /// # Safety
-    /// There are wide registers.
-    #[inline(always)]
-    unsafe fn wide_newton(x: __m256d, start: __m128) -> __m256d {
-        // SAFETY: as said.
-        unsafe {
-            let y = _mm256_cvtps_pd(start);
-            let rest = _mm256_sub_pd(_mm256_set1_pd(NEWTON), _mm256_mul_pd(x, _mm256_mul_pd(y, y)));
-            _mm256_mul_pd(y, rest)
-        }
     }
 }
 
