@@ -359,7 +359,7 @@ fn notices<L: Plain + Strips<L::Stored>>(
     psi: L,
 ) -> [Notice; MOST] {
     let mut notices = [Notice::None; MOST];
-    let (bound, ratio) = (frame.contact.friction_bound(), frame.axis_ratio());
+    let (bound, ratio) = (frame.contact.friction_bound(), frame.units.axis_ratio);
     if model == Model::Linear {
         let size = length(forces.fx, forces.fy);
         if size.exceeds(bound) {

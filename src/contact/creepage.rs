@@ -190,7 +190,8 @@ pub(crate) struct Units<F> {
     longitudinal: F,
     lateral: F,
     poisson_ratio: F,
-    axis_ratio: F,
+    /// `a/b`
+    pub(crate) axis_ratio: F,
     /// `vx/ξ` and `φ/ψ`
     back: [F; 2],
 }
@@ -208,12 +209,6 @@ impl<F: Plain> Units<F> {
             axis_ratio,
             back: back(poisson_ratio, axis_ratio),
         }
-    }
-
-    /// `a/b`
-    #[inline(always)]
-    pub(crate) fn axis_ratio(&self) -> F {
-        self.axis_ratio
     }
 
     #[inline(always)]

@@ -68,7 +68,7 @@ pub(crate) fn shift<T: Number>(
     let [vx, vy, phi] = units.normalised(&units.parameters(creepage));
     let [d, ..] = units.normalised(&units.parameters(&of_pressure));
     let LinearCoefficients { c11, c22, c23, .. } = *linear;
-    let adhesion = adhesion(units.axis_ratio());
+    let adhesion = adhesion(units.axis_ratio);
     let forces = [vx.scale(c11), vy.scale(c22), phi.scale(c23), d.scale(c11 * adhesion)];
     -(share(forces.map(within), adhesion) * strain)
 }
@@ -136,7 +136,7 @@ pub(crate) struct Shift<F> {
 impl<F: Float> Shift<F> {
     #[inline(never)]
     pub(crate) fn new(contact: &Contact<F>, units: &Units<F>, creepage: &Creepage<F>) -> Self {
-        let linear = LinearCoefficients::at(units.axis_ratio(), contact.poisson_ratio);
+        let linear = LinearCoefficients::at(units.axis_ratio, contact.poisson_ratio);
         let input = |value, index| Dual::<F, 4>::input(value, index);
         let Creepage { longitudinal, lateral, spin } = *creepage;
         let seen = Creepage {

@@ -50,14 +50,8 @@ impl<F: Plain> Frame<F> {
     /// `a/b` and `ν`, and the coefficients for them.
     #[inline(always)]
     pub(crate) fn shape(&self) -> (F, F, LinearCoefficients<F>) {
-        let (ratio, poisson_ratio) = (self.axis_ratio(), self.contact.poisson_ratio);
+        let (ratio, poisson_ratio) = (self.units.axis_ratio, self.contact.poisson_ratio);
         (ratio, poisson_ratio, LinearCoefficients::at(ratio, poisson_ratio))
-    }
-
-    /// `a/b`
-    #[inline(always)]
-    pub(crate) fn axis_ratio(&self) -> F {
-        self.units.axis_ratio()
     }
 
     /// Forces in newtons from `F/(μ N)` and `M_z/(μ N √(ab))`.

@@ -66,7 +66,7 @@ pub(crate) trait Theory<F: Plain>: Copy {
         if Self::MODEL == Model::Linear {
             linear_notice_of(forces.fx, forces.fy, bound)
         } else {
-            notice(Self::MODEL, bound, frame.axis_ratio(), psi)
+            notice(Self::MODEL, bound, frame.units.axis_ratio, psi)
                 .worse(neglected(Self::MODEL, frame.contact.mismatch))
         }
     }
