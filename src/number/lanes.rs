@@ -39,31 +39,24 @@ impl<T, const N: usize, A> Lanes<T, N, A> {
 }
 
 macro_rules! operators {
-    ($($operator:ident $function:ident $operation:literal),*) => {
-        $(impl<T: InRegisters, const N: usize, A: Alignment> $operator for Lanes<T, N, A> {
+    ($($operator:ident $function:ident $operation:literal $($assigned:ident $assign:ident)?),*) => {$(
+        impl<T: InRegisters, const N: usize, A: Alignment> $operator for Lanes<T, N, A> {
             type Output = Self;
             #[inline(always)]
             fn $function(self, other: Self) -> Self {
                 Self(T::apply::<$operation, N>(self.0, other.0), [])
             }
-        })*
-    };
-}
-operators!(Add add '+', Sub sub '−', Mul mul '×', Div div '÷');
+        }
 
-impl<T: InRegisters, const N: usize, A: Alignment> AddAssign for Lanes<T, N, A> {
-    #[inline(always)]
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
+        $(impl<T: InRegisters, const N: usize, A: Alignment> $assigned for Lanes<T, N, A> {
+            #[inline(always)]
+            fn $assign(&mut self, other: Self) {
+                *self = self.$function(other);
+            }
+        })?
+    )*};
 }
-
-impl<T: InRegisters, const N: usize, A: Alignment> SubAssign for Lanes<T, N, A> {
-    #[inline(always)]
-    fn sub_assign(&mut self, other: Self) {
-        *self = *self - other;
-    }
-}
+operators!(Add add '+' AddAssign add_assign, Sub sub '−' SubAssign sub_assign, Mul mul '×', Div div '÷');
 
 impl<T: InRegisters, const N: usize, A: Alignment> Neg for Lanes<T, N, A> {
     type Output = Self;
