@@ -4,8 +4,7 @@
 //! generic formulas as a plain number it returns the exact derivatives of what those formulas
 //! compute, branch by branch; there is no step size and no second implementation to keep in step.
 
-use crate::number::registers::compiled_twice;
-use crate::number::{Arithmetic, Float, Map, Number, Pair, Plain, Strips};
+use crate::number::{Arithmetic, Float, Number, Pair, Plain};
 use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -229,7 +228,7 @@ impl<F: Plain, const M: usize> Pair<Dual<F, M>> for Dual<F::Pair, M> {
 impl<F: Plain, const M: usize> Number for Dual<F, M> {
     type Base = F;
     type Pair = Dual<F::Pair, M>;
-    const HAS_DERIVATIVES: bool = true;
+    const DIRECTIONS: usize = M;
     const LANES: usize = F::LANES;
     const LARGEST: F = F::LARGEST;
     const TINY: F = F::TINY;
@@ -237,77 +236,18 @@ impl<F: Plain, const M: usize> Number for Dual<F, M> {
     const HUGE: F = F::HUGE;
     const EPSILON: F = F::EPSILON;
 
-    #[inline(always)]
-    fn map<A: Map<F, N, K>, const N: usize, const K: usize>(
-        map: &A,
-        inputs: [Self; N],
-    ) -> [Self; K] {
-        let (values, place) = valued(map, &inputs);
-        let mut outputs = values.map(Self::from_base);
-        for direction in 0..M {
-            moved(map, &place, &inputs, direction, &mut outputs);
+    #[inline]
+    fn derivative(&self, direction: usize) -> F {
+        self.gradient.get(direction).copied().unwrap_or(F::zero())
+    }
+    #[inline]
+    fn set_derivative(&mut self, direction: usize, derivative: F) {
+        if let Some(place) = self.gradient.get_mut(direction) {
+            *place = derivative;
         }
-        outputs
     }
     #[inline(always)]
     fn exceeds(self, other: Self) -> bool {
         self.value.exceeds(other.value)
-    }
-}
-
-/// The outputs of a map, and where it was evaluated.
-#[inline(always)]
-fn valued<F: Plain, A: Map<F, N, K>, const M: usize, const N: usize, const K: usize>(
-    map: &A,
-    inputs: &[Dual<F, M>; N],
-) -> ([F; K], A::Place) {
-    compiled_twice!(if F::LANES => <F: Plain, A: Map<F, N, K>; M, N, K>(map: &A, inputs: &[Dual<F, M>; N]) -> ([F; K], A::Place) {
-        map.value::<F::Four>(inputs.iter().map(|x| x.value))
-    } {
-        map.value::<F::WideRow>(inputs.iter().map(|x| x.value))
-    })
-}
-
-/// How they move along one direction.
-#[inline(always)]
-fn moved<F: Plain, A: Map<F, N, K>, const M: usize, const N: usize, const K: usize>(
-    map: &A,
-    place: &A::Place,
-    inputs: &[Dual<F, M>; N],
-    direction: usize,
-    outputs: &mut [Dual<F, M>; K],
-) {
-    compiled_twice!(if F::LANES => <F: Plain, A: Map<F, N, K>; M, N, K>(map: &A, place: &A::Place,
-        inputs: &[Dual<F, M>; N], direction: usize, outputs: &mut [Dual<F, M>; K]) -> () {
-        moved_of::<F, A, F::Four, M, N, K>(map, place, inputs, direction, outputs);
-    } {
-        moved_of::<F, A, F::WideRow, M, N, K>(map, place, inputs, direction, outputs);
-    })
-}
-
-#[inline(always)]
-fn moved_of<
-    F: Plain,
-    A: Map<F, N, K>,
-    P: Strips<F>,
-    const M: usize,
-    const N: usize,
-    const K: usize,
->(
-    map: &A,
-    place: &A::Place,
-    inputs: &[Dual<F, M>; N],
-    direction: usize,
-    outputs: &mut [Dual<F, M>; K],
-) {
-    if direction >= M {
-        return;
-    }
-    let along = |x: &Dual<F, M>| x.gradient.get(direction).copied().unwrap_or(F::zero());
-    let tangent = map.tangent::<P>(place, inputs.iter().map(along));
-    for (output, own) in outputs.iter_mut().zip(tangent) {
-        if let Some(derivative) = output.gradient.get_mut(direction) {
-            *derivative = own;
-        }
     }
 }

@@ -1,8 +1,8 @@
 //! `f32` and `f64` as numbers of the theory.
 
 use super::lanes::{F32Pair, Lanes, Wide};
-use super::registers::{NEWTON, NEWTON_START, compiled_twice};
-use super::{Arithmetic, Float, Map, Number, Plain, cube_root, registers};
+use super::registers::{NEWTON, NEWTON_START};
+use super::{Arithmetic, Float, Number, Plain, cube_root, registers};
 
 macro_rules! plain {
     ($float:ident, $pair:ty, $contacts:ty, $four:ty, $eight:ty, $wide_four:ty, $wide_eight:ty, $wide_sixteen:ty, $wide_row:ty, $integer:ident, $mantissa:expr, $artanh:expr, $arctan:expr, |$single:ident, $double:ident| $table:expr, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $cbrt:path, $exp:path, $inverse_root:path) => {
@@ -143,17 +143,6 @@ macro_rules! plain {
             const HUGE: $float = $huge;
             const EPSILON: $float = $float::EPSILON;
 
-            #[inline]
-            fn map<A: Map<Self, N, M>, const N: usize, const M: usize>(
-                map: &A,
-                inputs: [Self; N],
-            ) -> [Self; M] {
-                compiled_twice!(if 1 => <A: Map<$float, N, M>; N, M>(map: &A, inputs: [$float; N]) -> [$float; M] {
-                    map.value::<$four>(inputs.iter().copied()).0
-                } {
-                    map.value::<$wide_row>(inputs.iter().copied()).0
-                })
-            }
             #[inline]
             fn exceeds(self, other: Self) -> bool {
                 self > other

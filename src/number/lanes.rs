@@ -5,7 +5,7 @@
 //! ([`InRegisters`]): four doubles or eight floats only where the processor has AVX, which whoever makes them has asked.
 
 use super::registers::InRegisters;
-use super::{Arithmetic, Map, Number, Pair, Plain, Strips};
+use super::{Arithmetic, Number, Pair, Plain, Strips};
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -135,13 +135,6 @@ impl<T: Plain, const N: usize> Number for Lanes<T, N> {
     const HUGE: Self = Self([T::HUGE; N], []);
     const EPSILON: Self = Self([T::EPSILON; N], []);
 
-    #[inline(always)]
-    fn map<A: Map<Self, K, M>, const K: usize, const M: usize>(
-        map: &A,
-        inputs: [Self; K],
-    ) -> [Self; M] {
-        map.value::<Lanes<Self, 1>>(inputs.iter().copied()).0
-    }
     #[inline(always)]
     fn exceeds(self, other: Self) -> bool {
         T::any_exceeds(self.0, other.0)

@@ -240,8 +240,10 @@ pub trait Number: Arithmetic<Bare = <Self as Number>::Base> {
     /// Two numbers side by side, in one register where the machine has such registers.
     type Pair: Pair<Self> + Arithmetic<Bare = <Self::Base as Number>::Pair>;
 
+    /// How many derivatives it has.
+    const DIRECTIONS: usize = 0;
     /// Whether there is more to it than a value.
-    const HAS_DERIVATIVES: bool = false;
+    const HAS_DERIVATIVES: bool = Self::DIRECTIONS > 0;
     /// How many numbers stand side by side, each of another contact.
     const LANES: usize = 1;
     /// Largest finite number.
@@ -255,13 +257,17 @@ pub trait Number: Arithmetic<Bare = <Self as Number>::Base> {
     /// Distance from 1 to the next number.
     const EPSILON: Self::Base;
 
-    /// The outputs of a map of plain numbers that brings its own derivatives.
-    fn map<A: Map<Self::Base, N, M>, const N: usize, const M: usize>(
-        map: &A,
-        inputs: [Self; N],
-    ) -> [Self; M];
     /// Whether it is larger than another number; of several side by side, whether one of them is.
     fn exceeds(self, other: Self) -> bool;
+
+    /// Its derivative number `direction`, below [`Number::DIRECTIONS`].
+    #[inline]
+    fn derivative(&self, _direction: usize) -> Self::Base {
+        Self::Base::zero()
+    }
+    /// Replaces a derivative.
+    #[inline]
+    fn set_derivative(&mut self, _direction: usize, _derivative: Self::Base) {}
 
     /// The nearest number in `[low, high]`.
     #[inline(always)]
@@ -312,21 +318,6 @@ macro_rules! either {
     }};
 }
 pub(crate) use either;
-
-/// A differentiable map of plain numbers.
-pub trait Map<F, const N: usize, const M: usize> {
-    /// What [`Map::tangent`] needs to know of the place where the map was evaluated.
-    type Place;
-    /// The outputs, computed with as many numbers side by side as `P` has.
-    fn value<P: Strips<F>>(&self, inputs: impl Iterator<Item = F> + Clone)
-    -> ([F; M], Self::Place);
-    /// How the outputs move when the inputs do.
-    fn tangent<P: Strips<F>>(
-        &self,
-        place: &Self::Place,
-        inputs: impl Iterator<Item = F> + Clone,
-    ) -> [F; M];
-}
 
 /// Two numbers side by side.
 pub trait Pair<T: Number>: Arithmetic<Bare = <T::Base as Number>::Pair> {

@@ -9,7 +9,7 @@ use super::long::LongContact;
 use super::network::{INPUTS, Network};
 use crate::linear::LinearCoefficients;
 use crate::number::registers::compiled_twice;
-use crate::number::{Arithmetic, Number, Pair, Plain};
+use crate::number::{Arithmetic, Number, Pair, Plain, Strips};
 use core::f64::consts::PI;
 
 /// Creepages beyond this are scaled down together, because the contact slides fully. Their fourth powers fit an `f32`.
@@ -127,12 +127,17 @@ impl<F: Plain> Flexibilities<F> {
     #[inline(always)]
     pub fn see<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Distribution<T> {
         compiled_twice!(if T::LANES => <F: Plain, T: Number<Base = F>>(contact: &Flexibilities<F> = self, creepage: [T; 3]) -> Distribution<T> {
-            contact.seen(creepage)
+            contact.seen::<T, F::Four>(creepage)
+        } {
+            contact.seen::<T, F::WideRow>(creepage)
         })
     }
 
     #[inline(always)]
-    pub(super) fn seen<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Distribution<T> {
+    pub(super) fn seen<T: Number<Base = F>, P: Strips<F>>(
+        &self,
+        creepage: [T; 3],
+    ) -> Distribution<T> {
         const K: f64 = 8.0 / (3.0 * PI);
         let creepage = scaled_down(creepage, CREEPAGE_LIMIT);
         let [vx, vy, phi] = creepage;
@@ -173,11 +178,12 @@ impl<F: Plain> Flexibilities<F> {
             less(by_more, 4.0),
             less(by_q, 2.0),
         ];
-        let mut corrections = self.network.corrections(features);
+        let mut corrections = self.network.corrections::<T, P>(features);
         if self.long.share.exceeds(F::zero()) {
             let [_, _, _, shared @ ..] = features;
             let psi = magnitude(py.times(PI / 3.0));
-            let more = self.long.corrections(shared, [lx, ly, ls], [x2, y2, py2], vy * py, psi);
+            let more =
+                self.long.corrections::<T, P>(shared, [lx, ly, ls], [x2, y2, py2], vy * py, psi);
             for (correction, more) in corrections.iter_mut().zip(more) {
                 *correction += more;
             }

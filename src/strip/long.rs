@@ -8,7 +8,7 @@
 use super::long_constants::{FIXED, INPUT, OFFSET, OUTPUT};
 use super::network::{CORRECTIONS, Layers};
 use crate::number::tables::{add_rows, row, table, widen};
-use crate::number::{Arithmetic, Number, Pair, Plain};
+use crate::number::{Arithmetic, Number, Pair, Plain, Strips};
 
 const UNITS: usize = OUTPUT.len();
 /// Features of all contacts that are used here too: the last ones.
@@ -59,7 +59,7 @@ impl<F: Plain> LongContact<F> {
     /// What is added to the corrections. `shared` are the last features of all contacts, `forces` those of the linear theory, `squares`
     /// of `vx, vy` and `p = √(a/b) φ`, `turn` is `vy p` and `psi` is `|ψ|`, rounded.
     #[inline(always)]
-    pub fn corrections<T: Number<Base = F>>(
+    pub fn corrections<T: Number<Base = F>, P: Strips<F>>(
         &self,
         shared: [T; SHARED],
         [lx, ly, ls]: [T; 3],
@@ -98,7 +98,8 @@ impl<F: Plain> LongContact<F> {
         ];
         let [offset] = table!(F, widen(&[OFFSET]));
         let (input, output) = (table!(F, widen(&INPUT)), table!(F, widen(&OUTPUT)));
-        let corrections = T::map(&Layers { start: &self.start, input, offset, output }, inputs);
+        let layers = Layers { start: &self.start, input, offset, output };
+        let corrections = layers.corrections::<T, P>(inputs);
         T::each(&corrections, |correction| correction.scale(self.share))
     }
 }

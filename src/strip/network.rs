@@ -2,7 +2,7 @@
 
 use super::constants::{HIDDEN, HIDDEN_OFFSET, OUTPUT, OUTPUT_OFFSET};
 use crate::number::tables::{add_rows, row, table, widen};
-use crate::number::{Map, Number, Plain, Strips};
+use crate::number::{Number, Plain, Strips};
 
 pub(super) const CORRECTIONS: usize = OUTPUT_OFFSET.len();
 const UNITS: usize = HIDDEN_OFFSET.len();
@@ -48,10 +48,13 @@ impl<F: Plain> Network<F> {
     }
 
     #[inline(always)]
-    pub fn corrections<T: Number<Base = F>>(&self, inputs: [T; INPUTS]) -> [T; CORRECTIONS] {
+    pub fn corrections<T: Number<Base = F>, P: Strips<F>>(
+        &self,
+        inputs: [T; INPUTS],
+    ) -> [T; CORRECTIONS] {
         let [offset] = table!(F, widen(&[OUTPUT_OFFSET]));
         let (input, output) = (table!(F, widen(&MOVING)), table!(F, widen(&OUTPUT)));
-        T::map(&Layers { start: &self.start, input, offset, output }, inputs)
+        Layers { start: &self.start, input, offset, output }.corrections::<T, P>(inputs)
     }
 }
 
@@ -65,38 +68,35 @@ pub(super) struct Layers<'a, F: Plain, const INPUTS: usize, const UNITS: usize> 
     pub output: &'static [[F::Stored; CORRECTIONS]; UNITS],
 }
 
-impl<F: Plain, const INPUTS: usize, const UNITS: usize> Map<F, INPUTS, CORRECTIONS>
-    for Layers<'_, F, INPUTS, UNITS>
-{
-    /// `dx/dh` of the units `x = h/√(1 + h²)`
-    type Place = [F; UNITS];
-
+impl<F: Plain, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UNITS> {
+    /// The corrections, sums side by side in `P`.
     #[inline(always)]
-    fn value<P: Strips<F>>(
+    pub fn corrections<T: Number<Base = F>, P: Strips<F>>(
         &self,
-        inputs: impl Iterator<Item = F> + Clone,
-    ) -> ([F; CORRECTIONS], [F; UNITS]) {
-        let mut units = add_rows::<F, P, _>(*self.start, inputs, self.input);
+        inputs: [T; INPUTS],
+    ) -> [T; CORRECTIONS] {
+        let values = inputs.iter().map(|x| x.value());
+        let mut units = add_rows::<F, P, _>(*self.start, values, self.input);
         let mut slopes = F::inverse_roots(F::each(&units, |h| h.squared().plus(1.0)));
         // x = h/√(1 + h²) and dx/dh = (1 + h²)^{−3/2}
         for (h, root) in units.iter_mut().zip(&mut slopes) {
             *h = *h * *root;
             *root = *root * root.squared();
         }
-        (last(&units, row(self.offset), self.output), slopes)
-    }
-
-    #[inline(always)]
-    fn tangent<P: Strips<F>>(
-        &self,
-        slopes: &[F; UNITS],
-        inputs: impl Iterator<Item = F> + Clone,
-    ) -> [F; CORRECTIONS] {
-        let mut units = add_rows::<F, P, _>([F::zero(); UNITS], inputs, self.input);
-        for (h, slope) in units.iter_mut().zip(slopes) {
-            *h = *h * *slope;
+        let mut outputs = last(&units, row(self.offset), self.output).map(T::from_base);
+        // how they move with the inputs, one derivative after the other
+        for direction in 0..T::DIRECTIONS {
+            let moves = inputs.iter().map(|x| x.derivative(direction));
+            let mut units = add_rows::<F, P, _>([F::zero(); UNITS], moves, self.input);
+            for (h, slope) in units.iter_mut().zip(&slopes) {
+                *h = *h * *slope;
+            }
+            let moved = last(&units, [F::zero(); CORRECTIONS], self.output);
+            for (output, moves) in outputs.iter_mut().zip(moved) {
+                output.set_derivative(direction, moves);
+            }
         }
-        last(&units, [F::zero(); CORRECTIONS], self.output)
+        outputs
     }
 }
 

@@ -54,7 +54,7 @@ impl<F: Plain> EllipseStrips<F> {
     #[inline(always)]
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
         compiled_twice!(if T::LANES => <F: Plain, T: Number<Base = F>>(strips: &EllipseStrips<F> = self, creepage: [T; 3]) -> Totals<T> {
-            let law = strips.contact.seen(creepage);
+            let law = strips.contact.seen::<T, F::Four>(creepage);
             if cfg!(target_os = "none") {
                 // (one after the other, where flash is short)
                 strips.totals_of::<T, Lanes<F, 1>, Lanes<F, 1>>(&law)
@@ -62,7 +62,7 @@ impl<F: Plain> EllipseStrips<F> {
                 strips.totals_of::<T, F::Four, F::Four>(&law)
             }
         } {
-            let law = strips.contact.seen(creepage);
+            let law = strips.contact.seen::<T, F::WideRow>(creepage);
             let count = 4 * strips.rule.fours.len();
             if count >= F::WideSixteen::COUNT && !T::HAS_DERIVATIVES {
                 strips.totals_of::<T, F::WideSixteen, F::WideFour>(&law)
@@ -76,7 +76,9 @@ impl<F: Plain> EllipseStrips<F> {
 
     /// The same, one strip after the other.
     pub(crate) fn totals_one_by_one<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
-        self.totals_of::<T, Lanes<F, 1>, Lanes<F, 1>>(&self.contact.seen(creepage))
+        self.totals_of::<T, Lanes<F, 1>, Lanes<F, 1>>(
+            &self.contact.seen::<T, Lanes<F, 1>>(creepage),
+        )
     }
 
     /// Sums for the creepages of the strips; `P` and `Q` are strips side by side, without and with derivatives.

@@ -28,7 +28,7 @@ use self::rigid_slip::RigidSlip;
 use crate::contact::forces::Totals;
 use crate::linear::LinearCoefficients;
 use crate::number::registers::compiled_twice;
-use crate::number::{Arithmetic, Number, Pair, Plain, Stored};
+use crate::number::{Arithmetic, Number, Pair, Plain, Stored, Strips};
 
 /// Axis ratios that the formulas are evaluated with; fitted are 0.015 to 60, and rigid slip from 1/70 to 70.
 const RATIO_LIMIT: f64 = 1e3;
@@ -126,12 +126,14 @@ impl<F: Plain> Total<F> {
     #[inline(always)]
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
         compiled_twice!(if T::LANES => <F: Plain, T: Number<Base = F>>(contact: &Total<F> = self, creepage: [T; 3]) -> Totals<T> {
-            contact.two_answers(creepage)
+            contact.two_answers::<T, F::Four>(creepage)
+        } {
+            contact.two_answers::<T, F::WideRow>(creepage)
         })
     }
 
     #[inline(always)]
-    fn two_answers<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
+    fn two_answers<T: Number<Base = F>, P: Strips<F>>(&self, creepage: [T; 3]) -> Totals<T> {
         let one = T::one();
         let LinearCoefficients { c11, c22, c23, c33 } = self.linear;
         let [vx, vy, phi] = within_range(creepage, [c11, c22, self.spin_slope]);
@@ -178,7 +180,7 @@ impl<F: Plain> Total<F> {
             x.plus(1.0),
         ]);
         let w = n2 * w;
-        let corrections = self.network.corrections([
+        let corrections = self.network.corrections::<T, P>([
             kappa,
             kappa.scale(self.slender),
             py2 * f_y,

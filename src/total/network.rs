@@ -2,7 +2,7 @@
 
 use super::constants::{FIRST, FIXED, LAST, LAST_BIAS, SECOND};
 use crate::number::tables::{add_rows, row, rows, table, widen};
-use crate::number::{Map, Number, Plain, Strips};
+use crate::number::{Number, Plain, Strips};
 
 /// What the network is told that depends on the contact only, and the rest.
 const FIXED_INPUTS: usize = FIXED.len() - 1;
@@ -24,45 +24,33 @@ impl<F: Plain> Network<F> {
         Self { sums: add_rows::<F, F::Four, _>(row(offset), fixed.iter().copied(), weights) }
     }
 
-    /// The corrections for the other inputs.
+    /// The corrections for the other inputs, sums side by side in `P`.
     #[inline(always)]
-    pub(super) fn corrections<T: Number<Base = F>>(&self, inputs: [T; INPUTS]) -> [T; 6] {
-        T::map(self, inputs)
-    }
-}
-
-impl<F: Plain> Map<F, INPUTS, 6> for Network<F> {
-    /// Slopes of the units.
-    type Place = ([F; UNITS_1], [F; UNITS_2]);
-
-    #[inline(always)]
-    fn value<P: Strips<F>>(
+    pub(super) fn corrections<T: Number<Base = F>, P: Strips<F>>(
         &self,
-        inputs: impl Iterator<Item = F> + Clone,
-    ) -> ([F; 6], Self::Place) {
-        let (units, slopes_1) =
-            activation(add_rows::<F, P, _>(self.sums, inputs, table!(F, rows(&FIRST))));
-        let [offset, weights @ ..] = table!(F, rows(&SECOND));
+        inputs: [T; INPUTS],
+    ) -> [T; 6] {
+        let first = table!(F, rows(&FIRST));
+        let [second_offset, second @ ..] = table!(F, rows(&SECOND));
+        let [last_offset] = table!(F, widen(&[LAST_BIAS]));
+        let sums = add_rows::<F, P, _>(self.sums, inputs.iter().map(|x| x.value()), first);
+        let (units, slopes_1) = activation(sums);
         let (units, slopes_2) =
-            activation(add_rows::<F, P, _>(row(offset), units.iter().copied(), weights));
-        let [offset] = table!(F, widen(&[LAST_BIAS]));
-        (last_layer(units, row(offset)), (slopes_1, slopes_2))
-    }
-
-    #[inline(always)]
-    fn tangent<P: Strips<F>>(
-        &self,
-        (slopes_1, slopes_2): &Self::Place,
-        inputs: impl Iterator<Item = F> + Clone,
-    ) -> [F; 6] {
-        let units = add_rows::<F, P, _>([F::zero(); UNITS_1], inputs, table!(F, rows(&FIRST)));
-        let [_, weights @ ..] = table!(F, rows(&SECOND));
-        let units = add_rows::<F, P, _>(
-            [F::zero(); UNITS_2],
-            times(units, slopes_1).iter().copied(),
-            weights,
-        );
-        last_layer(times(units, slopes_2), [F::zero(); 6])
+            activation(add_rows::<F, P, _>(row(second_offset), units.iter().copied(), second));
+        let mut outputs = last_layer(units, row(last_offset)).map(T::from_base);
+        // how they move with the inputs, one derivative after the other
+        for direction in 0..T::DIRECTIONS {
+            let moves = inputs.iter().map(|x| x.derivative(direction));
+            let units = times(add_rows::<F, P, _>([F::zero(); UNITS_1], moves, first), &slopes_1);
+            let units = times(
+                add_rows::<F, P, _>([F::zero(); UNITS_2], units.iter().copied(), second),
+                &slopes_2,
+            );
+            for (output, moves) in outputs.iter_mut().zip(last_layer(units, [F::zero(); 6])) {
+                output.set_derivative(direction, moves);
+            }
+        }
+        outputs
     }
 }
 

@@ -8,7 +8,7 @@
 
 use dashu_float::{FBig, round::mode::HalfEven};
 use kstrip::number::lanes::Lanes;
-use kstrip::number::{Arithmetic, Float, InRegisters, Map, Number, Plain, Strips};
+use kstrip::number::{Arithmetic, Float, InRegisters, Number, Plain, Strips};
 use kstrip::solve::model::Precision;
 use std::any::Any;
 use std::cell::RefCell;
@@ -164,12 +164,6 @@ impl Number for Precise {
     const HUGE: Self = Self::Double(f64::HUGE);
     const EPSILON: Self = Self::Double(f64::EPSILON);
 
-    fn map<A: Map<Self, N, M>, const N: usize, const M: usize>(
-        map: &A,
-        inputs: [Self; N],
-    ) -> [Self; M] {
-        map.value::<Lanes<Self, 1>>(inputs.iter().copied()).0
-    }
     fn exceeds(self, other: Self) -> bool {
         self > other
     }
