@@ -5,7 +5,6 @@
 use super::derivative::{SpinSlopes, forces_and_slopes};
 use super::kernel::{Carried, Seen, Spin, forces};
 use super::tables::Tables;
-use crate::number::dual::Dual;
 use crate::number::lanes::Lanes;
 use crate::number::registers::compiled_twice;
 use crate::number::{Arithmetic, Number, Plain, Strips};
@@ -27,7 +26,7 @@ pub(crate) fn eight_strips<T: Number>(
 ) -> [Carried<T>; 8] {
     // (one code for all numbers of derivatives)
     if T::HAS_DERIVATIVES {
-        carried(seen, inner, both_kinds::<Dual<T::Base, 1>, SLOPES>)
+        carried(seen, inner, both_kinds::<T::Base, SLOPES>)
     } else {
         carried(seen, inner, both_kinds::<T::Base, VALUES>)
     }
@@ -39,7 +38,7 @@ pub(crate) fn eight_one_by_one<T: Number>(
     inner: [T::Base; 8],
 ) -> [Carried<T>; 8] {
     if T::HAS_DERIVATIVES {
-        carried(seen, inner, of_kinds::<Dual<T::Base, 1>, Lanes<T::Base, 1>, SLOPES>)
+        carried(seen, inner, of_kinds::<T::Base, Lanes<T::Base, 1>, SLOPES>)
     } else {
         carried(seen, inner, of_kinds::<T::Base, Lanes<T::Base, 1>, VALUES>)
     }
@@ -84,48 +83,45 @@ fn carried<T: Number, const ROWS: usize>(
     })
 }
 
-fn both_kinds<T: Number, const ROWS: usize>(
-    eight: &Eight<T::Base>,
-    found: &mut Found<T::Base, ROWS>,
-) {
-    compiled_twice!(if 1 => <T: Number; ROWS>(_of: core::marker::PhantomData<T> = core::marker::PhantomData::<T>, eight: &Eight<T::Base>, found: &mut Found<T::Base, ROWS>) -> () {
+fn both_kinds<F: Plain, const ROWS: usize>(eight: &Eight<F>, found: &mut Found<F, ROWS>) {
+    compiled_twice!(if 1 => <F: Plain; ROWS>(eight: &Eight<F>, found: &mut Found<F, ROWS>) -> () {
         if cfg!(target_os = "none") {
             // (one after the other, where flash is short)
-            of_kinds::<T, Lanes<T::Base, 1>, ROWS>(eight, found)
+            of_kinds::<F, Lanes<F, 1>, ROWS>(eight, found)
         } else {
-            of_kinds::<T, <T::Base as Plain>::Eight, ROWS>(eight, found)
+            of_kinds::<F, F::Eight, ROWS>(eight, found)
         }
     } {
-        of_kinds::<T, <T::Base as Plain>::WideEight, ROWS>(eight, found)
+        of_kinds::<F, F::WideEight, ROWS>(eight, found)
     })
 }
 
 /// As many strips at a time as stand side by side in `P`.
 #[inline(always)]
-fn of_kinds<T: Number, P: Strips<T::Base>, const ROWS: usize>(
-    eight: &Eight<T::Base>,
-    found: &mut Found<T::Base, ROWS>,
+fn of_kinds<F: Plain, P: Strips<F>, const ROWS: usize>(
+    eight: &Eight<F>,
+    found: &mut Found<F, ROWS>,
 ) {
-    let zero = T::Base::zero();
+    let zero = F::zero();
     let (carried, slopes) = found;
     for first in (0..8).step_by(P::COUNT) {
-        let gather = |of: &[T::Base; 8]| P::gather(|k| of.get(first + k).copied().unwrap_or(zero));
+        let gather = |of: &[F; 8]| P::gather(|k| of.get(first + k).copied().unwrap_or(zero));
         let [x, y, spin, spread, start, inner] = eight.each_ref().map(gather);
         // (one kind and the other)
         let [x, y, spin, spread, start] =
             [x, y, spin, spread, start].map(|strips| Lanes::new([strips; 2]));
         let (seen, spin) = (Seen { x, y, spread, start }, Spin::new(spin));
-        let constants = Tables::<<T::Base as Plain>::Stored, _>::new(|kinds: &[_; 2]| {
-            Lanes::new(kinds.map(|constant| P::all(T::Base::stored(constant))))
+        let constants = Tables::<F::Stored, _>::new(|kinds: &[_; 2]| {
+            Lanes::new(kinds.map(|constant| P::all(F::stored(constant))))
         });
-        let put = |places: &mut [T::Base; 8], kinds: Lanes<P, 2>| {
+        let put = |places: &mut [F; 8], kinds: Lanes<P, 2>| {
             let [outer, own] = kinds.numbers();
             let mixed = outer + (own - outer) * inner;
             for (k, place) in places.iter_mut().skip(first).take(P::COUNT).enumerate() {
                 *place = mixed.lane(k);
             }
         };
-        let Carried { fx, fy, mx, stick } = if T::HAS_DERIVATIVES {
+        let Carried { fx, fy, mx, stick } = if ROWS == SLOPES {
             let by_spin = SpinSlopes::new(&spin);
             let (carried, own) = forces_and_slopes(&seen, &spin, &constants, &by_spin);
             for (slopes, own) in slopes.as_flattened_mut().iter_mut().zip(own.as_flattened()) {
