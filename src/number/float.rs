@@ -5,11 +5,11 @@ use super::registers::{NEWTON, NEWTON_START};
 use super::{Arithmetic, Float, Number, Plain, cube_root, registers};
 
 macro_rules! plain {
-    ($float:ident, $pair:ty, $contacts:ty, $four:ty, $eight:ty, $wide_four:ty, $wide_eight:ty, $wide_sixteen:ty, $wide_row:ty, $integer:ident, $mantissa:expr, $artanh:expr, $arctan:expr, |$single:ident, $double:ident| $table:expr, $root_tiny:expr, $huge:expr, $sqrt:path, $atan:path, $ln:path, $cbrt:path, $exp:path, $inverse_root:path) => {
+    ($float:ident, $integer:ident, $mantissa:literal, |$single:ident, $double:ident| $table:expr,
+        Float { $($float_items:tt)* } Plain { $($plain_items:tt)* } Number { $($number_items:tt)* }
+        $($elementary:ident = $elementary_of:path),*; $($root:ident = $root_of:path),*) => {
         impl Float for $float {
-            type Contacts = $contacts;
-            const ARTANH: &'static [Self] = &$artanh;
-            const ARCTAN: &'static [Self] = &$arctan;
+            $($float_items)*
 
             #[inline]
             fn widened(x: f32) -> Self {
@@ -27,22 +27,10 @@ macro_rules! plain {
             fn is_finite_number(self) -> bool {
                 self.is_finite()
             }
-            #[inline]
-            fn cube_root(self) -> Self {
-                $cbrt(self)
-            }
-            #[inline]
-            fn exp(self) -> Self {
-                $exp(self)
-            }
-            #[inline]
-            fn atan(self) -> Self {
-                $atan(self)
-            }
-            #[inline]
-            fn ln(self) -> Self {
-                $ln(self)
-            }
+            $(#[inline]
+            fn $elementary(self) -> Self {
+                $elementary_of(self)
+            })*
             #[inline]
             fn table<const R: usize, const C: usize>(
                 $single: &'static [[f32; C]; R],
@@ -54,12 +42,7 @@ macro_rules! plain {
         }
 
         impl Plain for $float {
-            type Four = $four;
-            type Eight = $eight;
-            type WideFour = $wide_four;
-            type WideEight = $wide_eight;
-            type WideSixteen = $wide_sixteen;
-            type WideRow = $wide_row;
+            $($plain_items)*
             type Stored = $float;
 
             #[inline]
@@ -108,18 +91,10 @@ macro_rules! plain {
             fn value(self) -> Self {
                 self
             }
-            #[inline]
-            fn sqrt(self) -> Self {
-                $sqrt(self)
-            }
-            #[inline]
-            fn inverse_root(self) -> Self {
-                $inverse_root(self)
-            }
-            #[inline]
-            fn abs(self) -> Self {
-                $float::abs(self)
-            }
+            $(#[inline]
+            fn $root(self) -> Self {
+                $root_of(self)
+            })*
             #[inline]
             fn max(self, other: Self) -> Self {
                 if self > other { self } else { other }
@@ -136,11 +111,9 @@ macro_rules! plain {
 
         impl Number for $float {
             type Base = Self;
-            type Pair = $pair;
+            $($number_items)*
             const LARGEST: $float = $float::MAX;
             const TINY: $float = $float::MIN_POSITIVE;
-            const ROOT_TINY: $float = $root_tiny;
-            const HUGE: $float = $huge;
             const EPSILON: $float = $float::EPSILON;
 
             #[inline]
@@ -209,50 +182,48 @@ pub(super) fn even_polynomial<F: Plain>(c: &[F::Stored], z: F) -> F {
 }
 
 plain!(
-    f64,
-    Lanes<f64, 2>,
-    Lanes<f64, 4>,
-    Lanes<Lanes<f64, 2>, 2>,
-    Lanes<Lanes<Lanes<f64, 2>, 2>, 2>,
-    Lanes<f64, 4, Wide>,
-    Lanes<Lanes<f64, 4, Wide>, 2>,
-    Lanes<Lanes<Lanes<f64, 4, Wide>, 2>, 2>,
-    Lanes<f64, 4, Wide>,
-    i64,
-    52,
-    ARTANH_DOUBLE,
-    ARCTAN_DOUBLE,
-    |single, double| double,
-    1.491_668_146_240_041_3e-154,
-    1e100,
-    registers::of_f64,
-    libm::atan,
-    libm::log,
-    libm::cbrt,
-    libm::exp,
-    inverse_root_f64
+    f64, i64, 52, |single, double| double,
+    Float {
+        type Contacts = Lanes<f64, 4>;
+        const ARTANH: &'static [f64] = &ARTANH_DOUBLE;
+        const ARCTAN: &'static [f64] = &ARCTAN_DOUBLE;
+    }
+    Plain {
+        type Four = Lanes<Lanes<f64, 2>, 2>;
+        type Eight = Lanes<Self::Four, 2>;
+        type WideRow = Lanes<f64, 4, Wide>;
+        type WideFour = Self::WideRow;
+        type WideEight = Lanes<Self::WideRow, 2>;
+        type WideSixteen = Lanes<Self::WideEight, 2>;
+    }
+    Number {
+        type Pair = Lanes<f64, 2>;
+        const ROOT_TINY: f64 = 1.491_668_146_240_041_3e-154;
+        const HUGE: f64 = 1e100;
+    }
+    cube_root = libm::cbrt, exp = libm::exp, atan = libm::atan, ln = libm::log;
+    sqrt = registers::of_f64, inverse_root = inverse_root_f64, abs = f64::abs
 );
 plain!(
-    f32,
-    F32Pair,
-    Lanes<f32, 8>,
-    Lanes<f32, 4>,
-    Lanes<Lanes<f32, 4>, 2>,
-    Lanes<f32, 4>,
-    Lanes<f32, 8, Wide>,
-    Lanes<Lanes<f32, 8, Wide>, 2>,
-    Lanes<f32, 8, Wide>,
-    i32,
-    23,
-    ARTANH_SINGLE,
-    ARCTAN_SINGLE,
-    |single, double| single,
-    1.084_202_2e-19,
-    1e12,
-    registers::of_f32,
-    libm::atanf,
-    libm::logf,
-    cube_root::of_f32,
-    libm::expf,
-    inverse_root_f32
+    f32, i32, 23, |single, double| single,
+    Float {
+        type Contacts = Lanes<f32, 8>;
+        const ARTANH: &'static [f32] = &ARTANH_SINGLE;
+        const ARCTAN: &'static [f32] = &ARCTAN_SINGLE;
+    }
+    Plain {
+        type Four = Lanes<f32, 4>;
+        type Eight = Lanes<Self::Four, 2>;
+        type WideRow = Lanes<f32, 8, Wide>;
+        type WideFour = Self::Four;
+        type WideEight = Self::WideRow;
+        type WideSixteen = Lanes<Self::WideRow, 2>;
+    }
+    Number {
+        type Pair = F32Pair;
+        const ROOT_TINY: f32 = 1.084_202_2e-19;
+        const HUGE: f32 = 1e12;
+    }
+    cube_root = cube_root::of_f32, exp = libm::expf, atan = libm::atanf, ln = libm::logf;
+    sqrt = registers::of_f32, inverse_root = inverse_root_f32, abs = f32::abs
 );
