@@ -134,7 +134,7 @@ pub(crate) fn solve_under_friction<F: Precision>(
 ///
 /// # Errors
 /// Those of the check, of the first bad input.
-#[inline(always)]
+#[inline]
 fn check_each<F: Precision>(
     count: usize,
     get: &impl Fn(usize) -> Case<F>,

@@ -24,7 +24,7 @@ use core::ops::Range;
 const MOST: usize = 8;
 
 /// [`batch::solve_batch`] side by side, if the processor has wide registers.
-#[inline(always)]
+#[inline]
 pub(super) fn solve<F: Precision>(
     count: usize,
     options: &Options,
@@ -37,7 +37,7 @@ pub(super) fn solve<F: Precision>(
 
 /// [`batch::differentiate_batch`] of checked contacts side by side, if the processor has wide registers and no friction falls; of models with strips
 /// the registers are full with those of one contact.
-#[inline(always)]
+#[inline]
 pub(super) fn differentiate<F: Precision>(
     count: usize,
     options: &Options,
@@ -52,7 +52,7 @@ pub(super) fn differentiate<F: Precision>(
 }
 
 /// Checks inputs, those that are not ordinary by another check, if the processor has wide registers.
-#[inline(always)]
+#[inline]
 pub(super) fn check<F: Precision>(
     count: usize,
     get: &impl Fn(usize) -> Case<F>,

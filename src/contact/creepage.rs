@@ -88,7 +88,7 @@ impl<F: Float> Creepage<F> {
 impl<F: Plain> Creepage<F> {
     /// The three creepages as what everything is differentiated by.
     #[must_use]
-    #[inline(always)]
+    #[inline]
     pub fn inputs(&self) -> Creepage<Dual<F, 3>> {
         Creepage {
             longitudinal: Dual::input(self.longitudinal, 0),
@@ -162,7 +162,7 @@ impl<T: Number> Parameters<T> {
 
     /// Slope of the effective longitudinal creepage over `Y = y/b`:
     /// `ξ̄ = ξ − ψ (y/a)/(1 − ν) = ξ − p Y`.
-    #[inline(always)]
+    #[inline]
     #[must_use]
     pub fn spin_slope(&self) -> T {
         let width = (T::Base::one() - self.poisson_ratio) * self.axis_ratio;

@@ -164,24 +164,24 @@ pub trait Arithmetic:
         Self::from_base(value)
     }
     /// Product with a number without derivatives.
-    #[inline(always)]
+    #[inline]
     fn scale(self, factor: Self::Bare) -> Self {
         self * Self::from_base(factor)
     }
     /// Sum with a number without derivatives.
-    #[inline(always)]
+    #[inline]
     fn shift(self, term: Self::Bare) -> Self {
         self + Self::from_base(term)
     }
     /// Square root of a number that is not negative.
     fn sqrt(self) -> Self;
     /// `1/x`
-    #[inline(always)]
+    #[inline]
     fn inverse(self) -> Self {
         Self::one() / self
     }
     /// `1/√x` of numbers between 1e-30 and 1e30, to 1e-14 relative in double precision.
-    #[inline(always)]
+    #[inline]
     fn inverse_root(self) -> Self {
         Self::one() / self.sqrt()
     }
@@ -214,17 +214,17 @@ pub trait Arithmetic:
         Self::constant(1.0)
     }
     /// Product with a literal.
-    #[inline(always)]
+    #[inline]
     fn times(self, factor: f64) -> Self {
         self.scale(Self::Bare::constant(factor))
     }
     /// Sum with a literal.
-    #[inline(always)]
+    #[inline]
     fn plus(self, term: f64) -> Self {
         self.shift(Self::Bare::constant(term))
     }
     /// Square.
-    #[inline(always)]
+    #[inline]
     fn squared(self) -> Self {
         self * self
     }
@@ -270,7 +270,7 @@ pub trait Number: Arithmetic<Bare = <Self as Number>::Base> {
     fn set_derivative(&mut self, _direction: usize, _derivative: Self::Base) {}
 
     /// The nearest number in `[low, high]`.
-    #[inline(always)]
+    #[inline]
     fn clamped(self, low: Self, high: Self) -> Self {
         self.max(low).min(high)
     }

@@ -309,7 +309,7 @@ mod x86 {
     });
 
     /// `2^(−1/3)/√x` of four.
-    #[inline(always)]
+    #[inline]
     fn started(x: __m128) -> __m128 {
         // SAFETY: SSE2 is there.
         unsafe { _mm_div_ps(_mm_set1_ps(NEWTON_START), _mm_sqrt_ps(x)) }

@@ -49,7 +49,7 @@ pub(crate) const fn rows<const R: usize, const P: usize, const C: usize>(
 }
 
 /// A row of numbers.
-#[inline(always)]
+#[inline]
 pub(crate) fn row<F: Plain, const C: usize>(stored: &[F::Stored; C]) -> [F; C] {
     F::each(stored, |x| F::stored(*x))
 }

@@ -68,7 +68,7 @@ fn range<F: Plain>(contact: &Contact<F>, creepage: &Creepage<F>, model: Model) -
 }
 
 /// Upper bound of the forces of the model \[N\].
-#[inline(always)]
+#[inline]
 fn force_limit<F: Plain>(contact: &Contact<F>, creepage: &Creepage<F>, model: Model) -> F {
     if model != Model::Linear {
         return contact.friction_bound();

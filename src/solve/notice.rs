@@ -11,7 +11,7 @@ use crate::status::Notice;
 const TOLD_BY_SQUARES: f64 = 1e-12;
 
 /// [`linear_notice`] of a force. Where the squares of force and bound are far enough apart, no root is needed.
-#[inline(always)]
+#[inline]
 pub(crate) fn linear_notice_of<F: Float>(fx: F, fy: F, bound: F) -> Notice {
     let (square, limit) = (fx * fx + fy * fy, bound * bound);
     if bound > F::constant(TOLD_BY_SQUARES) {
@@ -49,14 +49,14 @@ pub(crate) fn warned<F: Float>(
 }
 
 /// The notice that the theory of 1967 neglects the mismatch of the materials.
-#[inline(always)]
+#[inline]
 pub(crate) fn neglected<F: Float>(model: Model, mismatch: F) -> Notice {
     let neglects = model.is_of_1967() && mismatch != F::zero();
     if neglects { Notice::MismatchNeglected } else { Notice::None }
 }
 
 /// What the caller of the linear theory should know.
-#[inline(always)]
+#[inline]
 pub(crate) fn linear_notice<F: Float>(size: F, friction_bound: F) -> Notice {
     if size > friction_bound { Notice::BeyondFriction } else { Notice::None }
 }
@@ -67,7 +67,7 @@ pub(crate) const RATIOS: [f64; 2] = [0.014_999_9, 60.000_1];
 pub(crate) const LARGEST_SPIN: f64 = 3.0;
 
 /// What the caller of a model with a friction bound should know.
-#[inline(always)]
+#[inline]
 pub(crate) fn notice<F: Float>(model: Model, friction_bound: F, ratio: F, psi: F) -> Notice {
     if friction_bound <= F::zero() {
         // Nothing to carry: zero forces are right in every model with a friction bound.

@@ -42,7 +42,7 @@ impl Model {
 
     /// Whether nothing in it is fitted, and unlike materials are neglected as in the paper.
     #[must_use]
-    #[inline(always)]
+    #[inline]
     pub const fn is_of_1967(self) -> bool {
         matches!(self, Self::Strip1967 | Self::Strip1967Continuous)
     }

@@ -31,7 +31,7 @@ pub(crate) trait Theory<F: Plain>: Copy {
     ) -> Totals<T>;
 
     /// `G a b C11`, `G a b C22`, `G (ab)^{3/2} C23`, `G (ab)² C33` for the linear theory; `None` for all other models.
-    #[inline(always)]
+    #[inline]
     fn stiffness(&self) -> Option<&[F; 4]> {
         None
     }
@@ -131,7 +131,7 @@ impl<F: Plain, const CONTINUOUS: bool> Theory<F> for Strip1967<CONTINUOUS> {
 }
 
 /// Of a model of the theory of 1967.
-#[inline(always)]
+#[inline]
 pub(crate) fn sliding_rule(model: Model) -> SlidingRule {
     if model == Model::Strip1967Continuous {
         SlidingRule::Continuous
@@ -184,7 +184,7 @@ pub(crate) struct Linear<F>(pub(crate) [F; 4]);
 impl<F: Plain> Theory<F> for Linear<F> {
     const MODEL: Model = Model::Linear;
 
-    #[inline(always)]
+    #[inline]
     fn of_contact(frame: &Frame<F>, _: &Options) -> Self {
         let (_, _, LinearCoefficients { c11, c22, c23, c33 }) = frame.shape();
         let Contact { a, b, shear_modulus, .. } = frame.contact;

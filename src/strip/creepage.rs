@@ -267,14 +267,14 @@ impl<T: Number> Distribution<T> {
     }
 
     /// `a_x, a_y, ρ, ρ ε, σ` and the start. The creepages of strips are linear in the first four.
-    #[inline(always)]
+    #[inline]
     pub(super) fn numbers(&self) -> [T; 6] {
         let bent = self.slope * self.bend;
         [self.longitudinal, self.lateral, self.slope, bent, self.spin, self.start]
     }
 
     /// The creepages of one strip, and `σ`.
-    #[inline(always)]
+    #[inline]
     pub fn strip(&self, strip: &StripGeometry<T::Base>) -> (Seen<T>, T) {
         let inverse = T::Base::one() / strip.bound;
         let y = strip.y;

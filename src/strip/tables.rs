@@ -51,7 +51,7 @@ pub(super) struct Tables<F: 'static, R> {
 }
 
 impl<F: Float, R> Tables<F, R> {
-    #[inline(always)]
+    #[inline]
     pub fn new(read: R) -> Self {
         let nodes = table!(F, NODE_TABLE).as_chunks().0;
         Self { nodes, closed: table!(F, closed_table()), read }

@@ -45,7 +45,7 @@ impl<F: Plain> EllipseStrips<F> {
     }
 
     /// The strips of a contact that has been prepared for their number.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn from_prepared(contact: Flexibilities<F>, count: StripCount) -> Self {
         Self { contact, rule: Rule::new(count) }
     }
@@ -235,13 +235,13 @@ pub(crate) fn alone<T: Arithmetic<Bare: Plain>>(
 }
 
 /// The number for a strip of a four, `[Y₀, Y₁, −Y₀, −Y₁]`: outer and inner take turns.
-#[inline(always)]
+#[inline]
 fn of_lane<F: Plain>([outer, inner]: &[F::Stored; 2], lane: usize) -> F {
     F::stored(if lane & 1 == 1 { *inner } else { *outer })
 }
 
 /// The same, at `−Y` with the other sign if the field is odd.
-#[inline(always)]
+#[inline]
 fn of_side<F: Plain>(couple: &[F::Stored; 2], lane: usize, odd: bool) -> F {
     let field = of_lane::<F>(couple, lane);
     if odd && lane & 2 == 2 { -field } else { field }
