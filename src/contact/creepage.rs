@@ -2,7 +2,7 @@
 
 use crate::contact::Contact;
 use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float, Number, Plain};
+use crate::number::{Arithmetic, Float, Number, Plain, scaled_down};
 use crate::status::Error;
 
 /// Rigid slip of the upper over the lower body, divided by the rolling speed (3.3).
@@ -215,9 +215,9 @@ impl<F: Plain> Units<F> {
     pub(crate) fn parameters<T: Number<Base = F>>(&self, creepage: &Creepage<T>) -> Parameters<T> {
         let Self { a, longitudinal, lateral, poisson_ratio, axis_ratio, .. } = *self;
         let [vx, vy, a_phi] =
-            bounded([creepage.longitudinal, creepage.lateral, creepage.spin.scale(a)]);
+            scaled_down([creepage.longitudinal, creepage.lateral, creepage.spin.scale(a)], F::HUGE);
         let [xi, eta, psi] =
-            bounded([vx.scale(longitudinal), vy.scale(lateral), a_phi.scale(lateral)]);
+            scaled_down([vx.scale(longitudinal), vy.scale(lateral), a_phi.scale(lateral)], F::HUGE);
         Parameters { xi, eta, psi, poisson_ratio, axis_ratio }
     }
 
@@ -248,33 +248,4 @@ impl<F: Float> Parameters<F> {
         let (poisson_ratio, axis_ratio) = (contact.poisson_ratio, contact.a / contact.b);
         Self { xi, eta, psi, poisson_ratio, axis_ratio }
     }
-}
-
-/// The same direction, no component beyond [`Number::HUGE`].
-#[inline(always)]
-fn bounded<T: Number>(components: [T; 3]) -> [T; 3] {
-    if T::LANES > 1 {
-        return bounded_inline(components);
-    }
-    let [x, y, z] = components.map(|component| component.value().abs());
-    // (the sum is no less than the largest)
-    if (x + y + z).exceeds(T::HUGE) { bounded_apart(components) } else { components }
-}
-
-#[cold]
-#[inline(never)]
-fn bounded_apart<T: Number>(components: [T; 3]) -> [T; 3] {
-    bounded_inline(components)
-}
-
-#[inline(always)]
-fn bounded_inline<T: Number>(components: [T; 3]) -> [T; 3] {
-    let [x, y, z] = components;
-    let largest = x.value().abs().max(y.value().abs()).max(z.value().abs());
-    if !largest.exceeds(T::HUGE) {
-        return components;
-    }
-    // Divide first: HUGE/largest may underflow the ratio of very different components, never overflow.
-    let factor = (largest - T::HUGE).choose(T::HUGE / largest, T::Base::one());
-    [x.scale(factor), y.scale(factor), z.scale(factor)]
 }

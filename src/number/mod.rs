@@ -286,6 +286,21 @@ pub(crate) fn length<F: Plain>(x: F, y: F) -> F {
 }
 
 /// Whether none is infinite or NaN. (All are asked, several at once.)
+/// Numbers scaled down together where one exceeds a limit.
+#[inline(always)]
+pub(crate) fn scaled_down<T: Number, const N: usize>(numbers: [T; N], limit: T::Base) -> [T; N] {
+    let mut size = T::Base::zero();
+    for number in &numbers {
+        size = size.max(number.value().abs());
+    }
+    if !size.exceeds(limit) {
+        return numbers;
+    }
+    // Divide first: limit/size may underflow the ratio of very different numbers, never overflow.
+    let factor = (size - limit).choose(limit / size, T::Base::one());
+    T::each(&numbers, |number| number.scale(factor))
+}
+
 pub(crate) fn are_finite<F: Float>(numbers: &[F]) -> bool {
     numbers.iter().fold(true, |finite, x| finite & x.is_finite_number())
 }

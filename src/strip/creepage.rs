@@ -9,7 +9,7 @@ use super::long::LongContact;
 use super::network::{INPUTS, Network};
 use crate::linear::LinearCoefficients;
 use crate::number::registers::compiled_twice;
-use crate::number::{Arithmetic, Number, Pair, Plain, Strips};
+use crate::number::{Arithmetic, Number, Pair, Plain, Strips, scaled_down};
 use core::f64::consts::PI;
 
 /// Creepages beyond this are scaled down together, because the contact slides fully. Their fourth powers fit an `f32`.
@@ -139,7 +139,7 @@ impl<F: Plain> Flexibilities<F> {
         creepage: [T; 3],
     ) -> Distribution<T> {
         const K: f64 = 8.0 / (3.0 * PI);
-        let creepage = scaled_down(creepage, CREEPAGE_LIMIT);
+        let creepage = scaled_down(creepage, F::of(CREEPAGE_LIMIT));
         let [vx, vy, phi] = creepage;
         let LinearCoefficients { c11, c22, c23, c33 } = self.linear;
         let one = T::one();
@@ -235,7 +235,7 @@ impl<F: Plain> Flexibilities<F> {
                 slope.scale(lever),
                 spin,
             ],
-            SEEN_LIMIT,
+            F::of(SEEN_LIMIT),
         );
         Distribution {
             longitudinal,
@@ -287,25 +287,9 @@ impl<T: Number> Distribution<T> {
                 self.slope.scale(strip.width * inverse),
                 self.spin.scale(strip.half_length * inverse),
             ],
-            STRIP_LIMIT,
+            T::Base::of(STRIP_LIMIT),
         );
         (Seen { x, y, spread, start: self.start }, spin)
-    }
-}
-
-/// Numbers scaled down together where one exceeds a limit.
-#[inline(always)]
-fn scaled_down<T: Number, const N: usize>(numbers: [T; N], limit: f64) -> [T; N] {
-    let limit = T::Base::of(limit);
-    let mut size = T::Base::zero();
-    for number in &numbers {
-        size = size.max(number.value().abs());
-    }
-    if size.exceeds(limit) {
-        let factor = (size - limit).choose(limit / size, T::Base::one());
-        T::each(&numbers, |number| number.scale(factor))
-    } else {
-        numbers
     }
 }
 
