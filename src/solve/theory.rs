@@ -9,7 +9,6 @@ use crate::number::{Float, Number, Plain};
 use crate::solve::frame::{Forces, Frame};
 use crate::solve::notice::{linear_notice_of, neglected, notice, warned};
 use crate::solve::options::{Model, Options, Solution};
-use crate::status::Notice;
 use crate::strip_1967::{self, strip::SlidingRule};
 
 pub(crate) use crate::strip::EllipseStrips as Strip;
@@ -56,21 +55,6 @@ pub(crate) trait Theory<F: Plain>: Copy {
         rests.then_some(Forces { fx: zero, fy: zero, mz: zero, adhesion })
     }
 
-    /// What the caller should know.
-    #[inline(always)]
-    fn notice(frame: &Frame<F>, forces: &Forces<F>, psi: F) -> Notice
-    where
-        F: Float,
-    {
-        let bound = frame.contact.friction_bound();
-        if Self::MODEL == Model::Linear {
-            linear_notice_of(forces.fx, forces.fy, bound)
-        } else {
-            notice(Self::MODEL, bound, frame.units.axis_ratio, psi)
-                .worse(neglected(Self::MODEL, frame.contact.mismatch))
-        }
-    }
-
     /// The solution for a loaded contact and a creepage that have been checked.
     #[inline(always)]
     fn answer(&self, frame: &Frame<F>, creepage: &Creepage<F>, ordinary: bool) -> Solution<F>
@@ -105,7 +89,13 @@ pub(crate) trait Theory<F: Plain>: Copy {
     where
         F: Float,
     {
-        let of_model = Self::notice(frame, forces, psi);
+        let bound = frame.contact.friction_bound();
+        let of_model = if Self::MODEL == Model::Linear {
+            linear_notice_of(forces.fx, forces.fy, bound)
+        } else {
+            notice(Self::MODEL, bound, frame.units.axis_ratio, psi)
+                .worse(neglected(Self::MODEL, frame.contact.mismatch))
+        };
         let notice = if ordinary { of_model } else { warned(&frame.contact, creepage, of_model) };
         let Forces { fx, fy, mz, adhesion } = *forces;
         let power = creepage.power([fx, fy, mz]);
@@ -184,7 +174,7 @@ pub(crate) struct Linear<F>(pub(crate) [F; 4]);
 impl<F: Plain> Theory<F> for Linear<F> {
     const MODEL: Model = Model::Linear;
 
-    #[inline]
+    #[inline(always)]
     fn of_contact(frame: &Frame<F>, _: &Options) -> Self {
         let (_, _, LinearCoefficients { c11, c22, c23, c33 }) = frame.shape();
         let Contact { a, b, shear_modulus, .. } = frame.contact;
@@ -197,7 +187,7 @@ impl<F: Plain> Theory<F> for Linear<F> {
     fn totals<T: Number<Base = F>>(&self, _: &Frame<F>, _: &Parameters<T>) -> Totals<T> {
         Totals::nothing()
     }
-    #[inline(always)]
+    #[inline]
     fn stiffness(&self) -> Option<&[F; 4]> {
         Some(&self.0)
     }

@@ -300,19 +300,15 @@ impl<P: Arithmetic<Bare = P>> Together<P> {
             forces(&seen, &self.spin, constants, |_, _| ()).0
         };
         if let Some(sums) = sums.first_mut() {
-            for (sum, share) in sums.iter_mut().zip(shares(carried, fields)) {
+            // of f_x, f_y, the two parts of the moment, and the stick area
+            let [.., load, load_c, load_y, area, _] = *fields;
+            let Carried { fx, fy, mx, stick } = carried;
+            let shares = [fx * load, fy * load, mx * load_c, fx * load_y, stick * area];
+            for (sum, share) in sums.iter_mut().zip(shares) {
                 *sum += share;
             }
         }
     }
-}
-
-/// Shares of `f_x, f_y`, the two parts of the moment, and the stick area.
-#[inline(always)]
-pub(super) fn shares<P: Arithmetic>(carried: Carried<P>, fields: &[P; STRIP_FIELDS]) -> [P; 5] {
-    let [.., load, load_c, load_y, area, _] = *fields;
-    let Carried { fx, fy, mx, stick } = carried;
-    [fx * load, fy * load, mx * load_c, fx * load_y, stick * area]
 }
 
 /// Derivatives of forces and moment by `Distribution::numbers` from those of `f_x, f_y, m_x` by the creepages of the strips.
