@@ -4,8 +4,7 @@
 //! generic formulas as a plain number it returns the exact derivatives of what those formulas
 //! compute, branch by branch; there is no step size and no second implementation to keep in step.
 
-use crate::number::{Arithmetic, Float, Number, Pair, Plain};
-use core::cmp::Ordering;
+use crate::number::{Arithmetic, Number, Pair, Plain};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// A value and its derivatives with respect to `M` inputs: plain numbers, or pairs of them, so that registers for pairs are
@@ -55,20 +54,6 @@ impl<P: Arithmetic<Bare = P>, const M: usize> Dual<P, M> {
             *own = test.choose(other, *own);
         }
         Self { value: test.choose(yes.value, no.value), gradient }
-    }
-}
-
-impl<F: Float, const M: usize> PartialEq for Dual<F, M> {
-    #[inline]
-    fn eq(&self, other: &Self) -> bool {
-        self.value == other.value
-    }
-}
-
-impl<F: Float, const M: usize> PartialOrd for Dual<F, M> {
-    #[inline]
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        self.value.partial_cmp(&other.value)
     }
 }
 
