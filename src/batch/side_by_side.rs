@@ -141,7 +141,7 @@ fn solve_groups<F: Precision>(
         // lost contacts, unlike materials, and those of which something must be said
         if !(is_alike(&contact)
             && contact.is_ordinary(&creepage)
-            && contact.normal_force.is_positive_number())
+            && contact.normal_force.lies_between(F::Contacts::TINY, F::Contacts::LARGEST))
         {
             let alone = first..first + F::Contacts::COUNT;
             worst = worst.worse(batch::solve(alone, options, get, put)?);
@@ -184,7 +184,7 @@ fn differentiate_groups<F: Precision>(
         });
         if !(is_alike(&contact)
             && contact.is_ordinary(&creepage)
-            && contact.friction_bound().is_positive_number())
+            && contact.friction_bound().lies_between(F::Contacts::TINY, F::Contacts::LARGEST))
         {
             let found = batch::differentiate_each(numbers, options, get, put);
             worst = worst.worse(found?);

@@ -65,10 +65,6 @@ macro_rules! plain {
             fn lies_within(self, limit: Self) -> bool {
                 self.to_bits() <= limit.to_bits()
             }
-            #[inline]
-            fn is_positive_number(self) -> bool {
-                self.to_bits().wrapping_sub(1) < $float::MAX.to_bits()
-            }
         }
 
         impl Arithmetic for $float {

@@ -166,14 +166,6 @@ impl<T: Plain, const N: usize> Plain for Lanes<T, N> {
     fn lies_between(self, low: Self, high: Self) -> bool {
         T::all_between(self.0, low.0, high.0)
     }
-    #[inline(always)]
-    fn lies_within(self, limit: Self) -> bool {
-        self.lies_between(Self::zero(), limit)
-    }
-    #[inline(always)]
-    fn is_positive_number(self) -> bool {
-        self.lies_between(Self::TINY, Self::LARGEST)
-    }
 }
 
 impl<T: Plain<Pair = Self>> Pair<T> for Lanes<T, 2> {

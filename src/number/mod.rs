@@ -54,9 +54,10 @@ pub trait Plain: Number<Base = Self> + InRegisters {
     fn lies_between(self, low: Self, high: Self) -> bool;
     /// Whether it is at least zero and at most `limit`, of which the bits tell in one comparison; of several side by
     /// side, whether all are. Not for NaN; negative zero may be refused.
-    fn lies_within(self, limit: Self) -> bool;
-    /// Whether it is positive and finite; of several side by side, whether all are. Not for NaN; of several, subnormal numbers are refused.
-    fn is_positive_number(self) -> bool;
+    #[inline]
+    fn lies_within(self, limit: Self) -> bool {
+        self.lies_between(Self::zero(), limit)
+    }
 
     /// `ln(self/divisor)` of two positive normal numbers, to rounding, without a branch.
     #[inline(always)]
@@ -285,7 +286,6 @@ pub(crate) fn length<F: Plain>(x: F, y: F) -> F {
     larger * (F::one() + ratio * ratio).sqrt()
 }
 
-/// Whether none is infinite or NaN. (All are asked, several at once.)
 /// Numbers scaled down together where one exceeds a limit.
 #[inline(always)]
 pub(crate) fn scaled_down<T: Number, const N: usize>(numbers: [T; N], limit: T::Base) -> [T; N] {
@@ -301,6 +301,7 @@ pub(crate) fn scaled_down<T: Number, const N: usize>(numbers: [T; N], limit: T::
     T::each(&numbers, |number| number.scale(factor))
 }
 
+/// Whether none is infinite or NaN. (All are asked, several at once.)
 pub(crate) fn are_finite<F: Float>(numbers: &[F]) -> bool {
     numbers.iter().fold(true, |finite, x| finite & x.is_finite_number())
 }
@@ -325,7 +326,7 @@ macro_rules! either {
         if T::LANES == 1 {
             if some { $yes } else { $no }
         } else {
-            let all = by.value().is_positive_number();
+            let all = by.value().lies_between(T::TINY, T::LARGEST);
             let yes = if some { $yes } else { [T::zero(); _] };
             let no = if all { [T::zero(); _] } else { $no };
             chosen(by, yes, no)

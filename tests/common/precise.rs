@@ -196,12 +196,6 @@ impl Plain for Precise {
     fn lies_between(self, low: Self, high: Self) -> bool {
         self >= low && self <= high
     }
-    fn lies_within(self, limit: Self) -> bool {
-        self.lies_between(Self::zero(), limit)
-    }
-    fn is_positive_number(self) -> bool {
-        self > Self::zero()
-    }
 }
 
 impl InRegisters for Precise {
