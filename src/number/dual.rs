@@ -231,7 +231,7 @@ impl<F: Plain, const M: usize> Number for Dual<F, M> {
             *place = derivative;
         }
     }
-    #[inline(always)]
+    #[inline]
     fn exceeds(self, other: Self) -> bool {
         self.value.exceeds(other.value)
     }

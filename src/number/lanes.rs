@@ -154,7 +154,7 @@ impl<T: Plain, const N: usize> Plain for Lanes<T, N> {
     fn stored(x: T::Stored) -> Self {
         Self([T::stored(x); N], [])
     }
-    #[inline(always)]
+    #[inline]
     fn binary_quotient(self, divisor: Self) -> (Self, Self) {
         let (mut k, mut divisors) = (self.0, divisor.0);
         for (k, divisor) in k.iter_mut().zip(&mut divisors) {
@@ -169,11 +169,11 @@ impl<T: Plain, const N: usize> Plain for Lanes<T, N> {
 }
 
 impl<T: Plain<Pair = Self>> Pair<T> for Lanes<T, 2> {
-    #[inline(always)]
+    #[inline]
     fn of(first: T, second: T) -> Self {
         Self([first, second], [])
     }
-    #[inline(always)]
+    #[inline]
     fn parts(self) -> (T, T) {
         self.0.into()
     }
@@ -189,11 +189,11 @@ pub type F32Pair = Lanes<f32, 2>;
 
 #[cfg(target_arch = "x86_64")]
 impl Pair<f32> for Lanes<f32, 4> {
-    #[inline(always)]
+    #[inline]
     fn of(first: f32, second: f32) -> Self {
         Self([first, second, 1.0, 1.0], [])
     }
-    #[inline(always)]
+    #[inline]
     fn parts(self) -> (f32, f32) {
         let [first, second, ..] = self.0;
         (first, second)
@@ -211,15 +211,15 @@ impl<F: Plain, const N: usize, A: Alignment> Strips<F> for Lanes<F, N, A> {
         }
         Self(numbers, [])
     }
-    #[inline(always)]
+    #[inline]
     fn lane(&self, i: usize) -> F {
         self.0.get(i).copied().unwrap_or(F::zero())
     }
-    #[inline(always)]
+    #[inline]
     fn all(x: F) -> Self {
         Self([x; N], [])
     }
-    #[inline(always)]
+    #[inline]
     fn total(self) -> F {
         let (mut sums, mut half) = (self.0, N / 2);
         while half > 0 {
@@ -242,16 +242,16 @@ macro_rules! twice {
             fn gather(of: impl Fn(usize) -> F) -> Self {
                 Self([Strips::gather(&of), Strips::gather(|i| of(i + $count))], [])
             }
-            #[inline(always)]
+            #[inline]
             fn lane(&self, i: usize) -> F {
                 let [first, second] = &self.0;
                 if i < $count { first.lane(i) } else { second.lane(i - $count) }
             }
-            #[inline(always)]
+            #[inline]
             fn all(x: F) -> Self {
                 Self([<$half>::all(x); 2], [])
             }
-            #[inline(always)]
+            #[inline]
             fn total(self) -> F {
                 let [first, second] = self.0;
                 (first + second).total()

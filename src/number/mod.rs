@@ -156,7 +156,7 @@ pub trait Arithmetic:
     fn value(self) -> Self::Bare;
     /// A function of some numbers from its value and its derivatives by them, worked out by hand. Without derivatives it
     /// is the value, and what leads to the slopes is left out by the compiler.
-    #[inline(always)]
+    #[inline]
     fn composed<const N: usize>(
         value: Self::Bare,
         _slopes: [Self::Bare; N],

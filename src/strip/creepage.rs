@@ -294,7 +294,7 @@ impl<T: Number> Distribution<T> {
 }
 
 /// `√(x² + 0.03²) − 0.03`
-#[inline(always)]
+#[inline]
 fn magnitude<T: Arithmetic>(x: T) -> T {
     x.squared().plus(0.0009).sqrt().plus(-0.03)
 }

@@ -50,7 +50,7 @@ impl<F: Plain> LongContact<F> {
 
     /// `(1 + w ((a/10 b)³ − 1))^(−1/2)`: the linear force of a spin grows with the contact's length, its slip does not, so that less of
     /// it counts toward rigid slip.
-    #[inline(always)]
+    #[inline]
     pub fn of_spin(&self, root: F) -> F {
         let length = root.squared().times(1.0 / SATURATES_AT);
         (self.share * (length * length.squared()).plus(-1.0)).plus(1.0).sqrt().inverse()

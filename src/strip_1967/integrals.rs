@@ -39,7 +39,7 @@ pub(super) fn sum<T: Number>(mut shares: Shares<T>, others: Shares<T>) -> Shares
 
 /// `ε²`, and the square of some roundings of `Y`: where `η = 0` the direction of the slip turns at once in the strip `ξ̄ = 0`,
 /// and a derivative by `η` would be infinite.
-#[inline(always)]
+#[inline]
 pub(super) fn rounded<F: Plain>(e: F) -> F {
     let rounding = F::EPSILON.times(4.0);
     e * e + rounding * rounding
@@ -55,7 +55,7 @@ pub(super) fn arcsinh<A: Arithmetic>(u1: A, u2: A, d1: A, d2: A, e2: A) -> (A, A
 }
 
 /// `∫ C² uⁿ … du` with `C² = k₀ + k₁ u − u²`, from the integrals with `uⁿ`, `uⁿ⁺¹`, `uⁿ⁺²`.
-#[inline(always)]
+#[inline]
 pub(super) fn moment<F: Plain>([k0, k1]: [F; 2], [one, u, uu]: [F; 3]) -> F {
     k0 * one + k1 * u - uu
 }
@@ -116,7 +116,7 @@ impl<F: Plain> Pieces<F> {
     }
 
     /// Of both, from `dt` to `dθ = 2 dt/(1 + t²)`.
-    #[inline(always)]
+    #[inline]
     pub fn whole(&self, sum: F::Pair) -> F {
         (sum * self.half).sum().times(2.0)
     }

@@ -126,7 +126,7 @@ impl<T: Number> Motion<T> {
     }
 
     /// `ξ̄ = ξ − p Y`
-    #[inline(always)]
+    #[inline]
     pub fn xi_bar(&self, y: T::Base) -> T {
         self.xi - self.slope.scale(y)
     }

@@ -62,7 +62,7 @@ fn integrals<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Totals
 }
 
 /// Replaces the values of numbers and keeps their derivatives.
-#[inline(always)]
+#[inline]
 fn valued<T: Number>(mut numbers: Shares<T>, values: Shares<T::Base>) -> Shares<T> {
     for (number, value) in numbers.iter_mut().zip(values) {
         *number = T::composed(value, [T::Base::one()], [*number]);
