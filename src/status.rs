@@ -85,6 +85,11 @@ impl Error {
         self as i32
     }
 
+    /// This error, unless a condition holds.
+    pub(crate) const fn unless(self, holds: bool) -> Result<(), Self> {
+        if holds { Ok(()) } else { Err(self) }
+    }
+
     /// The one with the larger code.
     #[must_use]
     pub const fn worse(self, other: Self) -> Self {

@@ -2,7 +2,7 @@
 
 use crate::contact::Contact;
 use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float, Number, Plain, scaled_down};
+use crate::number::{Arithmetic, Float, Number, Plain, are_finite, scaled_down};
 use crate::status::Error;
 
 /// Rigid slip of the upper over the lower body, divided by the rolling speed (3.3).
@@ -59,12 +59,8 @@ impl<F: Float> Creepage<F> {
     ) -> Result<Self, Error> {
         let inputs =
             [lower.x, lower.y, lower.angular_z, upper.x, upper.y, upper.angular_z, rolling_speed];
-        if !inputs.iter().all(|input| input.is_finite_number()) {
-            return Err(Error::NotFinite);
-        }
-        if rolling_speed <= F::zero() {
-            return Err(Error::RollingSpeed);
-        }
+        Error::NotFinite.unless(are_finite(&inputs))?;
+        Error::RollingSpeed.unless(rolling_speed > F::zero())?;
         // s = (V⁻ − V⁺)/V   (3.3)
         let creepage = Self {
             longitudinal: (upper.x - lower.x) / rolling_speed,
@@ -78,10 +74,7 @@ impl<F: Float> Creepage<F> {
     /// # Errors
     /// [`Error::NotFinite`].
     pub fn check(&self) -> Result<(), Error> {
-        let finite = self.longitudinal.is_finite_number()
-            && self.lateral.is_finite_number()
-            && self.spin.is_finite_number();
-        if finite { Ok(()) } else { Err(Error::NotFinite) }
+        Error::NotFinite.unless(are_finite(&[self.longitudinal, self.lateral, self.spin]))
     }
 }
 

@@ -4,7 +4,7 @@ use crate::contact::Contact;
 use crate::contact::elliptic::Integrals;
 use crate::contact::material::{CombinedMaterial, check_modulus, check_poisson_ratio};
 use crate::contact::plausibility::SMALLEST_CURVATURE;
-use crate::number::Float;
+use crate::number::{Float, are_finite};
 use crate::status::{Error, Notice};
 
 pub use crate::contact::radii::Radii;
@@ -58,9 +58,7 @@ pub fn hertz<F: Float>(
     poisson_ratio: F,
 ) -> Result<HertzContact<F>, Error> {
     let modulus = plane_strain_modulus(shear_modulus, poisson_ratio)?;
-    if !normal_force.is_finite_number() {
-        return Err(Error::NotFinite);
-    }
+    Error::NotFinite.unless(normal_force.is_finite_number())?;
     Form::new(radii)?.under(normal_force.max(F::zero()), modulus)
 }
 
@@ -89,9 +87,7 @@ pub fn from_hertz<F: Float>(
 ) -> Result<(Contact<F>, HertzContact<F>, Notice), Error> {
     let CombinedMaterial { shear_modulus, poisson_ratio, mismatch } = *pair;
     let modulus = plane_strain_modulus(shear_modulus, poisson_ratio)?;
-    if !load.is_finite_number() {
-        return Err(Error::NotFinite);
-    }
+    Error::NotFinite.unless(load.is_finite_number())?;
     let (form, normal_force) = (Form::new(radii)?, load.max(F::zero()));
     let hertz = form.under(normal_force, modulus)?;
     let HertzContact { a, b, .. } = hertz;
@@ -129,9 +125,7 @@ pub fn from_approach<F: Float>(
 ) -> Result<(Contact<F>, F, Notice), Error> {
     let CombinedMaterial { shear_modulus, poisson_ratio, mismatch } = *pair;
     let modulus = plane_strain_modulus(shear_modulus, poisson_ratio)?;
-    if !approach.is_finite_number() {
-        return Err(Error::NotFinite);
-    }
+    Error::NotFinite.unless(approach.is_finite_number())?;
     let approach = approach.max(F::zero());
     let form = Form::new(radii)?;
     let Form { axis_ratio, integrals, scale, .. } = form;
@@ -141,9 +135,7 @@ pub fn from_approach<F: Float>(
     let stiffness = modulus.times(core::f64::consts::PI) * (major / integrals.k());
     let normal_force = (stiffness * approach).times(2.0 / 3.0);
     let [a, b] = form.axes(major);
-    if ![a, b, stiffness, normal_force].iter().all(|result| result.is_finite_number()) {
-        return Err(Error::Overflow);
-    }
+    Error::Overflow.unless(are_finite(&[a, b, stiffness, normal_force]))?;
     let contact = Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch };
     check_loaded(&contact)?;
     Ok((contact, stiffness, form.notice(radii, &contact)))
@@ -152,12 +144,8 @@ pub fn from_approach<F: Float>(
 /// Checks that every model accepts the contact. A lost contact passes.
 fn check_loaded<F: Float>(contact: &Contact<F>) -> Result<(), Error> {
     let Contact { friction, mismatch, .. } = *contact;
-    if !(friction.is_finite_number() && mismatch.is_finite_number()) {
-        return Err(Error::NotFinite);
-    }
-    if friction < F::zero() {
-        return Err(Error::Friction);
-    }
+    Error::NotFinite.unless(are_finite(&[friction, mismatch]))?;
+    Error::Friction.unless(friction >= F::zero())?;
     if contact.is_lost() { Ok(()) } else { contact.check() }
 }
 
@@ -192,15 +180,11 @@ impl<F: Float> Form<F> {
         let curvature_x = half_curvature(radii.lower_x, radii.upper_x);
         let curvature_y = half_curvature(radii.lower_y, radii.upper_y);
         let usable = |curvature: F| curvature.is_finite_number() && curvature > F::zero();
-        if !usable(curvature_x) || !usable(curvature_y) {
-            return Err(Error::Curvature);
-        }
+        Error::Curvature.unless(usable(curvature_x) && usable(curvature_y))?;
         let (small, large) = (curvature_x.min(curvature_y), curvature_x.max(curvature_y));
         // B/A = [(l/s)² E − K]/[K − E], which in the integrals of `elliptic` is A/B = g² D/B.
         let axis_ratio = axis_ratio(small / large);
-        if axis_ratio <= F::zero() {
-            return Err(Error::Overflow);
-        }
+        Error::Overflow.unless(axis_ratio > F::zero())?;
         let integrals = Integrals::at(axis_ratio);
         let scale = (integrals.b * integrals.d).sqrt() / (small.sqrt() * large.sqrt());
         // The larger curvature belongs to the shorter semi-axis (2.4).
@@ -226,10 +210,7 @@ impl<F: Float> Form<F> {
         let rho = F::constant(2.0) / (small + large);
         // cos τ = (ρ/4) |(1/Rx⁺ + 1/Rx⁻) − (1/Ry⁺ + 1/Ry⁻)|   (2.5), as tan(τ/2) = √(A/B)
         let hertz_angle = (small / large).sqrt().atan().times(2.0);
-        let results = [major, minor, peak_pressure, approach, rho];
-        if !results.iter().all(|result| result.is_finite_number()) {
-            return Err(Error::Overflow);
-        }
+        Error::Overflow.unless(are_finite(&[major, minor, peak_pressure, approach, rho]))?;
         Ok(HertzContact { a, b, peak_pressure, approach, axis_ratio, hertz_angle, rho })
     }
 

@@ -80,28 +80,16 @@ pub fn combine<F: Float>(
     let mismatch = ((F::one() - nu_lower.times(2.0)) * lower_share
         - (F::one() - nu_upper.times(2.0)) * upper_share)
         .times(0.5);
-    if !shear_modulus.is_finite_number() {
-        return Err(Error::Overflow);
-    }
+    Error::Overflow.unless(shear_modulus.is_finite_number())?;
     Ok(CombinedMaterial { shear_modulus, poisson_ratio, mismatch })
 }
 
 pub(crate) fn check_modulus<F: Float>(modulus: F) -> Result<(), Error> {
-    if !modulus.is_finite_number() {
-        Err(Error::NotFinite)
-    } else if modulus <= F::zero() {
-        Err(Error::Modulus)
-    } else {
-        Ok(())
-    }
+    Error::NotFinite.unless(modulus.is_finite_number())?;
+    Error::Modulus.unless(modulus > F::zero())
 }
 
 pub(crate) fn check_poisson_ratio<F: Float>(poisson_ratio: F) -> Result<(), Error> {
-    if !poisson_ratio.is_finite_number() {
-        Err(Error::NotFinite)
-    } else if poisson_ratio < F::zero() || poisson_ratio > F::constant(0.5) {
-        Err(Error::PoissonRatio)
-    } else {
-        Ok(())
-    }
+    Error::NotFinite.unless(poisson_ratio.is_finite_number())?;
+    Error::PoissonRatio.unless(poisson_ratio >= F::zero() && poisson_ratio <= F::constant(0.5))
 }

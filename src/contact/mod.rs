@@ -14,7 +14,7 @@ pub use self::plausibility::warning;
 
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::contact::plausibility::LARGEST_MISMATCH;
-use crate::number::{Float, Plain};
+use crate::number::{Float, Plain, are_finite};
 use crate::status::Error;
 
 /// A loaded elliptic contact with combined elastic constants and Coulomb friction.
@@ -49,35 +49,19 @@ impl<F: Float> Contact<F> {
     pub fn check(&self) -> Result<(), Error> {
         let Self { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch } = *self;
         let inputs = [a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch];
-        if !inputs.iter().all(|input| input.is_finite_number()) {
-            return Err(Error::NotFinite);
-        }
+        Error::NotFinite.unless(are_finite(&inputs))?;
         if self.is_lost() {
             return Ok(());
         }
-        if self.a <= F::zero() || self.b <= F::zero() {
-            return Err(Error::SemiAxis);
-        }
-        check_modulus(self.shear_modulus)?;
-        check_poisson_ratio(self.poisson_ratio)?;
-        if self.friction < F::zero() {
-            return Err(Error::Friction);
-        }
-        let traction = self.friction * self.peak_pressure();
-        let ratios = [
-            self.a / self.b,
-            self.b / self.a,
-            self.friction_bound(),
-            self.peak_pressure(),
-            traction,
-            self.strain(),
-        ];
-        // Products of the ratio with anything of order one stay finite as well.
-        let slender = ratios[0].max(ratios[1]) > F::HUGE;
-        if slender || !ratios.iter().all(|ratio| ratio.is_finite_number()) {
-            return Err(Error::Overflow);
-        }
-        Ok(())
+        Error::SemiAxis.unless(a > F::zero() && b > F::zero())?;
+        check_modulus(shear_modulus)?;
+        check_poisson_ratio(poisson_ratio)?;
+        Error::Friction.unless(friction >= F::zero())?;
+        let (bound, pressure) = (self.friction_bound(), self.peak_pressure());
+        let results = [bound, pressure, friction * pressure, self.strain()];
+        // Products of the axis ratio with anything of order one stay finite as well.
+        let slender = (a / b).max(b / a) > F::HUGE;
+        Error::Overflow.unless(!slender && are_finite(&results))
     }
 }
 

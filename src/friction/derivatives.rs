@@ -3,7 +3,7 @@
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::friction::{self, SlipFriction};
-use crate::number::Float;
+use crate::number::{Float, are_finite};
 use crate::solve::check::is_ordinary;
 use crate::solve::derivatives::{Derivatives, Slopes, solve_with_slopes};
 use crate::solve::options::{Model, Options, Precision, Solution};
@@ -96,29 +96,20 @@ impl<F: Float> AtFriction<F> {
             }
             total
         };
-        let [row_x, row_y, row_z] = derivatives.jacobian;
-        let mut jacobian = derivatives.jacobian;
-        let columns: [[F; 3]; 3] = core::array::from_fn(|j| {
-            [&row_x, &row_y, &row_z].map(|row| row.get(j).copied().unwrap_or(F::zero()))
-        });
-        for (j, (column, power_by)) in columns.iter().zip(power_by_creepage).enumerate() {
-            let total = shifted(column, rate * over_bound(*power_by));
-            for (row, entry) in jacobian.iter_mut().zip(total) {
-                if let Some(place) = row.get_mut(j) {
-                    *place = entry;
-                }
-            }
+        let mut columns = transposed(derivatives.jacobian);
+        for (column, power_by) in columns.iter_mut().zip(power_by_creepage) {
+            *column = shifted(column, rate * over_bound(*power_by));
         }
         // F = M f(k c/M, k κ/μ):  k ∂F/∂k = (∂F/∂c) c + κ ∂F/∂κ
         let stiffness = law.stiffness();
-        let mut by_stiffness = [row_x, row_y, row_z].map(|row| along(&row));
+        let mut by_stiffness = derivatives.jacobian.map(|row| along(&row));
         for (entry, by_mismatch) in by_stiffness.iter_mut().zip(by_mismatch) {
             *entry = (*entry + *by_mismatch) / stiffness;
         }
         let none = [F::zero(); 3];
         let Derivatives { normal_force, load_through_hertz, .. } = derivatives;
         let through = Derivatives {
-            jacobian,
+            jacobian: transposed(columns),
             normal_force: shifted(normal_force, rate * (slip_by_load / load)),
             load_through_hertz: shifted(load_through_hertz, rate * (slip_through_hertz / load)),
             friction: shifted(&none, by.friction),
@@ -131,6 +122,10 @@ impl<F: Float> AtFriction<F> {
         };
         (through, law, shifted(by_mismatch, rate * slip_by_mismatch))
     }
+}
+
+fn transposed<F>([[a, b, c], [d, e, f], [g, h, i]]: [[F; 3]; 3]) -> [[F; 3]; 3] {
+    [[a, d, g], [b, e, h], [c, f, i]]
 }
 
 /// What [`differentiate`] answers.
@@ -191,22 +186,15 @@ pub(crate) fn differentiate_checked<F: Precision>(
     let Some(law) = law.filter(|_| !lost) else {
         let Slopes { derivatives, by_mismatch, .. } = *slopes;
         let law = without_law(&derivatives, by_mismatch, creepage);
-        return if law.slope_factor.into_iter().all(F::is_finite_number) {
-            Ok(Differentiated { solution, friction, derivatives, law, by_mismatch })
-        } else {
-            Err(Error::Overflow)
-        };
+        Error::Overflow.unless(are_finite(&law.slope_factor))?;
+        return Ok(Differentiated { solution, friction, derivatives, law, by_mismatch });
     };
     let (motion, load) = (*creepage, contact.normal_force);
     let at = AtFriction { slopes: *slopes, power: solution.power, motion, friction, load };
     let falls = law.falls() && options.model != Model::Linear;
     let (derivatives, law, by_mismatch) = at.through(law, falls);
-    let entries = derivatives.entries().into_iter().chain(law.entries());
-    if entries.into_iter().all(F::is_finite_number) {
-        Ok(Differentiated { solution, friction, derivatives, law, by_mismatch })
-    } else {
-        Err(Error::Overflow)
-    }
+    Error::Overflow.unless(are_finite(&derivatives.entries()) && are_finite(&law.entries()))?;
+    Ok(Differentiated { solution, friction, derivatives, law, by_mismatch })
 }
 
 /// Friction that is constant: of the law there is the slope factor alone, `F = M f(k c/M, k κ/μ)` at `k = 1`.
@@ -255,9 +243,8 @@ pub(crate) fn check<F: Precision>(
 impl<F: Float> LawDerivatives<F> {
     /// All derivatives in one array.
     pub(crate) fn entries(&self) -> [F; 12] {
-        let Self { ratio, decay, rolling_speed, slope_factor } = *self;
-        let [[a, b, c], [d, e, f], [g, h, i], [j, k, l]] =
-            [ratio, decay, rolling_speed, slope_factor];
+        let Self { ratio: [a, b, c], decay: [d, e, f], .. } = *self;
+        let Self { rolling_speed: [g, h, i], slope_factor: [j, k, l], .. } = *self;
         [a, b, c, d, e, f, g, h, i, j, k, l]
     }
 }

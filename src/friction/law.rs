@@ -2,7 +2,7 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::number::{Float, Plain};
+use crate::number::{Float, Plain, are_finite};
 use crate::status::Error;
 
 /// Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) + ratio), where w is the sliding velocity
@@ -40,25 +40,13 @@ impl<F: Float> SlipFriction<F> {
     pub fn check(&self) -> Result<(), Error> {
         let Self { friction, ratio, decay, rolling_speed, slope_factor } = *self;
         let inputs = [friction, ratio, decay, rolling_speed, slope_factor];
-        if !inputs.iter().all(|input| input.is_finite_number()) {
-            return Err(Error::NotFinite);
-        }
-        if friction < F::zero() {
-            return Err(Error::Friction);
-        }
-        if ratio < F::zero() || ratio > F::one() {
-            return Err(Error::FrictionRatio);
-        }
-        if decay < F::zero() {
-            return Err(Error::FrictionDecay);
-        }
-        if rolling_speed < F::zero() {
-            return Err(Error::NegativeSpeed);
-        }
-        if slope_factor < F::zero() || slope_factor > F::one() {
-            return Err(Error::SlopeFactor);
-        }
-        Ok(())
+        let (zero, one) = (F::zero(), F::one());
+        Error::NotFinite.unless(are_finite(&inputs))?;
+        Error::Friction.unless(friction >= zero)?;
+        Error::FrictionRatio.unless(ratio >= zero && ratio <= one)?;
+        Error::FrictionDecay.unless(decay >= zero)?;
+        Error::NegativeSpeed.unless(rolling_speed >= zero)?;
+        Error::SlopeFactor.unless(slope_factor >= zero && slope_factor <= one)
     }
 
     /// `μ` for a slip `s` over rolling speed.

@@ -31,7 +31,7 @@ use crate::contact::creepage::Creepage;
 use crate::contact::warning;
 use crate::friction::derivatives::{self, Differentiated};
 use crate::friction::{self, FrictionSolution, SlipFriction};
-use crate::number::Float;
+use crate::number::{Float, are_finite};
 use crate::solve::model::{self, Options, Precision, Solution};
 use crate::status::{Error, Notice};
 
@@ -112,7 +112,8 @@ pub fn solve<F: Precision>(
 ) -> Result<(Solution<F>, F), Error> {
     let rolling = Rolling::new(motion)?;
     let law = law.map(|law| SlipFriction { rolling_speed: rolling.speed, ..*law });
-    let [forward, backward] = rolling.each(contact, |contact, creepage| match &law {
+    let ratio = rolling.speed_by_rolling;
+    let [forward, backward] = rolling.each(contact, ratio, |contact, creepage| match &law {
         Some(law) => {
             let FrictionSolution { solution, friction } =
                 friction::solve(contact, creepage, law, options)?;
@@ -138,17 +139,14 @@ pub fn differentiate<F: Precision>(
     let differentiate = |contact: &Contact<F>, creepage: &Creepage<F>| {
         derivatives::differentiate(contact, creepage, law.as_ref(), options)
     };
-    let [forward, backward] = rolling.each(contact, differentiate)?;
+    let [forward, backward] = rolling.each(contact, rolling.speed_by_rolling, differentiate)?;
     let by_mismatch = rolling.through_mismatch(contact, differentiate)?;
     let found = |of: &Differentiated<F>| (of.solution, of.friction);
     let contact = without_law(contact, law.as_ref());
     let (solution, friction) = rolling.solution(&contact, found(&forward), found(&backward))?;
     let slopes = rolling.slopes(&forward, &backward, by_mismatch);
-    if slopes.entries().all(F::is_finite_number) {
-        Ok((solution, friction, slopes))
-    } else {
-        Err(Error::Overflow)
-    }
+    Error::Overflow.unless(slopes.entries().all(F::is_finite_number))?;
+    Ok((solution, friction, slopes))
 }
 
 /// The contact with the friction that counts.
@@ -174,12 +172,8 @@ impl<F: Precision> Rolling<F> {
     pub(crate) fn new(motion: &Motion<F>) -> Result<Self, Error> {
         let Motion { slip_x, slip_y, spin_rate, rolling_speed, floor_speed } = *motion;
         let inputs = [slip_x, slip_y, spin_rate, rolling_speed, floor_speed];
-        if !inputs.iter().all(|input| input.is_finite_number()) {
-            return Err(Error::NotFinite);
-        }
-        if floor_speed < F::zero() {
-            return Err(Error::FloorSpeed);
-        }
+        Error::NotFinite.unless(are_finite(&inputs))?;
+        Error::FloorSpeed.unless(floor_speed >= F::zero())?;
         let floor = if floor_speed > F::zero() { floor_speed } else { F::constant(FLOOR) };
         // V_f = √(V² + floor²), whose squares may overflow or vanish
         let (larger, smaller) = (floor.max(rolling_speed.abs()), floor.min(rolling_speed.abs()));
@@ -199,8 +193,8 @@ impl<F: Precision> Rolling<F> {
         Ok(Self { motion: *motion, speed, speed_by_rolling, shares, share_slope, creepage })
     }
 
-    /// Calls the function for forward rolling, and for backward rolling in axes turned by 180 degrees; its argument tells whether the axes are
-    /// turned. Where only one end leads, both results are those of this end.
+    /// The results for forward rolling, and for backward rolling in axes turned by 180 degrees; the argument of the function tells whether
+    /// the axes are turned. Where only one end leads, both results are those of this end, and one of them has a share of zero.
     pub(crate) fn each_end<S: Copy>(
         &self,
         solve: impl Fn(&Creepage<F>, bool) -> Result<S, Error>,
@@ -217,36 +211,17 @@ impl<F: Precision> Rolling<F> {
         Ok([solve(&self.creepage, false)?, solve(&turned, true)?])
     }
 
-    /// The results for forward rolling, and for backward rolling in axes turned by 180 degrees. Where only one end leads, both are those of
-    /// this end, and one of them has a share of zero. The argument of the function tells whether the axes are turned.
-    pub(crate) fn each<S: Copy>(
-        &self,
-        contact: &Contact<F>,
-        solve: impl Fn(&Contact<F>, &Creepage<F>) -> Result<S, Error>,
-    ) -> Result<[S; 2], Error> {
-        self.each_at(contact, self.speed_by_rolling, solve)
-    }
-
-    /// [`Self::each`] where the ends see the mismatch `±κ V/V_f` of this ratio.
-    fn each_at<S: Copy>(
+    /// [`Self::each_end`] of a contact, of which the ends see the mismatch `±κ V/V_f`, of this ratio.
+    fn each<S: Copy>(
         &self,
         contact: &Contact<F>,
         ratio: F,
         solve: impl Fn(&Contact<F>, &Creepage<F>) -> Result<S, Error>,
     ) -> Result<[S; 2], Error> {
-        let Creepage { longitudinal, lateral, spin } = self.creepage;
-        let turned = Creepage { longitudinal: -longitudinal, lateral: -lateral, spin };
-        let mismatch = contact.mismatch * ratio;
-        let forward = || solve(&Contact { mismatch, ..*contact }, &self.creepage);
-        let backward = || solve(&Contact { mismatch: -mismatch, ..*contact }, &turned);
-        let [ahead, behind] = self.shares;
-        if behind <= F::zero() {
-            return forward().map(|found| [found; 2]);
-        }
-        if ahead <= F::zero() {
-            return backward().map(|found| [found; 2]);
-        }
-        Ok([forward()?, backward()?])
+        self.each_end(|creepage, turned| {
+            let mismatch = contact.mismatch * if turned { -ratio } else { ratio };
+            solve(&Contact { mismatch, ..*contact }, creepage)
+        })
     }
 
     /// `∂F/∂κ_V ∂κ_V/∂V` of the mismatch `κ_V = κ V/V_f`, `∂κ_V/∂V = κ floor²/V_f³`.
@@ -262,7 +237,7 @@ impl<F: Precision> Rolling<F> {
         // κ_V ∂F/∂κ_V over κ_V, which at standstill is not quite zero
         let least = F::constant(STANDSTILL);
         let near = if ratio.abs() < least { least } else { ratio };
-        let [forward, backward] = self.each_at(contact, near, differentiate)?;
+        let [forward, backward] = self.each(contact, near, differentiate)?;
         let rate = (F::one() - ratio * ratio) / (self.speed * near);
         let both = self.both(forward.by_mismatch, backward.by_mismatch);
         Ok(both.map(|entry| entry * rate))
@@ -288,9 +263,7 @@ impl<F: Precision> Rolling<F> {
         let [fx, fy, mz] = self.both(forces(&forward), forces(&backward));
         // F · slip, of both ends the same slip
         let power = self.mean(forward.power, backward.power) * self.speed;
-        if !power.is_finite_number() {
-            return Err(Error::Overflow);
-        }
+        Error::Overflow.unless(power.is_finite_number())?;
         // Below JUDGED any slip is plausible.
         let judged = (self.speed / F::constant(JUDGED)).min(F::one());
         let Creepage { longitudinal, lateral, spin } = self.creepage;
@@ -360,21 +333,10 @@ fn forces<F: Float>(solution: &Solution<F>) -> [F; 3] {
 
 impl<F: Float> MotionDerivatives<F> {
     pub(crate) fn entries(&self) -> impl Iterator<Item = F> {
-        let Self { slip: [x, y, z], rolling_speed, normal_force, load_through_hertz, .. } = *self;
+        let Self { slip, rolling_speed, normal_force, load_through_hertz, .. } = *self;
         let Self { friction, ratio, decay, slope_factor, .. } = *self;
-        [
-            x,
-            y,
-            z,
-            rolling_speed,
-            normal_force,
-            load_through_hertz,
-            friction,
-            ratio,
-            decay,
-            slope_factor,
-        ]
-        .into_iter()
-        .flatten()
+        let of_load = [rolling_speed, normal_force, load_through_hertz];
+        let of_friction = [friction, ratio, decay, slope_factor];
+        slip.into_iter().chain(of_load).chain(of_friction).flatten()
     }
 }

@@ -17,7 +17,7 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::number::{Float, length};
+use crate::number::{Float, are_finite, length};
 use crate::solve::derivatives::{self, Derivatives};
 use crate::solve::model::{self, Model, Options, Precision};
 use crate::status::{Error, Notice};
@@ -80,21 +80,17 @@ pub fn creepage_for_force<F: Precision>(
     let none = Creepage { longitudinal: F::zero(), lateral: F::zero(), spin };
     model::check(contact, &none, options)?;
     let [fx, fy] = force;
-    if !fx.is_finite_number() || !fy.is_finite_number() {
-        return Err(Error::NotFinite);
-    }
+    Error::NotFinite.unless(are_finite(&force))?;
     let size = length(fx, fy);
     if contact.is_lost() {
-        let fits = size <= F::zero();
-        return if fits { Ok((none, Notice::None)) } else { Err(Error::ForceBeyondFriction) };
+        return Error::ForceBeyondFriction.unless(size <= F::zero()).map(|()| (none, Notice::None));
     }
     let saturates = options.model != Model::Linear;
     let bound = contact.friction_bound();
     let (mut target, mut sliding) = (force, false);
     if saturates {
-        if size > bound * (F::one() + F::EPSILON.times(4.0)) {
-            return Err(Error::ForceBeyondFriction);
-        }
+        let largest = bound * (F::one() + F::EPSILON.times(4.0));
+        Error::ForceBeyondFriction.unless(size <= largest)?;
         let most = bound.times(1.0 - SLIDING);
         sliding = size >= most;
         if sliding {

@@ -4,7 +4,7 @@ use super::search::{Interval, Place, STEEPEST, Search};
 use super::{FrictionEstimate, Measured};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::number::{Float, length};
+use crate::number::{Float, are_finite};
 use crate::solve::derivatives;
 use crate::solve::model::{self, Model, Options, Precision, Solution};
 use crate::status::{Error, Notice};
@@ -97,28 +97,24 @@ impl<'a, F: Precision> Rig<'a, F> {
         measured: Measured,
         [fx, fy]: [F; 2],
     ) -> Result<Self, Error> {
-        if options.model == Model::Linear {
-            return Err(Error::NotInModel);
-        }
-        if !fx.is_finite_number() || !fy.is_finite_number() {
-            return Err(Error::NotFinite);
-        }
+        Error::NotInModel.unless(options.model != Model::Linear)?;
+        Error::NotFinite.unless(are_finite(&[fx, fy]))?;
         let contact = Contact { friction: F::zero(), ..*contact };
         model::check(&contact, creepage, options)?;
-        if contact.is_lost() {
-            return Err(Error::Unexplained);
-        }
-        let target = match measured {
-            Measured::Fx => fx,
-            Measured::Fy => fy,
-            Measured::Both => length(fx, fy),
-        };
+        let target = measured.of([fx, fy]);
         let used = target.abs() / contact.normal_force;
-        if !used.is_finite_number() {
-            return Err(Error::Unexplained);
-        }
-        Self { contact, creepage, options, measured, target, used, unit: F::one(), solved: 0 }
-            .with_unit()
+        Error::Unexplained.unless(!contact.is_lost() && used.is_finite_number())?;
+        // 4 (G a b (|υx| + |υy| + √(ab) |φ|)/N + |κ|), about the force of linear theory
+        let Contact { a, b, shear_modulus, normal_force, mismatch, .. } = contact;
+        let Creepage { longitudinal, lateral, spin } = *creepage;
+        let size = longitudinal.abs() + lateral.abs() + (a * b).sqrt() * spin.abs();
+        let unit = (shear_modulus * a * b * size / normal_force + mismatch.abs()).times(4.0);
+        let most = used.times(SLIDING);
+        let unit = if unit < most { unit } else { most };
+        // whatever is tried
+        let friction = unit.max(used).times(RANGE * 1.01);
+        model::check(&Contact { friction, ..contact }, creepage, options)?;
+        Ok(Self { contact, creepage, options, measured, target, used, unit, solved: 0 })
     }
 
     /// No force: friction is zero, unless there is no slip to show it.
@@ -126,11 +122,7 @@ impl<'a, F: Precision> Rig<'a, F> {
         // What a little friction gives, in units of itself: the direction of full sliding
         let (_, slopes) = derivatives::solve(&self.contact, self.creepage, self.options)?;
         let [x, y, _] = slopes.friction;
-        let direction = match self.measured {
-            Measured::Fx => x,
-            Measured::Fy => y,
-            Measured::Both => length(x, y),
-        };
+        let direction = self.measured.of([x, y]);
         let mut found = self.at_least();
         if direction != F::zero() {
             found.notice = Notice::None;
@@ -139,31 +131,10 @@ impl<'a, F: Precision> Rig<'a, F> {
         Ok(found)
     }
 
-    /// `4 (G a b (|υx| + |υy| + √(ab) |φ|)/N + |κ|)`, about the force of linear theory.
-    fn with_unit(self) -> Result<Self, Error> {
-        let Contact { a, b, shear_modulus, normal_force, mismatch, .. } = self.contact;
-        let Creepage { longitudinal, lateral, spin } = *self.creepage;
-        let creepage = longitudinal.abs() + lateral.abs() + (a * b).sqrt() * spin.abs();
-        let unit = (shear_modulus * a * b * creepage / normal_force + mismatch.abs()).times(4.0);
-        let most = self.used.times(SLIDING);
-        let unit = if unit < most { unit } else { most };
-        // whatever is tried
-        let friction = unit.max(self.used).times(RANGE * 1.01);
-        model::check(&Contact { friction, ..self.contact }, self.creepage, self.options)?;
-        Ok(Self { unit, ..self })
-    }
-
     /// The contact sticks.
     fn at_least(&self) -> FrictionEstimate<F> {
-        let none = F::zero();
-        let notice = Notice::FrictionAtLeast;
-        FrictionEstimate {
-            friction: self.used,
-            sensitivity: none,
-            residual: none,
-            notice,
-            reserved: 0,
-        }
+        let (friction, none, notice) = (self.used, F::zero(), Notice::FrictionAtLeast);
+        FrictionEstimate { friction, sensitivity: none, residual: none, notice, reserved: 0 }
     }
 
     /// `μ`
@@ -178,16 +149,14 @@ impl<'a, F: Precision> Rig<'a, F> {
         let (solution, slopes) = derivatives::solve(&contact, self.creepage, self.options)?;
         let Solution { fx: x, fy: y, .. } = solution;
         let [by_x, by_y, _] = slopes.friction;
-        let found = match self.measured {
-            Measured::Fx => [x, by_x],
-            Measured::Fy => [y, by_y],
-            Measured::Both => {
-                let size = length(x, y);
-                let over = size + F::TINY;
-                [size, (x / over) * by_x + (y / over) * by_y]
-            }
+        let force = self.measured.of([x, y]);
+        let over = force + F::TINY;
+        let slope = match self.measured {
+            Measured::Fx => by_x,
+            Measured::Fy => by_y,
+            Measured::Both => (x / over) * by_x + (y / over) * by_y,
         };
-        Ok((solution, found))
+        Ok((solution, [force, slope]))
     }
 
     /// How much more than measured, over `N` and the unit, at `x`.
@@ -213,12 +182,10 @@ impl<'a, F: Precision> Rig<'a, F> {
             // More than adhesion gives at any friction
             let (_, [found, _]) = self.force(used)?;
             let agrees = found * target > F::zero();
-            return if agrees { Ok(self.at_least()) } else { Err(Error::Unexplained) };
+            return Error::Unexplained.unless(agrees).map(|()| self.at_least());
         }
         let (search, first, most) = self.search()?;
-        if most + used / unit <= F::zero() {
-            return Err(Error::Unexplained);
-        }
+        Error::Unexplained.unless(most + used / unit > F::zero())?;
         let slides = first.value >= F::zero();
         let (friction, settled) = if slides { (used, true) } else { self.smallest(&search)? };
         if friction > used.times(STICKING) {
@@ -233,11 +200,7 @@ impl<'a, F: Precision> Rig<'a, F> {
         };
         let [fx, fy] = force;
         let (solution, [_, slope]) = self.force(friction)?;
-        let residual = match self.measured {
-            Measured::Fx => (solution.fx - fx).abs(),
-            Measured::Fy => (solution.fy - fy).abs(),
-            Measured::Both => length(solution.fx - fx, solution.fy - fy),
-        };
+        let residual = self.measured.of([solution.fx - fx, solution.fy - fy]).abs();
         let sensitivity = finite_or_none(F::one() / slope);
         let notice = notice.worse(solution.notice);
         Ok(FrictionEstimate { friction, sensitivity, residual, notice, reserved: 0 })

@@ -16,6 +16,7 @@ mod search;
 pub use self::creepage::creepage_for_force;
 pub use self::friction::estimate_friction;
 
+use crate::number::{Plain, length};
 use crate::status::Notice;
 
 /// Which forces were measured.
@@ -27,6 +28,17 @@ pub enum Measured {
     Fy,
     /// Both: their resultant counts.
     Both,
+}
+
+impl Measured {
+    /// What a measurement sees of a force.
+    fn of<F: Plain>(self, [fx, fy]: [F; 2]) -> F {
+        match self {
+            Self::Fx => fx,
+            Self::Fy => fy,
+            Self::Both => length(fx, fy),
+        }
+    }
 }
 
 /// A coefficient of friction from a measured force.
