@@ -14,11 +14,7 @@ pub extern "C" fn kstrip_material_combine(
     upper: Option<&Material<f64>>,
     combined: Option<&mut MaybeUninit<CombinedMaterial<f64>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (lower, upper, combined) = (given(lower)?, given(upper)?, given(combined)?);
-        combined.write(material::combine(lower, upper)?);
-        Ok(Notice::None)
-    })
+    fill(combined, || material::combine(given(lower)?, given(upper)?))
 }
 
 /// The contact of two bodies that a load presses together (Hertz).
@@ -101,18 +97,11 @@ pub unsafe extern "C" fn kstrip_linear_coefficients(
 ) -> kstrip_status {
     // SAFETY: NULL or four writable numbers, says the header.
     let coefficients = unsafe { place(coefficients.cast::<[f64; 4]>()) };
-    answer(|| {
-        let coefficients = given(coefficients)?;
-        if !axis_ratio.is_finite() {
-            return Err(Error::NotFinite);
-        }
-        if axis_ratio <= 0.0 {
-            return Err(Error::SemiAxis);
-        }
+    fill(coefficients, || {
+        Error::NotFinite.unless(axis_ratio.is_finite())?;
+        Error::SemiAxis.unless(axis_ratio > 0.0)?;
         material::check_poisson_ratio(poisson_ratio)?;
-        let LinearCoefficients { c11, c22, c23, c33 } =
-            LinearCoefficients::at(axis_ratio, poisson_ratio);
-        coefficients.write([c11, c22, c23, c33]);
-        Ok(Notice::None)
+        let found = LinearCoefficients::at(axis_ratio, poisson_ratio);
+        Ok([found.c11, found.c22, found.c23, found.c33])
     })
 }

@@ -48,12 +48,9 @@ pub(super) fn write_grid<F: Float, S>(
     strip_at: impl Fn(F) -> S,
     along: impl Fn(&S, F) -> FieldPoint<F>,
 ) -> Result<(), Error> {
-    if !x.iter().chain(y).all(|coordinate| coordinate.is_finite_number()) {
-        return Err(Error::NotFinite);
-    }
-    if x.len().checked_mul(y.len()).is_none_or(|points| points > out.len()) {
-        return Err(Error::Capacity);
-    }
+    Error::NotFinite.unless(are_finite(x) && are_finite(y))?;
+    let points = x.len().checked_mul(y.len());
+    Error::Capacity.unless(points.is_some_and(|points| points <= out.len()))?;
     let mut places = out.iter_mut();
     for &y in y {
         let strip = strip_at(y);

@@ -34,7 +34,7 @@ pub mod wheel_rail;
 use crate::status::advice;
 use core::ffi::c_char;
 use core::mem::MaybeUninit;
-use support::{answer, given};
+use support::fill;
 use types::kstrip_options;
 
 /// Result of a call: 0 ok; > 0 warning, outputs valid; < 0 error, outputs untouched.
@@ -231,8 +231,5 @@ const fn c_string(text: &'static str) -> &'static core::ffi::CStr {
 pub extern "C" fn kstrip_options_init(
     options: Option<&mut MaybeUninit<kstrip_options>>,
 ) -> kstrip_status {
-    answer(|| {
-        given(options)?.write(kstrip_options { model: KSTRIP_MODEL_DEFAULT, strips: 0 });
-        Ok(crate::status::Notice::None)
-    })
+    fill(options, || Ok(kstrip_options { model: KSTRIP_MODEL_DEFAULT, strips: 0 }))
 }

@@ -18,11 +18,7 @@ pub extern "C" fn kstrip_creepage_from_velocities(
     rolling_speed: f64,
     creepage: Option<&mut MaybeUninit<Creepage<f64>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (lower, upper, creepage) = (given(lower)?, given(upper)?, given(creepage)?);
-        creepage.write(Creepage::from_velocities(lower, upper, rolling_speed)?);
-        Ok(Notice::None)
-    })
+    fill(creepage, || Creepage::from_velocities(given(lower)?, given(upper)?, rolling_speed))
 }
 
 /// Kalker's dimensionless parameters xi, eta, psi (5.13) of a contact in motion; zero where it is lost.
@@ -34,11 +30,7 @@ pub extern "C" fn kstrip_parameters_from_creepage(
     creepage: Option<&Creepage<f64>>,
     parameters: Option<&mut MaybeUninit<KalkerParameters<f64>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (contact, creepage, out) = (given(contact)?, given(creepage)?, given(parameters)?);
-        out.write(parameters_of(contact, creepage)?);
-        Ok(Notice::None)
-    })
+    fill(parameters, || parameters_of(given(contact)?, given(creepage)?))
 }
 
 /// The creepage that has the given parameters xi, eta, psi on a contact: the inverse of
@@ -52,9 +44,5 @@ pub extern "C" fn kstrip_creepage_from_parameters(
     parameters: Option<&KalkerParameters<f64>>,
     creepage: Option<&mut MaybeUninit<Creepage<f64>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (contact, parameters, out) = (given(contact)?, given(parameters)?, given(creepage)?);
-        out.write(creepage_of(contact, parameters)?);
-        Ok(Notice::None)
-    })
+    fill(creepage, || creepage_of(given(contact)?, given(parameters)?))
 }

@@ -103,11 +103,7 @@ pub extern "C" fn kstrip_patch_summarize(
     patch: Option<&StoredPatch<f64>>,
     summary: Option<&mut MaybeUninit<PatchSummary<f64>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (patch, summary) = (given(patch)?, given(summary)?);
-        summary.write(PatchSummary::of(&patch.view()?));
-        Ok(Notice::None)
-    })
+    fill(summary, || Ok(PatchSummary::of(&given(patch)?.view()?)))
 }
 
 /// Computes, for a patch in motion, every output that is not NULL. Forces act on the lower body.
@@ -255,9 +251,7 @@ pub(super) fn from_strips<F: Precision>(
     poisson_ratio: F,
     out: &mut MaybeUninit<StoredPatch<F>>,
 ) -> Result<(), Error> {
-    if strips.len() > KSTRIP_PATCH_CAPACITY {
-        return Err(Error::PatchSize);
-    }
+    Error::PatchSize.unless(strips.len() <= KSTRIP_PATCH_CAPACITY)?;
     match PatchView::new(strips, shear_modulus, poisson_ratio, QuadratureScale::default()) {
         Ok(view) => StoredPatch::write(&view, out),
         Err(Error::StripOrder) => sorted(strips, shear_modulus, poisson_ratio, out)?,
@@ -305,9 +299,7 @@ pub(super) fn from_profile<F: Precision>(
 ) -> Result<Indentation<F>, Error> {
     let ProfileOptions { rolling_radius, normal_force, shear_modulus, .. } = *options;
     let ProfileOptions { poisson_ratio, friction, approach, smoothing_length, .. } = *options;
-    if !approach.is_finite_number() {
-        return Err(Error::NotFinite);
-    }
+    Error::NotFinite.unless(approach.is_finite_number())?;
     let by_load = normal_force != F::zero() || approach == F::zero();
     let given = if by_load { Given::Load(normal_force) } else { Given::Approach(approach) };
     let contact = ProfileContact {
@@ -345,9 +337,7 @@ pub(super) fn evaluate_patch<F: Precision>(
     };
     if let Some((strips, count)) = places.strips {
         let count = given(count)?;
-        if view.strips().len() > strips.len() {
-            return Err(Error::Capacity);
-        }
+        Error::Capacity.unless(view.strips().len() <= strips.len())?;
         let mut written = strips.iter_mut();
         patch::friction::strips(&view, creepage, law, share, model, &mut |strip| {
             if let Some(place) = written.next() {

@@ -16,11 +16,7 @@ pub extern "C" fn kstrip_material_combine_f32(
     upper: Option<&Material<f32>>,
     combined: Option<&mut MaybeUninit<CombinedMaterial<f32>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (lower, upper, combined) = (given(lower)?, given(upper)?, given(combined)?);
-        combined.write(material::combine(lower, upper)?);
-        Ok(Notice::None)
-    })
+    fill(combined, || material::combine(given(lower)?, given(upper)?))
 }
 
 /// kstrip_contact_from_hertz() in single precision.
@@ -71,19 +67,12 @@ pub unsafe extern "C" fn kstrip_linear_coefficients_f32(
 ) -> kstrip_status {
     // SAFETY: NULL or four writable numbers, says the header.
     let coefficients = unsafe { place(coefficients.cast::<[f32; 4]>()) };
-    answer(|| {
-        let coefficients = given(coefficients)?;
-        if !axis_ratio.is_finite() {
-            return Err(Error::NotFinite);
-        }
-        if axis_ratio <= 0.0 {
-            return Err(Error::SemiAxis);
-        }
+    fill(coefficients, || {
+        Error::NotFinite.unless(axis_ratio.is_finite())?;
+        Error::SemiAxis.unless(axis_ratio > 0.0)?;
         material::check_poisson_ratio(poisson_ratio)?;
-        let LinearCoefficients { c11, c22, c23, c33 } =
-            LinearCoefficients::at(axis_ratio, poisson_ratio);
-        coefficients.write([c11, c22, c23, c33]);
-        Ok(Notice::None)
+        let found = LinearCoefficients::at(axis_ratio, poisson_ratio);
+        Ok([found.c11, found.c22, found.c23, found.c33])
     })
 }
 
@@ -95,11 +84,7 @@ pub extern "C" fn kstrip_creepage_from_velocities_f32(
     rolling_speed: f32,
     creepage: Option<&mut MaybeUninit<Creepage<f32>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (lower, upper, creepage) = (given(lower)?, given(upper)?, given(creepage)?);
-        creepage.write(Creepage::from_velocities(lower, upper, rolling_speed)?);
-        Ok(Notice::None)
-    })
+    fill(creepage, || Creepage::from_velocities(given(lower)?, given(upper)?, rolling_speed))
 }
 
 /// kstrip_parameters_from_creepage() in single precision.
@@ -109,11 +94,7 @@ pub extern "C" fn kstrip_parameters_from_creepage_f32(
     creepage: Option<&Creepage<f32>>,
     parameters: Option<&mut MaybeUninit<KalkerParameters<f32>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (contact, creepage, out) = (given(contact)?, given(creepage)?, given(parameters)?);
-        out.write(parameters_of(contact, creepage)?);
-        Ok(Notice::None)
-    })
+    fill(parameters, || parameters_of(given(contact)?, given(creepage)?))
 }
 
 /// kstrip_creepage_from_parameters() in single precision.
@@ -123,11 +104,7 @@ pub extern "C" fn kstrip_creepage_from_parameters_f32(
     parameters: Option<&KalkerParameters<f32>>,
     creepage: Option<&mut MaybeUninit<Creepage<f32>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (contact, parameters, out) = (given(contact)?, given(parameters)?, given(creepage)?);
-        out.write(creepage_of(contact, parameters)?);
-        Ok(Notice::None)
-    })
+    fill(creepage, || creepage_of(given(contact)?, given(parameters)?))
 }
 
 /// kstrip_solve() in single precision.
@@ -138,10 +115,7 @@ pub extern "C" fn kstrip_solve_f32(
     options: Option<&kstrip_options>,
     result: Option<&mut MaybeUninit<Solution<f32>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        written(result, model::solve(contact, creepage, &for_forces(options)?))
-    })
+    solved(result, || model::solve(given(contact)?, given(creepage)?, &for_forces(options)?))
 }
 
 /// kstrip_evaluate() in single precision.
@@ -165,11 +139,9 @@ pub extern "C" fn kstrip_prepare_f32(
     options: Option<&kstrip_options>,
     prepared: Option<&mut MaybeUninit<PreparedNumbers<f32>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (contact, prepared) = (given(contact)?, given(prepared)?);
-        let options = for_forces(options)?;
-        prepared.write(PreparedNumbers::of(&Prepared::new(contact, &options)?));
-        Ok(Notice::None)
+    fill(prepared, || {
+        let prepared = Prepared::new(given(contact)?, &for_forces(options)?)?;
+        Ok(PreparedNumbers::of(&prepared))
     })
 }
 
@@ -180,10 +152,7 @@ pub extern "C" fn kstrip_solve_prepared_f32(
     creepage: Option<&Creepage<f32>>,
     result: Option<&mut MaybeUninit<Solution<f32>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (prepared, creepage, result) = (given(prepared)?, given(creepage)?, given(result)?);
-        written(result, prepared.solve(creepage))
-    })
+    solved(result, || given(prepared)?.solve(given(creepage)?))
 }
 
 /// kstrip_solve_motion() in single precision.
@@ -207,10 +176,7 @@ pub extern "C" fn kstrip_solve_total_f32(
     creepage: Option<&Creepage<f32>>,
     result: Option<&mut MaybeUninit<Solution<f32>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        written(result, solve_by(Model::Total, contact, creepage, 0))
-    })
+    solved(result, || solve_by(Model::Total, given(contact)?, given(creepage)?, 0))
 }
 
 /// kstrip_solve_strip() in single precision.
@@ -221,10 +187,7 @@ pub extern "C" fn kstrip_solve_strip_f32(
     strips: i32,
     result: Option<&mut MaybeUninit<Solution<f32>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        written(result, solve_by(Model::Strip, contact, creepage, strips))
-    })
+    solved(result, || solve_by(Model::Strip, given(contact)?, given(creepage)?, strips))
 }
 
 /// kstrip_solve_strip_1967() in single precision.
@@ -235,10 +198,7 @@ pub extern "C" fn kstrip_solve_strip_1967_f32(
     strips: i32,
     result: Option<&mut MaybeUninit<Solution<f32>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        written(result, solve_by(Model::Strip1967, contact, creepage, strips))
-    })
+    solved(result, || solve_by(Model::Strip1967, given(contact)?, given(creepage)?, strips))
 }
 
 /// kstrip_solve_linear() in single precision.
@@ -248,10 +208,7 @@ pub extern "C" fn kstrip_solve_linear_f32(
     creepage: Option<&Creepage<f32>>,
     result: Option<&mut MaybeUninit<Solution<f32>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        written(result, solve_by(Model::Linear, contact, creepage, 0))
-    })
+    solved(result, || solve_by(Model::Linear, given(contact)?, given(creepage)?, 0))
 }
 
 /// kstrip_result_on_upper_body() in single precision.
@@ -372,11 +329,7 @@ pub extern "C" fn kstrip_patch_summarize_f32(
     patch: Option<&StoredPatch<f32>>,
     summary: Option<&mut MaybeUninit<PatchSummary<f32>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (patch, summary) = (given(patch)?, given(summary)?);
-        summary.write(PatchSummary::of(&patch.view()?));
-        Ok(Notice::None)
-    })
+    fill(summary, || Ok(PatchSummary::of(&given(patch)?.view()?)))
 }
 
 /// kstrip_patch_evaluate() in single precision.
@@ -485,11 +438,7 @@ pub extern "C" fn kstrip_wheel_motion_f32(
     velocity: Option<&Velocity<f32>>,
     motion: Option<&mut MaybeUninit<Motion<f32>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (contact, velocity, motion) = (given(contact)?, given(velocity)?, given(motion)?);
-        motion.write(contact.checked_motion(velocity)?);
-        Ok(Notice::None)
-    })
+    fill(motion, || given(contact)?.checked_motion(given(velocity)?))
 }
 
 /// kstrip_wrench_from_contacts() in single precision.
@@ -507,9 +456,7 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts_f32(
     let contacts = unsafe { input(contacts, count) };
     answer(|| {
         let (contacts, velocity, out) = (contacts?, given(velocity)?, given(wrench)?);
-        if contacts.len() > KSTRIP_CONTACTS_CAPACITY {
-            return Err(Error::PatchSize);
-        }
+        Error::PatchSize.unless(contacts.len() <= KSTRIP_CONTACTS_CAPACITY)?;
         let law = law_of(model, friction)?;
         let mut slopes = WrenchDerivatives::nothing();
         let wanted = derivatives.is_some().then_some(&mut slopes);

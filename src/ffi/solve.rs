@@ -25,10 +25,7 @@ pub extern "C" fn kstrip_solve(
     options: Option<&kstrip_options>,
     result: Option<&mut MaybeUninit<Solution<f64>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        written(result, model::solve(contact, creepage, &for_forces(options)?))
-    })
+    solved(result, || model::solve(given(contact)?, given(creepage)?, &for_forces(options)?))
 }
 
 /// Computes, for a contact in motion, every output that is not NULL.
@@ -77,11 +74,9 @@ pub extern "C" fn kstrip_prepare(
     options: Option<&kstrip_options>,
     prepared: Option<&mut MaybeUninit<PreparedNumbers<f64>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (contact, prepared) = (given(contact)?, given(prepared)?);
-        let options = for_forces(options)?;
-        prepared.write(PreparedNumbers::of(&Prepared::new(contact, &options)?));
-        Ok(Notice::None)
+    fill(prepared, || {
+        let prepared = Prepared::new(given(contact)?, &for_forces(options)?)?;
+        Ok(PreparedNumbers::of(&prepared))
     })
 }
 
@@ -97,10 +92,7 @@ pub extern "C" fn kstrip_solve_prepared(
     creepage: Option<&Creepage<f64>>,
     result: Option<&mut MaybeUninit<Solution<f64>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (prepared, creepage, result) = (given(prepared)?, given(creepage)?, given(result)?);
-        written(result, prepared.solve(creepage))
-    })
+    solved(result, || given(prepared)?.solve(given(creepage)?))
 }
 
 /// Forces of a contact that rolls forward, backward, or not at all, with derivatives by its motion: for wheels that stop,
@@ -138,10 +130,7 @@ pub extern "C" fn kstrip_solve_total(
     creepage: Option<&Creepage<f64>>,
     result: Option<&mut MaybeUninit<Solution<f64>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        written(result, solve_by(Model::Total, contact, creepage, 0))
-    })
+    solved(result, || solve_by(Model::Total, given(contact)?, given(creepage)?, 0))
 }
 
 /// kstrip_solve() with KSTRIP_MODEL_STRIP; a program that calls only this links no other model.
@@ -155,10 +144,7 @@ pub extern "C" fn kstrip_solve_strip(
     strips: i32,
     result: Option<&mut MaybeUninit<Solution<f64>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        written(result, solve_by(Model::Strip, contact, creepage, strips))
-    })
+    solved(result, || solve_by(Model::Strip, given(contact)?, given(creepage)?, strips))
 }
 
 /// kstrip_solve() with KSTRIP_MODEL_STRIP_1967; a program that calls only this links no other model.
@@ -172,10 +158,7 @@ pub extern "C" fn kstrip_solve_strip_1967(
     strips: i32,
     result: Option<&mut MaybeUninit<Solution<f64>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        written(result, solve_by(Model::Strip1967, contact, creepage, strips))
-    })
+    solved(result, || solve_by(Model::Strip1967, given(contact)?, given(creepage)?, strips))
 }
 
 /// kstrip_solve() with KSTRIP_MODEL_LINEAR; a program that calls only this links no other model.
@@ -187,10 +170,7 @@ pub extern "C" fn kstrip_solve_linear(
     creepage: Option<&Creepage<f64>>,
     result: Option<&mut MaybeUninit<Solution<f64>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (contact, creepage, result) = (given(contact)?, given(creepage)?, given(result)?);
-        written(result, solve_by(Model::Linear, contact, creepage, 0))
-    })
+    solved(result, || solve_by(Model::Linear, given(contact)?, given(creepage)?, 0))
 }
 
 /// The same result seen from the upper body: opposite forces and moment, same power and adhesion.
@@ -302,9 +282,7 @@ fn write_strips<F: Precision>(
     (strips, count): StripPlaces<F>,
 ) -> Result<Notice, Error> {
     let count = given(count)?;
-    if model::strips_of(contact, creepage, options)? > strips.len() {
-        return Err(Error::Capacity);
-    }
+    Error::Capacity.unless(model::strips_of(contact, creepage, options)? <= strips.len())?;
     let mut places = strips.iter_mut();
     let mut written = 0_u32;
     let notice = model::strips(contact, creepage, options, &mut |strip| {

@@ -12,7 +12,7 @@ pub(super) use crate::friction::derivatives::{LawDerivatives, differentiate};
 pub(super) use crate::friction::{self, SlipFriction};
 pub(super) use crate::linear::LinearCoefficients;
 pub(super) use crate::motion::{self, Motion, MotionDerivatives};
-pub(super) use crate::number::Float;
+pub(super) use crate::number::{Float, are_finite};
 pub(super) use crate::patch::PatchStrip;
 pub(super) use crate::patch::field::PatchField;
 pub(super) use crate::patch::profile::Indentation;
@@ -39,6 +39,29 @@ pub(super) fn answer(body: impl FnOnce() -> Result<Notice, Error>) -> kstrip_sta
         Ok(notice) => notice.code(),
         Err(error) => error.code(),
     }
+}
+
+/// The answer of a function with one output, which is required.
+#[inline]
+pub(super) fn fill<T>(place: Place<T>, find: impl FnOnce() -> Result<T, Error>) -> kstrip_status {
+    answer(|| {
+        given(place)?.write(find()?);
+        Ok(Notice::None)
+    })
+}
+
+/// The same of a solution, whose notice is the status.
+#[inline]
+pub(super) fn solved<F: Precision>(
+    place: Place<Solution<F>>,
+    solve: impl FnOnce() -> Result<Solution<F>, Error>,
+) -> kstrip_status {
+    answer(|| {
+        let place = given(place)?;
+        // (what was found is read where it stands)
+        let found = solve();
+        Ok(place.write(*given_by(&found)?).notice)
+    })
 }
 
 /// A required argument.
@@ -100,15 +123,6 @@ pub(super) fn given_by<T>(found: &Result<T, Error>) -> Result<&T, Error> {
     found.as_ref().map_err(|error| *error)
 }
 
-/// Writes a solution and tells its notice.
-#[inline]
-pub(super) fn written<F: Precision>(
-    place: &mut MaybeUninit<Solution<F>>,
-    solved: Result<Solution<F>, Error>,
-) -> Result<Notice, Error> {
-    Ok(place.write(*given_by(&solved)?).notice)
-}
-
 /// `ξ, η, ψ`; zero where the contact is lost.
 pub(super) fn parameters_of<F: Float>(
     contact: &Contact<F>,
@@ -120,9 +134,7 @@ pub(super) fn parameters_of<F: Float>(
         return Ok(KalkerParameters { xi: F::zero(), eta: F::zero(), psi: F::zero() });
     }
     let Parameters { xi, eta, psi, .. } = Parameters::new(contact, creepage);
-    if ![xi, eta, psi].iter().all(|parameter| parameter.is_finite_number()) {
-        return Err(Error::Overflow);
-    }
+    Error::Overflow.unless(are_finite(&[xi, eta, psi]))?;
     Ok(KalkerParameters { xi, eta, psi })
 }
 
@@ -133,9 +145,7 @@ pub(super) fn creepage_of<F: Float>(
 ) -> Result<Creepage<F>, Error> {
     contact.check()?;
     let KalkerParameters { xi, eta, psi } = *parameters;
-    if ![xi, eta, psi].iter().all(|parameter| parameter.is_finite_number()) {
-        return Err(Error::NotFinite);
-    }
+    Error::NotFinite.unless(are_finite(&[xi, eta, psi]))?;
     if contact.is_lost() {
         let zero = F::zero();
         return Ok(Creepage { longitudinal: zero, lateral: zero, spin: zero });

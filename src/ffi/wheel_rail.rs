@@ -114,11 +114,7 @@ pub extern "C" fn kstrip_wheel_motion(
     velocity: Option<&Velocity<f64>>,
     motion: Option<&mut MaybeUninit<Motion<f64>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (contact, velocity, motion) = (given(contact)?, given(velocity)?, given(motion)?);
-        motion.write(contact.checked_motion(velocity)?);
-        Ok(Notice::None)
-    })
+    fill(motion, || given(contact)?.checked_motion(given(velocity)?))
 }
 
 /// Force and moment on the wheel from its contacts. The contacts may come from kstrip_contacts_from_gap() or from a table.
@@ -147,9 +143,7 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
     let contacts = unsafe { input(contacts, count) };
     answer(|| {
         let (contacts, velocity, out) = (contacts?, given(velocity)?, given(wrench)?);
-        if contacts.len() > KSTRIP_CONTACTS_CAPACITY {
-            return Err(Error::PatchSize);
-        }
+        Error::PatchSize.unless(contacts.len() <= KSTRIP_CONTACTS_CAPACITY)?;
         let law = law_of(model, friction)?;
         let mut slopes = WrenchDerivatives::nothing();
         let wanted = derivatives.is_some().then_some(&mut slopes);
@@ -253,9 +247,7 @@ pub(super) fn law_of<F: Precision>(
     falling: Option<&SlipFriction<F>>,
 ) -> Result<Law<'_, F>, Error> {
     let model = for_strips(Some(&kstrip_options { model, strips: 0 }))?.model;
-    if model == Model::Linear {
-        return Err(Error::NotInModel);
-    }
+    Error::NotInModel.unless(model != Model::Linear)?;
     falling.map_or(Ok(()), SlipFriction::check)?;
     Ok(Law { model, falling })
 }
