@@ -31,7 +31,7 @@ pub mod solve;
 pub mod types;
 pub mod wheel_rail;
 
-use crate::status::advice;
+use crate::status::{advice, c_string};
 use core::ffi::c_char;
 use core::mem::MaybeUninit;
 use support::fill;
@@ -214,13 +214,6 @@ pub extern "C" fn kstrip_version_string() -> *const c_char {
 #[unsafe(no_mangle)]
 pub extern "C" fn kstrip_abi_version() -> i32 {
     KSTRIP_ABI_VERSION
-}
-
-const fn c_string(text: &'static str) -> &'static core::ffi::CStr {
-    match core::ffi::CStr::from_bytes_with_nul(text.as_bytes()) {
-        Ok(text) => text,
-        Err(_) => c"",
-    }
 }
 
 /// Fill options with zero, the defaults: KSTRIP_MODEL_DEFAULT and 16 strips. `kstrip_options o = {0}` does the same.
