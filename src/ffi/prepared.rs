@@ -1,6 +1,6 @@
 //! A prepared contact as plain numbers that C stores.
 
-use super::checksum::checksum;
+use super::checksum::{Bits, checksum};
 use super::support::*;
 use crate::solve::check::is_ordinary;
 use crate::solve::frame::Frame;
@@ -9,34 +9,19 @@ use crate::solve::theory::{Linear, Strip, Strip1967, Theory, Total};
 use crate::strip;
 use core::hint::black_box;
 use core::mem::offset_of;
-use core::num::Wrapping;
 
 /// How many numbers there is room for.
 pub(super) const ROOM: usize = 96;
-/// The numbers begin with a [`Head`], then a [`Frame`] and what the model knows.
+/// Where the checksum of model, strip count and what the linear theory reads stands, as the bits of a number.
+const QUICK_SUM: usize = 0;
+/// Where that of everything from the frame on that the model reads stands.
+const WHOLE_SUM: usize = 1;
+/// Where `w` stands: where `|υx| + |υy| + w |φ| ≤ 10` no check of [`is_ordinary`] can fail; infinite where each has to be looked at, and of
+/// unlike materials, whose pressure moves the creepage.
+const PER_SPIN: usize = 2;
+/// Where the [`Frame`] begins, and then what the model knows.
 const FRAME: usize = 3;
 const KNOWN: usize = 20;
-/// Where the checksums stand.
-const QUICK_SUM: usize = 0;
-const WHOLE_SUM: usize = 1;
-/// Where `w` stands.
-const PER_SPIN: usize = 2;
-
-/// What the checksums of each precision start with: no bits that come by chance, and not those of the other precision.
-const MARKS: [u64; 2] = [0x1967_1208_0c52_e817, 0x2b7e_1516_28ae_d2a6];
-
-/// What is looked at before the rest.
-#[repr(C)]
-#[derive(Clone, Copy)]
-struct Head<F> {
-    /// Checksum of model, strip count and what the linear theory reads, as the bits of a number.
-    quick: F,
-    /// Checksum of everything from the frame on that the model reads.
-    whole: F,
-    /// `w`: where `|υx| + |υy| + w |φ| ≤ 10` no check of [`is_ordinary`] can fail; infinite where each has to be looked at, and of unlike
-    /// materials, whose pressure moves the creepage.
-    per_spin: F,
-}
 
 /// `|υ|` up to which no check can fail.
 const QUICK: f64 = 10.0;
@@ -47,17 +32,15 @@ const QUICK: f64 = 10.0;
 /// True of the implementor.
 unsafe trait Numbers<F> {}
 // SAFETY: so they are declared.
-unsafe impl<F: Precision> Numbers<F> for Head<F> {}
+unsafe impl<F: Precision> Numbers<F> for F {}
 unsafe impl<F: Precision> Numbers<F> for Frame<F> {}
 unsafe impl<F: Precision> Numbers<F> for Total<F> {}
 unsafe impl<F: Precision> Numbers<F> for strip::Flexibilities<F> {}
 unsafe impl<F: Precision> Numbers<F> for Linear<F> {}
 // SAFETY: integers.
-unsafe impl<F: Precision> Numbers<F> for u64 {}
-// SAFETY: integers.
-unsafe impl<F: Precision> Numbers<F> for u32 {}
+unsafe impl<F: Bits> Numbers<F> for [F::Word; 2] {}
 
-impl<F: Precision> PreparedNumbers<F> {
+impl<F: Bits> PreparedNumbers<F> {
     pub(super) fn of(prepared: &Prepared<F>) -> Self {
         let Options { model, strips } = prepared.options;
         let numbers = MaybeUninit::new([F::zero(); ROOM]);
@@ -65,9 +48,7 @@ impl<F: Precision> PreparedNumbers<F> {
         let contact = &prepared.frame.contact;
         let quick = !contact.is_lost() && contact.mismatch == F::zero();
         let spin = if quick { contact.ordinary_spin() } else { F::zero() };
-        let per_spin = F::constant(QUICK) / spin;
-        let none = F::zero();
-        stored.put::<_, 0>(Head { quick: none, whole: none, per_spin });
+        stored.put::<_, PER_SPIN>(F::constant(QUICK) / spin);
         stored.put::<_, FRAME>(prepared.frame);
         match &prepared.known {
             Known::Strip1967(_) | Known::Strip1967Continuous(_) => {}
@@ -75,20 +56,16 @@ impl<F: Precision> PreparedNumbers<F> {
             Known::Total(total) => stored.put::<_, KNOWN>(*total),
             Known::Linear(linear) => stored.put::<_, KNOWN>(*linear),
         }
-        let (quick, whole) = (stored.quick_sum(), stored.whole_sum(model));
-        stored.put_sum::<QUICK_SUM>(quick);
-        stored.put_sum::<WHOLE_SUM>(whole);
+        stored.put::<_, QUICK_SUM>([stored.quick_sum(), stored.whole_sum(model)]);
         stored
     }
 
     #[inline]
     pub(super) fn solve(&self, creepage: &Creepage<F>) -> Result<Solution<F>, Error> {
-        if self.stored_sum::<QUICK_SUM>() != self.quick_sum() {
-            return Err(Error::NotPrepared);
-        }
-        let head: &Head<F> = self.part::<_, 0>();
+        Error::NotPrepared.unless(self.words()[QUICK_SUM] == self.quick_sum())?;
+        let per_spin: &F = self.part::<_, PER_SPIN>();
         let Creepage { longitudinal, lateral, spin } = *creepage;
-        let size = longitudinal.abs() + lateral.abs() + spin.abs() * head.per_spin;
+        let size = longitudinal.abs() + lateral.abs() + spin.abs() * *per_spin;
         let quick = size <= F::constant(QUICK);
         let frame: &Frame<F> = self.part::<_, FRAME>();
         if quick && self.model == Model::Linear as i32 {
@@ -110,9 +87,7 @@ impl<F: Precision> PreparedNumbers<F> {
     ) -> Result<(), Error> {
         let model = Model::from_number(self.model).ok_or(Error::NotPrepared)?;
         let strips = StripCount::from_number(self.strips).ok_or(Error::NotPrepared)?;
-        if self.stored_sum::<WHOLE_SUM>() != self.whole_sum(model) {
-            return Err(Error::NotPrepared);
-        }
+        Error::NotPrepared.unless(self.words()[WHOLE_SUM] == self.whole_sum(model))?;
         let frame: &Frame<F> = self.part::<_, FRAME>();
         let ordinary = quick || is_ordinary(&frame.contact, creepage, model)?;
         if !quick && frame.contact.is_lost() {
@@ -156,25 +131,19 @@ impl<F: Precision> PreparedNumbers<F> {
 
     /// Of model, strips and what the linear theory of like bodies reads: `w`, `N`, `μ`, stiffness.
     #[inline]
-    fn quick_sum(&self) -> u64 {
+    fn quick_sum(&self) -> F::Word {
         const { assert!(FRAME * size_of::<F>() + size_of::<Frame<F>>() <= KNOWN * size_of::<F>()) };
         let load = FRAME + offset_of!(Frame<F>, contact.normal_force) / size_of::<F>();
         let friction = FRAME + offset_of!(Frame<F>, contact.friction) / size_of::<F>();
         let places = [PER_SPIN, load, friction, KNOWN, KNOWN + 1, KNOWN + 2, KNOWN + 3];
         // (read apart from the forces, for which they would stay in registers that are saved first)
         let stored = black_box(self);
-        match stored.words() {
-            Words::Double(words, mark) => {
-                checksum(mark, &places.map(|i| words.get(i).copied().unwrap_or_default())).0
-            }
-            Words::Single(words, mark) => {
-                checksum(mark, &places.map(|i| words.get(i).copied().unwrap_or_default())).0.into()
-            }
-        }
+        let words = places.map(|i| stored.words().get(i).copied().unwrap_or_default());
+        checksum(F::mark(stored.model, stored.strips), &words)
     }
 
     /// Of model, strips and everything from the frame on that a model reads.
-    fn whole_sum(&self, model: Model) -> u64 {
+    fn whole_sum(&self, model: Model) -> F::Word {
         let of_model = match model {
             Model::Strip1967 | Model::Strip1967Continuous => 0,
             Model::Strip => size_of::<strip::Flexibilities<F>>(),
@@ -182,51 +151,16 @@ impl<F: Precision> PreparedNumbers<F> {
             Model::Linear => size_of::<Linear<F>>(),
         };
         let read = FRAME..KNOWN + of_model / size_of::<F>();
-        match self.words() {
-            Words::Double(words, mark) => checksum(mark, words.get(read).unwrap_or_default()).0,
-            Words::Single(words, mark) => {
-                checksum(mark, words.get(read).unwrap_or_default()).0.into()
-            }
-        }
+        let words = self.words().get(read).unwrap_or_default();
+        checksum(F::mark(self.model, self.strips), words)
     }
 
-    /// All numbers as words, with what a sum of them starts with.
+    /// All numbers as words.
     #[inline]
-    fn words(&self) -> Words<'_> {
-        let [model, strips] = [self.model, self.strips].map(i32::cast_unsigned);
-        let numbers = self.numbers.as_ptr();
-        let [double, single] = MARKS;
-        if size_of::<F>() == size_of::<u64>() {
-            let mark = double ^ (u64::from(model) << 32) ^ u64::from(strips);
-            // SAFETY: words as large and aligned as the numbers, and any bits are a value.
-            Words::Double(unsafe { &*numbers.cast() }, Wrapping(mark))
-        } else {
-            let mark = single as u32 ^ (model << 16) ^ strips;
-            // SAFETY: as before.
-            Words::Single(unsafe { &*numbers.cast() }, Wrapping(mark))
-        }
+    fn words(&self) -> &[F::Word; ROOM] {
+        const { assert!(size_of::<F::Word>() == size_of::<F>()) };
+        const { assert!(align_of::<F::Word>() == align_of::<F>()) };
+        // SAFETY: words as large and aligned as the numbers, and any bits are a value.
+        unsafe { &*self.numbers.as_ptr().cast() }
     }
-
-    fn put_sum<const AT: usize>(&mut self, sum: u64) {
-        if size_of::<F>() == size_of::<u64>() {
-            self.put::<_, AT>(sum);
-        } else {
-            self.put::<_, AT>(sum as u32);
-        }
-    }
-
-    /// A stored sum.
-    #[inline]
-    fn stored_sum<const AT: usize>(&self) -> u64 {
-        match self.words() {
-            Words::Double(words, _) => words.get(AT).map_or(0, |word| word.0),
-            Words::Single(words, _) => words.get(AT).map_or(0, |word| word.0.into()),
-        }
-    }
-}
-
-/// The numbers of a structure as words of their size.
-enum Words<'a> {
-    Double(&'a [Wrapping<u64>; ROOM], Wrapping<u64>),
-    Single(&'a [Wrapping<u32>; ROOM], Wrapping<u32>),
 }
