@@ -85,15 +85,12 @@ pub fn from_hertz<F: Float>(
     load: F,
     friction: F,
 ) -> Result<(Contact<F>, HertzContact<F>, Notice), Error> {
-    let CombinedMaterial { shear_modulus, poisson_ratio, mismatch } = *pair;
-    let modulus = plane_strain_modulus(shear_modulus, poisson_ratio)?;
+    let modulus = plane_strain_modulus(pair.shear_modulus, pair.poisson_ratio)?;
     Error::NotFinite.unless(load.is_finite_number())?;
     let (form, normal_force) = (Form::new(radii)?, load.max(F::zero()));
     let hertz = form.under(normal_force, modulus)?;
-    let HertzContact { a, b, .. } = hertz;
-    let contact = Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch };
-    check_loaded(&contact)?;
-    Ok((contact, hertz, form.notice(radii, &contact)))
+    let (contact, notice) = form.loaded([hertz.a, hertz.b], radii, pair, normal_force, friction)?;
+    Ok((contact, hertz, notice))
 }
 
 /// The contact of two bodies whose distant points have come closer by `approach` \[m\]: the inverse of [`from_hertz`], as the
@@ -123,8 +120,7 @@ pub fn from_approach<F: Float>(
     approach: F,
     friction: F,
 ) -> Result<(Contact<F>, F, Notice), Error> {
-    let CombinedMaterial { shear_modulus, poisson_ratio, mismatch } = *pair;
-    let modulus = plane_strain_modulus(shear_modulus, poisson_ratio)?;
+    let modulus = plane_strain_modulus(pair.shear_modulus, pair.poisson_ratio)?;
     Error::NotFinite.unless(approach.is_finite_number())?;
     let approach = approach.max(F::zero());
     let form = Form::new(radii)?;
@@ -136,17 +132,8 @@ pub fn from_approach<F: Float>(
     let normal_force = (stiffness * approach).times(2.0 / 3.0);
     let [a, b] = form.axes(major);
     Error::Overflow.unless(are_finite(&[a, b, stiffness, normal_force]))?;
-    let contact = Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch };
-    check_loaded(&contact)?;
-    Ok((contact, stiffness, form.notice(radii, &contact)))
-}
-
-/// Checks that every model accepts the contact. A lost contact passes.
-fn check_loaded<F: Float>(contact: &Contact<F>) -> Result<(), Error> {
-    let Contact { friction, mismatch, .. } = *contact;
-    Error::NotFinite.unless(are_finite(&[friction, mismatch]))?;
-    Error::Friction.unless(friction >= F::zero())?;
-    if contact.is_lost() { Ok(()) } else { contact.check() }
+    let (contact, notice) = form.loaded([a, b], radii, pair, normal_force, friction)?;
+    Ok((contact, stiffness, notice))
 }
 
 /// `E* = G/(1 − ν)`
@@ -214,17 +201,27 @@ impl<F: Float> Form<F> {
         Ok(HertzContact { a, b, peak_pressure, approach, axis_ratio, hertz_angle, rho })
     }
 
-    /// Whether the contact and the radii are plausible.
-    fn notice(&self, radii: &Radii<F>, contact: &Contact<F>) -> Notice {
-        if self.large < F::constant(SMALLEST_CURVATURE) {
-            return Notice::Radius;
-        }
-        let notice = contact.plausibility();
-        if notice == Notice::None && contact.is_conformal(radii) {
-            Notice::Conformal
-        } else {
-            notice
-        }
+    /// A contact that every model accepts, and whether it and the radii are plausible. Of a lost contact friction and mismatch are checked.
+    fn loaded(
+        &self,
+        [a, b]: [F; 2],
+        radii: &Radii<F>,
+        pair: &CombinedMaterial<F>,
+        normal_force: F,
+        friction: F,
+    ) -> Result<(Contact<F>, Notice), Error> {
+        let CombinedMaterial { shear_modulus, poisson_ratio, mismatch } = *pair;
+        let contact =
+            Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch };
+        Error::NotFinite.unless(are_finite(&[friction, mismatch]))?;
+        Error::Friction.unless(friction >= F::zero())?;
+        contact.check()?;
+        let notice = match contact.plausibility() {
+            _ if self.large < F::constant(SMALLEST_CURVATURE) => Notice::Radius,
+            Notice::None if contact.is_conformal(radii) => Notice::Conformal,
+            notice => notice,
+        };
+        Ok((contact, notice))
     }
 
     /// `a`, `b` for the major semi-axis.
