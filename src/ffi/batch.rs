@@ -74,19 +74,23 @@ fn lie_apart<T>(first: *mut T, stride: isize) -> bool {
 }
 
 impl<F: Precision> BatchInputs<F> {
+    /// The numbers that are required, each with its stride.
+    fn required(&self) -> [(*const F, isize); 9] {
+        [
+            (self.a, self.a_stride),
+            (self.b, self.b_stride),
+            (self.normal_force, self.normal_force_stride),
+            (self.shear_modulus, self.shear_modulus_stride),
+            (self.poisson_ratio, self.poisson_ratio_stride),
+            (self.friction, self.friction_stride),
+            (self.longitudinal, self.longitudinal_stride),
+            (self.lateral, self.lateral_stride),
+            (self.spin, self.spin_stride),
+        ]
+    }
+
     fn strides_fit(&self) -> bool {
-        let numbers = [
-            self.a_stride,
-            self.b_stride,
-            self.normal_force_stride,
-            self.shear_modulus_stride,
-            self.poisson_ratio_stride,
-            self.friction_stride,
-            self.longitudinal_stride,
-            self.lateral_stride,
-            self.spin_stride,
-        ];
-        numbers.into_iter().all(|stride| is_aligned(self.a, stride))
+        self.required().into_iter().all(|(first, stride)| is_aligned(first, stride))
             && (self.mismatch.is_null() || is_aligned(self.mismatch, self.mismatch_stride))
             && (self.law.is_null() || is_aligned(self.law, self.law_stride))
     }
@@ -111,23 +115,10 @@ impl<F: Precision> Batch<'_, F> {
     /// Every pointer is NULL, or valid for `count` elements at its distances.
     pub(super) unsafe fn solve(&self, first_bad: Place<u32>) -> Result<Notice, Error> {
         let Self { inputs, outputs, .. } = self;
-        let required = [
-            inputs.a,
-            inputs.b,
-            inputs.normal_force,
-            inputs.shear_modulus,
-            inputs.poisson_ratio,
-            inputs.friction,
-            inputs.longitudinal,
-            inputs.lateral,
-            inputs.spin,
-        ];
-        if self.count > 0 && required.iter().any(|pointer| pointer.is_null()) {
-            return Err(Error::NullPointer);
-        }
-        if self.count > 1 && !(inputs.strides_fit() && outputs.strides_fit()) {
-            return Err(Error::Stride);
-        }
+        let complete = !inputs.required().iter().any(|(first, _)| first.is_null());
+        Error::NullPointer.unless(self.count == 0 || complete)?;
+        let fit = self.count <= 1 || (inputs.strides_fit() && outputs.strides_fit());
+        Error::Stride.unless(fit)?;
         let alone = inputs.law.is_null()
             && outputs.derivatives.is_null()
             && outputs.law_derivatives.is_null();

@@ -5,7 +5,7 @@ use super::batch::Batch;
 use super::inside::write_grid;
 use super::patch::{evaluate_patch, from_contact, from_profile, from_strips, profile_of};
 use super::rig::BOTH;
-use super::solve::{MotionPlaces, Places, evaluate, solve_motion};
+use super::solve::{Places, evaluate, solve_motion};
 use super::support::*;
 use super::wheel_rail::{law_of, scene_of};
 
@@ -165,8 +165,9 @@ pub unsafe extern "C" fn kstrip_solve_motion_f32(
     outputs: Option<&MotionOutputs<f32>>,
 ) -> kstrip_status {
     // SAFETY: every pointer is NULL or valid, says the header.
-    let places = outputs.map(|outputs| unsafe { MotionPlaces::of(outputs) });
-    answer(|| solve_motion(given(contact)?, given(motion)?, friction, options, given(places)?))
+    answer(|| unsafe {
+        solve_motion(given(contact)?, given(motion)?, friction, options, given(outputs)?)
+    })
 }
 
 /// kstrip_solve_total() in single precision.

@@ -117,8 +117,9 @@ pub unsafe extern "C" fn kstrip_solve_motion(
     outputs: Option<&MotionOutputs<f64>>,
 ) -> kstrip_status {
     // SAFETY: every pointer is NULL or valid, says the header.
-    let places = outputs.map(|outputs| unsafe { MotionPlaces::of(outputs) });
-    answer(|| solve_motion(given(contact)?, given(motion)?, friction, options, given(places)?))
+    answer(|| unsafe {
+        solve_motion(given(contact)?, given(motion)?, friction, options, given(outputs)?)
+    })
 }
 
 /// kstrip_solve() with KSTRIP_MODEL_TOTAL; a program that calls only this links no other model.
@@ -295,45 +296,28 @@ fn write_strips<F: Precision>(
     Ok(notice)
 }
 
-/// The wanted outputs of a motion.
-pub(super) struct MotionPlaces<'a, F: Precision> {
-    result: Place<'a, Solution<F>>,
-    derivatives: Place<'a, MotionDerivatives<F>>,
-    friction: Place<'a, F>,
-}
-
-impl<F: Precision> MotionPlaces<'_, F> {
-    /// # Safety
-    /// Every pointer is NULL, or valid and aligned for one write; no two overlap.
-    pub(super) unsafe fn of(outputs: &MotionOutputs<F>) -> Self {
-        let MotionOutputs { result, derivatives, friction } = *outputs;
-        // SAFETY: the caller's promise.
-        unsafe {
-            Self {
-                result: place(result),
-                derivatives: place(derivatives),
-                friction: place(friction),
-            }
-        }
-    }
-}
-
-pub(super) fn solve_motion<F: Precision>(
+/// # Safety
+/// Every pointer of the outputs is NULL, or valid and aligned for one write; no two overlap.
+pub(super) unsafe fn solve_motion<F: Precision>(
     contact: &Contact<F>,
     motion: &Motion<F>,
     law: Option<&SlipFriction<F>>,
     options: Option<&kstrip_options>,
-    places: MotionPlaces<F>,
+    outputs: &MotionOutputs<F>,
 ) -> Result<Notice, Error> {
     let options = for_forces(options)?;
-    let (solution, friction) = if let Some(place) = places.derivatives {
+    // SAFETY: the caller's promise.
+    let (result, used) = unsafe { (place(outputs.result), place(outputs.friction)) };
+    // SAFETY: as before.
+    let derivatives = unsafe { place(outputs.derivatives) };
+    let (solution, friction) = if let Some(place) = derivatives {
         let (solution, friction, slopes) = motion::differentiate(contact, motion, law, &options)?;
         place.write(slopes);
         (solution, friction)
     } else {
         motion::solve(contact, motion, law, &options)?
     };
-    put(places.result, solution);
-    put(places.friction, friction);
+    put(result, solution);
+    put(used, friction);
     Ok(solution.notice)
 }

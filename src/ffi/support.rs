@@ -11,7 +11,7 @@ pub(super) use crate::contact::{Contact, from_approach, from_hertz};
 pub(super) use crate::friction::derivatives::{LawDerivatives, differentiate};
 pub(super) use crate::friction::{self, SlipFriction};
 pub(super) use crate::linear::LinearCoefficients;
-pub(super) use crate::motion::{self, Motion, MotionDerivatives};
+pub(super) use crate::motion::{self, Motion};
 pub(super) use crate::number::{Float, are_finite};
 pub(super) use crate::patch::PatchStrip;
 pub(super) use crate::patch::field::PatchField;

@@ -248,7 +248,7 @@ use super::batch::Batch;
 use super::inside::write_grid;
 use super::patch::{evaluate_patch, from_contact, from_profile, from_strips, profile_of};
 use super::rig::BOTH;
-use super::solve::{MotionPlaces, Places, evaluate, solve_motion};
+use super::solve::{Places, evaluate, solve_motion};
 use super::support::*;
 use super::wheel_rail::{law_of, scene_of};
 ";
