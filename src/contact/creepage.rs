@@ -146,7 +146,7 @@ impl<T: Number> Parameters<T> {
 
     /// `vx, vy = G a b (υx, υy)/(μ N)` and `φ = G (ab)^{3/2} ϕ/(μ N)`, what linear theory is written
     /// in: `ξ = π vx/(3 (1 − ν))`, `η = π vy/3`, `ψ = (π/3) √(a/b) φ`.
-    #[inline(always)]
+    #[inline]
     #[must_use]
     pub fn normalised(&self) -> [T; 3] {
         let [by_xi, by_psi] = back(self.poisson_ratio, self.axis_ratio);

@@ -106,7 +106,7 @@ pub(super) fn strip_count(strips: i32) -> Result<StripCount, Error> {
 }
 
 /// One model, with as many strips as C asks for.
-#[inline(always)]
+#[inline]
 pub(super) fn solve_by<F: Precision>(
     model: Model,
     contact: &Contact<F>,

@@ -18,6 +18,7 @@
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::number::{Float, are_finite, length};
+use crate::rig::search::cubic;
 use crate::solve::derivatives::{self, Derivatives};
 use crate::solve::model::{self, Model, Options, Precision};
 use crate::status::{Error, Notice};
@@ -85,21 +86,14 @@ pub fn creepage_for_force<F: Precision>(
     if contact.is_lost() {
         return Error::ForceBeyondFriction.unless(size <= F::zero()).map(|()| (none, Notice::None));
     }
-    let saturates = options.model != Model::Linear;
-    let bound = contact.friction_bound();
-    let (mut target, mut sliding) = (force, false);
-    if saturates {
-        let largest = bound * (F::one() + F::EPSILON.times(4.0));
-        Error::ForceBeyondFriction.unless(size <= largest)?;
-        let most = bound.times(1.0 - SLIDING);
-        sliding = size >= most;
-        if sliding {
-            if bound <= F::zero() {
-                return Ok((none, Notice::CreepageAtLeast));
-            }
-            target = force.map(|part| part / size * most);
-        }
+    let (bound, saturates) = (contact.friction_bound(), options.model != Model::Linear);
+    let (largest, most) = (bound * F::EPSILON.times(4.0).plus(1.0), bound.times(1.0 - SLIDING));
+    Error::ForceBeyondFriction.unless(!saturates || size <= largest)?;
+    let sliding = saturates && size >= most;
+    if sliding && bound <= F::zero() {
+        return Ok((none, Notice::CreepageAtLeast));
     }
+    let target = if sliding { force.map(|part| part / size * most) } else { force };
     let mut aim = Aim::new(contact, target, spin, options);
     let found = aim.find()?;
     let settled = found.distance <= F::EPSILON.times(TAKEN);
@@ -359,12 +353,12 @@ fn bent<F: Float>(
 }
 
 /// Where the cubic with these values and slopes at 0 and 1 crosses zero, downward, to a thousandth.
-fn crossing<F: Float>([a, b]: [F; 2], [p, q]: [F; 2]) -> F {
-    let (c2, c3) = ((b - a).times(3.0) - p.times(2.0) - q, (a - b).times(2.0) + p + q);
+fn crossing<F: Float>(values: [F; 2], slopes: [F; 2]) -> F {
+    let [c0, c1, c2, c3] = cubic(values, slopes);
     let (mut low, mut high) = (F::zero(), F::one());
     for _ in 0..10 {
         let t = (low + high).times(0.5);
-        if a + t * (p + t * (c2 + t * c3)) > F::zero() { low = t } else { high = t }
+        if c0 + t * (c1 + t * (c2 + t * c3)) > F::zero() { low = t } else { high = t }
     }
     (low + high).times(0.5)
 }

@@ -63,6 +63,11 @@ impl<F: Float> Interval<F> {
     }
 }
 
+/// The coefficients of `c₀ + c₁ t + c₂ t² + c₃ t³` with these values and slopes at 0 and 1 (Hermite).
+pub(super) fn cubic<F: Float>([a, b]: [F; 2], [p, q]: [F; 2]) -> [F; 4] {
+    [a, p, (b - a).times(3.0) - p.times(2.0) - q, (a - b).times(2.0) + p + q]
+}
+
 /// The intervals that matter.
 pub(super) struct Search<F> {
     kept: Vec<Interval<F>, KEPT>,
@@ -91,13 +96,9 @@ impl<F: Float> Search<F> {
 
     /// The interval that most probably hides a root, if any may hide one, and where to divide it.
     pub(super) fn next(&self) -> Option<(Interval<F>, F)> {
-        let mut worst: Option<&Interval<F>> = None;
-        for interval in &self.kept {
-            if interval.danger > worst.map_or(F::one(), |worst| worst.danger) {
-                worst = Some(interval);
-            }
-        }
-        worst.map(|worst| (*worst, self.judged(&worst.from, &worst.to).1))
+        let dangerous = self.kept.iter().filter(|kept| kept.danger > F::one());
+        let worst = dangerous.reduce(|a, b| if b.danger > a.danger { b } else { a })?;
+        Some((*worst, self.judged(&worst.from, &worst.to).1))
     }
 
     /// Divides an interval that [`next`](Self::next) told.
@@ -116,13 +117,8 @@ impl<F: Float> Search<F> {
 
     /// The first interval from here on in which the sign changes.
     pub(super) fn change_from(&self, x: F) -> Option<Interval<F>> {
-        let mut first: Option<Interval<F>> = None;
-        for interval in self.kept.iter().filter(|kept| kept.changes() && kept.from.x >= x) {
-            if first.is_none_or(|first| interval.from.x < first.from.x) {
-                first = Some(*interval);
-            }
-        }
-        first
+        let changes = self.kept.iter().filter(|kept| kept.changes() && kept.from.x >= x);
+        changes.copied().reduce(|a, b| if b.from.x < a.from.x { b } else { a })
     }
 
     /// What may be hidden between two places over what is needed for a root there; and where to look for it.
@@ -154,9 +150,8 @@ impl<F: Float> Search<F> {
         if !self.jumps && a + b > (to.ratio() - from.ratio()).times(STEEPEST) {
             return (F::zero(), from.x);
         }
-        // a + t (c1 + t (c2 + t c3))
         let (p, q) = (p * width, q * width);
-        let (c1, c2, c3) = (p, (b - a).times(3.0) - p.times(2.0) - q, (a - b).times(2.0) + p + q);
+        let [_, c1, c2, c3] = cubic([a, b], [p, q]);
         let (mut least, mut at) = (F::LARGEST, F::constant(0.5));
         for eighth in 1..8 {
             let t = F::widened(eighth as f32).times(0.125);
