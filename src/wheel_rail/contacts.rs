@@ -17,13 +17,14 @@ use super::line_of_contact::Turn;
 use super::touch::Gap;
 use super::{
     KSTRIP_CONTACTS_CAPACITY, KSTRIP_SURFACE_CAPACITY, Pair, Position, Velocity, cross, dot,
+    sine_cosine,
 };
 use crate::contact::forces::StripCount;
 use crate::motion::Motion;
 use crate::number::{Float, are_finite, length};
+use crate::patch::StoredPatch;
 use crate::patch::normal::Given;
 use crate::patch::profile::{Indentation, Profile, ProfileContact};
-use crate::patch::{PatchStrip, StoredPatch};
 use crate::solve::model::Precision;
 use crate::status::{Error, Notice};
 use core::ops::Range;
@@ -100,81 +101,80 @@ impl<F: Precision> WheelContact<F> {
     pub fn checked_motion(&self, velocity: &Velocity<F>) -> Result<Motion<F>, Error> {
         let motion = self.motion(&velocity.members());
         let Motion { slip_x, slip_y, spin_rate, rolling_speed, .. } = motion;
-        let finite =
-            [slip_x, slip_y, spin_rate, rolling_speed].iter().all(|x| x.is_finite_number());
+        let finite = are_finite(&[slip_x, slip_y, spin_rate, rolling_speed]);
         if finite { Ok(motion) } else { Err(Error::NotFinite) }
     }
 
     fn is_finite(&self) -> bool {
-        let rows = [self.normal, self.rolling_speed].into_iter().chain(self.rows()).flatten();
         let numbers = [self.radius, self.normal_force, self.approach, self.stiffness, self.along];
-        rows.chain(numbers).all(F::is_finite_number)
+        let rows = [self.normal, self.rolling_speed].into_iter().chain(self.rows());
+        are_finite(&numbers) && rows.flatten().all(F::is_finite_number)
     }
 
     /// Whether the normal turns by too much for one plane of contact.
     pub(crate) fn is_conformal(&self) -> bool {
         self.angle_range > F::of(FLAT)
     }
-}
 
-/// Sums over strips, weighted.
-struct Means<F> {
-    weight: F,
-    /// Place from the wheel's centre.
-    place: [F; 3],
-    /// Tangent and normal, and their moments about the wheel's centre.
-    tangent: [F; 6],
-    normal: [F; 6],
-    along: F,
-    angle: F,
-}
-
-/// The place of a strip on the wheel and its direction.
-#[derive(Clone, Copy)]
-struct Seen<F> {
-    place: [F; 3],
-    tangent: [F; 3],
-    normal: [F; 3],
-    along: F,
-    angle: F,
-}
-
-impl<F: Float> Means<F> {
-    fn new() -> Self {
-        let (zero, three, six) = (F::zero(), [F::zero(); 3], [F::zero(); 6]);
-        Self { weight: zero, place: three, tangent: six, normal: six, along: zero, angle: zero }
-    }
-
-    fn add(&mut self, weight: F, strip: &Seen<F>) {
-        let Seen { place, tangent, normal, along, angle } = *strip;
-        self.weight += weight;
-        self.along += weight * along;
-        self.angle += weight * angle;
-        add(&mut self.place, weight, place);
-        add(&mut self.tangent, weight, with_moment(place, tangent));
-        add(&mut self.normal, weight, with_moment(place, normal));
-    }
-
-    fn divided(mut self) -> Self {
-        let share = F::one() / (self.weight + F::TINY);
-        for sum in self.place.iter_mut().chain(&mut self.tangent).chain(&mut self.normal) {
-            *sum = *sum * share;
+    /// Fills the contact from strips along the rail; the position is that of a right wheel.
+    fn fill(
+        &mut self,
+        view: &View<F>,
+        pair: &Pair<F>,
+        position: &Position<F>,
+        strips: &StoredPatch<F>,
+        found: &Indentation<F>,
+    ) {
+        let (zero, one, left) = (F::zero(), F::one(), pair.left != 0);
+        self.patch = *strips;
+        let count = strips.count as usize;
+        // sums weighted with load: of place, length on the rail, angle, 1; of tangent and normal, with their moments
+        let (mut sums, mut lowest, mut highest) = ([[zero; 6]; 3], F::LARGEST, -F::LARGEST);
+        for strip in self.patch.strips.iter_mut().take(count) {
+            let [_, _, x, y, z, angle, _] = view.at(strip.y);
+            (lowest, highest) = (lowest.min(angle), highest.max(angle));
+            let (sine, cosine) = sine_cosine(angle);
+            let terms = [
+                [x, y, z, strip.y, angle, one],
+                with_moment([x, y, z], [zero, cosine, sine]),
+                with_moment([x, y, z], [zero, -sine, cosine]),
+            ];
+            let load = strip.load();
+            for (sums, terms) in sums.iter_mut().zip(terms) {
+                for (sum, term) in sums.iter_mut().zip(terms) {
+                    *sum += load * term;
+                }
+            }
+            strip.friction = pair.friction_at_rail(position.lateral + y);
         }
-        (self.along, self.angle) = (self.along * share, self.angle * share);
-        self
+        let [[.., load], _, _] = sums;
+        let share = one / (load + F::TINY);
+        let [[x, y, z, along, angle, _], tangent, normal] =
+            sums.map(|sums| sums.map(|sum| sum * share));
+        for strip in self.patch.strips.iter_mut().take(count) {
+            (strip.y, strip.centre_x) = (strip.y - along, strip.centre_x - x);
+        }
+        let [a, b, c, ..] = normal;
+        let forward = with_moment([x, y, z], [one, zero, zero]);
+        let mut rolling = forward.map(|entry| entry.times(-0.5));
+        let [speed, ..] = &mut rolling;
+        *speed = speed.plus(1.0);
+        // from the track's axes to the members of the velocity, for a left wheel its own
+        let turn = Turn::new(position);
+        let own = |[x, y, z, a, b, c]: [F; 6]| {
+            let [roll, pitch, yaw] = turn.to_wheelset([a, b, c]);
+            if left { [x, -y, z, -roll, pitch, -yaw] } else { [x, y, z, roll, pitch, yaw] }
+        };
+        self.normal = own(normal);
+        (self.slip_x, self.slip_y) = (own(forward), own(tangent));
+        (self.spin_rate, self.rolling_speed) = (own([zero, zero, zero, a, b, c]), own(rolling));
+        self.origin = [x, if left { -y } else { y }, z];
+        (self.angle, self.angle_range) = (angle, highest - lowest);
+        let [in_x, _, in_z] = turn.to_wheelset([x, y, z]);
+        self.radius = length(in_x, in_z);
+        (self.normal_force, self.along) = (load, along);
+        (self.approach, self.stiffness) = (found.approach, found.stiffness);
     }
-}
-
-fn add<F: Float, const N: usize>(sums: &mut [F; N], weight: F, terms: [F; N]) {
-    for (sum, term) in sums.iter_mut().zip(terms) {
-        *sum += weight * term;
-    }
-}
-
-/// Turns a row for velocities in the track's axes into one for the members of [`Velocity`](super::Velocity), for a left wheel its own.
-fn in_members<F: Float>([x, y, z, a, b, c]: [F; 6], turn: Turn<F>, left: bool) -> [F; 6] {
-    let [roll, pitch, yaw] = turn.to_wheelset([a, b, c]);
-    if left { [x, -y, z, -roll, pitch, -yaw] } else { [x, y, z, roll, pitch, yaw] }
 }
 
 /// A direction and its moment about the wheel's centre.
@@ -183,40 +183,53 @@ fn with_moment<F: Float>(place: [F; 3], direction: [F; 3]) -> [F; 6] {
     [a, b, c, d, e, f]
 }
 
-/// A checked gap.
+/// A checked gap: the used part of its lists.
 struct View<'a, F> {
-    gap: &'a Gap<F>,
-    along: &'a [F],
-    distance: &'a [F],
+    lists: [&'a [F]; 7],
 }
 
 impl<'a, F: Precision> View<'a, F> {
     fn new(gap: &'a Gap<F>) -> Result<Self, Error> {
         let count = gap.count as usize;
-        let along = gap.along.get(..count).ok_or(Error::Capacity)?;
-        let distance = gap.distance.get(..count).ok_or(Error::Capacity)?;
-        let others = [&gap.x, &gap.y, &gap.z, &gap.angle, &gap.rolling_radius];
-        let others = others.map(|list| list.get(..count).unwrap_or(&[]));
-        if !(others.into_iter().all(are_finite) && are_finite(along) && are_finite(distance)) {
+        if count > KSTRIP_SURFACE_CAPACITY {
+            return Err(Error::Capacity);
+        }
+        let lists = gap.lists().map(|list| list.get(..count).unwrap_or(&[]));
+        let [along, .., angle, rolling_radius] = lists;
+        if !lists.into_iter().all(are_finite) {
             return Err(Error::NotFinite);
         }
-        if gap.rolling_radius.iter().take(count).any(|radius| *radius <= F::zero()) {
+        if rolling_radius.iter().any(|radius| *radius <= F::zero()) {
             return Err(Error::RollingRadius);
         }
         let ascends = along.iter().zip(along.iter().skip(1)).all(|(along, next)| along < next);
-        let upright = gap.angle.iter().take(count).all(|angle| angle.abs() < F::of(STEEPEST));
-        if ascends && upright { Ok(Self { gap, along, distance }) } else { Err(Error::Profile) }
+        let upright = angle.iter().all(|angle| angle.abs() < F::of(STEEPEST));
+        if ascends && upright { Ok(Self { lists }) } else { Err(Error::Profile) }
+    }
+
+    /// The members of the gap at a place, straight between the points.
+    fn at(&self, place: F) -> [F; 7] {
+        let [along, ..] = self.lists;
+        let last = along.len().saturating_sub(1);
+        let next = along.partition_point(|along| *along < place).min(last).max(1);
+        let of = |list: &[F]| [next - 1, next].map(|k| list.get(k).copied().unwrap_or(F::zero()));
+        let [from, to] = of(along);
+        let share = ((place - from) / (to - from + F::TINY)).clamped(F::zero(), F::one());
+        self.lists.map(|list| {
+            let [from, to] = of(list);
+            from + (to - from) * share
+        })
     }
 
     /// Middle of an overlap, and distance between its points: means weighted with the overlap. Points enter with weight zero, and points
     /// around the overlap do not count, so that both are continuous while points come and go.
     fn middle_and_step(&self, own: Range<usize>) -> [F; 2] {
-        let at = |k: usize| self.along.get(k).copied();
+        let [along, distance, ..] = self.lists;
         let [mut weights, mut middle, mut step] = [F::zero(); 3];
         for k in own {
-            let (Some(here), Some(distance)) = (at(k), self.distance.get(k)) else { break };
-            let before = k.checked_sub(1).and_then(at).unwrap_or(here);
-            let half = (at(k + 1).unwrap_or(here) - before).times(0.5);
+            let (Some(&here), Some(distance)) = (along.get(k), distance.get(k)) else { break };
+            let before = k.checked_sub(1).and_then(|k| along.get(k)).unwrap_or(&here);
+            let half = (*along.get(k + 1).unwrap_or(&here) - *before).times(0.5);
             let weight = (-*distance).max(F::zero()) * half;
             weights += weight;
             middle += weight * here;
@@ -225,92 +238,31 @@ impl<'a, F: Precision> View<'a, F> {
         [middle, step].map(|sum| sum / (weights + F::TINY))
     }
 
-    /// The profile of a contact: its points, and those around.
-    fn profile(&self, own: Range<usize>, window: Range<usize>) -> Result<Profile<'a, F>, Error> {
-        let part = |list: &'a [F]| list.get(window.clone()).unwrap_or(&[]);
-        let [middle, step] = self.middle_and_step(own);
-        Profile::new(part(self.along), part(self.distance))?
-            .part_of_longer(middle, step)
-            .with_centre_x(part(&self.gap.x))?
-            .with_rolling_radius(part(&self.gap.rolling_radius))
-    }
-
-    /// The number of the first point behind a place, at least 1, and the share of the way from the point before it.
-    fn between(&self, along: F) -> (usize, F) {
-        let last = self.along.len().saturating_sub(1);
-        let next = self.along.partition_point(|place| *place < along).min(last).max(1);
-        let at = |k: usize| self.along.get(k).copied().unwrap_or(F::zero());
-        let (from, to) = (at(next - 1), at(next));
-        (next, ((along - from) / (to - from + F::TINY)).clamped(F::zero(), F::one()))
-    }
-
-    fn strip(&self, along: F) -> Seen<F> {
-        let (next, share) = self.between(along);
-        let mean = |list: &[F; KSTRIP_SURFACE_CAPACITY]| {
-            let at = |k: usize| list.get(k).copied().unwrap_or(F::zero());
-            at(next - 1) + (at(next) - at(next - 1)) * share
-        };
-        let gap = self.gap;
-        let angle = mean(&gap.angle);
-        let (sine, cosine) = super::sine_cosine(angle);
-        let zero = F::zero();
-        Seen {
-            place: [mean(&gap.x), mean(&gap.y), mean(&gap.z)],
-            tangent: [zero, cosine, sine],
-            normal: [zero, -sine, cosine],
-            along,
-            angle,
-        }
-    }
-
-    /// Hands every zone of overlap to `take`: the numbers of its points, and the free length before it (none before the first).
-    fn zones(
+    /// The profile of a contact: its own points and those around, up to the crests between it and its neighbours, of which one ends
+    /// `before` and the other begins `after` these points, and as far as distances are small.
+    fn profile(
         &self,
-        mut take: impl FnMut(Range<usize>, Option<F>) -> Result<(), Error>,
-    ) -> Result<(), Error> {
-        let mut last_end: Option<F> = None;
-        let mut begun: Option<(usize, Option<F>)> = None;
-        let mut before: Option<(F, F)> = None;
-        for (k, (&along, &distance)) in self.along.iter().zip(self.distance).enumerate() {
-            // where a straight line between the points crosses zero
-            let crossing = before.map_or(along, |(place, above)| {
-                along - (along - place) * (distance / (distance - above))
-            });
-            if distance < F::zero() {
-                if begun.is_none() {
-                    begun = Some((k, last_end.map(|end| crossing - end)));
-                }
-            } else if let Some((first, free)) = begun.take() {
-                take(first..k, free)?;
-                last_end = Some(crossing);
-            }
-            before = Some((along, distance));
-        }
-        if let Some((first, free)) = begun {
-            take(first..self.along.len(), free)?;
-        }
-        Ok(())
-    }
-
-    /// The points around a contact, up to the crests between it and its neighbours, and as far as distances are small.
-    fn window(&self, own: &Range<usize>, before: usize, after: usize) -> Range<usize> {
-        let at = |k: usize| self.distance.get(k).copied().unwrap_or(F::zero());
+        own: Range<usize>,
+        [before, after]: [usize; 2],
+    ) -> Result<Profile<'a, F>, Error> {
+        let [along, distance, x, .., rolling_radius] = self.lists;
+        let at = |k: usize| distance.get(k).copied().unwrap_or(F::zero());
         let depth = own.clone().fold(F::zero(), |depth, k| depth.max(-at(k)));
         let level = depth.times(SEES).plus(SEES_LEAST);
         let crest = |points: Range<usize>| {
             points.fold((0, -F::LARGEST), |top, k| if at(k) > top.1 { (k, at(k)) } else { top }).0
         };
-        let count = self.distance.len();
+        let count = distance.len();
         let low = if before > 0 { crest(before..own.start) } else { 0 };
         let high = if after < count { crest(own.end..after) + 1 } else { count };
-        let mut window = own.clone();
-        while window.start > low && at(window.start) < level {
-            window.start -= 1;
-        }
-        while window.end < high && at(window.end - 1) < level {
-            window.end += 1;
-        }
-        window
+        let start = (low..own.start).rev().find(|k| at(*k) >= level).unwrap_or(low);
+        let end = (own.end..high).find(|k| at(*k) >= level).map_or(high, |k| k + 1);
+        let part = |list: &'a [F]| list.get(start..end).unwrap_or(&[]);
+        let [middle, step] = self.middle_and_step(own);
+        Profile::new(part(along), part(distance))?
+            .part_of_longer(middle, step)
+            .with_centre_x(part(x))?
+            .with_rolling_radius(part(rolling_radius))
     }
 }
 
@@ -321,65 +273,77 @@ fn nearness<F: Float>(free: F) -> F {
     F::one() - t * t * (F::constant(3.0) - t.times(2.0))
 }
 
-/// The strips of a contact with its own points, between the end of the one before and the start of the one after, at the approach at
-/// which the surfaces overlap as they do.
-fn press<F: Precision>(
-    view: &View<F>,
-    own: Range<usize>,
-    [before, after]: [usize; 2],
-    pair: &Pair<F>,
-    count: StripCount,
-    strips: &mut StoredPatch<F>,
-) -> Result<Option<Indentation<F>>, Error> {
-    strips.clear(pair.shear_modulus, pair.poisson_ratio);
-    let window = view.window(&own, before, after);
-    let profile = view.profile(own, window)?;
-    let contact = ProfileContact {
-        rolling_radius: pair.wheel_radius,
-        given: Given::Overlap(profile.overlap()),
-        shear_modulus: pair.shear_modulus,
-        poisson_ratio: pair.poisson_ratio,
-        friction: pair.friction,
-        smoothing_length: pair.smoothing_length,
-    };
-    let found = Indentation::new(&profile, &contact, count, |strip| strips.push(strip))?;
-    if found.notice == Notice::ProfileEnd {
-        return Err(Error::ProfileEnd);
-    }
-    Ok((strips.count > 0).then_some(found))
+/// A contact that lies apart from others: the numbers of its points, and its nearness to the one before.
+struct Group<F> {
+    points: Range<usize>,
+    near: F,
 }
 
-/// Contacts that lie apart: the numbers of their points, and the nearness of each to the next.
-struct Groups<F> {
-    points: Vec<Range<usize>, APART_AT_MOST>,
-    near: Vec<F, APART_AT_MOST>,
-}
+/// Contacts that lie apart.
+struct Groups<F>(Vec<Group<F>, APART_AT_MOST>);
 
 impl<F: Precision> Groups<F> {
     fn new(view: &View<F>) -> Result<Self, Error> {
-        let mut groups = Self { points: Vec::new(), near: Vec::new() };
-        view.zones(|zone, free| {
-            match (groups.points.last_mut(), free) {
-                (Some(last), Some(free)) if free <= F::of(ONE_CONTACT) => last.end = zone.end,
-                (_, free) => {
-                    if let Some(free) = free {
-                        groups.near.push(nearness(free)).map_err(|_| Error::PatchSize)?;
-                    }
-                    groups.points.push(zone).map_err(|_| Error::PatchSize)?;
+        let [along, distance, ..] = view.lists;
+        let mut groups = Vec::new();
+        let mut last_end: Option<F> = None;
+        let mut before: Option<(F, F)> = None;
+        for (k, (&along, &distance)) in along.iter().zip(distance).enumerate() {
+            // where a straight line between the points crosses zero
+            let crossing = before.map_or(along, |(place, above)| {
+                along - (along - place) * (distance / (distance - above))
+            });
+            let is_inside = distance < F::zero();
+            let was_inside = before.is_some_and(|(_, above)| above < F::zero());
+            before = Some((along, distance));
+            if is_inside && !was_inside {
+                // the free length before this zone
+                let free = last_end.map(|end| crossing - end);
+                if free.is_none_or(|free| free > F::of(ONE_CONTACT)) {
+                    let near = free.map_or(F::zero(), nearness);
+                    let group = Group { points: k..k, near };
+                    groups.push(group).map_err(|_| Error::PatchSize)?;
                 }
+            } else if was_inside && !is_inside {
+                last_end = Some(crossing);
             }
-            Ok(())
-        })?;
-        Ok(groups)
+            if let Some(group) = groups.last_mut().filter(|_| is_inside) {
+                group.points.end = k + 1;
+            }
+        }
+        Ok(Self(groups))
+    }
+
+    fn near(&self, k: usize) -> F {
+        self.0.get(k).map_or(F::zero(), |group| group.near)
     }
 
     /// Share by which the contacts from one to another count as one contact.
     fn share(&self, first: usize, last: usize) -> F {
-        let near = |k: usize| self.near.get(k).copied().unwrap_or(F::zero());
-        let inside = (first..last).fold(F::one(), |product, k| product * near(k));
-        let before = first.checked_sub(1).map_or(F::zero(), near);
-        inside * (F::one() - before) * (F::one() - near(last))
+        let inside = (first..last).fold(F::one(), |product, k| product * self.near(k + 1));
+        inside * (F::one() - self.near(first)) * (F::one() - self.near(last + 1))
     }
+}
+
+/// The strips of a profile at the approach at which the surfaces overlap as they do.
+fn press<F: Precision>(
+    profile: &Profile<F>,
+    pair: &Pair<F>,
+    count: StripCount,
+    strips: &mut StoredPatch<F>,
+) -> Result<Indentation<F>, Error> {
+    let Pair { shear_modulus, poisson_ratio, friction, smoothing_length, .. } = *pair;
+    strips.clear(shear_modulus, poisson_ratio);
+    let contact = ProfileContact {
+        rolling_radius: pair.wheel_radius,
+        given: Given::Overlap(profile.overlap()),
+        shear_modulus,
+        poisson_ratio,
+        friction,
+        smoothing_length,
+    };
+    let found = Indentation::new(profile, &contact, count, |strip| strips.push(strip))?;
+    if found.notice == Notice::ProfileEnd { Err(Error::ProfileEnd) } else { Ok(found) }
 }
 
 /// The result of [`from_gap`].
@@ -409,25 +373,25 @@ pub fn from_gap<F: Precision>(
 ) -> Result<Found, Error> {
     pair.check()?;
     position.check()?;
-    let left = pair.left != 0;
-    let position = position.mirrored(left);
+    let position = position.mirrored(pair.left != 0);
     let view = View::new(gap)?;
     let groups = Groups::new(&view)?;
-    let number = groups.points.len();
+    let number = groups.0.len();
     let mut found = Found { written: 0, apart: number as u32, notice: Notice::None };
-    let end_of = |k: usize| groups.points.get(k).map_or(0, |points| points.end);
-    let start_of = |k: usize| groups.points.get(k).map_or(view.along.len(), |points| points.start);
+    let end_of = |k: usize| groups.0.get(k).map_or(0, |group| group.points.end);
+    let start_of = |k: usize| groups.0.get(k).map_or(usize::MAX, |group| group.points.start);
     for first in 0..number {
         for last in first..number {
             let share = groups.share(first, last);
             if !(share > F::zero()) {
                 continue;
             }
-            let own = start_of(first)..end_of(last);
-            let before = first.checked_sub(1).map_or(0, end_of);
-            let after = start_of(last + 1);
-            let pressed = press(&view, own, [before, after], pair, count, strips)?;
-            let Some(pressed) = pressed else { continue };
+            let around = [first.checked_sub(1).map_or(0, end_of), start_of(last + 1)];
+            let profile = view.profile(start_of(first)..end_of(last), around)?;
+            let pressed = press(&profile, pair, count, strips)?;
+            if strips.count == 0 {
+                continue;
+            }
             let contact = contacts.get_mut(found.written).ok_or(Error::PatchSize)?;
             contact.fill(&view, pair, &position, strips, &pressed);
             contact.share = share;
@@ -441,57 +405,4 @@ pub fn from_gap<F: Precision>(
         }
     }
     Ok(found)
-}
-
-impl<F: Precision> WheelContact<F> {
-    /// Fills the contact from the strips of a patch along the rail; the position is that of a right wheel.
-    fn fill(
-        &mut self,
-        view: &View<F>,
-        pair: &Pair<F>,
-        position: &Position<F>,
-        strips: &StoredPatch<F>,
-        found: &Indentation<F>,
-    ) {
-        let (left, turn) = (pair.left != 0, Turn::new(position));
-        let strips = strips.strips.get(..strips.count as usize).unwrap_or(&[]);
-        let (mut means, mut lowest, mut highest) = (Means::new(), F::LARGEST, -F::LARGEST);
-        for strip in strips {
-            let seen = view.strip(strip.y);
-            means.add(strip.load(), &seen);
-            (lowest, highest) = (lowest.min(seen.angle), highest.max(seen.angle));
-        }
-        let load = means.weight;
-        let means = means.divided();
-        let [x, y, z] = means.place;
-        let [a, b, c, ..] = means.normal;
-        // (x, 0, 0) and its moment about the centre
-        let forward = with_moment(means.place, [F::one(), F::zero(), F::zero()]);
-        let spin = [F::zero(), F::zero(), F::zero(), a, b, c];
-        let mut rolling = forward.map(|entry| entry.times(-0.5));
-        let [speed, ..] = &mut rolling;
-        *speed = speed.plus(1.0);
-        let own_axes = |row: [F; 6]| in_members(row, turn, left);
-        (self.slip_x, self.slip_y) = (own_axes(forward), own_axes(means.tangent));
-        (self.spin_rate, self.rolling_speed) = (own_axes(spin), own_axes(rolling));
-        self.normal = own_axes(means.normal);
-        self.origin = [x, if left { -y } else { y }, z];
-        self.angle = means.angle;
-        self.angle_range = highest - lowest;
-        let [in_x, _, in_z] = turn.to_wheelset(means.place);
-        self.radius = length(in_x, in_z);
-        (self.normal_force, self.share) = (load, F::one());
-        (self.approach, self.stiffness) = (found.approach, found.stiffness);
-        self.along = means.along;
-        self.patch.clear(pair.shear_modulus, pair.poisson_ratio);
-        for strip in strips {
-            let [_, across, _] = view.strip(strip.y).place;
-            self.patch.push(PatchStrip {
-                y: strip.y - means.along,
-                centre_x: strip.centre_x - x,
-                friction: pair.friction_at_rail(position.lateral + across),
-                ..*strip
-            });
-        }
-    }
 }

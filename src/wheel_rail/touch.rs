@@ -56,6 +56,14 @@ struct GapPoint<F> {
     rolling_radius: F,
 }
 
+impl<F> Gap<F> {
+    /// The members, in their order.
+    pub(super) fn lists(&self) -> [&[F; KSTRIP_SURFACE_CAPACITY]; 7] {
+        let Self { along, distance, x, y, z, angle, rolling_radius, .. } = self;
+        [along, distance, x, y, z, angle, rolling_radius]
+    }
+}
+
 impl<F: Float> Gap<F> {
     fn get(&self, k: usize) -> Option<GapPoint<F>> {
         Some(GapPoint {
