@@ -145,7 +145,7 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
         let (contacts, velocity, out) = (contacts?, given(velocity)?, given(wrench)?);
         Error::PatchSize.unless(contacts.len() <= KSTRIP_CONTACTS_CAPACITY)?;
         let law = law_of(model, friction)?;
-        let mut slopes = WrenchDerivatives::nothing();
+        let mut slopes = WrenchDerivatives::default();
         let wanted = derivatives.is_some().then_some(&mut slopes);
         let found = wrench::of_contacts(contacts, velocity, law, wanted)?;
         put(derivatives, slopes);
@@ -188,7 +188,7 @@ pub extern "C" fn kstrip_wheel_on_rail(
         let scene = scene_of(rail, wheel, pair, friction)?;
         let (position, velocity) = (given(position)?, given(velocity)?);
         let (memory, out) = (given(workspace)?, given(wrench)?);
-        let (mut slopes, mut moved) = (WrenchDerivatives::nothing(), WrenchByPosition::nothing());
+        let (mut slopes, mut moved) = (WrenchDerivatives::default(), WrenchByPosition::default());
         let wanted = derivatives.is_some().then_some(&mut slopes);
         let by = by_position.is_some().then_some(&mut moved);
         let found = scene.solve(position, velocity, memory, wanted, by)?;

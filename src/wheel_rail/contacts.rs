@@ -83,8 +83,14 @@ pub struct WheelContact<F> {
 
 impl<F: Precision> WheelContact<F> {
     /// `B`: slip and spin rate by the wheel's velocity.
-    pub(crate) fn rows(&self) -> [[F; 6]; 3] {
+    fn rows(&self) -> [[F; 6]; 3] {
         [self.slip_x, self.slip_y, self.spin_rate]
+    }
+
+    /// The columns of `B`.
+    pub(crate) fn columns(&self) -> [[F; 3]; 6] {
+        let entry = |row: [F; 6], k: usize| row.get(k).copied().unwrap_or(F::zero());
+        core::array::from_fn(|k| self.rows().map(|row| entry(row, k)))
     }
 
     /// The motion of the wheel over the rail at the contact.

@@ -1,7 +1,7 @@
 //! From contacts and velocities to force and moment on the wheel.
 //!
-//! The wheel may roll forward or backward, or stand still, as in [`motion`](crate::motion). Backward rolling is forward rolling in
-//! a mirror across `x`: with `X = diag(−1, 1, −1)` and the strips' centres on the other side, `F₋(c) = X F₊(X c)`.
+//! The wheel may roll forward or backward, or stand still, as in [`motion`](crate::motion). Backward rolling is forward rolling of the patch
+//! turned by 180 degrees: `F₋(c) = R F₊(R c)` with `R = diag(−1, −1, 1)`.
 //!
 //! ```text
 //! W = −Bᵀ F − N n,   ∂W/∂v = −Bᵀ (∂F/∂slip B + ∂F/∂V ∂V/∂v)
@@ -11,11 +11,9 @@ use super::contacts::WheelContact;
 use super::{Velocity, dot};
 use crate::contact::creepage::Creepage;
 use crate::friction::SlipFriction;
-use crate::friction::derivatives::{Differentiated, LawDerivatives};
 use crate::motion::{MotionDerivatives, Rolling};
-use crate::number::Float;
+use crate::number::{Float, are_finite};
 use crate::patch::{self, PatchView, StoredPatch, solver};
-use crate::solve::derivatives::Derivatives;
 use crate::solve::model::{Model, Precision, Solution};
 use crate::status::{Error, Notice};
 
@@ -42,7 +40,7 @@ pub struct Wrench<F> {
 
 /// Exact derivatives of the wrench. The rows are the members of force and moment.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WrenchDerivatives<F> {
     /// By the members of kstrip_wheel_velocity \[N, N m over m/s, rad/s\].
     pub velocity: [[F; 6]; 6],
@@ -52,7 +50,7 @@ pub struct WrenchDerivatives<F> {
 
 /// Derivatives of the wrench by the wheel's position at constant velocity: central differences of complete computations.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WrenchByPosition<F> {
     /// By the lateral position \[N, N m over m\].
     pub lateral: [F; 6],
@@ -92,113 +90,73 @@ pub fn of_contacts<F: Precision>(
     law: Law<F>,
     mut derivatives: Option<&mut WrenchDerivatives<F>>,
 ) -> Result<Wrench<F>, Error> {
-    let velocity = velocity.members();
-    if !velocity.iter().all(|x| x.is_finite_number()) {
+    let (velocity, zero) = (velocity.members(), F::zero());
+    if !are_finite(&velocity) {
         return Err(Error::NotFinite);
     }
-    let mut sums = [F::zero(); 6];
-    let mut wrench = Wrench::nothing();
-    wrench.contacts = contacts.len() as u32;
-    if let Some(derivatives) = &mut derivatives {
-        **derivatives = WrenchDerivatives::nothing();
+    if let Some(sums) = &mut derivatives {
+        **sums = WrenchDerivatives { velocity: [[zero; 6]; 6], friction: [zero; 6] };
     }
+    let (mut sums, mut normal_force, mut dissipation) = ([zero; 6], zero, zero);
+    let mut notice = Notice::None;
     for contact in contacts {
-        let numbers = contact.normal.iter().chain([&contact.share, &contact.normal_force]);
-        if !numbers.into_iter().all(|x| x.is_finite_number()) {
+        if !(are_finite(&contact.normal) && are_finite(&[contact.share, contact.normal_force])) {
             return Err(Error::NotFinite);
         }
         let motion = contact.motion(&velocity);
         let rolling = Rolling::new(&motion)?;
         let carried = match &mut derivatives {
             None => carried(&contact.patch, &rolling, law)?,
-            Some(sum) => {
-                let (found, slopes, friction) = differentiated(&contact.patch, &rolling, law)?;
-                sum.add(contact, &slopes, friction);
+            Some(sums) => {
+                let (found, slopes) = differentiated(&contact.patch, &rolling, law)?;
+                sums.add(contact, &slopes);
                 found
             }
         };
-        let force = [carried.fx, carried.fy, carried.mz].map(|force| force * contact.share);
+        let force = forces(&carried).map(|force| force * contact.share);
         let load = contact.normal_force * contact.share;
-        for (k, sum) in sums.iter_mut().enumerate() {
-            let column = contact.rows().map(|row| entry(&row, k));
-            *sum = *sum - dot(&column, &force) - load * entry(&contact.normal, k);
+        for ((sum, column), normal) in sums.iter_mut().zip(contact.columns()).zip(contact.normal) {
+            *sum = *sum - dot(&column, &force) - load * normal;
         }
-        wrench.normal_force += load;
-        wrench.dissipation += dot(&force, &[motion.slip_x, motion.slip_y, motion.spin_rate]);
-        wrench.notice = wrench.notice.worse(carried.notice);
+        normal_force += load;
+        dissipation += dot(&force, &[motion.slip_x, motion.slip_y, motion.spin_rate]);
+        notice = notice.worse(carried.notice);
         if contact.is_conformal() {
-            wrench.notice = wrench.notice.worse(Notice::AngleRange);
+            notice = notice.worse(Notice::AngleRange);
         }
     }
-    let [a, b, c, d, e, f] = sums;
-    (wrench.force, wrench.moment) = ([a, b, c], [d, e, f]);
-    let [power, load] = [wrench.dissipation, wrench.normal_force];
-    let finite = sums.iter().chain([&power, &load]).all(|x| x.is_finite_number());
-    if finite { Ok(wrench) } else { Err(Error::Overflow) }
-}
-
-fn entry<F: Float>(row: &[F; 6], k: usize) -> F {
-    row.get(k).copied().unwrap_or(F::zero())
-}
-
-impl<F: Float> WrenchByPosition<F> {
-    pub(crate) fn nothing() -> Self {
-        let none = [F::zero(); 6];
-        Self { lateral: none, vertical: none, yaw: none, roll: none }
+    if !(are_finite(&sums) && are_finite(&[normal_force, dissipation])) {
+        return Err(Error::Overflow);
     }
-}
-
-impl<F: Float> Wrench<F> {
-    pub(crate) fn nothing() -> Self {
-        let zero = F::zero();
-        Self {
-            force: [zero; 3],
-            moment: [zero; 3],
-            dissipation: zero,
-            normal_force: zero,
-            contacts: 0,
-            notice: Notice::None,
-        }
-    }
+    let ([a, b, c, d, e, f], contacts) = (sums, contacts.len() as u32);
+    let (force, moment) = ([a, b, c], [d, e, f]);
+    Ok(Wrench { force, moment, dissipation, normal_force, contacts, notice })
 }
 
 impl<F: Precision> WrenchDerivatives<F> {
-    pub(crate) fn nothing() -> Self {
-        Self { velocity: [[F::zero(); 6]; 6], friction: [F::zero(); 6] }
-    }
-
     /// Adds `−Bᵀ (∂F/∂slip B + ∂F/∂V ∂V/∂v)` and `−Bᵀ ∂F/∂friction` of a contact.
-    fn add(&mut self, contact: &WheelContact<F>, slopes: &MotionDerivatives<F>, friction: [F; 3]) {
-        let rows = slopes.slip.iter().zip(slopes.rolling_speed);
-        let mut by_velocity = [[F::zero(); 6]; 3];
-        for (by, (slope, by_speed)) in by_velocity.iter_mut().zip(rows) {
-            for (k, by) in by.iter_mut().enumerate() {
-                let column = contact.rows().map(|row| entry(&row, k));
-                *by = dot(slope, &column) + by_speed * entry(&contact.rolling_speed, k);
-            }
+    fn add(&mut self, contact: &WheelContact<F>, slopes: &MotionDerivatives<F>) {
+        let columns = contact.columns();
+        let mut by_velocity = columns;
+        for (by, speed) in by_velocity.iter_mut().zip(contact.rolling_speed) {
+            let [x, y, z] = slopes.slip.map(|row| dot(&row, by));
+            let [a, b, c] = slopes.rolling_speed.map(|slope| slope * speed);
+            *by = [x + a, y + b, z + c];
         }
-        let members = self.velocity.iter_mut().zip(&mut self.friction).enumerate();
-        for (k, (row, by_friction)) in members {
-            let column = contact.rows().map(|row| entry(&row, k) * contact.share);
-            *by_friction -= dot(&column, &friction);
-            for (j, place) in row.iter_mut().enumerate() {
-                *place -= dot(&column, &by_velocity.map(|by| entry(&by, j)));
+        for ((row, by_friction), column) in
+            self.velocity.iter_mut().zip(&mut self.friction).zip(columns)
+        {
+            let column = column.map(|entry| entry * contact.share);
+            *by_friction -= dot(&column, &slopes.friction);
+            for (sum, by) in row.iter_mut().zip(&by_velocity) {
+                *sum -= dot(&column, by);
             }
         }
     }
 }
 
-/// `X F` of forces that were computed in the mirror, in the turned axes that [`Rolling::each`] expects.
-fn mirrored<F: Precision>(found: Solution<F>) -> Solution<F> {
-    Solution { fy: -found.fy, mz: -found.mz, ..found }
-}
-
-fn in_mirror<F: Precision>(creepage: &Creepage<F>) -> Creepage<F> {
-    Creepage { lateral: -creepage.lateral, spin: -creepage.spin, ..*creepage }
-}
-
-fn at_speed<F: Precision>(law: Law<F>, speed: F) -> Option<SlipFriction<F>> {
-    law.falling.map(|law| SlipFriction { friction: F::one(), rolling_speed: speed, ..*law })
+fn forces<F: Float>(found: &Solution<F>) -> [F; 3] {
+    [found.fx, found.fy, found.mz]
 }
 
 /// Creep forces on the rail.
@@ -208,18 +166,68 @@ fn carried<F: Precision>(
     law: Law<F>,
 ) -> Result<Solution<F>, Error> {
     let falling = at_speed(law, rolling.speed);
-    let solve = |view: &PatchView<F>, creepage: &Creepage<F>| match &falling {
-        Some(falling) => Ok(patch::friction::solve(view, creepage, falling, law.model)?.solution),
-        None => solver::solve(view, creepage, law.model),
-    };
-    let [forward, backward] = rolling.each_end(|creepage, backward| {
-        if backward {
-            through_mirror(patch, |view| solve(view, &in_mirror(creepage)).map(mirrored))
+    let [forward, backward] = each_end(patch, rolling, |patch, creepage| match &falling {
+        Some(falling) => Ok(patch::friction::solve(patch, creepage, falling, law.model)?.solution),
+        None => solver::solve(patch, creepage, law.model),
+    })?;
+    Ok(joined(rolling, forward, backward))
+}
+
+/// The same with their derivatives by motion. The derivative by friction is that by a factor of all coefficients.
+fn differentiated<F: Precision>(
+    patch: &StoredPatch<F>,
+    rolling: &Rolling<F>,
+    law: Law<F>,
+) -> Result<(Solution<F>, MotionDerivatives<F>), Error> {
+    let falling = at_speed(law, rolling.speed);
+    let [forward, backward] = each_end(patch, rolling, |patch, creepage| {
+        let mut found =
+            patch::friction::differentiate(patch, creepage, falling.as_ref(), law.model)?;
+        let (load, bound) = (patch.normal_force(), patch.friction_bound());
+        let mean = if load > F::zero() { bound / load } else { F::zero() };
+        found.derivatives.friction = found.derivatives.friction.map(|slope| slope * mean);
+        Ok(found)
+    })?;
+    let slopes = rolling.slopes(&forward, &backward, [F::zero(); 3]);
+    if !slopes.entries().all(F::is_finite_number) {
+        return Err(Error::Overflow);
+    }
+    Ok((joined(rolling, forward.solution, backward.solution), slopes))
+}
+
+fn at_speed<F: Precision>(law: Law<F>, speed: F) -> Option<SlipFriction<F>> {
+    law.falling.map(|law| SlipFriction { friction: F::one(), rolling_speed: speed, ..*law })
+}
+
+/// What a patch answers as it rolls forward, and turned by 180 degrees.
+fn each_end<F: Precision, S: Copy>(
+    patch: &StoredPatch<F>,
+    rolling: &Rolling<F>,
+    solve: impl Fn(&PatchView<F>, &Creepage<F>) -> Result<S, Error>,
+) -> Result<[S; 2], Error> {
+    rolling.each_end(|creepage, is_turned| {
+        if is_turned {
+            turned(patch, |patch| solve(patch, creepage))
         } else {
             solve(&patch.view()?, creepage)
         }
-    })?;
-    Ok(joined(rolling, forward, backward))
+    })
+}
+
+/// The answer of a turned patch. Out of line, because of the copy on the stack (3 KiB).
+#[inline(never)]
+fn turned<F: Precision, S>(
+    patch: &StoredPatch<F>,
+    solve: impl FnOnce(&PatchView<F>) -> Result<S, Error>,
+) -> Result<S, Error> {
+    let mut turned = *patch;
+    if let Some(strips) = turned.strips.get_mut(..patch.count as usize) {
+        strips.reverse();
+        for strip in strips {
+            (strip.y, strip.centre_x) = (-strip.y, -strip.centre_x);
+        }
+    }
+    solve(&turned.view()?)
 }
 
 fn joined<F: Precision>(
@@ -227,81 +235,8 @@ fn joined<F: Precision>(
     ahead: Solution<F>,
     behind: Solution<F>,
 ) -> Solution<F> {
-    let forces = |found: Solution<F>| [found.fx, found.fy, found.mz];
-    let [fx, fy, mz] = rolling.both(forces(ahead), forces(behind));
+    let [fx, fy, mz] = rolling.both(forces(&ahead), forces(&behind));
     let notice = ahead.notice.worse(behind.notice);
     let slow = rolling.speed < F::of(JUDGED) && notice.is_implausible();
     Solution { fx, fy, mz, notice: if slow { Notice::None } else { notice }, ..ahead }
-}
-
-/// The patch in a mirror across `x`, with the strips' centres on the other side. Out of line, because of the copy on the stack (3 KiB).
-#[inline(never)]
-fn through_mirror<F: Precision, S>(
-    patch: &StoredPatch<F>,
-    solve: impl FnOnce(&PatchView<F>) -> Result<S, Error>,
-) -> Result<S, Error> {
-    let strips = patch.strips.get(..patch.count as usize).unwrap_or(&[]);
-    if strips.iter().all(|strip| strip.centre_x == F::zero()) {
-        return solve(&patch.view()?);
-    }
-    let mut mirrored = *patch;
-    for strip in &mut mirrored.strips {
-        strip.centre_x = -strip.centre_x;
-    }
-    solve(&mirrored.view()?)
-}
-
-/// Creep forces on the rail, their derivatives by motion, and by a factor of all friction.
-type Sloped<F> = (Solution<F>, MotionDerivatives<F>, [F; 3]);
-
-/// Forces of a patch in motion, with their derivatives.
-fn differentiated<F: Precision>(
-    patch: &StoredPatch<F>,
-    rolling: &Rolling<F>,
-    law: Law<F>,
-) -> Result<Sloped<F>, Error> {
-    let falling = at_speed(law, rolling.speed);
-    let solve = |view: &PatchView<F>, creepage: &Creepage<F>| {
-        patch::friction::differentiate(view, creepage, falling.as_ref(), law.model)
-    };
-    let view = patch.view()?;
-    let [forward, backward] = rolling.each_end(|creepage, backward| {
-        if backward {
-            through_mirror(patch, |view| solve(view, &in_mirror(creepage)).map(mirrored_slopes))
-        } else {
-            solve(&view, creepage)
-        }
-    })?;
-    let slopes = rolling.slopes(&forward, &backward, [F::zero(); 3]);
-    if !slopes.entries().all(F::is_finite_number) {
-        return Err(Error::Overflow);
-    }
-    let (load, bound) = (view.normal_force(), view.friction_bound());
-    let mean = if load > F::zero() { bound / load } else { F::zero() };
-    let friction = slopes.friction.map(|slope| slope * mean);
-    Ok((joined(rolling, forward.solution, backward.solution), slopes, friction))
-}
-
-/// The same in the turned axes. The entries of a row that are lateral or spin, but not both, change their signs.
-fn mirrored_slopes<F: Precision>(found: Differentiated<F>) -> Differentiated<F> {
-    let three = |[x, y, z]: [F; 3]| [x, -y, -z];
-    let [x, y, z] = found.derivatives.jacobian.map(three);
-    let Derivatives { normal_force, load_through_hertz, friction, .. } = found.derivatives;
-    let LawDerivatives { ratio, decay, rolling_speed, slope_factor } = found.law;
-    Differentiated {
-        solution: mirrored(found.solution),
-        derivatives: Derivatives {
-            jacobian: [x, y.map(|slope| -slope), z.map(|slope| -slope)],
-            normal_force: three(normal_force),
-            load_through_hertz: three(load_through_hertz),
-            friction: three(friction),
-        },
-        law: LawDerivatives {
-            ratio: three(ratio),
-            decay: three(decay),
-            rolling_speed: three(rolling_speed),
-            slope_factor: three(slope_factor),
-        },
-        ..found
-    }
 }
