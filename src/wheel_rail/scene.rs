@@ -12,7 +12,6 @@ use crate::status::{Error, Notice};
 
 /// Steps of the differences by position, over the cube root of the rounding \[m, rad\]: 1 µm in double precision, 15 µm in single.
 const STEP: f64 = 0.15;
-const ANGLE_STEP: f64 = 0.15;
 /// Largest number of heights that are tried for a load.
 const HEIGHTS: u32 = 64;
 /// Largest step from one height to the next \[m\], and the distance below which two heights are the same \[m\].
@@ -113,11 +112,12 @@ impl<F: Precision> Scene<'_, F> {
         velocity: &Velocity<F>,
         memory: &mut Workspace<F>,
     ) -> Result<WrenchByPosition<F>, Error> {
-        let cube = F::EPSILON.cube_root();
-        let (step, turn) = (cube.times(STEP), cube.times(ANGLE_STEP));
-        let mut by = |moved: &dyn Fn(F) -> Position<F>, step: F| {
+        let step = F::EPSILON.cube_root().times(STEP);
+        let mut by = |member: fn(&mut Position<F>) -> &mut F| {
             let mut at = |step: F| {
-                self.wrench(&moved(step), velocity, memory, None).map(|found| found.members())
+                let mut moved = *position;
+                *member(&mut moved) += step;
+                self.wrench(&moved, velocity, memory, None).map(|found| found.members())
             };
             let (above, mut slopes) = (at(step)?, at(-step)?);
             for (slope, above) in slopes.iter_mut().zip(above) {
@@ -125,12 +125,11 @@ impl<F: Precision> Scene<'_, F> {
             }
             Ok(slopes)
         };
-        let p = *position;
         Ok(WrenchByPosition {
-            lateral: by(&|step| Position { lateral: p.lateral + step, ..p }, step)?,
-            vertical: by(&|step| Position { vertical: p.vertical + step, ..p }, step)?,
-            yaw: by(&|step| Position { yaw: p.yaw + step, ..p }, turn)?,
-            roll: by(&|step| Position { roll: p.roll + step, ..p }, turn)?,
+            lateral: by(|position| &mut position.lateral)?,
+            vertical: by(|position| &mut position.vertical)?,
+            yaw: by(|position| &mut position.yaw)?,
+            roll: by(|position| &mut position.roll)?,
         })
     }
 
@@ -154,46 +153,39 @@ impl<F: Precision> Scene<'_, F> {
         if support <= F::zero() {
             return Err(Error::NormalForce);
         }
-        self.pair.check()?;
-        let mut here = self.first_touch(position, memory)?;
         let straight = |force: F| force.max(F::zero()).squared().cube_root();
-        let wanted = straight(support);
-        // lifted, or less than wanted; more than wanted: the height, and what the load exceeds the wanted one by
-        let mut above: Option<(F, F)> = Some((here, -wanted));
+        let (wanted, far) = (straight(support), F::of(FARTHEST));
+        // a height with less than the wanted load, and one with more, with what the load exceeds the wanted one by
+        let mut above = (self.first_touch(position, memory)?, -wanted);
         let mut below: Option<(F, F)> = None;
-        let (mut sank, mut rose) = (false, false);
-        let far = F::of(FARTHEST);
-        here += far.times(0.5);
+        let (mut here, mut last) = (above.0 + far.times(0.5), F::zero());
         for _ in 0..HEIGHTS {
-            let force = straight(self.support(
-                &Position { vertical: here, ..*position },
-                velocity,
-                memory,
-            )?);
-            let rest = force - wanted;
+            let at = Position { vertical: here, ..*position };
+            let rest = straight(self.support(&at, velocity, memory)?) - wanted;
             if rest.abs() <= wanted * F::EPSILON.times(64.0) {
                 return Ok((here, Notice::None));
             }
-            // an end that stays counts half
+            // an end that stays once more counts half
             if rest < F::zero() {
-                below = below.map(|(low, more)| (low, if sank { more.times(0.5) } else { more }));
-                above = Some((here, rest));
+                above = (here, rest);
+                below = below.map(|(low, more)| {
+                    (low, if last < F::zero() { more.times(0.5) } else { more })
+                });
             } else {
-                above = above.map(|(high, less)| (high, if rose { less.times(0.5) } else { less }));
                 below = Some((here, rest));
+                above.1 = if last > F::zero() { above.1.times(0.5) } else { above.1 };
             }
-            (sank, rose) = (rest < F::zero(), rest >= F::zero());
-            let next = match (above, below) {
-                (Some((high, less)), Some((low, more))) => {
+            last = rest;
+            let (high, less) = above;
+            let next = match below {
+                Some((low, more)) => {
                     if low - high <= F::of(NEAREST) {
                         return Ok((here, Notice::None));
                     }
                     let share = (less / (less - more)).clamped(F::of(0.02), F::of(0.98));
                     high + (low - high) * share
                 }
-                (Some((high, _)), None) => high + far,
-                (None, Some((low, _))) => low - far,
-                (None, None) => here,
+                None => high + far,
             };
             if next == here {
                 return Ok((here, Notice::None));
