@@ -122,15 +122,9 @@ impl<F: Precision> WheelContact<F> {
         self.angle_range > F::of(FLAT)
     }
 
-    /// Fills the contact from strips along the rail; the position is that of a right wheel.
-    fn fill(
-        &mut self,
-        view: &View<F>,
-        pair: &Pair<F>,
-        position: &Position<F>,
-        strips: &StoredPatch<F>,
-        found: &Indentation<F>,
-    ) {
+    /// Fills the contact from strips along the rail.
+    fn fill(&mut self, view: &View<F>, strips: &StoredPatch<F>, found: &Indentation<F>) {
+        let View { pair, position, .. } = view;
         let (zero, one, left) = (F::zero(), F::one(), pair.left != 0);
         self.patch = *strips;
         let count = strips.count as usize;
@@ -189,13 +183,18 @@ fn with_moment<F: Float>(place: [F; 3], direction: [F; 3]) -> [F; 6] {
     [a, b, c, d, e, f]
 }
 
-/// A checked gap: the used part of its lists.
+/// A checked gap: the used part of its lists; with the position of the wheel, or of the mirror image of a left one.
 struct View<'a, F> {
     lists: [&'a [F]; 7],
+    pair: &'a Pair<F>,
+    position: Position<F>,
 }
 
 impl<'a, F: Precision> View<'a, F> {
-    fn new(gap: &'a Gap<F>) -> Result<Self, Error> {
+    fn new(gap: &'a Gap<F>, pair: &'a Pair<F>, position: &Position<F>) -> Result<Self, Error> {
+        pair.check()?;
+        position.check()?;
+        let position = position.mirrored(pair.left != 0);
         let count = gap.count as usize;
         if count > KSTRIP_SURFACE_CAPACITY {
             return Err(Error::Capacity);
@@ -210,7 +209,7 @@ impl<'a, F: Precision> View<'a, F> {
         }
         let ascends = along.iter().zip(along.iter().skip(1)).all(|(along, next)| along < next);
         let upright = angle.iter().all(|angle| angle.abs() < F::of(STEEPEST));
-        if ascends && upright { Ok(Self { lists }) } else { Err(Error::Profile) }
+        if ascends && upright { Ok(Self { lists, pair, position }) } else { Err(Error::Profile) }
     }
 
     /// The members of the gap at a place, straight between the points.
@@ -244,31 +243,77 @@ impl<'a, F: Precision> View<'a, F> {
         [middle, step].map(|sum| sum / (weights + F::TINY))
     }
 
-    /// The profile of a contact: its own points and those around, up to the crests between it and its neighbours, of which one ends
-    /// `before` and the other begins `after` these points, and as far as distances are small.
-    fn profile(
-        &self,
-        own: Range<usize>,
-        [before, after]: [usize; 2],
-    ) -> Result<Profile<'a, F>, Error> {
+    /// The profile of a contact: its own points and those around, within others and as far as distances are small.
+    fn profile(&self, own: Range<usize>, within: Range<usize>) -> Result<Profile<'a, F>, Error> {
         let [along, distance, x, .., rolling_radius] = self.lists;
         let at = |k: usize| distance.get(k).copied().unwrap_or(F::zero());
         let depth = own.clone().fold(F::zero(), |depth, k| depth.max(-at(k)));
         let level = depth.times(SEES).plus(SEES_LEAST);
-        let crest = |points: Range<usize>| {
-            points.fold((0, -F::LARGEST), |top, k| if at(k) > top.1 { (k, at(k)) } else { top }).0
-        };
-        let count = distance.len();
-        let low = if before > 0 { crest(before..own.start) } else { 0 };
-        let high = if after < count { crest(own.end..after) + 1 } else { count };
-        let start = (low..own.start).rev().find(|k| at(*k) >= level).unwrap_or(low);
-        let end = (own.end..high).find(|k| at(*k) >= level).map_or(high, |k| k + 1);
+        let is_high = |k: &usize| at(*k) >= level;
+        let start = (within.start..own.start).rev().find(is_high).unwrap_or(within.start);
+        let end = (own.end..within.end).find(is_high).map_or(within.end, |k| k + 1);
         let part = |list: &'a [F]| list.get(start..end).unwrap_or(&[]);
         let [middle, step] = self.middle_and_step(own);
         Profile::new(part(along), part(distance))?
             .part_of_longer(middle, step)
             .with_centre_x(part(x))?
             .with_rolling_radius(part(rolling_radius))
+    }
+
+    /// Zones of overlap; those less than 4 mm apart are one group.
+    fn groups(&self) -> Result<Vec<Group<F>, APART_AT_MOST>, Error> {
+        let [along, distance, ..] = self.lists;
+        let mut groups: Vec<Group<F>, APART_AT_MOST> = Vec::new();
+        let (mut last_end, mut before): (Option<F>, Option<(F, F)>) = (None, None);
+        let mut crest = (0, F::LARGEST);
+        for (k, (&along, &distance)) in along.iter().zip(distance).enumerate() {
+            // where a straight line between the points crosses zero
+            let crossing = before.map_or(along, |(place, above)| {
+                along - (along - place) * (distance / (distance - above))
+            });
+            let was_inside = before.is_some_and(|(_, above)| above < F::zero());
+            before = Some((along, distance));
+            if !(distance < F::zero()) {
+                if was_inside {
+                    last_end = Some(crossing);
+                }
+                if was_inside || distance > crest.1 {
+                    crest = (k, distance);
+                }
+                continue;
+            }
+            let free = last_end.map(|end| crossing - end);
+            if !was_inside && free.is_none_or(|free| free > F::of(ONE_CONTACT)) {
+                let near = free.map_or(F::zero(), nearness);
+                let group = Group { points: k..k, near, crest: crest.0 };
+                groups.push(group).map_err(|_| Error::PatchSize)?;
+            }
+            if let Some(group) = groups.last_mut() {
+                group.points.end = k + 1;
+            }
+        }
+        Ok(groups)
+    }
+
+    /// The strips of a profile at the approach at which the surfaces overlap as they do.
+    fn press(
+        &self,
+        profile: &Profile<F>,
+        count: StripCount,
+        strips: &mut StoredPatch<F>,
+    ) -> Result<Indentation<F>, Error> {
+        let Pair { shear_modulus, poisson_ratio, friction, smoothing_length, .. } = *self.pair;
+        strips.clear(shear_modulus, poisson_ratio);
+        let contact = ProfileContact {
+            rolling_radius: self.pair.wheel_radius,
+            given: Given::Overlap(profile.overlap()),
+            shear_modulus,
+            poisson_ratio,
+            friction,
+            smoothing_length,
+        };
+        let found = Indentation::new(profile, &contact, count, |strip| strips.push(strip))?;
+        if found.notice == Notice::ProfileEnd { Err(Error::ProfileEnd) } else { Ok(found) }
     }
 }
 
@@ -279,77 +324,13 @@ fn nearness<F: Float>(free: F) -> F {
     F::one() - t * t * (F::constant(3.0) - t.times(2.0))
 }
 
-/// A contact that lies apart from others: the numbers of its points, and its nearness to the one before.
+/// A contact that lies apart from others.
 struct Group<F> {
+    /// The numbers of its points.
     points: Range<usize>,
+    /// Nearness to the one before, and the number of the highest point between them; 0 for the first.
     near: F,
-}
-
-/// Contacts that lie apart.
-struct Groups<F>(Vec<Group<F>, APART_AT_MOST>);
-
-impl<F: Precision> Groups<F> {
-    fn new(view: &View<F>) -> Result<Self, Error> {
-        let [along, distance, ..] = view.lists;
-        let mut groups = Vec::new();
-        let mut last_end: Option<F> = None;
-        let mut before: Option<(F, F)> = None;
-        for (k, (&along, &distance)) in along.iter().zip(distance).enumerate() {
-            // where a straight line between the points crosses zero
-            let crossing = before.map_or(along, |(place, above)| {
-                along - (along - place) * (distance / (distance - above))
-            });
-            let is_inside = distance < F::zero();
-            let was_inside = before.is_some_and(|(_, above)| above < F::zero());
-            before = Some((along, distance));
-            if is_inside && !was_inside {
-                // the free length before this zone
-                let free = last_end.map(|end| crossing - end);
-                if free.is_none_or(|free| free > F::of(ONE_CONTACT)) {
-                    let near = free.map_or(F::zero(), nearness);
-                    let group = Group { points: k..k, near };
-                    groups.push(group).map_err(|_| Error::PatchSize)?;
-                }
-            } else if was_inside && !is_inside {
-                last_end = Some(crossing);
-            }
-            if let Some(group) = groups.last_mut().filter(|_| is_inside) {
-                group.points.end = k + 1;
-            }
-        }
-        Ok(Self(groups))
-    }
-
-    fn near(&self, k: usize) -> F {
-        self.0.get(k).map_or(F::zero(), |group| group.near)
-    }
-
-    /// Share by which the contacts from one to another count as one contact.
-    fn share(&self, first: usize, last: usize) -> F {
-        let inside = (first..last).fold(F::one(), |product, k| product * self.near(k + 1));
-        inside * (F::one() - self.near(first)) * (F::one() - self.near(last + 1))
-    }
-}
-
-/// The strips of a profile at the approach at which the surfaces overlap as they do.
-fn press<F: Precision>(
-    profile: &Profile<F>,
-    pair: &Pair<F>,
-    count: StripCount,
-    strips: &mut StoredPatch<F>,
-) -> Result<Indentation<F>, Error> {
-    let Pair { shear_modulus, poisson_ratio, friction, smoothing_length, .. } = *pair;
-    strips.clear(shear_modulus, poisson_ratio);
-    let contact = ProfileContact {
-        rolling_radius: pair.wheel_radius,
-        given: Given::Overlap(profile.overlap()),
-        shear_modulus,
-        poisson_ratio,
-        friction,
-        smoothing_length,
-    };
-    let found = Indentation::new(profile, &contact, count, |strip| strips.push(strip))?;
-    if found.notice == Notice::ProfileEnd { Err(Error::ProfileEnd) } else { Ok(found) }
+    crest: usize,
 }
 
 /// The result of [`from_gap`].
@@ -377,29 +358,28 @@ pub fn from_gap<F: Precision>(
     strips: &mut StoredPatch<F>,
     contacts: &mut [WheelContact<F>; KSTRIP_CONTACTS_CAPACITY],
 ) -> Result<Found, Error> {
-    pair.check()?;
-    position.check()?;
-    let position = position.mirrored(pair.left != 0);
-    let view = View::new(gap)?;
-    let groups = Groups::new(&view)?;
-    let number = groups.0.len();
-    let mut found = Found { written: 0, apart: number as u32, notice: Notice::None };
-    let end_of = |k: usize| groups.0.get(k).map_or(0, |group| group.points.end);
-    let start_of = |k: usize| groups.0.get(k).map_or(usize::MAX, |group| group.points.start);
-    for first in 0..number {
-        for last in first..number {
-            let share = groups.share(first, last);
+    let view = View::new(gap, pair, position)?;
+    let groups = view.groups()?;
+    let mut found = Found { written: 0, apart: groups.len() as u32, notice: Notice::None };
+    let near = |k: usize| groups.get(k).map_or(F::zero(), |group| group.near);
+    for (first, from) in groups.iter().enumerate() {
+        for (last, to) in groups.iter().enumerate().skip(first) {
+            // share by which the contacts from one to another count as one contact
+            let inside = (first..last).fold(F::one(), |product, k| product * near(k + 1));
+            let share = inside * (F::one() - near(first)) * (F::one() - near(last + 1));
             if !(share > F::zero()) {
                 continue;
             }
-            let around = [first.checked_sub(1).map_or(0, end_of), start_of(last + 1)];
-            let profile = view.profile(start_of(first)..end_of(last), around)?;
-            let pressed = press(&profile, pair, count, strips)?;
+            // up to the crests between it and its neighbours
+            let end = groups.get(last + 1).map_or(gap.count as usize, |next| next.crest + 1);
+            let own = from.points.start..to.points.end;
+            let profile = view.profile(own, from.crest..end)?;
+            let pressed = view.press(&profile, count, strips)?;
             if strips.count == 0 {
                 continue;
             }
             let contact = contacts.get_mut(found.written).ok_or(Error::PatchSize)?;
-            contact.fill(&view, pair, &position, strips, &pressed);
+            contact.fill(&view, strips, &pressed);
             contact.share = share;
             if !contact.is_finite() {
                 return Err(Error::Overflow);
