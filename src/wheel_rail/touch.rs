@@ -5,10 +5,10 @@
 
 use super::line_of_contact::Wheel;
 use super::surface::{Place, Surface};
-use super::under::{Rail, Under};
+use super::under::Rail;
 use super::{KSTRIP_SURFACE_CAPACITY, Position};
 use crate::number::registers::compiled_twice;
-use crate::number::{Float, Strips};
+use crate::number::{Float, Strips, are_finite};
 use crate::status::Error;
 
 /// Distance below which points are added \[m\], and the largest number of points for one of the wheel's.
@@ -16,8 +16,6 @@ const NEAR: f64 = 0.3e-3;
 const FINEST: usize = 4;
 /// Default of the distance above which points are left out \[m\].
 const REACH: f64 = 2e-3;
-/// Least cosine of the angle between two surfaces that face each other.
-const FACING: f64 = 0.5;
 /// Number of points that are looked at side by side.
 const FOUR: usize = 4;
 
@@ -46,49 +44,26 @@ pub struct Gap<F> {
     pub reserved: u32,
 }
 
-/// One point of a [`Gap`].
-#[derive(Clone, Copy, Debug)]
-struct GapPoint<F> {
-    along: F,
-    distance: F,
-    place: [F; 3],
-    angle: F,
-    rolling_radius: F,
-}
+/// One point of a [`Gap`]: its members in their order.
+type GapPoint<F> = [F; 7];
 
-impl<F> Gap<F> {
+impl<F: Float> Gap<F> {
     /// The members, in their order.
     pub(super) fn lists(&self) -> [&[F; KSTRIP_SURFACE_CAPACITY]; 7] {
         let Self { along, distance, x, y, z, angle, rolling_radius, .. } = self;
         [along, distance, x, y, z, angle, rolling_radius]
     }
-}
 
-impl<F: Float> Gap<F> {
-    fn get(&self, k: usize) -> Option<GapPoint<F>> {
-        Some(GapPoint {
-            along: *self.along.get(k)?,
-            distance: *self.distance.get(k)?,
-            place: [*self.x.get(k)?, *self.y.get(k)?, *self.z.get(k)?],
-            angle: *self.angle.get(k)?,
-            rolling_radius: *self.rolling_radius.get(k)?,
-        })
+    fn get(&self, k: usize) -> GapPoint<F> {
+        self.lists().map(|list| list.get(k).copied().unwrap_or(F::zero()))
     }
 
     fn set(&mut self, k: usize, point: &GapPoint<F>) {
-        let [x, y, z] = point.place;
-        let members = [
-            (&mut self.along, point.along),
-            (&mut self.distance, point.distance),
-            (&mut self.x, x),
-            (&mut self.y, y),
-            (&mut self.z, z),
-            (&mut self.angle, point.angle),
-            (&mut self.rolling_radius, point.rolling_radius),
-        ];
-        for (list, value) in members {
+        let Self { along, distance, x, y, z, angle, rolling_radius, .. } = self;
+        let lists = [along, distance, x, y, z, angle, rolling_radius];
+        for (list, value) in lists.into_iter().zip(point) {
             if let Some(place) = list.get_mut(k) {
-                *place = value;
+                *place = *value;
             }
         }
     }
@@ -100,14 +75,15 @@ struct Above<'a, F> {
     position: Position<F>,
     reach: F,
     rail: Rail<'a, F>,
-    /// Whether a point of the wheel has faced the rail.
-    faces: bool,
 }
 
+/// Up to four places of a profile.
+type Places<F> = [Option<Place<F>>; FOUR];
+
 impl<F: Float> Above<'_, F> {
-    /// Looks down from places of the wheel's profile, up to four. None where the rail is out of reach.
-    fn look(&mut self, places: &[Place<F>; FOUR]) -> [Option<GapPoint<F>>; FOUR] {
-        compiled_twice!(if 1 => <F: Float>(above: &mut Above<'_, F> = self, places: &[Place<F>; FOUR] = places) -> [Option<GapPoint<F>>; FOUR] {
+    /// Looks down from places of the wheel's profile. None where the rail is out of reach.
+    fn look(&mut self, places: &Places<F>) -> [Option<GapPoint<F>>; FOUR] {
+        compiled_twice!(if 1 => <F: Float>(above: &mut Above<'_, F> = self, places: &Places<F> = places) -> [Option<GapPoint<F>>; FOUR] {
             above.look_from::<F::Four>(places)
         } {
             above.look_from::<F::WideFour>(places)
@@ -115,64 +91,48 @@ impl<F: Float> Above<'_, F> {
     }
 
     #[inline(always)]
-    fn look_from<P: Strips<F>>(
-        &mut self,
-        places: &[Place<F>; FOUR],
-    ) -> [Option<GapPoint<F>>; FOUR] {
+    fn look_from<P: Strips<F>>(&mut self, places: &Places<F>) -> [Option<GapPoint<F>>; FOUR] {
         let Position { lateral, vertical, .. } = self.position;
-        let places = Place {
-            y: P::gather(|i| places.get(i).map_or(F::zero(), |place| place.y)),
-            z: P::gather(|i| places.get(i).map_or(F::zero(), |place| place.z)),
-            cosine: P::gather(|i| places.get(i).map_or(F::zero(), |place| place.cosine)),
-            sine: P::gather(|i| places.get(i).map_or(F::zero(), |place| place.sine)),
-        };
-        let line = self.wheel.for_all::<P>().line_of_contact(places);
+        let zero = F::zero();
+        // (where there is no place, one at which no wheel touches)
+        let at = |i: usize| places.get(i).and_then(Option::as_ref);
+        let line = self.wheel.line_of_contact(Place {
+            y: P::gather(|i| at(i).map_or(zero, |place| place.y)),
+            z: P::gather(|i| at(i).map_or(zero, |place| place.z)),
+            cosine: P::gather(|i| at(i).map_or(zero, |place| place.cosine)),
+            sine: P::gather(|i| at(i).map_or(zero, |place| place.sine)),
+        });
         let [wheel_y, wheel_z] = line.normal;
         let point = [P::all(lateral) + line.place[1], P::all(vertical) + line.below];
-        let mut under = [Under::Nowhere; FOUR];
+        let mut under = [None; FOUR];
         for (i, under) in under.iter_mut().enumerate() {
-            if line.can_touch.lane(i) > F::zero() {
-                *under = self.rail.under([point[0].lane(i), point[1].lane(i)]);
+            let own = |x: &P| x.lane(i);
+            let ([y, z], [normal_y, normal_z]) = (&point, &line.normal);
+            if own(&line.can_touch) > zero {
+                let (point, normal) = ([own(y), own(z)], [own(normal_y), own(normal_z)]);
+                *under = self.rail.under(point, normal, own(&line.size));
             }
         }
         let foot = self.rail.feet(point, &under);
         let [rail_y, rail_z] = foot.normal;
         // the mean of both surfaces' angles is that of the sum of their unit normals
         let (sum_y, sum_z) = (wheel_y + rail_y * line.size, wheel_z + rail_z * line.size);
-        let mut found = [const { None }; FOUR];
-        for (i, (found, under)) in found.iter_mut().zip(under).enumerate() {
-            let [rail_y, rail_z] = match under {
-                Under::Nowhere => continue,
-                Under::Far(normal) => normal,
-                Under::Between(..) => [rail_y.lane(i), rail_z.lane(i)],
-            };
-            let facing = wheel_y.lane(i) * rail_y + wheel_z.lane(i) * rail_z;
-            if !(facing > line.size.lane(i).times(FACING)) {
+        let mut found = [None; FOUR];
+        for ((i, found), under) in found.iter_mut().enumerate().zip(under) {
+            if under.is_none() {
                 continue;
             }
-            self.faces = true;
-            let (distance, sum_z) = (foot.distance.lane(i), sum_z.lane(i));
-            let rolling_radius = line.rolling_radius.lane(i);
-            let is_near = matches!(under, Under::Between(..)) && distance < self.reach;
-            if is_near && sum_z > F::zero() && rolling_radius > F::zero() {
-                *found = Some(GapPoint {
-                    along: foot.along.lane(i),
-                    distance,
-                    place: [line.place[0].lane(i), line.place[1].lane(i), line.place[2].lane(i)],
-                    angle: (-sum_y.lane(i) / sum_z).atan(),
-                    rolling_radius,
-                });
+            let own = |x: &P| x.lane(i);
+            let (distance, sum_z) = (own(&foot.distance), own(&sum_z));
+            let radius = own(&line.rolling_radius);
+            if distance < self.reach && sum_z > zero && radius > zero {
+                let ([x, y, z], angle) = (&line.place, (-own(&sum_y) / sum_z).atan());
+                let along = own(&foot.along);
+                *found = Some([along, distance, own(x), own(y), own(z), angle, radius]);
             }
         }
         found
     }
-}
-
-/// Four places of a profile; where there is none, one at which no wheel touches.
-fn four<F: Float>(place: impl Fn(usize) -> Option<Place<F>>) -> [Place<F>; FOUR] {
-    let zero = F::zero();
-    let none = Place { y: zero, z: zero, cosine: zero, sine: zero };
-    core::array::from_fn(|i| place(i).unwrap_or(none))
 }
 
 /// The gap between a right wheel and a rail. Only points nearer to the rail than `reach` are written; zero: 2 mm. Where surfaces are
@@ -193,7 +153,7 @@ pub fn touch<F: Float>(
     rail.check()?;
     wheel.check()?;
     position.check()?;
-    if ![wheel_radius, reach].iter().all(|x| x.is_finite_number()) {
+    if !are_finite(&[wheel_radius, reach]) {
         return Err(Error::NotFinite);
     }
     if wheel_radius <= F::zero() {
@@ -201,34 +161,28 @@ pub fn touch<F: Float>(
     }
     let reach = if reach > F::zero() { reach } else { F::of(REACH) };
     let (turned, rail) = (Wheel::new(wheel_radius, position), Rail::new(rail, reach));
-    let mut above = Above { wheel: turned, position: *position, reach, rail, faces: false };
-    // those of the wheel's own points, from the last to the first, at the end of the room
+    let mut above = Above { wheel: turned, position: *position, reach, rail };
+    // the wheel's own points, from the last to the first, at the end of the room; for each its number if it and the one before are near, else 0
     let points = wheel.count as usize;
-    let mut is_there = [false; KSTRIP_SURFACE_CAPACITY];
-    // whether a point and the one before it are near
-    let mut are_near = [false; KSTRIP_SURFACE_CAPACITY];
+    let mut numbers = [0_u16; KSTRIP_SURFACE_CAPACITY];
     let (mut first, mut near, mut is_next_near) = (KSTRIP_SURFACE_CAPACITY, 0, false);
     for group in (0..points).step_by(FOUR) {
         let number = |i: usize| points.checked_sub(group + i + 1);
-        let found = above.look(&four(|i| wheel.point(number(i)?)));
+        let found = above.look(&core::array::from_fn(|i| wheel.point(number(i)?)));
         for (i, point) in found.iter().enumerate() {
-            let Some(k) = number(i) else { break };
-            let is_near = point.as_ref().is_some_and(|point| point.distance < F::of(NEAR));
+            let is_near = point.is_some_and(|[_, distance, ..]| distance < F::of(NEAR));
+            if let Some(next) = numbers.get_mut(first).filter(|_| is_near && is_next_near) {
+                *next = number(i).map_or(0, |before| before as u16 + 1);
+                near += 1;
+            }
             if let Some(point) = point {
                 first = first.saturating_sub(1);
                 gap.set(first, point);
             }
-            if let Some(is_there) = is_there.get_mut(k) {
-                *is_there = point.is_some();
-            }
-            if let Some(are_near) = are_near.get_mut(k + 1) {
-                *are_near = is_near && is_next_near;
-                near += usize::from(*are_near);
-            }
             is_next_near = is_near;
         }
     }
-    if !above.faces {
+    if !above.rail.faced {
         return Err(Error::ProfileEnd);
     }
     let parts = (first / near.max(1) + 1).min(FINEST);
@@ -236,34 +190,35 @@ pub fn touch<F: Float>(
     let (mut count, mut least) = (0, reach);
     let mut end: Option<F> = None;
     let mut write = |gap: &mut Gap<F>, point: &GapPoint<F>| {
-        if end.is_none_or(|end| point.along > end) {
+        let [along, distance, ..] = *point;
+        if end.is_none_or(|end| along > end) {
             gap.set(count, point);
             count += 1;
-            least = least.min(point.distance);
-            end = Some(point.along);
+            least = least.min(distance);
+            end = Some(along);
         }
     };
-    for group in (0..points).step_by(FOUR) {
-        let mut between = [[const { None }; FOUR]; FINEST - 1];
-        let is_near = |i: usize| are_near.get(group + i).is_some_and(|near| *near);
-        if (0..FOUR).any(is_near) {
-            for (part, found) in between.iter_mut().enumerate().take(parts - 1) {
-                let share = F::widened((part + 1) as f32) / F::widened(parts as f32);
-                let at = |i: usize| wheel.at((group + i).checked_sub(1)?, share);
-                *found = above.look(&four(|i| if is_near(i) { at(i) } else { None }));
+    // all places between, in their order: four of them are looked at together
+    let divided = numbers.iter().map(|number| usize::from(*number)).filter(|number| *number > 0);
+    let mut places = divided.flat_map(|number| (1..parts).map(move |part| (number - 1, part)));
+    let (mut looked, mut next) = ([None; FOUR], FOUR);
+    for (own, number) in numbers.iter().enumerate().skip(first) {
+        let divisions = if *number > 0 { parts } else { 1 };
+        for _ in 1..divisions {
+            if next == FOUR {
+                looked = above.look(&core::array::from_fn(|_| {
+                    let (before, part) = places.next()?;
+                    wheel.at(before, F::widened(part as f32) / F::widened(parts as f32))
+                }));
+                next = 0;
             }
-        }
-        for i in 0..FOUR {
-            for point in between.iter().filter_map(|found| found.get(i)?.as_ref()) {
+            if let Some(Some(point)) = looked.get(next) {
                 write(gap, point);
             }
-            if is_there.get(group + i).is_some_and(|there| *there) {
-                if let Some(point) = gap.get(first) {
-                    write(gap, &point);
-                }
-                first += 1;
-            }
+            next += 1;
         }
+        let own = gap.get(own);
+        write(gap, &own);
     }
     gap.count = count as u32;
     gap.reserved = 0;

@@ -8,6 +8,9 @@ use crate::number::{Float, Strips};
 const CORRECTIONS: u32 = 4;
 const CLOSE: f64 = 1e-5;
 
+/// Least cosine of the angle between two surfaces that face each other.
+const FACING: f64 = 0.5;
+
 /// A rail, and where the search for the next point begins.
 pub(super) struct Rail<'a, F> {
     surface: &'a Surface<F>,
@@ -15,17 +18,8 @@ pub(super) struct Rail<'a, F> {
     reach: F,
     /// The nearest of its points to the last point.
     nearest: Option<usize>,
-}
-
-/// Where the rail is under a point.
-#[derive(Clone, Copy)]
-pub(super) enum Under<F> {
-    /// Beyond its ends, or beside it.
-    Nowhere,
-    /// Farther than the reach, near a point with this normal into the rail.
-    Far([F; 2]),
-    /// Between a point and the next, nearest to the share 0 or 1 of the way.
-    Between(usize, F),
+    /// Whether a point has faced the rail.
+    pub faced: bool,
 }
 
 /// Points of a rail, seen from the points above them.
@@ -40,7 +34,7 @@ pub(super) struct Foot<P> {
 
 impl<'a, F: Float> Rail<'a, F> {
     pub fn new(surface: &'a Surface<F>, reach: F) -> Self {
-        Self { surface, reach, nearest: None }
+        Self { surface, reach, nearest: None, faced: false }
     }
 
     fn away(&self, k: usize, [y, z]: [F; 2]) -> Option<F> {
@@ -51,63 +45,58 @@ impl<'a, F: Float> Rail<'a, F> {
     /// The nearest of the rail's points, and the square of its distance: of all for the first, then downhill from the last.
     fn find(&mut self, point: [F; 2]) -> Option<(usize, F)> {
         let count = self.surface.count as usize;
-        let begun = match self.nearest {
-            Some(k) => (k, self.away(k, point)?),
-            None => (0..count).fold((0, F::LARGEST), |best, k| match self.away(k, point) {
-                Some(away) if away < best.1 => (k, away),
-                _ => best,
-            }),
+        let closer = |k: usize, best: F| {
+            let away = self.away(k, point).filter(|away| k < count && *away < best)?;
+            Some((k, away))
         };
-        let mut best = begun;
+        let mut best = match self.nearest {
+            Some(k) => (k, self.away(k, point)?),
+            None => (0..count).fold((0, F::LARGEST), |best, k| closer(k, best.1).unwrap_or(best)),
+        };
         for direction in [1, -1_isize] {
-            let beside = |k: usize| {
-                let next = k.checked_add_signed(direction).filter(|next| *next < count)?;
-                Some((next, self.away(next, point)?))
-            };
-            while let Some(next) = beside(best.0).filter(|next| next.1 < best.1) {
+            while let Some(next) =
+                best.0.checked_add_signed(direction).and_then(|k| closer(k, best.1))
+            {
                 best = next;
-            }
-            if best.0 != begun.0 {
-                break;
             }
         }
         self.nearest = Some(best.0);
         Some(best)
     }
 
-    /// Where the rail is under a point.
-    pub fn under(&mut self, point: [F; 2]) -> Under<F> {
-        let Some((k, away)) = self.find(point) else { return Under::Nowhere };
-        let Some(rail) = self.surface.point(k) else { return Under::Nowhere };
-        let last = self.surface.count.saturating_sub(1) as usize;
-        let [y, z] = point;
+    /// Where the rail is under a point of a surface that faces it: between which point and the next, nearest to the share 0 or 1 of the
+    /// way. None where the rail is out of reach. The normal of the surface has a length.
+    pub fn under(
+        &mut self,
+        [y, z]: [F; 2],
+        [normal_y, normal_z]: [F; 2],
+        length: F,
+    ) -> Option<(usize, F)> {
+        let (k, away) = self.find([y, z])?;
+        let rail = self.surface.point(k)?;
         let [e_y, e_z] = [y - rail.y, z - rail.z];
-        if away > (self.reach + self.surface.step).squared() {
-            // beside the rail rather than above it
-            let is_beside = e_y.abs() > e_z.abs().times(2.0) + self.reach;
-            let is_end = k == 0 || k == last;
-            let normal = [-rail.sine, rail.cosine];
-            return if is_end || is_beside { Under::Nowhere } else { Under::Far(normal) };
-        }
         // the next point on this side is not nearer, so that e·t = 0 before it
-        if e_y * rail.cosine + e_z * rail.sine > F::zero() {
-            if k < last { Under::Between(k, F::zero()) } else { Under::Nowhere }
-        } else {
-            k.checked_sub(1).map_or(Under::Nowhere, |before| Under::Between(before, F::one()))
+        let is_ahead = e_y * rail.cosine + e_z * rail.sine > F::zero();
+        let under = if is_ahead { (k, F::zero()) } else { (k.checked_sub(1)?, F::one()) };
+        let is_beyond = under.0 + 1 >= self.surface.count as usize;
+        // beside the rail rather than above it
+        let is_beside = e_y.abs() > e_z.abs().times(2.0) + self.reach;
+        let faces = normal_z * rail.cosine - normal_y * rail.sine > length.times(FACING);
+        if is_beyond || is_beside || !faces {
+            return None;
         }
+        self.faced = true;
+        (away <= (self.reach + self.surface.step).squared()).then_some(under)
     }
 
-    /// The rail's points under others, side by side, for those that are [`Under::Between`]; of others numbers without a meaning.
+    /// The rail's points under others, side by side; numbers without a meaning where there is none.
     #[inline(always)]
     pub fn feet<P: Strips<F>, const N: usize>(
         &self,
         [y, z]: [P; 2],
-        under: &[Under<F>; N],
+        under: &[Option<(usize, F)>; N],
     ) -> Foot<P> {
-        let start = |i: usize| match under.get(i) {
-            Some(Under::Between(k, u)) => (*k, *u),
-            _ => (0, F::zero()),
-        };
+        let start = |i: usize| under.get(i).copied().flatten().unwrap_or((0, F::zero()));
         let step = P::all(self.surface.step);
         let first = P::gather(|i| F::widened(start(i).0 as f32));
         let from = self.surface.points(|i| start(i).0);
