@@ -26,7 +26,7 @@ pub mod touch;
 mod under;
 pub mod wrench;
 
-use crate::number::Float;
+use crate::number::{Float, are_finite};
 use crate::status::Error;
 
 /// Points that a prepared profile and a gap have room for.
@@ -64,7 +64,7 @@ impl<F: Float> Position<F> {
     /// [`Error::NotFinite`]; [`Error::ProfileEnd`] where yaw or roll are 1 or more in size.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let Self { lateral, vertical, yaw, roll } = *self;
-        if ![lateral, vertical, yaw, roll].iter().all(|x| x.is_finite_number()) {
+        if !are_finite(&[lateral, vertical, yaw, roll]) {
             return Err(Error::NotFinite);
         }
         let upright = yaw.abs() < F::one() && roll.abs() < F::one();
@@ -140,8 +140,8 @@ impl<F: Float> Pair<F> {
         else {
             return Err(Error::Capacity);
         };
-        let inputs = [self.wheel_radius, self.friction, self.smoothing_length];
-        if !inputs.iter().chain(y).chain(at).all(|x| x.is_finite_number()) {
+        let numbers = [self.wheel_radius, self.friction, self.smoothing_length];
+        if ![&numbers, y, at].into_iter().all(are_finite) {
             return Err(Error::NotFinite);
         }
         if self.wheel_radius <= F::zero() {

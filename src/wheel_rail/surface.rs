@@ -55,15 +55,14 @@ impl<F: Float> Surface<F> {
         if y.len() < 4 || y.len() != z.len() {
             return Err(Error::Profile);
         }
-        let inputs = y.iter().chain(z).chain([&step, &smoothing_length]);
-        if !inputs.into_iter().all(|x| x.is_finite_number()) {
+        if ![y, z, &[step, smoothing_length]].into_iter().all(are_finite) {
             return Err(Error::NotFinite);
         }
         if smoothing_length < F::zero() {
             return Err(Error::SmoothingLength);
         }
-        let points = || y.iter().zip(z).map(|(&y, &z)| [y, z]);
         let mut length = F::zero();
+        let points = || y.iter().zip(z).map(|(&y, &z)| [y, z]);
         for (point, next) in points().zip(points().skip(1)) {
             let chord = distance(point, next);
             if chord <= F::zero() {
@@ -71,7 +70,6 @@ impl<F: Float> Surface<F> {
             }
             length += chord;
         }
-        let room = F::constant(KSTRIP_SURFACE_CAPACITY as f64 - 1.0);
         if step < F::zero() {
             return Err(Error::Profile);
         }
@@ -79,14 +77,17 @@ impl<F: Float> Surface<F> {
         if !(length >= F::of(SHORTEST) && farthest + length <= F::of(LONGEST)) {
             return Err(Error::Overflow);
         }
+        let room = F::constant(KSTRIP_SURFACE_CAPACITY as f64 - 1.0);
         let wanted = if step > F::zero() { step } else { (length / room).max(F::of(LEAST_STEP)) };
         if length > wanted * (room + F::of(0.5)) {
             return Err(Error::Capacity);
         }
         let wanted = wanted.min(length.times(1.0 / 3.0));
-        let mut raw = Raw::new(y, z, smoothing_length, wanted.times(CROWDED));
+        let crowded = wanted.times(CROWDED);
+        let begin = Raw { y, z, smoothing: smoothing_length, crowded, first: 0, from: F::zero() };
         // the length of the smooth curve, which is shorter than that of noisy points
         let cells = 4 * KSTRIP_SURFACE_CAPACITY as i32;
+        let mut raw = begin;
         let (mut smooth, mut last) = (F::zero(), raw.at(F::zero()));
         for k in 1..=cells {
             let place = raw.at(length * (F::widened(k as f32) / F::widened(cells as f32)));
@@ -97,25 +98,23 @@ impl<F: Float> Surface<F> {
             (smooth / wanted).plus(0.5).whole().clamp(3, KSTRIP_SURFACE_CAPACITY as i32 - 1);
         let step = smooth * (F::one() / F::widened(intervals as f32));
         // equal steps of the smooth curve, at its own speed
-        raw.begin();
+        let mut raw = begin;
         let reversed = y.last() < y.first();
         let count = intervals as usize + 1;
         let (mut at, fine) = (F::zero(), F::of(1e-2));
-        let mut here = raw.at(at);
         for k in 0..count {
+            let here = raw.at(at);
             let place = if reversed { count - 1 - k } else { k };
             if let (Some(y), Some(z)) = (self.y.get_mut(place), self.z.get_mut(place)) {
                 [*y, *z] = here;
             }
-            // two secants to the point one step further on
+            // three secants to the point one step further on
             let mut advance = step;
             for _ in 0..3 {
-                let to = raw.at((at + advance).min(length));
-                let gone = distance(here, to);
+                let gone = distance(here, raw.at((at + advance).min(length)));
                 advance = advance * (step / gone.max(step * fine));
             }
             at = (at + advance).min(length);
-            here = raw.at(at);
         }
         self.step = step;
         self.count = count as u32;
@@ -127,22 +126,19 @@ impl<F: Float> Surface<F> {
     /// Derivatives by the length from five points, exact for polynomials of degree four; from three at the ends.
     fn directions(&mut self) {
         let count = self.count as usize;
-        for k in 0..count {
-            let lines = [(&self.y, &mut self.cosine), (&self.z, &mut self.sine)];
-            for (list, slopes) in lines {
-                let at = |i: usize| list.get(i).copied().unwrap_or(F::zero());
-                let slope = if k >= 2 && k + 2 < count {
-                    ((at(k + 1) - at(k - 1)).times(8.0) - (at(k + 2) - at(k - 2))).times(1.0 / 12.0)
-                } else if k >= 1 && k + 1 < count {
-                    (at(k + 1) - at(k - 1)).times(0.5)
-                } else if k == 0 {
-                    (at(1) - at(0)).times(2.0) - (at(2) - at(0)).times(0.5)
-                } else {
-                    (at(k) - at(k - 1)).times(2.0) - (at(k) - at(k - 2)).times(0.5)
+        for (list, slopes) in [(&self.y, &mut self.cosine), (&self.z, &mut self.sine)] {
+            let at = |i: usize| list.get(i).copied().unwrap_or(F::zero());
+            for (k, slope) in slopes.iter_mut().enumerate().take(count) {
+                let rise = match (k, count - 1 - k) {
+                    (0, _) => (at(1) - at(0)).times(2.0) - (at(2) - at(0)).times(0.5),
+                    (_, 0) => (at(k) - at(k - 1)).times(2.0) - (at(k) - at(k - 2)).times(0.5),
+                    (1, _) | (_, 1) => (at(k + 1) - at(k - 1)).times(0.5),
+                    _ => {
+                        let (near, far) = (at(k + 1) - at(k - 1), at(k + 2) - at(k - 2));
+                        (near.times(8.0) - far).times(1.0 / 12.0)
+                    }
                 };
-                if let Some(place) = slopes.get_mut(k) {
-                    *place = slope / self.step;
-                }
+                *slope = rise / self.step;
             }
         }
     }
@@ -244,7 +240,11 @@ fn distance<F: Float>([y, z]: [F; 2], [v, w]: [F; 2]) -> F {
     ((v - y).squared() + (w - z).squared()).sqrt()
 }
 
+/// A point of a list, and the length of the chords up to it.
+type Knot<F> = (F, [F; 2]);
+
 /// The points as they were given, as a curve over their chord length, read in ascending order.
+#[derive(Clone, Copy)]
 struct Raw<'a, F> {
     y: &'a [F],
     z: &'a [F],
@@ -257,16 +257,8 @@ struct Raw<'a, F> {
 }
 
 impl<'a, F: Float> Raw<'a, F> {
-    fn new(y: &'a [F], z: &'a [F], smoothing: F, crowded: F) -> Self {
-        Self { y, z, smoothing, crowded, first: 0, from: F::zero() }
-    }
-
-    fn begin(&mut self) {
-        (self.first, self.from) = (0, F::zero());
-    }
-
-    /// The points from the window's first one on, with their chord lengths.
-    fn points(&self) -> impl Iterator<Item = (usize, F, [F; 2])> + use<'_, 'a, F> {
+    /// The points from the window's first one on, with their numbers.
+    fn points(&self) -> impl Iterator<Item = (usize, Knot<F>)> + use<'_, 'a, F> {
         let mut last: Option<[F; 2]> = None;
         let mut length = self.from;
         let list = self.y.iter().zip(self.z).enumerate().skip(self.first);
@@ -281,31 +273,36 @@ impl<'a, F: Float> Raw<'a, F> {
                 length += chord;
             }
             last = Some(point);
-            Some((i, length, point))
+            Some((i, (length, point)))
         })
+    }
+
+    /// The same points in second place, each with the one before and the next two.
+    fn fours(&self) -> impl Iterator<Item = [Option<Knot<F>>; 4]> + use<'_, 'a, F> {
+        let mut four = [None; 4];
+        let points = self.points().map(|(_, knot)| Some(knot)).chain([None; 2]);
+        let moved = points.map(move |next| {
+            let [_, b, c, d] = four;
+            four = [b, c, d, next];
+            four
+        });
+        moved.skip(2)
     }
 
     /// The curve at a chord length, not smaller than at the last call by more than the window.
     fn at(&mut self, s: F) -> [F; 2] {
         // the window keeps two points before what is needed
         let begin = s - self.smoothing - self.crowded.times(2.0 / CROWDED);
-        let mut before: [Option<(usize, F)>; 2] = [None; 2];
-        for (i, length, _) in self.points() {
-            if length > begin {
-                break;
-            }
-            let [_, last] = before;
-            before = [last, Some((i, length))];
+        let mut points = self.points();
+        let (mut start, mut second) = (points.next(), points.next());
+        for third in points.take_while(|(_, (length, _))| *length <= begin) {
+            (start, second) = (second, Some(third));
         }
-        if let [Some(start), _] = before {
-            (self.first, self.from) = start;
+        if let Some((first, (from, _))) = start {
+            (self.first, self.from) = (first, from);
         }
-        if self.smoothing > F::zero()
-            && let Some(smooth) = self.parabola(s)
-        {
-            return smooth;
-        }
-        self.interpolated(s)
+        let smooth = if self.smoothing > F::zero() { self.parabola(s) } else { None };
+        smooth.unwrap_or_else(|| self.interpolated(s))
     }
 
     /// Least squares over the window.
@@ -313,10 +310,12 @@ impl<'a, F: Float> Raw<'a, F> {
         let mut m = [F::zero(); 5];
         let mut sums = [[F::zero(); 3]; 2];
         let mut count = 0;
-        let mut add = |length: F, point: [F; 2], spacing: F| {
+        for [before, here, next, _] in self.fours() {
+            let (length, point) = here?;
+            let [from, to] = [before, next].map(|knot| knot.map_or(length, |(length, _)| length));
             let x = (length - s) / self.smoothing;
             let rest = (F::one() - x * x).max(F::zero());
-            let mut weight = rest * rest * rest * spacing;
+            let mut weight = rest * rest * rest * (to - from);
             count += i32::from(weight > F::zero());
             for (j, m) in m.iter_mut().enumerate() {
                 *m += weight;
@@ -327,23 +326,9 @@ impl<'a, F: Float> Raw<'a, F> {
                 }
                 weight = weight * x;
             }
-        };
-        let mut points = self.points();
-        let (_, mut before, _) = points.next()?;
-        let mut held = self.points().next();
-        for next in points {
-            if let Some((_, length, point)) = held {
-                add(length, point, next.1 - before);
-                before = length;
-                if length > s + self.smoothing {
-                    held = None;
-                    break;
-                }
+            if x > F::one() {
+                break;
             }
-            held = Some(next);
-        }
-        if let Some((_, length, point)) = held {
-            add(length, point, length - before);
         }
         let [m0, m1, m2, m3, m4] = m;
         let (c0, c1, c2) = (m2 * m4 - m3 * m3, m2 * m3 - m1 * m4, m1 * m3 - m2 * m2);
@@ -354,47 +339,34 @@ impl<'a, F: Float> Raw<'a, F> {
         Some(sums.map(|[s0, s1, s2]| (s0 * c0 + s1 * c1 + s2 * c2) / determinant))
     }
 
-    /// A cubic between two points, with the slopes of parabolas through three.
+    /// A cubic between two points, with the slopes of parabolas through three; beyond the last point this point.
     fn interpolated(&self, s: F) -> [F; 2] {
-        // four points, the place between the middle ones
-        let (mut a, mut b, mut c, mut d) = (None, None, None, None);
-        let mut inside = false;
-        for (_, length, point) in self.points() {
-            (a, b, c, d) = (b, c, d, Some((length, point)));
-            inside = b.is_some() && c.is_some_and(|(length, _): (F, [F; 2])| s <= length);
-            if inside {
-                break;
-            }
-        }
-        if !inside {
-            (a, b, c, d) = (b, c, d, None);
-        }
-        let (Some(b), Some(c)) = (b, c) else { return [F::zero(); 2] };
-        let chord = |p: (F, [F; 2]), q: (F, [F; 2]), i: usize| {
-            let value = |list: [F; 2]| list.get(i).copied().unwrap_or(F::zero());
-            (value(q.1) - value(p.1)) / (q.0 - p.0)
-        };
-        let width = c.0 - b.0;
-        let u = ((s - b.0) / width).clamped(F::zero(), F::one());
-        let along = |i: usize, start: F| {
-            let middle = chord(b, c, i);
-            // slope of the parabola: chords weighted with each other's lengths
-            let slope = |other: Option<(F, [F; 2])>| {
-                other.map_or(middle, |other| {
-                    let (chord, length) = if other.0 < b.0 {
-                        (chord(other, b, i), b.0 - other.0)
-                    } else {
-                        (chord(c, other, i), other.0 - c.0)
-                    };
-                    (middle * length + chord * width) / (length + width)
-                })
+        let mut end = [F::zero(); 2];
+        for [before, from, to, after] in self.fours() {
+            let Some(from) = from else { break };
+            let Some(to) = to.filter(|(length, _)| s <= *length) else {
+                end = from.1;
+                continue;
             };
-            let (from, to) = (slope(a) * width, slope(d) * width);
-            let rise = middle * width;
-            let cubic = from + to - rise.times(2.0);
-            start + u * (from + u * (rise - from - cubic + u * cubic))
-        };
-        let [y, z] = b.1;
-        [along(0, y), along(1, z)]
+            let chord = |(from, [y, z]): Knot<F>, (to, [v, w]): Knot<F>| {
+                [v - y, w - z].map(|rise| rise / (to - from))
+            };
+            let (middle, width) = (chord(from, to), to.0 - from.0);
+            // slope of the parabola: chords weighted with each other's lengths
+            let place = |(at, [y, z]): Knot<F>, other: Option<Knot<F>>| {
+                let [cosine, sine] = other.map_or(middle, |other| {
+                    let length = (other.0 - at).abs();
+                    let [[a, b], [c, d]] = [middle, chord((at, [y, z]), other)];
+                    [[a, c], [b, d]]
+                        .map(|[own, other]| (own * length + other * width) / (length + width))
+                });
+                Place { y, z, cosine, sine }
+            };
+            let u = ((s - from.0) / width).clamped(F::zero(), F::one());
+            return Piece::new(place(from, before), place(to, after), width)
+                .at(u)
+                .map(|along| along.value);
+        }
+        end
     }
 }
