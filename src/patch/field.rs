@@ -3,7 +3,7 @@
 use crate::contact::creepage::Creepage;
 use crate::number::Float;
 use crate::patch::shares::Units;
-use crate::patch::solver::{Problem, Slip, reach, rigid_slip};
+use crate::patch::solver::{Problem, Slip, rigid_slip};
 use crate::patch::{PatchStrip, PatchView};
 use crate::solve::field::{FieldPoint, strip_point};
 use crate::solve::model::{Model, Precision};
@@ -55,7 +55,7 @@ impl<'a, F: Precision> PatchField<'a, F> {
             .strips()
             .iter()
             .fold(F::zero(), |most, strip| most.max(strip.friction * strip.peak_pressure));
-        let slip = rigid_slip(creepage, reach(patch)).times(8.0);
+        let slip = rigid_slip(creepage, patch.sizes().reach).times(8.0);
         if !(traction * slip).is_finite_number() {
             return Err(Error::Overflow);
         }

@@ -71,6 +71,12 @@ impl<F: Float> PatchStrip<F> {
         self.friction * self.load()
     }
 
+    /// `y`, width, half length, `x_c`, pressure and friction.
+    pub(crate) fn numbers(&self) -> [F; 6] {
+        let Self { y, width, half_length, centre_x, peak_pressure, friction } = *self;
+        [y, width, half_length, centre_x, peak_pressure, friction]
+    }
+
     /// The circle with the strip's length, peak pressure and friction: its parameters `ξ, η, ψ` are the
     /// strip's.
     #[must_use]
@@ -93,9 +99,8 @@ impl<F: Float> PatchStrip<F> {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::StripSize`], [`Error::Pressure`], [`Error::Friction`].
     pub fn check(&self) -> Result<(), Error> {
-        let Self { y, width, half_length, centre_x, peak_pressure, friction } = *self;
-        let inputs = [y, width, half_length, centre_x, peak_pressure, friction];
-        if !inputs.iter().all(|input| input.is_finite_number()) {
+        let Self { width, half_length, peak_pressure, friction, .. } = *self;
+        if !self.numbers().iter().all(|input| input.is_finite_number()) {
             return Err(Error::NotFinite);
         }
         if width <= F::zero() || half_length <= F::zero() {
@@ -110,31 +115,60 @@ impl<F: Float> PatchStrip<F> {
         Ok(())
     }
 
-    /// Whether the numbers are of the usual sizes, 1 nm to 1 m and up to TPa: then no check can fail, in either precision.
-    fn is_usual(&self) -> bool {
-        let Self { y, width, half_length, centre_x, peak_pressure, friction } = *self;
-        let (shortest, longest) = (F::of(1e-9), F::of(1.0));
-        y.abs().lies_within(longest)
-            && width.lies_between(shortest, longest)
-            && half_length.lies_between(shortest, longest)
-            && centre_x.abs().lies_within(longest)
-            && peak_pressure.lies_within(F::of(1e12))
-            && friction.lies_within(F::of(5.0))
-    }
-
-    /// Distance of the centre lines over that at which the strips touch.
-    fn distance(&self, next: &Self) -> F {
-        (next.y - self.y) / (self.width.times(0.5) + next.width.times(0.5))
+    /// Distance of the centre lines at which the strips touch.
+    fn touching(&self, next: &Self) -> F {
+        self.width.times(0.5) + next.width.times(0.5)
     }
 
     /// Whether there is a gap before the next strip.
     pub(crate) fn is_apart(&self, next: &Self) -> bool {
-        self.distance(next) > F::constant(1.5)
+        next.y - self.y > self.touching(next).times(1.5)
     }
 
     /// Whether the next strip lies beside this one. The widths of a Gauss rule overlap by up to a quarter.
     fn is_beside(&self, next: &Self) -> bool {
-        self.distance(next) >= F::constant(0.5)
+        next.y > self.y && next.y - self.y >= self.touching(next).times(0.5)
+    }
+}
+
+/// The least and the largest of each number of the strips, and their sum.
+struct Extremes<F> {
+    least: [F; 6],
+    most: [F; 6],
+    sum: [F; 6],
+}
+
+impl<F: Float> Extremes<F> {
+    fn of(strips: &[PatchStrip<F>]) -> Self {
+        let (least, most) = ([F::LARGEST; 6], [-F::LARGEST; 6]);
+        let mut own = Self { least, most, sum: [F::zero(); 6] };
+        for strip in strips {
+            let numbers = strip.numbers();
+            let places = own.least.iter_mut().zip(&mut own.most).zip(&mut own.sum);
+            for (((least, most), sum), number) in places.zip(numbers) {
+                *least = number.min(*least);
+                *most = number.max(*most);
+                *sum += number;
+            }
+        }
+        own
+    }
+
+    /// Whether the numbers are of the usual sizes, 1 nm to 1 m and up to TPa: then no check can fail, in either precision.
+    fn are_usual(&self) -> bool {
+        let (nearest, farthest) =
+            ([-1.0, 1e-9, 1e-9, -1.0, 0.0, 0.0], [1.0, 1.0, 1.0, 1.0, 1e12, 5.0]);
+        let within = |numbers: &[F; 6]| {
+            let bounds = nearest.iter().zip(&farthest);
+            numbers
+                .iter()
+                .zip(bounds)
+                .all(|(x, (low, high))| x.lies_between(F::of(*low), F::of(*high)))
+        };
+        // (what is not a number is neither the least nor the largest)
+        within(&self.least)
+            && within(&self.most)
+            && self.sum.iter().all(|sum| sum.is_finite_number())
     }
 }
 
@@ -167,6 +201,8 @@ pub struct PatchView<'a, F> {
     poisson_ratio: F,
     scale: QuadratureScale<F>,
     mismatch: F,
+    /// Whether there are several lobes.
+    has_gaps: bool,
     sizes: Sizes<F>,
     /// The zone of all strips; none where a gap or a neck divides the patch.
     whole: Option<Zone<F>>,
@@ -198,19 +234,34 @@ impl<'a, F: Float> PatchView<'a, F> {
                 return Err(Error::Overflow);
             }
         }
-        let are_usual = strips.iter().all(PatchStrip::is_usual);
+        let extremes = Extremes::of(strips);
+        let are_usual = extremes.are_usual();
         if !are_usual {
             for strip in strips {
                 strip.check()?;
             }
         }
-        if !strips.iter().zip(strips.iter().skip(1)).all(|(strip, next)| strip.is_beside(next)) {
+        let (mut are_beside, mut has_gaps) = (true, false);
+        for (strip, next) in strips.iter().zip(strips.iter().skip(1)) {
+            are_beside &= strip.is_beside(next);
+            has_gaps |= strip.is_apart(next);
+        }
+        if !are_beside {
             return Err(Error::StripOrder);
         }
         let mismatch = F::zero();
-        let (sizes, whole, of_lobes) = (Sizes::new(strips), None, [None; LOBES]);
-        let mut view =
-            Self { strips, shear_modulus, poisson_ratio, scale, mismatch, sizes, whole, of_lobes };
+        let (sizes, whole, of_lobes) = (Sizes::new(strips, &extremes), None, [None; LOBES]);
+        let mut view = Self {
+            strips,
+            shear_modulus,
+            poisson_ratio,
+            scale,
+            mismatch,
+            has_gaps,
+            sizes,
+            whole,
+            of_lobes,
+        };
         view.whole = view.only_zone();
         if view.whole.is_none() {
             let mut zones = [None; LOBES];
@@ -221,8 +272,8 @@ impl<'a, F: Float> PatchView<'a, F> {
             }
             view.of_lobes = zones;
         }
-        for zone in view.zones() {
-            zone.contact.check().map_err(|_| Error::Overflow)?;
+        if view.find_zone(|zone| zone.contact.check().err()).is_some() {
+            return Err(Error::Overflow);
         }
         if are_usual {
             return Ok(view);
@@ -253,8 +304,8 @@ impl<'a, F: Float> PatchView<'a, F> {
         for zone in self.whole.iter_mut().chain(self.of_lobes.iter_mut().flatten()) {
             zone.contact.mismatch = mismatch;
         }
-        let fits = self.zones().all(|zone| zone.contact.strain().is_finite_number());
-        if fits { Ok(self) } else { Err(Error::Overflow) }
+        let beyond = |zone: &Zone<F>| (!zone.contact.strain().is_finite_number()).then_some(());
+        if self.find_zone(beyond).is_none() { Ok(self) } else { Err(Error::Overflow) }
     }
 
     /// Mismatch `κ` of the materials.
@@ -332,10 +383,11 @@ impl<'a, F: Float> PatchView<'a, F> {
 
     /// The parts of the patch that gaps separate, in ascending `y`.
     pub fn lobes(&self) -> impl Iterator<Item = &'a [PatchStrip<F>]> + use<'a, F> {
-        let mut rest = self.strips;
+        let (mut rest, has_gaps) = (self.strips, self.has_gaps);
         core::iter::from_fn(move || {
             let mut pairs = rest.iter().zip(rest.iter().skip(1));
-            let end = pairs.position(|(strip, next)| strip.is_apart(next));
+            let end = has_gaps.then(|| pairs.position(|(strip, next)| strip.is_apart(next)));
+            let end = end.flatten();
             let (strips, others) = match end.and_then(|last| rest.split_at_checked(last + 1)) {
                 Some(parts) => parts,
                 None => (rest, [].as_slice()),

@@ -39,10 +39,11 @@ impl<F: Precision> Problem<'_, F> {
     ) {
         let QuadratureScale { area, lever } = self.view.scale();
         let mut prepared: Option<Known<F, T, Distribution<T>>> = None;
-        let of_patch = Widths::new(self.view.strips());
+        let of_patch = self.view.sizes().widths;
         for (first, lobe, of_lobe) in self.view.lobes_and_zones() {
+            let is_whole = lobe.len() == self.view.strips().len();
             let alternates = of_patch.alternation > F::zero();
-            let widths = if alternates { Widths::new(lobe) } else { of_patch };
+            let widths = if alternates && !is_whole { Widths::of(lobe) } else { of_patch };
             let count = lobe.len();
             let mut in_lobe = false;
             let alternating = widths.alternation.times(0.5);

@@ -92,13 +92,6 @@ pub(super) fn creepage_at<T: Number>(
     Creepage { longitudinal: longitudinal - spin.scale(y), lateral: lateral + spin.scale(x), spin }
 }
 
-/// Upper bound of the distance of the patch's points from its origin.
-pub(super) fn reach<F: Float>(view: &PatchView<F>) -> F {
-    view.strips().iter().fold(F::zero(), |reach, strip| {
-        reach.max(strip.y.abs() + strip.centre_x.abs() + strip.half_length)
-    })
-}
-
 /// Upper bound of the rigid slip of all points within reach.
 pub(super) fn rigid_slip<F: Float>(creepage: &Creepage<F>, reach: F) -> F {
     creepage.longitudinal.abs() + creepage.lateral.abs() + creepage.spin.abs() * reach
@@ -119,7 +112,7 @@ pub(crate) fn check<F: Precision>(
     model: Model,
 ) -> Result<F, Error> {
     Problem::new(view, creepage, model)?;
-    Ok(rigid_slip(creepage, reach(view)) + most_strain(view))
+    Ok(rigid_slip(creepage, view.sizes().reach) + most_strain(view))
 }
 
 /// A patch, a creepage and a model that fit together.
@@ -140,7 +133,7 @@ impl<'a, F: Precision> Problem<'a, F> {
         if model == Model::Linear {
             return Err(Error::NotInModel);
         }
-        let reach = reach(view);
+        let reach = view.sizes().reach;
         let slip = rigid_slip(creepage, reach) + most_strain(view);
         let bound = view.friction_bound();
         let results = [slip, bound * reach, bound * slip];
@@ -175,10 +168,10 @@ impl<'a, F: Precision> Problem<'a, F> {
             return Notice::Mismatch;
         }
         let first = if matches!(self.model, Model::Strip | Model::Total) {
-            let mut zones = self.view.zones().map(|Zone { contact, .. }| {
-                of(contact.friction_bound(), Parameters::new(&contact, self.creepage))
-            });
-            zones.find(told)
+            self.view.find_zone(|Zone { contact, .. }| {
+                let own = of(contact.friction_bound(), Parameters::new(contact, self.creepage));
+                told(&own).then_some(own)
+            })
         } else {
             let strips = self.view.strips().iter();
             let mut strips = strips

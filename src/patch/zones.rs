@@ -15,7 +15,7 @@
 
 use crate::contact::Contact;
 use crate::number::Float;
-use crate::patch::{PatchStrip, PatchView};
+use crate::patch::{Extremes, PatchStrip, PatchView};
 use core::f64::consts::PI;
 
 /// Neck over the smaller part, below which there is no connection and above which it is full.
@@ -51,6 +51,12 @@ struct Sums<F> {
 }
 
 impl<F: Float> Sums<F> {
+    fn nothing() -> Self {
+        let zero = F::zero();
+        let centre = [zero; 2];
+        Self { load: zero, bound: zero, square: zero, centre, pressure: zero, volume: zero }
+    }
+
     /// Adds a strip; lengths and widths in the units of the patch, places from its middle.
     fn add(&mut self, strip: &PatchStrip<F>, units: &Sizes<F>, centre_x: F, weight: F) {
         let load = strip.load() * weight;
@@ -82,37 +88,30 @@ pub(super) struct Sizes<F> {
     per_width: F,
     /// The middle \[m\].
     y: F,
-    /// One over the width of a strip: the mean over the width, which strips as narrow as one likes do not change \[1/m\].
-    per_strip: F,
+    /// Upper bound of the distance of the points from the origin \[m\].
+    pub reach: F,
+    pub widths: Widths<F>,
 }
 
 impl<F: Float> Sizes<F> {
-    pub fn new(strips: &[PatchStrip<F>]) -> Self {
-        let largest = |of: fn(&PatchStrip<F>) -> F| {
-            strips.iter().fold(F::TINY, |largest, strip| largest.max(of(strip)))
-        };
-        let (length, pressure) =
-            (largest(|strip| strip.half_length), largest(|strip| strip.peak_pressure));
-        let widest = largest(|strip| strip.width);
+    pub fn new(strips: &[PatchStrip<F>], extremes: &Extremes<F>) -> Self {
+        let [leftmost, .., rearmost, _, _] = extremes.least;
+        let [rightmost, widest, length, foremost, pressure, _] = extremes.most;
+        let [widest, length, pressure] = [widest, length, pressure].map(|most| most.max(F::TINY));
         let [low, high] = match (strips.first(), strips.last()) {
             (Some(first), Some(last)) => {
                 [first.y - first.width.times(0.5), last.y + last.width.times(0.5)]
             }
             _ => [F::zero(), F::one()],
         };
-        let (mut sum, mut squares) = (F::TINY, F::TINY);
-        let per_widest = F::one() / widest;
-        for strip in strips {
-            let width = strip.width * per_widest;
-            sum += width;
-            squares += width * width;
-        }
         let width = high - low;
         let [per_length, per_pressure, per_width] =
             [length, pressure, width].map(|unit| F::one() / unit);
         let y = low.times(0.5) + high.times(0.5);
-        let per_strip = sum / squares * per_widest;
-        Self { length, width, per_length, per_pressure, per_width, y, per_strip }
+        let farthest = |least: F, most: F| most.max(-least).max(F::zero());
+        let reach = farthest(leftmost, rightmost) + farthest(rearmost, foremost) + length;
+        let widths = Widths::new(strips, widest);
+        Self { length, width, per_length, per_pressure, per_width, y, reach, widths }
     }
 }
 
@@ -169,12 +168,26 @@ impl<F: Float> PatchView<'_, F> {
     /// The zone of all strips, if no neck and no gap divides the patch.
     pub(crate) fn only_zone(&self) -> Option<Zone<F>> {
         let strips = self.strips();
-        let mut walk = Walk::new(strips.first()?, self.sizes().per_strip);
-        let mut pairs = strips.iter().zip(strips.iter().skip(1));
-        if pairs.all(|(last, next)| walk.pass(last, next) >= F::one()) {
-            self.zone_around(0)
-        } else {
-            None
+        let units = self.sizes();
+        let first = strips.first()?;
+        let mut walk = Walk::new(first, units.widths.per_width);
+        let mut sums = Sums::nothing();
+        let mut last = first;
+        for strip in strips {
+            if walk.pass(last, strip) < F::one() {
+                return None;
+            }
+            sums.add(strip, units, first.centre_x, F::one());
+            last = strip;
+        }
+        Some(self.zone_of(&sums, first))
+    }
+
+    /// Of the zones the first of which something is known.
+    pub(crate) fn find_zone<R>(&self, of: impl Fn(&Zone<F>) -> Option<R>) -> Option<R> {
+        match self.whole() {
+            Some(zone) => of(zone),
+            None => self.zones().find_map(|zone| of(&zone)),
         }
     }
 
@@ -197,7 +210,7 @@ impl<F: Float> PatchView<'_, F> {
 
     /// The zone of all strips of a lobe that begins with this number, where no neck divides it and no other is near.
     pub(crate) fn zone_of_lobe(&self, number: usize, lobe: &[PatchStrip<F>]) -> Option<Zone<F>> {
-        let per_width = self.sizes().per_strip;
+        let per_width = self.sizes().widths.per_width;
         let (first, last) = (lobe.first()?, lobe.last()?);
         let before = number.checked_sub(1).and_then(|i| self.strips().get(i));
         let after = self.strips().get(number + lobe.len());
@@ -217,22 +230,14 @@ impl<F: Float> PatchView<'_, F> {
         let strips = self.strips();
         let (before, rest) = strips.split_at_checked(number)?;
         let (own, after) = rest.split_first()?;
-        let zero = F::zero();
         let units = self.sizes();
-        let Sizes { per_length, per_width, per_strip, .. } = *units;
-        let mut sums = Sums {
-            load: zero,
-            bound: zero,
-            square: zero,
-            centre: [zero; 2],
-            pressure: zero,
-            volume: zero,
-        };
+        let per_strip = units.widths.per_width;
+        let mut sums = Sums::nothing();
         sums.add(own, units, own.centre_x, F::one());
         let mut add = |strip: &PatchStrip<F>, walk: &mut Walk<F>, last: &PatchStrip<F>| {
             let weight = walk.pass(last, strip);
             sums.add(strip, units, own.centre_x, weight);
-            weight > zero
+            weight > F::zero()
         };
         let (mut walk, mut last) = (Walk::new(own, per_strip), own);
         for strip in before.iter().rev() {
@@ -248,7 +253,15 @@ impl<F: Float> PatchView<'_, F> {
             }
             last = strip;
         }
-        let Sums { load, bound, square, centre: [x, y], pressure, volume } = sums;
+        Some(self.zone_of(&sums, own))
+    }
+
+    /// The zone of a strip from the sums over all that it is connected with.
+    fn zone_of(&self, sums: &Sums<F>, own: &PatchStrip<F>) -> Zone<F> {
+        let zero = F::zero();
+        let units = self.sizes();
+        let Sizes { per_length, per_width, .. } = *units;
+        let Sums { load, bound, square, centre: [x, y], pressure, volume } = *sums;
         // (smaller products have no digits left; such a zone carries nothing)
         let load = if load.times(1e-6) > F::TINY { load } else { zero };
         let loaded = load > zero;
@@ -274,14 +287,16 @@ impl<F: Float> PatchView<'_, F> {
             mismatch: self.mismatch(),
         };
         let (x, y) = (own.centre_x + units.length * mean(x, zero), units.y + units.width * y);
-        Some(Zone { x, y, contact })
+        Zone { x, y, contact }
     }
 }
 
 /// Widths of the strips of a lobe or a patch.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Widths<F> {
-    /// One over their mean \[1/m\], one where there are none.
+    /// One over the width of a strip: the mean over the width, which strips as narrow as one likes do not change \[1/m\].
+    pub per_width: F,
+    /// The same for most patches; for a rule of Gauss one over the mean of the strips \[1/m\].
     pub per_mean: F,
     /// One for a rule of Gauss, whose strips take turns with two kinds of nodes along their lengths; none for strips of one
     /// width but a few, which have half of both: then one more strip at the rim turns nothing round.
@@ -289,11 +304,16 @@ pub(crate) struct Widths<F> {
 }
 
 impl<F: Float> Widths<F> {
-    pub(crate) fn new(strips: &[PatchStrip<F>]) -> Self {
-        let widest = strips.iter().fold(F::TINY, |widest, strip| widest.max(strip.width));
+    pub(crate) fn of(strips: &[PatchStrip<F>]) -> Self {
+        Self::new(strips, strips.iter().fold(F::TINY, |widest, strip| widest.max(strip.width)))
+    }
+
+    /// `widest` is the width of the widest.
+    fn new(strips: &[PatchStrip<F>], widest: F) -> Self {
         let (mut count, mut sum, mut squares, mut wide) = (F::zero(), F::TINY, F::TINY, F::zero());
+        let per_widest = F::one() / widest;
         for strip in strips {
-            let width = strip.width / widest;
+            let width = strip.width * per_widest;
             count += F::one();
             sum += width;
             squares += width * width;
@@ -303,7 +323,7 @@ impl<F: Float> Widths<F> {
         let alternation = (F::of(0.74) - wide / sum).times(12.5).clamped(F::zero(), F::one());
         // the mean of the strips of a rule, that over the width of others
         let (of_rule, of_others) = (count / sum, sum / squares);
-        let per_mean = (of_others + (of_rule - of_others) * alternation) / widest;
-        Self { per_mean, alternation }
+        let per_mean = (of_others + (of_rule - of_others) * alternation) * per_widest;
+        Self { per_width: of_others * per_widest, per_mean, alternation }
     }
 }
