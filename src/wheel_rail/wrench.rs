@@ -221,11 +221,10 @@ fn turned<F: Precision, S>(
     solve: impl FnOnce(&PatchView<F>) -> Result<S, Error>,
 ) -> Result<S, Error> {
     let mut turned = *patch;
-    if let Some(strips) = turned.strips.get_mut(..patch.count as usize) {
-        strips.reverse();
-        for strip in strips {
-            (strip.y, strip.centre_x) = (-strip.y, -strip.centre_x);
-        }
+    let ahead = patch.strips.get(..patch.count as usize).unwrap_or(&[]);
+    for (strip, ahead) in turned.strips.iter_mut().zip(ahead.iter().rev()) {
+        *strip = *ahead;
+        (strip.y, strip.centre_x) = (-ahead.y, -ahead.centre_x);
     }
     solve(&turned.view()?)
 }
