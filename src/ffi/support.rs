@@ -105,8 +105,8 @@ pub(super) fn strip_count(strips: i32) -> Result<StripCount, Error> {
     }
 }
 
-/// One model, with as many strips as C asks for.
-#[inline]
+/// One model, with as many strips as C asks for: part of each caller, which then links no other model.
+#[inline(always)]
 pub(super) fn solve_by<F: Precision>(
     model: Model,
     contact: &Contact<F>,
