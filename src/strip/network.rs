@@ -69,8 +69,9 @@ pub(super) struct Layers<'a, F: Plain, const INPUTS: usize, const UNITS: usize> 
 }
 
 impl<F: Plain, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UNITS> {
-    /// The corrections, sums side by side in `P`.
-    #[inline(always)]
+    /// The corrections, sums side by side in `P`. (Out of line where code must be small; wide registers need it within its caller.)
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
     pub fn corrections<T: Number<Base = F>, P: Strips<F>>(
         &self,
         inputs: [T; INPUTS],
@@ -86,17 +87,27 @@ impl<F: Plain, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UN
         let mut outputs = last(&units, row(self.offset), self.output).map(T::from_base);
         // how they move with the inputs, one derivative after the other
         for direction in 0..T::DIRECTIONS {
-            let moves = inputs.iter().map(|x| x.derivative(direction));
-            let mut units = add_rows::<F, P, _>([F::zero(); UNITS], moves, self.input);
-            for (h, slope) in units.iter_mut().zip(&slopes) {
-                *h = *h * *slope;
-            }
-            let moved = last(&units, [F::zero(); CORRECTIONS], self.output);
+            let moved = self.moved::<P>(&slopes, inputs.iter().map(|x| x.derivative(direction)));
             for (output, moves) in outputs.iter_mut().zip(moved) {
                 output.set_derivative(direction, moves);
             }
         }
         outputs
+    }
+
+    /// How the corrections move when the inputs do. (Out of line for the same reason.)
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
+    fn moved<P: Strips<F>>(
+        &self,
+        slopes: &[F; UNITS],
+        moves: impl Iterator<Item = F> + Clone,
+    ) -> [F; CORRECTIONS] {
+        let mut units = add_rows::<F, P, _>([F::zero(); UNITS], moves, self.input);
+        for (h, slope) in units.iter_mut().zip(slopes) {
+            *h = *h * *slope;
+        }
+        last(&units, [F::zero(); CORRECTIONS], self.output)
     }
 }
 

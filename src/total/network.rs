@@ -24,8 +24,10 @@ impl<F: Plain> Network<F> {
         Self { sums: add_rows::<F, F::Four, _>(row(offset), fixed.iter().copied(), weights) }
     }
 
-    /// The corrections for the other inputs, sums side by side in `P`.
-    #[inline(always)]
+    /// The corrections for the other inputs, sums side by side in `P`. (Out of line where code must be small; wide registers need it
+    /// within its caller.)
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
     pub(super) fn corrections<T: Number<Base = F>, P: Strips<F>>(
         &self,
         inputs: [T; INPUTS],
@@ -41,17 +43,28 @@ impl<F: Plain> Network<F> {
         // how they move with the inputs, one derivative after the other
         for direction in 0..T::DIRECTIONS {
             let moves = inputs.iter().map(|x| x.derivative(direction));
-            let units = times(add_rows::<F, P, _>([F::zero(); UNITS_1], moves, first), &slopes_1);
-            let units = times(
-                add_rows::<F, P, _>([F::zero(); UNITS_2], units.iter().copied(), second),
-                &slopes_2,
-            );
-            for (output, moves) in outputs.iter_mut().zip(last_layer(units, [F::zero(); 6])) {
+            let moved = moved::<F, P>(moves, &slopes_1, &slopes_2);
+            for (output, moves) in outputs.iter_mut().zip(moved) {
                 output.set_derivative(direction, moves);
             }
         }
         outputs
     }
+}
+
+/// How the corrections move when the inputs do. (Out of line for the same reason.)
+#[cfg_attr(target_arch = "x86_64", inline(always))]
+#[cfg_attr(not(target_arch = "x86_64"), inline(never))]
+fn moved<F: Plain, P: Strips<F>>(
+    moves: impl Iterator<Item = F> + Clone,
+    slopes_1: &[F; UNITS_1],
+    slopes_2: &[F; UNITS_2],
+) -> [F; 6] {
+    let first = table!(F, rows(&FIRST));
+    let [_, second @ ..] = table!(F, rows(&SECOND));
+    let units = times(add_rows::<F, P, _>([F::zero(); UNITS_1], moves, first), slopes_1);
+    let units = add_rows::<F, P, _>([F::zero(); UNITS_2], units.iter().copied(), second);
+    last_layer(times(units, slopes_2), [F::zero(); 6])
 }
 
 /// The last layer: four chains of sums for each output.
