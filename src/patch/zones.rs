@@ -90,6 +90,7 @@ pub(super) struct Sizes<F> {
     y: F,
     /// Upper bound of the distance of the points from the origin \[m\].
     pub reach: F,
+    /// What the widths of all strips tell.
     pub widths: Widths<F>,
 }
 
