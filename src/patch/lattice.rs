@@ -36,9 +36,9 @@ const NEAR: f64 = 0.5;
 
 pub(super) type Places<F> = Vec<Place<F>, CELLS>;
 
-/// Widths of all zones together.
+/// Widths of all zones together; a zone that has just appeared counts little.
 pub(super) fn width<F: Float>(zones: &Zones<F>) -> Moving<F> {
-    zones.iter().fold(Moving::zero(), |sum, zone| sum + zone.width())
+    zones.iter().fold(Moving::zero(), |sum, zone| sum + zone.width() * zone.density)
 }
 
 /// At most `count` cells, and one more for each zone but the first. A zone that has just appeared has wider cells, so that its number of
@@ -46,8 +46,7 @@ pub(super) fn width<F: Float>(zones: &Zones<F>) -> Moving<F> {
 pub(super) fn lattice<F: Float>(zones: &Zones<F>, count: usize, places: &mut Places<F>) {
     places.clear();
     let count = F::widened(count.min(CELLS - ZONES) as f32);
-    let total = zones.iter().fold(Moving::zero(), |sum, zone| sum + zone.width() * zone.density);
-    let inverse = Moving::from_base(count) / total;
+    let inverse = Moving::from_base(count) / width(zones);
     // what is narrower than rounding, of lengths or of places, is left out
     let far = zones
         .iter()

@@ -27,8 +27,10 @@ const STUB: f64 = 1e-3;
 
 /// Depth of a zone over the approach, from which its cells are as narrow as those of other zones.
 const WHOLE_ZONE: f64 = 0.075;
-/// Height of a gap over the approach, from which it divides two zones entirely.
+/// Height of a gap over the approach, from which it divides two deep zones entirely.
 const WHOLE_GAP: f64 = 0.03;
+/// Depth over the approach, of both zones together, at which half this height divides them.
+const HALF_GAP: f64 = 0.03;
 
 /// A place with the height and slope of the smoothed profile.
 #[derive(Clone, Copy, Debug)]
@@ -50,8 +52,10 @@ pub(super) struct Zone<F> {
     pub to: Moving<F>,
     /// How closely cells lie, between 0 where the zone has just appeared and 1.
     pub density: Moving<F>,
-    /// Share of the gap before that belongs to the zones beside it, between 0 and 1 where the gap has just appeared.
-    closed: Moving<F>,
+    /// By how much the function is less than 0, at most.
+    depth: Moving<F>,
+    /// Height of the gap before.
+    gap: Moving<F>,
 }
 
 impl<F: Float> Zone<F> {
@@ -352,38 +356,53 @@ impl<F: Float> Curve<F> {
             at_end = at_end || (found.begun.is_some() && end.value >= finish);
             found.end(end);
         }
-        join(found.zones);
+        join(found.zones, approach);
         at_end
     }
 }
 
 /// Zones with hardly a gap between them share the gap and the closer cells of the two. So zones part and merge without a jump, although the
-/// width of a gap grows infinitely fast at first.
-fn join<F: Float>(zones: &mut [Zone<F>]) {
+/// width of a gap grows infinitely fast at first. What is hardly a gap depends on the depth of the zones beside it, lest a zone that has
+/// just appeared is joined at once.
+fn join<F: Float>(zones: &mut [Zone<F>], approach: Moving<F>) {
+    // 1 where the gap has just appeared
+    let closed = |before: &Zone<F>, next: &Zone<F>| {
+        let both = (before.depth + next.depth).shift(F::TINY);
+        let depth = before.depth * next.depth / both;
+        let whole = depth * approach.times(WHOLE_GAP) / (depth + approach.times(HALF_GAP));
+        Moving::one() - step(next.gap / whole.shift(F::TINY))
+    };
     let mut rest = &mut *zones;
     while let [before, after @ ..] = rest {
         if let [next, ..] = after {
-            let half = (next.from - before.to).times(0.5) * next.closed;
+            let closed = closed(before, next);
+            let half = (next.from - before.to).times(0.5) * closed;
             before.to += half;
             next.from -= half;
-            next.density = next.density.max(before.density * next.closed);
+            next.density = next.density.max(before.density * closed);
         }
         rest = after;
     }
     let mut rest = zones;
     while let [before @ .., last] = rest {
         if let [.., own] = before {
-            own.density = own.density.max(last.density * last.closed);
+            own.density = own.density.max(last.density * closed(own, last));
         }
         rest = before;
     }
+}
+
+/// `3 x² − 2 x³`, 1 beyond 1
+fn step<F: Float>(x: Moving<F>) -> Moving<F> {
+    let x = x.min(Moving::one());
+    x.squared() * (Moving::constant(3.0) - x.times(2.0))
 }
 
 /// Zones on the way along the profile.
 struct Found<'a, F> {
     zones: &'a mut Zones<F>,
     approach: Moving<F>,
-    /// Where a zone has begun, and how far the gap before is closed.
+    /// Where a zone has begun, and the height of the gap before.
     begun: Option<[Moving<F>; 2]>,
     /// Lowest value since the last zone, highest since this one began.
     lowest: Moving<F>,
@@ -398,13 +417,7 @@ impl<'a, F: Float> Found<'a, F> {
     }
 
     fn begin(&mut self, from: Moving<F>) {
-        self.begun = Some([from, Moving::one() - self.step(self.highest, WHOLE_GAP)]);
-    }
-
-    /// `3 x² − 2 x³` of a height over this share of the approach, 1 beyond it.
-    fn step(&self, height: Moving<F>, share: f64) -> Moving<F> {
-        let x = (height / self.approach.times(share)).min(Moving::one());
-        x.squared() * (Moving::constant(3.0) - x.times(2.0))
+        self.begun = Some([from, self.highest]);
     }
 
     /// Makes room for one more zone: the two zones beside the narrowest gap become one.
@@ -422,6 +435,7 @@ impl<'a, F: Float> Found<'a, F> {
             } else {
                 zone.to = carried.to;
                 zone.density = zone.density.max(carried.density);
+                zone.depth = zone.depth.max(carried.depth);
                 break;
             }
         }
@@ -429,11 +443,12 @@ impl<'a, F: Float> Found<'a, F> {
 
     /// The zone that has begun ends.
     fn end(&mut self, to: Moving<F>) {
-        let density = self.step(-self.lowest, WHOLE_ZONE);
+        let depth = -self.lowest;
+        let density = step(depth / self.approach.times(WHOLE_ZONE));
         self.lowest = Moving::zero();
-        let Some([from, closed]) = self.begun.take() else { return };
+        let Some([from, gap]) = self.begun.take() else { return };
         self.highest = Moving::zero();
-        let zone = Zone { from, to, density, closed };
+        let zone = Zone { from, to, density, depth, gap };
         if !(to.value > from.value) {
             return;
         }
