@@ -15,7 +15,8 @@
 
 use crate::contact::Contact;
 use crate::number::Float;
-use crate::patch::{Extremes, PatchStrip, PatchView};
+use crate::patch::view::Extremes;
+use crate::patch::{PatchStrip, PatchView};
 use core::f64::consts::PI;
 
 /// Neck over the smaller part, below which there is no connection and above which it is full.

@@ -1,0 +1,260 @@
+//! A patch as the solvers see it: strips that have been checked, with their lobes and the ellipses that stand for them.
+
+use crate::contact::material::{check_modulus, check_poisson_ratio};
+use crate::number::Float;
+use crate::patch::zones::{Sizes, Zone};
+use crate::patch::{PatchStrip, QuadratureScale};
+use crate::status::Error;
+
+/// Number of lobes whose zones a view keeps; those of further lobes are found again wherever they are needed.
+const LOBES: usize = 4;
+
+/// A checked patch, whose strips the caller stores.
+#[derive(Clone, Copy, Debug)]
+pub struct PatchView<'a, F> {
+    strips: &'a [PatchStrip<F>],
+    shear_modulus: F,
+    poisson_ratio: F,
+    scale: QuadratureScale<F>,
+    mismatch: F,
+    /// Whether there are several lobes.
+    has_gaps: bool,
+    sizes: Sizes<F>,
+    /// The zone of all strips; none where a gap or a neck divides the patch.
+    whole: Option<Zone<F>>,
+    /// Of a divided patch the zones of the first lobes, where all strips of the lobe have the same.
+    of_lobes: [Option<Zone<F>>; LOBES],
+}
+
+impl<'a, F: Float> PatchView<'a, F> {
+    /// Checks strips in ascending `y`, the combined shear modulus `G` \[Pa\] and Poisson's ratio `ν`. A patch without strips carries
+    /// no load.
+    ///
+    /// # Errors
+    /// Those of [`PatchStrip::check`]; [`Error::Modulus`], [`Error::PoissonRatio`];
+    /// [`Error::StripOrder`] when strips overlap or do not ascend; [`Error::Overflow`] when a sum or the
+    /// axis ratio of a lobe does not fit the floating-point type.
+    pub fn new(
+        strips: &'a [PatchStrip<F>],
+        shear_modulus: F,
+        poisson_ratio: F,
+        scale: QuadratureScale<F>,
+    ) -> Result<Self, Error> {
+        check_modulus(shear_modulus)?;
+        check_poisson_ratio(poisson_ratio)?;
+        for factor in [scale.area, scale.lever] {
+            if !factor.is_finite_number() || factor <= F::zero() {
+                return Err(Error::NotFinite);
+            }
+            if factor < F::constant(1e-6) || factor > F::constant(1e6) {
+                return Err(Error::Overflow);
+            }
+        }
+        let extremes = Extremes::of(strips);
+        let are_usual = extremes.are_usual();
+        if !are_usual {
+            for strip in strips {
+                strip.check()?;
+            }
+        }
+        let (mut are_beside, mut has_gaps) = (true, false);
+        for (strip, next) in strips.iter().zip(strips.iter().skip(1)) {
+            are_beside &= strip.is_beside(next);
+            has_gaps |= strip.is_apart(next);
+        }
+        if !are_beside {
+            return Err(Error::StripOrder);
+        }
+        let mismatch = F::zero();
+        let (sizes, whole, of_lobes) = (Sizes::new(strips, &extremes), None, [None; LOBES]);
+        let mut view = Self {
+            strips,
+            shear_modulus,
+            poisson_ratio,
+            scale,
+            mismatch,
+            has_gaps,
+            sizes,
+            whole,
+            of_lobes,
+        };
+        view.whole = view.only_zone();
+        if view.whole.is_none() {
+            let mut zones = [None; LOBES];
+            let mut first = 0;
+            for (zone, lobe) in zones.iter_mut().zip(view.lobes()) {
+                *zone = view.zone_of_lobe(first, lobe);
+                first += lobe.len();
+            }
+            view.of_lobes = zones;
+        }
+        if view.find_zone(|zone| zone.contact.check().err()).is_some() {
+            return Err(Error::Overflow);
+        }
+        if are_usual {
+            return Ok(view);
+        }
+        for strip in strips {
+            strip.circle(shear_modulus, poisson_ratio).check().map_err(|_| Error::Overflow)?;
+            // (the circle's pressure is zero where its load underflows)
+            if !(strip.friction * strip.peak_pressure).is_finite_number() {
+                return Err(Error::Overflow);
+            }
+        }
+        let sums = [view.friction_bound(), view.normal_force(), view.area() * scale.area];
+        if sums.iter().all(|sum| sum.is_finite_number()) { Ok(view) } else { Err(Error::Overflow) }
+    }
+
+    /// The same patch of unlike materials, with the mismatch `κ` as in [`Contact`].
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`]; [`Error::Overflow`] when the creepage that pressure makes does not fit the floating-point type.
+    pub fn with_mismatch(mut self, mismatch: F) -> Result<Self, Error> {
+        if !mismatch.is_finite_number() {
+            return Err(Error::NotFinite);
+        }
+        self.mismatch = mismatch;
+        if mismatch == F::zero() {
+            return Ok(self);
+        }
+        for zone in self.whole.iter_mut().chain(self.of_lobes.iter_mut().flatten()) {
+            zone.contact.mismatch = mismatch;
+        }
+        let beyond = |zone: &Zone<F>| (!zone.contact.strain().is_finite_number()).then_some(());
+        if self.find_zone(beyond).is_none() { Ok(self) } else { Err(Error::Overflow) }
+    }
+
+    /// Mismatch `κ` of the materials.
+    #[must_use]
+    pub fn mismatch(&self) -> F {
+        self.mismatch
+    }
+
+    /// The strips, ascending in `y`.
+    #[must_use]
+    pub fn strips(&self) -> &'a [PatchStrip<F>] {
+        self.strips
+    }
+
+    /// Combined shear modulus `G` \[Pa\].
+    #[must_use]
+    pub fn shear_modulus(&self) -> F {
+        self.shear_modulus
+    }
+
+    /// Combined Poisson's ratio `ν`.
+    #[must_use]
+    pub fn poisson_ratio(&self) -> F {
+        self.poisson_ratio
+    }
+
+    /// Factors of the quadrature.
+    #[must_use]
+    pub fn scale(&self) -> QuadratureScale<F> {
+        self.scale
+    }
+
+    pub(crate) fn whole(&self) -> Option<&Zone<F>> {
+        self.whole.as_ref()
+    }
+
+    pub(super) fn sizes(&self) -> &Sizes<F> {
+        &self.sizes
+    }
+
+    /// The lobes in ascending `y`, each with the number of its first strip and with its zone, if all its strips have the same.
+    pub(crate) fn lobes_and_zones(
+        &self,
+    ) -> impl Iterator<Item = (usize, &'a [PatchStrip<F>], Option<Zone<F>>)> {
+        let mut first = 0;
+        self.lobes().enumerate().map(move |(number, lobe)| {
+            let begin = first;
+            first += lobe.len();
+            let zone = match (self.whole, self.of_lobes.get(number)) {
+                (Some(whole), _) => Some(whole),
+                (None, Some(known)) => *known,
+                (None, None) => self.zone_of_lobe(begin, lobe),
+            };
+            (begin, lobe, zone)
+        })
+    }
+
+    /// Normal force `N` \[N\].
+    #[must_use]
+    pub fn normal_force(&self) -> F {
+        sum(self.strips, PatchStrip::load)
+    }
+
+    /// `Σ μ N` \[N\]: no tangential force exceeds it.
+    #[must_use]
+    pub fn friction_bound(&self) -> F {
+        sum(self.strips, PatchStrip::friction_bound)
+    }
+
+    /// Contact area `Σ 2 l w` \[m²\].
+    #[must_use]
+    pub fn area(&self) -> F {
+        sum(self.strips, |strip| strip.half_length.times(2.0) * strip.width)
+    }
+
+    /// The parts of the patch that gaps separate, in ascending `y`.
+    pub fn lobes(&self) -> impl Iterator<Item = &'a [PatchStrip<F>]> + use<'a, F> {
+        let (mut rest, has_gaps) = (self.strips, self.has_gaps);
+        core::iter::from_fn(move || {
+            let mut pairs = rest.iter().zip(rest.iter().skip(1));
+            let end = has_gaps.then(|| pairs.position(|(strip, next)| strip.is_apart(next)));
+            let end = end.flatten();
+            let (strips, others) = match end.and_then(|last| rest.split_at_checked(last + 1)) {
+                Some(parts) => parts,
+                None => (rest, [].as_slice()),
+            };
+            rest = others;
+            (!strips.is_empty()).then_some(strips)
+        })
+    }
+}
+
+fn sum<F: Float>(strips: &[PatchStrip<F>], term: impl Fn(&PatchStrip<F>) -> F) -> F {
+    strips.iter().fold(F::zero(), |sum, strip| sum + term(strip))
+}
+
+/// The least and the largest of each number of the strips, and their sum.
+pub(super) struct Extremes<F> {
+    pub(super) least: [F; 6],
+    pub(super) most: [F; 6],
+    pub(super) sum: [F; 6],
+}
+
+impl<F: Float> Extremes<F> {
+    fn of(strips: &[PatchStrip<F>]) -> Self {
+        let (least, most) = ([F::LARGEST; 6], [-F::LARGEST; 6]);
+        let mut own = Self { least, most, sum: [F::zero(); 6] };
+        for strip in strips {
+            let numbers = strip.numbers();
+            let places = own.least.iter_mut().zip(&mut own.most).zip(&mut own.sum);
+            for (((least, most), sum), number) in places.zip(numbers) {
+                *least = number.min(*least);
+                *most = number.max(*most);
+                *sum += number;
+            }
+        }
+        own
+    }
+
+    /// Whether the numbers are of the usual sizes, 1 nm to 1 m and up to TPa: then no check can fail, in either precision.
+    fn are_usual(&self) -> bool {
+        let (nearest, farthest) =
+            ([-1.0, 1e-9, 1e-9, -1.0, 0.0, 0.0], [1.0, 1.0, 1.0, 1.0, 1e12, 5.0]);
+        let within = |numbers: &[F; 6]| {
+            let bounds = nearest.iter().zip(&farthest);
+            numbers
+                .iter()
+                .zip(bounds)
+                .all(|(x, (low, high))| x.lies_between(F::of(*low), F::of(*high)))
+        };
+        // (what is not a number is neither the least nor the largest)
+        within(&self.least)
+            && within(&self.most)
+            && self.sum.iter().all(|sum| sum.is_finite_number())
+    }
+}
