@@ -70,7 +70,10 @@ impl<F: Bits> PreparedNumbers<F> {
         let frame: &Frame<F> = self.part::<_, FRAME>();
         if quick && self.model == Model::Linear as i32 {
             let linear: &Linear<F> = self.part::<_, KNOWN>();
-            return Ok(linear.answer_seen(frame, creepage, true));
+            // (like materials see the creepage itself)
+            let forces =
+                Linear::at_rest(creepage).unwrap_or_else(|| linear.forces(frame, creepage).0);
+            return Ok(Linear::solution(frame, creepage, &forces, F::zero(), true));
         }
         let mut found = Solution::nothing();
         self.solve_other(creepage, quick, &mut found)?;

@@ -210,13 +210,14 @@ fn differentiated<F: Precision, M: Theory<F>>(
     let shift = frame.shift(creepage, M::MODEL);
     let seen = shift.map_or(*creepage, |shift| shift.seen(creepage));
     let bound = frame.contact.friction_bound();
-    let (solution, mut derivatives) = if theory.stiffness().is_none() && bound <= F::zero() {
-        (theory.answer_seen(frame, &seen, ordinary), sliding(&theory, frame, &seen))
+    let (forces, psi, mut derivatives) = if theory.stiffness().is_none() && bound <= F::zero() {
+        let (forces, psi) = theory.forces(frame, &seen);
+        (forces, psi, sliding(&theory, frame, &seen))
     } else {
-        let (forces, psi, derivatives) = with_slopes(&theory, frame, &seen);
-        let forces = M::at_rest(&seen).unwrap_or(forces);
-        (M::solution(frame, &seen, &forces, psi, ordinary), derivatives)
+        with_slopes(&theory, frame, &seen)
     };
+    let forces = M::at_rest(&seen).unwrap_or(forces);
+    let solution = M::solution(frame, &seen, &forces, psi, ordinary);
     if let Some(shift) = shift {
         through_shift(&mut derivatives, &shift, creepage, &frame.contact);
     }

@@ -61,20 +61,12 @@ pub(crate) trait Theory<F: Plain>: Copy {
     where
         F: Float,
     {
-        self.answer_seen(frame, &frame.seen(creepage, Self::MODEL), ordinary)
-    }
-
-    /// The solution for the creepage that the contact sees.
-    #[inline(always)]
-    fn answer_seen(&self, frame: &Frame<F>, creepage: &Creepage<F>, ordinary: bool) -> Solution<F>
-    where
-        F: Float,
-    {
-        let (forces, psi) = match Self::at_rest(creepage) {
+        let seen = &frame.seen(creepage, Self::MODEL);
+        let (forces, psi) = match Self::at_rest(seen) {
             Some(none) => (none, F::zero()),
-            None => self.forces(frame, creepage),
+            None => self.forces(frame, seen),
         };
-        Self::solution(frame, creepage, &forces, psi, ordinary)
+        Self::solution(frame, seen, &forces, psi, ordinary)
     }
 
     /// Forces with power and notice.
