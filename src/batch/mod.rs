@@ -50,26 +50,16 @@ pub fn solve_batch<F: Precision>(
         // (a bad input is found before anything is handed out)
         return solve(0..1, options, &get, &mut put);
     }
+    let case = |i| {
+        let (contact, creepage) = get(i);
+        (contact, creepage, None)
+    };
+    check_each(count, &case, |(contact, creepage, _)| model::check(contact, creepage, options))?;
     #[cfg(target_arch = "x86_64")]
     if HAS_WIDE_CODE && let Some(solved) = side_by_side::solve(count, options, &get, &mut put) {
         return solved;
     }
-    check(0..count, options, &get)?;
     solve(0..count, options, &get, &mut put)
-}
-
-/// # Errors
-/// Those of the first bad input.
-#[inline(never)]
-pub(crate) fn check<F: Precision>(
-    numbers: core::ops::Range<usize>,
-    options: &Options,
-    get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
-) -> Result<(), (usize, Error)> {
-    each(numbers, |i| {
-        let (contact, creepage) = get(i);
-        model::check(&contact, &creepage, options)
-    })
 }
 
 /// One after the other.

@@ -23,7 +23,7 @@ use core::ops::Range;
 /// Contacts that stand side by side at most.
 const MOST: usize = 8;
 
-/// [`batch::solve_batch`] side by side, if the processor has wide registers.
+/// [`batch::solve_batch`] of checked contacts side by side, if the processor has wide registers.
 #[inline]
 pub(super) fn solve<F: Precision>(
     count: usize,
@@ -128,21 +128,10 @@ fn solve_groups<F: Precision>(
     put: &mut impl FnMut(usize, Solution<F>),
 ) -> Result<Notice, (usize, Error)> {
     let whole = count - count % F::Contacts::COUNT;
-    for first in (0..whole).step_by(F::Contacts::COUNT) {
-        let (contact, creepage) = group(first, get);
-        if !contact.is_ordinary(&creepage) {
-            batch::check(first..first + F::Contacts::COUNT, options, get)?;
-        }
-    }
-    batch::check(whole..count, options, get)?;
     let mut worst = Notice::None;
     for first in (0..whole).step_by(F::Contacts::COUNT) {
         let (contact, creepage) = group(first, get);
-        // lost contacts, unlike materials, and those of which something must be said
-        if !(is_alike(&contact)
-            && contact.is_ordinary(&creepage)
-            && contact.normal_force.lies_between(F::Contacts::TINY, F::Contacts::LARGEST))
-        {
+        if !go_together(&contact, &creepage) {
             let alone = first..first + F::Contacts::COUNT;
             worst = worst.worse(batch::solve(alone, options, get, put)?);
             continue;
@@ -182,10 +171,7 @@ fn differentiate_groups<F: Precision>(
             let (contact, creepage, _) = get(i);
             (contact, creepage)
         });
-        if !(is_alike(&contact)
-            && contact.is_ordinary(&creepage)
-            && contact.friction_bound().lies_between(F::Contacts::TINY, F::Contacts::LARGEST))
-        {
+        if !go_together(&contact, &creepage) {
             let found = batch::differentiate_each(numbers, options, get, put);
             worst = worst.worse(found?);
             continue;
@@ -209,10 +195,13 @@ fn differentiate_groups<F: Precision>(
     Ok(worst.worse(batch::differentiate_each(whole..count, options, get, put)?))
 }
 
-/// Whether no pressure adds to the creepage of any.
+/// Whether contacts may be solved side by side: not lost ones, nor those without friction or of unlike materials, nor those of which
+/// something must be said.
 #[inline(always)]
-fn is_alike<L: Plain>(contact: &Contact<L>) -> bool {
+fn go_together<L: Plain>(contact: &Contact<L>, creepage: &Creepage<L>) -> bool {
     contact.mismatch.lies_within(L::zero())
+        && contact.is_ordinary(creepage)
+        && contact.friction_bound().lies_between(L::TINY, L::LARGEST)
 }
 
 /// Contacts side by side.
