@@ -38,14 +38,22 @@ impl<T, const N: usize, A> Lanes<T, N, A> {
     }
 }
 
+/// `computed!(function(other) operation)`: an operation of [`InRegisters::apply`] as a function of two numbers, or without `other` of one.
+macro_rules! computed {
+    ($($function:ident($($other:ident)?) $operation:literal),*) => {$(
+        #[inline(always)]
+        fn $function(self $(, $other: Self)?) -> Self {
+            let [.., last] = [self.0 $(, $other.0)?];
+            Self(T::apply::<$operation, N>(self.0, last), [])
+        }
+    )*};
+}
+
 macro_rules! operators {
-    ($($operator:ident $function:ident $operation:literal $($assigned:ident $assign:ident)?),*) => {$(
+    ($($operator:ident $function:ident($($other:ident)?) $operation:literal $($assigned:ident $assign:ident)?),*) => {$(
         impl<T: InRegisters, const N: usize, A: Alignment> $operator for Lanes<T, N, A> {
             type Output = Self;
-            #[inline(always)]
-            fn $function(self, other: Self) -> Self {
-                Self(T::apply::<$operation, N>(self.0, other.0), [])
-            }
+            computed!($function($($other)?) $operation);
         }
 
         $(impl<T: InRegisters, const N: usize, A: Alignment> $assigned for Lanes<T, N, A> {
@@ -56,15 +64,10 @@ macro_rules! operators {
         })?
     )*};
 }
-operators!(Add add '+' AddAssign add_assign, Sub sub '−' SubAssign sub_assign, Mul mul '×', Div div '÷');
-
-impl<T: InRegisters, const N: usize, A: Alignment> Neg for Lanes<T, N, A> {
-    type Output = Self;
-    #[inline(always)]
-    fn neg(self) -> Self {
-        Self(T::apply::<'~', N>(self.0, self.0), [])
-    }
-}
+operators!(
+    Add add(other) '+' AddAssign add_assign, Sub sub(other) '−' SubAssign sub_assign,
+    Mul mul(other) '×', Div div(other) '÷', Neg neg() '~'
+);
 
 impl<T: InRegisters, const N: usize, A: Alignment> Arithmetic for Lanes<T, N, A> {
     type Bare = Self;
@@ -85,25 +88,10 @@ impl<T: InRegisters, const N: usize, A: Alignment> Arithmetic for Lanes<T, N, A>
     fn value(self) -> Self {
         self
     }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        Self(T::apply::<'√', N>(self.0, self.0), [])
-    }
+    computed!(sqrt() '√', abs() '|', max(other) '>', min(other) '<');
     #[inline(always)]
     fn inverse_root(self) -> Self {
         Self(T::inverse_roots(self.0), [])
-    }
-    #[inline(always)]
-    fn abs(self) -> Self {
-        Self(T::apply::<'|', N>(self.0, self.0), [])
-    }
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        Self(T::apply::<'>', N>(self.0, other.0), [])
-    }
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        Self(T::apply::<'<', N>(self.0, other.0), [])
     }
     #[inline(always)]
     fn choose(self, yes: Self, no: Self) -> Self {
@@ -216,10 +204,6 @@ impl<F: Plain, const N: usize, A: Alignment> Strips<F> for Lanes<F, N, A> {
         self.0.get(i).copied().unwrap_or(F::zero())
     }
     #[inline]
-    fn all(x: F) -> Self {
-        Self([x; N], [])
-    }
-    #[inline]
     fn total(self) -> F {
         let (mut sums, mut half) = (self.0, N / 2);
         while half > 0 {
@@ -246,10 +230,6 @@ macro_rules! twice {
             fn lane(&self, i: usize) -> F {
                 let [first, second] = &self.0;
                 if i < $count { first.lane(i) } else { second.lane(i - $count) }
-            }
-            #[inline]
-            fn all(x: F) -> Self {
-                Self([<$half>::all(x); 2], [])
             }
             #[inline]
             fn total(self) -> F {

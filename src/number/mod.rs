@@ -373,7 +373,13 @@ pub trait Strips<F>: InRegisters {
     /// The number of one.
     fn lane(&self, i: usize) -> F;
     /// The same number for all.
-    fn all(x: F) -> Self;
+    #[inline]
+    fn all(x: F) -> Self
+    where
+        F: Copy,
+    {
+        Self::gather(|_| x)
+    }
     /// Their sum: of the halves, half by half.
     fn total(self) -> F;
 }
