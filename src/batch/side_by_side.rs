@@ -285,7 +285,7 @@ fn slopes_of<L: Plain, M: Theory<L>>(
 }
 
 /// The derivatives of one contact.
-#[inline(always)]
+#[inline]
 fn lane_of<L: Plain + Strips<L::Stored>>(
     slopes: &Derivatives<L>,
     k: usize,

@@ -92,7 +92,7 @@ impl<F: Plain> Creepage<F> {
 
     /// `F_x υx + F_y υy + M_z φ` \[N\]: the power of forces `[F_x, F_y, M_z]` \[N, N, N m\] over the rolling speed;
     /// positive where they follow the slip.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn power(&self, [fx, fy, mz]: [F; 3]) -> F {
         fx * self.longitudinal + fy * self.lateral + mz * self.spin
     }
@@ -167,7 +167,7 @@ impl<T: Number> Parameters<T> {
 const THREE_OVER_PI: f64 = 3.0 / core::f64::consts::PI;
 
 /// `vx/ξ` and `φ/ψ`
-#[inline(always)]
+#[inline]
 fn back<F: Plain>(poisson_ratio: F, axis_ratio: F) -> [F; 2] {
     let one = F::one();
     [one - poisson_ratio, one / axis_ratio.sqrt()].map(|factor| factor.times(THREE_OVER_PI))

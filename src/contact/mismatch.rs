@@ -48,7 +48,7 @@ mod fitted {
 
 impl<F: Plain> Contact<F> {
     /// `κ N/(G a (a + b))`: what [`shift`] multiplies with `−c'` \[–\].
-    #[inline(always)]
+    #[inline]
     pub(crate) fn strain(&self) -> F {
         let Self { a, b, normal_force, shear_modulus, mismatch, .. } = *self;
         mismatch * normal_force / a / (a + b) / shear_modulus

@@ -91,7 +91,7 @@ impl<F: Plain> Contact<F> {
 
     /// `μ N` \[N\]: no tangential force exceeds it.
     #[must_use]
-    #[inline(always)]
+    #[inline]
     pub fn friction_bound(&self) -> F {
         self.friction * self.normal_force
     }
@@ -105,7 +105,7 @@ impl<F: Plain> Contact<F> {
 
     /// `G/(2 μ p₀)`, the factor of (5.13); at most [`Number::HUGE`](crate::number::Number::HUGE), also
     /// without friction or load.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn stiffness_ratio(&self) -> F {
         // G/(2 μ p₀) = (π/3) G a b/(μ N)
         let stiffness = (self.shear_modulus * self.a) * self.b.times(core::f64::consts::PI / 3.0);

@@ -90,7 +90,7 @@ impl<F: Plain> Contact<F> {
     }
 
     /// `G a b` \[N\]
-    #[inline(always)]
+    #[inline]
     pub(crate) fn stiffness(&self) -> F {
         (self.shear_modulus * self.a) * self.b
     }

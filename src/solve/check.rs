@@ -24,7 +24,7 @@ pub fn check<F: Precision>(
 ///
 /// # Errors
 /// Those of [`check`].
-#[inline(always)]
+#[inline]
 pub(crate) fn is_ordinary<F: Precision>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,

@@ -44,7 +44,7 @@ pub(crate) fn eight_one_by_one<T: Number>(
     }
 }
 
-#[inline(always)]
+#[inline]
 fn carried<T: Number, const ROWS: usize>(
     seen: &[(Seen<T>, T); 8],
     inner: [T::Base; 8],

@@ -105,7 +105,7 @@ impl<F: Plain> EllipseStrips<F> {
         power_projected(totals, law.creepage, &self.contact.linear)
     }
 
-    #[inline(always)]
+    #[inline]
     fn values(&self, [fx, fy, by_x, by_y, stick, _]: [F; 6]) -> Totals<F> {
         let mz = by_x * self.contact.root - by_y * self.contact.upright;
         Totals { fx, fy, mz, stick: stick.clamped(F::zero(), F::one()) }

@@ -36,12 +36,12 @@ struct Polynomials<F> {
 
 impl<F: Plain> Polynomials<F> {
     /// `c₀ + c₁ s² + c₂ s⁴`
-    #[inline(always)]
+    #[inline]
     fn even(&self, [c0, c1, c2]: [F; 3]) -> F {
         c0 + self.s2 * (c1 + self.s2 * c2)
     }
 
-    #[inline(always)]
+    #[inline]
     fn evens<const N: usize>(&self, all: &[[F::Stored; 3]; N]) -> [F; N] {
         F::each(all, |c| self.even(row(c)))
     }
