@@ -204,7 +204,7 @@ impl<F: Plain, const M: usize> Pair<Dual<F, M>> for Dual<F::Pair, M> {
             Dual { value: second, gradient: slopes.map(|slope| slope.1) },
         )
     }
-    #[inline]
+    #[inline(always)]
     fn both(x: Dual<F, M>) -> Self {
         Self { value: F::Pair::both(x.value), gradient: x.gradient.map(F::Pair::both) }
     }

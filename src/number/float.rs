@@ -163,7 +163,7 @@ fn inverse_root_f32(x: f32) -> f32 {
 #[inline(always)]
 pub(super) fn even_polynomial<F: Plain>(c: &[F::Stored], z: F) -> F {
     // (no closure: the code of numbers side by side must stand inside that of their caller)
-    #[inline]
+    #[inline(always)]
     fn line<F: Plain>(p: F::Stored, q: F::Stored, z: F) -> F {
         F::stored(p) + F::stored(q) * z
     }

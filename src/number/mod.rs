@@ -342,22 +342,22 @@ pub trait Pair<T: Number>: Arithmetic<Bare = <T::Base as Number>::Pair> {
     /// Take them apart.
     fn parts(self) -> (T, T);
     /// The same number twice.
-    #[inline]
+    #[inline(always)]
     fn both(x: T) -> Self {
         Self::of(x, x)
     }
     /// Both multiplied by a plain number.
-    #[inline]
+    #[inline(always)]
     fn by(self, factor: T::Base) -> Self {
         self.scale(<T::Base as Number>::Pair::both(factor))
     }
     /// A plain number added to both.
-    #[inline]
+    #[inline(always)]
     fn more(self, term: T::Base) -> Self {
         self.shift(<T::Base as Number>::Pair::both(term))
     }
     /// Their sum.
-    #[inline]
+    #[inline(always)]
     fn sum(self) -> T {
         let (first, second) = self.parts();
         first + second

@@ -78,7 +78,7 @@ impl<T: Number> Arc<T> {
     }
 
     /// Between two points, not the whole edge.
-    #[inline]
+    #[inline(always)]
     pub fn between(lower: Edge<T>, upper: Edge<T>) -> Self {
         let (y, c) = (lower.y + upper.y, lower.c + upper.c);
         let (dy, dc) = (upper.y - lower.y, upper.c - lower.c);
