@@ -12,6 +12,7 @@
 
 use crate::number::registers::compiled_twice;
 use crate::number::{Arithmetic, Float, Strips};
+use crate::patch::density::{ZONES, Zones};
 use crate::patch::lattice::{Place, Places, lattice};
 use crate::patch::section::{Moving, side_by_side};
 use crate::patch::smooth::Curve;
@@ -36,7 +37,7 @@ pub(super) struct Estimate<F> {
 }
 
 /// Edges at most.
-const EDGES: usize = 2 * (COUNT + crate::patch::smooth::ZONES);
+const EDGES: usize = 2 * (COUNT + ZONES);
 
 impl<F: Float> Estimate<F> {
     /// The load alone. (Out of line, so that only this function keeps the places.)
@@ -57,7 +58,7 @@ impl<F: Float> Estimate<F> {
     #[inline(never)]
     pub fn fill(&mut self, curve: &Curve<F>, approach: Moving<F>, radius: Moving<F>) {
         let level = approach.times(OVERLAP);
-        let mut zones = Vec::new();
+        let mut zones = Zones::new();
         curve.zones(approach, &mut zones, |_, height, slope| [height - level, slope]);
         let breadth = (radius * approach).times(1.1).sqrt().times(BREADTH);
         let zero = Moving::zero();

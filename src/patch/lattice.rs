@@ -1,12 +1,12 @@
 //! Where the cells of the normal problem lie.
 //!
-//! All zones are laid end to end and divided into cells of one width. A cell is cut where a zone ends. A zone that appears has few cells
-//! at first and moves those of the other zones slowly. The cells do not depend on where the points of the profile lie.
+//! All zones are laid end to end, and the integral of the [density](super::density) of cells over them is divided into equal parts. A cell
+//! is cut where a zone ends. The cells do not depend on where the points of the profile lie.
 
 use crate::number::{Arithmetic, Float};
+use crate::patch::density::{ZONES, Zones};
 use crate::patch::normal::CELLS;
 use crate::patch::section::Moving;
-use crate::patch::smooth::{ZONES, Zones};
 use heapless::Vec;
 
 /// The place of a cell, or of a part of one, on the line `x = 0`.
@@ -36,47 +36,69 @@ const NEAR: f64 = 0.5;
 
 pub(super) type Places<F> = Vec<Place<F>, CELLS>;
 
-/// Widths of all zones together; a zone that has just appeared counts little.
-pub(super) fn width<F: Float>(zones: &Zones<F>) -> Moving<F> {
-    zones.iter().fold(Moving::zero(), |sum, zone| sum + zone.width() * zone.density)
-}
-
-/// At most `count` cells, and one more for each zone but the first. A zone that has just appeared has wider cells, so that its number of
-/// cells grows slowly from zero. (The cells are written where they stay: a copy would take room on the stack.)
-pub(super) fn lattice<F: Float>(zones: &Zones<F>, count: usize, places: &mut Places<F>) {
+/// At most `count` cells, and one more for each zone but the first: the density of the zones decides how wide they are. (The cells are
+/// written where they stay: a copy would take room on the stack.) Returns the integral of the density.
+#[inline(never)]
+pub(super) fn lattice<F: Float>(
+    zones: &Zones<F>,
+    count: usize,
+    places: &mut Places<F>,
+) -> Moving<F> {
     places.clear();
     let count = F::widened(count.min(CELLS - ZONES) as f32);
-    let inverse = Moving::from_base(count) / width(zones);
+    let (mut total, mut far) = (Moving::zero(), F::zero());
+    zones.stretches(&mut |_, stretch| {
+        total += stretch.total();
+        far = far.max(stretch.from.value.abs()).max(stretch.to.value.abs());
+    });
+    let inverse = Moving::from_base(count) / total.shift(F::TINY);
     // what is narrower than rounding, of lengths or of places, is left out
-    let far = zones
-        .iter()
-        .fold(F::zero(), |far, zone| far.max(zone.from.value.abs()).max(zone.to.value.abs()));
     let least = (F::one() + far * inverse.value) * F::EPSILON.times(64.0);
     let zero = Moving::zero();
-    // the place of a zone's beginning, in cells
+    let mut own = Cut { place: zero, at: zero, zone: usize::MAX };
+    // where the next stretch begins, in cells
     let mut begin = zero;
-    for (zone, own) in zones.iter().enumerate() {
-        let density = own.density * inverse;
-        let end = begin + own.width() * density;
-        let each = density.shift(F::TINY).inverse();
-        let (mut at, mut cell) = (begin, (begin.value + least).whole());
-        while at.value < end.value - least {
-            cell = cell.saturating_add(1);
+    let mut cell = 0_i32;
+    let mut add = |from: &Cut<F>, to: &Cut<F>, cell: i32| {
+        let share = to.at - from.at;
+        if share.value > least {
+            let y = (from.place + to.place).times(0.5);
+            let (width, leans) = (to.place - from.place, [zero; 2]);
+            let _ = places.push(Place { y, width, at: y, leans, share, cell, zone: from.zone });
+        }
+    };
+    let mut last = own;
+    zones.stretches(&mut |zone, stretch| {
+        if zone != own.zone {
+            add(&own, &last, cell);
+            own = Cut { place: stretch.from, at: begin, zone };
+            cell = F::whole(begin.value + least).saturating_add(1);
+        }
+        let end = begin + stretch.total() * inverse;
+        loop {
             let next = Moving::from_base(F::widened(cell as f32));
-            let next = if next.value < end.value - least { next } else { end };
-            let share = next - at;
-            if share.value > least {
-                let y = own.from + ((at + next).times(0.5) - begin) * each;
-                let leans = [zero; 2];
-                let place = Place { y, width: share * each, at: y, leans, share, cell, zone };
-                if places.push(place).is_err() {
-                    return;
-                }
+            if !(next.value < end.value - least) || own.at.value >= next.value {
+                break;
             }
-            at = next;
+            let cut = Cut { place: stretch.place((next - begin) / inverse), at: next, zone };
+            add(&own, &cut, cell);
+            own = cut;
+            cell = cell.saturating_add(1);
         }
         begin = end;
-    }
+        last = Cut { place: stretch.to, at: end, zone };
+    });
+    add(&own, &last, cell);
+    total
+}
+
+/// Where cells are cut.
+#[derive(Clone, Copy)]
+struct Cut<F> {
+    place: Moving<F>,
+    /// The same in cells.
+    at: Moving<F>,
+    zone: usize,
 }
 
 /// Couples the pressures of parts of cells, so that parts vanish and merge without a jump. A part `r` of a cell is coupled to its

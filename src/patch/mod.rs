@@ -11,6 +11,7 @@
 //!
 //! The model STRIP needs an axis ratio. It takes that of an ellipse which stands for the strips around ([`zones`]).
 
+mod density;
 mod estimate;
 pub mod field;
 pub mod friction;

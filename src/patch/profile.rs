@@ -15,12 +15,13 @@
 use crate::contact::forces::StripCount;
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::{Arithmetic, Float};
+use crate::patch::density::Zones;
 use crate::patch::estimate::{Estimate, OVERLAP};
-use crate::patch::lattice::{lattice, lean, width};
+use crate::patch::lattice::{lattice, lean};
 use crate::patch::normal::{Cells, Equations, Given};
 pub use crate::patch::section::Profile;
 use crate::patch::section::{Moving, invert};
-use crate::patch::smooth::{Curve, Zones, length_for};
+use crate::patch::smooth::{Curve, length_for};
 use crate::patch::{Patch, PatchStrip};
 use crate::solve::model::Precision;
 use crate::status::{Error, Notice};
@@ -306,12 +307,12 @@ impl<F: Float> Outline<F> {
             Given::Load(load) => Given::Load(load),
             _ => Given::Approach(approach),
         };
-        let mut zones = Vec::new();
+        let mut zones = Zones::new();
         let at_end = touching(&curve, approach, radius_there, &mut zones);
         let mut places = Vec::new();
-        lattice(&zones, number_of_cells(count), &mut places);
+        let width = lattice(&zones, number_of_cells(count), &mut places);
         lean(&mut places);
-        let first_lengths = Lengths::new(width(&zones), section.rolling_radius, approach);
+        let first_lengths = Lengths::new(width, section.rolling_radius, approach);
         cells.place(&places, |y| {
             let height = curve.at(y);
             let radius = profile.rolling_radius(y, radius);

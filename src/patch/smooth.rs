@@ -5,14 +5,13 @@
 //! knots. A profile that is a parabola is not changed, wherever its points lie.
 
 use crate::number::{Arithmetic, Float};
+use crate::patch::density::Zones;
 use crate::patch::parabola::{STEPS, parabola};
 use crate::patch::section::{Moving, Profile};
 use heapless::Vec;
 
 /// Largest number of knots.
 const KNOTS: usize = if cfg!(target_os = "none") { 40 } else { 160 };
-/// Largest number of zones of contact; further zones are joined with their neighbours.
-pub(super) const ZONES: usize = if cfg!(target_os = "none") { 4 } else { 8 };
 /// Largest number of pieces of a whole profile; the step of the knots is not smaller.
 const PIECES: f64 = 4096.0;
 /// Smoothing length of wide contacts \[m\].
@@ -25,13 +24,6 @@ const KNOTS_TO_A_LENGTH: f64 = 5.0;
 /// Where the last piece is shorter than this share of the others, the one before ends the profile.
 const STUB: f64 = 1e-3;
 
-/// Depth of a zone over the approach, from which its cells are as narrow as those of other zones.
-const WHOLE_ZONE: f64 = 0.075;
-/// Height of a gap over the approach, from which it divides two deep zones entirely.
-const WHOLE_GAP: f64 = 0.03;
-/// Depth over the approach, of both zones together, at which half this height divides them.
-const HALF_GAP: f64 = 0.03;
-
 /// A place with the height and slope of the smoothed profile.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Knot<F> {
@@ -42,29 +34,6 @@ pub(super) struct Knot<F> {
     /// Whether a piece joins this knot to the one before.
     joined: bool,
 }
-
-/// A zone where a function is negative.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Zone<F> {
-    /// Where it begins \[m\].
-    pub from: Moving<F>,
-    /// Where it ends \[m\].
-    pub to: Moving<F>,
-    /// How closely cells lie, between 0 where the zone has just appeared and 1.
-    pub density: Moving<F>,
-    /// By how much the function is less than 0, at most.
-    depth: Moving<F>,
-    /// Height of the gap before.
-    gap: Moving<F>,
-}
-
-impl<F: Float> Zone<F> {
-    pub fn width(&self) -> Moving<F> {
-        self.to - self.from
-    }
-}
-
-pub(super) type Zones<F> = Vec<Zone<F>, ZONES>;
 
 /// `c₀ + c₁ t + c₂ t² + c₃ t³` over `t` from 0 to a length.
 #[derive(Clone, Copy)]
@@ -93,17 +62,26 @@ impl<F: Float> Cubic<F> {
     }
 
     /// The places of the beginning, the two extremes and the end.
-    fn cuts(&self) -> [F; 4] {
-        let (length, zero) = (self.length.value, F::zero());
-        let [_, c1, c2, c3] = self.c.map(|c| c.value);
+    fn cuts(&self) -> [Moving<F>; 4] {
+        let (length, zero) = (self.length, Moving::zero());
+        let [_, c1, c2, c3] = self.c;
         // c₁ + 2 c₂ t + 3 c₃ t² = 0 without cancellation
-        let root = c2 * c2 - c1 * c3.times(3.0);
+        let root = (c2.squared() - c1 * c3.times(3.0)).value;
         let mut cuts = [zero, zero, length, length];
-        if root > zero {
+        if root > F::zero() {
             let root = root.sqrt();
-            let q = if c2 < zero { root - c2 } else { -root - c2 };
-            let inside = |t: F| if t > zero && t < length { t } else { zero };
-            let (one, two) = (inside(c1 / q), inside(q / c3.times(3.0)));
+            let half = c2.value;
+            let q = if half < F::zero() { root - half } else { -root - half };
+            let inside = |t: F| {
+                let moves = if t > F::zero() && t < length.value { t } else { return zero };
+                // dt = −(dc₁ + 2 t dc₂ + 3 t² dc₃)/(2 c₂ + 6 c₃ t)
+                let bend = half.times(2.0) + (c3.value * t).times(6.0);
+                let steep = if bend.abs() > F::TINY { F::one() / bend } else { F::zero() };
+                let t = Moving::from_base(moves);
+                let [moved] = self.slope(t).gradient;
+                Moving { value: moves, gradient: [-(moved * steep)] }
+            };
+            let (one, two) = (inside(c1.value / q), inside(q / c3.value.times(3.0)));
             cuts = [zero, one.min(two), one.max(two), length];
         }
         cuts
@@ -118,6 +96,8 @@ pub(super) struct Curve<F> {
     pub lowest: Moving<F>,
     /// Ends of the profile.
     ends: [F; 2],
+    /// Smoothing length \[m\].
+    length: Moving<F>,
     /// Whether the curve counts as constant, without its derivatives by load or approach.
     pub still: bool,
 }
@@ -146,7 +126,8 @@ impl<F: Float> Curve<F> {
         let least = Moving::from_base(whole.times(1.0 / PIECES));
         step = step.max(least);
         let lowest = Moving::from_base(F::zero());
-        let mut curve = Self { knots: Vec::new(), lowest, ends: profile.ends, still: false };
+        let mut curve =
+            Self { knots: Vec::new(), lowest, ends: profile.ends, length: smooth, still: false };
         while !curve.fill(profile, length, level, step) && step.value < whole {
             step = step.times(2.0);
         }
@@ -155,7 +136,7 @@ impl<F: Float> Curve<F> {
             |knot| [knot.height, knot.slope],
             |_, cubic| {
                 for t in cubic.cuts() {
-                    lowest = lowest.min(cubic.at(Moving::from_base(t)));
+                    lowest = lowest.min(cubic.at(t));
                 }
             },
         );
@@ -275,15 +256,15 @@ impl<F: Float> Curve<F> {
     }
 
     /// The zones where a function is negative; returns whether one of them ends with the profile. `of` gives the value and the slope of the
-    /// function from a place, the height there and its slope. Which zones and gaps are whole is measured with the approach. (The zones are
-    /// written where they stay: a copy would take room on the stack.)
+    /// function from a place, the height there and its slope. Depths are measured with the approach. (The zones are written where they stay:
+    /// a copy would take room on the stack.)
     pub fn zones(
         &self,
         approach: Moving<F>,
         zones: &mut Zones<F>,
         of: impl Fn(Moving<F>, Moving<F>, Moving<F>) -> [Moving<F>; 2],
     ) -> bool {
-        let mut found = Found::new(zones, approach);
+        zones.clear(approach, self.seen(self.length));
         let [start, finish] = self.ends;
         let mut at_end = false;
         let at = |knot: &Knot<F>| {
@@ -298,12 +279,9 @@ impl<F: Float> Curve<F> {
                 _ => at(knot),
             };
             if !knot.joined {
-                if let Some((end, _)) = last {
-                    found.end(end);
-                }
-                found.highest = Moving::from_base(F::LARGEST);
+                zones.end();
                 if own[0].value < F::zero() {
-                    found.begin(self.seen(knot.y));
+                    zones.begin(self.seen(knot.y), own);
                     at_end = at_end || knot.y.value <= start;
                 }
             }
@@ -316,8 +294,13 @@ impl<F: Float> Curve<F> {
             let step = next_y - y;
             let fall = (slope.value.abs() + steep.value.abs()) * step.value.times(0.15);
             let least = own[0].value.min(end[0].value);
-            if least > fall.max(approach.value.times(WHOLE_GAP)) {
-                found.highest = found.highest.max(own[0]).max(end[0]);
+            if least > fall {
+                continue;
+            }
+            // nor does it rise farther above them
+            let rise = (own[1].value.abs() + end[1].value.abs()) * step.value.times(0.15);
+            if zones.are_deep(own[0].value.max(end[0].value) + rise) {
+                zones.pass(next_y, end);
                 continue;
             }
             let heights = Cubic::new(step, [height, slope], [high, steep]);
@@ -329,7 +312,7 @@ impl<F: Float> Curve<F> {
             for i in 1..cuts.len() {
                 for k in (0..i).rev() {
                     if let Some([one, two]) = cuts.get_mut(k..k + 2)
-                        && *two < *one
+                        && two.value < one.value
                     {
                         core::mem::swap(one, two);
                     }
@@ -337,126 +320,30 @@ impl<F: Float> Curve<F> {
             }
             let (mut from, mut before) = (zero, own[0]);
             for to in cuts {
-                if to <= from {
+                if to.value <= from.value {
                     continue;
                 }
-                let after = if to < length { exact(Moving::from_base(to))[0] } else { end[0] };
-                found.lowest = found.lowest.min(before).min(after);
-                found.highest = found.highest.max(before).max(after);
-                let (inside, stays) = (before.value < F::zero(), after.value < F::zero());
+                let after = if to.value < length.value { exact(to) } else { end };
+                let (inside, stays) = (before.value < F::zero(), after[0].value < F::zero());
                 if inside && !stays {
-                    found.end(root(exact, from, to) + y);
+                    let end = root(exact, from.value, to.value);
+                    zones.pass(end + y, exact(end));
+                    zones.end();
                 } else if stays && !inside {
-                    found.begin(root(exact, to, from) + y);
+                    let begin = root(exact, to.value, from.value);
+                    zones.begin(begin + y, exact(begin));
                 }
-                (from, before) = (to, after);
+                if stays {
+                    zones.pass(to + y, after);
+                }
+                (from, before) = (to, after[0]);
             }
         }
         if let Some((end, _)) = last {
-            at_end = at_end || (found.begun.is_some() && end.value >= finish);
-            found.end(end);
+            at_end = at_end || (zones.is_open() && end.value >= finish);
         }
-        join(found.zones, approach);
+        zones.end();
         at_end
-    }
-}
-
-/// Zones with hardly a gap between them share the gap and the closer cells of the two. So zones part and merge without a jump, although the
-/// width of a gap grows infinitely fast at first. What is hardly a gap depends on the depth of the zones beside it, lest a zone that has
-/// just appeared is joined at once.
-fn join<F: Float>(zones: &mut [Zone<F>], approach: Moving<F>) {
-    // 1 where the gap has just appeared
-    let closed = |before: &Zone<F>, next: &Zone<F>| {
-        let both = (before.depth + next.depth).shift(F::TINY);
-        let depth = before.depth * next.depth / both;
-        let whole = depth * approach.times(WHOLE_GAP) / (depth + approach.times(HALF_GAP));
-        Moving::one() - step(next.gap / whole.shift(F::TINY))
-    };
-    let mut rest = &mut *zones;
-    while let [before, after @ ..] = rest {
-        if let [next, ..] = after {
-            let closed = closed(before, next);
-            let half = (next.from - before.to).times(0.5) * closed;
-            before.to += half;
-            next.from -= half;
-            next.density = next.density.max(before.density * closed);
-        }
-        rest = after;
-    }
-    let mut rest = zones;
-    while let [before @ .., last] = rest {
-        if let [.., own] = before {
-            own.density = own.density.max(last.density * closed(own, last));
-        }
-        rest = before;
-    }
-}
-
-/// `3 x² − 2 x³`, 1 beyond 1
-fn step<F: Float>(x: Moving<F>) -> Moving<F> {
-    let x = x.min(Moving::one());
-    x.squared() * (Moving::constant(3.0) - x.times(2.0))
-}
-
-/// Zones on the way along the profile.
-struct Found<'a, F> {
-    zones: &'a mut Zones<F>,
-    approach: Moving<F>,
-    /// Where a zone has begun, and the height of the gap before.
-    begun: Option<[Moving<F>; 2]>,
-    /// Lowest value since the last zone, highest since this one began.
-    lowest: Moving<F>,
-    highest: Moving<F>,
-}
-
-impl<'a, F: Float> Found<'a, F> {
-    fn new(zones: &'a mut Zones<F>, approach: Moving<F>) -> Self {
-        zones.clear();
-        let (zero, far) = (Moving::zero(), Moving::from_base(F::LARGEST));
-        Self { zones, approach, begun: None, lowest: zero, highest: far }
-    }
-
-    fn begin(&mut self, from: Moving<F>) {
-        self.begun = Some([from, self.highest]);
-    }
-
-    /// Makes room for one more zone: the two zones beside the narrowest gap become one.
-    fn close_a_gap(&mut self, next: Zone<F>) {
-        let after = self.zones.iter().skip(1).chain([&next]);
-        let gaps = self.zones.iter().zip(after).map(|(zone, next)| (next.from - zone.to).value);
-        let least = gaps
-            .enumerate()
-            .fold((0, F::LARGEST), |least, (i, gap)| if gap < least.1 { (i, gap) } else { least });
-        let mut carried = next;
-        // each zone after the gap moves back by one place
-        for (i, zone) in self.zones.iter_mut().enumerate().rev() {
-            if i > least.0 {
-                core::mem::swap(zone, &mut carried);
-            } else {
-                zone.to = carried.to;
-                zone.density = zone.density.max(carried.density);
-                zone.depth = zone.depth.max(carried.depth);
-                break;
-            }
-        }
-    }
-
-    /// The zone that has begun ends.
-    fn end(&mut self, to: Moving<F>) {
-        let depth = -self.lowest;
-        let density = step(depth / self.approach.times(WHOLE_ZONE));
-        self.lowest = Moving::zero();
-        let Some([from, gap]) = self.begun.take() else { return };
-        self.highest = Moving::zero();
-        let zone = Zone { from, to, density, depth, gap };
-        if !(to.value > from.value) {
-            return;
-        }
-        if self.zones.is_full() {
-            self.close_a_gap(zone);
-        } else {
-            let _ = self.zones.push(zone);
-        }
     }
 }
 

@@ -465,12 +465,14 @@ fn forces_are_smooth_while_points_of_the_gap_come_and_go() {
     }
 }
 
-/// A wheel that is lowered by 10 nm a step carries more with every step, as much as its stiffness says, also where the bodies come close
-/// 7 mm beside the contact, or right beside it.
+/// A wheel that is lowered by 10 nm a step carries more with every step, at least half as much more as with the first, also where the
+/// bodies come close 7 mm beside the contact, right beside it, or over 5 mm at once.
 #[test]
 fn the_load_rises_while_another_zone_appears() {
     let mut stand = Stand::new_profiles();
-    for (shift, from) in [(5.65875e-3, -325e-6), (6.0611e-3, -362e-6)] {
+    for (shift, from, steps) in
+        [(5.65875e-3, -325e-6, 120), (6.0611e-3, -362e-6, 120), (6.0525e-3, -360.5e-6, 500)]
+    {
         let position = Position { lateral: shift - OFFSET, ..Position::default() };
         let mut load = |i: i32| {
             let vertical = from + 1e-8 * f64::from(i);
@@ -478,10 +480,10 @@ fn the_load_rises_while_another_zone_appears() {
         };
         let first = load(0);
         let (mut last, usual) = (first, load(1) - first);
-        for i in 1..=120 {
+        for i in 1..=steps {
             let now = load(i);
             let rise = (now - last) / usual;
-            assert!((rise - 1.0).abs() < 0.1, "{shift}, {i}: {rise}");
+            assert!((0.5..1.4).contains(&rise), "{shift}, {i}: {rise}");
             last = now;
         }
     }

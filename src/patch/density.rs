@@ -1,0 +1,172 @@
+//! How closely the cells of the normal problem lie along the zones of contact.
+//!
+//! The depth `d` of a place is by how much a function that is negative in a zone is less than zero there. The **density** of cells is
+//!
+//! ```text
+//! ρ = min(1, d/d₀ + (l dd/dy/d₀)²)      d₀ = 0.03 δ, l = s/10
+//! ```
+//!
+//! Cells of a contact of ordinary shape are therefore of one width. A zone that has just appeared, or a wide margin where the bodies
+//! hardly touch, takes few cells from the others, and zones part and merge where there are hardly any. So no cell moves as fast as the
+//! end of a zone does that appears or merges.
+
+use crate::number::{Arithmetic, Float};
+use crate::patch::section::Moving;
+use heapless::Vec;
+
+/// Largest number of zones of contact; further zones are joined with the last.
+pub(super) const ZONES: usize = if cfg!(target_os = "none") { 4 } else { 8 };
+/// Largest number of places where the density is kept.
+const PLACES: usize = 40;
+/// `d₀` over the approach.
+const DEEP: f64 = 0.03;
+/// `l` over the smoothing length.
+const REACH: f64 = 0.1;
+
+/// A place in a zone or at its end.
+#[derive(Clone, Copy, Debug)]
+struct Place<F> {
+    /// \[m\]
+    y: Moving<F>,
+    /// `d/d₀ + (l dd/dy/d₀)²`, which may be more than 1.
+    density: Moving<F>,
+}
+
+/// Zones in ascending `y`, with their densities.
+pub(super) struct Zones<F> {
+    /// How many places each has.
+    list: Vec<usize, ZONES>,
+    /// Of all zones; between them the density is linear.
+    places: Vec<Place<F>, PLACES>,
+    /// One over `d₀` \[1/m\].
+    per_deep: Moving<F>,
+    /// `l` \[m\]
+    reach: Moving<F>,
+    /// Number of places before the zone that has begun.
+    begun: Option<usize>,
+}
+
+/// A part of a zone along which the density is linear.
+pub(super) struct Stretch<F> {
+    /// Where it begins \[m\].
+    pub from: Moving<F>,
+    /// Where it ends \[m\].
+    pub to: Moving<F>,
+    /// Density at both ends, from 0 to 1.
+    densities: [Moving<F>; 2],
+}
+
+impl<F: Float> Stretch<F> {
+    /// The integral of the density \[m\].
+    pub fn total(&self) -> Moving<F> {
+        let [one, two] = self.densities;
+        (one + two).times(0.5) * (self.to - self.from)
+    }
+
+    /// Where the integral of the density from the beginning has a value \[m\].
+    pub fn place(&self, part: Moving<F>) -> Moving<F> {
+        // ρ₀ t + (ρ₁ − ρ₀) t²/(2 L) = part, without cancellation
+        let [one, two] = self.densities;
+        let bend = (two - one) * part / (self.to - self.from);
+        let square = one.squared() + bend.times(2.0);
+        let root = square.max(Moving::from_base(F::TINY)).sqrt();
+        (self.from + part.times(2.0) / (one + root)).min(self.to)
+    }
+}
+
+impl<F: Float> Zones<F> {
+    /// No zones.
+    pub fn new() -> Self {
+        let (per_deep, reach) = (Moving::zero(), Moving::zero());
+        Self { list: Vec::new(), places: Vec::new(), per_deep, reach, begun: None }
+    }
+
+    /// Hands every stretch to `take`, with the number of its zone.
+    #[inline(never)]
+    pub fn stretches(&self, take: &mut dyn FnMut(usize, &Stretch<F>)) {
+        let one = Moving::one();
+        let mut rest = self.places.as_slice();
+        for (number, count) in self.list.iter().enumerate() {
+            let Some((own, after)) = rest.split_at_checked(*count) else { return };
+            rest = after;
+            for (before, next) in own.iter().zip(own.iter().skip(1)) {
+                let [low, high] = [before, next].map(|place| place.density.min(one));
+                let apart = [before, next].map(|place| place.density.value - F::one());
+                let (middle, between) = if apart[0] * apart[1] < F::zero() {
+                    // where it is 1
+                    let share = (one - before.density) / (next.density - before.density);
+                    (before.y + share * (next.y - before.y), one)
+                } else {
+                    (next.y, high)
+                };
+                for (from, to, densities) in
+                    [(before.y, middle, [low, between]), (middle, next.y, [between, high])]
+                {
+                    if to.value > from.value {
+                        take(number, &Stretch { from, to, densities });
+                    }
+                }
+            }
+        }
+    }
+
+    /// Forgets all zones; depths are measured with the approach \[m\], slopes with the smoothing length \[m\].
+    pub fn clear(&mut self, approach: Moving<F>, smoothing: Moving<F>) {
+        self.list.clear();
+        self.places.clear();
+        self.per_deep = approach.times(DEEP).inverse();
+        self.reach = smoothing.times(REACH);
+        self.begun = None;
+    }
+
+    /// A zone begins at `y`, where the function has this value and slope. Without room the last zone goes on instead.
+    pub fn begin(&mut self, y: Moving<F>, of: [Moving<F>; 2]) {
+        let known = self.places.len();
+        let room = !self.list.is_full() && known + 3 <= PLACES;
+        let last = if room { None } else { self.list.pop() };
+        self.begun = Some(known - last.unwrap_or(0).min(known));
+        self.pass(y, of);
+    }
+
+    /// The function has this value and slope at `y`, in the zone that has begun or at its end. (Of places where cells are as narrow as
+    /// anywhere only the first and the last are kept.)
+    #[inline(never)]
+    pub fn pass(&mut self, y: Moving<F>, [value, slope]: [Moving<F>; 2]) {
+        let Some(begun) = self.begun else { return };
+        let depth = (-value).max(Moving::zero()) * self.per_deep;
+        let steepness = self.reach * slope * self.per_deep;
+        let place = Place { y, density: depth + steepness.squared() };
+        let deep = |place: &Place<F>| place.density.value >= F::one();
+        let full = self.places.is_full();
+        match self.places.get_mut(begun..) {
+            Some([.., before, last]) if full || (deep(before) && deep(last) && deep(&place)) => {
+                *last = place;
+            }
+            _ => {
+                let _ = self.places.push(place);
+            }
+        }
+    }
+
+    /// Whether cells are as narrow as anywhere where the function has this value, and well beyond.
+    pub fn are_deep(&self, value: F) -> bool {
+        -value * self.per_deep.value >= F::of(2.0)
+    }
+
+    /// The zone that has begun, if one has, ends with the last place.
+    pub fn end(&mut self) {
+        let Some(begun) = self.begun.take() else { return };
+        let own = self.places.get(begun..).unwrap_or(&[]);
+        let (Some(first), Some(last)) = (own.first(), own.last()) else { return };
+        if last.y.value > first.y.value {
+            let _ = self.list.push(own.len());
+        } else {
+            self.places.truncate(begun);
+        }
+    }
+
+    /// Whether a zone has begun and not ended.
+    pub fn is_open(&self) -> bool {
+        self.begun.is_some()
+    }
+}
