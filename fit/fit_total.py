@@ -1,13 +1,14 @@
 """Fit the corrections of the model TOTAL; write src/total/constants.rs and print check values for its tests.
 
-python fit_total.py                         the real fit, from random starts (twenty minutes on one core)
-python fit_total.py --from-stored           the last stage alone, from the stored constants (eight minutes)
+python fit_total.py                         the real fit, from random starts (three quarters of an hour on one core)
+python fit_total.py --from-stored           the stages on all rows alone, from the stored constants (half an hour)
 python fit_total.py --quick                 a few iterations only, to see that everything runs (constants not written)
 python fit_total.py --evaluate [file.csv]   errors of the stored constants, by region
 
 Least squares of all residuals of data/train_slender.csv and of 90 % of data/train.csv, data/train_fine.csv and data/boundary_elements.csv;
 the other 10 % are never trained on and are what "validation" means. Of many random starts, each trained a little on a quarter of the rows, the best
 is trained to the end, together with the constants of the formulas around the network: by Levenberg-Marquardt at first, then by a quasi-Newton descent.
+Out of the minimum where this ends it comes to lower ones: the network grows, descends, and shrinks again, eight times.
 """
 
 import argparse
@@ -34,6 +35,10 @@ FIXED = 5
 WIDTHS = (22, 14)  # units of the two hidden layers
 STARTS, PART = 24, 4  # random starts, and the part of the rows that they are trained on
 FEW, KEPT, MORE, LAST = 80, 8, 12, 80  # steps of each; how many go on, for how many cycles of `quasi_newton`; and cycles of the best on all rows
+HOPS, ADDED = 8, (6, 3)  # how often the network grows and shrinks again, and by how many units of the two hidden layers
+GROW, SETTLE, END = 10, 12, 24  # cycles of the larger network, of the smaller one after it, and of the last one
+AMONG = 100  # random units that those to be added are the best of
+FADING, FADE = (0.03, 0.1, 0.3, 1, 3, 10, 30, 100, 300), 50  # penalty of units that are to go, one cycle each; steps of such a cycle
 OUTPUTS = 6
 CONSTANTS = os.path.join(common.SOURCE, "total", "constants.rs")
 SCALE = np.array([1, 1, 0.55])  # weight of the moment's residual against the force's
@@ -416,6 +421,9 @@ def like(model, p):
 
 
 def penalties(model, penalty):
+    """Of each coefficient; `penalty` may be that already."""
+    if np.ndim(penalty):
+        return penalty
     return np.concatenate([np.full(sum(layer.size for layer in model[:3]), penalty), np.full(len(FRAME), PENALTY_FRAME)])
 
 
@@ -486,7 +494,7 @@ def levenberg_marquardt(model, rows, iterations, label, penalty, damping=1e-4):
     return model
 
 
-def quasi_newton(model, rows, cycles, label, penalty):
+def quasi_newton(model, rows, cycles, label, penalty, steps=DESCENT):
     """Descent along the slope, in coordinates in which the matrix of Levenberg and Marquardt is the identity, formed anew in every cycle.
 
     A slope costs a fortieth of that matrix. The descent learns the curvature that the matrix lacks from the last MEMORY steps.
@@ -501,12 +509,85 @@ def quasi_newton(model, rows, cycles, label, penalty):
             total, by_part = slope_of_squares(like(model, p + solve_triangular(root, y, lower=True, trans="T")), *parts, penalized)
             return float(total), solve_triangular(root, flat([np.array(part) for part in by_part]), lower=True)
 
-        found = minimize(value, np.zeros(len(p)), jac=True, method="L-BFGS-B", options={"maxcor": MEMORY, "maxiter": DESCENT, "ftol": 1e-10, "gtol": 1e-9})
+        found = minimize(value, np.zeros(len(p)), jac=True, method="L-BFGS-B", options={"maxcor": MEMORY, "maxiter": steps, "ftol": 1e-10, "gtol": 1e-9})
         p = p + solve_triangular(root, found.x, lower=True, trans="T")
         if cycle % 4 == 0 or cycle == cycles:
             spent = time.time() - began
             print(f"  {label} cycle {cycle}/{cycles} cost {found.fun / rows.count:.4g}, {spent:.0f} s, at most {spent / cycle * (cycles - cycle):.0f} s more", flush=True)
     return like(model, p)
+
+
+def enlarged(model, rows, hidden, count, random):
+    """With `count` more units of a hidden layer: of many random ones, those whose work in the next layer would lower the sum of squares fastest."""
+
+    def with_units(incoming, outgoing):
+        layers = list(model)
+        layers[hidden] = np.hstack([layers[hidden], incoming])
+        layers[hidden + 1] = np.vstack([layers[hidden + 1], outgoing])
+        return layers
+
+    inputs, following = len(model[hidden]) - 1, model[hidden + 1].shape[1]
+    size = (1.5 if hidden == 0 else 1.0) / np.sqrt(inputs)
+    incoming = np.vstack([0.5 * random.standard_normal((1, AMONG)), size * random.standard_normal((inputs, AMONG))])
+    trial = with_units(incoming, np.zeros((AMONG, following)))
+    slope = np.array(slope_of_squares(trial, *rows.parts(), penalties(trial, PENALTY))[1][hidden + 1][-AMONG:])
+    best = np.argsort(-(slope**2).sum(1))[:count]
+    return with_units(incoming[:, best], 1e-3 * random.standard_normal((count, following)))
+
+
+def outgoing(model, hidden):
+    """Of each unit of a hidden layer: where its coefficients in the next layer are among all."""
+    return list(like(model, np.arange(len(flat(model))))[hidden + 1][1:])
+
+
+def inverse(model, rows):
+    h = normal_equations(model, rows, PENALTY)[0]
+    diagonal = np.diag(h)
+    return np.linalg.inv(h + DAMPING * np.diag(diagonal + 1e-6 * diagonal.max()))
+
+
+def missed_least(model, rows, hidden, count):
+    """Units of a hidden layer, one after the other that without which the sum of squares rises least if all other coefficients follow."""
+    p, h, units, found = flat(model), inverse(model, rows), outgoing(model, hidden), []
+    for _ in range(count):
+        loss = {k: p[at] @ np.linalg.solve(h[np.ix_(at, at)], p[at]) for k, at in enumerate(units) if k not in found}
+        found.append(min(loss, key=loss.get))
+        at = units[found[-1]]
+        follow = np.linalg.solve(h[np.ix_(at, at)], h[at]).T
+        p, h = p - follow @ p[at], h - follow @ h[at]
+        h[at, at] += 1e-12
+    return found
+
+
+def reduced(model, rows, counts, label):
+    """Without those units of the hidden layers that are missed least: a penalty that grows makes their work nearly vanish first."""
+    going = [missed_least(model, rows, hidden, count) for hidden, count in enumerate(counts)]
+    at = np.concatenate([outgoing(model, hidden)[k] for hidden in (0, 1) for k in going[hidden]])
+    penalty = penalties(model, PENALTY)
+    for more in FADING:
+        penalty[at] = PENALTY + more
+        model = quasi_newton(model, rows, 1, f"{label} fading at {more},", penalty, FADE)
+    # the other coefficients follow when the rest of them goes
+    p, h = flat(model), inverse(model, rows)
+    layers = like(model, p - h[:, at] @ np.linalg.solve(h[np.ix_(at, at)], p[at]))
+    for hidden, units in enumerate(going):
+        layers[hidden] = np.delete(layers[hidden], units, 1)
+        layers[hidden + 1] = np.delete(layers[hidden + 1], 1 + np.array(units), 0)
+    return layers
+
+
+def hops(model, rows, count, seed, quick):
+    """Out of one minimum into a lower one: the network grows, descends, and shrinks again; the better of before and after goes on."""
+    random = np.random.default_rng(seed)
+    grow, settle = (1, 1) if quick else (GROW, SETTLE)
+    for k in range(count):
+        label, larger = f"hop {k + 1} of {count}:", model
+        for hidden, added in enumerate(ADDED):
+            larger = enlarged(larger, rows, hidden, added, random)
+        larger = quasi_newton(larger, rows, grow, f"{label} larger,", PENALTY)
+        again = quasi_newton(reduced(larger, rows, ADDED, label), rows, settle, f"{label} as before,", PENALTY)
+        model = min(model, again, key=lambda model: rows.cost(model, PENALTY))
+    return model
 
 
 def start(seed):
@@ -529,7 +610,7 @@ def fit(quick, seed, from_stored):
     own, own_validation = common.own_rows()
     rows = Rows(joined(train, common.load("train_slender.csv"), own, sliding_rows()), slope_rows(), fall_rows())
     print(f"{rows.count} rows to train on, the last {SLIDING} of them of rigid slip, {len(validation['g'])} to validate; saturation curve within {SATURATION_ERROR:.1e}", flush=True)
-    starts, few, kept, more, last = (3, 1, 2, 1, 1) if quick else (STARTS, FEW, KEPT, MORE, LAST)
+    starts, few, kept, more, last, times, end = (3, 1, 2, 1, 1, 1, 1) if quick else (STARTS, FEW, KEPT, MORE, LAST, HOPS, END)
 
     def report():
         common.report(f"  after {time.time() - began:.0f} s", predict(model, validation), validation)
@@ -547,6 +628,10 @@ def fit(quick, seed, from_stored):
         model = min(models, key=lambda model: quarter.cost(model, penalty))
         report()
     model = quasi_newton(model, rows, last, "all rows:", PENALTY)
+    report()
+    model = hops(model, rows, times, seed, quick)
+    report()
+    model = quasi_newton(model, rows, end, "the end:", PENALTY)
     report()
     print(f"fitted in {time.time() - began:.0f} s")
     return model
@@ -614,8 +699,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--evaluate", nargs="*", default=None)
-    parser.add_argument("--from-stored", action="store_true", help="the last stage from the constants in src/total")
-    parser.add_argument("--seed", type=int, default=23, help="of the random starts")
+    parser.add_argument("--from-stored", action="store_true", help="the stages on all rows from the constants in src/total")
+    parser.add_argument("--seed", type=int, default=23, help="of the random starts, and of the units added later")
     parser.add_argument("--output", default=CONSTANTS)
     options = parser.parse_args()
     if options.evaluate is None:
