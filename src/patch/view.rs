@@ -105,7 +105,7 @@ impl<'a, F: Float> PatchView<'a, F> {
         if sums.iter().all(|sum| sum.is_finite_number()) { Ok(view) } else { Err(Error::Overflow) }
     }
 
-    /// The same patch of unlike materials, with the mismatch `κ` as in [`Contact`].
+    /// The same patch of unlike materials, with the mismatch `κ` as in [`Contact`](crate::contact::Contact).
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::Overflow`] when the creepage that pressure makes does not fit the floating-point type.
