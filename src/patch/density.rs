@@ -6,8 +6,8 @@
 //! ρ = min(1, d/d₀ + (l dd/dy/d₀)²)      d₀ = 0.03 δ, l = s/10
 //! ```
 //!
-//! Cells of a contact of ordinary shape are therefore of one width. A zone that has just appeared, or a wide margin where the bodies
-//! hardly touch, takes few cells from the others, and zones part and merge where there are hardly any. So no cell moves as fast as the
+//! with the approach `δ` and the smoothing length `s`. Cells of a contact of ordinary shape are therefore of one width. A zone that has
+//! just appeared, or a wide margin where the bodies hardly touch, takes few cells from the others, and zones part and merge where there are hardly any. So no cell moves as fast as the
 //! end of a zone does that appears or merges.
 
 use crate::number::{Arithmetic, Float};
