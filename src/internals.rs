@@ -19,14 +19,17 @@ pub fn are_wide() -> bool {
     crate::number::registers::are_wide()
 }
 
-/// Whether the quick check accepts a contact and a creepage, and what the complete check finds.
+/// Whether the quick check accepts the sizes of a contact, and those of a creepage where the contact is so small that nothing is implausible
+/// about them; and what the complete check finds.
 pub fn looked_at<F: Precision>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     model: Model,
 ) -> (bool, Result<(), Error>) {
     let found = crate::solve::check::find_fault(contact, creepage, model);
-    (contact.is_usual() && creepage.is_usual(), found)
+    let least = F::of(1e-6);
+    let small = Contact { a: least, b: least, normal_force: F::zero(), ..*contact };
+    (contact.is_usual() && small.is_ordinary(creepage), found)
 }
 
 /// The estimate of friction, its quotient by the used friction, and the number of solutions.

@@ -13,10 +13,9 @@ use crate::friction::{SlipFriction, fastest_slip};
 use crate::number::registers::are_wide;
 use crate::number::{Arithmetic, Number, Plain, Strips, length};
 use crate::solve::derivatives::{Derivatives, with_slopes};
-use crate::solve::frame::{Forces, Frame};
 use crate::solve::notice::{LARGEST_SPIN, RATIOS, linear_notice, notice};
 use crate::solve::options::{Model, Options, Precision, Solution};
-use crate::solve::theory::{Linear, Strip, Strip1967, Theory, Total};
+use crate::solve::theory::{Forces, Frame, Linear, Strip, Strip1967, Theory, Total};
 use crate::status::{Error, Notice};
 use core::ops::Range;
 

@@ -17,9 +17,6 @@ pub struct Creepage<T> {
     pub spin: T,
 }
 
-/// Spin up to which contacts are of the usual sizes \[1/m\].
-pub(crate) const USUAL_SPIN: f64 = 1e4;
-
 /// Velocity of one body's material at the centre of the contact, seen from the contact.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -95,15 +92,6 @@ impl<F: Plain> Creepage<F> {
     #[inline]
     pub(crate) fn power(&self, [fx, fy, mz]: [F; 3]) -> F {
         fx * self.longitudinal + fy * self.lateral + mz * self.spin
-    }
-
-    /// Whether the numbers are of the usual sizes: `|υ|` up to 10, `|φ|` up to 1e4 per metre; see
-    /// [`Contact::is_usual`](Contact).
-    #[inline(always)]
-    pub(crate) fn is_usual(&self) -> bool {
-        self.longitudinal.abs().lies_within(F::of(10.0))
-            && self.lateral.abs().lies_within(F::of(10.0))
-            && self.spin.abs().lies_within(F::of(USUAL_SPIN))
     }
 }
 

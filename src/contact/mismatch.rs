@@ -154,12 +154,6 @@ impl<F: Float> Shift<F> {
         }
     }
 
-    /// The creepage that the contact sees.
-    #[inline]
-    pub(crate) fn seen(&self, creepage: &Creepage<F>) -> Creepage<F> {
-        Creepage { longitudinal: creepage.longitudinal + self.value, ..*creepage }
-    }
-
     /// Of the linear theory.
     pub(crate) fn linear(contact: &Contact<F>) -> Self {
         let value = linear_shift(contact.a / contact.b, contact.strain());

@@ -13,7 +13,6 @@ pub use self::hertz::{from_approach, from_hertz};
 pub use self::plausibility::warning;
 
 use crate::contact::material::{check_modulus, check_poisson_ratio};
-use crate::contact::plausibility::LARGEST_MISMATCH;
 use crate::number::{Float, Plain, are_finite};
 use crate::status::Error;
 
@@ -66,22 +65,6 @@ impl<F: Float> Contact<F> {
 }
 
 impl<F: Plain> Contact<F> {
-    /// Whether the numbers are of the usual sizes, 1 µm to 1 m, up to GN and TPa; of several contacts side by side, whether
-    /// all are. With creepages likewise ([`Creepage::is_usual`](crate::contact::creepage::Creepage)) no check can fail in either
-    /// precision: all products and quotients lie below 1e36. A few comparisons instead of five divisions.
-    #[inline(always)]
-    pub(crate) fn is_usual(&self) -> bool {
-        let Self { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch } = *self;
-        let (shortest, longest) = (F::of(1e-6), F::of(1.0));
-        a.lies_between(shortest, longest)
-            && b.lies_between(shortest, longest)
-            && normal_force.lies_within(F::of(1e9))
-            && shear_modulus.lies_between(F::of(1.0), F::of(1e12))
-            && poisson_ratio.lies_within(F::of(0.5))
-            && friction.lies_within(F::of(5.0))
-            && mismatch.abs().lies_within(F::of(LARGEST_MISMATCH))
-    }
-
     /// Whether there is no contact: `N ≤ 0`. Nothing else of it counts then, as long as it is finite.
     #[must_use]
     #[inline]

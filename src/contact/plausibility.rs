@@ -23,18 +23,18 @@
 //! detected at their end. The spin of a tread contact, 0.1 rad/m, looks in degrees like that of a flange.
 
 use crate::contact::Contact;
-use crate::contact::creepage::{Creepage, USUAL_SPIN};
+use crate::contact::creepage::Creepage;
 use crate::contact::radii::Radii;
 use crate::number::{Float, Plain};
 use crate::status::Notice;
 use core::f64::consts::PI;
 
-// `Contact::is_usual` and `Creepage::is_usual` know the limits of creepage, semi-axes and friction too.
-
 /// Largest plausible `p₀/G`.
 const LARGEST_PRESSURE: f64 = 0.1;
 /// Largest plausible `|υ|`.
 const LARGEST_CREEPAGE: f64 = 10.0;
+/// Spin up to which contacts are of the usual sizes \[1/m\].
+const USUAL_SPIN: f64 = 1e4;
 /// Largest plausible `a`, `b` \[m\].
 const LARGEST_SEMI_AXIS: f64 = 1.0;
 /// Largest plausible `μ`.
@@ -75,15 +75,35 @@ pub fn warning<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>) -> Notice
 }
 
 impl<F: Plain> Contact<F> {
-    /// Whether the numbers have the usual sizes, so that no check can fail and [`warning`] returns nothing; for several contacts side by side,
-    /// whether this holds for all of them. The test takes a few comparisons, and refuses a few contacts that would pass every check.
+    /// Whether the numbers are of the usual sizes, 1 µm to 1 m, up to GN and TPa; of several contacts side by side, whether
+    /// all are. With creepages of such sizes no check can fail in either precision: all products and quotients lie below 1e36. A few
+    /// comparisons instead of five divisions.
+    #[inline(always)]
+    pub(crate) fn is_usual(&self) -> bool {
+        let Self { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch } = *self;
+        let (shortest, longest) = (F::of(1e-6), F::of(LARGEST_SEMI_AXIS));
+        a.lies_between(shortest, longest)
+            && b.lies_between(shortest, longest)
+            && normal_force.lies_within(F::of(1e9))
+            && shear_modulus.lies_between(F::of(1.0), F::of(1e12))
+            && poisson_ratio.lies_within(F::of(0.5))
+            && friction.lies_within(F::of(LARGEST_FRICTION))
+            && mismatch.abs().lies_within(F::of(LARGEST_MISMATCH))
+    }
+
+    /// Whether the numbers and those of the creepage are of the usual sizes, so that no check can fail and [`warning`] returns nothing; for
+    /// several contacts side by side, whether this holds for all of them. The test takes a few comparisons, and refuses a few contacts that
+    /// would pass every check.
     #[inline(always)]
     pub(crate) fn is_ordinary(&self, creepage: &Creepage<F>) -> bool {
+        let Creepage { longitudinal, lateral, spin } = *creepage;
         let load = self.normal_force.times(1.5 / PI);
-        let size = creepage.spin.abs() * self.a;
-        let edge = size * (creepage.spin.abs() * self.b);
+        let size = spin.abs() * self.a;
+        let edge = size * (spin.abs() * self.b);
         self.is_usual()
-            && creepage.is_usual()
+            && longitudinal.abs().lies_within(F::of(LARGEST_CREEPAGE))
+            && lateral.abs().lies_within(F::of(LARGEST_CREEPAGE))
+            && spin.abs().lies_within(F::of(USUAL_SPIN))
             && !load.exceeds(self.stiffness().times(LARGEST_PRESSURE))
             && (!edge.exceeds(F::of(EDGE_SLIP * EDGE_SLIP))
                 || !(size * self.stiffness()).exceeds(load.times(LARGEST_INCLINATION)))

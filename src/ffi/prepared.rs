@@ -2,10 +2,9 @@
 
 use super::checksum::{Bits, checksum};
 use super::support::*;
-use crate::solve::check::is_ordinary;
-use crate::solve::frame::Frame;
+use crate::solve::check::find_fault;
 use crate::solve::prepared::Known;
-use crate::solve::theory::{Linear, Strip, Strip1967, Theory, Total};
+use crate::solve::theory::{Frame, Linear, Strip, Strip1967, Theory, Total};
 use crate::strip;
 use core::hint::black_box;
 use core::mem::offset_of;
@@ -16,7 +15,7 @@ pub(super) const ROOM: usize = 96;
 const QUICK_SUM: usize = 0;
 /// Where that of everything from the frame on that the model reads stands.
 const WHOLE_SUM: usize = 1;
-/// Where `w` stands: where `|υx| + |υy| + w |φ| ≤ 10` no check of [`is_ordinary`] can fail; infinite where each has to be looked at, and of
+/// Where `w` stands: where `|υx| + |υy| + w |φ| ≤ 10` no check of [`find_fault`] can fail; infinite where each has to be looked at, and of
 /// unlike materials, whose pressure moves the creepage.
 const PER_SPIN: usize = 2;
 /// Where the [`Frame`] begins, and then what the model knows.
@@ -92,7 +91,10 @@ impl<F: Bits> PreparedNumbers<F> {
         let strips = StripCount::from_number(self.strips).ok_or(Error::NotPrepared)?;
         Error::NotPrepared.unless(self.words()[WHOLE_SUM] == self.whole_sum(model))?;
         let frame: &Frame<F> = self.part::<_, FRAME>();
-        let ordinary = quick || is_ordinary(&frame.contact, creepage, model)?;
+        let ordinary = quick || frame.contact.is_ordinary(creepage);
+        if !ordinary {
+            find_fault(&frame.contact, creepage, model)?;
+        }
         if !quick && frame.contact.is_lost() {
             return Ok(());
         }

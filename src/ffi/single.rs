@@ -177,7 +177,7 @@ pub extern "C" fn kstrip_solve_total_f32(
     creepage: Option<&Creepage<f32>>,
     result: Option<&mut MaybeUninit<Solution<f32>>>,
 ) -> kstrip_status {
-    solved(result, || solve_by(Model::Total, given(contact)?, given(creepage)?, 0))
+    solved(result, || Total::solve(given(contact)?, given(creepage)?, &Options::default()))
 }
 
 /// kstrip_solve_strip() in single precision.
@@ -188,7 +188,10 @@ pub extern "C" fn kstrip_solve_strip_f32(
     strips: i32,
     result: Option<&mut MaybeUninit<Solution<f32>>>,
 ) -> kstrip_status {
-    solved(result, || solve_by(Model::Strip, given(contact)?, given(creepage)?, strips))
+    solved(result, || {
+        let options = Options { strips: strip_count(strips)?, ..Options::default() };
+        Strip::solve(given(contact)?, given(creepage)?, &options)
+    })
 }
 
 /// kstrip_solve_strip_1967() in single precision.
@@ -199,7 +202,10 @@ pub extern "C" fn kstrip_solve_strip_1967_f32(
     strips: i32,
     result: Option<&mut MaybeUninit<Solution<f32>>>,
 ) -> kstrip_status {
-    solved(result, || solve_by(Model::Strip1967, given(contact)?, given(creepage)?, strips))
+    solved(result, || {
+        let options = Options { strips: strip_count(strips)?, ..Options::default() };
+        Strip1967::<false>::solve(given(contact)?, given(creepage)?, &options)
+    })
 }
 
 /// kstrip_solve_linear() in single precision.
@@ -209,7 +215,7 @@ pub extern "C" fn kstrip_solve_linear_f32(
     creepage: Option<&Creepage<f32>>,
     result: Option<&mut MaybeUninit<Solution<f32>>>,
 ) -> kstrip_status {
-    solved(result, || solve_by(Model::Linear, given(contact)?, given(creepage)?, 0))
+    solved(result, || Linear::solve(given(contact)?, given(creepage)?, &Options::default()))
 }
 
 /// kstrip_result_on_upper_body() in single precision.

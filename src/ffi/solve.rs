@@ -131,7 +131,7 @@ pub extern "C" fn kstrip_solve_total(
     creepage: Option<&Creepage<f64>>,
     result: Option<&mut MaybeUninit<Solution<f64>>>,
 ) -> kstrip_status {
-    solved(result, || solve_by(Model::Total, given(contact)?, given(creepage)?, 0))
+    solved(result, || Total::solve(given(contact)?, given(creepage)?, &Options::default()))
 }
 
 /// kstrip_solve() with KSTRIP_MODEL_STRIP; a program that calls only this links no other model.
@@ -145,7 +145,10 @@ pub extern "C" fn kstrip_solve_strip(
     strips: i32,
     result: Option<&mut MaybeUninit<Solution<f64>>>,
 ) -> kstrip_status {
-    solved(result, || solve_by(Model::Strip, given(contact)?, given(creepage)?, strips))
+    solved(result, || {
+        let options = Options { strips: strip_count(strips)?, ..Options::default() };
+        Strip::solve(given(contact)?, given(creepage)?, &options)
+    })
 }
 
 /// kstrip_solve() with KSTRIP_MODEL_STRIP_1967; a program that calls only this links no other model.
@@ -159,7 +162,10 @@ pub extern "C" fn kstrip_solve_strip_1967(
     strips: i32,
     result: Option<&mut MaybeUninit<Solution<f64>>>,
 ) -> kstrip_status {
-    solved(result, || solve_by(Model::Strip1967, given(contact)?, given(creepage)?, strips))
+    solved(result, || {
+        let options = Options { strips: strip_count(strips)?, ..Options::default() };
+        Strip1967::<false>::solve(given(contact)?, given(creepage)?, &options)
+    })
 }
 
 /// kstrip_solve() with KSTRIP_MODEL_LINEAR; a program that calls only this links no other model.
@@ -171,7 +177,7 @@ pub extern "C" fn kstrip_solve_linear(
     creepage: Option<&Creepage<f64>>,
     result: Option<&mut MaybeUninit<Solution<f64>>>,
 ) -> kstrip_status {
-    solved(result, || solve_by(Model::Linear, given(contact)?, given(creepage)?, 0))
+    solved(result, || Linear::solve(given(contact)?, given(creepage)?, &Options::default()))
 }
 
 /// The same result seen from the upper body: opposite forces and moment, same power and adhesion.

@@ -23,6 +23,7 @@ pub(super) use crate::solve::model::{
     self, Field, Model, Options, Precision, Solution, StripResult,
 };
 pub(super) use crate::solve::prepared::Prepared;
+pub(super) use crate::solve::theory::{Linear, Strip, Strip1967, Theory, Total};
 pub(super) use crate::status::{Error, Notice};
 pub(super) use crate::wheel_rail::contacts::{self, WheelContact};
 pub(super) use crate::wheel_rail::scene::Workspace;
@@ -103,18 +104,6 @@ pub(super) fn strip_count(strips: i32) -> Result<StripCount, Error> {
     } else {
         StripCount::from_number(strips).ok_or(Error::StripCount)
     }
-}
-
-/// One model, with as many strips as C asks for: part of each caller, which then links no other model.
-#[inline(always)]
-pub(super) fn solve_by<F: Precision>(
-    model: Model,
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    strips: i32,
-) -> Result<Solution<F>, Error> {
-    let options = Options { model, strips: strip_count(strips)? };
-    model::solve_inline(contact, creepage, &options)
 }
 
 /// What was found, where it stands.

@@ -4,7 +4,7 @@ use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::friction::{self, SlipFriction};
 use crate::number::{Float, are_finite};
-use crate::solve::check::is_ordinary;
+use crate::solve;
 use crate::solve::derivatives::{Derivatives, Slopes, solve_with_slopes};
 use crate::solve::options::{Model, Options, Precision, Solution};
 use crate::status::{Error, Notice};
@@ -220,18 +220,18 @@ pub(crate) fn check<F: Precision>(
     law: Option<&SlipFriction<F>>,
     options: &Options,
 ) -> Result<(), Error> {
-    let (ordinary, (friction, steepness)) = match law {
+    let (friction, steepness) = match law {
         Some(law) => {
             friction::check(contact, creepage, law, options)?;
-            (contact.is_ordinary(creepage), law.least(contact, creepage))
+            law.least(contact, creepage)
         }
         None => {
-            let ordinary = is_ordinary(contact, creepage, options.model)?;
-            (ordinary, (contact.friction, F::zero()))
+            solve::check::check(contact, creepage, options)?;
+            (contact.friction, F::zero())
         }
     };
     // Slopes are those of linear theory, over the bound at most so many, and grow tenfold through friction.
-    let fit = ordinary
+    let fit = contact.is_ordinary(creepage)
         && contact.stiffness() <= Contact { friction, ..*contact }.friction_bound().times(1e6)
         && steepness < F::constant(0.9);
     if fit || contact.is_lost() {

@@ -17,25 +17,16 @@ pub fn check<F: Precision>(
     creepage: &Creepage<F>,
     options: &Options,
 ) -> Result<(), Error> {
-    is_ordinary(contact, creepage, options.model).map(|_| ())
+    if contact.is_ordinary(creepage) {
+        return Ok(());
+    }
+    find_fault(contact, creepage, options.model)
 }
 
-/// Checks the inputs, and tells whether [`warning`](crate::contact::warning) returns nothing.
+/// The complete check, for inputs that are not [ordinary](Contact::is_ordinary).
 ///
 /// # Errors
 /// Those of [`check`].
-#[inline]
-pub(crate) fn is_ordinary<F: Precision>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    model: Model,
-) -> Result<bool, Error> {
-    if contact.is_ordinary(creepage) {
-        return Ok(true);
-    }
-    find_fault(contact, creepage, model).map(|()| false)
-}
-
 #[cold]
 #[inline(never)]
 pub(crate) fn find_fault<F: Precision>(

@@ -30,10 +30,9 @@ use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::forces::Totals;
 use crate::contact::mismatch::Shift;
 use crate::number::{Float, Plain};
-use crate::solve::check::is_ordinary;
-use crate::solve::frame::{Forces, Frame};
+use crate::solve::check::find_fault;
 use crate::solve::options::{Model, Options, Precision, Solution};
-use crate::solve::theory::{Linear, Strip, Strip1967, Theory, Total};
+use crate::solve::theory::{Forces, Frame, Linear, Strip, Strip1967, Theory, Total};
 use crate::status::Error;
 use nalgebra::Matrix3;
 
@@ -101,7 +100,10 @@ pub(crate) fn solve_with_slopes<F: Precision>(
     creepage: &Creepage<F>,
     options: &Options,
 ) -> Result<(Solution<F>, Slopes<F>), Error> {
-    let ordinary = is_ordinary(contact, creepage, options.model)?;
+    let ordinary = contact.is_ordinary(creepage);
+    if !ordinary {
+        find_fault(contact, creepage, options.model)?;
+    }
     if contact.is_lost() {
         return Ok((Solution::nothing(), Slopes::nothing()));
     }
@@ -207,8 +209,7 @@ fn differentiated<F: Precision, M: Theory<F>>(
     ordinary: bool,
 ) -> (Solution<F>, Slopes<F>) {
     let theory = M::of_contact(frame, options);
-    let shift = frame.shift(creepage, M::MODEL);
-    let seen = shift.map_or(*creepage, |shift| shift.seen(creepage));
+    let (seen, shift) = frame.seen(creepage, M::MODEL);
     let bound = frame.contact.friction_bound();
     let (forces, psi, mut derivatives) = if theory.stiffness().is_none() && bound <= F::zero() {
         let (forces, psi) = theory.forces(frame, &seen);

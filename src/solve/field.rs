@@ -5,9 +5,9 @@ use crate::contact::creepage::{Creepage, Parameters};
 use crate::linear::LinearCoefficients;
 use crate::number::Float;
 use crate::solve::check::check;
-use crate::solve::frame::Frame;
 use crate::solve::notice::notice_of;
 use crate::solve::options::{Model, Options, Precision};
+use crate::solve::theory::Frame;
 use crate::status::{Error, Notice};
 use crate::strip::{Distribution, Flexibilities, StripGeometry};
 use crate::strip_1967::strip::{SlidingRule, State, Strip, StripPoint};
@@ -102,7 +102,7 @@ impl<F: Precision> Field<F> {
         let creepage = &if contact.is_lost() {
             *creepage
         } else {
-            Frame::of(contact).seen(creepage, options.model)
+            Frame::of(contact).seen(creepage, options.model).0
         };
         let parameters = Parameters::new(contact, creepage);
         // What a point dissipates: traction times slip, which is of the size of the rigid slip, and as

@@ -3,10 +3,9 @@
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::number::Plain;
-use crate::solve::check::is_ordinary;
-use crate::solve::frame::Frame;
+use crate::solve::check::find_fault;
 use crate::solve::options::{Model, Options, Precision, Solution};
-use crate::solve::theory::{Linear, Strip, Strip1967, Theory, Total};
+use crate::solve::theory::{Frame, Linear, Strip, Strip1967, Theory, Total};
 use crate::status::Error;
 
 /// A contact and a model, ready for creepages.
@@ -70,7 +69,10 @@ impl<F: Precision> Prepared<F> {
     /// Those of [`solve`](crate::solve::model::solve).
     pub fn solve(&self, creepage: &Creepage<F>) -> Result<Solution<F>, Error> {
         let frame = &self.frame;
-        let ordinary = is_ordinary(&frame.contact, creepage, self.options.model)?;
+        let ordinary = frame.contact.is_ordinary(creepage);
+        if !ordinary {
+            find_fault(&frame.contact, creepage, self.options.model)?;
+        }
         if frame.contact.is_lost() {
             return Ok(Solution::nothing());
         }

@@ -5,10 +5,9 @@ use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::forces::{StripCount, Totals};
 use crate::linear::LinearCoefficients;
 use crate::solve::check::check;
-use crate::solve::frame::Frame;
 use crate::solve::notice::notice_of;
 use crate::solve::options::{Model, Options, Precision};
-use crate::solve::theory::sliding_rule;
+use crate::solve::theory::{Frame, sliding_rule};
 use crate::status::{Error, Notice};
 use crate::strip::{EllipseStrips, Rule};
 use crate::strip_1967::strip::State;
@@ -74,7 +73,7 @@ pub fn strips<F: Precision>(
         return Ok(Notice::None);
     }
     let frame = Frame::of(contact);
-    let creepage = &frame.seen(creepage, options.model);
+    let (creepage, _) = &frame.seen(creepage, options.model);
     let parameters = frame.units.parameters(creepage);
     let bound = contact.friction_bound();
     let mut share = |strip: PlacedStrip<F>| {

@@ -1,18 +1,115 @@
-//! What a model makes of a contact, and what it answers to a creepage: each model has code of its own, so that a program
-//! that calls one links no other.
+//! From a contact and a creepage to forces: the contact in the units of the theory, what a model makes of it, and what the model answers to
+//! a creepage. Each model has code of its own, so that a program that calls one links no other.
 
 use crate::contact::Contact;
-use crate::contact::creepage::{Creepage, Parameters};
+use crate::contact::creepage::{Creepage, Parameters, Units};
 use crate::contact::forces::Totals;
+use crate::contact::mismatch::Shift;
 use crate::linear::LinearCoefficients;
-use crate::number::{Float, Number, Plain};
-use crate::solve::frame::{Forces, Frame};
+use crate::number::{Arithmetic, Float, Number, Pair, Plain};
+use crate::solve::check::find_fault;
 use crate::solve::notice::{linear_notice_of, neglected, notice, warned};
-use crate::solve::options::{Model, Options, Solution};
+use crate::solve::options::{Model, Options, Precision, Solution};
+use crate::status::Error;
 use crate::strip_1967::{self, strip::SlidingRule};
 
 pub(crate) use crate::strip::EllipseStrips as Strip;
 pub(crate) use crate::total::Total;
+
+/// Forces for a contact and a creepage.
+///
+/// # Errors
+/// Those of [`Contact::check`] and [`Creepage::check`]; [`Error::Overflow`] when a force or the power
+/// does not fit the floating-point type.
+///
+/// # Example
+/// A wheel on a rail, 0.1 % longitudinal creepage:
+/// ```
+/// use kstrip::{contact::Contact, contact::creepage::Creepage, solve::model::{solve, Options}};
+/// let contact = Contact {
+///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
+///     mismatch: 0.0,
+/// };
+/// let creepage = Creepage { longitudinal: 1e-3, lateral: 0.0, spin: 0.0 };
+/// let forces = solve(&contact, &creepage, &Options::default())?;
+/// assert!(forces.fx > 0.0 && forces.fx < 24e3 && forces.fy == 0.0);
+/// # Ok::<(), kstrip::status::Error>(())
+/// ```
+pub fn solve<F: Precision>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    options: &Options,
+) -> Result<Solution<F>, Error> {
+    match options.model {
+        Model::Strip1967 => Strip1967::<false>::solve(contact, creepage, options),
+        Model::Strip1967Continuous => Strip1967::<true>::solve(contact, creepage, options),
+        Model::Strip => Strip::solve(contact, creepage, options),
+        Model::Total => Total::solve(contact, creepage, options),
+        Model::Linear => Linear::solve(contact, creepage, options),
+    }
+}
+
+/// A contact in the units of the theory: numbers only.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Frame<F> {
+    pub(crate) contact: Contact<F>,
+    /// `√(ab)` \[m\]
+    pub(crate) radius: F,
+    pub(crate) units: Units<F>,
+}
+
+impl<F: Plain> Frame<F> {
+    #[inline(always)]
+    pub(crate) fn of(contact: &Contact<F>) -> Self {
+        let (root_a, root_b) = F::Pair::of(contact.a, contact.b).sqrt().parts();
+        Self { contact: *contact, radius: root_a * root_b, units: Units::of(contact) }
+    }
+
+    /// The creepage that the contact sees, and what pressure adds to it in unlike bodies; nothing in like bodies and in the theory of 1967.
+    #[inline(always)]
+    pub(crate) fn seen(
+        &self,
+        creepage: &Creepage<F>,
+        model: Model,
+    ) -> (Creepage<F>, Option<Shift<F>>)
+    where
+        F: Float,
+    {
+        if self.contact.mismatch == F::zero() || model.is_of_1967() {
+            return (*creepage, None);
+        }
+        let shift = match model {
+            Model::Linear => Shift::linear(&self.contact),
+            _ => Shift::new(&self.contact, &self.units, creepage),
+        };
+        let longitudinal = creepage.longitudinal + shift.value;
+        (Creepage { longitudinal, ..*creepage }, Some(shift))
+    }
+
+    /// `a/b` and `ν`, and the coefficients for them.
+    #[inline(always)]
+    pub(crate) fn shape(&self) -> (F, F, LinearCoefficients<F>) {
+        let (ratio, poisson_ratio) = (self.units.axis_ratio, self.contact.poisson_ratio);
+        (ratio, poisson_ratio, LinearCoefficients::at(ratio, poisson_ratio))
+    }
+
+    /// Forces in newtons from `F/(μ N)` and `M_z/(μ N √(ab))`.
+    #[inline(always)]
+    pub(crate) fn forces(&self, totals: Totals<F>) -> Forces<F> {
+        let bound = self.contact.friction_bound();
+        let Totals { fx, fy, mz, stick } = totals;
+        Forces { fx: fx * bound, fy: fy * bound, mz: mz * (bound * self.radius), adhesion: stick }
+    }
+}
+
+/// Forces in newtons, moment in newton metres, share in adhesion.
+pub(crate) struct Forces<T> {
+    pub(crate) fx: T,
+    pub(crate) fy: T,
+    pub(crate) mz: T,
+    pub(crate) adhesion: T,
+}
 
 /// A model, ready for the creepages of one contact.
 pub(crate) trait Theory<F: Plain>: Copy {
@@ -55,13 +152,34 @@ pub(crate) trait Theory<F: Plain>: Copy {
         rests.then_some(Forces { fx: zero, fy: zero, mz: zero, adhesion })
     }
 
+    /// Forces for a contact and a creepage, as [`solve`]: in the code of each caller, which then links no other model.
+    #[inline(always)]
+    fn solve(
+        contact: &Contact<F>,
+        creepage: &Creepage<F>,
+        options: &Options,
+    ) -> Result<Solution<F>, Error>
+    where
+        F: Precision,
+    {
+        let ordinary = contact.is_ordinary(creepage);
+        if !ordinary {
+            find_fault(contact, creepage, Self::MODEL)?;
+        }
+        if contact.is_lost() {
+            return Ok(Solution::nothing());
+        }
+        let frame = &Frame::of(contact);
+        Ok(Self::of_contact(frame, options).answer(frame, creepage, ordinary))
+    }
+
     /// The solution for a loaded contact and a creepage that have been checked.
     #[inline(always)]
     fn answer(&self, frame: &Frame<F>, creepage: &Creepage<F>, ordinary: bool) -> Solution<F>
     where
         F: Float,
     {
-        let seen = &frame.seen(creepage, Self::MODEL);
+        let (seen, _) = &frame.seen(creepage, Self::MODEL);
         let (forces, psi) = match Self::at_rest(seen) {
             Some(none) => (none, F::zero()),
             None => self.forces(frame, seen),
