@@ -199,7 +199,9 @@ impl<F: Plain> Total<F> {
             im,
         ]);
         let [o1, o2, o3, o4, o5, o6] = T::each(&corrections, |o| *o * w);
-        let [k1, k2, k3, k4, k6] = T::each(&[o1, o2, o3, o4, o6], |o| positive(*o));
+        // k = 1 + 2o + 1.01 o²: 1 at 0, never below 1/101
+        let [k1, k2, k3, k4, k6] =
+            T::each(&[o1, o2, o3, o4, o6], |o| (*o * o.times(1.01).plus(2.0)).plus(1.0));
 
         // elastic slopes and those of sliding: dₑ = 1/(1 + TURN e⁴) of the first
         let (root_x, root_y) = T::Pair::of(ix, iy).sqrt().parts();
@@ -239,12 +241,6 @@ impl<F: Plain> Total<F> {
             stick: -one,
         }
     }
-}
-
-/// `1 + 2o + 1.01 o²`: 1 at 0, never below 1/101.
-#[inline(always)]
-fn positive<T: Number>(o: T) -> T {
-    (o * o.times(1.01).plus(2.0)).plus(1.0)
 }
 
 /// `S(|q|)/(h |q|)` from `|q|²` and `h`, with `S = 1 − ((2 + d²) √(1 − d²) − 3 d acos d)/2`, `d = 4|q|/(3π)`, and 1 for `d ≥ 1` (Section 8.15).

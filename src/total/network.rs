@@ -94,27 +94,24 @@ fn times<F: Plain, const N: usize>(mut x: [F; N], y: &[F; N]) -> [F; N] {
 /// `2x/(1 + x²)` and its slope `2/(1 + x²) − (2x/(1 + x²))²`, with one division for two.
 #[inline(always)]
 fn activation<F: Plain, const N: usize>(x: [F; N]) -> ([F; N], [F; N]) {
+    // y = r x and its slope r − y², r = 2/(1 + x²)
+    let from = |r: F, unit: &mut F, slope: &mut F| {
+        *unit = *unit * r;
+        *slope = r - unit.squared();
+    };
     let (mut units, mut slopes) = (x, x);
     let ((fours, rest), (of_fours, of_rest)) =
         (units.as_chunks_mut::<4>(), slopes.as_chunks_mut::<4>());
-    for (units, slopes) in fours.iter_mut().zip(of_fours) {
-        let [p0, p1, q0, q1] = F::each(units, |x| x.squared().plus(1.0));
+    for ([x0, x1, y0, y1], [s0, s1, t0, t1]) in fours.iter_mut().zip(of_fours) {
+        let [p0, p1, q0, q1] = F::each(&[*x0, *x1, *y0, *y1], |x| x.squared().plus(1.0));
         let (r0, r1) = (F::of(2.0) / (p0 * q0), F::of(2.0) / (p1 * q1));
-        *slopes = [r0 * q0, r1 * q1, r0 * p0, r1 * p1];
-        with_slopes(units, slopes);
+        from(r0 * q0, x0, s0);
+        from(r1 * q1, x1, s1);
+        from(r0 * p0, y0, t0);
+        from(r1 * p1, y1, t1);
     }
-    for slope in &mut *of_rest {
-        *slope = F::of(2.0) / slope.squared().plus(1.0);
+    for (unit, slope) in rest.iter_mut().zip(of_rest) {
+        from(F::of(2.0) / unit.squared().plus(1.0), unit, slope);
     }
-    with_slopes(rest, of_rest);
     (units, slopes)
-}
-
-/// `y = 2x/(1 + x²)` and its slope, from `x` and `2/(1 + x²)`.
-#[inline(always)]
-fn with_slopes<F: Plain>(units: &mut [F], slopes: &mut [F]) {
-    for (unit, slope) in units.iter_mut().zip(slopes) {
-        *unit = *unit * *slope;
-        *slope -= unit.squared();
-    }
 }

@@ -95,8 +95,10 @@ impl<F: Plain> RigidSlip<F> {
         let (u, v, t) = (vx2 * share, vy2 * share, spin2 * share);
         let (u2, uv, v2, w) = (u * u, u * v, v * v, u + v);
         let w2 = w * w;
+        // bx = (U + V)² + T (p U + q V + r T), by with V and U across
         let [of_x, of_y] = self.slopes;
-        let (x, y) = (slope(of_x, w2, [u, v, t]) * vx, slope(of_y, w2, [v, u, t]) * vy);
+        let x = (w2 + t * mean(of_x, [u, v, t])) * vx;
+        let y = (w2 + t * mean(of_y, [v, u, t])) * vy;
         let [k0, k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14] = self.spin;
         let squares = [u2, uv, v2];
         let third = u * (u2.scale(k6) + uv.scale(k7)) + v * (uv.scale(k8) + v2.scale(k9));
@@ -111,13 +113,6 @@ impl<F: Plain> RigidSlip<F> {
         let arm = u.scale(au) + v.scale(av) + t.scale(at);
         ([x * f, y * f, phi * arm * m], t)
     }
-}
-
-/// `W² + T (p U + q V + r T)`, of `V` and `U` across.
-#[inline(always)]
-fn slope<T: Number>(coefficients: [T::Base; 3], w2: T, shares: [T; 3]) -> T {
-    let [_, _, t] = shares;
-    w2 + t * mean(coefficients, shares)
 }
 
 /// `a x + b y + c z`
