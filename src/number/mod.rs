@@ -306,6 +306,15 @@ pub(crate) fn are_finite<F: Float>(numbers: &[F]) -> bool {
     numbers.iter().fold(true, |finite, x| finite & x.is_finite_number())
 }
 
+/// The sums of numbers and others.
+#[inline(always)]
+pub(crate) fn sums<T: Arithmetic, const N: usize>(mut numbers: [T; N], others: [T; N]) -> [T; N] {
+    for (number, other) in numbers.iter_mut().zip(others) {
+        *number += other;
+    }
+    numbers
+}
+
 /// `yes` where a number is positive, else `no`.
 #[inline(always)]
 pub(crate) fn chosen<T: Number, const N: usize>(by: T, yes: [T; N], mut no: [T; N]) -> [T; N] {

@@ -124,25 +124,10 @@ fn length<T: Number>(motion: &Motion<T>, x: T::Pair) -> T::Pair {
 /// a kink, to both ends of the arc.
 #[inline(always)]
 fn stretch_and_length<T: Number>(motion: &Motion<T>, arc: &Arc<T>, stretch: T::Base) -> T {
-    let split @ [parting, level] = parted(motion, arc);
-    let pieces = Pieces::new(motion.values(), arc.values(), parting.value(), level.value());
-    if T::HAS_DERIVATIVES {
-        return slopes::stretch_and_length(motion, arc, split, &pieces, stretch);
-    }
-    let mut sum = Both::<T>::zero();
-    for [node, weight] in table!(T::Base, GAUSS_6).iter().map(row::<T::Base, 2>) {
-        sum += pieces.at(node, weight).share;
-    }
-    // dθ = 2 dt/(1 + t²)
-    T::from_base(pieces.whole(sum) + pieces.least * stretch)
-}
-
-/// Where the arc is parted, as the tangent of half an angle, and `K` there: at the strip with `ξ̄ = 0`, or next to it.
-#[inline(always)]
-fn parted<T: Number>(motion: &Motion<T>, arc: &Arc<T>) -> [T; 2] {
     let Motion { xi, eta, psi, slope, .. } = *motion;
     let Arc { lower, upper, middle, .. } = *arc;
-    // (with hardly any spin there is no kink, and nothing may hang on where the middle is)
+    // the strip with ξ̄ = 0 or the end of the arc next to it (with hardly any spin there is no kink, and nothing may hang on where the
+    // middle is), as the tangent of half an angle, and K there
     let hardly = (xi + eta.abs()).times(root_epsilon::<T>());
     let h = xi / (slope + hardly + T::from_base(T::ROOT_TINY));
     let turn = Edge::chosen(h - lower.y, Edge::chosen(upper.y - h, Edge::at(h), upper), lower);
@@ -150,5 +135,14 @@ fn parted<T: Number>(motion: &Motion<T>, arc: &Arc<T>) -> [T; 2] {
     let parting = (turn.y * middle.c - turn.c * middle.y) / (T::one() + cosine);
     let lowest = eta.abs() / (T::one() - eta.choose(psi, -psi) + T::tiny());
     let level = (h - lower.y).choose((upper.y - h).choose(lowest, upper.c), lower.c);
-    [parting, level]
+    let pieces = Pieces::new(motion.values(), arc.values(), parting.value(), level.value());
+    if T::HAS_DERIVATIVES {
+        return slopes::stretch_and_length(motion, arc, [parting, level], &pieces, stretch);
+    }
+    let mut sum = Both::<T>::zero();
+    for [node, weight] in table!(T::Base, GAUSS_6).iter().map(row::<T::Base, 2>) {
+        sum += pieces.at(node, weight).share;
+    }
+    // dθ = 2 dt/(1 + t²)
+    T::from_base((sum * pieces.half).sum().times(2.0) + pieces.least * stretch)
 }

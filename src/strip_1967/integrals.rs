@@ -28,15 +28,6 @@ pub(super) type Both<T> = <<T as Number>::Base as Number>::Pair;
 /// Integrals over strips: `∫ f_x dY`, `∫ f_y dY`, `∫ m_x dY`, `∫ Y f_x dY`, `∫ (C − K) dY`.
 pub(super) type Shares<T> = [T; 5];
 
-/// The sums of the integrals of two sets of strips.
-#[inline(always)]
-pub(super) fn sum<T: Number>(mut shares: Shares<T>, others: Shares<T>) -> Shares<T> {
-    for (share, other) in shares.iter_mut().zip(others) {
-        *share += other;
-    }
-    shares
-}
-
 /// `ε²`, and the square of some roundings of `Y`: where `η = 0` the direction of the slip turns at once in the strip `ξ̄ = 0`,
 /// and a derivative by `η` would be infinite.
 #[inline]
@@ -113,11 +104,5 @@ impl<F: Plain> Pieces<F> {
         let bound = c * c.by(weight);
         let share = (above - below.by(self.least)) * bound / (below * (d * d * d));
         Node { t, d, c, x, s, above, below, bound, share }
-    }
-
-    /// Of both, from `dt` to `dθ = 2 dt/(1 + t²)`.
-    #[inline]
-    pub fn whole(&self, sum: F::Pair) -> F {
-        (sum * self.half).sum().times(2.0)
     }
 }

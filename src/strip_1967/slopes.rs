@@ -41,7 +41,8 @@ pub(super) fn stretch_and_length<T: Number>(
         }
     }
     let [by_x, by_p, by_eta, by_psi, bend, by_t, by_node, flat] = sums;
-    let whole = |sum| pieces.whole(sum);
+    // dθ = 2 dt/(1 + t²)
+    let whole = |sum: Both<T>| (sum * pieces.half).sum().times(2.0);
     // by the tangents of the pieces' ends
     let (by_centre, by_half) = (pieces.half * by_t, value + pieces.half * by_node);
     let ((first, before), (after, last)) =

@@ -5,14 +5,13 @@
 
 use crate::contact::creepage::Parameters;
 use crate::contact::forces::StripCount;
-use crate::number::Float;
-use crate::strip_1967::Motion;
+use crate::number::{Float, sums};
 use crate::strip_1967::adhesion::adhering;
 use crate::strip_1967::edge::{self, Arc, Edge};
-use crate::strip_1967::integrals::{Shares, sum};
+use crate::strip_1967::integrals::Shares;
 use crate::strip_1967::sliding::sliding;
 use crate::strip_1967::strip::{SlidingRule, Strip};
-use crate::strip_1967::totals::{turned_back, whole};
+use crate::strip_1967::{Motion, turned_back, with_spin};
 
 /// One strip of a solution, dimensionless.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,12 +56,12 @@ pub fn strips<F: Float>(
         share(&motion, &arc, adheres, edges)
     };
     // Nodes lie elsewhere in a strip than in the whole. What that makes is shared out by ∫ C² dY, of m_x by the stick area.
-    let mut rest = whole(&motion, &arc, adheres);
+    let mut rest = with_spin(&motion);
     let mut stick = F::TINY;
     (0..count as i32).for_each(|i| {
         let piece = piece(i);
         stick += piece[4];
-        rest = sum(rest, piece.map(|share| -share));
+        rest = sums(rest, piece.map(|share| -share));
     });
     let [fx, fy, mx, lever, _] = rest;
     for i in 0..count as i32 {
@@ -72,7 +71,7 @@ pub fn strips<F: Float>(
         let load = width * (F::one() - y * y - (width * width).times(1.0 / 12.0)).times(0.75);
         let sticks = piece[4] / stick;
         let more = [fx * load, fy * load, mx * sticks, lever * load, F::zero()];
-        let totals = turned_back(&motion, sum(piece, more));
+        let totals = turned_back(&motion, sums(piece, more));
         let Parameters { xi, eta, psi, poisson_ratio, .. } = *parameters;
         let c = Edge::at(y).c;
         let strip =
@@ -107,7 +106,7 @@ fn share<F: Float>(
     };
     let (first, last) = (inside(from), inside(to));
     if adheres && last.y > first.y {
-        sum(slide, adhering(motion, &Arc::between(first, last)))
+        sums(slide, adhering(motion, &Arc::between(first, last)))
     } else {
         slide
     }
