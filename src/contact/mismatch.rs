@@ -70,7 +70,7 @@ pub(crate) fn shift<T: Number>(
     let LinearCoefficients { c11, c22, c23, .. } = *linear;
     let adhesion = adhesion(units.axis_ratio);
     let forces = [vx.scale(c11), vy.scale(c22), phi.scale(c23), d.scale(c11 * adhesion)];
-    -(share(forces.map(within), adhesion) * strain)
+    -(share(forces.map(|force| force.within(FARTHEST)), adhesion) * strain)
 }
 
 /// The creepage that an ellipse sees, where pressure counts with a factor that may be a variable: one.
@@ -100,12 +100,6 @@ pub(crate) fn linear_shift<F: Plain>(axis_ratio: F, strain: F) -> F {
 fn adhesion<F: Plain>(axis_ratio: F) -> F {
     let [height, half] = WIDE;
     F::of(ADHESION) - axis_ratio.times(height) / axis_ratio.plus(half)
-}
-
-#[inline]
-fn within<T: Number>(force: T) -> T {
-    let farthest = T::constant(FARTHEST);
-    force.min(farthest).max(-farthest)
 }
 
 /// `c'` between adhesion and slip, from the linear forces of longitudinal and lateral creepage, of spin, and of the pressure, against which

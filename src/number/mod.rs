@@ -194,6 +194,11 @@ pub trait Arithmetic:
     fn min(self, other: Self) -> Self;
     /// `yes` where this number is positive, else `no`.
     fn choose(self, yes: Self, no: Self) -> Self;
+    /// The nearest number of at most this size.
+    #[inline]
+    fn within(self, size: f64) -> Self {
+        self.min(Self::constant(size)).max(Self::constant(-size))
+    }
 
     /// `array.map(function)`; the compiler leaves no call of it behind, whatever a number is made of.
     #[inline(always)]
@@ -306,13 +311,12 @@ pub(crate) fn are_finite<F: Float>(numbers: &[F]) -> bool {
     numbers.iter().fold(true, |finite, x| finite & x.is_finite_number())
 }
 
-/// The sums of numbers and others.
+/// Adds numbers to their sums.
 #[inline(always)]
-pub(crate) fn sums<T: Arithmetic, const N: usize>(mut numbers: [T; N], others: [T; N]) -> [T; N] {
-    for (number, other) in numbers.iter_mut().zip(others) {
-        *number += other;
+pub(crate) fn add<T: Arithmetic>(sums: &mut [T], numbers: impl IntoIterator<Item = T>) {
+    for (sum, number) in sums.iter_mut().zip(numbers) {
+        *sum += number;
     }
-    numbers
 }
 
 /// `yes` where a number is positive, else `no`.

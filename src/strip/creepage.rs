@@ -9,7 +9,7 @@ use super::long::LongContact;
 use super::network::{INPUTS, Network};
 use crate::linear::LinearCoefficients;
 use crate::number::registers::compiled_twice;
-use crate::number::{Arithmetic, Number, Pair, Plain, Strips, scaled_down};
+use crate::number::{Arithmetic, Number, Pair, Plain, Strips, add, scaled_down};
 use core::f64::consts::PI;
 
 /// Creepages beyond this are scaled down together, because the contact slides fully. Their fourth powers fit an `f32`.
@@ -178,15 +178,13 @@ impl<F: Plain> Flexibilities<F> {
             less(by_more, 4.0),
             less(by_q, 2.0),
         ];
-        let mut corrections = self.network.corrections::<T, P>(features);
+        let mut corrections = self.network.layers().corrections::<T, P>(features);
         if self.long.share.exceeds(F::zero()) {
             let [_, _, _, shared @ ..] = features;
             let psi = magnitude(py.times(PI / 3.0));
             let more =
                 self.long.corrections::<T, P>(shared, [lx, ly, ls], [x2, y2, py2], vy * py, psi);
-            for (correction, more) in corrections.iter_mut().zip(more) {
-                *correction += more;
-            }
+            add(&mut corrections, more);
         }
         let [o_x, o_y, o_slope, o_spin, o_share, o_spin_share, o_lateral, o_bend] = corrections;
 

@@ -3,7 +3,7 @@
 
 use super::constants::{AVERAGE, BLEND, EDGE, NODES, ROUND_SPIN};
 use super::kernel::{
-    Carried, Passed, Seen, Separatrix, Spin, Start, Traction, blending, forces, widest,
+    Carried, Passed, Seen, Separatrix, Spin, Start, Traction, WIDEST, blending, forces,
 };
 use super::tables::{Constants, Node};
 use crate::number::Arithmetic;
@@ -123,7 +123,7 @@ impl<P: Arithmetic<Bare = P>> Turned<P> {
         let (b, m, q) = (own.inverse_bound, own.kept, own.traction.tried);
         let [x, y, wide] = own.traction.offered;
         let half = (q * (m * m)).plus(1.0).times(0.5);
-        // rounded(q): by q 1 − y, by d y (1 − y), y = z/(2 d)
+        // max(1, q), rounded: by q 1 − y, by d y (1 − y), y = z/(2 d)
         let z = (one + spin.round - q.max(one - spin.round)).max(P::zero());
         let z = z * (spin.inverse_round + spin.inverse_round);
         let cut = (m * m * m).times(-0.5) * (one - z);
@@ -276,9 +276,9 @@ impl<P: Arithmetic<Bare = P>> Way<P> {
         self.by_s -= start.inverse_s * (by_nx * nx + by_ny * (ny - r));
         // wide = (2 − s) spread/(2 s)
         let ratio = seen.spread * start.inverse_s;
-        by_ahead += widest(ratio) * self.by_wide;
-        let free =
-            (ratio - widest(ratio)).abs().choose(zero, ahead * self.by_wide * start.inverse_s);
+        let within = ratio.within(WIDEST);
+        by_ahead += within * self.by_wide;
+        let free = (ratio - within).abs().choose(zero, ahead * self.by_wide * start.inverse_s);
         self.by_spread = self.by_spread.times(0.5) + free;
         self.by_s -= free * ratio;
         // the closed part

@@ -10,7 +10,7 @@ use crate::number::Arithmetic;
 /// Least distance of the separatrix from the trailing edge.
 const LEAST: f64 = 1e-12;
 /// Slip within a strip's width over its slip part is limited to this.
-const WIDEST: f64 = 1e3;
+pub(super) const WIDEST: f64 = 1e3;
 /// Keeps roots of squares away from zero.
 const TINY: f64 = 1e-24;
 /// Spin beyond this is indistinguishable from sliding by spin alone.
@@ -67,7 +67,7 @@ impl<T: Arithmetic> Spin<T> {
     /// Computes all members from `σ`.
     #[inline(always)]
     pub fn new(sigma: T) -> Self {
-        let sigma = sigma.min(T::constant(LARGEST_SPIN)).max(T::constant(-LARGEST_SPIN));
+        let sigma = sigma.within(LARGEST_SPIN);
         let square = sigma.squared();
         // r = σ/(1 + σ⁴)^{1/4}
         let root = square.squared().plus(1.0).inverse_root();
@@ -181,7 +181,7 @@ impl<T: Arithmetic> Slip<T> {
     /// At the separatrix, `p = B n`.
     #[inline(always)]
     pub fn start([nx, ny]: [T; 2], ahead: T, inverse_s: T, seen: &Seen<T>) -> Self {
-        let wide = widest(seen.spread * inverse_s).times(0.5);
+        let wide = (seen.spread * inverse_s).within(WIDEST).times(0.5);
         Self { px: ahead * nx, py: ahead * ny, wide: ahead * wide, kept: seen.start }
     }
 
@@ -197,8 +197,10 @@ impl<T: Arithmetic> Slip<T> {
         // q = |p*|²/B², a mean over the strip's width and the node's cell
         let square = px * px + py * py + wide.squared().times(AVERAGE) + soft;
         let tried = square * inverse_bound.squared();
-        // m = 1/√(max(1, q) rounded)
-        let kept = rounded(tried, spin).inverse_root();
+        // m = 1/√(max(1, q)), with a parabola between 1 − d and 1 + d
+        let most = tried.max(T::one() - spin.round);
+        let z = (T::one() + spin.round - most).max(T::zero());
+        let kept = (most + z.squared() * spin.inverse_round).inverse_root();
         let reached = tried * kept.squared();
         let offered = [px, py, wide];
         let (px, py, wide) = (px * kept, py * kept, wide * kept);
@@ -294,20 +296,6 @@ fn inverses<T: Arithmetic>(s: T, constants: &impl Constants<T::Bare>) -> (T, [T;
         inverse = inverse * (T::constant(2.0) - s.scale(node.place));
     }
     (inverse, inverses)
-}
-
-/// Limits the spread of a strip.
-#[inline(always)]
-pub(super) fn widest<T: Arithmetic>(wide: T) -> T {
-    wide.min(T::constant(WIDEST)).max(T::constant(-WIDEST))
-}
-
-/// `max(1, q)`, with a parabola between `1 − d` and `1 + d`.
-#[inline(always)]
-pub(super) fn rounded<T: Arithmetic>(q: T, spin: &Spin<T>) -> T {
-    let a = q.max(T::one() - spin.round);
-    let z = (T::one() + spin.round - a).max(T::zero());
-    a + z.squared() * spin.inverse_round
 }
 
 /// `c₀ + c₁ u + c₂ u² …`

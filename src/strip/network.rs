@@ -2,7 +2,7 @@
 
 use super::constants::{HIDDEN, HIDDEN_OFFSET, OUTPUT, OUTPUT_OFFSET};
 use crate::number::tables::{add_rows, row, table, widen};
-use crate::number::{Number, Plain, Strips};
+use crate::number::{Number, Plain, Strips, add};
 
 pub(super) const CORRECTIONS: usize = OUTPUT_OFFSET.len();
 const UNITS: usize = HIDDEN_OFFSET.len();
@@ -47,14 +47,12 @@ impl<F: Plain> Network<F> {
         }
     }
 
+    /// With its weights.
     #[inline(always)]
-    pub fn corrections<T: Number<Base = F>, P: Strips<F>>(
-        &self,
-        inputs: [T; INPUTS],
-    ) -> [T; CORRECTIONS] {
+    pub fn layers(&self) -> Layers<'_, F, INPUTS, UNITS> {
         let [offset] = table!(F, widen(&[OUTPUT_OFFSET]));
         let (input, output) = (table!(F, widen(&MOVING)), table!(F, widen(&OUTPUT)));
-        Layers { start: &self.start, input, offset, output }.corrections::<T, P>(inputs)
+        Layers { start: &self.start, input, offset, output }
     }
 }
 
@@ -126,8 +124,6 @@ fn last<F: Plain, const UNITS: usize>(
             *other += *b * F::stored(*q);
         }
     }
-    for (sum, other) in sums.iter_mut().zip(others) {
-        *sum += other;
-    }
+    add(&mut sums, others);
     sums
 }

@@ -3,12 +3,12 @@
 use super::creepage::{Distribution, Flexibilities};
 use super::derivative::{SpinSlopes, forces_and_slopes};
 use super::kernel::{Carried, Seen, Spin, forces};
-use super::tables::{Constants, FourStrips, Rule, STRIP_FIELDS, Tables};
+use super::tables::{FourStrips, Rule, STRIP_FIELDS, Tables};
 use crate::contact::forces::{StripCount, Totals};
 use crate::linear::LinearCoefficients;
 use crate::number::lanes::Lanes;
 use crate::number::registers::compiled_twice;
-use crate::number::{Arithmetic, Float, Number, Plain, Strips};
+use crate::number::{Arithmetic, Float, Number, Plain, Strips, add};
 
 /// Least power, over that of the linear theory divided by `√(1 + n²)`.
 const FLOOR: f64 = 0.2;
@@ -87,20 +87,18 @@ impl<F: Plain> EllipseStrips<F> {
         &self,
         law: &Distribution<T>,
     ) -> Totals<T> {
-        let totals = if T::HAS_DERIVATIVES {
-            let [values, by_x, by_y, by_z] = self.sums::<Q, SLOPES>(&law.value());
-            let (by, found) = (law.numbers(), self.values(values));
-            Totals {
-                fx: T::composed(found.fx, by_x, by),
-                fy: T::composed(found.fy, by_y, by),
-                mz: T::composed(found.mz, by_z, by),
-                stick: T::from_base(found.stick),
-            }
+        let [values, by_x, by_y, by_z] = if T::HAS_DERIVATIVES {
+            self.sums::<Q, SLOPES>(&law.value())
         } else {
             let [values] = self.sums::<P, VALUES>(&law.value());
-            let Totals { fx, fy, mz, stick } = self.values(values);
-            let [fx, fy, mz, stick] = [fx, fy, mz, stick].map(T::from_base);
-            Totals { fx, fy, mz, stick }
+            [values; SLOPES]
+        };
+        let (by, Totals { fx, fy, mz, stick }) = (law.numbers(), self.values(values));
+        let totals = Totals {
+            fx: T::composed(fx, by_x, by),
+            fy: T::composed(fy, by_y, by),
+            mz: T::composed(mz, by_z, by),
+            stick: T::from_base(stick),
         };
         power_projected(totals, law.creepage, &self.contact.linear)
     }
@@ -126,9 +124,9 @@ impl<F: Plain> EllipseStrips<F> {
         } else {
             let [mut first, mut second, third, last] =
                 [0, 1, 2, 3].map(|lane| self.chains::<P, ROWS>(&strips, lane));
-            add(&mut first, &third);
-            add(&mut second, &last);
-            add(&mut first, &second);
+            add(first.as_flattened_mut(), third.as_flattened().iter().copied());
+            add(second.as_flattened_mut(), last.as_flattened().iter().copied());
+            add(first.as_flattened_mut(), second.as_flattened().iter().copied());
             first
         };
         let mut totals = [[F::zero(); 6]; ROWS];
@@ -163,15 +161,31 @@ impl<F: Plain> EllipseStrips<F> {
                         four.map_or(F::zero(), |four| of_side(of(four), lane + k % 4, odd))
                     })
                 });
-                strips.add_rows(&mut sums, &fields, &constants, arms);
+                let seen = strips.seen(&fields);
+                let Carried { fx, fy, mx, stick } = if ROWS == SLOPES {
+                    let (carried, own) =
+                        forces_and_slopes(&seen, &strips.spin, &constants, &strips.by_spin);
+                    let own = by_law(own, &fields, arms);
+                    add(
+                        sums.as_flattened_mut().get_mut(6..).unwrap_or_default(),
+                        own.as_flattened().iter().copied(),
+                    );
+                    carried
+                } else {
+                    forces(&seen, &strips.spin, &constants, |_, _| ()).0
+                };
+                // of f_x, f_y, the two parts of the moment, and the stick area
+                let [.., load, load_c, load_y, area, _] = fields;
+                let shares = [fx * load, fy * load, mx * load_c, fx * load_y, stick * area];
+                add(sums.as_flattened_mut(), shares);
             }
             if let Some(half) = halves.get_mut(2 * k / chains) {
-                add(half, &sums);
+                add(half.as_flattened_mut(), sums.as_flattened().iter().copied());
             }
         }
         let [mut first, second] = halves;
         if chains > 1 {
-            add(&mut first, &second);
+            add(first.as_flattened_mut(), second.as_flattened().iter().copied());
         }
         first
     }
@@ -279,36 +293,6 @@ impl<P: Arithmetic<Bare = P>> Together<P> {
             start,
         }
     }
-
-    /// Adds the forces of strips to the sums.
-    #[inline(always)]
-    fn add_rows<const ROWS: usize>(
-        &self,
-        sums: &mut Rows<P, ROWS>,
-        fields: &[P; STRIP_FIELDS],
-        constants: &impl Constants<P>,
-        arms: [P; 2],
-    ) {
-        let seen = self.seen(fields);
-        let carried = if ROWS == SLOPES {
-            let (carried, own) = forces_and_slopes(&seen, &self.spin, constants, &self.by_spin);
-            for (sums, own) in sums.iter_mut().skip(1).zip(by_law(own, fields, arms)) {
-                add(core::array::from_mut(sums), &[own]);
-            }
-            carried
-        } else {
-            forces(&seen, &self.spin, constants, |_, _| ()).0
-        };
-        if let Some(sums) = sums.first_mut() {
-            // of f_x, f_y, the two parts of the moment, and the stick area
-            let [.., load, load_c, load_y, area, _] = *fields;
-            let Carried { fx, fy, mx, stick } = carried;
-            let shares = [fx * load, fy * load, mx * load_c, fx * load_y, stick * area];
-            for (sum, share) in sums.iter_mut().zip(shares) {
-                *sum += share;
-            }
-        }
-    }
 }
 
 /// Derivatives of forces and moment by `Distribution::numbers` from those of `f_x, f_y, m_x` by the creepages of the strips.
@@ -330,14 +314,6 @@ pub(super) fn by_law<P: Arithmetic>(
         let slope = by_spread * width - scaled * at;
         [scaled, by_y * inverse, slope, -(scaled * bend), by_spin, by_start]
     })
-}
-
-/// Adds numbers to their sums.
-#[inline(always)]
-fn add<P: Arithmetic, const ROWS: usize>(sums: &mut Rows<P, ROWS>, own: &Rows<P, ROWS>) {
-    for (sum, own) in sums.as_flattened_mut().iter_mut().zip(own.as_flattened()) {
-        *sum += *own;
-    }
 }
 
 /// The fields of strips, each read from its couple; `y`, `bend` and `load_y` are odd in `y`.

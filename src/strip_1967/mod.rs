@@ -53,7 +53,7 @@ pub mod strips;
 use crate::contact::creepage::Parameters;
 use crate::contact::forces::Totals;
 use crate::number::registers::compiled_twice;
-use crate::number::{Arithmetic, Number, Plain, Stored, chosen, either, sums};
+use crate::number::{Arithmetic, Number, Plain, Stored, add, chosen, either};
 use crate::strip_1967::adhesion::adhering;
 use crate::strip_1967::edge::Edge;
 use crate::strip_1967::integrals::Shares;
@@ -166,9 +166,10 @@ fn with_spin<T: Number>(motion: &Motion<T>) -> Shares<T> {
     if !some.exceeds(none) {
         return slide;
     }
-    let mut all = sums(slide, adhering(motion, &arc));
+    let mut all = slide;
+    add(&mut all, adhering(motion, &arc));
     if T::HAS_DERIVATIVES {
-        all = sums(all, slopes::jumps(motion, &arc));
+        add(&mut all, slopes::jumps(motion, &arc));
     }
     chosen(some, all, slide)
 }

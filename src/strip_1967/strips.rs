@@ -5,7 +5,7 @@
 
 use crate::contact::creepage::Parameters;
 use crate::contact::forces::StripCount;
-use crate::number::{Float, sums};
+use crate::number::{Float, add};
 use crate::strip_1967::adhesion::adhering;
 use crate::strip_1967::edge::{self, Arc, Edge};
 use crate::strip_1967::integrals::Shares;
@@ -61,17 +61,18 @@ pub fn strips<F: Float>(
     (0..count as i32).for_each(|i| {
         let piece = piece(i);
         stick += piece[4];
-        rest = sums(rest, piece.map(|share| -share));
+        add(&mut rest, piece.map(|share| -share));
     });
     let [fx, fy, mx, lever, _] = rest;
     for i in 0..count as i32 {
-        let piece = piece(i);
+        let mut piece = piece(i);
         let y = width * number(i).plus(0.5) - F::one();
         // ∫ C² dY over its 4/3
         let load = width * (F::one() - y * y - (width * width).times(1.0 / 12.0)).times(0.75);
         let sticks = piece[4] / stick;
         let more = [fx * load, fy * load, mx * sticks, lever * load, F::zero()];
-        let totals = turned_back(&motion, sums(piece, more));
+        add(&mut piece, more);
+        let totals = turned_back(&motion, piece);
         let Parameters { xi, eta, psi, poisson_ratio, .. } = *parameters;
         let c = Edge::at(y).c;
         let strip =
@@ -100,14 +101,13 @@ fn share<F: Float>(
     let (lower, upper) = (arc.lower, arc.upper);
     let below = |edge: Edge<F>| Edge::chosen(edge.y - lower.y, lower, edge);
     let above = |edge: Edge<F>| Edge::chosen(upper.y - edge.y, upper, edge);
-    let slide = sliding(motion, [below(from), below(to)], [above(from), above(to)]);
+    let mut shares = sliding(motion, [below(from), below(to)], [above(from), above(to)]);
     let inside = |edge: Edge<F>| {
         Edge::chosen(edge.y - upper.y, upper, Edge::chosen(lower.y - edge.y, lower, edge))
     };
     let (first, last) = (inside(from), inside(to));
     if adheres && last.y > first.y {
-        sums(slide, adhering(motion, &Arc::between(first, last)))
-    } else {
-        slide
+        add(&mut shares, adhering(motion, &Arc::between(first, last)));
     }
+    shares
 }
