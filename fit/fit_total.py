@@ -1,14 +1,14 @@
 """Fit the corrections of the model TOTAL; write src/total/constants.rs and print check values for its tests.
 
-python fit_total.py                         the real fit, from random starts (three quarters of an hour on one core)
-python fit_total.py --from-stored           the stages on all rows alone, from the stored constants (half an hour)
+python fit_total.py                         the real fit, from random starts (80 minutes on one core)
+python fit_total.py --from-stored           the stages on all rows alone, from the stored constants (70 minutes)
 python fit_total.py --quick                 a few iterations only, to see that everything runs (constants not written)
 python fit_total.py --evaluate [file.csv]   errors of the stored constants, by region
 
 Least squares of all residuals of data/train_slender.csv and of 90 % of data/train.csv, data/train_fine.csv and data/boundary_elements.csv;
 the other 10 % are never trained on and are what "validation" means. Of many random starts, each trained a little on a quarter of the rows, the best
 is trained to the end, together with the constants of the formulas around the network: by Levenberg-Marquardt at first, then by a quasi-Newton descent.
-Out of the minimum where this ends it comes to lower ones: the network grows, descends, and shrinks again, eight times.
+Out of the minimum where this ends it comes to lower ones: the network grows, descends, and shrinks again, 24 times.
 """
 
 import argparse
@@ -35,8 +35,8 @@ FIXED = 5
 WIDTHS = (22, 14)  # units of the two hidden layers
 STARTS, PART = 24, 4  # random starts, and the part of the rows that they are trained on
 FEW, KEPT, MORE, LAST = 80, 8, 12, 80  # steps of each; how many go on, for how many cycles of `quasi_newton`; and cycles of the best on all rows
-HOPS, ADDED = 8, (6, 3)  # how often the network grows and shrinks again, and by how many units of the two hidden layers
-GROW, SETTLE, END = 10, 12, 24  # cycles of the larger network, of the smaller one after it, and of the last one
+HOPS, ADDED = 24, (6, 3)  # how often the network grows and shrinks again, and by how many units of the two hidden layers
+GROW, SETTLE, END = 10, 12, 30  # cycles of the larger network, of the smaller one after it, and of the last one
 AMONG = 100  # random units that those to be added are the best of
 FADING, FADE = (0.03, 0.1, 0.3, 1, 3, 10, 30, 100, 300), 50  # penalty of units that are to go, one cycle each; steps of such a cycle
 OUTPUTS = 6
@@ -49,7 +49,9 @@ DESCENT, MEMORY, DAMPING = 100, 50, 1e-5  # of `quasi_newton`: steps of a cycle,
 LARGEST_ROOT = 8  # the network does not see that a contact is more slender than a/b = 64 or 1/64; no row of the data is
 SLIDING = 4000  # rows of rigid slip
 WIDEST = 70  # axis ratios of rigid slip, and their inverse
-OWN = 0.07  # how often a row of boundary_elements.csv counts: they lie where little slip turns much, and the network is small
+OWN = 0.04  # how often a row of boundary_elements.csv counts: they lie where little slip turns much, and the network is small
+# in the last cycles: how often these rows count, the weight of their moments below a/b = 7, and PENALTY
+OWN_LAST, MOMENT_LAST, PENALTY_LAST = 0.02, 2.5, 4e-4
 STEP, SLOPE_WEIGHT = 0.04, 0.4  # of the differences of boundary_slopes.csv in linear force; weight of a slope's error over the linear slope
 # of two creepages in one direction, the second FARTHER, beside the same spin: of what the force lacks of the bound the second may lack HOLD
 FALLS, FARTHER, HOLD, NEARLY, FALL_WEIGHT = 2000, 1.15, 0.9, 0.95, 40.0
@@ -263,11 +265,11 @@ RIGID = stored_rigid(CONSTANTS)
 class Rows:
     """Rows to fit and, in `pairs` and `falls`, states of which two and two belong together."""
 
-    def __init__(self, data, pairs=None, falls=None):
+    def __init__(self, data, pairs=None, falls=None, own=OWN, own_moment=1.0):
         self.state = jnp.array(states(data["g"], data["nu"], data["v"], data["c"]))
         self.data, self.count = data, len(data["g"])
         self.pairs, self.falls = pairs, falls
-        self.weight = row_weights(data)
+        self.weight, self.own_moment = row_weights(data, own), own_moment
 
     def errors(self, model):
         return np.array(answers(model, self.state)) - self.data["f"]
@@ -357,11 +359,11 @@ def slope_rows():
 def weights(rows):
     """Of force and moment: where a contact is long the moment is large, and may be wrong by more."""
     g = rows.data["g"]
-    moment = np.where(g > 12, np.sqrt(12 / g), 1.0)
+    moment = np.where(g > 12, np.sqrt(12 / g), 1.0) * np.where(rows.data["own"] & (g < 7), rows.own_moment, 1.0)
     return rows.weight[:, None] * SCALE * np.stack([np.ones_like(g), np.ones_like(g), moment], 1)
 
 
-def row_weights(data):
+def row_weights(data, own):
     """Rows by their own error, with emphasis on both ends of the axis ratio and on much spin beside a large creepage."""
     w = np.where(data["fine"], 1.0, 0.8) * 0.004 / np.hypot(0.003, 0.5 * np.minimum(data["err"], 0.01))
     # rows of rigid slip: over the moment of sliding by spin; nearly nothing where elasticity is still to be seen
@@ -375,7 +377,7 @@ def row_weights(data):
     # spin against a lateral creepage in a long contact: the force turns over within the patch
     opposed = (data["g"] > 3) & (data["c"][:, 1] * data["v"][:, 1] < -0.3) & (spin > 0.3)
     w = w * np.where(opposed, 1.5, 1.0) * np.where(row & (data["g"] > 4), 1.25, 1.0)
-    w = w * np.where(data["own"], np.sqrt(OWN), 1.0)
+    w = w * np.where(data["own"], np.sqrt(own), 1.0)
     w = w * np.where(data["slender"], np.where(data["g"] > 30, 1.3, 1.0) * np.sqrt(SLENDER), 1.0)
     return w * np.where(data["g"] > 6, 1.5, np.where(data["g"] < 0.13, 1.3, 1.0))
 
@@ -608,7 +610,8 @@ def fit(quick, seed, from_stored):
     rigid_slip.report(RIGID, WIDEST)
     train, validation = common.split(common.load("train.csv", "train_fine.csv"))
     own, own_validation = common.own_rows()
-    rows = Rows(joined(train, common.load("train_slender.csv"), own, sliding_rows()), slope_rows(), fall_rows())
+    parts = joined(train, common.load("train_slender.csv"), own, sliding_rows()), slope_rows(), fall_rows()
+    rows, last_rows = Rows(*parts), Rows(*parts, OWN_LAST, MOMENT_LAST)
     print(f"{rows.count} rows to train on, the last {SLIDING} of them of rigid slip, {len(validation['g'])} to validate; saturation curve within {SATURATION_ERROR:.1e}", flush=True)
     starts, few, kept, more, last, times, end = (3, 1, 2, 1, 1, 1, 1) if quick else (STARTS, FEW, KEPT, MORE, LAST, HOPS, END)
 
@@ -631,7 +634,7 @@ def fit(quick, seed, from_stored):
     report()
     model = hops(model, rows, times, seed, quick)
     report()
-    model = quasi_newton(model, rows, end, "the end:", PENALTY)
+    model = quasi_newton(model, last_rows, end, "the end:", PENALTY_LAST)
     report()
     print(f"fitted in {time.time() - began:.0f} s")
     return model
