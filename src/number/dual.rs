@@ -57,29 +57,43 @@ impl<P: Arithmetic<Bare = P>, const M: usize> Dual<P, M> {
     }
 }
 
-macro_rules! sums {
-    ($($operator:ident $function:ident $assigned:ident $assign:ident),*) => {$(
-        impl<P: Arithmetic<Bare = P>, const M: usize> $assigned for Dual<P, M> {
-            #[inline(always)]
-            fn $assign(&mut self, other: Self) {
-                self.value.$assign(other.value);
-                for (own, other) in self.gradient.iter_mut().zip(other.gradient) {
-                    own.$assign(other);
-                }
-            }
+impl<P: Arithmetic<Bare = P>, const M: usize> AddAssign for Dual<P, M> {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        self.value += other.value;
+        for (own, other) in self.gradient.iter_mut().zip(other.gradient) {
+            *own += other;
         }
-
-        impl<P: Arithmetic<Bare = P>, const M: usize> $operator for Dual<P, M> {
-            type Output = Self;
-            #[inline(always)]
-            fn $function(mut self, other: Self) -> Self {
-                self.$assign(other);
-                self
-            }
-        }
-    )*};
+    }
 }
-sums!(Add add AddAssign add_assign, Sub sub SubAssign sub_assign);
+
+impl<P: Arithmetic<Bare = P>, const M: usize> Add for Dual<P, M> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(mut self, other: Self) -> Self {
+        self += other;
+        self
+    }
+}
+
+impl<P: Arithmetic<Bare = P>, const M: usize> SubAssign for Dual<P, M> {
+    #[inline(always)]
+    fn sub_assign(&mut self, other: Self) {
+        self.value -= other.value;
+        for (own, other) in self.gradient.iter_mut().zip(other.gradient) {
+            *own -= other;
+        }
+    }
+}
+
+impl<P: Arithmetic<Bare = P>, const M: usize> Sub for Dual<P, M> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(mut self, other: Self) -> Self {
+        self -= other;
+        self
+    }
+}
 
 impl<P: Arithmetic<Bare = P>, const M: usize> Mul for Dual<P, M> {
     type Output = Self;

@@ -38,22 +38,23 @@ impl<T, const N: usize, A> Lanes<T, N, A> {
     }
 }
 
-/// `computed!(function(other) operation)`: an operation of [`InRegisters::apply`] as a function of two numbers, or without `other` of one.
-macro_rules! computed {
-    ($($function:ident($($other:ident)?) $operation:literal),*) => {$(
-        #[inline(always)]
-        fn $function(self $(, $other: Self)?) -> Self {
-            let [.., last] = [self.0 $(, $other.0)?];
-            Self(T::apply::<$operation, N>(self.0, last), [])
-        }
-    )*};
+impl<T: InRegisters, const N: usize, A: Alignment> Lanes<T, N, A> {
+    /// An operation of [`InRegisters::apply`].
+    #[inline(always)]
+    fn computed<const OPERATION: char>(self, other: Self) -> Self {
+        Self(T::apply::<OPERATION, N>(self.0, other.0), [])
+    }
 }
 
 macro_rules! operators {
     ($($operator:ident $function:ident($($other:ident)?) $operation:literal $($assigned:ident $assign:ident)?),*) => {$(
         impl<T: InRegisters, const N: usize, A: Alignment> $operator for Lanes<T, N, A> {
             type Output = Self;
-            computed!($function($($other)?) $operation);
+            #[inline(always)]
+            fn $function(self $(, $other: Self)?) -> Self {
+                let [.., last] = [self $(, $other)?];
+                self.computed::<$operation>(last)
+            }
         }
 
         $(impl<T: InRegisters, const N: usize, A: Alignment> $assigned for Lanes<T, N, A> {
@@ -88,7 +89,22 @@ impl<T: InRegisters, const N: usize, A: Alignment> Arithmetic for Lanes<T, N, A>
     fn value(self) -> Self {
         self
     }
-    computed!(sqrt() '√', abs() '|', max(other) '>', min(other) '<');
+    #[inline]
+    fn sqrt(self) -> Self {
+        self.computed::<'√'>(self)
+    }
+    #[inline]
+    fn abs(self) -> Self {
+        self.computed::<'|'>(self)
+    }
+    #[inline]
+    fn max(self, other: Self) -> Self {
+        self.computed::<'>'>(other)
+    }
+    #[inline]
+    fn min(self, other: Self) -> Self {
+        self.computed::<'<'>(other)
+    }
     #[inline(always)]
     fn inverse_root(self) -> Self {
         Self(T::inverse_roots(self.0), [])
