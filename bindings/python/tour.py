@@ -41,7 +41,7 @@ def creep_curves():
     creepage = np.linspace(0, 0.006, 200)
     for name, label in [("linear", "LINEAR"), ("strip_1967", "STRIP_1967"), ("strip", "STRIP"), ("total", "TOTAL")]:
         forces = kstrip.solve(CONTACT, kstrip.creepage(longitudinal=creepage), model=name)
-        left.plot(100 * creepage, forces["fx"] / 1e3, "--" if name == "linear" else "-", label=label)
+        left.plot(100 * creepage, forces.fx / 1e3, "--" if name == "linear" else "-", label=label)
     left.set(ylim=(0, 28), xlabel="longitudinal creepage [%]", ylabel="force on the rail [kN]", title="Models, no spin")
     left.axhline(BOUND / 1e3, color="grey", lw=0.8)
     left.text(0.02, BOUND / 1e3 + 0.4, "μ N", color="grey")
@@ -49,7 +49,7 @@ def creep_curves():
     lateral = np.linspace(-0.006, 0.006, 400)
     for spin in (0.0, 0.25, 0.5, 1.0):
         forces = kstrip.solve(CONTACT, kstrip.creepage(lateral=lateral, spin=spin))
-        right.plot(100 * lateral, forces["fy"] / 1e3, label=f"spin {spin:g} /m")
+        right.plot(100 * lateral, forces.fy / 1e3, label=f"spin {spin:g} /m")
     right.set(xlabel="lateral creepage [%]", ylabel="force on the rail [kN]", title="TOTAL, with spin")
     right.legend(loc="lower right")
     return figure
@@ -59,24 +59,24 @@ def traction_map():
     """Traction as arrows and colour, the border of stick and slip."""
     motion = kstrip.creepage(longitudinal=3e-4, lateral=0.0, spin=0.6)
     n = 241
-    x, y = ELLIPSE["a"] * np.linspace(-1, 1, n), ELLIPSE["b"] * np.linspace(-1, 1, n)
+    x, y = ELLIPSE.a * np.linspace(-1, 1, n), ELLIPSE.b * np.linspace(-1, 1, n)
     points = kstrip.field(CONTACT, motion, x, y, strips=64)
-    size = np.hypot(points["traction_x"], points["traction_y"]) / 1e6
-    outside = points["state"] == kstrip.OUTSIDE
+    size = np.hypot(points.traction_x, points.traction_y) / 1e6
+    outside = points.state == kstrip.OUTSIDE
     figure, axes = plt.subplots(figsize=(5.2, 5.0), layout="constrained")
     # x, the rolling direction, points up
     shade = axes.pcolormesh(1e3 * y, 1e3 * x, np.ma.array(size, mask=outside).T, cmap="YlOrBr", shading="nearest", rasterized=True)
     figure.colorbar(shade, label="traction [MPa]")
-    stick = np.ma.array(np.where(points["state"] == kstrip.STICK, 1.0, 0.0), mask=outside)
+    stick = np.ma.array(np.where(points.state == kstrip.STICK, 1.0, 0.0), mask=outside)
     axes.contour(1e3 * y, 1e3 * x, stick.T, [0.5], colors="tab:blue", linewidths=1.5)
     k = slice(6, None, 12)
     row, column = np.meshgrid(y[k], x[k], indexing="ij")
     seen = ~outside[k, k]
-    axes.quiver(1e3 * row[seen], 1e3 * column[seen], points["traction_y"][k, k][seen], points["traction_x"][k, k][seen], width=0.003)
+    axes.quiver(1e3 * row[seen], 1e3 * column[seen], points.traction_y[k, k][seen], points.traction_x[k, k][seen], width=0.003)
     angle = np.linspace(0, 2 * np.pi, 200)
-    axes.plot(1e3 * ELLIPSE["b"] * np.cos(angle), 1e3 * ELLIPSE["a"] * np.sin(angle), color="black", lw=0.8)
-    axes.text(0, 1e3 * ELLIPSE["a"] * 0.55, "stick", color="tab:blue", ha="center", weight="bold", backgroundcolor="#ffffffb0")
-    axes.text(0, -1e3 * ELLIPSE["a"] * 0.75, "slip", ha="center", weight="bold", backgroundcolor="#ffffffb0")
+    axes.plot(1e3 * ELLIPSE.b * np.cos(angle), 1e3 * ELLIPSE.a * np.sin(angle), color="black", lw=0.8)
+    axes.text(0, 1e3 * float(ELLIPSE.a) * 0.55, "stick", color="tab:blue", ha="center", weight="bold", backgroundcolor="#ffffffb0")
+    axes.text(0, -1e3 * float(ELLIPSE.a) * 0.75, "slip", ha="center", weight="bold", backgroundcolor="#ffffffb0")
     axes.set(aspect="equal", xlabel="y [mm]", ylabel="x, rolling direction [mm]",
              title="Traction on the rail\nlongitudinal creepage 0.03 %, spin 0.6 /m")
     axes.grid(False)
@@ -102,7 +102,7 @@ def speed_error():
         times, errors = [], []
         for count in counts:
             forces = kstrip.solve(contacts, motions, model=name, strips=count)
-            errors.append(np.hypot(forces["fx"] - fx, forces["fy"] - fy).mean())
+            errors.append(np.hypot(forces.fx - fx, forces.fy - fy).mean())
             # Processor time, the shortest of many short rounds: other programs on this machine hardly count.
             rounds = []
             for _ in range(100):

@@ -21,9 +21,8 @@ RADIUS, LOAD, SPEED = 0.46, 50e3, 20.0
 
 
 def profile(name):
-    """Columns y and z, in mm, of a file of tests/data/wheel_rail."""
-    points = np.loadtxt(ROOT / "tests" / "data" / "wheel_rail" / f"{name}.csv", delimiter=",", skiprows=1)
-    return kstrip.prepare_profile(points[:, 0] * 1e-3, points[:, 1] * 1e-3)
+    """A prepared profile from a file of tests/data/wheel_rail."""
+    return kstrip.read_profile(ROOT / "tests" / "data" / "wheel_rail" / f"{name}.csv").prepare()
 
 
 RAIL, WHEEL = profile("uic60"), profile("s1002")
@@ -34,16 +33,15 @@ def pair(left=False, model="default"):
 
 
 def carried(shift, left=False):
-    """Where a wheel is that carries its load by pressure, when the wheelset stands `shift` to the right."""
-    side = -1.0 if left else 1.0
-    lateral = shift + side * (HALF_WIDTH - HALF_GAUGE)
-    place = kstrip.wheel_position(lateral=lateral)
-    place["vertical"] = kstrip.height_for_load(RAIL, WHEEL, pair(left), place, LOAD)
+    """Where wheels are that carry their load by pressure, when the wheelset stands `shift` to the right: numbers or arrays."""
+    side = np.where(left, -1.0, 1.0)
+    place = kstrip.wheel_position(lateral=shift + side * (HALF_WIDTH - HALF_GAUGE))
+    place.vertical = kstrip.height_for_load(RAIL, WHEEL, pair(left), place, LOAD)
     return place
 
 
 def forces(shift, left=False, forward=SPEED, yaw=0.0, pitch=-SPEED / RADIUS, model="default"):
-    """Force and moment on a wheel, and its contacts."""
+    """Force and moment on wheels, and their contacts."""
     velocity = kstrip.wheel_velocity(forward=forward, pitch=pitch, yaw=yaw)
     return kstrip.wheel_on_rail(RAIL, WHEEL, pair(left, model), carried(shift, left), velocity)
 
@@ -51,12 +49,12 @@ def forces(shift, left=False, forward=SPEED, yaw=0.0, pitch=-SPEED / RADIUS, mod
 def rolling_radius(shift, left=False):
     """Mean of the contacts, weighted with load [m]."""
     found = forces(shift, left).contacts
-    weights = found["share"] * found["normal_force"]
-    return float(np.sum(weights * found["radius"]) / np.sum(weights))
+    weights = found.share * found.normal_force
+    return np.sum(weights * found.radius, axis=-1) / np.sum(weights, axis=-1)
 
 
 def equivalent_conicity(shift):
-    """Rolling radius difference over twice the shift."""
+    """Rolling radius difference divided by twice the shift."""
     return (rolling_radius(shift) - rolling_radius(shift, left=True)) / (2.0 * shift)
 
 
@@ -69,39 +67,40 @@ def curve(radius, shift):
     turn = SPEED / radius
     pitch = -2.0 * SPEED / (rolling_radius(shift) + rolling_radius(shift, left=True))
     wheels = [forces(shift, left, SPEED + (turn if left else -turn) * HALF_WIDTH, turn, pitch) for left in (True, False)]
-    return [float(wheel.wrench["force"][0]) for wheel in wheels]
+    return [float(wheel.wrench.force[0]) for wheel in wheels]
 
 
 class Table:
     """Wrenches of a right wheel over lateral shift at one height, made offline; straight between its entries."""
 
     def __init__(self, shifts, velocity):
-        self.shifts = shifts
-        self.entries = np.array([self.exact(shift, velocity) for shift in shifts])
+        self.shifts, self.entries = shifts, self.exact(shifts, velocity)
 
     @staticmethod
-    def exact(shift, velocity):
-        found = kstrip.wheel_on_rail(RAIL, WHEEL, pair(), carried(shift), velocity).wrench
-        return np.concatenate([found["force"], found["moment"]])
+    def exact(shifts, velocity):
+        """Force and moment, shape (number of shifts, 6)."""
+        found = kstrip.wheel_on_rail(RAIL, WHEEL, pair(), carried(shifts), velocity, contacts=False).wrench
+        return np.concatenate([found.force, found.moment], axis=-1)
 
-    def __call__(self, shift):
-        return np.array([np.interp(shift, self.shifts, column) for column in self.entries.T])
+    def __call__(self, shifts):
+        return np.stack([np.interp(shifts, self.shifts, column) for column in self.entries.T], axis=-1)
 
     def error(self, shifts, velocity):
-        """Mean and largest error of the creep force over mu N, between the entries."""
-        off = [np.hypot(*(self(shift) - self.exact(shift, velocity))[:2]) / (0.3 * LOAD) for shift in shifts]
+        """Mean and largest error of the creep force divided by mu N, between the entries."""
+        off = np.hypot(*(self(shifts) - self.exact(shifts, velocity)).T[:2]) / (0.3 * LOAD)
         return float(np.mean(off)), float(np.max(off))
 
 
 def main():
     print("shift [mm]   contact y [mm]   angle [deg]   radius difference [mm]   Fx [kN]   Fy [kN]")
-    for shift in np.linspace(0.0, 6e-3, 7):
-        right = forces(shift)
-        contact = right.contacts[np.argmax(right.contacts["normal_force"])]
-        place = float(contact["origin"][1]) + float(carried(shift)["lateral"])
-        difference = rolling_radius(shift) - rolling_radius(shift, left=True)
-        fx, fy, _ = right.wrench["force"] * 1e-3
-        print(f"{shift * 1e3:9.1f} {place * 1e3:15.2f} {np.degrees(contact['angle']):14.2f} {difference * 1e3:19.3f} {fx:16.2f} {fy:9.2f}")
+    shifts = np.linspace(0.0, 6e-3, 7)
+    right, lateral = forces(shifts), carried(shifts).lateral
+    difference = rolling_radius(shifts) - rolling_radius(shifts, left=True)
+    for i, shift in enumerate(shifts):
+        contact = right.contacts[i, np.argmax(right.contacts[i].normal_force)]
+        place = float(contact.origin[1] + lateral[i])
+        fx, fy, _ = right.wrench.force[i] * 1e-3
+        print(f"{shift * 1e3:9.1f} {place * 1e3:15.2f} {np.degrees(contact.angle):14.2f} {difference[i] * 1e3:19.3f} {fx:16.2f} {fy:9.2f}")
     print(f"equivalent conicity at 3 mm: {equivalent_conicity(3e-3):.3f}")
     for radius in (np.inf, 2000.0, 500.0):
         outer, inner = curve(radius, -4e-3)

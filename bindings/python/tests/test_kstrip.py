@@ -12,6 +12,8 @@ sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
 import numpy as np
 
 import kstrip
+from kstrip import _header, _library
+from kstrip._status import gravity
 import wheel_on_rail as scene
 
 STEEL = dict(a=6e-3, b=4.5e-3, normal_force=80e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3)
@@ -33,10 +35,10 @@ def quiet(test):
 
 class Binding(unittest.TestCase):
     def test_everything_of_the_headers_is_there(self):
-        header = kstrip._text
+        header = _library.text
         code = re.sub(r"/\*.*?\*/", "", header, flags=re.S)
         declared = set(re.findall(r"\b(kstrip_\w+)\(", code))
-        bound = {name for name, *_ in kstrip._header.functions(header, kstrip.structures)}
+        bound = {name for name, *_ in _header.functions(header, kstrip.structures)}
         self.assertEqual(declared, bound)
         # All have a twin but options_init, status_string, version_string and abi_version
         self.assertEqual(2 * len([name for name in bound if name.endswith("_f32")]) + 4, len(bound))
@@ -259,9 +261,9 @@ class Binding(unittest.TestCase):
         lines = [re.findall(r"`(KSTRIP_WARNING_\w+)`", line) for line in re.split(r"\n\d\. ", order)[1:]]
         named = [name for line in lines for name in line]
         self.assertEqual(set(named), {name for name in kstrip.constants if name.startswith("KSTRIP_WARNING_")})
-        told = sorted(named, key=lambda name: kstrip._gravity(kstrip.constants[name]), reverse=True)
+        told = sorted(named, key=lambda name: gravity(kstrip.constants[name]), reverse=True)
         self.assertEqual(told, [name for line in lines for name in sorted(line, key=lambda name: -kstrip.constants[name])])
-        self.assertTrue(all(kstrip._gravity(1) > kstrip._gravity(status) for status in (0, -1)))
+        self.assertTrue(all(gravity(1) > gravity(status) for status in (0, -1)))
 
     def test_warnings_are_warnings(self):
         with self.assertWarnsRegex(kstrip.KstripWarning, "KSTRIP_WARNING_CREEPAGE at index 1") as caught:

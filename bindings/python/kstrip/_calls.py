@@ -1,0 +1,78 @@
+"""Calls of the C library: one, and one for each element."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any, Iterable, Optional
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._inputs import Plain, Shape
+from ._library import dtypes, function_of
+from ._status import gravity, report
+
+
+def call(name: str, single: bool, *arguments: Any) -> None:
+    """One call: arrays go as addresses."""
+    report(function_of(name, single)(*(a.ctypes.data if isinstance(a, np.ndarray) else a for a in arguments)))
+
+
+def size_of(shape: Shape) -> int:
+    return int(np.prod(shape))
+
+
+def index_of(at: int, shape: Shape) -> Optional[tuple[int, ...]]:
+    """The index of an element, by its number."""
+    return tuple(int(k) for k in np.unravel_index(at, shape)) if shape else None
+
+
+class Worst:
+    """The most serious status of many calls, and the number of its element."""
+
+    def __init__(self) -> None:
+        self.status, self.at = 0, 0
+
+    def add(self, status: int, at: int) -> bool:
+        """Whether this one is an error."""
+        if status < 0 or gravity(status) > gravity(self.status):
+            self.status, self.at = status, at
+        return status < 0
+
+    def report(self, shape: Shape) -> None:
+        report(self.status, index_of(self.at, shape) if self.status else None)
+
+
+def progress(count: int, what: str) -> Iterable[int]:
+    """0, 1, ..., count - 1; with a bar on a terminal where tqdm is installed and the sweep takes more than two seconds."""
+    if count > 1000 and sys.stderr is not None and sys.stderr.isatty():
+        try:
+            from tqdm import tqdm  # type: ignore[import-untyped, unused-ignore]
+        except ImportError:
+            return range(count)
+        bar: Iterable[int] = tqdm(range(count), desc=what, delay=2.0, leave=False)
+        return bar
+    return range(count)
+
+
+def each(name: str, single: bool, shape: Shape, *arguments: Any) -> None:
+    """A call for each element of the arrays in the tuples (array, distance in bytes); other arguments are for all."""
+    function, worst = function_of(name, single), Worst()
+    begins = [(a[0].ctypes.data, a[1]) if isinstance(a, tuple) else None for a in arguments]
+    for i in progress(size_of(shape), name):
+        status = function(*(a if begin is None else begin[0] + i * begin[1] for a, begin in zip(arguments, begins)))
+        if status and worst.add(status, i):
+            break
+    worst.report(shape)
+
+
+def out(name: str, shape: Shape, single: bool) -> tuple[NDArray[np.void], int]:
+    """Zeroed structures for results, one after the other, and their distance in bytes."""
+    made = np.zeros(size_of(shape), dtypes[name + "_f32" * single])
+    return made, made.dtype.itemsize
+
+
+def real(shape: Shape, single: bool) -> tuple[Plain, int]:
+    """The same for numbers."""
+    made = np.zeros(size_of(shape), np.float32 if single else np.float64)
+    return made, made.dtype.itemsize

@@ -1,0 +1,184 @@
+"""A wheel on a rail: from two profiles to the forces on the wheel."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple, Optional, Sequence, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+from ._calls import Worst, call, out, progress, real, size_of
+from ._inputs import Model, Plain, Shape, broadcast, count_of, flat, floats, is_single, one, options, record, records
+from ._library import constants, dtypes, function_of
+from ._types import Friction, Surface, WheelContact, WheelPair, WheelPosition, WheelVelocity, Wrench, WrenchByPosition, WrenchDerivatives
+
+
+def prepare_profile(y: ArrayLike, z: ArrayLike, step: float = 0.0, smoothing_length: float = 0.0,
+                    dtype: DTypeLike = np.float64) -> Surface:
+    """A prepared profile of a rail or a wheel from its points [m], z down, the gauge side or the flange at small y.
+
+    y, z: the points in their order along the profile, either way. A file is read by read_profile(), which has `prepare()`.
+    step: between prepared points [m]; 0: the library's choice. smoothing_length [m]: 2 to 4 mm suit measured profiles.
+    """
+    single = np.dtype(dtype) == np.float32
+    across, down = floats(y, "y", single), floats(z, "z", single)
+    if across.shape != down.shape:
+        raise ValueError(f"y and z have different shapes: y {across.shape}, z {down.shape}")
+    made = np.zeros((), dtypes["surface" + "_f32" * single])
+    call("kstrip_prepare_profile", single, across, down, count_of(across.size), float(step), float(smoothing_length), made)
+    return made.view(Surface)
+
+
+def wheel_pair(*, wheel_radius: ArrayLike, shear_modulus: ArrayLike, poisson_ratio: ArrayLike,
+               friction: Union[ArrayLike, Sequence[tuple[float, float]]] = 0.0, left: ArrayLike = False,
+               smoothing_length: ArrayLike = 0.0, strips: int = 0, model: Model = "default",
+               dtype: DTypeLike = np.float64) -> WheelPair:
+    """Materials, side and friction of a wheel and a rail; numbers and arrays broadcast.
+
+    wheel_radius: at z = 0 of its profile [m]. shear_modulus [Pa], poisson_ratio [-]: combined constants of both bodies.
+    friction: one number, or up to four pairs (y on the rail [m], coefficient), linear between them.
+    left: whether it is a left wheel; the profiles are always those of a right one.
+    """
+    places = np.asarray(friction, float) if np.ndim(friction) else np.zeros((0, 2))
+    room = constants["KSTRIP_RAIL_FRICTION_CAPACITY"]
+    if places.ndim != 2 or places.shape[1] != 2 or len(places) > room:
+        raise ValueError(f"friction is one number, or up to {room} pairs of y and friction; this has the shape {places.shape}")
+    chosen = options(model, strips)
+    made: WheelPair = record("wheel_pair", dtype, wheel_radius=wheel_radius, shear_modulus=shear_modulus, poisson_ratio=poisson_ratio,
+                             friction=0.0 if len(places) else friction, friction_points=len(places),
+                             left=np.asarray(left, bool).astype(int), smoothing_length=smoothing_length, strips=chosen.strips,
+                             model=chosen.model)
+    made["friction_y"][..., : len(places)], made["friction_at"][..., : len(places)] = places.T
+    return made
+
+
+def wheel_position(*, lateral: ArrayLike, vertical: ArrayLike = 0.0, yaw: ArrayLike = 0.0, roll: ArrayLike = 0.0,
+                   dtype: DTypeLike = np.float64) -> WheelPosition:
+    """Where a wheel's centre is over the rail [m, m, rad, rad]; numbers and arrays broadcast.
+
+    `vertical` is 0 where the centre is one wheel radius above the rail's origin; down is positive.
+    """
+    made: WheelPosition = record("wheel_position", dtype, lateral=lateral, vertical=vertical, yaw=yaw, roll=roll)
+    return made
+
+
+def wheel_velocity(*, forward: ArrayLike, pitch: ArrayLike, lateral: ArrayLike = 0.0, vertical: ArrayLike = 0.0,
+                   roll: ArrayLike = 0.0, yaw: ArrayLike = 0.0, dtype: DTypeLike = np.float64) -> WheelVelocity:
+    """How a wheel moves over the rail [m/s; rad/s about its wheelset's own axes]; numbers and arrays broadcast.
+
+    `pitch` is about -forward/radius.
+    """
+    made: WheelVelocity = record("wheel_velocity", dtype, forward=forward, lateral=lateral, vertical=vertical, roll=roll,
+                                 pitch=pitch, yaw=yaw)
+    return made
+
+
+class WheelOnRail(NamedTuple):
+    """What acts on wheels. Each member has the shape to which pair, position, velocity and friction broadcast."""
+
+    #: force [N], moment [N m], dissipation [W], normal_force [N], contacts, status_detail
+    wrench: Wrench
+    #: with respect to velocity and to a factor of friction; exact
+    derivatives: WrenchDerivatives
+    #: with respect to lateral, vertical, yaw, roll: None where not asked for
+    by_position: Optional[WrenchByPosition]
+    #: of one wheel its contacts, shape (count,). Of several wheels shape (..., most contacts of a wheel); unused ones are zero.
+    contacts: WheelContact
+
+
+class _Wheels:
+    """The inputs of many wheels: prepared profiles, and records that broadcast."""
+
+    def __init__(self, rail: Any, wheel: Any, law: Any, **given: Any):
+        self.single = is_single(rail, wheel, law, *given.values())
+        self.profiles = one("surface", rail, self.single, "rail"), one("surface", wheel, self.single, "wheel")
+        self.law: Optional[Plain] = None if law is None else records("friction", law, self.single)
+        found: dict[str, Optional[Plain]] = {name: None if value is None else records(_KINDS[name], value, self.single)
+                                             for name, value in given.items() if name != "support"}
+        if "support" in given:
+            found["support"] = floats(given["support"], "support", self.single)
+        self.shape: Shape = broadcast(**found, friction=self.law)
+        self.count = size_of(self.shape)
+        flats = {name: None if value is None else flat(value, self.shape) for name, value in (found | {"friction": self.law}).items()}
+        self.kept = flats
+        self.memory = np.zeros((), dtypes["wheel_workspace" + "_f32" * self.single])
+
+    def address(self, name: str) -> tuple[Optional[int], int]:
+        """Of the first element, and the distance to the next in bytes."""
+        kept = self.kept[name]
+        return (None, 0) if kept is None else (kept[0].ctypes.data, kept[1])
+
+
+_KINDS = {"pair": "wheel_pair", "position": "wheel_position", "velocity": "wheel_velocity"}
+
+
+def _of(address: tuple[Optional[int], int], i: int) -> Optional[int]:
+    return None if address[0] is None else address[0] + i * address[1]
+
+
+def wheel_on_rail(rail: Surface, wheel: Surface, pair: WheelPair, position: WheelPosition, velocity: WheelVelocity,
+                  friction: Optional[Friction] = None, by_position: bool = False, contacts: bool = True) -> WheelOnRail:
+    """Force and moment on wheels of prepared profiles, their derivatives and their contacts.
+
+    rail, wheel: one each, by prepare_profile() or Profile.prepare(). pair: wheel_pair(). position: wheel_position(), whose
+    `vertical` height_for_load() finds. velocity: wheel_velocity(). friction: a law of friction() that falls with the slip.
+    pair, position, velocity and friction broadcast: two wheels at all positions are one call.
+    by_position: also the derivatives with respect to the position. contacts: False leaves them out, for many wheels.
+
+    >>> wheels = kstrip.wheel_on_rail(rail, wheel, pair, kstrip.wheel_position(lateral=shifts, vertical=heights), velocity)
+    >>> wheels.wrench.force[..., 1]                     # lateral force on the wheel [N] at each shift
+    """
+    wheels = _Wheels(rail, wheel, friction, pair=pair, position=position, velocity=velocity)
+    single, count = wheels.single, wheels.count
+    wrench, slopes = out("wrench", wheels.shape, single), out("wrench_derivatives", wheels.shape, single)
+    moved = out("wrench_by_position", wheels.shape if by_position else (0,), single)
+    function, worst, memory = function_of("kstrip_wheel_on_rail", single), Worst(), wheels.memory
+    profiles = tuple(profile.ctypes.data for profile in wheels.profiles)
+    pairs, places, moves, laws = (wheels.address(name) for name in ("pair", "position", "velocity", "friction"))
+    room, first = memory.ctypes.data, (wrench[0].ctypes.data, slopes[0].ctypes.data, moved[0].ctypes.data)
+    # Strips that a contact does not use stay zero.
+    found: list[Plain] = []
+    fields: Any = memory.dtype.fields
+    used = np.frombuffer(memory, np.uint8)[fields["strips"][1] : fields["count"][1]]
+    for i in progress(count, "wheel_on_rail"):
+        used[...] = 0
+        status = function(*profiles, _of(pairs, i), _of(places, i), _of(moves, i), _of(laws, i), room, first[0] + i * wrench[1],
+                          first[1] + i * slopes[1], first[2] + i * moved[1] if by_position else None)
+        if status and worst.add(status, i):
+            break
+        if contacts:
+            found.append(memory["contacts"][: int(memory["count"])].copy())
+    worst.report(wheels.shape)
+    most = max((len(each) for each in found), default=0)
+    together = np.zeros((count, most), memory.dtype["contacts"].base)
+    for i, each in enumerate(found):
+        together[i, : len(each)] = each
+    met = together.reshape((*wheels.shape, most)).view(WheelContact)
+    return WheelOnRail(wrench[0].reshape(wheels.shape).view(Wrench), slopes[0].reshape(wheels.shape).view(WrenchDerivatives),
+                       moved[0].reshape(wheels.shape).view(WrenchByPosition) if by_position else None, met)
+
+
+def height_for_load(rail: Surface, wheel: Surface, pair: WheelPair, position: WheelPosition, support: ArrayLike,
+                    velocity: Optional[WheelVelocity] = None, friction: Optional[Friction] = None) -> NDArray[np.float64]:
+    """The vertical positions [m] at which the rail supports wheels with a force [N].
+
+    Arguments as in wheel_on_rail(); all but rail and wheel broadcast. The search begins at position's `vertical`.
+    velocity: None: the pressure alone carries the load.
+
+    >>> position.vertical = kstrip.height_for_load(rail, wheel, pair, position, 80e3)
+    """
+    wheels = _Wheels(rail, wheel, friction, pair=pair, position=position, support=support, velocity=velocity)
+    heights = real(wheels.shape, wheels.single)
+    supports = np.broadcast_to(floats(support, "support", wheels.single), wheels.shape).reshape(-1)
+    function, worst = function_of("kstrip_height_for_load", wheels.single), Worst()
+    profiles = tuple(profile.ctypes.data for profile in wheels.profiles)
+    pairs, places, moves, laws = (wheels.address(name) for name in ("pair", "position", "velocity", "friction"))
+    room, first = wheels.memory.ctypes.data, heights[0].ctypes.data
+    for i in progress(wheels.count, "height_for_load"):
+        status = function(*profiles, _of(pairs, i), _of(places, i), float(supports[i]), _of(moves, i), _of(laws, i), room,
+                          first + i * heights[1])
+        if status and worst.add(status, i):
+            break
+    worst.report(wheels.shape)
+    found: NDArray[np.float64] = heights[0].reshape(wheels.shape)[()]
+    return found
