@@ -1,6 +1,6 @@
 #!/bin/sh
 # Draws every picture in docs/: figures of the paper, of the tour and of the cookbook, the accuracy report with its maps, the
-# patches, the report of speed against error (its times are those of this machine).
+# patches, the report of speed against error (its times are those of this machine), the page that computes (in Chromium).
 #
 #     scripts/pictures.sh
 set -eu
@@ -9,3 +9,5 @@ cargo bench --quiet --locked --bench accuracy
 cargo bench --quiet --locked --bench figures
 cargo bench --quiet --locked --bench patches
 cargo bench --quiet --locked --bench speed
+sh scripts/web.sh
+"${PYTHON:-python3}" tests/web/page.py --picture docs/figures/page.png

@@ -455,3 +455,49 @@ proptest! {
         check("Polach", &polach::solve, &polach::solve, 1.5);
     }
 }
+
+/// `tests/web/fastsim.csv`, with which the page that computes compares its own FASTSIM. `KSTRIP_WRITE_FASTSIM=1` writes the forces.
+#[test]
+fn the_table_of_the_page_is_that_of_the_reports() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/web/fastsim.csv");
+    let text = std::fs::read_to_string(&path).expect("the table is there");
+    let mut written = text.lines().next().expect("a header").to_owned() + "\n";
+    let grid = Grid::<10, 10>::new(Layout::StripCentres);
+    for line in text.lines().skip(1) {
+        let row: Vec<f64> = line.split(',').map(|word| word.parse().expect("a number")).collect();
+        let &[a, b, normal_force, shear_modulus, poisson_ratio, friction, ref motion @ ..] =
+            &row[..]
+        else {
+            panic!("fourteen numbers: {line}")
+        };
+        let &[longitudinal, lateral, spin, c11, c22, c23, fx, fy] = motion else {
+            panic!("fourteen numbers: {line}")
+        };
+        let input = Input {
+            a,
+            b,
+            normal_force,
+            shear_modulus,
+            poisson_ratio,
+            friction,
+            longitudinal,
+            lateral,
+            spin,
+            c11,
+            c22,
+            c23,
+        };
+        let found =
+            fastsim::solve::<10, 10, 1>(&grid, &input, Flexibility::Three, Bound::Parabolic);
+        let bound = friction * normal_force;
+        let inputs = line.splitn(13, ',').take(12).collect::<Vec<_>>().join(",");
+        written += &format!("{inputs},{},{}\n", found.fx * bound, found.fy * bound);
+        if std::env::var_os("KSTRIP_WRITE_FASTSIM").is_none() {
+            assert_relative_eq!(found.fx * bound, fx, epsilon = 1e-9, max_relative = 1e-12);
+            assert_relative_eq!(found.fy * bound, fy, epsilon = 1e-9, max_relative = 1e-12);
+        }
+    }
+    if std::env::var_os("KSTRIP_WRITE_FASTSIM").is_some() {
+        std::fs::write(path, written).expect("the repository can be written");
+    }
+}

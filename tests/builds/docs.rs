@@ -466,7 +466,7 @@ fn every_warning_has_its_place() {
 /// Files that a page links or names in backticks are there.
 #[test]
 fn pages_name_files_that_exist() {
-    const FOLDERS: [&str; 11] = [
+    const FOLDERS: [&str; 12] = [
         "src/",
         "tests/",
         "docs/",
@@ -478,6 +478,7 @@ fn pages_name_files_that_exist() {
         "c_examples/",
         "bindings/",
         "hosts/",
+        "web/",
     ];
     let (mut links, mut files) = (0, 0);
     for page in pages() {
