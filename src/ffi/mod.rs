@@ -4,10 +4,12 @@
 //! and go out through `Option<&mut MaybeUninit<T>>`. These have the layout of C pointers and need no unsafe code. Only arrays and
 //! structures of pointers need it.
 //!
-//! The functions stand in double precision, in the order of the header; `single.rs` is written from them, and the headers
-//! from both, by `tests/interface/binary_interface.rs`.
+//! The functions stand once, in `exports`, in the order of the header; `double.rs` and `single.rs`
+//! compile them for both precisions. `tests/interface/binary_interface.rs` writes the headers.
 
 #![allow(non_camel_case_types)]
+// The exported functions are compiled for two precisions from one text.
+#![allow(clippy::duplicate_mod)]
 // Exported names and C arrays. (SECURITY.md lists every file with unsafe code.)
 #![allow(unsafe_code)]
 // What C callers promise about pointers stands once, at the head of the header.
@@ -21,9 +23,8 @@ mod prepared;
 mod support;
 
 pub mod batch;
-pub mod bodies;
+pub mod double;
 pub mod inside;
-pub mod motion;
 pub mod patch;
 pub mod rig;
 pub mod single;

@@ -7,13 +7,27 @@ use crate::header;
 use std::collections::BTreeSet;
 use std::path::Path;
 
+/// What cbindgen writes: it reads the crate, and instead of the exported functions, whose symbols it
+/// does not expand, their declarations in both precisions.
 fn generated() -> String {
-    let root = env!("CARGO_MANIFEST_DIR");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let config = cbindgen::Config::from_root_or_default(root);
+    let folder = root.join("src/ffi/exports");
+    let mut exports = String::new();
+    for entry in std::fs::read_dir(folder).expect("the sources") {
+        exports += &std::fs::read_to_string(entry.expect("an entry").path()).expect("a source");
+    }
+    let both =
+        groups::declarations(&exports, "", "f64") + &groups::declarations(&exports, "_f32", "f32");
+    // Tests run side by side: each writes a file of its own.
+    let scratch = format!("declarations_{:?}.rs", std::thread::current().id());
+    let scratch = Path::new(env!("CARGO_TARGET_TMPDIR")).join(scratch);
+    std::fs::write(&scratch, both).expect("the folder is writable");
     let mut bytes = Vec::new();
     cbindgen::Builder::new()
-        .with_crate(root)
         .with_config(config)
+        .with_src(scratch)
+        .with_src(root.join("src/lib.rs"))
         .generate()
         .expect("cbindgen reads the sources")
         .write(&mut bytes);
@@ -21,10 +35,6 @@ fn generated() -> String {
 }
 
 const HEADERS: [&str; 2] = ["include/kstrip.h", "include/kstrip_f32.h"];
-
-/// The files in the order of the header, the functions in double precision.
-const SOURCES: [&str; 8] =
-    ["bodies", "motion", "solve", "batch", "inside", "patch", "wheel_rail", "rig"];
 
 /// Compares a file with what it should be, and writes it first where that is wanted.
 #[track_caller]
@@ -39,17 +49,6 @@ fn compare(path: &str, text: &str) {
         "{} is not what the sources say; run KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface",
         path.display()
     );
-}
-
-/// The functions in single precision are those in double precision.
-/// `KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface` writes them anew; run it twice, then the headers have them.
-#[test]
-fn single_precision_is_current() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let sources = SOURCES.map(|name| {
-        std::fs::read_to_string(root.join(format!("src/ffi/{name}.rs"))).expect("the sources")
-    });
-    compare("src/ffi/single.rs", &groups::single_precision(&sources));
 }
 
 /// `KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface` writes them anew.

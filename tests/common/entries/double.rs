@@ -1,13 +1,6 @@
 //! The functions in double precision.
 
-use kstrip::ffi::batch::*;
-use kstrip::ffi::bodies::*;
-use kstrip::ffi::inside::*;
-use kstrip::ffi::motion::*;
-use kstrip::ffi::patch::*;
-use kstrip::ffi::rig::*;
-use kstrip::ffi::solve::*;
-use kstrip::ffi::wheel_rail::*;
+use kstrip::ffi::double::*;
 
 pub type Float = f64;
 

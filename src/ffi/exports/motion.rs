@@ -1,6 +1,7 @@
 //! Motion: creepages from velocities, Kalker's parameters.
 
-use super::support::*;
+use super::F;
+use crate::ffi::support::*;
 
 /// Creepages from the velocities of both bodies: (upper - lower)/rolling_speed.
 ///
@@ -11,12 +12,12 @@ use super::support::*;
 /// @param[out] creepage   receives the creepages.
 /// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_ROLLING_SPEED,
 ///         KSTRIP_ERROR_OVERFLOW.
-#[unsafe(no_mangle)]
+#[unsafe(export_name = symbol!("kstrip_creepage_from_velocities"))]
 pub extern "C" fn kstrip_creepage_from_velocities(
-    lower: Option<&SurfaceVelocity<f64>>,
-    upper: Option<&SurfaceVelocity<f64>>,
-    rolling_speed: f64,
-    creepage: Option<&mut MaybeUninit<Creepage<f64>>>,
+    lower: Option<&SurfaceVelocity<F>>,
+    upper: Option<&SurfaceVelocity<F>>,
+    rolling_speed: F,
+    creepage: Option<&mut MaybeUninit<Creepage<F>>>,
 ) -> kstrip_status {
     fill(creepage, || Creepage::from_velocities(given(lower)?, given(upper)?, rolling_speed))
 }
@@ -24,11 +25,11 @@ pub extern "C" fn kstrip_creepage_from_velocities(
 /// Kalker's dimensionless parameters xi, eta, psi (5.13) of a contact in motion; zero where it is lost.
 ///
 /// @return KSTRIP_OK or the errors of kstrip_solve() for the same contact and creepage.
-#[unsafe(no_mangle)]
+#[unsafe(export_name = symbol!("kstrip_parameters_from_creepage"))]
 pub extern "C" fn kstrip_parameters_from_creepage(
-    contact: Option<&Contact<f64>>,
-    creepage: Option<&Creepage<f64>>,
-    parameters: Option<&mut MaybeUninit<KalkerParameters<f64>>>,
+    contact: Option<&Contact<F>>,
+    creepage: Option<&Creepage<F>>,
+    parameters: Option<&mut MaybeUninit<KalkerParameters<F>>>,
 ) -> kstrip_status {
     fill(parameters, || parameters_of(given(contact)?, given(creepage)?))
 }
@@ -38,11 +39,11 @@ pub extern "C" fn kstrip_parameters_from_creepage(
 ///
 /// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_OVERFLOW or the errors
 ///         of kstrip_solve() for the same contact.
-#[unsafe(no_mangle)]
+#[unsafe(export_name = symbol!("kstrip_creepage_from_parameters"))]
 pub extern "C" fn kstrip_creepage_from_parameters(
-    contact: Option<&Contact<f64>>,
-    parameters: Option<&KalkerParameters<f64>>,
-    creepage: Option<&mut MaybeUninit<Creepage<f64>>>,
+    contact: Option<&Contact<F>>,
+    parameters: Option<&KalkerParameters<F>>,
+    creepage: Option<&mut MaybeUninit<Creepage<F>>>,
 ) -> kstrip_status {
     fill(creepage, || creepage_of(given(contact)?, given(parameters)?))
 }

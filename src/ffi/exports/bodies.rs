@@ -1,6 +1,7 @@
 //! Bodies: materials, Hertz's ellipse and its inverse, Kalker's coefficients.
 
-use super::support::*;
+use super::F;
+use crate::ffi::support::*;
 
 /// Combine the elastic constants of two bodies. From Young's modulus: shear_modulus = E/(2 (1 + poisson_ratio)).
 ///
@@ -8,11 +9,11 @@ use super::support::*;
 /// @param[out] combined   receives the constants that kstrip_contact_from_hertz() and kstrip_contact take.
 /// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
 ///         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_OVERFLOW.
-#[unsafe(no_mangle)]
+#[unsafe(export_name = symbol!("kstrip_material_combine"))]
 pub extern "C" fn kstrip_material_combine(
-    lower: Option<&Material<f64>>,
-    upper: Option<&Material<f64>>,
-    combined: Option<&mut MaybeUninit<CombinedMaterial<f64>>>,
+    lower: Option<&Material<F>>,
+    upper: Option<&Material<F>>,
+    combined: Option<&mut MaybeUninit<CombinedMaterial<F>>>,
 ) -> kstrip_status {
     fill(combined, || material::combine(given(lower)?, given(upper)?))
 }
@@ -32,14 +33,14 @@ pub extern "C" fn kstrip_material_combine(
 ///         KSTRIP_WARNING_RADIUS, KSTRIP_WARNING_MISMATCH, KSTRIP_WARNING_CONFORMAL; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
 ///         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_CURVATURE,
 ///         KSTRIP_ERROR_OVERFLOW.
-#[unsafe(no_mangle)]
+#[unsafe(export_name = symbol!("kstrip_contact_from_hertz"))]
 pub extern "C" fn kstrip_contact_from_hertz(
-    radii: Option<&Radii<f64>>,
-    pair: Option<&CombinedMaterial<f64>>,
-    load: f64,
-    friction: f64,
-    contact: Option<&mut MaybeUninit<Contact<f64>>>,
-    ellipse: Option<&mut MaybeUninit<HertzContact<f64>>>,
+    radii: Option<&Radii<F>>,
+    pair: Option<&CombinedMaterial<F>>,
+    load: F,
+    friction: F,
+    contact: Option<&mut MaybeUninit<Contact<F>>>,
+    ellipse: Option<&mut MaybeUninit<HertzContact<F>>>,
 ) -> kstrip_status {
     answer(|| {
         let contact = given(contact)?;
@@ -59,14 +60,14 @@ pub extern "C" fn kstrip_contact_from_hertz(
 /// @param[out] contact    receives the contact, with its load.
 /// @param[out] dload_dapproach  receives the contact stiffness dN/d(approach) [N/m]; NULL: not wanted.
 /// @return as kstrip_contact_from_hertz().
-#[unsafe(no_mangle)]
+#[unsafe(export_name = symbol!("kstrip_contact_from_approach"))]
 pub extern "C" fn kstrip_contact_from_approach(
-    radii: Option<&Radii<f64>>,
-    pair: Option<&CombinedMaterial<f64>>,
-    approach: f64,
-    friction: f64,
-    contact: Option<&mut MaybeUninit<Contact<f64>>>,
-    dload_dapproach: Option<&mut MaybeUninit<f64>>,
+    radii: Option<&Radii<F>>,
+    pair: Option<&CombinedMaterial<F>>,
+    approach: F,
+    friction: F,
+    contact: Option<&mut MaybeUninit<Contact<F>>>,
+    dload_dapproach: Option<&mut MaybeUninit<F>>,
 ) -> kstrip_status {
     answer(|| {
         let contact = given(contact)?;
@@ -89,14 +90,14 @@ pub extern "C" fn kstrip_contact_from_approach(
 /// @param[out] coefficients  receives four numbers: C11, C22, C23, C33.
 /// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_SEMI_AXIS (axis_ratio),
 ///         KSTRIP_ERROR_POISSON_RATIO.
-#[unsafe(no_mangle)]
+#[unsafe(export_name = symbol!("kstrip_linear_coefficients"))]
 pub unsafe extern "C" fn kstrip_linear_coefficients(
-    axis_ratio: f64,
-    poisson_ratio: f64,
-    coefficients: *mut f64,
+    axis_ratio: F,
+    poisson_ratio: F,
+    coefficients: *mut F,
 ) -> kstrip_status {
     // SAFETY: NULL or four writable numbers, says the header.
-    let coefficients = unsafe { place(coefficients.cast::<[f64; 4]>()) };
+    let coefficients = unsafe { place(coefficients.cast::<[F; 4]>()) };
     fill(coefficients, || {
         Error::NotFinite.unless(axis_ratio.is_finite())?;
         Error::SemiAxis.unless(axis_ratio > 0.0)?;
