@@ -1,4 +1,4 @@
-"""Fit what one edge of a strip does to a half-space; print the constants of src/patch/influence.rs and their errors.
+"""Fit what one edge of a strip does to a half-space; print the constants of src/normal/influence.rs and their errors.
 
 python fit_influence.py     (some seconds)
 

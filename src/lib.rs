@@ -62,6 +62,7 @@ pub mod friction;
 pub mod internals;
 pub mod linear;
 pub mod motion;
+pub mod normal;
 pub mod number;
 pub mod patch;
 pub mod rig;

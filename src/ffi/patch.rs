@@ -2,8 +2,8 @@
 
 use super::solve::Places;
 use super::support::*;
-use crate::patch::normal::{CELLS, Given};
-use crate::patch::profile::{Profile, ProfileContact};
+use crate::normal::cells::{CELLS, Given};
+use crate::normal::{Profile, ProfileContact};
 use crate::patch::{self, KSTRIP_PATCH_CAPACITY, Patch, PatchView, QuadratureScale, solver};
 
 impl<F: Precision> StoredPatch<F> {

@@ -2,8 +2,9 @@
 
 use crate::contact::creepage::Creepage;
 use crate::number::Float;
-use crate::patch::shares::Units;
-use crate::patch::solver::{Problem, Slip, rigid_slip};
+use crate::patch::shares::{Units, law};
+use crate::patch::slip::{Slip, rigid_slip};
+use crate::patch::solver::Problem;
 use crate::patch::{PatchStrip, PatchView};
 use crate::solve::field::{FieldPoint, strip_point};
 use crate::solve::model::{Model, Precision};
@@ -83,7 +84,7 @@ impl<'a, F: Precision> PatchField<'a, F> {
         let law = if self.problem.model == Model::Strip {
             let zone = view.zone(number)?;
             let factors = [F::one(), F::one()];
-            let (rolling, _) = Problem::law(&zone, &Slip::new(creepage), strip.centre_x, factors);
+            let (rolling, _) = law(&zone, &Slip::new(creepage), strip.centre_x, factors);
             let line = Units::new(&zone).geometry(strip, F::zero());
             Tractions::Strip(rolling, line, zone.contact.slip_scale())
         } else {

@@ -4,25 +4,18 @@
 //! `x_c`, a friction coefficient, and a pressure that is a half-ellipse in `x`,
 //! `Z = p₀ √(1 − (x − x_c)²/l²)`, so that it carries the load `(π/2) p₀ l · width`. Where the strips come from
 //! does not matter: from a Hertz ellipse ([`Patch::from_ellipse`]), from a profile
-//! ([`profile`]), or from any other solver ([`Patch::from_strips`]).
+//! ([`normal`](crate::normal)), or from any other solver ([`Patch::from_strips`]).
 //!
 //! Strips lie side by side in ascending `y`. Where the distance of two neighbours is more than one and a half
 //! times that at which they touch, there is a gap, and what lies on either side of it is a lobe of its own.
 //!
 //! The model STRIP needs an axis ratio. It takes that of an ellipse which stands for the strips around ([`zones`]).
 
-mod density;
-mod estimate;
+mod extremes;
 pub mod field;
 pub mod friction;
-mod influence;
-mod lattice;
-pub mod normal;
-mod parabola;
-pub mod profile;
-mod section;
 mod shares;
-mod smooth;
+mod slip;
 pub mod solver;
 mod stored;
 mod view;

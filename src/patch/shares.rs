@@ -5,9 +5,9 @@ use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::{Contact, mismatch};
 use crate::linear::LinearCoefficients;
 use crate::number::{Float, Number};
-use crate::patch::solver::{Problem, Share, Slip, creepage_at};
+use crate::patch::slip::{Share, Slip, creepage_at};
 use crate::patch::zones::{Widths, Zone};
-use crate::patch::{PatchStrip, QuadratureScale};
+use crate::patch::{PatchStrip, PatchView, QuadratureScale};
 use crate::solve::model::Precision;
 use crate::strip::{Distribution, Flexibilities, Seen, StripGeometry, eight_strips};
 
@@ -15,72 +15,70 @@ use crate::strip::{Distribution, Flexibilities, Seen, StripGeometry, eight_strip
 /// an `f32`.
 const LEAST_BOUND: f64 = 1e-9;
 
-impl<F: Precision> Problem<'_, F> {
-    /// The creepages of the strips of a zone's ellipse, for the creepage at `x` on its middle line with that which pressure adds.
-    pub fn law<T: Number<Base = F>>(
-        zone: &Zone<F>,
-        slip: &Slip<T>,
-        x: F,
-        factors: [F; 2],
-    ) -> (Distribution<T>, T) {
-        let Contact { a, b, poisson_ratio, .. } = zone.contact;
-        let linear = LinearCoefficients::at(a / b, poisson_ratio);
-        let (seen, shift) = seen_by(zone, &linear, slip, x);
-        let parameters = Parameters::new(&zone.contact, &seen);
-        let prepared = Flexibilities::new(parameters.axis_ratio, poisson_ratio, &linear, factors);
-        (prepared.see(parameters.normalised()), shift)
-    }
+/// The creepages of the strips of a zone's ellipse, for the creepage at `x` on its middle line with that which pressure adds.
+pub(super) fn law<F: Precision, T: Number<Base = F>>(
+    zone: &Zone<F>,
+    slip: &Slip<T>,
+    x: F,
+    factors: [F; 2],
+) -> (Distribution<T>, T) {
+    let Contact { a, b, poisson_ratio, .. } = zone.contact;
+    let linear = LinearCoefficients::at(a / b, poisson_ratio);
+    let (seen, shift) = seen_by(zone, &linear, slip, x);
+    let parameters = Parameters::new(&zone.contact, &seen);
+    let prepared = Flexibilities::new(parameters.axis_ratio, poisson_ratio, &linear, factors);
+    (prepared.see(parameters.normalised()), shift)
+}
 
-    /// Hands the forces of every strip to `visit`, eight strips side by side.
-    pub(super) fn strip_shares<T: Number<Base = F>>(
-        &self,
-        slip: &Slip<T>,
-        visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
-    ) {
-        let QuadratureScale { area, lever } = self.view.scale();
-        let mut prepared: Option<Known<F, T, Distribution<T>>> = None;
-        let of_patch = self.view.sizes().widths;
-        for (first, lobe, of_lobe) in self.view.lobes_and_zones() {
-            let is_whole = lobe.len() == self.view.strips().len();
-            let alternates = of_patch.alternation > F::zero();
-            let widths = if alternates && !is_whole { Widths::of(lobe) } else { of_patch };
-            let count = lobe.len();
-            let mut in_lobe = false;
-            let alternating = widths.alternation.times(0.5);
-            for (g, group) in lobe.chunks(8).enumerate() {
-                let zero = T::zero();
-                let none = Seen { x: zero, y: zero, spread: zero, start: zero };
-                let mut seen = [(none, T::zero()); 8];
-                let mut inner = [F::zero(); 8];
-                let mut shifts = [zero; 8];
-                let strips = group.iter().zip(&mut seen).zip(&mut inner).zip(&mut shifts);
-                for (k, (((strip, seen), inner), shift)) in strips.enumerate() {
-                    let i = 8 * g + k;
-                    let x = strip.centre_x;
-                    let own = of_lobe.or_else(|| self.view.zone(first + i));
-                    let Some(zone) = own else { continue };
-                    let same = in_lobe && of_lobe.is_some();
-                    let known = prepared
-                        .as_ref()
-                        .is_some_and(|known| known.x == x && (same || zone.is(&known.zone)));
-                    in_lobe = true;
-                    if !known {
-                        // the slopes of the linear theory, whatever the quadrature
-                        let (law, shift) = Self::law(&zone, slip, x, [area, lever]);
-                        prepared = Some(Known { zone, x, units: Units::new(&zone), law, shift });
-                    }
-                    let Some(Known { units, law, shift: own, .. }) = &prepared else { continue };
-                    *shift = *own;
-                    *seen = law.strip(&units.geometry(strip, strip.width * widths.per_mean));
-                    let is_inner = i.min(count - 1 - i) % 2 == 1;
-                    *inner = (if is_inner { alternating } else { -alternating }).plus(0.5);
+/// Hands the forces of every strip to `visit`, eight strips side by side.
+pub(super) fn strip_shares<F: Precision, T: Number<Base = F>>(
+    view: &PatchView<F>,
+    slip: &Slip<T>,
+    visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
+) {
+    let QuadratureScale { area, lever } = view.scale();
+    let mut prepared: Option<Known<F, T, Distribution<T>>> = None;
+    let of_patch = view.sizes().widths;
+    for (first, lobe, of_lobe) in view.lobes_and_zones() {
+        let is_whole = lobe.len() == view.strips().len();
+        let alternates = of_patch.alternation > F::zero();
+        let widths = if alternates && !is_whole { Widths::of(lobe) } else { of_patch };
+        let count = lobe.len();
+        let mut in_lobe = false;
+        let alternating = widths.alternation.times(0.5);
+        for (g, group) in lobe.chunks(8).enumerate() {
+            let zero = T::zero();
+            let none = Seen { x: zero, y: zero, spread: zero, start: zero };
+            let mut seen = [(none, T::zero()); 8];
+            let mut inner = [F::zero(); 8];
+            let mut shifts = [zero; 8];
+            let strips = group.iter().zip(&mut seen).zip(&mut inner).zip(&mut shifts);
+            for (k, (((strip, seen), inner), shift)) in strips.enumerate() {
+                let i = 8 * g + k;
+                let x = strip.centre_x;
+                let own = of_lobe.or_else(|| view.zone(first + i));
+                let Some(zone) = own else { continue };
+                let same = in_lobe && of_lobe.is_some();
+                let known = prepared
+                    .as_ref()
+                    .is_some_and(|known| known.x == x && (same || zone.is(&known.zone)));
+                in_lobe = true;
+                if !known {
+                    // the slopes of the linear theory, whatever the quadrature
+                    let (law, shift) = self::law(&zone, slip, x, [area, lever]);
+                    prepared = Some(Known { zone, x, units: Units::new(&zone), law, shift });
                 }
-                let found = eight_strips(&seen, inner).into_iter().zip(shifts);
-                for (strip, (found, shift)) in group.iter().zip(found) {
-                    let stick = found.stick.value();
-                    let share = Share::new(strip, &found, stick, stick > F::zero());
-                    visit(strip, Share { of_pressure: share.fx * shift, ..share });
-                }
+                let Some(Known { units, law, shift: own, .. }) = &prepared else { continue };
+                *shift = *own;
+                *seen = law.strip(&units.geometry(strip, strip.width * widths.per_mean));
+                let is_inner = i.min(count - 1 - i) % 2 == 1;
+                *inner = (if is_inner { alternating } else { -alternating }).plus(0.5);
+            }
+            let found = eight_strips(&seen, inner).into_iter().zip(shifts);
+            for (strip, (found, shift)) in group.iter().zip(found) {
+                let stick = found.stick.value();
+                let share = Share::new(strip, &found, stick, stick > F::zero());
+                visit(strip, Share { of_pressure: share.fx * shift, ..share });
             }
         }
     }

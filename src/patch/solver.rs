@@ -22,7 +22,8 @@ use crate::contact::plausibility::LARGEST_MISMATCH;
 use crate::linear::LinearCoefficients;
 use crate::number::dual::Dual;
 use crate::number::{Float, Number};
-use crate::patch::shares::seen_by;
+use crate::patch::shares::{seen_by, strip_shares};
+use crate::patch::slip::{Share, Slip, creepage_at, rigid_slip};
 use crate::patch::zones::Zone;
 use crate::patch::{PatchStrip, PatchView};
 use crate::solve::derivatives::{Derivatives, Slopes};
@@ -37,65 +38,6 @@ use nalgebra::Matrix3;
 
 /// Forces of the ellipse of a zone, and the longitudinal creepage that pressure adds in unlike materials.
 type ZoneTotals<T> = (Totals<T>, T);
-
-/// Forces of a strip.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Share<T: Number> {
-    pub fx: T,
-    pub fy: T,
-    /// Moment about the origin of the patch.
-    pub mz: T,
-    /// Power of the force on the creepage that pressure adds.
-    pub of_pressure: T,
-    /// Share of its length in adhesion, at the leading edge.
-    pub stick: T::Base,
-    pub adheres: bool,
-}
-
-impl<T: Number<Base: Float>> Share<T> {
-    /// The forces of a strip, from its forces over the friction bound and its moment about its centre in half lengths.
-    pub fn new(
-        strip: &PatchStrip<T::Base>,
-        carried: &Carried<T>,
-        stick: T::Base,
-        adheres: bool,
-    ) -> Self {
-        let bound = strip.friction_bound();
-        let Carried { fx, fy, mx, .. } = *carried;
-        let (fx, fy) = (fx.scale(bound), fy.scale(bound));
-        // Mz = ∫ (x Y − y X)
-        let mz = mx.scale(bound * strip.half_length) + fy.scale(strip.centre_x) - fx.scale(strip.y);
-        Self { fx, fy, mz, of_pressure: T::zero(), stick, adheres }
-    }
-}
-
-/// The motion of a patch: the creepage at its origin, and the factor of the creepage that pressure adds in unlike bodies, which is one.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Slip<T> {
-    pub creepage: Creepage<T>,
-    pub pressure: T,
-}
-
-impl<F: Float> Slip<F> {
-    pub fn new(creepage: &Creepage<F>) -> Self {
-        Self { creepage: *creepage, pressure: F::one() }
-    }
-}
-
-/// Rigid slip at the point `(x, y)` as creepage of a contact there: `(υx − φ y, υy + φ x, φ)`.
-pub(super) fn creepage_at<T: Number>(
-    creepage: &Creepage<T>,
-    x: T::Base,
-    y: T::Base,
-) -> Creepage<T> {
-    let Creepage { longitudinal, lateral, spin } = *creepage;
-    Creepage { longitudinal: longitudinal - spin.scale(y), lateral: lateral + spin.scale(x), spin }
-}
-
-/// Upper bound of the rigid slip of all points within reach.
-pub(super) fn rigid_slip<F: Float>(creepage: &Creepage<F>, reach: F) -> F {
-    creepage.longitudinal.abs() + creepage.lateral.abs() + creepage.spin.abs() * reach
-}
 
 /// Upper bound of the creepage that pressure adds in any zone.
 fn most_strain<F: Float>(view: &PatchView<F>) -> F {
@@ -188,7 +130,7 @@ impl<'a, F: Precision> Problem<'a, F> {
         visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
     ) {
         if self.model == Model::Strip {
-            self.strip_shares(slip, visit);
+            strip_shares(self.view, slip, visit);
         } else if self.model == Model::Total {
             self.elliptic_shares(slip, visit);
         } else {

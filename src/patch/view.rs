@@ -2,6 +2,7 @@
 
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::Float;
+use crate::patch::extremes::Extremes;
 use crate::patch::zones::{Sizes, Zone};
 use crate::patch::{PatchStrip, QuadratureScale};
 use crate::status::Error;
@@ -216,45 +217,4 @@ impl<'a, F: Float> PatchView<'a, F> {
 
 fn sum<F: Float>(strips: &[PatchStrip<F>], term: impl Fn(&PatchStrip<F>) -> F) -> F {
     strips.iter().fold(F::zero(), |sum, strip| sum + term(strip))
-}
-
-/// The least and the largest of each number of the strips, and their sum.
-pub(super) struct Extremes<F> {
-    pub(super) least: [F; 6],
-    pub(super) most: [F; 6],
-    pub(super) sum: [F; 6],
-}
-
-impl<F: Float> Extremes<F> {
-    fn of(strips: &[PatchStrip<F>]) -> Self {
-        let (least, most) = ([F::LARGEST; 6], [-F::LARGEST; 6]);
-        let mut own = Self { least, most, sum: [F::zero(); 6] };
-        for strip in strips {
-            let numbers = strip.numbers();
-            let places = own.least.iter_mut().zip(&mut own.most).zip(&mut own.sum);
-            for (((least, most), sum), number) in places.zip(numbers) {
-                *least = number.min(*least);
-                *most = number.max(*most);
-                *sum += number;
-            }
-        }
-        own
-    }
-
-    /// Whether the numbers are of the usual sizes, 1 nm to 1 m and up to TPa: then no check can fail, in either precision.
-    fn are_usual(&self) -> bool {
-        let (nearest, farthest) =
-            ([-1.0, 1e-9, 1e-9, -1.0, 0.0, 0.0], [1.0, 1.0, 1.0, 1.0, 1e12, 5.0]);
-        let within = |numbers: &[F; 6]| {
-            let bounds = nearest.iter().zip(&farthest);
-            numbers
-                .iter()
-                .zip(bounds)
-                .all(|(x, (low, high))| x.lies_between(F::of(*low), F::of(*high)))
-        };
-        // (what is not a number is neither the least nor the largest)
-        within(&self.least)
-            && within(&self.most)
-            && self.sum.iter().all(|sum| sum.is_finite_number())
-    }
 }

@@ -15,7 +15,7 @@
 
 use crate::contact::Contact;
 use crate::number::Float;
-use crate::patch::view::Extremes;
+use crate::patch::extremes::Extremes;
 use crate::patch::{PatchStrip, PatchView};
 use core::f64::consts::PI;
 

@@ -2,9 +2,9 @@
 
 use crate::number::tables::{row, table};
 use crate::number::{Arithmetic, Number, Pair, Plain, Stored, either};
-use crate::strip_1967::Motion;
 use crate::strip_1967::edge::{Arc, Edge};
 use crate::strip_1967::integrals::{Both, GAUSS_4, GAUSS_6, Pieces, Shares, arcsinh, far, rounded};
+use crate::strip_1967::motion::Motion;
 use crate::strip_1967::slopes;
 
 /// Square root of the distance between 1 and the next number.

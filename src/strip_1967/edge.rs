@@ -24,7 +24,7 @@
 //! no strip adheres where this is not positive, and then `(sin θ, cos θ)` is the strip that comes nearest to it.
 
 use crate::number::{Arithmetic, Number};
-use crate::strip_1967::Motion;
+use crate::strip_1967::motion::Motion;
 
 /// A point `(Y, C)` of the leading edge, `Y² + C² = 1`, `C ≥ 0`, in units of the semi-axes.
 #[derive(Clone, Copy, Debug, PartialEq)]

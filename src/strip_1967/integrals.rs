@@ -1,8 +1,8 @@
 //! What the integrals over strips are made of: nodes of Gauss, the primitives' common parts, and the pieces of the arc that adheres.
 
 use crate::number::{Arithmetic, Number, Pair, Plain, Stored};
-use crate::strip_1967::Motion;
 use crate::strip_1967::edge::{Arc, Edge};
+use crate::strip_1967::motion::Motion;
 
 /// The positive two of the four nodes of Gauss on `[-1, 1]`, with their weights.
 pub(super) const GAUSS_4: [[f64; 2]; 2] =

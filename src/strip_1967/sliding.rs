@@ -2,9 +2,9 @@
 
 use crate::number::tables::{row, table};
 use crate::number::{Arithmetic, Number, Pair, either};
-use crate::strip_1967::Motion;
 use crate::strip_1967::edge::Edge;
 use crate::strip_1967::integrals::{Both, GAUSS_4, Shares, arcsinh, far, moment, rounded};
+use crate::strip_1967::motion::Motion;
 use crate::strip_1967::slopes;
 use crate::strip_1967::strip::SlidingRule;
 

@@ -2,9 +2,9 @@
 
 use crate::number::tables::{row, table};
 use crate::number::{Arithmetic, Number, Pair, Plain};
-use crate::strip_1967::Motion;
 use crate::strip_1967::edge::Arc;
 use crate::strip_1967::integrals::{Both, GAUSS_6, Node, Pieces, Shares, moment};
+use crate::strip_1967::motion::Motion;
 use crate::strip_1967::strip::SlidingRule;
 
 /// `∫ C K dY` with its derivatives. Those by the ends are those of what the nodes miss.

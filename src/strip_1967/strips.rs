@@ -9,9 +9,10 @@ use crate::number::{Float, add};
 use crate::strip_1967::adhesion::adhering;
 use crate::strip_1967::edge::{self, Arc, Edge};
 use crate::strip_1967::integrals::Shares;
+use crate::strip_1967::motion::Motion;
 use crate::strip_1967::sliding::sliding;
 use crate::strip_1967::strip::{SlidingRule, Strip};
-use crate::strip_1967::{Motion, turned_back, with_spin};
+use crate::strip_1967::{turned_back, with_spin};
 
 /// One strip of a solution, dimensionless.
 #[derive(Clone, Copy, Debug, PartialEq)]

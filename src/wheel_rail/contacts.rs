@@ -21,10 +21,10 @@ use super::{
 };
 use crate::contact::forces::StripCount;
 use crate::motion::Motion;
+use crate::normal::cells::Given;
+use crate::normal::{Indentation, Profile, ProfileContact};
 use crate::number::{Float, are_finite, length};
 use crate::patch::StoredPatch;
-use crate::patch::normal::Given;
-use crate::patch::profile::{Indentation, Profile, ProfileContact};
 use crate::solve::model::Precision;
 use crate::status::{Error, Notice};
 use core::ops::Range;

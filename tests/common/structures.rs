@@ -29,7 +29,7 @@ macro_rules! structures {
         pub type kstrip_patch_summary = kstrip::ffi::types::PatchSummary<$float>;
         pub type kstrip_profile = kstrip::ffi::types::ProfilePoints<$float>;
         pub type kstrip_profile_contact = kstrip::ffi::types::ProfileOptions<$float>;
-        pub type kstrip_profile_result = kstrip::patch::profile::Indentation<$float>;
+        pub type kstrip_profile_result = kstrip::normal::Indentation<$float>;
         pub type kstrip_friction_estimate = kstrip::rig::FrictionEstimate<$float>;
         pub type kstrip_surface = kstrip::wheel_rail::surface::Surface<$float>;
         pub type kstrip_wheel_position = kstrip::wheel_rail::Position<$float>;

@@ -7,8 +7,8 @@ use crate::precise::Precise;
 use crate::two_hundred_bits::{is_known, stated};
 
 use kstrip::contact::forces::StripCount;
+use kstrip::normal::{Indentation, Profile, ProfileContact};
 use kstrip::number::Float;
-use kstrip::patch::profile::{Indentation, Profile, ProfileContact};
 use kstrip::patch::{Patch, PatchStrip, normal::Given};
 use kstrip::solve::model::Precision;
 

@@ -2,9 +2,9 @@
 //!
 //! The weight of a point is `(1 − x²)³`, where `x` is its distance over the smoothing length `s`, times the length that it stands for.
 
+use crate::normal::profile::{Moving, Profile};
 use crate::number::registers::compiled_twice;
 use crate::number::{Arithmetic, Float, Strips};
-use crate::patch::section::{Moving, Profile};
 
 /// Smoothing length over the distance of neighbouring points, at least.
 pub(super) const STEPS: f64 = 2.5;

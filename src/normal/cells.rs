@@ -16,18 +16,16 @@
 //! The end of a zone may cut a cell to the share `r`. The pressure of such a cell is coupled to that of its neighbour in the zone,
 //! `u_i + κ (p_i − p_k) = δ − h_i` with `κ = 0.3 w (1 − r)²/r`, and takes the neighbour's value as its width vanishes.
 
+use crate::normal::influence::{Curvature, Deflection, Edge};
+pub use crate::normal::lattice::CELLS;
+use crate::normal::lattice::Places;
+use crate::normal::profile::{Moving, side_by_side};
 use crate::number::registers::compiled_twice;
 use crate::number::{Arithmetic, Float, Strips};
-use crate::patch::influence::{Curvature, Deflection, Edge};
-use crate::patch::lattice::Places;
-use crate::patch::section::{Moving, side_by_side};
 use core::f64::consts::FRAC_PI_2;
 use core::marker::PhantomData;
 use heapless::Vec;
 
-/// Largest number of cells of the normal problem. On a microcontroller there are fewer, so that patches asked for with 32 and 64 strips
-/// have fewer.
-pub const CELLS: usize = if cfg!(target_os = "none") { 20 } else { 48 };
 /// Rounds in which cells are removed and added; one or two are usual. In later rounds cells are only removed.
 const ENTERING: usize = 12;
 const ROUNDS: usize = ENTERING + CELLS;

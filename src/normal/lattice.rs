@@ -3,12 +3,14 @@
 //! All zones are laid end to end, and the integral of the [density](super::density) of cells over them is divided into equal parts. A cell
 //! is cut where a zone ends. The cells do not depend on where the points of the profile lie.
 
+use crate::normal::density::{ZONES, Zones};
+use crate::normal::profile::Moving;
 use crate::number::{Arithmetic, Float};
-use crate::patch::density::{ZONES, Zones};
-use crate::patch::normal::CELLS;
-use crate::patch::section::Moving;
 use heapless::Vec;
 
+/// Largest number of cells of the normal problem. On a microcontroller there are fewer, so that patches asked for with 32 and 64 strips
+/// have fewer.
+pub const CELLS: usize = if cfg!(target_os = "none") { 20 } else { 48 };
 /// The place of a cell, or of a part of one, on the line `x = 0`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place<F> {

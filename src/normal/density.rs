@@ -10,8 +10,8 @@
 //! just appeared, or a wide margin where the bodies hardly touch, takes few cells from the others, and zones part and merge where there are hardly any. So no cell moves as fast as the
 //! end of a zone does that appears or merges.
 
+use crate::normal::profile::Moving;
 use crate::number::{Arithmetic, Float};
-use crate::patch::section::Moving;
 use heapless::Vec;
 
 /// Largest number of zones of contact; further zones are joined with the last.

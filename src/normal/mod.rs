@@ -6,22 +6,31 @@
 //!    asperities (`Curve`).
 //! 3. **Estimate** of load and deflection by the least energy (`Estimate`), which gives `δ` again.
 //! 4. **Zones** where `h + 0.73 u < δ`, laid end to end, and cells on them (`lattice`).
-//! 5. The [normal problem](super::normal) on the cells. The pressures are solved for, then the lengths are corrected; this is done twice,
+//! 5. The [normal problem](cells) on the cells. The pressures are solved for, then the lengths are corrected; this is done twice,
 //!    and the pressures are solved for once more.
 //!
 //! Every number carries its derivative by the given load or approach, and no branch changes a value where it switches. Therefore load,
 //! approach and strips are continuous functions of load, approach and distances, and the stiffness is the derivative of the computed load.
 
+pub mod cells;
+mod density;
+mod estimate;
+mod influence;
+mod lattice;
+mod parabola;
+pub mod profile;
+mod smooth;
+
 use crate::contact::forces::StripCount;
 use crate::contact::material::{check_modulus, check_poisson_ratio};
+use crate::normal::cells::{Cells, Equations, Given};
+use crate::normal::density::Zones;
+use crate::normal::estimate::{Estimate, OVERLAP};
+use crate::normal::lattice::{lattice, lean};
+pub use crate::normal::profile::Profile;
+use crate::normal::profile::{Moving, invert};
+use crate::normal::smooth::{Curve, length_for};
 use crate::number::{Arithmetic, Float};
-use crate::patch::density::Zones;
-use crate::patch::estimate::{Estimate, OVERLAP};
-use crate::patch::lattice::{lattice, lean};
-use crate::patch::normal::{Cells, Equations, Given};
-pub use crate::patch::section::Profile;
-use crate::patch::section::{Moving, invert};
-use crate::patch::smooth::{Curve, length_for};
 use crate::patch::{Patch, PatchStrip};
 use crate::solve::model::Precision;
 use crate::status::{Error, Notice};
@@ -401,7 +410,7 @@ impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
     /// A wheel of 0.46 m radius on a rail head of 0.30 m:
     /// ```
     /// use kstrip::contact::forces::StripCount;
-    /// use kstrip::patch::{Patch, normal::Given, profile::{Profile, ProfileContact}};
+    /// use kstrip::{patch::Patch, normal::{Profile, ProfileContact, cells::Given}};
     /// let y: [f64; 41] = core::array::from_fn(|i| (i as f64 - 20.0) * 0.5e-3);
     /// let distance = y.map(|y| y * y / (2.0 * 0.30));
     /// let contact = ProfileContact {

@@ -10,12 +10,12 @@
 //!
 //! has the least energy. This load is within 3 % of Hertz's for axis ratios of 0.13 to 8.
 
+use crate::normal::density::{ZONES, Zones};
+use crate::normal::lattice::{Place, Places, lattice};
+use crate::normal::profile::{Moving, side_by_side};
+use crate::normal::smooth::Curve;
 use crate::number::registers::compiled_twice;
 use crate::number::{Arithmetic, Float, Strips};
-use crate::patch::density::{ZONES, Zones};
-use crate::patch::lattice::{Place, Places, lattice};
-use crate::patch::section::{Moving, side_by_side};
-use crate::patch::smooth::Curve;
 use heapless::Vec;
 
 /// Share of the approach: undeformed bodies that are shifted by so much overlap about where they touch.

@@ -4,10 +4,10 @@
 //! `(1 − x²)³`, where `x` is its distance over the smoothing length `s`, times the length that it stands for. A cubic joins two
 //! knots. A profile that is a parabola is not changed, wherever its points lie.
 
+use crate::normal::density::Zones;
+use crate::normal::parabola::{STEPS, parabola};
+use crate::normal::profile::{Moving, Profile};
 use crate::number::{Arithmetic, Float};
-use crate::patch::density::Zones;
-use crate::patch::parabola::{STEPS, parabola};
-use crate::patch::section::{Moving, Profile};
 use heapless::Vec;
 
 /// Largest number of knots.

@@ -1,0 +1,45 @@
+//! Least and largest numbers of the strips of a patch.
+
+use crate::number::Float;
+use crate::patch::PatchStrip;
+
+/// The least and the largest of each number of the strips, and their sum.
+pub(super) struct Extremes<F> {
+    pub(super) least: [F; 6],
+    pub(super) most: [F; 6],
+    pub(super) sum: [F; 6],
+}
+
+impl<F: Float> Extremes<F> {
+    pub(super) fn of(strips: &[PatchStrip<F>]) -> Self {
+        let (least, most) = ([F::LARGEST; 6], [-F::LARGEST; 6]);
+        let mut own = Self { least, most, sum: [F::zero(); 6] };
+        for strip in strips {
+            let numbers = strip.numbers();
+            let places = own.least.iter_mut().zip(&mut own.most).zip(&mut own.sum);
+            for (((least, most), sum), number) in places.zip(numbers) {
+                *least = number.min(*least);
+                *most = number.max(*most);
+                *sum += number;
+            }
+        }
+        own
+    }
+
+    /// Whether the numbers are of the usual sizes, 1 nm to 1 m and up to TPa: then no check can fail, in either precision.
+    pub(super) fn are_usual(&self) -> bool {
+        let (nearest, farthest) =
+            ([-1.0, 1e-9, 1e-9, -1.0, 0.0, 0.0], [1.0, 1.0, 1.0, 1.0, 1e12, 5.0]);
+        let within = |numbers: &[F; 6]| {
+            let bounds = nearest.iter().zip(&farthest);
+            numbers
+                .iter()
+                .zip(bounds)
+                .all(|(x, (low, high))| x.lies_between(F::of(*low), F::of(*high)))
+        };
+        // (what is not a number is neither the least nor the largest)
+        within(&self.least)
+            && within(&self.most)
+            && self.sum.iter().all(|sum| sum.is_finite_number())
+    }
+}
