@@ -762,8 +762,9 @@ kstrip_status kstrip_evaluate_batch(const struct kstrip_batch_inputs *inputs,
 
 /**
  * A contact for which kstrip_prepare() has computed everything that does not depend on the motion. The structure holds plain numbers and no
- * pointers, so it may be copied and kept, for this version of the library only. It contains a checksum of its numbers: a structure that is
- * damaged, foreign or of the other precision gives KSTRIP_ERROR_NOT_PREPARED.
+ * pointers, so it may be copied and kept, for this version of the library only. It begins with a mark:
+ * a structure that was never prepared, or was prepared in the other precision, gives
+ * KSTRIP_ERROR_NOT_PREPARED.
  */
 typedef struct kstrip_prepared {
     /** For use by the library only. */
@@ -777,8 +778,8 @@ typedef struct kstrip_prepared {
 /**
  * Computes what depends on the contact and the options only, for kstrip_solve_prepared().
  *
- * Use this for rigs whose contact is constant, and for iterations on the creepage. The structure contains a checksum of its numbers:
- * kstrip_solve_prepared() refuses a structure whose numbers have changed, or one of the other precision.
+ * Use this for rigs whose contact is constant, and for iterations on the creepage. kstrip_solve_prepared()
+ * refuses a structure that was never prepared, or was prepared in the other precision.
  *
  * @param contact         ellipse, load, material, friction.
  * @param options         model and strip count; NULL for the defaults.

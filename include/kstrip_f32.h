@@ -289,8 +289,9 @@ kstrip_status kstrip_evaluate_batch_f32(const struct kstrip_batch_inputs_f32 *in
 
 /**
  * A contact for which kstrip_prepare() has computed everything that does not depend on the motion. The structure holds plain numbers and no
- * pointers, so it may be copied and kept, for this version of the library only. It contains a checksum of its numbers: a structure that is
- * damaged, foreign or of the other precision gives KSTRIP_ERROR_NOT_PREPARED.
+ * pointers, so it may be copied and kept, for this version of the library only. It begins with a mark:
+ * a structure that was never prepared, or was prepared in the other precision, gives
+ * KSTRIP_ERROR_NOT_PREPARED.
  */
 typedef struct kstrip_prepared_f32 {
     float numbers[96];

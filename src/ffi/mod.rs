@@ -18,7 +18,6 @@
 #![allow(rustdoc::broken_intra_doc_links)]
 
 mod arrays;
-mod checksum;
 mod prepared;
 mod support;
 

@@ -165,8 +165,9 @@ pub struct BatchOutputs<F> {
 }
 
 /// A contact for which kstrip_prepare() has computed everything that does not depend on the motion. The structure holds plain numbers and no
-/// pointers, so it may be copied and kept, for this version of the library only. It contains a checksum of its numbers: a structure that is
-/// damaged, foreign or of the other precision gives KSTRIP_ERROR_NOT_PREPARED.
+/// pointers, so it may be copied and kept, for this version of the library only. It begins with a mark:
+/// a structure that was never prepared, or was prepared in the other precision, gives
+/// KSTRIP_ERROR_NOT_PREPARED.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedNumbers<F: Copy> {

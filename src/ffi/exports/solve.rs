@@ -63,8 +63,8 @@ pub unsafe extern "C" fn kstrip_evaluate(
 
 /// Computes what depends on the contact and the options only, for kstrip_solve_prepared().
 ///
-/// Use this for rigs whose contact is constant, and for iterations on the creepage. The structure contains a checksum of its numbers:
-/// kstrip_solve_prepared() refuses a structure whose numbers have changed, or one of the other precision.
+/// Use this for rigs whose contact is constant, and for iterations on the creepage. kstrip_solve_prepared()
+/// refuses a structure that was never prepared, or was prepared in the other precision.
 ///
 /// @param contact         ellipse, load, material, friction.
 /// @param options         model and strip count; NULL for the defaults.
