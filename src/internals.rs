@@ -5,11 +5,11 @@ use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::contact::forces::Totals;
 use crate::linear::LinearCoefficients;
-use crate::number::{Arithmetic, Number, Plain};
+use crate::number::{Arithmetic, Float, Number, Real};
 use crate::rig::creepage::Aim;
 use crate::rig::friction::Rig;
 use crate::rig::{FrictionEstimate, Measured};
-use crate::solve::model::{Model, Options, Precision};
+use crate::solve::model::{Model, Options};
 use crate::status::Error;
 use crate::strip::long::LongContact;
 use crate::strip::{Carried, EllipseStrips, Seen, Spin, any, totals};
@@ -21,7 +21,7 @@ pub fn are_wide() -> bool {
 
 /// Whether the quick check accepts the sizes of a contact, and those of a creepage where the contact is so small that nothing is implausible
 /// about them; and what the complete check finds.
-pub fn looked_at<F: Precision>(
+pub fn looked_at<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     model: Model,
@@ -36,7 +36,7 @@ pub fn looked_at<F: Precision>(
 ///
 /// # Errors
 /// Those of [`estimate_friction`](crate::rig::estimate_friction).
-pub fn estimate_counted<F: Precision>(
+pub fn estimate_counted<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,
@@ -52,7 +52,7 @@ pub fn estimate_counted<F: Precision>(
 ///
 /// # Errors
 /// Those of [`creepage_for_force`](crate::rig::creepage_for_force).
-pub fn creepage_counted<F: Precision>(
+pub fn creepage_counted<F: Float>(
     contact: &Contact<F>,
     force: [F; 2],
     spin: F,
@@ -64,13 +64,13 @@ pub fn creepage_counted<F: Precision>(
 }
 
 /// The weight of the network for long contacts and what is left of the spin's linear force, by `√(a/b)`.
-pub fn long_contact<F: Plain>(root: F) -> [F; 2] {
+pub fn long_contact<F: Real>(root: F) -> [F; 2] {
     let long = LongContact::new(root, F::zero(), F::zero());
     [long.share, long.of_spin(root)]
 }
 
 /// Forces of one strip, outer or inner, by the formulas as they stand.
-pub fn strip_forces<T: Arithmetic<Bare: Plain>>(
+pub fn strip_forces<T: Arithmetic<Value: Real>>(
     seen: &Seen<T>,
     spin: T,
     inner: bool,
@@ -92,7 +92,7 @@ pub fn eight_one_by_one<T: Number>(
 }
 
 /// Totals with the strips of an ellipse one after the other.
-pub fn totals_one_by_one<F: Plain, T: Number<Base = F>>(
+pub fn totals_one_by_one<F: Real, T: Number<Base = F>>(
     strips: &EllipseStrips<F>,
     creepage: [T; 3],
 ) -> Totals<T> {

@@ -14,7 +14,7 @@ use kstrip::ffi::types::{BatchInputs, BatchOutputs, Outputs, PreparedNumbers};
 use kstrip::friction::SlipFriction;
 use kstrip::linear::LinearCoefficients;
 use kstrip::solve::derivatives::Derivatives;
-use kstrip::solve::model::{Model, Precision, Solution};
+use kstrip::solve::model::{Model, Solution};
 use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
 use std::hint::black_box;
@@ -158,7 +158,7 @@ type Batch<F> = unsafe extern "C" fn(
 ) -> i32;
 
 /// The functions of the C interface in this precision.
-trait Called: Precision {
+trait Called: Float {
     const NAME: &'static str;
     const SOLVE: Solve<Self>;
     const EVALUATE: Evaluate<Self>;

@@ -12,7 +12,7 @@ use crate::number::Float;
 use crate::number::registers::HAS_WIDE_CODE;
 use crate::solve::derivatives::{Derivatives, Slopes, solve_with_slopes};
 use crate::solve::model;
-use crate::solve::options::{Options, Precision, Solution};
+use crate::solve::options::{Options, Solution};
 use crate::status::{Error, Notice};
 
 /// Forces of many contacts: what [`model::solve`] gives for each of them, bit for bit. Returns the notice with the
@@ -40,7 +40,7 @@ use crate::status::{Error, Notice};
 /// assert!(forces.is_sorted());
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
-pub fn solve_batch<F: Precision>(
+pub fn solve_batch<F: Float>(
     count: usize,
     options: &Options,
     get: impl Fn(usize) -> (Contact<F>, Creepage<F>),
@@ -67,7 +67,7 @@ pub fn solve_batch<F: Precision>(
 /// # Errors
 /// Those of the first bad input.
 #[inline(never)]
-pub(crate) fn solve<F: Precision>(
+pub(crate) fn solve<F: Float>(
     numbers: core::ops::Range<usize>,
     options: &Options,
     get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
@@ -91,7 +91,7 @@ pub(crate) type Case<F> = (Contact<F>, Creepage<F>, Option<SlipFriction<F>>);
 ///
 /// # Errors
 /// Those of [`friction::solve`], of the first bad input, with its number.
-pub(crate) fn solve_under_friction<F: Precision>(
+pub(crate) fn solve_under_friction<F: Float>(
     count: usize,
     options: &Options,
     get: impl Fn(usize) -> Case<F>,
@@ -125,7 +125,7 @@ pub(crate) fn solve_under_friction<F: Precision>(
 /// # Errors
 /// Those of the check, of the first bad input.
 #[inline]
-fn check_each<F: Precision>(
+fn check_each<F: Float>(
     count: usize,
     get: &impl Fn(usize) -> Case<F>,
     check: impl Fn(&Case<F>) -> Result<(), Error>,
@@ -164,7 +164,7 @@ impl<F: Float> Found<'_, F> {
 ///
 /// # Errors
 /// Those of [`differentiate`](derivatives::differentiate), of the first bad input, with its number.
-pub(crate) fn differentiate_batch<F: Precision>(
+pub(crate) fn differentiate_batch<F: Float>(
     count: usize,
     options: &Options,
     get: impl Fn(usize) -> Case<F>,
@@ -184,7 +184,7 @@ pub(crate) fn differentiate_batch<F: Precision>(
 
 /// Checked contacts one after the other.
 #[inline(never)]
-pub(crate) fn differentiate_each<F: Precision>(
+pub(crate) fn differentiate_each<F: Float>(
     numbers: core::ops::Range<usize>,
     options: &Options,
     get: &impl Fn(usize) -> Case<F>,

@@ -11,10 +11,10 @@ use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::friction::{SlipFriction, fastest_slip};
 use crate::number::registers::are_wide;
-use crate::number::{Arithmetic, Number, Plain, Strips, length};
+use crate::number::{Arithmetic, Float, Number, Real, Strips, length};
 use crate::solve::derivatives::{Derivatives, with_slopes};
 use crate::solve::notice::{LARGEST_SPIN, RATIOS, linear_notice, notice};
-use crate::solve::options::{Model, Options, Precision, Solution};
+use crate::solve::options::{Model, Options, Solution};
 use crate::solve::theory::{Forces, Frame, Linear, Strip, Strip1967, Theory, Total};
 use crate::status::{Error, Notice};
 use core::ops::Range;
@@ -24,7 +24,7 @@ const MOST: usize = 8;
 
 /// [`batch::solve_batch`] of checked contacts side by side, if the processor has wide registers.
 #[inline]
-pub(super) fn solve<F: Precision>(
+pub(super) fn solve<F: Float>(
     count: usize,
     options: &Options,
     get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
@@ -37,7 +37,7 @@ pub(super) fn solve<F: Precision>(
 /// [`batch::differentiate_batch`] of checked contacts side by side, if the processor has wide registers and no friction falls; of models with strips
 /// the registers are full with those of one contact.
 #[inline]
-pub(super) fn differentiate<F: Precision>(
+pub(super) fn differentiate<F: Float>(
     count: usize,
     options: &Options,
     get: &impl Fn(usize) -> Case<F>,
@@ -52,7 +52,7 @@ pub(super) fn differentiate<F: Precision>(
 
 /// Checks inputs, those that are not ordinary by another check, if the processor has wide registers.
 #[inline]
-pub(super) fn check<F: Precision>(
+pub(super) fn check<F: Float>(
     count: usize,
     get: &impl Fn(usize) -> Case<F>,
     check: &impl Fn(Range<usize>) -> Result<(), (usize, Error)>,
@@ -62,7 +62,7 @@ pub(super) fn check<F: Precision>(
 }
 
 #[target_feature(enable = "avx")]
-fn check_groups<F: Precision>(
+fn check_groups<F: Float>(
     count: usize,
     get: &impl Fn(usize) -> Case<F>,
     check: &impl Fn(Range<usize>) -> Result<(), (usize, Error)>,
@@ -82,7 +82,7 @@ const MILD: f64 = 0.47;
 
 /// Whether a few comparisons tell of contacts side by side that no check fails, and that no derivative is too large.
 #[inline(always)]
-fn are_ordinary<F: Precision>(numbers: Range<usize>, get: &impl Fn(usize) -> Case<F>) -> bool {
+fn are_ordinary<F: Float>(numbers: Range<usize>, get: &impl Fn(usize) -> Case<F>) -> bool {
     let first = numbers.start;
     let (mut contact, creepage) = group(first, &|i| {
         let (contact, creepage, _) = get(i);
@@ -120,7 +120,7 @@ fn are_ordinary<F: Precision>(numbers: Range<usize>, get: &impl Fn(usize) -> Cas
 }
 
 #[target_feature(enable = "avx")]
-fn solve_groups<F: Precision>(
+fn solve_groups<F: Float>(
     count: usize,
     options: &Options,
     get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
@@ -156,7 +156,7 @@ fn solve_groups<F: Precision>(
 }
 
 #[target_feature(enable = "avx")]
-fn differentiate_groups<F: Precision>(
+fn differentiate_groups<F: Float>(
     count: usize,
     options: &Options,
     get: &impl Fn(usize) -> Case<F>,
@@ -197,7 +197,7 @@ fn differentiate_groups<F: Precision>(
 /// Whether contacts may be solved side by side: not lost ones, nor those without friction or of unlike materials, nor those of which
 /// something must be said.
 #[inline(always)]
-fn go_together<L: Plain>(contact: &Contact<L>, creepage: &Creepage<L>) -> bool {
+fn go_together<L: Real>(contact: &Contact<L>, creepage: &Creepage<L>) -> bool {
     contact.mismatch.lies_within(L::zero())
         && contact.is_ordinary(creepage)
         && contact.friction_bound().lies_between(L::TINY, L::LARGEST)
@@ -205,7 +205,7 @@ fn go_together<L: Plain>(contact: &Contact<L>, creepage: &Creepage<L>) -> bool {
 
 /// Contacts side by side.
 #[inline(always)]
-fn group<F: Precision>(
+fn group<F: Float>(
     first: usize,
     get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
 ) -> (Contact<F::Contacts>, Creepage<F::Contacts>) {
@@ -246,7 +246,7 @@ fn group<F: Precision>(
 
 /// Numbers of contacts, each side by side.
 #[inline(always)]
-fn together<F: Precision, const N: usize>(
+fn together<F: Float, const N: usize>(
     first: usize,
     of: &impl Fn(usize) -> [F; N],
 ) -> [F::Contacts; N] {
@@ -265,7 +265,7 @@ fn together<F: Precision, const N: usize>(
 
 #[target_feature(enable = "avx")]
 #[inline(never)]
-fn forces_of<L: Plain, M: Theory<L>>(
+fn forces_of<L: Real, M: Theory<L>>(
     frame: &Frame<L>,
     creepage: &Creepage<L>,
     options: &Options,
@@ -275,7 +275,7 @@ fn forces_of<L: Plain, M: Theory<L>>(
 
 #[target_feature(enable = "avx")]
 #[inline(never)]
-fn slopes_of<L: Plain, M: Theory<L>>(
+fn slopes_of<L: Real, M: Theory<L>>(
     frame: &Frame<L>,
     creepage: &Creepage<L>,
     options: &Options,
@@ -285,7 +285,7 @@ fn slopes_of<L: Plain, M: Theory<L>>(
 
 /// The derivatives of one contact.
 #[inline]
-fn lane_of<L: Plain + Strips<L::Stored>>(
+fn lane_of<L: Real + Strips<L::Stored>>(
     slopes: &Derivatives<L>,
     k: usize,
 ) -> Derivatives<L::Stored> {
@@ -305,9 +305,9 @@ struct Together<L> {
     notices: [Notice; MOST],
 }
 
-impl<L: Plain + Strips<L::Stored>> Together<L>
+impl<L: Real + Strips<L::Stored>> Together<L>
 where
-    L::Stored: Precision,
+    L::Stored: Float,
 {
     #[inline(always)]
     fn new(
@@ -340,7 +340,7 @@ where
 
 /// What the callers should know.
 #[inline(always)]
-fn notices<L: Plain + Strips<L::Stored>>(
+fn notices<L: Real + Strips<L::Stored>>(
     model: Model,
     frame: &Frame<L>,
     forces: &Forces<L>,

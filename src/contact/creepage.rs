@@ -2,7 +2,7 @@
 
 use crate::contact::Contact;
 use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float, Number, Plain, are_finite, scaled_down};
+use crate::number::{Arithmetic, Float, Number, Real, are_finite, scaled_down};
 use crate::status::Error;
 
 /// Rigid slip of the upper over the lower body, divided by the rolling speed (3.3).
@@ -75,7 +75,7 @@ impl<F: Float> Creepage<F> {
     }
 }
 
-impl<F: Plain> Creepage<F> {
+impl<F: Real> Creepage<F> {
     /// The three creepages as what everything is differentiated by.
     #[must_use]
     #[inline]
@@ -156,7 +156,7 @@ const THREE_OVER_PI: f64 = 3.0 / core::f64::consts::PI;
 
 /// `vx/ξ` and `φ/ψ`
 #[inline]
-fn back<F: Plain>(poisson_ratio: F, axis_ratio: F) -> [F; 2] {
+fn back<F: Real>(poisson_ratio: F, axis_ratio: F) -> [F; 2] {
     let one = F::one();
     [one - poisson_ratio, one / axis_ratio.sqrt()].map(|factor| factor.times(THREE_OVER_PI))
 }
@@ -177,7 +177,7 @@ pub(crate) struct Units<F> {
     back: [F; 2],
 }
 
-impl<F: Plain> Units<F> {
+impl<F: Real> Units<F> {
     #[inline(always)]
     pub(crate) fn of(contact: &Contact<F>) -> Self {
         let Contact { a, b, poisson_ratio, .. } = *contact;

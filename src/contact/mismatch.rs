@@ -21,7 +21,7 @@ use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Units};
 use crate::linear::LinearCoefficients;
 use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float, Number, Plain};
+use crate::number::{Arithmetic, Float, Number, Real};
 use core::f64::consts::PI;
 
 /// `c'` of full adhesion for `a ≪ b`, and of full slip.
@@ -46,7 +46,7 @@ mod fitted {
     pub(super) const SATURATED: f64 = 0.307;
 }
 
-impl<F: Plain> Contact<F> {
+impl<F: Real> Contact<F> {
     /// `κ N/(G a (a + b))`: what [`shift`] multiplies with `−c'` \[–\].
     #[inline]
     pub(crate) fn strain(&self) -> F {
@@ -91,13 +91,13 @@ pub(crate) fn seen<T: Number>(
 
 /// `Δυx` of the linear theory, which knows adhesion only.
 #[inline]
-pub(crate) fn linear_shift<F: Plain>(axis_ratio: F, strain: F) -> F {
+pub(crate) fn linear_shift<F: Real>(axis_ratio: F, strain: F) -> F {
     -(adhesion(axis_ratio) * strain)
 }
 
 /// `c'` of full adhesion.
 #[inline]
-fn adhesion<F: Plain>(axis_ratio: F) -> F {
+fn adhesion<F: Real>(axis_ratio: F) -> F {
     let [height, half] = WIDE;
     F::of(ADHESION) - axis_ratio.times(height) / axis_ratio.plus(half)
 }

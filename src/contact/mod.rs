@@ -13,7 +13,7 @@ pub use self::hertz::{from_approach, from_hertz};
 pub use self::plausibility::warning;
 
 use crate::contact::material::{check_modulus, check_poisson_ratio};
-use crate::number::{Float, Plain, are_finite};
+use crate::number::{Float, Real, are_finite};
 use crate::status::Error;
 
 /// A loaded elliptic contact with combined elastic constants and Coulomb friction.
@@ -64,7 +64,7 @@ impl<F: Float> Contact<F> {
     }
 }
 
-impl<F: Plain> Contact<F> {
+impl<F: Real> Contact<F> {
     /// Whether there is no contact: `N ≤ 0`. Nothing else of it counts then, as long as it is finite.
     #[must_use]
     #[inline]

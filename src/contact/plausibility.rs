@@ -25,7 +25,7 @@
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::contact::radii::Radii;
-use crate::number::{Float, Plain};
+use crate::number::{Float, Real};
 use crate::status::Notice;
 use core::f64::consts::PI;
 
@@ -74,7 +74,7 @@ pub fn warning<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>) -> Notice
     Notice::None
 }
 
-impl<F: Plain> Contact<F> {
+impl<F: Real> Contact<F> {
     /// Whether the numbers are of the usual sizes, 1 µm to 1 m, up to GN and TPa; of several contacts side by side, whether
     /// all are. With creepages of such sizes no check can fail in either precision: all products and quotients lie below 1e36. A few
     /// comparisons instead of five divisions.

@@ -4,7 +4,7 @@ use super::support::*;
 use crate::batch::{differentiate_batch, solve_batch, solve_under_friction};
 
 /// Contacts and the places of their results.
-pub(super) struct Batch<'a, F: Precision> {
+pub(super) struct Batch<'a, F: Float> {
     pub(super) inputs: &'a BatchInputs<F>,
     pub(super) count: u32,
     pub(super) outputs: &'a BatchOutputs<F>,
@@ -37,7 +37,7 @@ fn lie_apart<T>(first: *mut T, stride: isize) -> bool {
     first.is_null() || (stride.unsigned_abs() >= size_of::<T>() && is_aligned(first, stride))
 }
 
-impl<F: Precision> BatchInputs<F> {
+impl<F: Float> BatchInputs<F> {
     /// The numbers that are required, each with its stride.
     fn required(&self) -> [(*const F, isize); 9] {
         [
@@ -60,7 +60,7 @@ impl<F: Precision> BatchInputs<F> {
     }
 }
 
-impl<F: Precision> BatchOutputs<F> {
+impl<F: Float> BatchOutputs<F> {
     fn strides_fit(&self) -> bool {
         lie_apart(self.fx, self.fx_stride)
             && lie_apart(self.fy, self.fy_stride)
@@ -74,7 +74,7 @@ impl<F: Precision> BatchOutputs<F> {
     }
 }
 
-impl<F: Precision> Batch<'_, F> {
+impl<F: Float> Batch<'_, F> {
     /// # Safety
     /// Every pointer is NULL, or valid for `count` elements at its distances.
     pub(super) unsafe fn solve(&self, first_bad: Place<u32>) -> Result<Notice, Error> {

@@ -6,7 +6,7 @@ use crate::normal::cells::{CELLS, Given};
 use crate::normal::{Profile, ProfileContact};
 use crate::patch::{self, KSTRIP_PATCH_CAPACITY, Patch, PatchView, QuadratureScale, solver};
 
-impl<F: Precision> StoredPatch<F> {
+impl<F: Float> StoredPatch<F> {
     /// Without strips; written in place, because it is large.
     fn write_empty(
         out: &mut MaybeUninit<Self>,
@@ -45,7 +45,7 @@ impl<F: Float> PatchSummary<F> {
     }
 }
 
-pub(super) fn from_contact<F: Precision>(
+pub(super) fn from_contact<F: Float>(
     contact: &Contact<F>,
     options: Option<&kstrip_options>,
     out: &mut MaybeUninit<StoredPatch<F>>,
@@ -67,7 +67,7 @@ pub(super) fn from_contact<F: Precision>(
     Ok(())
 }
 
-pub(super) fn from_strips<F: Precision>(
+pub(super) fn from_strips<F: Float>(
     strips: &[PatchStrip<F>],
     shear_modulus: F,
     poisson_ratio: F,
@@ -84,7 +84,7 @@ pub(super) fn from_strips<F: Precision>(
 
 /// Strips in any order. Out of line, because of the copy on the stack.
 #[inline(never)]
-fn sorted<F: Precision>(
+fn sorted<F: Float>(
     strips: &[PatchStrip<F>],
     shear_modulus: F,
     poisson_ratio: F,
@@ -98,7 +98,7 @@ fn sorted<F: Precision>(
 
 /// # Safety
 /// Every pointer is NULL, or valid for as many elements as there are points while the profile lives.
-pub(super) unsafe fn profile_of<'a, F: Precision>(
+pub(super) unsafe fn profile_of<'a, F: Float>(
     points: &ProfilePoints<F>,
 ) -> Result<Profile<'a, F>, Error> {
     let ProfilePoints { y, distance, centre_x, rolling_radius, points, .. } = *points;
@@ -114,7 +114,7 @@ pub(super) unsafe fn profile_of<'a, F: Precision>(
     Ok(profile)
 }
 
-pub(super) fn from_profile<F: Precision>(
+pub(super) fn from_profile<F: Float>(
     profile: &Profile<F>,
     options: &ProfileOptions<F>,
     out: &mut MaybeUninit<StoredPatch<F>>,
@@ -139,7 +139,7 @@ pub(super) fn from_profile<F: Precision>(
     Ok(found)
 }
 
-pub(super) fn evaluate_patch<F: Precision>(
+pub(super) fn evaluate_patch<F: Float>(
     patch: &StoredPatch<F>,
     creepage: &Creepage<F>,
     law: Option<&SlipFriction<F>>,

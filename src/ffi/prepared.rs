@@ -26,19 +26,19 @@ const QUICK: f64 = 10.0;
 /// True of the implementor.
 unsafe trait Numbers<F> {}
 // SAFETY: so they are declared.
-unsafe impl<F: Precision> Numbers<F> for F {}
-unsafe impl<F: Precision> Numbers<F> for Frame<F> {}
-unsafe impl<F: Precision> Numbers<F> for Total<F> {}
-unsafe impl<F: Precision> Numbers<F> for strip::Flexibilities<F> {}
-unsafe impl<F: Precision> Numbers<F> for Linear<F> {}
+unsafe impl<F: Float> Numbers<F> for F {}
+unsafe impl<F: Float> Numbers<F> for Frame<F> {}
+unsafe impl<F: Float> Numbers<F> for Total<F> {}
+unsafe impl<F: Float> Numbers<F> for strip::Flexibilities<F> {}
+unsafe impl<F: Float> Numbers<F> for Linear<F> {}
 
 /// The first number of a prepared structure: it tells the precision and the model.
 #[inline]
-fn mark<F: Precision>(model: Model) -> F {
+fn mark<F: Float>(model: Model) -> F {
     F::constant(1.967 * size_of::<F>() as f64 + f64::from(model as i32))
 }
 
-impl<F: Precision> PreparedNumbers<F> {
+impl<F: Float> PreparedNumbers<F> {
     pub(super) fn of(prepared: &Prepared<F>) -> Self {
         let Options { model, strips } = prepared.options;
         let numbers = MaybeUninit::new([F::zero(); ROOM]);

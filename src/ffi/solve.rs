@@ -6,7 +6,7 @@ use super::support::*;
 type StripPlaces<'a, F> = (&'a mut [MaybeUninit<StripResult<F>>], Place<'a, u32>);
 
 /// The wanted outputs.
-pub(super) struct Places<'a, F: Precision> {
+pub(super) struct Places<'a, F: Float> {
     pub(super) result: Place<'a, Solution<F>>,
     pub(super) derivatives: Place<'a, Derivatives<F>>,
     pub(super) law_derivatives: Place<'a, LawDerivatives<F>>,
@@ -14,7 +14,7 @@ pub(super) struct Places<'a, F: Precision> {
     pub(super) strips: Option<StripPlaces<'a, F>>,
 }
 
-impl<F: Precision> Places<'_, F> {
+impl<F: Float> Places<'_, F> {
     /// # Safety
     /// Every pointer is NULL, or valid and aligned for one write, that of the strips for `capacity`; no two overlap.
     pub(super) unsafe fn of(outputs: &Outputs<F>) -> Self {
@@ -41,7 +41,7 @@ impl<F: Precision> Places<'_, F> {
     }
 }
 
-pub(super) fn evaluate<F: Precision>(
+pub(super) fn evaluate<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     law: Option<&SlipFriction<F>>,
@@ -81,7 +81,7 @@ pub(super) fn evaluate<F: Precision>(
 
 /// Writes the strips and how many they are, if there is room for all.
 #[inline(never)]
-fn write_strips<F: Precision>(
+fn write_strips<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,
@@ -103,7 +103,7 @@ fn write_strips<F: Precision>(
 
 /// # Safety
 /// Every pointer of the outputs is NULL, or valid and aligned for one write; no two overlap.
-pub(super) unsafe fn solve_motion<F: Precision>(
+pub(super) unsafe fn solve_motion<F: Float>(
     contact: &Contact<F>,
     motion: &Motion<F>,
     law: Option<&SlipFriction<F>>,

@@ -19,9 +19,7 @@ pub(super) use crate::patch::field::PatchField;
 pub(super) use crate::rig::{self, FrictionEstimate, Measured};
 pub(super) use crate::solve::derivatives::Derivatives;
 pub(super) use crate::solve::field::FieldPoint;
-pub(super) use crate::solve::model::{
-    self, Field, Model, Options, Precision, Solution, StripResult,
-};
+pub(super) use crate::solve::model::{self, Field, Model, Options, Solution, StripResult};
 pub(super) use crate::solve::prepared::Prepared;
 pub(super) use crate::solve::theory::{Linear, Strip, Strip1967, Theory, Total};
 pub(super) use crate::status::{Error, Notice};
@@ -53,7 +51,7 @@ pub(super) fn fill<T>(place: Place<T>, find: impl FnOnce() -> Result<T, Error>) 
 
 /// The same of a solution, whose notice is the status.
 #[inline]
-pub(super) fn solved<F: Precision>(
+pub(super) fn solved<F: Float>(
     place: Place<Solution<F>>,
     solve: impl FnOnce() -> Result<Solution<F>, Error>,
 ) -> kstrip_status {

@@ -4,7 +4,7 @@ use super::support::*;
 use crate::wheel_rail::scene::Scene;
 use crate::wheel_rail::wrench::Law;
 
-pub(super) fn scene_of<'a, F: Precision>(
+pub(super) fn scene_of<'a, F: Float>(
     rail: Option<&'a Surface<F>>,
     wheel: Option<&'a Surface<F>>,
     pair: Option<&'a Pair<F>>,
@@ -15,7 +15,7 @@ pub(super) fn scene_of<'a, F: Precision>(
     Ok(Scene { rail, wheel, pair, strips, law })
 }
 
-pub(super) fn law_of<F: Precision>(
+pub(super) fn law_of<F: Float>(
     model: i32,
     falling: Option<&SlipFriction<F>>,
 ) -> Result<Law<'_, F>, Error> {

@@ -6,7 +6,7 @@ use crate::friction::{self, SlipFriction};
 use crate::number::{Float, are_finite};
 use crate::solve;
 use crate::solve::derivatives::{Derivatives, Slopes, solve_with_slopes};
-use crate::solve::options::{Model, Options, Precision, Solution};
+use crate::solve::options::{Model, Options, Solution};
 use crate::status::{Error, Notice};
 
 /// Derivatives of fx, fy, mz by the parameters of falling friction.
@@ -147,7 +147,7 @@ pub struct Differentiated<F: Float> {
 ///
 /// # Errors
 /// Those of `solve` and [`SlipFriction::check`].
-pub fn differentiate<F: Precision>(
+pub fn differentiate<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     law: Option<&SlipFriction<F>>,
@@ -163,7 +163,7 @@ pub fn differentiate<F: Precision>(
 ///
 /// # Errors
 /// Those of [`differentiate`].
-pub(crate) fn differentiate_checked<F: Precision>(
+pub(crate) fn differentiate_checked<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     law: Option<&SlipFriction<F>>,
@@ -214,7 +214,7 @@ pub(crate) fn without_law<F: Float>(
 ///
 /// # Errors
 /// Those of [`differentiate`].
-pub(crate) fn check<F: Precision>(
+pub(crate) fn check<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     law: Option<&SlipFriction<F>>,

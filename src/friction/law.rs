@@ -2,7 +2,7 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::number::{Float, Plain, are_finite};
+use crate::number::{Float, Real, are_finite};
 use crate::status::Error;
 
 /// Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) + ratio), where w is the sliding velocity
@@ -117,7 +117,7 @@ impl<F: Float> SlipFriction<F> {
 
 /// No point of the contact slips faster than this, over rolling speed.
 #[inline(always)]
-pub(crate) fn fastest_slip<F: Plain>(contact: &Contact<F>, creepage: &Creepage<F>) -> F {
+pub(crate) fn fastest_slip<F: Real>(contact: &Contact<F>, creepage: &Creepage<F>) -> F {
     creepage.longitudinal.abs()
         + contact.strain().abs()
         + creepage.lateral.abs()

@@ -36,8 +36,9 @@ pub(crate) use self::law::fastest_slip;
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
+use crate::number::Float;
 use crate::solve::derivatives::solve_with_slopes;
-use crate::solve::model::{self, Model, Options, Precision, Solution};
+use crate::solve::model::{self, Model, Options, Solution};
 use crate::status::{Error, Notice};
 
 /// Forces under friction that falls with the slip.
@@ -75,7 +76,7 @@ pub struct FrictionSolution<F> {
 /// assert!(pull(0.02)? > pull(0.005)? && pull(0.02)? > pull(0.1)?);
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
-pub fn solve<F: Precision>(
+pub fn solve<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     friction: &SlipFriction<F>,
@@ -89,7 +90,7 @@ pub fn solve<F: Precision>(
 ///
 /// # Errors
 /// Those of [`model::solve`], which no such inputs bring.
-pub(crate) fn solve_checked<F: Precision>(
+pub(crate) fn solve_checked<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     friction: &SlipFriction<F>,
@@ -106,7 +107,7 @@ pub(crate) fn solve_checked<F: Precision>(
 ///
 /// # Errors
 /// Those of [`solve`].
-pub fn under<F: Precision>(
+pub fn under<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     friction: &SlipFriction<F>,
@@ -120,7 +121,7 @@ pub fn under<F: Precision>(
 ///
 /// # Errors
 /// Those of [`model::solve`], which no such inputs bring.
-pub(crate) fn under_checked<F: Precision>(
+pub(crate) fn under_checked<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     friction: &SlipFriction<F>,
@@ -135,7 +136,7 @@ pub(crate) fn under_checked<F: Precision>(
 ///
 /// # Errors
 /// Those of [`solve`]: no smaller friction brings another.
-pub fn check<F: Precision>(
+pub fn check<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     friction: &SlipFriction<F>,
@@ -146,7 +147,7 @@ pub fn check<F: Precision>(
 }
 
 /// The largest `μ` that agrees with the slip that it causes. `contact` has `μ₀`, and was checked.
-fn agreement<F: Precision>(
+fn agreement<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     friction: &SlipFriction<F>,

@@ -15,7 +15,7 @@ mod constants;
 use self::constants::{E11_E22, E23_E33, M33, N23_N33};
 use crate::number::registers::compiled_twice;
 use crate::number::tables::{row, rows, table, widen};
-use crate::number::{Arithmetic, Pair, Plain};
+use crate::number::{Arithmetic, Pair, Real};
 use core::f64::consts::{LN_2, PI};
 
 /// Kalker's linear creep coefficients of one contact ellipse.
@@ -38,7 +38,7 @@ const LN_16: f64 = 4.0 * LN_2;
 /// `3 − ln 4`, the second order of the slender asymptotes of `C11` and `C22`.
 const K: f64 = 3.0 - 2.0 * LN_2;
 
-impl<F: Plain> LinearCoefficients<F> {
+impl<F: Real> LinearCoefficients<F> {
     /// Coefficients for the axis ratio `g = a/b`, positive, `a` along the rolling direction, and
     /// Poisson's ratio `ν`, 0 to 1/2.
     ///
@@ -48,7 +48,7 @@ impl<F: Plain> LinearCoefficients<F> {
     #[must_use]
     #[inline(always)]
     pub fn at(axis_ratio: F, poisson_ratio: F) -> Self {
-        compiled_twice!(if F::LANES => <F: Plain>(axis_ratio: F, poisson_ratio: F) -> LinearCoefficients<F> {
+        compiled_twice!(if F::LANES => <F: Real>(axis_ratio: F, poisson_ratio: F) -> LinearCoefficients<F> {
             LinearCoefficients::quotients(axis_ratio, poisson_ratio)
         })
     }
@@ -116,7 +116,7 @@ impl<F: Plain> LinearCoefficients<F> {
 
 /// Two cubic polynomials in `x` side by side, each coefficient a constant and a factor of `ν`.
 #[inline(always)]
-fn cubic<F: Plain>([c0, c1, c2, c3]: &[[F::Stored; 4]; 4], x: F, x2: F, nu: F) -> F::Pair {
+fn cubic<F: Real>([c0, c1, c2, c3]: &[[F::Stored; 4]; 4], x: F, x2: F, nu: F) -> F::Pair {
     let [nu, x, x2] = F::Pair::each(&[nu, x, x2], |x| <F::Pair as Pair<F>>::both(*x));
     let coefficient = |[c, d, by_nu, of_d]: &[F::Stored; 4]| {
         F::Pair::of(F::stored(*c), F::stored(*d))

@@ -32,7 +32,7 @@ use crate::contact::warning;
 use crate::friction::derivatives::{self, Differentiated};
 use crate::friction::{self, FrictionSolution, SlipFriction};
 use crate::number::{Float, are_finite};
-use crate::solve::model::{self, Options, Precision, Solution};
+use crate::solve::model::{self, Options, Solution};
 use crate::status::{Error, Notice};
 
 /// Floor of the rolling speed where none is given \[m/s\].
@@ -104,7 +104,7 @@ pub struct MotionDerivatives<F> {
 /// }
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
-pub fn solve<F: Precision>(
+pub fn solve<F: Float>(
     contact: &Contact<F>,
     motion: &Motion<F>,
     law: Option<&SlipFriction<F>>,
@@ -128,7 +128,7 @@ pub fn solve<F: Precision>(
 ///
 /// # Errors
 /// Those of [`solve`]; [`Error::Overflow`] also when a derivative does not fit the floating-point type.
-pub fn differentiate<F: Precision>(
+pub fn differentiate<F: Float>(
     contact: &Contact<F>,
     motion: &Motion<F>,
     law: Option<&SlipFriction<F>>,
@@ -168,7 +168,7 @@ pub(crate) struct Rolling<F> {
     creepage: Creepage<F>,
 }
 
-impl<F: Precision> Rolling<F> {
+impl<F: Float> Rolling<F> {
     pub(crate) fn new(motion: &Motion<F>) -> Result<Self, Error> {
         let Motion { slip_x, slip_y, spin_rate, rolling_speed, floor_speed } = *motion;
         let inputs = [slip_x, slip_y, spin_rate, rolling_speed, floor_speed];

@@ -32,7 +32,6 @@ use crate::normal::profile::{Moving, invert};
 use crate::normal::smooth::{Curve, length_for};
 use crate::number::{Arithmetic, Float};
 use crate::patch::{Patch, PatchStrip};
-use crate::solve::model::Precision;
 use crate::status::{Error, Notice};
 use core::f64::consts::PI;
 use heapless::Vec;
@@ -400,7 +399,7 @@ impl<F: Float> Lengths<F> {
     }
 }
 
-impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
+impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
     /// The patch of two profiles in contact, in about `count` strips, 40 at most, and one more for each further zone.
     ///
     /// # Errors

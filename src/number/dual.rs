@@ -4,7 +4,7 @@
 //! generic formulas as a plain number it returns the exact derivatives of what those formulas
 //! compute, branch by branch; there is no step size and no second implementation to keep in step.
 
-use crate::number::{Arithmetic, Number, Pair, Plain};
+use crate::number::{Arithmetic, Number, Pair, Real};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// A value and its derivatives with respect to `M` inputs: plain numbers, or pairs of them, so that registers for pairs are
@@ -17,7 +17,7 @@ pub struct Dual<P, const M: usize> {
     pub gradient: [P; M],
 }
 
-impl<F: Plain, const M: usize> Dual<F, M> {
+impl<F: Real, const M: usize> Dual<F, M> {
     /// The input number `index`: its derivative with respect to itself is one.
     #[must_use]
     #[inline]
@@ -30,7 +30,7 @@ impl<F: Plain, const M: usize> Dual<F, M> {
     }
 }
 
-impl<P: Arithmetic<Bare = P>, const M: usize> Dual<P, M> {
+impl<P: Arithmetic<Value = P>, const M: usize> Dual<P, M> {
     /// A function of this number: its value, and its slope times the derivatives.
     #[inline(always)]
     fn chain(self, value: P, slope: P) -> Self {
@@ -57,7 +57,7 @@ impl<P: Arithmetic<Bare = P>, const M: usize> Dual<P, M> {
     }
 }
 
-impl<P: Arithmetic<Bare = P>, const M: usize> AddAssign for Dual<P, M> {
+impl<P: Arithmetic<Value = P>, const M: usize> AddAssign for Dual<P, M> {
     #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         self.value += other.value;
@@ -67,7 +67,7 @@ impl<P: Arithmetic<Bare = P>, const M: usize> AddAssign for Dual<P, M> {
     }
 }
 
-impl<P: Arithmetic<Bare = P>, const M: usize> Add for Dual<P, M> {
+impl<P: Arithmetic<Value = P>, const M: usize> Add for Dual<P, M> {
     type Output = Self;
     #[inline(always)]
     fn add(mut self, other: Self) -> Self {
@@ -76,7 +76,7 @@ impl<P: Arithmetic<Bare = P>, const M: usize> Add for Dual<P, M> {
     }
 }
 
-impl<P: Arithmetic<Bare = P>, const M: usize> SubAssign for Dual<P, M> {
+impl<P: Arithmetic<Value = P>, const M: usize> SubAssign for Dual<P, M> {
     #[inline(always)]
     fn sub_assign(&mut self, other: Self) {
         self.value -= other.value;
@@ -86,7 +86,7 @@ impl<P: Arithmetic<Bare = P>, const M: usize> SubAssign for Dual<P, M> {
     }
 }
 
-impl<P: Arithmetic<Bare = P>, const M: usize> Sub for Dual<P, M> {
+impl<P: Arithmetic<Value = P>, const M: usize> Sub for Dual<P, M> {
     type Output = Self;
     #[inline(always)]
     fn sub(mut self, other: Self) -> Self {
@@ -95,7 +95,7 @@ impl<P: Arithmetic<Bare = P>, const M: usize> Sub for Dual<P, M> {
     }
 }
 
-impl<P: Arithmetic<Bare = P>, const M: usize> Mul for Dual<P, M> {
+impl<P: Arithmetic<Value = P>, const M: usize> Mul for Dual<P, M> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
@@ -103,7 +103,7 @@ impl<P: Arithmetic<Bare = P>, const M: usize> Mul for Dual<P, M> {
     }
 }
 
-impl<P: Arithmetic<Bare = P>, const M: usize> Div for Dual<P, M> {
+impl<P: Arithmetic<Value = P>, const M: usize> Div for Dual<P, M> {
     type Output = Self;
     #[inline(always)]
     fn div(self, other: Self) -> Self {
@@ -113,7 +113,7 @@ impl<P: Arithmetic<Bare = P>, const M: usize> Div for Dual<P, M> {
     }
 }
 
-impl<P: Arithmetic<Bare = P>, const M: usize> Neg for Dual<P, M> {
+impl<P: Arithmetic<Value = P>, const M: usize> Neg for Dual<P, M> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -121,8 +121,8 @@ impl<P: Arithmetic<Bare = P>, const M: usize> Neg for Dual<P, M> {
     }
 }
 
-impl<P: Arithmetic<Bare = P>, const M: usize> Arithmetic for Dual<P, M> {
-    type Bare = P;
+impl<P: Arithmetic<Value = P>, const M: usize> Arithmetic for Dual<P, M> {
+    type Value = P;
 
     #[inline]
     fn constant(x: f64) -> Self {
@@ -200,7 +200,7 @@ impl<P: Arithmetic<Bare = P>, const M: usize> Arithmetic for Dual<P, M> {
     }
 }
 
-impl<F: Plain, const M: usize> Pair<Dual<F, M>> for Dual<F::Pair, M> {
+impl<F: Real, const M: usize> Pair<Dual<F, M>> for Dual<F::Pair, M> {
     #[inline(always)]
     fn of(first: Dual<F, M>, second: Dual<F, M>) -> Self {
         let mut gradient = [F::Pair::zero(); M];
@@ -224,7 +224,7 @@ impl<F: Plain, const M: usize> Pair<Dual<F, M>> for Dual<F::Pair, M> {
     }
 }
 
-impl<F: Plain, const M: usize> Number for Dual<F, M> {
+impl<F: Real, const M: usize> Number for Dual<F, M> {
     type Base = F;
     type Pair = Dual<F::Pair, M>;
     const DIRECTIONS: usize = M;

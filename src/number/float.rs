@@ -2,11 +2,11 @@
 
 use super::lanes::{F32Pair, Lanes, Wide};
 use super::registers::{NEWTON, NEWTON_START};
-use super::{Arithmetic, Float, Number, Plain, cube_root, registers};
+use super::{Arithmetic, Float, Number, Real, cube_root, registers};
 
 macro_rules! plain {
     ($float:ident, $integer:ident, $mantissa:literal, |$single:ident, $double:ident| $table:expr,
-        Float { $($float_items:tt)* } Plain { $($plain_items:tt)* } Number { $($number_items:tt)* }
+        Float { $($float_items:tt)* } Real { $($plain_items:tt)* } Number { $($number_items:tt)* }
         $($elementary:ident = $elementary_of:path),*; $($root:ident = $root_of:path),*) => {
         impl Float for $float {
             $($float_items)*
@@ -41,7 +41,7 @@ macro_rules! plain {
             }
         }
 
-        impl Plain for $float {
+        impl Real for $float {
             $($plain_items)*
             type Stored = $float;
 
@@ -68,7 +68,7 @@ macro_rules! plain {
         }
 
         impl Arithmetic for $float {
-            type Bare = $float;
+            type Value = $float;
 
             #[inline]
             fn constant(x: f64) -> Self {
@@ -161,10 +161,10 @@ fn inverse_root_f32(x: f32) -> f32 {
 
 /// `Σ cᵢ zⁱ` of four or seven terms, in a tree of products that do not wait for each other.
 #[inline(always)]
-pub(super) fn even_polynomial<F: Plain>(c: &[F::Stored], z: F) -> F {
+pub(super) fn even_polynomial<F: Real>(c: &[F::Stored], z: F) -> F {
     // (no closure: the code of numbers side by side must stand inside that of their caller)
     #[inline(always)]
-    fn line<F: Plain>(p: F::Stored, q: F::Stored, z: F) -> F {
+    fn line<F: Real>(p: F::Stored, q: F::Stored, z: F) -> F {
         F::stored(p) + F::stored(q) * z
     }
     let z2 = z * z;
@@ -184,7 +184,7 @@ plain!(
         const ARTANH: &'static [f64] = &ARTANH_DOUBLE;
         const ARCTAN: &'static [f64] = &ARCTAN_DOUBLE;
     }
-    Plain {
+    Real {
         type Four = Lanes<Lanes<f64, 2>, 2>;
         type Eight = Lanes<Self::Four, 2>;
         type WideRow = Lanes<f64, 4, Wide>;
@@ -207,7 +207,7 @@ plain!(
         const ARTANH: &'static [f32] = &ARTANH_SINGLE;
         const ARCTAN: &'static [f32] = &ARCTAN_SINGLE;
     }
-    Plain {
+    Real {
         type Four = Lanes<f32, 4>;
         type Eight = Lanes<Self::Four, 2>;
         type WideRow = Lanes<f32, 8, Wide>;

@@ -5,7 +5,7 @@
 //! ([`InRegisters`]): four doubles or eight floats only where the processor has AVX, which whoever makes them has asked.
 
 use super::registers::InRegisters;
-use super::{Arithmetic, Number, Pair, Plain, Strips};
+use super::{Arithmetic, Number, Pair, Real, Strips};
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -71,7 +71,7 @@ operators!(
 );
 
 impl<T: InRegisters, const N: usize, A: Alignment> Arithmetic for Lanes<T, N, A> {
-    type Bare = Self;
+    type Value = Self;
 
     #[inline]
     fn constant(x: f64) -> Self {
@@ -129,7 +129,7 @@ impl<T: InRegisters, const M: usize, A: Alignment> InRegisters for Lanes<T, M, A
     }
 }
 
-impl<T: Plain, const N: usize> Number for Lanes<T, N> {
+impl<T: Real, const N: usize> Number for Lanes<T, N> {
     type Base = Self;
     type Pair = Lanes<Self, 2>;
     const LANES: usize = N * T::LANES;
@@ -145,7 +145,7 @@ impl<T: Plain, const N: usize> Number for Lanes<T, N> {
     }
 }
 
-impl<T: Plain, const N: usize> Plain for Lanes<T, N> {
+impl<T: Real, const N: usize> Real for Lanes<T, N> {
     type Stored = T::Stored;
     type Four = Lanes<Lanes<Self, 2>, 2>;
     type Eight = Lanes<Self::Four, 2>;
@@ -172,7 +172,7 @@ impl<T: Plain, const N: usize> Plain for Lanes<T, N> {
     }
 }
 
-impl<T: Plain<Pair = Self>> Pair<T> for Lanes<T, 2> {
+impl<T: Real<Pair = Self>> Pair<T> for Lanes<T, 2> {
     #[inline]
     fn of(first: T, second: T) -> Self {
         Self([first, second], [])
@@ -205,7 +205,7 @@ impl Pair<f32> for Lanes<f32, 4> {
 }
 
 /// As many strips as there are numbers.
-impl<F: Plain, const N: usize, A: Alignment> Strips<F> for Lanes<F, N, A> {
+impl<F: Real, const N: usize, A: Alignment> Strips<F> for Lanes<F, N, A> {
     const COUNT: usize = N;
     #[inline(always)]
     fn gather(of: impl Fn(usize) -> F) -> Self {
@@ -236,7 +236,7 @@ impl<F: Plain, const N: usize, A: Alignment> Strips<F> for Lanes<F, N, A> {
 macro_rules! twice {
     ($(<$N:ident, $A:ident> $half:ty: $count:expr),*) => {$(
         /// Twice as many.
-        impl<F: Plain, const $N: usize, $A: Alignment> Strips<F> for Lanes<$half, 2> {
+        impl<F: Real, const $N: usize, $A: Alignment> Strips<F> for Lanes<$half, 2> {
             const COUNT: usize = 2 * $count;
             #[inline(always)]
             fn gather(of: impl Fn(usize) -> F) -> Self {

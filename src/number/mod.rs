@@ -24,7 +24,7 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// A number without derivatives: what constants and tables are made of. `f32`, `f64`, or the numbers of several
 /// contacts side by side.
-pub trait Plain: Number<Base = Self> + InRegisters {
+pub trait Real: Number<Base = Self> + InRegisters {
     /// Four strips side by side.
     type Four: Strips<Self>;
     /// Eight strips.
@@ -98,9 +98,9 @@ pub trait Plain: Number<Base = Self> + InRegisters {
 }
 
 /// A plain floating-point number, `f32` or `f64`.
-pub trait Float: Plain<Stored = Self> + PartialOrd + nalgebra::Scalar {
+pub trait Float: Real<Stored = Self> + PartialOrd + nalgebra::Scalar {
     /// As many contacts side by side as fill a wide register.
-    type Contacts: Plain<Stored = Self> + Strips<Self>;
+    type Contacts: Real<Stored = Self> + Strips<Self>;
 
     /// Even powers of `artanh(s)/s` for `s² ≤ 0.0403`.
     const ARTANH: &'static [Self];
@@ -143,7 +143,7 @@ pub trait Arithmetic:
     + 'static
 {
     /// The same without derivatives: products and sums with it cost none.
-    type Bare: Arithmetic<Bare = Self::Bare>;
+    type Value: Arithmetic<Value = Self::Value>;
 
     /// A constant written in double precision. Free when `x` is a literal.
     fn constant(x: f64) -> Self;
@@ -151,27 +151,27 @@ pub trait Arithmetic:
     /// numerators.
     fn tiny() -> Self;
     /// A number whose derivatives are zero.
-    fn from_base(x: Self::Bare) -> Self;
+    fn from_base(x: Self::Value) -> Self;
     /// Without derivatives.
-    fn value(self) -> Self::Bare;
+    fn value(self) -> Self::Value;
     /// A function of some numbers from its value and its derivatives by them, worked out by hand. Without derivatives it
     /// is the value, and what leads to the slopes is left out by the compiler.
     #[inline]
     fn composed<const N: usize>(
-        value: Self::Bare,
-        _slopes: [Self::Bare; N],
+        value: Self::Value,
+        _slopes: [Self::Value; N],
         _inputs: [Self; N],
     ) -> Self {
         Self::from_base(value)
     }
     /// Product with a number without derivatives.
     #[inline]
-    fn scale(self, factor: Self::Bare) -> Self {
+    fn scale(self, factor: Self::Value) -> Self {
         self * Self::from_base(factor)
     }
     /// Sum with a number without derivatives.
     #[inline]
-    fn shift(self, term: Self::Bare) -> Self {
+    fn shift(self, term: Self::Value) -> Self {
         self + Self::from_base(term)
     }
     /// Square root of a number that is not negative.
@@ -222,12 +222,12 @@ pub trait Arithmetic:
     /// Product with a literal.
     #[inline]
     fn times(self, factor: f64) -> Self {
-        self.scale(Self::Bare::constant(factor))
+        self.scale(Self::Value::constant(factor))
     }
     /// Sum with a literal.
     #[inline]
     fn plus(self, term: f64) -> Self {
-        self.shift(Self::Bare::constant(term))
+        self.shift(Self::Value::constant(term))
     }
     /// Square.
     #[inline]
@@ -237,14 +237,14 @@ pub trait Arithmetic:
 }
 
 /// What tables for a kind of number are stored in.
-pub(crate) type Stored<T> = <<T as Number>::Base as Plain>::Stored;
+pub(crate) type Stored<T> = <<T as Number>::Base as Real>::Stored;
 
 /// A number that formulas without a branch can be evaluated with.
-pub trait Number: Arithmetic<Bare = <Self as Number>::Base> {
+pub trait Number: Arithmetic<Value = <Self as Number>::Base> {
     /// The plain number: itself, or that below a dual number.
-    type Base: Plain;
+    type Base: Real;
     /// Two numbers side by side, in one register where the machine has such registers.
-    type Pair: Pair<Self> + Arithmetic<Bare = <Self::Base as Number>::Pair>;
+    type Pair: Pair<Self> + Arithmetic<Value = <Self::Base as Number>::Pair>;
 
     /// How many derivatives it has.
     const DIRECTIONS: usize = 0;
@@ -284,7 +284,7 @@ pub trait Number: Arithmetic<Bare = <Self as Number>::Base> {
 
 /// `√(x² + y²)` without squares, which may overflow: it lies between the larger one and the sum of both.
 #[inline(always)]
-pub(crate) fn length<F: Plain>(x: F, y: F) -> F {
+pub(crate) fn length<F: Real>(x: F, y: F) -> F {
     let (x, y) = (x.abs(), y.abs());
     let (larger, smaller) = (x.max(y), x.min(y));
     let ratio = smaller / (larger + F::TINY);
@@ -333,7 +333,7 @@ pub(crate) fn chosen<T: Number, const N: usize>(by: T, yes: [T; N], mut no: [T; 
 /// (No function of closures: the code of numbers side by side must stand inside that of their caller.)
 macro_rules! either {
     ($by:expr, $yes:block, $no:block) => {{
-        use crate::number::{Plain as _, chosen};
+        use crate::number::{Real as _, chosen};
         let by = $by;
         let some = by.exceeds(T::zero());
         if T::LANES == 1 {
@@ -349,7 +349,7 @@ macro_rules! either {
 pub(crate) use either;
 
 /// Two numbers side by side.
-pub trait Pair<T: Number>: Arithmetic<Bare = <T::Base as Number>::Pair> {
+pub trait Pair<T: Number>: Arithmetic<Value = <T::Base as Number>::Pair> {
     /// Put two numbers side by side.
     fn of(first: T, second: T) -> Self;
     /// Take them apart.

@@ -16,7 +16,7 @@ pub(super) const NEWTON_START: f32 = 0.793_700_5;
 pub(super) const NEWTON: f64 = 1.889_881_574_842_309_7;
 
 /// Numbers that stand side by side in an array: one by one, and in a register where there is one for so many.
-pub trait InRegisters: Arithmetic<Bare = Self> {
+pub trait InRegisters: Arithmetic<Value = Self> {
     /// `+ − × ÷` of each and its neighbour, the larger `>` or the smaller `<` of both; of the first alone its opposite `~`, its size `|` or
     /// its root `√`.
     #[inline(always)]

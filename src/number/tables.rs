@@ -1,11 +1,11 @@
 //! Tables of constants in both precisions: no number is converted at run time, and a program in one precision has none of the other.
 
-use super::{Plain, Strips};
+use super::{Real, Strips};
 
 /// `table!(F, constants)`: a constant table `[[f64; C]; R]` or `[[f32; C]; R]`, in the precision that numbers `F` are stored in.
 macro_rules! table {
     ($F:ty, $constants:expr) => {
-        <<$F as crate::number::Plain>::Stored as crate::number::Float>::table(
+        <<$F as crate::number::Real>::Stored as crate::number::Float>::table(
             const { &crate::number::tables::narrow(&$constants) },
             const { &$constants },
         )
@@ -50,7 +50,7 @@ pub(crate) const fn rows<const R: usize, const P: usize, const C: usize>(
 
 /// A row of numbers.
 #[inline]
-pub(crate) fn row<F: Plain, const C: usize>(stored: &[F::Stored; C]) -> [F; C] {
+pub(crate) fn row<F: Real, const C: usize>(stored: &[F::Stored; C]) -> [F; C] {
     F::each(stored, |x| F::stored(*x))
 }
 
@@ -63,7 +63,7 @@ const CONTACTS_BLOCK: usize = 12;
 ///
 /// (Numbers of several contacts side by side fill whole registers: some of them, then the rows again.)
 #[inline(always)]
-pub(crate) fn add_rows<F: Plain, P: Strips<F>, const C: usize>(
+pub(crate) fn add_rows<F: Real, P: Strips<F>, const C: usize>(
     mut sums: [F; C],
     inputs: impl Iterator<Item = F> + Clone,
     rows: &[[F::Stored; C]],
@@ -82,7 +82,7 @@ pub(crate) fn add_rows<F: Plain, P: Strips<F>, const C: usize>(
 
 /// Columns from `first` on, as many as fill several `P`; the rest too where these are fours. The first one that is left.
 #[inline(always)]
-fn add_columns<F: Plain, P: Strips<F>, const C: usize>(
+fn add_columns<F: Real, P: Strips<F>, const C: usize>(
     sums: &mut [F; C],
     inputs: impl Iterator<Item = F>,
     rows: &[[F::Stored; C]],
@@ -121,7 +121,7 @@ fn add_columns<F: Plain, P: Strips<F>, const C: usize>(
 }
 
 #[inline(always)]
-fn add_in_blocks<F: Plain, const C: usize>(
+fn add_in_blocks<F: Real, const C: usize>(
     sums: &mut [F; C],
     inputs: impl Iterator<Item = F> + Clone,
     rows: &[[F::Stored; C]],

@@ -7,7 +7,7 @@ use crate::patch::slip::{Slip, rigid_slip};
 use crate::patch::solver::Problem;
 use crate::patch::{PatchStrip, PatchView};
 use crate::solve::field::{FieldPoint, strip_point};
-use crate::solve::model::{Model, Precision};
+use crate::solve::model::Model;
 use crate::status::{Error, Notice};
 use crate::strip::{Distribution, StripGeometry};
 use crate::strip_1967::strip::{Strip, StripPoint};
@@ -39,7 +39,7 @@ enum Tractions<F: Float> {
     Strip(Distribution<F>, StripGeometry<F>, F),
 }
 
-impl<'a, F: Precision> PatchField<'a, F> {
+impl<'a, F: Float> PatchField<'a, F> {
     /// Prepare the field.
     ///
     /// # Errors

@@ -26,7 +26,7 @@ use crate::number::Float;
 use crate::patch::solver;
 use crate::patch::{Patch, PatchView};
 use crate::solve::derivatives::{Derivatives, Slopes};
-use crate::solve::model::{Model, Precision, Solution, StripResult};
+use crate::solve::model::{Model, Solution, StripResult};
 use crate::status::{Error, Notice};
 
 /// Forces of a patch under friction that falls with the slip.
@@ -65,7 +65,7 @@ pub struct PatchFrictionSolution<F> {
 /// assert!(pull(0.02)? > pull(0.005)? && pull(0.02)? > pull(0.1)?);
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
-pub fn solve<F: Precision>(
+pub fn solve<F: Float>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
     law: &SlipFriction<F>,
@@ -111,7 +111,7 @@ struct Problem<'a, F: Float> {
     rigid_slip: F,
 }
 
-impl<'a, F: Precision> Problem<'a, F> {
+impl<'a, F: Float> Problem<'a, F> {
     fn new(
         patch: &'a PatchView<'a, F>,
         creepage: &'a Creepage<F>,
@@ -177,7 +177,7 @@ impl<'a, F: Precision> Problem<'a, F> {
 ///
 /// # Errors
 /// Those of [`solve`]; [`Error::Overflow`] also when a derivative does not fit.
-pub fn differentiate<F: Precision>(
+pub fn differentiate<F: Float>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
     law: Option<&SlipFriction<F>>,
@@ -247,7 +247,7 @@ pub fn differentiate<F: Precision>(
 ///
 /// # Errors
 /// Those of [`solve`].
-pub fn strips<F: Precision>(
+pub fn strips<F: Float>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
     law: Option<&SlipFriction<F>>,

@@ -27,7 +27,6 @@ pub use self::view::PatchView;
 use crate::contact::Contact;
 use crate::contact::forces::StripCount;
 use crate::number::Float;
-use crate::solve::model::Precision;
 use crate::status::Error;
 use crate::strip::Rule;
 use core::f64::consts::{FRAC_PI_2, PI};
@@ -158,7 +157,7 @@ pub struct Patch<F, const CAPACITY: usize> {
     pub mismatch: F,
 }
 
-impl<F: Precision, const CAPACITY: usize> Patch<F, CAPACITY> {
+impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
     /// The patch of a Hertz ellipse, with strips at the places of [`Model::Strip`](crate::solve::model::Model::Strip).
     ///
     /// # Errors
@@ -227,7 +226,7 @@ pub(crate) fn sort<F: Float>(strips: &mut [PatchStrip<F>]) {
 ///
 /// # Errors
 /// Those of [`Contact::check`]; [`Error::Overflow`] when its strips do not fit the floating-point type.
-pub(crate) fn check_ellipse<F: Precision>(
+pub(crate) fn check_ellipse<F: Float>(
     contact: &Contact<F>,
     count: StripCount,
 ) -> Result<(), Error> {
@@ -261,7 +260,7 @@ pub(crate) fn check_ellipse<F: Precision>(
 }
 
 /// Hands the strips of a checked ellipse to `take`, which returns whether there was room.
-pub(crate) fn ellipse<F: Precision>(
+pub(crate) fn ellipse<F: Float>(
     contact: &Contact<F>,
     count: StripCount,
     mut take: impl FnMut(PatchStrip<F>) -> bool,

@@ -8,7 +8,6 @@ use crate::number::{Float, Number};
 use crate::patch::slip::{Share, Slip, creepage_at};
 use crate::patch::zones::{Widths, Zone};
 use crate::patch::{PatchStrip, PatchView, QuadratureScale};
-use crate::solve::model::Precision;
 use crate::strip::{Distribution, Flexibilities, Seen, StripGeometry, eight_strips};
 
 /// Least share `Π` of the friction bound. A strip with less is treated as one with this share, so that the squares of its creepages fit
@@ -16,7 +15,7 @@ use crate::strip::{Distribution, Flexibilities, Seen, StripGeometry, eight_strip
 const LEAST_BOUND: f64 = 1e-9;
 
 /// The creepages of the strips of a zone's ellipse, for the creepage at `x` on its middle line with that which pressure adds.
-pub(super) fn law<F: Precision, T: Number<Base = F>>(
+pub(super) fn law<F: Float, T: Number<Base = F>>(
     zone: &Zone<F>,
     slip: &Slip<T>,
     x: F,
@@ -31,7 +30,7 @@ pub(super) fn law<F: Precision, T: Number<Base = F>>(
 }
 
 /// Hands the forces of every strip to `visit`, eight strips side by side.
-pub(super) fn strip_shares<F: Precision, T: Number<Base = F>>(
+pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
     view: &PatchView<F>,
     slip: &Slip<T>,
     visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),

@@ -27,7 +27,7 @@ use crate::patch::slip::{Share, Slip, creepage_at, rigid_slip};
 use crate::patch::zones::Zone;
 use crate::patch::{PatchStrip, PatchView};
 use crate::solve::derivatives::{Derivatives, Slopes};
-use crate::solve::model::{Model, Precision, Solution, StripResult};
+use crate::solve::model::{Model, Solution, StripResult};
 use crate::solve::notice::notice;
 use crate::solve::theory::sliding_rule;
 use crate::status::{Error, Notice};
@@ -48,7 +48,7 @@ fn most_strain<F: Float>(view: &PatchView<F>) -> F {
 }
 
 /// Checks the inputs of [`solve`] without solving; returns an upper bound of the rigid slip.
-pub(crate) fn check<F: Precision>(
+pub(crate) fn check<F: Float>(
     view: &PatchView<F>,
     creepage: &Creepage<F>,
     model: Model,
@@ -65,7 +65,7 @@ pub(super) struct Problem<'a, F> {
     pub model: Model,
 }
 
-impl<'a, F: Precision> Problem<'a, F> {
+impl<'a, F: Float> Problem<'a, F> {
     fn new(
         view: &'a PatchView<'a, F>,
         creepage: &'a Creepage<F>,
@@ -227,7 +227,7 @@ struct Sums<T: Number> {
     area: T::Base,
 }
 
-impl<F: Precision> Problem<'_, F> {
+impl<F: Float> Problem<'_, F> {
     fn sums<T: Number<Base = F>>(&self, slip: &Slip<T>) -> Sums<T> {
         let (zero, none) = (T::zero(), F::zero());
         let mut sums = Sums { fx: zero, fy: zero, mz: zero, power: zero, stick: none, area: none };
@@ -290,7 +290,7 @@ impl<F: Precision> Problem<'_, F> {
 /// assert!(greasy.fx < dry.fx && greasy.mz > 0.0);
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
-pub fn solve<F: Precision>(
+pub fn solve<F: Float>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
     model: Model,
@@ -304,7 +304,7 @@ pub fn solve<F: Precision>(
 ///
 /// # Errors
 /// Those of [`solve`]; [`Error::Overflow`] also when a derivative is too large.
-pub fn solve_jacobian<F: Precision>(
+pub fn solve_jacobian<F: Float>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
     model: Model,
@@ -315,7 +315,7 @@ pub fn solve_jacobian<F: Precision>(
 }
 
 /// Forces with the derivatives by the creepages, all others zero, and what else derivatives are made of.
-pub(super) fn solve_with_slopes<F: Precision>(
+pub(super) fn solve_with_slopes<F: Float>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
     model: Model,
@@ -356,7 +356,7 @@ pub(super) fn solve_with_slopes<F: Precision>(
 ///
 /// # Errors
 /// Those of [`solve`]; [`Error::NotInModel`] for [`Model::Total`].
-pub fn strips<F: Precision>(
+pub fn strips<F: Float>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
     model: Model,

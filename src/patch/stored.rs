@@ -2,7 +2,6 @@
 
 use super::{PatchStrip, PatchView, QuadratureScale};
 use crate::number::Float;
-use crate::solve::model::Precision;
 use crate::status::Error;
 
 /// Strips that a kstrip_patch has room for.
@@ -57,7 +56,7 @@ impl<F: Float> StoredPatch<F> {
     }
 }
 
-impl<F: Precision> StoredPatch<F> {
+impl<F: Float> StoredPatch<F> {
     /// The checked patch.
     ///
     /// # Errors

@@ -20,7 +20,7 @@ use crate::contact::creepage::Creepage;
 use crate::number::{Float, are_finite, length};
 use crate::rig::search::cubic;
 use crate::solve::derivatives::{self, Derivatives};
-use crate::solve::model::{self, Model, Options, Precision};
+use crate::solve::model::{self, Model, Options};
 use crate::status::{Error, Notice};
 
 /// Relative distance from `μ N` up to which a force counts as full sliding.
@@ -72,7 +72,7 @@ const TAKEN: f64 = 1e4;
 /// assert!((forces.fx - 15e3).abs() < 1e-6 && (forces.fy + 2e3).abs() < 1e-6);
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
-pub fn creepage_for_force<F: Precision>(
+pub fn creepage_for_force<F: Float>(
     contact: &Contact<F>,
     force: [F; 2],
     spin: F,
@@ -176,7 +176,7 @@ fn times<F: Float>(rows: &[[F; 2]; 2], [x, y]: [F; 2]) -> [F; 2] {
     rows.map(|[by_x, by_y]| by_x * x + by_y * y)
 }
 
-impl<'a, F: Precision> Aim<'a, F> {
+impl<'a, F: Float> Aim<'a, F> {
     /// Of a contact with load and, unless the theory is linear, friction.
     pub(crate) fn new(
         contact: &'a Contact<F>,

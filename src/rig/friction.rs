@@ -6,7 +6,7 @@ use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::number::{Float, are_finite};
 use crate::solve::derivatives;
-use crate::solve::model::{self, Model, Options, Precision, Solution};
+use crate::solve::model::{self, Model, Options, Solution};
 use crate::status::{Error, Notice};
 
 /// Friction over used friction beyond which the contact is taken to stick: the force differs by about one per cent
@@ -61,7 +61,7 @@ const ROUNDINGS: f64 = 32.0;
 /// assert!((found.friction - 0.22_f64).abs() < 1e-12);
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
-pub fn estimate_friction<F: Precision>(
+pub fn estimate_friction<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,
@@ -88,7 +88,7 @@ pub(crate) struct Rig<'a, F> {
     pub(crate) solved: usize,
 }
 
-impl<'a, F: Precision> Rig<'a, F> {
+impl<'a, F: Float> Rig<'a, F> {
     /// Checks everything.
     pub(crate) fn new(
         contact: &Contact<F>,

@@ -16,7 +16,7 @@ mod search;
 pub use self::creepage::creepage_for_force;
 pub use self::friction::estimate_friction;
 
-use crate::number::{Plain, length};
+use crate::number::{Real, length};
 use crate::status::Notice;
 
 /// Which forces were measured.
@@ -32,7 +32,7 @@ pub enum Measured {
 
 impl Measured {
     /// What a measurement sees of a force.
-    fn of<F: Plain>(self, [fx, fy]: [F; 2]) -> F {
+    fn of<F: Real>(self, [fx, fy]: [F; 2]) -> F {
         match self {
             Self::Fx => fx,
             Self::Fy => fy,

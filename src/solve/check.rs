@@ -2,8 +2,8 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::number::Plain;
-use crate::solve::options::{Model, Options, Precision};
+use crate::number::{Float, Real};
+use crate::solve::options::{Model, Options};
 use crate::status::Error;
 
 /// Check the inputs of [`solve`](crate::solve::model::solve) without solving.
@@ -12,7 +12,7 @@ use crate::status::Error;
 /// Those of [`Contact::check`] and [`Creepage::check`]; [`Error::Overflow`] when a force, the moment or the power could be
 /// beyond the floating-point type.
 #[inline]
-pub fn check<F: Precision>(
+pub fn check<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,
@@ -29,7 +29,7 @@ pub fn check<F: Precision>(
 /// Those of [`check`].
 #[cold]
 #[inline(never)]
-pub(crate) fn find_fault<F: Precision>(
+pub(crate) fn find_fault<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     model: Model,
@@ -45,7 +45,7 @@ pub(crate) fn find_fault<F: Precision>(
 }
 
 /// Upper bounds of power, moment, force and the slip by spin: every result is a number if these are.
-fn range<F: Plain>(contact: &Contact<F>, creepage: &Creepage<F>, model: Model) -> [F; 4] {
+fn range<F: Real>(contact: &Contact<F>, creepage: &Creepage<F>, model: Model) -> [F; 4] {
     let Creepage { longitudinal, lateral, spin } = *creepage;
     let Contact { a, b, .. } = *contact;
     let bound = force_limit(contact, creepage, model);
@@ -60,7 +60,7 @@ fn range<F: Plain>(contact: &Contact<F>, creepage: &Creepage<F>, model: Model) -
 
 /// Upper bound of the forces of the model \[N\].
 #[inline]
-fn force_limit<F: Plain>(contact: &Contact<F>, creepage: &Creepage<F>, model: Model) -> F {
+fn force_limit<F: Real>(contact: &Contact<F>, creepage: &Creepage<F>, model: Model) -> F {
     if model != Model::Linear {
         return contact.friction_bound();
     }

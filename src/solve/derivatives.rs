@@ -29,9 +29,9 @@ use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::forces::Totals;
 use crate::contact::mismatch::Shift;
-use crate::number::{Float, Plain};
+use crate::number::{Float, Real};
 use crate::solve::check::find_fault;
-use crate::solve::options::{Model, Options, Precision, Solution};
+use crate::solve::options::{Model, Options, Solution};
 use crate::solve::theory::{Forces, Frame, Linear, Strip, Strip1967, Theory, Total};
 use crate::status::Error;
 use nalgebra::Matrix3;
@@ -82,7 +82,7 @@ impl<F: Float> Derivatives<F> {
 /// assert!((derivatives.friction[0] - 80e3).abs() < 1e-3);
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
-pub fn solve<F: Precision>(
+pub fn solve<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,
@@ -95,7 +95,7 @@ pub fn solve<F: Precision>(
 ///
 /// # Errors
 /// Those of [`solve`].
-pub(crate) fn solve_with_slopes<F: Precision>(
+pub(crate) fn solve_with_slopes<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,
@@ -192,7 +192,7 @@ impl<F: Float> Slopes<F> {
 ///
 /// # Errors
 /// Those of [`solve`].
-pub fn solve_jacobian<F: Precision>(
+pub fn solve_jacobian<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,
@@ -202,7 +202,7 @@ pub fn solve_jacobian<F: Precision>(
     Ok((solution, Matrix3::from(jacobian).transpose()))
 }
 
-fn differentiated<F: Precision, M: Theory<F>>(
+fn differentiated<F: Float, M: Theory<F>>(
     frame: &Frame<F>,
     creepage: &Creepage<F>,
     options: &Options,
@@ -256,7 +256,7 @@ fn through_shift<F: Float>(
 
 /// Forces of a contact with load and friction, `ψ`, and the derivatives of forces.
 #[inline(always)]
-pub(crate) fn with_slopes<F: Plain, M: Theory<F>>(
+pub(crate) fn with_slopes<F: Real, M: Theory<F>>(
     theory: &M,
     frame: &Frame<F>,
     creepage: &Creepage<F>,
@@ -272,12 +272,12 @@ pub(crate) fn with_slopes<F: Plain, M: Theory<F>>(
 }
 
 /// Powers of `N` that forces and moment grow with where the slip does not change.
-fn powers<F: Plain>() -> [F; 3] {
+fn powers<F: Real>() -> [F; 3] {
     [F::one(), F::one(), F::constant(4.0 / 3.0)]
 }
 
 #[inline(always)]
-fn saturating<F: Plain, M: Theory<F>>(
+fn saturating<F: Real, M: Theory<F>>(
     theory: &M,
     frame: &Frame<F>,
     creepage: &Creepage<F>,
@@ -310,7 +310,7 @@ fn saturating<F: Plain, M: Theory<F>>(
 }
 
 /// No friction: no force, and no dependence on the creepage until there is some.
-fn sliding<F: Precision, M: Theory<F>>(
+fn sliding<F: Float, M: Theory<F>>(
     theory: &M,
     frame: &Frame<F>,
     creepage: &Creepage<F>,
@@ -331,7 +331,7 @@ fn sliding<F: Precision, M: Theory<F>>(
 
 /// The linear theory: the derivatives are its coefficients.
 #[inline(always)]
-fn linear<F: Plain>(
+fn linear<F: Real>(
     [x, y, coupling, z]: &[F; 4],
     frame: &Frame<F>,
     creepage: &Creepage<F>,
@@ -350,7 +350,7 @@ fn linear<F: Plain>(
 }
 
 #[inline]
-fn scaled<F: Plain>(vector: [F; 3], factor: F) -> [F; 3] {
+fn scaled<F: Real>(vector: [F; 3], factor: F) -> [F; 3] {
     vector.map(|entry| entry * factor)
 }
 

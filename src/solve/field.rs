@@ -6,7 +6,7 @@ use crate::linear::LinearCoefficients;
 use crate::number::Float;
 use crate::solve::check::check;
 use crate::solve::notice::notice_of;
-use crate::solve::options::{Model, Options, Precision};
+use crate::solve::options::{Model, Options};
 use crate::solve::theory::Frame;
 use crate::status::{Error, Notice};
 use crate::strip::{Distribution, Flexibilities, StripGeometry};
@@ -88,7 +88,7 @@ pub enum FieldStrip<F: Float> {
     Strip(StripGeometry<F>),
 }
 
-impl<F: Precision> Field<F> {
+impl<F: Float> Field<F> {
     /// Prepare the field of a contact and a creepage.
     ///
     /// # Errors
@@ -185,7 +185,7 @@ impl<F: Precision> Field<F> {
 
 /// A point of a strip of STRIP in the units of the theory of 1967; the strip's half length `c` and `x` in any
 /// one unit, pressure in that in which its peak is `c`.
-pub(crate) fn strip_point<F: Precision>(
+pub(crate) fn strip_point<F: Float>(
     strips: &Distribution<F>,
     geometry: &StripGeometry<F>,
     c: F,

@@ -4,6 +4,6 @@
 pub use crate::solve::check::check;
 pub use crate::solve::derivatives::solve_jacobian;
 pub use crate::solve::field::{Field, FieldStrip};
-pub use crate::solve::options::{Model, Options, Precision, Solution};
+pub use crate::solve::options::{Model, Options, Solution};
 pub use crate::solve::strips::{StripResult, strips, strips_of};
 pub use crate::solve::theory::solve;

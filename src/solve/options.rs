@@ -98,9 +98,3 @@ impl<F: Float> Solution<F> {
         Self { fx: -self.fx, fy: -self.fy, mz: -self.mz, ..*self }
     }
 }
-
-/// Floating-point types that every model can be computed in.
-pub trait Precision: Float {}
-
-impl Precision for f64 {}
-impl Precision for f32 {}

@@ -2,15 +2,15 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::number::Plain;
+use crate::number::{Float, Real};
 use crate::solve::check::find_fault;
-use crate::solve::options::{Model, Options, Precision, Solution};
+use crate::solve::options::{Model, Options, Solution};
 use crate::solve::theory::{Frame, Linear, Strip, Strip1967, Theory, Total};
 use crate::status::Error;
 
 /// A contact and a model, ready for creepages.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<F: Plain> {
+pub struct Prepared<F: Real> {
     pub(crate) frame: Frame<F>,
     pub(crate) options: Options,
     pub(crate) known: Known<F>,
@@ -19,7 +19,7 @@ pub struct Prepared<F: Plain> {
 /// What a model knows of a contact.
 #[derive(Clone, Copy, Debug)]
 #[allow(clippy::large_enum_variant)]
-pub(crate) enum Known<F: Plain> {
+pub(crate) enum Known<F: Real> {
     Strip1967(Strip1967<false>),
     Strip1967Continuous(Strip1967<true>),
     Strip(Strip<F>),
@@ -27,7 +27,7 @@ pub(crate) enum Known<F: Plain> {
     Linear(Linear<F>),
 }
 
-impl<F: Precision> Prepared<F> {
+impl<F: Float> Prepared<F> {
     /// Prepare a contact for [`Prepared::solve`].
     ///
     /// # Errors

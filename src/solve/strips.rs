@@ -4,9 +4,10 @@ use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::forces::{StripCount, Totals};
 use crate::linear::LinearCoefficients;
+use crate::number::Float;
 use crate::solve::check::check;
 use crate::solve::notice::notice_of;
-use crate::solve::options::{Model, Options, Precision};
+use crate::solve::options::{Model, Options};
 use crate::solve::theory::{Frame, sliding_rule};
 use crate::status::{Error, Notice};
 use crate::strip::{EllipseStrips, Rule};
@@ -43,7 +44,7 @@ pub struct StripResult<F> {
 ///
 /// # Errors
 /// Those of [`strips`].
-pub fn strips_of<F: Precision>(
+pub fn strips_of<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,
@@ -59,7 +60,7 @@ pub fn strips_of<F: Precision>(
 ///
 /// # Errors
 /// Those of [`solve`](crate::solve::model::solve).
-pub fn strips<F: Precision>(
+pub fn strips<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,
@@ -106,7 +107,7 @@ pub fn strips<F: Precision>(
 
 /// The strips of STRIP in the form of those of the theory of 1967.
 #[inline(never)]
-fn place_strips<F: Precision>(
+fn place_strips<F: Float>(
     strips: &EllipseStrips<F>,
     creepage: [F; 3],
     count: StripCount,

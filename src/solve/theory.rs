@@ -6,10 +6,10 @@ use crate::contact::creepage::{Creepage, Parameters, Units};
 use crate::contact::forces::Totals;
 use crate::contact::mismatch::Shift;
 use crate::linear::LinearCoefficients;
-use crate::number::{Arithmetic, Float, Number, Pair, Plain};
+use crate::number::{Arithmetic, Float, Number, Pair, Real};
 use crate::solve::check::find_fault;
 use crate::solve::notice::{linear_notice_of, neglected, notice, warned};
-use crate::solve::options::{Model, Options, Precision, Solution};
+use crate::solve::options::{Model, Options, Solution};
 use crate::status::Error;
 use crate::strip_1967::{self, strip::SlidingRule};
 
@@ -35,7 +35,7 @@ pub(crate) use crate::total::Total;
 /// assert!(forces.fx > 0.0 && forces.fx < 24e3 && forces.fy == 0.0);
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
-pub fn solve<F: Precision>(
+pub fn solve<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,
@@ -59,7 +59,7 @@ pub(crate) struct Frame<F> {
     pub(crate) units: Units<F>,
 }
 
-impl<F: Plain> Frame<F> {
+impl<F: Real> Frame<F> {
     #[inline(always)]
     pub(crate) fn of(contact: &Contact<F>) -> Self {
         let (root_a, root_b) = F::Pair::of(contact.a, contact.b).sqrt().parts();
@@ -112,7 +112,7 @@ pub(crate) struct Forces<T> {
 }
 
 /// A model, ready for the creepages of one contact.
-pub(crate) trait Theory<F: Plain>: Copy {
+pub(crate) trait Theory<F: Real>: Copy {
     /// The number of the model.
     const MODEL: Model;
 
@@ -160,7 +160,7 @@ pub(crate) trait Theory<F: Plain>: Copy {
         options: &Options,
     ) -> Result<Solution<F>, Error>
     where
-        F: Precision,
+        F: Float,
     {
         let ordinary = contact.is_ordinary(creepage);
         if !ordinary {
@@ -217,7 +217,7 @@ pub(crate) trait Theory<F: Plain>: Copy {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Strip1967<const CONTINUOUS: bool>;
 
-impl<F: Plain, const CONTINUOUS: bool> Theory<F> for Strip1967<CONTINUOUS> {
+impl<F: Real, const CONTINUOUS: bool> Theory<F> for Strip1967<CONTINUOUS> {
     const MODEL: Model = if CONTINUOUS { Model::Strip1967Continuous } else { Model::Strip1967 };
 
     #[inline(always)]
@@ -240,7 +240,7 @@ pub(crate) fn sliding_rule(model: Model) -> SlidingRule {
     }
 }
 
-impl<F: Plain> Theory<F> for Strip<F> {
+impl<F: Real> Theory<F> for Strip<F> {
     const MODEL: Model = Model::Strip;
 
     #[inline(always)]
@@ -258,7 +258,7 @@ impl<F: Plain> Theory<F> for Strip<F> {
     }
 }
 
-impl<F: Plain> Theory<F> for Total<F> {
+impl<F: Real> Theory<F> for Total<F> {
     const MODEL: Model = Model::Total;
 
     #[inline(always)]
@@ -281,7 +281,7 @@ impl<F: Plain> Theory<F> for Total<F> {
 #[repr(transparent)]
 pub(crate) struct Linear<F>(pub(crate) [F; 4]);
 
-impl<F: Plain> Theory<F> for Linear<F> {
+impl<F: Real> Theory<F> for Linear<F> {
     const MODEL: Model = Model::Linear;
 
     #[inline(always)]

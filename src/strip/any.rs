@@ -7,7 +7,7 @@ use super::kernel::{Carried, Seen, Spin, forces};
 use super::tables::Tables;
 use crate::number::lanes::Lanes;
 use crate::number::registers::compiled_twice;
-use crate::number::{Arithmetic, Number, Plain, Strips};
+use crate::number::{Arithmetic, Number, Real, Strips};
 
 /// The creepages of eight strips, `A_x, A_y, σ`, the spread and the start; and their share of the inner strips' nodes, 0 to 1.
 type Eight<F> = [[F; 8]; 6];
@@ -83,8 +83,8 @@ fn carried<T: Number, const ROWS: usize>(
     })
 }
 
-fn both_kinds<F: Plain, const ROWS: usize>(eight: &Eight<F>, found: &mut Found<F, ROWS>) {
-    compiled_twice!(if 1 => <F: Plain; ROWS>(eight: &Eight<F>, found: &mut Found<F, ROWS>) -> () {
+fn both_kinds<F: Real, const ROWS: usize>(eight: &Eight<F>, found: &mut Found<F, ROWS>) {
+    compiled_twice!(if 1 => <F: Real; ROWS>(eight: &Eight<F>, found: &mut Found<F, ROWS>) -> () {
         if cfg!(target_os = "none") {
             // (one after the other, where flash is short)
             of_kinds::<F, Lanes<F, 1>, ROWS>(eight, found)
@@ -98,7 +98,7 @@ fn both_kinds<F: Plain, const ROWS: usize>(eight: &Eight<F>, found: &mut Found<F
 
 /// As many strips at a time as stand side by side in `P`.
 #[inline(always)]
-fn of_kinds<F: Plain, P: Strips<F>, const ROWS: usize>(
+fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
     eight: &Eight<F>,
     found: &mut Found<F, ROWS>,
 ) {

@@ -9,7 +9,7 @@ use super::long::LongContact;
 use super::network::{INPUTS, Network};
 use crate::linear::LinearCoefficients;
 use crate::number::registers::compiled_twice;
-use crate::number::{Arithmetic, Number, Pair, Plain, Strips, add, scaled_down};
+use crate::number::{Arithmetic, Number, Pair, Real, Strips, add, scaled_down};
 use core::f64::consts::PI;
 
 /// Creepages beyond this are scaled down together, because the contact slides fully. Their fourth powers fit an `f32`.
@@ -26,7 +26,7 @@ const LIMIT: f64 = SATURATION * SATURATION * SATURATION * SATURATION;
 
 /// Everything that depends on the contact alone.
 #[derive(Clone, Copy, Debug)]
-pub struct Flexibilities<F: Plain> {
+pub struct Flexibilities<F: Real> {
     pub(super) linear: LinearCoefficients<F>,
     /// `√(a/b)` within the limits of the model, and its inverse.
     pub(super) root: F,
@@ -78,7 +78,7 @@ pub struct StripGeometry<F> {
     pub width: F,
 }
 
-impl<F: Plain> Flexibilities<F> {
+impl<F: Real> Flexibilities<F> {
     /// `axis_ratio` is `a/b`, `linear` the coefficients for it, `factors` those of [`super::Rule`], or 1.
     #[inline(always)]
     pub fn new(
@@ -87,7 +87,7 @@ impl<F: Plain> Flexibilities<F> {
         linear: &LinearCoefficients<F>,
         factors: [F; 2],
     ) -> Self {
-        compiled_twice!(if F::LANES => <F: Plain>(axis_ratio: F, poisson_ratio: F,
+        compiled_twice!(if F::LANES => <F: Real>(axis_ratio: F, poisson_ratio: F,
             linear: &LinearCoefficients<F>, factors: [F; 2]) -> Flexibilities<F> {
             Flexibilities::of_contact(axis_ratio, poisson_ratio, linear, factors)
         })
@@ -126,7 +126,7 @@ impl<F: Plain> Flexibilities<F> {
     /// and bounded and have the right limits.
     #[inline(always)]
     pub fn see<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Distribution<T> {
-        compiled_twice!(if T::LANES => <F: Plain, T: Number<Base = F>>(contact: &Flexibilities<F> = self, creepage: [T; 3]) -> Distribution<T> {
+        compiled_twice!(if T::LANES => <F: Real, T: Number<Base = F>>(contact: &Flexibilities<F> = self, creepage: [T; 3]) -> Distribution<T> {
             contact.seen::<T, F::Four>(creepage)
         } {
             contact.seen::<T, F::WideRow>(creepage)

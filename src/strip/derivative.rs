@@ -36,7 +36,7 @@ impl<T: Arithmetic> SpinSlopes<T> {
 
 /// Forces of strips side by side, and the derivatives of `f_x, f_y, m_x` by `A_x, A_y, σ`, the spread and the start.
 #[inline(always)]
-pub(super) fn forces_and_slopes<P: Arithmetic<Bare = P>>(
+pub(super) fn forces_and_slopes<P: Arithmetic<Value = P>>(
     seen: &Seen<P>,
     spin: &Spin<P>,
     constants: &impl Constants<P>,
@@ -116,7 +116,7 @@ struct Turned<P> {
     turn: P,
 }
 
-impl<P: Arithmetic<Bare = P>> Turned<P> {
+impl<P: Arithmetic<Value = P>> Turned<P> {
     #[inline(always)]
     fn new(node: &Node<P>, own: &Passed<P>, before: P, s: P, spin: &Spin<P>) -> Self {
         let one = P::one();
@@ -176,7 +176,7 @@ struct Way<P> {
     by_spread: P,
 }
 
-impl<P: Arithmetic<Bare = P>> Way<P> {
+impl<P: Arithmetic<Value = P>> Way<P> {
     #[inline(always)]
     fn new() -> Self {
         let zero = P::zero();
@@ -341,7 +341,7 @@ fn separatrix<P: Arithmetic>(
 
 /// `Σ cᵢ uⁱ` and its derivative.
 #[inline(always)]
-fn with_slope<P: Arithmetic<Bare = P>, const N: usize>(c: &[P; N], u: P) -> [P; 2] {
+fn with_slope<P: Arithmetic<Value = P>, const N: usize>(c: &[P; N], u: P) -> [P; 2] {
     let (mut sum, mut slope) = (P::zero(), P::zero());
     for c in c.iter().rev() {
         slope = slope * u + sum;

@@ -236,7 +236,7 @@ pub(super) struct Passed<T> {
 pub(super) fn forces<T: Arithmetic>(
     seen: &Seen<T>,
     spin: &Spin<T>,
-    constants: &impl Constants<T::Bare>,
+    constants: &impl Constants<T::Value>,
     mut note: impl FnMut(usize, Passed<T>),
 ) -> (Carried<T>, Start<T>) {
     let separatrix = Separatrix::new(seen, spin);
@@ -247,7 +247,7 @@ pub(super) fn forces<T: Arithmetic>(
     // n = A'/s + r e_y
     let n = [seen.x * inverse_s, y * inverse_s + spin.r];
     // t = r e_y + (A'/s)(1 − R), R = √(1 − s/τ), ahead of the separatrix; behind it less n, which the nodes add
-    let closed: Closed<T::Bare> = constants.closed();
+    let closed: Closed<T::Value> = constants.closed();
     let c = ahead * polynomial(&closed.force, u);
     let mut fx = seen.x * c;
     let mut fy = y * c + spin.r * (ahead.squared() + s * c);
@@ -258,7 +258,7 @@ pub(super) fn forces<T: Arithmetic>(
     let soft = (spin.sigma * s).squared();
     let square = u.squared();
     for (k, inverse_bound) in bounds.into_iter().enumerate() {
-        let node: Node<T::Bare> = constants.node(k);
+        let node: Node<T::Value> = constants.node(k);
         let step = Step {
             length: T::from_base(node.length),
             place: T::from_base(node.place),
@@ -282,7 +282,7 @@ pub(super) fn forces<T: Arithmetic>(
 
 /// `1/s` and all `s/B = 1/(t (2 − s t))`, from one quotient.
 #[inline(always)]
-fn inverses<T: Arithmetic>(s: T, constants: &impl Constants<T::Bare>) -> (T, [T; NODES]) {
+fn inverses<T: Arithmetic>(s: T, constants: &impl Constants<T::Value>) -> (T, [T; NODES]) {
     let mut inverses = [s; NODES];
     let mut product = s;
     for (k, place) in inverses.iter_mut().enumerate() {
@@ -300,7 +300,7 @@ fn inverses<T: Arithmetic>(s: T, constants: &impl Constants<T::Bare>) -> (T, [T;
 
 /// `c₀ + c₁ u + c₂ u² …`
 #[inline(always)]
-pub(super) fn polynomial<T: Arithmetic, const N: usize>(c: &[T::Bare; N], u: T) -> T {
+pub(super) fn polynomial<T: Arithmetic, const N: usize>(c: &[T::Value; N], u: T) -> T {
     let mut sum = T::zero();
     for (i, c) in c.iter().rev().enumerate() {
         sum = if i == 0 { T::from_base(*c) } else { sum * u + T::from_base(*c) };

@@ -8,7 +8,7 @@
 use super::long_constants::{FIXED, INPUT, OFFSET, OUTPUT};
 use super::network::{CORRECTIONS, Layers};
 use crate::number::tables::{add_rows, row, table, widen};
-use crate::number::{Arithmetic, Number, Pair, Plain, Strips};
+use crate::number::{Arithmetic, Number, Pair, Real, Strips};
 
 const UNITS: usize = OUTPUT.len();
 /// Features of all contacts that are used here too: the last ones.
@@ -31,7 +31,7 @@ pub(crate) struct LongContact<F> {
     start: [F; UNITS],
 }
 
-impl<F: Plain> LongContact<F> {
+impl<F: Real> LongContact<F> {
     /// From `√(a/b)`, `2(√g − 1)/(√g + 1)` and `4ν − 1`.
     #[inline(always)]
     pub fn new(root: F, ratio: F, poisson: F) -> Self {

@@ -2,7 +2,7 @@
 
 use super::constants::{HIDDEN, HIDDEN_OFFSET, OUTPUT, OUTPUT_OFFSET};
 use crate::number::tables::{add_rows, row, table, widen};
-use crate::number::{Number, Plain, Strips, add};
+use crate::number::{Number, Real, Strips, add};
 
 pub(super) const CORRECTIONS: usize = OUTPUT_OFFSET.len();
 const UNITS: usize = HIDDEN_OFFSET.len();
@@ -33,7 +33,7 @@ pub(super) struct Network<F> {
     start: [F; UNITS],
 }
 
-impl<F: Plain> Network<F> {
+impl<F: Real> Network<F> {
     /// From `2(√g − 1)/(√g + 1)` and `4ν − 1`.
     #[inline(always)]
     pub fn new(ratio: F, poisson: F) -> Self {
@@ -57,7 +57,7 @@ impl<F: Plain> Network<F> {
 }
 
 /// One layer of units, and corrections.
-pub(super) struct Layers<'a, F: Plain, const INPUTS: usize, const UNITS: usize> {
+pub(super) struct Layers<'a, F: Real, const INPUTS: usize, const UNITS: usize> {
     /// Sums of the units over what the contact decides.
     pub start: &'a [F; UNITS],
     /// Weights of the other inputs, of the corrections themselves, and of the units.
@@ -66,7 +66,7 @@ pub(super) struct Layers<'a, F: Plain, const INPUTS: usize, const UNITS: usize> 
     pub output: &'static [[F::Stored; CORRECTIONS]; UNITS],
 }
 
-impl<F: Plain, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UNITS> {
+impl<F: Real, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UNITS> {
     /// The corrections, sums side by side in `P`. (Out of line where code must be small; wide registers need it within its caller.)
     #[cfg_attr(target_arch = "x86_64", inline(always))]
     #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
@@ -111,7 +111,7 @@ impl<F: Plain, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UN
 
 /// The last layer, in two chains of additions.
 #[inline(always)]
-fn last<F: Plain, const UNITS: usize>(
+fn last<F: Real, const UNITS: usize>(
     units: &[F; UNITS],
     start: [F; CORRECTIONS],
     rows: &[[F::Stored; CORRECTIONS]; UNITS],

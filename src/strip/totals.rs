@@ -8,7 +8,7 @@ use crate::contact::forces::{StripCount, Totals};
 use crate::linear::LinearCoefficients;
 use crate::number::lanes::Lanes;
 use crate::number::registers::compiled_twice;
-use crate::number::{Arithmetic, Float, Number, Plain, Strips, add};
+use crate::number::{Arithmetic, Float, Number, Real, Strips, add};
 
 /// Least power, over that of the linear theory divided by `√(1 + n²)`.
 const FLOOR: f64 = 0.2;
@@ -17,7 +17,7 @@ const STEP: f64 = 0.2;
 
 /// A contact's strips, ready for creepages.
 #[derive(Clone, Copy, Debug)]
-pub struct EllipseStrips<F: Plain> {
+pub struct EllipseStrips<F: Real> {
     pub(crate) contact: Flexibilities<F>,
     pub(super) rule: Rule<F::Stored>,
 }
@@ -30,7 +30,7 @@ type Rows<P, const ROWS: usize> = [[P; 6]; ROWS];
 const VALUES: usize = 1;
 const SLOPES: usize = 4;
 
-impl<F: Plain> EllipseStrips<F> {
+impl<F: Real> EllipseStrips<F> {
     /// `axis_ratio` is `a/b`, `linear` the coefficients for it.
     #[inline(always)]
     pub fn new(
@@ -53,7 +53,7 @@ impl<F: Plain> EllipseStrips<F> {
     /// Forces, moment and share in adhesion for `vx, vy = G a b (υx, υy)/(μ N)`, `φ = G (a b)^{3/2} ϕ/(μ N)`.
     #[inline(always)]
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
-        compiled_twice!(if T::LANES => <F: Plain, T: Number<Base = F>>(strips: &EllipseStrips<F> = self, creepage: [T; 3]) -> Totals<T> {
+        compiled_twice!(if T::LANES => <F: Real, T: Number<Base = F>>(strips: &EllipseStrips<F> = self, creepage: [T; 3]) -> Totals<T> {
             let law = strips.contact.seen::<T, F::Four>(creepage);
             if cfg!(target_os = "none") {
                 // (one after the other, where flash is short)
@@ -237,26 +237,26 @@ impl<F: Plain> EllipseStrips<F> {
 
 /// Forces of one strip.
 #[inline(never)]
-pub(crate) fn alone<T: Arithmetic<Bare: Plain>>(
+pub(crate) fn alone<T: Arithmetic<Value: Real>>(
     seen: &Seen<T>,
     spin: &Spin<T>,
     inner: bool,
 ) -> Carried<T> {
-    let constants = Tables::<<T::Bare as Plain>::Stored, _>::new(|couple: &[_; 2]| {
-        of_lane::<T::Bare>(couple, usize::from(inner))
+    let constants = Tables::<<T::Value as Real>::Stored, _>::new(|couple: &[_; 2]| {
+        of_lane::<T::Value>(couple, usize::from(inner))
     });
     forces(seen, spin, &constants, |_, _| ()).0
 }
 
 /// The number for a strip of a four, `[Y₀, Y₁, −Y₀, −Y₁]`: outer and inner take turns.
 #[inline]
-fn of_lane<F: Plain>([outer, inner]: &[F::Stored; 2], lane: usize) -> F {
+fn of_lane<F: Real>([outer, inner]: &[F::Stored; 2], lane: usize) -> F {
     F::stored(if lane & 1 == 1 { *inner } else { *outer })
 }
 
 /// The same, at `−Y` with the other sign if the field is odd.
 #[inline]
-fn of_side<F: Plain>(couple: &[F::Stored; 2], lane: usize, odd: bool) -> F {
+fn of_side<F: Real>(couple: &[F::Stored; 2], lane: usize, odd: bool) -> F {
     let field = of_lane::<F>(couple, lane);
     if odd && lane & 2 == 2 { -field } else { field }
 }
@@ -270,10 +270,10 @@ pub(super) struct Together<P> {
     pub(super) by_spin: SpinSlopes<P>,
 }
 
-impl<P: Arithmetic<Bare = P>> Together<P> {
+impl<P: Arithmetic<Value = P>> Together<P> {
     /// The same in numbers `P`, made by `all`.
     #[inline(always)]
-    pub(super) fn new<F: Plain>(law: &Distribution<F>, all: impl Fn(F) -> P + Copy) -> Self {
+    pub(super) fn new<F: Real>(law: &Distribution<F>, all: impl Fn(F) -> P + Copy) -> Self {
         let spin = Spin::new(law.spin);
         let by_spin = SpinSlopes::new(&spin).map(all);
         let Distribution { longitudinal, lateral, slope, bend, start, .. } = *law;

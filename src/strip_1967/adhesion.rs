@@ -1,7 +1,7 @@
 //! Strips that adhere, by the primitives of Section 7.1; `∫ C K dY`, which is not elementary, by nodes.
 
 use crate::number::tables::{row, table};
-use crate::number::{Arithmetic, Number, Pair, Plain, Stored, either};
+use crate::number::{Arithmetic, Number, Pair, Real, Stored, either};
 use crate::strip_1967::edge::{Arc, Edge};
 use crate::strip_1967::integrals::{Both, GAUSS_4, GAUSS_6, Pieces, Shares, arcsinh, far, rounded};
 use crate::strip_1967::motion::Motion;

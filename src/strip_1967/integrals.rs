@@ -1,6 +1,6 @@
 //! What the integrals over strips are made of: nodes of Gauss, the primitives' common parts, and the pieces of the arc that adheres.
 
-use crate::number::{Arithmetic, Number, Pair, Plain, Stored};
+use crate::number::{Arithmetic, Number, Pair, Real, Stored};
 use crate::strip_1967::edge::{Arc, Edge};
 use crate::strip_1967::motion::Motion;
 
@@ -31,7 +31,7 @@ pub(super) type Shares<T> = [T; 5];
 /// `ε²`, and the square of some roundings of `Y`: where `η = 0` the direction of the slip turns at once in the strip `ξ̄ = 0`,
 /// and a derivative by `η` would be infinite.
 #[inline]
-pub(super) fn rounded<F: Plain>(e: F) -> F {
+pub(super) fn rounded<F: Real>(e: F) -> F {
     let rounding = F::EPSILON.times(4.0);
     e * e + rounding * rounding
 }
@@ -47,12 +47,12 @@ pub(super) fn arcsinh<A: Arithmetic>(u1: A, u2: A, d1: A, d2: A, e2: A) -> (A, A
 
 /// `∫ C² uⁿ … du` with `C² = k₀ + k₁ u − u²`, from the integrals with `uⁿ`, `uⁿ⁺¹`, `uⁿ⁺²`.
 #[inline]
-pub(super) fn moment<F: Plain>([k0, k1]: [F; 2], [one, u, uu]: [F; 3]) -> F {
+pub(super) fn moment<F: Real>([k0, k1]: [F; 2], [one, u, uu]: [F; 3]) -> F {
     k0 * one + k1 * u - uu
 }
 
 /// The two pieces of an arc side by side: `Y = sin(θ + φ)`, with the tangent `t` of `φ/2` from `−t₁` to the parting and on to `t₁`.
-pub(super) struct Pieces<F: Plain> {
+pub(super) struct Pieces<F: Real> {
     motion: Motion<F>,
     middle: Edge<F>,
     /// Middle and half length of each in `t`.
@@ -78,7 +78,7 @@ pub(super) struct Node<P> {
     pub share: P,
 }
 
-impl<F: Plain> Pieces<F> {
+impl<F: Real> Pieces<F> {
     #[inline(always)]
     pub fn new(motion: Motion<F>, arc: Arc<F>, parting: F, least: F) -> Self {
         let (from, to) = (F::Pair::of(-arc.tangent, parting), F::Pair::of(parting, arc.tangent));

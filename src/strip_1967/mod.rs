@@ -54,7 +54,7 @@ pub mod strips;
 use crate::contact::creepage::Parameters;
 use crate::contact::forces::Totals;
 use crate::number::registers::compiled_twice;
-use crate::number::{Arithmetic, Number, Plain, add, chosen, either};
+use crate::number::{Arithmetic, Number, Real, add, chosen, either};
 use crate::strip_1967::adhesion::adhering;
 use crate::strip_1967::edge::Edge;
 use crate::strip_1967::integrals::Shares;
@@ -138,7 +138,7 @@ fn turned_back<T: Number>(motion: &Motion<T>, shares: Shares<T>) -> Totals<T> {
 
 /// Without spin `K = τ = √(ξ² + η²)` in every strip, and strips with `C > τ` adhere (Section 8.15).
 #[inline(always)]
-fn without_spin<F: Plain>(motion: &Motion<F>) -> Shares<F> {
+fn without_spin<F: Real>(motion: &Motion<F>) -> Shares<F> {
     let Motion { xi, eta, compliance, rule, .. } = *motion;
     let (one, none) = (F::one(), F::zero());
     let (tau2, eta2) = (xi * xi + eta * eta, eta * eta);

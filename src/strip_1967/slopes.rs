@@ -1,7 +1,7 @@
 //! Derivatives of the integrals, worked out by hand where dual numbers through their formulas would cost more or fail at an edge.
 
 use crate::number::tables::{row, table};
-use crate::number::{Arithmetic, Number, Pair, Plain};
+use crate::number::{Arithmetic, Number, Pair, Real};
 use crate::strip_1967::edge::Arc;
 use crate::strip_1967::integrals::{Both, GAUSS_6, Node, Pieces, Shares, moment};
 use crate::strip_1967::motion::Motion;
@@ -69,7 +69,7 @@ pub(super) fn stretch_and_length<T: Number>(
 ///
 /// Those of `u/D` and `ε/D` are `(ε², −u ε)` and `(−u ε, u²)` over `D³`, with `N_n = ∫ uⁿ/D³ du`.
 #[inline(always)]
-pub(super) fn rigid_slip<F: Plain>(
+pub(super) fn rigid_slip<F: Real>(
     [h, e, e2]: [F; 3],
     [u1, u2, d1, d2]: [F::Pair; 4],
     [j0, j1, j2]: [F; 3],

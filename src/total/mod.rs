@@ -28,7 +28,7 @@ use self::rigid_slip::RigidSlip;
 use crate::contact::forces::Totals;
 use crate::linear::LinearCoefficients;
 use crate::number::registers::compiled_twice;
-use crate::number::{Arithmetic, Number, Pair, Plain, Stored, Strips};
+use crate::number::{Arithmetic, Number, Pair, Real, Stored, Strips};
 
 /// Axis ratios that the formulas are evaluated with; fitted are 0.015 to 60, and rigid slip from 1/70 to 70.
 const RATIO_LIMIT: f64 = 1e3;
@@ -79,14 +79,14 @@ pub struct Total<F> {
     network: Network<F>,
 }
 
-impl<F: Plain> Total<F> {
+impl<F: Real> Total<F> {
     /// For the axis ratio `g = a/b`, Poisson's ratio, and the coefficients of the linear theory for them.
     ///
     /// Made for `a/b` 0.015 to 60 and `ν` 0 to 1/2; finite and with the right limits beyond.
     #[must_use]
     #[inline(always)]
     pub fn new(axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>) -> Self {
-        compiled_twice!(if F::LANES => <F: Plain>(axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>) -> Total<F> {
+        compiled_twice!(if F::LANES => <F: Real>(axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>) -> Total<F> {
             Total::of_contact(axis_ratio, poisson_ratio, linear)
         })
     }
@@ -125,7 +125,7 @@ impl<F: Plain> Total<F> {
     #[must_use]
     #[inline(always)]
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
-        compiled_twice!(if T::LANES => <F: Plain, T: Number<Base = F>>(contact: &Total<F> = self, creepage: [T; 3]) -> Totals<T> {
+        compiled_twice!(if T::LANES => <F: Real, T: Number<Base = F>>(contact: &Total<F> = self, creepage: [T; 3]) -> Totals<T> {
             contact.two_answers::<T, F::Four>(creepage)
         } {
             contact.two_answers::<T, F::WideRow>(creepage)

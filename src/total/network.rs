@@ -2,7 +2,7 @@
 
 use super::constants::{FIRST, FIXED, LAST, LAST_BIAS, SECOND};
 use crate::number::tables::{add_rows, row, rows, table, widen};
-use crate::number::{Number, Plain, Strips};
+use crate::number::{Number, Real, Strips};
 
 /// What the network is told that depends on the contact only, and the rest.
 const FIXED_INPUTS: usize = FIXED.len() - 1;
@@ -17,7 +17,7 @@ pub(super) struct Network<F> {
     sums: [F; UNITS_1],
 }
 
-impl<F: Plain> Network<F> {
+impl<F: Real> Network<F> {
     #[inline(always)]
     pub(super) fn of_contact(fixed: [F; FIXED_INPUTS]) -> Self {
         let [offset, weights @ ..] = table!(F, rows(&FIXED));
@@ -55,7 +55,7 @@ impl<F: Plain> Network<F> {
 /// How the corrections move when the inputs do. (Out of line for the same reason.)
 #[cfg_attr(target_arch = "x86_64", inline(always))]
 #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
-fn moved<F: Plain, P: Strips<F>>(
+fn moved<F: Real, P: Strips<F>>(
     moves: impl Iterator<Item = F> + Clone,
     slopes_1: &[F; UNITS_1],
     slopes_2: &[F; UNITS_2],
@@ -69,7 +69,7 @@ fn moved<F: Plain, P: Strips<F>>(
 
 /// The last layer: four chains of sums for each output.
 #[inline(always)]
-fn last_layer<F: Plain>(units: [F; UNITS_2], mut outputs: [F; 6]) -> [F; 6] {
+fn last_layer<F: Real>(units: [F; UNITS_2], mut outputs: [F; 6]) -> [F; 6] {
     for (output, weights) in outputs.iter_mut().zip(table!(F, rows::<6, _, UNITS_2>(&LAST))) {
         let mut sums = [*output, F::zero(), F::zero(), F::zero()];
         for (units, weights) in units.chunks(4).zip(weights.chunks(4)) {
@@ -84,7 +84,7 @@ fn last_layer<F: Plain>(units: [F; UNITS_2], mut outputs: [F; 6]) -> [F; 6] {
 }
 
 #[inline(always)]
-fn times<F: Plain, const N: usize>(mut x: [F; N], y: &[F; N]) -> [F; N] {
+fn times<F: Real, const N: usize>(mut x: [F; N], y: &[F; N]) -> [F; N] {
     for (x, y) in x.iter_mut().zip(y) {
         *x = *x * *y;
     }
@@ -93,7 +93,7 @@ fn times<F: Plain, const N: usize>(mut x: [F; N], y: &[F; N]) -> [F; N] {
 
 /// `2x/(1 + x²)` and its slope `2/(1 + x²) − (2x/(1 + x²))²`, with one division for two.
 #[inline(always)]
-fn activation<F: Plain, const N: usize>(x: [F; N]) -> ([F; N], [F; N]) {
+fn activation<F: Real, const N: usize>(x: [F; N]) -> ([F; N], [F; N]) {
     // y = r x and its slope r − y², r = 2/(1 + x²)
     let from = |r: F, unit: &mut F, slope: &mut F| {
         *unit = *unit * r;

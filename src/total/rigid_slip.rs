@@ -11,7 +11,7 @@
 
 use super::constants::*;
 use crate::number::tables::{row, table, widen};
-use crate::number::{Arithmetic, Number, Pair, Plain};
+use crate::number::{Arithmetic, Number, Pair, Real};
 
 /// Coefficients for one axis ratio.
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +34,7 @@ struct Polynomials<F> {
     s2: F,
 }
 
-impl<F: Plain> Polynomials<F> {
+impl<F: Real> Polynomials<F> {
     /// `c₀ + c₁ s² + c₂ s⁴`
     #[inline]
     fn even(&self, [c0, c1, c2]: [F; 3]) -> F {
@@ -60,7 +60,7 @@ impl<F: Plain> Polynomials<F> {
     }
 }
 
-impl<F: Plain> RigidSlip<F> {
+impl<F: Real> RigidSlip<F> {
     /// For `g` and `g + 1/g`.
     #[inline(always)]
     pub(super) fn new(g: F, both: F) -> Self {

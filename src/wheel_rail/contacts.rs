@@ -25,7 +25,6 @@ use crate::normal::cells::Given;
 use crate::normal::{Indentation, Profile, ProfileContact};
 use crate::number::{Float, are_finite, length};
 use crate::patch::StoredPatch;
-use crate::solve::model::Precision;
 use crate::status::{Error, Notice};
 use core::ops::Range;
 use heapless::Vec;
@@ -81,7 +80,7 @@ pub struct WheelContact<F> {
     pub patch: StoredPatch<F>,
 }
 
-impl<F: Precision> WheelContact<F> {
+impl<F: Float> WheelContact<F> {
     /// `B`: slip and spin rate by the wheel's velocity.
     fn rows(&self) -> [[F; 6]; 3] {
         [self.slip_x, self.slip_y, self.spin_rate]
@@ -190,7 +189,7 @@ struct View<'a, F> {
     position: Position<F>,
 }
 
-impl<'a, F: Precision> View<'a, F> {
+impl<'a, F: Float> View<'a, F> {
     fn new(gap: &'a Gap<F>, pair: &'a Pair<F>, position: &Position<F>) -> Result<Self, Error> {
         pair.check()?;
         position.check()?;
@@ -350,7 +349,7 @@ pub struct Found {
 /// [`Error::Profile`] for a gap that does not ascend, or an angle beyond 1.6; [`Error::PatchSize`] for more than four contacts apart, or more than
 /// [`KSTRIP_CONTACTS_CAPACITY`] in all; [`Error::Capacity`]; those of `Pair::check` and of
 /// [`Patch::from_profile`](crate::patch::Patch::from_profile).
-pub fn from_gap<F: Precision>(
+pub fn from_gap<F: Float>(
     gap: &Gap<F>,
     pair: &Pair<F>,
     position: &Position<F>,

@@ -6,8 +6,8 @@ use super::touch::{Gap, touch};
 use super::wrench::{self, Law, Wrench, WrenchByPosition, WrenchDerivatives};
 use super::{KSTRIP_CONTACTS_CAPACITY, Pair, Position, Velocity};
 use crate::contact::forces::StripCount;
+use crate::number::Float;
 use crate::patch::StoredPatch;
-use crate::solve::model::Precision;
 use crate::status::{Error, Notice};
 
 /// Steps of the differences by position, over the cube root of the rounding \[m, rad\]: 1 µm in double precision, 15 µm in single.
@@ -50,7 +50,7 @@ pub struct Scene<'a, F> {
     pub law: Law<'a, F>,
 }
 
-impl<F: Precision> Scene<'_, F> {
+impl<F: Float> Scene<'_, F> {
     /// Finds the contacts of a position.
     ///
     /// # Errors

@@ -14,7 +14,7 @@ use crate::friction::SlipFriction;
 use crate::motion::{MotionDerivatives, Rolling};
 use crate::number::{Float, are_finite};
 use crate::patch::{self, PatchView, StoredPatch, solver};
-use crate::solve::model::{Model, Precision, Solution};
+use crate::solve::model::{Model, Solution};
 use crate::status::{Error, Notice};
 
 /// Speed below which any slip is plausible \[m/s\].
@@ -84,7 +84,7 @@ pub struct Law<'a, F> {
 ///
 /// # Errors
 /// [`Error::NotFinite`]; those of [`solver::solve`], [`patch::friction::solve`] and [`StoredPatch::view`].
-pub fn of_contacts<F: Precision>(
+pub fn of_contacts<F: Float>(
     contacts: &[WheelContact<F>],
     velocity: &Velocity<F>,
     law: Law<F>,
@@ -133,7 +133,7 @@ pub fn of_contacts<F: Precision>(
     Ok(Wrench { force, moment, dissipation, normal_force, contacts, notice })
 }
 
-impl<F: Precision> WrenchDerivatives<F> {
+impl<F: Float> WrenchDerivatives<F> {
     /// Adds `−Bᵀ (∂F/∂slip B + ∂F/∂V ∂V/∂v)` and `−Bᵀ ∂F/∂friction` of a contact.
     fn add(&mut self, contact: &WheelContact<F>, slopes: &MotionDerivatives<F>) {
         let columns = contact.columns();
@@ -160,7 +160,7 @@ fn forces<F: Float>(found: &Solution<F>) -> [F; 3] {
 }
 
 /// Creep forces on the rail.
-fn carried<F: Precision>(
+fn carried<F: Float>(
     patch: &StoredPatch<F>,
     rolling: &Rolling<F>,
     law: Law<F>,
@@ -174,7 +174,7 @@ fn carried<F: Precision>(
 }
 
 /// The same with their derivatives by motion. The derivative by friction is that by a factor of all coefficients.
-fn differentiated<F: Precision>(
+fn differentiated<F: Float>(
     patch: &StoredPatch<F>,
     rolling: &Rolling<F>,
     law: Law<F>,
@@ -195,12 +195,12 @@ fn differentiated<F: Precision>(
     Ok((joined(rolling, forward.solution, backward.solution), slopes))
 }
 
-fn at_speed<F: Precision>(law: Law<F>, speed: F) -> Option<SlipFriction<F>> {
+fn at_speed<F: Float>(law: Law<F>, speed: F) -> Option<SlipFriction<F>> {
     law.falling.map(|law| SlipFriction { friction: F::one(), rolling_speed: speed, ..*law })
 }
 
 /// What a patch answers as it rolls forward, and turned by 180 degrees.
-fn each_end<F: Precision, S: Copy>(
+fn each_end<F: Float, S: Copy>(
     patch: &StoredPatch<F>,
     rolling: &Rolling<F>,
     solve: impl Fn(&PatchView<F>, &Creepage<F>) -> Result<S, Error>,
@@ -216,7 +216,7 @@ fn each_end<F: Precision, S: Copy>(
 
 /// The answer of a turned patch. Out of line, because of the copy on the stack (3 KiB).
 #[inline(never)]
-fn turned<F: Precision, S>(
+fn turned<F: Float, S>(
     patch: &StoredPatch<F>,
     solve: impl FnOnce(&PatchView<F>) -> Result<S, Error>,
 ) -> Result<S, Error> {
@@ -229,11 +229,7 @@ fn turned<F: Precision, S>(
     solve(&turned.view()?)
 }
 
-fn joined<F: Precision>(
-    rolling: &Rolling<F>,
-    ahead: Solution<F>,
-    behind: Solution<F>,
-) -> Solution<F> {
+fn joined<F: Float>(rolling: &Rolling<F>, ahead: Solution<F>, behind: Solution<F>) -> Solution<F> {
     let [fx, fy, mz] = rolling.both(forces(&ahead), forces(&behind));
     let notice = ahead.notice.worse(behind.notice);
     let slow = rolling.speed < F::of(JUDGED) && notice.is_implausible();

@@ -8,8 +8,7 @@
 
 use dashu_float::{FBig, round::mode::HalfEven};
 use kstrip::number::lanes::Lanes;
-use kstrip::number::{Arithmetic, Float, InRegisters, Number, Plain, Strips};
-use kstrip::solve::model::Precision;
+use kstrip::number::{Arithmetic, Float, InRegisters, Number, Real, Strips};
 use std::any::Any;
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -114,7 +113,7 @@ impl PartialOrd for Precise {
 }
 
 impl Arithmetic for Precise {
-    type Bare = Self;
+    type Value = Self;
 
     fn constant(x: f64) -> Self {
         Self::Double(x)
@@ -169,7 +168,7 @@ impl Number for Precise {
     }
 }
 
-impl Plain for Precise {
+impl Real for Precise {
     type Four = Lanes<Self, 4>;
     type Eight = Lanes<Self, 8>;
     type WideFour = Self::Four;
@@ -250,4 +249,4 @@ impl Float for Precise {
     }
 }
 
-impl Precision for Precise {}
+impl Float for Precise {}

@@ -6,7 +6,7 @@ use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
 use kstrip::linear::LinearCoefficients;
-use kstrip::solve::model::{self, Field, Model, Options, Precision};
+use kstrip::solve::model::{self, Field, Model, Options};
 use kstrip::strip_1967::strip::State;
 use std::collections::HashSet;
 use std::f64::consts::PI;
@@ -43,11 +43,11 @@ pub struct Case {
 }
 
 impl Case {
-    pub fn contact<F: Precision>(&self) -> Contact<F> {
+    pub fn contact<F: Float>(&self) -> Contact<F> {
         contact(self.axis_ratio, self.poisson_ratio)
     }
 
-    pub fn motion<F: Precision>(&self) -> Creepage<F> {
+    pub fn motion<F: Float>(&self) -> Creepage<F> {
         let [x, y, spin] = self.creepage;
         Creepage {
             longitudinal: F::of(x * UNIT),
@@ -81,7 +81,7 @@ impl Case {
     }
 }
 
-pub fn contact<F: Precision>(axis_ratio: f64, poisson_ratio: f64) -> Contact<F> {
+pub fn contact<F: Float>(axis_ratio: f64, poisson_ratio: f64) -> Contact<F> {
     Contact {
         a: F::of(SIZE * axis_ratio.sqrt()),
         b: F::of(SIZE / axis_ratio.sqrt()),
@@ -242,7 +242,7 @@ pub struct Answer {
 }
 
 /// The answer of a model of the library.
-pub fn answer<F: Precision>(case: &Case, options: &Options) -> Answer {
+pub fn answer<F: Float>(case: &Case, options: &Options) -> Answer {
     let solution = model::solve(&case.contact::<F>(), &case.motion::<F>(), options)
         .unwrap_or_else(|error| panic!("{error} {case:?} {options:?}"));
     let adhesion = solution.adhesion.to_f64();
@@ -277,7 +277,7 @@ impl Errors {
         errors
     }
 
-    pub fn of_model<F: Precision>(cases: &[Case], options: &Options) -> Self {
+    pub fn of_model<F: Float>(cases: &[Case], options: &Options) -> Self {
         Self::of(cases, |case| answer::<F>(case, options))
     }
 
@@ -384,7 +384,7 @@ pub fn fields() -> Vec<FieldCase> {
 
 impl FieldCase {
     /// The field of a model in the units of the reference: contact and field.
-    pub fn solve<F: Precision>(&self, model: Model) -> (Contact<F>, Field<F>) {
+    pub fn solve<F: Float>(&self, model: Model) -> (Contact<F>, Field<F>) {
         let contact = contact::<F>(self.axis_ratio, self.poisson_ratio);
         let [xi, eta, psi] = self.parameters;
         let root = self.axis_ratio.sqrt();
@@ -406,7 +406,7 @@ impl FieldCase {
     }
 
     /// `Σ |p − p_ref|/Σ μ p_n`, and by how much the share of sticking cells is off.
-    pub fn errors<F: Precision>(&self, model: Model) -> FieldErrors {
+    pub fn errors<F: Float>(&self, model: Model) -> FieldErrors {
         let (contact, field) = self.solve::<F>(model);
         let unit = contact.peak_pressure().to_f64();
         let (mut off, mut bound) = (0.0, 0.0);
@@ -462,7 +462,7 @@ pub fn coefficient_cases() -> Vec<CoefficientCase> {
 
 impl CoefficientCase {
     /// Ours over the reference's, minus one.
-    pub fn errors<F: Precision>(&self) -> [f64; 4] {
+    pub fn errors<F: Float>(&self) -> [f64; 4] {
         let c = LinearCoefficients::at(F::of(self.axis_ratio), F::of(self.poisson_ratio));
         let ours = [c.c11, c.c22, c.c23, c.c33].map(|c| c.to_f64());
         std::array::from_fn(|i| ours[i] / self.reference[i] - 1.0)

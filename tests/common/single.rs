@@ -2,19 +2,19 @@
 
 #![allow(dead_code)]
 
+use kstrip::number::Float;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::solve::model::Precision;
 
 /// Without a mismatch.
-pub fn converted<F: Precision, G: Precision>(c: &Contact<F>) -> Contact<G> {
+pub fn converted<F: Float, G: Float>(c: &Contact<F>) -> Contact<G> {
     let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, .. } = *c;
     let [a, b, normal_force, shear_modulus, poisson_ratio, friction] =
         [a, b, normal_force, shear_modulus, poisson_ratio, friction].map(|x| G::of(x.to_f64()));
     Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch: G::zero() }
 }
 
-pub fn converted_motion<F: Precision, G: Precision>(m: &Creepage<F>) -> Creepage<G> {
+pub fn converted_motion<F: Float, G: Float>(m: &Creepage<F>) -> Creepage<G> {
     let [longitudinal, lateral, spin] =
         [m.longitudinal, m.lateral, m.spin].map(|x| G::of(x.to_f64()));
     Creepage { longitudinal, lateral, spin }

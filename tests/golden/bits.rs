@@ -23,7 +23,7 @@ use kstrip::patch::solver;
 use kstrip::patch::{Patch, PatchStrip};
 use kstrip::rig::{Measured, creepage_for_force, estimate_friction};
 use kstrip::solve::field::FieldPoint;
-use kstrip::solve::model::{self, Field, Model, Options, Precision, Solution, StripResult};
+use kstrip::solve::model::{self, Field, Model, Options, Solution, StripResult};
 use kstrip::status::{Error, Notice};
 use toolchain::{root, run_c_with};
 
@@ -32,7 +32,7 @@ const BLOCK: u32 = 1000;
 /// What has a hash of its own.
 const KINDS: [&str; 5] = ["", " patches", " friction", " special", " rig"];
 
-trait Bits: Precision {
+trait Bits: Float {
     fn bits(self) -> u64;
 }
 

@@ -13,7 +13,7 @@ use kstrip::patch::field::PatchField;
 use kstrip::patch::{Patch, PatchStrip, PatchView, QuadratureScale};
 use kstrip::rig::{Measured, estimate_friction};
 use kstrip::solve::model::{
-    Field, Model, Options, Precision, Solution, StripResult, solve, solve_jacobian, strips,
+    Field, Model, Options, Solution, StripResult, solve, solve_jacobian, strips,
 };
 use kstrip::status::Error;
 use proptest::prelude::*;
@@ -118,7 +118,7 @@ fn of(model: Model, strips: StripCount) -> Options {
     Options { model, strips }
 }
 
-fn solved<F: Precision>(model: Model, numbers: [F; 10]) -> Result<Solution<F>, Error> {
+fn solved<F: Float>(model: Model, numbers: [F; 10]) -> Result<Solution<F>, Error> {
     let (contact, creepage) = problem(numbers);
     solve(&contact, &creepage, &of(model, StripCount::Sixteen))
 }

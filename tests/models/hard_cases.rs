@@ -15,7 +15,7 @@ use kstrip::ffi::types::{BatchInputs, BatchOutputs, Outputs};
 use kstrip::friction::derivatives::LawDerivatives;
 use kstrip::solve::derivatives::Derivatives;
 use kstrip::solve::field::FieldPoint;
-use kstrip::solve::model::{self, Field, Model, Precision, Solution, StripResult};
+use kstrip::solve::model::{self, Field, Model, Solution, StripResult};
 use kstrip::status::{Error, Notice};
 use kstrip::strip_1967::strip::State;
 use std::f64::consts::PI;
@@ -33,7 +33,7 @@ fn motion(longitudinal: f64, lateral: f64, spin: f64) -> Creepage<f64> {
 type Asked<'a, F> = (&'a Contact<F>, &'a Creepage<F>, &'a kstrip_options);
 
 /// The C functions of a precision; all places that they get are there.
-trait InC: Precision {
+trait InC: Float {
     fn solve(asked: Asked<Self>, out: &mut MaybeUninit<Solution<Self>>) -> i32;
     unsafe fn evaluate(asked: Asked<Self>, out: &Outputs<Self>) -> i32;
     unsafe fn batch(from: &BatchInputs<Self>, o: &kstrip_options, to: &BatchOutputs<Self>) -> i32;
@@ -73,7 +73,7 @@ macro_rules! in_c {
 in_c!(f64, kstrip_solve, kstrip_evaluate, kstrip_evaluate_batch, kstrip_field);
 in_c!(f32, kstrip_solve_f32, kstrip_evaluate_f32, kstrip_evaluate_batch_f32, kstrip_field_f32);
 
-fn finite<F: Precision>(numbers: &[F]) -> bool {
+fn finite<F: Float>(numbers: &[F]) -> bool {
     numbers.iter().all(|number| number.is_finite_number())
 }
 

@@ -9,7 +9,7 @@ use kstrip::contact::creepage::Creepage;
 use kstrip::contact::forces::StripCount;
 use kstrip::linear::LinearCoefficients;
 use kstrip::patch::{Patch, solver};
-use kstrip::solve::model::{self, Field, Model, Options, Precision, Solution, StripResult, solve};
+use kstrip::solve::model::{self, Field, Model, Options, Solution, StripResult, solve};
 use kstrip::status::{Error, Notice};
 use kstrip::strip_1967::strip::State;
 use proptest::prelude::*;
@@ -40,7 +40,7 @@ fn linear() -> Options {
 }
 
 /// From `vx, vy, φ` as in `tests/data/README.md`.
-fn creepage<F: Precision>(v: [f64; 3]) -> Creepage<F> {
+fn creepage<F: Float>(v: [f64; 3]) -> Creepage<F> {
     let [longitudinal, lateral, spin] = [v[0] * UNIT, v[1] * UNIT, v[2] * UNIT / SIZE].map(F::of);
     Creepage { longitudinal, lateral, spin }
 }
@@ -51,7 +51,7 @@ fn spin_of(psi: f64, axis_ratio: f64) -> f64 {
 }
 
 /// `(Fx, Fy)/(μ N), Mz/(μ N √(ab))`
-fn normalised<F: Precision>(solution: &Solution<F>) -> [f64; 3] {
+fn normalised<F: Float>(solution: &Solution<F>) -> [f64; 3] {
     let [x, y, z] = [solution.fx, solution.fy, solution.mz].map(|f| f.to_f64());
     [x / BOUND, y / BOUND, z / (BOUND * SIZE)]
 }

@@ -44,7 +44,7 @@ fn ulps(value: f64, exact: (f64, f64), scale: f64, epsilon: f64) -> f64 {
 }
 
 /// Errors of one row in one precision.
-fn errors<F: Float + kstrip::solve::model::Precision>(row: &Row) -> Vec<f64> {
+fn errors<F: Float + kstrip::solve::model::Float>(row: &Row) -> Vec<f64> {
     let input = |i: usize| F::of(row.inputs[i]);
     let epsilon = F::EPSILON.to_f64();
     let [r0, r1, r2, _] = row.results;

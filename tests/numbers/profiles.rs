@@ -10,7 +10,6 @@ use kstrip::contact::forces::StripCount;
 use kstrip::normal::{Indentation, Profile, ProfileContact};
 use kstrip::number::Float;
 use kstrip::patch::{Patch, PatchStrip, normal::Given};
-use kstrip::solve::model::Precision;
 
 /// Distance \[m\] over `y` \[m\].
 type Shape = fn(f64) -> f64;
@@ -28,7 +27,7 @@ const SHAPES: [(&str, Shape); 5] = [
 const LOADS: [f32; 2] = [4e3, 8e4];
 
 /// Points and the load are numbers of single precision: one reference serves both precisions.
-fn solved<F: Precision>(shape: Shape, load: f32) -> (Vec<PatchStrip<F>>, Indentation<F>) {
+fn solved<F: Float>(shape: Shape, load: f32) -> (Vec<PatchStrip<F>>, Indentation<F>) {
     let y: Vec<f32> = (-60..=60_i16).map(|i| f32::from(i) * 2.5e-4).collect();
     let distance: Vec<F> = y.iter().map(|y| F::widened(shape((*y).into()) as f32)).collect();
     let y: Vec<F> = y.into_iter().map(F::widened).collect();
@@ -50,7 +49,7 @@ fn solved<F: Precision>(shape: Shape, load: f32) -> (Vec<PatchStrip<F>>, Indenta
 }
 
 /// Errors in units of the last place: approach, stiffness, half lengths (of the longest), pressures (of the largest).
-fn errors<F: Precision>(
+fn errors<F: Float>(
     shape: Shape,
     load: f32,
     (strips, wanted): &(Vec<PatchStrip<Precise>>, Indentation<Precise>),

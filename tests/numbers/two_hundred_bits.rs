@@ -17,7 +17,7 @@ use kstrip::linear::LinearCoefficients;
 use kstrip::number::Float;
 use kstrip::patch::{Patch, PatchStrip, QuadratureScale, friction, solver};
 use kstrip::solve::derivatives::solve_jacobian;
-use kstrip::solve::model::{Model, Options, Precision};
+use kstrip::solve::model::{Model, Options};
 use kstrip::status::Error;
 use kstrip::strip_1967::strip::adhesion_length;
 use nalgebra::Matrix3;
@@ -71,7 +71,7 @@ enum Strips {
 }
 
 /// Strips but those of the ellipse are numbers of single precision, as all inputs.
-fn patch<F: Precision>(strips: Strips, inputs: &Inputs) -> Patch<F, 16> {
+fn patch<F: Float>(strips: Strips, inputs: &Inputs) -> Patch<F, 16> {
     let (contact, _) = contact::<F>(inputs);
     let exact =
         |contact: &Contact<f32>| Patch::<f32, 16>::from_ellipse(contact, StripCount::Sixteen);
@@ -128,7 +128,7 @@ fn patch<F: Precision>(strips: Strips, inputs: &Inputs) -> Patch<F, 16> {
 /// What the library answers in numbers of a kind: `F_x, F_y, M_z` and their derivatives by the creepages.
 type Answer<F> = ([F; 3], [[F; 3]; 3]);
 
-fn answer<F: Precision>(road: Road, model: Model, inputs: &Inputs) -> Result<Answer<F>, Error> {
+fn answer<F: Float>(road: Road, model: Model, inputs: &Inputs) -> Result<Answer<F>, Error> {
     let (contact, creepage) = contact::<F>(inputs);
     let options = Options { model, strips: StripCount::Sixteen };
     let law = SlipFriction {
@@ -214,7 +214,7 @@ fn draw(region: &str, random: &mut Random) -> Inputs {
 /// One unit is a rounding of the result or of a creepage: of the force vector, or of `Σ |∂F/∂cᵢ| |cᵢ|` where forces of
 /// several creepages cancel. For the moment the force times the larger semi-axis counts as well. For derivatives it is that of the
 /// column, or of the force over the rigid slip.
-fn errors<F: Precision>(inputs: &Inputs, found: Answer<F>, exact: &Answer<Precise>) -> [f64; 3] {
+fn errors<F: Float>(inputs: &Inputs, found: Answer<F>, exact: &Answer<Precise>) -> [f64; 3] {
     let (contact, creepage) = contact::<F>(inputs);
     let (found, jacobian) = (found.0.map(Float::to_f64), found.1.map(|row| row.map(Float::to_f64)));
     let (exact, exact_slopes) = exact;
@@ -252,7 +252,7 @@ fn errors<F: Precision>(inputs: &Inputs, found: Answer<F>, exact: &Answer<Precis
 
 /// Both precisions.
 fn both(road: Road, model: Model, inputs: &Inputs) -> [[f64; 3]; 2] {
-    fn solved<F: Precision>(road: Road, model: Model, inputs: &Inputs) -> Answer<F> {
+    fn solved<F: Float>(road: Road, model: Model, inputs: &Inputs) -> Answer<F> {
         answer(road, model, inputs)
             .unwrap_or_else(|e| panic!("{e:?} {} {inputs:?}", size_of::<F>()))
     }

@@ -3,12 +3,12 @@
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::internals::looked_at;
-use kstrip::solve::model::{Model, Precision};
+use kstrip::solve::model::Model;
 
 /// No check can fail for the sizes that are let through without: at every corner of them, in both precisions.
 #[test]
 fn usual_sizes_pass_every_check() {
-    fn corners<F: Precision>() -> usize {
+    fn corners<F: Float>() -> usize {
         let ends = [
             [1e-6, 1.0],
             [1e-6, 1.0],

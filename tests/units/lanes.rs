@@ -2,7 +2,7 @@
 
 use kstrip::internals::are_wide;
 use kstrip::number::lanes::Lanes;
-use kstrip::number::{Arithmetic, Float, Number, Plain, Strips};
+use kstrip::number::{Arithmetic, Float, Number, Real, Strips};
 
 /// Every operation of `N` numbers side by side has the bits of plain numbers, signs of zeros included.
 fn agree<F: Float, const N: usize>(bits: fn(F) -> u64) {
