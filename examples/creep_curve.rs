@@ -5,8 +5,8 @@
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::hertz::{self, Radii};
 use kstrip::contact::{Contact, material};
-use kstrip::solve::derivatives;
-use kstrip::solve::options::{Model, Options};
+use kstrip::forces::derivatives;
+use kstrip::forces::options::{Model, Options};
 use kstrip::status::Error;
 
 /// A steel wheel of 0.46 m radius on a rail head of 0.30 m, under 80 kN.

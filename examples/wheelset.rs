@@ -10,13 +10,13 @@
 //!
 //! with the derivatives of the wrench that the library gives. One rule and one step serve rolling, standstill and a lifted wheel.
 
-use kstrip::contact::forces::StripCount;
-use kstrip::solve::model::Model;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::Model;
 use kstrip::status::Error;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
 use kstrip::wheel_rail::surface::Surface;
 use kstrip::wheel_rail::wrench::{Law, Wrench, WrenchByPosition, WrenchDerivatives};
-use kstrip::wheel_rail::{Pair, Position, Velocity};
+use kstrip::wheel_rail::{Position, Velocity, WheelPair};
 use nalgebra::{Matrix6, Vector6};
 
 /// From the middle of the wheelset to y = 0 of a wheel's profile, and from the middle of the track to a rail's origin [m].
@@ -76,7 +76,7 @@ pub struct Wheelset {
     rail: Box<Surface<f64>>,
     wheel: Box<Surface<f64>>,
     /// The right wheel and the left one.
-    pairs: [Pair<f64>; 2],
+    pairs: [WheelPair<f64>; 2],
     memory: Box<Workspace<f64>>,
     pub place: Place,
     /// Of the centre along x, y and z [m/s], about the wheelset's own x, axle and z [rad/s].
@@ -91,7 +91,7 @@ pub struct Wheelset {
 impl Wheelset {
     /// At a lateral position [m], carried by both rails, rolling forward at a speed [m/s]; time step [s].
     pub fn new(lateral: f64, speed: f64, step: f64) -> Result<Self, Error> {
-        let right = Pair {
+        let right = WheelPair {
             wheel_radius: RADIUS,
             shear_modulus: 82e9,
             poisson_ratio: 0.28,
@@ -107,7 +107,7 @@ impl Wheelset {
         let mut new = Self {
             rail: profile("uic60")?,
             wheel: profile("s1002")?,
-            pairs: [right, Pair { left: 1, ..right }],
+            pairs: [right, WheelPair { left: 1, ..right }],
             memory: zeroed(),
             place: Place { lateral, ..Place::default() },
             velocity: Vector6::new(speed, 0.0, 0.0, 0.0, -speed / RADIUS, 0.0),
@@ -230,7 +230,7 @@ impl Wheelset {
 fn scene<'a>(
     rail: &'a Surface<f64>,
     wheel: &'a Surface<f64>,
-    pair: &'a Pair<f64>,
+    pair: &'a WheelPair<f64>,
 ) -> Scene<'a, f64> {
     let law = Law { model: Model::Strip, falling: None };
     Scene { rail, wheel, pair, strips: StripCount::Sixteen, law }

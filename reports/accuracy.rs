@@ -21,8 +21,8 @@ mod reference;
 #[path = "../tests/common/slopes.rs"]
 mod slopes;
 
-use kstrip::contact::forces::StripCount;
-use kstrip::solve::model::Model;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::Model;
 use lines::Lines;
 use peer_methods::*;
 use peers::fastsim::{Bound, Flexibility, Layout};

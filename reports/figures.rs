@@ -15,8 +15,8 @@ mod wheelset;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Parameters;
-use kstrip::contact::forces::StripCount;
-use kstrip::solve::model::{self, Field, Model, Options};
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::{self, Field, Model, Options};
 use kstrip::strip_1967::strip::State;
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -321,7 +321,7 @@ fn draw_case(folder: &Path, case: &Case) -> Drawn {
     let contact = case.contact();
     let creepage = case.parameters().creepage(&contact);
     let field = Field::new(&contact, &creepage, &OPTIONS)?;
-    let totals = model::solve(&contact, &creepage, &OPTIONS)?;
+    let totals = forces::forces_of_contact(&contact, &creepage, &OPTIONS)?;
     let bound = contact.friction_bound();
     let against = share(&areas(&field, &contact, State::SlipNegativeDissipation));
     let subtitle = format!(
@@ -499,7 +499,7 @@ fn force(
     let contact = contact(axis_ratio, 0.28);
     let parameters = Parameters { xi, eta, psi, poisson_ratio: 0.28, axis_ratio };
     let options = Options { model, ..OPTIONS };
-    let forces = model::solve(&contact, &parameters.creepage(&contact), &options)?;
+    let forces = forces::forces_of_contact(&contact, &parameters.creepage(&contact), &options)?;
     let bound = contact.friction_bound();
     Ok([forces.fx / bound, forces.fy / bound])
 }

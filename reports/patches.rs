@@ -14,11 +14,11 @@ mod pictures;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::{self, Model, Options};
 use kstrip::normal::cells::Given;
 use kstrip::normal::{Profile, ProfileContact};
 use kstrip::patch::solver;
-use kstrip::solve::model::{self, Model, Options};
 use lines::Lines;
 use patch_reference::{Case, Errors, Full, banded, falling, given, profiles, real, statistics};
 use pictures::{
@@ -610,7 +610,7 @@ fn print_costs() {
             for case in &cases {
                 for motion in &case.motions {
                     let creepage = case.creepage(motion);
-                    sum += model::solve(&contact, &creepage, &options).unwrap().fx;
+                    sum += forces::forces_of_contact(&contact, &creepage, &options).unwrap().fx;
                 }
             }
         });

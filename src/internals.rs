@@ -3,30 +3,30 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::contact::forces::Totals;
+use crate::contact::totals::Totals;
+use crate::forces::{Model, Options};
 use crate::linear::LinearCoefficients;
 use crate::number::{Arithmetic, Float, Number, Real};
 use crate::rig::creepage::Aim;
 use crate::rig::friction::Rig;
 use crate::rig::{FrictionEstimate, Measured};
-use crate::solve::model::{Model, Options};
 use crate::status::Error;
 use crate::strip::long::LongContact;
-use crate::strip::{Carried, EllipseStrips, Seen, Spin, any, totals};
+use crate::strip::{EllipseStrips, Spin, StripCreepage, StripForces, any, totals};
 
 /// Whether this processor has registers of 256 bits.
-pub fn are_wide() -> bool {
-    crate::number::registers::are_wide()
+pub fn has_avx() -> bool {
+    crate::number::registers::has_avx()
 }
 
 /// Whether the quick check accepts the sizes of a contact, and those of a creepage where the contact is so small that nothing is implausible
 /// about them; and what the complete check finds.
-pub fn looked_at<F: Float>(
+pub fn quick_and_full_check<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     model: Model,
 ) -> (bool, Result<(), Error>) {
-    let found = crate::solve::check::find_fault(contact, creepage, model);
+    let found = crate::forces::check::find_fault(contact, creepage, model);
     let least = F::of(1e-6);
     let small = Contact { a: least, b: least, normal_force: F::zero(), ..*contact };
     (contact.is_usual() && small.is_ordinary(creepage), found)
@@ -71,23 +71,26 @@ pub fn long_contact<F: Real>(root: F) -> [F; 2] {
 
 /// Forces of one strip, outer or inner, by the formulas as they stand.
 pub fn strip_forces<T: Arithmetic<Value: Real>>(
-    seen: &Seen<T>,
+    seen: &StripCreepage<T>,
     spin: T,
     inner: bool,
-) -> Carried<T> {
+) -> StripForces<T> {
     totals::alone(seen, &Spin::new(spin), inner)
 }
 
 /// Forces of any eight strips, side by side.
-pub fn eight_strips<T: Number>(seen: &[(Seen<T>, T); 8], inner: [T::Base; 8]) -> [Carried<T>; 8] {
+pub fn eight_strips<T: Number>(
+    seen: &[(StripCreepage<T>, T); 8],
+    inner: [T::Base; 8],
+) -> [StripForces<T>; 8] {
     any::eight_strips(seen, inner)
 }
 
 /// The same, one after the other.
 pub fn eight_one_by_one<T: Number>(
-    seen: &[(Seen<T>, T); 8],
+    seen: &[(StripCreepage<T>, T); 8],
     inner: [T::Base; 8],
-) -> [Carried<T>; 8] {
+) -> [StripForces<T>; 8] {
     any::eight_one_by_one(seen, inner)
 }
 

@@ -18,7 +18,7 @@
 //! 6. [`patch`]: a patch of any shape as its strips. [`wheel_rail`]: from two profiles and a position to the force and the moment on a wheel.
 //! 7. [`number`]: the types of number that the formulas are written in. [`ffi`]: the functions for C (`include/kstrip.h`).
 //!
-//! # Frame and signs
+//! # ScaledContact and signs
 //!
 //! `x` points in the rolling direction (leading edge at `x > 0`), `y` is lateral, `z` points into the
 //! lower body. Creepage is the velocity of the upper over the lower body, divided by the rolling
@@ -33,7 +33,7 @@
 //!
 //! A wheel of 0.46 m radius on a rail head of 0.30 m, 80 kN, 0.1 % longitudinal creepage:
 //! ```
-//! use kstrip::{contact::Contact, contact::creepage::Creepage, contact::hertz, contact::material, solve::model};
+//! use kstrip::{contact::Contact, contact::creepage::Creepage, contact::hertz, contact::material, forces};
 //! let steel = material::Material { shear_modulus: 82e9, poisson_ratio: 0.28 };
 //! let pair = material::combine(&steel, &steel)?;
 //! let radii = hertz::Radii {
@@ -46,7 +46,7 @@
 //!     mismatch: 0.0,
 //! };
 //! let creepage = Creepage { longitudinal: 1e-3, lateral: 0.0, spin: 0.0 };
-//! let forces = model::solve(&contact, &creepage, &model::Options::default())?;
+//! let forces = forces::solve(&contact, &creepage, &forces::Options::default())?;
 //! assert!(forces.fx > 0.0 && forces.fx < 0.3 * 80e3);
 //! # Ok::<(), kstrip::status::Error>(())
 //! ```
@@ -57,6 +57,7 @@
 pub mod batch;
 pub mod contact;
 pub mod ffi;
+pub mod forces;
 pub mod friction;
 #[doc(hidden)]
 pub mod internals;
@@ -66,7 +67,6 @@ pub mod normal;
 pub mod number;
 pub mod patch;
 pub mod rig;
-pub mod solve;
 pub mod status;
 pub mod strip;
 pub mod strip_1967;

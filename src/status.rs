@@ -101,7 +101,7 @@ impl core::error::Error for Error {}
 statuses! {
     /// What the caller should know about a valid result: nothing, or a positive status.
     #[derive(Default)]
-    Notice {
+    Warning {
         #[default]
         None = 0: "ok",
         SpinBeyondTheory = 1: "spin parameter |psi| >= 1: beyond the strip theory of 1967, result is its bounded continuation; use STRIP or TOTAL",
@@ -131,8 +131,8 @@ statuses! {
     }
 }
 
-impl Notice {
-    /// Whether the notice says that an input is implausible, which is mostly because of another unit.
+impl Warning {
+    /// Whether the warning says that an input is implausible, which is mostly because of another unit.
     #[must_use]
     pub const fn is_implausible(self) -> bool {
         self.code() >= Self::Pressure.code() && self.code() <= Self::Radius.code()
@@ -147,7 +147,7 @@ impl Notice {
         if graver { other } else { self }
     }
 
-    /// How grave the notice is. Of two notices the one with the larger number is returned.
+    /// How grave the warning is. Of two notices the one with the larger number is returned.
     const fn gravity(self) -> i32 {
         match self {
             Self::NotConverged => 6,
@@ -174,7 +174,7 @@ impl Notice {
 /// What a status means and what the caller must change; `None` for a number that is no status.
 #[must_use]
 pub const fn advice(code: i32) -> Option<&'static CStr> {
-    if code < 0 { Error::advice(code) } else { Notice::advice(code) }
+    if code < 0 { Error::advice(code) } else { Warning::advice(code) }
 }
 
 /// A text that ends with its only zero.

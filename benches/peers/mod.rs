@@ -13,7 +13,7 @@
 //! | [`shen_hedrick_elkins`] | cubic saturation of the linear theory, with spin | Shen, Hedrick, Elkins 1983 |
 //! | [`polach`] | closed form with spin | Polach 1999 |
 //!
-//! # Frame and signs
+//! # ScaledContact and signs
 //!
 //! `x` is the rolling direction, the slip is that of the upper body over the lower,
 //! `(vx − φ y, vy + φ x)`, and the force acts on the LOWER body, positive along the slip.

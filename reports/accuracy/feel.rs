@@ -7,8 +7,8 @@ use crate::pictures::*;
 use crate::reference::*;
 use crate::slopes::*;
 use crate::{Report, digits, has_strips};
-use kstrip::contact::forces::StripCount;
-use kstrip::solve::model::Model;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::Model;
 use plotters::style::RGBColor;
 use std::path::Path;
 

@@ -4,12 +4,12 @@ use super::panel::{Axis, Panel};
 use super::{Drawn, INK, Kind, arrow, font, line, picture, place, write};
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
 use kstrip::contact::hertz::{self, Radii};
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::field::Field;
+use kstrip::forces::options::{Model, Options};
+use kstrip::forces::{self, strips};
 use kstrip::motion::{self, Motion};
-use kstrip::solve::field::Field;
-use kstrip::solve::options::{Model, Options};
-use kstrip::solve::{model, strips};
 use kstrip::status::Error;
 use kstrip::strip_1967::strip::State;
 use plotters::prelude::*;
@@ -249,7 +249,7 @@ fn hunting(contact: &Contact<f64>, speed: f64) -> Result<Vec<(f64, f64)>, Error>
                 lateral: y_rate / speed - yaw,
                 spin: -side * conicity / radius + yaw_rate / speed,
             };
-            let on_rail = model::solve(contact, &creepage, &Options::default())?;
+            let on_rail = forces::forces_of_contact(contact, &creepage, &Options::default())?;
             force -= on_rail.fy;
             moment += side * half_gauge * on_rail.fx - on_rail.mz;
         }

@@ -3,8 +3,8 @@
 use super::manchester::{profile, steel, zeroed};
 use super::panel::{Axis, Panel};
 use super::{Drawn, Kind, picture, write};
-use kstrip::contact::forces::StripCount;
-use kstrip::solve::options::Model;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::options::Model;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
 use kstrip::wheel_rail::wrench::Law;
 use kstrip::wheel_rail::{Position, Velocity};

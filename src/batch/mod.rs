@@ -5,17 +5,17 @@ pub(crate) mod side_by_side;
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
+use crate::forces;
+use crate::forces::derivatives::{Derivatives, Slopes, solve_with_slopes};
+use crate::forces::options::{Options, Solution};
 use crate::friction::derivatives::{self, Differentiated, LawDerivatives, differentiate_checked};
 use crate::friction::{self, FrictionSolution, SlipFriction};
 use crate::number::Float;
 #[cfg(target_arch = "x86_64")]
 use crate::number::registers::HAS_WIDE_CODE;
-use crate::solve::derivatives::{Derivatives, Slopes, solve_with_slopes};
-use crate::solve::model;
-use crate::solve::options::{Options, Solution};
-use crate::status::{Error, Notice};
+use crate::status::{Error, Warning};
 
-/// Forces of many contacts: what [`model::solve`] gives for each of them, bit for bit. Returns the notice with the
+/// Forces of many contacts: what [`forces::forces_of_contact`] gives for each of them, bit for bit. Returns the warning with the
 /// largest code.
 ///
 /// `get` tells contact and creepage number `i`, `put` takes its solution. Where the processor has registers for several
@@ -24,11 +24,11 @@ use crate::status::{Error, Notice};
 /// All inputs are checked before anything is handed out: with an error nothing is. A lost contact is no error.
 ///
 /// # Errors
-/// Those of [`model::solve`], of the first bad input, with its number.
+/// Those of [`forces::forces_of_contact`], of the first bad input, with its number.
 ///
 /// # Example
 /// ```
-/// use kstrip::{batch::solve_batch, contact::Contact, contact::creepage::Creepage, solve::model::Options};
+/// use kstrip::{batch::solve_batch, contact::Contact, contact::creepage::Creepage, forces::Options};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
 ///     mismatch: 0.0,
@@ -45,7 +45,7 @@ pub fn solve_batch<F: Float>(
     options: &Options,
     get: impl Fn(usize) -> (Contact<F>, Creepage<F>),
     mut put: impl FnMut(usize, Solution<F>),
-) -> Result<Notice, (usize, Error)> {
+) -> Result<Warning, (usize, Error)> {
     if count == 1 {
         // (a bad input is found before anything is handed out)
         return solve(0..1, options, &get, &mut put);
@@ -54,7 +54,7 @@ pub fn solve_batch<F: Float>(
         let (contact, creepage) = get(i);
         (contact, creepage, None)
     };
-    check_each(count, &case, |(contact, creepage, _)| model::check(contact, creepage, options))?;
+    check_each(count, &case, |(contact, creepage, _)| forces::check(contact, creepage, options))?;
     #[cfg(target_arch = "x86_64")]
     if HAS_WIDE_CODE && let Some(solved) = side_by_side::solve(count, options, &get, &mut put) {
         return solved;
@@ -72,13 +72,13 @@ pub(crate) fn solve<F: Float>(
     options: &Options,
     get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
     put: &mut impl FnMut(usize, Solution<F>),
-) -> Result<Notice, (usize, Error)> {
-    let mut worst = Notice::None;
+) -> Result<Warning, (usize, Error)> {
+    let mut worst = Warning::None;
     for i in numbers {
         let (contact, creepage) = get(i);
-        let solution = model::solve(&contact, &creepage, options);
+        let solution = forces::forces_of_contact(&contact, &creepage, options);
         let solution = solution.as_ref().map_err(|error| (i, *error))?;
-        worst = worst.worse(solution.notice);
+        worst = worst.worse(solution.warning);
         put(i, *solution);
     }
     Ok(worst)
@@ -96,23 +96,23 @@ pub(crate) fn solve_under_friction<F: Float>(
     options: &Options,
     get: impl Fn(usize) -> Case<F>,
     mut put: impl FnMut(usize, FrictionSolution<F>),
-) -> Result<Notice, (usize, Error)> {
+) -> Result<Warning, (usize, Error)> {
     check_each(count, &get, |(contact, creepage, law)| match law {
         Some(law) => friction::check(contact, creepage, law, options),
-        None => model::check(contact, creepage, options),
+        None => forces::check(contact, creepage, options),
     })?;
-    let mut worst = Notice::None;
+    let mut worst = Warning::None;
     each(0..count, |i| {
         let (contact, creepage, law) = get(i);
         let found = match law {
             Some(law) => friction::solve_checked(&contact, &creepage, &law, options)?,
             None => FrictionSolution {
-                solution: model::solve(&contact, &creepage, options)?,
+                solution: forces::forces_of_contact(&contact, &creepage, options)?,
                 friction: contact.friction,
             },
         };
-        if found.solution.notice != Notice::None {
-            worst = worst.worse(found.solution.notice);
+        if found.solution.warning != Warning::None {
+            worst = worst.worse(found.solution.warning);
         }
         put(i, found);
         Ok(())
@@ -139,7 +139,7 @@ fn check_each<F: Float>(
 }
 
 /// Forces and derivatives of a contact, where they stand.
-pub(crate) struct Found<'a, F: Float> {
+pub(crate) struct Gathered<'a, F: Float> {
     pub(crate) solution: &'a Solution<F>,
     /// The coefficient of friction that agrees with the slip.
     pub(crate) friction: F,
@@ -151,7 +151,7 @@ pub(crate) struct Found<'a, F: Float> {
     law: Option<&'a LawDerivatives<F>>,
 }
 
-impl<F: Float> Found<'_, F> {
+impl<F: Float> Gathered<'_, F> {
     /// Derivatives by the parameters of the law, or those of constant friction.
     pub(crate) fn law(&self) -> LawDerivatives<F> {
         self.law.copied().unwrap_or_else(|| {
@@ -168,8 +168,8 @@ pub(crate) fn differentiate_batch<F: Float>(
     count: usize,
     options: &Options,
     get: impl Fn(usize) -> Case<F>,
-    mut put: impl FnMut(usize, &Found<F>),
-) -> Result<Notice, (usize, Error)> {
+    mut put: impl FnMut(usize, &Gathered<F>),
+) -> Result<Warning, (usize, Error)> {
     check_each(count, &get, |(contact, creepage, law)| {
         derivatives::check(contact, creepage, law.as_ref(), options)
     })?;
@@ -188,14 +188,14 @@ pub(crate) fn differentiate_each<F: Float>(
     numbers: core::ops::Range<usize>,
     options: &Options,
     get: &impl Fn(usize) -> Case<F>,
-    put: &mut impl FnMut(usize, &Found<F>),
-) -> Result<Notice, (usize, Error)> {
-    let mut worst = Notice::None;
+    put: &mut impl FnMut(usize, &Gathered<F>),
+) -> Result<Warning, (usize, Error)> {
+    let mut worst = Warning::None;
     each(numbers, |i| {
         let (contact, creepage, law) = get(i);
         let creepage = &creepage;
         // (what was found is read where it stands)
-        let notice = match law {
+        let warning = match law {
             None => {
                 let found = solve_with_slopes(&contact, creepage, options);
                 let (solution, slopes) = found.as_ref().map_err(|error| *error)?;
@@ -203,21 +203,21 @@ pub(crate) fn differentiate_each<F: Float>(
                 let friction = contact.friction;
                 put(
                     i,
-                    &Found { solution, friction, derivatives, creepage, by_mismatch, law: None },
+                    &Gathered { solution, friction, derivatives, creepage, by_mismatch, law: None },
                 );
-                solution.notice
+                solution.warning
             }
             Some(law) => {
                 let found = differentiate_checked(&contact, creepage, Some(&law), options);
                 let found = found.as_ref().map_err(|error| *error)?;
                 let Differentiated { solution, friction, derivatives, law, by_mismatch } = found;
                 let (friction, law) = (*friction, Some(law));
-                put(i, &Found { solution, friction, derivatives, creepage, by_mismatch, law });
-                solution.notice
+                put(i, &Gathered { solution, friction, derivatives, creepage, by_mismatch, law });
+                solution.warning
             }
         };
-        if notice != Notice::None {
-            worst = worst.worse(notice);
+        if warning != Warning::None {
+            worst = worst.worse(warning);
         }
         Ok(())
     })?;

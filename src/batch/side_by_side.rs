@@ -6,17 +6,19 @@
 
 #![allow(unsafe_code)]
 
-use crate::batch::{self, Case, Found};
+use crate::batch::{self, Case, Gathered};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
+use crate::forces::derivatives::{Derivatives, with_slopes};
+use crate::forces::options::{Model, Options, Solution};
+use crate::forces::theory::{
+    EllipseStrips, Forces, Linear, ScaledContact, Strip1967, Theory, Total,
+};
+use crate::forces::warning::{LARGEST_SPIN, RATIOS, linear_warning, model_warning};
 use crate::friction::{SlipFriction, fastest_slip};
-use crate::number::registers::are_wide;
+use crate::number::registers::has_avx;
 use crate::number::{Arithmetic, Float, Number, Real, Strips, length};
-use crate::solve::derivatives::{Derivatives, with_slopes};
-use crate::solve::notice::{LARGEST_SPIN, RATIOS, linear_notice, notice};
-use crate::solve::options::{Model, Options, Solution};
-use crate::solve::theory::{Forces, Frame, Linear, Strip, Strip1967, Theory, Total};
-use crate::status::{Error, Notice};
+use crate::status::{Error, Warning};
 use core::ops::Range;
 
 /// Contacts that stand side by side at most.
@@ -29,9 +31,9 @@ pub(super) fn solve<F: Float>(
     options: &Options,
     get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
     put: &mut impl FnMut(usize, Solution<F>),
-) -> Option<Result<Notice, (usize, Error)>> {
+) -> Option<Result<Warning, (usize, Error)>> {
     // SAFETY: the processor was asked.
-    are_wide().then(|| unsafe { solve_groups(count, options, get, put) })
+    has_avx().then(|| unsafe { solve_groups(count, options, get, put) })
 }
 
 /// [`batch::differentiate_batch`] of checked contacts side by side, if the processor has wide registers and no friction falls; of models with strips
@@ -41,9 +43,9 @@ pub(super) fn differentiate<F: Float>(
     count: usize,
     options: &Options,
     get: &impl Fn(usize) -> Case<F>,
-    put: &mut impl FnMut(usize, &Found<F>),
-) -> Option<Result<Notice, (usize, Error)>> {
-    let together = are_wide()
+    put: &mut impl FnMut(usize, &Gathered<F>),
+) -> Option<Result<Warning, (usize, Error)>> {
+    let together = has_avx()
         && matches!(options.model, Model::Total | Model::Linear)
         && (0..count).all(|i| get(i).2.is_none());
     // SAFETY: the processor was asked.
@@ -58,7 +60,7 @@ pub(super) fn check<F: Float>(
     check: &impl Fn(Range<usize>) -> Result<(), (usize, Error)>,
 ) -> Option<Result<(), (usize, Error)>> {
     // SAFETY: the processor was asked.
-    are_wide().then(|| unsafe { check_groups(count, get, check) })
+    has_avx().then(|| unsafe { check_groups(count, get, check) })
 }
 
 #[target_feature(enable = "avx")]
@@ -125,9 +127,9 @@ fn solve_groups<F: Float>(
     options: &Options,
     get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
     put: &mut impl FnMut(usize, Solution<F>),
-) -> Result<Notice, (usize, Error)> {
+) -> Result<Warning, (usize, Error)> {
     let whole = count - count % F::Contacts::COUNT;
-    let mut worst = Notice::None;
+    let mut worst = Warning::None;
     for first in (0..whole).step_by(F::Contacts::COUNT) {
         let (contact, creepage) = group(first, get);
         if !go_together(&contact, &creepage) {
@@ -135,20 +137,20 @@ fn solve_groups<F: Float>(
             worst = worst.worse(batch::solve(alone, options, get, put)?);
             continue;
         }
-        let frame = &Frame::of(&contact);
+        let frame = &ScaledContact::of(&contact);
         let (forces, psi) = match options.model {
             Model::Strip1967 => forces_of::<_, Strip1967<false>>(frame, &creepage, options),
             Model::Strip1967Continuous => {
                 forces_of::<_, Strip1967<true>>(frame, &creepage, options)
             }
-            Model::Strip => forces_of::<_, Strip<F::Contacts>>(frame, &creepage, options),
+            Model::Strip => forces_of::<_, EllipseStrips<F::Contacts>>(frame, &creepage, options),
             Model::Total => forces_of::<_, Total<F::Contacts>>(frame, &creepage, options),
             Model::Linear => forces_of::<_, Linear<F::Contacts>>(frame, &creepage, options),
         };
-        let together = Together::new(options.model, frame, &creepage, &forces, psi);
+        let together = GroupResult::new(options.model, frame, &creepage, &forces, psi);
         for k in 0..F::Contacts::COUNT {
             let solution = together.solution(k);
-            worst = worst.worse(solution.notice);
+            worst = worst.worse(solution.warning);
             put(first + k, solution);
         }
     }
@@ -160,10 +162,10 @@ fn differentiate_groups<F: Float>(
     count: usize,
     options: &Options,
     get: &impl Fn(usize) -> Case<F>,
-    put: &mut impl FnMut(usize, &Found<F>),
-) -> Result<Notice, (usize, Error)> {
+    put: &mut impl FnMut(usize, &Gathered<F>),
+) -> Result<Warning, (usize, Error)> {
     let whole = count - count % F::Contacts::COUNT;
-    let mut worst = Notice::None;
+    let mut worst = Warning::None;
     for first in (0..whole).step_by(F::Contacts::COUNT) {
         let numbers = first..first + F::Contacts::COUNT;
         let (contact, creepage) = group(first, &|i| {
@@ -175,20 +177,20 @@ fn differentiate_groups<F: Float>(
             worst = worst.worse(found?);
             continue;
         }
-        let frame = &Frame::of(&contact);
+        let frame = &ScaledContact::of(&contact);
         let (forces, psi, slopes) = if options.model == Model::Linear {
             slopes_of::<_, Linear<F::Contacts>>(frame, &creepage, options)
         } else {
             slopes_of::<_, Total<F::Contacts>>(frame, &creepage, options)
         };
-        let together = Together::new(options.model, frame, &creepage, &forces, psi);
+        let together = GroupResult::new(options.model, frame, &creepage, &forces, psi);
         for (k, i) in numbers.enumerate() {
             let (Contact { friction, .. }, creepage, _) = get(i);
             let (creepage, derivatives) = (&creepage, &lane_of(&slopes, k));
             let solution = &together.solution(k);
-            worst = worst.worse(solution.notice);
+            worst = worst.worse(solution.warning);
             let by_mismatch = &[F::zero(); 3];
-            put(i, &Found { solution, friction, derivatives, creepage, by_mismatch, law: None });
+            put(i, &Gathered { solution, friction, derivatives, creepage, by_mismatch, law: None });
         }
     }
     Ok(worst.worse(batch::differentiate_each(whole..count, options, get, put)?))
@@ -266,7 +268,7 @@ fn together<F: Float, const N: usize>(
 #[target_feature(enable = "avx")]
 #[inline(never)]
 fn forces_of<L: Real, M: Theory<L>>(
-    frame: &Frame<L>,
+    frame: &ScaledContact<L>,
     creepage: &Creepage<L>,
     options: &Options,
 ) -> (Forces<L>, L) {
@@ -276,7 +278,7 @@ fn forces_of<L: Real, M: Theory<L>>(
 #[target_feature(enable = "avx")]
 #[inline(never)]
 fn slopes_of<L: Real, M: Theory<L>>(
-    frame: &Frame<L>,
+    frame: &ScaledContact<L>,
     creepage: &Creepage<L>,
     options: &Options,
 ) -> (Forces<L>, L, Derivatives<L>) {
@@ -299,20 +301,20 @@ fn lane_of<L: Real + Strips<L::Stored>>(
 }
 
 /// What was found side by side.
-struct Together<L> {
+struct GroupResult<L> {
     /// `fx, fy, mz, power, adhesion`
     quantities: [L; 5],
-    notices: [Notice; MOST],
+    notices: [Warning; MOST],
 }
 
-impl<L: Real + Strips<L::Stored>> Together<L>
+impl<L: Real + Strips<L::Stored>> GroupResult<L>
 where
     L::Stored: Float,
 {
     #[inline(always)]
     fn new(
         model: Model,
-        frame: &Frame<L>,
+        frame: &ScaledContact<L>,
         creepage: &Creepage<L>,
         forces: &Forces<L>,
         psi: L,
@@ -333,8 +335,8 @@ where
     #[inline(always)]
     fn solution(&self, k: usize) -> Solution<L::Stored> {
         let [fx, fy, mz, power, adhesion] = self.quantities.each_ref().map(|of| of.lane(k));
-        let notice = self.notices.get(k).copied().unwrap_or_default();
-        Solution { fx, fy, mz, power, adhesion, notice, reserved: 0 }
+        let warning = self.notices.get(k).copied().unwrap_or_default();
+        Solution { fx, fy, mz, power, adhesion, warning, reserved: 0 }
     }
 }
 
@@ -342,17 +344,17 @@ where
 #[inline(always)]
 fn notices<L: Real + Strips<L::Stored>>(
     model: Model,
-    frame: &Frame<L>,
+    frame: &ScaledContact<L>,
     forces: &Forces<L>,
     psi: L,
-) -> [Notice; MOST] {
-    let mut notices = [Notice::None; MOST];
+) -> [Warning; MOST] {
+    let mut notices = [Warning::None; MOST];
     let (bound, ratio) = (frame.contact.friction_bound(), frame.units.axis_ratio);
     if model == Model::Linear {
         let size = length(forces.fx, forces.fy);
         if size.exceeds(bound) {
-            for (k, notice) in notices.iter_mut().enumerate().take(L::COUNT) {
-                *notice = linear_notice(size.lane(k), bound.lane(k));
+            for (k, warning) in notices.iter_mut().enumerate().take(L::COUNT) {
+                *warning = linear_warning(size.lane(k), bound.lane(k));
             }
         }
         return notices;
@@ -363,7 +365,7 @@ fn notices<L: Real + Strips<L::Stored>>(
         & ratio.lies_between(L::of(RATIOS[0]), L::of(RATIOS[1]));
     if !usual {
         for (k, of_one) in notices.iter_mut().enumerate().take(L::COUNT) {
-            *of_one = notice(model, bound.lane(k), ratio.lane(k), psi.lane(k));
+            *of_one = model_warning(model, bound.lane(k), ratio.lane(k), psi.lane(k));
         }
     }
     notices

@@ -5,7 +5,7 @@ use crate::contact::elliptic::Integrals;
 use crate::contact::material::{CombinedMaterial, check_modulus, check_poisson_ratio};
 use crate::contact::plausibility::SMALLEST_CURVATURE;
 use crate::number::{Float, are_finite};
-use crate::status::{Error, Notice};
+use crate::status::{Error, Warning};
 
 pub use crate::contact::radii::Radii;
 
@@ -84,13 +84,14 @@ pub fn from_hertz<F: Float>(
     pair: &CombinedMaterial<F>,
     load: F,
     friction: F,
-) -> Result<(Contact<F>, HertzContact<F>, Notice), Error> {
+) -> Result<(Contact<F>, HertzContact<F>, Warning), Error> {
     let modulus = plane_strain_modulus(pair.shear_modulus, pair.poisson_ratio)?;
     Error::NotFinite.unless(load.is_finite_number())?;
     let (form, normal_force) = (Form::new(radii)?, load.max(F::zero()));
     let hertz = form.under(normal_force, modulus)?;
-    let (contact, notice) = form.loaded([hertz.a, hertz.b], radii, pair, normal_force, friction)?;
-    Ok((contact, hertz, notice))
+    let (contact, warning) =
+        form.loaded([hertz.a, hertz.b], radii, pair, normal_force, friction)?;
+    Ok((contact, hertz, warning))
 }
 
 /// The contact of two bodies whose distant points have come closer by `approach` \[m\]: the inverse of [`from_hertz`], as the
@@ -119,7 +120,7 @@ pub fn from_approach<F: Float>(
     pair: &CombinedMaterial<F>,
     approach: F,
     friction: F,
-) -> Result<(Contact<F>, F, Notice), Error> {
+) -> Result<(Contact<F>, F, Warning), Error> {
     let modulus = plane_strain_modulus(pair.shear_modulus, pair.poisson_ratio)?;
     Error::NotFinite.unless(approach.is_finite_number())?;
     let approach = approach.max(F::zero());
@@ -132,8 +133,8 @@ pub fn from_approach<F: Float>(
     let normal_force = (stiffness * approach).times(2.0 / 3.0);
     let [a, b] = form.axes(major);
     Error::Overflow.unless(are_finite(&[a, b, stiffness, normal_force]))?;
-    let (contact, notice) = form.loaded([a, b], radii, pair, normal_force, friction)?;
-    Ok((contact, stiffness, notice))
+    let (contact, warning) = form.loaded([a, b], radii, pair, normal_force, friction)?;
+    Ok((contact, stiffness, warning))
 }
 
 /// `E* = G/(1 − ν)`
@@ -209,19 +210,19 @@ impl<F: Float> Form<F> {
         pair: &CombinedMaterial<F>,
         normal_force: F,
         friction: F,
-    ) -> Result<(Contact<F>, Notice), Error> {
+    ) -> Result<(Contact<F>, Warning), Error> {
         let CombinedMaterial { shear_modulus, poisson_ratio, mismatch } = *pair;
         let contact =
             Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch };
         Error::NotFinite.unless(are_finite(&[friction, mismatch]))?;
         Error::Friction.unless(friction >= F::zero())?;
         contact.check()?;
-        let notice = match contact.plausibility() {
-            _ if self.large < F::constant(SMALLEST_CURVATURE) => Notice::Radius,
-            Notice::None if contact.is_conformal(radii) => Notice::Conformal,
-            notice => notice,
+        let warning = match contact.plausibility() {
+            _ if self.large < F::constant(SMALLEST_CURVATURE) => Warning::Radius,
+            Warning::None if contact.is_conformal(radii) => Warning::Conformal,
+            warning => warning,
         };
-        Ok((contact, notice))
+        Ok((contact, warning))
     }
 
     /// `a`, `b` for the major semi-axis.

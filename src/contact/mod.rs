@@ -2,15 +2,15 @@
 
 pub mod creepage;
 pub(crate) mod elliptic;
-pub mod forces;
 pub mod hertz;
 pub mod material;
 pub(crate) mod mismatch;
 pub(crate) mod plausibility;
 mod radii;
+pub mod totals;
 
 pub use self::hertz::{from_approach, from_hertz};
-pub use self::plausibility::warning;
+pub use self::plausibility::implausibility;
 
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::{Float, Real, are_finite};

@@ -1,6 +1,6 @@
 //! Numbers that no contact of two bodies has. Their usual cause is a wrong unit.
 //!
-//! The result is valid and comes with a notice that names the quantity. These quantities are tested:
+//! The result is valid and comes with a warning that names the quantity. These quantities are tested:
 //!
 //! | quantity | implausible | typical cause | ordinary contacts |
 //! |---|---|---|---|
@@ -26,7 +26,7 @@ use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::contact::radii::Radii;
 use crate::number::{Float, Real};
-use crate::status::Notice;
+use crate::status::Warning;
 use core::f64::consts::PI;
 
 /// Largest plausible `p₀/G`.
@@ -52,16 +52,16 @@ pub(super) const SMALLEST_CURVATURE: f64 = 0.1;
 
 /// What is implausible about a contact and its creepage, if anything; the contact is examined first. Nothing is implausible about a lost contact.
 #[must_use]
-pub fn warning<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>) -> Notice {
+pub fn implausibility<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>) -> Warning {
     let of_contact = contact.plausibility();
-    if of_contact != Notice::None || contact.is_lost() {
+    if of_contact != Warning::None || contact.is_lost() {
         return of_contact;
     }
     let Creepage { longitudinal, lateral, spin } = *creepage;
     let Contact { a, b, normal_force, .. } = *contact;
     let largest = F::constant(LARGEST_CREEPAGE);
     if longitudinal.abs() > largest || lateral.abs() > largest {
-        return Notice::Creepage;
+        return Warning::Creepage;
     }
     // φ √(ab) > 0.05, squared;  φ a > 5 p₀/G with p₀ = 3N/(2π a b)
     let size = spin.abs() * a;
@@ -69,9 +69,9 @@ pub fn warning<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>) -> Notice
     if at_the_edge > F::constant(EDGE_SLIP * EDGE_SLIP)
         && size * contact.stiffness() > normal_force.times(LARGEST_INCLINATION * 1.5 / PI)
     {
-        return Notice::Spin;
+        return Warning::Spin;
     }
-    Notice::None
+    Warning::None
 }
 
 impl<F: Real> Contact<F> {
@@ -131,22 +131,22 @@ impl<F: Float> Contact<F> {
 
     /// What is implausible about the contact alone, if anything; nothing about a lost contact.
     #[must_use]
-    pub fn plausibility(&self) -> Notice {
+    pub fn plausibility(&self) -> Warning {
         let Self { a, b, normal_force, friction, mismatch, .. } = *self;
         // p₀ = 3N/(2π a b) > 0.1 G
         let pressed = self.stiffness().times(LARGEST_PRESSURE);
         if self.is_lost() {
-            Notice::None
+            Warning::None
         } else if a.max(b) > F::constant(LARGEST_SEMI_AXIS) {
-            Notice::SemiAxis
+            Warning::SemiAxis
         } else if normal_force.times(1.5 / PI) > pressed {
-            Notice::Pressure
+            Warning::Pressure
         } else if friction > F::constant(LARGEST_FRICTION) {
-            Notice::Friction
+            Warning::Friction
         } else if mismatch.abs() > F::constant(LARGEST_MISMATCH) {
-            Notice::Mismatch
+            Warning::Mismatch
         } else {
-            Notice::None
+            Warning::None
         }
     }
 

@@ -77,7 +77,7 @@ impl<F: Float> BatchOutputs<F> {
 impl<F: Float> Batch<'_, F> {
     /// # Safety
     /// Every pointer is NULL, or valid for `count` elements at its distances.
-    pub(super) unsafe fn solve(&self, first_bad: Place<u32>) -> Result<Notice, Error> {
+    pub(super) unsafe fn solve(&self, first_bad: Output<u32>) -> Result<Warning, Error> {
         let Self { inputs, outputs, .. } = self;
         let complete = !inputs.required().iter().any(|(first, _)| first.is_null());
         Error::NullPointer.unless(self.count == 0 || complete)?;
@@ -117,7 +117,7 @@ impl<F: Float> Batch<'_, F> {
         &self,
         count: usize,
         get: impl Fn(usize) -> (Contact<F>, Creepage<F>),
-    ) -> Result<Notice, (usize, Error)> {
+    ) -> Result<Warning, (usize, Error)> {
         let to = self.outputs;
         let get = |i| {
             let (contact, creepage) = get(i);
@@ -164,7 +164,7 @@ impl<F: Float> Batch<'_, F> {
     }
 
     fn put(&self, i: usize, solution: &Solution<F>, friction: impl FnOnce() -> F) {
-        let Solution { fx, fy, mz, power, adhesion, notice, .. } = *solution;
+        let Solution { fx, fy, mz, power, adhesion, warning, .. } = *solution;
         let to = self.outputs;
         // SAFETY: the promise of `solve`.
         unsafe {
@@ -173,7 +173,7 @@ impl<F: Float> Batch<'_, F> {
             write(to.mz, to.mz_stride, i, mz);
             write(to.power, to.power_stride, i, power);
             write(to.adhesion, to.adhesion_stride, i, adhesion);
-            write(to.status_detail, to.status_detail_stride, i, notice.code());
+            write(to.status_detail, to.status_detail_stride, i, warning.code());
             if !to.friction.is_null() {
                 write(to.friction, to.friction_stride, i, friction());
             }

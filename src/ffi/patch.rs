@@ -1,6 +1,6 @@
 //! Patches: contacts of any shape, given by their strips.
 
-use super::solve::Places;
+use super::solve::OutputPlaces;
 use super::support::*;
 use crate::normal::cells::{CELLS, Given};
 use crate::normal::{Profile, ProfileContact};
@@ -144,8 +144,8 @@ pub(super) fn evaluate_patch<F: Float>(
     creepage: &Creepage<F>,
     law: Option<&SlipFriction<F>>,
     options: Option<&kstrip_options>,
-    places: Places<F>,
-) -> Result<Notice, Error> {
+    places: OutputPlaces<F>,
+) -> Result<Warning, Error> {
     let model = for_strips(options)?.model;
     let view = patch.view()?;
     let (solution, share, slopes) = if places.differentiates() {
@@ -174,5 +174,5 @@ pub(super) fn evaluate_patch<F: Float>(
         put(places.derivatives, derivatives);
         put(places.law_derivatives, law);
     }
-    Ok(solution.notice)
+    Ok(solution.warning)
 }

@@ -1,9 +1,9 @@
 //! A prepared contact as plain numbers that C stores: a mark, the frame, and what the model knows of the contact.
 
 use super::support::*;
-use crate::solve::check::find_fault;
-use crate::solve::prepared::Known;
-use crate::solve::theory::Frame;
+use crate::forces::check::find_fault;
+use crate::forces::prepared::ModelState;
+use crate::forces::theory::ScaledContact;
 use crate::strip;
 
 /// How many numbers there is room for.
@@ -13,7 +13,7 @@ const MARK: usize = 0;
 /// Where `w` stands: no check of [`find_fault`] can fail where `|υx| + |υy| + w |φ| ≤ 10`. It is
 /// infinite for a lost contact and for unlike materials, whose pressure moves the creepage.
 const PER_SPIN: usize = 1;
-/// Where the [`Frame`] begins, and then the coefficients of the model.
+/// Where the [`ScaledContact`] begins, and then the coefficients of the model.
 const FRAME: usize = 2;
 const KNOWN: usize = 19;
 
@@ -27,7 +27,7 @@ const QUICK: f64 = 10.0;
 unsafe trait Numbers<F> {}
 // SAFETY: so they are declared.
 unsafe impl<F: Float> Numbers<F> for F {}
-unsafe impl<F: Float> Numbers<F> for Frame<F> {}
+unsafe impl<F: Float> Numbers<F> for ScaledContact<F> {}
 unsafe impl<F: Float> Numbers<F> for Total<F> {}
 unsafe impl<F: Float> Numbers<F> for strip::Flexibilities<F> {}
 unsafe impl<F: Float> Numbers<F> for Linear<F> {}
@@ -50,10 +50,10 @@ impl<F: Float> PreparedNumbers<F> {
         stored.put::<_, PER_SPIN>(F::constant(QUICK) / spin);
         stored.put::<_, FRAME>(prepared.frame);
         match &prepared.known {
-            Known::Strip1967(_) | Known::Strip1967Continuous(_) => {}
-            Known::Strip(strips) => stored.put::<_, KNOWN>(strips.contact),
-            Known::Total(total) => stored.put::<_, KNOWN>(*total),
-            Known::Linear(linear) => stored.put::<_, KNOWN>(*linear),
+            ModelState::Strip1967(_) | ModelState::Strip1967Continuous(_) => {}
+            ModelState::Strip(strips) => stored.put::<_, KNOWN>(strips.contact),
+            ModelState::Total(total) => stored.put::<_, KNOWN>(*total),
+            ModelState::Linear(linear) => stored.put::<_, KNOWN>(*linear),
         }
         stored
     }
@@ -64,7 +64,7 @@ impl<F: Float> PreparedNumbers<F> {
         let Creepage { longitudinal, lateral, spin } = *creepage;
         let size = longitudinal.abs() + lateral.abs() + spin.abs() * *per_spin;
         let quick = size <= F::constant(QUICK);
-        let frame: &Frame<F> = self.part::<_, FRAME>();
+        let frame: &ScaledContact<F> = self.part::<_, FRAME>();
         let found = *self.part::<F, MARK>();
         if quick && self.model == Model::Linear as i32 {
             Error::NotPrepared.unless(found == mark(Model::Linear))?;
@@ -89,7 +89,7 @@ impl<F: Float> PreparedNumbers<F> {
         let model = Model::from_number(self.model).ok_or(Error::NotPrepared)?;
         let strips = StripCount::from_number(self.strips).ok_or(Error::NotPrepared)?;
         Error::NotPrepared.unless(*self.part::<F, MARK>() == mark(model))?;
-        let frame: &Frame<F> = self.part::<_, FRAME>();
+        let frame: &ScaledContact<F> = self.part::<_, FRAME>();
         let ordinary = quick || frame.contact.is_ordinary(creepage);
         if !ordinary {
             find_fault(&frame.contact, creepage, model)?;
@@ -102,7 +102,7 @@ impl<F: Float> PreparedNumbers<F> {
             Model::Total => self.part::<Total<F>, KNOWN>().answer(frame, creepage, ordinary),
             Model::Strip => {
                 let contact = *self.part::<strip::Flexibilities<F>, KNOWN>();
-                Strip::from_prepared(contact, strips).answer(frame, creepage, ordinary)
+                EllipseStrips::from_prepared(contact, strips).answer(frame, creepage, ordinary)
             }
             Model::Strip1967 => Strip1967::<false>.answer(frame, creepage, ordinary),
             Model::Strip1967Continuous => Strip1967::<true>.answer(frame, creepage, ordinary),

@@ -3,18 +3,18 @@
 use super::support::*;
 
 /// Strips, and a place for their number.
-type StripPlaces<'a, F> = (&'a mut [MaybeUninit<StripResult<F>>], Place<'a, u32>);
+type StripOutputs<'a, F> = (&'a mut [MaybeUninit<StripResult<F>>], Output<'a, u32>);
 
 /// The wanted outputs.
-pub(super) struct Places<'a, F: Float> {
-    pub(super) result: Place<'a, Solution<F>>,
-    pub(super) derivatives: Place<'a, Derivatives<F>>,
-    pub(super) law_derivatives: Place<'a, LawDerivatives<F>>,
-    pub(super) friction: Place<'a, F>,
-    pub(super) strips: Option<StripPlaces<'a, F>>,
+pub(super) struct OutputPlaces<'a, F: Float> {
+    pub(super) result: Output<'a, Solution<F>>,
+    pub(super) derivatives: Output<'a, Derivatives<F>>,
+    pub(super) law_derivatives: Output<'a, LawDerivatives<F>>,
+    pub(super) friction: Output<'a, F>,
+    pub(super) strips: Option<StripOutputs<'a, F>>,
 }
 
-impl<F: Float> Places<'_, F> {
+impl<F: Float> OutputPlaces<'_, F> {
     /// # Safety
     /// Every pointer is NULL, or valid and aligned for one write, that of the strips for `capacity`; no two overlap.
     pub(super) unsafe fn of(outputs: &Outputs<F>) -> Self {
@@ -46,8 +46,8 @@ pub(super) fn evaluate<F: Float>(
     creepage: &Creepage<F>,
     law: Option<&SlipFriction<F>>,
     options: Option<&kstrip_options>,
-    places: Places<F>,
-) -> Result<Notice, Error> {
+    places: OutputPlaces<F>,
+) -> Result<Warning, Error> {
     let (forces, inside) = (for_forces(options)?, for_strips(options)?);
     // (what was found is read where it stands)
     let (differentiated, under_law, alone);
@@ -60,15 +60,15 @@ pub(super) fn evaluate<F: Float>(
         let found = given_by(&under_law)?;
         (&found.solution, found.friction, None)
     } else {
-        alone = model::solve(contact, creepage, &forces);
+        alone = forces::forces_of_contact(contact, creepage, &forces);
         (given_by(&alone)?, contact.friction, None)
     };
-    let mut notice = solution.notice;
+    let mut warning = solution.warning;
     if let Some(strips) = places.strips {
         let stiffness = law.map_or(F::one(), SlipFriction::stiffness);
         let shear_modulus = contact.shear_modulus * stiffness;
         let contact = Contact { friction, shear_modulus, ..*contact };
-        notice = notice.worse(write_strips(&contact, creepage, &inside, strips)?);
+        warning = warning.worse(write_strips(&contact, creepage, &inside, strips)?);
     }
     put(places.result, *solution);
     put(places.friction, friction);
@@ -76,7 +76,7 @@ pub(super) fn evaluate<F: Float>(
         put(places.derivatives, *derivatives);
         put(places.law_derivatives, *law);
     }
-    Ok(notice)
+    Ok(warning)
 }
 
 /// Writes the strips and how many they are, if there is room for all.
@@ -85,20 +85,20 @@ fn write_strips<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,
-    (strips, count): StripPlaces<F>,
-) -> Result<Notice, Error> {
+    (strips, count): StripOutputs<F>,
+) -> Result<Warning, Error> {
     let count = given(count)?;
-    Error::Capacity.unless(model::strips_of(contact, creepage, options)? <= strips.len())?;
+    Error::Capacity.unless(forces::strips_of(contact, creepage, options)? <= strips.len())?;
     let mut places = strips.iter_mut();
     let mut written = 0_u32;
-    let notice = model::strips(contact, creepage, options, &mut |strip| {
+    let warning = forces::strips(contact, creepage, options, &mut |strip| {
         if let Some(place) = places.next() {
             place.write(strip);
             written += 1;
         }
     })?;
     count.write(written);
-    Ok(notice)
+    Ok(warning)
 }
 
 /// # Safety
@@ -109,7 +109,7 @@ pub(super) unsafe fn solve_motion<F: Float>(
     law: Option<&SlipFriction<F>>,
     options: Option<&kstrip_options>,
     outputs: &MotionOutputs<F>,
-) -> Result<Notice, Error> {
+) -> Result<Warning, Error> {
     let options = for_forces(options)?;
     // SAFETY: the caller's promise.
     let (result, used) = unsafe { (place(outputs.result), place(outputs.friction)) };
@@ -124,5 +124,5 @@ pub(super) unsafe fn solve_motion<F: Float>(
     };
     put(result, solution);
     put(used, friction);
-    Ok(solution.notice)
+    Ok(solution.warning)
 }

@@ -4,10 +4,15 @@ pub(super) use super::arrays::{input, output, place};
 pub(super) use super::types::*;
 pub(super) use super::{KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, kstrip_status};
 pub(super) use crate::contact::creepage::{Creepage, Parameters, SurfaceVelocity};
-pub(super) use crate::contact::forces::StripCount;
 pub(super) use crate::contact::hertz::{HertzContact, Radii};
 pub(super) use crate::contact::material::{self, CombinedMaterial, Material};
+pub(super) use crate::contact::totals::StripCount;
 pub(super) use crate::contact::{Contact, from_approach, from_hertz};
+pub(super) use crate::forces::derivatives::Derivatives;
+pub(super) use crate::forces::field::FieldPoint;
+pub(super) use crate::forces::prepared::Prepared;
+pub(super) use crate::forces::theory::{EllipseStrips, Linear, Strip1967, Theory, Total};
+pub(super) use crate::forces::{self, Field, Model, Options, Solution, StripResult};
 pub(super) use crate::friction::derivatives::{LawDerivatives, differentiate};
 pub(super) use crate::friction::{self, SlipFriction};
 pub(super) use crate::linear::LinearCoefficients;
@@ -17,49 +22,44 @@ pub(super) use crate::number::{Float, are_finite};
 pub(super) use crate::patch::PatchStrip;
 pub(super) use crate::patch::field::PatchField;
 pub(super) use crate::rig::{self, FrictionEstimate, Measured};
-pub(super) use crate::solve::derivatives::Derivatives;
-pub(super) use crate::solve::field::FieldPoint;
-pub(super) use crate::solve::model::{self, Field, Model, Options, Solution, StripResult};
-pub(super) use crate::solve::prepared::Prepared;
-pub(super) use crate::solve::theory::{Linear, Strip, Strip1967, Theory, Total};
-pub(super) use crate::status::{Error, Notice};
+pub(super) use crate::status::{Error, Warning};
 pub(super) use crate::wheel_rail::contacts::{self, WheelContact};
 pub(super) use crate::wheel_rail::scene::Workspace;
 pub(super) use crate::wheel_rail::surface::Surface;
 pub(super) use crate::wheel_rail::touch::{self, Gap};
 pub(super) use crate::wheel_rail::wrench::{self, Wrench, WrenchByPosition, WrenchDerivatives};
-pub(super) use crate::wheel_rail::{KSTRIP_CONTACTS_CAPACITY, Pair, Position, Velocity};
+pub(super) use crate::wheel_rail::{KSTRIP_CONTACTS_CAPACITY, Position, Velocity, WheelPair};
 pub(super) use core::mem::MaybeUninit;
 
 /// Run a fallible body and turn its outcome into a status.
 #[inline]
-pub(super) fn answer(body: impl FnOnce() -> Result<Notice, Error>) -> kstrip_status {
+pub(super) fn answer(body: impl FnOnce() -> Result<Warning, Error>) -> kstrip_status {
     match body() {
-        Ok(notice) => notice.code(),
+        Ok(warning) => warning.code(),
         Err(error) => error.code(),
     }
 }
 
 /// The answer of a function with one output, which is required.
 #[inline]
-pub(super) fn fill<T>(place: Place<T>, find: impl FnOnce() -> Result<T, Error>) -> kstrip_status {
+pub(super) fn fill<T>(place: Output<T>, find: impl FnOnce() -> Result<T, Error>) -> kstrip_status {
     answer(|| {
         given(place)?.write(find()?);
-        Ok(Notice::None)
+        Ok(Warning::None)
     })
 }
 
-/// The same of a solution, whose notice is the status.
+/// The same of a solution, whose warning is the status.
 #[inline]
 pub(super) fn solved<F: Float>(
-    place: Place<Solution<F>>,
+    place: Output<Solution<F>>,
     solve: impl FnOnce() -> Result<Solution<F>, Error>,
 ) -> kstrip_status {
     answer(|| {
         let place = given(place)?;
         // (what was found is read where it stands)
         let found = solve();
-        Ok(place.write(*given_by(&found)?).notice)
+        Ok(place.write(*given_by(&found)?).warning)
     })
 }
 
@@ -145,11 +145,11 @@ pub(super) fn creepage_of<F: Float>(
 }
 
 /// A wanted output.
-pub(super) type Place<'a, T> = Option<&'a mut MaybeUninit<T>>;
+pub(super) type Output<'a, T> = Option<&'a mut MaybeUninit<T>>;
 
 /// Writes an output that is wanted.
 #[inline]
-pub(super) fn put<T>(place: Place<T>, value: T) {
+pub(super) fn put<T>(place: Output<T>, value: T) {
     if let Some(place) = place {
         place.write(value);
     }

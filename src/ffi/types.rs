@@ -1,11 +1,11 @@
 //! Structures that only C has: options, and where outputs go.
 
+use crate::forces::derivatives::Derivatives;
+use crate::forces::{Solution, StripResult};
 use crate::friction::SlipFriction;
 use crate::friction::derivatives::LawDerivatives;
 use crate::motion::MotionDerivatives;
 pub use crate::patch::StoredPatch;
-use crate::solve::derivatives::Derivatives;
-use crate::solve::model::{Solution, StripResult};
 use core::mem::MaybeUninit;
 
 /// Which model, and with how many strips. All zero is the default.
@@ -200,11 +200,11 @@ pub struct PatchSummary<F> {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProfilePoints<F> {
-    /// Places y [m], ascending.
+    /// OutputPlaces y [m], ascending.
     pub y: *const F,
     /// Distance of the bodies there [m], the least along x. A constant added to all distances changes nothing.
     pub distance: *const F,
-    /// Place along x [m] where the distance is least; bodies that yaw touch ahead on one side and behind on the other. NULL: at 0.
+    /// Output along x [m] where the distance is least; bodies that yaw touch ahead on one side and behind on the other. NULL: at 0.
     pub centre_x: *const F,
     /// Rolling radius [m], > 0, of each point; it replaces that of the contact. NULL: the contact's own.
     pub rolling_radius: *const F,

@@ -7,7 +7,7 @@ use crate::wheel_rail::wrench::Law;
 pub(super) fn scene_of<'a, F: Float>(
     rail: Option<&'a Surface<F>>,
     wheel: Option<&'a Surface<F>>,
-    pair: Option<&'a Pair<F>>,
+    pair: Option<&'a WheelPair<F>>,
     friction: Option<&'a SlipFriction<F>>,
 ) -> Result<Scene<'a, F>, Error> {
     let (rail, wheel, pair) = (given(rail)?, given(wheel)?, given(pair)?);

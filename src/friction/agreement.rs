@@ -2,7 +2,7 @@
 
 use crate::friction::law::SlipFriction;
 use crate::number::Float;
-use crate::status::{Error, Notice};
+use crate::status::{Error, Warning};
 
 /// Largest number of steps of the monotone iteration.
 const WALK_STEPS: usize = 100;
@@ -10,7 +10,7 @@ const WALK_STEPS: usize = 100;
 const SECANT_STEPS: usize = 60;
 
 /// `μ = g(μ)`, with what is known of `g`.
-pub(crate) struct Agreement<'a, F, G> {
+pub(crate) struct FrictionEquation<'a, F, G> {
     law: &'a SlipFriction<F>,
     /// Upper bound of the slip of all points, over the rolling speed.
     rigid_slip: F,
@@ -20,41 +20,41 @@ pub(crate) struct Agreement<'a, F, G> {
     next: G,
 }
 
-impl<'a, F: Float, G: Fn(F) -> Result<F, Error>> Agreement<'a, F, G> {
+impl<'a, F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'a, F, G> {
     pub(crate) fn new(law: &'a SlipFriction<F>, rigid_slip: F, load: F, next: G) -> Self {
         Self { law, rigid_slip, load, next }
     }
 
     /// The largest `μ` that agrees with the slip that it causes.
-    pub(crate) fn largest_solution(&self) -> Result<(F, Notice), Error> {
+    pub(crate) fn largest_solution(&self) -> Result<(F, Warning), Error> {
         let Self { law, rigid_slip: rigid, load, next } = self;
         let largest = law.friction;
         let least = law.at(*rigid);
         if least * *load <= F::zero() {
             // Friction that vanishes altogether: nothing slips against anything.
-            return Ok((self.walk(largest, [least, largest])?.0, Notice::None));
+            return Ok((self.walk(largest, [least, largest])?.0, Warning::None));
         }
         let high = next(largest)?;
         if high >= largest {
-            return Ok((largest, Notice::None));
+            return Ok((largest, Warning::None));
         }
         // g' ≤ B V s_max (g − A μ₀)/μ
         let steepness =
             (law.decay * (law.rolling_speed * *rigid)) * ((high - law.ratio * largest) / least);
         if steepness < F::one() {
             let (friction, settled) = self.between(least, largest, high - largest, high)?;
-            return Ok((friction, if settled { Notice::None } else { Notice::NotConverged }));
+            return Ok((friction, if settled { Warning::None } else { Warning::NotConverged }));
         }
         let (upper, settled) = self.walk(largest, [least, largest])?;
         let (lower, _) = self.walk(least, [least, largest])?;
-        let notice = if !settled {
-            Notice::NotConverged
+        let warning = if !settled {
+            Warning::NotConverged
         } else if upper - lower > upper.times(1e-3) {
-            Notice::SeveralFrictions
+            Warning::SeveralFrictions
         } else {
-            Notice::None
+            Warning::None
         };
-        Ok((upper, notice))
+        Ok((upper, warning))
     }
 
     /// The only solution between two numbers, from `g(μ) − μ` at the upper one and from a first guess, by the secant method guarded by

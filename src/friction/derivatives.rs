@@ -2,12 +2,12 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
+use crate::forces;
+use crate::forces::derivatives::{Derivatives, Slopes, solve_with_slopes};
+use crate::forces::options::{Model, Options, Solution};
 use crate::friction::{self, SlipFriction};
 use crate::number::{Float, are_finite};
-use crate::solve;
-use crate::solve::derivatives::{Derivatives, Slopes, solve_with_slopes};
-use crate::solve::options::{Model, Options, Solution};
-use crate::status::{Error, Notice};
+use crate::status::{Error, Warning};
 
 /// Derivatives of fx, fy, mz by the parameters of falling friction.
 #[repr(C)]
@@ -170,17 +170,17 @@ pub(crate) fn differentiate_checked<F: Float>(
     options: &Options,
 ) -> Result<Differentiated<F>, Error> {
     let under;
-    let (contact, notice) = match law {
+    let (contact, warning) = match law {
         Some(law) => {
             under = friction::under_checked(contact, creepage, law, options)?;
             (&under.0, under.1)
         }
-        None => (contact, Notice::None),
+        None => (contact, Warning::None),
     };
     // (looked at where it stands)
     let solved = solve_with_slopes(contact, creepage, options);
     let (solution, slopes) = solved.as_ref().map_err(|error| *error)?;
-    let solution = Solution { notice: solution.notice.worse(notice), ..*solution };
+    let solution = Solution { warning: solution.warning.worse(warning), ..*solution };
     let friction = contact.friction;
     let lost = contact.is_lost();
     let Some(law) = law.filter(|_| !lost) else {
@@ -226,7 +226,7 @@ pub(crate) fn check<F: Float>(
             law.least(contact, creepage)
         }
         None => {
-            solve::check::check(contact, creepage, options)?;
+            forces::check::check(contact, creepage, options)?;
             (contact.friction, F::zero())
         }
     };

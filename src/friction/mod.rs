@@ -17,7 +17,7 @@
 //! `μ₀`, `μ ← g(μ)` falls monotonically to the largest solution, the one that is reached from adhesion. With `−μ ds/dμ ≤ s_max`, the rigid slip, `g' < 1`
 //! everywhere for all but extreme `B`; then the solution is unique and the secant method finds
 //! it in four to six solutions of the contact. Otherwise the iteration
-//! goes down from `μ₀` and up from the smallest possible `μ`, and a notice tells when they do not meet.
+//! goes down from `μ₀` and up from the smallest possible `μ`, and a warning tells when they do not meet.
 //! The forces of the models of 1967 jump, or nearly do, where adhesion is born, so that `g` may be steeper than that bound: for them
 //! another solution may not be reported.
 //! Derivatives follow by the implicit function theorem, `∂s/∂μ` by homogeneity ([`derivatives`]).
@@ -30,21 +30,21 @@ mod agreement;
 pub mod derivatives;
 mod law;
 
-pub(crate) use self::agreement::Agreement;
+pub(crate) use self::agreement::FrictionEquation;
 pub use self::law::SlipFriction;
 pub(crate) use self::law::fastest_slip;
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
+use crate::forces::derivatives::solve_with_slopes;
+use crate::forces::{self, Model, Options, Solution};
 use crate::number::Float;
-use crate::solve::derivatives::solve_with_slopes;
-use crate::solve::model::{self, Model, Options, Solution};
-use crate::status::{Error, Notice};
+use crate::status::{Error, Warning};
 
 /// Forces under friction that falls with the slip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrictionSolution<F> {
-    /// The forces; its notice is also that of the friction.
+    /// The forces; its warning is also that of the friction.
     pub solution: Solution<F>,
     /// The coefficient of friction that agrees with the slip.
     pub friction: F,
@@ -53,15 +53,15 @@ pub struct FrictionSolution<F> {
 /// Forces for a contact, a creepage and friction that falls with the slip.
 ///
 /// The contact's own coefficient of friction is ignored. With `A = 1`, `B = 0` or `V = 0`, and `k = 1`, the result is that of
-/// [`model::solve`] to the bit and costs no more. [`Model::Linear`] knows no friction: only `k` counts.
+/// [`forces::forces_of_contact`] to the bit and costs no more. [`Model::Linear`] knows no friction: only `k` counts.
 ///
 /// # Errors
-/// Those of [`model::solve`] and [`SlipFriction::check`].
+/// Those of [`forces::forces_of_contact`] and [`SlipFriction::check`].
 ///
 /// # Example
 /// A driven wheel that slips more pulls less:
 /// ```
-/// use kstrip::{contact::Contact, contact::creepage::Creepage, friction::{solve, SlipFriction}, solve::model::Options};
+/// use kstrip::{contact::Contact, contact::creepage::Creepage, friction::{solve, SlipFriction}, forces::Options};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.0,
 ///     mismatch: 0.0,
@@ -89,16 +89,16 @@ pub fn solve<F: Float>(
 /// [`solve`] for inputs that [`check`] has accepted.
 ///
 /// # Errors
-/// Those of [`model::solve`], which no such inputs bring.
+/// Those of [`forces::forces_of_contact`], which no such inputs bring.
 pub(crate) fn solve_checked<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     friction: &SlipFriction<F>,
     options: &Options,
 ) -> Result<FrictionSolution<F>, Error> {
-    let (contact, notice) = under_checked(contact, creepage, friction, options)?;
-    let mut solution = model::solve(&contact, creepage, options)?;
-    solution.notice = solution.notice.worse(notice);
+    let (contact, warning) = under_checked(contact, creepage, friction, options)?;
+    let mut solution = forces::forces_of_contact(&contact, creepage, options)?;
+    solution.warning = solution.warning.worse(warning);
     Ok(FrictionSolution { solution, friction: contact.friction })
 }
 
@@ -112,7 +112,7 @@ pub fn under<F: Float>(
     creepage: &Creepage<F>,
     friction: &SlipFriction<F>,
     options: &Options,
-) -> Result<(Contact<F>, Notice), Error> {
+) -> Result<(Contact<F>, Warning), Error> {
     check(contact, creepage, friction, options)?;
     under_checked(contact, creepage, friction, options)
 }
@@ -120,16 +120,16 @@ pub fn under<F: Float>(
 /// [`under`] for inputs that [`check`] has accepted.
 ///
 /// # Errors
-/// Those of [`model::solve`], which no such inputs bring.
+/// Those of [`forces::forces_of_contact`], which no such inputs bring.
 pub(crate) fn under_checked<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     friction: &SlipFriction<F>,
     options: &Options,
-) -> Result<(Contact<F>, Notice), Error> {
+) -> Result<(Contact<F>, Warning), Error> {
     let contact = friction.contact(contact);
-    let (friction, notice) = agreement(&contact, creepage, friction, options)?;
-    Ok((Contact { friction, ..contact }, notice))
+    let (friction, warning) = agreement(&contact, creepage, friction, options)?;
+    Ok((Contact { friction, ..contact }, warning))
 }
 
 /// Checks the inputs of [`solve`] without solving.
@@ -143,7 +143,7 @@ pub fn check<F: Float>(
     options: &Options,
 ) -> Result<(), Error> {
     friction.check()?;
-    model::check(&friction.contact(contact), creepage, options)
+    forces::check(&friction.contact(contact), creepage, options)
 }
 
 /// The largest `μ` that agrees with the slip that it causes. `contact` has `μ₀`, and was checked.
@@ -152,12 +152,12 @@ fn agreement<F: Float>(
     creepage: &Creepage<F>,
     friction: &SlipFriction<F>,
     options: &Options,
-) -> Result<(F, Notice), Error> {
+) -> Result<(F, Warning), Error> {
     let nothing = contact.friction_bound() <= F::zero();
     if options.model == Model::Linear || !friction.falls() || nothing {
-        return Ok((friction.friction, Notice::None));
+        return Ok((friction.friction, Warning::None));
     }
-    Agreement::new(
+    FrictionEquation::new(
         friction,
         fastest_slip(contact, creepage),
         contact.normal_force,
@@ -165,7 +165,7 @@ fn agreement<F: Float>(
             let contact = Contact { friction: friction_now, ..*contact };
             let bound = contact.friction_bound();
             if bound > F::zero() {
-                let solution = model::solve(&contact, creepage, options)?;
+                let solution = forces::forces_of_contact(&contact, creepage, options)?;
                 return Ok(friction.at(solution.power / bound));
             }
             // The limit of full sliding: s = (∂P/∂μ)/N

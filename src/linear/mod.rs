@@ -13,7 +13,7 @@
 mod constants;
 
 use self::constants::{E11_E22, E23_E33, M33, N23_N33};
-use crate::number::registers::compiled_twice;
+use crate::number::registers::with_avx;
 use crate::number::tables::{row, rows, table, widen};
 use crate::number::{Arithmetic, Pair, Real};
 use core::f64::consts::{LN_2, PI};
@@ -48,7 +48,7 @@ impl<F: Real> LinearCoefficients<F> {
     #[must_use]
     #[inline(always)]
     pub fn at(axis_ratio: F, poisson_ratio: F) -> Self {
-        compiled_twice!(if F::LANES => <F: Real>(axis_ratio: F, poisson_ratio: F) -> LinearCoefficients<F> {
+        with_avx!(if F::LANES => <F: Real>(axis_ratio: F, poisson_ratio: F) -> LinearCoefficients<F> {
             LinearCoefficients::quotients(axis_ratio, poisson_ratio)
         })
     }

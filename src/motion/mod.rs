@@ -28,12 +28,12 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::contact::warning;
+use crate::contact::implausibility;
+use crate::forces::{self, Options, Solution};
 use crate::friction::derivatives::{self, Differentiated};
 use crate::friction::{self, FrictionSolution, SlipFriction};
 use crate::number::{Float, are_finite};
-use crate::solve::model::{self, Options, Solution};
-use crate::status::{Error, Notice};
+use crate::status::{Error, Warning};
 
 /// Floor of the rolling speed where none is given \[m/s\].
 const FLOOR: f64 = 0.02;
@@ -86,12 +86,12 @@ pub struct MotionDerivatives<F> {
 /// the coefficient of friction. The rolling speed of the law is not used.
 ///
 /// # Errors
-/// Those of [`model::solve`] and, with a law, [`friction::solve`]; [`Error::NotFinite`], [`Error::FloorSpeed`].
+/// Those of [`forces::forces_of_contact`] and, with a law, [`friction::solve`]; [`Error::NotFinite`], [`Error::FloorSpeed`].
 ///
 /// # Example
 /// A wheel that stands on a slope creeps, and one that rolls back is braked:
 /// ```
-/// use kstrip::{contact::Contact, solve::model::Options, motion::{solve, Motion}};
+/// use kstrip::{contact::Contact, forces::Options, motion::{solve, Motion}};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
 ///     mismatch: 0.0,
@@ -119,7 +119,7 @@ pub fn solve<F: Float>(
                 friction::solve(contact, creepage, law, options)?;
             Ok((solution, friction))
         }
-        None => Ok((model::solve(contact, creepage, options)?, contact.friction)),
+        None => Ok((forces::forces_of_contact(contact, creepage, options)?, contact.friction)),
     })?;
     rolling.solution(&without_law(contact, law.as_ref()), forward, backward)
 }
@@ -272,11 +272,11 @@ impl<F: Float> Rolling<F> {
             lateral: lateral * judged,
             spin: spin * judged,
         };
-        let both = forward.notice.worse(backward.notice);
-        let of_model = if both.is_implausible() { Notice::None } else { both };
-        let notice = of_model.worse(warning(contact, &seen));
+        let both = forward.warning.worse(backward.warning);
+        let of_model = if both.is_implausible() { Warning::None } else { both };
+        let warning = of_model.worse(implausibility(contact, &seen));
         let adhesion = self.mean(forward.adhesion, backward.adhesion);
-        let solution = Solution { fx, fy, mz, power, adhesion, notice, ..forward };
+        let solution = Solution { fx, fy, mz, power, adhesion, warning, ..forward };
         Ok((solution, self.mean(friction, friction_backward)))
     }
 

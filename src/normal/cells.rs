@@ -16,11 +16,11 @@
 //! The end of a zone may cut a cell to the share `r`. The pressure of such a cell is coupled to that of its neighbour in the zone,
 //! `u_i + κ (p_i − p_k) = δ − h_i` with `κ = 0.3 w (1 − r)²/r`, and takes the neighbour's value as its width vanishes.
 
-use crate::normal::influence::{Curvature, Deflection, Edge};
-pub use crate::normal::lattice::CELLS;
-use crate::normal::lattice::Places;
-use crate::normal::profile::{Moving, side_by_side};
-use crate::number::registers::compiled_twice;
+use crate::normal::influence::{Curvature, Deflection, StripEdge};
+pub use crate::normal::layout::CELLS;
+use crate::normal::layout::CellPlaces;
+use crate::normal::profile::{WithSlope, side_by_side};
+use crate::number::registers::with_avx;
 use crate::number::{Arithmetic, Float, Strips};
 use core::f64::consts::FRAC_PI_2;
 use core::marker::PhantomData;
@@ -53,23 +53,23 @@ impl<F> Given<F> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cell<F> {
     /// Middle line \[m\].
-    pub y: Moving<F>,
+    pub y: WithSlope<F>,
     /// Width \[m\].
-    pub width: Moving<F>,
+    pub width: WithSlope<F>,
     /// Undeformed distance on the middle line \[m\].
-    pub distance: Moving<F>,
+    pub distance: WithSlope<F>,
     /// Rolling radius `R` \[m\].
-    pub rolling_radius: Moving<F>,
+    pub rolling_radius: WithSlope<F>,
     /// Half length \[m\].
-    pub half_length: Moving<F>,
+    pub half_length: WithSlope<F>,
     /// `p/(π E*)`; zero where the bodies do not touch.
-    pub pressure: Moving<F>,
+    pub pressure: WithSlope<F>,
     /// Whether the bodies touch.
     pub touches: bool,
     /// Where the conditions of contact hold \[m\].
-    at: Moving<F>,
+    at: WithSlope<F>,
     /// `κ` to the cell before and to the cell after.
-    leans: [Moving<F>; 2],
+    coupling: [WithSlope<F>; 2],
 }
 
 /// Largest number of edges whose distances from a cell are needed.
@@ -118,8 +118,8 @@ impl<F: Float> Cells<F> {
     /// Cells at their places; `of` gives distance, rolling radius and half length of each, and whether it may touch.
     pub(super) fn place(
         &mut self,
-        places: &Places<F>,
-        of: impl Fn(Moving<F>) -> ([Moving<F>; 3], bool),
+        places: &CellPlaces<F>,
+        of: impl Fn(WithSlope<F>) -> ([WithSlope<F>; 3], bool),
     ) {
         let list = &mut self.list;
         list.clear();
@@ -131,17 +131,17 @@ impl<F: Float> Cells<F> {
                 distance,
                 rolling_radius,
                 half_length,
-                pressure: Moving::zero(),
+                pressure: WithSlope::zero(),
                 touches,
                 at: place.at,
-                leans: place.leans,
+                coupling: place.coupling,
             });
         }
     }
 
     /// `N/(π E*) = Σ (π/2) a w p/(π E*)`
-    pub(crate) fn load(&self) -> Moving<F> {
-        self.list.iter().fold(Moving::zero(), |sum, cell| {
+    pub(crate) fn load(&self) -> WithSlope<F> {
+        self.list.iter().fold(WithSlope::zero(), |sum, cell| {
             sum + (cell.half_length * cell.width * cell.pressure).times(FRAC_PI_2)
         })
     }
@@ -163,8 +163,8 @@ impl<F: Float> Cells<F> {
     pub(crate) fn press(
         &mut self,
         equations: &mut Equations<F>,
-        given: Given<Moving<F>>,
-    ) -> Moving<F> {
+        given: Given<WithSlope<F>>,
+    ) -> WithSlope<F> {
         equations.make_room(self.list.len());
         for (j, cell) in self.list.iter().enumerate() {
             let mut rows = equations.influence.iter_mut().zip(&mut equations.slopes);
@@ -182,7 +182,7 @@ impl<F: Float> Cells<F> {
             .zip(equations.influence.iter_mut().zip(&mut equations.slopes))
             .enumerate()
         {
-            let [before, after] = cell.leans;
+            let [before, after] = cell.coupling;
             for (kappa, k) in [(before, i.wrapping_sub(1)), (after, i + 1)] {
                 let [change] = kappa.gradient;
                 for (k, sign) in [(i, F::one()), (k, -F::one())] {
@@ -203,7 +203,7 @@ impl<F: Float> Cells<F> {
             }
         }
         let count = self.list.len();
-        let mut approach = Moving::zero();
+        let mut approach = WithSlope::zero();
         for round in 0..ROUNDS {
             equations.copy_to_factors(count);
             let Equations { influence, slopes, factors } = equations;
@@ -288,7 +288,7 @@ impl<F: Float> Cells<F> {
         }
         for cell in &mut self.list {
             if !(cell.touches && cell.pressure.value > F::zero()) {
-                cell.pressure = Moving::zero();
+                cell.pressure = WithSlope::zero();
             }
         }
         approach
@@ -297,9 +297,9 @@ impl<F: Float> Cells<F> {
     /// Corrects the lengths for the present pressures, by a power of the quotient of both sides of the second condition; also those of cells
     /// that do not touch, as if they were about to.
     #[inline(never)]
-    pub(crate) fn correct(&mut self, power: Moving<F>) {
-        let (less, more) = (Moving::one() - power, Moving::one() + power);
-        let mut curvatures = [Moving::zero(); CELLS];
+    pub(crate) fn correct(&mut self, power: WithSlope<F>) {
+        let (less, more) = (WithSlope::one() - power, WithSlope::one() + power);
+        let mut curvatures = [WithSlope::zero(); CELLS];
         for cell in self.list.iter().filter(|cell| cell.touches) {
             let share = cell.pressure / cell.half_length;
             let mut sums = curvatures.iter_mut();
@@ -311,7 +311,7 @@ impl<F: Float> Cells<F> {
         }
         for (cell, curvature) in self.list.iter_mut().zip(curvatures) {
             // the power of c as its Padé approximant, which keeps the correction within a factor of 4 for every c
-            let c = (curvature * cell.rolling_radius).max(Moving::zero());
+            let c = (curvature * cell.rolling_radius).max(WithSlope::zero());
             cell.half_length = cell.half_length * ((c * more + less) / (c * less + more));
         }
     }
@@ -319,8 +319,8 @@ impl<F: Float> Cells<F> {
 
 /// The edges of a cell.
 struct Edges<F> {
-    lower: Moving<F>,
-    upper: Moving<F>,
+    lower: WithSlope<F>,
+    upper: WithSlope<F>,
     half_length: F,
     /// `da/a`
     growth: F,
@@ -344,11 +344,11 @@ impl<F: Float> Edges<F> {
 
     /// The differences of an odd function of `t = d/a` between the distances of the edges from each cell's place. Where cells as
     /// wide as this one are neighbours, one's lower edge is as far as the other's upper edge.
-    fn across<E: Edge>(&self, cells: &[Cell<F>], mut take: impl FnMut(Moving<F>)) {
+    fn across<E: StripEdge>(&self, cells: &[Cell<F>], mut take: impl FnMut(WithSlope<F>)) {
         let width = (self.upper - self.lower).value;
         let near =
             |place: F, before: F| (place - before - width).abs() <= width * F::EPSILON.times(256.0);
-        let mut distances: Vec<Moving<F>, EDGES> = Vec::new();
+        let mut distances: Vec<WithSlope<F>, EDGES> = Vec::new();
         let mut last: Option<F> = None;
         for cell in cells {
             let place = cell.at.value;
@@ -360,7 +360,7 @@ impl<F: Float> Edges<F> {
         }
         self.all_at::<E>(&mut distances);
         let mut found = distances.iter();
-        let mut last: Option<(F, Moving<F>)> = None;
+        let mut last: Option<(F, WithSlope<F>)> = None;
         for cell in cells {
             let place = cell.at.value;
             let upper = match last {
@@ -374,8 +374,8 @@ impl<F: Float> Edges<F> {
     }
 
     /// Replaces each distance by the value of the function.
-    fn all_at<E: Edge>(&self, distances: &mut [Moving<F>]) {
-        compiled_twice!(if 1 => <F: Float, E: Edge>(edges: &Edges<F> = self, _of: PhantomData<E> = PhantomData::<E>, distances: &mut [Moving<F>] = distances) -> () {
+    fn all_at<E: StripEdge>(&self, distances: &mut [WithSlope<F>]) {
+        with_avx!(if 1 => <F: Float, E: StripEdge>(edges: &Edges<F> = self, _of: PhantomData<E> = PhantomData::<E>, distances: &mut [WithSlope<F>] = distances) -> () {
             edges.in_fours::<E, F::Four>(distances)
         } {
             edges.in_fours::<E, F::WideFour>(distances)
@@ -384,7 +384,7 @@ impl<F: Float> Edges<F> {
 
     /// The same, four side by side.
     #[inline(always)]
-    fn in_fours<E: Edge, P: Strips<F>>(&self, distances: &mut [Moving<F>]) {
+    fn in_fours<E: StripEdge, P: Strips<F>>(&self, distances: &mut [WithSlope<F>]) {
         let one = P::one();
         for four in distances.chunks_mut(4) {
             let [distance, moved] = side_by_side::<F, P>(four, F::one());
@@ -400,7 +400,7 @@ impl<F: Float> Edges<F> {
             let relative = sign * moved * inverse - P::all(self.growth);
             let (value, slope) = (sign * value, sign * slope * relative);
             for (k, distance) in four.iter_mut().enumerate() {
-                *distance = Moving { value: value.lane(k), gradient: [slope.lane(k)] };
+                *distance = WithSlope { value: value.lane(k), gradient: [slope.lane(k)] };
             }
         }
     }

@@ -10,7 +10,7 @@
 //! just appeared, or a wide margin where the bodies hardly touch, takes few cells from the others, and zones part and merge where there are hardly any. So no cell moves as fast as the
 //! end of a zone does that appears or merges.
 
-use crate::normal::profile::Moving;
+use crate::normal::profile::WithSlope;
 use crate::number::{Arithmetic, Float};
 use heapless::Vec;
 
@@ -25,11 +25,11 @@ const REACH: f64 = 0.1;
 
 /// A place in a zone or at its end.
 #[derive(Clone, Copy, Debug)]
-struct Place<F> {
+struct DensityPoint<F> {
     /// \[m\]
-    y: Moving<F>,
+    y: WithSlope<F>,
     /// `d/d₀ + (l dd/dy/d₀)²`, which may be more than 1.
-    density: Moving<F>,
+    density: WithSlope<F>,
 }
 
 /// Zones in ascending `y`, with their densities.
@@ -37,11 +37,11 @@ pub(super) struct Zones<F> {
     /// How many places each has.
     list: Vec<usize, ZONES>,
     /// Of all zones; between them the density is linear.
-    places: Vec<Place<F>, PLACES>,
+    places: Vec<DensityPoint<F>, PLACES>,
     /// One over `d₀` \[1/m\].
-    per_deep: Moving<F>,
+    per_deep: WithSlope<F>,
     /// `l` \[m\]
-    reach: Moving<F>,
+    reach: WithSlope<F>,
     /// Number of places before the zone that has begun.
     begun: Option<usize>,
 }
@@ -49,27 +49,27 @@ pub(super) struct Zones<F> {
 /// A part of a zone along which the density is linear.
 pub(super) struct Stretch<F> {
     /// Where it begins \[m\].
-    pub from: Moving<F>,
+    pub from: WithSlope<F>,
     /// Where it ends \[m\].
-    pub to: Moving<F>,
+    pub to: WithSlope<F>,
     /// Density at both ends, from 0 to 1.
-    densities: [Moving<F>; 2],
+    densities: [WithSlope<F>; 2],
 }
 
 impl<F: Float> Stretch<F> {
     /// The integral of the density \[m\].
-    pub fn total(&self) -> Moving<F> {
+    pub fn total(&self) -> WithSlope<F> {
         let [one, two] = self.densities;
         (one + two).times(0.5) * (self.to - self.from)
     }
 
     /// Where the integral of the density from the beginning has a value \[m\].
-    pub fn place(&self, part: Moving<F>) -> Moving<F> {
+    pub fn place(&self, part: WithSlope<F>) -> WithSlope<F> {
         // ρ₀ t + (ρ₁ − ρ₀) t²/(2 L) = part, without cancellation
         let [one, two] = self.densities;
         let bend = (two - one) * part / (self.to - self.from);
         let square = one.squared() + bend.times(2.0);
-        let root = square.max(Moving::from_base(F::TINY)).sqrt();
+        let root = square.max(WithSlope::from_base(F::TINY)).sqrt();
         (self.from + part.times(2.0) / (one + root)).min(self.to)
     }
 }
@@ -77,14 +77,14 @@ impl<F: Float> Stretch<F> {
 impl<F: Float> Zones<F> {
     /// No zones.
     pub fn new() -> Self {
-        let (per_deep, reach) = (Moving::zero(), Moving::zero());
+        let (per_deep, reach) = (WithSlope::zero(), WithSlope::zero());
         Self { list: Vec::new(), places: Vec::new(), per_deep, reach, begun: None }
     }
 
     /// Hands every stretch to `take`, with the number of its zone.
     #[inline(never)]
     pub fn stretches(&self, take: &mut dyn FnMut(usize, &Stretch<F>)) {
-        let one = Moving::one();
+        let one = WithSlope::one();
         let mut rest = self.places.as_slice();
         for (number, count) in self.list.iter().enumerate() {
             let Some((own, after)) = rest.split_at_checked(*count) else { return };
@@ -111,7 +111,7 @@ impl<F: Float> Zones<F> {
     }
 
     /// Forgets all zones; depths are measured with the approach \[m\], slopes with the smoothing length \[m\].
-    pub fn clear(&mut self, approach: Moving<F>, smoothing: Moving<F>) {
+    pub fn clear(&mut self, approach: WithSlope<F>, smoothing: WithSlope<F>) {
         self.list.clear();
         self.places.clear();
         self.per_deep = approach.times(DEEP).inverse();
@@ -120,7 +120,7 @@ impl<F: Float> Zones<F> {
     }
 
     /// A zone begins at `y`, where the function has this value and slope. Without room the last zone goes on instead.
-    pub fn begin(&mut self, y: Moving<F>, of: [Moving<F>; 2]) {
+    pub fn begin(&mut self, y: WithSlope<F>, of: [WithSlope<F>; 2]) {
         let known = self.places.len();
         let room = !self.list.is_full() && known + 3 <= PLACES;
         let last = if room { None } else { self.list.pop() };
@@ -131,12 +131,12 @@ impl<F: Float> Zones<F> {
     /// The function has this value and slope at `y`, in the zone that has begun or at its end. (Of places where cells are as narrow as
     /// anywhere only the first and the last are kept.)
     #[inline(never)]
-    pub fn pass(&mut self, y: Moving<F>, [value, slope]: [Moving<F>; 2]) {
+    pub fn pass(&mut self, y: WithSlope<F>, [value, slope]: [WithSlope<F>; 2]) {
         let Some(begun) = self.begun else { return };
-        let depth = (-value).max(Moving::zero()) * self.per_deep;
+        let depth = (-value).max(WithSlope::zero()) * self.per_deep;
         let steepness = self.reach * slope * self.per_deep;
-        let place = Place { y, density: depth + steepness.squared() };
-        let deep = |place: &Place<F>| place.density.value >= F::one();
+        let place = DensityPoint { y, density: depth + steepness.squared() };
+        let deep = |place: &DensityPoint<F>| place.density.value >= F::one();
         let full = self.places.is_full();
         match self.places.get_mut(begun..) {
             Some([.., before, last]) if full || (deep(before) && deep(last) && deep(&place)) => {

@@ -11,10 +11,10 @@
 //! has the least energy. This load is within 3 % of Hertz's for axis ratios of 0.13 to 8.
 
 use crate::normal::density::{ZONES, Zones};
-use crate::normal::lattice::{Place, Places, lattice};
-use crate::normal::profile::{Moving, side_by_side};
+use crate::normal::layout::{CellPlace, CellPlaces, layout};
+use crate::normal::profile::{WithSlope, side_by_side};
 use crate::normal::smooth::Curve;
-use crate::number::registers::compiled_twice;
+use crate::number::registers::with_avx;
 use crate::number::{Arithmetic, Float, Strips};
 use heapless::Vec;
 
@@ -29,11 +29,11 @@ const COUNT: usize = 10;
 #[derive(Clone, Debug)]
 pub(super) struct Estimate<F> {
     /// `N/(π E*)` \[m²\]
-    pub load: Moving<F>,
+    pub load: WithSlope<F>,
     /// Edges of the places, each with what the load per width grows by there, `f q/(π E*)` \[m\].
-    edges: Vec<Moving<F>, EDGES>,
-    growth: Vec<Moving<F>, EDGES>,
-    breadth: Moving<F>,
+    edges: Vec<WithSlope<F>, EDGES>,
+    growth: Vec<WithSlope<F>, EDGES>,
+    breadth: WithSlope<F>,
 }
 
 /// Edges at most.
@@ -42,7 +42,7 @@ const EDGES: usize = 2 * (COUNT + ZONES);
 impl<F: Float> Estimate<F> {
     /// The load alone. (Out of line, so that only this function keeps the places.)
     #[inline(never)]
-    pub fn load(curve: &Curve<F>, approach: Moving<F>, radius: Moving<F>) -> Moving<F> {
+    pub fn load(curve: &Curve<F>, approach: WithSlope<F>, radius: WithSlope<F>) -> WithSlope<F> {
         let mut estimate = Self::nothing();
         estimate.fill(curve, approach, radius);
         estimate.load
@@ -50,23 +50,23 @@ impl<F: Float> Estimate<F> {
 
     /// No load.
     pub fn nothing() -> Self {
-        let zero = Moving::zero();
+        let zero = WithSlope::zero();
         Self { load: zero, edges: Vec::new(), growth: Vec::new(), breadth: zero }
     }
 
     /// The estimate for an approach, from none. (It is written where it stays: a copy would take room on the stack.)
     #[inline(never)]
-    pub fn fill(&mut self, curve: &Curve<F>, approach: Moving<F>, radius: Moving<F>) {
+    pub fn fill(&mut self, curve: &Curve<F>, approach: WithSlope<F>, radius: WithSlope<F>) {
         let level = approach.times(OVERLAP);
         let mut zones = Zones::new();
         curve.zones(approach, &mut zones, |_, height, slope| [height - level, slope]);
         let breadth = (radius * approach).times(1.1).sqrt().times(BREADTH);
-        let zero = Moving::zero();
-        let mut places: Places<F> = Vec::new();
-        lattice(&zones, COUNT, &mut places);
+        let zero = WithSlope::zero();
+        let mut places: CellPlaces<F> = Vec::new();
+        layout(&zones, COUNT, &mut places);
         self.breadth = breadth;
         let (mut work, mut load) = (zero, zero);
-        let mut depths: Vec<Moving<F>, EDGES> = Vec::new();
+        let mut depths: Vec<WithSlope<F>, EDGES> = Vec::new();
         for place in &places {
             let q = (level - curve.at(place.y)).max(zero);
             self.add(place, q);
@@ -86,10 +86,11 @@ impl<F: Float> Estimate<F> {
     }
 
     /// Adds the load per width of a place. Neighbours share an edge.
-    fn add(&mut self, place: &Place<F>, density: Moving<F>) {
+    fn add(&mut self, place: &CellPlace<F>, density: WithSlope<F>) {
         let half = place.width.times(0.5);
         let (lower, upper) = (place.y - half, place.y + half);
-        let shared = |edge: &Moving<F>| (edge.value - lower.value).abs() <= half.value.times(1e-4);
+        let shared =
+            |edge: &WithSlope<F>| (edge.value - lower.value).abs() <= half.value.times(1e-4);
         match self.growth.last_mut() {
             Some(growth) if self.edges.last().is_some_and(shared) => *growth += density,
             _ => {
@@ -102,8 +103,8 @@ impl<F: Float> Estimate<F> {
     }
 
     /// The deflection at `y`, and its slope along `y`.
-    pub fn deflection(&self, y: Moving<F>) -> [Moving<F>; 2] {
-        compiled_twice!(if 1 => <F: Float>(estimate: &Estimate<F> = self, y: Moving<F> = y) -> [Moving<F>; 2] {
+    pub fn deflection(&self, y: WithSlope<F>) -> [WithSlope<F>; 2] {
+        with_avx!(if 1 => <F: Float>(estimate: &Estimate<F> = self, y: WithSlope<F> = y) -> [WithSlope<F>; 2] {
             estimate.in_fours::<F::Four>(y)
         } {
             estimate.in_fours::<F::WideFour>(y)
@@ -112,7 +113,7 @@ impl<F: Float> Estimate<F> {
 
     /// `Σ growth arsinh((y − edge)/ε)`, four edges side by side, and its slope.
     #[inline(always)]
-    fn in_fours<P: Strips<F>>(&self, y: Moving<F>) -> [Moving<F>; 2] {
+    fn in_fours<P: Strips<F>>(&self, y: WithSlope<F>) -> [WithSlope<F>; 2] {
         let one = P::one();
         let inverse = self.breadth.inverse();
         let ([y_moved], [inverse_moved]) = (y.gradient, inverse.gradient);
@@ -137,7 +138,7 @@ impl<F: Float> Estimate<F> {
             *d += growth_moved * slope + growth * bend * moved;
         }
         let [a, b, c, d] = sums.map(P::total);
-        let slope = Moving { value: c, gradient: [d] };
-        [Moving { value: a, gradient: [b] }, slope * inverse]
+        let slope = WithSlope { value: c, gradient: [d] };
+        [WithSlope { value: a, gradient: [b] }, slope * inverse]
     }
 }

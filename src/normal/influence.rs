@@ -16,7 +16,7 @@
 use crate::number::Arithmetic;
 
 /// `A` or `C`: the polynomials `P` and `Q` and the power `q`.
-pub(crate) trait Edge {
+pub(crate) trait StripEdge {
     const PLAIN: [f64; 7];
     const WITH_LOG: [f64; 6];
     const FADING: u8;
@@ -40,7 +40,7 @@ pub(crate) trait Edge {
 /// `A`, with a relative error of 8.4e-6, and of 8.4e-5 in its slope, for every `t`.
 pub(crate) struct Deflection;
 
-impl Edge for Deflection {
+impl StripEdge for Deflection {
     const PLAIN: [f64; 7] =
         [2.77389045, 3.86121876, 26.01948635, -32.33292577, -50.12357968, 79.0367212, -26.27037052];
     const WITH_LOG: [f64; 6] =
@@ -51,7 +51,7 @@ impl Edge for Deflection {
 /// `C`, with a relative error of 6.0e-6, and of 3.3e-5 in its slope.
 pub(crate) struct Curvature;
 
-impl Edge for Curvature {
+impl StripEdge for Curvature {
     const PLAIN: [f64; 7] =
         [2.77402143, 4.12824714, 34.34429115, -109.0948159, 103.6252287, -32.63539871, 0.0];
     const WITH_LOG: [f64; 6] =

@@ -5,7 +5,7 @@
 //! 2. **Smoothing** over a length that follows from this width. Without smoothing the noise of measured points would act like
 //!    asperities (`Curve`).
 //! 3. **Estimate** of load and deflection by the least energy (`Estimate`), which gives `δ` again.
-//! 4. **Zones** where `h + 0.73 u < δ`, laid end to end, and cells on them (`lattice`).
+//! 4. **Zones** where `h + 0.73 u < δ`, laid end to end, and cells on them (`layout`).
 //! 5. The [normal problem](cells) on the cells. The pressures are solved for, then the lengths are corrected; this is done twice,
 //!    and the pressures are solved for once more.
 //!
@@ -16,23 +16,23 @@ pub mod cells;
 mod density;
 mod estimate;
 mod influence;
-mod lattice;
+mod layout;
 mod parabola;
 pub mod profile;
 mod smooth;
 
-use crate::contact::forces::StripCount;
 use crate::contact::material::{check_modulus, check_poisson_ratio};
+use crate::contact::totals::StripCount;
 use crate::normal::cells::{Cells, Equations, Given};
 use crate::normal::density::Zones;
 use crate::normal::estimate::{Estimate, OVERLAP};
-use crate::normal::lattice::{lattice, lean};
+use crate::normal::layout::{layout, lean};
 pub use crate::normal::profile::Profile;
-use crate::normal::profile::{Moving, invert};
+use crate::normal::profile::{WithSlope, invert};
 use crate::normal::smooth::{Curve, length_for};
 use crate::number::{Arithmetic, Float};
 use crate::patch::{Patch, PatchStrip};
-use crate::status::{Error, Notice};
+use crate::status::{Error, Warning};
 use core::f64::consts::PI;
 use heapless::Vec;
 
@@ -99,9 +99,9 @@ impl<F: Float> ProfileContact<F> {
         Ok(())
     }
 
-    fn smoothing(&self, half_width: Moving<F>) -> Moving<F> {
+    fn smoothing(&self, half_width: WithSlope<F>) -> WithSlope<F> {
         if self.smoothing_length > F::zero() {
-            Moving::from_base(self.smoothing_length)
+            WithSlope::from_base(self.smoothing_length)
         } else {
             length_for(half_width)
         }
@@ -130,7 +130,7 @@ pub struct Indentation<F> {
     /// Steps of the two searches for the approach, at most 60 each.
     pub iterations: u32,
     /// The status of this result: 0, or KSTRIP_WARNING_PROFILE_END where a zone of contact ends with the profile.
-    pub notice: Notice,
+    pub warning: Warning,
     /// Distance at that lowest point \[m\], or of the given points without contact: the bodies have moved by approach + lowest.
     pub lowest: F,
 }
@@ -158,7 +158,7 @@ impl<F: Float> Indentation<F> {
             peak_pressure: none,
             peak_y: first.times(0.5) + last.times(0.5),
             iterations: 0,
-            notice: Notice::None,
+            warning: Warning::None,
             lowest: profile.lowest,
         }
     }
@@ -180,7 +180,7 @@ impl<F: Float> Indentation<F> {
         }
         // N/(π E*), or the approach
         let unit = F::one() / contact.modulus().times(PI);
-        let input = Moving::input(value, 0);
+        let input = WithSlope::input(value, 0);
         let given = match contact.given {
             Given::Load(_) => Given::Load(input.scale(unit)),
             Given::Approach(_) => Given::Approach(input),
@@ -204,7 +204,7 @@ impl<F: Float> Indentation<F> {
                 _ => by_approach * modulus,
             },
             iterations,
-            notice: if at_end { Notice::ProfileEnd } else { Notice::None },
+            warning: if at_end { Warning::ProfileEnd } else { Warning::None },
             lowest: profile.lowest + lowest,
             ..Self::none(profile)
         };
@@ -238,7 +238,11 @@ impl<F: Float> Indentation<F> {
 
 /// Pressures and corrected lengths of the cells; the approach. (Out of line, lest the equations take room while the outline is made.)
 #[inline(never)]
-fn solved<F: Float>(cells: &mut Cells<F>, power: Moving<F>, given: Given<Moving<F>>) -> Moving<F> {
+fn solved<F: Float>(
+    cells: &mut Cells<F>,
+    power: WithSlope<F>,
+    given: Given<WithSlope<F>>,
+) -> WithSlope<F> {
     let mut equations = Equations::new();
     let mut pressed = cells.press(&mut equations, given);
     for _ in 0..PASSES {
@@ -251,9 +255,9 @@ fn solved<F: Float>(cells: &mut Cells<F>, power: Moving<F>, given: Given<Moving<
 /// What is known of the cells besides.
 struct Outline<F> {
     /// The load or the approach.
-    given: Given<Moving<F>>,
+    given: Given<WithSlope<F>>,
     /// Of a correction of the lengths.
-    power: Moving<F>,
+    power: WithSlope<F>,
     iterations: u32,
     /// Whether a zone ends with the profile.
     at_end: bool,
@@ -268,7 +272,7 @@ impl<F: Float> Outline<F> {
     fn new(
         profile: &Profile<F>,
         contact: &ProfileContact<F>,
-        given: Given<Moving<F>>,
+        given: Given<WithSlope<F>>,
         count: StripCount,
         cells: &mut Cells<F>,
     ) -> Result<Option<Self>, Error> {
@@ -295,17 +299,17 @@ impl<F: Float> Outline<F> {
             Given::Overlap(overlap) => overlap - curve.lowest,
             Given::Load(load) => {
                 curve.still = true;
-                let still_radius = Moving::from_base(radius_there.value);
+                let still_radius = WithSlope::from_base(radius_there.value);
                 let load_at = |approach| Estimate::load(&curve, approach, still_radius);
                 let (found, steps) = invert(load, first.value, load_at).ok_or(Error::Overflow)?;
                 curve.still = false;
                 iterations += steps;
                 // f(δ, c) = N, the curve c depending on N: dδ/dN = (1 − ∂f/∂c dc/dN)/(∂f/∂δ)
-                let here = Moving::from_base(found.value);
+                let here = WithSlope::from_base(found.value);
                 let [by_curve] = Estimate::load(&curve, here, radius_there).gradient;
                 let ([by_load], [unit]) = (found.gradient, load.gradient);
                 let rest = F::one() - by_curve / unit;
-                Moving { value: found.value, gradient: [by_load * rest] }
+                WithSlope { value: found.value, gradient: [by_load * rest] }
             }
         };
         if approach.value <= F::zero() {
@@ -318,7 +322,7 @@ impl<F: Float> Outline<F> {
         let mut zones = Zones::new();
         let at_end = touching(&curve, approach, radius_there, &mut zones);
         let mut places = Vec::new();
-        let width = lattice(&zones, number_of_cells(count), &mut places);
+        let width = layout(&zones, number_of_cells(count), &mut places);
         lean(&mut places);
         let first_lengths = Lengths::new(width, section.rolling_radius, approach);
         cells.place(&places, |y| {
@@ -337,8 +341,8 @@ impl<F: Float> Outline<F> {
 #[inline(never)]
 fn touching<F: Float>(
     curve: &Curve<F>,
-    approach: Moving<F>,
-    radius: Moving<F>,
+    approach: WithSlope<F>,
+    radius: WithSlope<F>,
     zones: &mut Zones<F>,
 ) -> bool {
     let mut estimate = Estimate::nothing();
@@ -356,26 +360,26 @@ fn touching<F: Float>(
 
 /// First half lengths: those of an ellipse at whose rim the undeformed bodies are `λ δ` apart when they approach by `δ`.
 struct Lengths<F> {
-    rim: Moving<F>,
+    rim: WithSlope<F>,
     /// About the logarithm of the axis ratio, times 1.13.
-    slenderness: Moving<F>,
-    approach: Moving<F>,
+    slenderness: WithSlope<F>,
+    approach: WithSlope<F>,
 }
 
 impl<F: Float> Lengths<F> {
-    fn new(width: Moving<F>, radius: Moving<F>, approach: Moving<F>) -> Self {
+    fn new(width: WithSlope<F>, radius: WithSlope<F>, approach: WithSlope<F>) -> Self {
         let ratio = width.times(1.0 / 2.1) / (radius * approach).sqrt();
         let logarithm = ratio.value.ln_quotient(F::one());
-        let logarithm = Moving::composed(logarithm, [F::one() / ratio.value], [ratio]);
+        let logarithm = WithSlope::composed(logarithm, [F::one() / ratio.value], [ratio]);
         let x = logarithm.times(1.13);
         let rim = (x / x.squared().times(1.53).plus(16.2).sqrt()).plus(1.0).times(0.5);
         Self { rim, slenderness: x, approach }
     }
 
     /// `a² = 2 R (1 − λ)(δ − h/λ)`, and at least about `0.06 R δ`.
-    fn at(&self, height: Moving<F>, radius: Moving<F>) -> Moving<F> {
+    fn at(&self, height: WithSlope<F>, radius: WithSlope<F>) -> WithSlope<F> {
         let double = radius.times(2.0);
-        let square = double * (Moving::one() - self.rim) * (self.approach - height / self.rim);
+        let square = double * (WithSlope::one() - self.rim) * (self.approach - height / self.rim);
         let least = (radius * self.approach).times(LEAST_SQUARE);
         let apart = square - least;
         let root = (apart.squared() + least.squared()).sqrt();
@@ -384,16 +388,16 @@ impl<F: Float> Lengths<F> {
 
     /// The power of a correction of the lengths. A correction of one length changes the condition at its neighbours as well, less so in
     /// slender patches.
-    fn power(&self, given: Given<Moving<F>>) -> Moving<F> {
+    fn power(&self, given: Given<WithSlope<F>>) -> WithSlope<F> {
         let more = match given {
             // 1.6/(1 + (g/0.6)^1.3)
             Given::Load(_) => {
                 let logarithm = self.slenderness.plus(0.510_825_623_765_990_7).times(1.3);
                 let power = logarithm.value.min(F::of(60.0)).exp();
-                let power = Moving::composed(power, [power], [logarithm]);
+                let power = WithSlope::composed(power, [power], [logarithm]);
                 power.plus(1.0).inverse().times(1.6)
             }
-            _ => Moving::constant(0.1),
+            _ => WithSlope::constant(0.1),
         };
         more.plus(2.0).inverse().times(POWER)
     }
@@ -408,7 +412,7 @@ impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
     /// # Example
     /// A wheel of 0.46 m radius on a rail head of 0.30 m:
     /// ```
-    /// use kstrip::contact::forces::StripCount;
+    /// use kstrip::contact::totals::StripCount;
     /// use kstrip::{patch::Patch, normal::{Profile, ProfileContact, cells::Given}};
     /// let y: [f64; 41] = core::array::from_fn(|i| (i as f64 - 20.0) * 0.5e-3);
     /// let distance = y.map(|y| y * y / (2.0 * 0.30));

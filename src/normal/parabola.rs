@@ -2,8 +2,8 @@
 //!
 //! The weight of a point is `(1 − x²)³`, where `x` is its distance over the smoothing length `s`, times the length that it stands for.
 
-use crate::normal::profile::{Moving, Profile};
-use crate::number::registers::compiled_twice;
+use crate::normal::profile::{Profile, WithSlope};
+use crate::number::registers::with_avx;
 use crate::number::{Arithmetic, Float, Strips};
 
 /// Smoothing length over the distance of neighbouring points, at least.
@@ -12,9 +12,9 @@ pub(super) const STEPS: f64 = 2.5;
 /// Height and slope of the parabola about a place.
 pub(super) fn parabola<F: Float>(
     profile: &Profile<F>,
-    place: Moving<F>,
-    length: Moving<F>,
-) -> (Moving<F>, Moving<F>) {
+    place: WithSlope<F>,
+    length: WithSlope<F>,
+) -> (WithSlope<F>, WithSlope<F>) {
     // s² = s₀² + (2.5 steps)²
     let length = (length.squared() + spacing(profile, place).squared()).sqrt();
     let y = place.value;
@@ -27,15 +27,15 @@ pub(super) fn parabola<F: Float>(
     let of = |list: &[F], k: usize| {
         let at = |k: usize| list.get(k).copied().unwrap_or(F::zero());
         let (low, middle, high) = (at(k), at(k + 1), at(k + 2));
-        Moving { value: low - high, gradient: [(high * relative + middle * shifted).times(6.0)] }
+        WithSlope { value: low - high, gradient: [(high * relative + middle * shifted).times(6.0)] }
     };
-    let m: [Moving<F>; 5] = core::array::from_fn(|k| of(&moments, k));
-    let s: [Moving<F>; 3] = core::array::from_fn(|k| of(&sums, k));
+    let m: [WithSlope<F>; 5] = core::array::from_fn(|k| of(&moments, k));
+    let s: [WithSlope<F>; 3] = core::array::from_fn(|k| of(&sums, k));
     let [m0, m1, m2, m3, m4] = m;
     let [s0, s1, s2] = s;
     // (two points alone, where x² does not vary, make a line)
-    let ridge = Moving::from_base(F::EPSILON.sqrt().times(0.1));
-    let varies = (m0 * m4 - m2.squared()).max(Moving::zero()) * m0.squared().inverse();
+    let ridge = WithSlope::from_base(F::EPSILON.sqrt().times(0.1));
+    let varies = (m0 * m4 - m2.squared()).max(WithSlope::zero()) * m0.squared().inverse();
     let m4 = m4 + m0 * ridge.squared() * (varies + ridge).inverse();
     let [c00, c01, c02] = [m2 * m4 - m3 * m3, m2 * m3 - m1 * m4, m1 * m3 - m2 * m2];
     let [c11, c12] = [m0 * m4 - m2 * m2, m1 * m2 - m0 * m3];
@@ -45,7 +45,7 @@ pub(super) fn parabola<F: Float>(
     let bend = (s0 * c02 + s1 * c12 + s2 * (m0 * m2 - m1 * m1)) * scale;
     // the same parabola about the place that has moved
     let moved =
-        |x: Moving<F>, slope: F| x + Moving { value: F::zero(), gradient: [slope * shifted] };
+        |x: WithSlope<F>, slope: F| x + WithSlope { value: F::zero(), gradient: [slope * shifted] };
     let (height, slope) =
         (moved(height, slope.value), moved(slope, bend.value.times(2.0)).scale(inverse));
     (height, slope)
@@ -54,7 +54,7 @@ pub(super) fn parabola<F: Float>(
 /// `Σ w (1 − x²)² xᵏ` over the points with `|x| < 1`, `x` the distance from `y` times `inverse` and `w` the length that a point stands for;
 /// and the same sums with the heights of the points.
 fn moments<F: Float>(profile: &Profile<F>, y: F, inverse: F) -> ([F; 7], [F; 5]) {
-    compiled_twice!(if 1 => <F: Float>(profile: &Profile<F> = profile, y: F = y, inverse: F = inverse) -> ([F; 7], [F; 5]) {
+    with_avx!(if 1 => <F: Float>(profile: &Profile<F> = profile, y: F = y, inverse: F = inverse) -> ([F; 7], [F; 5]) {
         moments_in_fours::<F, F::Four>(profile, y, inverse)
     } {
         moments_in_fours::<F, F::WideFour>(profile, y, inverse)
@@ -107,7 +107,7 @@ fn four<F: Float, P: Strips<F>>(list: &[F], first: usize) -> P {
 }
 
 /// 2.5 steps of the profile at `y`, straight between its points; at least 1.25 times the gap that `y` lies in.
-fn spacing<F: Float>(profile: &Profile<F>, place: Moving<F>) -> Moving<F> {
+fn spacing<F: Float>(profile: &Profile<F>, place: WithSlope<F>) -> WithSlope<F> {
     let (places, y) = (profile.y, place.value);
     let last = places.len().saturating_sub(1);
     let next = places.partition_point(|place| *place < y).min(last).max(1);

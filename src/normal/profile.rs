@@ -5,11 +5,11 @@ use crate::number::{Arithmetic, Float, Strips, are_finite};
 use crate::status::Error;
 
 /// A number and its derivative by the load or the approach that is given.
-pub(super) type Moving<F> = Dual<F, 1>;
+pub(super) type WithSlope<F> = Dual<F, 1>;
 
 /// Four such numbers side by side, and their derivatives; where there are fewer, `other` and 0.
 #[inline(always)]
-pub(super) fn side_by_side<F: Float, P: Strips<F>>(four: &[Moving<F>], other: F) -> [P; 2] {
+pub(super) fn side_by_side<F: Float, P: Strips<F>>(four: &[WithSlope<F>], other: F) -> [P; 2] {
     let value = P::gather(|k| four.get(k).map_or(other, |own| own.value));
     let gradient = P::gather(|k| four.get(k).map_or(F::zero(), |own| own.gradient[0]));
     [value, gradient]
@@ -44,9 +44,9 @@ pub struct Profile<'a, F> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Section<F> {
     /// Half the width of the parabola of the same volume \[m\].
-    pub half_width: Moving<F>,
+    pub half_width: WithSlope<F>,
     /// Rolling radius, its mean over the volume \[m\].
-    pub rolling_radius: Moving<F>,
+    pub rolling_radius: WithSlope<F>,
 }
 
 impl<'a, F: Float> Profile<'a, F> {
@@ -131,19 +131,19 @@ impl<'a, F: Float> Profile<'a, F> {
         if self.centre_x.is_empty() {
             return F::zero();
         }
-        self.between(self.centre_x, Moving::from_base(y)).value
+        self.between(self.centre_x, WithSlope::from_base(y)).value
     }
 
     /// The rolling radius at a place; `otherwise` is that of the contact.
-    pub(super) fn rolling_radius(&self, y: Moving<F>, otherwise: F) -> Moving<F> {
+    pub(super) fn rolling_radius(&self, y: WithSlope<F>, otherwise: F) -> WithSlope<F> {
         if self.rolling_radius.is_empty() {
-            return Moving::from_base(otherwise);
+            return WithSlope::from_base(otherwise);
         }
         self.between(self.rolling_radius, y)
     }
 
     /// Interpolates linearly between the points.
-    fn between(&self, list: &[F], y: Moving<F>) -> Moving<F> {
+    fn between(&self, list: &[F], y: WithSlope<F>) -> WithSlope<F> {
         let next = self
             .y
             .partition_point(|place| *place < y.value)
@@ -152,14 +152,14 @@ impl<'a, F: Float> Profile<'a, F> {
         let at = |list: &[F], i: usize| list.get(i).copied().unwrap_or(F::zero());
         let (from, to) = (at(self.y, next - 1), at(self.y, next));
         let (before, after) = (at(list, next - 1), at(list, next));
-        (y - Moving::from_base(from)).scale((after - before) / (to - from)).shift(before)
+        (y - WithSlope::from_base(from)).scale((after - before) / (to - from)).shift(before)
     }
 
     /// `V = ∫ (h₀ − h) dy` over the overlap at `h₀ = 0.55 δ`; `radius` that of a contact whose profile has none.
-    pub(super) fn section(&self, approach: Moving<F>, radius: F) -> Section<F> {
+    pub(super) fn section(&self, approach: WithSlope<F>, radius: F) -> Section<F> {
         let level = approach.times(SECTION);
-        let mut volume = Moving::from_base(F::TINY);
-        let mut moment = Moving::from_base(radius * F::TINY);
+        let mut volume = WithSlope::from_base(F::TINY);
+        let mut moment = WithSlope::from_base(radius * F::TINY);
         // straight pieces between the points
         for (k, ends) in self.distance.windows(2).enumerate() {
             let [from, to] = ends else { continue };
@@ -185,7 +185,7 @@ impl<'a, F: Float> Profile<'a, F> {
 
     /// About the load over `E*`: of the ellipse with `a² = 1.1 R δ` and the width of the section,
     /// `N = (4/3) E* δ M(a, b)` with Gauss's mean `M`.
-    pub(super) fn load(&self, approach: Moving<F>, radius: F) -> Moving<F> {
+    pub(super) fn load(&self, approach: WithSlope<F>, radius: F) -> WithSlope<F> {
         let Section { half_width, rolling_radius } = self.section(approach, radius);
         let mut a = (rolling_radius * approach).times(2.0 * SECTION).sqrt();
         let mut b = half_width;
@@ -202,10 +202,10 @@ impl<'a, F: Float> Profile<'a, F> {
 /// Where a function that rises with its argument has the value `wanted`: Newton's steps in logarithms between brackets, the
 /// last without a test, so that derivatives are those of the inverse function. `None` beyond the range of the numbers.
 pub(super) fn invert<F: Float>(
-    wanted: Moving<F>,
+    wanted: WithSlope<F>,
     start: F,
-    mut function: impl FnMut(Moving<F>) -> Moving<F>,
-) -> Option<(Moving<F>, u32)> {
+    mut function: impl FnMut(WithSlope<F>) -> WithSlope<F>,
+) -> Option<(WithSlope<F>, u32)> {
     let (mut low, mut high) = (F::zero(), F::LARGEST);
     let mut x = start;
     let close = F::EPSILON.sqrt().max(F::of(1e-5));

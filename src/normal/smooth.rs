@@ -6,7 +6,7 @@
 
 use crate::normal::density::Zones;
 use crate::normal::parabola::{STEPS, parabola};
-use crate::normal::profile::{Moving, Profile};
+use crate::normal::profile::{Profile, WithSlope};
 use crate::number::{Arithmetic, Float};
 use heapless::Vec;
 
@@ -28,9 +28,9 @@ const STUB: f64 = 1e-3;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Knot<F> {
     /// Moves with the smoothing length.
-    pub y: Moving<F>,
-    pub height: Moving<F>,
-    pub slope: Moving<F>,
+    pub y: WithSlope<F>,
+    pub height: WithSlope<F>,
+    pub slope: WithSlope<F>,
     /// Whether a piece joins this knot to the one before.
     joined: bool,
 }
@@ -38,12 +38,16 @@ pub(super) struct Knot<F> {
 /// `c₀ + c₁ t + c₂ t² + c₃ t³` over `t` from 0 to a length.
 #[derive(Clone, Copy)]
 struct Cubic<F> {
-    c: [Moving<F>; 4],
-    length: Moving<F>,
+    c: [WithSlope<F>; 4],
+    length: WithSlope<F>,
 }
 
 impl<F: Float> Cubic<F> {
-    fn new(length: Moving<F>, [from, slope]: [Moving<F>; 2], [to, end]: [Moving<F>; 2]) -> Self {
+    fn new(
+        length: WithSlope<F>,
+        [from, slope]: [WithSlope<F>; 2],
+        [to, end]: [WithSlope<F>; 2],
+    ) -> Self {
         let inverse = length.inverse();
         let rise = (to - from) * inverse;
         let c2 = (rise.times(3.0) - slope.times(2.0) - end) * inverse;
@@ -51,19 +55,19 @@ impl<F: Float> Cubic<F> {
         Self { c: [from, slope, c2, c3], length }
     }
 
-    fn at(&self, t: Moving<F>) -> Moving<F> {
+    fn at(&self, t: WithSlope<F>) -> WithSlope<F> {
         let [c0, c1, c2, c3] = self.c;
         c0 + t * (c1 + t * (c2 + t * c3))
     }
 
-    fn slope(&self, t: Moving<F>) -> Moving<F> {
+    fn slope(&self, t: WithSlope<F>) -> WithSlope<F> {
         let [_, c1, c2, c3] = self.c;
         c1 + t * (c2.times(2.0) + t * c3.times(3.0))
     }
 
     /// The places of the beginning, the two extremes and the end.
-    fn cuts(&self) -> [Moving<F>; 4] {
-        let (length, zero) = (self.length, Moving::zero());
+    fn cuts(&self) -> [WithSlope<F>; 4] {
+        let (length, zero) = (self.length, WithSlope::zero());
         let [_, c1, c2, c3] = self.c;
         // c₁ + 2 c₂ t + 3 c₃ t² = 0 without cancellation
         let root = (c2.squared() - c1 * c3.times(3.0)).value;
@@ -77,9 +81,9 @@ impl<F: Float> Cubic<F> {
                 // dt = −(dc₁ + 2 t dc₂ + 3 t² dc₃)/(2 c₂ + 6 c₃ t)
                 let bend = half.times(2.0) + (c3.value * t).times(6.0);
                 let steep = if bend.abs() > F::TINY { F::one() / bend } else { F::zero() };
-                let t = Moving::from_base(moves);
+                let t = WithSlope::from_base(moves);
                 let [moved] = self.slope(t).gradient;
-                Moving { value: moves, gradient: [-(moved * steep)] }
+                WithSlope { value: moves, gradient: [-(moved * steep)] }
             };
             let (one, two) = (inside(c1.value / q), inside(q / c3.value.times(3.0)));
             cuts = [zero, one.min(two), one.max(two), length];
@@ -93,19 +97,19 @@ impl<F: Float> Cubic<F> {
 pub(super) struct Curve<F> {
     pub knots: Vec<Knot<F>, KNOTS>,
     /// Its lowest point.
-    pub lowest: Moving<F>,
+    pub lowest: WithSlope<F>,
     /// Ends of the profile.
     ends: [F; 2],
     /// Smoothing length \[m\].
-    length: Moving<F>,
+    length: WithSlope<F>,
     /// Whether the curve counts as constant, without its derivatives by load or approach.
     pub still: bool,
 }
 
 /// The smoothing length without regard to the points: half the width of a narrow contact, 2 mm of a wide one.
-pub(super) fn length_for<F: Float>(half_width: Moving<F>) -> Moving<F> {
+pub(super) fn length_for<F: Float>(half_width: WithSlope<F>) -> WithSlope<F> {
     let narrow = half_width.times(2.0 * SHARE);
-    let widest = Moving::from_base(F::of(WIDEST));
+    let widest = WithSlope::from_base(F::of(WIDEST));
     // (m⁻⁴ + c⁻⁴)^(−1/4)
     let (small, large) = (narrow.min(widest), narrow.max(widest));
     let ratio = (small / large).squared().squared();
@@ -115,23 +119,23 @@ pub(super) fn length_for<F: Float>(half_width: Moving<F>) -> Moving<F> {
 impl<F: Float> Curve<F> {
     /// The curve of a profile smoothed over a length, where its points are less than `level` above the lowest.
     #[inline(never)]
-    pub fn new(profile: &Profile<F>, length: Moving<F>, level: F) -> Self {
+    pub fn new(profile: &Profile<F>, length: WithSlope<F>, level: F) -> Self {
         let [first, last] = profile.ends;
         let whole = last - first;
-        let length = length.min(Moving::from_base(whole));
+        let length = length.min(WithSlope::from_base(whole));
         let floor = profile.step.times(STEPS);
         // s² = s₀² + (2.5 steps)², about as the parabolas have it
         let smooth = length.squared().shift(floor * floor).sqrt();
         let mut step = smooth.times(1.0 / KNOTS_TO_A_LENGTH);
-        let least = Moving::from_base(whole.times(1.0 / PIECES));
+        let least = WithSlope::from_base(whole.times(1.0 / PIECES));
         step = step.max(least);
-        let lowest = Moving::from_base(F::zero());
+        let lowest = WithSlope::from_base(F::zero());
         let mut curve =
             Self { knots: Vec::new(), lowest, ends: profile.ends, length: smooth, still: false };
         while !curve.fill(profile, length, level, step) && step.value < whole {
             step = step.times(2.0);
         }
-        let mut lowest = Moving::from_base(F::LARGEST);
+        let mut lowest = WithSlope::from_base(F::LARGEST);
         curve.pieces(
             |knot| [knot.height, knot.slope],
             |_, cubic| {
@@ -145,7 +149,13 @@ impl<F: Float> Curve<F> {
     }
 
     /// Places knots where the profile is low: at equal steps to both sides of its middle, and at its ends. Returns whether there was room.
-    fn fill(&mut self, profile: &Profile<F>, length: Moving<F>, level: F, step: Moving<F>) -> bool {
+    fn fill(
+        &mut self,
+        profile: &Profile<F>,
+        length: WithSlope<F>,
+        level: F,
+        step: WithSlope<F>,
+    ) -> bool {
         self.knots.clear();
         let ([from, to], middle) = (profile.ends, profile.middle);
         // numbers of the knots next to the ends, which are knots themselves
@@ -160,9 +170,9 @@ impl<F: Float> Curve<F> {
         let (low_end, high_end) = (number(from, -1.0), number(to, 1.0));
         let at = |knot: i32| {
             if knot <= low_end {
-                Moving::from_base(from)
+                WithSlope::from_base(from)
             } else if knot >= high_end {
-                Moving::from_base(to)
+                WithSlope::from_base(to)
             } else {
                 step.scale(F::widened(knot as f32)).shift(middle)
             }
@@ -223,7 +233,7 @@ impl<F: Float> Curve<F> {
     /// Hands every piece to `take`, with the cubic through the value and the slope that `of` gives at its knots.
     fn pieces(
         &self,
-        of: impl Fn(&Knot<F>) -> [Moving<F>; 2],
+        of: impl Fn(&Knot<F>) -> [WithSlope<F>; 2],
         mut take: impl FnMut(&Knot<F>, &Cubic<F>),
     ) {
         for (knot, next) in self.knots.iter().zip(self.knots.iter().skip(1)) {
@@ -233,17 +243,17 @@ impl<F: Float> Curve<F> {
         }
     }
 
-    fn seen(&self, x: Moving<F>) -> Moving<F> {
-        if self.still { Moving::from_base(x.value) } else { x }
+    fn seen(&self, x: WithSlope<F>) -> WithSlope<F> {
+        if self.still { WithSlope::from_base(x.value) } else { x }
     }
 
     /// Place, height above the lowest point, and slope of a knot.
-    fn knot(&self, Knot { y, height, slope, .. }: &Knot<F>) -> [Moving<F>; 3] {
+    fn knot(&self, Knot { y, height, slope, .. }: &Knot<F>) -> [WithSlope<F>; 3] {
         [self.seen(*y), self.seen(*height - self.lowest), self.seen(*slope)]
     }
 
     /// Height above the lowest point.
-    pub fn at(&self, y: Moving<F>) -> Moving<F> {
+    pub fn at(&self, y: WithSlope<F>) -> WithSlope<F> {
         let next = self.knots.partition_point(|knot| knot.y.value < y.value);
         let next = next.min(self.knots.len().saturating_sub(1)).max(1);
         match self.knots.get(next - 1..=next) {
@@ -251,7 +261,7 @@ impl<F: Float> Curve<F> {
                 let ([from, height, slope], [to, high, steep]) = (self.knot(knot), self.knot(end));
                 Cubic::new(to - from, [height, slope], [high, steep]).at(y - from)
             }
-            _ => Moving::from_base(F::zero()),
+            _ => WithSlope::from_base(F::zero()),
         }
     }
 
@@ -260,9 +270,9 @@ impl<F: Float> Curve<F> {
     /// a copy would take room on the stack.)
     pub fn zones(
         &self,
-        approach: Moving<F>,
+        approach: WithSlope<F>,
         zones: &mut Zones<F>,
-        of: impl Fn(Moving<F>, Moving<F>, Moving<F>) -> [Moving<F>; 2],
+        of: impl Fn(WithSlope<F>, WithSlope<F>, WithSlope<F>) -> [WithSlope<F>; 2],
     ) -> bool {
         zones.clear(approach, self.seen(self.length));
         let [start, finish] = self.ends;
@@ -271,7 +281,7 @@ impl<F: Float> Curve<F> {
             let [y, height, slope] = self.knot(knot);
             of(y, height, slope)
         };
-        let mut last: Option<(Moving<F>, [Moving<F>; 2])> = None;
+        let mut last: Option<(WithSlope<F>, [WithSlope<F>; 2])> = None;
         let next = self.knots.iter().skip(1).map(Some).chain([None]);
         for (knot, next) in self.knots.iter().zip(next) {
             let own = match last {
@@ -304,7 +314,7 @@ impl<F: Float> Curve<F> {
                 continue;
             }
             let heights = Cubic::new(step, [height, slope], [high, steep]);
-            let exact = |t: Moving<F>| of(t + y, heights.at(t), heights.slope(t));
+            let exact = |t: WithSlope<F>| of(t + y, heights.at(t), heights.slope(t));
             // extremes of the profile, and those of the function as a cubic
             let ([zero, a, b, _], [_, c, d, length]) =
                 (heights.cuts(), Cubic::new(step, own, end).cuts());
@@ -349,14 +359,14 @@ impl<F: Float> Curve<F> {
 
 /// The place where a function is zero between two places of different sign, by Newton's steps between brackets.
 fn root<F: Float>(
-    of: impl Fn(Moving<F>) -> [Moving<F>; 2],
+    of: impl Fn(WithSlope<F>) -> [WithSlope<F>; 2],
     mut negative: F,
     mut positive: F,
-) -> Moving<F> {
+) -> WithSlope<F> {
     let mut t = negative.times(0.5) + positive.times(0.5);
     let small = (positive - negative).abs() * F::EPSILON.times(4.0);
     for _ in 0..60 {
-        let [value, slope] = of(Moving::from_base(t)).map(|x| x.value);
+        let [value, slope] = of(WithSlope::from_base(t)).map(|x| x.value);
         if value < F::zero() {
             negative = t
         } else {
@@ -372,8 +382,8 @@ fn root<F: Float>(
             break;
         }
     }
-    let [value, slope] = of(Moving::from_base(t));
+    let [value, slope] = of(WithSlope::from_base(t));
     // (the width of a zone that just appears grows infinitely fast, and carries nothing)
     let steep = if slope.value.abs() > F::TINY { F::one() / slope.value } else { F::zero() };
-    Moving { value: t, gradient: value.gradient.map(|d| -(d * steep)) }
+    WithSlope { value: t, gradient: value.gradient.map(|d| -(d * steep)) }
 }

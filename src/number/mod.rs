@@ -328,10 +328,10 @@ pub(crate) fn chosen<T: Number, const N: usize>(by: T, yes: [T; N], mut no: [T; 
     no
 }
 
-/// `either!(by, yes, no)`: as [`chosen`]; what no number needs is not computed.
+/// `branch_or_blend!(by, yes, no)`: as [`chosen`]; what no number needs is not computed.
 ///
 /// (No function of closures: the code of numbers side by side must stand inside that of their caller.)
-macro_rules! either {
+macro_rules! branch_or_blend {
     ($by:expr, $yes:block, $no:block) => {{
         use crate::number::{Real as _, chosen};
         let by = $by;
@@ -346,7 +346,7 @@ macro_rules! either {
         }
     }};
 }
-pub(crate) use either;
+pub(crate) use branch_or_blend;
 
 /// Two numbers side by side.
 pub trait Pair<T: Number>: Arithmetic<Value = <T::Base as Number>::Pair> {

@@ -113,21 +113,21 @@ pub(crate) const HAS_WIDE_CODE: bool = cfg!(all(target_arch = "x86_64", not(debu
 /// Whether there are registers of 256 bits.
 #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
 #[inline]
-pub(crate) fn are_wide() -> bool {
+pub(crate) fn has_avx() -> bool {
     #[cfg(target_arch = "x86_64")]
-    return x86::are_wide();
+    return x86::has_avx();
     #[cfg(not(target_arch = "x86_64"))]
     false
 }
 
-/// `compiled_twice!(if N => <T: Number>(a: A, b: B = value) -> R { code })`: code that is there once for each kind of number `T`, whoever calls it,
+/// `with_avx!(if N => <T: Number>(a: A, b: B = value) -> R { code })`: code that is there once for each kind of number `T`, whoever calls it,
 /// and once more for wide registers. With `{ code } { other }` the other is that for wide registers. The code sees its arguments only: `a` is the
 /// caller's variable of this name. Code of contacts side by side, `N` of them, stands inside their caller, who knows the registers.
-macro_rules! compiled_twice {
+macro_rules! with_avx {
     (@ $name:ident) => { $name };
     (@ $name:ident $value:expr) => { $value };
     (if $lanes:expr => <$($T:ident: $bound:path),*$(; $($N:ident),*)?>($($name:ident: $type:ty $(= $value:expr)?),*) -> $result:ty $code:block) => {
-        $crate::number::registers::compiled_twice!(if $lanes => <$($T: $bound),*$(; $($N),*)?>($($name: $type $(= $value)?),*) -> $result $code $code)
+        $crate::number::registers::with_avx!(if $lanes => <$($T: $bound),*$(; $($N),*)?>($($name: $type $(= $value)?),*) -> $result $code $code)
     };
     (if $lanes:expr => <$($T:ident: $bound:path),*$(; $($N:ident),*)?>($($name:ident: $type:ty $(= $value:expr)?),*) -> $result:ty $code:block $wide:block) => {{
         #[cfg(target_arch = "x86_64")]
@@ -136,24 +136,24 @@ macro_rules! compiled_twice {
         #[inline(never)]
         fn narrow<$($T: $bound,)* $($(const $N: usize),*)?>($($name: $type),*) -> $result $code
         if $lanes > 1 {
-            $(let $name: $type = $crate::number::registers::compiled_twice!(@ $name $($value)?);)*
+            $(let $name: $type = $crate::number::registers::with_avx!(@ $name $($value)?);)*
             return $code;
         }
         // (one call for both, which writes its result where the caller wants it)
         #[allow(unused_mut)]
         let mut code: unsafe fn($($type),*) -> $result = narrow;
         #[cfg(target_arch = "x86_64")]
-        if $crate::number::registers::HAS_WIDE_CODE && $crate::number::registers::are_wide() {
+        if $crate::number::registers::HAS_WIDE_CODE && $crate::number::registers::has_avx() {
             code = wide;
         }
         // SAFETY: the processor was asked.
         #[allow(unsafe_code)]
         unsafe {
-            code($($crate::number::registers::compiled_twice!(@ $name $($value)?)),*)
+            code($($crate::number::registers::with_avx!(@ $name $($value)?)),*)
         }
     }};
 }
-pub(crate) use compiled_twice;
+pub(crate) use with_avx;
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {
@@ -168,7 +168,7 @@ mod x86 {
     /// Whether the processor has registers of 256 bits and the system keeps them: asked once, because under a hypervisor the
     /// question takes microseconds. It is the only thing that the library remembers, and no result depends on it.
     #[inline]
-    pub fn are_wide() -> bool {
+    pub fn has_avx() -> bool {
         avx::get()
     }
 

@@ -1,14 +1,14 @@
 //! The tangential field of a patch that is given by its strips.
 
 use crate::contact::creepage::Creepage;
+use crate::forces::Model;
+use crate::forces::field::{FieldPoint, strip_point};
 use crate::number::Float;
-use crate::patch::shares::{Units, law};
-use crate::patch::slip::{Slip, rigid_slip};
+use crate::patch::shares::{ZoneUnits, law};
+use crate::patch::slip::{PatchSlip, rigid_slip};
 use crate::patch::solver::Problem;
 use crate::patch::{PatchStrip, PatchView};
-use crate::solve::field::{FieldPoint, strip_point};
-use crate::solve::model::Model;
-use crate::status::{Error, Notice};
+use crate::status::{Error, Warning};
 use crate::strip::{Distribution, StripGeometry};
 use crate::strip_1967::strip::{Strip, StripPoint};
 
@@ -20,19 +20,19 @@ use crate::strip_1967::strip::{Strip, StripPoint};
 pub struct PatchField<'a, F> {
     problem: Problem<'a, F>,
     /// The warning of the solution, if there is one.
-    pub notice: Notice,
+    pub warning: Warning,
 }
 
 /// A strip of a [`PatchField`].
 #[derive(Clone, Copy, Debug)]
 pub struct PatchFieldStrip<F: Float> {
     strip: PatchStrip<F>,
-    law: Tractions<F>,
+    law: PatchTractions<F>,
 }
 
 /// The traction law of a strip.
 #[derive(Clone, Copy, Debug)]
-enum Tractions<F: Float> {
+enum PatchTractions<F: Float> {
     /// The theory of 1967, and the unit of slip.
     Strip1967(Strip<F>, F),
     /// STRIP, and the unit of slip.
@@ -60,7 +60,7 @@ impl<'a, F: Float> PatchField<'a, F> {
         if !(traction * slip).is_finite_number() {
             return Err(Error::Overflow);
         }
-        Ok(Self { problem, notice: problem.notice() })
+        Ok(Self { problem, warning: problem.warning() })
     }
 
     /// The strip through `y` \[m\]; `None` outside the patch and in its gaps.
@@ -84,12 +84,12 @@ impl<'a, F: Float> PatchField<'a, F> {
         let law = if self.problem.model == Model::Strip {
             let zone = view.zone(number)?;
             let factors = [F::one(), F::one()];
-            let (rolling, _) = law(&zone, &Slip::new(creepage), strip.centre_x, factors);
-            let line = Units::new(&zone).geometry(strip, F::zero());
-            Tractions::Strip(rolling, line, zone.contact.slip_scale())
+            let (rolling, _) = law(&zone, &PatchSlip::new(creepage), strip.centre_x, factors);
+            let line = ZoneUnits::new(&zone).geometry(strip, F::zero());
+            PatchTractions::Strip(rolling, line, zone.contact.slip_scale())
         } else {
             let circle = strip.circle(view.shear_modulus(), view.poisson_ratio());
-            Tractions::Strip1967(self.problem.theory(strip, creepage), circle.slip_scale())
+            PatchTractions::Strip1967(self.problem.theory(strip, creepage), circle.slip_scale())
         };
         Some(PatchFieldStrip { strip: *strip, law })
     }
@@ -111,8 +111,8 @@ impl<'a, F: Float> PatchField<'a, F> {
         let pressure = strip.peak_pressure;
         let traction = strip.friction * pressure;
         let (slip, point) = match law {
-            Tractions::Strip1967(solved, slip) => (*slip, solved.at(place)),
-            Tractions::Strip(rolling, geometry, slip) => {
+            PatchTractions::Strip1967(solved, slip) => (*slip, solved.at(place)),
+            PatchTractions::Strip(rolling, geometry, slip) => {
                 (*slip, strip_point(rolling, geometry, F::one(), place))
             }
         };

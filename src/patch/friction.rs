@@ -20,14 +20,14 @@
 
 use crate::contact::creepage::Creepage;
 use crate::contact::plausibility::LARGEST_MISMATCH;
+use crate::forces::derivatives::{Derivatives, Slopes};
+use crate::forces::{Model, Solution, StripResult};
 use crate::friction::derivatives::{AtFriction, Differentiated, LawDerivatives};
-use crate::friction::{Agreement, SlipFriction};
+use crate::friction::{FrictionEquation, SlipFriction};
 use crate::number::Float;
 use crate::patch::solver;
 use crate::patch::{Patch, PatchView};
-use crate::solve::derivatives::{Derivatives, Slopes};
-use crate::solve::model::{Model, Solution, StripResult};
-use crate::status::{Error, Notice};
+use crate::status::{Error, Warning};
 
 /// Forces of a patch under friction that falls with the slip.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,8 +48,8 @@ pub struct PatchFrictionSolution<F> {
 /// # Example
 /// A patch that slips more pulls less:
 /// ```
-/// use kstrip::{contact::Contact, contact::creepage::Creepage, friction::SlipFriction, solve::model::Model};
-/// use kstrip::{patch::Patch, patch::friction::solve, contact::forces::StripCount};
+/// use kstrip::{contact::Contact, contact::creepage::Creepage, friction::SlipFriction, forces::Model};
+/// use kstrip::{patch::Patch, patch::friction::solve, contact::totals::StripCount};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
 ///     mismatch: 0.0,
@@ -71,11 +71,11 @@ pub fn solve<F: Float>(
     law: &SlipFriction<F>,
     model: Model,
 ) -> Result<PatchFrictionSolution<F>, Error> {
-    let problem = Problem::new(patch, creepage, law, model)?;
-    let (share, notice) = problem.agreement()?;
+    let problem = FrictionProblem::new(patch, creepage, law, model)?;
+    let (share, warning) = problem.agreement()?;
     let Scaled { patch, creepage, factor } = problem.scaled(share)?;
     let solution = solver::solve(&patch, &creepage, model)?;
-    Ok(PatchFrictionSolution { solution: problem.under(share, factor, &solution, notice), share })
+    Ok(PatchFrictionSolution { solution: problem.under(share, factor, &solution, warning), share })
 }
 
 impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
@@ -99,7 +99,7 @@ struct Scaled<'a, F> {
 }
 
 /// A patch, a creepage, a model and a law that fit together.
-struct Problem<'a, F: Float> {
+struct FrictionProblem<'a, F: Float> {
     patch: &'a PatchView<'a, F>,
     creepage: &'a Creepage<F>,
     /// For friction in units of that without slip.
@@ -111,7 +111,7 @@ struct Problem<'a, F: Float> {
     rigid_slip: F,
 }
 
-impl<'a, F: Float> Problem<'a, F> {
+impl<'a, F: Float> FrictionProblem<'a, F> {
     fn new(
         patch: &'a PatchView<'a, F>,
         creepage: &'a Creepage<F>,
@@ -127,11 +127,11 @@ impl<'a, F: Float> Problem<'a, F> {
         Ok(Self { patch, creepage, law, model, bound: patch.friction_bound(), rigid_slip })
     }
 
-    fn agreement(&self) -> Result<(F, Notice), Error> {
+    fn agreement(&self) -> Result<(F, Warning), Error> {
         if !self.law.falls() || self.bound <= F::zero() {
-            return Ok((F::one(), Notice::None));
+            return Ok((F::one(), Warning::None));
         }
-        Agreement::new(&self.law, self.rigid_slip, self.bound, |share| {
+        FrictionEquation::new(&self.law, self.rigid_slip, self.bound, |share| {
             let scaled = self.scaled(share)?;
             let found = solver::solve(&scaled.patch, &scaled.creepage, self.model)?;
             Ok(self.law.at(found.power / scaled.factor / self.bound))
@@ -158,15 +158,15 @@ impl<'a, F: Float> Problem<'a, F> {
     }
 
     /// The solution of the patch from that at the scaled creepage.
-    fn under(&self, share: F, factor: F, scaled: &Solution<F>, notice: Notice) -> Solution<F> {
+    fn under(&self, share: F, factor: F, scaled: &Solution<F>, warning: Warning) -> Solution<F> {
         let Solution { fx, fy, mz, power, adhesion, .. } = *scaled;
         let [fx, fy, mz] = [fx, fy, mz].map(|force| force * share);
         let power = share * (power / factor);
-        let told = if scaled.notice == Notice::Mismatch { Notice::None } else { scaled.notice };
+        let told = if scaled.warning == Warning::Mismatch { Warning::None } else { scaled.warning };
         let far = self.patch.mismatch().abs() > F::constant(LARGEST_MISMATCH);
-        let told = if far && !self.model.is_of_1967() { Notice::Mismatch } else { told };
-        let notice = told.worse(notice);
-        Solution { fx, fy, mz, power, adhesion, notice, reserved: 0 }
+        let told = if far && !self.model.is_of_1967() { Warning::Mismatch } else { told };
+        let warning = told.worse(warning);
+        Solution { fx, fy, mz, power, adhesion, warning, reserved: 0 }
     }
 }
 
@@ -186,14 +186,14 @@ pub fn differentiate<F: Float>(
     let (load, bound) = (patch.normal_force(), patch.friction_bound());
     let clean = SlipFriction::constant(F::one());
     let given = law.unwrap_or(&clean);
-    let problem = Problem::new(patch, creepage, given, model)?;
-    let (share, notice) = match law {
+    let problem = FrictionProblem::new(patch, creepage, given, model)?;
+    let (share, warning) = match law {
         Some(_) => problem.agreement()?,
-        None => (F::one(), Notice::None),
+        None => (F::one(), Warning::None),
     };
     let Scaled { patch: scaled_patch, creepage: scaled, factor } = problem.scaled(share)?;
     let (found, slopes) = solver::solve_with_slopes(&scaled_patch, &scaled, model)?;
-    let solution = problem.under(share, factor, &found, notice);
+    let solution = problem.under(share, factor, &found, warning);
     if bound <= F::zero() {
         let (derivatives, law) = (Derivatives::nothing(), LawDerivatives::nothing());
         let by_mismatch = [F::zero(); 3];
@@ -254,12 +254,12 @@ pub fn strips<F: Float>(
     share: F,
     model: Model,
     visit: &mut impl FnMut(StripResult<F>),
-) -> Result<Notice, Error> {
+) -> Result<Warning, Error> {
     let Some(law) = law else {
         return solver::strips(patch, creepage, model, visit);
     };
     let Scaled { patch, creepage, factor } =
-        Problem::new(patch, creepage, law, model)?.scaled(share)?;
+        FrictionProblem::new(patch, creepage, law, model)?.scaled(share)?;
     solver::strips(&patch, &creepage, model, &mut |strip| {
         let [fx, fy, mz] = [strip.fx, strip.fy, strip.mz].map(|force| force * share);
         visit(StripResult { fx, fy, mz, power: share * (strip.power / factor), ..strip });

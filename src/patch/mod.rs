@@ -25,7 +25,7 @@ pub use self::stored::{KSTRIP_PATCH_CAPACITY, StoredPatch};
 pub use self::view::PatchView;
 
 use crate::contact::Contact;
-use crate::contact::forces::StripCount;
+use crate::contact::totals::StripCount;
 use crate::number::Float;
 use crate::status::Error;
 use crate::strip::Rule;
@@ -158,7 +158,7 @@ pub struct Patch<F, const CAPACITY: usize> {
 }
 
 impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
-    /// The patch of a Hertz ellipse, with strips at the places of [`Model::Strip`](crate::solve::model::Model::Strip).
+    /// The patch of a Hertz ellipse, with strips at the places of [`Model::Strip`](crate::forces::Model::Strip).
     ///
     /// # Errors
     /// Those of [`Contact::check`]; [`Error::PatchSize`] when the capacity is below the count;

@@ -5,10 +5,10 @@ use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::{Contact, mismatch};
 use crate::linear::LinearCoefficients;
 use crate::number::{Float, Number};
-use crate::patch::slip::{Share, Slip, creepage_at};
+use crate::patch::slip::{PatchSlip, Share, creepage_at};
 use crate::patch::zones::{Widths, Zone};
 use crate::patch::{PatchStrip, PatchView, QuadratureScale};
-use crate::strip::{Distribution, Flexibilities, Seen, StripGeometry, eight_strips};
+use crate::strip::{Distribution, Flexibilities, StripCreepage, StripGeometry, eight_strips};
 
 /// Least share `Π` of the friction bound. A strip with less is treated as one with this share, so that the squares of its creepages fit
 /// an `f32`.
@@ -17,7 +17,7 @@ const LEAST_BOUND: f64 = 1e-9;
 /// The creepages of the strips of a zone's ellipse, for the creepage at `x` on its middle line with that which pressure adds.
 pub(super) fn law<F: Float, T: Number<Base = F>>(
     zone: &Zone<F>,
-    slip: &Slip<T>,
+    slip: &PatchSlip<T>,
     x: F,
     factors: [F; 2],
 ) -> (Distribution<T>, T) {
@@ -32,11 +32,11 @@ pub(super) fn law<F: Float, T: Number<Base = F>>(
 /// Hands the forces of every strip to `visit`, eight strips side by side.
 pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
     view: &PatchView<F>,
-    slip: &Slip<T>,
+    slip: &PatchSlip<T>,
     visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
 ) {
     let QuadratureScale { area, lever } = view.scale();
-    let mut prepared: Option<Known<F, T, Distribution<T>>> = None;
+    let mut prepared: Option<PreparedZone<F, T, Distribution<T>>> = None;
     let of_patch = view.sizes().widths;
     for (first, lobe, of_lobe) in view.lobes_and_zones() {
         let is_whole = lobe.len() == view.strips().len();
@@ -47,7 +47,7 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
         let alternating = widths.alternation.times(0.5);
         for (g, group) in lobe.chunks(8).enumerate() {
             let zero = T::zero();
-            let none = Seen { x: zero, y: zero, spread: zero, start: zero };
+            let none = StripCreepage { x: zero, y: zero, spread: zero, start: zero };
             let mut seen = [(none, T::zero()); 8];
             let mut inner = [F::zero(); 8];
             let mut shifts = [zero; 8];
@@ -60,14 +60,15 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
                 let same = in_lobe && of_lobe.is_some();
                 let known = prepared
                     .as_ref()
-                    .is_some_and(|known| known.x == x && (same || zone.is(&known.zone)));
+                    .is_some_and(|known| known.x == x && (same || zone.nearly_equals(&known.zone)));
                 in_lobe = true;
                 if !known {
                     // the slopes of the linear theory, whatever the quadrature
                     let (law, shift) = self::law(&zone, slip, x, [area, lever]);
-                    prepared = Some(Known { zone, x, units: Units::new(&zone), law, shift });
+                    prepared =
+                        Some(PreparedZone { zone, x, units: ZoneUnits::new(&zone), law, shift });
                 }
-                let Some(Known { units, law, shift: own, .. }) = &prepared else { continue };
+                let Some(PreparedZone { units, law, shift: own, .. }) = &prepared else { continue };
                 *shift = *own;
                 *seen = law.strip(&units.geometry(strip, strip.width * widths.per_mean));
                 let is_inner = i.min(count - 1 - i) % 2 == 1;
@@ -84,10 +85,10 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
 }
 
 /// The creepages of the strips of a zone that have one centre along `x`.
-struct Known<F, T, L> {
+struct PreparedZone<F, T, L> {
     zone: Zone<F>,
     x: F,
-    units: Units<F>,
+    units: ZoneUnits<F>,
     law: L,
     /// The creepage that pressure adds.
     shift: T,
@@ -97,7 +98,7 @@ struct Known<F, T, L> {
 pub(super) fn seen_by<T: Number>(
     zone: &Zone<T::Base>,
     linear: &LinearCoefficients<T::Base>,
-    slip: &Slip<T>,
+    slip: &PatchSlip<T>,
     x: T::Base,
 ) -> (Creepage<T>, T) {
     let creepage = creepage_at(&slip.creepage, x, zone.y);
@@ -106,7 +107,7 @@ pub(super) fn seen_by<T: Number>(
 }
 
 /// The units of the strips of a zone.
-pub(super) struct Units<F> {
+pub(super) struct ZoneUnits<F> {
     y: F,
     per_a: F,
     per_b: F,
@@ -114,7 +115,7 @@ pub(super) struct Units<F> {
     per_bound: F,
 }
 
-impl<F: Float> Units<F> {
+impl<F: Float> ZoneUnits<F> {
     pub fn new(zone: &Zone<F>) -> Self {
         let Zone { y, contact, .. } = zone;
         let bound = contact.friction * contact.peak_pressure();

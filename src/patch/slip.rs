@@ -3,7 +3,7 @@
 use crate::contact::creepage::Creepage;
 use crate::number::{Float, Number};
 use crate::patch::PatchStrip;
-use crate::strip::Carried;
+use crate::strip::StripForces;
 
 /// Forces of a strip.
 #[derive(Clone, Copy, Debug)]
@@ -23,12 +23,12 @@ impl<T: Number<Base: Float>> Share<T> {
     /// The forces of a strip, from its forces over the friction bound and its moment about its centre in half lengths.
     pub fn new(
         strip: &PatchStrip<T::Base>,
-        carried: &Carried<T>,
+        carried: &StripForces<T>,
         stick: T::Base,
         adheres: bool,
     ) -> Self {
         let bound = strip.friction_bound();
-        let Carried { fx, fy, mx, .. } = *carried;
+        let StripForces { fx, fy, mx, .. } = *carried;
         let (fx, fy) = (fx.scale(bound), fy.scale(bound));
         // Mz = ∫ (x Y − y X)
         let mz = mx.scale(bound * strip.half_length) + fy.scale(strip.centre_x) - fx.scale(strip.y);
@@ -38,12 +38,12 @@ impl<T: Number<Base: Float>> Share<T> {
 
 /// The motion of a patch: the creepage at its origin, and the factor of the creepage that pressure adds in unlike bodies, which is one.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Slip<T> {
+pub(super) struct PatchSlip<T> {
     pub creepage: Creepage<T>,
     pub pressure: T,
 }
 
-impl<F: Float> Slip<F> {
+impl<F: Float> PatchSlip<F> {
     pub fn new(creepage: &Creepage<F>) -> Self {
         Self { creepage: *creepage, pressure: F::one() }
     }

@@ -17,21 +17,21 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
-use crate::contact::forces::Totals;
 use crate::contact::plausibility::LARGEST_MISMATCH;
+use crate::contact::totals::Totals;
+use crate::forces::derivatives::{Derivatives, Slopes};
+use crate::forces::theory::sliding_rule;
+use crate::forces::warning::model_warning;
+use crate::forces::{Model, Solution, StripResult};
 use crate::linear::LinearCoefficients;
 use crate::number::dual::Dual;
 use crate::number::{Float, Number};
 use crate::patch::shares::{seen_by, strip_shares};
-use crate::patch::slip::{Share, Slip, creepage_at, rigid_slip};
+use crate::patch::slip::{PatchSlip, Share, creepage_at, rigid_slip};
 use crate::patch::zones::Zone;
 use crate::patch::{PatchStrip, PatchView};
-use crate::solve::derivatives::{Derivatives, Slopes};
-use crate::solve::model::{Model, Solution, StripResult};
-use crate::solve::notice::notice;
-use crate::solve::theory::sliding_rule;
-use crate::status::{Error, Notice};
-use crate::strip::Carried;
+use crate::status::{Error, Warning};
+use crate::strip::StripForces;
 use crate::strip_1967::strip::{Regime, State, Strip};
 use crate::total;
 use nalgebra::Matrix3;
@@ -98,16 +98,16 @@ impl<'a, F: Float> Problem<'a, F> {
         Self::new(view, creepage, model)
     }
 
-    pub fn notice(&self) -> Notice {
+    pub fn warning(&self) -> Warning {
         let of = |bound: F, Parameters { axis_ratio, psi, .. }: Parameters<F>| {
-            notice(self.model, bound, axis_ratio, psi)
+            model_warning(self.model, bound, axis_ratio, psi)
         };
-        let told = |notice: &Notice| *notice != Notice::None;
+        let told = |warning: &Warning| *warning != Warning::None;
         if self.model.is_of_1967() && self.view.mismatch() != F::zero() {
-            return Notice::MismatchNeglected;
+            return Warning::MismatchNeglected;
         }
         if self.view.mismatch().abs() > F::constant(LARGEST_MISMATCH) {
-            return Notice::Mismatch;
+            return Warning::Mismatch;
         }
         let first = if matches!(self.model, Model::Strip | Model::Total) {
             self.view.find_zone(|Zone { contact, .. }| {
@@ -120,13 +120,13 @@ impl<'a, F: Float> Problem<'a, F> {
                 .map(|strip| of(strip.friction_bound(), self.parameters(strip, self.creepage)));
             strips.find(told)
         };
-        first.unwrap_or(Notice::None)
+        first.unwrap_or(Warning::None)
     }
 
     /// Hands the forces of every strip to `visit`.
     fn shares<T: Number<Base = F>>(
         &self,
-        slip: &Slip<T>,
+        slip: &PatchSlip<T>,
         visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
     ) {
         if self.model == Model::Strip {
@@ -169,7 +169,7 @@ impl<'a, F: Float> Problem<'a, F> {
     ) -> Share<T> {
         let solved = self.theory(strip, creepage);
         let (fx, fy) = solved.force();
-        let carried = Carried { fx, fy, mx: solved.moment(), stick: T::zero() };
+        let carried = StripForces { fx, fy, mx: solved.moment(), stick: T::zero() };
         let stick = match solved.regime {
             Regime::Adhesion { kappa, .. } => F::one() - kappa.value(),
             Regime::Sliding { .. } => F::zero(),
@@ -181,7 +181,7 @@ impl<'a, F: Float> Problem<'a, F> {
     #[inline(never)]
     fn elliptic_shares<T: Number<Base = F>>(
         &self,
-        slip: &Slip<T>,
+        slip: &PatchSlip<T>,
         visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
     ) {
         let mut solved: Option<(Zone<F>, ZoneTotals<T>)> = None;
@@ -191,7 +191,7 @@ impl<'a, F: Float> Problem<'a, F> {
         for (strip, i, of_lobe) in all {
             let Some(zone) = of_lobe.or_else(|| self.view.zone(i)) else { return };
             let found = match solved {
-                Some((last, found)) if zone.is(&last) => found,
+                Some((last, found)) if zone.nearly_equals(&last) => found,
                 _ => Self::elliptic_totals(&zone, slip),
             };
             solved = Some((zone, found));
@@ -206,7 +206,7 @@ impl<'a, F: Float> Problem<'a, F> {
         }
     }
 
-    fn elliptic_totals<T: Number<Base = F>>(zone: &Zone<F>, slip: &Slip<T>) -> ZoneTotals<T> {
+    fn elliptic_totals<T: Number<Base = F>>(zone: &Zone<F>, slip: &PatchSlip<T>) -> ZoneTotals<T> {
         let Contact { a, b, poisson_ratio, .. } = zone.contact;
         let linear = LinearCoefficients::at(a / b, poisson_ratio);
         let (seen, shift) = seen_by(zone, &linear, slip, zone.x);
@@ -216,8 +216,8 @@ impl<'a, F: Float> Problem<'a, F> {
     }
 }
 
-/// Sums over the strips.
-struct Sums<T: Number> {
+/// PatchSums over the strips.
+struct PatchSums<T: Number> {
     fx: T,
     fy: T,
     mz: T,
@@ -228,9 +228,10 @@ struct Sums<T: Number> {
 }
 
 impl<F: Float> Problem<'_, F> {
-    fn sums<T: Number<Base = F>>(&self, slip: &Slip<T>) -> Sums<T> {
+    fn sums<T: Number<Base = F>>(&self, slip: &PatchSlip<T>) -> PatchSums<T> {
         let (zero, none) = (T::zero(), F::zero());
-        let mut sums = Sums { fx: zero, fy: zero, mz: zero, power: zero, stick: none, area: none };
+        let mut sums =
+            PatchSums { fx: zero, fy: zero, mz: zero, power: zero, stick: none, area: none };
         self.shares(slip, &mut |strip, share| {
             sums.power += share.of_pressure;
             sums.fx += share.fx;
@@ -259,7 +260,7 @@ impl<F: Float> Problem<'_, F> {
             } else {
                 F::zero()
             },
-            notice: self.notice(),
+            warning: self.warning(),
             reserved: 0,
         }
     }
@@ -274,7 +275,7 @@ impl<F: Float> Problem<'_, F> {
 /// # Example
 /// A wheel on a rail whose outer third is greasy:
 /// ```
-/// use kstrip::{contact::Contact, contact::creepage::Creepage, solve::model::Model, contact::forces::StripCount};
+/// use kstrip::{contact::Contact, contact::creepage::Creepage, forces::Model, contact::totals::StripCount};
 /// use kstrip::{patch::Patch, patch::solver::solve};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
@@ -296,7 +297,7 @@ pub fn solve<F: Float>(
     model: Model,
 ) -> Result<Solution<F>, Error> {
     let problem = Problem::new(patch, creepage, model)?;
-    let Sums { fx, fy, mz, power, stick, area } = problem.sums(&Slip::new(creepage));
+    let PatchSums { fx, fy, mz, power, stick, area } = problem.sums(&PatchSlip::new(creepage));
     Ok(problem.solution([fx, fy, mz, power], stick, area))
 }
 
@@ -323,8 +324,8 @@ pub(super) fn solve_with_slopes<F: Float>(
     let problem = Problem::new(patch, creepage, model)?;
     let constant = |value| Dual { value, gradient: [F::zero(); 3] };
     let pressure = constant(F::one());
-    let found = problem.sums(&Slip { creepage: creepage.inputs(), pressure });
-    let Sums { fx, fy, mz, power, stick, area } = found;
+    let found = problem.sums(&PatchSlip { creepage: creepage.inputs(), pressure });
+    let PatchSums { fx, fy, mz, power, stick, area } = found;
     let jacobian = [fx.gradient, fy.gradient, mz.gradient];
     let mut slopes = Slopes {
         derivatives: Derivatives { jacobian, ..Derivatives::nothing() },
@@ -338,8 +339,8 @@ pub(super) fn solve_with_slopes<F: Float>(
         let Creepage { longitudinal, lateral, spin } = creepage.inputs();
         let spin = constant(spin.value);
         let pressure = Dual::input(F::one(), 2);
-        let moved = Slip { creepage: Creepage { longitudinal, lateral, spin }, pressure };
-        let Sums { fx, fy, mz, power, .. } = problem.sums(&moved);
+        let moved = PatchSlip { creepage: Creepage { longitudinal, lateral, spin }, pressure };
+        let PatchSums { fx, fy, mz, power, .. } = problem.sums(&moved);
         let [x, y, z, of_power] = [fx, fy, mz, power].map(|Dual { gradient: [.., last], .. }| last);
         (slopes.by_mismatch, slopes.power_by_mismatch) = ([x, y, z], of_power);
     }
@@ -361,9 +362,9 @@ pub fn strips<F: Float>(
     creepage: &Creepage<F>,
     model: Model,
     visit: &mut impl FnMut(StripResult<F>),
-) -> Result<Notice, Error> {
+) -> Result<Warning, Error> {
     let problem = Problem::with_strips(patch, creepage, model)?;
-    problem.shares(&Slip::new(creepage), &mut |strip, share: Share<F>| {
+    problem.shares(&PatchSlip::new(creepage), &mut |strip, share: Share<F>| {
         let Share { fx, fy, mz, of_pressure, stick, adheres } = share;
         visit(StripResult {
             y: strip.y,
@@ -379,5 +380,5 @@ pub fn strips<F: Float>(
             reserved: 0,
         });
     });
-    Ok(problem.notice())
+    Ok(problem.warning())
 }

@@ -37,9 +37,9 @@ pub struct Zone<F> {
     pub contact: Contact<F>,
 }
 
-/// Sums over connected strips.
+/// ZoneSums over connected strips.
 #[derive(Clone, Copy)]
-struct Sums<F> {
+struct ZoneSums<F> {
     load: F,
     bound: F,
     square: F,
@@ -51,7 +51,7 @@ struct Sums<F> {
     volume: F,
 }
 
-impl<F: Float> Sums<F> {
+impl<F: Float> ZoneSums<F> {
     fn nothing() -> Self {
         let zero = F::zero();
         let centre = [zero; 2];
@@ -154,7 +154,7 @@ impl<F: Float> Walk<F> {
 
 impl<F: Float> Zone<F> {
     /// Whether two zones are the same but for rounding.
-    pub(crate) fn is(&self, other: &Self) -> bool {
+    pub(crate) fn nearly_equals(&self, other: &Self) -> bool {
         let near = |x: F, y: F, size: F| (x - y).abs() <= size * F::EPSILON.times(32.0);
         let (one, two) = (&self.contact, &other.contact);
         near(one.a, two.a, one.a)
@@ -173,7 +173,7 @@ impl<F: Float> PatchView<'_, F> {
         let units = self.sizes();
         let first = strips.first()?;
         let mut walk = Walk::new(first, units.widths.per_width);
-        let mut sums = Sums::nothing();
+        let mut sums = ZoneSums::nothing();
         let mut last = first;
         for strip in strips {
             if walk.pass(last, strip) < F::one() {
@@ -234,7 +234,7 @@ impl<F: Float> PatchView<'_, F> {
         let (own, after) = rest.split_first()?;
         let units = self.sizes();
         let per_strip = units.widths.per_width;
-        let mut sums = Sums::nothing();
+        let mut sums = ZoneSums::nothing();
         sums.add(own, units, own.centre_x, F::one());
         let mut add = |strip: &PatchStrip<F>, walk: &mut Walk<F>, last: &PatchStrip<F>| {
             let weight = walk.pass(last, strip);
@@ -259,11 +259,11 @@ impl<F: Float> PatchView<'_, F> {
     }
 
     /// The zone of a strip from the sums over all that it is connected with.
-    fn zone_of(&self, sums: &Sums<F>, own: &PatchStrip<F>) -> Zone<F> {
+    fn zone_of(&self, sums: &ZoneSums<F>, own: &PatchStrip<F>) -> Zone<F> {
         let zero = F::zero();
         let units = self.sizes();
         let Sizes { per_length, per_width, .. } = *units;
-        let Sums { load, bound, square, centre: [x, y], pressure, volume } = *sums;
+        let ZoneSums { load, bound, square, centre: [x, y], pressure, volume } = *sums;
         // (smaller products have no digits left; such a zone carries nothing)
         let load = if load.times(1e-6) > F::TINY { load } else { zero };
         let loaded = load > zero;

@@ -17,11 +17,11 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
+use crate::forces::derivatives::{self, Derivatives};
+use crate::forces::{self, Model, Options};
 use crate::number::{Float, are_finite, length};
 use crate::rig::search::cubic;
-use crate::solve::derivatives::{self, Derivatives};
-use crate::solve::model::{self, Model, Options};
-use crate::status::{Error, Notice};
+use crate::status::{Error, Warning};
 
 /// Relative distance from `μ N` up to which a force counts as full sliding.
 const SLIDING: f64 = 1e-3;
@@ -48,20 +48,20 @@ const TAKEN: f64 = 1e4;
 
 /// The creepage `(υx, υy)` at which a contact with a given spin carries a wanted force `(F_x, F_y)` on the lower body.
 ///
-/// With [`Notice::CreepageAtLeast`] the force is within 0.1 % of `μ N`: the result is where it comes as near as that,
+/// With [`Warning::CreepageAtLeast`] the force is within 0.1 % of `μ N`: the result is where it comes as near as that,
 /// and larger creepages do as well.
 ///
 /// The search mostly needs five solutions with derivatives, and more than 12 for about one of ten thousand plausible contacts, near `μ N`
-/// (14 with [`Model::Strip1967`], whose force jumps). It ends after 40 with [`Notice::NotConverged`] and the
+/// (14 with [`Model::Strip1967`], whose force jumps). It ends after 40 with [`Warning::NotConverged`] and the
 /// nearest creepage that was found. Where spin keeps the force nearly constant over a range of creepages, more than one creepage may give
 /// it, and the result is one of them.
 ///
 /// # Errors
-/// Those of [`solve`](model::solve), [`Error::ForceBeyondFriction`].
+/// Those of [`solve`](forces::solve), [`Error::ForceBeyondFriction`].
 ///
 /// # Example
 /// ```
-/// use kstrip::{contact::Contact, solve::model::{solve, Options}, rig::creepage_for_force};
+/// use kstrip::{contact::Contact, forces::{solve, Options}, rig::creepage_for_force};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
 ///     mismatch: 0.0,
@@ -77,34 +77,36 @@ pub fn creepage_for_force<F: Float>(
     force: [F; 2],
     spin: F,
     options: &Options,
-) -> Result<(Creepage<F>, Notice), Error> {
+) -> Result<(Creepage<F>, Warning), Error> {
     let none = Creepage { longitudinal: F::zero(), lateral: F::zero(), spin };
-    model::check(contact, &none, options)?;
+    forces::check(contact, &none, options)?;
     let [fx, fy] = force;
     Error::NotFinite.unless(are_finite(&force))?;
     let size = length(fx, fy);
     if contact.is_lost() {
-        return Error::ForceBeyondFriction.unless(size <= F::zero()).map(|()| (none, Notice::None));
+        return Error::ForceBeyondFriction
+            .unless(size <= F::zero())
+            .map(|()| (none, Warning::None));
     }
     let (bound, saturates) = (contact.friction_bound(), options.model != Model::Linear);
     let (largest, most) = (bound * F::EPSILON.times(4.0).plus(1.0), bound.times(1.0 - SLIDING));
     Error::ForceBeyondFriction.unless(!saturates || size <= largest)?;
     let sliding = saturates && size >= most;
     if sliding && bound <= F::zero() {
-        return Ok((none, Notice::CreepageAtLeast));
+        return Ok((none, Warning::CreepageAtLeast));
     }
     let target = if sliding { force.map(|part| part / size * most) } else { force };
     let mut aim = Aim::new(contact, target, spin, options);
     let found = aim.find()?;
     let settled = found.distance <= F::EPSILON.times(TAKEN);
-    let notice = if !settled {
-        Notice::NotConverged
+    let warning = if !settled {
+        Warning::NotConverged
     } else if sliding {
-        Notice::CreepageAtLeast
+        Warning::CreepageAtLeast
     } else {
-        Notice::None
+        Warning::None
     };
-    Ok((aim.creepage(found.at), notice.worse(found.notice)))
+    Ok((aim.creepage(found.at), warning.worse(found.warning)))
 }
 
 /// A contact and a force that it shall carry.
@@ -125,7 +127,7 @@ pub(crate) struct Aim<'a, F> {
 
 /// A creepage and what it leads to.
 #[derive(Clone, Copy)]
-pub(crate) struct Place<F> {
+pub(crate) struct Iterate<F> {
     /// `(υx, υy)` over the unit of slip
     pub(crate) at: [F; 2],
     /// `L(F) − L(target)`
@@ -136,7 +138,7 @@ pub(crate) struct Place<F> {
     off: F,
     /// `|F − target|` over the unit
     pub(crate) distance: F,
-    notice: Notice,
+    warning: Warning,
 }
 
 /// `L(F)` of a force over `μ N`, and its derivatives.
@@ -153,7 +155,7 @@ fn unsaturated<F: Float>([x, y]: [F; 2]) -> ([F; 2], [[F; 2]; 2]) {
     ([x * t * k, y * t * k], slopes)
 }
 
-impl<F: Float> Place<F> {
+impl<F: Float> Iterate<F> {
     fn determinant(&self) -> F {
         let [[xx, xy], [yx, yy]] = self.slopes;
         xx * yy - xy * yx
@@ -202,7 +204,7 @@ impl<'a, F: Float> Aim<'a, F> {
         Creepage { longitudinal: x * self.slip, lateral: y * self.slip, spin: self.spin }
     }
 
-    fn place(&mut self, at: [F; 2]) -> Result<Place<F>, Error> {
+    fn place(&mut self, at: [F; 2]) -> Result<Iterate<F>, Error> {
         self.solved += 1;
         let (solution, slopes) =
             derivatives::solve(self.contact, &self.creepage(at), self.options)?;
@@ -221,11 +223,11 @@ impl<'a, F: Float> Aim<'a, F> {
             ([force[0] - to_x, force[1] - to_y], rows)
         };
         let off = length(error[0], error[1]);
-        Ok(Place { at, error, slopes, off, distance, notice: solution.notice })
+        Ok(Iterate { at, error, slopes, off, distance, warning: solution.warning })
     }
 
     /// The place of the wanted force, or the nearest that was found.
-    pub(crate) fn find(&mut self) -> Result<Place<F>, Error> {
+    pub(crate) fn find(&mut self) -> Result<Iterate<F>, Error> {
         let start = self.place([F::zero(); 2])?;
         let mut best = self.follow(start);
         let reach = length(best.at[0], best.at[1]).max(F::constant(NEAREST));
@@ -250,12 +252,12 @@ impl<'a, F: Float> Aim<'a, F> {
     }
 
     /// Step by step from a place, as long as steps lead closer.
-    fn follow(&mut self, start: Place<F>) -> Place<F> {
+    fn follow(&mut self, start: Iterate<F>) -> Iterate<F> {
         let (mut place, mut before) = (start, None);
         let (mut share, mut damping) = (F::one(), F::zero());
         let (mut mark, mut idle) = (start.off, 0);
         while self.solved < MOST && idle < IDLE && place.distance > F::EPSILON.times(REACHED) {
-            let Place { at, error, off, distance, .. } = place;
+            let Iterate { at, error, off, distance, .. } = place;
             let step = self.step(&place, before.as_ref(), damping).map(|part| part * share);
             let Ok(next) = self.place([at[0] + step[0], at[1] + step[1]]) else { break };
             let halves = next.off < mark.times(0.5);
@@ -292,8 +294,8 @@ impl<'a, F: Float> Aim<'a, F> {
     }
 
     /// One step of Newton's method, `(Jᵀ J + λ) Δ = −Jᵀ error`; with a place before this one along the cubics through both.
-    fn step(&self, place: &Place<F>, before: Option<&Place<F>>, damping: F) -> [F; 2] {
-        let Place { at, error, slopes: [[xx, xy], [yx, yy]], .. } = *place;
+    fn step(&self, place: &Iterate<F>, before: Option<&Iterate<F>>, damping: F) -> [F; 2] {
+        let Iterate { at, error, slopes: [[xx, xy], [yx, yy]], .. } = *place;
         let (p, q, r) = (xx * xx + yx * yx, xx * xy + yx * yy, xy * xy + yy * yy);
         let added = damping * (p + r);
         let plain = place.determinant();
@@ -322,8 +324,8 @@ impl<'a, F: Float> Aim<'a, F> {
 /// The step `Δ` that takes `error + J Δ + τ² c₂ + τ³ c₃` to zero, where `τ` is the part of `Δ` along the way back to the place before: the
 /// cubics along this way have the errors and the slopes of both places. None where it is far from the plain step.
 fn bent<F: Float>(
-    place: &Place<F>,
-    before: &Place<F>,
+    place: &Iterate<F>,
+    before: &Iterate<F>,
     plain: [F; 2],
     solve: impl Fn([F; 2]) -> [F; 2],
 ) -> Option<[F; 2]> {

@@ -1,13 +1,13 @@
 //! From a measured force to the coefficient of friction.
 
-use super::search::{Interval, Place, STEEPEST, Search};
+use super::search::{Interval, STEEPEST, Sample, Search};
 use super::{FrictionEstimate, Measured};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
+use crate::forces::derivatives;
+use crate::forces::{self, Model, Options, Solution};
 use crate::number::{Float, are_finite};
-use crate::solve::derivatives;
-use crate::solve::model::{self, Model, Options, Solution};
-use crate::status::{Error, Notice};
+use crate::status::{Error, Warning};
 
 /// Friction over used friction beyond which the contact is taken to stick: the force differs by about one per cent
 /// from that of linear theory there.
@@ -34,22 +34,22 @@ const ROUNDINGS: f64 = 32.0;
 ///
 /// The contact's own friction is ignored. Forces act on the lower body.
 ///
-/// With [`Notice::FrictionAtLeast`] the contact sticks (it uses less than a twentieth of its friction, or the force is
+/// With [`Warning::FrictionAtLeast`] the contact sticks (it uses less than a twentieth of its friction, or the force is
 /// larger than that of linear theory): the result is the used friction `|F|/N`, a lower bound. With
-/// [`Notice::SeveralFrictions`] more than one friction explains the force, which may be where spin opposes the
+/// [`Warning::SeveralFrictions`] more than one friction explains the force, which may be where spin opposes the
 /// creepage: the result is the smallest. The force of [`Model::Strip1967`] jumps where adhesion is born: a jump across the measured force
-/// counts as one of several, and is the result only with [`Notice::NotConverged`]. An estimate may miss a friction: this happened to up to one
+/// counts as one of several, and is the result only with [`Warning::NotConverged`]. An estimate may miss a friction: this happened to up to one
 /// of ten thousand estimates with each of the models of 1967, to one of a hundred thousand with [`Model::Strip`], and to none with
 /// [`Model::Total`].
 ///
 /// At most 90 solutions with derivatives.
 ///
 /// # Errors
-/// Those of [`solve`](model::solve), [`Error::NotInModel`] for [`Model::Linear`], [`Error::Unexplained`].
+/// Those of [`solve`](forces::solve), [`Error::NotInModel`] for [`Model::Linear`], [`Error::Unexplained`].
 ///
 /// # Example
 /// ```
-/// use kstrip::{contact::Contact, contact::creepage::Creepage, solve::model::{solve, Options}, rig::*};
+/// use kstrip::{contact::Contact, contact::creepage::Creepage, forces::{solve, Options}, rig::*};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.22,
 ///     mismatch: 0.0,
@@ -100,7 +100,7 @@ impl<'a, F: Float> Rig<'a, F> {
         Error::NotInModel.unless(options.model != Model::Linear)?;
         Error::NotFinite.unless(are_finite(&[fx, fy]))?;
         let contact = Contact { friction: F::zero(), ..*contact };
-        model::check(&contact, creepage, options)?;
+        forces::check(&contact, creepage, options)?;
         let target = measured.of([fx, fy]);
         let used = target.abs() / contact.normal_force;
         Error::Unexplained.unless(!contact.is_lost() && used.is_finite_number())?;
@@ -113,7 +113,7 @@ impl<'a, F: Float> Rig<'a, F> {
         let unit = if unit < most { unit } else { most };
         // whatever is tried
         let friction = unit.max(used).times(RANGE * 1.01);
-        model::check(&Contact { friction, ..contact }, creepage, options)?;
+        forces::check(&Contact { friction, ..contact }, creepage, options)?;
         Ok(Self { contact, creepage, options, measured, target, used, unit, solved: 0 })
     }
 
@@ -125,7 +125,7 @@ impl<'a, F: Float> Rig<'a, F> {
         let direction = self.measured.of([x, y]);
         let mut found = self.at_least();
         if direction != F::zero() {
-            found.notice = Notice::None;
+            found.warning = Warning::None;
             found.sensitivity = finite_or_none(F::one() / direction);
         }
         Ok(found)
@@ -133,8 +133,8 @@ impl<'a, F: Float> Rig<'a, F> {
 
     /// The contact sticks.
     fn at_least(&self) -> FrictionEstimate<F> {
-        let (friction, none, notice) = (self.used, F::zero(), Notice::FrictionAtLeast);
-        FrictionEstimate { friction, sensitivity: none, residual: none, notice, reserved: 0 }
+        let (friction, none, warning) = (self.used, F::zero(), Warning::FrictionAtLeast);
+        FrictionEstimate { friction, sensitivity: none, residual: none, warning, reserved: 0 }
     }
 
     /// `μ`
@@ -160,7 +160,7 @@ impl<'a, F: Float> Rig<'a, F> {
     }
 
     /// How much more than measured, over `N` and the unit, at `x`.
-    fn excess(&mut self, x: F, friction: F) -> Result<Place<F>, Error> {
+    fn excess(&mut self, x: F, friction: F) -> Result<Sample<F>, Error> {
         let (_, [force, slope]) = self.force(friction)?;
         let over = self.contact.normal_force * self.unit;
         let over = if self.target > F::zero() { over } else { -over };
@@ -170,7 +170,7 @@ impl<'a, F: Float> Rig<'a, F> {
         let slope = slope * self.unit / over * stretch * stretch;
         let rounding = self.used / self.unit * F::EPSILON.times(ROUNDINGS);
         let value = if value.abs() <= rounding { F::zero() } else { value };
-        Ok(Place { x, value, slope })
+        Ok(Sample { x, value, slope })
     }
 
     pub(crate) fn estimate(&mut self, force: [F; 2]) -> Result<FrictionEstimate<F>, Error> {
@@ -191,23 +191,23 @@ impl<'a, F: Float> Rig<'a, F> {
         if friction > used.times(STICKING) {
             return Ok(self.at_least());
         }
-        let notice = if !settled {
-            Notice::NotConverged
+        let warning = if !settled {
+            Warning::NotConverged
         } else if search.changes() > 1 {
-            Notice::SeveralFrictions
+            Warning::SeveralFrictions
         } else {
-            Notice::None
+            Warning::None
         };
         let [fx, fy] = force;
         let (solution, [_, slope]) = self.force(friction)?;
         let residual = self.measured.of([solution.fx - fx, solution.fy - fy]).abs();
         let sensitivity = finite_or_none(F::one() / slope);
-        let notice = notice.worse(solution.notice);
-        Ok(FrictionEstimate { friction, sensitivity, residual, notice, reserved: 0 })
+        let warning = warning.worse(solution.warning);
+        Ok(FrictionEstimate { friction, sensitivity, residual, warning, reserved: 0 })
     }
 
     /// Searches from the used friction upward, and then in the intervals that may hide roots. Also returns the first place and the largest excess.
-    fn search(&mut self) -> Result<(Search<F>, Place<F>, F), Error> {
+    fn search(&mut self) -> Result<(Search<F>, Sample<F>, F), Error> {
         let jumps = self.options.model == Model::Strip1967;
         let mut search = Search::new(jumps);
         let one = F::one();
@@ -257,7 +257,7 @@ impl<'a, F: Float> Rig<'a, F> {
     }
 
     /// Newton's method, guarded by bisection. The second result tells whether it ends in a root.
-    fn root(&mut self, interval: &Interval<F>) -> Result<(Place<F>, bool), Error> {
+    fn root(&mut self, interval: &Interval<F>) -> Result<(Sample<F>, bool), Error> {
         let mut within = *interval;
         let Interval { from, to, .. } = within;
         let mut place = if from.value.abs() < to.value.abs() { from } else { to };

@@ -1,6 +1,6 @@
 //! The inverse, for test rigs: from a measured force to friction, from a wanted force to creepage.
 //!
-//! **Friction.** By homogeneity (see [`derivatives`](crate::solve::derivatives)) the force at a known creepage depends on `M = μ N` as
+//! **Friction.** By homogeneity (see [`derivatives`](crate::forces::derivatives)) the force at a known creepage depends on `M = μ N` as
 //! `F = M f(c/M)`. In full sliding it is `|F| = M`. As `M` grows the contact begins to adhere, and the force tends to that of linear theory,
 //! which does not depend on `M`. So `M` lies between `|F|` and, unless the contact sticks, `20 |F|`. Where spin and translation oppose each
 //! other the force may fall again and equal the measured one more than once; `search` finds all of these places. The sensitivity to the
@@ -17,7 +17,7 @@ pub use self::creepage::creepage_for_force;
 pub use self::friction::estimate_friction;
 
 use crate::number::{Real, length};
-use crate::status::Notice;
+use crate::status::Warning;
 
 /// Which forces were measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,7 +53,7 @@ pub struct FrictionEstimate<F> {
     /// for both it is what friction cannot explain, because the directions of the forces differ.
     pub residual: F,
     /// The status of this result: 0 or one of the KSTRIP_WARNING constants.
-    pub notice: Notice,
+    pub warning: Warning,
     /// Reserved: zero.
     pub reserved: i32,
 }

@@ -23,13 +23,13 @@ pub(super) const STEEPEST: f64 = 1.5;
 
 /// A place `0 < x < 1`, the function there, and its derivative.
 #[derive(Clone, Copy)]
-pub(super) struct Place<F> {
+pub(super) struct Sample<F> {
     pub(super) x: F,
     pub(super) value: F,
     pub(super) slope: F,
 }
 
-impl<F: Float> Place<F> {
+impl<F: Float> Sample<F> {
     /// `x/(1 − x)`
     pub(super) fn ratio(&self) -> F {
         self.x / (F::one() - self.x)
@@ -43,8 +43,8 @@ impl<F: Float> Place<F> {
 /// Two neighbouring places.
 #[derive(Clone, Copy)]
 pub(super) struct Interval<F> {
-    pub(super) from: Place<F>,
-    pub(super) to: Place<F>,
+    pub(super) from: Sample<F>,
+    pub(super) to: Sample<F>,
     /// Above one it may hide roots.
     danger: F,
 }
@@ -81,7 +81,7 @@ impl<F: Float> Search<F> {
     }
 
     /// Looks at the interval between two places.
-    pub(super) fn add(&mut self, from: Place<F>, to: Place<F>) {
+    pub(super) fn add(&mut self, from: Sample<F>, to: Sample<F>) {
         let (danger, _) = self.judged(&from, &to);
         let interval = Interval { from, to, danger };
         if interval.is_done() {
@@ -102,7 +102,7 @@ impl<F: Float> Search<F> {
     }
 
     /// Divides an interval that [`next`](Self::next) told.
-    pub(super) fn divide(&mut self, interval: &Interval<F>, at: Place<F>) {
+    pub(super) fn divide(&mut self, interval: &Interval<F>, at: Sample<F>) {
         if let Some(divided) = self.kept.iter_mut().find(|kept| kept.from.x == interval.from.x) {
             (divided.danger, divided.to) = (F::zero(), divided.from);
         }
@@ -122,7 +122,7 @@ impl<F: Float> Search<F> {
     }
 
     /// What may be hidden between two places over what is needed for a root there; and where to look for it.
-    fn judged(&self, from: &Place<F>, to: &Place<F>) -> (F, F) {
+    fn judged(&self, from: &Sample<F>, to: &Sample<F>) -> (F, F) {
         let width = to.x - from.x;
         let root = F::EPSILON.cube_root();
         if width <= to.x * root * root {

@@ -3,16 +3,16 @@
 //! Strips are of two kinds, whose nodes along the length are staggered. This module evaluates both kinds side by side and mixes them.
 
 use super::derivative::{SpinSlopes, forces_and_slopes};
-use super::kernel::{Carried, Seen, Spin, forces};
+use super::kernel::{Spin, StripCreepage, StripForces, forces};
 use super::tables::Tables;
 use crate::number::lanes::Lanes;
-use crate::number::registers::compiled_twice;
+use crate::number::registers::with_avx;
 use crate::number::{Arithmetic, Number, Real, Strips};
 
 /// The creepages of eight strips, `A_x, A_y, σ`, the spread and the start; and their share of the inner strips' nodes, 0 to 1.
 type Eight<F> = [[F; 8]; 6];
 /// The forces `f_x, f_y, m_x` of eight strips and the share in adhesion, and the derivatives of the first three by the creepages.
-type Found<F, const ROWS: usize> = ([[F; 8]; 4], [[[F; 8]; 5]; ROWS]);
+type ForcesAndSlopes<F, const ROWS: usize> = ([[F; 8]; 4], [[[F; 8]; 5]; ROWS]);
 
 /// How many rows of derivatives: without them, and with them.
 const VALUES: usize = 0;
@@ -21,9 +21,9 @@ const SLOPES: usize = 3;
 /// The forces of eight strips. Each has a share of the inner strips' nodes, 0 to 1.
 #[inline(never)]
 pub(crate) fn eight_strips<T: Number>(
-    seen: &[(Seen<T>, T); 8],
+    seen: &[(StripCreepage<T>, T); 8],
     inner: [T::Base; 8],
-) -> [Carried<T>; 8] {
+) -> [StripForces<T>; 8] {
     // (one code for all numbers of derivatives)
     if T::HAS_DERIVATIVES {
         carried(seen, inner, both_kinds::<T::Base, SLOPES>)
@@ -34,9 +34,9 @@ pub(crate) fn eight_strips<T: Number>(
 
 /// The same, one after the other.
 pub(crate) fn eight_one_by_one<T: Number>(
-    seen: &[(Seen<T>, T); 8],
+    seen: &[(StripCreepage<T>, T); 8],
     inner: [T::Base; 8],
-) -> [Carried<T>; 8] {
+) -> [StripForces<T>; 8] {
     if T::HAS_DERIVATIVES {
         carried(seen, inner, of_kinds::<T::Base, Lanes<T::Base, 1>, SLOPES>)
     } else {
@@ -46,11 +46,11 @@ pub(crate) fn eight_one_by_one<T: Number>(
 
 #[inline]
 fn carried<T: Number, const ROWS: usize>(
-    seen: &[(Seen<T>, T); 8],
+    seen: &[(StripCreepage<T>, T); 8],
     inner: [T::Base; 8],
-    forces: impl Fn(&Eight<T::Base>, &mut Found<T::Base, ROWS>),
-) -> [Carried<T>; 8] {
-    let all = |of: fn(&(Seen<T>, T)) -> T| seen.each_ref().map(|own| of(own).value());
+    forces: impl Fn(&Eight<T::Base>, &mut ForcesAndSlopes<T::Base, ROWS>),
+) -> [StripForces<T>; 8] {
+    let all = |of: fn(&(StripCreepage<T>, T)) -> T| seen.each_ref().map(|own| of(own).value());
     let eight = [
         all(|(seen, _)| seen.x),
         all(|(seen, _)| seen.y),
@@ -60,7 +60,7 @@ fn carried<T: Number, const ROWS: usize>(
         inner,
     ];
     let zero = T::Base::zero();
-    // (written where it stays: a copy would take room on the stack)
+    // (written where it stays: a copy would take one_minus_r2 on the stack)
     let mut found = ([[zero; 8]; 4], [[[zero; 8]; 5]; ROWS]);
     forces(&eight, &mut found);
     let ([fx, fy, mx, stick], slopes) = &found;
@@ -72,7 +72,7 @@ fn carried<T: Number, const ROWS: usize>(
             let slopes = slopes.get(row).map_or([zero; 5], |slopes| slopes.each_ref().map(of));
             T::composed(of(value), slopes, by)
         };
-        let carried = Carried {
+        let carried = StripForces {
             fx: composed(fx, 0),
             fy: composed(fy, 1),
             mx: composed(mx, 2),
@@ -83,8 +83,8 @@ fn carried<T: Number, const ROWS: usize>(
     })
 }
 
-fn both_kinds<F: Real, const ROWS: usize>(eight: &Eight<F>, found: &mut Found<F, ROWS>) {
-    compiled_twice!(if 1 => <F: Real; ROWS>(eight: &Eight<F>, found: &mut Found<F, ROWS>) -> () {
+fn both_kinds<F: Real, const ROWS: usize>(eight: &Eight<F>, found: &mut ForcesAndSlopes<F, ROWS>) {
+    with_avx!(if 1 => <F: Real; ROWS>(eight: &Eight<F>, found: &mut ForcesAndSlopes<F, ROWS>) -> () {
         if cfg!(target_os = "none") {
             // (one after the other, where flash is short)
             of_kinds::<F, Lanes<F, 1>, ROWS>(eight, found)
@@ -100,7 +100,7 @@ fn both_kinds<F: Real, const ROWS: usize>(eight: &Eight<F>, found: &mut Found<F,
 #[inline(always)]
 fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
     eight: &Eight<F>,
-    found: &mut Found<F, ROWS>,
+    found: &mut ForcesAndSlopes<F, ROWS>,
 ) {
     let zero = F::zero();
     let (carried, slopes) = found;
@@ -110,7 +110,7 @@ fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
         // (one kind and the other)
         let [x, y, spin, spread, start] =
             [x, y, spin, spread, start].map(|strips| Lanes::new([strips; 2]));
-        let (seen, spin) = (Seen { x, y, spread, start }, Spin::new(spin));
+        let (seen, spin) = (StripCreepage { x, y, spread, start }, Spin::new(spin));
         let constants = Tables::<F::Stored, _>::new(|kinds: &[_; 2]| {
             Lanes::new(kinds.map(|constant| P::all(F::stored(constant))))
         });
@@ -121,7 +121,7 @@ fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
                 *place = mixed.lane(k);
             }
         };
-        let Carried { fx, fy, mx, stick } = if ROWS == SLOPES {
+        let StripForces { fx, fy, mx, stick } = if ROWS == SLOPES {
             let by_spin = SpinSlopes::new(&spin);
             let (carried, own) = forces_and_slopes(&seen, &spin, &constants, &by_spin);
             for (slopes, own) in slopes.as_flattened_mut().iter_mut().zip(own.as_flattened()) {

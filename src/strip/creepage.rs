@@ -4,11 +4,11 @@
 //! of the rigid slip where the linear force is far beyond the friction bound.
 
 use super::constants::{SATURATION, WIDTH, WIDTH2};
-use super::kernel::Seen;
+use super::kernel::StripCreepage;
 use super::long::LongContact;
-use super::network::{INPUTS, Network};
+use super::network::{INPUTS, StripNetwork};
 use crate::linear::LinearCoefficients;
-use crate::number::registers::compiled_twice;
+use crate::number::registers::with_avx;
 use crate::number::{Arithmetic, Number, Pair, Real, Strips, add, scaled_down};
 use core::f64::consts::PI;
 
@@ -37,7 +37,7 @@ pub struct Flexibilities<F: Real> {
     lateral_at_rest: F,
     /// Factors of creepage and of `ρ` that make sums over strips exact at rest.
     factors: [F; 2],
-    network: Network<F>,
+    network: StripNetwork<F>,
     long: LongContact<F>,
     /// Share of the square of a spin's linear force that counts toward rigid slip: 1, less in long contacts.
     of_spin: F,
@@ -87,7 +87,7 @@ impl<F: Real> Flexibilities<F> {
         linear: &LinearCoefficients<F>,
         factors: [F; 2],
     ) -> Self {
-        compiled_twice!(if F::LANES => <F: Real>(axis_ratio: F, poisson_ratio: F,
+        with_avx!(if F::LANES => <F: Real>(axis_ratio: F, poisson_ratio: F,
             linear: &LinearCoefficients<F>, factors: [F; 2]) -> Flexibilities<F> {
             Flexibilities::of_contact(axis_ratio, poisson_ratio, linear, factors)
         })
@@ -114,7 +114,7 @@ impl<F: Real> Flexibilities<F> {
             rigid: (linear.c11 + linear.c22).times(4.0 / (3.0 * PI)),
             lateral_at_rest: (linear.c23 * inverse).plus(-1.0),
             factors,
-            network: Network::new(ratio, poisson),
+            network: StripNetwork::new(ratio, poisson),
             of_spin: long.of_spin(root),
             long,
         }
@@ -126,7 +126,7 @@ impl<F: Real> Flexibilities<F> {
     /// and bounded and have the right limits.
     #[inline(always)]
     pub fn see<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Distribution<T> {
-        compiled_twice!(if T::LANES => <F: Real, T: Number<Base = F>>(contact: &Flexibilities<F> = self, creepage: [T; 3]) -> Distribution<T> {
+        with_avx!(if T::LANES => <F: Real, T: Number<Base = F>>(contact: &Flexibilities<F> = self, creepage: [T; 3]) -> Distribution<T> {
             contact.seen::<T, F::Four>(creepage)
         } {
             contact.seen::<T, F::WideRow>(creepage)
@@ -273,7 +273,7 @@ impl<T: Number> Distribution<T> {
 
     /// The creepages of one strip, and `σ`.
     #[inline]
-    pub fn strip(&self, strip: &StripGeometry<T::Base>) -> (Seen<T>, T) {
+    pub fn strip(&self, strip: &StripGeometry<T::Base>) -> (StripCreepage<T>, T) {
         let inverse = T::Base::one() / strip.bound;
         let y = strip.y;
         // A_x = (a_x − ρ Y (1 + ε (0.4 − Y²)))/Π
@@ -287,7 +287,7 @@ impl<T: Number> Distribution<T> {
             ],
             T::Base::of(STRIP_LIMIT),
         );
-        (Seen { x, y, spread, start: self.start }, spin)
+        (StripCreepage { x, y, spread, start: self.start }, spin)
     }
 }
 

@@ -3,9 +3,10 @@
 
 use super::constants::{AVERAGE, BLEND, EDGE, NODES, ROUND_SPIN};
 use super::kernel::{
-    Carried, Passed, Seen, Separatrix, Spin, Start, Traction, WIDEST, blending, forces,
+    NodeState, Separatrix, Spin, Start, StripCreepage, StripForces, Traction, WIDEST, blending,
+    forces,
 };
-use super::tables::{Constants, Node};
+use super::tables::{Constants, TableNode};
 use crate::number::Arithmetic;
 
 /// Derivatives by `σ` of the numbers that depend on `σ` alone.
@@ -37,15 +38,15 @@ impl<T: Arithmetic> SpinSlopes<T> {
 /// Forces of strips side by side, and the derivatives of `f_x, f_y, m_x` by `A_x, A_y, σ`, the spread and the start.
 #[inline(always)]
 pub(super) fn forces_and_slopes<P: Arithmetic<Value = P>>(
-    seen: &Seen<P>,
+    seen: &StripCreepage<P>,
     spin: &Spin<P>,
     constants: &impl Constants<P>,
     by_spin: &SpinSlopes<P>,
-) -> (Carried<P>, [[P; 5]; 3]) {
+) -> (StripForces<P>, [[P; 5]; 3]) {
     // (any number will do until the nodes are noted)
     let any = seen.x;
     let traction = Traction { x: any, y: any, offered: [any; 3], tried: any };
-    let mut nodes = [Passed { inverse_bound: any, weight: any, traction, kept: any }; NODES];
+    let mut nodes = [NodeState { inverse_bound: any, weight: any, traction, kept: any }; NODES];
     let (carried, start) = forces(seen, spin, constants, |k, passed| {
         if let Some(node) = nodes.get_mut(k) {
             *node = passed;
@@ -53,11 +54,11 @@ pub(super) fn forces_and_slopes<P: Arithmetic<Value = P>>(
     });
     let s = start.separatrix.s;
     let turning = spin.sigma * s;
-    let [mut x, mut y, mut m] = [Way::new(); 3];
+    let [mut x, mut y, mut m] = [Adjoint::new(); 3];
     for k in (0..NODES).rev() {
         let Some(own) = nodes.get(k) else { continue };
         let before = nodes.get(k.wrapping_sub(1)).map_or(seen.start, |before| before.kept);
-        let node = Turned::new(&constants.node(k), own, before, s, spin);
+        let node = NodeAdjoint::new(&constants.node(k), own, before, s, spin);
         x.pass(Force::Longitudinal, &node, spin.r, turning);
         y.pass(Force::Lateral, &node, spin.r, turning);
         m.pass(Force::Moment, &node, spin.r, turning);
@@ -83,7 +84,7 @@ enum Force {
 
 /// A node, as the reverse pass needs it.
 #[derive(Clone, Copy)]
-struct Turned<P> {
+struct NodeAdjoint<P> {
     /// `t` and `λ`
     place: P,
     length: P,
@@ -116,9 +117,9 @@ struct Turned<P> {
     turn: P,
 }
 
-impl<P: Arithmetic<Value = P>> Turned<P> {
+impl<P: Arithmetic<Value = P>> NodeAdjoint<P> {
     #[inline(always)]
-    fn new(node: &Node<P>, own: &Passed<P>, before: P, s: P, spin: &Spin<P>) -> Self {
+    fn new(node: &TableNode<P>, own: &NodeState<P>, before: P, s: P, spin: &Spin<P>) -> Self {
         let one = P::one();
         let (b, m, q) = (own.inverse_bound, own.kept, own.traction.tried);
         let [x, y, wide] = own.traction.offered;
@@ -160,7 +161,7 @@ impl<P: Arithmetic<Value = P>> Turned<P> {
 
 /// The derivatives of a force in the reverse pass: by the state ahead of a node, and sums over the nodes that were passed.
 #[derive(Clone, Copy)]
-struct Way<P> {
+struct Adjoint<P> {
     by_px: P,
     by_py: P,
     by_wide: P,
@@ -176,7 +177,7 @@ struct Way<P> {
     by_spread: P,
 }
 
-impl<P: Arithmetic<Value = P>> Way<P> {
+impl<P: Arithmetic<Value = P>> Adjoint<P> {
     #[inline(always)]
     fn new() -> Self {
         let zero = P::zero();
@@ -199,9 +200,9 @@ impl<P: Arithmetic<Value = P>> Way<P> {
 
     /// Passes a node.
     #[inline(always)]
-    fn pass(&mut self, force: Force, node: &Turned<P>, r: P, turning: P) {
+    fn pass(&mut self, force: Force, node: &NodeAdjoint<P>, r: P, turning: P) {
         let one = P::one();
-        let Turned { weight, weight_slope, half, offered: [x, y, wide], .. } = *node;
+        let NodeAdjoint { weight, weight_slope, half, offered: [x, y, wide], .. } = *node;
         let ([tx, ty], [px, py]) = (node.traction, node.p);
         // t = r e_y + (p/B − r e_y) e
         let through = match force {
@@ -254,7 +255,7 @@ impl<P: Arithmetic<Value = P>> Way<P> {
     fn end(
         mut self,
         force: Force,
-        seen: &Seen<P>,
+        seen: &StripCreepage<P>,
         (spin, by_spin): (&Spin<P>, &SpinSlopes<P>),
         start: &Start<P>,
         closed: [[P; 2]; 2],
@@ -322,7 +323,7 @@ impl<P: Arithmetic<Value = P>> Way<P> {
 /// `s = s₁ + w (2 − s₁)`, `d root = (A_x dA_x + g (dA_y' + root dr))/S`, `g = A_y' + root r`.
 #[inline(always)]
 fn separatrix<P: Arithmetic>(
-    seen: &Seen<P>,
+    seen: &StripCreepage<P>,
     spin: &Spin<P>,
     found: &Separatrix<P>,
     by_s: P,

@@ -2,7 +2,7 @@
 
 use super::constants::{EDGE, NODES};
 use super::creepage::{Distribution, StripGeometry};
-use super::kernel::{Seen, Separatrix, Slip, Spin, Step};
+use super::kernel::{Separatrix, SlipState, Spin, Step, StripCreepage};
 use super::tables::{Constants, Tables};
 use crate::number::Float;
 
@@ -18,9 +18,9 @@ pub struct StripTraction<T> {
     pub x: T,
     /// Traction along `y` over `μ Z`; the length of the vector is at most 1.
     pub y: T,
-    /// Slip of the upper over the lower body along `x`, in the units of the creepages given.
+    /// SlipState of the upper over the lower body along `x`, in the units of the creepages given.
     pub slip_x: T,
-    /// Slip along `y`.
+    /// SlipState along `y`.
     pub slip_y: T,
     /// Whether the point slips.
     pub slips: bool,
@@ -48,7 +48,7 @@ impl<F: Float> Distribution<F> {
         }
         let constants = Tables::new(|[first, _]: &[F; 2]| *first);
         let t = tau * inverse;
-        let mut slip = Slip::start(n, two - s, inverse, &seen);
+        let mut slip = SlipState::start(n, two - s, inverse, &seen);
         let (mut before, mut from) = (one, None);
         let mut here = None;
         for k in 0..NODES {
@@ -107,8 +107,14 @@ fn step_to<F: Float>(s: F, before: F, t: F) -> Step<F> {
     }
 }
 
-/// Slip over rigid slip on a step: the part of the traction's growth that the bound cuts off, over the whole growth.
-fn slip_share<F: Float>(seen: &Seen<F>, spin: &Spin<F>, s: F, step: &Step<F>, tried: F) -> F {
+/// SlipState over rigid slip on a step: the part of the traction's growth that the bound cuts off, over the whole growth.
+fn slip_share<F: Float>(
+    seen: &StripCreepage<F>,
+    spin: &Spin<F>,
+    s: F,
+    step: &Step<F>,
+    tried: F,
+) -> F {
     let turn = spin.sigma * (s * step.place).plus(-1.0).times(2.0);
     let (x, y) = (seen.x, seen.y + turn);
     let offered = (x * x + y * y).plus(NO_TRACTION).sqrt();

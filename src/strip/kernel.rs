@@ -4,12 +4,12 @@
 //! weighted with `(2/π) √B`. Tractions and forces are divided by the strip's own friction bound.
 
 use super::constants::{AVERAGE, BLEND, EDGE, NODES, ROUND, ROUND_SPIN};
-use super::tables::{Closed, Constants, Node};
+use super::tables::{Closed, Constants, TableNode};
 use crate::number::Arithmetic;
 
 /// Least distance of the separatrix from the trailing edge.
 const LEAST: f64 = 1e-12;
-/// Slip within a strip's width over its slip part is limited to this.
+/// SlipState within a strip's width over its slip part is limited to this.
 pub(super) const WIDEST: f64 = 1e3;
 /// Keeps roots of squares away from zero.
 const TINY: f64 = 1e-24;
@@ -18,7 +18,7 @@ const LARGEST_SPIN: f64 = 1e5;
 
 /// Creepage and spin of a strip, in units of its own friction bound.
 #[derive(Clone, Copy, Debug)]
-pub struct Seen<T> {
+pub struct StripCreepage<T> {
     /// `A_x` of longitudinal creepage and spin.
     pub x: T,
     /// `A_y` of lateral creepage.
@@ -39,7 +39,7 @@ pub struct Spin<T> {
     /// `σ − r`
     pub excess: T,
     /// `1 − r²`
-    pub room: T,
+    pub one_minus_r2: T,
     /// `1/(1 − r²)`
     pub inverse_room: T,
     /// Share of the adhesion part that is given to the nodes: 0 at small spin, 1 at large.
@@ -52,7 +52,7 @@ pub struct Spin<T> {
 
 /// Forces of a strip over its friction bound.
 #[derive(Clone, Copy, Debug)]
-pub struct Carried<T> {
+pub struct StripForces<T> {
     /// Longitudinal force.
     pub fx: T,
     /// Lateral force.
@@ -75,25 +75,35 @@ impl<T: Arithmetic> Spin<T> {
         let r = sigma * factor;
         // 1 − r² = i²/(1 + i σ²), i = (1 + σ⁴)^{−1/2}
         let over = square * root + T::one();
-        let (room, inverse_room) = (root.squared() / over, over / root.squared());
+        let (one_minus_r2, inverse_room) = (root.squared() / over, over / root.squared());
         // w = z² (3 − 2 z)
         let z = blending(sigma);
         let blend = z.squared() * (z.times(-2.0).plus(3.0));
         // d = d₀ + d₁ r⁴
         let round = r.squared().squared().times(ROUND_SPIN).plus(ROUND);
         let inverse_round = round.times(4.0).inverse();
-        Self { sigma, r, excess: sigma - r, room, inverse_room, blend, round, inverse_round }
+        Self {
+            sigma,
+            r,
+            excess: sigma - r,
+            one_minus_r2,
+            inverse_room,
+            blend,
+            round,
+            inverse_round,
+        }
     }
 
     /// The same in another kind of number.
     #[inline(always)]
     pub fn map<U>(&self, all: impl Fn(T) -> U) -> Spin<U> {
-        let Self { sigma, r, excess, room, inverse_room, blend, round, inverse_round } = *self;
+        let Self { sigma, r, excess, one_minus_r2, inverse_room, blend, round, inverse_round } =
+            *self;
         Spin {
             sigma: all(sigma),
             r: all(r),
             excess: all(excess),
-            room: all(room),
+            one_minus_r2: all(one_minus_r2),
             inverse_room: all(inverse_room),
             blend: all(blend),
             round: all(round),
@@ -125,10 +135,10 @@ pub(super) struct Separatrix<T> {
 impl<T: Arithmetic> Separatrix<T> {
     /// `|A'/s + r e_y| = 1`, Kalker's (5.41): `s = (S + r A_y')/(1 − r²)`, `S² = A_y'² + (1 − r²) A_x²`.
     #[inline(always)]
-    pub fn new(seen: &Seen<T>, spin: &Spin<T>) -> Self {
+    pub fn new(seen: &StripCreepage<T>, spin: &Spin<T>) -> Self {
         let y = seen.y + spin.excess;
         let (x2, y2) = (seen.x.squared(), y.squared());
-        let square = (spin.room * x2 + y2).plus(TINY);
+        let square = (spin.one_minus_r2 * x2 + y2).plus(TINY);
         let inverse_size = square.inverse_root();
         let turned = spin.r * y;
         // where r A_y' < 0 the root is |A'|²/(S − r A_y')
@@ -144,7 +154,7 @@ impl<T: Arithmetic> Separatrix<T> {
 
 /// `p/s` of the simplified theory, from node to node through the slip.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Slip<T> {
+pub(super) struct SlipState<T> {
     pub px: T,
     pub py: T,
     /// Half of the variation of `p_x` over the strip's width.
@@ -177,17 +187,23 @@ pub(super) struct Step<T> {
     pub soft: T,
 }
 
-impl<T: Arithmetic> Slip<T> {
+impl<T: Arithmetic> SlipState<T> {
     /// At the separatrix, `p = B n`.
     #[inline(always)]
-    pub fn start([nx, ny]: [T; 2], ahead: T, inverse_s: T, seen: &Seen<T>) -> Self {
+    pub fn start([nx, ny]: [T; 2], ahead: T, inverse_s: T, seen: &StripCreepage<T>) -> Self {
         let wide = (seen.spread * inverse_s).within(WIDEST).times(0.5);
         Self { px: ahead * nx, py: ahead * ny, wide: ahead * wide, kept: seen.start }
     }
 
     /// Goes to the next node: `p` grows with the rigid slip and is cut back to the bound.
     #[inline(always)]
-    pub fn step(self, seen: &Seen<T>, spin: &Spin<T>, s: T, step: &Step<T>) -> (Self, Traction<T>) {
+    pub fn step(
+        self,
+        seen: &StripCreepage<T>,
+        spin: &Spin<T>,
+        s: T,
+        step: &Step<T>,
+    ) -> (Self, Traction<T>) {
         let Step { length, place, inverse_bound, soft } = *step;
         // p* = p + λ (A + σ (2 x̂ + m λ s) e_y), x̂ = s t − 1
         let turned = spin.sigma * s * (place + place + self.kept * length);
@@ -224,7 +240,7 @@ pub(super) struct Start<T> {
 
 /// A node, as the reverse pass of the derivatives needs it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Passed<T> {
+pub(super) struct NodeState<T> {
     pub inverse_bound: T,
     pub weight: T,
     pub traction: Traction<T>,
@@ -234,11 +250,11 @@ pub(super) struct Passed<T> {
 /// Forces of a strip; `note` receives each node.
 #[inline(always)]
 pub(super) fn forces<T: Arithmetic>(
-    seen: &Seen<T>,
+    seen: &StripCreepage<T>,
     spin: &Spin<T>,
     constants: &impl Constants<T::Value>,
-    mut note: impl FnMut(usize, Passed<T>),
-) -> (Carried<T>, Start<T>) {
+    mut note: impl FnMut(usize, NodeState<T>),
+) -> (StripForces<T>, Start<T>) {
     let separatrix = Separatrix::new(seen, spin);
     let Separatrix { y, s, .. } = separatrix;
     let u = s.times(0.5);
@@ -254,11 +270,11 @@ pub(super) fn forces<T: Arithmetic>(
     let closed_moment = (y + s * spin.r) * polynomial(&closed.moment, u);
     let mut mx = -(ahead * ((y * ahead).times(0.5) + closed_moment));
     let mut blended = T::zero();
-    let mut slip = Slip::start(n, ahead + ahead, inverse_s, seen);
+    let mut slip = SlipState::start(n, ahead + ahead, inverse_s, seen);
     let soft = (spin.sigma * s).squared();
     let square = u.squared();
     for (k, inverse_bound) in bounds.into_iter().enumerate() {
-        let node: Node<T::Value> = constants.node(k);
+        let node: TableNode<T::Value> = constants.node(k);
         let step = Step {
             length: T::from_base(node.length),
             place: T::from_base(node.place),
@@ -273,11 +289,11 @@ pub(super) fn forces<T: Arithmetic>(
         fy += lateral;
         mx += s.scale(node.place).plus(-1.0) * lateral;
         blended += slip.kept.squared().squared().squared().scale(node.length);
-        note(k, Passed { inverse_bound, weight, traction, kept: slip.kept });
+        note(k, NodeState { inverse_bound, weight, traction, kept: slip.kept });
     }
     // with much spin the nodes reach into the adhesion part
     let stick = ahead + spin.blend * (u * blended);
-    (Carried { fx, fy, mx, stick }, Start { separatrix, inverse_s, n })
+    (StripForces { fx, fy, mx, stick }, Start { separatrix, inverse_s, n })
 }
 
 /// `1/s` and all `s/B = 1/(t (2 − s t))`, from one quotient.

@@ -28,12 +28,12 @@ const MOVING: [[f32; UNITS]; INPUTS] = {
 
 /// The network of one contact.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Network<F> {
+pub(super) struct StripNetwork<F> {
     /// Sums of the units over the features of the contact.
     start: [F; UNITS],
 }
 
-impl<F: Real> Network<F> {
+impl<F: Real> StripNetwork<F> {
     /// From `2(√g − 1)/(√g + 1)` and `4ν − 1`.
     #[inline(always)]
     pub fn new(ratio: F, poisson: F) -> Self {

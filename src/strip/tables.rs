@@ -2,13 +2,13 @@
 
 use super::constants::{CELLS, NODE, NODES, PLACES, WEIGHTS};
 use super::nodes::{HALF_OF_4, HALF_OF_8, HALF_OF_16, HALF_OF_32, HALF_OF_64};
-use crate::contact::forces::StripCount;
+use crate::contact::totals::StripCount;
 use crate::number::tables::table;
 use crate::number::{Arithmetic, Float};
 
 /// A node of the slip part, for both kinds of strips side by side.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Node<B> {
+pub(super) struct TableNode<B> {
     /// `t = τ/s`
     pub place: B,
     /// `t₀ − t`, with `t₀` of the node before it.
@@ -37,8 +37,8 @@ type Couple<F> = [F; 2];
 
 /// The kernel's constants for strips side by side.
 pub(super) trait Constants<B> {
-    /// Node `k` from the separatrix on.
-    fn node(&self, k: usize) -> Node<B>;
+    /// TableNode `k` from the separatrix on.
+    fn node(&self, k: usize) -> TableNode<B>;
     fn closed(&self) -> Closed<B>;
 }
 
@@ -60,11 +60,11 @@ impl<F: Float, R> Tables<F, R> {
 
 impl<F: Float, B: Arithmetic, R: Fn(&Couple<F>) -> B> Constants<B> for Tables<F, R> {
     #[inline(always)]
-    fn node(&self, k: usize) -> Node<B> {
+    fn node(&self, k: usize) -> TableNode<B> {
         let Self { nodes, read, .. } = self;
         let zero = B::zero();
         let Some([place, length, inverse_place, soft, a, b, c, d]) = nodes.get(k) else {
-            return Node {
+            return TableNode {
                 place: zero,
                 length: zero,
                 inverse_place: zero,
@@ -72,7 +72,7 @@ impl<F: Float, B: Arithmetic, R: Fn(&Couple<F>) -> B> Constants<B> for Tables<F,
                 weight: [zero; 4],
             };
         };
-        Node {
+        TableNode {
             place: read(place),
             length: read(length),
             inverse_place: read(inverse_place),

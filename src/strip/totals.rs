@@ -2,12 +2,12 @@
 
 use super::creepage::{Distribution, Flexibilities};
 use super::derivative::{SpinSlopes, forces_and_slopes};
-use super::kernel::{Carried, Seen, Spin, forces};
+use super::kernel::{Spin, StripCreepage, StripForces, forces};
 use super::tables::{FourStrips, Rule, STRIP_FIELDS, Tables};
-use crate::contact::forces::{StripCount, Totals};
+use crate::contact::totals::{StripCount, Totals};
 use crate::linear::LinearCoefficients;
 use crate::number::lanes::Lanes;
-use crate::number::registers::compiled_twice;
+use crate::number::registers::with_avx;
 use crate::number::{Arithmetic, Float, Number, Real, Strips, add};
 
 /// Least power, over that of the linear theory divided by `√(1 + n²)`.
@@ -53,7 +53,7 @@ impl<F: Real> EllipseStrips<F> {
     /// Forces, moment and share in adhesion for `vx, vy = G a b (υx, υy)/(μ N)`, `φ = G (a b)^{3/2} ϕ/(μ N)`.
     #[inline(always)]
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
-        compiled_twice!(if T::LANES => <F: Real, T: Number<Base = F>>(strips: &EllipseStrips<F> = self, creepage: [T; 3]) -> Totals<T> {
+        with_avx!(if T::LANES => <F: Real, T: Number<Base = F>>(strips: &EllipseStrips<F> = self, creepage: [T; 3]) -> Totals<T> {
             let law = strips.contact.seen::<T, F::Four>(creepage);
             if cfg!(target_os = "none") {
                 // (one after the other, where flash is short)
@@ -118,7 +118,7 @@ impl<F: Real> EllipseStrips<F> {
         &self,
         law: &Distribution<F>,
     ) -> Rows<F, ROWS> {
-        let strips = Together::<P>::new(law, P::all);
+        let strips = CommonCreepage::<P>::new(law, P::all);
         let sum = if P::COUNT >= 4 {
             self.chains::<P, ROWS>(&strips, 0)
         } else {
@@ -140,7 +140,7 @@ impl<F: Real> EllipseStrips<F> {
     #[inline(always)]
     fn chains<P: Strips<F>, const ROWS: usize>(
         &self,
-        strips: &Together<P>,
+        strips: &CommonCreepage<P>,
         lane: usize,
     ) -> Rows<P, ROWS> {
         let fours = const { if P::COUNT < 4 { 1 } else { P::COUNT / 4 } };
@@ -162,7 +162,7 @@ impl<F: Real> EllipseStrips<F> {
                     })
                 });
                 let seen = strips.seen(&fields);
-                let Carried { fx, fy, mx, stick } = if ROWS == SLOPES {
+                let StripForces { fx, fy, mx, stick } = if ROWS == SLOPES {
                     let (carried, own) =
                         forces_and_slopes(&seen, &strips.spin, &constants, &strips.by_spin);
                     let own = by_law(own, &fields, arms);
@@ -200,12 +200,12 @@ impl<F: Real> EllipseStrips<F> {
         let [values] = self.sums::<Lanes<F, 1>, VALUES>(&law);
         let sums = self.values(values);
         let whole = power_projected(sums, law.creepage, &self.contact.linear);
-        let strips = Together::new(&law, |x| x);
+        let strips = CommonCreepage::new(&law, |x| x);
         let mut strip = |i: usize, lane: usize| {
             let Some(four) = self.rule.fours.get(i) else { return };
             let fields = fields(|of, odd| of_side::<F>(of(four), lane, odd));
             let seen = strips.seen(&fields);
-            let Carried { fx, fy, mx, stick } = alone(&seen, &strips.spin, lane & 1 == 1);
+            let StripForces { fx, fy, mx, stick } = alone(&seen, &strips.spin, lane & 1 == 1);
             let [.., load, load_c, load_y, area, _] = fields;
             let Flexibilities { root, upright, .. } = self.contact;
             let mz = mx * load_c * root - fx * load_y * upright;
@@ -238,10 +238,10 @@ impl<F: Real> EllipseStrips<F> {
 /// Forces of one strip.
 #[inline(never)]
 pub(crate) fn alone<T: Arithmetic<Value: Real>>(
-    seen: &Seen<T>,
+    seen: &StripCreepage<T>,
     spin: &Spin<T>,
     inner: bool,
-) -> Carried<T> {
+) -> StripForces<T> {
     let constants = Tables::<<T::Value as Real>::Stored, _>::new(|couple: &[_; 2]| {
         of_lane::<T::Value>(couple, usize::from(inner))
     });
@@ -262,7 +262,7 @@ fn of_side<F: Real>(couple: &[F::Stored; 2], lane: usize, odd: bool) -> F {
 }
 
 /// The creepages that the strips of an ellipse have in common.
-pub(super) struct Together<P> {
+pub(super) struct CommonCreepage<P> {
     /// `a_x, a_y, ρ, ε` and the start.
     law: [P; 5],
     pub(super) spin: Spin<P>,
@@ -270,7 +270,7 @@ pub(super) struct Together<P> {
     pub(super) by_spin: SpinSlopes<P>,
 }
 
-impl<P: Arithmetic<Value = P>> Together<P> {
+impl<P: Arithmetic<Value = P>> CommonCreepage<P> {
     /// The same in numbers `P`, made by `all`.
     #[inline(always)]
     pub(super) fn new<F: Real>(law: &Distribution<F>, all: impl Fn(F) -> P + Copy) -> Self {
@@ -283,10 +283,10 @@ impl<P: Arithmetic<Value = P>> Together<P> {
 
     /// `A_x = (a_x − ρ Y (1 + ε (0.4 − Y²)))/C`, `A_y = a_y/C`
     #[inline(always)]
-    pub(super) fn seen(&self, fields: &[P; STRIP_FIELDS]) -> Seen<P> {
+    pub(super) fn seen(&self, fields: &[P; STRIP_FIELDS]) -> StripCreepage<P> {
         let [y, inverse, bend_y, .., width] = *fields;
         let [longitudinal, lateral, slope, bend, start] = self.law;
-        Seen {
+        StripCreepage {
             x: (longitudinal - slope * (bend * bend_y + y)) * inverse,
             y: lateral * inverse,
             spread: slope * width,

@@ -1,10 +1,10 @@
 //! Strips that adhere, by the primitives of Section 7.1; `∫ C K dY`, which is not elementary, by nodes.
 
 use crate::number::tables::{row, table};
-use crate::number::{Arithmetic, Number, Pair, Real, Stored, either};
+use crate::number::{Arithmetic, Number, Pair, Real, Stored, branch_or_blend};
 use crate::strip_1967::edge::{Arc, Edge};
 use crate::strip_1967::integrals::{Both, GAUSS_4, GAUSS_6, Pieces, Shares, arcsinh, far, rounded};
-use crate::strip_1967::motion::Motion;
+use crate::strip_1967::reduced::ReducedCreepage;
 use crate::strip_1967::slopes;
 
 /// Square root of the distance between 1 and the next number.
@@ -16,8 +16,8 @@ fn root_epsilon<T: Number>() -> f64 {
 /// Strips with adhesion: `f_x = ξ̄ (2C − K)`, `f_y = ψ C² + η (2C − K)`, `m_x = −η (C − K)²`. Ends are fixed: derivatives are those
 /// of the integrands.
 #[inline(always)]
-pub(super) fn adhering<T: Number>(motion: &Motion<T>, moving: &Arc<T>) -> Shares<T> {
-    let Motion { xi, eta, psi, slope: p, q, eta_psi: m, .. } = *motion;
+pub(super) fn adhering<T: Number>(motion: &ReducedCreepage<T>, moving: &Arc<T>) -> Shares<T> {
+    let ReducedCreepage { xi, eta, psi, slope: p, q, eta_psi: m, .. } = *motion;
     let values = motion.values();
     let arc = moving.values();
     let (Edge { y: y1, c: c1 }, Edge { y: y2, c: c2 }) = (arc.lower, arc.upper);
@@ -40,7 +40,7 @@ pub(super) fn adhering<T: Number>(motion: &Motion<T>, moving: &Arc<T>) -> Shares
     let smooth = values.eta * values.eta
         + values.q * (x * x - (bend * bend).times(far::<T>() * far::<T>()))
         + T::TINY;
-    let [k, xk, yxk, kk] = either!(
+    let [k, xk, yxk, kk] = branch_or_blend!(
         T::from_base(smooth),
         {
             // ∫ (K, ξ̄ K, Y ξ̄ K, K²) dY by nodes
@@ -102,8 +102,8 @@ pub(super) fn adhering<T: Number>(motion: &Motion<T>, moving: &Arc<T>) -> Shares
 
 /// `K`, by the form of (5.41) that does not cancel.
 #[inline(always)]
-fn length<T: Number>(motion: &Motion<T>, x: T::Pair) -> T::Pair {
-    let Motion { eta, psi, q, eta_psi: m, .. } = motion.values();
+fn length<T: Number>(motion: &ReducedCreepage<T>, x: T::Pair) -> T::Pair {
+    let ReducedCreepage { eta, psi, q, eta_psi: m, .. } = motion.values();
     let both = Both::<T>::both;
     let x0 = x.value();
     let squares = x0 * x0;
@@ -123,8 +123,8 @@ fn length<T: Number>(motion: &Motion<T>, x: T::Pair) -> T::Pair {
 /// `∫ C K dY = ∫ C² K dθ`: nodes for what `K` is more than its least, from the strip with `ξ̄ = 0`, where `S` may have
 /// a kink, to both ends of the arc.
 #[inline(always)]
-fn stretch_and_length<T: Number>(motion: &Motion<T>, arc: &Arc<T>, stretch: T::Base) -> T {
-    let Motion { xi, eta, psi, slope, .. } = *motion;
+fn stretch_and_length<T: Number>(motion: &ReducedCreepage<T>, arc: &Arc<T>, stretch: T::Base) -> T {
+    let ReducedCreepage { xi, eta, psi, slope, .. } = *motion;
     let Arc { lower, upper, middle, .. } = *arc;
     // the strip with ξ̄ = 0 or the end of the arc next to it (with hardly any spin there is no kink, and nothing may hang on where the
     // middle is), as the tangent of half an angle, and K there

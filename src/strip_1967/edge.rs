@@ -24,7 +24,7 @@
 //! no strip adheres where this is not positive, and then `(sin θ, cos θ)` is the strip that comes nearest to it.
 
 use crate::number::{Arithmetic, Number};
-use crate::strip_1967::motion::Motion;
+use crate::strip_1967::reduced::ReducedCreepage;
 
 /// A point `(Y, C)` of the leading edge, `Y² + C² = 1`, `C ≥ 0`, in units of the semi-axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,8 +91,8 @@ impl<T: Number> Arc<T> {
 
 /// The arc of the strips with adhesion, of no length where there are none, and a number that is positive where there are.
 #[inline(always)]
-pub fn adhesion<T: Number>(motion: &Motion<T>) -> (Arc<T>, T) {
-    let Motion { xi, eta, slope: p, q, eta_psi: m, .. } = *motion;
+pub fn adhesion<T: Number>(motion: &ReducedCreepage<T>) -> (Arc<T>, T) {
+    let ReducedCreepage { xi, eta, slope: p, q, eta_psi: m, .. } = *motion;
     let (p2, eta2, none, least) = (p * p, eta * eta, T::zero(), T::from_base(T::ROOT_TINY));
     // The root as its distance s from min(ξ², p²), which is positive: neither λ nor d cancels.
     let inside = p - xi;
@@ -140,7 +140,7 @@ pub fn adhesion<T: Number>(motion: &Motion<T>) -> (Arc<T>, T) {
 /// The positive root of the cubic for `s = least − L`, `least = min(ξ², p²)`:
 /// `d s (s + gap) = (η² d + m²)(least − s)` with `d = d₀ + s`.
 #[inline(always)]
-fn root<T: Number>(motion: &Motion<T>, least: T, gap: T, d0: T) -> T {
+fn root<T: Number>(motion: &ReducedCreepage<T>, least: T, gap: T, d0: T) -> T {
     let (eta2, m2) = (motion.eta * motion.eta, motion.eta_psi * motion.eta_psi);
     let inputs = [least, gap, d0, eta2, m2];
     let (least, gap, d0) = (least.value(), gap.value(), d0.value());

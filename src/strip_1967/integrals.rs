@@ -2,7 +2,7 @@
 
 use crate::number::{Arithmetic, Number, Pair, Real, Stored};
 use crate::strip_1967::edge::{Arc, Edge};
-use crate::strip_1967::motion::Motion;
+use crate::strip_1967::reduced::ReducedCreepage;
 
 /// The positive two of the four nodes of Gauss on `[-1, 1]`, with their weights.
 pub(super) const GAUSS_4: [[f64; 2]; 2] =
@@ -53,7 +53,7 @@ pub(super) fn moment<F: Real>([k0, k1]: [F; 2], [one, u, uu]: [F; 3]) -> F {
 
 /// The two pieces of an arc side by side: `Y = sin(θ + φ)`, with the tangent `t` of `φ/2` from `−t₁` to the parting and on to `t₁`.
 pub(super) struct Pieces<F: Real> {
-    motion: Motion<F>,
+    motion: ReducedCreepage<F>,
     middle: Edge<F>,
     /// Middle and half length of each in `t`.
     centre: F::Pair,
@@ -63,7 +63,7 @@ pub(super) struct Pieces<F: Real> {
 }
 
 /// Of a node in each piece.
-pub(super) struct Node<P> {
+pub(super) struct GaussNode<P> {
     pub t: P,
     /// `D = 1 + t²`
     pub d: P,
@@ -80,15 +80,15 @@ pub(super) struct Node<P> {
 
 impl<F: Real> Pieces<F> {
     #[inline(always)]
-    pub fn new(motion: Motion<F>, arc: Arc<F>, parting: F, least: F) -> Self {
+    pub fn new(motion: ReducedCreepage<F>, arc: Arc<F>, parting: F, least: F) -> Self {
         let (from, to) = (F::Pair::of(-arc.tangent, parting), F::Pair::of(parting, arc.tangent));
         let (centre, half) = ((from + to).times(0.5), (to - from).times(0.5));
         Self { motion, middle: arc.middle, centre, half, least }
     }
 
     #[inline(always)]
-    pub fn at(&self, node: F, weight: F) -> Node<F::Pair> {
-        let Motion { xi, eta, slope: p, q, eta_psi: m, .. } = self.motion;
+    pub fn at(&self, node: F, weight: F) -> GaussNode<F::Pair> {
+        let ReducedCreepage { xi, eta, slope: p, q, eta_psi: m, .. } = self.motion;
         let (Edge { y: y0, c: c0 }, both) = (self.middle, <F::Pair as Pair<F>>::both);
         let t = self.centre + self.half.by(node);
         let d = (t * t).plus(1.0);
@@ -103,6 +103,6 @@ impl<F: Real> Pieces<F> {
         let below = positive.choose(both(q), big + F::Pair::tiny()) * d;
         let bound = c * c.by(weight);
         let share = (above - below.by(self.least)) * bound / (below * (d * d * d));
-        Node { t, d, c, x, s, above, below, bound, share }
+        GaussNode { t, d, c, x, s, above, below, bound, share }
     }
 }

@@ -45,20 +45,20 @@
 mod adhesion;
 pub mod edge;
 mod integrals;
-pub mod motion;
+pub mod reduced;
 mod sliding;
 mod slopes;
 pub mod strip;
 pub mod strips;
 
 use crate::contact::creepage::Parameters;
-use crate::contact::forces::Totals;
-use crate::number::registers::compiled_twice;
-use crate::number::{Arithmetic, Number, Real, add, chosen, either};
+use crate::contact::totals::Totals;
+use crate::number::registers::with_avx;
+use crate::number::{Arithmetic, Number, Real, add, branch_or_blend, chosen};
 use crate::strip_1967::adhesion::adhering;
 use crate::strip_1967::edge::Edge;
 use crate::strip_1967::integrals::Shares;
-use crate::strip_1967::motion::Motion;
+use crate::strip_1967::reduced::ReducedCreepage;
 use crate::strip_1967::sliding::sliding;
 use crate::strip_1967::strip::SlidingRule;
 use core::f64::consts::PI;
@@ -79,11 +79,11 @@ use core::f64::consts::PI;
 pub fn totals<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Totals<T> {
     // (the code of one rule alone is half as large; with derivatives it is one for both)
     if rule == SlidingRule::RigidSlip && !T::HAS_DERIVATIVES {
-        compiled_twice!(if T::LANES => <T: Number>(parameters: &Parameters<T>) -> Totals<T> {
+        with_avx!(if T::LANES => <T: Number>(parameters: &Parameters<T>) -> Totals<T> {
             integrals(parameters, SlidingRule::RigidSlip)
         })
     } else {
-        compiled_twice!(if T::LANES => <T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Totals<T> {
+        with_avx!(if T::LANES => <T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Totals<T> {
             integrals(parameters, rule)
         })
     }
@@ -91,7 +91,7 @@ pub fn totals<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Total
 
 #[inline(always)]
 fn integrals<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Totals<T> {
-    let motion = Motion::new(parameters, rule);
+    let motion = ReducedCreepage::new(parameters, rule);
     let short = || without_spin(&motion.values());
     let shares = if T::HAS_DERIVATIVES {
         let mut shares = with_spin(&motion);
@@ -103,16 +103,18 @@ fn integrals<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Totals
         }
         shares
     } else {
-        either!(motion.psi, { with_spin(&motion) }, { T::each(&short(), |x| T::from_base(*x)) })
+        branch_or_blend!(motion.psi, { with_spin(&motion) }, {
+            T::each(&short(), |x| T::from_base(*x))
+        })
     };
     turned_back(&motion, shares)
 }
 
 /// Forces and moment in units of `μ N` and `μ N √(ab)`, turned back.
 #[inline(always)]
-fn turned_back<T: Number>(motion: &Motion<T>, shares: Shares<T>) -> Totals<T> {
+fn turned_back<T: Number>(motion: &ReducedCreepage<T>, shares: Shares<T>) -> Totals<T> {
     let [fx, fy, mx, lever, stick] = shares;
-    let Motion { axis_ratio, turned_x, turned_y, .. } = *motion;
+    let ReducedCreepage { axis_ratio, turned_x, turned_y, .. } = *motion;
     let root = axis_ratio.sqrt();
     let mz = mx.scale(root) - lever.scale(T::Base::one() / root);
     let (fx, fy) = (fx.scale(turned_x.times(0.75)), fy.scale(turned_y.times(0.75)));
@@ -120,7 +122,7 @@ fn turned_back<T: Number>(motion: &Motion<T>, shares: Shares<T>) -> Totals<T> {
     let fx = motion.xi.choose(fx, fx - T::from_base(fx.value()));
     // (differences of primitives may pass the bound by their rounding)
     let square = fx * fx + fy * fy;
-    let [fx, fy] = either!(
+    let [fx, fy] = branch_or_blend!(
         square - T::one(),
         {
             let inverse = square.sqrt().inverse();
@@ -138,8 +140,8 @@ fn turned_back<T: Number>(motion: &Motion<T>, shares: Shares<T>) -> Totals<T> {
 
 /// Without spin `K = τ = √(ξ² + η²)` in every strip, and strips with `C > τ` adhere (Section 8.15).
 #[inline(always)]
-fn without_spin<F: Real>(motion: &Motion<F>) -> Shares<F> {
-    let Motion { xi, eta, compliance, rule, .. } = *motion;
+fn without_spin<F: Real>(motion: &ReducedCreepage<F>) -> Shares<F> {
+    let ReducedCreepage { xi, eta, compliance, rule, .. } = *motion;
     let (one, none) = (F::one(), F::zero());
     let (tau2, eta2) = (xi * xi + eta * eta, eta * eta);
     let tau = tau2.sqrt();
@@ -160,7 +162,7 @@ fn without_spin<F: Real>(motion: &Motion<F>) -> Shares<F> {
 
 /// Strips that adhere, and those that slide on both sides of them.
 #[inline(always)]
-fn with_spin<T: Number>(motion: &Motion<T>) -> Shares<T> {
+fn with_spin<T: Number>(motion: &ReducedCreepage<T>) -> Shares<T> {
     let (arc, some) = edge::adhesion(motion);
     let (one, none) = (T::one(), T::zero());
     let (first, last) = (Edge { y: -one, c: none }, Edge { y: one, c: none });

@@ -1,10 +1,10 @@
 //! Strips that slide, by the primitives of Section 7.1 or, under the continuous rule, by nodes.
 
 use crate::number::tables::{row, table};
-use crate::number::{Arithmetic, Number, Pair, either};
+use crate::number::{Arithmetic, Number, Pair, branch_or_blend};
 use crate::strip_1967::edge::Edge;
 use crate::strip_1967::integrals::{Both, GAUSS_4, Shares, arcsinh, far, moment, rounded};
-use crate::strip_1967::motion::Motion;
+use crate::strip_1967::reduced::ReducedCreepage;
 use crate::strip_1967::slopes;
 use crate::strip_1967::strip::SlidingRule;
 
@@ -23,7 +23,7 @@ const GAUSS_16: [[f64; 2]; 8] = [
 /// Strips that slide, below and above those that adhere.
 #[inline(always)]
 pub(super) fn sliding<T: Number>(
-    motion: &Motion<T>,
+    motion: &ReducedCreepage<T>,
     lower: [Edge<T>; 2],
     upper: [Edge<T>; 2],
 ) -> Shares<T> {
@@ -40,8 +40,8 @@ pub(super) fn sliding<T: Number>(
 
 /// `∫ C² (w_x, w_y, Y w_x) dY` with `w ~ ((1 − ν) ξ̄, η)`.
 #[inline(always)]
-fn rigid_slip<T: Number>(motion: &Motion<T>, from: Both<T>, to: Both<T>) -> [T; 3] {
-    let Motion { xi, eta, slope, compliance, .. } = *motion;
+fn rigid_slip<T: Number>(motion: &ReducedCreepage<T>, from: Both<T>, to: Both<T>) -> [T; 3] {
+    let ReducedCreepage { xi, eta, slope, compliance, .. } = *motion;
     let both = Both::<T>::both;
     let (z0, p) = (xi.scale(compliance), slope.scale(compliance));
     let (middle, half) = ((from + to).times(0.5), (to - from).times(0.5));
@@ -51,7 +51,7 @@ fn rigid_slip<T: Number>(motion: &Motion<T>, from: Both<T>, to: Both<T>) -> [T; 
     let eta2 = eta0 * eta0;
     let smooth = both(eta2) + z * z - (bend * bend).times(far::<T>() * far::<T>());
     let (first, second) = smooth.parts();
-    either!(
+    branch_or_blend!(
         T::from_base(first.min(second) + T::TINY),
         {
             let mut sums = [T::Pair::zero(); 3];
@@ -111,8 +111,12 @@ fn rigid_slip<T: Number>(motion: &Motion<T>, from: Both<T>, to: Both<T>) -> [T; 
 
 /// `∫ C² (w_x, w_y, Y w_x) dY` with `w ~ (ξ̄, η + ψ C)`: nodes from the adhesion strips, next to which the direction turns, outwards.
 #[inline(always)]
-fn continuous<T: Number>(motion: &Motion<T>, lower: [Edge<T>; 2], upper: [Edge<T>; 2]) -> [T; 3] {
-    let Motion { xi, eta, psi, slope: p, .. } = *motion;
+fn continuous<T: Number>(
+    motion: &ReducedCreepage<T>,
+    lower: [Edge<T>; 2],
+    upper: [Edge<T>; 2],
+) -> [T; 3] {
+    let ReducedCreepage { xi, eta, psi, slope: p, .. } = *motion;
     let both = T::Pair::both;
     let near =
         Edge { y: T::Pair::of(lower[1].y, upper[0].y), c: T::Pair::of(lower[1].c, upper[0].c) };

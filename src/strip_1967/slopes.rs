@@ -3,26 +3,26 @@
 use crate::number::tables::{row, table};
 use crate::number::{Arithmetic, Number, Pair, Real};
 use crate::strip_1967::edge::Arc;
-use crate::strip_1967::integrals::{Both, GAUSS_6, Node, Pieces, Shares, moment};
-use crate::strip_1967::motion::Motion;
+use crate::strip_1967::integrals::{Both, GAUSS_6, GaussNode, Pieces, Shares, moment};
+use crate::strip_1967::reduced::ReducedCreepage;
 use crate::strip_1967::strip::SlidingRule;
 
 /// `∫ C K dY` with its derivatives. Those by the ends are those of what the nodes miss.
 #[inline(always)]
 pub(super) fn stretch_and_length<T: Number>(
-    motion: &Motion<T>,
+    motion: &ReducedCreepage<T>,
     arc: &Arc<T>,
     [parting, level]: [T; 2],
     pieces: &Pieces<T::Base>,
     stretch: T::Base,
 ) -> T {
-    let Motion { eta, psi, slope: p, .. } = motion.values();
+    let ReducedCreepage { eta, psi, slope: p, .. } = motion.values();
     let Arc { lower, upper, middle, .. } = arc.values();
     let (both, least) = (Both::<T>::both, pieces.least);
     let mut value = Both::<T>::zero();
     let mut sums = [Both::<T>::zero(); 8];
     for [node, weight] in table!(T::Base, GAUSS_6).iter().map(row::<T::Base, 2>) {
-        let Node { t, d, c, x, s, above, below, bound, share } = pieces.at(node, weight);
+        let GaussNode { t, d, c, x, s, above, below, bound, share } = pieces.at(node, weight);
         value += share;
         // S dK = ξ̄ dξ̄ + (η + ψ K)(dη + K dψ)
         let (k, inverse) = (above / below, d.inverse());
@@ -59,7 +59,7 @@ pub(super) fn stretch_and_length<T: Number>(
         lower.c * (lower.c - least),
         upper.c * (least - upper.c),
     ];
-    let Motion { xi, eta, psi, slope: p, .. } = *motion;
+    let ReducedCreepage { xi, eta, psi, slope: p, .. } = *motion;
     let ends = [arc.lower.y, arc.upper.y];
     let inputs = [xi, p, eta, psi, arc.tangent, parting, arc.middle.y, level, ends[0], ends[1]];
     T::composed(whole(value) + least * stretch, slopes, inputs)
@@ -86,8 +86,8 @@ pub(super) fn rigid_slip<F: Real>(
 }
 
 /// How integrals move with the ends, where the force jumps: no values, only derivatives.
-pub(super) fn jumps<T: Number>(motion: &Motion<T>, moving: &Arc<T>) -> Shares<T> {
-    let Motion { xi, eta, psi, slope: p, compliance, rule, .. } = motion.values();
+pub(super) fn jumps<T: Number>(motion: &ReducedCreepage<T>, moving: &Arc<T>) -> Shares<T> {
+    let ReducedCreepage { xi, eta, psi, slope: p, compliance, rule, .. } = motion.values();
     let (Arc { lower, upper, .. }, both) = (moving.values(), Both::<T>::both);
     let (y, c) = (Both::<T>::of(lower.y, upper.y), Both::<T>::of(lower.c, upper.c));
     let x = both(xi) - y.by(p);

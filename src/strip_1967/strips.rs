@@ -4,12 +4,12 @@
 //! add up to the totals, whatever their number and wherever adhesion ends.
 
 use crate::contact::creepage::Parameters;
-use crate::contact::forces::StripCount;
+use crate::contact::totals::StripCount;
 use crate::number::{Float, add};
 use crate::strip_1967::adhesion::adhering;
 use crate::strip_1967::edge::{self, Arc, Edge};
 use crate::strip_1967::integrals::Shares;
-use crate::strip_1967::motion::Motion;
+use crate::strip_1967::reduced::ReducedCreepage;
 use crate::strip_1967::sliding::sliding;
 use crate::strip_1967::strip::{SlidingRule, Strip};
 use crate::strip_1967::{turned_back, with_spin};
@@ -44,7 +44,7 @@ pub fn strips<F: Float>(
     count: StripCount,
     visit: &mut dyn FnMut(PlacedStrip<F>),
 ) {
-    let motion = Motion::new(parameters, rule);
+    let motion = ReducedCreepage::new(parameters, rule);
     let (arc, some) = edge::adhesion(&motion);
     let adheres = some > F::zero();
     let number = |i: i32| F::widened(i as f32);
@@ -94,7 +94,7 @@ pub fn strips<F: Float>(
 
 /// What the strips between two edges carry.
 fn share<F: Float>(
-    motion: &Motion<F>,
+    motion: &ReducedCreepage<F>,
     arc: &Arc<F>,
     adheres: bool,
     [from, to]: [Edge<F>; 2],

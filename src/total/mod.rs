@@ -23,11 +23,11 @@ use self::constants::{
     BRAKE, END_X, END_Y, LOSS, ONSET, REACH_X, REACH_Y, SEEN_E, SEEN_ES, SEEN_S, SEEN_S4, SEEN_U,
     SEEN_Y, SEEN_YS, SHEAR, TURN,
 };
-use self::network::Network;
+use self::network::TotalNetwork;
 use self::rigid_slip::RigidSlip;
-use crate::contact::forces::Totals;
+use crate::contact::totals::Totals;
 use crate::linear::LinearCoefficients;
-use crate::number::registers::compiled_twice;
+use crate::number::registers::with_avx;
 use crate::number::{Arithmetic, Number, Pair, Real, Stored, Strips};
 
 /// Axis ratios that the formulas are evaluated with; fitted are 0.015 to 60, and rigid slip from 1/70 to 70.
@@ -76,7 +76,7 @@ pub struct Total<F> {
     /// `√g` within `1/8 … 8` as `(√g − 1)/(√g + 1)`
     slender: F,
     rigid: RigidSlip<F>,
-    network: Network<F>,
+    network: TotalNetwork<F>,
 }
 
 impl<F: Real> Total<F> {
@@ -86,7 +86,7 @@ impl<F: Real> Total<F> {
     #[must_use]
     #[inline(always)]
     pub fn new(axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>) -> Self {
-        compiled_twice!(if F::LANES => <F: Real>(axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>) -> Total<F> {
+        with_avx!(if F::LANES => <F: Real>(axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>) -> Total<F> {
             Total::of_contact(axis_ratio, poisson_ratio, linear)
         })
     }
@@ -111,7 +111,7 @@ impl<F: Real> Total<F> {
             ends: [end_x, end_y],
             slender,
             rigid: RigidSlip::new(g, both),
-            network: Network::of_contact([
+            network: TotalNetwork::of_contact([
                 slender,
                 poisson,
                 slender * slender,
@@ -125,7 +125,7 @@ impl<F: Real> Total<F> {
     #[must_use]
     #[inline(always)]
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
-        compiled_twice!(if T::LANES => <F: Real, T: Number<Base = F>>(contact: &Total<F> = self, creepage: [T; 3]) -> Totals<T> {
+        with_avx!(if T::LANES => <F: Real, T: Number<Base = F>>(contact: &Total<F> = self, creepage: [T; 3]) -> Totals<T> {
             contact.two_answers::<T, F::Four>(creepage)
         } {
             contact.two_answers::<T, F::WideRow>(creepage)

@@ -13,11 +13,11 @@ const UNITS_2: usize = 2 * LAST[0].len();
 
 /// Six corrections for one contact: sums of the first layer over what depends on the contact only.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Network<F> {
+pub(super) struct TotalNetwork<F> {
     sums: [F; UNITS_1],
 }
 
-impl<F: Real> Network<F> {
+impl<F: Real> TotalNetwork<F> {
     #[inline(always)]
     pub(super) fn of_contact(fixed: [F; FIXED_INPUTS]) -> Self {
         let [offset, weights @ ..] = table!(F, rows(&FIXED));

@@ -16,16 +16,16 @@
 use super::line_of_contact::Turn;
 use super::touch::Gap;
 use super::{
-    KSTRIP_CONTACTS_CAPACITY, KSTRIP_SURFACE_CAPACITY, Pair, Position, Velocity, cross, dot,
+    KSTRIP_CONTACTS_CAPACITY, KSTRIP_SURFACE_CAPACITY, Position, Velocity, WheelPair, cross, dot,
     sine_cosine,
 };
-use crate::contact::forces::StripCount;
+use crate::contact::totals::StripCount;
 use crate::motion::Motion;
 use crate::normal::cells::Given;
 use crate::normal::{Indentation, Profile, ProfileContact};
 use crate::number::{Float, are_finite, length};
 use crate::patch::StoredPatch;
-use crate::status::{Error, Notice};
+use crate::status::{Error, Warning};
 use core::ops::Range;
 use heapless::Vec;
 
@@ -35,7 +35,7 @@ const APART: f64 = 8e-3;
 /// Largest number of contacts that lie apart. With those that stand for two or three of them there may be more.
 const APART_AT_MOST: usize = 4;
 /// Distance of the surfaces up to which points belong to the profile of a contact: over its depth, and at least \[m\].
-const SEES: f64 = 4.0;
+const PROFILE_DEPTH: f64 = 4.0;
 const SEES_LEAST: f64 = 1e-4;
 /// Upper bound of the angles of a gap \[rad\].
 const STEEPEST: f64 = 1.6;
@@ -185,12 +185,12 @@ fn with_moment<F: Float>(place: [F; 3], direction: [F; 3]) -> [F; 6] {
 /// A checked gap: the used part of its lists; with the position of the wheel, or of the mirror image of a left one.
 struct View<'a, F> {
     lists: [&'a [F]; 7],
-    pair: &'a Pair<F>,
+    pair: &'a WheelPair<F>,
     position: Position<F>,
 }
 
 impl<'a, F: Float> View<'a, F> {
-    fn new(gap: &'a Gap<F>, pair: &'a Pair<F>, position: &Position<F>) -> Result<Self, Error> {
+    fn new(gap: &'a Gap<F>, pair: &'a WheelPair<F>, position: &Position<F>) -> Result<Self, Error> {
         pair.check()?;
         position.check()?;
         let position = position.mirrored(pair.left != 0);
@@ -247,7 +247,7 @@ impl<'a, F: Float> View<'a, F> {
         let [along, distance, x, .., rolling_radius] = self.lists;
         let at = |k: usize| distance.get(k).copied().unwrap_or(F::zero());
         let depth = own.clone().fold(F::zero(), |depth, k| depth.max(-at(k)));
-        let level = depth.times(SEES).plus(SEES_LEAST);
+        let level = depth.times(PROFILE_DEPTH).plus(SEES_LEAST);
         let is_high = |k: &usize| at(*k) >= level;
         let start = (within.start..own.start).rev().find(is_high).unwrap_or(within.start);
         let end = (own.end..within.end).find(is_high).map_or(within.end, |k| k + 1);
@@ -301,7 +301,7 @@ impl<'a, F: Float> View<'a, F> {
         count: StripCount,
         strips: &mut StoredPatch<F>,
     ) -> Result<Indentation<F>, Error> {
-        let Pair { shear_modulus, poisson_ratio, friction, smoothing_length, .. } = *self.pair;
+        let WheelPair { shear_modulus, poisson_ratio, friction, smoothing_length, .. } = *self.pair;
         strips.clear(shear_modulus, poisson_ratio);
         let contact = ProfileContact {
             rolling_radius: self.pair.wheel_radius,
@@ -312,7 +312,7 @@ impl<'a, F: Float> View<'a, F> {
             smoothing_length,
         };
         let found = Indentation::new(profile, &contact, count, |strip| strips.push(strip))?;
-        if found.notice == Notice::ProfileEnd { Err(Error::ProfileEnd) } else { Ok(found) }
+        if found.warning == Warning::ProfileEnd { Err(Error::ProfileEnd) } else { Ok(found) }
     }
 }
 
@@ -334,32 +334,32 @@ struct Group<F> {
 
 /// The result of [`from_gap`].
 #[derive(Clone, Copy, Debug)]
-pub struct Found {
+pub struct ContactCount {
     /// Contacts that were written.
     pub written: usize,
     /// Contacts more than 4 mm apart.
     pub apart: u32,
     /// The warning, if there is one.
-    pub notice: Notice,
+    pub warning: Warning,
 }
 
 /// The contacts of a gap, in ascending y; none where the wheel is lifted. `strips` is memory for the normal problem of each.
 ///
 /// # Errors
 /// [`Error::Profile`] for a gap that does not ascend, or an angle beyond 1.6; [`Error::PatchSize`] for more than four contacts apart, or more than
-/// [`KSTRIP_CONTACTS_CAPACITY`] in all; [`Error::Capacity`]; those of `Pair::check` and of
+/// [`KSTRIP_CONTACTS_CAPACITY`] in all; [`Error::Capacity`]; those of `WheelPair::check` and of
 /// [`Patch::from_profile`](crate::patch::Patch::from_profile).
 pub fn from_gap<F: Float>(
     gap: &Gap<F>,
-    pair: &Pair<F>,
+    pair: &WheelPair<F>,
     position: &Position<F>,
     count: StripCount,
     strips: &mut StoredPatch<F>,
     contacts: &mut [WheelContact<F>; KSTRIP_CONTACTS_CAPACITY],
-) -> Result<Found, Error> {
+) -> Result<ContactCount, Error> {
     let view = View::new(gap, pair, position)?;
     let groups = view.groups()?;
-    let mut found = Found { written: 0, apart: groups.len() as u32, notice: Notice::None };
+    let mut found = ContactCount { written: 0, apart: groups.len() as u32, warning: Warning::None };
     let near = |k: usize| groups.get(k).map_or(F::zero(), |group| group.near);
     for (first, from) in groups.iter().enumerate() {
         for (last, to) in groups.iter().enumerate().skip(first) {
@@ -385,7 +385,7 @@ pub fn from_gap<F: Float>(
             }
             found.written += 1;
             if contact.is_conformal() {
-                found.notice = Notice::AngleRange;
+                found.warning = Warning::AngleRange;
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Wheel on rail: from two profiles and a position to the forces on the wheel.
 //!
 //! Axes of the track: `x` forward, `y` to the right, `z` down. The wheel is the right one; the left one is its mirror image
-//! ([`Pair::left`]).
+//! ([`WheelPair::left`]).
 //!
 //! 1. [`surface`] turns measured or drawn points into a profile at equal steps of its length.
 //! 2. [`touch`] finds the line on the wheel where its normal is perpendicular to `x`, and its distance from the rail. All contacts lie on
@@ -36,7 +36,7 @@ pub const KSTRIP_CONTACTS_CAPACITY: usize = 6;
 /// Largest number of places along the rail at which friction is given.
 pub const KSTRIP_RAIL_FRICTION_CAPACITY: usize = 4;
 
-/// Where the wheel is, over straight track. A right wheel leans on the gauge side, which is at small y, with its flange.
+/// Where the wheel is, over straight track. A right wheel coupling on the gauge side, which is at small y, with its flange.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Position<F> {
@@ -102,7 +102,7 @@ impl<F: Float> Velocity<F> {
 /// wheel_radius and shear_modulus.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pair<F> {
+pub struct WheelPair<F> {
     /// Radius of the wheel at z = 0 of its profile \[m\], > 0.
     pub wheel_radius: F,
     /// Combined shear modulus G \[Pa\], > 0.
@@ -128,7 +128,7 @@ pub struct Pair<F> {
     pub model: i32,
 }
 
-impl<F: Float> Pair<F> {
+impl<F: Float> WheelPair<F> {
     /// Checks the members but for the materials, which are checked with the patch.
     ///
     /// # Errors

@@ -4,11 +4,11 @@ use super::contacts::{self, WheelContact};
 use super::surface::Surface;
 use super::touch::{Gap, touch};
 use super::wrench::{self, Law, Wrench, WrenchByPosition, WrenchDerivatives};
-use super::{KSTRIP_CONTACTS_CAPACITY, Pair, Position, Velocity};
-use crate::contact::forces::StripCount;
+use super::{KSTRIP_CONTACTS_CAPACITY, Position, Velocity, WheelPair};
+use crate::contact::totals::StripCount;
 use crate::number::Float;
 use crate::patch::StoredPatch;
-use crate::status::{Error, Notice};
+use crate::status::{Error, Warning};
 
 /// Steps of the differences by position, over the cube root of the rounding \[m, rad\]: 1 µm in double precision, 15 µm in single.
 const STEP: f64 = 0.15;
@@ -43,7 +43,7 @@ pub struct Scene<'a, F> {
     /// The wheel.
     pub wheel: &'a Surface<F>,
     /// Materials, friction, side.
-    pub pair: &'a Pair<F>,
+    pub pair: &'a WheelPair<F>,
     /// Number of strips.
     pub strips: StripCount,
     /// The law of the creep forces.
@@ -59,14 +59,14 @@ impl<F: Float> Scene<'_, F> {
         &self,
         position: &Position<F>,
         memory: &mut Workspace<F>,
-    ) -> Result<Notice, Error> {
+    ) -> Result<Warning, Error> {
         let Self { pair, strips, .. } = *self;
         pair.check()?;
         let Workspace { gap, strips: whole, contacts, count, apart } = memory;
         self.touch(position, gap)?;
         let found = contacts::from_gap(gap, pair, position, strips, whole, contacts)?;
         (*count, *apart) = (found.written as u32, found.apart);
-        Ok(found.notice)
+        Ok(found.warning)
     }
 
     fn touch(&self, position: &Position<F>, gap: &mut Gap<F>) -> Result<F, Error> {
@@ -146,7 +146,7 @@ impl<F: Float> Scene<'_, F> {
         support: F,
         velocity: Option<&Velocity<F>>,
         memory: &mut Workspace<F>,
-    ) -> Result<(F, Notice), Error> {
+    ) -> Result<(F, Warning), Error> {
         if !support.is_finite_number() {
             return Err(Error::NotFinite);
         }
@@ -163,7 +163,7 @@ impl<F: Float> Scene<'_, F> {
             let at = Position { vertical: here, ..*position };
             let rest = straight(self.support(&at, velocity, memory)?) - wanted;
             if rest.abs() <= wanted * F::EPSILON.times(64.0) {
-                return Ok((here, Notice::None));
+                return Ok((here, Warning::None));
             }
             // an end that stays once more counts half
             if rest < F::zero() {
@@ -180,7 +180,7 @@ impl<F: Float> Scene<'_, F> {
             let next = match below {
                 Some((low, more)) => {
                     if low - high <= F::of(NEAREST) {
-                        return Ok((here, Notice::None));
+                        return Ok((here, Warning::None));
                     }
                     let share = (less / (less - more)).clamped(F::of(0.02), F::of(0.98));
                     high + (low - high) * share
@@ -188,11 +188,11 @@ impl<F: Float> Scene<'_, F> {
                 None => high + far,
             };
             if next == here {
-                return Ok((here, Notice::None));
+                return Ok((here, Warning::None));
             }
             here = next;
         }
-        Ok((here, Notice::NotConverged))
+        Ok((here, Warning::NotConverged))
     }
 
     /// The upward force of the rail on the wheel; without a velocity that of the pressure alone.

@@ -7,7 +7,7 @@ use super::line_of_contact::Wheel;
 use super::surface::{Place, Surface};
 use super::under::Rail;
 use super::{KSTRIP_SURFACE_CAPACITY, Position};
-use crate::number::registers::compiled_twice;
+use crate::number::registers::with_avx;
 use crate::number::{Float, Strips, are_finite};
 use crate::status::Error;
 
@@ -83,7 +83,7 @@ type Places<F> = [Option<Place<F>>; FOUR];
 impl<F: Float> Above<'_, F> {
     /// Looks down from places of the wheel's profile. None where the rail is out of reach.
     fn look(&mut self, places: &Places<F>) -> [Option<GapPoint<F>>; FOUR] {
-        compiled_twice!(if 1 => <F: Float>(above: &mut Above<'_, F> = self, places: &Places<F> = places) -> [Option<GapPoint<F>>; FOUR] {
+        with_avx!(if 1 => <F: Float>(above: &mut Above<'_, F> = self, places: &Places<F> = places) -> [Option<GapPoint<F>>; FOUR] {
             above.look_from::<F::Four>(places)
         } {
             above.look_from::<F::WideFour>(places)

@@ -10,12 +10,12 @@
 use super::contacts::WheelContact;
 use super::{Velocity, dot};
 use crate::contact::creepage::Creepage;
+use crate::forces::{Model, Solution};
 use crate::friction::SlipFriction;
 use crate::motion::{MotionDerivatives, Rolling};
 use crate::number::{Float, are_finite};
 use crate::patch::{self, PatchView, StoredPatch, solver};
-use crate::solve::model::{Model, Solution};
-use crate::status::{Error, Notice};
+use crate::status::{Error, Warning};
 
 /// Speed below which any slip is plausible \[m/s\].
 const JUDGED: f64 = 1.0;
@@ -35,7 +35,7 @@ pub struct Wrench<F> {
     /// Number of contacts; 0: the wheel is lifted, and nothing acts.
     pub contacts: u32,
     /// The status of this result: 0 or one of the KSTRIP_WARNING constants.
-    pub notice: Notice,
+    pub warning: Warning,
 }
 
 /// Exact derivatives of the wrench. The rows are the members of force and moment.
@@ -98,7 +98,7 @@ pub fn of_contacts<F: Float>(
         **sums = WrenchDerivatives { velocity: [[zero; 6]; 6], friction: [zero; 6] };
     }
     let (mut sums, mut normal_force, mut dissipation) = ([zero; 6], zero, zero);
-    let mut notice = Notice::None;
+    let mut warning = Warning::None;
     for contact in contacts {
         if !(are_finite(&contact.normal) && are_finite(&[contact.share, contact.normal_force])) {
             return Err(Error::NotFinite);
@@ -120,9 +120,9 @@ pub fn of_contacts<F: Float>(
         }
         normal_force += load;
         dissipation += dot(&force, &[motion.slip_x, motion.slip_y, motion.spin_rate]);
-        notice = notice.worse(carried.notice);
+        warning = warning.worse(carried.warning);
         if contact.is_conformal() {
-            notice = notice.worse(Notice::AngleRange);
+            warning = warning.worse(Warning::AngleRange);
         }
     }
     if !(are_finite(&sums) && are_finite(&[normal_force, dissipation])) {
@@ -130,7 +130,7 @@ pub fn of_contacts<F: Float>(
     }
     let ([a, b, c, d, e, f], contacts) = (sums, contacts.len() as u32);
     let (force, moment) = ([a, b, c], [d, e, f]);
-    Ok(Wrench { force, moment, dissipation, normal_force, contacts, notice })
+    Ok(Wrench { force, moment, dissipation, normal_force, contacts, warning })
 }
 
 impl<F: Float> WrenchDerivatives<F> {
@@ -231,7 +231,7 @@ fn turned<F: Float, S>(
 
 fn joined<F: Float>(rolling: &Rolling<F>, ahead: Solution<F>, behind: Solution<F>) -> Solution<F> {
     let [fx, fy, mz] = rolling.both(forces(&ahead), forces(&behind));
-    let notice = ahead.notice.worse(behind.notice);
-    let slow = rolling.speed < F::of(JUDGED) && notice.is_implausible();
-    Solution { fx, fy, mz, notice: if slow { Notice::None } else { notice }, ..ahead }
+    let warning = ahead.warning.worse(behind.warning);
+    let slow = rolling.speed < F::of(JUDGED) && warning.is_implausible();
+    Solution { fx, fy, mz, warning: if slow { Warning::None } else { warning }, ..ahead }
 }

@@ -10,13 +10,13 @@ use core::mem::{offset_of, size_of};
 use header::{Declared, Structure};
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::{Creepage, Parameters};
-use kstrip::contact::forces::StripCount;
 use kstrip::contact::hertz::{Radii, hertz};
+use kstrip::contact::totals::StripCount;
 use kstrip::ffi;
+use kstrip::forces::{self, Field, Model, Options, StripResult};
 use kstrip::friction::SlipFriction;
 use kstrip::friction::derivatives::differentiate;
-use kstrip::solve::model::{self, Field, Model, Options, StripResult};
-use kstrip::status::Notice;
+use kstrip::status::Warning;
 use kstrip::strip_1967::strip::State;
 use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;
@@ -92,7 +92,8 @@ fn wheel_rail_prints_the_right_patch_forces_and_map() {
         };
         let creepage =
             Creepage { longitudinal: longitudinal / 100.0, lateral: lateral / 100.0, spin };
-        let exact = model::solve(&contact, &creepage, &Options::default()).expect("a solution");
+        let exact = forces::forces_of_contact(&contact, &creepage, &Options::default())
+            .expect("a solution");
         assert_printed(fx, exact.fx, 2, "Fx");
         assert_printed(fy, exact.fy, 2, "Fy");
         assert_printed(mz, exact.mz, 4, "Mz");
@@ -140,7 +141,8 @@ fn wheel_rail_prints_the_right_patch_forces_and_map() {
     let count = |character| f64::from(counts.get(&character).copied().unwrap_or(0));
     let inside = count('#') + count('.') + count('-');
     assert_close(inside * step * step / 2.0, PI * a * b, 0.02 * PI * a * b, "area of the map");
-    let adhesion = model::solve(&contact, &creepage, &options).expect("a solution").adhesion;
+    let adhesion =
+        forces::forces_of_contact(&contact, &creepage, &options).expect("a solution").adhesion;
     assert_close(count('#') / inside, adhesion, 0.02, "stick in the map");
 }
 
@@ -171,15 +173,15 @@ fn creep_curves_hold_every_model() {
         let model = Model::from_number(number).expect("a model");
         let motion = Creepage { longitudinal: value(3), lateral: value(4), spin: value(5) };
         let options = Options { model, strips: StripCount::default() };
-        let exact = model::solve(&CONTACT, &motion, &options).expect("a solution");
+        let exact = forces::forces_of_contact(&CONTACT, &motion, &options).expect("a solution");
         // Ten digits are printed; the creepage in the table is rounded to ten as well.
         let columns =
             [exact.fx, exact.fy, exact.mz, exact.power, exact.adhesion].map(|v| (v, v.abs()));
         for (column, (exact, size)) in (6..).zip(columns) {
             assert_close(value(column), exact, 2e-9 * size + 1e-9, &format!("{record:?}"));
         }
-        assert_eq!(record[11].parse(), Ok(exact.notice.code()), "status of {record:?}");
-        if exact.notice != Notice::BeyondFriction {
+        assert_eq!(record[11].parse(), Ok(exact.warning.code()), "status of {record:?}");
+        if exact.warning != Warning::BeyondFriction {
             assert!(value(6).hypot(value(7)) <= FRICTION_BOUND * (1.0 + 1e-9), "{record:?}");
         }
         listed.insert(i64::from(number));
@@ -196,11 +198,11 @@ fn traction_field_adds_up_to_the_forces() {
     let text = run_c("c_examples/03_traction_field.c");
     let creepage = Creepage { longitudinal: 0.0005, lateral: 0.001, spin: 0.3 };
     let options = Options { model: Model::Strip1967, strips: StripCount::ThirtyTwo };
-    let exact = model::solve(&CONTACT, &creepage, &options).expect("a solution");
+    let exact = forces::forces_of_contact(&CONTACT, &creepage, &options).expect("a solution");
 
     // Strips, one by one and summed
     let mut strips: Vec<StripResult<f64>> = Vec::new();
-    model::strips(&CONTACT, &creepage, &options, &mut |strip| strips.push(strip)).expect("strips");
+    forces::strips(&CONTACT, &creepage, &options, &mut |strip| strips.push(strip)).expect("strips");
     let printed: Vec<Vec<f64>> =
         text.lines().skip(1).take_while(|line| !line.is_empty()).map(numbers).collect();
     assert_eq!(printed.len(), strips.len());
@@ -277,7 +279,7 @@ fn velocities_become_opposite_forces_on_the_two_bodies() {
     assert_printed(printed[1], creepage.lateral, 9, "lateral creepage");
     assert_printed(printed[2], creepage.spin, 9, "spin");
 
-    let forces = model::solve(&CONTACT, &creepage, &TOTAL).expect("a solution");
+    let forces = forces::forces_of_contact(&CONTACT, &creepage, &TOTAL).expect("a solution");
     let rail = line_of(&text, "force on the rail");
     let wheel = line_of(&text, "force on the wheel");
     let wanted = [forces.fx, forces.fy * tilt.cos(), forces.fy * tilt.sin(), forces.mz];
@@ -565,7 +567,8 @@ fn swept_cell(cell: i32, directions: i32) -> [f64; 8] {
             axis_ratio: a / b,
         };
         let creepage = parameters.creepage(&contact);
-        let f = model::solve(&contact, &creepage, &Options::default()).expect("a solution");
+        let f = forces::forces_of_contact(&contact, &creepage, &Options::default())
+            .expect("a solution");
         let force = f.fx.hypot(f.fy) / FRICTION_BOUND;
         row[3] += force / f64::from(directions);
         row[4] = row[4].min(force);
@@ -675,7 +678,7 @@ fn rust_layouts() -> BTreeMap<String, usize> {
     layouts.insert("size kstrip_status".to_owned(), size_of::<ffi::kstrip_status>());
     // The one member that has another name in Rust
     let c_name =
-        |(key, number): (String, usize)| (key.replace(".notice", ".status_detail"), number);
+        |(key, number): (String, usize)| (key.replace(".warning", ".status_detail"), number);
     layouts.into_iter().map(c_name).collect()
 }
 
@@ -782,7 +785,7 @@ fn threads_and_rust_see_the_same_bits() {
             model: Model::from_number(1 + i % 5).expect("a model"),
             strips: StripCount::from_number(4 << (i / 5 % 5)).expect("a count"),
         };
-        let r = model::solve(&contact, &creepage, &options).expect("a solution");
+        let r = forces::forces_of_contact(&contact, &creepage, &options).expect("a solution");
         for number in [r.fx, r.fy, r.mz, r.power, r.adhesion] {
             // FNV-1a
             hash = (hash ^ number.to_bits()).wrapping_mul(0x0100_0000_01b3);

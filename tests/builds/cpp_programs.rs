@@ -6,9 +6,9 @@ use crate::toolchain;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::hertz::{Radii, hertz};
+use kstrip::forces::derivatives;
+use kstrip::forces::{self, Options};
 use kstrip::friction::{self, SlipFriction};
-use kstrip::solve::derivatives;
-use kstrip::solve::model::{self, Options};
 use std::f64::consts::PI;
 use std::process::Command;
 use toolchain::{cpp_compilers, root, run_cpp, say, scratch};
@@ -65,17 +65,18 @@ fn example_prints_what_rust_computes() {
     let approach = &numbers(text, "approach")[0];
     close(approach[0], 80e3, 3);
     assert!((approach[1] / (1.5 * 80e3 / patch.approach) - 1.0).abs() < 1e-6, "{approach:?}");
-    let options = Options { model: model::Model::Total, ..Options::default() };
+    let options = Options { model: forces::Model::Total, ..Options::default() };
     let solve = |motion: &Creepage<f64>, model| {
-        model::solve(&contact, motion, &Options { model, ..options }).expect("a solution")
+        forces::forces_of_contact(&contact, motion, &Options { model, ..options })
+            .expect("a solution")
     };
     let rolling = |longitudinal, lateral| Creepage { longitudinal, lateral, spin: 0.0 };
     // C11 and C22: linear forces over G a b times creepage
     let coefficients = &numbers(text, "linear")[0];
     let stiffness = 82e9 * patch.a * patch.b * 1e-3;
-    close(coefficients[0], solve(&rolling(1e-3, 0.0), model::Model::Linear).fx / stiffness, 6);
-    close(coefficients[1], solve(&rolling(0.0, 1e-3), model::Model::Linear).fy / stiffness, 6);
-    let forces = solve(&motion, model::Model::Total);
+    close(coefficients[0], solve(&rolling(1e-3, 0.0), forces::Model::Linear).fx / stiffness, 6);
+    close(coefficients[1], solve(&rolling(0.0, 1e-3), forces::Model::Linear).fy / stiffness, 6);
+    let forces = solve(&motion, forces::Model::Total);
     let (rail, wheel) = (&numbers(text, "rail")[0], &numbers(text, "wheel")[0]);
     close(rail[0], forces.fx, 4);
     close(rail[1], forces.fy, 4);
@@ -91,7 +92,7 @@ fn example_prints_what_rust_computes() {
     let curve = numbers(text, "curve");
     assert_eq!(curve.len(), 9);
     for (i, row) in curve.iter().enumerate() {
-        close(row[0], solve(&rolling(i as f64 * 1e-3, 0.0), model::Model::Total).fx, 4);
+        close(row[0], solve(&rolling(i as f64 * 1e-3, 0.0), forces::Model::Total).fx, 4);
     }
     assert_eq!(numbers(text, "batch")[0], curve[8]);
     let wet = SlipFriction {
@@ -106,7 +107,7 @@ fn example_prints_what_rust_computes() {
     close(numbers(text, "wet")[0][1], solution.friction, 6);
     // At rest slip over the floor of the speed, .02 m/s, is the creepage
     let standstill = &numbers(text, "standstill")[0];
-    close(standstill[0], solve(&rolling(1e-5 / 0.02, 0.0), model::Model::Total).fx, 3);
+    close(standstill[0], solve(&rolling(1e-5 / 0.02, 0.0), forces::Model::Total).fx, 3);
     assert!(standstill[1] > 1e8, "{standstill:?}");
     // There and back: friction .3, creepages .001 and .0005
     let inverse = &numbers(text, "inverse")[0];
@@ -121,18 +122,19 @@ fn example_prints_what_rust_computes() {
     // The strips add up to the force, to rounding
     let strips = &numbers(text, "strips")[0];
     assert!(
-        strips[0] >= 16.0 && (strips[1] - solve(&motion, model::Model::Strip).fx).abs() < 1e-3,
+        strips[0] >= 16.0 && (strips[1] - solve(&motion, forces::Model::Strip).fx).abs() < 1e-3,
         "{strips:?}"
     );
-    let strip = Options { model: model::Model::Strip, ..options };
-    let field = model::Field::new(&contact, &motion, &strip).expect("a field");
+    let strip = Options { model: forces::Model::Strip, ..options };
+    let field = forces::Field::new(&contact, &motion, &strip).expect("a field");
     for (row, x) in numbers(text, "point").iter().zip([-0.5, 0.0, 0.5]) {
         let point = field.at(x * patch.a, 0.0);
         assert_eq!(row[0], f64::from(point.state as i32));
         close(row[1], point.traction_x / 1e6, 4);
     }
     let single = Contact { a: 6e-3, b: 4.5e-3, ..contact };
-    let exact = model::solve(&single, &rolling(1e-3, 0.0), &options).expect("a solution").fx;
+    let exact =
+        forces::forces_of_contact(&single, &rolling(1e-3, 0.0), &options).expect("a solution").fx;
     // Single precision: 2e-6 of mu N is the promise, half a unit of the printed digit
     assert!((numbers(text, "single")[0][0] - exact).abs() < 2e-6 * 24e3 + 0.05);
 }

@@ -1,7 +1,7 @@
 //! The functions that are made for microcontrollers.
 
 use crate::names::*;
-use kstrip::solve::model::Solution;
+use kstrip::forces::Solution;
 use std::mem::MaybeUninit;
 
 macro_rules! same_as_solve {

@@ -2,10 +2,10 @@
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
 use kstrip::contact::hertz::{Radii, hertz};
 use kstrip::contact::material::{Material, combine};
-use kstrip::solve::model::{Field, Model, Options, solve, solve_jacobian, strips};
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::{Field, Model, Options, forces_of_contact, solve_jacobian, strips};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::hint::black_box;
@@ -73,7 +73,7 @@ macro_rules! everything {
                 for count in [4, 8, 16, 32, 64] {
                     let count = StripCount::from_number(count).unwrap();
                     let options = Options { model, strips: count };
-                    let _ = black_box(solve(&contact, &motion, &options));
+                    let _ = black_box(forces_of_contact(&contact, &motion, &options));
                     let _ = black_box(solve_jacobian(&contact, &motion, &options));
                     let _ = black_box(strips(&contact, &motion, &options, &mut |strip| {
                         black_box(strip);

@@ -216,7 +216,7 @@ fn plain(text: &str) -> String {
         ("\\[", "["),
         ("\\]", "]"),
         ("`", ""),
-        ("kstrip_status notice;", "kstrip_status status_detail;"),
+        ("kstrip_status warning;", "kstrip_status status_detail;"),
     ] {
         plain = plain.replace(mark, instead);
     }

@@ -204,7 +204,7 @@ impl Declared {
             let renamed = |member: &Variable| member.kind == "kstrip_status";
             let members: Vec<&str> = members
                 .iter()
-                .map(|member| if renamed(member) { "notice" } else { member.name.as_str() })
+                .map(|member| if renamed(member) { "warning" } else { member.name.as_str() })
                 .collect();
             text += &format!("    {name} {{ {} }}\n", members.join(", "));
         }

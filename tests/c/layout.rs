@@ -10,7 +10,7 @@ layouts! {
     kstrip_creepage { longitudinal, lateral, spin }
     kstrip_parameters { xi, eta, psi }
     kstrip_options { model, strips }
-    kstrip_result { fx, fy, mz, power, adhesion, notice, reserved }
+    kstrip_result { fx, fy, mz, power, adhesion, warning, reserved }
     kstrip_friction { friction, ratio, decay, rolling_speed, slope_factor }
     kstrip_derivatives { jacobian, normal_force, load_through_hertz, friction }
     kstrip_law_derivatives { ratio, decay, rolling_speed, slope_factor }
@@ -27,7 +27,7 @@ layouts! {
     kstrip_profile_contact { rolling_radius, normal_force, approach, smoothing_length, shear_modulus, poisson_ratio, friction, strips, reserved }
     kstrip_patch_strip { y, width, half_length, centre_x, peak_pressure, friction }
     kstrip_patch { strips, shear_modulus, poisson_ratio, area_scale, lever_scale, count, reserved, mismatch }
-    kstrip_profile_result { approach, normal_force, stiffness, peak_pressure, peak_y, iterations, notice, lowest }
+    kstrip_profile_result { approach, normal_force, stiffness, peak_pressure, peak_y, iterations, warning, lowest }
     kstrip_patch_summary { normal_force, friction_bound, area, lobes, reserved }
     kstrip_surface { y, z, cosine, sine, step, count, reserved }
     kstrip_wheel_position { lateral, vertical, yaw, roll }
@@ -35,9 +35,9 @@ layouts! {
     kstrip_wheel_pair { wheel_radius, shear_modulus, poisson_ratio, friction, friction_y, friction_at, friction_points, left, smoothing_length, strips, model }
     kstrip_wheel_contact { origin, angle, angle_range, radius, normal_force, share, approach, stiffness, along, normal, slip_x, slip_y, spin_rate, rolling_speed, patch }
     kstrip_wheel_velocity { forward, lateral, vertical, roll, pitch, yaw }
-    kstrip_wrench { force, moment, dissipation, normal_force, contacts, notice }
+    kstrip_wrench { force, moment, dissipation, normal_force, contacts, warning }
     kstrip_wrench_derivatives { velocity, friction }
     kstrip_wheel_workspace { gap, strips, contacts, count, apart }
     kstrip_wrench_by_position { lateral, vertical, yaw, roll }
-    kstrip_friction_estimate { friction, sensitivity, residual, notice, reserved }
+    kstrip_friction_estimate { friction, sensitivity, residual, warning, reserved }
 }

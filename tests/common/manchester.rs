@@ -3,12 +3,12 @@
 //! Roll is that of wheels on both rails, and the axle turns with the mean radius, as the benchmark has it; its roll itself is not at
 //! hand, which counts where the flange begins to climb (6.5 to 7.5 mm).
 
-use kstrip::contact::forces::StripCount;
-use kstrip::solve::model::Model;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::Model;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
 use kstrip::wheel_rail::surface::Surface;
 use kstrip::wheel_rail::wrench::Law;
-use kstrip::wheel_rail::{Pair, Position, Velocity};
+use kstrip::wheel_rail::{Position, Velocity, WheelPair};
 
 /// Load of a wheel [N], speed [m/s], yaw over shift [rad/m].
 const LOAD: f64 = 10e3;
@@ -74,8 +74,8 @@ pub fn profile(name: &str) -> Box<Surface<f64>> {
 }
 
 /// A right wheel of a radius [m], of steel on steel, with friction 0.3.
-pub fn steel(wheel_radius: f64) -> Pair<f64> {
-    Pair {
+pub fn steel(wheel_radius: f64) -> WheelPair<f64> {
+    WheelPair {
         wheel_radius,
         shear_modulus: 82e9,
         poisson_ratio: 0.28,
@@ -116,7 +116,7 @@ impl Wheelset {
 
     fn wheel(&mut self, left: bool, shift: f64, roll: f64, pitch: f64) -> Wheel {
         let (side, yaw) = (if left { -1.0 } else { 1.0 }, YAW * shift);
-        let pair = Pair { left: i32::from(left), ..steel(0.46) };
+        let pair = WheelPair { left: i32::from(left), ..steel(0.46) };
         let Self { rail, wheel, memory } = self;
         let law = Law { model: Model::Strip, falling: None };
         let scene = Scene { rail, wheel, pair: &pair, strips: StripCount::Sixteen, law };

@@ -4,12 +4,12 @@
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::Model;
 use kstrip::friction::SlipFriction;
 use kstrip::normal::cells::Given;
 use kstrip::normal::{Indentation, Profile, ProfileContact};
 use kstrip::patch::{Patch, PatchStrip, friction, solver};
-use kstrip::solve::model::Model;
 use std::collections::HashMap;
 use std::path::Path;
 

@@ -4,7 +4,7 @@
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::ffi::types::{BatchInputs, BatchOutputs, Outputs};
-use kstrip::solve::model::Solution;
+use kstrip::forces::Solution;
 
 /// No output.
 pub const fn nowhere<F>() -> Outputs<F> {

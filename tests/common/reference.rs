@@ -4,9 +4,10 @@
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::{self, Field, Model, Options};
 use kstrip::linear::LinearCoefficients;
-use kstrip::solve::model::{self, Field, Model, Options};
+use kstrip::number::Float;
 use kstrip::strip_1967::strip::State;
 use std::collections::HashSet;
 use std::f64::consts::PI;
@@ -190,7 +191,8 @@ impl UnlikePair {
         let options = options(model, StripCount::Sixteen);
         let force = |mismatch| {
             let contact = Contact { mismatch, ..self.contact };
-            let found = model::solve(&contact, &self.motion, &options).expect("valid input");
+            let found =
+                forces::forces_of_contact(&contact, &self.motion, &options).expect("valid input");
             [found.fx, found.fy].map(|force| force / contact.friction_bound())
         };
         let ([x, y], [x0, y0]) = (force(self.contact.mismatch), force(0.0));
@@ -243,7 +245,7 @@ pub struct Answer {
 
 /// The answer of a model of the library.
 pub fn answer<F: Float>(case: &Case, options: &Options) -> Answer {
-    let solution = model::solve(&case.contact::<F>(), &case.motion::<F>(), options)
+    let solution = forces::forces_of_contact(&case.contact::<F>(), &case.motion::<F>(), options)
         .unwrap_or_else(|error| panic!("{error} {case:?} {options:?}"));
     let adhesion = solution.adhesion.to_f64();
     Answer {

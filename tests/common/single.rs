@@ -2,9 +2,9 @@
 
 #![allow(dead_code)]
 
-use kstrip::number::Float;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
+use kstrip::number::Float;
 
 /// Without a mismatch.
 pub fn converted<F: Float, G: Float>(c: &Contact<F>) -> Contact<G> {

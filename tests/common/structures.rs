@@ -12,10 +12,10 @@ macro_rules! structures {
         pub type kstrip_radii = kstrip::contact::hertz::Radii<$float>;
         pub type kstrip_hertz_contact = kstrip::contact::hertz::HertzContact<$float>;
         pub type kstrip_friction = kstrip::friction::SlipFriction<$float>;
-        pub type kstrip_result = kstrip::solve::model::Solution<$float>;
-        pub type kstrip_strip = kstrip::solve::model::StripResult<$float>;
-        pub type kstrip_point = kstrip::solve::field::FieldPoint<$float>;
-        pub type kstrip_derivatives = kstrip::solve::derivatives::Derivatives<$float>;
+        pub type kstrip_result = kstrip::forces::Solution<$float>;
+        pub type kstrip_strip = kstrip::forces::StripResult<$float>;
+        pub type kstrip_point = kstrip::forces::field::FieldPoint<$float>;
+        pub type kstrip_derivatives = kstrip::forces::derivatives::Derivatives<$float>;
         pub type kstrip_law_derivatives = kstrip::friction::derivatives::LawDerivatives<$float>;
         pub type kstrip_outputs = kstrip::ffi::types::Outputs<$float>;
         pub type kstrip_batch_inputs = kstrip::ffi::types::BatchInputs<$float>;
@@ -34,7 +34,7 @@ macro_rules! structures {
         pub type kstrip_surface = kstrip::wheel_rail::surface::Surface<$float>;
         pub type kstrip_wheel_position = kstrip::wheel_rail::Position<$float>;
         pub type kstrip_wheel_velocity = kstrip::wheel_rail::Velocity<$float>;
-        pub type kstrip_wheel_pair = kstrip::wheel_rail::Pair<$float>;
+        pub type kstrip_wheel_pair = kstrip::wheel_rail::WheelPair<$float>;
         pub type kstrip_gap = kstrip::wheel_rail::touch::Gap<$float>;
         pub type kstrip_wheel_contact = kstrip::wheel_rail::contacts::WheelContact<$float>;
         pub type kstrip_wheel_workspace = kstrip::wheel_rail::scene::Workspace<$float>;

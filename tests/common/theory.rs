@@ -6,8 +6,8 @@
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
-use kstrip::solve::model::{Field, FieldStrip, Model, Options};
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::{Field, FieldStrip, Model, Options};
 use kstrip::strip_1967::strip::Strip;
 use std::f64::consts::PI;
 
@@ -75,7 +75,7 @@ pub fn solve(law: &Law) -> [f64; 4] {
     let contact = contact(law.axis_ratio, law.poisson_ratio);
     let motion = creepage(&contact, law.xi, law.eta, law.psi);
     let model = if law.continuous { Model::Strip1967Continuous } else { Model::Strip1967 };
-    let s = kstrip::solve::model::solve(&contact, &motion, &sixteen(model)).unwrap();
+    let s = kstrip::forces::forces_of_contact(&contact, &motion, &sixteen(model)).unwrap();
     let bound = contact.friction * contact.normal_force;
     let mean = (contact.a * contact.b).sqrt();
     let answer = [s.fx / bound, s.fy / bound, s.mz / (bound * mean), s.adhesion];

@@ -9,10 +9,13 @@
 
 use crate::single;
 use crate::toolchain;
+use kstrip::number::Float;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::field::FieldPoint;
+use kstrip::forces::{self, Field, Model, Options, Solution, StripResult};
 use kstrip::friction::SlipFriction;
 use kstrip::friction::derivatives::{Differentiated, differentiate};
 use kstrip::normal::cells::Given;
@@ -22,9 +25,7 @@ use kstrip::patch::friction as patch_friction;
 use kstrip::patch::solver;
 use kstrip::patch::{Patch, PatchStrip};
 use kstrip::rig::{Measured, creepage_for_force, estimate_friction};
-use kstrip::solve::field::FieldPoint;
-use kstrip::solve::model::{self, Field, Model, Options, Solution, StripResult};
-use kstrip::status::{Error, Notice};
+use kstrip::status::{Error, Warning};
 use toolchain::{root, run_c_with};
 
 const CASES: u32 = 100_000;
@@ -68,13 +69,13 @@ impl Hash {
     }
 
     /// The status; what there is unless it is that of an error.
-    fn status<T>(&mut self, answer: Result<(T, Notice), Error>) -> Option<T> {
-        self.code(answer.as_ref().map_or_else(|error| error.code(), |(_, notice)| notice.code()));
+    fn status<T>(&mut self, answer: Result<(T, Warning), Error>) -> Option<T> {
+        self.code(answer.as_ref().map_or_else(|error| error.code(), |(_, warning)| warning.code()));
         answer.ok().map(|(found, _)| found)
     }
 
     fn result<F: Bits>(&mut self, answer: Result<Solution<F>, Error>) {
-        if let Some(r) = self.status(answer.map(|r| (r, r.notice))) {
+        if let Some(r) = self.status(answer.map(|r| (r, r.warning))) {
             self.add(&[r.fx, r.fy, r.mz, r.power, r.adhesion]);
         }
     }
@@ -90,7 +91,7 @@ impl Hash {
         }
     }
 
-    fn point<F: Bits>(&mut self, answer: Result<(FieldPoint<F>, Notice), Error>) {
+    fn point<F: Bits>(&mut self, answer: Result<(FieldPoint<F>, Warning), Error>) {
         if let Some(p) = self.status(answer) {
             self.add(&[p.pressure, p.traction_x, p.traction_y, p.slip_x, p.slip_y]);
             self.mix(p.state as u64);
@@ -179,7 +180,7 @@ impl<F: Bits> Case<'_, F> {
     fn hash(&self, hashes: &mut [Hash; KINDS.len()]) {
         let Self { i, contact, creepage, options } = *self;
         let [solves, patches, friction, special, rig] = hashes;
-        let r = model::solve(contact, creepage, options);
+        let r = forces::forces_of_contact(contact, creepage, options);
         solves.result(r);
         if has_field(i) {
             self.field(solves);
@@ -203,7 +204,7 @@ impl<F: Bits> Case<'_, F> {
             let place = |axis: F, parts: f64| axis * F::of(n) / F::of(parts);
             let field = Field::new(contact, creepage, options);
             hash.point(
-                field.map(|f| (f.at(place(contact.a, 2.0), place(contact.b, 4.0)), f.notice)),
+                field.map(|f| (f.at(place(contact.a, 2.0), place(contact.b, 4.0)), f.warning)),
             );
         }
     }
@@ -211,7 +212,7 @@ impl<F: Bits> Case<'_, F> {
     /// A patch by one of its three builders.
     fn build(&self, hash: &mut Hash) -> Option<Full<F>> {
         let Self { i, contact, options, .. } = *self;
-        let mut notice = Notice::None;
+        let mut warning = Warning::None;
         let patch = match i / 5 % 3 {
             0 => Full::from_ellipse(contact, options.strips).map(|mut patch| {
                 for (strip, n) in patch.strips.iter_mut().zip(0..) {
@@ -268,17 +269,17 @@ impl<F: Bits> Case<'_, F> {
                     hash.add(&loads);
                     hash.add(&[found.peak_y]);
                     hash.mix(u64::from(found.iterations));
-                    notice = found.notice;
+                    warning = found.warning;
                     patch
                 })
             }
         };
-        hash.status(patch.map(|patch| (patch, notice)))
+        hash.status(patch.map(|patch| (patch, warning)))
     }
 
     fn patch(&self, hash: &mut Hash, patch: &Full<F>) {
         let Self { creepage, options: Options { model, .. }, .. } = *self;
-        let Some(view) = hash.status(patch.view().map(|view| (view, Notice::None))) else {
+        let Some(view) = hash.status(patch.view().map(|view| (view, Warning::None))) else {
             return;
         };
         let area = view.area() * view.scale().area;
@@ -292,11 +293,11 @@ impl<F: Bits> Case<'_, F> {
         hash.derivatives(&found);
         let mut strips = Vec::new();
         let status = solver::strips(&view, creepage, *model, &mut |s| strips.push(s));
-        hash.strips(status.map_or_else(Error::code, Notice::code), &strips);
+        hash.strips(status.map_or_else(Error::code, Warning::code), &strips);
         for s in view.strips().iter().step_by(3) {
             let x = s.centre_x - s.half_length / F::of(4.0);
             let field = PatchField::new(&view, creepage, *model);
-            hash.point(field.map(|f| (f.at(x, s.y), f.notice)));
+            hash.point(field.map(|f| (f.at(x, s.y), f.warning)));
         }
     }
 
@@ -318,7 +319,7 @@ impl<F: Bits> Case<'_, F> {
             let slipping = Contact { friction: found.friction, shear_modulus, ..*contact };
             let (x, y) = (-contact.a / F::of(4.0), contact.b / F::of(8.0));
             let field = Field::new(&slipping, creepage, options);
-            hash.point(field.map(|f| (f.at(x, y), f.notice)));
+            hash.point(field.map(|f| (f.at(x, y), f.warning)));
         }
         let Some(patch) = patch else { return };
         let view = patch.view().expect("as it was built");
@@ -340,11 +341,11 @@ impl<F: Bits> Case<'_, F> {
                 lateral: kept(2, lateral),
                 spin: kept(3, spin),
             };
-            hash.result(model::solve(contact, &motion, options));
+            hash.result(forces::forces_of_contact(contact, &motion, options));
         }
         let mut strips = Vec::new();
-        let status = model::strips(contact, creepage, options, &mut |s| strips.push(s));
-        hash.strips(status.map_or_else(Error::code, Notice::code), &strips);
+        let status = forces::strips(contact, creepage, options, &mut |s| strips.push(s));
+        hash.strips(status.map_or_else(Error::code, Warning::code), &strips);
     }
 
     /// Friction from a share of the force, and the creepage for it.
@@ -358,7 +359,7 @@ impl<F: Bits> Case<'_, F> {
             _ => (Measured::Both, [fx, fy]),
         };
         let found = estimate_friction(contact, creepage, options, measured, force);
-        if let Some(found) = hash.status(found.map(|found| (found, found.notice))) {
+        if let Some(found) = hash.status(found.map(|found| (found, found.warning))) {
             hash.add(&[found.friction, found.sensitivity, found.residual]);
         }
         let found = creepage_for_force(contact, [fx, fy], creepage.spin, options);

@@ -7,8 +7,8 @@ use crate::random;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Parameters;
-use kstrip::solve::model::Solution;
-use kstrip::status::{Error, Notice};
+use kstrip::forces::Solution;
+use kstrip::status::{Error, Warning};
 use random::Random;
 use std::mem::MaybeUninit;
 use std::ptr::null_mut;
@@ -16,8 +16,8 @@ use std::ptr::null_mut;
 const COUNT: usize = 203;
 
 /// What a status that is no error tells.
-fn told(status: i32) -> Notice {
-    use Notice::*;
+fn told(status: i32) -> Warning {
+    use Warning::*;
     let all = [
         SpinBeyondTheory,
         OutsideRange,
@@ -33,7 +33,7 @@ fn told(status: i32) -> Notice {
         Mismatch,
         MismatchNeglected,
     ];
-    all.into_iter().find(|notice| notice.code() == status).unwrap_or(None)
+    all.into_iter().find(|warning| warning.code() == status).unwrap_or(None)
 }
 
 /// Inputs of contacts of all kinds, array by array, the mismatch last; the first is at rest, some have extreme spin, and
@@ -175,7 +175,7 @@ macro_rules! any_company {
                     Ok((
                         status,
                         [r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits),
-                        r.notice.code(),
+                        r.warning.code(),
                     ))
                 };
                 let (good, bad): (Vec<_>, Vec<_>) = all
@@ -189,8 +189,8 @@ macro_rules! any_company {
                     let (contacts, creepages): (Vec<_>, Vec<_>) =
                         problems.iter().map(|p| problem(*p)).unzip();
                     let [fx, fy, mz, power, adhesion] = [7.0; 5];
-                    let notice = Notice::NotConverged;
-                    let untouched = Solution { fx, fy, mz, power, adhesion, notice, reserved: 0 };
+                    let warning = Warning::NotConverged;
+                    let untouched = Solution { fx, fy, mz, power, adhesion, warning, reserved: 0 };
                     let mut results = vec![untouched; count];
                     let status = unsafe {
                         let from = batch_inputs(contacts.as_ptr(), creepages.as_ptr());
@@ -208,7 +208,7 @@ macro_rules! any_company {
                         std::array::from_fn(|k| problems.iter().map(|p| p[k]).collect());
                     let from = batch_arrays(arrays.each_ref().map(|array| array.as_ptr()));
                     let mut found: [Vec<$float>; 5] = std::array::from_fn(|_| vec![7.0; count]);
-                    let mut details = vec![Notice::NotConverged.code(); count as usize];
+                    let mut details = vec![Warning::NotConverged.code(); count as usize];
                     let places = found.each_mut().map(|array| array.as_mut_ptr());
                     let to = batch_results_arrays(places, details.as_mut_ptr());
                     let (count, options) = (count as u32, Some(&options));
@@ -217,7 +217,7 @@ macro_rules! any_company {
                     for (i, r) in results.iter().enumerate() {
                         let is = [r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits);
                         assert_eq!(is, found.each_ref().map(|array| array[i].to_bits()));
-                        assert_eq!(r.notice.code(), details[i]);
+                        assert_eq!(r.warning.code(), details[i]);
                     }
                     (status, results)
                 };
@@ -226,12 +226,16 @@ macro_rules! any_company {
                     (0..9).flat_map(|k| [(37 * k, 160 + k), (41 * k, k)]).chain([(0, inputs.len())])
                 {
                     let (status, results) = together(&inputs[first..first + count]);
-                    let mut worst = Notice::None;
+                    let mut worst = Warning::None;
                     for (r, (values, expected)) in results.iter().zip(&good[first..]) {
                         let (status, bits, detail) = expected.unwrap();
                         worst = worst.worse(told(status));
                         let is = [r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits);
-                        assert_eq!((is, r.notice.code()), (bits, detail), "{options:?} {values:?}");
+                        assert_eq!(
+                            (is, r.warning.code()),
+                            (bits, detail),
+                            "{options:?} {values:?}"
+                        );
                     }
                     assert_eq!(status, worst.code());
                 }
@@ -248,7 +252,7 @@ macro_rules! any_company {
                     let (status, results) = together(&inputs);
                     assert_eq!(Err(status), pair[0].1, "{options:?} {:?}", pair[0].0);
                     assert!(
-                        results.iter().all(|r| r.fx == 7.0 && r.notice == Notice::NotConverged)
+                        results.iter().all(|r| r.fx == 7.0 && r.warning == Warning::NotConverged)
                     );
                 }
             }
@@ -339,7 +343,7 @@ macro_rules! derivatives_in_any_company {
     ($name:ident, $float:ident, $evaluate:ident, $batch:ident) => {
         #[test]
         fn $name() {
-            type Derivatives = kstrip::solve::derivatives::Derivatives<$float>;
+            type Derivatives = kstrip::forces::derivatives::Derivatives<$float>;
             let law = kstrip::friction::SlipFriction::<$float> {
                 friction: 0.3,
                 ratio: 0.4,
@@ -392,7 +396,7 @@ macro_rules! derivatives_in_any_company {
                 let first = alone.iter().find(|(status, _)| *status < 0);
                 errors += usize::from(first.is_some());
                 let told = alone.iter().map(|(status, _)| told(*status));
-                let worst = told.fold(Notice::None, Notice::worse).code();
+                let worst = told.fold(Warning::None, Warning::worse).code();
                 assert_eq!(status, first.map_or(worst, |(status, _)| *status), "{options:?}");
                 for (k, (found, (_, alone))) in found.iter().zip(&alone).enumerate() {
                     let expected = if first.is_some() { entries(&untouched) } else { *alone };

@@ -5,16 +5,17 @@
 
 use crate::entries;
 use crate::names::problem;
+use kstrip::number::Float;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::{
+    Field, Model, Options, Solution, StripResult, forces_of_contact, solve_jacobian, strips,
+};
 use kstrip::patch::field::PatchField;
 use kstrip::patch::{Patch, PatchStrip, PatchView, QuadratureScale};
 use kstrip::rig::{Measured, estimate_friction};
-use kstrip::solve::model::{
-    Field, Model, Options, Solution, StripResult, solve, solve_jacobian, strips,
-};
 use kstrip::status::Error;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
@@ -120,7 +121,7 @@ fn of(model: Model, strips: StripCount) -> Options {
 
 fn solved<F: Float>(model: Model, numbers: [F; 10]) -> Result<Solution<F>, Error> {
     let (contact, creepage) = problem(numbers);
-    solve(&contact, &creepage, &of(model, StripCount::Sixteen))
+    forces_of_contact(&contact, &creepage, &of(model, StripCount::Sixteen))
 }
 
 /// Contacts and creepages that fuzzing found: numbers on the way were beyond the range, power was negative, a moment or a sum of strips
@@ -202,7 +203,7 @@ fn numbers_at_the_ends_of_their_range() {
         let mut add =
             |s: StripResult<f64>| (fy, mz, size) = (fy + s.fy, mz + s.mz, size + s.fy.abs());
         strips(&needle, &motion, &o, &mut add).unwrap();
-        let whole = solve(&needle, &motion, &o).unwrap();
+        let whole = forces_of_contact(&needle, &motion, &o).unwrap();
         assert!((fy - whole.fy).abs() <= 1e-12 * size, "{fy} {whole:?}");
         assert!((mz - whole.mz).abs() <= 1e-12 * size * needle.a, "{mz} {whole:?}");
     }
@@ -244,14 +245,14 @@ fn derivatives_at_the_ends_of_the_range() {
     let ((light, faint), o) = (problem(light), of(Model::Strip, StripCount::Four));
     let (with, _) = solve_jacobian(&light, &faint, &o).unwrap();
     let bits = |r: Solution<f32>| [r.fx, r.fy, r.mz].map(f32::to_bits);
-    assert_eq!(bits(with), bits(solve(&light, &faint, &o).unwrap()));
+    assert_eq!(bits(with), bits(forces_of_contact(&light, &faint, &o).unwrap()));
     // at rest, derivatives or not: no force, and adhesion everywhere
     for model in Model::ALL {
         for (zero, count) in [(0.0, StripCount::Four), (-0.0, StripCount::SixtyFour)] {
             let rest = Creepage { longitudinal: 0.0, lateral: zero, spin: zero };
             let (found, _) = solve_jacobian(&wheel, &rest, &of(model, count)).unwrap();
             let bits = |r: Solution<f64>| [r.fx, r.fy, r.mz, r.power, r.adhesion].map(f64::to_bits);
-            let plain = solve(&wheel, &rest, &of(model, count)).unwrap();
+            let plain = forces_of_contact(&wheel, &rest, &of(model, count)).unwrap();
             assert_eq!(bits(found), bits(plain), "{model:?}");
         }
     }

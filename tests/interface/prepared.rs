@@ -4,7 +4,7 @@ use crate::names::*;
 use crate::random::Random;
 
 use kstrip::contact::creepage::Creepage;
-use kstrip::solve::model::Solution;
+use kstrip::forces::Solution;
 use std::mem::MaybeUninit;
 
 macro_rules! same_bits {
@@ -35,7 +35,7 @@ macro_rules! same_bits {
                 // SAFETY: written.
                 let [one, other] = found.map(|found| unsafe { found.assume_init() });
                 let bits = |r: Solution<$float>| {
-                    ([r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits), r.notice)
+                    ([r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits), r.warning)
                 };
                 assert_eq!(bits(one), bits(other), "{options:?} {contact:?} {creepage:?}");
             }

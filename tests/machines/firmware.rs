@@ -25,7 +25,7 @@ fn firmware_gives_the_bits_of_this_machine() {
         }
     };
     let text = String::from_utf8_lossy(&output.stdout);
-    // Seen without --nocapture too
+    // StripCreepage without --nocapture too
     let said = if output.status.code() == Some(77) { text.lines().last() } else { None };
     if let Some(reason) = said {
         say(&format!("firmware: {reason}"));

@@ -4,8 +4,8 @@
 use crate::reference;
 use crate::slopes;
 
-use kstrip::contact::forces::StripCount;
-use kstrip::solve::model::Model;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::Model;
 use reference::*;
 use std::collections::{HashMap, HashSet};
 use std::fmt::Write;

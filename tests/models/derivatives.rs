@@ -7,22 +7,22 @@ use crate::theory;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
-use kstrip::solve::derivatives::{self, Derivatives};
-use kstrip::solve::model::{self, Model, Options};
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::derivatives::{self, Derivatives};
+use kstrip::forces::{self, Model, Options};
 use random::Random;
 use theory::{COUNTS, MODELS, contact, options, sixteen};
 
 /// Forces over μN and moment over μN√(ab) for given parameters.
 fn forces(c: &Contact<f64>, p: [f64; 3], o: &Options) -> [f64; 3] {
-    let s = model::solve(c, &theory::creepage(c, p[0], p[1], p[2]), o).unwrap();
+    let s = forces::forces_of_contact(c, &theory::creepage(c, p[0], p[1], p[2]), o).unwrap();
     let unit = c.friction * c.normal_force;
     [s.fx / unit, s.fy / unit, s.mz / (unit * (c.a * c.b).sqrt())]
 }
 
 /// d(fx, fy, mz)/d(ξ, η, ψ) from the derivatives with respect to the creepages.
 fn slopes(c: &Contact<f64>, p: [f64; 3], o: &Options) -> [[f64; 3]; 3] {
-    let (_, j) = model::solve_jacobian(c, &theory::creepage(c, p[0], p[1], p[2]), o).unwrap();
+    let (_, j) = forces::solve_jacobian(c, &theory::creepage(c, p[0], p[1], p[2]), o).unwrap();
     let unit = c.friction * c.normal_force;
     let rows = [unit, unit, unit * (c.a * c.b).sqrt()];
     let slip = theory::slip_unit(c);
@@ -183,7 +183,7 @@ fn derivatives_at_rest_are_the_linear_slopes() {
         }
         let single = single::single(&c);
         let rest = Creepage { longitudinal: 0.0_f32, lateral: 0.0, spin: 0.0 };
-        let (_, j) = model::solve_jacobian(&single, &rest, &sixteen(MODELS[0])).unwrap();
+        let (_, j) = forces::solve_jacobian(&single, &rest, &sixteen(MODELS[0])).unwrap();
         let expected = c.shear_modulus * c.a * c.b * PI * PI / 4.0;
         assert!((f64::from(j[(1, 1)]) / expected - 1.0).abs() < 3e-7);
     }
@@ -237,15 +237,15 @@ fn derivatives_by_load_and_friction_are_those_of_the_computed_forces() {
         let p = [0; 3].map(|_| size * random.between(-1.0, 1.0));
         let m = theory::creepage(&c, p[0], p[1], p[2]);
         let (solution, d) = derivatives::solve(&c, &m, &o).unwrap();
-        let (same, j) = model::solve_jacobian(&c, &m, &o).unwrap();
+        let (same, j) = forces::solve_jacobian(&c, &m, &o).unwrap();
         let rows = std::array::from_fn(|i| std::array::from_fn(|k| j[(i, k)]));
         assert_eq!((solution, d.jacobian), (same, rows), "{o:?}");
-        assert_eq!(solution, model::solve(&c, &m, &o).unwrap(), "{o:?}");
+        assert_eq!(solution, forces::forces_of_contact(&c, &m, &o).unwrap(), "{o:?}");
         for change in [Change::Load, Change::Friction, Change::Hertz] {
             let exact = change.slope(&c, &d);
             let units = change.of(&c, 0.0);
             let f = |t: f64| {
-                let s = model::solve(&change.of(&c, t), &m, &o).unwrap();
+                let s = forces::forces_of_contact(&change.of(&c, t), &m, &o).unwrap();
                 let size = units.friction * units.normal_force;
                 [s.fx / size, s.fy / size, s.mz / (size * (units.a * units.b).sqrt())]
             };
@@ -291,7 +291,7 @@ fn derivatives_without_load_or_friction_are_those_of_sliding() {
                 friction: friction + little,
                 ..full
             };
-            let s = model::solve(&near, &m, &o).unwrap();
+            let s = forces::forces_of_contact(&near, &m, &o).unwrap();
             let size = near.friction * near.normal_force;
             for (i, force) in [s.fx, s.fy, s.mz].into_iter().enumerate() {
                 let unit = if i == 2 { full.a } else { 1.0 };
@@ -382,9 +382,9 @@ fn derivatives_beyond_unit_spin_in_single_precision() {
         let c = single::single(&c);
         let motion = single::single_motion(&theory::creepage(&single::double(&c), xi, eta, psi));
         let o = options([Model::Strip1967, Model::Strip1967Continuous][n % 2], StripCount::Sixteen);
-        let (_, narrow) = model::solve_jacobian(&c, &motion, &o).unwrap();
+        let (_, narrow) = forces::solve_jacobian(&c, &motion, &o).unwrap();
         let (c, motion) = (single::double(&c), single::double_motion(&motion));
-        let (_, wide) = model::solve_jacobian(&c, &motion, &o).unwrap();
+        let (_, wide) = forces::solve_jacobian(&c, &motion, &o).unwrap();
         let arm = (c.a * c.b).sqrt();
         let unit = [1.0, 1.0, arm];
         // of force by translation
@@ -418,7 +418,7 @@ fn derivatives_where_creepage_vanishes_at_the_rim() {
                 |hair| Creepage { longitudinal: turned * 0.0009765625 + hair, lateral, spin: 0.25 };
             for model in [Model::Strip1967, Model::Strip1967Continuous] {
                 let options = Options { model, strips: StripCount::Sixteen };
-                let slope = |hair| model::solve_jacobian(&round, &at(hair), &options).unwrap().1;
+                let slope = |hair| forces::solve_jacobian(&round, &at(hair), &options).unwrap().1;
                 let (own, beside) = (slope(0.0), [slope(-1e-9), slope(1e-9)]);
                 for beside in beside {
                     let off = (own - beside).abs().max() / beside.abs().max();

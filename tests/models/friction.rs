@@ -6,11 +6,11 @@ use crate::theory;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::{self, Model, Options};
 use kstrip::friction::derivatives::differentiate;
 use kstrip::friction::{self, FrictionSolution, SlipFriction};
-use kstrip::solve::model::{self, Model, Options};
-use kstrip::status::{Error, Notice};
+use kstrip::status::{Error, Warning};
 use nalgebra::Matrix3;
 use random::Random;
 use theory::{contact, options};
@@ -57,7 +57,7 @@ fn any_options(n: usize) -> Options {
 fn next(c: &Contact<f64>, m: &Creepage<f64>, law: &SlipFriction<f64>, o: &Options, mu: f64) -> f64 {
     let shear_modulus = c.shear_modulus * law.slope_factor;
     let c = Contact { friction: mu, shear_modulus, ..*c };
-    let slip = model::solve(&c, m, o).unwrap().power / (mu * c.normal_force);
+    let slip = forces::forces_of_contact(&c, m, o).unwrap().power / (mu * c.normal_force);
     // The theory of 1967 has a negative power in some contacts that spin; that is no slip.
     let w = law.rolling_speed * slip.max(0.0);
     law.friction * ((1.0 - law.ratio) * (-law.decay * w).exp() + law.ratio)
@@ -70,8 +70,8 @@ fn constant_friction_is_the_plain_solution_to_the_bit() {
         let c = any_contact(&mut random);
         let m = any_motion(&mut random, &c, 1.0);
         let o = options(Model::ALL[n % 5], StripCount::Eight);
-        let plain = model::solve(&c, &m, &o).unwrap();
-        let with_slopes = model::solve_jacobian(&c, &m, &o).unwrap();
+        let plain = forces::forces_of_contact(&c, &m, &o).unwrap();
+        let with_slopes = forces::solve_jacobian(&c, &m, &o).unwrap();
         let law = SlipFriction { friction: c.friction, ..DRY };
         for law in [
             SlipFriction { ratio: 1.0, ..law },
@@ -104,7 +104,7 @@ fn friction_agrees_with_the_slip() {
             slope_factor: random.between(0.2, 1.0),
         };
         let found = friction::solve(&c, &m, &law, &o).unwrap();
-        if found.solution.notice == Notice::NotConverged {
+        if found.solution.warning == Warning::NotConverged {
             continue;
         }
         let mu = found.friction;
@@ -145,14 +145,14 @@ fn slope_factor_stretches_the_creep_curve() {
                 let m = motion(size, -0.4 * size, 30.0 * size);
                 let stretched = motion(k * size, -0.4 * k * size, 30.0 * k * size);
                 let found = friction::solve(&c, &m, &law, &o).unwrap().solution;
-                let plain = model::solve(&c, &stretched, &o).unwrap();
+                let plain = forces::forces_of_contact(&c, &stretched, &o).unwrap();
                 let size = plain.fx.abs() + plain.fy.abs();
                 assert!((found.fx - plain.fx).abs() < 5e-14 * size, "{model:?}");
                 assert!((found.fy - plain.fy).abs() < 3e-14 * size);
                 assert!((found.mz - plain.mz).abs() < 4e-13 * size * c.a);
             }
             let (_, j) = with_slopes_under(&c, &motion(0.0, 0.0, 0.0), &law, &o).unwrap();
-            let (_, clean) = model::solve_jacobian(&c, &motion(0.0, 0.0, 0.0), &o).unwrap();
+            let (_, clean) = forces::solve_jacobian(&c, &motion(0.0, 0.0, 0.0), &o).unwrap();
             assert!((j[(0, 0)] / clean[(0, 0)] - k).abs() < 4e-15);
         }
     }
@@ -179,7 +179,7 @@ fn derivatives_follow_friction_and_slip() {
         let bound = law.friction * c.normal_force;
         assert_eq!(found.friction, same.friction);
         assert!((found.solution.fx - same.solution.fx).abs() < 1e-13 * bound);
-        if !matches!(found.solution.notice, Notice::None | Notice::SpinBeyondTheory) {
+        if !matches!(found.solution.warning, Warning::None | Warning::SpinBeyondTheory) {
             continue;
         }
         let unit = theory::slip_unit(&c);
@@ -283,7 +283,7 @@ fn several_solutions_are_noticed_and_the_largest_is_taken() {
         };
         let found = friction::solve(&c, &m, &law, &o).unwrap();
         let all = solutions(&c, &m, &law, &o);
-        if found.solution.notice == Notice::NotConverged {
+        if found.solution.warning == Warning::NotConverged {
             folds += 1;
             continue;
         }
@@ -292,10 +292,10 @@ fn several_solutions_are_noticed_and_the_largest_is_taken() {
             (found.friction / largest - 1.0).abs() < 1e-6,
             "{} {all:?} {:?} {law:?} {c:?} {m:?} {o:?}",
             found.friction,
-            found.solution.notice
+            found.solution.warning
         );
         let apart = all[all.len() - 1] < 0.99 * largest;
-        let noticed = found.solution.notice == Notice::SeveralFrictions;
+        let noticed = found.solution.warning == Warning::SeveralFrictions;
         assert_eq!(apart, noticed, "{all:?} {law:?} {c:?} {m:?} {o:?}");
         if noticed { several += 1 } else { single += 1 }
     }

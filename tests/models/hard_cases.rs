@@ -7,16 +7,17 @@ use crate::poison::{poisoned, untouched};
 use crate::random::Random;
 use crate::single::{converted, converted_motion};
 use crate::theory::{self, Law, MODELS, contact, creepage, options};
+use kstrip::number::Float;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
+use kstrip::contact::totals::StripCount;
 use kstrip::ffi::types::{BatchInputs, BatchOutputs, Outputs};
+use kstrip::forces::derivatives::Derivatives;
+use kstrip::forces::field::FieldPoint;
+use kstrip::forces::{self, Field, Model, Solution, StripResult};
 use kstrip::friction::derivatives::LawDerivatives;
-use kstrip::solve::derivatives::Derivatives;
-use kstrip::solve::field::FieldPoint;
-use kstrip::solve::model::{self, Field, Model, Solution, StripResult};
-use kstrip::status::{Error, Notice};
+use kstrip::status::{Error, Warning};
 use kstrip::strip_1967::strip::State;
 use std::f64::consts::PI;
 use std::mem::MaybeUninit;
@@ -98,8 +99,8 @@ fn one_answer<F: InC>(
 ) -> Result<[f64; 4], Error> {
     let what = || format!("{model:?} {count:?} {c:?} {m:?}");
     let o = kstrip_options { model: model as i32, strips: count as i32 };
-    let expected = model::solve(c, m, &options(model, count));
-    let status = expected.as_ref().map_or_else(|error| error.code(), |s| s.notice.code());
+    let expected = forces::forces_of_contact(c, m, &options(model, count));
+    let status = expected.as_ref().map_or_else(|error| error.code(), |s| s.warning.code());
     let mut result = [poisoned::<Solution<F>>()];
     assert_eq!(F::solve((c, m, &o), &mut result[0]), status, "{}", what());
     let mut one = [poisoned::<Solution<F>>()];
@@ -426,8 +427,8 @@ fn nothing_is_carried_without_load_or_friction() {
                     assert!(sticks || stick < 1e-12, "{model:?} {c:?} {m:?} {stick}");
                 } else if m != REST {
                     let o = options(model, StripCount::Sixteen);
-                    let notice = model::solve(&c, &m, &o).unwrap().notice;
-                    assert_eq!(notice, Notice::BeyondFriction);
+                    let warning = forces::forces_of_contact(&c, &m, &o).unwrap().warning;
+                    assert_eq!(warning, Warning::BeyondFriction);
                 }
             }
         }
@@ -481,18 +482,18 @@ fn extremes_of_inputs_are_answered_or_named() {
 #[test]
 fn spin_beyond_the_theory_is_flagged() {
     let c = contact(1.0, 0.28);
-    for (psi, notice) in [
-        (0.99, Notice::None),
-        (-0.99, Notice::None),
-        (1.01, Notice::SpinBeyondTheory),
-        (-1.01, Notice::SpinBeyondTheory),
-        (30.0, Notice::Spin),
+    for (psi, warning) in [
+        (0.99, Warning::None),
+        (-0.99, Warning::None),
+        (1.01, Warning::SpinBeyondTheory),
+        (-1.01, Warning::SpinBeyondTheory),
+        (30.0, Warning::Spin),
     ] {
         let m = creepage(&c, 0.2, -0.3, psi);
         let o = options(Model::Strip1967, StripCount::Sixteen);
-        assert_eq!(model::solve_jacobian(&c, &m, &o).unwrap().0.notice, notice);
-        assert_eq!(model::strips(&c, &m, &o, &mut |_| ()).unwrap(), notice);
-        assert_eq!(Field::new(&c, &m, &o).unwrap().notice, notice);
+        assert_eq!(forces::solve_jacobian(&c, &m, &o).unwrap().0.warning, warning);
+        assert_eq!(forces::strips(&c, &m, &o, &mut |_| ()).unwrap(), warning);
+        assert_eq!(Field::new(&c, &m, &o).unwrap().warning, warning);
         answer::<f64>(&c, &m, Model::Strip1967).unwrap();
     }
 }
@@ -511,7 +512,8 @@ fn power_bound_and_mirror_hold_to_rounding() {
         let psi = random.sign() * random.log_between(1e-3, if n % 2 == 0 { 10.0 } else { 1e18 });
         let m = theory::creepage(&c, xi, eta, psi);
         for model in [Model::Strip1967, Model::Strip1967Continuous, Model::Strip, Model::Total] {
-            let s = model::solve(&c, &m, &options(model, StripCount::Sixteen)).unwrap();
+            let s =
+                forces::forces_of_contact(&c, &m, &options(model, StripCount::Sixteen)).unwrap();
             assert!(s.power >= 0.0, "{model:?} {c:?} {m:?} {s:?}");
             (least, mirrored) = (least.min(s.power), mirrored + usize::from(xi == 0.0));
             let over = s.fx.hypot(s.fy) / (c.friction * c.normal_force) - 1.0;

@@ -3,8 +3,8 @@
 use crate::C0;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
-use kstrip::solve::model::{Model, Options, solve_jacobian};
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::{Model, Options, solve_jacobian};
 use nalgebra::{Matrix3, Matrix3x4, Matrix4};
 
 const MASS: f64 = 1800.0;

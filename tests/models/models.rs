@@ -4,13 +4,14 @@
 use crate::random::Random;
 use crate::reference::{BOUND, FRICTION, SIZE, UNIT, contact, options};
 use crate::theory::COUNTS;
+use kstrip::number::Float;
 
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::{self, Field, Model, Options, Solution, StripResult, forces_of_contact};
 use kstrip::linear::LinearCoefficients;
 use kstrip::patch::{Patch, solver};
-use kstrip::solve::model::{self, Field, Model, Options, Solution, StripResult, solve};
-use kstrip::status::{Error, Notice};
+use kstrip::status::{Error, Warning};
 use kstrip::strip_1967::strip::State;
 use proptest::prelude::*;
 use rstest::rstest;
@@ -57,13 +58,13 @@ fn normalised<F: Float>(solution: &Solution<F>) -> [f64; 3] {
 }
 
 fn forces(axis_ratio: f64, nu: f64, v: [f64; 3], options: &Options) -> [f64; 3] {
-    let solution = solve(&contact::<f64>(axis_ratio, nu), &creepage(v), options);
+    let solution = forces_of_contact(&contact::<f64>(axis_ratio, nu), &creepage(v), options);
     normalised(&solution.unwrap_or_else(|error| panic!("{error} {axis_ratio} {nu} {v:?}")))
 }
 
 /// Derivatives of the same by `vx, vy, φ`.
 fn slopes(axis_ratio: f64, nu: f64, v: [f64; 3], options: &Options) -> [[f64; 3]; 3] {
-    let (_, j) = model::solve_jacobian(&contact::<f64>(axis_ratio, nu), &creepage(v), options)
+    let (_, j) = forces::solve_jacobian(&contact::<f64>(axis_ratio, nu), &creepage(v), options)
         .unwrap_or_else(|error| panic!("{error} {axis_ratio} {nu} {v:?} {options:?}"));
     let unit = [1.0, 1.0, 1.0 / SIZE];
     std::array::from_fn(|i| std::array::from_fn(|k| j[(i, k)] * unit[i] * unit[k] * UNIT / BOUND))
@@ -97,7 +98,7 @@ proptest! {
             let [x, y, z] = forces(g, nu, v, &options);
             prop_assert!(x.hypot(y) <= 1.0 + 1e-12, "{:?}: {} {}", options, x, y);
             prop_assert!(z.abs() <= g.sqrt() + 1.0 / g.sqrt(), "{:?}: {}", options, z);
-            let single = solve(&contact::<f32>(g, nu), &creepage(v), &options).unwrap();
+            let single = forces_of_contact(&contact::<f32>(g, nu), &creepage(v), &options).unwrap();
             let [x, y, _] = normalised(&single);
             prop_assert!(x.hypot(y) <= 1.0 + 1e-6, "{:?} f32: {} {}", options, x, y);
             let known = (0.0..=1.0).contains(&single.adhesion);
@@ -155,7 +156,7 @@ proptest! {
     #[test]
     fn dissipative((g, nu) in shapes(1.15), v in creepages()) {
         for options in saturating() {
-            let power = solve(&contact::<f64>(g, nu), &creepage(v), &options).unwrap().power;
+            let power = forces_of_contact(&contact::<f64>(g, nu), &creepage(v), &options).unwrap().power;
             let [x, y, z] = forces(g, nu, v, &options);
             let sum = x * v[0] + y * v[1] + z * v[2];
             prop_assert!((power / (BOUND * UNIT) - sum).abs() <= 1e-12 * (1.0 + sum.abs()));
@@ -212,7 +213,7 @@ proptest! {
     #[test]
     fn single_precision((g, nu) in shapes(1.0), v in creepages()) {
         for options in fitted() {
-            let single = solve(&contact::<f32>(g, nu), &creepage(v), &options).unwrap();
+            let single = forces_of_contact(&contact::<f32>(g, nu), &creepage(v), &options).unwrap();
             let difference = far(normalised(&single), forces(g, nu, v, &options));
             prop_assert!(difference <= 1e-4, "{:?}: {:e}", options, difference);
         }
@@ -224,10 +225,10 @@ proptest! {
         let (contact, motion) = (contact::<f64>(g, nu), creepage(v));
         for model in [Model::Strip, Model::Strip1967, Model::Strip1967Continuous] {
             let options = options(model, COUNTS[count]);
-            let whole = solve(&contact, &motion, &options).unwrap();
+            let whole = forces_of_contact(&contact, &motion, &options).unwrap();
             let mut parts: Vec<StripResult<f64>> = Vec::new();
-            let notice = model::strips(&contact, &motion, &options, &mut |s| parts.push(s)).unwrap();
-            prop_assert_eq!((notice, parts.len()), (whole.notice, COUNTS[count] as usize));
+            let warning = forces::strips(&contact, &motion, &options, &mut |s| parts.push(s)).unwrap();
+            prop_assert_eq!((warning, parts.len()), (whole.warning, COUNTS[count] as usize));
             let power = BOUND * UNIT * (v[0].abs() + v[1].abs() + 10.0 * v[2].abs());
             for (part, expected, scale) in [
                 ((|s| s.fx) as fn(&StripResult<f64>) -> f64, whole.fx, BOUND),
@@ -310,9 +311,9 @@ fn field_integrates_to_the_force() {
         ];
         let (contact, motion) = (contact::<f64>(g, nu), creepage(v));
         let field = Field::new(&contact, &motion, &options).unwrap();
-        let whole = solve(&contact, &motion, &options).unwrap();
+        let whole = forces_of_contact(&contact, &motion, &options).unwrap();
         let mut sum = [0.0; 4];
-        model::strips(&contact, &motion, &options, &mut |part| {
+        forces::strips(&contact, &motion, &options, &mut |part| {
             let strip = field.strip_at(part.y);
             for i in 0..POINTS {
                 // x = c cos θ, midpoints in θ
@@ -350,7 +351,7 @@ fn zero_creepage(
 ) {
     let LinearCoefficients { c11, c22, c23, c33 } = LinearCoefficients::at(g, nu);
     for options in fitted().into_iter().chain([linear()]) {
-        let s = solve(&contact::<f64>(g, nu), &creepage([0.0; 3]), &options).unwrap();
+        let s = forces_of_contact(&contact::<f64>(g, nu), &creepage([0.0; 3]), &options).unwrap();
         assert_eq!([s.fx, s.fy, s.mz, s.power], [0.0; 4], "{options:?}");
         assert!(options == total() || (s.adhesion - 1.0).abs() < 1e-12, "{options:?} {s:?}");
         let j = slopes(g, nu, [0.0; 3], &options);
@@ -369,36 +370,39 @@ fn zero_creepage(
 fn notices() {
     let patches = [(1.0, 2.9), (1.0, 3.1), (15.0, 0.0), (0.07, 4.0), (40.0, 0.5), (70.0, 0.5)];
     for options in fitted() {
-        let notice = |g: f64, psi: f64| {
+        let warning = |g: f64, psi: f64| {
             let v = creepage([0.1, 0.0, spin_of(psi, g)]);
-            solve(&contact::<f64>(g, 0.28), &v, &options).unwrap().notice
+            forces_of_contact(&contact::<f64>(g, 0.28), &v, &options).unwrap().warning
         };
-        let beyond = if options == total() { Notice::None } else { Notice::OutsideRange };
+        let beyond = if options == total() { Warning::None } else { Warning::OutsideRange };
         for (g, psi, expected) in [
-            (0.015, 0.0, Notice::None),
-            (60.0, 0.0, Notice::None),
-            (1.0, 2.99, Notice::None),
-            (1.0, -2.99, Notice::None),
-            (5.0, 1.0, Notice::None),
+            (0.015, 0.0, Warning::None),
+            (60.0, 0.0, Warning::None),
+            (1.0, 2.99, Warning::None),
+            (1.0, -2.99, Warning::None),
+            (5.0, 1.0, Warning::None),
             (1.0, 3.01, beyond),
             (1.0, -3.01, beyond),
-            (0.0149, 0.0, Notice::AxisRatio),
-            (60.1, 0.0, Notice::AxisRatio),
-            (1e3, 1.0, Notice::AxisRatio),
+            (0.0149, 0.0, Warning::AxisRatio),
+            (60.1, 0.0, Warning::AxisRatio),
+            (1e3, 1.0, Warning::AxisRatio),
         ] {
-            assert_eq!(notice(g, psi), expected, "{options:?} {g} {psi}");
+            assert_eq!(warning(g, psi), expected, "{options:?} {g} {psi}");
         }
         for (g, psi) in patches {
             let patch = Patch::<f64, 64>::from_ellipse(&contact(g, 0.28), options.strips).unwrap();
             let v = creepage([0.1, 0.0, spin_of(psi, g)]);
             let found = solver::solve(&patch.view().unwrap(), &v, options.model).unwrap();
-            assert_eq!(found.notice, notice(g, psi), "{options:?} {g} {psi}");
+            assert_eq!(found.warning, warning(g, psi), "{options:?} {g} {psi}");
         }
     }
     let c11 = LinearCoefficients::at(1.0, 0.28).c11;
-    for (share, expected) in [(0.999, Notice::None), (1.001, Notice::BeyondFriction)] {
+    for (share, expected) in [(0.999, Warning::None), (1.001, Warning::BeyondFriction)] {
         let v = creepage([share / c11, 0.0, 0.0]);
-        assert_eq!(solve(&contact::<f64>(1.0, 0.28), &v, &linear()).unwrap().notice, expected);
+        assert_eq!(
+            forces_of_contact(&contact::<f64>(1.0, 0.28), &v, &linear()).unwrap().warning,
+            expected
+        );
     }
 }
 
@@ -407,7 +411,7 @@ fn totals_have_no_strips_and_no_field() {
     let (contact, v) = (contact::<f64>(1.0, 0.28), creepage([0.1, 0.0, 0.1]));
     for options in [total(), linear()] {
         let mut called = false;
-        let result = model::strips(&contact, &v, &options, &mut |_| called = true);
+        let result = forces::strips(&contact, &v, &options, &mut |_| called = true);
         assert_eq!((result, called), (Err(Error::NotInModel), false));
         assert_eq!(Field::new(&contact, &v, &options).map(|_| ()), Err(Error::NotInModel));
     }

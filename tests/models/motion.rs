@@ -6,12 +6,12 @@ use crate::random::Random;
 use crate::single::single;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::derivatives;
+use kstrip::forces::{self, Model, Options, Solution};
 use kstrip::friction::{self, SlipFriction};
 use kstrip::motion::{Motion, MotionDerivatives, differentiate, solve};
-use kstrip::solve::derivatives;
-use kstrip::solve::model::{self, Model, Options, Solution};
-use kstrip::status::{Error, Notice};
+use kstrip::status::{Error, Warning};
 
 const FLOOR: f64 = 0.02;
 const WET: SlipFriction<f64> =
@@ -70,7 +70,7 @@ fn far_from_standstill_one_end_leads() {
                 lateral: sign * (m.slip_y / divisor),
                 spin: m.spin_rate / divisor,
             };
-            let plain = model::solve(&c, &creepage, &o).unwrap();
+            let plain = forces::forces_of_contact(&c, &creepage, &o).unwrap();
             let expected = [sign * plain.fx, sign * plain.fy, plain.mz];
             let (found, mu) = solve(&c, &m, None, &o).unwrap();
             assert_eq!((of(&found), mu, found.adhesion), (expected, c.friction, plain.adhesion));
@@ -83,7 +83,7 @@ fn far_from_standstill_one_end_leads() {
     }
 }
 
-/// Turned by 180 degrees about z the same motion has the same forces, moment, power and derivatives: to the bit. Seen in a mirror along or
+/// Turned by 180 degrees about z the same motion has the same forces, moment, power and derivatives: to the bit. StripCreepage in a mirror along or
 /// across the rolling direction too, as far as the model sums its strips alike from either side: to rounding.
 #[test]
 fn mirrors_are_exact() {
@@ -341,8 +341,8 @@ fn a_lost_contact_carries_nothing_at_any_speed() {
         let m = any_motion(&mut random, &C0, speed);
         let law = LAWS[n / 4 % 2];
         let (found, _, slopes) = differentiate(&lost, &m, law.as_ref(), &o).unwrap();
-        let Solution { power, adhesion, notice, .. } = found;
-        assert_eq!((of(&found), power, adhesion, notice), ([0.0; 3], 0.0, 0.0, Notice::None));
+        let Solution { power, adhesion, warning, .. } = found;
+        assert_eq!((of(&found), power, adhesion, warning), ([0.0; 3], 0.0, 0.0, Warning::None));
         let none = [0.0; 3];
         let (load_through_hertz, friction, ratio) = (none, none, none);
         let expected = MotionDerivatives {
@@ -380,16 +380,19 @@ fn extreme_motions_are_answered_or_named() {
 #[test]
 fn wheel_spin_at_standstill_is_not_implausible() {
     let spun = Motion { slip_x: 5.0, spin_rate: 0.5, ..Motion::default() };
-    let said = |m: Motion<f64>| solve(&C0, &m, None, &options(Model::Total)).unwrap().0.notice;
+    let said = |m: Motion<f64>| solve(&C0, &m, None, &options(Model::Total)).unwrap().0.warning;
     assert!(!said(spun).is_implausible());
-    assert_eq!(said(Motion { spin_rate: 0.01, ..spun }), Notice::None);
+    assert_eq!(said(Motion { spin_rate: 0.01, ..spun }), Warning::None);
     let rolling = Motion { slip_x: 0.01, spin_rate: 10.0 * 0.5, rolling_speed: 10.0, ..spun };
-    assert_eq!(said(rolling), Notice::None);
-    assert_eq!(said(Motion { spin_rate: rolling.spin_rate.to_degrees(), ..rolling }), Notice::Spin);
-    assert_eq!(said(Motion { slip_x: 200.0, ..rolling }), Notice::Creepage);
+    assert_eq!(said(rolling), Warning::None);
+    assert_eq!(
+        said(Motion { spin_rate: rolling.spin_rate.to_degrees(), ..rolling }),
+        Warning::Spin
+    );
+    assert_eq!(said(Motion { slip_x: 200.0, ..rolling }), Warning::Creepage);
     let soft = Contact { shear_modulus: 82.0, ..C0 };
     let found = solve(&soft, &spun, None, &options(Model::Total)).unwrap().0;
-    assert_eq!(found.notice, Notice::Pressure);
+    assert_eq!(found.warning, Warning::Pressure);
 }
 
 /// At rest the slopes are those of linear theory over the floor, without the coupling of spin and lateral slip: neither end leads.

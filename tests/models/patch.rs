@@ -10,12 +10,12 @@ use crate::theory;
 use approx::assert_relative_eq;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::{self, Model, Solution};
 use kstrip::patch::field::PatchField;
 use kstrip::patch::solver;
 use kstrip::patch::{Patch, PatchStrip, PatchView, QuadratureScale};
-use kstrip::solve::model::{self, Model, Solution};
-use kstrip::status::{Error, Notice};
+use kstrip::status::{Error, Warning};
 use patches::{Full, irregular, motion};
 use random::Random;
 use std::f64::consts::PI;
@@ -54,14 +54,14 @@ fn elliptic_strips_give_the_answer_of_the_ellipse() {
             max_relative = 1e-14
         );
         let model = options(Model::Strip, count);
-        let (wanted, wanted_slopes) = model::solve_jacobian(&c, &motion, &model).unwrap();
+        let (wanted, wanted_slopes) = forces::solve_jacobian(&c, &motion, &model).unwrap();
         let found = solve(&patch, &motion, Model::Strip);
         let unit = c.friction * c.normal_force;
         assert!((found.fx - wanted.fx).abs() < 4e-15 * unit, "{found:?} {wanted:?}");
         assert!((found.fy - wanted.fy).abs() < 5e-15 * unit, "{found:?} {wanted:?}");
         assert!((found.mz - wanted.mz).abs() < 4e-15 * unit * (c.a + c.b), "{found:?} {wanted:?}");
         assert!((found.adhesion - wanted.adhesion).abs() < 4e-15, "{found:?} {wanted:?}");
-        assert_eq!(found.notice, wanted.notice);
+        assert_eq!(found.warning, wanted.warning);
         let slopes = jacobian(&patch, &motion, Model::Strip);
         for (row, slopes) in slopes.iter().enumerate() {
             let slip = theory::slip_unit(&c);
@@ -89,7 +89,7 @@ fn elliptic_strips_of_the_theory_of_1967() {
                 let p: [f64; 3] = std::array::from_fn(|_| random.between(-0.95, 0.95));
                 let motion = creepage(&c, p[0], p[1], p[2]);
                 let many = options(model, StripCount::SixtyFour);
-                let exact = model::solve(&c, &motion, &many).unwrap();
+                let exact = forces::forces_of_contact(&c, &motion, &many).unwrap();
                 let patch = ellipse(&c, count);
                 let loads = patch.strips.iter().map(|strip| strip.load() / c.normal_force);
                 share = loads.fold(share, f64::max);
@@ -120,7 +120,7 @@ fn irregular_patches_keep_the_bounds() {
         let bound = view.friction_bound();
         assert!(found.fx.hypot(found.fy) <= bound * (1.0 + 1e-12), "{found:?}");
         assert!((0.0..=1.0).contains(&found.adhesion), "{found:?}");
-        if found.notice != Notice::SpinBeyondTheory {
+        if found.warning != Warning::SpinBeyondTheory {
             assert!(found.power >= -1e-12 * bound, "{found:?}");
         }
         let power = found.fx * motion.longitudinal + found.fy * motion.lateral;
@@ -157,7 +157,7 @@ fn irregular_patches_keep_the_bounds() {
     }
 }
 
-/// Seen from the other side, `y → −y`: lateral creepage, spin, their force and moment change their signs.
+/// StripCreepage from the other side, `y → −y`: lateral creepage, spin, their force and moment change their signs.
 #[test]
 fn a_mirrored_patch_gives_mirrored_forces() {
     let mut random = Random::new(404);
@@ -428,7 +428,7 @@ fn fields_of_elliptic_strips() {
     for model in WITH_STRIPS {
         let view = patch.view().unwrap();
         let field = PatchField::new(&view, &motion, model).unwrap();
-        let wanted = model::Field::new(&c, &motion, &options(model, StripCount::Sixteen)).unwrap();
+        let wanted = forces::Field::new(&c, &motion, &options(model, StripCount::Sixteen)).unwrap();
         for strip in &patch.strips {
             for k in -9..10 {
                 let x = strip.half_length * f64::from(k) / 10.0;
@@ -471,7 +471,7 @@ fn single_precision() {
         let found = solver::solve(&single.view().unwrap(), &slow, model).unwrap();
         let wanted = solve(&patch, &motion, model);
         let unit = patch.view().unwrap().friction_bound();
-        if wanted.notice == Notice::SpinBeyondTheory {
+        if wanted.warning == Warning::SpinBeyondTheory {
             continue;
         }
         assert!((f64::from(found.fx) - wanted.fx).abs() < 6e-7 * unit, "{found:?} {wanted:?}");

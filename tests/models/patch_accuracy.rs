@@ -3,9 +3,9 @@
 use crate::patch_reference::{Case, Errors, Full, Motion, banded, given, profiles, statistics};
 use crate::random::Random;
 
-use kstrip::contact::forces::StripCount;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::Model;
 use kstrip::patch::solver::solve;
-use kstrip::solve::model::Model;
 
 /// Mean, 95th percentile and maximum allowed.
 fn assert_below(what: &str, errors: &[f64], allowed: [f64; 3]) {

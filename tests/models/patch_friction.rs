@@ -6,14 +6,14 @@ use crate::random;
 use crate::theory;
 
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::Model;
 use kstrip::friction::SlipFriction;
 use kstrip::patch::field::PatchField;
 use kstrip::patch::friction::{PatchFrictionSolution, differentiate, solve};
 use kstrip::patch::solver;
 use kstrip::patch::{Patch, PatchStrip, PatchView};
-use kstrip::solve::model::Model;
-use kstrip::status::{Error, Notice};
+use kstrip::status::{Error, Warning};
 use nalgebra::Matrix3;
 use patches::{Full, irregular, motion};
 use random::Random;
@@ -75,7 +75,7 @@ fn elliptic_strips_give_the_answer_of_the_ellipse() {
             assert!((s.fx - w.fx).abs() < 1e-12 * unit && (s.fy - w.fy).abs() < 1e-12 * unit);
             assert!((s.mz - w.mz).abs() < 4e-15 * unit * (c.a + c.b));
             assert!((s.adhesion - w.adhesion).abs() < 8e-15);
-            assert_eq!(s.notice, w.notice);
+            assert_eq!(s.warning, w.warning);
         }
         let slip = theory::slip_unit(&c);
         let arms = [1.0, 1.0, c.a + c.b];
@@ -121,7 +121,7 @@ fn the_slipping_patch_has_the_friction_of_its_slip() {
         let (law, model) = (any_law(&mut random), SMOOTH[i % 2]);
         let view = patch.view().unwrap();
         let found = solve(&view, &m, &law, model).unwrap();
-        let (share, notice) = (found.share, found.solution.notice);
+        let (share, warning) = (found.share, found.solution.warning);
         let slipping = patch.clone().under(share, law.slope_factor);
         let slipping_view = slipping.view().unwrap();
         let (s, again) = (found.solution, solver::solve(&slipping_view, &m, model).unwrap());
@@ -129,7 +129,7 @@ fn the_slipping_patch_has_the_friction_of_its_slip() {
         assert!((s.fx - again.fx).abs() < 4e-15 * unit, "{s:?} {again:?}");
         assert!((s.fy - again.fy).abs() < 1e-11 * unit && (s.mz - again.mz).abs() < 1e-13 * unit);
         assert!((s.adhesion - again.adhesion).abs() < 4e-15);
-        if notice != Notice::NotConverged {
+        if warning != Warning::NotConverged {
             // λ = (1 − A) exp(−B V s) + A, s the mean slip
             let slip = (again.power / slipping_view.friction_bound()).max(0.0);
             let w = law.rolling_speed * slip;
@@ -180,7 +180,7 @@ fn derivatives_follow_friction_and_slip() {
         let model = SMOOTH[i % 2];
         let view = patch.view().unwrap();
         let (found, exact) = solve_jacobian(&view, &m, &law, model).unwrap();
-        if matches!(found.solution.notice, Notice::NotConverged | Notice::SeveralFrictions) {
+        if matches!(found.solution.warning, Warning::NotConverged | Warning::SeveralFrictions) {
             continue;
         }
         let forces = |motion: &Creepage<f64>| {
@@ -196,7 +196,7 @@ fn derivatives_follow_friction_and_slip() {
 }
 
 /// No load, no friction, nothing left of friction, strips without friction: zero forces, no NaN. Where the forces jump
-/// over the slip the notice says so, and the answer stays within its bounds.
+/// over the slip the warning says so, and the answer stays within its bounds.
 #[test]
 fn limits_are_answered() {
     let mut random = Random::new(427);
@@ -283,7 +283,7 @@ fn derivatives_by_load_and_friction() {
             ),
             (&|t| multiplied(&patch, 1.0, 1.0, t), found.derivatives.friction, bound / load),
         ];
-        if matches!(found.solution.notice, Notice::NotConverged | Notice::SeveralFrictions) {
+        if matches!(found.solution.warning, Warning::NotConverged | Warning::SeveralFrictions) {
             continue;
         }
         for (number, (way, exact, size)) in ways.into_iter().enumerate() {

@@ -5,13 +5,13 @@ use crate::random::Random;
 
 use approx::assert_relative_eq;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
 use kstrip::contact::hertz::{Radii, hertz};
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::Model;
 use kstrip::normal::cells::Given;
 use kstrip::normal::{Indentation, Profile, ProfileContact};
 use kstrip::patch::{Patch, PatchStrip, solver};
-use kstrip::solve::model::Model;
-use kstrip::status::{Error, Notice};
+use kstrip::status::{Error, Warning};
 
 const SIXTEEN: StripCount = StripCount::Sixteen;
 
@@ -252,10 +252,10 @@ fn profiles_end_where_they_end() {
         [(&narrow, &low), (&y[20..], &distance[20..]), (&y, &flat), (&y[..2], &distance[..2])];
     for (y, distance) in ends {
         let found = found(y, distance, &good);
-        assert_eq!(found.notice, Notice::ProfileEnd);
+        assert_eq!(found.warning, Warning::ProfileEnd);
         assert_relative_eq!(found.normal_force, 80e3, max_relative = 4e-15);
     }
-    assert_eq!(found(&y, &distance, &good).notice, Notice::None);
+    assert_eq!(found(&y, &distance, &good).warning, Warning::None);
     assert_eq!(Profile::new(&y, &distance[1..]).err(), Some(Error::Profile));
     let profile = Profile::new(&y, &distance).unwrap();
     let few = Patch::<f64, 8>::from_profile(&profile, &good, SIXTEEN);

@@ -6,10 +6,10 @@ use crate::theory;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::{self, Model, Options};
 use kstrip::rig::{Measured, creepage_for_force, estimate_friction};
-use kstrip::solve::model::{self, Model, Options};
-use kstrip::status::{Error, Notice};
+use kstrip::status::{Error, Warning};
 use random::Random;
 use single::{single, single_motion};
 use theory::{contact, options};
@@ -26,8 +26,8 @@ fn any_contact(random: &mut Random) -> Contact<f64> {
     Contact { friction: random.between(0.05, 0.6), ..c }
 }
 
-fn rough(notice: Notice) -> bool {
-    matches!(notice, Notice::SpinBeyondTheory | Notice::OutsideRange | Notice::AxisRatio)
+fn rough(warning: Warning) -> bool {
+    matches!(warning, Warning::SpinBeyondTheory | Warning::OutsideRange | Warning::AxisRatio)
 }
 
 /// Solve, forget the friction, find it again: from either component and from both.
@@ -41,7 +41,7 @@ fn friction_is_found_again() {
         let [xi, eta, psi] = [0; 3].map(|_| random.between(-1.0, 1.0));
         let m = theory::creepage(&c, size * xi, size * eta, 0.1 * psi);
         let o = any_options(n);
-        let s = model::solve(&c, &m, &o).unwrap();
+        let s = forces::forces_of_contact(&c, &m, &o).unwrap();
         let bound = c.friction * c.normal_force;
         let forgotten = Contact { friction: 0.0, ..c };
         for measured in [Measured::Fx, Measured::Fy, Measured::Both] {
@@ -56,13 +56,14 @@ fn friction_is_found_again() {
                 continue;
             }
             let e = estimate_friction(&forgotten, &m, &o, measured, [s.fx, s.fy]).unwrap();
-            if e.notice == Notice::SeveralFrictions {
+            if e.warning == Warning::SeveralFrictions {
                 several += 1;
                 assert!(e.friction <= c.friction * (1.0 + 1e-9), "{e:?} {c:?} {m:?} {o:?}");
                 continue;
             }
-            assert!(e.notice == Notice::None || rough(e.notice), "{e:?}");
-            let again = model::solve(&Contact { friction: e.friction, ..c }, &m, &o).unwrap();
+            assert!(e.warning == Warning::None || rough(e.warning), "{e:?}");
+            let again =
+                forces::forces_of_contact(&Contact { friction: e.friction, ..c }, &m, &o).unwrap();
             let again = match measured {
                 Measured::Fx => again.fx.abs(),
                 Measured::Fy => again.fy.abs(),
@@ -89,7 +90,7 @@ fn sensitivity_is_the_derivative() {
     let o = Options::default();
     for size in [0.2, 0.5, 1.0, 2.0] {
         let m = theory::creepage(&c, size, 0.3 * size, 0.05);
-        let s = model::solve(&c, &m, &o).unwrap();
+        let s = forces::forces_of_contact(&c, &m, &o).unwrap();
         for measured in [Measured::Fx, Measured::Both] {
             let at = |factor: f64| {
                 estimate_friction(&c, &m, &o, measured, [s.fx * factor, s.fy * factor]).unwrap()
@@ -111,27 +112,27 @@ fn what_the_force_does_not_tell_is_said() {
     for o in (0..4).map(any_options) {
         let at = |m: &Creepage<f64>, fx: f64| estimate_friction(&c, m, &o, Measured::Fx, [fx, 0.0]);
         let small = theory::creepage(&c, 1e-3, 0.0, 0.0);
-        let s = model::solve(&c, &small, &o).unwrap();
+        let s = forces::forces_of_contact(&c, &small, &o).unwrap();
         let e = at(&small, s.fx).unwrap();
         if o.model == Model::Strip {
             // Its creep curve leaves the linear one both ways
             assert!(
-                matches!(e.notice, Notice::FrictionAtLeast | Notice::SeveralFrictions),
+                matches!(e.warning, Warning::FrictionAtLeast | Warning::SeveralFrictions),
                 "{e:?}"
             );
         } else {
-            assert_eq!((e.notice, e.friction), (Notice::FrictionAtLeast, s.fx / c.normal_force));
+            assert_eq!((e.warning, e.friction), (Warning::FrictionAtLeast, s.fx / c.normal_force));
         }
         // More than linear theory gives
         let large = theory::creepage(&c, 0.5, 0.0, 0.0);
-        let e = at(&large, 10.0 * model::solve(&c, &large, &o).unwrap().fx).unwrap();
-        assert_eq!(e.notice, Notice::FrictionAtLeast);
+        let e = at(&large, 10.0 * forces::forces_of_contact(&c, &large, &o).unwrap().fx).unwrap();
+        assert_eq!(e.warning, Warning::FrictionAtLeast);
         // At rest nothing is known
         let rest = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
-        assert_eq!(at(&rest, 0.0).unwrap().notice, Notice::FrictionAtLeast);
+        assert_eq!(at(&rest, 0.0).unwrap().warning, Warning::FrictionAtLeast);
         // No force in spite of slip: no friction
         let e = at(&large, 0.0).unwrap();
-        assert_eq!((e.notice, e.friction), (Notice::None, 0.0));
+        assert_eq!((e.warning, e.friction), (Warning::None, 0.0));
         // Against the slip
         assert_eq!(at(&large, -1000.0), Err(Error::Unexplained));
         let unloaded = Contact { normal_force: 0.0, ..c };
@@ -157,13 +158,13 @@ fn creepage_is_found_again() {
         let [xi, eta, psi] = [0; 3].map(|_| random.between(-1.0, 1.0));
         let m = theory::creepage(&c, size * xi, size * eta, 0.6 * psi);
         let o = any_options(n);
-        let s = model::solve(&c, &m, &o).unwrap();
+        let s = forces::forces_of_contact(&c, &m, &o).unwrap();
         let bound = c.friction * c.normal_force;
-        let (got, notice) = creepage_for_force(&c, [s.fx, s.fy], m.spin, &o).unwrap();
-        let again = model::solve(&c, &got, &o).unwrap();
+        let (got, warning) = creepage_for_force(&c, [s.fx, s.fy], m.spin, &o).unwrap();
+        let again = forces::forces_of_contact(&c, &got, &o).unwrap();
         let off = (again.fx - s.fx).hypot(again.fy - s.fy) / bound;
-        match notice {
-            Notice::CreepageAtLeast => {
+        match warning {
+            Warning::CreepageAtLeast => {
                 slid += 1;
                 assert!(off < 1.1e-3 && s.fx.hypot(s.fy) > (1.0 - 1.1e-3) * bound, "{off}");
                 // within a thousandth of full sliding the force hardly tells one creepage from another half as large again
@@ -172,7 +173,7 @@ fn creepage_is_found_again() {
                     "{got:?} {m:?} {c:?} {o:?}"
                 );
             }
-            Notice::NotConverged => {
+            Warning::NotConverged => {
                 lost += 1;
                 println!("{off:e} {} {o:?}", s.fx.hypot(s.fy) / bound);
             }
@@ -192,13 +193,13 @@ fn linear_theory_is_inverted() {
     let c = contact(2.0, 0.28);
     let o = options(Model::Linear, StripCount::Sixteen);
     let bound = c.friction * c.normal_force;
-    for (fx, fy, notice) in
-        [(0.3, -0.2, Notice::None), (0.0, 0.0, Notice::None), (3.0, 1.0, Notice::BeyondFriction)]
+    for (fx, fy, warning) in
+        [(0.3, -0.2, Warning::None), (0.0, 0.0, Warning::None), (3.0, 1.0, Warning::BeyondFriction)]
     {
         let (got, told) = creepage_for_force(&c, [fx * bound, fy * bound], 0.2, &o).unwrap();
-        let s = model::solve(&c, &got, &o).unwrap();
+        let s = forces::forces_of_contact(&c, &got, &o).unwrap();
         assert!((s.fx / bound - fx).abs() < 1e-12 && (s.fy / bound - fy).abs() < 1e-12);
-        assert_eq!(told, notice);
+        assert_eq!(told, warning);
     }
 }
 
@@ -211,10 +212,10 @@ fn forces_out_of_reach_are_refused() {
         let at = |c: &Contact<f64>, fx: f64| creepage_for_force(c, [fx, 0.0], 0.1, &o);
         assert_eq!(at(&c, 1.001 * bound), Err(Error::ForceBeyondFriction));
         assert_eq!(at(&c, f64::NAN), Err(Error::NotFinite));
-        assert_eq!(at(&c, bound).unwrap().1, Notice::CreepageAtLeast);
+        assert_eq!(at(&c, bound).unwrap().1, Warning::CreepageAtLeast);
         let slippery = Contact { friction: 0.0, ..c };
         assert_eq!(at(&slippery, 1.0), Err(Error::ForceBeyondFriction));
-        assert_eq!(at(&slippery, 0.0).unwrap().1, Notice::CreepageAtLeast);
+        assert_eq!(at(&slippery, 0.0).unwrap().1, Warning::CreepageAtLeast);
     }
 }
 
@@ -231,11 +232,11 @@ fn single_precision_round_trips() {
         let m = theory::creepage(&wide, size * xi, size * eta, 0.1 * psi);
         let m = single_motion(&m);
         let o = any_options(n);
-        let s = model::solve(&c, &m, &o).unwrap();
+        let s = forces::forces_of_contact(&c, &m, &o).unwrap();
         let bound = c.friction * c.normal_force;
         if s.fx.hypot(s.fy) > 0.1 * bound && size * xi.hypot(eta) > 0.2 {
             let e = estimate_friction(&c, &m, &o, Measured::Both, [s.fx, s.fy]).unwrap();
-            if e.notice == Notice::SeveralFrictions {
+            if e.warning == Warning::SeveralFrictions {
                 continue;
             }
             // a force of single precision is known to about twenty roundings
@@ -243,14 +244,14 @@ fn single_precision_round_trips() {
             assert!((e.friction - c.friction).abs() < allowed, "{e:?} {c:?} {m:?} {o:?}");
             frictions += 1;
         }
-        let (got, notice) = creepage_for_force(&c, [s.fx, s.fy], m.spin, &o).unwrap();
-        if notice == Notice::NotConverged {
+        let (got, warning) = creepage_for_force(&c, [s.fx, s.fy], m.spin, &o).unwrap();
+        if warning == Warning::NotConverged {
             lost += 1;
             continue;
         }
-        let again = model::solve(&c, &got, &o).unwrap();
+        let again = forces::forces_of_contact(&c, &got, &o).unwrap();
         let off = (again.fx - s.fx).hypot(again.fy - s.fy) / bound;
-        assert!(off < 2e-3, "{off} {notice:?} {c:?} {m:?} {o:?}");
+        assert!(off < 2e-3, "{off} {warning:?} {c:?} {m:?} {o:?}");
         creepages += 1;
     }
     println!("{frictions} frictions, {creepages} creepages, {lost} not converged");
@@ -263,7 +264,7 @@ fn own_friction_is_ignored() {
     let c = contact(1.5, 0.28);
     let m = theory::creepage(&c, 0.6, 0.2, 0.1);
     for o in (0..4).map(any_options) {
-        let s = model::solve(&c, &m, &o).unwrap();
+        let s = forces::forces_of_contact(&c, &m, &o).unwrap();
         let at = |friction: f64| {
             let contact = Contact { friction, ..c };
             estimate_friction(&contact, &m, &o, Measured::Both, [s.fx, s.fy]).unwrap()
@@ -289,13 +290,15 @@ fn the_smallest_friction_is_found() {
         let psi = -eta * random.between(0.6, 1.8);
         let m = theory::creepage(&c, 0.1 * size, eta, psi);
         let o = options([Model::Total, Model::Strip][n % 2], StripCount::Eight);
-        let s = model::solve(&c, &m, &o).unwrap();
-        let force = |friction: f64| model::solve(&Contact { friction, ..c }, &m, &o).unwrap().fy;
+        let s = forces::forces_of_contact(&c, &m, &o).unwrap();
+        let force = |friction: f64| {
+            forces::forces_of_contact(&Contact { friction, ..c }, &m, &o).unwrap().fy
+        };
         let e = estimate_friction(&c, &m, &o, Measured::Fy, [0.0, s.fy]).unwrap();
-        if e.notice == Notice::FrictionAtLeast {
+        if e.warning == Warning::FrictionAtLeast {
             continue;
         }
-        several += usize::from(e.notice == Notice::SeveralFrictions);
+        several += usize::from(e.warning == Warning::SeveralFrictions);
         found += 1;
         assert!(e.friction <= c.friction * (1.0 + 1e-9), "{e:?} {c:?} {m:?} {o:?}");
         let sign = s.fy.signum();

@@ -3,8 +3,8 @@
 
 use crate::reference::*;
 
-use kstrip::contact::forces::StripCount;
-use kstrip::solve::model::{Model, Options};
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::{Model, Options};
 
 /// Axis ratios from and to; allowed of TOTAL and of STRIP: mean and 95th percentile of the force, mean of the moment.
 const BINS: [([f64; 2], [f64; 3], [f64; 3]); 7] = [

@@ -7,18 +7,18 @@ use crate::theory::{contact, creepage, options};
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::{self, Field, Model, StripResult};
 use kstrip::patch::field::PatchField;
 use kstrip::patch::{Patch, PatchStrip};
-use kstrip::solve::model::{self, Field, Model, StripResult};
-use kstrip::status::Notice;
+use kstrip::status::Warning;
 use std::mem::MaybeUninit;
 
 const WITH_STRIPS: [Model; 3] = [Model::Strip1967, Model::Strip1967Continuous, Model::Strip];
 
 fn strips(c: &Contact<f64>, m: &Creepage<f64>, model: Model) -> Vec<StripResult<f64>> {
     let mut found = Vec::new();
-    model::strips(c, m, &options(model, StripCount::Eight), &mut |strip| found.push(strip))
+    forces::strips(c, m, &options(model, StripCount::Eight), &mut |strip| found.push(strip))
         .unwrap();
     found
 }
@@ -106,8 +106,8 @@ fn total_in_single_precision_is_right_at_any_creepage() {
     for exponent in -2..=28 {
         let size = 10_f64.powi(exponent);
         let m = creepage(&c, 0.6 * size, -0.5 * size, 0.3 * size);
-        let double = model::solve(&c, &m, &o).unwrap();
-        let one = model::solve(&single(&c), &single_motion(&m), &o).unwrap();
+        let double = forces::forces_of_contact(&c, &m, &o).unwrap();
+        let one = forces::forces_of_contact(&single(&c), &single_motion(&m), &o).unwrap();
         let off = (f64::from(one.fx) - double.fx).hypot(f64::from(one.fy) - double.fy);
         assert!(off < 3e-5 * c.friction * c.normal_force, "1e{exponent}: {one:?} {double:?}");
     }
@@ -120,16 +120,20 @@ fn warnings_begin_where_they_say() {
     let c = contact(1.0, 0.28);
     let radius = (c.a * c.b).sqrt();
     let light = Contact { normal_force: c.normal_force * 1e-3, ..c };
-    for (share, notice) in [(0.998, Notice::None), (1.002, Notice::Spin)] {
+    for (share, warning) in [(0.998, Warning::None), (1.002, Warning::Spin)] {
         let m = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.05 * share / radius };
         let o = options(Model::Total, StripCount::Sixteen);
-        assert_eq!(model::solve(&light, &m, &o).unwrap().notice, notice, "{share}");
+        assert_eq!(forces::forces_of_contact(&light, &m, &o).unwrap().warning, warning, "{share}");
     }
-    for (friction, notice) in [(4.99, Notice::None), (5.01, Notice::Friction)] {
+    for (friction, warning) in [(4.99, Warning::None), (5.01, Warning::Friction)] {
         let slippery = Contact { friction, ..c };
         let o = options(Model::Total, StripCount::Sixteen);
         let rest = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
-        assert_eq!(model::solve(&slippery, &rest, &o).unwrap().notice, notice, "{friction}");
+        assert_eq!(
+            forces::forces_of_contact(&slippery, &rest, &o).unwrap().warning,
+            warning,
+            "{friction}"
+        );
     }
     // the numbers next to unit spin, one of which is exactly one
     let o = options(Model::Strip1967, StripCount::Sixteen);
@@ -144,9 +148,9 @@ fn warnings_begin_where_they_say() {
             assert_eq!(kstrip_parameters_from_creepage(Some(&c), Some(&m), Some(&mut told)), 0);
             // SAFETY: status 0.
             let psi = unsafe { told.assume_init() }.psi;
-            let notice = model::solve(&c, &m, &o).unwrap().notice;
+            let warning = forces::forces_of_contact(&c, &m, &o).unwrap().warning;
             unit_spins += i32::from(psi == 1.0);
-            assert_eq!(notice == Notice::SpinBeyondTheory, psi >= 1.0, "{psi:e}");
+            assert_eq!(warning == Warning::SpinBeyondTheory, psi >= 1.0, "{psi:e}");
         }
     }
     assert!(unit_spins > 20, "{unit_spins}");
@@ -164,7 +168,7 @@ fn linear_theory_overflows_on_needles_either_way() {
             let at = |a: f64, b: f64| {
                 let c = Contact { a, b, ..c };
                 let m = Creepage { longitudinal: size, lateral: size, spin: 0.0 };
-                model::check(&c, &m, &o)
+                forces::check(&c, &m, &o)
             };
             assert_eq!(at(long, short), at(short, long), "1e{exponent}");
             *refused += i32::from(at(long, short).is_err());
@@ -182,10 +186,10 @@ fn strip_keeps_the_friction_bound_to_its_last_digits() {
         let c = contact(random.log_between(0.05, 20.0), random.between(0.0, 0.5));
         let [xi, eta, psi] = [0; 3].map(|_| random.sign() * random.log_between(1e-3, 1e4));
         let (m, o) = (creepage(&c, xi, eta, psi), options(Model::Strip, StripCount::Sixteen));
-        let of = model::solve(&c, &m, &o).unwrap();
+        let of = forces::forces_of_contact(&c, &m, &o).unwrap();
         worst[0] = worst[0].max((of.fx.hypot(of.fy) / c.friction_bound() - 1.0) / f64::EPSILON);
         let c = single(&c);
-        let of = model::solve(&c, &single_motion(&m), &o).unwrap();
+        let of = forces::forces_of_contact(&c, &single_motion(&m), &o).unwrap();
         let size = f64::from(of.fx).hypot(f64::from(of.fy)) / f64::from(c.friction_bound());
         worst[1] = worst[1].max((size - 1.0) / f64::from(f32::EPSILON));
     }

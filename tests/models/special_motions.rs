@@ -6,7 +6,7 @@ use crate::theory;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::solve::model::{self, Model, Solution};
+use kstrip::forces::{self, Model, Solution};
 use random::Random;
 use theory::{COUNTS, contact, options};
 
@@ -40,7 +40,8 @@ fn short_paths_join_the_long_one() {
             3 => (motion(0.0, 0.0, m.spin), motion(-hair, hair, m.spin)),
             _ => (motion(0.0, 0.0, 0.0), motion(hair, -hair, hair)),
         };
-        let [short, long] = [on, beside].map(|m| numbers(&c, &model::solve(&c, &m, &o).unwrap()));
+        let [short, long] =
+            [on, beside].map(|m| numbers(&c, &forces::forces_of_contact(&c, &m, &o).unwrap()));
         for i in 0..4 {
             let error = (short[i] - long[i]).abs();
             worst = worst.max(error);
@@ -63,7 +64,7 @@ fn short_paths_join_in_single_precision() {
         let (x, y, s) = (m.longitudinal as f32, m.lateral as f32, m.spin as f32);
         let at = |x, y, s| {
             let m = Creepage { longitudinal: x, lateral: y, spin: s };
-            let got = model::solve(&c, &m, &o).unwrap();
+            let got = forces::forces_of_contact(&c, &m, &o).unwrap();
             let bound = c.friction * c.normal_force;
             [got.fx / bound, got.fy / bound, got.mz / (bound * (c.a * c.b).sqrt()), got.adhesion]
         };

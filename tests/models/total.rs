@@ -2,7 +2,7 @@
 
 use crate::random::Random;
 
-use kstrip::contact::forces::Totals;
+use kstrip::contact::totals::Totals;
 use kstrip::linear::LinearCoefficients;
 use kstrip::total::Total;
 use std::f64::consts::PI;

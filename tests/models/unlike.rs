@@ -5,16 +5,16 @@ use crate::reference::*;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
 use kstrip::contact::hertz::{Radii, from_approach, from_hertz};
 use kstrip::contact::material::{Material, combine};
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::derivatives::Derivatives;
+use kstrip::forces::{self, Model, Options, Solution};
 use kstrip::friction::SlipFriction;
 use kstrip::friction::derivatives;
 use kstrip::motion::{self, Motion};
 use kstrip::patch::{Patch, friction as patch_friction, solver};
-use kstrip::solve::derivatives::Derivatives;
-use kstrip::solve::model::{self, Model, Options, Solution};
-use kstrip::status::Notice;
+use kstrip::status::Warning;
 
 const MODELS: [Model; 3] = [Model::Strip, Model::Total, Model::Linear];
 
@@ -68,11 +68,11 @@ fn at_rest_there_is_a_force_where_it_rolls() {
     let exchanged = Contact { mismatch: -unlike.mismatch, ..unlike };
     let rest = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
     for model in MODELS {
-        let [found, other] =
-            [&unlike, &exchanged].map(|c| model::solve(c, &rest, &options(model)).unwrap());
+        let [found, other] = [&unlike, &exchanged]
+            .map(|c| forces::forces_of_contact(c, &rest, &options(model)).unwrap());
         assert!(found.fx > 0.1 * BOUND && found.fx < 0.5 * BOUND, "{model:?} {}", found.fx);
         assert_eq!((found.fx, found.power), (-other.fx, other.power), "{model:?}");
-        assert_eq!((found.fy, found.mz, found.notice), (0.0, 0.0, Notice::None), "{model:?}");
+        assert_eq!((found.fy, found.mz, found.warning), (0.0, 0.0, Warning::None), "{model:?}");
         let stands = motion::solve(&unlike, &Motion::default(), None, &options(model)).unwrap().0;
         assert_eq!((stands.fx, stands.power), (0.0, 0.0), "{model:?}");
         // far from standstill it is the same force forward and backward, in axes that stay
@@ -83,8 +83,8 @@ fn at_rest_there_is_a_force_where_it_rolls() {
         assert!((rolls(50.0) - found.fx).abs() < 1e-6 * BOUND && rolls(-50.0) == -rolls(50.0));
     }
     for model in [Model::Strip1967, Model::Strip1967Continuous] {
-        let found = model::solve(&unlike, &rest, &options(model)).unwrap();
-        assert_eq!((found.fx, found.notice), (0.0, Notice::MismatchNeglected));
+        let found = forces::forces_of_contact(&unlike, &rest, &options(model)).unwrap();
+        assert_eq!((found.fx, found.warning), (0.0, Warning::MismatchNeglected));
     }
 }
 
@@ -98,7 +98,7 @@ fn rolling_takes_no_energy_from_nothing() {
         let adds =
             contact.mismatch * NORMAL_FORCE / (SHEAR_MODULUS * contact.a * (contact.a + contact.b));
         for model in MODELS {
-            let found = model::solve(&contact, &creepage, &options(model)).unwrap();
+            let found = forces::forces_of_contact(&contact, &creepage, &options(model)).unwrap();
             let Creepage { longitudinal, lateral, spin } = creepage;
             let brought = found.fx * longitudinal + found.fy * lateral + found.mz * spin;
             assert!(found.power >= 0.0, "{model:?} {contact:?} {creepage:?}");
@@ -226,7 +226,7 @@ fn a_patch_carries_the_mismatch_of_its_contact() {
         }
         // the strips share the power
         let mut shared = 0.0;
-        let strips = |strip: model::StripResult<f64>| shared += strip.power;
+        let strips = |strip: forces::StripResult<f64>| shared += strip.power;
         if model == Model::Strip && law.is_none() {
             solver::strips(&patch.view().unwrap(), &creepage, model, &mut { strips }).unwrap();
             assert!((shared - found.solution.power).abs() <= 4e-15 * bound);

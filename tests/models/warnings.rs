@@ -4,29 +4,29 @@ use crate::C0;
 use kstrip::batch::solve_batch;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
-use kstrip::solve::derivatives;
-use kstrip::solve::model::{self, Model, Options};
-use kstrip::status::Notice;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::derivatives;
+use kstrip::forces::{self, Model, Options};
+use kstrip::status::Warning;
 
 /// A worn wheel in a curve.
 const ROLLS: Creepage<f64> = Creepage { longitudinal: 1e-4, lateral: 1e-4, spin: 0.4 };
 
-fn wrong_units() -> [(Contact<f64>, Creepage<f64>, Notice); 8] {
+fn wrong_units() -> [(Contact<f64>, Creepage<f64>, Warning); 8] {
     [
         // GPa, MPa
-        (Contact { shear_modulus: 82.0, ..C0 }, ROLLS, Notice::Pressure),
-        (Contact { shear_modulus: 82e3, ..C0 }, ROLLS, Notice::Pressure),
+        (Contact { shear_modulus: 82.0, ..C0 }, ROLLS, Warning::Pressure),
+        (Contact { shear_modulus: 82e3, ..C0 }, ROLLS, Warning::Pressure),
         // mm
-        (Contact { a: 6.0, b: 4.5, ..C0 }, ROLLS, Notice::SemiAxis),
+        (Contact { a: 6.0, b: 4.5, ..C0 }, ROLLS, Warning::SemiAxis),
         // per cent
-        (C0, Creepage { longitudinal: 12.0, ..ROLLS }, Notice::Creepage),
-        (C0, Creepage { lateral: -12.0, ..ROLLS }, Notice::Creepage),
+        (C0, Creepage { longitudinal: 12.0, ..ROLLS }, Warning::Creepage),
+        (C0, Creepage { lateral: -12.0, ..ROLLS }, Warning::Creepage),
         // degrees per metre
-        (C0, Creepage { spin: ROLLS.spin.to_degrees(), ..ROLLS }, Notice::Spin),
-        (C0, Creepage { spin: -ROLLS.spin.to_degrees(), ..ROLLS }, Notice::Spin),
+        (C0, Creepage { spin: ROLLS.spin.to_degrees(), ..ROLLS }, Warning::Spin),
+        (C0, Creepage { spin: -ROLLS.spin.to_degrees(), ..ROLLS }, Warning::Spin),
         // friction in per cent
-        (Contact { friction: 30.0, ..C0 }, ROLLS, Notice::Friction),
+        (Contact { friction: 30.0, ..C0 }, ROLLS, Warning::Friction),
     ]
 }
 
@@ -34,14 +34,17 @@ fn wrong_units() -> [(Contact<f64>, Creepage<f64>, Notice); 8] {
 fn wrong_units_are_named_by_every_model() {
     for model in Model::ALL {
         let options = Options { model, strips: StripCount::Sixteen };
-        assert_eq!(model::solve(&C0, &ROLLS, &options).unwrap().notice, Notice::None);
-        for (contact, creepage, notice) in wrong_units() {
-            let solution = model::solve(&contact, &creepage, &options).unwrap();
-            assert_eq!(solution.notice, notice, "{model:?} {contact:?} {creepage:?}");
-            let (other, _) = model::solve_jacobian(&contact, &creepage, &options).unwrap();
-            assert_eq!(other.notice, notice);
+        assert_eq!(
+            forces::forces_of_contact(&C0, &ROLLS, &options).unwrap().warning,
+            Warning::None
+        );
+        for (contact, creepage, warning) in wrong_units() {
+            let solution = forces::forces_of_contact(&contact, &creepage, &options).unwrap();
+            assert_eq!(solution.warning, warning, "{model:?} {contact:?} {creepage:?}");
+            let (other, _) = forces::solve_jacobian(&contact, &creepage, &options).unwrap();
+            assert_eq!(other.warning, warning);
             let (other, _) = derivatives::solve(&contact, &creepage, &options).unwrap();
-            assert_eq!(other.notice, notice);
+            assert_eq!(other.warning, warning);
         }
     }
 }
@@ -61,11 +64,11 @@ fn in_a_batch_each_contact_gets_its_own() {
                 let mut found = [None; 19];
                 let put = |i: usize, solution| found[i] = Some(solution);
                 let worst = solve_batch(19, &options, |i| many[i], put).unwrap();
-                let mut expected = Notice::None;
+                let mut expected = Warning::None;
                 for (found, (contact, creepage)) in found.into_iter().zip(many) {
-                    let alone = model::solve(&contact, &creepage, &options).unwrap();
+                    let alone = forces::forces_of_contact(&contact, &creepage, &options).unwrap();
                     assert_eq!(found, Some(alone), "{model:?} {contact:?}");
-                    expected = expected.worse(alone.notice);
+                    expected = expected.worse(alone.warning);
                 }
                 assert_eq!(worst, expected);
             }

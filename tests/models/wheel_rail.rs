@@ -2,16 +2,16 @@
 
 use crate::manchester::{self, Wheelset, points, steel, zeroed};
 use approx::assert_relative_eq;
-use kstrip::contact::forces::StripCount;
 use kstrip::contact::hertz::{Radii, hertz};
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::Model;
 use kstrip::friction::SlipFriction;
-use kstrip::solve::model::Model;
-use kstrip::status::Notice;
+use kstrip::status::Warning;
 use kstrip::wheel_rail::contacts::WheelContact;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
 use kstrip::wheel_rail::surface::Surface;
 use kstrip::wheel_rail::wrench::{Law, Wrench, WrenchByPosition, WrenchDerivatives, of_contacts};
-use kstrip::wheel_rail::{Pair, Position, Velocity};
+use kstrip::wheel_rail::{Position, Velocity, WheelPair};
 use std::collections::HashMap;
 
 type Members = [f64; 6];
@@ -45,7 +45,7 @@ fn profile(name: &str, turn: f64) -> Box<Surface<f64>> {
 struct Stand {
     rail: Box<Surface<f64>>,
     wheel: Box<Surface<f64>>,
-    pair: Pair<f64>,
+    pair: WheelPair<f64>,
     model: Model,
     falling: Option<SlipFriction<f64>>,
     memory: Box<Workspace<f64>>,
@@ -80,8 +80,8 @@ impl Stand {
         velocity: Option<&Velocity<f64>>,
     ) -> f64 {
         let (scene, memory) = self.split();
-        let (height, notice) = scene.height_for_load(position, load, velocity, memory).unwrap();
-        assert_eq!(notice, Notice::None, "{position:?}");
+        let (height, warning) = scene.height_for_load(position, load, velocity, memory).unwrap();
+        assert_eq!(warning, Warning::None, "{position:?}");
         height
     }
 

@@ -5,10 +5,10 @@
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Parameters;
-use kstrip::contact::forces::{StripCount, Totals};
 use kstrip::contact::hertz::{Radii, hertz};
+use kstrip::contact::totals::{StripCount, Totals};
+use kstrip::forces::{Model, Options, solve_jacobian};
 use kstrip::number::Float;
-use kstrip::solve::model::{Model, Options, solve_jacobian};
 use kstrip::strip_1967::strip::adhesion_length;
 use kstrip::strip_1967::{self, strip::SlidingRule};
 use std::collections::BTreeMap;
@@ -44,7 +44,7 @@ fn ulps(value: f64, exact: (f64, f64), scale: f64, epsilon: f64) -> f64 {
 }
 
 /// Errors of one row in one precision.
-fn errors<F: Float + kstrip::solve::model::Float>(row: &Row) -> Vec<f64> {
+fn errors<F: Float + kstrip::forces::Float>(row: &Row) -> Vec<f64> {
     let input = |i: usize| F::of(row.inputs[i]);
     let epsilon = F::EPSILON.to_f64();
     let [r0, r1, r2, _] = row.results;

@@ -6,7 +6,7 @@
 use crate::precise::Precise;
 use crate::two_hundred_bits::{is_known, stated};
 
-use kstrip::contact::forces::StripCount;
+use kstrip::contact::totals::StripCount;
 use kstrip::normal::{Indentation, Profile, ProfileContact};
 use kstrip::number::Float;
 use kstrip::patch::{Patch, PatchStrip, normal::Given};

@@ -10,14 +10,14 @@ use crate::random;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::{Creepage, Parameters};
-use kstrip::contact::forces::StripCount;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::derivatives::solve_jacobian;
+use kstrip::forces::{Model, Options};
 use kstrip::friction::SlipFriction;
 use kstrip::friction::derivatives::differentiate;
 use kstrip::linear::LinearCoefficients;
 use kstrip::number::Float;
 use kstrip::patch::{Patch, PatchStrip, QuadratureScale, friction, solver};
-use kstrip::solve::derivatives::solve_jacobian;
-use kstrip::solve::model::{Model, Options};
 use kstrip::status::Error;
 use kstrip::strip_1967::strip::adhesion_length;
 use nalgebra::Matrix3;

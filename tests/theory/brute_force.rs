@@ -3,7 +3,7 @@
 use crate::random::Random;
 use crate::theory::Law;
 use kstrip::contact::creepage::Parameters;
-use kstrip::contact::forces::Totals;
+use kstrip::contact::totals::Totals;
 use kstrip::number::Float;
 use kstrip::strip_1967;
 use kstrip::strip_1967::strip::{Regime, SlidingRule, Strip};

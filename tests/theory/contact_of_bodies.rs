@@ -3,7 +3,7 @@
 use kstrip::contact::hertz::{Radii, hertz};
 use kstrip::contact::material::CombinedMaterial;
 use kstrip::contact::{Contact, from_approach, from_hertz};
-use kstrip::status::Notice;
+use kstrip::status::Warning;
 
 const FLAT: f64 = f64::INFINITY;
 const STEEL: CombinedMaterial<f64> =
@@ -19,13 +19,13 @@ fn body(ratio: f64) -> [Radii<f64>; 2] {
 #[test]
 fn a_contact_of_a_load_is_that_of_hertz() {
     for load in [1e-300, 1e-3, 1.0, 80e3, 1e7] {
-        let (contact, ellipse, notice) = from_hertz(&WHEEL, &STEEL, load, 0.3).unwrap();
+        let (contact, ellipse, warning) = from_hertz(&WHEEL, &STEEL, load, 0.3).unwrap();
         assert_eq!(Ok(ellipse), hertz(&WHEEL, load, 82e9, 0.28));
         let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, .. } = contact;
         assert_eq!((a, b, normal_force), (ellipse.a, ellipse.b, load));
         assert_eq!((shear_modulus, poisson_ratio, friction), (82e9, 0.28, 0.3));
         let crushed = ellipse.peak_pressure > 8.2e9;
-        assert_eq!(notice, if crushed { Notice::Pressure } else { Notice::None }, "{load}");
+        assert_eq!(warning, if crushed { Warning::Pressure } else { Warning::None }, "{load}");
         contact.check().unwrap();
     }
 }
@@ -99,10 +99,11 @@ fn a_sphere_has_its_textbook_stiffness() {
 #[test]
 fn without_load_or_approach_contact_is_lost() {
     for nothing in [0.0, -0.0, -1e-300, -1e-12, -80e3, f64::MIN] {
-        let (contact, ellipse, notice) = from_hertz(&WHEEL, &STEEL, nothing, 0.3).unwrap();
-        let (apart, stiffness, notice_apart) = from_approach(&WHEEL, &STEEL, nothing, 0.3).unwrap();
+        let (contact, ellipse, warning) = from_hertz(&WHEEL, &STEEL, nothing, 0.3).unwrap();
+        let (apart, stiffness, warning_apart) =
+            from_approach(&WHEEL, &STEEL, nothing, 0.3).unwrap();
         assert_eq!((ellipse.a, ellipse.peak_pressure, ellipse.approach), (0.0, 0.0, 0.0));
-        assert_eq!((stiffness, notice, notice_apart), (0.0, Notice::None, Notice::None));
+        assert_eq!((stiffness, warning, warning_apart), (0.0, Warning::None, Warning::None));
         for contact in [contact, apart] {
             let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, .. } =
                 contact;

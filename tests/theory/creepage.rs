@@ -150,7 +150,7 @@ fn braked_wheel_is_held_back() {
     let motion =
         Creepage::from_velocities(&at(-20.0, 0.0, 0.0), &at(-19.98, 0.0, 0.0), 20.0).unwrap();
     let on_rail =
-        kstrip::solve::model::solve(&c, &motion, &kstrip::solve::model::Options::default())
+        kstrip::forces::forces_of_contact(&c, &motion, &kstrip::forces::Options::default())
             .unwrap();
     assert!(on_rail.fx > 0.0 && on_rail.power > 0.0);
     let on_wheel = on_rail.on_upper_body();

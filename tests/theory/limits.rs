@@ -5,8 +5,8 @@ use crate::theory;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
-use kstrip::solve::model::{self, Model};
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::{self, Model};
 use random::Random;
 use std::f64::consts::PI;
 use theory::{COUNTS, MODELS, contact, creepage, options, sixteen};
@@ -33,14 +33,14 @@ fn linear_slopes_are_exact() {
                 let tiny = 1e-11 * theory::slip_unit(&c);
                 let solve = |x, y, s| {
                     let motion = Creepage { longitudinal: x, lateral: y, spin: s };
-                    model::solve(&c, &motion, &o).unwrap()
+                    forces::forces_of_contact(&c, &motion, &o).unwrap()
                 };
                 let along = solve(tiny, 0.0, 0.0);
                 let across = solve(0.0, tiny, 0.0);
                 let spin = tiny / c.a;
                 let turning = solve(0.0, 0.0, spin);
                 let zero = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
-                let (_, j) = model::solve_jacobian(&c, &zero, &o)
+                let (_, j) = forces::solve_jacobian(&c, &zero, &o)
                     .unwrap_or_else(|error| panic!("{error:?} {c:?} {o:?}"));
                 let near = |got: f64, expected: f64, what: &str| {
                     assert!(
@@ -73,7 +73,7 @@ fn spin_moment_has_its_linear_slope() {
     for axis_ratio in [0.2, 1.0, 5.0] {
         let c = contact(axis_ratio, 0.28);
         let psi = 1e-10;
-        let s = model::solve(
+        let s = forces::forces_of_contact(
             &c,
             &creepage(&c, 0.0, 0.0, psi),
             &options(Model::Strip1967, StripCount::SixtyFour),
@@ -100,7 +100,10 @@ fn any_number_of_strips_has_the_same_totals() {
         for kind in MODELS {
             let [first, others @ ..] = COUNTS.map(|count| {
                 let o = options(kind, count);
-                (model::solve(&c, &m, &o).unwrap(), model::solve_jacobian(&c, &m, &o).unwrap())
+                (
+                    forces::forces_of_contact(&c, &m, &o).unwrap(),
+                    forces::solve_jacobian(&c, &m, &o).unwrap(),
+                )
             });
             assert!(others.iter().all(|other| *other == first), "{c:?} {m:?} {kind:?}");
         }
@@ -114,7 +117,8 @@ fn saturation_is_exact() {
         let c = contact(axis_ratio, 0.28);
         for kind in MODELS {
             for (xi, eta) in [(1.5, 0.0), (0.0, -3.0), (-2.0, 7.0), (1e6, 1e3), (1e80, -1e80)] {
-                let s = model::solve(&c, &creepage(&c, xi, eta, 0.0), &sixteen(kind)).unwrap();
+                let s = forces::forces_of_contact(&c, &creepage(&c, xi, eta, 0.0), &sixteen(kind))
+                    .unwrap();
                 let size = s.fx.hypot(s.fy) / bound(&c);
                 assert!((size - 1.0).abs() < 4e-15, "{kind:?} {xi} {eta}: {size}");
                 assert_eq!(s.adhesion, 0.0);
@@ -128,7 +132,7 @@ fn saturation_is_exact() {
                 assert!(s.mz.abs() < 1e-12 * bound(&c) * c.a.max(c.b));
             }
             // A little spin on much creepage does not matter
-            let s = model::solve(&c, &creepage(&c, 1e9, 0.0, 0.5), &sixteen(kind));
+            let s = forces::forces_of_contact(&c, &creepage(&c, 1e9, 0.0, 0.5), &sixteen(kind));
             assert!((s.unwrap().fx / bound(&c) - 1.0).abs() < 4e-15);
         }
     }
@@ -164,7 +168,7 @@ fn pure_creepage_has_its_closed_form() {
                 let clean = |v: f64| if v.abs() < 1e-15 { 0.0 } else { v };
                 let (dx, dy) = (clean(angle.cos()), clean(angle.sin()));
                 let motion = creepage(&c, tau * dx, tau * dy, 0.0);
-                let s = model::solve(&c, &motion, &sixteen(kind)).unwrap();
+                let s = forces::forces_of_contact(&c, &motion, &sixteen(kind)).unwrap();
                 let along = (s.fx * dx + s.fy * dy) / bound(&c);
                 let across = (s.fx * dy - s.fy * dx) / bound(&c);
                 assert!(along.is_finite());
@@ -184,7 +188,7 @@ fn small_pure_creepage_has_its_series() {
     let c = contact(1.0, 0.28);
     for exponent in 2..=12 {
         let tau = 10f64.powi(-exponent);
-        let s = model::solve(
+        let s = forces::forces_of_contact(
             &c,
             &creepage(&c, 0.0, tau, 0.0),
             &options(Model::Strip1967, StripCount::SixtyFour),
@@ -204,7 +208,7 @@ fn stick_area_in_pure_creepage() {
     for i in 0..=55 {
         let tau = f64::from(i) / 50.0;
         let motion = creepage(&c, tau, 0.0, 0.0);
-        let s = model::solve(&c, &motion, &sixteen(Model::Strip1967)).unwrap();
+        let s = forces::forces_of_contact(&c, &motion, &sixteen(Model::Strip1967)).unwrap();
         let inside = tau.min(1.0);
         let expected = 2.0 / PI * (inside.acos() - inside * (1.0 - inside * inside).sqrt());
         assert!((s.adhesion - expected).abs() < 4e-15, "{tau}: {}", s.adhesion);

@@ -4,10 +4,10 @@ use crate::theory;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::field::FieldPoint;
+use kstrip::forces::{self, Field, Model};
 use kstrip::linear::LinearCoefficients;
-use kstrip::solve::field::FieldPoint;
-use kstrip::solve::model::{self, Field, Model};
 use kstrip::strip_1967::strip::{Regime, SlidingRule, State, Strip};
 use std::f64::consts::PI;
 use theory::{MODELS, contact, creepage, options};
@@ -163,7 +163,7 @@ fn figure_9_lateral_force_in_pure_spin() {
         let c = contact(axis_ratio, 0.28);
         for (kind, expected) in MODELS.into_iter().zip([rigid, continuous]) {
             for sign in [1.0, -1.0] {
-                let s = model::solve(
+                let s = forces::forces_of_contact(
                     &c,
                     &creepage(&c, 0.0, 0.0, sign * psi),
                     &options(kind, StripCount::SixtyFour),
@@ -202,8 +202,12 @@ fn figure_9_is_as_far_from_the_reference_as_told() {
                 .map(|case| {
                     let c = contact(axis_ratio, 0.28);
                     let motion = creepage(&c, 0.0, 0.0, case[7]);
-                    let s =
-                        model::solve(&c, &motion, &options(kind, StripCount::SixtyFour)).unwrap();
+                    let s = forces::forces_of_contact(
+                        &c,
+                        &motion,
+                        &options(kind, StripCount::SixtyFour),
+                    )
+                    .unwrap();
                     s.fy / (c.friction * c.normal_force) / case[9] - 1.0
                 })
                 .collect();
@@ -238,7 +242,8 @@ fn pure_spin_force_is_that_of_the_adhesion_strips() {
             let end = 1.0 / (1.0 + p * p / (1.0 - psi * psi)).sqrt();
             let expected = 1.5 * psi * (end - end.powi(3) / 3.0);
             let motion = creepage(&c, 0.0, 0.0, psi);
-            let s = model::solve(&c, &motion, &theory::sixteen(Model::Strip1967)).unwrap();
+            let s =
+                forces::forces_of_contact(&c, &motion, &theory::sixteen(Model::Strip1967)).unwrap();
             let fy = s.fy / (c.friction * c.normal_force);
             // The end loses digits as ψ → 1
             assert!((fy - expected).abs() < 7e-12, "{axis_ratio} {psi}: {fy} {expected}");
@@ -328,7 +333,9 @@ fn section_9_spin_has_its_limit_without_poissons_ratio_only() {
         let c = contact(g, nu);
         let spin = 1e-9 / c.b;
         let motion = Creepage { longitudinal: 0.0, lateral: 0.0, spin };
-        let s = model::solve(&c, &motion, &options(Model::Strip1967, StripCount::Sixteen)).unwrap();
+        let s =
+            forces::forces_of_contact(&c, &motion, &options(Model::Strip1967, StripCount::Sixteen))
+                .unwrap();
         s.fy / (c.shear_modulus * (c.a * c.b).powf(1.5) * spin)
     };
     let page =
@@ -392,7 +399,8 @@ fn figure_10_has_an_adhesion_area_at_unit_spin() {
         for (eta, psi) in [(-0.5, 1.0), (0.5, -1.0)] {
             // The contact's own factor may round ψ to 1 ∓ 1e-16: all the same here
             let motion = creepage(&c, 0.0, eta, psi);
-            let s = model::solve(&c, &motion, &options(kind, StripCount::SixtyFour)).unwrap();
+            let s = forces::forces_of_contact(&c, &motion, &options(kind, StripCount::SixtyFour))
+                .unwrap();
             assert!(s.adhesion > 0.2 && s.adhesion < 0.9, "{}", s.adhesion);
             let law = theory::Law {
                 xi: 0.0,

@@ -3,8 +3,8 @@
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::hertz::Radii;
 use kstrip::contact::material::CombinedMaterial;
-use kstrip::contact::{Contact, from_approach, from_hertz, warning};
-use kstrip::status::{Notice, advice};
+use kstrip::contact::{Contact, from_approach, from_hertz, implausibility};
+use kstrip::status::{Warning, advice};
 
 const FLAT: f64 = f64::INFINITY;
 const DEGREES: f64 = 180.0 / std::f64::consts::PI;
@@ -65,18 +65,18 @@ fn bodies(case: &Case, unit: f64) -> Radii<f64> {
 }
 
 fn contact(case: &Case) -> Contact<f64> {
-    let (contact, ellipse, notice) =
+    let (contact, ellipse, warning) =
         from_hertz(&bodies(case, 1.0), &pair(case.shear_modulus), case.load, case.friction)
             .unwrap();
     // a ball in its race at the limit of its load is ordinary, and wide for half-spaces
     let [_, lower_y, _, upper_y] = case.radii.map(f64::abs);
     let wide = ellipse.b > 0.3 * lower_y.min(upper_y);
-    let expected = if wide { Notice::Conformal } else { Notice::None };
-    assert_eq!(notice, expected, "{}: {ellipse:?}", case.what);
-    let (_, _, notice) =
+    let expected = if wide { Warning::Conformal } else { Warning::None };
+    assert_eq!(warning, expected, "{}: {ellipse:?}", case.what);
+    let (_, _, warning) =
         from_approach(&bodies(case, 1.0), &pair(case.shear_modulus), ellipse.approach, 0.3)
             .unwrap();
-    assert_eq!(notice, expected, "{}", case.what);
+    assert_eq!(warning, expected, "{}", case.what);
     contact
 }
 
@@ -99,8 +99,8 @@ fn ordinary_contacts_are_not_warned_of() {
             for contact in [hertz.unwrap().0, if wheel { constant } else { full }] {
                 for [x, y] in [[0.0, 0.0], [1e-3, 2e-3], [-1.0, 0.0], [5.0, 1.0]] {
                     for spin in [0.0, case.spin, -case.spin] {
-                        let said = warning(&contact, &creepage(x, y, spin));
-                        assert_eq!(said, Notice::None, "{} {share} {x} {spin}", case.what);
+                        let said = implausibility(&contact, &creepage(x, y, spin));
+                        assert_eq!(said, Warning::None, "{} {share} {x} {spin}", case.what);
                     }
                 }
             }
@@ -108,36 +108,39 @@ fn ordinary_contacts_are_not_warned_of() {
     }
 }
 
-/// Every one of them in a wrong unit, by the notice that names the quantity.
+/// Every one of them in a wrong unit, by the warning that names the quantity.
 #[test]
 fn wrong_units_are_named() {
     for case in &ORDINARY {
         let right = contact(case);
         let slips = creepage(1e-3, 1e-3, case.spin);
-        let said = |contact: Contact<f64>| warning(&contact, &slips);
+        let said = |contact: Contact<f64>| implausibility(&contact, &slips);
         // GPa and MPa for Pa
         for unit in [1e-9, 1e-6] {
             let soft = Contact { shear_modulus: right.shear_modulus * unit, ..right };
-            assert_eq!(said(soft), Notice::Pressure, "{}", case.what);
+            assert_eq!(said(soft), Warning::Pressure, "{}", case.what);
         }
         // mm for m, where the contact is longer than 1 mm (a contact of 0.1 mm is then one of 10 cm)
         let long = Contact { a: 1e3 * right.a, b: 1e3 * right.b, ..right };
         if right.a.max(right.b) > 1e-3 {
-            assert_eq!(said(long), Notice::SemiAxis, "{}", case.what);
+            assert_eq!(said(long), Warning::SemiAxis, "{}", case.what);
         }
         // radii in mm, where the smallest is longer than 5 mm
-        let (_, _, notice) =
+        let (_, _, warning) =
             from_hertz(&bodies(case, 1e3), &pair(case.shear_modulus), case.load, 0.3).unwrap();
         let roundest = case.radii.map(f64::abs).into_iter().fold(FLAT, f64::min);
         if roundest > 0.012 {
-            assert_eq!(notice, Notice::Radius, "{}", case.what);
+            assert_eq!(warning, Warning::Radius, "{}", case.what);
         }
         // friction in per cent
         let rough = Contact { friction: 100.0 * case.friction, ..right };
-        assert_eq!(said(rough), if case.friction > 0.05 { Notice::Friction } else { Notice::None });
+        assert_eq!(
+            said(rough),
+            if case.friction > 0.05 { Warning::Friction } else { Warning::None }
+        );
         // a creep curve to 20 %, in per cent
         for motion in [creepage(20.0, 0.0, 0.0), creepage(0.0, -20.0, case.spin)] {
-            assert_eq!(warning(&right, &motion), Notice::Creepage, "{}", case.what);
+            assert_eq!(implausibility(&right, &motion), Warning::Creepage, "{}", case.what);
         }
     }
 }
@@ -156,7 +159,7 @@ fn degrees_are_named() {
         }
         found += 1;
         let degrees = creepage(1e-3, 0.0, DEGREES * case.spin);
-        assert_eq!(warning(&contact, &degrees), Notice::Spin, "{}", case.what);
+        assert_eq!(implausibility(&contact, &degrees), Warning::Spin, "{}", case.what);
     }
     assert!(found >= 8, "{found}");
 }
@@ -168,9 +171,9 @@ fn a_wheel_is_told_from_tread_to_flange() {
     let (contact, _, _) = from_hertz(&wheel, &pair(82e9), 80e3, 0.3).unwrap();
     for degrees in 0..=75 {
         let spin = f64::from(degrees).to_radians().tan() / 0.46;
-        let said = |unit: f64| warning(&contact, &creepage(0.0, 0.0, unit * spin));
-        assert_eq!(said(1.0), Notice::None);
-        assert_eq!(said(DEGREES) == Notice::Spin, degrees >= 5, "{degrees}");
+        let said = |unit: f64| implausibility(&contact, &creepage(0.0, 0.0, unit * spin));
+        assert_eq!(said(1.0), Warning::None);
+        assert_eq!(said(DEGREES) == Warning::Spin, degrees >= 5, "{degrees}");
     }
 }
 
@@ -180,22 +183,22 @@ fn the_cause_is_named_and_not_what_follows() {
     let contact = contact(&ORDINARY[0]);
     let spins = creepage(0.0, 0.0, 0.5);
     let millimetres = Contact { a: 6.0, b: 4.0, ..contact };
-    assert_eq!(warning(&millimetres, &spins), Notice::SemiAxis);
-    assert_eq!(warning(&millimetres, &creepage(20.0, 0.0, 0.5)), Notice::SemiAxis);
+    assert_eq!(implausibility(&millimetres, &spins), Warning::SemiAxis);
+    assert_eq!(implausibility(&millimetres, &creepage(20.0, 0.0, 0.5)), Warning::SemiAxis);
     let soft = Contact { shear_modulus: 82.0, ..contact };
-    assert_eq!(warning(&soft, &creepage(20.0, 0.0, 500.0)), Notice::Pressure);
+    assert_eq!(implausibility(&soft, &creepage(20.0, 0.0, 500.0)), Warning::Pressure);
     // a lost contact has no pressure, and nothing slips in it
     let lost = Contact { normal_force: -1.0, shear_modulus: 82.0, ..contact };
-    assert_eq!(warning(&lost, &creepage(20.0, 0.0, 500.0)), Notice::None);
-    for (notice, name) in [
-        (Notice::Pressure, "pressure"),
-        (Notice::Creepage, "creepage"),
-        (Notice::SemiAxis, "semi-axis"),
-        (Notice::Spin, "spin"),
-        (Notice::Friction, "friction"),
-        (Notice::Radius, "radii"),
+    assert_eq!(implausibility(&lost, &creepage(20.0, 0.0, 500.0)), Warning::None);
+    for (warning, name) in [
+        (Warning::Pressure, "pressure"),
+        (Warning::Creepage, "creepage"),
+        (Warning::SemiAxis, "semi-axis"),
+        (Warning::Spin, "spin"),
+        (Warning::Friction, "friction"),
+        (Warning::Radius, "radii"),
     ] {
-        let text = advice(notice.code()).unwrap().to_str().unwrap();
+        let text = advice(warning.code()).unwrap().to_str().unwrap();
         assert!(text.contains("implausible") && text.contains(name), "{text}");
     }
 }

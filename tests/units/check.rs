@@ -2,8 +2,9 @@
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::internals::looked_at;
-use kstrip::solve::model::Model;
+use kstrip::forces::Model;
+use kstrip::internals::quick_and_full_check;
+use kstrip::number::Float;
 
 /// No check can fail for the sizes that are let through without: at every corner of them, in both precisions.
 #[test]
@@ -39,7 +40,7 @@ fn usual_sizes_pass_every_check() {
             };
             let creepage = Creepage { longitudinal: x, lateral: y, spin };
             for model in Model::ALL {
-                let (passes, found) = looked_at(&contact, &creepage, model);
+                let (passes, found) = quick_and_full_check(&contact, &creepage, model);
                 assert!(passes && found.is_ok(), "{model:?} {contact:?} {creepage:?}");
                 usual += 1;
             }

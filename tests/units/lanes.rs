@@ -1,6 +1,6 @@
 //! Registers against plain numbers, bit by bit.
 
-use kstrip::internals::are_wide;
+use kstrip::internals::has_avx;
 use kstrip::number::lanes::Lanes;
 use kstrip::number::{Arithmetic, Float, Number, Real, Strips};
 
@@ -48,7 +48,7 @@ fn registers_have_the_bits_of_plain_numbers() {
     agree::<f64, 3>(double);
     agree::<f32, 2>(single);
     agree::<f32, 4>(single);
-    if are_wide() {
+    if has_avx() {
         agree::<f64, 4>(double);
         agree::<f32, 8>(single);
     }

@@ -6,11 +6,11 @@ use approx::assert_relative_eq;
 use core::f64::consts::PI;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
-use kstrip::contact::forces::StripCount;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::{self, Model, Options};
 use kstrip::internals::{creepage_counted, estimate_counted};
 use kstrip::rig::{Measured, estimate_friction};
-use kstrip::solve::model::{self, Model, Options};
-use kstrip::status::Notice;
+use kstrip::status::Warning;
 
 const SATURATING: [Model; 4] =
     [Model::Total, Model::Strip, Model::Strip1967Continuous, Model::Strip1967];
@@ -55,7 +55,7 @@ fn no_friction_is_missed() {
             let motion = opposed(&mut random, n, &contact, unit);
             let measured = [Measured::Fx, Measured::Fy, Measured::Both][n / 2 % 3];
             let o = options(model);
-            let made = model::solve(&contact, &motion, &o).unwrap();
+            let made = forces::forces_of_contact(&contact, &motion, &o).unwrap();
             let measured =
                 if n % 3 == 0 && measured == Measured::Fx { Measured::Fy } else { measured };
             let force = [made.fx, made.fy];
@@ -76,13 +76,13 @@ fn no_friction_is_missed() {
             };
             solutions += solved;
             most = most.max(solved);
-            match found.notice {
-                Notice::FrictionAtLeast => {
+            match found.warning {
+                Warning::FrictionAtLeast => {
                     bounds += 1;
                     larger += usize::from(found.friction > contact.friction * (1.0 + 1e-9));
                     continue;
                 }
-                Notice::SeveralFrictions => several += 1,
+                Warning::SeveralFrictions => several += 1,
                 _ => silent += usize::from(found.friction < contact.friction * (1.0 - 1e-6)),
             }
             larger += usize::from(found.friction > contact.friction * (1.0 + 1e-6));
@@ -116,12 +116,12 @@ fn close_frictions_are_told() {
         spin: -0.517_434_099_177_47,
     };
     let o = options(Model::Total);
-    let force = model::solve(&total, &motion, &o).unwrap();
+    let force = forces::forces_of_contact(&total, &motion, &o).unwrap();
     let found = estimate_friction(&total, &motion, &o, Measured::Fy, [0.0, force.fy]).unwrap();
-    assert_eq!(found.notice, Notice::SeveralFrictions);
+    assert_eq!(found.warning, Warning::SeveralFrictions);
     assert!(found.friction < 0.5 * total.friction, "{found:?}");
     let less = Contact { friction: found.friction, ..total };
-    let again = model::solve(&less, &motion, &o).unwrap();
+    let again = forces::forces_of_contact(&less, &motion, &o).unwrap();
     assert_relative_eq!(again.fy, force.fy, max_relative = 1e-9);
     // The same in a thousand times the lengths, which hints at a wrong unit: the graver warning stays.
     let large = Contact {
@@ -132,7 +132,7 @@ fn close_frictions_are_told() {
     };
     let slow = Creepage { spin: motion.spin / 1e3, ..motion };
     let found = estimate_friction(&large, &slow, &o, Measured::Fy, [0.0, force.fy * 1e6]).unwrap();
-    assert_eq!(found.notice, Notice::SeveralFrictions);
+    assert_eq!(found.warning, Warning::SeveralFrictions);
 
     let strip = Contact {
         a: 0.002_858_666_393_324_693_7,
@@ -149,9 +149,9 @@ fn close_frictions_are_told() {
         spin: -0.623_965_100_721_438_2,
     };
     let o = options(Model::Strip);
-    let force = model::solve(&strip, &motion, &o).unwrap();
+    let force = forces::forces_of_contact(&strip, &motion, &o).unwrap();
     let found = estimate_friction(&strip, &motion, &o, Measured::Fx, [force.fx, 0.0]).unwrap();
-    assert_eq!(found.notice, Notice::SeveralFrictions);
+    assert_eq!(found.warning, Warning::SeveralFrictions);
     assert!(found.friction < strip.friction * (1.0 + 1e-9), "{found:?}");
 }
 
@@ -172,7 +172,7 @@ fn creepages_cost_few_solutions() {
                 let (longitudinal, lateral) = (xi * unit, eta * unit);
                 let motion = Creepage { longitudinal, lateral, spin: psi * unit / contact.a };
                 let o = options(model);
-                let made = model::solve(&contact, &motion, &o).unwrap();
+                let made = forces::forces_of_contact(&contact, &motion, &o).unwrap();
                 let bound = contact.friction * contact.normal_force;
                 if made.fx.hypot(made.fy) > 0.999 * bound {
                     continue;
@@ -180,7 +180,7 @@ fn creepages_cost_few_solutions() {
                 let (found, distance, solved) =
                     creepage_counted(&contact, [made.fx, made.fy], motion.spin, &o).unwrap();
                 counts.push(solved);
-                let again = model::solve(&contact, &found, &o).unwrap();
+                let again = forces::forces_of_contact(&contact, &found, &o).unwrap();
                 let off = (again.fx - made.fx).hypot(again.fy - made.fy) / bound;
                 assert!((off < 1e-10) == (distance < 1e-10), "{off} {distance}");
                 lost += usize::from(off > 1e-10);

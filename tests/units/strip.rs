@@ -3,12 +3,14 @@
 use approx::assert_abs_diff_eq;
 use core::f64::consts::PI;
 use core::fmt::Debug;
-use kstrip::contact::forces::{StripCount, Totals};
+use kstrip::contact::totals::{StripCount, Totals};
 use kstrip::internals;
 use kstrip::linear::LinearCoefficients;
 use kstrip::number::dual::Dual;
 use kstrip::number::{Float, Number};
-use kstrip::strip::{Distribution, EllipseStrips, Flexibilities, Rule, Seen, StripGeometry};
+use kstrip::strip::{
+    Distribution, EllipseStrips, Flexibilities, Rule, StripCreepage, StripGeometry,
+};
 
 fn prepared(g: f64, nu: f64) -> EllipseStrips<f64> {
     EllipseStrips::new(g, nu, &LinearCoefficients::at(g, nu), StripCount::Sixteen)
@@ -147,7 +149,7 @@ fn derivatives_are_those_of_dual_numbers() {
         let inputs =
             [x, size * u(0.618_033_989), sigma, 0.3 * size * u(0.236_067_977), u(0.445).abs()];
         let [x, y, sigma, spread, start] = [0, 1, 2, 3, 4].map(|i| D::input(inputs[i], i));
-        let seen = Seen { x, y, spread, start };
+        let seen = StripCreepage { x, y, spread, start };
         let kind = (k % 2) as usize;
         let [found, ..] = internals::eight_strips(&[(seen, sigma); 8], [kind as f64; 8]);
         let dual = internals::strip_forces(&seen, sigma, kind == 1);
@@ -190,7 +192,7 @@ fn strips_have_the_same_bits_one_by_one_and_side_by_side() {
                 let [x, y, sigma, spread] = [0, 8, 16, 24].map(|row| number(row + i));
                 let [x, y, sigma] = [input(x, 0), input(y, 1), input(sigma, 2)];
                 let [spread, start] = [spread, number(32 + i)].map(T::from_base);
-                (Seen { x, y, spread, start }, sigma)
+                (StripCreepage { x, y, spread, start }, sigma)
             });
             let inner = core::array::from_fn(|i| F::of(i as f64 / 7.0));
             let one_by_one = internals::eight_one_by_one(&seen, inner);

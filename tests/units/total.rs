@@ -2,7 +2,7 @@
 
 use crate::random::Random;
 use approx::assert_relative_eq;
-use kstrip::contact::forces::Totals;
+use kstrip::contact::totals::Totals;
 use kstrip::linear::LinearCoefficients;
 use kstrip::number::dual::Dual;
 use kstrip::total::Total;

@@ -44,10 +44,10 @@ pub extern "C" fn kstrip_contact_from_hertz(
 ) -> kstrip_status {
     answer(|| {
         let contact = given(contact)?;
-        let (found, hertz, notice) = from_hertz(given(radii)?, given(pair)?, load, friction)?;
+        let (found, hertz, warning) = from_hertz(given(radii)?, given(pair)?, load, friction)?;
         contact.write(found);
         put(ellipse, hertz);
-        Ok(notice)
+        Ok(warning)
     })
 }
 
@@ -71,11 +71,11 @@ pub extern "C" fn kstrip_contact_from_approach(
 ) -> kstrip_status {
     answer(|| {
         let contact = given(contact)?;
-        let (found, slope, notice) =
+        let (found, slope, warning) =
             from_approach(given(radii)?, given(pair)?, approach, friction)?;
         contact.write(found);
         put(dload_dapproach, slope);
-        Ok(notice)
+        Ok(warning)
     })
 }
 

@@ -38,6 +38,6 @@ pub unsafe extern "C" fn kstrip_field(
         let field = Field::new(contact, creepage, &options)?;
         let along = |strip: &Option<_>, x| field.along(strip.as_ref(), x);
         write_grid(x?, y?, points?, |y| field.strip_at(y), along)?;
-        Ok(field.notice)
+        Ok(field.warning)
     })
 }

@@ -3,7 +3,7 @@
 use super::F;
 use crate::ffi::inside::write_grid;
 use crate::ffi::patch::*;
-use crate::ffi::solve::Places;
+use crate::ffi::solve::OutputPlaces;
 use crate::ffi::support::*;
 
 /// The patch of two profiles under a load, or at an approach.
@@ -36,7 +36,7 @@ pub unsafe extern "C" fn kstrip_patch_from_profile(
     answer(|| {
         let found = from_profile(&given(profile)??, given(contact)?, given(patch)?)?;
         put(result, found);
-        Ok(found.notice)
+        Ok(found.warning)
     })
 }
 
@@ -65,7 +65,7 @@ pub unsafe extern "C" fn kstrip_patch_from_strips(
     let strips = unsafe { input(strips, count) };
     answer(|| {
         from_strips(strips?, shear_modulus, poisson_ratio, given(patch)?)?;
-        Ok(Notice::None)
+        Ok(Warning::None)
     })
 }
 
@@ -87,7 +87,7 @@ pub extern "C" fn kstrip_patch_from_contact(
 ) -> kstrip_status {
     answer(|| {
         from_contact(given(contact)?, options, given(patch)?)?;
-        Ok(Notice::None)
+        Ok(Warning::None)
     })
 }
 
@@ -141,7 +141,7 @@ pub unsafe extern "C" fn kstrip_patch_evaluate(
     outputs: Option<&Outputs<F>>,
 ) -> kstrip_status {
     // SAFETY: every pointer is NULL or valid, says the header.
-    let places = outputs.map(|outputs| unsafe { Places::of(outputs) });
+    let places = outputs.map(|outputs| unsafe { OutputPlaces::of(outputs) });
     answer(|| evaluate_patch(given(patch)?, given(creepage)?, friction, options, given(places)?))
 }
 
@@ -179,6 +179,6 @@ pub unsafe extern "C" fn kstrip_patch_field(
         let field = PatchField::new(&view, creepage, options.model)?;
         let along = |strip: &Option<_>, x| PatchField::along(strip.as_ref(), x);
         write_grid(x?, y?, points?, |y| field.strip_at(y), along)?;
-        Ok(field.notice)
+        Ok(field.warning)
     })
 }

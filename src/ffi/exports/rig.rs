@@ -47,7 +47,7 @@ pub extern "C" fn kstrip_estimate_friction(
         };
         let found = rig::estimate_friction(contact, creepage, &options, measured, force)?;
         estimate.write(found);
-        Ok(found.notice)
+        Ok(found.warning)
     })
 }
 
@@ -80,9 +80,9 @@ pub extern "C" fn kstrip_creepage_for_force(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage) = (given(contact)?, given(creepage)?);
-        let (found, notice) =
+        let (found, warning) =
             rig::creepage_for_force(contact, [fx, fy], spin, &for_forces(options)?)?;
         creepage.write(found);
-        Ok(notice)
+        Ok(warning)
     })
 }

@@ -27,7 +27,9 @@ pub extern "C" fn kstrip_solve(
     options: Option<&kstrip_options>,
     result: Option<&mut MaybeUninit<Solution<F>>>,
 ) -> kstrip_status {
-    solved(result, || model::solve(given(contact)?, given(creepage)?, &for_forces(options)?))
+    solved(result, || {
+        forces::forces_of_contact(given(contact)?, given(creepage)?, &for_forces(options)?)
+    })
 }
 
 /// Computes, for a contact in motion, every output that is not NULL.
@@ -57,7 +59,7 @@ pub unsafe extern "C" fn kstrip_evaluate(
     outputs: Option<&Outputs<F>>,
 ) -> kstrip_status {
     // SAFETY: every pointer is NULL or valid, says the header.
-    let places = outputs.map(|outputs| unsafe { Places::of(outputs) });
+    let places = outputs.map(|outputs| unsafe { OutputPlaces::of(outputs) });
     answer(|| evaluate(given(contact)?, given(creepage)?, friction, options, given(places)?))
 }
 
@@ -133,7 +135,9 @@ pub extern "C" fn kstrip_solve_total(
     creepage: Option<&Creepage<F>>,
     result: Option<&mut MaybeUninit<Solution<F>>>,
 ) -> kstrip_status {
-    solved(result, || Total::solve(given(contact)?, given(creepage)?, &Options::default()))
+    solved(result, || {
+        Total::solution_of_contact(given(contact)?, given(creepage)?, &Options::default())
+    })
 }
 
 /// kstrip_solve() with KSTRIP_MODEL_STRIP; a program that calls only this links no other model.
@@ -149,7 +153,7 @@ pub extern "C" fn kstrip_solve_strip(
 ) -> kstrip_status {
     solved(result, || {
         let options = Options { strips: strip_count(strips)?, ..Options::default() };
-        Strip::solve(given(contact)?, given(creepage)?, &options)
+        EllipseStrips::solution_of_contact(given(contact)?, given(creepage)?, &options)
     })
 }
 
@@ -166,7 +170,7 @@ pub extern "C" fn kstrip_solve_strip_1967(
 ) -> kstrip_status {
     solved(result, || {
         let options = Options { strips: strip_count(strips)?, ..Options::default() };
-        Strip1967::<false>::solve(given(contact)?, given(creepage)?, &options)
+        Strip1967::<false>::solution_of_contact(given(contact)?, given(creepage)?, &options)
     })
 }
 
@@ -179,7 +183,9 @@ pub extern "C" fn kstrip_solve_linear(
     creepage: Option<&Creepage<F>>,
     result: Option<&mut MaybeUninit<Solution<F>>>,
 ) -> kstrip_status {
-    solved(result, || Linear::solve(given(contact)?, given(creepage)?, &Options::default()))
+    solved(result, || {
+        Linear::solution_of_contact(given(contact)?, given(creepage)?, &Options::default())
+    })
 }
 
 /// The same result seen from the upper body: opposite forces and moment, same power and adhesion.
@@ -201,6 +207,6 @@ pub extern "C" fn kstrip_result_on_upper_body(
         for force in forces {
             *force = -*force;
         }
-        Ok(Notice::None)
+        Ok(Warning::None)
     })
 }

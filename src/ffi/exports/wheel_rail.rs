@@ -31,7 +31,7 @@ pub unsafe extern "C" fn kstrip_prepare_profile(
     let (y, z) = unsafe { (input(y, points), input(z, points)) };
     answer(|| {
         given(surface)?.prepare(y?, z?, step, smoothing_length)?;
-        Ok(Notice::None)
+        Ok(Warning::None)
     })
 }
 
@@ -59,7 +59,7 @@ pub extern "C" fn kstrip_touch(
     answer(|| {
         let (rail, wheel, position) = (given(rail)?, given(wheel)?, given(position)?);
         put(least, touch::touch(rail, wheel, wheel_radius, position, reach, given(gap)?)?);
-        Ok(Notice::None)
+        Ok(Warning::None)
     })
 }
 
@@ -81,7 +81,7 @@ pub extern "C" fn kstrip_touch(
 #[unsafe(export_name = symbol!("kstrip_contacts_from_gap"))]
 pub unsafe extern "C" fn kstrip_contacts_from_gap(
     gap: Option<&Gap<F>>,
-    pair: Option<&Pair<F>>,
+    pair: Option<&WheelPair<F>>,
     position: Option<&Position<F>>,
     workspace: Option<&mut StoredPatch<F>>,
     contacts: *mut WheelContact<F>,
@@ -97,7 +97,7 @@ pub unsafe extern "C" fn kstrip_contacts_from_gap(
         let strips = strip_count(pair.strips)?;
         let found = contacts::from_gap(gap, pair, position, strips, whole, contacts)?;
         count.write(found.written as u32);
-        Ok(found.notice)
+        Ok(found.warning)
     })
 }
 
@@ -150,7 +150,7 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
         let found = wrench::of_contacts(contacts, velocity, law, wanted)?;
         put(derivatives, slopes);
         out.write(found);
-        Ok(found.notice)
+        Ok(found.warning)
     })
 }
 
@@ -175,7 +175,7 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
 pub extern "C" fn kstrip_wheel_on_rail(
     rail: Option<&Surface<F>>,
     wheel: Option<&Surface<F>>,
-    pair: Option<&Pair<F>>,
+    pair: Option<&WheelPair<F>>,
     position: Option<&Position<F>>,
     velocity: Option<&Velocity<F>>,
     friction: Option<&SlipFriction<F>>,
@@ -195,7 +195,7 @@ pub extern "C" fn kstrip_wheel_on_rail(
         put(derivatives, slopes);
         put(by_position, moved);
         out.write(found);
-        Ok(found.notice)
+        Ok(found.warning)
     })
 }
 
@@ -214,7 +214,7 @@ pub extern "C" fn kstrip_wheel_on_rail(
 pub extern "C" fn kstrip_height_for_load(
     rail: Option<&Surface<F>>,
     wheel: Option<&Surface<F>>,
-    pair: Option<&Pair<F>>,
+    pair: Option<&WheelPair<F>>,
     position: Option<&Position<F>>,
     support: F,
     velocity: Option<&Velocity<F>>,
@@ -225,8 +225,8 @@ pub extern "C" fn kstrip_height_for_load(
     answer(|| {
         let scene = scene_of(rail, wheel, pair, friction)?;
         let (position, memory, out) = (given(position)?, given(workspace)?, given(vertical)?);
-        let (found, notice) = scene.height_for_load(position, support, velocity, memory)?;
+        let (found, warning) = scene.height_for_load(position, support, velocity, memory)?;
         out.write(found);
-        Ok(notice)
+        Ok(warning)
     })
 }

@@ -155,7 +155,7 @@ fn upper_body(bytes: &mut Bytes) {
         mz: Number::of(bytes, 1e3),
         power: Number::of(bytes, 1e3),
         adhesion: Number::of(bytes, 1.0),
-        notice: Notice::None,
+        warning: Warning::None,
         reserved: bytes.integer(),
     };
     let given = bytes.given();

@@ -126,10 +126,10 @@ fn batch(bytes: &mut Bytes) {
     }
     assert!(given.all(2) && (null.is_none() || *count == 0) && bad == *count);
     let expected: Vec<_> = (0..*count).map(|i| alone(i).expect("an answer")).collect();
-    let notices = expected.iter().map(|(r, ..)| r.notice);
+    let notices = expected.iter().map(|(r, ..)| r.warning);
     assert_eq!(
         status,
-        notices.fold(kstrip::status::Notice::None, kstrip::status::Notice::worse).code()
+        notices.fold(kstrip::status::Warning::None, kstrip::status::Warning::worse).code()
     );
     for (argument, array) in (0..).zip(&arrays) {
         let place = if argument == 5 { 6 } else { argument };
@@ -142,7 +142,7 @@ fn batch(bytes: &mut Bytes) {
     }
     let written_details = if wanted.has(5) { *count } else { 0 };
     for (place, (r, ..)) in details[..written_details].iter().zip(&expected) {
-        assert_eq!(written(place), r.notice.code());
+        assert_eq!(written(place), r.warning.code());
     }
     let written_slopes = if wanted.has(7) { *count } else { 0 };
     for (place, (_, _, d)) in slopes[..written_slopes].iter().zip(&expected) {

@@ -45,7 +45,7 @@ fn plausible(
     r: &kstrip_result,
 ) {
     let context = || format!("{contact:?} {k:?} model {model} {r:?}");
-    assert_eq!((r.notice.code(), r.reserved), (status, 0));
+    assert_eq!((r.warning.code(), r.reserved), (status, 0));
     assert!(finite(&numbers_of(r)), "{}", context());
     let rounding = Float::ROUNDING;
     let load = f64::from(contact.normal_force).max(0.0);
@@ -75,7 +75,7 @@ fn plausible(
 
 pub fn same_bits(one: &kstrip_result, two: &kstrip_result) {
     assert_eq!(numbers_of(one).map(Number::bits), numbers_of(two).map(Number::bits));
-    assert_eq!(one.notice, two.notice);
+    assert_eq!(one.warning, two.warning);
 }
 
 /// `kstrip_solve` once more, for what must be equal.
@@ -102,7 +102,7 @@ pub fn solve(bytes: &mut Bytes) {
     // exchanged bodies too: what pressure adds changes its sign
     let exchanged = kstrip_contact { mismatch: -contact.mismatch, ..contact };
     let back = solved(&exchanged, &reversed, options).expect("the same status");
-    assert_eq!(back.notice.code(), status);
+    assert_eq!(back.warning.code(), status);
     assert!(
         (back.fx, back.fy, back.mz) == (-r.fx, -r.fy, -r.mz)
             && (back.power, back.adhesion) == (r.power, r.adhesion),
@@ -283,7 +283,7 @@ fn evaluate(bytes: &mut Bytes) {
         if with_law {
             plausible_friction(&contact, &k, &law, model, &r, all.friction());
         } else {
-            plausible(&contact, &k, model, r.notice.code(), &r);
+            plausible(&contact, &k, model, r.warning.code(), &r);
             same_bits(&r, &solved(&contact, &k, options).expect("an answer"));
         }
     }
@@ -523,7 +523,7 @@ fn plausible_friction(
     let found = effective.unwrap_or(friction.friction);
     assert!(found >= 0.0 && found <= friction.friction, "{contact:?} {k:?} {friction:?} {found}");
     let contact = kstrip_contact { friction: found, ..*contact };
-    plausible(&contact, k, model, r.notice.code(), r);
+    plausible(&contact, k, model, r.warning.code(), r);
 }
 
 fn estimate_friction(bytes: &mut Bytes) {
@@ -541,7 +541,7 @@ fn estimate_friction(bytes: &mut Bytes) {
         let context = || format!("{contact:?} {k:?} {options:?} {measured} {fx} {fy} {found:?}");
         assert!(finite(&numbers), "{}", context());
         assert!(found.friction >= 0.0 && found.residual >= 0.0, "{}", context());
-        assert_eq!((found.notice.code(), found.reserved), (status, 0));
+        assert_eq!((found.warning.code(), found.reserved), (status, 0));
     }
 }
 

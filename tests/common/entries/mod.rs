@@ -17,7 +17,7 @@
 
 use kstrip::ffi::types::kstrip_options;
 use kstrip::ffi::*;
-use kstrip::status::Notice;
+use kstrip::status::Warning;
 use std::mem::MaybeUninit;
 
 #[path = "../places.rs"]

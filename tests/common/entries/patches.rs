@@ -252,7 +252,7 @@ fn plausible(
     r: &kstrip_result,
 ) {
     let context = || format!("{patch:?} {k:?} model {model} {r:?}");
-    assert_eq!((r.notice.code(), r.reserved), (status, 0));
+    assert_eq!((r.warning.code(), r.reserved), (status, 0));
     assert!(finite(&numbers_of(r)), "{}", context());
     let bound = f64::from(accepted(patch).friction_bound);
     let size = f64::from(r.fx).hypot(r.fy.into());
@@ -286,7 +286,7 @@ fn patch_evaluate(bytes: &mut Bytes) {
     }
     assert!(given.all(3));
     if let Some(r) = all.result() {
-        plausible(&patch, &k, model_of(options), r.notice.code(), &r);
+        plausible(&patch, &k, model_of(options), r.warning.code(), &r);
     }
     if let Some(share) = all.friction() {
         assert!((0.0..=1.0).contains(&share) && (with_law || share == 1.0), "{}", context());

@@ -188,7 +188,7 @@ fn motion(bytes: &mut Bytes) {
 
 /// What holds for a wrench: nothing of a lifted wheel, no energy gained.
 fn plausible(wrench: &kstrip_wrench, status: i32) {
-    assert_eq!(wrench.notice.code(), status);
+    assert_eq!(wrench.warning.code(), status);
     assert!(finite(&wrench.members()) && finite(&[wrench.dissipation, wrench.normal_force]));
     if wrench.contacts == 0 {
         assert_eq!((wrench.force, wrench.moment), ([0.0; 3], [0.0; 3]));

@@ -1,8 +1,8 @@
 //! What is asked of a contact and a creepage, which model and how many strips, and what is answered.
 
-use crate::contact::forces::StripCount;
+use crate::contact::totals::StripCount;
 use crate::number::Float;
-use crate::status::Notice;
+use crate::status::Warning;
 
 /// Which traction law.
 ///
@@ -78,7 +78,7 @@ pub struct Solution<F> {
     /// has adhesion everywhere: 1.
     pub adhesion: F,
     /// The status of this result: 0 or one of the KSTRIP_WARNING constants.
-    pub notice: Notice,
+    pub warning: Warning,
     /// Reserved: zero.
     pub reserved: i32,
 }
@@ -88,8 +88,8 @@ impl<F: Float> Solution<F> {
     #[must_use]
     pub fn nothing() -> Self {
         let zero = F::zero();
-        let notice = Notice::None;
-        Self { fx: zero, fy: zero, mz: zero, power: zero, adhesion: zero, notice, reserved: 0 }
+        let warning = Warning::None;
+        Self { fx: zero, fy: zero, mz: zero, power: zero, adhesion: zero, warning, reserved: 0 }
     }
 
     /// The same contact seen from the upper body: opposite forces and moment, same power.

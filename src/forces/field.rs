@@ -2,13 +2,13 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
+use crate::forces::check::check;
+use crate::forces::options::{Model, Options};
+use crate::forces::theory::ScaledContact;
+use crate::forces::warning::warning_of;
 use crate::linear::LinearCoefficients;
 use crate::number::Float;
-use crate::solve::check::check;
-use crate::solve::notice::notice_of;
-use crate::solve::options::{Model, Options};
-use crate::solve::theory::Frame;
-use crate::status::{Error, Notice};
+use crate::status::{Error, Warning};
 use crate::strip::{Distribution, Flexibilities, StripGeometry};
 use crate::strip_1967::strip::{SlidingRule, State, Strip, StripPoint};
 
@@ -76,7 +76,7 @@ pub struct Field<F: Float> {
     contact: Contact<F>,
     law: Tractions<F>,
     /// What the caller should know.
-    pub notice: Notice,
+    pub warning: Warning,
 }
 
 /// A strip of a [`Field`].
@@ -92,7 +92,7 @@ impl<F: Float> Field<F> {
     /// Prepare the field of a contact and a creepage.
     ///
     /// # Errors
-    /// Those of [`solve`](crate::solve::model::solve); [`Error::NotInModel`] for models of totals only.
+    /// Those of [`solve`](crate::forces::forces_of_contact); [`Error::NotInModel`] for models of totals only.
     pub fn new(
         contact: &Contact<F>,
         creepage: &Creepage<F>,
@@ -102,7 +102,7 @@ impl<F: Float> Field<F> {
         let creepage = &if contact.is_lost() {
             *creepage
         } else {
-            Frame::of(contact).seen(creepage, options.model).0
+            ScaledContact::of(contact).seen(creepage, options.model).0
         };
         let parameters = Parameters::new(contact, creepage);
         // What a point dissipates: traction times slip, which is of the size of the rigid slip, and as
@@ -128,8 +128,8 @@ impl<F: Float> Field<F> {
             }
             Model::Total | Model::Linear => return Err(Error::NotInModel),
         };
-        let notice = notice_of(contact, creepage, options.model, parameters.psi);
-        Ok(Self { contact: *contact, law, notice })
+        let warning = warning_of(contact, creepage, options.model, parameters.psi);
+        Ok(Self { contact: *contact, law, warning })
     }
 
     /// The strip through `y` \[m\]; `None` outside the contact.

@@ -3,17 +3,17 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters, Units};
-use crate::contact::forces::Totals;
 use crate::contact::mismatch::Shift;
+use crate::contact::totals::Totals;
+use crate::forces::check::find_fault;
+use crate::forces::options::{Model, Options, Solution};
+use crate::forces::warning::{linear_warning_of, model_warning, neglected, warned};
 use crate::linear::LinearCoefficients;
 use crate::number::{Arithmetic, Float, Number, Pair, Real};
-use crate::solve::check::find_fault;
-use crate::solve::notice::{linear_notice_of, neglected, notice, warned};
-use crate::solve::options::{Model, Options, Solution};
 use crate::status::Error;
 use crate::strip_1967::{self, strip::SlidingRule};
 
-pub(crate) use crate::strip::EllipseStrips as Strip;
+pub(crate) use crate::strip::EllipseStrips;
 pub(crate) use crate::total::Total;
 
 /// Forces for a contact and a creepage.
@@ -25,7 +25,7 @@ pub(crate) use crate::total::Total;
 /// # Example
 /// A wheel on a rail, 0.1 % longitudinal creepage:
 /// ```
-/// use kstrip::{contact::Contact, contact::creepage::Creepage, solve::model::{solve, Options}};
+/// use kstrip::{contact::Contact, contact::creepage::Creepage, forces::{solve, Options}};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
 ///     mismatch: 0.0,
@@ -35,31 +35,33 @@ pub(crate) use crate::total::Total;
 /// assert!(forces.fx > 0.0 && forces.fx < 24e3 && forces.fy == 0.0);
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
-pub fn solve<F: Float>(
+pub fn forces_of_contact<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,
 ) -> Result<Solution<F>, Error> {
     match options.model {
-        Model::Strip1967 => Strip1967::<false>::solve(contact, creepage, options),
-        Model::Strip1967Continuous => Strip1967::<true>::solve(contact, creepage, options),
-        Model::Strip => Strip::solve(contact, creepage, options),
-        Model::Total => Total::solve(contact, creepage, options),
-        Model::Linear => Linear::solve(contact, creepage, options),
+        Model::Strip1967 => Strip1967::<false>::solution_of_contact(contact, creepage, options),
+        Model::Strip1967Continuous => {
+            Strip1967::<true>::solution_of_contact(contact, creepage, options)
+        }
+        Model::Strip => EllipseStrips::solution_of_contact(contact, creepage, options),
+        Model::Total => Total::solution_of_contact(contact, creepage, options),
+        Model::Linear => Linear::solution_of_contact(contact, creepage, options),
     }
 }
 
 /// A contact in the units of the theory: numbers only.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Frame<F> {
+pub(crate) struct ScaledContact<F> {
     pub(crate) contact: Contact<F>,
     /// `√(ab)` \[m\]
     pub(crate) radius: F,
     pub(crate) units: Units<F>,
 }
 
-impl<F: Real> Frame<F> {
+impl<F: Real> ScaledContact<F> {
     #[inline(always)]
     pub(crate) fn of(contact: &Contact<F>) -> Self {
         let (root_a, root_b) = F::Pair::of(contact.a, contact.b).sqrt().parts();
@@ -117,12 +119,12 @@ pub(crate) trait Theory<F: Real>: Copy {
     const MODEL: Model;
 
     /// Computes everything that depends on the contact alone.
-    fn of_contact(frame: &Frame<F>, options: &Options) -> Self;
+    fn of_contact(frame: &ScaledContact<F>, options: &Options) -> Self;
 
     /// `F/(μ N)`, `M_z/(μ N √(ab))` and the share in adhesion. The linear theory has no bound `μ N` and does not use this function.
-    fn totals<T: Number<Base = F>>(
+    fn model_totals<T: Number<Base = F>>(
         &self,
-        frame: &Frame<F>,
+        frame: &ScaledContact<F>,
         parameters: &Parameters<T>,
     ) -> Totals<T>;
 
@@ -134,9 +136,9 @@ pub(crate) trait Theory<F: Real>: Copy {
 
     /// The forces of a loaded contact that moves, and `ψ`.
     #[inline(always)]
-    fn forces(&self, frame: &Frame<F>, creepage: &Creepage<F>) -> (Forces<F>, F) {
+    fn forces(&self, frame: &ScaledContact<F>, creepage: &Creepage<F>) -> (Forces<F>, F) {
         let parameters = frame.units.parameters(creepage);
-        (frame.forces(self.totals(frame, &parameters)), parameters.psi)
+        (frame.forces(self.model_totals(frame, &parameters)), parameters.psi)
     }
 
     /// The forces where there is no creepage: zero, with adhesion everywhere, or unknown for TOTAL. `None` where there is creepage.
@@ -152,9 +154,9 @@ pub(crate) trait Theory<F: Real>: Copy {
         rests.then_some(Forces { fx: zero, fy: zero, mz: zero, adhesion })
     }
 
-    /// Forces for a contact and a creepage, as [`solve`]: in the code of each caller, which then links no other model.
+    /// Forces for a contact and a creepage, as [`forces_of_contact`]: in the code of each caller, which then links no other model.
     #[inline(always)]
-    fn solve(
+    fn solution_of_contact(
         contact: &Contact<F>,
         creepage: &Creepage<F>,
         options: &Options,
@@ -169,13 +171,18 @@ pub(crate) trait Theory<F: Real>: Copy {
         if contact.is_lost() {
             return Ok(Solution::nothing());
         }
-        let frame = &Frame::of(contact);
+        let frame = &ScaledContact::of(contact);
         Ok(Self::of_contact(frame, options).answer(frame, creepage, ordinary))
     }
 
     /// The solution for a loaded contact and a creepage that have been checked.
     #[inline(always)]
-    fn answer(&self, frame: &Frame<F>, creepage: &Creepage<F>, ordinary: bool) -> Solution<F>
+    fn answer(
+        &self,
+        frame: &ScaledContact<F>,
+        creepage: &Creepage<F>,
+        ordinary: bool,
+    ) -> Solution<F>
     where
         F: Float,
     {
@@ -187,10 +194,10 @@ pub(crate) trait Theory<F: Real>: Copy {
         Self::solution(frame, seen, &forces, psi, ordinary)
     }
 
-    /// Forces with power and notice.
+    /// Forces with power and warning.
     #[inline(always)]
     fn solution(
-        frame: &Frame<F>,
+        frame: &ScaledContact<F>,
         creepage: &Creepage<F>,
         forces: &Forces<F>,
         psi: F,
@@ -201,15 +208,15 @@ pub(crate) trait Theory<F: Real>: Copy {
     {
         let bound = frame.contact.friction_bound();
         let of_model = if Self::MODEL == Model::Linear {
-            linear_notice_of(forces.fx, forces.fy, bound)
+            linear_warning_of(forces.fx, forces.fy, bound)
         } else {
-            notice(Self::MODEL, bound, frame.units.axis_ratio, psi)
+            model_warning(Self::MODEL, bound, frame.units.axis_ratio, psi)
                 .worse(neglected(Self::MODEL, frame.contact.mismatch))
         };
-        let notice = if ordinary { of_model } else { warned(&frame.contact, creepage, of_model) };
+        let warning = if ordinary { of_model } else { warned(&frame.contact, creepage, of_model) };
         let Forces { fx, fy, mz, adhesion } = *forces;
         let power = creepage.power([fx, fy, mz]);
-        Solution { fx, fy, mz, power, adhesion, notice, reserved: 0 }
+        Solution { fx, fy, mz, power, adhesion, warning, reserved: 0 }
     }
 }
 
@@ -221,11 +228,15 @@ impl<F: Real, const CONTINUOUS: bool> Theory<F> for Strip1967<CONTINUOUS> {
     const MODEL: Model = if CONTINUOUS { Model::Strip1967Continuous } else { Model::Strip1967 };
 
     #[inline(always)]
-    fn of_contact(_: &Frame<F>, _: &Options) -> Self {
+    fn of_contact(_: &ScaledContact<F>, _: &Options) -> Self {
         Self
     }
     #[inline(always)]
-    fn totals<T: Number<Base = F>>(&self, _: &Frame<F>, parameters: &Parameters<T>) -> Totals<T> {
+    fn model_totals<T: Number<Base = F>>(
+        &self,
+        _: &ScaledContact<F>,
+        parameters: &Parameters<T>,
+    ) -> Totals<T> {
         strip_1967::totals(parameters, sliding_rule(<Self as Theory<F>>::MODEL))
     }
 }
@@ -240,18 +251,18 @@ pub(crate) fn sliding_rule(model: Model) -> SlidingRule {
     }
 }
 
-impl<F: Real> Theory<F> for Strip<F> {
+impl<F: Real> Theory<F> for EllipseStrips<F> {
     const MODEL: Model = Model::Strip;
 
     #[inline(always)]
-    fn of_contact(frame: &Frame<F>, options: &Options) -> Self {
+    fn of_contact(frame: &ScaledContact<F>, options: &Options) -> Self {
         let (ratio, poisson_ratio, linear) = frame.shape();
         Self::new(ratio, poisson_ratio, &linear, options.strips)
     }
     #[inline(always)]
-    fn totals<T: Number<Base = F>>(
+    fn model_totals<T: Number<Base = F>>(
         &self,
-        frame: &Frame<F>,
+        frame: &ScaledContact<F>,
         parameters: &Parameters<T>,
     ) -> Totals<T> {
         Self::totals(self, frame.units.normalised(parameters))
@@ -262,14 +273,14 @@ impl<F: Real> Theory<F> for Total<F> {
     const MODEL: Model = Model::Total;
 
     #[inline(always)]
-    fn of_contact(frame: &Frame<F>, _: &Options) -> Self {
+    fn of_contact(frame: &ScaledContact<F>, _: &Options) -> Self {
         let (ratio, poisson_ratio, linear) = frame.shape();
         Self::new(ratio, poisson_ratio, &linear)
     }
     #[inline(always)]
-    fn totals<T: Number<Base = F>>(
+    fn model_totals<T: Number<Base = F>>(
         &self,
-        frame: &Frame<F>,
+        frame: &ScaledContact<F>,
         parameters: &Parameters<T>,
     ) -> Totals<T> {
         Self::totals(self, frame.units.normalised(parameters))
@@ -285,7 +296,7 @@ impl<F: Real> Theory<F> for Linear<F> {
     const MODEL: Model = Model::Linear;
 
     #[inline(always)]
-    fn of_contact(frame: &Frame<F>, _: &Options) -> Self {
+    fn of_contact(frame: &ScaledContact<F>, _: &Options) -> Self {
         let (_, _, LinearCoefficients { c11, c22, c23, c33 }) = frame.shape();
         let Contact { a, b, shear_modulus, .. } = frame.contact;
         let stiffness = shear_modulus * a * b;
@@ -294,7 +305,11 @@ impl<F: Real> Theory<F> for Linear<F> {
         Self(F::each(&entries, |entry| entry.min(F::LARGEST)))
     }
     #[inline(always)]
-    fn totals<T: Number<Base = F>>(&self, _: &Frame<F>, _: &Parameters<T>) -> Totals<T> {
+    fn model_totals<T: Number<Base = F>>(
+        &self,
+        _: &ScaledContact<F>,
+        _: &Parameters<T>,
+    ) -> Totals<T> {
         Totals::nothing()
     }
     #[inline]
@@ -303,7 +318,7 @@ impl<F: Real> Theory<F> for Linear<F> {
     }
     /// `F_x = G a b C11 υx`, `F_y = G a b (C22 υy + √(ab) C23 φ)`, `M_z = G (ab)^{3/2} (√(ab) C33 φ − C23 υy)`
     #[inline(always)]
-    fn forces(&self, _: &Frame<F>, creepage: &Creepage<F>) -> (Forces<F>, F) {
+    fn forces(&self, _: &ScaledContact<F>, creepage: &Creepage<F>) -> (Forces<F>, F) {
         let Self([x, y, coupling, z]) = *self;
         let Creepage { longitudinal, lateral, spin } = *creepage;
         let forces = Forces {

@@ -27,12 +27,14 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
-use crate::contact::forces::Totals;
 use crate::contact::mismatch::Shift;
+use crate::contact::totals::Totals;
+use crate::forces::check::find_fault;
+use crate::forces::options::{Model, Options, Solution};
+use crate::forces::theory::{
+    EllipseStrips, Forces, Linear, ScaledContact, Strip1967, Theory, Total,
+};
 use crate::number::{Float, Real};
-use crate::solve::check::find_fault;
-use crate::solve::options::{Model, Options, Solution};
-use crate::solve::theory::{Forces, Frame, Linear, Strip, Strip1967, Theory, Total};
 use crate::status::Error;
 use nalgebra::Matrix3;
 
@@ -65,13 +67,13 @@ impl<F: Float> Derivatives<F> {
 /// respect to them are one-sided: those of full sliding.
 ///
 /// # Errors
-/// Those of [`solve`](crate::solve::model::solve); [`Error::Overflow`] also when a derivative does not fit the
+/// Those of [`solve`](crate::forces::forces_of_contact); [`Error::Overflow`] also when a derivative does not fit the
 /// floating-point type.
 ///
 /// # Example
 /// A sliding wheel loses braking force in proportion to its load:
 /// ```
-/// use kstrip::{contact::Contact, contact::creepage::Creepage, solve::derivatives::solve, solve::model::Options};
+/// use kstrip::{contact::Contact, contact::creepage::Creepage, forces::derivatives::solve, forces::Options};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
 ///     mismatch: 0.0,
@@ -107,7 +109,7 @@ pub(crate) fn solve_with_slopes<F: Float>(
     if contact.is_lost() {
         return Ok((Solution::nothing(), Slopes::nothing()));
     }
-    let frame = &Frame::of(contact);
+    let frame = &ScaledContact::of(contact);
     let (solution, slopes) = match options.model {
         Model::Strip1967 => {
             differentiated::<_, Strip1967<false>>(frame, creepage, options, ordinary)
@@ -115,7 +117,7 @@ pub(crate) fn solve_with_slopes<F: Float>(
         Model::Strip1967Continuous => {
             differentiated::<_, Strip1967<true>>(frame, creepage, options, ordinary)
         }
-        Model::Strip => differentiated::<_, Strip<F>>(frame, creepage, options, ordinary),
+        Model::Strip => differentiated::<_, EllipseStrips<F>>(frame, creepage, options, ordinary),
         Model::Total => differentiated::<_, Total<F>>(frame, creepage, options, ordinary),
         Model::Linear => differentiated::<_, Linear<F>>(frame, creepage, options, ordinary),
     };
@@ -203,7 +205,7 @@ pub fn solve_jacobian<F: Float>(
 }
 
 fn differentiated<F: Float, M: Theory<F>>(
-    frame: &Frame<F>,
+    frame: &ScaledContact<F>,
     creepage: &Creepage<F>,
     options: &Options,
     ordinary: bool,
@@ -258,7 +260,7 @@ fn through_shift<F: Float>(
 #[inline(always)]
 pub(crate) fn with_slopes<F: Real, M: Theory<F>>(
     theory: &M,
-    frame: &Frame<F>,
+    frame: &ScaledContact<F>,
     creepage: &Creepage<F>,
 ) -> (Forces<F>, F, Derivatives<F>) {
     match theory.stiffness() {
@@ -279,12 +281,12 @@ fn powers<F: Real>() -> [F; 3] {
 #[inline(always)]
 fn saturating<F: Real, M: Theory<F>>(
     theory: &M,
-    frame: &Frame<F>,
+    frame: &ScaledContact<F>,
     creepage: &Creepage<F>,
 ) -> (Forces<F>, F, Derivatives<F>) {
-    let Frame { contact, radius, units } = frame;
+    let ScaledContact { contact, radius, units } = frame;
     let parameters = units.parameters(&creepage.inputs());
-    let Totals { fx, fy, mz, stick } = theory.totals(frame, &parameters);
+    let Totals { fx, fy, mz, stick } = theory.model_totals(frame, &parameters);
     let bound = contact.friction_bound();
     let [of_x, of_y, of_z, stick] = [fx.value, fy.value, mz.value, stick.value];
     let forces = frame.forces(Totals { fx: of_x, fy: of_y, mz: of_z, stick });
@@ -312,12 +314,12 @@ fn saturating<F: Real, M: Theory<F>>(
 /// No friction: no force, and no dependence on the creepage until there is some.
 fn sliding<F: Float, M: Theory<F>>(
     theory: &M,
-    frame: &Frame<F>,
+    frame: &ScaledContact<F>,
     creepage: &Creepage<F>,
 ) -> Derivatives<F> {
-    let Frame { contact, radius, .. } = frame;
+    let ScaledContact { contact, radius, .. } = frame;
     let parameters = Parameters::sliding(contact, creepage);
-    let Totals { fx, fy, mz, .. } = theory.totals(frame, &parameters);
+    let Totals { fx, fy, mz, .. } = theory.model_totals(frame, &parameters);
     let limit = [fx, fy, mz * *radius];
     let [by_x, by_y, by_z] = powers::<F>();
     let hertz = [fx * by_x, fy * by_y, mz * *radius * by_z];
@@ -333,7 +335,7 @@ fn sliding<F: Float, M: Theory<F>>(
 #[inline(always)]
 fn linear<F: Real>(
     [x, y, coupling, z]: &[F; 4],
-    frame: &Frame<F>,
+    frame: &ScaledContact<F>,
     creepage: &Creepage<F>,
     forces: &Forces<F>,
 ) -> Derivatives<F> {

@@ -1,12 +1,12 @@
 //! What all strips of an ellipse share.
 
 use crate::contact::creepage::Parameters;
-use crate::number::{Arithmetic, Number, Stored, either};
+use crate::number::{Arithmetic, Number, Stored, branch_or_blend};
 use crate::strip_1967::strip::SlidingRule;
 
 /// What all strips share: creepages turned so that `ξ ≥ 0` and `0 ≤ ψ ≤ 1`.
 #[derive(Clone, Copy, Debug)]
-pub struct Motion<T: Number> {
+pub struct ReducedCreepage<T: Number> {
     /// `ξ ≥ 0`
     pub xi: T,
     /// `η`
@@ -36,7 +36,7 @@ fn largest<T: Number>() -> f64 {
     if size_of::<Stored<T>>() == 4 { 1e4 } else { 1e30 }
 }
 
-impl<T: Number> Motion<T> {
+impl<T: Number> ReducedCreepage<T> {
     /// Turned by the symmetries of the theory: `(ξ, η, ψ) → (−ξ, η, ψ)` gives `(−F_x, F_y, M_z)`, strips in the opposite order;
     /// all three reversed gives all forces reversed.
     #[inline(always)]
@@ -57,7 +57,7 @@ impl<T: Number> Motion<T> {
         let within = psi.min(T::one());
         // far beyond any adhesion the same direction, so that powers are numbers
         let far = (xi + eta.abs() + slope).times(1.0 / largest::<T>());
-        let [xi, eta, slope, psi] = either!(
+        let [xi, eta, slope, psi] = branch_or_blend!(
             far - T::one(),
             {
                 let scale = far.inverse();
@@ -88,10 +88,22 @@ impl<T: Number> Motion<T> {
 
     /// Without derivatives.
     #[inline]
-    pub fn values(&self) -> Motion<T::Base> {
+    pub fn values(&self) -> ReducedCreepage<T::Base> {
         let Self { compliance, axis_ratio, rule, turned_x, turned_y, .. } = *self;
         let (xi, eta, psi) = (self.xi.value(), self.eta.value(), self.psi.value());
         let (slope, q, eta_psi) = (self.slope.value(), self.q.value(), self.eta_psi.value());
-        Motion { xi, eta, psi, slope, q, eta_psi, compliance, axis_ratio, rule, turned_x, turned_y }
+        ReducedCreepage {
+            xi,
+            eta,
+            psi,
+            slope,
+            q,
+            eta_psi,
+            compliance,
+            axis_ratio,
+            rule,
+            turned_x,
+            turned_y,
+        }
     }
 }

@@ -2,14 +2,14 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
-use crate::contact::forces::{StripCount, Totals};
+use crate::contact::totals::{StripCount, Totals};
+use crate::forces::check::check;
+use crate::forces::options::{Model, Options};
+use crate::forces::theory::{ScaledContact, sliding_rule};
+use crate::forces::warning::warning_of;
 use crate::linear::LinearCoefficients;
 use crate::number::Float;
-use crate::solve::check::check;
-use crate::solve::notice::notice_of;
-use crate::solve::options::{Model, Options};
-use crate::solve::theory::{Frame, sliding_rule};
-use crate::status::{Error, Notice};
+use crate::status::{Error, Warning};
 use crate::strip::{EllipseStrips, Rule};
 use crate::strip_1967::strip::State;
 use crate::strip_1967::{self, strips::PlacedStrip};
@@ -56,24 +56,24 @@ pub fn strips_of<F: Float>(
     Ok(if contact.is_lost() { 0 } else { options.strips as usize })
 }
 
-/// Every strip of the solution, handed to `visit`. Their shares add up to the totals of [`solve`](crate::solve::model::solve).
+/// Every strip of the solution, handed to `visit`. Their shares add up to the totals of [`solve`](crate::forces::forces_of_contact).
 ///
 /// # Errors
-/// Those of [`solve`](crate::solve::model::solve).
+/// Those of [`solve`](crate::forces::forces_of_contact).
 pub fn strips<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,
     visit: &mut dyn FnMut(StripResult<F>),
-) -> Result<Notice, Error> {
+) -> Result<Warning, Error> {
     if matches!(options.model, Model::Total | Model::Linear) {
         return Err(Error::NotInModel);
     }
     check(contact, creepage, options)?;
     if contact.is_lost() {
-        return Ok(Notice::None);
+        return Ok(Warning::None);
     }
-    let frame = Frame::of(contact);
+    let frame = ScaledContact::of(contact);
     let (creepage, _) = &frame.seen(creepage, options.model);
     let parameters = frame.units.parameters(creepage);
     let bound = contact.friction_bound();
@@ -102,7 +102,7 @@ pub fn strips<F: Float>(
         let rule = sliding_rule(options.model);
         strip_1967::strips::strips(&parameters, rule, options.strips, &mut share);
     }
-    Ok(notice_of(contact, creepage, options.model, parameters.psi))
+    Ok(warning_of(contact, creepage, options.model, parameters.psi))
 }
 
 /// The strips of STRIP in the form of those of the theory of 1967.

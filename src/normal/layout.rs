@@ -4,7 +4,7 @@
 //! is cut where a zone ends. The cells do not depend on where the points of the profile lie.
 
 use crate::normal::density::{ZONES, Zones};
-use crate::normal::profile::Moving;
+use crate::normal::profile::WithSlope;
 use crate::number::{Arithmetic, Float};
 use heapless::Vec;
 
@@ -13,18 +13,18 @@ use heapless::Vec;
 pub const CELLS: usize = if cfg!(target_os = "none") { 20 } else { 48 };
 /// The place of a cell, or of a part of one, on the line `x = 0`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place<F> {
+pub(super) struct CellPlace<F> {
     /// Its middle \[m\].
-    pub y: Moving<F>,
+    pub y: WithSlope<F>,
     /// Its width \[m\].
-    pub width: Moving<F>,
+    pub width: WithSlope<F>,
     /// Where the conditions of contact hold \[m\]: at the middle; of two parts of one cell with hardly a gap between them, at the middle
     /// of both.
-    pub at: Moving<F>,
+    pub at: WithSlope<F>,
     /// How strongly the pressure is coupled to that of the place before and to that of the place after, `κ` \[m\].
-    pub leans: [Moving<F>; 2],
+    pub coupling: [WithSlope<F>; 2],
     /// Share of a whole cell.
-    share: Moving<F>,
+    share: WithSlope<F>,
     /// Number of the cell that it is a part of.
     cell: i32,
     /// Number of its zone.
@@ -36,27 +36,27 @@ const LEANING: f64 = 0.3;
 /// Gap over width of a cell, at which its parts are half apart.
 const NEAR: f64 = 0.5;
 
-pub(super) type Places<F> = Vec<Place<F>, CELLS>;
+pub(super) type CellPlaces<F> = Vec<CellPlace<F>, CELLS>;
 
 /// At most `count` cells, and one more for each zone but the first: the density of the zones decides how wide they are. (The cells are
 /// written where they stay: a copy would take room on the stack.) Returns the integral of the density.
 #[inline(never)]
-pub(super) fn lattice<F: Float>(
+pub(super) fn layout<F: Float>(
     zones: &Zones<F>,
     count: usize,
-    places: &mut Places<F>,
-) -> Moving<F> {
+    places: &mut CellPlaces<F>,
+) -> WithSlope<F> {
     places.clear();
     let count = F::widened(count.min(CELLS - ZONES) as f32);
-    let (mut total, mut far) = (Moving::zero(), F::zero());
+    let (mut total, mut far) = (WithSlope::zero(), F::zero());
     zones.stretches(&mut |_, stretch| {
         total += stretch.total();
         far = far.max(stretch.from.value.abs()).max(stretch.to.value.abs());
     });
-    let inverse = Moving::from_base(count) / total.shift(F::TINY);
+    let inverse = WithSlope::from_base(count) / total.shift(F::TINY);
     // what is narrower than rounding, of lengths or of places, is left out
     let least = (F::one() + far * inverse.value) * F::EPSILON.times(64.0);
-    let zero = Moving::zero();
+    let zero = WithSlope::zero();
     let mut own = Cut { place: zero, at: zero, zone: usize::MAX };
     // where the next stretch begins, in cells
     let mut begin = zero;
@@ -65,8 +65,9 @@ pub(super) fn lattice<F: Float>(
         let share = to.at - from.at;
         if share.value > least {
             let y = (from.place + to.place).times(0.5);
-            let (width, leans) = (to.place - from.place, [zero; 2]);
-            let _ = places.push(Place { y, width, at: y, leans, share, cell, zone: from.zone });
+            let (width, coupling) = (to.place - from.place, [zero; 2]);
+            let _ =
+                places.push(CellPlace { y, width, at: y, coupling, share, cell, zone: from.zone });
         }
     };
     let mut last = own;
@@ -78,7 +79,7 @@ pub(super) fn lattice<F: Float>(
         }
         let end = begin + stretch.total() * inverse;
         loop {
-            let next = Moving::from_base(F::widened(cell as f32));
+            let next = WithSlope::from_base(F::widened(cell as f32));
             if !(next.value < end.value - least) || own.at.value >= next.value {
                 break;
             }
@@ -97,9 +98,9 @@ pub(super) fn lattice<F: Float>(
 /// Where cells are cut.
 #[derive(Clone, Copy)]
 struct Cut<F> {
-    place: Moving<F>,
+    place: WithSlope<F>,
     /// The same in cells.
-    at: Moving<F>,
+    at: WithSlope<F>,
     zone: usize,
 }
 
@@ -107,9 +108,9 @@ struct Cut<F> {
 /// neighbour in the zone with `κ = 0.3 w (1 − r)²/r`. Two parts of one cell with a gap `g` between them, `φ = g²/(g² + w²/4)`, are
 /// coupled to each other with `0.3 w (1 − φ)/φ`, to their zones less by the factor `φ`, and meet the bodies where both together would.
 #[inline(never)]
-pub(super) fn lean<F: Float>(places: &mut Places<F>) {
-    let (zero, one) = (Moving::zero(), Moving::one());
-    let apart = |place: &Place<F>, next: &Place<F>| {
+pub(super) fn lean<F: Float>(places: &mut CellPlaces<F>) {
+    let (zero, one) = (WithSlope::zero(), WithSlope::one());
+    let apart = |place: &CellPlace<F>, next: &CellPlace<F>| {
         if place.zone == next.zone || place.cell != next.cell {
             return one;
         }
@@ -129,7 +130,7 @@ pub(super) fn lean<F: Float>(places: &mut Places<F>) {
         let by_zone = unit * (rest.squared() / own.share);
         let others = fades.iter().rev();
         for (((other, fade), across), lean) in
-            beside.iter().zip(fades).zip(others).zip(&mut place.leans)
+            beside.iter().zip(fades).zip(others).zip(&mut place.coupling)
         {
             let Some(other) = other else { continue };
             if other.zone == own.zone {

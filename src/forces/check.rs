@@ -2,11 +2,11 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
+use crate::forces::options::{Model, Options};
 use crate::number::{Float, Real};
-use crate::solve::options::{Model, Options};
 use crate::status::Error;
 
-/// Check the inputs of [`solve`](crate::solve::model::solve) without solving.
+/// Check the inputs of [`solve`](crate::forces::forces_of_contact) without solving.
 ///
 /// # Errors
 /// Those of [`Contact::check`] and [`Creepage::check`]; [`Error::Overflow`] when a force, the moment or the power could be
