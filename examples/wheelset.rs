@@ -1,4 +1,5 @@
-//! A wheelset on real profiles (S1002 on 60E1): it hunts, brakes to a stop on a grade, rolls back, and lifts one wheel.
+//! A wheelset on real profiles (S1002 on 60E1): it hunts, brakes to a stop on a grade, rolls back,
+//! and lifts one wheel.
 //!
 //!     cargo run --release --example wheelset
 //!
@@ -8,7 +9,8 @@
 //! (M/h − ∂Q/∂u − h ∂Q/∂q) Δu = Q + h ∂Q/∂q u,
 //! ```
 //!
-//! with the derivatives of the wrench that the library gives. One rule and one step serve rolling, standstill and a lifted wheel.
+//! with the derivatives of the wrench that the library gives. One rule and one step serve rolling,
+//! standstill and a lifted wheel.
 
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::Model;
@@ -19,14 +21,16 @@ use kstrip::wheel_rail::wrench::{Law, Wrench, WrenchByPosition, WrenchDerivative
 use kstrip::wheel_rail::{Position, Velocity, WheelPair};
 use nalgebra::{Matrix6, Vector6};
 
-/// From the middle of the wheelset to y = 0 of a wheel's profile, and from the middle of the track to a rail's origin [m].
+/// From the middle of the wheelset to y = 0 of a wheel's profile, and from the middle of the track
+/// to a rail's origin [m].
 const HALF_WIDTH: f64 = 0.75;
 const HALF_GAUGE: f64 = 0.760_532_5;
 /// Radius of the wheels at y = 0 of their profile [m].
 const RADIUS: f64 = 0.46;
 /// From the middle of the wheelset to an axle box [m].
 const BOX: f64 = 1.0;
-/// Of the wheelset [kg], about its x, axle, and z [kg m^2]; load at its centre, its own weight included [N].
+/// Of the wheelset [kg], about its x, axle, and z [kg m^2]; load at its centre, its own weight
+/// included [N].
 const MASS: f64 = 1500.0;
 const INERTIA: [f64; 3] = [800.0, 110.0, 800.0];
 const LOAD: f64 = 100e3;
@@ -52,16 +56,19 @@ fn profile(name: &str) -> Result<Box<Surface<f64>>, Error> {
     Ok(surface)
 }
 
-/// Forces at the wheelset's centre in the track's axes [N], moments about its own axes [N m], and their derivatives.
+/// Forces at the wheelset's centre in the track's axes [N], moments about its own axes [N m], and
+/// their derivatives.
 #[derive(Default)]
 pub struct Load {
     pub force: Vector6<f64>,
     by_velocity: Matrix6<f64>,
-    /// Lateral, vertical, roll and yaw stand in rows and columns 1, 2, 3 and 5, as in the velocities.
+    /// Lateral, vertical, roll and yaw stand in rows and columns 1, 2, 3 and 5, as in the
+    /// velocities.
     by_place: Matrix6<f64>,
 }
 
-/// Where the wheelset is: lateral and vertical [m], roll and yaw [rad], and the distance that it has rolled [m].
+/// Where the wheelset is: lateral and vertical [m], roll and yaw [rad], and the distance that it
+/// has rolled [m].
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Place {
     pub forward: f64,
@@ -89,7 +96,8 @@ pub struct Wheelset {
 }
 
 impl Wheelset {
-    /// At a lateral position [m], carried by both rails, rolling forward at a speed [m/s]; time step [s].
+    /// At a lateral position [m], carried by both rails, rolling forward at a speed [m/s]; time
+    /// step [s].
     pub fn new(lateral: f64, speed: f64, step: f64) -> Result<Self, Error> {
         let right = WheelPair {
             wheel_radius: RADIUS,
@@ -148,7 +156,8 @@ impl Wheelset {
         }
     }
 
-    /// Velocity of a wheel by that of the wheelset: the centre of a wheel turns with roll and yaw about the wheelset's.
+    /// Velocity of a wheel by that of the wheelset: the centre of a wheel turns with roll and yaw
+    /// about the wheelset's.
     fn transfer(&self, side: usize) -> Matrix6<f64> {
         let Place { roll, yaw, .. } = self.place;
         let (x, y) = ([yaw.cos(), roll.cos() * yaw.sin(), roll.sin() * yaw.sin()], Self::arm(side));
@@ -190,7 +199,8 @@ impl Wheelset {
         Ok(())
     }
 
-    /// One time step under forces and moments of the vehicle, which may depend on time, place and velocity.
+    /// One time step under forces and moments of the vehicle, which may depend on time, place and
+    /// velocity.
     pub fn advance(&mut self, vehicle: impl Fn(&Self, &mut Load)) -> Result<(), Error> {
         let mut load = Load::default();
         self.add_wheel(0, &mut load)?;
@@ -258,8 +268,8 @@ const HOLD: f64 = 3e-3;
 /// It is put on and taken off at these times [s].
 pub const BRAKED: [f64; 2] = [0.2, 1.6];
 
-/// A wheelset that rolls uphill at 1 m/s brakes to a stop, stands, and rolls back when the brake is released: `t`, speed, speed of the
-/// rim, force of both rails along x.
+/// A wheelset that rolls uphill at 1 m/s brakes to a stop, stands, and rolls back when the brake is
+/// released: `t`, speed, speed of the rim, force of both rails along x.
 pub fn stop_and_roll_back(duration: f64) -> Result<Vec<[f64; 4]>, Error> {
     let mut wheelset = Wheelset::new(0.0, 1.0, 2.5e-3)?;
     let mut history = vec![];
@@ -280,8 +290,9 @@ pub fn stop_and_roll_back(duration: f64) -> Result<Vec<[f64; 4]>, Error> {
     Ok(history)
 }
 
-/// A jack under the right axle box of a wheelset that rolls at 5 m/s lifts it by 20 mm and sets it down again within 1 s: `t`, height of
-/// the box over its first one, support of the right wheel, of the left one.
+/// A jack under the right axle box of a wheelset that rolls at 5 m/s lifts it by 20 mm and sets it
+/// down again within 1 s: `t`, height of the box over its first one, support of the right wheel, of
+/// the left one.
 pub fn lift() -> Result<Vec<[f64; 4]>, Error> {
     let (stiffness, damping) = (1e7, 1e5);
     let mut wheelset = Wheelset::new(0.0, SPEED, 4e-3)?;
@@ -324,7 +335,8 @@ fn main() -> Result<(), Error> {
     Ok(())
 }
 
-/// The wheelset swings as long as Klingel's formula says, with the radii where its wheels touch 3 mm to the side.
+/// The wheelset swings as long as Klingel's formula says, with the radii where its wheels touch 3
+/// mm to the side.
 #[test]
 fn hunting_has_the_wave_of_klingel() -> Result<(), Error> {
     let mut moved = Wheelset::new(3e-3, 0.0, 1.0)?;
@@ -350,7 +362,8 @@ fn hunting_has_the_wave_of_klingel() -> Result<(), Error> {
     Ok(())
 }
 
-/// It stands while the brake holds, both rails carrying the weight along the grade, and then rolls back as a body of its inertia does.
+/// It stands while the brake holds, both rails carrying the weight along the grade, and then rolls
+/// back as a body of its inertia does.
 #[test]
 fn stops_stands_and_rolls_back() -> Result<(), Error> {
     let history = stop_and_roll_back(2.0)?;
@@ -364,7 +377,8 @@ fn stops_stands_and_rolls_back() -> Result<(), Error> {
     Ok(())
 }
 
-/// A lifted wheel has no force, the other one carries what the jack leaves, and both carry about half when it is down again.
+/// A lifted wheel has no force, the other one carries what the jack leaves, and both carry about
+/// half when it is down again.
 #[test]
 fn lifts_one_wheel_and_sets_it_down() -> Result<(), Error> {
     let history = lift()?;

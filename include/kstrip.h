@@ -65,32 +65,48 @@ typedef int32_t kstrip_status;
 #define KSTRIP_OK 0
 
 /**
- * Warning: the spin parameter |psi| is 1 or more, beyond the theory of 1967. The result continues that theory in a way that is this
- * library's own: finite, continuous and bounded by mu N.
+ * Warning: the spin parameter |psi| is 1 or more, beyond the theory of 1967. The result continues
+ * that theory in a way that is this library's own: finite, continuous and bounded by mu N.
  */
 #define KSTRIP_WARNING_SPIN 1
-/** Warning: the spin parameter |psi| is above 3, where KSTRIP_MODEL_STRIP was not compared with CONTACT. */
+/**
+ * Warning: the spin parameter |psi| is above 3, where KSTRIP_MODEL_STRIP was not compared with
+ * CONTACT.
+ */
 #define KSTRIP_WARNING_RANGE 2
 /** Warning: the force of KSTRIP_MODEL_LINEAR exceeds mu N. */
 #define KSTRIP_WARNING_BEYOND_FRICTION 3
 /**
- * Warning: more than one coefficient of friction fits. Under falling friction the result has the largest, which a contact has whose slip
- * grows from rest. An estimate from a measured force is the smallest.
+ * Warning: more than one coefficient of friction fits. Under falling friction the result has the
+ * largest, which a contact has whose slip grows from rest. An estimate from a measured force is
+ * the smallest.
  */
 #define KSTRIP_WARNING_SEVERAL_FRICTIONS 4
-/** Warning: an iteration reached its largest number of steps before its result was accurate to rounding. */
+/**
+ * Warning: an iteration reached its largest number of steps before its result was accurate to
+ * rounding.
+ */
 #define KSTRIP_WARNING_NOT_CONVERGED 5
 /** Warning: the contact sticks, so that the measured force gives only a lower bound of friction. */
 #define KSTRIP_WARNING_FRICTION_AT_LEAST 6
 /** Warning: the wanted force is that of full sliding, which every larger creepage gives as well. */
 #define KSTRIP_WARNING_CREEPAGE_AT_LEAST 7
-/** Warning: the peak pressure exceeds a tenth of the shear modulus. The modulus, the load or the semi-axes are probably in another unit. */
+/**
+ * Warning: the peak pressure exceeds a tenth of the shear modulus. The modulus, the load or the
+ * semi-axes are probably in another unit.
+ */
 #define KSTRIP_WARNING_PRESSURE 8
-/** Warning: a creepage exceeds 10. It is probably in per cent, or the rolling speed is close to zero. */
+/**
+ * Warning: a creepage exceeds 10. It is probably in per cent, or the rolling speed is close to
+ * zero.
+ */
 #define KSTRIP_WARNING_CREEPAGE 9
 /** Warning: a semi-axis exceeds 1 m. It is probably in mm. */
 #define KSTRIP_WARNING_SEMI_AXIS 10
-/** Warning: the spin is larger than rolling bodies of this curvature can have. It is probably in degrees per metre. */
+/**
+ * Warning: the spin is larger than rolling bodies of this curvature can have. It is probably in
+ * degrees per metre.
+ */
 #define KSTRIP_WARNING_SPIN_UNIT 11
 /** Warning: the coefficient of friction exceeds 5. It is probably in per cent. */
 #define KSTRIP_WARNING_FRICTION 12
@@ -98,15 +114,21 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_RADIUS 13
 /** Warning: the axis ratio a/b is outside 0.015 to 60, the range for which the model was made. */
 #define KSTRIP_WARNING_AXIS_RATIO 14
-/** Warning: the mismatch of the materials exceeds 0.25, where the model was not compared with its reference. */
+/**
+ * Warning: the mismatch of the materials exceeds 0.25, where the model was not compared with its
+ * reference.
+ */
 #define KSTRIP_WARNING_MISMATCH 15
 /** Warning: the theory of 1967 neglects the mismatch of the materials. */
 #define KSTRIP_WARNING_MISMATCH_NEGLECTED 16
-/** Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction, where the bodies are not half-spaces. */
+/**
+ * Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction, where the bodies are
+ * not half-spaces.
+ */
 #define KSTRIP_WARNING_CONFORMAL 17
 /**
- * Warning: the normal turns by more than 30 degrees over a contact of a wheel. One plane of contact is then not enough: forces may be off
- * by some tenths of mu N.
+ * Warning: the normal turns by more than 30 degrees over a contact of a wheel. One plane of
+ * contact is then not enough: forces may be off by some tenths of mu N.
  */
 #define KSTRIP_WARNING_ANGLE_RANGE 19
 /** Warning: a zone of contact ends with the profile, as if the bodies ended there. */
@@ -118,7 +140,10 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_NOT_FINITE -2
 /** Error: a semi-axis is not positive. */
 #define KSTRIP_ERROR_SEMI_AXIS -3
-/** Error: the normal force of a profile is negative, or the wanted support of a wheel is not positive. */
+/**
+ * Error: the normal force of a profile is negative, or the wanted support of a wheel is not
+ * positive.
+ */
 #define KSTRIP_ERROR_NORMAL_FORCE -4
 /** Error: a modulus of elasticity is not positive. */
 #define KSTRIP_ERROR_MODULUS -5
@@ -130,13 +155,19 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_MODEL -8
 /** Error: the strip count is not 4, 8, 16, 32 or 64. */
 #define KSTRIP_ERROR_STRIP_COUNT -9
-/** Error: a radius is zero or NaN, or the summed curvature in a plane is not positive, so that the bodies do not touch in an ellipse. */
+/**
+ * Error: a radius is zero or NaN, or the summed curvature in a plane is not positive, so that the
+ * bodies do not touch in an ellipse.
+ */
 #define KSTRIP_ERROR_CURVATURE -10
 /** Error: the rolling speed is not positive. */
 #define KSTRIP_ERROR_ROLLING_SPEED -11
 /** Error: the caller's array is too small, or a count exceeds the capacity of a structure. */
 #define KSTRIP_ERROR_CAPACITY -12
-/** Error: the model cannot compute a wanted output: it has no strips, no field or no patches, or its force does not depend on friction. */
+/**
+ * Error: the model cannot compute a wanted output: it has no strips, no field or no patches, or
+ * its force does not depend on friction.
+ */
 #define KSTRIP_ERROR_NOT_IN_MODEL -13
 /** Error: a result is beyond the range of the floating-point type. */
 #define KSTRIP_ERROR_OVERFLOW -14
@@ -154,11 +185,17 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_FORCE_BEYOND_FRICTION -20
 /** Error: what was measured is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum. */
 #define KSTRIP_ERROR_MEASURED -21
-/** Error: a structure was not filled by kstrip_prepare() of the same precision, or a profile not by kstrip_prepare_profile(). */
+/**
+ * Error: a structure was not filled by kstrip_prepare() of the same precision, or a profile not by
+ * kstrip_prepare_profile().
+ */
 #define KSTRIP_ERROR_NOT_PREPARED -22
 /** Error: the floor of the speed is negative. */
 #define KSTRIP_ERROR_FLOOR_SPEED -23
-/** Error: the stride of an output of a batch is smaller than the output, or a stride is no multiple of the alignment. */
+/**
+ * Error: the stride of an output of a batch is smaller than the output, or a stride is no multiple
+ * of the alignment.
+ */
 #define KSTRIP_ERROR_STRIDE -24
 /** Error: a strip of a patch has a width or half length that is not positive. */
 #define KSTRIP_ERROR_STRIP_SIZE -40
@@ -169,8 +206,9 @@ typedef int32_t kstrip_status;
 /** Error: there are more strips than a patch has room for, or more contacts than a wheel may have. */
 #define KSTRIP_ERROR_PATCH_SIZE -43
 /**
- * Error: a profile has too few points (fewer than 2; for kstrip_prepare_profile() fewer than 4), two of its points coincide, or numbers
- * that must ascend do not: its y, the lengths of a gap, or the places of friction.
+ * Error: a profile has too few points (fewer than 2; for kstrip_prepare_profile() fewer than 4),
+ * two of its points coincide, or numbers that must ascend do not: its y, the lengths of a gap, or
+ * the places of friction.
  */
 #define KSTRIP_ERROR_PROFILE -44
 /** Error: a profile ends where the bodies would touch, or the wheel is beside the rail. */
@@ -183,7 +221,8 @@ typedef int32_t kstrip_status;
 /**
  * Text that says in English what a status means and what the caller must change.
  *
- * Returns a static string, never NULL. For a number that is no status the text is "unknown status".
+ * Returns a static string, never NULL. For a number that is no status the text is "unknown
+ * status".
  */
 const char *kstrip_status_string(kstrip_status status);
 
@@ -209,17 +248,19 @@ typedef struct kstrip_combined_material {
     /** Combined Poisson's ratio nu [-], nu/G = (nu_lower/G_lower + nu_upper/G_upper)/2 (2.6). */
     double poisson_ratio;
     /**
-     * Mismatch kappa [-] (4.3) of the two materials, for kstrip_contact: 0 for like materials; -0.07 for steel (lower) on
-     * aluminium, -0.15 on a polymer.
+     * Mismatch kappa [-] (4.3) of the two materials, for kstrip_contact: 0 for like materials;
+     * -0.07 for steel (lower) on aluminium, -0.15 on a polymer.
      */
     double mismatch;
 } kstrip_combined_material;
 
 /**
- * Combine the elastic constants of two bodies. From Young's modulus: shear_modulus = E/(2 (1 + poisson_ratio)).
+ * Combine the elastic constants of two bodies. From Young's modulus: shear_modulus = E/(2 (1 +
+ * poisson_ratio)).
  *
  * @param lower, upper    the two bodies.
- * @param[out] combined   receives the constants that kstrip_contact_from_hertz() and kstrip_contact take.
+ * @param[out] combined   receives the constants that kstrip_contact_from_hertz() and
+ *                        kstrip_contact take.
  * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
  *         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_OVERFLOW.
  */
@@ -228,8 +269,8 @@ kstrip_status kstrip_material_combine(const struct kstrip_material *lower,
                                       struct kstrip_combined_material *combined);
 
 /**
- * Radii of curvature of two bodies at the contact [m]: convex positive, flat infinite (INFINITY), concave negative. Zero
- * and NaN are errors.
+ * Radii of curvature of two bodies at the contact [m]: convex positive, flat infinite
+ * (INFINITY), concave negative. Zero and NaN are errors.
  */
 typedef struct kstrip_radii {
     /** Lower body in the plane of x and z (a straight rail: INFINITY). */
@@ -248,7 +289,10 @@ typedef struct kstrip_contact {
     double a;
     /** Semi-axis b along y [m], > 0. */
     double b;
-    /** Normal force N [N]. If it is <= 0 the contact is lost, and the other members only need to be finite. */
+    /**
+     * Normal force N [N]. If it is <= 0 the contact is lost, and the other members only need to
+     * be finite.
+     */
     double normal_force;
     /** Combined shear modulus G [Pa] (2.6), > 0. */
     double shear_modulus;
@@ -257,9 +301,10 @@ typedef struct kstrip_contact {
     /** Coefficient of friction mu [-], >= 0. */
     double friction;
     /**
-     * Mismatch kappa [-] of the two materials (4.3), from kstrip_material_combine(). It is 0 for like materials and positive where the lower
-     * body is the softer one; its sign changes where the bodies are exchanged. In unlike bodies pressure makes a longitudinal creepage, so
-     * that there is a force without creepage. The theory of 1967 neglects the mismatch.
+     * Mismatch kappa [-] of the two materials (4.3), from kstrip_material_combine(). It is 0 for
+     * like materials and positive where the lower body is the softer one; its sign changes where
+     * the bodies are exchanged. In unlike bodies pressure makes a longitudinal creepage, so that
+     * there is a force without creepage. The theory of 1967 neglects the mismatch.
      */
     double mismatch;
 } kstrip_contact;
@@ -295,7 +340,8 @@ typedef struct kstrip_hertz_contact {
  * @param[out] contact    receives the contact.
  * @param[out] ellipse    receives pressure, approach and shape; NULL: not wanted.
  * @return KSTRIP_OK, KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_SEMI_AXIS, KSTRIP_WARNING_FRICTION,
- *         KSTRIP_WARNING_RADIUS, KSTRIP_WARNING_MISMATCH, KSTRIP_WARNING_CONFORMAL; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
+ *         KSTRIP_WARNING_RADIUS, KSTRIP_WARNING_MISMATCH, KSTRIP_WARNING_CONFORMAL;
+ *         KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
  *         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_CURVATURE,
  *         KSTRIP_ERROR_OVERFLOW.
  */
@@ -307,14 +353,16 @@ kstrip_status kstrip_contact_from_hertz(const struct kstrip_radii *radii,
                                         struct kstrip_hertz_contact *ellipse);
 
 /**
- * The contact of two bodies that have approached each other: the exact inverse of Hertz, for penalty contact.
+ * The contact of two bodies that have approached each other: the exact inverse of Hertz, for
+ * penalty contact.
  *
  * @param radii           curvatures of both bodies.
  * @param pair            combined constants.
  * @param approach        of distant points of the bodies [m]; not positive: the contact is lost.
  * @param friction        coefficient of friction [-], >= 0.
  * @param[out] contact    receives the contact, with its load.
- * @param[out] dload_dapproach  receives the contact stiffness dN/d(approach) [N/m]; NULL: not wanted.
+ * @param[out] dload_dapproach  receives the contact stiffness dN/d(approach) [N/m]; NULL: not
+ *                              wanted.
  * @return as kstrip_contact_from_hertz().
  */
 kstrip_status kstrip_contact_from_approach(const struct kstrip_radii *radii,
@@ -327,15 +375,16 @@ kstrip_status kstrip_contact_from_approach(const struct kstrip_radii *radii,
 /**
  * Kalker's coefficients C11, C22, C23, C33 of the linear theory.
  *
- * For vanishing creepage fx = G a b C11 longitudinal, fy = G a b (C22 lateral + sqrt(ab) C23 spin),
- * mz = G (ab)^(3/2) (sqrt(ab) C33 spin - C23 lateral). For axis ratios of 0.1 to 10 they are within 0.16 % of CONTACT (C33: 0.5 %);
- * beyond, they follow the asymptotes of slender ellipses.
+ * For vanishing creepage fx = G a b C11 longitudinal, fy = G a b (C22 lateral + sqrt(ab) C23
+ * spin), mz = G (ab)^(3/2) (sqrt(ab) C33 spin - C23 lateral). For axis ratios of 0.1 to 10 they
+ * are within 0.16 % of CONTACT (C33: 0.5 %); beyond, they follow the asymptotes of slender
+ * ellipses.
  *
  * @param axis_ratio      a/b [-], > 0; a along the rolling direction.
  * @param poisson_ratio   combined Poisson's ratio [-], 0 to 0.5.
  * @param[out] coefficients  receives four numbers: C11, C22, C23, C33.
- * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_SEMI_AXIS (axis_ratio),
- *         KSTRIP_ERROR_POISSON_RATIO.
+ * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_SEMI_AXIS
+ *         (axis_ratio), KSTRIP_ERROR_POISSON_RATIO.
  */
 kstrip_status kstrip_linear_coefficients(double axis_ratio,
                                          double poisson_ratio,
@@ -371,7 +420,8 @@ typedef struct kstrip_creepage {
 /**
  * Creepages from the velocities of both bodies: (upper - lower)/rolling_speed.
  *
- * For forward rolling at some speed; kstrip_solve_motion() takes velocities through standstill and reversal.
+ * For forward rolling at some speed; kstrip_solve_motion() takes velocities through standstill and
+ * reversal.
  *
  * @param lower, upper    surface velocities at the centre of the contact, in one frame.
  * @param rolling_speed   V [m/s], > 0; x points in the rolling direction.
@@ -395,7 +445,8 @@ typedef struct kstrip_parameters {
 } kstrip_parameters;
 
 /**
- * Kalker's dimensionless parameters xi, eta, psi (5.13) of a contact in motion; zero where it is lost.
+ * Kalker's dimensionless parameters xi, eta, psi (5.13) of a contact in motion; zero where it is
+ * lost.
  *
  * @return KSTRIP_OK or the errors of kstrip_solve() for the same contact and creepage.
  */
@@ -407,8 +458,8 @@ kstrip_status kstrip_parameters_from_creepage(const struct kstrip_contact *conta
  * The creepage that has the given parameters xi, eta, psi on a contact: the inverse of
  * kstrip_parameters_from_creepage(); zero where it is lost.
  *
- * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_OVERFLOW or the errors
- *         of kstrip_solve() for the same contact.
+ * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_OVERFLOW or the
+ *         errors of kstrip_solve() for the same contact.
  */
 kstrip_status kstrip_creepage_from_parameters(const struct kstrip_contact *contact,
                                               const struct kstrip_parameters *parameters,
@@ -421,30 +472,42 @@ kstrip_status kstrip_creepage_from_parameters(const struct kstrip_contact *conta
  * @{
  */
 
-/** The default, 0: forces and derivatives from KSTRIP_MODEL_TOTAL; fields, strips and patches from KSTRIP_MODEL_STRIP. */
+/**
+ * The default, 0: forces and derivatives from KSTRIP_MODEL_TOTAL; fields, strips and patches from
+ * KSTRIP_MODEL_STRIP.
+ */
 #define KSTRIP_MODEL_DEFAULT 0
 /**
- * The strip theory of Kalker's paper of 1967. Nothing in it is fitted. It has the sliding rule that the paper keeps for forces: strips
- * without adhesion slide along the rigid slip of their centre line. The paper made it for slender ellipses, a/b up to 0.2, and |psi| < 1.
- * Its mean error against CONTACT is 5 % of mu N there, and 15 % over a/b 0.1 to 10.
+ * The strip theory of Kalker's paper of 1967. Nothing in it is fitted. It has the sliding rule
+ * that the paper keeps for forces: strips without adhesion slide along the rigid slip of their
+ * centre line. The paper made it for slender ellipses, a/b up to 0.2, and |psi| < 1. Its mean
+ * error against CONTACT is 5 % of mu N there, and 15 % over a/b 0.1 to 10.
  */
 #define KSTRIP_MODEL_STRIP_1967 1
-/** The same theory with the sliding rule that joins adhesion strips without a jump. Its forces have a mean error of 18 % of mu N. */
+/**
+ * The same theory with the sliding rule that joins adhesion strips without a jump. Its forces have
+ * a mean error of 18 % of mu N.
+ */
 #define KSTRIP_MODEL_STRIP_1967_CONTINUOUS 2
 /**
- * A strip theory in Kalker's sense: the half-ellipses of 1967 where a strip adheres, slip along the local rigid slip where it does not, and
- * flexibilities corrected by a small network fitted to CONTACT. It has forces, moment, stick area and fields. The mean error of the force
- * against CONTACT is 0.6 % of mu N, that of the slopes 3 % of the linear ones. Its slopes at rest are those of linear theory, and its power
- * is never negative.
+ * A strip theory in Kalker's sense: the half-ellipses of 1967 where a strip adheres, slip along
+ * the local rigid slip where it does not, and flexibilities corrected by a small network fitted to
+ * CONTACT. It has forces, moment, stick area and fields. The mean error of the force against
+ * CONTACT is 0.6 % of mu N, that of the slopes 3 % of the linear ones. Its slopes at rest are
+ * those of linear theory, and its power is never negative.
  */
 #define KSTRIP_MODEL_STRIP 3
 /**
- * A closed formula with a small network fitted to CONTACT. It has forces and moment, and is the most accurate model. The mean error of the
- * force against CONTACT is 0.3 % of mu N, that of the slopes 3 % of the linear ones. Far in sliding it is rigid slip, and its power is never
- * negative. It has no strips and no field; adhesion is reported as -1 (unknown).
+ * A closed formula with a small network fitted to CONTACT. It has forces and moment, and is the
+ * most accurate model. The mean error of the force against CONTACT is 0.3 % of mu N, that of the
+ * slopes 3 % of the linear ones. Far in sliding it is rigid slip, and its power is never negative.
+ * It has no strips and no field; adhesion is reported as -1 (unknown).
  */
 #define KSTRIP_MODEL_TOTAL 4
-/** Kalker's linear theory, for stability analysis. Its force grows with the creepage without a limit. Adhesion is 1. */
+/**
+ * Kalker's linear theory, for stability analysis. Its force grows with the creepage without a
+ * limit. Adhesion is 1.
+ */
 #define KSTRIP_MODEL_LINEAR 5
 
 /** Largest number of strips that kstrip_evaluate() writes. */
@@ -457,8 +520,8 @@ kstrip_status kstrip_creepage_from_parameters(const struct kstrip_contact *conta
 /** State of a point: slip. */
 #define KSTRIP_STATE_SLIP 2
 /**
- * State of a point: slip against the traction (negative local dissipation). This is a fault of the strip theory, next to the
- * leading edge of sliding strips.
+ * State of a point: slip against the traction (negative local dissipation). This is a fault of the
+ * strip theory, next to the leading edge of sliding strips.
  */
 #define KSTRIP_STATE_SLIP_NEGATIVE_DISSIPATION 3
 
@@ -466,7 +529,10 @@ kstrip_status kstrip_creepage_from_parameters(const struct kstrip_contact *conta
 typedef struct kstrip_options {
     /** One of the KSTRIP_MODEL constants. */
     int32_t model;
-    /** Number of strips: 4, 8, 16, 32 or 64; 0: 16. Models without strips check it and ignore it otherwise. */
+    /**
+     * Number of strips: 4, 8, 16, 32 or 64; 0: 16. Models without strips check it and ignore it
+     * otherwise.
+     */
     int32_t strips;
 } kstrip_options;
 
@@ -479,13 +545,14 @@ typedef struct kstrip_result {
     /** Moment about z at the centre of the contact [N m]. */
     double mz;
     /**
-     * Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin [N]: energy dissipated per metre
-     * rolled. For unlike bodies the creepage that pressure makes is added to the longitudinal one.
+     * Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin [N]: energy
+     * dissipated per metre rolled. For unlike bodies the creepage that pressure makes is added to
+     * the longitudinal one.
      */
     double power;
     /**
-     * Share of the contact area in adhesion [-], 0 to 1. KSTRIP_MODEL_TOTAL does not know it: -1; KSTRIP_MODEL_LINEAR
-     * has adhesion everywhere: 1.
+     * Share of the contact area in adhesion [-], 0 to 1. KSTRIP_MODEL_TOTAL does not know it:
+     * -1; KSTRIP_MODEL_LINEAR has adhesion everywhere: 1.
      */
     double adhesion;
     /** The status of this result: 0 or one of the KSTRIP_WARNING constants. */
@@ -497,20 +564,21 @@ typedef struct kstrip_result {
 /**
  * Forces of a contact in motion, on the lower body: the fast path.
  *
- * The forces are continuous in all inputs, and |F| <= mu N. They are zero where creepage and spin are zero, and where the contact is
- * lost (normal_force <= 0), with adhesion 0. The time is bounded: every iteration has a largest number of steps.
+ * The forces are continuous in all inputs, and |F| <= mu N. They are zero where creepage and spin
+ * are zero, and where the contact is lost (normal_force <= 0), with adhesion 0. The time is
+ * bounded: every iteration has a largest number of steps.
  *
  * @param contact         ellipse, load, material, friction.
  * @param creepage        motion.
  * @param options         model and strip count; NULL for the defaults.
  * @param[out] result     receives forces, moment, power and adhesion.
- * @return KSTRIP_OK; KSTRIP_WARNING_SPIN, KSTRIP_WARNING_RANGE, KSTRIP_WARNING_AXIS_RATIO, KSTRIP_WARNING_MISMATCH,
- *         KSTRIP_WARNING_MISMATCH_NEGLECTED, KSTRIP_WARNING_BEYOND_FRICTION,
- *         KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_CREEPAGE, KSTRIP_WARNING_SEMI_AXIS,
- *         KSTRIP_WARNING_SPIN_UNIT, KSTRIP_WARNING_FRICTION;
- *         KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_SEMI_AXIS, KSTRIP_ERROR_MODULUS,
- *         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_MODEL,
- *         KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_OVERFLOW.
+ * @return KSTRIP_OK; KSTRIP_WARNING_SPIN, KSTRIP_WARNING_RANGE, KSTRIP_WARNING_AXIS_RATIO,
+ *         KSTRIP_WARNING_MISMATCH, KSTRIP_WARNING_MISMATCH_NEGLECTED,
+ *         KSTRIP_WARNING_BEYOND_FRICTION, KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_CREEPAGE,
+ *         KSTRIP_WARNING_SEMI_AXIS, KSTRIP_WARNING_SPIN_UNIT, KSTRIP_WARNING_FRICTION;
+ *         KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_SEMI_AXIS,
+ *         KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION,
+ *         KSTRIP_ERROR_MODEL, KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_OVERFLOW.
  */
 kstrip_status kstrip_solve(const struct kstrip_contact *contact,
                            const struct kstrip_creepage *creepage,
@@ -518,31 +586,48 @@ kstrip_status kstrip_solve(const struct kstrip_contact *contact,
                            struct kstrip_result *result);
 
 /**
- * Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) + ratio), where w is the sliding velocity
- * [m/s]. A factor reduces the initial slope of the creep curve, for the layer between the bodies.
+ * Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) +
+ * ratio), where w is the sliding velocity [m/s]. A factor reduces the initial slope of the creep
+ * curve, for the layer between the bodies.
  *
- * Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m; wet 0.3, 0.4, 0.2 s/m.
+ * Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m;
+ * wet 0.3, 0.4, 0.2 s/m.
  */
 typedef struct kstrip_friction {
     /** Coefficient of friction without slip [-], >= 0. */
     double friction;
-    /** Friction at infinite sliding velocity over friction at zero velocity [-], 0 to 1; 1: friction is constant. */
+    /**
+     * Friction at infinite sliding velocity over friction at zero velocity [-], 0 to 1; 1:
+     * friction is constant.
+     */
     double ratio;
     /** How fast friction falls [s/m], >= 0; 0: friction is constant. */
     double decay;
-    /** Rolling speed [m/s], >= 0: sliding velocity is slip times rolling speed; 0: friction is constant. */
+    /**
+     * Rolling speed [m/s], >= 0: sliding velocity is slip times rolling speed; 0: friction is
+     * constant.
+     */
     double rolling_speed;
-    /** Initial slope of the creep curve over that of clean bodies [-], 0 to 1; 0 stands for 1, clean. */
+    /**
+     * Initial slope of the creep curve over that of clean bodies [-], 0 to 1; 0 stands for 1,
+     * clean.
+     */
     double slope_factor;
 } kstrip_friction;
 
 /** Derivatives of fx, fy, mz by creepages, load and friction. */
 typedef struct kstrip_derivatives {
-    /** By longitudinal, lateral, spin, row by row [N, N, N m over 1, 1, 1/m]; at kinks of a model a one-sided value. */
+    /**
+     * By longitudinal, lateral, spin, row by row [N, N, N m over 1, 1, 1/m]; at kinks of a model
+     * a one-sided value.
+     */
     double jacobian[3][3];
     /** By the normal force at fixed a and b [-, -, m]. */
     double normal_force[3];
-    /** By the normal force while a and b follow it as Hertz says: both grow like its cube root [-, -, m]. */
+    /**
+     * By the normal force while a and b follow it as Hertz says: both grow like its cube root [-,
+     * -, m].
+     */
     double load_through_hertz[3];
     /** By the coefficient of friction, that of the law where there is one [N, N, N m]. */
     double friction[3];
@@ -568,7 +653,10 @@ typedef struct kstrip_strip {
     double width;
     /** Half of its length along x [m]. */
     double half_length;
-    /** x of the separatrix [m], with slip behind it and adhesion ahead of it; the leading edge if the whole strip slides. */
+    /**
+     * x of the separatrix [m], with slip behind it and adhesion ahead of it; the leading edge if
+     * the whole strip slides.
+     */
     double separatrix;
     /** Its share of the longitudinal force [N]. */
     double fx;
@@ -584,26 +672,39 @@ typedef struct kstrip_strip {
     int32_t reserved;
 } kstrip_strip;
 
-/** Where the outputs of kstrip_evaluate() and kstrip_patch_evaluate() go. An output that is NULL is not computed and costs nothing. */
+/**
+ * Where the outputs of kstrip_evaluate() and kstrip_patch_evaluate() go. An output that is NULL is
+ * not computed and costs nothing.
+ */
 typedef struct kstrip_outputs {
-    /** Forces, moment, power, adhesion: those of kstrip_solve(), bit for bit, where friction is constant. */
+    /**
+     * Forces, moment, power, adhesion: those of kstrip_solve(), bit for bit, where friction is
+     * constant.
+     */
     struct kstrip_result *result;
-    /** Derivatives by creepages, load and friction. Under falling friction they include the change of friction. */
+    /**
+     * Derivatives by creepages, load and friction. Under falling friction they include the change
+     * of friction.
+     */
     struct kstrip_derivatives *derivatives;
     /** Derivatives by the parameters of falling friction. */
     struct kstrip_law_derivatives *law_derivatives;
     /**
-     * The coefficient of friction that agrees with the slip; the contact's own where friction is constant. For a
-     * patch it is the factor that multiplies the friction of all strips, 1 where friction is constant.
+     * The coefficient of friction that agrees with the slip; the contact's own where friction is
+     * constant. For a patch it is the factor that multiplies the friction of all strips, 1 where
+     * friction is constant.
      */
     double *friction;
-    /** What each strip carries; capacity elements. Their shares add up to the result of the same model. */
+    /**
+     * What each strip carries; capacity elements. Their shares add up to the result of the same
+     * model.
+     */
     struct kstrip_strip *strips;
     /** How many strips were written; required with strips. */
     uint32_t *count;
     /**
-     * Size of the array strips: at least the strip count of the options; for a patch, at least its number of strips. KSTRIP_STRIPS_CAPACITY
-     * is always enough.
+     * Size of the array strips: at least the strip count of the options; for a patch, at least its
+     * number of strips. KSTRIP_STRIPS_CAPACITY is always enough.
      */
     uint32_t capacity;
     /** Reserved: zero. */
@@ -613,22 +714,23 @@ typedef struct kstrip_outputs {
 /**
  * Computes, for a contact in motion, every output that is not NULL.
  *
- * If friction is given, the coefficient of friction falls with the slip and agrees with it; the contact's own coefficient is ignored. All
- * derivatives include that dependence. Where more than one friction agrees with its slip, the status is KSTRIP_WARNING_SEVERAL_FRICTIONS
- * and the result has the largest. The two models of 1967 are an exception under friction that falls very steeply: their forces jump, or
- * nearly jump, where a first strip begins to adhere, and in about one of a thousand such cases another friction, perhaps a larger one, is
- * not found.
- * With KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
+ * If friction is given, the coefficient of friction falls with the slip and agrees with it; the
+ * contact's own coefficient is ignored. All derivatives include that dependence. Where more than
+ * one friction agrees with its slip, the status is KSTRIP_WARNING_SEVERAL_FRICTIONS and the result
+ * has the largest. The two models of 1967 are an exception under friction that falls very steeply:
+ * their forces jump, or nearly jump, where a first strip begins to adhere, and in about one of a
+ * thousand such cases another friction, perhaps a larger one, is not found. With
+ * KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
  *
  * @param contact         ellipse, load, material, friction.
  * @param creepage        motion.
  * @param friction        friction that falls with the slip; NULL: constant.
  * @param options         model and strip count; NULL for the defaults.
  * @param outputs         where the outputs go.
- * @return as kstrip_solve(); KSTRIP_WARNING_SEVERAL_FRICTIONS, KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_CAPACITY,
- *         KSTRIP_ERROR_NOT_IN_MODEL (strips), KSTRIP_ERROR_FRICTION_RATIO, KSTRIP_ERROR_FRICTION_DECAY,
- *         KSTRIP_ERROR_NEGATIVE_SPEED, KSTRIP_ERROR_SLOPE_FACTOR; KSTRIP_ERROR_OVERFLOW also when a
- *         derivative is too large.
+ * @return as kstrip_solve(); KSTRIP_WARNING_SEVERAL_FRICTIONS, KSTRIP_WARNING_NOT_CONVERGED;
+ *         KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_NOT_IN_MODEL (strips), KSTRIP_ERROR_FRICTION_RATIO,
+ *         KSTRIP_ERROR_FRICTION_DECAY, KSTRIP_ERROR_NEGATIVE_SPEED, KSTRIP_ERROR_SLOPE_FACTOR;
+ *         KSTRIP_ERROR_OVERFLOW also when a derivative is too large.
  */
 kstrip_status kstrip_evaluate(const struct kstrip_contact *contact,
                               const struct kstrip_creepage *creepage,
@@ -637,16 +739,21 @@ kstrip_status kstrip_evaluate(const struct kstrip_contact *contact,
                               const struct kstrip_outputs *outputs);
 
 /**
- * Many contacts with their motion and their friction: for each quantity a pointer to the first one and the distance to
- * the next in bytes, its stride. An input with stride 0 is the same for all contacts.
+ * Many contacts with their motion and their friction: for each quantity a pointer to the first one
+ * and the distance to the next in bytes, its stride. An input with stride 0 is the same for all
+ * contacts.
  *
- * Arrays of structures (&contacts[0].a, sizeof(kstrip_contact)) and one array for each quantity (a, sizeof(double)) are both possible. All
- * members but mismatch and law are required, unless there are no contacts.
+ * Arrays of structures (&contacts[0].a, sizeof(kstrip_contact)) and one array for each quantity
+ * (a, sizeof(double)) are both possible. All members but mismatch and law are required, unless
+ * there are no contacts.
  */
 typedef struct kstrip_batch_inputs {
     /** Semi-axes along x [m]. */
     const double *a;
-    /** Stride [bytes]: distance from one semi-axis to the next. The other strides are those of the inputs before them. */
+    /**
+     * Stride [bytes]: distance from one semi-axis to the next. The other strides are those of the
+     * inputs before them.
+     */
     ptrdiff_t a_stride;
     /** Semi-axes along y [m]. */
     const double *b;
@@ -691,15 +798,15 @@ typedef struct kstrip_batch_inputs {
 } kstrip_batch_inputs;
 
 /**
- * Where the results of many contacts go: for each quantity a pointer to the first one and the distance to the next in
- * bytes. An output that is NULL is not computed and costs nothing.
+ * Where the results of many contacts go: for each quantity a pointer to the first one and the
+ * distance to the next in bytes. An output that is NULL is not computed and costs nothing.
  */
 typedef struct kstrip_batch_outputs {
     /** Longitudinal forces on the lower bodies [N]. */
     double *fx;
     /**
-     * Stride [bytes]: distance from one force to the next, forward or backward. With more than one contact a stride is at least the size of
-     * its output.
+     * Stride [bytes]: distance from one force to the next, forward or backward. With more than one
+     * contact a stride is at least the size of its output.
      */
     ptrdiff_t fx_stride;
     /** Lateral forces [N]. */
@@ -739,20 +846,23 @@ typedef struct kstrip_batch_outputs {
 /**
  * kstrip_evaluate() for many contacts: the same results, bit for bit.
  *
- * Where the processor has AVX several contacts are solved side by side. All inputs are checked before anything is
- * written: if one is bad its status is returned, no output is touched, and first_bad receives its index. A lost contact
- * is not bad: its results are zero.
+ * Where the processor has AVX several contacts are solved side by side. All inputs are checked
+ * before anything is written: if one is bad its status is returned, no output is touched, and
+ * first_bad receives its index. A lost contact is not bad: its results are zero.
  *
- * With more than one contact an output's stride is at least the size of the output, forward or backward, and every stride is a
- * multiple of the alignment of its type: anything else is KSTRIP_ERROR_STRIDE. Whether the pointers themselves are aligned is
- * not checked: misaligned ones are undefined behaviour, as in C.
+ * With more than one contact an output's stride is at least the size of the output, forward or
+ * backward, and every stride is a multiple of the alignment of its type: anything else is
+ * KSTRIP_ERROR_STRIDE. Whether the pointers themselves are aligned is not checked: misaligned ones
+ * are undefined behaviour, as in C.
  *
  * @param inputs          contacts, creepages, falling friction.
  * @param count           how many; 0 is allowed.
  * @param options         for all contacts; NULL for the defaults.
  * @param outputs         where the outputs go; they must not overlap the inputs or each other.
- * @param[out] first_bad  receives the index of the first bad contact, or count where none is bad; NULL: not wanted.
- * @return KSTRIP_OK, the gravest warning, or the first error, as kstrip_evaluate(); KSTRIP_ERROR_STRIDE.
+ * @param[out] first_bad  receives the index of the first bad contact, or count where none is bad;
+ *                        NULL: not wanted.
+ * @return KSTRIP_OK, the gravest warning, or the first error, as kstrip_evaluate();
+ *         KSTRIP_ERROR_STRIDE.
  */
 kstrip_status kstrip_evaluate_batch(const struct kstrip_batch_inputs *inputs,
                                     uint32_t count,
@@ -761,10 +871,10 @@ kstrip_status kstrip_evaluate_batch(const struct kstrip_batch_inputs *inputs,
                                     uint32_t *first_bad);
 
 /**
- * A contact for which kstrip_prepare() has computed everything that does not depend on the motion. The structure holds plain numbers and no
- * pointers, so it may be copied and kept, for this version of the library only. It begins with a mark:
- * a structure that was never prepared, or was prepared in the other precision, gives
- * KSTRIP_ERROR_NOT_PREPARED.
+ * A contact for which kstrip_prepare() has computed everything that does not depend on the motion.
+ * The structure holds plain numbers and no pointers, so it may be copied and kept, for this
+ * version of the library only. It begins with a mark: a structure that was never prepared, or was
+ * prepared in the other precision, gives KSTRIP_ERROR_NOT_PREPARED.
  */
 typedef struct kstrip_prepared {
     /** For use by the library only. */
@@ -778,8 +888,9 @@ typedef struct kstrip_prepared {
 /**
  * Computes what depends on the contact and the options only, for kstrip_solve_prepared().
  *
- * Use this for rigs whose contact is constant, and for iterations on the creepage. kstrip_solve_prepared()
- * refuses a structure that was never prepared, or was prepared in the other precision.
+ * Use this for rigs whose contact is constant, and for iterations on the creepage.
+ * kstrip_solve_prepared() refuses a structure that was never prepared, or was prepared in the
+ * other precision.
  *
  * @param contact         ellipse, load, material, friction.
  * @param options         model and strip count; NULL for the defaults.
@@ -802,7 +913,10 @@ kstrip_status kstrip_solve_prepared(const struct kstrip_prepared *prepared,
                                     const struct kstrip_creepage *creepage,
                                     struct kstrip_result *result);
 
-/** How the upper body moves over the lower one at the contact, in axes that stay when the motion reverses. */
+/**
+ * How the upper body moves over the lower one at the contact, in axes that stay when the motion
+ * reverses.
+ */
 typedef struct kstrip_motion {
     /** Velocity of the upper over the lower body along x [m/s]. */
     double slip_x;
@@ -812,7 +926,10 @@ typedef struct kstrip_motion {
     double spin_rate;
     /** Rolling speed [m/s]: positive along x, negative backward, zero at standstill. */
     double rolling_speed;
-    /** Floor of the speed [m/s], >= 0: creepages are slip over sqrt(rolling_speed^2 + floor_speed^2). 0 stands for 0.02. */
+    /**
+     * Floor of the speed [m/s], >= 0: creepages are slip over sqrt(rolling_speed^2 +
+     * floor_speed^2). 0 stands for 0.02.
+     */
     double floor_speed;
 } kstrip_motion;
 
@@ -836,9 +953,15 @@ typedef struct kstrip_motion_derivatives {
     double slope_factor[3];
 } kstrip_motion_derivatives;
 
-/** Where the outputs of kstrip_solve_motion() go. An output that is NULL is not computed and costs nothing. */
+/**
+ * Where the outputs of kstrip_solve_motion() go. An output that is NULL is not computed and costs
+ * nothing.
+ */
 typedef struct kstrip_motion_outputs {
-    /** Forces and moment on the lower body, and adhesion. The power is in watts here: fx slip_x + fy slip_y + mz spin_rate. */
+    /**
+     * Forces and moment on the lower body, and adhesion. The power is in watts here: fx slip_x +
+     * fy slip_y + mz spin_rate.
+     */
     struct kstrip_result *result;
     /** Derivatives by the motion, by load and by friction. */
     struct kstrip_motion_derivatives *derivatives;
@@ -847,16 +970,18 @@ typedef struct kstrip_motion_outputs {
 } kstrip_motion_outputs;
 
 /**
- * Forces of a contact that rolls forward, backward, or not at all, with derivatives by its motion: for wheels that stop,
- * hold and reverse.
+ * Forces of a contact that rolls forward, backward, or not at all, with derivatives by its motion:
+ * for wheels that stop, hold and reverse.
  *
- * The creepages are slip over sqrt(rolling_speed^2 + floor_speed^2). Far from standstill the leading edge of the patch lies ahead, in the
- * direction of the motion. Near standstill the results of both directions are blended, so that forces and derivatives are continuous.
- * Friction opposes the slip at every speed. The axis x keeps its direction when the motion reverses.
+ * The creepages are slip over sqrt(rolling_speed^2 + floor_speed^2). Far from standstill the
+ * leading edge of the patch lies ahead, in the direction of the motion. Near standstill the
+ * results of both directions are blended, so that forces and derivatives are continuous. Friction
+ * opposes the slip at every speed. The axis x keeps its direction when the motion reverses.
  *
  * @param contact         ellipse, load, material, friction.
  * @param motion          slip, spin rate, signed rolling speed.
- * @param friction        friction that falls with the slip; NULL: constant. Its rolling_speed does not count.
+ * @param friction        friction that falls with the slip; NULL: constant. Its rolling_speed does
+ *                        not count.
  * @param options         model and strip count; NULL for the defaults.
  * @param outputs         where the outputs go.
  * @return as kstrip_evaluate(); KSTRIP_ERROR_FLOOR_SPEED.
@@ -888,7 +1013,8 @@ kstrip_status kstrip_solve_strip(const struct kstrip_contact *contact,
                                  struct kstrip_result *result);
 
 /**
- * kstrip_solve() with KSTRIP_MODEL_STRIP_1967; a program that calls only this links no other model.
+ * kstrip_solve() with KSTRIP_MODEL_STRIP_1967; a program that calls only this links no other
+ * model.
  *
  * @param strips          4, 8, 16, 32 or 64; 0: 16.
  * @return as kstrip_solve().
@@ -937,13 +1063,14 @@ typedef struct kstrip_point {
 /**
  * Pressure, traction, slip and state over a grid; one point is a grid of one.
  *
- * Under falling friction set the contact's friction to that of kstrip_evaluate(), and multiply its shear_modulus by the law's
- * slope_factor.
+ * Under falling friction set the contact's friction to that of kstrip_evaluate(), and multiply its
+ * shear_modulus by the law's slope_factor.
  *
  * @param contact         ellipse, load, material, friction.
  * @param creepage        motion.
  * @param options         a model with strips; NULL and KSTRIP_MODEL_DEFAULT: KSTRIP_MODEL_STRIP.
- * @param x, columns      array of x [m] from the centre of the ellipse, and its size; outside is allowed.
+ * @param x, columns      array of x [m] from the centre of the ellipse, and its size; outside is
+ *                        allowed.
  * @param y, rows         array of y [m] and its size.
  * @param[out] points     array of rows * columns elements; the point (x[i], y[j]) is
  *                        points[j * columns + i].
@@ -971,17 +1098,26 @@ kstrip_status kstrip_field(const struct kstrip_contact *contact,
 #define KSTRIP_PATCH_CAPACITY 64
 
 /**
- * The undeformed distance of two bodies across the rolling direction, at points in ascending y. The points are smoothed over the length that
- * kstrip_profile_contact gives.
+ * The undeformed distance of two bodies across the rolling direction, at points in ascending y.
+ * The points are smoothed over the length that kstrip_profile_contact gives.
  */
 typedef struct kstrip_profile {
-    /** Places y [m], ascending. */
+    /** OutputPlaces y [m], ascending. */
     const double *y;
-    /** Distance of the bodies there [m], the least along x. A constant added to all distances changes nothing. */
+    /**
+     * Distance of the bodies there [m], the least along x. A constant added to all distances
+     * changes nothing.
+     */
     const double *distance;
-    /** Place along x [m] where the distance is least; bodies that yaw touch ahead on one side and behind on the other. NULL: at 0. */
+    /**
+     * Output along x [m] where the distance is least; bodies that yaw touch ahead on one side and
+     * behind on the other. NULL: at 0.
+     */
     const double *centre_x;
-    /** Rolling radius [m], > 0, of each point; it replaces that of the contact. NULL: the contact's own. */
+    /**
+     * Rolling radius [m], > 0, of each point; it replaces that of the contact. NULL: the contact's
+     * own.
+     */
     const double *rolling_radius;
     /** Number of points, at least 2. */
     uint32_t points;
@@ -990,19 +1126,23 @@ typedef struct kstrip_profile {
 } kstrip_profile;
 
 /**
- * Load or approach, material and friction of two profiles that are pressed together. Zero is the default of every member but rolling_radius, shear_modulus and one of
- * normal_force and approach.
+ * Load or approach, material and friction of two profiles that are pressed together. Zero is the
+ * default of every member but rolling_radius, shear_modulus and one of normal_force and approach.
  */
 typedef struct kstrip_profile_contact {
-    /** Rolling radius [m], > 0; of two rolling bodies 1/R = 1/R_lower + 1/R_upper. It is ignored where the profile has its own radii. */
+    /**
+     * Rolling radius [m], > 0; of two rolling bodies 1/R = 1/R_lower + 1/R_upper. It is ignored
+     * where the profile has its own radii.
+     */
     double rolling_radius;
     /** Normal force N [N], >= 0; 0: approach decides. */
     double normal_force;
     /** Approach of distant points of the bodies [m], >= 0; only where normal_force is 0. */
     double approach;
     /**
-     * Length over which the profile is smoothed [m], >= 0. 0 stands for half the width of the contact, at most 2 mm. The length is
-     * always at least 2.5 steps of the profile. For rough profiles set it to 4 mm.
+     * Length over which the profile is smoothed [m], >= 0. 0 stands for half the width of the
+     * contact, at most 2 mm. The length is always at least 2.5 steps of the profile. For rough
+     * profiles set it to 4 mm.
      */
     double smoothing_length;
     /** Combined shear modulus G [Pa], > 0. */
@@ -1038,8 +1178,9 @@ typedef struct kstrip_patch_strip {
 
 /**
  * A contact patch of any shape: its strips, in ascending y. Filled by kstrip_patch_from_contact(),
- * kstrip_patch_from_strips() or kstrip_patch_from_profile(); the members may then be changed. All functions check it
- * again. A patch whose members are all zero, except shear_modulus, carries no load.
+ * kstrip_patch_from_strips() or kstrip_patch_from_profile(); the members may then be changed. All
+ * functions check it again. A patch whose members are all zero, except shear_modulus, carries no
+ * load.
  *
  * Where the distance of two neighbours is more than one and a half times that at which they touch,
  * there is a gap: what lies on either side is a lobe of its own.
@@ -1052,8 +1193,8 @@ typedef struct kstrip_patch {
     /** Combined Poisson's ratio [-], 0 to 0.5. */
     double poisson_ratio;
     /**
-     * Factor [-], > 0, that makes the sum of the strips' areas the patch's area: 1 unless the strips
-     * are a quadrature rule (kstrip_patch_from_contact()); 0 stands for 1.
+     * Factor [-], > 0, that makes the sum of the strips' areas the patch's area: 1 unless the
+     * strips are a quadrature rule (kstrip_patch_from_contact()); 0 stands for 1.
      */
     double area_scale;
     /** The same for the moment of the area about x, the sum of y^2 times area. */
@@ -1063,15 +1204,19 @@ typedef struct kstrip_patch {
     /** Reserved: zero. */
     uint32_t reserved;
     /**
-     * Mismatch kappa [-] of the two materials, as in kstrip_contact. Only kstrip_patch_from_contact() sets it; the other functions leave
-     * it 0, and the caller may set it.
+     * Mismatch kappa [-] of the two materials, as in kstrip_contact. Only
+     * kstrip_patch_from_contact() sets it; the other functions leave it 0, and the caller may set
+     * it.
      */
     double mismatch;
 } kstrip_patch;
 
 /** Approach, load and pressure of two profiles in contact. */
 typedef struct kstrip_profile_result {
-    /** Approach of distant points of the two bodies [m] from where they touch: at the lowest point of the smoothed profile. */
+    /**
+     * Approach of distant points of the two bodies [m] from where they touch: at the lowest
+     * point of the smoothed profile.
+     */
     double approach;
     /** Normal force of the strips [N]. If a load is given, it is that load to rounding. */
     double normal_force;
@@ -1083,31 +1228,39 @@ typedef struct kstrip_profile_result {
     double peak_y;
     /** Steps of the two searches for the approach, at most 60 each. */
     uint32_t iterations;
-    /** The status of this result: 0, or KSTRIP_WARNING_PROFILE_END where a zone of contact ends with the profile. */
+    /**
+     * The status of this result: 0, or KSTRIP_WARNING_PROFILE_END where a zone of contact ends
+     * with the profile.
+     */
     kstrip_status status_detail;
-    /** Distance at that lowest point [m], or of the given points without contact: the bodies have moved by approach + lowest. */
+    /**
+     * Distance at that lowest point [m], or of the given points without contact: the bodies have
+     * moved by approach + lowest.
+     */
     double lowest;
 } kstrip_profile_result;
 
 /**
  * The patch of two profiles under a load, or at an approach.
  *
- * Zones of contact that are apart become lobes. The results are continuous in load, approach and distances: a zone appears with zero width
- * and zero load, grows, touches its neighbour and merges. The stiffness is the derivative of the computed load. The approach counts from the
- * lowest point of the smoothed profile. It has a kink where another point becomes the lowest, and approach + lowest has none. A zone that
- * reaches an end of the profile ends there, as if the bodies ended, and the status is KSTRIP_WARNING_PROFILE_END.
+ * Zones of contact that are apart become lobes. The results are continuous in load, approach and
+ * distances: a zone appears with zero width and zero load, grows, touches its neighbour and
+ * merges. The stiffness is the derivative of the computed load. The approach counts from the
+ * lowest point of the smoothed profile. It has a kink where another point becomes the lowest, and
+ * approach + lowest has none. A zone that reaches an end of the profile ends there, as if the
+ * bodies ended, and the status is KSTRIP_WARNING_PROFILE_END.
  *
- * The time is bounded. One part is proportional to the number of points. The other solves a system of linear equations of fixed size, three
- * times or more while cells leave and enter.
+ * The time is bounded. One part is proportional to the number of points. The other solves a system
+ * of linear equations of fixed size, three times or more while cells leave and enter.
  *
  * @param profile         undeformed distance of the bodies at points in ascending y.
  * @param contact         rolling radius, load or approach, material, friction, number of strips.
  * @param[out] patch      receives the patch.
  * @param[out] result     receives approach, peak pressure and load; NULL: not wanted.
- * @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE,
- *         KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_NORMAL_FORCE, KSTRIP_ERROR_MODULUS,
- *         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_SMOOTHING_LENGTH,
- *         KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_OVERFLOW.
+ * @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE,
+ *         KSTRIP_ERROR_PROFILE, KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_NORMAL_FORCE,
+ *         KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION,
+ *         KSTRIP_ERROR_SMOOTHING_LENGTH, KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_OVERFLOW.
  */
 kstrip_status kstrip_patch_from_profile(const struct kstrip_profile *profile,
                                         const struct kstrip_profile_contact *contact,
@@ -1117,8 +1270,9 @@ kstrip_status kstrip_patch_from_profile(const struct kstrip_profile *profile,
 /**
  * A patch from strips of any origin, in any order of y.
  *
- * Strips may overlap by up to half of the distance at which they touch (a quadrature rule does), not by
- * more. Strips that do not ascend are sorted in a copy on the stack (3 KiB; 2 KiB in single precision).
+ * Strips may overlap by up to half of the distance at which they touch (a quadrature rule does),
+ * not by more. Strips that do not ascend are sorted in a copy on the stack (3 KiB; 2 KiB in single
+ * precision).
  *
  * @param strips, count   the strips, at most KSTRIP_PATCH_CAPACITY; 0 is allowed.
  * @param shear_modulus   combined shear modulus G [Pa], > 0.
@@ -1136,14 +1290,17 @@ kstrip_status kstrip_patch_from_strips(const struct kstrip_patch_strip *strips,
                                        struct kstrip_patch *patch);
 
 /**
- * The strips of a contact's ellipse, at the places of KSTRIP_MODEL_STRIP. A lost contact has no strips.
+ * The strips of a contact's ellipse, at the places of KSTRIP_MODEL_STRIP. A lost contact has no
+ * strips.
  *
- * kstrip_patch_evaluate() with KSTRIP_MODEL_STRIP gives the result of kstrip_solve() with that model and the same strip count: with eight
- * strips or more to rounding, with four to 1 %. For the models of 1967 kstrip_solve() integrates over the whole ellipse in closed form, and a patch sums its strips: the forces differ by
- * a part of what one strip carries.
+ * kstrip_patch_evaluate() with KSTRIP_MODEL_STRIP gives the result of kstrip_solve() with that
+ * model and the same strip count: with eight strips or more to rounding, with four to 1 %. For the
+ * models of 1967 kstrip_solve() integrates over the whole ellipse in closed form, and a patch sums
+ * its strips: the forces differ by a part of what one strip carries.
  *
  * @param contact         the loaded contact.
- * @param options         strip count; its model is checked and otherwise ignored. NULL for the defaults.
+ * @param options         strip count; its model is checked and otherwise ignored. NULL for the
+ *                        defaults.
  * @param[out] patch      receives the patch.
  * @return KSTRIP_OK, or one of the errors of kstrip_solve() for the contact and the options.
  */
@@ -1181,29 +1338,34 @@ kstrip_status kstrip_patch_summarize(const struct kstrip_patch *patch,
  *
  * The creepage is that at the origin of the patch's coordinates, x = y = 0; a strip sees
  * (longitudinal - spin y, lateral + spin centre_x), and moments are about the origin. |F| is at
- * most the sum of friction times load over the strips. For KSTRIP_MODEL_STRIP an ellipse stands for the zone of a strip: the strips that no
- * gap and no neck divides from it, with their load and their mean lengths, pressures and friction. The flexibilities of the strip are those
- * of this ellipse.
- * KSTRIP_MODEL_TOTAL takes the forces of these ellipses as they are. It is cheap and smooth, and has no strips and no share in adhesion.
+ * most the sum of friction times load over the strips. For KSTRIP_MODEL_STRIP an ellipse stands
+ * for the zone of a strip: the strips that no gap and no neck divides from it, with their load and
+ * their mean lengths, pressures and friction. The flexibilities of the strip are those of this
+ * ellipse. KSTRIP_MODEL_TOTAL takes the forces of these ellipses as they are. It is cheap and
+ * smooth, and has no strips and no share in adhesion.
  *
- * The forces of KSTRIP_MODEL_STRIP and KSTRIP_MODEL_TOTAL follow widths, gaps and necks without a jump, as long as all strips have one width
- * or are narrower than it. The force of KSTRIP_MODEL_STRIP_1967 jumps, by up to what a strip carries, where a strip with spin stops
+ * The forces of KSTRIP_MODEL_STRIP and KSTRIP_MODEL_TOTAL follow widths, gaps and necks without a
+ * jump, as long as all strips have one width or are narrower than it. The force of
+ * KSTRIP_MODEL_STRIP_1967 jumps, by up to what a strip carries, where a strip with spin stops
  * adhering; that of KSTRIP_MODEL_STRIP_1967_CONTINUOUS has a kink there.
  *
- * For the derivatives by load, all pressures grow by one factor; through Hertz, all lengths grow with the load's cube root as well. For the
- * derivatives by friction, the friction of all strips grows by one factor, and the derivative is by its mean. If friction is given, the
- * factor (1 - ratio) exp(-decay w) + ratio multiplies the friction of all strips, and the law's own coefficient is ignored.
- * outputs->strips receives patch->count strips.
+ * For the derivatives by load, all pressures grow by one factor; through Hertz, all lengths grow
+ * with the load's cube root as well. For the derivatives by friction, the friction of all strips
+ * grows by one factor, and the derivative is by its mean. If friction is given, the factor (1 -
+ * ratio) exp(-decay w) + ratio multiplies the friction of all strips, and the law's own
+ * coefficient is ignored. outputs->strips receives patch->count strips.
  *
  * @param patch           the patch.
  * @param creepage        motion at the origin.
  * @param friction        friction that falls with the slip; NULL: constant.
- * @param options         KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967; NULL for the
- *                        default. The strip count is checked and otherwise ignored.
+ * @param options         KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the
+ *                        models of 1967; NULL for the default. The strip count is checked and
+ *                        otherwise ignored.
  * @param outputs         where the outputs go.
  * @return as kstrip_evaluate(); KSTRIP_WARNING_RANGE (of a zone's ellipse);
- *         KSTRIP_ERROR_NOT_IN_MODEL for KSTRIP_MODEL_LINEAR (the linear theory of a patch is its derivatives at zero
- *         creepage) and for the strips of KSTRIP_MODEL_TOTAL, or one of the errors of kstrip_patch_summarize().
+ *         KSTRIP_ERROR_NOT_IN_MODEL for KSTRIP_MODEL_LINEAR (the linear theory of a patch is its
+ *         derivatives at zero creepage) and for the strips of KSTRIP_MODEL_TOTAL, or one of the
+ *         errors of kstrip_patch_summarize().
  */
 kstrip_status kstrip_patch_evaluate(const struct kstrip_patch *patch,
                                     const struct kstrip_creepage *creepage,
@@ -1212,14 +1374,16 @@ kstrip_status kstrip_patch_evaluate(const struct kstrip_patch *patch,
                                     const struct kstrip_outputs *outputs);
 
 /**
- * Pressure, traction, slip and state of a patch over a grid. They do not vary over the width of a strip.
+ * Pressure, traction, slip and state of a patch over a grid. They do not vary over the width of a
+ * strip.
  *
- * Under falling friction multiply the friction of all strips by the factor that kstrip_patch_evaluate() returns, and the shear modulus by
- * the law's slope_factor.
+ * Under falling friction multiply the friction of all strips by the factor that
+ * kstrip_patch_evaluate() returns, and the shear modulus by the law's slope_factor.
  *
  * @param patch           the patch.
  * @param creepage        motion at the origin.
- * @param options         as in kstrip_patch_evaluate(), but not KSTRIP_MODEL_TOTAL; NULL for the default.
+ * @param options         as in kstrip_patch_evaluate(), but not KSTRIP_MODEL_TOTAL; NULL for the
+ *                        default.
  * @param x, columns      array of x [m] and its size; places outside of the patch are allowed.
  * @param y, rows         array of y [m] and its size.
  * @param[out] points     array of rows * columns elements; the point (x[i], y[j]) is
@@ -1247,18 +1411,24 @@ kstrip_status kstrip_patch_field(const struct kstrip_patch *patch,
 /** Points that a prepared profile and a gap have room for. */
 #define KSTRIP_SURFACE_CAPACITY 512
 
-/** Largest number of contacts of one wheel: four, and two more, each of which stands for neighbours less than 8 mm apart. */
+/**
+ * Largest number of contacts of one wheel: four, and two more, each of which stands for neighbours
+ * less than 8 mm apart.
+ */
 #define KSTRIP_CONTACTS_CAPACITY 6
 
 /** Largest number of places along the rail at which friction is given. */
 #define KSTRIP_RAIL_FRICTION_CAPACITY 4
 
 /**
- * A profile, prepared by kstrip_prepare_profile(): points at equal steps of its length, toward larger y, and its direction.
- * It holds plain numbers and may be copied.
+ * A profile, prepared by kstrip_prepare_profile(): points at equal steps of its length, toward
+ * larger y, and its direction. It holds plain numbers and may be copied.
  */
 typedef struct kstrip_surface {
-    /** y [m], to the right: of a rail from its origin, of a wheel from its running circle, with the flange at small y. */
+    /**
+     * y [m], to the right: of a rail from its origin, of a wheel from its running circle, with
+     * the flange at small y.
+     */
     double y[KSTRIP_SURFACE_CAPACITY];
     /** z [m], down; of a wheel its radius minus wheel_radius. */
     double z[KSTRIP_SURFACE_CAPACITY];
@@ -1277,18 +1447,23 @@ typedef struct kstrip_surface {
 /**
  * Prepares a profile of a rail or a wheel from its points. Do this once for each profile.
  *
- * The points are in their order along the profile. They may run either way along y, turn back (as those of a measured flange do) and lie at
- * any distances. The flange of a wheel and the gauge side of a rail are at small y (profiles of a right wheel), and z points down.
+ * The points are in their order along the profile. They may run either way along y, turn back (as
+ * those of a measured flange do) and lie at any distances. The flange of a wheel and the gauge
+ * side of a rail are at small y (profiles of a right wheel), and z points down.
  *
- * @param y, z, points    the points [m], at least 4. Those of a rail are measured from its origin, those of a wheel from its running
- *                        circle; the z of a wheel is its radius minus wheel_radius.
- * @param step            length between prepared points [m]; 0: the length over the capacity, at least 0.2 mm.
- * @param smoothing_length  each point is replaced by that of a parabola fitted to the points up to this distance [m], >= 0; 0: the
- *                        profile goes through all points. 2 to 4 mm suit measured profiles.
+ * @param y, z, points    the points [m], at least 4. Those of a rail are measured from its origin,
+ *                        those of a wheel from its running circle; the z of a wheel is its radius
+ *                        minus wheel_radius.
+ * @param step            length between prepared points [m]; 0: the length over the capacity, at
+ *                        least 0.2 mm.
+ * @param smoothing_length  each point is replaced by that of a parabola fitted to the points up to
+ *                        this distance [m], >= 0; 0: the profile goes through all points. 2 to 4
+ *                        mm suit measured profiles.
  * @param[out] surface    receives the profile.
- * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (too few points, two that coincide, a negative
- *         step), KSTRIP_ERROR_SMOOTHING_LENGTH, KSTRIP_ERROR_CAPACITY (the step needs too many
- *         points), KSTRIP_ERROR_OVERFLOW (the profile is shorter than 1 um or longer than 1 km).
+ * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (too few
+ *         points, two that coincide, a negative step), KSTRIP_ERROR_SMOOTHING_LENGTH,
+ *         KSTRIP_ERROR_CAPACITY (the step needs too many points), KSTRIP_ERROR_OVERFLOW (the
+ *         profile is shorter than 1 um or longer than 1 km).
  */
 kstrip_status kstrip_prepare_profile(const double *y,
                                      const double *z,
@@ -1297,39 +1472,60 @@ kstrip_status kstrip_prepare_profile(const double *y,
                                      double smoothing_length,
                                      struct kstrip_surface *surface);
 
-/** Where the wheel is, over straight track. A right wheel leans on the gauge side, which is at small y, with its flange. */
+/**
+ * Where the wheel is, over straight track. A right wheel coupling on the gauge side, which is at
+ * small y, with its flange.
+ */
 typedef struct kstrip_wheel_position {
     /**
-     * y of the wheel's centre from the origin of the rail's profile [m], to the right. The centre is the point of the axle at
-     * y = 0 of the wheel's profile.
+     * y of the wheel's centre from the origin of the rail's profile [m], to the right. The
+     * centre is the point of the axle at y = 0 of the wheel's profile.
      */
     double lateral;
     /** Depth of the centre below its place one wheel radius over the rail's origin [m]. */
     double vertical;
     /** Turn about the vertical, which points down [rad]: positive from x to y, between -1 and 1. */
     double yaw;
-    /** Turn about x [rad]: positive from y to z, between -1 and 1. Yaw turns about the axis that roll has turned. */
+    /**
+     * Turn about x [rad]: positive from y to z, between -1 and 1. Yaw turns about the axis that
+     * roll has turned.
+     */
     double roll;
 } kstrip_wheel_position;
 
 /**
- * The gap between a wheel and a rail, point by point along the rail. A host with its own search of contact fills it. The first
- * count elements of each member are used.
+ * The gap between a wheel and a rail, point by point along the rail. A host with its own search of
+ * contact fills it. The first count elements of each member are used.
  */
 typedef struct kstrip_gap {
-    /** Length on the rail's surface from any origin [m], ascending. A host that works in a plane passes its coordinate in this plane. */
+    /**
+     * Length on the rail's surface from any origin [m], ascending. A host that works in a plane
+     * passes its coordinate in this plane.
+     */
     double along[KSTRIP_SURFACE_CAPACITY];
-    /** Distance of the undeformed surfaces along the rail's normal [m]; negative where they would overlap. */
+    /**
+     * Distance of the undeformed surfaces along the rail's normal [m]; negative where they would
+     * overlap.
+     */
     double distance[KSTRIP_SURFACE_CAPACITY];
-    /** x of the point on the wheel's undeformed surface from the wheel's centre, axes of the track [m]: 0 without yaw. */
+    /**
+     * x of the point on the wheel's undeformed surface from the wheel's centre, axes of the track
+     * [m]: 0 without yaw.
+     */
     double x[KSTRIP_SURFACE_CAPACITY];
     /** y of this point [m]. */
     double y[KSTRIP_SURFACE_CAPACITY];
     /** z of this point [m], about the wheel's radius. */
     double z[KSTRIP_SURFACE_CAPACITY];
-    /** Angle of the tangent across x, mean of both surfaces [rad], positive from y to z; about -1.2 at the flange of a right wheel. */
+    /**
+     * Angle of the tangent across x, mean of both surfaces [rad], positive from y to z; about
+     * -1.2 at the flange of a right wheel.
+     */
     double angle[KSTRIP_SURFACE_CAPACITY];
-    /** Radius of curvature along x [m]: distance from the axle over the cosine of the angle between normal and radius. */
+    /**
+     * Radius of curvature along x [m]: distance from the axle over the cosine of the angle
+     * between normal and radius.
+     */
     double rolling_radius[KSTRIP_SURFACE_CAPACITY];
     /** Number of points. */
     uint32_t count;
@@ -1338,17 +1534,19 @@ typedef struct kstrip_gap {
 } kstrip_gap;
 
 /**
- * The gap between a wheel and a rail: the line on the wheel along which its normal is perpendicular to x, and its distance from the rail.
+ * The gap between a wheel and a rail: the line on the wheel along which its normal is
+ * perpendicular to x, and its distance from the rail.
  *
  * @param rail, wheel     prepared profiles.
  * @param wheel_radius    radius of the wheel at z = 0 of its profile [m], > 0.
- * @param position        where the right wheel is. For a left wheel pass lateral, yaw and roll with the opposite signs.
+ * @param position        where the right wheel is. For a left wheel pass lateral, yaw and roll
+ *                        with the opposite signs.
  * @param reach           distance from the rail above which points are left out [m]; 0: 2 mm.
  * @param[out] gap        receives the points.
- * @param[out] least      receives their least distance [m]: negative where the surfaces overlap, and reach where no point is nearer;
- *                        NULL: not wanted.
- * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NOT_PREPARED, KSTRIP_ERROR_ROLLING_RADIUS,
- *         KSTRIP_ERROR_PROFILE_END (the wheel is beside the rail).
+ * @param[out] least      receives their least distance [m]: negative where the surfaces overlap,
+ *                        and reach where no point is nearer; NULL: not wanted.
+ * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NOT_PREPARED,
+ *         KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_PROFILE_END (the wheel is beside the rail).
  */
 kstrip_status kstrip_touch(const struct kstrip_surface *rail,
                            const struct kstrip_surface *wheel,
@@ -1359,8 +1557,8 @@ kstrip_status kstrip_touch(const struct kstrip_surface *rail,
                            double *least);
 
 /**
- * Materials and friction of a wheel and a rail, and options of the computation. Zero is the default of every member but
- * wheel_radius and shear_modulus.
+ * Materials and friction of a wheel and a rail, and options of the computation. Zero is the
+ * default of every member but wheel_radius and shear_modulus.
  */
 typedef struct kstrip_wheel_pair {
     /** Radius of the wheel at z = 0 of its profile [m], > 0. */
@@ -1375,14 +1573,20 @@ typedef struct kstrip_wheel_pair {
     double friction_y[KSTRIP_RAIL_FRICTION_CAPACITY];
     /** Coefficient of friction at these places [-], >= 0; linear between them, constant beyond. */
     double friction_at[KSTRIP_RAIL_FRICTION_CAPACITY];
-    /** How many of these places there are, at most KSTRIP_RAIL_FRICTION_CAPACITY; 0: friction is the same everywhere. */
+    /**
+     * How many of these places there are, at most KSTRIP_RAIL_FRICTION_CAPACITY; 0: friction is
+     * the same everywhere.
+     */
     uint32_t friction_points;
     /**
-     * 0: a right wheel; any other number: a left wheel. The profiles are always those of a right wheel; position, velocity and wrench are the
-     * wheel's own.
+     * 0: a right wheel; any other number: a left wheel. The profiles are always those of a right
+     * wheel; position, velocity and wrench are the wheel's own.
      */
     int32_t left;
-    /** Length over which the distance of the surfaces is smoothed [m], >= 0; 0: as kstrip_patch_from_profile() does. */
+    /**
+     * Length over which the distance of the surfaces is smoothed [m], >= 0; 0: as
+     * kstrip_patch_from_profile() does.
+     */
     double smoothing_length;
     /** About how many strips a contact has: 4, 8, 16, 32 or 64; 0: 16. */
     int32_t strips;
@@ -1390,32 +1594,48 @@ typedef struct kstrip_wheel_pair {
     int32_t model;
 } kstrip_wheel_pair;
 
-/** One contact of a wheel. Its frame is (x, t, n): forward, across along the surface, into the rail. */
+/**
+ * One contact of a wheel. Its frame is (x, t, n): forward, across along the surface, into the
+ * rail.
+ */
 typedef struct kstrip_wheel_contact {
-    /** Point where the pressure acts, on the wheel's undeformed surface, from the wheel's centre [m], axes of the track. */
+    /**
+     * Point where the pressure acts, on the wheel's undeformed surface, from the wheel's centre
+     * [m], axes of the track.
+     */
     double origin[3];
-    /** Angle of the pressure [rad]: mean of the strips' angles, weighted with load. For a left wheel it is that of the mirrored right wheel. */
+    /**
+     * Angle of the pressure [rad]: mean of the strips' angles, weighted with load. For a left
+     * wheel it is that of the mirrored right wheel.
+     */
     double angle;
-    /** By how much the angle turns over the patch [rad]; above 0.52 the status is KSTRIP_WARNING_ANGLE_RANGE. */
+    /**
+     * By how much the angle turns over the patch [rad]; above 0.52 the status is
+     * KSTRIP_WARNING_ANGLE_RANGE.
+     */
     double angle_range;
     /** Distance of the origin from the axle [m]. */
     double radius;
     /** Load of the strips [N]. */
     double normal_force;
     /**
-     * Factor of load and forces in the sum over the contacts [-]: 1, except for contacts 4 to 8 mm apart, which count partly by
-     * themselves and partly as one contact.
+     * Factor of load and forces in the sum over the contacts [-]: 1, except for contacts 4 to 8
+     * mm apart, which count partly by themselves and partly as one contact.
      */
     double share;
     /** Overlap of the undeformed, smoothed surfaces where it is deepest [m]. */
     double approach;
-    /** Derivative of the load by the distance by which the surfaces are moved into each other [N/m]. */
+    /**
+     * Derivative of the load by the distance by which the surfaces are moved into each other
+     * [N/m].
+     */
     double stiffness;
     /** Length on the rail at y = 0 of the patch [m]. */
     double along;
     /**
-     * Derivatives of the wheel's velocity into the rail, mean of the strips weighted with load, by the members of kstrip_wheel_velocity. The
-     * force and the moment of the pressure on the wheel are minus share times normal_force times these six numbers.
+     * Derivatives of the wheel's velocity into the rail, mean of the strips weighted with load, by
+     * the members of kstrip_wheel_velocity. The force and the moment of the pressure on the wheel
+     * are minus share times normal_force times these six numbers.
      */
     double normal[6];
     /** slip_x of kstrip_motion at the patch's origin, by the members of kstrip_wheel_velocity. */
@@ -1433,19 +1653,22 @@ typedef struct kstrip_wheel_contact {
 /**
  * The contacts of a gap, in ascending y of a right wheel.
  *
- * Zones of overlap less than 4 mm apart are one contact and one normal problem; zones more than 8 mm apart are contacts of their own.
- * Between these distances the common contact and the single ones each count by a share.
+ * Zones of overlap less than 4 mm apart are one contact and one normal problem; zones more than 8
+ * mm apart are contacts of their own. Between these distances the common contact and the single
+ * ones each count by a share.
  *
  * @param gap             the gap between the surfaces, from kstrip_touch() or a host's own search.
  * @param pair            materials, friction, side.
  * @param position        where the wheel is.
  * @param workspace       memory for the strips of a contact; it may hold anything.
- * @param[out] contacts   array of KSTRIP_CONTACTS_CAPACITY elements; receives the contacts. (After an error some may have been
- *                        written; count has not.)
+ * @param[out] contacts   array of KSTRIP_CONTACTS_CAPACITY elements; receives the contacts. (After
+ *                        an error some may have been written; count has not.)
  * @param[out] count      receives their number; 0: the wheel is lifted.
- * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_ERROR_NULL, KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_PATCH_SIZE (more contacts than
- *         there is room for), KSTRIP_ERROR_PROFILE (lengths or places of friction do not ascend, an angle beyond 1.6),
- *         KSTRIP_ERROR_PROFILE_END (a contact at an end of the gap), or one of the errors of kstrip_patch_from_profile().
+ * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_ERROR_NULL, KSTRIP_ERROR_CAPACITY,
+ *         KSTRIP_ERROR_PATCH_SIZE (more contacts than there is room for), KSTRIP_ERROR_PROFILE
+ *         (lengths or places of friction do not ascend, an angle beyond 1.6),
+ *         KSTRIP_ERROR_PROFILE_END (a contact at an end of the gap), or one of the errors of
+ *         kstrip_patch_from_profile().
  */
 kstrip_status kstrip_contacts_from_gap(const struct kstrip_gap *gap,
                                        const struct kstrip_wheel_pair *pair,
@@ -1455,8 +1678,8 @@ kstrip_status kstrip_contacts_from_gap(const struct kstrip_gap *gap,
                                        uint32_t *count);
 
 /**
- * How the wheel moves over the rail. The axes are at rest; in a curve they are those of the momentary track. Lateral, roll and yaw
- * have the track's signs for a left wheel too.
+ * How the wheel moves over the rail. The axes are at rest; in a curve they are those of the
+ * momentary track. Lateral, roll and yaw have the track's signs for a left wheel too.
  */
 typedef struct kstrip_wheel_velocity {
     /** Velocity of the wheel's centre along x [m/s]. */
@@ -1465,7 +1688,10 @@ typedef struct kstrip_wheel_velocity {
     double lateral;
     /** Velocity of the centre along z, down [m/s]. */
     double vertical;
-    /** Rate about the wheelset's own x [rad/s]. These axes yaw and roll with the wheelset but do not spin. */
+    /**
+     * Rate about the wheelset's own x [rad/s]. These axes yaw and roll with the wheelset but do
+     * not spin.
+     */
     double roll;
     /** Rate about the axle [rad/s]: about minus forward over radius. */
     double pitch;
@@ -1474,8 +1700,9 @@ typedef struct kstrip_wheel_velocity {
 } kstrip_wheel_velocity;
 
 /**
- * How the wheel moves over the rail at a contact: slip, spin rate and rolling speed. They are the input of kstrip_solve_motion(). Slip and
- * spin rate divided by the rolling speed are the creepages of kstrip_patch_evaluate(). The motion is linear in the velocity.
+ * How the wheel moves over the rail at a contact: slip, spin rate and rolling speed. They are the
+ * input of kstrip_solve_motion(). Slip and spin rate divided by the rolling speed are the
+ * creepages of kstrip_patch_evaluate(). The motion is linear in the velocity.
  *
  * @param contact         a contact.
  * @param velocity        how the wheel moves.
@@ -1486,13 +1713,25 @@ kstrip_status kstrip_wheel_motion(const struct kstrip_wheel_contact *contact,
                                   const struct kstrip_wheel_velocity *velocity,
                                   struct kstrip_motion *motion);
 
-/** Force and moment on a wheel. They are conjugate to the members of kstrip_wheel_velocity: the products add up to power. */
+/**
+ * Force and moment on a wheel. They are conjugate to the members of kstrip_wheel_velocity: the
+ * products add up to power.
+ */
 typedef struct kstrip_wrench {
-    /** Force on the wheel, axes of the track [N]: forward, lateral, vertical (down; the rail's support is negative). */
+    /**
+     * Force on the wheel, axes of the track [N]: forward, lateral, vertical (down; the rail's
+     * support is negative).
+     */
     double force[3];
-    /** Moment on the wheel about its centre [N m] about the wheelset's own axes: roll, pitch (about the axle), yaw. */
+    /**
+     * Moment on the wheel about its centre [N m] about the wheelset's own axes: roll, pitch
+     * (about the axle), yaw.
+     */
     double moment[3];
-    /** Frictional power [W], not negative: creep forces on the rail times slip. The power of the creep forces on the wheel is minus this. */
+    /**
+     * Frictional power [W], not negative: creep forces on the rail times slip. The power of the
+     * creep forces on the wheel is minus this.
+     */
     double dissipation;
     /** Sum of the loads of all contacts [N], each along its own normal. */
     double normal_force;
@@ -1511,18 +1750,23 @@ typedef struct kstrip_wrench_derivatives {
 } kstrip_wrench_derivatives;
 
 /**
- * Force and moment on the wheel from its contacts. The contacts may come from kstrip_contacts_from_gap() or from a table.
+ * Force and moment on the wheel from its contacts. The contacts may come from
+ * kstrip_contacts_from_gap() or from a table.
  *
- * The wheel may roll forward or backward, or stand still, as in kstrip_solve_motion(): forces are continuous through rest, with the default
- * floor of the speed.
+ * The wheel may roll forward or backward, or stand still, as in kstrip_solve_motion(): forces are
+ * continuous through rest, with the default floor of the speed.
  *
- * @param contacts, count  the contacts, at most KSTRIP_CONTACTS_CAPACITY; a wheel without contacts is lifted, and its forces are zero.
+ * @param contacts, count  the contacts, at most KSTRIP_CONTACTS_CAPACITY; a wheel without contacts
+ *                         is lifted, and its forces are zero.
  * @param velocity        how the wheel moves.
- * @param model           KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967.
- * @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL: constant.
+ * @param model           KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the
+ *                        models of 1967.
+ * @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL:
+ *                        constant.
  * @param[out] wrench     receives force and moment.
  * @param[out] derivatives  receives their derivatives by velocity and friction; NULL: not wanted.
- * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE or a status of kstrip_patch_evaluate(); KSTRIP_ERROR_PATCH_SIZE.
+ * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE or a status of kstrip_patch_evaluate();
+ *         KSTRIP_ERROR_PATCH_SIZE.
  */
 kstrip_status kstrip_wrench_from_contacts(const struct kstrip_wheel_contact *contacts,
                                           uint32_t count,
@@ -1533,8 +1777,9 @@ kstrip_status kstrip_wrench_from_contacts(const struct kstrip_wheel_contact *con
                                           struct kstrip_wrench_derivatives *derivatives);
 
 /**
- * Memory of the caller for the computation of one wheel. It may hold anything before a call. After KSTRIP_OK or a warning it holds the
- * gap and the contacts of the position; after an error its contents have no meaning.
+ * Memory of the caller for the computation of one wheel. It may hold anything before a call. After
+ * KSTRIP_OK or a warning it holds the gap and the contacts of the position; after an error its
+ * contents have no meaning.
  */
 typedef struct kstrip_wheel_workspace {
     /** The gap between the surfaces. */
@@ -1549,7 +1794,10 @@ typedef struct kstrip_wheel_workspace {
     uint32_t apart;
 } kstrip_wheel_workspace;
 
-/** Derivatives of the wrench by the wheel's position at constant velocity: central differences of complete computations. */
+/**
+ * Derivatives of the wrench by the wheel's position at constant velocity: central differences of
+ * complete computations.
+ */
 typedef struct kstrip_wrench_by_position {
     /** By the lateral position [N, N m over m]. */
     double lateral[6];
@@ -1562,22 +1810,27 @@ typedef struct kstrip_wrench_by_position {
 } kstrip_wrench_by_position;
 
 /**
- * Force and moment on a wheel on a rail in one call: kstrip_touch(), kstrip_contacts_from_gap(), kstrip_wrench_from_contacts().
+ * Force and moment on a wheel on a rail in one call: kstrip_touch(), kstrip_contacts_from_gap(),
+ * kstrip_wrench_from_contacts().
  *
- * The track is straight. In a curve, pass the velocity relative to the momentary track, which is at rest. Force and moment are continuous
- * in position and velocity: a contact appears and vanishes with zero load, and two contacts between 8 and 4 mm of distance become one.
- * The time is bounded.
+ * The track is straight. In a curve, pass the velocity relative to the momentary track, which is
+ * at rest. Force and moment are continuous in position and velocity: a contact appears and
+ * vanishes with zero load, and two contacts between 8 and 4 mm of distance become one. The time is
+ * bounded.
  *
  * @param rail, wheel     prepared profiles.
  * @param pair            materials, friction, side, number of strips, model.
  * @param position        where the wheel is.
  * @param velocity        how it moves.
- * @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL: constant.
+ * @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL:
+ *                        constant.
  * @param workspace       memory that may hold anything; receives gap and contacts.
  * @param[out] wrench     receives force and moment.
- * @param[out] derivatives  receives their exact derivatives by velocity and friction; NULL: not wanted.
- * @param[out] by_position  receives their derivatives by the position: central differences of 1 um and 1 urad (15 in single precision),
- *                        eight times the cost of a call; NULL: not wanted.
+ * @param[out] derivatives  receives their exact derivatives by velocity and friction; NULL: not
+ *                          wanted.
+ * @param[out] by_position  receives their derivatives by the position: central differences of 1 um
+ *                        and 1 urad (15 in single precision), eight times the cost of a call;
+ *                        NULL: not wanted.
  * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE, or a status of one of these functions.
  */
 kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,
@@ -1592,17 +1845,19 @@ kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,
                                    struct kstrip_wrench_by_position *by_position);
 
 /**
- * The vertical position at which the rail supports a wheel with a given force. Use it to begin a run, and for tables. The search tries about
- * eight positions, and 64 at most.
+ * The vertical position at which the rail supports a wheel with a given force. Use it to begin a
+ * run, and for tables. The search tries about eight positions, and 64 at most.
  *
  * @param rail, wheel, pair  as in kstrip_wheel_on_rail().
  * @param position        where the wheel is; its vertical member is where the search begins.
  * @param support         wanted upward force of the rail on the wheel [N], > 0.
- * @param velocity        how the wheel moves; its creep forces carry a part of the load. NULL: the pressure carries all of it.
+ * @param velocity        how the wheel moves; its creep forces carry a part of the load. NULL: the
+ *                        pressure carries all of it.
  * @param friction        as in kstrip_wheel_on_rail().
  * @param workspace       memory that may hold anything; receives gap and contacts.
  * @param[out] vertical   receives the vertical position [m].
- * @return KSTRIP_OK, KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_NORMAL_FORCE (support), or an error of kstrip_wheel_on_rail().
+ * @return KSTRIP_OK, KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_NORMAL_FORCE (support), or an
+ *         error of kstrip_wheel_on_rail().
  */
 kstrip_status kstrip_height_for_load(const struct kstrip_surface *rail,
                                      const struct kstrip_surface *wheel,
@@ -1630,11 +1885,15 @@ kstrip_status kstrip_height_for_load(const struct kstrip_surface *rail,
 typedef struct kstrip_friction_estimate {
     /** Coefficient of friction [-]; a lower bound with KSTRIP_WARNING_FRICTION_AT_LEAST. */
     double friction;
-    /** d(friction)/d(force) [1/N]: change of the coefficient for an error of 1 N in the measured force; 0 for a lower bound. */
+    /**
+     * d(friction)/d(force) [1/N]: change of the coefficient for an error of 1 N in the measured
+     * force; 0 for a lower bound.
+     */
     double sensitivity;
     /**
-     * Distance between the measured and the computed force [N] in the components that were measured. For one component it is rounding;
-     * for both it is what friction cannot explain, because the directions of the forces differ.
+     * Distance between the measured and the computed force [N] in the components that were
+     * measured. For one component it is rounding; for both it is what friction cannot explain,
+     * because the directions of the forces differ.
      */
     double residual;
     /** The status of this result: 0 or one of the KSTRIP_WARNING constants. */
@@ -1646,25 +1905,29 @@ typedef struct kstrip_friction_estimate {
 /**
  * The coefficient of friction that explains a measured force at a known creepage.
  *
- * The search needs at most 90 solutions with derivatives, and 35 to 45 on average. In full sliding the force is friction times load. As
- * friction grows the contact begins to adhere, and the force depends on friction less and less. Where the contact adheres (less than a
- * twentieth of the friction is used, or the force is larger than linear theory gives) the status is KSTRIP_WARNING_FRICTION_AT_LEAST, and
- * the result is the used friction |force|/load, a lower bound. Where spin opposes the creepage, more than one friction may explain the
- * force: the status is KSTRIP_WARNING_SEVERAL_FRICTIONS, and the result is the smallest. KSTRIP_MODEL_TOTAL suits best.
- * The force of KSTRIP_MODEL_STRIP_1967 jumps where a first strip begins to adhere. A jump across the measured force counts there as one of
- * several solutions, and is returned only with KSTRIP_WARNING_NOT_CONVERGED. An estimate may miss a friction, most often where the
- * force is nearly zero: this happened to up to one of ten thousand estimates with each of the models of 1967, to one of a hundred thousand
- * with KSTRIP_MODEL_STRIP, and to none with KSTRIP_MODEL_TOTAL.
+ * The search needs at most 90 solutions with derivatives, and 35 to 45 on average. In full sliding
+ * the force is friction times load. As friction grows the contact begins to adhere, and the force
+ * depends on friction less and less. Where the contact adheres (less than a twentieth of the
+ * friction is used, or the force is larger than linear theory gives) the status is
+ * KSTRIP_WARNING_FRICTION_AT_LEAST, and the result is the used friction |force|/load, a lower
+ * bound. Where spin opposes the creepage, more than one friction may explain the force: the status
+ * is KSTRIP_WARNING_SEVERAL_FRICTIONS, and the result is the smallest. KSTRIP_MODEL_TOTAL suits
+ * best. The force of KSTRIP_MODEL_STRIP_1967 jumps where a first strip begins to adhere. A jump
+ * across the measured force counts there as one of several solutions, and is returned only with
+ * KSTRIP_WARNING_NOT_CONVERGED. An estimate may miss a friction, most often where the force is
+ * nearly zero: this happened to up to one of ten thousand estimates with each of the models of
+ * 1967, to one of a hundred thousand with KSTRIP_MODEL_STRIP, and to none with KSTRIP_MODEL_TOTAL.
  *
  * @param contact         ellipse, load, material; its friction is ignored.
  * @param creepage        motion.
  * @param options         model and strip count; NULL for the defaults. Not KSTRIP_MODEL_LINEAR.
- * @param measured        KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added: then the resultant counts.
+ * @param measured        KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added: then the resultant
+ *                        counts.
  * @param fx, fy          measured forces on the lower body [N]; what was not measured is ignored.
  * @param[out] estimate   receives friction, its sensitivity, and how far the force is off.
  * @return as kstrip_solve(); KSTRIP_WARNING_FRICTION_AT_LEAST, KSTRIP_WARNING_SEVERAL_FRICTIONS,
- *         KSTRIP_WARNING_NOT_CONVERGED;
- *         KSTRIP_ERROR_NOT_IN_MODEL, KSTRIP_ERROR_MEASURED, KSTRIP_ERROR_UNEXPLAINED (a lost contact too).
+ *         KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_NOT_IN_MODEL, KSTRIP_ERROR_MEASURED,
+ *         KSTRIP_ERROR_UNEXPLAINED (a lost contact too).
  */
 kstrip_status kstrip_estimate_friction(const struct kstrip_contact *contact,
                                        const struct kstrip_creepage *creepage,
@@ -1677,14 +1940,16 @@ kstrip_status kstrip_estimate_friction(const struct kstrip_contact *contact,
 /**
  * The creepage at which a contact with a given spin carries a wanted force.
  *
- * The search mostly needs five solutions with derivatives. Of ten thousand plausible contacts about one needs more than 12 (14 with
- * KSTRIP_MODEL_STRIP_1967, whose force jumps). The wanted forces of these contacts are near friction times
- * load, where the force turns back before it grows on.
- * The search ends after 40 with KSTRIP_WARNING_NOT_CONVERGED and the creepage that comes nearest; a force within a jump of STRIP_1967 has
- * no creepage, which happens to seven of a thousand forces with spin. Where spin keeps the force from growing with the creepage, more than
- * one creepage may give the force; the result is one of them. A force within 0.1 % of friction times load is that of full sliding. The
- * status is then KSTRIP_WARNING_CREEPAGE_AT_LEAST, and every creepage larger than the result gives the force as well. A lost contact
- * carries no force at any creepage; the result is zero.
+ * The search mostly needs five solutions with derivatives. Of ten thousand plausible contacts
+ * about one needs more than 12 (14 with KSTRIP_MODEL_STRIP_1967, whose force jumps). The wanted
+ * forces of these contacts are near friction times load, where the force turns back before it
+ * grows on. The search ends after 40 with KSTRIP_WARNING_NOT_CONVERGED and the creepage that comes
+ * nearest; a force within a jump of STRIP_1967 has no creepage, which happens to seven of a
+ * thousand forces with spin. Where spin keeps the force from growing with the creepage, more than
+ * one creepage may give the force; the result is one of them. A force within 0.1 % of friction
+ * times load is that of full sliding. The status is then KSTRIP_WARNING_CREEPAGE_AT_LEAST, and
+ * every creepage larger than the result gives the force as well. A lost contact carries no force
+ * at any creepage; the result is zero.
  *
  * @param contact         ellipse, load, material, friction.
  * @param fx, fy          wanted force on the lower body [N].
@@ -1719,7 +1984,8 @@ kstrip_status kstrip_creepage_for_force(const struct kstrip_contact *contact,
 #define KSTRIP_ABI_VERSION 1
 
 /**
- * Fill options with zero, the defaults: KSTRIP_MODEL_DEFAULT and 16 strips. kstrip_options o = {0} does the same.
+ * Fill options with zero, the defaults: KSTRIP_MODEL_DEFAULT and 16 strips.
+ * kstrip_options o = {0} does the same.
  *
  * @param[out] options  receives the defaults.
  * @return KSTRIP_OK or KSTRIP_ERROR_NULL.

@@ -39,8 +39,8 @@ kstrip_status kstrip_material_combine_f32(const struct kstrip_material_f32 *lowe
                                           struct kstrip_combined_material_f32 *combined);
 
 /**
- * Radii of curvature of two bodies at the contact [m]: convex positive, flat infinite (INFINITY), concave negative. Zero
- * and NaN are errors.
+ * Radii of curvature of two bodies at the contact [m]: convex positive, flat infinite
+ * (INFINITY), concave negative. Zero and NaN are errors.
  */
 typedef struct kstrip_radii_f32 {
     float lower_x;
@@ -161,10 +161,12 @@ kstrip_status kstrip_solve_f32(const struct kstrip_contact_f32 *contact,
                                struct kstrip_result_f32 *result);
 
 /**
- * Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) + ratio), where w is the sliding velocity
- * [m/s]. A factor reduces the initial slope of the creep curve, for the layer between the bodies.
+ * Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) +
+ * ratio), where w is the sliding velocity [m/s]. A factor reduces the initial slope of the creep
+ * curve, for the layer between the bodies.
  *
- * Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m; wet 0.3, 0.4, 0.2 s/m.
+ * Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m;
+ * wet 0.3, 0.4, 0.2 s/m.
  */
 typedef struct kstrip_friction_f32 {
     float friction;
@@ -204,7 +206,10 @@ typedef struct kstrip_strip_f32 {
     int32_t reserved;
 } kstrip_strip_f32;
 
-/** Where the outputs of kstrip_evaluate() and kstrip_patch_evaluate() go. An output that is NULL is not computed and costs nothing. */
+/**
+ * Where the outputs of kstrip_evaluate() and kstrip_patch_evaluate() go. An output that is NULL is
+ * not computed and costs nothing.
+ */
 typedef struct kstrip_outputs_f32 {
     struct kstrip_result_f32 *result;
     struct kstrip_derivatives_f32 *derivatives;
@@ -224,11 +229,13 @@ kstrip_status kstrip_evaluate_f32(const struct kstrip_contact_f32 *contact,
                                   const struct kstrip_outputs_f32 *outputs);
 
 /**
- * Many contacts with their motion and their friction: for each quantity a pointer to the first one and the distance to
- * the next in bytes, its stride. An input with stride 0 is the same for all contacts.
+ * Many contacts with their motion and their friction: for each quantity a pointer to the first one
+ * and the distance to the next in bytes, its stride. An input with stride 0 is the same for all
+ * contacts.
  *
- * Arrays of structures (&contacts[0].a, sizeof(kstrip_contact)) and one array for each quantity (a, sizeof(double)) are both possible. All
- * members but mismatch and law are required, unless there are no contacts.
+ * Arrays of structures (&contacts[0].a, sizeof(kstrip_contact)) and one array for each quantity
+ * (a, sizeof(double)) are both possible. All members but mismatch and law are required, unless
+ * there are no contacts.
  */
 typedef struct kstrip_batch_inputs_f32 {
     const float *a;
@@ -256,8 +263,8 @@ typedef struct kstrip_batch_inputs_f32 {
 } kstrip_batch_inputs_f32;
 
 /**
- * Where the results of many contacts go: for each quantity a pointer to the first one and the distance to the next in
- * bytes. An output that is NULL is not computed and costs nothing.
+ * Where the results of many contacts go: for each quantity a pointer to the first one and the
+ * distance to the next in bytes. An output that is NULL is not computed and costs nothing.
  */
 typedef struct kstrip_batch_outputs_f32 {
     float *fx;
@@ -288,10 +295,10 @@ kstrip_status kstrip_evaluate_batch_f32(const struct kstrip_batch_inputs_f32 *in
                                         uint32_t *first_bad);
 
 /**
- * A contact for which kstrip_prepare() has computed everything that does not depend on the motion. The structure holds plain numbers and no
- * pointers, so it may be copied and kept, for this version of the library only. It begins with a mark:
- * a structure that was never prepared, or was prepared in the other precision, gives
- * KSTRIP_ERROR_NOT_PREPARED.
+ * A contact for which kstrip_prepare() has computed everything that does not depend on the motion.
+ * The structure holds plain numbers and no pointers, so it may be copied and kept, for this
+ * version of the library only. It begins with a mark: a structure that was never prepared, or was
+ * prepared in the other precision, gives KSTRIP_ERROR_NOT_PREPARED.
  */
 typedef struct kstrip_prepared_f32 {
     float numbers[96];
@@ -309,7 +316,10 @@ kstrip_status kstrip_solve_prepared_f32(const struct kstrip_prepared_f32 *prepar
                                         const struct kstrip_creepage_f32 *creepage,
                                         struct kstrip_result_f32 *result);
 
-/** How the upper body moves over the lower one at the contact, in axes that stay when the motion reverses. */
+/**
+ * How the upper body moves over the lower one at the contact, in axes that stay when the motion
+ * reverses.
+ */
 typedef struct kstrip_motion_f32 {
     float slip_x;
     float slip_y;
@@ -330,7 +340,10 @@ typedef struct kstrip_motion_derivatives_f32 {
     float slope_factor[3];
 } kstrip_motion_derivatives_f32;
 
-/** Where the outputs of kstrip_solve_motion() go. An output that is NULL is not computed and costs nothing. */
+/**
+ * Where the outputs of kstrip_solve_motion() go. An output that is NULL is not computed and costs
+ * nothing.
+ */
 typedef struct kstrip_motion_outputs_f32 {
     struct kstrip_result_f32 *result;
     struct kstrip_motion_derivatives_f32 *derivatives;
@@ -404,8 +417,8 @@ kstrip_status kstrip_field_f32(const struct kstrip_contact_f32 *contact,
  */
 
 /**
- * The undeformed distance of two bodies across the rolling direction, at points in ascending y. The points are smoothed over the length that
- * kstrip_profile_contact gives.
+ * The undeformed distance of two bodies across the rolling direction, at points in ascending y.
+ * The points are smoothed over the length that kstrip_profile_contact gives.
  */
 typedef struct kstrip_profile_f32 {
     const float *y;
@@ -417,8 +430,8 @@ typedef struct kstrip_profile_f32 {
 } kstrip_profile_f32;
 
 /**
- * Load or approach, material and friction of two profiles that are pressed together. Zero is the default of every member but rolling_radius, shear_modulus and one of
- * normal_force and approach.
+ * Load or approach, material and friction of two profiles that are pressed together. Zero is the
+ * default of every member but rolling_radius, shear_modulus and one of normal_force and approach.
  */
 typedef struct kstrip_profile_contact_f32 {
     float rolling_radius;
@@ -447,8 +460,9 @@ typedef struct kstrip_patch_strip_f32 {
 
 /**
  * A contact patch of any shape: its strips, in ascending y. Filled by kstrip_patch_from_contact(),
- * kstrip_patch_from_strips() or kstrip_patch_from_profile(); the members may then be changed. All functions check it
- * again. A patch whose members are all zero, except shear_modulus, carries no load.
+ * kstrip_patch_from_strips() or kstrip_patch_from_profile(); the members may then be changed. All
+ * functions check it again. A patch whose members are all zero, except shear_modulus, carries no
+ * load.
  *
  * Where the distance of two neighbours is more than one and a half times that at which they touch,
  * there is a gap: what lies on either side is a lobe of its own.
@@ -533,8 +547,8 @@ kstrip_status kstrip_patch_field_f32(const struct kstrip_patch_f32 *patch,
  */
 
 /**
- * A profile, prepared by kstrip_prepare_profile(): points at equal steps of its length, toward larger y, and its direction.
- * It holds plain numbers and may be copied.
+ * A profile, prepared by kstrip_prepare_profile(): points at equal steps of its length, toward
+ * larger y, and its direction. It holds plain numbers and may be copied.
  */
 typedef struct kstrip_surface_f32 {
     float y[KSTRIP_SURFACE_CAPACITY];
@@ -554,7 +568,10 @@ kstrip_status kstrip_prepare_profile_f32(const float *y,
                                          float smoothing_length,
                                          struct kstrip_surface_f32 *surface);
 
-/** Where the wheel is, over straight track. A right wheel leans on the gauge side, which is at small y, with its flange. */
+/**
+ * Where the wheel is, over straight track. A right wheel coupling on the gauge side, which is at
+ * small y, with its flange.
+ */
 typedef struct kstrip_wheel_position_f32 {
     float lateral;
     float vertical;
@@ -563,8 +580,8 @@ typedef struct kstrip_wheel_position_f32 {
 } kstrip_wheel_position_f32;
 
 /**
- * The gap between a wheel and a rail, point by point along the rail. A host with its own search of contact fills it. The first
- * count elements of each member are used.
+ * The gap between a wheel and a rail, point by point along the rail. A host with its own search of
+ * contact fills it. The first count elements of each member are used.
  */
 typedef struct kstrip_gap_f32 {
     float along[KSTRIP_SURFACE_CAPACITY];
@@ -588,8 +605,8 @@ kstrip_status kstrip_touch_f32(const struct kstrip_surface_f32 *rail,
                                float *least);
 
 /**
- * Materials and friction of a wheel and a rail, and options of the computation. Zero is the default of every member but
- * wheel_radius and shear_modulus.
+ * Materials and friction of a wheel and a rail, and options of the computation. Zero is the
+ * default of every member but wheel_radius and shear_modulus.
  */
 typedef struct kstrip_wheel_pair_f32 {
     float wheel_radius;
@@ -605,7 +622,10 @@ typedef struct kstrip_wheel_pair_f32 {
     int32_t model;
 } kstrip_wheel_pair_f32;
 
-/** One contact of a wheel. Its frame is (x, t, n): forward, across along the surface, into the rail. */
+/**
+ * One contact of a wheel. Its frame is (x, t, n): forward, across along the surface, into the
+ * rail.
+ */
 typedef struct kstrip_wheel_contact_f32 {
     float origin[3];
     float angle;
@@ -633,8 +653,8 @@ kstrip_status kstrip_contacts_from_gap_f32(const struct kstrip_gap_f32 *gap,
                                            uint32_t *count);
 
 /**
- * How the wheel moves over the rail. The axes are at rest; in a curve they are those of the momentary track. Lateral, roll and yaw
- * have the track's signs for a left wheel too.
+ * How the wheel moves over the rail. The axes are at rest; in a curve they are those of the
+ * momentary track. Lateral, roll and yaw have the track's signs for a left wheel too.
  */
 typedef struct kstrip_wheel_velocity_f32 {
     float forward;
@@ -650,7 +670,10 @@ kstrip_status kstrip_wheel_motion_f32(const struct kstrip_wheel_contact_f32 *con
                                       const struct kstrip_wheel_velocity_f32 *velocity,
                                       struct kstrip_motion_f32 *motion);
 
-/** Force and moment on a wheel. They are conjugate to the members of kstrip_wheel_velocity: the products add up to power. */
+/**
+ * Force and moment on a wheel. They are conjugate to the members of kstrip_wheel_velocity: the
+ * products add up to power.
+ */
 typedef struct kstrip_wrench_f32 {
     float force[3];
     float moment[3];
@@ -676,8 +699,9 @@ kstrip_status kstrip_wrench_from_contacts_f32(const struct kstrip_wheel_contact_
                                               struct kstrip_wrench_derivatives_f32 *derivatives);
 
 /**
- * Memory of the caller for the computation of one wheel. It may hold anything before a call. After KSTRIP_OK or a warning it holds the
- * gap and the contacts of the position; after an error its contents have no meaning.
+ * Memory of the caller for the computation of one wheel. It may hold anything before a call. After
+ * KSTRIP_OK or a warning it holds the gap and the contacts of the position; after an error its
+ * contents have no meaning.
  */
 typedef struct kstrip_wheel_workspace_f32 {
     struct kstrip_gap_f32 gap;
@@ -687,7 +711,10 @@ typedef struct kstrip_wheel_workspace_f32 {
     uint32_t apart;
 } kstrip_wheel_workspace_f32;
 
-/** Derivatives of the wrench by the wheel's position at constant velocity: central differences of complete computations. */
+/**
+ * Derivatives of the wrench by the wheel's position at constant velocity: central differences of
+ * complete computations.
+ */
 typedef struct kstrip_wrench_by_position_f32 {
     float lateral[6];
     float vertical[6];

@@ -279,7 +279,8 @@ impl Report {
         );
     }
 
-    /// The other methods of the first tables: the plain FASTSIM, the better variants on 20x20 cells, closed forms.
+    /// The other methods of the first tables: the plain FASTSIM, the better variants on 20x20
+    /// cells, closed forms.
     fn main_peers(&self) -> impl Iterator<Item = &Method> {
         self.peers.iter().filter(|peer| {
             let fast = peer.name.starts_with("FASTSIM") || peer.name.starts_with("FaStrip");

@@ -1,5 +1,5 @@
-//! Draws figures 7a, 7b, 8a, 8b, 9 and 10 of Kalker's paper of 1967 and a set of creep curves as SVG
-//! under `docs/figures/`, and the pictures of the tour, of the models and of the cookbook:
+//! Draws figures 7a, 7b, 8a, 8b, 9 and 10 of Kalker's paper of 1967 and a set of creep curves as
+//! SVG under `docs/figures/`, and the pictures of the tour, of the models and of the cookbook:
 //! `cargo bench --bench figures`. Points of CONTACT are those of `tests/data/open.csv`.
 
 #[path = "../tests/common/manchester.rs"]
@@ -417,7 +417,8 @@ fn draw_patch(
     Ok(())
 }
 
-/// Arrows of traction on a square grid, as long as the traction over `μ p₀`, and of slip between them.
+/// Arrows of traction on a square grid, as long as the traction over `μ p₀`, and of slip between
+/// them.
 fn draw_arrows(
     canvas: &Canvas,
     field: &Field<f64>,
@@ -697,7 +698,8 @@ fn draw_figure_9(folder: &Path) -> Drawn {
     draw_diagram(folder, &diagram, &curves)
 }
 
-/// Longitudinal force over longitudinal creepage for several spins: the default model, CONTACT, and the theory of 1967.
+/// Longitudinal force over longitudinal creepage for several spins: the default model, CONTACT, and
+/// the theory of 1967.
 fn draw_creep_curves(folder: &Path) -> Drawn {
     let references = references()?;
     let colours = [(0x00, 0x45, 0x8b), (0x1b, 0x9e, 0x77), (0xd9, 0x5f, 0x02), (0xa0, 0x1c, 0x5b)];

@@ -1,6 +1,7 @@
-//! Compares patches of profiles, of given strips, of friction in bands and of falling friction with CONTACT:
-//! `cargo bench --bench patches` writes `docs/patches.md` and the pictures in `docs/patches/`. The same build
-//! writes the same files, byte by byte. `cargo bench --bench patches -- cost` prints what patches cost here.
+//! Compares patches of profiles, of given strips, of friction in bands and of falling friction with
+//! CONTACT: `cargo bench --bench patches` writes `docs/patches.md` and the pictures in
+//! `docs/patches/`. The same build writes the same files, byte by byte.
+//! `cargo bench --bench patches -- cost` prints what patches cost here.
 
 #[path = "common/clock.rs"]
 mod clock;
@@ -240,7 +241,8 @@ fn noise_table(report: &mut Report, list: &[Compared]) {
     }
 }
 
-/// Largest change of force and approach between loads that differ by a tenth of a thousandth, while zones merge.
+/// Largest change of force and approach between loads that differ by a tenth of a thousandth, while
+/// zones merge.
 fn merging_table(report: &mut Report) {
     report.line("\n## Zones that merge\n");
     report.line("A profile with two bottoms 9 mm apart, `h = H ((y/4.5 mm)² − 1)²`, is pressed harder and harder. Two zones grow, touch and become one. The table");

@@ -4,8 +4,8 @@
 //! Every model through the C interface and every method of `benches/peers`: nanoseconds (median of
 //! rounds that take turns) and errors against CONTACT, all in one run.
 //!
-//! `cargo bench --bench speed -- print` writes nothing and prints the page: for builds of another kind, as
-//! `RUSTFLAGS="-C target-cpu=x86-64-v3" cargo bench --bench speed -- print`.
+//! `cargo bench --bench speed -- print` writes nothing and prints the page: for builds of another
+//! kind, as `RUSTFLAGS="-C target-cpu=x86-64-v3" cargo bench --bench speed -- print`.
 
 #[path = "speed/calls.rs"]
 mod calls;
@@ -44,8 +44,8 @@ use std::process::Command;
 /// Rounds over all rows, of which the median counts.
 const ROUNDS: u64 = 151;
 
-/// Times measured with CONTACT's own code (open-source release of July 2025), not in this run, and the errors of
-/// the force that its results have on `open.csv`.
+/// Times measured with CONTACT's own code (open-source release of July 2025), not in this run, and
+/// the errors of the force that its results have on `open.csv`.
 const ELSEWHERE: [(&str, &str, f64); 6] = [
     ("CONTACT's FASTSIM 10x10", "27 µs", 0.029),
     ("CONTACT's FASTSIM 20x20", "48 µs", 0.023),
@@ -55,8 +55,9 @@ const ELSEWHERE: [(&str, &str, f64); 6] = [
     ("CONTACT 100x50, the reference (its error estimated)", "0.5 s", 0.0006),
 ];
 
-/// Ratios to FASTSIM 10x10, scalar, random contacts with spin, of earlier states of the library: of commits 5a9305f and 97d2727, the last before
-/// contacts, strips and pairs became one kind of lanes, whose models are the same, and of a state before them. STRIP_1967, TOTAL, STRIP.
+/// Ratios to FASTSIM 10x10, scalar, random contacts with spin, of earlier states of the library: of
+/// commits 5a9305f and 97d2727, the last before contacts, strips and pairs became one kind of
+/// lanes, whose models are the same, and of a state before them. STRIP_1967, TOTAL, STRIP.
 const EARLIER: [(&str, [f64; 3]); 4] = [
     ("commit 5a9305f, Intel Xeon, family 6, model 207", [0.303, 0.342, 0.677]),
     ("commit 97d2727, Intel Xeon, family 6, model 167", [0.308, 0.355, 0.668]),
@@ -64,7 +65,8 @@ const EARLIER: [(&str, [f64; 3]); 4] = [
     ("an earlier state, AMD EPYC, Zen 1", [0.243, 0.32, 0.76]),
 ];
 
-/// The same ratios of other methods, whose code has not changed since, on an Intel Xeon, family 6, model 167.
+/// The same ratios of other methods, whose code has not changed since, on an Intel Xeon, family 6,
+/// model 167.
 const UNCHANGED: [(&str, f64); 6] = [
     (LANES, 190.0 / 656.0),
     (AVX2, 205.0 / 656.0),
@@ -74,8 +76,8 @@ const UNCHANGED: [(&str, f64); 6] = [
     ("Polach", 30.9 / 656.0),
 ];
 
-/// Methods of which this implementation misses the largest error that was published for it on the same cases
-/// (`tests/peers.rs`).
+/// Methods of which this implementation misses the largest error that was published for it on the
+/// same cases (`tests/peers.rs`).
 const MISSED: [(&str, f64); 3] = [
     ("FaStrip 20x20, flexibility (1982)", 0.18),
     ("FaStrip 80x50, flexibility (1982)", 0.16),

@@ -1,5 +1,5 @@
-//! Functions of the inside that `tests/units` call. They are no part of the interface. (As unit tests of the library the tests would compile
-//! every formula twice.)
+//! Functions of the inside that `tests/units` call. They are no part of the interface. (As unit
+//! tests of the library the tests would compile every formula twice.)
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
@@ -19,8 +19,8 @@ pub fn has_avx() -> bool {
     crate::number::registers::has_avx()
 }
 
-/// Whether the quick check accepts the sizes of a contact, and those of a creepage where the contact is so small that nothing is implausible
-/// about them; and what the complete check finds.
+/// Whether the quick check accepts the sizes of a contact, and those of a creepage where the
+/// contact is so small that nothing is implausible about them; and what the complete check finds.
 pub fn quick_and_full_check<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
@@ -48,7 +48,8 @@ pub fn estimate_counted<F: Float>(
     Ok((rig.used, estimate, rig.solved))
 }
 
-/// The creepage for a force, the distance of its force from the wanted one over `μ N`, and the number of solutions.
+/// The creepage for a force, the distance of its force from the wanted one over `μ N`, and the
+/// number of solutions.
 ///
 /// # Errors
 /// Those of [`creepage_for_force`](crate::rig::creepage_for_force).
@@ -63,7 +64,8 @@ pub fn creepage_counted<F: Float>(
     Ok((aim.creepage(found.at), found.distance, aim.solved))
 }
 
-/// The weight of the network for long contacts and what is left of the spin's linear force, by `√(a/b)`.
+/// The weight of the network for long contacts and what is left of the spin's linear force, by
+/// `√(a/b)`.
 pub fn long_contact<F: Real>(root: F) -> [F; 2] {
     let long = LongContact::new(root, F::zero(), F::zero());
     [long.share, long.of_spin(root)]

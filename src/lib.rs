@@ -1,39 +1,46 @@
 //! Creep forces of rolling contact by Kalker's strip theory.
 //!
-//! Two bodies roll over each other, pressed together with a force `N`. They touch in an ellipse with semi-axes `a`
-//! (along the rolling direction) and `b` (across it), and slip a little there. The slip causes the creep forces, which
-//! steer a railway wheel and heat a disc. J. J. Kalker's *A strip theory for rolling with slip and spin* (Proc. Kon.
-//! Ned. Akad. Wetenschappen B 70 (1967) 10–62) gives these forces in closed form. The ellipse is cut into strips along the
-//! rolling direction; each strip is a plane problem with an adhesion area at its leading edge and slip behind it.
+//! Two bodies roll over each other, pressed together with a force `N`. They touch in an ellipse
+//! with semi-axes `a` (along the rolling direction) and `b` (across it), and slip a little there.
+//! The slip causes the creep forces, which steer a railway wheel and heat a disc. J. J. Kalker's *A
+//! strip theory for rolling with slip and spin* (Proc. Kon. Ned. Akad. Wetenschappen B 70 (1967)
+//! 10–62) gives these forces in closed form. The ellipse is cut into strips along the rolling
+//! direction; each strip is a plane problem with an adhesion area at its leading edge and slip
+//! behind it.
 //!
 //! The modules follow the physics, from the bodies to the results:
 //!
 //! 1. [`contact`]: two bodies, their elastic constants, Hertz's ellipse, creepages from velocities.
 //! 2. [`linear`]: Kalker's coefficients and his linear theory.
-//! 3. [`strip_1967`]: the theory of the paper. [`strip`]: its strips with flexibilities fitted to CONTACT. [`total`]: a closed
-//!    formula for force and moment, fitted to CONTACT.
-//! 4. [`solve`]: results and derivatives of a contact and a creepage, for every model. [`batch`]: many contacts at once.
-//! 5. [`friction`]: friction that falls with the slip. [`motion`]: rolling forward, backward, and standstill. [`rig`]: from a
-//!    measured force to friction, from a wanted force to creepage.
-//! 6. [`patch`]: a patch of any shape as its strips. [`wheel_rail`]: from two profiles and a position to the force and the moment on a wheel.
-//! 7. [`number`]: the types of number that the formulas are written in. [`ffi`]: the functions for C (`include/kstrip.h`).
+//! 3. [`strip_1967`]: the theory of the paper. [`strip`]: its strips with flexibilities fitted to
+//!    CONTACT. [`total`]: a closed formula for force and moment, fitted to CONTACT.
+//! 4. [`solve`]: results and derivatives of a contact and a creepage, for every model. [`batch`]:
+//!    many contacts at once.
+//! 5. [`friction`]: friction that falls with the slip. [`motion`]: rolling forward, backward, and
+//!    standstill. [`rig`]: from a measured force to friction, from a wanted force to creepage.
+//! 6. [`patch`]: a patch of any shape as its strips. [`wheel_rail`]: from two profiles and a
+//!    position to the force and the moment on a wheel.
+//! 7. [`number`]: the types of number that the formulas are written in. [`ffi`]: the functions for
+//!    C (`include/kstrip.h`).
 //!
 //! # ScaledContact and signs
 //!
-//! `x` points in the rolling direction (leading edge at `x > 0`), `y` is lateral, `z` points into the
-//! lower body. Creepage is the velocity of the upper over the lower body, divided by the rolling
-//! speed; forces and tractions act on the **lower** body, and have the sense of the slip. SI units.
+//! `x` points in the rolling direction (leading edge at `x > 0`), `y` is lateral, `z` points into
+//! the lower body. Creepage is the velocity of the upper over the lower body, divided by the
+//! rolling speed; forces and tractions act on the **lower** body, and have the sense of the slip.
+//! SI units.
 //!
 //! # Promises
 //!
-//! No function allocates or panics, no result depends on earlier calls, and nothing depends on `std`. The same code runs on a PC and on
-//! a microcontroller, in `f64` and in `f32`.
+//! No function allocates or panics, no result depends on earlier calls, and nothing depends on
+//! `std`. The same code runs on a PC and on a microcontroller, in `f64` and in `f32`.
 //!
 //! # Example
 //!
 //! A wheel of 0.46 m radius on a rail head of 0.30 m, 80 kN, 0.1 % longitudinal creepage:
 //! ```
-//! use kstrip::{contact::Contact, contact::creepage::Creepage, contact::hertz, contact::material, forces};
+//! use kstrip::contact::{Contact, creepage::Creepage, hertz, material};
+//! use kstrip::forces;
 //! let steel = material::Material { shear_modulus: 82e9, poisson_ratio: 0.28 };
 //! let pair = material::combine(&steel, &steel)?;
 //! let radii = hertz::Radii {
@@ -46,8 +53,8 @@
 //!     mismatch: 0.0,
 //! };
 //! let creepage = Creepage { longitudinal: 1e-3, lateral: 0.0, spin: 0.0 };
-//! let forces = forces::solve(&contact, &creepage, &forces::Options::default())?;
-//! assert!(forces.fx > 0.0 && forces.fx < 0.3 * 80e3);
+//! let found = forces::forces_of_contact(&contact, &creepage, &forces::Options::default())?;
+//! assert!(found.fx > 0.0 && found.fx < 0.3 * 80e3);
 //! # Ok::<(), kstrip::status::Error>(())
 //! ```
 
@@ -80,7 +87,8 @@ fn panic(_: &core::panic::PanicInfo) -> ! {
     a_panic_can_be_reached()
 }
 
-/// Not in the optimised library, as `scripts/no_panic.sh` and `scripts/firmware.sh` prove: they look for its name.
+/// Not in the optimised library, as `scripts/no_panic.sh` and `scripts/firmware.sh` prove: they
+/// look for its name.
 #[cfg(all(feature = "panic-handler", panic = "abort"))]
 #[inline(never)]
 fn a_panic_can_be_reached() -> ! {

@@ -3,8 +3,8 @@
 use core::ffi::CStr;
 use core::fmt;
 
-/// `Variant = number: "text"`: an enumeration of statuses. The text is what the status means and what the caller must change; it is the
-/// documentation of the variant as well.
+/// `Variant = number: "text"`: an enumeration of statuses. The text is what the status means and
+/// what the caller must change; it is the documentation of the variant as well.
 macro_rules! statuses {
     ($(#[$about:meta])* $name:ident { $($(#[$variant_is:meta])* $variant:ident = $number:literal: $text:literal,)* }) => {
         $(#[$about])*
@@ -132,14 +132,16 @@ statuses! {
 }
 
 impl Warning {
-    /// Whether the warning says that an input is implausible, which is mostly because of another unit.
+    /// Whether the warning says that an input is implausible, which is mostly because of another
+    /// unit.
     #[must_use]
     pub const fn is_implausible(self) -> bool {
         self.code() >= Self::Pressure.code() && self.code() <= Self::Radius.code()
     }
 
-    /// The graver one. A warning that the result may be another one is graver than one of implausible inputs, and that is graver than one of
-    /// inputs outside the range of the model. Of two that are equally grave it is the one with the larger code.
+    /// The graver one. A warning that the result may be another one is graver than one of
+    /// implausible inputs, and that is graver than one of inputs outside the range of the model. Of
+    /// two that are equally grave it is the one with the larger code.
     #[must_use]
     pub const fn worse(self, other: Self) -> Self {
         let (own, of_other) = (self.gravity(), other.gravity());

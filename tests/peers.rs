@@ -1,6 +1,7 @@
 //! The other methods (`benches/peers`) against a survey's numbers, against the reference data and
-//! against their own limits. A peer that is wrong, or slower than it must be, proves nothing. They are no part of the library: `.ci/run` calls
-//! `cargo test --test peers`, and `cargo test` leaves them out.
+//! against their own limits. A peer that is wrong, or slower than it must be, proves nothing. They
+//! are no part of the library: `.ci/run` calls `cargo test --test peers`, and `cargo test` leaves
+//! them out.
 
 #[path = "../benches/peers/mod.rs"]
 mod peers;
@@ -150,8 +151,9 @@ fn is(name: &'static str, solve: impl Fn(&Input) -> Output, figures: Figures) ->
 }
 
 impl Measured {
-    /// Figures of a survey of known methods on the same 854 cases, which other programs made, and the relative difference within which they
-    /// are met: they have two digits (2 %), the rest is the reading of the paper.
+    /// Figures of a survey of known methods on the same 854 cases, which other programs made, and
+    /// the relative difference within which they are met: they have two digits (2 %), the rest is
+    /// the reading of the paper.
     fn met<const N: usize>(self, survey: [f64; N], within: [f64; N]) -> Self {
         for ((found, other), tolerance) in self.figures.iter().zip(survey).zip(within) {
             let off = (found / other - 1.0).abs();
@@ -185,8 +187,8 @@ fn figures_of_fastsim_with_three_flexibilities() {
     use Bound::*;
     use Flexibility::Three;
     use Layout::*;
-    // Bound and slip at the ends of the cells: the reading of the table. 7 % at 10x10 because the sum over so few cells
-    // may be normalised or not; below 4 % on the finer grids.
+    // Bound and slip at the ends of the cells: the reading of the table. 7 % at 10x10 because the
+    // sum over so few cells may be normalised or not; below 4 % on the finer grids.
     let p = Parabolic;
     is("parabolic 10x10", simple::<10>(StripEnds, Three, p), [0.0488, 0.1333, 0.2574])
         .met([0.046, 0.13, 0.24], [0.07, 0.04, 0.08]);
@@ -238,8 +240,8 @@ fn figures_of_fastsim_with_one_flexibility() {
 
 #[test]
 fn figures_of_fastrip() {
-    // Mean and 95th percentile within 6 %; the maximum is missed: ours is the worst case of a rescaled |ψ| ≥ 1,
-    // where the paper leaves the direction open.
+    // Mean and 95th percentile within 6 %; the maximum is missed: ours is the worst case of a
+    // rescaled |ψ| ≥ 1, where the paper leaves the direction open.
     is(
         "FaStrip 20x20, Kalker's flexibility",
         strip::<20, 20>(Flexibility::Kalker),
@@ -379,23 +381,24 @@ fn linear_limit(
     if which < 2 {
         assert_relative_eq!(force(vermeulen_johnson::solve(&input)), 1.0, epsilon = 1e-3);
     }
-    // FASTSIM, n cells: a traction growing linearly, summed at the cells' centres after a whole step
-    // each, is (n + 1)/n of its integral; for spin, first order too
+    // FASTSIM, n cells: a traction growing linearly, summed at the cells' centres after a whole
+    // step each, is (n + 1)/n of its integral; for spin, first order too
     for f in [Flexibility::Three, Flexibility::Kalker, Flexibility::Energy, Flexibility::Blended] {
         let o = simple::<50>(Layout::StripCentres, f, Bound::Parabolic)(&input);
         assert_relative_eq!(force(o), 1.0, epsilon = 0.03);
     }
-    // FaStrip: strip theory with rescaled parameters, exact but for the grid. In the linear limit a creepage gives
-    // √((c − x)/(c + x)), singular at the trailing edge: the sum over n cell centres, as published, misses
-    // −ζ(½,½) (2/π)/√n = 0.385/√n of it, 0.054 at 50 cells. Spin is regular.
+    // FaStrip: strip theory with rescaled parameters, exact but for the grid. In the linear limit a
+    // creepage gives √((c − x)/(c + x)), singular at the trailing edge: the sum over n cell
+    // centres, as published, misses −ζ(½,½) (2/π)/√n = 0.385/√n of it, 0.054 at 50 cells. Spin is
+    // regular.
     let o = strip::<50, 50>(Flexibility::Energy)(&input);
     let deficit = if which < 2 { 0.06 } else { 0.03 };
     assert_relative_eq!(force(o), 1.0, epsilon = deficit);
 }
 
 proptest! {
-    /// Whatever the number of lanes, the same answer; |F| bounded; mirrored and reversed creepages give
-    /// mirrored and reversed forces.
+    /// Whatever the number of lanes, the same answer; |F| bounded; mirrored and reversed creepages
+    /// give mirrored and reversed forces.
     #[test]
     fn lanes_bound_and_symmetry(
         k in 0_usize..7,

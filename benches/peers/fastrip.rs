@@ -1,27 +1,30 @@
 //! FaStrip: Kalker's strip theory in the adhesion area, FASTSIM in the slip area.
 //!
-//! Source: M. Sh. Sichani, R. Enblom, M. Berg, *An alternative to FASTSIM for tangential solution of
-//! the wheel-rail contact*, Vehicle System Dynamics 54 (2016) 748-764. The strip parameters are rescaled so
-//! that small creepages are exact, `ξ → ξ C11/C11(strip)` and so on with
+//! Source: M. Sh. Sichani, R. Enblom, M. Berg, *An alternative to FASTSIM for tangential solution
+//! of the wheel-rail contact*, Vehicle System Dynamics 54 (2016) 748-764. The strip parameters are
+//! rescaled so that small creepages are exact, `ξ → ξ C11/C11(strip)` and so on with
 //! `C(strip) = π²/(4(1−ν)), π²/4, (π/3)√(a/b)`; ahead of the separatrix the traction is the strip
-//! theory's (1967, equations 5.1, 5.40, 5.41), behind it FASTSIM gives the direction. The strip theory
-//! has no adhesion for a rescaled `|ψ| ≥ 1`; FASTSIM then has the whole ellipse.
+//! theory's (1967, equations 5.1, 5.40, 5.41), behind it FASTSIM gives the direction. The strip
+//! theory has no adhesion for a rescaled `|ψ| ≥ 1`; FASTSIM then has the whole ellipse.
 //!
 //! # Readings
 //!
-//! [`solve`] is the paper as we read it: strips of equal cell count, the slip area marched on from the
-//! strip theory's last adhesion cell under the parabolic bound, and only its direction used: the
-//! size in the slip area is Hertz's bound. What the paper's flexibility is, we could not establish. With
-//! `Flexibility::Kalker` the mean and the 95th percentile of the survey (`tests/peers.rs`) come out within 6 %
-//! (its maximum is 0.18, ours 0.22); `Flexibility::Energy` is better throughout, and is the
-//! one to compare against. The published 200x200 check (0.644) lies between the two.
+//! [`solve`] is the paper as we read it: strips of equal cell count, the slip area marched on from
+//! the strip theory's last adhesion cell under the parabolic bound, and only its direction used:
+//! the size in the slip area is Hertz's bound. What the paper's flexibility is, we could not
+//! establish. With `Flexibility::Kalker` the mean and the 95th percentile of the survey
+//! (`tests/peers.rs`) come out within 6 % (its maximum is 0.18, ours 0.22); `Flexibility::Energy`
+//! is better throughout, and is the one to compare against. The published 200x200 check (0.644)
+//! lies between the two.
 //!
-//! Both sum the traction over cell centres, as published. Near the linear limit the strip theory's traction is
-//! singular at the trailing edge and that sum misses `0.385/√n` of the force (5 % with 50 cells).
+//! Both sum the traction over cell centres, as published. Near the linear limit the strip theory's
+//! traction is singular at the trailing edge and that sum misses `0.385/√n` of the force (5 % with
+//! 50 cells).
 //!
-//! [`solve_contact`] follows CONTACT's description of its own FaStrip: its rectangular grid and blended
-//! flexibilities, and FASTSIM's traction kept as it is wherever the strip theory slips, also where FASTSIM
-//! sticks. Means and 95th percentiles come within 12 % of the table's, not closer.
+//! [`solve_contact`] follows CONTACT's description of its own FaStrip: its rectangular grid and
+//! blended flexibilities, and FASTSIM's traction kept as it is wherever the strip theory slips,
+//! also where FASTSIM sticks. Means and 95th percentiles come within 12 % of the table's, not
+//! closer.
 
 use super::fastsim::{Flexibility, Grid, Layout, stiffness};
 use super::{Input, Output};

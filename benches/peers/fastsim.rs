@@ -1,42 +1,45 @@
 //! FASTSIM, Kalker's simplified theory: the surface is a mattress of independent springs.
 //!
 //! Source: J. J. Kalker, *A fast algorithm for the simplified theory of rolling contact*, Vehicle
-//! System Dynamics 11 (1982) 1-13. In a strip `y = const` the traction grows from the leading edge by
-//! `dp/d(−x) = slip/L` and is cut back to the bound where it exceeds it, keeping its direction. The
-//! flexibilities make small creepages exact: `L1 = 8a/(3 G C11)`, `L2 = 8a/(3 G C22)`,
+//! System Dynamics 11 (1982) 1-13. In a strip `y = const` the traction grows from the leading edge
+//! by `dp/d(−x) = slip/L` and is cut back to the bound where it exceeds it, keeping its direction.
+//! The flexibilities make small creepages exact: `L1 = 8a/(3 G C11)`, `L2 = 8a/(3 G C22)`,
 //! `L3 = π a √(a/b)/(4 G C23)`.
 //!
 //! # Readings
 //!
-//! *Flexibilities* ([`Flexibility`]). `Three`: each creepage divided by its own. `Kalker`: the one of the 1982
-//! paper, `L = (|vx| L1 + |vy| L2 + √(ab) |φ| L3)/√(vx² + vy² + ab φ²)`. `Energy`: the one that keeps the
-//! initial work, `1/L` weighted by the squares of the creepages. `Blended`: from `Three` to
-//! `Energy` as the creepages grow, as the program CONTACT does (E. A. H. Vollebregt, open-source
-//! release; facts of the method, no code): weight
-//! `min(1, ⅓ √((vx² + vy² + φ²)/(vx0² + vy0² + φ0²)))` with `vx0, vy0, φ0` the creepages at which the
-//! linear force is `µ N`, and `φ` in 1/mm: the weight depends on that unit.
+//! *Flexibilities* ([`Flexibility`]). `Three`: each creepage divided by its own. `Kalker`: the one
+//! of the 1982 paper, `L = (|vx| L1 + |vy| L2 + √(ab) |φ| L3)/√(vx² + vy² + ab φ²)`. `Energy`: the
+//! one that keeps the initial work, `1/L` weighted by the squares of the creepages. `Blended`: from
+//! `Three` to `Energy` as the creepages grow, as the program CONTACT does (E. A. H. Vollebregt,
+//! open-source release; facts of the method, no code): weight
+//! `min(1, ⅓ √((vx² + vy² + φ²)/(vx0² + vy0² + φ0²)))` with `vx0, vy0, φ0` the creepages at which
+//! the linear force is `µ N`, and `φ` in 1/mm: the weight depends on that unit.
 //!
-//! *Bound* ([`Bound`]). Parabolic, `2µN/(πab) (1 − r²)`, is what agrees with the spring model; elliptic is Hertz's.
+//! *Bound* ([`Bound`]). Parabolic, `2µN/(πab) (1 − r²)`, is what agrees with the spring model;
+//! elliptic is Hertz's.
 //!
-//! *Cells* ([`Layout`]). `Strips` cuts every strip into the same number of cells; `StripEnds` takes bound and
-//! slip at the trailing end of each cell, `StripCentres` at its centre. `Rectangle` is CONTACT's: one rectangular
-//! grid, cells whose centre lies in the ellipse, bound at the centre, slip a sixth of a cell ahead of it.
+//! *Cells* ([`Layout`]). `Strips` cuts every strip into the same number of cells; `StripEnds` takes
+//! bound and slip at the trailing end of each cell, `StripCentres` at its centre. `Rectangle` is
+//! CONTACT's: one rectangular grid, cells whose centre lies in the ellipse, bound at the centre,
+//! slip a sixth of a cell ahead of it.
 //!
 //! # What reproduces the survey's figures (`tests/peers.rs`)
 //!
 //! * `StripEnds` with three flexibilities reproduces the survey's table for plain FASTSIM;
-//!   `StripCentres` is better on every grid and costs the same, so that is the one to compare against.
+//!   `StripCentres` is better on every grid and costs the same, so that is the one to compare
+//!   against.
 //! * `Rectangle` with `Blended` reproduces "FASTSIM as in CONTACT" and the published 200x200 checks
 //!   (0.596 elliptic, 0.636 parabolic).
 //!
 //! # Speed
 //!
-//! In a strip lengths are divided by its half length and tractions by its own bound at the centre line, so the bound is
-//! one table for all strips. [`solve`] marches `LANES` strips side by side, without branches, which
-//! hides the latency of the square root and the division and lets the compiler use vectors; with
-//! `LANES = 1` it is the classical loop: a branch, and no root or division in cells that stick. For a
-//! plain x86-64 build 10 lanes were the fastest of 1 to 20 for 10, 20 and 50 strips: about a third
-//! of the classical loop's time for 10x10, a fifth for 50x50.
+//! In a strip lengths are divided by its half length and tractions by its own bound at the centre
+//! line, so the bound is one table for all strips. [`solve`] marches `LANES` strips side by side,
+//! without branches, which hides the latency of the square root and the division and lets the
+//! compiler use vectors; with `LANES = 1` it is the classical loop: a branch, and no root or
+//! division in cells that stick. For a plain x86-64 build 10 lanes were the fastest of 1 to 20 for
+//! 10, 20 and 50 strips: about a third of the classical loop's time for 10x10, a fifth for 50x50.
 
 use super::{Input, Output};
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_4, PI};
@@ -170,8 +173,8 @@ pub(super) fn stiffness(input: &Input, flexibility: Flexibility) -> [f64; 3] {
     }
 }
 
-/// Creep force and moment. `LANES` strips are marched side by side; 1 is the classical loop. (Always inlined: registers are
-/// those of the caller.)
+/// Creep force and moment. `LANES` strips are marched side by side; 1 is the classical loop.
+/// (Always inlined: registers are those of the caller.)
 #[inline(always)]
 pub fn solve<const NX: usize, const NY: usize, const LANES: usize>(
     grid: &Grid<NX, NY>,

@@ -2,8 +2,8 @@
 //!
 //! Source: O. Polach, *A fast wheel-rail forces calculation computer code*, Vehicle System Dynamics
 //! 33 (Suppl., 1999) 728-739; the form without spin is kept in his 2005 paper (Wear 258, 992-1000),
-//! whose reduction factors for adhesion and slip are 1 for dry, clean contact and are left out here.
-//! The paper gives no moment, and its force is on the other body (opposite sign).
+//! whose reduction factors for adhesion and slip are 1 for dry, clean contact and are left out
+//! here. The paper gives no moment, and its force is on the other body (opposite sign).
 
 use super::{Input, Output};
 use core::f64::consts::{FRAC_2_PI, PI};

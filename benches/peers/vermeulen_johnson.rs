@@ -11,8 +11,9 @@
 //! `∂u/∂x = −(x q0/2G) ∫₀^π f(θ) sin²θ/(a²b²α³) dθ`, `α² = cos²θ/a² + sin²θ/b²`, with
 //! `f = 1 − ν sin²θ` for a longitudinal and `f = 1 − ν cos²θ` for a lateral traction (two equal
 //! bodies double it), hence [`own_coefficients`]. On a circle they are `4/(1 − 3ν/4)` and
-//! `4/(1 − ν/4)`: 4.92 and 4.27 for ν = 1/4, where the exact ones are 4.12 and 3.67. Since 1967 the method
-//! is used with Kalker's exact coefficients instead; [`solve`] takes whichever the input holds.
+//! `4/(1 − ν/4)`: 4.92 and 4.27 for ν = 1/4, where the exact ones are 4.12 and 3.67. Since 1967 the
+//! method is used with Kalker's exact coefficients instead; [`solve`] takes whichever the input
+//! holds.
 
 use super::{Input, Output};
 

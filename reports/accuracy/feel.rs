@@ -163,7 +163,8 @@ impl Report {
         }
     }
 
-    /// The creep curve and its slope along two sweeps of `open.csv`: longitudinal creepage, and spin.
+    /// The creep curve and its slope along two sweeps of `open.csv`: longitudinal creepage, and
+    /// spin.
     pub fn sweep(&self, path: &Path) -> Drawn {
         let curves: [(Felt, RGBColor, f64); 4] = [
             (of_model(Model::Strip1967, StripCount::Sixteen), ORANGE, 1.5),

@@ -1,5 +1,5 @@
-//! The methods of `benches/peers` as one kind of function, for the reports. The file that includes this one
-//! includes the modules `peers` and `reference` too.
+//! The methods of `benches/peers` as one kind of function, for the reports. The file that includes
+//! this one includes the modules `peers` and `reference` too.
 
 use crate::peers::fastsim::{Bound, Flexibility, Grid, Layout};
 use crate::peers::{Input, Output, fastrip, fastsim};

@@ -1,4 +1,5 @@
-//! A progress bar with an estimate of the time left, on standard error; nothing is shown where that is no terminal.
+//! A progress bar with an estimate of the time left, on standard error; nothing is shown where that
+//! is no terminal.
 
 use indicatif::{ProgressBar, ProgressStyle};
 

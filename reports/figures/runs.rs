@@ -1,4 +1,5 @@
-//! Pictures of the tour, of the page on models and of the cookbook: the wheel of these pages, of 0.46 m on a rail head of 0.30 m, 80 kN.
+//! Pictures of the tour, of the page on models and of the cookbook: the wheel of these pages, of
+//! 0.46 m on a rail head of 0.30 m, 80 kN.
 
 use super::panel::{Axis, Panel};
 use super::{Drawn, INK, Kind, arrow, font, line, picture, place, write};
@@ -45,7 +46,8 @@ fn shade(share: f64) -> RGBColor {
     RGBColor(mix(0), mix(1), mix(2))
 }
 
-/// Size and direction of the traction inside the patch, by STRIP, one colour for each piece of a strip.
+/// Size and direction of the traction inside the patch, by STRIP, one colour for each piece of a
+/// strip.
 fn draw_traction_map(folder: &Path) -> Drawn {
     let contact = wheel_on_rail()?;
     let creepage = Creepage { longitudinal: 3e-4, lateral: 0.0, spin: 0.6 };
@@ -84,7 +86,8 @@ fn draw_traction_map(folder: &Path) -> Drawn {
         panel.draw(canvas)?;
         for strip in &strips {
             const PIECES: i32 = 48;
-            // A piece reaches under the next one, in x and y, so that no seam shows. Both of its sides follow the edge of the ellipse.
+            // A piece reaches under the next one, in x and y, so that no seam shows. Both of its
+            // sides follow the edge of the ellipse.
             let (low, high) = (strip.y - 0.5 * strip.width, strip.y + 0.7 * strip.width);
             let half = |y: f64| contact.a * (1.0 - (y / contact.b).powi(2)).max(0.0).sqrt();
             for i in 0..PIECES {
@@ -232,7 +235,8 @@ fn draw_models(folder: &Path) -> Drawn {
     })
 }
 
-/// A wheelset in a frame that runs at a constant speed: lateral place [mm] over time [s], as in the cookbook.
+/// A wheelset in a frame that runs at a constant speed: lateral place [mm] over time [s], as in the
+/// cookbook.
 fn hunting(contact: &Contact<f64>, speed: f64) -> Result<Vec<(f64, f64)>, Error> {
     let (mass, inertia, lateral_spring, yaw_spring) = (1800.0, 1100.0, 400e3, 3e6);
     let (radius, half_gauge, conicity, h) = (0.46, 0.75, 0.1, 1e-4);
@@ -292,7 +296,8 @@ fn draw_hunting(folder: &Path) -> Drawn {
     })
 }
 
-/// Time [s], speed of the vehicle [m/s] and force on the rail [kN] of a wheel that brakes to rest on a slope of 1:50 and holds.
+/// Time [s], speed of the vehicle [m/s] and force on the rail [kN] of a wheel that brakes to rest
+/// on a slope of 1:50 and holds.
 fn stop_and_hold(contact: &Contact<f64>) -> Result<Vec<[f64; 3]>, Error> {
     let (mass, rim, brake, step) = (8150.0, 400.0, 6e3_f64, 1.0 / 60.0);
     let weight = mass * 9.81 / 50.0;

@@ -1,4 +1,5 @@
-//! Scenes of wheel on rail: the Manchester benchmark beside CONTACT, and the wheelset of `examples/wheelset.rs`.
+//! Scenes of wheel on rail: the Manchester benchmark beside CONTACT, and the wheelset of
+//! `examples/wheelset.rs`.
 
 #[allow(dead_code)]
 #[path = "../../examples/wheelset.rs"]

@@ -1,4 +1,5 @@
-//! A wheel S1002 on a rail 60E1, moved sideways under 80 kN: the forces on the wheel over its lateral shift.
+//! A wheel S1002 on a rail 60E1, moved sideways under 80 kN: the forces on the wheel over its
+//! lateral shift.
 
 use super::manchester::{profile, steel, zeroed};
 use super::panel::{Axis, Panel};

@@ -1,4 +1,5 @@
-//! What is measured: calls of every model through the C interface, and of every other method, on the same inputs.
+//! What is measured: calls of every model through the C interface, and of every other method, on
+//! the same inputs.
 
 use crate::names::*;
 use crate::peer_methods::*;
@@ -37,7 +38,8 @@ pub enum Set {
     Spin,
     /// Random contacts without spin.
     NoSpin,
-    /// Neighbours of all kinds: with and without spin, along one axis, spin alone, beyond unit spin.
+    /// Neighbours of all kinds: with and without spin, along one axis, spin alone, beyond unit
+    /// spin.
     Mixed,
 }
 pub const SETS: [Set; 4] = [Set::One, Set::Spin, Set::NoSpin, Set::Mixed];
@@ -205,7 +207,8 @@ fn in_precision<F: Called>(set: Set) -> Vec<State<F>> {
     inputs(set).into_iter().map(of).collect()
 }
 
-/// The calls, through a pointer that the compiler knows nothing of, as from C; and how many contacts they solve.
+/// The calls, through a pointer that the compiler knows nothing of, as from C; and how many
+/// contacts they solve.
 fn calls<F: Called>(how: How, set: Set, options: kstrip_options) -> (Box<dyn Fn()>, usize) {
     let inputs = in_precision::<F>(set);
     let result = RefCell::new(MaybeUninit::uninit());
@@ -353,7 +356,8 @@ impl Cases {
 fn model_rows<F: Called>(model: Model, strips: StripCount, cases: &Cases, rows: &mut Vec<Row>) {
     let settings = options(model, strips);
     let errors = Errors::of_model::<F>(&cases.open, &settings);
-    // (differences of numbers in single precision are too coarse for slopes; its derivatives are not)
+    // (differences of numbers in single precision are too coarse for slopes; its derivatives are
+    // not)
     let wrong = cases.wrong(&errors, &|case| answer::<f64>(case, &settings));
     let mut name = name(model).to_owned();
     if model == Model::Strip {
@@ -372,8 +376,8 @@ fn model_rows<F: Called>(model: Model, strips: StripCount, cases: &Cases, rows: 
 
 // --- the other methods -----------------------------------------------------------------------
 
-/// FASTSIM compiled for AVX2: twelve lanes fill three registers of 256 bits (the last two are idle). Only for processors that
-/// have them.
+/// FASTSIM compiled for AVX2: twelve lanes fill three registers of 256 bits (the last two are
+/// idle). Only for processors that have them.
 #[cfg(target_arch = "x86_64")]
 fn fastsim_avx2<const M: usize>() -> Solver {
     #[target_feature(enable = "avx2")]

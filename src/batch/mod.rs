@@ -15,22 +15,25 @@ use crate::number::Float;
 use crate::number::registers::HAS_WIDE_CODE;
 use crate::status::{Error, Warning};
 
-/// Forces of many contacts: what [`forces::forces_of_contact`] gives for each of them, bit for bit. Returns the warning with the
-/// largest code.
+/// Forces of many contacts: what [`forces::forces_of_contact`] gives for each of them, bit for bit.
+/// Returns the warning with the largest code.
 ///
-/// `get` tells contact and creepage number `i`, `put` takes its solution. Where the processor has registers for several
-/// numbers, several contacts are solved side by side.
+/// `get` tells contact and creepage number `i`, `put` takes its solution. Where the processor has
+/// registers for several numbers, several contacts are solved side by side.
 ///
-/// All inputs are checked before anything is handed out: with an error nothing is. A lost contact is no error.
+/// All inputs are checked before anything is handed out: with an error nothing is. A lost contact
+/// is no error.
 ///
 /// # Errors
 /// Those of [`forces::forces_of_contact`], of the first bad input, with its number.
 ///
 /// # Example
 /// ```
-/// use kstrip::{batch::solve_batch, contact::Contact, contact::creepage::Creepage, forces::Options};
+/// use kstrip::{batch::solve_batch, forces::Options};
+/// use kstrip::contact::{Contact, creepage::Creepage};
 /// let contact = Contact {
-///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
+///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
+///     shear_modulus: 82e9, poisson_ratio: 0.28,
 ///     mismatch: 0.0,
 /// };
 /// let creepage = |i| Creepage { longitudinal: i as f64 * 1e-5, lateral: 0.0, spin: 0.0 };

@@ -1,8 +1,9 @@
-//! Many contacts at once where the processor has registers of 256 bits (AVX): four contacts side by side in double
-//! precision, eight in single precision.
+//! Many contacts at once where the processor has registers of 256 bits (AVX): four contacts side by
+//! side in double precision, eight in single precision.
 //!
-//! The road is that of one contact ([`Theory`]), with [`Lanes`](crate::number::lanes::Lanes) for numbers, whose bits are those of plain numbers;
-//! each model has code of its own, compiled for these registers.
+//! The road is that of one contact ([`Theory`]), with [`Lanes`](crate::number::lanes::Lanes) for
+//! numbers, whose bits are those of plain numbers; each model has code of its own, compiled for
+//! these registers.
 
 #![allow(unsafe_code)]
 
@@ -36,8 +37,9 @@ pub(super) fn solve<F: Float>(
     has_avx().then(|| unsafe { solve_groups(count, options, get, put) })
 }
 
-/// [`batch::differentiate_batch`] of checked contacts side by side, if the processor has wide registers and no friction falls; of models with strips
-/// the registers are full with those of one contact.
+/// [`batch::differentiate_batch`] of checked contacts side by side, if the processor has wide
+/// registers and no friction falls; of models with strips the registers are full with those of one
+/// contact.
 #[inline]
 pub(super) fn differentiate<F: Float>(
     count: usize,
@@ -52,7 +54,8 @@ pub(super) fn differentiate<F: Float>(
     together.then(|| unsafe { differentiate_groups(count, options, get, put) })
 }
 
-/// Checks inputs, those that are not ordinary by another check, if the processor has wide registers.
+/// Checks inputs, those that are not ordinary by another check, if the processor has wide
+/// registers.
 #[inline]
 pub(super) fn check<F: Float>(
     count: usize,
@@ -79,10 +82,12 @@ fn check_groups<F: Float>(
     check(whole..count)
 }
 
-/// Most that the steepness of a law may be ([`SlipFriction::least`]) without a look at each contact.
+/// Most that the steepness of a law may be ([`SlipFriction::least`]) without a look at each
+/// contact.
 const MILD: f64 = 0.47;
 
-/// Whether a few comparisons tell of contacts side by side that no check fails, and that no derivative is too large.
+/// Whether a few comparisons tell of contacts side by side that no check fails, and that no
+/// derivative is too large.
 #[inline(always)]
 fn are_ordinary<F: Float>(numbers: Range<usize>, get: &impl Fn(usize) -> Case<F>) -> bool {
     let first = numbers.start;
@@ -196,8 +201,8 @@ fn differentiate_groups<F: Float>(
     Ok(worst.worse(batch::differentiate_each(whole..count, options, get, put)?))
 }
 
-/// Whether contacts may be solved side by side: not lost ones, nor those without friction or of unlike materials, nor those of which
-/// something must be said.
+/// Whether contacts may be solved side by side: not lost ones, nor those without friction or of
+/// unlike materials, nor those of which something must be said.
 #[inline(always)]
 fn go_together<L: Real>(contact: &Contact<L>, creepage: &Creepage<L>) -> bool {
     contact.mismatch.lies_within(L::zero())

@@ -87,8 +87,8 @@ impl<F: Real> Creepage<F> {
         }
     }
 
-    /// `F_x υx + F_y υy + M_z φ` \[N\]: the power of forces `[F_x, F_y, M_z]` \[N, N, N m\] over the rolling speed;
-    /// positive where they follow the slip.
+    /// `F_x υx + F_y υy + M_z φ` \[N\]: the power of forces `[F_x, F_y, M_z]` \[N, N, N m\] over
+    /// the rolling speed; positive where they follow the slip.
     #[inline]
     pub(crate) fn power(&self, [fx, fy, mz]: [F; 3]) -> F {
         fx * self.longitudinal + fy * self.lateral + mz * self.spin
@@ -132,8 +132,8 @@ impl<T: Number> Parameters<T> {
         }
     }
 
-    /// `vx, vy = G a b (υx, υy)/(μ N)` and `φ = G (ab)^{3/2} ϕ/(μ N)`, what linear theory is written
-    /// in: `ξ = π vx/(3 (1 − ν))`, `η = π vy/3`, `ψ = (π/3) √(a/b) φ`.
+    /// `vx, vy = G a b (υx, υy)/(μ N)` and `φ = G (ab)^{3/2} ϕ/(μ N)`, what linear theory is
+    /// written in: `ξ = π vx/(3 (1 − ν))`, `η = π vy/3`, `ψ = (π/3) √(a/b) φ`.
     #[inline]
     #[must_use]
     pub fn normalised(&self) -> [T; 3] {
@@ -212,8 +212,8 @@ impl<F: Real> Units<F> {
 }
 
 impl<F: Float> Parameters<F> {
-    /// The limit of [`Parameters::new`] for vanishing friction or load: the same direction, its largest
-    /// component at [`Number::HUGE`]; zero without creepage.
+    /// The limit of [`Parameters::new`] for vanishing friction or load: the same direction, its
+    /// largest component at [`Number::HUGE`]; zero without creepage.
     #[must_use]
     pub fn sliding(contact: &Contact<F>, creepage: &Creepage<F>) -> Self {
         let direction = [

@@ -32,13 +32,13 @@ pub struct HertzContact<F> {
 /// Contact ellipse, pressure and approach under a normal load `N` \[N\].
 ///
 /// `shear_modulus` \[Pa\] and `poisson_ratio` are the combined constants of
-/// [`combine`](crate::contact::material::combine). Without load, `N ≤ 0`, the ellipse is a point: `a = b = 0`.
+/// [`combine`](crate::contact::material::combine). Without load, `N ≤ 0`, the ellipse is a point:
+/// `a = b = 0`.
 ///
 /// # Errors
 /// [`Error::Curvature`] for a zero or NaN radius, or when the bodies do not touch in an ellipse
-/// (summed curvature not positive in both directions); [`Error::Modulus`],
-/// [`Error::PoissonRatio`], [`Error::NotFinite`]; [`Error::Overflow`] when a result does not fit the
-/// floating-point type.
+/// (summed curvature not positive in both directions); [`Error::Modulus`], [`Error::PoissonRatio`],
+/// [`Error::NotFinite`]; [`Error::Overflow`] when a result does not fit the floating-point type.
 ///
 /// # Example
 /// Steel ball of 1 m radius on a plane, `a³ = 3 N R/(4 E*)`:
@@ -62,7 +62,8 @@ pub fn hertz<F: Float>(
     Form::new(radii)?.under(normal_force.max(F::zero()), modulus)
 }
 
-/// The contact of two bodies under a load \[N\], with Hertz's solution and whether the numbers are plausible.
+/// The contact of two bodies under a load \[N\], with Hertz's solution and whether the numbers are
+/// plausible.
 ///
 /// Without load, `N ≤ 0`, contact is lost: `a`, `b` and the contact's normal force are zero.
 ///
@@ -94,8 +95,9 @@ pub fn from_hertz<F: Float>(
     Ok((contact, hertz, warning))
 }
 
-/// The contact of two bodies whose distant points have come closer by `approach` \[m\]: the inverse of [`from_hertz`], as the
-/// contact search of a multibody code needs it. With its stiffness `dN/dδ = 3N/(2δ)` \[N/m\] and whether the numbers are plausible.
+/// The contact of two bodies whose distant points have come closer by `approach` \[m\]: the inverse
+/// of [`from_hertz`], as the contact search of a multibody code needs it. With its stiffness
+/// `dN/dδ = 3N/(2δ)` \[N/m\] and whether the numbers are plausible.
 ///
 /// Without approach, `δ ≤ 0`, contact is lost: `a`, `b`, normal force and stiffness are zero.
 ///
@@ -156,8 +158,8 @@ struct Form<F> {
     /// `g = s/l`
     axis_ratio: F,
     integrals: Integrals<F>,
-    /// `√(BD/(AB))` \[m\], of the integrals `B`, `D` over the curvatures: what `√(AB) = (p₀/E*)(s/(l² e²)) √{[(l/s)² E − K][K − E]}`
-    /// is in them, `l E*/p₀`.
+    /// `√(BD/(AB))` \[m\], of the integrals `B`, `D` over the curvatures: what
+    /// `√(AB) = (p₀/E*)(s/(l² e²)) √{[(l/s)² E − K][K − E]}` is in them, `l E*/p₀`.
     scale: F,
 }
 
@@ -202,7 +204,8 @@ impl<F: Float> Form<F> {
         Ok(HertzContact { a, b, peak_pressure, approach, axis_ratio, hertz_angle, rho })
     }
 
-    /// A contact that every model accepts, and whether it and the radii are plausible. Of a lost contact friction and mismatch are checked.
+    /// A contact that every model accepts, and whether it and the radii are plausible. Of a lost
+    /// contact friction and mismatch are checked.
     fn loaded(
         &self,
         [a, b]: [F; 2],

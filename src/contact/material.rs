@@ -21,8 +21,8 @@ pub struct CombinedMaterial<F> {
     pub shear_modulus: F,
     /// Combined Poisson's ratio nu \[-\], nu/G = (nu_lower/G_lower + nu_upper/G_upper)/2 (2.6).
     pub poisson_ratio: F,
-    /// Mismatch kappa \[-\] (4.3) of the two materials, for kstrip_contact: 0 for like materials; -0.07 for steel (lower) on
-    /// aluminium, -0.15 on a polymer.
+    /// Mismatch kappa \[-\] (4.3) of the two materials, for kstrip_contact: 0 for like materials;
+    /// -0.07 for steel (lower) on aluminium, -0.15 on a polymer.
     pub mismatch: F,
 }
 

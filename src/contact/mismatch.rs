@@ -1,8 +1,9 @@
 //! Unlike materials: the creepage that pressure makes (Section 4.1 neglects it).
 //!
-//! Pressure moves the surfaces of unlike half-spaces tangentially by different amounts, lower minus upper
-//! `u = −(κ/(π G)) ∫ p (x − x')/r²`, hence `div u = −(2κ/G) p`. A semi-ellipsoid of pressure is a pile of uniform ellipses, and inside
-//! each of them `∂u/∂x = −(2κ/G) p b/(a + b)`. Rolling through it is a creepage, to be added to the longitudinal one:
+//! Pressure moves the surfaces of unlike half-spaces tangentially by different amounts, lower minus
+//! upper `u = −(κ/(π G)) ∫ p (x − x')/r²`, hence `div u = −(2κ/G) p`. A semi-ellipsoid of pressure
+//! is a pile of uniform ellipses, and inside each of them `∂u/∂x = −(2κ/G) p b/(a + b)`. Rolling
+//! through it is a creepage, to be added to the longitudinal one:
 //!
 //! ```text
 //! Δυx = −c' κ N/(G a (a + b))
@@ -10,12 +11,14 @@
 //! c' = 9/(4π)                       in full slip: the mean weighted with pressure
 //! ```
 //!
-//! `∂v/∂x` is odd in `x` and `y`: no lateral part, no moment. Between adhesion and slip `c'` is a quotient of squares of linear
-//! forces (`share`) fitted to cases of CONTACT by `fit/fit_mismatch.py`: it is smaller where the pressure's own slip saturates the
-//! rear of the contact.
+//! `∂v/∂x` is odd in `x` and `y`: no lateral part, no moment. Between adhesion and slip `c'` is a
+//! quotient of squares of linear forces (`share`) fitted to cases of CONTACT by
+//! `fit/fit_mismatch.py`: it is smaller where the pressure's own slip saturates the rear of the
+//! contact.
 //!
-//! **Power.** Friction does its work on the whole slip: `P = F_x (υx + Δυx) + F_y υy + M_z φ ≥ 0`. The load supplies the part `F_x Δυx`:
-//! in unlike bodies tangential traction tilts the pressure, and the rolling motion works against the tilted pressure.
+//! **Power.** Friction does its work on the whole slip: `P = F_x (υx + Δυx) + F_y υy + M_z φ ≥ 0`.
+//! The load supplies the part `F_x Δυx`: in unlike bodies tangential traction tilts the pressure,
+//! and the rolling motion works against the tilted pressure.
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Units};
@@ -73,7 +76,8 @@ pub(crate) fn shift<T: Number>(
     -(share(forces.map(|force| force.within(FARTHEST)), adhesion) * strain)
 }
 
-/// The creepage that an ellipse sees, where pressure counts with a factor that may be a variable: one.
+/// The creepage that an ellipse sees, where pressure counts with a factor that may be a variable:
+/// one.
 #[inline]
 pub(crate) fn seen<T: Number>(
     contact: &Contact<T::Base>,
@@ -102,8 +106,8 @@ fn adhesion<F: Real>(axis_ratio: F) -> F {
     F::of(ADHESION) - axis_ratio.times(height) / axis_ratio.plus(half)
 }
 
-/// `c'` between adhesion and slip, from the linear forces of longitudinal and lateral creepage, of spin, and of the pressure, against which
-/// a creepage of the same sign acts.
+/// `c'` between adhesion and slip, from the linear forces of longitudinal and lateral creepage, of
+/// spin, and of the pressure, against which a creepage of the same sign acts.
 #[inline]
 fn share<T: Number>([lx, ly, ls, d]: [T; 4], adhesion: T::Base) -> T {
     let translation = lx.squared() + ly.squared();

@@ -24,7 +24,8 @@ pub struct Contact<F> {
     pub a: F,
     /// Semi-axis b along y \[m\], > 0.
     pub b: F,
-    /// Normal force N \[N\]. If it is <= 0 the contact is lost, and the other members only need to be finite.
+    /// Normal force N \[N\]. If it is <= 0 the contact is lost, and the other members only need to
+    /// be finite.
     pub normal_force: F,
     /// Combined shear modulus G \[Pa\] (2.6), > 0.
     pub shear_modulus: F,
@@ -32,17 +33,18 @@ pub struct Contact<F> {
     pub poisson_ratio: F,
     /// Coefficient of friction mu \[-\], >= 0.
     pub friction: F,
-    /// Mismatch kappa \[-\] of the two materials (4.3), from kstrip_material_combine(). It is 0 for like materials and positive where the lower
-    /// body is the softer one; its sign changes where the bodies are exchanged. In unlike bodies pressure makes a longitudinal creepage, so
-    /// that there is a force without creepage. The theory of 1967 neglects the mismatch.
+    /// Mismatch kappa \[-\] of the two materials (4.3), from kstrip_material_combine(). It is 0 for
+    /// like materials and positive where the lower body is the softer one; its sign changes where
+    /// the bodies are exchanged. In unlike bodies pressure makes a longitudinal creepage, so that
+    /// there is a force without creepage. The theory of 1967 neglects the mismatch.
     pub mismatch: F,
 }
 
 impl<F: Float> Contact<F> {
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::SemiAxis`], [`Error::Modulus`],
-    /// [`Error::PoissonRatio`], [`Error::Friction`]; [`Error::Overflow`] when `a/b` or `b/a`
-    /// exceeds [`Number::HUGE`](crate::number::Number::HUGE), or `μ N` or the pressure does not fit the
+    /// [`Error::NotFinite`], [`Error::SemiAxis`], [`Error::Modulus`], [`Error::PoissonRatio`],
+    /// [`Error::Friction`]; [`Error::Overflow`] when `a/b` or `b/a` exceeds
+    /// [`Number::HUGE`](crate::number::Number::HUGE), or `μ N` or the pressure does not fit the
     /// floating-point type.
     #[inline(never)]
     pub fn check(&self) -> Result<(), Error> {
@@ -65,7 +67,8 @@ impl<F: Float> Contact<F> {
 }
 
 impl<F: Real> Contact<F> {
-    /// Whether there is no contact: `N ≤ 0`. Nothing else of it counts then, as long as it is finite.
+    /// Whether there is no contact: `N ≤ 0`. Nothing else of it counts then, as long as it is
+    /// finite.
     #[must_use]
     #[inline]
     pub fn is_lost(&self) -> bool {
@@ -86,8 +89,8 @@ impl<F: Real> Contact<F> {
         self.normal_force.times(1.5 / core::f64::consts::PI) / self.a / self.b
     }
 
-    /// `G/(2 μ p₀)`, the factor of (5.13); at most [`Number::HUGE`](crate::number::Number::HUGE), also
-    /// without friction or load.
+    /// `G/(2 μ p₀)`, the factor of (5.13); at most [`Number::HUGE`](crate::number::Number::HUGE),
+    /// also without friction or load.
     #[inline]
     pub(crate) fn stiffness_ratio(&self) -> F {
         // G/(2 μ p₀) = (π/3) G a b/(μ N)
@@ -95,7 +98,8 @@ impl<F: Real> Contact<F> {
         (stiffness / (self.friction_bound() + F::TINY)).min(F::HUGE)
     }
 
-    /// The inverse of [`Contact::stiffness_ratio`]: without friction the slip is then the rigid slip.
+    /// The inverse of [`Contact::stiffness_ratio`]: without friction the slip is then the rigid
+    /// slip.
     pub(crate) fn slip_scale(&self) -> F {
         (F::one() / (self.stiffness_ratio() + F::TINY)).min(F::HUGE)
     }

@@ -1,6 +1,7 @@
 //! Numbers that no contact of two bodies has. Their usual cause is a wrong unit.
 //!
-//! The result is valid and comes with a warning that names the quantity. These quantities are tested:
+//! The result is valid and comes with a warning that names the quantity. These quantities are
+//! tested:
 //!
 //! | quantity | implausible | typical cause | ordinary contacts |
 //! |---|---|---|---|
@@ -13,14 +14,17 @@
 //! | mismatch | `\|κ\| > 0.25` | no reference there | steel on a polymer has -0.15 |
 //! | conformity | `a` or `b` over 0.3 of the smaller radius in its direction | no half-spaces there | 0.05 |
 //!
-//! **Spin.** A body of radius `R` that rolls with the contact inclined by `γ` to its axis spins with `φ = tan γ/R`, and Hertz has
-//! `a/R = (π/2)(1 − ν) p₀/G` (a circle). So `φ a G/p₀` is about `tan γ`: 3 on a wheel flange of 70 degrees, 1 in a ball bearing,
-//! and 57 times as much in degrees per metre, which is detected from `γ = 5°` on. Where the ellipse does not follow the load, a small load
-//! raises that quotient. For this reason `|φ| √(ab)` is tested as well: it is the slip by spin at the edge of the contact over the rolling
-//! speed, 0.01 on the flange and 0.05 to 0.1 in a ball bearing.
+//! **Spin.** A body of radius `R` that rolls with the contact inclined by `γ` to its axis spins
+//! with `φ = tan γ/R`, and Hertz has `a/R = (π/2)(1 − ν) p₀/G` (a circle). So `φ a G/p₀` is about
+//! `tan γ`: 3 on a wheel flange of 70 degrees, 1 in a ball bearing, and 57 times as much in degrees
+//! per metre, which is detected from `γ = 5°` on. Where the ellipse does not follow the load, a
+//! small load raises that quotient. For this reason `|φ| √(ab)` is tested as well: it is the slip
+//! by spin at the edge of the contact over the rolling speed, 0.01 on the flange and 0.05 to 0.1 in
+//! a ball bearing.
 //!
-//! Two cases cannot be detected. A creepage of 0.1 to 10 is sliding, whether or not it was meant as per cent; creep curves in per cent are
-//! detected at their end. The spin of a tread contact, 0.1 rad/m, looks in degrees like that of a flange.
+//! Two cases cannot be detected. A creepage of 0.1 to 10 is sliding, whether or not it was meant as
+//! per cent; creep curves in per cent are detected at their end. The spin of a tread contact, 0.1
+//! rad/m, looks in degrees like that of a flange.
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
@@ -41,7 +45,8 @@ const LARGEST_SEMI_AXIS: f64 = 1.0;
 const LARGEST_FRICTION: f64 = 5.0;
 /// Largest `|κ|` that was compared with the reference.
 pub(crate) const LARGEST_MISMATCH: f64 = 0.25;
-/// Largest semi-axis over the smaller radius in its direction, for bodies that count as half-spaces.
+/// Largest semi-axis over the smaller radius in its direction, for bodies that count as
+/// half-spaces.
 const LARGEST_OPENING: f64 = 0.3;
 /// `|φ| √(ab)` up to which every spin is plausible.
 const EDGE_SLIP: f64 = 0.05;
@@ -50,7 +55,8 @@ const LARGEST_INCLINATION: f64 = 5.0;
 /// Half of the least plausible value of the larger summed curvature \[1/m\].
 pub(super) const SMALLEST_CURVATURE: f64 = 0.1;
 
-/// What is implausible about a contact and its creepage, if anything; the contact is examined first. Nothing is implausible about a lost contact.
+/// What is implausible about a contact and its creepage, if anything; the contact is examined
+/// first. Nothing is implausible about a lost contact.
 #[must_use]
 pub fn implausibility<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>) -> Warning {
     let of_contact = contact.plausibility();
@@ -75,9 +81,10 @@ pub fn implausibility<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>) ->
 }
 
 impl<F: Real> Contact<F> {
-    /// Whether the numbers are of the usual sizes, 1 µm to 1 m, up to GN and TPa; of several contacts side by side, whether
-    /// all are. With creepages of such sizes no check can fail in either precision: all products and quotients lie below 1e36. A few
-    /// comparisons instead of five divisions.
+    /// Whether the numbers are of the usual sizes, 1 µm to 1 m, up to GN and TPa; of several
+    /// contacts side by side, whether all are. With creepages of such sizes no check can fail in
+    /// either precision: all products and quotients lie below 1e36. A few comparisons instead of
+    /// five divisions.
     #[inline(always)]
     pub(crate) fn is_usual(&self) -> bool {
         let Self { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch } = *self;
@@ -91,9 +98,10 @@ impl<F: Real> Contact<F> {
             && mismatch.abs().lies_within(F::of(LARGEST_MISMATCH))
     }
 
-    /// Whether the numbers and those of the creepage are of the usual sizes, so that no check can fail and [`warning`] returns nothing; for
-    /// several contacts side by side, whether this holds for all of them. The test takes a few comparisons, and refuses a few contacts that
-    /// would pass every check.
+    /// Whether the numbers and those of the creepage are of the usual sizes, so that no check can
+    /// fail and [`warning`] returns nothing; for several contacts side by side, whether this holds
+    /// for all of them. The test takes a few comparisons, and refuses a few contacts that would
+    /// pass every check.
     #[inline(always)]
     pub(crate) fn is_ordinary(&self, creepage: &Creepage<F>) -> bool {
         let Creepage { longitudinal, lateral, spin } = *creepage;
@@ -117,8 +125,9 @@ impl<F: Real> Contact<F> {
 }
 
 impl<F: Float> Contact<F> {
-    /// A spin up to which the contact [is ordinary](Contact::is_ordinary) with any `|υ|` up to 10 \[1/m\]: slightly less than the largest such
-    /// spin, or zero for a contact that is not ordinary.
+    /// A spin up to which the contact [is ordinary](Contact::is_ordinary) with any `|υ|` up to 10
+    /// \[1/m\]: slightly less than the largest such spin, or zero for a contact that is not
+    /// ordinary.
     pub(crate) fn ordinary_spin(&self) -> F {
         let load = self.normal_force.times(1.5 / PI);
         if !self.is_usual() || load > self.stiffness().times(LARGEST_PRESSURE) {
@@ -150,7 +159,8 @@ impl<F: Float> Contact<F> {
         }
     }
 
-    /// Whether a semi-axis is long beside the radii in its direction, so that the bodies are no half-spaces there.
+    /// Whether a semi-axis is long beside the radii in its direction, so that the bodies are no
+    /// half-spaces there.
     pub(super) fn is_conformal(&self, radii: &Radii<F>) -> bool {
         let Radii { lower_x, lower_y, upper_x, upper_y } = *radii;
         let opens = |axis: F, lower: F, upper: F| {

@@ -1,7 +1,7 @@
 //! The curvatures of two bodies where they touch.
 
-/// Radii of curvature of two bodies at the contact \[m\]: convex positive, flat infinite (INFINITY), concave negative. Zero
-/// and NaN are errors.
+/// Radii of curvature of two bodies at the contact \[m\]: convex positive, flat infinite
+/// (INFINITY), concave negative. Zero and NaN are errors.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Radii<F> {

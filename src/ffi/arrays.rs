@@ -22,8 +22,8 @@ pub(super) unsafe fn input<'a, T>(pointer: *const T, count: u32) -> Result<&'a [
 /// An output array, not yet initialised; may be NULL when it is empty.
 ///
 /// # Safety
-/// `pointer` is NULL, or valid and aligned for `count` writes while the slice lives, and nothing else
-/// refers to that memory.
+/// `pointer` is NULL, or valid and aligned for `count` writes while the slice lives, and nothing
+/// else refers to that memory.
 pub(super) unsafe fn output<'a, T>(
     pointer: *mut T,
     count: u32,
@@ -42,7 +42,8 @@ pub(super) unsafe fn output<'a, T>(
 /// The place of an output; none where it is not wanted.
 ///
 /// # Safety
-/// `pointer` is NULL, or valid and aligned for one write while the place lives, and nothing else refers to it.
+/// `pointer` is NULL, or valid and aligned for one write while the place lives, and nothing else
+/// refers to it.
 pub(super) unsafe fn place<'a, T>(pointer: *mut T) -> Option<&'a mut MaybeUninit<T>> {
     // SAFETY: the caller's promise.
     unsafe { pointer.cast::<MaybeUninit<T>>().as_mut() }

@@ -140,7 +140,8 @@ impl<F: Float> Batch<'_, F> {
         })
     }
 
-    /// Contact and creepage of a number below the count, with the place and the stride of the mismatch.
+    /// Contact and creepage of a number below the count, with the place and the stride of the
+    /// mismatch.
     fn get(&self, i: usize, mismatch: (*const F, isize)) -> (Contact<F>, Creepage<F>) {
         let from = self.inputs;
         // SAFETY: the promise of `solve`.

@@ -97,7 +97,8 @@ fn sorted<F: Float>(
 }
 
 /// # Safety
-/// Every pointer is NULL, or valid for as many elements as there are points while the profile lives.
+/// Every pointer is NULL, or valid for as many elements as there are points while the profile
+/// lives.
 pub(super) unsafe fn profile_of<'a, F: Float>(
     points: &ProfilePoints<F>,
 ) -> Result<Profile<'a, F>, Error> {

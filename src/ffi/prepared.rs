@@ -1,4 +1,5 @@
-//! A prepared contact as plain numbers that C stores: a mark, the frame, and what the model knows of the contact.
+//! A prepared contact as plain numbers that C stores: a mark, the frame, and what the model knows
+//! of the contact.
 
 use super::support::*;
 use crate::forces::check::find_fault;

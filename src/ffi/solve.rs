@@ -16,7 +16,8 @@ pub(super) struct OutputPlaces<'a, F: Float> {
 
 impl<F: Float> OutputPlaces<'_, F> {
     /// # Safety
-    /// Every pointer is NULL, or valid and aligned for one write, that of the strips for `capacity`; no two overlap.
+    /// Every pointer is NULL, or valid and aligned for one write, that of the strips for
+    /// `capacity`; no two overlap.
     pub(super) unsafe fn of(outputs: &Outputs<F>) -> Self {
         // SAFETY: the caller's promise.
         unsafe {

@@ -14,7 +14,8 @@ use core::mem::MaybeUninit;
 pub struct kstrip_options {
     /// One of the KSTRIP_MODEL constants.
     pub model: i32,
-    /// Number of strips: 4, 8, 16, 32 or 64; 0: 16. Models without strips check it and ignore it otherwise.
+    /// Number of strips: 4, 8, 16, 32 or 64; 0: 16. Models without strips check it and ignore it
+    /// otherwise.
     pub strips: i32,
 }
 
@@ -30,35 +31,42 @@ pub struct KalkerParameters<F> {
     pub psi: F,
 }
 
-/// Where the outputs of kstrip_evaluate() and kstrip_patch_evaluate() go. An output that is NULL is not computed and costs nothing.
+/// Where the outputs of kstrip_evaluate() and kstrip_patch_evaluate() go. An output that is NULL is
+/// not computed and costs nothing.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outputs<F> {
-    /// Forces, moment, power, adhesion: those of kstrip_solve(), bit for bit, where friction is constant.
+    /// Forces, moment, power, adhesion: those of kstrip_solve(), bit for bit, where friction is
+    /// constant.
     pub result: *mut Solution<F>,
-    /// Derivatives by creepages, load and friction. Under falling friction they include the change of friction.
+    /// Derivatives by creepages, load and friction. Under falling friction they include the change
+    /// of friction.
     pub derivatives: *mut Derivatives<F>,
     /// Derivatives by the parameters of falling friction.
     pub law_derivatives: *mut LawDerivatives<F>,
-    /// The coefficient of friction that agrees with the slip; the contact's own where friction is constant. For a
-    /// patch it is the factor that multiplies the friction of all strips, 1 where friction is constant.
+    /// The coefficient of friction that agrees with the slip; the contact's own where friction is
+    /// constant. For a patch it is the factor that multiplies the friction of all strips, 1 where
+    /// friction is constant.
     pub friction: *mut F,
-    /// What each strip carries; capacity elements. Their shares add up to the result of the same model.
+    /// What each strip carries; capacity elements. Their shares add up to the result of the same
+    /// model.
     pub strips: *mut StripResult<F>,
     /// How many strips were written; required with strips.
     pub count: *mut u32,
-    /// Size of the array strips: at least the strip count of the options; for a patch, at least its number of strips. KSTRIP_STRIPS_CAPACITY
-    /// is always enough.
+    /// Size of the array strips: at least the strip count of the options; for a patch, at least its
+    /// number of strips. KSTRIP_STRIPS_CAPACITY is always enough.
     pub capacity: u32,
     /// Reserved: zero.
     pub reserved: u32,
 }
 
-/// Where the outputs of kstrip_solve_motion() go. An output that is NULL is not computed and costs nothing.
+/// Where the outputs of kstrip_solve_motion() go. An output that is NULL is not computed and costs
+/// nothing.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionOutputs<F> {
-    /// Forces and moment on the lower body, and adhesion. The power is in watts here: fx slip_x + fy slip_y + mz spin_rate.
+    /// Forces and moment on the lower body, and adhesion. The power is in watts here: fx slip_x +
+    /// fy slip_y + mz spin_rate.
     pub result: *mut Solution<F>,
     /// Derivatives by the motion, by load and by friction.
     pub derivatives: *mut MotionDerivatives<F>,
@@ -66,17 +74,20 @@ pub struct MotionOutputs<F> {
     pub friction: *mut F,
 }
 
-/// Many contacts with their motion and their friction: for each quantity a pointer to the first one and the distance to
-/// the next in bytes, its stride. An input with stride 0 is the same for all contacts.
+/// Many contacts with their motion and their friction: for each quantity a pointer to the first one
+/// and the distance to the next in bytes, its stride. An input with stride 0 is the same for all
+/// contacts.
 ///
-/// Arrays of structures (&contacts[0].a, sizeof(kstrip_contact)) and one array for each quantity (a, sizeof(double)) are both possible. All
-/// members but mismatch and law are required, unless there are no contacts.
+/// Arrays of structures (&contacts[0].a, sizeof(kstrip_contact)) and one array for each quantity
+/// (a, sizeof(double)) are both possible. All members but mismatch and law are required, unless
+/// there are no contacts.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BatchInputs<F> {
     /// Semi-axes along x [m].
     pub a: *const F,
-    /// Stride [bytes]: distance from one semi-axis to the next. The other strides are those of the inputs before them.
+    /// Stride [bytes]: distance from one semi-axis to the next. The other strides are those of the
+    /// inputs before them.
     pub a_stride: isize,
     /// Semi-axes along y [m].
     pub b: *const F,
@@ -120,15 +131,15 @@ pub struct BatchInputs<F> {
     pub law_stride: isize,
 }
 
-/// Where the results of many contacts go: for each quantity a pointer to the first one and the distance to the next in
-/// bytes. An output that is NULL is not computed and costs nothing.
+/// Where the results of many contacts go: for each quantity a pointer to the first one and the
+/// distance to the next in bytes. An output that is NULL is not computed and costs nothing.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BatchOutputs<F> {
     /// Longitudinal forces on the lower bodies [N].
     pub fx: *mut F,
-    /// Stride [bytes]: distance from one force to the next, forward or backward. With more than one contact a stride is at least the size of
-    /// its output.
+    /// Stride [bytes]: distance from one force to the next, forward or backward. With more than one
+    /// contact a stride is at least the size of its output.
     pub fx_stride: isize,
     /// Lateral forces [N].
     pub fy: *mut F,
@@ -164,10 +175,10 @@ pub struct BatchOutputs<F> {
     pub law_derivatives_stride: isize,
 }
 
-/// A contact for which kstrip_prepare() has computed everything that does not depend on the motion. The structure holds plain numbers and no
-/// pointers, so it may be copied and kept, for this version of the library only. It begins with a mark:
-/// a structure that was never prepared, or was prepared in the other precision, gives
-/// KSTRIP_ERROR_NOT_PREPARED.
+/// A contact for which kstrip_prepare() has computed everything that does not depend on the motion.
+/// The structure holds plain numbers and no pointers, so it may be copied and kept, for this
+/// version of the library only. It begins with a mark: a structure that was never prepared, or was
+/// prepared in the other precision, gives KSTRIP_ERROR_NOT_PREPARED.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedNumbers<F: Copy> {
@@ -195,18 +206,21 @@ pub struct PatchSummary<F> {
     pub reserved: u32,
 }
 
-/// The undeformed distance of two bodies across the rolling direction, at points in ascending y. The points are smoothed over the length that
-/// kstrip_profile_contact gives.
+/// The undeformed distance of two bodies across the rolling direction, at points in ascending y.
+/// The points are smoothed over the length that kstrip_profile_contact gives.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProfilePoints<F> {
     /// OutputPlaces y [m], ascending.
     pub y: *const F,
-    /// Distance of the bodies there [m], the least along x. A constant added to all distances changes nothing.
+    /// Distance of the bodies there [m], the least along x. A constant added to all distances
+    /// changes nothing.
     pub distance: *const F,
-    /// Output along x [m] where the distance is least; bodies that yaw touch ahead on one side and behind on the other. NULL: at 0.
+    /// Output along x [m] where the distance is least; bodies that yaw touch ahead on one side and
+    /// behind on the other. NULL: at 0.
     pub centre_x: *const F,
-    /// Rolling radius [m], > 0, of each point; it replaces that of the contact. NULL: the contact's own.
+    /// Rolling radius [m], > 0, of each point; it replaces that of the contact. NULL: the contact's
+    /// own.
     pub rolling_radius: *const F,
     /// Number of points, at least 2.
     pub points: u32,
@@ -214,19 +228,21 @@ pub struct ProfilePoints<F> {
     pub reserved: u32,
 }
 
-/// Load or approach, material and friction of two profiles that are pressed together. Zero is the default of every member but rolling_radius, shear_modulus and one of
-/// normal_force and approach.
+/// Load or approach, material and friction of two profiles that are pressed together. Zero is the
+/// default of every member but rolling_radius, shear_modulus and one of normal_force and approach.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProfileOptions<F> {
-    /// Rolling radius [m], > 0; of two rolling bodies 1/R = 1/R_lower + 1/R_upper. It is ignored where the profile has its own radii.
+    /// Rolling radius [m], > 0; of two rolling bodies 1/R = 1/R_lower + 1/R_upper. It is ignored
+    /// where the profile has its own radii.
     pub rolling_radius: F,
     /// Normal force N [N], >= 0; 0: approach decides.
     pub normal_force: F,
     /// Approach of distant points of the bodies [m], >= 0; only where normal_force is 0.
     pub approach: F,
-    /// Length over which the profile is smoothed [m], >= 0. 0 stands for half the width of the contact, at most 2 mm. The length is
-    /// always at least 2.5 steps of the profile. For rough profiles set it to 4 mm.
+    /// Length over which the profile is smoothed [m], >= 0. 0 stands for half the width of the
+    /// contact, at most 2 mm. The length is always at least 2.5 steps of the profile. For rough
+    /// profiles set it to 4 mm.
     pub smoothing_length: F,
     /// Combined shear modulus G [Pa], > 0.
     pub shear_modulus: F,

@@ -9,8 +9,8 @@ use crate::status::Error;
 /// Check the inputs of [`solve`](crate::forces::forces_of_contact) without solving.
 ///
 /// # Errors
-/// Those of [`Contact::check`] and [`Creepage::check`]; [`Error::Overflow`] when a force, the moment or the power could be
-/// beyond the floating-point type.
+/// Those of [`Contact::check`] and [`Creepage::check`]; [`Error::Overflow`] when a force, the
+/// moment or the power could be beyond the floating-point type.
 #[inline]
 pub fn check<F: Float>(
     contact: &Contact<F>,
@@ -44,7 +44,8 @@ pub(crate) fn find_fault<F: Float>(
     }
 }
 
-/// Upper bounds of power, moment, force and the slip by spin: every result is a number if these are.
+/// Upper bounds of power, moment, force and the slip by spin: every result is a number if these
+/// are.
 fn range<F: Real>(contact: &Contact<F>, creepage: &Creepage<F>, model: Model) -> [F; 4] {
     let Creepage { longitudinal, lateral, spin } = *creepage;
     let Contact { a, b, .. } = *contact;
@@ -68,8 +69,8 @@ fn force_limit<F: Real>(contact: &Contact<F>, creepage: &Creepage<F>, model: Mod
     let Contact { a, b, shear_modulus, .. } = *contact;
     let longitudinal = longitudinal.abs() + contact.strain().abs();
     let creepage = longitudinal + lateral.abs() + (a + b) * spin.abs();
-    // No coefficient exceeds this: C23 grows like (a/b)^(3/2). At least one, because stiffness times lever
-    // is a factor of the moment.
+    // No coefficient exceeds this: C23 grows like (a/b)^(3/2). At least one, because stiffness
+    // times lever is a factor of the moment.
     let ratio = a / b + b / a;
     let size = creepage * (ratio * ratio.sqrt()).plus(100.0);
     shear_modulus * a * b * size.max(F::one())

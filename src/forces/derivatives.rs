@@ -6,14 +6,16 @@
 //! F(c, M) = M f(c/M)   ⇒   ∂F/∂M = f − (∂f/∂c) c      (Euler)
 //! ```
 //!
-//! so the derivatives with respect to load and friction follow from those with respect to the creepages
-//! `c = (υx, υy, φ)`, to rounding and without further dual numbers. Evaluated with `f`, which is of size
-//! one, nothing is divided by `M`: without friction or load the limit of full sliding comes out.
-//! The linear theory has no friction in it, and its derivatives with respect to both are zero.
+//! so the derivatives with respect to load and friction follow from those with respect to the
+//! creepages `c = (υx, υy, φ)`, to rounding and without further dual numbers. Evaluated with `f`,
+//! which is of size one, nothing is divided by `M`: without friction or load the limit of full
+//! sliding comes out. The linear theory has no friction in it, and its derivatives with respect to
+//! both are zero.
 //!
-//! **The load through Hertz.** In a contact of given curvatures `a` and `b` grow like `N^{1/3}` at constant `a/b`
-//! (Section 2). In `f` creepages appear as `G a b υ/(μ N) ~ N^{−1/3}` and spin as
-//! `G (ab)^{3/2} φ/(μ N) ~ N⁰`, so with `J_v` the part of the derivatives that belongs to the creepages
+//! **The load through Hertz.** In a contact of given curvatures `a` and `b` grow like `N^{1/3}` at
+//! constant `a/b` (Section 2). In `f` creepages appear as `G a b υ/(μ N) ~ N^{−1/3}` and spin as
+//! `G (ab)^{3/2} φ/(μ N) ~ N⁰`, so with `J_v` the part of the derivatives that belongs to the
+//! creepages
 //!
 //! ```text
 //! dF/dN = (F − ⅓ J_v v)/N,   dM_z/dN = (4/3 M_z − ⅓ J_v v)/N,
@@ -21,9 +23,10 @@
 //!
 //! also for the linear theory: no derivatives with respect to `a` and `b` are needed.
 //!
-//! **Unlike materials.** What pressure adds to the creepage moves with all of them: with `w = c + Δ(c, M, κ)` the derivatives by
-//! `c` are `∂F/∂w (1 + ∂Δ/∂c)`. In units of `M` it is a function of `c/M` and `κ/μ` alone, so that nothing is to be added above by
-//! load, and by friction `κ ∂F/∂κ` is taken away. The power on the slip that there is, `P = F · w`, is as homogeneous.
+//! **Unlike materials.** What pressure adds to the creepage moves with all of them: with
+//! `w = c + Δ(c, M, κ)` the derivatives by `c` are `∂F/∂w (1 + ∂Δ/∂c)`. In units of `M` it is a
+//! function of `c/M` and `κ/μ` alone, so that nothing is to be added above by load, and by friction
+//! `κ ∂F/∂κ` is taken away. The power on the slip that there is, `P = F · w`, is as homogeneous.
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
@@ -42,11 +45,13 @@ use nalgebra::Matrix3;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Derivatives<F> {
-    /// By longitudinal, lateral, spin, row by row \[N, N, N m over 1, 1, 1/m\]; at kinks of a model a one-sided value.
+    /// By longitudinal, lateral, spin, row by row \[N, N, N m over 1, 1, 1/m\]; at kinks of a model
+    /// a one-sided value.
     pub jacobian: [[F; 3]; 3],
     /// By the normal force at fixed a and b \[-, -, m\].
     pub normal_force: [F; 3],
-    /// By the normal force while a and b follow it as Hertz says: both grow like its cube root \[-, -, m\].
+    /// By the normal force while a and b follow it as Hertz says: both grow like its cube root \[-,
+    /// -, m\].
     pub load_through_hertz: [F; 3],
     /// By the coefficient of friction, that of the law where there is one \[N, N, N m\].
     pub friction: [F; 3],
@@ -67,15 +72,17 @@ impl<F: Float> Derivatives<F> {
 /// respect to them are one-sided: those of full sliding.
 ///
 /// # Errors
-/// Those of [`solve`](crate::forces::forces_of_contact); [`Error::Overflow`] also when a derivative does not fit the
-/// floating-point type.
+/// Those of [`solve`](crate::forces::forces_of_contact); [`Error::Overflow`] also when a derivative
+/// does not fit the floating-point type.
 ///
 /// # Example
 /// A sliding wheel loses braking force in proportion to its load:
 /// ```
-/// use kstrip::{contact::Contact, contact::creepage::Creepage, forces::derivatives::solve, forces::Options};
+/// use kstrip::contact::{Contact, creepage::Creepage};
+/// use kstrip::forces::{Options, derivatives::solve};
 /// let contact = Contact {
-///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
+///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
+///     shear_modulus: 82e9, poisson_ratio: 0.28,
 ///     mismatch: 0.0,
 /// };
 /// let sliding = Creepage { longitudinal: 0.1_f64, lateral: 0.0, spin: 0.0 };
@@ -190,7 +197,8 @@ impl<F: Float> Slopes<F> {
     }
 }
 
-/// [`solve`] with the derivatives by the creepages as a matrix, row by row: N, N, N m over 1, 1, 1/m.
+/// [`solve`] with the derivatives by the creepages as a matrix, row by row: N, N, N m over 1, 1,
+/// 1/m.
 ///
 /// # Errors
 /// Those of [`solve`].
@@ -228,7 +236,8 @@ fn differentiated<F: Float, M: Theory<F>>(
     (solution, Slopes::of(derivatives, shift, &seen, force))
 }
 
-/// Adds what the shift moves by load and by friction: in units of `M` it is a function of `c/M` and `κ/μ`.
+/// Adds what the shift moves by load and by friction: in units of `M` it is a function of `c/M` and
+/// `κ/μ`.
 #[cold]
 fn through_shift<F: Float>(
     derivatives: &mut Derivatives<F>,

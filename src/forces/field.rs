@@ -92,7 +92,8 @@ impl<F: Float> Field<F> {
     /// Prepare the field of a contact and a creepage.
     ///
     /// # Errors
-    /// Those of [`solve`](crate::forces::forces_of_contact); [`Error::NotInModel`] for models of totals only.
+    /// Those of [`solve`](crate::forces::forces_of_contact); [`Error::NotInModel`] for models of
+    /// totals only.
     pub fn new(
         contact: &Contact<F>,
         creepage: &Creepage<F>,
@@ -105,8 +106,8 @@ impl<F: Float> Field<F> {
             ScaledContact::of(contact).seen(creepage, options.model).0
         };
         let parameters = Parameters::new(contact, creepage);
-        // What a point dissipates: traction times slip, which is of the size of the rigid slip, and as
-        // bounded as the parameters are.
+        // What a point dissipates: traction times slip, which is of the size of the rigid slip, and
+        // as bounded as the parameters are.
         let rigid = creepage.longitudinal.abs()
             + creepage.lateral.abs()
             + (contact.a + contact.b) * creepage.spin.abs();
@@ -183,8 +184,8 @@ impl<F: Float> Field<F> {
     }
 }
 
-/// A point of a strip of STRIP in the units of the theory of 1967; the strip's half length `c` and `x` in any
-/// one unit, pressure in that in which its peak is `c`.
+/// A point of a strip of STRIP in the units of the theory of 1967; the strip's half length `c` and
+/// `x` in any one unit, pressure in that in which its peak is `c`.
 pub(crate) fn strip_point<F: Float>(
     strips: &Distribution<F>,
     geometry: &StripGeometry<F>,

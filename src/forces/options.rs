@@ -1,4 +1,5 @@
-//! What is asked of a contact and a creepage, which model and how many strips, and what is answered.
+//! What is asked of a contact and a creepage, which model and how many strips, and what is
+//! answered.
 
 use crate::contact::totals::StripCount;
 use crate::number::Float;
@@ -11,16 +12,18 @@ use crate::status::Warning;
 #[repr(i32)]
 #[non_exhaustive]
 pub enum Model {
-    /// The theory of 1967 itself, nothing fitted, with the sliding rule that the paper keeps for forces.
+    /// The theory of 1967 itself, nothing fitted, with the sliding rule that the paper keeps for
+    /// forces.
     Strip1967 = 1,
     /// The theory of 1967 with the sliding rule that joins the adhesion strips without a jump.
     Strip1967Continuous = 2,
-    /// A strip theory in Kalker's sense: the half-ellipses of 1967 in adhesion, slip along the local rigid slip, flexibilities corrected by a
-    /// small network fitted to CONTACT. Any spin: forces, moment, stick area and fields; the power is never negative.
+    /// A strip theory in Kalker's sense: the half-ellipses of 1967 in adhesion, slip along the
+    /// local rigid slip, flexibilities corrected by a small network fitted to CONTACT. Any spin:
+    /// forces, moment, stick area and fields; the power is never negative.
     #[default]
     Strip = 3,
-    /// A closed formula with a small network fitted to CONTACT. Total forces and moment only: the most accurate and, of those with
-    /// saturation, the cheapest; the power is never negative.
+    /// A closed formula with a small network fitted to CONTACT. Total forces and moment only: the
+    /// most accurate and, of those with saturation, the cheapest; the power is never negative.
     Total = 4,
     /// Linear theory: no saturation, for stability analysis.
     Linear = 5,
@@ -71,11 +74,12 @@ pub struct Solution<F> {
     pub fy: F,
     /// Moment about z at the centre of the contact \[N m\].
     pub mz: F,
-    /// Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin \[N\]: energy dissipated per metre
-    /// rolled. For unlike bodies the creepage that pressure makes is added to the longitudinal one.
+    /// Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin \[N\]: energy
+    /// dissipated per metre rolled. For unlike bodies the creepage that pressure makes is added to
+    /// the longitudinal one.
     pub power: F,
-    /// Share of the contact area in adhesion \[-\], 0 to 1. KSTRIP_MODEL_TOTAL does not know it: -1; KSTRIP_MODEL_LINEAR
-    /// has adhesion everywhere: 1.
+    /// Share of the contact area in adhesion \[-\], 0 to 1. KSTRIP_MODEL_TOTAL does not know it:
+    /// -1; KSTRIP_MODEL_LINEAR has adhesion everywhere: 1.
     pub adhesion: F,
     /// The status of this result: 0 or one of the KSTRIP_WARNING constants.
     pub warning: Warning,

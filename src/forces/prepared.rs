@@ -38,12 +38,14 @@ impl<F: Float> Prepared<F> {
     /// use kstrip::{contact::Contact, contact::creepage::Creepage, forces::{solve, Options}};
     /// use kstrip::forces::prepared::Prepared;
     /// let contact = Contact {
-    ///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
+    ///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
+    ///     shear_modulus: 82e9, poisson_ratio: 0.28,
     ///     mismatch: 0.0,
     /// };
     /// let disc = Prepared::new(&contact, &Options::default())?;
     /// for percent in 0..10 {
-    ///     let creepage = Creepage { longitudinal: f64::from(percent) / 100.0, lateral: 0.0, spin: 0.0 };
+    ///     let longitudinal = f64::from(percent) / 100.0;
+    ///     let creepage = Creepage { longitudinal, lateral: 0.0, spin: 0.0 };
     ///     assert_eq!(disc.solve(&creepage), solve(&contact, &creepage, &Options::default()));
     /// }
     /// # Ok::<(), kstrip::status::Error>(())

@@ -24,7 +24,8 @@ pub struct StripResult<F> {
     pub width: F,
     /// Half of its length along x \[m\].
     pub half_length: F,
-    /// x of the separatrix \[m\], with slip behind it and adhesion ahead of it; the leading edge if the whole strip slides.
+    /// x of the separatrix \[m\], with slip behind it and adhesion ahead of it; the leading edge if
+    /// the whole strip slides.
     pub separatrix: F,
     /// Its share of the longitudinal force \[N\].
     pub fx: F,
@@ -56,7 +57,8 @@ pub fn strips_of<F: Float>(
     Ok(if contact.is_lost() { 0 } else { options.strips as usize })
 }
 
-/// Every strip of the solution, handed to `visit`. Their shares add up to the totals of [`solve`](crate::forces::forces_of_contact).
+/// Every strip of the solution, handed to `visit`. Their shares add up to the totals of
+/// [`solve`](crate::forces::forces_of_contact).
 ///
 /// # Errors
 /// Those of [`solve`](crate::forces::forces_of_contact).

@@ -1,5 +1,6 @@
-//! From a contact and a creepage to forces: the contact in the units of the theory, what a model makes of it, and what the model answers to
-//! a creepage. Each model has code of its own, so that a program that calls one links no other.
+//! From a contact and a creepage to forces: the contact in the units of the theory, what a model
+//! makes of it, and what the model answers to a creepage. Each model has code of its own, so that a
+//! program that calls one links no other.
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters, Units};
@@ -19,15 +20,16 @@ pub(crate) use crate::total::Total;
 /// Forces for a contact and a creepage.
 ///
 /// # Errors
-/// Those of [`Contact::check`] and [`Creepage::check`]; [`Error::Overflow`] when a force or the power
-/// does not fit the floating-point type.
+/// Those of [`Contact::check`] and [`Creepage::check`]; [`Error::Overflow`] when a force or the
+/// power does not fit the floating-point type.
 ///
 /// # Example
 /// A wheel on a rail, 0.1 % longitudinal creepage:
 /// ```
 /// use kstrip::{contact::Contact, contact::creepage::Creepage, forces::{solve, Options}};
 /// let contact = Contact {
-///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
+///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
+///     shear_modulus: 82e9, poisson_ratio: 0.28,
 ///     mismatch: 0.0,
 /// };
 /// let creepage = Creepage { longitudinal: 1e-3, lateral: 0.0, spin: 0.0 };
@@ -68,7 +70,8 @@ impl<F: Real> ScaledContact<F> {
         Self { contact: *contact, radius: root_a * root_b, units: Units::of(contact) }
     }
 
-    /// The creepage that the contact sees, and what pressure adds to it in unlike bodies; nothing in like bodies and in the theory of 1967.
+    /// The creepage that the contact sees, and what pressure adds to it in unlike bodies; nothing
+    /// in like bodies and in the theory of 1967.
     #[inline(always)]
     pub(crate) fn seen(
         &self,
@@ -121,14 +124,16 @@ pub(crate) trait Theory<F: Real>: Copy {
     /// Computes everything that depends on the contact alone.
     fn of_contact(frame: &ScaledContact<F>, options: &Options) -> Self;
 
-    /// `F/(μ N)`, `M_z/(μ N √(ab))` and the share in adhesion. The linear theory has no bound `μ N` and does not use this function.
+    /// `F/(μ N)`, `M_z/(μ N √(ab))` and the share in adhesion. The linear theory has no bound `μ N`
+    /// and does not use this function.
     fn model_totals<T: Number<Base = F>>(
         &self,
         frame: &ScaledContact<F>,
         parameters: &Parameters<T>,
     ) -> Totals<T>;
 
-    /// `G a b C11`, `G a b C22`, `G (ab)^{3/2} C23`, `G (ab)² C33` for the linear theory; `None` for all other models.
+    /// `G a b C11`, `G a b C22`, `G (ab)^{3/2} C23`, `G (ab)² C33` for the linear theory; `None`
+    /// for all other models.
     #[inline]
     fn stiffness(&self) -> Option<&[F; 4]> {
         None
@@ -141,7 +146,8 @@ pub(crate) trait Theory<F: Real>: Copy {
         (frame.forces(self.model_totals(frame, &parameters)), parameters.psi)
     }
 
-    /// The forces where there is no creepage: zero, with adhesion everywhere, or unknown for TOTAL. `None` where there is creepage.
+    /// The forces where there is no creepage: zero, with adhesion everywhere, or unknown for TOTAL.
+    /// `None` where there is creepage.
     #[inline(always)]
     fn at_rest(creepage: &Creepage<F>) -> Option<Forces<F>>
     where
@@ -154,7 +160,8 @@ pub(crate) trait Theory<F: Real>: Copy {
         rests.then_some(Forces { fx: zero, fy: zero, mz: zero, adhesion })
     }
 
-    /// Forces for a contact and a creepage, as [`forces_of_contact`]: in the code of each caller, which then links no other model.
+    /// Forces for a contact and a creepage, as [`forces_of_contact`]: in the code of each caller,
+    /// which then links no other model.
     #[inline(always)]
     fn solution_of_contact(
         contact: &Contact<F>,
@@ -316,7 +323,8 @@ impl<F: Real> Theory<F> for Linear<F> {
     fn stiffness(&self) -> Option<&[F; 4]> {
         Some(&self.0)
     }
-    /// `F_x = G a b C11 υx`, `F_y = G a b (C22 υy + √(ab) C23 φ)`, `M_z = G (ab)^{3/2} (√(ab) C33 φ − C23 υy)`
+    /// `F_x = G a b C11 υx`, `F_y = G a b (C22 υy + √(ab) C23 φ)`,
+    /// `M_z = G (ab)^{3/2} (√(ab) C33 φ − C23 υy)`
     #[inline(always)]
     fn forces(&self, _: &ScaledContact<F>, creepage: &Creepage<F>) -> (Forces<F>, F) {
         let Self([x, y, coupling, z]) = *self;

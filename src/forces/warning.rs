@@ -10,7 +10,8 @@ use crate::status::Warning;
 /// Friction bound above which its square has all digits \[N\].
 const TOLD_BY_SQUARES: f64 = 1e-12;
 
-/// [`linear_warning`] of a force. Where the squares of force and bound are far enough apart, no root is needed.
+/// [`linear_warning`] of a force. Where the squares of force and bound are far enough apart, no
+/// root is needed.
 #[inline]
 pub(crate) fn linear_warning_of<F: Float>(fx: F, fy: F, bound: F) -> Warning {
     let (square, limit) = (fx * fx + fy * fy, bound * bound);
@@ -25,7 +26,8 @@ pub(crate) fn linear_warning_of<F: Float>(fx: F, fy: F, bound: F) -> Warning {
     linear_warning(length(fx, fy), bound)
 }
 
-/// What the caller of a model with a friction bound should know, and whether an input is implausible.
+/// What the caller of a model with a friction bound should know, and whether an input is
+/// implausible.
 pub(crate) fn warning_of<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
@@ -61,7 +63,8 @@ pub(crate) fn linear_warning<F: Float>(size: F, friction_bound: F) -> Warning {
     if size > friction_bound { Warning::BeyondFriction } else { Warning::None }
 }
 
-/// Range of the axis ratio for which [`Model::Strip`] and [`Model::Total`] are made, slightly widened because quotients round.
+/// Range of the axis ratio for which [`Model::Strip`] and [`Model::Total`] are made, slightly
+/// widened because quotients round.
 pub(crate) const RATIOS: [f64; 2] = [0.014_999_9, 60.000_1];
 /// Largest spin `|ψ|` for which [`Model::Strip`] is made.
 pub(crate) const LARGEST_SPIN: f64 = 3.0;

@@ -57,9 +57,10 @@ impl<'a, F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'a, F, G> {
         Ok((upper, warning))
     }
 
-    /// The only solution between two numbers, from `g(μ) − μ` at the upper one and from a first guess, by the secant method guarded by
-    /// bisection. The second result tells whether the method reached rounding. It does not where the forces jump (strips of 1967 that do
-    /// not move with the solution).
+    /// The only solution between two numbers, from `g(μ) − μ` at the upper one and from a first
+    /// guess, by the secant method guarded by bisection. The second result tells whether the method
+    /// reached rounding. It does not where the forces jump (strips of 1967 that do not move with
+    /// the solution).
     fn between(
         &self,
         mut low: F,
@@ -103,8 +104,8 @@ impl<'a, F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'a, F, G> {
         Ok((best, least_error <= best * F::EPSILON.sqrt()))
     }
 
-    /// Along `μ ← g(μ)` to the nearest solution, monotonically, with longer steps where these do not pass
-    /// it; and whether it was reached.
+    /// Along `μ ← g(μ)` to the nearest solution, monotonically, with longer steps where these do
+    /// not pass it; and whether it was reached.
     fn walk(&self, start: F, [least, largest]: [F; 2]) -> Result<(F, bool), Error> {
         let mut friction = start;
         let mut step = (self.next)(friction)? - friction;

@@ -53,8 +53,8 @@ impl<F: Float> AtFriction<F> {
     /// dF/dp = ∂F/∂p + ∂F/∂μ dμ/dp,   dμ/dp = (∂g/∂p + g' ∂s/∂p)/(1 − g' ∂s/∂μ)
     /// ```
     ///
-    /// The last of them are `κ dF/dκ`. As `F = M f(c/M, κ/μ)`, the power is `P = M² p(c/M, κ/μ)/(G a b)`, which tells how the
-    /// slip changes:
+    /// The last of them are `κ dF/dκ`. As `F = M f(c/M, κ/μ)`, the power is
+    /// `P = M² p(c/M, κ/μ)/(G a b)`, which tells how the slip changes:
     ///
     /// ```text
     /// N ∂s/∂N = (P − (∂P/∂c) c)/M,   through Hertz ⅓ (P − (∂P/∂v) v)/M,
@@ -159,7 +159,8 @@ pub fn differentiate<F: Float>(
     differentiate_checked(contact, creepage, law, options)
 }
 
-/// [`differentiate`] for a law that [`friction::check`] has accepted with the contact and the creepage.
+/// [`differentiate`] for a law that [`friction::check`] has accepted with the contact and the
+/// creepage.
 ///
 /// # Errors
 /// Those of [`differentiate`].
@@ -197,7 +198,8 @@ pub(crate) fn differentiate_checked<F: Float>(
     Ok(Differentiated { solution, friction, derivatives, law, by_mismatch })
 }
 
-/// Friction that is constant: of the law there is the slope factor alone, `F = M f(k c/M, k κ/μ)` at `k = 1`.
+/// Friction that is constant: of the law there is the slope factor alone, `F = M f(k c/M, k κ/μ)`
+/// at `k = 1`.
 pub(crate) fn without_law<F: Float>(
     derivatives: &Derivatives<F>,
     by_mismatch: [F; 3],
@@ -210,7 +212,8 @@ pub(crate) fn without_law<F: Float>(
     LawDerivatives { slope_factor, ..LawDerivatives::nothing() }
 }
 
-/// Checks the inputs of [`differentiate`], without solving but where sizes are so unusual that a derivative might not fit.
+/// Checks the inputs of [`differentiate`], without solving but where sizes are so unusual that a
+/// derivative might not fit.
 ///
 /// # Errors
 /// Those of [`differentiate`].
@@ -230,7 +233,8 @@ pub(crate) fn check<F: Float>(
             (contact.friction, F::zero())
         }
     };
-    // Slopes are those of linear theory, over the bound at most so many, and grow tenfold through friction.
+    // Slopes are those of linear theory, over the bound at most so many, and grow tenfold through
+    // friction.
     let fit = contact.is_ordinary(creepage)
         && contact.stiffness() <= Contact { friction, ..*contact }.friction_bound().times(1e6)
         && steepness < F::constant(0.9);

@@ -1,26 +1,32 @@
-//! The law of friction that falls with the slip, `μ(w) = μ₀ ((1 − A) exp(−B w) + A)`, and its derivatives.
+//! The law of friction that falls with the slip, `μ(w) = μ₀ ((1 − A) exp(−B w) + A)`, and its
+//! derivatives.
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::number::{Float, Real, are_finite};
 use crate::status::Error;
 
-/// Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) + ratio), where w is the sliding velocity
-/// \[m/s\]. A factor reduces the initial slope of the creep curve, for the layer between the bodies.
+/// Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) +
+/// ratio), where w is the sliding velocity \[m/s\]. A factor reduces the initial slope of the creep
+/// curve, for the layer between the bodies.
 ///
-/// Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m; wet 0.3, 0.4, 0.2 s/m.
+/// Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m;
+/// wet 0.3, 0.4, 0.2 s/m.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlipFriction<F> {
     /// Coefficient of friction without slip \[-\], >= 0.
     pub friction: F,
-    /// Friction at infinite sliding velocity over friction at zero velocity \[-\], 0 to 1; 1: friction is constant.
+    /// Friction at infinite sliding velocity over friction at zero velocity \[-\], 0 to 1; 1:
+    /// friction is constant.
     pub ratio: F,
     /// How fast friction falls \[s/m\], >= 0; 0: friction is constant.
     pub decay: F,
-    /// Rolling speed \[m/s\], >= 0: sliding velocity is slip times rolling speed; 0: friction is constant.
+    /// Rolling speed \[m/s\], >= 0: sliding velocity is slip times rolling speed; 0: friction is
+    /// constant.
     pub rolling_speed: F,
-    /// Initial slope of the creep curve over that of clean bodies \[-\], 0 to 1; 0 stands for 1, clean.
+    /// Initial slope of the creep curve over that of clean bodies \[-\], 0 to 1; 0 stands for 1,
+    /// clean.
     pub slope_factor: F,
 }
 
@@ -35,8 +41,8 @@ pub(crate) struct FrictionSlopes<F> {
 
 impl<F: Float> SlipFriction<F> {
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::Friction`], [`Error::FrictionRatio`], [`Error::FrictionDecay`],
-    /// [`Error::NegativeSpeed`], [`Error::SlopeFactor`].
+    /// [`Error::NotFinite`], [`Error::Friction`], [`Error::FrictionRatio`],
+    /// [`Error::FrictionDecay`], [`Error::NegativeSpeed`], [`Error::SlopeFactor`].
     pub fn check(&self) -> Result<(), Error> {
         let Self { friction, ratio, decay, rolling_speed, slope_factor } = *self;
         let inputs = [friction, ratio, decay, rolling_speed, slope_factor];
@@ -97,13 +103,15 @@ impl<F: Float> SlipFriction<F> {
 
     /// The contact at the largest friction, with the stiffness of the layer.
     pub(crate) fn contact(&self, contact: &Contact<F>) -> Contact<F> {
-        // The layer takes its share of every slip, also of that which the pressure of the solids makes: κ/G stays.
+        // The layer takes its share of every slip, also of that which the pressure of the solids
+        // makes: κ/G stays.
         let [shear_modulus, mismatch] =
             [contact.shear_modulus, contact.mismatch].map(|number| number * self.stiffness());
         Contact { friction: self.friction, shear_modulus, mismatch, ..*contact }
     }
 
-    /// The least friction that the law can give a contact in motion, and an upper bound of `g'` there: `g' ≤ B V s_max (1 − A) μ₀/μ`.
+    /// The least friction that the law can give a contact in motion, and an upper bound of `g'`
+    /// there: `g' ≤ B V s_max (1 − A) μ₀/μ`.
     pub(crate) fn least(&self, contact: &Contact<F>, creepage: &Creepage<F>) -> (F, F) {
         if !self.falls() {
             return (self.friction, F::zero());

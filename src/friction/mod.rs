@@ -1,30 +1,32 @@
 //! Friction that falls with the slip, and reduced initial slope (Polach).
 //!
-//! O. Polach, *Creep forces in simulations of traction vehicles running on adhesion limit*, Wear 258 (2005) 992:
-//! measured traction curves have a maximum, because friction falls with the sliding velocity `w`, and a
-//! flatter start than clean contacts, because of the layer between the bodies.
+//! O. Polach, *Creep forces in simulations of traction vehicles running on adhesion limit*, Wear
+//! 258 (2005) 992: measured traction curves have a maximum, because friction falls with the sliding
+//! velocity `w`, and a flatter start than clean contacts, because of the layer between the bodies.
 //!
 //! ```text
 //! μ(w) = μ₀ ((1 − A) exp(−B w) + A),   w = V s
 //! ```
 //!
-//! **The slip.** Polach takes the whole creepage for `s`, also where the contact sticks. Here `s` is the slip that there is:
-//! the mean over the contact, weighted with friction, `s = P/(μ N)`, `P` the frictional power over rolling speed.
-//! It is zero without slip and the creepage in full sliding without spin, where both agree.
-//! `s` depends on the forces, hence on `μ`, and `μ` on `s`: a scalar equation `μ = g(μ)`.
+//! **The slip.** Polach takes the whole creepage for `s`, also where the contact sticks. Here `s`
+//! is the slip that there is: the mean over the contact, weighted with friction, `s = P/(μ N)`, `P`
+//! the frictional power over rolling speed. It is zero without slip and the creepage in full
+//! sliding without spin, where both agree. `s` depends on the forces, hence on `μ`, and `μ` on `s`:
+//! a scalar equation `μ = g(μ)`.
 //!
-//! **The solution.** `s` falls as `μ` grows (but for a hair in spin near full sliding), so `g` increases: from
-//! `μ₀`, `μ ← g(μ)` falls monotonically to the largest solution, the one that is reached from adhesion. With `−μ ds/dμ ≤ s_max`, the rigid slip, `g' < 1`
-//! everywhere for all but extreme `B`; then the solution is unique and the secant method finds
-//! it in four to six solutions of the contact. Otherwise the iteration
-//! goes down from `μ₀` and up from the smallest possible `μ`, and a warning tells when they do not meet.
-//! The forces of the models of 1967 jump, or nearly do, where adhesion is born, so that `g` may be steeper than that bound: for them
-//! another solution may not be reported.
-//! Derivatives follow by the implicit function theorem, `∂s/∂μ` by homogeneity ([`derivatives`]).
+//! **The solution.** `s` falls as `μ` grows (but for a hair in spin near full sliding), so `g`
+//! increases: from `μ₀`, `μ ← g(μ)` falls monotonically to the largest solution, the one that is
+//! reached from adhesion. With `−μ ds/dμ ≤ s_max`, the rigid slip, `g' < 1` everywhere for all but
+//! extreme `B`; then the solution is unique and the secant method finds it in four to six solutions
+//! of the contact. Otherwise the iteration goes down from `μ₀` and up from the smallest possible
+//! `μ`, and a warning tells when they do not meet. The forces of the models of 1967 jump, or nearly
+//! do, where adhesion is born, so that `g` may be steeper than that bound: for them another
+//! solution may not be reported. Derivatives follow by the implicit function theorem, `∂s/∂μ` by
+//! homogeneity ([`derivatives`]).
 //!
-//! **The slope factor** `k` multiplies the shear modulus: a contact with the layer is as stiff as one of
-//! modulus `k G`. Forces depend on `G c/(μ N)` only, so the creep curve is stretched along the creepage by
-//! `1/k` and keeps its shape and its saturation; patch and pressure stay.
+//! **The slope factor** `k` multiplies the shear modulus: a contact with the layer is as stiff as
+//! one of modulus `k G`. Forces depend on `G c/(μ N)` only, so the creep curve is stretched along
+//! the creepage by `1/k` and keeps its shape and its saturation; patch and pressure stay.
 
 mod agreement;
 pub mod derivatives;
@@ -52,8 +54,9 @@ pub struct FrictionSolution<F> {
 
 /// Forces for a contact, a creepage and friction that falls with the slip.
 ///
-/// The contact's own coefficient of friction is ignored. With `A = 1`, `B = 0` or `V = 0`, and `k = 1`, the result is that of
-/// [`forces::forces_of_contact`] to the bit and costs no more. [`Model::Linear`] knows no friction: only `k` counts.
+/// The contact's own coefficient of friction is ignored. With `A = 1`, `B = 0` or `V = 0`, and
+/// `k = 1`, the result is that of [`forces::forces_of_contact`] to the bit and costs no more.
+/// [`Model::Linear`] knows no friction: only `k` counts.
 ///
 /// # Errors
 /// Those of [`forces::forces_of_contact`] and [`SlipFriction::check`].
@@ -61,9 +64,11 @@ pub struct FrictionSolution<F> {
 /// # Example
 /// A driven wheel that slips more pulls less:
 /// ```
-/// use kstrip::{contact::Contact, contact::creepage::Creepage, friction::{solve, SlipFriction}, forces::Options};
+/// use kstrip::contact::{Contact, creepage::Creepage};
+/// use kstrip::{friction::{SlipFriction, solve}, forces::Options};
 /// let contact = Contact {
-///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.0,
+///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.0,
+///     shear_modulus: 82e9, poisson_ratio: 0.28,
 ///     mismatch: 0.0,
 /// };
 /// let wet = SlipFriction {
@@ -102,8 +107,8 @@ pub(crate) fn solve_checked<F: Float>(
     Ok(FrictionSolution { solution, friction: contact.friction })
 }
 
-/// The contact with the friction that agrees with the slip and with the stiffness of the layer. Strips and fields are computed from
-/// this contact.
+/// The contact with the friction that agrees with the slip and with the stiffness of the layer.
+/// Strips and fields are computed from this contact.
 ///
 /// # Errors
 /// Those of [`solve`].

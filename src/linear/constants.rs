@@ -1,8 +1,8 @@
 //! Polynomials in x = 1/(1 + a/b) that join the slender asymptotes of the linear coefficients.
 //!
-//! Written by `fit/fit_coefficients.py` from `fit/data/kalker_coefficients.csv` (computed with CONTACT,
-//! Vollebregt, Vtech CMCC, Apache-2.0). Two polynomials side by side, lowest power of x first: for each power
-//! the pair of constant parts, then the pair of factors of ν.
+//! Written by `fit/fit_coefficients.py` from `fit/data/kalker_coefficients.csv` (computed with
+//! CONTACT, Vollebregt, Vtech CMCC, Apache-2.0). Two polynomials side by side, lowest power of x
+//! first: for each power the pair of constant parts, then the pair of factors of ν.
 // Generated: change the script, not this file.
 
 /// Denominators of C11 and C22.

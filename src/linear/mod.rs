@@ -1,14 +1,16 @@
-//! The linear theory: Kalker's creep coefficients as smooth functions of axis ratio and Poisson's ratio.
+//! The linear theory: Kalker's creep coefficients as smooth functions of axis ratio and Poisson's
+//! ratio.
 //!
-//! For vanishing creepage, with `v = G a b/(μ N)` times creepage and `φ = G (a b)^{3/2}/(μ N)` times
-//! spin, the forces in `μ N` and the moment in `μ N √(a b)` are
-//! `fx = C11 vx`, `fy = C22 vy + C23 φ`, `mz = −C23 vy + C33 φ`.
+//! For vanishing creepage, with `v = G a b/(μ N)` times creepage and `φ = G (a b)^{3/2}/(μ N)`
+//! times spin, the forces in `μ N` and the moment in `μ N √(a b)` are `fx = C11 vx`,
+//! `fy = C22 vy + C23 φ`, `mz = −C23 vy + C33 φ`.
 //!
-//! Kalker's table (Three-Dimensional Elastic Bodies in Rolling Contact, 1990, Table E.3) has three digits
-//! between `a/b = 0.1` and 10, and does not meet the slender asymptotes printed around it. Here the
-//! asymptotes are the frame: each coefficient is a quotient that becomes the asymptote at either end,
-//! and a polynomial in `x = b/(a + b)`, weighted with `x (1 − x)`, is fitted in between to values
-//! computed with CONTACT. There is no seam: every formula is one expression for all `a/b`.
+//! Kalker's table (Three-Dimensional Elastic Bodies in Rolling Contact, 1990, Table E.3) has three
+//! digits between `a/b = 0.1` and 10, and does not meet the slender asymptotes printed around it.
+//! Here the asymptotes are the frame: each coefficient is a quotient that becomes the asymptote at
+//! either end, and a polynomial in `x = b/(a + b)`, weighted with `x (1 − x)`, is fitted in between
+//! to values computed with CONTACT. There is no seam: every formula is one expression for all
+//! `a/b`.
 
 mod constants;
 
@@ -25,7 +27,8 @@ pub struct LinearCoefficients<F> {
     pub c11: F,
     /// Lateral creepage to lateral force, `C22`, positive.
     pub c22: F,
-    /// Spin to lateral force, and with the sign reversed lateral creepage to moment, `C23`, positive.
+    /// Spin to lateral force, and with the sign reversed lateral creepage to moment, `C23`,
+    /// positive.
     pub c23: F,
     /// Spin to moment, `C33`, positive.
     pub c33: F,

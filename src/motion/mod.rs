@@ -1,30 +1,35 @@
 //! Rolling forward, backward, and standstill between them.
 //!
-//! **Creepage** is slip over rolling speed, which is not defined where the wheel stands. A floor of the speed makes it finite:
+//! **Creepage** is slip over rolling speed, which is not defined where the wheel stands. A floor of
+//! the speed makes it finite:
 //!
 //! ```text
 //! V_f = √(V² + floor²),   υx, υy = slip/V_f,   φ = spin rate/V_f
 //! ```
 //!
-//! At standstill the contact is then a damper of `C/floor`, where `C` is the slope of the creep curve. With the default floor of 0.02 m/s a
-//! railway wheel that is held on a slope of 1:50 creeps at 3 µm/s.
+//! At standstill the contact is then a damper of `C/floor`, where `C` is the slope of the creep
+//! curve. With the default floor of 0.02 m/s a railway wheel that is held on a slope of 1:50 creeps
+//! at 3 µm/s.
 //!
-//! **The leading edge** is at `x > 0` forward and at `x < 0` backward. Backward rolling is forward rolling seen from the other
-//! end: turn the contact by 180 degrees about `z`, solve, turn back. With `R = diag(−1, −1, 1)`
+//! **The leading edge** is at `x > 0` forward and at `x < 0` backward. Backward rolling is forward
+//! rolling seen from the other end: turn the contact by 180 degrees about `z`, solve, turn back.
+//! With `R = diag(−1, −1, 1)`
 //!
 //! ```text
 //! F₊(c) = F(c),   F₋(c) = R F(R c),   F = w(V) F₊ + w(−V) F₋,   w = (2 + 3t − t³)/4,   t = V/(3 floor)
 //! ```
 //!
-//! `w` is 1 from `t = 1` on, so that beyond three floors only one end leads. Between, forces and all derivatives are continuous. The forces of
-//! both ends oppose the slip and keep the bound, hence their mean does: power `F · slip + M_z · spin rate ≥ 0`, `|F| ≤ μ N`. Motion
-//! turned by 180 degrees gives turned forces, to the bit.
+//! `w` is 1 from `t = 1` on, so that beyond three floors only one end leads. Between, forces and
+//! all derivatives are continuous. The forces of both ends oppose the slip and keep the bound,
+//! hence their mean does: power `F · slip + M_z · spin rate ≥ 0`, `|F| ≤ μ N`. Motion turned by 180
+//! degrees gives turned forces, to the bit.
 //!
-//! **Unlike materials.** The slip velocity that pressure adds is `V Δυx`: it is proportional to the rolling speed and changes its sign with it.
-//! So the mismatch is `±κ V/V_f` at the two ends and zero at standstill, and the forces of both ends oppose the same slip.
+//! **Unlike materials.** The slip velocity that pressure adds is `V Δυx`: it is proportional to the
+//! rolling speed and changes its sign with it. So the mismatch is `±κ V/V_f` at the two ends and
+//! zero at standstill, and the forces of both ends oppose the same slip.
 //!
-//! **Falling friction** takes `V_f` for its rolling speed. Friction falls with the slip velocity, at standstill too. Each end
-//! has the friction that agrees with its own slip.
+//! **Falling friction** takes `V_f` for its rolling speed. Friction falls with the slip velocity,
+//! at standstill too. Each end has the friction that agrees with its own slip.
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
@@ -39,12 +44,15 @@ use crate::status::{Error, Warning};
 const FLOOR: f64 = 0.02;
 /// Rolling speed over the floor beyond which only one end of the contact leads.
 const BLENDED: f64 = 3.0;
-/// Share of the mismatch that is used at standstill, where its derivative is wanted: forces are linear in so small a mismatch.
+/// Share of the mismatch that is used at standstill, where its derivative is wanted: forces are
+/// linear in so small a mismatch.
 const STANDSTILL: f64 = 1e-9;
-/// Least speed at which the plausibility of creepages is judged \[m/s\]: below this speed any slip is plausible.
+/// Least speed at which the plausibility of creepages is judged \[m/s\]: below this speed any slip
+/// is plausible.
 const JUDGED: f64 = 1.0;
 
-/// How the upper body moves over the lower one at the contact, in axes that stay when the motion reverses.
+/// How the upper body moves over the lower one at the contact, in axes that stay when the motion
+/// reverses.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion<F> {
@@ -56,7 +64,8 @@ pub struct Motion<F> {
     pub spin_rate: F,
     /// Rolling speed \[m/s\]: positive along x, negative backward, zero at standstill.
     pub rolling_speed: F,
-    /// Floor of the speed \[m/s\], >= 0: creepages are slip over sqrt(rolling_speed^2 + floor_speed^2). 0 stands for 0.02.
+    /// Floor of the speed \[m/s\], >= 0: creepages are slip over sqrt(rolling_speed^2 +
+    /// floor_speed^2). 0 stands for 0.02.
     pub floor_speed: F,
 }
 
@@ -82,18 +91,21 @@ pub struct MotionDerivatives<F> {
     pub slope_factor: [F; 3],
 }
 
-/// Forces of a contact that rolls forward, backward or not at all, with the power in watts, `F · slip + M_z · spin rate`; and
-/// the coefficient of friction. The rolling speed of the law is not used.
+/// Forces of a contact that rolls forward, backward or not at all, with the power in watts,
+/// `F · slip + M_z · spin rate`; and the coefficient of friction. The rolling speed of the law is
+/// not used.
 ///
 /// # Errors
-/// Those of [`forces::forces_of_contact`] and, with a law, [`friction::solve`]; [`Error::NotFinite`], [`Error::FloorSpeed`].
+/// Those of [`forces::forces_of_contact`] and, with a law, [`friction::solve`];
+/// [`Error::NotFinite`], [`Error::FloorSpeed`].
 ///
 /// # Example
 /// A wheel that stands on a slope creeps, and one that rolls back is braked:
 /// ```
 /// use kstrip::{contact::Contact, forces::Options, motion::{solve, Motion}};
 /// let contact = Contact {
-///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
+///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
+///     shear_modulus: 82e9, poisson_ratio: 0.28,
 ///     mismatch: 0.0,
 /// };
 /// let creeps = Motion { slip_x: 5e-6, ..Motion::default() };
@@ -127,7 +139,8 @@ pub fn solve<F: Float>(
 /// [`solve`] with derivatives by everything.
 ///
 /// # Errors
-/// Those of [`solve`]; [`Error::Overflow`] also when a derivative does not fit the floating-point type.
+/// Those of [`solve`]; [`Error::Overflow`] also when a derivative does not fit the floating-point
+/// type.
 pub fn differentiate<F: Float>(
     contact: &Contact<F>,
     motion: &Motion<F>,
@@ -193,8 +206,9 @@ impl<F: Float> Rolling<F> {
         Ok(Self { motion: *motion, speed, speed_by_rolling, shares, share_slope, creepage })
     }
 
-    /// The results for forward rolling, and for backward rolling in axes turned by 180 degrees; the argument of the function tells whether
-    /// the axes are turned. Where only one end leads, both results are those of this end, and one of them has a share of zero.
+    /// The results for forward rolling, and for backward rolling in axes turned by 180 degrees; the
+    /// argument of the function tells whether the axes are turned. Where only one end leads, both
+    /// results are those of this end, and one of them has a share of zero.
     pub(crate) fn each_end<S: Copy>(
         &self,
         solve: impl Fn(&Creepage<F>, bool) -> Result<S, Error>,
@@ -211,7 +225,8 @@ impl<F: Float> Rolling<F> {
         Ok([solve(&self.creepage, false)?, solve(&turned, true)?])
     }
 
-    /// [`Self::each_end`] of a contact, of which the ends see the mismatch `±κ V/V_f`, of this ratio.
+    /// [`Self::each_end`] of a contact, of which the ends see the mismatch `±κ V/V_f`, of this
+    /// ratio.
     fn each<S: Copy>(
         &self,
         contact: &Contact<F>,

@@ -1,20 +1,23 @@
 //! The normal problem on cells: pressure and outline of a patch under a load or an approach.
 //!
-//! The bodies are half-spaces that are `h(y) + x²/(2 R)` apart. The pressure of a cell is a half-ellipse over its length
-//! `2 a_i` with the peak `p_i`. Length and peak follow from two conditions on the cell's middle line, with the sums of `influence`
-//! over all cells of all zones:
+//! The bodies are half-spaces that are `h(y) + x²/(2 R)` apart. The pressure of a cell is a
+//! half-ellipse over its length `2 a_i` with the peak `p_i`. Length and peak follow from two
+//! conditions on the cell's middle line, with the sums of `influence` over all cells of all zones:
 //!
 //! ```text
 //! u_i = Σ_j A_ij a_j p_j/(π E*) = δ − h_i        the bodies touch               (linear in p, p ≥ 0)
 //! −∂²u_i/∂x² = Σ_j C_ij p_j/(a_j π E*) = 1/R_i   and keep touching along x      (gives a)
 //! ```
 //!
-//! The first condition is solved directly for given lengths. Cells that would pull are removed and cells whose bodies would
-//! overlap are added, until neither happens. The second condition then corrects the lengths. On a long cell its left-hand side goes with
-//! `1/a²`, so that a step multiplies `a` by the root of the quotient of both sides, or by a little less where the neighbours move as well.
+//! The first condition is solved directly for given lengths. Cells that would pull are removed and
+//! cells whose bodies would overlap are added, until neither happens. The second condition then
+//! corrects the lengths. On a long cell its left-hand side goes with `1/a²`, so that a step
+//! multiplies `a` by the root of the quotient of both sides, or by a little less where the
+//! neighbours move as well.
 //!
-//! The end of a zone may cut a cell to the share `r`. The pressure of such a cell is coupled to that of its neighbour in the zone,
-//! `u_i + κ (p_i − p_k) = δ − h_i` with `κ = 0.3 w (1 − r)²/r`, and takes the neighbour's value as its width vanishes.
+//! The end of a zone may cut a cell to the share `r`. The pressure of such a cell is coupled to
+//! that of its neighbour in the zone, `u_i + κ (p_i − p_k) = δ − h_i` with `κ = 0.3 w (1 − r)²/r`,
+//! and takes the neighbour's value as its width vanishes.
 
 use crate::normal::influence::{Curvature, Deflection, StripEdge};
 pub use crate::normal::layout::CELLS;
@@ -26,7 +29,8 @@ use core::f64::consts::FRAC_PI_2;
 use core::marker::PhantomData;
 use heapless::Vec;
 
-/// Rounds in which cells are removed and added; one or two are usual. In later rounds cells are only removed.
+/// Rounds in which cells are removed and added; one or two are usual. In later rounds cells are
+/// only removed.
 const ENTERING: usize = 12;
 const ROUNDS: usize = ENTERING + CELLS;
 
@@ -37,8 +41,9 @@ pub enum Given<F> {
     Load(F),
     /// Approach of distant points of the two bodies \[m\]; none or a negative one is no contact.
     Approach(F),
-    /// By how much the bodies are moved into each other from where their lowest point touches \[m\]: the approach is this less
-    /// the height of the smoothed profile there, and the stiffness is the derivative by the overlap.
+    /// By how much the bodies are moved into each other from where their lowest point touches
+    /// \[m\]: the approach is this less the height of the smoothed profile there, and the stiffness
+    /// is the derivative by the overlap.
     Overlap(F),
 }
 
@@ -115,7 +120,8 @@ pub(crate) struct Cells<F> {
 }
 
 impl<F: Float> Cells<F> {
-    /// Cells at their places; `of` gives distance, rolling radius and half length of each, and whether it may touch.
+    /// Cells at their places; `of` gives distance, rolling radius and half length of each, and
+    /// whether it may touch.
     pub(super) fn place(
         &mut self,
         places: &CellPlaces<F>,
@@ -158,7 +164,8 @@ impl<F: Float> Cells<F> {
         sum / weight
     }
 
-    /// Finds the pressures for the present lengths and a given load `N/(π E*)` or approach; returns the approach.
+    /// Finds the pressures for the present lengths and a given load `N/(π E*)` or approach; returns
+    /// the approach.
     #[inline(never)]
     pub(crate) fn press(
         &mut self,
@@ -294,8 +301,8 @@ impl<F: Float> Cells<F> {
         approach
     }
 
-    /// Corrects the lengths for the present pressures, by a power of the quotient of both sides of the second condition; also those of cells
-    /// that do not touch, as if they were about to.
+    /// Corrects the lengths for the present pressures, by a power of the quotient of both sides of
+    /// the second condition; also those of cells that do not touch, as if they were about to.
     #[inline(never)]
     pub(crate) fn correct(&mut self, power: WithSlope<F>) {
         let (less, more) = (WithSlope::one() - power, WithSlope::one() + power);
@@ -310,7 +317,8 @@ impl<F: Float> Cells<F> {
             });
         }
         for (cell, curvature) in self.list.iter_mut().zip(curvatures) {
-            // the power of c as its Padé approximant, which keeps the correction within a factor of 4 for every c
+            // the power of c as its Padé approximant, which keeps the correction within a factor of
+            // 4 for every c
             let c = (curvature * cell.rolling_radius).max(WithSlope::zero());
             cell.half_length = cell.half_length * ((c * more + less) / (c * less + more));
         }
@@ -342,8 +350,9 @@ impl<F: Float> Edges<F> {
         }
     }
 
-    /// The differences of an odd function of `t = d/a` between the distances of the edges from each cell's place. Where cells as
-    /// wide as this one are neighbours, one's lower edge is as far as the other's upper edge.
+    /// The differences of an odd function of `t = d/a` between the distances of the edges from each
+    /// cell's place. Where cells as wide as this one are neighbours, one's lower edge is as far as
+    /// the other's upper edge.
     fn across<E: StripEdge>(&self, cells: &[Cell<F>], mut take: impl FnMut(WithSlope<F>)) {
         let width = (self.upper - self.lower).value;
         let near =
@@ -411,8 +420,8 @@ fn product<F: Float>(x: &[F], y: &[F]) -> F {
     x.iter().zip(y).fold(F::zero(), |sum, (x, y)| sum + *x * *y)
 }
 
-/// Gauss's elimination without pivots of the rows and columns listed: the diagonal is the largest of its row. Below it stand the
-/// factors.
+/// Gauss's elimination without pivots of the rows and columns listed: the diagonal is the largest
+/// of its row. Below it stand the factors.
 fn factorise<F: Float>(matrix: &mut Matrix<F>, active: &[usize], count: usize) {
     let full = active.len();
     for (order, k) in active.iter().enumerate() {

@@ -1,14 +1,16 @@
 //! How closely the cells of the normal problem lie along the zones of contact.
 //!
-//! The depth `d` of a place is by how much a function that is negative in a zone is less than zero there. The **density** of cells is
+//! The depth `d` of a place is by how much a function that is negative in a zone is less than zero
+//! there. The **density** of cells is
 //!
 //! ```text
 //! ρ = min(1, d/d₀ + (l dd/dy/d₀)²)      d₀ = 0.03 δ, l = s/10
 //! ```
 //!
-//! with the approach `δ` and the smoothing length `s`. Cells of a contact of ordinary shape are therefore of one width. A zone that has
-//! just appeared, or a wide margin where the bodies hardly touch, takes few cells from the others, and zones part and merge where there are hardly any. So no cell moves as fast as the
-//! end of a zone does that appears or merges.
+//! with the approach `δ` and the smoothing length `s`. Cells of a contact of ordinary shape are
+//! therefore of one width. A zone that has just appeared, or a wide margin where the bodies hardly
+//! touch, takes few cells from the others, and zones part and merge where there are hardly any. So
+//! no cell moves as fast as the end of a zone does that appears or merges.
 
 use crate::normal::profile::WithSlope;
 use crate::number::{Arithmetic, Float};
@@ -110,7 +112,8 @@ impl<F: Float> Zones<F> {
         }
     }
 
-    /// Forgets all zones; depths are measured with the approach \[m\], slopes with the smoothing length \[m\].
+    /// Forgets all zones; depths are measured with the approach \[m\], slopes with the smoothing
+    /// length \[m\].
     pub fn clear(&mut self, approach: WithSlope<F>, smoothing: WithSlope<F>) {
         self.list.clear();
         self.places.clear();
@@ -119,7 +122,8 @@ impl<F: Float> Zones<F> {
         self.begun = None;
     }
 
-    /// A zone begins at `y`, where the function has this value and slope. Without room the last zone goes on instead.
+    /// A zone begins at `y`, where the function has this value and slope. Without room the last
+    /// zone goes on instead.
     pub fn begin(&mut self, y: WithSlope<F>, of: [WithSlope<F>; 2]) {
         let known = self.places.len();
         let room = !self.list.is_full() && known + 3 <= PLACES;
@@ -128,8 +132,8 @@ impl<F: Float> Zones<F> {
         self.pass(y, of);
     }
 
-    /// The function has this value and slope at `y`, in the zone that has begun or at its end. (Of places where cells are as narrow as
-    /// anywhere only the first and the last are kept.)
+    /// The function has this value and slope at `y`, in the zone that has begun or at its end. (Of
+    /// places where cells are as narrow as anywhere only the first and the last are kept.)
     #[inline(never)]
     pub fn pass(&mut self, y: WithSlope<F>, [value, slope]: [WithSlope<F>; 2]) {
         let Some(begun) = self.begun else { return };

@@ -1,8 +1,9 @@
-//! An estimate of load and deflection for an approach, made before the normal problem is solved. The overlap of the undeformed bodies
-//! gives the shape of the load, and the least energy its size.
+//! An estimate of load and deflection for an approach, made before the normal problem is solved.
+//! The overlap of the undeformed bodies gives the shape of the load, and the least energy its size.
 //!
-//! The load per width is `f q`, `q = (0.6 δ − h)₊`. With line loads that act at the distance `√(d² + ε²)`, `ε` about a third of the
-//! half length, the deflection is `u = Σ f q w K/(π E*)`, `K = [arsinh((d ± w/2)/ε)]/w`, and of all sizes
+//! The load per width is `f q`, `q = (0.6 δ − h)₊`. With line loads that act at the distance
+//! `√(d² + ε²)`, `ε` about a third of the half length, the deflection is `u = Σ f q w K/(π E*)`,
+//! `K = [arsinh((d ± w/2)/ε)]/w`, and of all sizes
 //!
 //! ```text
 //! N = f Σ q w,   f = π E* Σ q w (δ − h)/Σ q w K q w
@@ -18,7 +19,8 @@ use crate::number::registers::with_avx;
 use crate::number::{Arithmetic, Float, Strips};
 use heapless::Vec;
 
-/// Share of the approach: undeformed bodies that are shifted by so much overlap about where they touch.
+/// Share of the approach: undeformed bodies that are shifted by so much overlap about where they
+/// touch.
 pub(super) const OVERLAP: f64 = 0.6;
 /// `ε/√(1.1 R δ)`
 const BREADTH: f64 = 0.22;
@@ -54,7 +56,8 @@ impl<F: Float> Estimate<F> {
         Self { load: zero, edges: Vec::new(), growth: Vec::new(), breadth: zero }
     }
 
-    /// The estimate for an approach, from none. (It is written where it stays: a copy would take room on the stack.)
+    /// The estimate for an approach, from none. (It is written where it stays: a copy would take
+    /// room on the stack.)
     #[inline(never)]
     pub fn fill(&mut self, curve: &Curve<F>, approach: WithSlope<F>, radius: WithSlope<F>) {
         let level = approach.times(OVERLAP);
@@ -125,7 +128,8 @@ impl<F: Float> Estimate<F> {
             let x = distance * P::all(inverse.value);
             let moved = (P::all(y_moved) - edge_moved) * P::all(inverse.value)
                 + distance * P::all(inverse_moved);
-            // arsinh x = ln(|x| + √(1 + x²)) with the sign of x, its slope 1/√(1 + x²), and the slope of that
+            // arsinh x = ln(|x| + √(1 + x²)) with the sign of x, its slope 1/√(1 + x²), and the
+            // slope of that
             let root = (x.squared() + one).sqrt();
             let slope = one / root;
             let bend = -(x * slope * slope.squared());

@@ -1,17 +1,19 @@
 //! Deflection of a half-space under a strip of half-elliptic pressure.
 //!
-//! A strip of half length `a` carries `p √(1 − (x/a)²)`. Over its own width it acts at the distance `d` on the line `x = 0` of
-//! another strip, by Boussinesq's `u = ∫∫ p/(π E* r) dA`. The deflection there and its curvature along `x` are each the difference of
-//! an odd function of `t = d/a` between the strip's two edges:
+//! A strip of half length `a` carries `p √(1 − (x/a)²)`. Over its own width it acts at the distance
+//! `d` on the line `x = 0` of another strip, by Boussinesq's `u = ∫∫ p/(π E* r) dA`. The deflection
+//! there and its curvature along `x` are each the difference of an odd function of `t = d/a`
+//! between the strip's two edges:
 //!
 //! ```text
 //! π E* u      = p a [A(t)],    A(t) = ∫ √(1 − ξ²) arsinh(t/|ξ|) dξ,   −1 < ξ < 1
 //! −π E* ∂²u/∂x² = (p/a) [C(t)],  C(t) = 2 k K(k'),   k = t/√(1 + t²),  k' = 1/√(1 + t²)
 //! ```
 //!
-//! `A` grows like `(π/2) ln t`. `C` tends to `π`, so that the curvature of an infinitely wide strip is that of the plane problem,
-//! `2 p/(a E*)`. Both are fitted as `v (P(v) + w^q Q(v) ln t)` with `v = t/(1 + t)`, `w = 1/(1 + t)`, by
-//! `fit/fit_influence.py`. The slopes are the derivatives of the fits.
+//! `A` grows like `(π/2) ln t`. `C` tends to `π`, so that the curvature of an infinitely wide strip
+//! is that of the plane problem, `2 p/(a E*)`. Both are fitted as `v (P(v) + w^q Q(v) ln t)` with
+//! `v = t/(1 + t)`, `w = 1/(1 + t)`, by `fit/fit_influence.py`. The slopes are the derivatives of
+//! the fits.
 
 use crate::number::Arithmetic;
 
@@ -21,7 +23,8 @@ pub(crate) trait StripEdge {
     const WITH_LOG: [f64; 6];
     const FADING: u8;
 
-    /// The value and `t` times its slope, at a positive `t` of which `w = 1/(1 + t)` and the logarithm are known.
+    /// The value and `t` times its slope, at a positive `t` of which `w = 1/(1 + t)` and the
+    /// logarithm are known.
     #[inline(always)]
     fn at<T: Arithmetic>(t: T, w: T, log: T) -> [T; 2] {
         let v = t * w;

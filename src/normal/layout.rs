@@ -1,15 +1,16 @@
 //! Where the cells of the normal problem lie.
 //!
-//! All zones are laid end to end, and the integral of the [density](super::density) of cells over them is divided into equal parts. A cell
-//! is cut where a zone ends. The cells do not depend on where the points of the profile lie.
+//! All zones are laid end to end, and the integral of the [density](super::density) of cells over
+//! them is divided into equal parts. A cell is cut where a zone ends. The cells do not depend on
+//! where the points of the profile lie.
 
 use crate::normal::density::{ZONES, Zones};
 use crate::normal::profile::WithSlope;
 use crate::number::{Arithmetic, Float};
 use heapless::Vec;
 
-/// Largest number of cells of the normal problem. On a microcontroller there are fewer, so that patches asked for with 32 and 64 strips
-/// have fewer.
+/// Largest number of cells of the normal problem. On a microcontroller there are fewer, so that
+/// patches asked for with 32 and 64 strips have fewer.
 pub const CELLS: usize = if cfg!(target_os = "none") { 20 } else { 48 };
 /// The place of a cell, or of a part of one, on the line `x = 0`.
 #[derive(Clone, Copy, Debug)]
@@ -18,10 +19,11 @@ pub(super) struct CellPlace<F> {
     pub y: WithSlope<F>,
     /// Its width \[m\].
     pub width: WithSlope<F>,
-    /// Where the conditions of contact hold \[m\]: at the middle; of two parts of one cell with hardly a gap between them, at the middle
-    /// of both.
+    /// Where the conditions of contact hold \[m\]: at the middle; of two parts of one cell with
+    /// hardly a gap between them, at the middle of both.
     pub at: WithSlope<F>,
-    /// How strongly the pressure is coupled to that of the place before and to that of the place after, `κ` \[m\].
+    /// How strongly the pressure is coupled to that of the place before and to that of the place
+    /// after, `κ` \[m\].
     pub coupling: [WithSlope<F>; 2],
     /// Share of a whole cell.
     share: WithSlope<F>,
@@ -38,8 +40,9 @@ const NEAR: f64 = 0.5;
 
 pub(super) type CellPlaces<F> = Vec<CellPlace<F>, CELLS>;
 
-/// At most `count` cells, and one more for each zone but the first: the density of the zones decides how wide they are. (The cells are
-/// written where they stay: a copy would take room on the stack.) Returns the integral of the density.
+/// At most `count` cells, and one more for each zone but the first: the density of the zones
+/// decides how wide they are. (The cells are written where they stay: a copy would take room on the
+/// stack.) Returns the integral of the density.
 #[inline(never)]
 pub(super) fn layout<F: Float>(
     zones: &Zones<F>,
@@ -104,9 +107,11 @@ struct Cut<F> {
     zone: usize,
 }
 
-/// Couples the pressures of parts of cells, so that parts vanish and merge without a jump. A part `r` of a cell is coupled to its
-/// neighbour in the zone with `κ = 0.3 w (1 − r)²/r`. Two parts of one cell with a gap `g` between them, `φ = g²/(g² + w²/4)`, are
-/// coupled to each other with `0.3 w (1 − φ)/φ`, to their zones less by the factor `φ`, and meet the bodies where both together would.
+/// Couples the pressures of parts of cells, so that parts vanish and merge without a jump. A part
+/// `r` of a cell is coupled to its neighbour in the zone with `κ = 0.3 w (1 − r)²/r`. Two parts of
+/// one cell with a gap `g` between them, `φ = g²/(g² + w²/4)`, are coupled to each other with
+/// `0.3 w (1 − φ)/φ`, to their zones less by the factor `φ`, and meet the bodies where both
+/// together would.
 #[inline(never)]
 pub(super) fn lean<F: Float>(places: &mut CellPlaces<F>) {
     let (zero, one) = (WithSlope::zero(), WithSlope::one());

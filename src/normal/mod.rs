@@ -1,16 +1,18 @@
-//! A contact patch from profiles: the distance of two bodies across the rolling direction, and what presses them together.
+//! A contact patch from profiles: the distance of two bodies across the rolling direction, and what
+//! presses them together.
 //!
-//! 1. **Approach**: a first guess of the approach `δ` and of the contact's width, from the overlap of the undeformed bodies when they
-//!    are shifted by `0.55 δ` ([`Profile`]).
-//! 2. **Smoothing** over a length that follows from this width. Without smoothing the noise of measured points would act like
-//!    asperities (`Curve`).
+//! 1. **Approach**: a first guess of the approach `δ` and of the contact's width, from the overlap
+//!    of the undeformed bodies when they are shifted by `0.55 δ` ([`Profile`]).
+//! 2. **Smoothing** over a length that follows from this width. Without smoothing the noise of
+//!    measured points would act like asperities (`Curve`).
 //! 3. **Estimate** of load and deflection by the least energy (`Estimate`), which gives `δ` again.
 //! 4. **Zones** where `h + 0.73 u < δ`, laid end to end, and cells on them (`layout`).
-//! 5. The [normal problem](cells) on the cells. The pressures are solved for, then the lengths are corrected; this is done twice,
-//!    and the pressures are solved for once more.
+//! 5. The [normal problem](cells) on the cells. The pressures are solved for, then the lengths are
+//!    corrected; this is done twice, and the pressures are solved for once more.
 //!
-//! Every number carries its derivative by the given load or approach, and no branch changes a value where it switches. Therefore load,
-//! approach and strips are continuous functions of load, approach and distances, and the stiffness is the derivative of the computed load.
+//! Every number carries its derivative by the given load or approach, and no branch changes a value
+//! where it switches. Therefore load, approach and strips are continuous functions of load,
+//! approach and distances, and the stiffness is the derivative of the computed load.
 
 pub mod cells;
 mod density;
@@ -36,9 +38,11 @@ use crate::status::{Error, Warning};
 use core::f64::consts::PI;
 use heapless::Vec;
 
-/// Share of the estimated deflection that lies between the undeformed bodies at the edge of the contact.
+/// Share of the estimated deflection that lies between the undeformed bodies at the edge of the
+/// contact.
 const DEFLECTED: f64 = 0.73;
-/// Largest height above the lowest point, over the first guess of the approach, at which the curve has knots.
+/// Largest height above the lowest point, over the first guess of the approach, at which the curve
+/// has knots.
 const REACH: f64 = 1.6;
 /// Number of corrections of the lengths.
 const PASSES: usize = 2;
@@ -47,7 +51,8 @@ const POWER: f64 = 0.94;
 /// Least square of a half length, over `R δ`.
 const LEAST_SQUARE: f64 = 0.06;
 
-/// Pressure over length, in units of the mean of the patch, below which a strip is shortened, and the least share that is left of its length.
+/// Pressure over length, in units of the mean of the patch, below which a strip is shortened, and
+/// the least share that is left of its length.
 const LEAST_SLOPE: f64 = 0.25;
 const LEAST_LENGTH: f64 = 1e-3;
 
@@ -64,8 +69,9 @@ pub struct ProfileContact<F> {
     pub poisson_ratio: F,
     /// Coefficient of friction `μ` of every strip, not negative.
     pub friction: F,
-    /// Smoothing length `s` \[m\], not negative. Zero: half the width of the contact and at most 2 mm. It is always at least 2.5 steps of
-    /// the profile. Narrower details are rounded off. Twice the length halves the effect of a noise of 3 µm on the peak pressure.
+    /// Smoothing length `s` \[m\], not negative. Zero: half the width of the contact and at most 2
+    /// mm. It is always at least 2.5 steps of the profile. Narrower details are rounded off. Twice
+    /// the length halves the effect of a noise of 3 µm on the peak pressure.
     pub smoothing_length: F,
 }
 
@@ -117,7 +123,8 @@ impl<F: Float> ProfileContact<F> {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Indentation<F> {
-    /// Approach of distant points of the two bodies \[m\] from where they touch: at the lowest point of the smoothed profile.
+    /// Approach of distant points of the two bodies \[m\] from where they touch: at the lowest
+    /// point of the smoothed profile.
     pub approach: F,
     /// Normal force of the strips \[N\]. If a load is given, it is that load to rounding.
     pub normal_force: F,
@@ -129,9 +136,11 @@ pub struct Indentation<F> {
     pub peak_y: F,
     /// Steps of the two searches for the approach, at most 60 each.
     pub iterations: u32,
-    /// The status of this result: 0, or KSTRIP_WARNING_PROFILE_END where a zone of contact ends with the profile.
+    /// The status of this result: 0, or KSTRIP_WARNING_PROFILE_END where a zone of contact ends
+    /// with the profile.
     pub warning: Warning,
-    /// Distance at that lowest point \[m\], or of the given points without contact: the bodies have moved by approach + lowest.
+    /// Distance at that lowest point \[m\], or of the given points without contact: the bodies have
+    /// moved by approach + lowest.
     pub lowest: F,
 }
 
@@ -214,7 +223,8 @@ impl<F: Float> Indentation<F> {
         }
         let slope = cells.mean_slope().times(LEAST_SLOPE);
         for cell in cells.list.iter().filter(|cell| cell.pressure.value > F::zero()) {
-            // the same load on less: the length of a strip that begins to touch vanishes with its pressure
+            // the same load on less: the length of a strip that begins to touch vanishes with its
+            // pressure
             let (a, p) = (cell.half_length.value, cell.pressure.value);
             let share = (p / (slope * a)).min(F::one()).sqrt().max(F::of(LEAST_LENGTH));
             let strip = PatchStrip {
@@ -236,7 +246,8 @@ impl<F: Float> Indentation<F> {
     }
 }
 
-/// Pressures and corrected lengths of the cells; the approach. (Out of line, lest the equations take room while the outline is made.)
+/// Pressures and corrected lengths of the cells; the approach. (Out of line, lest the equations
+/// take room while the outline is made.)
 #[inline(never)]
 fn solved<F: Float>(
     cells: &mut Cells<F>,
@@ -266,8 +277,9 @@ struct Outline<F> {
 }
 
 impl<F: Float> Outline<F> {
-    /// Where cells lie, with their first lengths. None where the smoothed profile does not reach the other body. (Out of line: what
-    /// leads to the cells need not be kept while they are solved.)
+    /// Where cells lie, with their first lengths. None where the smoothed profile does not reach
+    /// the other body. (Out of line: what leads to the cells need not be kept while they are
+    /// solved.)
     #[inline(never)]
     fn new(
         profile: &Profile<F>,
@@ -336,8 +348,8 @@ impl<F: Float> Outline<F> {
     }
 }
 
-/// Zones where the bodies touch by the estimate; returns whether one of them ends with the profile. (Out of line: the estimate need not be
-/// kept while the cells are made.)
+/// Zones where the bodies touch by the estimate; returns whether one of them ends with the profile.
+/// (Out of line: the estimate need not be kept while the cells are made.)
 #[inline(never)]
 fn touching<F: Float>(
     curve: &Curve<F>,
@@ -358,7 +370,8 @@ fn touching<F: Float>(
     })
 }
 
-/// First half lengths: those of an ellipse at whose rim the undeformed bodies are `λ δ` apart when they approach by `δ`.
+/// First half lengths: those of an ellipse at whose rim the undeformed bodies are `λ δ` apart when
+/// they approach by `δ`.
 struct Lengths<F> {
     rim: WithSlope<F>,
     /// About the logarithm of the axis ratio, times 1.13.
@@ -386,8 +399,8 @@ impl<F: Float> Lengths<F> {
         (square + least + root).times(0.5).sqrt()
     }
 
-    /// The power of a correction of the lengths. A correction of one length changes the condition at its neighbours as well, less so in
-    /// slender patches.
+    /// The power of a correction of the lengths. A correction of one length changes the condition
+    /// at its neighbours as well, less so in slender patches.
     fn power(&self, given: Given<WithSlope<F>>) -> WithSlope<F> {
         let more = match given {
             // 1.6/(1 + (g/0.6)^1.3)
@@ -404,10 +417,12 @@ impl<F: Float> Lengths<F> {
 }
 
 impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
-    /// The patch of two profiles in contact, in about `count` strips, 40 at most, and one more for each further zone.
+    /// The patch of two profiles in contact, in about `count` strips, 40 at most, and one more for
+    /// each further zone.
     ///
     /// # Errors
-    /// Those of [`ProfileContact::check`]; [`Error::PatchSize`] when the capacity is too small; [`Error::Overflow`].
+    /// Those of [`ProfileContact::check`]; [`Error::PatchSize`] when the capacity is too small;
+    /// [`Error::Overflow`].
     ///
     /// # Example
     /// A wheel of 0.46 m radius on a rail head of 0.30 m:

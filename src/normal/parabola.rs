@@ -1,6 +1,7 @@
 //! The parabola that fits the points around a place best; the smoothed profile goes through it.
 //!
-//! The weight of a point is `(1 − x²)³`, where `x` is its distance over the smoothing length `s`, times the length that it stands for.
+//! The weight of a point is `(1 − x²)³`, where `x` is its distance over the smoothing length `s`,
+//! times the length that it stands for.
 
 use crate::normal::profile::{Profile, WithSlope};
 use crate::number::registers::with_avx;
@@ -22,8 +23,8 @@ pub(super) fn parabola<F: Float>(
     let (moments, sums) = moments(profile, y, inverse);
     let [relative] = length.gradient.map(|d| d * inverse);
     let [shifted] = place.gradient.map(|d| d * inverse);
-    // w = (1 − x²)³ = (1 − x²)² − x² (1 − x²)²; by ln s and by the place over s, x^k being what it was:
-    // dw = 6 x² (1 − x²)², 6 x (1 − x²)²
+    // w = (1 − x²)³ = (1 − x²)² − x² (1 − x²)²; by ln s and by the place over s, x^k being what it
+    // was: dw = 6 x² (1 − x²)², 6 x (1 − x²)²
     let of = |list: &[F], k: usize| {
         let at = |k: usize| list.get(k).copied().unwrap_or(F::zero());
         let (low, middle, high) = (at(k), at(k + 1), at(k + 2));
@@ -51,8 +52,8 @@ pub(super) fn parabola<F: Float>(
     (height, slope)
 }
 
-/// `Σ w (1 − x²)² xᵏ` over the points with `|x| < 1`, `x` the distance from `y` times `inverse` and `w` the length that a point stands for;
-/// and the same sums with the heights of the points.
+/// `Σ w (1 − x²)² xᵏ` over the points with `|x| < 1`, `x` the distance from `y` times `inverse` and
+/// `w` the length that a point stands for; and the same sums with the heights of the points.
 fn moments<F: Float>(profile: &Profile<F>, y: F, inverse: F) -> ([F; 7], [F; 5]) {
     with_avx!(if 1 => <F: Float>(profile: &Profile<F> = profile, y: F = y, inverse: F = inverse) -> ([F; 7], [F; 5]) {
         moments_in_fours::<F, F::Four>(profile, y, inverse)
@@ -106,7 +107,8 @@ fn four<F: Float, P: Strips<F>>(list: &[F], first: usize) -> P {
     }
 }
 
-/// 2.5 steps of the profile at `y`, straight between its points; at least 1.25 times the gap that `y` lies in.
+/// 2.5 steps of the profile at `y`, straight between its points; at least 1.25 times the gap that
+/// `y` lies in.
 fn spacing<F: Float>(profile: &Profile<F>, place: WithSlope<F>) -> WithSlope<F> {
     let (places, y) = (profile.y, place.value);
     let last = places.len().saturating_sub(1);

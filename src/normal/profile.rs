@@ -1,4 +1,5 @@
-//! The given distance of two bodies, and the section in which they would overlap if they were shifted into each other.
+//! The given distance of two bodies, and the section in which they would overlap if they were
+//! shifted into each other.
 
 use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float, Strips, are_finite};
@@ -15,7 +16,8 @@ pub(super) fn side_by_side<F: Float, P: Strips<F>>(four: &[WithSlope<F>], other:
     [value, gradient]
 }
 
-/// Share of the approach: undeformed bodies that are shifted by so much overlap about over the width of the patch.
+/// Share of the approach: undeformed bodies that are shifted by so much overlap about over the
+/// width of the patch.
 const SECTION: f64 = 0.55;
 /// `(3/4) V/(0.55 δ)` is half the width of a parabola's section.
 const HALF_WIDTH: f64 = 0.75;
@@ -50,12 +52,12 @@ pub(super) struct Section<F> {
 }
 
 impl<'a, F: Float> Profile<'a, F> {
-    /// A profile from points `y` \[m\], strictly ascending, and the distance of the bodies there \[m\]. A constant added to all
-    /// distances changes nothing.
+    /// A profile from points `y` \[m\], strictly ascending, and the distance of the bodies there
+    /// \[m\]. A constant added to all distances changes nothing.
     ///
     /// # Errors
-    /// [`Error::Profile`] for fewer than two points, arrays of different length or `y` that does not ascend;
-    /// [`Error::NotFinite`].
+    /// [`Error::Profile`] for fewer than two points, arrays of different length or `y` that does
+    /// not ascend; [`Error::NotFinite`].
     pub fn new(y: &'a [F], distance: &'a [F]) -> Result<Self, Error> {
         let (Some(first), true) = (distance.first(), y.len() >= 2 && y.len() == distance.len())
         else {
@@ -78,19 +80,22 @@ impl<'a, F: Float> Profile<'a, F> {
         Ok(Self { y, distance, centre_x, rolling_radius, lowest, ends, middle, step })
     }
 
-    /// How far it reaches below zero: by how much the bodies overlap where distances are those of their surfaces.
+    /// How far it reaches below zero: by how much the bodies overlap where distances are those of
+    /// their surfaces.
     pub(crate) fn overlap(&self) -> F {
         (-self.lowest).max(F::zero())
     }
 
-    /// The same as a part of a longer profile. The caller says where knots are counted from and how far apart the points are, so that
-    /// points which come and go far from the contact change nothing.
+    /// The same as a part of a longer profile. The caller says where knots are counted from and how
+    /// far apart the points are, so that points which come and go far from the contact change
+    /// nothing.
     pub(crate) fn part_of_longer(mut self, middle: F, step: F) -> Self {
         (self.middle, self.step) = (middle, step);
         self
     }
 
-    /// The same with the place along `x` \[m\] where the distance is least, for each point: of bodies that yaw.
+    /// The same with the place along `x` \[m\] where the distance is least, for each point: of
+    /// bodies that yaw.
     ///
     /// # Errors
     /// [`Error::Profile`] for another number of points; [`Error::NotFinite`].
@@ -102,7 +107,8 @@ impl<'a, F: Float> Profile<'a, F> {
     /// The same with a rolling radius \[m\] for each point, which replaces that of the contact.
     ///
     /// # Errors
-    /// [`Error::Profile`] for another number of points; [`Error::NotFinite`]; [`Error::RollingRadius`].
+    /// [`Error::Profile`] for another number of points; [`Error::NotFinite`];
+    /// [`Error::RollingRadius`].
     pub fn with_rolling_radius(mut self, rolling_radius: &'a [F]) -> Result<Self, Error> {
         self.rolling_radius = self.of_each_point(rolling_radius)?;
         if self.rolling_radius.iter().any(|radius| *radius <= F::zero()) {
@@ -155,7 +161,8 @@ impl<'a, F: Float> Profile<'a, F> {
         (y - WithSlope::from_base(from)).scale((after - before) / (to - from)).shift(before)
     }
 
-    /// `V = ∫ (h₀ − h) dy` over the overlap at `h₀ = 0.55 δ`; `radius` that of a contact whose profile has none.
+    /// `V = ∫ (h₀ − h) dy` over the overlap at `h₀ = 0.55 δ`; `radius` that of a contact whose
+    /// profile has none.
     pub(super) fn section(&self, approach: WithSlope<F>, radius: F) -> Section<F> {
         let level = approach.times(SECTION);
         let mut volume = WithSlope::from_base(F::TINY);
@@ -199,8 +206,9 @@ impl<'a, F: Float> Profile<'a, F> {
     }
 }
 
-/// Where a function that rises with its argument has the value `wanted`: Newton's steps in logarithms between brackets, the
-/// last without a test, so that derivatives are those of the inverse function. `None` beyond the range of the numbers.
+/// Where a function that rises with its argument has the value `wanted`: Newton's steps in
+/// logarithms between brackets, the last without a test, so that derivatives are those of the
+/// inverse function. `None` beyond the range of the numbers.
 pub(super) fn invert<F: Float>(
     wanted: WithSlope<F>,
     start: F,

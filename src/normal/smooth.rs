@@ -1,8 +1,9 @@
 //! A smoothed profile: local parabolas, and cubics between them.
 //!
-//! Each knot of an even grid has the value and the slope of the parabola that fits the points around best. The weight of a point is
-//! `(1 − x²)³`, where `x` is its distance over the smoothing length `s`, times the length that it stands for. A cubic joins two
-//! knots. A profile that is a parabola is not changed, wherever its points lie.
+//! Each knot of an even grid has the value and the slope of the parabola that fits the points
+//! around best. The weight of a point is `(1 − x²)³`, where `x` is its distance over the smoothing
+//! length `s`, times the length that it stands for. A cubic joins two knots. A profile that is a
+//! parabola is not changed, wherever its points lie.
 
 use crate::normal::density::Zones;
 use crate::normal::parabola::{STEPS, parabola};
@@ -106,7 +107,8 @@ pub(super) struct Curve<F> {
     pub still: bool,
 }
 
-/// The smoothing length without regard to the points: half the width of a narrow contact, 2 mm of a wide one.
+/// The smoothing length without regard to the points: half the width of a narrow contact, 2 mm of a
+/// wide one.
 pub(super) fn length_for<F: Float>(half_width: WithSlope<F>) -> WithSlope<F> {
     let narrow = half_width.times(2.0 * SHARE);
     let widest = WithSlope::from_base(F::of(WIDEST));
@@ -117,7 +119,8 @@ pub(super) fn length_for<F: Float>(half_width: WithSlope<F>) -> WithSlope<F> {
 }
 
 impl<F: Float> Curve<F> {
-    /// The curve of a profile smoothed over a length, where its points are less than `level` above the lowest.
+    /// The curve of a profile smoothed over a length, where its points are less than `level` above
+    /// the lowest.
     #[inline(never)]
     pub fn new(profile: &Profile<F>, length: WithSlope<F>, level: F) -> Self {
         let [first, last] = profile.ends;
@@ -148,7 +151,8 @@ impl<F: Float> Curve<F> {
         curve
     }
 
-    /// Places knots where the profile is low: at equal steps to both sides of its middle, and at its ends. Returns whether there was room.
+    /// Places knots where the profile is low: at equal steps to both sides of its middle, and at
+    /// its ends. Returns whether there was room.
     fn fill(
         &mut self,
         profile: &Profile<F>,
@@ -230,7 +234,8 @@ impl<F: Float> Curve<F> {
         })
     }
 
-    /// Hands every piece to `take`, with the cubic through the value and the slope that `of` gives at its knots.
+    /// Hands every piece to `take`, with the cubic through the value and the slope that `of` gives
+    /// at its knots.
     fn pieces(
         &self,
         of: impl Fn(&Knot<F>) -> [WithSlope<F>; 2],
@@ -265,9 +270,10 @@ impl<F: Float> Curve<F> {
         }
     }
 
-    /// The zones where a function is negative; returns whether one of them ends with the profile. `of` gives the value and the slope of the
-    /// function from a place, the height there and its slope. Depths are measured with the approach. (The zones are written where they stay:
-    /// a copy would take room on the stack.)
+    /// The zones where a function is negative; returns whether one of them ends with the profile.
+    /// `of` gives the value and the slope of the function from a place, the height there and its
+    /// slope. Depths are measured with the approach. (The zones are written where they stay: a copy
+    /// would take room on the stack.)
     pub fn zones(
         &self,
         approach: WithSlope<F>,
@@ -357,7 +363,8 @@ impl<F: Float> Curve<F> {
     }
 }
 
-/// The place where a function is zero between two places of different sign, by Newton's steps between brackets.
+/// The place where a function is zero between two places of different sign, by Newton's steps
+/// between brackets.
 fn root<F: Float>(
     of: impl Fn(WithSlope<F>) -> [WithSlope<F>; 2],
     mut negative: F,

@@ -1,7 +1,8 @@
 //! Cube root in single precision without double-precision arithmetic, which a Cortex-M4F does in
 //! software: libm's `cbrtf` computes in double.
 
-/// Relative error below the distance from 1 to the next number; zero, infinities and NaN stay what they are.
+/// Relative error below the distance from 1 to the next number; zero, infinities and NaN stay what
+/// they are.
 pub(super) fn of_f32(x: f32) -> f32 {
     if x == 0.0 || !x.is_finite() {
         return x;

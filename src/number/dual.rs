@@ -7,8 +7,8 @@
 use crate::number::{Arithmetic, Number, Pair, Real};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// A value and its derivatives with respect to `M` inputs: plain numbers, or pairs of them, so that registers for pairs are
-/// full whatever `M` is.
+/// A value and its derivatives with respect to `M` inputs: plain numbers, or pairs of them, so that
+/// registers for pairs are full whatever `M` is.
 #[derive(Clone, Copy, Debug)]
 pub struct Dual<P, const M: usize> {
     /// The value.

@@ -51,7 +51,8 @@ macro_rules! plain {
             }
             #[inline]
             fn binary_quotient(self, divisor: Self) -> (Self, Self) {
-                // the bits of a floating-point number, read as an integer, are its binary logarithm to 0.043
+                // the bits of a floating-point number, read as an integer, are its binary logarithm
+                // to 0.043
                 let (p, q) = (self.to_bits() as $integer, divisor.to_bits() as $integer);
                 // (whoever computes both sides of a branch may ask for those of any sign)
                 let k = p.wrapping_sub(q).wrapping_add(1 << ($mantissa - 1)) >> $mantissa;
@@ -146,8 +147,8 @@ const ARCTAN_DOUBLE: [f64; 7] = [
 /// The same, within 2e-9.
 const ARCTAN_SINGLE: [f32; 4] = [1.0, -0.333_331_72, 0.199_794_67, -0.134_440_3];
 
-/// `y ≈ 2^(−1/3)/√x` comes from single precision; `y (3 · 2^(−2/3) − x y²)` is then Newton's iteration for `1/√x`, never
-/// above it but by rounding.
+/// `y ≈ 2^(−1/3)/√x` comes from single precision; `y (3 · 2^(−2/3) − x y²)` is then Newton's
+/// iteration for `1/√x`, never above it but by rounding.
 #[inline]
 fn inverse_root_f64(x: f64) -> f64 {
     let y = f64::from(NEWTON_START / Arithmetic::sqrt(x as f32));

@@ -1,8 +1,9 @@
 //! Numbers side by side: pairs, strips, the numbers of several contacts.
 //!
-//! One array with the operations of its numbers, each the correctly rounded one of a plain number, so that the bits are those of plain
-//! numbers one after the other. Nothing here fuses a product with a sum. Arrays that fill a register are computed in it
-//! ([`InRegisters`]): four doubles or eight floats only where the processor has AVX, which whoever makes them has asked.
+//! One array with the operations of its numbers, each the correctly rounded one of a plain number,
+//! so that the bits are those of plain numbers one after the other. Nothing here fuses a product
+//! with a sum. Arrays that fill a register are computed in it ([`InRegisters`]): four doubles or
+//! eight floats only where the processor has AVX, which whoever makes them has asked.
 
 use super::registers::InRegisters;
 use super::{Arithmetic, Number, Pair, Real, Strips};
@@ -183,7 +184,8 @@ impl<T: Real<Pair = Self>> Pair<T> for Lanes<T, 2> {
     }
 }
 
-/// Two in half a register of four, because that is what one instruction takes anyway; harmless numbers in the other half.
+/// Two in half a register of four, because that is what one instruction takes anyway; harmless
+/// numbers in the other half.
 #[cfg(target_arch = "x86_64")]
 pub type F32Pair = Lanes<f32, 4>;
 

@@ -1,8 +1,8 @@
 //! The numbers that the theory is written in.
 //!
-//! The formulas of this crate are generic over [`Number`]: `f64`, `f32`, the forward-mode dual numbers that carry exact
-//! derivatives through the same code, and the numbers of several contacts side by side. What is asked about single
-//! contacts is generic over [`Float`].
+//! The formulas of this crate are generic over [`Number`]: `f64`, `f32`, the forward-mode dual
+//! numbers that carry exact derivatives through the same code, and the numbers of several contacts
+//! side by side. What is asked about single contacts is generic over [`Float`].
 //!
 //! nalgebra's `RealField` would do for the first two, but a dual number cannot honestly provide its
 //! eighty functions, and its square root goes through inline assembly that no compiler vectorises.
@@ -22,8 +22,8 @@ pub use self::registers::InRegisters;
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// A number without derivatives: what constants and tables are made of. `f32`, `f64`, or the numbers of several
-/// contacts side by side.
+/// A number without derivatives: what constants and tables are made of. `f32`, `f64`, or the
+/// numbers of several contacts side by side.
 pub trait Real: Number<Base = Self> + InRegisters {
     /// Four strips side by side.
     type Four: Strips<Self>;
@@ -47,13 +47,14 @@ pub trait Real: Number<Base = Self> + InRegisters {
     }
     /// A number of a table, exactly.
     fn stored(x: Self::Stored) -> Self;
-    /// `k` and `2^k` times the divisor, so that the quotient of two positive normal numbers by it is between
-    /// 2^-0.59 and 2^0.59.
+    /// `k` and `2^k` times the divisor, so that the quotient of two positive normal numbers by it
+    /// is between 2^-0.59 and 2^0.59.
     fn binary_quotient(self, divisor: Self) -> (Self, Self);
-    /// Whether it is at least `low` and at most `high`; of several side by side, whether all are. Not for NaN.
+    /// Whether it is at least `low` and at most `high`; of several side by side, whether all are.
+    /// Not for NaN.
     fn lies_between(self, low: Self, high: Self) -> bool;
-    /// Whether it is at least zero and at most `limit`, of which the bits tell in one comparison; of several side by
-    /// side, whether all are. Not for NaN; negative zero may be refused.
+    /// Whether it is at least zero and at most `limit`, of which the bits tell in one comparison;
+    /// of several side by side, whether all are. Not for NaN; negative zero may be refused.
     #[inline]
     fn lies_within(self, limit: Self) -> bool {
         self.lies_between(Self::zero(), limit)
@@ -154,8 +155,9 @@ pub trait Arithmetic:
     fn from_base(x: Self::Value) -> Self;
     /// Without derivatives.
     fn value(self) -> Self::Value;
-    /// A function of some numbers from its value and its derivatives by them, worked out by hand. Without derivatives it
-    /// is the value, and what leads to the slopes is left out by the compiler.
+    /// A function of some numbers from its value and its derivatives by them, worked out by hand.
+    /// Without derivatives it is the value, and what leads to the slopes is left out by the
+    /// compiler.
     #[inline]
     fn composed<const N: usize>(
         value: Self::Value,
@@ -200,7 +202,8 @@ pub trait Arithmetic:
         self.min(Self::constant(size)).max(Self::constant(-size))
     }
 
-    /// `array.map(function)`; the compiler leaves no call of it behind, whatever a number is made of.
+    /// `array.map(function)`; the compiler leaves no call of it behind, whatever a number is made
+    /// of.
     #[inline(always)]
     fn each<A, const N: usize>(array: &[A; N], function: impl Fn(&A) -> Self) -> [Self; N] {
         let mut mapped = [Self::zero(); N];
@@ -282,7 +285,8 @@ pub trait Number: Arithmetic<Value = <Self as Number>::Base> {
     }
 }
 
-/// `√(x² + y²)` without squares, which may overflow: it lies between the larger one and the sum of both.
+/// `√(x² + y²)` without squares, which may overflow: it lies between the larger one and the sum of
+/// both.
 #[inline(always)]
 pub(crate) fn length<F: Real>(x: F, y: F) -> F {
     let (x, y) = (x.abs(), y.abs());
@@ -330,7 +334,8 @@ pub(crate) fn chosen<T: Number, const N: usize>(by: T, yes: [T; N], mut no: [T; 
 
 /// `branch_or_blend!(by, yes, no)`: as [`chosen`]; what no number needs is not computed.
 ///
-/// (No function of closures: the code of numbers side by side must stand inside that of their caller.)
+/// (No function of closures: the code of numbers side by side must stand inside that of their
+/// caller.)
 macro_rules! branch_or_blend {
     ($by:expr, $yes:block, $no:block) => {{
         use crate::number::{Real as _, chosen};

@@ -1,8 +1,10 @@
-//! The registers of the machine: what is computed side by side in one of them, and whether there are wide ones.
+//! The registers of the machine: what is computed side by side in one of them, and whether there
+//! are wide ones.
 //!
-//! x86-64 has registers of 128 bits; those of 256 bits (AVX) are there on most processors, which are asked once. Everything here
-//! is the correctly rounded operation of a plain number. What is `unsafe`: instructions on registers without memory access,
-//! on machines that are known to have them.
+//! x86-64 has registers of 128 bits; those of 256 bits (AVX) are there on most processors, which
+//! are asked once. Everything here is the correctly rounded operation of a plain number. What is
+//! `unsafe`: instructions on registers without memory access, on machines that are known to have
+//! them.
 
 #![allow(unsafe_code)]
 
@@ -15,10 +17,11 @@ pub(super) const NEWTON_START: f32 = 0.793_700_5;
 /// `3 · 2^(−2/3)`
 pub(super) const NEWTON: f64 = 1.889_881_574_842_309_7;
 
-/// Numbers that stand side by side in an array: one by one, and in a register where there is one for so many.
+/// Numbers that stand side by side in an array: one by one, and in a register where there is one
+/// for so many.
 pub trait InRegisters: Arithmetic<Value = Self> {
-    /// `+ − × ÷` of each and its neighbour, the larger `>` or the smaller `<` of both; of the first alone its opposite `~`, its size `|` or
-    /// its root `√`.
+    /// `+ − × ÷` of each and its neighbour, the larger `>` or the smaller `<` of both; of the first
+    /// alone its opposite `~`, its size `|` or its root `√`.
     #[inline(always)]
     fn apply<const OPERATION: char, const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
         one_by_one::<Self, OPERATION, N>(a, b)
@@ -42,8 +45,8 @@ pub trait InRegisters: Arithmetic<Value = Self> {
     fn all_between<const N: usize>(a: [Self; N], low: [Self; N], high: [Self; N]) -> bool;
 }
 
-/// [`InRegisters::apply`] without registers: pairs straight on, more in a loop. The second one is the larger and the smaller where both are
-/// equal or one is not a number.
+/// [`InRegisters::apply`] without registers: pairs straight on, more in a loop. The second one is
+/// the larger and the smaller where both are equal or one is not a number.
 #[inline(always)]
 fn one_by_one<T: Arithmetic, const OPERATION: char, const N: usize>(
     mut a: [T; N],
@@ -105,8 +108,9 @@ impl<F: super::Float> InRegisters for F {
     }
 }
 
-/// Whether whole functions are compiled for wide registers too. Debug builds have only those for narrow ones, with the same bits: both would
-/// take three times as long to compile. Release builds prove what holds for wide registers.
+/// Whether whole functions are compiled for wide registers too. Debug builds have only those for
+/// narrow ones, with the same bits: both would take three times as long to compile. Release builds
+/// prove what holds for wide registers.
 #[cfg(target_arch = "x86_64")]
 pub(crate) const HAS_WIDE_CODE: bool = cfg!(all(target_arch = "x86_64", not(debug_assertions)));
 
@@ -120,9 +124,11 @@ pub(crate) fn has_avx() -> bool {
     false
 }
 
-/// `with_avx!(if N => <T: Number>(a: A, b: B = value) -> R { code })`: code that is there once for each kind of number `T`, whoever calls it,
-/// and once more for wide registers. With `{ code } { other }` the other is that for wide registers. The code sees its arguments only: `a` is the
-/// caller's variable of this name. Code of contacts side by side, `N` of them, stands inside their caller, who knows the registers.
+/// `with_avx!(if N => <T: Number>(a: A, b: B = value) -> R { code })`: code that is there once for
+/// each kind of number `T`, whoever calls it, and once more for wide registers. With
+/// `{ code } { other }` the other is that for wide registers. The code sees its arguments only: `a`
+/// is the caller's variable of this name. Code of contacts side by side, `N` of them, stands inside
+/// their caller, who knows the registers.
 macro_rules! with_avx {
     (@ $name:ident) => { $name };
     (@ $name:ident $value:expr) => { $value };
@@ -165,8 +171,9 @@ mod x86 {
 
     cpufeatures::new!(avx, "avx");
 
-    /// Whether the processor has registers of 256 bits and the system keeps them: asked once, because under a hypervisor the
-    /// question takes microseconds. It is the only thing that the library remembers, and no result depends on it.
+    /// Whether the processor has registers of 256 bits and the system keeps them: asked once,
+    /// because under a hypervisor the question takes microseconds. It is the only thing that the
+    /// library remembers, and no result depends on it.
     #[inline]
     pub fn has_avx() -> bool {
         avx::get()
@@ -189,8 +196,8 @@ mod x86 {
         unsafe { Either { from }.to }
     }
 
-    // SAFETY (of the macro): arithmetic on registers, no memory access; arrays of so many numbers have their size. Those of 256 bits belong
-    // to callers who have asked.
+    // SAFETY (of the macro): arithmetic on registers, no memory access; arrays of so many numbers
+    // have their size. Those of 256 bits belong to callers who have asked.
     macro_rules! registers {
         ($float:ident, $n:literal: $add:ident $sub:ident $mul:ident $div:ident $sqrt:ident $max:ident $min:ident $and:ident
             $andnot:ident $or:ident $xor:ident $greater:ident $set:ident;
@@ -318,8 +325,9 @@ mod x86 {
 
 /// The square root instruction of the machine.
 ///
-/// The theory is made of square roots, and stable Rust has none in `core`. libm's is inline assembly on x86-64, which no compiler
-/// vectorises, and software on a Cortex-M with a floating-point unit (66 instructions instead of one).
+/// The theory is made of square roots, and stable Rust has none in `core`. libm's is inline
+/// assembly on x86-64, which no compiler vectorises, and software on a Cortex-M with a
+/// floating-point unit (66 instructions instead of one).
 mod root {
     /// Square root in double precision.
     #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]

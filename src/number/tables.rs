@@ -1,8 +1,10 @@
-//! Tables of constants in both precisions: no number is converted at run time, and a program in one precision has none of the other.
+//! Tables of constants in both precisions: no number is converted at run time, and a program in one
+//! precision has none of the other.
 
 use super::{Real, Strips};
 
-/// `table!(F, constants)`: a constant table `[[f64; C]; R]` or `[[f32; C]; R]`, in the precision that numbers `F` are stored in.
+/// `table!(F, constants)`: a constant table `[[f64; C]; R]` or `[[f32; C]; R]`, in the precision
+/// that numbers `F` are stored in.
 macro_rules! table {
     ($F:ty, $constants:expr) => {
         <<$F as crate::number::Real>::Stored as crate::number::Float>::table(
@@ -61,7 +63,8 @@ const CONTACTS_BLOCK: usize = 12;
 
 /// `sums + Σ xᵢ rowᵢ`, columns side by side in `P`, then in fours, and the rest one by one.
 ///
-/// (Numbers of several contacts side by side fill whole registers: some of them, then the rows again.)
+/// (Numbers of several contacts side by side fill whole registers: some of them, then the rows
+/// again.)
 #[inline(always)]
 pub(crate) fn add_rows<F: Real, P: Strips<F>, const C: usize>(
     mut sums: [F; C],
@@ -80,7 +83,8 @@ pub(crate) fn add_rows<F: Real, P: Strips<F>, const C: usize>(
     sums
 }
 
-/// Columns from `first` on, as many as fill several `P`; the rest too where these are fours. The first one that is left.
+/// Columns from `first` on, as many as fill several `P`; the rest too where these are fours. The
+/// first one that is left.
 #[inline(always)]
 fn add_columns<F: Real, P: Strips<F>, const C: usize>(
     sums: &mut [F; C],

@@ -26,7 +26,8 @@ impl<F: Float> Extremes<F> {
         own
     }
 
-    /// Whether the numbers are of the usual sizes, 1 nm to 1 m and up to TPa: then no check can fail, in either precision.
+    /// Whether the numbers are of the usual sizes, 1 nm to 1 m and up to TPa: then no check can
+    /// fail, in either precision.
     pub(super) fn are_usual(&self) -> bool {
         let (nearest, farthest) =
             ([-1.0, 1e-9, 1e-9, -1.0, 0.0, 0.0], [1.0, 1.0, 1.0, 1.0, 1e12, 5.0]);

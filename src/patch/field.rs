@@ -14,8 +14,8 @@ use crate::strip_1967::strip::{Strip, StripPoint};
 
 /// The tangential field of a patch, ready to be evaluated at points.
 ///
-/// Pressure and traction do not vary over the width of a strip. The border between two neighbours divides the distance of their
-/// centre lines in the ratio of their widths.
+/// Pressure and traction do not vary over the width of a strip. The border between two neighbours
+/// divides the distance of their centre lines in the ratio of their widths.
 #[derive(Clone, Copy, Debug)]
 pub struct PatchField<'a, F> {
     problem: Problem<'a, F>,
@@ -43,15 +43,17 @@ impl<'a, F: Float> PatchField<'a, F> {
     /// Prepare the field.
     ///
     /// # Errors
-    /// Those of [`solve`](super::solver::solve); [`Error::NotInModel`] for [`Model::Total`]; [`Error::Overflow`] also when the
-    /// dissipation of a point may not fit the floating-point type.
+    /// Those of [`solve`](super::solver::solve); [`Error::NotInModel`] for [`Model::Total`];
+    /// [`Error::Overflow`] also when the dissipation of a point may not fit the floating-point
+    /// type.
     pub fn new(
         patch: &'a PatchView<'a, F>,
         creepage: &'a Creepage<F>,
         model: Model,
     ) -> Result<Self, Error> {
         let problem = Problem::with_strips(patch, creepage, model)?;
-        // the dissipation of a point is traction times slip, and the slip is of the size of the rigid slip
+        // the dissipation of a point is traction times slip, and the slip is of the size of the
+        // rigid slip
         let traction = patch
             .strips()
             .iter()

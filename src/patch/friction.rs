@@ -1,22 +1,23 @@
 //! Friction that falls with the slip, and reduced initial slope, on patches of strips.
 //!
-//! Every strip has its own coefficient of friction without slip, `μ₀(y)`. Polach's law multiplies all of them with one
-//! number, the share `λ`, which follows from the mean slip `s` of the patch, weighted with friction:
+//! Every strip has its own coefficient of friction without slip, `μ₀(y)`. Polach's law multiplies
+//! all of them with one number, the share `λ`, which follows from the mean slip `s` of the patch,
+//! weighted with friction:
 //!
 //! ```text
 //! μ(y) = λ μ₀(y),   λ = (1 − A) exp(−B V s) + A,   s = P/(λ Σ μ₀ N)
 //! ```
 //!
-//! as in [`friction`](crate::friction), so that the strips of an ellipse give the result of the ellipse. (The law's own `μ₀` is not
-//! used.) Forces of a patch are homogeneous in creepage and friction, and the slope factor `k` multiplies the
-//! stiffness:
+//! as in [`friction`](crate::friction), so that the strips of an ellipse give the result of the
+//! ellipse. (The law's own `μ₀` is not used.) Forces of a patch are homogeneous in creepage and
+//! friction, and the slope factor `k` multiplies the stiffness:
 //!
 //! ```text
 //! F(c, κ; λ μ₀, k G) = λ F(k c/λ, k κ/λ; μ₀, G)
 //! ```
 //!
-//! The patch need not be copied: it is solved at the scaled creepages. The derivatives follow from this and from the
-//! implicit function theorem.
+//! The patch need not be copied: it is solved at the scaled creepages. The derivatives follow from
+//! this and from the implicit function theorem.
 
 use crate::contact::creepage::Creepage;
 use crate::contact::plausibility::LARGEST_MISMATCH;
@@ -40,7 +41,8 @@ pub struct PatchFrictionSolution<F> {
 
 /// Forces of a patch whose friction falls with the slip.
 ///
-/// With `A = 1`, `B = 0` or `V = 0`, and `k = 1`, the result is that of [`solver::solve`] to the bit and costs no more.
+/// With `A = 1`, `B = 0` or `V = 0`, and `k = 1`, the result is that of [`solver::solve`] to the
+/// bit and costs no more.
 ///
 /// # Errors
 /// Those of [`solver::solve`] and [`SlipFriction::check`]; `law.friction` is ignored.
@@ -48,10 +50,12 @@ pub struct PatchFrictionSolution<F> {
 /// # Example
 /// A patch that slips more pulls less:
 /// ```
-/// use kstrip::{contact::Contact, contact::creepage::Creepage, friction::SlipFriction, forces::Model};
+/// use kstrip::contact::{Contact, creepage::Creepage};
+/// use kstrip::{friction::SlipFriction, forces::Model};
 /// use kstrip::{patch::Patch, patch::friction::solve, contact::totals::StripCount};
 /// let contact = Contact {
-///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
+///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
+///     shear_modulus: 82e9, poisson_ratio: 0.28,
 ///     mismatch: 0.0,
 /// };
 /// let patch = Patch::<f64, 16>::from_ellipse(&contact, StripCount::Sixteen)?;
@@ -170,10 +174,12 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
     }
 }
 
-/// Forces of a patch and all derivatives, under friction that falls with the slip or not; `friction` is the share `λ`.
+/// Forces of a patch and all derivatives, under friction that falls with the slip or not;
+/// `friction` is the share `λ`.
 ///
-/// For the derivatives by load, all pressures grow by one factor; through Hertz, all lengths also grow like the cube root of the load.
-/// For those by friction, the friction of all strips grows by one factor, and the derivative is by its mean without slip.
+/// For the derivatives by load, all pressures grow by one factor; through Hertz, all lengths also
+/// grow like the cube root of the load. For those by friction, the friction of all strips grows by
+/// one factor, and the derivative is by its mean without slip.
 ///
 /// # Errors
 /// Those of [`solve`]; [`Error::Overflow`] also when a derivative does not fit.
@@ -202,7 +208,8 @@ pub fn differentiate<F: Float>(
     // F = λ f(k c/λ):  ∂F/∂c = k J
     let stiffness = share * factor;
     let rows = slopes.derivatives.jacobian;
-    // N ∂F/∂N = λ (f − J k c/λ),  μ ∂F/∂μ = N ∂F/∂N − λ κ ∂f/∂κ,  through Hertz N dF/dN = F − ⅓ J_v v,  N dM_z/dN = (4/3) M_z − ⅓ J_v v
+    // N ∂F/∂N = λ (f − J k c/λ), μ ∂F/∂μ = N ∂F/∂N − λ κ ∂f/∂κ, through Hertz N dF/dN = F − ⅓ J_v
+    // v, N dM_z/dN = (4/3) M_z − ⅓ J_v v
     let mean = bound / load;
     let others = |force: F, [x, y, z]: [F; 3], by_mismatch: F, power: f64| {
         let translation = x * scaled.longitudinal + y * scaled.lateral;
@@ -243,7 +250,8 @@ pub fn differentiate<F: Float>(
     }
 }
 
-/// Hands every strip of the solution at a share `λ` of friction to `visit`, as [`solver::strips`] does.
+/// Hands every strip of the solution at a share `λ` of friction to `visit`, as [`solver::strips`]
+/// does.
 ///
 /// # Errors
 /// Those of [`solve`].

@@ -1,15 +1,18 @@
-//! A contact patch of any shape as a list of strips. Pressure and friction may differ from strip to strip.
+//! A contact patch of any shape as a list of strips. Pressure and friction may differ from strip to
+//! strip.
 //!
-//! A strip runs along the rolling direction. It has a centre line `y`, a width, a half length `l`, a centre
-//! `x_c`, a friction coefficient, and a pressure that is a half-ellipse in `x`,
-//! `Z = p₀ √(1 − (x − x_c)²/l²)`, so that it carries the load `(π/2) p₀ l · width`. Where the strips come from
-//! does not matter: from a Hertz ellipse ([`Patch::from_ellipse`]), from a profile
+//! A strip runs along the rolling direction. It has a centre line `y`, a width, a half length `l`,
+//! a centre `x_c`, a friction coefficient, and a pressure that is a half-ellipse in `x`,
+//! `Z = p₀ √(1 − (x − x_c)²/l²)`, so that it carries the load `(π/2) p₀ l · width`. Where the
+//! strips come from does not matter: from a Hertz ellipse ([`Patch::from_ellipse`]), from a profile
 //! ([`normal`](crate::normal)), or from any other solver ([`Patch::from_strips`]).
 //!
-//! Strips lie side by side in ascending `y`. Where the distance of two neighbours is more than one and a half
-//! times that at which they touch, there is a gap, and what lies on either side of it is a lobe of its own.
+//! Strips lie side by side in ascending `y`. Where the distance of two neighbours is more than one
+//! and a half times that at which they touch, there is a gap, and what lies on either side of it is
+//! a lobe of its own.
 //!
-//! The model STRIP needs an axis ratio. It takes that of an ellipse which stands for the strips around ([`zones`]).
+//! The model STRIP needs an axis ratio. It takes that of an ellipse which stands for the strips
+//! around ([`zones`]).
 
 mod extremes;
 pub mod field;
@@ -70,8 +73,8 @@ impl<F: Float> PatchStrip<F> {
         [y, width, half_length, centre_x, peak_pressure, friction]
     }
 
-    /// The circle with the strip's length, peak pressure and friction: its parameters `ξ, η, ψ` are the
-    /// strip's.
+    /// The circle with the strip's length, peak pressure and friction: its parameters `ξ, η, ψ` are
+    /// the strip's.
     #[must_use]
     pub fn circle(&self, shear_modulus: F, poisson_ratio: F) -> Contact<F> {
         let Self { half_length, peak_pressure, friction, .. } = *self;
@@ -118,7 +121,8 @@ impl<F: Float> PatchStrip<F> {
         next.y - self.y > self.touching(next).times(1.5)
     }
 
-    /// Whether the next strip lies beside this one. The widths of a Gauss rule overlap by up to a quarter.
+    /// Whether the next strip lies beside this one. The widths of a Gauss rule overlap by up to a
+    /// quarter.
     fn is_beside(&self, next: &Self) -> bool {
         next.y > self.y && next.y - self.y >= self.touching(next).times(0.5)
     }
@@ -126,8 +130,9 @@ impl<F: Float> PatchStrip<F> {
 
 /// Factors that turn a sum over the strips into the integral over the patch.
 ///
-/// They are 1 where the strips are the patch itself. The strips of an ellipse are a rule of Gauss, whose sums miss the integrals by a
-/// little; these two factors make the slopes of the linear theory exact.
+/// They are 1 where the strips are the patch itself. The strips of an ellipse are a rule of Gauss,
+/// whose sums miss the integrals by a little; these two factors make the slopes of the linear
+/// theory exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct QuadratureScale<F> {
     /// For the area `∫ 2 l dy`.
@@ -158,7 +163,8 @@ pub struct Patch<F, const CAPACITY: usize> {
 }
 
 impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
-    /// The patch of a Hertz ellipse, with strips at the places of [`Model::Strip`](crate::forces::Model::Strip).
+    /// The patch of a Hertz ellipse, with strips at the places of
+    /// [`Model::Strip`](crate::forces::Model::Strip).
     ///
     /// # Errors
     /// Those of [`Contact::check`]; [`Error::PatchSize`] when the capacity is below the count;
@@ -174,7 +180,8 @@ impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
     /// A patch of strips in any order.
     ///
     /// # Errors
-    /// [`Error::PatchSize`] when there are more than the capacity, else those of [`PatchView::new`].
+    /// [`Error::PatchSize`] when there are more than the capacity, else those of
+    /// [`PatchView::new`].
     pub fn from_strips(
         strips: &[PatchStrip<F>],
         shear_modulus: F,
@@ -187,7 +194,8 @@ impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
         Ok(patch)
     }
 
-    /// An error where the strips do not carry this load, because at the ends of the number range no digits are left.
+    /// An error where the strips do not carry this load, because at the ends of the number range no
+    /// digits are left.
     pub(crate) fn check(&self, load: F) -> Result<(), Error> {
         let lost = (self.view()?.normal_force() - load).abs();
         if lost <= load * F::constant(1e-3) { Ok(()) } else { Err(Error::Overflow) }
@@ -225,7 +233,8 @@ pub(crate) fn sort<F: Float>(strips: &mut [PatchStrip<F>]) {
 /// Checks that the strips of an ellipse make a patch that [`PatchView::new`] accepts.
 ///
 /// # Errors
-/// Those of [`Contact::check`]; [`Error::Overflow`] when its strips do not fit the floating-point type.
+/// Those of [`Contact::check`]; [`Error::Overflow`] when its strips do not fit the floating-point
+/// type.
 pub(crate) fn check_ellipse<F: Float>(
     contact: &Contact<F>,
     count: StripCount,
@@ -248,7 +257,8 @@ pub(crate) fn check_ellipse<F: Float>(
     // A strip that is none, or sums beyond the number range: only in contacts at the ends of it.
     let scale = scale.map_err(|_| Error::Overflow)?;
     let friction = if load > F::zero() { bound / load } else { contact.friction };
-    // (the ellipse of the strips is not quite their contact's: neither of them at the end of the range)
+    // (the ellipse of the strips is not quite their contact's: neither of them at the end of the
+    // range)
     for b in [width.times(0.45), width.times(0.55)] {
         let lobe = Contact { b, normal_force: load, friction, ..*contact };
         lobe.check().map_err(|_| Error::Overflow)?;

@@ -1,5 +1,5 @@
-//! What each strip of a patch carries in the model STRIP: its zone's ellipse gives it the creepages of its `Y` and of its friction bound
-//! `Π = (μ p₀)_strip/(μ p₀)`.
+//! What each strip of a patch carries in the model STRIP: its zone's ellipse gives it the creepages
+//! of its `Y` and of its friction bound `Π = (μ p₀)_strip/(μ p₀)`.
 
 use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::{Contact, mismatch};
@@ -10,11 +10,12 @@ use crate::patch::zones::{Widths, Zone};
 use crate::patch::{PatchStrip, PatchView, QuadratureScale};
 use crate::strip::{Distribution, Flexibilities, StripCreepage, StripGeometry, eight_strips};
 
-/// Least share `Π` of the friction bound. A strip with less is treated as one with this share, so that the squares of its creepages fit
-/// an `f32`.
+/// Least share `Π` of the friction bound. A strip with less is treated as one with this share, so
+/// that the squares of its creepages fit an `f32`.
 const LEAST_BOUND: f64 = 1e-9;
 
-/// The creepages of the strips of a zone's ellipse, for the creepage at `x` on its middle line with that which pressure adds.
+/// The creepages of the strips of a zone's ellipse, for the creepage at `x` on its middle line with
+/// that which pressure adds.
 pub(super) fn law<F: Float, T: Number<Base = F>>(
     zone: &Zone<F>,
     slip: &PatchSlip<T>,
@@ -94,7 +95,8 @@ struct PreparedZone<F, T, L> {
     shift: T,
 }
 
-/// The creepage of a zone's ellipse at `x` on its middle line, and the part of it that pressure adds.
+/// The creepage of a zone's ellipse at `x` on its middle line, and the part of it that pressure
+/// adds.
 pub(super) fn seen_by<T: Number>(
     zone: &Zone<T::Base>,
     linear: &LinearCoefficients<T::Base>,

@@ -20,7 +20,8 @@ pub(super) struct Share<T: Number> {
 }
 
 impl<T: Number<Base: Float>> Share<T> {
-    /// The forces of a strip, from its forces over the friction bound and its moment about its centre in half lengths.
+    /// The forces of a strip, from its forces over the friction bound and its moment about its
+    /// centre in half lengths.
     pub fn new(
         strip: &PatchStrip<T::Base>,
         carried: &StripForces<T>,
@@ -36,7 +37,8 @@ impl<T: Number<Base: Float>> Share<T> {
     }
 }
 
-/// The motion of a patch: the creepage at its origin, and the factor of the creepage that pressure adds in unlike bodies, which is one.
+/// The motion of a patch: the creepage at its origin, and the factor of the creepage that pressure
+/// adds in unlike bodies, which is one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PatchSlip<T> {
     pub creepage: Creepage<T>,

@@ -1,16 +1,18 @@
 //! Forces, derivatives and strips of a patch that is given by its strips.
 //!
-//! A strip has the creepage of its own place, `(υx − φ y, υy + φ x_c, φ)`, and its own friction bound `μ p₀`, so that friction
-//! may vary over `y`. The force of a strip acts at `(x_c, y)`.
+//! A strip has the creepage of its own place, `(υx − φ y, υy + φ x_c, φ)`, and its own friction
+//! bound `μ p₀`, so that friction may vary over `y`. The force of a strip acts at `(x_c, y)`.
 //!
 //! * Theory of 1967: [`Strip::solve`] in units of the strip. The strips do not move with the
 //!   solution. The forces have a kink where a strip loses its adhesion area, and under
-//!   [`SlidingRule::RigidSlip`](crate::strip_1967::strip::SlidingRule::RigidSlip) with spin a jump as large as that strip's share.
-//! * [`Model::Strip`]: the ellipse of a strip's [zone](super::zones) is solved at the creepage of its own centre, and
-//!   gives the strip the creepages of its `Y` and `Π = (μ p₀)_strip/(μ p₀)`. A strip whose
-//!   centre is moved by `x_c` is solved with the lateral creepage there.
-//! * [`Model::Total`]: a strip carries its share, by friction bound, of what the ellipse of its zone carries at the creepage of
-//!   its own centre. This is cheap and smooth, and gives neither strips nor fields.
+//!   [`SlidingRule::RigidSlip`](crate::strip_1967::strip::SlidingRule::RigidSlip) with spin a jump
+//!   as large as that strip's share.
+//! * [`Model::Strip`]: the ellipse of a strip's [zone](super::zones) is solved at the creepage of
+//!   its own centre, and gives the strip the creepages of its `Y` and `Π = (μ p₀)_strip/(μ p₀)`. A
+//!   strip whose centre is moved by `x_c` is solved with the lateral creepage there.
+//! * [`Model::Total`]: a strip carries its share, by friction bound, of what the ellipse of its
+//!   zone carries at the creepage of its own centre. This is cheap and smooth, and gives neither
+//!   strips nor fields.
 //!
 //! [`Model::Linear`] holds for ellipses only. The linear theory of a patch is the derivative of
 //! [`Model::Strip`] at zero creepage: [`solve_jacobian`].
@@ -36,7 +38,8 @@ use crate::strip_1967::strip::{Regime, State, Strip};
 use crate::total;
 use nalgebra::Matrix3;
 
-/// Forces of the ellipse of a zone, and the longitudinal creepage that pressure adds in unlike materials.
+/// Forces of the ellipse of a zone, and the longitudinal creepage that pressure adds in unlike
+/// materials.
 type ZoneTotals<T> = (Totals<T>, T);
 
 /// Upper bound of the creepage that pressure adds in any zone.
@@ -275,10 +278,12 @@ impl<F: Float> Problem<'_, F> {
 /// # Example
 /// A wheel on a rail whose outer third is greasy:
 /// ```
-/// use kstrip::{contact::Contact, contact::creepage::Creepage, forces::Model, contact::totals::StripCount};
+/// use kstrip::contact::{Contact, creepage::Creepage, totals::StripCount};
+/// use kstrip::forces::Model;
 /// use kstrip::{patch::Patch, patch::solver::solve};
 /// let contact = Contact {
-///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
+///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
+///     shear_modulus: 82e9, poisson_ratio: 0.28,
 ///     mismatch: 0.0,
 /// };
 /// let mut patch = Patch::<f64, 16>::from_ellipse(&contact, StripCount::Sixteen)?;
@@ -315,7 +320,8 @@ pub fn solve_jacobian<F: Float>(
     Ok((solution, Matrix3::from(slopes.derivatives.jacobian).transpose()))
 }
 
-/// Forces with the derivatives by the creepages, all others zero, and what else derivatives are made of.
+/// Forces with the derivatives by the creepages, all others zero, and what else derivatives are
+/// made of.
 pub(super) fn solve_with_slopes<F: Float>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
@@ -352,8 +358,8 @@ pub(super) fn solve_with_slopes<F: Float>(
     }
 }
 
-/// Every strip of the solution, handed to `visit`, ascending in `y`. Their shares add up to the totals of
-/// [`solve`].
+/// Every strip of the solution, handed to `visit`, ascending in `y`. Their shares add up to the
+/// totals of [`solve`].
 ///
 /// # Errors
 /// Those of [`solve`]; [`Error::NotInModel`] for [`Model::Total`].

@@ -1,4 +1,5 @@
-//! A patch as a C structure: room for a fixed number of strips, and the number of those that are used.
+//! A patch as a C structure: room for a fixed number of strips, and the number of those that are
+//! used.
 
 use super::{PatchStrip, PatchView, QuadratureScale};
 use crate::number::Float;
@@ -8,8 +9,9 @@ use crate::status::Error;
 pub const KSTRIP_PATCH_CAPACITY: usize = 64;
 
 /// A contact patch of any shape: its strips, in ascending y. Filled by kstrip_patch_from_contact(),
-/// kstrip_patch_from_strips() or kstrip_patch_from_profile(); the members may then be changed. All functions check it
-/// again. A patch whose members are all zero, except shear_modulus, carries no load.
+/// kstrip_patch_from_strips() or kstrip_patch_from_profile(); the members may then be changed. All
+/// functions check it again. A patch whose members are all zero, except shear_modulus, carries no
+/// load.
 ///
 /// Where the distance of two neighbours is more than one and a half times that at which they touch,
 /// there is a gap: what lies on either side is a lobe of its own.
@@ -22,8 +24,8 @@ pub struct StoredPatch<F> {
     pub shear_modulus: F,
     /// Combined Poisson's ratio \[-\], 0 to 0.5.
     pub poisson_ratio: F,
-    /// Factor \[-\], > 0, that makes the sum of the strips' areas the patch's area: 1 unless the strips
-    /// are a quadrature rule (kstrip_patch_from_contact()); 0 stands for 1.
+    /// Factor \[-\], > 0, that makes the sum of the strips' areas the patch's area: 1 unless the
+    /// strips are a quadrature rule (kstrip_patch_from_contact()); 0 stands for 1.
     pub area_scale: F,
     /// The same for the moment of the area about x, the sum of y^2 times area.
     pub lever_scale: F,
@@ -31,8 +33,9 @@ pub struct StoredPatch<F> {
     pub count: u32,
     /// Reserved: zero.
     pub reserved: u32,
-    /// Mismatch kappa \[-\] of the two materials, as in kstrip_contact. Only kstrip_patch_from_contact() sets it; the other functions leave
-    /// it 0, and the caller may set it.
+    /// Mismatch kappa \[-\] of the two materials, as in kstrip_contact. Only
+    /// kstrip_patch_from_contact() sets it; the other functions leave it 0, and the caller may set
+    /// it.
     pub mismatch: F,
 }
 

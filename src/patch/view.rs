@@ -1,4 +1,5 @@
-//! A patch as the solvers see it: strips that have been checked, with their lobes and the ellipses that stand for them.
+//! A patch as the solvers see it: strips that have been checked, with their lobes and the ellipses
+//! that stand for them.
 
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::Float;
@@ -7,7 +8,8 @@ use crate::patch::zones::{Sizes, Zone};
 use crate::patch::{PatchStrip, QuadratureScale};
 use crate::status::Error;
 
-/// Number of lobes whose zones a view keeps; those of further lobes are found again wherever they are needed.
+/// Number of lobes whose zones a view keeps; those of further lobes are found again wherever they
+/// are needed.
 const LOBES: usize = 4;
 
 /// A checked patch, whose strips the caller stores.
@@ -28,13 +30,13 @@ pub struct PatchView<'a, F> {
 }
 
 impl<'a, F: Float> PatchView<'a, F> {
-    /// Checks strips in ascending `y`, the combined shear modulus `G` \[Pa\] and Poisson's ratio `ν`. A patch without strips carries
-    /// no load.
+    /// Checks strips in ascending `y`, the combined shear modulus `G` \[Pa\] and Poisson's ratio
+    /// `ν`. A patch without strips carries no load.
     ///
     /// # Errors
     /// Those of [`PatchStrip::check`]; [`Error::Modulus`], [`Error::PoissonRatio`];
-    /// [`Error::StripOrder`] when strips overlap or do not ascend; [`Error::Overflow`] when a sum or the
-    /// axis ratio of a lobe does not fit the floating-point type.
+    /// [`Error::StripOrder`] when strips overlap or do not ascend; [`Error::Overflow`] when a sum
+    /// or the axis ratio of a lobe does not fit the floating-point type.
     pub fn new(
         strips: &'a [PatchStrip<F>],
         shear_modulus: F,
@@ -106,10 +108,12 @@ impl<'a, F: Float> PatchView<'a, F> {
         if sums.iter().all(|sum| sum.is_finite_number()) { Ok(view) } else { Err(Error::Overflow) }
     }
 
-    /// The same patch of unlike materials, with the mismatch `κ` as in [`Contact`](crate::contact::Contact).
+    /// The same patch of unlike materials, with the mismatch `κ` as in
+    /// [`Contact`](crate::contact::Contact).
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::Overflow`] when the creepage that pressure makes does not fit the floating-point type.
+    /// [`Error::NotFinite`]; [`Error::Overflow`] when the creepage that pressure makes does not fit
+    /// the floating-point type.
     pub fn with_mismatch(mut self, mismatch: F) -> Result<Self, Error> {
         if !mismatch.is_finite_number() {
             return Err(Error::NotFinite);
@@ -163,7 +167,8 @@ impl<'a, F: Float> PatchView<'a, F> {
         &self.sizes
     }
 
-    /// The lobes in ascending `y`, each with the number of its first strip and with its zone, if all its strips have the same.
+    /// The lobes in ascending `y`, each with the number of its first strip and with its zone, if
+    /// all its strips have the same.
     pub(crate) fn lobes_and_zones(
         &self,
     ) -> impl Iterator<Item = (usize, &'a [PatchStrip<F>], Option<Zone<F>>)> {

@@ -1,11 +1,13 @@
 //! The ellipse that stands for a strip and for the strips that it is connected with.
 //!
-//! The model STRIP needs an axis ratio. The zone of a strip has all strips that are reached from it without passing a neck. Strips beyond a neck
-//! count with a weight, which is 1 where the neck is at least 0.85 of the smaller of the two parts that it connects, and 0 below
-//! 0.55. A patch that is pinched therefore falls apart without a jump, and a strip in the neck belongs to both sides.
+//! The model STRIP needs an axis ratio. The zone of a strip has all strips that are reached from it
+//! without passing a neck. Strips beyond a neck count with a weight, which is 1 where the neck is
+//! at least 0.85 of the smaller of the two parts that it connects, and 0 below 0.55. A patch that
+//! is pinched therefore falls apart without a jump, and a strip in the neck belongs to both sides.
 //!
-//! The **equivalent ellipse** has the load and the friction of the zone and follows from means over the load. On an ellipse
-//! `∫ C² l² dY/∫ C² dY = (4/5) a²` and likewise for the peak pressure, therefore
+//! The **equivalent ellipse** has the load and the friction of the zone and follows from means over
+//! the load. On an ellipse `∫ C² l² dY/∫ C² dY = (4/5) a²` and likewise for the peak pressure,
+//! therefore
 //!
 //! ```text
 //! a² = (5/4) Σ N l²/Σ N,   p₀² = (5/4) Σ N p²/Σ N,   N = (2/3) π a b p₀,   (x₀, y₀) = Σ N (x, y)/Σ N,   μ = Σ μ N/Σ N
@@ -22,7 +24,8 @@ use core::f64::consts::PI;
 /// Neck over the smaller part, below which there is no connection and above which it is full.
 const APART: f64 = 0.55;
 const WHOLE: f64 = 0.85;
-/// Gap between neighbours, over the width of a strip, where their connection begins to end, and where it has.
+/// Gap between neighbours, over the width of a strip, where their connection begins to end, and
+/// where it has.
 const TOUCHING: f64 = 0.5;
 const GAP: f64 = 1.0;
 
@@ -117,7 +120,8 @@ impl<F: Float> Sizes<F> {
     }
 }
 
-/// A walk away from a strip: the longest strip on the way, the shortest since, and what is left of the connection.
+/// A walk away from a strip: the longest strip on the way, the shortest since, and what is left of
+/// the connection.
 struct Walk<F> {
     peak: F,
     neck: F,
@@ -136,7 +140,8 @@ impl<F: Float> Walk<F> {
         let l = next.half_length;
         self.neck = self.neck.min(l);
         let smaller = self.peak.min(l);
-        // (strips of any width end as narrow ones: what counts is the gap, not the distance of their middles)
+        // (strips of any width end as narrow ones: what counts is the gap, not the distance of
+        // their middles)
         let gap = (next.y - last.y).abs() - (next.width + last.width).times(0.5);
         let gap = gap * self.per_width;
         if self.neck < smaller.times(WHOLE) || gap > F::of(TOUCHING) {
@@ -210,7 +215,8 @@ impl<F: Float> PatchView<'_, F> {
         }
     }
 
-    /// The zone of all strips of a lobe that begins with this number, where no neck divides it and no other is near.
+    /// The zone of all strips of a lobe that begins with this number, where no neck divides it and
+    /// no other is near.
     pub(crate) fn zone_of_lobe(&self, number: usize, lobe: &[PatchStrip<F>]) -> Option<Zone<F>> {
         let per_width = self.sizes().widths.per_width;
         let (first, last) = (lobe.first()?, lobe.last()?);
@@ -296,12 +302,14 @@ impl<F: Float> PatchView<'_, F> {
 /// Widths of the strips of a lobe or a patch.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Widths<F> {
-    /// One over the width of a strip: the mean over the width, which strips as narrow as one likes do not change \[1/m\].
+    /// One over the width of a strip: the mean over the width, which strips as narrow as one likes
+    /// do not change \[1/m\].
     pub per_width: F,
     /// The same for most patches; for a rule of Gauss one over the mean of the strips \[1/m\].
     pub per_mean: F,
-    /// One for a rule of Gauss, whose strips take turns with two kinds of nodes along their lengths; none for strips of one
-    /// width but a few, which have half of both: then one more strip at the rim turns nothing round.
+    /// One for a rule of Gauss, whose strips take turns with two kinds of nodes along their
+    /// lengths; none for strips of one width but a few, which have half of both: then one more
+    /// strip at the rim turns nothing round.
     pub alternation: F,
 }
 

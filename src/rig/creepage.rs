@@ -6,14 +6,18 @@
 //! L(F) = 3 (1 − ∛(1 − t)) F/|F|
 //! ```
 //!
-//! is proportional to the creepage in the theory of Vermeulen and Johnson (J. Appl. Mech. 31 (1964) 338), and nearly so
-//! here. From the second step on the model of the force is not only its slopes but the cubics through the last two places, as a tensor method has
-//! it (Schnabel and Frank, SIAM J. Numer. Anal. 21 (1984) 815), because the slopes alone are nearly singular where spin and creepage make the
-//! force turn back: its folds. A step leads closer if the error falls, or if the next step is shorter: near folds and jumps the error measures the
-//! direction of the force alone, and a step that brings the creepage nearer may make it grow (natural monotonicity: Deuflhard, Newton Methods for
-//! Nonlinear Problems, Springer 2004). A step that leads no closer is shortened to where the cubic through both ends crosses zero, or damped; one
-//! that leads beyond a fold is halved, because the force that is wanted is mostly found before it turns back. If the search makes no progress, or
-//! no step leads closer to a force that is almost reached, it starts again elsewhere along the wanted force.
+//! is proportional to the creepage in the theory of Vermeulen and Johnson (J. Appl. Mech. 31 (1964)
+//! 338), and nearly so here. From the second step on the model of the force is not only its slopes
+//! but the cubics through the last two places, as a tensor method has it (Schnabel and Frank, SIAM
+//! J. Numer. Anal. 21 (1984) 815), because the slopes alone are nearly singular where spin and
+//! creepage make the force turn back: its folds. A step leads closer if the error falls, or if the
+//! next step is shorter: near folds and jumps the error measures the direction of the force alone,
+//! and a step that brings the creepage nearer may make it grow (natural monotonicity: Deuflhard,
+//! Newton Methods for Nonlinear Problems, Springer 2004). A step that leads no closer is shortened
+//! to where the cubic through both ends crosses zero, or damped; one that leads beyond a fold is
+//! halved, because the force that is wanted is mostly found before it turns back. If the search
+//! makes no progress, or no step leads closer to a force that is almost reached, it starts again
+//! elsewhere along the wanted force.
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
@@ -27,8 +31,9 @@ use crate::status::{Error, Warning};
 const SLIDING: f64 = 1e-3;
 /// Largest number of solutions.
 const MOST: usize = 40;
-/// Number of solutions in a row that do not halve the error, after which the search starts again: along the wanted force, at the creepages
-/// `STARTS` times that where the first start ended, which counts at least as `NEAREST` units of slip.
+/// Number of solutions in a row that do not halve the error, after which the search starts again:
+/// along the wanted force, at the creepages `STARTS` times that where the first start ended, which
+/// counts at least as `NEAREST` units of slip.
 const IDLE: usize = 6;
 const STARTS: [f64; 7] = [1.15, 1.5, 2.0, 0.6, 4.0, 0.3, 8.0];
 const NEAREST: f64 = 0.3;
@@ -36,25 +41,30 @@ const NEAREST: f64 = 0.3;
 const SHORTER: f64 = 0.8;
 /// Error below which no step is damped: the force has turned back, and is found beyond.
 const CLOSE: f64 = 0.1;
-/// Damping, over the sum of the squares of the slopes, where the plain step leads no closer, and the factor by which the damping grows.
+/// Damping, over the sum of the squares of the slopes, where the plain step leads no closer, and
+/// the factor by which the damping grows.
 const DAMPING: f64 = 0.03;
 const GROWTH: f64 = 10.0;
-/// Least slope of the cubic that gives the length of a step along the cubics through the last two places; with less the plain step is taken.
+/// Least slope of the cubic that gives the length of a step along the cubics through the last two
+/// places; with less the plain step is taken.
 const STEEP: f64 = 0.1;
-/// Distances from the wanted force over `μ N`, in roundings: the search ends; a place is left to rounding; a place is still accepted.
+/// Distances from the wanted force over `μ N`, in roundings: the search ends; a place is left to
+/// rounding; a place is still accepted.
 const REACHED: f64 = 16.0;
 const ROUNDING: f64 = 5e3;
 const TAKEN: f64 = 1e4;
 
-/// The creepage `(υx, υy)` at which a contact with a given spin carries a wanted force `(F_x, F_y)` on the lower body.
+/// The creepage `(υx, υy)` at which a contact with a given spin carries a wanted force `(F_x, F_y)`
+/// on the lower body.
 ///
-/// With [`Warning::CreepageAtLeast`] the force is within 0.1 % of `μ N`: the result is where it comes as near as that,
-/// and larger creepages do as well.
+/// With [`Warning::CreepageAtLeast`] the force is within 0.1 % of `μ N`: the result is where it
+/// comes as near as that, and larger creepages do as well.
 ///
-/// The search mostly needs five solutions with derivatives, and more than 12 for about one of ten thousand plausible contacts, near `μ N`
-/// (14 with [`Model::Strip1967`], whose force jumps). It ends after 40 with [`Warning::NotConverged`] and the
-/// nearest creepage that was found. Where spin keeps the force nearly constant over a range of creepages, more than one creepage may give
-/// it, and the result is one of them.
+/// The search mostly needs five solutions with derivatives, and more than 12 for about one of ten
+/// thousand plausible contacts, near `μ N` (14 with [`Model::Strip1967`], whose force jumps). It
+/// ends after 40 with [`Warning::NotConverged`] and the nearest creepage that was found. Where spin
+/// keeps the force nearly constant over a range of creepages, more than one creepage may give it,
+/// and the result is one of them.
 ///
 /// # Errors
 /// Those of [`solve`](forces::solve), [`Error::ForceBeyondFriction`].
@@ -63,7 +73,8 @@ const TAKEN: f64 = 1e4;
 /// ```
 /// use kstrip::{contact::Contact, forces::{solve, Options}, rig::creepage_for_force};
 /// let contact = Contact {
-///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
+///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
+///     shear_modulus: 82e9, poisson_ratio: 0.28,
 ///     mismatch: 0.0,
 /// };
 /// let options = Options::default();
@@ -168,7 +179,8 @@ impl<F: Float> Iterate<F> {
         size < self.determinant() * length(step[0], step[1]).times(SHORTER)
     }
 
-    /// Whether the force has turned back on the way: the slopes have another orientation than at rest and at the place before.
+    /// Whether the force has turned back on the way: the slopes have another orientation than at
+    /// rest and at the place before.
     fn is_beyond_a_fold_from(&self, before: &Self) -> bool {
         self.determinant() <= F::zero() && before.determinant() > F::zero()
     }
@@ -293,7 +305,8 @@ impl<'a, F: Float> Aim<'a, F> {
         place
     }
 
-    /// One step of Newton's method, `(Jᵀ J + λ) Δ = −Jᵀ error`; with a place before this one along the cubics through both.
+    /// One step of Newton's method, `(Jᵀ J + λ) Δ = −Jᵀ error`; with a place before this one along
+    /// the cubics through both.
     fn step(&self, place: &Iterate<F>, before: Option<&Iterate<F>>, damping: F) -> [F; 2] {
         let Iterate { at, error, slopes: [[xx, xy], [yx, yy]], .. } = *place;
         let (p, q, r) = (xx * xx + yx * yx, xx * xy + yx * yy, xy * xy + yy * yy);
@@ -321,8 +334,9 @@ impl<'a, F: Float> Aim<'a, F> {
     }
 }
 
-/// The step `Δ` that takes `error + J Δ + τ² c₂ + τ³ c₃` to zero, where `τ` is the part of `Δ` along the way back to the place before: the
-/// cubics along this way have the errors and the slopes of both places. None where it is far from the plain step.
+/// The step `Δ` that takes `error + J Δ + τ² c₂ + τ³ c₃` to zero, where `τ` is the part of `Δ`
+/// along the way back to the place before: the cubics along this way have the errors and the slopes
+/// of both places. None where it is far from the plain step.
 fn bent<F: Float>(
     place: &Iterate<F>,
     before: &Iterate<F>,

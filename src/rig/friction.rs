@@ -9,19 +9,22 @@ use crate::forces::{self, Model, Options, Solution};
 use crate::number::{Float, are_finite};
 use crate::status::{Error, Warning};
 
-/// Friction over used friction beyond which the contact is taken to stick: the force differs by about one per cent
-/// from that of linear theory there.
+/// Friction over used friction beyond which the contact is taken to stick: the force differs by
+/// about one per cent from that of linear theory there.
 const STICKING: f64 = 20.0;
 /// Largest friction that is tried, over the friction that adhesion needs.
 const RANGE: f64 = 1e4;
-/// Largest friction that adhesion may need, over the used friction. Beyond it only full sliding can be told.
+/// Largest friction that adhesion may need, over the used friction. Beyond it only full sliding can
+/// be told.
 const SLIDING: f64 = 1e5;
-/// The way up from the used friction: the largest number of steps; limits of the ratio that tells how far in sliding the contact is; and the
-/// growth of `x` in a step, for a ratio above all limits, below one, below two and below three of them.
+/// The way up from the used friction: the largest number of steps; limits of the ratio that tells
+/// how far in sliding the contact is; and the growth of `x` in a step, for a ratio above all
+/// limits, below one, below two and below three of them.
 const WALK: usize = 46;
 const LIMITS: [f64; 3] = [0.1, 1.0 / 30.0, 0.01];
 const GROWTH: [f64; 4] = [1.0 + 0.1, 1.0 + 0.1 * 2.0, 1.0 + 0.1 * 4.0, 1.0 + 0.1 * 6.0];
-/// Number of solutions up to which intervals are divided, and the largest number of all solutions with that of the answer.
+/// Number of solutions up to which intervals are divided, and the largest number of all solutions
+/// with that of the answer.
 const DIVIDED: usize = 64;
 const MOST: usize = 90;
 /// Width below which, and height above which, a crossing is a jump.
@@ -34,24 +37,27 @@ const ROUNDINGS: f64 = 32.0;
 ///
 /// The contact's own friction is ignored. Forces act on the lower body.
 ///
-/// With [`Warning::FrictionAtLeast`] the contact sticks (it uses less than a twentieth of its friction, or the force is
-/// larger than that of linear theory): the result is the used friction `|F|/N`, a lower bound. With
-/// [`Warning::SeveralFrictions`] more than one friction explains the force, which may be where spin opposes the
-/// creepage: the result is the smallest. The force of [`Model::Strip1967`] jumps where adhesion is born: a jump across the measured force
-/// counts as one of several, and is the result only with [`Warning::NotConverged`]. An estimate may miss a friction: this happened to up to one
-/// of ten thousand estimates with each of the models of 1967, to one of a hundred thousand with [`Model::Strip`], and to none with
-/// [`Model::Total`].
+/// With [`Warning::FrictionAtLeast`] the contact sticks (it uses less than a twentieth of its
+/// friction, or the force is larger than that of linear theory): the result is the used friction
+/// `|F|/N`, a lower bound. With [`Warning::SeveralFrictions`] more than one friction explains the
+/// force, which may be where spin opposes the creepage: the result is the smallest. The force of
+/// [`Model::Strip1967`] jumps where adhesion is born: a jump across the measured force counts as
+/// one of several, and is the result only with [`Warning::NotConverged`]. An estimate may miss a
+/// friction: this happened to up to one of ten thousand estimates with each of the models of 1967,
+/// to one of a hundred thousand with [`Model::Strip`], and to none with [`Model::Total`].
 ///
 /// At most 90 solutions with derivatives.
 ///
 /// # Errors
-/// Those of [`solve`](forces::solve), [`Error::NotInModel`] for [`Model::Linear`], [`Error::Unexplained`].
+/// Those of [`solve`](forces::solve), [`Error::NotInModel`] for [`Model::Linear`],
+/// [`Error::Unexplained`].
 ///
 /// # Example
 /// ```
 /// use kstrip::{contact::Contact, contact::creepage::Creepage, forces::{solve, Options}, rig::*};
 /// let contact = Contact {
-///     a: 6e-3, b: 4e-3, normal_force: 80e3, shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.22,
+///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.22,
+///     shear_modulus: 82e9, poisson_ratio: 0.28,
 ///     mismatch: 0.0,
 /// };
 /// let creepage = Creepage { longitudinal: 2e-3, lateral: 0.0, spin: 0.1 };
@@ -206,7 +212,8 @@ impl<'a, F: Float> Rig<'a, F> {
         Ok(FrictionEstimate { friction, sensitivity, residual, warning, reserved: 0 })
     }
 
-    /// Searches from the used friction upward, and then in the intervals that may hide roots. Also returns the first place and the largest excess.
+    /// Searches from the used friction upward, and then in the intervals that may hide roots. Also
+    /// returns the first place and the largest excess.
     fn search(&mut self) -> Result<(Search<F>, Sample<F>, F), Error> {
         let jumps = self.options.model == Model::Strip1967;
         let mut search = Search::new(jumps);
@@ -241,7 +248,8 @@ impl<'a, F: Float> Rig<'a, F> {
         Ok((search, first, most))
     }
 
-    /// The smallest friction that explains the force, infinite if there is none, and whether it is a root. A jump is taken if there is no root.
+    /// The smallest friction that explains the force, infinite if there is none, and whether it is
+    /// a root. A jump is taken if there is no root.
     fn smallest(&mut self, search: &Search<F>) -> Result<(F, bool), Error> {
         let (mut from, mut jump) = (F::zero(), None);
         while let Some(interval) = search.change_from(from) {

@@ -1,18 +1,21 @@
-//! The places where a function of one variable changes its sign, from values and exact derivatives. The search does not step over two
-//! close roots.
+//! The places where a function of one variable changes its sign, from values and exact derivatives.
+//! The search does not step over two close roots.
 //!
-//! Between two places the function is taken for the cubic that has both values and both slopes (Hermite). The error of this cubic is estimated
-//! from the distance of the slopes to those of a parabola, from the change of the slopes, and from the width. An interval is finished if its
-//! cubic stays away from zero by more than this error, or if the function changes its sign in it and the slope does not. The worst of the other
-//! intervals is divided next: where the cubic turns, where it crosses zero, or where it comes closest to zero.
+//! Between two places the function is taken for the cubic that has both values and both slopes
+//! (Hermite). The error of this cubic is estimated from the distance of the slopes to those of a
+//! parabola, from the change of the slopes, and from the width. An interval is finished if its
+//! cubic stays away from zero by more than this error, or if the function changes its sign in it
+//! and the slope does not. The worst of the other intervals is divided next: where the cubic turns,
+//! where it crosses zero, or where it comes closest to zero.
 
 use crate::number::Float;
 use heapless::Vec;
 
-/// Largest number of intervals that are kept: those with a change of sign, and those that may hide two roots.
+/// Largest number of intervals that are kept: those with a change of sign, and those that may hide
+/// two roots.
 const KEPT: usize = 64;
-/// Weights of the three parts of the error estimate: the distance of the slopes from those of a parabola, the change of the slopes, and the
-/// width of the interval over its place.
+/// Weights of the three parts of the error estimate: the distance of the slopes from those of a
+/// parabola, the change of the slopes, and the width of the interval over its place.
 const NO_PARABOLA: f64 = 2.0;
 const TURN: f64 = 0.3;
 const WIDTH: f64 = 4.0;
@@ -63,7 +66,8 @@ impl<F: Float> Interval<F> {
     }
 }
 
-/// The coefficients of `c₀ + c₁ t + c₂ t² + c₃ t³` with these values and slopes at 0 and 1 (Hermite).
+/// The coefficients of `c₀ + c₁ t + c₂ t² + c₃ t³` with these values and slopes at 0 and 1
+/// (Hermite).
 pub(super) fn cubic<F: Float>([a, b]: [F; 2], [p, q]: [F; 2]) -> [F; 4] {
     [a, p, (b - a).times(3.0) - p.times(2.0) - q, (a - b).times(2.0) + p + q]
 }
@@ -121,7 +125,8 @@ impl<F: Float> Search<F> {
         changes.copied().reduce(|a, b| if b.from.x < a.from.x { b } else { a })
     }
 
-    /// What may be hidden between two places over what is needed for a root there; and where to look for it.
+    /// What may be hidden between two places over what is needed for a root there; and where to
+    /// look for it.
     fn judged(&self, from: &Sample<F>, to: &Sample<F>) -> (F, F) {
         let width = to.x - from.x;
         let root = F::EPSILON.cube_root();

@@ -1,6 +1,7 @@
 //! Strips of any shape, side by side, that are not those of one ellipse.
 //!
-//! Strips are of two kinds, whose nodes along the length are staggered. This module evaluates both kinds side by side and mixes them.
+//! Strips are of two kinds, whose nodes along the length are staggered. This module evaluates both
+//! kinds side by side and mixes them.
 
 use super::derivative::{SpinSlopes, forces_and_slopes};
 use super::kernel::{Spin, StripCreepage, StripForces, forces};
@@ -9,9 +10,11 @@ use crate::number::lanes::Lanes;
 use crate::number::registers::with_avx;
 use crate::number::{Arithmetic, Number, Real, Strips};
 
-/// The creepages of eight strips, `A_x, A_y, σ`, the spread and the start; and their share of the inner strips' nodes, 0 to 1.
+/// The creepages of eight strips, `A_x, A_y, σ`, the spread and the start; and their share of the
+/// inner strips' nodes, 0 to 1.
 type Eight<F> = [[F; 8]; 6];
-/// The forces `f_x, f_y, m_x` of eight strips and the share in adhesion, and the derivatives of the first three by the creepages.
+/// The forces `f_x, f_y, m_x` of eight strips and the share in adhesion, and the derivatives of the
+/// first three by the creepages.
 type ForcesAndSlopes<F, const ROWS: usize> = ([[F; 8]; 4], [[[F; 8]; 5]; ROWS]);
 
 /// How many rows of derivatives: without them, and with them.

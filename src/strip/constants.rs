@@ -1,8 +1,8 @@
 //! Constants of the strips of STRIP.
 //!
-//! Written by `fit/fit_strip.py` from `fit/data/train.csv`, `train_fine.csv` and `train_slender.csv`
-//! (values computed with CONTACT, see `fit/data/README.md`) and `boundary_elements.csv`.
-//! Trained on 19108 rows; 1784 others of CONTACT were kept for validation.
+//! Written by `fit/fit_strip.py` from `fit/data/train.csv`, `train_fine.csv` and
+//! `train_slender.csv` (values computed with CONTACT, see `fit/data/README.md`) and
+//! `boundary_elements.csv`. Trained on 19108 rows; 1784 others of CONTACT were kept for validation.
 // Generated: change the script, not this file.
 
 /// Nodes on the slip part of a strip.
@@ -23,7 +23,8 @@ pub(crate) const EDGE: f64 = 0.4;
 pub(crate) const WIDTH: f64 = 0.05;
 /// The same of what moves forces and moments together.
 pub(crate) const WIDTH2: f64 = 0.15;
-/// Linear force in `μ N` where the flexibilities have become those of the rigid slip, half and half.
+/// Linear force in `μ N` where the flexibilities have become those of the rigid slip, half and
+/// half.
 pub(crate) const SATURATION: f64 = 40.0;
 /// Places `t` of the nodes: on the outermost strips and every second one, and on the others.
 #[rustfmt::skip]

@@ -1,7 +1,7 @@
 //! The creepages of the strips of a contact: from `vx, vy, φ` to `a_x, a_y, ρ, σ` and the bend `ε`.
 //!
-//! The flexibilities of Kalker's linear theory, multiplied by fitted factors that are 1 at rest, and turned into those
-//! of the rigid slip where the linear force is far beyond the friction bound.
+//! The flexibilities of Kalker's linear theory, multiplied by fitted factors that are 1 at rest,
+//! and turned into those of the rigid slip where the linear force is far beyond the friction bound.
 
 use super::constants::{SATURATION, WIDTH, WIDTH2};
 use super::kernel::StripCreepage;
@@ -12,9 +12,11 @@ use crate::number::registers::with_avx;
 use crate::number::{Arithmetic, Number, Pair, Real, Strips, add, scaled_down};
 use core::f64::consts::PI;
 
-/// Creepages beyond this are scaled down together, because the contact slides fully. Their fourth powers fit an `f32`.
+/// Creepages beyond this are scaled down together, because the contact slides fully. Their fourth
+/// powers fit an `f32`.
 const CREEPAGE_LIMIT: f64 = 1e4;
-/// The creepages of strips are scaled down together beyond this, so that their fourth powers fit an `f32`.
+/// The creepages of strips are scaled down together beyond this, so that their fourth powers fit an
+/// `f32`.
 const SEEN_LIMIT: f64 = 1e5;
 /// Largest creepage of one strip.
 const STRIP_LIMIT: f64 = 1e6;
@@ -33,13 +35,15 @@ pub struct Flexibilities<F: Real> {
     pub(super) upright: F,
     /// `(4/3π)(C11 + C22)`, the common flexibility of full sliding.
     rigid: F,
-    /// `C23/(k_m C22) − 1` with `k_m = (4/3π) √(a/b)`. It gives the moment of a small lateral creepage Kalker's slope.
+    /// `C23/(k_m C22) − 1` with `k_m = (4/3π) √(a/b)`. It gives the moment of a small lateral
+    /// creepage Kalker's slope.
     lateral_at_rest: F,
     /// Factors of creepage and of `ρ` that make sums over strips exact at rest.
     factors: [F; 2],
     network: StripNetwork<F>,
     long: LongContact<F>,
-    /// Share of the square of a spin's linear force that counts toward rigid slip: 1, less in long contacts.
+    /// Share of the square of a spin's linear force that counts toward rigid slip: 1, less in long
+    /// contacts.
     of_spin: F,
 }
 
@@ -71,15 +75,17 @@ pub struct StripGeometry<F> {
     pub y: F,
     /// Half length over the patch's, `C = c/a`, positive.
     pub half_length: F,
-    /// Peak of the strip's friction bound over that of the patch: `Π = (μ p₀)_strip/(μ p₀)`, positive. On
-    /// an ellipse with one coefficient of friction `Π = C`.
+    /// Peak of the strip's friction bound over that of the patch: `Π = (μ p₀)_strip/(μ p₀)`,
+    /// positive. On an ellipse with one coefficient of friction `Π = C`.
     pub bound: F,
-    /// Width in `Y` of one of sixteen strips at this place, over which slip is averaged; 0 for a line.
+    /// Width in `Y` of one of sixteen strips at this place, over which slip is averaged; 0 for a
+    /// line.
     pub width: F,
 }
 
 impl<F: Real> Flexibilities<F> {
-    /// `axis_ratio` is `a/b`, `linear` the coefficients for it, `factors` those of [`super::Rule`], or 1.
+    /// `axis_ratio` is `a/b`, `linear` the coefficients for it, `factors` those of [`super::Rule`],
+    /// or 1.
     #[inline(always)]
     pub fn new(
         axis_ratio: F,
@@ -120,10 +126,11 @@ impl<F: Real> Flexibilities<F> {
         }
     }
 
-    /// The creepages of the strips, from `vx, vy = G a b (υx, υy)/(μ N)` and `φ = G (a b)^{3/2} ϕ/(μ N)`.
+    /// The creepages of the strips, from `vx, vy = G a b (υx, υy)/(μ N)` and
+    /// `φ = G (a b)^{3/2} ϕ/(μ N)`.
     ///
-    /// The factors are fitted for `a/b` 0.015 to 60, `ν` 0 to 1/2 and `|ψ| = (π/3) √(a/b) |φ| ≤ 3`. Beyond that range the results are finite
-    /// and bounded and have the right limits.
+    /// The factors are fitted for `a/b` 0.015 to 60, `ν` 0 to 1/2 and `|ψ| = (π/3) √(a/b) |φ| ≤ 3`.
+    /// Beyond that range the results are finite and bounded and have the right limits.
     #[inline(always)]
     pub fn see<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Distribution<T> {
         with_avx!(if T::LANES => <F: Real, T: Number<Base = F>>(contact: &Flexibilities<F> = self, creepage: [T; 3]) -> Distribution<T> {
@@ -190,8 +197,8 @@ impl<F: Real> Flexibilities<F> {
 
         // w = n²/(c + n²): no correction at rest
         let (w, w2) = (less(by_n, WIDTH), less(by_n2, WIDTH2));
-        // χ = m⁴/(m⁴ + 40⁴), m² that of the creepages and a share of that of the spin: from the contact's own flexibilities to that of
-        // the rigid slip
+        // χ = m⁴/(m⁴ + 40⁴), m² that of the creepages and a share of that of the spin: from the
+        // contact's own flexibilities to that of the rigid slip
         let m2 = t2 + s2.scale(self.of_spin);
         let elastic = (m2 * m2).plus(LIMIT).inverse().times(LIMIT);
         let rigid = (one - elastic).scale(self.rigid);

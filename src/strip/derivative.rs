@@ -1,5 +1,6 @@
-//! Derivatives of a strip's forces by `A_x, A_y, σ`, the spread and the start, by reverse differentiation of the kernel's formulas, from the
-//! results back to the inputs. (Dual numbers through the kernel give the same and take longer.)
+//! Derivatives of a strip's forces by `A_x, A_y, σ`, the spread and the start, by reverse
+//! differentiation of the kernel's formulas, from the results back to the inputs. (Dual numbers
+//! through the kernel give the same and take longer.)
 
 use super::constants::{AVERAGE, BLEND, EDGE, NODES, ROUND_SPIN};
 use super::kernel::{
@@ -35,7 +36,8 @@ impl<T: Arithmetic> SpinSlopes<T> {
     }
 }
 
-/// Forces of strips side by side, and the derivatives of `f_x, f_y, m_x` by `A_x, A_y, σ`, the spread and the start.
+/// Forces of strips side by side, and the derivatives of `f_x, f_y, m_x` by `A_x, A_y, σ`, the
+/// spread and the start.
 #[inline(always)]
 pub(super) fn forces_and_slopes<P: Arithmetic<Value = P>>(
     seen: &StripCreepage<P>,
@@ -159,7 +161,8 @@ impl<P: Arithmetic<Value = P>> NodeAdjoint<P> {
     }
 }
 
-/// The derivatives of a force in the reverse pass: by the state ahead of a node, and sums over the nodes that were passed.
+/// The derivatives of a force in the reverse pass: by the state ahead of a node, and sums over the
+/// nodes that were passed.
 #[derive(Clone, Copy)]
 struct Adjoint<P> {
     by_px: P,

@@ -29,8 +29,8 @@ pub struct StripTraction<T> {
 impl<F: Float> Distribution<F> {
     /// Traction, state and slip at `x̂ = x/c` of a strip, −1 to 1.
     ///
-    /// The step from one node to the next ends at the point, so that at a node the values are those from which the forces are
-    /// summed.
+    /// The step from one node to the next ends at the point, so that at a node the values are those
+    /// from which the forces are summed.
     #[must_use]
     pub fn traction(&self, strip: &StripGeometry<F>, place: F) -> StripTraction<F> {
         let (zero, one, two) = (F::zero(), F::one(), F::of(2.0));
@@ -56,7 +56,8 @@ impl<F: Float> Distribution<F> {
             let whole = step_to(s, before, node.place);
             let (next, traction) = slip.step(&seen, &spin, s, &whole);
             let to = slip_share(&seen, &spin, s, &whole, traction.tried);
-            // slip over rigid slip: zero at the separatrix; at the leading edge that of the first step
+            // slip over rigid slip: zero at the separatrix; at the leading edge that of the first
+            // step
             let at_start = from.unwrap_or(to * s.plus(EDGE - 2.0).max(zero).times(1.0 / EDGE));
             here = Some((slip, node, before, at_start, to));
             if t >= node.place {
@@ -107,7 +108,8 @@ fn step_to<F: Float>(s: F, before: F, t: F) -> Step<F> {
     }
 }
 
-/// SlipState over rigid slip on a step: the part of the traction's growth that the bound cuts off, over the whole growth.
+/// SlipState over rigid slip on a step: the part of the traction's growth that the bound cuts off,
+/// over the whole growth.
 fn slip_share<F: Float>(
     seen: &StripCreepage<F>,
     spin: &Spin<F>,

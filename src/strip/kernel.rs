@@ -1,7 +1,9 @@
-//! One strip, with Kalker's half-ellipses ahead of its separatrix and a few nodes in the slip behind the separatrix.
+//! One strip, with Kalker's half-ellipses ahead of its separatrix and a few nodes in the slip
+//! behind the separatrix.
 //!
-//! `τ = 1 + x̂` runs from 2 at the leading edge to 0, `B = τ (2 − τ)` is the square of the bound's shape, forces are
-//! weighted with `(2/π) √B`. Tractions and forces are divided by the strip's own friction bound.
+//! `τ = 1 + x̂` runs from 2 at the leading edge to 0, `B = τ (2 − τ)` is the square of the bound's
+//! shape, forces are weighted with `(2/π) √B`. Tractions and forces are divided by the strip's own
+//! friction bound.
 
 use super::constants::{AVERAGE, BLEND, EDGE, NODES, ROUND, ROUND_SPIN};
 use super::tables::{Closed, Constants, TableNode};
@@ -25,7 +27,8 @@ pub struct StripCreepage<T> {
     pub y: T,
     /// Variation of `A_x` over the width of one of sixteen strips.
     pub spread: T,
-    /// Distance from full sliding, 1 to 0: share of its turn that the first step into the slip part keeps.
+    /// Distance from full sliding, 1 to 0: share of its turn that the first step into the slip part
+    /// keeps.
     pub start: T,
 }
 
@@ -133,7 +136,8 @@ pub(super) struct Separatrix<T> {
 }
 
 impl<T: Arithmetic> Separatrix<T> {
-    /// `|A'/s + r e_y| = 1`, Kalker's (5.41): `s = (S + r A_y')/(1 − r²)`, `S² = A_y'² + (1 − r²) A_x²`.
+    /// `|A'/s + r e_y| = 1`, Kalker's (5.41): `s = (S + r A_y')/(1 − r²)`,
+    /// `S² = A_y'² + (1 − r²) A_x²`.
     #[inline(always)]
     pub fn new(seen: &StripCreepage<T>, spin: &Spin<T>) -> Self {
         let y = seen.y + spin.excess;
@@ -262,7 +266,8 @@ pub(super) fn forces<T: Arithmetic>(
     let (inverse_s, bounds) = inverses(s, constants);
     // n = A'/s + r e_y
     let n = [seen.x * inverse_s, y * inverse_s + spin.r];
-    // t = r e_y + (A'/s)(1 − R), R = √(1 − s/τ), ahead of the separatrix; behind it less n, which the nodes add
+    // t = r e_y + (A'/s)(1 − R), R = √(1 − s/τ), ahead of the separatrix; behind it less n, which
+    // the nodes add
     let closed: Closed<T::Value> = constants.closed();
     let c = ahead * polynomial(&closed.force, u);
     let mut fx = seen.x * c;

@@ -1,9 +1,10 @@
 //! More corrections where the contact is long, `a ≫ b`.
 //!
-//! In a long contact the strips move each other: what one of them feels is the load of the whole cross-section, with `ln(a/b)`. The
-//! corrections of `network` know axis ratios to 14. From `√(a/b)` = 2.65 on those of a second network are added, which was fitted to
-//! long contacts alone, with a weight that has two continuous derivatives and is one from 3.75 on. Shorter contacts do not have it.
-//! (Ours: no paper has it.)
+//! In a long contact the strips move each other: what one of them feels is the load of the whole
+//! cross-section, with `ln(a/b)`. The corrections of `network` know axis ratios to 14. From
+//! `√(a/b)` = 2.65 on those of a second network are added, which was fitted to long contacts alone,
+//! with a weight that has two continuous derivatives and is one from 3.75 on. Shorter contacts do
+//! not have it. (Ours: no paper has it.)
 
 use super::long_constants::{FIXED, INPUT, OFFSET, OUTPUT};
 use super::network::{CORRECTIONS, Layers};
@@ -48,16 +49,17 @@ impl<F: Real> LongContact<F> {
         Self { share, small: root.squared().squared().inverse().times(0.1), start }
     }
 
-    /// `(1 + w ((a/10 b)³ − 1))^(−1/2)`: the linear force of a spin grows with the contact's length, its slip does not, so that less of
-    /// it counts toward rigid slip.
+    /// `(1 + w ((a/10 b)³ − 1))^(−1/2)`: the linear force of a spin grows with the contact's
+    /// length, its slip does not, so that less of it counts toward rigid slip.
     #[inline]
     pub fn of_spin(&self, root: F) -> F {
         let length = root.squared().times(1.0 / SATURATES_AT);
         (self.share * (length * length.squared()).plus(-1.0)).plus(1.0).sqrt().inverse()
     }
 
-    /// What is added to the corrections. `shared` are the last features of all contacts, `forces` those of the linear theory, `squares`
-    /// of `vx, vy` and `p = √(a/b) φ`, `turn` is `vy p` and `psi` is `|ψ|`, rounded.
+    /// What is added to the corrections. `shared` are the last features of all contacts, `forces`
+    /// those of the linear theory, `squares` of `vx, vy` and `p = √(a/b) φ`, `turn` is `vy p` and
+    /// `psi` is `|ψ|`, rounded.
     #[inline(always)]
     pub fn corrections<T: Number<Base = F>, P: Strips<F>>(
         &self,

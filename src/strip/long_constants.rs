@@ -1,7 +1,8 @@
 //! Constants of the corrections of long contacts.
 //!
-//! Written by `fit/fit_strip_long.py` from rows with `a/b` above 7 of `fit/data/train.csv`, `train_fine.csv`,
-//! `train_slender.csv` (values computed with CONTACT, see `fit/data/README.md`) and `boundary_elements.csv`.
+//! Written by `fit/fit_strip_long.py` from rows with `a/b` above 7 of `fit/data/train.csv`,
+//! `train_fine.csv`, `train_slender.csv` (values computed with CONTACT, see `fit/data/README.md`)
+//! and `boundary_elements.csv`.
 // Generated: change the script, not this file.
 
 /// Fitted: offsets of the units, and weights of what the contact decides.

@@ -67,7 +67,8 @@ pub(super) struct Layers<'a, F: Real, const INPUTS: usize, const UNITS: usize> {
 }
 
 impl<F: Real, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UNITS> {
-    /// The corrections, sums side by side in `P`. (Out of line where code must be small; wide registers need it within its caller.)
+    /// The corrections, sums side by side in `P`. (Out of line where code must be small; wide
+    /// registers need it within its caller.)
     #[cfg_attr(target_arch = "x86_64", inline(always))]
     #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
     pub fn corrections<T: Number<Base = F>, P: Strips<F>>(

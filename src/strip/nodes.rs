@@ -1,8 +1,8 @@
 //! Where the strips of the Hertz ellipse lie.
 //!
 //! Gauss-Legendre rules on either half of the contact (64 strips: on its quarters), because the
-//! longitudinal slip of spin changes its sign near the middle: with 16 strips the totals are then three to seven
-//! times closer to the limit of many strips than with one rule over the whole width.
+//! longitudinal slip of spin changes its sign near the middle: with 16 strips the totals are then
+//! three to seven times closer to the limit of many strips than with one rule over the whole width.
 //! Written by `fit/fit_strip.py --nodes`; a test checks the rules.
 // Generated: change the script, not this file.
 

@@ -1,4 +1,5 @@
-//! The kernel's tables in the precision of the caller, worked out by the compiler from the constants.
+//! The kernel's tables in the precision of the caller, worked out by the compiler from the
+//! constants.
 
 use super::constants::{CELLS, NODE, NODES, PLACES, WEIGHTS};
 use super::nodes::{HALF_OF_4, HALF_OF_8, HALF_OF_16, HALF_OF_32, HALF_OF_64};
@@ -115,7 +116,8 @@ const NODE_TABLE: [Couple<f64>; NODE_FIELDS * NODES] = {
     table
 };
 
-/// Both polynomials have the factor `1 − u`, of which the quotient's coefficients are the partial sums.
+/// Both polynomials have the factor `1 − u`, of which the quotient's coefficients are the partial
+/// sums.
 #[allow(clippy::indexing_slicing)]
 const fn closed_table() -> [Couple<f64>; CLOSED_FIELDS] {
     let mut table = [[0.0; 2]; CLOSED_FIELDS];
@@ -153,8 +155,8 @@ const fn closed_table() -> [Couple<f64>; CLOSED_FIELDS] {
     table
 }
 
-/// Four strips of the Hertz ellipse: numbers for the outer and the inner one of two neighbours at `Y > 0`. Those
-/// at `−Y` have the same, but for the sign of `y`, `bend` and `load_y`.
+/// Four strips of the Hertz ellipse: numbers for the outer and the inner one of two neighbours at
+/// `Y > 0`. Those at `−Y` have the same, but for the sign of `y`, `bend` and `load_y`.
 pub(super) const STRIP_FIELDS: usize = 8;
 pub(super) type FourStrips<F> = [Couple<F>; STRIP_FIELDS];
 
@@ -164,8 +166,8 @@ pub(super) type Half = [[f64; 3]];
 /// Strips of the Hertz ellipse.
 #[derive(Clone, Copy, Debug)]
 pub struct Rule<F: 'static> {
-    /// In fours; fields: `Y`, `1/C`, `(0.4 − Y²) Y`, the share of the friction bound `(3/4) C² ΔY`, share times `C`,
-    /// share times `Y`, share of the area, `ΔY/C` of one of sixteen strips.
+    /// In fours; fields: `Y`, `1/C`, `(0.4 − Y²) Y`, the share of the friction bound `(3/4) C² ΔY`,
+    /// share times `C`, share times `Y`, share of the area, `ΔY/C` of one of sixteen strips.
     pub(super) fours: &'static [FourStrips<F>],
     /// `(π/2)/Σ C ΔY`: makes the linear forces exact.
     pub stretch: F,

@@ -1,4 +1,5 @@
-//! Sums over the strips of the Hertz ellipse, and the correction that keeps the power of friction from being negative.
+//! Sums over the strips of the Hertz ellipse, and the correction that keeps the power of friction
+//! from being negative.
 
 use super::creepage::{Distribution, Flexibilities};
 use super::derivative::{SpinSlopes, forces_and_slopes};
@@ -12,7 +13,8 @@ use crate::number::{Arithmetic, Float, Number, Real, Strips, add};
 
 /// Least power, over that of the linear theory divided by `√(1 + n²)`.
 const FLOOR: f64 = 0.2;
-/// The correction begins where the power is less than the floor and this. References computed with CONTACT are above 0.64.
+/// The correction begins where the power is less than the floor and this. References computed with
+/// CONTACT are above 0.64.
 const STEP: f64 = 0.2;
 
 /// A contact's strips, ready for creepages.
@@ -22,8 +24,8 @@ pub struct EllipseStrips<F: Real> {
     pub(super) rule: Rule<F::Stored>,
 }
 
-/// Sums over the strips: of `f_x, f_y`, the two parts of the moment, the stick area, nothing; with derivatives also, for `f_x, f_y` and
-/// the moment, the derivatives by [`Distribution::numbers`].
+/// Sums over the strips: of `f_x, f_y`, the two parts of the moment, the stick area, nothing; with
+/// derivatives also, for `f_x, f_y` and the moment, the derivatives by [`Distribution::numbers`].
 type Rows<P, const ROWS: usize> = [[P; 6]; ROWS];
 
 /// How many rows: without derivatives, and with them.
@@ -50,7 +52,8 @@ impl<F: Real> EllipseStrips<F> {
         Self { contact, rule: Rule::new(count) }
     }
 
-    /// Forces, moment and share in adhesion for `vx, vy = G a b (υx, υy)/(μ N)`, `φ = G (a b)^{3/2} ϕ/(μ N)`.
+    /// Forces, moment and share in adhesion for `vx, vy = G a b (υx, υy)/(μ N)`,
+    /// `φ = G (a b)^{3/2} ϕ/(μ N)`.
     #[inline(always)]
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
         with_avx!(if T::LANES => <F: Real, T: Number<Base = F>>(strips: &EllipseStrips<F> = self, creepage: [T; 3]) -> Totals<T> {
@@ -81,7 +84,8 @@ impl<F: Real> EllipseStrips<F> {
         )
     }
 
-    /// Sums for the creepages of the strips; `P` and `Q` are strips side by side, without and with derivatives.
+    /// Sums for the creepages of the strips; `P` and `Q` are strips side by side, without and with
+    /// derivatives.
     #[inline(always)]
     fn totals_of<T: Number<Base = F>, P: Strips<F>, Q: Strips<F>>(
         &self,
@@ -111,8 +115,8 @@ impl<F: Real> EllipseStrips<F> {
 
     /// Sums over the strips, `P` of them at a time.
     ///
-    /// The order is the same whatever their number: each lane of every fourth four is added up apart, and of chains and then of lanes
-    /// `(c₀ + c₂) + (c₁ + c₃)`.
+    /// The order is the same whatever their number: each lane of every fourth four is added up
+    /// apart, and of chains and then of lanes `(c₀ + c₂) + (c₁ + c₃)`.
     #[inline(always)]
     pub(super) fn sums<P: Strips<F>, const ROWS: usize>(
         &self,
@@ -190,8 +194,8 @@ impl<F: Real> EllipseStrips<F> {
         first
     }
 
-    /// The forces of each strip over the contact's friction bound, with its share of the area, ascending in `y`. Their sum is the result of
-    /// [`EllipseStrips::totals`].
+    /// The forces of each strip over the contact's friction bound, with its share of the area,
+    /// ascending in `y`. Their sum is the result of [`EllipseStrips::totals`].
     pub fn each(&self, creepage: [F; 3], mut take: impl FnMut(Totals<F>, F))
     where
         F: Float,
@@ -295,7 +299,8 @@ impl<P: Arithmetic<Value = P>> CommonCreepage<P> {
     }
 }
 
-/// Derivatives of forces and moment by `Distribution::numbers` from those of `f_x, f_y, m_x` by the creepages of the strips.
+/// Derivatives of forces and moment by `Distribution::numbers` from those of `f_x, f_y, m_x` by the
+/// creepages of the strips.
 #[inline(always)]
 pub(super) fn by_law<P: Arithmetic>(
     [x, y, mut z]: [[P; 5]; 3],
@@ -342,10 +347,11 @@ fn within_bound<T: Number>([x, y]: [T; 2]) -> [T; 2] {
 }
 
 /// Forces moved so that friction takes power out: `F·v n/(v·K v)`, `K = diag(C11, C22, C33)`,
-/// `n² = 1 + |K v|² + (C23 φ)²`, is 1 at rest in every direction, and lifted where it is below [`FLOOR`] + [`STEP`], to no
-/// less than [`FLOOR`] and with a continuous slope.
+/// `n² = 1 + |K v|² + (C23 φ)²`, is 1 at rest in every direction, and lifted where it is below
+/// [`FLOOR`] + [`STEP`], to no less than [`FLOOR`] and with a continuous slope.
 ///
-/// `F' = F + λ h K v` with `h = (1 − |F|²)/10` on the forces and 1 on the moment; beyond `|F'| = 1` all of it is scaled down.
+/// `F' = F + λ h K v` with `h = (1 − |F|²)/10` on the forces and 1 on the moment; beyond `|F'| = 1`
+/// all of it is scaled down.
 #[inline(always)]
 pub(crate) fn power_projected<T: Number>(
     totals: Totals<T>,

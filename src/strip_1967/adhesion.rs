@@ -1,4 +1,5 @@
-//! Strips that adhere, by the primitives of Section 7.1; `∫ C K dY`, which is not elementary, by nodes.
+//! Strips that adhere, by the primitives of Section 7.1; `∫ C K dY`, which is not elementary, by
+//! nodes.
 
 use crate::number::tables::{row, table};
 use crate::number::{Arithmetic, Number, Pair, Real, Stored, branch_or_blend};
@@ -13,8 +14,8 @@ fn root_epsilon<T: Number>() -> f64 {
     if size_of::<Stored<T>>() == 4 { 3.5e-4 } else { 1.5e-8 }
 }
 
-/// Strips with adhesion: `f_x = ξ̄ (2C − K)`, `f_y = ψ C² + η (2C − K)`, `m_x = −η (C − K)²`. Ends are fixed: derivatives are those
-/// of the integrands.
+/// Strips with adhesion: `f_x = ξ̄ (2C − K)`, `f_y = ψ C² + η (2C − K)`, `m_x = −η (C − K)²`. Ends
+/// are fixed: derivatives are those of the integrands.
 #[inline(always)]
 pub(super) fn adhering<T: Number>(motion: &ReducedCreepage<T>, moving: &Arc<T>) -> Shares<T> {
     let ReducedCreepage { xi, eta, psi, slope: p, q, eta_psi: m, .. } = *motion;
@@ -22,7 +23,8 @@ pub(super) fn adhering<T: Number>(motion: &ReducedCreepage<T>, moving: &Arc<T>) 
     let arc = moving.values();
     let (Edge { y: y1, c: c1 }, Edge { y: y2, c: c2 }) = (arc.lower, arc.upper);
     let (width, sum) = (y2 - y1, y1 + y2);
-    // ∫ C dY = (asin Y + Y C)/2,  ∫ Y C dY = −C³/3,  ∫ Y² C dY = (asin Y − Y C (1 − 2Y²))/8,  ∫ C² dY = Y − Y³/3
+    // ∫ C dY = (asin Y + Y C)/2, ∫ Y C dY = −C³/3, ∫ Y² C dY = (asin Y − Y C (1 − 2Y²))/8, ∫ C² dY
+    // = Y − Y³/3
     let angle = arc.tangent.atan_of_unit().times(4.0);
     let (yc1, yc2) = (y1 * c1, y2 * c2);
     let c = (angle + (yc2 - yc1)).times(0.5);
@@ -90,7 +92,8 @@ pub(super) fn adhering<T: Number>(motion: &ReducedCreepage<T>, moving: &Arc<T>) 
             [(s + m.scale(width)) * iq, (xs + m * x_mean) * iq, (yxs + m * yx) * iq, kk * iq * iq]
         }
     );
-    // ∫ ξ̄ (2C − K) dY, ∫ (ψ C² + η (2C − K)) dY, ∫ Y ξ̄ (2C − K) dY, ∫ (C − K) dY, −η ∫ (C − K)² dY
+    // ∫ ξ̄ (2C − K) dY, ∫ (ψ C² + η (2C − K)) dY, ∫ Y ξ̄ (2C − K) dY, ∫ (C − K) dY, −η ∫ (C − K)²
+    // dY
     let fx = (xi.scale(c) - p.scale(yc)).times(2.0) - xk;
     let fy = psi.scale(cc) + eta * (T::from_base(c.times(2.0)) - k);
     let lever = (xi.scale(yc) - p.scale(yyc)).times(2.0) - yxk;
@@ -120,14 +123,15 @@ fn length<T: Number>(motion: &ReducedCreepage<T>, x: T::Pair) -> T::Pair {
     T::Pair::composed(k, [x0 * inverse, turn, turn * k], inputs)
 }
 
-/// `∫ C K dY = ∫ C² K dθ`: nodes for what `K` is more than its least, from the strip with `ξ̄ = 0`, where `S` may have
-/// a kink, to both ends of the arc.
+/// `∫ C K dY = ∫ C² K dθ`: nodes for what `K` is more than its least, from the strip with `ξ̄ = 0`,
+/// where `S` may have a kink, to both ends of the arc.
 #[inline(always)]
 fn stretch_and_length<T: Number>(motion: &ReducedCreepage<T>, arc: &Arc<T>, stretch: T::Base) -> T {
     let ReducedCreepage { xi, eta, psi, slope, .. } = *motion;
     let Arc { lower, upper, middle, .. } = *arc;
-    // the strip with ξ̄ = 0 or the end of the arc next to it (with hardly any spin there is no kink, and nothing may hang on where the
-    // middle is), as the tangent of half an angle, and K there
+    // the strip with ξ̄ = 0 or the end of the arc next to it (with hardly any spin there is no
+    // kink, and nothing may hang on where the middle is), as the tangent of half an angle, and K
+    // there
     let hardly = (xi + eta.abs()).times(root_epsilon::<T>());
     let h = xi / (slope + hardly + T::from_base(T::ROOT_TINY));
     let turn = Edge::chosen(h - lower.y, Edge::chosen(upper.y - h, Edge::at(h), upper), lower);

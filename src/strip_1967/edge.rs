@@ -1,15 +1,17 @@
-//! Where the separatrix meets the leading edge: the ends of the interval of strips with adhesion (Section 7.2).
+//! Where the separatrix meets the leading edge: the ends of the interval of strips with adhesion
+//! (Section 7.2).
 //!
-//! `K = C` is `ξ̄² + (η + ψ C)² = C²`, on the circle `Y² + C² = 1`: two conics with four common points, two of them with
-//! `C > 0`. Of the three pairs of lines through the four points, the one that joins the upper two belongs to the smallest root `L`
-//! of
+//! `K = C` is `ξ̄² + (η + ψ C)² = C²`, on the circle `Y² + C² = 1`: two conics with four common
+//! points, two of them with `C > 0`. Of the three pairs of lines through the four points, the one
+//! that joins the upper two belongs to the smallest root `L` of
 //!
 //! ```text
 //! (L₀ − L)(ξ² − L)(p² − L) = (η² (L₀ − L) + η² ψ²) L,   L₀ = 1 − ψ² + p².
 //! ```
 //!
-//! It is real, between 0 and `min(ξ², p²)`, and simple where an interval is born. With `d = L₀ − L`, `λ = ξ² − L` and
-//! `M = λ + p² + η² + (ηψ)²/d`, for which `L M = p² ξ²`, the chord is
+//! It is real, between 0 and `min(ξ², p²)`, and simple where an interval is born. With
+//! `d = L₀ − L`, `λ = ξ² − L` and `M = λ + p² + η² + (ηψ)²/d`, for which `L M = p² ξ²`, the chord
+//! is
 //!
 //! ```text
 //! p ξ √(d/M) Y + d C = D,   D = ηψ + √(d M).
@@ -21,7 +23,8 @@
 //! cos β = D/√(d L₀),   sin² β = (1 − ψ² − λ − η² − 2 ηψ D/d)/L₀:
 //! ```
 //!
-//! no strip adheres where this is not positive, and then `(sin θ, cos θ)` is the strip that comes nearest to it.
+//! no strip adheres where this is not positive, and then `(sin θ, cos θ)` is the strip that comes
+//! nearest to it.
 
 use crate::number::{Arithmetic, Number};
 use crate::strip_1967::reduced::ReducedCreepage;
@@ -89,7 +92,8 @@ impl<T: Number> Arc<T> {
     }
 }
 
-/// The arc of the strips with adhesion, of no length where there are none, and a number that is positive where there are.
+/// The arc of the strips with adhesion, of no length where there are none, and a number that is
+/// positive where there are.
 #[inline(always)]
 pub fn adhesion<T: Number>(motion: &ReducedCreepage<T>) -> (Arc<T>, T) {
     let ReducedCreepage { xi, eta, slope: p, q, eta_psi: m, .. } = *motion;
@@ -145,7 +149,8 @@ fn root<T: Number>(motion: &ReducedCreepage<T>, least: T, gap: T, d0: T) -> T {
     let inputs = [least, gap, d0, eta2, m2];
     let (least, gap, d0) = (least.value(), gap.value(), d0.value());
     let (eta2, m2, eta) = (eta2.value(), m2.value(), motion.eta.value().abs());
-    // For a given d it is a square root: s (s + gap) = E (least − s), E = η² + m²/d, d ≈ d₀ + least |η|/(|η| + max(ξ, p))
+    // For a given d it is a square root: s (s + gap) = E (least − s), E = η² + m²/d, d ≈ d₀ + least
+    // |η|/(|η| + max(ξ, p))
     let weight = eta + motion.xi.value().max(motion.slope.value());
     let e = eta2 + m2 * weight / (d0 * weight + least * eta + T::TINY);
     let sum = gap + e;

@@ -1,4 +1,5 @@
-//! What the integrals over strips are made of: nodes of Gauss, the primitives' common parts, and the pieces of the arc that adheres.
+//! What the integrals over strips are made of: nodes of Gauss, the primitives' common parts, and
+//! the pieces of the arc that adheres.
 
 use crate::number::{Arithmetic, Number, Pair, Real, Stored};
 use crate::strip_1967::edge::{Arc, Edge};
@@ -16,7 +17,8 @@ pub(super) const GAUSS_6: [[f64; 2]; 6] = [
     [0.6612093864662645, 0.3607615730481386],
     [0.932469514203152, 0.17132449237917036],
 ];
-/// Distance of the zero of the square root from the middle of a piece, in half lengths, beyond which four nodes give all digits.
+/// Distance of the zero of the square root from the middle of a piece, in half lengths, beyond
+/// which four nodes give all digits.
 #[inline]
 pub(super) fn far<T: Number>() -> f64 {
     if size_of::<Stored<T>>() == 4 { 3.5 } else { 16.0 }
@@ -28,8 +30,8 @@ pub(super) type Both<T> = <<T as Number>::Base as Number>::Pair;
 /// Integrals over strips: `∫ f_x dY`, `∫ f_y dY`, `∫ m_x dY`, `∫ Y f_x dY`, `∫ (C − K) dY`.
 pub(super) type Shares<T> = [T; 5];
 
-/// `ε²`, and the square of some roundings of `Y`: where `η = 0` the direction of the slip turns at once in the strip `ξ̄ = 0`,
-/// and a derivative by `η` would be infinite.
+/// `ε²`, and the square of some roundings of `Y`: where `η = 0` the direction of the slip turns at
+/// once in the strip `ξ̄ = 0`, and a derivative by `η` would be infinite.
 #[inline]
 pub(super) fn rounded<F: Real>(e: F) -> F {
     let rounding = F::EPSILON.times(4.0);
@@ -51,7 +53,8 @@ pub(super) fn moment<F: Real>([k0, k1]: [F; 2], [one, u, uu]: [F; 3]) -> F {
     k0 * one + k1 * u - uu
 }
 
-/// The two pieces of an arc side by side: `Y = sin(θ + φ)`, with the tangent `t` of `φ/2` from `−t₁` to the parting and on to `t₁`.
+/// The two pieces of an arc side by side: `Y = sin(θ + φ)`, with the tangent `t` of `φ/2` from
+/// `−t₁` to the parting and on to `t₁`.
 pub(super) struct Pieces<F: Real> {
     motion: ReducedCreepage<F>,
     middle: Edge<F>,

@@ -1,13 +1,15 @@
 //! The strip theory of 1967 in closed form.
 //!
-//! Every strip `y = const` is a plane problem along `x` and an anti-plane problem along `y` (Section 4). In units of the
-//! ellipse, `Y = y/b` and `C = c/a = √(1 − Y²)`, a strip sees the creepages of (5.13),
+//! Every strip `y = const` is a plane problem along `x` and an anti-plane problem along `y`
+//! (Section 4). In units of the ellipse, `Y = y/b` and `C = c/a = √(1 − Y²)`, a strip sees the
+//! creepages of (5.13),
 //!
 //! ```text
 //! ξ̄ = ξ − p Y,   p = ψ (b/a)/(1 − ν),   η,   ψ,
 //! ```
 //!
-//! and sticks from its leading edge to the separatrix, `κ/a = K` before the middle of what slips behind it (5.41):
+//! and sticks from its leading edge to the separatrix, `κ/a = K` before the middle of what slips
+//! behind it (5.41):
 //!
 //! ```text
 //! K = (S + η ψ)/(1 − ψ²),   S = √(η² + (1 − ψ²) ξ̄²).
@@ -19,28 +21,33 @@
 //! f_x = ξ̄ (2C − K),   f_y = ψ C² + η (2C − K),   m_x = −η (C − K)²;
 //! ```
 //!
-//! elsewhere it slides and carries `C²` along one direction, that of a [`SlidingRule`] (Section 6). The strips that adhere are one
-//! interval of `Y`, whose ends are roots of a cubic ([`edge`]). So the totals
+//! elsewhere it slides and carries `C²` along one direction, that of a [`SlidingRule`] (Section 6).
+//! The strips that adhere are one interval of `Y`, whose ends are roots of a cubic ([`edge`]). So
+//! the totals
 //!
 //! ```text
 //! (F_x, F_y)/(μ N) = ¾ ∫ (f_x, f_y) dY,   M_z/(μ N) = ¾ ∫ (a m_x − b Y f_x) dY
 //! ```
 //!
-//! are differences of primitives ([`totals()`]), and so is the share of any piece of the width ([`strips`]): shares add up to the
-//! totals, whatever their number. A single strip with its traction and slip is in [`strip`].
+//! are differences of primitives ([`totals()`]), and so is the share of any piece of the width
+//! ([`strips`]): shares add up to the totals, whatever their number. A single strip with its
+//! traction and slip is in [`strip`].
 //!
-//! **Primitives** (Section 7.1). With `u = h − Y`, `h = ξ/p` both square roots of the theory have one form, `√(u² + ε²)`: the adhesion length's
-//! `S = p √q √(u² + ε²)` with `ε = η/(p √q)`, and the slip of a strip that slides by the rule of the rigid slip with `ε = η/(p (1 − ν))`.
-//! Their moments are powers and `asinh(u/ε)`. Where a root hardly bends over its piece the primitives would cancel, and four nodes
-//! of Gauss give all digits.
+//! **Primitives** (Section 7.1). With `u = h − Y`, `h = ξ/p` both square roots of the theory have
+//! one form, `√(u² + ε²)`: the adhesion length's `S = p √q √(u² + ε²)` with `ε = η/(p √q)`, and the
+//! slip of a strip that slides by the rule of the rigid slip with `ε = η/(p (1 − ν))`. Their
+//! moments are powers and `asinh(u/ε)`. Where a root hardly bends over its piece the primitives
+//! would cancel, and four nodes of Gauss give all digits.
 //!
-//! Two integrals are not elementary: `∫ C S dY` of the moment `m_x`, and the continuous sliding rule. They are summed over nodes of the
-//! angle, so that the edges of the contact are smooth, from the known points where they bend.
+//! Two integrals are not elementary: `∫ C S dY` of the moment `m_x`, and the continuous sliding
+//! rule. They are summed over nodes of the angle, so that the edges of the contact are smooth, from
+//! the known points where they bend.
 //!
-//! **Beyond unit spin** the theory ends. There the spin `ψ` within a strip counts as `±1`, while `ξ̄` keeps all of it: strips with
-//! `η ψ < 0` still adhere (Section 8.26), ever fewer of them, and at large slip none. The forces are continuous at `|ψ| = 1` and cost the
-//! same. Every strip dissipates for `|ψ| ≤ 1` under either rule, and `ψ m_x ≥ 0` where one adheres beyond: the power is
-//! never negative.
+//! **Beyond unit spin** the theory ends. There the spin `ψ` within a strip counts as `±1`, while
+//! `ξ̄` keeps all of it: strips with `η ψ < 0` still adhere (Section 8.26), ever fewer of them, and
+//! at large slip none. The forces are continuous at `|ψ| = 1` and cost the same. Every strip
+//! dissipates for `|ψ| ≤ 1` under either rule, and `ψ m_x ≥ 0` where one adheres beyond: the power
+//! is never negative.
 
 mod adhesion;
 pub mod edge;

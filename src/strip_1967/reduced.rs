@@ -37,8 +37,8 @@ fn largest<T: Number>() -> f64 {
 }
 
 impl<T: Number> ReducedCreepage<T> {
-    /// Turned by the symmetries of the theory: `(ξ, η, ψ) → (−ξ, η, ψ)` gives `(−F_x, F_y, M_z)`, strips in the opposite order;
-    /// all three reversed gives all forces reversed.
+    /// Turned by the symmetries of the theory: `(ξ, η, ψ) → (−ξ, η, ψ)` gives `(−F_x, F_y, M_z)`,
+    /// strips in the opposite order; all three reversed gives all forces reversed.
     #[inline(always)]
     pub fn new(parameters: &Parameters<T>, rule: SlidingRule) -> Self {
         let Parameters { xi, eta, psi, poisson_ratio, axis_ratio } = *parameters;

@@ -109,7 +109,8 @@ fn rigid_slip<T: Number>(motion: &ReducedCreepage<T>, from: Both<T>, to: Both<T>
     )
 }
 
-/// `∫ C² (w_x, w_y, Y w_x) dY` with `w ~ (ξ̄, η + ψ C)`: nodes from the adhesion strips, next to which the direction turns, outwards.
+/// `∫ C² (w_x, w_y, Y w_x) dY` with `w ~ (ξ̄, η + ψ C)`: nodes from the adhesion strips, next to
+/// which the direction turns, outwards.
 #[inline(always)]
 fn continuous<T: Number>(
     motion: &ReducedCreepage<T>,
@@ -163,7 +164,8 @@ fn continuous<T: Number>(
             *whole += bound;
         }
     }
-    // By what the nodes miss of ∫ C² dY, so that a constant direction is exact and the force never beyond the bound
+    // By what the nodes miss of ∫ C² dY, so that a constant direction is exact and the force never
+    // beyond the bound
     let [fx, fy, lever, whole] = sums;
     let mean = (near.y * near.y + near.y * edge.y + edge.y * edge.y).times(1.0 / 3.0);
     let exact = (edge.y - near.y) * outwards * (T::Pair::one() - mean);

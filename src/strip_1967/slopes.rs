@@ -1,4 +1,5 @@
-//! Derivatives of the integrals, worked out by hand where dual numbers through their formulas would cost more or fail at an edge.
+//! Derivatives of the integrals, worked out by hand where dual numbers through their formulas would
+//! cost more or fail at an edge.
 
 use crate::number::tables::{row, table};
 use crate::number::{Arithmetic, Number, Pair, Real};
@@ -65,7 +66,8 @@ pub(super) fn stretch_and_length<T: Number>(
     T::composed(whole(value) + least * stretch, slopes, inputs)
 }
 
-/// With `w = (u, ε)/D`, `D = √(u² + ε²)`, and `J_n = ∫ uⁿ/D du`: the derivatives by `h` and `ε` of `∫ C² (w_x, w_y, Y w_x) dY`.
+/// With `w = (u, ε)/D`, `D = √(u² + ε²)`, and `J_n = ∫ uⁿ/D du`: the derivatives by `h` and `ε` of
+/// `∫ C² (w_x, w_y, Y w_x) dY`.
 ///
 /// Those of `u/D` and `ε/D` are `(ε², −u ε)` and `(−u ε, u²)` over `D³`, with `N_n = ∫ uⁿ/D³ du`.
 #[inline(always)]

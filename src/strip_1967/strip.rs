@@ -3,9 +3,9 @@
 //! Lengths are in units of the semi-axis `a`, tractions in units of `μ p₀`, slip in units of
 //! `2 μ p₀/G`, forces per unit of `Y = y/b` such that `F/(μ N) = (3/4) ∫ f dY`.
 //!
-//! A strip of half width `C` sees the effective longitudinal creepage `ξ̄`, the lateral creepage `η`
-//! and the spin `ψ`. If its adhesion length allows (`κ < C`) it sticks next to the leading edge, else
-//! it slides as a whole.
+//! A strip of half width `C` sees the effective longitudinal creepage `ξ̄`, the lateral creepage
+//! `η` and the spin `ψ`. If its adhesion length allows (`κ < C`) it sticks next to the leading
+//! edge, else it slides as a whole.
 
 use crate::number::{Arithmetic, Float, Number};
 
@@ -213,8 +213,8 @@ impl<T: Number> Strip<T> {
         matches!(self.regime, Regime::Adhesion { .. })
     }
 
-    /// `x` of the separatrix between slip and adhesion, `−C + 2κ`; the leading edge `C` for a sliding
-    /// strip.
+    /// `x` of the separatrix between slip and adhesion, `−C + 2κ`; the leading edge `C` for a
+    /// sliding strip.
     #[must_use]
     pub fn separatrix(&self) -> T {
         match self.regime {
@@ -240,7 +240,8 @@ impl<T: Number> Strip<T> {
         }
     }
 
-    /// Moment about the strip's centre, `m_x = −η (C − K)²`, zero for a sliding strip; units of `a`.
+    /// Moment about the strip's centre, `m_x = −η (C − K)²`, zero for a sliding strip; units of
+    /// `a`.
     #[must_use]
     pub fn moment(&self) -> T {
         match self.regime {
@@ -249,8 +250,8 @@ impl<T: Number> Strip<T> {
         }
     }
 
-    /// Dissipation of the strip, units of `μ N · 2 μ p₀/G`: the power of its force and moment on the
-    /// rigid slip, `(1 − ν) ξ̄ f_x + η f_y + ψ m_x`, with `ψ` at most ±1.
+    /// Dissipation of the strip, units of `μ N · 2 μ p₀/G`: the power of its force and moment on
+    /// the rigid slip, `(1 − ν) ξ̄ f_x + η f_y + ψ m_x`, with `ψ` at most ±1.
     #[must_use]
     pub fn dissipation(&self) -> T {
         let (fx, fy) = self.force();

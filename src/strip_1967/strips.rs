@@ -1,7 +1,8 @@
 //! The strips of a solution: pieces of one width that cut the ellipse once and for all.
 //!
-//! A strip carries the difference of the primitives of [`totals`](crate::strip_1967::totals()) between its edges, so the strips
-//! add up to the totals, whatever their number and wherever adhesion ends.
+//! A strip carries the difference of the primitives of [`totals`](crate::strip_1967::totals())
+//! between its edges, so the strips add up to the totals, whatever their number and wherever
+//! adhesion ends.
 
 use crate::contact::creepage::Parameters;
 use crate::contact::totals::StripCount;
@@ -23,7 +24,8 @@ pub struct PlacedStrip<T> {
     pub half_length: T,
     /// Width in `Y`.
     pub width: T,
-    /// Length from the trailing edge to the separatrix over two on the centre line, `κ/a`; `C` when it slides.
+    /// Length from the trailing edge to the separatrix over two on the centre line, `κ/a`; `C` when
+    /// it slides.
     pub kappa: T,
     /// Whether its centre line has an adhesion area.
     pub adheres: bool,
@@ -56,7 +58,8 @@ pub fn strips<F: Float>(
         let edges = [i, i + 1].map(|i| Edge::at(width * number(i) - F::one()));
         share(&motion, &arc, adheres, edges)
     };
-    // Nodes lie elsewhere in a strip than in the whole. What that makes is shared out by ∫ C² dY, of m_x by the stick area.
+    // Nodes lie elsewhere in a strip than in the whole. What that makes is shared out by ∫ C² dY,
+    // of m_x by the stick area.
     let mut rest = with_spin(&motion);
     let mut stick = F::TINY;
     (0..count as i32).for_each(|i| {

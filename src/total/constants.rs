@@ -1,7 +1,9 @@
-//! Constants of the model TOTAL: rigid slip, and a network of two hidden layers, its units side by side in pairs.
+//! Constants of the model TOTAL: rigid slip, and a network of two hidden layers, its units side by
+//! side in pairs.
 //!
-//! Written by `fit/fit_total.py` from `fit/data/train.csv`, `train_fine.csv` and `train_slender.csv` (computed with CONTACT,
-//! Vollebregt, Vtech CMCC, Apache-2.0) and `boundary_elements.csv`.
+//! Written by `fit/fit_total.py` from `fit/data/train.csv`, `train_fine.csv` and
+//! `train_slender.csv` (computed with CONTACT, Vollebregt, Vtech CMCC, Apache-2.0) and
+//! `boundary_elements.csv`.
 // Generated: change the script, not this file.
 
 /// Rigid slip, slopes of the force: polynomials in s = (g - 1)/(g + 1), powers 0, 2, 4, 1, 3.
@@ -412,7 +414,8 @@ pub(crate) const SEEN_YS: f64 = 1.0582639;
 pub(crate) const TURN: f64 = 0.027579488;
 /// What creepage takes from the spin's slope: factor of `u²`.
 pub(crate) const BRAKE: f64 = 0.15426953;
-/// Share of the squared spin force in `|q|²`: spin shears the patch also where its force and that of the creepage cancel.
+/// Share of the squared spin force in `|q|²`: spin shears the patch also where its force and that
+/// of the creepage cancel.
 pub(crate) const SHEAR: f64 = 0.04143655;
 /// What spin takes from the force in full sliding: factor of `κ`.
 pub(crate) const LOSS: f64 = 0.2253985;

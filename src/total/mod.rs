@@ -1,19 +1,23 @@
-//! Total forces of a contact, without strips: the most accurate model when only `Fx, Fy, Mz` are wanted.
+//! Total forces of a contact, without strips: the most accurate model when only `Fx, Fy, Mz` are
+//! wanted.
 //!
-//! Two answers, weighted: near rest, the linear theory put through the saturation curve of strip theory, with factors that a
-//! small network gives, fitted to cases computed with CONTACT; far beyond saturation, rigid slip, where elasticity no longer
-//! matters and only the ratio of creepage to spin is left.
+//! Two answers, weighted: near rest, the linear theory put through the saturation curve of strip
+//! theory, with factors that a small network gives, fitted to cases computed with CONTACT; far
+//! beyond saturation, rigid slip, where elasticity no longer matters and only the ratio of creepage
+//! to spin is left.
 //!
 //! What holds by construction, whatever the constants:
 //! * `|F| ≤ μ N`, `Mz` bounded.
-//! * Linear theory for small creepage: every correction carries the weight `w = n²/(ONSET + n²)`, `n` the size of the linear
-//!   force.
+//! * Linear theory for small creepage: every correction carries the weight `w = n²/(ONSET + n²)`,
+//!   `n` the size of the linear force.
 //! * Rigid slip for large creepage, spin or both, in force and moment.
-//! * Symmetry: nothing but signs changes with the sign of `vx`, or with the signs of `vy` and spin together.
+//! * Symmetry: nothing but signs changes with the sign of `vx`, or with the signs of `vy` and spin
+//!   together.
 //! * Power `fx vx + fy vy + mz φ ≥ 0`: both answers have it, so their mean has it.
 //! * Once continuously differentiable in creepage and spin, everywhere.
 //!
-//! Nothing but `+ − × ÷ √`. `fit/fit_total.py` fits the network and the constants beside it, and has the same formulas.
+//! Nothing but `+ − × ÷ √`. `fit/fit_total.py` fits the network and the constants beside it, and
+//! has the same formulas.
 
 mod constants;
 mod network;
@@ -30,28 +34,33 @@ use crate::linear::LinearCoefficients;
 use crate::number::registers::with_avx;
 use crate::number::{Arithmetic, Number, Pair, Real, Stored, Strips};
 
-/// Axis ratios that the formulas are evaluated with; fitted are 0.015 to 60, and rigid slip from 1/70 to 70.
+/// Axis ratios that the formulas are evaluated with; fitted are 0.015 to 60, and rigid slip from
+/// 1/70 to 70.
 const RATIO_LIMIT: f64 = 1e3;
-/// Root of the largest axis ratio that the network is told: beyond it, the formulas around it know the limits.
+/// Root of the largest axis ratio that the network is told: beyond it, the formulas around it know
+/// the limits.
 const LARGEST_ROOT: f64 = 8.0;
 /// Creepages whose linear force is beyond this are rigid slip, and scaled down together.
 #[inline]
 fn largest<T: Number>() -> f64 {
     if size_of::<Stored<T>>() == 4 { 1e4 } else { 1e8 }
 }
-/// Creepages below this, times the smallest normal number, have lost digits, or have products that will.
+/// Creepages below this, times the smallest normal number, have lost digits, or have products that
+/// will.
 const LOST: f64 = 1e6;
 
 /// `|q|` of full sliding (Section 8.15).
 const FULL: f64 = 3.0 * core::f64::consts::PI / 4.0;
-/// Growth of the slopes with `e⁶` in translation: beyond saturation `|q|` does not fall below that of full sliding again.
+/// Growth of the slopes with `e⁶` in translation: beyond saturation `|q|` does not fall below that
+/// of full sliding again.
 const GROWTH: f64 = 0.0003;
-/// `1/n⁴` where half of the answer is rigid slip: `n = 20` in translation, 150 where there is much spin.
+/// `1/n⁴` where half of the answer is rigid slip: `n = 20` in translation, 150 where there is much
+/// spin.
 const TRANSLATION: f64 = 1.0 / (20.0 * 20.0 * 20.0 * 20.0);
 const SPIN: f64 = 1.0 / (150.0 * 150.0 * 150.0 * 150.0);
 
-/// `S/|q|` in powers of `|q|` up to full sliding, lowest first. Printed by `fit/fit_total.py`: least
-/// maximum error of `S`, 1.5e-4, with the exact slope at 0 and none at full sliding.
+/// `S/|q|` in powers of `|q|` up to full sliding, lowest first. Printed by `fit/fit_total.py`:
+/// least maximum error of `S`, 1.5e-4, with the exact slope at 0 and none at full sliding.
 const SATURATION: [f64; 6] = [
     1.0,
     -0.26497443542200877,
@@ -80,7 +89,8 @@ pub struct Total<F> {
 }
 
 impl<F: Real> Total<F> {
-    /// For the axis ratio `g = a/b`, Poisson's ratio, and the coefficients of the linear theory for them.
+    /// For the axis ratio `g = a/b`, Poisson's ratio, and the coefficients of the linear theory for
+    /// them.
     ///
     /// Made for `a/b` 0.015 to 60 and `ν` 0 to 1/2; finite and with the right limits beyond.
     #[must_use]
@@ -121,7 +131,8 @@ impl<F: Real> Total<F> {
         }
     }
 
-    /// Totals for creepages `vx, vy = G a b (υx, υy)/(μ N)` and spin `φ = G (a b)^{3/2} ϕ/(μ N)`. The stick area is not known.
+    /// Totals for creepages `vx, vy = G a b (υx, υy)/(μ N)` and spin `φ = G (a b)^{3/2} ϕ/(μ N)`.
+    /// The stick area is not known.
     #[must_use]
     #[inline(always)]
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
@@ -139,7 +150,8 @@ impl<F: Real> Total<F> {
         let [vx, vy, phi] = within_range(creepage, [c11, c22, self.spin_slope]);
         let (vx2, vy2, phi2) = (vx.squared(), vy.squared(), phi.squared());
 
-        // force of the linear theory; u² of translation, s² of spin, m² its moment over M₀, n² all together
+        // force of the linear theory; u² of translation, s² of spin, m² its moment over M₀, n² all
+        // together
         let (lx, ly, ls) = (vx.scale(c11), vy.scale(c22), phi.scale(c23));
         let (lx2, ly2, s2) = (lx.squared(), ly.squared(), ls.squared());
         let u2 = lx2 + ly2;
@@ -225,8 +237,8 @@ impl<F: Real> Total<F> {
         let [kept, share] =
             inverses([excess.squared().times(1.0 / 16.0).plus(1.0), o5.squared().plus(1.0)]);
         let epsilon = epsilon * kept;
-        // M = ε φ − σ γ vy + 2 σ ρ √(β ε) vy, β ≤ βy without growth. With σ ≤ 1 and |ρ| ≤ 1 the power
-        // σ βx vx² + σ βy vy² + 2 σ ρ √(β ε) vy φ + ε φ² is never negative
+        // M = ε φ − σ γ vy + 2 σ ρ √(β ε) vy, β ≤ βy without growth. With σ ≤ 1 and |ρ| ≤ 1 the
+        // power σ βx vx² + σ βy vy² + 2 σ ρ √(β ε) vy φ + ε φ² is never negative
         let rho = (o5 + o5) * d * share;
         let coupling = rho * (elastic_y * epsilon).sqrt();
         let mz = epsilon * phi + sigma * ((coupling + coupling) - gamma) * vy;
@@ -243,7 +255,8 @@ impl<F: Real> Total<F> {
     }
 }
 
-/// `S(|q|)/(h |q|)` from `|q|²` and `h`, with `S = 1 − ((2 + d²) √(1 − d²) − 3 d acos d)/2`, `d = 4|q|/(3π)`, and 1 for `d ≥ 1` (Section 8.15).
+/// `S(|q|)/(h |q|)` from `|q|²` and `h`, with `S = 1 − ((2 + d²) √(1 − d²) − 3 d acos d)/2`,
+/// `d = 4|q|/(3π)`, and 1 for `d ≥ 1` (Section 8.15).
 #[inline(always)]
 fn saturation<T: Number>(q2: T, h: T) -> T {
     // the small term keeps the derivative of the root finite at 0
@@ -256,7 +269,8 @@ fn saturation<T: Number>(q2: T, h: T) -> T {
     s_over_q * (T::constant(FULL) / (q.max(T::constant(FULL)) * h))
 }
 
-/// Creepages and spin that mean the same and whose powers are finite. The slopes make linear forces of them.
+/// Creepages and spin that mean the same and whose powers are finite. The slopes make linear forces
+/// of them.
 #[inline(always)]
 fn within_range<T: Number>(mut creepage: [T; 3], slopes: [T::Base; 3]) -> [T; 3] {
     let ([vx, vy, phi], [x, y, spin]) = (creepage, slopes);
@@ -267,8 +281,9 @@ fn within_range<T: Number>(mut creepage: [T; 3], slopes: [T::Base; 3]) -> [T; 3]
     let least = vx.max(vy).max(phi).min(size);
     // (of several contacts side by side one may be too small and another too large)
     if lost.exceeds(least) {
-        // The digits of such creepages are those of the smallest numbers, and without them power may have any sign. What
-        // they carry is nothing to 1e-24 of `μ N`, 1e-32 but for needles; the slopes stay.
+        // The digits of such creepages are those of the smallest numbers, and without them power
+        // may have any sign. What they carry is nothing to 1e-24 of `μ N`, 1e-32 but for needles;
+        // the slopes stay.
         let gone = |v: &T| *v - T::from_base((lost - least).choose(v.value(), T::Base::zero()));
         creepage = T::each(&creepage, gone);
     }

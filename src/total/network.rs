@@ -1,4 +1,5 @@
-//! The network of corrections: two hidden layers of units `2x/(1 + x²)`, and how they move when its inputs do.
+//! The network of corrections: two hidden layers of units `2x/(1 + x²)`, and how they move when its
+//! inputs do.
 
 use super::constants::{FIRST, FIXED, LAST, LAST_BIAS, SECOND};
 use crate::number::tables::{add_rows, row, rows, table, widen};
@@ -24,8 +25,8 @@ impl<F: Real> TotalNetwork<F> {
         Self { sums: add_rows::<F, F::Four, _>(row(offset), fixed.iter().copied(), weights) }
     }
 
-    /// The corrections for the other inputs, sums side by side in `P`. (Out of line where code must be small; wide registers need it
-    /// within its caller.)
+    /// The corrections for the other inputs, sums side by side in `P`. (Out of line where code must
+    /// be small; wide registers need it within its caller.)
     #[cfg_attr(target_arch = "x86_64", inline(always))]
     #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
     pub(super) fn corrections<T: Number<Base = F>, P: Strips<F>>(

@@ -1,13 +1,16 @@
-//! A patch that slides as a whole: the integrals of `μ p s/|s|` over the ellipse, as roots of rational functions.
+//! A patch that slides as a whole: the integrals of `μ p s/|s|` over the ellipse, as roots of
+//! rational functions.
 //!
-//! With `N = vx² + vy² + φ² (g + 1/g)` and the shares `U = vx²/N`, `V = vy²/N`, `T = φ² (g + 1/g)/N`
+//! With `N = vx² + vy² + φ² (g + 1/g)` and the shares `U = vx²/N`, `V = vy²/N`,
+//! `T = φ² (g + 1/g)/N`
 //!
 //! `F = (bx vx, by vy)/√((bx vx)² + (by vy)² + N Z)`, `M = φ (g + 1/g) A/√(N D)`,
 //!
-//! `bx, by` of degree 2 in `U, V, T`, `Z` of degree 5, `A` of degree 1 and `D` of degree 3, all positive; `Z` vanishes without spin.
-//! Their coefficients are polynomials in `s = (g − 1)/(g + 1)`, and `x ↔ y` is `U ↔ V`, `s ↔ −s`. Fitted by
-//! `fit/rigid_slip.py` to quadrature for `g` 1/70 to 70: within 0.0035 of `F` in the mean, 0.011 at the 95th percentile, 0.033 at
-//! worst (there the pole of the spin lies at the edge of the patch).
+//! `bx, by` of degree 2 in `U, V, T`, `Z` of degree 5, `A` of degree 1 and `D` of degree 3, all
+//! positive; `Z` vanishes without spin. Their coefficients are polynomials in
+//! `s = (g − 1)/(g + 1)`, and `x ↔ y` is `U ↔ V`, `s ↔ −s`. Fitted by `fit/rigid_slip.py` to
+//! quadrature for `g` 1/70 to 70: within 0.0035 of `F` in the mean, 0.011 at the 95th percentile,
+//! 0.033 at worst (there the pole of the spin lies at the edge of the patch).
 
 use super::constants::*;
 use crate::number::tables::{row, table, widen};
@@ -20,7 +23,8 @@ pub(super) struct RigidSlip<F> {
     both: F,
     /// Of `T U`, `T V` and `T²` in `bx`; of `T V`, `T U` and `T²` in `by`
     slopes: [[F; 3]; 2],
-    /// `Z/T`: of `T⁴`; `T³ (U, V)`; `T² (U², U V, V²)`; `T (U³, U² V, U V², V³)`; `(U⁴, U³ V, U² V², U V³, V⁴)`
+    /// `Z/T`: of `T⁴`; `T³ (U, V)`; `T² (U², U V, V²)`; `T (U³, U² V, U V², V³)`;
+    /// `(U⁴, U³ V, U² V², U V³, V⁴)`
     spin: [F; 15],
     /// `(g + 1/g) A`: of `U`, `V` and `T`
     arm: [F; 3],
@@ -84,7 +88,8 @@ impl<F: Real> RigidSlip<F> {
         }
     }
 
-    /// `(Fx, Fy)/(μ N)` and `Mz/(μ N √(ab))` for creepages and their squares, and the share of spin `κ = T`.
+    /// `(Fx, Fy)/(μ N)` and `Mz/(μ N √(ab))` for creepages and their squares, and the share of spin
+    /// `κ = T`.
     #[inline(always)]
     pub(super) fn at<T: Number<Base = F>>(&self, v: [T; 3], squares: [T; 3]) -> ([T; 3], T) {
         let ([vx, vy, phi], [vx2, vy2, phi2]) = (v, squares);

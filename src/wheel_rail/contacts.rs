@@ -1,17 +1,21 @@
-//! Zones of contact in a gap: their patches, the direction of their pressure, and their motion as the wheel moves.
+//! Zones of contact in a gap: their patches, the direction of their pressure, and their motion as
+//! the wheel moves.
 //!
-//! **Zones** are where the undeformed surfaces overlap. Zones less than 4 mm apart are one contact, as in CONTACT, and one normal problem.
-//! Contacts more than 8 mm apart do not depend on each other. Between these distances the nearness `w` falls from 1 at 4 mm to 0 at 8 mm: the
-//! contact of both zones counts by a share of `w`, and each zone by itself by `1 − w`.
+//! **Zones** are where the undeformed surfaces overlap. Zones less than 4 mm apart are one contact,
+//! as in CONTACT, and one normal problem. Contacts more than 8 mm apart do not depend on each
+//! other. Between these distances the nearness `w` falls from 1 at 4 mm to 0 at 8 mm: the contact
+//! of both zones counts by a share of `w`, and each zone by itself by `1 − w`.
 //!
-//! **Each strip has a direction of its own**: at angle `a` the tangent `t = (0, cos a, sin a)` and the normal into the rail
-//! `n = (0, −sin a, cos a)`; its point `p` is on the wheel's undeformed surface. With the wheel's velocity `v` and rates `ω`
+//! **Each strip has a direction of its own**: at angle `a` the tangent `t = (0, cos a, sin a)` and
+//! the normal into the rail `n = (0, −sin a, cos a)`; its point `p` is on the wheel's undeformed
+//! surface. With the wheel's velocity `v` and rates `ω`
 //!
 //! ```text
 //! slip_x = (v + ω×p)·e_x,   slip_y = (v + ω×p)·t,   spin rate = ω·n;   V = (v_x − (ω×p)_x)/2
 //! ```
 //!
-//! The patch has the mean of these, weighted with the strips' loads `N` and referred to its origin. The force of the pressure is `Σ N n`.
+//! The patch has the mean of these, weighted with the strips' loads `N` and referred to its origin.
+//! The force of the pressure is `Σ N n`.
 
 use super::line_of_contact::Turn;
 use super::touch::Gap;
@@ -29,12 +33,15 @@ use crate::status::{Error, Warning};
 use core::ops::Range;
 use heapless::Vec;
 
-/// Free length between zones up to which they are one contact \[m\], and from which they do not depend on each other.
+/// Free length between zones up to which they are one contact \[m\], and from which they do not
+/// depend on each other.
 const ONE_CONTACT: f64 = 4e-3;
 const APART: f64 = 8e-3;
-/// Largest number of contacts that lie apart. With those that stand for two or three of them there may be more.
+/// Largest number of contacts that lie apart. With those that stand for two or three of them there
+/// may be more.
 const APART_AT_MOST: usize = 4;
-/// Distance of the surfaces up to which points belong to the profile of a contact: over its depth, and at least \[m\].
+/// Distance of the surfaces up to which points belong to the profile of a contact: over its depth,
+/// and at least \[m\].
 const PROFILE_DEPTH: f64 = 4.0;
 const SEES_LEAST: f64 = 1e-4;
 /// Upper bound of the angles of a gap \[rad\].
@@ -42,31 +49,37 @@ const STEEPEST: f64 = 1.6;
 /// Turn of the normal over a contact \[rad\] from which one plane is not enough.
 const FLAT: f64 = 30.0 * core::f64::consts::PI / 180.0;
 
-/// One contact of a wheel. Its frame is (x, t, n): forward, across along the surface, into the rail.
+/// One contact of a wheel. Its frame is (x, t, n): forward, across along the surface, into the
+/// rail.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WheelContact<F> {
-    /// Point where the pressure acts, on the wheel's undeformed surface, from the wheel's centre \[m\], axes of the track.
+    /// Point where the pressure acts, on the wheel's undeformed surface, from the wheel's centre
+    /// \[m\], axes of the track.
     pub origin: [F; 3],
-    /// Angle of the pressure \[rad\]: mean of the strips' angles, weighted with load. For a left wheel it is that of the mirrored right wheel.
+    /// Angle of the pressure \[rad\]: mean of the strips' angles, weighted with load. For a left
+    /// wheel it is that of the mirrored right wheel.
     pub angle: F,
-    /// By how much the angle turns over the patch \[rad\]; above 0.52 the status is KSTRIP_WARNING_ANGLE_RANGE.
+    /// By how much the angle turns over the patch \[rad\]; above 0.52 the status is
+    /// KSTRIP_WARNING_ANGLE_RANGE.
     pub angle_range: F,
     /// Distance of the origin from the axle \[m\].
     pub radius: F,
     /// Load of the strips \[N\].
     pub normal_force: F,
-    /// Factor of load and forces in the sum over the contacts \[-\]: 1, except for contacts 4 to 8 mm apart, which count partly by
-    /// themselves and partly as one contact.
+    /// Factor of load and forces in the sum over the contacts \[-\]: 1, except for contacts 4 to 8
+    /// mm apart, which count partly by themselves and partly as one contact.
     pub share: F,
     /// Overlap of the undeformed, smoothed surfaces where it is deepest \[m\].
     pub approach: F,
-    /// Derivative of the load by the distance by which the surfaces are moved into each other \[N/m\].
+    /// Derivative of the load by the distance by which the surfaces are moved into each other
+    /// \[N/m\].
     pub stiffness: F,
     /// Length on the rail at y = 0 of the patch \[m\].
     pub along: F,
-    /// Derivatives of the wheel's velocity into the rail, mean of the strips weighted with load, by the members of kstrip_wheel_velocity. The
-    /// force and the moment of the pressure on the wheel are minus share times normal_force times these six numbers.
+    /// Derivatives of the wheel's velocity into the rail, mean of the strips weighted with load, by
+    /// the members of kstrip_wheel_velocity. The force and the moment of the pressure on the wheel
+    /// are minus share times normal_force times these six numbers.
     pub normal: [F; 6],
     /// slip_x of kstrip_motion at the patch's origin, by the members of kstrip_wheel_velocity.
     pub slip_x: [F; 6],
@@ -127,7 +140,8 @@ impl<F: Float> WheelContact<F> {
         let (zero, one, left) = (F::zero(), F::one(), pair.left != 0);
         self.patch = *strips;
         let count = strips.count as usize;
-        // sums weighted with load: of place, length on the rail, angle, 1; of tangent and normal, with their moments
+        // sums weighted with load: of place, length on the rail, angle, 1; of tangent and normal,
+        // with their moments
         let (mut sums, mut lowest, mut highest) = ([[zero; 6]; 3], F::LARGEST, -F::LARGEST);
         for strip in self.patch.strips.iter_mut().take(count) {
             let [_, _, x, y, z, angle, _] = view.at(strip.y);
@@ -182,7 +196,8 @@ fn with_moment<F: Float>(place: [F; 3], direction: [F; 3]) -> [F; 6] {
     [a, b, c, d, e, f]
 }
 
-/// A checked gap: the used part of its lists; with the position of the wheel, or of the mirror image of a left one.
+/// A checked gap: the used part of its lists; with the position of the wheel, or of the mirror
+/// image of a left one.
 struct View<'a, F> {
     lists: [&'a [F]; 7],
     pair: &'a WheelPair<F>,
@@ -225,8 +240,9 @@ impl<'a, F: Float> View<'a, F> {
         })
     }
 
-    /// Middle of an overlap, and distance between its points: means weighted with the overlap. Points enter with weight zero, and points
-    /// around the overlap do not count, so that both are continuous while points come and go.
+    /// Middle of an overlap, and distance between its points: means weighted with the overlap.
+    /// Points enter with weight zero, and points around the overlap do not count, so that both are
+    /// continuous while points come and go.
     fn middle_and_step(&self, own: Range<usize>) -> [F; 2] {
         let [along, distance, ..] = self.lists;
         let [mut weights, mut middle, mut step] = [F::zero(); 3];
@@ -242,7 +258,8 @@ impl<'a, F: Float> View<'a, F> {
         [middle, step].map(|sum| sum / (weights + F::TINY))
     }
 
-    /// The profile of a contact: its own points and those around, within others and as far as distances are small.
+    /// The profile of a contact: its own points and those around, within others and as far as
+    /// distances are small.
     fn profile(&self, own: Range<usize>, within: Range<usize>) -> Result<Profile<'a, F>, Error> {
         let [along, distance, x, .., rolling_radius] = self.lists;
         let at = |k: usize| distance.get(k).copied().unwrap_or(F::zero());
@@ -316,7 +333,8 @@ impl<'a, F: Float> View<'a, F> {
     }
 }
 
-/// Nearness of two contacts over the free length between them: 1 up to 4 mm, 0 from 8 mm on, smooth between.
+/// Nearness of two contacts over the free length between them: 1 up to 4 mm, 0 from 8 mm on, smooth
+/// between.
 fn nearness<F: Float>(free: F) -> F {
     let t =
         (free.plus(-ONE_CONTACT).times(1.0 / (APART - ONE_CONTACT))).clamped(F::zero(), F::one());
@@ -327,7 +345,8 @@ fn nearness<F: Float>(free: F) -> F {
 struct Group<F> {
     /// The numbers of its points.
     points: Range<usize>,
-    /// Nearness to the one before, and the number of the highest point between them; 0 for the first.
+    /// Nearness to the one before, and the number of the highest point between them; 0 for the
+    /// first.
     near: F,
     crest: usize,
 }
@@ -343,11 +362,13 @@ pub struct ContactCount {
     pub warning: Warning,
 }
 
-/// The contacts of a gap, in ascending y; none where the wheel is lifted. `strips` is memory for the normal problem of each.
+/// The contacts of a gap, in ascending y; none where the wheel is lifted. `strips` is memory for
+/// the normal problem of each.
 ///
 /// # Errors
-/// [`Error::Profile`] for a gap that does not ascend, or an angle beyond 1.6; [`Error::PatchSize`] for more than four contacts apart, or more than
-/// [`KSTRIP_CONTACTS_CAPACITY`] in all; [`Error::Capacity`]; those of `WheelPair::check` and of
+/// [`Error::Profile`] for a gap that does not ascend, or an angle beyond 1.6; [`Error::PatchSize`]
+/// for more than four contacts apart, or more than [`KSTRIP_CONTACTS_CAPACITY`] in all;
+/// [`Error::Capacity`]; those of `WheelPair::check` and of
 /// [`Patch::from_profile`](crate::patch::Patch::from_profile).
 pub fn from_gap<F: Float>(
     gap: &Gap<F>,

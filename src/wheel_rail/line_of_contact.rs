@@ -1,7 +1,8 @@
 //! The line of contact: the line on a wheel where its normal is perpendicular to `x`.
 //!
-//! A wheel of radius `r(y)` that yaws touches ahead of its lowest line where it is steep. In the wheel's axes, `θ` about the axle
-//! from below, `α` the angle of its profile and `R` the turn by roll and yaw,
+//! A wheel of radius `r(y)` that yaws touches ahead of its lowest line where it is steep. In the
+//! wheel's axes, `θ` about the axle from below, `α` the angle of its profile and `R` the turn by
+//! roll and yaw,
 //!
 //! ```text
 //! p = R (r sin θ, y, r cos θ),   n = R (cos α sin θ, −sin α, cos α cos θ),   n_x = 0:  sin θ = tan α R₀₁/R₀₀ = −tan α tan yaw
@@ -101,7 +102,8 @@ impl<F: Float> Wheel<F> {
         let place = turn.to_track([ahead, y, radius * cos]);
         // the normal of the wheel makes the profile's angle with its radius
         let [_, normal_y, normal_z] = turn.to_track([cosine * sin, -sine, cosine * cos]);
-        // p_z − radius, without a difference of large numbers: cos roll cos θ − 1 = −(1 − cos roll) cos θ − sin² θ/(1 + cos θ)
+        // p_z − radius, without a difference of large numbers: cos roll cos θ − 1 = −(1 − cos roll)
+        // cos θ − sin² θ/(1 + cos θ)
         let less = P::all(self.less_by_roll) * cos + sin.squared() / cos.plus(1.0);
         let [_, _, below] = turn.to_track([ahead, y, z * cos]);
         Line {

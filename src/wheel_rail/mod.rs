@@ -1,18 +1,20 @@
 //! Wheel on rail: from two profiles and a position to the forces on the wheel.
 //!
-//! Axes of the track: `x` forward, `y` to the right, `z` down. The wheel is the right one; the left one is its mirror image
-//! ([`WheelPair::left`]).
+//! Axes of the track: `x` forward, `y` to the right, `z` down. The wheel is the right one; the left
+//! one is its mirror image ([`WheelPair::left`]).
 //!
 //! 1. [`surface`] turns measured or drawn points into a profile at equal steps of its length.
-//! 2. [`touch`] finds the line on the wheel where its normal is perpendicular to `x`, and its distance from the rail. All contacts lie on
-//!    this line.
-//! 3. [`contacts`] finds the zones of contact. Each has a [patch](crate::patch), the direction of its pressure, and rows that turn the
-//!    velocity of the wheel into the motion of the patch.
-//! 4. [`wrench`] turns motion, creep forces and pressure into force and moment on the wheel, with their derivatives.
+//! 2. [`touch`] finds the line on the wheel where its normal is perpendicular to `x`, and its
+//!    distance from the rail. All contacts lie on this line.
+//! 3. [`contacts`] finds the zones of contact. Each has a [patch](crate::patch), the direction of
+//!    its pressure, and rows that turn the velocity of the wheel into the motion of the patch.
+//! 4. [`wrench`] turns motion, creep forces and pressure into force and moment on the wheel, with
+//!    their derivatives.
 //! 5. [`scene`] does all of this for a position, and finds the height of the wheel for a load.
 //!
-//! Every step is linear in the velocities `v` of the wheel (three of its centre, and three rates). One matrix `B` therefore describes the
-//! kinematics of a contact, and virtual power gives the wrench without any further geometry:
+//! Every step is linear in the velocities `v` of the wheel (three of its centre, and three rates).
+//! One matrix `B` therefore describes the kinematics of a contact, and virtual power gives the
+//! wrench without any further geometry:
 //!
 //! ```text
 //! slip = B v,   W = −Bᵀ F − N n,   W·v = −F·slip − N n·v
@@ -31,23 +33,26 @@ use crate::status::Error;
 
 /// Points that a prepared profile and a gap have room for.
 pub const KSTRIP_SURFACE_CAPACITY: usize = 512;
-/// Largest number of contacts of one wheel: four, and two more, each of which stands for neighbours less than 8 mm apart.
+/// Largest number of contacts of one wheel: four, and two more, each of which stands for neighbours
+/// less than 8 mm apart.
 pub const KSTRIP_CONTACTS_CAPACITY: usize = 6;
 /// Largest number of places along the rail at which friction is given.
 pub const KSTRIP_RAIL_FRICTION_CAPACITY: usize = 4;
 
-/// Where the wheel is, over straight track. A right wheel coupling on the gauge side, which is at small y, with its flange.
+/// Where the wheel is, over straight track. A right wheel coupling on the gauge side, which is at
+/// small y, with its flange.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Position<F> {
-    /// y of the wheel's centre from the origin of the rail's profile \[m\], to the right. The centre is the point of the axle at
-    /// y = 0 of the wheel's profile.
+    /// y of the wheel's centre from the origin of the rail's profile \[m\], to the right. The
+    /// centre is the point of the axle at y = 0 of the wheel's profile.
     pub lateral: F,
     /// Depth of the centre below its place one wheel radius over the rail's origin \[m\].
     pub vertical: F,
     /// Turn about the vertical, which points down \[rad\]: positive from x to y, between -1 and 1.
     pub yaw: F,
-    /// Turn about x \[rad\]: positive from y to z, between -1 and 1. Yaw turns about the axis that roll has turned.
+    /// Turn about x \[rad\]: positive from y to z, between -1 and 1. Yaw turns about the axis that
+    /// roll has turned.
     pub roll: F,
 }
 
@@ -72,8 +77,8 @@ impl<F: Float> Position<F> {
     }
 }
 
-/// How the wheel moves over the rail. The axes are at rest; in a curve they are those of the momentary track. Lateral, roll and yaw
-/// have the track's signs for a left wheel too.
+/// How the wheel moves over the rail. The axes are at rest; in a curve they are those of the
+/// momentary track. Lateral, roll and yaw have the track's signs for a left wheel too.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Velocity<F> {
@@ -83,7 +88,8 @@ pub struct Velocity<F> {
     pub lateral: F,
     /// Velocity of the centre along z, down \[m/s\].
     pub vertical: F,
-    /// Rate about the wheelset's own x \[rad/s\]. These axes yaw and roll with the wheelset but do not spin.
+    /// Rate about the wheelset's own x \[rad/s\]. These axes yaw and roll with the wheelset but do
+    /// not spin.
     pub roll: F,
     /// Rate about the axle \[rad/s\]: about minus forward over radius.
     pub pitch: F,
@@ -98,8 +104,8 @@ impl<F: Float> Velocity<F> {
     }
 }
 
-/// Materials and friction of a wheel and a rail, and options of the computation. Zero is the default of every member but
-/// wheel_radius and shear_modulus.
+/// Materials and friction of a wheel and a rail, and options of the computation. Zero is the
+/// default of every member but wheel_radius and shear_modulus.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WheelPair<F> {
@@ -115,12 +121,14 @@ pub struct WheelPair<F> {
     pub friction_y: [F; KSTRIP_RAIL_FRICTION_CAPACITY],
     /// Coefficient of friction at these places \[-\], >= 0; linear between them, constant beyond.
     pub friction_at: [F; KSTRIP_RAIL_FRICTION_CAPACITY],
-    /// How many of these places there are, at most KSTRIP_RAIL_FRICTION_CAPACITY; 0: friction is the same everywhere.
+    /// How many of these places there are, at most KSTRIP_RAIL_FRICTION_CAPACITY; 0: friction is
+    /// the same everywhere.
     pub friction_points: u32,
-    /// 0: a right wheel; any other number: a left wheel. The profiles are always those of a right wheel; position, velocity and wrench are the
-    /// wheel's own.
+    /// 0: a right wheel; any other number: a left wheel. The profiles are always those of a right
+    /// wheel; position, velocity and wrench are the wheel's own.
     pub left: i32,
-    /// Length over which the distance of the surfaces is smoothed \[m\], >= 0; 0: as kstrip_patch_from_profile() does.
+    /// Length over which the distance of the surfaces is smoothed \[m\], >= 0; 0: as
+    /// kstrip_patch_from_profile() does.
     pub smoothing_length: F,
     /// About how many strips a contact has: 4, 8, 16, 32 or 64; 0: 16.
     pub strips: i32,
@@ -132,8 +140,8 @@ impl<F: Float> WheelPair<F> {
     /// Checks the members but for the materials, which are checked with the patch.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::RollingRadius`], [`Error::Friction`], [`Error::Profile`] for places that do not ascend,
-    /// [`Error::Capacity`] for too many of them.
+    /// [`Error::NotFinite`], [`Error::RollingRadius`], [`Error::Friction`], [`Error::Profile`] for
+    /// places that do not ascend, [`Error::Capacity`] for too many of them.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let places = self.friction_points as usize;
         let (Some(y), Some(at)) = (self.friction_y.get(..places), self.friction_at.get(..places))

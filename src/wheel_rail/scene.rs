@@ -10,16 +10,19 @@ use crate::number::Float;
 use crate::patch::StoredPatch;
 use crate::status::{Error, Warning};
 
-/// Steps of the differences by position, over the cube root of the rounding \[m, rad\]: 1 µm in double precision, 15 µm in single.
+/// Steps of the differences by position, over the cube root of the rounding \[m, rad\]: 1 µm in
+/// double precision, 15 µm in single.
 const STEP: f64 = 0.15;
 /// Largest number of heights that are tried for a load.
 const HEIGHTS: u32 = 64;
-/// Largest step from one height to the next \[m\], and the distance below which two heights are the same \[m\].
+/// Largest step from one height to the next \[m\], and the distance below which two heights are the
+/// same \[m\].
 const FARTHEST: f64 = 1e-4;
 const NEAREST: f64 = 1e-14;
 
-/// Memory of the caller for the computation of one wheel. It may hold anything before a call. After KSTRIP_OK or a warning it holds the
-/// gap and the contacts of the position; after an error its contents have no meaning.
+/// Memory of the caller for the computation of one wheel. It may hold anything before a call. After
+/// KSTRIP_OK or a warning it holds the gap and the contacts of the position; after an error its
+/// contents have no meaning.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Workspace<F> {
@@ -133,10 +136,12 @@ impl<F: Float> Scene<'_, F> {
         })
     }
 
-    /// The vertical position at which the rail supports the wheel with a force. Creep forces carry as well if there is a `velocity`.
+    /// The vertical position at which the rail supports the wheel with a force. Creep forces carry
+    /// as well if there is a `velocity`.
     ///
-    /// The support grows with the vertical position, from zero where the wheel is lifted. The search brackets the position and then uses
-    /// the Illinois variant of false position on the force to the power 2/3, which is nearly linear for Hertz's contacts.
+    /// The support grows with the vertical position, from zero where the wheel is lifted. The
+    /// search brackets the position and then uses the Illinois variant of false position on the
+    /// force to the power 2/3, which is nearly linear for Hertz's contacts.
     ///
     /// # Errors
     /// Those of [`Scene::solve`]; [`Error::NormalForce`] for a force that is not positive.
@@ -155,7 +160,8 @@ impl<F: Float> Scene<'_, F> {
         }
         let straight = |force: F| force.max(F::zero()).squared().cube_root();
         let (wanted, far) = (straight(support), F::of(FARTHEST));
-        // a height with less than the wanted load, and one with more, with what the load exceeds the wanted one by
+        // a height with less than the wanted load, and one with more, with what the load exceeds
+        // the wanted one by
         let mut above = (self.first_touch(position, memory)?, -wanted);
         let mut below: Option<(F, F)> = None;
         let (mut here, mut last) = (above.0 + far.times(0.5), F::zero());
@@ -214,7 +220,8 @@ impl<F: Float> Scene<'_, F> {
         Ok(pressures.fold(F::zero(), |sum, pressure| sum + pressure))
     }
 
-    /// About the vertical position at which the wheel touches, by lowering the wheel a few times by the distance that is left.
+    /// About the vertical position at which the wheel touches, by lowering the wheel a few times by
+    /// the distance that is left.
     fn first_touch(&self, position: &Position<F>, memory: &mut Workspace<F>) -> Result<F, Error> {
         let mut here = *position;
         for _ in 0..HEIGHTS {

@@ -1,4 +1,5 @@
-//! A profile at equal steps of its length, with its direction. It is cubic between the points, so that distances have continuous slopes.
+//! A profile at equal steps of its length, with its direction. It is cubic between the points, so
+//! that distances have continuous slopes.
 
 use super::KSTRIP_SURFACE_CAPACITY;
 use crate::number::{Arithmetic, Float, Strips, are_finite};
@@ -9,15 +10,17 @@ const LEAST_STEP: f64 = 0.2e-3;
 /// Shortest and longest profile \[m\].
 const SHORTEST: f64 = 1e-6;
 const LONGEST: f64 = 1e3;
-/// Points that are nearer to the last one than this share of the step are passed over, because they add only rounding.
+/// Points that are nearer to the last one than this share of the step are passed over, because they
+/// add only rounding.
 const CROWDED: f64 = 0.02;
 
-/// A profile, prepared by kstrip_prepare_profile(): points at equal steps of its length, toward larger y, and its direction.
-/// It holds plain numbers and may be copied.
+/// A profile, prepared by kstrip_prepare_profile(): points at equal steps of its length, toward
+/// larger y, and its direction. It holds plain numbers and may be copied.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface<F> {
-    /// y \[m\], to the right: of a rail from its origin, of a wheel from its running circle, with the flange at small y.
+    /// y \[m\], to the right: of a rail from its origin, of a wheel from its running circle, with
+    /// the flange at small y.
     pub y: [F; KSTRIP_SURFACE_CAPACITY],
     /// z \[m\], down; of a wheel its radius minus wheel_radius.
     pub z: [F; KSTRIP_SURFACE_CAPACITY],
@@ -43,14 +46,16 @@ pub(crate) struct Place<F> {
 }
 
 impl<F: Float> Surface<F> {
-    /// Fills the surface. Points may turn back (those of a measured flange do), run either way along y, and lie at any distances;
-    /// only their order counts. Smoothing replaces every point by that of the parabola through the points up to the smoothing length `s` away,
-    /// weighted with `(1 − (d/s)²)³` and with their spacing. Straight lines and parabolas are not changed.
+    /// Fills the surface. Points may turn back (those of a measured flange do), run either way
+    /// along y, and lie at any distances; only their order counts. Smoothing replaces every point
+    /// by that of the parabola through the points up to the smoothing length `s` away, weighted
+    /// with `(1 − (d/s)²)³` and with their spacing. Straight lines and parabolas are not changed.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::Profile`] for fewer than four points, two that coincide, or a negative step;
-    /// [`Error::SmoothingLength`]; [`Error::Capacity`] when the step needs more points than there is room for;
-    /// [`Error::Overflow`] for a profile shorter than 1 µm or longer than 1 km.
+    /// [`Error::NotFinite`]; [`Error::Profile`] for fewer than four points, two that coincide, or a
+    /// negative step; [`Error::SmoothingLength`]; [`Error::Capacity`] when the step needs more
+    /// points than there is room for; [`Error::Overflow`] for a profile shorter than 1 µm or longer
+    /// than 1 km.
     pub fn prepare(&mut self, y: &[F], z: &[F], step: F, smoothing_length: F) -> Result<(), Error> {
         if y.len() < 4 || y.len() != z.len() {
             return Err(Error::Profile);
@@ -123,7 +128,8 @@ impl<F: Float> Surface<F> {
         Ok(())
     }
 
-    /// Derivatives by the length from five points, exact for polynomials of degree four; from three at the ends.
+    /// Derivatives by the length from five points, exact for polynomials of degree four; from three
+    /// at the ends.
     fn directions(&mut self) {
         let count = self.count as usize;
         for (list, slopes) in [(&self.y, &mut self.cosine), (&self.z, &mut self.sine)] {
@@ -183,7 +189,8 @@ impl<F: Float> Surface<F> {
     }
 }
 
-/// The curve between two points: cubics with the directions of both. The place on it is the share of the way.
+/// The curve between two points: cubics with the directions of both. The place on it is the share
+/// of the way.
 pub(crate) struct Piece<T> {
     y: Cubic<T>,
     z: Cubic<T>,
@@ -339,7 +346,8 @@ impl<'a, F: Float> Raw<'a, F> {
         Some(sums.map(|[s0, s1, s2]| (s0 * c0 + s1 * c1 + s2 * c2) / determinant))
     }
 
-    /// A cubic between two points, with the slopes of parabolas through three; beyond the last point this point.
+    /// A cubic between two points, with the slopes of parabolas through three; beyond the last
+    /// point this point.
     fn interpolated(&self, s: F) -> [F; 2] {
         let mut end = [F::zero(); 2];
         for [before, from, to, after] in self.fours() {

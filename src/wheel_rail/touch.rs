@@ -1,7 +1,9 @@
-//! The gap between wheel and rail: the line of contact of the wheel (`line_of_contact`), and the distance of this line from the rail.
+//! The gap between wheel and rail: the line of contact of the wheel (`line_of_contact`), and the
+//! distance of this line from the rail.
 //!
-//! The distance of a point is measured along the rail's normal, from the rail's point under it (`under`). No plane of contact needs to be chosen, and a
-//! flange at 70 degrees is treated like a tread.
+//! The distance of a point is measured along the rail's normal, from the rail's point under it
+//! (`under`). No plane of contact needs to be chosen, and a flange at 70 degrees is treated like a
+//! tread.
 
 use super::line_of_contact::Wheel;
 use super::surface::{Place, Surface};
@@ -11,7 +13,8 @@ use crate::number::registers::with_avx;
 use crate::number::{Float, Strips, are_finite};
 use crate::status::Error;
 
-/// Distance below which points are added \[m\], and the largest number of points for one of the wheel's.
+/// Distance below which points are added \[m\], and the largest number of points for one of the
+/// wheel's.
 const NEAR: f64 = 0.3e-3;
 const FINEST: usize = 4;
 /// Default of the distance above which points are left out \[m\].
@@ -19,24 +22,29 @@ const REACH: f64 = 2e-3;
 /// Number of points that are looked at side by side.
 const FOUR: usize = 4;
 
-/// The gap between a wheel and a rail, point by point along the rail. A host with its own search of contact fills it. The first
-/// count elements of each member are used.
+/// The gap between a wheel and a rail, point by point along the rail. A host with its own search of
+/// contact fills it. The first count elements of each member are used.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gap<F> {
-    /// Length on the rail's surface from any origin \[m\], ascending. A host that works in a plane passes its coordinate in this plane.
+    /// Length on the rail's surface from any origin \[m\], ascending. A host that works in a plane
+    /// passes its coordinate in this plane.
     pub along: [F; KSTRIP_SURFACE_CAPACITY],
-    /// Distance of the undeformed surfaces along the rail's normal \[m\]; negative where they would overlap.
+    /// Distance of the undeformed surfaces along the rail's normal \[m\]; negative where they would
+    /// overlap.
     pub distance: [F; KSTRIP_SURFACE_CAPACITY],
-    /// x of the point on the wheel's undeformed surface from the wheel's centre, axes of the track \[m\]: 0 without yaw.
+    /// x of the point on the wheel's undeformed surface from the wheel's centre, axes of the track
+    /// \[m\]: 0 without yaw.
     pub x: [F; KSTRIP_SURFACE_CAPACITY],
     /// y of this point \[m\].
     pub y: [F; KSTRIP_SURFACE_CAPACITY],
     /// z of this point \[m\], about the wheel's radius.
     pub z: [F; KSTRIP_SURFACE_CAPACITY],
-    /// Angle of the tangent across x, mean of both surfaces \[rad\], positive from y to z; about -1.2 at the flange of a right wheel.
+    /// Angle of the tangent across x, mean of both surfaces \[rad\], positive from y to z; about
+    /// -1.2 at the flange of a right wheel.
     pub angle: [F; KSTRIP_SURFACE_CAPACITY],
-    /// Radius of curvature along x \[m\]: distance from the axle over the cosine of the angle between normal and radius.
+    /// Radius of curvature along x \[m\]: distance from the axle over the cosine of the angle
+    /// between normal and radius.
     pub rolling_radius: [F; KSTRIP_SURFACE_CAPACITY],
     /// Number of points.
     pub count: u32,
@@ -135,13 +143,14 @@ impl<F: Float> Above<'_, F> {
     }
 }
 
-/// The gap between a right wheel and a rail. Only points nearer to the rail than `reach` are written; zero: 2 mm. Where surfaces are
-/// nearer than 0.3 mm there are up to four points for one of the wheel's profile, because the contact of a flange is one millimetre wide.
-/// Returns the smallest distance of the points, or `reach` where all are farther.
+/// The gap between a right wheel and a rail. Only points nearer to the rail than `reach` are
+/// written; zero: 2 mm. Where surfaces are nearer than 0.3 mm there are up to four points for one
+/// of the wheel's profile, because the contact of a flange is one millimetre wide. Returns the
+/// smallest distance of the points, or `reach` where all are farther.
 ///
 /// # Errors
-/// [`Error::NotPrepared`], [`Error::NotFinite`], [`Error::RollingRadius`]; [`Error::ProfileEnd`] when no point of the wheel is above the
-/// rail; nothing has been written then.
+/// [`Error::NotPrepared`], [`Error::NotFinite`], [`Error::RollingRadius`]; [`Error::ProfileEnd`]
+/// when no point of the wheel is above the rail; nothing has been written then.
 pub fn touch<F: Float>(
     rail: &Surface<F>,
     wheel: &Surface<F>,
@@ -162,7 +171,8 @@ pub fn touch<F: Float>(
     let reach = if reach > F::zero() { reach } else { F::of(REACH) };
     let (turned, rail) = (Wheel::new(wheel_radius, position), Rail::new(rail, reach));
     let mut above = Above { wheel: turned, position: *position, reach, rail };
-    // the wheel's own points, from the last to the first, at the end of the room; for each its number if it and the one before are near, else 0
+    // the wheel's own points, from the last to the first, at the end of the room; for each its
+    // number if it and the one before are near, else 0
     let points = wheel.count as usize;
     let mut numbers = [0_u16; KSTRIP_SURFACE_CAPACITY];
     let (mut first, mut near, mut is_next_near) = (KSTRIP_SURFACE_CAPACITY, 0, false);
@@ -186,7 +196,8 @@ pub fn touch<F: Float>(
         return Err(Error::ProfileEnd);
     }
     let parts = (first / near.max(1) + 1).min(FINEST);
-    // with those between them, in ascending order along the rail, from the first on: there is room before what is still to be read
+    // with those between them, in ascending order along the rail, from the first on: there is room
+    // before what is still to be read
     let (mut count, mut least) = (0, reach);
     let mut end: Option<F> = None;
     let mut write = |gap: &mut Gap<F>, point: &GapPoint<F>| {

@@ -3,8 +3,8 @@
 use super::surface::{Piece, Surface};
 use crate::number::{Float, Strips};
 
-/// Number of corrections of a place on the rail. Each doubles the number of correct digits. The last is smaller than this share of the way
-/// between two points.
+/// Number of corrections of a place on the rail. Each doubles the number of correct digits. The
+/// last is smaller than this share of the way between two points.
 const CORRECTIONS: u32 = 4;
 const CLOSE: f64 = 1e-5;
 
@@ -42,7 +42,8 @@ impl<'a, F: Float> Rail<'a, F> {
         Some((y - rail.y).squared() + (z - rail.z).squared())
     }
 
-    /// The nearest of the rail's points, and the square of its distance: of all for the first, then downhill from the last.
+    /// The nearest of the rail's points, and the square of its distance: of all for the first, then
+    /// downhill from the last.
     fn find(&mut self, point: [F; 2]) -> Option<(usize, F)> {
         let count = self.surface.count as usize;
         let closer = |k: usize, best: F| {
@@ -64,8 +65,9 @@ impl<'a, F: Float> Rail<'a, F> {
         Some(best)
     }
 
-    /// Where the rail is under a point of a surface that faces it: between which point and the next, nearest to the share 0 or 1 of the
-    /// way. None where the rail is out of reach. The normal of the surface has a length.
+    /// Where the rail is under a point of a surface that faces it: between which point and the
+    /// next, nearest to the share 0 or 1 of the way. None where the rail is out of reach. The
+    /// normal of the surface has a length.
     pub fn under(
         &mut self,
         [y, z]: [F; 2],

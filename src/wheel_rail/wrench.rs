@@ -1,7 +1,8 @@
 //! From contacts and velocities to force and moment on the wheel.
 //!
-//! The wheel may roll forward or backward, or stand still, as in [`motion`](crate::motion). Backward rolling is forward rolling of the patch
-//! turned by 180 degrees: `F₋(c) = R F₊(R c)` with `R = diag(−1, −1, 1)`.
+//! The wheel may roll forward or backward, or stand still, as in [`motion`](crate::motion).
+//! Backward rolling is forward rolling of the patch turned by 180 degrees: `F₋(c) = R F₊(R c)` with
+//! `R = diag(−1, −1, 1)`.
 //!
 //! ```text
 //! W = −Bᵀ F − N n,   ∂W/∂v = −Bᵀ (∂F/∂slip B + ∂F/∂V ∂V/∂v)
@@ -20,15 +21,19 @@ use crate::status::{Error, Warning};
 /// Speed below which any slip is plausible \[m/s\].
 const JUDGED: f64 = 1.0;
 
-/// Force and moment on a wheel. They are conjugate to the members of kstrip_wheel_velocity: the products add up to power.
+/// Force and moment on a wheel. They are conjugate to the members of kstrip_wheel_velocity: the
+/// products add up to power.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wrench<F> {
-    /// Force on the wheel, axes of the track \[N\]: forward, lateral, vertical (down; the rail's support is negative).
+    /// Force on the wheel, axes of the track \[N\]: forward, lateral, vertical (down; the rail's
+    /// support is negative).
     pub force: [F; 3],
-    /// Moment on the wheel about its centre \[N m\] about the wheelset's own axes: roll, pitch (about the axle), yaw.
+    /// Moment on the wheel about its centre \[N m\] about the wheelset's own axes: roll, pitch
+    /// (about the axle), yaw.
     pub moment: [F; 3],
-    /// Frictional power \[W\], not negative: creep forces on the rail times slip. The power of the creep forces on the wheel is minus this.
+    /// Frictional power \[W\], not negative: creep forces on the rail times slip. The power of the
+    /// creep forces on the wheel is minus this.
     pub dissipation: F,
     /// Sum of the loads of all contacts \[N\], each along its own normal.
     pub normal_force: F,
@@ -48,7 +53,8 @@ pub struct WrenchDerivatives<F> {
     pub friction: [F; 6],
 }
 
-/// Derivatives of the wrench by the wheel's position at constant velocity: central differences of complete computations.
+/// Derivatives of the wrench by the wheel's position at constant velocity: central differences of
+/// complete computations.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WrenchByPosition<F> {
@@ -83,7 +89,8 @@ pub struct Law<'a, F> {
 /// Computes the wrench of contacts, and its derivatives where they are wanted.
 ///
 /// # Errors
-/// [`Error::NotFinite`]; those of [`solver::solve`], [`patch::friction::solve`] and [`StoredPatch::view`].
+/// [`Error::NotFinite`]; those of [`solver::solve`], [`patch::friction::solve`] and
+/// [`StoredPatch::view`].
 pub fn of_contacts<F: Float>(
     contacts: &[WheelContact<F>],
     velocity: &Velocity<F>,
@@ -173,7 +180,8 @@ fn carried<F: Float>(
     Ok(joined(rolling, forward, backward))
 }
 
-/// The same with their derivatives by motion. The derivative by friction is that by a factor of all coefficients.
+/// The same with their derivatives by motion. The derivative by friction is that by a factor of all
+/// coefficients.
 fn differentiated<F: Float>(
     patch: &StoredPatch<F>,
     rolling: &Rolling<F>,

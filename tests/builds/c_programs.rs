@@ -230,7 +230,8 @@ fn traction_field_adds_up_to_the_forces() {
         assert_printed(value, wanted, decimals, "solve");
         assert_close(sums[k], value, 2.0 * 10_f64.powi(-decimals), "sum of strips");
     }
-    // The square grid misses part of the rim: its error in the load, 3e-5, is that of the forces too.
+    // The square grid misses part of the rim: its error in the load, 3e-5, is that of the forces
+    // too.
     assert_close(integral[0], CONTACT.normal_force, 5e-5 * CONTACT.normal_force, "∫ Z");
     assert_close(integral[1], exact.fx, 5e-5 * FRICTION_BOUND, "∫ X");
     assert_close(integral[2], exact.fy, 5e-5 * FRICTION_BOUND, "∫ Y");
@@ -333,8 +334,8 @@ fn s1002(s: f64) -> f64 {
     }
 }
 
-/// How far a rail head 60E1 is below its top at `s` \[mm\] from its middle: arcs of 300, 80 and 13 mm, whose centres lie on
-/// the normals at their joints (EN 13674-1).
+/// How far a rail head 60E1 is below its top at `s` \[mm\] from its middle: arcs of 300, 80 and 13
+/// mm, whose centres lie on the normals at their joints (EN 13674-1).
 fn rail_60e1(s: f64) -> f64 {
     let (mut across, mut below) = (0.0, 300.0);
     let mut radius = 300.0_f64;
@@ -361,7 +362,8 @@ fn profiles_of_the_standards_are_smooth() {
     }
 }
 
-/// Where the surfaces are parallel the wheel touches, as far off as an 80 kN patch is long; the radius is the wheel's mean there.
+/// Where the surfaces are parallel the wheel touches, as far off as an 80 kN patch is long; the
+/// radius is the wheel's mean there.
 #[test]
 fn a_wheel_on_a_rail_of_the_standards() {
     let text = run_c("c_examples/06_worn_profile.c");
@@ -381,7 +383,8 @@ fn a_wheel_on_a_rail_of_the_standards() {
         // the mean over the patch's 10 mm is not the slope at one place
         let slope = (wheel(0.1) - wheel(-0.1) + rail(0.1) - rail(-0.1)) / 0.4;
         assert_close(angle, slope.atan(), 0.02 + 0.1 * angle.abs(), "angle");
-        // the mean over a hollow is between the curve and its chord, which of 16 mm that turn by the range is 2 mm times the range higher
+        // the mean over a hollow is between the curve and its chord, which of 16 mm that turn by
+        // the range is 2 mm times the range higher
         let curve = 460.0 + wheel(0.0);
         assert!((curve - 0.05..curve + 0.05 + 2.0 * range).contains(&radius), "radius: {row:?}");
         assert!(load * 1e3 < peak * area && peak * area < 4.0 * load * 1e3, "{row:?}");
@@ -464,7 +467,8 @@ fn hunting_starts_at_the_eigenvalue_and_ends_in_a_cycle() {
     assert!(calls[0] > 1e5 && calls[1] == 3.0 * calls[0], "{calls:?}");
 }
 
-/// Brake to rest, hold on a slope, roll back, drive off: the program checks itself and ends with 0; its figures are those of a body on a slope.
+/// Brake to rest, hold on a slope, roll back, drive off: the program checks itself and ends with 0;
+/// its figures are those of a body on a slope.
 #[test]
 fn standstill_holds_and_reverses() {
     let text = run_c("c_examples/10_standstill.c");
@@ -547,8 +551,8 @@ fn batches_on_threads_have_the_bits_of_single_calls() {
     }
 }
 
-/// The row of a cell of `09_sweep_mpi.c`: shape, spin and size of the creepage, then force (mean, least,
-/// most), moment and stick area over its directions.
+/// The row of a cell of `09_sweep_mpi.c`: shape, spin and size of the creepage, then force (mean,
+/// least, most), moment and stick area over its directions.
 fn swept_cell(cell: i32, directions: i32) -> [f64; 8] {
     let share = |i: i32, of: i32| f64::from(i) / f64::from(of - 1);
     let shape = 10_f64.powf(2.0 * share(cell % 20, 20) - 1.0);
@@ -696,7 +700,8 @@ fn layouts_of_header(declared: &Declared) -> BTreeMap<String, usize> {
     numbers
 }
 
-/// Sizes and offsets of every structure: as C prints them, as Rust sees them, as `docs/reference/abi.txt` has them.
+/// Sizes and offsets of every structure: as C prints them, as Rust sees them, as
+/// `docs/reference/abi.txt` has them.
 #[test]
 fn structures_have_one_layout() {
     let declared = declared();

@@ -1,4 +1,5 @@
-//! `include/kstrip.hpp`: the C++ example with its numbers, and that nothing of the C header is missing.
+//! `include/kstrip.hpp`: the C++ example with its numbers, and that nothing of the C header is
+//! missing.
 
 use crate::header;
 use crate::toolchain;
@@ -114,7 +115,8 @@ fn example_prints_what_rust_computes() {
     close(inverse[0], 0.3, 4);
     close(inverse[1], motion.longitudinal, 7);
     close(inverse[2], motion.lateral, 7);
-    // The patch of the ellipse's strips carries the ellipse's forces, half of its bound, and its area
+    // The patch of the ellipse's strips carries the ellipse's forces, half of its bound, and its
+    // area
     let area = &numbers(text, "patch")[0];
     assert!(area[0].abs() < 1e-3 && area[1].abs() < 1e-3, "{area:?}");
     close(area[2], 12e3, 4);

@@ -1,9 +1,9 @@
-//! Every block of code in the documentation is compiled or run, and what it prints is compared with what
-//! the page says.
+//! Every block of code in the documentation is compiled or run, and what it prints is compared with
+//! what the page says.
 //!
-//! The blocks of one language on one page are one program, in their order; a block `output` is what the program
-//! prints at that place. Shell blocks run in the root of the repository. `no-run` after the language of a shell
-//! block: it is only parsed, and the scripts that it names must exist.
+//! The blocks of one language on one page are one program, in their order; a block `output` is what
+//! the program prints at that place. Shell blocks run in the root of the repository. `no-run` after
+//! the language of a shell block: it is only parsed, and the scripts that it names must exist.
 
 use crate::toolchain;
 
@@ -107,7 +107,8 @@ fn program_name(page: &Path, extension: &str) -> PathBuf {
     scratch().join(format!("docs_{name}.{extension}"))
 }
 
-/// Statements become a program: what begins with `#` and `using` goes to the head, the rest into `main`.
+/// Statements become a program: what begins with `#` and `using` goes to the head, the rest into
+/// `main`.
 fn with_main(code: &str, includes: &str) -> String {
     let head = |line: &&str| line.starts_with('#') || line.starts_with("using ");
     let top: Vec<&str> = code.lines().filter(head).collect();
@@ -249,7 +250,8 @@ fn names(page: &Path) -> Vec<String> {
     found
 }
 
-/// `module::Type::function` in the pages on theory and architecture is something that the sources have.
+/// `module::Type::function` in the pages on theory and architecture is something that the sources
+/// have.
 #[test]
 fn theory_names_functions_that_exist() {
     for (page, least) in [("docs/theory.md", 60), ("docs/architecture.md", 30)] {
@@ -285,8 +287,8 @@ fn theory_names_functions_that_exist() {
     }
 }
 
-/// Equations of the paper that its scan shows or its list of symbols names: each is on the page, mapped or named as not computed.
-/// Its sections are not written like equations.
+/// Equations of the paper that its scan shows or its list of symbols names: each is on the page,
+/// mapped or named as not computed. Its sections are not written like equations.
 #[test]
 fn theory_has_every_equation_of_the_paper() {
     const EQUATIONS: [(u32, &[u32]); 8] = [
@@ -317,7 +319,8 @@ fn theory_has_every_equation_of_the_paper() {
     }
 }
 
-/// The arrows between folders in docs/architecture.md are what the sources use, and no way along them leads back to where it began.
+/// The arrows between folders in docs/architecture.md are what the sources use, and no way along
+/// them leads back to where it began.
 #[test]
 fn architecture_has_the_arrows_of_the_sources_and_no_circle() {
     let mut drawn = BTreeSet::new();
@@ -418,7 +421,8 @@ fn pages_are_short() {
     }
 }
 
-/// Every picture stands on a page, and has a background of its own, so that it is readable on light and on dark pages.
+/// Every picture stands on a page, and has a background of its own, so that it is readable on light
+/// and on dark pages.
 #[test]
 fn pictures_stand_on_pages_and_have_a_background() {
     let mut linked = BTreeSet::new();
@@ -502,7 +506,8 @@ fn pages_name_files_that_exist() {
     assert!(links > 40 && files > 60, "{links} {files}");
 }
 
-/// The rows of a report that begin with these words, after the first that has this heading: each cell as its numbers.
+/// The rows of a report that begin with these words, after the first that has this heading: each
+/// cell as its numbers.
 fn rows(page: &str, heading: &str, row: &str) -> Vec<Vec<Vec<f64>>> {
     let text = read(page);
     let (_, section) = text.split_once(heading).unwrap_or_else(|| panic!("{page}: {heading}"));
@@ -538,11 +543,13 @@ fn short(x: f64, digits: usize) -> String {
     format!("{:.digits$}", x * (1.0 + 1e-9)).trim_start_matches('0').to_owned()
 }
 
-/// Errors and costs that the pages and the header state are those of the reports, which programs write.
+/// Errors and costs that the pages and the header state are those of the reports, which programs
+/// write.
 #[test]
 fn errors_in_prose_are_those_of_the_report() {
     const REPORT: &str = "docs/reference/accuracy.md";
-    // Of every method: open.csv, validation, what a simulation feels (of LINEAR that alone bears its plain name)
+    // Of every method: open.csv, validation, what a simulation feels (of LINEAR that alone bears
+    // its plain name)
     let accuracy = |method: &str| -> Vec<Vec<f64>> {
         rows(REPORT, "", method).into_iter().map(|row| row.concat()).collect()
     };
@@ -624,8 +631,9 @@ fn errors_in_prose_are_those_of_the_report() {
     }
 }
 
-/// The table of rounding in docs/reliability.md has the largest errors of docs/reference/numerics.md: forces, and derivatives without full
-/// sliding, in ordinary and in slender contacts; and those of patches from profiles.
+/// The table of rounding in docs/reliability.md has the largest errors of
+/// docs/reference/numerics.md: forces, and derivatives without full sliding, in ordinary and in
+/// slender contacts; and those of patches from profiles.
 #[test]
 fn rounding_in_brief_is_that_of_the_page() {
     let (page, brief) = (read("docs/reference/numerics.md"), read("docs/reliability.md"));
@@ -695,9 +703,10 @@ fn costs_in_prose_are_those_of_the_counts() {
     }
 }
 
-/// A batch costs no more than a loop of `kstrip_evaluate`, with derivatives and with falling friction too, and the derivatives of TOTAL and
-/// LINEAR at most seven tenths (where registers are wide, as on the machine of the counts); a prepared contact of
-/// LINEAR costs at most 100 instructions (105 in single precision).
+/// A batch costs no more than a loop of `kstrip_evaluate`, with derivatives and with falling
+/// friction too, and the derivatives of TOTAL and LINEAR at most seven tenths (where registers are
+/// wide, as on the machine of the counts); a prepared contact of LINEAR costs at most 100
+/// instructions (105 in single precision).
 #[test]
 fn calls_cost_what_they_may() {
     for (precision, most) in [("f64", 100.0), ("f32", 105.0)] {

@@ -1,5 +1,5 @@
-//! What stands in several files about the package agrees: licences and oldest Rust of the dependencies,
-//! versions, ABI.
+//! What stands in several files about the package agrees: licences and oldest Rust of the
+//! dependencies, versions, ABI.
 
 use kstrip::ffi::KSTRIP_ABI_VERSION;
 use serde_json::Value;

@@ -3,7 +3,8 @@
 use crate::toolchain::{root, scratch};
 use std::process::Command;
 
-/// A proof whose tool is missing ends with status 77 and a line that begins with SKIPPED; `.ci/run` counts both.
+/// A proof whose tool is missing ends with status 77 and a line that begins with SKIPPED; `.ci/run`
+/// counts both.
 #[test]
 #[cfg(unix)]
 fn proofs_without_their_tools_are_not_green() {

@@ -1,4 +1,5 @@
-//! The headers from what cbindgen writes: grouped, types beside the functions that use them, single precision apart.
+//! The headers from what cbindgen writes: grouped, types beside the functions that use them, single
+//! precision apart.
 
 /// Heading, what it is about, constants by their beginnings, functions: words.
 struct Group {
@@ -148,7 +149,8 @@ fn body(items: &mut Vec<Item>, suffix: &str) -> String {
     text
 }
 
-/// The types that a declaration mentions and that are not there yet, those that they are made of first.
+/// The types that a declaration mentions and that are not there yet, those that they are made of
+/// first.
 fn add_types(items: &mut Vec<Item>, declaration: &str, group: &mut String) {
     for mention in declaration.split("struct ").skip(1) {
         let end = mention.find(|c: char| !(c.is_alphanumeric() || c == '_')).expect("more text");
@@ -223,8 +225,8 @@ fn plain(text: &str) -> String {
     plain
 }
 
-/// The declarations of `src/ffi/exports` as cbindgen reads them: each function under its symbol, with
-/// the numbers of one precision. The comments stand in double precision only.
+/// The declarations of `src/ffi/exports` as cbindgen reads them: each function under its symbol,
+/// with the numbers of one precision. The comments stand in double precision only.
 pub fn declarations(exports: &str, suffix: &str, number: &str) -> String {
     let mut text = String::new();
     let mut comment = String::new();

@@ -34,7 +34,8 @@ pub struct Declared {
 }
 
 impl Variable {
-    /// From `const struct kstrip_contact *contact`, `double values[4]` or `double values[KSTRIP_NAME]`.
+    /// From `const struct kstrip_contact *contact`, `double values[4]` or
+    /// `double values[KSTRIP_NAME]`.
     fn parse(text: &str, constants: &[(String, i64)]) -> Self {
         let text = text.replace("struct ", "");
         let start = text.rfind(|c: char| c == '*' || c.is_whitespace()).map_or(0, |i| i + 1);
@@ -125,8 +126,8 @@ fn without_comments(text: &str) -> String {
     code + rest
 }
 
-/// Size and alignment of a structure, and the offset of each member, by the rule of every C compiler
-/// for machines that align each number to its size.
+/// Size and alignment of a structure, and the offset of each member, by the rule of every C
+/// compiler for machines that align each number to its size.
 pub struct Layout {
     pub size: usize,
     pub alignment: usize,
@@ -144,7 +145,8 @@ impl Declared {
                     "double" => (8, 8),
                     "float" | "int32_t" | "uint32_t" | "kstrip_status" => (4, 4),
                     "ptrdiff_t" => (size_of::<usize>(), align_of::<usize>()),
-                    // of the machine that the test runs on; docs/reference/abi.txt has those of 64 bits
+                    // of the machine that the test runs on; docs/reference/abi.txt has those of 64
+                    // bits
                     pointer if pointer.contains('*') => (size_of::<usize>(), align_of::<usize>()),
                     other => {
                         let inner = known.get(other);
@@ -191,7 +193,8 @@ impl Declared {
         text
     }
 
-    /// The list of structures for the macro `layouts!` of `tests/builds/c_programs.rs`; those of single precision have the same members.
+    /// The list of structures for the macro `layouts!` of `tests/builds/c_programs.rs`; those of
+    /// single precision have the same members.
     pub fn rust_list(&self) -> String {
         let mut text = "// Every structure of include/kstrip.h. Written together with it:\n\
              // KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface\nlayouts! {\n"

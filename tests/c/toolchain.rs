@@ -1,6 +1,7 @@
-//! Compiles and runs C and C++ programs against the C interface: as `cargo test` has compiled it (`tests/c/library.rs`), or against the
-//! library that users link, which `scripts/library.sh` builds, with `KSTRIP_RELEASE_LIBRARY` set or where the other is not up to date,
-//! as in `cargo test --test golden` after a change.
+//! Compiles and runs C and C++ programs against the C interface: as `cargo test` has compiled it
+//! (`tests/c/library.rs`), or against the library that users link, which `scripts/library.sh`
+//! builds, with `KSTRIP_RELEASE_LIBRARY` set or where the other is not up to date, as in
+//! `cargo test --test golden` after a change.
 #![allow(dead_code)]
 
 use std::ffi::OsStr;
@@ -171,8 +172,8 @@ pub fn run_source(source: &Path) -> String {
     run_source_with(source, &[])
 }
 
-/// The same for a long program that is written by a test: not optimised and without warnings, which would take a minute (gcc reads the
-/// file again and again to judge its indentation).
+/// The same for a long program that is written by a test: not optimised and without warnings, which
+/// would take a minute (gcc reads the file again and again to judge its indentation).
 pub fn run_written(source: &str) -> String {
     run_source_by(&root().join(source), &["-O0", "-w"], &[])
 }
@@ -190,8 +191,8 @@ fn run_source_by(source: &Path, flags: &[&str], given: &[&str]) -> String {
     output_of(Command::new(program).args(given))
 }
 
-/// A C99 program of the repository that needs a header and flags (or a compiler) of its own, linked with the
-/// library; `None` where an empty program with that header does not compile.
+/// A C99 program of the repository that needs a header and flags (or a compiler) of its own, linked
+/// with the library; `None` where an empty program with that header does not compile.
 pub fn build_c_with(
     name: Option<&str>,
     header: &str,
@@ -218,8 +219,8 @@ pub fn cpp_compilers() -> Vec<&'static str> {
     ["g++", "clang++"].into_iter().filter(runs).collect()
 }
 
-/// Compile a C++ program of the repository without a warning by one of [`cpp_compilers`], link it with
-/// the library, run it, and return what it printed.
+/// Compile a C++ program of the repository without a warning by one of [`cpp_compilers`], link it
+/// with the library, run it, and return what it printed.
 pub fn run_cpp(name: &str, standard: &str, source: &Path) -> String {
     let library = library();
     let extra = ["-Wshadow", "-Wconversion", "-Wsign-conversion"];

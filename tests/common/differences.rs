@@ -3,8 +3,8 @@
 
 use kstrip::contact::creepage::Creepage;
 
-/// Central differences with h, h/2, h/4, extrapolated; and how far the last two extrapolations differ:
-/// an error of the order h or h² betrays a kink within the stencil.
+/// Central differences with h, h/2, h/4, extrapolated; and how far the last two extrapolations
+/// differ: an error of the order h or h² betrays a kink within the stencil.
 fn differences(f: &dyn Fn(f64) -> [f64; 3], h: f64) -> ([f64; 3], [f64; 3]) {
     let central = |h: f64| {
         let (ahead, behind) = (f(h), f(-h));
@@ -20,9 +20,10 @@ fn differences(f: &dyn Fn(f64) -> [f64; 3], h: f64) -> ([f64; 3], [f64; 3]) {
     (result, doubt)
 }
 
-/// Differences that converged: over the largest stencil with a doubt below 1e-9 of `size`, else over the
-/// one with the smallest doubt, if that is below 1e-8. Rounding is 1e-16/h/4, 1e-11 at the smallest; a
-/// breakpoint of a slope inside the stencil makes the doubt a few times smaller than the error.
+/// Differences that converged: over the largest stencil with a doubt below 1e-9 of `size`, else
+/// over the one with the smallest doubt, if that is below 1e-8. Rounding is 1e-16/h/4, 1e-11 at the
+/// smallest; a breakpoint of a slope inside the stencil makes the doubt a few times smaller than
+/// the error.
 pub fn trusted_differences(f: &dyn Fn(f64) -> [f64; 3], size: &[f64; 3]) -> Option<[f64; 3]> {
     let mut best = (1e-8, None);
     for h in [1e-3, 1e-4, 1e-5] {
@@ -38,8 +39,8 @@ pub fn trusted_differences(f: &dyn Fn(f64) -> [f64; 3], size: &[f64; 3]) -> Opti
     best.1
 }
 
-/// Derivatives of the forces of patches against differences: columns compared and left out, and the worst error in units of the force over
-/// the creepage it takes.
+/// Derivatives of the forces of patches against differences: columns compared and left out, and the
+/// worst error in units of the force over the creepage it takes.
 #[derive(Default)]
 pub struct Comparison {
     pub compared: usize,

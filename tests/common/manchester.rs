@@ -1,7 +1,9 @@
-//! Case of the Manchester benchmark: a wheelset with wheels S1002 on rails 60E1 that shifts and yaws, 10 kN on each wheel, 2 m/s.
+//! Case of the Manchester benchmark: a wheelset with wheels S1002 on rails 60E1 that shifts
+//! and yaws, 10 kN on each wheel, 2 m/s.
 //!
-//! Roll is that of wheels on both rails, and the axle turns with the mean radius, as the benchmark has it; its roll itself is not at
-//! hand, which counts where the flange begins to climb (6.5 to 7.5 mm).
+//! Roll is that of wheels on both rails, and the axle turns with the mean radius, as the benchmark
+//! has it; its roll itself is not at hand, which counts where the flange begins to climb (6.5 to
+//! 7.5 mm).
 
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::Model;
@@ -14,7 +16,8 @@ use kstrip::wheel_rail::{Position, Velocity, WheelPair};
 const LOAD: f64 = 10e3;
 const SPEED: f64 = 2.0;
 const YAW: f64 = 2.4;
-/// From the middle of the wheelset to y = 0 of a wheel's profile, and from the middle of the track to a rail's origin [m].
+/// From the middle of the wheelset to y = 0 of a wheel's profile, and from the middle of the track
+/// to a rail's origin [m].
 const HALF_WIDTH: f64 = 0.75;
 const HALF_GAUGE: f64 = 0.760_532_5;
 

@@ -187,7 +187,8 @@ impl Case {
     }
 }
 
-/// The cases of a folder, their profiles and forces, and what only one of the folders has of a case and of a point.
+/// The cases of a folder, their profiles and forces, and what only one of the folders has of a case
+/// and of a point.
 fn read(folder: &str, of_case: fn(&Row, &mut Case), of_point: fn(&Row, &mut Case)) -> Vec<Case> {
     let mut cases = Vec::new();
     let mut index = HashMap::new();
@@ -333,7 +334,8 @@ pub fn banded(count: StripCount) -> Vec<(Case, Full)> {
     grouped("banded.csv", make, |(case, _)| (&case.name, &mut case.motions))
 }
 
-/// Friction that falls with the slip, on ellipses of 16 strips: the case, the patch, the law, and its creepages.
+/// Friction that falls with the slip, on ellipses of 16 strips: the case, the patch, the law, and
+/// its creepages.
 pub fn falling() -> Vec<(Case, Full, SlipFriction<f64>)> {
     let make = |row: &Row| {
         let (case, patch) = elliptic(row, "falling", "mu0", StripCount::Sixteen);

@@ -12,7 +12,8 @@ pub fn poisoned<T>() -> MaybeUninit<T> {
     value
 }
 
-/// Whether values still have the pattern in every byte. (The structures of the C interface have no padding.)
+/// Whether values still have the pattern in every byte. (The structures of the C interface have no
+/// padding.)
 pub fn untouched<T>(values: &[MaybeUninit<T>]) -> bool {
     const PATTERN: [u8; 256] = [POISON; 256];
     // SAFETY: every byte was set by `poisoned` or by a write of a structure without padding.

@@ -1,9 +1,9 @@
-//! A number of 200 bits that the library's own formulas can be evaluated with, to see what their arithmetic loses in
-//! double and single precision.
+//! A number of 200 bits that the library's own formulas can be evaluated with, to see what their
+//! arithmetic loses in double and single precision.
 //!
-//! Constants and tables are those of double precision, exactly; square roots and logarithms are good to 200 bits. The
-//! library's numbers are copied freely, so what has more digits than a double is kept in a list of this thread, and a
-//! number is its place there.
+//! Constants and tables are those of double precision, exactly; square roots and logarithms are
+//! good to 200 bits. The library's numbers are copied freely, so what has more digits than a double
+//! is kept in a list of this thread, and a number is its place there.
 #![allow(dead_code)]
 
 use dashu_float::{FBig, round::mode::HalfEven};

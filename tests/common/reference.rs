@@ -1,5 +1,5 @@
-//! Cases computed with CONTACT, and how far a model is from them. Used by `tests/models/accuracy.rs` and
-//! by `reports/accuracy.rs`.
+//! Cases computed with CONTACT, and how far a model is from them. Used by
+//! `tests/models/accuracy.rs` and by `reports/accuracy.rs`.
 #![allow(dead_code)]
 
 use kstrip::contact::Contact;
@@ -13,7 +13,8 @@ use std::collections::HashSet;
 use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 
-/// A contact of which only the dimensionless numbers matter: `√(ab)` \[m\], `G` \[Pa\], `N` \[N\], `μ`.
+/// A contact of which only the dimensionless numbers matter: `√(ab)` \[m\], `G` \[Pa\], `N` \[N\],
+/// `μ`.
 pub const SIZE: f64 = 5e-3;
 pub const SHEAR_MODULUS: f64 = 82e9;
 pub const NORMAL_FORCE: f64 = 82e3;
@@ -153,12 +154,14 @@ pub fn slender() -> Vec<Case> {
     cases("open_slender.csv")
 }
 
-/// The 576 cases of `tests/data/boundary_elements.csv`: large creepage that spin turns around within the contact.
+/// The 576 cases of `tests/data/boundary_elements.csv`: large creepage that spin turns around
+/// within the contact.
 pub fn turning() -> Vec<Case> {
     cases("boundary_elements.csv")
 }
 
-/// The rows of the training files on which no model was trained (`fit/validation_rows.py`), or the others.
+/// The rows of the training files on which no model was trained (`fit/validation_rows.py`), or the
+/// others.
 fn training_files(validation: bool) -> Vec<Case> {
     let folder = project().join("fit/data");
     let kept = Table::read(folder.join("validation_rows.csv"));

@@ -1,5 +1,6 @@
-//! What a simulation feels of a model besides its values: slopes against CONTACT's own, ripple, limits, power. Each figure of any
-//! method that answers a [`Case`]. Used by `tests/models/accuracy.rs` and by `reports/accuracy.rs`.
+//! What a simulation feels of a model besides its values: slopes against CONTACT's own, ripple,
+//! limits, power. Each figure of any method that answers a [`Case`]. Used by
+//! `tests/models/accuracy.rs` and by `reports/accuracy.rs`.
 #![allow(dead_code)]
 
 use crate::random::Random;
@@ -21,7 +22,8 @@ pub fn linear_steps(axis_ratio: f64, poisson_ratio: f64) -> [f64; 3] {
     [1.0 / c.c11, 1.0 / c.c22, 1.0 / c.c23]
 }
 
-/// `d(fx, fy)/d creepage` along one axis by central differences of this step, in units of the linear slope.
+/// `d(fx, fy)/d creepage` along one axis by central differences of this step, in units of the
+/// linear slope.
 pub fn slope(case: &Case, axis: usize, step: f64, solve: Solve) -> [f64; 2] {
     let unit = linear_steps(case.axis_ratio, case.poisson_ratio)[axis];
     let [low, high] = [-step, step].map(|step| {
@@ -61,7 +63,8 @@ pub const ENTRIES: [[&str; 3]; 2] =
     [["∂fx/∂vx", "∂fx/∂vy", "∂fx/∂φ"], ["∂fy/∂vx", "∂fy/∂vy", "∂fy/∂φ"]];
 
 impl SlopeCase {
-    /// The worst of the six slopes of the force: `|slope − slope_ref|` in units of the linear slope, force, axis, slope.
+    /// The worst of the six slopes of the force: `|slope − slope_ref|` in units of the linear
+    /// slope, force, axis, slope.
     pub fn error(&self, solve: Solve) -> (f64, usize, usize, f64) {
         let mut worst = (0.0, 0, 0, 0.0);
         for axis in 0..3 {
@@ -77,9 +80,10 @@ impl SlopeCase {
     }
 }
 
-/// Without spin, along random rays (a/b 0.25 to 4) to a linear force of 2.6: the sum of the rises of the slope over the first slope,
-/// and by how much the force's size falls after its maximum. (Along the ray it falls where the force turns from the direction of the
-/// linear theory into that of the slip.)
+/// Without spin, along random rays (a/b 0.25 to 4) to a linear force of 2.6: the sum of the rises
+/// of the slope over the first slope, and by how much the force's size falls after its maximum.
+/// (Along the ray it falls where the force turns from the direction of the linear theory into that
+/// of the slip.)
 pub fn rays(count: usize, solve: Solve) -> (Vec<f64>, f64) {
     const STEPS: usize = 120;
     let mut random = Random::new(12);
@@ -104,7 +108,8 @@ pub fn rays(count: usize, solve: Solve) -> (Vec<f64>, f64) {
     (rises.collect(), fall)
 }
 
-/// What is left of values at equal steps without their best polynomial of degree 11: root of the mean square.
+/// What is left of values at equal steps without their best polynomial of degree 11: root of the
+/// mean square.
 fn high_pass(values: &mut [f64]) -> f64 {
     let last = (values.len() - 1) as f64;
     let mut basis: Vec<Vec<f64>> = Vec::new();
@@ -126,8 +131,9 @@ fn high_pass(values: &mut [f64]) -> f64 {
     (values.iter().map(|v| v * v).sum::<f64>() / values.len() as f64).sqrt()
 }
 
-/// With spin `ψ` 0.8 to 2 (ν 0.28, a/b 0.4 to 2.5), along sweeps of longitudinal (fx, 0 to 3 in linear force) and of lateral creepage
-/// (fy, −3 to 3): ripple of the slope in units of the linear slope, 25 sweeps each. The slope is a central difference of step 0.001.
+/// With spin `ψ` 0.8 to 2 (ν 0.28, a/b 0.4 to 2.5), along sweeps of longitudinal (fx, 0 to 3 in
+/// linear force) and of lateral creepage (fy, −3 to 3): ripple of the slope in units of the linear
+/// slope, 25 sweeps each. The slope is a central difference of step 0.001.
 pub fn ripple(solve: Solve) -> [Vec<f64>; 2] {
     const POINTS: usize = 241;
     [0, 1].map(|axis| {
@@ -151,7 +157,8 @@ pub fn ripple(solve: Solve) -> [Vec<f64>; 2] {
     })
 }
 
-/// `Fx, Fy, Mz` of a patch that slides as a whole, in `μ N` and `μ N √(ab)`: equal areas of a disk, weighted with the pressure.
+/// `Fx, Fy, Mz` of a patch that slides as a whole, in `μ N` and `μ N √(ab)`: equal areas of a disk,
+/// weighted with the pressure.
 fn rigid_slip(g: f64, [vx, vy, phi]: [f64; 3]) -> [f64; 3] {
     const RINGS: usize = 60;
     let (a, b) = (g.sqrt(), 1.0 / g.sqrt());
@@ -173,8 +180,9 @@ fn rigid_slip(g: f64, [vx, vy, phi]: [f64; 3]) -> [f64; 3] {
     sums.map(|sum| sum / load)
 }
 
-/// Far in sliding, where rigid slip is the truth (100 contacts, a/b 0.05 to 20, any mix of translation and spin): error of the force,
-/// error of the moment over the moment of sliding by spin alone.
+/// Far in sliding, where rigid slip is the truth (100 contacts, a/b 0.05 to 20, any mix of
+/// translation and spin): error of the force, error of the moment over the moment of sliding by
+/// spin alone.
 pub fn limits(solve: Solve) -> [Vec<f64>; 2] {
     let mut random = Random::new(18);
     let (mut forces, mut moments) = (Vec::new(), Vec::new());
@@ -192,8 +200,8 @@ pub fn limits(solve: Solve) -> [Vec<f64>; 2] {
     [forces, moments]
 }
 
-/// Least frictional power over `count` random states (a/b 0.05 to 20, ν 0 to 0.5), in `μ N` times a slip, and the share of states
-/// below zero.
+/// Least frictional power over `count` random states (a/b 0.05 to 20, ν 0 to 0.5), in `μ N` times a
+/// slip, and the share of states below zero.
 pub fn power(count: usize, solve: Solve) -> (f64, f64) {
     let mut random = Random::new(19);
     let (mut least, mut below) = (f64::INFINITY, 0);

@@ -1,7 +1,7 @@
 //! The strip theory written a second time, straight from its equations, for the tests alone.
 //!
-//! Nothing here calls the library except to build its inputs. Integrals over the strips are adaptive
-//! Gauss quadrature in the angle of `Y = sin θ`, cut where the law of the strips changes.
+//! Nothing here calls the library except to build its inputs. Integrals over the strips are
+//! adaptive Gauss quadrature in the angle of `Y = sin θ`, cut where the law of the strips changes.
 #![allow(dead_code)]
 
 use kstrip::contact::Contact;
@@ -25,7 +25,8 @@ pub fn options(model: Model, strips: StripCount) -> Options {
     Options { model, strips }
 }
 
-/// 16 strips, as any number for the totals of the theory of 1967 (`limits::any_number_of_strips_has_the_same_totals`).
+/// 16 strips, as any number for the totals of the theory of 1967
+/// (`limits::any_number_of_strips_has_the_same_totals`).
 pub fn sixteen(model: Model) -> Options {
     options(model, StripCount::Sixteen)
 }

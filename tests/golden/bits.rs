@@ -1,11 +1,13 @@
-//! The same inputs give the same bits: in this build, through the C interface (with `KSTRIP_RELEASE_LIBRARY` of the optimised library), in
-//! a batch and on two threads; compiled for this very processor: `tests/machines`. `scripts/firmware.sh` runs the
-//! first thousand on a simulated Cortex-M4 and Cortex-M7.
+//! The same inputs give the same bits: in this build, through the C interface (with
+//! `KSTRIP_RELEASE_LIBRARY` of the optimised library), in a batch and on two threads; compiled for
+//! this very processor: `tests/machines`. `scripts/firmware.sh` runs the first thousand on a
+//! simulated Cortex-M4 and Cortex-M7.
 //!
-//! Every precision has a hash for each of: solves, derivatives and points of the field; patches; falling friction; special motions
-//! and strips; the inverse functions of test rigs.
+//! Every precision has a hash for each of: solves, derivatives and points of the field; patches;
+//! falling friction; special motions and strips; the inverse functions of test rigs.
 //!
-//! `KSTRIP_WRITE_GOLDEN=1 cargo test --test golden` writes the hashes anew after a deliberate change.
+//! `KSTRIP_WRITE_GOLDEN=1 cargo test --test golden` writes the hashes anew after a deliberate
+//! change.
 
 use crate::single;
 use crate::toolchain;

@@ -1,6 +1,8 @@
-//! Bad input gets the status that `docs/reference/bad-input.md` names, from C, with outputs untouched.
+//! Bad input gets the status that `docs/reference/bad-input.md` names, from C, with outputs
+//! untouched.
 //!
-//! The C program that asks is written from the tables of that page and the declarations of the header.
+//! The C program that asks is written from the tables of that page and the declarations of the
+//! header.
 
 use crate::header;
 use crate::toolchain;
@@ -156,7 +158,8 @@ static kstrip_prepared_f32 prepared_float(void)
 }
 ";
 
-/// Profiles of a wheel on a rail, their gap and contact, and a wheel that presses, in each precision.
+/// Profiles of a wheel on a rail, their gap and contact, and a wheel that presses, in each
+/// precision.
 const WHEEL: &str = "
 static kstrip_surfaceSUFFIX surface_REAL(void)
 {
@@ -216,7 +219,8 @@ fn writes_through_places(function: &Function) -> bool {
     function.arguments.iter().filter_map(target).any(|name| OUTPUTS_OF.contains(&name.as_str()))
 }
 
-/// The block of C that makes one call and prints its number, status and whether outputs are untouched.
+/// The block of C that makes one call and prints its number, status and whether outputs are
+/// untouched.
 fn block(
     number: usize,
     case: Option<&Case>,
@@ -311,7 +315,8 @@ fn block(
     text
 }
 
-/// The numbers in a structure as the tables name them, of arrays the first, with those of the structures that are its members.
+/// The numbers in a structure as the tables name them, of arrays the first, with those of the
+/// structures that are its members.
 fn places<'a>(
     declared: &'a Declared,
     structure: &'a Structure,

@@ -1,6 +1,8 @@
-//! Batches give the bits of single solves, whatever the layout of the arrays; bad input touches nothing.
+//! Batches give the bits of single solves, whatever the layout of the arrays; bad input touches
+//! nothing.
 //!
-//! Only builds without debug assertions solve contacts side by side in wide registers: `cargo test --config tests/plain.toml --test interface batch`.
+//! Only builds without debug assertions solve contacts side by side in wide registers:
+//! `cargo test --config tests/plain.toml --test interface batch`.
 
 use crate::names::*;
 use crate::random;
@@ -36,8 +38,8 @@ fn told(status: i32) -> Warning {
     all.into_iter().find(|warning| warning.code() == status).unwrap_or(None)
 }
 
-/// Inputs of contacts of all kinds, array by array, the mismatch last; the first is at rest, some have extreme spin, and
-/// some no load and no spin.
+/// Inputs of contacts of all kinds, array by array, the mismatch last; the first is at rest, some
+/// have extreme spin, and some no load and no spin.
 fn inputs() -> [Vec<f64>; 10] {
     let mut random = Random::new(21);
     let mut arrays: [Vec<f64>; 10] = Default::default();
@@ -117,7 +119,8 @@ fn any_kind(random: &mut Random, kind: usize) -> [f64; 10] {
         }
     }
     if kind % 11 == 2 {
-        // a neighbour that needs another branch of the theory of 1967: no spin, little, near one, beyond; some stick, some slide
+        // a neighbour that needs another branch of the theory of 1967: no spin, little, near one,
+        // beyond; some stick, some slide
         let [a, b, normal_force, shear_modulus, poisson_ratio, friction, ..] = values;
         let contact =
             Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch: 0.0 };
@@ -153,8 +156,8 @@ fn options() -> impl Iterator<Item = kstrip_options> {
     (1..=5).flat_map(|model| [4, 16].map(|strips| kstrip_options { model, strips }))
 }
 
-/// Thousands of contacts of all kinds: the bits of single solves in any company, whatever the count's remainder; the first
-/// error wherever it stands, with nothing written.
+/// Thousands of contacts of all kinds: the bits of single solves in any company, whatever the
+/// count's remainder; the first error wherever it stands, with nothing written.
 macro_rules! any_company {
     ($name:ident, $float:ident, $solve:ident, $batch:ident) => {
         #[test]
@@ -337,8 +340,9 @@ fn only_what_is_wanted_is_written_and_nothing_on_errors() {
     );
 }
 
-/// Contacts of all kinds with derivatives, every second time under falling friction: bits and statuses of kstrip_evaluate(), and
-/// nothing is written where one has an error, also one that only its derivatives tell.
+/// Contacts of all kinds with derivatives, every second time under falling friction: bits and
+/// statuses of kstrip_evaluate(), and nothing is written where one has an error, also one that only
+/// its derivatives tell.
 macro_rules! derivatives_in_any_company {
     ($name:ident, $float:ident, $evaluate:ident, $batch:ident) => {
         #[test]

@@ -7,8 +7,8 @@ use crate::header;
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// What cbindgen writes: it reads the crate, and instead of the exported functions, whose symbols it
-/// does not expand, their declarations in both precisions.
+/// What cbindgen writes: it reads the crate, and instead of the exported functions, whose symbols
+/// it does not expand, their declarations in both precisions.
 fn generated() -> String {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let config = cbindgen::Config::from_root_or_default(root);
@@ -64,9 +64,9 @@ fn committed_headers_are_current() {
     assert!(functions <= 56 && lines <= 2400, "{functions} functions, {lines} lines");
 }
 
-/// `docs/reference/abi.txt` and `tests/c/layout.rs` are written by the same command as the header. A line that
-/// disappears is an incompatible change: it needs another `KSTRIP_ABI_VERSION`. While a version has not
-/// been released `KSTRIP_ABI_UNRELEASED=1` lets it change.
+/// `docs/reference/abi.txt` and `tests/c/layout.rs` are written by the same command as the header.
+/// A line that disappears is an incompatible change: it needs another `KSTRIP_ABI_VERSION`. While a
+/// version has not been released `KSTRIP_ABI_UNRELEASED=1` lets it change.
 #[test]
 fn binary_interface_is_the_committed_one() {
     let declared = header::declared(&groups::headers(&generated()).concat());

@@ -1,7 +1,9 @@
-//! The properties of the fuzz targets without a fuzzer: random bytes, and what the fuzzer once found.
+//! The properties of the fuzz targets without a fuzzer: random bytes, and what the fuzzer once
+//! found.
 //!
-//! `KSTRIP_FUZZ_CASES` sets the number of cases, 5000 otherwise (`.ci/run`: 20 000; docs/reliability.md: 1 000 000 in release).
-//! `KSTRIP_FUZZ_REPLAY` names a file or folder of inputs to run instead, for example what libFuzzer left.
+//! `KSTRIP_FUZZ_CASES` sets the number of cases, 5000 otherwise (`.ci/run`: 20 000;
+//! docs/reliability.md: 1 000 000 in release). `KSTRIP_FUZZ_REPLAY` names a file or folder of
+//! inputs to run instead, for example what libFuzzer left.
 
 use crate::entries;
 use crate::names::problem;
@@ -103,7 +105,8 @@ fn inputs_of_a_fuzzer_replay() {
     }
 }
 
-/// A profile 1e40 m wide had an approach of -3e-24 m; the bytes choose the function and its arguments.
+/// A profile 1e40 m wide had an approach of -3e-24 m; the bytes choose the function and its
+/// arguments.
 #[test]
 fn approach_is_not_below_zero() {
     entries::any_entry(&[
@@ -124,8 +127,8 @@ fn solved<F: Float>(model: Model, numbers: [F; 10]) -> Result<Solution<F>, Error
     forces_of_contact(&contact, &creepage, &of(model, StripCount::Sixteen))
 }
 
-/// Contacts and creepages that fuzzing found: numbers on the way were beyond the range, power was negative, a moment or a sum of strips
-/// passed its bound.
+/// Contacts and creepages that fuzzing found: numbers on the way were beyond the range, power was
+/// negative, a moment or a sum of strips passed its bound.
 #[test]
 fn numbers_at_the_ends_of_their_range() {
     const MOST: f64 = f64::MAX;
@@ -138,7 +141,8 @@ fn numbers_at_the_ends_of_their_range() {
         problem([2e-168, 1e-45, 3e38, 1e150, 0.25, 0.002, 1e150, 1e150, 0.0, 0.0]);
     let field = Field::new(&tiny, &rushing, &of(Model::Strip, StripCount::Sixteen));
     assert_eq!(field.err(), Some(Error::Overflow));
-    // linear theory: an infinite creepage force times a stiffness of zero, stiffness times lever before a small creepage
+    // linear theory: an infinite creepage force times a stiffness of zero, stiffness times lever
+    // before a small creepage
     let most = f32::MAX;
     for numbers in [
         [3e-5, 0.016, 5700.0, 1e-45, 1e-4, 1e-3, most, -3e-6, -0.04, 0.0_f32],
@@ -263,7 +267,8 @@ fn derivatives_at_the_ends_of_the_range() {
     assert!(found.unwrap().sensitivity.is_finite());
 }
 
-/// Patches that were built and that no function accepted, and points of one beyond the number range.
+/// Patches that were built and that no function accepted, and points of one beyond the number
+/// range.
 #[test]
 fn patches_at_the_ends_of_the_range() {
     type Single = Patch<f32, 64>;
@@ -276,7 +281,8 @@ fn patches_at_the_ends_of_the_range() {
     };
     let wide = Single::from_ellipse(&single(1e34, 3.4e38, 0.0), StripCount::SixtyFour);
     assert_eq!(wide.err(), Some(Error::Overflow));
-    // at the end of the range of axis ratios the ellipse of the strips was beyond it, that of their contact not
+    // at the end of the range of axis ratios the ellipse of the strips was beyond it, that of their
+    // contact not
     for hair in 0..200 {
         let needle = single(1.6593862e-5, 1.6593862e7 * (1.0 - 1e-4 * hair as f32), 8e4);
         assert!(accepted(&needle, StripCount::Four), "{needle:?}");

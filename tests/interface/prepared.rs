@@ -1,4 +1,5 @@
-//! A prepared contact gives the bits of `kstrip_solve`, and nothing that was not prepared is taken for one.
+//! A prepared contact gives the bits of `kstrip_solve`, and nothing that was not prepared is taken
+//! for one.
 
 use crate::names::*;
 use crate::random::Random;

@@ -3,8 +3,9 @@
 use crate::toolchain::{say, scratch};
 use std::process::Command;
 
-/// Cross-compiles the firmware of `c_examples/firmware`, runs self-test and twin disc on QEMU's boards with a
-/// Cortex-M4 and a Cortex-M7, and compares them with this machine. Without the tools it says so.
+/// Cross-compiles the firmware of `c_examples/firmware`, runs self-test and twin disc on QEMU's
+/// boards with a Cortex-M4 and a Cortex-M7, and compares them with this machine. Without the tools
+/// it says so.
 #[test]
 fn firmware_gives_the_bits_of_this_machine() {
     if cfg!(not(unix)) {

@@ -1,5 +1,5 @@
-//! The programs of hosts/: kstrip inside integrators, simulators and standard interfaces. Each checks its own figures, and those that
-//! docs/hosts.md prints are compared with the page.
+//! The programs of hosts/: kstrip inside integrators, simulators and standard interfaces. Each
+//! checks its own figures, and those that docs/hosts.md prints are compared with the page.
 
 use crate::toolchain::{cpp_compilers, output_of, released, root, say, scratch};
 use std::path::PathBuf;
@@ -52,7 +52,8 @@ fn critical(line: &str) -> [(f64, f64); 2] {
     [(line[2], 0.02), (line[0], 0.02)]
 }
 
-/// Critical speed of runs and eigenvalues, curving, stop, hold and restart, all with exact Jacobians.
+/// Critical speed of runs and eigenvalues, curving, stop, hold and restart, all with exact
+/// Jacobians.
 #[test]
 fn sundials_vehicle() {
     if !has("c++", &[], "kinsol/kinsol.h") {
@@ -80,7 +81,8 @@ fn sundials_vehicle() {
     assert_told("SUNDIALS 6", told.as_flattened());
 }
 
-/// FMUs of FMI 2.0 and 3.0: valid, through standstill, exact derivatives, the same digits in two importers.
+/// FMUs of FMI 2.0 and 3.0: valid, through standstill, exact derivatives, the same digits in two
+/// importers.
 #[test]
 fn fmi_wheel_on_a_rail() {
     let own = scratch().parent().expect("target/tmp is in target").join("fmi/bin/python");
@@ -138,8 +140,8 @@ fn simbody_wheelset() {
     assert_told("Simbody 3.7", &[&speeds[..], &sizes].concat());
 }
 
-/// A driven and braked wheelset in ODE: at 60 steps a second the slip is that of 4000, and standing on a slope of 1 in 50 it
-/// creeps by less than a fiftieth of a millimetre in three seconds.
+/// A driven and braked wheelset in ODE: at 60 steps a second the slip is that of 4000, and standing
+/// on a slope of 1 in 50 it creeps by less than a fiftieth of a millimetre in three seconds.
 #[test]
 fn ode_wheelset_drives_stops_and_holds() {
     let flags = Command::new("pkg-config").args(["--cflags", "--libs", "ode"]).output();

@@ -1,4 +1,5 @@
-//! The library as others get it: installed, by pkg-config, by CMake, for Windows, as a Python wheel.
+//! The library as others get it: installed, by pkg-config, by CMake, for Windows, as a Python
+//! wheel.
 
 use crate::toolchain::{root, say, scratch};
 use std::process::Command;
@@ -28,8 +29,8 @@ fn run(script: &str) -> String {
     text
 }
 
-/// C and C++ projects that get the library by path, pkg-config and CMake; clients with cbrt, fma, fmod and sqrt of their own; a
-/// client's exported static library; installation without cargo.
+/// C and C++ projects that get the library by path, pkg-config and CMake; clients with cbrt, fma,
+/// fmod and sqrt of their own; a client's exported static library; installation without cargo.
 #[test]
 fn installed_library_serves_every_client() {
     let text = run("scripts/install_test.sh");
@@ -43,8 +44,8 @@ fn windows_library_serves_a_c_program() {
     run("scripts/windows.sh");
 }
 
-/// `pip install ./bindings/python`: the package has the library in it and is imported from any folder; its source distribution has the
-/// Rust of the repository.
+/// `pip install ./bindings/python`: the package has the library in it and is imported from any
+/// folder; its source distribution has the Rust of the repository.
 #[test]
 fn python_wheel_carries_the_library() {
     run("scripts/wheel_test.sh");

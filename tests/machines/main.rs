@@ -1,6 +1,6 @@
-//! What builds the library again, for another machine or inside somebody else's program: installed clients, a Python wheel,
-//! Windows, simulated boards, simulators, this very processor. `cargo test` leaves it out, `.ci/run` calls
-//! `cargo test --test machines`.
+//! What builds the library again, for another machine or inside somebody else's program: installed
+//! clients, a Python wheel, Windows, simulated boards, simulators, this very processor.
+//! `cargo test` leaves it out, `.ci/run` calls `cargo test --test machines`.
 
 #[path = "../c/toolchain.rs"]
 mod toolchain;

@@ -3,8 +3,8 @@
 use crate::toolchain::{root, say};
 use std::process::Command;
 
-/// A library for this very processor, with all of its instructions, rounds the same. `KSTRIP_GOLDEN_CPU=x86-64-v3` takes that
-/// processor instead.
+/// A library for this very processor, with all of its instructions, rounds the same.
+/// `KSTRIP_GOLDEN_CPU=x86-64-v3` takes that processor instead.
 #[test]
 fn the_native_processor_gives_the_golden_bits() {
     let golden = std::fs::read_to_string(root().join("tests/data/golden.txt")).expect("hashes");

@@ -12,21 +12,24 @@ use std::fmt::Write;
 
 /// What is allowed, about 5 % above what was measured.
 ///
-/// Sets: `open` is `tests/data/open.csv`, `validation` the rows of the training files that no fit has
-/// seen, `fields` the traction fields, `coefficients` Kalker's; `/f32` in single precision. Columns:
-/// set, model, strips (0: none), region; mean, 95th percentile and maximum of the force's error;
-/// mean and maximum of the moment's; mean error of the stick area. For fields the error of the
-/// traction over the friction bound stands in the first three, the share of cells in the wrong state
-/// in the next two. For coefficients the relative error stands in the first three.
+/// Sets: `open` is `tests/data/open.csv`, `validation` the rows of the training files that no fit
+/// has seen, `fields` the traction fields, `coefficients` Kalker's; `/f32` in single precision.
+/// Columns: set, model, strips (0: none), region; mean, 95th percentile and maximum of the force's
+/// error; mean and maximum of the moment's; mean error of the stick area. For fields the error of
+/// the traction over the friction bound stands in the first three, the share of cells in the wrong
+/// state in the next two. For coefficients the relative error stands in the first three.
 ///
-/// What a simulation feels (`tests/common/slopes.rs`): `slopes`, the worst slope of each case of `jacobians.csv` in units of the linear
-/// slope, in the first three; `rays`, the rises of the slope without spin in the first three, the fall after the maximum in the fourth;
-/// `ripple` of the slope with spin, region `fx` or `fy`, in the first three; `limits`, the force far in sliding in the first three, mean,
-/// maximum and 95th percentile of the moment in the last three; `power`, how far below zero it falls and in which share of the states.
+/// What a simulation feels (`tests/common/slopes.rs`): `slopes`, the worst slope of each case of
+/// `jacobians.csv` in units of the linear slope, in the first three; `rays`, the rises of the slope
+/// without spin in the first three, the fall after the maximum in the fourth; `ripple` of the slope
+/// with spin, region `fx` or `fy`, in the first three; `limits`, the force far in sliding in the
+/// first three, mean, maximum and 95th percentile of the moment in the last three; `power`, how far
+/// below zero it falls and in which share of the states.
 ///
 /// A line stands once: a set, a model, a strip count and a region.
 ///
-/// To update: run the test, look at what has changed and why, and take over the table that it prints.
+/// To update: run the test, look at what has changed and why, and take over the table that it
+/// prints.
 const ALLOWED: &str = include_str!("../data/allowed_errors.txt");
 
 /// A line may exceed the measured error by a tenth and half a digit of what is written.
@@ -107,7 +110,8 @@ impl Measured {
     }
 }
 
-/// What include/kstrip.h says of the theory of 1967 where it is meant to be used: a/b to 0.2, |ψ| below 1.
+/// What include/kstrip.h says of the theory of 1967 where it is meant to be used: a/b to 0.2, |ψ|
+/// below 1.
 #[test]
 fn the_header_states_the_error_of_the_theory_where_it_is_meant() {
     let cases: Vec<Case> =
@@ -228,7 +232,8 @@ fn errors_are_within_the_table_and_the_table_is_tight() {
 }
 
 const ANY: f64 = f64::INFINITY;
-/// What was required of the models, whatever the table above allows, in its columns; forces in `μ N`, moments in `μ N √(ab)`.
+/// What was required of the models, whatever the table above allows, in its columns; forces in
+/// `μ N`, moments in `μ N √(ab)`.
 const REQUIRED: [(&str, &str, i32, Row); 5] = [
     ("open", "STRIP", 16, [0.009, 0.028, 0.09, 0.010, ANY, 0.06]),
     ("validation", "STRIP", 16, [0.007, ANY, ANY, ANY, ANY, ANY]),

@@ -30,9 +30,9 @@ fn slopes(c: &Contact<f64>, p: [f64; 3], o: &Options) -> [[f64; 3]; 3] {
     std::array::from_fn(|i| std::array::from_fn(|k| j[(i, k)] * columns[k] / rows[i]))
 }
 
-/// Thousands of random points, both rules, every count, |ψ| ≤ 0.98: 1e-7 of the size of the row. Points
-/// with a breakpoint of the computed function inside the stencil show themselves by differences that
-/// do not converge; a smaller stencil usually escapes it.
+/// Thousands of random points, both rules, every count, |ψ| ≤ 0.98: 1e-7 of the size of the row.
+/// Points with a breakpoint of the computed function inside the stencil show themselves by
+/// differences that do not converge; a smaller stencil usually escapes it.
 #[test]
 fn derivatives_are_those_of_the_computed_forces() {
     check(3_000, 61, |random| {
@@ -265,7 +265,8 @@ fn derivatives_by_load_and_friction_are_those_of_the_computed_forces() {
     assert!(skipped * 50 < 3 * points, "{skipped} stencils met a breakpoint");
 }
 
-/// Without friction the derivatives are one-sided: full sliding starts at once. A lost contact has none.
+/// Without friction the derivatives are one-sided: full sliding starts at once. A lost contact has
+/// none.
 #[test]
 fn derivatives_without_load_or_friction_are_those_of_sliding() {
     let full = contact(1.5, 0.28);
@@ -320,7 +321,8 @@ fn derivatives_without_load_or_friction_are_those_of_sliding() {
 fn derivatives_in_full_sliding() {
     let c = contact(0.7, 0.3);
     for model in [Model::Strip1967, Model::Strip1967Continuous, Model::Strip, Model::Total] {
-        // (STRIP's elasticity, by which lateral creepage has a share of spin, fades with the fourth power)
+        // (STRIP's elasticity, by which lateral creepage has a share of spin, fades with the fourth
+        // power)
         let size = if model == Model::Strip { 30.0 } else { 0.3 };
         for (vx, vy) in [(size, 0.0), (0.0, -size)] {
             let m = Creepage { longitudinal: vx, lateral: vy, spin: 0.0 };
@@ -370,7 +372,8 @@ fn derivatives_in_single_precision() {
     }
 }
 
-/// The same beyond unit spin, where an adhesion interval may end with `S = 0`: single precision must see that it does.
+/// The same beyond unit spin, where an adhesion interval may end with `S = 0`: single precision
+/// must see that it does.
 #[test]
 fn derivatives_beyond_unit_spin_in_single_precision() {
     let mut random = Random::new(69);
@@ -399,7 +402,8 @@ fn derivatives_beyond_unit_spin_in_single_precision() {
     assert!(far <= 4, "{far} of 1000");
 }
 
-/// Where the strip whose longitudinal creepage vanishes lies on the rim, `ξ = p` to the bit, the slopes are those next to it.
+/// Where the strip whose longitudinal creepage vanishes lies on the rim, `ξ = p` to the bit, the
+/// slopes are those next to it.
 #[test]
 fn derivatives_where_creepage_vanishes_at_the_rim() {
     let round = Contact {

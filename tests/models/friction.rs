@@ -158,7 +158,8 @@ fn slope_factor_stretches_the_creep_curve() {
     }
 }
 
-/// The derivatives are those of the computed forces: differences of the whole function, extrapolated.
+/// The derivatives are those of the computed forces: differences of the whole function,
+/// extrapolated.
 #[test]
 fn derivatives_follow_friction_and_slip() {
     let mut random = Random::new(73);
@@ -258,8 +259,8 @@ fn solutions(
     found
 }
 
-/// Friction that falls as steeply as no pair of bodies does: the largest solution is found, and several
-/// are told from one, both against a search over all frictions.
+/// Friction that falls as steeply as no pair of bodies does: the largest solution is found, and
+/// several are told from one, both against a search over all frictions.
 #[test]
 fn several_solutions_are_noticed_and_the_largest_is_taken() {
     let mut random = Random::new(74);

@@ -1,5 +1,5 @@
-//! The hard cases by name, of every model in both precisions, in Rust and through the C functions: each gives a right answer or a named
-//! status, and an error leaves the outputs as they were.
+//! The hard cases by name, of every model in both precisions, in Rust and through the C functions:
+//! each gives a right answer or a named status, and an error leaves the outputs as they were.
 
 use crate::C0;
 use crate::names::*;
@@ -78,8 +78,8 @@ fn finite<F: Float>(numbers: &[F]) -> bool {
     numbers.iter().all(|number| number.is_finite_number())
 }
 
-/// What a model answers, at every entry point alike: forces over `μ N`, the moment over `μ N √(ab)`, and the stick area; and the same with
-/// few strips as with many unless it is STRIP.
+/// What a model answers, at every entry point alike: forces over `μ N`, the moment over
+/// `μ N √(ab)`, and the stick area; and the same with few strips as with many unless it is STRIP.
 fn answer<F: InC>(c: &Contact<f64>, m: &Creepage<f64>, model: Model) -> Result<[f64; 4], Error> {
     let (c, m) = (converted::<_, F>(c), converted_motion::<_, F>(m));
     let [few, many] =
@@ -202,7 +202,8 @@ fn everywhere(c: &Contact<f64>, m: &Creepage<f64>) -> [Answered; 10] {
     })
 }
 
-/// The same where double precision must have an answer, but for linear forces beyond it, and single unless it is beyond its range.
+/// The same where double precision must have an answer, but for linear forces beyond it, and single
+/// unless it is beyond its range.
 fn answers(c: &Contact<f64>, m: &Creepage<f64>) -> impl Iterator<Item = (Model, bool, [f64; 4])> {
     let all = everywhere(c, m);
     assert!(all[..4].iter().all(|(_, _, found)| found.is_ok()), "{all:?} {c:?} {m:?}");
@@ -443,7 +444,8 @@ fn nothing_is_carried_without_load_or_friction() {
     assert_eq!((p.traction_x, p.traction_y), (0.0, 0.0));
 }
 
-/// Almost no load: everything slides, and the force is `μ N` along the slip, for a small load as for any other.
+/// Almost no load: everything slides, and the force is `μ N` along the slip, for a small load as
+/// for any other.
 #[test]
 fn subnormal_loads_slide() {
     for load in [5e-324, 1e-310, 1e-300, 1e-200, 1e-45, 1e-40, 1e-37, 1e-30] {
@@ -498,8 +500,9 @@ fn spin_beyond_the_theory_is_flagged() {
     }
 }
 
-/// Far beyond unit spin, where the strips that adhere are narrower than rounding, friction still takes power out; no force passes its
-/// bound by more than four roundings; and without longitudinal creepage, which is its own mirror image, there is no longitudinal force.
+/// Far beyond unit spin, where the strips that adhere are narrower than rounding, friction still
+/// takes power out; no force passes its bound by more than four roundings; and without longitudinal
+/// creepage, which is its own mirror image, there is no longitudinal force.
 #[test]
 fn power_bound_and_mirror_hold_to_rounding() {
     let mut random = Random::new(310);

@@ -1,4 +1,5 @@
-//! What a vehicle feels of the slopes: the critical speed of the wheelset of `c_examples/05_hunting.c`.
+//! What a vehicle feels of the slopes: the critical speed of the wheelset of
+//! `c_examples/05_hunting.c`.
 
 use crate::C0;
 use kstrip::contact::Contact;

@@ -1,5 +1,5 @@
-//! What must hold for every model whatever its constants are: bound, symmetries, limits, smoothness, and that strips and fields belong to
-//! the totals.
+//! What must hold for every model whatever its constants are: bound, symmetries, limits,
+//! smoothness, and that strips and fields belong to the totals.
 
 use crate::random::Random;
 use crate::reference::{BOUND, FRICTION, SIZE, UNIT, contact, options};
@@ -288,8 +288,8 @@ proptest! {
 }
 
 /// The field integrates to the totals. They are computed apart: the totals from a few nodes of each
-/// strip, the field point by point. Of `μ N`, and of `μ N √(ab)` for the moment, over 200 cases of the range
-/// that the model states.
+/// strip, the field point by point. Of `μ N`, and of `μ N √(ab)` for the moment, over 200 cases of
+/// the range that the model states.
 #[test]
 fn field_integrates_to_the_force() {
     const CASES: usize = 200;
@@ -343,7 +343,8 @@ fn field_integrates_to_the_force() {
     assert!(sums[1] <= MOMENT_MEAN && largest[1] <= MOMENT_MAX, "moment: {sums:?} {largest:?}");
 }
 
-/// No creepage: no force at all, adhesion everywhere, and the derivatives are the linear coefficients.
+/// No creepage: no force at all, adhesion everywhere, and the derivatives are the linear
+/// coefficients.
 #[rstest]
 fn zero_creepage(
     #[values(0.001, 0.1, 0.5, 1.0, 3.0, 10.0, 1000.0)] g: f64,
@@ -365,7 +366,8 @@ fn zero_creepage(
     }
 }
 
-/// Axis ratios and spin beyond what was fitted are told, by the model, and by the strips of the ellipse.
+/// Axis ratios and spin beyond what was fitted are told, by the model, and by the strips of the
+/// ellipse.
 #[test]
 fn notices() {
     let patches = [(1.0, 2.9), (1.0, 3.1), (15.0, 0.0), (0.07, 4.0), (40.0, 0.5), (70.0, 0.5)];

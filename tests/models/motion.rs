@@ -52,8 +52,8 @@ fn any_speed(random: &mut Random) -> f64 {
     }
 }
 
-/// From three floors on it is one end that leads, exactly: forward the creepage is slip over speed, backward the contact is turned by
-/// 180 degrees, solved and turned back.
+/// From three floors on it is one end that leads, exactly: forward the creepage is slip over speed,
+/// backward the contact is turned by 180 degrees, solved and turned back.
 #[test]
 fn far_from_standstill_one_end_leads() {
     let mut random = Random::new(201);
@@ -83,8 +83,9 @@ fn far_from_standstill_one_end_leads() {
     }
 }
 
-/// Turned by 180 degrees about z the same motion has the same forces, moment, power and derivatives: to the bit. StripCreepage in a mirror along or
-/// across the rolling direction too, as far as the model sums its strips alike from either side: to rounding.
+/// Turned by 180 degrees about z the same motion has the same forces, moment, power and
+/// derivatives: to the bit. StripCreepage in a mirror along or across the rolling direction too, as
+/// far as the model sums its strips alike from either side: to rounding.
 #[test]
 fn mirrors_are_exact() {
     let mut random = Random::new(202);
@@ -163,8 +164,8 @@ fn scaled(c: &Contact<f64>, m: &Motion<f64>, slopes: &MotionDerivatives<f64>) ->
     list
 }
 
-/// Force, moment and every derivative pass through V = 0 and V = ±3 floors without a jump, in every model, with and without falling
-/// friction.
+/// Force, moment and every derivative pass through V = 0 and V = ±3 floors without a jump, in every
+/// model, with and without falling friction.
 #[test]
 fn force_and_derivatives_are_continuous_through_standstill() {
     let mut random = Random::new(203);
@@ -196,7 +197,8 @@ fn force_and_derivatives_are_continuous_through_standstill() {
     }
 }
 
-/// Every derivative against differences: slip, spin rate, speed, load at a fixed ellipse and through Hertz, friction and the law.
+/// Every derivative against differences: slip, spin rate, speed, load at a fixed ellipse and
+/// through Hertz, friction and the law.
 #[test]
 fn derivatives_are_those_of_the_forces() {
     let mut random = Random::new(204);
@@ -267,8 +269,8 @@ fn derivatives_are_those_of_the_forces() {
     assert!(compared > 1600 && doubted < compared / 50, "{compared} {doubted}");
 }
 
-/// Friction takes energy out, and no more than it can hold, at every speed through standstill; with falling friction the bound is
-/// that of the friction that is reported.
+/// Friction takes energy out, and no more than it can hold, at every speed through standstill; with
+/// falling friction the bound is that of the friction that is reported.
 #[test]
 fn friction_opposes_slip_and_keeps_its_bound() {
     let mut random = Random::new(205);
@@ -289,7 +291,8 @@ fn friction_opposes_slip_and_keeps_its_bound() {
     }
 }
 
-/// The slip velocity decides about falling friction at standstill: a wheel that spins at 2 m/s on the spot.
+/// The slip velocity decides about falling friction at standstill: a wheel that spins at 2 m/s on
+/// the spot.
 #[test]
 fn friction_falls_with_the_slip_velocity_at_standstill() {
     for slip in [0.5, 2.0, 10.0] {
@@ -301,7 +304,8 @@ fn friction_falls_with_the_slip_velocity_at_standstill() {
     }
 }
 
-/// A law of zeros but for what is set: friction alone is constant friction, friction that falls needs no slope factor.
+/// A law of zeros but for what is set: friction alone is constant friction, friction that falls
+/// needs no slope factor.
 #[test]
 fn a_law_of_zeros_behaves_as_written() {
     let zero = SlipFriction {
@@ -395,7 +399,8 @@ fn wheel_spin_at_standstill_is_not_implausible() {
     assert_eq!(found.warning, Warning::Pressure);
 }
 
-/// At rest the slopes are those of linear theory over the floor, without the coupling of spin and lateral slip: neither end leads.
+/// At rest the slopes are those of linear theory over the floor, without the coupling of spin and
+/// lateral slip: neither end leads.
 #[test]
 fn at_rest_the_contact_is_a_damper_of_linear_theory() {
     let still = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };

@@ -1,5 +1,5 @@
-//! Patches that are given by their strips: the ellipse as its strips, lobes, friction that varies, places,
-//! fields, derivatives.
+//! Patches that are given by their strips: the ellipse as its strips, lobes, friction that varies,
+//! places, fields, derivatives.
 
 use crate::differences::Comparison;
 use crate::patches;
@@ -75,8 +75,8 @@ fn elliptic_strips_give_the_answer_of_the_ellipse() {
     }
 }
 
-/// The theory of 1967 on strips that do not move with the solution: a strip adheres or slides as a whole, so the
-/// error is at most about what one strip carries, and mostly a third of it.
+/// The theory of 1967 on strips that do not move with the solution: a strip adheres or slides as a
+/// whole, so the error is at most about what one strip carries, and mostly a third of it.
 #[test]
 fn elliptic_strips_of_the_theory_of_1967() {
     for model in MODELS {
@@ -107,7 +107,8 @@ fn elliptic_strips_of_the_theory_of_1967() {
     }
 }
 
-/// `|F| ≤ Σ μ N`, no energy is won, the shares of the strips are the totals, and opposite creepage gives the opposite.
+/// `|F| ≤ Σ μ N`, no energy is won, the shares of the strips are the totals, and opposite creepage
+/// gives the opposite.
 #[test]
 fn irregular_patches_keep_the_bounds() {
     let mut random = Random::new(403);
@@ -157,7 +158,8 @@ fn irregular_patches_keep_the_bounds() {
     }
 }
 
-/// StripCreepage from the other side, `y → −y`: lateral creepage, spin, their force and moment change their signs.
+/// StripCreepage from the other side, `y → −y`: lateral creepage, spin, their force and moment
+/// change their signs.
 #[test]
 fn a_mirrored_patch_gives_mirrored_forces() {
     let mut random = Random::new(404);
@@ -178,8 +180,8 @@ fn a_mirrored_patch_gives_mirrored_forces() {
     }
 }
 
-/// The origin of the coordinates does not matter: a patch moved by `(X, Y)`, its creepage told for the new origin,
-/// has the same forces, and its moment the new arms.
+/// The origin of the coordinates does not matter: a patch moved by `(X, Y)`, its creepage told for
+/// the new origin, has the same forces, and its moment the new arms.
 #[test]
 fn a_moved_patch_is_the_same_patch() {
     let mut random = Random::new(405);
@@ -269,8 +271,8 @@ fn an_ellipse_is_one_lobe() {
     }
 }
 
-/// A greasy band: its strips carry no more than their own bound, the force lies between those of the two
-/// frictions, and the difference of both sides turns the patch.
+/// A greasy band: its strips carry no more than their own bound, the force lies between those of
+/// the two frictions, and the difference of both sides turns the patch.
 #[test]
 fn a_contaminated_band_carries_less() {
     let c = contact(1.5, 0.28);
@@ -294,7 +296,8 @@ fn a_contaminated_band_carries_less() {
         let sliding = solve(&band, &creepage(&c, 1e3, 0.0, 0.0), model);
         let bound = band.view().unwrap().friction_bound();
         assert_relative_eq!(sliding.fx, bound, max_relative = 4e-15);
-        // No creepage to speak of: friction does not matter, the slopes are those of the dry ellipse
+        // No creepage to speak of: friction does not matter, the slopes are those of the dry
+        // ellipse
         let (banded, uniform) = (
             jacobian(&band, &Creepage::default(), model),
             jacobian(&dry, &Creepage::default(), model),
@@ -341,8 +344,8 @@ fn strips_without_friction_or_load() {
     }
 }
 
-/// The derivatives are those of the forces. A kink of the fixed strips within the stencil shows itself by differences that do not agree;
-/// there are few.
+/// The derivatives are those of the forces. A kink of the fixed strips within the stencil shows
+/// itself by differences that do not agree; there are few.
 #[test]
 fn derivatives_are_those_of_the_forces() {
     let mut random = Random::new(408);
@@ -364,8 +367,8 @@ fn derivatives_are_those_of_the_forces() {
     assert!(compared > 100 * kinks, "{compared} {kinks}");
 }
 
-/// The field of the theory of 1967 integrates to the forces, the pressure of all models to the load; inside
-/// `|traction| ≤ μ Z`, outside and in the gaps nothing.
+/// The field of the theory of 1967 integrates to the forces, the pressure of all models to the
+/// load; inside `|traction| ≤ μ Z`, outside and in the gaps nothing.
 #[test]
 fn fields_integrate_to_the_forces() {
     let mut random = Random::new(409);
@@ -397,7 +400,8 @@ fn fields_integrate_to_the_forces() {
         let unit = view.friction_bound();
         assert_relative_eq!(load, view.normal_force(), max_relative = 5e-14);
         let found = solve(&patch, &motion, model);
-        // The forces of STRIP's strips are sums over a few nodes of their slip part, its field lies between them.
+        // The forces of STRIP's strips are sums over a few nodes of their slip part, its field lies
+        // between them.
         let allowed = if model == Model::Strip { 0.01 } else { 1e-4 } * unit;
         assert!((fx - found.fx).abs() < allowed, "{model:?} {fx} {found:?}");
         assert!((fy - found.fy).abs() < allowed, "{model:?} {fy} {found:?}");
@@ -547,7 +551,8 @@ fn hard_inputs() {
     assert!(answers > 100);
 }
 
-/// What `docs/reference/bad-input.md` cannot say, because C has one capacity and its own order of strips.
+/// What `docs/reference/bad-input.md` cannot say, because C has one capacity and its own order of
+/// strips.
 #[test]
 fn patches_have_their_order_and_capacity() {
     let (y, width, half_length, centre_x) = (0.0, 1e-3, 5e-3, 0.0);

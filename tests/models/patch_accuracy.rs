@@ -44,7 +44,8 @@ fn patches_of_profiles() {
         assert_below("force", &errors.force, [0.014, 0.045, 0.09]);
         assert_below("moment", &errors.moment, [0.01, 0.03, 0.05]);
         let errors = of(&patches, Model::Total);
-        // (largest on a flat tail, `s1002_uic60_1`: an ellipse with the load and the pressure of the peak is narrower than the patch)
+        // (largest on a flat tail, `s1002_uic60_1`: an ellipse with the load and the pressure of
+        // the peak is narrower than the patch)
         assert_below("force of TOTAL", &errors.force, [0.019, 0.058, 0.18]);
         patches.retain(|(case, _)| case.family == "hertz");
         assert_below("ellipses", &of(&patches, Model::Strip).force, [0.005, 0.011, 0.0245]);

@@ -52,7 +52,8 @@ fn any_law(random: &mut Random) -> SlipFriction<f64> {
     }
 }
 
-/// From the patch of an ellipse the forces, the friction and the derivatives of the ellipse under the same law.
+/// From the patch of an ellipse the forces, the friction and the derivatives of the ellipse under
+/// the same law.
 #[test]
 fn elliptic_strips_give_the_answer_of_the_ellipse() {
     let mut random = Random::new(421);
@@ -111,8 +112,8 @@ fn constant_friction_is_the_plain_solution_to_the_bit() {
     }
 }
 
-/// The patch with the friction that was found carries what was found, and leaves the slip that the friction belongs to:
-/// forces, stick area, strips and the field are all of one patch.
+/// The patch with the friction that was found carries what was found, and leaves the slip that the
+/// friction belongs to: forces, stick area, strips and the field are all of one patch.
 #[test]
 fn the_slipping_patch_has_the_friction_of_its_slip() {
     let mut random = Random::new(423);
@@ -170,7 +171,8 @@ fn full_sliding_is_polachs_law() {
     }
 }
 
-/// The derivatives are those of the computed forces: extrapolated differences of the whole function.
+/// The derivatives are those of the computed forces: extrapolated differences of the whole
+/// function.
 #[test]
 fn derivatives_follow_friction_and_slip() {
     let mut random = Random::new(426);
@@ -195,8 +197,8 @@ fn derivatives_follow_friction_and_slip() {
     assert!(compared > 100 * kinks, "{compared} {kinks}");
 }
 
-/// No load, no friction, nothing left of friction, strips without friction: zero forces, no NaN. Where the forces jump
-/// over the slip the warning says so, and the answer stays within its bounds.
+/// No load, no friction, nothing left of friction, strips without friction: zero forces, no NaN.
+/// Where the forces jump over the slip the warning says so, and the answer stays within its bounds.
 #[test]
 fn limits_are_answered() {
     let mut random = Random::new(427);
@@ -261,8 +263,8 @@ fn multiplied(patch: &Full, pressure: f64, length: f64, friction: f64) -> Full {
 /// A patch for a factor, the derivatives by what is multiplied, and its size.
 type Way<'a> = (&'a dyn Fn(f64) -> Full, [f64; 3], f64);
 
-/// Derivatives by load (pressures grow; through Hertz lengths grow with them) and by friction are the slopes of the forces,
-/// also under friction that falls with the slip.
+/// Derivatives by load (pressures grow; through Hertz lengths grow with them) and by friction are
+/// the slopes of the forces, also under friction that falls with the slip.
 #[test]
 fn derivatives_by_load_and_friction() {
     let mut random = Random::new(428);

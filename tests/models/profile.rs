@@ -1,4 +1,5 @@
-//! Patches from profiles: Hertz's own, load and approach, zones, shapes that do not matter, noise, bad input.
+//! Patches from profiles: Hertz's own, load and approach, zones, shapes that do not matter, noise,
+//! bad input.
 
 use crate::patch_reference::{Full, profiles, real, statistics};
 use crate::random::Random;
@@ -71,8 +72,8 @@ fn paraboloids_are_those_of_hertz() {
     }
 }
 
-/// The strips carry the load, whatever their number; an approach gives the load that gave it, and `dN/dδ` is the
-/// slope of that.
+/// The strips carry the load, whatever their number; an approach gives the load that gave it, and
+/// `dN/dδ` is the slope of that.
 #[test]
 fn load_and_approach_are_each_others_inverse() {
     let cases = profiles();
@@ -174,7 +175,8 @@ fn two_zones_of_contact() {
     assert!(lobes.is_sorted() && lobes[0] == 1 && lobes[6] == 2, "{lobes:?}");
 }
 
-/// More zones than are kept apart: the two beside the narrowest gap count as one, and none is lost, wherever that gap is.
+/// More zones than are kept apart: the two beside the narrowest gap count as one, and none is lost,
+/// wherever that gap is.
 #[test]
 fn a_corrugated_profile_loses_no_zone() {
     for narrow in 0..8 {
@@ -194,8 +196,9 @@ fn a_corrugated_profile_loses_no_zone() {
     }
 }
 
-/// One bad point of 20 µm anywhere changes no force by 0.02 of `μ N`; noise of 5 µm rms less than two in a hundred. Those that
-/// it does are where the noise tells another shape: in a wide patch that spins it moves the middle by 0.1 mm.
+/// One bad point of 20 µm anywhere changes no force by 0.02 of `μ N`; noise of 5 µm rms less than
+/// two in a hundred. Those that it does are where the noise tells another shape: in a wide patch
+/// that spins it moves the middle by 0.1 mm.
 #[test]
 fn noise_and_bad_points_hardly_matter() {
     let mut random = Random::new(421);
@@ -297,8 +300,9 @@ fn profiles_in_single_precision() {
     }
 }
 
-/// Zones that appear, grow, touch and merge: the forces follow the load without a jump. A tenth of the step is a tenth of the
-/// change, to the noise of strips that begin to touch, also where two zones become one.
+/// Zones that appear, grow, touch and merge: the forces follow the load without a jump. A tenth of
+/// the step is a tenth of the change, to the noise of strips that begin to touch, also where two
+/// zones become one.
 #[test]
 fn zones_merge_without_a_jump() {
     let n = 1000;
@@ -309,7 +313,8 @@ fn zones_merge_without_a_jump() {
     {
         let distance: Vec<f64> =
             y.iter().map(|y| crest * ((y / 4.5e-3).powi(2) - 1.0).powi(2)).collect();
-        // largest steps of the force with STRIP and TOTAL and of the approach; whether two lobes were seen, and one
+        // largest steps of the force with STRIP and TOTAL and of the approach; whether two lobes
+        // were seen, and one
         let steps = |[mut load, end]: [f64; 2], share: f64| {
             let (mut steps, mut seen) = ([0.0_f64; 3], [false; 2]);
             let mut last = None::<([[f64; 2]; 2], f64)>;
@@ -345,9 +350,10 @@ fn zones_merge_without_a_jump() {
     }
 }
 
-/// Two bottoms with flanks slide under a load, in steps of 1 µm: a second zone appears, and the gap between the zones closes. The second
-/// differences are those of kinks where strips begin to touch, not those of cells that move at once: of the way of the bodies toward each
-/// other over the mean approach, of the force over `μ N`.
+/// Two bottoms with flanks slide under a load, in steps of 1 µm: a second zone appears, and the gap
+/// between the zones closes. The second differences are those of kinks where strips begin to touch,
+/// not those of cells that move at once: of the way of the bodies toward each other over the mean
+/// approach, of the force over `μ N`.
 #[test]
 fn a_zone_appears_and_a_gap_closes_slowly() {
     let motion = Creepage { longitudinal: 1e-3, lateral: 5e-4, spin: 0.3 };
@@ -394,7 +400,8 @@ fn flat_with_shoulders(half_width: f64) -> (Vec<f64>, Vec<f64>) {
     (y, distance)
 }
 
-/// From 1e-12 m on, within one step of the points: no contact is refused, and a parabola's load goes with `δ^1.5`.
+/// From 1e-12 m on, within one step of the points: no contact is refused, and a parabola's load
+/// goes with `δ^1.5`.
 #[test]
 fn light_contacts_are_ordinary() {
     let shapes = [parabola(0.3, 40e-3, 100), parabola(0.3, 40e-3, 1001), two_bottoms(0.0)];
@@ -435,7 +442,8 @@ fn refining_never_fails() {
     }
 }
 
-/// `dN/dδ` is the derivative of what is computed: by approach and by load, for smooth shapes, two zones and shoulders.
+/// `dN/dδ` is the derivative of what is computed: by approach and by load, for smooth shapes, two
+/// zones and shoulders.
 #[test]
 fn stiffness_is_the_slope_of_the_load() {
     let shapes = [
@@ -459,7 +467,8 @@ fn stiffness_is_the_slope_of_the_load() {
     }
 }
 
-/// A second bottom, 12 um higher, begins to touch: the load goes on with its stiffness, step by step.
+/// A second bottom, 12 um higher, begins to touch: the load goes on with its stiffness, step by
+/// step.
 #[test]
 fn a_second_zone_begins_with_nothing() {
     let y: Vec<f64> = (-400..=400).map(|i| 1e-4 * f64::from(i)).collect();
@@ -519,8 +528,8 @@ fn rough_shapes_in_the_mirror() {
     }
 }
 
-/// Real wheels on real rails against CONTACT: peak pressure, area, force, moment; zones that yaw shifts along `x`, about the
-/// origin of the profile.
+/// Real wheels on real rails against CONTACT: peak pressure, area, force, moment; zones that yaw
+/// shifts along `x`, about the origin of the profile.
 #[test]
 fn real_patches_are_those_of_contact() {
     let [mut pressures, mut areas, mut forces, mut moments] = [const { Vec::new() }; 4];

@@ -50,7 +50,8 @@ fn friction_is_found_again() {
                 Measured::Fy => s.fy.abs(),
                 Measured::Both => s.fx.hypot(s.fy),
             };
-            // What spin leaves of a component may fall again as friction grows, and sticking tells nothing
+            // What spin leaves of a component may fall again as friction grows, and sticking tells
+            // nothing
             let clear = if measured == Measured::Both { 0.06 } else { 0.3 };
             if used < clear * bound || size * xi.hypot(eta) < 0.1 {
                 continue;
@@ -167,7 +168,8 @@ fn creepage_is_found_again() {
             Warning::CreepageAtLeast => {
                 slid += 1;
                 assert!(off < 1.1e-3 && s.fx.hypot(s.fy) > (1.0 - 1.1e-3) * bound, "{off}");
-                // within a thousandth of full sliding the force hardly tells one creepage from another half as large again
+                // within a thousandth of full sliding the force hardly tells one creepage from
+                // another half as large again
                 assert!(
                     got.longitudinal.hypot(got.lateral) <= m.longitudinal.hypot(m.lateral) * 1.5,
                     "{got:?} {m:?} {c:?} {o:?}"
@@ -277,8 +279,9 @@ fn own_friction_is_ignored() {
     }
 }
 
-/// Where spin opposes the creepage a force may have several frictions: none is smaller than the one that is found. Every friction
-/// from full sliding to the answer is tried, in steps of a thousandth.
+/// Where spin opposes the creepage a force may have several frictions: none is smaller than the one
+/// that is found. Every friction from full sliding to the answer is tried, in steps of a
+/// thousandth.
 #[test]
 fn the_smallest_friction_is_found() {
     let mut random = Random::new(87);

@@ -1,12 +1,14 @@
-//! Slender contacts, `a/b` .015 to .12 and 8 to 60, against CONTACT: `tests/data/open_slender.csv`; and creepages of any size
-//! whose slip spin turns around within the contact, against boundary elements: `tests/data/boundary_elements.csv`. Nothing is fitted on them.
+//! Slender contacts, `a/b` .015 to .12 and 8 to 60, against CONTACT: `tests/data/open_slender.csv`;
+//! and creepages of any size whose slip spin turns around within the contact, against boundary
+//! elements: `tests/data/boundary_elements.csv`. Nothing is fitted on them.
 
 use crate::reference::*;
 
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::{Model, Options};
 
-/// Axis ratios from and to; allowed of TOTAL and of STRIP: mean and 95th percentile of the force, mean of the moment.
+/// Axis ratios from and to; allowed of TOTAL and of STRIP: mean and 95th percentile of the force,
+/// mean of the moment.
 const BINS: [([f64; 2], [f64; 3], [f64; 3]); 7] = [
     ([0.015, 0.03], [0.006, 0.018, 0.010], [0.010, 0.035, 0.05]),
     ([0.03, 0.06], [0.006, 0.018, 0.010], [0.010, 0.035, 0.05]),
@@ -37,7 +39,8 @@ fn within(cases: &[Case], bins: &[([f64; 2], [f64; 3], [f64; 3])]) {
     }
 }
 
-/// Axis ratios from and to; allowed of TOTAL and of STRIP: mean and 95th percentile of the force, mean of the moment.
+/// Axis ratios from and to; allowed of TOTAL and of STRIP: mean and 95th percentile of the force,
+/// mean of the moment.
 const TURNING: [([f64; 2], [f64; 3], [f64; 3]); 2] = [
     ([0.01, 7.0], [0.006, 0.020, 0.010], [0.010, 0.035, 0.010]),
     ([7.0, 66.0], [0.010, 0.032, 0.025], [0.010, 0.030, 0.017]),

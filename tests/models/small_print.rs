@@ -23,8 +23,9 @@ fn strips(c: &Contact<f64>, m: &Creepage<f64>, model: Model) -> Vec<StripResult<
     found
 }
 
-/// Each strip's own forces in every octant of the signs: all three motions reversed reverse the forces of each strip where it stands;
-/// `(υx, φ)` reversed reverses `F_x` and keeps `F_y`; `(υy, φ)` reversed keeps `F_x` of the strip on the other side and reverses `F_y`.
+/// Each strip's own forces in every octant of the signs: all three motions reversed reverse the
+/// forces of each strip where it stands; `(υx, φ)` reversed reverses `F_x` and keeps `F_y`;
+/// `(υy, φ)` reversed keeps `F_x` of the strip on the other side and reverses `F_y`.
 #[test]
 fn strips_carry_mirrored_forces_in_all_octants() {
     let mut random = Random::new(320);
@@ -98,7 +99,8 @@ fn fields_of_lobes_are_those_of_each_alone() {
     }
 }
 
-/// TOTAL in single precision is that in double, from partial slip to any creepage that the type has.
+/// TOTAL in single precision is that in double, from partial slip to any creepage that the type
+/// has.
 #[test]
 fn total_in_single_precision_is_right_at_any_creepage() {
     let c = contact(1.5, 0.28);
@@ -113,8 +115,8 @@ fn total_in_single_precision_is_right_at_any_creepage() {
     }
 }
 
-/// The warning of a spin in another unit begins at `|φ| √(ab) = 0.05`; that of friction in per cent above 5; that of the
-/// theory of 1967 with `|ψ| = 1` itself.
+/// The warning of a spin in another unit begins at `|φ| √(ab) = 0.05`; that of friction in per cent
+/// above 5; that of the theory of 1967 with `|ψ| = 1` itself.
 #[test]
 fn warnings_begin_where_they_say() {
     let c = contact(1.0, 0.28);
@@ -177,7 +179,8 @@ fn linear_theory_overflows_on_needles_either_way() {
     assert!(refused[0] < refused[1] && refused[1] < 70, "{refused:?}");
 }
 
-/// STRIP's force does not exceed friction by more than two units of the last place, far in sliding and turning.
+/// STRIP's force does not exceed friction by more than two units of the last place, far in sliding
+/// and turning.
 #[test]
 fn strip_keeps_the_friction_bound_to_its_last_digits() {
     let mut random = Random::new(326);

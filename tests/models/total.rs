@@ -7,7 +7,8 @@ use kstrip::linear::LinearCoefficients;
 use kstrip::total::Total;
 use std::f64::consts::PI;
 
-/// Without spin the force neither falls once it has reached `μ N`, nor does its slope rise again on the way there.
+/// Without spin the force neither falls once it has reached `μ N`, nor does its slope rise again on
+/// the way there.
 #[test]
 fn translation_saturates_once() {
     let mut random = Random::new(19);

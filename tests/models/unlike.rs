@@ -61,7 +61,8 @@ fn a_contact_of_hertz_knows_its_pair() {
     assert!(mismatch(&steel, &soft) < -0.06 && mismatch(&steel, &soft) == -mismatch(&soft, &steel));
 }
 
-/// Rolling without creepage there is a force that changes its sign with the bodies, and nothing lateral; at standstill there is none.
+/// Rolling without creepage there is a force that changes its sign with the bodies, and nothing
+/// lateral; at standstill there is none.
 #[test]
 fn at_rest_there_is_a_force_where_it_rolls() {
     let unlike = Contact { mismatch: pair(), ..contact(1.5, 0.3) };
@@ -88,7 +89,8 @@ fn at_rest_there_is_a_force_where_it_rolls() {
     }
 }
 
-/// Friction only dissipates; what the creepage alone brings in may be less than nothing by the force times what pressure adds.
+/// Friction only dissipates; what the creepage alone brings in may be less than nothing by the
+/// force times what pressure adds.
 #[test]
 fn rolling_takes_no_energy_from_nothing() {
     let mut random = Random::new(26);
@@ -111,7 +113,8 @@ fn rolling_takes_no_energy_from_nothing() {
     assert!(least < -0.1 && least > -0.72);
 }
 
-/// Derivatives are those of what is computed: by creepages, load, load through Hertz and friction, constant and falling, and by speed.
+/// Derivatives are those of what is computed: by creepages, load, load through Hertz and friction,
+/// constant and falling, and by speed.
 #[test]
 fn derivatives_go_through_the_shift() {
     let mut random = Random::new(7);
@@ -184,7 +187,8 @@ fn derivatives_go_through_the_shift() {
     }
 }
 
-/// The strips of an ellipse answer as the ellipse does, with its derivatives, under falling friction too.
+/// The strips of an ellipse answer as the ellipse does, with its derivatives, under falling
+/// friction too.
 #[test]
 fn a_patch_carries_the_mismatch_of_its_contact() {
     let mut random = Random::new(11);

@@ -49,7 +49,8 @@ fn wrong_units_are_named_by_every_model() {
     }
 }
 
-/// One wrong contact, or one lost one, among ordinary ones: each gets in a batch what it gets alone, and the batch says the worst.
+/// One wrong contact, or one lost one, among ordinary ones: each gets in a batch what it gets
+/// alone, and the batch says the worst.
 #[test]
 fn in_a_batch_each_contact_gets_its_own() {
     let lost = Contact { normal_force: 0.0, ..C0 };

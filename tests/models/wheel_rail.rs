@@ -1,4 +1,5 @@
-//! Wheel on rail: against CONTACT on real profiles, exact cases, symmetry, power, slopes, continuity, friction by place, bad input.
+//! Wheel on rail: against CONTACT on real profiles, exact cases, symmetry, power, slopes,
+//! continuity, friction by place, bad input.
 
 use crate::manchester::{self, Wheelset, points, steel, zeroed};
 use approx::assert_relative_eq;
@@ -57,7 +58,8 @@ impl Stand {
         Self { rail, wheel, pair, model, falling: None, memory: zeroed() }
     }
 
-    /// S1002 on UIC60, both new; the wheel's centre is 10.5325 mm to the left of the rail's at y = 0 of the wheelset.
+    /// S1002 on UIC60, both new; the wheel's centre is 10.5325 mm to the left of the rail's at y =
+    /// 0 of the wheelset.
     fn new_profiles() -> Self {
         Self::new(profile("uic60", 0.0), profile("s1002", 0.0), 0.46)
     }
@@ -117,8 +119,9 @@ fn assert_told(words: &str) {
     assert!(page.contains(words), "docs/wheel-rail.md: {words}");
 }
 
-/// 354 wheels on real rails, 345 of them under 30 degrees of range, loads with creep forces as CONTACT's: heights in um, forces over mu N,
-/// number of contacts. Beyond 30 degrees only forces against conformal CONTACT.
+/// 354 wheels on real rails, 345 of them under 30 degrees of range, loads with creep forces as
+/// CONTACT's: heights in um, forces over mu N, number of contacts. Beyond 30 degrees only forces
+/// against conformal CONTACT.
 #[test]
 fn forces_and_heights_are_those_of_contact() {
     let mut stands: HashMap<(String, String), Stand> = HashMap::new();
@@ -216,8 +219,8 @@ fn a_cone_on_a_round_head_is_that_of_hertz() {
     }
 }
 
-/// A cylinder that swings about the centre of a round head keeps its contact, which is that of Hertz: roll moves the wheel's centre by
-/// `(R + r) sin φ` across and by `(R + r)(1 − cos φ)` down.
+/// A cylinder that swings about the centre of a round head keeps its contact, which is that of
+/// Hertz: roll moves the wheel's centre by `(R + r) sin φ` across and by `(R + r)(1 − cos φ)` down.
 #[test]
 fn a_rolled_cylinder_touches_where_geometry_says() {
     let (head, radius) = (0.3, 0.46);
@@ -340,7 +343,8 @@ fn derivatives_by_velocity_are_those_of_differences() {
     }
 }
 
-/// Friction that falls with the slip: a locked wheel is held by the law's friction at its speed, and slopes are those of differences.
+/// Friction that falls with the slip: a locked wheel is held by the law's friction at its speed,
+/// and slopes are those of differences.
 #[test]
 fn friction_falls_with_the_slip() {
     let law = SlipFriction {
@@ -408,9 +412,10 @@ fn derivatives_by_position_are_those_of_differences() {
     }
 }
 
-/// A wheel that carries 80 kN shifts over a rail, inclined or not, in small steps, where the tread ends, where the flange begins to touch and
-/// where it climbs: forces have no steps. (Points of the profile enter and leave the surroundings of the contact on the way, zones of
-/// contact part and merge, and strips begin to touch.)
+/// A wheel that carries 80 kN shifts over a rail, inclined or not, in small steps, where the tread
+/// ends, where the flange begins to touch and where it climbs: forces have no steps. (Points of the
+/// profile enter and leave the surroundings of the contact on the way, zones of contact part and
+/// merge, and strips begin to touch.)
 #[test]
 fn forces_are_continuous_under_a_shift() {
     let velocity = Velocity { lateral: -0.02, pitch: -43.6, ..ROLLING };
@@ -444,8 +449,8 @@ fn forces_are_continuous_under_a_shift() {
     }
 }
 
-/// A wheel that climbs with its flange at a constant height, by 0.5 um a step: forces bend as little as Hertz's load does, although points of
-/// the gap come and go around the contact.
+/// A wheel that climbs with its flange at a constant height, by 0.5 um a step: forces bend as
+/// little as Hertz's load does, although points of the gap come and go around the contact.
 #[test]
 fn forces_are_smooth_while_points_of_the_gap_come_and_go() {
     let mut stand = Stand::new(profile("uic60", 0.025), profile("s1002", 0.0), 0.46);
@@ -465,8 +470,9 @@ fn forces_are_smooth_while_points_of_the_gap_come_and_go() {
     }
 }
 
-/// A wheel that is lowered by 10 nm a step carries more with every step, at least half as much more as with the first, also where the
-/// bodies come close 7 mm beside the contact, right beside it, or over 5 mm at once.
+/// A wheel that is lowered by 10 nm a step carries more with every step, at least half as much more
+/// as with the first, also where the bodies come close 7 mm beside the contact, right beside it, or
+/// over 5 mm at once.
 #[test]
 fn the_load_rises_while_another_zone_appears() {
     let mut stand = Stand::new_profiles();
@@ -518,7 +524,8 @@ fn rest_reversal_and_lift_off_are_continuous() {
     }
 }
 
-/// A patch rolls backward as its mirror image rolls forward, also where yaw has put its strips askew.
+/// A patch rolls backward as its mirror image rolls forward, also where yaw has put its strips
+/// askew.
 #[test]
 fn a_skewed_patch_rolls_backward_as_its_mirror_image_forward() {
     let mut stand = Stand::new_profiles();
@@ -568,7 +575,8 @@ fn smoothing_leaves_parabolas() {
     }
 }
 
-/// A wheel that is greasy on the gauge side pulls less there; friction of one number is that number everywhere.
+/// A wheel that is greasy on the gauge side pulls less there; friction of one number is that number
+/// everywhere.
 #[test]
 fn friction_varies_along_the_rail() {
     let mut stand = Stand::new_profiles();
@@ -588,8 +596,8 @@ fn friction_varies_along_the_rail() {
     assert_relative_eq!(mixed.force[0] / dry.force[0], expected, max_relative = 5e-6);
 }
 
-/// Both wheels of a wheelset over lateral shift and yaw: place of contact, angle, load, area, peak pressure and creep forces beside
-/// CONTACT's, but where the flange begins to climb.
+/// Both wheels of a wheelset over lateral shift and yaw: place of contact, angle, load, area, peak
+/// pressure and creep forces beside CONTACT's, but where the flange begins to climb.
 #[test]
 fn manchester_benchmark_is_that_of_contact() {
     let mut wheelset = Wheelset::new();

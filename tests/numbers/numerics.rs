@@ -1,7 +1,9 @@
-//! Errors in units of the last place against 200-bit arithmetic (`tests/data/make_numerics.py`), by region, for
-//! double and single precision; the limits are what docs/reference/numerics.md explains.
+//! Errors in units of the last place against 200-bit arithmetic (`tests/data/make_numerics.py`), by
+//! region, for double and single precision; the limits are what docs/reference/numerics.md
+//! explains.
 //!
-//! `cargo test --config tests/plain.toml --test numbers numerics -- --nocapture` prints the table of that page.
+//! `cargo test --config tests/plain.toml --test numbers numerics -- --nocapture` prints the table
+//! of that page.
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Parameters;
@@ -44,7 +46,7 @@ fn ulps(value: f64, exact: (f64, f64), scale: f64, epsilon: f64) -> f64 {
 }
 
 /// Errors of one row in one precision.
-fn errors<F: Float + kstrip::forces::Float>(row: &Row) -> Vec<f64> {
+fn errors<F: Float>(row: &Row) -> Vec<f64> {
     let input = |i: usize| F::of(row.inputs[i]);
     let epsilon = F::EPSILON.to_f64();
     let [r0, r1, r2, _] = row.results;
@@ -54,7 +56,8 @@ fn errors<F: Float + kstrip::forces::Float>(row: &Row) -> Vec<f64> {
             vec![ulps(kappa.to_f64(), r0, r0.0, epsilon)]
         }
         "hertz" => {
-            // Curvatures as radii of the lower body, the upper one flat, twice as curved: A = 1/(2 R)
+            // Curvatures as radii of the lower body, the upper one flat, twice as curved: A = 1/(2
+            // R)
             let radius = |curvature: F| F::one() / curvature.times(2.0);
             let flat = F::of(f64::INFINITY);
             let radii = Radii {
@@ -119,7 +122,8 @@ fn errors<F: Float + kstrip::forces::Float>(row: &Row) -> Vec<f64> {
     }
 }
 
-/// Largest error in units of the last place: what, region, double, single. Explained in docs/reference/numerics.md.
+/// Largest error in units of the last place: what, region, double, single. Explained in
+/// docs/reference/numerics.md.
 const ALLOWED: &[(&str, &str, f64, f64)] = &[
     // (four nodes on a smooth piece: up to 4e-12)
     ("force", "combined", 39.0, 0.9),
@@ -175,7 +179,8 @@ fn errors_against_200_bits_are_the_known_ones() {
     }
 }
 
-/// Of numbers side by side some have nothing to do with what is asked for: the integers that are made of them do not overflow.
+/// Of numbers side by side some have nothing to do with what is asked for: the integers that are
+/// made of them do not overflow.
 #[test]
 fn the_binary_quotient_of_any_two_numbers_is_a_whole_number() {
     fn check<F: Float>(numbers: &[F]) {

@@ -1,15 +1,17 @@
-//! Patches from profiles, the normal problem of strips: against the same formulas in 200 bits, by shape, in double and single
-//! precision. The limits are what docs/reference/numerics.md explains.
+//! Patches from profiles, the normal problem of strips: against the same formulas in 200 bits, by
+//! shape, in double and single precision. The limits are what docs/reference/numerics.md explains.
 //!
-//! `cargo test --config tests/plain.toml --test numbers profiles -- --nocapture` prints the table of that page.
+//! `cargo test --config tests/plain.toml --test numbers profiles -- --nocapture` prints the table
+//! of that page.
 
 use crate::precise::Precise;
 use crate::two_hundred_bits::{is_known, stated};
 
 use kstrip::contact::totals::StripCount;
+use kstrip::normal::cells::Given;
 use kstrip::normal::{Indentation, Profile, ProfileContact};
 use kstrip::number::Float;
-use kstrip::patch::{Patch, PatchStrip, normal::Given};
+use kstrip::patch::{Patch, PatchStrip};
 
 /// Distance \[m\] over `y` \[m\].
 type Shape = fn(f64) -> f64;
@@ -48,7 +50,8 @@ fn solved<F: Float>(shape: Shape, load: f32) -> (Vec<PatchStrip<F>>, Indentation
     (patch.strips.to_vec(), found)
 }
 
-/// Errors in units of the last place: approach, stiffness, half lengths (of the longest), pressures (of the largest).
+/// Errors in units of the last place: approach, stiffness, half lengths (of the longest), pressures
+/// (of the largest).
 fn errors<F: Float>(
     shape: Shape,
     load: f32,

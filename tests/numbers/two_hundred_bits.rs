@@ -1,9 +1,10 @@
-//! Every model, patches of strips and falling friction against their own formulas in 200 bits, by region, in double and
-//! single precision: what the arithmetic loses, derivatives included. docs/reference/numerics.md states and explains the errors; four
-//! times as much is too much.
+//! Every model, patches of strips and falling friction against their own formulas in 200 bits, by
+//! region, in double and single precision: what the arithmetic loses, derivatives included.
+//! docs/reference/numerics.md states and explains the errors; four times as much is too much.
 //!
-//! `KSTRIP_WRITE_PRECISE=120 cargo test --config tests/plain.toml --test numbers two_hundred_bits -- --nocapture` looks for worse cases, prints the table of
-//! that page, and writes the worst inputs to `tests/data/precise.csv`. Without it those are computed again, and a few new ones.
+//! `KSTRIP_WRITE_PRECISE=120 cargo test --config tests/plain.toml --test numbers two_hundred_bits
+//! -- --nocapture` looks for worse cases, prints the table of that page, and writes the worst
+//! inputs to `tests/data/precise.csv`. Without it those are computed again, and a few new ones.
 
 use crate::precise;
 use crate::random;
@@ -24,7 +25,8 @@ use nalgebra::Matrix3;
 use precise::Precise;
 use random::Random;
 
-/// `a, b, N, G, ν, μ, υx, υy, φ, V`: numbers of single precision, so that one reference serves both precisions.
+/// `a, b, N, G, ν, μ, υx, υy, φ, V`: numbers of single precision, so that one reference serves both
+/// precisions.
 type Inputs = [f32; 10];
 
 fn contact<F: Float>(inputs: &Inputs) -> (Contact<F>, Creepage<F>) {
@@ -125,7 +127,8 @@ fn patch<F: Float>(strips: Strips, inputs: &Inputs) -> Patch<F, 16> {
     }
 }
 
-/// What the library answers in numbers of a kind: `F_x, F_y, M_z` and their derivatives by the creepages.
+/// What the library answers in numbers of a kind: `F_x, F_y, M_z` and their derivatives by the
+/// creepages.
 type Answer<F> = ([F; 3], [[F; 3]; 3]);
 
 fn answer<F: Float>(road: Road, model: Model, inputs: &Inputs) -> Result<Answer<F>, Error> {
@@ -211,9 +214,10 @@ fn draw(region: &str, random: &mut Random) -> Inputs {
 
 /// Largest errors of the force, of the moment and of the derivatives in units of the last place.
 ///
-/// One unit is a rounding of the result or of a creepage: of the force vector, or of `Σ |∂F/∂cᵢ| |cᵢ|` where forces of
-/// several creepages cancel. For the moment the force times the larger semi-axis counts as well. For derivatives it is that of the
-/// column, or of the force over the rigid slip.
+/// One unit is a rounding of the result or of a creepage: of the force vector, or of
+/// `Σ |∂F/∂cᵢ| |cᵢ|` where forces of several creepages cancel. For the moment the force times the
+/// larger semi-axis counts as well. For derivatives it is that of the column, or of the force over
+/// the rigid slip.
 fn errors<F: Float>(inputs: &Inputs, found: Answer<F>, exact: &Answer<Precise>) -> [f64; 3] {
     let (contact, creepage) = contact::<F>(inputs);
     let (found, jacobian) = (found.0.map(Float::to_f64), found.1.map(|row| row.map(Float::to_f64)));
@@ -327,7 +331,8 @@ impl Survey {
     }
 }
 
-/// The worst errors that docs/reference/numerics.md states in the row that begins so, none if there is no such row.
+/// The worst errors that docs/reference/numerics.md states in the row that begins so, none if there
+/// is no such row.
 pub fn stated(start: &str) -> Vec<f64> {
     let text = include_str!("../../docs/reference/numerics.md");
     let row = text.lines().find_map(|row| row.strip_prefix(start));
@@ -335,7 +340,8 @@ pub fn stated(start: &str) -> Vec<f64> {
     cells.filter_map(|cell| cell.rsplit('/').next()?.trim().parse().ok()).collect()
 }
 
-/// Whether an error is no worse than four times what is stated: another order of the same sums finds others.
+/// Whether an error is no worse than four times what is stated: another order of the same sums
+/// finds others.
 pub fn is_known(error: f64, stated: f64) -> bool {
     error <= 4.0 * stated + 1.0
 }
@@ -387,7 +393,8 @@ fn errors_are_the_known_ones() {
     }
 }
 
-/// The numbers of 200 bits against references that mpmath computed by another formula (`make_numerics.py`).
+/// The numbers of 200 bits against references that mpmath computed by another formula
+/// (`make_numerics.py`).
 #[test]
 fn adhesion_lengths_agree_with_mpmath() {
     let rows = read(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/numerics.csv"));

@@ -116,7 +116,8 @@ fn brute_force_has_the_limits_of_the_theory() {
     assert!((stick - area).abs() < 1e-12, "{stick} {area}");
 }
 
-/// Both rules and precisions, a/b .1 to 10, ν 0 to .5, |ψ| ≤ .95, a third with exact zeros. `KSTRIP_CASES=100000` for more.
+/// Both rules and precisions, a/b .1 to 10, ν 0 to .5, |ψ| ≤ .95, a third with exact zeros.
+/// `KSTRIP_CASES=100000` for more.
 #[test]
 fn totals_agree_with_brute_force() {
     let count = std::env::var("KSTRIP_CASES").map_or(600, |count| count.parse().unwrap());

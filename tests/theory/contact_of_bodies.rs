@@ -30,8 +30,8 @@ fn a_contact_of_a_load_is_that_of_hertz() {
     }
 }
 
-/// Load to approach and back, for axis ratios from needles to the circle and any size of load: to a few roundings, and the
-/// stiffness is 3N/(2δ).
+/// Load to approach and back, for axis ratios from needles to the circle and any size of load: to a
+/// few roundings, and the stiffness is 3N/(2δ).
 #[test]
 fn the_approach_gives_the_load_back() {
     let mut slenderest = 1.0_f64;

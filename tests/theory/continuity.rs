@@ -1,8 +1,9 @@
 //! Totals are continuous functions of the creepages for both rules.
 //!
-//! A sweep in steps of 1e-6 may show a kink or the beginning of a square root, not a jump. A step more
-//! than three times as large as its larger neighbour is looked at closely: halved twenty times, always
-//! into the half that changes more. Of a square root a thousandth is left, of a jump all.
+//! A sweep in steps of 1e-6 may show a kink or the beginning of a square root, not a jump. A step
+//! more than three times as large as its larger neighbour is looked at closely: halved twenty
+//! times, always into the half that changes more. Of a square root a thousandth is left, of a jump
+//! all.
 
 use crate::random;
 use crate::theory;
@@ -189,8 +190,9 @@ fn sweep_through_rest() {
     }
 }
 
-/// A hunt for jumps anywhere: along random paths the interval with the largest unexplained change is
-/// halved until it is 1e-13 wide. A continuous function has nothing left there (a square root 3e-7).
+/// A hunt for jumps anywhere: along random paths the interval with the largest unexplained change
+/// is halved until it is 1e-13 wide. A continuous function has nothing left there (a square root
+/// 3e-7).
 #[test]
 fn no_jump_is_found_by_bisection_along_random_paths() {
     let mut random = Random::new(55);

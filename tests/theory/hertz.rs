@@ -52,8 +52,8 @@ fn condition(r: [f64; 4]) -> f64 {
     of(r[0], r[2]).max(of(r[1], r[3]))
 }
 
-/// Axis ratios 1e-4 to 1, the circle within 1e-15, both orientations, concave profiles: a, b, p₀ and
-/// approach to 1e-12.
+/// Axis ratios 1e-4 to 1, the circle within 1e-15, both orientations, concave profiles: a, b, p₀
+/// and approach to 1e-12.
 #[test]
 fn ellipse_agrees_with_high_precision_in_double() {
     let mut smallest = 1.0_f64;
@@ -155,7 +155,8 @@ fn circle_has_its_textbook_solution() {
 }
 
 /// e → 0 is 0/0 in the classical formulas; here the ellipse passes through the circle smoothly:
-/// ln(a/b) = (2/3) ln(Ry/Rx) there, and a·b, the approach and p₀ have no first-order change from it.
+/// ln(a/b) = (2/3) ln(Ry/Rx) there, and a·b, the approach and p₀ have no first-order change from
+/// it.
 #[test]
 fn ellipse_passes_smoothly_through_the_circle() {
     let circle = solved([FLAT, FLAT, 1.0, 1.0]);
@@ -181,8 +182,8 @@ fn ellipse_passes_smoothly_through_the_circle() {
     }
 }
 
-/// Turning the bodies by 90 degrees exchanges a and b to the last bit; the longer semi-axis belongs to
-/// the smaller curvature (2.4).
+/// Turning the bodies by 90 degrees exchanges a and b to the last bit; the longer semi-axis belongs
+/// to the smaller curvature (2.4).
 #[test]
 fn exchanging_directions_exchanges_the_axes() {
     for [lx, ly, ux, uy] in

@@ -85,7 +85,8 @@ fn spin_moment_has_its_linear_slope() {
     }
 }
 
-/// The totals of both rules are closed forms over the whole ellipse: the number of strips has no part in them, nor in their derivatives.
+/// The totals of both rules are closed forms over the whole ellipse: the number of strips has no
+/// part in them, nor in their derivatives.
 #[test]
 fn any_number_of_strips_has_the_same_totals() {
     let mut random = Random::new(19);
@@ -138,8 +139,8 @@ fn saturation_is_exact() {
     }
 }
 
-/// Section 8.15, the way that loses no digits: (3π/4)τ − … as an integral of its own derivative would be
-/// another quadrature, so the formula itself, for τ where it does not cancel.
+/// Section 8.15, the way that loses no digits: (3π/4)τ − … as an integral of its own derivative
+/// would be another quadrature, so the formula itself, for τ where it does not cancel.
 fn pure_creepage(tau: f64) -> f64 {
     if tau >= 1.0 {
         return 1.0;
@@ -147,8 +148,8 @@ fn pure_creepage(tau: f64) -> f64 {
     1.0 - ((2.0 + tau * tau) * (1.0 - tau * tau).sqrt() - 3.0 * tau * tau.acos()) / 2.0
 }
 
-/// Pure creepage in closed form of Section 8.15: both rules along the axes, the continuous rule in any
-/// direction.
+/// Pure creepage in closed form of Section 8.15: both rules along the axes, the continuous rule in
+/// any direction.
 #[test]
 fn pure_creepage_has_its_closed_form() {
     let mut worst = 0.0_f64;

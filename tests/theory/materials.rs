@@ -9,8 +9,8 @@ fn material(shear_modulus: f64, poisson_ratio: f64) -> Material<f64> {
     Material { shear_modulus, poisson_ratio }
 }
 
-// N. E. Dowling, Mechanical Behavior of Materials, Table 5.2: Young's modulus and Poisson's ratio of mild
-// steel, brass (70 Cu 30 Zn), aluminium and glass (type E).
+// N. E. Dowling, Mechanical Behavior of Materials, Table 5.2: Young's modulus and Poisson's ratio
+// of mild steel, brass (70 Cu 30 Zn), aluminium and glass (type E).
 const STEEL: (f64, f64) = (212e9, 0.293);
 const BRASS: (f64, f64) = (101e9, 0.350);
 const ALUMINIUM: (f64, f64) = (70.3e9, 0.345);
@@ -21,8 +21,8 @@ const GLASS: (f64, f64) = (72.4e9, 0.22);
 /// The paper does not state its constants, and no four materials like these give all six numbers to
 /// two decimals: a search over moduli and ratios around them leaves one entry at least 0.008 off
 /// (brass/glass 0.10 and aluminium/glass 0.03 do not go together). Handbook values come within
-/// 0.025 of each entry and within 0.01 of the three pairs of metals and of brass/glass; a wrong sign,
-/// a missing factor 2 or exchanged bodies would be off by 0.02 to 0.3 in most.
+/// 0.025 of each entry and within 0.01 of the three pairs of metals and of brass/glass; a wrong
+/// sign, a missing factor 2 or exchanged bodies would be off by 0.02 to 0.3 in most.
 #[test]
 fn mismatch_of_table_2_from_handbook_constants() {
     for (upper, lower, table, ours) in [

@@ -22,8 +22,8 @@ fn angle_to_slip(point: &FieldPoint<f64>) -> f64 {
         .atan2(point.slip_x * point.traction_x + point.slip_y * point.traction_y)
 }
 
-/// Table 4: the angle between slip and traction in pure spin, |δ| = asin|ψ|, whatever a/b and ν. Slip is along x, the
-/// traction is (α, ψ) μZ.
+/// Table 4: the angle between slip and traction in pure spin, |δ| = asin|ψ|, whatever a/b and ν.
+/// Slip is along x, the traction is (α, ψ) μZ.
 #[test]
 fn table_4_angle_between_slip_and_traction() {
     for (psi, degrees, digits) in [
@@ -68,8 +68,8 @@ fn table_4_angle_between_slip_and_traction() {
     assert!((point.traction_y - point.pressure).abs() < 1e-15 && point.traction_x == 0.0);
 }
 
-/// (8.26), (8.28), (8.34): α = √(1 − ψ²) sign(−ψy), β = 0, k = 2|ψy|/((1 − ν)√(1 − ψ²)), Y = ψμZ in strips with
-/// adhesion and none in the others.
+/// (8.26), (8.28), (8.34): α = √(1 − ψ²) sign(−ψy), β = 0, k = 2|ψy|/((1 − ν)√(1 − ψ²)), Y = ψμZ in
+/// strips with adhesion and none in the others.
 #[test]
 fn pure_spin_has_its_closed_formulas() {
     for axis_ratio in [0.2, 1.0, 3.0] {
@@ -120,15 +120,15 @@ fn k_is_small(psi: f64, nu: f64, axis_ratio: f64) -> bool {
     y * psi.abs() / (axis_ratio * (1.0 - nu) * (1.0 - psi * psi).sqrt()) < (1.0 - y * y).sqrt()
 }
 
-/// (8.33): apex angle of the adhesion area in pure spin; ν = 0.5, ψ = 0.305 gives 76 degrees, what Poon
-/// measured. From the border of the stick area in the field, found by bisection.
+/// (8.33): apex angle of the adhesion area in pure spin; ν = 0.5, ψ = 0.305 gives 76 degrees, what
+/// Poon measured. From the border of the stick area in the field, found by bisection.
 #[test]
 fn apex_angle_of_the_adhesion_area_is_76_degrees() {
     for (nu, psi, expected) in [(0.5, 0.305_f64, Some(76.0)), (0.28, 0.5, None), (0.0, 0.9, None)] {
         let c = contact(1.0, nu);
         let f = field(&c, 0.0, 0.0, psi, Model::Strip1967);
-        // Border points of two strips near the trailing vertex: x = −c + k(y), so the angle at y → 0
-        // between both sides is 2 atan(y/k); curvature of the edge adds O(y).
+        // Border points of two strips near the trailing vertex: x = −c + k(y), so the angle at y →
+        // 0 between both sides is 2 atan(y/k); curvature of the edge adds O(y).
         let border = |y: f64| {
             let (mut low, mut high) = (-c.a, c.a);
             for _ in 0..100 {
@@ -278,14 +278,16 @@ fn negative_dissipation_region_in_pure_spin() {
                     }
                 }
             }
-            // Sliding strips have κ ≥ C, which for small spin leaves little room: κ = |ψy|/((1 − ν)√…)
+            // Sliding strips have κ ≥ C, which for small spin leaves little room: κ = |ψy|/((1 −
+            // ν)√…)
             assert!(negative > 0, "{nu} {psi} {axis_ratio}");
         }
     }
 }
 
-/// Section 8.24: in strips without adhesion the traction lies along x, and the angle that the slip makes with it falls as |y|
-/// grows, on lines x = const, where the lateral slip does not change, and on the edge of the ellipse.
+/// Section 8.24: in strips without adhesion the traction lies along x, and the angle that the slip
+/// makes with it falls as |y| grows, on lines x = const, where the lateral slip does not change,
+/// and on the edge of the ellipse.
 #[test]
 fn angle_of_sliding_strips_falls_towards_the_tips() {
     for axis_ratio in [0.1, 0.2, 1.0, 4.0] {
@@ -325,8 +327,8 @@ fn angle_of_sliding_strips_falls_towards_the_tips() {
     }
 }
 
-/// Section 9: for infinitesimal spin strip theory's `C23 = (π/3) √(a/b)` is the limit of slender ellipses for ν = 0, and for no
-/// other ν. Against CONTACT, and against the half-space's own limit.
+/// Section 9: for infinitesimal spin strip theory's `C23 = (π/3) √(a/b)` is the limit of slender
+/// ellipses for ν = 0, and for no other ν. Against CONTACT, and against the half-space's own limit.
 #[test]
 fn section_9_spin_has_its_limit_without_poissons_ratio_only() {
     let strip_theory = |g: f64, nu: f64| {
@@ -367,7 +369,8 @@ fn section_9_spin_has_its_limit_without_poissons_ratio_only() {
             assert!(slender > 1.2 * narrow && slender > 0.4, "{nu} {slender} {narrow}");
         }
     }
-    // The half-space's own limit has a logarithm: without ν strip theory's, else farther from it the more slender
+    // The half-space's own limit has a logarithm: without ν strip theory's, else farther from it
+    // the more slender
     for nu in [0.0, 0.28, 0.5] {
         let mut before = 0.0;
         for g in [1e-2, 1e-3, 1e-4, 1e-5] {
@@ -390,8 +393,8 @@ fn section_9_spin_has_its_limit_without_poissons_ratio_only() {
     }
 }
 
-/// Figure 10: ψ = 1, η = −0.5, ξ = 0, a/b = 1, ν = 0.29 has an adhesion area, limited by the formula
-/// κ = (ξ̄² + η²)/(2|η|), and a finite force.
+/// Figure 10: ψ = 1, η = −0.5, ξ = 0, a/b = 1, ν = 0.29 has an adhesion area, limited by the
+/// formula κ = (ξ̄² + η²)/(2|η|), and a finite force.
 #[test]
 fn figure_10_has_an_adhesion_area_at_unit_spin() {
     let c = contact(1.0, 0.29);

@@ -27,8 +27,9 @@ const fn case(what: &'static str, radii: [f64; 4], g: f64, load: f64, mu: f64, s
     Case { what, radii, shear_modulus: g, load, friction: mu, spin }
 }
 
-/// What rolls: sizes, loads and spins as they are published or follow from the geometry (spin sin γ/r of a wheel whose
-/// contact is inclined by γ; in a bearing about one over the radius of the ball).
+/// What rolls: sizes, loads and spins as they are published or follow from the geometry (spin sin
+/// γ/r of a wheel whose contact is inclined by γ; in a bearing about one over the radius of the
+/// ball).
 const ORDINARY: [Case; 20] = [
     case("freight wheel, tread", [FLAT, 0.3, 0.46, FLAT], 82e9, 125e3, 0.35, 0.054),
     case("worn wheel, conformal", [FLAT, 0.3, 0.46, -0.33], 82e9, 80e3, 0.3, 0.3),
@@ -84,8 +85,8 @@ const fn creepage(longitudinal: f64, lateral: f64, spin: f64) -> Creepage<f64> {
     Creepage { longitudinal, lateral, spin }
 }
 
-/// From a thousandth of the load to twice it with Hertz's ellipse, of wheels also with that of the full load, from rest to a locked
-/// wheel and to one that turns six times too fast.
+/// From a thousandth of the load to twice it with Hertz's ellipse, of wheels also with that of the
+/// full load, from rest to a locked wheel and to one that turns six times too fast.
 #[test]
 fn ordinary_contacts_are_not_warned_of() {
     for case in &ORDINARY {
@@ -120,7 +121,8 @@ fn wrong_units_are_named() {
             let soft = Contact { shear_modulus: right.shear_modulus * unit, ..right };
             assert_eq!(said(soft), Warning::Pressure, "{}", case.what);
         }
-        // mm for m, where the contact is longer than 1 mm (a contact of 0.1 mm is then one of 10 cm)
+        // mm for m, where the contact is longer than 1 mm (a contact of 0.1 mm is then one of 10
+        // cm)
         let long = Contact { a: 1e3 * right.a, b: 1e3 * right.b, ..right };
         if right.a.max(right.b) > 1e-3 {
             assert_eq!(said(long), Warning::SemiAxis, "{}", case.what);
@@ -145,8 +147,9 @@ fn wrong_units_are_named() {
     }
 }
 
-/// Degrees per metre for radians per metre: every contact that is inclined to its axis by 10 degrees or more, of a wheel and of a
-/// bearing; a tread contact in degrees is a flange contact in radians.
+/// Degrees per metre for radians per metre: every contact that is inclined to its axis by 10
+/// degrees or more, of a wheel and of a bearing; a tread contact in degrees is a flange contact in
+/// radians.
 #[test]
 fn degrees_are_named() {
     let mut found = 0;
@@ -164,7 +167,8 @@ fn degrees_are_named() {
     assert!(found >= 8, "{found}");
 }
 
-/// A wheel that rolls with its contact inclined by γ, from tread to flange: radians never, degrees from 5 degrees on.
+/// A wheel that rolls with its contact inclined by γ, from tread to flange: radians never, degrees
+/// from 5 degrees on.
 #[test]
 fn a_wheel_is_told_from_tread_to_flange() {
     let wheel = Radii { lower_x: FLAT, lower_y: 0.3, upper_x: 0.46, upper_y: FLAT };
@@ -177,7 +181,8 @@ fn a_wheel_is_told_from_tread_to_flange() {
     }
 }
 
-/// The first cause is named: of a contact in millimetres the semi-axis, not the spin or the pressure that follow from it.
+/// The first cause is named: of a contact in millimetres the semi-axis, not the spin or the
+/// pressure that follow from it.
 #[test]
 fn the_cause_is_named_and_not_what_follows() {
     let contact = contact(&ORDINARY[0]);

@@ -146,8 +146,8 @@ fn principal_value(strip: &Strip<f64>, x: f64, f: impl Fn(f64) -> f64) -> f64 {
     regular + at_x * ((x + c) / (c - x)).ln()
 }
 
-/// The elastic field of the computed traction, from Section 3, gives the slip that the strip reports:
-/// none in the adhesion area, the stated one behind it and in sliding strips.
+/// The elastic field of the computed traction, from Section 3, gives the slip that the strip
+/// reports: none in the adhesion area, the stated one behind it and in sliding strips.
 #[test]
 fn slip_is_that_of_the_elastic_field_of_the_traction() {
     let cases = [
@@ -204,7 +204,8 @@ fn slip_has_the_sense_of_the_traction() {
         }
         assert_ne!(point.state, State::SlipNegativeDissipation, "{strip:?}");
         assert!(point.traction_x * point.slip_x >= 0.0, "{strip:?}");
-        // s ~ ((1 − ν) α, β): without the factor 1 − ν its angle to (α, β + ψ) is bounded by asin|ψ|
+        // s ~ ((1 − ν) α, β): without the factor 1 − ν its angle to (α, β + ψ) is bounded by
+        // asin|ψ|
         let (sx, sy) = (point.slip_x / (1.0 - strip.poisson_ratio), point.slip_y);
         let cosine = (sx * point.traction_x + sy * point.traction_y)
             / (sx.hypot(sy) * point.traction_x.hypot(point.traction_y));
@@ -215,8 +216,8 @@ fn slip_has_the_sense_of_the_traction() {
     }
 }
 
-/// Force, moment and dissipation of a strip are the integrals of its traction and local dissipation:
-/// Section 5 and the power balance, to 1e-10.
+/// Force, moment and dissipation of a strip are the integrals of its traction and local
+/// dissipation: Section 5 and the power balance, to 1e-10.
 #[test]
 fn strip_totals_are_the_integrals_of_its_field() {
     let mut random = Random::new(71);

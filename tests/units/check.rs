@@ -6,7 +6,8 @@ use kstrip::forces::Model;
 use kstrip::internals::quick_and_full_check;
 use kstrip::number::Float;
 
-/// No check can fail for the sizes that are let through without: at every corner of them, in both precisions.
+/// No check can fail for the sizes that are let through without: at every corner of them, in both
+/// precisions.
 #[test]
 fn usual_sizes_pass_every_check() {
     fn corners<F: Float>() -> usize {

@@ -4,7 +4,8 @@ use kstrip::internals::has_avx;
 use kstrip::number::lanes::Lanes;
 use kstrip::number::{Arithmetic, Float, Number, Real, Strips};
 
-/// Every operation of `N` numbers side by side has the bits of plain numbers, signs of zeros included.
+/// Every operation of `N` numbers side by side has the bits of plain numbers, signs of zeros
+/// included.
 fn agree<F: Float, const N: usize>(bits: fn(F) -> u64) {
     let numbers =
         [0.0, -0.0, 1.0, -1.0, 0.3, -7.1e-5, 2.9e11, 3e-30, -3e-30, 1e-45, 1e30, -1.0 / 3.0];

@@ -71,7 +71,8 @@ fn reach_the_slender_limits() {
     }
 }
 
-/// No seam: over twelve decades the logarithmic slope changes by little between neighbours 0.5 % apart.
+/// No seam: over twelve decades the logarithmic slope changes by little between neighbours 0.5 %
+/// apart.
 #[test]
 fn have_no_seam() {
     let ratios = 2f64.ln() / 128.0;

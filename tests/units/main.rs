@@ -1,4 +1,5 @@
-//! Parts of the library by themselves: Kalker's coefficients, the models' totals, strips, searches, registers.
+//! Parts of the library by themselves: Kalker's coefficients, the models' totals, strips, searches,
+//! registers.
 
 mod check;
 mod cube_root;

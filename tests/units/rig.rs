@@ -1,5 +1,5 @@
-//! What the inverse promises, with the solutions counted. `KSTRIP_CASES=100000 cargo test --release --test units rig:: -- --nocapture` prints the
-//! figures of docs/reliability.md.
+//! What the inverse promises, with the solutions counted. `KSTRIP_CASES=100000 cargo test --release
+//! --test units rig:: -- --nocapture` prints the figures of docs/reliability.md.
 
 use crate::random::Random;
 use approx::assert_relative_eq;
@@ -43,7 +43,8 @@ fn opposed(random: &mut Random, n: usize, contact: &Contact<f64>, unit: f64) -> 
     Creepage { longitudinal: xi * unit, lateral: eta * unit, spin: spin * unit / contact.a }
 }
 
-/// The result is never larger than the friction that made the force, and where it is smaller, the status says so.
+/// The result is never larger than the friction that made the force, and where it is smaller, the
+/// status says so.
 #[test]
 fn no_friction_is_missed() {
     for model in SATURATING {
@@ -123,7 +124,8 @@ fn close_frictions_are_told() {
     let less = Contact { friction: found.friction, ..total };
     let again = forces::forces_of_contact(&less, &motion, &o).unwrap();
     assert_relative_eq!(again.fy, force.fy, max_relative = 1e-9);
-    // The same in a thousand times the lengths, which hints at a wrong unit: the graver warning stays.
+    // The same in a thousand times the lengths, which hints at a wrong unit: the graver warning
+    // stays.
     let large = Contact {
         a: total.a * 1e3,
         b: total.b * 1e3,
@@ -194,7 +196,8 @@ fn creepages_cost_few_solutions() {
                 counts[n - 1]
             );
             assert!(counts[n - 1] <= 40);
-            // (the force of STRIP_1967 jumps where adhesion is born; beyond .99 of the bound that of TOTAL may turn back by a hair)
+            // (the force of STRIP_1967 jumps where adhesion is born; beyond .99 of the bound that
+            // of TOTAL may turn back by a hair)
             let [more, not_reached] = match model {
                 Model::Total => [1 + n / 2_000, n / 50_000],
                 Model::Strip1967 => [1 + n / 400, 1 + n / 3_000],

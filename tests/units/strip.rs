@@ -137,7 +137,8 @@ fn pure_creepage_gives_half_ellipses() {
     }
 }
 
-/// The derivatives taken back through a strip by hand are those of dual numbers through its formulas.
+/// The derivatives taken back through a strip by hand are those of dual numbers through its
+/// formulas.
 #[test]
 fn derivatives_are_those_of_dual_numbers() {
     type D = Dual<f64, 5>;
@@ -164,8 +165,9 @@ fn derivatives_are_those_of_dual_numbers() {
     }
 }
 
-/// Strips one after the other, as on a microcontroller, give the bits of strips side by side, and so do any eight. (Builds with debug
-/// assertions have no code for wide registers; `.ci/run` has a step without.)
+/// Strips one after the other, as on a microcontroller, give the bits of strips side by side, and
+/// so do any eight. (Builds with debug assertions have no code for wide registers; `.ci/run` has a
+/// step without.)
 #[test]
 fn strips_have_the_same_bits_one_by_one_and_side_by_side() {
     // (what is printed tells the bits of a number)
@@ -205,7 +207,8 @@ fn strips_have_the_same_bits_one_by_one_and_side_by_side() {
     agree::<f32, Dual<f32, 3>>(Dual::input);
 }
 
-/// Forces that would give power are moved by one factor along `h K v`, `h = (1 − |F|²)/10` on the force and 1 on the moment.
+/// Forces that would give power are moved by one factor along `h K v`, `h = (1 − |F|²)/10` on the
+/// force and 1 on the moment.
 #[test]
 fn forces_are_lifted_along_the_linear_ones() {
     let linear = LinearCoefficients::<f64>::at(1.4, 0.28);
@@ -224,7 +227,8 @@ fn forces_are_lifted_along_the_linear_ones() {
     }
 }
 
-/// The corrections of long contacts set in with two continuous derivatives by the axis ratio, and nothing of them is left below.
+/// The corrections of long contacts set in with two continuous derivatives by the axis ratio, and
+/// nothing of them is left below.
 #[test]
 fn long_contacts_are_reached_smoothly() {
     let share = |root: f64| internals::long_contact(root)[0];

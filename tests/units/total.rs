@@ -53,7 +53,8 @@ fn is_smooth() {
     }
 }
 
-/// Derivatives are numbers at any creepage, in single precision too, and in full sliding those of double precision.
+/// Derivatives are numbers at any creepage, in single precision too, and in full sliding those of
+/// double precision.
 #[test]
 fn derivatives_are_finite_at_any_creepage() {
     let gradients = |g: f64, v: [f64; 3]| {

@@ -3,10 +3,12 @@
 use super::F;
 use crate::ffi::support::*;
 
-/// Combine the elastic constants of two bodies. From Young's modulus: shear_modulus = E/(2 (1 + poisson_ratio)).
+/// Combine the elastic constants of two bodies. From Young's modulus: shear_modulus = E/(2 (1 +
+/// poisson_ratio)).
 ///
 /// @param lower, upper    the two bodies.
-/// @param[out] combined   receives the constants that kstrip_contact_from_hertz() and kstrip_contact take.
+/// @param[out] combined   receives the constants that kstrip_contact_from_hertz() and
+///                        kstrip_contact take.
 /// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
 ///         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_OVERFLOW.
 #[unsafe(export_name = symbol!("kstrip_material_combine"))]
@@ -30,7 +32,8 @@ pub extern "C" fn kstrip_material_combine(
 /// @param[out] contact    receives the contact.
 /// @param[out] ellipse    receives pressure, approach and shape; NULL: not wanted.
 /// @return KSTRIP_OK, KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_SEMI_AXIS, KSTRIP_WARNING_FRICTION,
-///         KSTRIP_WARNING_RADIUS, KSTRIP_WARNING_MISMATCH, KSTRIP_WARNING_CONFORMAL; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
+///         KSTRIP_WARNING_RADIUS, KSTRIP_WARNING_MISMATCH, KSTRIP_WARNING_CONFORMAL;
+///         KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
 ///         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_CURVATURE,
 ///         KSTRIP_ERROR_OVERFLOW.
 #[unsafe(export_name = symbol!("kstrip_contact_from_hertz"))]
@@ -51,14 +54,16 @@ pub extern "C" fn kstrip_contact_from_hertz(
     })
 }
 
-/// The contact of two bodies that have approached each other: the exact inverse of Hertz, for penalty contact.
+/// The contact of two bodies that have approached each other: the exact inverse of Hertz, for
+/// penalty contact.
 ///
 /// @param radii           curvatures of both bodies.
 /// @param pair            combined constants.
 /// @param approach        of distant points of the bodies [m]; not positive: the contact is lost.
 /// @param friction        coefficient of friction [-], >= 0.
 /// @param[out] contact    receives the contact, with its load.
-/// @param[out] dload_dapproach  receives the contact stiffness dN/d(approach) [N/m]; NULL: not wanted.
+/// @param[out] dload_dapproach  receives the contact stiffness dN/d(approach) [N/m]; NULL: not
+///                              wanted.
 /// @return as kstrip_contact_from_hertz().
 #[unsafe(export_name = symbol!("kstrip_contact_from_approach"))]
 pub extern "C" fn kstrip_contact_from_approach(
@@ -81,15 +86,16 @@ pub extern "C" fn kstrip_contact_from_approach(
 
 /// Kalker's coefficients C11, C22, C23, C33 of the linear theory.
 ///
-/// For vanishing creepage fx = G a b C11 longitudinal, fy = G a b (C22 lateral + sqrt(ab) C23 spin),
-/// mz = G (ab)^(3/2) (sqrt(ab) C33 spin - C23 lateral). For axis ratios of 0.1 to 10 they are within 0.16 % of CONTACT (C33: 0.5 %);
-/// beyond, they follow the asymptotes of slender ellipses.
+/// For vanishing creepage fx = G a b C11 longitudinal, fy = G a b (C22 lateral + sqrt(ab) C23
+/// spin), mz = G (ab)^(3/2) (sqrt(ab) C33 spin - C23 lateral). For axis ratios of 0.1 to 10 they
+/// are within 0.16 % of CONTACT (C33: 0.5 %); beyond, they follow the asymptotes of slender
+/// ellipses.
 ///
 /// @param axis_ratio      a/b [-], > 0; a along the rolling direction.
 /// @param poisson_ratio   combined Poisson's ratio [-], 0 to 0.5.
 /// @param[out] coefficients  receives four numbers: C11, C22, C23, C33.
-/// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_SEMI_AXIS (axis_ratio),
-///         KSTRIP_ERROR_POISSON_RATIO.
+/// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_SEMI_AXIS
+///         (axis_ratio), KSTRIP_ERROR_POISSON_RATIO.
 #[unsafe(export_name = symbol!("kstrip_linear_coefficients"))]
 pub unsafe extern "C" fn kstrip_linear_coefficients(
     axis_ratio: F,

@@ -6,13 +6,14 @@ use crate::ffi::support::*;
 
 /// Pressure, traction, slip and state over a grid; one point is a grid of one.
 ///
-/// Under falling friction set the contact's friction to that of kstrip_evaluate(), and multiply its shear_modulus by the law's
-/// slope_factor.
+/// Under falling friction set the contact's friction to that of kstrip_evaluate(), and multiply its
+/// shear_modulus by the law's slope_factor.
 ///
 /// @param contact         ellipse, load, material, friction.
 /// @param creepage        motion.
 /// @param options         a model with strips; NULL and KSTRIP_MODEL_DEFAULT: KSTRIP_MODEL_STRIP.
-/// @param x, columns      array of x [m] from the centre of the ellipse, and its size; outside is allowed.
+/// @param x, columns      array of x [m] from the centre of the ellipse, and its size; outside is
+///                        allowed.
 /// @param y, rows         array of y [m] and its size.
 /// @param[out] points     array of rows * columns elements; the point (x[i], y[j]) is
 ///                        points[j * columns + i].

@@ -5,7 +5,8 @@ use crate::ffi::support::*;
 
 /// Creepages from the velocities of both bodies: (upper - lower)/rolling_speed.
 ///
-/// For forward rolling at some speed; kstrip_solve_motion() takes velocities through standstill and reversal.
+/// For forward rolling at some speed; kstrip_solve_motion() takes velocities through standstill and
+/// reversal.
 ///
 /// @param lower, upper    surface velocities at the centre of the contact, in one frame.
 /// @param rolling_speed   V [m/s], > 0; x points in the rolling direction.
@@ -22,7 +23,8 @@ pub extern "C" fn kstrip_creepage_from_velocities(
     fill(creepage, || Creepage::from_velocities(given(lower)?, given(upper)?, rolling_speed))
 }
 
-/// Kalker's dimensionless parameters xi, eta, psi (5.13) of a contact in motion; zero where it is lost.
+/// Kalker's dimensionless parameters xi, eta, psi (5.13) of a contact in motion; zero where it is
+/// lost.
 ///
 /// @return KSTRIP_OK or the errors of kstrip_solve() for the same contact and creepage.
 #[unsafe(export_name = symbol!("kstrip_parameters_from_creepage"))]
@@ -37,8 +39,8 @@ pub extern "C" fn kstrip_parameters_from_creepage(
 /// The creepage that has the given parameters xi, eta, psi on a contact: the inverse of
 /// kstrip_parameters_from_creepage(); zero where it is lost.
 ///
-/// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_OVERFLOW or the errors
-///         of kstrip_solve() for the same contact.
+/// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_OVERFLOW or the
+///         errors of kstrip_solve() for the same contact.
 #[unsafe(export_name = symbol!("kstrip_creepage_from_parameters"))]
 pub extern "C" fn kstrip_creepage_from_parameters(
     contact: Option<&Contact<F>>,

@@ -8,22 +8,24 @@ use crate::ffi::support::*;
 
 /// The patch of two profiles under a load, or at an approach.
 ///
-/// Zones of contact that are apart become lobes. The results are continuous in load, approach and distances: a zone appears with zero width
-/// and zero load, grows, touches its neighbour and merges. The stiffness is the derivative of the computed load. The approach counts from the
-/// lowest point of the smoothed profile. It has a kink where another point becomes the lowest, and approach + lowest has none. A zone that
-/// reaches an end of the profile ends there, as if the bodies ended, and the status is KSTRIP_WARNING_PROFILE_END.
+/// Zones of contact that are apart become lobes. The results are continuous in load, approach and
+/// distances: a zone appears with zero width and zero load, grows, touches its neighbour and
+/// merges. The stiffness is the derivative of the computed load. The approach counts from the
+/// lowest point of the smoothed profile. It has a kink where another point becomes the lowest, and
+/// approach + lowest has none. A zone that reaches an end of the profile ends there, as if the
+/// bodies ended, and the status is KSTRIP_WARNING_PROFILE_END.
 ///
-/// The time is bounded. One part is proportional to the number of points. The other solves a system of linear equations of fixed size, three
-/// times or more while cells leave and enter.
+/// The time is bounded. One part is proportional to the number of points. The other solves a system
+/// of linear equations of fixed size, three times or more while cells leave and enter.
 ///
 /// @param profile         undeformed distance of the bodies at points in ascending y.
 /// @param contact         rolling radius, load or approach, material, friction, number of strips.
 /// @param[out] patch      receives the patch.
 /// @param[out] result     receives approach, peak pressure and load; NULL: not wanted.
-/// @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE,
-///         KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_NORMAL_FORCE, KSTRIP_ERROR_MODULUS,
-///         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_SMOOTHING_LENGTH,
-///         KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_OVERFLOW.
+/// @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE,
+///         KSTRIP_ERROR_PROFILE, KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_NORMAL_FORCE,
+///         KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION,
+///         KSTRIP_ERROR_SMOOTHING_LENGTH, KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_OVERFLOW.
 #[unsafe(export_name = symbol!("kstrip_patch_from_profile"))]
 pub unsafe extern "C" fn kstrip_patch_from_profile(
     profile: Option<&ProfilePoints<F>>,
@@ -42,8 +44,9 @@ pub unsafe extern "C" fn kstrip_patch_from_profile(
 
 /// A patch from strips of any origin, in any order of y.
 ///
-/// Strips may overlap by up to half of the distance at which they touch (a quadrature rule does), not by
-/// more. Strips that do not ascend are sorted in a copy on the stack (3 KiB; 2 KiB in single precision).
+/// Strips may overlap by up to half of the distance at which they touch (a quadrature rule does),
+/// not by more. Strips that do not ascend are sorted in a copy on the stack (3 KiB; 2 KiB in single
+/// precision).
 ///
 /// @param strips, count   the strips, at most KSTRIP_PATCH_CAPACITY; 0 is allowed.
 /// @param shear_modulus   combined shear modulus G [Pa], > 0.
@@ -69,14 +72,17 @@ pub unsafe extern "C" fn kstrip_patch_from_strips(
     })
 }
 
-/// The strips of a contact's ellipse, at the places of KSTRIP_MODEL_STRIP. A lost contact has no strips.
+/// The strips of a contact's ellipse, at the places of KSTRIP_MODEL_STRIP. A lost contact has no
+/// strips.
 ///
-/// kstrip_patch_evaluate() with KSTRIP_MODEL_STRIP gives the result of kstrip_solve() with that model and the same strip count: with eight
-/// strips or more to rounding, with four to 1 %. For the models of 1967 kstrip_solve() integrates over the whole ellipse in closed form, and a patch sums its strips: the forces differ by
-/// a part of what one strip carries.
+/// kstrip_patch_evaluate() with KSTRIP_MODEL_STRIP gives the result of kstrip_solve() with that
+/// model and the same strip count: with eight strips or more to rounding, with four to 1 %. For the
+/// models of 1967 kstrip_solve() integrates over the whole ellipse in closed form, and a patch sums
+/// its strips: the forces differ by a part of what one strip carries.
 ///
 /// @param contact         the loaded contact.
-/// @param options         strip count; its model is checked and otherwise ignored. NULL for the defaults.
+/// @param options         strip count; its model is checked and otherwise ignored. NULL for the
+///                        defaults.
 /// @param[out] patch      receives the patch.
 /// @return KSTRIP_OK, or one of the errors of kstrip_solve() for the contact and the options.
 #[unsafe(export_name = symbol!("kstrip_patch_from_contact"))]
@@ -109,29 +115,34 @@ pub extern "C" fn kstrip_patch_summarize(
 ///
 /// The creepage is that at the origin of the patch's coordinates, x = y = 0; a strip sees
 /// (longitudinal - spin y, lateral + spin centre_x), and moments are about the origin. |F| is at
-/// most the sum of friction times load over the strips. For KSTRIP_MODEL_STRIP an ellipse stands for the zone of a strip: the strips that no
-/// gap and no neck divides from it, with their load and their mean lengths, pressures and friction. The flexibilities of the strip are those
-/// of this ellipse.
-/// KSTRIP_MODEL_TOTAL takes the forces of these ellipses as they are. It is cheap and smooth, and has no strips and no share in adhesion.
+/// most the sum of friction times load over the strips. For KSTRIP_MODEL_STRIP an ellipse stands
+/// for the zone of a strip: the strips that no gap and no neck divides from it, with their load and
+/// their mean lengths, pressures and friction. The flexibilities of the strip are those of this
+/// ellipse. KSTRIP_MODEL_TOTAL takes the forces of these ellipses as they are. It is cheap and
+/// smooth, and has no strips and no share in adhesion.
 ///
-/// The forces of KSTRIP_MODEL_STRIP and KSTRIP_MODEL_TOTAL follow widths, gaps and necks without a jump, as long as all strips have one width
-/// or are narrower than it. The force of KSTRIP_MODEL_STRIP_1967 jumps, by up to what a strip carries, where a strip with spin stops
+/// The forces of KSTRIP_MODEL_STRIP and KSTRIP_MODEL_TOTAL follow widths, gaps and necks without a
+/// jump, as long as all strips have one width or are narrower than it. The force of
+/// KSTRIP_MODEL_STRIP_1967 jumps, by up to what a strip carries, where a strip with spin stops
 /// adhering; that of KSTRIP_MODEL_STRIP_1967_CONTINUOUS has a kink there.
 ///
-/// For the derivatives by load, all pressures grow by one factor; through Hertz, all lengths grow with the load's cube root as well. For the
-/// derivatives by friction, the friction of all strips grows by one factor, and the derivative is by its mean. If friction is given, the
-/// factor (1 - ratio) exp(-decay w) + ratio multiplies the friction of all strips, and the law's own coefficient is ignored.
-/// outputs->strips receives patch->count strips.
+/// For the derivatives by load, all pressures grow by one factor; through Hertz, all lengths grow
+/// with the load's cube root as well. For the derivatives by friction, the friction of all strips
+/// grows by one factor, and the derivative is by its mean. If friction is given, the factor (1 -
+/// ratio) exp(-decay w) + ratio multiplies the friction of all strips, and the law's own
+/// coefficient is ignored. outputs->strips receives patch->count strips.
 ///
 /// @param patch           the patch.
 /// @param creepage        motion at the origin.
 /// @param friction        friction that falls with the slip; NULL: constant.
-/// @param options         KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967; NULL for the
-///                        default. The strip count is checked and otherwise ignored.
+/// @param options         KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the
+///                        models of 1967; NULL for the default. The strip count is checked and
+///                        otherwise ignored.
 /// @param outputs         where the outputs go.
 /// @return as kstrip_evaluate(); KSTRIP_WARNING_RANGE (of a zone's ellipse);
-///         KSTRIP_ERROR_NOT_IN_MODEL for KSTRIP_MODEL_LINEAR (the linear theory of a patch is its derivatives at zero
-///         creepage) and for the strips of KSTRIP_MODEL_TOTAL, or one of the errors of kstrip_patch_summarize().
+///         KSTRIP_ERROR_NOT_IN_MODEL for KSTRIP_MODEL_LINEAR (the linear theory of a patch is its
+///         derivatives at zero creepage) and for the strips of KSTRIP_MODEL_TOTAL, or one of the
+///         errors of kstrip_patch_summarize().
 #[unsafe(export_name = symbol!("kstrip_patch_evaluate"))]
 pub unsafe extern "C" fn kstrip_patch_evaluate(
     patch: Option<&StoredPatch<F>>,
@@ -145,14 +156,16 @@ pub unsafe extern "C" fn kstrip_patch_evaluate(
     answer(|| evaluate_patch(given(patch)?, given(creepage)?, friction, options, given(places)?))
 }
 
-/// Pressure, traction, slip and state of a patch over a grid. They do not vary over the width of a strip.
+/// Pressure, traction, slip and state of a patch over a grid. They do not vary over the width of a
+/// strip.
 ///
-/// Under falling friction multiply the friction of all strips by the factor that kstrip_patch_evaluate() returns, and the shear modulus by
-/// the law's slope_factor.
+/// Under falling friction multiply the friction of all strips by the factor that
+/// kstrip_patch_evaluate() returns, and the shear modulus by the law's slope_factor.
 ///
 /// @param patch           the patch.
 /// @param creepage        motion at the origin.
-/// @param options         as in kstrip_patch_evaluate(), but not KSTRIP_MODEL_TOTAL; NULL for the default.
+/// @param options         as in kstrip_patch_evaluate(), but not KSTRIP_MODEL_TOTAL; NULL for the
+///                        default.
 /// @param x, columns      array of x [m] and its size; places outside of the patch are allowed.
 /// @param y, rows         array of y [m] and its size.
 /// @param[out] points     array of rows * columns elements; the point (x[i], y[j]) is

@@ -6,25 +6,29 @@ use crate::ffi::support::*;
 
 /// The coefficient of friction that explains a measured force at a known creepage.
 ///
-/// The search needs at most 90 solutions with derivatives, and 35 to 45 on average. In full sliding the force is friction times load. As
-/// friction grows the contact begins to adhere, and the force depends on friction less and less. Where the contact adheres (less than a
-/// twentieth of the friction is used, or the force is larger than linear theory gives) the status is KSTRIP_WARNING_FRICTION_AT_LEAST, and
-/// the result is the used friction |force|/load, a lower bound. Where spin opposes the creepage, more than one friction may explain the
-/// force: the status is KSTRIP_WARNING_SEVERAL_FRICTIONS, and the result is the smallest. KSTRIP_MODEL_TOTAL suits best.
-/// The force of KSTRIP_MODEL_STRIP_1967 jumps where a first strip begins to adhere. A jump across the measured force counts there as one of
-/// several solutions, and is returned only with KSTRIP_WARNING_NOT_CONVERGED. An estimate may miss a friction, most often where the
-/// force is nearly zero: this happened to up to one of ten thousand estimates with each of the models of 1967, to one of a hundred thousand
-/// with KSTRIP_MODEL_STRIP, and to none with KSTRIP_MODEL_TOTAL.
+/// The search needs at most 90 solutions with derivatives, and 35 to 45 on average. In full sliding
+/// the force is friction times load. As friction grows the contact begins to adhere, and the force
+/// depends on friction less and less. Where the contact adheres (less than a twentieth of the
+/// friction is used, or the force is larger than linear theory gives) the status is
+/// KSTRIP_WARNING_FRICTION_AT_LEAST, and the result is the used friction |force|/load, a lower
+/// bound. Where spin opposes the creepage, more than one friction may explain the force: the status
+/// is KSTRIP_WARNING_SEVERAL_FRICTIONS, and the result is the smallest. KSTRIP_MODEL_TOTAL suits
+/// best. The force of KSTRIP_MODEL_STRIP_1967 jumps where a first strip begins to adhere. A jump
+/// across the measured force counts there as one of several solutions, and is returned only with
+/// KSTRIP_WARNING_NOT_CONVERGED. An estimate may miss a friction, most often where the force is
+/// nearly zero: this happened to up to one of ten thousand estimates with each of the models of
+/// 1967, to one of a hundred thousand with KSTRIP_MODEL_STRIP, and to none with KSTRIP_MODEL_TOTAL.
 ///
 /// @param contact         ellipse, load, material; its friction is ignored.
 /// @param creepage        motion.
 /// @param options         model and strip count; NULL for the defaults. Not KSTRIP_MODEL_LINEAR.
-/// @param measured        KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added: then the resultant counts.
+/// @param measured        KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added: then the resultant
+///                        counts.
 /// @param fx, fy          measured forces on the lower body [N]; what was not measured is ignored.
 /// @param[out] estimate   receives friction, its sensitivity, and how far the force is off.
 /// @return as kstrip_solve(); KSTRIP_WARNING_FRICTION_AT_LEAST, KSTRIP_WARNING_SEVERAL_FRICTIONS,
-///         KSTRIP_WARNING_NOT_CONVERGED;
-///         KSTRIP_ERROR_NOT_IN_MODEL, KSTRIP_ERROR_MEASURED, KSTRIP_ERROR_UNEXPLAINED (a lost contact too).
+///         KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_NOT_IN_MODEL, KSTRIP_ERROR_MEASURED,
+///         KSTRIP_ERROR_UNEXPLAINED (a lost contact too).
 #[unsafe(export_name = symbol!("kstrip_estimate_friction"))]
 pub extern "C" fn kstrip_estimate_friction(
     contact: Option<&Contact<F>>,
@@ -53,14 +57,16 @@ pub extern "C" fn kstrip_estimate_friction(
 
 /// The creepage at which a contact with a given spin carries a wanted force.
 ///
-/// The search mostly needs five solutions with derivatives. Of ten thousand plausible contacts about one needs more than 12 (14 with
-/// KSTRIP_MODEL_STRIP_1967, whose force jumps). The wanted forces of these contacts are near friction times
-/// load, where the force turns back before it grows on.
-/// The search ends after 40 with KSTRIP_WARNING_NOT_CONVERGED and the creepage that comes nearest; a force within a jump of STRIP_1967 has
-/// no creepage, which happens to seven of a thousand forces with spin. Where spin keeps the force from growing with the creepage, more than
-/// one creepage may give the force; the result is one of them. A force within 0.1 % of friction times load is that of full sliding. The
-/// status is then KSTRIP_WARNING_CREEPAGE_AT_LEAST, and every creepage larger than the result gives the force as well. A lost contact
-/// carries no force at any creepage; the result is zero.
+/// The search mostly needs five solutions with derivatives. Of ten thousand plausible contacts
+/// about one needs more than 12 (14 with KSTRIP_MODEL_STRIP_1967, whose force jumps). The wanted
+/// forces of these contacts are near friction times load, where the force turns back before it
+/// grows on. The search ends after 40 with KSTRIP_WARNING_NOT_CONVERGED and the creepage that comes
+/// nearest; a force within a jump of STRIP_1967 has no creepage, which happens to seven of a
+/// thousand forces with spin. Where spin keeps the force from growing with the creepage, more than
+/// one creepage may give the force; the result is one of them. A force within 0.1 % of friction
+/// times load is that of full sliding. The status is then KSTRIP_WARNING_CREEPAGE_AT_LEAST, and
+/// every creepage larger than the result gives the force as well. A lost contact carries no force
+/// at any creepage; the result is zero.
 ///
 /// @param contact         ellipse, load, material, friction.
 /// @param fx, fy          wanted force on the lower body [N].

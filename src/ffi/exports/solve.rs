@@ -6,20 +6,21 @@ use crate::ffi::support::*;
 
 /// Forces of a contact in motion, on the lower body: the fast path.
 ///
-/// The forces are continuous in all inputs, and |F| <= mu N. They are zero where creepage and spin are zero, and where the contact is
-/// lost (normal_force <= 0), with adhesion 0. The time is bounded: every iteration has a largest number of steps.
+/// The forces are continuous in all inputs, and |F| <= mu N. They are zero where creepage and spin
+/// are zero, and where the contact is lost (normal_force <= 0), with adhesion 0. The time is
+/// bounded: every iteration has a largest number of steps.
 ///
 /// @param contact         ellipse, load, material, friction.
 /// @param creepage        motion.
 /// @param options         model and strip count; NULL for the defaults.
 /// @param[out] result     receives forces, moment, power and adhesion.
-/// @return KSTRIP_OK; KSTRIP_WARNING_SPIN, KSTRIP_WARNING_RANGE, KSTRIP_WARNING_AXIS_RATIO, KSTRIP_WARNING_MISMATCH,
-///         KSTRIP_WARNING_MISMATCH_NEGLECTED, KSTRIP_WARNING_BEYOND_FRICTION,
-///         KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_CREEPAGE, KSTRIP_WARNING_SEMI_AXIS,
-///         KSTRIP_WARNING_SPIN_UNIT, KSTRIP_WARNING_FRICTION;
-///         KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_SEMI_AXIS, KSTRIP_ERROR_MODULUS,
-///         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_MODEL,
-///         KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_OVERFLOW.
+/// @return KSTRIP_OK; KSTRIP_WARNING_SPIN, KSTRIP_WARNING_RANGE, KSTRIP_WARNING_AXIS_RATIO,
+///         KSTRIP_WARNING_MISMATCH, KSTRIP_WARNING_MISMATCH_NEGLECTED,
+///         KSTRIP_WARNING_BEYOND_FRICTION, KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_CREEPAGE,
+///         KSTRIP_WARNING_SEMI_AXIS, KSTRIP_WARNING_SPIN_UNIT, KSTRIP_WARNING_FRICTION;
+///         KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_SEMI_AXIS,
+///         KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION,
+///         KSTRIP_ERROR_MODEL, KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_OVERFLOW.
 #[unsafe(export_name = symbol!("kstrip_solve"))]
 pub extern "C" fn kstrip_solve(
     contact: Option<&Contact<F>>,
@@ -34,22 +35,23 @@ pub extern "C" fn kstrip_solve(
 
 /// Computes, for a contact in motion, every output that is not NULL.
 ///
-/// If friction is given, the coefficient of friction falls with the slip and agrees with it; the contact's own coefficient is ignored. All
-/// derivatives include that dependence. Where more than one friction agrees with its slip, the status is KSTRIP_WARNING_SEVERAL_FRICTIONS
-/// and the result has the largest. The two models of 1967 are an exception under friction that falls very steeply: their forces jump, or
-/// nearly jump, where a first strip begins to adhere, and in about one of a thousand such cases another friction, perhaps a larger one, is
-/// not found.
-/// With KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
+/// If friction is given, the coefficient of friction falls with the slip and agrees with it; the
+/// contact's own coefficient is ignored. All derivatives include that dependence. Where more than
+/// one friction agrees with its slip, the status is KSTRIP_WARNING_SEVERAL_FRICTIONS and the result
+/// has the largest. The two models of 1967 are an exception under friction that falls very steeply:
+/// their forces jump, or nearly jump, where a first strip begins to adhere, and in about one of a
+/// thousand such cases another friction, perhaps a larger one, is not found. With
+/// KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
 ///
 /// @param contact         ellipse, load, material, friction.
 /// @param creepage        motion.
 /// @param friction        friction that falls with the slip; NULL: constant.
 /// @param options         model and strip count; NULL for the defaults.
 /// @param outputs         where the outputs go.
-/// @return as kstrip_solve(); KSTRIP_WARNING_SEVERAL_FRICTIONS, KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_CAPACITY,
-///         KSTRIP_ERROR_NOT_IN_MODEL (strips), KSTRIP_ERROR_FRICTION_RATIO, KSTRIP_ERROR_FRICTION_DECAY,
-///         KSTRIP_ERROR_NEGATIVE_SPEED, KSTRIP_ERROR_SLOPE_FACTOR; KSTRIP_ERROR_OVERFLOW also when a
-///         derivative is too large.
+/// @return as kstrip_solve(); KSTRIP_WARNING_SEVERAL_FRICTIONS, KSTRIP_WARNING_NOT_CONVERGED;
+///         KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_NOT_IN_MODEL (strips), KSTRIP_ERROR_FRICTION_RATIO,
+///         KSTRIP_ERROR_FRICTION_DECAY, KSTRIP_ERROR_NEGATIVE_SPEED, KSTRIP_ERROR_SLOPE_FACTOR;
+///         KSTRIP_ERROR_OVERFLOW also when a derivative is too large.
 #[unsafe(export_name = symbol!("kstrip_evaluate"))]
 pub unsafe extern "C" fn kstrip_evaluate(
     contact: Option<&Contact<F>>,
@@ -65,8 +67,9 @@ pub unsafe extern "C" fn kstrip_evaluate(
 
 /// Computes what depends on the contact and the options only, for kstrip_solve_prepared().
 ///
-/// Use this for rigs whose contact is constant, and for iterations on the creepage. kstrip_solve_prepared()
-/// refuses a structure that was never prepared, or was prepared in the other precision.
+/// Use this for rigs whose contact is constant, and for iterations on the creepage.
+/// kstrip_solve_prepared() refuses a structure that was never prepared, or was prepared in the
+/// other precision.
 ///
 /// @param contact         ellipse, load, material, friction.
 /// @param options         model and strip count; NULL for the defaults.
@@ -99,16 +102,18 @@ pub extern "C" fn kstrip_solve_prepared(
     solved(result, || given(prepared)?.solve(given(creepage)?))
 }
 
-/// Forces of a contact that rolls forward, backward, or not at all, with derivatives by its motion: for wheels that stop,
-/// hold and reverse.
+/// Forces of a contact that rolls forward, backward, or not at all, with derivatives by its motion:
+/// for wheels that stop, hold and reverse.
 ///
-/// The creepages are slip over sqrt(rolling_speed^2 + floor_speed^2). Far from standstill the leading edge of the patch lies ahead, in the
-/// direction of the motion. Near standstill the results of both directions are blended, so that forces and derivatives are continuous.
-/// Friction opposes the slip at every speed. The axis x keeps its direction when the motion reverses.
+/// The creepages are slip over sqrt(rolling_speed^2 + floor_speed^2). Far from standstill the
+/// leading edge of the patch lies ahead, in the direction of the motion. Near standstill the
+/// results of both directions are blended, so that forces and derivatives are continuous. Friction
+/// opposes the slip at every speed. The axis x keeps its direction when the motion reverses.
 ///
 /// @param contact         ellipse, load, material, friction.
 /// @param motion          slip, spin rate, signed rolling speed.
-/// @param friction        friction that falls with the slip; NULL: constant. Its rolling_speed does not count.
+/// @param friction        friction that falls with the slip; NULL: constant. Its rolling_speed does
+///                        not count.
 /// @param options         model and strip count; NULL for the defaults.
 /// @param outputs         where the outputs go.
 /// @return as kstrip_evaluate(); KSTRIP_ERROR_FLOOR_SPEED.
@@ -157,7 +162,8 @@ pub extern "C" fn kstrip_solve_strip(
     })
 }
 
-/// kstrip_solve() with KSTRIP_MODEL_STRIP_1967; a program that calls only this links no other model.
+/// kstrip_solve() with KSTRIP_MODEL_STRIP_1967; a program that calls only this links no other
+/// model.
 ///
 /// @param strips          4, 8, 16, 32 or 64; 0: 16.
 /// @return as kstrip_solve().

@@ -6,18 +6,23 @@ use crate::ffi::wheel_rail::*;
 
 /// Prepares a profile of a rail or a wheel from its points. Do this once for each profile.
 ///
-/// The points are in their order along the profile. They may run either way along y, turn back (as those of a measured flange do) and lie at
-/// any distances. The flange of a wheel and the gauge side of a rail are at small y (profiles of a right wheel), and z points down.
+/// The points are in their order along the profile. They may run either way along y, turn back (as
+/// those of a measured flange do) and lie at any distances. The flange of a wheel and the gauge
+/// side of a rail are at small y (profiles of a right wheel), and z points down.
 ///
-/// @param y, z, points    the points [m], at least 4. Those of a rail are measured from its origin, those of a wheel from its running
-///                        circle; the z of a wheel is its radius minus wheel_radius.
-/// @param step            length between prepared points [m]; 0: the length over the capacity, at least 0.2 mm.
-/// @param smoothing_length  each point is replaced by that of a parabola fitted to the points up to this distance [m], >= 0; 0: the
-///                        profile goes through all points. 2 to 4 mm suit measured profiles.
+/// @param y, z, points    the points [m], at least 4. Those of a rail are measured from its origin,
+///                        those of a wheel from its running circle; the z of a wheel is its radius
+///                        minus wheel_radius.
+/// @param step            length between prepared points [m]; 0: the length over the capacity, at
+///                        least 0.2 mm.
+/// @param smoothing_length  each point is replaced by that of a parabola fitted to the points up to
+///                        this distance [m], >= 0; 0: the profile goes through all points. 2 to 4
+///                        mm suit measured profiles.
 /// @param[out] surface    receives the profile.
-/// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (too few points, two that coincide, a negative
-///         step), KSTRIP_ERROR_SMOOTHING_LENGTH, KSTRIP_ERROR_CAPACITY (the step needs too many
-///         points), KSTRIP_ERROR_OVERFLOW (the profile is shorter than 1 um or longer than 1 km).
+/// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (too few
+///         points, two that coincide, a negative step), KSTRIP_ERROR_SMOOTHING_LENGTH,
+///         KSTRIP_ERROR_CAPACITY (the step needs too many points), KSTRIP_ERROR_OVERFLOW (the
+///         profile is shorter than 1 um or longer than 1 km).
 #[unsafe(export_name = symbol!("kstrip_prepare_profile"))]
 pub unsafe extern "C" fn kstrip_prepare_profile(
     y: *const F,
@@ -35,17 +40,19 @@ pub unsafe extern "C" fn kstrip_prepare_profile(
     })
 }
 
-/// The gap between a wheel and a rail: the line on the wheel along which its normal is perpendicular to x, and its distance from the rail.
+/// The gap between a wheel and a rail: the line on the wheel along which its normal is
+/// perpendicular to x, and its distance from the rail.
 ///
 /// @param rail, wheel     prepared profiles.
 /// @param wheel_radius    radius of the wheel at z = 0 of its profile [m], > 0.
-/// @param position        where the right wheel is. For a left wheel pass lateral, yaw and roll with the opposite signs.
+/// @param position        where the right wheel is. For a left wheel pass lateral, yaw and roll
+///                        with the opposite signs.
 /// @param reach           distance from the rail above which points are left out [m]; 0: 2 mm.
 /// @param[out] gap        receives the points.
-/// @param[out] least      receives their least distance [m]: negative where the surfaces overlap, and reach where no point is nearer;
-///                        NULL: not wanted.
-/// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NOT_PREPARED, KSTRIP_ERROR_ROLLING_RADIUS,
-///         KSTRIP_ERROR_PROFILE_END (the wheel is beside the rail).
+/// @param[out] least      receives their least distance [m]: negative where the surfaces overlap,
+///                        and reach where no point is nearer; NULL: not wanted.
+/// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NOT_PREPARED,
+///         KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_PROFILE_END (the wheel is beside the rail).
 #[unsafe(export_name = symbol!("kstrip_touch"))]
 pub extern "C" fn kstrip_touch(
     rail: Option<&Surface<F>>,
@@ -65,19 +72,22 @@ pub extern "C" fn kstrip_touch(
 
 /// The contacts of a gap, in ascending y of a right wheel.
 ///
-/// Zones of overlap less than 4 mm apart are one contact and one normal problem; zones more than 8 mm apart are contacts of their own.
-/// Between these distances the common contact and the single ones each count by a share.
+/// Zones of overlap less than 4 mm apart are one contact and one normal problem; zones more than 8
+/// mm apart are contacts of their own. Between these distances the common contact and the single
+/// ones each count by a share.
 ///
 /// @param gap             the gap between the surfaces, from kstrip_touch() or a host's own search.
 /// @param pair            materials, friction, side.
 /// @param position        where the wheel is.
 /// @param workspace       memory for the strips of a contact; it may hold anything.
-/// @param[out] contacts   array of KSTRIP_CONTACTS_CAPACITY elements; receives the contacts. (After an error some may have been
-///                        written; count has not.)
+/// @param[out] contacts   array of KSTRIP_CONTACTS_CAPACITY elements; receives the contacts. (After
+///                        an error some may have been written; count has not.)
 /// @param[out] count      receives their number; 0: the wheel is lifted.
-/// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_ERROR_NULL, KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_PATCH_SIZE (more contacts than
-///         there is room for), KSTRIP_ERROR_PROFILE (lengths or places of friction do not ascend, an angle beyond 1.6),
-///         KSTRIP_ERROR_PROFILE_END (a contact at an end of the gap), or one of the errors of kstrip_patch_from_profile().
+/// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_ERROR_NULL, KSTRIP_ERROR_CAPACITY,
+///         KSTRIP_ERROR_PATCH_SIZE (more contacts than there is room for), KSTRIP_ERROR_PROFILE
+///         (lengths or places of friction do not ascend, an angle beyond 1.6),
+///         KSTRIP_ERROR_PROFILE_END (a contact at an end of the gap), or one of the errors of
+///         kstrip_patch_from_profile().
 #[unsafe(export_name = symbol!("kstrip_contacts_from_gap"))]
 pub unsafe extern "C" fn kstrip_contacts_from_gap(
     gap: Option<&Gap<F>>,
@@ -101,8 +111,9 @@ pub unsafe extern "C" fn kstrip_contacts_from_gap(
     })
 }
 
-/// How the wheel moves over the rail at a contact: slip, spin rate and rolling speed. They are the input of kstrip_solve_motion(). Slip and
-/// spin rate divided by the rolling speed are the creepages of kstrip_patch_evaluate(). The motion is linear in the velocity.
+/// How the wheel moves over the rail at a contact: slip, spin rate and rolling speed. They are the
+/// input of kstrip_solve_motion(). Slip and spin rate divided by the rolling speed are the
+/// creepages of kstrip_patch_evaluate(). The motion is linear in the velocity.
 ///
 /// @param contact         a contact.
 /// @param velocity        how the wheel moves.
@@ -117,18 +128,23 @@ pub extern "C" fn kstrip_wheel_motion(
     fill(motion, || given(contact)?.checked_motion(given(velocity)?))
 }
 
-/// Force and moment on the wheel from its contacts. The contacts may come from kstrip_contacts_from_gap() or from a table.
+/// Force and moment on the wheel from its contacts. The contacts may come from
+/// kstrip_contacts_from_gap() or from a table.
 ///
-/// The wheel may roll forward or backward, or stand still, as in kstrip_solve_motion(): forces are continuous through rest, with the default
-/// floor of the speed.
+/// The wheel may roll forward or backward, or stand still, as in kstrip_solve_motion(): forces are
+/// continuous through rest, with the default floor of the speed.
 ///
-/// @param contacts, count  the contacts, at most KSTRIP_CONTACTS_CAPACITY; a wheel without contacts is lifted, and its forces are zero.
+/// @param contacts, count  the contacts, at most KSTRIP_CONTACTS_CAPACITY; a wheel without contacts
+///                         is lifted, and its forces are zero.
 /// @param velocity        how the wheel moves.
-/// @param model           KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967.
-/// @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL: constant.
+/// @param model           KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the
+///                        models of 1967.
+/// @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL:
+///                        constant.
 /// @param[out] wrench     receives force and moment.
 /// @param[out] derivatives  receives their derivatives by velocity and friction; NULL: not wanted.
-/// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE or a status of kstrip_patch_evaluate(); KSTRIP_ERROR_PATCH_SIZE.
+/// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE or a status of kstrip_patch_evaluate();
+///         KSTRIP_ERROR_PATCH_SIZE.
 #[unsafe(export_name = symbol!("kstrip_wrench_from_contacts"))]
 pub unsafe extern "C" fn kstrip_wrench_from_contacts(
     contacts: *const WheelContact<F>,
@@ -154,22 +170,27 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
     })
 }
 
-/// Force and moment on a wheel on a rail in one call: kstrip_touch(), kstrip_contacts_from_gap(), kstrip_wrench_from_contacts().
+/// Force and moment on a wheel on a rail in one call: kstrip_touch(), kstrip_contacts_from_gap(),
+/// kstrip_wrench_from_contacts().
 ///
-/// The track is straight. In a curve, pass the velocity relative to the momentary track, which is at rest. Force and moment are continuous
-/// in position and velocity: a contact appears and vanishes with zero load, and two contacts between 8 and 4 mm of distance become one.
-/// The time is bounded.
+/// The track is straight. In a curve, pass the velocity relative to the momentary track, which is
+/// at rest. Force and moment are continuous in position and velocity: a contact appears and
+/// vanishes with zero load, and two contacts between 8 and 4 mm of distance become one. The time is
+/// bounded.
 ///
 /// @param rail, wheel     prepared profiles.
 /// @param pair            materials, friction, side, number of strips, model.
 /// @param position        where the wheel is.
 /// @param velocity        how it moves.
-/// @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL: constant.
+/// @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL:
+///                        constant.
 /// @param workspace       memory that may hold anything; receives gap and contacts.
 /// @param[out] wrench     receives force and moment.
-/// @param[out] derivatives  receives their exact derivatives by velocity and friction; NULL: not wanted.
-/// @param[out] by_position  receives their derivatives by the position: central differences of 1 um and 1 urad (15 in single precision),
-///                        eight times the cost of a call; NULL: not wanted.
+/// @param[out] derivatives  receives their exact derivatives by velocity and friction; NULL: not
+///                          wanted.
+/// @param[out] by_position  receives their derivatives by the position: central differences of 1 um
+///                        and 1 urad (15 in single precision), eight times the cost of a call;
+///                        NULL: not wanted.
 /// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE, or a status of one of these functions.
 #[unsafe(export_name = symbol!("kstrip_wheel_on_rail"))]
 pub extern "C" fn kstrip_wheel_on_rail(
@@ -199,17 +220,19 @@ pub extern "C" fn kstrip_wheel_on_rail(
     })
 }
 
-/// The vertical position at which the rail supports a wheel with a given force. Use it to begin a run, and for tables. The search tries about
-/// eight positions, and 64 at most.
+/// The vertical position at which the rail supports a wheel with a given force. Use it to begin a
+/// run, and for tables. The search tries about eight positions, and 64 at most.
 ///
 /// @param rail, wheel, pair  as in kstrip_wheel_on_rail().
 /// @param position        where the wheel is; its vertical member is where the search begins.
 /// @param support         wanted upward force of the rail on the wheel [N], > 0.
-/// @param velocity        how the wheel moves; its creep forces carry a part of the load. NULL: the pressure carries all of it.
+/// @param velocity        how the wheel moves; its creep forces carry a part of the load. NULL: the
+///                        pressure carries all of it.
 /// @param friction        as in kstrip_wheel_on_rail().
 /// @param workspace       memory that may hold anything; receives gap and contacts.
 /// @param[out] vertical   receives the vertical position [m].
-/// @return KSTRIP_OK, KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_NORMAL_FORCE (support), or an error of kstrip_wheel_on_rail().
+/// @return KSTRIP_OK, KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_NORMAL_FORCE (support), or an
+///         error of kstrip_wheel_on_rail().
 #[unsafe(export_name = symbol!("kstrip_height_for_load"))]
 pub extern "C" fn kstrip_height_for_load(
     rail: Option<&Surface<F>>,

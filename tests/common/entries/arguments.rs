@@ -1,4 +1,5 @@
-//! What comes before and after a contact is solved: materials, Hertz, creepages, the upper body, texts.
+//! What comes before and after a contact is solved: materials, Hertz, creepages, the upper body,
+//! texts.
 
 use super::super::*;
 use super::contacts::{contact, creepage};

@@ -393,8 +393,8 @@ fn plausible_strips(
     let friction = law.map_or(contact.friction, |law| law.friction);
     let bound = f64::from(friction) * f64::from(contact.normal_force);
     let lever = f64::from(contact.a).max(contact.b.into());
-    // Shares of fx, fy, mz, and what there is of each to round: beyond the theory's spin some strips take away what
-    // others have.
+    // Shares of fx, fy, mz, and what there is of each to round: beyond the theory's spin some
+    // strips take away what others have.
     let (mut sums, mut sizes) = ([0.0; 3], [0.0; 3]);
     for s in strips {
         let numbers = [s.y, s.width, s.half_length, s.separatrix, s.fx, s.fy, s.mz, s.power];
@@ -421,8 +421,8 @@ pub fn plausible_point(p: &kstrip_point, friction: Float, peak: f64, context: im
     // (of a lost contact friction is any number)
     let friction = f64::from(friction).max(0.0);
     let bound = friction * f64::from(p.pressure);
-    // The bound of a point next to the separatrix is a difference of square roots; its digits are those of
-    // the peak. A pressure below the smallest normal number has none.
+    // The bound of a point next to the separatrix is a difference of square roots; its digits are
+    // those of the peak. A pressure below the smallest normal number has none.
     let lost = 4.0 * friction * Float::SMALLEST;
     let allowed = 1e3 * Float::ROUNDING * peak + lost + 1e-30;
     let traction = f64::from(p.traction_x).hypot(p.traction_y.into());

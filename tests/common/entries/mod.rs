@@ -1,11 +1,12 @@
 //! Every C function with arbitrary bytes as its arguments, and what must hold whatever they are.
 //!
-//! Used by the libFuzzer targets of `fuzz/` and by `tests/interface/fuzz_properties.rs`. The first byte chooses the function
-//! and its precision, the others are its arguments. A function that the header gets is added to one of the lists
-//! [`ENTRIES`](double::contacts::ENTRIES); `tests/interface/fuzz_properties.rs` finds out if it is not.
+//! Used by the libFuzzer targets of `fuzz/` and by `tests/interface/fuzz_properties.rs`. The first
+//! byte chooses the function and its precision, the others are its arguments. A function that the
+//! header gets is added to one of the lists [`ENTRIES`](double::contacts::ENTRIES);
+//! `tests/interface/fuzz_properties.rs` finds out if it is not.
 //!
-//! * A status below zero leaves every output as it was (they are filled with a pattern first), and any other
-//!   status leaves what was not asked for.
+//! * A status below zero leaves every output as it was (they are filled with a pattern first), and
+//!   any other status leaves what was not asked for.
 //! * Another status means finite outputs.
 //! * Models with a friction bound: `|F| ≤ μ N` and tractions `≤ μ Z`, up to rounding.
 //! * TOTAL never gains energy.
@@ -137,7 +138,8 @@ pub fn untouched<T>(value: &MaybeUninit<T>) -> bool {
 /// What a call has written, if its status says so.
 fn written<T: Copy>(value: &MaybeUninit<T>) -> T {
     assert!(!untouched(value), "nothing was written");
-    // SAFETY: every byte has been set, at the latest by `poisoned`, and any bits are a value of a C structure.
+    // SAFETY: every byte has been set, at the latest by `poisoned`, and any bits are a value of a C
+    // structure.
     unsafe { value.assume_init_read() }
 }
 
@@ -239,7 +241,8 @@ fn answered(status: i32, outputs_untouched: bool) -> bool {
     status >= 0
 }
 
-/// A call with some inputs, any of which may be missing, and one output after them: the status and what was written, if it is an answer.
+/// A call with some inputs, any of which may be missing, and one output after them: the status and
+/// what was written, if it is an answer.
 #[track_caller]
 fn asked<T: Copy>(
     bytes: &mut Bytes,

@@ -161,15 +161,17 @@ fn patch_from_profile(bytes: &mut Bytes) {
         assert!(found.peak_y.is_finite() && found.iterations <= 120, "{found:?}");
         let load = f64::from(accepted(&patch).normal_force);
         let reached = f64::from(found.normal_force);
-        // (far fewer digits are lost unless the numbers are at the ends of their range; tests/models/patch.rs asks for them.
-        // A load among the subnormal numbers is a sum of such numbers, each rounded to the smallest of them.)
+        // (far fewer digits are lost unless the numbers are at the ends of their range;
+        // tests/models/patch.rs asks for them. A load among the subnormal numbers is a sum of such
+        // numbers, each rounded to the smallest of them.)
         let smallest = f64::from(Float::from_bits(1));
         let allowed = 1.001e-3 * reached + smallest * f64::from(patch.count);
         assert!((load - reached).abs() <= allowed, "{load} {found:?} {patch:?}");
     }
 }
 
-/// A patch as a program may have it: built by one of the three functions, perhaps changed since, or any bits.
+/// A patch as a program may have it: built by one of the three functions, perhaps changed since, or
+/// any bits.
 fn patch(bytes: &mut Bytes) -> Option<kstrip_patch> {
     let mut out = poisoned::<kstrip_patch>();
     let way = bytes.byte();

@@ -1,4 +1,5 @@
-//! Wheel on rail: profiles that are mostly round, positions near contact, contacts with any changes.
+//! Wheel on rail: profiles that are mostly round, positions near contact, contacts with any
+//! changes.
 
 use super::super::*;
 use super::contacts::friction_of;
