@@ -1,6 +1,7 @@
 #!/bin/sh
 # Draws every picture in docs/: figures of the paper, of the tour and of the cookbook, the accuracy report with its maps, the
-# patches, the report of speed against error (its times are those of this machine), the page that computes (in Chromium).
+# patches, the report of speed against error (its times are those of this machine), the page that computes (in Chromium), the page on
+# Python (with matplotlib; PYTHON names another Python).
 #
 #     scripts/pictures.sh
 set -eu
@@ -11,3 +12,5 @@ cargo bench --quiet --locked --bench patches
 cargo bench --quiet --locked --bench speed
 sh scripts/web.sh
 "${PYTHON:-python3}" tests/web/page.py --picture docs/figures/page.png
+sh scripts/library.sh
+"${PYTHON:-python3}" bindings/python/pictures.py

@@ -175,17 +175,31 @@ fn cpp_blocks_run() {
     }
 }
 
+fn has_matplotlib() -> bool {
+    let answer = python().map(|mut python| python.args(["-c", "import matplotlib"]).output());
+    answer.is_ok_and(|answer| answer.is_ok_and(|output| output.status.success()))
+}
+
 #[test]
 fn python_blocks_run() {
     let programs = programs("python");
     assert!(!programs.is_empty());
     for (page, code, output) in programs {
+        let draws = code.contains("import plot");
         match python() {
             Err(missing) => {
                 say(&format!("SKIPPED: the Python blocks, because there is no {missing}"))
             }
+            Ok(_) if draws && !has_matplotlib() => {
+                say(&format!("SKIPPED: {}, because there is no matplotlib", page.display()))
+            }
             Ok(mut python) => {
-                assert_eq!(output_of(python.args(["-c", &code])), output, "{}", page.display());
+                assert_eq!(
+                    output_of(python.env("MPLBACKEND", "svg").args(["-c", &code])),
+                    output,
+                    "{}",
+                    page.display()
+                );
             }
         }
     }

@@ -192,14 +192,14 @@ found = kstrip.estimate_friction(contact[0], kstrip.creepage(1e-3), fx=result.fx
 
     def test_checkers(self):
         names = [name for name in ("mypy", "pyright") if importlib.util.find_spec(name) is not None]
-        if not names:
-            self.skipTest("SKIPPED: types of the Python binding, because there is neither mypy nor pyright")
+        if not names or importlib.util.find_spec("matplotlib") is None:
+            self.skipTest("SKIPPED: types of the Python binding, because mypy and pyright, or matplotlib, are missing")
         with tempfile.TemporaryDirectory() as folder:
             right, wrong = pathlib.Path(folder) / "right.py", pathlib.Path(folder) / "wrong.py"
             right.write_text(self.RIGHT, encoding="utf-8")
             wrong.write_text(self.RIGHT + "\n".join(self.WRONG) + "\n", encoding="utf-8")
             first = len(self.RIGHT.splitlines()) + 1
-            examples = [FOLDER / name for name in ("tour.py", "wheel_on_rail.py")]
+            examples = [FOLDER / name for name in ("tour.py", "wheel_on_rail.py", "pictures.py")]
             runs = {name: self.run_checker(name, [FOLDER / "kstrip", right, wrong, *(examples if name == "pyright" else [])]) for name in names}
             said_by = {name: run.communicate()[0] for name, run in runs.items()}
             for name, said in said_by.items():

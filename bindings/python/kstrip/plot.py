@@ -1,0 +1,246 @@
+"""Pictures of contacts and wheels; needs matplotlib: pip install kstrip[plot].
+
+    creep_curve          force against creepage, with its derivative, for several models
+    traction_map         tractions inside a patch, with stick and slip
+    patch_on_profiles    where a wheel touches a rail, and the pressure in its patches
+    lateral_shift        contact angle, radius difference, load and forces of a wheelset against its lateral shift
+    measured_curve       measured forces against creepage, with curves of laws of friction
+
+Each function returns a matplotlib figure: `figure.savefig("curve.svg")`, or `matplotlib.pyplot.show()`. `figure` is one to draw into,
+or a subfigure. Colours differ for colour-blind readers too, and stand out from white and from black (`plt.style.use("dark_background")`).
+"""
+
+from __future__ import annotations
+
+from typing import Any, Optional, Sequence, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+try:
+    import matplotlib.pyplot as plt
+except ImportError as error:
+    raise ImportError("kstrip.plot needs matplotlib: pip install 'kstrip[plot]'") from error
+
+from ._inputs import Model
+from ._solve import evaluate, field, solve
+from ._structures import creepage as creepage_of
+from ._types import Contact, Creepage, Friction, Patch, Surface, WheelContact, WheelPair, WheelPosition, WheelVelocity
+from ._wheel import height_for_load, wheel_on_rail, wheel_position, wheel_velocity
+
+__all__ = ["creep_curve", "traction_map", "patch_on_profiles", "lateral_shift", "measured_curve", "COLOURS"]
+
+#: Vermilion, blue, green, purple of Okabe and Ito; each has a contrast of three or more with white and with black.
+COLOURS = ("#D55E00", "#0072B2", "#009E73", "#CC79A7")
+_STYLES = ("-", "--", "-.", ":")
+_PRESSURE = "cividis"
+
+
+def _new(figure: Any, width: float, height: float) -> Any:
+    return plt.figure(figsize=(width, height), layout="constrained") if figure is None else figure
+
+
+def _label(axes: Any, x: str, y: str, title: str = "") -> None:
+    axes.set(xlabel=x, ylabel=y, title=title)
+    axes.grid(True, alpha=0.3)
+    axes.set_axisbelow(True)
+
+
+def _line(i: int) -> dict[str, Any]:
+    """Lines differ in colour and in style."""
+    return {"color": COLOURS[i % len(COLOURS)], "linestyle": _STYLES[i % len(_STYLES)]}
+
+
+def creep_curve(contact: Contact, creepage: Optional[ArrayLike] = None, *, spin: float = 0.0, models: Sequence[Model] = ("total", "strip"),
+                friction: Optional[Friction] = None, figure: Any = None) -> Any:
+    """The longitudinal force [kN] against the longitudinal creepage [%], and its derivative below.
+
+    contact: one contact(). creepage: array [-]; None: to where the linear force is four times the friction bound.
+    spin: [1/m]. models: their names. friction: a law of friction() that falls with the slip.
+    """
+    bound = float(contact.friction * contact.normal_force)
+    if creepage is None:
+        slope = evaluate(contact, creepage_of(0.0, 0.0, spin)).derivatives
+        assert slope is not None
+        creepage = np.linspace(0.0, 4.0 * bound / float(slope.jacobian[..., 0, 0]), 201)
+    places = np.asarray(creepage, float)
+    drawn = _new(figure, 5.5, 5.5)
+    above, below = drawn.subplots(2, 1, sharex=True, height_ratios=(3, 2))
+    for i, model in enumerate(models):
+        found = evaluate(contact, creepage_of(places, 0.0, spin), friction, model)
+        assert found.derivatives is not None
+        above.plot(100 * places, 1e-3 * found.result.fx, label=str(model).upper(), **_line(i))
+        below.plot(100 * places, 1e-6 * found.derivatives.jacobian[..., 0, 0], **_line(i))
+    above.axhline(1e-3 * bound, color="0.5", linewidth=0.8)
+    above.annotate("friction times load", (1, 1e-3 * bound), xycoords=("axes fraction", "data"), xytext=(-4, -4), textcoords="offset points",
+                   ha="right", va="top", color="0.5")
+    _label(above, "", "force on the rail [kN]", "Creep curve" + (f", spin {spin:g} 1/m" if spin else ""))
+    above.legend(loc="lower right")
+    _label(below, "longitudinal creepage [%]", "derivative [MN]")
+    return drawn
+
+
+def traction_map(area: Union[Contact, Patch], creepage: Creepage, *, model: Model = "default", strips: int = 64, figure: Any = None) -> Any:
+    """Traction on the lower body [MPa] as colour and arrows, and the border of stick and slip; x, the rolling direction, points up.
+
+    area: one contact(), or a patch of any shape. creepage: one creepage().
+    """
+    if isinstance(area, Patch):
+        used = area.strips[: int(area.count)]
+        side, end = used.y + 0.5 * used.width, used.y - 0.5 * used.width
+        y = np.linspace(1.02 * end.min() - 0.02 * side.max(), 1.02 * side.max() - 0.02 * end.min(), 241)
+        half = float((used.half_length + abs(used.centre_x)).max())
+    else:
+        y, half = float(area.b) * np.linspace(-1.02, 1.02, 241), float(area.a)
+    x = half * np.linspace(-1.04, 1.04, 241)
+    points = field(area, creepage, x, y, model, strips)
+    outside = points.state == 0
+    size = np.ma.array(1e-6 * np.hypot(points.traction_x, points.traction_y), mask=outside)
+    drawn = _new(figure, 5.2, 4.8)
+    axes = drawn.subplots()
+    shade = axes.pcolormesh(1e3 * y, 1e3 * x, size.T, cmap=_PRESSURE, shading="nearest", rasterized=True)
+    drawn.colorbar(shade, label="traction [MPa]")
+    stick = np.ma.array(np.where(points.state == 1, 1.0, 0.0), mask=outside)
+    if 0.0 < stick.mean() < 1.0:
+        axes.contour(1e3 * y, 1e3 * x, stick.T, [0.5], colors=COLOURS[0], linewidths=1.8)
+    # Every twelfth point has an arrow.
+    few = slice(6, None, 12)
+    across, along = np.meshgrid(1e3 * y[few], 1e3 * x[few], indexing="ij")
+    seen = ~outside[few, few]
+    axes.quiver(across[seen], along[seen], points.traction_y[few, few][seen], points.traction_x[few, few][seen], color="white", width=0.0035)
+    for state, name in ((1, "stick"), (2, "slip")):
+        inside = np.argwhere(points.state == state)
+        if len(inside) > 300:
+            j, i = inside[np.argmin(np.hypot(*(inside - inside.mean(axis=0)).T))]
+            axes.annotate(name, (1e3 * y[j], 1e3 * x[i]), color="black", ha="center", weight="bold", bbox={"facecolor": "white", "alpha": 0.75, "lw": 0})
+    numbers = f"{100 * float(creepage.longitudinal):g} %, {100 * float(creepage.lateral):g} %, {float(creepage.spin):g} 1/m"
+    _label(axes, "y [mm]", "x, rolling direction [mm]", f"Traction on the lower body\ncreepages {numbers}")
+    axes.set_aspect("equal")
+    axes.grid(False)
+    return drawn
+
+
+def _of_one(contacts: WheelContact) -> list[WheelContact]:
+    return [contact for contact in contacts if float(contact.normal_force) > 0.0]
+
+
+def patch_on_profiles(rail: Surface, wheel: Surface, pair: WheelPair, position: WheelPosition, *, figure: Any = None) -> Any:
+    """Where a wheel touches a rail: both profiles with the patches on them, and below the pressure [MPa] in each patch.
+
+    rail, wheel, pair, position: of one wheel, as in wheel_on_rail(). A left wheel is drawn as its mirror image, a right one.
+    """
+    still = wheel_velocity(forward=1.0, pitch=-1.0 / float(pair.wheel_radius))
+    contacts = _of_one(wheel_on_rail(rail, wheel, pair, position, still).contacts)
+    sign = -1.0 if int(pair.left) else 1.0
+    lateral, vertical, roll = sign * float(position.lateral), float(position.vertical), sign * float(position.roll)
+    radius = float(pair.wheel_radius)
+    drawn = _new(figure, 6.4, 6.0)
+    grid = drawn.add_gridspec(2, max(1, len(contacts)), height_ratios=(3, 2))
+    above = drawn.add_subplot(grid[0, :])
+    ry, rz = (1e3 * np.asarray(v)[: int(rail.count)] for v in (rail.y, rail.z))
+    wy, wz = (np.asarray(v)[: int(wheel.count)] for v in (wheel.y, wheel.z))
+    # About the wheel's centre, one radius above z = 0 of its profile
+    py = lateral + np.cos(roll) * wy - np.sin(roll) * (wz + radius)
+    pz = vertical - radius + np.sin(roll) * wy + np.cos(roll) * (wz + radius)
+    above.plot(ry, rz, label="rail", **_line(1))
+    above.plot(1e3 * py, 1e3 * pz, label="wheel", **_line(0))
+    for i, contact in enumerate(contacts):
+        used = contact.patch.strips[: int(contact.patch.count)]
+        y0, z0 = 1e3 * (sign * float(contact.origin[1]) + lateral), 1e3 * (float(contact.origin[2]) + vertical - radius)
+        angle = float(contact.angle)
+        s = 1e3 * np.array([(used.y - 0.5 * used.width).min(), (used.y + 0.5 * used.width).max()])
+        above.plot(y0 + np.cos(angle) * s, z0 + np.sin(angle) * s, color=COLOURS[3], linewidth=5, solid_capstyle="butt",
+                   label="contact" if i == 0 else None)
+        above.annotate(f"{np.degrees(angle):.1f}°, {1e-3 * float(contact.normal_force):.1f} kN", (y0, z0), xytext=(0, -24), textcoords="offset points",
+                       ha="center", arrowprops={"arrowstyle": "-", "color": "0.5"})
+        axes = drawn.add_subplot(grid[1, i])
+        x = np.linspace(-1.05, 1.05, 161) * float((used.half_length + abs(used.centre_x)).max())
+        inside = 1.0 - ((x[:, None] - used.centre_x) / used.half_length) ** 2
+        # A column for each strip and an empty one after it, which has a width where the zones of a patch are apart
+        edges = 1e3 * np.stack((used.y - 0.5 * used.width, used.y + 0.5 * used.width), axis=-1).ravel()
+        pressure = np.ma.masked_equal(np.zeros((x.size, edges.size - 1)), 0.0)
+        pressure[:, ::2] = np.ma.masked_less_equal(1e-6 * used.peak_pressure * np.sqrt(np.maximum(inside, 0.0)), 0.0)
+        shade = axes.pcolormesh(np.maximum.accumulate(edges), 1e3 * np.append(x, 2 * x[-1] - x[-2]), pressure, cmap=_PRESSURE, rasterized=True)
+        drawn.colorbar(shade, label="pressure [MPa]")
+        _label(axes, "along the surface [mm]", "x, forward [mm]", f"peak {1e-6 * float(used.peak_pressure.max()):.0f} MPa")
+        axes.grid(False)
+    low, high = np.nanmin(rz), np.nanmax(rz)
+    above.set_ylim(min(high, 20.0 + low), low - 12.0)
+    above.set_xlim(ry.min() - 5.0, ry.max() + 5.0)
+    above.set_aspect("equal")
+    _label(above, "y from the rail's origin [mm]", "z, down [mm]", "A wheel on a rail" + (" (left, mirrored)" if sign < 0 else ""))
+    above.legend(loc="lower right")
+    return drawn
+
+
+def _mean(contacts: WheelContact, name: str) -> NDArray[np.float64]:
+    """A member of the contacts of each wheel, weighted with load; NaN for a lifted wheel."""
+    weights = contacts.share * contacts.normal_force
+    with np.errstate(invalid="ignore"):
+        found: NDArray[np.float64] = np.sum(weights * contacts[name], axis=-1) / np.sum(weights, axis=-1)
+    return found
+
+
+def lateral_shift(rail: Surface, wheel: Surface, pair: WheelPair, shifts: ArrayLike, load: float, *, offset: float = 0.0,
+                  velocity: Optional[WheelVelocity] = None, friction: Optional[Friction] = None, figure: Any = None) -> Any:
+    """A wheelset against its lateral shift: contact angle, radius difference, load and forces of both wheels.
+
+    rail, wheel, pair: as in wheel_on_rail(), of the right wheel; the left one is its mirror image. shifts: to the right [m].
+    load: vertical force that each rail carries [N]. offset: the right wheel's `lateral` at no shift [m], which is half the distance of
+    the running circles minus the distance of the rail's origin from the middle of the track.
+    velocity: of both wheels; None: 20 m/s, rolling at the nominal radius.
+    """
+    across = np.asarray(shifts, float)
+    both = np.stack([np.asarray(pair), np.asarray(pair)]).view(WheelPair)
+    both.left = [0, 1]
+    sides = np.array([1.0, -1.0])[:, None]
+    place = wheel_position(lateral=across + sides * offset)
+    pairs = both[:, None]
+    place.vertical = height_for_load(rail, wheel, pairs, place, load, None, friction)
+    if velocity is None:
+        velocity = wheel_velocity(forward=20.0, pitch=-20.0 / float(pair.wheel_radius))
+    wheels = wheel_on_rail(rail, wheel, pairs, place, velocity, friction)
+    radius = _mean(wheels.contacts, "radius")
+    angle = sides * _mean(wheels.contacts, "angle")
+    drawn = _new(figure, 8.0, 6.0)
+    (first, second), (third, fourth) = drawn.subplots(2, 2, sharex=True)
+    millimetres = 1e3 * across
+    for i, side in enumerate(("right", "left")):
+        first.plot(millimetres, np.degrees(angle[i]), label=side, **_line(i))
+        third.plot(millimetres, 1e-3 * wheels.wrench.normal_force[i], **_line(i))
+        for k, name in enumerate(("forward", "to the right")):
+            fourth.plot(millimetres, 1e-3 * wheels.wrench.force[i, :, k], color=COLOURS[i], linestyle=_STYLES[k], label=f"{side}, {name}")
+    second.plot(millimetres, 1e3 * (radius[0] - radius[1]), color=COLOURS[2])
+    _label(first, "", "contact angle [degrees]")
+    first.legend()
+    _label(second, "", "radius difference, right - left [mm]")
+    _label(third, "shift to the right [mm]", "normal force [kN]")
+    _label(fourth, "shift to the right [mm]", "force on the wheel [kN]")
+    fourth.legend(fontsize="small")
+    drawn.suptitle(f"A wheelset against its lateral shift, {1e-3 * load:g} kN on each rail")
+    return drawn
+
+
+def measured_curve(contact: Contact, creepage: ArrayLike, force: ArrayLike, laws: Union[Friction, dict[str, Optional[Friction]]], *,
+                   lateral: bool = False, model: Model = "default", figure: Any = None) -> Any:
+    """Measured forces divided by the load against creepage [%], with the curves of one or several laws of friction.
+
+    contact: one contact(). creepage [-] and force [N]: the measured points, one after the other. lateral: they are lateral.
+    laws: a law of friction(), or laws by the names of their curves; None is clean and constant friction.
+    The legend has the root mean square of the distance to the points, divided by the load.
+    """
+    places, forces = np.ravel(np.asarray(creepage, float)), np.ravel(np.asarray(force, float))
+    if places.shape != forces.shape:
+        raise ValueError(f"creepage and force have different shapes: creepage {places.shape}, force {forces.shape}")
+    load, name = float(contact.normal_force), "fy" if lateral else "fx"
+    drawn = _new(figure, 6.0, 4.2)
+    axes = drawn.subplots()
+    axes.plot(100 * places, forces / load, "o", markersize=4, markerfacecolor="none", color="0.5", label="measured")
+    fine = np.linspace(min(0.0, places.min()), places.max(), 400)
+    for i, (label, law) in enumerate(laws.items() if isinstance(laws, dict) else [("law", laws)]):
+        at, line = (solve(contact, creepage_of(*((0.0, v) if lateral else (v, 0.0))), law, model)[name] / load for v in (places, fine))
+        error = float(np.sqrt(np.mean((at - forces / load) ** 2)))
+        axes.plot(100 * fine, line, label=f"{label}, rms {error:.4f}", **_line(i))
+    _label(axes, f"{'lateral' if lateral else 'longitudinal'} creepage [%]", "force / load [-]", "Measured creep forces")
+    axes.legend(loc="lower right")
+    return drawn
