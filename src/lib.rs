@@ -14,7 +14,7 @@
 //! 2. [`linear`]: Kalker's coefficients and his linear theory.
 //! 3. [`strip_1967`]: the theory of the paper. [`strip`]: its strips with flexibilities fitted to
 //!    CONTACT. [`total`]: a closed formula for force and moment, fitted to CONTACT.
-//! 4. [`solve`]: results and derivatives of a contact and a creepage, for every model. [`batch`]:
+//! 4. [`forces`]: results and derivatives of a contact and a creepage, for every model. [`batch`]:
 //!    many contacts at once.
 //! 5. [`friction`]: friction that falls with the slip. [`motion`]: rolling forward, backward, and
 //!    standstill. [`rig`]: from a measured force to friction, from a wanted force to creepage.

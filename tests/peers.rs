@@ -459,7 +459,8 @@ proptest! {
     }
 }
 
-/// `tests/web/fastsim.csv`, with which the page that computes compares its own FASTSIM. `KSTRIP_WRITE_FASTSIM=1` writes the forces.
+/// `tests/web/fastsim.csv`, with which the page that computes compares its own FASTSIM.
+/// `KSTRIP_WRITE_FASTSIM=1` writes the forces.
 #[test]
 fn the_table_of_the_page_is_that_of_the_reports() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/web/fastsim.csv");

@@ -3,7 +3,7 @@
 //! Types first, each file knowing those before it: `options`, what is asked and answered; `check`,
 //! whether there is an answer; `warning`, what a caller should know; `theory`, what a model makes
 //! of a contact and answers to a creepage; `prepared`, what it makes of one, kept. Then what
-//! callers use: [`forces_of_contact`], [`derivatives`], [`strips`], [`field`].
+//! callers use: [`forces_of_contact`], [`derivatives`], [`mod@strips`], [`field`].
 
 pub mod check;
 pub mod derivatives;

@@ -67,7 +67,7 @@ const TAKEN: f64 = 1e4;
 /// and the result is one of them.
 ///
 /// # Errors
-/// Those of [`solve`](forces::solve), [`Error::ForceBeyondFriction`].
+/// Those of [`forces_of_contact`](forces::forces_of_contact), [`Error::ForceBeyondFriction`].
 ///
 /// # Example
 /// ```

@@ -49,8 +49,8 @@ const ROUNDINGS: f64 = 32.0;
 /// At most 90 solutions with derivatives.
 ///
 /// # Errors
-/// Those of [`solve`](forces::solve), [`Error::NotInModel`] for [`Model::Linear`],
-/// [`Error::Unexplained`].
+/// Those of [`forces_of_contact`](forces::forces_of_contact), [`Error::NotInModel`] for
+/// [`Model::Linear`], [`Error::Unexplained`].
 ///
 /// # Example
 /// ```
