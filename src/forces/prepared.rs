@@ -35,8 +35,8 @@ impl<F: Float> Prepared<F> {
     ///
     /// # Example
     /// ```
-    /// use kstrip::{contact::Contact, contact::creepage::Creepage, forces::{solve, Options}};
-    /// use kstrip::forces::prepared::Prepared;
+    /// use kstrip::contact::{Contact, creepage::Creepage};
+    /// use kstrip::forces::{Options, forces_of_contact, prepared::Prepared};
     /// let contact = Contact {
     ///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
     ///     shear_modulus: 82e9, poisson_ratio: 0.28,
@@ -46,7 +46,8 @@ impl<F: Float> Prepared<F> {
     /// for percent in 0..10 {
     ///     let longitudinal = f64::from(percent) / 100.0;
     ///     let creepage = Creepage { longitudinal, lateral: 0.0, spin: 0.0 };
-    ///     assert_eq!(disc.solve(&creepage), solve(&contact, &creepage, &Options::default()));
+    ///     let found = forces_of_contact(&contact, &creepage, &Options::default());
+    ///     assert_eq!(disc.solve(&creepage), found);
     /// }
     /// # Ok::<(), kstrip::status::Error>(())
     /// ```

@@ -26,14 +26,15 @@ pub(crate) use crate::total::Total;
 /// # Example
 /// A wheel on a rail, 0.1 % longitudinal creepage:
 /// ```
-/// use kstrip::{contact::Contact, contact::creepage::Creepage, forces::{solve, Options}};
+/// use kstrip::contact::{Contact, creepage::Creepage};
+/// use kstrip::forces::{Options, forces_of_contact};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
 ///     shear_modulus: 82e9, poisson_ratio: 0.28,
 ///     mismatch: 0.0,
 /// };
 /// let creepage = Creepage { longitudinal: 1e-3, lateral: 0.0, spin: 0.0 };
-/// let forces = solve(&contact, &creepage, &Options::default())?;
+/// let forces = forces_of_contact(&contact, &creepage, &Options::default())?;
 /// assert!(forces.fx > 0.0 && forces.fx < 24e3 && forces.fy == 0.0);
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```

@@ -71,7 +71,8 @@ const TAKEN: f64 = 1e4;
 ///
 /// # Example
 /// ```
-/// use kstrip::{contact::Contact, forces::{solve, Options}, rig::creepage_for_force};
+/// use kstrip::forces::{Options, forces_of_contact};
+/// use kstrip::{contact::Contact, rig::creepage_for_force};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
 ///     shear_modulus: 82e9, poisson_ratio: 0.28,
@@ -79,7 +80,7 @@ const TAKEN: f64 = 1e4;
 /// };
 /// let options = Options::default();
 /// let (creepage, _) = creepage_for_force(&contact, [15e3, -2e3], 0.1_f64, &options)?;
-/// let forces = solve(&contact, &creepage, &options)?;
+/// let forces = forces_of_contact(&contact, &creepage, &options)?;
 /// assert!((forces.fx - 15e3).abs() < 1e-6 && (forces.fy + 2e3).abs() < 1e-6);
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```

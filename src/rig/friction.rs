@@ -54,7 +54,8 @@ const ROUNDINGS: f64 = 32.0;
 ///
 /// # Example
 /// ```
-/// use kstrip::{contact::Contact, contact::creepage::Creepage, forces::{solve, Options}, rig::*};
+/// use kstrip::contact::{Contact, creepage::Creepage};
+/// use kstrip::{forces::{Options, forces_of_contact}, rig::*};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.22,
 ///     shear_modulus: 82e9, poisson_ratio: 0.28,
@@ -62,7 +63,7 @@ const ROUNDINGS: f64 = 32.0;
 /// };
 /// let creepage = Creepage { longitudinal: 2e-3, lateral: 0.0, spin: 0.1 };
 /// let options = Options::default();
-/// let measured = solve(&contact, &creepage, &options)?.fx;
+/// let measured = forces_of_contact(&contact, &creepage, &options)?.fx;
 /// let found = estimate_friction(&contact, &creepage, &options, Measured::Fx, [measured, 0.0])?;
 /// assert!((found.friction - 0.22_f64).abs() < 1e-12);
 /// # Ok::<(), kstrip::status::Error>(())
