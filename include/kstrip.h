@@ -217,6 +217,8 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_ROLLING_RADIUS -46
 /** Error: a smoothing length is negative. */
 #define KSTRIP_ERROR_SMOOTHING_LENGTH -47
+/** Error: no line follows the points of a profile, because they scatter or turn back too far. */
+#define KSTRIP_ERROR_SCATTER -48
 
 /**
  * Text that says in English what a status means and what the caller must change.
@@ -1448,22 +1450,26 @@ typedef struct kstrip_surface {
  * Prepares a profile of a rail or a wheel from its points. Do this once for each profile.
  *
  * The points are in their order along the profile. They may run either way along y, turn back (as
- * those of a measured flange do) and lie at any distances. The flange of a wheel and the gauge
- * side of a rail are at small y (profiles of a right wheel), and z points down.
+ * those of a measured flange do), lie at any distances, coincide, be scanned twice and scatter:
+ * parts of the profile that are scanned again, single points in the wrong order, and points nearer
+ * to each other than their scatter are averaged. The flange of a wheel and the gauge side of a
+ * rail are at small y (profiles of a right wheel), and z points down. The prepared points are one
+ * step apart.
  *
  * @param y, z, points    the points [m], at least 4. Those of a rail are measured from its origin,
  *                        those of a wheel from its running circle; the z of a wheel is its radius
  *                        minus wheel_radius.
- * @param step            length between prepared points [m]; 0: the length over the capacity, at
- *                        least 0.2 mm.
+ * @param step            length between prepared points [m]; 0: the length of the profile divided
+ *                        by the capacity less one.
  * @param smoothing_length  each point is replaced by that of a parabola fitted to the points up to
  *                        this distance [m], >= 0; 0: the profile goes through all points. 2 to 4
  *                        mm suit measured profiles.
  * @param[out] surface    receives the profile.
- * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (too few
- *         points, two that coincide, a negative step), KSTRIP_ERROR_SMOOTHING_LENGTH,
- *         KSTRIP_ERROR_CAPACITY (the step needs too many points), KSTRIP_ERROR_OVERFLOW (the
- *         profile is shorter than 1 um or longer than 1 km).
+ * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (fewer than
+ *         four points, a negative step), KSTRIP_ERROR_SMOOTHING_LENGTH, KSTRIP_ERROR_CAPACITY
+ *         (the step needs too many points), KSTRIP_ERROR_OVERFLOW (the profile is smaller than
+ *         1 um, or a coordinate is larger than 1 km), KSTRIP_ERROR_SCATTER (no line follows the
+ *         points).
  */
 kstrip_status kstrip_prepare_profile(const double *y,
                                      const double *z,

@@ -73,6 +73,8 @@ statuses! {
         ProfileEnd = -45: "a profile ends where the bodies would touch, or the wheel is beside the rail: pass more of the profile",
         RollingRadius = -46: "a rolling radius or the radius of a wheel is not positive: it must be > 0 (metres)",
         SmoothingLength = -47: "the smoothing length is negative: it must be >= 0 (metres), 0 for the default",
+        Scatter = -48: "the points of a profile scatter or turn back so far that no line follows \
+             them: pass them in their order along the profile",
     }
 }
 

@@ -62,6 +62,7 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_error_profile_end = -45
    integer(c_int32_t), parameter :: kstrip_error_rolling_radius = -46
    integer(c_int32_t), parameter :: kstrip_error_smoothing_length = -47
+   integer(c_int32_t), parameter :: kstrip_error_scatter = -48
    integer(c_int32_t), parameter :: kstrip_model_default = 0
    integer(c_int32_t), parameter :: kstrip_model_strip_1967 = 1
    integer(c_int32_t), parameter :: kstrip_model_strip_1967_continuous = 2

@@ -162,6 +162,8 @@ pub const KSTRIP_ERROR_PROFILE_END: kstrip_status = -45;
 pub const KSTRIP_ERROR_ROLLING_RADIUS: kstrip_status = -46;
 /// Error: a smoothing length is negative.
 pub const KSTRIP_ERROR_SMOOTHING_LENGTH: kstrip_status = -47;
+/// Error: no line follows the points of a profile, because they scatter or turn back too far.
+pub const KSTRIP_ERROR_SCATTER: kstrip_status = -48;
 
 /// The default, 0: forces and derivatives from KSTRIP_MODEL_TOTAL; fields, strips and patches from
 /// KSTRIP_MODEL_STRIP.

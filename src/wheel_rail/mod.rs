@@ -21,8 +21,12 @@
 //! ```
 
 pub mod contacts;
+mod curve;
+mod knots;
 mod line_of_contact;
+mod prepare;
 pub mod scene;
+mod spine;
 pub mod surface;
 pub mod touch;
 mod under;

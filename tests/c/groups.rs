@@ -238,8 +238,7 @@ pub fn declarations(exports: &str, suffix: &str, number: &str) -> String {
             let name = rest.split('"').next().expect("a name");
             let mut signature = String::new();
             while !signature.ends_with('{') {
-                let line = lines.next().expect("a function has a body");
-                signature += if line.starts_with("#[cfg(") { "" } else { line };
+                signature += lines.next().expect("a function has a body");
             }
             if !suffix.is_empty() {
                 comment = format!("/// {name}() in single precision.\n");

@@ -35,6 +35,7 @@ mod motion;
 mod patch;
 mod patch_accuracy;
 mod patch_friction;
+mod prepared_profile;
 mod profile;
 mod rig;
 mod slender;

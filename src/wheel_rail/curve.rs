@@ -1,0 +1,146 @@
+//! A curve through points, and equal chords of it.
+
+use super::KSTRIP_SURFACE_CAPACITY;
+use super::spine::distance;
+use super::surface::{Piece, Place};
+use crate::number::Float;
+
+/// Places of the curve between which the ends of chords are looked for: four for each chord.
+const PLACES: i32 = 4 * KSTRIP_SURFACE_CAPACITY as i32;
+/// Least number of chords.
+const FEWEST: i32 = 3;
+/// Rounds that find the end of a chord.
+const ROUNDS: i32 = 3;
+/// Rounds that make the last chord as long as the others, and its largest difference, as a share.
+const ROUNDS_OF_ALL: i32 = 5;
+const UNEQUAL: f64 = 0.1;
+
+/// Points with lengths, which ascend.
+pub(super) trait Points {
+    type Number: Float;
+
+    fn count(&self) -> usize;
+    /// Length and point, by the number of the point.
+    fn get(&self, k: usize) -> Option<(Self::Number, [Self::Number; 2])>;
+}
+
+/// The curve through some points: cubics with the slopes of the parabolas through three of them.
+pub(super) struct Curve<'a, K>(pub &'a K);
+
+/// Equal chords of a curve.
+#[derive(Clone, Copy)]
+pub(super) struct Chords<F> {
+    pub length: F,
+    pub count: usize,
+    /// Whether the last one is as long as the others.
+    pub are_equal: bool,
+}
+
+impl<F: Float, K: Points<Number = F>> Curve<'_, K> {
+    /// A point of the curve by its length, which lies between that of a point and the next one or
+    /// before it.
+    fn at(&self, mut k: usize, length: F) -> [F; 2] {
+        let get = |k: usize| self.0.get(k);
+        while k > 0 && get(k).is_some_and(|(from, _)| from > length) {
+            k -= 1;
+        }
+        let (Some(from), Some(to)) = (get(k), get(k + 1)) else {
+            return get(k).map_or([F::zero(); 2], |(_, point)| point);
+        };
+        let chord = |(from, [y, z]): (F, [F; 2]), (to, [v, w]): (F, [F; 2])| {
+            [v - y, w - z].map(|rise| rise / (to - from))
+        };
+        let (middle, width) = (chord(from, to), to.0 - from.0);
+        // slope of the parabola: chords weighted with each other's lengths
+        let place = |(at, [y, z]): (F, [F; 2]), other: Option<(F, [F; 2])>| {
+            let [cosine, sine] = other.map_or(middle, |other| {
+                let length = (other.0 - at).abs();
+                let [[a, b], [c, d]] = [middle, chord((at, [y, z]), other)];
+                [[a, c], [b, d]]
+                    .map(|[own, other]| (own * length + other * width) / (length + width))
+            });
+            Place { y, z, cosine, sine }
+        };
+        let before = if k > 0 { get(k - 1) } else { None };
+        let u = ((length - from.0) / width).clamped(F::zero(), F::one());
+        let piece = Piece::new(place(from, before), place(to, get(k + 2)), width);
+        piece.at(u).map(|along| along.value)
+    }
+
+    /// Places of the curve: length, number of the point before, place.
+    fn places(&self) -> impl Iterator<Item = (F, usize, [F; 2])> + '_ {
+        let end = |k: usize| self.0.get(k).map_or(F::zero(), |(length, _)| length);
+        let count = self.0.count();
+        let (from, to) = (end(0), end(count.saturating_sub(1)));
+        let each = (to - from) / F::widened(PLACES as f32);
+        let mut k = 0;
+        (0..=PLACES).map(move |i| {
+            let length = from + each * F::widened(i as f32);
+            while k + 2 < count && self.0.get(k + 1).is_some_and(|(next, _)| next <= length) {
+                k += 1;
+            }
+            (length, k, self.at(k, length))
+        })
+    }
+
+    fn length(&self) -> F {
+        let mut last = None;
+        self.places().fold(F::zero(), |sum, (_, _, place)| {
+            sum + last.replace(place).map_or(F::zero(), |last| distance(last, place))
+        })
+    }
+
+    /// At most so many equal chords, as long as wanted or a little shorter.
+    pub(super) fn equal_chords(&self, wanted: F, most: i32) -> Chords<F> {
+        let wanted = wanted.min(self.length().times(1.0 / f64::from(FEWEST)));
+        let chords = self.walk(wanted, |_, _| ());
+        let count = chords.plus(0.5).whole().clamp(FEWEST, most);
+        let whole = F::widened(count as f32);
+        let (mut length, mut chords) = (wanted * (chords / whole), whole);
+        for _ in 0..ROUNDS_OF_ALL {
+            chords = self.walk(length, |_, _| ());
+            length = length * (chords / whole);
+        }
+        let are_equal = (chords - whole).abs() < F::of(UNEQUAL);
+        Chords { length, count: count as usize, are_equal }
+    }
+
+    /// Goes along the curve in chords of one length, and returns how many there are, the last one
+    /// in part. Passes on where they begin and where the curve ends, with the number of the chord.
+    pub(super) fn walk(&self, chord: F, mut found: impl FnMut(usize, [F; 2])) -> F {
+        let mut places = self.places();
+        let Some((mut before, _, mut begin)) = places.next() else { return F::zero() };
+        found(0, begin);
+        let (mut count, mut end, mut gone) = (0, begin, F::zero());
+        for (length, k, place) in places {
+            let mut reached = distance(begin, place);
+            if reached >= chord {
+                // the chord ends between the last place and this one
+                let (mut low, mut high, mut beyond) = ((before, gone), length, reached);
+                let mut last = place;
+                for _ in 0..ROUNDS {
+                    let (from, gone) = low;
+                    let share = (chord - gone) / (beyond - gone).max(F::TINY);
+                    let middle = from + (high - from) * share.clamped(F::zero(), F::one());
+                    last = self.at(k, middle);
+                    let reached = distance(begin, last);
+                    if reached < chord {
+                        low = (middle, reached);
+                    } else {
+                        (high, beyond) = (middle, reached);
+                    }
+                }
+                count += 1;
+                begin = last;
+                found(count, begin);
+                reached = distance(begin, place);
+            }
+            (before, gone, end) = (length, reached, place);
+        }
+        // the end of the curve is that of the last chord or of one more, which is nearly a whole
+        // one
+        let rest = gone / chord;
+        found(if rest.plus(-0.5) > F::zero() { count + 1 } else { count }, end);
+        F::widened(count as f32) + rest
+    }
+}

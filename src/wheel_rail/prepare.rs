@@ -1,0 +1,117 @@
+//! From the points of a profile to points at equal steps of its length.
+//!
+//! 1. [The spine](Polyline::follow), a coarse polyline, gives each point its length along the
+//!    profile. Points are not assumed to ascend along it.
+//! 2. [Knots] are the points in ascending order of this length, averaged where they are crowded or
+//!    scatter, and smoothed where this is asked for.
+//! 3. A [curve](Curve) leads through the knots, cubic between them.
+//! 4. Points of the curve are equal chords apart.
+
+use super::KSTRIP_SURFACE_CAPACITY;
+use super::curve::{Chords, Curve};
+use super::knots::{Knots, SINGLE};
+use super::spine::{Polyline, distance};
+use super::surface::{Place, Surface};
+use crate::number::{Float, are_finite};
+use crate::status::Error;
+
+/// Shortest extent of a profile, and largest coordinate \[m\].
+const SHORTEST: f64 = 1e-6;
+const LARGEST: f64 = 1e3;
+/// Attempts with more and more smoothing until chords are equal.
+const ATTEMPTS: i32 = 12;
+
+impl<F: Float> Surface<F> {
+    /// Fills the surface. Points may turn back (those of a measured flange do), run either way
+    /// along y, lie at any distances, be scanned twice and scatter; only their order along the
+    /// profile counts, and only over distances larger than their scatter. Smoothing replaces every
+    /// point by that of the parabola through the points up to the smoothing length `s` away,
+    /// weighted with `(1 − (d/s)²)³` and with their spacing. Straight lines and parabolas are not
+    /// changed.
+    ///
+    /// # Errors [`Error::NotFinite`]; [`Error::Profile`] for fewer than four points, or a
+    /// negative step; [`Error::SmoothingLength`]; [`Error::Capacity`] when the step needs more
+    /// points than there is room for; [`Error::Overflow`] for a profile smaller than 1 µm or larger
+    /// than 1 km; [`Error::Scatter`] for points that no line follows.
+    pub fn prepare(&mut self, y: &[F], z: &[F], step: F, smoothing_length: F) -> Result<(), Error> {
+        if y.len() < 4 || y.len() != z.len() {
+            return Err(Error::Profile);
+        }
+        if ![y, z, &[step, smoothing_length]].into_iter().all(are_finite) {
+            return Err(Error::NotFinite);
+        }
+        if smoothing_length < F::zero() {
+            return Err(Error::SmoothingLength);
+        }
+        if step < F::zero() {
+            return Err(Error::Profile);
+        }
+        let extents = [y, z].map(|list| {
+            let least = list.iter().fold(F::LARGEST, |least, x| least.min(*x));
+            let most = list.iter().fold(-F::LARGEST, |most, x| most.max(*x));
+            [least, most]
+        });
+        let [[left, right], [top, bottom]] = extents;
+        let farthest = extents.iter().flatten().fold(F::zero(), |most, x| most.max(x.abs()));
+        if farthest > F::of(LARGEST) {
+            return Err(Error::Overflow);
+        }
+        let extent = distance([left, top], [right, bottom]);
+        if extent < F::of(SHORTEST) {
+            return Err(Error::Overflow);
+        }
+        let mut line = Polyline::new();
+        let radius = line.follow(y, z, extent)?;
+        let most = KSTRIP_SURFACE_CAPACITY as i32 - 1;
+        let room = F::widened(most as f32);
+        let length = line.length();
+        let wanted = if step > F::zero() { step } else { length / room };
+        if length > wanted * room.plus(0.5) {
+            return Err(Error::Capacity);
+        }
+        // From here on nothing fails, and the surface is written.
+        let is_reversed = line.is_reversed();
+        let mut knots = Knots::new(self);
+        let mut smoothing = smoothing_length;
+        let mut chords = Chords { length: wanted, count: 3, are_equal: false };
+        if smoothing <= F::zero() && y.len() + 2 <= SINGLE {
+            knots.gather(false, &line, radius, y, z);
+            chords = Curve(&knots).equal_chords(wanted, most);
+        }
+        if chords.are_equal {
+            // (the knots stand where the points go)
+            line.count = 0;
+            Curve(&knots).walk(chords.length, |k, point| {
+                line.count = line.count.min(k);
+                line.push(F::zero(), point);
+            });
+            let points = line.points.iter().take(line.count).enumerate();
+            points.for_each(|(k, point)| self.put(chords.count, is_reversed, k, *point));
+        } else {
+            knots.gather(true, &line, radius, y, z);
+            for _ in 0..ATTEMPTS {
+                knots.smooth(smoothing, &mut line);
+                chords = Curve(&line).equal_chords(wanted, most);
+                if chords.are_equal {
+                    break;
+                }
+                smoothing = wanted.times(2.0).max(smoothing.times(1.5));
+            }
+            let put = |k, point| self.put(chords.count, is_reversed, k, point);
+            Curve(&line).walk(chords.length, put);
+        }
+        self.step = chords.length;
+        self.count = chords.count as u32 + 1;
+        self.reserved = 0;
+        self.directions();
+        Ok(())
+    }
+
+    /// Puts a point at the end of some chords, counted from the beginning or from the end of the
+    /// profile.
+    fn put(&mut self, chords: usize, is_reversed: bool, k: usize, [y, z]: [F; 2]) {
+        let k = k.min(chords);
+        let k = if is_reversed { chords - k } else { k };
+        self.set_point(k, Place { y, z, cosine: F::zero(), sine: F::zero() });
+    }
+}

@@ -1,0 +1,214 @@
+//! The order of a profile's points: a polyline past which all of them lie.
+
+use super::KSTRIP_SURFACE_CAPACITY;
+use super::curve::Points;
+use crate::number::{Float, length};
+use crate::status::Error;
+
+/// Points of a polyline: as many as a prepared profile has.
+pub(super) const CAPACITY: usize = KSTRIP_SURFACE_CAPACITY;
+/// First radius of a spine, as a share of the extent of the points.
+const FINEST: f64 = 1.0 / (KSTRIP_SURFACE_CAPACITY as f64 - 1.0);
+/// Growth of the radius from one attempt to the next. The last one is a twentieth of the extent.
+const COARSER: f64 = 1.5;
+const ATTEMPTS: i32 = 9;
+/// Largest sum of 1 − cos of the angles between neighbours: four right angles, and 11 degrees at
+/// each node. Points that scatter by a tenth of the radius or more exceed it.
+const CORNERS: f64 = 4.0;
+const ROUGHNESS: f64 = 0.02;
+
+/// A polyline with the length up to each of its points.
+pub(super) struct Polyline<F> {
+    pub points: [[F; 2]; CAPACITY],
+    /// Length up to the point \[m\], ascending.
+    pub lengths: [F; CAPACITY],
+    pub count: usize,
+}
+
+/// The point of a polyline that is nearest to another point.
+pub(super) struct Foot<F> {
+    /// The segment, by the number of the point at which it begins.
+    pub segment: usize,
+    /// Its length from the beginning of the polyline \[m\]. The first and the last segment have no
+    /// outer end.
+    pub length: F,
+    /// Square of its distance \[m²\]. Here all segments end.
+    squared_distance: F,
+}
+
+pub(super) fn distance<F: Float>([y, z]: [F; 2], [v, w]: [F; 2]) -> F {
+    ((v - y).squared() + (w - z).squared()).sqrt()
+}
+
+impl<F: Float> Points for Polyline<F> {
+    type Number = F;
+
+    fn count(&self) -> usize {
+        self.count
+    }
+
+    #[inline(always)]
+    fn get(&self, k: usize) -> Option<(F, [F; 2])> {
+        Some((*self.lengths.get(k).filter(|_| k < self.count)?, *self.points.get(k)?))
+    }
+}
+
+impl<F: Float> Polyline<F> {
+    pub(super) fn new() -> Self {
+        let none = F::zero();
+        Self { points: [[none; 2]; CAPACITY], lengths: [none; CAPACITY], count: 0 }
+    }
+
+    /// Appends a point; false where there is no room.
+    pub(super) fn push(&mut self, length: F, point: [F; 2]) -> bool {
+        let k = self.count;
+        let (Some(last), Some(place)) = (self.lengths.get_mut(k), self.points.get_mut(k)) else {
+            return false;
+        };
+        (*last, *place) = (length, point);
+        self.count += 1;
+        true
+    }
+
+    /// Whether it ends at smaller y than it begins.
+    pub(super) fn is_reversed(&self) -> bool {
+        let [first, last] = [0, self.count.saturating_sub(1)].map(|k| self.get(k));
+        last.map(|(_, [y, _])| y) < first.map(|(_, [y, _])| y)
+    }
+
+    /// The length up to the last point.
+    pub(super) fn length(&self) -> F {
+        self.get(self.count.saturating_sub(1)).map_or(F::zero(), |(length, _)| length)
+    }
+
+    /// Fills the polyline with some of the points of a profile, so that each of its points is at
+    /// least one radius away from all of the line before it, and every other point of the profile
+    /// is nearer to the line. Points that are scanned twice, lie behind their predecessor or
+    /// scatter by less than the radius are thereby passed. The radius is the least one with which
+    /// the line has room and is smooth. Returns it.
+    ///
+    /// # Errors
+    /// [`Error::Scatter`] where no radius leads to a smooth line.
+    pub(super) fn follow(&mut self, y: &[F], z: &[F], extent: F) -> Result<F, Error> {
+        let mut radius = extent.times(FINEST);
+        for _ in 0..ATTEMPTS {
+            if self.cover(y, z, radius) && self.is_smooth() {
+                return Ok(radius);
+            }
+            radius = radius.times(COARSER);
+        }
+        Err(Error::Scatter)
+    }
+
+    /// Whether there is room.
+    fn cover(&mut self, y: &[F], z: &[F], radius: F) -> bool {
+        self.count = 0;
+        let mut segment = 0;
+        for point in y.iter().zip(z).map(|(y, z)| [*y, *z]) {
+            if self.count >= 2 {
+                let foot = self.nearest(point, segment, radius);
+                segment = foot.segment;
+                if foot.squared_distance < radius * radius {
+                    continue;
+                }
+                // the first two may be in the wrong order
+                if self.count == 2 && foot.length < F::zero() {
+                    let [first, second, ..] = &mut self.points;
+                    core::mem::swap(first, second);
+                }
+            }
+            if self.turns_back(point) {
+                self.count -= 1;
+            }
+            let last = self.get(self.count.wrapping_sub(1));
+            let (length, last) = last.unwrap_or((F::zero(), point));
+            let step = distance(last, point);
+            if self.count == 1 && step < radius {
+                continue;
+            }
+            segment = self.count.saturating_sub(1);
+            if !self.push(length + step, point) {
+                return false;
+            }
+        }
+        self.count >= 2
+    }
+
+    /// Whether the line would turn by more than 120 degrees at its last point, which then lies
+    /// ahead of its successors or beside the profile.
+    fn turns_back(&self, [v, w]: [F; 2]) -> bool {
+        let count = self.count;
+        let [Some((_, before)), Some((_, last))] = [2, 1].map(|k| self.get(count.wrapping_sub(k)))
+        else {
+            return false;
+        };
+        let [[a, b], [c, d]] =
+            [[last[0] - before[0], last[1] - before[1]], [v - last[0], w - last[1]]];
+        a * c + b * d < -(length(a, b) * length(c, d)).times(0.5)
+    }
+
+    fn is_smooth(&self) -> bool {
+        let count = self.count;
+        let limit = F::widened(count as f32).times(ROUGHNESS).plus(CORNERS);
+        let mut rough = F::zero();
+        let mut last: Option<[F; 2]> = None;
+        let points = self.points.iter().zip(&self.lengths).take(count);
+        let nexts = self.points.iter().zip(&self.lengths).take(count).skip(1);
+        for (([y, z], from), ([v, w], to)) in points.zip(nexts) {
+            let width = *to - *from;
+            let [cosine, sine] = [(*v - *y) / width, (*w - *z) / width];
+            if let Some([c, s]) = last {
+                rough += F::one() - (c * cosine + s * sine);
+            }
+            last = Some([cosine, sine]);
+        }
+        rough <= limit
+    }
+
+    /// The foot of a point on a segment.
+    #[inline(always)]
+    fn foot(&self, segment: usize, point: [F; 2]) -> Option<Foot<F>> {
+        let (from, [y, z]) = self.get(segment)?;
+        let (to, [v, w]) = self.get(segment + 1)?;
+        let width = to - from;
+        let [cosine, sine] = [(v - y) / width, (w - z) / width];
+        let [across, down] = [point[0] - y, point[1] - z];
+        let length = across * cosine + down * sine;
+        let within = length.clamped(F::zero(), width);
+        let [across, down] = [across - within * cosine, down - within * sine];
+        let is_outside =
+            (segment == 0 && length < F::zero()) || (segment + 2 == self.count && length > width);
+        let length = from + if is_outside { length } else { within };
+        Some(Foot { segment, length, squared_distance: across.squared() + down.squared() })
+    }
+
+    /// The foot of a point. The search begins at a segment and goes downhill; where this leads to
+    /// none within the radius, all segments are compared.
+    pub(super) fn nearest(&self, point: [F; 2], segment: usize, radius: F) -> Foot<F> {
+        let far = Foot { segment: 0, length: F::zero(), squared_distance: F::LARGEST };
+        let mut best = self.foot(segment, point).unwrap_or(far);
+        let segments = self.count.saturating_sub(1);
+        for _ in 0..segments {
+            let k = best.segment;
+            let before = if k > 0 { self.foot(k - 1, point) } else { None };
+            let after = if k + 1 < segments { self.foot(k + 1, point) } else { None };
+            let mut found = false;
+            for other in [before, after].into_iter().flatten() {
+                if other.squared_distance < best.squared_distance {
+                    (best, found) = (other, true);
+                }
+            }
+            if !found {
+                break;
+            }
+        }
+        if best.squared_distance >= radius * radius {
+            for other in (0..segments).filter_map(|k| self.foot(k, point)) {
+                if other.squared_distance < best.squared_distance {
+                    best = other;
+                }
+            }
+        }
+        best
+    }
+}
