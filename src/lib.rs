@@ -20,8 +20,8 @@
 //!    standstill. [`rig`]: from a measured force to friction, from a wanted force to creepage.
 //! 6. [`patch`]: a patch of any shape as its strips. [`wheel_rail`]: from two profiles and a
 //!    position to the force and the moment on a wheel.
-//! 7. [`number`]: the types of number that the formulas are written in. [`ffi`]: the functions for
-//!    C (`include/kstrip.h`).
+//! 7. [`number`]: the types of number that the formulas are written in. [`numerics`]: interpolation
+//!    and root searches. [`ffi`]: the functions for C (`include/kstrip.h`).
 //!
 //! # ScaledContact and signs
 //!
@@ -72,6 +72,7 @@ pub mod linear;
 pub mod motion;
 pub mod normal;
 pub mod number;
+pub mod numerics;
 pub mod patch;
 pub mod rig;
 pub mod status;

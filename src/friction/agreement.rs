@@ -2,6 +2,7 @@
 
 use crate::friction::law::SlipFriction;
 use crate::number::Float;
+use crate::numerics::Bracket;
 use crate::status::{Error, Warning};
 
 /// Largest number of steps of the monotone iteration.
@@ -42,7 +43,8 @@ impl<'a, F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'a, F, G> {
         let steepness =
             (law.decay * (law.rolling_speed * *rigid)) * ((high - law.ratio * largest) / least);
         if steepness < F::one() {
-            let (friction, settled) = self.between(least, largest, high - largest, high)?;
+            let between = Bracket { positive: least, negative: largest };
+            let (friction, settled) = self.between(between, high - largest, high)?;
             return Ok((friction, if settled { Warning::None } else { Warning::NotConverged }));
         }
         let (upper, settled) = self.walk(largest, [least, largest])?;
@@ -57,19 +59,13 @@ impl<'a, F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'a, F, G> {
         Ok((upper, warning))
     }
 
-    /// The only solution between two numbers, from `g(μ) − μ` at the upper one and from a first
-    /// guess, by the secant method guarded by bisection. The second result tells whether the method
-    /// reached rounding. It does not where the forces jump (strips of 1967 that do not move with
-    /// the solution).
-    fn between(
-        &self,
-        mut low: F,
-        mut high: F,
-        high_error: F,
-        first: F,
-    ) -> Result<(F, bool), Error> {
-        let (mut before, mut error_before, mut friction) = (high, high_error, first);
-        let (mut best, mut least_error) = (high, high_error.abs());
+    /// The only solution in a bracket of `g(μ) − μ`, from its value at the negative end and from a
+    /// first guess, by the secant method. The second result tells whether the method reached
+    /// rounding. It does not where the forces jump (strips of 1967 that do not move with the
+    /// solution).
+    fn between(&self, mut bracket: Bracket<F>, end_error: F, first: F) -> Result<(F, bool), Error> {
+        let (mut before, mut error_before, mut friction) = (bracket.negative, end_error, first);
+        let (mut best, mut least_error) = (before, end_error.abs());
         for _ in 0..SECANT_STEPS {
             let error = (self.next)(friction)? - friction;
             let rounding = error.abs() <= friction * F::EPSILON.times(64.0);
@@ -81,22 +77,14 @@ impl<'a, F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'a, F, G> {
             if error == F::zero() {
                 break;
             }
-            if error > F::zero() {
-                low = low.max(friction)
-            } else {
-                high = high.min(friction)
-            }
-            let secant = error * ((friction - before) / (error_before - error));
-            let mut better = friction + secant;
-            if !(better >= low && better <= high) {
-                // Among rounding errors the secant means nothing.
-                if rounding {
-                    break;
-                }
-                better = (low + high).times(0.5);
+            bracket.narrow(friction, error);
+            let secant = friction + error * ((friction - before) / (error_before - error));
+            // Among rounding errors the secant means nothing.
+            if rounding && !bracket.holds(secant) {
+                break;
             }
             (before, error_before) = (friction, error);
-            friction = better;
+            friction = bracket.guarded(secant);
             if friction == before {
                 break;
             }
@@ -122,7 +110,8 @@ impl<'a, F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'a, F, G> {
                 let (low, high, error) =
                     if far > friction { (friction, far, far_step) } else { (far, friction, step) };
                 let first = (low + high).times(0.5);
-                return self.between(low, high, error, first);
+                let between = Bracket { positive: low, negative: high };
+                return self.between(between, error, first);
             }
             let slope = (far_step - step) / (far - friction);
             ratio = slope.plus(1.0).clamped(F::zero(), F::constant(0.75));

@@ -24,7 +24,8 @@ use crate::contact::creepage::Creepage;
 use crate::forces::derivatives::{self, Derivatives};
 use crate::forces::{self, Model, Options};
 use crate::number::{Float, are_finite, length};
-use crate::rig::search::cubic;
+use crate::numerics::bracket::root;
+use crate::numerics::{Bracket, Cubic};
 use crate::status::{Error, Warning};
 
 /// Relative distance from `μ N` up to which a force counts as full sliding.
@@ -291,7 +292,9 @@ impl<'a, F: Float> Aim<'a, F> {
                 let beyond = along(next.error);
                 if beyond < F::zero() {
                     let slopes = [place.slopes, next.slopes].map(|rows| along(times(&rows, step)));
-                    let shorter = crossing([off, beyond], slopes);
+                    let cubic = Cubic::new([off, beyond], slopes);
+                    let between = Bracket { negative: F::one(), positive: F::zero() };
+                    let shorter = root(between, |t| [cubic.value(t), cubic.slope(t)]);
                     share = share * shorter.clamped(F::constant(0.05), F::constant(0.95));
                 } else if closer {
                     share = share.times(0.5);
@@ -367,15 +370,4 @@ fn bent<F: Float>(
     let change = [t * t * (second[0] + t * third[0]), t * t * (second[1] + t * third[1])];
     let near = length(change[0], change[1]) < length(plain[0], plain[1]);
     (near && t.abs() < F::one()).then(|| less(plain, change))
-}
-
-/// Where the cubic with these values and slopes at 0 and 1 crosses zero, downward, to a thousandth.
-fn crossing<F: Float>(values: [F; 2], slopes: [F; 2]) -> F {
-    let [c0, c1, c2, c3] = cubic(values, slopes);
-    let (mut low, mut high) = (F::zero(), F::one());
-    for _ in 0..10 {
-        let t = (low + high).times(0.5);
-        if c0 + t * (c1 + t * (c2 + t * c3)) > F::zero() { low = t } else { high = t }
-    }
-    (low + high).times(0.5)
 }

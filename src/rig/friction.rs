@@ -7,6 +7,7 @@ use crate::contact::creepage::Creepage;
 use crate::forces::derivatives;
 use crate::forces::{self, Model, Options, Solution};
 use crate::number::{Float, are_finite};
+use crate::numerics::Bracket;
 use crate::status::{Error, Warning};
 
 /// Friction over used friction beyond which the contact is taken to stick: the force differs by
@@ -267,36 +268,31 @@ impl<'a, F: Float> Rig<'a, F> {
 
     /// Newton's method, guarded by bisection. The second result tells whether it ends in a root.
     fn root(&mut self, interval: &Interval<F>) -> Result<(Sample<F>, bool), Error> {
-        let mut within = *interval;
-        let Interval { from, to, .. } = within;
-        let mut place = if from.value.abs() < to.value.abs() { from } else { to };
-        let mut width = within.width();
+        let [mut below, mut above] = interval.ends();
+        let mut bracket = Bracket { negative: below.x, positive: above.x };
+        let mut place = if below.value.abs() < above.value.abs() { below } else { above };
+        let mut width = bracket.width();
         for step in 0..MOST {
             if place.value == F::zero() || self.solved + 1 >= MOST {
                 break;
             }
-            let (low, high) = (within.from.x, within.to.x);
-            let mut x = place.x - place.value / place.slope;
+            let newton = place.x - place.value / place.slope;
             // Halve the interval where three steps did not.
             let third = step % 3 == 2;
-            if !(x > low && x < high) || (third && within.width() > width.times(0.5)) {
-                x = (low + high).times(0.5);
-            }
+            let is_slow = third && bracket.width() > width.times(0.5);
+            let x = if is_slow { bracket.middle() } else { bracket.guarded(newton) };
             if third {
-                width = within.width();
+                width = bracket.width();
             }
-            if x <= low || x >= high {
+            if x == place.x {
                 break;
             }
             let moved = (x - place.x).abs();
             place = self.excess(x, self.friction(x))?;
-            if place.is_positive() == within.from.is_positive() {
-                within.from = place;
-            } else {
-                within.to = place;
-            }
-            let least = within.from.value.abs().min(within.to.value.abs());
-            let jumps = within.width() < x.times(NARROW) && least > x.times(HIGH);
+            bracket.narrow(x, place.value);
+            *(if place.is_positive() { &mut above } else { &mut below }) = place;
+            let least = below.value.abs().min(above.value.abs());
+            let jumps = bracket.width() < x.times(NARROW) && least > x.times(HIGH);
             if jumps || moved <= x.min(F::one() - x) * F::EPSILON.times(4.0) {
                 break;
             }

@@ -9,6 +9,7 @@
 //! where it crosses zero, or where it comes closest to zero.
 
 use crate::number::Float;
+use crate::numerics::Cubic;
 use heapless::Vec;
 
 /// Largest number of intervals that are kept: those with a change of sign, and those that may hide
@@ -57,19 +58,15 @@ impl<F: Float> Interval<F> {
         self.from.is_positive() != self.to.is_positive()
     }
 
-    pub(super) fn width(&self) -> F {
-        self.to.x - self.from.x
+    /// Of an interval in which the sign changes: the end where the function is not positive, then
+    /// the other one.
+    pub(super) fn ends(&self) -> [Sample<F>; 2] {
+        if self.from.is_positive() { [self.to, self.from] } else { [self.from, self.to] }
     }
 
     fn is_done(&self) -> bool {
         self.danger <= F::one() && !self.changes()
     }
-}
-
-/// The coefficients of `c₀ + c₁ t + c₂ t² + c₃ t³` with these values and slopes at 0 and 1
-/// (Hermite).
-pub(super) fn cubic<F: Float>([a, b]: [F; 2], [p, q]: [F; 2]) -> [F; 4] {
-    [a, p, (b - a).times(3.0) - p.times(2.0) - q, (a - b).times(2.0) + p + q]
 }
 
 /// The intervals that matter.
@@ -156,16 +153,17 @@ impl<F: Float> Search<F> {
             return (F::zero(), from.x);
         }
         let (p, q) = (p * width, q * width);
-        let [_, c1, c2, c3] = cubic([a, b], [p, q]);
+        let cubic = Cubic::new([a, b], [p, q]);
         let (mut least, mut at) = (F::LARGEST, F::constant(0.5));
         for eighth in 1..8 {
             let t = F::widened(eighth as f32).times(0.125);
-            let reach = (a + t * (c1 + t * (c2 + t * c3))) / (t * (F::one() - t));
+            let reach = cubic.value(t) / (t * (F::one() - t));
             if reach < least {
                 (least, at) = (reach, t);
             }
         }
         if p < F::zero() && q > F::zero() {
+            let Cubic([_, c1, c2, c3]) = cubic;
             let root = (c2 * c2 - (c1 * c3).times(3.0)).max(F::zero()).sqrt();
             let turn =
                 if c2 >= F::zero() { -c1 / (c2 + root) } else { (root - c2) / c3.times(3.0) };

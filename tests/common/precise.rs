@@ -248,5 +248,3 @@ impl Float for Precise {
         })
     }
 }
-
-impl Float for Precise {}

@@ -1,0 +1,70 @@
+//! The cubic that has given values and slopes at two places (Hermite's interpolation).
+
+use crate::number::Arithmetic;
+
+/// `c₀ + c₁ u + c₂ u² + c₃ u³`.
+#[derive(Clone, Copy, Debug)]
+pub struct Cubic<T>(pub [T; 4]);
+
+/// A number along a curve, with its first and second derivative.
+#[derive(Clone, Copy, Debug)]
+pub struct Along<T> {
+    /// The number.
+    pub value: T,
+    /// Its first derivative.
+    pub slope: T,
+    /// Its second derivative.
+    pub bend: T,
+}
+
+impl<T: Arithmetic> Cubic<T> {
+    /// The cubic with these values and slopes at `u = 0` and `u = 1`.
+    ///
+    /// ```
+    /// use kstrip::numerics::Cubic;
+    /// let cubic = Cubic::new([0.0, 1.0], [0.0, 3.0]);
+    /// assert_eq!(cubic.value(0.5), 0.125);
+    /// let middle = cubic.along(0.5);
+    /// assert_eq!([middle.value, middle.slope, middle.bend], [0.125, 0.75, 3.0]);
+    /// ```
+    #[inline(always)]
+    pub fn new([from, to]: [T; 2], [slope, last]: [T; 2]) -> Self {
+        let rise = to - from;
+        let cubic = slope + last - (rise + rise);
+        Self([from, slope, rise - slope - cubic, cubic])
+    }
+
+    /// The cubic with these values and slopes at `u = 0` and at `u = length`.
+    #[inline(always)]
+    pub fn over(length: T, values: [T; 2], slopes: [T; 2]) -> Self {
+        let inverse = length.inverse();
+        let Self([c0, c1, c2, c3]) = Self::new(values, slopes.map(|slope| slope * length));
+        Self([c0, c1 * inverse, c2 * inverse.squared(), c3 * (inverse * inverse.squared())])
+    }
+
+    /// Its value.
+    #[inline(always)]
+    pub fn value(&self, u: T) -> T {
+        let Self([c0, c1, c2, c3]) = *self;
+        c0 + u * (c1 + u * (c2 + u * c3))
+    }
+
+    /// Its derivative.
+    #[inline(always)]
+    pub fn slope(&self, u: T) -> T {
+        let Self([_, c1, c2, c3]) = *self;
+        c1 + u * (c2 + c2 + (u * c3).times(3.0))
+    }
+
+    /// Its value with both derivatives.
+    #[inline(always)]
+    pub fn along(&self, u: T) -> Along<T> {
+        let Self([c0, c1, c2, c3]) = *self;
+        let (once, thrice) = (u * c3, (u * c3).times(3.0));
+        Along {
+            value: c0 + u * (c1 + u * (c2 + once)),
+            slope: c1 + u * (c2 + c2 + thrice),
+            bend: (c2 + thrice) + (c2 + thrice),
+        }
+    }
+}
