@@ -9,6 +9,8 @@
  * - The other form returns the outputs and throws kstrip::error if the status is negative. It does not exist where exceptions are
  *   switched off. Options and falling friction are its last arguments and may be left out; arrays are returned as std::vector.
  *
+ * Where a function takes lengths, they may be arrays, vectors or spans of kstrip::metres or of plain numbers in metres.
+ *
  * `contact`, `creepage`, `6.0_mm` are in double precision, `contact_f32`, `creepage_f32`, `6.0_mm_f32` in single.
  */
 #ifndef KSTRIP_HPP
@@ -17,13 +19,15 @@
 #include "kstrip.h"
 #include "kstrip_f32.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <type_traits>
+#include <utility>
 
 #if defined(__cpp_exceptions) || defined(_CPPUNWIND)
 #define KSTRIP_HPP_EXCEPTIONS 1
-#include <array>
 #include <exception>
 #include <vector>
 #endif
@@ -187,7 +191,33 @@ KSTRIP_HPP_UNIT(per_newton)
 KSTRIP_HPP_UNIT(newtons_per_metre)
 #undef KSTRIP_HPP_UNIT
 
-/// `6.0_mm`, `80_kN`, `82_GPa`, `0.4_per_m`, `20_m_per_s`; in single precision `6.0_mm_f32`. Write `using namespace kstrip::literals;` first.
+namespace detail {
+/// The unit of a product: `product<unit::newtons, unit::metres>::type` is unit::newton_metres.
+template <class First, class Second> struct product {};
+#define KSTRIP_HPP_PRODUCT(first, second, result)                                                 \
+    template <> struct product<unit::first, unit::second> { using type = unit::result; };
+#define KSTRIP_HPP_PRODUCTS(first, second, result)                                                \
+    KSTRIP_HPP_PRODUCT(first, second, result)                                                     \
+    KSTRIP_HPP_PRODUCT(second, first, result)
+KSTRIP_HPP_PRODUCTS(newtons, metres, newton_metres)
+KSTRIP_HPP_PRODUCT(metres, metres, square_metres)
+KSTRIP_HPP_PRODUCTS(pascals, square_metres, newtons)
+KSTRIP_HPP_PRODUCTS(newtons_per_metre, metres, newtons)
+KSTRIP_HPP_PRODUCTS(radians_per_second, metres, metres_per_second)
+KSTRIP_HPP_PRODUCTS(per_metre, metres_per_second, radians_per_second)
+#undef KSTRIP_HPP_PRODUCTS
+#undef KSTRIP_HPP_PRODUCT
+} // namespace detail
+
+/// A force times a lever is a moment, a pressure times an area a force, and so on.
+template <class First, class Second, class T, class Unit = typename detail::product<First, Second>::type>
+constexpr quantity<Unit, T> operator*(quantity<First, T> p, quantity<Second, T> q) noexcept
+{
+    return quantity<Unit, T>(p.value * q.value);
+}
+
+/// `6.0_mm`, `80_kN`, `82_GPa`, `0.4_per_m`, `20_m_per_s`, `2.5_mrad`; in single precision `6.0_mm_f32`. Write `using namespace
+/// kstrip::literals;` first.
 inline namespace literals {
 #define KSTRIP_HPP_LITERAL_OF(suffix, type, divisor, factor)                                      \
     constexpr type operator""_##suffix(long double v) noexcept { return type(v * factor / divisor); } \
@@ -206,7 +236,14 @@ KSTRIP_HPP_LITERAL(Pa, pascals, 1.0L, 1.0L)
 KSTRIP_HPP_LITERAL(MPa, pascals, 1.0L, 1e6L)
 KSTRIP_HPP_LITERAL(GPa, pascals, 1.0L, 1e9L)
 KSTRIP_HPP_LITERAL(per_m, per_metre, 1.0L, 1.0L)
+KSTRIP_HPP_LITERAL(Nm, newton_metres, 1.0L, 1.0L)
+KSTRIP_HPP_LITERAL(kNm, newton_metres, 1.0L, 1e3L)
+KSTRIP_HPP_LITERAL(N_per_m, newtons_per_metre, 1.0L, 1.0L)
+KSTRIP_HPP_LITERAL(rad, radians, 1.0L, 1.0L)
+KSTRIP_HPP_LITERAL(mrad, radians, 1e3L, 1.0L)
+KSTRIP_HPP_LITERAL(deg, radians, 180.0L, 3.14159265358979323846264338327950288L)
 KSTRIP_HPP_LITERAL(m_per_s, metres_per_second, 1.0L, 1.0L)
+KSTRIP_HPP_LITERAL(km_per_h, metres_per_second, 3.6L, 1.0L)
 KSTRIP_HPP_LITERAL(rad_per_s, radians_per_second, 1.0L, 1.0L)
 KSTRIP_HPP_LITERAL(s_per_m, seconds_per_metre, 1.0L, 1.0L)
 #undef KSTRIP_HPP_LITERAL
@@ -244,6 +281,46 @@ private:
     std::size_t size_ = 0;
 };
 #endif
+
+namespace detail {
+/// The precision of a number or quantity.
+template <class X> struct precision { using type = X; };
+template <class Unit, class T> struct precision<quantity<Unit, T>> { using type = T; };
+/// That of the elements of an array, a vector, a span.
+template <class C>
+using precision_of =
+    typename precision<std::remove_cv_t<std::remove_reference_t<decltype(*std::begin(std::declval<C &>()))>>>::type;
+} // namespace detail
+
+/// Numbers one after the other in the memory of the caller: arrays, vectors or spans of quantities with this unit, or of plain numbers, which
+/// are taken as SI units (metres).
+template <class Unit, class T>
+class numbers {
+public:
+    constexpr numbers() noexcept = default;
+    constexpr numbers(const T *data, std::size_t size) noexcept : data_(data), size_(size) {}
+    numbers(const quantity<Unit, T> *data, std::size_t size) noexcept
+        : data_(reinterpret_cast<const T *>(data)), size_(size)
+    {}
+    template <class X, std::size_t N, class = std::enable_if_t<std::is_same_v<X, T> || std::is_same_v<X, quantity<Unit, T>>>>
+    numbers(const X (&array)[N]) noexcept : numbers(&array[0], N)
+    {}
+    template <class C, class X = std::remove_cv_t<std::remove_pointer_t<decltype(std::declval<const C &>().data())>>,
+              class = std::enable_if_t<std::is_same_v<X, T> || std::is_same_v<X, quantity<Unit, T>>>>
+    numbers(const C &contiguous) noexcept : numbers(contiguous.data(), contiguous.size())
+    {}
+
+    constexpr const T *data() const noexcept { return data_; }
+    constexpr std::size_t size() const noexcept { return size_; }
+
+private:
+    static_assert(sizeof(quantity<Unit, T>) == sizeof(T) && std::is_standard_layout_v<quantity<Unit, T>>,
+                  "a quantity is a number");
+    const T *data_ = nullptr;
+    std::size_t size_ = 0;
+};
+/// Lengths: `std::vector<double>` in metres, `std::vector<kstrip::metres>`, ...
+template <class T> using lengths = numbers<unit::metres, T>;
 
 namespace detail {
 /// The C type of a C++ type: `twin<contact>::type` is kstrip_contact.
@@ -303,6 +380,7 @@ inline void check(status s, std::size_t index = 0)
 
 // ---- Bodies: materials, Hertz's ellipse and its inverse, linear coefficients ------------------
 
+/// An isotropic elastic body. See kstrip_material.
 template <class T>
 struct basic_material {
     basic_pascals<T> shear_modulus;
@@ -310,6 +388,7 @@ struct basic_material {
 };
 KSTRIP_HPP_BOTH(material)
 
+/// The combined elastic constants of two bodies. See kstrip_combined_material.
 template <class T>
 struct basic_combined_material {
     basic_pascals<T> shear_modulus;
@@ -318,12 +397,14 @@ struct basic_combined_material {
 };
 KSTRIP_HPP_BOTH(combined_material)
 
+/// Radii of curvature of two bodies at the contact [m]. See kstrip_radii.
 template <class T>
 struct basic_radii {
     basic_metres<T> lower_x, lower_y, upper_x, upper_y;
 };
 KSTRIP_HPP_BOTH(radii)
 
+/// A loaded elliptic contact with combined elastic constants and Coulomb friction. See kstrip_contact.
 template <class T>
 struct basic_contact {
     basic_metres<T> a, b;
@@ -335,6 +416,7 @@ struct basic_contact {
 };
 KSTRIP_HPP_BOTH(contact)
 
+/// The contact ellipse of Hertz. See kstrip_hertz_contact.
 template <class T>
 struct basic_hertz_contact {
     basic_metres<T> a, b;
@@ -346,12 +428,14 @@ struct basic_hertz_contact {
 };
 KSTRIP_HPP_BOTH(hertz_contact)
 
+/// Calls kstrip_material_combine().
 template <class T>
 status combine(const basic_material<T> &lower, const basic_material<T> &upper, basic_combined_material<T> &to) noexcept
 {
     return KSTRIP_HPP_CALL(kstrip_material_combine, &lower, &upper, &to);
 }
 
+/// Calls kstrip_contact_from_hertz().
 template <class T>
 status contact_from_hertz(const basic_radii<T> &curvatures, const basic_combined_material<T> &pair,
                           detail::only<basic_newtons<T>> load, detail::only<T> friction, basic_contact<T> &to,
@@ -360,6 +444,7 @@ status contact_from_hertz(const basic_radii<T> &curvatures, const basic_combined
     return KSTRIP_HPP_CALL(kstrip_contact_from_hertz, &curvatures, &pair, load, friction, &to, ellipse);
 }
 
+/// Calls kstrip_contact_from_approach().
 template <class T>
 status contact_from_approach(const basic_radii<T> &curvatures, const basic_combined_material<T> &pair,
                              detail::only<basic_metres<T>> approach, detail::only<T> friction, basic_contact<T> &to,
@@ -376,31 +461,37 @@ status linear_coefficients(T axis_ratio, detail::only<T> poisson_ratio, T (&to)[
 }
 
 #if defined(KSTRIP_HPP_EXCEPTIONS)
+/// The form of combine() that throws.
 template <class T>
 basic_combined_material<T> combine(const basic_material<T> &lower, const basic_material<T> &upper)
 KSTRIP_HPP_THROWING(basic_combined_material<T>, combine, lower, upper, to)
 
+/// What contact_from_hertz() returns.
 template <class T>
 struct basic_hertz {
     basic_contact<T> contact;
     basic_hertz_contact<T> ellipse;
 };
+/// The form of contact_from_hertz() that throws.
 template <class T>
 basic_hertz<T> contact_from_hertz(const basic_radii<T> &curvatures, const basic_combined_material<T> &pair,
                                   detail::only<basic_newtons<T>> load, detail::only<T> friction)
 KSTRIP_HPP_THROWING(basic_hertz<T>, contact_from_hertz, curvatures, pair, load, friction, to.contact, &to.ellipse)
 
+/// What contact_from_approach() returns.
 template <class T>
 struct basic_approach {
     basic_contact<T> contact;
     basic_newtons_per_metre<T> stiffness; ///< dN/d(approach)
 };
+/// The form of contact_from_approach() that throws.
 template <class T>
 basic_approach<T> contact_from_approach(const basic_radii<T> &curvatures, const basic_combined_material<T> &pair,
                                         detail::only<basic_metres<T>> approach, detail::only<T> friction)
 KSTRIP_HPP_THROWING(basic_approach<T>, contact_from_approach, curvatures, pair, approach, friction, to.contact,
                     &to.stiffness)
 
+/// C11, C22, C23, C33
 template <class T>
 std::array<T, 4> linear_coefficients(T axis_ratio, detail::only<T> poisson_ratio)
 {
@@ -412,6 +503,7 @@ std::array<T, 4> linear_coefficients(T axis_ratio, detail::only<T> poisson_ratio
 
 // ---- Motion: creepages, Kalker's parameters ---------------------------------------------------
 
+/// Velocity of one body's material at the centre of the contact, seen from the contact. See kstrip_velocity.
 template <class T>
 struct basic_velocity {
     basic_metres_per_second<T> x, y;
@@ -419,6 +511,7 @@ struct basic_velocity {
 };
 KSTRIP_HPP_BOTH(velocity)
 
+/// Rigid slip of the upper over the lower body, divided by the rolling speed (3.3). See kstrip_creepage.
 template <class T>
 struct basic_creepage {
     T longitudinal, lateral;
@@ -426,12 +519,14 @@ struct basic_creepage {
 };
 KSTRIP_HPP_BOTH(creepage)
 
+/// Kalker's parameters (5.13) of a contact in motion, dimensionless. See kstrip_parameters.
 template <class T>
 struct basic_parameters {
     T xi, eta, psi;
 };
 KSTRIP_HPP_BOTH(parameters)
 
+/// Calls kstrip_creepage_from_velocities().
 template <class T>
 status creepage_from_velocities(const basic_velocity<T> &lower, const basic_velocity<T> &upper,
                                 detail::only<basic_metres_per_second<T>> rolling_speed, basic_creepage<T> &to) noexcept
@@ -439,6 +534,7 @@ status creepage_from_velocities(const basic_velocity<T> &lower, const basic_velo
     return KSTRIP_HPP_CALL(kstrip_creepage_from_velocities, &lower, &upper, rolling_speed, &to);
 }
 
+/// Calls kstrip_parameters_from_creepage().
 template <class T>
 status parameters_from_creepage(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &motion,
                                 basic_parameters<T> &to) noexcept
@@ -446,6 +542,7 @@ status parameters_from_creepage(const basic_contact<T> &ellipse, const detail::o
     return KSTRIP_HPP_CALL(kstrip_parameters_from_creepage, &ellipse, &motion, &to);
 }
 
+/// Calls kstrip_creepage_from_parameters().
 template <class T>
 status creepage_from_parameters(const basic_contact<T> &ellipse, const detail::only<basic_parameters<T>> &numbers,
                                 basic_creepage<T> &to) noexcept
@@ -454,16 +551,19 @@ status creepage_from_parameters(const basic_contact<T> &ellipse, const detail::o
 }
 
 #if defined(KSTRIP_HPP_EXCEPTIONS)
+/// The form of creepage_from_velocities() that throws.
 template <class T>
 basic_creepage<T> creepage_from_velocities(const basic_velocity<T> &lower, const basic_velocity<T> &upper,
                                            detail::only<basic_metres_per_second<T>> rolling_speed)
 KSTRIP_HPP_THROWING(basic_creepage<T>, creepage_from_velocities, lower, upper, rolling_speed, to)
 
+/// The form of parameters_from_creepage() that throws.
 template <class T>
 basic_parameters<T> parameters_from_creepage(const basic_contact<T> &ellipse,
                                              const detail::only<basic_creepage<T>> &motion)
 KSTRIP_HPP_THROWING(basic_parameters<T>, parameters_from_creepage, ellipse, motion, to)
 
+/// The form of creepage_from_parameters() that throws.
 template <class T>
 basic_creepage<T> creepage_from_parameters(const basic_contact<T> &ellipse,
                                            const detail::only<basic_parameters<T>> &numbers)
@@ -506,6 +606,8 @@ struct basic_result {
     T adhesion;
     kstrip::status status_detail;
     std::int32_t reserved;
+    /// fx, fy, 0 [N], 0, 0, mz [N m]
+    constexpr operator std::array<T, 6>() const noexcept { return {fx.value, fy.value, T(0), T(0), T(0), mz.value}; }
 };
 KSTRIP_HPP_BOTH(result)
 
@@ -530,6 +632,7 @@ struct basic_derivatives {
 };
 KSTRIP_HPP_BOTH(derivatives)
 
+/// Derivatives of fx, fy, mz by the parameters of falling friction. See kstrip_law_derivatives.
 template <class T>
 struct basic_law_derivatives {
     T ratio[3];
@@ -539,6 +642,7 @@ struct basic_law_derivatives {
 };
 KSTRIP_HPP_BOTH(law_derivatives)
 
+/// One strip y = const of a contact or a patch, and the forces that it carries on the lower body. See kstrip_strip.
 template <class T>
 struct basic_strip {
     basic_metres<T> y, width, half_length, separatrix;
@@ -635,6 +739,7 @@ struct basic_motion {
 };
 KSTRIP_HPP_BOTH(motion)
 
+/// Derivatives of fx, fy, mz by the motion, by load and by friction. See kstrip_motion_derivatives.
 template <class T>
 struct basic_motion_derivatives {
     T slip[3][3]; ///< by slip_x, slip_y, spin_rate, row by row
@@ -657,6 +762,7 @@ struct basic_motion_outputs {
 };
 KSTRIP_HPP_BOTH(motion_outputs)
 
+/// Calls kstrip_solve().
 template <class T>
 status solve(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep, const options &how,
              basic_result<T> &to) noexcept
@@ -673,6 +779,7 @@ status evaluate(const basic_contact<T> &ellipse, const detail::only<basic_creepa
     return KSTRIP_HPP_CALL(kstrip_evaluate, &ellipse, &creep, law, &how, &to);
 }
 
+/// Calls kstrip_evaluate_batch().
 template <class T>
 status evaluate_batch(const basic_batch_inputs<T> &from, std::uint32_t count, const options &how,
                       const basic_batch_outputs<T> &to, std::uint32_t *first_bad = nullptr) noexcept
@@ -698,18 +805,21 @@ basic_batch_outputs<T> batch_of(basic_result<T> *results) noexcept
             &results->status_detail, r, nullptr, 0, nullptr, 0, nullptr, 0};
 }
 
+/// Calls kstrip_prepare().
 template <class T>
 status prepare(const basic_contact<T> &ellipse, const options &how, basic_prepared<T> &to) noexcept
 {
     return KSTRIP_HPP_CALL(kstrip_prepare, &ellipse, &how, &to);
 }
 
+/// Calls kstrip_solve_prepared().
 template <class T>
 status solve(const basic_prepared<T> &ready, const detail::only<basic_creepage<T>> &creep, basic_result<T> &to) noexcept
 {
     return KSTRIP_HPP_CALL(kstrip_solve_prepared, &ready, &creep, &to);
 }
 
+/// Calls kstrip_solve_motion().
 template <class T>
 status solve_motion(const basic_contact<T> &ellipse, const detail::only<basic_motion<T>> &moving,
                     const detail::only<basic_friction<T>> *law, const options &how,
@@ -725,18 +835,21 @@ status solve_total(const basic_contact<T> &ellipse, const detail::only<basic_cre
 {
     return KSTRIP_HPP_CALL(kstrip_solve_total, &ellipse, &creep, &to);
 }
+/// Calls kstrip_solve_strip().
 template <class T>
 status solve_strip(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep, std::int32_t strips,
                    basic_result<T> &to) noexcept
 {
     return KSTRIP_HPP_CALL(kstrip_solve_strip, &ellipse, &creep, strips, &to);
 }
+/// Calls kstrip_solve_strip_1967().
 template <class T>
 status solve_strip_1967(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep,
                         std::int32_t strips, basic_result<T> &to) noexcept
 {
     return KSTRIP_HPP_CALL(kstrip_solve_strip_1967, &ellipse, &creep, strips, &to);
 }
+/// Calls kstrip_solve_linear().
 template <class T>
 status solve_linear(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep,
                     basic_result<T> &to) noexcept
@@ -775,64 +888,89 @@ basic_evaluation<T> evaluate(const basic_contact<T> &ellipse, const detail::only
                              const options &how = {}, const detail::only<basic_friction<T>> *law = nullptr)
 KSTRIP_HPP_THROWING(basic_evaluation<T>, evaluate, ellipse, creep, law, how, to)
 
-template <class T>
-std::vector<basic_strip<T>> strips(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep,
-                                   const options &how = {}, const detail::only<basic_friction<T>> *law = nullptr)
+namespace detail {
+/// A batch of `count` creepages into the outputs; one contact for all, or as many as creepages.
+template <class Contacts, class Creepages, class T>
+void run_batch(const Contacts &contacts, const Creepages &creepages, const options &how, const basic_friction<T> *law,
+               const basic_batch_outputs<T> &to)
 {
-    std::vector<basic_strip<T>> to(strips_capacity);
-    std::uint32_t count = 0;
-    basic_outputs<T> wanted;
-    wanted.strips = to.data(), wanted.count = &count, wanted.capacity = strips_capacity;
-    detail::check(evaluate(ellipse, creep, law, how, wanted));
-    to.resize(count);
-    return to;
-}
-
-/// Returns one result for each creepage. Pass one contact for all creepages, or as many contacts as creepages. The exception has the index of
-/// the first bad input.
-template <class Contacts, class Creepages>
-auto evaluate_batch(const Contacts &contacts, const Creepages &creepages, const options &how = {})
-    -> std::vector<basic_result<decltype(creepages.data()->longitudinal + 0)>>
-{
-    std::vector<basic_result<decltype(creepages.data()->longitudinal + 0)>> to(creepages.size());
-    if ((contacts.size() != 1 && contacts.size() != to.size()) || !detail::fits(to.size()))
+    const std::size_t count = creepages.size();
+    if ((contacts.size() != 1 && contacts.size() != count) || !fits(count))
         throw error(status::error_capacity);
-    if (to.empty())
-        return to;
-    auto from = batch_of(contacts.data(), creepages.data());
+    if (count == 0)
+        return;
+    basic_batch_inputs<T> from = batch_of(contacts.data(), creepages.data());
     if (contacts.size() == 1)
         from.a_stride = from.b_stride = from.normal_force_stride = from.shear_modulus_stride =
             from.poisson_ratio_stride = from.friction_stride = from.mismatch_stride = 0;
+    from.law = law;
     std::uint32_t bad = 0;
-    const status s = evaluate_batch(from, detail::capacity(to.size()), how, batch_of(to.data()), &bad);
-    detail::check(s, bad);
+    const status s = evaluate_batch(from, capacity(count), how, to, &bad);
+    check(s, bad);
+}
+template <class Creepages> using batch_precision = decltype(std::declval<const Creepages &>().data()->longitudinal + 0);
+} // namespace detail
+
+/// Returns one result for each creepage. Pass one contact for all creepages, or as many contacts as creepages; `law`, null where friction is
+/// constant, is for all. The exception has the index of the first bad input.
+template <class Contacts, class Creepages, class T = detail::batch_precision<Creepages>>
+std::vector<basic_result<T>> evaluate_batch(const Contacts &contacts, const Creepages &creepages,
+                                            const options &how = {}, const detail::only<basic_friction<T>> *law = nullptr)
+{
+    std::vector<basic_result<T>> to(creepages.size());
+    detail::run_batch(contacts, creepages, how, law, batch_of(to.data()));
     return to;
 }
 
+/// The same with derivatives, with those of the law, and with the friction that agrees with the slip.
+template <class Contacts, class Creepages, class T = detail::batch_precision<Creepages>>
+std::vector<basic_evaluation<T>> evaluate_batch_with_derivatives(const Contacts &contacts, const Creepages &creepages,
+                                                                 const options &how = {},
+                                                                 const detail::only<basic_friction<T>> *law = nullptr)
+{
+    std::vector<basic_evaluation<T>> to(creepages.size());
+    if (to.empty())
+        return to;
+    constexpr std::ptrdiff_t e = sizeof(basic_evaluation<T>);
+    basic_evaluation<T> &first = to.front();
+    basic_result<T> &r = first.result;
+    detail::run_batch(contacts, creepages, how, law,
+                      basic_batch_outputs<T>{&r.fx, e, &r.fy, e, &r.mz, e, &r.power, e, &r.adhesion, e, &r.status_detail,
+                                             e, &first.friction, e, &first.derivatives, e, &first.law_derivatives, e});
+    return to;
+}
+
+/// The form of prepare() that throws.
 template <class T>
 basic_prepared<T> prepare(const basic_contact<T> &ellipse, const options &how = {})
 KSTRIP_HPP_THROWING(basic_prepared<T>, prepare, ellipse, how, to)
 
+/// The form of solve() that throws.
 template <class T>
 basic_result<T> solve(const basic_prepared<T> &ready, const detail::only<basic_creepage<T>> &creep)
 KSTRIP_HPP_THROWING(basic_result<T>, solve, ready, creep, to)
 
+/// The form of solve_motion() that throws.
 template <class T>
 basic_motion_solution<T> solve_motion(const basic_contact<T> &ellipse, const detail::only<basic_motion<T>> &moving,
                                       const options &how = {}, const detail::only<basic_friction<T>> *law = nullptr)
 KSTRIP_HPP_THROWING(basic_motion_solution<T>, solve_motion, ellipse, moving, law, how, to)
 
+/// The form of solve_total() that throws.
 template <class T>
 basic_result<T> solve_total(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep)
 KSTRIP_HPP_THROWING(basic_result<T>, solve_total, ellipse, creep, to)
+/// The form of solve_strip() that throws.
 template <class T>
 basic_result<T> solve_strip(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep,
                             std::int32_t strips = 0)
 KSTRIP_HPP_THROWING(basic_result<T>, solve_strip, ellipse, creep, strips, to)
+/// The form of solve_strip_1967() that throws.
 template <class T>
 basic_result<T> solve_strip_1967(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep,
                                  std::int32_t strips = 0)
 KSTRIP_HPP_THROWING(basic_result<T>, solve_strip_1967, ellipse, creep, strips, to)
+/// The form of solve_linear() that throws.
 template <class T>
 basic_result<T> solve_linear(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep)
 KSTRIP_HPP_THROWING(basic_result<T>, solve_linear, ellipse, creep, to)
@@ -840,6 +978,7 @@ KSTRIP_HPP_THROWING(basic_result<T>, solve_linear, ellipse, creep, to)
 
 // ---- Inside the contact: pressure, traction, slip ---------------------------------------------
 
+/// The state of a point of the contact plane. See kstrip_point.
 template <class T>
 struct basic_point {
     basic_pascals<T> pressure, traction_x, traction_y;
@@ -853,7 +992,7 @@ KSTRIP_HPP_BOTH(point)
 /// The point (x[i], y[j]) is to[j * x.size() + i].
 template <class T>
 status field(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep, const options &how,
-             detail::only<span<const basic_metres<T>>> x, detail::only<span<const basic_metres<T>>> y,
+             detail::only<lengths<T>> x, detail::only<lengths<T>> y,
              detail::only<span<basic_point<T>>> to) noexcept
 {
     if (!detail::fits(x.size()) || !detail::fits(y.size()))
@@ -894,6 +1033,7 @@ struct basic_profile_contact {
 };
 KSTRIP_HPP_BOTH(profile_contact)
 
+/// One strip of a patch, along the rolling direction. See kstrip_patch_strip.
 template <class T>
 struct basic_patch_strip {
     basic_metres<T> y, width, half_length, centre_x;
@@ -916,6 +1056,7 @@ struct basic_patch {
 };
 KSTRIP_HPP_BOTH(patch)
 
+/// Approach, load and pressure of two profiles in contact. See kstrip_profile_result.
 template <class T>
 struct basic_profile_result {
     basic_metres<T> approach;
@@ -929,6 +1070,7 @@ struct basic_profile_result {
 };
 KSTRIP_HPP_BOTH(profile_result)
 
+/// Load, friction bound and area of a patch. See kstrip_patch_summary.
 template <class T>
 struct basic_patch_summary {
     basic_newtons<T> normal_force, friction_bound;
@@ -938,6 +1080,7 @@ struct basic_patch_summary {
 };
 KSTRIP_HPP_BOTH(patch_summary)
 
+/// Calls kstrip_patch_from_profile().
 template <class T>
 status patch_from_profile(const basic_profile<T> &line, const basic_profile_contact<T> &load, basic_patch<T> &to,
                           detail::only<basic_profile_result<T>> *met = nullptr) noexcept
@@ -947,16 +1090,18 @@ status patch_from_profile(const basic_profile<T> &line, const basic_profile_cont
 
 /// Returns error_capacity where the arrays have different sizes.
 template <class T>
-status patch_from_profile(detail::only<span<const basic_metres<T>>> y,
-                          detail::only<span<const basic_metres<T>>> distance, const basic_profile_contact<T> &load,
-                          basic_patch<T> &to, detail::only<basic_profile_result<T>> *met = nullptr) noexcept
+status patch_from_profile(detail::only<lengths<T>> y, detail::only<lengths<T>> distance,
+                          const basic_profile_contact<T> &load, basic_patch<T> &to, detail::only<basic_profile_result<T>> *met = nullptr) noexcept
 {
     if (y.size() != distance.size() || !detail::fits(y.size()))
         return status::error_capacity;
-    const basic_profile<T> line{y.data(), distance.data(), nullptr, nullptr, detail::capacity(y.size()), 0};
-    return patch_from_profile(line, load, to, met);
+    // (the layouts are the same: the profile of C has plain numbers)
+    using line_of_c = typename detail::twin<basic_profile<T>>::type;
+    const line_of_c line{y.data(), distance.data(), nullptr, nullptr, detail::capacity(y.size()), 0};
+    return KSTRIP_HPP_CALL(kstrip_patch_from_profile, &line, &load, &to, met);
 }
 
+/// Calls kstrip_patch_from_strips().
 template <class T>
 status patch_from_strips(detail::only<span<const basic_patch_strip<T>>> from, basic_pascals<T> shear_modulus,
                          detail::only<T> poisson_ratio, basic_patch<T> &to) noexcept
@@ -965,12 +1110,14 @@ status patch_from_strips(detail::only<span<const basic_patch_strip<T>>> from, ba
                            poisson_ratio, &to);
 }
 
+/// Calls kstrip_patch_from_contact().
 template <class T>
 status patch_from_contact(const basic_contact<T> &ellipse, const options &how, basic_patch<T> &to) noexcept
 {
     return KSTRIP_HPP_CALL(kstrip_patch_from_contact, &ellipse, &how, &to);
 }
 
+/// Calls kstrip_patch_summarize().
 template <class T>
 status summarize(const basic_patch<T> &area, basic_patch_summary<T> &to) noexcept
 {
@@ -989,7 +1136,7 @@ status evaluate(const basic_patch<T> &area, const detail::only<basic_creepage<T>
 /// The point (x[i], y[j]) is to[j * x.size() + i].
 template <class T>
 status field(const basic_patch<T> &area, const detail::only<basic_creepage<T>> &creep, const options &how,
-             detail::only<span<const basic_metres<T>>> x, detail::only<span<const basic_metres<T>>> y,
+             detail::only<lengths<T>> x, detail::only<lengths<T>> y,
              detail::only<span<basic_point<T>>> to) noexcept
 {
     if (!detail::fits(x.size()) || !detail::fits(y.size()))
@@ -999,44 +1146,64 @@ status field(const basic_patch<T> &area, const detail::only<basic_creepage<T>> &
 }
 
 #if defined(KSTRIP_HPP_EXCEPTIONS)
+/// What patch_from_profile() returns.
 template <class T>
 struct basic_profile_patch {
     basic_patch<T> patch;
     basic_profile_result<T> met;
 };
+/// The form of patch_from_profile() that throws.
 template <class T>
 basic_profile_patch<T> patch_from_profile(const basic_profile<T> &line, const basic_profile_contact<T> &load)
 KSTRIP_HPP_THROWING(basic_profile_patch<T>, patch_from_profile, line, load, to.patch, &to.met)
 
+/// The form of patch_from_profile() that throws.
 template <class T>
-basic_profile_patch<T> patch_from_profile(detail::only<span<const basic_metres<T>>> y,
-                                          detail::only<span<const basic_metres<T>>> distance,
+basic_profile_patch<T> patch_from_profile(detail::only<lengths<T>> y, detail::only<lengths<T>> distance,
                                           const basic_profile_contact<T> &load)
 KSTRIP_HPP_THROWING(basic_profile_patch<T>, patch_from_profile, y, distance, load, to.patch, &to.met)
 
+/// The form of patch_from_strips() that throws.
 template <class T>
 basic_patch<T> patch_from_strips(detail::only<span<const basic_patch_strip<T>>> from, basic_pascals<T> shear_modulus,
                                  detail::only<T> poisson_ratio)
 KSTRIP_HPP_THROWING(basic_patch<T>, patch_from_strips, from, shear_modulus, poisson_ratio, to)
 
+/// The form of patch_from_contact() that throws.
 template <class T>
 basic_patch<T> patch_from_contact(const basic_contact<T> &ellipse, const options &how = {})
 KSTRIP_HPP_THROWING(basic_patch<T>, patch_from_contact, ellipse, how, to)
 
+/// The form of summarize() that throws.
 template <class T>
 basic_patch_summary<T> summarize(const basic_patch<T> &area)
 KSTRIP_HPP_THROWING(basic_patch_summary<T>, summarize, area, to)
 
+/// The form of evaluate() that throws.
 template <class T>
 basic_evaluation<T> evaluate(const basic_patch<T> &area, const detail::only<basic_creepage<T>> &creep,
                              const options &how = {}, const detail::only<basic_friction<T>> *law = nullptr)
 KSTRIP_HPP_THROWING(basic_evaluation<T>, evaluate, area, creep, law, how, to)
 
+/// What each strip of a contact or a patch carries. `law`: null where friction is constant.
+template <template <class> class Area, class T>
+std::vector<basic_strip<T>> strips(const Area<T> &area, const detail::only<basic_creepage<T>> &creep,
+                                   const options &how = {}, const detail::only<basic_friction<T>> *law = nullptr)
+{
+    std::vector<basic_strip<T>> to(strips_capacity);
+    std::uint32_t count = 0;
+    basic_outputs<T> wanted;
+    wanted.strips = to.data(), wanted.count = &count, wanted.capacity = strips_capacity;
+    detail::check(evaluate(area, creep, law, how, wanted));
+    to.resize(count);
+    return to;
+}
+
 /// Of a contact or a patch: the point (x[i], y[j]) is [j * x.size() + i].
 template <template <class> class Area, class T>
 std::vector<basic_point<T>> field(const Area<T> &area, const detail::only<basic_creepage<T>> &creep, const options &how,
-                                  detail::only<span<const basic_metres<T>>> x,
-                                  detail::only<span<const basic_metres<T>>> y)
+                                  detail::only<lengths<T>> x,
+                                  detail::only<lengths<T>> y)
 {
     std::vector<basic_point<T>> to(x.size() * y.size());
     detail::check(field(area, creep, how, x, y, to));
@@ -1061,6 +1228,7 @@ struct basic_surface {
 };
 KSTRIP_HPP_BOTH(surface)
 
+/// Where the wheel is, over straight track. See kstrip_wheel_position.
 template <class T>
 struct basic_wheel_position {
     basic_metres<T> lateral{}, vertical{}; ///< y of the wheel's centre; its depth below one wheel radius over the rail
@@ -1068,10 +1236,16 @@ struct basic_wheel_position {
 };
 KSTRIP_HPP_BOTH(wheel_position)
 
+/// How the wheel moves over the rail. See kstrip_wheel_velocity.
 template <class T>
 struct basic_wheel_velocity {
     basic_metres_per_second<T> forward{}, lateral{}, vertical{};
     basic_radians_per_second<T> roll{}, pitch{}, yaw{}; ///< about the wheelset's own axes; pitch is about -forward/radius
+    /// In the order of the derivatives of a wrench
+    constexpr operator std::array<T, 6>() const noexcept
+    {
+        return {forward.value, lateral.value, vertical.value, roll.value, pitch.value, yaw.value};
+    }
 };
 KSTRIP_HPP_BOTH(wheel_velocity)
 
@@ -1088,7 +1262,7 @@ struct basic_wheel_pair {
     std::int32_t left = 0;
     basic_metres<T> smoothing_length{};
     std::int32_t strips = 0;
-    std::int32_t model = 0;
+    kstrip::model model = kstrip::model::default_;
 };
 KSTRIP_HPP_BOTH(wheel_pair)
 
@@ -1104,6 +1278,7 @@ struct basic_gap {
 };
 KSTRIP_HPP_BOTH(gap)
 
+/// One contact of a wheel. See kstrip_wheel_contact.
 template <class T>
 struct basic_wheel_contact {
     basic_metres<T> origin[3];
@@ -1139,9 +1314,15 @@ struct basic_wrench {
     basic_newtons<T> normal_force;
     std::uint32_t contacts;
     status status_detail;
+    /// Force along x, y, z [N], moment about x, y, z [N m]
+    constexpr operator std::array<T, 6>() const noexcept
+    {
+        return {force[0].value, force[1].value, force[2].value, moment[0].value, moment[1].value, moment[2].value};
+    }
 };
 KSTRIP_HPP_BOTH(wrench)
 
+/// Exact derivatives of the wrench. See kstrip_wrench_derivatives.
 template <class T>
 struct basic_wrench_derivatives {
     T velocity[6][6];
@@ -1149,6 +1330,7 @@ struct basic_wrench_derivatives {
 };
 KSTRIP_HPP_BOTH(wrench_derivatives)
 
+/// Derivatives of the wrench by the wheel's position at constant velocity. See kstrip_wrench_by_position.
 template <class T>
 struct basic_wrench_by_position {
     T lateral[6], vertical[6], yaw[6], roll[6];
@@ -1157,8 +1339,8 @@ KSTRIP_HPP_BOTH(wrench_by_position)
 
 /// Returns error_capacity where the arrays have different sizes.
 template <class T>
-status prepare_profile(detail::only<span<const basic_metres<T>>> y, detail::only<span<const basic_metres<T>>> z,
-                       basic_metres<T> step, basic_metres<T> smoothing_length, basic_surface<T> &to) noexcept
+status prepare_profile(detail::only<lengths<T>> y, detail::only<lengths<T>> z, detail::only<basic_metres<T>> step,
+                       detail::only<basic_metres<T>> smoothing_length, basic_surface<T> &to) noexcept
 {
     if (y.size() != z.size() || !detail::fits(y.size()))
         return status::error_capacity;
@@ -1175,6 +1357,7 @@ status touch(const basic_surface<T> &rail, const basic_surface<T> &wheel, basic_
     return KSTRIP_HPP_CALL(kstrip_touch, &rail, &wheel, wheel_radius, &where, reach, &to, least);
 }
 
+/// Calls kstrip_contacts_from_gap().
 template <class T>
 status contacts_from_gap(const basic_gap<T> &between, const basic_wheel_pair<T> &both,
                          const basic_wheel_position<T> &where, basic_patch<T> &workspace,
@@ -1183,6 +1366,7 @@ status contacts_from_gap(const basic_gap<T> &between, const basic_wheel_pair<T> 
     return KSTRIP_HPP_CALL(kstrip_contacts_from_gap, &between, &both, &where, &workspace, &to[0], &count);
 }
 
+/// Calls kstrip_wheel_motion().
 template <class T>
 status wheel_motion(const basic_wheel_contact<T> &at, const basic_wheel_velocity<T> &moves,
                     basic_motion<T> &to) noexcept
@@ -1226,17 +1410,90 @@ status height_for_load(const basic_surface<T> &rail, const basic_surface<T> &whe
 }
 
 #if defined(KSTRIP_HPP_EXCEPTIONS)
+/// `y`, `z`: arrays, vectors or spans of plain numbers in metres, or of kstrip::metres. A `step` or `smoothing_length` of 0 is the default.
+template <class Lengths, class T = detail::precision_of<const Lengths>>
+basic_surface<T> prepare_profile(const Lengths &y, const Lengths &z, detail::only<basic_metres<T>> step = {},
+                                 detail::only<basic_metres<T>> smoothing_length = {})
+KSTRIP_HPP_THROWING(basic_surface<T>, (prepare_profile<T>), y, z, step, smoothing_length, to)
+
+/// What touch() returns.
+template <class T>
+struct basic_touch {
+    basic_gap<T> gap;
+    basic_metres<T> least; ///< smallest distance; negative where the surfaces overlap
+};
+/// A `reach` of 0 means 2 mm.
+template <class T>
+basic_touch<T> touch(const basic_surface<T> &rail, const basic_surface<T> &wheel, detail::only<basic_metres<T>> wheel_radius,
+                     const basic_wheel_position<T> &where, detail::only<basic_metres<T>> reach = {})
+KSTRIP_HPP_THROWING(basic_touch<T>, touch, rail, wheel, wheel_radius, where, reach, to.gap, &to.least)
+
+/// The contacts, in ascending y of a right wheel.
+template <class T>
+std::vector<basic_wheel_contact<T>> contacts_from_gap(const basic_gap<T> &between, const basic_wheel_pair<T> &both,
+                                                      const basic_wheel_position<T> &where)
+{
+    struct memory {
+        basic_patch<T> workspace;
+        basic_wheel_contact<T> contacts[contacts_capacity];
+    };
+    std::vector<memory> one(1);
+    memory &room = one.front();
+    std::uint32_t count = 0;
+    detail::check(contacts_from_gap(between, both, where, room.workspace, room.contacts, count));
+    return {&room.contacts[0], &room.contacts[0] + count};
+}
+
+/// The form of wheel_motion() that throws.
+template <class T>
+basic_motion<T> wheel_motion(const basic_wheel_contact<T> &at, const basic_wheel_velocity<T> &moves)
+KSTRIP_HPP_THROWING(basic_motion<T>, wheel_motion, at, moves, to)
+
+/// Force and moment on a wheel with their derivatives.
+template <class T>
+struct basic_wheel_forces {
+    basic_wrench<T> wrench;
+    basic_wrench_derivatives<T> derivatives; ///< with respect to velocity and friction
+};
+/// `law`: null where friction is constant.
+template <class T>
+basic_wheel_forces<T> wrench_from_contacts(detail::only<span<const basic_wheel_contact<T>>> contacts,
+                                           const basic_wheel_velocity<T> &moves, model how = model::default_,
+                                           const detail::only<basic_friction<T>> *law = nullptr)
+KSTRIP_HPP_THROWING(basic_wheel_forces<T>, wrench_from_contacts, contacts, moves, how, law, to.wrench, &to.derivatives)
+
+/// The wrench alone. `law`: null where friction is constant.
 template <class T>
 basic_wrench<T> wheel_on_rail(const basic_surface<T> &rail, const basic_surface<T> &wheel,
                               const basic_wheel_pair<T> &both, const basic_wheel_position<T> &where,
-                              const basic_wheel_velocity<T> &moves, basic_wheel_workspace<T> &workspace)
-KSTRIP_HPP_THROWING(basic_wrench<T>, wheel_on_rail, rail, wheel, both, where, moves, nullptr, workspace, to)
+                              const basic_wheel_velocity<T> &moves, basic_wheel_workspace<T> &workspace,
+                              const detail::only<basic_friction<T>> *law = nullptr)
+KSTRIP_HPP_THROWING(basic_wrench<T>, wheel_on_rail, rail, wheel, both, where, moves, law, workspace, to)
 
+/// The wrench with its derivatives.
+template <class T>
+struct basic_wheel_evaluation {
+    basic_wrench<T> wrench;
+    basic_wrench_derivatives<T> derivatives; ///< with respect to velocity and friction
+    basic_wrench_by_position<T> by_position; ///< zero where they are not asked for
+};
+/// `law`: null where friction is constant. `by_position`: whether to compute the derivatives with respect to the position too.
+template <class T>
+basic_wheel_evaluation<T> wheel_on_rail_with_derivatives(
+    const basic_surface<T> &rail, const basic_surface<T> &wheel, const basic_wheel_pair<T> &both,
+    const basic_wheel_position<T> &where, const basic_wheel_velocity<T> &moves, basic_wheel_workspace<T> &workspace,
+    const detail::only<basic_friction<T>> *law = nullptr, bool by_position = false)
+KSTRIP_HPP_THROWING(basic_wheel_evaluation<T>, wheel_on_rail, rail, wheel, both, where, moves, law, workspace, to.wrench,
+                    &to.derivatives, by_position ? &to.by_position : nullptr)
+
+/// `moves`: the velocity of the wheel; null: the pressure carries the whole load.
 template <class T>
 basic_metres<T> height_for_load(const basic_surface<T> &rail, const basic_surface<T> &wheel,
                                 const basic_wheel_pair<T> &both, const basic_wheel_position<T> &where,
-                                detail::only<basic_newtons<T>> support, basic_wheel_workspace<T> &workspace)
-KSTRIP_HPP_THROWING(basic_metres<T>, height_for_load, rail, wheel, both, where, support, nullptr, nullptr, workspace, to)
+                                detail::only<basic_newtons<T>> support, basic_wheel_workspace<T> &workspace,
+                                const detail::only<basic_wheel_velocity<T>> *moves = nullptr,
+                                const detail::only<basic_friction<T>> *law = nullptr)
+KSTRIP_HPP_THROWING(basic_metres<T>, height_for_load, rail, wheel, both, where, support, moves, law, workspace, to)
 #endif
 
 // ---- Test rigs: friction from a force, creepage from a force ----------------------------------
@@ -1248,6 +1505,7 @@ enum class measured : std::uint32_t {
     both = KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY,
 };
 
+/// A coefficient of friction from a measured force. See kstrip_friction_estimate.
 template <class T>
 struct basic_friction_estimate {
     T friction;
@@ -1258,6 +1516,7 @@ struct basic_friction_estimate {
 };
 KSTRIP_HPP_BOTH(friction_estimate)
 
+/// Calls kstrip_estimate_friction().
 template <class T>
 status estimate_friction(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep,
                          const options &how, measured what, detail::only<basic_newtons<T>> fx,
@@ -1267,6 +1526,7 @@ status estimate_friction(const basic_contact<T> &ellipse, const detail::only<bas
                            &to);
 }
 
+/// Calls kstrip_creepage_for_force().
 template <class T>
 status creepage_for_force(const basic_contact<T> &ellipse, detail::only<basic_newtons<T>> fx,
                           detail::only<basic_newtons<T>> fy, detail::only<basic_per_metre<T>> spin, const options &how,
@@ -1276,6 +1536,7 @@ status creepage_for_force(const basic_contact<T> &ellipse, detail::only<basic_ne
 }
 
 #if defined(KSTRIP_HPP_EXCEPTIONS)
+/// The form of estimate_friction() that throws.
 template <class T>
 basic_friction_estimate<T> estimate_friction(const basic_contact<T> &ellipse,
                                              const detail::only<basic_creepage<T>> &creep, measured what,
@@ -1283,6 +1544,7 @@ basic_friction_estimate<T> estimate_friction(const basic_contact<T> &ellipse,
                                              const options &how = {})
 KSTRIP_HPP_THROWING(basic_friction_estimate<T>, estimate_friction, ellipse, creep, how, what, fx, fy, to)
 
+/// The form of creepage_for_force() that throws.
 template <class T>
 basic_creepage<T> creepage_for_force(const basic_contact<T> &ellipse, detail::only<basic_newtons<T>> fx,
                                      detail::only<basic_newtons<T>> fy, detail::only<basic_per_metre<T>> spin,
@@ -1305,6 +1567,7 @@ inline options defaults() noexcept
     return to;
 }
 
+/// Calls kstrip_result_on_upper_body().
 template <class T>
 basic_result<T> on_upper_body(const basic_result<T> &lower) noexcept
 {

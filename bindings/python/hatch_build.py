@@ -7,10 +7,31 @@ import subprocess
 import sys
 import sysconfig
 
+from elftools.elf.elffile import ELFFile
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
 # What cargo needs; in a source distribution it stands in `rust`.
 SOURCES = ("src", "include", "scripts/library.sh", "Cargo.toml", "Cargo.lock", "LICENSE-APACHE", "LICENSE-MIT")
+
+
+def platform_of(library):
+    """The platform tag of a wheel with this library: on Linux manylinux, by the newest glibc whose symbols the library needs.
+
+    `auditwheel show` checks the tag in scripts/wheel_test.sh.
+    """
+    platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
+    if not platform.startswith("linux_"):
+        return platform
+    with open(library, "rb") as file:
+        elf = ELFFile(file)
+        needed = {tag.needed for tag in elf.get_section_by_name(".dynamic").iter_tags("DT_NEEDED")}
+        wanted = elf.get_section_by_name(".gnu.version_r")
+        versions = [] if wanted is None else [version.name for _, of in wanted.iter_versions() for version in of]
+    if not needed <= {"libc.so.6"} or not all(version.startswith("GLIBC_2.") for version in versions):
+        return platform
+    # manylinux_2_17 (manylinux2014) is the oldest that pip is asked for.
+    newest = max([17, *(int(version.split(".")[1]) for version in versions)])
+    return platform.replace("linux", f"manylinux_2_{newest}", 1)
 
 
 class Library(BuildHookInterface):
@@ -41,5 +62,4 @@ class Library(BuildHookInterface):
             build_data["force_include"][str(rust / licence)] = f"kstrip/{licence}"
         build_data["pure_python"] = False
         # ctypes: one wheel for every Python of this platform
-        platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
-        build_data["tag"] = f"py3-none-{platform}"
+        build_data["tag"] = f"py3-none-{platform_of(built)}"

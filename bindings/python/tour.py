@@ -8,7 +8,6 @@ Read it from top to bottom like a notebook: each picture is one function.
 
 import csv
 import pathlib
-import sys
 import time
 import warnings
 
@@ -20,7 +19,6 @@ import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-sys.path.insert(0, str(HERE))
 import kstrip
 
 # Linear theory beyond friction, the theory of 1967 beyond its spin: that is what the pictures show.

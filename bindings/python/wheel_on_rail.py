@@ -5,11 +5,9 @@
 """
 
 import pathlib
-import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-sys.path.insert(0, str(HERE))
 
 import numpy as np
 

@@ -67,7 +67,7 @@ impl<F: Float> PreparedNumbers<F> {
         let quick = size <= F::constant(QUICK);
         let frame: &ScaledContact<F> = self.part::<_, FRAME>();
         let found = *self.part::<F, MARK>();
-        if quick && self.model == Model::Linear as i32 {
+        if Model::HAS_LINEAR && quick && self.model == Model::Linear as i32 {
             Error::NotPrepared.unless(found == mark(Model::Linear))?;
             let linear: &Linear<F> = self.part::<_, KNOWN>();
             let forces =
@@ -99,14 +99,23 @@ impl<F: Float> PreparedNumbers<F> {
             return Ok(());
         }
         *solution = match model {
-            Model::Linear => self.part::<Linear<F>, KNOWN>().answer(frame, creepage, ordinary),
-            Model::Total => self.part::<Total<F>, KNOWN>().answer(frame, creepage, ordinary),
-            Model::Strip => {
+            Model::Linear if Model::HAS_LINEAR => {
+                self.part::<Linear<F>, KNOWN>().answer(frame, creepage, ordinary)
+            }
+            Model::Total if Model::HAS_TOTAL => {
+                self.part::<Total<F>, KNOWN>().answer(frame, creepage, ordinary)
+            }
+            Model::Strip if Model::HAS_STRIP => {
                 let contact = *self.part::<strip::Flexibilities<F>, KNOWN>();
                 EllipseStrips::from_prepared(contact, strips).answer(frame, creepage, ordinary)
             }
-            Model::Strip1967 => Strip1967::<false>.answer(frame, creepage, ordinary),
-            Model::Strip1967Continuous => Strip1967::<true>.answer(frame, creepage, ordinary),
+            Model::Strip1967 if Model::HAS_STRIP_1967 => {
+                Strip1967::<false>.answer(frame, creepage, ordinary)
+            }
+            Model::Strip1967Continuous if Model::HAS_STRIP_1967 => {
+                Strip1967::<true>.answer(frame, creepage, ordinary)
+            }
+            _ => return Err(Error::NotPrepared),
         };
         Ok(())
     }

@@ -11,7 +11,9 @@ pub(super) use crate::contact::{Contact, from_approach, from_hertz};
 pub(super) use crate::forces::derivatives::Derivatives;
 pub(super) use crate::forces::field::FieldPoint;
 pub(super) use crate::forces::prepared::Prepared;
-pub(super) use crate::forces::theory::{EllipseStrips, Linear, Strip1967, Theory, Total};
+pub(super) use crate::forces::theory::{
+    EllipseStrips, Linear, Strip1967, Theory, Total, solution_of,
+};
 pub(super) use crate::forces::{self, Field, Model, Options, Solution, StripResult};
 pub(super) use crate::friction::derivatives::{LawDerivatives, differentiate};
 pub(super) use crate::friction::{self, SlipFriction};
@@ -84,14 +86,9 @@ pub(super) fn for_strips(options: Option<&kstrip_options>) -> Result<Options, Er
 #[inline]
 fn with_default(options: Option<&kstrip_options>, default: Model) -> Result<Options, Error> {
     let kstrip_options { model, strips } = options.copied().unwrap_or_default();
-    Ok(Options {
-        model: if model == super::KSTRIP_MODEL_DEFAULT {
-            default
-        } else {
-            Model::from_number(model).ok_or(Error::Model)?
-        },
-        strips: strip_count(strips)?,
-    })
+    let model = if model == super::KSTRIP_MODEL_DEFAULT { default as i32 } else { model };
+    let model = Model::from_number(model).ok_or(Error::Model)?;
+    Ok(Options { model, strips: strip_count(strips)? })
 }
 
 /// A number of strips; 0: the default.

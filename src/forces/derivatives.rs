@@ -33,10 +33,8 @@ use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::mismatch::Shift;
 use crate::contact::totals::Totals;
 use crate::forces::check::find_fault;
-use crate::forces::options::{Model, Options, Solution};
-use crate::forces::theory::{
-    EllipseStrips, Forces, Linear, ScaledContact, Strip1967, Theory, Total,
-};
+use crate::forces::options::{Options, Solution};
+use crate::forces::theory::{Forces, ScaledContact, Theory, by_model};
 use crate::number::{Float, Real};
 use crate::status::Error;
 use nalgebra::Matrix3;
@@ -117,17 +115,12 @@ pub(crate) fn solve_with_slopes<F: Float>(
         return Ok((Solution::nothing(), Slopes::nothing()));
     }
     let frame = &ScaledContact::of(contact);
-    let (solution, slopes) = match options.model {
-        Model::Strip1967 => {
-            differentiated::<_, Strip1967<false>>(frame, creepage, options, ordinary)
-        }
-        Model::Strip1967Continuous => {
-            differentiated::<_, Strip1967<true>>(frame, creepage, options, ordinary)
-        }
-        Model::Strip => differentiated::<_, EllipseStrips<F>>(frame, creepage, options, ordinary),
-        Model::Total => differentiated::<_, Total<F>>(frame, creepage, options, ordinary),
-        Model::Linear => differentiated::<_, Linear<F>>(frame, creepage, options, ordinary),
-    };
+    let (solution, slopes) = by_model!(
+        options.model,
+        F,
+        differentiated(frame, creepage, options, ordinary),
+        return Err(Error::Model)
+    );
     if slopes.derivatives.entries().into_iter().all(F::is_finite_number) {
         Ok((solution, slopes))
     } else {

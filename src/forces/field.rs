@@ -118,16 +118,20 @@ impl<F: Float> Field<F> {
             return Err(Error::Overflow);
         }
         let law = match options.model {
-            Model::Strip1967 => Tractions::Strip1967(parameters, SlidingRule::RigidSlip),
-            Model::Strip1967Continuous => Tractions::Strip1967(parameters, SlidingRule::Continuous),
-            Model::Strip => {
+            Model::Strip1967 if Model::HAS_STRIP_1967 => {
+                Tractions::Strip1967(parameters, SlidingRule::RigidSlip)
+            }
+            Model::Strip1967Continuous if Model::HAS_STRIP_1967 => {
+                Tractions::Strip1967(parameters, SlidingRule::Continuous)
+            }
+            Model::Strip if Model::HAS_STRIP => {
                 let Parameters { axis_ratio, poisson_ratio, .. } = parameters;
                 let linear = LinearCoefficients::at(axis_ratio, poisson_ratio);
                 let one = F::one();
                 let prepared = Flexibilities::new(axis_ratio, poisson_ratio, &linear, [one, one]);
                 Tractions::Strip(prepared.see(parameters.normalised()))
             }
-            Model::Total | Model::Linear => return Err(Error::NotInModel),
+            _ => return Err(Error::NotInModel),
         };
         let warning = warning_of(contact, creepage, options.model, parameters.psi);
         Ok(Self { contact: *contact, law, warning })

@@ -30,15 +30,25 @@ pub enum Model {
 }
 
 impl Model {
-    /// The model for a number, if there is one.
+    /// Whether the library was built with the theory of 1967 (feature `strip-1967`).
+    pub const HAS_STRIP_1967: bool = cfg!(feature = "strip-1967");
+    /// Whether the library was built with [`Model::Strip`] (feature `strip`).
+    pub const HAS_STRIP: bool = cfg!(feature = "strip");
+    /// Whether the library was built with [`Model::Total`] (feature `total`).
+    pub const HAS_TOTAL: bool = cfg!(feature = "total");
+    /// Whether the library was built with [`Model::Linear`] (feature `linear`).
+    pub const HAS_LINEAR: bool = cfg!(feature = "linear");
+
+    /// The model for a number; `None` if there is no such model, or if the library was built
+    /// without it.
     #[must_use]
     pub const fn from_number(number: i32) -> Option<Self> {
         Some(match number {
-            1 => Self::Strip1967,
-            2 => Self::Strip1967Continuous,
-            3 => Self::Strip,
-            4 => Self::Total,
-            5 => Self::Linear,
+            1 if Self::HAS_STRIP_1967 => Self::Strip1967,
+            2 if Self::HAS_STRIP_1967 => Self::Strip1967Continuous,
+            3 if Self::HAS_STRIP => Self::Strip,
+            4 if Self::HAS_TOTAL => Self::Total,
+            5 if Self::HAS_LINEAR => Self::Linear,
             _ => return None,
         })
     }

@@ -55,13 +55,22 @@ impl<F: Float> Prepared<F> {
         contact.check()?;
         let frame = ScaledContact::of(contact);
         let known = match options.model {
-            Model::Strip1967 => ModelState::Strip1967(Theory::of_contact(&frame, options)),
-            Model::Strip1967Continuous => {
+            Model::Strip1967 if Model::HAS_STRIP_1967 => {
+                ModelState::Strip1967(Theory::of_contact(&frame, options))
+            }
+            Model::Strip1967Continuous if Model::HAS_STRIP_1967 => {
                 ModelState::Strip1967Continuous(Theory::of_contact(&frame, options))
             }
-            Model::Strip => ModelState::Strip(Theory::of_contact(&frame, options)),
-            Model::Total => ModelState::Total(Theory::of_contact(&frame, options)),
-            Model::Linear => ModelState::Linear(Theory::of_contact(&frame, options)),
+            Model::Strip if Model::HAS_STRIP => {
+                ModelState::Strip(Theory::of_contact(&frame, options))
+            }
+            Model::Total if Model::HAS_TOTAL => {
+                ModelState::Total(Theory::of_contact(&frame, options))
+            }
+            Model::Linear if Model::HAS_LINEAR => {
+                ModelState::Linear(Theory::of_contact(&frame, options))
+            }
+            _ => return Err(Error::Model),
         };
         Ok(Self { frame, options: *options, known })
     }

@@ -95,12 +95,12 @@ pub fn strips<F: Float>(
             reserved: 0,
         });
     };
-    if options.model == Model::Strip {
+    if Model::HAS_STRIP && options.model == Model::Strip {
         let Parameters { axis_ratio, poisson_ratio, .. } = parameters;
         let linear = LinearCoefficients::at(axis_ratio, poisson_ratio);
         let law = EllipseStrips::new(axis_ratio, poisson_ratio, &linear, options.strips);
         place_strips(&law, parameters.normalised(), options.strips, &mut share);
-    } else {
+    } else if Model::HAS_STRIP_1967 {
         let rule = sliding_rule(options.model);
         strip_1967::strips::strips(&parameters, rule, options.strips, &mut share);
     }

@@ -17,6 +17,29 @@ use crate::strip_1967::{self, strip::SlidingRule};
 pub(crate) use crate::strip::EllipseStrips;
 pub(crate) use crate::total::Total;
 
+/// The one table of models: calls `function::<_, M>(arguments)` for the type `M` of a model with
+/// numbers `F`. The last argument is the value for a model that this build of the library leaves
+/// out.
+macro_rules! by_model {
+    ($model:expr, $F:ty, $function:ident($($argument:expr),*), $absent:expr) => {{
+        use $crate::forces::options::Model;
+        use $crate::forces::theory::{EllipseStrips, Linear, Strip1967, Total};
+        match $model {
+            Model::Strip1967 if Model::HAS_STRIP_1967 => {
+                $function::<_, Strip1967<false>>($($argument),*)
+            }
+            Model::Strip1967Continuous if Model::HAS_STRIP_1967 => {
+                $function::<_, Strip1967<true>>($($argument),*)
+            }
+            Model::Strip if Model::HAS_STRIP => $function::<_, EllipseStrips<$F>>($($argument),*),
+            Model::Total if Model::HAS_TOTAL => $function::<_, Total<$F>>($($argument),*),
+            Model::Linear if Model::HAS_LINEAR => $function::<_, Linear<$F>>($($argument),*),
+            _ => $absent,
+        }
+    }};
+}
+pub(crate) use by_model;
+
 /// Forces for a contact and a creepage.
 ///
 /// # Errors
@@ -43,15 +66,29 @@ pub fn forces_of_contact<F: Float>(
     creepage: &Creepage<F>,
     options: &Options,
 ) -> Result<Solution<F>, Error> {
-    match options.model {
-        Model::Strip1967 => Strip1967::<false>::solution_of_contact(contact, creepage, options),
-        Model::Strip1967Continuous => {
-            Strip1967::<true>::solution_of_contact(contact, creepage, options)
-        }
-        Model::Strip => EllipseStrips::solution_of_contact(contact, creepage, options),
-        Model::Total => Total::solution_of_contact(contact, creepage, options),
-        Model::Linear => Linear::solution_of_contact(contact, creepage, options),
+    by_model!(options.model, F, solution_of(contact, creepage, options), Err(Error::Model))
+}
+
+/// Forces for a contact and a creepage, as [`forces_of_contact`]: in the code of each caller, which
+/// then links no other model.
+///
+/// # Errors
+/// Those of [`forces_of_contact`].
+#[inline(always)]
+pub(crate) fn solution_of<F: Float, M: Theory<F>>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    options: &Options,
+) -> Result<Solution<F>, Error> {
+    let ordinary = contact.is_ordinary(creepage);
+    if !ordinary {
+        find_fault(contact, creepage, M::MODEL)?;
     }
+    if contact.is_lost() {
+        return Ok(Solution::nothing());
+    }
+    let frame = &ScaledContact::of(contact);
+    Ok(M::of_contact(frame, options).answer(frame, creepage, ordinary))
 }
 
 /// A contact in the units of the theory: numbers only.
@@ -159,28 +196,6 @@ pub(crate) trait Theory<F: Real>: Copy {
         let rests = longitudinal == zero && lateral == zero && spin == zero;
         let adhesion = if Self::MODEL == Model::Total { -F::one() } else { F::one() };
         rests.then_some(Forces { fx: zero, fy: zero, mz: zero, adhesion })
-    }
-
-    /// Forces for a contact and a creepage, as [`forces_of_contact`]: in the code of each caller,
-    /// which then links no other model.
-    #[inline(always)]
-    fn solution_of_contact(
-        contact: &Contact<F>,
-        creepage: &Creepage<F>,
-        options: &Options,
-    ) -> Result<Solution<F>, Error>
-    where
-        F: Float,
-    {
-        let ordinary = contact.is_ordinary(creepage);
-        if !ordinary {
-            find_fault(contact, creepage, Self::MODEL)?;
-        }
-        if contact.is_lost() {
-            return Ok(Solution::nothing());
-        }
-        let frame = &ScaledContact::of(contact);
-        Ok(Self::of_contact(frame, options).answer(frame, creepage, ordinary))
     }
 
     /// The solution for a loaded contact and a creepage that have been checked.

@@ -83,15 +83,17 @@ impl<'a, F: Float> PatchField<'a, F> {
         let own = found.unwrap_or(lobe.len().saturating_sub(1));
         let strip = lobe.get(own)?;
         number += own;
-        let law = if self.problem.model == Model::Strip {
+        let law = if Model::HAS_STRIP && self.problem.model == Model::Strip {
             let zone = view.zone(number)?;
             let factors = [F::one(), F::one()];
             let (rolling, _) = law(&zone, &PatchSlip::new(creepage), strip.centre_x, factors);
             let line = ZoneUnits::new(&zone).geometry(strip, F::zero());
             PatchTractions::Strip(rolling, line, zone.contact.slip_scale())
-        } else {
+        } else if Model::HAS_STRIP_1967 {
             let circle = strip.circle(view.shear_modulus(), view.poisson_ratio());
             PatchTractions::Strip1967(self.problem.theory(strip, creepage), circle.slip_scale())
+        } else {
+            return None;
         };
         Some(PatchFieldStrip { strip: *strip, law })
     }

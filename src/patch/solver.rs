@@ -132,11 +132,11 @@ impl<'a, F: Float> Problem<'a, F> {
         slip: &PatchSlip<T>,
         visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
     ) {
-        if self.model == Model::Strip {
+        if Model::HAS_STRIP && self.model == Model::Strip {
             strip_shares(self.view, slip, visit);
-        } else if self.model == Model::Total {
+        } else if Model::HAS_TOTAL && self.model == Model::Total {
             self.elliptic_shares(slip, visit);
-        } else {
+        } else if Model::HAS_STRIP_1967 {
             for strip in self.view.strips() {
                 visit(strip, self.theory_share(strip, &slip.creepage));
             }

@@ -14,7 +14,8 @@ use std::f64::consts::PI;
 use std::process::Command;
 use toolchain::{cpp_compilers, root, run_cpp, say, scratch};
 
-const STANDARDS: [&str; 2] = ["c++17", "c++20"];
+// (c++2b is C++23, by its name in older compilers)
+const STANDARDS: [&str; 3] = ["c++17", "c++20", "c++2b"];
 
 /// Numbers of the lines that start with this word.
 fn numbers(text: &str, start: &str) -> Vec<Vec<f64>> {
@@ -139,6 +140,56 @@ fn example_prints_what_rust_computes() {
         forces::forces_of_contact(&single, &rolling(1e-3, 0.0), &options).expect("a solution").fx;
     // Single precision: 2e-6 of mu N is the promise, half a unit of the printed digit
     assert!((numbers(text, "single")[0][0] - exact).abs() < 2e-6 * 24e3 + 0.05);
+}
+
+/// Throwing and status forms of every function agree, under the oldest and the newest standard.
+#[test]
+fn both_forms_are_the_same() {
+    let source = root().join("tests/c/forms.cpp");
+    for (compiler, standard) in cpp_compilers().into_iter().zip(["c++17", "c++2b"]) {
+        assert_eq!(run_cpp(compiler, standard, &source), "0 failures\n", "{compiler} {standard}");
+    }
+}
+
+/// What C computes or fills has a form that returns it and throws.
+#[test]
+fn every_function_has_both_forms() {
+    let text = std::fs::read_to_string(root().join("include/kstrip.hpp")).expect("the header");
+    let throwing: String = text
+        .split("#if defined(KSTRIP_HPP_EXCEPTIONS)\n")
+        .skip(1)
+        .filter_map(|rest| rest.split("\n#endif").next())
+        .collect();
+    let names: Vec<&str> = text
+        .lines()
+        .filter_map(|line| line.strip_prefix("status ")?.split_once('('))
+        .map(|(name, _)| name)
+        .filter(|name| *name != "call")
+        .collect();
+    assert!(names.len() > 30, "{names:?}");
+    for name in names {
+        assert!(throwing.contains(&format!("> {name}(")), "no form of {name} throws");
+    }
+}
+
+/// A wheelset on real profiles runs back to the middle of the track, in at most 60 lines.
+#[test]
+fn wheelset_runs_back_to_the_middle() {
+    let source = root().join("cpp_examples/02_wheelset.cpp");
+    let lines = std::fs::read_to_string(&source).expect("the example").lines().count();
+    assert!(lines <= 60, "{lines}");
+    // (they look for profiles from the root, where cargo runs tests)
+    let Some(compiler) = cpp_compilers().into_iter().next() else {
+        say("SKIPPED: the wheelset in C++, because there is no C++ compiler");
+        return;
+    };
+    let printed = run_cpp(compiler, "c++17", &source);
+    let motion = numbers(&printed, "0.");
+    let shifts: Vec<f64> = motion.iter().map(|row| row[1]).collect();
+    assert_eq!((shifts.len(), shifts[0]), (9, 3.0), "{printed}");
+    // It steers toward the middle, oversteers and comes to rest; without friction it would oscillate on its spring at 37 rad/s.
+    assert!(motion[1][2] < -1.0 && shifts.iter().any(|shift| *shift < -0.5), "{printed}");
+    assert!(shifts[7].abs() < 0.3 && shifts[8].abs() < 0.3, "{printed}");
 }
 
 /// A spin without its unit, another unit, another precision: one error that says so.

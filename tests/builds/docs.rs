@@ -748,7 +748,7 @@ fn calls_cost_what_they_may() {
     }
 }
 
-/// The C reference, if doxygen is here: no warning.
+/// The references of C and C++, if doxygen is here: no warning.
 #[test]
 fn doxygen_has_no_warning() {
     if !Command::new("doxygen")
@@ -756,15 +756,18 @@ fn doxygen_has_no_warning() {
         .output()
         .is_ok_and(|output| output.status.success())
     {
-        say("SKIPPED: the C reference by doxygen, which is not installed");
+        say("SKIPPED: the references of C and C++ by doxygen, which is not installed");
         return;
     }
-    let settings = read("docs/Doxyfile");
-    let folder = scratch().join("doxygen");
-    std::fs::create_dir_all(&folder).expect("scratch is writable");
-    let settings = format!("{settings}\nOUTPUT_DIRECTORY = {:?}\n", folder.display().to_string());
-    let file = scratch().join("Doxyfile");
-    std::fs::write(&file, settings).expect("scratch is writable");
-    output_of(Command::new("doxygen").current_dir(root()).arg(file));
-    assert!(folder.join("html/kstrip_8h.html").exists());
+    for (name, page) in [("Doxyfile", "kstrip_8h.html"), ("Doxyfile.cpp", "namespacekstrip.html")] {
+        let settings = read(format!("docs/{name}"));
+        let folder = scratch().join("doxygen").join(name);
+        std::fs::create_dir_all(&folder).expect("scratch is writable");
+        let output = folder.display().to_string();
+        let file = scratch().join(name);
+        std::fs::write(&file, format!("{settings}\nOUTPUT_DIRECTORY = {output:?}\n"))
+            .expect("scratch is writable");
+        output_of(Command::new("doxygen").current_dir(root()).arg(file));
+        assert!(folder.join("html").join(page).exists(), "{name}: {page}");
+    }
 }

@@ -238,7 +238,8 @@ pub fn declarations(exports: &str, suffix: &str, number: &str) -> String {
             let name = rest.split('"').next().expect("a name");
             let mut signature = String::new();
             while !signature.ends_with('{') {
-                signature += lines.next().expect("a function has a body");
+                let line = lines.next().expect("a function has a body");
+                signature += if line.starts_with("#[cfg(") { "" } else { line };
             }
             if !suffix.is_empty() {
                 comment = format!("/// {name}() in single precision.\n");

@@ -51,12 +51,18 @@ fn compare(path: &str, text: &str) {
     );
 }
 
-/// `KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface` writes them anew.
+/// `KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface` writes them anew, and the classes of the Python binding from
+/// them.
 #[test]
 fn committed_headers_are_current() {
     let headers = groups::headers(&generated());
     for (path, header) in HEADERS.iter().zip(&headers) {
         compare(path, header);
+    }
+    if std::env::var_os("KSTRIP_WRITE_HEADER").is_some() {
+        let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("bindings/python/write_types.py");
+        let status = std::process::Command::new("python3").arg(script).status();
+        assert!(status.is_ok_and(|status| status.success()), "python3 writes kstrip/_types.py");
     }
     let [double, _] = &headers;
     let functions = header::declared(double).functions.len();

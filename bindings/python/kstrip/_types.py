@@ -136,7 +136,7 @@ class Strip(Record, name="strip"):
 
 
 class Prepared(Record, name="prepared"):
-    """A contact for which kstrip_prepare() has computed everything that does not depend on the motion. The structure holds plain numbers and no pointers, so it may be copied and kept, for this version of the library only. It contains a checksum of its numbers: a structure that is damaged, foreign or of the other precision gives KSTRIP_ERROR_NOT_PREPARED."""
+    """A contact for which kstrip_prepare() has computed everything that does not depend on the motion. The structure holds plain numbers and no pointers, so it may be copied and kept, for this version of the library only. It begins with a mark: a structure that was never prepared, or was prepared in the other precision, gives KSTRIP_ERROR_NOT_PREPARED."""
 
     numbers = Numbers('', 'For use by the library only.')
     model = Integers('', 'The model; 0: nothing prepared.')
@@ -248,7 +248,7 @@ class Surface(Record, name="surface"):
 
 
 class WheelPosition(Record, name="wheel_position"):
-    """Where the wheel is, over straight track. A right wheel leans on the gauge side, which is at small y, with its flange."""
+    """Where the wheel is, over straight track. A right wheel coupling on the gauge side, which is at small y, with its flange."""
 
     lateral = Numbers('m', "y of the wheel's centre from the origin of the rail's profile [m], to the right. The centre is the point of the axle at y = 0 of the wheel's profile.")
     vertical = Numbers('m', "Depth of the centre below its place one wheel radius over the rail's origin [m].")

@@ -135,13 +135,14 @@ pub unsafe extern "C" fn kstrip_solve_motion(
 ///
 /// @return as kstrip_solve().
 #[unsafe(export_name = symbol!("kstrip_solve_total"))]
+#[cfg(feature = "total")]
 pub extern "C" fn kstrip_solve_total(
     contact: Option<&Contact<F>>,
     creepage: Option<&Creepage<F>>,
     result: Option<&mut MaybeUninit<Solution<F>>>,
 ) -> kstrip_status {
     solved(result, || {
-        Total::solution_of_contact(given(contact)?, given(creepage)?, &Options::default())
+        solution_of::<_, Total<F>>(given(contact)?, given(creepage)?, &Options::default())
     })
 }
 
@@ -150,6 +151,7 @@ pub extern "C" fn kstrip_solve_total(
 /// @param strips          4, 8, 16, 32 or 64; 0: 16.
 /// @return as kstrip_solve().
 #[unsafe(export_name = symbol!("kstrip_solve_strip"))]
+#[cfg(feature = "strip")]
 pub extern "C" fn kstrip_solve_strip(
     contact: Option<&Contact<F>>,
     creepage: Option<&Creepage<F>>,
@@ -158,7 +160,7 @@ pub extern "C" fn kstrip_solve_strip(
 ) -> kstrip_status {
     solved(result, || {
         let options = Options { strips: strip_count(strips)?, ..Options::default() };
-        EllipseStrips::solution_of_contact(given(contact)?, given(creepage)?, &options)
+        solution_of::<_, EllipseStrips<F>>(given(contact)?, given(creepage)?, &options)
     })
 }
 
@@ -168,6 +170,7 @@ pub extern "C" fn kstrip_solve_strip(
 /// @param strips          4, 8, 16, 32 or 64; 0: 16.
 /// @return as kstrip_solve().
 #[unsafe(export_name = symbol!("kstrip_solve_strip_1967"))]
+#[cfg(feature = "strip-1967")]
 pub extern "C" fn kstrip_solve_strip_1967(
     contact: Option<&Contact<F>>,
     creepage: Option<&Creepage<F>>,
@@ -176,7 +179,7 @@ pub extern "C" fn kstrip_solve_strip_1967(
 ) -> kstrip_status {
     solved(result, || {
         let options = Options { strips: strip_count(strips)?, ..Options::default() };
-        Strip1967::<false>::solution_of_contact(given(contact)?, given(creepage)?, &options)
+        solution_of::<_, Strip1967<false>>(given(contact)?, given(creepage)?, &options)
     })
 }
 
@@ -184,13 +187,14 @@ pub extern "C" fn kstrip_solve_strip_1967(
 ///
 /// @return as kstrip_solve().
 #[unsafe(export_name = symbol!("kstrip_solve_linear"))]
+#[cfg(feature = "linear")]
 pub extern "C" fn kstrip_solve_linear(
     contact: Option<&Contact<F>>,
     creepage: Option<&Creepage<F>>,
     result: Option<&mut MaybeUninit<Solution<F>>>,
 ) -> kstrip_status {
     solved(result, || {
-        Linear::solution_of_contact(given(contact)?, given(creepage)?, &Options::default())
+        solution_of::<_, Linear<F>>(given(contact)?, given(creepage)?, &Options::default())
     })
 }
 

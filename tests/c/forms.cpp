@@ -1,0 +1,131 @@
+// Every function of kstrip.hpp that throws returns what its other form writes; numbers with and without units are the same; products of
+// units, literals and arrays. Prints what is wrong.
+#include "kstrip.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <list>
+
+using namespace kstrip::literals;
+
+static int failures = 0;
+static void expect(bool holds, const char *what)
+{
+    if (!holds)
+        std::printf("%s\n", what), failures++;
+}
+template <class X> static bool same(const X &a, const X &b) { return std::memcmp(&a, &b, sizeof(X)) == 0; }
+static void fine(kstrip::status s, const char *what) { expect(!kstrip::is_error(s), what); }
+
+static_assert((3_kN * 20_mm) == 60_Nm && (20_mm * 3_kN) == 0.06_kNm);
+static_assert(std::is_same_v<decltype(1_N * 1_m), kstrip::newton_metres>);
+static_assert(std::is_same_v<decltype(1_m * 1_m), kstrip::square_metres>);
+static_assert(2_Pa * (3_m * 1_m) == 6_N && 5_N_per_m * 2_m == 10_N && 2_rad_per_s * 3_m == 6_m_per_s);
+static_assert(0.5_per_m * 20_m_per_s == 10_rad_per_s && 36_km_per_h == 10_m_per_s && 1500_mrad == 1.5_rad);
+static_assert((180_deg).value > 3.14159265358979 && (180_deg).value < 3.1415926535898 && 90_deg_f32 == kstrip::radians_f32(1.57079637f));
+static_assert(std::is_same_v<decltype(kstrip::wheel_pair::model), kstrip::model>);
+static_assert(std::is_constructible_v<kstrip::lengths<double>, std::vector<double>>);
+static_assert(!std::is_constructible_v<kstrip::lengths<double>, std::vector<float>>);
+static_assert(!std::is_constructible_v<kstrip::lengths<double>, std::vector<kstrip::newtons>>);
+static_assert(!std::is_constructible_v<kstrip::lengths<double>, std::list<double>>);
+
+int main()
+{
+    const kstrip::contact contact{6_mm, 4.5_mm, 80_kN, 82_GPa, 0.28, 0.3};
+    const kstrip::creepage motion{1e-3, 0.5e-3, 0.4_per_m};
+    const kstrip::friction wet{0.3, 0.4, 0.6_s_per_m, 20_m_per_s};
+    const kstrip::options strip{kstrip::model::strip, 8};
+
+    // Batches: results, derivatives and law
+    const std::vector<kstrip::creepage> motions{motion, {2e-3, 0.0, 0_per_m}, {0.05, 0.0, 0_per_m}};
+    const auto results = kstrip::evaluate_batch(std::array{contact}, motions, {}, &wet);
+    const auto all = kstrip::evaluate_batch_with_derivatives(std::array{contact}, motions, {}, &wet);
+    for (std::size_t i = 0; i < motions.size(); i++) {
+        const auto one = kstrip::evaluate(contact, motions[i], {}, &wet);
+        expect(same(results[i], one.result) && same(all[i].result, one.result), "batch: results");
+        expect(same(all[i].derivatives, one.derivatives) && same(all[i].law_derivatives, one.law_derivatives), "batch: derivatives");
+        expect(all[i].friction == one.friction && one.friction < 0.3, "batch: friction");
+    }
+    expect(kstrip::evaluate_batch_with_derivatives(std::array{contact}, std::vector<kstrip::creepage>{}).empty(), "batch: none");
+
+    // Strips and fields of contacts and patches; lengths with and without units
+    const auto patch = kstrip::patch_from_contact(contact, strip);
+    expect(kstrip::strips(contact, motion, strip).size() == 8 && kstrip::strips(patch, motion).size() == patch.count, "strips");
+    const std::vector<double> x{-2e-3, 0.0, 2e-3};
+    const kstrip::metres units[3] = {-2_mm, 0_m, 2_mm};
+    const double plain[1] = {1e-3};
+    const auto by_number = kstrip::field(contact, motion, {}, x, plain), by_unit = kstrip::field(contact, motion, {}, units, std::array{1_mm});
+    expect(by_number.size() == 3 && std::memcmp(by_number.data(), by_unit.data(), 3 * sizeof by_number[0]) == 0, "field: units");
+    expect(kstrip::field(patch, motion, {}, x, x).size() == 9, "field: of a patch");
+
+    // Arrays of six
+    const auto force = kstrip::solve(contact, motion);
+    const std::array<double, 6> six = force;
+    expect(six[0] == force.fx.value && six[1] == force.fy.value && six[2] == 0 && six[5] == force.mz.value, "array of a result");
+
+    // A wheel of 1:20 on a round head
+    std::vector<double> ry, rz, wy, wz;
+    std::vector<kstrip::metres> ry_units, rz_units;
+    for (int i = -60; i <= 60; i++) {
+        const double at = 0.5e-3 * i;
+        ry.push_back(at), rz.push_back(0.3 - std::sqrt(0.09 - at * at));
+        wy.push_back(at), wz.push_back(-0.05 * at);
+        ry_units.emplace_back(ry.back()), rz_units.emplace_back(rz.back());
+    }
+    const auto rail = kstrip::prepare_profile(ry, rz), wheel = kstrip::prepare_profile(wy, wz);
+    kstrip::surface written;
+    std::memset(static_cast<void *>(&written), 0, sizeof written);
+    fine(kstrip::prepare_profile(ry_units, rz_units, 0_m, 0_m, written), "prepare_profile");
+    expect(same(written.y, rail.y) && same(written.sine, rail.sine) && written.count == rail.count, "prepare_profile: both forms, units");
+
+    kstrip::wheel_pair pair{460_mm, 82_GPa, 0.28, 0.3};
+    pair.model = kstrip::model::strip;
+    kstrip::wheel_position where{0_mm, 0_mm, 2_mrad};
+    const kstrip::wheel_velocity moves{20_m_per_s, 0.01_m_per_s, 0_m_per_s, 0_rad_per_s, -43.6_rad_per_s, 0_rad_per_s};
+    auto memory = std::vector<kstrip::wheel_workspace>(1);
+    kstrip::wheel_workspace &room = memory.front();
+    kstrip::metres height{};
+    for (const auto *velocity : {static_cast<const kstrip::wheel_velocity *>(nullptr), &moves}) {
+        fine(kstrip::height_for_load(rail, wheel, pair, where, 80_kN, velocity, &wet, room, height), "height_for_load");
+        expect(kstrip::height_for_load(rail, wheel, pair, where, 80_kN, room, velocity, &wet) == height, "height_for_load: both forms");
+    }
+    where.vertical = height;
+    kstrip::wrench wrench{};
+    kstrip::wrench_derivatives slopes{};
+    kstrip::wrench_by_position moved{};
+    fine(kstrip::wheel_on_rail(rail, wheel, pair, where, moves, &wet, room, wrench, &slopes, &moved), "wheel_on_rail");
+    const auto evaluated = kstrip::wheel_on_rail_with_derivatives(rail, wheel, pair, where, moves, room, &wet, true);
+    expect(same(evaluated.wrench, wrench) && same(evaluated.derivatives, slopes) && same(evaluated.by_position, moved), "wheel_on_rail: both forms");
+    expect(kstrip::wheel_on_rail_with_derivatives(rail, wheel, pair, where, moves, room, &wet).by_position.vertical[2] == 0, "by_position: not asked for");
+    expect(same(kstrip::wheel_on_rail(rail, wheel, pair, where, moves, room, &wet), wrench), "wheel_on_rail: the wrench alone");
+    const std::array<double, 6> on_wheel = wrench, velocity = moves;
+    expect(std::abs(on_wheel[2] + 80e3) < 1 && on_wheel[4] == wrench.moment[1].value && velocity[4] == -43.6, "arrays of a wheel");
+
+    // The same by its steps
+    const auto touched = kstrip::touch(rail, wheel, pair.wheel_radius, where);
+    kstrip::metres least{};
+    fine(kstrip::touch(rail, wheel, pair.wheel_radius, where, 0_m, room.gap, &least), "touch");
+    expect(touched.least == least && touched.gap.count == room.gap.count && least < 0_m, "touch: both forms");
+    const auto contacts = kstrip::contacts_from_gap(touched.gap, pair, where);
+    std::uint32_t count = 0;
+    fine(kstrip::contacts_from_gap(room.gap, pair, where, room.strips, room.contacts, count), "contacts_from_gap");
+    expect(count == 1 && contacts.size() == 1 && contacts[0].normal_force == room.contacts[0].normal_force, "contacts_from_gap: both forms");
+    kstrip::motion slip{};
+    fine(kstrip::wheel_motion(contacts[0], moves, slip), "wheel_motion");
+    expect(same(kstrip::wheel_motion(contacts[0], moves), slip), "wheel_motion: both forms");
+    const auto summed = kstrip::wrench_from_contacts<double>(contacts, moves, pair.model, &wet);
+    expect(same(summed.wrench, wrench) && same(summed.derivatives, slopes), "wrench_from_contacts: both forms");
+
+    // Errors are thrown
+    try {
+        static_cast<void>(kstrip::prepare_profile(ry, std::vector<double>(3)));
+        expect(false, "two sizes were taken");
+    } catch (const kstrip::error &error) {
+        expect(error.status() == kstrip::status::error_capacity, "two sizes: another status");
+    }
+    const auto single = kstrip::prepare_profile(std::vector<float>(ry.begin(), ry.end()), std::vector<float>(rz.begin(), rz.end()));
+    expect(std::is_same_v<decltype(single), const kstrip::surface_f32>, "single precision");
+    std::printf("%d failures\n", failures);
+    return failures;
+}
