@@ -1,7 +1,8 @@
 /**
  * @file kstrip_f32.h
- * kstrip in single precision: the functions and structures of kstrip.h with the suffix _f32. Arguments, members, units,
- * ranges and statuses are those of the functions and structures without it.
+ * kstrip in single precision: the functions and structures of kstrip.h with the suffix _f32.
+ * Arguments, members, units, ranges and statuses are those of the functions and structures
+ * without it.
  *
  * Generated from the Rust sources by cbindgen; do not edit.
  */

@@ -200,7 +200,8 @@ fn dimensions() -> [Dimension; 3] {
         },
         Dimension { title: "by spin", regions: ranges("\\|ψ\\|", &PSI, |case| case.psi().abs()) },
         Dimension {
-            title: "by creepage without spin, as the force `u = |(C11 vx, C22 vy)|` of linear theory",
+            title: "by creepage without spin, as the force `u = |(C11 vx, C22 vy)|` of linear \
+                 theory",
             regions: ranges("u", &[0.0, 0.3, 0.6, 1.0, 2.0, 3.0, f64::INFINITY], Case::creep_force),
         },
     ]
@@ -254,8 +255,9 @@ impl Report {
     fn all_methods(&mut self) {
         self.line("\n## All methods, all cases\n");
         self.line(
-            "`open.csv`: 854 cases, ν = 0.28, a/b from 0.1 to 10, |ψ| up to 3. Force in μ N, moment in \
-             μ N √(ab), stick area as a share of the contact. \"–\": the method has no such result.\n",
+            "`open.csv`: 854 cases, ν = 0.28, a/b from 0.1 to 10, |ψ| up to 3. Force in μ N, \
+             moment in μ N √(ab), stick area as a share of the contact. \"–\": the method has no \
+             such result.\n",
         );
         let main: Vec<&Method> = self.models.iter().chain(self.main_peers()).collect();
         let rows = [true, false].map(|open| rows(&main, open));
@@ -263,9 +265,10 @@ impl Report {
         let largest =
             |value: fn(&Case) -> f64| self.validation.iter().map(value).fold(0.0, f64::max);
         let text = format!(
-            "\nValidation: the {} rows of the training files that no fit was trained on, ν from 0 to 0.5, a/b \
-             from {:.2} to {:.1}, |ψ| up to {:.0}. Some of these rows are beyond the range for which STRIP and TOTAL are meant. The \
-             reference is coarser here (estimated error about 0.001 to 0.003, at worst 0.01).\n",
+            "\nValidation: the {} rows of the training files that no fit was trained on, ν from 0 \
+             to 0.5, a/b from {:.2} to {:.1}, |ψ| up to {:.0}. Some of these rows are beyond the \
+             range for which STRIP and TOTAL are meant. The reference is coarser here (estimated \
+             error about 0.001 to 0.003, at worst 0.01).\n",
             self.validation.len(),
             1.0 / largest(|case| 1.0 / case.axis_ratio),
             largest(|case| case.axis_ratio),
@@ -273,7 +276,10 @@ impl Report {
         );
         self.line(text);
         self.error_table(&rows[1]);
-        self.line("\nFASTSIM and FaStrip have many variants: [all variants](#variants-of-fastsim-and-fastrip).\n");
+        self.line(
+            "\nFASTSIM and FaStrip have many variants: [all \
+             variants](#variants-of-fastsim-and-fastrip).\n",
+        );
         self.line(
             "![The same histogram for the validation cases](accuracy/histogram_validation.svg)",
         );
@@ -356,8 +362,9 @@ impl Report {
     fn by_region(&mut self) {
         self.line("\n## By region\n");
         self.line(
-            "Force: mean / 95 % / max of `|f − f_ref|`. The last two methods are the better variants of FASTSIM \
-             and FaStrip on 20x20 cells. LINEAR is in the tables to show where it may be used.\n",
+            "Force: mean / 95 % / max of `|f − f_ref|`. The last two methods are the better \
+             variants of FASTSIM and FaStrip on 20x20 cells. LINEAR is in the tables to show where \
+             it may be used.\n",
         );
         for (set, open) in [("open.csv", true), ("validation", false)] {
             for dimension in dimensions() {
@@ -404,9 +411,10 @@ impl Report {
     fn slender(&mut self) {
         self.line("\n## Slender contacts\n");
         self.line(
-            "`open_slender.csv`: 140 cases beyond the axis ratios of `open.csv`, ν from 0 to 0.5, which no fit uses. Force: mean / 95 % / max; \
-             moment in μ N √(ab): mean / max. FASTSIM and FaStrip get the linear coefficients of the library. STRIP and TOTAL \
-             warn below 0.015 and above 60.\n",
+            "`open_slender.csv`: 140 cases beyond the axis ratios of `open.csv`, ν from 0 to 0.5, \
+             which no fit uses. Force: mean / 95 % / max; moment in μ N √(ab): mean / max. FASTSIM \
+             and FaStrip get the linear coefficients of the library. STRIP and TOTAL warn below \
+             0.015 and above 60.\n",
         );
         self.by_axis_ratio(&slender(), &[0.015, 0.03, 0.06, 0.12, 8.0, 12.0, 20.0, 40.0, 60.1]);
     }
@@ -414,8 +422,10 @@ impl Report {
     fn turning(&mut self) {
         self.line("\n## Large creepage that spin turns around\n");
         self.line(
-            "`boundary_elements.csv`: 576 cases of 24 contacts, linear forces to 100 and ψ to 5, half of them with a creepage that balances the spin somewhere in \
-             the contact; computed by boundary elements of our own (`fit/boundary_elements.py`), and used by no fit.\n",
+            "`boundary_elements.csv`: 576 cases of 24 contacts, linear forces to 100 and ψ to 5, \
+             half of them with a creepage that balances the spin somewhere in the contact; \
+             computed by boundary elements of our own (`fit/boundary_elements.py`), and used by no \
+             fit.\n",
         );
         self.by_axis_ratio(&turning(), &[0.015, 0.12, 7.0, 20.0, 60.1]);
     }
@@ -451,10 +461,11 @@ impl Report {
     fn unlike(&mut self) {
         self.line("\n## Unlike materials\n");
         self.line(
-            "`kappa.csv`: 170 pairs of answers of CONTACT with the mismatch `κ` of the materials and without. Error of the difference that `κ` makes to \
-             the force, `|(f − f₀) − (f − f₀)_ref|` in μ N: mean / 95 % / max. Ordinary pairs: `|κ|` up to 0.13, μ from 0.3 on \
-             (steel on aluminium, cast iron or bronze). Methods without `κ` have the error of the first row: FASTSIM, FaStrip, \
-             STRIP_1967.\n",
+            "`kappa.csv`: 170 pairs of answers of CONTACT with the mismatch `κ` of the materials \
+             and without. Error of the difference that `κ` makes to the force, `|(f − f₀) − (f − \
+             f₀)_ref|` in μ N: mean / 95 % / max. Ordinary pairs: `|κ|` up to 0.13, μ from 0.3 on \
+             (steel on aluminium, cast iron or bronze). Methods without `κ` have the error of the \
+             first row: FASTSIM, FaStrip, STRIP_1967.\n",
         );
         self.header(&["method", "all", "ordinary pairs"]);
         let pairs = unlike();
@@ -526,9 +537,10 @@ impl Report {
     fn fields(&mut self) {
         self.line("\n## Traction fields\n");
         self.line(
-            "The 11 fields in `tests/data/fields`. Error: the sum of `|p − p_ref|` over the sum of `μ p_n`, over the \
-             reference's cells. Stick area: share of the cells that stick, minus the reference's. Wrong state: \
-             share of the cells where one sticks and the other slips.\n",
+            "The 11 fields in `tests/data/fields`. Error: the sum of `|p − p_ref|` over the sum of \
+             `μ p_n`, over the reference's cells. Stick area: share of the cells that stick, minus \
+             the reference's. Wrong state: share of the cells where one sticks and the other \
+             slips.\n",
         );
         self.header(&[
             "case",
@@ -602,9 +614,10 @@ impl Report {
     fn coefficients(&mut self) {
         self.line("\n## Linear coefficients\n");
         self.line(
-            "`C11, C22, C23, C33` of the library over those computed with CONTACT, minus one, in per cent, for ν = 0, \
-             0.25, 0.28, 0.5. The reference itself is good to about 0.3 % (`C33` at a/b ≥ 5: about 1 %). \
-             LINEAR uses these coefficients as they are; STRIP and TOTAL have them as their slopes at zero.\n",
+            "`C11, C22, C23, C33` of the library over those computed with CONTACT, minus one, in \
+             per cent, for ν = 0, 0.25, 0.28, 0.5. The reference itself is good to about 0.3 % \
+             (`C33` at a/b ≥ 5: about 1 %). LINEAR uses these coefficients as they are; STRIP and \
+             TOTAL have them as their slopes at zero.\n",
         );
         self.header(&["a/b", "C11", "C22", "C23", "C33"]);
         let cases = coefficient_cases();
@@ -691,7 +704,8 @@ fn histogram(path: &Path, title: &str, rows: &[(&str, &[f64], RGBColor)]) -> Dra
             }
         }
         let below = 62.0 + step * (rows.len() - 1) as f64 + height + 34.0;
-        let text = "error of the force |f − f_ref| / (μ N), share of the cases; first bar: all below 0.0001; black line: mean, grey: 95 %";
+        let text = "error of the force |f − f_ref| / (μ N), share of the cases; first bar: all \
+             below 0.0001; black line: mean, grey: 95 %";
         write(canvas, text, (left + 0.5 * width, below), 13, Align::Centre, INK)
     })
 }

@@ -689,7 +689,8 @@ fn draw_figure_9(folder: &Path) -> Drawn {
     let diagram = Diagram {
         file: "figure_09.svg",
         title: "Figure 9: lateral force in pure spin, ν = 0.28",
-        subtitle: "strip theory of 1967; CONTACT stands where the paper has Kalker's numerical theory of 1966",
+        subtitle: "strip theory of 1967; CONTACT stands where the paper has Kalker's numerical \
+             theory of 1966",
         limits: (1.0, 1.2),
         labels: ("|ψ| = a |φ| G / (2 μ p0)", "|Fy| / (μ N)"),
         ticks: (5, 6),

@@ -117,11 +117,26 @@ fn normal_row(report: &mut Report, name: &str, list: &[&Compared]) {
 
 fn profile_tables(report: &mut Report, list: &[Compared]) {
     report.line("## How far from CONTACT: profiles\n");
-    report.line("30 profiles whose normal and tangential problem CONTACT solved on elastic half-spaces (`tests/data/patches`), nine creepages each:");
-    report.line("steel (`ν = 0.28`), 31 to 100 kN, friction 0.3, and patches whose length along the rolling direction is 0.6 to 4.7 of their width. 16 strips,");
-    report.line("default smoothing. Errors of area, peak pressure and approach in %, mean / largest; of the force in units of `μ N` and of");
-    report.line("the moment in units of `μ N c`, `c = √(area/π)`, mean / 95th percentile / largest. The column of STRIP on CONTACT's own outline and loads");
-    report.line("shows which part of the error comes from the tangential model: nearly all of it. Profiles of the family `hertz` are parabolas, for control.\n");
+    report.line(
+        "30 profiles whose normal and tangential problem CONTACT solved on elastic \
+         half-spaces (`tests/data/patches`), nine creepages each:",
+    );
+    report.line(
+        "steel (`ν = 0.28`), 31 to 100 kN, friction 0.3, and patches whose length along \
+         the rolling direction is 0.6 to 4.7 of their width. 16 strips,",
+    );
+    report.line(
+        "default smoothing. Errors of area, peak pressure and approach in %, mean / \
+         largest; of the force in units of `μ N` and of",
+    );
+    report.line(
+        "the moment in units of `μ N c`, `c = √(area/π)`, mean / 95th percentile / \
+         largest. The column of STRIP on CONTACT's own outline and loads",
+    );
+    report.line(
+        "shows which part of the error comes from the tangential model: nearly all of it. \
+         Profiles of the family `hertz` are parabolas, for control.\n",
+    );
     report.header(&[
         "family",
         "profiles",
@@ -163,9 +178,18 @@ fn profile_tables(report: &mut Report, list: &[Compared]) {
 
 fn other_tables(report: &mut Report) {
     report.line("\n## Given strips, friction in bands, falling friction\n");
-    report.line("Force and moment with STRIP, mean / 95th percentile / largest. Given strips have half-elliptic pressure. The strips of skewed patches have");
-    report.line("their centres off `x = 0`. Bands and falling friction are on ellipses of 16 strips with `a/b` 0.5, 1 and 2.5. All are of steel (`ν = 0.28`).");
-    report.line("CONTACT's friction falls with the slip of each point, ours with the mean slip of the patch. One row has all families of falling friction.\n");
+    report.line(
+        "Force and moment with STRIP, mean / 95th percentile / largest. Given strips have \
+         half-elliptic pressure. The strips of skewed patches have",
+    );
+    report.line(
+        "their centres off `x = 0`. Bands and falling friction are on ellipses of 16 \
+         strips with `a/b` 0.5, 1 and 2.5. All are of steel (`ν = 0.28`).",
+    );
+    report.line(
+        "CONTACT's friction falls with the slip of each point, ours with the mean slip of \
+         the patch. One row has all families of falling friction.\n",
+    );
     report.header(&["patch", "force", "moment"]);
     let mut sums = [Errors::default(), Errors::default()];
     for (list, sum) in [given(), banded(COUNT)].into_iter().zip(&mut sums) {
@@ -199,8 +223,14 @@ impl Uniform {
 /// How much the forces change when points are measured with noise, or one of them is bad.
 fn noise_table(report: &mut Report, list: &[Compared]) {
     report.line("\n## Measured points\n");
-    report.line("Change of the force, in units of `μ N`, of the 30 profiles and nine creepages when their points are measured. The points are 0.05 mm apart.");
-    report.line("Each profile was disturbed 20 times with noise of 5 µm rms, and 20 times with one point that is wrong by 20 µm. The largest changes come from");
+    report.line(
+        "Change of the force, in units of `μ N`, of the 30 profiles and nine creepages \
+         when their points are measured. The points are 0.05 mm apart.",
+    );
+    report.line(
+        "Each profile was disturbed 20 times with noise of 5 µm rms, and 20 times with one \
+         point that is wrong by 20 µm. The largest changes come from",
+    );
     report.line("noise that tilts a wide patch with spin, and moves its middle by 0.1 mm.\n");
     report.header(&["points", "mean / 95th percentile / largest", "below 0.02, %"]);
     let mut uniform = Uniform(20_260_117);
@@ -245,8 +275,14 @@ fn noise_table(report: &mut Report, list: &[Compared]) {
 /// zones merge.
 fn merging_table(report: &mut Report) {
     report.line("\n## Zones that merge\n");
-    report.line("A profile with two bottoms 9 mm apart, `h = H ((y/4.5 mm)² − 1)²`, is pressed harder and harder. Two zones grow, touch and become one. The table");
-    report.line("has the largest change when the load grows by 1/10 000, of the force in units of `μ N` and of the approach as a share: nothing jumps.\n");
+    report.line(
+        "A profile with two bottoms 9 mm apart, `h = H ((y/4.5 mm)² − 1)²`, is pressed \
+         harder and harder. Two zones grow, touch and become one. The table",
+    );
+    report.line(
+        "has the largest change when the load grows by 1/10 000, of the force in units of \
+         `μ N` and of the approach as a share: nothing jumps.\n",
+    );
     report.header(&["H [µm]", "load [kN]", "zones", "force, STRIP", "force, TOTAL", "approach"]);
     let y: Vec<f64> = (-1000..=1000).map(|i| 20e-6 * f64::from(i)).collect();
     let creepage = Creepage { longitudinal: 3e-4, lateral: 5e-4, spin: 0.1 };
@@ -305,9 +341,18 @@ fn pressed(load: f64) -> ProfileContact<f64> {
 /// Real wheels on real rails, by pair.
 fn real_table(report: &mut Report, list: &[Case]) {
     report.line("\n## Real wheels on real rails\n");
-    report.line("36 patches of six pairs of profiles, new and worn, with yaw (`tests/data/real`). Each point has its rolling radius and its place along `x`.");
-    report.line("The bodies are of steel (`ν = 0.28`), the load is 34 to 146 kN, friction 0.3, and the mean length of the patches is 0.3 to 24 of their width.");
-    report.line("Creepages and moment are about the origin of the profile. The errors against CONTACT are defined as above.\n");
+    report.line(
+        "36 patches of six pairs of profiles, new and worn, with yaw (`tests/data/real`). \
+         Each point has its rolling radius and its place along `x`.",
+    );
+    report.line(
+        "The bodies are of steel (`ν = 0.28`), the load is 34 to 146 kN, friction 0.3, and \
+         the mean length of the patches is 0.3 to 24 of their width.",
+    );
+    report.line(
+        "Creepages and moment are about the origin of the profile. The errors against \
+         CONTACT are defined as above.\n",
+    );
     report.header(&["pair", "patches", "area", "peak pressure", "force, STRIP", "moment, STRIP"]);
     let mut pairs: Vec<&str> = Vec::new();
     for case in list {
@@ -339,7 +384,10 @@ fn real_table(report: &mut Report, list: &[Case]) {
 /// Mean error of the peak pressure of the real patches under noise, by smoothing length.
 fn smoothing_table(report: &mut Report, list: &[Case]) {
     report.line("\n## What smoothing does\n");
-    report.line("Mean error of the peak pressure of the real patches, in %, when their points are measured with noise.\n");
+    report.line(
+        "Mean error of the peak pressure of the real patches, in %, when their points are \
+         measured with noise.\n",
+    );
     report.header(&["smoothing length", "no noise", "2 µm rms", "5 µm rms"]);
     for (name, smoothing_length) in
         [("0 (default)", 0.0), ("1 mm", 1e-3), ("2 mm", 2e-3), ("4 mm", 4e-3)]
@@ -548,7 +596,8 @@ fn output() -> String {
     let creepage = Creepage { longitudinal: 1e-3, lateral: 5e-4, spin: 0.3 };
     let forces = solver::solve(&patch.view().unwrap(), &creepage, Model::Strip).unwrap();
     format!(
-        "approach {:.1} um, {:.0} kN/mm, {:.0} MPa at y = {:.1} mm\n{:.0} N, {:.0} N, {:.1} N m, {:.0} % sticks",
+        "approach {:.1} um, {:.0} kN/mm, {:.0} MPa at y = {:.1} mm\n{:.0} N, {:.0} N, {:.1} N m, \
+         {:.0} % sticks",
         found.approach * 1e6,
         found.stiffness * 1e-6,
         found.peak_pressure * 1e-6,
@@ -667,7 +716,10 @@ fn main() {
     noise_table(&mut report, &list);
     merging_table(&mut report);
     report.line("\n## Lengths and pressures\n");
-    report.line("Each line is a strip: on the left its half length, on the right its peak pressure. The dots are CONTACT's rows of cells.\n");
+    report.line(
+        "Each line is a strip: on the left its half length, on the right its peak \
+         pressure. The dots are CONTACT's rows of cells.\n",
+    );
     std::fs::create_dir_all(docs.join("patches")).unwrap();
     for (name, what) in SHOWN {
         let found = list.iter().find(|found| found.case.name == name).unwrap();
@@ -678,7 +730,10 @@ fn main() {
         report.line(format!("![Half lengths and pressures of {name}](patches/{name}.svg)\n"));
     }
     report.line("## Real patches\n");
-    report.line("On the left are both ends of each strip. The data have only the largest pressure of CONTACT, the dashed line.\n");
+    report.line(
+        "On the left are both ends of each strip. The data have only the largest pressure \
+         of CONTACT, the dashed line.\n",
+    );
     for (name, what) in SHOWN_REAL {
         let case = rails.iter().find(|case| case.name == name).unwrap();
         picture(&docs.join(format!("patches/{name}.svg")), (720, 255), |canvas| {
@@ -688,8 +743,14 @@ fn main() {
         report.line(format!("![Outline and pressure of {name}](patches/{name}.svg)\n"));
     }
     report.line("## Light contact, zones that appear, profiles that move\n");
-    report.line("Left: the load of a light contact of a parabola over the power of its approach is the same from 1e-12 m on. Middle: a second zone appears");
-    report.line("while two bodies approach, and the load has no step. Right: a profile with two bottoms moves sideways at 80 kN, and the force has no step.\n");
+    report.line(
+        "Left: the load of a light contact of a parabola over the power of its approach is \
+         the same from 1e-12 m on. Middle: a second zone appears",
+    );
+    report.line(
+        "while two bodies approach, and the load has no step. Right: a profile with two \
+         bottoms moves sideways at 80 kN, and the force has no step.\n",
+    );
     picture(&docs.join("patches/sweeps.svg"), (880, 260), draw_sweeps).unwrap();
     report.line("![Light contact, a zone that appears, a shift](patches/sweeps.svg)\n");
     report.line(include_str!("patches/limits.txt").trim_end());

@@ -123,7 +123,8 @@ fn machine() -> String {
     };
     let (system, kind) = (std::env::consts::OS, std::env::consts::ARCH);
     format!(
-        "{processor}, {cores} cores, {system}; {version}, target {kind} {target}, release with LTO; sources of the library at {commit}. Load average at the start: {load}"
+        "{processor}, {cores} cores, {system}; {version}, target {kind} {target}, release with \
+         LTO; sources of the library at {commit}. Load average at the start: {load}"
     )
 }
 
@@ -197,41 +198,55 @@ impl Report {
         self.line("# Speed against error\n");
         self.line("Written by `cargo bench --bench speed` in one run; do not edit.\n");
         self.line("![Error over cost](speed-vs-error.svg)\n");
-        self.line("The picture has the error over the time of one contact, for every model and every other method: the best are at the lower left. Times belong to a");
-        self.line("processor, and so do ratios of times: in the first table they differ by up to two fifths between processors. Counts of instructions do not depend on");
+        self.line(
+            "The picture has the error over the time of one contact, for every model and \
+             every other method: the best are at the lower left. Times belong to a",
+        );
+        self.line(
+            "processor, and so do ratios of times: in the first table they differ by up to \
+             two fifths between processors. Counts of instructions do not depend on",
+        );
         self.line("the processor.\n");
         self.processors(machine);
         self.line("\n## How it was measured\n");
         self.line(format!("* Machine: {machine}."));
         self.line(format!(
-            "* Times are nanoseconds of a contact: the median of {ROUNDS} rounds in which all rows take turns, in processor time of \
-             the thread. Other programs are not counted, though caches and clock rate are shared with them: ratios of two runs differ by \
-             less than 3 % as a rule, and by up to 6 % in batches. Models are called through \
-             the C interface by a pointer that the compiler cannot see through. They check their input and, unless prepared, \
-             compute the linear coefficients in every call. The other methods are called the same way, but they check \
-             nothing, and they are given their coefficients and grids."
+            "* Times are nanoseconds of a contact: the median of {ROUNDS} rounds in which all rows \
+             take turns, in processor time of the thread. Other programs are not counted, though \
+             caches and clock rate are shared with them: ratios of two runs differ by less than 3 \
+             % as a rule, and by up to 6 % in batches. Models are called through the C interface \
+             by a pointer that the compiler cannot see through. They check their input and, unless \
+             prepared, compute the linear coefficients in every call. The other methods are called \
+             the same way, but they check nothing, and they are given their coefficients and grids."
         ));
         self.line(format!(
-            "* Inputs: {CALLS} of each kind. *One contact*: a = 6 mm, b = 4 mm, 80 kN, steel, μ = 0.3, creepages from partial slip to \
-             sliding, |ψ| up to 0.5. *Random*: a/b 0.1 to 10, ν 0 to 0.5, linear force 0 to 3 μ N in any direction, |ψ| up to 0.95, \
-             or no spin. *Mixed*: the same, in turns with spin, without, longitudinal alone, lateral with spin, spin alone, \
-             and |ψ| from 1 to 3. Each random contact is prepared by itself, so that its numbers (776 bytes) are not in the nearest cache."
+            "* Inputs: {CALLS} of each kind. *One contact*: a = 6 mm, b = 4 mm, 80 kN, steel, μ = \
+             0.3, creepages from partial slip to sliding, |ψ| up to 0.5. *Random*: a/b 0.1 to 10, \
+             ν 0 to 0.5, linear force 0 to 3 μ N in any direction, |ψ| up to 0.95, or no spin. \
+             *Mixed*: the same, in turns with spin, without, longitudinal alone, lateral with \
+             spin, spin alone, and |ψ| from 1 to 3. Each random contact is prepared by itself, so \
+             that its numbers (776 bytes) are not in the nearest cache."
         ));
         self.line(
-            "* Errors: of the force, `|f − f_ref|` in units of `μ N` over the 854 cases of `tests/data/open.csv`; of the slopes, the worst entry \
-             of `∂(fx, fy)/∂(vx, vy, φ)` over the linear slope in the 70 states of `tests/data/jacobians.csv`; both as in \
-             [accuracy.md](accuracy.md). In single precision the slopes are those of double precision.",
+            "* Errors: of the force, `|f − f_ref|` in units of `μ N` over the 854 cases of \
+             `tests/data/open.csv`; of the slopes, the worst entry of `∂(fx, fy)/∂(vx, vy, φ)` \
+             over the linear slope in the 70 states of `tests/data/jacobians.csv`; both as in \
+             [accuracy.md](accuracy.md). In single precision the slopes are those of double \
+             precision.",
         );
         self.line(
-            "* FASTSIM 10x10 (3 flexibilities, parabolic bound, cell centres; `benches/peers/fastsim.rs`) is the unit of the ratios. *Scalar* \
-             is the classical loop, strip after strip, as most programs have it. *Ten lanes* computes its strips side by side without branches, in \
-             registers of 128 bits. *AVX2* uses those of 256 bits, where the processor has them.",
+            "* FASTSIM 10x10 (3 flexibilities, parabolic bound, cell centres; \
+             `benches/peers/fastsim.rs`) is the unit of the ratios. *Scalar* is the classical \
+             loop, strip after strip, as most programs have it. *Ten lanes* computes its strips \
+             side by side without branches, in registers of 128 bits. *AVX2* uses those of 256 \
+             bits, where the processor has them.",
         );
         for (name, published) in MISSED {
             let row = self.rows.iter().find(|row| row.name == name);
             let found = row.map_or(f64::NAN, |row| row.wrong.force.max);
             self.line(format!(
-                "* {name} misses its published figures: largest error {found:.4} here, {published} there."
+                "* {name} misses its published figures: largest error {found:.4} here, {published} \
+                 there."
             ));
         }
     }
@@ -245,7 +260,10 @@ impl Report {
             count.unwrap_or("–").to_owned()
         };
         let here = machine.split("), ").next().unwrap_or(machine).replace(" (family", ", family");
-        self.line("Time of one call of a model over that of FASTSIM 10x10, for random contacts with spin in double precision:\n");
+        self.line(
+            "Time of one call of a model over that of FASTSIM 10x10, for random contacts \
+             with spin in double precision:\n",
+        );
         let mut header = vec![
             "model".to_owned(),
             "instructions".to_owned(),
@@ -269,7 +287,10 @@ impl Report {
             cells.extend(EARLIER.map(|(_, ratios)| digits(ratios[i])));
             self.row(cells);
         }
-        self.line("\nThe last four columns come from runs with earlier states of the library. The models are the same in the two commits that are named, so that these two");
+        self.line(
+            "\nThe last four columns come from runs with earlier states of the library. The \
+             models are the same in the two commits that are named, so that these two",
+        );
         self.line(
             "columns compare processors. The code of the other methods has not changed at all:\n",
         );
@@ -294,8 +315,10 @@ impl Report {
         };
         let [ours, theirs] = ["TOTAL", LANES].map(error);
         self.line(format!(
-            "The scalar FASTSIM, which most programs have, is slower than every model of this table. Of the time of FASTSIM in ten lanes one call of TOTAL takes {single}, \
-             a contact of TOTAL in a batch of 100 {batch}, and one call of STRIP {strip}. The mean error of the force is {ours:.4} of `μ N` with TOTAL and {theirs:.4} with FASTSIM."
+            "The scalar FASTSIM, which most programs have, is slower than every model of this \
+             table. Of the time of FASTSIM in ten lanes one call of TOTAL takes {single}, a \
+             contact of TOTAL in a batch of 100 {batch}, and one call of STRIP {strip}. The mean \
+             error of the force is {ours:.4} of `μ N` with TOTAL and {theirs:.4} with FASTSIM."
         ));
     }
 
@@ -365,7 +388,10 @@ impl Report {
             rows.push((what, "of a loop over `kstrip_solve`", Set::Mixed, found, 1.0));
         }
         self.line("\n## Wanted\n");
-        self.line("These ratios were aims of the design. They are in double precision unless another one is named.\n");
+        self.line(
+            "These ratios were aims of the design. They are in double precision unless \
+             another one is named.\n",
+        );
         self.header(&["what", "inputs", "ratio", "found", "wanted", ""]);
         for (what, ratio, set, found, aim) in rows {
             let short = |x: f64| format!("{x:.3}");
@@ -384,7 +410,10 @@ impl Report {
 
     fn everything(&mut self) {
         self.line("\n## Every model and every other method\n");
-        self.line("Nanoseconds; ratios to FASTSIM 10x10 for random contacts with spin; errors (mean / 95 % / max) as described above.\n");
+        self.line(
+            "Nanoseconds; ratios to FASTSIM 10x10 for random contacts with spin; errors \
+             (mean / 95 % / max) as described above.\n",
+        );
         let mut header = vec!["method", "how", "precision"];
         header.extend(SETS.map(title));
         header.extend(["of scalar", "of ten lanes", "of AVX2", "force", "worst slope"]);
@@ -421,9 +450,11 @@ impl Report {
     fn batches(&mut self) {
         self.line("\n## Many contacts at once\n");
         self.line(
-            "`kstrip_evaluate_batch` with one array for each quantity against a loop over `kstrip_solve`, nanoseconds of a contact; the results are \
-             the same bits. On x86-64 processors with AVX, four contacts in double precision or eight in single precision \
-             stand side by side in one register. Whether the processor has AVX is asked once and remembered.\n",
+            "`kstrip_evaluate_batch` with one array for each quantity against a loop over \
+             `kstrip_solve`, nanoseconds of a contact; the results are the same bits. On x86-64 \
+             processors with AVX, four contacts in double precision or eight in single precision \
+             stand side by side in one register. Whether the processor has AVX is asked once and \
+             remembered.\n",
         );
         let mut header = vec!["model".to_owned(), "precision".to_owned()];
         for set in [Set::Spin, Set::Mixed] {

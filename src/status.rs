@@ -6,7 +6,9 @@ use core::fmt;
 /// `Variant = number: "text"`: an enumeration of statuses. The text is what the status means and
 /// what the caller must change; it is the documentation of the variant as well.
 macro_rules! statuses {
-    ($(#[$about:meta])* $name:ident { $($(#[$variant_is:meta])* $variant:ident = $number:literal: $text:literal,)* }) => {
+    ($(#[$about:meta])* $name:ident {
+        $($(#[$variant_is:meta])* $variant:ident = $number:literal: $text:literal,)*
+    }) => {
         $(#[$about])*
         ///
         /// The number of each variant is its status in the C interface; numbers are never reused.
@@ -39,42 +41,69 @@ statuses! {
     Error {
         NullPointer = -1: "a required pointer is NULL: pass the address of a structure or array",
         NotFinite = -2: "an input is infinite or NaN: pass finite numbers",
-        SemiAxis = -3: "a semi-axis of the contact ellipse is not positive: a and b must be > 0 (metres)",
-        NormalForce = -4: "the normal force of a profile is negative, or the wanted support of a wheel is not positive (newtons): compression is positive",
+        SemiAxis = -3:
+            "a semi-axis of the contact ellipse is not positive: a and b must be > 0 (metres)",
+        NormalForce = -4:
+            "the normal force of a profile is negative, or the wanted support of a wheel is not \
+             positive (newtons): compression is positive",
         Modulus = -5: "a modulus of elasticity is not positive: it must be > 0 (pascals)",
         PoissonRatio = -6: "Poisson's ratio is outside [0, 0.5]",
         Friction = -7: "the coefficient of friction is negative: it must be >= 0",
         Model = -8: "unknown model: use one of the KSTRIP_MODEL constants",
         StripCount = -9: "unknown strip count: use 4, 8, 16, 32 or 64",
-        Curvature = -10: "no elliptic contact: radii must not be zero, and the summed curvatures must be positive in both directions",
-        RollingSpeed = -11: "the rolling speed is not positive: let x point in the rolling direction",
+        Curvature = -10:
+            "no elliptic contact: radii must not be zero, and the summed curvatures must be \
+             positive in both directions",
+        RollingSpeed = -11:
+            "the rolling speed is not positive: let x point in the rolling direction",
         /// Or a count exceeds the capacity of a structure.
-        Capacity = -12: "the array is too small: pass the capacity that the documentation of the function asks for",
-        NotInModel = -13: "the model cannot compute this output: take STRIP for strips and fields, and any model but LINEAR for patches",
-        Overflow = -14: "the result is beyond the range of the floating-point type: check the units (N, m, Pa)",
+        Capacity = -12:
+            "the array is too small: pass the capacity that the documentation of the function asks \
+             for",
+        NotInModel = -13:
+            "the model cannot compute this output: take STRIP for strips and fields, and any model \
+             but LINEAR for patches",
+        Overflow = -14:
+            "the result is beyond the range of the floating-point type: check the units (N, m, Pa)",
         FrictionRatio = -15: "the ratio of falling friction is outside [0, 1]",
         FrictionDecay = -16: "the decay of falling friction is negative: it must be >= 0 (s/m)",
         NegativeSpeed = -17: "the rolling speed is negative: it must be >= 0 (m/s)",
         SlopeFactor = -18: "the factor of the initial slope must be >= 0 and <= 1 (0 stands for 1)",
         Unexplained = -19:
-            "no friction explains the measured force: it points against the slip, or there is no load; check signs (forces act on the lower body) and creepage",
+            "no friction explains the measured force: it points against the slip, or there is no \
+             load; check signs (forces act on the lower body) and creepage",
         ForceBeyondFriction = -20: "the wanted force exceeds mu N: no creepage gives it",
-        Measured = -21: "unknown measurement: use KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added",
+        Measured = -21:
+            "unknown measurement: use KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added",
         /// The same holds of a profile and `kstrip_prepare_profile()`.
-        NotPrepared = -22: "the contact is not prepared: fill the structure with kstrip_prepare() of the same precision",
-        FloorSpeed = -23: "the floor of the speed is negative: it must be > 0 (m/s), or 0 for the default",
-        Stride = -24: "a stride of the batch is smaller than an output, or no multiple of its alignment: pass the distance in bytes between two elements",
-        StripSize = -40: "a strip of the patch has a width or a half length that is not positive (metres)",
+        NotPrepared = -22:
+            "the contact is not prepared: fill the structure with kstrip_prepare() of the same \
+             precision",
+        FloorSpeed = -23:
+            "the floor of the speed is negative: it must be > 0 (m/s), or 0 for the default",
+        Stride = -24:
+            "a stride of the batch is smaller than an output, or no multiple of its alignment: \
+             pass the distance in bytes between two elements",
+        StripSize = -40:
+            "a strip of the patch has a width or a half length that is not positive (metres)",
         Pressure = -41: "the peak pressure of a strip is negative: it must be >= 0 (pascals)",
         StripOrder = -42: "strips of the patch overlap, or are not in ascending order of y",
-        PatchSize = -43: "more strips than a patch has room for, or more contacts than a wheel may have: use fewer and wider strips, or a smoother profile",
+        PatchSize = -43:
+            "more strips than a patch has room for, or more contacts than a wheel may have: use \
+             fewer and wider strips, or a smoother profile",
         Profile = -44:
-            "a profile has too few points, two that coincide, or y that does not ascend; or the lengths of a gap or the places of friction do not ascend",
-        ProfileEnd = -45: "a profile ends where the bodies would touch, or the wheel is beside the rail: pass more of the profile",
-        RollingRadius = -46: "a rolling radius or the radius of a wheel is not positive: it must be > 0 (metres)",
-        SmoothingLength = -47: "the smoothing length is negative: it must be >= 0 (metres), 0 for the default",
-        Scatter = -48: "the points of a profile scatter or turn back so far that no line follows \
-             them: pass them in their order along the profile",
+            "a profile has too few points, two that coincide, or y that does not ascend; or the \
+             lengths of a gap or the places of friction do not ascend",
+        ProfileEnd = -45:
+            "a profile ends where the bodies would touch, or the wheel is beside the rail: pass \
+             more of the profile",
+        RollingRadius = -46:
+            "a rolling radius or the radius of a wheel is not positive: it must be > 0 (metres)",
+        SmoothingLength = -47:
+            "the smoothing length is negative: it must be >= 0 (metres), 0 for the default",
+        Scatter = -48:
+            "the points of a profile scatter or turn back so far that no line follows them: pass \
+             them in their order along the profile",
     }
 }
 
@@ -106,30 +135,56 @@ statuses! {
     Warning {
         #[default]
         None = 0: "ok",
-        SpinBeyondTheory = 1: "spin parameter |psi| >= 1: beyond the strip theory of 1967, result is its bounded continuation; use STRIP or TOTAL",
-        OutsideRange = 2: "an input is outside the range in which the model was checked; result is finite and bounded by mu N",
+        SpinBeyondTheory = 1:
+            "spin parameter |psi| >= 1: beyond the strip theory of 1967, result is its bounded \
+             continuation; use STRIP or TOTAL",
+        OutsideRange = 2:
+            "an input is outside the range in which the model was checked; result is finite and \
+             bounded by mu N",
         BeyondFriction = 3: "the linear force exceeds mu N; use a model with saturation",
         SeveralFrictions = 4:
-            "more than one coefficient of friction fits: falling friction gives the largest (reached from adhesion), an estimate the smallest",
+            "more than one coefficient of friction fits: falling friction gives the largest \
+             (reached from adhesion), an estimate the smallest",
         NotConverged = 5: "a bounded iteration ended before its result was accurate to rounding",
-        FrictionAtLeast = 6: "the contact sticks, so that its force does not tell the friction: result is a lower bound; measure at more creepage",
-        CreepageAtLeast = 7: "the wanted force is that of full sliding: result is the creepage that reaches it, any larger one gives it as well",
+        FrictionAtLeast = 6:
+            "the contact sticks, so that its force does not tell the friction: result is a lower \
+             bound; measure at more creepage",
+        CreepageAtLeast = 7:
+            "the wanted force is that of full sliding: result is the creepage that reaches it, any \
+             larger one gives it as well",
         Pressure = 8:
-            "implausible pressure: the peak pressure exceeds a tenth of the shear modulus; check the units of modulus (Pa), load (N) and semi-axes (m)",
-        Creepage = 9: "implausible creepage: above 10; check that it is a ratio, not per cent, and that the contact rolls (at low speed use slip velocities)",
+            "implausible pressure: the peak pressure exceeds a tenth of the shear modulus; check \
+             the units of modulus (Pa), load (N) and semi-axes (m)",
+        Creepage = 9:
+            "implausible creepage: above 10; check that it is a ratio, not per cent, and that the \
+             contact rolls (at low speed use slip velocities)",
         SemiAxis = 10: "implausible semi-axis: above 1 m; check its unit (m, not mm)",
-        Spin = 11: "implausible spin: more than rolling bodies of this size have; check its unit (rad/m, not degrees)",
-        Friction = 12: "implausible coefficient of friction: above 5; check that it is no percentage",
-        Radius = 13: "implausible radii: flatter than a radius of 5 m in both directions; check their unit (m, not mm)",
+        Spin = 11:
+            "implausible spin: more than rolling bodies of this size have; check its unit (rad/m, \
+             not degrees)",
+        Friction = 12:
+            "implausible coefficient of friction: above 5; check that it is no percentage",
+        Radius = 13:
+            "implausible radii: flatter than a radius of 5 m in both directions; check their unit \
+             (m, not mm)",
         AxisRatio = 14:
-            "the axis ratio a/b is outside 0.015 to 60, the range for which the model was made; result is finite, bounded by mu N and has the right limits",
-        Mismatch = 15: "the mismatch of the materials exceeds 0.25, where the model was not checked; result is finite and bounded by mu N",
-        MismatchNeglected = 16: "the theory of 1967 neglects the mismatch of the materials; use another model, or set it to 0",
+            "the axis ratio a/b is outside 0.015 to 60, the range for which the model was made; \
+             result is finite, bounded by mu N and has the right limits",
+        Mismatch = 15:
+            "the mismatch of the materials exceeds 0.25, where the model was not checked; result \
+             is finite and bounded by mu N",
+        MismatchNeglected = 16:
+            "the theory of 1967 neglects the mismatch of the materials; use another model, or set \
+             it to 0",
         Conformal = 17:
-            "too conformal: a semi-axis exceeds 0.3 of the smaller radius in its direction, so that the bodies are no half-spaces; \
-             result is that of half-spaces",
-        AngleRange = 19: "the normal turns by more than 30 degrees over a contact of the wheel: one plane of contact is not enough",
-        ProfileEnd = 18: "a zone of contact ends with the profile, as if the bodies ended there: pass more of the profile",
+            "too conformal: a semi-axis exceeds 0.3 of the smaller radius in its direction, so \
+             that the bodies are no half-spaces; result is that of half-spaces",
+        AngleRange = 19:
+            "the normal turns by more than 30 degrees over a contact of the wheel: one plane of \
+             contact is not enough",
+        ProfileEnd = 18:
+            "a zone of contact ends with the profile, as if the bodies ended there: pass more of \
+             the profile",
     }
 }
 

@@ -412,16 +412,28 @@ proptest! {
         let reversed = Input { lateral: -input.lateral, spin: -input.spin, ..mirrored };
         let strips = Grid::<10, 10>::new(Layout::StripCentres);
         let cells = Grid::<10, 10>::new(Layout::Rectangle);
-        let check = |name: &str, one: &dyn Fn(&Input) -> Output, ten: &dyn Fn(&Input) -> Output, limit: f64| {
+        type Method<'a> = &'a dyn Fn(&Input) -> Output;
+        let check = |name: &str, one: Method, ten: Method, limit: f64| {
             let (a, b) = (one(&input), ten(&input));
             let (m, r) = (ten(&mirrored), ten(&reversed));
-            let close = |p: f64, q: f64| p == q || (p - q).abs() < 1e-10 || p.is_nan() && q.is_nan();
-            assert!(close(a.fx, b.fx) && close(a.fy, b.fy) && close(a.mz, b.mz), "{name}: {a:?} {b:?}");
-            assert!(close(m.fx, -b.fx) && close(m.fy, b.fy) && close(m.mz, b.mz), "{name}: {m:?} {b:?}");
-            assert!(close(r.fx, -b.fx) && close(r.fy, -b.fy) && close(r.mz, -b.mz), "{name}: {r:?} {b:?}");
+            let close =
+                |p: f64, q: f64| p == q || (p - q).abs() < 1e-10 || p.is_nan() && q.is_nan();
+            assert!(
+                close(a.fx, b.fx) && close(a.fy, b.fy) && close(a.mz, b.mz),
+                "{name}: {a:?} {b:?}",
+            );
+            assert!(
+                close(m.fx, -b.fx) && close(m.fy, b.fy) && close(m.mz, b.mz),
+                "{name}: {m:?} {b:?}",
+            );
+            assert!(
+                close(r.fx, -b.fx) && close(r.fy, -b.fy) && close(r.mz, -b.mz),
+                "{name}: {r:?} {b:?}",
+            );
             assert!(b.fx.hypot(b.fy) <= limit, "{name}: {b:?}");
         };
-        for f in [Flexibility::Three, Flexibility::Kalker, Flexibility::Energy, Flexibility::Blended] {
+        use Flexibility::{Blended, Energy, Kalker, Three};
+        for f in [Three, Kalker, Energy, Blended] {
             for (n, g) in [("strips", &strips), ("cells", &cells)] {
                 for bound in [Bound::Elliptic, Bound::Parabolic] {
                     // the sum of the bound over 10x10 cells exceeds µN by up to 2 %
@@ -452,8 +464,18 @@ proptest! {
             &|i| fastrip::solve_contact::<10, 10, 4>(&cells, i),
             1.02,
         );
-        check("Shen-Hedrick-Elkins", &shen_hedrick_elkins::solve, &shen_hedrick_elkins::solve, 1.0 + 1e-12);
-        check("Vermeulen-Johnson", &vermeulen_johnson::solve, &vermeulen_johnson::solve, 1.0 + 1e-12);
+        check(
+            "Shen-Hedrick-Elkins",
+            &shen_hedrick_elkins::solve,
+            &shen_hedrick_elkins::solve,
+            1.0 + 1e-12,
+        );
+        check(
+            "Vermeulen-Johnson",
+            &vermeulen_johnson::solve,
+            &vermeulen_johnson::solve,
+            1.0 + 1e-12,
+        );
         // Polach's spin force is added after the saturation and is not bounded with it
         check("Polach", &polach::solve, &polach::solve, 1.5);
     }

@@ -7,13 +7,13 @@
 //!
 //! | module | method | source |
 //! |---|---|---|
-//! | [`fastsim`] | FASTSIM, 1 or 3 flexibilities or blended, elliptic or parabolic bound | Kalker 1982 |
-//! | [`fastrip`] | FaStrip: strip theory in the adhesion area, FASTSIM in the slip area | Sichani, Enblom, Berg 2016 |
+//! | [`fastsim`] | FASTSIM; 1, 3 or blended flexibilities, either bound | Kalker 1982 |
+//! | [`fastrip`] | strip theory where it adheres, FASTSIM in slip | Sichani, Enblom, Berg 2016 |
 //! | [`vermeulen_johnson`] | closed form without spin | Vermeulen, Johnson 1964 |
-//! | [`shen_hedrick_elkins`] | cubic saturation of the linear theory, with spin | Shen, Hedrick, Elkins 1983 |
+//! | [`shen_hedrick_elkins`] | cubic saturation of the linear theory | these authors, 1983 |
 //! | [`polach`] | closed form with spin | Polach 1999 |
 //!
-//! # ScaledContact and signs
+//! # Axes and signs
 //!
 //! `x` is the rolling direction, the slip is that of the upper body over the lower,
 //! `(vx − φ y, vy + φ x)`, and the force acts on the LOWER body, positive along the slip.

@@ -1,11 +1,14 @@
 ! kstrip from Fortran 2018: creep forces of rolling contact by Kalker's strip theory.
 !
-! Written from include/kstrip.h; do not edit: KSTRIP_WRITE_FORTRAN=1 cargo test --test builds fortran
+! Written from include/kstrip.h; do not edit:
+! KSTRIP_WRITE_FORTRAN=1 cargo test --test builds fortran
 !
-! Names, units and signs are those of kstrip.h, which says more. Every function returns a status: 0 is success, above 0 a warning, below 0
-! an error with outputs untouched; kstrip_message() says what. All members of all types are zero, and all pointers null, unless set:
-! zero is the default of an option. Arguments that may be NULL in C are optional. C's row by row is Fortran's column by column: the
-! derivative of force i by creepage j is jacobian(j, i).
+! Names, units and signs are those of kstrip.h, which has more details. Every function returns a
+! status: 0 is success, above 0 a warning, below 0 an error with outputs untouched;
+! kstrip_message() returns the text of a status. Members of types are initially zero, and pointers
+! null; zero selects the default of an option. Arguments that may be NULL in C are optional. An
+! array that C stores by rows is stored by columns in Fortran: the derivative of force i with
+! respect to creepage j is jacobian(j, i).
 module kstrip
    use, intrinsic :: iso_c_binding
    implicit none

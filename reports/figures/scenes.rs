@@ -42,7 +42,8 @@ fn draw_manchester(folder: &Path) -> Drawn {
     let shift = || axis("lateral shift [mm]", &[0.0, 2.0, 4.0, 6.0, 8.0, 10.0], 0);
     picture(&folder.join("manchester.svg"), (760, 580), |canvas| {
         write(canvas, "Wheels S1002 on rails 60E1, Manchester benchmark A-2.2", (90.0, 10.0), 19)?;
-        let remark = "lines: kstrip; dots: CONTACT; blue: right wheel, orange: left wheel; forces on the rail";
+        let remark = "lines: kstrip; dots: CONTACT; blue: right wheel, orange: left wheel; forces \
+             on the rail";
         write(canvas, remark, (90.0, 38.0), 14)?;
         let panels: [(f64, f64, Axis, Value); 4] = [
             (0.0, 0.0, axis("angle [degrees]", &[-80.0, -60.0, -40.0, -20.0, 0.0], 0), |w| w.angle),
@@ -111,11 +112,13 @@ fn draw_wheelset(folder: &Path) -> Drawn {
     };
     picture(&folder.join("wheelset.svg"), (760, 860), |canvas| {
         write(canvas, "A wheelset S1002 on rails 60E1 (examples/wheelset.rs)", (90.0, 10.0), 19)?;
-        let remark = "one implicit rule with the derivatives of the library for rolling, standstill and lift";
+        let remark = "one implicit rule with the derivatives of the library for rolling, \
+             standstill and lift";
         write(canvas, remark, (90.0, 38.0), 14)?;
         let titles = [
             "displaced by 3 mm at 5 m/s: it hunts",
-            "uphill on a grade of 3 %: the brake stops and holds it, and it rolls back when the brake opens",
+            "uphill on a grade of 3 %: the brake stops and holds it, and it rolls back when the \
+             brake opens",
             "a jack under the right axle box lifts one wheel and sets it down, at 5 m/s",
         ];
         for (row, title) in titles.into_iter().enumerate() {

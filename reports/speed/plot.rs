@@ -148,9 +148,11 @@ pub fn draw(path: &Path, marks: &[Mark]) -> Drawn {
             write(canvas, "processor time of a contact", at, 12, Align::Centre, INK)?;
         }
         let legend = [
-            "Random contacts with spin, double precision. Filled: one call for each contact; open: a contact of a batch of 100, or prepared \
-             beforehand. Lines join settings of one method.",
-            "Orange band: what no other method beats in both. Larger errors lie outside: LINEAR, which has no saturation; slopes of FaStrip 50x50 and Vermeulen-Johnson.",
+            "Random contacts with spin, double precision. Filled: one call for each contact; open: \
+             a contact of a batch of 100, or prepared beforehand. Lines join settings of one \
+             method.",
+            "Orange band: what no other method beats in both. Larger errors lie outside: LINEAR, \
+             which has no saturation; slopes of FaStrip 50x50 and Vermeulen-Johnson.",
         ];
         for (k, text) in legend.iter().enumerate() {
             write(canvas, text, (56.0, 598.0 + 20.0 * k as f64), 12, Align::Left, INK)?;

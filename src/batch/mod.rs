@@ -38,7 +38,8 @@ use crate::status::{Error, Warning};
 /// };
 /// let creepage = |i| Creepage { longitudinal: i as f64 * 1e-5, lateral: 0.0, spin: 0.0 };
 /// let mut forces = [0.0; 100];
-/// solve_batch(100, &Options::default(), |i| (contact, creepage(i)), |i, found| forces[i] = found.fx)
+/// let options = Options::default();
+/// solve_batch(100, &options, |i| (contact, creepage(i)), |i, found| forces[i] = found.fx)
 ///     .map_err(|(_, error)| error)?;
 /// assert!(forces.is_sorted());
 /// # Ok::<(), kstrip::status::Error>(())

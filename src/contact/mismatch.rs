@@ -7,7 +7,8 @@
 //!
 //! ```text
 //! Δυx = −c' κ N/(G a (a + b))
-//! c' = 16/π³ − 0.057 g/(g + 0.45)   in full adhesion, g = a/b: derived for g → 0, the rest computed with CONTACT
+//! c' = 16/π³ − 0.057 g/(g + 0.45)   in full adhesion, g = a/b: derived for g → 0,
+//!                                   the rest computed with CONTACT
 //! c' = 9/(4π)                       in full slip: the mean weighted with pressure
 //! ```
 //!

@@ -5,14 +5,14 @@
 //!
 //! | quantity | implausible | typical cause | ordinary contacts |
 //! |---|---|---|---|
-//! | pressure | `p₀ > 0.1 G` | `G` in MPa or GPa | a wheel on a rail 0.02 to 0.04, the hardest bearings 0.06 |
+//! | pressure | `p₀ > 0.1 G` | `G` in MPa or GPa | wheel on rail 0.02 to 0.04, bearings 0.06 |
 //! | creepage | `\|υx\|` or `\|υy\| > 10` | per cent | a locked wheel has 1 |
 //! | semi-axis | `a` or `b > 1 m` | mm | 0.1 mm to 30 mm |
 //! | spin | `\|φ\| √(ab) > 0.05` and `\|φ\| a > 5 p₀/G` | degrees per metre | see below |
 //! | friction | `μ > 5` | per cent | up to 2 |
 //! | radius | both summed curvatures below 0.2/m | mm | a wheel has 2/m, the roll of a mill 1/m |
 //! | mismatch | `\|κ\| > 0.25` | no reference there | steel on a polymer has -0.15 |
-//! | conformity | `a` or `b` over 0.3 of the smaller radius in its direction | no half-spaces there | 0.05 |
+//! | conformity | `a` or `b` above 0.3 of its smaller radius | no half-spaces there | 0.05 |
 //!
 //! **Spin.** A body of radius `R` that rolls with the contact inclined by `γ` to its axis spins
 //! with `φ = tan γ/R`, and Hertz has `a/R = (π/2)(1 − ν) p₀/G` (a circle). So `φ a G/p₀` is about

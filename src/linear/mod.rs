@@ -51,7 +51,10 @@ impl<F: Real> LinearCoefficients<F> {
     #[must_use]
     #[inline(always)]
     pub fn at(axis_ratio: F, poisson_ratio: F) -> Self {
-        with_avx!(if F::LANES => <F: Real>(axis_ratio: F, poisson_ratio: F) -> LinearCoefficients<F> {
+        with_avx!(if F::LANES => <F: Real>(
+            axis_ratio: F,
+            poisson_ratio: F
+        ) -> LinearCoefficients<F> {
             LinearCoefficients::quotients(axis_ratio, poisson_ratio)
         })
     }

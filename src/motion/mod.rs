@@ -16,7 +16,8 @@
 //! With `R = diag(−1, −1, 1)`
 //!
 //! ```text
-//! F₊(c) = F(c),   F₋(c) = R F(R c),   F = w(V) F₊ + w(−V) F₋,   w = (2 + 3t − t³)/4,   t = V/(3 floor)
+//! F₊(c) = F(c),   F₋(c) = R F(R c),   F = w(V) F₊ + w(−V) F₋
+//! w = (2 + 3t − t³)/4,   t = V/(3 floor)
 //! ```
 //!
 //! `w` is 1 from `t = 1` on, so that beyond three floors only one end leads. Between, forces and

@@ -5,8 +5,8 @@
 //! conditions on the cell's middle line, with the sums of `influence` over all cells of all zones:
 //!
 //! ```text
-//! u_i = Σ_j A_ij a_j p_j/(π E*) = δ − h_i        the bodies touch               (linear in p, p ≥ 0)
-//! −∂²u_i/∂x² = Σ_j C_ij p_j/(a_j π E*) = 1/R_i   and keep touching along x      (gives a)
+//! u_i = Σ_j A_ij a_j p_j/(π E*) = δ − h_i        the bodies touch (linear in p, p ≥ 0)
+//! −∂²u_i/∂x² = Σ_j C_ij p_j/(a_j π E*) = 1/R_i   and keep touching along x (gives a)
 //! ```
 //!
 //! The first condition is solved directly for given lengths. Cells that would pull are removed and
@@ -384,7 +384,11 @@ impl<F: Float> Edges<F> {
 
     /// Replaces each distance by the value of the function.
     fn all_at<E: StripEdge>(&self, distances: &mut [WithSlope<F>]) {
-        with_avx!(if 1 => <F: Float, E: StripEdge>(edges: &Edges<F> = self, _of: PhantomData<E> = PhantomData::<E>, distances: &mut [WithSlope<F>] = distances) -> () {
+        with_avx!(if 1 => <F: Float, E: StripEdge>(
+            edges: &Edges<F> = self,
+            _of: PhantomData<E> = PhantomData::<E>,
+            distances: &mut [WithSlope<F>] = distances
+        ) -> () {
             edges.in_fours::<E, F::Four>(distances)
         } {
             edges.in_fours::<E, F::WideFour>(distances)

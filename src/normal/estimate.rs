@@ -107,7 +107,10 @@ impl<F: Float> Estimate<F> {
 
     /// The deflection at `y`, and its slope along `y`.
     pub fn deflection(&self, y: WithSlope<F>) -> [WithSlope<F>; 2] {
-        with_avx!(if 1 => <F: Float>(estimate: &Estimate<F> = self, y: WithSlope<F> = y) -> [WithSlope<F>; 2] {
+        with_avx!(if 1 => <F: Float>(
+            estimate: &Estimate<F> = self,
+            y: WithSlope<F> = y
+        ) -> [WithSlope<F>; 2] {
             estimate.in_fours::<F::Four>(y)
         } {
             estimate.in_fours::<F::WideFour>(y)

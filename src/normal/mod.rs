@@ -432,11 +432,12 @@ impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
     /// let y: [f64; 41] = core::array::from_fn(|i| (i as f64 - 20.0) * 0.5e-3);
     /// let distance = y.map(|y| y * y / (2.0 * 0.30));
     /// let contact = ProfileContact {
-    ///     rolling_radius: 0.46, given: Given::Load(80e3), shear_modulus: 82e9, poisson_ratio: 0.28,
-    ///     friction: 0.3, smoothing_length: 0.0,
+    ///     rolling_radius: 0.46, given: Given::Load(80e3), smoothing_length: 0.0,
+    ///     shear_modulus: 82e9, poisson_ratio: 0.28, friction: 0.3,
     /// };
+    /// let profile = Profile::new(&y, &distance)?;
     /// let (patch, found) =
-    ///     Patch::<f64, 32>::from_profile(&Profile::new(&y, &distance)?, &contact, StripCount::Sixteen)?;
+    ///     Patch::<f64, 32>::from_profile(&profile, &contact, StripCount::Sixteen)?;
     /// assert!((patch.view()?.normal_force() - 80e3).abs() < 1e-6);
     /// // Hertz: 90.5 µm; the highest pressure within a strip of the middle; dN/dδ = 3 N/(2 δ)
     /// assert!((found.approach - 90.5e-6).abs() < 1e-6, "{}", found.approach);

@@ -55,7 +55,11 @@ pub(super) fn parabola<F: Float>(
 /// `Σ w (1 − x²)² xᵏ` over the points with `|x| < 1`, `x` the distance from `y` times `inverse` and
 /// `w` the length that a point stands for; and the same sums with the heights of the points.
 fn moments<F: Float>(profile: &Profile<F>, y: F, inverse: F) -> ([F; 7], [F; 5]) {
-    with_avx!(if 1 => <F: Float>(profile: &Profile<F> = profile, y: F = y, inverse: F = inverse) -> ([F; 7], [F; 5]) {
+    with_avx!(if 1 => <F: Float>(
+        profile: &Profile<F> = profile,
+        y: F = y,
+        inverse: F = inverse
+    ) -> ([F; 7], [F; 5]) {
         moments_in_fours::<F, F::Four>(profile, y, inverse)
     } {
         moments_in_fours::<F, F::WideFour>(profile, y, inverse)

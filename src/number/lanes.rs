@@ -48,7 +48,10 @@ impl<T: InRegisters, const N: usize, A: Alignment> Lanes<T, N, A> {
 }
 
 macro_rules! operators {
-    ($($operator:ident $function:ident($($other:ident)?) $operation:literal $($assigned:ident $assign:ident)?),*) => {$(
+    ($(
+        $operator:ident $function:ident($($other:ident)?) $operation:literal
+        $($assigned:ident $assign:ident)?
+    ),*) => {$(
         impl<T: InRegisters, const N: usize, A: Alignment> $operator for Lanes<T, N, A> {
             type Output = Self;
             #[inline(always)]

@@ -132,10 +132,16 @@ pub(crate) fn has_avx() -> bool {
 macro_rules! with_avx {
     (@ $name:ident) => { $name };
     (@ $name:ident $value:expr) => { $value };
-    (if $lanes:expr => <$($T:ident: $bound:path),*$(; $($N:ident),*)?>($($name:ident: $type:ty $(= $value:expr)?),*) -> $result:ty $code:block) => {
-        $crate::number::registers::with_avx!(if $lanes => <$($T: $bound),*$(; $($N),*)?>($($name: $type $(= $value)?),*) -> $result $code $code)
+    (if $lanes:expr => <$($T:ident: $bound:path),*$(; $($N:ident),*)?>(
+        $($name:ident: $type:ty $(= $value:expr)?),*
+    ) -> $result:ty $code:block) => {
+        $crate::number::registers::with_avx!(if $lanes => <$($T: $bound),*$(; $($N),*)?>(
+            $($name: $type $(= $value)?),*
+        ) -> $result $code $code)
     };
-    (if $lanes:expr => <$($T:ident: $bound:path),*$(; $($N:ident),*)?>($($name:ident: $type:ty $(= $value:expr)?),*) -> $result:ty $code:block $wide:block) => {{
+    (if $lanes:expr => <$($T:ident: $bound:path),*$(; $($N:ident),*)?>(
+        $($name:ident: $type:ty $(= $value:expr)?),*
+    ) -> $result:ty $code:block $wide:block) => {{
         #[cfg(target_arch = "x86_64")]
         #[target_feature(enable = "avx")]
         fn wide<$($T: $bound,)* $($(const $N: usize),*)?>($($name: $type),*) -> $result $wide
@@ -199,14 +205,19 @@ mod x86 {
     // SAFETY (of the macro): arithmetic on registers, no memory access; arrays of so many numbers
     // have their size. Those of 256 bits belong to callers who have asked.
     macro_rules! registers {
-        ($float:ident, $n:literal: $add:ident $sub:ident $mul:ident $div:ident $sqrt:ident $max:ident $min:ident $and:ident
-            $andnot:ident $or:ident $xor:ident $greater:ident $set:ident;
-            $w:literal: $wadd:ident $wsub:ident $wmul:ident $wdiv:ident $wsqrt:ident $wmax:ident $wmin:ident
-            $wandnot:ident $wxor:ident $compare:ident $blend:ident $mask:ident $wset:ident; { $($inverse_roots:item)* }) => {
+        ($float:ident, $n:literal: $add:ident $sub:ident $mul:ident $div:ident $sqrt:ident
+            $max:ident $min:ident $and:ident $andnot:ident $or:ident $xor:ident $greater:ident
+            $set:ident;
+            $w:literal: $wadd:ident $wsub:ident $wmul:ident $wdiv:ident $wsqrt:ident $wmax:ident
+            $wmin:ident $wandnot:ident $wxor:ident $compare:ident $blend:ident $mask:ident
+            $wset:ident; { $($inverse_roots:item)* }) => {
             impl InRegisters for $float {
                 $($inverse_roots)*
                 #[inline(always)]
-                fn apply<const OPERATION: char, const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
+                fn apply<const OPERATION: char, const N: usize>(
+                    a: [Self; N],
+                    b: [Self; N],
+                ) -> [Self; N] {
                     match N {
                         $n => unsafe {
                             let (a, b) = (cast(a), cast(b));
@@ -240,7 +251,11 @@ mod x86 {
                     }
                 }
                 #[inline(always)]
-                fn chosen<const N: usize>(by: [Self; N], yes: [Self; N], no: [Self; N]) -> [Self; N] {
+                fn chosen<const N: usize>(
+                    by: [Self; N],
+                    yes: [Self; N],
+                    no: [Self; N],
+                ) -> [Self; N] {
                     match N {
                         $n => unsafe {
                             let mask = $greater(cast(by), $set(0.0));
@@ -261,7 +276,11 @@ mod x86 {
                     one_exceeds(a, b)
                 }
                 #[inline(always)]
-                fn all_between<const N: usize>(a: [Self; N], low: [Self; N], high: [Self; N]) -> bool {
+                fn all_between<const N: usize>(
+                    a: [Self; N],
+                    low: [Self; N],
+                    high: [Self; N],
+                ) -> bool {
                     if N == $w {
                         const ALL: i32 = (1 << $w) - 1;
                         let low = unsafe { $mask($compare::<_CMP_GE_OQ>(cast(a), cast(low))) };
@@ -274,10 +293,11 @@ mod x86 {
         };
     }
 
-    registers!(f64, 2: _mm_add_pd _mm_sub_pd _mm_mul_pd _mm_div_pd _mm_sqrt_pd _mm_max_pd _mm_min_pd _mm_and_pd
-    _mm_andnot_pd _mm_or_pd _mm_xor_pd _mm_cmpgt_pd _mm_set1_pd;
-    4: _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd _mm256_sqrt_pd _mm256_max_pd _mm256_min_pd
-    _mm256_andnot_pd _mm256_xor_pd _mm256_cmp_pd _mm256_blendv_pd _mm256_movemask_pd _mm256_set1_pd; {
+    registers!(f64, 2: _mm_add_pd _mm_sub_pd _mm_mul_pd _mm_div_pd _mm_sqrt_pd _mm_max_pd
+    _mm_min_pd _mm_and_pd _mm_andnot_pd _mm_or_pd _mm_xor_pd _mm_cmpgt_pd _mm_set1_pd;
+    4: _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd _mm256_sqrt_pd _mm256_max_pd
+    _mm256_min_pd _mm256_andnot_pd _mm256_xor_pd _mm256_cmp_pd _mm256_blendv_pd
+    _mm256_movemask_pd _mm256_set1_pd; {
         #[inline(always)]
         fn inverse_roots<const N: usize>(mut a: [Self; N]) -> [Self; N] {
             match N {
@@ -305,10 +325,11 @@ mod x86 {
             }
         }
     });
-    registers!(f32, 4: _mm_add_ps _mm_sub_ps _mm_mul_ps _mm_div_ps _mm_sqrt_ps _mm_max_ps _mm_min_ps _mm_and_ps
-    _mm_andnot_ps _mm_or_ps _mm_xor_ps _mm_cmpgt_ps _mm_set1_ps;
-    8: _mm256_add_ps _mm256_sub_ps _mm256_mul_ps _mm256_div_ps _mm256_sqrt_ps _mm256_max_ps _mm256_min_ps
-    _mm256_andnot_ps _mm256_xor_ps _mm256_cmp_ps _mm256_blendv_ps _mm256_movemask_ps _mm256_set1_ps; {
+    registers!(f32, 4: _mm_add_ps _mm_sub_ps _mm_mul_ps _mm_div_ps _mm_sqrt_ps _mm_max_ps
+    _mm_min_ps _mm_and_ps _mm_andnot_ps _mm_or_ps _mm_xor_ps _mm_cmpgt_ps _mm_set1_ps;
+    8: _mm256_add_ps _mm256_sub_ps _mm256_mul_ps _mm256_div_ps _mm256_sqrt_ps _mm256_max_ps
+    _mm256_min_ps _mm256_andnot_ps _mm256_xor_ps _mm256_cmp_ps _mm256_blendv_ps
+    _mm256_movemask_ps _mm256_set1_ps; {
         #[inline(always)]
         fn inverse_roots<const N: usize>(a: [Self; N]) -> [Self; N] {
             Self::apply::<'÷', N>([1.0; N], Self::apply::<'√', N>(a, a))

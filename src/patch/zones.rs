@@ -10,7 +10,8 @@
 //! therefore
 //!
 //! ```text
-//! a² = (5/4) Σ N l²/Σ N,   p₀² = (5/4) Σ N p²/Σ N,   N = (2/3) π a b p₀,   (x₀, y₀) = Σ N (x, y)/Σ N,   μ = Σ μ N/Σ N
+//! a² = (5/4) Σ N l²/Σ N,   p₀² = (5/4) Σ N p²/Σ N,   N = (2/3) π a b p₀
+//! (x₀, y₀) = Σ N (x, y)/Σ N,   μ = Σ μ N/Σ N
 //! ```
 //!
 //! Every strip counts by its load, so that a strip that begins to touch changes nothing at first.

@@ -87,7 +87,10 @@ fn carried<T: Number, const ROWS: usize>(
 }
 
 fn both_kinds<F: Real, const ROWS: usize>(eight: &Eight<F>, found: &mut ForcesAndSlopes<F, ROWS>) {
-    with_avx!(if 1 => <F: Real; ROWS>(eight: &Eight<F>, found: &mut ForcesAndSlopes<F, ROWS>) -> () {
+    with_avx!(if 1 => <F: Real; ROWS>(
+        eight: &Eight<F>,
+        found: &mut ForcesAndSlopes<F, ROWS>
+    ) -> () {
         if cfg!(target_os = "none") {
             // (one after the other, where flash is short)
             of_kinds::<F, Lanes<F, 1>, ROWS>(eight, found)

@@ -133,7 +133,10 @@ impl<F: Real> Flexibilities<F> {
     /// Beyond that range the results are finite and bounded and have the right limits.
     #[inline(always)]
     pub fn see<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Distribution<T> {
-        with_avx!(if T::LANES => <F: Real, T: Number<Base = F>>(contact: &Flexibilities<F> = self, creepage: [T; 3]) -> Distribution<T> {
+        with_avx!(if T::LANES => <F: Real, T: Number<Base = F>>(
+            contact: &Flexibilities<F> = self,
+            creepage: [T; 3]
+        ) -> Distribution<T> {
             contact.seen::<T, F::Four>(creepage)
         } {
             contact.seen::<T, F::WideRow>(creepage)

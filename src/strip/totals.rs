@@ -56,7 +56,10 @@ impl<F: Real> EllipseStrips<F> {
     /// `φ = G (a b)^{3/2} ϕ/(μ N)`.
     #[inline(always)]
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
-        with_avx!(if T::LANES => <F: Real, T: Number<Base = F>>(strips: &EllipseStrips<F> = self, creepage: [T; 3]) -> Totals<T> {
+        with_avx!(if T::LANES => <F: Real, T: Number<Base = F>>(
+            strips: &EllipseStrips<F> = self,
+            creepage: [T; 3]
+        ) -> Totals<T> {
             let law = strips.contact.seen::<T, F::Four>(creepage);
             if cfg!(target_os = "none") {
                 // (one after the other, where flash is short)

@@ -76,7 +76,8 @@ use core::f64::consts::PI;
 /// Pure longitudinal creepage, Section 8.15:
 /// ```
 /// use kstrip::{strip_1967, strip_1967::strip::SlidingRule, contact::creepage::Parameters};
-/// let parameters = Parameters { xi: 0.5, eta: 0.0, psi: 0.0, poisson_ratio: 0.28, axis_ratio: 1.0 };
+/// let (poisson_ratio, axis_ratio) = (0.28, 1.0);
+/// let parameters = Parameters { xi: 0.5, eta: 0.0, psi: 0.0, poisson_ratio, axis_ratio };
 /// let totals = strip_1967::totals(&parameters, SlidingRule::RigidSlip);
 /// let exact = 1.0 - (2.25 * 0.75_f64.sqrt() - 1.5 * 0.5_f64.acos()) / 2.0;
 /// assert!((totals.fx - exact).abs() < 1e-15 && totals.fy == 0.0);
@@ -90,7 +91,10 @@ pub fn totals<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Total
             integrals(parameters, SlidingRule::RigidSlip)
         })
     } else {
-        with_avx!(if T::LANES => <T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Totals<T> {
+        with_avx!(if T::LANES => <T: Number>(
+            parameters: &Parameters<T>,
+            rule: SlidingRule
+        ) -> Totals<T> {
             integrals(parameters, rule)
         })
     }

@@ -96,7 +96,11 @@ impl<F: Real> Total<F> {
     #[must_use]
     #[inline(always)]
     pub fn new(axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>) -> Self {
-        with_avx!(if F::LANES => <F: Real>(axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>) -> Total<F> {
+        with_avx!(if F::LANES => <F: Real>(
+            axis_ratio: F,
+            poisson_ratio: F,
+            linear: &LinearCoefficients<F>
+        ) -> Total<F> {
             Total::of_contact(axis_ratio, poisson_ratio, linear)
         })
     }
@@ -136,7 +140,10 @@ impl<F: Real> Total<F> {
     #[must_use]
     #[inline(always)]
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
-        with_avx!(if T::LANES => <F: Real, T: Number<Base = F>>(contact: &Total<F> = self, creepage: [T; 3]) -> Totals<T> {
+        with_avx!(if T::LANES => <F: Real, T: Number<Base = F>>(
+            contact: &Total<F> = self,
+            creepage: [T; 3]
+        ) -> Totals<T> {
             contact.two_answers::<T, F::Four>(creepage)
         } {
             contact.two_answers::<T, F::WideRow>(creepage)

@@ -5,7 +5,8 @@
 //! roll and yaw,
 //!
 //! ```text
-//! p = R (r sin θ, y, r cos θ),   n = R (cos α sin θ, −sin α, cos α cos θ),   n_x = 0:  sin θ = tan α R₀₁/R₀₀ = −tan α tan yaw
+//! p = R (r sin θ, y, r cos θ),   n = R (cos α sin θ, −sin α, cos α cos θ)
+//! n_x = 0:  sin θ = tan α R₀₁/R₀₀ = −tan α tan yaw
 //! ```
 
 use super::surface::Place;

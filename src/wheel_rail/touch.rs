@@ -91,7 +91,10 @@ type Places<F> = [Option<Place<F>>; FOUR];
 impl<F: Float> Above<'_, F> {
     /// Looks down from places of the wheel's profile. None where the rail is out of reach.
     fn look(&mut self, places: &Places<F>) -> [Option<GapPoint<F>>; FOUR] {
-        with_avx!(if 1 => <F: Float>(above: &mut Above<'_, F> = self, places: &Places<F> = places) -> [Option<GapPoint<F>>; FOUR] {
+        with_avx!(if 1 => <F: Float>(
+            above: &mut Above<'_, F> = self,
+            places: &Places<F> = places
+        ) -> [Option<GapPoint<F>>; FOUR] {
             above.look_from::<F::Four>(places)
         } {
             above.look_from::<F::WideFour>(places)

@@ -72,7 +72,8 @@ int main(void)
     for (int i = 0; i <= 5; i++) {
         const kstrip_creepage creepage = {i * 1e-3, 0.5e-3, 0.1};
         kstrip_evaluate(&contact, &creepage, NULL, NULL, &outputs);
-        printf("%.4f %.3f %.3f %.3f %.6e\n", creepage.longitudinal, force.fx, force.fy, force.mz, by_creepage.jacobian[1][2]);
+        printf("%.4f %.3f %.3f %.3f %.6e\n", creepage.longitudinal, force.fx, force.fy, force.mz,
+               by_creepage.jacobian[1][2]);
     }
     for (int i = -2; i <= 2; i++) {
         const kstrip_motion motion = {.slip_x = 1e-3, .rolling_speed = i * 0.5};

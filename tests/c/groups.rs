@@ -81,13 +81,14 @@ pub fn headers(generated: &str) -> [String; 2] {
     let (head, rest) = generated.split_once("*/\n").expect("the comment at the head");
     let mut items: Vec<Item> = rest.split("\n\n").filter_map(item).collect();
     let double = format!(
-        "{head}*/\n\n#ifndef KSTRIP_H\n#define KSTRIP_H\n\n#include <stddef.h>\n#include <stdint.h>\n\n{CPP_OPEN}{}\
-         {CPP_CLOSE}\n#endif /* KSTRIP_H */\n",
+        "{head}*/\n\n#ifndef KSTRIP_H\n#define KSTRIP_H\n\n\
+         #include <stddef.h>\n#include <stdint.h>\n\n\
+         {CPP_OPEN}{}{CPP_CLOSE}\n#endif /* KSTRIP_H */\n",
         body(&mut items, ""),
     );
     let single = format!(
-        "{F32_HEAD}\n#ifndef KSTRIP_F32_H\n#define KSTRIP_F32_H\n\n#include \"kstrip.h\"\n\n{CPP_OPEN}{}{CPP_CLOSE}\n\
-         #endif /* KSTRIP_F32_H */\n",
+        "{F32_HEAD}\n#ifndef KSTRIP_F32_H\n#define KSTRIP_F32_H\n\n#include \"kstrip.h\"\n\n\
+         {CPP_OPEN}{}{CPP_CLOSE}\n#endif /* KSTRIP_F32_H */\n",
         body(&mut items, "_f32"),
     );
     let left: Vec<&str> = items.iter().map(|item| item.name.as_str()).collect();
@@ -106,8 +107,9 @@ const CPP_OPEN: &str = "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n";
 const CPP_CLOSE: &str = "#ifdef __cplusplus\n} // extern \"C\"\n#endif\n";
 const F32_HEAD: &str = "/**
  * @file kstrip_f32.h
- * kstrip in single precision: the functions and structures of kstrip.h with the suffix _f32. Arguments, members, units,
- * ranges and statuses are those of the functions and structures without it.
+ * kstrip in single precision: the functions and structures of kstrip.h with the suffix _f32.
+ * Arguments, members, units, ranges and statuses are those of the functions and structures
+ * without it.
  *
  * Generated from the Rust sources by cbindgen; do not edit.
  */
@@ -142,7 +144,8 @@ fn body(items: &mut Vec<Item>, suffix: &str) -> String {
         }
         if !group.is_empty() {
             text += &format!(
-                "/**\n * @defgroup kstrip_{id}{suffix} {title}\n * @{{\n */\n\n{group}/** @}} */\n\n"
+                "/**\n * @defgroup kstrip_{id}{suffix} {title}\n * @{{\n */\n\n\
+                 {group}/** @}} */\n\n"
             );
         }
     }

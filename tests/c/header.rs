@@ -205,11 +205,17 @@ impl Declared {
             }
             // One member has another name in Rust; in arrays it has its own.
             let renamed = |member: &Variable| member.kind == "kstrip_status";
-            let members: Vec<&str> = members
-                .iter()
-                .map(|member| if renamed(member) { "warning" } else { member.name.as_str() })
-                .collect();
-            text += &format!("    {name} {{ {} }}\n", members.join(", "));
+            let mut line = format!("    {name} {{");
+            for (i, member) in members.iter().enumerate() {
+                let name = if renamed(member) { "warning" } else { member.name.as_str() };
+                let comma = if i + 1 < members.len() { "," } else { " }" };
+                if line.len() + name.len() + 3 > 100 {
+                    text += &format!("{line}\n");
+                    line = " ".repeat(7);
+                }
+                line += &format!(" {name}{comma}");
+            }
+            text += &format!("{line}\n");
         }
         text + "}\n"
     }

@@ -15,25 +15,37 @@ layouts! {
     kstrip_derivatives { jacobian, normal_force, load_through_hertz, friction }
     kstrip_law_derivatives { ratio, decay, rolling_speed, slope_factor }
     kstrip_strip { y, width, half_length, separatrix, fx, fy, mz, power, state, reserved }
-    kstrip_outputs { result, derivatives, law_derivatives, friction, strips, count, capacity, reserved }
-    kstrip_batch_inputs { a, a_stride, b, b_stride, normal_force, normal_force_stride, shear_modulus, shear_modulus_stride, poisson_ratio, poisson_ratio_stride, friction, friction_stride, mismatch, mismatch_stride, longitudinal, longitudinal_stride, lateral, lateral_stride, spin, spin_stride, law, law_stride }
-    kstrip_batch_outputs { fx, fx_stride, fy, fy_stride, mz, mz_stride, power, power_stride, adhesion, adhesion_stride, status_detail, status_detail_stride, friction, friction_stride, derivatives, derivatives_stride, law_derivatives, law_derivatives_stride }
+    kstrip_outputs { result, derivatives, law_derivatives, friction, strips, count, capacity,
+        reserved }
+    kstrip_batch_inputs { a, a_stride, b, b_stride, normal_force, normal_force_stride,
+        shear_modulus, shear_modulus_stride, poisson_ratio, poisson_ratio_stride, friction,
+        friction_stride, mismatch, mismatch_stride, longitudinal, longitudinal_stride, lateral,
+        lateral_stride, spin, spin_stride, law, law_stride }
+    kstrip_batch_outputs { fx, fx_stride, fy, fy_stride, mz, mz_stride, power, power_stride,
+        adhesion, adhesion_stride, status_detail, status_detail_stride, friction, friction_stride,
+        derivatives, derivatives_stride, law_derivatives, law_derivatives_stride }
     kstrip_prepared { numbers, model, strips }
     kstrip_motion { slip_x, slip_y, spin_rate, rolling_speed, floor_speed }
-    kstrip_motion_derivatives { slip, rolling_speed, normal_force, load_through_hertz, friction, ratio, decay, slope_factor }
+    kstrip_motion_derivatives { slip, rolling_speed, normal_force, load_through_hertz, friction,
+        ratio, decay, slope_factor }
     kstrip_motion_outputs { result, derivatives, friction }
     kstrip_point { pressure, traction_x, traction_y, slip_x, slip_y, dissipation, state, reserved }
     kstrip_profile { y, distance, centre_x, rolling_radius, points, reserved }
-    kstrip_profile_contact { rolling_radius, normal_force, approach, smoothing_length, shear_modulus, poisson_ratio, friction, strips, reserved }
+    kstrip_profile_contact { rolling_radius, normal_force, approach, smoothing_length,
+        shear_modulus, poisson_ratio, friction, strips, reserved }
     kstrip_patch_strip { y, width, half_length, centre_x, peak_pressure, friction }
-    kstrip_patch { strips, shear_modulus, poisson_ratio, area_scale, lever_scale, count, reserved, mismatch }
-    kstrip_profile_result { approach, normal_force, stiffness, peak_pressure, peak_y, iterations, warning, lowest }
+    kstrip_patch { strips, shear_modulus, poisson_ratio, area_scale, lever_scale, count, reserved,
+        mismatch }
+    kstrip_profile_result { approach, normal_force, stiffness, peak_pressure, peak_y, iterations,
+        warning, lowest }
     kstrip_patch_summary { normal_force, friction_bound, area, lobes, reserved }
     kstrip_surface { y, z, cosine, sine, step, count, reserved }
     kstrip_wheel_position { lateral, vertical, yaw, roll }
     kstrip_gap { along, distance, x, y, z, angle, rolling_radius, count, reserved }
-    kstrip_wheel_pair { wheel_radius, shear_modulus, poisson_ratio, friction, friction_y, friction_at, friction_points, left, smoothing_length, strips, model }
-    kstrip_wheel_contact { origin, angle, angle_range, radius, normal_force, share, approach, stiffness, along, normal, slip_x, slip_y, spin_rate, rolling_speed, patch }
+    kstrip_wheel_pair { wheel_radius, shear_modulus, poisson_ratio, friction, friction_y,
+        friction_at, friction_points, left, smoothing_length, strips, model }
+    kstrip_wheel_contact { origin, angle, angle_range, radius, normal_force, share, approach,
+        stiffness, along, normal, slip_x, slip_y, spin_rate, rolling_speed, patch }
     kstrip_wheel_velocity { forward, lateral, vertical, roll, pitch, yaw }
     kstrip_wrench { force, moment, dissipation, normal_force, contacts, warning }
     kstrip_wrench_derivatives { velocity, friction }

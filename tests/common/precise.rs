@@ -21,7 +21,8 @@ pub type Digits = FBig<HalfEven, 2>;
 thread_local! {
     static KEPT: RefCell<Vec<Digits>> = const { RefCell::new(Vec::new()) };
     /// Tables by their address.
-    static TABLES: RefCell<HashMap<(usize, usize, usize), &'static dyn Any>> = RefCell::new(HashMap::new());
+    static TABLES: RefCell<HashMap<(usize, usize, usize), &'static dyn Any>> =
+        RefCell::new(HashMap::new());
 }
 
 #[derive(Clone, Copy, Debug)]

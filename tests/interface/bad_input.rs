@@ -158,6 +158,35 @@ static kstrip_prepared_f32 prepared_float(void)
 }
 ";
 
+/// The beginning and the end of the program.
+const HEAD: &str = "/* Written by tests/interface/bad_input.rs. */
+#include \"kstrip_f32.h\"
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { POISON = 0xA5 };
+
+static int poisoned(const void *memory, size_t size)
+{
+    const unsigned char *byte = memory;
+    while (size--)
+        if (*byte++ != POISON)
+            return 0;
+    return 1;
+}
+";
+const TAIL: &str = "};
+
+int main(void)
+{
+    for (size_t i = 0; i < sizeof calls / sizeof *calls; i++)
+        calls[i]();
+    return 0;
+}
+";
+
 /// Profiles of a wheel on a rail, their gap and contact, and a wheel that presses, in each
 /// precision.
 const WHEEL: &str = "
@@ -173,7 +202,9 @@ static kstrip_surfaceSUFFIX surface_REAL(void)
     return surface;
 }
 
-static const kstrip_wheel_pairSUFFIX pair_REAL = {(REAL)0.46, (REAL)82e9, (REAL)0.28, (REAL)0.3, {-1, 1, 0, 0}, {(REAL)0.3, (REAL)0.3, 0, 0}, 2, 0, 0, 16, 0};
+static const kstrip_wheel_pairSUFFIX pair_REAL = {
+    (REAL)0.46, (REAL)82e9, (REAL)0.28, (REAL)0.3, {-1, 1, 0, 0}, {(REAL)0.3, (REAL)0.3, 0, 0},
+    2, 0, 0, 16, 0};
 static const kstrip_wheel_positionSUFFIX position_REAL = {0, (REAL)5e-5, 0, 0};
 
 static kstrip_surfaceSUFFIX wheel_REAL(void)
@@ -308,7 +339,8 @@ fn block(
         outputs.iter().map(|name| format!("poisoned({name}, sizeof {name})")).collect();
     let untouched = if untouched.is_empty() { "1".to_owned() } else { untouched.join(" && ") };
     text += &format!(
-        "        const long status = {}({});\n        printf(\"{number} %ld %d\\n\", status, {untouched});\n    }}\n",
+        "        const long status = {}({});\n        \
+         printf(\"{number} %ld %d\\n\", status, {untouched});\n    }}\n",
         function.name,
         arguments.join(", ")
     );
@@ -344,11 +376,7 @@ fn bad_input_gets_its_status_and_outputs_stay() {
     let cases = cases(&declared, &rules);
 
     // Blocks in functions of their own, so that no stack grows with the table
-    let mut program = "/* Written by tests/interface/bad_input.rs. */\n#include \"kstrip_f32.h\"\n#include <float.h>\n\
-        #include <math.h>\n#include <stdio.h>\n#include <string.h>\n\nenum { POISON = 0xA5 };\n\n\
-        static int poisoned(const void *memory, size_t size)\n{\n    const unsigned char *byte = memory;\n    \
-        while (size--)\n        if (*byte++ != POISON)\n            return 0;\n    return 1;\n}\n"
-        .to_owned();
+    let mut program = HEAD.to_owned();
     program += PLACES;
     for (real, suffix) in [("double", ""), ("float", "_f32")] {
         program += &WHEEL.replace("REAL", real).replace("SUFFIX", suffix);
@@ -369,8 +397,7 @@ fn bad_input_gets_its_status_and_outputs_stay() {
     for i in 0..blocks.len() {
         program += &format!("    call_{i},\n");
     }
-    program += "};\n\nint main(void)\n{\n    for (size_t i = 0; i < sizeof calls / sizeof *calls; i++)\n        \
-        calls[i]();\n    return 0;\n}\n";
+    program += TAIL;
 
     let text = run_written(&write_scratch("bad_input.c", &program));
     let answers: BTreeMap<usize, (i64, bool)> = text

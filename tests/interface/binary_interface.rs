@@ -46,7 +46,8 @@ fn compare(path: &str, text: &str) {
     let committed = std::fs::read_to_string(&path).unwrap_or_default();
     assert!(
         committed == text,
-        "{} is not what the sources say; run KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface",
+        "{} is not what the sources say; run KSTRIP_WRITE_HEADER=1 cargo test --test interface \
+         binary_interface",
         path.display()
     );
 }
@@ -92,8 +93,9 @@ fn binary_interface_is_the_committed_one() {
         || std::env::var_os("KSTRIP_ABI_UNRELEASED").is_some();
     assert!(
         lost.is_empty() || allowed,
-        "an incompatible change of the binary interface: raise KSTRIP_ABI_VERSION (docs/reference/abi.md), or \
-         set KSTRIP_ABI_UNRELEASED=1 as long as the version has not been released: {lost:#?}"
+        "an incompatible change of the binary interface: raise KSTRIP_ABI_VERSION \
+         (docs/reference/abi.md), or set KSTRIP_ABI_UNRELEASED=1 as long as the version has not \
+         been released: {lost:#?}"
     );
     let list = declared.rust_list();
     if std::env::var_os("KSTRIP_WRITE_HEADER").is_some() {
@@ -108,7 +110,8 @@ fn binary_interface_is_the_committed_one() {
 }
 
 const ABI_HEAD: &str = "
-# The binary interface, written by KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface and compared by that test.
+# The binary interface, written and compared by
+# KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface
 # Offsets and sizes in bytes. docs/reference/abi.md has the rules.
 ";
 

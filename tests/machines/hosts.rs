@@ -89,9 +89,8 @@ fn fmi_wheel_on_a_rail() {
     let python = if own.exists() { own } else { PathBuf::from("python3") };
     let modules = Command::new(&python).args(["-c", "import fmpy, libcosimpy, numpy"]).output();
     if !modules.is_ok_and(|output| output.status.success()) {
-        say(
-            "SKIPPED: hosts/fmi, because there is no fmpy with libcosimpy (hosts/fmi/README.md: target/fmi)",
-        );
+        say("SKIPPED: hosts/fmi, because there is no fmpy with libcosimpy (hosts/fmi/README.md: \
+             target/fmi)");
         return;
     }
     let folder = scratch().join("fmu");

@@ -526,6 +526,7 @@ fn power_bound_and_mirror_hold_to_rounding() {
         }
     }
     println!(
-        "least power {least:e} W, |F| at most mu N (1 + {most} eps), fx 0 in {mirrored} mirror-symmetric cases"
+        "least power {least:e} W, |F| at most mu N (1 + {most} eps), fx 0 in {mirrored} \
+         mirror-symmetric cases"
     );
 }

@@ -96,14 +96,14 @@ proptest! {
     fn bounded((g, nu) in shapes(3.0), v in creepages()) {
         for options in saturating() {
             let [x, y, z] = forces(g, nu, v, &options);
-            prop_assert!(x.hypot(y) <= 1.0 + 1e-12, "{:?}: {} {}", options, x, y);
-            prop_assert!(z.abs() <= g.sqrt() + 1.0 / g.sqrt(), "{:?}: {}", options, z);
+            prop_assert!(x.hypot(y) <= 1.0 + 1e-12, "{options:?}: {x} {y}");
+            prop_assert!(z.abs() <= g.sqrt() + 1.0 / g.sqrt(), "{options:?}: {z}");
             let single = forces_of_contact(&contact::<f32>(g, nu), &creepage(v), &options).unwrap();
             let [x, y, _] = normalised(&single);
-            prop_assert!(x.hypot(y) <= 1.0 + 1e-6, "{:?} f32: {} {}", options, x, y);
+            prop_assert!(x.hypot(y) <= 1.0 + 1e-6, "{options:?} f32: {x} {y}");
             let known = (0.0..=1.0).contains(&single.adhesion);
             let unknown = options == total() && single.adhesion == -1.0;
-            prop_assert!(known || unknown, "{:?} {:?}", options, single);
+            prop_assert!(known || unknown, "{options:?} {single:?}");
         }
     }
 
@@ -116,11 +116,11 @@ proptest! {
             let arm = g.sqrt().max(1.0 / g.sqrt());
             let scale = 1e-12 * (1.0 + fx.abs() + fy.abs() + mz.abs().max(arm));
             let mirrored = forces(g, nu, [-x, y, s], &options);
-            prop_assert!(far(mirrored, [-fx, fy, mz]) <= scale, "{:?} {:?}", options, mirrored);
+            prop_assert!(far(mirrored, [-fx, fy, mz]) <= scale, "{options:?} {mirrored:?}");
             prop_assert_eq!(forces(g, nu, [-x, -y, -s], &options), [-fx, -fy, -mz]);
-            prop_assert!(x != 0.0 || fx == 0.0, "{:?} {}", options, fx);
+            prop_assert!(x != 0.0 || fx == 0.0, "{options:?} {fx}");
             if y == 0.0 && s == 0.0 {
-                prop_assert!(fy.abs() <= 1e-15 && mz.abs() <= 1e-15, "{:?} {} {}", options, fy, mz);
+                prop_assert!(fy.abs() <= 1e-15 && mz.abs() <= 1e-15, "{options:?} {fy} {mz}");
             }
         }
     }
@@ -133,7 +133,7 @@ proptest! {
         let is = forces(g, nu, v, &linear());
         let scale = expected.iter().fold(1.0_f64, |s, f| s.max(f.abs()))
             + c22 * v[1].abs() + (c23 + c33) * v[2].abs() + c23 * v[1].abs();
-        prop_assert!(far(is, expected) <= 1e-12 * scale, "{:?} {:?}", is, expected);
+        prop_assert!(far(is, expected) <= 1e-12 * scale, "{is:?} {expected:?}");
     }
 
     /// Vanishing creepage: the forces of linear theory, and for TOTAL its moment.
@@ -148,7 +148,7 @@ proptest! {
             if options.model == Model::Strip {
                 is[2] = expected[2];
             }
-            prop_assert!(far(is, expected) <= 3.0 * size * size, "{:?} {:?} {:?}", options, is, expected);
+            prop_assert!(far(is, expected) <= 3.0 * size * size, "{options:?} {is:?} {expected:?}");
         }
     }
 
@@ -156,11 +156,12 @@ proptest! {
     #[test]
     fn dissipative((g, nu) in shapes(1.15), v in creepages()) {
         for options in saturating() {
-            let power = forces_of_contact(&contact::<f64>(g, nu), &creepage(v), &options).unwrap().power;
+            let power =
+                forces_of_contact(&contact::<f64>(g, nu), &creepage(v), &options).unwrap().power;
             let [x, y, z] = forces(g, nu, v, &options);
             let sum = x * v[0] + y * v[1] + z * v[2];
             prop_assert!((power / (BOUND * UNIT) - sum).abs() <= 1e-12 * (1.0 + sum.abs()));
-            prop_assert!(sum >= -1e-12, "{:?}: {}", options, sum);
+            prop_assert!(sum >= -1e-12, "{options:?}: {sum}");
         }
     }
 
@@ -173,28 +174,35 @@ proptest! {
     ) {
         const STEP: f64 = 1e-8;
         let moved = std::array::from_fn(|i| v[i] + STEP * step[i]);
-        let (moved_g, moved_nu) = (g * (1.0 + STEP * step[3]), (nu + STEP * step[4]).clamp(0.0, 0.5));
+        let (moved_g, moved_nu) =
+            (g * (1.0 + STEP * step[3]), (nu + STEP * step[4]).clamp(0.0, 0.5));
         for options in fitted() {
-            let change = far(forces(g, nu, v, &options), forces(moved_g, moved_nu, moved, &options));
+            let change =
+                far(forces(g, nu, v, &options), forces(moved_g, moved_nu, moved, &options));
             // the linear slopes reach 16 for the forces and 12 for the moment
-            prop_assert!(change <= 300.0 * STEP, "{:?}: {:e}", options, change);
+            prop_assert!(change <= 300.0 * STEP, "{options:?}: {change:e}");
         }
     }
 
     /// The derivatives are those of the forces, and have no jump.
     #[test]
-    fn differentiable((g, nu) in shapes(1.0), v in creepages(), way in [-1.0..1.0_f64, -1.0..1.0, -1.0..1.0]) {
+    fn differentiable(
+        (g, nu) in shapes(1.0),
+        v in creepages(),
+        way in [-1.0..1.0_f64, -1.0..1.0, -1.0..1.0],
+    ) {
         let moved = |step: f64| std::array::from_fn(|i| v[i] + step * way[i]);
         for options in [sixteen(Model::Strip), total()] {
             let here = slopes(g, nu, v, &options);
             let step = 1e-7;
-            let (ahead, behind) = (forces(g, nu, moved(step), &options), forces(g, nu, moved(-step), &options));
+            let (ahead, behind) =
+                (forces(g, nu, moved(step), &options), forces(g, nu, moved(-step), &options));
             let there = slopes(g, nu, moved(1e-8), &options);
             for i in 0..3 {
                 let expected: f64 = (0..3).map(|k| here[i][k] * way[k]).sum();
                 let is = (ahead[i] - behind[i]) / (2.0 * step);
-                prop_assert!((is - expected).abs() <= 3e-3, "{:?} {}: {} {}", options, i, is, expected);
-                prop_assert!(far(here[i], there[i]) <= 1e-3, "{:?} {:?} {:?}", options, here, there);
+                prop_assert!((is - expected).abs() <= 3e-3, "{options:?} {i}: {is} {expected}");
+                prop_assert!(far(here[i], there[i]) <= 1e-3, "{options:?} {here:?} {there:?}");
             }
         }
     }
@@ -205,7 +213,7 @@ proptest! {
         let (sine, cosine) = angle.sin_cos();
         for options in fitted() {
             let is = forces(g, nu, [size * cosine, size * sine, 0.0], &options);
-            prop_assert!(far(is, [cosine, sine, 0.0]) <= 2e-3, "{:?} {:?} {}", options, is, angle);
+            prop_assert!(far(is, [cosine, sine, 0.0]) <= 2e-3, "{options:?} {is:?} {angle}");
         }
     }
 
@@ -215,7 +223,7 @@ proptest! {
         for options in fitted() {
             let single = forces_of_contact(&contact::<f32>(g, nu), &creepage(v), &options).unwrap();
             let difference = far(normalised(&single), forces(g, nu, v, &options));
-            prop_assert!(difference <= 1e-4, "{:?}: {:e}", options, difference);
+            prop_assert!(difference <= 1e-4, "{options:?}: {difference:e}");
         }
     }
 
@@ -227,7 +235,8 @@ proptest! {
             let options = options(model, COUNTS[count]);
             let whole = forces_of_contact(&contact, &motion, &options).unwrap();
             let mut parts: Vec<StripResult<f64>> = Vec::new();
-            let warning = forces::strips(&contact, &motion, &options, &mut |s| parts.push(s)).unwrap();
+            let warning =
+                forces::strips(&contact, &motion, &options, &mut |s| parts.push(s)).unwrap();
             prop_assert_eq!((warning, parts.len()), (whole.warning, COUNTS[count] as usize));
             let power = BOUND * UNIT * (v[0].abs() + v[1].abs() + 10.0 * v[2].abs());
             for (part, expected, scale) in [
@@ -241,14 +250,14 @@ proptest! {
                 let scale = scale.max(parts.iter().map(|s| part(s).abs()).sum());
                 let is = parts.iter().map(part).sum::<f64>();
                 let allowed = if model == Model::Strip { 1e-12 } else { 1e-10 };
-                prop_assert!((is - expected).abs() <= allowed * scale, "{:?} {} {}", model, is, expected);
+                prop_assert!((is - expected).abs() <= allowed * scale, "{model:?} {is} {expected}");
             }
             for part in &parts {
                 prop_assert!(part.separatrix.abs() <= part.half_length * (1.0 + 1e-12));
                 let c = (1.0 - (part.y / contact.b).powi(2)).sqrt() * contact.a;
                 prop_assert!((part.half_length - c).abs() <= 1e-12 * contact.a);
                 let agrees = (part.state == State::Stick) == (part.separatrix < part.half_length);
-                prop_assert!(agrees || model == Model::Strip, "{:?} {:?}", model, part);
+                prop_assert!(agrees || model == Model::Strip, "{model:?} {part:?}");
             }
         }
     }
@@ -268,19 +277,28 @@ proptest! {
             let square = 1.0 - x * x - y * y;
             let p0 = 1.5 * contact.normal_force / (PI * contact.a * contact.b);
             let pressure = p0 * square.max(0.0).sqrt();
-            prop_assert!((point.pressure - pressure).abs() <= 1e-9 * p0, "{} {}", point.pressure, pressure);
+            prop_assert!(
+                (point.pressure - pressure).abs() <= 1e-9 * p0,
+                "{} {}",
+                point.pressure,
+                pressure,
+            );
             let traction = point.traction_x.hypot(point.traction_y);
             // (a small difference of squares beyond unit spin)
-            let allowed = if model != Model::Strip && spin_of(1.0, g) < v[2].abs() { 1e-7 } else { 1e-12 };
-            prop_assert!(traction <= FRICTION * point.pressure * (1.0 + allowed), "{:?} {:?}", model, point);
+            let allowed =
+                if model != Model::Strip && spin_of(1.0, g) < v[2].abs() { 1e-7 } else { 1e-12 };
+            prop_assert!(
+                traction <= FRICTION * point.pressure * (1.0 + allowed),
+                "{model:?} {point:?}",
+            );
             let power = point.traction_x * point.slip_x + point.traction_y * point.slip_y;
             let slip = point.slip_x.hypot(point.slip_y);
-            prop_assert!((power - point.dissipation).abs() <= 1e-12 * traction * slip, "{:?}", point);
+            prop_assert!((power - point.dissipation).abs() <= 1e-12 * traction * slip, "{point:?}");
             prop_assert_eq!(point.state == State::Outside, square < 0.0);
             match point.state {
                 State::Stick => prop_assert!(slip == 0.0),
                 State::Outside => prop_assert_eq!(traction, 0.0),
-                State::Slip => prop_assert!(point.dissipation >= 0.0, "{:?}", point),
+                State::Slip => prop_assert!(point.dissipation >= 0.0, "{point:?}"),
                 State::SlipNegativeDissipation => prop_assert!(point.dissipation < 0.0),
             }
         }

@@ -169,7 +169,8 @@ fn forces_and_heights_are_those_of_contact() {
     assert_eq!(conformal[4].len(), 3);
     let conformal = conformal.map(|errors| mean_and_p95(errors)[0]);
     println!(
-        "heights {heights:.2?} um, planar {planar:.4?}, conformal {conformal:.4?}, same contacts {share:.3}"
+        "heights {heights:.2?} um, planar {planar:.4?}, conformal {conformal:.4?}, same contacts \
+         {share:.3}"
     );
     assert!(share >= 0.97 && heights[0] < 1.5 && heights[1] < 5.0);
     assert!(planar[0] < 0.030 && planar[1] < 0.10);
@@ -623,7 +624,8 @@ fn manchester_benchmark_is_that_of_contact() {
     assert!(y[0] < 0.15 && angle[0] < 0.15 && load[0] < 2e-3);
     assert!(area[0] < 0.03 && peak[0] < 0.015 && forces[0] < 0.02);
     assert_told(&format!(
-        "place of contact {:.2} mm, angle {:.2} degrees, load {:.2} %, area {:.1} %, peak pressure {:.1} %, forces {:.3} of μ N",
+        "place of contact {:.2} mm, angle {:.2} degrees, load {:.2} %, area {:.1} %, peak pressure \
+         {:.1} %, forces {:.3} of μ N",
         y[0],
         angle[0],
         100.0 * load[0],

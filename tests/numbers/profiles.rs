@@ -82,7 +82,8 @@ fn errors<F: Float>(
 #[test]
 fn errors_of_patches_from_profiles_are_the_known_ones() {
     println!(
-        "| shape | f64: approach | stiffness | half lengths | pressures | f32: approach | stiffness | half lengths | pressures |"
+        "| shape | f64: approach | stiffness | half lengths | pressures | f32: approach | \
+         stiffness | half lengths | pressures |"
     );
     println!("|---|---|---|---|---|---|---|---|---|");
     let mut unknown = Vec::new();

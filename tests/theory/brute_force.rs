@@ -137,7 +137,8 @@ fn totals_agree_with_brute_force() {
     }
 }
 
-/// |ψ| = 1 within rounding, just below, and beyond, mostly where strips still adhere (Section 8.26).
+/// |ψ| = 1 within rounding, just below, and beyond, mostly where strips still adhere (Section
+/// 8.26).
 #[test]
 fn totals_agree_with_brute_force_at_and_beyond_unit_spin() {
     let cases = cases(400, 63, |random, _| {

@@ -89,8 +89,8 @@ fn no_friction_is_missed() {
             larger += usize::from(found.friction > contact.friction * (1.0 + 1e-6));
         }
         println!(
-            "estimates, {model:?}: {tried}; larger {larger}, smaller without a word {silent}, several {several}, lower bounds \
-             {bounds}; solutions: mean {}, at most {most}",
+            "estimates, {model:?}: {tried}; larger {larger}, smaller without a word {silent}, \
+             several {several}, lower bounds {bounds}; solutions: mean {}, at most {most}",
             solutions / tried
         );
         // (its force jumps where adhesion is born)
@@ -190,7 +190,8 @@ fn creepages_cost_few_solutions() {
             counts.sort_unstable();
             let (n, within) = (counts.len(), counts.iter().filter(|count| **count <= 12).count());
             println!(
-                "creepages, {model:?}, {kind}: {n}; median {}, within 12: {:.3} %, at most {}; not reached: {lost}",
+                "creepages, {model:?}, {kind}: {n}; median {}, within 12: {:.3} %, at most {}; not \
+                 reached: {lost}",
                 counts[n / 2],
                 100.0 * within as f64 / n as f64,
                 counts[n - 1]
