@@ -5,6 +5,7 @@
 //! the program prints at that place. Shell blocks run in the root of the repository. `no-run` after
 //! the language of a shell block: it is only parsed, and the scripts that it names must exist.
 
+use crate::structure::rust_files;
 use crate::toolchain;
 
 use std::collections::BTreeSet;
@@ -14,10 +15,10 @@ use toolchain::{
     cpp_compilers, output_of, python, released, root, run_cpp, run_source, say, scratch,
 };
 
-struct Block {
-    language: String,
+pub struct Block {
+    pub language: String,
     options: String,
-    code: String,
+    pub code: String,
 }
 
 /// All pages of the repository.
@@ -40,7 +41,7 @@ fn pages() -> Vec<PathBuf> {
 }
 
 /// What a folder holds, in the order of its names.
-fn entries(folder: &Path) -> Vec<PathBuf> {
+pub fn entries(folder: &Path) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).expect("a folder");
     let mut entries: Vec<_> = entries.map(|entry| entry.expect("an entry").path()).collect();
     entries.sort();
@@ -48,12 +49,12 @@ fn entries(folder: &Path) -> Vec<PathBuf> {
 }
 
 /// A file of the repository.
-fn read(path: impl AsRef<Path>) -> String {
+pub fn read(path: impl AsRef<Path>) -> String {
     let path = root().join(path);
     std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-fn blocks(page: &Path) -> Vec<Block> {
+pub fn blocks(page: &Path) -> Vec<Block> {
     let text = read(page);
     let mut found: Vec<Block> = Vec::new();
     let mut inside = false;
@@ -333,66 +334,6 @@ fn theory_has_every_equation_of_the_paper() {
     }
 }
 
-/// The arrows between folders in docs/architecture.md are what the sources use, and no way along
-/// them leads back to where it began.
-#[test]
-fn architecture_has_the_arrows_of_the_sources_and_no_circle() {
-    let mut drawn = BTreeSet::new();
-    let blocks = blocks(&root().join("docs/architecture.md"));
-    let graph = blocks.iter().find(|block| block.language == "mermaid").expect("a picture");
-    for line in graph.code.lines().skip(1) {
-        // `a --> b & c`, `a -- text --> b`, `a -. text .-> b`
-        let (from, rest) = line.trim().split_once(" -").expect("an arrow");
-        let (_, to) = rest.rsplit_once("> ").expect("an arrow");
-        drawn.extend(to.split(" & ").map(|to| (from.to_owned(), to.to_owned())));
-    }
-    let mut used = BTreeSet::new();
-    let mut files = Vec::new();
-    rust_files(&root().join("src"), &mut files);
-    for file in files {
-        let path = file.strip_prefix(root().join("src")).expect("inside");
-        let from = path.iter().next().expect("a part").to_string_lossy().into_owned();
-        let text = read(&file);
-        // Only what is compiled into the library, and no comments
-        let text = text.split("#[cfg(test)]").next().expect("a part").to_owned();
-        if from.ends_with(".rs") || path.ends_with("tests.rs") {
-            continue;
-        }
-        for line in text.lines().filter(|line| !line.trim_start().starts_with("//")) {
-            for rest in line.split("crate::").skip(1) {
-                let end = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
-                let to = &rest[..end.unwrap_or(rest.len())];
-                if to != from && !["number", "status"].contains(&to) {
-                    used.insert((from.clone(), to.to_owned()));
-                }
-            }
-        }
-    }
-    assert!(used.len() > 20, "{used:?}");
-    assert_eq!(drawn, used, "left: drawn, right: used");
-    // Arrows to folders that use no other are taken away, until none can be: a circle is left
-    loop {
-        let before = used.len();
-        let users: BTreeSet<String> = used.iter().map(|(from, _)| from.clone()).collect();
-        used.retain(|(_, to)| users.contains(to));
-        if used.len() == before {
-            break;
-        }
-    }
-    assert!(used.is_empty(), "these arrows have a circle: {used:?}");
-}
-
-/// The Rust files below a folder.
-pub fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
-    for path in entries(folder) {
-        if path.is_dir() {
-            rust_files(&path, found);
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
-            found.push(path);
-        }
-    }
-}
-
 /// Functions, structures and constants of C that a page names are in the headers.
 #[test]
 fn pages_name_what_the_headers_have() {
@@ -632,7 +573,8 @@ fn errors_in_prose_are_those_of_the_report() {
     let of_both = |figures: &[Vec<f64>], next: &str| {
         let (force, slopes) = (100.0 * figures[0][0], 100.0 * figures[2][0]);
         format!(
-            "against CONTACT is {force:.1} % of mu N, that of the slopes {slopes:.0} % of the linear ones. {next}"
+            "against CONTACT is {force:.1} % of mu N, that of the slopes {slopes:.0} % of the \
+             linear ones. {next}"
         )
     };
     for text in [

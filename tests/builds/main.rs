@@ -17,3 +17,4 @@ mod no_alloc;
 mod other_languages;
 mod packaging;
 mod proofs;
+mod structure;

@@ -36,7 +36,7 @@ fn ignored_tests_are_steps_of_continuous_integration() {
     let run = std::fs::read_to_string(root().join(".ci/run")).expect("the steps");
     let run = run.replace("\\\n", " ");
     let mut files = Vec::new();
-    crate::docs::rust_files(&root().join("tests"), &mut files);
+    crate::structure::rust_files(&root().join("tests"), &mut files);
     let mut count = 0;
     for file in files {
         let text = std::fs::read_to_string(&file).expect("a file");
