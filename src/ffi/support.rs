@@ -1,8 +1,9 @@
 //! What the exported functions share, and the names that they are written with.
 
 pub(super) use super::arrays::{input, output, place};
+use super::constants::KSTRIP_MODEL_DEFAULT;
+pub(super) use super::constants::{KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, kstrip_status};
 pub(super) use super::types::*;
-pub(super) use super::{KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, kstrip_status};
 pub(super) use crate::contact::creepage::{Creepage, Parameters, SurfaceVelocity};
 pub(super) use crate::contact::hertz::{HertzContact, Radii};
 pub(super) use crate::contact::material::{self, CombinedMaterial, Material};
@@ -86,7 +87,8 @@ pub(super) fn for_strips(options: Option<&kstrip_options>) -> Result<Options, Er
 #[inline]
 fn with_default(options: Option<&kstrip_options>, default: Model) -> Result<Options, Error> {
     let kstrip_options { model, strips } = options.copied().unwrap_or_default();
-    let model = if model == super::KSTRIP_MODEL_DEFAULT { default as i32 } else { model };
+    let is_default = model == KSTRIP_MODEL_DEFAULT;
+    let model = if is_default { default as i32 } else { model };
     let model = Model::from_number(model).ok_or(Error::Model)?;
     Ok(Options { model, strips: strip_count(strips)? })
 }

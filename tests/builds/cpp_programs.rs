@@ -187,7 +187,8 @@ fn wheelset_runs_back_to_the_middle() {
     let motion = numbers(&printed, "0.");
     let shifts: Vec<f64> = motion.iter().map(|row| row[1]).collect();
     assert_eq!((shifts.len(), shifts[0]), (9, 3.0), "{printed}");
-    // It steers toward the middle, oversteers and comes to rest; without friction it would oscillate on its spring at 37 rad/s.
+    // It steers toward the middle, oversteers and comes to rest. Without friction it would
+    // oscillate on its spring at 37 rad/s.
     assert!(motion[1][2] < -1.0 && shifts.iter().any(|shift| *shift < -0.5), "{printed}");
     assert!(shifts[7].abs() < 0.3 && shifts[8].abs() < 0.3, "{printed}");
 }

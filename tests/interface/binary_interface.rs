@@ -52,8 +52,8 @@ fn compare(path: &str, text: &str) {
     );
 }
 
-/// `KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface` writes them anew, and the classes of the Python binding from
-/// them.
+/// `KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface` writes them anew, and the
+/// classes of the Python binding from them.
 #[test]
 fn committed_headers_are_current() {
     let headers = groups::headers(&generated());
