@@ -46,6 +46,7 @@ case $TARGET in
 *-windows-gnu) CC=${CC:-${TARGET%%-*}-w64-mingw32-gcc} AR=${AR:-${TARGET%%-*}-w64-mingw32-ar} ;;
 *) CC=${CC:-cc} AR=${AR:-ar} ;;
 esac
+command -v "$CARGO" > /dev/null || fail "$CARGO was not found: install Rust 1.89 or newer, https://rustup.rs"
 folder=${1:-$CARGO_TARGET_DIR/${TARGET:+$TARGET/}lib}
 # The binary interface: its first number is in the name by which programs find the library.
 abi=$(sed -n '/^\[package.metadata.capi.library\]/,/^$/ s/^version = "\(.*\)"/\1/p' Cargo.toml)

@@ -13,7 +13,8 @@ function [force, jacobian] = kstrip(contact, creepage, model)
 %
 %   Errors name the column; warnings have the identifier kstrip:warning.
 %
-%   See also kstrip_evaluate, kstrip_solve_motion, kstrip_contact_from_hertz, kstrip_patch_from_profile, kstrip_patch_from_contact.
+%   See also kstrip_evaluate, kstrip_solve_motion, kstrip_contact_from_hertz, kstrip_patch_from_profile, kstrip_patch_from_contact,
+%   kstrip_wheel_on_rail.
     if nargin < 3
         model = 0;
     end

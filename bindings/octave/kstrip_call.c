@@ -354,6 +354,145 @@ static mxArray *from_contact(int count, const mxArray *in[])
     return of_patch(&patch);
 }
 
+/* (y, z, step, smoothing length): a prepared profile, as bytes */
+static mxArray *prepare_profile(int count, const mxArray *in[])
+{
+    const mxArray *y = given(count, in, 0), *z = given(count, in, 1);
+    if (!y || !z || !mxIsDouble(y) || !mxIsDouble(z) || mxGetNumberOfElements(y) != mxGetNumberOfElements(z))
+        mexErrMsgIdAndTxt("kstrip:argument", "kstrip: y and z must be vectors of one length");
+    mxArray *made = mxCreateNumericMatrix(sizeof(kstrip_surface), 1, mxUINT8_CLASS, mxREAL);
+    report seen = {{0}, {0}};
+    note(&seen,
+         kstrip_prepare_profile(mxGetPr(y), mxGetPr(z), (uint32_t)mxGetNumberOfElements(y), scalar(given(count, in, 2), 0),
+                                scalar(given(count, in, 3), 0), mxGetData(made)),
+         0);
+    warn(&seen);
+    return made;
+}
+
+static const kstrip_surface *surface_of(const mxArray *of, const char *name)
+{
+    if (!of || !mxIsUint8(of) || mxGetNumberOfElements(of) != sizeof(kstrip_surface))
+        mexErrMsgIdAndTxt("kstrip:argument", "kstrip: %s must be made by kstrip_prepare_profile", name);
+    return mxGetData(of);
+}
+
+/* The members of kstrip_wheel_pair as fields; those that are not given are zero. */
+static kstrip_wheel_pair pair_of(const mxArray *of)
+{
+    static const char *const names[] = {"wheel_radius", "shear_modulus", "poisson_ratio", "friction", "left",
+                                        "smoothing_length", "strips", "model", "friction_y", "friction_at"};
+    kstrip_wheel_pair pair;
+    memset(&pair, 0, sizeof pair);
+    if (!of || !mxIsStruct(of)) mexErrMsgIdAndTxt("kstrip:argument", "kstrip: pair must be a struct: help kstrip_wheel_on_rail");
+    for (int i = 0; i < mxGetNumberOfFields(of); i++) {
+        int known = 0;
+        for (size_t j = 0; j < sizeof names / sizeof *names; j++) known |= strcmp(mxGetFieldNameByNumber(of, i), names[j]) == 0;
+        if (!known) mexErrMsgIdAndTxt("kstrip:argument", "kstrip: unknown field %s: help kstrip_wheel_on_rail", mxGetFieldNameByNumber(of, i));
+    }
+    pair.wheel_radius = scalar(mxGetField(of, 0, "wheel_radius"), 0);
+    pair.shear_modulus = scalar(mxGetField(of, 0, "shear_modulus"), 0);
+    pair.poisson_ratio = scalar(mxGetField(of, 0, "poisson_ratio"), 0);
+    pair.friction = scalar(mxGetField(of, 0, "friction"), 0);
+    pair.left = scalar(mxGetField(of, 0, "left"), 0) != 0;
+    pair.smoothing_length = scalar(mxGetField(of, 0, "smoothing_length"), 0);
+    const kstrip_options options = options_of(mxGetField(of, 0, "model"), mxGetField(of, 0, "strips"));
+    pair.strips = options.strips, pair.model = options.model;
+    const mxArray *places = mxGetField(of, 0, "friction_y"), *at = mxGetField(of, 0, "friction_at");
+    const size_t points = places ? mxGetNumberOfElements(places) : 0;
+    if (points > KSTRIP_RAIL_FRICTION_CAPACITY || points != (at ? mxGetNumberOfElements(at) : 0))
+        mexErrMsgIdAndTxt("kstrip:argument", "kstrip: friction_y and friction_at must have one length, at most %d", KSTRIP_RAIL_FRICTION_CAPACITY);
+    for (size_t i = 0; i < points; i++) pair.friction_y[i] = mxGetPr(places)[i], pair.friction_at[i] = mxGetPr(at)[i];
+    pair.friction_points = (uint32_t)points;
+    return pair;
+}
+
+/* (rail, wheel, pair, position, velocity, friction, by position) */
+static mxArray *wheel_on_rail(int count, const mxArray *in[])
+{
+    static kstrip_wheel_workspace memory;
+    const kstrip_surface *rail = surface_of(given(count, in, 0), "rail"), *wheel = surface_of(given(count, in, 1), "wheel");
+    const kstrip_wheel_pair pair = pair_of(given(count, in, 2));
+    const mxArray *law = given(count, in, 5);
+    const int moved = scalar(given(count, in, 6), 0) != 0;
+    size_t n = common(columns(given(count, in, 3), "position", 1, sizeof(kstrip_wheel_position)),
+                      columns(given(count, in, 4), "velocity", 6, sizeof(kstrip_wheel_velocity)));
+    if (law) n = common(n, columns(law, "friction", 5, sizeof(kstrip_friction)));
+    mxArray *made = mxCreateStructMatrix(1, 1, 0, NULL);
+    double *wrench = field(made, "wrench", 6, n), *dissipation = field(made, "dissipation", 1, n);
+    double *normal_force = field(made, "normal_force", 1, n), *contacts = field(made, "contacts", 1, n);
+    double *status = field(made, "status", 1, n), *by_velocity = field(made, "by_velocity", 36, n);
+    double *by_friction = field(made, "by_friction", 6, n), *by_position = moved ? field(made, "by_position", 24, n) : NULL;
+    enum { MOST = KSTRIP_CONTACTS_CAPACITY };
+    double *angle = field(made, "contact_angle", MOST, n), *y = field(made, "contact_y", MOST, n);
+    double *radius = field(made, "contact_radius", MOST, n), *load_of = field(made, "contact_load", MOST, n);
+    report seen = {{0}, {0}};
+    for (size_t k = 0; k < n; k++) {
+        kstrip_wheel_position position;
+        kstrip_wheel_velocity velocity;
+        kstrip_friction friction;
+        kstrip_wrench on;
+        kstrip_wrench_derivatives by;
+        kstrip_wrench_by_position by_place;
+        load(&position, sizeof position, in[3], k);
+        load(&velocity, sizeof velocity, in[4], k);
+        if (law) load(&friction, sizeof friction, law, k);
+        note(&seen,
+             kstrip_wheel_on_rail(rail, wheel, &pair, &position, &velocity, law ? &friction : NULL, &memory, &on, &by,
+                                  moved ? &by_place : NULL),
+             k);
+        memcpy(wrench + 6 * k, on.force, sizeof on.force);
+        memcpy(wrench + 6 * k + 3, on.moment, sizeof on.moment);
+        dissipation[k] = on.dissipation, normal_force[k] = on.normal_force, contacts[k] = on.contacts, status[k] = on.status_detail;
+        memcpy(by_friction + 6 * k, by.friction, sizeof by.friction);
+        for (int i = 0; i < 6; i++)
+            for (int j = 0; j < 6; j++) by_velocity[36 * k + 6 * j + i] = by.velocity[i][j];
+        if (moved) {
+            memcpy(by_position + 24 * k, by_place.lateral, sizeof by_place.lateral);
+            memcpy(by_position + 24 * k + 6, by_place.vertical, sizeof by_place.vertical);
+            memcpy(by_position + 24 * k + 12, by_place.yaw, sizeof by_place.yaw);
+            memcpy(by_position + 24 * k + 18, by_place.roll, sizeof by_place.roll);
+        }
+        for (size_t i = 0; i < MOST && i < memory.count; i++) {
+            const kstrip_wheel_contact *contact = &memory.contacts[i];
+            angle[MOST * k + i] = contact->angle, radius[MOST * k + i] = contact->radius;
+            y[MOST * k + i] = contact->origin[1] + position.lateral, load_of[MOST * k + i] = contact->share * contact->normal_force;
+        }
+    }
+    warn(&seen);
+    return made;
+}
+
+/* (rail, wheel, pair, position, support, velocity, friction): vertical positions */
+static mxArray *height_for_load(int count, const mxArray *in[])
+{
+    static kstrip_wheel_workspace memory;
+    const kstrip_surface *rail = surface_of(given(count, in, 0), "rail"), *wheel = surface_of(given(count, in, 1), "wheel");
+    const kstrip_wheel_pair pair = pair_of(given(count, in, 2));
+    const mxArray *supports = given(count, in, 4), *moves = given(count, in, 5), *law = given(count, in, 6);
+    size_t n = common(columns(given(count, in, 3), "position", 1, sizeof(kstrip_wheel_position)), columns(supports, "support", 1, sizeof(double)));
+    if (moves) n = common(n, columns(moves, "velocity", 6, sizeof(kstrip_wheel_velocity)));
+    if (law) n = common(n, columns(law, "friction", 5, sizeof(kstrip_friction)));
+    mxArray *made = mxCreateDoubleMatrix(1, n, mxREAL);
+    report seen = {{0}, {0}};
+    for (size_t k = 0; k < n; k++) {
+        kstrip_wheel_position position;
+        kstrip_wheel_velocity velocity;
+        kstrip_friction friction;
+        double support;
+        load(&position, sizeof position, in[3], k);
+        load(&support, sizeof support, supports, k);
+        if (moves) load(&velocity, sizeof velocity, moves, k);
+        if (law) load(&friction, sizeof friction, law, k);
+        note(&seen,
+             kstrip_height_for_load(rail, wheel, &pair, &position, support, moves ? &velocity : NULL, law ? &friction : NULL, &memory,
+                                    mxGetPr(made) + k),
+             k);
+    }
+    warn(&seen);
+    return made;
+}
+
 void mexFunction(int outputs, mxArray *output[], int inputs, const mxArray *input[])
 {
     char name[32] = "";
@@ -372,6 +511,12 @@ void mexFunction(int outputs, mxArray *output[], int inputs, const mxArray *inpu
         from_profile(outputs, output, count, in);
     else if (strcmp(name, "patch_from_contact") == 0)
         output[0] = from_contact(count, in);
+    else if (strcmp(name, "prepare_profile") == 0)
+        output[0] = prepare_profile(count, in);
+    else if (strcmp(name, "wheel_on_rail") == 0)
+        output[0] = wheel_on_rail(count, in);
+    else if (strcmp(name, "height_for_load") == 0)
+        output[0] = height_for_load(count, in);
     else
         mexErrMsgIdAndTxt("kstrip:argument", "kstrip_call: call the functions kstrip*.m instead, see help kstrip");
 }

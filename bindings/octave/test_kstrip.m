@@ -44,6 +44,37 @@ options = struct('rolling_radius', 0.46, 'normal_force', 80e3, 'shear_modulus', 
 [patch, result] = kstrip_patch_from_profile(y, y .^ 2 / 0.6, options);
 assert(result.normal_force, 80e3, 1);
 assert(kstrip_evaluate(patch, [1; 0; 0]).force(1), 24e3, 10);
+% A wheel of 1:20 on a round head: it is carried (to the vertical part of friction), creep forces oppose the slip, derivatives are those of differences
+y = linspace(-0.03, 0.03, 121);
+rail = kstrip_prepare_profile(y, 0.3 - sqrt(0.09 - y .^ 2));
+wheel = kstrip_prepare_profile(y, -0.05 * y);
+pair = struct('wheel_radius', 0.46, 'shear_modulus', 82e9, 'poisson_ratio', 0.28, 'friction', 0.3);
+position = [linspace(-2e-3, 2e-3, 5); zeros(1, 5); 2e-3 * ones(1, 5); zeros(1, 5)];
+position(2, :) = kstrip_height_for_load(rail, wheel, pair, position, 80e3);
+velocity = [20; 0; 0; 0; -1.001 * 20 / 0.46; 0];
+found = kstrip_wheel_on_rail(rail, wheel, pair, position, velocity, [], true);
+assert(found.wrench(3, :), -80e3 * ones(1, 5), 0.3 * 80e3 * 0.05);
+assert(found.contacts, ones(1, 5));
+assert(found.contact_load(1, :), found.normal_force);
+assert(found.contact_angle(1, :), -0.05 * ones(1, 5), 2e-3);
+assert(all(found.contact_y(1, :) < -0.012) && all(found.contact_y(1, :) > -0.018) && all(found.contact_load(2, :) == 0));
+assert(all(hypot(found.wrench(1, :), found.wrench(2, :)) < 0.36 * 80e3) && all(found.dissipation > 0));
+faster = velocity;
+faster(5) -= 1e-6;
+slope = (found.wrench - kstrip_wheel_on_rail(rail, wheel, pair, position, faster).wrench) / 1e-6;
+assert(squeeze(found.by_velocity(:, 5, :)), slope, 1e-4 * max(abs(slope(:))));
+deeper = position + [0; 1e-7; 0; 0];
+slope = (kstrip_wheel_on_rail(rail, wheel, pair, deeper, velocity).wrench - found.wrench) / 1e-7;
+assert(squeeze(found.by_position(3, 2, :))', slope(3, :), 1e-2 * max(abs(slope(3, :))));
+with_law = kstrip_wheel_on_rail(rail, wheel, pair, position(:, 1), velocity + [0; 0; 0; 0; -4; 0], [0.3; 0.4; 0.6; 20; 1]);
+without = kstrip_wheel_on_rail(rail, wheel, pair, position(:, 1), velocity + [0; 0; 0; 0; -4; 0]);
+assert(with_law.wrench(1) < 0.8 * without.wrench(1));
+carried = kstrip_height_for_load(rail, wheel, pair, position(:, 1), 80e3, velocity);
+assert(kstrip_wheel_on_rail(rail, wheel, pair, [position(1, 1); carried; 2e-3], velocity).wrench(3), -80e3, 1);
+left = pair;
+left.left = 1;
+mirrored = kstrip_wheel_on_rail(rail, wheel, left, [-1; 1; -1; -1] .* position, velocity).wrench;
+assert(mirrored, [1; -1; 1; -1; 1; -1] .* found.wrench);
 % Warnings are passed on, once for each kind
 lastwarn('');
 printed = evalc("kstrip(contact, [1e-3, 1e-3; 0, 0; 20, 30], 'strip_1967');");
@@ -64,9 +95,13 @@ fails(@() kstrip([6e-3; 4.5e-3; 80e3; 82e9; 0.28; -0.3], creepage), 'column 1: t
 fails(@() kstrip(contact(1:5), creepage), 'contact must be a real double matrix with 6');
 fails(@() kstrip(contact, creepage, 'fastsim'), 'unknown model');
 fails(@() kstrip_evaluate(contact, creepage, wet(1:4)), 'friction must be a real double matrix with 5');
+fails(@() kstrip_wheel_on_rail(y, wheel, pair, position, velocity), 'rail must be made by kstrip_prepare_profile');
+fails(@() kstrip_wheel_on_rail(rail, wheel, struct('radius', 1), position, velocity), 'unknown field radius');
+fails(@() kstrip_wheel_on_rail(rail, wheel, pair, [0.3; 0; 0; 0], velocity), 'column 1: ');
 fails(@() kstrip_patch_from_profile(y, y .^ 2, struct('radius', 1)), 'unknown field radius');
 % Every function has help text
-for name = {'kstrip', 'kstrip_evaluate', 'kstrip_solve_motion', 'kstrip_contact_from_hertz', 'kstrip_patch_from_profile', 'kstrip_patch_from_contact'}
+for name = {'kstrip', 'kstrip_evaluate', 'kstrip_solve_motion', 'kstrip_contact_from_hertz', 'kstrip_patch_from_profile', 'kstrip_patch_from_contact', ...
+            'kstrip_prepare_profile', 'kstrip_height_for_load', 'kstrip_wheel_on_rail'}
     assert(numel(help(name{1})) > 300);
 end
 printf("%.6f %.6f %.6f\n", kstrip(contact, [1e-3; 0.5e-3; 0.1]));

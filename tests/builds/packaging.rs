@@ -82,6 +82,11 @@ fn no_dependency_needs_a_newer_rust_than_we_state() {
     }
     let readme = read("README.md");
     assert!(readme.contains(&format!("Rust ({} or newer)", env!("CARGO_PKG_RUST_VERSION"))));
+    // Where a build without cargo stops, and where its question is answered
+    let version = format!("Rust {} or newer", env!("CARGO_PKG_RUST_VERSION"));
+    assert!(
+        read("scripts/library.sh").contains(&version) && read("docs/faq.md").contains(&version)
+    );
 }
 
 #[test]
@@ -95,6 +100,11 @@ fn versions_agree() {
     assert!(
         read("bindings/python/pyproject.toml").contains(&version),
         "version of the Python binding"
+    );
+    let citation = read("CITATION.cff");
+    assert!(
+        citation.contains(&format!("version: {}\n", env!("CARGO_PKG_VERSION"))),
+        "CITATION.cff"
     );
     let changes = read("CHANGELOG.md");
     assert!(changes.contains(env!("CARGO_PKG_VERSION")), "CHANGELOG.md knows this version");
