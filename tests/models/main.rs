@@ -2,16 +2,12 @@
 
 use kstrip::contact::Contact;
 
-#[path = "../common/differences.rs"]
-mod differences;
 #[path = "../common/manchester.rs"]
 mod manchester;
 #[path = "../common/names.rs"]
 mod names;
 #[path = "../common/patch_reference.rs"]
 mod patch_reference;
-#[path = "../common/patches.rs"]
-mod patches;
 #[path = "../common/poison.rs"]
 mod poison;
 #[path = "../common/random.rs"]
@@ -27,6 +23,7 @@ mod theory;
 
 mod accuracy;
 mod derivatives;
+mod differences;
 mod friction;
 mod hard_cases;
 mod hunting;
@@ -35,6 +32,7 @@ mod motion;
 mod patch;
 mod patch_accuracy;
 mod patch_friction;
+mod patches;
 mod prepared_profile;
 mod profile;
 mod rig;

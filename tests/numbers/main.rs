@@ -1,10 +1,9 @@
 //! Rounding: every model against the same formulas in 200 bits.
 
-#[path = "../common/precise.rs"]
-mod precise;
 #[path = "../common/random.rs"]
 mod random;
 
 mod numerics;
+mod precise;
 mod profiles;
 mod two_hundred_bits;

@@ -1,5 +1,4 @@
 //! Differences of functions that have kinks here and there.
-#![allow(dead_code)]
 
 use kstrip::contact::creepage::Creepage;
 

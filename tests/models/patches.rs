@@ -1,5 +1,4 @@
 //! Patches of no particular shape.
-#![allow(dead_code)]
 
 use super::random::Random;
 use kstrip::contact::creepage::Creepage;

@@ -4,7 +4,6 @@
 //! Constants and tables are those of double precision, exactly; square roots and logarithms are
 //! good to 200 bits. The library's numbers are copied freely, so what has more digits than a double
 //! is kept in a list of this thread, and a number is its place there.
-#![allow(dead_code)]
 
 use dashu_float::{FBig, round::mode::HalfEven};
 use kstrip::number::lanes::Lanes;
