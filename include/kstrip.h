@@ -29,7 +29,7 @@
  *
  * - Every function returns a kstrip_status: 0 is success, > 0 a warning with valid outputs, < 0 an
  *   error with outputs untouched. kstrip_status_string() says in English what to change.
- * - Where more than one warning holds, the gravest is returned: NOT_CONVERGED, then SEVERAL_FRICTIONS, then FRICTION_AT_LEAST and
+ * - Where more than one warning holds, the most serious is returned: NOT_CONVERGED, then SEVERAL_FRICTIONS, then FRICTION_AT_LEAST and
  *   CREEPAGE_AT_LEAST, then implausible inputs (PRESSURE to RADIUS), then BEYOND_FRICTION, ANGLE_RANGE and PROFILE_END, then the others.
  * - Zero is the default. Options that are NULL, options that are all zero, and a single member that is zero mean the recommended choice.
  * - A lost contact is an ordinary input: normal_force <= 0 (a and b may be 0 with it) gives zero forces and
@@ -89,7 +89,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_NOT_CONVERGED 5
 /** Warning: the contact sticks, so that the measured force gives only a lower bound of friction. */
 #define KSTRIP_WARNING_FRICTION_AT_LEAST 6
-/** Warning: the wanted force is that of full sliding, which every larger creepage gives as well. */
+/** Warning: the requested force is that of full sliding, which every larger creepage gives as well. */
 #define KSTRIP_WARNING_CREEPAGE_AT_LEAST 7
 /**
  * Warning: the peak pressure exceeds a tenth of the shear modulus. The modulus, the load or the
@@ -141,7 +141,7 @@ typedef int32_t kstrip_status;
 /** Error: a semi-axis is not positive. */
 #define KSTRIP_ERROR_SEMI_AXIS -3
 /**
- * Error: the normal force of a profile is negative, or the wanted support of a wheel is not
+ * Error: the normal force of a profile is negative, or the requested support of a wheel is not
  * positive.
  */
 #define KSTRIP_ERROR_NORMAL_FORCE -4
@@ -165,7 +165,7 @@ typedef int32_t kstrip_status;
 /** Error: the caller's array is too small, or a count exceeds the capacity of a structure. */
 #define KSTRIP_ERROR_CAPACITY -12
 /**
- * Error: the model cannot compute a wanted output: it has no strips, no field or no patches, or
+ * Error: the model cannot compute a requested output: it has no strips, no field or no patches, or
  * its force does not depend on friction.
  */
 #define KSTRIP_ERROR_NOT_IN_MODEL -13
@@ -181,7 +181,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_SLOPE_FACTOR -18
 /** Error: no friction explains the measured force. */
 #define KSTRIP_ERROR_UNEXPLAINED -19
-/** Error: the wanted force exceeds mu N. */
+/** Error: the requested force exceeds mu N. */
 #define KSTRIP_ERROR_FORCE_BEYOND_FRICTION -20
 /** Error: what was measured is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum. */
 #define KSTRIP_ERROR_MEASURED -21
@@ -221,7 +221,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_SCATTER -48
 
 /**
- * Text that says in English what a status means and what the caller must change.
+ * Text in English with the meaning of a status and what the caller must change.
  *
  * Returns a static string, never NULL. For a number that is no status the text is "unknown
  * status".
@@ -243,7 +243,7 @@ typedef struct kstrip_material {
     double poisson_ratio;
 } kstrip_material;
 
-/** The combined elastic constants of two bodies: what the contact sees. */
+/** The combined elastic constants of two bodies. */
 typedef struct kstrip_combined_material {
     /** Combined shear modulus G [Pa], 1/G = (1/G_lower + 1/G_upper)/2 (2.6). */
     double shear_modulus;
@@ -321,11 +321,11 @@ typedef struct kstrip_hertz_contact {
     double peak_pressure;
     /** Approach of distant points of the two bodies [m]. */
     double approach;
-    /** Minor over major semi-axis [-], 0 to 1 (2.2). */
+    /** Minor divided by major semi-axis [-], 0 to 1 (2.2). */
     double axis_ratio;
     /** Hertz's angle tau [rad], 0 to pi/2 (2.5). */
     double hertz_angle;
-    /** Four over the sum of the four curvatures [m] (2.3). */
+    /** Four divided by the sum of the four curvatures [m] (2.3). */
     double rho;
 } kstrip_hertz_contact;
 
@@ -340,7 +340,7 @@ typedef struct kstrip_hertz_contact {
  * @param load            N [N]; not positive: the contact is lost, a = b = normal_force = 0.
  * @param friction        coefficient of friction [-], >= 0.
  * @param[out] contact    receives the contact.
- * @param[out] ellipse    receives pressure, approach and shape; NULL: not wanted.
+ * @param[out] ellipse    receives pressure, approach and shape; NULL: not needed.
  * @return KSTRIP_OK, KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_SEMI_AXIS, KSTRIP_WARNING_FRICTION,
  *         KSTRIP_WARNING_RADIUS, KSTRIP_WARNING_MISMATCH, KSTRIP_WARNING_CONFORMAL;
  *         KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
@@ -364,7 +364,7 @@ kstrip_status kstrip_contact_from_hertz(const struct kstrip_radii *radii,
  * @param friction        coefficient of friction [-], >= 0.
  * @param[out] contact    receives the contact, with its load.
  * @param[out] dload_dapproach  receives the contact stiffness dN/d(approach) [N/m]; NULL: not
- *                              wanted.
+ *                              needed.
  * @return as kstrip_contact_from_hertz().
  */
 kstrip_status kstrip_contact_from_approach(const struct kstrip_radii *radii,
@@ -409,7 +409,7 @@ typedef struct kstrip_velocity {
     double angular_z;
 } kstrip_velocity;
 
-/** Rigid slip of the upper over the lower body, divided by the rolling speed (3.3). */
+/** Rigid slip of the upper relative to the lower body, divided by the rolling speed (3.3). */
 typedef struct kstrip_creepage {
     /** Longitudinal creepage [-], positive when the upper body slides in the rolling direction. */
     double longitudinal;
@@ -495,15 +495,15 @@ kstrip_status kstrip_creepage_from_parameters(const struct kstrip_contact *conta
  * A strip theory in Kalker's sense: the half-ellipses of 1967 where a strip adheres, slip along
  * the local rigid slip where it does not, and flexibilities corrected by a small network fitted to
  * CONTACT. It has forces, moment, stick area and fields. The mean error of the force against
- * CONTACT is 0.6 % of mu N, that of the slopes 3 % of the linear ones. Its slopes at rest are
+ * CONTACT is 0.6 % of mu N, that of the derivatives 3 % of the linear ones. Its slopes at rest are
  * those of linear theory, and its power is never negative.
  */
 #define KSTRIP_MODEL_STRIP 3
 /**
  * A closed formula with a small network fitted to CONTACT. It has forces and moment, and is the
  * most accurate model. The mean error of the force against CONTACT is 0.3 % of mu N, that of the
- * slopes 3 % of the linear ones. Far in sliding it is rigid slip, and its power is never negative.
- * It has no strips and no field; adhesion is reported as -1 (unknown).
+ * derivatives 3 % of the linear ones. Far in sliding it is rigid slip, and its power is never
+ * negative. It has no strips and no field; adhesion is reported as -1 (unknown).
  */
 #define KSTRIP_MODEL_TOTAL 4
 /**
@@ -547,9 +547,9 @@ typedef struct kstrip_result {
     /** Moment about z at the centre of the contact [N m]. */
     double mz;
     /**
-     * Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin [N]: energy
-     * dissipated per metre rolled. For unlike bodies the creepage that pressure makes is added to
-     * the longitudinal one.
+     * Frictional power divided by rolling speed, fx longitudinal + fy lateral + mz spin [N]:
+     * energy dissipated per metre rolled. For unlike bodies the creepage that pressure makes is
+     * added to the longitudinal one.
      */
     double power;
     /**
@@ -599,7 +599,7 @@ typedef struct kstrip_friction {
     /** Coefficient of friction without slip [-], >= 0. */
     double friction;
     /**
-     * Friction at infinite sliding velocity over friction at zero velocity [-], 0 to 1; 1:
+     * Friction at infinite sliding velocity divided by friction at zero velocity [-], 0 to 1; 1:
      * friction is constant.
      */
     double ratio;
@@ -611,39 +611,42 @@ typedef struct kstrip_friction {
      */
     double rolling_speed;
     /**
-     * Initial slope of the creep curve over that of clean bodies [-], 0 to 1; 0 stands for 1,
-     * clean.
+     * Initial slope of the creep curve divided by that of clean bodies [-], 0 to 1; 0 stands for
+     * 1, clean.
      */
     double slope_factor;
 } kstrip_friction;
 
-/** Derivatives of fx, fy, mz by creepages, load and friction. */
+/** Derivatives of fx, fy, mz with respect to creepages, load and friction. */
 typedef struct kstrip_derivatives {
     /**
-     * By longitudinal, lateral, spin, row by row [N, N, N m over 1, 1, 1/m]; at kinks of a model
-     * a one-sided value.
+     * With respect to longitudinal, lateral, spin, row by row [N, N, N m per 1, 1, 1/m]; at
+     * kinks of a model a one-sided value.
      */
     double jacobian[3][3];
-    /** By the normal force at fixed a and b [-, -, m]. */
+    /** With respect to the normal force at fixed a and b [-, -, m]. */
     double normal_force[3];
     /**
-     * By the normal force while a and b follow it as Hertz says: both grow like its cube root [-,
-     * -, m].
+     * With respect to the normal force while a and b follow it as Hertz says: both grow like its
+     * cube root [-, -, m].
      */
     double load_through_hertz[3];
-    /** By the coefficient of friction, that of the law where there is one [N, N, N m]. */
+    /**
+     * With respect to the coefficient of friction, that of the law where there is one
+     * [N, N, N m].
+     */
     double friction[3];
 } kstrip_derivatives;
 
-/** Derivatives of fx, fy, mz by the parameters of falling friction. */
+/** Derivatives of fx, fy, mz with respect to the parameters of falling friction. */
 typedef struct kstrip_law_derivatives {
-    /** By the ratio [N, N, N m]. */
+    /** With respect to the ratio [N, N, N m]. */
     double ratio[3];
-    /** By the decay [N, N, N m over s/m]. */
+    /** With respect to the decay [N, N, N m per s/m]. */
     double decay[3];
-    /** By the rolling speed of the law at constant creepages [N, N, N m over m/s]. */
+    /** With respect to the rolling speed of the law at constant creepages [N, N, N m per m/s]. */
     double rolling_speed[3];
-    /** By the factor of the initial slope, at 1 without a law [N, N, N m]. */
+    /** With respect to the factor of the initial slope, at 1 without a law [N, N, N m]. */
     double slope_factor[3];
 } kstrip_law_derivatives;
 
@@ -685,11 +688,11 @@ typedef struct kstrip_outputs {
      */
     struct kstrip_result *result;
     /**
-     * Derivatives by creepages, load and friction. Under falling friction they include the change
-     * of friction.
+     * Derivatives with respect to creepages, load and friction. Under falling friction they
+     * include the change of friction.
      */
     struct kstrip_derivatives *derivatives;
-    /** Derivatives by the parameters of falling friction. */
+    /** Derivatives with respect to the parameters of falling friction. */
     struct kstrip_law_derivatives *law_derivatives;
     /**
      * The coefficient of friction that agrees with the slip; the contact's own where friction is
@@ -819,7 +822,7 @@ typedef struct kstrip_batch_outputs {
     double *mz;
     /** Stride [bytes]. */
     ptrdiff_t mz_stride;
-    /** Frictional powers over rolling speed [N]. */
+    /** Frictional powers divided by rolling speed [N]. */
     double *power;
     /** Stride [bytes]. */
     ptrdiff_t power_stride;
@@ -835,11 +838,11 @@ typedef struct kstrip_batch_outputs {
     double *friction;
     /** Stride [bytes]. */
     ptrdiff_t friction_stride;
-    /** Derivatives by creepages, load and friction. */
+    /** Derivatives with respect to creepages, load and friction. */
     struct kstrip_derivatives *derivatives;
     /** Stride [bytes]. */
     ptrdiff_t derivatives_stride;
-    /** Derivatives by the parameters of falling friction. */
+    /** Derivatives with respect to the parameters of falling friction. */
     struct kstrip_law_derivatives *law_derivatives;
     /** Stride [bytes]. */
     ptrdiff_t law_derivatives_stride;
@@ -862,8 +865,8 @@ typedef struct kstrip_batch_outputs {
  * @param options         for all contacts; NULL for the defaults.
  * @param outputs         where the outputs go; they must not overlap the inputs or each other.
  * @param[out] first_bad  receives the index of the first bad contact, or count where none is bad;
- *                        NULL: not wanted.
- * @return KSTRIP_OK, the gravest warning, or the first error, as kstrip_evaluate();
+ *                        NULL: not needed.
+ * @return KSTRIP_OK, the most serious warning, or the first error, as kstrip_evaluate();
  *         KSTRIP_ERROR_STRIDE.
  */
 kstrip_status kstrip_evaluate_batch(const struct kstrip_batch_inputs *inputs,
@@ -916,42 +919,45 @@ kstrip_status kstrip_solve_prepared(const struct kstrip_prepared *prepared,
                                     struct kstrip_result *result);
 
 /**
- * How the upper body moves over the lower one at the contact, in axes that stay when the motion
- * reverses.
+ * Motion of the upper body relative to the lower one at the contact, in axes that stay when the
+ * motion reverses.
  */
 typedef struct kstrip_motion {
-    /** Velocity of the upper over the lower body along x [m/s]. */
+    /** Velocity of the upper relative to the lower body along x [m/s]. */
     double slip_x;
-    /** Velocity of the upper over the lower body along y [m/s]. */
+    /** Velocity of the upper relative to the lower body along y [m/s]. */
     double slip_y;
-    /** Angular velocity of the upper over the lower body about z [rad/s]. */
+    /** Angular velocity of the upper relative to the lower body about z [rad/s]. */
     double spin_rate;
     /** Rolling speed [m/s]: positive along x, negative backward, zero at standstill. */
     double rolling_speed;
     /**
-     * Floor of the speed [m/s], >= 0: creepages are slip over sqrt(rolling_speed^2 +
+     * Floor of the speed [m/s], >= 0: creepages are slip divided by sqrt(rolling_speed^2 +
      * floor_speed^2). 0 stands for 0.02.
      */
     double floor_speed;
 } kstrip_motion;
 
-/** Derivatives of fx, fy, mz by the motion, by load and by friction. */
+/** Derivatives of fx, fy, mz with respect to motion, load and friction. */
 typedef struct kstrip_motion_derivatives {
-    /** By slip_x, slip_y, spin_rate, row by row [N, N, N m over m/s, m/s, rad/s]. */
+    /** With respect to slip_x, slip_y, spin_rate, row by row [N, N, N m per m/s, m/s, rad/s]. */
     double slip[3][3];
-    /** By the rolling speed at constant slip and spin rate [N, N, N m over m/s]. */
+    /** With respect to the rolling speed at constant slip and spin rate [N, N, N m per m/s]. */
     double rolling_speed[3];
-    /** By the normal force at fixed a and b [-, -, m]. */
+    /** With respect to the normal force at fixed a and b [-, -, m]. */
     double normal_force[3];
-    /** By the normal force while a and b follow it as Hertz says [-, -, m]. */
+    /** With respect to the normal force while a and b follow it as Hertz says [-, -, m]. */
     double load_through_hertz[3];
-    /** By the coefficient of friction, that of the law where there is one [N, N, N m]. */
+    /**
+     * With respect to the coefficient of friction, that of the law where there is one
+     * [N, N, N m].
+     */
     double friction[3];
-    /** By the ratio of the law; 0 without one [N, N, N m]. */
+    /** With respect to the ratio of the law; 0 without one [N, N, N m]. */
     double ratio[3];
-    /** By the decay of the law; 0 without one [N, N, N m over s/m]. */
+    /** With respect to the decay of the law; 0 without one [N, N, N m per s/m]. */
     double decay[3];
-    /** By the slope factor of the law, at 1 without one [N, N, N m]. */
+    /** With respect to the slope factor of the law, at 1 without one [N, N, N m]. */
     double slope_factor[3];
 } kstrip_motion_derivatives;
 
@@ -965,17 +971,17 @@ typedef struct kstrip_motion_outputs {
      * fy slip_y + mz spin_rate.
      */
     struct kstrip_result *result;
-    /** Derivatives by the motion, by load and by friction. */
+    /** Derivatives with respect to motion, load and friction. */
     struct kstrip_motion_derivatives *derivatives;
     /** The coefficient of friction that agrees with the slip. */
     double *friction;
 } kstrip_motion_outputs;
 
 /**
- * Forces of a contact that rolls forward, backward, or not at all, with derivatives by its motion:
- * for wheels that stop, hold and reverse.
+ * Forces of a contact that rolls forward, backward, or not at all, with derivatives with respect
+ * to its motion: for wheels that stop, hold and reverse.
  *
- * The creepages are slip over sqrt(rolling_speed^2 + floor_speed^2). Far from standstill the
+ * The creepages are slip divided by sqrt(rolling_speed^2 + floor_speed^2). Far from standstill the
  * leading edge of the patch lies ahead, in the direction of the motion. Near standstill the
  * results of both directions are blended, so that forces and derivatives are continuous. Friction
  * opposes the slip at every speed. The axis x keeps its direction when the motion reverses.
@@ -1050,9 +1056,9 @@ typedef struct kstrip_point {
     double traction_x;
     /** Tangential traction along y [Pa]. */
     double traction_y;
-    /** Slip of the upper over the lower body along x, over the rolling speed [-]. */
+    /** Slip of the upper relative to the lower body along x, divided by the rolling speed [-]. */
     double slip_x;
-    /** Slip along y, over the rolling speed [-]. */
+    /** Slip along y, divided by the rolling speed [-]. */
     double slip_y;
     /** Traction times slip [Pa]: energy dissipated per area and metre rolled. */
     double dissipation;
@@ -1096,7 +1102,7 @@ kstrip_status kstrip_field(const struct kstrip_contact *contact,
  * @{
  */
 
-/** Strips that a kstrip_patch has room for. */
+/** Maximum number of strips in a kstrip_patch. */
 #define KSTRIP_PATCH_CAPACITY 64
 
 /**
@@ -1222,7 +1228,7 @@ typedef struct kstrip_profile_result {
     double approach;
     /** Normal force of the strips [N]. If a load is given, it is that load to rounding. */
     double normal_force;
-    /** Derivative of the normal force by the approach [N/m]. */
+    /** Derivative of the normal force with respect to the approach [N/m]. */
     double stiffness;
     /** Largest pressure of a strip [Pa]. */
     double peak_pressure;
@@ -1245,7 +1251,7 @@ typedef struct kstrip_profile_result {
 /**
  * The patch of two profiles under a load, or at an approach.
  *
- * Zones of contact that are apart become lobes. The results are continuous in load, approach and
+ * Separate zones of contact become lobes. The results are continuous in load, approach and
  * distances: a zone appears with zero width and zero load, grows, touches its neighbour and
  * merges. The stiffness is the derivative of the computed load. The approach counts from the
  * lowest point of the smoothed profile. It has a kink where another point becomes the lowest, and
@@ -1258,7 +1264,7 @@ typedef struct kstrip_profile_result {
  * @param profile         undeformed distance of the bodies at points in ascending y.
  * @param contact         rolling radius, load or approach, material, friction, number of strips.
  * @param[out] patch      receives the patch.
- * @param[out] result     receives approach, peak pressure and load; NULL: not wanted.
+ * @param[out] result     receives approach, peak pressure and load; NULL: not needed.
  * @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE,
  *         KSTRIP_ERROR_PROFILE, KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_NORMAL_FORCE,
  *         KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION,
@@ -1298,7 +1304,7 @@ kstrip_status kstrip_patch_from_strips(const struct kstrip_patch_strip *strips,
  * kstrip_patch_evaluate() with KSTRIP_MODEL_STRIP gives the result of kstrip_solve() with that
  * model and the same strip count: with eight strips or more to rounding, with four to 1 %. For the
  * models of 1967 kstrip_solve() integrates over the whole ellipse in closed form, and a patch sums
- * its strips: the forces differ by a part of what one strip carries.
+ * its strips: the forces differ by a part of the force of one strip.
  *
  * @param contact         the loaded contact.
  * @param options         strip count; its model is checked and otherwise ignored. NULL for the
@@ -1338,24 +1344,24 @@ kstrip_status kstrip_patch_summarize(const struct kstrip_patch *patch,
 /**
  * Computes, for a patch in motion, every output that is not NULL. Forces act on the lower body.
  *
- * The creepage is that at the origin of the patch's coordinates, x = y = 0; a strip sees
- * (longitudinal - spin y, lateral + spin centre_x), and moments are about the origin. |F| is at
- * most the sum of friction times load over the strips. For KSTRIP_MODEL_STRIP an ellipse stands
- * for the zone of a strip: the strips that no gap and no neck divides from it, with their load and
- * their mean lengths, pressures and friction. The flexibilities of the strip are those of this
- * ellipse. KSTRIP_MODEL_TOTAL takes the forces of these ellipses as they are. It is cheap and
+ * The creepage is that at the origin of the patch's coordinates, x = y = 0; the creepages of a
+ * strip are (longitudinal - spin y, lateral + spin centre_x), and moments are about the origin.
+ * |F| is at most the sum of friction times load over the strips. For KSTRIP_MODEL_STRIP an ellipse
+ * replaces the zone of a strip: the strips that no gap and no neck divides from it, with their
+ * load and their mean lengths, pressures and friction. The flexibilities of the strip are those of
+ * this ellipse. KSTRIP_MODEL_TOTAL takes the forces of these ellipses as they are. It is cheap and
  * smooth, and has no strips and no share in adhesion.
  *
  * The forces of KSTRIP_MODEL_STRIP and KSTRIP_MODEL_TOTAL follow widths, gaps and necks without a
  * jump, as long as all strips have one width or are narrower than it. The force of
- * KSTRIP_MODEL_STRIP_1967 jumps, by up to what a strip carries, where a strip with spin stops
+ * KSTRIP_MODEL_STRIP_1967 jumps, by up to the force of one strip, where a strip with spin stops
  * adhering; that of KSTRIP_MODEL_STRIP_1967_CONTINUOUS has a kink there.
  *
- * For the derivatives by load, all pressures grow by one factor; through Hertz, all lengths grow
- * with the load's cube root as well. For the derivatives by friction, the friction of all strips
- * grows by one factor, and the derivative is by its mean. If friction is given, the factor (1 -
- * ratio) exp(-decay w) + ratio multiplies the friction of all strips, and the law's own
- * coefficient is ignored. outputs->strips receives patch->count strips.
+ * For the derivatives with respect to load, all pressures grow by one factor; through Hertz, all
+ * lengths grow with the load's cube root as well. For those with respect to friction, the friction
+ * of all strips grows by one factor, and the derivative is that with respect to its mean. If
+ * friction is given, the factor (1 - ratio) exp(-decay w) + ratio multiplies the friction of all
+ * strips, and the law's own coefficient is ignored. outputs->strips receives patch->count strips.
  *
  * @param patch           the patch.
  * @param creepage        motion at the origin.
@@ -1410,7 +1416,7 @@ kstrip_status kstrip_patch_field(const struct kstrip_patch *patch,
  * @{
  */
 
-/** Points that a prepared profile and a gap have room for. */
+/** Maximum number of points in a prepared profile or a gap. */
 #define KSTRIP_SURFACE_CAPACITY 512
 
 /**
@@ -1434,9 +1440,9 @@ typedef struct kstrip_surface {
     double y[KSTRIP_SURFACE_CAPACITY];
     /** z [m], down; of a wheel its radius minus wheel_radius. */
     double z[KSTRIP_SURFACE_CAPACITY];
-    /** Derivative of y by the length: the cosine of the profile's angle. */
+    /** Derivative of y with respect to the length: the cosine of the profile's angle. */
     double cosine[KSTRIP_SURFACE_CAPACITY];
-    /** Derivative of z by the length: the sine of the profile's angle. */
+    /** Derivative of z with respect to the length: the sine of the profile's angle. */
     double sine[KSTRIP_SURFACE_CAPACITY];
     /** Length between two points [m]. */
     double step;
@@ -1479,7 +1485,7 @@ kstrip_status kstrip_prepare_profile(const double *y,
                                      struct kstrip_surface *surface);
 
 /**
- * Where the wheel is, over straight track. A right wheel coupling on the gauge side, which is at
+ * Where the wheel is, over straight track. A right wheel leans on the gauge side, which is at
  * small y, with its flange.
  */
 typedef struct kstrip_wheel_position {
@@ -1488,7 +1494,7 @@ typedef struct kstrip_wheel_position {
      * centre is the point of the axle at y = 0 of the wheel's profile.
      */
     double lateral;
-    /** Depth of the centre below its place one wheel radius over the rail's origin [m]. */
+    /** Zero when the centre is one wheel radius above the rail's origin; positive downward [m]. */
     double vertical;
     /** Turn about the vertical, which points down [rad]: positive from x to y, between -1 and 1. */
     double yaw;
@@ -1529,7 +1535,7 @@ typedef struct kstrip_gap {
      */
     double angle[KSTRIP_SURFACE_CAPACITY];
     /**
-     * Radius of curvature along x [m]: distance from the axle over the cosine of the angle
+     * Radius of curvature along x [m]: distance from the axle divided by the cosine of the angle
      * between normal and radius.
      */
     double rolling_radius[KSTRIP_SURFACE_CAPACITY];
@@ -1550,7 +1556,7 @@ typedef struct kstrip_gap {
  * @param reach           distance from the rail above which points are left out [m]; 0: 2 mm.
  * @param[out] gap        receives the points.
  * @param[out] least      receives their least distance [m]: negative where the surfaces overlap,
- *                        and reach where no point is nearer; NULL: not wanted.
+ *                        and reach where no point is nearer; NULL: not needed.
  * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NOT_PREPARED,
  *         KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_PROFILE_END (the wheel is beside the rail).
  */
@@ -1616,7 +1622,7 @@ typedef struct kstrip_wheel_contact {
      */
     double angle;
     /**
-     * By how much the angle turns over the patch [rad]; above 0.52 the status is
+     * Range of the angle over the patch [rad]; above 0.52 the status is
      * KSTRIP_WARNING_ANGLE_RANGE.
      */
     double angle_range;
@@ -1632,8 +1638,8 @@ typedef struct kstrip_wheel_contact {
     /** Overlap of the undeformed, smoothed surfaces where it is deepest [m]. */
     double approach;
     /**
-     * Derivative of the load by the distance by which the surfaces are moved into each other
-     * [N/m].
+     * Derivative of the load with respect to the distance by which the surfaces are moved into
+     * each other [N/m].
      */
     double stiffness;
     /** Length on the rail at y = 0 of the patch [m]. */
@@ -1644,7 +1650,10 @@ typedef struct kstrip_wheel_contact {
      * are minus share times normal_force times these six numbers.
      */
     double normal[6];
-    /** slip_x of kstrip_motion at the patch's origin, by the members of kstrip_wheel_velocity. */
+    /**
+     * slip_x of kstrip_motion at the patch's origin: derivatives with respect to the members of
+     * kstrip_wheel_velocity.
+     */
     double slip_x[6];
     /** slip_y of kstrip_motion. */
     double slip_y[6];
@@ -1684,8 +1693,8 @@ kstrip_status kstrip_contacts_from_gap(const struct kstrip_gap *gap,
                                        uint32_t *count);
 
 /**
- * How the wheel moves over the rail. The axes are at rest; in a curve they are those of the
- * momentary track. Lateral, roll and yaw have the track's signs for a left wheel too.
+ * Velocity of the wheel relative to the rail. The axes are at rest; in a curve they are those of
+ * the momentary track. Lateral, roll and yaw have the track's signs for a left wheel too.
  */
 typedef struct kstrip_wheel_velocity {
     /** Velocity of the wheel's centre along x [m/s]. */
@@ -1699,15 +1708,15 @@ typedef struct kstrip_wheel_velocity {
      * not spin.
      */
     double roll;
-    /** Rate about the axle [rad/s]: about minus forward over radius. */
+    /** Rate about the axle [rad/s]: about minus forward divided by radius. */
     double pitch;
     /** Rate about the wheelset's own z [rad/s]. */
     double yaw;
 } kstrip_wheel_velocity;
 
 /**
- * How the wheel moves over the rail at a contact: slip, spin rate and rolling speed. They are the
- * input of kstrip_solve_motion(). Slip and spin rate divided by the rolling speed are the
+ * Motion of the wheel relative to the rail at a contact: slip, spin rate and rolling speed. They
+ * are the input of kstrip_solve_motion(). Slip and spin rate divided by the rolling speed are the
  * creepages of kstrip_patch_evaluate(). The motion is linear in the velocity.
  *
  * @param contact         a contact.
@@ -1749,9 +1758,9 @@ typedef struct kstrip_wrench {
 
 /** Exact derivatives of the wrench. The rows are the members of force and moment. */
 typedef struct kstrip_wrench_derivatives {
-    /** By the members of kstrip_wheel_velocity [N, N m over m/s, rad/s]. */
+    /** With respect to the members of kstrip_wheel_velocity [N, N m per m/s, rad/s]. */
     double velocity[6][6];
-    /** By a factor on all coefficients of friction, at 1 [N, N m]. */
+    /** With respect to a factor on all coefficients of friction, at 1 [N, N m]. */
     double friction[6];
 } kstrip_wrench_derivatives;
 
@@ -1770,7 +1779,8 @@ typedef struct kstrip_wrench_derivatives {
  * @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL:
  *                        constant.
  * @param[out] wrench     receives force and moment.
- * @param[out] derivatives  receives their derivatives by velocity and friction; NULL: not wanted.
+ * @param[out] derivatives  receives their derivatives with respect to velocity and friction; NULL: not
+ *                          needed.
  * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE or a status of kstrip_patch_evaluate();
  *         KSTRIP_ERROR_PATCH_SIZE.
  */
@@ -1801,17 +1811,17 @@ typedef struct kstrip_wheel_workspace {
 } kstrip_wheel_workspace;
 
 /**
- * Derivatives of the wrench by the wheel's position at constant velocity: central differences of
- * complete computations.
+ * Derivatives of the wrench with respect to the wheel's position at constant velocity: central
+ * differences of complete computations.
  */
 typedef struct kstrip_wrench_by_position {
-    /** By the lateral position [N, N m over m]. */
+    /** With respect to the lateral position [N, N m per m]. */
     double lateral[6];
-    /** By the vertical position [N, N m over m]. */
+    /** With respect to the vertical position [N, N m per m]. */
     double vertical[6];
-    /** By yaw [N, N m over rad]. */
+    /** With respect to yaw [N, N m per rad]. */
     double yaw[6];
-    /** By roll [N, N m over rad]. */
+    /** With respect to roll [N, N m per rad]. */
     double roll[6];
 } kstrip_wrench_by_position;
 
@@ -1832,11 +1842,11 @@ typedef struct kstrip_wrench_by_position {
  *                        constant.
  * @param workspace       memory that may hold anything; receives gap and contacts.
  * @param[out] wrench     receives force and moment.
- * @param[out] derivatives  receives their exact derivatives by velocity and friction; NULL: not
- *                          wanted.
- * @param[out] by_position  receives their derivatives by the position: central differences of 1 um
- *                        and 1 urad (15 in single precision), eight times the cost of a call;
- *                        NULL: not wanted.
+ * @param[out] derivatives  receives their exact derivatives with respect to velocity and friction;
+ *                          NULL: not needed.
+ * @param[out] by_position  receives their derivatives with respect to position: central
+ *                        differences of 1 um and 1 urad (15 in single precision), eight times the
+ *                        cost of a call; NULL: not needed.
  * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE, or a status of one of these functions.
  */
 kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,
@@ -1856,7 +1866,7 @@ kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,
  *
  * @param rail, wheel, pair  as in kstrip_wheel_on_rail().
  * @param position        where the wheel is; its vertical member is where the search begins.
- * @param support         wanted upward force of the rail on the wheel [N], > 0.
+ * @param support         requested upward force of the rail on the wheel [N], > 0.
  * @param velocity        how the wheel moves; its creep forces carry a part of the load. NULL: the
  *                        pressure carries all of it.
  * @param friction        as in kstrip_wheel_on_rail().
@@ -1944,12 +1954,12 @@ kstrip_status kstrip_estimate_friction(const struct kstrip_contact *contact,
                                        struct kstrip_friction_estimate *estimate);
 
 /**
- * The creepage at which a contact with a given spin carries a wanted force.
+ * The creepage at which a contact with a given spin carries a requested force.
  *
  * The search mostly needs five solutions with derivatives. Of ten thousand plausible contacts
- * about one needs more than 12 (14 with KSTRIP_MODEL_STRIP_1967, whose force jumps). The wanted
- * forces of these contacts are near friction times load, where the force turns back before it
- * grows on. The search ends after 40 with KSTRIP_WARNING_NOT_CONVERGED and the creepage that comes
+ * about one needs more than 12 (14 with KSTRIP_MODEL_STRIP_1967, whose force jumps). The requested
+ * forces of these contacts are near friction times load, where the force falls before it grows
+ * further. The search ends after 40 with KSTRIP_WARNING_NOT_CONVERGED and the creepage that comes
  * nearest; a force within a jump of STRIP_1967 has no creepage, which happens to seven of a
  * thousand forces with spin. Where spin keeps the force from growing with the creepage, more than
  * one creepage may give the force; the result is one of them. A force within 0.1 % of friction
@@ -1958,7 +1968,7 @@ kstrip_status kstrip_estimate_friction(const struct kstrip_contact *contact,
  * at any creepage; the result is zero.
  *
  * @param contact         ellipse, load, material, friction.
- * @param fx, fy          wanted force on the lower body [N].
+ * @param fx, fy          requested force on the lower body [N].
  * @param spin            given spin [1/m].
  * @param options         model and strip count; NULL for the defaults.
  * @param[out] creepage   receives the creepages, and the given spin.

@@ -696,7 +696,7 @@ struct basic_batch_inputs {
 };
 KSTRIP_HPP_BOTH(batch_inputs)
 
-/// Where the results of a batch go; null where a quantity is not wanted.
+/// Where the results of a batch go; null where a quantity is not needed.
 template <class T>
 struct basic_batch_outputs {
     basic_newtons<T> *fx = nullptr;
@@ -1231,7 +1231,7 @@ KSTRIP_HPP_BOTH(surface)
 /// Where the wheel is, over straight track. See kstrip_wheel_position.
 template <class T>
 struct basic_wheel_position {
-    basic_metres<T> lateral{}, vertical{}; ///< y of the wheel's centre; its depth below one wheel radius over the rail
+    basic_metres<T> lateral{}, vertical{}; ///< y of the wheel's centre; its depth below one wheel radius above the rail
     basic_radians<T> yaw{}, roll{};
 };
 KSTRIP_HPP_BOTH(wheel_position)
@@ -1348,7 +1348,7 @@ status prepare_profile(detail::only<lengths<T>> y, detail::only<lengths<T>> z, d
                            smoothing_length, &to);
 }
 
-/// `reach` 0: 2 mm. `least`: the smallest distance; null: not wanted.
+/// A `reach` of 0 means 2 mm. Pass null if `least`, the smallest distance, is not needed.
 template <class T>
 status touch(const basic_surface<T> &rail, const basic_surface<T> &wheel, basic_metres<T> wheel_radius,
              const basic_wheel_position<T> &where, detail::only<basic_metres<T>> reach, basic_gap<T> &to,
@@ -1374,7 +1374,7 @@ status wheel_motion(const basic_wheel_contact<T> &at, const basic_wheel_velocity
     return KSTRIP_HPP_CALL(kstrip_wheel_motion, &at, &moves, &to);
 }
 
-/// `law`: null where friction is constant; `slopes`: null where they are not wanted.
+/// `law`: null where friction is constant; `slopes`: null where they are not needed.
 template <class T>
 status wrench_from_contacts(detail::only<span<const basic_wheel_contact<T>>> contacts,
                             const basic_wheel_velocity<T> &moves, model how,
@@ -1385,7 +1385,7 @@ status wrench_from_contacts(detail::only<span<const basic_wheel_contact<T>>> con
                            static_cast<std::int32_t>(how), law, &to, slopes);
 }
 
-/// `law`: null where friction is constant; `slopes`, `by_position`: null where they are not wanted.
+/// `law`: null where friction is constant; `slopes`, `by_position`: null where they are not needed.
 template <class T>
 status wheel_on_rail(const basic_surface<T> &rail, const basic_surface<T> &wheel, const basic_wheel_pair<T> &both,
                      const basic_wheel_position<T> &where, const basic_wheel_velocity<T> &moves,

@@ -27,7 +27,7 @@ typedef struct kstrip_material_f32 {
     float poisson_ratio;
 } kstrip_material_f32;
 
-/** The combined elastic constants of two bodies: what the contact sees. */
+/** The combined elastic constants of two bodies. */
 typedef struct kstrip_combined_material_f32 {
     float shear_modulus;
     float poisson_ratio;
@@ -107,7 +107,7 @@ typedef struct kstrip_velocity_f32 {
     float angular_z;
 } kstrip_velocity_f32;
 
-/** Rigid slip of the upper over the lower body, divided by the rolling speed (3.3). */
+/** Rigid slip of the upper relative to the lower body, divided by the rolling speed (3.3). */
 typedef struct kstrip_creepage_f32 {
     float longitudinal;
     float lateral;
@@ -177,7 +177,7 @@ typedef struct kstrip_friction_f32 {
     float slope_factor;
 } kstrip_friction_f32;
 
-/** Derivatives of fx, fy, mz by creepages, load and friction. */
+/** Derivatives of fx, fy, mz with respect to creepages, load and friction. */
 typedef struct kstrip_derivatives_f32 {
     float jacobian[3][3];
     float normal_force[3];
@@ -185,7 +185,7 @@ typedef struct kstrip_derivatives_f32 {
     float friction[3];
 } kstrip_derivatives_f32;
 
-/** Derivatives of fx, fy, mz by the parameters of falling friction. */
+/** Derivatives of fx, fy, mz with respect to the parameters of falling friction. */
 typedef struct kstrip_law_derivatives_f32 {
     float ratio[3];
     float decay[3];
@@ -318,8 +318,8 @@ kstrip_status kstrip_solve_prepared_f32(const struct kstrip_prepared_f32 *prepar
                                         struct kstrip_result_f32 *result);
 
 /**
- * How the upper body moves over the lower one at the contact, in axes that stay when the motion
- * reverses.
+ * Motion of the upper body relative to the lower one at the contact, in axes that stay when the
+ * motion reverses.
  */
 typedef struct kstrip_motion_f32 {
     float slip_x;
@@ -329,7 +329,7 @@ typedef struct kstrip_motion_f32 {
     float floor_speed;
 } kstrip_motion_f32;
 
-/** Derivatives of fx, fy, mz by the motion, by load and by friction. */
+/** Derivatives of fx, fy, mz with respect to motion, load and friction. */
 typedef struct kstrip_motion_derivatives_f32 {
     float slip[3][3];
     float rolling_speed[3];
@@ -570,7 +570,7 @@ kstrip_status kstrip_prepare_profile_f32(const float *y,
                                          struct kstrip_surface_f32 *surface);
 
 /**
- * Where the wheel is, over straight track. A right wheel coupling on the gauge side, which is at
+ * Where the wheel is, over straight track. A right wheel leans on the gauge side, which is at
  * small y, with its flange.
  */
 typedef struct kstrip_wheel_position_f32 {
@@ -654,8 +654,8 @@ kstrip_status kstrip_contacts_from_gap_f32(const struct kstrip_gap_f32 *gap,
                                            uint32_t *count);
 
 /**
- * How the wheel moves over the rail. The axes are at rest; in a curve they are those of the
- * momentary track. Lateral, roll and yaw have the track's signs for a left wheel too.
+ * Velocity of the wheel relative to the rail. The axes are at rest; in a curve they are those of
+ * the momentary track. Lateral, roll and yaw have the track's signs for a left wheel too.
  */
 typedef struct kstrip_wheel_velocity_f32 {
     float forward;
@@ -713,8 +713,8 @@ typedef struct kstrip_wheel_workspace_f32 {
 } kstrip_wheel_workspace_f32;
 
 /**
- * Derivatives of the wrench by the wheel's position at constant velocity: central differences of
- * complete computations.
+ * Derivatives of the wrench with respect to the wheel's position at constant velocity: central
+ * differences of complete computations.
  */
 typedef struct kstrip_wrench_by_position_f32 {
     float lateral[6];

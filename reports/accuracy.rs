@@ -298,10 +298,10 @@ impl Report {
         self.header(&[
             "method",
             "force, mean",
-            "95 %",
+            "95th percentile",
             "max",
             "moment, mean",
-            "95 %",
+            "95th percentile",
             "max",
             "stick area, mean",
         ]);
@@ -328,7 +328,7 @@ impl Report {
         self.header(&[
             "model",
             "strips",
-            "force, f64: mean / 95 % / max",
+            "force, f64: mean / 95th percentile / max",
             "force, f32",
             "moment, f64: mean / max",
             "moment, f32",
@@ -362,7 +362,7 @@ impl Report {
     fn by_region(&mut self) {
         self.line("\n## By region\n");
         self.line(
-            "Force: mean / 95 % / max of `|f − f_ref|`. The last two methods are the better \
+            "Force: mean / 95th percentile / max of `|f − f_ref|`. The last two methods are the better \
              variants of FASTSIM and FaStrip on 20x20 cells. LINEAR is in the tables to show where \
              it may be used.\n",
         );
@@ -412,7 +412,7 @@ impl Report {
         self.line("\n## Slender contacts\n");
         self.line(
             "`open_slender.csv`: 140 cases beyond the axis ratios of `open.csv`, ν from 0 to 0.5, \
-             which no fit uses. Force: mean / 95 % / max; moment in μ N √(ab): mean / max. FASTSIM \
+             which no fit uses. Force: mean / 95th percentile / max; moment in μ N √(ab): mean / max. FASTSIM \
              and FaStrip get the linear coefficients of the library. STRIP and TOTAL warn below \
              0.015 and above 60.\n",
         );
@@ -461,9 +461,9 @@ impl Report {
     fn unlike(&mut self) {
         self.line("\n## Unlike materials\n");
         self.line(
-            "`kappa.csv`: 170 pairs of answers of CONTACT with the mismatch `κ` of the materials \
+            "`kappa.csv`: 170 pairs of results of CONTACT with the mismatch `κ` of the materials \
              and without. Error of the difference that `κ` makes to the force, `|(f − f₀) − (f − \
-             f₀)_ref|` in μ N: mean / 95 % / max. Ordinary pairs: `|κ|` up to 0.13, μ from 0.3 on \
+             f₀)_ref|` in μ N: mean / 95th percentile / max. Ordinary pairs: `|κ|` up to 0.13, μ from 0.3 on \
              (steel on aluminium, cast iron or bronze). Methods without `κ` have the error of the \
              first row: FASTSIM, FaStrip, STRIP_1967.\n",
         );

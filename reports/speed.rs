@@ -230,7 +230,7 @@ impl Report {
         self.line(
             "* Errors: of the force, `|f − f_ref|` in units of `μ N` over the 854 cases of \
              `tests/data/open.csv`; of the slopes, the worst entry of `∂(fx, fy)/∂(vx, vy, φ)` \
-             over the linear slope in the 70 states of `tests/data/jacobians.csv`; both as in \
+             divided by the linear slope in the 70 states of `tests/data/jacobians.csv`; both as in \
              [accuracy.md](accuracy.md). In single precision the slopes are those of double \
              precision.",
         );
@@ -387,12 +387,12 @@ impl Report {
             let what = format!("batch of {count}, the dearest model ({name})");
             rows.push((what, "of a loop over `kstrip_solve`", Set::Mixed, found, 1.0));
         }
-        self.line("\n## Wanted\n");
+        self.line("\n## Targets\n");
         self.line(
             "These ratios were aims of the design. They are in double precision unless \
              another one is named.\n",
         );
-        self.header(&["what", "inputs", "ratio", "found", "wanted", ""]);
+        self.header(&["what", "inputs", "ratio", "measured", "target", ""]);
         for (what, ratio, set, found, aim) in rows {
             let short = |x: f64| format!("{x:.3}");
             let verdict = if found <= aim { "met" } else { "missed" };
@@ -412,7 +412,7 @@ impl Report {
         self.line("\n## Every model and every other method\n");
         self.line(
             "Nanoseconds; ratios to FASTSIM 10x10 for random contacts with spin; errors \
-             (mean / 95 % / max) as described above.\n",
+             (mean / 95th percentile / max) as described above.\n",
         );
         let mut header = vec!["method", "how", "precision"];
         header.extend(SETS.map(title));

@@ -44,8 +44,8 @@ statuses! {
         SemiAxis = -3:
             "a semi-axis of the contact ellipse is not positive: a and b must be > 0 (metres)",
         NormalForce = -4:
-            "the normal force of a profile is negative, or the wanted support of a wheel is not \
-             positive (newtons): compression is positive",
+            "the normal force of a profile is negative, or the requested support of a wheel is \
+             not positive (newtons): compression is positive",
         Modulus = -5: "a modulus of elasticity is not positive: it must be > 0 (pascals)",
         PoissonRatio = -6: "Poisson's ratio is outside [0, 0.5]",
         Friction = -7: "the coefficient of friction is negative: it must be >= 0",
@@ -58,8 +58,8 @@ statuses! {
             "the rolling speed is not positive: let x point in the rolling direction",
         /// Or a count exceeds the capacity of a structure.
         Capacity = -12:
-            "the array is too small: pass the capacity that the documentation of the function asks \
-             for",
+            "the array is too small: pass the capacity that the documentation of the function \
+             states",
         NotInModel = -13:
             "the model cannot compute this output: take STRIP for strips and fields, and any model \
              but LINEAR for patches",
@@ -72,7 +72,7 @@ statuses! {
         Unexplained = -19:
             "no friction explains the measured force: it points against the slip, or there is no \
              load; check signs (forces act on the lower body) and creepage",
-        ForceBeyondFriction = -20: "the wanted force exceeds mu N: no creepage gives it",
+        ForceBeyondFriction = -20: "the requested force exceeds mu N: no creepage gives it",
         Measured = -21:
             "unknown measurement: use KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added",
         /// The same holds of a profile and `kstrip_prepare_profile()`.
@@ -150,8 +150,8 @@ statuses! {
             "the contact sticks, so that its force does not tell the friction: result is a lower \
              bound; measure at more creepage",
         CreepageAtLeast = 7:
-            "the wanted force is that of full sliding: result is the creepage that reaches it, any \
-             larger one gives it as well",
+            "the requested force is that of full sliding: the result is the creepage that reaches \
+             it, any larger one gives it as well",
         Pressure = 8:
             "implausible pressure: the peak pressure exceeds a tenth of the shear modulus; check \
              the units of modulus (Pa), load (N) and semi-axes (m)",

@@ -127,7 +127,7 @@ impl Report {
     }
 
     fn slopes_by_region(&mut self, methods: &[Felt], cases: &[SlopeCase]) {
-        self.line("\n### Slopes by region: mean / 95 % / max\n");
+        self.line("\n### Slopes by region: mean / 95th percentile / max\n");
         let mut header = vec!["method".to_owned()];
         header.extend(PARTS.map(|(part, holds)| {
             format!("{part} ({} cases)", cases.iter().filter(|c| holds(&c.case)).count())

@@ -162,7 +162,7 @@ fn draw_traction_map(folder: &Path) -> Drawn {
     })
 }
 
-/// Mean error of the force over the instructions of one call, 16 strips, double precision.
+/// Mean error of the force against the instructions of one call, 16 strips, double precision.
 fn draw_models(folder: &Path) -> Drawn {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let counts = std::fs::read_to_string(root.join("benches/instructions.txt"))?;
@@ -212,7 +212,7 @@ fn draw_models(folder: &Path) -> Drawn {
     }
     let fastsim = mean("FASTSIM 10x10, 3 flexibilities, parabolic")?;
     picture(&folder.join("models.svg"), (730, 470), |canvas| {
-        write(canvas, "Error of the force over the cost of one call", (90.0, 10.0), 19)?;
+        write(canvas, "Error of the force against the cost of one call", (90.0, 10.0), 19)?;
         let remark =
             "filled: forces; open: with derivatives; against CONTACT, 854 ellipses, a/b 0.1 to 10";
         write(canvas, remark, (90.0, 38.0), 14)?;

@@ -126,7 +126,7 @@ pub fn draw(path: &Path, marks: &[Mark]) -> Drawn {
             Axis::logarithmic(2e-3, 0.6, &[0.003, 0.01, 0.03, 0.1, 0.3]),
         ),
         (
-            "mean error of the worst slope, over the linear slope",
+            "mean error of the worst slope, divided by the linear slope",
             Axis::logarithmic(0.02, 0.6, &[0.03, 0.1, 0.3]),
         ),
     ];

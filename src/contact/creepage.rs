@@ -5,7 +5,7 @@ use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float, Number, Real, are_finite, scaled_down};
 use crate::status::Error;
 
-/// Rigid slip of the upper over the lower body, divided by the rolling speed (3.3).
+/// Rigid slip of the upper relative to the lower body, divided by the rolling speed (3.3).
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Creepage<T> {

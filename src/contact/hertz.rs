@@ -21,11 +21,11 @@ pub struct HertzContact<F> {
     pub peak_pressure: F,
     /// Approach of distant points of the two bodies \[m\].
     pub approach: F,
-    /// Minor over major semi-axis \[-\], 0 to 1 (2.2).
+    /// Minor divided by major semi-axis \[-\], 0 to 1 (2.2).
     pub axis_ratio: F,
     /// Hertz's angle tau \[rad\], 0 to pi/2 (2.5).
     pub hertz_angle: F,
-    /// Four over the sum of the four curvatures \[m\] (2.3).
+    /// Four divided by the sum of the four curvatures \[m\] (2.3).
     pub rho: F,
 }
 

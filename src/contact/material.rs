@@ -13,7 +13,7 @@ pub struct Material<F> {
     pub poisson_ratio: F,
 }
 
-/// The combined elastic constants of two bodies: what the contact sees.
+/// The combined elastic constants of two bodies.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CombinedMaterial<F> {

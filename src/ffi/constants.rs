@@ -22,7 +22,7 @@ pub const KSTRIP_WARNING_SEVERAL_FRICTIONS: kstrip_status = 4;
 pub const KSTRIP_WARNING_NOT_CONVERGED: kstrip_status = 5;
 /// Warning: the contact sticks, so that the measured force gives only a lower bound of friction.
 pub const KSTRIP_WARNING_FRICTION_AT_LEAST: kstrip_status = 6;
-/// Warning: the wanted force is that of full sliding, which every larger creepage gives as well.
+/// Warning: the requested force is that of full sliding, which every larger creepage gives as well.
 pub const KSTRIP_WARNING_CREEPAGE_AT_LEAST: kstrip_status = 7;
 /// Warning: the peak pressure exceeds a tenth of the shear modulus. The modulus, the load or the
 /// semi-axes are probably in another unit.
@@ -60,7 +60,7 @@ pub const KSTRIP_ERROR_NULL: kstrip_status = -1;
 pub const KSTRIP_ERROR_NOT_FINITE: kstrip_status = -2;
 /// Error: a semi-axis is not positive.
 pub const KSTRIP_ERROR_SEMI_AXIS: kstrip_status = -3;
-/// Error: the normal force of a profile is negative, or the wanted support of a wheel is not
+/// Error: the normal force of a profile is negative, or the requested support of a wheel is not
 /// positive.
 pub const KSTRIP_ERROR_NORMAL_FORCE: kstrip_status = -4;
 /// Error: a modulus of elasticity is not positive.
@@ -80,7 +80,7 @@ pub const KSTRIP_ERROR_CURVATURE: kstrip_status = -10;
 pub const KSTRIP_ERROR_ROLLING_SPEED: kstrip_status = -11;
 /// Error: the caller's array is too small, or a count exceeds the capacity of a structure.
 pub const KSTRIP_ERROR_CAPACITY: kstrip_status = -12;
-/// Error: the model cannot compute a wanted output: it has no strips, no field or no patches, or
+/// Error: the model cannot compute a requested output: it has no strips, no field or no patches, or
 /// its force does not depend on friction.
 pub const KSTRIP_ERROR_NOT_IN_MODEL: kstrip_status = -13;
 /// Error: a result is beyond the range of the floating-point type.
@@ -95,7 +95,7 @@ pub const KSTRIP_ERROR_NEGATIVE_SPEED: kstrip_status = -17;
 pub const KSTRIP_ERROR_SLOPE_FACTOR: kstrip_status = -18;
 /// Error: no friction explains the measured force.
 pub const KSTRIP_ERROR_UNEXPLAINED: kstrip_status = -19;
-/// Error: the wanted force exceeds mu N.
+/// Error: the requested force exceeds mu N.
 pub const KSTRIP_ERROR_FORCE_BEYOND_FRICTION: kstrip_status = -20;
 /// Error: what was measured is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum.
 pub const KSTRIP_ERROR_MEASURED: kstrip_status = -21;
@@ -142,13 +142,13 @@ pub const KSTRIP_MODEL_STRIP_1967_CONTINUOUS: i32 = 2;
 /// A strip theory in Kalker's sense: the half-ellipses of 1967 where a strip adheres, slip along
 /// the local rigid slip where it does not, and flexibilities corrected by a small network fitted to
 /// CONTACT. It has forces, moment, stick area and fields. The mean error of the force against
-/// CONTACT is 0.6 % of mu N, that of the slopes 3 % of the linear ones. Its slopes at rest are
+/// CONTACT is 0.6 % of mu N, that of the derivatives 3 % of the linear ones. Its slopes at rest are
 /// those of linear theory, and its power is never negative.
 pub const KSTRIP_MODEL_STRIP: i32 = 3;
 /// A closed formula with a small network fitted to CONTACT. It has forces and moment, and is the
 /// most accurate model. The mean error of the force against CONTACT is 0.3 % of mu N, that of the
-/// slopes 3 % of the linear ones. Far in sliding it is rigid slip, and its power is never negative.
-/// It has no strips and no field; adhesion is reported as -1 (unknown).
+/// derivatives 3 % of the linear ones. Far in sliding it is rigid slip, and its power is never
+/// negative. It has no strips and no field; adhesion is reported as -1 (unknown).
 pub const KSTRIP_MODEL_TOTAL: i32 = 4;
 /// Kalker's linear theory, for stability analysis. Its force grows with the creepage without a
 /// limit. Adhesion is 1.

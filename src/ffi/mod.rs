@@ -40,7 +40,7 @@ use core::mem::MaybeUninit;
 use support::fill;
 use types::kstrip_options;
 
-/// Text that says in English what a status means and what the caller must change.
+/// Text in English with the meaning of a status and what the caller must change.
 ///
 /// Returns a static string, never NULL. For a number that is no status the text is "unknown
 /// status".

@@ -39,10 +39,10 @@ pub struct Outputs<F> {
     /// Forces, moment, power, adhesion: those of kstrip_solve(), bit for bit, where friction is
     /// constant.
     pub result: *mut Solution<F>,
-    /// Derivatives by creepages, load and friction. Under falling friction they include the change
-    /// of friction.
+    /// Derivatives with respect to creepages, load and friction. Under falling friction they
+    /// include the change of friction.
     pub derivatives: *mut Derivatives<F>,
-    /// Derivatives by the parameters of falling friction.
+    /// Derivatives with respect to the parameters of falling friction.
     pub law_derivatives: *mut LawDerivatives<F>,
     /// The coefficient of friction that agrees with the slip; the contact's own where friction is
     /// constant. For a patch it is the factor that multiplies the friction of all strips, 1 where
@@ -68,7 +68,7 @@ pub struct MotionOutputs<F> {
     /// Forces and moment on the lower body, and adhesion. The power is in watts here: fx slip_x +
     /// fy slip_y + mz spin_rate.
     pub result: *mut Solution<F>,
-    /// Derivatives by the motion, by load and by friction.
+    /// Derivatives with respect to motion, load and friction.
     pub derivatives: *mut MotionDerivatives<F>,
     /// The coefficient of friction that agrees with the slip.
     pub friction: *mut F,
@@ -149,7 +149,7 @@ pub struct BatchOutputs<F> {
     pub mz: *mut F,
     /// Stride [bytes].
     pub mz_stride: isize,
-    /// Frictional powers over rolling speed [N].
+    /// Frictional powers divided by rolling speed [N].
     pub power: *mut F,
     /// Stride [bytes].
     pub power_stride: isize,
@@ -165,11 +165,11 @@ pub struct BatchOutputs<F> {
     pub friction: *mut F,
     /// Stride [bytes].
     pub friction_stride: isize,
-    /// Derivatives by creepages, load and friction.
+    /// Derivatives with respect to creepages, load and friction.
     pub derivatives: *mut Derivatives<F>,
     /// Stride [bytes].
     pub derivatives_stride: isize,
-    /// Derivatives by the parameters of falling friction.
+    /// Derivatives with respect to the parameters of falling friction.
     pub law_derivatives: *mut LawDerivatives<F>,
     /// Stride [bytes].
     pub law_derivatives_stride: isize,

@@ -39,19 +39,20 @@ use crate::number::{Float, Real};
 use crate::status::Error;
 use nalgebra::Matrix3;
 
-/// Derivatives of fx, fy, mz by creepages, load and friction.
+/// Derivatives of fx, fy, mz with respect to creepages, load and friction.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Derivatives<F> {
-    /// By longitudinal, lateral, spin, row by row \[N, N, N m over 1, 1, 1/m\]; at kinks of a model
-    /// a one-sided value.
+    /// With respect to longitudinal, lateral, spin, row by row \[N, N, N m per 1, 1, 1/m\]; at
+    /// kinks of a model a one-sided value.
     pub jacobian: [[F; 3]; 3],
-    /// By the normal force at fixed a and b \[-, -, m\].
+    /// With respect to the normal force at fixed a and b \[-, -, m\].
     pub normal_force: [F; 3],
-    /// By the normal force while a and b follow it as Hertz says: both grow like its cube root \[-,
-    /// -, m\].
+    /// With respect to the normal force while a and b follow it as Hertz says: both grow like its
+    /// cube root \[-, -, m\].
     pub load_through_hertz: [F; 3],
-    /// By the coefficient of friction, that of the law where there is one \[N, N, N m\].
+    /// With respect to the coefficient of friction, that of the law where there is one
+    /// \[N, N, N m\].
     pub friction: [F; 3],
 }
 

@@ -22,9 +22,9 @@ pub struct FieldPoint<F> {
     pub traction_x: F,
     /// Tangential traction along y \[Pa\].
     pub traction_y: F,
-    /// Slip of the upper over the lower body along x, over the rolling speed \[-\].
+    /// Slip of the upper relative to the lower body along x, divided by the rolling speed \[-\].
     pub slip_x: F,
-    /// Slip along y, over the rolling speed \[-\].
+    /// Slip along y, divided by the rolling speed \[-\].
     pub slip_y: F,
     /// Traction times slip \[Pa\]: energy dissipated per area and metre rolled.
     pub dissipation: F,

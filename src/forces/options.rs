@@ -84,9 +84,9 @@ pub struct Solution<F> {
     pub fy: F,
     /// Moment about z at the centre of the contact \[N m\].
     pub mz: F,
-    /// Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin \[N\]: energy
-    /// dissipated per metre rolled. For unlike bodies the creepage that pressure makes is added to
-    /// the longitudinal one.
+    /// Frictional power divided by rolling speed, fx longitudinal + fy lateral + mz spin \[N\]:
+    /// energy dissipated per metre rolled. For unlike bodies the creepage that pressure makes is
+    /// added to the longitudinal one.
     pub power: F,
     /// Share of the contact area in adhesion \[-\], 0 to 1. KSTRIP_MODEL_TOTAL does not know it:
     /// -1; KSTRIP_MODEL_LINEAR has adhesion everywhere: 1.

@@ -9,17 +9,17 @@ use crate::friction::{self, SlipFriction};
 use crate::number::{Float, are_finite};
 use crate::status::{Error, Warning};
 
-/// Derivatives of fx, fy, mz by the parameters of falling friction.
+/// Derivatives of fx, fy, mz with respect to the parameters of falling friction.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LawDerivatives<F> {
-    /// By the ratio \[N, N, N m\].
+    /// With respect to the ratio \[N, N, N m\].
     pub ratio: [F; 3],
-    /// By the decay \[N, N, N m over s/m\].
+    /// With respect to the decay \[N, N, N m per s/m\].
     pub decay: [F; 3],
-    /// By the rolling speed of the law at constant creepages \[N, N, N m over m/s\].
+    /// With respect to the rolling speed of the law at constant creepages \[N, N, N m per m/s\].
     pub rolling_speed: [F; 3],
-    /// By the factor of the initial slope, at 1 without a law \[N, N, N m\].
+    /// With respect to the factor of the initial slope, at 1 without a law \[N, N, N m\].
     pub slope_factor: [F; 3],
 }
 

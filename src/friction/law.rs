@@ -17,7 +17,7 @@ use crate::status::Error;
 pub struct SlipFriction<F> {
     /// Coefficient of friction without slip \[-\], >= 0.
     pub friction: F,
-    /// Friction at infinite sliding velocity over friction at zero velocity \[-\], 0 to 1; 1:
+    /// Friction at infinite sliding velocity divided by friction at zero velocity \[-\], 0 to 1; 1:
     /// friction is constant.
     pub ratio: F,
     /// How fast friction falls \[s/m\], >= 0; 0: friction is constant.
@@ -25,8 +25,8 @@ pub struct SlipFriction<F> {
     /// Rolling speed \[m/s\], >= 0: sliding velocity is slip times rolling speed; 0: friction is
     /// constant.
     pub rolling_speed: F,
-    /// Initial slope of the creep curve over that of clean bodies \[-\], 0 to 1; 0 stands for 1,
-    /// clean.
+    /// Initial slope of the creep curve divided by that of clean bodies \[-\], 0 to 1; 0 stands for
+    /// 1, clean.
     pub slope_factor: F,
 }
 

@@ -52,43 +52,44 @@ const STANDSTILL: f64 = 1e-9;
 /// is plausible.
 const JUDGED: f64 = 1.0;
 
-/// How the upper body moves over the lower one at the contact, in axes that stay when the motion
-/// reverses.
+/// Motion of the upper body relative to the lower one at the contact, in axes that stay when the
+/// motion reverses.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion<F> {
-    /// Velocity of the upper over the lower body along x \[m/s\].
+    /// Velocity of the upper relative to the lower body along x \[m/s\].
     pub slip_x: F,
-    /// Velocity of the upper over the lower body along y \[m/s\].
+    /// Velocity of the upper relative to the lower body along y \[m/s\].
     pub slip_y: F,
-    /// Angular velocity of the upper over the lower body about z \[rad/s\].
+    /// Angular velocity of the upper relative to the lower body about z \[rad/s\].
     pub spin_rate: F,
     /// Rolling speed \[m/s\]: positive along x, negative backward, zero at standstill.
     pub rolling_speed: F,
-    /// Floor of the speed \[m/s\], >= 0: creepages are slip over sqrt(rolling_speed^2 +
+    /// Floor of the speed \[m/s\], >= 0: creepages are slip divided by sqrt(rolling_speed^2 +
     /// floor_speed^2). 0 stands for 0.02.
     pub floor_speed: F,
 }
 
-/// Derivatives of fx, fy, mz by the motion, by load and by friction.
+/// Derivatives of fx, fy, mz with respect to motion, load and friction.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionDerivatives<F> {
-    /// By slip_x, slip_y, spin_rate, row by row \[N, N, N m over m/s, m/s, rad/s\].
+    /// With respect to slip_x, slip_y, spin_rate, row by row \[N, N, N m per m/s, m/s, rad/s\].
     pub slip: [[F; 3]; 3],
-    /// By the rolling speed at constant slip and spin rate \[N, N, N m over m/s\].
+    /// With respect to the rolling speed at constant slip and spin rate \[N, N, N m per m/s\].
     pub rolling_speed: [F; 3],
-    /// By the normal force at fixed a and b \[-, -, m\].
+    /// With respect to the normal force at fixed a and b \[-, -, m\].
     pub normal_force: [F; 3],
-    /// By the normal force while a and b follow it as Hertz says \[-, -, m\].
+    /// With respect to the normal force while a and b follow it as Hertz says \[-, -, m\].
     pub load_through_hertz: [F; 3],
-    /// By the coefficient of friction, that of the law where there is one \[N, N, N m\].
+    /// With respect to the coefficient of friction, that of the law where there is one
+    /// \[N, N, N m\].
     pub friction: [F; 3],
-    /// By the ratio of the law; 0 without one \[N, N, N m\].
+    /// With respect to the ratio of the law; 0 without one \[N, N, N m\].
     pub ratio: [F; 3],
-    /// By the decay of the law; 0 without one \[N, N, N m over s/m\].
+    /// With respect to the decay of the law; 0 without one \[N, N, N m per s/m\].
     pub decay: [F; 3],
-    /// By the slope factor of the law, at 1 without one \[N, N, N m\].
+    /// With respect to the slope factor of the law, at 1 without one \[N, N, N m\].
     pub slope_factor: [F; 3],
 }
 

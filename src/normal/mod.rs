@@ -128,7 +128,7 @@ pub struct Indentation<F> {
     pub approach: F,
     /// Normal force of the strips \[N\]. If a load is given, it is that load to rounding.
     pub normal_force: F,
-    /// Derivative of the normal force by the approach \[N/m\].
+    /// Derivative of the normal force with respect to the approach \[N/m\].
     pub stiffness: F,
     /// Largest pressure of a strip \[Pa\].
     pub peak_pressure: F,

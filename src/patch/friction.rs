@@ -177,9 +177,9 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
 /// Forces of a patch and all derivatives, under friction that falls with the slip or not;
 /// `friction` is the share `λ`.
 ///
-/// For the derivatives by load, all pressures grow by one factor; through Hertz, all lengths also
-/// grow like the cube root of the load. For those by friction, the friction of all strips grows by
-/// one factor, and the derivative is by its mean without slip.
+/// For the derivatives with respect to load, all pressures grow by one factor; through Hertz, all
+/// lengths also grow like the cube root of the load. For those by friction, the friction of all
+/// strips grows by one factor, and the derivative is by its mean without slip.
 ///
 /// # Errors
 /// Those of [`solve`]; [`Error::Overflow`] also when a derivative does not fit.

@@ -5,7 +5,7 @@ use super::{PatchStrip, PatchView, QuadratureScale};
 use crate::number::Float;
 use crate::status::Error;
 
-/// Strips that a kstrip_patch has room for.
+/// Maximum number of strips in a kstrip_patch.
 pub const KSTRIP_PATCH_CAPACITY: usize = 64;
 
 /// A contact patch of any shape: its strips, in ascending y. Filled by kstrip_patch_from_contact(),

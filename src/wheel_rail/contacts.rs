@@ -60,7 +60,7 @@ pub struct WheelContact<F> {
     /// Angle of the pressure \[rad\]: mean of the strips' angles, weighted with load. For a left
     /// wheel it is that of the mirrored right wheel.
     pub angle: F,
-    /// By how much the angle turns over the patch \[rad\]; above 0.52 the status is
+    /// Range of the angle over the patch \[rad\]; above 0.52 the status is
     /// KSTRIP_WARNING_ANGLE_RANGE.
     pub angle_range: F,
     /// Distance of the origin from the axle \[m\].
@@ -72,8 +72,8 @@ pub struct WheelContact<F> {
     pub share: F,
     /// Overlap of the undeformed, smoothed surfaces where it is deepest \[m\].
     pub approach: F,
-    /// Derivative of the load by the distance by which the surfaces are moved into each other
-    /// \[N/m\].
+    /// Derivative of the load with respect to the distance by which the surfaces are moved into
+    /// each other \[N/m\].
     pub stiffness: F,
     /// Length on the rail at y = 0 of the patch \[m\].
     pub along: F,
@@ -81,7 +81,8 @@ pub struct WheelContact<F> {
     /// the members of kstrip_wheel_velocity. The force and the moment of the pressure on the wheel
     /// are minus share times normal_force times these six numbers.
     pub normal: [F; 6],
-    /// slip_x of kstrip_motion at the patch's origin, by the members of kstrip_wheel_velocity.
+    /// slip_x of kstrip_motion at the patch's origin: derivatives with respect to the members of
+    /// kstrip_wheel_velocity.
     pub slip_x: [F; 6],
     /// slip_y of kstrip_motion.
     pub slip_y: [F; 6],

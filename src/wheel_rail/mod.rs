@@ -35,7 +35,7 @@ pub mod wrench;
 use crate::number::{Float, are_finite};
 use crate::status::Error;
 
-/// Points that a prepared profile and a gap have room for.
+/// Maximum number of points in a prepared profile or a gap.
 pub const KSTRIP_SURFACE_CAPACITY: usize = 512;
 /// Largest number of contacts of one wheel: four, and two more, each of which stands for neighbours
 /// less than 8 mm apart.
@@ -43,7 +43,7 @@ pub const KSTRIP_CONTACTS_CAPACITY: usize = 6;
 /// Largest number of places along the rail at which friction is given.
 pub const KSTRIP_RAIL_FRICTION_CAPACITY: usize = 4;
 
-/// Where the wheel is, over straight track. A right wheel coupling on the gauge side, which is at
+/// Where the wheel is, over straight track. A right wheel leans on the gauge side, which is at
 /// small y, with its flange.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -51,7 +51,7 @@ pub struct Position<F> {
     /// y of the wheel's centre from the origin of the rail's profile \[m\], to the right. The
     /// centre is the point of the axle at y = 0 of the wheel's profile.
     pub lateral: F,
-    /// Depth of the centre below its place one wheel radius over the rail's origin \[m\].
+    /// Zero when the centre is one wheel radius above the rail's origin; positive downward \[m\].
     pub vertical: F,
     /// Turn about the vertical, which points down \[rad\]: positive from x to y, between -1 and 1.
     pub yaw: F,
@@ -81,8 +81,8 @@ impl<F: Float> Position<F> {
     }
 }
 
-/// How the wheel moves over the rail. The axes are at rest; in a curve they are those of the
-/// momentary track. Lateral, roll and yaw have the track's signs for a left wheel too.
+/// Velocity of the wheel relative to the rail. The axes are at rest; in a curve they are those of
+/// the momentary track. Lateral, roll and yaw have the track's signs for a left wheel too.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Velocity<F> {
@@ -95,7 +95,7 @@ pub struct Velocity<F> {
     /// Rate about the wheelset's own x \[rad/s\]. These axes yaw and roll with the wheelset but do
     /// not spin.
     pub roll: F,
-    /// Rate about the axle \[rad/s\]: about minus forward over radius.
+    /// Rate about the axle \[rad/s\]: about minus forward divided by radius.
     pub pitch: F,
     /// Rate about the wheelset's own z \[rad/s\].
     pub yaw: F,

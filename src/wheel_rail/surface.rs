@@ -15,9 +15,9 @@ pub struct Surface<F> {
     pub y: [F; KSTRIP_SURFACE_CAPACITY],
     /// z \[m\], down; of a wheel its radius minus wheel_radius.
     pub z: [F; KSTRIP_SURFACE_CAPACITY],
-    /// Derivative of y by the length: the cosine of the profile's angle.
+    /// Derivative of y with respect to the length: the cosine of the profile's angle.
     pub cosine: [F; KSTRIP_SURFACE_CAPACITY],
-    /// Derivative of z by the length: the sine of the profile's angle.
+    /// Derivative of z with respect to the length: the sine of the profile's angle.
     pub sine: [F; KSTRIP_SURFACE_CAPACITY],
     /// Length between two points \[m\].
     pub step: F,

@@ -43,7 +43,7 @@ pub struct Gap<F> {
     /// Angle of the tangent across x, mean of both surfaces \[rad\], positive from y to z; about
     /// -1.2 at the flange of a right wheel.
     pub angle: [F; KSTRIP_SURFACE_CAPACITY],
-    /// Radius of curvature along x \[m\]: distance from the axle over the cosine of the angle
+    /// Radius of curvature along x \[m\]: distance from the axle divided by the cosine of the angle
     /// between normal and radius.
     pub rolling_radius: [F; KSTRIP_SURFACE_CAPACITY],
     /// Number of points.

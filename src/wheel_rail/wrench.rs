@@ -47,24 +47,24 @@ pub struct Wrench<F> {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WrenchDerivatives<F> {
-    /// By the members of kstrip_wheel_velocity \[N, N m over m/s, rad/s\].
+    /// With respect to the members of kstrip_wheel_velocity \[N, N m per m/s, rad/s\].
     pub velocity: [[F; 6]; 6],
-    /// By a factor on all coefficients of friction, at 1 \[N, N m\].
+    /// With respect to a factor on all coefficients of friction, at 1 \[N, N m\].
     pub friction: [F; 6],
 }
 
-/// Derivatives of the wrench by the wheel's position at constant velocity: central differences of
-/// complete computations.
+/// Derivatives of the wrench with respect to the wheel's position at constant velocity: central
+/// differences of complete computations.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WrenchByPosition<F> {
-    /// By the lateral position \[N, N m over m\].
+    /// With respect to the lateral position \[N, N m per m\].
     pub lateral: [F; 6],
-    /// By the vertical position \[N, N m over m\].
+    /// With respect to the vertical position \[N, N m per m\].
     pub vertical: [F; 6],
-    /// By yaw \[N, N m over rad\].
+    /// With respect to yaw \[N, N m per rad\].
     pub yaw: [F; 6],
-    /// By roll \[N, N m over rad\].
+    /// With respect to roll \[N, N m per rad\].
     pub roll: [F; 6],
 }
 

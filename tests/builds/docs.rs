@@ -365,6 +365,83 @@ fn pages_name_what_the_headers_have() {
     assert!(count > 100, "{count}");
 }
 
+/// Pages and headers have none of these phrases, which readers would have to read twice. Code and the changelog, which tells what was, may.
+#[test]
+fn pages_and_headers_use_plain_words() {
+    const PHRASES: [(&str, &str); 36] = [
+        ("erivative by ", "derivative with respect to"),
+        ("erivatives by ", "derivatives with respect to"),
+        ("over the creepage", "against creepage"),
+        ("over the spin", "against spin"),
+        ("over the shift", "against shift"),
+        ("over the lateral shift", "against lateral shift"),
+        ("over its lateral shift", "against its lateral shift"),
+        ("over a lateral shift", "against lateral shift"),
+        ("over the cost", "against the cost"),
+        (" over μ N", "divided by μ N"),
+        (" over `μ N`", "divided by μ N"),
+        (" over mu N", "divided by mu N"),
+        ("N m over ", "N m per"),
+        ("over that origin", "above that origin"),
+        ("over the rail's origin", "above the rail's origin"),
+        (" / 95 %", "95th percentile"),
+        ("mean and 95 %", "95th percentile"),
+        ("makes of it", "name the thing"),
+        ("what is found", "name the thing"),
+        ("hat belongs to", "name the thing"),
+        (" by what ", "name it"),
+        (" of what ", "name it"),
+        ("in the place of", "instead of"),
+        ("gravest", "most serious"),
+        ("wanted", "requested"),
+        ("and the like", "name them"),
+        ("no ellipse", "non-elliptic"),
+        (" sees ", "uses"),
+        (" knows ", "uses"),
+        (" asks ", "takes, calls, requests"),
+        ("turned back", "sign restored"),
+        ("judged", "classified"),
+        ("looked at", "checked"),
+        (" lest ", "so that .. not"),
+        ("hoever", "a caller that"),
+        ("thereby", "by this"),
+    ];
+    let mut texts: Vec<(String, String)> = Vec::new();
+    for page in pages() {
+        let name = page.strip_prefix(root()).expect("inside").display().to_string();
+        if name != "CHANGELOG.md" {
+            let text = read(&page);
+            let prose: Vec<&str> = text.split("```").step_by(2).collect();
+            texts.push((name, prose.join("\n")));
+        }
+    }
+    for header in ["include/kstrip.h", "include/kstrip_f32.h"] {
+        texts.push((header.to_owned(), read(header).replace("\n * ", " ")));
+    }
+    texts.push(("web/index.html".to_owned(), read("web/index.html")));
+    let mut faults = Vec::new();
+    for (name, text) in &texts {
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        let around = |at: usize| -> String {
+            text[..at].chars().rev().take(40).collect::<Vec<_>>().into_iter().rev().collect()
+        };
+        for (phrase, better) in PHRASES {
+            for (at, _) in text.match_indices(phrase) {
+                faults.push(format!("{name}: .. {}[{phrase}]: {better}", around(at)));
+            }
+        }
+        // "4 mm apart" and "far apart" are right
+        for (at, _) in text.match_indices(" apart") {
+            let before = text[..at].rsplit(' ').next().expect("a word");
+            if !["m", "mm", "um", "µm", "far", "step", "uint32_t"].contains(&before) {
+                faults.push(format!("{name}: .. {}[apart]: separate(ly)", around(at)));
+            }
+        }
+    }
+    assert!(texts.len() > 25, "{}", texts.len());
+    assert!(faults.is_empty(), "\n{}", faults.join("\n"));
+}
+
 /// A page that people write has at most 250 lines.
 #[test]
 fn pages_are_short() {
@@ -411,7 +488,7 @@ fn pictures_stand_on_pages_and_have_a_background() {
 #[test]
 fn every_warning_has_its_place() {
     let page = read("docs/reference/bad-input.md");
-    let order = page.split("## Which warning is told").nth(1).expect("the section");
+    let order = page.split("## Which warning is returned").nth(1).expect("the section");
     let header = read("include/kstrip.h");
     let mut count = 0;
     for line in header.lines().filter_map(|line| line.strip_prefix("#define KSTRIP_WARNING_")) {
@@ -573,7 +650,7 @@ fn errors_in_prose_are_those_of_the_report() {
     let of_both = |figures: &[Vec<f64>], next: &str| {
         let (force, slopes) = (100.0 * figures[0][0], 100.0 * figures[2][0]);
         format!(
-            "against CONTACT is {force:.1} % of mu N, that of the slopes {slopes:.0} % of the \
+            "against CONTACT is {force:.1} % of mu N, that of the derivatives {slopes:.0} % of the \
              linear ones. {next}"
         )
     };

@@ -179,7 +179,10 @@ fn forces_and_heights_are_those_of_contact() {
     assert_told(&format!("with one plane of contact | {:.3} |", planar[0]));
     let [a, b, c, d, _] = conformal;
     assert_told(&format!("20 to 30 degrees | {a:.3}, {b:.3}, {c:.3}, {d:.3} |"));
-    assert_told(&format!("mean and 95 % | {:.1} µm, {:.1} µm |", heights[0], heights[1]));
+    assert_told(&format!(
+        "mean and 95th percentile | {:.1} µm, {:.1} µm |",
+        heights[0], heights[1]
+    ));
     assert_told(&format!("as many contacts as in CONTACT | {:.0} % |", 100.0 * share));
     assert_told(&format!("forces are off by {least:.2} to {most:.2} of μ N"));
 }

@@ -11,7 +11,7 @@ class Material(Record, name="material"):
 
 
 class CombinedMaterial(Record, name="combined_material"):
-    """The combined elastic constants of two bodies: what the contact sees."""
+    """The combined elastic constants of two bodies."""
 
     shear_modulus = Numbers('Pa', 'Combined shear modulus G [Pa], 1/G = (1/G_lower + 1/G_upper)/2 (2.6).')
     poisson_ratio = Numbers('', "Combined Poisson's ratio nu [-], nu/G = (nu_lower/G_lower + nu_upper/G_upper)/2 (2.6).")
@@ -46,9 +46,9 @@ class HertzContact(Record, name="hertz_contact"):
     b = Numbers('m', 'Semi-axis along y [m].')
     peak_pressure = Numbers('Pa', 'Pressure at the centre [Pa].')
     approach = Numbers('m', 'Approach of distant points of the two bodies [m].')
-    axis_ratio = Numbers('', 'Minor over major semi-axis [-], 0 to 1 (2.2).')
+    axis_ratio = Numbers('', 'Minor divided by major semi-axis [-], 0 to 1 (2.2).')
     hertz_angle = Numbers('rad', "Hertz's angle tau [rad], 0 to pi/2 (2.5).")
-    rho = Numbers('m', 'Four over the sum of the four curvatures [m] (2.3).')
+    rho = Numbers('m', 'Four divided by the sum of the four curvatures [m] (2.3).')
 
 
 class Velocity(Record, name="velocity"):
@@ -60,7 +60,7 @@ class Velocity(Record, name="velocity"):
 
 
 class Creepage(Record, name="creepage"):
-    """Rigid slip of the upper over the lower body, divided by the rolling speed (3.3)."""
+    """Rigid slip of the upper relative to the lower body, divided by the rolling speed (3.3)."""
 
     longitudinal = Numbers('', 'Longitudinal creepage [-], positive when the upper body slides in the rolling direction.')
     lateral = Numbers('', 'Lateral creepage [-], positive along y.')
@@ -88,7 +88,7 @@ class Result(Record, name="result"):
     fx = Numbers('N', 'Longitudinal force [N], positive along the rolling direction.')
     fy = Numbers('N', 'Lateral force [N].')
     mz = Numbers('N m', 'Moment about z at the centre of the contact [N m].')
-    power = Numbers('N', 'Frictional power over rolling speed, fx longitudinal + fy lateral + mz spin [N]: energy dissipated per metre rolled. For unlike bodies the creepage that pressure makes is added to the longitudinal one.')
+    power = Numbers('N', 'Frictional power divided by rolling speed, fx longitudinal + fy lateral + mz spin [N]: energy dissipated per metre rolled. For unlike bodies the creepage that pressure makes is added to the longitudinal one.')
     adhesion = Numbers('', 'Share of the contact area in adhesion [-], 0 to 1. KSTRIP_MODEL_TOTAL does not know it: -1; KSTRIP_MODEL_LINEAR has adhesion everywhere: 1.')
     status_detail = Integers('', 'The status of this result: 0 or one of the KSTRIP_WARNING constants.')
 
@@ -97,28 +97,28 @@ class Friction(Record, name="friction"):
     """Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) + ratio), where w is the sliding velocity [m/s]. A factor reduces the initial slope of the creep curve, for the layer between the bodies. Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m; wet 0.3, 0.4, 0.2 s/m."""
 
     friction = Numbers('', 'Coefficient of friction without slip [-], >= 0.')
-    ratio = Numbers('', 'Friction at infinite sliding velocity over friction at zero velocity [-], 0 to 1; 1: friction is constant.')
+    ratio = Numbers('', 'Friction at infinite sliding velocity divided by friction at zero velocity [-], 0 to 1; 1: friction is constant.')
     decay = Numbers('s/m', 'How fast friction falls [s/m], >= 0; 0: friction is constant.')
     rolling_speed = Numbers('m/s', 'Rolling speed [m/s], >= 0: sliding velocity is slip times rolling speed; 0: friction is constant.')
-    slope_factor = Numbers('', 'Initial slope of the creep curve over that of clean bodies [-], 0 to 1; 0 stands for 1, clean.')
+    slope_factor = Numbers('', 'Initial slope of the creep curve divided by that of clean bodies [-], 0 to 1; 0 stands for 1, clean.')
 
 
 class Derivatives(Record, name="derivatives"):
-    """Derivatives of fx, fy, mz by creepages, load and friction."""
+    """Derivatives of fx, fy, mz with respect to creepages, load and friction."""
 
-    jacobian = Numbers('N, N, N m over 1, 1, 1/m', 'By longitudinal, lateral, spin, row by row [N, N, N m over 1, 1, 1/m]; at kinks of a model a one-sided value.')
-    normal_force = Numbers('-, -, m', 'By the normal force at fixed a and b [-, -, m].')
-    load_through_hertz = Numbers('-, -, m', 'By the normal force while a and b follow it as Hertz says: both grow like its cube root [-, -, m].')
-    friction = Numbers('N, N, N m', 'By the coefficient of friction, that of the law where there is one [N, N, N m].')
+    jacobian = Numbers('N, N, N m per 1, 1, 1/m', 'With respect to longitudinal, lateral, spin, row by row [N, N, N m per 1, 1, 1/m]; at kinks of a model a one-sided value.')
+    normal_force = Numbers('-, -, m', 'With respect to the normal force at fixed a and b [-, -, m].')
+    load_through_hertz = Numbers('-, -, m', 'With respect to the normal force while a and b follow it as Hertz says: both grow like its cube root [-, -, m].')
+    friction = Numbers('N, N, N m', 'With respect to the coefficient of friction, that of the law where there is one [N, N, N m].')
 
 
 class LawDerivatives(Record, name="law_derivatives"):
-    """Derivatives of fx, fy, mz by the parameters of falling friction."""
+    """Derivatives of fx, fy, mz with respect to the parameters of falling friction."""
 
-    ratio = Numbers('N, N, N m', 'By the ratio [N, N, N m].')
-    decay = Numbers('N, N, N m over s/m', 'By the decay [N, N, N m over s/m].')
-    rolling_speed = Numbers('N, N, N m over m/s', 'By the rolling speed of the law at constant creepages [N, N, N m over m/s].')
-    slope_factor = Numbers('N, N, N m', 'By the factor of the initial slope, at 1 without a law [N, N, N m].')
+    ratio = Numbers('N, N, N m', 'With respect to the ratio [N, N, N m].')
+    decay = Numbers('N, N, N m per s/m', 'With respect to the decay [N, N, N m per s/m].')
+    rolling_speed = Numbers('N, N, N m per m/s', 'With respect to the rolling speed of the law at constant creepages [N, N, N m per m/s].')
+    slope_factor = Numbers('N, N, N m', 'With respect to the factor of the initial slope, at 1 without a law [N, N, N m].')
 
 
 class Strip(Record, name="strip"):
@@ -144,26 +144,26 @@ class Prepared(Record, name="prepared"):
 
 
 class Motion(Record, name="motion"):
-    """How the upper body moves over the lower one at the contact, in axes that stay when the motion reverses."""
+    """Motion of the upper body relative to the lower one at the contact, in axes that stay when the motion reverses."""
 
-    slip_x = Numbers('m/s', 'Velocity of the upper over the lower body along x [m/s].')
-    slip_y = Numbers('m/s', 'Velocity of the upper over the lower body along y [m/s].')
-    spin_rate = Numbers('rad/s', 'Angular velocity of the upper over the lower body about z [rad/s].')
+    slip_x = Numbers('m/s', 'Velocity of the upper relative to the lower body along x [m/s].')
+    slip_y = Numbers('m/s', 'Velocity of the upper relative to the lower body along y [m/s].')
+    spin_rate = Numbers('rad/s', 'Angular velocity of the upper relative to the lower body about z [rad/s].')
     rolling_speed = Numbers('m/s', 'Rolling speed [m/s]: positive along x, negative backward, zero at standstill.')
-    floor_speed = Numbers('m/s', 'Floor of the speed [m/s], >= 0: creepages are slip over sqrt(rolling_speed^2 + floor_speed^2). 0 stands for 0.02.')
+    floor_speed = Numbers('m/s', 'Floor of the speed [m/s], >= 0: creepages are slip divided by sqrt(rolling_speed^2 + floor_speed^2). 0 stands for 0.02.')
 
 
 class MotionDerivatives(Record, name="motion_derivatives"):
-    """Derivatives of fx, fy, mz by the motion, by load and by friction."""
+    """Derivatives of fx, fy, mz with respect to motion, load and friction."""
 
-    slip = Numbers('N, N, N m over m/s, m/s, rad/s', 'By slip_x, slip_y, spin_rate, row by row [N, N, N m over m/s, m/s, rad/s].')
-    rolling_speed = Numbers('N, N, N m over m/s', 'By the rolling speed at constant slip and spin rate [N, N, N m over m/s].')
-    normal_force = Numbers('-, -, m', 'By the normal force at fixed a and b [-, -, m].')
-    load_through_hertz = Numbers('-, -, m', 'By the normal force while a and b follow it as Hertz says [-, -, m].')
-    friction = Numbers('N, N, N m', 'By the coefficient of friction, that of the law where there is one [N, N, N m].')
-    ratio = Numbers('N, N, N m', 'By the ratio of the law; 0 without one [N, N, N m].')
-    decay = Numbers('N, N, N m over s/m', 'By the decay of the law; 0 without one [N, N, N m over s/m].')
-    slope_factor = Numbers('N, N, N m', 'By the slope factor of the law, at 1 without one [N, N, N m].')
+    slip = Numbers('N, N, N m per m/s, m/s, rad/s', 'With respect to slip_x, slip_y, spin_rate, row by row [N, N, N m per m/s, m/s, rad/s].')
+    rolling_speed = Numbers('N, N, N m per m/s', 'With respect to the rolling speed at constant slip and spin rate [N, N, N m per m/s].')
+    normal_force = Numbers('-, -, m', 'With respect to the normal force at fixed a and b [-, -, m].')
+    load_through_hertz = Numbers('-, -, m', 'With respect to the normal force while a and b follow it as Hertz says [-, -, m].')
+    friction = Numbers('N, N, N m', 'With respect to the coefficient of friction, that of the law where there is one [N, N, N m].')
+    ratio = Numbers('N, N, N m', 'With respect to the ratio of the law; 0 without one [N, N, N m].')
+    decay = Numbers('N, N, N m per s/m', 'With respect to the decay of the law; 0 without one [N, N, N m per s/m].')
+    slope_factor = Numbers('N, N, N m', 'With respect to the slope factor of the law, at 1 without one [N, N, N m].')
 
 
 class Point(Record, name="point"):
@@ -172,8 +172,8 @@ class Point(Record, name="point"):
     pressure = Numbers('Pa', 'Pressure [Pa].')
     traction_x = Numbers('Pa', 'Tangential traction along x [Pa].')
     traction_y = Numbers('Pa', 'Tangential traction along y [Pa].')
-    slip_x = Numbers('', 'Slip of the upper over the lower body along x, over the rolling speed [-].')
-    slip_y = Numbers('', 'Slip along y, over the rolling speed [-].')
+    slip_x = Numbers('', 'Slip of the upper relative to the lower body along x, divided by the rolling speed [-].')
+    slip_y = Numbers('', 'Slip along y, divided by the rolling speed [-].')
     dissipation = Numbers('Pa', 'Traction times slip [Pa]: energy dissipated per area and metre rolled.')
     state = Integers('', 'One of the KSTRIP_STATE constants.')
 
@@ -219,7 +219,7 @@ class ProfileResult(Record, name="profile_result"):
 
     approach = Numbers('m', 'Approach of distant points of the two bodies [m] from where they touch: at the lowest point of the smoothed profile.')
     normal_force = Numbers('N', 'Normal force of the strips [N]. If a load is given, it is that load to rounding.')
-    stiffness = Numbers('N/m', 'Derivative of the normal force by the approach [N/m].')
+    stiffness = Numbers('N/m', 'Derivative of the normal force with respect to the approach [N/m].')
     peak_pressure = Numbers('Pa', 'Largest pressure of a strip [Pa].')
     peak_y = Numbers('m', 'y of the strip with the largest pressure [m].')
     iterations = Integers('', 'Steps of the two searches for the approach, at most 60 each.')
@@ -241,17 +241,17 @@ class Surface(Record, name="surface"):
 
     y = Numbers('m', 'y [m], to the right: of a rail from its origin, of a wheel from its running circle, with the flange at small y.')
     z = Numbers('m', 'z [m], down; of a wheel its radius minus wheel_radius.')
-    cosine = Numbers('', "Derivative of y by the length: the cosine of the profile's angle.")
-    sine = Numbers('', "Derivative of z by the length: the sine of the profile's angle.")
+    cosine = Numbers('', "Derivative of y with respect to the length: the cosine of the profile's angle.")
+    sine = Numbers('', "Derivative of z with respect to the length: the sine of the profile's angle.")
     step = Numbers('m', 'Length between two points [m].')
     count = Integers('', 'Number of points, 4 to KSTRIP_SURFACE_CAPACITY.')
 
 
 class WheelPosition(Record, name="wheel_position"):
-    """Where the wheel is, over straight track. A right wheel coupling on the gauge side, which is at small y, with its flange."""
+    """Where the wheel is, over straight track. A right wheel leans on the gauge side, which is at small y, with its flange."""
 
     lateral = Numbers('m', "y of the wheel's centre from the origin of the rail's profile [m], to the right. The centre is the point of the axle at y = 0 of the wheel's profile.")
-    vertical = Numbers('m', "Depth of the centre below its place one wheel radius over the rail's origin [m].")
+    vertical = Numbers('m', "Zero when the centre is one wheel radius above the rail's origin; positive downward [m].")
     yaw = Numbers('rad', 'Turn about the vertical, which points down [rad]: positive from x to y, between -1 and 1.')
     roll = Numbers('rad', 'Turn about x [rad]: positive from y to z, between -1 and 1. Yaw turns about the axis that roll has turned.')
 
@@ -265,7 +265,7 @@ class Gap(Record, name="gap"):
     y = Numbers('m', 'y of this point [m].')
     z = Numbers('m', "z of this point [m], about the wheel's radius.")
     angle = Numbers('rad', 'Angle of the tangent across x, mean of both surfaces [rad], positive from y to z; about -1.2 at the flange of a right wheel.')
-    rolling_radius = Numbers('m', 'Radius of curvature along x [m]: distance from the axle over the cosine of the angle between normal and radius.')
+    rolling_radius = Numbers('m', 'Radius of curvature along x [m]: distance from the axle divided by the cosine of the angle between normal and radius.')
     count = Integers('', 'Number of points.')
 
 
@@ -290,15 +290,15 @@ class WheelContact(Record, name="wheel_contact"):
 
     origin = Numbers('m', "Point where the pressure acts, on the wheel's undeformed surface, from the wheel's centre [m], axes of the track.")
     angle = Numbers('rad', "Angle of the pressure [rad]: mean of the strips' angles, weighted with load. For a left wheel it is that of the mirrored right wheel.")
-    angle_range = Numbers('rad', 'By how much the angle turns over the patch [rad]; above 0.52 the status is KSTRIP_WARNING_ANGLE_RANGE.')
+    angle_range = Numbers('rad', 'Range of the angle over the patch [rad]; above 0.52 the status is KSTRIP_WARNING_ANGLE_RANGE.')
     radius = Numbers('m', 'Distance of the origin from the axle [m].')
     normal_force = Numbers('N', 'Load of the strips [N].')
     share = Numbers('', 'Factor of load and forces in the sum over the contacts [-]: 1, except for contacts 4 to 8 mm apart, which count partly by themselves and partly as one contact.')
     approach = Numbers('m', 'Overlap of the undeformed, smoothed surfaces where it is deepest [m].')
-    stiffness = Numbers('N/m', 'Derivative of the load by the distance by which the surfaces are moved into each other [N/m].')
+    stiffness = Numbers('N/m', 'Derivative of the load with respect to the distance by which the surfaces are moved into each other [N/m].')
     along = Numbers('m', 'Length on the rail at y = 0 of the patch [m].')
     normal = Numbers('', "Derivatives of the wheel's velocity into the rail, mean of the strips weighted with load, by the members of kstrip_wheel_velocity. The force and the moment of the pressure on the wheel are minus share times normal_force times these six numbers.")
-    slip_x = Numbers('', "slip_x of kstrip_motion at the patch's origin, by the members of kstrip_wheel_velocity.")
+    slip_x = Numbers('', "slip_x of kstrip_motion at the patch's origin: derivatives with respect to the members of kstrip_wheel_velocity.")
     slip_y = Numbers('', 'slip_y of kstrip_motion.')
     spin_rate = Numbers('', 'spin_rate of kstrip_motion.')
     rolling_speed = Numbers('', 'rolling_speed of kstrip_motion.')
@@ -306,13 +306,13 @@ class WheelContact(Record, name="wheel_contact"):
 
 
 class WheelVelocity(Record, name="wheel_velocity"):
-    """How the wheel moves over the rail. The axes are at rest; in a curve they are those of the momentary track. Lateral, roll and yaw have the track's signs for a left wheel too."""
+    """Velocity of the wheel relative to the rail. The axes are at rest; in a curve they are those of the momentary track. Lateral, roll and yaw have the track's signs for a left wheel too."""
 
     forward = Numbers('m/s', "Velocity of the wheel's centre along x [m/s].")
     lateral = Numbers('m/s', 'Velocity of the centre along y [m/s].')
     vertical = Numbers('m/s', 'Velocity of the centre along z, down [m/s].')
     roll = Numbers('rad/s', "Rate about the wheelset's own x [rad/s]. These axes yaw and roll with the wheelset but do not spin.")
-    pitch = Numbers('rad/s', 'Rate about the axle [rad/s]: about minus forward over radius.')
+    pitch = Numbers('rad/s', 'Rate about the axle [rad/s]: about minus forward divided by radius.')
     yaw = Numbers('rad/s', "Rate about the wheelset's own z [rad/s].")
 
 
@@ -330,8 +330,8 @@ class Wrench(Record, name="wrench"):
 class WrenchDerivatives(Record, name="wrench_derivatives"):
     """Exact derivatives of the wrench. The rows are the members of force and moment."""
 
-    velocity = Numbers('N, N m over m/s, rad/s', 'By the members of kstrip_wheel_velocity [N, N m over m/s, rad/s].')
-    friction = Numbers('N, N m', 'By a factor on all coefficients of friction, at 1 [N, N m].')
+    velocity = Numbers('N, N m per m/s, rad/s', 'With respect to the members of kstrip_wheel_velocity [N, N m per m/s, rad/s].')
+    friction = Numbers('N, N m', 'With respect to a factor on all coefficients of friction, at 1 [N, N m].')
 
 
 class WheelWorkspace(Record, name="wheel_workspace"):
@@ -345,12 +345,12 @@ class WheelWorkspace(Record, name="wheel_workspace"):
 
 
 class WrenchByPosition(Record, name="wrench_by_position"):
-    """Derivatives of the wrench by the wheel's position at constant velocity: central differences of complete computations."""
+    """Derivatives of the wrench with respect to the wheel's position at constant velocity: central differences of complete computations."""
 
-    lateral = Numbers('N, N m over m', 'By the lateral position [N, N m over m].')
-    vertical = Numbers('N, N m over m', 'By the vertical position [N, N m over m].')
-    yaw = Numbers('N, N m over rad', 'By yaw [N, N m over rad].')
-    roll = Numbers('N, N m over rad', 'By roll [N, N m over rad].')
+    lateral = Numbers('N, N m per m', 'With respect to the lateral position [N, N m per m].')
+    vertical = Numbers('N, N m per m', 'With respect to the vertical position [N, N m per m].')
+    yaw = Numbers('N, N m per rad', 'With respect to yaw [N, N m per rad].')
+    roll = Numbers('N, N m per rad', 'With respect to roll [N, N m per rad].')
 
 
 class FrictionEstimate(Record, name="friction_estimate"):

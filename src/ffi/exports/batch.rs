@@ -20,8 +20,8 @@ use crate::ffi::support::*;
 /// @param options         for all contacts; NULL for the defaults.
 /// @param outputs         where the outputs go; they must not overlap the inputs or each other.
 /// @param[out] first_bad  receives the index of the first bad contact, or count where none is bad;
-///                        NULL: not wanted.
-/// @return KSTRIP_OK, the gravest warning, or the first error, as kstrip_evaluate();
+///                        NULL: not needed.
+/// @return KSTRIP_OK, the most serious warning, or the first error, as kstrip_evaluate();
 ///         KSTRIP_ERROR_STRIDE.
 #[unsafe(export_name = symbol!("kstrip_evaluate_batch"))]
 pub unsafe extern "C" fn kstrip_evaluate_batch(

@@ -30,7 +30,7 @@ pub extern "C" fn kstrip_material_combine(
 /// @param load            N [N]; not positive: the contact is lost, a = b = normal_force = 0.
 /// @param friction        coefficient of friction [-], >= 0.
 /// @param[out] contact    receives the contact.
-/// @param[out] ellipse    receives pressure, approach and shape; NULL: not wanted.
+/// @param[out] ellipse    receives pressure, approach and shape; NULL: not needed.
 /// @return KSTRIP_OK, KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_SEMI_AXIS, KSTRIP_WARNING_FRICTION,
 ///         KSTRIP_WARNING_RADIUS, KSTRIP_WARNING_MISMATCH, KSTRIP_WARNING_CONFORMAL;
 ///         KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
@@ -63,7 +63,7 @@ pub extern "C" fn kstrip_contact_from_hertz(
 /// @param friction        coefficient of friction [-], >= 0.
 /// @param[out] contact    receives the contact, with its load.
 /// @param[out] dload_dapproach  receives the contact stiffness dN/d(approach) [N/m]; NULL: not
-///                              wanted.
+///                              needed.
 /// @return as kstrip_contact_from_hertz().
 #[unsafe(export_name = symbol!("kstrip_contact_from_approach"))]
 pub extern "C" fn kstrip_contact_from_approach(

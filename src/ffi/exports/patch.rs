@@ -8,7 +8,7 @@ use crate::ffi::support::*;
 
 /// The patch of two profiles under a load, or at an approach.
 ///
-/// Zones of contact that are apart become lobes. The results are continuous in load, approach and
+/// Separate zones of contact become lobes. The results are continuous in load, approach and
 /// distances: a zone appears with zero width and zero load, grows, touches its neighbour and
 /// merges. The stiffness is the derivative of the computed load. The approach counts from the
 /// lowest point of the smoothed profile. It has a kink where another point becomes the lowest, and
@@ -21,7 +21,7 @@ use crate::ffi::support::*;
 /// @param profile         undeformed distance of the bodies at points in ascending y.
 /// @param contact         rolling radius, load or approach, material, friction, number of strips.
 /// @param[out] patch      receives the patch.
-/// @param[out] result     receives approach, peak pressure and load; NULL: not wanted.
+/// @param[out] result     receives approach, peak pressure and load; NULL: not needed.
 /// @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE,
 ///         KSTRIP_ERROR_PROFILE, KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_NORMAL_FORCE,
 ///         KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION,
@@ -78,7 +78,7 @@ pub unsafe extern "C" fn kstrip_patch_from_strips(
 /// kstrip_patch_evaluate() with KSTRIP_MODEL_STRIP gives the result of kstrip_solve() with that
 /// model and the same strip count: with eight strips or more to rounding, with four to 1 %. For the
 /// models of 1967 kstrip_solve() integrates over the whole ellipse in closed form, and a patch sums
-/// its strips: the forces differ by a part of what one strip carries.
+/// its strips: the forces differ by a part of the force of one strip.
 ///
 /// @param contact         the loaded contact.
 /// @param options         strip count; its model is checked and otherwise ignored. NULL for the
@@ -113,24 +113,24 @@ pub extern "C" fn kstrip_patch_summarize(
 
 /// Computes, for a patch in motion, every output that is not NULL. Forces act on the lower body.
 ///
-/// The creepage is that at the origin of the patch's coordinates, x = y = 0; a strip sees
-/// (longitudinal - spin y, lateral + spin centre_x), and moments are about the origin. |F| is at
-/// most the sum of friction times load over the strips. For KSTRIP_MODEL_STRIP an ellipse stands
-/// for the zone of a strip: the strips that no gap and no neck divides from it, with their load and
-/// their mean lengths, pressures and friction. The flexibilities of the strip are those of this
-/// ellipse. KSTRIP_MODEL_TOTAL takes the forces of these ellipses as they are. It is cheap and
+/// The creepage is that at the origin of the patch's coordinates, x = y = 0; the creepages of a
+/// strip are (longitudinal - spin y, lateral + spin centre_x), and moments are about the origin.
+/// |F| is at most the sum of friction times load over the strips. For KSTRIP_MODEL_STRIP an ellipse
+/// replaces the zone of a strip: the strips that no gap and no neck divides from it, with their
+/// load and their mean lengths, pressures and friction. The flexibilities of the strip are those of
+/// this ellipse. KSTRIP_MODEL_TOTAL takes the forces of these ellipses as they are. It is cheap and
 /// smooth, and has no strips and no share in adhesion.
 ///
 /// The forces of KSTRIP_MODEL_STRIP and KSTRIP_MODEL_TOTAL follow widths, gaps and necks without a
 /// jump, as long as all strips have one width or are narrower than it. The force of
-/// KSTRIP_MODEL_STRIP_1967 jumps, by up to what a strip carries, where a strip with spin stops
+/// KSTRIP_MODEL_STRIP_1967 jumps, by up to the force of one strip, where a strip with spin stops
 /// adhering; that of KSTRIP_MODEL_STRIP_1967_CONTINUOUS has a kink there.
 ///
-/// For the derivatives by load, all pressures grow by one factor; through Hertz, all lengths grow
-/// with the load's cube root as well. For the derivatives by friction, the friction of all strips
-/// grows by one factor, and the derivative is by its mean. If friction is given, the factor (1 -
-/// ratio) exp(-decay w) + ratio multiplies the friction of all strips, and the law's own
-/// coefficient is ignored. outputs->strips receives patch->count strips.
+/// For the derivatives with respect to load, all pressures grow by one factor; through Hertz, all
+/// lengths grow with the load's cube root as well. For those with respect to friction, the friction
+/// of all strips grows by one factor, and the derivative is that with respect to its mean. If
+/// friction is given, the factor (1 - ratio) exp(-decay w) + ratio multiplies the friction of all
+/// strips, and the law's own coefficient is ignored. outputs->strips receives patch->count strips.
 ///
 /// @param patch           the patch.
 /// @param creepage        motion at the origin.

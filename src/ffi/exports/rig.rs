@@ -1,4 +1,4 @@
-//! Test rigs: friction from a measured force, creepage from a wanted one.
+//! Test rigs: friction from a measured force, creepage from a requested one.
 
 use super::F;
 use crate::ffi::rig::*;
@@ -55,12 +55,12 @@ pub extern "C" fn kstrip_estimate_friction(
     })
 }
 
-/// The creepage at which a contact with a given spin carries a wanted force.
+/// The creepage at which a contact with a given spin carries a requested force.
 ///
 /// The search mostly needs five solutions with derivatives. Of ten thousand plausible contacts
-/// about one needs more than 12 (14 with KSTRIP_MODEL_STRIP_1967, whose force jumps). The wanted
-/// forces of these contacts are near friction times load, where the force turns back before it
-/// grows on. The search ends after 40 with KSTRIP_WARNING_NOT_CONVERGED and the creepage that comes
+/// about one needs more than 12 (14 with KSTRIP_MODEL_STRIP_1967, whose force jumps). The requested
+/// forces of these contacts are near friction times load, where the force falls before it grows
+/// further. The search ends after 40 with KSTRIP_WARNING_NOT_CONVERGED and the creepage that comes
 /// nearest; a force within a jump of STRIP_1967 has no creepage, which happens to seven of a
 /// thousand forces with spin. Where spin keeps the force from growing with the creepage, more than
 /// one creepage may give the force; the result is one of them. A force within 0.1 % of friction
@@ -69,7 +69,7 @@ pub extern "C" fn kstrip_estimate_friction(
 /// at any creepage; the result is zero.
 ///
 /// @param contact         ellipse, load, material, friction.
-/// @param fx, fy          wanted force on the lower body [N].
+/// @param fx, fy          requested force on the lower body [N].
 /// @param spin            given spin [1/m].
 /// @param options         model and strip count; NULL for the defaults.
 /// @param[out] creepage   receives the creepages, and the given spin.

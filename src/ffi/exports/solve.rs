@@ -102,10 +102,10 @@ pub extern "C" fn kstrip_solve_prepared(
     solved(result, || given(prepared)?.solve(given(creepage)?))
 }
 
-/// Forces of a contact that rolls forward, backward, or not at all, with derivatives by its motion:
-/// for wheels that stop, hold and reverse.
+/// Forces of a contact that rolls forward, backward, or not at all, with derivatives with respect
+/// to its motion: for wheels that stop, hold and reverse.
 ///
-/// The creepages are slip over sqrt(rolling_speed^2 + floor_speed^2). Far from standstill the
+/// The creepages are slip divided by sqrt(rolling_speed^2 + floor_speed^2). Far from standstill the
 /// leading edge of the patch lies ahead, in the direction of the motion. Near standstill the
 /// results of both directions are blended, so that forces and derivatives are continuous. Friction
 /// opposes the slip at every speed. The axis x keeps its direction when the motion reverses.

@@ -54,7 +54,7 @@ pub unsafe extern "C" fn kstrip_prepare_profile(
 /// @param reach           distance from the rail above which points are left out [m]; 0: 2 mm.
 /// @param[out] gap        receives the points.
 /// @param[out] least      receives their least distance [m]: negative where the surfaces overlap,
-///                        and reach where no point is nearer; NULL: not wanted.
+///                        and reach where no point is nearer; NULL: not needed.
 /// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NOT_PREPARED,
 ///         KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_PROFILE_END (the wheel is beside the rail).
 #[unsafe(export_name = symbol!("kstrip_touch"))]
@@ -115,8 +115,8 @@ pub unsafe extern "C" fn kstrip_contacts_from_gap(
     })
 }
 
-/// How the wheel moves over the rail at a contact: slip, spin rate and rolling speed. They are the
-/// input of kstrip_solve_motion(). Slip and spin rate divided by the rolling speed are the
+/// Motion of the wheel relative to the rail at a contact: slip, spin rate and rolling speed. They
+/// are the input of kstrip_solve_motion(). Slip and spin rate divided by the rolling speed are the
 /// creepages of kstrip_patch_evaluate(). The motion is linear in the velocity.
 ///
 /// @param contact         a contact.
@@ -146,7 +146,8 @@ pub extern "C" fn kstrip_wheel_motion(
 /// @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL:
 ///                        constant.
 /// @param[out] wrench     receives force and moment.
-/// @param[out] derivatives  receives their derivatives by velocity and friction; NULL: not wanted.
+/// @param[out] derivatives  receives their derivatives with respect to velocity and friction; NULL: not
+///                          needed.
 /// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE or a status of kstrip_patch_evaluate();
 ///         KSTRIP_ERROR_PATCH_SIZE.
 #[unsafe(export_name = symbol!("kstrip_wrench_from_contacts"))]
@@ -190,11 +191,11 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
 ///                        constant.
 /// @param workspace       memory that may hold anything; receives gap and contacts.
 /// @param[out] wrench     receives force and moment.
-/// @param[out] derivatives  receives their exact derivatives by velocity and friction; NULL: not
-///                          wanted.
-/// @param[out] by_position  receives their derivatives by the position: central differences of 1 um
-///                        and 1 urad (15 in single precision), eight times the cost of a call;
-///                        NULL: not wanted.
+/// @param[out] derivatives  receives their exact derivatives with respect to velocity and friction;
+///                          NULL: not needed.
+/// @param[out] by_position  receives their derivatives with respect to position: central
+///                        differences of 1 um and 1 urad (15 in single precision), eight times the
+///                        cost of a call; NULL: not needed.
 /// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE, or a status of one of these functions.
 #[unsafe(export_name = symbol!("kstrip_wheel_on_rail"))]
 pub extern "C" fn kstrip_wheel_on_rail(
@@ -229,7 +230,7 @@ pub extern "C" fn kstrip_wheel_on_rail(
 ///
 /// @param rail, wheel, pair  as in kstrip_wheel_on_rail().
 /// @param position        where the wheel is; its vertical member is where the search begins.
-/// @param support         wanted upward force of the rail on the wheel [N], > 0.
+/// @param support         requested upward force of the rail on the wheel [N], > 0.
 /// @param velocity        how the wheel moves; its creep forces carry a part of the load. NULL: the
 ///                        pressure carries all of it.
 /// @param friction        as in kstrip_wheel_on_rail().
