@@ -219,6 +219,15 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_SMOOTHING_LENGTH -47
 /** Error: no line follows the points of a profile, because they scatter or turn back too far. */
 #define KSTRIP_ERROR_SCATTER -48
+/** Error: a gauge, a place of a rail or a distance of wheels is missing or negative. */
+#define KSTRIP_ERROR_GAUGE -60
+/** Error: no position of the wheelset balances the loads while both wheels touch. */
+#define KSTRIP_ERROR_WHEEL_LIFTED -61
+/**
+ * Error: no wave has this amplitude: it is not positive or beyond the shifts, or the radii do not
+ * bring the wheelset back.
+ */
+#define KSTRIP_ERROR_CONICITY -62
 
 /**
  * Text in English with the meaning of a status and what the caller must change.
@@ -1884,6 +1893,305 @@ kstrip_status kstrip_height_for_load(const struct kstrip_surface *rail,
                                      const struct kstrip_friction *friction,
                                      struct kstrip_wheel_workspace *workspace,
                                      double *vertical);
+
+/** @} */
+
+/**
+ * @defgroup kstrip_wheelset The wheelset: two wheels on two rails
+ * @{
+ */
+
+/**
+ * Freedoms of a wheelset on two rails: the members of kstrip_wheel_velocity (forward, lateral,
+ * vertical, roll, pitch, yaw), then lateral and vertical of the right rail, and lateral and
+ * vertical of the left one.
+ */
+#define KSTRIP_WHEELSET_FREEDOMS 10
+
+/**
+ * The gauge face of a rail: the least y of its profile down to a depth below its top. kstrip_track
+ * uses it to find the rail's origin, which lies half the gauge minus this y from the middle of the
+ * track.
+ *
+ * @param rail            prepared profile of a rail.
+ * @param depth           depth below the top of the rail [m], >= 0; 0: 14 mm.
+ * @param[out] face       receives y of the gauge face from the rail's origin [m]; negative.
+ * @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END (the profile ends above the depth);
+ *         KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NOT_PREPARED,
+ *         KSTRIP_ERROR_GAUGE (depth).
+ */
+kstrip_status kstrip_gauge_face(const struct kstrip_surface *rail, double depth, double *face);
+
+/** A curve that a vehicle runs through: the axes of the track move forward and turn with it. */
+typedef struct kstrip_curve {
+    /** Speed along the middle of the track, at the height of the wheelset's centre [m/s]. */
+    double speed;
+    /** One over the radius of the curve [1/m]: positive to the right, 0: straight. */
+    double curvature;
+    /**
+     * Angle of cant [rad]: positive where the right rail is lower, between -1 and 1. In a curve
+     * to the right it is positive.
+     */
+    double cant;
+    /** Acceleration of gravity [m/s^2]; 0: 9.80665. */
+    double gravity;
+} kstrip_curve;
+
+/**
+ * Motion and weight in a curve. The axes of the track run along the curve with its speed, and turn
+ * with it; over the momentary track, which is at rest, a body therefore has this motion and its
+ * own. Use it before kstrip_wheelset_on_track() and for the weight of every body.
+ *
+ * @param curve           speed, curvature, cant.
+ * @param position        where the body is in the axes of the track; vertical is not used.
+ * @param relative        how the body moves in these axes; forward beyond the speed of the curve.
+ * @param[out] velocity   receives the velocity over the momentary track.
+ * @param[out] weight     receives three numbers: weight per mass, the centrifugal part included,
+ *                        forward, lateral, vertical [m/s^2]. At balance speed its lateral part is
+ *                        zero. NULL: not wanted.
+ * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE_END (yaw,
+ *         roll or cant of 1 or more).
+ */
+kstrip_status kstrip_curve_motion(const struct kstrip_curve *curve,
+                                  const struct kstrip_wheel_position *position,
+                                  const struct kstrip_wheel_velocity *relative,
+                                  struct kstrip_wheel_velocity *velocity,
+                                  double *weight);
+
+/** A wheelset: two wheels on an axle. Number 0 is the right wheel, number 1 the left one. */
+typedef struct kstrip_wheelset {
+    /** Prepared profiles, both of a right wheel: right, left; left NULL: as the right one. */
+    const struct kstrip_surface *wheel[2];
+    /**
+     * Friction that falls with the slip, as in kstrip_patch_evaluate(): right, left; NULL:
+     * constant.
+     */
+    const struct kstrip_friction *friction[2];
+    /**
+     * Radius, materials, friction and options of each wheel; where the left wheel_radius is 0 all
+     * of the right one holds for the left one. The member left is not used.
+     */
+    struct kstrip_wheel_pair pair[2];
+    /**
+     * Distance of the backs of the flanges [m], 1.360 for standard gauge; not used where
+     * running_circles is given.
+     */
+    double back_to_back;
+    /**
+     * Distance of the running circles, which are at y = 0 of the wheels' profiles [m]; 0:
+     * back_to_back and twice 70 mm.
+     */
+    double running_circles;
+} kstrip_wheelset;
+
+/**
+ * Displacement and velocity of a rail: irregularities of the track, or the motion of a flexible
+ * rail. Axes of the track.
+ */
+typedef struct kstrip_rail_motion {
+    /** Displacement to the right [m]. */
+    double lateral;
+    /** Displacement downward [m]. */
+    double vertical;
+    /** Velocity to the right [m/s]. */
+    double lateral_velocity;
+    /** Velocity downward [m/s]. */
+    double vertical_velocity;
+} kstrip_rail_motion;
+
+/**
+ * A track: two rails, and where they are. Axes: x forward, y to the right, z down; the middle of
+ * the track is midway between the gauge faces. Cant and inclination of the track are those of
+ * these axes; the inclination of the rails is in their profiles. Number 0 is the right side,
+ * number 1 the left side.
+ */
+typedef struct kstrip_track {
+    /** Prepared profiles, both of a right rail: right, left; left NULL: as the right one. */
+    const struct kstrip_surface *rail[2];
+    /**
+     * Gauge [m]: distance of the gauge faces, 1.435 for standard gauge; not used where both
+     * origins are given.
+     */
+    double gauge;
+    /** Depth below the top of the rails down to which the gauge is measured [m], >= 0; 0: 14 mm. */
+    double gauge_depth;
+    /**
+     * Distances of the rails' origins from the middle of the track [m], >= 0: right, left; 0: from
+     * the gauge.
+     */
+    double origin[2];
+    /** Displacements and velocities of the rails, right and left: irregularities, flexible rails. */
+    struct kstrip_rail_motion motion[2];
+} kstrip_track;
+
+/**
+ * Memory of the caller for the computation of a wheelset: that of the right wheel and that of the
+ * left one. It may hold anything before a call. After KSTRIP_OK or a warning it holds gap and
+ * contacts of both wheels.
+ */
+typedef struct kstrip_wheelset_workspace {
+    /** Right, left. */
+    struct kstrip_wheel_workspace wheel[2];
+} kstrip_wheelset_workspace;
+
+/** Forces on a wheelset, on each wheel, and on each rail. */
+typedef struct kstrip_wheelset_forces {
+    /**
+     * Force on the wheelset [N], axes of the track, and moment about its centre [N m], its own
+     * axes; sums of dissipation, loads, contacts.
+     */
+    struct kstrip_wrench wrench;
+    /** Force and moment on the right and on the left wheel, about the wheel's centre. */
+    struct kstrip_wrench wheel[2];
+    /**
+     * Force on the right and on the left rail [N], axes of the track: forward, lateral (Y, to
+     * the right), vertical (Q, down).
+     */
+    double rail[2][3];
+} kstrip_wheelset_forces;
+
+/**
+ * Exact derivatives of the forces on a wheelset and its two rails by the velocities. Rows are the
+ * ten forces: force and moment on the wheelset, then lateral and vertical force on the right rail
+ * and on the left rail. Columns are the ten freedoms (KSTRIP_WHEELSET_FREEDOMS).
+ */
+typedef struct kstrip_wheelset_derivatives {
+    /** By the velocities [N, N m over m/s, rad/s]. */
+    double velocity[KSTRIP_WHEELSET_FREEDOMS][KSTRIP_WHEELSET_FREEDOMS];
+    /** By a factor on all coefficients of friction, at 1 [N, N m]. */
+    double friction[KSTRIP_WHEELSET_FREEDOMS];
+} kstrip_wheelset_derivatives;
+
+/** Derivatives of the same ten forces by the positions of the ten freedoms, at constant velocities. */
+typedef struct kstrip_wheelset_by_position {
+    /** By the positions [N, N m over m, rad]; the columns of forward and pitch are zero. */
+    double position[KSTRIP_WHEELSET_FREEDOMS][KSTRIP_WHEELSET_FREEDOMS];
+} kstrip_wheelset_by_position;
+
+/**
+ * Forces on a wheelset and its rails: two wheels, two rails, one call.
+ *
+ * The position is that of the wheelset's centre, in the axes of the track: lateral from the middle
+ * of the track, vertical below the place where the centre is the mean of both wheel radii above
+ * the rails' origins. The velocity is that of the centre over the momentary track, with rates
+ * about the wheelset's own axes; in a curve kstrip_curve_motion() gives it. Forces are continuous
+ * as in kstrip_wheel_on_rail(). The forces times the ten velocities are minus the dissipation and
+ * minus the power that goes into the pressure.
+ *
+ * @param set             wheels, materials, friction, distance of the wheels.
+ * @param track           rails, gauge, displacements and velocities of the rails.
+ * @param position        where the wheelset's centre is, its yaw and its roll.
+ * @param velocity        how it moves.
+ * @param workspace       memory that may hold anything; receives gap and contacts of both wheels.
+ * @param[out] forces     receives the wrench on the wheelset and on each wheel, and the force on
+ *                        each rail.
+ * @param[out] derivatives  receives exact derivatives by the ten velocities and by friction; NULL:
+ *                        not wanted.
+ * @param[out] by_position  receives derivatives by the ten positions, as exact as those of
+ *                        kstrip_wheel_on_rail(); NULL: not wanted.
+ * @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END (a rail ends above the depth of the gauge) or a
+ *         status of kstrip_wheel_on_rail(); KSTRIP_ERROR_GAUGE (neither a gauge nor the rails'
+ *         origins, or no distance of the wheels).
+ */
+kstrip_status kstrip_wheelset_on_track(const struct kstrip_wheelset *set,
+                                       const struct kstrip_track *track,
+                                       const struct kstrip_wheel_position *position,
+                                       const struct kstrip_wheel_velocity *velocity,
+                                       struct kstrip_wheelset_workspace *workspace,
+                                       struct kstrip_wheelset_forces *forces,
+                                       struct kstrip_wheelset_derivatives *derivatives,
+                                       struct kstrip_wheelset_by_position *by_position);
+
+/** Loads on a wheelset that does not accelerate: what the vehicle and gravity do to it. */
+typedef struct kstrip_wheelset_loads {
+    /** Downward force at the wheelset's centre [N], its weight included, > 0. */
+    double vertical;
+    /** Moment about the wheelset's x axis [N m]: positive from y to z, onto the right rail. */
+    double roll;
+    /**
+     * Torque about the axle [N m], in the sense of the pitch rate: negative where it drives
+     * forward.
+     */
+    double pitch;
+} kstrip_wheelset_loads;
+
+/**
+ * A wheelset in balance: height, roll and pitch rate at which its rails carry given loads, at
+ * given lateral position, yaw and speed. Use it to begin a run, and for tables. Newton's method
+ * with at most 40 steps.
+ *
+ * @param set, track      as in kstrip_wheelset_on_track().
+ * @param start           lateral and yaw; vertical and roll are where the search begins.
+ * @param velocity        how the wheelset moves; its pitch is not used.
+ * @param loads           downward force, roll moment and torque about the axle that act on the
+ *                        wheelset.
+ * @param workspace       memory that may hold anything; receives gap and contacts of both wheels.
+ * @param[out] position   receives the position.
+ * @param[out] moves      receives the velocity, with the pitch rate.
+ * @param[out] forces     receives the forces there; NULL: not wanted.
+ * @return as kstrip_wheelset_on_track(); KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_NORMAL_FORCE
+ *         (the load is not positive), KSTRIP_ERROR_WHEEL_LIFTED (the roll moment lifts a wheel),
+ *         KSTRIP_ERROR_FORCE_BEYOND_FRICTION (friction does not carry the torque).
+ */
+kstrip_status kstrip_wheelset_settle(const struct kstrip_wheelset *set,
+                                     const struct kstrip_track *track,
+                                     const struct kstrip_wheel_position *start,
+                                     const struct kstrip_wheel_velocity *velocity,
+                                     const struct kstrip_wheelset_loads *loads,
+                                     struct kstrip_wheelset_workspace *workspace,
+                                     struct kstrip_wheel_position *position,
+                                     struct kstrip_wheel_velocity *moves,
+                                     struct kstrip_wheelset_forces *forces);
+
+/**
+ * The difference of the rolling radii, right minus left, over the lateral shift of a rigid
+ * wheelset that touches both rails without yaw.
+ *
+ * @param set, track      as in kstrip_wheelset_on_track(); the motion of the rails counts with its
+ *                        displacements.
+ * @param shifts, count   lateral positions of the wheelset [m].
+ * @param with_roll       0: without roll, as EN 15302 has it; any other number: with the roll that
+ *                        the wheelset has on both rails.
+ * @param workspace       memory that may hold anything.
+ * @param[out] differences  array of count elements; receives the differences [m]. (After an error
+ *                        some may have been written.)
+ * @return KSTRIP_OK or an error of kstrip_wheelset_on_track().
+ */
+kstrip_status kstrip_rolling_radius_difference(const struct kstrip_wheelset *set,
+                                               const struct kstrip_track *track,
+                                               const double *shifts,
+                                               uint32_t count,
+                                               int32_t with_roll,
+                                               struct kstrip_wheelset_workspace *workspace,
+                                               double *differences);
+
+/**
+ * Equivalent conicity after EN 15302: the conicity of the coned wheelset whose motion has the same
+ * wave length. It comes from the motion of a free wheelset over half a wave, with differences of
+ * the rolling radii that kstrip_rolling_radius_difference() or a measurement gives.
+ *
+ * @param shifts, differences, count  lateral shifts [m], ascending, and differences of the rolling
+ *                        radii, right minus left [m]; at least 2, straight between them.
+ * @param running_circles  distance of the running circles [m], > 0, about 1.5.
+ * @param wheel_radius    radius of the wheels [m], > 0.
+ * @param amplitudes, number  amplitudes of the motion [m], > 0.
+ * @param[out] conicities   array of number elements; receives the conicities [-].
+ * @param[out] wave_lengths  array of number elements; receives the wave lengths [m]; NULL: not
+ *                        wanted.
+ * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (too few
+ *         shifts, or they do not ascend), KSTRIP_ERROR_GAUGE, KSTRIP_ERROR_ROLLING_RADIUS,
+ *         KSTRIP_ERROR_CONICITY (an amplitude is not positive or beyond the shifts, or the radii
+ *         do not bring the wheelset back).
+ */
+kstrip_status kstrip_equivalent_conicity(const double *shifts,
+                                         const double *differences,
+                                         uint32_t count,
+                                         double running_circles,
+                                         double wheel_radius,
+                                         const double *amplitudes,
+                                         uint32_t number,
+                                         double *conicities,
+                                         double *wave_lengths);
 
 /** @} */
 

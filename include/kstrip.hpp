@@ -100,6 +100,9 @@ enum class [[nodiscard]] status : std::int32_t {
     error_rolling_radius = KSTRIP_ERROR_ROLLING_RADIUS,
     error_smoothing_length = KSTRIP_ERROR_SMOOTHING_LENGTH,
     error_scatter = KSTRIP_ERROR_SCATTER,
+    error_gauge = KSTRIP_ERROR_GAUGE,
+    error_wheel_lifted = KSTRIP_ERROR_WHEEL_LIFTED,
+    error_conicity = KSTRIP_ERROR_CONICITY,
 };
 
 constexpr bool is_error(status s) noexcept { return static_cast<std::int32_t>(s) < 0; }
@@ -1495,6 +1498,150 @@ basic_metres<T> height_for_load(const basic_surface<T> &rail, const basic_surfac
                                 const detail::only<basic_friction<T>> *law = nullptr)
 KSTRIP_HPP_THROWING(basic_metres<T>, height_for_load, rail, wheel, both, where, support, moves, law, workspace, to)
 #endif
+
+// ---- The wheelset: two wheels on two rails -----------------------------------------------------
+
+inline constexpr std::uint32_t wheelset_freedoms = KSTRIP_WHEELSET_FREEDOMS;
+
+/// Displacement and velocity of a rail.
+template <class T>
+struct basic_rail_motion {
+    basic_metres<T> lateral{}, vertical{};
+    basic_metres_per_second<T> lateral_velocity{}, vertical_velocity{};
+};
+KSTRIP_HPP_BOTH(rail_motion)
+
+/// Two rails: right, left. A left profile that is null is as the right one; origins that are 0 follow from the gauge.
+template <class T>
+struct basic_track {
+    const basic_surface<T> *rail[2] = {};
+    basic_metres<T> gauge{}, gauge_depth{};
+    basic_metres<T> origin[2]{};
+    basic_rail_motion<T> motion[2]{};
+};
+KSTRIP_HPP_BOTH(track)
+
+/// A curve: positive curvature to the right, positive cant where the right rail is lower.
+template <class T>
+struct basic_curve {
+    basic_metres_per_second<T> speed{};
+    basic_per_metre<T> curvature{};
+    basic_radians<T> cant{};
+    T gravity{}; ///< m/s^2; 0: 9.80665
+};
+KSTRIP_HPP_BOTH(curve)
+
+/// Two wheels: right, left. A left wheel whose profile is null, or whose radius is 0, is as the right one.
+template <class T>
+struct basic_wheelset {
+    const basic_surface<T> *wheel[2] = {};
+    const basic_friction<T> *friction[2] = {}; ///< null: constant
+    basic_wheel_pair<T> pair[2]{};
+    basic_metres<T> back_to_back{}, running_circles{};
+};
+KSTRIP_HPP_BOTH(wheelset)
+
+template <class T>
+struct basic_wheelset_workspace {
+    basic_wheel_workspace<T> wheel[2];
+};
+KSTRIP_HPP_BOTH(wheelset_workspace)
+
+template <class T>
+struct basic_wheelset_forces {
+    basic_wrench<T> wrench, wheel[2];
+    basic_newtons<T> rail[2][3]; ///< forward, lateral (Y), vertical (Q)
+};
+KSTRIP_HPP_BOTH(wheelset_forces)
+
+template <class T>
+struct basic_wheelset_derivatives {
+    T velocity[wheelset_freedoms][wheelset_freedoms];
+    T friction[wheelset_freedoms];
+};
+KSTRIP_HPP_BOTH(wheelset_derivatives)
+
+template <class T>
+struct basic_wheelset_by_position {
+    T position[wheelset_freedoms][wheelset_freedoms];
+};
+KSTRIP_HPP_BOTH(wheelset_by_position)
+
+/// What the vehicle and gravity do to the wheelset.
+template <class T>
+struct basic_wheelset_loads {
+    basic_newtons<T> vertical{};
+    basic_newton_metres<T> roll{}, pitch{};
+};
+KSTRIP_HPP_BOTH(wheelset_loads)
+
+/// `depth` 0: 14 mm.
+template <class T>
+status gauge_face(const basic_surface<T> &rail, detail::only<basic_metres<T>> depth, basic_metres<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_gauge_face, &rail, depth, &to);
+}
+
+/// `weight`: three numbers [m/s^2]; null: not wanted.
+template <class T>
+status curve_motion(const basic_curve<T> &through, const basic_wheel_position<T> &where,
+                    const basic_wheel_velocity<T> &relative, basic_wheel_velocity<T> &to,
+                    detail::only<T> *weight = nullptr) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_curve_motion, &through, &where, &relative, &to, weight);
+}
+
+/// `slopes`, `by_position`: null where they are not wanted.
+template <class T>
+status wheelset_on_track(const basic_wheelset<T> &set, const basic_track<T> &rails, const basic_wheel_position<T> &where,
+                         const basic_wheel_velocity<T> &moves, basic_wheelset_workspace<T> &workspace,
+                         basic_wheelset_forces<T> &to, detail::only<basic_wheelset_derivatives<T>> *slopes = nullptr,
+                         detail::only<basic_wheelset_by_position<T>> *by_position = nullptr) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_wheelset_on_track, &set, &rails, &where, &moves, &workspace, &to, slopes,
+                           by_position);
+}
+
+/// `to_forces`: null where they are not wanted.
+template <class T>
+status wheelset_settle(const basic_wheelset<T> &set, const basic_track<T> &rails, const basic_wheel_position<T> &start,
+                       const basic_wheel_velocity<T> &moves, const basic_wheelset_loads<T> &loads,
+                       basic_wheelset_workspace<T> &workspace, basic_wheel_position<T> &to,
+                       basic_wheel_velocity<T> &to_moves,
+                       detail::only<basic_wheelset_forces<T>> *to_forces = nullptr) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_wheelset_settle, &set, &rails, &start, &moves, &loads, &workspace, &to,
+                           &to_moves, to_forces);
+}
+
+/// Returns error_capacity where the arrays have different sizes.
+template <class T>
+status rolling_radius_difference(const basic_wheelset<T> &set, const basic_track<T> &rails,
+                                 detail::only<span<const basic_metres<T>>> shifts, bool with_roll,
+                                 basic_wheelset_workspace<T> &workspace,
+                                 detail::only<span<basic_metres<T>>> to) noexcept
+{
+    if (shifts.size() != to.size() || !detail::fits(shifts.size()))
+        return status::error_capacity;
+    return KSTRIP_HPP_CALL(kstrip_rolling_radius_difference, &set, &rails, shifts.data(),
+                           detail::capacity(shifts.size()), with_roll ? 1 : 0, &workspace, to.data());
+}
+
+/// `lengths`: as many as there are amplitudes; null: not wanted. Returns error_capacity where arrays have different
+/// sizes.
+template <class T>
+status equivalent_conicity(detail::only<span<const basic_metres<T>>> shifts,
+                           detail::only<span<const basic_metres<T>>> differences, basic_metres<T> running_circles,
+                           basic_metres<T> wheel_radius, detail::only<span<const basic_metres<T>>> amplitudes,
+                           detail::only<span<T>> to, detail::only<basic_metres<T>> *lengths = nullptr) noexcept
+{
+    if (shifts.size() != differences.size() || amplitudes.size() != to.size() || !detail::fits(shifts.size()) ||
+        !detail::fits(to.size()))
+        return status::error_capacity;
+    return KSTRIP_HPP_CALL(kstrip_equivalent_conicity, shifts.data(), differences.data(),
+                           detail::capacity(shifts.size()), running_circles, wheel_radius, amplitudes.data(),
+                           detail::capacity(to.size()), to.data(), lengths);
+}
 
 // ---- Test rigs: friction from a force, creepage from a force ----------------------------------
 

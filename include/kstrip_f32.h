@@ -749,6 +749,146 @@ kstrip_status kstrip_height_for_load_f32(const struct kstrip_surface_f32 *rail,
 /** @} */
 
 /**
+ * @defgroup kstrip_wheelset_f32 The wheelset: two wheels on two rails
+ * @{
+ */
+
+/** kstrip_gauge_face() in single precision. */
+kstrip_status kstrip_gauge_face_f32(const struct kstrip_surface_f32 *rail,
+                                    float depth,
+                                    float *face);
+
+/** A curve that a vehicle runs through: the axes of the track move forward and turn with it. */
+typedef struct kstrip_curve_f32 {
+    float speed;
+    float curvature;
+    float cant;
+    float gravity;
+} kstrip_curve_f32;
+
+/** kstrip_curve_motion() in single precision. */
+kstrip_status kstrip_curve_motion_f32(const struct kstrip_curve_f32 *curve,
+                                      const struct kstrip_wheel_position_f32 *position,
+                                      const struct kstrip_wheel_velocity_f32 *relative,
+                                      struct kstrip_wheel_velocity_f32 *velocity,
+                                      float *weight);
+
+/** A wheelset: two wheels on an axle. Number 0 is the right wheel, number 1 the left one. */
+typedef struct kstrip_wheelset_f32 {
+    const struct kstrip_surface_f32 *wheel[2];
+    const struct kstrip_friction_f32 *friction[2];
+    struct kstrip_wheel_pair_f32 pair[2];
+    float back_to_back;
+    float running_circles;
+} kstrip_wheelset_f32;
+
+/**
+ * Displacement and velocity of a rail: irregularities of the track, or the motion of a flexible
+ * rail. Axes of the track.
+ */
+typedef struct kstrip_rail_motion_f32 {
+    float lateral;
+    float vertical;
+    float lateral_velocity;
+    float vertical_velocity;
+} kstrip_rail_motion_f32;
+
+/**
+ * A track: two rails, and where they are. Axes: x forward, y to the right, z down; the middle of
+ * the track is midway between the gauge faces. Cant and inclination of the track are those of
+ * these axes; the inclination of the rails is in their profiles. Number 0 is the right side,
+ * number 1 the left side.
+ */
+typedef struct kstrip_track_f32 {
+    const struct kstrip_surface_f32 *rail[2];
+    float gauge;
+    float gauge_depth;
+    float origin[2];
+    struct kstrip_rail_motion_f32 motion[2];
+} kstrip_track_f32;
+
+/**
+ * Memory of the caller for the computation of a wheelset: that of the right wheel and that of the
+ * left one. It may hold anything before a call. After KSTRIP_OK or a warning it holds gap and
+ * contacts of both wheels.
+ */
+typedef struct kstrip_wheelset_workspace_f32 {
+    struct kstrip_wheel_workspace_f32 wheel[2];
+} kstrip_wheelset_workspace_f32;
+
+/** Forces on a wheelset, on each wheel, and on each rail. */
+typedef struct kstrip_wheelset_forces_f32 {
+    struct kstrip_wrench_f32 wrench;
+    struct kstrip_wrench_f32 wheel[2];
+    float rail[2][3];
+} kstrip_wheelset_forces_f32;
+
+/**
+ * Exact derivatives of the forces on a wheelset and its two rails by the velocities. Rows are the
+ * ten forces: force and moment on the wheelset, then lateral and vertical force on the right rail
+ * and on the left rail. Columns are the ten freedoms (KSTRIP_WHEELSET_FREEDOMS).
+ */
+typedef struct kstrip_wheelset_derivatives_f32 {
+    float velocity[KSTRIP_WHEELSET_FREEDOMS][KSTRIP_WHEELSET_FREEDOMS];
+    float friction[KSTRIP_WHEELSET_FREEDOMS];
+} kstrip_wheelset_derivatives_f32;
+
+/** Derivatives of the same ten forces by the positions of the ten freedoms, at constant velocities. */
+typedef struct kstrip_wheelset_by_position_f32 {
+    float position[KSTRIP_WHEELSET_FREEDOMS][KSTRIP_WHEELSET_FREEDOMS];
+} kstrip_wheelset_by_position_f32;
+
+/** kstrip_wheelset_on_track() in single precision. */
+kstrip_status kstrip_wheelset_on_track_f32(const struct kstrip_wheelset_f32 *set,
+                                           const struct kstrip_track_f32 *track,
+                                           const struct kstrip_wheel_position_f32 *position,
+                                           const struct kstrip_wheel_velocity_f32 *velocity,
+                                           struct kstrip_wheelset_workspace_f32 *workspace,
+                                           struct kstrip_wheelset_forces_f32 *forces,
+                                           struct kstrip_wheelset_derivatives_f32 *derivatives,
+                                           struct kstrip_wheelset_by_position_f32 *by_position);
+
+/** Loads on a wheelset that does not accelerate: what the vehicle and gravity do to it. */
+typedef struct kstrip_wheelset_loads_f32 {
+    float vertical;
+    float roll;
+    float pitch;
+} kstrip_wheelset_loads_f32;
+
+/** kstrip_wheelset_settle() in single precision. */
+kstrip_status kstrip_wheelset_settle_f32(const struct kstrip_wheelset_f32 *set,
+                                         const struct kstrip_track_f32 *track,
+                                         const struct kstrip_wheel_position_f32 *start,
+                                         const struct kstrip_wheel_velocity_f32 *velocity,
+                                         const struct kstrip_wheelset_loads_f32 *loads,
+                                         struct kstrip_wheelset_workspace_f32 *workspace,
+                                         struct kstrip_wheel_position_f32 *position,
+                                         struct kstrip_wheel_velocity_f32 *moves,
+                                         struct kstrip_wheelset_forces_f32 *forces);
+
+/** kstrip_rolling_radius_difference() in single precision. */
+kstrip_status kstrip_rolling_radius_difference_f32(const struct kstrip_wheelset_f32 *set,
+                                                   const struct kstrip_track_f32 *track,
+                                                   const float *shifts,
+                                                   uint32_t count,
+                                                   int32_t with_roll,
+                                                   struct kstrip_wheelset_workspace_f32 *workspace,
+                                                   float *differences);
+
+/** kstrip_equivalent_conicity() in single precision. */
+kstrip_status kstrip_equivalent_conicity_f32(const float *shifts,
+                                             const float *differences,
+                                             uint32_t count,
+                                             float running_circles,
+                                             float wheel_radius,
+                                             const float *amplitudes,
+                                             uint32_t number,
+                                             float *conicities,
+                                             float *wave_lengths);
+
+/** @} */
+
+/**
  * @defgroup kstrip_rig_f32 Test rigs: friction from a force, creepage from a force
  * @{
  */

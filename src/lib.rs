@@ -19,7 +19,7 @@
 //! 5. [`friction`]: friction that falls with the slip. [`motion`]: rolling forward, backward, and
 //!    standstill. [`rig`]: from a measured force to friction, from a wanted force to creepage.
 //! 6. [`patch`]: a patch of any shape as its strips. [`wheel_rail`]: from two profiles and a
-//!    position to the force and the moment on a wheel.
+//!    position to the force and the moment on a wheel. [`wheelset`]: two wheels on two rails.
 //! 7. [`number`]: the types of number that the formulas are written in. [`numerics`]: interpolation
 //!    and root searches. [`ffi`]: the functions for C (`include/kstrip.h`).
 //!
@@ -80,6 +80,7 @@ pub mod strip;
 pub mod strip_1967;
 pub mod total;
 pub mod wheel_rail;
+pub mod wheelset;
 
 /// A library without `std` needs a panic handler; nothing reaches it.
 #[cfg(all(feature = "panic-handler", panic = "abort"))]

@@ -104,6 +104,14 @@ statuses! {
         Scatter = -48:
             "the points of a profile scatter or turn back so far that no line follows them: pass \
              them in their order along the profile",
+        Gauge = -60:
+            "the track has neither a gauge nor places of its rails, or the wheelset no distance of \
+             its wheels: they must be > 0 (metres)",
+        WheelLifted = -61:
+            "no position of the wheelset balances the loads while both wheels touch: a wheel lifts",
+        Conicity = -62:
+            "no wave of this amplitude: it must be > 0 (metres), within the shifts, and the radii \
+             must bring the wheelset back to the middle",
     }
 }
 

@@ -66,6 +66,9 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_error_rolling_radius = -46
    integer(c_int32_t), parameter :: kstrip_error_smoothing_length = -47
    integer(c_int32_t), parameter :: kstrip_error_scatter = -48
+   integer(c_int32_t), parameter :: kstrip_error_gauge = -60
+   integer(c_int32_t), parameter :: kstrip_error_wheel_lifted = -61
+   integer(c_int32_t), parameter :: kstrip_error_conicity = -62
    integer(c_int32_t), parameter :: kstrip_model_default = 0
    integer(c_int32_t), parameter :: kstrip_model_strip_1967 = 1
    integer(c_int32_t), parameter :: kstrip_model_strip_1967_continuous = 2
@@ -81,6 +84,7 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_surface_capacity = 512
    integer(c_int32_t), parameter :: kstrip_contacts_capacity = 6
    integer(c_int32_t), parameter :: kstrip_rail_friction_capacity = 4
+   integer(c_int32_t), parameter :: kstrip_wheelset_freedoms = 10
    integer(c_int32_t), parameter :: kstrip_measured_fx = 1
    integer(c_int32_t), parameter :: kstrip_measured_fy = 2
    integer(c_int32_t), parameter :: kstrip_version_major = 0
@@ -495,6 +499,70 @@ module kstrip
       real(c_double) :: roll(6) = 0
    end type
 
+   !> A curve that a vehicle runs through: the axes of the track move forward and turn with it.
+   type, bind(c) :: kstrip_curve
+      real(c_double) :: speed = 0
+      real(c_double) :: curvature = 0
+      real(c_double) :: cant = 0
+      real(c_double) :: gravity = 0
+   end type
+
+   !> A wheelset: two wheels on an axle.
+   type, bind(c) :: kstrip_wheelset
+      type(c_ptr) :: wheel(2) = c_null_ptr
+      type(c_ptr) :: friction(2) = c_null_ptr
+      type(kstrip_wheel_pair) :: pair(2)
+      real(c_double) :: back_to_back = 0
+      real(c_double) :: running_circles = 0
+   end type
+
+   !> Displacement and velocity of a rail: irregularities of the track, or the motion of a flexible rail.
+   type, bind(c) :: kstrip_rail_motion
+      real(c_double) :: lateral = 0
+      real(c_double) :: vertical = 0
+      real(c_double) :: lateral_velocity = 0
+      real(c_double) :: vertical_velocity = 0
+   end type
+
+   !> A track: two rails, and where they are.
+   type, bind(c) :: kstrip_track
+      type(c_ptr) :: rail(2) = c_null_ptr
+      real(c_double) :: gauge = 0
+      real(c_double) :: gauge_depth = 0
+      real(c_double) :: origin(2) = 0
+      type(kstrip_rail_motion) :: motion(2)
+   end type
+
+   !> Memory of the caller for the computation of a wheelset: that of the right wheel and that of the left one.
+   type, bind(c) :: kstrip_wheelset_workspace
+      type(kstrip_wheel_workspace) :: wheel(2)
+   end type
+
+   !> Forces on a wheelset, on each wheel, and on each rail.
+   type, bind(c) :: kstrip_wheelset_forces
+      type(kstrip_wrench) :: wrench
+      type(kstrip_wrench) :: wheel(2)
+      real(c_double) :: rail(2, 3) = 0
+   end type
+
+   !> Exact derivatives of the forces on a wheelset and its two rails by the velocities.
+   type, bind(c) :: kstrip_wheelset_derivatives
+      real(c_double) :: velocity(kstrip_wheelset_freedoms, kstrip_wheelset_freedoms) = 0
+      real(c_double) :: friction(kstrip_wheelset_freedoms) = 0
+   end type
+
+   !> Derivatives of the same ten forces by the positions of the ten freedoms, at constant velocities.
+   type, bind(c) :: kstrip_wheelset_by_position
+      real(c_double) :: position(kstrip_wheelset_freedoms, kstrip_wheelset_freedoms) = 0
+   end type
+
+   !> Loads on a wheelset that does not accelerate: what the vehicle and gravity do to it.
+   type, bind(c) :: kstrip_wheelset_loads
+      real(c_double) :: vertical = 0
+      real(c_double) :: roll = 0
+      real(c_double) :: pitch = 0
+   end type
+
    !> A coefficient of friction from a measured force.
    type, bind(c) :: kstrip_friction_estimate
       real(c_double) :: friction = 0
@@ -823,6 +891,83 @@ module kstrip
          type(kstrip_friction), intent(in) :: friction
          type(kstrip_wheel_workspace), intent(inout) :: workspace
          real(c_double), intent(inout) :: vertical
+      end function
+
+      !> The gauge face of a rail: the least y of its profile down to a depth below its top.
+      integer(c_int32_t) function kstrip_gauge_face(rail, depth, face) bind(c)
+         import
+         type(kstrip_surface), intent(in) :: rail
+         real(c_double), value :: depth
+         real(c_double), intent(inout) :: face
+      end function
+
+      !> Motion and weight in a curve.
+      integer(c_int32_t) function kstrip_curve_motion(curve, position, relative, velocity, weight) bind(c)
+         import
+         type(kstrip_curve), intent(in) :: curve
+         type(kstrip_wheel_position), intent(in) :: position
+         type(kstrip_wheel_velocity), intent(in) :: relative
+         type(kstrip_wheel_velocity), intent(inout) :: velocity
+         real(c_double), intent(inout), optional :: weight(*)
+      end function
+
+      !> Forces on a wheelset and its rails: two wheels, two rails, one call.
+      integer(c_int32_t) function kstrip_wheelset_on_track(set, track, position, velocity, &
+         workspace, forces, derivatives, by_position) bind(c)
+         import
+         type(kstrip_wheelset), intent(in) :: set
+         type(kstrip_track), intent(in) :: track
+         type(kstrip_wheel_position), intent(in) :: position
+         type(kstrip_wheel_velocity), intent(in) :: velocity
+         type(kstrip_wheelset_workspace), intent(inout) :: workspace
+         type(kstrip_wheelset_forces), intent(inout) :: forces
+         type(kstrip_wheelset_derivatives), intent(inout), optional :: derivatives
+         type(kstrip_wheelset_by_position), intent(inout), optional :: by_position
+      end function
+
+      !> A wheelset in balance: height, roll and pitch rate at which its rails carry given loads, at given lateral
+      !> position, yaw and speed.
+      integer(c_int32_t) function kstrip_wheelset_settle(set, track, start, velocity, loads, &
+         workspace, position, moves, forces) bind(c)
+         import
+         type(kstrip_wheelset), intent(in) :: set
+         type(kstrip_track), intent(in) :: track
+         type(kstrip_wheel_position), intent(in) :: start
+         type(kstrip_wheel_velocity), intent(in) :: velocity
+         type(kstrip_wheelset_loads), intent(in) :: loads
+         type(kstrip_wheelset_workspace), intent(inout) :: workspace
+         type(kstrip_wheel_position), intent(inout) :: position
+         type(kstrip_wheel_velocity), intent(inout) :: moves
+         type(kstrip_wheelset_forces), intent(inout), optional :: forces
+      end function
+
+      !> The difference of the rolling radii, right minus left, over the lateral shift of a rigid wheelset that touches
+      !> both rails without yaw.
+      integer(c_int32_t) function kstrip_rolling_radius_difference(set, track, shifts, count, &
+         with_roll, workspace, differences) bind(c)
+         import
+         type(kstrip_wheelset), intent(in) :: set
+         type(kstrip_track), intent(in) :: track
+         real(c_double), intent(in) :: shifts(*)
+         integer(c_int32_t), value :: count
+         integer(c_int32_t), value :: with_roll
+         type(kstrip_wheelset_workspace), intent(inout) :: workspace
+         real(c_double), intent(inout) :: differences(*)
+      end function
+
+      !> Equivalent conicity after EN 15302: the conicity of the coned wheelset whose motion has the same wave length.
+      integer(c_int32_t) function kstrip_equivalent_conicity(shifts, differences, count, &
+         running_circles, wheel_radius, amplitudes, number, conicities, wave_lengths) bind(c)
+         import
+         real(c_double), intent(in) :: shifts(*)
+         real(c_double), intent(in) :: differences(*)
+         integer(c_int32_t), value :: count
+         real(c_double), value :: running_circles
+         real(c_double), value :: wheel_radius
+         real(c_double), intent(in) :: amplitudes(*)
+         integer(c_int32_t), value :: number
+         real(c_double), intent(inout) :: conicities(*)
+         real(c_double), intent(inout), optional :: wave_lengths(*)
       end function
 
       !> The coefficient of friction that explains a measured force at a known creepage.

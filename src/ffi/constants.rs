@@ -127,6 +127,13 @@ pub const KSTRIP_ERROR_ROLLING_RADIUS: kstrip_status = -46;
 pub const KSTRIP_ERROR_SMOOTHING_LENGTH: kstrip_status = -47;
 /// Error: no line follows the points of a profile, because they scatter or turn back too far.
 pub const KSTRIP_ERROR_SCATTER: kstrip_status = -48;
+/// Error: a gauge, a place of a rail or a distance of wheels is missing or negative.
+pub const KSTRIP_ERROR_GAUGE: kstrip_status = -60;
+/// Error: no position of the wheelset balances the loads while both wheels touch.
+pub const KSTRIP_ERROR_WHEEL_LIFTED: kstrip_status = -61;
+/// Error: no wave has this amplitude: it is not positive or beyond the shifts, or the radii do not
+/// bring the wheelset back.
+pub const KSTRIP_ERROR_CONICITY: kstrip_status = -62;
 
 /// The default, 0: forces and derivatives from KSTRIP_MODEL_TOTAL; fields, strips and patches from
 /// KSTRIP_MODEL_STRIP.

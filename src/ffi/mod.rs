@@ -31,6 +31,7 @@ pub mod single;
 pub mod solve;
 pub mod types;
 pub mod wheel_rail;
+mod wheelset;
 
 pub use self::constants::*;
 

@@ -32,6 +32,11 @@ pub(super) use crate::wheel_rail::surface::Surface;
 pub(super) use crate::wheel_rail::touch::{self, Gap};
 pub(super) use crate::wheel_rail::wrench::{self, Wrench, WrenchByPosition, WrenchDerivatives};
 pub(super) use crate::wheel_rail::{KSTRIP_CONTACTS_CAPACITY, Position, Velocity, WheelPair};
+pub(super) use crate::wheelset::forces::{
+    WheelsetByPosition, WheelsetDerivatives, WheelsetForces, WheelsetWorkspace,
+};
+pub(super) use crate::wheelset::settle::WheelsetLoads;
+pub(super) use crate::wheelset::track::Curve;
 pub(super) use core::mem::MaybeUninit;
 
 /// Run a fallible body and turn its outcome into a status.

@@ -6,6 +6,9 @@ use crate::friction::SlipFriction;
 use crate::friction::derivatives::LawDerivatives;
 use crate::motion::MotionDerivatives;
 pub use crate::patch::StoredPatch;
+use crate::wheel_rail::WheelPair;
+use crate::wheel_rail::surface::Surface;
+use crate::wheelset::track::RailMotion;
 use core::mem::MaybeUninit;
 
 /// Which model, and with how many strips. All zero is the default.
@@ -254,4 +257,45 @@ pub struct ProfileOptions<F> {
     pub strips: i32,
     /// Reserved: zero.
     pub reserved: i32,
+}
+
+/// A track: two rails, and where they are. Axes: x forward, y to the right, z down; the middle of
+/// the track is midway between the gauge faces. Cant and inclination of the track are those of
+/// these axes; the inclination of the rails is in their profiles. Number 0 is the right side,
+/// number 1 the left side.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Track<F> {
+    /// Prepared profiles, both of a right rail: right, left; left NULL: as the right one.
+    pub rail: [*const Surface<F>; 2],
+    /// Gauge [m]: distance of the gauge faces, 1.435 for standard gauge; not used where both
+    /// origins are given.
+    pub gauge: F,
+    /// Depth below the top of the rails down to which the gauge is measured [m], >= 0; 0: 14 mm.
+    pub gauge_depth: F,
+    /// Distances of the rails' origins from the middle of the track [m], >= 0: right, left; 0: from
+    /// the gauge.
+    pub origin: [F; 2],
+    /// Displacements and velocities of the rails, right and left: irregularities, flexible rails.
+    pub motion: [RailMotion<F>; 2],
+}
+
+/// A wheelset: two wheels on an axle. Number 0 is the right wheel, number 1 the left one.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WheelsetParts<F> {
+    /// Prepared profiles, both of a right wheel: right, left; left NULL: as the right one.
+    pub wheel: [*const Surface<F>; 2],
+    /// Friction that falls with the slip, as in kstrip_patch_evaluate(): right, left; NULL:
+    /// constant.
+    pub friction: [*const SlipFriction<F>; 2],
+    /// Radius, materials, friction and options of each wheel; where the left wheel_radius is 0 all
+    /// of the right one holds for the left one. The member left is not used.
+    pub pair: [WheelPair<F>; 2],
+    /// Distance of the backs of the flanges [m], 1.360 for standard gauge; not used where
+    /// running_circles is given.
+    pub back_to_back: F,
+    /// Distance of the running circles, which are at y = 0 of the wheels' profiles [m]; 0:
+    /// back_to_back and twice 70 mm.
+    pub running_circles: F,
 }

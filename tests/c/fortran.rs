@@ -3,7 +3,20 @@
 use crate::header::{Function, Structure, Variable, declared};
 
 /// Pointers by these names are arrays; other pointers are one object.
-const ARRAYS: [&str; 6] = ["x", "y", "distance", "points", "strips", "coefficients"];
+const ARRAYS: [&str; 12] = [
+    "x",
+    "y",
+    "distance",
+    "points",
+    "strips",
+    "coefficients",
+    "weight",
+    "shifts",
+    "differences",
+    "amplitudes",
+    "conicities",
+    "wave_lengths",
+];
 
 const HEAD: &str = "\
 ! kstrip from Fortran 2018: creep forces of rolling contact by Kalker's strip theory.
@@ -94,7 +107,9 @@ fn structure(header: &str, found: &Structure) -> String {
     text += &format!("   type, bind(c) :: {}\n", found.name);
     for member in &found.members {
         if member.target().is_some() {
-            text += &format!("      type(c_ptr) :: {} = c_null_ptr\n", member.name);
+            let count =
+                if member.elements > 1 { format!("({})", member.elements) } else { String::new() };
+            text += &format!("      type(c_ptr) :: {}{count} = c_null_ptr\n", member.name);
             continue;
         }
         let (kind, zero) = kind(&member.kind);

@@ -10,7 +10,7 @@ struct Group {
 }
 
 /// In the order of the header.
-const GROUPS: [Group; 9] = [
+const GROUPS: [Group; 10] = [
     Group {
         id: "status",
         title: "Status",
@@ -55,6 +55,13 @@ const GROUPS: [Group; 9] = [
         constants: "KSTRIP_SURFACE_ KSTRIP_CONTACTS_ KSTRIP_RAIL_",
         functions: "prepare_profile touch contacts_from_gap wheel_motion wrench_from_contacts \
             wheel_on_rail height_for_load",
+    },
+    Group {
+        id: "wheelset",
+        title: "The wheelset: two wheels on two rails",
+        constants: "KSTRIP_WHEELSET_",
+        functions: "gauge_face curve_motion wheelset_on_track wheelset_settle \
+            rolling_radius_difference equivalent_conicity",
     },
     Group {
         id: "rig",

@@ -51,5 +51,14 @@ layouts! {
     kstrip_wrench_derivatives { velocity, friction }
     kstrip_wheel_workspace { gap, strips, contacts, count, apart }
     kstrip_wrench_by_position { lateral, vertical, yaw, roll }
+    kstrip_curve { speed, curvature, cant, gravity }
+    kstrip_wheelset { wheel, friction, pair, back_to_back, running_circles }
+    kstrip_rail_motion { lateral, vertical, lateral_velocity, vertical_velocity }
+    kstrip_track { rail, gauge, gauge_depth, origin, motion }
+    kstrip_wheelset_workspace { wheel }
+    kstrip_wheelset_forces { wrench, wheel, rail }
+    kstrip_wheelset_derivatives { velocity, friction }
+    kstrip_wheelset_by_position { position }
+    kstrip_wheelset_loads { vertical, roll, pitch }
     kstrip_friction_estimate { friction, sensitivity, residual, warning, reserved }
 }

@@ -39,7 +39,8 @@ pub struct Wheel {
     /// [N]
     pub fy: f64,
     radius: f64,
-    vertical: f64,
+    /// Of its centre over the rail [m].
+    pub vertical: f64,
 }
 
 /// CONTACT's figures: whether the wheel is the left one, shift [mm], and what it does.
@@ -106,15 +107,24 @@ impl Wheelset {
 
     /// The right wheel and the left one at a shift [m].
     pub fn at(&mut self, shift: f64) -> [Wheel; 2] {
+        self.with_position(shift).0
+    }
+
+    /// The same, with the position of the wheelset and its pitch rate. (Its height and roll follow the
+    /// wheels within some micrometres: each wheel has the height at which it carries its load.)
+    pub fn with_position(&mut self, shift: f64) -> ([Wheel; 2], Position<f64>, f64) {
         let (mut roll, mut pitch) = (0.0, -SPEED / 0.46);
-        let mut wheels = [Wheel::default(); 2];
+        let mut found = ([Wheel::default(); 2], Position::default(), pitch);
         for _ in 0..7 {
-            wheels = [false, true].map(|left| self.wheel(left, shift, roll, pitch));
+            let wheels = [false, true].map(|left| self.wheel(left, shift, roll, pitch));
             let [right, left] = wheels;
+            let vertical = (right.vertical + left.vertical) / 2.0;
+            let position = Position { lateral: shift, vertical, yaw: YAW * shift, roll };
+            found = (wheels, position, pitch);
             roll = (right.vertical - left.vertical) / (2.0 * HALF_WIDTH);
             pitch = -2.0 * SPEED / (right.radius + left.radius);
         }
-        wheels
+        found
     }
 
     fn wheel(&mut self, left: bool, shift: f64, roll: f64, pitch: f64) -> Wheel {

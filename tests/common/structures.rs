@@ -41,6 +41,16 @@ macro_rules! structures {
         pub type kstrip_wrench = kstrip::wheel_rail::wrench::Wrench<$float>;
         pub type kstrip_wrench_derivatives = kstrip::wheel_rail::wrench::WrenchDerivatives<$float>;
         pub type kstrip_wrench_by_position = kstrip::wheel_rail::wrench::WrenchByPosition<$float>;
+        pub type kstrip_rail_motion = kstrip::wheelset::track::RailMotion<$float>;
+        pub type kstrip_track = kstrip::ffi::types::Track<$float>;
+        pub type kstrip_curve = kstrip::wheelset::track::Curve<$float>;
+        pub type kstrip_wheelset = kstrip::ffi::types::WheelsetParts<$float>;
+        pub type kstrip_wheelset_workspace = kstrip::wheelset::forces::WheelsetWorkspace<$float>;
+        pub type kstrip_wheelset_forces = kstrip::wheelset::forces::WheelsetForces<$float>;
+        pub type kstrip_wheelset_derivatives =
+            kstrip::wheelset::forces::WheelsetDerivatives<$float>;
+        pub type kstrip_wheelset_by_position = kstrip::wheelset::forces::WheelsetByPosition<$float>;
+        pub type kstrip_wheelset_loads = kstrip::wheelset::settle::WheelsetLoads<$float>;
     };
 }
 

@@ -54,17 +54,17 @@ fn covers(pattern: &str, name: &str) -> bool {
 }
 
 fn page() -> (BTreeMap<String, String>, Vec<Rule>) {
-    let text =
-        std::fs::read_to_string(root().join("docs/reference/bad-input.md")).expect("the page");
-    let good = table(&text, "## Good arguments")
-        .into_iter()
+    let texts = ["bad-input.md", "bad-input-wheelset.md"].map(|name| {
+        std::fs::read_to_string(root().join("docs/reference").join(name)).expect("the page")
+    });
+    let rows = |heading| texts.iter().flat_map(move |text| table(text, heading));
+    let good = rows("## Good arguments")
         .flat_map(|row| {
             let value = codes(row[1]).remove(0);
             codes(row[0]).into_iter().map(move |name| (name, value.clone()))
         })
         .collect();
-    let rules = table(&text, "## Bad arguments")
-        .into_iter()
+    let rules = rows("## Bad arguments")
         .map(|row| Rule {
             functions: codes(row[0]),
             arguments: codes(row[1]),
@@ -234,6 +234,22 @@ static kstrip_wheel_contactSUFFIX contact_REAL(void)
     kstrip_contacts_from_gapSUFFIX(&gap, &pair_REAL, &position_REAL, &strips, contacts, &count);
     return contacts[0];
 }
+
+static kstrip_trackSUFFIX track_REAL(void)
+{
+    static kstrip_surfaceSUFFIX rail;
+    rail = surface_REAL();
+    const kstrip_trackSUFFIX track = {{&rail, NULL}, (REAL)1.435, (REAL)0.3e-3, {0, 0}, {{0}}};
+    return track;
+}
+
+static kstrip_wheelsetSUFFIX set_REAL(void)
+{
+    static kstrip_surfaceSUFFIX wheel;
+    wheel = wheel_REAL();
+    const kstrip_wheelsetSUFFIX set = {{&wheel, NULL}, {NULL, NULL}, {pair_REAL, {0}}, 0, (REAL)1.4696};
+    return set;
+}
 ";
 
 /// Structures of places, through which a function writes.
@@ -242,7 +258,16 @@ const OUTPUTS_OF: [&str; 3] = ["kstrip_outputs", "kstrip_motion_outputs", "kstri
 const ELEMENTS: usize = 4;
 const OUTPUTS: usize = 256;
 /// Structures too large for as many, and how many there are then.
-const LARGE: [&str; 5] = ["surface", "gap", "wheel_contact", "wheel_workspace", "patch"];
+const LARGE: [&str; 8] = [
+    "surface",
+    "gap",
+    "wheel_contact",
+    "wheel_workspace",
+    "patch",
+    "wheelset_workspace",
+    "wheelset_derivatives",
+    "wheelset_by_position",
+];
 const FEW: usize = 6;
 
 fn writes_through_places(function: &Function) -> bool {
@@ -303,13 +328,18 @@ fn block(
                 let own = good.get(name).filter(|_| base(target) == "kstrip_surface");
                 let value =
                     own.unwrap_or_else(|| value_of(if of_number { "double" } else { target }));
-                let value = spelt(value);
-                text += &format!("        const {target} {name}_good = {value};\n");
-                text += &format!("        {target} {name}[{ELEMENTS}];\n");
-                text += &format!(
-                    "        for (int i = 0; i < {ELEMENTS}; i++) {name}[i] = {name}_good{};\n",
-                    if of_number { " * (float)(i + 1)" } else { "" }
-                );
+                let list = good.get(&format!("{}.{name}", base(&function.name)));
+                if let Some(list) = list.filter(|_| of_number) {
+                    text += &format!("        {target} {name}[{ELEMENTS}] = {list};\n");
+                } else {
+                    let value = spelt(value);
+                    text += &format!("        const {target} {name}_good = {value};\n");
+                    text += &format!("        {target} {name}[{ELEMENTS}];\n");
+                    text += &format!(
+                        "        for (int i = 0; i < {ELEMENTS}; i++) {name}[i] = {name}_good{};\n",
+                        if of_number { " * (float)(i + 1)" } else { "" }
+                    );
+                }
                 if let Some(case) = bad {
                     let place = match case.argument.split_once('.') {
                         Some((_, member)) => {
@@ -319,6 +349,8 @@ fn block(
                                 "kstrip_batch_inputs",
                                 "kstrip_batch_outputs",
                                 "kstrip_outputs",
+                                "kstrip_wheelset",
+                                "kstrip_track",
                             ];
                             let element = usize::from(many && !one.contains(&base(target)));
                             format!("{name}[{element}].{member}")

@@ -43,6 +43,7 @@ mod total;
 mod unlike;
 mod warnings;
 mod wheel_rail;
+mod wheelset;
 
 /// A wheel on a rail.
 const C0: Contact<f64> = Contact {

@@ -353,6 +353,59 @@ class WrenchByPosition(Record, name="wrench_by_position"):
     roll = Numbers('N, N m per rad', 'With respect to roll [N, N m per rad].')
 
 
+class Curve(Record, name="curve"):
+    """A curve that a vehicle runs through: the axes of the track move forward and turn with it."""
+
+    speed = Numbers('m/s', "Speed along the middle of the track, at the height of the wheelset's centre [m/s].")
+    curvature = Numbers('1/m', 'One over the radius of the curve [1/m]: positive to the right, 0: straight.')
+    cant = Numbers('rad', 'Angle of cant [rad]: positive where the right rail is lower, between -1 and 1. In a curve to the right it is positive.')
+    gravity = Numbers('m/s^2', 'Acceleration of gravity [m/s^2]; 0: 9.80665.')
+
+
+class RailMotion(Record, name="rail_motion"):
+    """Displacement and velocity of a rail: irregularities of the track, or the motion of a flexible rail. Axes of the track."""
+
+    lateral = Numbers('m', 'Displacement to the right [m].')
+    vertical = Numbers('m', 'Displacement downward [m].')
+    lateral_velocity = Numbers('m/s', 'Velocity to the right [m/s].')
+    vertical_velocity = Numbers('m/s', 'Velocity downward [m/s].')
+
+
+class WheelsetWorkspace(Record, name="wheelset_workspace"):
+    """Memory of the caller for the computation of a wheelset: that of the right wheel and that of the left one. It may hold anything before a call. After KSTRIP_OK or a warning it holds gap and contacts of both wheels."""
+
+    wheel = Part(WheelWorkspace, '', 'Right, left.')
+
+
+class WheelsetForces(Record, name="wheelset_forces"):
+    """Forces on a wheelset, on each wheel, and on each rail."""
+
+    wrench = Part(Wrench, '', 'Force on the wheelset [N], axes of the track, and moment about its centre [N m], its own axes; sums of dissipation, loads, contacts.')
+    wheel = Part(Wrench, '', "Force and moment on the right and on the left wheel, about the wheel's centre.")
+    rail = Numbers('N', 'Force on the right and on the left rail [N], axes of the track: forward, lateral (Y, to the right), vertical (Q, down).')
+
+
+class WheelsetDerivatives(Record, name="wheelset_derivatives"):
+    """Exact derivatives of the forces on a wheelset and its two rails by the velocities. Rows are the ten forces: force and moment on the wheelset, then lateral and vertical force on the right rail and on the left rail. Columns are the ten freedoms (KSTRIP_WHEELSET_FREEDOMS)."""
+
+    velocity = Numbers('N, N m over m/s, rad/s', 'By the velocities [N, N m over m/s, rad/s].')
+    friction = Numbers('N, N m', 'By a factor on all coefficients of friction, at 1 [N, N m].')
+
+
+class WheelsetByPosition(Record, name="wheelset_by_position"):
+    """Derivatives of the same ten forces by the positions of the ten freedoms, at constant velocities."""
+
+    position = Numbers('N, N m over m, rad', 'By the positions [N, N m over m, rad]; the columns of forward and pitch are zero.')
+
+
+class WheelsetLoads(Record, name="wheelset_loads"):
+    """Loads on a wheelset that does not accelerate: what the vehicle and gravity do to it."""
+
+    vertical = Numbers('N', "Downward force at the wheelset's centre [N], its weight included, > 0.")
+    roll = Numbers('N m', "Moment about the wheelset's x axis [N m]: positive from y to z, onto the right rail.")
+    pitch = Numbers('N m', 'Torque about the axle [N m], in the sense of the pitch rate: negative where it drives forward.')
+
+
 class FrictionEstimate(Record, name="friction_estimate"):
     """A coefficient of friction from a measured force."""
 

@@ -9,6 +9,7 @@ mod patch;
 mod rig;
 mod solve;
 mod wheel_rail;
+mod wheelset;
 
 use super::F;
 pub use batch::*;
@@ -19,3 +20,4 @@ pub use patch::*;
 pub use rig::*;
 pub use solve::*;
 pub use wheel_rail::*;
+pub use wheelset::*;

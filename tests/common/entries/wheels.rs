@@ -269,6 +269,190 @@ fn height_for_load(bytes: &mut Bytes) {
     }
 }
 
+/// A wheelset and its track from a scene, with some members changed.
+fn wheelset(bytes: &mut Bytes, scene: &Scene) -> (kstrip_wheelset, kstrip_track) {
+    let any = |bytes: &mut Bytes, value: f64| -> Float {
+        if bytes.byte() < 240 { value as Float } else { Number::of(bytes, value) }
+    };
+    let (rail, wheel) = (&raw const *scene.rail, &raw const *scene.wheel);
+    let none = std::ptr::null();
+    let motion = kstrip_rail_motion {
+        lateral: any(bytes, 1e-4),
+        vertical: any(bytes, 1e-5),
+        lateral_velocity: any(bytes, 0.01),
+        vertical_velocity: any(bytes, 1e-3),
+    };
+    let still = kstrip_rail_motion::default();
+    let left = bytes.byte();
+    let second = |first, of: u8| if left & of == 0 { none } else { first };
+    let track = kstrip_track {
+        rail: [if left == 7 { none } else { rail }, second(rail, 1)],
+        gauge: any(bytes, 1.435),
+        gauge_depth: any(bytes, 1e-4),
+        origin: [if left & 2 == 0 { 0.0 } else { any(bytes, 0.75) }, 0.0],
+        motion: [motion, still],
+    };
+    let pair = kstrip_wheel_pair { wheel_radius: 0.0, ..scene.pair };
+    let set = kstrip_wheelset {
+        wheel: [wheel, second(wheel, 4)],
+        friction: [std::ptr::null(); 2],
+        pair: [scene.pair, if left & 8 == 0 { pair } else { scene.pair }],
+        back_to_back: any(bytes, 1.32),
+        running_circles: if left & 16 == 0 { 0.0 } else { any(bytes, 1.46) },
+    };
+    (set, track)
+}
+
+fn gauge_face(bytes: &mut Bytes) {
+    let scene = Scene::new(bytes);
+    let depth = positive(bytes, 1e-3);
+    let found = asked::<Float>(bytes, 1, |given, out| {
+        kstrip_gauge_face(given.input(0, &scene.rail), depth, out)
+    });
+    if let Some((_, face)) = found {
+        assert!(face.is_finite());
+    }
+}
+
+fn curve_motion(bytes: &mut Bytes) {
+    let scene = Scene::new(bytes);
+    let mut any = |scale: f64| -> Float { Number::of(bytes, scale) };
+    let curve =
+        kstrip_curve { speed: any(20.0), curvature: any(1e-3), cant: any(0.1), gravity: any(9.8) };
+    let (given, mut weight) = (bytes.given(), poisoned::<[Float; 3]>());
+    let mut out = poisoned::<kstrip_wheel_velocity>();
+    // SAFETY: NULL or three numbers.
+    let status = unsafe {
+        kstrip_curve_motion(
+            given.input(0, &curve),
+            given.input(1, &scene.position),
+            given.input(2, &scene.velocity),
+            given.output(3, &mut out),
+            given.place(4, &mut weight).cast(),
+        )
+    };
+    answered(status, untouched(&out) && untouched(&weight));
+}
+
+fn wheelset_on_track(bytes: &mut Bytes) {
+    let scene = Scene::new(bytes);
+    let (set, track) = wheelset(bytes, &scene);
+    let (given, wanted) = (bytes.given(), bytes.byte());
+    let mut memory = zeroed::<kstrip_wheelset_workspace>();
+    let mut out = poisoned::<kstrip_wheelset_forces>();
+    let (mut slopes, mut moved) = (poisoned(), poisoned());
+    // SAFETY: the pointers in the structures are NULL or valid.
+    let status = unsafe {
+        kstrip_wheelset_on_track(
+            given.input(0, &set),
+            given.input(1, &track),
+            given.input(2, &scene.position),
+            given.input(3, &scene.velocity),
+            given.has(4).then_some(&mut memory),
+            given.output(5, &mut out),
+            (wanted < 32).then_some(&mut slopes),
+            (wanted < 8).then_some(&mut moved),
+        )
+    };
+    let slopes_untouched = untouched::<kstrip_wheelset_derivatives>(&slopes)
+        && untouched::<kstrip_wheelset_by_position>(&moved);
+    if answered(status, untouched(&out) && slopes_untouched) {
+        let forces = written(&out);
+        for wheel in forces.wheel {
+            plausible(&wheel, wheel.warning.code());
+        }
+        assert!(finite(&forces.wrench.members()));
+    }
+}
+
+fn wheelset_settle(bytes: &mut Bytes) {
+    let scene = Scene::new(bytes);
+    let (set, track) = wheelset(bytes, &scene);
+    let mut any = |scale: f64| -> Float { Number::of(bytes, scale) };
+    let loads = kstrip_wheelset_loads { vertical: any(1e4).abs(), roll: any(1e3), pitch: any(1e3) };
+    let given = bytes.given();
+    let mut memory = zeroed::<kstrip_wheelset_workspace>();
+    let (mut position, mut moves) = (poisoned(), poisoned());
+    let mut out = poisoned::<kstrip_wheelset_forces>();
+    // SAFETY: the pointers in the structures are NULL or valid.
+    let status = unsafe {
+        kstrip_wheelset_settle(
+            given.input(0, &set),
+            given.input(1, &track),
+            given.input(2, &scene.position),
+            given.input(3, &scene.velocity),
+            given.input(4, &loads),
+            given.has(5).then_some(&mut memory),
+            given.output(6, &mut position),
+            given.output(7, &mut moves),
+            Some(&mut out),
+        )
+    };
+    let places_untouched =
+        untouched::<kstrip_wheel_position>(&position) && untouched::<kstrip_wheel_velocity>(&moves);
+    if answered(status, untouched(&out) && places_untouched) {
+        assert!(finite(&written(&out).wrench.members()));
+    }
+}
+
+fn rolling_radius_difference(bytes: &mut Bytes) {
+    let scene = Scene::new(bytes);
+    let (set, track) = wheelset(bytes, &scene);
+    let shifts: [Float; 3] = [Number::of(bytes, 1e-3), 0.0, Number::of(bytes, 1e-3)];
+    let (given, mut out) = (bytes.given(), poisoned::<[Float; 3]>());
+    let mut memory = zeroed::<kstrip_wheelset_workspace>();
+    // SAFETY: the pointers in the structures are NULL or valid, the arrays have three elements.
+    let status = unsafe {
+        kstrip_rolling_radius_difference(
+            given.input(0, &set),
+            given.input(1, &track),
+            given.array(2, &shifts),
+            3,
+            i32::from(bytes.byte() % 2),
+            given.has(3).then_some(&mut memory),
+            given.place(4, &mut out).cast(),
+        )
+    };
+    // (with an error some elements may have been written)
+    if answered(status, true) {
+        assert!(finite(&written(&out)));
+    }
+}
+
+fn equivalent_conicity(bytes: &mut Bytes) {
+    let mut shifts: [Float; 5] = std::array::from_fn(|i| (i as f64 * 2e-3 - 4e-3) as Float);
+    let mut differences: [Float; 5] = std::array::from_fn(|_| Number::of(bytes, 1e-3));
+    if bytes.byte() < 16 {
+        shifts[bytes.below(5)] = Number::of(bytes, 1e-3);
+    }
+    if bytes.byte() < 192 {
+        differences.sort_by(Float::total_cmp);
+        differences[2] = 0.0;
+    }
+    let amplitudes: [Float; 2] = [positive(bytes, 1e-3), positive(bytes, 3e-3)];
+    let (circles, radius) = (positive(bytes, 1.5), positive(bytes, 0.46));
+    let (given, mut out) = (bytes.given(), poisoned::<[Float; 2]>());
+    let mut lengths = poisoned::<[Float; 2]>();
+    // SAFETY: NULL or as many elements as the counts say.
+    let status = unsafe {
+        kstrip_equivalent_conicity(
+            given.array(0, &shifts),
+            given.array(1, &differences),
+            5,
+            circles,
+            radius,
+            given.array(2, &amplitudes),
+            2,
+            given.place(3, &mut out).cast(),
+            given.place(4, &mut lengths).cast(),
+        )
+    };
+    if answered(status, untouched(&out) && untouched(&lengths)) {
+        let conicities = written(&out);
+        assert!(finite(&conicities) && conicities.iter().all(|conicity| *conicity > 0.0));
+    }
+}
+
 pub const ENTRIES: &[Entry] = &[
     ("prepare_profile", prepare_profile),
     ("touch", touch),
@@ -277,4 +461,10 @@ pub const ENTRIES: &[Entry] = &[
     ("wrench_from_contacts", wrench_from_contacts),
     ("wheel_on_rail", wheel_on_rail),
     ("height_for_load", height_for_load),
+    ("gauge_face", gauge_face),
+    ("curve_motion", curve_motion),
+    ("wheelset_on_track", wheelset_on_track),
+    ("wheelset_settle", wheelset_settle),
+    ("rolling_radius_difference", rolling_radius_difference),
+    ("equivalent_conicity", equivalent_conicity),
 ];

@@ -1,0 +1,253 @@
+//! The wheelset: two wheels on two rails.
+
+use super::F;
+use crate::ffi::support::*;
+use crate::ffi::wheelset::Sides;
+use crate::wheelset::conicity::RadiusDifference;
+use crate::wheelset::track;
+
+/// The gauge face of a rail: the least y of its profile down to a depth below its top. kstrip_track
+/// uses it to find the rail's origin, which lies half the gauge minus this y from the middle of the
+/// track.
+///
+/// @param rail            prepared profile of a rail.
+/// @param depth           depth below the top of the rail [m], >= 0; 0: 14 mm.
+/// @param[out] face       receives y of the gauge face from the rail's origin [m]; negative.
+/// @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END (the profile ends above the depth);
+///         KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NOT_PREPARED,
+///         KSTRIP_ERROR_GAUGE (depth).
+#[unsafe(export_name = symbol!("kstrip_gauge_face"))]
+pub extern "C" fn kstrip_gauge_face(
+    rail: Option<&Surface<F>>,
+    depth: F,
+    face: Option<&mut MaybeUninit<F>>,
+) -> kstrip_status {
+    answer(|| {
+        let place = given(face)?;
+        let (found, warning) = track::gauge_face(given(rail)?, depth)?;
+        place.write(found);
+        Ok(warning)
+    })
+}
+
+/// Motion and weight in a curve. The axes of the track run along the curve with its speed, and turn
+/// with it; over the momentary track, which is at rest, a body therefore has this motion and its
+/// own. Use it before kstrip_wheelset_on_track() and for the weight of every body.
+///
+/// @param curve           speed, curvature, cant.
+/// @param position        where the body is in the axes of the track; vertical is not used.
+/// @param relative        how the body moves in these axes; forward beyond the speed of the curve.
+/// @param[out] velocity   receives the velocity over the momentary track.
+/// @param[out] weight     receives three numbers: weight per mass, the centrifugal part included,
+///                        forward, lateral, vertical [m/s^2]. At balance speed its lateral part is
+///                        zero. NULL: not wanted.
+/// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE_END (yaw,
+///         roll or cant of 1 or more).
+#[unsafe(export_name = symbol!("kstrip_curve_motion"))]
+pub unsafe extern "C" fn kstrip_curve_motion(
+    curve: Option<&Curve<F>>,
+    position: Option<&Position<F>>,
+    relative: Option<&Velocity<F>>,
+    velocity: Option<&mut MaybeUninit<Velocity<F>>>,
+    weight: *mut F,
+) -> kstrip_status {
+    // SAFETY: NULL or three writable numbers, says the header.
+    let weight = unsafe { place(weight.cast::<[F; 3]>()) };
+    answer(|| {
+        let out = given(velocity)?;
+        let (found, acceleration) = given(curve)?.motion(given(position)?, given(relative)?)?;
+        out.write(found);
+        put(weight, acceleration);
+        Ok(Warning::None)
+    })
+}
+
+/// Forces on a wheelset and its rails: two wheels, two rails, one call.
+///
+/// The position is that of the wheelset's centre, in the axes of the track: lateral from the middle
+/// of the track, vertical below the place where the centre is the mean of both wheel radii above
+/// the rails' origins. The velocity is that of the centre over the momentary track, with rates
+/// about the wheelset's own axes; in a curve kstrip_curve_motion() gives it. Forces are continuous
+/// as in kstrip_wheel_on_rail(). The forces times the ten velocities are minus the dissipation and
+/// minus the power that goes into the pressure.
+///
+/// @param set             wheels, materials, friction, distance of the wheels.
+/// @param track           rails, gauge, displacements and velocities of the rails.
+/// @param position        where the wheelset's centre is, its yaw and its roll.
+/// @param velocity        how it moves.
+/// @param workspace       memory that may hold anything; receives gap and contacts of both wheels.
+/// @param[out] forces     receives the wrench on the wheelset and on each wheel, and the force on
+///                        each rail.
+/// @param[out] derivatives  receives exact derivatives by the ten velocities and by friction; NULL:
+///                        not wanted.
+/// @param[out] by_position  receives derivatives by the ten positions, as exact as those of
+///                        kstrip_wheel_on_rail(); NULL: not wanted.
+/// @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END (a rail ends above the depth of the gauge) or a
+///         status of kstrip_wheel_on_rail(); KSTRIP_ERROR_GAUGE (neither a gauge nor the rails'
+///         origins, or no distance of the wheels).
+#[unsafe(export_name = symbol!("kstrip_wheelset_on_track"))]
+pub unsafe extern "C" fn kstrip_wheelset_on_track(
+    set: Option<&WheelsetParts<F>>,
+    track: Option<&Track<F>>,
+    position: Option<&Position<F>>,
+    velocity: Option<&Velocity<F>>,
+    workspace: Option<&mut WheelsetWorkspace<F>>,
+    forces: Option<&mut MaybeUninit<WheelsetForces<F>>>,
+    derivatives: Option<&mut MaybeUninit<WheelsetDerivatives<F>>>,
+    by_position: Option<&mut MaybeUninit<WheelsetByPosition<F>>>,
+) -> kstrip_status {
+    // SAFETY: the pointers in the structures are NULL or valid, says the header.
+    let sides = unsafe { Sides::new(set, track) };
+    answer(|| {
+        let sides = sides?;
+        let (wheelset, of_rails) = sides.wheelset()?;
+        let (position, velocity) = (given(position)?, given(velocity)?);
+        let (memory, out) = (given(workspace)?, given(forces)?);
+        let (mut slopes, mut moved) = (WheelsetDerivatives::zero(), WheelsetByPosition::zero());
+        let by = derivatives.is_some().then_some(&mut slopes);
+        let places = by_position.is_some().then_some(&mut moved);
+        let found = wheelset.solve(position, velocity, memory, by, places)?;
+        put(derivatives, slopes);
+        put(by_position, moved);
+        out.write(found);
+        Ok(found.wrench.warning.worse(of_rails))
+    })
+}
+
+/// A wheelset in balance: height, roll and pitch rate at which its rails carry given loads, at
+/// given lateral position, yaw and speed. Use it to begin a run, and for tables. Newton's method
+/// with at most 40 steps.
+///
+/// @param set, track      as in kstrip_wheelset_on_track().
+/// @param start           lateral and yaw; vertical and roll are where the search begins.
+/// @param velocity        how the wheelset moves; its pitch is not used.
+/// @param loads           downward force, roll moment and torque about the axle that act on the
+///                        wheelset.
+/// @param workspace       memory that may hold anything; receives gap and contacts of both wheels.
+/// @param[out] position   receives the position.
+/// @param[out] moves      receives the velocity, with the pitch rate.
+/// @param[out] forces     receives the forces there; NULL: not wanted.
+/// @return as kstrip_wheelset_on_track(); KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_NORMAL_FORCE
+///         (the load is not positive), KSTRIP_ERROR_WHEEL_LIFTED (the roll moment lifts a wheel),
+///         KSTRIP_ERROR_FORCE_BEYOND_FRICTION (friction does not carry the torque).
+#[unsafe(export_name = symbol!("kstrip_wheelset_settle"))]
+pub unsafe extern "C" fn kstrip_wheelset_settle(
+    set: Option<&WheelsetParts<F>>,
+    track: Option<&Track<F>>,
+    start: Option<&Position<F>>,
+    velocity: Option<&Velocity<F>>,
+    loads: Option<&WheelsetLoads<F>>,
+    workspace: Option<&mut WheelsetWorkspace<F>>,
+    position: Option<&mut MaybeUninit<Position<F>>>,
+    moves: Option<&mut MaybeUninit<Velocity<F>>>,
+    forces: Option<&mut MaybeUninit<WheelsetForces<F>>>,
+) -> kstrip_status {
+    // SAFETY: the pointers in the structures are NULL or valid, says the header.
+    let sides = unsafe { Sides::new(set, track) };
+    answer(|| {
+        let sides = sides?;
+        let (wheelset, of_rails) = sides.wheelset()?;
+        let (start, velocity, loads) = (given(start)?, given(velocity)?, given(loads)?);
+        let (memory, position, moves) = (given(workspace)?, given(position)?, given(moves)?);
+        let found = wheelset.settle(start, velocity, loads, memory)?;
+        position.write(found.position);
+        moves.write(found.velocity);
+        put(forces, found.forces);
+        Ok(found.warning.worse(of_rails))
+    })
+}
+
+/// The difference of the rolling radii, right minus left, over the lateral shift of a rigid
+/// wheelset that touches both rails without yaw.
+///
+/// @param set, track      as in kstrip_wheelset_on_track(); the motion of the rails counts with its
+///                        displacements.
+/// @param shifts, count   lateral positions of the wheelset [m].
+/// @param with_roll       0: without roll, as EN 15302 has it; any other number: with the roll that
+///                        the wheelset has on both rails.
+/// @param workspace       memory that may hold anything.
+/// @param[out] differences  array of count elements; receives the differences [m]. (After an error
+///                        some may have been written.)
+/// @return KSTRIP_OK or an error of kstrip_wheelset_on_track().
+#[unsafe(export_name = symbol!("kstrip_rolling_radius_difference"))]
+pub unsafe extern "C" fn kstrip_rolling_radius_difference(
+    set: Option<&WheelsetParts<F>>,
+    track: Option<&Track<F>>,
+    shifts: *const F,
+    count: u32,
+    with_roll: i32,
+    workspace: Option<&mut WheelsetWorkspace<F>>,
+    differences: *mut F,
+) -> kstrip_status {
+    // SAFETY: the pointers in the structures are NULL or valid, arrays have count elements, says
+    // the header.
+    let (sides, shifts, differences) =
+        unsafe { (Sides::new(set, track), input(shifts, count), output(differences, count)) };
+    answer(|| {
+        let (sides, shifts, differences) = (sides?, shifts?, differences?);
+        let (wheelset, warning) = sides.wheelset()?;
+        let memory = given(workspace)?;
+        Error::NotFinite.unless(are_finite(shifts))?;
+        for (shift, difference) in shifts.iter().zip(differences) {
+            difference.write(wheelset.rolling_radius_difference(*shift, with_roll != 0, memory)?);
+        }
+        Ok(warning)
+    })
+}
+
+/// Equivalent conicity after EN 15302: the conicity of the coned wheelset whose motion has the same
+/// wave length. It comes from the motion of a free wheelset over half a wave, with differences of
+/// the rolling radii that kstrip_rolling_radius_difference() or a measurement gives.
+///
+/// @param shifts, differences, count  lateral shifts [m], ascending, and differences of the rolling
+///                        radii, right minus left [m]; at least 2, straight between them.
+/// @param running_circles  distance of the running circles [m], > 0, about 1.5.
+/// @param wheel_radius    radius of the wheels [m], > 0.
+/// @param amplitudes, number  amplitudes of the motion [m], > 0.
+/// @param[out] conicities   array of number elements; receives the conicities [-].
+/// @param[out] wave_lengths  array of number elements; receives the wave lengths [m]; NULL: not
+///                        wanted.
+/// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (too few
+///         shifts, or they do not ascend), KSTRIP_ERROR_GAUGE, KSTRIP_ERROR_ROLLING_RADIUS,
+///         KSTRIP_ERROR_CONICITY (an amplitude is not positive or beyond the shifts, or the radii
+///         do not bring the wheelset back).
+#[unsafe(export_name = symbol!("kstrip_equivalent_conicity"))]
+pub unsafe extern "C" fn kstrip_equivalent_conicity(
+    shifts: *const F,
+    differences: *const F,
+    count: u32,
+    running_circles: F,
+    wheel_radius: F,
+    amplitudes: *const F,
+    number: u32,
+    conicities: *mut F,
+    wave_lengths: *mut F,
+) -> kstrip_status {
+    // SAFETY: arrays are NULL or have as many elements as their counts say, says the header.
+    let (shifts, differences, amplitudes, conicities) = unsafe {
+        (
+            input(shifts, count),
+            input(differences, count),
+            input(amplitudes, number),
+            output(conicities, number),
+        )
+    };
+    let wanted = if wave_lengths.is_null() { 0 } else { number };
+    // SAFETY: the same.
+    let wave_lengths = unsafe { output(wave_lengths, wanted) };
+    answer(|| {
+        let radii = RadiusDifference::new(shifts?, differences?)?;
+        let (amplitudes, mut lengths) = (amplitudes?, wave_lengths?.iter_mut());
+        let wave = |amplitude: &F| radii.wave(*amplitude, running_circles, wheel_radius);
+        // (nothing is written where one of them has no wave)
+        amplitudes.iter().try_for_each(|amplitude| wave(amplitude).map(|_| ()))?;
+        for (amplitude, conicity) in amplitudes.iter().zip(conicities?) {
+            let found = wave(amplitude)?;
+            conicity.write(found.conicity);
+            if let Some(length) = lengths.next() {
+                length.write(found.length);
+            }
+        }
+        Ok(Warning::None)
+    })
+}

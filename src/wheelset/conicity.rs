@@ -1,0 +1,211 @@
+//! Difference of the rolling radii over the lateral shift, and equivalent conicity after EN 15302.
+//!
+//! A free wheelset on straight track follows `y'' = −Δr(y)/(e r₀)`, with the difference `Δr` of the
+//! rolling radii and the distance `e` of the running circles. Between the extremes of its motion,
+//! `m − a` and `m + a`,
+//!
+//! ```text
+//! λ = 2 ∫ dy √(e r₀/(2 W)),   W(y) = ∫ Δr from y to m + a,   tan γ = (π/λ)² 2 e r₀
+//! ```
+//!
+//! and a cone with this conicity has the same wave length. With `y = m + a cos θ` the integrand is
+//! smooth at the ends.
+
+use super::forces::{Wheelset, WheelsetWorkspace};
+use super::kinematics::{Kinematics, Side};
+use crate::number::{Float, are_finite, length};
+use crate::status::Error;
+use crate::wheel_rail::scene::{Scene, Workspace};
+use crate::wheel_rail::touch::touch;
+use crate::wheel_rail::{Position, sine_cosine};
+
+/// Number of places in half a wave.
+const PLACES: i32 = 128;
+/// Steps of the search for the middle of the motion.
+const BISECTIONS: usize = 60;
+/// Number of times that a wheel is lowered onto its rail, and that the roll of a wheelset follows
+/// its wheels.
+const LOWERINGS: usize = 24;
+const ROLLS: usize = 6;
+/// Distance at which a wheel touches \[m\].
+const TOUCHES: f64 = 1e-9;
+
+impl<F: Float> Wheelset<'_, F> {
+    /// Difference of the rolling radii of both wheels, right minus left \[m\], where the rigid
+    /// wheelset touches both rails without yaw; with the roll that it has there, or without any.
+    ///
+    /// # Errors
+    /// Those of [`touch`].
+    pub fn rolling_radius_difference(
+        &self,
+        lateral: F,
+        with_roll: bool,
+        memory: &mut WheelsetWorkspace<F>,
+    ) -> Result<F, Error> {
+        let zero = F::zero();
+        let mut here = Position { lateral, vertical: zero, yaw: zero, roll: zero };
+        let mut radii = [F::zero(); 2];
+        for _ in 0..if with_roll { ROLLS } else { 1 } {
+            let mut sinks = [F::zero(); 2];
+            let sides = self.scenes.iter().zip(&self.sides).zip(&mut memory.wheel);
+            for (((scene, side), memory), (radius, sink)) in
+                sides.zip(radii.iter_mut().zip(&mut sinks))
+            {
+                (*radius, *sink) = rolling_radius(scene, side, &here, memory)?;
+            }
+            let ([right, left], [side, _]) = (sinks, self.sides);
+            if with_roll {
+                here.vertical += (right + left).times(0.5);
+                here.roll += (right - left) / side.arm.times(2.0);
+            }
+        }
+        let [right, left] = radii;
+        Ok(right - left)
+    }
+}
+
+/// Rolling radius where a wheel touches its rail, and how far it has been lowered.
+fn rolling_radius<F: Float>(
+    scene: &Scene<'_, F>,
+    side: &Side<F>,
+    position: &Position<F>,
+    memory: &mut Workspace<F>,
+) -> Result<(F, F), Error> {
+    let Scene { rail, wheel, pair, .. } = *scene;
+    let first = Kinematics::new(*side, position).position();
+    let mut here = first.mirrored(pair.left != 0);
+    let gap = &mut memory.gap;
+    for _ in 0..LOWERINGS {
+        let left = touch(rail, wheel, pair.wheel_radius, &here, F::zero(), gap)?;
+        here.vertical += left;
+        if left.abs() < F::of(TOUCHES) {
+            break;
+        }
+    }
+    let count = gap.count as usize;
+    let at = |list: &[F], k: usize| list.get(k).copied().unwrap_or(F::zero());
+    let nearest = (0..count)
+        .fold(0, |best, k| if at(&gap.distance, k) < at(&gap.distance, best) { k } else { best });
+    let (sine, cosine) = sine_cosine(here.roll);
+    let radius = |k: usize| length(at(&gap.x, k), cosine * at(&gap.z, k) - sine * at(&gap.y, k));
+    // the lowest place of a parabola through the nearest point and its neighbours
+    let (before, after) = (nearest.saturating_sub(1), (nearest + 1).min(count.saturating_sub(1)));
+    let place = |k: usize| [&gap.along, &gap.distance].map(|list| at(list, k) - at(list, nearest));
+    let ([from, high], [to, higher]) = (place(before), place(after));
+    let bend = (higher / to - high / from) / (to - from);
+    let lowest = (high / from - bend * from) / bend.times(-2.0);
+    let own = radius(nearest);
+    let (end, span) = if lowest < F::zero() { (before, from) } else { (after, to) };
+    let share = (lowest / span).clamped(F::zero(), F::one());
+    let between = own + (radius(end) - own) * share;
+    let radius = if between.is_finite_number() { between } else { own };
+    Ok((radius, here.vertical - first.vertical))
+}
+
+/// A difference of rolling radii, straight between given shifts.
+#[derive(Clone, Copy, Debug)]
+pub struct RadiusDifference<'a, F> {
+    shifts: &'a [F],
+    differences: &'a [F],
+}
+
+/// A wave of the free wheelset.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wave<F> {
+    /// Equivalent conicity `tan γ` \[-\].
+    pub conicity: F,
+    /// Wave length \[m\].
+    pub length: F,
+}
+
+impl<'a, F: Float> RadiusDifference<'a, F> {
+    /// Differences \[m\] at ascending shifts \[m\].
+    ///
+    /// # Errors [`Error::Profile`] for fewer than two shifts, or shifts that do not ascend;
+    /// [`Error::NotFinite`].
+    pub fn new(shifts: &'a [F], differences: &'a [F]) -> Result<Self, Error> {
+        Error::Profile.unless(shifts.len() >= 2 && shifts.len() == differences.len())?;
+        Error::NotFinite.unless(are_finite(shifts) && are_finite(differences))?;
+        let ascend = shifts.iter().zip(shifts.iter().skip(1)).all(|(y, next)| y < next);
+        Error::Profile.unless(ascend)?;
+        Ok(Self { shifts, differences })
+    }
+
+    /// `∫ Δr dy` from one place to another, exact.
+    fn integral(&self, from: F, to: F) -> F {
+        let pieces = self.shifts.iter().zip(self.differences);
+        let next = self.shifts.iter().zip(self.differences).skip(1);
+        let mut sum = F::zero();
+        for ((&start, &low), (&end, &high)) in pieces.zip(next) {
+            let (a, b) = (from.max(start), to.min(end));
+            if a < b {
+                let slope = (high - low) / (end - start);
+                sum += (b - a) * (low + slope * ((a + b).times(0.5) - start));
+            }
+        }
+        sum
+    }
+
+    /// The wave of an amplitude \[m\], with the distance of the running circles \[m\] and the
+    /// radius of the wheels \[m\].
+    ///
+    /// # Errors [`Error::NotFinite`]; [`Error::SemiAxis`] for an amplitude that is not positive,
+    /// [`Error::Gauge`] for the distance, [`Error::RollingRadius`]; [`Error::Conicity`] where the
+    /// shifts do not reach, or the radii do not bring the wheelset back.
+    pub fn wave(&self, amplitude: F, distance: F, radius: F) -> Result<Wave<F>, Error> {
+        Error::NotFinite.unless(are_finite(&[amplitude, distance, radius]))?;
+        Error::Conicity.unless(amplitude > F::zero())?;
+        Error::Gauge.unless(distance > F::zero())?;
+        Error::RollingRadius.unless(radius > F::zero())?;
+        let (Some(&first), Some(&last)) = (self.shifts.first(), self.shifts.last()) else {
+            return Err(Error::Profile);
+        };
+        let middle = self.middle(amplitude, first, last).ok_or(Error::Conicity)?;
+        let ends = [middle - amplitude, middle + amplitude];
+        let [left, right] = ends;
+        let mut sum = F::zero();
+        for k in 0..PLACES {
+            let angle =
+                (F::widened(k as f32).plus(0.5)).times(core::f64::consts::PI / f64::from(PLACES));
+            // (sines of at most 1.6)
+            let (sine, cosine) = sine_cosine(angle.plus(-core::f64::consts::FRAC_PI_2));
+            let (sine, cosine) = (cosine, -sine);
+            let place = middle + amplitude * cosine;
+            let work = if cosine > F::zero() {
+                self.integral(place, right)
+            } else {
+                -self.integral(left, place)
+            };
+            Error::Conicity.unless(work > F::zero())?;
+            sum += amplitude * sine / work.sqrt();
+        }
+        let each = core::f64::consts::PI / f64::from(PLACES);
+        // λ = 2 √(e r₀/2) ∫ a sin θ/√W dθ,   tan γ = (π/λ)² 2 e r₀
+        let length = (distance * radius).times(2.0).sqrt() * sum.times(each);
+        let turn = F::constant(core::f64::consts::PI) / length;
+        let conicity = (turn * turn * distance * radius).times(2.0);
+        Error::Overflow.unless(are_finite(&[length, conicity]))?;
+        Ok(Wave { conicity, length })
+    }
+
+    /// The middle of the motion: as much work from there to one end as to the other.
+    fn middle(&self, amplitude: F, first: F, last: F) -> Option<F> {
+        let tolerance = amplitude * F::EPSILON.times(64.0);
+        let (mut low, mut high) = (first + amplitude, last - amplitude);
+        if low > high + tolerance {
+            return None;
+        }
+        if low >= high - tolerance {
+            return Some((low + high).times(0.5));
+        }
+        let work = |middle: F| self.integral(middle - amplitude, middle + amplitude);
+        if !(work(low) <= F::zero() && work(high) >= F::zero()) {
+            return None;
+        }
+        for _ in 0..BISECTIONS {
+            let middle = (low + high).times(0.5);
+            if work(middle) < F::zero() { low = middle } else { high = middle }
+        }
+        Some((low + high).times(0.5))
+    }
+}

@@ -1,0 +1,222 @@
+//! Forces on a wheelset and on its rails, and their derivatives.
+
+use super::KSTRIP_WHEELSET_FREEDOMS;
+use super::kinematics::{Kinematics, Side, Ten, transposed};
+use crate::number::{Float, add, are_finite};
+use crate::status::{Error, Warning};
+use crate::wheel_rail::scene::{Scene, Workspace};
+use crate::wheel_rail::wrench::{Wrench, WrenchByPosition, WrenchDerivatives};
+use crate::wheel_rail::{Position, Velocity, dot};
+
+/// Memory of the caller for the computation of a wheelset: that of the right wheel and that of the
+/// left one. It may hold anything before a call. After KSTRIP_OK or a warning it holds gap and
+/// contacts of both wheels.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WheelsetWorkspace<F> {
+    /// Right, left.
+    pub wheel: [Workspace<F>; 2],
+}
+
+/// Forces on a wheelset, on each wheel, and on each rail.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WheelsetForces<F> {
+    /// Force on the wheelset \[N\], axes of the track, and moment about its centre \[N m\], its own
+    /// axes; sums of dissipation, loads, contacts.
+    pub wrench: Wrench<F>,
+    /// Force and moment on the right and on the left wheel, about the wheel's centre.
+    pub wheel: [Wrench<F>; 2],
+    /// Force on the right and on the left rail \[N\], axes of the track: forward, lateral (Y, to
+    /// the right), vertical (Q, down).
+    pub rail: [[F; 3]; 2],
+}
+
+/// Exact derivatives of the forces on a wheelset and its two rails by the velocities. Rows are the
+/// ten forces: force and moment on the wheelset, then lateral and vertical force on the right rail
+/// and on the left rail. Columns are the ten freedoms (KSTRIP_WHEELSET_FREEDOMS).
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WheelsetDerivatives<F> {
+    /// By the velocities \[N, N m over m/s, rad/s\].
+    pub velocity: [[F; KSTRIP_WHEELSET_FREEDOMS]; KSTRIP_WHEELSET_FREEDOMS],
+    /// By a factor on all coefficients of friction, at 1 \[N, N m\].
+    pub friction: [F; KSTRIP_WHEELSET_FREEDOMS],
+}
+
+/// Derivatives of the same ten forces by the positions of the ten freedoms, at constant velocities.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WheelsetByPosition<F> {
+    /// By the positions \[N, N m over m, rad\]; the columns of forward and pitch are zero.
+    pub position: [[F; KSTRIP_WHEELSET_FREEDOMS]; KSTRIP_WHEELSET_FREEDOMS],
+}
+
+/// What a wheel contributes to the derivatives that are wanted.
+pub(super) struct Sums<'a, F> {
+    pub by_velocity: Option<&'a mut WheelsetDerivatives<F>>,
+    pub by_position: Option<&'a mut WheelsetByPosition<F>>,
+}
+
+impl<F: Float> WheelsetDerivatives<F> {
+    /// All zero.
+    #[must_use]
+    pub fn zero() -> Self {
+        Self {
+            velocity: [[F::zero(); KSTRIP_WHEELSET_FREEDOMS]; KSTRIP_WHEELSET_FREEDOMS],
+            friction: [F::zero(); KSTRIP_WHEELSET_FREEDOMS],
+        }
+    }
+}
+
+impl<F: Float> WheelsetByPosition<F> {
+    /// All zero.
+    #[must_use]
+    pub fn zero() -> Self {
+        Self { position: [[F::zero(); KSTRIP_WHEELSET_FREEDOMS]; KSTRIP_WHEELSET_FREEDOMS] }
+    }
+}
+
+/// A wheelset on its rails: the right wheel and the left one.
+#[derive(Clone, Copy)]
+pub struct Wheelset<'a, F> {
+    /// Profiles, materials, friction of each side.
+    pub scenes: [Scene<'a, F>; 2],
+    /// Where each side is.
+    pub sides: [Side<F>; 2],
+}
+
+impl<F: Float> Wheelset<'_, F> {
+    /// Forces at a position and a velocity of the wheelset, and their derivatives where they are
+    /// wanted.
+    ///
+    /// # Errors
+    /// Those of [`Scene::solve`].
+    pub fn solve(
+        &self,
+        position: &Position<F>,
+        velocity: &Velocity<F>,
+        memory: &mut WheelsetWorkspace<F>,
+        by_velocity: Option<&mut WheelsetDerivatives<F>>,
+        by_position: Option<&mut WheelsetByPosition<F>>,
+    ) -> Result<WheelsetForces<F>, Error> {
+        let mut sums = Sums { by_velocity, by_position };
+        position.check()?;
+        let own = velocity.members();
+        Error::NotFinite.unless(are_finite(&own))?;
+        if let Some(sums) = &mut sums.by_velocity {
+            **sums = WheelsetDerivatives::zero();
+        }
+        if let Some(sums) = &mut sums.by_position {
+            **sums = WheelsetByPosition::zero();
+        }
+        let zero = F::zero();
+        let nothing = Wrench {
+            force: [zero; 3],
+            moment: [zero; 3],
+            dissipation: zero,
+            normal_force: zero,
+            contacts: 0,
+            warning: Warning::None,
+        };
+        let mut found =
+            WheelsetForces { wrench: nothing, wheel: [nothing; 2], rail: [[zero; 3]; 2] };
+        let WheelsetForces { wrench: sum, wheel, rail } = &mut found;
+        let outputs = memory.wheel.iter_mut().zip(wheel).zip(rail);
+        for ((scene, side), ((memory, wheel), rail)) in
+            self.scenes.iter().zip(&self.sides).zip(outputs)
+        {
+            side.motion.check()?;
+            let kinematics = Kinematics::new(*side, position);
+            *wheel = one_wheel(scene, &kinematics, &own, memory, &mut sums)?;
+            let ten = transposed(&kinematics.columns(), &wheel.members());
+            add(&mut sum.force, ten);
+            add(&mut sum.moment, ten.into_iter().skip(3));
+            sum.dissipation += wheel.dissipation;
+            sum.normal_force += wheel.normal_force;
+            sum.contacts += wheel.contacts;
+            sum.warning = sum.warning.worse(wheel.warning);
+            *rail = wheel.force.map(|force| -force);
+        }
+        let sound = are_finite(&found.wrench.members());
+        if sound { Ok(found) } else { Err(Error::Overflow) }
+    }
+}
+
+/// The wrench of a wheel; adds to the derivatives what it contributes.
+fn one_wheel<F: Float>(
+    scene: &Scene<'_, F>,
+    kinematics: &Kinematics<F>,
+    own: &[F; 6],
+    memory: &mut Workspace<F>,
+    sums: &mut Sums<'_, F>,
+) -> Result<Wrench<F>, Error> {
+    let (position, velocity) = (kinematics.position(), kinematics.velocity(own));
+    let Sums { by_velocity, by_position } = sums;
+    if by_velocity.is_none() && by_position.is_none() {
+        return scene.solve(&position, &velocity, memory, None, None);
+    }
+    let six = [F::zero(); 6];
+    let mut by = WrenchDerivatives { velocity: [six; 6], friction: six };
+    let mut moved = WrenchByPosition { lateral: six, vertical: six, yaw: six, roll: six };
+    let wanted = by_position.is_some().then_some(&mut moved);
+    let wrench = scene.solve(&position, &velocity, memory, Some(&mut by), wanted)?;
+    let columns = kinematics.columns();
+    if let Some(sums) = by_velocity {
+        add(&mut sums.friction, transposed(&columns, &by.friction));
+        for (k, column) in columns.iter().enumerate() {
+            let change = by.velocity.map(|row| dot(&row, column));
+            add_column(&mut sums.velocity, k, &transposed(&columns, &change));
+        }
+    }
+    if let Some(sums) = by_position {
+        for k in 0..KSTRIP_WHEELSET_FREEDOMS {
+            let column = by_freedom(kinematics, k, own, &wrench, &by, &moved, &columns);
+            add_column(&mut sums.position, k, &column);
+        }
+    }
+    Ok(wrench)
+}
+
+/// `Aᵀ (∂W/∂q + ∂W/∂w ∂A/∂q u) + ∂Aᵀ/∂q W` for one freedom.
+fn by_freedom<F: Float>(
+    kinematics: &Kinematics<F>,
+    freedom: usize,
+    own: &[F; 6],
+    wrench: &Wrench<F>,
+    by: &WrenchDerivatives<F>,
+    moved: &WrenchByPosition<F>,
+    columns: &[[F; 6]; KSTRIP_WHEELSET_FREEDOMS],
+) -> Ten<F> {
+    let WrenchByPosition { lateral, vertical, yaw, roll } = moved;
+    let mut change = [F::zero(); 6];
+    for (slopes, share) in
+        [lateral, vertical, yaw, roll].into_iter().zip(kinematics.position_by(freedom))
+    {
+        add(&mut change, slopes.map(|slope| slope * share));
+    }
+    let turned = kinematics.columns_by(freedom);
+    let [_, _, _, roll_rate, _, yaw_rate] = *own;
+    for (column, rate) in turned.iter().zip([roll_rate, yaw_rate]) {
+        add(&mut change, by.velocity.map(|row| dot(&row, column) * rate));
+    }
+    let mut column = transposed(columns, &change);
+    let members = wrench.members();
+    let [in_roll, in_yaw] = turned.map(|column| dot(&column, &members));
+    let [_, _, _, roll, _, yaw, ..] = &mut column;
+    *roll += in_roll;
+    *yaw += in_yaw;
+    column
+}
+
+fn add_column<F: Float>(
+    matrix: &mut [Ten<F>; KSTRIP_WHEELSET_FREEDOMS],
+    column: usize,
+    entries: &Ten<F>,
+) {
+    for (row, entry) in matrix.iter_mut().zip(entries) {
+        if let Some(sum) = row.get_mut(column) {
+            *sum += *entry;
+        }
+    }
+}

@@ -1,0 +1,153 @@
+//! Position and velocity of a wheel over its rail.
+//!
+//! The wheelset turns by roll about `x` and by yaw about the axis that roll has turned: its axes in
+//! the track are the columns `e₁, e₂, e₃` of `R = R_x(roll) R_z(yaw)`. A wheel at `y = s` of the
+//! wheelset has its centre at `s e₂`, and with the rates `p` and `r` about `e₁` and `e₃`
+//!
+//! ```text
+//! position = q + s e₂ − origin − rail,   velocity = v + s (p e₃ − r e₁) − rail's velocity
+//! ```
+
+use super::KSTRIP_WHEELSET_FREEDOMS;
+use super::track::RailMotion;
+use crate::number::Float;
+use crate::wheel_rail::{Position, Velocity, dot, sine_cosine};
+
+/// The ten velocities, or ten forces.
+pub(super) type Ten<F> = [F; KSTRIP_WHEELSET_FREEDOMS];
+
+/// A side of a wheelset.
+#[derive(Clone, Copy, Debug)]
+pub struct Side<F> {
+    /// From the middle of the wheelset to y = 0 of the wheel's profile \[m\]: negative on the left
+    /// side.
+    pub arm: F,
+    /// y of the rail's origin from the middle of the track \[m\]: negative on the left side.
+    pub origin: F,
+    /// By how much the wheel's radius exceeds the mean of both wheels \[m\].
+    pub excess: F,
+    /// Number of the rail's lateral freedom: 6 on the right side, 8 on the left side.
+    pub rail: usize,
+    /// How the rail has moved and moves.
+    pub motion: RailMotion<F>,
+}
+
+/// Kinematics of a wheel over its rail at a position of the wheelset.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Kinematics<F> {
+    side: Side<F>,
+    position: Position<F>,
+    /// The wheelset's first, second and third axis in the track's axes.
+    axes: [[F; 3]; 3],
+    roll: (F, F),
+    yaw: (F, F),
+}
+
+impl<F: Float> Kinematics<F> {
+    pub fn new(side: Side<F>, position: &Position<F>) -> Self {
+        let (roll, yaw) = (sine_cosine(position.roll), sine_cosine(position.yaw));
+        let ((sin_roll, cos_roll), (sin_yaw, cos_yaw)) = (roll, yaw);
+        let axes = [
+            [cos_yaw, cos_roll * sin_yaw, sin_roll * sin_yaw],
+            [-sin_yaw, cos_roll * cos_yaw, sin_roll * cos_yaw],
+            [F::zero(), -sin_roll, cos_roll],
+        ];
+        Self { side, position: *position, axes, roll, yaw }
+    }
+
+    /// Position of the wheel over its rail.
+    pub fn position(&self) -> Position<F> {
+        let Self { side: Side { arm, origin, excess, motion, .. }, position, axes, .. } = self;
+        let [_, [_, across, down], _] = *axes;
+        Position {
+            lateral: position.lateral + *arm * across - *origin - motion.lateral,
+            vertical: position.vertical + *arm * down + *excess - motion.vertical,
+            ..*position
+        }
+    }
+
+    /// Velocity of the wheel over its rail.
+    pub fn velocity(&self, own: &[F; 6]) -> Velocity<F> {
+        let columns = self.columns();
+        let mut sums = [F::zero(); 6];
+        for (column, own) in columns.iter().zip(own) {
+            for (sum, entry) in sums.iter_mut().zip(column) {
+                *sum += *entry * *own;
+            }
+        }
+        let [forward, lateral, vertical, roll, pitch, yaw] = sums;
+        let RailMotion { lateral_velocity, vertical_velocity, .. } = self.side.motion;
+        let (lateral, vertical) = (lateral - lateral_velocity, vertical - vertical_velocity);
+        Velocity { forward, lateral, vertical, roll, pitch, yaw }
+    }
+
+    /// The columns of `A`: the wheel's velocity over its rail by the ten velocities.
+    pub fn columns(&self) -> [[F; 6]; KSTRIP_WHEELSET_FREEDOMS] {
+        let Self { side: Side { arm, rail, .. }, axes: [ahead, _, down], .. } = *self;
+        let one = F::one();
+        core::array::from_fn(|k| {
+            let mut column = [F::zero(); 6];
+            let (place, entry) = match k {
+                0..6 => (k, one),
+                _ if k == rail => (1, -one),
+                _ if k == rail + 1 => (2, -one),
+                _ => return column,
+            };
+            if let Some(place) = column.get_mut(place) {
+                *place = entry;
+            }
+            match k {
+                3 => add_turned(column, arm, down),
+                5 => add_turned(column, -arm, ahead),
+                _ => column,
+            }
+        })
+    }
+
+    /// `∂A/∂q`: derivatives of the columns of the roll rate and of the yaw rate by a freedom's
+    /// position; only roll and yaw have some.
+    pub fn columns_by(&self, freedom: usize) -> [[F; 6]; 2] {
+        let Self { side: Side { arm, .. }, axes: [_, across, _], .. } = *self;
+        let ((sin_roll, cos_roll), (sin_yaw, _)) = (self.roll, self.yaw);
+        let zero = [F::zero(); 6];
+        match freedom {
+            3 => [
+                add_turned(zero, arm, [F::zero(), -cos_roll, -sin_roll]),
+                add_turned(zero, -arm, [F::zero(), -sin_roll * sin_yaw, cos_roll * sin_yaw]),
+            ],
+            5 => [zero, add_turned(zero, -arm, across)],
+            _ => [zero; 2],
+        }
+    }
+
+    /// The wheel's lateral and vertical position, its yaw and its roll by the position of a
+    /// freedom.
+    pub fn position_by(&self, freedom: usize) -> [F; 4] {
+        let Side { arm, rail, .. } = self.side;
+        let ((sin_roll, cos_roll), (sin_yaw, cos_yaw)) = (self.roll, self.yaw);
+        let (zero, one) = (F::zero(), F::one());
+        match freedom {
+            1 => [one, zero, zero, zero],
+            2 => [zero, one, zero, zero],
+            3 => [-arm * cos_yaw * sin_roll, arm * cos_yaw * cos_roll, zero, one],
+            5 => [-arm * sin_yaw * cos_roll, -arm * sin_yaw * sin_roll, one, zero],
+            _ if freedom == rail => [-one, zero, zero, zero],
+            _ if freedom == rail + 1 => [zero, -one, zero, zero],
+            _ => [zero; 4],
+        }
+    }
+}
+
+/// Adds a share of a direction to the velocity of the centre.
+fn add_turned<F: Float>(column: [F; 6], share: F, [x, y, z]: [F; 3]) -> [F; 6] {
+    let [a, b, c, roll, pitch, yaw] = column;
+    [a + share * x, b + share * y, c + share * z, roll, pitch, yaw]
+}
+
+/// `Aᵀ W`: the ten forces of a wheel's wrench.
+pub(super) fn transposed<F: Float>(
+    columns: &[[F; 6]; KSTRIP_WHEELSET_FREEDOMS],
+    wrench: &[F; 6],
+) -> Ten<F> {
+    columns.map(|column| dot(&column, wrench))
+}

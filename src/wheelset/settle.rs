@@ -1,0 +1,208 @@
+//! Height, roll and pitch rate of a wheelset under given loads.
+//!
+//! Three equations for the vertical places `h` of both wheels and the pitch rate: vertical force,
+//! roll moment and moment about the axle balance the loads. The search begins where pressure alone
+//! carries the loads, and goes on by Newton's method with the derivatives of the forces, with
+//! bounded steps that must lessen the rest.
+
+use super::forces::{
+    Wheelset, WheelsetByPosition, WheelsetDerivatives, WheelsetForces, WheelsetWorkspace,
+};
+use super::kinematics::Kinematics;
+use crate::number::{Float, are_finite};
+use crate::status::{Error, Warning};
+use crate::wheel_rail::{Position, Velocity, cross, dot};
+
+/// Newton's steps, and halvings of a step.
+const STEPS: usize = 40;
+const HALVINGS: usize = 8;
+/// Largest change of a wheel's height in a step \[m\].
+const FARTHEST: f64 = 1e-4;
+/// Largest change of the rim's speed in a step, over the rolling speed, and at standstill \[m/s\].
+const SLIP: f64 = 0.02;
+const SLOW_SLIP: f64 = 0.02;
+/// Steps below this many roundings of the radius and of the speed are no progress, where the rest is
+/// below this share of the load.
+const ROUNDING: f64 = 64.0;
+const NEARLY: f64 = 0.01;
+/// Least share of the load that a wheel is taken to carry at the beginning.
+const LEAST: f64 = 0.02;
+/// Largest number of times that both heights are found by pressure alone, and the change below
+/// which they stay \[m\].
+const PASSES: usize = 16;
+const STAYS: f64 = 1e-6;
+
+/// Loads on a wheelset that does not accelerate: what the vehicle and gravity do to it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct WheelsetLoads<F> {
+    /// Downward force at the wheelset's centre \[N\], its weight included, > 0.
+    pub vertical: F,
+    /// Moment about the wheelset's x axis \[N m\]: positive from y to z, onto the right rail.
+    pub roll: F,
+    /// Torque about the axle \[N m\], in the sense of the pitch rate: negative where it drives
+    /// forward.
+    pub pitch: F,
+}
+
+/// A wheelset in balance.
+#[derive(Clone, Copy, Debug)]
+pub struct Settled<F> {
+    /// The position: vertical and roll have been found.
+    pub position: Position<F>,
+    /// The velocity: the pitch rate has been found.
+    pub velocity: Velocity<F>,
+    /// The forces there.
+    pub forces: WheelsetForces<F>,
+    /// The warning, if there is one.
+    pub warning: Warning,
+}
+
+impl<F: Float> Wheelset<'_, F> {
+    /// Finds the vertical position, the roll and the pitch rate at which the rails balance the
+    /// loads, at given lateral position, yaw and other velocities.
+    ///
+    /// # Errors [`Error::NotFinite`]; [`Error::NormalForce`] for a vertical load that is not
+    /// positive; [`Error::WheelLifted`] where a wheel would lift; [`Error::ForceBeyondFriction`]
+    /// for a torque that friction does not carry; those of [`Wheelset::solve`].
+    pub fn settle(
+        &self,
+        start: &Position<F>,
+        velocity: &Velocity<F>,
+        loads: &WheelsetLoads<F>,
+        memory: &mut WheelsetWorkspace<F>,
+    ) -> Result<Settled<F>, Error> {
+        let WheelsetLoads { vertical, roll, pitch } = *loads;
+        Error::NotFinite.unless(are_finite(&[vertical, roll, pitch]))?;
+        Error::NormalForce.unless(vertical > F::zero())?;
+        let (position, radius) = self.by_pressure(start, loads, memory)?;
+        let [width, _] = self.sides.map(|side| side.arm.abs());
+        let pitch_rate = -velocity.forward / radius;
+        let (mut here, mut moves) = (position, Velocity { pitch: pitch_rate, ..*velocity });
+        let rest_of = |forces: &WheelsetForces<F>| {
+            let [_, _, down, over, about, _] = forces.wrench.members();
+            [
+                (down + vertical) / vertical,
+                (over + roll) / (vertical * width),
+                (about + pitch) / (vertical * radius),
+            ]
+        };
+        let size = |rest: &[F; 3]| dot(rest, rest).sqrt();
+        let least = F::EPSILON.cube_root().squared();
+        let (slow, fast) = (F::of(SLOW_SLIP), velocity.forward.abs().times(SLIP));
+        let (farthest, quickest) = (F::of(FARTHEST), (slow + fast) / radius);
+        let (mut slopes, mut moved) = (WheelsetDerivatives::zero(), WheelsetByPosition::zero());
+        let mut rest = [F::zero(); 3];
+        'steps: for _ in 0..STEPS {
+            let forces = self.solve(&here, &moves, memory, Some(&mut slopes), Some(&mut moved))?;
+            rest = rest_of(&forces);
+            if size(&rest) <= least {
+                let warning = forces.wrench.warning;
+                return Ok(Settled { position: here, velocity: moves, forces, warning });
+            }
+            // by the heights of both wheels, and by the pitch rate
+            let scale = [vertical, vertical * width, vertical * radius];
+            let column = |matrix: &[[F; 10]; 10], k: usize| {
+                let mut entries = matrix.iter().skip(2).map(|row| row.get(k).copied());
+                core::array::from_fn(|i| {
+                    let entry = entries.next().flatten().unwrap_or(F::zero());
+                    entry / scale.get(i).copied().unwrap_or(F::one())
+                })
+            };
+            let (sinks, rolls) = (column(&moved.position, 2), column(&moved.position, 3));
+            let by_height = |arm: F| {
+                let mut by: [F; 3] = sinks;
+                for (by, roll) in by.iter_mut().zip(&rolls) {
+                    *by = by.times(0.5) + *roll / arm.times(2.0);
+                }
+                by
+            };
+            let [right, left] = [by_height(width), by_height(-width)];
+            let Some(step) = solved(right, left, column(&slopes.velocity, 4), rest) else { break };
+            let [right, left, pitch] = step;
+            // both heights keep their ratio
+            let most = right.abs().max(left.abs());
+            let rim = pitch.abs() * radius;
+            let is_rounding = most <= radius * F::EPSILON.times(ROUNDING)
+                && rim <= velocity.forward.abs().plus(1.0) * F::EPSILON.times(ROUNDING);
+            let part = if most > farthest { farthest / most } else { F::one() };
+            let (right, left) = (right * part, left * part);
+            let pitch = pitch.clamped(-quickest, quickest);
+            let mut share = F::one();
+            for _ in 0..HALVINGS {
+                let (mut next, mut faster) = (here, moves);
+                next.vertical -= share * (right + left).times(0.5);
+                next.roll -= share * (right - left) / width.times(2.0);
+                faster.pitch -= share * pitch;
+                // (a step beyond the profiles is too long as well)
+                let tried = self.solve(&next, &faster, memory, None, None);
+                if tried.is_ok_and(|forces| size(&rest_of(&forces)) < size(&rest)) {
+                    (here, moves) = (next, faster);
+                    continue 'steps;
+                }
+                share = share.times(0.5);
+            }
+            if is_rounding && size(&rest) < F::of(NEARLY) {
+                let forces = self.solve(&here, &moves, memory, None, None)?;
+                let warning = forces.wrench.warning;
+                return Ok(Settled { position: here, velocity: moves, forces, warning });
+            }
+            break;
+        }
+        let forces = self.solve(&here, &moves, memory, None, None)?;
+        let [down, over, about] = rest.map(F::abs);
+        if forces.wheel.iter().any(|wheel| wheel.contacts == 0) {
+            return Err(Error::WheelLifted);
+        }
+        if about > down.max(over) && about > F::of(1e-3) {
+            return Err(Error::ForceBeyondFriction);
+        }
+        let warning = forces.wrench.warning.worse(Warning::NotConverged);
+        Ok(Settled { position: here, velocity: moves, forces, warning })
+    }
+
+    /// Where pressure alone carries the loads, and the mean radius of both wheels there.
+    fn by_pressure(
+        &self,
+        start: &Position<F>,
+        loads: &WheelsetLoads<F>,
+        memory: &mut WheelsetWorkspace<F>,
+    ) -> Result<(Position<F>, F), Error> {
+        let mut here = *start;
+        let mut radius = F::zero();
+        for _ in 0..PASSES {
+            radius = F::zero();
+            let mut sinks = [F::zero(); 2];
+            let sides = self.scenes.iter().zip(&self.sides).zip(&mut memory.wheel);
+            for (((scene, side), memory), sink) in sides.zip(&mut sinks) {
+                let position = Kinematics::new(*side, &here).position();
+                let carried = loads.vertical.times(0.5) + loads.roll / side.arm.times(2.0);
+                let support = carried.max(loads.vertical.times(LEAST));
+                let (height, _) = scene.height_for_load(&position, support, None, memory)?;
+                *sink = height - position.vertical;
+                let (mut sum, mut load) = (F::zero(), F::TINY);
+                for contact in memory.found() {
+                    let weight = contact.share * contact.normal_force;
+                    sum += weight * contact.radius;
+                    load += weight;
+                }
+                radius += (sum / load).times(0.5);
+            }
+            let ([right, left], [side, _]) = (sinks, self.sides);
+            here.vertical += (right + left).times(0.5);
+            here.roll += (right - left) / side.arm.times(2.0);
+            if right.abs().max(left.abs()) < F::of(STAYS) {
+                break;
+            }
+        }
+        Ok((here, radius))
+    }
+}
+
+/// Cramer's rule for the columns of a matrix; none where they have no volume.
+fn solved<F: Float>(a: [F; 3], b: [F; 3], c: [F; 3], right: [F; 3]) -> Option<[F; 3]> {
+    let volume = dot(&a, &cross(b, c));
+    let found = [dot(&right, &cross(b, c)), dot(&a, &cross(right, c)), dot(&a, &cross(b, right))]
+        .map(|part| part / volume);
+    are_finite(&found).then_some(found)
+}
