@@ -1,4 +1,4 @@
-//! Strips of any shape, side by side, that are not those of one ellipse.
+//! Strips of any shape side by side: those of a patch, which do not belong to one ellipse.
 //!
 //! Strips are of two kinds, whose nodes along the length are staggered. This module evaluates both
 //! kinds side by side and mixes them.
@@ -10,24 +10,24 @@ use crate::number::lanes::Lanes;
 use crate::number::registers::with_avx;
 use crate::number::{Arithmetic, Number, Real, Strips};
 
-/// The creepages of eight strips, `A_x, A_y, σ`, the spread and the start; and their share of the
-/// inner strips' nodes, 0 to 1.
+/// Eight strips: `A_x, A_y, σ`, the spread and the start of each, and the weight of the inner
+/// strips' nodes in each, 0 to 1.
 type Eight<F> = [[F; 8]; 6];
 /// The forces `f_x, f_y, m_x` of eight strips and the share in adhesion, and the derivatives of the
-/// first three by the creepages.
+/// first three with respect to the creepages.
 type ForcesAndSlopes<F, const ROWS: usize> = ([[F; 8]; 4], [[[F; 8]; 5]; ROWS]);
 
-/// How many rows of derivatives: without them, and with them.
+/// Number of rows of derivatives: none, or that of the forces and the moment.
 const VALUES: usize = 0;
 const SLOPES: usize = 3;
 
-/// The forces of eight strips. Each has a share of the inner strips' nodes, 0 to 1.
+/// The forces of eight strips. Each has a weight of the inner strips' nodes, 0 to 1.
 #[inline(never)]
 pub(crate) fn eight_strips<T: Number>(
     seen: &[(StripCreepage<T>, T); 8],
     inner: [T::Base; 8],
 ) -> [StripForces<T>; 8] {
-    // (one code for all numbers of derivatives)
+    // One function serves all numbers of derivatives, which keeps the code small.
     if T::HAS_DERIVATIVES {
         carried(seen, inner, both_kinds::<T::Base, SLOPES>)
     } else {
@@ -35,7 +35,7 @@ pub(crate) fn eight_strips<T: Number>(
     }
 }
 
-/// The same, one after the other.
+/// The forces of eight strips, computed one after the other: the reference for the tests.
 pub(crate) fn eight_one_by_one<T: Number>(
     seen: &[(StripCreepage<T>, T); 8],
     inner: [T::Base; 8],
@@ -63,7 +63,7 @@ fn carried<T: Number, const ROWS: usize>(
         inner,
     ];
     let zero = T::Base::zero();
-    // (written where it stays: a copy would take one_minus_r2 on the stack)
+    // Written in place: a copy would take room on the stack.
     let mut found = ([[zero; 8]; 4], [[[zero; 8]; 5]; ROWS]);
     forces(&eight, &mut found);
     let ([fx, fy, mx, stick], slopes) = &found;
@@ -92,7 +92,8 @@ fn both_kinds<F: Real, const ROWS: usize>(eight: &Eight<F>, found: &mut ForcesAn
         found: &mut ForcesAndSlopes<F, ROWS>
     ) -> () {
         if cfg!(target_os = "none") {
-            // (one after the other, where flash is short)
+            // Machines without wide registers compute one strip after the other, which needs less
+            // flash.
             of_kinds::<F, Lanes<F, 1>, ROWS>(eight, found)
         } else {
             of_kinds::<F, F::Eight, ROWS>(eight, found)
@@ -102,7 +103,7 @@ fn both_kinds<F: Real, const ROWS: usize>(eight: &Eight<F>, found: &mut ForcesAn
     })
 }
 
-/// As many strips at a time as stand side by side in `P`.
+/// Computes as many strips at a time as `P` holds side by side.
 #[inline(always)]
 fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
     eight: &Eight<F>,
@@ -113,7 +114,7 @@ fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
     for first in (0..8).step_by(P::COUNT) {
         let gather = |of: &[F; 8]| P::gather(|k| of.get(first + k).copied().unwrap_or(zero));
         let [x, y, spin, spread, start, inner] = eight.each_ref().map(gather);
-        // (one kind and the other)
+        // First with the nodes of one kind of strip, then with those of the other.
         let [x, y, spin, spread, start] =
             [x, y, spin, spread, start].map(|strips| Lanes::new([strips; 2]));
         let (seen, spin) = (StripCreepage { x, y, spread, start }, Spin::new(spin));

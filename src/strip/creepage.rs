@@ -1,7 +1,8 @@
 //! The creepages of the strips of a contact: from `vx, vy, φ` to `a_x, a_y, ρ, σ` and the bend `ε`.
 //!
-//! The flexibilities of Kalker's linear theory, multiplied by fitted factors that are 1 at rest,
-//! and turned into those of the rigid slip where the linear force is far beyond the friction bound.
+//! The flexibilities are those of Kalker's linear theory, multiplied by fitted factors that are 1
+//! at rest. Where the linear force is far beyond the friction bound they become that of the rigid
+//! slip.
 
 use super::constants::{SATURATION, WIDTH, WIDTH2};
 use super::kernel::StripCreepage;
@@ -20,7 +21,7 @@ const CREEPAGE_LIMIT: f64 = 1e4;
 const SEEN_LIMIT: f64 = 1e5;
 /// Largest creepage of one strip.
 const STRIP_LIMIT: f64 = 1e6;
-/// Axis ratios with which the model is evaluated. It is fitted for 0.015 to 60.
+/// Limits of the axis ratio with which the model is evaluated. It is fitted for 0.015 to 60.
 const RATIO_LIMIT: f64 = 1e3;
 
 /// `40⁴`
@@ -35,8 +36,8 @@ pub struct Flexibilities<F: Real> {
     pub(super) upright: F,
     /// `(4/3π)(C11 + C22)`, the common flexibility of full sliding.
     rigid: F,
-    /// `C23/(k_m C22) − 1` with `k_m = (4/3π) √(a/b)`. It gives the moment of a small lateral
-    /// creepage Kalker's slope.
+    /// `C23/(k_m C22) − 1` with `k_m = (4/3π) √(a/b)`. With it the moment of a small lateral
+    /// creepage has Kalker's slope.
     lateral_at_rest: F,
     /// Factors of creepage and of `ρ` that make sums over strips exact at rest.
     factors: [F; 2],
@@ -54,9 +55,9 @@ pub struct Distribution<T: Number> {
     pub longitudinal: T,
     /// `a_y`: lateral creepage.
     pub lateral: T,
-    /// `ρ`: slope by which the longitudinal creepage falls over `Y`.
+    /// `ρ`: decrease of the longitudinal creepage per unit of `Y`.
     pub slope: T,
-    /// `ε`: bend of that slope.
+    /// `ε`: curvature of that decrease.
     pub bend: T,
     /// `σ`: spin.
     pub spin: T,
@@ -73,13 +74,13 @@ pub struct Distribution<T: Number> {
 pub struct StripGeometry<F> {
     /// `Y = y/b` of its centre line, −1 to 1.
     pub y: F,
-    /// Half length over the patch's, `C = c/a`, positive.
+    /// Half length divided by that of the patch, `C = c/a`, positive.
     pub half_length: F,
-    /// Peak of the strip's friction bound over that of the patch: `Π = (μ p₀)_strip/(μ p₀)`,
+    /// Peak of the strip's friction bound divided by that of the patch: `Π = (μ p₀)_strip/(μ p₀)`,
     /// positive. On an ellipse with one coefficient of friction `Π = C`.
     pub bound: F,
-    /// Width in `Y` of one of sixteen strips at this place, over which slip is averaged; 0 for a
-    /// line.
+    /// Width in `Y`, over which slip is averaged: that of one of sixteen strips at this place; 0
+    /// for a line.
     pub width: F,
 }
 
@@ -162,11 +163,11 @@ impl<F: Real> Flexibilities<F> {
         let s2 = ls * ls;
         let q2 = t2 + s2;
 
-        // rigid slip: translation against spin at the ends of the axes
+        // Rigid slip: quotient of translation and spin at the ends of the axes.
         let (px, py) = (phi.scale(self.upright), phi.scale(self.root));
         let (x2, px2, y2, py2) = (vx * vx, px * px, vy * vy, py * py);
 
-        // every quotient (s − c)/(s + c) as 1 − 2 c/(s + c), the divisions in pairs
+        // Every quotient (s − c)/(s + c) is computed as 1 − 2 c/(s + c), two divisions at a time.
         let inverse = |first: T, second: T| T::Pair::of(first, second).inverse().parts();
         let (by_x, by_y) = size.plus(1.0).inverse().parts();
         let (over_x, over_y) = inverse((x2 + px2).plus(0.02), (y2 + py2).plus(0.02));

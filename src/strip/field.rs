@@ -14,13 +14,13 @@ const NO_TRACTION: f64 = 1e-30;
 /// The tangential state of a point of a strip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StripTraction<T> {
-    /// Traction on the lower body along `x` over the local friction bound `μ Z`.
+    /// Traction on the lower body along `x`, divided by the local friction bound `μ Z`.
     pub x: T,
-    /// Traction along `y` over `μ Z`; the length of the vector is at most 1.
+    /// Traction along `y`, divided by `μ Z`. The magnitude of both is at most 1.
     pub y: T,
-    /// SlipState of the upper over the lower body along `x`, in the units of the creepages given.
+    /// Slip of the upper over the lower body along `x`, in the units of the given creepages.
     pub slip_x: T,
-    /// SlipState along `y`.
+    /// Slip along `y`.
     pub slip_y: T,
     /// Whether the point slips.
     pub slips: bool,
@@ -56,8 +56,8 @@ impl<F: Float> Distribution<F> {
             let whole = step_to(s, before, node.place);
             let (next, traction) = slip.step(&seen, &spin, s, &whole);
             let to = slip_share(&seen, &spin, s, &whole, traction.tried);
-            // slip over rigid slip: zero at the separatrix; at the leading edge that of the first
-            // step
+            // Slip divided by rigid slip: zero at the separatrix; at the leading edge that of the
+            // first step.
             let at_start = from.unwrap_or(to * s.plus(EDGE - 2.0).max(zero).times(1.0 / EDGE));
             here = Some((slip, node, before, at_start, to));
             if t >= node.place {
@@ -71,7 +71,7 @@ impl<F: Float> Distribution<F> {
         };
         let (_, point) = slip.step(&seen, &spin, s, &step_to(s, before, t));
         let part = ((before - t) / node.length).clamped(zero, one);
-        // with much spin the traction may reach the bound anywhere behind the leading edge
+        // With much spin the traction may reach the bound anywhere behind the leading edge.
         let excess = (point.tried - one).times(5.0).clamped(zero, one);
         let share = (from + (to - from) * part) * (one - spin.blend * (one - excess));
         let slips = spin.blend == zero || point.tried > one;
@@ -108,8 +108,8 @@ fn step_to<F: Float>(s: F, before: F, t: F) -> Step<F> {
     }
 }
 
-/// SlipState over rigid slip on a step: the part of the traction's growth that the bound cuts off,
-/// over the whole growth.
+/// Slip divided by rigid slip on a step: the part of the traction's growth that the bound cuts off,
+/// divided by the whole growth.
 fn slip_share<F: Float>(
     seen: &StripCreepage<F>,
     spin: &Spin<F>,

@@ -11,7 +11,7 @@ use crate::number::Arithmetic;
 
 /// Least distance of the separatrix from the trailing edge.
 const LEAST: f64 = 1e-12;
-/// SlipState within a strip's width over its slip part is limited to this.
+/// Limit of the variation of slip over a strip's width, divided by the slip behind the separatrix.
 pub(super) const WIDEST: f64 = 1e3;
 /// Keeps roots of squares away from zero.
 const TINY: f64 = 1e-24;
@@ -27,8 +27,8 @@ pub struct StripCreepage<T> {
     pub y: T,
     /// Variation of `A_x` over the width of one of sixteen strips.
     pub spread: T,
-    /// Distance from full sliding, 1 to 0: share of its turn that the first step into the slip part
-    /// keeps.
+    /// Distance from full sliding, 1 to 0: the share of its turn that the first step behind the
+    /// separatrix keeps.
     pub start: T,
 }
 
@@ -37,7 +37,7 @@ pub struct StripCreepage<T> {
 pub struct Spin<T> {
     /// `σ`
     pub sigma: T,
-    /// `r`, the lateral traction of spin in adhesion over the bound; `|r| < 1`
+    /// `r`, the lateral traction of spin in adhesion, divided by the bound; `|r| < 1`
     pub r: T,
     /// `σ − r`
     pub excess: T,
@@ -45,7 +45,7 @@ pub struct Spin<T> {
     pub one_minus_r2: T,
     /// `1/(1 − r²)`
     pub inverse_room: T,
-    /// Share of the adhesion part that is given to the nodes: 0 at small spin, 1 at large.
+    /// Share of the adhesion part that the nodes sum: 0 at small spin, 1 at large spin.
     pub blend: T,
     /// Half width `d` of the rounded cut.
     pub round: T,
@@ -53,7 +53,7 @@ pub struct Spin<T> {
     pub inverse_round: T,
 }
 
-/// Forces of a strip over its friction bound.
+/// Forces of a strip, divided by its friction bound.
 #[derive(Clone, Copy, Debug)]
 pub struct StripForces<T> {
     /// Longitudinal force.
@@ -97,7 +97,7 @@ impl<T: Arithmetic> Spin<T> {
         }
     }
 
-    /// The same in another kind of number.
+    /// These numbers in another kind of number.
     #[inline(always)]
     pub fn map<U>(&self, all: impl Fn(T) -> U) -> Spin<U> {
         let Self { sigma, r, excess, one_minus_r2, inverse_room, blend, round, inverse_round } =
@@ -145,11 +145,11 @@ impl<T: Arithmetic> Separatrix<T> {
         let square = (spin.one_minus_r2 * x2 + y2).plus(TINY);
         let inverse_size = square.inverse_root();
         let turned = spin.r * y;
-        // where r A_y' < 0 the root is |A'|²/(S − r A_y')
+        // Where r A_y' < 0 the root is computed as |A'|²/(S − r A_y').
         let sum = square * inverse_size + turned.choose(turned, -turned);
         let root = turned.choose(sum * spin.inverse_room, (x2 + y2) / sum);
         let s = root.max(T::constant(LEAST)).min(T::constant(2.0));
-        // meets the leading edge with slope zero
+        // At the leading edge the derivative becomes zero.
         let z = s.plus(EDGE - 2.0).max(T::zero()).times(1.0 / EDGE);
         let s = s + z.squared() * (T::one() - z).times(EDGE);
         Self { y, s: s + spin.blend * (T::constant(2.0) - s), root, inverse_size }
@@ -167,7 +167,7 @@ pub(super) struct SlipState<T> {
     pub kept: T,
 }
 
-/// A node: traction over the bound, and the other summands.
+/// A node: traction divided by the bound, and the other summands.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Traction<T> {
     pub x: T,
@@ -242,7 +242,7 @@ pub(super) struct Start<T> {
     pub n: [T; 2],
 }
 
-/// A node, as the reverse pass of the derivatives needs it.
+/// The numbers of a node that the reverse pass of the derivatives uses.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NodeState<T> {
     pub inverse_bound: T,
@@ -296,12 +296,12 @@ pub(super) fn forces<T: Arithmetic>(
         blended += slip.kept.squared().squared().squared().scale(node.length);
         note(k, NodeState { inverse_bound, weight, traction, kept: slip.kept });
     }
-    // with much spin the nodes reach into the adhesion part
+    // With much spin the nodes extend into the adhesion part.
     let stick = ahead + spin.blend * (u * blended);
     (StripForces { fx, fy, mx, stick }, Start { separatrix, inverse_s, n })
 }
 
-/// `1/s` and all `s/B = 1/(t (2 − s t))`, from one quotient.
+/// `1/s` and all `s/B = 1/(t (2 − s t))`, computed with one division.
 #[inline(always)]
 fn inverses<T: Arithmetic>(s: T, constants: &impl Constants<T::Value>) -> (T, [T; NODES]) {
     let mut inverses = [s; NODES];

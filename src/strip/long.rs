@@ -1,10 +1,9 @@
-//! More corrections where the contact is long, `a ≫ b`.
+//! Additional corrections for long contacts, `a ≫ b`.
 //!
-//! In a long contact the strips move each other: what one of them feels is the load of the whole
-//! cross-section, with `ln(a/b)`. The corrections of `network` know axis ratios to 14. From
-//! `√(a/b)` = 2.65 on those of a second network are added, which was fitted to long contacts alone,
-//! with a weight that has two continuous derivatives and is one from 3.75 on. Shorter contacts do
-//! not have it. (Ours: no paper has it.)
+//! In a long contact each strip is deformed by the load of the whole cross-section, with `ln(a/b)`.
+//! The corrections of `network` are fitted for axis ratios up to 14. From `√(a/b)` = 2.65 on, the
+//! corrections of a second network are added, which was fitted to long contacts alone. Their weight
+//! has two continuous derivatives and is one from 3.75 on. No paper has these corrections.
 
 use super::long_constants::{FIXED, INPUT, OFFSET, OUTPUT};
 use super::network::{CORRECTIONS, Layers};
@@ -12,10 +11,10 @@ use crate::number::tables::{add_rows, row, table, widen};
 use crate::number::{Arithmetic, Number, Pair, Real, Strips};
 
 const UNITS: usize = OUTPUT.len();
-/// Features of all contacts that are used here too: the last ones.
+/// Number of features of `network` that are used here too: the last ones.
 const SHARED: usize = 8;
 const INPUTS: usize = INPUT.len();
-/// `√(a/b)` from which on, and over which distance, the corrections set in.
+/// `√(a/b)` where the corrections begin, and the distance over which their weight grows to one.
 const FROM: f64 = 2.65;
 const OVER: f64 = 1.1;
 /// Axis ratio where the flexibilities of rigid slip take over at [`super::constants::SATURATION`].
@@ -26,9 +25,9 @@ const SATURATES_AT: f64 = 10.0;
 pub(crate) struct LongContact<F> {
     /// Weight of its corrections, 0 to 1.
     pub share: F,
-    /// `0.1 (b/a)²`: squares of creepages that are small.
+    /// `0.1 (b/a)²`: squares of creepages that count as small.
     small: F,
-    /// Sums of the units over what the contact decides.
+    /// Sums of the units over the features of the contact.
     start: [F; UNITS],
 }
 
@@ -57,9 +56,9 @@ impl<F: Real> LongContact<F> {
         (self.share * (length * length.squared()).plus(-1.0)).plus(1.0).sqrt().inverse()
     }
 
-    /// What is added to the corrections. `shared` are the last features of all contacts, `forces`
-    /// those of the linear theory, `squares` of `vx, vy` and `p = √(a/b) φ`, `turn` is `vy p` and
-    /// `psi` is `|ψ|`, rounded.
+    /// The terms that are added to the corrections. `shared` are the last features of `network`,
+    /// `forces` those of the linear theory, `squares` of `vx, vy` and `p = √(a/b) φ`, `turn` is `vy
+    /// p` and `psi` is `|ψ|`, rounded.
     #[inline(always)]
     pub fn corrections<T: Number<Base = F>, P: Strips<F>>(
         &self,
@@ -70,9 +69,9 @@ impl<F: Real> LongContact<F> {
         psi: T,
     ) -> [T; CORRECTIONS] {
         let inverse = |first: T, second: T| T::Pair::of(first, second).inverse().parts();
-        // rigid slip of creepage against that of spin at the ends of the long axis
+        // Quotient of the rigid slip of creepage and of spin at the ends of the long axis.
         let (over_x, over_y) = inverse((x2 + p2).shift(self.small), (y2 + p2).shift(self.small));
-        // linear forces against each other and all of them, |ψ| alone
+        // Quotients of the linear forces, their total, and |ψ|.
         let (lx2, ly2, ls2) = (lx * lx, ly * ly, ls * ls);
         let (by_ys, by_xs) = inverse((ly2 + ls2).plus(0.01), (lx2 + ls2).plus(0.01));
         let (by_less, by_more) = inverse(psi.plus(0.3), psi.plus(1.0));

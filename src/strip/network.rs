@@ -47,7 +47,7 @@ impl<F: Real> StripNetwork<F> {
         }
     }
 
-    /// With its weights.
+    /// The network with its weights.
     #[inline(always)]
     pub fn layers(&self) -> Layers<'_, F, INPUTS, UNITS> {
         let [offset] = table!(F, widen(&[OUTPUT_OFFSET]));
@@ -58,7 +58,7 @@ impl<F: Real> StripNetwork<F> {
 
 /// One layer of units, and corrections.
 pub(super) struct Layers<'a, F: Real, const INPUTS: usize, const UNITS: usize> {
-    /// Sums of the units over what the contact decides.
+    /// Sums of the units over the features of the contact.
     pub start: &'a [F; UNITS],
     /// Weights of the other inputs, of the corrections themselves, and of the units.
     pub input: &'static [[F::Stored; UNITS]; INPUTS],
@@ -67,8 +67,8 @@ pub(super) struct Layers<'a, F: Real, const INPUTS: usize, const UNITS: usize> {
 }
 
 impl<F: Real, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UNITS> {
-    /// The corrections, sums side by side in `P`. (Out of line where code must be small; wide
-    /// registers need it within its caller.)
+    /// The corrections, with the sums side by side in `P`. Out of line where code must be small; in
+    /// wide registers it is inlined, because only the caller's code is compiled for them.
     #[cfg_attr(target_arch = "x86_64", inline(always))]
     #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
     pub fn corrections<T: Number<Base = F>, P: Strips<F>>(
@@ -84,7 +84,7 @@ impl<F: Real, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UNI
             *root = *root * root.squared();
         }
         let mut outputs = last(&units, row(self.offset), self.output).map(T::from_base);
-        // how they move with the inputs, one derivative after the other
+        // Derivatives of the corrections, one input after the other.
         for direction in 0..T::DIRECTIONS {
             let moved = self.moved::<P>(&slopes, inputs.iter().map(|x| x.derivative(direction)));
             for (output, moves) in outputs.iter_mut().zip(moved) {
@@ -94,7 +94,7 @@ impl<F: Real, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UNI
         outputs
     }
 
-    /// How the corrections move when the inputs do. (Out of line for the same reason.)
+    /// Derivative of the corrections along a change of the inputs. Out of line for the same reason.
     #[cfg_attr(target_arch = "x86_64", inline(always))]
     #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
     fn moved<P: Strips<F>>(

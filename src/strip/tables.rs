@@ -1,4 +1,4 @@
-//! The kernel's tables in the precision of the caller, worked out by the compiler from the
+//! The kernel's tables in the precision of the caller, which the compiler computes from the
 //! constants.
 
 use super::constants::{CELLS, NODE, NODES, PLACES, WEIGHTS};
@@ -16,9 +16,9 @@ pub(super) struct TableNode<B> {
     pub length: B,
     /// `1/t`
     pub inverse_place: B,
-    /// Softening over `(σ s)²`.
+    /// Softening, divided by `(σ s)²`.
     pub soft: B,
-    /// Weight over `u²`: a cubic in `u`.
+    /// Weight, divided by `u²`: a cubic in `u`.
     pub weight: [B; 4],
 }
 
@@ -38,12 +38,12 @@ type Couple<F> = [F; 2];
 
 /// The kernel's constants for strips side by side.
 pub(super) trait Constants<B> {
-    /// TableNode `k` from the separatrix on.
+    /// Node `k`, counted from the separatrix.
     fn node(&self, k: usize) -> TableNode<B>;
     fn closed(&self) -> Closed<B>;
 }
 
-/// The tables; `read` turns their numbers into numbers for the strips.
+/// The tables; `read` converts their numbers to those of the strips.
 #[derive(Clone, Copy)]
 pub(super) struct Tables<F: 'static, R> {
     nodes: &'static [[Couple<F>; NODE_FIELDS]],
@@ -180,7 +180,7 @@ impl<F: Float> Rule<F> {
     /// Where the strips lie.
     #[must_use]
     pub fn new(count: StripCount) -> Self {
-        // (all rules stand in one table: before the n/4 fours of this one there are n/4 − 1)
+        // All rules stand in one table: n/4 − 1 fours come before the n/4 of this rule.
         let fours = table!(F, FOURS).as_chunks().0;
         let factors = table!(F, FACTORS).get((count as usize).ilog2() as usize - 2);
         let [stretch, lever] = *factors.unwrap_or(&[F::one(); 2]);
@@ -255,7 +255,7 @@ const FOURS: [Couple<f64>; STRIP_FIELDS * STRIPS / 2] = {
         ];
         let mut k = 0;
         while k < STRIP_FIELDS {
-            // the outermost strip is of the first kind
+            // The outermost strip is of the first kind.
             fours[STRIP_FIELDS * (i / 2) + k][1 - i % 2] = fields[k];
             k += 1;
         }

@@ -11,7 +11,7 @@ use crate::number::lanes::Lanes;
 use crate::number::registers::with_avx;
 use crate::number::{Arithmetic, Float, Number, Real, Strips, add};
 
-/// Least power, over that of the linear theory divided by `√(1 + n²)`.
+/// Least power, divided by that of the linear theory times `1/√(1 + n²)`.
 const FLOOR: f64 = 0.2;
 /// The correction begins where the power is less than the floor and this. References computed with
 /// CONTACT are above 0.64.
@@ -24,11 +24,11 @@ pub struct EllipseStrips<F: Real> {
     pub(super) rule: Rule<F::Stored>,
 }
 
-/// Sums over the strips: of `f_x, f_y`, the two parts of the moment, the stick area, nothing; with
-/// derivatives also, for `f_x, f_y` and the moment, the derivatives by [`Distribution::numbers`].
+/// Sums over the strips: of `f_x, f_y`, the two parts of the moment, the stick area, and zero; with
+/// derivatives also those of `f_x, f_y` and the moment with respect to [`Distribution::numbers`].
 type Rows<P, const ROWS: usize> = [[P; 6]; ROWS];
 
-/// How many rows: without derivatives, and with them.
+/// Number of rows: without derivatives, and with them.
 const VALUES: usize = 1;
 const SLOPES: usize = 4;
 
@@ -62,7 +62,8 @@ impl<F: Real> EllipseStrips<F> {
         ) -> Totals<T> {
             let law = strips.contact.seen::<T, F::Four>(creepage);
             if cfg!(target_os = "none") {
-                // (one after the other, where flash is short)
+                // Machines without wide registers compute one strip after the other, which needs
+                // less flash.
                 strips.totals_of::<T, Lanes<F, 1>, Lanes<F, 1>>(&law)
             } else {
                 strips.totals_of::<T, F::Four, F::Four>(&law)
@@ -80,7 +81,7 @@ impl<F: Real> EllipseStrips<F> {
         })
     }
 
-    /// The same, one strip after the other.
+    /// The totals, computed one strip after the other.
     pub(crate) fn totals_one_by_one<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
         self.totals_of::<T, Lanes<F, 1>, Lanes<F, 1>>(
             &self.contact.seen::<T, Lanes<F, 1>>(creepage),
@@ -118,8 +119,8 @@ impl<F: Real> EllipseStrips<F> {
 
     /// Sums over the strips, `P` of them at a time.
     ///
-    /// The order is the same whatever their number: each lane of every fourth four is added up
-    /// apart, and of chains and then of lanes `(c₀ + c₂) + (c₁ + c₃)`.
+    /// Four partial sums per lane, added as `(c₀ + c₂) + (c₁ + c₃)`, then the lanes likewise, so
+    /// that the result does not depend on the width of the register.
     #[inline(always)]
     pub(super) fn sums<P: Strips<F>, const ROWS: usize>(
         &self,
@@ -143,7 +144,7 @@ impl<F: Real> EllipseStrips<F> {
         totals
     }
 
-    /// The sums over every four, of its lanes from one on.
+    /// The sums over every four, from this lane on.
     #[inline(always)]
     fn chains<P: Strips<F>, const ROWS: usize>(
         &self,
@@ -155,7 +156,8 @@ impl<F: Real> EllipseStrips<F> {
         let constants = Tables::<F::Stored, _>::new(|couple: &[F::Stored; 2]| {
             P::gather(|k| of_lane(couple, lane + k))
         });
-        // (a chain is added up apart, 0, 2, 1, 3 of four, and then to its half)
+        // Each of the four partial sums is added separately, in the order 0, 2, 1, 3, and then to
+        // its half.
         let (chains, nothing) = (4 / fours, [[P::zero(); 6]; ROWS]);
         let mut halves = [nothing; 2];
         for k in 0..chains {
@@ -181,7 +183,7 @@ impl<F: Real> EllipseStrips<F> {
                 } else {
                     forces(&seen, &strips.spin, &constants, |_, _| ()).0
                 };
-                // of f_x, f_y, the two parts of the moment, and the stick area
+                // The sums of f_x, f_y, the two parts of the moment, and the stick area.
                 let [.., load, load_c, load_y, area, _] = fields;
                 let shares = [fx * load, fy * load, mx * load_c, fx * load_y, stick * area];
                 add(sums.as_flattened_mut(), shares);
@@ -197,8 +199,8 @@ impl<F: Real> EllipseStrips<F> {
         first
     }
 
-    /// The forces of each strip over the contact's friction bound, with its share of the area,
-    /// ascending in `y`. Their sum is the result of [`EllipseStrips::totals`].
+    /// The forces of each strip, divided by the contact's friction bound, with its share of the
+    /// area, ascending in `y`. Their sum is the result of [`EllipseStrips::totals`].
     pub fn each(&self, creepage: [F; 3], mut take: impl FnMut(Totals<F>, F))
     where
         F: Float,
@@ -225,7 +227,7 @@ impl<F: Real> EllipseStrips<F> {
             take(found, area);
         };
         let count = self.rule.fours.len();
-        // [Y₀, Y₁, −Y₀, −Y₁] with Y₀ > Y₁, fours from the middle on
+        // [Y₀, Y₁, −Y₀, −Y₁] with Y₀ > Y₁; the fours begin in the middle.
         for i in (0..count).rev() {
             strip(i, 2);
             strip(i, 3);
@@ -261,7 +263,7 @@ fn of_lane<F: Real>([outer, inner]: &[F::Stored; 2], lane: usize) -> F {
     F::stored(if lane & 1 == 1 { *inner } else { *outer })
 }
 
-/// The same, at `−Y` with the other sign if the field is odd.
+/// The number for a strip of a four, with the opposite sign at `−Y` if the field is odd.
 #[inline]
 fn of_side<F: Real>(couple: &[F::Stored; 2], lane: usize, odd: bool) -> F {
     let field = of_lane::<F>(couple, lane);
@@ -273,12 +275,12 @@ pub(super) struct CommonCreepage<P> {
     /// `a_x, a_y, ρ, ε` and the start.
     law: [P; 5],
     pub(super) spin: Spin<P>,
-    /// (Used only with derivatives.)
+    /// Used only with derivatives.
     pub(super) by_spin: SpinSlopes<P>,
 }
 
 impl<P: Arithmetic<Value = P>> CommonCreepage<P> {
-    /// The same in numbers `P`, made by `all`.
+    /// These creepages in numbers `P`, converted by `all`.
     #[inline(always)]
     pub(super) fn new<F: Real>(law: &Distribution<F>, all: impl Fn(F) -> P + Copy) -> Self {
         let spin = Spin::new(law.spin);
@@ -302,8 +304,8 @@ impl<P: Arithmetic<Value = P>> CommonCreepage<P> {
     }
 }
 
-/// Derivatives of forces and moment by `Distribution::numbers` from those of `f_x, f_y, m_x` by the
-/// creepages of the strips.
+/// Derivatives of forces and moment with respect to `Distribution::numbers`, from those of `f_x,
+/// f_y, m_x` with respect to the creepages of the strips.
 #[inline(always)]
 pub(super) fn by_law<P: Arithmetic>(
     [x, y, mut z]: [[P; 5]; 3],
@@ -324,7 +326,7 @@ pub(super) fn by_law<P: Arithmetic>(
     })
 }
 
-/// The fields of strips, each read from its couple; `y`, `bend` and `load_y` are odd in `y`.
+/// The fields of strips, each read from its pair; `y`, `bend` and `load_y` are odd in `y`.
 #[inline(always)]
 pub(super) fn fields<F: 'static, P>(
     read: impl Fn(fn(&FourStrips<F>) -> &[F; 2], bool) -> P,
@@ -349,12 +351,12 @@ fn within_bound<T: Number>([x, y]: [T; 2]) -> [T; 2] {
     [x.scale(size), y.scale(size)]
 }
 
-/// Forces moved so that friction takes power out: `F·v n/(v·K v)`, `K = diag(C11, C22, C33)`,
-/// `n² = 1 + |K v|² + (C23 φ)²`, is 1 at rest in every direction, and lifted where it is below
-/// [`FLOOR`] + [`STEP`], to no less than [`FLOOR`] and with a continuous slope.
+/// Forces moved so that friction takes power out: `F·v n/(v·K v)`, `K = diag(C11, C22, C33)`, `n² =
+/// 1 + |K v|² + (C23 φ)²`, is 1 at rest in every direction. Where it is below [`FLOOR`] + [`STEP`]
+/// it is raised to at least [`FLOOR`], with a continuous derivative.
 ///
-/// `F' = F + λ h K v` with `h = (1 − |F|²)/10` on the forces and 1 on the moment; beyond `|F'| = 1`
-/// all of it is scaled down.
+/// `F' = F + λ h K v` with `h = (1 − |F|²)/10` for the forces and 1 for the moment; where `|F'| >
+/// 1`, all of it is scaled down.
 #[inline(always)]
 pub(crate) fn power_projected<T: Number>(
     totals: Totals<T>,
@@ -369,7 +371,7 @@ pub(crate) fn power_projected<T: Number>(
     let totals = Totals { fx, fy, mz, stick };
     let power = fx * vx + fy * vy + mz * phi;
     let whole = kx * vx + ky * vy + ks * phi;
-    // no correction at rest, where squares may vanish, and for x > FLOOR + STEP
+    // No correction at rest, where squares may vanish, nor for x > FLOOR + STEP.
     let n = square.plus(1.0).sqrt();
     let loaded = square.plus(-1e-12);
     let missing = whole.times(FLOOR + STEP) - power * n;
@@ -377,7 +379,7 @@ pub(crate) fn power_projected<T: Number>(
     if !low.exceeds(T::zero()) {
         return totals;
     }
-    // x = P n/(v·K v) − FLOOR; what is missing to max(x, 0), rounded over ± STEP
+    // x = P n/(v·K v) − FLOOR; the correction is max(x, 0) − x, smoothed over ± STEP.
     let whole = loaded.choose(whole, T::one());
     let x = (power * n / whole).plus(-FLOOR);
     let short = (T::constant(STEP) - x).max(T::zero());

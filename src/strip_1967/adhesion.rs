@@ -14,8 +14,8 @@ fn root_epsilon<T: Number>() -> f64 {
     if size_of::<Stored<T>>() == 4 { 3.5e-4 } else { 1.5e-8 }
 }
 
-/// Strips with adhesion: `f_x = ξ̄ (2C − K)`, `f_y = ψ C² + η (2C − K)`, `m_x = −η (C − K)²`. Ends
-/// are fixed: derivatives are those of the integrands.
+/// Strips with adhesion: `f_x = ξ̄ (2C − K)`, `f_y = ψ C² + η (2C − K)`, `m_x = −η (C − K)²`. The
+/// ends count as fixed, so that derivatives are those of the integrands.
 #[inline(always)]
 pub(super) fn adhering<T: Number>(motion: &ReducedCreepage<T>, moving: &Arc<T>) -> Shares<T> {
     let ReducedCreepage { xi, eta, psi, slope: p, q, eta_psi: m, .. } = *motion;
@@ -30,13 +30,13 @@ pub(super) fn adhering<T: Number>(motion: &ReducedCreepage<T>, moving: &Arc<T>) 
     let c = (angle + (yc2 - yc1)).times(0.5);
     let yc = (c1 * c1 * c1 - c2 * c2 * c2).times(1.0 / 3.0);
     let bent = |y: T::Base, yc: T::Base| yc * (T::Base::one() - (y * y).times(2.0));
-    // (of a narrow arc the angle has its digits behind the point only)
+    // The angle of a narrow arc would lose its digits.
     let most = (y1 * y1).max(y2 * y2) * width;
     let yyc = (angle - (bent(y2, yc2) - bent(y1, yc1))).times(0.125);
     let yyc = yyc.min(most).max(T::Base::zero());
     let yy = (y1 * y1 + y1 * y2 + y2 * y2).times(1.0 / 3.0);
     let cc = width * (T::Base::one() - yy);
-    // S hardly bends where the zero of S² is far from the interval.
+    // S is nearly straight where the zero of S² is far from the interval.
     let (middle, half) = (sum.times(0.5), width.times(0.5));
     let (x, bend) = (values.xi_bar(middle), values.slope * half);
     let smooth = values.eta * values.eta
@@ -114,7 +114,7 @@ fn length<T: Number>(motion: &ReducedCreepage<T>, x: T::Pair) -> T::Pair {
     let big = s.more(m.abs());
     let positive = both(m);
     let above = positive.choose(big, squares.more(eta * eta));
-    // (where strips adhere K < C ≤ 1)
+    // Where strips adhere, K < C ≤ 1.
     let k = (above / positive.choose(both(q), big + Both::<T>::tiny())).min(Both::<T>::one());
     // S dK = ξ̄ dξ̄ + (η + ψ K)(dη + K dψ)
     let inverse = (s + Both::<T>::tiny()).inverse();
@@ -123,15 +123,15 @@ fn length<T: Number>(motion: &ReducedCreepage<T>, x: T::Pair) -> T::Pair {
     T::Pair::composed(k, [x0 * inverse, turn, turn * k], inputs)
 }
 
-/// `∫ C K dY = ∫ C² K dθ`: nodes for what `K` is more than its least, from the strip with `ξ̄ = 0`,
-/// where `S` may have a kink, to both ends of the arc.
+/// `∫ C K dY = ∫ C² K dθ`: nodes for the excess of `K` over its least value, from the strip with
+/// `ξ̄ = 0`, where `S` may have a kink, to both ends of the arc.
 #[inline(always)]
 fn stretch_and_length<T: Number>(motion: &ReducedCreepage<T>, arc: &Arc<T>, stretch: T::Base) -> T {
     let ReducedCreepage { xi, eta, psi, slope, .. } = *motion;
     let Arc { lower, upper, middle, .. } = *arc;
-    // the strip with ξ̄ = 0 or the end of the arc next to it (with hardly any spin there is no
-    // kink, and nothing may hang on where the middle is), as the tangent of half an angle, and K
-    // there
+    // The strip with ξ̄ = 0, or the end of the arc nearest to it, as the tangent of half an angle,
+    // and K there. With hardly any spin there is no kink, and the result must not depend on where
+    // the middle is.
     let hardly = (xi + eta.abs()).times(root_epsilon::<T>());
     let h = xi / (slope + hardly + T::from_base(T::ROOT_TINY));
     let turn = Edge::chosen(h - lower.y, Edge::chosen(upper.y - h, Edge::at(h), upper), lower);

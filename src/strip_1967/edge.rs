@@ -23,8 +23,8 @@
 //! cos β = D/√(d L₀),   sin² β = (1 − ψ² − λ − η² − 2 ηψ D/d)/L₀:
 //! ```
 //!
-//! no strip adheres where this is not positive, and then `(sin θ, cos θ)` is the strip that comes
-//! nearest to it.
+//! no strip adheres where this is not positive, and then `(sin θ, cos θ)` is the strip that is
+//! nearest to adhesion.
 
 use crate::number::{Arithmetic, Number};
 use crate::strip_1967::reduced::ReducedCreepage;
@@ -101,7 +101,7 @@ pub fn adhesion<T: Number>(motion: &ReducedCreepage<T>) -> (Arc<T>, T) {
     // The root as its distance s from min(ξ², p²), which is positive: neither λ nor d cancels.
     let inside = p - xi;
     let more = inside * (p + xi);
-    // (of two that are equal the slopes are those of the side that min(ξ, p) takes)
+    // Where both are equal, derivatives are those of the one that min(ξ, p) returns.
     let (beside_p, beside_xi) = (inside.choose(more, none), inside.choose(none, -more));
     let gap = beside_p + beside_xi;
     let d0 = q + beside_p + least;
@@ -110,7 +110,7 @@ pub fn adhesion<T: Number>(motion: &ReducedCreepage<T>) -> (Arc<T>, T) {
     let scale = (p2 + q + least).inverse();
     // d M, M = λ + p² + η² + m²/d
     let rest = lambda + p2 + eta2;
-    // (the squares below the root may be no numbers any more: it is never divided by alone)
+    // The squares below the root may underflow, so that nothing is divided by the root alone.
     let root = (d * rest + m * m).sqrt();
     // D/d = (m + √(dM))/d = (λ + p² + η²)/(√(dM) − m)
     let ratio = m.choose(m + root, rest) / m.choose(d, root - m + least);
@@ -118,7 +118,8 @@ pub fn adhesion<T: Number>(motion: &ReducedCreepage<T>) -> (Arc<T>, T) {
     let c = (d * scale).sqrt();
     let middle = Edge { y: p * xi * c / (root + least), c };
     let cosine = ratio * c;
-    // sin² β as a quotient by L₀, or where that loses more and is not below zero as 1 − cos² β
+    // sin² β as a quotient with L₀, or as 1 − cos² β where the quotient loses more digits and is
+    // not below zero.
     let pull = (m * ratio).times(2.0);
     let sum = q + lambda + eta2;
     let quotient = (q - lambda - eta2 - pull) * scale;
@@ -126,7 +127,7 @@ pub fn adhesion<T: Number>(motion: &ReducedCreepage<T>) -> (Arc<T>, T) {
     let likely = quotient + size.scale(T::EPSILON.times(4.0));
     let exact = (T::one() - cosine) * (T::one() + cosine);
     let sine2 = (size - T::one()).choose(likely.choose(exact, quotient), quotient);
-    // (what is narrower than rounding is none)
+    // An arc narrower than rounding counts as none.
     let sine2 = sine2 - T::from_base(T::EPSILON * T::EPSILON);
     let sine = sine2.min(T::one()).max(none).sqrt();
     let cosine = sine2.choose(cosine, T::one());
@@ -156,7 +157,8 @@ fn root<T: Number>(motion: &ReducedCreepage<T>, least: T, gap: T, d0: T) -> T {
     let sum = gap + e;
     let product = (e * least).times(2.0);
     let mut s = product / (sum + (sum * sum + product.times(2.0)).sqrt() + T::TINY);
-    // Halley's steps, two of them nearly always; side by side those that need more
+    // Halley's steps: two in nearly all cases; of several contacts side by side, as many as the
+    // slowest needs.
     let mut open = T::Base::one();
     for i in 0..16 {
         let (d, other, left) = (d0 + s, s + gap, least - s);
@@ -167,7 +169,7 @@ fn root<T: Number>(motion: &ReducedCreepage<T>, least: T, gap: T, d0: T) -> T {
         let step = value * slope / (slope * slope - value * bend + T::TINY);
         s = if T::LANES == 1 { s - step } else { open.choose(s - step, s) };
         if i > 0 {
-            // the error is about the cube of the step
+            // The error is about the cube of the step.
             let more = step.abs() * (step * step) - T::EPSILON * s * (s * s);
             open = open.choose(more, T::Base::zero());
             if !open.exceeds(T::Base::zero()) {

@@ -1,5 +1,5 @@
-//! What the integrals over strips are made of: nodes of Gauss, the primitives' common parts, and
-//! the pieces of the arc that adheres.
+//! Parts of the integrals over strips: nodes of Gauss, common parts of the primitives, and the
+//! pieces of the arc that adheres.
 
 use crate::number::{Arithmetic, Number, Pair, Real, Stored};
 use crate::strip_1967::edge::{Arc, Edge};
@@ -24,14 +24,14 @@ pub(super) fn far<T: Number>() -> f64 {
     if size_of::<Stored<T>>() == 4 { 3.5 } else { 16.0 }
 }
 
-/// Two plain numbers side by side.
+/// Two real numbers side by side.
 pub(super) type Both<T> = <<T as Number>::Base as Number>::Pair;
 
 /// Integrals over strips: `∫ f_x dY`, `∫ f_y dY`, `∫ m_x dY`, `∫ Y f_x dY`, `∫ (C − K) dY`.
 pub(super) type Shares<T> = [T; 5];
 
-/// `ε²`, and the square of some roundings of `Y`: where `η = 0` the direction of the slip turns at
-/// once in the strip `ξ̄ = 0`, and a derivative by `η` would be infinite.
+/// `ε²`, and the square of some roundings of `Y`: where `η = 0` the direction of the slip turns
+/// abruptly in the strip `ξ̄ = 0`, and a derivative with respect to `η` would be infinite.
 #[inline]
 pub(super) fn rounded<F: Real>(e: F) -> F {
     let rounding = F::EPSILON.times(4.0);
@@ -58,14 +58,14 @@ pub(super) fn moment<F: Real>([k0, k1]: [F; 2], [one, u, uu]: [F; 3]) -> F {
 pub(super) struct Pieces<F: Real> {
     motion: ReducedCreepage<F>,
     middle: Edge<F>,
-    /// Middle and half length of each in `t`.
+    /// Middle and half length of each piece in `t`.
     centre: F::Pair,
     pub half: F::Pair,
     /// `K` at the parting.
     pub least: F,
 }
 
-/// Of a node in each piece.
+/// Numbers of a node in each piece.
 pub(super) struct GaussNode<P> {
     pub t: P,
     /// `D = 1 + t²`

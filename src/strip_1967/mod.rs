@@ -1,7 +1,7 @@
 //! The strip theory of 1967 in closed form.
 //!
 //! Every strip `y = const` is a plane problem along `x` and an anti-plane problem along `y`
-//! (Section 4). In units of the ellipse, `Y = y/b` and `C = c/a = √(1 − Y²)`, a strip sees the
+//! (Section 4). In units of the ellipse, `Y = y/b` and `C = c/a = √(1 − Y²)`, a strip has the
 //! creepages of (5.13),
 //!
 //! ```text
@@ -15,7 +15,7 @@
 //! K = (S + η ψ)/(1 − ψ²),   S = √(η² + (1 − ψ²) ξ̄²).
 //! ```
 //!
-//! Where `K < C` it adheres and carries (Section 7)
+//! Where `K < C` it adheres and carries the forces (Section 7)
 //!
 //! ```text
 //! f_x = ξ̄ (2C − K),   f_y = ψ C² + η (2C − K),   m_x = −η (C − K)²;
@@ -36,8 +36,8 @@
 //! **Primitives** (Section 7.1). With `u = h − Y`, `h = ξ/p` both square roots of the theory have
 //! one form, `√(u² + ε²)`: the adhesion length's `S = p √q √(u² + ε²)` with `ε = η/(p √q)`, and the
 //! slip of a strip that slides by the rule of the rigid slip with `ε = η/(p (1 − ν))`. Their
-//! moments are powers and `asinh(u/ε)`. Where a root hardly bends over its piece the primitives
-//! would cancel, and four nodes of Gauss give all digits.
+//! moments are powers and `asinh(u/ε)`. Where a root is nearly straight over its piece the
+//! primitives would cancel; there four nodes of Gauss give all digits.
 //!
 //! Two integrals are not elementary: `∫ C S dY` of the moment `m_x`, and the continuous sliding
 //! rule. They are summed over nodes of the angle, so that the edges of the contact are smooth, from
@@ -85,7 +85,8 @@ use core::f64::consts::PI;
 #[must_use]
 #[inline(always)]
 pub fn totals<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Totals<T> {
-    // (the code of one rule alone is half as large; with derivatives it is one for both)
+    // The code for one rule alone is half as large. With derivatives one function serves both
+    // rules.
     if rule == SlidingRule::RigidSlip && !T::HAS_DERIVATIVES {
         with_avx!(if T::LANES => <T: Number>(parameters: &Parameters<T>) -> Totals<T> {
             integrals(parameters, SlidingRule::RigidSlip)
@@ -107,7 +108,7 @@ fn integrals<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Totals
     let shares = if T::HAS_DERIVATIVES {
         let mut shares = with_spin(&motion);
         if !motion.psi.exceeds(T::zero()) {
-            // (the formulas without spin have no derivative by the spin)
+            // The formulas without spin have no derivative with respect to spin.
             for (share, value) in shares.iter_mut().zip(short()) {
                 *share = T::composed(value, [T::Base::one()], [*share]);
             }
@@ -121,7 +122,7 @@ fn integrals<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Totals
     turned_back(&motion, shares)
 }
 
-/// Forces and moment in units of `μ N` and `μ N √(ab)`, turned back.
+/// Forces and moment in units of `μ N` and `μ N √(ab)`, signs restored.
 #[inline(always)]
 fn turned_back<T: Number>(motion: &ReducedCreepage<T>, shares: Shares<T>) -> Totals<T> {
     let [fx, fy, mx, lever, stick] = shares;
@@ -129,9 +130,9 @@ fn turned_back<T: Number>(motion: &ReducedCreepage<T>, shares: Shares<T>) -> Tot
     let root = axis_ratio.sqrt();
     let mz = mx.scale(root) - lever.scale(T::Base::one() / root);
     let (fx, fy) = (fx.scale(turned_x.times(0.75)), fy.scale(turned_y.times(0.75)));
-    // the mirror image of itself
+    // A motion that is its own mirror image has no longitudinal force.
     let fx = motion.xi.choose(fx, fx - T::from_base(fx.value()));
-    // (differences of primitives may pass the bound by their rounding)
+    // Differences of primitives may exceed the bound by their rounding.
     let square = fx * fx + fy * fy;
     let [fx, fy] = branch_or_blend!(
         square - T::one(),
@@ -163,7 +164,7 @@ fn without_spin<F: Real>(motion: &ReducedCreepage<F>) -> Shares<F> {
     let angle = inside.choose((y / (one + tau)).atan_of_unit().times(4.0), none);
     let cc = (y - y * (y * y).times(1.0 / 3.0)).times(2.0);
     let stick = inside.choose(angle.times(0.5) - y * tau, none);
-    // ∫ C² dY of those that slide, over their slip
+    // ∫ C² dY of the strips that slide, divided by their slip.
     let beside = tau2.min(one) / (one + y);
     let z = if rule == SlidingRule::RigidSlip { xi * compliance } else { xi };
     let slip = (z * z + (eta2 + F::EPSILON * F::EPSILON)).sqrt();

@@ -1,10 +1,10 @@
-//! What all strips of an ellipse share.
+//! The numbers that all strips of an ellipse share.
 
 use crate::contact::creepage::Parameters;
 use crate::number::{Arithmetic, Number, Stored, branch_or_blend};
 use crate::strip_1967::strip::SlidingRule;
 
-/// What all strips share: creepages turned so that `ξ ≥ 0` and `0 ≤ ψ ≤ 1`.
+/// The numbers that all strips share, with creepages mirrored so that `ξ ≥ 0` and `0 ≤ ψ ≤ 1`.
 #[derive(Clone, Copy, Debug)]
 pub struct ReducedCreepage<T: Number> {
     /// `ξ ≥ 0`
@@ -25,19 +25,19 @@ pub struct ReducedCreepage<T: Number> {
     pub axis_ratio: T::Base,
     /// Direction of a strip that slides.
     pub rule: SlidingRule,
-    /// By what `F_x` and `Y` have been turned: 1 or −1.
+    /// The signs that `F_x` and `Y` have been multiplied with: 1 or −1.
     pub(super) turned_x: T::Base,
     pub(super) turned_y: T::Base,
 }
 
-/// Sums of creepages up to which their eighth powers are numbers.
+/// Largest sum of creepages whose eighth power is finite.
 #[inline]
 fn largest<T: Number>() -> f64 {
     if size_of::<Stored<T>>() == 4 { 1e4 } else { 1e30 }
 }
 
 impl<T: Number> ReducedCreepage<T> {
-    /// Turned by the symmetries of the theory: `(ξ, η, ψ) → (−ξ, η, ψ)` gives `(−F_x, F_y, M_z)`,
+    /// Mirrored by the symmetries of the theory: `(ξ, η, ψ) → (−ξ, η, ψ)` gives `(−F_x, F_y, M_z)`,
     /// strips in the opposite order; all three reversed gives all forces reversed.
     #[inline(always)]
     pub fn new(parameters: &Parameters<T>, rule: SlidingRule) -> Self {
@@ -53,9 +53,10 @@ impl<T: Number> ReducedCreepage<T> {
         let (xi, eta) = (xi.scale(turned_all * turned_xi), eta.scale(turned_all));
         let psi = psi.scale(turned_all);
         let slope = psi.scale(width);
-        // within a strip spin counts as one at most
+        // Within a strip spin counts as at most one.
         let within = psi.min(T::one());
-        // far beyond any adhesion the same direction, so that powers are numbers
+        // Far beyond any adhesion creepages are scaled down in the same direction, so that powers
+        // are finite.
         let far = (xi + eta.abs() + slope).times(1.0 / largest::<T>());
         let [xi, eta, slope, psi] = branch_or_blend!(
             far - T::one(),

@@ -8,7 +8,7 @@ use crate::strip_1967::reduced::ReducedCreepage;
 use crate::strip_1967::slopes;
 use crate::strip_1967::strip::SlidingRule;
 
-/// Sixteen nodes, those that are positive: the continuous rule.
+/// The positive eight of sixteen nodes, for the continuous rule.
 const GAUSS_16: [[f64; 2]; 8] = [
     [0.09501250983763744, 0.1894506104550685],
     [0.2816035507792589, 0.18260341504492358],
@@ -55,7 +55,7 @@ fn rigid_slip<T: Number>(motion: &ReducedCreepage<T>, from: Both<T>, to: Both<T>
         T::from_base(first.min(second) + T::TINY),
         {
             let mut sums = [T::Pair::zero(); 3];
-            // (at rest no strip slides, and has no direction)
+            // At rest no strip slides, and none has a direction.
             let least = eta2 + T::EPSILON * T::EPSILON;
             for [node, weight] in table!(T::Base, GAUSS_4).iter().map(row::<T::Base, 2>) {
                 for node in [-node, node] {
@@ -109,8 +109,8 @@ fn rigid_slip<T: Number>(motion: &ReducedCreepage<T>, from: Both<T>, to: Both<T>
     )
 }
 
-/// `∫ C² (w_x, w_y, Y w_x) dY` with `w ~ (ξ̄, η + ψ C)`: nodes from the adhesion strips, next to
-/// which the direction turns, outwards.
+/// `∫ C² (w_x, w_y, Y w_x) dY` with `w ~ (ξ̄, η + ψ C)`: the nodes are denser next to the strips
+/// that adhere, where the direction turns.
 #[inline(always)]
 fn continuous<T: Number>(
     motion: &ReducedCreepage<T>,
@@ -135,7 +135,7 @@ fn continuous<T: Number>(
     let (nx, ny) = (both(xi) - both(p) * near.y, both(eta) + both(psi) * near.c);
     let turn = reach * both(p) * near.c / (nx * nx + ny * ny + rest).sqrt();
     let grade = turn.times(4.0).plus(1.0).sqrt().min(T::Pair::constant(30.0));
-    // (a turn within less than rounding counts for nothing)
+    // A turn within less than rounding is ignored.
     let grade = grade.plus(-1.0) / turn.times(1e-6).plus(1.0) + T::Pair::one();
     let outwards = T::Pair::of(-T::one(), T::one());
     let mut sums = [T::Pair::zero(); 4];
@@ -164,8 +164,8 @@ fn continuous<T: Number>(
             *whole += bound;
         }
     }
-    // By what the nodes miss of ∫ C² dY, so that a constant direction is exact and the force never
-    // beyond the bound
+    // Scaled so that ∫ C² dY is exact: a constant direction is then exact, and the force is never
+    // beyond the bound.
     let [fx, fy, lever, whole] = sums;
     let mean = (near.y * near.y + near.y * edge.y + edge.y * edge.y).times(1.0 / 3.0);
     let exact = (edge.y - near.y) * outwards * (T::Pair::one() - mean);

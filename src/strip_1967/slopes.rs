@@ -1,5 +1,5 @@
-//! Derivatives of the integrals, worked out by hand where dual numbers through their formulas would
-//! cost more or fail at an edge.
+//! Hand-written derivatives of the integrals, where dual numbers would cost more or fail at an
+//! edge.
 
 use crate::number::tables::{row, table};
 use crate::number::{Arithmetic, Number, Pair, Real};
@@ -8,7 +8,7 @@ use crate::strip_1967::integrals::{Both, GAUSS_6, GaussNode, Pieces, Shares, mom
 use crate::strip_1967::reduced::ReducedCreepage;
 use crate::strip_1967::strip::SlidingRule;
 
-/// `∫ C K dY` with its derivatives. Those by the ends are those of what the nodes miss.
+/// `∫ C K dY` with its derivatives. Those with respect to the ends correct the error of the nodes.
 #[inline(always)]
 pub(super) fn stretch_and_length<T: Number>(
     motion: &ReducedCreepage<T>,
@@ -44,7 +44,7 @@ pub(super) fn stretch_and_length<T: Number>(
     let [by_x, by_p, by_eta, by_psi, bend, by_t, by_node, flat] = sums;
     // dθ = 2 dt/(1 + t²)
     let whole = |sum: Both<T>| (sum * pieces.half).sum().times(2.0);
-    // by the tangents of the pieces' ends
+    // With respect to the tangents of the pieces' ends.
     let (by_centre, by_half) = (pieces.half * by_t, value + pieces.half * by_node);
     let ((first, before), (after, last)) =
         ((by_centre - by_half).parts(), (by_centre + by_half).parts());
@@ -66,8 +66,8 @@ pub(super) fn stretch_and_length<T: Number>(
     T::composed(whole(value) + least * stretch, slopes, inputs)
 }
 
-/// With `w = (u, ε)/D`, `D = √(u² + ε²)`, and `J_n = ∫ uⁿ/D du`: the derivatives by `h` and `ε` of
-/// `∫ C² (w_x, w_y, Y w_x) dY`.
+/// With `w = (u, ε)/D`, `D = √(u² + ε²)`, and `J_n = ∫ uⁿ/D du`: the derivatives with respect to
+/// `h` and `ε` of `∫ C² (w_x, w_y, Y w_x) dY`.
 ///
 /// Those of `u/D` and `ε/D` are `(ε², −u ε)` and `(−u ε, u²)` over `D³`, with `N_n = ∫ uⁿ/D³ du`.
 #[inline(always)]
@@ -87,14 +87,14 @@ pub(super) fn rigid_slip<F: Real>(
     [[xx, xy], [xy, yy], [h * xx + e * xy, h * xy + e * yy]]
 }
 
-/// How integrals move with the ends, where the force jumps: no values, only derivatives.
+/// Derivatives of integrals with respect to their ends, where the force jumps. The values are zero.
 pub(super) fn jumps<T: Number>(motion: &ReducedCreepage<T>, moving: &Arc<T>) -> Shares<T> {
     let ReducedCreepage { xi, eta, psi, slope: p, compliance, rule, .. } = motion.values();
     let (Arc { lower, upper, .. }, both) = (moving.values(), Both::<T>::both);
     let (y, c) = (Both::<T>::of(lower.y, upper.y), Both::<T>::of(lower.c, upper.c));
     let x = both(xi) - y.by(p);
     let z = x.by(compliance);
-    // C² of one that slides over its slip, which the nodes of the continuous rule bring along
+    // C² divided by the slip of a strip that slides; the nodes of the continuous rule include it.
     let rigid = T::Base::constant(if rule == SlidingRule::RigidSlip { 1.0 } else { 0.0 });
     let slip = c.by(rigid) / (z * z).more(eta * eta + T::TINY).sqrt();
     let fx = (x - z * slip) * c;

@@ -3,9 +3,9 @@
 //! Lengths are in units of the semi-axis `a`, tractions in units of `μ p₀`, slip in units of
 //! `2 μ p₀/G`, forces per unit of `Y = y/b` such that `F/(μ N) = (3/4) ∫ f dY`.
 //!
-//! A strip of half width `C` sees the effective longitudinal creepage `ξ̄`, the lateral creepage
-//! `η` and the spin `ψ`. If its adhesion length allows (`κ < C`) it sticks next to the leading
-//! edge, else it slides as a whole.
+//! A strip of half width `C` has the effective longitudinal creepage `ξ̄`, the lateral creepage `η`
+//! and the spin `ψ`. If its adhesion length allows (`κ < C`) it sticks next to the leading edge,
+//! else it slides as a whole.
 
 use crate::number::{Arithmetic, Float, Number};
 
@@ -20,7 +20,7 @@ pub enum SlidingRule {
     Continuous,
 }
 
-/// What holds at a point of the plane of contact.
+/// The state of a point of the plane of contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(i32)]
 pub enum State {
@@ -30,8 +30,8 @@ pub enum State {
     Stick = 1,
     /// Slip that dissipates.
     Slip = 2,
-    /// Slip against the traction: the strip theory's error near the leading edge of sliding strips
-    /// (8.39), where the local dissipation is negative.
+    /// Slip against the traction: an error of the strip theory near the leading edge of sliding
+    /// strips (8.39), where the local dissipation is negative.
     SlipNegativeDissipation = 3,
 }
 
@@ -73,7 +73,7 @@ impl<F: Float> StripPoint<F> {
     }
 }
 
-/// What happens in a strip.
+/// The two regimes of a strip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Regime<T> {
     /// The strip sticks over `−C + 2κ < x < C` and slips behind it.
@@ -103,7 +103,7 @@ pub struct Strip<T: Number> {
     pub xi_bar: T,
     /// Lateral creepage parameter `η`.
     pub eta: T,
-    /// Spin parameter `ψ`; in tractions more than ±1 counts as that.
+    /// Spin parameter `ψ`; in tractions it counts as at most ±1.
     pub psi: T,
     /// Poisson's ratio `ν`.
     pub poisson_ratio: T::Base,
@@ -135,7 +135,7 @@ pub fn adhesion_length<T: Number>(xi_bar: T, eta: T, psi: T) -> Option<T> {
     }
 }
 
-/// `ψ` as it counts in the tractions of a strip: ±1 at most.
+/// `ψ` as it counts in the tractions of a strip, limited to ±1.
 fn spin_within<T: Number>(psi: T) -> T {
     psi.clamped(-T::one(), T::one())
 }
@@ -319,7 +319,7 @@ impl<F: Float> Strip<F> {
 }
 
 impl<F: Float> StripPoint<F> {
-    /// Tell slip that dissipates from slip against the traction.
+    /// Classifies slip: along the traction, or against it.
     pub(crate) fn judged(mut self) -> Self {
         if self.dissipation() < F::zero() {
             self.state = State::SlipNegativeDissipation;

@@ -1,4 +1,4 @@
-//! The strips of a solution: pieces of one width that cut the ellipse once and for all.
+//! The strips of a solution: pieces of equal width that are the same for every motion.
 //!
 //! A strip carries the difference of the primitives of [`totals`](crate::strip_1967::totals())
 //! between its edges, so the strips add up to the totals, whatever their number and wherever
@@ -24,8 +24,8 @@ pub struct PlacedStrip<T> {
     pub half_length: T,
     /// Width in `Y`.
     pub width: T,
-    /// Length from the trailing edge to the separatrix over two on the centre line, `κ/a`; `C` when
-    /// it slides.
+    /// Half the length from the trailing edge to the separatrix on the centre line, `κ/a`; `C` when
+    /// the strip slides.
     pub kappa: T,
     /// Whether its centre line has an adhesion area.
     pub adheres: bool,
@@ -52,14 +52,14 @@ pub fn strips<F: Float>(
     let number = |i: i32| F::widened(i as f32);
     let width = number(2) / number(count as i32);
     let piece = |i: i32| {
-        // strips of a mirrored motion come in the opposite order
+        // The strips of a mirrored motion come in the opposite order.
         let i =
             if motion.turned_x * motion.turned_y < F::zero() { count as i32 - 1 - i } else { i };
         let edges = [i, i + 1].map(|i| Edge::at(width * number(i) - F::one()));
         share(&motion, &arc, adheres, edges)
     };
-    // Nodes lie elsewhere in a strip than in the whole. What that makes is shared out by ∫ C² dY,
-    // of m_x by the stick area.
+    // Nodes lie at other places in a strip than in the whole interval. The difference is
+    // distributed in proportion to ∫ C² dY, that of m_x in proportion to the stick area.
     let mut rest = with_spin(&motion);
     let mut stick = F::TINY;
     (0..count as i32).for_each(|i| {
@@ -71,7 +71,7 @@ pub fn strips<F: Float>(
     for i in 0..count as i32 {
         let mut piece = piece(i);
         let y = width * number(i).plus(0.5) - F::one();
-        // ∫ C² dY over its 4/3
+        // ∫ C² dY, divided by its total 4/3.
         let load = width * (F::one() - y * y - (width * width).times(1.0 / 12.0)).times(0.75);
         let sticks = piece[4] / stick;
         let more = [fx * load, fy * load, mx * sticks, lever * load, F::zero()];
@@ -95,7 +95,7 @@ pub fn strips<F: Float>(
     }
 }
 
-/// What the strips between two edges carry.
+/// The forces of the strips between two edges.
 fn share<F: Float>(
     motion: &ReducedCreepage<F>,
     arc: &Arc<F>,
