@@ -408,7 +408,7 @@ kstrip_status kstrip_linear_coefficients(double axis_ratio,
  * @{
  */
 
-/** Velocity of one body's material at the centre of the contact, seen from the contact. */
+/** Velocity of one body's material at the centre of the contact, relative to the contact. */
 typedef struct kstrip_velocity {
     /** Along the rolling direction x [m/s]: about minus the rolling speed for both bodies. */
     double x;
@@ -562,8 +562,8 @@ typedef struct kstrip_result {
      */
     double power;
     /**
-     * Share of the contact area in adhesion [-], 0 to 1. KSTRIP_MODEL_TOTAL does not know it:
-     * -1; KSTRIP_MODEL_LINEAR has adhesion everywhere: 1.
+     * Share of the contact area in adhesion [-], 0 to 1. It is -1 with KSTRIP_MODEL_TOTAL, which
+     * does not compute it, and 1 with KSTRIP_MODEL_LINEAR, which has adhesion everywhere.
      */
     double adhesion;
     /** The status of this result: 0 or one of the KSTRIP_WARNING constants. */
@@ -663,7 +663,7 @@ typedef struct kstrip_law_derivatives {
 typedef struct kstrip_strip {
     /** Centre line [m]. */
     double y;
-    /** Width that the strip stands for [m]. */
+    /** Width of the strip [m]. */
     double width;
     /** Half of its length along x [m]. */
     double half_length;
@@ -1200,7 +1200,7 @@ typedef struct kstrip_patch_strip {
  * load.
  *
  * Where the distance of two neighbours is more than one and a half times that at which they touch,
- * there is a gap: what lies on either side is a lobe of its own.
+ * there is a gap: the strips on either side are a lobe of their own.
  */
 typedef struct kstrip_patch {
     /** The strips; the first count are used. */

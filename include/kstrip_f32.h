@@ -100,7 +100,7 @@ kstrip_status kstrip_linear_coefficients_f32(float axis_ratio,
  * @{
  */
 
-/** Velocity of one body's material at the centre of the contact, seen from the contact. */
+/** Velocity of one body's material at the centre of the contact, relative to the contact. */
 typedef struct kstrip_velocity_f32 {
     float x;
     float y;
@@ -466,7 +466,7 @@ typedef struct kstrip_patch_strip_f32 {
  * load.
  *
  * Where the distance of two neighbours is more than one and a half times that at which they touch,
- * there is a gap: what lies on either side is a lobe of its own.
+ * there is a gap: the strips on either side are a lobe of their own.
  */
 typedef struct kstrip_patch_f32 {
     struct kstrip_patch_strip_f32 strips[KSTRIP_PATCH_CAPACITY];

@@ -1,10 +1,10 @@
-//! What can be wrong with an input, and what a caller should know about a result.
+//! Errors in inputs, and warnings about results.
 
 use core::ffi::CStr;
 use core::fmt;
 
-/// `Variant = number: "text"`: an enumeration of statuses. The text is what the status means and
-/// what the caller must change; it is the documentation of the variant as well.
+/// `Variant = number: "text"`: an enumeration of statuses. The text says what the status means and
+/// what the caller must change; it is also the documentation of the variant.
 macro_rules! statuses {
     ($(#[$about:meta])* $name:ident {
         $($(#[$variant_is:meta])* $variant:ident = $number:literal: $text:literal,)*
@@ -37,7 +37,7 @@ macro_rules! statuses {
 }
 
 statuses! {
-    /// An input that has no answer, with a negative status. Nothing has been computed or written.
+    /// An input without a result, with a negative status. Nothing has been computed or written.
     Error {
         NullPointer = -1: "a required pointer is NULL: pass the address of a structure or array",
         NotFinite = -2: "an input is infinite or NaN: pass finite numbers",
@@ -75,7 +75,7 @@ statuses! {
         ForceBeyondFriction = -20: "the requested force exceeds mu N: no creepage gives it",
         Measured = -21:
             "unknown measurement: use KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added",
-        /// The same holds of a profile and `kstrip_prepare_profile()`.
+        /// The same holds for a profile and `kstrip_prepare_profile()`.
         NotPrepared = -22:
             "the contact is not prepared: fill the structure with kstrip_prepare() of the same \
              precision",
@@ -138,7 +138,7 @@ impl fmt::Display for Error {
 impl core::error::Error for Error {}
 
 statuses! {
-    /// What the caller should know about a valid result: nothing, or a positive status.
+    /// A warning about a valid result: none, or a positive status.
     #[derive(Default)]
     Warning {
         #[default]
@@ -197,16 +197,15 @@ statuses! {
 }
 
 impl Warning {
-    /// Whether the warning says that an input is implausible, which is mostly because of another
-    /// unit.
+    /// Whether the warning says that an input is implausible, mostly because of a wrong unit.
     #[must_use]
     pub const fn is_implausible(self) -> bool {
         self.code() >= Self::Pressure.code() && self.code() <= Self::Radius.code()
     }
 
-    /// The graver one. A warning that the result may be another one is graver than one of
-    /// implausible inputs, and that is graver than one of inputs outside the range of the model. Of
-    /// two that are equally grave it is the one with the larger code.
+    /// The more serious one. A warning that the result may be another one is more serious than one
+    /// of implausible inputs, and that is more serious than one of inputs outside the range of the
+    /// model. Of two that are equally serious the one with the larger code is returned.
     #[must_use]
     pub const fn worse(self, other: Self) -> Self {
         let (own, of_other) = (self.gravity(), other.gravity());
@@ -214,7 +213,7 @@ impl Warning {
         if graver { other } else { self }
     }
 
-    /// How grave the warning is. Of two notices the one with the larger number is returned.
+    /// Seriousness of the warning: of two warnings the one with the larger number is returned.
     const fn gravity(self) -> i32 {
         match self {
             Self::NotConverged => 6,
@@ -244,7 +243,7 @@ pub const fn advice(code: i32) -> Option<&'static CStr> {
     if code < 0 { Error::advice(code) } else { Warning::advice(code) }
 }
 
-/// A text that ends with its only zero.
+/// A text that ends with its only zero byte, as a C string.
 pub(crate) const fn c_string(text: &'static str) -> &'static CStr {
     match CStr::from_bytes_with_nul(text.as_bytes()) {
         Ok(text) => text,

@@ -17,7 +17,7 @@ pub struct Creepage<T> {
     pub spin: T,
 }
 
-/// Velocity of one body's material at the centre of the contact, seen from the contact.
+/// Velocity of one body's material at the centre of the contact, relative to the contact.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SurfaceVelocity<F> {
@@ -32,8 +32,7 @@ pub struct SurfaceVelocity<F> {
 impl<F: Float> Creepage<F> {
     /// From the velocities of both bodies and the rolling speed `V > 0` \[m/s\].
     ///
-    /// Only the differences count, so any frame that moves without turning relative to the contact
-    /// will do.
+    /// Only differences count: any frame that does not rotate relative to the contact is suitable.
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::RollingSpeed`]; [`Error::Overflow`] when a quotient does not
@@ -76,7 +75,7 @@ impl<F: Float> Creepage<F> {
 }
 
 impl<F: Real> Creepage<F> {
-    /// The three creepages as what everything is differentiated by.
+    /// The three creepages as variables of the derivatives.
     #[must_use]
     #[inline]
     pub fn inputs(&self) -> Creepage<Dual<F, 3>> {
@@ -87,15 +86,15 @@ impl<F: Real> Creepage<F> {
         }
     }
 
-    /// `F_x υx + F_y υy + M_z φ` \[N\]: the power of forces `[F_x, F_y, M_z]` \[N, N, N m\] over
-    /// the rolling speed; positive where they follow the slip.
+    /// `F_x υx + F_y υy + M_z φ` \[N\]: the power of forces `[F_x, F_y, M_z]` \[N, N, N m\] divided
+    /// by the rolling speed; positive where they follow the slip.
     #[inline]
     pub(crate) fn power(&self, [fx, fy, mz]: [F; 3]) -> F {
         fx * self.longitudinal + fy * self.lateral + mz * self.spin
     }
 }
 
-/// Kalker's parameters of a rolling contact (5.13), with the two numbers that shape the patch.
+/// Kalker's parameters of a rolling contact (5.13), with Poisson's ratio and the axis ratio.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<T: Number> {
     /// `ξ = υx G/(2 (1 − ν) μ p₀)`
@@ -106,7 +105,7 @@ pub struct Parameters<T: Number> {
     pub psi: T,
     /// Poisson's ratio `ν`.
     pub poisson_ratio: T::Base,
-    /// `a/b`, semi-axis along rolling over the one across.
+    /// `a/b`, the semi-axis along the rolling direction divided by the one across.
     pub axis_ratio: T::Base,
 }
 
@@ -132,8 +131,8 @@ impl<T: Number> Parameters<T> {
         }
     }
 
-    /// `vx, vy = G a b (υx, υy)/(μ N)` and `φ = G (ab)^{3/2} ϕ/(μ N)`, what linear theory is
-    /// written in: `ξ = π vx/(3 (1 − ν))`, `η = π vy/3`, `ψ = (π/3) √(a/b) φ`.
+    /// `vx, vy = G a b (υx, υy)/(μ N)` and `φ = G (ab)^{3/2} ϕ/(μ N)`, the units of the linear
+    /// theory: `ξ = π vx/(3 (1 − ν))`, `η = π vy/3`, `ψ = (π/3) √(a/b) φ`.
     #[inline]
     #[must_use]
     pub fn normalised(&self) -> [T; 3] {
@@ -141,8 +140,8 @@ impl<T: Number> Parameters<T> {
         [self.xi.scale(by_xi), self.eta.times(THREE_OVER_PI), self.psi.scale(by_psi)]
     }
 
-    /// Slope of the effective longitudinal creepage over `Y = y/b`:
-    /// `ξ̄ = ξ − ψ (y/a)/(1 − ν) = ξ − p Y`.
+    /// `p`, by which the effective longitudinal creepage falls per unit of `Y = y/b`: `ξ̄ = ξ − ψ
+    /// (y/a)/(1 − ν) = ξ − p Y`.
     #[inline]
     #[must_use]
     pub fn spin_slope(&self) -> T {
@@ -161,7 +160,7 @@ fn back<F: Real>(poisson_ratio: F, axis_ratio: F) -> [F; 2] {
     [one - poisson_ratio, one / axis_ratio.sqrt()].map(|factor| factor.times(THREE_OVER_PI))
 }
 
-/// What turns the creepages of one contact into Kalker's parameters (5.13).
+/// Factors that convert the creepages of one contact to Kalker's parameters (5.13).
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Units<F> {
@@ -202,7 +201,7 @@ impl<F: Real> Units<F> {
         Parameters { xi, eta, psi, poisson_ratio, axis_ratio }
     }
 
-    /// As [`Parameters::normalised`].
+    /// The creepages in the units of [`Parameters::normalised`].
     #[inline(always)]
     pub(crate) fn normalised<T: Number<Base = F>>(&self, parameters: &Parameters<T>) -> [T; 3] {
         let Parameters { xi, eta, psi, .. } = *parameters;

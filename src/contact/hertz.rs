@@ -96,8 +96,8 @@ pub fn from_hertz<F: Float>(
 }
 
 /// The contact of two bodies whose distant points have come closer by `approach` \[m\]: the inverse
-/// of [`from_hertz`], as the contact search of a multibody code needs it. With its stiffness
-/// `dN/dδ = 3N/(2δ)` \[N/m\] and whether the numbers are plausible.
+/// of [`from_hertz`], for the contact search of a multibody program. Also returns the stiffness
+/// `dN/dδ = 3N/(2δ)` \[N/m\], and whether the numbers are plausible.
 ///
 /// Without approach, `δ ≤ 0`, contact is lost: `a`, `b`, normal force and stiffness are zero.
 ///
@@ -146,7 +146,7 @@ fn plane_strain_modulus<F: Float>(shear_modulus: F, poisson_ratio: F) -> Result<
     Ok(shear_modulus / (F::one() - poisson_ratio))
 }
 
-/// The form of the ellipse, which depends on the radii only.
+/// The shape of the ellipse, which depends on the radii alone.
 #[derive(Clone, Copy)]
 struct Form<F> {
     /// The smaller of `A = (1/Rx⁺ + 1/Rx⁻)/2` and `B = (1/Ry⁺ + 1/Ry⁻)/2` \[1/m\].
@@ -204,8 +204,8 @@ impl<F: Float> Form<F> {
         Ok(HertzContact { a, b, peak_pressure, approach, axis_ratio, hertz_angle, rho })
     }
 
-    /// A contact that every model accepts, and whether it and the radii are plausible. Of a lost
-    /// contact friction and mismatch are checked.
+    /// A checked contact, and whether it and the radii are plausible. In a lost contact friction
+    /// and mismatch are checked as well.
     fn loaded(
         &self,
         [a, b]: [F; 2],
@@ -235,7 +235,7 @@ impl<F: Float> Form<F> {
     }
 }
 
-/// Newton steps at most; five reach rounding from the starting value for any axis ratio.
+/// Largest number of Newton steps. Five reach rounding from the starting value for any axis ratio.
 const NEWTON_STEPS: usize = 12;
 
 /// The axis ratio `g` for a ratio of curvatures `A/B = g² D(g)/B(g)`, both in `(0, 1]`.

@@ -31,27 +31,28 @@ use core::f64::consts::PI;
 /// `c'` of full adhesion for `a ≪ b`, and of full slip.
 const ADHESION: f64 = 16.0 / (PI * PI * PI);
 const SLIP: f64 = 9.0 / (4.0 * PI);
-/// What `c'` of full adhesion falls by, and the axis ratio where half of it is reached.
+/// Decrease of the `c'` of full adhesion with the axis ratio, and the axis ratio where half of it
+/// is reached.
 const WIDE: [f64; 2] = [0.057, 0.45];
 /// Linear forces beyond which nothing changes.
 const FARTHEST: f64 = 1e4;
 
 mod fitted {
-    //! Written down by `fit/fit_mismatch.py`.
+    //! Fitted by `fit/fit_mismatch.py`, which prints them.
 
     /// Linear force half way between adhesion and slip.
     pub(super) const HALF: f64 = 4.535;
-    /// How much the force of the pressure itself counts there, and that of spin.
+    /// Weights of the force of the pressure itself and of that of spin there.
     pub(super) const PRESSURE: f64 = 2.7;
     pub(super) const SPIN: f64 = 6.692;
-    /// Saturated rear: how much the forces of pressure, creepage and spin count.
+    /// Saturated rear: weights of the forces of pressure, creepage and spin.
     pub(super) const REAR: [f64; 3] = [1.192, 0.707, 2.379];
     /// `c'` of a saturated rear.
     pub(super) const SATURATED: f64 = 0.307;
 }
 
 impl<F: Real> Contact<F> {
-    /// `κ N/(G a (a + b))`: what [`shift`] multiplies with `−c'` \[–\].
+    /// `κ N/(G a (a + b))` \[–\], which [`shift`] multiplies by `−c'`.
     #[inline]
     pub(crate) fn strain(&self) -> F {
         let Self { a, b, normal_force, shear_modulus, mismatch, .. } = *self;
@@ -77,8 +78,8 @@ pub(crate) fn shift<T: Number>(
     -(share(forces.map(|force| force.within(FARTHEST)), adhesion) * strain)
 }
 
-/// The creepage that an ellipse sees, where pressure counts with a factor that may be a variable:
-/// one.
+/// The creepage of an ellipse with that of the pressure, which has a factor of one that may be a
+/// variable of derivatives.
 #[inline]
 pub(crate) fn seen<T: Number>(
     contact: &Contact<T::Base>,
@@ -94,7 +95,7 @@ pub(crate) fn seen<T: Number>(
     Creepage { longitudinal, ..*creepage }
 }
 
-/// `Δυx` of the linear theory, which knows adhesion only.
+/// `Δυx` of the linear theory, which has adhesion everywhere.
 #[inline]
 pub(crate) fn linear_shift<F: Real>(axis_ratio: F, strain: F) -> F {
     -(adhesion(axis_ratio) * strain)
@@ -121,12 +122,12 @@ fn share<T: Number>([lx, ly, ls, d]: [T; 4], adhesion: T::Base) -> T {
     sum / (slip + rear).plus(1.0)
 }
 
-/// `Δυx` and what it depends on.
+/// `Δυx` and its derivatives.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Shift<F> {
     /// `Δυx` \[–\]
     pub value: F,
-    /// By the creepages.
+    /// Derivatives with respect to the creepages.
     pub by_creepage: [F; 3],
     /// `κ ∂Δυx/∂κ`
     pub by_mismatch: F,
@@ -153,7 +154,7 @@ impl<F: Float> Shift<F> {
         }
     }
 
-    /// Of the linear theory.
+    /// The shift of the linear theory.
     pub(crate) fn linear(contact: &Contact<F>) -> Self {
         let value = linear_shift(contact.a / contact.b, contact.strain());
         Self { value, by_creepage: [F::zero(); 3], by_mismatch: value }

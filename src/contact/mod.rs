@@ -1,4 +1,4 @@
-//! A loaded contact ellipse with friction: what every model starts from.
+//! A loaded contact ellipse with friction: the input of every model.
 
 pub mod creepage;
 pub(crate) mod elliptic;
@@ -60,15 +60,14 @@ impl<F: Float> Contact<F> {
         Error::Friction.unless(friction >= F::zero())?;
         let (bound, pressure) = (self.friction_bound(), self.peak_pressure());
         let results = [bound, pressure, friction * pressure, self.strain()];
-        // Products of the axis ratio with anything of order one stay finite as well.
+        // So that products of the axis ratio with numbers of order one stay finite.
         let slender = (a / b).max(b / a) > F::HUGE;
         Error::Overflow.unless(!slender && are_finite(&results))
     }
 }
 
 impl<F: Real> Contact<F> {
-    /// Whether there is no contact: `N ≤ 0`. Nothing else of it counts then, as long as it is
-    /// finite.
+    /// Whether there is no contact: `N ≤ 0`. The other members then only need to be finite.
     #[must_use]
     #[inline]
     pub fn is_lost(&self) -> bool {
@@ -90,7 +89,7 @@ impl<F: Real> Contact<F> {
     }
 
     /// `G/(2 μ p₀)`, the factor of (5.13); at most [`Number::HUGE`](crate::number::Number::HUGE),
-    /// also without friction or load.
+    /// this largest number without friction or load.
     #[inline]
     pub(crate) fn stiffness_ratio(&self) -> F {
         // G/(2 μ p₀) = (π/3) G a b/(μ N)

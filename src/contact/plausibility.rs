@@ -1,4 +1,5 @@
-//! Numbers that no contact of two bodies has. Their usual cause is a wrong unit.
+//! Implausible inputs: numbers that no contact of two bodies has. Their usual cause is a wrong
+//! unit.
 //!
 //! The result is valid and comes with a warning that names the quantity. These quantities are
 //! tested:
@@ -19,8 +20,8 @@
 //! `tan γ`: 3 on a wheel flange of 70 degrees, 1 in a ball bearing, and 57 times as much in degrees
 //! per metre, which is detected from `γ = 5°` on. Where the ellipse does not follow the load, a
 //! small load raises that quotient. For this reason `|φ| √(ab)` is tested as well: it is the slip
-//! by spin at the edge of the contact over the rolling speed, 0.01 on the flange and 0.05 to 0.1 in
-//! a ball bearing.
+//! by spin at the edge of the contact divided by the rolling speed, 0.01 on the flange and 0.05 to
+//! 0.1 in a ball bearing.
 //!
 //! Two cases cannot be detected. A creepage of 0.1 to 10 is sliding, whether or not it was meant as
 //! per cent; creep curves in per cent are detected at their end. The spin of a tread contact, 0.1
@@ -45,7 +46,7 @@ const LARGEST_SEMI_AXIS: f64 = 1.0;
 const LARGEST_FRICTION: f64 = 5.0;
 /// Largest `|κ|` that was compared with the reference.
 pub(crate) const LARGEST_MISMATCH: f64 = 0.25;
-/// Largest semi-axis over the smaller radius in its direction, for bodies that count as
+/// Largest semi-axis, divided by the smaller radius in its direction, for bodies that count as
 /// half-spaces.
 const LARGEST_OPENING: f64 = 0.3;
 /// `|φ| √(ab)` up to which every spin is plausible.
@@ -83,8 +84,8 @@ pub fn implausibility<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>) ->
 impl<F: Real> Contact<F> {
     /// Whether the numbers are of the usual sizes, 1 µm to 1 m, up to GN and TPa; of several
     /// contacts side by side, whether all are. With creepages of such sizes no check can fail in
-    /// either precision: all products and quotients lie below 1e36. A few comparisons instead of
-    /// five divisions.
+    /// either precision, because all products and quotients lie below 1e36. This takes a few
+    /// comparisons instead of five divisions.
     #[inline(always)]
     pub(crate) fn is_usual(&self) -> bool {
         let Self { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch } = *self;
@@ -159,8 +160,8 @@ impl<F: Float> Contact<F> {
         }
     }
 
-    /// Whether a semi-axis is long beside the radii in its direction, so that the bodies are no
-    /// half-spaces there.
+    /// Whether a semi-axis is so long compared with the radii in its direction that the bodies are
+    /// not half-spaces.
     pub(super) fn is_conformal(&self, radii: &Radii<F>) -> bool {
         let Radii { lower_x, lower_y, upper_x, upper_y } = *radii;
         let opens = |axis: F, lower: F, upper: F| {

@@ -1,4 +1,4 @@
-//! What every model answers, in units of the friction bound, and how many strips share it.
+//! The result of every model in units of the friction bound, and the number of strips.
 
 use crate::number::Number;
 
@@ -11,19 +11,19 @@ pub struct Totals<T> {
     pub fy: T,
     /// `M_z/(μ N √(ab))`, about the centre
     pub mz: T,
-    /// Share of the contact area in adhesion, 0 to 1; −1 where a model does not know it.
+    /// Share of the contact area in adhesion, 0 to 1; −1 for a model that does not compute it.
     pub stick: T,
 }
 
 impl<T: Number> Totals<T> {
-    /// Nothing is carried, everything slides.
+    /// No forces; the whole contact slides.
     #[must_use]
     pub fn nothing() -> Self {
         Self { fx: T::zero(), fy: T::zero(), mz: T::zero(), stick: T::zero() }
     }
 }
 
-/// How many strips share the patch.
+/// Number of strips of the patch.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 #[repr(i32)]
 pub enum StripCount {
@@ -41,7 +41,7 @@ pub enum StripCount {
 }
 
 impl StripCount {
-    /// The count for a number, if it is one of the fixed counts.
+    /// The strip count for a number; `None` if it is not one of these counts.
     #[must_use]
     pub const fn from_number(number: i32) -> Option<Self> {
         Some(match number {

@@ -44,8 +44,7 @@ pub(crate) fn find_fault<F: Float>(
     }
 }
 
-/// Upper bounds of power, moment, force and the slip by spin: every result is a number if these
-/// are.
+/// Upper bounds of power, moment, force and the slip by spin: every result is finite if these are.
 fn range<F: Real>(contact: &Contact<F>, creepage: &Creepage<F>, model: Model) -> [F; 4] {
     let Creepage { longitudinal, lateral, spin } = *creepage;
     let Contact { a, b, .. } = *contact;
@@ -53,9 +52,9 @@ fn range<F: Real>(contact: &Contact<F>, creepage: &Creepage<F>, model: Model) ->
     let moment = bound * (a + b);
     let longitudinal = longitudinal.abs() + contact.strain().abs();
     let power = bound * longitudinal + bound * lateral.abs() + moment * spin.abs();
-    // The slip that spin makes at the edge, also where nothing is carried
+    // The slip by spin at the edge, also of a contact without forces.
     let edge_slip = (a + b) * spin.abs();
-    // (slightly above the bounds, because forces round)
+    // Slightly above the bounds, because forces are rounded.
     [power, moment, bound, edge_slip].map(|number| number.times(1.001))
 }
 

@@ -8,9 +8,9 @@
 //!
 //! so the derivatives with respect to load and friction follow from those with respect to the
 //! creepages `c = (υx, υy, φ)`, to rounding and without further dual numbers. Evaluated with `f`,
-//! which is of size one, nothing is divided by `M`: without friction or load the limit of full
-//! sliding comes out. The linear theory has no friction in it, and its derivatives with respect to
-//! both are zero.
+//! which is of size one, nothing is divided by `M`: without friction or load the result is the
+//! limit of full sliding. The linear theory has no friction in it, and its derivatives with respect
+//! to both are zero.
 //!
 //! **The load through Hertz.** In a contact of given curvatures `a` and `b` grow like `N^{1/3}` at
 //! constant `a/b` (Section 2). In `f` creepages appear as `G a b υ/(μ N) ~ N^{−1/3}` and spin as
@@ -23,10 +23,11 @@
 //!
 //! also for the linear theory: no derivatives with respect to `a` and `b` are needed.
 //!
-//! **Unlike materials.** What pressure adds to the creepage moves with all of them: with
-//! `w = c + Δ(c, M, κ)` the derivatives by `c` are `∂F/∂w (1 + ∂Δ/∂c)`. In units of `M` it is a
-//! function of `c/M` and `κ/μ` alone, so that nothing is to be added above by load, and by friction
-//! `κ ∂F/∂κ` is taken away. The power on the slip that there is, `P = F · w`, is as homogeneous.
+//! **Unlike materials.** The creepage `Δ` that pressure adds depends on all inputs. With `w = c +
+//! Δ(c, M, κ)` the derivatives with respect to `c` are `∂F/∂w (1 + ∂Δ/∂c)`. In units of `M`, `Δ` is
+//! a function of `c/M` and `κ/μ` alone. Therefore the derivative with respect to load needs no
+//! further term, and that with respect to friction is reduced by `κ ∂F/∂κ`. The power on the whole
+//! slip, `P = F · w`, is homogeneous likewise.
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
@@ -57,7 +58,7 @@ pub struct Derivatives<F> {
 }
 
 impl<F: Float> Derivatives<F> {
-    /// Those of a contact that carries nothing.
+    /// The derivatives of a contact without load.
     #[must_use]
     pub fn nothing() -> Self {
         let none = [F::zero(); 3];
@@ -99,7 +100,7 @@ pub fn solve<F: Float>(
     Ok((solution, slopes.derivatives))
 }
 
-/// [`solve`] with what else derivatives are made of.
+/// [`solve`] with the intermediate results that other derivatives use.
 ///
 /// # Errors
 /// Those of [`solve`].
@@ -129,15 +130,15 @@ pub(crate) fn solve_with_slopes<F: Float>(
     }
 }
 
-/// Derivatives, and what else those through friction and motion are made of.
+/// Derivatives, and the intermediate results for those through friction and motion.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slopes<F> {
     pub derivatives: Derivatives<F>,
     /// `κ ∂F/∂κ` \[N, N, N m\]
     pub by_mismatch: [F; 3],
-    /// The creepage that the contact sees, `w`.
+    /// The creepage of the contact with that of the pressure, `w`.
     pub seen: Creepage<F>,
-    /// By the creepages, of the power over rolling speed \[N\].
+    /// Derivatives of the power divided by rolling speed with respect to the creepages \[N\].
     pub power_by_creepage: [F; 3],
     /// `κ ∂P/∂κ`
     pub power_by_mismatch: F,
@@ -150,7 +151,7 @@ impl<F: Float> Slopes<F> {
         Self::of(Derivatives::nothing(), None, &rest, [none; 3])
     }
 
-    /// From derivatives by what is seen, and the forces there.
+    /// From the derivatives with respect to `w`, and the forces.
     fn of(
         mut derivatives: Derivatives<F>,
         shift: Option<Shift<F>>,
@@ -191,8 +192,8 @@ impl<F: Float> Slopes<F> {
     }
 }
 
-/// [`solve`] with the derivatives by the creepages as a matrix, row by row: N, N, N m over 1, 1,
-/// 1/m.
+/// [`solve`] with the derivatives with respect to the creepages as a matrix, row by row: N, N, N m
+/// per 1, 1, 1/m.
 ///
 /// # Errors
 /// Those of [`solve`].
@@ -202,7 +203,7 @@ pub fn solve_jacobian<F: Float>(
     options: &Options,
 ) -> Result<(Solution<F>, Matrix3<F>), Error> {
     let (solution, Derivatives { jacobian, .. }) = solve(contact, creepage, options)?;
-    // nalgebra counts columns first.
+    // nalgebra's index order is by columns.
     Ok((solution, Matrix3::from(jacobian).transpose()))
 }
 
@@ -230,8 +231,8 @@ fn differentiated<F: Float, M: Theory<F>>(
     (solution, Slopes::of(derivatives, shift, &seen, force))
 }
 
-/// Adds what the shift moves by load and by friction: in units of `M` it is a function of `c/M` and
-/// `κ/μ`.
+/// Adds the derivatives of the shift with respect to load and friction: in units of `M` it is a
+/// function of `c/M` and `κ/μ`.
 #[cold]
 fn through_shift<F: Float>(
     derivatives: &mut Derivatives<F>,
@@ -276,7 +277,7 @@ pub(crate) fn with_slopes<F: Real, M: Theory<F>>(
     }
 }
 
-/// Powers of `N` that forces and moment grow with where the slip does not change.
+/// Exponents of `N` with which forces and moment grow where the slip does not change.
 fn powers<F: Real>() -> [F; 3] {
     [F::one(), F::one(), F::constant(4.0 / 3.0)]
 }
@@ -314,7 +315,7 @@ fn saturating<F: Real, M: Theory<F>>(
     (forces, parameters.psi.value, derivatives)
 }
 
-/// No friction: no force, and no dependence on the creepage until there is some.
+/// Without friction there is no force and no dependence on the creepage.
 fn sliding<F: Float, M: Theory<F>>(
     theory: &M,
     frame: &ScaledContact<F>,

@@ -75,16 +75,16 @@ enum Tractions<F: Float> {
 pub struct Field<F: Float> {
     contact: Contact<F>,
     law: Tractions<F>,
-    /// What the caller should know.
+    /// The warning of the solution, if there is one.
     pub warning: Warning,
 }
 
 /// A strip of a [`Field`].
 #[derive(Clone, Copy, Debug)]
 pub enum FieldStrip<F: Float> {
-    /// Of the theory of 1967.
+    /// A strip of the theory of 1967.
     Strip1967(Strip<F>),
-    /// Of STRIP.
+    /// A strip of STRIP.
     Strip(StripGeometry<F>),
 }
 
@@ -106,8 +106,8 @@ impl<F: Float> Field<F> {
             ScaledContact::of(contact).seen(creepage, options.model).0
         };
         let parameters = Parameters::new(contact, creepage);
-        // What a point dissipates: traction times slip, which is of the size of the rigid slip, and
-        // as bounded as the parameters are.
+        // The dissipation of a point is traction times slip. Slip is of the size of the rigid slip,
+        // which the checked parameters bound.
         let rigid = creepage.longitudinal.abs()
             + creepage.lateral.abs()
             + (contact.a + contact.b) * creepage.spin.abs();

@@ -1,9 +1,9 @@
-//! The one way from a contact, a creepage and what is wanted to results.
+//! The road from a contact, a creepage and options to results.
 //!
-//! Types first, each file knowing those before it: `options`, what is asked and answered; `check`,
-//! whether there is an answer; `warning`, what a caller should know; `theory`, what a model makes
-//! of a contact and answers to a creepage; `prepared`, what it makes of one, kept. Then what
-//! callers use: [`forces_of_contact`], [`derivatives`], [`mod@strips`], [`field`].
+//! Each file uses only those before it: `options` has the options and results, `check` the errors,
+//! `warning` the warnings, `theory` the numbers that a model computes from a contact and its forces
+//! for a creepage, `prepared` the same with these numbers stored. Callers use
+//! [`forces_of_contact`], [`derivatives`], [`mod@strips`], [`field`].
 
 pub mod check;
 pub mod derivatives;

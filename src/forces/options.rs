@@ -1,11 +1,10 @@
-//! What is asked of a contact and a creepage, which model and how many strips, and what is
-//! answered.
+//! Options, the model and the number of strips, and results.
 
 use crate::contact::totals::StripCount;
 use crate::number::Float;
 use crate::status::Warning;
 
-/// Which traction law.
+/// The traction law.
 ///
 /// The number of each variant is its constant in the C interface; numbers are never reused.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -22,10 +21,11 @@ pub enum Model {
     /// forces, moment, stick area and fields; the power is never negative.
     #[default]
     Strip = 3,
-    /// A closed formula with a small network fitted to CONTACT. Total forces and moment only: the
-    /// most accurate and, of those with saturation, the cheapest; the power is never negative.
+    /// A closed formula with a small network fitted to CONTACT. It computes total forces and moment
+    /// only. It is the most accurate model and, of those with saturation, the cheapest. The power
+    /// is never negative.
     Total = 4,
-    /// Linear theory: no saturation, for stability analysis.
+    /// The linear theory, without saturation, for stability analysis.
     Linear = 5,
 }
 
@@ -53,7 +53,7 @@ impl Model {
         })
     }
 
-    /// Whether nothing in it is fitted, and unlike materials are neglected as in the paper.
+    /// Whether the model has no fitted constants, and neglects unlike materials as the paper does.
     #[must_use]
     #[inline]
     pub const fn is_of_1967(self) -> bool {
@@ -65,12 +65,12 @@ impl Model {
         [Self::Strip1967, Self::Strip1967Continuous, Self::Strip, Self::Total, Self::Linear];
 }
 
-/// Which model, and how many strips.
+/// The model and the number of strips.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Options {
     /// The traction law.
     pub model: Model,
-    /// How many strips share the patch; ignored by models without strips.
+    /// Number of strips of the patch; ignored by models without strips.
     pub strips: StripCount,
 }
 
@@ -88,8 +88,8 @@ pub struct Solution<F> {
     /// energy dissipated per metre rolled. For unlike bodies the creepage that pressure makes is
     /// added to the longitudinal one.
     pub power: F,
-    /// Share of the contact area in adhesion \[-\], 0 to 1. KSTRIP_MODEL_TOTAL does not know it:
-    /// -1; KSTRIP_MODEL_LINEAR has adhesion everywhere: 1.
+    /// Share of the contact area in adhesion \[-\], 0 to 1. It is -1 with KSTRIP_MODEL_TOTAL, which
+    /// does not compute it, and 1 with KSTRIP_MODEL_LINEAR, which has adhesion everywhere.
     pub adhesion: F,
     /// The status of this result: 0 or one of the KSTRIP_WARNING constants.
     pub warning: Warning,
@@ -98,7 +98,7 @@ pub struct Solution<F> {
 }
 
 impl<F: Float> Solution<F> {
-    /// A contact that carries nothing: no force, no adhesion.
+    /// A contact without load: no force, no adhesion.
     #[must_use]
     pub fn nothing() -> Self {
         let zero = F::zero();
@@ -106,7 +106,7 @@ impl<F: Float> Solution<F> {
         Self { fx: zero, fy: zero, mz: zero, power: zero, adhesion: zero, warning, reserved: 0 }
     }
 
-    /// The same contact seen from the upper body: opposite forces and moment, same power.
+    /// The forces on the upper body: opposite forces and moment, same power.
     #[must_use]
     pub fn on_upper_body(&self) -> Self {
         Self { fx: -self.fx, fy: -self.fy, mz: -self.mz, ..*self }

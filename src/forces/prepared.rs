@@ -16,7 +16,7 @@ pub struct Prepared<F: Real> {
     pub(crate) known: ModelState<F>,
 }
 
-/// What a model knows of a contact.
+/// The numbers that a model computes from a contact.
 #[derive(Clone, Copy, Debug)]
 #[allow(clippy::large_enum_variant)]
 pub(crate) enum ModelState<F: Real> {

@@ -1,4 +1,4 @@
-//! What each strip of a solution carries.
+//! The forces of each strip of a solution.
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
@@ -20,7 +20,7 @@ use crate::strip_1967::{self, strips::PlacedStrip};
 pub struct StripResult<F> {
     /// Centre line \[m\].
     pub y: F,
-    /// Width that the strip stands for \[m\].
+    /// Width of the strip \[m\].
     pub width: F,
     /// Half of its length along x \[m\].
     pub half_length: F,
@@ -41,7 +41,7 @@ pub struct StripResult<F> {
     pub reserved: i32,
 }
 
-/// How many strips [`strips`] hands out, without solving.
+/// Number of strips that [`strips`] passes to its caller, without solving.
 ///
 /// # Errors
 /// Those of [`strips`].
@@ -57,7 +57,7 @@ pub fn strips_of<F: Float>(
     Ok(if contact.is_lost() { 0 } else { options.strips as usize })
 }
 
-/// Every strip of the solution, handed to `visit`. Their shares add up to the totals of
+/// Passes every strip of the solution to `visit`. Their shares add up to the totals of
 /// [`solve`](crate::forces::forces_of_contact).
 ///
 /// # Errors
@@ -107,7 +107,7 @@ pub fn strips<F: Float>(
     Ok(warning_of(contact, creepage, options.model, parameters.psi))
 }
 
-/// The strips of STRIP in the form of those of the theory of 1967.
+/// The strips of STRIP, in the same form as those of the theory of 1967.
 #[inline(never)]
 fn place_strips<F: Float>(
     strips: &EllipseStrips<F>,

@@ -1,6 +1,6 @@
-//! From a contact and a creepage to forces: the contact in the units of the theory, what a model
-//! makes of it, and what the model answers to a creepage. Each model has code of its own, so that a
-//! program that calls one links no other.
+//! From a contact and a creepage to forces: the contact in the units of the theory, the numbers
+//! that a model computes from it, and its forces for a creepage. Each model has code of its own, so
+//! that a program that calls one model links no other.
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters, Units};
@@ -69,8 +69,7 @@ pub fn forces_of_contact<F: Float>(
     by_model!(options.model, F, solution_of(contact, creepage, options), Err(Error::Model))
 }
 
-/// Forces for a contact and a creepage, as [`forces_of_contact`]: in the code of each caller, which
-/// then links no other model.
+/// The same as [`forces_of_contact`], inlined in each caller, which then links no other model.
 ///
 /// # Errors
 /// Those of [`forces_of_contact`].
@@ -108,8 +107,8 @@ impl<F: Real> ScaledContact<F> {
         Self { contact: *contact, radius: root_a * root_b, units: Units::of(contact) }
     }
 
-    /// The creepage that the contact sees, and what pressure adds to it in unlike bodies; nothing
-    /// in like bodies and in the theory of 1967.
+    /// The creepage with the part that pressure adds in unlike bodies, and that part. It is zero in
+    /// like bodies and in the theory of 1967.
     #[inline(always)]
     pub(crate) fn seen(
         &self,
@@ -177,15 +176,15 @@ pub(crate) trait Theory<F: Real>: Copy {
         None
     }
 
-    /// The forces of a loaded contact that moves, and `ψ`.
+    /// The forces of a loaded contact with creepage, and `ψ`.
     #[inline(always)]
     fn forces(&self, frame: &ScaledContact<F>, creepage: &Creepage<F>) -> (Forces<F>, F) {
         let parameters = frame.units.parameters(creepage);
         (frame.forces(self.model_totals(frame, &parameters)), parameters.psi)
     }
 
-    /// The forces where there is no creepage: zero, with adhesion everywhere, or unknown for TOTAL.
-    /// `None` where there is creepage.
+    /// The forces without creepage: zero, with adhesion everywhere, which TOTAL does not compute.
+    /// `None` if there is creepage.
     #[inline(always)]
     fn at_rest(creepage: &Creepage<F>) -> Option<Forces<F>>
     where
@@ -243,7 +242,7 @@ pub(crate) trait Theory<F: Real>: Copy {
     }
 }
 
-/// The theory of 1967: it needs nothing of a contact but its parameters.
+/// The theory of 1967, which uses only the parameters of a contact.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Strip1967<const CONTINUOUS: bool>;
 
@@ -264,7 +263,7 @@ impl<F: Real, const CONTINUOUS: bool> Theory<F> for Strip1967<CONTINUOUS> {
     }
 }
 
-/// Of a model of the theory of 1967.
+/// The sliding rule of a model of the theory of 1967.
 #[inline]
 pub(crate) fn sliding_rule(model: Model) -> SlidingRule {
     if model == Model::Strip1967Continuous {

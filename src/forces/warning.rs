@@ -1,4 +1,4 @@
-//! What the caller should know about a valid result.
+//! Warnings about a valid result.
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
@@ -26,8 +26,7 @@ pub(crate) fn linear_warning_of<F: Float>(fx: F, fy: F, bound: F) -> Warning {
     linear_warning(length(fx, fy), bound)
 }
 
-/// What the caller of a model with a friction bound should know, and whether an input is
-/// implausible.
+/// The warning of a model with a friction bound, or that an input is implausible.
 pub(crate) fn warning_of<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
@@ -39,7 +38,7 @@ pub(crate) fn warning_of<F: Float>(
     warned(contact, creepage, of_model)
 }
 
-/// The graver of a warning of the model and of a warning that an input is implausible.
+/// The more serious of a warning of the model and a warning that an input is implausible.
 #[cold]
 #[inline(never)]
 pub(crate) fn warned<F: Float>(
@@ -57,19 +56,19 @@ pub(crate) fn neglected<F: Float>(model: Model, mismatch: F) -> Warning {
     if neglects { Warning::MismatchNeglected } else { Warning::None }
 }
 
-/// What the caller of the linear theory should know.
+/// The warning of the linear theory.
 #[inline]
 pub(crate) fn linear_warning<F: Float>(size: F, friction_bound: F) -> Warning {
     if size > friction_bound { Warning::BeyondFriction } else { Warning::None }
 }
 
 /// Range of the axis ratio for which [`Model::Strip`] and [`Model::Total`] are made, slightly
-/// widened because quotients round.
+/// widened because quotients are rounded.
 pub(crate) const RATIOS: [f64; 2] = [0.014_999_9, 60.000_1];
 /// Largest spin `|ψ|` for which [`Model::Strip`] is made.
 pub(crate) const LARGEST_SPIN: f64 = 3.0;
 
-/// What the caller of a model with a friction bound should know.
+/// The warning of a model with a friction bound.
 #[inline]
 pub(crate) fn model_warning<F: Float>(
     model: Model,
@@ -78,7 +77,7 @@ pub(crate) fn model_warning<F: Float>(
     psi: F,
 ) -> Warning {
     if friction_bound <= F::zero() {
-        // Nothing to carry: zero forces are right in every model with a friction bound.
+        // Without load or friction zero forces are right in every model with a friction bound.
         return Warning::None;
     }
     match model {
@@ -90,7 +89,7 @@ pub(crate) fn model_warning<F: Float>(
         {
             Warning::AxisRatio
         }
-        // (TOTAL knows the limit of large spin)
+        // TOTAL has the right limit for large spin.
         Model::Strip if psi.abs() > F::constant(LARGEST_SPIN) => Warning::OutsideRange,
         _ => Warning::None,
     }

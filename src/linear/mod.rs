@@ -6,11 +6,10 @@
 //! `fy = C22 vy + C23 φ`, `mz = −C23 vy + C33 φ`.
 //!
 //! Kalker's table (Three-Dimensional Elastic Bodies in Rolling Contact, 1990, Table E.3) has three
-//! digits between `a/b = 0.1` and 10, and does not meet the slender asymptotes printed around it.
-//! Here the asymptotes are the frame: each coefficient is a quotient that becomes the asymptote at
-//! either end, and a polynomial in `x = b/(a + b)`, weighted with `x (1 − x)`, is fitted in between
-//! to values computed with CONTACT. There is no seam: every formula is one expression for all
-//! `a/b`.
+//! digits between `a/b = 0.1` and 10, and does not agree with the slender asymptotes printed beside
+//! it. Here each coefficient is a quotient that becomes the asymptote at either end, and a
+//! polynomial in `x = b/(a + b)`, weighted with `x (1 − x)`, is fitted in between to values
+//! computed with CONTACT. Every formula is one expression for all `a/b`.
 
 mod constants;
 
@@ -81,8 +80,8 @@ impl<F: Real> LinearCoefficients<F> {
         let x2 = x * x;
         let cubic = |coefficients| cubic::<F>(coefficients, x, x2, nu);
 
-        // every denominator and numerator below is p + q m: m comes late, and is waited for in
-        // nothing but p + q m
+        // Every denominator and numerator below has the form p + q m, so that the processor need
+        // not wait for the logarithm m before the last operation.
         let line = |p: F::Pair, q: F::Pair| p + q * both(m);
         let w2 = w * w;
         let nz = n * z;

@@ -1,6 +1,6 @@
 //! Rolling forward, backward, and standstill between them.
 //!
-//! **Creepage** is slip over rolling speed, which is not defined where the wheel stands. A floor of
+//! **Creepage** is slip divided by rolling speed, which is not defined at standstill. A floor of
 //! the speed makes it finite:
 //!
 //! ```text
@@ -12,8 +12,8 @@
 //! at 3 µm/s.
 //!
 //! **The leading edge** is at `x > 0` forward and at `x < 0` backward. Backward rolling is forward
-//! rolling seen from the other end: turn the contact by 180 degrees about `z`, solve, turn back.
-//! With `R = diag(−1, −1, 1)`
+//! rolling in axes turned by 180 degrees about `z`: the motion is turned, solved, and the forces
+//! are turned back. With `R = diag(−1, −1, 1)`
 //!
 //! ```text
 //! F₊(c) = F(c),   F₋(c) = R F(R c),   F = w(V) F₊ + w(−V) F₋
@@ -29,8 +29,8 @@
 //! rolling speed and changes its sign with it. So the mismatch is `±κ V/V_f` at the two ends and
 //! zero at standstill, and the forces of both ends oppose the same slip.
 //!
-//! **Falling friction** takes `V_f` for its rolling speed. Friction falls with the slip velocity,
-//! at standstill too. Each end has the friction that agrees with its own slip.
+//! **Falling friction** uses `V_f` as its rolling speed, so that friction falls with the slip
+//! velocity also at standstill. Each end has the friction that agrees with its own slip.
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
@@ -43,12 +43,12 @@ use crate::status::{Error, Warning};
 
 /// Floor of the rolling speed where none is given \[m/s\].
 const FLOOR: f64 = 0.02;
-/// Rolling speed over the floor beyond which only one end of the contact leads.
+/// Rolling speed, divided by the floor, beyond which only one end of the contact leads.
 const BLENDED: f64 = 3.0;
-/// Share of the mismatch that is used at standstill, where its derivative is wanted: forces are
-/// linear in so small a mismatch.
+/// Share of the mismatch that is used at standstill to compute the derivative with respect to it:
+/// forces are linear in so small a mismatch.
 const STANDSTILL: f64 = 1e-9;
-/// Least speed at which the plausibility of creepages is judged \[m/s\]: below this speed any slip
+/// Least speed at which creepages are checked for plausibility \[m/s\]: below this speed any slip
 /// is plausible.
 const JUDGED: f64 = 1.0;
 
@@ -138,7 +138,7 @@ pub fn solve<F: Float>(
     rolling.solution(&without_law(contact, law.as_ref()), forward, backward)
 }
 
-/// [`solve`] with derivatives by everything.
+/// [`solve`] with derivatives with respect to all inputs.
 ///
 /// # Errors
 /// Those of [`solve`]; [`Error::Overflow`] also when a derivative does not fit the floating-point
@@ -164,12 +164,12 @@ pub fn differentiate<F: Float>(
     Ok((solution, friction, slopes))
 }
 
-/// The contact with the friction that counts.
+/// The contact with the friction of the law, if there is one.
 fn without_law<F: Float>(contact: &Contact<F>, law: Option<&SlipFriction<F>>) -> Contact<F> {
     Contact { friction: law.map_or(contact.friction, |law| law.friction), ..*contact }
 }
 
-/// A motion as creepages, and the shares of both ends.
+/// The creepages of a motion, and the shares of both ends.
 pub(crate) struct Rolling<F> {
     motion: Motion<F>,
     /// `V_f` \[m/s\]
@@ -227,8 +227,8 @@ impl<F: Float> Rolling<F> {
         Ok([solve(&self.creepage, false)?, solve(&turned, true)?])
     }
 
-    /// [`Self::each_end`] of a contact, of which the ends see the mismatch `±κ V/V_f`, of this
-    /// ratio.
+    /// [`Self::each_end`] of a contact whose ends have the mismatch `±κ V/V_f`; the argument is
+    /// that ratio.
     fn each<S: Copy>(
         &self,
         contact: &Contact<F>,
@@ -251,7 +251,7 @@ impl<F: Float> Rolling<F> {
         if contact.mismatch == F::zero() {
             return Ok([F::zero(); 3]);
         }
-        // κ_V ∂F/∂κ_V over κ_V, which at standstill is not quite zero
+        // κ_V ∂F/∂κ_V divided by κ_V, which at standstill is replaced by a small share of κ.
         let least = F::constant(STANDSTILL);
         let near = if ratio.abs() < least { least } else { ratio };
         let [forward, backward] = self.each(contact, near, differentiate)?;
@@ -266,7 +266,8 @@ impl<F: Float> Rolling<F> {
         if p == q { p } else { ahead * p + behind * q }
     }
 
-    /// `w(V) F₊ + w(−V) R F₋` of forces, or of their derivatives by what does not turn.
+    /// `w(V) F₊ + w(−V) R F₋` of forces, or of their derivatives with respect to quantities that do
+    /// not turn.
     pub(crate) fn both(&self, [x, y, z]: [F; 3], [turned_x, turned_y, z_turned]: [F; 3]) -> [F; 3] {
         [self.mean(x, -turned_x), self.mean(y, -turned_y), self.mean(z, z_turned)]
     }
@@ -278,7 +279,7 @@ impl<F: Float> Rolling<F> {
         (backward, friction_backward): (Solution<F>, F),
     ) -> Result<(Solution<F>, F), Error> {
         let [fx, fy, mz] = self.both(forces(&forward), forces(&backward));
-        // F · slip, of both ends the same slip
+        // F · slip; both ends have the same slip.
         let power = self.mean(forward.power, backward.power) * self.speed;
         Error::Overflow.unless(power.is_finite_number())?;
         // Below JUDGED any slip is plausible.

@@ -38,7 +38,7 @@ impl<F: Float> Extremes<F> {
                 .zip(bounds)
                 .all(|(x, (low, high))| x.lies_between(F::of(*low), F::of(*high)))
         };
-        // (what is not a number is neither the least nor the largest)
+        // NaN is neither the least nor the largest.
         within(&self.least)
             && within(&self.most)
             && self.sum.iter().all(|sum| sum.is_finite_number())

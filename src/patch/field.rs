@@ -52,8 +52,8 @@ impl<'a, F: Float> PatchField<'a, F> {
         model: Model,
     ) -> Result<Self, Error> {
         let problem = Problem::with_strips(patch, creepage, model)?;
-        // the dissipation of a point is traction times slip, and the slip is of the size of the
-        // rigid slip
+        // The dissipation of a point is traction times slip, and the slip is of the size of the
+        // rigid slip.
         let traction = patch
             .strips()
             .iter()

@@ -9,7 +9,7 @@
 //! ```
 //!
 //! as in [`friction`](crate::friction), so that the strips of an ellipse give the result of the
-//! ellipse. (The law's own `μ₀` is not used.) Forces of a patch are homogeneous in creepage and
+//! ellipse. The `μ₀` of the law is not used. Forces of a patch are homogeneous in creepage and
 //! friction, and the slope factor `k` multiplies the stiffness:
 //!
 //! ```text
@@ -94,7 +94,7 @@ impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
     }
 }
 
-/// A patch and a creepage whose forces are, but for the share `λ`, those under friction that falls.
+/// A patch and a scaled creepage, whose forces times `λ` are those under falling friction.
 struct Scaled<'a, F> {
     patch: PatchView<'a, F>,
     creepage: Creepage<F>,
@@ -106,12 +106,12 @@ struct Scaled<'a, F> {
 struct FrictionProblem<'a, F: Float> {
     patch: &'a PatchView<'a, F>,
     creepage: &'a Creepage<F>,
-    /// For friction in units of that without slip.
+    /// The law for friction in units of that without slip.
     law: SlipFriction<F>,
     model: Model,
     /// `Σ μ₀ N`
     bound: F,
-    /// Upper bound of the slip of all points, over the rolling speed.
+    /// Upper bound of the slip of all points, divided by the rolling speed.
     rigid_slip: F,
 }
 
@@ -178,8 +178,9 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
 /// `friction` is the share `λ`.
 ///
 /// For the derivatives with respect to load, all pressures grow by one factor; through Hertz, all
-/// lengths also grow like the cube root of the load. For those by friction, the friction of all
-/// strips grows by one factor, and the derivative is by its mean without slip.
+/// lengths also grow like the cube root of the load. For those with respect to friction, the
+/// friction of all strips grows by one factor, and the derivative is with respect to its mean
+/// without slip.
 ///
 /// # Errors
 /// Those of [`solve`]; [`Error::Overflow`] also when a derivative does not fit.
@@ -250,7 +251,7 @@ pub fn differentiate<F: Float>(
     }
 }
 
-/// Hands every strip of the solution at a share `λ` of friction to `visit`, as [`solver::strips`]
+/// Passes every strip of the solution at a share `λ` of friction to `visit`, as [`solver::strips`]
 /// does.
 ///
 /// # Errors

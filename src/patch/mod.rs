@@ -8,11 +8,11 @@
 //! ([`normal`](crate::normal)), or from any other solver ([`Patch::from_strips`]).
 //!
 //! Strips lie side by side in ascending `y`. Where the distance of two neighbours is more than one
-//! and a half times that at which they touch, there is a gap, and what lies on either side of it is
-//! a lobe of its own.
+//! and a half times that at which they touch, there is a gap, and the strips on either side of it
+//! are a lobe of their own.
 //!
-//! The model STRIP needs an axis ratio. It takes that of an ellipse which stands for the strips
-//! around ([`zones`]).
+//! The model STRIP needs an axis ratio. It uses that of an equivalent ellipse of the strips around
+//! ([`zones`]).
 
 mod extremes;
 pub mod field;
@@ -131,7 +131,7 @@ impl<F: Float> PatchStrip<F> {
 /// Factors that turn a sum over the strips into the integral over the patch.
 ///
 /// They are 1 where the strips are the patch itself. The strips of an ellipse are a rule of Gauss,
-/// whose sums miss the integrals by a little; these two factors make the slopes of the linear
+/// whose sums differ slightly from the integrals; these two factors make the slopes of the linear
 /// theory exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct QuadratureScale<F> {
@@ -194,8 +194,8 @@ impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
         Ok(patch)
     }
 
-    /// An error where the strips do not carry this load, because at the ends of the number range no
-    /// digits are left.
+    /// Returns an error if the strips do not carry this load, because at the ends of the number
+    /// range no digits are left.
     pub(crate) fn check(&self, load: F) -> Result<(), Error> {
         let lost = (self.view()?.normal_force() - load).abs();
         if lost <= load * F::constant(1e-3) { Ok(()) } else { Err(Error::Overflow) }
@@ -254,11 +254,12 @@ pub(crate) fn check_ellipse<F: Float>(
         last = Some(strip);
         fits
     });
-    // A strip that is none, or sums beyond the number range: only in contacts at the ends of it.
+    // A strip of size zero, or sums beyond the number range, occur only in contacts at the ends of
+    // that range.
     let scale = scale.map_err(|_| Error::Overflow)?;
     let friction = if load > F::zero() { bound / load } else { contact.friction };
-    // (the ellipse of the strips is not quite their contact's: neither of them at the end of the
-    // range)
+    // The equivalent ellipse of the strips differs slightly from the contact: neither may be at the
+    // end of the range.
     for b in [width.times(0.45), width.times(0.55)] {
         let lobe = Contact { b, normal_force: load, friction, ..*contact };
         lobe.check().map_err(|_| Error::Overflow)?;
@@ -269,7 +270,7 @@ pub(crate) fn check_ellipse<F: Float>(
     Ok(())
 }
 
-/// Hands the strips of a checked ellipse to `take`, which returns whether there was room.
+/// Passes the strips of a checked ellipse to `take`, which returns whether there was room.
 pub(crate) fn ellipse<F: Float>(
     contact: &Contact<F>,
     count: StripCount,

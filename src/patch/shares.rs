@@ -1,5 +1,5 @@
-//! What each strip of a patch carries in the model STRIP: its zone's ellipse gives it the creepages
-//! of its `Y` and of its friction bound `Π = (μ p₀)_strip/(μ p₀)`.
+//! The forces of each strip of a patch in the model STRIP. The ellipse of its zone gives it the
+//! creepages for its `Y` and its friction bound `Π = (μ p₀)_strip/(μ p₀)`.
 
 use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::{Contact, mismatch};
@@ -14,8 +14,8 @@ use crate::strip::{Distribution, Flexibilities, StripCreepage, StripGeometry, ei
 /// that the squares of its creepages fit an `f32`.
 const LEAST_BOUND: f64 = 1e-9;
 
-/// The creepages of the strips of a zone's ellipse, for the creepage at `x` on its middle line with
-/// that which pressure adds.
+/// The creepages of the strips of a zone's ellipse, for the creepage at `x` on its middle line,
+/// with the part that pressure adds.
 pub(super) fn law<F: Float, T: Number<Base = F>>(
     zone: &Zone<F>,
     slip: &PatchSlip<T>,
@@ -30,7 +30,7 @@ pub(super) fn law<F: Float, T: Number<Base = F>>(
     (prepared.see(parameters.normalised()), shift)
 }
 
-/// Hands the forces of every strip to `visit`, eight strips side by side.
+/// Passes the forces of every strip to `visit`, eight strips side by side.
 pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
     view: &PatchView<F>,
     slip: &PatchSlip<T>,
@@ -64,7 +64,7 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
                     .is_some_and(|known| known.x == x && (same || zone.nearly_equals(&known.zone)));
                 in_lobe = true;
                 if !known {
-                    // the slopes of the linear theory, whatever the quadrature
+                    // So that the slopes are those of the linear theory for any quadrature.
                     let (law, shift) = self::law(&zone, slip, x, [area, lever]);
                     prepared =
                         Some(PreparedZone { zone, x, units: ZoneUnits::new(&zone), law, shift });
@@ -129,7 +129,7 @@ impl<F: Float> ZoneUnits<F> {
         }
     }
 
-    /// A strip in units of the ellipse; its width over the mean of all.
+    /// A strip in units of the ellipse, and its width divided by the mean of all.
     pub fn geometry(&self, strip: &PatchStrip<F>, width: F) -> StripGeometry<F> {
         // Π = (μ p₀)_strip/(μ p₀)
         let bound = strip.friction * strip.peak_pressure * self.per_bound;
@@ -137,7 +137,7 @@ impl<F: Float> ZoneUnits<F> {
         StripGeometry {
             y: ((strip.y - self.y) * self.per_b).clamped(-F::one(), F::one()),
             half_length: strip.half_length * self.per_a,
-            // of sixteen strips, whatever their number
+            // The width of one of sixteen strips, whatever their number.
             width: width.times(0.125),
             bound: bound.max(F::of(LEAST_BOUND)),
         }

@@ -1,4 +1,4 @@
-//! The motion of a patch, and what a strip carries.
+//! The motion of a patch, and the forces of a strip.
 
 use crate::contact::creepage::Creepage;
 use crate::number::{Float, Number};
@@ -20,8 +20,8 @@ pub(super) struct Share<T: Number> {
 }
 
 impl<T: Number<Base: Float>> Share<T> {
-    /// The forces of a strip, from its forces over the friction bound and its moment about its
-    /// centre in half lengths.
+    /// The forces of a strip, from its forces divided by the friction bound and its moment about
+    /// its centre in half lengths.
     pub fn new(
         strip: &PatchStrip<T::Base>,
         carried: &StripForces<T>,

@@ -1,7 +1,7 @@
 //! Forces, derivatives and strips of a patch that is given by its strips.
 //!
 //! A strip has the creepage of its own place, `(υx − φ y, υy + φ x_c, φ)`, and its own friction
-//! bound `μ p₀`, so that friction may vary over `y`. The force of a strip acts at `(x_c, y)`.
+//! bound `μ p₀`, so that friction may vary with `y`. The force of a strip acts at `(x_c, y)`.
 //!
 //! * Theory of 1967: [`Strip::solve`] in units of the strip. The strips do not move with the
 //!   solution. The forces have a kink where a strip loses its adhesion area, and under
@@ -10,9 +10,9 @@
 //! * [`Model::Strip`]: the ellipse of a strip's [zone](super::zones) is solved at the creepage of
 //!   its own centre, and gives the strip the creepages of its `Y` and `Π = (μ p₀)_strip/(μ p₀)`. A
 //!   strip whose centre is moved by `x_c` is solved with the lateral creepage there.
-//! * [`Model::Total`]: a strip carries its share, by friction bound, of what the ellipse of its
-//!   zone carries at the creepage of its own centre. This is cheap and smooth, and gives neither
-//!   strips nor fields.
+//! * [`Model::Total`]: a strip carries a share of the forces that the ellipse of its zone has at
+//!   the creepage of the strip's centre, in proportion to its friction bound. This is cheap and
+//!   smooth, and gives neither strips nor fields.
 //!
 //! [`Model::Linear`] holds for ellipses only. The linear theory of a patch is the derivative of
 //! [`Model::Strip`] at zero creepage: [`solve_jacobian`].
@@ -89,7 +89,7 @@ impl<'a, F: Float> Problem<'a, F> {
         }
     }
 
-    /// The same for a model with strips.
+    /// The same checks for a model with strips.
     pub fn with_strips(
         view: &'a PatchView<'a, F>,
         creepage: &'a Creepage<F>,
@@ -126,7 +126,7 @@ impl<'a, F: Float> Problem<'a, F> {
         first.unwrap_or(Warning::None)
     }
 
-    /// Hands the forces of every strip to `visit`.
+    /// Passes the forces of every strip to `visit`.
     fn shares<T: Number<Base = F>>(
         &self,
         slip: &PatchSlip<T>,
@@ -219,12 +219,12 @@ impl<'a, F: Float> Problem<'a, F> {
     }
 }
 
-/// PatchSums over the strips.
+/// Sums over the strips.
 struct PatchSums<T: Number> {
     fx: T,
     fy: T,
     mz: T,
-    /// Power over rolling speed.
+    /// Power divided by rolling speed.
     power: T,
     stick: T::Base,
     area: T::Base,
@@ -316,12 +316,12 @@ pub fn solve_jacobian<F: Float>(
     model: Model,
 ) -> Result<(Solution<F>, Matrix3<F>), Error> {
     let (solution, slopes) = solve_with_slopes(patch, creepage, model)?;
-    // nalgebra counts columns first.
+    // nalgebra's index order is by columns.
     Ok((solution, Matrix3::from(slopes.derivatives.jacobian).transpose()))
 }
 
-/// Forces with the derivatives by the creepages, all others zero, and what else derivatives are
-/// made of.
+/// Forces with the derivatives with respect to the creepages, all others zero, and the intermediate
+/// results for other derivatives.
 pub(super) fn solve_with_slopes<F: Float>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
@@ -341,7 +341,7 @@ pub(super) fn solve_with_slopes<F: Float>(
         power_by_mismatch: F::zero(),
     };
     if patch.mismatch() != F::zero() && !model.is_of_1967() {
-        // the factor of pressure in the place of spin
+        // The factor of pressure takes the place of spin as the third variable.
         let Creepage { longitudinal, lateral, spin } = creepage.inputs();
         let spin = constant(spin.value);
         let pressure = Dual::input(F::one(), 2);
@@ -358,7 +358,7 @@ pub(super) fn solve_with_slopes<F: Float>(
     }
 }
 
-/// Every strip of the solution, handed to `visit`, ascending in `y`. Their shares add up to the
+/// Passes every strip of the solution to `visit`, ascending in `y`. Their shares add up to the
 /// totals of [`solve`].
 ///
 /// # Errors

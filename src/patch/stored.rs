@@ -14,7 +14,7 @@ pub const KSTRIP_PATCH_CAPACITY: usize = 64;
 /// load.
 ///
 /// Where the distance of two neighbours is more than one and a half times that at which they touch,
-/// there is a gap: what lies on either side is a lobe of its own.
+/// there is a gap: the strips on either side are a lobe of their own.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StoredPatch<F> {

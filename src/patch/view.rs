@@ -1,5 +1,4 @@
-//! A patch as the solvers see it: strips that have been checked, with their lobes and the ellipses
-//! that stand for them.
+//! A checked patch for the solvers: its strips, their lobes and the equivalent ellipses.
 
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::Float;
@@ -25,7 +24,7 @@ pub struct PatchView<'a, F> {
     sizes: Sizes<F>,
     /// The zone of all strips; none where a gap or a neck divides the patch.
     whole: Option<Zone<F>>,
-    /// Of a divided patch the zones of the first lobes, where all strips of the lobe have the same.
+    /// In a divided patch, the zones of the first lobes whose strips all have the same zone.
     of_lobes: [Option<Zone<F>>; LOBES],
 }
 
@@ -99,7 +98,7 @@ impl<'a, F: Float> PatchView<'a, F> {
         }
         for strip in strips {
             strip.circle(shear_modulus, poisson_ratio).check().map_err(|_| Error::Overflow)?;
-            // (the circle's pressure is zero where its load underflows)
+            // The pressure of the circle is zero where its load underflows.
             if !(strip.friction * strip.peak_pressure).is_finite_number() {
                 return Err(Error::Overflow);
             }
@@ -112,7 +111,7 @@ impl<'a, F: Float> PatchView<'a, F> {
     /// [`Contact`](crate::contact::Contact).
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::Overflow`] when the creepage that pressure makes does not fit
+    /// [`Error::NotFinite`]; [`Error::Overflow`] when the creepage that pressure adds does not fit
     /// the floating-point type.
     pub fn with_mismatch(mut self, mismatch: F) -> Result<Self, Error> {
         if !mismatch.is_finite_number() {
@@ -167,8 +166,8 @@ impl<'a, F: Float> PatchView<'a, F> {
         &self.sizes
     }
 
-    /// The lobes in ascending `y`, each with the number of its first strip and with its zone, if
-    /// all its strips have the same.
+    /// The lobes in ascending `y`, each with the index of its first strip, and with its zone if all
+    /// its strips have the same.
     pub(crate) fn lobes_and_zones(
         &self,
     ) -> impl Iterator<Item = (usize, &'a [PatchStrip<F>], Option<Zone<F>>)> {

@@ -1,13 +1,13 @@
-//! The ellipse that stands for a strip and for the strips that it is connected with.
+//! The equivalent ellipse of a strip and of the strips that it is connected with.
 //!
 //! The model STRIP needs an axis ratio. The zone of a strip has all strips that are reached from it
 //! without passing a neck. Strips beyond a neck count with a weight, which is 1 where the neck is
 //! at least 0.85 of the smaller of the two parts that it connects, and 0 below 0.55. A patch that
 //! is pinched therefore falls apart without a jump, and a strip in the neck belongs to both sides.
 //!
-//! The **equivalent ellipse** has the load and the friction of the zone and follows from means over
-//! the load. On an ellipse `∫ C² l² dY/∫ C² dY = (4/5) a²` and likewise for the peak pressure,
-//! therefore
+//! The **equivalent ellipse** has the load and the friction of the zone and follows from means
+//! weighted with load. On an ellipse `∫ C² l² dY/∫ C² dY = (4/5) a²` and likewise for the peak
+//! pressure, therefore
 //!
 //! ```text
 //! a² = (5/4) Σ N l²/Σ N,   p₀² = (5/4) Σ N p²/Σ N,   N = (2/3) π a b p₀
@@ -22,15 +22,16 @@ use crate::patch::extremes::Extremes;
 use crate::patch::{PatchStrip, PatchView};
 use core::f64::consts::PI;
 
-/// Neck over the smaller part, below which there is no connection and above which it is full.
+/// Width of a neck, divided by the smaller part, below which there is no connection and above which
+/// it is full.
 const APART: f64 = 0.55;
 const WHOLE: f64 = 0.85;
-/// Gap between neighbours, over the width of a strip, where their connection begins to end, and
-/// where it has.
+/// Gap between neighbours, divided by the width of a strip, where their connection begins to
+/// weaken, and where it has ended.
 const TOUCHING: f64 = 0.5;
 const GAP: f64 = 1.0;
 
-/// The ellipse that stands for a strip's zone.
+/// The equivalent ellipse of a strip's zone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Zone<F> {
     /// `x` \[m\] of its centre.
@@ -41,7 +42,7 @@ pub struct Zone<F> {
     pub contact: Contact<F>,
 }
 
-/// ZoneSums over connected strips.
+/// Sums over connected strips.
 #[derive(Clone, Copy)]
 struct ZoneSums<F> {
     load: F,
@@ -95,7 +96,7 @@ pub(super) struct Sizes<F> {
     y: F,
     /// Upper bound of the distance of the points from the origin \[m\].
     pub reach: F,
-    /// What the widths of all strips tell.
+    /// Numbers from the widths of all strips.
     pub widths: Widths<F>,
 }
 
@@ -121,8 +122,8 @@ impl<F: Float> Sizes<F> {
     }
 }
 
-/// A walk away from a strip: the longest strip on the way, the shortest since, and what is left of
-/// the connection.
+/// A walk away from a strip: the longest strip on the way, the shortest since, and the weight that
+/// is left of the connection.
 struct Walk<F> {
     peak: F,
     neck: F,
@@ -141,8 +142,8 @@ impl<F: Float> Walk<F> {
         let l = next.half_length;
         self.neck = self.neck.min(l);
         let smaller = self.peak.min(l);
-        // (strips of any width end as narrow ones: what counts is the gap, not the distance of
-        // their middles)
+        // The gap counts, not the distance of the middles, so that the result does not depend on
+        // the width of the strips.
         let gap = (next.y - last.y).abs() - (next.width + last.width).times(0.5);
         let gap = gap * self.per_width;
         if self.neck < smaller.times(WHOLE) || gap > F::of(TOUCHING) {
@@ -159,7 +160,7 @@ impl<F: Float> Walk<F> {
 }
 
 impl<F: Float> Zone<F> {
-    /// Whether two zones are the same but for rounding.
+    /// Whether two zones are equal up to rounding.
     pub(crate) fn nearly_equals(&self, other: &Self) -> bool {
         let near = |x: F, y: F, size: F| (x - y).abs() <= size * F::EPSILON.times(32.0);
         let (one, two) = (&self.contact, &other.contact);
@@ -191,7 +192,7 @@ impl<F: Float> PatchView<'_, F> {
         Some(self.zone_of(&sums, first))
     }
 
-    /// Of the zones the first of which something is known.
+    /// The first known zone of a list.
     pub(crate) fn find_zone<R>(&self, of: impl Fn(&Zone<F>) -> Option<R>) -> Option<R> {
         match self.whole() {
             Some(zone) => of(zone),
@@ -199,7 +200,7 @@ impl<F: Float> PatchView<'_, F> {
         }
     }
 
-    /// The zones of all strips, one for those of a lobe that have the same.
+    /// The zones of all strips; the strips of a lobe that have the same zone share one.
     pub(crate) fn zones(&self) -> impl Iterator<Item = Zone<F>> {
         self.lobes_and_zones().flat_map(move |(first, lobe, of_lobe)| {
             let count = if of_lobe.is_some() { 1 } else { lobe.len() };
@@ -207,7 +208,7 @@ impl<F: Float> PatchView<'_, F> {
         })
     }
 
-    /// The zone of the strip of this number, `None` beyond the last.
+    /// The zone of the strip with this index; `None` beyond the last.
     #[must_use]
     pub fn zone(&self, number: usize) -> Option<Zone<F>> {
         match self.whole() {
@@ -216,8 +217,8 @@ impl<F: Float> PatchView<'_, F> {
         }
     }
 
-    /// The zone of all strips of a lobe that begins with this number, where no neck divides it and
-    /// no other is near.
+    /// The zone of all strips of the lobe that begins with this index, where no neck divides the
+    /// lobe and no other lobe is near.
     pub(crate) fn zone_of_lobe(&self, number: usize, lobe: &[PatchStrip<F>]) -> Option<Zone<F>> {
         let per_width = self.sizes().widths.per_width;
         let (first, last) = (lobe.first()?, lobe.last()?);
@@ -230,7 +231,7 @@ impl<F: Float> PatchView<'_, F> {
         let mut pairs = lobe.iter().zip(lobe.iter().skip(1));
         let whole = pairs.all(|(last, next)| walk.pass(last, next) >= F::one());
         let alone = whole && !near(before, first) && !near(after, last);
-        // (strips without load have no ellipse in common)
+        // Strips without load have no common ellipse.
         let zone = if alone { self.zone_around(number)? } else { return None };
         (zone.contact.normal_force > F::zero()).then_some(zone)
     }
@@ -271,7 +272,7 @@ impl<F: Float> PatchView<'_, F> {
         let units = self.sizes();
         let Sizes { per_length, per_width, .. } = *units;
         let ZoneSums { load, bound, square, centre: [x, y], pressure, volume } = *sums;
-        // (smaller products have no digits left; such a zone carries nothing)
+        // Smaller products have no digits left; such a zone carries no load.
         let load = if load.times(1e-6) > F::TINY { load } else { zero };
         let loaded = load > zero;
         let mean = |sum: F, own: F| if loaded { sum / load } else { own };
@@ -303,14 +304,15 @@ impl<F: Float> PatchView<'_, F> {
 /// Widths of the strips of a lobe or a patch.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Widths<F> {
-    /// One over the width of a strip: the mean over the width, which strips as narrow as one likes
+    /// Reciprocal of the width of a strip: the mean weighted with width, which very narrow strips
     /// do not change \[1/m\].
     pub per_width: F,
-    /// The same for most patches; for a rule of Gauss one over the mean of the strips \[1/m\].
+    /// The same number for most patches; for a rule of Gauss the reciprocal of the mean of the
+    /// strips \[1/m\].
     pub per_mean: F,
-    /// One for a rule of Gauss, whose strips take turns with two kinds of nodes along their
-    /// lengths; none for strips of one width but a few, which have half of both: then one more
-    /// strip at the rim turns nothing round.
+    /// 1 for a rule of Gauss, whose strips alternate between two kinds of nodes along their
+    /// lengths; 0 for strips of nearly equal width: each strip then has half of both kinds, so that
+    /// a strip added at the rim does not swap the kinds of all others.
     pub alternation: F,
 }
 
@@ -319,7 +321,7 @@ impl<F: Float> Widths<F> {
         Self::new(strips, strips.iter().fold(F::TINY, |widest, strip| widest.max(strip.width)))
     }
 
-    /// `widest` is the width of the widest.
+    /// `widest` is the largest width.
     fn new(strips: &[PatchStrip<F>], widest: F) -> Self {
         let (mut count, mut sum, mut squares, mut wide) = (F::zero(), F::TINY, F::TINY, F::zero());
         let per_widest = F::one() / widest;
@@ -330,9 +332,9 @@ impl<F: Float> Widths<F> {
             squares += width * width;
             wide += width * width.plus(-0.9).times(20.0).clamped(F::zero(), F::one());
         }
-        // share of the width that the widest have: at most 0.66 in the rules of Gauss
+        // Share of the width that the widest strips have: at most 0.66 in the rules of Gauss.
         let alternation = (F::of(0.74) - wide / sum).times(12.5).clamped(F::zero(), F::one());
-        // the mean of the strips of a rule, that over the width of others
+        // The mean over the strips for a rule of Gauss, that weighted with width for other patches.
         let (of_rule, of_others) = (count / sum, sum / squares);
         let per_mean = (of_others + (of_rule - of_others) * alternation) * per_widest;
         Self { per_width: of_others * per_widest, per_mean, alternation }

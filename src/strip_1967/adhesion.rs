@@ -30,7 +30,8 @@ pub(super) fn adhering<T: Number>(motion: &ReducedCreepage<T>, moving: &Arc<T>) 
     let c = (angle + (yc2 - yc1)).times(0.5);
     let yc = (c1 * c1 * c1 - c2 * c2 * c2).times(1.0 / 3.0);
     let bent = |y: T::Base, yc: T::Base| yc * (T::Base::one() - (y * y).times(2.0));
-    // The angle of a narrow arc would lose its digits.
+    // On a narrow arc this difference has only the rounding of the angle, so that it is limited to
+    // the range of the integrand.
     let most = (y1 * y1).max(y2 * y2) * width;
     let yyc = (angle - (bent(y2, yc2) - bent(y1, yc1))).times(0.125);
     let yyc = yyc.min(most).max(T::Base::zero());

@@ -1,23 +1,23 @@
-//! Total forces of a contact, without strips: the most accurate model when only `Fx, Fy, Mz` are
-//! wanted.
+//! Total forces of a contact, without strips: the most accurate model where only `Fx, Fy, Mz` are
+//! needed.
 //!
-//! Two answers, weighted: near rest, the linear theory put through the saturation curve of strip
-//! theory, with factors that a small network gives, fitted to cases computed with CONTACT; far
-//! beyond saturation, rigid slip, where elasticity no longer matters and only the ratio of creepage
-//! to spin is left.
+//! The result is a weighted mean of two formulas. Near rest it is the linear theory with the
+//! saturation curve of strip theory, and with factors of a small network that is fitted to cases
+//! computed with CONTACT. Far beyond saturation it is rigid slip, where elasticity no longer
+//! matters and only the ratio of creepage to spin counts.
 //!
-//! What holds by construction, whatever the constants:
+//! These properties hold for any constants:
 //! * `|F| ≤ μ N`, `Mz` bounded.
 //! * Linear theory for small creepage: every correction carries the weight `w = n²/(ONSET + n²)`,
 //!   `n` the size of the linear force.
 //! * Rigid slip for large creepage, spin or both, in force and moment.
-//! * Symmetry: nothing but signs changes with the sign of `vx`, or with the signs of `vy` and spin
+//! * Symmetry: only signs change with the sign of `vx`, or with the signs of `vy` and spin
 //!   together.
-//! * Power `fx vx + fy vy + mz φ ≥ 0`: both answers have it, so their mean has it.
-//! * Once continuously differentiable in creepage and spin, everywhere.
+//! * Power `fx vx + fy vy + mz φ ≥ 0`: both formulas have this property, hence their mean has it.
+//! * Continuously differentiable in creepage and spin everywhere.
 //!
-//! Nothing but `+ − × ÷ √`. `fit/fit_total.py` fits the network and the constants beside it, and
-//! has the same formulas.
+//! The only operations are `+ − × ÷ √`. `fit/fit_total.py` fits the network and the other
+//! constants, and contains the same formulas.
 
 mod constants;
 mod network;
@@ -34,33 +34,33 @@ use crate::linear::LinearCoefficients;
 use crate::number::registers::with_avx;
 use crate::number::{Arithmetic, Number, Pair, Real, Stored, Strips};
 
-/// Axis ratios that the formulas are evaluated with; fitted are 0.015 to 60, and rigid slip from
-/// 1/70 to 70.
+/// Limits of the axis ratio with which the formulas are evaluated. They are fitted for 0.015 to 60,
+/// rigid slip for 1/70 to 70.
 const RATIO_LIMIT: f64 = 1e3;
-/// Root of the largest axis ratio that the network is told: beyond it, the formulas around it know
-/// the limits.
+/// Root of the largest axis ratio that is passed to the network. Beyond it the other formulas have
+/// the right limits.
 const LARGEST_ROOT: f64 = 8.0;
 /// Creepages whose linear force is beyond this are rigid slip, and scaled down together.
 #[inline]
 fn largest<T: Number>() -> f64 {
     if size_of::<Stored<T>>() == 4 { 1e4 } else { 1e8 }
 }
-/// Creepages below this, times the smallest normal number, have lost digits, or have products that
-/// will.
+/// Creepages below this multiple of the smallest normal number have lost digits, or their products
+/// would.
 const LOST: f64 = 1e6;
 
 /// `|q|` of full sliding (Section 8.15).
 const FULL: f64 = 3.0 * core::f64::consts::PI / 4.0;
-/// Growth of the slopes with `e⁶` in translation: beyond saturation `|q|` does not fall below that
-/// of full sliding again.
+/// Growth of the slopes with `e⁶` in translation, which keeps `|q|` above that of full sliding
+/// beyond saturation.
 const GROWTH: f64 = 0.0003;
-/// `1/n⁴` where half of the answer is rigid slip: `n = 20` in translation, 150 where there is much
+/// `1/n⁴` where half of the result is rigid slip: `n = 20` in translation, 150 where there is much
 /// spin.
 const TRANSLATION: f64 = 1.0 / (20.0 * 20.0 * 20.0 * 20.0);
 const SPIN: f64 = 1.0 / (150.0 * 150.0 * 150.0 * 150.0);
 
 /// `S/|q|` in powers of `|q|` up to full sliding, lowest first. Printed by `fit/fit_total.py`:
-/// least maximum error of `S`, 1.5e-4, with the exact slope at 0 and none at full sliding.
+/// least maximum error of `S`, 1.5e-4, with the exact slope at 0 and slope zero at full sliding.
 const SATURATION: [f64; 6] = [
     1.0,
     -0.26497443542200877,
@@ -70,7 +70,7 @@ const SATURATION: [f64; 6] = [
     0.0016453016098987088,
 ];
 
-/// What TOTAL needs to know of a contact, whatever its creepages.
+/// The numbers of TOTAL that depend on the contact alone.
 #[derive(Clone, Copy, Debug)]
 pub struct Total<F> {
     linear: LinearCoefficients<F>,
@@ -78,7 +78,8 @@ pub struct Total<F> {
     ratio: F,
     /// `1/M₀²`, `M₀ = √(0.1406 (g + 1/g + 0.467))` the moment of sliding by spin alone
     moment: F,
-    /// Larger of the slopes over spin of the force and of the moment over `M₀`.
+    /// The larger of the derivatives of the force, and of the moment divided by `M₀`, with respect
+    /// to spin.
     spin_slope: F,
     /// Linear force of the slip that spin makes at the ends of the axes.
     ends: [F; 2],
@@ -136,7 +137,7 @@ impl<F: Real> Total<F> {
     }
 
     /// Totals for creepages `vx, vy = G a b (υx, υy)/(μ N)` and spin `φ = G (a b)^{3/2} ϕ/(μ N)`.
-    /// The stick area is not known.
+    /// The model does not give the stick area.
     #[must_use]
     #[inline(always)]
     pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
@@ -157,8 +158,8 @@ impl<F: Real> Total<F> {
         let [vx, vy, phi] = within_range(creepage, [c11, c22, self.spin_slope]);
         let (vx2, vy2, phi2) = (vx.squared(), vy.squared(), phi.squared());
 
-        // force of the linear theory; u² of translation, s² of spin, m² its moment over M₀, n² all
-        // together
+        // Force of the linear theory: u² of translation, s² of spin, m² its moment divided by M₀,
+        // n² their sum.
         let (lx, ly, ls) = (vx.scale(c11), vy.scale(c22), phi.scale(c23));
         let (lx2, ly2, s2) = (lx.squared(), ly.squared(), ls.squared());
         let u2 = lx2 + ly2;
@@ -184,7 +185,7 @@ impl<F: Real> Total<F> {
         let lys = ly + ls;
         let py2 = phi2.scale(self.ratio);
         let pole = (one - kappa).squared().squared().squared();
-        // x of the mean at the end, dₑ and the share of γ on the way
+        // Reciprocals of x for the final mean, of dₑ and of the share of γ.
         let x = n2.squared() * pole.times(TRANSLATION).plus(SPIN);
         let [f_s, f_s4, f_e, f_es, f_ys, f_y, w, d, spin, near] = inverses([
             s2.plus(SEEN_S),
@@ -225,7 +226,7 @@ impl<F: Real> Total<F> {
         // elastic slopes and those of sliding: dₑ = 1/(1 + TURN e⁴) of the first
         let (root_x, root_y) = T::Pair::of(ix, iy).sqrt().parts();
         let braked = root_y.scale(c22);
-        // (so far in sliding that only its direction is left, and in single precision q² a number)
+        // Limited, so that q² stays finite in single precision; only the direction counts there.
         let growth = ((e4 * e2).min(T::from_base(T::HUGE)) * pole).scale(c22.times(GROWTH));
         let beta_x = k2 * (braked * (one - d) + k1 * (root_x * d).scale(c11)) + growth;
         let elastic_y = k2 * braked;
@@ -276,21 +277,21 @@ fn saturation<T: Number>(q2: T, h: T) -> T {
     s_over_q * (T::constant(FULL) / (q.max(T::constant(FULL)) * h))
 }
 
-/// Creepages and spin that mean the same and whose powers are finite. The slopes make linear forces
-/// of them.
+/// Equivalent creepages and spin whose powers are finite. The linear forces are these times the
+/// slopes.
 #[inline(always)]
 fn within_range<T: Number>(mut creepage: [T; 3], slopes: [T::Base; 3]) -> [T; 3] {
     let ([vx, vy, phi], [x, y, spin]) = (creepage, slopes);
     let [vx, vy, phi] = [vx.value().abs(), vy.value().abs(), phi.value().abs()];
     let size = (vx * x).max(vy * y).max(phi * spin);
     let lost = T::TINY.times(LOST);
-    // (creepages of a needle may be lost although steep slopes make more of them)
+    // The creepages of a needle may underflow although its slopes are steep.
     let least = vx.max(vy).max(phi).min(size);
-    // (of several contacts side by side one may be too small and another too large)
+    // Of several contacts side by side one may be too small and another too large.
     if lost.exceeds(least) {
-        // The digits of such creepages are those of the smallest numbers, and without them power
-        // may have any sign. What they carry is nothing to 1e-24 of `μ N`, 1e-32 but for needles;
-        // the slopes stay.
+        // Such creepages have few digits, so that the sign of the power would be arbitrary. Their
+        // forces are below 1e-24 of `μ N`, except for needles below 1e-32, and count as zero; the
+        // slopes stay.
         let gone = |v: &T| *v - T::from_base((lost - least).choose(v.value(), T::Base::zero()));
         creepage = T::each(&creepage, gone);
     }

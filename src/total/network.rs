@@ -1,5 +1,5 @@
-//! The network of corrections: two hidden layers of units `2x/(1 + x²)`, and how they move when its
-//! inputs do.
+//! The network of corrections: two hidden layers of units `2x/(1 + x²)`, and their derivatives with
+//! respect to its inputs.
 
 use super::constants::{FIRST, FIXED, LAST, LAST_BIAS, SECOND};
 use crate::number::tables::{add_rows, row, rows, table, widen};

@@ -52,7 +52,7 @@ class HertzContact(Record, name="hertz_contact"):
 
 
 class Velocity(Record, name="velocity"):
-    """Velocity of one body's material at the centre of the contact, seen from the contact."""
+    """Velocity of one body's material at the centre of the contact, relative to the contact."""
 
     x = Numbers('m/s', 'Along the rolling direction x [m/s]: about minus the rolling speed for both bodies.')
     y = Numbers('m/s', 'Lateral, along y [m/s].')
@@ -89,7 +89,7 @@ class Result(Record, name="result"):
     fy = Numbers('N', 'Lateral force [N].')
     mz = Numbers('N m', 'Moment about z at the centre of the contact [N m].')
     power = Numbers('N', 'Frictional power divided by rolling speed, fx longitudinal + fy lateral + mz spin [N]: energy dissipated per metre rolled. For unlike bodies the creepage that pressure makes is added to the longitudinal one.')
-    adhesion = Numbers('', 'Share of the contact area in adhesion [-], 0 to 1. KSTRIP_MODEL_TOTAL does not know it: -1; KSTRIP_MODEL_LINEAR has adhesion everywhere: 1.')
+    adhesion = Numbers('', 'Share of the contact area in adhesion [-], 0 to 1. It is -1 with KSTRIP_MODEL_TOTAL, which does not compute it, and 1 with KSTRIP_MODEL_LINEAR, which has adhesion everywhere.')
     status_detail = Integers('', 'The status of this result: 0 or one of the KSTRIP_WARNING constants.')
 
 
@@ -125,7 +125,7 @@ class Strip(Record, name="strip"):
     """One strip y = const of a contact or a patch, and the forces that it carries on the lower body."""
 
     y = Numbers('m', 'Centre line [m].')
-    width = Numbers('m', 'Width that the strip stands for [m].')
+    width = Numbers('m', 'Width of the strip [m].')
     half_length = Numbers('m', 'Half of its length along x [m].')
     separatrix = Numbers('m', 'x of the separatrix [m], with slip behind it and adhesion ahead of it; the leading edge if the whole strip slides.')
     fx = Numbers('N', 'Its share of the longitudinal force [N].')
@@ -203,7 +203,7 @@ class PatchStrip(Record, name="patch_strip"):
 
 
 class Patch(Record, name="patch"):
-    """A contact patch of any shape: its strips, in ascending y. Filled by kstrip_patch_from_contact(), kstrip_patch_from_strips() or kstrip_patch_from_profile(); the members may then be changed. All functions check it again. A patch whose members are all zero, except shear_modulus, carries no load. Where the distance of two neighbours is more than one and a half times that at which they touch, there is a gap: what lies on either side is a lobe of its own."""
+    """A contact patch of any shape: its strips, in ascending y. Filled by kstrip_patch_from_contact(), kstrip_patch_from_strips() or kstrip_patch_from_profile(); the members may then be changed. All functions check it again. A patch whose members are all zero, except shear_modulus, carries no load. Where the distance of two neighbours is more than one and a half times that at which they touch, there is a gap: the strips on either side are a lobe of their own."""
 
     strips = Part(PatchStrip, '', 'The strips; the first count are used.')
     shear_modulus = Numbers('Pa', 'Combined shear modulus G [Pa], > 0.')
