@@ -1926,7 +1926,7 @@ kstrip_status kstrip_gauge_face(const struct kstrip_surface *rail, double depth,
 typedef struct kstrip_curve {
     /** Speed along the middle of the track, at the height of the wheelset's centre [m/s]. */
     double speed;
-    /** One over the radius of the curve [1/m]: positive to the right, 0: straight. */
+    /** One divided by the radius of the curve [1/m]: positive to the right, 0: straight. */
     double curvature;
     /**
      * Angle of cant [rad]: positive where the right rail is lower, between -1 and 1. In a curve
@@ -1939,16 +1939,16 @@ typedef struct kstrip_curve {
 
 /**
  * Motion and weight in a curve. The axes of the track run along the curve with its speed, and turn
- * with it; over the momentary track, which is at rest, a body therefore has this motion and its
- * own. Use it before kstrip_wheelset_on_track() and for the weight of every body.
+ * with it; relative to the momentary track, which is at rest, a body therefore has this motion and
+ * its own. Use it before kstrip_wheelset_on_track() and for the weight of every body.
  *
  * @param curve           speed, curvature, cant.
  * @param position        where the body is in the axes of the track; vertical is not used.
  * @param relative        how the body moves in these axes; forward beyond the speed of the curve.
- * @param[out] velocity   receives the velocity over the momentary track.
+ * @param[out] velocity   receives the velocity relative to the momentary track.
  * @param[out] weight     receives three numbers: weight per mass, the centrifugal part included,
  *                        forward, lateral, vertical [m/s^2]. At balance speed its lateral part is
- *                        zero. NULL: not wanted.
+ *                        zero. NULL: not needed.
  * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE_END (yaw,
  *         roll or cant of 1 or more).
  */
@@ -2051,20 +2051,26 @@ typedef struct kstrip_wheelset_forces {
 } kstrip_wheelset_forces;
 
 /**
- * Exact derivatives of the forces on a wheelset and its two rails by the velocities. Rows are the
- * ten forces: force and moment on the wheelset, then lateral and vertical force on the right rail
- * and on the left rail. Columns are the ten freedoms (KSTRIP_WHEELSET_FREEDOMS).
+ * Exact derivatives of the forces on a wheelset and its two rails with respect to the velocities.
+ * Rows are the ten forces: force and moment on the wheelset, then lateral and vertical force on
+ * the right rail and on the left rail. Columns are the ten freedoms (KSTRIP_WHEELSET_FREEDOMS).
  */
 typedef struct kstrip_wheelset_derivatives {
-    /** By the velocities [N, N m over m/s, rad/s]. */
+    /** With respect to the velocities [N, N m per m/s, rad/s]. */
     double velocity[KSTRIP_WHEELSET_FREEDOMS][KSTRIP_WHEELSET_FREEDOMS];
-    /** By a factor on all coefficients of friction, at 1 [N, N m]. */
+    /** With respect to a factor on all coefficients of friction, at 1 [N, N m]. */
     double friction[KSTRIP_WHEELSET_FREEDOMS];
 } kstrip_wheelset_derivatives;
 
-/** Derivatives of the same ten forces by the positions of the ten freedoms, at constant velocities. */
+/**
+ * Derivatives of the same ten forces with respect to the positions of the ten freedoms, at
+ * constant velocities.
+ */
 typedef struct kstrip_wheelset_by_position {
-    /** By the positions [N, N m over m, rad]; the columns of forward and pitch are zero. */
+    /**
+     * With respect to the positions [N, N m per m, rad]; the columns of forward and pitch are
+     * zero.
+     */
     double position[KSTRIP_WHEELSET_FREEDOMS][KSTRIP_WHEELSET_FREEDOMS];
 } kstrip_wheelset_by_position;
 
@@ -2073,10 +2079,10 @@ typedef struct kstrip_wheelset_by_position {
  *
  * The position is that of the wheelset's centre, in the axes of the track: lateral from the middle
  * of the track, vertical below the place where the centre is the mean of both wheel radii above
- * the rails' origins. The velocity is that of the centre over the momentary track, with rates
- * about the wheelset's own axes; in a curve kstrip_curve_motion() gives it. Forces are continuous
- * as in kstrip_wheel_on_rail(). The forces times the ten velocities are minus the dissipation and
- * minus the power that goes into the pressure.
+ * the rails' origins. The velocity is that of the centre relative to the momentary track, with
+ * rates about the wheelset's own axes; in a curve kstrip_curve_motion() gives it. Forces are
+ * continuous as in kstrip_wheel_on_rail(). The forces times the ten velocities are minus the
+ * dissipation and minus the power that goes into the pressure.
  *
  * @param set             wheels, materials, friction, distance of the wheels.
  * @param track           rails, gauge, displacements and velocities of the rails.
@@ -2085,10 +2091,10 @@ typedef struct kstrip_wheelset_by_position {
  * @param workspace       memory that may hold anything; receives gap and contacts of both wheels.
  * @param[out] forces     receives the wrench on the wheelset and on each wheel, and the force on
  *                        each rail.
- * @param[out] derivatives  receives exact derivatives by the ten velocities and by friction; NULL:
- *                        not wanted.
- * @param[out] by_position  receives derivatives by the ten positions, as exact as those of
- *                        kstrip_wheel_on_rail(); NULL: not wanted.
+ * @param[out] derivatives  receives exact derivatives with respect to the ten velocities and to
+ *                        friction; NULL: not needed.
+ * @param[out] by_position  receives derivatives with respect to the ten positions, as exact as those
+ *                        of kstrip_wheel_on_rail(); NULL: not needed.
  * @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END (a rail ends above the depth of the gauge) or a
  *         status of kstrip_wheel_on_rail(); KSTRIP_ERROR_GAUGE (neither a gauge nor the rails'
  *         origins, or no distance of the wheels).
@@ -2102,7 +2108,7 @@ kstrip_status kstrip_wheelset_on_track(const struct kstrip_wheelset *set,
                                        struct kstrip_wheelset_derivatives *derivatives,
                                        struct kstrip_wheelset_by_position *by_position);
 
-/** Loads on a wheelset that does not accelerate: what the vehicle and gravity do to it. */
+/** Loads of the vehicle and of gravity on a wheelset that does not accelerate. */
 typedef struct kstrip_wheelset_loads {
     /** Downward force at the wheelset's centre [N], its weight included, > 0. */
     double vertical;
@@ -2128,7 +2134,7 @@ typedef struct kstrip_wheelset_loads {
  * @param workspace       memory that may hold anything; receives gap and contacts of both wheels.
  * @param[out] position   receives the position.
  * @param[out] moves      receives the velocity, with the pitch rate.
- * @param[out] forces     receives the forces there; NULL: not wanted.
+ * @param[out] forces     receives the forces there; NULL: not needed.
  * @return as kstrip_wheelset_on_track(); KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_NORMAL_FORCE
  *         (the load is not positive), KSTRIP_ERROR_WHEEL_LIFTED (the roll moment lifts a wheel),
  *         KSTRIP_ERROR_FORCE_BEYOND_FRICTION (friction does not carry the torque).
@@ -2144,7 +2150,7 @@ kstrip_status kstrip_wheelset_settle(const struct kstrip_wheelset *set,
                                      struct kstrip_wheelset_forces *forces);
 
 /**
- * The difference of the rolling radii, right minus left, over the lateral shift of a rigid
+ * The difference of the rolling radii, right minus left, against the lateral shift of a rigid
  * wheelset that touches both rails without yaw.
  *
  * @param set, track      as in kstrip_wheelset_on_track(); the motion of the rails counts with its
@@ -2177,7 +2183,7 @@ kstrip_status kstrip_rolling_radius_difference(const struct kstrip_wheelset *set
  * @param amplitudes, number  amplitudes of the motion [m], > 0.
  * @param[out] conicities   array of number elements; receives the conicities [-].
  * @param[out] wave_lengths  array of number elements; receives the wave lengths [m]; NULL: not
- *                        wanted.
+ *                        needed.
  * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (too few
  *         shifts, or they do not ascend), KSTRIP_ERROR_GAUGE, KSTRIP_ERROR_ROLLING_RADIUS,
  *         KSTRIP_ERROR_CONICITY (an amplitude is not positive or beyond the shifts, or the radii

@@ -824,16 +824,19 @@ typedef struct kstrip_wheelset_forces_f32 {
 } kstrip_wheelset_forces_f32;
 
 /**
- * Exact derivatives of the forces on a wheelset and its two rails by the velocities. Rows are the
- * ten forces: force and moment on the wheelset, then lateral and vertical force on the right rail
- * and on the left rail. Columns are the ten freedoms (KSTRIP_WHEELSET_FREEDOMS).
+ * Exact derivatives of the forces on a wheelset and its two rails with respect to the velocities.
+ * Rows are the ten forces: force and moment on the wheelset, then lateral and vertical force on
+ * the right rail and on the left rail. Columns are the ten freedoms (KSTRIP_WHEELSET_FREEDOMS).
  */
 typedef struct kstrip_wheelset_derivatives_f32 {
     float velocity[KSTRIP_WHEELSET_FREEDOMS][KSTRIP_WHEELSET_FREEDOMS];
     float friction[KSTRIP_WHEELSET_FREEDOMS];
 } kstrip_wheelset_derivatives_f32;
 
-/** Derivatives of the same ten forces by the positions of the ten freedoms, at constant velocities. */
+/**
+ * Derivatives of the same ten forces with respect to the positions of the ten freedoms, at
+ * constant velocities.
+ */
 typedef struct kstrip_wheelset_by_position_f32 {
     float position[KSTRIP_WHEELSET_FREEDOMS][KSTRIP_WHEELSET_FREEDOMS];
 } kstrip_wheelset_by_position_f32;
@@ -848,7 +851,7 @@ kstrip_status kstrip_wheelset_on_track_f32(const struct kstrip_wheelset_f32 *set
                                            struct kstrip_wheelset_derivatives_f32 *derivatives,
                                            struct kstrip_wheelset_by_position_f32 *by_position);
 
-/** Loads on a wheelset that does not accelerate: what the vehicle and gravity do to it. */
+/** Loads of the vehicle and of gravity on a wheelset that does not accelerate. */
 typedef struct kstrip_wheelset_loads_f32 {
     float vertical;
     float roll;

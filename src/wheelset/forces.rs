@@ -32,23 +32,25 @@ pub struct WheelsetForces<F> {
     pub rail: [[F; 3]; 2],
 }
 
-/// Exact derivatives of the forces on a wheelset and its two rails by the velocities. Rows are the
-/// ten forces: force and moment on the wheelset, then lateral and vertical force on the right rail
-/// and on the left rail. Columns are the ten freedoms (KSTRIP_WHEELSET_FREEDOMS).
+/// Exact derivatives of the forces on a wheelset and its two rails with respect to the velocities.
+/// Rows are the ten forces: force and moment on the wheelset, then lateral and vertical force on
+/// the right rail and on the left rail. Columns are the ten freedoms (KSTRIP_WHEELSET_FREEDOMS).
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WheelsetDerivatives<F> {
-    /// By the velocities \[N, N m over m/s, rad/s\].
+    /// With respect to the velocities \[N, N m per m/s, rad/s\].
     pub velocity: [[F; KSTRIP_WHEELSET_FREEDOMS]; KSTRIP_WHEELSET_FREEDOMS],
-    /// By a factor on all coefficients of friction, at 1 \[N, N m\].
+    /// With respect to a factor on all coefficients of friction, at 1 \[N, N m\].
     pub friction: [F; KSTRIP_WHEELSET_FREEDOMS],
 }
 
-/// Derivatives of the same ten forces by the positions of the ten freedoms, at constant velocities.
+/// Derivatives of the same ten forces with respect to the positions of the ten freedoms, at
+/// constant velocities.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WheelsetByPosition<F> {
-    /// By the positions \[N, N m over m, rad\]; the columns of forward and pitch are zero.
+    /// With respect to the positions \[N, N m per m, rad\]; the columns of forward and pitch are
+    /// zero.
     pub position: [[F; KSTRIP_WHEELSET_FREEDOMS]; KSTRIP_WHEELSET_FREEDOMS],
 }
 

@@ -32,7 +32,7 @@ const LEAST: f64 = 0.02;
 const PASSES: usize = 16;
 const STAYS: f64 = 1e-6;
 
-/// Loads on a wheelset that does not accelerate: what the vehicle and gravity do to it.
+/// Loads of the vehicle and of gravity on a wheelset that does not accelerate.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WheelsetLoads<F> {

@@ -75,7 +75,7 @@ pub fn gauge_face<F: Float>(rail: &Surface<F>, depth: F) -> Result<(F, Warning),
 pub struct Curve<F> {
     /// Speed along the middle of the track, at the height of the wheelset's centre \[m/s\].
     pub speed: F,
-    /// One over the radius of the curve \[1/m\]: positive to the right, 0: straight.
+    /// One divided by the radius of the curve \[1/m\]: positive to the right, 0: straight.
     pub curvature: F,
     /// Angle of cant \[rad\]: positive where the right rail is lower, between -1 and 1. In a curve
     /// to the right it is positive.
@@ -85,7 +85,7 @@ pub struct Curve<F> {
 }
 
 impl<F: Float> Curve<F> {
-    /// The velocity over the momentary track of a body that moves with `relative` in the axes of
+    /// The velocity relative to the momentary track of a body that moves with `relative` in the axes of
     /// the track, which run along the curve; and the weight per mass in these axes, its centrifugal
     /// part included.
     ///

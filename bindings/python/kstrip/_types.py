@@ -357,7 +357,7 @@ class Curve(Record, name="curve"):
     """A curve that a vehicle runs through: the axes of the track move forward and turn with it."""
 
     speed = Numbers('m/s', "Speed along the middle of the track, at the height of the wheelset's centre [m/s].")
-    curvature = Numbers('1/m', 'One over the radius of the curve [1/m]: positive to the right, 0: straight.')
+    curvature = Numbers('1/m', 'One divided by the radius of the curve [1/m]: positive to the right, 0: straight.')
     cant = Numbers('rad', 'Angle of cant [rad]: positive where the right rail is lower, between -1 and 1. In a curve to the right it is positive.')
     gravity = Numbers('m/s^2', 'Acceleration of gravity [m/s^2]; 0: 9.80665.')
 
@@ -386,20 +386,20 @@ class WheelsetForces(Record, name="wheelset_forces"):
 
 
 class WheelsetDerivatives(Record, name="wheelset_derivatives"):
-    """Exact derivatives of the forces on a wheelset and its two rails by the velocities. Rows are the ten forces: force and moment on the wheelset, then lateral and vertical force on the right rail and on the left rail. Columns are the ten freedoms (KSTRIP_WHEELSET_FREEDOMS)."""
+    """Exact derivatives of the forces on a wheelset and its two rails with respect to the velocities. Rows are the ten forces: force and moment on the wheelset, then lateral and vertical force on the right rail and on the left rail. Columns are the ten freedoms (KSTRIP_WHEELSET_FREEDOMS)."""
 
-    velocity = Numbers('N, N m over m/s, rad/s', 'By the velocities [N, N m over m/s, rad/s].')
-    friction = Numbers('N, N m', 'By a factor on all coefficients of friction, at 1 [N, N m].')
+    velocity = Numbers('N, N m per m/s, rad/s', 'With respect to the velocities [N, N m per m/s, rad/s].')
+    friction = Numbers('N, N m', 'With respect to a factor on all coefficients of friction, at 1 [N, N m].')
 
 
 class WheelsetByPosition(Record, name="wheelset_by_position"):
-    """Derivatives of the same ten forces by the positions of the ten freedoms, at constant velocities."""
+    """Derivatives of the same ten forces with respect to the positions of the ten freedoms, at constant velocities."""
 
-    position = Numbers('N, N m over m, rad', 'By the positions [N, N m over m, rad]; the columns of forward and pitch are zero.')
+    position = Numbers('N, N m per m, rad', 'With respect to the positions [N, N m per m, rad]; the columns of forward and pitch are zero.')
 
 
 class WheelsetLoads(Record, name="wheelset_loads"):
-    """Loads on a wheelset that does not accelerate: what the vehicle and gravity do to it."""
+    """Loads of the vehicle and of gravity on a wheelset that does not accelerate."""
 
     vertical = Numbers('N', "Downward force at the wheelset's centre [N], its weight included, > 0.")
     roll = Numbers('N m', "Moment about the wheelset's x axis [N m]: positive from y to z, onto the right rail.")

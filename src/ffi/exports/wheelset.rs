@@ -31,16 +31,16 @@ pub extern "C" fn kstrip_gauge_face(
 }
 
 /// Motion and weight in a curve. The axes of the track run along the curve with its speed, and turn
-/// with it; over the momentary track, which is at rest, a body therefore has this motion and its
-/// own. Use it before kstrip_wheelset_on_track() and for the weight of every body.
+/// with it; relative to the momentary track, which is at rest, a body therefore has this motion and
+/// its own. Use it before kstrip_wheelset_on_track() and for the weight of every body.
 ///
 /// @param curve           speed, curvature, cant.
 /// @param position        where the body is in the axes of the track; vertical is not used.
 /// @param relative        how the body moves in these axes; forward beyond the speed of the curve.
-/// @param[out] velocity   receives the velocity over the momentary track.
+/// @param[out] velocity   receives the velocity relative to the momentary track.
 /// @param[out] weight     receives three numbers: weight per mass, the centrifugal part included,
 ///                        forward, lateral, vertical [m/s^2]. At balance speed its lateral part is
-///                        zero. NULL: not wanted.
+///                        zero. NULL: not needed.
 /// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE_END (yaw,
 ///         roll or cant of 1 or more).
 #[unsafe(export_name = symbol!("kstrip_curve_motion"))]
@@ -66,10 +66,10 @@ pub unsafe extern "C" fn kstrip_curve_motion(
 ///
 /// The position is that of the wheelset's centre, in the axes of the track: lateral from the middle
 /// of the track, vertical below the place where the centre is the mean of both wheel radii above
-/// the rails' origins. The velocity is that of the centre over the momentary track, with rates
-/// about the wheelset's own axes; in a curve kstrip_curve_motion() gives it. Forces are continuous
-/// as in kstrip_wheel_on_rail(). The forces times the ten velocities are minus the dissipation and
-/// minus the power that goes into the pressure.
+/// the rails' origins. The velocity is that of the centre relative to the momentary track, with
+/// rates about the wheelset's own axes; in a curve kstrip_curve_motion() gives it. Forces are
+/// continuous as in kstrip_wheel_on_rail(). The forces times the ten velocities are minus the
+/// dissipation and minus the power that goes into the pressure.
 ///
 /// @param set             wheels, materials, friction, distance of the wheels.
 /// @param track           rails, gauge, displacements and velocities of the rails.
@@ -78,10 +78,10 @@ pub unsafe extern "C" fn kstrip_curve_motion(
 /// @param workspace       memory that may hold anything; receives gap and contacts of both wheels.
 /// @param[out] forces     receives the wrench on the wheelset and on each wheel, and the force on
 ///                        each rail.
-/// @param[out] derivatives  receives exact derivatives by the ten velocities and by friction; NULL:
-///                        not wanted.
-/// @param[out] by_position  receives derivatives by the ten positions, as exact as those of
-///                        kstrip_wheel_on_rail(); NULL: not wanted.
+/// @param[out] derivatives  receives exact derivatives with respect to the ten velocities and to
+///                        friction; NULL: not needed.
+/// @param[out] by_position  receives derivatives with respect to the ten positions, as exact as those
+///                        of kstrip_wheel_on_rail(); NULL: not needed.
 /// @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END (a rail ends above the depth of the gauge) or a
 ///         status of kstrip_wheel_on_rail(); KSTRIP_ERROR_GAUGE (neither a gauge nor the rails'
 ///         origins, or no distance of the wheels).
@@ -126,7 +126,7 @@ pub unsafe extern "C" fn kstrip_wheelset_on_track(
 /// @param workspace       memory that may hold anything; receives gap and contacts of both wheels.
 /// @param[out] position   receives the position.
 /// @param[out] moves      receives the velocity, with the pitch rate.
-/// @param[out] forces     receives the forces there; NULL: not wanted.
+/// @param[out] forces     receives the forces there; NULL: not needed.
 /// @return as kstrip_wheelset_on_track(); KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_NORMAL_FORCE
 ///         (the load is not positive), KSTRIP_ERROR_WHEEL_LIFTED (the roll moment lifts a wheel),
 ///         KSTRIP_ERROR_FORCE_BEYOND_FRICTION (friction does not carry the torque).
@@ -157,7 +157,7 @@ pub unsafe extern "C" fn kstrip_wheelset_settle(
     })
 }
 
-/// The difference of the rolling radii, right minus left, over the lateral shift of a rigid
+/// The difference of the rolling radii, right minus left, against the lateral shift of a rigid
 /// wheelset that touches both rails without yaw.
 ///
 /// @param set, track      as in kstrip_wheelset_on_track(); the motion of the rails counts with its
@@ -206,7 +206,7 @@ pub unsafe extern "C" fn kstrip_rolling_radius_difference(
 /// @param amplitudes, number  amplitudes of the motion [m], > 0.
 /// @param[out] conicities   array of number elements; receives the conicities [-].
 /// @param[out] wave_lengths  array of number elements; receives the wave lengths [m]; NULL: not
-///                        wanted.
+///                        needed.
 /// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (too few
 ///         shifts, or they do not ascend), KSTRIP_ERROR_GAUGE, KSTRIP_ERROR_ROLLING_RADIUS,
 ///         KSTRIP_ERROR_CONICITY (an amplitude is not positive or beyond the shifts, or the radii
