@@ -65,8 +65,8 @@ typedef int32_t kstrip_status;
 #define KSTRIP_OK 0
 
 /**
- * Warning: the spin parameter |psi| is 1 or more, beyond the theory of 1967. The result continues
- * that theory in a way that is this library's own: finite, continuous and bounded by mu N.
+ * Warning: the spin parameter |psi| is 1 or more, beyond the theory of 1967. The result is this
+ * library's own continuation of that theory: finite, continuous and bounded by mu N.
  */
 #define KSTRIP_WARNING_SPIN 1
 /**
@@ -183,7 +183,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_UNEXPLAINED -19
 /** Error: the requested force exceeds mu N. */
 #define KSTRIP_ERROR_FORCE_BEYOND_FRICTION -20
-/** Error: what was measured is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum. */
+/** Error: the measurement is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum. */
 #define KSTRIP_ERROR_MEASURED -21
 /**
  * Error: a structure was not filled by kstrip_prepare() of the same precision, or a profile not by
@@ -203,7 +203,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_PRESSURE -41
 /** Error: strips of a patch overlap, or do not ascend in y. */
 #define KSTRIP_ERROR_STRIP_ORDER -42
-/** Error: there are more strips than a patch has room for, or more contacts than a wheel may have. */
+/** Error: there are more strips than a patch can hold, or more contacts than a wheel may have. */
 #define KSTRIP_ERROR_PATCH_SIZE -43
 /**
  * Error: a profile has too few points (fewer than 2; for kstrip_prepare_profile() fewer than 4),
@@ -489,7 +489,7 @@ kstrip_status kstrip_creepage_from_parameters(const struct kstrip_contact *conta
  */
 #define KSTRIP_MODEL_DEFAULT 0
 /**
- * The strip theory of Kalker's paper of 1967. Nothing in it is fitted. It has the sliding rule
+ * The strip theory of Kalker's paper of 1967. It has no fitted constants. It has the sliding rule
  * that the paper keeps for forces: strips without adhesion slide along the rigid slip of their
  * centre line. The paper made it for slender ellipses, a/b up to 0.2, and |psi| < 1. Its mean
  * error against CONTACT is 5 % of mu N there, and 15 % over a/b 0.1 to 10.
@@ -531,18 +531,18 @@ kstrip_status kstrip_creepage_from_parameters(const struct kstrip_contact *conta
 /** State of a point: slip. */
 #define KSTRIP_STATE_SLIP 2
 /**
- * State of a point: slip against the traction (negative local dissipation). This is a fault of the
- * strip theory, next to the leading edge of sliding strips.
+ * State of a point: slip against the traction (negative local dissipation). This is an error of
+ * the strip theory near the leading edge of sliding strips.
  */
 #define KSTRIP_STATE_SLIP_NEGATIVE_DISSIPATION 3
 
-/** Which model, and with how many strips. All zero is the default. */
+/** The model and the number of strips. All zero is the default. */
 typedef struct kstrip_options {
     /** One of the KSTRIP_MODEL constants. */
     int32_t model;
     /**
-     * Number of strips: 4, 8, 16, 32 or 64; 0: 16. Models without strips check it and ignore it
-     * otherwise.
+     * Number of strips: 4, 8, 16, 32 or 64; 0 means 16. Models without strips check it and ignore
+     * it otherwise.
      */
     int32_t strips;
 } kstrip_options;
@@ -710,11 +710,11 @@ typedef struct kstrip_outputs {
      */
     double *friction;
     /**
-     * What each strip carries; capacity elements. Their shares add up to the result of the same
+     * The forces of each strip; capacity elements. Their shares add up to the result of the same
      * model.
      */
     struct kstrip_strip *strips;
-    /** How many strips were written; required with strips. */
+    /** Number of strips that were written; required with strips. */
     uint32_t *count;
     /**
      * Size of the array strips: at least the strip count of the options; for a patch, at least its
@@ -1788,8 +1788,8 @@ typedef struct kstrip_wrench_derivatives {
  * @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL:
  *                        constant.
  * @param[out] wrench     receives force and moment.
- * @param[out] derivatives  receives their derivatives with respect to velocity and friction; NULL: not
- *                          needed.
+ * @param[out] derivatives  receives their derivatives with respect to velocity and friction; NULL:
+ *                          not needed.
  * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE or a status of kstrip_patch_evaluate();
  *         KSTRIP_ERROR_PATCH_SIZE.
  */

@@ -362,9 +362,9 @@ impl Report {
     fn by_region(&mut self) {
         self.line("\n## By region\n");
         self.line(
-            "Force: mean / 95th percentile / max of `|f − f_ref|`. The last two methods are the better \
-             variants of FASTSIM and FaStrip on 20x20 cells. LINEAR is in the tables to show where \
-             it may be used.\n",
+            "Force: mean / 95th percentile / max of `|f − f_ref|`. The last two methods are the \
+             better variants of FASTSIM and FaStrip on 20x20 cells. LINEAR is in the tables to \
+             show where it may be used.\n",
         );
         for (set, open) in [("open.csv", true), ("validation", false)] {
             for dimension in dimensions() {
@@ -412,9 +412,9 @@ impl Report {
         self.line("\n## Slender contacts\n");
         self.line(
             "`open_slender.csv`: 140 cases beyond the axis ratios of `open.csv`, ν from 0 to 0.5, \
-             which no fit uses. Force: mean / 95th percentile / max; moment in μ N √(ab): mean / max. FASTSIM \
-             and FaStrip get the linear coefficients of the library. STRIP and TOTAL warn below \
-             0.015 and above 60.\n",
+             which no fit uses. Force: mean / 95th percentile / max; moment in μ N √(ab): mean / \
+             max. FASTSIM and FaStrip get the linear coefficients of the library. STRIP and TOTAL \
+             warn below 0.015 and above 60.\n",
         );
         self.by_axis_ratio(&slender(), &[0.015, 0.03, 0.06, 0.12, 8.0, 12.0, 20.0, 40.0, 60.1]);
     }
@@ -463,9 +463,9 @@ impl Report {
         self.line(
             "`kappa.csv`: 170 pairs of results of CONTACT with the mismatch `κ` of the materials \
              and without. Error of the difference that `κ` makes to the force, `|(f − f₀) − (f − \
-             f₀)_ref|` in μ N: mean / 95th percentile / max. Ordinary pairs: `|κ|` up to 0.13, μ from 0.3 on \
-             (steel on aluminium, cast iron or bronze). Methods without `κ` have the error of the \
-             first row: FASTSIM, FaStrip, STRIP_1967.\n",
+             f₀)_ref|` in μ N: mean / 95th percentile / max. Ordinary pairs: `|κ|` up to 0.13, μ \
+             from 0.3 on (steel on aluminium, cast iron or bronze). Methods without `κ` have the \
+             error of the first row: FASTSIM, FaStrip, STRIP_1967.\n",
         );
         self.header(&["method", "all", "ordinary pairs"]);
         let pairs = unlike();

@@ -230,8 +230,8 @@ impl Report {
         self.line(
             "* Errors: of the force, `|f − f_ref|` in units of `μ N` over the 854 cases of \
              `tests/data/open.csv`; of the slopes, the worst entry of `∂(fx, fy)/∂(vx, vy, φ)` \
-             divided by the linear slope in the 70 states of `tests/data/jacobians.csv`; both as in \
-             [accuracy.md](accuracy.md). In single precision the slopes are those of double \
+             divided by the linear slope in the 70 states of `tests/data/jacobians.csv`; both as \
+             in [accuracy.md](accuracy.md). In single precision the slopes are those of double \
              precision.",
         );
         self.line(

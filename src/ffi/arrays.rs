@@ -39,7 +39,7 @@ pub(super) unsafe fn output<'a, T>(
     }
 }
 
-/// The place of an output; none where it is not wanted.
+/// The place of an output; `None` if it is not requested.
 ///
 /// # Safety
 /// `pointer` is NULL, or valid and aligned for one write while the place lives, and nothing else

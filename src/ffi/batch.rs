@@ -1,4 +1,4 @@
-//! Many contacts for C: a pointer and a distance in bytes for each quantity.
+//! Batches for C: a pointer and a distance in bytes for each quantity.
 
 use super::support::*;
 use crate::batch::{differentiate_batch, solve_batch, solve_under_friction};
@@ -32,7 +32,7 @@ const fn is_aligned<T>(_: *const T, stride: isize) -> bool {
     stride % align_of::<T>() as isize == 0
 }
 
-/// Whether outputs at this distance do not overlap, if any are wanted.
+/// Whether outputs at this distance do not overlap, if they are requested.
 fn lie_apart<T>(first: *mut T, stride: isize) -> bool {
     first.is_null() || (stride.unsigned_abs() >= size_of::<T>() && is_aligned(first, stride))
 }
@@ -87,7 +87,7 @@ impl<F: Float> Batch<'_, F> {
             && outputs.derivatives.is_null()
             && outputs.law_derivatives.is_null();
         let count = self.count as usize;
-        // (read like the others, without a question for each contact)
+        // Read like the other inputs, without a branch for each contact.
         let none = F::zero();
         let mismatch = match inputs.mismatch.is_null() {
             true => (&raw const none, 0),
@@ -112,7 +112,7 @@ impl<F: Float> Batch<'_, F> {
         (!law.is_null()).then(|| unsafe { read(law, law_stride, i) })
     }
 
-    /// Under falling friction, and with derivatives.
+    /// Solves under falling friction, and with derivatives.
     fn with_more(
         &self,
         count: usize,
@@ -140,7 +140,7 @@ impl<F: Float> Batch<'_, F> {
         })
     }
 
-    /// Contact and creepage of a number below the count, with the place and the stride of the
+    /// Contact and creepage of an index below the count, with the place and the stride of the
     /// mismatch.
     fn get(&self, i: usize, mismatch: (*const F, isize)) -> (Contact<F>, Creepage<F>) {
         let from = self.inputs;

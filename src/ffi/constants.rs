@@ -5,8 +5,8 @@ pub type kstrip_status = i32;
 
 /// Success.
 pub const KSTRIP_OK: kstrip_status = 0;
-/// Warning: the spin parameter |psi| is 1 or more, beyond the theory of 1967. The result continues
-/// that theory in a way that is this library's own: finite, continuous and bounded by mu N.
+/// Warning: the spin parameter |psi| is 1 or more, beyond the theory of 1967. The result is this
+/// library's own continuation of that theory: finite, continuous and bounded by mu N.
 pub const KSTRIP_WARNING_SPIN: kstrip_status = 1;
 /// Warning: the spin parameter |psi| is above 3, where KSTRIP_MODEL_STRIP was not compared with
 /// CONTACT.
@@ -97,7 +97,7 @@ pub const KSTRIP_ERROR_SLOPE_FACTOR: kstrip_status = -18;
 pub const KSTRIP_ERROR_UNEXPLAINED: kstrip_status = -19;
 /// Error: the requested force exceeds mu N.
 pub const KSTRIP_ERROR_FORCE_BEYOND_FRICTION: kstrip_status = -20;
-/// Error: what was measured is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum.
+/// Error: the measurement is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum.
 pub const KSTRIP_ERROR_MEASURED: kstrip_status = -21;
 /// Error: a structure was not filled by kstrip_prepare() of the same precision, or a profile not by
 /// kstrip_prepare_profile().
@@ -113,7 +113,7 @@ pub const KSTRIP_ERROR_STRIP_SIZE: kstrip_status = -40;
 pub const KSTRIP_ERROR_PRESSURE: kstrip_status = -41;
 /// Error: strips of a patch overlap, or do not ascend in y.
 pub const KSTRIP_ERROR_STRIP_ORDER: kstrip_status = -42;
-/// Error: there are more strips than a patch has room for, or more contacts than a wheel may have.
+/// Error: there are more strips than a patch can hold, or more contacts than a wheel may have.
 pub const KSTRIP_ERROR_PATCH_SIZE: kstrip_status = -43;
 /// Error: a profile has too few points (fewer than 2; for kstrip_prepare_profile() fewer than 4),
 /// two of its points coincide, or numbers that must ascend do not: its y, the lengths of a gap, or
@@ -138,7 +138,7 @@ pub const KSTRIP_ERROR_CONICITY: kstrip_status = -62;
 /// The default, 0: forces and derivatives from KSTRIP_MODEL_TOTAL; fields, strips and patches from
 /// KSTRIP_MODEL_STRIP.
 pub const KSTRIP_MODEL_DEFAULT: i32 = 0;
-/// The strip theory of Kalker's paper of 1967. Nothing in it is fitted. It has the sliding rule
+/// The strip theory of Kalker's paper of 1967. It has no fitted constants. It has the sliding rule
 /// that the paper keeps for forces: strips without adhesion slide along the rigid slip of their
 /// centre line. The paper made it for slender ellipses, a/b up to 0.2, and |psi| < 1. Its mean
 /// error against CONTACT is 5 % of mu N there, and 15 % over a/b 0.1 to 10.
@@ -172,8 +172,8 @@ pub const KSTRIP_STATE_OUTSIDE: i32 = 0;
 pub const KSTRIP_STATE_STICK: i32 = 1;
 /// State of a point: slip.
 pub const KSTRIP_STATE_SLIP: i32 = 2;
-/// State of a point: slip against the traction (negative local dissipation). This is a fault of the
-/// strip theory, next to the leading edge of sliding strips.
+/// State of a point: slip against the traction (negative local dissipation). This is an error of
+/// the strip theory near the leading edge of sliding strips.
 pub const KSTRIP_STATE_SLIP_NEGATIVE_DISSIPATION: i32 = 3;
 
 /// Largest number of strips that kstrip_evaluate() writes.

@@ -10,7 +10,7 @@
 #![allow(non_camel_case_types)]
 // The exported functions are compiled for two precisions from one text.
 #![allow(clippy::duplicate_mod)]
-// Exported names and C arrays. (SECURITY.md lists every file with unsafe code.)
+// Exported names and C arrays. SECURITY.md lists every file with unsafe code.
 #![allow(unsafe_code)]
 // What C callers promise about pointers stands once, at the head of the header.
 #![allow(clippy::missing_safety_doc)]

@@ -7,7 +7,7 @@ use crate::normal::{Profile, ProfileContact};
 use crate::patch::{self, KSTRIP_PATCH_CAPACITY, Patch, PatchView, QuadratureScale, solver};
 
 impl<F: Float> StoredPatch<F> {
-    /// Without strips; written in place, because it is large.
+    /// A patch without strips, written in place because it is large.
     fn write_empty(
         out: &mut MaybeUninit<Self>,
         shear_modulus: F,
@@ -82,7 +82,7 @@ pub(super) fn from_strips<F: Float>(
     Ok(())
 }
 
-/// Strips in any order. Out of line, because of the copy on the stack.
+/// Sorts strips of any order into a patch. Out of line, because it has a copy on the stack.
 #[inline(never)]
 fn sorted<F: Float>(
     strips: &[PatchStrip<F>],
@@ -134,7 +134,7 @@ pub(super) fn from_profile<F: Float>(
         smoothing_length,
     };
     let count = strip_count(options.strips)?;
-    // (a strip for each cell that touches)
+    // One strip for each cell in contact.
     let (patch, found) = Patch::<_, CELLS>::from_profile(profile, &contact, count)?;
     StoredPatch::write(&patch.view()?, out);
     Ok(found)

@@ -1,5 +1,5 @@
-//! A prepared contact as plain numbers that C stores: a mark, the frame, and what the model knows
-//! of the contact.
+//! A prepared contact as plain numbers that C stores: a mark, the scaled contact, and the numbers
+//! that the model computes from it.
 
 use super::support::*;
 use crate::forces::check::find_fault;
@@ -7,12 +7,12 @@ use crate::forces::prepared::ModelState;
 use crate::forces::theory::ScaledContact;
 use crate::strip;
 
-/// How many numbers there is room for.
+/// Capacity in numbers.
 pub(super) const ROOM: usize = 96;
 /// Where the [`mark`] stands.
 const MARK: usize = 0;
 /// Where `w` stands: no check of [`find_fault`] can fail where `|υx| + |υy| + w |φ| ≤ 10`. It is
-/// infinite for a lost contact and for unlike materials, whose pressure moves the creepage.
+/// infinite for a lost contact and for unlike materials, where pressure changes the creepage.
 const PER_SPIN: usize = 1;
 /// Where the [`ScaledContact`] begins, and then the coefficients of the model.
 const FRAME: usize = 2;
@@ -79,7 +79,7 @@ impl<F: Float> PreparedNumbers<F> {
         Ok(solution)
     }
 
-    /// Separate from the linear theory, which needs little of the stack.
+    /// Separate from the linear theory, so that the latter needs little stack.
     #[inline(never)]
     fn solve_by_model(
         &self,
@@ -126,7 +126,7 @@ impl<F: Float> PreparedNumbers<F> {
         unsafe { self.numbers.as_mut_ptr().cast::<F>().add(AT).cast::<T>().write_unaligned(value) };
     }
 
-    /// Where they stand.
+    /// Index of the first of them.
     #[inline]
     fn part<T: Numbers<F>, const AT: usize>(&self) -> &T {
         const { assert!(size_of::<T>() <= (ROOM - AT) * size_of::<F>()) };

@@ -1,6 +1,6 @@
-//! Test rigs: friction from a measured force, creepage from a wanted one.
+//! Test rigs: friction from a measured force, creepage for a requested one.
 
 use super::support::*;
 
-/// Both components.
+/// Both force components were measured.
 pub(super) const BOTH: u32 = KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY;

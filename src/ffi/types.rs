@@ -11,14 +11,14 @@ use crate::wheel_rail::surface::Surface;
 use crate::wheelset::track::RailMotion;
 use core::mem::MaybeUninit;
 
-/// Which model, and with how many strips. All zero is the default.
+/// The model and the number of strips. All zero is the default.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct kstrip_options {
     /// One of the KSTRIP_MODEL constants.
     pub model: i32,
-    /// Number of strips: 4, 8, 16, 32 or 64; 0: 16. Models without strips check it and ignore it
-    /// otherwise.
+    /// Number of strips: 4, 8, 16, 32 or 64; 0 means 16. Models without strips check it and ignore
+    /// it otherwise.
     pub strips: i32,
 }
 
@@ -51,10 +51,10 @@ pub struct Outputs<F> {
     /// constant. For a patch it is the factor that multiplies the friction of all strips, 1 where
     /// friction is constant.
     pub friction: *mut F,
-    /// What each strip carries; capacity elements. Their shares add up to the result of the same
+    /// The forces of each strip; capacity elements. Their shares add up to the result of the same
     /// model.
     pub strips: *mut StripResult<F>,
-    /// How many strips were written; required with strips.
+    /// Number of strips that were written; required with strips.
     pub count: *mut u32,
     /// Size of the array strips: at least the strip count of the options; for a patch, at least its
     /// number of strips. KSTRIP_STRIPS_CAPACITY is always enough.

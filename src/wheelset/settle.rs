@@ -21,8 +21,8 @@ const FARTHEST: f64 = 1e-4;
 /// Largest change of the rim's speed in a step, over the rolling speed, and at standstill \[m/s\].
 const SLIP: f64 = 0.02;
 const SLOW_SLIP: f64 = 0.02;
-/// Steps below this many roundings of the radius and of the speed are no progress, where the rest is
-/// below this share of the load.
+/// Steps below this many roundings of the radius and of the speed are no progress, where the rest
+/// is below this share of the load.
 const ROUNDING: f64 = 64.0;
 const NEARLY: f64 = 0.01;
 /// Least share of the load that a wheel is taken to carry at the beginning.

@@ -365,7 +365,8 @@ fn pages_name_what_the_headers_have() {
     assert!(count > 100, "{count}");
 }
 
-/// Pages and headers have none of these phrases, which readers would have to read twice. Code and the changelog, which tells what was, may.
+/// Pages and headers have none of these phrases, which readers would have to read twice. Code and
+/// the changelog, which tells what was, may.
 #[test]
 fn pages_and_headers_use_plain_words() {
     const PHRASES: [(&str, &str); 36] = [

@@ -110,8 +110,8 @@ impl Wheelset {
         self.with_position(shift).0
     }
 
-    /// The same, with the position of the wheelset and its pitch rate. (Its height and roll follow the
-    /// wheels within some micrometres: each wheel has the height at which it carries its load.)
+    /// The same, with the position of the wheelset and its pitch rate. (Its height and roll follow
+    /// the wheels within some micrometres: each wheel has the height at which it carries its load.)
     pub fn with_position(&mut self, shift: f64) -> ([Wheel; 2], Position<f64>, f64) {
         let (mut roll, mut pitch) = (0.0, -SPEED / 0.46);
         let mut found = ([Wheel::default(); 2], Position::default(), pitch);

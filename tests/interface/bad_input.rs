@@ -247,7 +247,8 @@ static kstrip_wheelsetSUFFIX set_REAL(void)
 {
     static kstrip_surfaceSUFFIX wheel;
     wheel = wheel_REAL();
-    const kstrip_wheelsetSUFFIX set = {{&wheel, NULL}, {NULL, NULL}, {pair_REAL, {0}}, 0, (REAL)1.4696};
+    const kstrip_wheelsetSUFFIX set = {
+        {&wheel, NULL}, {NULL, NULL}, {pair_REAL, {0}}, 0, (REAL)1.4696};
     return set;
 }
 ";

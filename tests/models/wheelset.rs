@@ -305,8 +305,9 @@ fn settles_under_loads() {
     assert_eq!(refused(0.0, 0.0, 0.0), Error::NormalForce);
 }
 
-/// A wheelset that rolls slowly swings with the wave length that the geometry of its wheels has, and
-/// a slightly coned one with that of Klingel: lateral force, roll and yaw moment stay in balance.
+/// A wheelset that rolls slowly swings with the wave length that the geometry of its wheels has,
+/// and a slightly coned one with that of Klingel: lateral force, roll and yaw moment stay in
+/// balance.
 #[test]
 fn a_coned_wheelset_has_the_wave_of_klingel() {
     for (cone, head) in [(0.01, 0.3), (0.05, 0.3), (0.1, 0.08)] {

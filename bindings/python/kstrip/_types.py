@@ -76,10 +76,10 @@ class Parameters(Record, name="parameters"):
 
 
 class Options(Record, name="options"):
-    """Which model, and with how many strips. All zero is the default."""
+    """The model and the number of strips. All zero is the default."""
 
     model = Integers('', 'One of the KSTRIP_MODEL constants.')
-    strips = Integers('', 'Number of strips: 4, 8, 16, 32 or 64; 0: 16. Models without strips check it and ignore it otherwise.')
+    strips = Integers('', 'Number of strips: 4, 8, 16, 32 or 64; 0 means 16. Models without strips check it and ignore it otherwise.')
 
 
 class Result(Record, name="result"):

@@ -146,8 +146,8 @@ pub extern "C" fn kstrip_wheel_motion(
 /// @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL:
 ///                        constant.
 /// @param[out] wrench     receives force and moment.
-/// @param[out] derivatives  receives their derivatives with respect to velocity and friction; NULL: not
-///                          needed.
+/// @param[out] derivatives  receives their derivatives with respect to velocity and friction; NULL:
+///                          not needed.
 /// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE or a status of kstrip_patch_evaluate();
 ///         KSTRIP_ERROR_PATCH_SIZE.
 #[unsafe(export_name = symbol!("kstrip_wrench_from_contacts"))]
