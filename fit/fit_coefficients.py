@@ -14,7 +14,8 @@ import common
 data = common.read("kalker_coefficients.csv")
 g, nu = data["a_over_b"], data["nu"]
 ONE = np.ones(len(g))
-# what is fitted for each coefficient: how many constants, the penalty on them, and whether slender limits are fitted too
+# what is fitted for each coefficient: how many constants, the penalty on them, and whether slender
+# limits are fitted too
 PLAN = [
     (0, "c11", {"E11": 8}, 1e-4, False),
     (1, "c22", {"E22": 8}, 1e-4, False),

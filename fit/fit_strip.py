@@ -36,9 +36,11 @@ AVERAGE = 0.35  # share of the square of the strip's own spread in q: 1/3 is its
 ROUND, ROUND_SPIN = 0.2, 0.3  # half width of the rounded cut in q, and what it grows by with r^4
 BLEND = (0.8, 1.3)  # spins between which the slip part grows over the whole strip
 EDGE = 0.4  # the separatrix meets the leading edge smoothly over this length
-# Linear forces squared from which on corrections act; linear force where the flexibilities are those of rigid slip
+# Linear forces squared from which on corrections act; linear force where the flexibilities are
+# those of rigid slip
 WIDTH, WIDTH2, SATURATION = 0.05, 0.15, 40.0
-# Long contacts: sqrt(a/b) from which on, and over which distance, the corrections of `fit_strip_long.py` set in
+# Long contacts: sqrt(a/b) from which on, and over which distance, the corrections of
+# `fit_strip_long.py` set in
 LONG_FROM, LONG_OVER = 2.65, 1.1
 
 # residuals: fx, fy, mz, stick fraction; corrections are kept small so that the field stays physical

@@ -25,7 +25,8 @@ from scipy.optimize import minimize
 
 jax.config.update("jax_enable_x64", True)
 
-# what the network is told: first what depends on the contact only, then in the order in which the library has them
+# what the network is told: first what depends on the contact only, then in the order in which the
+# library has them
 FEATURES = [
     "slender", "poisson", "slender2", "slender3", "slender * poisson",
     "kappa", "kappa * slender", "f_y", "f_s", "f_s4", "f_u", "f_s * slender", "f_ys",
@@ -50,15 +51,18 @@ LARGEST_ROOT = 8  # the network does not see that a contact is more slender than
 SLIDING = 4000  # rows of rigid slip
 WIDEST = 70  # axis ratios of rigid slip, and their inverse
 OWN = 0.04  # how often a row of boundary_elements.csv counts: they lie where little slip turns much, and the network is small
-# in the last cycles: how often these rows count, the weight of their moments below a/b = 7, and PENALTY
+# in the last cycles: how often these rows count, the weight of their moments below a/b = 7, and
+# PENALTY
 OWN_LAST, MOMENT_LAST, PENALTY_LAST = 0.02, 2.5, 4e-4
 STEP, SLOPE_WEIGHT = 0.04, 0.4  # of the differences of boundary_slopes.csv in linear force; weight of a slope's error over the linear slope
-# of two creepages in one direction, the second FARTHER, beside the same spin: of what the force lacks of the bound the second may lack HOLD
+# of two creepages in one direction, the second FARTHER, beside the same spin: of what the force
+# lacks of the bound the second may lack HOLD
 FALLS, FARTHER, HOLD, NEARLY, FALL_WEIGHT = 2000, 1.15, 0.9, 0.95, 40.0
 GROWING = 2 / (1 - NEARLY)  # how fast that sets in
 SLENDER = 3  # how often a row of train_slender.csv counts
 
-# Constants of the formulas around the network, fitted with it: name in the library, what it is, first value.
+# Constants of the formulas around the network, fitted with it: name in the library, what it is,
+# first value.
 FRAME = {
     "ONSET": ("Squared linear force at which corrections have half of their weight.", 0.05),
     "END_X": ("Share of the other axis in the slip that spin makes at the end of an axis: longitudinal.", 0.27),
@@ -366,7 +370,8 @@ def weights(rows):
 def row_weights(data, own):
     """Rows by their own error, with emphasis on both ends of the axis ratio and on much spin beside a large creepage."""
     w = np.where(data["fine"], 1.0, 0.8) * 0.004 / np.hypot(0.003, 0.5 * np.minimum(data["err"], 0.01))
-    # rows of rigid slip: over the moment of sliding by spin; nearly nothing where elasticity is still to be seen
+    # rows of rigid slip: over the moment of sliding by spin; nearly nothing where elasticity is
+    # still to be seen
     row = data["err"] < 0.1
     w = np.where(row, w, np.where(data["err"] < 0.15, 0.3, 0.018) / np.sqrt(rigid_slip.spin_moment(data["g"])))
     u, spin = np.hypot(data["c"][:, 0] * data["v"][:, 0], data["c"][:, 1] * data["v"][:, 1]), abs(data["c"][:, 2] * data["v"][:, 2])

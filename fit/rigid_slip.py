@@ -11,7 +11,8 @@ s = (g - 1)/(g + 1), which changes its sign with x <-> y.
 import numpy as np
 from scipy.optimize import least_squares
 
-# powers of T, U, V. Of each pair the other is found with U <-> V and s -> -s; the others are even in s.
+# powers of T, U, V. Of each pair the other is found with U <-> V and s -> -s; the others are even
+# in s.
 SLOPE = ((1, 1, 0), (1, 0, 1), (2, 0, 0))
 SPIN, SPIN_EVEN = ((4, 1, 0), (3, 2, 0), (2, 3, 0), (2, 2, 1), (1, 4, 0), (1, 3, 1)), ((5, 0, 0), (3, 1, 1), (1, 2, 2))
 SIZE, SIZE_EVEN = ((2, 1, 0), (1, 2, 0)), ((3, 0, 0), (1, 1, 1))

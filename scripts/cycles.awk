@@ -2,8 +2,8 @@
 #
 #     qemu-system-arm ... -d in_asm,exec,nochain -D /dev/stdout ... | awk -f scripts/cycles.awk
 #
-# A line for each measure(): medians over its calls of ticks() of the instructions between entry and return, and of the divisions
-# and square roots among them.
+# A line for each measure(): medians over its calls of ticks() of the instructions between entry and
+# return, and of the divisions and square roots among them.
 
 # in_asm: a block of instructions that is executed as a whole, told when it is met first
 /^IN: / { name = $2; first = ""; next }

@@ -6,11 +6,12 @@
 #     scripts/firmware.sh proof     only: nothing can panic, nothing allocates, on a Cortex-M4F
 #     scripts/firmware.sh ci        everything with fewer cases, and docs/reference/embedded.md left as it is
 #
-# Exit status: 0 all is well, 1 something failed, 77 a tool is missing (a line with SKIPPED says which).
+# Exit status: 0 all is well, 1 something failed, 77 a tool is missing (a line with SKIPPED says
+# which).
 #
-# The library is built with the rustup target thumbv7em-none-eabihf if it is there (or can be added), else
-# with Debian's compiler and its copy of the standard library's sources (rustc-web, rust-web-src), which
-# builds `core` on the spot. Which of the two it was is printed.
+# The library is built with the rustup target thumbv7em-none-eabihf if it is there (or can be
+# added), else with Debian's compiler and its copy of the standard library's sources (rustc-web,
+# rust-web-src), which builds `core` on the spot. Which of the two it was is printed.
 set -eu
 
 mode=${1:-all}
@@ -162,7 +163,8 @@ link() {
 
 exports() { arm-none-eabi-nm "$1" 2>/dev/null | sed -n 's/^[0-9a-f]* T \(kstrip_[a-z0-9_]*\)$/\1/p' | sort -u; }
 
-# proved <name>: the sentence $proof on $out/<name>.a, as in scripts/no_panic.sh, where the control is
+# proved <name>: the sentence $proof on $out/<name>.a, as in scripts/no_panic.sh, where the control
+# is
 proved() {
     # of the archive the library's own object; the others are Rust's compiler-builtins
     "${cross%gcc}nm" "$out/$1.a" 2>/dev/null | awk '/^kstrip[-.].*:$/ { ours = 1; next } /:$/ { ours = 0 } ours' >"$out/$1.names"
@@ -223,8 +225,9 @@ for board in mps2-an386 mps2-an500; do
     run $board "$out/selftest.$board.elf" "$out/selftest.$board.txt"
     cmp "$out/selftest.$board.txt" "$out/selftest.host.txt" || fail "$board and this machine differ in some bit"
     say "$board: self-test bit for bit as on this machine"
-    # The first contacts of tests/golden/bits.rs: both precisions, every model, derivatives, points of the field, patches,
-    # falling friction, what kstrip_evaluate() leaves out, the inverse functions
+    # The first contacts of tests/golden/bits.rs: both precisions, every model, derivatives, points
+    # of the field, patches, falling friction, what kstrip_evaluate() leaves out, the inverse
+    # functions
     c_flags_before=$c_flags
     c_flags="$c_flags -DFIRMWARE"
     # Software doubles from the library itself: those of libgcc give other last digits now and then.
@@ -233,7 +236,8 @@ for board in mps2-an386 mps2-an500; do
     c_flags=$c_flags_before
     first=
     run $board "$out/golden.$board.elf" "$out/golden.$board.txt"
-    # Patches of profiles have fewer cells on a microcontroller: theirs are not the bits of a large machine.
+    # Patches of profiles have fewer cells on a microcontroller: theirs are not the bits of a large
+    # machine.
     grep ' 1000 ' tests/data/golden.txt | grep -vE ' (patches|friction) ' >"$out/golden.txt"
     grep -vE ' (patches|friction) ' "$out/golden.$board.txt" | cmp - "$out/golden.txt" || fail "$board: not the golden bits"
     say "$board: golden bits in both precisions, but for patches of profiles"
@@ -265,7 +269,8 @@ else
 fi
 say "double precision in f32: $doubles"
 
-# ---------------------------------------------------------------- size and stack, from the linked program
+# ---------------------------------------------------------------- size and stack, from the linked
+# program
 
 arm-none-eabi-objdump -d "$out/single.elf" | awk -f scripts/stack_bound.awk | sort -rn >"$out/stack.txt"
 
@@ -353,7 +358,8 @@ else
 fi
 say "CMake with a toolchain file: $cmake_says"
 
-# ---------------------------------------------------------------- RISC-V without a floating-point unit
+# ---------------------------------------------------------------- RISC-V without a floating-point
+# unit
 
 # Another compiler, another instruction set, floating point by software: the same bits again.
 riscv() {
@@ -362,7 +368,8 @@ riscv() {
     build riscv32imac ""
     proved riscv32imac
     riscv_proof=$proof
-    # picolibc brings start-up code, linker script and semihosting; the board's memory begins at 0x80000000.
+    # picolibc brings start-up code, linker script and semihosting; the board's memory begins at
+    # 0x80000000.
     $cross $link_core -std=c99 -O2 -ffp-contract=off -Iinclude -DCASES=${cases}u \
         --specs=picolibc.specs --oslib=semihost --crt0=semihost -Wl,--gc-sections \
         -Wl,--defsym=__flash=0x80000000 -Wl,--defsym=__flash_size=0x800000 \

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Makes target/kstrip-<version>-arduino.zip: header, archives for Cortex-M4F and Cortex-M7 and an example, in the
-# layout of a precompiled Arduino library, which PlatformIO reads too.
+# Makes target/kstrip-<version>-arduino.zip: header, archives for Cortex-M4F and Cortex-M7 and an
+# example, in the layout of a precompiled Arduino library, which PlatformIO reads too.
 #
 #     scripts/firmware.sh && scripts/firmware_package.sh
 set -eu

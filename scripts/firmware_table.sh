@@ -1,6 +1,8 @@
-# Prints the measured part of docs/reference/embedded.md; sourced by firmware.sh, whose variables it uses.
+# Prints the measured part of docs/reference/embedded.md; sourced by firmware.sh, whose variables it
+# uses.
 
-# Another column of budget.txt, the ninth: divisions and square roots. Each takes 13 cycles more than another instruction.
+# Another column of budget.txt, the ninth: divisions and square roots. Each takes 13 cycles more
+# than another instruction.
 grep -v '^#' "$out/budget.txt" | paste -d ' ' - "$out/cycles.txt" | awk '{ $9 = $10; print }' >"$out/figures.txt"
 
 # figure <call> <column of figures.txt>

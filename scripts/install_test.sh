@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Installs into a temporary prefix and builds and runs separate C and C++ projects against it, by pkg-config and
-# by CMake; compares what both libraries export with docs/reference/abi.txt, and what they need with a few names of libc.
+# Installs into a temporary prefix and builds and runs separate C and C++ projects against it, by
+# pkg-config and by CMake; compares what both libraries export with docs/reference/abi.txt, and what
+# they need with a few names of libc.
 # What could not be tried is a line with SKIPPED.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -33,7 +34,8 @@ library=$prefix/lib/libkstrip.so
 export LD_LIBRARY_PATH=$prefix/lib DYLD_LIBRARY_PATH=$prefix/lib
 
 # ---- What leaves the library ---------------------------------------------------------------
-# The committed interface: docs/reference/abi.txt, which tests/interface/binary_interface.rs compares with the header.
+# The committed interface: docs/reference/abi.txt, which tests/interface/binary_interface.rs
+# compares with the header.
 sed -n 's/^function [^(]*[ *]\(kstrip_[a-z0-9_]*\)(.*/\1/p' docs/reference/abi.txt | sort > "$work/committed"
 if has nm && [ "$(uname -s)" != Darwin ]; then
     nm -D --defined-only "$library" | awk '{ print $NF }' | sort > "$work/exported"
@@ -57,7 +59,8 @@ if has nm && [ "$(uname -s)" != Darwin ]; then
     else
         echo "SKIPPED: no readelf, the SONAME was not looked at"
     fi
-    # The archive: everything that a linker can see is the interface; no cbrt, fma or sqrt that is not the platform's.
+    # The archive: everything that a linker can see is the interface; no cbrt, fma or sqrt that is
+    # not the platform's.
     nm "$prefix/lib/libkstrip.a" | awk 'NF == 3 && $2 ~ /^[A-TV-Zuvw]$/ { print $3 }' | sort | diff "$work/committed" - ||
         fail "the archive does not show what docs/reference/abi.txt lists (< listed, > shown)"
     for symbol in $(nm "$prefix/lib/libkstrip.a" | awk '$1 == "U" { print $2 }'); do
@@ -97,7 +100,8 @@ same() { "./$1" | cmp - "$2.expected" || fail "$1 prints something else than the
 echo "static archive by path: runs"
 
 # ---- A client that has mathematics of its own ------------------------------------------------
-# Every function that Rust's compiler-builtins would bring along, before -lm: the platform's must be linked.
+# Every function that Rust's compiler-builtins would bring along, before -lm: the platform's must be
+# linked.
 cat > math.c <<'C'
 #include <math.h>
 #include <stdio.h>
@@ -214,8 +218,8 @@ if has cmake; then
 FetchContent_Declare(kstrip SOURCE_DIR \"$root\")
 FetchContent_MakeAvailable(kstrip)"
 
-    # A project's own static library, which links kstrip, installed and exported; a third project uses it.
-    # exported NAME LINES
+    # A project's own static library, which links kstrip, installed and exported; a third project
+    # uses it. exported NAME LINES
     exported() {
         mkdir -p "$1/use"
         cat > "$1/CMakeLists.txt" <<LISTS

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Instructions per call of the C interface, counted by callgrind (valgrind), which are the same in every run of one
-# build, however busy the machine is.
+# Instructions per call of the C interface, counted by callgrind (valgrind), which are the same in
+# every run of one build, however busy the machine is.
 #
 #   scripts/instructions.sh          writes benches/instructions.txt and the table in docs/reference/instructions.md; docs/models.md has
 #                                    two columns of it (`cargo test --test builds prose` prints its rows), and its picture is drawn by
 #                                    `cargo bench --bench figures`
 #   scripts/instructions.sh --check  fails when a count has grown by more than 3 %
 #
-# Counts depend on the compiler. When it is not the one that is named in the file, --check prints the differences
-# and says that they were not judged.
+# Counts depend on the compiler. When it is not the one that is named in the file, --check prints
+# the differences and says that they were not judged.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 file=benches/instructions.txt

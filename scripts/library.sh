@@ -1,18 +1,21 @@
 #!/bin/sh
-# Builds the C library: the static archive and the shared library, in target/lib (or in the folder given).
+# Builds the C library: the static archive and the shared library, in target/lib (or in the folder
+# given).
 #
 #     scripts/library.sh [FOLDER]
 #     scripts/library.sh --localize IN.a OUT.a    only: an archive that cargo or cargo-c has made, as it should be linked
 #
-# cargo's own archive brings Rust's compiler-builtins, which stand in front of the C library's cbrt, fma, fmod, sqrt and
-# others in a client's link, or break it. Link-time optimisation leaves kstrip itself as one object in which everything but
-# kstrip_* is local and which wants nothing but memcpy and memset: both libraries are made of that object alone.
-# (Firmware without a C library links cargo's archive, with the builtins: docs/reference/embedded.md.)
+# cargo's own archive brings Rust's compiler-builtins, which stand in front of the C library's cbrt,
+# fma, fmod, sqrt and others in a client's link, or break it. Link-time optimisation leaves kstrip
+# itself as one object in which everything but kstrip_* is local and which wants nothing but memcpy
+# and memset: both libraries are made of that object alone. (Firmware without a C library links
+# cargo's archive, with the builtins: docs/reference/embedded.md.)
 #
 # CARGO, CC, AR     the tools
 # CARGO_TARGET_DIR  where cargo builds; target by default
 # CARGO_FLAGS       more arguments for cargo rustc
-# TARGET            Rust target of a cross build, in target/TARGET/lib; for MinGW x86_64-pc-windows-gnu
+# TARGET            Rust target of a cross build, in target/TARGET/lib; for MinGW
+# x86_64-pc-windows-gnu
 set -eu
 fail() { echo "scripts/library.sh: $*" >&2; exit 1; }
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The library with the oldest versions of its direct dependencies that Cargo.toml allows.
 #
-# Works on a copy of what `cargo publish` would send: Cargo.lock stays as it is. Needs the registry; without it the step is SKIPPED.
+# Works on a copy of what `cargo publish` would send: Cargo.lock stays as it is. Needs the registry;
+# without it the step is SKIPPED.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 work=${CARGO_TARGET_DIR:-$PWD/target}/minimal_versions

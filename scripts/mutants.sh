@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Whether the tests notice what they should: each line of tests/mutants.txt changes one place of the sources. All changes are built
-# once, in a copy, each behind a switch; then the tests that are named in the line run with that switch on. Prints the survivors.
+# Whether the tests notice what they should: each line of tests/mutants.txt changes one place of the
+# sources. All changes are built once, in a copy, each behind a switch; then the tests that are
+# named in the line run with that switch on. Prints the survivors.
 #
 #     scripts/mutants.sh [WORD]     only lines that contain the word
 #
@@ -13,7 +14,8 @@ copy=$target/copy
 rm -rf "$copy" && mkdir -p "$copy"
 tar --exclude=./target --exclude=./.git -cf - . | tar -xf - -C "$copy"
 export CARGO_TARGET_DIR=$target CARGO_INCREMENTAL=0 CARGO_PROFILE_DEV_DEBUG=0 KSTRIP_CASES=60
-# Without debug assertions the library has its code for wide registers: what .ci/run tests of it in release is tested here.
+# Without debug assertions the library has its code for wide registers: what .ci/run tests of it in
+# release is tested here.
 export CARGO_PROFILE_DEV_DEBUG_ASSERTIONS=false
 python3 - "$copy" "${1:-}" <<'PY'
 import os, pathlib, re, subprocess, sys
@@ -50,7 +52,8 @@ for file, changes in edits.items():
     text = path.read_text()
     for start, end, number, old, new, operates in sorted(changes, reverse=True):
         if operates:
-            # the operand on the left: back to the parenthesis, comma, sign of equality or brace that opens the expression
+            # the operand on the left: back to the parenthesis, comma, sign of equality or brace
+            # that opens the expression
             depth, left = 0, start
             while left > 0:
                 c = text[left - 1]

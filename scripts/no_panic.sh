@@ -1,10 +1,13 @@
 #!/usr/bin/env bash
 # Proof that nothing in the library can panic or allocate.
 #
-# Link-time optimisation makes one object of the library and of everything that it uses, and drops what no exported function
-# reaches. A panic that is left ends in the panic handler's a_panic_can_be_reached(): the name must not be there. An allocator, or
-# anything else from outside, would be undefined there: nothing may be but memcpy and its kin, which every compiler calls by itself.
-# The control: of two libraries of three lines, the one with a panic has the name, the other has not.
+# Link-time optimisation makes one object of the library and of everything that it uses, and drops
+# what no exported function reaches. A panic that is left ends in the panic handler's
+# a_panic_can_be_reached(): the name must not be there. An allocator, or anything else from outside,
+# would be undefined there: nothing may be but memcpy and its kin, which every compiler calls by
+# itself.
+# The control: of two libraries of three lines, the one with a panic has the name, the other has
+# not.
 #
 #     scripts/no_panic.sh [optimisation levels, 3 and s by default]
 #

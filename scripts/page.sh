@@ -4,7 +4,8 @@
 #     make                              once: the library in target/lib
 #     sh scripts/page.sh docs/hosts.md
 #
-# Lines that begin with # stand at the head of the program, all others in main(). The tests build the same program.
+# Lines that begin with # stand at the head of the program, all others in main(). The tests build
+# the same program.
 set -eu
 page=${1:?usage: scripts/page.sh PAGE.md}
 project=$(dirname "$0")/..

@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
-# The C examples and C tests under valgrind and under sanitizers, with the Rust side instrumented as well.
+# The C examples and C tests under valgrind and under sanitizers, with the Rust side instrumented as
+# well.
 #
 #     scripts/sanitizers.sh
 #
 # * memcheck: the release library, every program.
-# * AddressSanitizer and UndefinedBehaviorSanitizer, by gcc and by clang; the library built with -Z sanitizer=address.
+# * AddressSanitizer and UndefinedBehaviorSanitizer, by gcc and by clang; the library built with -Z
+# sanitizer=address.
 # * Threads: tests/c/threads.c under helgrind, and under ThreadSanitizer with the library built with
 #   -Z sanitizer=thread.
 # Any report ends the script with an error. What is missing on the machine is SKIPPED by name.
@@ -28,7 +30,8 @@ library() {
     echo "$target/$1/$host/release/libkstrip.a"
 }
 
-# Every program of the repository, and the one that the test of docs/reference/bad-input.md writes, if it has run.
+# Every program of the repository, and the one that the test of docs/reference/bad-input.md writes,
+# if it has run.
 programs=()
 for source in c_examples/[0-9]*.c tests/c/*.c; do
     if grep -qE '^#include <(omp|mpi)\.h>' "$source"; then
@@ -116,7 +119,8 @@ SUPP
         "valgrind --tool=helgrind --quiet --error-exitcode=9 --suppressions=$target/helgrind.supp"
 fi
 if thread=$(library thread "-Z sanitizer=thread -C unsafe-allow-abi-mismatch=sanitizer -C debuginfo=1" 2> "$target/thread.log"); then
-    # Names that the Rust side uses and an older run-time library does not have; these functions are watched as well.
+    # Names that the Rust side uses and an older run-time library does not have; these functions are
+    # watched as well.
     cat > "$target/tsan_names.c" <<'C'
 #include <string.h>
 __attribute__((weak)) void *__tsan_memcpy(void *to, const void *from, size_t size) { return memcpy(to, from, size); }

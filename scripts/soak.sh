@@ -1,5 +1,6 @@
 #!/bin/sh
-# Solves contacts of the whole input space by the C library for a long time and watches (benches/soak.c).
+# Solves contacts of the whole input space by the C library for a long time and watches
+# (benches/soak.c).
 #
 #     scripts/soak.sh [solves, 1e9 by default] [state file]
 set -eu

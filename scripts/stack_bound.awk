@@ -2,9 +2,9 @@
 #
 #     arm-none-eabi-objdump -d program.elf | awk -f scripts/stack_bound.awk
 #
-# Prints bytes and name. The frame of a function is what it pushes and subtracts from sp anywhere in its body;
-# the bound is the deepest path through the calls. A name with `?` reaches a call through a pointer or
-# changes sp in a way that is not understood; its bound covers only the rest.
+# Prints bytes and name. The frame of a function is what it pushes and subtracts from sp anywhere in
+# its body; the bound is the deepest path through the calls. A name with `?` reaches a call through
+# a pointer or changes sp in a way that is not understood; its bound covers only the rest.
 
 function registers(list, wide,    parts, n, i, ends, count) {
     gsub(/[{} ]/, "", list)

@@ -1,14 +1,17 @@
 #!/bin/sh
-# Builds the page that computes: one file, target/web/index.html, with the library in WebAssembly inside. Open it in a browser.
+# Builds the page that computes: one file, target/web/index.html, with the library in WebAssembly
+# inside. Open it in a browser.
 #
 #     scripts/web.sh
 #
-# The library is built for wasm32-unknown-unknown by rustup's target if it is there or can be added, else by Debian's compiler, which
-# builds `core` from its sources (packages rustc-web, rust-web-src). Needs python3, and wasm-ld of rustup or of the package lld.
+# The library is built for wasm32-unknown-unknown by rustup's target if it is there or can be added,
+# else by Debian's compiler, which builds `core` from its sources (packages rustc-web,
+# rust-web-src). Needs python3, and wasm-ld of rustup or of the package lld.
 #
 # CARGO, PYTHON     the tools
 # CARGO_TARGET_DIR  where cargo builds; target by default
-# Exit status: 0 all is well, 1 something failed, 77 a tool is missing (a line with SKIPPED says which).
+# Exit status: 0 all is well, 1 something failed, 77 a tool is missing (a line with SKIPPED says
+# which).
 set -eu
 cd "$(dirname "$0")/.."
 CARGO=${CARGO:-cargo} PYTHON=${PYTHON:-python3} CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-target}

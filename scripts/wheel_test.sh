@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The Python package as people install it: `python -m build` makes a manylinux wheel and a source distribution. In a bare environment
-# without Rust the wheel is installed, draws a picture, and runs tour.py.
+# The Python package as people install it: `python -m build` makes a manylinux wheel and a source
+# distribution. In a bare environment without Rust the wheel is installed, draws a picture, and runs
+# tour.py.
 #
 #     scripts/wheel_test.sh         the source distribution has the repository's files
 #     scripts/wheel_test.sh full    and pip makes a wheel of it (builds the library once more)
@@ -19,7 +20,8 @@ unset PYTHONPATH KSTRIP_LIBRARY KSTRIP_HEADER
 python3 -m venv "$work/pip" > "$work/log" 2>&1 || skip "python3 -m venv does not work here"
 "$work/pip/bin/pip" install --quiet auditwheel build > "$work/log" 2>&1 || skip "packages cannot be fetched"
 
-# solves ENVIRONMENT: imports the package from a folder where nothing of it is, with the library of the wheel
+# solves ENVIRONMENT: imports the package from a folder where nothing of it is, with the library of
+# the wheel
 solves() {
     mkdir -p "$work/elsewhere"
     (cd "$work/elsewhere" && "$1/bin/python" - "$1") <<'PYTHON' || fail "the package in $1 does not work"
@@ -35,7 +37,8 @@ assert kstrip.lib.kstrip_abi_version() == kstrip.constants["KSTRIP_ABI_VERSION"]
 PYTHON
 }
 
-# The source distribution has the Rust of the repository, file by file: the library that it builds is the one of the wheel here.
+# The source distribution has the Rust of the repository, file by file: the library that it builds
+# is the one of the wheel here.
 CARGO_TARGET_DIR=$target "$work/pip/bin/python" -m build --sdist --wheel --outdir "$work/dist" "$root/bindings/python" > "$work/log" 2>&1 ||
     { cat "$work/log"; fail "python -m build"; }
 mkdir "$work/unpacked"

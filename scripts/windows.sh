@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Cross build for Windows (MinGW, x86-64): DLL, import library and archive by scripts/library.sh and by CMake; a C program linked
-# with each, run under wine, prints what it prints here.
+# Cross build for Windows (MinGW, x86-64): DLL, import library and archive by scripts/library.sh and
+# by CMake; a C program linked with each, run under wine, prints what it prints here.
 #
-# Exit status: 0 all is well, 1 something failed, 77 tools are missing. What could not be tried is a line with SKIPPED.
+# Exit status: 0 all is well, 1 something failed, 77 tools are missing. What could not be tried is a
+# line with SKIPPED.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
