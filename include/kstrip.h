@@ -2093,8 +2093,8 @@ typedef struct kstrip_wheelset_by_position {
  *                        each rail.
  * @param[out] derivatives  receives exact derivatives with respect to the ten velocities and to
  *                        friction; NULL: not needed.
- * @param[out] by_position  receives derivatives with respect to the ten positions, as exact as those
- *                        of kstrip_wheel_on_rail(); NULL: not needed.
+ * @param[out] by_position  receives derivatives with respect to the ten positions, as exact as
+ *                        those of kstrip_wheel_on_rail(); NULL: not needed.
  * @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END (a rail ends above the depth of the gauge) or a
  *         status of kstrip_wheel_on_rail(); KSTRIP_ERROR_GAUGE (neither a gauge nor the rails'
  *         origins, or no distance of the wheels).

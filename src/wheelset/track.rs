@@ -85,9 +85,9 @@ pub struct Curve<F> {
 }
 
 impl<F: Float> Curve<F> {
-    /// The velocity relative to the momentary track of a body that moves with `relative` in the axes of
-    /// the track, which run along the curve; and the weight per mass in these axes, its centrifugal
-    /// part included.
+    /// The velocity relative to the momentary track of a body that moves with `relative` in the
+    /// axes of the track, which run along the curve; and the weight per mass in these axes, its
+    /// centrifugal part included.
     ///
     /// ```text
     /// v = v_rel + (V (1 − y κ cos c), 0, 0),   ω = ω_rel + Rᵀ κ V (0, sin c, cos c)
