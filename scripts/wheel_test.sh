@@ -46,6 +46,8 @@ tar -xzf "$work"/dist/*.tar.gz -C "$work/unpacked" --strip-components 1
 for name in src include scripts/library.sh Cargo.toml Cargo.lock LICENSE-APACHE LICENSE-MIT; do
     diff -r "$root/$name" "$work/unpacked/rust/$name" > "$work/log" || { cat "$work/log"; fail "the source distribution has another $name"; }
 done
+# (cargo reads it without the files that it leaves out)
+cargo fetch --quiet --locked --manifest-path "$work/unpacked/rust/Cargo.toml" > "$work/log" 2>&1 || { cat "$work/log"; fail "cargo cannot read the source distribution"; }
 echo "python -m build: $(cd "$work/dist" && echo *); the Rust of the source distribution is the repository's"
 
 # What a wheel for Linux may need: its tag is one that auditwheel gives.

@@ -50,3 +50,9 @@ fn windows_library_serves_a_c_program() {
 fn python_wheel_carries_the_library() {
     run("scripts/wheel_test.sh");
 }
+
+/// `conan create packaging`: C and C++ clients get the library, static and shared, by Conan.
+#[test]
+fn conan_package_serves_c_and_cpp() {
+    run("scripts/conan_test.sh");
+}

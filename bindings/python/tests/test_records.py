@@ -2,6 +2,7 @@
 
 import importlib.util
 import inspect
+import io
 import os
 import pathlib
 import pickle
@@ -10,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
 
@@ -18,6 +20,7 @@ import numpy as np
 import kstrip
 import wheel_on_rail as scene
 import write_types
+from kstrip import _calls
 
 FOLDER = pathlib.Path(__file__).resolve().parents[1]
 STEEL = dict(a=6e-3, b=4.5e-3, normal_force=80e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3)
@@ -118,6 +121,18 @@ class Records(unittest.TestCase):
         with self.assertRaisesRegex(kstrip.KstripError, "at index 3"):
             kstrip.wheel_on_rail(scene.RAIL, scene.WHEEL, scene.pair(), place, velocity)
         self.assertEqual(kstrip.height_for_load(scene.RAIL, scene.WHEEL, scene.pair(), place[:0], 1e4).shape, (0,))
+
+    def test_long_sweeps_have_a_progress_bar_on_a_terminal(self):
+        if importlib.util.find_spec("tqdm") is None:
+            self.skipTest("SKIPPED: the progress bar of the Python binding, because there is no tqdm")
+        self.assertIsInstance(_calls.progress(10**6, "a file, not a terminal"), range)
+        terminal = io.StringIO()
+        terminal.isatty = lambda: True
+        with unittest.mock.patch.object(sys, "stderr", terminal):
+            self.assertIsInstance(_calls.progress(10, "a few"), range)
+            bar = _calls.progress(5000, "a sweep")
+            # (what takes less than two seconds shows nothing)
+            self.assertEqual((sum(bar), bar.delay, terminal.getvalue()), (4999 * 2500, 2.0, ""))
 
     def test_help_is_a_page_and_everything_has_one(self):
         missing = [name for name in kstrip.__all__ if not hasattr(kstrip, name)]
