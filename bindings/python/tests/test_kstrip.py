@@ -257,7 +257,7 @@ class Binding(unittest.TestCase):
     def test_the_gravest_warning_is_told(self):
         page = os.path.join(os.path.dirname(__file__), *[os.pardir] * 3, "docs", "reference", "bad-input.md")
         with open(page, encoding="utf-8") as text:
-            order = text.read().split("## Which warning is told")[1].split("\nThe status of a batch")[0]
+            order = text.read().split("## Which warning is returned")[1].split("\nThe status of a batch")[0]
         lines = [re.findall(r"`(KSTRIP_WARNING_\w+)`", line) for line in re.split(r"\n\d\. ", order)[1:]]
         named = [name for line in lines for name in line]
         self.assertEqual(set(named), {name for name in kstrip.constants if name.startswith("KSTRIP_WARNING_")})
