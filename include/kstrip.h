@@ -1754,7 +1754,8 @@ typedef struct kstrip_wrench {
     double moment[3];
     /**
      * Frictional power [W], not negative: creep forces on the rail times slip. The power of the
-     * creep forces on the wheel is minus this.
+     * creep forces on the wheel is minus this, but for contacts with a mismatch of the materials,
+     * where pressure adds to the slip.
      */
     double dissipation;
     /** Sum of the loads of all contacts [N], each along its own normal. */
@@ -1854,8 +1855,9 @@ typedef struct kstrip_wrench_by_position {
  * @param[out] derivatives  receives their exact derivatives with respect to velocity and friction;
  *                          NULL: not needed.
  * @param[out] by_position  receives their derivatives with respect to position: central
- *                        differences of 1 um and 1 urad (15 in single precision), eight times the
- *                        cost of a call; NULL: not needed.
+ *                        differences of a twentieth of the overlap, at most 1 um and 1 urad (half
+ *                        the overlap, at most 15, in single precision), eight times the cost of a
+ *                        call; NULL: not needed.
  * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE, or a status of one of these functions.
  */
 kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,

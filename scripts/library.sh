@@ -66,19 +66,22 @@ system=$TARGET
 [ -n "$system" ] || case $(uname -s) in Darwin) system=-apple- ;; MINGW* | MSYS*) system=-windows-gnu ;; esac
 case $system in
 *-windows-*)
-    "$CC" -shared "$object" -o "$work/kstrip.dll" -Wl,--out-implib,"$work/libkstrip.dll.a"
+    # shellcheck disable=SC2086
+    $CC -shared "$object" -o "$work/kstrip.dll" -Wl,--out-implib,"$work/libkstrip.dll.a"
     put kstrip.dll "$folder/kstrip.dll"
     put libkstrip.dll.a "$folder/libkstrip.dll.a"
     ;;
 *-apple-*)
     full=libkstrip.$abi.dylib soname=libkstrip.${abi%%.*}.dylib
-    "$CC" -dynamiclib "$object" -install_name "@rpath/$soname" -o "$work/$full"
+    # shellcheck disable=SC2086
+    $CC -dynamiclib "$object" -install_name "@rpath/$soname" -o "$work/$full"
     put "$full" "$folder/$full"
     names "$full" "$soname" libkstrip.dylib
     ;;
 *)
     full=libkstrip.so.$abi soname=libkstrip.so.${abi%%.*}
-    "$CC" -shared -nostdlib "$object" -Wl,-soname,"$soname" -Wl,-z,defs -lc -o "$work/$full"
+    # shellcheck disable=SC2086
+    $CC -shared -nostdlib "$object" -Wl,-soname,"$soname" -Wl,-z,defs -lc -o "$work/$full"
     put "$full" "$folder/$full"
     names "$full" "$soname" libkstrip.so
     ;;

@@ -44,8 +44,9 @@ statuses! {
         SemiAxis = -3:
             "a semi-axis of the contact ellipse is not positive: a and b must be > 0 (metres)",
         NormalForce = -4:
-            "the normal force of a profile is negative, or the requested support of a wheel is \
-             not positive (newtons): compression is positive",
+            "the normal force of a profile or of a contact of a wheel, or the share of such a \
+             contact, is negative, or the requested support of a wheel is not positive (newtons): \
+             compression is positive",
         Modulus = -5: "a modulus of elasticity is not positive: it must be > 0 (pascals)",
         PoissonRatio = -6: "Poisson's ratio is outside [0, 0.5]",
         Friction = -7: "the coefficient of friction is negative: it must be >= 0",

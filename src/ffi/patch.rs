@@ -122,7 +122,7 @@ pub(super) fn from_profile<F: Float>(
 ) -> Result<Indentation<F>, Error> {
     let ProfileOptions { rolling_radius, normal_force, shear_modulus, .. } = *options;
     let ProfileOptions { poisson_ratio, friction, approach, smoothing_length, .. } = *options;
-    Error::NotFinite.unless(approach.is_finite_number())?;
+    // (the approach counts only where there is no load)
     let by_load = normal_force != F::zero() || approach == F::zero();
     let given = if by_load { Given::Load(normal_force) } else { Given::Approach(approach) };
     let contact = ProfileContact {

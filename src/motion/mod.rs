@@ -154,8 +154,9 @@ pub fn differentiate<F: Float>(
     let differentiate = |contact: &Contact<F>, creepage: &Creepage<F>| {
         derivatives::differentiate(contact, creepage, law.as_ref(), options)
     };
-    let [forward, backward] = rolling.each(contact, rolling.speed_by_rolling, differentiate)?;
-    let by_mismatch = rolling.through_mismatch(contact, differentiate)?;
+    let ends = |ratio: F| rolling.each(contact, ratio, differentiate);
+    let [forward, backward] = ends(rolling.speed_by_rolling)?;
+    let by_mismatch = rolling.through_mismatch(contact.mismatch, ends)?;
     let found = |of: &Differentiated<F>| (of.solution, of.friction);
     let contact = without_law(contact, law.as_ref());
     let (solution, friction) = rolling.solution(&contact, found(&forward), found(&backward))?;
@@ -175,7 +176,7 @@ pub(crate) struct Rolling<F> {
     /// `V_f` \[m/s\]
     pub(crate) speed: F,
     /// `∂V_f/∂V = V/V_f`
-    speed_by_rolling: F,
+    pub(crate) speed_by_rolling: F,
     /// `w(V)`, `w(−V)`
     shares: [F; 2],
     /// `dw/dV` \[s/m\], the same for `w(V)` and, negative, for `w(−V)`
@@ -242,19 +243,20 @@ impl<F: Float> Rolling<F> {
     }
 
     /// `∂F/∂κ_V ∂κ_V/∂V` of the mismatch `κ_V = κ V/V_f`, `∂κ_V/∂V = κ floor²/V_f³`.
-    fn through_mismatch(
+    /// The function gives the derivatives at both ends for a ratio `V/V_f`.
+    pub(crate) fn through_mismatch(
         &self,
-        contact: &Contact<F>,
-        differentiate: impl Fn(&Contact<F>, &Creepage<F>) -> Result<Differentiated<F>, Error>,
+        mismatch: F,
+        ends: impl Fn(F) -> Result<[Differentiated<F>; 2], Error>,
     ) -> Result<[F; 3], Error> {
         let ratio = self.speed_by_rolling;
-        if contact.mismatch == F::zero() {
+        if mismatch == F::zero() {
             return Ok([F::zero(); 3]);
         }
         // κ_V ∂F/∂κ_V divided by κ_V, which at standstill is replaced by a small share of κ.
         let least = F::constant(STANDSTILL);
         let near = if ratio.abs() < least { least } else { ratio };
-        let [forward, backward] = self.each(contact, near, differentiate)?;
+        let [forward, backward] = ends(near)?;
         let rate = (F::one() - ratio * ratio) / (self.speed * near);
         let both = self.both(forward.by_mismatch, backward.by_mismatch);
         Ok(both.map(|entry| entry * rate))

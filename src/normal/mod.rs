@@ -450,6 +450,9 @@ impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
         contact: &ProfileContact<F>,
         count: StripCount,
     ) -> Result<(Self, Indentation<F>), Error> {
+        // (the first guess of the approach takes a radius)
+        let rolling_radius = profile.first_radius(contact.rolling_radius);
+        let contact = &ProfileContact { rolling_radius, ..*contact };
         let mut patch = Self::empty(contact.shear_modulus, contact.poisson_ratio);
         let found =
             Indentation::new(profile, contact, count, |strip| patch.strips.push(strip).is_ok())?;

@@ -132,6 +132,11 @@ impl<'a, F: Float> Profile<'a, F> {
         !self.rolling_radius.is_empty()
     }
 
+    /// The rolling radius of the first point; `otherwise` is that of the contact.
+    pub(super) fn first_radius(&self, otherwise: F) -> F {
+        self.rolling_radius.first().copied().unwrap_or(otherwise)
+    }
+
     /// Where the distance is least along `x`.
     pub(super) fn centre_x(&self, y: F) -> F {
         if self.centre_x.is_empty() {

@@ -117,10 +117,10 @@ impl<'a, F: Float> PatchView<'a, F> {
         if !mismatch.is_finite_number() {
             return Err(Error::NotFinite);
         }
-        self.mismatch = mismatch;
-        if mismatch == F::zero() {
+        if mismatch == self.mismatch {
             return Ok(self);
         }
+        self.mismatch = mismatch;
         for zone in self.whole.iter_mut().chain(self.of_lobes.iter_mut().flatten()) {
             zone.contact.mismatch = mismatch;
         }

@@ -319,14 +319,15 @@ impl<'a, F: Float> View<'a, F> {
         count: StripCount,
         strips: &mut StoredPatch<F>,
     ) -> Result<Indentation<F>, Error> {
-        let WheelPair { shear_modulus, poisson_ratio, friction, smoothing_length, .. } = *self.pair;
+        let WheelPair { shear_modulus, poisson_ratio, smoothing_length, .. } = *self.pair;
         strips.clear(shear_modulus, poisson_ratio);
         let contact = ProfileContact {
             rolling_radius: self.pair.wheel_radius,
             given: Given::Overlap(profile.overlap()),
             shear_modulus,
             poisson_ratio,
-            friction,
+            // (each strip gets that of its place on the rail)
+            friction: F::zero(),
             smoothing_length,
         };
         let found = Indentation::new(profile, &contact, count, |strip| strips.push(strip))?;

@@ -152,14 +152,15 @@ impl<F: Float> WheelPair<F> {
         else {
             return Err(Error::Capacity);
         };
-        let numbers = [self.wheel_radius, self.friction, self.smoothing_length];
+        let friction = if places == 0 { self.friction } else { F::zero() };
+        let numbers = [self.wheel_radius, friction, self.smoothing_length];
         if ![&numbers, y, at].into_iter().all(are_finite) {
             return Err(Error::NotFinite);
         }
         if self.wheel_radius <= F::zero() {
             return Err(Error::RollingRadius);
         }
-        if at.iter().chain([&self.friction]).any(|friction| *friction < F::zero()) {
+        if at.iter().chain([&friction]).any(|friction| *friction < F::zero()) {
             return Err(Error::Friction);
         }
         if self.smoothing_length < F::zero() {

@@ -10,9 +10,9 @@ use crate::number::Float;
 use crate::patch::StoredPatch;
 use crate::status::{Error, Warning};
 
-/// Steps of the differences by position, over the cube root of the rounding \[m, rad\]: 1 µm in
-/// double precision, 15 µm in single.
-const STEP: f64 = 0.15;
+/// Largest steps of the differences with respect to the position in double and in single precision
+/// \[m, rad\], and the largest share of the overlap.
+const STEPS: [(f64, f64); 2] = [(1e-6, 0.05), (15e-6, 0.5)];
 /// Largest number of heights that are tried for a load.
 const HEIGHTS: u32 = 64;
 /// Largest step from one height to the next \[m\], and the distance below which two heights are the
@@ -108,6 +108,23 @@ impl<F: Float> Scene<'_, F> {
         self.wrench(position, velocity, memory, derivatives)
     }
 
+    /// The step of the differences. A load grows with the overlap `δ` to the power 3/2, so that
+    /// steps `d` make an error of `d²/(24 δ²)`.
+    fn step_of_differences(
+        &self,
+        position: &Position<F>,
+        memory: &mut Workspace<F>,
+    ) -> Result<F, Error> {
+        let right = position.mirrored(self.pair.left != 0);
+        let Scene { rail, wheel, pair, .. } = *self;
+        let least = touch(rail, wheel, pair.wheel_radius, &right, F::zero(), &mut memory.gap)?;
+        let [double, single] = STEPS;
+        let (largest, share) = if F::EPSILON > F::of(1e-10) { single } else { double };
+        let largest = F::of(largest);
+        let of_overlap = (-least).times(share).max(largest.times(1e-3));
+        Ok(if least < F::zero() { of_overlap.min(largest) } else { largest })
+    }
+
     /// Derivatives by the position, by central differences.
     fn differences(
         &self,
@@ -115,7 +132,7 @@ impl<F: Float> Scene<'_, F> {
         velocity: &Velocity<F>,
         memory: &mut Workspace<F>,
     ) -> Result<WrenchByPosition<F>, Error> {
-        let step = F::EPSILON.cube_root().times(STEP);
+        let step = self.step_of_differences(position, memory)?;
         let mut by = |member: fn(&mut Position<F>) -> &mut F| {
             let mut at = |step: F| {
                 let mut moved = *position;

@@ -33,7 +33,8 @@ pub struct Wrench<F> {
     /// (about the axle), yaw.
     pub moment: [F; 3],
     /// Frictional power \[W\], not negative: creep forces on the rail times slip. The power of the
-    /// creep forces on the wheel is minus this.
+    /// creep forces on the wheel is minus this, but for contacts with a mismatch of the materials,
+    /// where pressure adds to the slip.
     pub dissipation: F,
     /// Sum of the loads of all contacts \[N\], each along its own normal.
     pub normal_force: F,
@@ -110,6 +111,9 @@ pub fn of_contacts<F: Float>(
         if !(are_finite(&contact.normal) && are_finite(&[contact.share, contact.normal_force])) {
             return Err(Error::NotFinite);
         }
+        if contact.share < zero || contact.normal_force < zero {
+            return Err(Error::NormalForce);
+        }
         let motion = contact.motion(&velocity);
         let rolling = Rolling::new(&motion)?;
         let carried = match &mut derivatives {
@@ -126,7 +130,12 @@ pub fn of_contacts<F: Float>(
             *sum = *sum - dot(&column, &force) - load * normal;
         }
         normal_force += load;
-        dissipation += dot(&force, &[motion.slip_x, motion.slip_y, motion.spin_rate]);
+        // of unlike materials, pressure moves the surfaces as well
+        dissipation += if contact.patch.mismatch == zero {
+            dot(&force, &[motion.slip_x, motion.slip_y, motion.spin_rate])
+        } else {
+            carried.power * rolling.speed * contact.share
+        };
         warning = warning.worse(carried.warning);
         if contact.is_conformal() {
             warning = warning.worse(Warning::AngleRange);
@@ -134,6 +143,10 @@ pub fn of_contacts<F: Float>(
     }
     if !(are_finite(&sums) && are_finite(&[normal_force, dissipation])) {
         return Err(Error::Overflow);
+    }
+    if let Some(sums) = derivatives {
+        let rows = sums.velocity.iter().flatten().chain(&sums.friction);
+        Error::Overflow.unless(rows.into_iter().all(|entry| entry.is_finite_number()))?;
     }
     let ([a, b, c, d, e, f], contacts) = (sums, contacts.len() as u32);
     let (force, moment) = ([a, b, c], [d, e, f]);
@@ -173,7 +186,8 @@ fn carried<F: Float>(
     law: Law<F>,
 ) -> Result<Solution<F>, Error> {
     let falling = at_speed(law, rolling.speed);
-    let [forward, backward] = each_end(patch, rolling, |patch, creepage| match &falling {
+    let ratio = rolling.speed_by_rolling;
+    let [forward, backward] = each_end(patch, rolling, ratio, |patch, creepage| match &falling {
         Some(falling) => Ok(patch::friction::solve(patch, creepage, falling, law.model)?.solution),
         None => solver::solve(patch, creepage, law.model),
     })?;
@@ -188,15 +202,18 @@ fn differentiated<F: Float>(
     law: Law<F>,
 ) -> Result<(Solution<F>, MotionDerivatives<F>), Error> {
     let falling = at_speed(law, rolling.speed);
-    let [forward, backward] = each_end(patch, rolling, |patch, creepage| {
+    let differentiate = |patch: &PatchView<F>, creepage: &Creepage<F>| {
         let mut found =
             patch::friction::differentiate(patch, creepage, falling.as_ref(), law.model)?;
         let (load, bound) = (patch.normal_force(), patch.friction_bound());
         let mean = if load > F::zero() { bound / load } else { F::zero() };
         found.derivatives.friction = found.derivatives.friction.map(|slope| slope * mean);
         Ok(found)
-    })?;
-    let slopes = rolling.slopes(&forward, &backward, [F::zero(); 3]);
+    };
+    let ends = |ratio: F| each_end(patch, rolling, ratio, differentiate);
+    let [forward, backward] = ends(rolling.speed_by_rolling)?;
+    let by_mismatch = rolling.through_mismatch(patch.mismatch, ends)?;
+    let slopes = rolling.slopes(&forward, &backward, by_mismatch);
     if !slopes.entries().all(F::is_finite_number) {
         return Err(Error::Overflow);
     }
@@ -207,18 +224,23 @@ fn at_speed<F: Float>(law: Law<F>, speed: F) -> Option<SlipFriction<F>> {
     law.falling.map(|law| SlipFriction { friction: F::one(), rolling_speed: speed, ..*law })
 }
 
-/// What a patch answers as it rolls forward, and turned by 180 degrees.
+/// The results of a patch that rolls forward, and of one that is turned by 180 degrees. The ends
+/// have the mismatch `±κ V/V_f`, of this ratio.
 fn each_end<F: Float, S: Copy>(
     patch: &StoredPatch<F>,
     rolling: &Rolling<F>,
+    ratio: F,
     solve: impl Fn(&PatchView<F>, &Creepage<F>) -> Result<S, Error>,
 ) -> Result<[S; 2], Error> {
     rolling.each_end(|creepage, is_turned| {
-        if is_turned {
-            turned(patch, |patch| solve(patch, creepage))
-        } else {
-            solve(&patch.view()?, creepage)
-        }
+        let solve = |view: &PatchView<F>| {
+            if patch.mismatch == F::zero() {
+                return solve(view, creepage);
+            }
+            let ratio = if is_turned { -ratio } else { ratio };
+            solve(&view.with_mismatch(patch.mismatch * ratio)?, creepage)
+        };
+        if is_turned { turned(patch, solve) } else { solve(&patch.view()?) }
     })
 }
 
@@ -241,5 +263,6 @@ fn joined<F: Float>(rolling: &Rolling<F>, ahead: Solution<F>, behind: Solution<F
     let [fx, fy, mz] = rolling.both(forces(&ahead), forces(&behind));
     let warning = ahead.warning.worse(behind.warning);
     let slow = rolling.speed < F::of(JUDGED) && warning.is_implausible();
-    Solution { fx, fy, mz, warning: if slow { Warning::None } else { warning }, ..ahead }
+    let power = rolling.mean(ahead.power, behind.power);
+    Solution { fx, fy, mz, power, warning: if slow { Warning::None } else { warning }, ..ahead }
 }

@@ -171,7 +171,7 @@ fn disorder_scatter_and_density_leave_the_profile_whole() {
             let mut random = Random::new(seed);
             let (mut points, scatter) = disorder(kind, &profile, &mut random);
             let which = (random.bits() % 3) as usize;
-            if random.bits() % 2 == 0 {
+            if random.bits().is_multiple_of(2) {
                 points.reverse();
             }
             let surface = prepared(&points, 0.0, smoothings[which]).unwrap();

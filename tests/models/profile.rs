@@ -552,3 +552,24 @@ fn real_patches_are_those_of_contact() {
     assert!(force[0] < 0.02 && force[1] < 0.05, "{force:?}");
     assert!(moment[1] < 0.05, "{moment:?}");
 }
+
+/// Where the profile has rolling radii of its own, that of the contact is not used.
+#[test]
+fn radii_of_the_profile_replace_that_of_the_contact() {
+    let (y, distance) = parabola(0.3, 10e-3, 20);
+    let radii: Vec<f64> = y.iter().map(|y| 0.46 + y).collect();
+    let profile = Profile::new(&y, &distance).unwrap().with_rolling_radius(&radii).unwrap();
+    for given in [Given::Load(80e3), Given::Approach(9e-5)] {
+        let solve = |radius: f64| {
+            let contact = ProfileContact { given, ..pressed(radius, 1.0) };
+            let (patch, found) =
+                Patch::<f64, 64>::from_profile(&profile, &contact, SIXTEEN).unwrap();
+            (patch.strips, found)
+        };
+        let expected = solve(0.46);
+        assert!(expected.1.normal_force > 7e4, "{expected:?}");
+        for radius in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-300, 1e300] {
+            assert_eq!(solve(radius), expected, "{radius}");
+        }
+    }
+}

@@ -7,7 +7,7 @@ use kstrip::contact::hertz::{Radii, hertz};
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::Model;
 use kstrip::friction::SlipFriction;
-use kstrip::status::Warning;
+use kstrip::status::{Error, Warning};
 use kstrip::wheel_rail::contacts::WheelContact;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
 use kstrip::wheel_rail::surface::Surface;
@@ -636,4 +636,130 @@ fn manchester_benchmark_is_that_of_contact() {
         100.0 * peak[0],
         forces[0]
     ));
+}
+
+/// A wheel pair in single precision.
+fn single(pair: &WheelPair<f64>) -> WheelPair<f32> {
+    WheelPair {
+        wheel_radius: pair.wheel_radius as f32,
+        shear_modulus: pair.shear_modulus as f32,
+        poisson_ratio: pair.poisson_ratio as f32,
+        friction: pair.friction as f32,
+        friction_y: [0.0; 4],
+        friction_at: [0.0; 4],
+        friction_points: 0,
+        left: 0,
+        smoothing_length: 0.0,
+        strips: 0,
+        model: 0,
+    }
+}
+
+/// The derivative of the support with respect to depth in both precisions, light contacts included.
+#[test]
+fn derivatives_by_depth_are_those_of_double_precision() {
+    let mut stand = Stand::new_profiles();
+    let [rail, wheel] = ["uic60", "s1002"].map(|name| {
+        let [y, z] = points(name).map(|list| list.iter().map(|&x| x as f32).collect::<Vec<_>>());
+        let mut surface = zeroed::<Surface<f32>>();
+        surface.prepare(&y, &z, 0.0, 0.0).unwrap();
+        surface
+    });
+    let pair = single(&stand.pair);
+    let law = Law { model: Model::Strip, falling: None };
+    let strips = StripCount::Sixteen;
+    let scene = Scene { rail: &rail, wheel: &wheel, pair: &pair, strips, law };
+    let mut memory = zeroed::<Workspace<f32>>();
+    let rest = Velocity::default();
+    for load in [30.0, 1e3, 1e5] {
+        let position = stand.at(0.0, load);
+        let mut slopes = WrenchByPosition::default();
+        let (double, own) = stand.split();
+        double.solve(&position, &Velocity::default(), own, None, Some(&mut slopes)).unwrap();
+        let exact = {
+            let h = 0.01 * load.powf(2.0 / 3.0) * 4e-8;
+            let at = |d: f64| Position { vertical: position.vertical + d, ..position };
+            let [more, less] = [h, -h].map(|d| stand.solve(&at(d), &Velocity::default()).force[2]);
+            (more - less) / (2.0 * h)
+        };
+        assert_relative_eq!(slopes.vertical[2], exact, max_relative = 1e-3);
+        // the height at which single precision has the same load
+        let lateral = position.lateral as f32;
+        let position = Position { lateral, vertical: 0.0, yaw: 0.0, roll: 0.0 };
+        let (vertical, _) =
+            scene.height_for_load(&position, load as f32, None, &mut memory).unwrap();
+        let position = Position { vertical, ..position };
+        let mut slopes = WrenchByPosition::<f32>::default();
+        scene.solve(&position, &rest, &mut memory, None, Some(&mut slopes)).unwrap();
+        let off = f64::from(slopes.vertical[2]) / exact - 1.0;
+        assert!(off.abs() < 0.02, "{load}: {} against {exact}", slopes.vertical[2]);
+    }
+}
+
+/// A patch of unlike materials: friction dissipates, and forces and derivatives are continuous
+/// through standstill, as those of an ellipse are.
+#[test]
+fn a_mismatch_of_the_materials_dissipates_and_fades_at_standstill() {
+    let mut stand = Stand::new_profiles();
+    let position = stand.at(0.0, 80e3);
+    stand.solve(&position, &ROLLING);
+    let mut contacts = stand.memory.contacts[..stand.memory.count as usize].to_vec();
+    let law = Law { model: Model::Strip, falling: None };
+    let mut random = crate::random::Random::new(3);
+    for _ in 0..300 {
+        contacts
+            .iter_mut()
+            .for_each(|contact| contact.patch.mismatch = random.between(-0.25, 0.25));
+        let forward = random.sign() * random.log_between(1e-3, 20.0);
+        let pitch = -forward / 0.4608 * (1.0 + random.between(-3e-3, 3e-3));
+        let velocity = Velocity { forward, pitch, ..Velocity::default() };
+        let wrench = of_contacts(&contacts, &velocity, law, None).unwrap();
+        assert!(wrench.dissipation >= 0.0, "{velocity:?}: {}", wrench.dissipation);
+    }
+    contacts.iter_mut().for_each(|contact| contact.patch.mismatch = 0.2);
+    for speed in [0.0, 0.01, -0.03, 0.2, -3.0] {
+        let velocity =
+            Velocity { forward: speed, pitch: -speed / 0.4608 + 1e-6, ..Velocity::default() };
+        let mut slopes = WrenchDerivatives::default();
+        of_contacts(&contacts, &velocity, law, Some(&mut slopes)).unwrap();
+        let step = 1e-7 * (speed * speed + 4e-4_f64).sqrt();
+        for k in [0, 4] {
+            let at = |step| of_contacts(&contacts, &moved(&velocity, k, step), law, None).unwrap();
+            let expected = difference(&at(step), &at(-step), step);
+            let largest = slopes.velocity[0][k].abs();
+            let off = (slopes.velocity[0][k] - expected[0]).abs();
+            assert!(off < 1e-4 * largest, "{speed} {k}: {} {}", slopes.velocity[0][k], expected[0]);
+        }
+    }
+    let still = of_contacts(&contacts, &Velocity::default(), law, None).unwrap();
+    assert_eq!(still.force[0], 0.0);
+}
+
+/// Loads and shares of contacts are not negative, and derivatives that do not fit are an error.
+/// Numbers that do not count are not looked at.
+#[test]
+fn contacts_of_a_table_are_checked_where_they_count() {
+    let mut stand = Stand::new_profiles();
+    let position = stand.at(0.0, 80e3);
+    stand.solve(&position, &ROLLING);
+    let contact = stand.memory.contacts[0];
+    let law = Law { model: Model::Strip, falling: None };
+    let solve = |contact: WheelContact<f64>| {
+        let mut slopes = WrenchDerivatives::default();
+        of_contacts(&[contact], &ROLLING, law, Some(&mut slopes)).map(|_| slopes)
+    };
+    assert!(solve(contact).is_ok());
+    assert_eq!(solve(WheelContact { share: -1.0, ..contact }).err(), Some(Error::NormalForce));
+    let pulled = WheelContact { normal_force: -5e4, ..contact };
+    assert_eq!(solve(pulled).err(), Some(Error::NormalForce));
+    let mut huge = contact;
+    huge.slip_y[3] = 1e200;
+    assert_eq!(solve(huge).err(), Some(Error::Overflow));
+    stand.pair.friction_points = 1;
+    stand.pair.friction_at[0] = 0.3;
+    let expected = stand.solve(&position, &ROLLING);
+    for friction in [f64::NAN, -1.0] {
+        stand.pair.friction = friction;
+        assert_eq!(stand.solve(&position, &ROLLING), expected);
+    }
 }

@@ -321,7 +321,7 @@ class Wrench(Record, name="wrench"):
 
     force = Numbers('N', "Force on the wheel, axes of the track [N]: forward, lateral, vertical (down; the rail's support is negative).")
     moment = Numbers('N m', "Moment on the wheel about its centre [N m] about the wheelset's own axes: roll, pitch (about the axle), yaw.")
-    dissipation = Numbers('W', 'Frictional power [W], not negative: creep forces on the rail times slip. The power of the creep forces on the wheel is minus this.')
+    dissipation = Numbers('W', 'Frictional power [W], not negative: creep forces on the rail times slip. The power of the creep forces on the wheel is minus this, but for contacts with a mismatch of the materials, where pressure adds to the slip.')
     normal_force = Numbers('N', 'Sum of the loads of all contacts [N], each along its own normal.')
     contacts = Integers('', 'Number of contacts; 0: the wheel is lifted, and nothing acts.')
     status_detail = Integers('', 'The status of this result: 0 or one of the KSTRIP_WARNING constants.')

@@ -194,8 +194,9 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
 /// @param[out] derivatives  receives their exact derivatives with respect to velocity and friction;
 ///                          NULL: not needed.
 /// @param[out] by_position  receives their derivatives with respect to position: central
-///                        differences of 1 um and 1 urad (15 in single precision), eight times the
-///                        cost of a call; NULL: not needed.
+///                        differences of a twentieth of the overlap, at most 1 um and 1 urad (half
+///                        the overlap, at most 15, in single precision), eight times the cost of a
+///                        call; NULL: not needed.
 /// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE, or a status of one of these functions.
 #[unsafe(export_name = symbol!("kstrip_wheel_on_rail"))]
 pub extern "C" fn kstrip_wheel_on_rail(
