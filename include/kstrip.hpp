@@ -1617,7 +1617,7 @@ status wheelset_settle(const basic_wheelset<T> &set, const basic_track<T> &rails
 /// Returns error_capacity where the arrays have different sizes.
 template <class T>
 status rolling_radius_difference(const basic_wheelset<T> &set, const basic_track<T> &rails,
-                                 detail::only<span<const basic_metres<T>>> shifts, bool with_roll,
+                                 detail::only<lengths<T>> shifts, bool with_roll,
                                  basic_wheelset_workspace<T> &workspace,
                                  detail::only<span<basic_metres<T>>> to) noexcept
 {
@@ -1627,21 +1627,106 @@ status rolling_radius_difference(const basic_wheelset<T> &set, const basic_track
                            detail::capacity(shifts.size()), with_roll ? 1 : 0, &workspace, to.data());
 }
 
-/// `lengths`: as many as there are amplitudes; null: not wanted. Returns error_capacity where arrays have different
+/// `wave_lengths`: as many as there are amplitudes; null: not needed. Returns error_capacity where arrays have different
 /// sizes.
 template <class T>
-status equivalent_conicity(detail::only<span<const basic_metres<T>>> shifts,
-                           detail::only<span<const basic_metres<T>>> differences, basic_metres<T> running_circles,
-                           basic_metres<T> wheel_radius, detail::only<span<const basic_metres<T>>> amplitudes,
-                           detail::only<span<T>> to, detail::only<basic_metres<T>> *lengths = nullptr) noexcept
+status equivalent_conicity(detail::only<lengths<T>> shifts,
+                           detail::only<lengths<T>> differences, basic_metres<T> running_circles,
+                           detail::only<basic_metres<T>> wheel_radius, detail::only<lengths<T>> amplitudes,
+                           detail::only<span<T>> to, detail::only<basic_metres<T>> *wave_lengths = nullptr) noexcept
 {
     if (shifts.size() != differences.size() || amplitudes.size() != to.size() || !detail::fits(shifts.size()) ||
         !detail::fits(to.size()))
         return status::error_capacity;
     return KSTRIP_HPP_CALL(kstrip_equivalent_conicity, shifts.data(), differences.data(),
                            detail::capacity(shifts.size()), running_circles, wheel_radius, amplitudes.data(),
-                           detail::capacity(to.size()), to.data(), lengths);
+                           detail::capacity(to.size()), to.data(), wave_lengths);
 }
+
+#if defined(KSTRIP_HPP_EXCEPTIONS)
+/// The form of gauge_face() that throws. A `depth` of 0 means 14 mm.
+template <class T>
+basic_metres<T> gauge_face(const basic_surface<T> &rail, detail::only<basic_metres<T>> depth = {})
+KSTRIP_HPP_THROWING(basic_metres<T>, gauge_face, rail, depth, to)
+
+/// What curve_motion() returns.
+template <class T>
+struct basic_curve_motion {
+    basic_wheel_velocity<T> velocity;
+    std::array<T, 3> weight; ///< per mass: forward, lateral, vertical [m/s^2]
+};
+/// The form of curve_motion() that throws.
+template <class T>
+basic_curve_motion<T> curve_motion(const basic_curve<T> &through, const basic_wheel_position<T> &where,
+                                   const basic_wheel_velocity<T> &relative)
+KSTRIP_HPP_THROWING(basic_curve_motion<T>, curve_motion, through, where, relative, to.velocity, to.weight.data())
+
+/// The forces alone.
+template <class T>
+basic_wheelset_forces<T> wheelset_on_track(const basic_wheelset<T> &set, const basic_track<T> &rails,
+                                           const basic_wheel_position<T> &where, const basic_wheel_velocity<T> &moves,
+                                           basic_wheelset_workspace<T> &workspace)
+KSTRIP_HPP_THROWING(basic_wheelset_forces<T>, wheelset_on_track, set, rails, where, moves, workspace, to)
+
+/// The forces with their derivatives.
+template <class T>
+struct basic_wheelset_evaluation {
+    basic_wheelset_forces<T> forces;
+    basic_wheelset_derivatives<T> derivatives; ///< with respect to velocities and friction
+    basic_wheelset_by_position<T> by_position; ///< zero where they are not asked for
+};
+/// `by_position`: whether to compute the derivatives with respect to the positions too.
+template <class T>
+basic_wheelset_evaluation<T> wheelset_on_track_with_derivatives(
+    const basic_wheelset<T> &set, const basic_track<T> &rails, const basic_wheel_position<T> &where,
+    const basic_wheel_velocity<T> &moves, basic_wheelset_workspace<T> &workspace, bool by_position = false)
+KSTRIP_HPP_THROWING(basic_wheelset_evaluation<T>, wheelset_on_track, set, rails, where, moves, workspace, to.forces,
+                    &to.derivatives, by_position ? &to.by_position : nullptr)
+
+/// A wheelset in balance: what wheelset_settle() returns.
+template <class T>
+struct basic_settled {
+    basic_wheel_position<T> position;
+    basic_wheel_velocity<T> velocity;
+    basic_wheelset_forces<T> forces;
+};
+/// The form of wheelset_settle() that throws.
+template <class T>
+basic_settled<T> wheelset_settle(const basic_wheelset<T> &set, const basic_track<T> &rails,
+                                 const basic_wheel_position<T> &start, const basic_wheel_velocity<T> &moves,
+                                 const basic_wheelset_loads<T> &loads, basic_wheelset_workspace<T> &workspace)
+KSTRIP_HPP_THROWING(basic_settled<T>, wheelset_settle, set, rails, start, moves, loads, workspace, to.position,
+                    to.velocity, &to.forces)
+
+/// The form of rolling_radius_difference() that throws.
+template <class T>
+std::vector<basic_metres<T>> rolling_radius_difference(const basic_wheelset<T> &set, const basic_track<T> &rails,
+                                                       detail::only<lengths<T>> shifts, bool with_roll,
+                                                       basic_wheelset_workspace<T> &workspace)
+{
+    std::vector<basic_metres<T>> to(shifts.size());
+    detail::check(rolling_radius_difference(set, rails, shifts, with_roll, workspace, to));
+    return to;
+}
+
+/// What equivalent_conicity() returns: one for each amplitude.
+template <class T>
+struct basic_conicities {
+    std::vector<T> conicities;
+    std::vector<basic_metres<T>> wave_lengths;
+};
+/// The form of equivalent_conicity() that throws.
+template <class T>
+basic_conicities<T> equivalent_conicity(detail::only<lengths<T>> shifts, detail::only<lengths<T>> differences,
+                                        basic_metres<T> running_circles, detail::only<basic_metres<T>> wheel_radius,
+                                        detail::only<lengths<T>> amplitudes)
+{
+    basic_conicities<T> to{std::vector<T>(amplitudes.size()), std::vector<basic_metres<T>>(amplitudes.size())};
+    detail::check(equivalent_conicity(shifts, differences, running_circles, wheel_radius, amplitudes, to.conicities,
+                                      to.wave_lengths.data()));
+    return to;
+}
+#endif
 
 // ---- Test rigs: friction from a force, creepage from a force ----------------------------------
 

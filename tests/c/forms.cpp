@@ -117,6 +117,45 @@ int main()
     const auto summed = kstrip::wrench_from_contacts<double>(contacts, moves, pair.model, &wet);
     expect(same(summed.wrench, wrench) && same(summed.derivatives, slopes), "wrench_from_contacts: both forms");
 
+    // The wheelset of two such wheels
+    kstrip::track track;
+    track.rail[0] = &rail, track.gauge = 1.435_m;
+    kstrip::wheelset set;
+    set.wheel[0] = &wheel, set.pair[0] = pair, set.back_to_back = 1.36_m;
+    auto rooms = std::vector<kstrip::wheelset_workspace>(1);
+    kstrip::wheelset_workspace &both = rooms.front();
+    kstrip::metres face{};
+    fine(kstrip::gauge_face(rail, 0_m, face), "gauge_face");
+    expect(kstrip::gauge_face(rail) == face && face < 0_m, "gauge_face: both forms");
+    const auto settled = kstrip::wheelset_settle(set, track, {1_mm, 0_mm, 1_mrad}, moves, {160_kN}, both);
+    kstrip::wheel_position at{};
+    kstrip::wheel_velocity turning{};
+    fine(kstrip::wheelset_settle(set, track, {1_mm, 0_mm, 1_mrad}, moves, {160_kN}, both, at, turning), "wheelset_settle");
+    expect(same(at, settled.position) && same(turning, settled.velocity), "wheelset_settle: both forms");
+    kstrip::wheelset_forces forces{};
+    kstrip::wheelset_derivatives by_velocity{};
+    kstrip::wheelset_by_position by_place{};
+    fine(kstrip::wheelset_on_track(set, track, at, turning, both, forces, &by_velocity, &by_place), "wheelset_on_track");
+    const auto whole = kstrip::wheelset_on_track_with_derivatives(set, track, at, turning, both, true);
+    expect(same(whole.forces, forces) && same(whole.derivatives, by_velocity) && same(whole.by_position, by_place), "wheelset_on_track: both forms");
+    expect(same(kstrip::wheelset_on_track(set, track, at, turning, both), forces), "wheelset_on_track: the forces alone");
+    const std::array<double, 6> on_set = forces.wrench;
+    expect(std::abs(on_set[2] + 160e3) < 160, "wheelset: the load");
+    const auto through = kstrip::curve_motion<double>({20_m_per_s, 0.002_per_m, 0.05_rad}, at, kstrip::wheel_velocity{});
+    kstrip::wheel_velocity in_curve{};
+    double weight[3];
+    fine(kstrip::curve_motion<double>({20_m_per_s, 0.002_per_m, 0.05_rad}, at, {}, in_curve, weight), "curve_motion");
+    expect(same(through.velocity, in_curve) && std::memcmp(weight, through.weight.data(), sizeof weight) == 0, "curve_motion: both forms");
+    const std::vector<double> shifts{-4e-3, -2e-3, 0.0, 2e-3, 4e-3};
+    const auto differences = kstrip::rolling_radius_difference(set, track, shifts, false, both);
+    std::array<kstrip::metres, 5> others;
+    fine(kstrip::rolling_radius_difference(set, track, shifts, false, both, others), "rolling_radius_difference");
+    expect(std::memcmp(differences.data(), others.data(), sizeof others) == 0, "rolling_radius_difference: both forms");
+    const auto cone = kstrip::equivalent_conicity(shifts, differences, 1.5_m, 460_mm, std::array{2_mm});
+    double conicity[1];
+    fine(kstrip::equivalent_conicity(shifts, differences, 1.5_m, 460_mm, std::array{2_mm}, conicity), "equivalent_conicity");
+    expect(cone.conicities[0] == conicity[0] && std::abs(conicity[0] - 0.05) < 0.002, "equivalent_conicity: both forms");
+
     // Errors are thrown
     try {
         static_cast<void>(kstrip::prepare_profile(ry, std::vector<double>(3)));

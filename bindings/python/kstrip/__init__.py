@@ -32,6 +32,8 @@ KstripWarning, and in the member `status_detail` of each result. Single precisio
     read_profile, write_profile                                                       profile files
     prepare_profile, wheel_pair, wheel_position, wheel_velocity                       a wheel on a rail
     height_for_load, wheel_on_rail                                                    its height and its forces
+    Wheelset, Track, wheelset_settle, wheelset_on_track, rail_motion                  a wheelset on a track
+    curve, curve_motion, gauge_face, rolling_radius_difference, equivalent_conicity   curves, gauge, conicity
     estimate_friction, creepage_for_force, on_upper_body                              test rigs; forces on the wheel
     kstrip.plot                                                                       pictures; pip install kstrip[plot]
     lib, constants, structures, dtypes, models                                        the C library itself, unchecked
@@ -59,6 +61,7 @@ from ._types import (
     CombinedMaterial,
     Contact,
     Creepage,
+    Curve,
     Derivatives,
     Friction,
     FrictionEstimate,
@@ -74,6 +77,7 @@ from ._types import (
     Point,
     ProfileResult,
     Radii,
+    RailMotion,
     Result,
     Strip,
     Surface,
@@ -81,12 +85,30 @@ from ._types import (
     WheelContact,
     WheelPair,
     WheelPosition,
+    WheelsetByPosition,
+    WheelsetDerivatives,
+    WheelsetForces,
     WheelVelocity,
     Wrench,
     WrenchByPosition,
     WrenchDerivatives,
 )
 from ._wheel import WheelOnRail, height_for_load, prepare_profile, wheel_on_rail, wheel_pair, wheel_position, wheel_velocity
+from ._wheelset import (
+    Conicity,
+    Settled,
+    Track,
+    Wheelset,
+    WheelsetOnTrack,
+    curve,
+    curve_motion,
+    equivalent_conicity,
+    gauge_face,
+    rail_motion,
+    rolling_radius_difference,
+    wheelset_on_track,
+    wheelset_settle,
+)
 
 __version__: str = lib.kstrip_version_string().decode()
 #: States of the points of field()
@@ -105,13 +127,18 @@ __all__ = [
     # a wheel on a rail
     "read_profile", "write_profile", "prepare_profile", "wheel_pair", "wheel_position", "wheel_velocity",
     "height_for_load", "wheel_on_rail",
+    # a wheelset on a track
+    "Wheelset", "Track", "rail_motion", "curve", "gauge_face", "curve_motion", "wheelset_settle", "wheelset_on_track",
+    "rolling_radius_difference", "equivalent_conicity",
     # test rigs; forces on the upper body
     "estimate_friction", "creepage_for_force", "on_upper_body",
     # types
-    "Record", "CombinedMaterial", "Contact", "Creepage", "Derivatives", "Evaluation", "Friction", "FrictionEstimate", "HertzContact",
+    "Record", "CombinedMaterial", "Contact", "Conicity", "Creepage", "Curve", "Derivatives", "Evaluation", "Friction", "FrictionEstimate", "HertzContact",
     "LawDerivatives", "Material", "Model", "Motion", "MotionDerivatives", "MotionEvaluation", "Parameters", "Patch", "PatchStrip",
-    "PatchSummary", "Point", "Prepared", "Profile", "ProfileResult", "Radii", "Result", "Strip", "Surface", "Velocity",
-    "WheelContact", "WheelOnRail", "WheelPair", "WheelPosition", "WheelVelocity", "Wrench", "WrenchByPosition", "WrenchDerivatives",
+    "PatchSummary", "Point", "Prepared", "Profile", "ProfileResult", "Radii", "RailMotion", "Result", "Settled", "Strip",
+    "Surface", "Velocity",
+    "WheelContact", "WheelOnRail", "WheelPair", "WheelPosition", "WheelVelocity", "WheelsetByPosition", "WheelsetDerivatives",
+    "WheelsetForces", "WheelsetOnTrack", "Wrench", "WrenchByPosition", "WrenchDerivatives",
     "KstripError", "KstripWarning", "ProfileError",
     # the C library
     "lib", "constants", "structures", "dtypes", "models", "classes", "__version__",
