@@ -21,40 +21,31 @@ kstrip::surface profile(const std::string &name)
 int main()
 {
     const auto rail = profile("uic60"), wheel = profile("s1002");
-    // Half the distance of the running circles, and of the rails' origins
-    const auto b = 750_mm, origin = 760.5325_mm, radius = 460_mm;
-    const auto speed = 30_m_per_s;
-    const auto pitch = -1.0 / radius.value * kstrip::radians_per_second(speed.value);
-    const double mass = 1500, inertia = 900, spring = 2e6, yaw_spring = 4e6, h = 1e-3;
-    kstrip::wheel_pair pair{radius, 82_GPa, 0.28, 0.3};
-    pair.model = kstrip::model::strip;
-    kstrip::wheel_workspace memory;
-    kstrip::metres y = 3_mm, heights[2]{};
-    kstrip::radians yaw{};
-    kstrip::metres_per_second vy{};
-    kstrip::radians_per_second turn{};
-    for (int step = 0; step <= 400; step++) {
-        // Force and moment (about z, down) on the wheelset, and their derivatives with respect to vy and turn
-        double force = -spring * y.value, moment = -yaw_spring * yaw.value, fv = 0, fw = 0, mv = 0, mw = 0;
-        for (const int side : {-1, 1}) {
-            const double s = side * b.value;
-            pair.left = side < 0;
-            auto &height = heights[side > 0];
-            height = kstrip::height_for_load(rail, wheel, pair, {y + side * (b - origin), height, yaw}, 50_kN, memory);
-            kstrip::wheel_velocity moves{speed - turn * (side * b), vy, 0_m_per_s, 0_rad_per_s, pitch, turn};
-            const auto on = kstrip::wheel_on_rail_with_derivatives(rail, wheel, pair, {y + side * (b - origin), height, yaw}, moves, memory);
-            const auto &d = on.derivatives.velocity;
-            const std::array<double, 6> f = on.wrench;
-            force += f[1], moment += f[5] - s * f[0];
-            fv += d[1][1], fw += d[1][5] - s * d[1][0];
-            mv += d[5][1] - s * d[0][1], mw += d[5][5] - s * (d[5][0] + d[0][5]) + s * s * d[0][0];
-        }
-        if (step % 50 == 0)
-            std::printf("%.2f s: %7.3f mm %7.3f mrad\n", step * h, y / 1_mm, yaw / 1_mrad);
-        // Linearly implicit: (M - h J) dv = h F
-        const double a11 = mass - h * fv, a12 = -h * fw, a21 = -h * mv, a22 = inertia - h * mw, det = a11 * a22 - a12 * a21;
-        vy += kstrip::metres_per_second(h * (a22 * force - a12 * moment) / det);
-        turn += kstrip::radians_per_second(h * (a11 * moment - a21 * force) / det);
-        y += kstrip::metres(h * vy.value), yaw += kstrip::radians(h * turn.value);
+    kstrip::track track;
+    track.rail[0] = &rail, track.gauge = 1435_mm;
+    kstrip::wheelset wheelset;
+    wheelset.wheel[0] = &wheel, wheelset.back_to_back = 1360_mm;
+    wheelset.pair[0] = {460_mm, 82_GPa, 0.28, 0.3};
+    kstrip::wheelset_workspace memory;
+    // Springs between wheelset and frame
+    const double mass = 1500, inertia = 900, spring = 2e6, yaw_spring = 4e6, h = 2e-3;
+    const kstrip::wheelset_loads loads{100_kN};
+    kstrip::wheel_position at{3_mm};
+    kstrip::wheel_velocity moves{30_m_per_s, 0_m_per_s, 0_m_per_s, 0_rad_per_s, -65.2_rad_per_s, 0_rad_per_s};
+    for (int step = 0; step <= 200; step++) {
+        // Height and roll at which the rails carry the load; forces there, with derivatives with respect to the velocities
+        at = kstrip::wheelset_settle(wheelset, track, at, moves, loads, memory).position;
+        const auto on = kstrip::wheelset_on_track_with_derivatives(wheelset, track, at, moves, memory);
+        const std::array<double, 6> f = on.forces.wrench;
+        const auto &d = on.derivatives.velocity;
+        if (step % 25 == 0)
+            std::printf("%.2f s: %7.3f mm %7.3f mrad\n", step * h, at.lateral / 1_mm, at.yaw / 1_mrad);
+        // Linearly implicit in lateral (1) and yaw (5): (M - h J) dv = h F
+        const double force = f[1] - spring * at.lateral.value, moment = f[5] - yaw_spring * at.yaw.value;
+        const double a11 = mass - h * d[1][1], a12 = -h * d[1][5], a21 = -h * d[5][1], a22 = inertia - h * d[5][5];
+        const double det = a11 * a22 - a12 * a21;
+        moves.lateral += kstrip::metres_per_second(h * (a22 * force - a12 * moment) / det);
+        moves.yaw += kstrip::radians_per_second(h * (a11 * moment - a21 * force) / det);
+        at.lateral += kstrip::metres(h * moves.lateral.value), at.yaw += kstrip::radians(h * moves.yaw.value);
     }
 }
