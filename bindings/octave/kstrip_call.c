@@ -377,17 +377,19 @@ static const kstrip_surface *surface_of(const mxArray *of, const char *name)
     return mxGetData(of);
 }
 
-/* The members of kstrip_wheel_pair as fields; those that are not given are zero. */
-static kstrip_wheel_pair pair_of(const mxArray *of)
+/* The members of kstrip_wheel_pair as fields; those that are not given are zero. With `more` those of a wheelset and its track too. */
+static kstrip_wheel_pair pair_of(const mxArray *of, int more)
 {
     static const char *const names[] = {"wheel_radius", "shear_modulus", "poisson_ratio", "friction", "left",
-                                        "smoothing_length", "strips", "model", "friction_y", "friction_at"};
+                                        "smoothing_length", "strips", "model", "friction_y", "friction_at",
+                                        "back_to_back", "running_circles", "gauge", "gauge_depth"};
+    const size_t count = more ? sizeof names / sizeof *names : 10;
     kstrip_wheel_pair pair;
     memset(&pair, 0, sizeof pair);
     if (!of || !mxIsStruct(of)) mexErrMsgIdAndTxt("kstrip:argument", "kstrip: pair must be a struct: help kstrip_wheel_on_rail");
     for (int i = 0; i < mxGetNumberOfFields(of); i++) {
         int known = 0;
-        for (size_t j = 0; j < sizeof names / sizeof *names; j++) known |= strcmp(mxGetFieldNameByNumber(of, i), names[j]) == 0;
+        for (size_t j = 0; j < count; j++) known |= strcmp(mxGetFieldNameByNumber(of, i), names[j]) == 0;
         if (!known) mexErrMsgIdAndTxt("kstrip:argument", "kstrip: unknown field %s: help kstrip_wheel_on_rail", mxGetFieldNameByNumber(of, i));
     }
     pair.wheel_radius = scalar(mxGetField(of, 0, "wheel_radius"), 0);
@@ -412,7 +414,7 @@ static mxArray *wheel_on_rail(int count, const mxArray *in[])
 {
     static kstrip_wheel_workspace memory;
     const kstrip_surface *rail = surface_of(given(count, in, 0), "rail"), *wheel = surface_of(given(count, in, 1), "wheel");
-    const kstrip_wheel_pair pair = pair_of(given(count, in, 2));
+    const kstrip_wheel_pair pair = pair_of(given(count, in, 2), 0);
     const mxArray *law = given(count, in, 5);
     const int moved = scalar(given(count, in, 6), 0) != 0;
     size_t n = common(columns(given(count, in, 3), "position", 1, sizeof(kstrip_wheel_position)),
@@ -468,7 +470,7 @@ static mxArray *height_for_load(int count, const mxArray *in[])
 {
     static kstrip_wheel_workspace memory;
     const kstrip_surface *rail = surface_of(given(count, in, 0), "rail"), *wheel = surface_of(given(count, in, 1), "wheel");
-    const kstrip_wheel_pair pair = pair_of(given(count, in, 2));
+    const kstrip_wheel_pair pair = pair_of(given(count, in, 2), 0);
     const mxArray *supports = given(count, in, 4), *moves = given(count, in, 5), *law = given(count, in, 6);
     size_t n = common(columns(given(count, in, 3), "position", 1, sizeof(kstrip_wheel_position)), columns(supports, "support", 1, sizeof(double)));
     if (moves) n = common(n, columns(moves, "velocity", 6, sizeof(kstrip_wheel_velocity)));
@@ -488,6 +490,89 @@ static mxArray *height_for_load(int count, const mxArray *in[])
              kstrip_height_for_load(rail, wheel, &pair, &position, support, moves ? &velocity : NULL, law ? &friction : NULL, &memory,
                                     mxGetPr(made) + k),
              k);
+    }
+    warn(&seen);
+    return made;
+}
+
+static void set_and_track(int count, const mxArray *in[], kstrip_wheelset *set, kstrip_track *track)
+{
+    const mxArray *of = given(count, in, 2);
+    memset(set, 0, sizeof *set);
+    memset(track, 0, sizeof *track);
+    set->pair[0] = pair_of(of, 1);
+    track->rail[0] = surface_of(given(count, in, 0), "rail");
+    set->wheel[0] = surface_of(given(count, in, 1), "wheel");
+    set->back_to_back = scalar(mxGetField(of, 0, "back_to_back"), 0);
+    set->running_circles = scalar(mxGetField(of, 0, "running_circles"), 0);
+    track->gauge = scalar(mxGetField(of, 0, "gauge"), 0);
+    track->gauge_depth = scalar(mxGetField(of, 0, "gauge_depth"), 0);
+}
+
+static void put_forces(double *wrench, double *rail, size_t k, const kstrip_wheelset_forces *from)
+{
+    memcpy(wrench + 6 * k, from->wrench.force, sizeof from->wrench.force);
+    memcpy(wrench + 6 * k + 3, from->wrench.moment, sizeof from->wrench.moment);
+    memcpy(rail + 6 * k, from->rail, sizeof from->rail);
+}
+
+/* (rail, wheel, set, position, velocity) */
+static mxArray *wheelset_on_track(int count, const mxArray *in[])
+{
+    static kstrip_wheelset_workspace memory;
+    enum { N = KSTRIP_WHEELSET_FREEDOMS };
+    kstrip_wheelset set;
+    kstrip_track track;
+    set_and_track(count, in, &set, &track);
+    const size_t n = common(columns(given(count, in, 3), "position", 1, sizeof(kstrip_wheel_position)),
+                            columns(given(count, in, 4), "velocity", 6, sizeof(kstrip_wheel_velocity)));
+    mxArray *made = mxCreateStructMatrix(1, 1, 0, NULL);
+    double *wrench = field(made, "wrench", 6, n), *rail = field(made, "rail", 6, n);
+    double *by_velocity = field(made, "by_velocity", N * N, n), *by_friction = field(made, "by_friction", N, n);
+    report seen = {{0}, {0}};
+    for (size_t k = 0; k < n; k++) {
+        kstrip_wheel_position position;
+        kstrip_wheel_velocity velocity;
+        kstrip_wheelset_forces forces;
+        kstrip_wheelset_derivatives by;
+        load(&position, sizeof position, in[3], k);
+        load(&velocity, sizeof velocity, in[4], k);
+        note(&seen, kstrip_wheelset_on_track(&set, &track, &position, &velocity, &memory, &forces, &by, NULL), k);
+        put_forces(wrench, rail, k, &forces);
+        for (int i = 0; i < N; i++)
+            for (int j = 0; j < N; j++) by_velocity[N * N * k + N * j + i] = by.velocity[i][j];
+        memcpy(by_friction + N * k, by.friction, sizeof by.friction);
+    }
+    warn(&seen);
+    return made;
+}
+
+/* (rail, wheel, set, position, velocity, loads) */
+static mxArray *wheelset_settle(int count, const mxArray *in[])
+{
+    static kstrip_wheelset_workspace memory;
+    kstrip_wheelset set;
+    kstrip_track track;
+    set_and_track(count, in, &set, &track);
+    size_t n = common(columns(given(count, in, 3), "position", 1, sizeof(kstrip_wheel_position)),
+                      columns(given(count, in, 4), "velocity", 1, sizeof(kstrip_wheel_velocity)));
+    n = common(n, columns(given(count, in, 5), "loads", 1, sizeof(kstrip_wheelset_loads)));
+    mxArray *made = mxCreateStructMatrix(1, 1, 0, NULL);
+    double *place = field(made, "position", 4, n), *moves = field(made, "velocity", 6, n);
+    double *wrench = field(made, "wrench", 6, n), *rail = field(made, "rail", 6, n);
+    report seen = {{0}, {0}};
+    for (size_t k = 0; k < n; k++) {
+        kstrip_wheel_position start, position;
+        kstrip_wheel_velocity velocity, rates;
+        kstrip_wheelset_loads loads;
+        kstrip_wheelset_forces forces;
+        load(&start, sizeof start, in[3], k);
+        load(&velocity, sizeof velocity, in[4], k);
+        load(&loads, sizeof loads, in[5], k);
+        note(&seen, kstrip_wheelset_settle(&set, &track, &start, &velocity, &loads, &memory, &position, &rates, &forces), k);
+        memcpy(place + 4 * k, &position, sizeof position);
+        memcpy(moves + 6 * k, &rates, sizeof rates);
+        put_forces(wrench, rail, k, &forces);
     }
     warn(&seen);
     return made;
@@ -515,6 +600,10 @@ void mexFunction(int outputs, mxArray *output[], int inputs, const mxArray *inpu
         output[0] = prepare_profile(count, in);
     else if (strcmp(name, "wheel_on_rail") == 0)
         output[0] = wheel_on_rail(count, in);
+    else if (strcmp(name, "wheelset_on_track") == 0)
+        output[0] = wheelset_on_track(count, in);
+    else if (strcmp(name, "wheelset_settle") == 0)
+        output[0] = wheelset_settle(count, in);
     else if (strcmp(name, "height_for_load") == 0)
         output[0] = height_for_load(count, in);
     else

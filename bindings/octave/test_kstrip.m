@@ -75,6 +75,19 @@ left = pair;
 left.left = 1;
 mirrored = kstrip_wheel_on_rail(rail, wheel, left, [-1; 1; -1; -1] .* position, velocity).wrench;
 assert(mirrored, [1; -1; 1; -1; 1; -1] .* found.wrench);
+% A wheelset of two such wheels: both rails carry its load, the mirror image has the mirrored forces
+set = pair;
+set.gauge = 1.446;
+set.gauge_depth = 1e-3;
+set.back_to_back = 1.36;
+still = kstrip_wheelset_settle(rail, wheel, set, [-1e-3, 0, 1e-3], velocity, 160e3);
+assert(still.rail(3, :) + still.rail(6, :), 160e3 * ones(1, 3), 1);
+assert(still.wrench(2, :), -still.wrench(2, [3, 2, 1]), 1);
+found = kstrip_wheelset_on_track(rail, wheel, set, still.position, still.velocity);
+assert(found.wrench, still.wrench, 1e-6);
+aside = still.velocity + [0; 1e-6; 0; 0; 0; 0];
+slope = (kstrip_wheelset_on_track(rail, wheel, set, still.position, aside).wrench - found.wrench) / 1e-6;
+assert(squeeze(found.by_velocity(1:6, 2, :)), slope, 1e-3 * max(abs(slope(:))));
 % Warnings are passed on, once for each kind
 lastwarn('');
 printed = evalc("kstrip(contact, [1e-3, 1e-3; 0, 0; 20, 30], 'strip_1967');");
@@ -101,7 +114,8 @@ fails(@() kstrip_wheel_on_rail(rail, wheel, pair, [0.3; 0; 0; 0], velocity), 'co
 fails(@() kstrip_patch_from_profile(y, y .^ 2, struct('radius', 1)), 'unknown field radius');
 % Every function has help text
 for name = {'kstrip', 'kstrip_evaluate', 'kstrip_solve_motion', 'kstrip_contact_from_hertz', 'kstrip_patch_from_profile', 'kstrip_patch_from_contact', ...
-            'kstrip_prepare_profile', 'kstrip_height_for_load', 'kstrip_wheel_on_rail'}
+            'kstrip_prepare_profile', 'kstrip_height_for_load', 'kstrip_wheel_on_rail', ...
+            'kstrip_wheelset_on_track', 'kstrip_wheelset_settle'}
     assert(numel(help(name{1})) > 300);
 end
 printf("%.6f %.6f %.6f\n", kstrip(contact, [1e-3; 0.5e-3; 0.1]));
