@@ -226,7 +226,7 @@ const wheelView = {
                 + `<text class="number" x="${((atX(e.left * 1) + atX(e.right * 1)) / 2).toFixed(1)}" y="${(middle + (tall * scale) / 2 + 22).toFixed(1)}" text-anchor="middle">${i + 1}</text>`;
             cursor += (e.right - e.left + gap) * scale;
         });
-        const bar = niceAbove(wide / 6) || 1;
+        const bar = niceAbove(wide / 14) || 1;
         svg += `<path class="bar" d="M24 284v5h${(bar * scale).toFixed(1)}v-5"/><text x="${24 + bar * scale + 8}" y="289">${tick(bar)} mm</text>`
             + `<path class="separatrix" d="M140 285h24"/><text x="170" y="289">stick ahead of it, slip behind</text>`
             + `<path class="arrows" d="${arrow(440, 285, 24, 0, 6)}"/><text x="470" y="289">traction</text>`
