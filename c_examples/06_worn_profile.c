@@ -16,6 +16,7 @@ enum { POINTS = 261 };
 
 static kstrip_surface rail, wheel;
 static kstrip_wheel_workspace workspace;
+static kstrip_wheelset_workspace both;
 
 static void check(kstrip_status status)
 {
@@ -130,10 +131,18 @@ int main(void)
         }
     }
 
-    /* Klingel: a wheelset with this conicity has the same difference of the radii, linear; half the distance of the rails is 750 mm */
+    /* EN 15302: the cones with the wave length of this wheelset, from the motion over half a wave; and the elastic radii at one shift */
+    enum { SHIFTS = 81 };
+    const kstrip_track track = {.rail = {&rail}, .origin = {0.75 + offset, 0.75 + offset}};
+    const kstrip_wheelset set = {.wheel = {&wheel}, .pair = {steel(0.35)}, .running_circles = 1.5};
     const double amplitude = 3e-3;
-    printf("\nequivalent conicity at 3 mm %.4f\n",
-           (radius_at(amplitude) - radius_at(-amplitude)) / (2 * amplitude));
+    double shifts[SHIFTS], differences[SHIFTS], conicity, wave_length;
+    for (int i = 0; i < SHIFTS; i++)
+        shifts[i] = (i - SHIFTS / 2) * 0.1e-3;
+    check(kstrip_rolling_radius_difference(&set, &track, shifts, SHIFTS, 0, &both, differences));
+    check(kstrip_equivalent_conicity(shifts, differences, SHIFTS, 1.5, 0.46, &amplitude, 1, &conicity, &wave_length));
+    printf("\nequivalent conicity at 3 mm %.4f\nwave length at 3 mm %.3f m\nradius difference under load over twice the shift of 3 mm %.4f\n",
+           conicity, wave_length, (radius_at(amplitude) - radius_at(-amplitude)) / (2 * amplitude));
 
     /* Grease on the gauge side: friction along the rail */
     kstrip_wheel_pair dry = steel(0.35), greasy = steel(0.35);

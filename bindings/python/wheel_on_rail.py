@@ -51,9 +51,15 @@ def rolling_radius(shift, left=False):
     return np.sum(weights * found.radius, axis=-1) / np.sum(weights, axis=-1)
 
 
-def equivalent_conicity(shift):
-    """Rolling radius difference divided by twice the shift."""
-    return (rolling_radius(shift) - rolling_radius(shift, left=True)) / (2.0 * shift)
+def equivalent_conicity(amplitude, places=64):
+    """The cone with the wave length of the free wheelset, from its motion over half a wave as in EN 15302, with the radii under load."""
+    shifts = np.linspace(-amplitude, amplitude, 33)
+    differences = np.array([rolling_radius(shift) - rolling_radius(shift, left=True) for shift in shifts])
+    work = np.concatenate([[0.0], np.cumsum(np.diff(shifts) * (differences[1:] + differences[:-1]) / 2.0)])
+    angle = (np.arange(places) + 0.5) * np.pi / places
+    left = work[-1] - np.interp(amplitude * np.cos(angle), shifts, work)
+    length = 2.0 * np.sqrt(HALF_WIDTH * RADIUS) * np.sum(amplitude * np.sin(angle) / np.sqrt(left)) * np.pi / places
+    return float((np.pi / length) ** 2 * 4.0 * HALF_WIDTH * RADIUS)
 
 
 def curve(radius, shift):

@@ -21,8 +21,8 @@ use kstrip::strip_1967::strip::State;
 use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;
 use toolchain::{
-    build_c_with, check_header, compile_with, has_cpp, knows, output_of, root, run_c, say, scratch,
-    symbols_of_library, write_scratch,
+    build_c_with, check_header, compile_with, has_cpp, knows, output_of, root, run_c, run_c_with,
+    say, scratch, symbols_of_library, write_scratch,
 };
 
 /// The contact of examples 02 to 05 and 07.
@@ -360,6 +360,44 @@ fn profiles_of_the_standards_are_smooth() {
         assert_close(height(joint + 1e-9), height(joint - 1e-9), 1e-3, "height");
         assert_close(slope(joint + 1e-6), slope(joint - 1e-3 - 1e-6), 1e-3, "slope");
     }
+}
+
+/// A bogie on flexible rails hunts in a limit cycle, leans on its flange in a curve with the lateral
+/// forces that balance asks for, and is lifted and set down.
+#[test]
+#[ignore = "a step of .ci/run: it takes a minute"]
+fn a_bogie_hunts_curves_and_is_lifted() {
+    let folder = root().join("tests/data/wheel_rail");
+    let text = run_c_with("c_examples/12_bogie.c", &[folder.to_str().expect("a path")]);
+    // time, y of both wheelsets, speed, Y right and left, Q right and left, sum of Y
+    let run = |name: &str| -> Vec<Vec<f64>> {
+        let of_run = |line: &str| line.strip_prefix(name).map(numbers);
+        text.lines().filter_map(of_run).collect()
+    };
+    let hunts = run("hunt");
+    let most = |from: f64, to: f64| {
+        let part = hunts.iter().filter(|row| (from..to).contains(&row[0]));
+        part.fold(0.0, |most: f64, row| most.max(row[1].abs()))
+    };
+    let (before, after) = (most(2.0, 3.0), most(3.0, 4.1));
+    assert!(
+        (7.0..10.0).contains(&after) && (after / before - 1.0).abs() < 0.15,
+        "{before} {after}"
+    );
+    let last = |name| run(name).pop().expect("the run");
+    // the flange of the outer, left wheel leads; weight and centrifugal force cancel
+    let balance = last("curve at balance speed");
+    assert!(balance[1] < -6.0 && balance[5] < -10e3 && balance[8].abs() < 100.0, "{balance:?}");
+    let fast = last("curve at 22 m/s");
+    let missing = 20e3 * (9.80665 * 0.1_f64.sin() - 22.0 * 22.0 / 300.0 * 0.1_f64.cos());
+    assert!((fast[8] / missing - 1.0).abs() < 0.02, "{fast:?} {missing}");
+    let lift = run("lift");
+    let lifted = lift.iter().filter(|row| row[6] == 0.0).count();
+    let [first, last] = [&lift[0], &lift[lift.len() - 1]];
+    assert!(
+        lifted > lift.len() / 4 && (last[6] / first[6] - 1.0).abs() < 0.05,
+        "{lifted} {last:?}"
+    );
 }
 
 /// Where the surfaces are parallel the wheel touches, as far off as an 80 kN patch is long; the
