@@ -16,7 +16,7 @@ use crate::strip::{EllipseStrips, Spin, StripCreepage, StripForces, any, totals}
 
 /// Whether this processor has registers of 256 bits.
 pub fn has_avx() -> bool {
-    crate::number::registers::has_avx()
+    crate::number::avx::has_avx()
 }
 
 /// Whether the quick check accepts the sizes of a contact, and those of a creepage where the

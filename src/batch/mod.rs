@@ -12,7 +12,7 @@ use crate::friction::derivatives::{self, Differentiated, LawDerivatives, differe
 use crate::friction::{self, FrictionSolution, SlipFriction};
 use crate::number::Float;
 #[cfg(target_arch = "x86_64")]
-use crate::number::registers::HAS_WIDE_CODE;
+use crate::number::avx::HAS_WIDE_CODE;
 use crate::status::{Error, Warning};
 
 /// Forces of many contacts: what [`forces::forces_of_contact`] gives for each of them, bit for bit.

@@ -17,7 +17,7 @@ use crate::forces::theory::{
 };
 use crate::forces::warning::{LARGEST_SPIN, RATIOS, linear_warning, model_warning};
 use crate::friction::{SlipFriction, fastest_slip};
-use crate::number::registers::has_avx;
+use crate::number::avx::has_avx;
 use crate::number::{Arithmetic, Float, Number, Real, Strips, length};
 use crate::status::{Error, Warning};
 use core::ops::Range;

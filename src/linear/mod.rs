@@ -14,7 +14,7 @@
 mod constants;
 
 use self::constants::{E11_E22, E23_E33, M33, N23_N33};
-use crate::number::registers::with_avx;
+use crate::number::avx::with_avx;
 use crate::number::tables::{row, rows, table, widen};
 use crate::number::{Arithmetic, Pair, Real};
 use core::f64::consts::{LN_2, PI};

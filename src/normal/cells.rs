@@ -23,7 +23,7 @@ use crate::normal::influence::{Curvature, Deflection, StripEdge};
 pub use crate::normal::layout::CELLS;
 use crate::normal::layout::CellPlaces;
 use crate::normal::profile::{WithSlope, side_by_side};
-use crate::number::registers::with_avx;
+use crate::number::avx::with_avx;
 use crate::number::{Arithmetic, Float, Strips};
 use core::f64::consts::FRAC_PI_2;
 use core::marker::PhantomData;

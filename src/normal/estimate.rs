@@ -15,7 +15,7 @@ use crate::normal::density::{ZONES, Zones};
 use crate::normal::layout::{CellPlace, CellPlaces, layout};
 use crate::normal::profile::{WithSlope, side_by_side};
 use crate::normal::smooth::Curve;
-use crate::number::registers::with_avx;
+use crate::number::avx::with_avx;
 use crate::number::{Arithmetic, Float, Strips};
 use heapless::Vec;
 

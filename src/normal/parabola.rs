@@ -4,7 +4,7 @@
 //! times the length that it stands for.
 
 use crate::normal::profile::{Profile, WithSlope};
-use crate::number::registers::with_avx;
+use crate::number::avx::with_avx;
 use crate::number::{Arithmetic, Float, Strips};
 
 /// Smoothing length over the distance of neighbouring points, at least.

@@ -4,7 +4,7 @@
 //! generic formulas as a plain number it returns the exact derivatives of what those formulas
 //! compute, branch by branch; there is no step size and no second implementation to keep in step.
 
-use crate::number::{Arithmetic, Number, Pair, Real};
+use super::traits::{Arithmetic, Number, Pair, Real};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// A value and its derivatives with respect to `M` inputs: plain numbers, or pairs of them, so that
@@ -57,43 +57,29 @@ impl<P: Arithmetic<Value = P>, const M: usize> Dual<P, M> {
     }
 }
 
-impl<P: Arithmetic<Value = P>, const M: usize> AddAssign for Dual<P, M> {
-    #[inline(always)]
-    fn add_assign(&mut self, other: Self) {
-        self.value += other.value;
-        for (own, other) in self.gradient.iter_mut().zip(other.gradient) {
-            *own += other;
+macro_rules! sums {
+    ($($operator:ident $function:ident $assigned:ident $assign:ident)*) => {$(
+        impl<P: Arithmetic<Value = P>, const M: usize> $assigned for Dual<P, M> {
+            #[inline(always)]
+            fn $assign(&mut self, other: Self) {
+                self.value.$assign(other.value);
+                for (own, other) in self.gradient.iter_mut().zip(other.gradient) {
+                    own.$assign(other);
+                }
+            }
         }
-    }
-}
 
-impl<P: Arithmetic<Value = P>, const M: usize> Add for Dual<P, M> {
-    type Output = Self;
-    #[inline(always)]
-    fn add(mut self, other: Self) -> Self {
-        self += other;
-        self
-    }
-}
-
-impl<P: Arithmetic<Value = P>, const M: usize> SubAssign for Dual<P, M> {
-    #[inline(always)]
-    fn sub_assign(&mut self, other: Self) {
-        self.value -= other.value;
-        for (own, other) in self.gradient.iter_mut().zip(other.gradient) {
-            *own -= other;
+        impl<P: Arithmetic<Value = P>, const M: usize> $operator for Dual<P, M> {
+            type Output = Self;
+            #[inline(always)]
+            fn $function(mut self, other: Self) -> Self {
+                self.$assign(other);
+                self
+            }
         }
-    }
+    )*};
 }
-
-impl<P: Arithmetic<Value = P>, const M: usize> Sub for Dual<P, M> {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(mut self, other: Self) -> Self {
-        self -= other;
-        self
-    }
-}
+sums!(Add add AddAssign add_assign Sub sub SubAssign sub_assign);
 
 impl<P: Arithmetic<Value = P>, const M: usize> Mul for Dual<P, M> {
     type Output = Self;

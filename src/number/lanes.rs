@@ -5,26 +5,19 @@
 //! with a sum. Arrays that fill a register are computed in it ([`InRegisters`]): four doubles or
 //! eight floats only where the processor has AVX, which whoever makes them has asked.
 
-use super::registers::InRegisters;
-use super::{Arithmetic, Number, Pair, Real, Strips};
+use super::elementary;
+use super::traits::{Arithmetic, InRegisters, Number, Pair, Real, Strips};
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// `N` numbers side by side.
+/// `N` numbers side by side. Where they stand in memory tells `A`: anywhere with `()`, or [`Wide`].
 #[derive(Clone, Copy, Debug)]
 pub struct Lanes<T, const N: usize, A = ()>([T; N], [A; 0]);
-
-/// Where numbers side by side stand in memory: `()`, anywhere, or [`Wide`].
-pub trait Alignment: Copy + Debug + 'static {}
-
-impl Alignment for () {}
 
 /// Where a register of 256 bits is read at once.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
 pub struct Wide;
-
-impl Alignment for Wide {}
 
 impl<T, const N: usize, A> Lanes<T, N, A> {
     /// Side by side. (Whoever makes numbers for wide registers has asked whether there are any.)
@@ -39,29 +32,20 @@ impl<T, const N: usize, A> Lanes<T, N, A> {
     }
 }
 
-impl<T: InRegisters, const N: usize, A: Alignment> Lanes<T, N, A> {
-    /// An operation of [`InRegisters::apply`].
-    #[inline(always)]
-    fn computed<const OPERATION: char>(self, other: Self) -> Self {
-        Self(T::apply::<OPERATION, N>(self.0, other.0), [])
-    }
-}
-
 macro_rules! operators {
     ($(
-        $operator:ident $function:ident($($other:ident)?) $operation:literal
+        $operator:ident $function:ident($($other:ident)?) $of_arrays:ident
         $($assigned:ident $assign:ident)?
     ),*) => {$(
-        impl<T: InRegisters, const N: usize, A: Alignment> $operator for Lanes<T, N, A> {
+        impl<T: InRegisters, const N: usize, A: Copy + Debug + 'static> $operator for Lanes<T, N, A> {
             type Output = Self;
             #[inline(always)]
             fn $function(self $(, $other: Self)?) -> Self {
-                let [.., last] = [self $(, $other)?];
-                self.computed::<$operation>(last)
+                Self(T::$of_arrays(self.0 $(, $other.0)?), [])
             }
         }
 
-        $(impl<T: InRegisters, const N: usize, A: Alignment> $assigned for Lanes<T, N, A> {
+        $(impl<T: InRegisters, const N: usize, A: Copy + Debug + 'static> $assigned for Lanes<T, N, A> {
             #[inline(always)]
             fn $assign(&mut self, other: Self) {
                 *self = self.$function(other);
@@ -70,11 +54,11 @@ macro_rules! operators {
     )*};
 }
 operators!(
-    Add add(other) '+' AddAssign add_assign, Sub sub(other) '−' SubAssign sub_assign,
-    Mul mul(other) '×', Div div(other) '÷', Neg neg() '~'
+    Add add(other) added AddAssign add_assign, Sub sub(other) subtracted SubAssign sub_assign,
+    Mul mul(other) multiplied, Div div(other) divided, Neg neg() negated
 );
 
-impl<T: InRegisters, const N: usize, A: Alignment> Arithmetic for Lanes<T, N, A> {
+impl<T: InRegisters, const N: usize, A: Copy + Debug + 'static> Arithmetic for Lanes<T, N, A> {
     type Value = Self;
 
     #[inline]
@@ -95,19 +79,19 @@ impl<T: InRegisters, const N: usize, A: Alignment> Arithmetic for Lanes<T, N, A>
     }
     #[inline]
     fn sqrt(self) -> Self {
-        self.computed::<'√'>(self)
+        Self(T::roots(self.0), [])
     }
     #[inline]
     fn abs(self) -> Self {
-        self.computed::<'|'>(self)
+        Self(T::sizes(self.0), [])
     }
     #[inline]
     fn max(self, other: Self) -> Self {
-        self.computed::<'>'>(other)
+        Self(T::larger(self.0, other.0), [])
     }
     #[inline]
     fn min(self, other: Self) -> Self {
-        self.computed::<'<'>(other)
+        Self(T::smaller(self.0, other.0), [])
     }
     #[inline(always)]
     fn inverse_root(self) -> Self {
@@ -120,7 +104,7 @@ impl<T: InRegisters, const N: usize, A: Alignment> Arithmetic for Lanes<T, N, A>
 }
 
 /// Numbers side by side that are side by side themselves: as many as fill several registers.
-impl<T: InRegisters, const M: usize, A: Alignment> InRegisters for Lanes<T, M, A> {
+impl<T: InRegisters, const M: usize, A: Copy + Debug + 'static> InRegisters for Lanes<T, M, A> {
     #[inline(always)]
     fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool {
         let mut pairs = a.into_iter().zip(b);
@@ -171,6 +155,18 @@ impl<T: Real, const N: usize> Real for Lanes<T, N> {
         (Self(k, []), Self(divisors, []))
     }
     #[inline(always)]
+    fn ln_quotient(self, divisor: Self) -> Self {
+        elementary::ln_quotient(self, divisor)
+    }
+    #[inline(always)]
+    fn ln_quotients<P: Strips<Self>>(x: P, divisor: Self) -> P {
+        elementary::ln_quotients(x, divisor)
+    }
+    #[inline(always)]
+    fn atan_of_unit(self) -> Self {
+        elementary::atan_of_unit(self)
+    }
+    #[inline(always)]
     fn lies_between(self, low: Self, high: Self) -> bool {
         T::all_between(self.0, low.0, high.0)
     }
@@ -210,7 +206,7 @@ impl Pair<f32> for Lanes<f32, 4> {
 }
 
 /// As many strips as there are numbers.
-impl<F: Real, const N: usize, A: Alignment> Strips<F> for Lanes<F, N, A> {
+impl<F: Real, const N: usize, A: Copy + Debug + 'static> Strips<F> for Lanes<F, N, A> {
     const COUNT: usize = N;
     #[inline(always)]
     fn gather(of: impl Fn(usize) -> F) -> Self {
@@ -241,7 +237,7 @@ impl<F: Real, const N: usize, A: Alignment> Strips<F> for Lanes<F, N, A> {
 macro_rules! twice {
     ($(<$N:ident, $A:ident> $half:ty: $count:expr),*) => {$(
         /// Twice as many.
-        impl<F: Real, const $N: usize, $A: Alignment> Strips<F> for Lanes<$half, 2> {
+        impl<F: Real, const $N: usize, $A: Copy + Debug + 'static> Strips<F> for Lanes<$half, 2> {
             const COUNT: usize = 2 * $count;
             #[inline(always)]
             fn gather(of: impl Fn(usize) -> F) -> Self {

@@ -1,7 +1,7 @@
 //! Tables of constants in both precisions: no number is converted at run time, and a program in one
 //! precision has none of the other.
 
-use super::{Real, Strips};
+use super::traits::{Real, Strips};
 
 /// `table!(F, constants)`: a constant table `[[f64; C]; R]` or `[[f32; C]; R]`, in the precision
 /// that numbers `F` are stored in.

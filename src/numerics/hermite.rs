@@ -35,7 +35,7 @@ impl<T: Arithmetic> Cubic<T> {
     }
 
     /// The cubic with these values and slopes at `u = 0` and at `u = length`.
-    #[inline(always)]
+    #[inline]
     pub fn over(length: T, values: [T; 2], slopes: [T; 2]) -> Self {
         let inverse = length.inverse();
         let Self([c0, c1, c2, c3]) = Self::new(values, slopes.map(|slope| slope * length));
@@ -43,14 +43,14 @@ impl<T: Arithmetic> Cubic<T> {
     }
 
     /// Its value.
-    #[inline(always)]
+    #[inline]
     pub fn value(&self, u: T) -> T {
         let Self([c0, c1, c2, c3]) = *self;
         c0 + u * (c1 + u * (c2 + u * c3))
     }
 
     /// Its derivative.
-    #[inline(always)]
+    #[inline]
     pub fn slope(&self, u: T) -> T {
         let Self([_, c1, c2, c3]) = *self;
         c1 + u * (c2 + c2 + (u * c3).times(3.0))

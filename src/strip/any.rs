@@ -6,8 +6,8 @@
 use super::derivative::{SpinSlopes, forces_and_slopes};
 use super::kernel::{Spin, StripCreepage, StripForces, forces};
 use super::tables::Tables;
+use crate::number::avx::with_avx;
 use crate::number::lanes::Lanes;
-use crate::number::registers::with_avx;
 use crate::number::{Arithmetic, Number, Real, Strips};
 
 /// Eight strips: `A_x, A_y, σ`, the spread and the start of each, and the weight of the inner

@@ -9,7 +9,7 @@ use super::kernel::StripCreepage;
 use super::long::LongContact;
 use super::network::{INPUTS, StripNetwork};
 use crate::linear::LinearCoefficients;
-use crate::number::registers::with_avx;
+use crate::number::avx::with_avx;
 use crate::number::{Arithmetic, Number, Pair, Real, Strips, add, scaled_down};
 use core::f64::consts::PI;
 

@@ -7,8 +7,8 @@ use super::kernel::{Spin, StripCreepage, StripForces, forces};
 use super::tables::{FourStrips, Rule, STRIP_FIELDS, Tables};
 use crate::contact::totals::{StripCount, Totals};
 use crate::linear::LinearCoefficients;
+use crate::number::avx::with_avx;
 use crate::number::lanes::Lanes;
-use crate::number::registers::with_avx;
 use crate::number::{Arithmetic, Float, Number, Real, Strips, add};
 
 /// Least power, divided by that of the linear theory times `1/√(1 + n²)`.

@@ -60,7 +60,7 @@ pub mod strips;
 
 use crate::contact::creepage::Parameters;
 use crate::contact::totals::Totals;
-use crate::number::registers::with_avx;
+use crate::number::avx::with_avx;
 use crate::number::{Arithmetic, Number, Real, add, branch_or_blend, chosen};
 use crate::strip_1967::adhesion::adhering;
 use crate::strip_1967::edge::Edge;

@@ -31,7 +31,7 @@ use self::network::TotalNetwork;
 use self::rigid_slip::RigidSlip;
 use crate::contact::totals::Totals;
 use crate::linear::LinearCoefficients;
-use crate::number::registers::with_avx;
+use crate::number::avx::with_avx;
 use crate::number::{Arithmetic, Number, Pair, Real, Stored, Strips};
 
 /// Limits of the axis ratio with which the formulas are evaluated. They are fitted for 0.015 to 60,

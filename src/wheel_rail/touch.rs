@@ -9,7 +9,7 @@ use super::line_of_contact::Wheel;
 use super::surface::{Place, Surface};
 use super::under::Rail;
 use super::{KSTRIP_SURFACE_CAPACITY, Position};
-use crate::number::registers::with_avx;
+use crate::number::avx::with_avx;
 use crate::number::{Float, Strips, are_finite};
 use crate::status::Error;
 

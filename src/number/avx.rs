@@ -8,82 +8,7 @@
 
 #![allow(unsafe_code)]
 
-use super::Arithmetic;
-
 pub(super) use self::root::{of_f32, of_f64};
-
-/// `2^(−1/3)`, to single precision.
-pub(super) const NEWTON_START: f32 = 0.793_700_5;
-/// `3 · 2^(−2/3)`
-pub(super) const NEWTON: f64 = 1.889_881_574_842_309_7;
-
-/// Numbers that stand side by side in an array: one by one, and in a register where there is one
-/// for so many.
-pub trait InRegisters: Arithmetic<Value = Self> {
-    /// `+ − × ÷` of each and its neighbour, the larger `>` or the smaller `<` of both; of the first
-    /// alone its opposite `~`, its size `|` or its root `√`.
-    #[inline(always)]
-    fn apply<const OPERATION: char, const N: usize>(a: [Self; N], b: [Self; N]) -> [Self; N] {
-        one_by_one::<Self, OPERATION, N>(a, b)
-    }
-    /// `1/√x`, as [`Arithmetic::inverse_root`].
-    #[inline(always)]
-    fn inverse_roots<const N: usize>(mut a: [Self; N]) -> [Self; N] {
-        for a in &mut a {
-            *a = a.inverse_root();
-        }
-        a
-    }
-    /// `yes` where a number is positive, else `no`.
-    #[inline(always)]
-    fn chosen<const N: usize>(by: [Self; N], yes: [Self; N], no: [Self; N]) -> [Self; N] {
-        chosen_one_by_one(by, yes, no)
-    }
-    /// Whether one is larger than its neighbour.
-    fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool;
-    /// Whether all lie between others.
-    fn all_between<const N: usize>(a: [Self; N], low: [Self; N], high: [Self; N]) -> bool;
-}
-
-/// [`InRegisters::apply`] without registers: pairs straight on, more in a loop. The second one is
-/// the larger and the smaller where both are equal or one is not a number.
-#[inline(always)]
-fn one_by_one<T: Arithmetic, const OPERATION: char, const N: usize>(
-    mut a: [T; N],
-    b: [T; N],
-) -> [T; N] {
-    let of = |a: T, b: T| match OPERATION {
-        '+' => a + b,
-        '−' => a - b,
-        '×' => a * b,
-        '÷' => a / b,
-        '>' => a.max(b),
-        '<' => a.min(b),
-        '~' => -a,
-        '|' => a.abs(),
-        _ => a.sqrt(),
-    };
-    if let ([a0, a1], [b0, b1]) = (&mut a[..], &b[..]) {
-        (*a0, *a1) = (of(*a0, *b0), of(*a1, *b1));
-        return a;
-    }
-    for (a, b) in a.iter_mut().zip(b) {
-        *a = of(*a, b);
-    }
-    a
-}
-
-#[inline(always)]
-fn chosen_one_by_one<T: Arithmetic, const N: usize>(
-    by: [T; N],
-    yes: [T; N],
-    mut no: [T; N],
-) -> [T; N] {
-    for ((no, by), yes) in no.iter_mut().zip(by).zip(yes) {
-        *no = by.choose(yes, *no);
-    }
-    no
-}
 
 #[inline]
 fn one_exceeds<T: PartialOrd, const N: usize>(a: [T; N], b: [T; N]) -> bool {
@@ -97,7 +22,7 @@ fn each_between<T: PartialOrd, const N: usize>(a: [T; N], low: [T; N], high: [T;
 }
 
 #[cfg(not(target_arch = "x86_64"))]
-impl<F: super::Float> InRegisters for F {
+impl<F: super::traits::Float> super::traits::InRegisters for F {
     #[inline]
     fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool {
         one_exceeds(a, b)
@@ -135,7 +60,7 @@ macro_rules! with_avx {
     (if $lanes:expr => <$($T:ident: $bound:path),*$(; $($N:ident),*)?>(
         $($name:ident: $type:ty $(= $value:expr)?),*
     ) -> $result:ty $code:block) => {
-        $crate::number::registers::with_avx!(if $lanes => <$($T: $bound),*$(; $($N),*)?>(
+        $crate::number::avx::with_avx!(if $lanes => <$($T: $bound),*$(; $($N),*)?>(
             $($name: $type $(= $value)?),*
         ) -> $result $code $code)
     };
@@ -148,20 +73,20 @@ macro_rules! with_avx {
         #[inline(never)]
         fn narrow<$($T: $bound,)* $($(const $N: usize),*)?>($($name: $type),*) -> $result $code
         if $lanes > 1 {
-            $(let $name: $type = $crate::number::registers::with_avx!(@ $name $($value)?);)*
+            $(let $name: $type = $crate::number::avx::with_avx!(@ $name $($value)?);)*
             return $code;
         }
         // (one call for both, which writes its result where the caller wants it)
         #[allow(unused_mut)]
         let mut code: unsafe fn($($type),*) -> $result = narrow;
         #[cfg(target_arch = "x86_64")]
-        if $crate::number::registers::HAS_WIDE_CODE && $crate::number::registers::has_avx() {
+        if $crate::number::avx::HAS_WIDE_CODE && $crate::number::avx::has_avx() {
             code = wide;
         }
         // SAFETY: the processor was asked.
         #[allow(unsafe_code)]
         unsafe {
-            code($($crate::number::registers::with_avx!(@ $name $($value)?)),*)
+            code($($crate::number::avx::with_avx!(@ $name $($value)?)),*)
         }
     }};
 }
@@ -169,10 +94,9 @@ pub(crate) use with_avx;
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {
-    use super::{
-        InRegisters, NEWTON, NEWTON_START, chosen_one_by_one, each_between, one_by_one, one_exceeds,
-    };
-    use crate::number::Arithmetic;
+    use super::{each_between, one_exceeds};
+    use crate::number::elementary::{NEWTON, NEWTON_START};
+    use crate::number::traits::{Arithmetic, InRegisters, each, each_chosen, each_pair};
     use core::arch::x86_64::*;
 
     cpufeatures::new!(avx, "avx");
@@ -202,8 +126,29 @@ mod x86 {
         unsafe { Either { from }.to }
     }
 
-    // SAFETY (of the macro): arithmetic on registers, no memory access; arrays of so many numbers
+    // SAFETY (of both macros): arithmetic on registers, no memory access; arrays of so many numbers
     // have their size. Those of 256 bits belong to callers who have asked.
+    macro_rules! in_registers {
+        ($n:literal $w:literal $(
+            $name:ident($a:ident $(, $b:ident)?) $narrow:expr, $wide:expr, $each:ident $of:expr;
+        )*) => {$(
+            #[inline(always)]
+            fn $name<const N: usize>($a: [Self; N] $(, $b: [Self; N])?) -> [Self; N] {
+                match N {
+                    $n => unsafe {
+                        let ($a $(, $b)?,) = (cast($a) $(, cast($b))?,);
+                        cast($narrow)
+                    },
+                    $w => unsafe {
+                        let ($a $(, $b)?,) = (cast($a) $(, cast($b))?,);
+                        cast($wide)
+                    },
+                    _ => $each($a $(, $b)?, |$a $(, $b)?| $of),
+                }
+            }
+        )*};
+    }
+
     macro_rules! registers {
         ($float:ident, $n:literal: $add:ident $sub:ident $mul:ident $div:ident $sqrt:ident
             $max:ident $min:ident $and:ident $andnot:ident $or:ident $xor:ident $greater:ident
@@ -213,42 +158,16 @@ mod x86 {
             $wset:ident; { $($inverse_roots:item)* }) => {
             impl InRegisters for $float {
                 $($inverse_roots)*
-                #[inline(always)]
-                fn apply<const OPERATION: char, const N: usize>(
-                    a: [Self; N],
-                    b: [Self; N],
-                ) -> [Self; N] {
-                    match N {
-                        $n => unsafe {
-                            let (a, b) = (cast(a), cast(b));
-                            cast(match OPERATION {
-                                '+' => $add(a, b),
-                                '−' => $sub(a, b),
-                                '×' => $mul(a, b),
-                                '÷' => $div(a, b),
-                                '>' => $max(a, b),
-                                '<' => $min(a, b),
-                                '~' => $xor(a, $set(-0.0)),
-                                '|' => $andnot($set(-0.0), a),
-                                _ => $sqrt(a),
-                            })
-                        },
-                        $w => unsafe {
-                            let (a, b) = (cast(a), cast(b));
-                            cast(match OPERATION {
-                                '+' => $wadd(a, b),
-                                '−' => $wsub(a, b),
-                                '×' => $wmul(a, b),
-                                '÷' => $wdiv(a, b),
-                                '>' => $wmax(a, b),
-                                '<' => $wmin(a, b),
-                                '~' => $wxor(a, $wset(-0.0)),
-                                '|' => $wandnot($wset(-0.0), a),
-                                _ => $wsqrt(a),
-                            })
-                        },
-                        _ => one_by_one::<Self, OPERATION, N>(a, b),
-                    }
+                in_registers! { $n $w
+                    added(a, b) $add(a, b), $wadd(a, b), each_pair a + b;
+                    subtracted(a, b) $sub(a, b), $wsub(a, b), each_pair a - b;
+                    multiplied(a, b) $mul(a, b), $wmul(a, b), each_pair a * b;
+                    divided(a, b) $div(a, b), $wdiv(a, b), each_pair a / b;
+                    larger(a, b) $max(a, b), $wmax(a, b), each_pair Arithmetic::max(a, b);
+                    smaller(a, b) $min(a, b), $wmin(a, b), each_pair Arithmetic::min(a, b);
+                    negated(a) $xor(a, $set(-0.0)), $wxor(a, $wset(-0.0)), each -a;
+                    sizes(a) $andnot($set(-0.0), a), $wandnot($wset(-0.0), a), each a.abs();
+                    roots(a) $sqrt(a), $wsqrt(a), each Arithmetic::sqrt(a);
                 }
                 #[inline(always)]
                 fn chosen<const N: usize>(
@@ -265,7 +184,7 @@ mod x86 {
                             let mask = $compare::<_CMP_GT_OQ>(cast(by), $wset(0.0));
                             cast($blend(cast(no), cast(yes), mask))
                         },
-                        _ => chosen_one_by_one(by, yes, no),
+                        _ => each_chosen(by, yes, no),
                     }
                 }
                 #[inline(always)]
@@ -332,7 +251,7 @@ mod x86 {
     _mm256_movemask_ps _mm256_set1_ps; {
         #[inline(always)]
         fn inverse_roots<const N: usize>(a: [Self; N]) -> [Self; N] {
-            Self::apply::<'÷', N>([1.0; N], Self::apply::<'√', N>(a, a))
+            Self::divided([1.0; N], Self::roots(a))
         }
     });
 
