@@ -763,3 +763,30 @@ fn contacts_of_a_table_are_checked_where_they_count() {
         assert_eq!(stand.solve(&position, &ROLLING), expected);
     }
 }
+
+/// docs/models.md sends wheels to STRIP: the errors of both models on S1002, 1 mm from the middle of
+/// 60E1, are those of the page.
+#[test]
+fn a_wheel_needs_strip() {
+    let runs = rows("runs");
+    let row = runs
+        .iter()
+        .find(|row| row["wheel"] == "s1002" && row["kin"] == "A" && row["lateral_mm"] == "-9.53251")
+        .expect("the position of the page");
+    let mut stand = Stand::new_profiles();
+    let [strip, total] = [Model::Strip, Model::Total].map(|model| {
+        stand.model = model;
+        let velocity = Velocity { pitch: number(row, "pitch_rad_s"), ..ROLLING };
+        let lateral = number(row, "lateral_mm") * 1e-3;
+        let position = Position { lateral, ..Position::default() };
+        let vertical = stand.height(&position, number(row, "support_N"), Some(&velocity));
+        let [fx, fy, _] = stand.solve(&Position { vertical, ..position }, &velocity).force;
+        let (x, y) = (fx + number(row, "FX_N"), fy + number(row, "FY_N"));
+        x.hypot(y) / (0.3 * number(row, "normal_force_N"))
+    });
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/models.md");
+    let page = std::fs::read_to_string(page).unwrap();
+    let words = format!("TOTAL is off by {total:.2} of μ N, that of STRIP by {strip:.2}");
+    assert!(page.contains(&words), "docs/models.md: {words}");
+    assert!(strip < 0.03 && total > 2.0 * strip, "{strip} {total}");
+}
