@@ -37,7 +37,9 @@ macro_rules! operators {
         $operator:ident $function:ident($($other:ident)?) $of_arrays:ident
         $($assigned:ident $assign:ident)?
     ),*) => {$(
-        impl<T: InRegisters, const N: usize, A: Copy + Debug + 'static> $operator for Lanes<T, N, A> {
+        impl<T: InRegisters, const N: usize, A: Copy + Debug + 'static> $operator
+            for Lanes<T, N, A>
+        {
             type Output = Self;
             #[inline(always)]
             fn $function(self $(, $other: Self)?) -> Self {
@@ -45,7 +47,9 @@ macro_rules! operators {
             }
         }
 
-        $(impl<T: InRegisters, const N: usize, A: Copy + Debug + 'static> $assigned for Lanes<T, N, A> {
+        $(impl<T: InRegisters, const N: usize, A: Copy + Debug + 'static> $assigned
+            for Lanes<T, N, A>
+        {
             #[inline(always)]
             fn $assign(&mut self, other: Self) {
                 *self = self.$function(other);

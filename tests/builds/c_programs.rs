@@ -362,8 +362,8 @@ fn profiles_of_the_standards_are_smooth() {
     }
 }
 
-/// A bogie on flexible rails hunts in a limit cycle, leans on its flange in a curve with the lateral
-/// forces that balance asks for, and is lifted and set down.
+/// A bogie on flexible rails hunts in a limit cycle, leans on its flange in a curve with the
+/// lateral forces that balance asks for, and is lifted and set down.
 #[test]
 #[ignore = "a step of .ci/run: it takes a minute"]
 fn a_bogie_hunts_curves_and_is_lifted() {
