@@ -1605,8 +1605,8 @@ typedef struct kstrip_wheel_pair {
      */
     int32_t left;
     /**
-     * Length over which the distance of the surfaces is smoothed [m], >= 0; 0: as
-     * kstrip_patch_from_profile() does.
+     * Length over which the distance of the surfaces is smoothed [m], >= 0. It is always at
+     * least 2.5 steps of the wheel's profile. For rough profiles set it to 2 mm.
      */
     double smoothing_length;
     /** About how many strips a contact has: 4, 8, 16, 32 or 64; 0: 16. */

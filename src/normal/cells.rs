@@ -29,10 +29,10 @@ use core::f64::consts::FRAC_PI_2;
 use core::marker::PhantomData;
 use heapless::Vec;
 
-/// Rounds in which cells are removed and added; one or two are usual. In later rounds cells are
-/// only removed.
-const ENTERING: usize = 12;
-const ROUNDS: usize = ENTERING + CELLS;
+/// Rounds in which all cells are removed and added that should be; one or two are usual. In later
+/// rounds only the first of them is.
+const TOGETHER: usize = 12;
+const ROUNDS: usize = TOGETHER + 2 * CELLS;
 
 /// What is given of a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,15 +41,11 @@ pub enum Given<F> {
     Load(F),
     /// Approach of distant points of the two bodies \[m\]; none or a negative one is no contact.
     Approach(F),
-    /// By how much the bodies are moved into each other from where their lowest point touches
-    /// \[m\]: the approach is this less the height of the smoothed profile there, and the stiffness
-    /// is the derivative by the overlap.
-    Overlap(F),
 }
 
 impl<F> Given<F> {
     pub(crate) fn value(self) -> F {
-        let (Self::Load(value) | Self::Approach(value) | Self::Overlap(value)) = self;
+        let (Self::Load(value) | Self::Approach(value)) = self;
         value
     }
 }
@@ -75,6 +71,8 @@ pub(crate) struct Cell<F> {
     at: WithSlope<F>,
     /// `κ` to the cell before and to the cell after.
     coupling: [WithSlope<F>; 2],
+    /// `κ` to a pressure of zero.
+    alone: WithSlope<F>,
 }
 
 /// Largest number of edges whose distances from a cell are needed.
@@ -141,6 +139,7 @@ impl<F: Float> Cells<F> {
                 touches,
                 at: place.at,
                 coupling: place.coupling,
+                alone: place.alone,
             });
         }
     }
@@ -152,16 +151,19 @@ impl<F: Float> Cells<F> {
         })
     }
 
-    /// Mean pressure over mean half length, weighted with the load.
-    pub(crate) fn mean_slope(&self) -> F {
+    /// Mean pressure over mean half length, and mean width \[m\], weighted with the load.
+    pub(crate) fn means(&self) -> [F; 2] {
         let (mut sum, mut weight) = (F::zero(), F::TINY);
+        let (mut widths, mut loads) = (F::zero(), F::TINY);
         for cell in &self.list {
             let (a, p) = (cell.half_length.value, cell.pressure.value);
             let load = p * cell.width.value;
             sum += load * a * p;
             weight += load * a * a;
+            widths += load * a * cell.width.value;
+            loads += load * a;
         }
-        sum / weight
+        [sum / weight, widths / loads]
     }
 
     /// Finds the pressures for the present lengths and a given load `N/(π E*)` or approach; returns
@@ -190,7 +192,9 @@ impl<F: Float> Cells<F> {
             .enumerate()
         {
             let [before, after] = cell.coupling;
-            for (kappa, k) in [(before, i.wrapping_sub(1)), (after, i + 1)] {
+            // (past the last cell there is nothing, whose pressure is zero)
+            let beside = [(before, i.wrapping_sub(1)), (after, i + 1), (cell.alone, CELLS)];
+            for (kappa, k) in beside {
                 let [change] = kappa.gradient;
                 for (k, sign) in [(i, F::one()), (k, -F::one())] {
                     if let (Some(entry), Some(slope)) = (row.get_mut(k), slope.get_mut(k)) {
@@ -239,7 +243,7 @@ impl<F: Float> Cells<F> {
             }
             approach.value = match given {
                 Given::Load(load) => (load.value.times(1.0 / FRAC_PI_2) + without) / by_approach,
-                Given::Approach(approach) | Given::Overlap(approach) => approach.value,
+                Given::Approach(approach) => approach.value,
             };
             let mut pressures = [F::zero(); CELLS];
             for ((p, one), distance) in pressures.iter_mut().zip(one).zip(distance) {
@@ -253,11 +257,14 @@ impl<F: Float> Cells<F> {
                 } else {
                     // the bodies would overlap
                     let pushed = product(row.get(..count).unwrap_or(row), &pressures);
-                    round < ENTERING && approach.value - cell.distance.value > pushed
+                    approach.value - cell.distance.value > pushed
                 };
-                changed |= stays != cell.touches;
-                if round + 1 < ROUNDS {
-                    cell.touches = stays;
+                // many at once at first, then the first of them in each round
+                if stays != cell.touches && (round < TOGETHER || !changed) {
+                    changed = true;
+                    if round + 1 < ROUNDS {
+                        cell.touches = stays;
+                    }
                 }
             }
             if changed && round + 1 < ROUNDS {
@@ -285,7 +292,7 @@ impl<F: Float> Cells<F> {
                 Given::Load(load) => {
                     load.gradient.map(|d| (d.times(1.0 / FRAC_PI_2) - carried) / by_approach)
                 }
-                Given::Approach(approach) | Given::Overlap(approach) => approach.gradient,
+                Given::Approach(approach) => approach.gradient,
             };
             let [slope] = approach.gradient;
             for ((cell, one), rest) in self.list.iter_mut().zip(one).zip(rest) {

@@ -19,7 +19,7 @@ use heapless::Vec;
 /// Largest number of zones of contact; further zones are joined with the last.
 pub(super) const ZONES: usize = if cfg!(target_os = "none") { 4 } else { 8 };
 /// Largest number of places where the density is kept.
-const PLACES: usize = 40;
+const PLACES: usize = if cfg!(target_os = "none") { 40 } else { 160 };
 /// `d₀` over the approach.
 const DEEP: f64 = 0.03;
 /// `l` over the smoothing length.

@@ -12,7 +12,7 @@
 //! has the least energy. This load is within 3 % of Hertz's for axis ratios of 0.13 to 8.
 
 use crate::normal::density::{ZONES, Zones};
-use crate::normal::layout::{CellPlace, CellPlaces, layout};
+use crate::normal::layout::{CellPlace, CellPlaces, layout, lean};
 use crate::normal::profile::{WithSlope, side_by_side};
 use crate::normal::smooth::Curve;
 use crate::number::avx::with_avx;
@@ -46,7 +46,7 @@ impl<F: Float> Estimate<F> {
     #[inline(never)]
     pub fn load(curve: &Curve<F>, approach: WithSlope<F>, radius: WithSlope<F>) -> WithSlope<F> {
         let mut estimate = Self::nothing();
-        estimate.fill(curve, approach, radius);
+        estimate.fill(curve, approach, |_| radius);
         estimate.load
     }
 
@@ -56,29 +56,35 @@ impl<F: Float> Estimate<F> {
         Self { load: zero, edges: Vec::new(), growth: Vec::new(), breadth: zero }
     }
 
-    /// The estimate for an approach, from none. (It is written where it stays: a copy would take
-    /// room on the stack.)
+    /// The estimate for an approach, from none; `radius` gives the rolling radius of places with
+    /// their depths. (It is written where it stays: a copy would take room on the stack.)
     #[inline(never)]
-    pub fn fill(&mut self, curve: &Curve<F>, approach: WithSlope<F>, radius: WithSlope<F>) {
+    pub fn fill(
+        &mut self,
+        curve: &Curve<F>,
+        approach: WithSlope<F>,
+        radius: impl FnOnce(&mut dyn Iterator<Item = [WithSlope<F>; 2]>) -> WithSlope<F>,
+    ) {
         let level = approach.times(OVERLAP);
         let mut zones = Zones::new();
         curve.zones(approach, &mut zones, |_, height, slope| [height - level, slope]);
-        let breadth = (radius * approach).times(1.1).sqrt().times(BREADTH);
         let zero = WithSlope::zero();
         let mut places: CellPlaces<F> = Vec::new();
         layout(&zones, COUNT, &mut places);
-        self.breadth = breadth;
+        lean(&mut places);
         let (mut work, mut load) = (zero, zero);
         let mut depths: Vec<WithSlope<F>, EDGES> = Vec::new();
         for place in &places {
-            let q = (level - curve.at(place.y)).max(zero);
+            let q = (level - curve.at(place.at)).max(zero);
             self.add(place, q);
             load += q * place.width;
             work += q * place.width * (approach - level + q);
             let _ = depths.push(q);
         }
+        let loads = places.iter().zip(&depths).map(|(place, q)| [place.at, *q * place.width]);
+        self.breadth = (radius(&mut { loads }) * approach).times(1.1).sqrt().times(BREADTH);
         let energy = places.iter().zip(&depths).fold(zero, |sum, (place, q)| {
-            let [deflection, _] = self.deflection(place.y);
+            let [deflection, _] = self.deflection(place.at);
             sum + *q * place.width * deflection
         });
         let size = work / energy.shift(F::TINY);

@@ -25,6 +25,8 @@ pub(super) struct CellPlace<F> {
     /// How strongly the pressure is coupled to that of the place before and to that of the place
     /// after, `κ` \[m\].
     pub coupling: [WithSlope<F>; 2],
+    /// How strongly it is coupled to a pressure of zero, `κ` \[m\].
+    pub alone: WithSlope<F>,
     /// Share of a whole cell.
     share: WithSlope<F>,
     /// Number of the cell that it is a part of.
@@ -37,6 +39,8 @@ pub(super) struct CellPlace<F> {
 const LEANING: f64 = 0.3;
 /// Gap over width of a cell, at which its parts are half apart.
 const NEAR: f64 = 0.5;
+/// Square of the least gap, over that.
+const CLOSEST: f64 = 1e-6;
 
 pub(super) type CellPlaces<F> = Vec<CellPlace<F>, CELLS>;
 
@@ -68,9 +72,17 @@ pub(super) fn layout<F: Float>(
         let share = to.at - from.at;
         if share.value > least {
             let y = (from.place + to.place).times(0.5);
-            let (width, coupling) = (to.place - from.place, [zero; 2]);
-            let _ =
-                places.push(CellPlace { y, width, at: y, coupling, share, cell, zone: from.zone });
+            let (width, coupling, alone) = (to.place - from.place, [zero; 2], zero);
+            let _ = places.push(CellPlace {
+                y,
+                width,
+                at: y,
+                coupling,
+                alone,
+                share,
+                cell,
+                zone: from.zone,
+            });
         }
     };
     let mut last = own;
@@ -107,52 +119,136 @@ struct Cut<F> {
     zone: usize,
 }
 
-/// Couples the pressures of parts of cells, so that parts vanish and merge without a jump. A part
-/// `r` of a cell is coupled to its neighbour in the zone with `κ = 0.3 w (1 − r)²/r`. Two parts of
-/// one cell with a gap `g` between them, `φ = g²/(g² + w²/4)`, are coupled to each other with
-/// `0.3 w (1 − φ)/φ`, to their zones less by the factor `φ`, and meet the bodies where both
-/// together would.
+/// Couples the pressures of parts of cells, so that parts vanish and merge without a jump.
+///
+/// Between two successive parts of one cell, of which all parts have the width `W`, a gap `g`
+/// leaves the nearness `n = (W/2)²/(g² + (W/2)²)`, and the nearness of others is the product of
+/// those between. A part counts as much of the others as they are near: they add to its width `w`,
+/// to its share `r` of a whole cell, and to the place where it meets the bodies, which is their
+/// centre. It is coupled to its neighbours in the zone with `κ = 0.3 w (1 − r)²/r`, and the parts
+/// on both sides of a gap are coupled to each other with `0.3 W w₁ w₂/(w₁ + w₂) (W/2)²/g²`, divided
+/// by the part's own width.
+///
+/// A zone that is less than a cell carries little: with its share `r`, to which other zones add by
+/// their nearness over the free length between, its parts are coupled to a pressure of zero with
+/// `κ = 0.3 w (1 − r)²/r`.
 #[inline(never)]
 pub(super) fn lean<F: Float>(places: &mut CellPlaces<F>) {
-    let (zero, one) = (WithSlope::zero(), WithSlope::one());
-    let apart = |place: &CellPlace<F>, next: &CellPlace<F>| {
-        if place.zone == next.zone || place.cell != next.cell {
-            return one;
-        }
-        let gap = next.y - place.y - (place.width + next.width).times(0.5);
-        let square = gap.squared();
-        let each = place.width + next.width;
-        square / (square + each.squared().times(NEAR * NEAR))
-    };
     let known = places.clone();
+    let [total, all] = known.iter().fold([WithSlope::zero(); 2], |[width, share], part| {
+        [width + part.width, share + part.share]
+    });
+    let half_cell = (total / all.shift(F::TINY)).times(NEAR).squared();
     for (i, place) in places.iter_mut().enumerate() {
-        let own = *place;
-        let beside = [i.checked_sub(1).and_then(|k| known.get(k)), known.get(i + 1)];
-        let [before, after] = beside;
-        let fades = [before.map_or(one, |p| apart(p, &own)), after.map_or(one, |p| apart(&own, p))];
-        let rest = one - own.share;
-        let unit = (own.width / own.share).times(LEANING);
-        let by_zone = unit * (rest.squared() / own.share);
-        let others = fades.iter().rev();
-        for (((other, fade), across), lean) in
-            beside.iter().zip(fades).zip(others).zip(&mut place.coupling)
-        {
-            let Some(other) = other else { continue };
-            if other.zone == own.zone {
-                // (a part at the other end of its zone, or a whole cell, which is not coupled)
-                *lean = by_zone * *across;
-            } else if other.cell == own.cell {
-                *lean = unit * (one - fade) / fade.shift(F::EPSILON.sqrt().times(100.0));
-                let (half, outer) = (own.width.times(0.5), other.width.times(0.5));
-                let middle = if other.y.value > own.y.value {
-                    (own.y - half + other.y + outer).times(0.5)
-                } else {
-                    (own.y + half + other.y - outer).times(0.5)
-                };
-                place.at += (one - fade) * (middle - own.y);
+        let whole = place.share.value >= F::one() - F::EPSILON.times(256.0);
+        let parts = known.iter().filter(|part| part.cell == place.cell);
+        let width = parts.fold(WithSlope::zero(), |sum, part| sum + part.width);
+        if whole {
+            continue;
+        }
+        let reach = width.times(NEAR).squared();
+        let sides = [-1, 1].map(|step| Beside::new(&known, i, step, reach));
+        let own = [place.width, place.share, place.width * place.y];
+        let [below, above] = &sides;
+        let [near, share, moment] = sum(&sum(&own, &below.near), &above.near);
+        place.at = moment / near;
+        // κ over the part's own width
+        let (cell, per_width) = ((near / share).times(LEANING), place.width.inverse());
+        let rest = (WithSlope::one() - share).max(WithSlope::zero());
+        let zone = zone_share(&known, i, half_cell);
+        if zone.value < F::one() {
+            let rest = WithSlope::one() - zone;
+            place.alone = (place.width / place.share * rest.squared() / zone).times(LEANING);
+        }
+        let by_zone = cell * rest.squared() / share * near * per_width;
+        for (k, (side, coupling)) in sides.iter().zip(&mut place.coupling).enumerate() {
+            let [inner, _, _] = sum(&own, if k == 0 { &above.near } else { &below.near });
+            let next = if k == 0 { i.checked_sub(1) } else { Some(i + 1) };
+            let Some(next) = next.and_then(|next| known.get(next)) else { continue };
+            *coupling = if next.zone == place.zone {
+                by_zone
+            } else if next.cell == place.cell {
+                let both = inner * side.outer / (inner + side.outer);
+                let closeness = reach / (side.gap.squared() + reach.times(CLOSEST));
+                width.times(LEANING) * both * closeness * per_width
             } else {
-                *lean = zero;
+                WithSlope::zero()
+            };
+        }
+    }
+}
+
+/// Share of a whole cell that a place's zone has, with other zones by their nearness.
+fn zone_share<F: Float>(
+    known: &CellPlaces<F>,
+    from: usize,
+    half_cell: WithSlope<F>,
+) -> WithSlope<F> {
+    let mut sum = WithSlope::zero();
+    let Some((before, rest)) = known.split_at_checked(from) else { return sum };
+    let mut add = |parts: &mut dyn Iterator<Item = &CellPlace<F>>, skipped: usize| {
+        let (mut free, mut last) = (WithSlope::zero(), None::<&CellPlace<F>>);
+        for (k, part) in parts.enumerate() {
+            if let Some(last) = last.filter(|last| last.zone != part.zone) {
+                let apart = part.y - last.y;
+                let apart = if apart.value < F::zero() { -apart } else { apart };
+                free += apart - (part.width + last.width).times(0.5);
+            }
+            last = Some(part);
+            if k >= skipped {
+                sum += part.share * half_cell / (half_cell + free.squared());
             }
         }
+    };
+    add(&mut rest.iter(), 0);
+    add(&mut rest.iter().take(1).chain(before.iter().rev()), 1);
+    sum
+}
+
+fn sum<F: Float>(one: &[WithSlope<F>; 3], other: &[WithSlope<F>; 3]) -> [WithSlope<F>; 3] {
+    core::array::from_fn(|k| match (one.get(k), other.get(k)) {
+        (Some(one), Some(other)) => *one + *other,
+        _ => WithSlope::zero(),
+    })
+}
+
+/// The other parts of a cell on one side of a part.
+struct Beside<F> {
+    /// Width, share, and width times place, each times the nearness.
+    near: [WithSlope<F>; 3],
+    /// Gap before the next part \[m\].
+    gap: WithSlope<F>,
+    /// Width of these parts, times their nearness to the next part.
+    outer: WithSlope<F>,
+}
+
+impl<F: Float> Beside<F> {
+    fn new(known: &CellPlaces<F>, from: usize, step: isize, reach: WithSlope<F>) -> Self {
+        let zero = WithSlope::zero();
+        let mut beside = Self { near: [zero; 3], gap: zero, outer: zero };
+        let (mut nearness, mut to_next) = (WithSlope::one(), None::<WithSlope<F>>);
+        let mut k = from;
+        while let (Some(own), Some(next)) =
+            (known.get(k), k.checked_add_signed(step).and_then(|next| known.get(next)))
+        {
+            if next.cell != own.cell || next.zone == own.zone {
+                break;
+            }
+            let apart = next.y - own.y;
+            let apart = if step < 0 { -apart } else { apart };
+            let gap = (apart - (own.width + next.width).times(0.5)).max(zero);
+            let near = reach / (gap.squared() + reach);
+            nearness = nearness * near;
+            let outer = to_next.map_or(WithSlope::one(), |product| product * near);
+            if to_next.is_none() {
+                beside.gap = gap;
+            }
+            to_next = Some(outer);
+            beside.outer += outer * next.width;
+            let other = [next.width, next.share, next.width * next.y];
+            beside.near = sum(&beside.near, &other.map(|term| term * nearness));
+            k = k.saturating_add_signed(step);
+        }
+        beside
     }
 }

@@ -19,9 +19,9 @@ mod density;
 mod estimate;
 mod influence;
 mod layout;
-mod parabola;
+pub(crate) mod parabola;
 pub mod profile;
-mod smooth;
+pub(crate) mod smooth;
 
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::contact::totals::StripCount;
@@ -180,7 +180,7 @@ impl<F: Float> Indentation<F> {
         profile: &Profile<F>,
         contact: &ProfileContact<F>,
         count: StripCount,
-        mut take: impl FnMut(PatchStrip<F>) -> bool,
+        take: impl FnMut(PatchStrip<F>) -> bool,
     ) -> Result<Self, Error> {
         contact.check(profile.has_radii())?;
         let value = contact.given.value();
@@ -193,14 +193,68 @@ impl<F: Float> Indentation<F> {
         let given = match contact.given {
             Given::Load(_) => Given::Load(input.scale(unit)),
             Given::Approach(_) => Given::Approach(input),
-            Given::Overlap(_) => Given::Overlap(input),
         };
         let mut cells = Cells { list: Vec::new() };
-        let Some(outline) = Outline::new(profile, contact, given, count, &mut cells)? else {
+        match Outline::new(profile, contact, given, count, &mut cells)? {
+            Some(outline) => Self::pressed(profile, contact, &mut cells, outline, take),
+            None => Ok(Self::none(profile)),
+        }
+    }
+
+    /// The same of a part of the curve of two surfaces, for a given approach.
+    ///
+    /// # Errors
+    /// Those of [`Patch::from_profile`].
+    pub(crate) fn of_surfaces(
+        profile: &Profile<F>,
+        curve: &Curve<F>,
+        contact: &ProfileContact<F>,
+        count: StripCount,
+        take: impl FnMut(PatchStrip<F>) -> bool,
+    ) -> Result<Self, Error> {
+        contact.check(true)?;
+        let approach = WithSlope::input(contact.given.value(), 0);
+        if approach.value <= F::zero() {
             return Ok(Self::none(profile));
+        }
+        let mut cells = Cells { list: Vec::new() };
+        let radius = |loads: &mut dyn Iterator<Item = [WithSlope<F>; 2]>| {
+            // (of nothing that of the contact)
+            let tiny = WithSlope::from_base(F::TINY);
+            let (mut sum, mut moment) = (tiny, tiny * WithSlope::from_base(contact.rolling_radius));
+            for [y, load] in loads {
+                sum += load;
+                moment += load * profile.rolling_radius(y, contact.rolling_radius);
+            }
+            moment / sum
         };
+        let given = Given::Approach(approach);
+        let outline = Outline::with_cells(
+            profile,
+            contact,
+            curve,
+            (given, approach),
+            radius,
+            count,
+            &mut cells,
+        );
+        // (an overlap of a few roundings may be narrower than rounding)
+        if cells.list.is_empty() {
+            return Ok(Self::none(profile));
+        }
+        Self::pressed(profile, contact, &mut cells, outline, take)
+    }
+
+    /// The strips of cells, and the result.
+    fn pressed(
+        profile: &Profile<F>,
+        contact: &ProfileContact<F>,
+        cells: &mut Cells<F>,
+        outline: Outline<F>,
+        mut take: impl FnMut(PatchStrip<F>) -> bool,
+    ) -> Result<Self, Error> {
         let Outline { given, power, iterations, at_end, lowest } = outline;
-        let pressed = solved(&mut cells, power, given);
+        let pressed = solved(cells, power, given);
         let load = cells.load();
         let ([by_load], [by_approach]) = (pressed.gradient, load.gradient);
         let modulus = contact.modulus().times(PI);
@@ -221,15 +275,19 @@ impl<F: Float> Indentation<F> {
         if !results.iter().all(|result| result.is_finite_number()) {
             return Err(Error::Overflow);
         }
-        let slope = cells.mean_slope().times(LEAST_SLOPE);
+        let [slope, usual] = cells.means();
+        let slope = slope.times(LEAST_SLOPE);
         for cell in cells.list.iter().filter(|cell| cell.pressure.value > F::zero()) {
             // the same load on less: the length of a strip that begins to touch vanishes with its
             // pressure
             let (a, p) = (cell.half_length.value, cell.pressure.value);
             let share = (p / (slope * a)).min(F::one()).sqrt().max(F::of(LEAST_LENGTH));
+            // and on the usual width: what is wider carries little
+            let width = cell.width.value.min(usual);
+            let p = p * (cell.width.value / width);
             let strip = PatchStrip {
                 y: cell.y.value,
-                width: cell.width.value,
+                width,
                 half_length: a * share,
                 centre_x: profile.centre_x(cell.y.value),
                 peak_pressure: p / share * modulus,
@@ -291,7 +349,7 @@ impl<F: Float> Outline<F> {
         let radius = contact.rolling_radius;
         // about the approach, and the curve that its width asks for
         let (first, mut iterations) = match given {
-            Given::Approach(approach) | Given::Overlap(approach) => (approach, 0),
+            Given::Approach(approach) => (approach, 0),
             Given::Load(load) => {
                 let load = load.times(PI);
                 // of a sphere: N = (4/3) E* √R δ^(3/2)
@@ -308,7 +366,6 @@ impl<F: Float> Outline<F> {
         // load and deflection before the normal problem
         let approach = match given {
             Given::Approach(approach) => approach,
-            Given::Overlap(overlap) => overlap - curve.lowest,
             Given::Load(load) => {
                 curve.still = true;
                 let still_radius = WithSlope::from_base(radius_there.value);
@@ -327,47 +384,66 @@ impl<F: Float> Outline<F> {
         if approach.value <= F::zero() {
             return Ok(None);
         }
-        let given = match given {
-            Given::Load(load) => Given::Load(load),
-            _ => Given::Approach(approach),
-        };
+        let outline = Self::with_cells(
+            profile,
+            contact,
+            &curve,
+            (given, approach),
+            |_| radius_there,
+            count,
+            cells,
+        );
+        Ok(Some(Self { iterations, lowest: curve.lowest.value, ..outline }))
+    }
+
+    /// The cells of a curve for an approach.
+    fn with_cells(
+        profile: &Profile<F>,
+        contact: &ProfileContact<F>,
+        curve: &Curve<F>,
+        (given, approach): (Given<WithSlope<F>>, WithSlope<F>),
+        radius: impl FnOnce(&mut dyn Iterator<Item = [WithSlope<F>; 2]>) -> WithSlope<F>,
+        count: StripCount,
+        cells: &mut Cells<F>,
+    ) -> Self {
         let mut zones = Zones::new();
-        let at_end = touching(&curve, approach, radius_there, &mut zones);
+        let (at_end, mean_radius) = touching(curve, approach, radius, &mut zones);
         let mut places = Vec::new();
         let width = layout(&zones, number_of_cells(count), &mut places);
         lean(&mut places);
-        let first_lengths = Lengths::new(width, section.rolling_radius, approach);
+        let first_lengths = Lengths::new(width, mean_radius, approach);
         cells.place(&places, |y| {
             let height = curve.at(y);
-            let radius = profile.rolling_radius(y, radius);
+            let radius = profile.rolling_radius(y, contact.rolling_radius);
             let touches = approach.value.times(OVERLAP) > height.value;
             ([height, radius, first_lengths.at(height, radius)], touches)
         });
         let power = first_lengths.power(given);
-        Ok(Some(Self { given, power, iterations, at_end, lowest: curve.lowest.value }))
+        Self { given, power, iterations: 0, at_end, lowest: F::zero() }
     }
 }
 
-/// Zones where the bodies touch by the estimate; returns whether one of them ends with the profile.
-/// (Out of line: the estimate need not be kept while the cells are made.)
+/// Zones where the bodies touch by the estimate; returns whether one of them ends with the profile,
+/// and the rolling radius. (Out of line: the estimate need not be kept while the cells are made.)
 #[inline(never)]
 fn touching<F: Float>(
     curve: &Curve<F>,
     approach: WithSlope<F>,
-    radius: WithSlope<F>,
+    radius: impl FnOnce(&mut dyn Iterator<Item = [WithSlope<F>; 2]>) -> WithSlope<F>,
     zones: &mut Zones<F>,
-) -> bool {
+) -> (bool, WithSlope<F>) {
     let mut estimate = Estimate::nothing();
-    estimate.fill(curve, approach, radius);
-    curve.zones(approach, zones, |y, height, slope| {
-        // (there it is positive anyway)
-        if height.value > approach.value {
-            return [height - approach.times(0.5), slope];
-        }
+    let mut mean_radius = WithSlope::zero();
+    estimate.fill(curve, approach, |loads| {
+        mean_radius = radius(loads);
+        mean_radius
+    });
+    let at_end = curve.zones(approach, zones, |y, height, slope| {
         let [deflection, bend] = estimate.deflection(y);
         let height = height - approach + deflection.times(DEFLECTED);
         [height, slope + bend.times(DEFLECTED)]
-    })
+    });
+    (at_end, mean_radius)
 }
 
 /// First half lengths: those of an ellipse at whose rim the undeformed bodies are `λ δ` apart when

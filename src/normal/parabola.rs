@@ -8,14 +8,24 @@ use crate::number::avx::with_avx;
 use crate::number::{Arithmetic, Float, Strips};
 
 /// Smoothing length over the distance of neighbouring points, at least.
-pub(super) const STEPS: f64 = 2.5;
+pub(crate) const STEPS: f64 = 2.5;
 
-/// Height and slope of the parabola about a place.
+/// The parabola about a place.
+pub(super) struct Parabola<F> {
+    /// Above the lowest point of the profile \[m\].
+    pub height: WithSlope<F>,
+    pub slope: WithSlope<F>,
+    /// Sum of the weights, over that of points everywhere within the smoothing length that all
+    /// count fully.
+    pub share: F,
+}
+
+/// The parabola about a place.
 pub(super) fn parabola<F: Float>(
     profile: &Profile<F>,
     place: WithSlope<F>,
     length: WithSlope<F>,
-) -> (WithSlope<F>, WithSlope<F>) {
+) -> Parabola<F> {
     // s² = s₀² + (2.5 steps)²
     let length = (length.squared() + spacing(profile, place).squared()).sqrt();
     let y = place.value;
@@ -49,7 +59,9 @@ pub(super) fn parabola<F: Float>(
         |x: WithSlope<F>, slope: F| x + WithSlope { value: F::zero(), gradient: [slope * shifted] };
     let (height, slope) =
         (moved(height, slope.value), moved(slope, bend.value.times(2.0)).scale(inverse));
-    (height, slope)
+    // ∫ (1 − x²)³ dx = 32/35, and a point's length is that between its neighbours
+    let share = m0.value * inverse.times(35.0 / 64.0);
+    Parabola { height, slope, share }
 }
 
 /// `Σ w (1 − x²)² xᵏ` over the points with `|x| < 1`, `x` the distance from `y` times `inverse` and
@@ -79,6 +91,10 @@ fn moments_in_fours<F: Float, P: Strips<F>>(
     let end = places.partition_point(|place| (*place - y) * inverse < F::one());
     let (y, inverse, lowest) = (P::all(y), P::all(inverse), P::all(profile.lowest));
     let (one, zero) = (P::one(), P::zero());
+    let fade = profile.fade.map(|[full, none]| {
+        let none = none - profile.lowest;
+        [P::all(none), P::all(F::one() / (none + profile.lowest - full))]
+    });
     for first in (begin..end).step_by(4) {
         let x = (four::<F, P>(places, first) - y) * inverse;
         let before = if first > 0 {
@@ -90,6 +106,10 @@ fn moments_in_fours<F: Float, P: Strips<F>>(
         let height = four::<F, P>(heights, first) - lowest;
         let rest = (one - x.squared()).max(zero);
         let mut power = rest.squared() * width;
+        if let Some([none, inverse]) = fade {
+            let u = ((none - height) * inverse).max(zero).min(one);
+            power = power * u.squared() * (P::constant(3.0) - u.times(2.0));
+        }
         for (moment, sum) in moments.iter_mut().zip(&mut sums) {
             *moment += power;
             *sum += power * height;
@@ -119,9 +139,14 @@ fn spacing<F: Float>(profile: &Profile<F>, place: WithSlope<F>) -> WithSlope<F> 
     let next = places.partition_point(|place| *place < y).min(last).max(1);
     let at = |i: usize| places.get(i.min(last)).copied().unwrap_or(y);
     let of = |i: usize| {
-        let (low, high) = (i.saturating_sub(2), (i + 2).min(last));
-        let gaps = F::widened((high - low).max(1) as f32);
-        let even = (at(high) - at(low)) / gaps;
+        // (the mean of the gaps weighted with their lengths does not jump where two points merge)
+        let (mut squares, mut length) = (F::zero(), F::TINY);
+        for k in i.saturating_sub(2)..(i + 2).min(last) {
+            let gap = at(k + 1) - at(k);
+            squares += gap * gap;
+            length += gap;
+        }
+        let even = squares / length;
         let gap = (at(i + 1) - at(i)).max(at(i) - at(i.saturating_sub(1)));
         even.times(STEPS).max(gap.times(0.5 * STEPS))
     };

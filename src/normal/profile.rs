@@ -40,6 +40,9 @@ pub struct Profile<'a, F> {
     pub(super) middle: F,
     /// Mean distance of the points \[m\].
     pub(super) step: F,
+    /// Distance of the bodies up to which a point counts fully when the profile is smoothed, and
+    /// from which it does not count \[m\].
+    pub(super) fade: Option<[F; 2]>,
 }
 
 /// Where the bodies would overlap.
@@ -77,20 +80,15 @@ impl<'a, F: Float> Profile<'a, F> {
         let step = (to - from) / F::widened((y.len() - 1) as f32);
         let none: &[F] = &[];
         let (centre_x, rolling_radius) = (none, none);
-        Ok(Self { y, distance, centre_x, rolling_radius, lowest, ends, middle, step })
+        let fade = None;
+        Ok(Self { y, distance, centre_x, rolling_radius, lowest, ends, middle, step, fade })
     }
 
-    /// How far it reaches below zero: by how much the bodies overlap where distances are those of
-    /// their surfaces.
-    pub(crate) fn overlap(&self) -> F {
-        (-self.lowest).max(F::zero())
-    }
-
-    /// The same as a part of a longer profile. The caller says where knots are counted from and how
-    /// far apart the points are, so that points which come and go far from the contact change
-    /// nothing.
-    pub(crate) fn part_of_longer(mut self, middle: F, step: F) -> Self {
-        (self.middle, self.step) = (middle, step);
+    /// The same of two surfaces whose points may come and go far from the contact without any
+    /// effect: the caller says where knots are counted from and how far apart the points are, and
+    /// points count less from the first of two distances on, and not at all from the second.
+    pub(crate) fn of_surfaces(mut self, middle: F, step: F, fade: [F; 2]) -> Self {
+        (self.middle, self.step, self.fade) = (middle, step, Some(fade));
         self
     }
 
@@ -151,6 +149,11 @@ impl<'a, F: Float> Profile<'a, F> {
             return WithSlope::from_base(otherwise);
         }
         self.between(self.rolling_radius, y)
+    }
+
+    /// The distance of the bodies, straight between the points.
+    pub(super) fn distance_at(&self, y: F) -> F {
+        self.between(self.distance, WithSlope::from_base(y)).value
     }
 
     /// Interpolates linearly between the points.

@@ -6,7 +6,7 @@
 //! parabola is not changed, wherever its points lie.
 
 use crate::normal::density::Zones;
-use crate::normal::parabola::{STEPS, parabola};
+use crate::normal::parabola::{Parabola, STEPS, parabola};
 use crate::normal::profile::{Profile, WithSlope};
 use crate::number::{Arithmetic, Float};
 use heapless::Vec;
@@ -20,8 +20,14 @@ const WIDEST: f64 = 2e-3;
 /// Smoothing length of narrow contacts over their width.
 const SHARE: f64 = 0.5;
 
+/// By how much the smoothed curve of surfaces may lie below the lowest of the points around, over
+/// the range of their distances.
+const FALL: f64 = 0.35;
+
 /// Number of knots in a smoothing length.
 const KNOTS_TO_A_LENGTH: f64 = 5.0;
+/// The same of the distance of surfaces.
+const KNOTS_OF_SURFACES: f64 = 3.0;
 /// Where the last piece is shorter than this share of the others, the one before ends the profile.
 const STUB: f64 = 1e-3;
 
@@ -66,7 +72,37 @@ impl<F: Float> Cubic<F> {
         c1 + t * (c2.times(2.0) + t * c3.times(3.0))
     }
 
-    /// The places of the beginning, the two extremes and the end.
+    /// An extreme of the function that the cubic stands for, where the sign of its value depends on
+    /// how exactly its place is known; others as they are.
+    fn refined(
+        &self,
+        mut cut: WithSlope<F>,
+        exact: impl Fn(WithSlope<F>) -> [WithSlope<F>; 2],
+    ) -> WithSlope<F> {
+        let [c0, .., c2, c3] = self.c.map(|c| c.value);
+        let inside = |t: F| t > F::zero() && t < self.length.value;
+        // (far from zero the sign is known)
+        let (value, scale) = (self.at(cut).value, self.at(self.length).value);
+        if !inside(cut.value) || value.abs() > (c0.abs() + scale.abs()).times(0.2) {
+            return cut;
+        }
+        for _ in 0..4 {
+            let [value, slope] = exact(WithSlope::from_base(cut.value)).map(|x| x.value);
+            let bend = c2.times(2.0) + (c3 * cut.value).times(6.0);
+            let next = cut.value - slope / bend;
+            if (value * bend).times(2.0) >= slope * slope
+                || value * bend <= F::zero()
+                || !inside(next)
+            {
+                break;
+            }
+            cut.value = next;
+        }
+        cut
+    }
+
+    /// The places of the beginning, the two extremes and the end. In the place of extremes that are
+    /// none there is twice the point of inflection, from which they come.
     fn cuts(&self) -> [WithSlope<F>; 4] {
         let (length, zero) = (self.length, WithSlope::zero());
         let [_, c1, c2, c3] = self.c;
@@ -88,6 +124,11 @@ impl<F: Float> Cubic<F> {
             };
             let (one, two) = (inside(c1.value / q), inside(q / c3.value.times(3.0)));
             cuts = [zero, one.min(two), one.max(two), length];
+        } else if c3.value.abs() > F::TINY {
+            let inflection = -(c2 / c3.times(3.0));
+            if inflection.value > F::zero() && inflection.value < length.value {
+                cuts = [zero, inflection, inflection, length];
+            }
         }
         cuts
     }
@@ -95,16 +136,64 @@ impl<F: Float> Cubic<F> {
 
 /// The smoothed profile where contact is likely.
 #[derive(Clone, Debug)]
-pub(super) struct Curve<F> {
-    pub knots: Vec<Knot<F>, KNOTS>,
+pub(crate) struct Curve<F> {
+    pub(super) knots: Vec<Knot<F>, KNOTS>,
     /// Its lowest point.
-    pub lowest: WithSlope<F>,
+    pub(super) lowest: WithSlope<F>,
+    /// Where the distance is zero, above the lowest point of the profile.
+    zero: F,
+    /// Numbers of the first knot that counts and of the one after the last.
+    range: [usize; 2],
     /// Ends of the profile.
     ends: [F; 2],
     /// Smoothing length \[m\].
     length: WithSlope<F>,
     /// Whether the curve counts as constant, without its derivatives by load or approach.
-    pub still: bool,
+    pub(super) still: bool,
+}
+
+/// A part of a curve of surfaces where they overlap.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Overlap<F> {
+    /// Where it begins and ends \[m\].
+    pub ends: [F; 2],
+    /// Largest overlap \[m\].
+    pub depth: F,
+}
+
+/// The places of knots: at equal steps to both sides of a profile's middle, and at its ends.
+struct Grid<F> {
+    ends: [F; 2],
+    middle: F,
+    step: WithSlope<F>,
+    /// Numbers of the knots at the ends.
+    numbers: [i32; 2],
+}
+
+impl<F: Float> Grid<F> {
+    fn new(profile: &Profile<F>, step: WithSlope<F>) -> Self {
+        let (ends, middle) = (profile.ends, profile.middle);
+        let number = |end: F, outward: f64| {
+            let steps = (end - middle) / step.value;
+            let inside = steps.plus(-STUB * outward);
+            let whole = F::widened(inside.whole() as f32);
+            // (the whole part is rounded toward zero)
+            let short = (inside - whole).times(outward) < F::zero();
+            inside.whole() + if short { 0 } else { outward as i32 }
+        };
+        let numbers = [number(ends[0], -1.0), number(ends[1], 1.0)];
+        Self { ends, middle, step, numbers }
+    }
+
+    fn at(&self, knot: i32) -> WithSlope<F> {
+        if knot <= self.numbers[0] {
+            WithSlope::from_base(self.ends[0])
+        } else if knot >= self.numbers[1] {
+            WithSlope::from_base(self.ends[1])
+        } else {
+            self.step.scale(F::widened(knot as f32)).shift(self.middle)
+        }
+    }
 }
 
 /// The smoothing length without regard to the points: half the width of a narrow contact, 2 mm of a
@@ -122,22 +211,10 @@ impl<F: Float> Curve<F> {
     /// The curve of a profile smoothed over a length, where its points are less than `level` above
     /// the lowest.
     #[inline(never)]
-    pub fn new(profile: &Profile<F>, length: WithSlope<F>, level: F) -> Self {
-        let [first, last] = profile.ends;
-        let whole = last - first;
-        let length = length.min(WithSlope::from_base(whole));
-        let floor = profile.step.times(STEPS);
-        // s² = s₀² + (2.5 steps)², about as the parabolas have it
-        let smooth = length.squared().shift(floor * floor).sqrt();
-        let mut step = smooth.times(1.0 / KNOTS_TO_A_LENGTH);
-        let least = WithSlope::from_base(whole.times(1.0 / PIECES));
-        step = step.max(least);
-        let lowest = WithSlope::from_base(F::zero());
-        let mut curve =
-            Self { knots: Vec::new(), lowest, ends: profile.ends, length: smooth, still: false };
-        while !curve.fill(profile, length, level, step) && step.value < whole {
-            step = step.times(2.0);
-        }
+    pub(super) fn new(profile: &Profile<F>, length: WithSlope<F>, level: F) -> Self {
+        let mut curve = Self::filled(profile, length, KNOTS_TO_A_LENGTH, |curve, length, step| {
+            curve.fill(profile, length, level, step)
+        });
         let mut lowest = WithSlope::from_base(F::LARGEST);
         curve.pieces(
             |knot| [knot.height, knot.slope],
@@ -151,6 +228,47 @@ impl<F: Float> Curve<F> {
         curve
     }
 
+    /// The curve of the distance of two surfaces, smoothed over a length, wherever they overlap. It
+    /// does not move with the approach. (Out of line, and written where it stays: a copy would take
+    /// room on the stack.)
+    #[inline(never)]
+    pub(crate) fn of_surfaces(profile: &Profile<F>, length: F) -> Self {
+        let mut curve = Self::filled(
+            profile,
+            WithSlope::from_base(length),
+            KNOTS_OF_SURFACES,
+            |curve, length, step| curve.fill_below(profile, length, step),
+        );
+        (curve.still, curve.lowest) = (true, WithSlope::from_base(curve.zero));
+        curve
+    }
+
+    /// A curve whose knots `fill` places for a smoothing length and a step; it returns whether
+    /// there was room.
+    fn filled(
+        profile: &Profile<F>,
+        length: WithSlope<F>,
+        knots: f64,
+        mut fill: impl FnMut(&mut Self, WithSlope<F>, WithSlope<F>) -> bool,
+    ) -> Self {
+        let [first, last] = profile.ends;
+        let whole = last - first;
+        let length = length.min(WithSlope::from_base(whole));
+        let floor = profile.step.times(STEPS);
+        // s² = s₀² + (2.5 steps)², about as the parabolas have it
+        let smooth = length.squared().shift(floor * floor).sqrt();
+        let mut step = smooth.times(1.0 / knots);
+        let least = WithSlope::from_base(whole.times(1.0 / PIECES));
+        step = step.max(least);
+        let (lowest, ends) = (WithSlope::from_base(F::zero()), profile.ends);
+        let (knots, zero, range) = (Vec::new(), -profile.lowest, [0, KNOTS]);
+        let mut curve = Self { knots, lowest, zero, range, ends, length: smooth, still: false };
+        while !fill(&mut curve, length, step) && step.value < whole {
+            step = step.times(2.0);
+        }
+        curve
+    }
+
     /// Places knots where the profile is low: at equal steps to both sides of its middle, and at
     /// its ends. Returns whether there was room.
     fn fill(
@@ -161,31 +279,13 @@ impl<F: Float> Curve<F> {
         step: WithSlope<F>,
     ) -> bool {
         self.knots.clear();
-        let ([from, to], middle) = (profile.ends, profile.middle);
-        // numbers of the knots next to the ends, which are knots themselves
-        let number = |end: F, outward: f64| {
-            let steps = (end - middle) / step.value;
-            let inside = steps.plus(-STUB * outward);
-            let whole = F::widened(inside.whole() as f32);
-            // (the whole part is rounded toward zero)
-            let short = (inside - whole).times(outward) < F::zero();
-            inside.whole() + if short { 0 } else { outward as i32 }
-        };
-        let (low_end, high_end) = (number(from, -1.0), number(to, 1.0));
-        let at = |knot: i32| {
-            if knot <= low_end {
-                WithSlope::from_base(from)
-            } else if knot >= high_end {
-                WithSlope::from_base(to)
-            } else {
-                step.scale(F::widened(knot as f32)).shift(middle)
-            }
-        };
+        let grid = Grid::new(profile, step);
+        let [low_end, high_end] = grid.numbers;
         // of each piece the lowest and the highest point, with the points beside it
         let ranges = |take: &mut dyn FnMut(i32, F, F) -> bool| {
             let mut from = 0;
             for piece in low_end..high_end {
-                let (begin, end) = (at(piece).value, at(piece + 1).value);
+                let (begin, end) = (grid.at(piece).value, grid.at(piece + 1).value);
                 let (mut low, mut high) = (F::LARGEST, -F::LARGEST);
                 let mut k = from;
                 while let (Some(y), Some(h)) = (profile.y.get(k), profile.distance.get(k)) {
@@ -222,8 +322,8 @@ impl<F: Float> Curve<F> {
             let wanted = (piece - 2).max(low_end);
             joined = joined && wanted <= next;
             for knot in wanted.max(next)..=(piece + 3).min(high_end) {
-                let y = at(knot);
-                let (height, slope) = parabola(profile, y, length);
+                let y = grid.at(knot);
+                let Parabola { height, slope, .. } = parabola(profile, y, length);
                 if knots.push(Knot { y, height, slope, joined }).is_err() {
                     return false;
                 }
@@ -232,6 +332,118 @@ impl<F: Float> Curve<F> {
             }
             true
         })
+    }
+
+    /// Places knots around wherever the curve may be negative. Returns whether there was room.
+    fn fill_below(
+        &mut self,
+        profile: &Profile<F>,
+        length: WithSlope<F>,
+        step: WithSlope<F>,
+    ) -> bool {
+        self.knots.clear();
+        let grid = Grid::new(profile, step);
+        let [low_end, high_end] = grid.numbers;
+        // (points are farther apart in places)
+        let reach = step.value.times(KNOTS_OF_SURFACES * 1.25);
+        let mut from = 0;
+        let mut may_be_below = |knot: i32| {
+            let place = grid.at(knot);
+            while profile.y.get(from).is_some_and(|y| *y < place.value) {
+                from += 1;
+            }
+            let near = profile.distance.get(from.saturating_sub(1)..=from).unwrap_or(&[]);
+            let [.., none] = profile.fade.unwrap_or([F::zero(); 2]);
+            if near.iter().all(|distance| *distance > none) {
+                return false;
+            }
+            let (y, ahead) = (profile.y.get(from..).unwrap_or(&[]), profile.distance.get(from..));
+            let after = y.iter().zip(ahead.unwrap_or(&[]));
+            let (y, behind) = (profile.y.get(..from).unwrap_or(&[]), profile.distance.get(..from));
+            let before = y.iter().zip(behind.unwrap_or(&[])).rev();
+            let (mut low, mut high) = (F::LARGEST, -F::LARGEST);
+            let inside = |(y, _): &(&F, &F)| (**y - place.value).abs() < reach;
+            for (_, distance) in after.take_while(inside).chain(before.take_while(inside)) {
+                low = low.min(*distance);
+                high = high.max(distance.min(none));
+            }
+            low - (high - low).times(FALL) < F::zero()
+        };
+        let (mut last, mut next) = (low_end - 1, low_end);
+        for knot in low_end..=high_end {
+            if !may_be_below(knot) {
+                continue;
+            }
+            // with those before and after
+            for own in (knot - 1).max(next)..=(knot + 1).min(high_end) {
+                let (y, joined) = (grid.at(own), last == own - 1 && own > low_end);
+                let Parabola { height, slope, share } = parabola(profile, y, length);
+                // where hardly a point counts, the curve follows the points
+                let t = ((share - F::of(0.45)).times(5.0)).clamped(F::zero(), F::one());
+                let t = t * t * (F::constant(3.0) - t.times(2.0));
+                let above = profile.distance_at(y.value) - profile.lowest;
+                let blended = |own: F, other: F| {
+                    let blended = if t > F::zero() { other + (own - other) * t } else { other };
+                    WithSlope::from_base(blended)
+                };
+                let height = blended(height.value, above);
+                let slope = blended(slope.value, F::zero());
+                if self.knots.push(Knot { y, height, slope, joined }).is_err() {
+                    return false;
+                }
+                (last, next) = (own, own + 1);
+            }
+        }
+        true
+    }
+
+    /// Hands every zone where the surfaces overlap to `take`, in ascending order.
+    pub(crate) fn overlaps(&self, mut take: impl FnMut(Overlap<F>)) {
+        let mut open: Option<Overlap<F>> = None;
+        let of = |knot: &Knot<F>| {
+            let [_, height, slope] = self.knot(knot);
+            [height, slope]
+        };
+        self.pieces(of, |knot, cubic| {
+            let y = knot.y.value;
+            if let Some(zone) = open.take_if(|_| !knot.joined) {
+                take(zone);
+            }
+            let cuts = cubic.cuts().map(|t| t.value);
+            for (&from, &to) in cuts.iter().zip(cuts.iter().skip(1)) {
+                if !(to > from) {
+                    continue;
+                }
+                let heights = [from, to].map(|t| cubic.at(WithSlope::from_base(t)).value);
+                let [begins, ends] = heights.map(|height| height < F::zero());
+                let crossing = |inside: F, outside: F| {
+                    y + root(|t| [cubic.at(t), cubic.slope(t)], inside, outside).value
+                };
+                if ends || begins {
+                    let begin = if begins { y + from } else { crossing(to, from) };
+                    let none = Overlap { ends: [begin; 2], depth: F::zero() };
+                    let zone = open.get_or_insert(none);
+                    let [.., end] = &mut zone.ends;
+                    *end = if ends { y + to } else { crossing(from, to) };
+                    zone.depth = heights.iter().fold(zone.depth, |depth, h| depth.max(-*h));
+                }
+                if let Some(zone) = open.take_if(|_| !ends) {
+                    take(zone);
+                }
+            }
+        });
+        if let Some(zone) = open {
+            take(zone);
+        }
+    }
+
+    /// The same curve, of which only a zone or a run of zones counts.
+    pub(crate) fn restrict(&mut self, zone: &Overlap<F>) {
+        let [begin, end] = zone.ends;
+        self.lowest = WithSlope::from_base(self.zero - zone.depth);
+        let first = self.knots.partition_point(|knot| knot.y.value <= begin);
+        let last = self.knots.partition_point(|knot| knot.y.value < end);
+        self.range = [first.saturating_sub(1), last + 1];
     }
 
     /// Hands every piece to `take`, with the cubic through the value and the slope that `of` gives
@@ -258,7 +470,7 @@ impl<F: Float> Curve<F> {
     }
 
     /// Height above the lowest point.
-    pub fn at(&self, y: WithSlope<F>) -> WithSlope<F> {
+    pub(super) fn at(&self, y: WithSlope<F>) -> WithSlope<F> {
         let next = self.knots.partition_point(|knot| knot.y.value < y.value);
         let next = next.min(self.knots.len().saturating_sub(1)).max(1);
         match self.knots.get(next - 1..=next) {
@@ -274,7 +486,7 @@ impl<F: Float> Curve<F> {
     /// `of` gives the value and the slope of the function from a place, the height there and its
     /// slope. Depths are measured with the approach. (The zones are written where they stay: a copy
     /// would take room on the stack.)
-    pub fn zones(
+    pub(super) fn zones(
         &self,
         approach: WithSlope<F>,
         zones: &mut Zones<F>,
@@ -288,8 +500,10 @@ impl<F: Float> Curve<F> {
             of(y, height, slope)
         };
         let mut last: Option<(WithSlope<F>, [WithSlope<F>; 2])> = None;
-        let next = self.knots.iter().skip(1).map(Some).chain([None]);
-        for (knot, next) in self.knots.iter().zip(next) {
+        let [first, end] = self.range;
+        let knots = self.knots.get(first..end.min(self.knots.len())).unwrap_or(&[]);
+        let next = knots.iter().skip(1).map(Some).chain([None]);
+        for (knot, next) in knots.iter().zip(next) {
             let own = match last {
                 Some((_, own)) if knot.joined => own,
                 _ => at(knot),
@@ -305,16 +519,15 @@ impl<F: Float> Curve<F> {
             let Some(next) = next.filter(|next| next.joined) else { continue };
             let end = at(next);
             last = Some((self.seen(next.y), end));
-            // no cubic falls farther below its ends
             let ([y, height, slope], [next_y, high, steep]) = (self.knot(knot), self.knot(next));
             let step = next_y - y;
+            // no cubic falls farther below its ends, nor does it rise farther above them
+            let rise = (own[1].value.abs() + end[1].value.abs()) * step.value.times(0.15);
             let fall = (slope.value.abs() + steep.value.abs()) * step.value.times(0.15);
             let least = own[0].value.min(end[0].value);
-            if least > fall {
+            if least > fall.max(rise) {
                 continue;
             }
-            // nor does it rise farther above them
-            let rise = (own[1].value.abs() + end[1].value.abs()) * step.value.times(0.15);
             if zones.are_deep(own[0].value.max(end[0].value) + rise) {
                 zones.pass(next_y, end);
                 continue;
@@ -322,8 +535,9 @@ impl<F: Float> Curve<F> {
             let heights = Cubic::new(step, [height, slope], [high, steep]);
             let exact = |t: WithSlope<F>| of(t + y, heights.at(t), heights.slope(t));
             // extremes of the profile, and those of the function as a cubic
-            let ([zero, a, b, _], [_, c, d, length]) =
-                (heights.cuts(), Cubic::new(step, own, end).cuts());
+            let function = Cubic::new(step, own, end);
+            let ([zero, a, b, _], [_, c, d, length]) = (heights.cuts(), function.cuts());
+            let [c, d] = [c, d].map(|cut| function.refined(cut, exact));
             let mut cuts = [a, b, c, d, length];
             for i in 1..cuts.len() {
                 for k in (0..i).rev() {

@@ -1,10 +1,10 @@
 //! Zones of contact in a gap: their patches, the direction of their pressure, and their motion as
 //! the wheel moves.
 //!
-//! **Zones** are where the undeformed surfaces overlap. Zones less than 4 mm apart are one contact,
-//! as in CONTACT, and one normal problem. Contacts more than 8 mm apart do not depend on each
-//! other. Between these distances the nearness `w` falls from 1 at 4 mm to 0 at 8 mm: the contact
-//! of both zones counts by a share of `w`, and each zone by itself by `1 − w`.
+//! **Zones** are where the undeformed surfaces overlap. One curve, the smoothed distance of the
+//! surfaces, decides where zones are, how deep they are and what load they carry, so that a contact
+//! begins without load. Zones less than 4 mm apart are one contact and one normal problem
+//! (`groups`).
 //!
 //! **Each strip has a direction of its own**: at angle `a` the tangent `t = (0, cos a, sin a)` and
 //! the normal into the rail `n = (0, −sin a, cos a)`; its point `p` is on the wheel's undeformed
@@ -17,6 +17,7 @@
 //! The patch has the mean of these, weighted with the strips' loads `N` and referred to its origin.
 //! The force of the pressure is `Σ N n`.
 
+use super::groups::Zones;
 use super::line_of_contact::Turn;
 use super::touch::Gap;
 use super::{
@@ -26,24 +27,19 @@ use super::{
 use crate::contact::totals::StripCount;
 use crate::motion::Motion;
 use crate::normal::cells::Given;
+use crate::normal::parabola::STEPS;
+use crate::normal::smooth::Curve;
 use crate::normal::{Indentation, Profile, ProfileContact};
 use crate::number::{Float, are_finite, length};
 use crate::patch::StoredPatch;
 use crate::status::{Error, Warning};
-use core::ops::Range;
-use heapless::Vec;
 
-/// Free length between zones up to which they are one contact \[m\], and from which they do not
-/// depend on each other.
-const ONE_CONTACT: f64 = 4e-3;
-const APART: f64 = 8e-3;
-/// Largest number of contacts that lie apart. With those that stand for two or three of them there
-/// may be more.
-const APART_AT_MOST: usize = 4;
-/// Distance of the surfaces up to which points belong to the profile of a contact: over its depth,
-/// and at least \[m\].
-const PROFILE_DEPTH: f64 = 4.0;
-const SEES_LEAST: f64 = 1e-4;
+/// Height above the lowest point of points that tell how far apart points are \[m\].
+const LOW: f64 = 1e-4;
+/// Distance of the surfaces from which points do not count, over the smoothing length, and at most
+/// \[m\].
+const FADES: f64 = 0.5;
+const REACH: f64 = 1e-3;
 /// Upper bound of the angles of a gap \[rad\].
 const STEEPEST: f64 = 1.6;
 /// Turn of the normal over a contact \[rad\] from which one plane is not enough.
@@ -241,17 +237,18 @@ impl<'a, F: Float> View<'a, F> {
         })
     }
 
-    /// Middle of an overlap, and distance between its points: means weighted with the overlap.
-    /// Points enter with weight zero, and points around the overlap do not count, so that both are
-    /// continuous while points come and go.
-    fn middle_and_step(&self, own: Range<usize>) -> [F; 2] {
+    /// The place of the least distances and the distance between points there \[m\]: means over the
+    /// points that are less than 0.1 mm above the lowest, so that both are continuous while points
+    /// come and go.
+    fn middle_and_step(&self) -> [F; 2] {
         let [along, distance, ..] = self.lists;
+        let lowest = distance.iter().fold(F::LARGEST, |lowest, distance| lowest.min(*distance));
         let [mut weights, mut middle, mut step] = [F::zero(); 3];
-        for k in own {
-            let (Some(&here), Some(distance)) = (along.get(k), distance.get(k)) else { break };
+        for (k, (&here, &distance)) in along.iter().zip(distance).enumerate() {
             let before = k.checked_sub(1).and_then(|k| along.get(k)).unwrap_or(&here);
             let half = (*along.get(k + 1).unwrap_or(&here) - *before).times(0.5);
-            let weight = (-*distance).max(F::zero()) * half;
+            let rest = (F::one() - (distance - lowest).times(1.0 / LOW)).max(F::zero());
+            let weight = rest * rest * half;
             weights += weight;
             middle += weight * here;
             step += weight * half;
@@ -259,63 +256,28 @@ impl<'a, F: Float> View<'a, F> {
         [middle, step].map(|sum| sum / (weights + F::TINY))
     }
 
-    /// The profile of a contact: its own points and those around, within others and as far as
-    /// distances are small.
-    fn profile(&self, own: Range<usize>, within: Range<usize>) -> Result<Profile<'a, F>, Error> {
+    /// The distance of the surfaces as a profile. None for a gap without points.
+    fn profile(&self) -> Result<Option<Profile<'a, F>>, Error> {
         let [along, distance, x, .., rolling_radius] = self.lists;
-        let at = |k: usize| distance.get(k).copied().unwrap_or(F::zero());
-        let depth = own.clone().fold(F::zero(), |depth, k| depth.max(-at(k)));
-        let level = depth.times(PROFILE_DEPTH).plus(SEES_LEAST);
-        let is_high = |k: &usize| at(*k) >= level;
-        let start = (within.start..own.start).rev().find(is_high).unwrap_or(within.start);
-        let end = (own.end..within.end).find(is_high).map_or(within.end, |k| k + 1);
-        let part = |list: &'a [F]| list.get(start..end).unwrap_or(&[]);
-        let [middle, step] = self.middle_and_step(own);
-        Profile::new(part(along), part(distance))?
-            .part_of_longer(middle, step)
-            .with_centre_x(part(x))?
-            .with_rolling_radius(part(rolling_radius))
-    }
-
-    /// Zones of overlap; those less than 4 mm apart are one group.
-    fn groups(&self) -> Result<Vec<Group<F>, APART_AT_MOST>, Error> {
-        let [along, distance, ..] = self.lists;
-        let mut groups: Vec<Group<F>, APART_AT_MOST> = Vec::new();
-        let (mut last_end, mut before): (Option<F>, Option<(F, F)>) = (None, None);
-        let mut crest = (0, F::LARGEST);
-        for (k, (&along, &distance)) in along.iter().zip(distance).enumerate() {
-            // where a straight line between the points crosses zero
-            let crossing = before.map_or(along, |(place, above)| {
-                along - (along - place) * (distance / (distance - above))
-            });
-            let was_inside = before.is_some_and(|(_, above)| above < F::zero());
-            before = Some((along, distance));
-            if !(distance < F::zero()) {
-                if was_inside {
-                    last_end = Some(crossing);
-                }
-                if was_inside || distance > crest.1 {
-                    crest = (k, distance);
-                }
-                continue;
-            }
-            let free = last_end.map(|end| crossing - end);
-            if !was_inside && free.is_none_or(|free| free > F::of(ONE_CONTACT)) {
-                let near = free.map_or(F::zero(), nearness);
-                let group = Group { points: k..k, near, crest: crest.0 };
-                groups.push(group).map_err(|_| Error::PatchSize)?;
-            }
-            if let Some(group) = groups.last_mut() {
-                group.points.end = k + 1;
-            }
+        if along.len() < 2 {
+            return Ok(None);
         }
-        Ok(groups)
+        let [middle, step] = self.middle_and_step();
+        let length = step.times(STEPS).squared() + self.pair.smoothing_length.squared();
+        let none = length.sqrt().times(FADES).min(F::of(REACH));
+        Profile::new(along, distance)?
+            .of_surfaces(middle, step, [none.times(0.5), none])
+            .with_centre_x(x)?
+            .with_rolling_radius(rolling_radius)
+            .map(Some)
     }
 
-    /// The strips of a profile at the approach at which the surfaces overlap as they do.
+    /// The strips of a part of the curve at the approach at which the surfaces overlap as they do.
     fn press(
         &self,
         profile: &Profile<F>,
+        curve: &Curve<F>,
+        depth: F,
         count: StripCount,
         strips: &mut StoredPatch<F>,
     ) -> Result<Indentation<F>, Error> {
@@ -323,34 +285,17 @@ impl<'a, F: Float> View<'a, F> {
         strips.clear(shear_modulus, poisson_ratio);
         let contact = ProfileContact {
             rolling_radius: self.pair.wheel_radius,
-            given: Given::Overlap(profile.overlap()),
+            given: Given::Approach(depth),
             shear_modulus,
             poisson_ratio,
             // (each strip gets that of its place on the rail)
             friction: F::zero(),
             smoothing_length,
         };
-        let found = Indentation::new(profile, &contact, count, |strip| strips.push(strip))?;
+        let take = |strip| strips.push(strip);
+        let found = Indentation::of_surfaces(profile, curve, &contact, count, take)?;
         if found.warning == Warning::ProfileEnd { Err(Error::ProfileEnd) } else { Ok(found) }
     }
-}
-
-/// Nearness of two contacts over the free length between them: 1 up to 4 mm, 0 from 8 mm on, smooth
-/// between.
-fn nearness<F: Float>(free: F) -> F {
-    let t =
-        (free.plus(-ONE_CONTACT).times(1.0 / (APART - ONE_CONTACT))).clamped(F::zero(), F::one());
-    F::one() - t * t * (F::constant(3.0) - t.times(2.0))
-}
-
-/// A contact that lies apart from others.
-struct Group<F> {
-    /// The numbers of its points.
-    points: Range<usize>,
-    /// Nearness to the one before, and the number of the highest point between them; 0 for the
-    /// first.
-    near: F,
-    crest: usize,
 }
 
 /// The result of [`from_gap`].
@@ -381,35 +326,27 @@ pub fn from_gap<F: Float>(
     contacts: &mut [WheelContact<F>; KSTRIP_CONTACTS_CAPACITY],
 ) -> Result<ContactCount, Error> {
     let view = View::new(gap, pair, position)?;
-    let groups = view.groups()?;
-    let mut found = ContactCount { written: 0, apart: groups.len() as u32, warning: Warning::None };
-    let near = |k: usize| groups.get(k).map_or(F::zero(), |group| group.near);
-    for (first, from) in groups.iter().enumerate() {
-        for (last, to) in groups.iter().enumerate().skip(first) {
-            // share by which the contacts from one to another count as one contact
-            let inside = (first..last).fold(F::one(), |product, k| product * near(k + 1));
-            let share = inside * (F::one() - near(first)) * (F::one() - near(last + 1));
-            if !(share > F::zero()) {
-                continue;
-            }
-            // up to the crests between it and its neighbours
-            let end = groups.get(last + 1).map_or(gap.count as usize, |next| next.crest + 1);
-            let own = from.points.start..to.points.end;
-            let profile = view.profile(own, from.crest..end)?;
-            let pressed = view.press(&profile, count, strips)?;
-            if strips.count == 0 {
-                continue;
-            }
-            let contact = contacts.get_mut(found.written).ok_or(Error::PatchSize)?;
-            contact.fill(&view, strips, &pressed);
-            contact.share = share;
-            if !contact.is_finite() {
-                return Err(Error::Overflow);
-            }
-            found.written += 1;
-            if contact.is_conformal() {
-                found.warning = Warning::AngleRange;
-            }
+    let mut found = ContactCount { written: 0, apart: 0, warning: Warning::None };
+    let Some(profile) = view.profile()? else { return Ok(found) };
+    let mut curve = Curve::of_surfaces(&profile, pair.smoothing_length);
+    let mut zones = Zones::new();
+    curve.overlaps(|zone| zones.push(zone));
+    found.apart = zones.apart() as u32;
+    for group in &zones.groups()? {
+        curve.restrict(&group.whole);
+        let pressed = view.press(&profile, &curve, group.whole.depth, count, strips)?;
+        if strips.count == 0 {
+            continue;
+        }
+        let contact = contacts.get_mut(found.written).ok_or(Error::PatchSize)?;
+        contact.fill(&view, strips, &pressed);
+        contact.share = group.share;
+        if !contact.is_finite() {
+            return Err(Error::Overflow);
+        }
+        found.written += 1;
+        if contact.is_conformal() {
+            found.warning = Warning::AngleRange;
         }
     }
     Ok(found)

@@ -22,6 +22,8 @@
 
 pub mod contacts;
 mod curve;
+mod groups;
+mod height;
 mod knots;
 mod line_of_contact;
 mod prepare;
@@ -131,8 +133,8 @@ pub struct WheelPair<F> {
     /// 0: a right wheel; any other number: a left wheel. The profiles are always those of a right
     /// wheel; position, velocity and wrench are the wheel's own.
     pub left: i32,
-    /// Length over which the distance of the surfaces is smoothed \[m\], >= 0; 0: as
-    /// kstrip_patch_from_profile() does.
+    /// Length over which the distance of the surfaces is smoothed \[m\], >= 0. It is always at
+    /// least 2.5 steps of the wheel's profile. For rough profiles set it to 2 mm.
     pub smoothing_length: F,
     /// About how many strips a contact has: 4, 8, 16, 32 or 64; 0: 16.
     pub strips: i32,

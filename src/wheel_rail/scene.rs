@@ -13,12 +13,6 @@ use crate::status::{Error, Warning};
 /// Largest steps of the differences with respect to the position in double and in single precision
 /// \[m, rad\], and the largest share of the overlap.
 const STEPS: [(f64, f64); 2] = [(1e-6, 0.05), (15e-6, 0.5)];
-/// Largest number of heights that are tried for a load.
-const HEIGHTS: u32 = 64;
-/// Largest step from one height to the next \[m\], and the distance below which two heights are the
-/// same \[m\].
-const FARTHEST: f64 = 1e-4;
-const NEAREST: f64 = 1e-14;
 
 /// Memory of the caller for the computation of one wheel. It may hold anything before a call. After
 /// KSTRIP_OK or a warning it holds the gap and the contacts of the position; after an error its
@@ -78,7 +72,7 @@ impl<F: Float> Scene<'_, F> {
         touch(rail, wheel, pair.wheel_radius, &right, F::zero(), gap)
     }
 
-    fn wrench(
+    pub(super) fn wrench(
         &self,
         position: &Position<F>,
         velocity: &Velocity<F>,
@@ -151,104 +145,6 @@ impl<F: Float> Scene<'_, F> {
             yaw: by(|position| &mut position.yaw)?,
             roll: by(|position| &mut position.roll)?,
         })
-    }
-
-    /// The vertical position at which the rail supports the wheel with a force. Creep forces carry
-    /// as well if there is a `velocity`.
-    ///
-    /// The support grows with the vertical position, from zero where the wheel is lifted. The
-    /// search brackets the position and then uses the Illinois variant of false position on the
-    /// force to the power 2/3, which is nearly linear for Hertz's contacts.
-    ///
-    /// # Errors
-    /// Those of [`Scene::solve`]; [`Error::NormalForce`] for a force that is not positive.
-    pub fn height_for_load(
-        &self,
-        position: &Position<F>,
-        support: F,
-        velocity: Option<&Velocity<F>>,
-        memory: &mut Workspace<F>,
-    ) -> Result<(F, Warning), Error> {
-        if !support.is_finite_number() {
-            return Err(Error::NotFinite);
-        }
-        if support <= F::zero() {
-            return Err(Error::NormalForce);
-        }
-        let straight = |force: F| force.max(F::zero()).squared().cube_root();
-        let (wanted, far) = (straight(support), F::of(FARTHEST));
-        // a height with less than the wanted load, and one with more, with what the load exceeds
-        // the wanted one by
-        let mut above = (self.first_touch(position, memory)?, -wanted);
-        let mut below: Option<(F, F)> = None;
-        let (mut here, mut last) = (above.0 + far.times(0.5), F::zero());
-        for _ in 0..HEIGHTS {
-            let at = Position { vertical: here, ..*position };
-            let rest = straight(self.support(&at, velocity, memory)?) - wanted;
-            if rest.abs() <= wanted * F::EPSILON.times(64.0) {
-                return Ok((here, Warning::None));
-            }
-            // an end that stays once more counts half
-            if rest < F::zero() {
-                above = (here, rest);
-                below = below.map(|(low, more)| {
-                    (low, if last < F::zero() { more.times(0.5) } else { more })
-                });
-            } else {
-                below = Some((here, rest));
-                above.1 = if last > F::zero() { above.1.times(0.5) } else { above.1 };
-            }
-            last = rest;
-            let (high, less) = above;
-            let next = match below {
-                Some((low, more)) => {
-                    if low - high <= F::of(NEAREST) {
-                        return Ok((here, Warning::None));
-                    }
-                    let share = (less / (less - more)).clamped(F::of(0.02), F::of(0.98));
-                    high + (low - high) * share
-                }
-                None => high + far,
-            };
-            if next == here {
-                return Ok((here, Warning::None));
-            }
-            here = next;
-        }
-        Ok((here, Warning::NotConverged))
-    }
-
-    /// The upward force of the rail on the wheel; without a velocity that of the pressure alone.
-    fn support(
-        &self,
-        position: &Position<F>,
-        velocity: Option<&Velocity<F>>,
-        memory: &mut Workspace<F>,
-    ) -> Result<F, Error> {
-        if let Some(velocity) = velocity {
-            let [_, _, vertical] = self.wrench(position, velocity, memory, None)?.force;
-            return Ok(-vertical);
-        }
-        self.place(position, memory)?;
-        let pressures = memory.found().iter().map(|contact| {
-            let [_, _, vertical, ..] = contact.normal;
-            contact.share * contact.normal_force * vertical
-        });
-        Ok(pressures.fold(F::zero(), |sum, pressure| sum + pressure))
-    }
-
-    /// About the vertical position at which the wheel touches, by lowering the wheel a few times by
-    /// the distance that is left.
-    fn first_touch(&self, position: &Position<F>, memory: &mut Workspace<F>) -> Result<F, Error> {
-        let mut here = *position;
-        for _ in 0..HEIGHTS {
-            let left = self.touch(&here, &mut memory.gap)?;
-            here.vertical += left;
-            if left.abs() < F::of(1e-6) {
-                break;
-            }
-        }
-        Ok(here.vertical)
     }
 }
 

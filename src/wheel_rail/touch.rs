@@ -13,14 +13,12 @@ use crate::number::avx::with_avx;
 use crate::number::{Float, Strips, are_finite};
 use crate::status::Error;
 
-/// Distance below which points are added \[m\], and the largest number of points for one of the
-/// wheel's.
-const NEAR: f64 = 0.3e-3;
-const FINEST: usize = 4;
 /// Default of the distance above which points are left out \[m\].
 const REACH: f64 = 2e-3;
 /// Number of points that are looked at side by side.
 const FOUR: usize = 4;
+/// How often the part of a wheel's profile in which a rail ends is divided by five.
+const PARTINGS: u32 = 22;
 
 /// The gap between a wheel and a rail, point by point along the rail. A host with its own search of
 /// contact fills it. The first count elements of each member are used.
@@ -62,10 +60,6 @@ impl<F: Float> Gap<F> {
         [along, distance, x, y, z, angle, rolling_radius]
     }
 
-    fn get(&self, k: usize) -> GapPoint<F> {
-        self.lists().map(|list| list.get(k).copied().unwrap_or(F::zero()))
-    }
-
     fn set(&mut self, k: usize, point: &GapPoint<F>) {
         let Self { along, distance, x, y, z, angle, rolling_radius, .. } = self;
         let lists = [along, distance, x, y, z, angle, rolling_radius];
@@ -101,6 +95,41 @@ impl<F: Float> Above<'_, F> {
         })
     }
 
+    /// Of a point of the wheel over the rail and its neighbour that is not: the last place between
+    /// them that is over the rail, if it is so near that it may count. The wheel's points `k` and
+    /// `k + 1`, of which the former is over the rail or the latter.
+    #[inline(never)]
+    fn last(
+        &mut self,
+        wheel: &Surface<F>,
+        k: usize,
+        is_former: bool,
+        inside: Option<&GapPoint<F>>,
+    ) -> Option<GapPoint<F>> {
+        let [_, distance, ..] = inside?;
+        if *distance >= self.reach.times(0.5) {
+            return None;
+        }
+        let (mut over, mut beyond) =
+            if is_former { (F::zero(), F::one()) } else { (F::one(), F::zero()) };
+        let mut last = None;
+        for _ in 0..PARTINGS {
+            // the end is in one of five parts
+            let part = (beyond - over).times(0.2);
+            let shares: [F; FOUR] =
+                core::array::from_fn(|i| over + part * F::widened(i as f32 + 1.0));
+            let found = self.look(&shares.map(|share| wheel.at(k, share)));
+            for (share, point) in shares.into_iter().zip(found) {
+                if point.is_none() {
+                    beyond = share;
+                    break;
+                }
+                (over, last) = (share, point);
+            }
+        }
+        last
+    }
+
     #[inline(always)]
     fn look_from<P: Strips<F>>(&mut self, places: &Places<F>) -> [Option<GapPoint<F>>; FOUR] {
         let Position { lateral, vertical, .. } = self.position;
@@ -124,6 +153,9 @@ impl<F: Float> Above<'_, F> {
                 *under = self.rail.under(point, normal, own(&line.size));
             }
         }
+        if under.iter().all(Option::is_none) {
+            return [None; FOUR];
+        }
         let foot = self.rail.feet(point, &under);
         let [rail_y, rail_z] = foot.normal;
         // the mean of both surfaces' angles is that of the sum of their unit normals
@@ -146,10 +178,9 @@ impl<F: Float> Above<'_, F> {
     }
 }
 
-/// The gap between a right wheel and a rail. Only points nearer to the rail than `reach` are
-/// written; zero: 2 mm. Where surfaces are nearer than 0.3 mm there are up to four points for one
-/// of the wheel's profile, because the contact of a flange is one millimetre wide. Returns the
-/// smallest distance of the points, or `reach` where all are farther.
+/// The gap between a right wheel and a rail, at the points of the wheel's profile. Only those
+/// nearer to the rail than `reach` are written; zero: 2 mm. Returns the smallest distance of the
+/// points, or `reach` where all are farther.
 ///
 /// # Errors
 /// [`Error::NotPrepared`], [`Error::NotFinite`], [`Error::RollingRadius`]; [`Error::ProfileEnd`]
@@ -174,67 +205,89 @@ pub fn touch<F: Float>(
     let reach = if reach > F::zero() { reach } else { F::of(REACH) };
     let (turned, rail) = (Wheel::new(wheel_radius, position), Rail::new(rail, reach));
     let mut above = Above { wheel: turned, position: *position, reach, rail };
-    // the wheel's own points, from the last to the first, at the end of the room; for each its
-    // number if it and the one before are near, else 0
     let points = wheel.count as usize;
-    let mut numbers = [0_u16; KSTRIP_SURFACE_CAPACITY];
-    let (mut first, mut near, mut is_next_near) = (KSTRIP_SURFACE_CAPACITY, 0, false);
-    for group in (0..points).step_by(FOUR) {
-        let number = |i: usize| points.checked_sub(group + i + 1);
-        let found = above.look(&core::array::from_fn(|i| wheel.point(number(i)?)));
-        for (i, point) in found.iter().enumerate() {
-            let is_near = point.is_some_and(|[_, distance, ..]| distance < F::of(NEAR));
-            if let Some(next) = numbers.get_mut(first).filter(|_| is_near && is_next_near) {
-                *next = number(i).map_or(0, |before| before as u16 + 1);
-                near += 1;
-            }
-            if let Some(point) = point {
-                first = first.saturating_sub(1);
-                gap.set(first, point);
-            }
-            is_next_near = is_near;
-        }
-    }
-    if !above.rail.faced {
-        return Err(Error::ProfileEnd);
-    }
-    let parts = (first / near.max(1) + 1).min(FINEST);
-    // with those between them, in ascending order along the rail, from the first on: there is room
-    // before what is still to be read
     let (mut count, mut least) = (0, reach);
     let mut end: Option<F> = None;
-    let mut write = |gap: &mut Gap<F>, point: &GapPoint<F>| {
+    let mut write = |point: &GapPoint<F>| {
         let [along, distance, ..] = *point;
-        if end.is_none_or(|end| along > end) {
+        if end.is_none_or(|end| along > end) && count < KSTRIP_SURFACE_CAPACITY {
             gap.set(count, point);
             count += 1;
             least = least.min(distance);
             end = Some(along);
         }
     };
-    // all places between, in their order: four of them are looked at together
-    let divided = numbers.iter().map(|number| usize::from(*number)).filter(|number| *number > 0);
-    let mut places = divided.flat_map(|number| (1..parts).map(move |part| (number - 1, part)));
-    let (mut looked, mut next) = ([None; FOUR], FOUR);
-    for (own, number) in numbers.iter().enumerate().skip(first) {
-        let divisions = if *number > 0 { parts } else { 1 };
-        for _ in 1..divisions {
-            if next == FOUR {
-                looked = above.look(&core::array::from_fn(|_| {
-                    let (before, part) = places.next()?;
-                    wheel.at(before, F::widened(part as f32) / F::widened(parts as f32))
-                }));
-                next = 0;
+    let mut before: Option<GapPoint<F>> = None;
+    for first in (0..points).step_by(FOUR) {
+        let place = |i: usize| wheel.point(first + i).filter(|_| first + i < points);
+        let found = above.look(&core::array::from_fn(place));
+        for (i, point) in found.iter().enumerate().take(points - first) {
+            if let Some(k) = (first + i).checked_sub(1)
+                && before.is_some() != point.is_some()
+            {
+                // where the rail ends under the wheel
+                let inside = before.as_ref().or(point.as_ref());
+                if let Some(last) = above.last(wheel, k, before.is_some(), inside) {
+                    write(&last);
+                }
             }
-            if let Some(Some(point)) = looked.get(next) {
-                write(gap, point);
+            if let Some(point) = point {
+                write(point);
             }
-            next += 1;
+            before = *point;
         }
-        let own = gap.get(own);
-        write(gap, &own);
+    }
+    if !above.rail.faced {
+        return Err(Error::ProfileEnd);
     }
     gap.count = count as u32;
     gap.reserved = 0;
+    Ok(least)
+}
+
+/// The vertical position at which a right wheel that is lowered meets the rail with a point of its
+/// line of contact, and the cosine of the rail's angle there. None where no point of the wheel is
+/// over the rail.
+///
+/// # Errors
+/// [`Error::NotPrepared`], [`Error::NotFinite`], [`Error::RollingRadius`].
+pub(super) fn lowered<F: Float>(
+    rail: &Surface<F>,
+    wheel: &Surface<F>,
+    wheel_radius: F,
+    position: &Position<F>,
+) -> Result<Option<[F; 2]>, Error> {
+    rail.check()?;
+    wheel.check()?;
+    position.check()?;
+    let turned = Wheel::new(wheel_radius, position);
+    let (points, mut k) = (rail.count as usize, 0);
+    let y_of = |k: usize| rail.y.get(k).copied().filter(|_| k < points);
+    let mut least: Option<[F; 2]> = None;
+    for first in (0..wheel.count as usize).step_by(FOUR) {
+        let line = turned.line_of_contact(wheel.points::<F::Four>(|i| first + i));
+        let [_, across, _] = &line.place;
+        for i in (0..FOUR).take(wheel.count as usize - first) {
+            let (y, below) = (position.lateral + across.lane(i), line.below.lane(i));
+            if !(line.can_touch.lane(i) > F::zero()) {
+                continue;
+            }
+            // the piece of the rail below
+            while y_of(k + 2).is_some() && y_of(k + 1).is_some_and(|next| next <= y) {
+                k += 1;
+            }
+            while k > 0 && y_of(k).is_some_and(|from| from > y) {
+                k -= 1;
+            }
+            let (Some(from), Some(to)) = (rail.point(k), rail.point(k + 1)) else { continue };
+            let share = (y - from.y) / (to.y - from.y);
+            if share >= F::zero() && share <= F::one() {
+                let left = from.z + (to.z - from.z) * share - below;
+                if least.is_none_or(|[least, _]| left < least) {
+                    least = Some([left, from.cosine]);
+                }
+            }
+        }
+    }
     Ok(least)
 }

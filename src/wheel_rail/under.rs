@@ -88,7 +88,10 @@ impl<'a, F: Float> Rail<'a, F> {
             return None;
         }
         self.faced = true;
-        (away <= (self.reach + self.surface.step).squared()).then_some(under)
+        // (however deep it is in the rail)
+        let is_inside = e_z * rail.cosine - e_y * rail.sine > F::zero();
+        let is_near = away <= (self.reach + self.surface.step).squared();
+        (is_near || is_inside).then_some(under)
     }
 
     /// The rail's points under others, side by side; numbers without a meaning where there is none.

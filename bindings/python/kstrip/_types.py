@@ -280,7 +280,7 @@ class WheelPair(Record, name="wheel_pair"):
     friction_at = Numbers('', 'Coefficient of friction at these places [-], >= 0; linear between them, constant beyond.')
     friction_points = Integers('', 'How many of these places there are, at most KSTRIP_RAIL_FRICTION_CAPACITY; 0: friction is the same everywhere.')
     left = Integers('', "0: a right wheel; any other number: a left wheel. The profiles are always those of a right wheel; position, velocity and wrench are the wheel's own.")
-    smoothing_length = Numbers('m', 'Length over which the distance of the surfaces is smoothed [m], >= 0; 0: as kstrip_patch_from_profile() does.')
+    smoothing_length = Numbers('m', "Length over which the distance of the surfaces is smoothed [m], >= 0. It is always at least 2.5 steps of the wheel's profile. For rough profiles set it to 2 mm.")
     strips = Integers('', 'About how many strips a contact has: 4, 8, 16, 32 or 64; 0: 16.')
     model = Integers('', 'KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967.')
 

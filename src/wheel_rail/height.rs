@@ -1,0 +1,176 @@
+//! The height of a wheel that carries a load.
+//!
+//! The search begins above the rail, wherever the wheel was, so that of several heights it finds
+//! the first. It lowers the wheel until the surfaces touch, and then follows the force to the power
+//! 2/3, which is nearly linear for Hertz's contacts: by Newton's steps with the stiffness at first,
+//! then by secants, always between a height with less than the wanted force and one with more.
+
+use super::scene::{Scene, Workspace};
+use super::touch::lowered;
+use super::{Position, Velocity};
+use crate::number::Float;
+use crate::status::{Error, Warning};
+
+/// Largest number of heights that are tried.
+const HEIGHTS: u32 = 100;
+/// Largest factor by which the depth below the first touch grows in a step.
+const GROWTH: f64 = 4.0;
+/// Peak pressure over the shear modulus from which it is implausible.
+const IMPLAUSIBLE: f64 = 0.1;
+
+/// A height that was tried: vertical position, and by how much the straightened force exceeds the
+/// wanted one.
+type Tried<F> = (F, F);
+
+/// Whether an error says that the wheel is too deep in the rail.
+fn is_too_deep(error: Error) -> bool {
+    matches!(error, Error::ProfileEnd | Error::Overflow | Error::PatchSize)
+}
+
+impl<F: Float> Scene<'_, F> {
+    /// The vertical position at which the rail supports the wheel with a force: of several the
+    /// highest that the search meets from above. Creep forces carry as well if there is a
+    /// `velocity`. The vertical position of the wheel does not matter.
+    ///
+    /// # Errors
+    /// Those of [`Scene::solve`]; [`Error::NormalForce`] for a force that is not positive;
+    /// [`Error::ProfileEnd`] where the contact reaches the end of a profile with less force.
+    pub fn height_for_load(
+        &self,
+        position: &Position<F>,
+        support: F,
+        velocity: Option<&Velocity<F>>,
+        memory: &mut Workspace<F>,
+    ) -> Result<(F, Warning), Error> {
+        if !support.is_finite_number() {
+            return Err(Error::NotFinite);
+        }
+        if support <= F::zero() {
+            return Err(Error::NormalForce);
+        }
+        self.pair.check()?;
+        let straight = |force: F| force.max(F::zero()).squared().cube_root();
+        let wanted = straight(support);
+        // of a sphere with the wheel's radius: N = (4/3) E* √R δ^(3/2)
+        let modulus = self.pair.shear_modulus / (F::one() - self.pair.poisson_ratio);
+        let expected = straight(support.times(0.75) / (modulus * self.pair.wheel_radius.sqrt()));
+        let [touches, per_normal] = self.first_touch(position)?;
+        let mut above: Option<Tried<F>> = None;
+        let mut below: Option<Tried<F>> = None;
+        // (a height that is too deep is below, without a force)
+        let mut deep: Option<(F, Error)> = None;
+        let mut last: Option<Tried<F>> = None;
+        let mut here = touches + expected * per_normal;
+        for tried in 0..HEIGHTS {
+            let at = Position { vertical: here, ..*position };
+            let found = self.support(&at, velocity, memory);
+            let next = match found {
+                Err(error) if is_too_deep(error) => {
+                    deep = Some((here, deep.map_or(error, |(_, first)| first)));
+                    None
+                }
+                Err(error) => return Err(error),
+                Ok([force, stiffness]) => {
+                    let own = straight(force);
+                    let rest = own - wanted;
+                    if rest.abs() <= wanted * F::EPSILON.times(64.0) {
+                        return Ok((here, self.judged(memory)));
+                    }
+                    if rest < F::zero() {
+                        above = Some((here, rest));
+                    } else {
+                        below = Some((here, rest));
+                    }
+                    let secant = last.map(|(place, more)| (rest - more) / (here - place));
+                    // d(F^(2/3)) = (2/3) F^(2/3)/F dF
+                    let newton =
+                        (force > F::zero()).then(|| (own / force) * stiffness.times(2.0 / 3.0));
+                    let slope = secant.or(newton).filter(|slope| *slope > F::zero());
+                    last = (force > F::zero()).then_some((here, rest));
+                    slope.map(|slope| here - rest / slope)
+                }
+            };
+            let lowest = match (below, deep) {
+                (Some((low, _)), Some((deep, error))) if deep < low => Some((deep, Some(error))),
+                (Some((low, _)), _) => Some((low, None)),
+                (None, deep) => deep.map(|(deep, error)| (deep, Some(error))),
+            };
+            here = match (above, lowest) {
+                (Some((high, less)), Some((low, error))) => {
+                    let middle = high + (low - high).times(0.5);
+                    if !(middle > high && middle < low) {
+                        if let Some(error) = error {
+                            return Err(error);
+                        }
+                        let more = below.map_or(-less, |(_, more)| more);
+                        let is_close = more.min(-less) <= wanted * F::EPSILON.sqrt();
+                        let warning =
+                            if is_close { self.judged(memory) } else { Warning::NotConverged };
+                        return Ok((here, warning));
+                    }
+                    // (a secant that does not close in is followed by halves)
+                    let inside = next.filter(|next| *next > high && *next < low);
+                    if tried % 8 == 7 { middle } else { inside.unwrap_or(middle) }
+                }
+                (Some((high, _)), None) => {
+                    let farthest = high + (high - touches).max(expected) * F::of(GROWTH);
+                    next.filter(|next| *next > high).map_or(farthest, |next| next.min(farthest))
+                }
+                (None, Some((low, _))) => {
+                    let farthest = low - (touches - low).max(expected) * F::of(GROWTH);
+                    next.filter(|next| *next < low).map_or(farthest, |next| next.max(farthest))
+                }
+                (None, None) => return Ok((here, Warning::NotConverged)),
+            };
+        }
+        Ok((here, Warning::NotConverged))
+    }
+
+    /// A warning where the pressure of the found contacts is implausible.
+    fn judged(&self, memory: &Workspace<F>) -> Warning {
+        let bound = self.pair.shear_modulus.times(IMPLAUSIBLE);
+        let mut strips = memory
+            .found()
+            .iter()
+            .flat_map(|contact| contact.patch.strips.iter().take(contact.patch.count as usize));
+        let beyond = strips.any(|strip| strip.peak_pressure > bound);
+        if beyond { Warning::Pressure } else { Warning::None }
+    }
+
+    /// The upward force of the rail on the wheel, without a velocity that of the pressure alone;
+    /// and the derivative of the latter by the vertical position.
+    fn support(
+        &self,
+        position: &Position<F>,
+        velocity: Option<&Velocity<F>>,
+        memory: &mut Workspace<F>,
+    ) -> Result<[F; 2], Error> {
+        let force = match velocity {
+            Some(velocity) => {
+                let [_, _, vertical] = self.wrench(position, velocity, memory, None)?.force;
+                Some(-vertical)
+            }
+            None => {
+                self.place(position, memory)?;
+                None
+            }
+        };
+        let (mut pressure, mut stiffness) = (F::zero(), F::zero());
+        for contact in memory.found() {
+            let [_, _, vertical, ..] = contact.normal;
+            pressure += contact.share * contact.normal_force * vertical;
+            stiffness += contact.share * contact.stiffness * vertical * vertical;
+        }
+        Ok([force.unwrap_or(pressure), stiffness])
+    }
+
+    /// About the vertical position at which the wheel touches first on its way down, and by how
+    /// much it moves down for a unit of approach there.
+    fn first_touch(&self, position: &Position<F>) -> Result<[F; 2], Error> {
+        let right = position.mirrored(self.pair.left != 0);
+        let Self { rail, wheel, pair, .. } = *self;
+        let found = lowered(rail, wheel, pair.wheel_radius, &right)?;
+        let [touches, cosine] = found.ok_or(Error::ProfileEnd)?;
+        Ok([touches, F::one() / cosine.abs().max(F::of(0.1))])
+    }
+}
