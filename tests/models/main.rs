@@ -42,6 +42,7 @@ mod special_motions;
 mod total;
 mod unlike;
 mod warnings;
+mod wheel_continuity;
 mod wheel_rail;
 mod wheelset;
 

@@ -1,0 +1,374 @@
+//! A wheel over real and drawn profiles: nothing jumps, contacts begin without load, no overlap is
+//! lost, and the height for a load does not depend on where the search begins.
+
+use crate::manchester::{points, steel, zeroed};
+use crate::random::Random;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::Model;
+use kstrip::status::Warning;
+use kstrip::wheel_rail::scene::{Scene, Workspace};
+use kstrip::wheel_rail::surface::Surface;
+use kstrip::wheel_rail::wrench::{Law, Wrench};
+use kstrip::wheel_rail::{Position, Velocity, WheelPair};
+
+const RAILS: [(&str, f64); 6] = [
+    ("uic60", 0.025),
+    ("rail288", 0.0),
+    ("avgHR", 0.0),
+    ("siteb", 0.025),
+    ("wornhm", 0.0),
+    ("avglow", 0.0),
+];
+const WHEELS: [&str; 4] = ["s1002", "whl288", "avgwhl", "car7216"];
+const ROLLING: Velocity<f64> =
+    Velocity { forward: 20.0, lateral: 0.05, vertical: 0.0, roll: 0.0, pitch: -43.4, yaw: 0.0 };
+
+fn prepared(y: &[f64], z: &[f64]) -> Box<Surface<f64>> {
+    let mut surface = zeroed::<Surface<f64>>();
+    surface.prepare(y, z, 0.0, 0.0).unwrap();
+    surface
+}
+
+/// A profile of the data, turned, with noise of a size across.
+fn measured(name: &str, turn: f64, noise: f64, random: &mut Random) -> Box<Surface<f64>> {
+    let [y, z] = points(name);
+    let (sine, cosine) = turn.sin_cos();
+    let (y, z): (Vec<f64>, Vec<f64>) = y
+        .iter()
+        .zip(&z)
+        .map(|(y, z)| (*y, z + noise * random.between(-1.0, 1.0)))
+        .map(|(y, z)| (y * cosine - z * sine, y * sine + z * cosine))
+        .unzip();
+    prepared(&y, &z)
+}
+
+/// A profile drawn between two places.
+fn drawn(ends: f64, count: usize, height: impl Fn(f64) -> f64) -> Box<Surface<f64>> {
+    let y: Vec<f64> =
+        (0..count).map(|i| -ends + 2.0 * ends * i as f64 / (count - 1) as f64).collect();
+    let z: Vec<f64> = y.iter().map(|y| height(*y)).collect();
+    prepared(&y, &z)
+}
+
+/// A wheel over a rail.
+struct Over<'a> {
+    rail: &'a Surface<f64>,
+    wheel: &'a Surface<f64>,
+    pair: WheelPair<f64>,
+    strips: StripCount,
+    position: Position<f64>,
+}
+
+/// What is varied.
+const NAMES: [&str; 5] = ["lateral", "vertical", "yaw", "roll", "smoothing length"];
+
+impl Over<'_> {
+    fn scene(&self) -> Scene<'_, f64> {
+        let law = Law { model: Model::Strip, falling: None };
+        let Self { rail, wheel, pair, strips, .. } = self;
+        Scene { rail, wheel, pair, strips: *strips, law }
+    }
+
+    fn solve(&self, memory: &mut Workspace<f64>) -> Option<Wrench<f64>> {
+        let found = self.scene().solve(&self.position, &ROLLING, memory, None, None);
+        found.inspect_err(|error| println!("{:?}: {error}", self.position)).ok()
+    }
+
+    fn load(&self, memory: &mut Workspace<f64>) -> Option<f64> {
+        self.solve(memory).map(|wrench| wrench.normal_force)
+    }
+
+    fn varied(&mut self, which: usize) -> &mut f64 {
+        let Self { position: Position { lateral, vertical, yaw, roll }, pair, .. } = self;
+        [lateral, vertical, yaw, roll, &mut pair.smoothing_length][which]
+    }
+
+    fn at(&mut self, which: usize, value: f64, memory: &mut Workspace<f64>) -> Option<[f64; 7]> {
+        *self.varied(which) = value;
+        let wrench = self.solve(memory)?;
+        let [x, y, z, roll, pitch, yaw] = wrench.members();
+        let arm = self.pair.wheel_radius;
+        Some([x, y, z, roll / arm, pitch / arm, yaw / arm, wrench.normal_force])
+    }
+
+    /// Lowers or lifts the wheel to where it touches: the last vertical position without load and
+    /// the first with load, which are neighbours.
+    fn first_touch(&mut self, memory: &mut Workspace<f64>) -> Option<[f64; 2]> {
+        let height = self.scene().height_for_load(&self.position, 100.0, None, memory);
+        let (height, _) = height.inspect_err(|error| println!("height: {error}")).ok()?;
+        let (mut free, mut loaded) = (height - 1e-3, height);
+        self.position.vertical = free;
+        if self.load(memory)? > 0.0 {
+            return None;
+        }
+        loop {
+            let middle = free + 0.5 * (loaded - free);
+            if middle <= free || middle >= loaded {
+                return Some([free, loaded]);
+            }
+            self.position.vertical = middle;
+            *(if self.load(memory)? > 0.0 { &mut loaded } else { &mut free }) = middle;
+        }
+    }
+}
+
+fn distance(one: &[f64; 7], other: &[f64; 7]) -> f64 {
+    one.iter().zip(other).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+/// The largest change between neighbouring numbers, over the load: of the places where the wrench
+/// bends most over a range, each followed by halves to one rounding.
+fn largest_jump(over: &mut Over, which: usize, from: f64, to: f64, steps: usize) -> (f64, f64) {
+    let mut memory = zeroed::<Workspace<f64>>();
+    let place = |k: usize| from + (to - from) * k as f64 / steps as f64;
+    let found: Vec<_> = (0..=steps).map(|k| over.at(which, place(k), &mut memory)).collect();
+    let mut bends: Vec<(f64, usize)> = (1..steps - 1)
+        .filter_map(|k| {
+            let [a, b, c, d] = [k - 1, k, k + 1, k + 2].map(|k| found.get(k).copied().flatten());
+            let (a, b, c, d) = (a?, b?, c?, d?);
+            let bend = |before: [f64; 2], own: [f64; 2], after: [f64; 2]| {
+                let [before, own, after] = [before, own, after].map(|[from, to]| to - from);
+                (own - before).abs().min((own - after).abs())
+            };
+            let most = (0..7).map(|i| bend([a[i], b[i]], [b[i], c[i]], [c[i], d[i]]));
+            Some((most.fold(0.0, f64::max), k))
+        })
+        .collect();
+    bends.sort_by(|one, other| other.0.total_cmp(&one.0));
+    let mut worst = (0.0, 0.0);
+    for &(_, k) in bends.iter().take(4) {
+        let (mut low, mut high) = (place(k), place(k + 1));
+        let (Some(mut below), Some(mut above)) = (found[k], found[k + 1]) else { continue };
+        loop {
+            let middle = low + 0.5 * (high - low);
+            if middle <= low || middle >= high {
+                break;
+            }
+            let Some(own) = over.at(which, middle, &mut memory) else { break };
+            if distance(&below, &own) > distance(&own, &above) {
+                (high, above) = (middle, own);
+            } else {
+                (low, below) = (middle, own);
+            }
+        }
+        let jump = distance(&below, &above) / below[6].max(above[6]).max(1e-3);
+        if jump > worst.0 {
+            worst = (jump, low);
+        }
+    }
+    worst
+}
+
+/// Random wheels on real profiles, with and without noise of 3 um, smoothed or not, with any number
+/// of strips: between neighbouring numbers no component of the wrench changes by more than
+/// rounding.
+#[test]
+fn nothing_jumps_by_more_than_rounding() {
+    for (seed, noise, wheels) in [(1, 0.0, 10), (2, 3e-6, 10)] {
+        let mut random = Random::new(seed);
+        let rails = RAILS.map(|(name, turn)| measured(name, turn, noise, &mut random));
+        let wheels_of = WHEELS.map(|name| measured(name, 0.0, noise, &mut random));
+        let pick = |random: &mut Random, count: usize| (random.unit() * count as f64) as usize;
+        for trial in 0..wheels {
+            let (rail, wheel) = (pick(&mut random, 6), pick(&mut random, 4));
+            let smoothing_length = [0.0, 0.0, 1e-3, 2e-3, 4e-3][pick(&mut random, 5)];
+            let strips = [4, 8, 16, 16, 32, 64][pick(&mut random, 6)];
+            let mut over = Over {
+                rail: &rails[rail],
+                wheel: &wheels_of[wheel],
+                pair: WheelPair { smoothing_length, ..steel(0.46) },
+                strips: StripCount::from_number(strips).unwrap(),
+                position: Position {
+                    lateral: random.between(-15e-3, 12e-3),
+                    vertical: 0.0,
+                    yaw: random.between(-0.02, 0.02),
+                    roll: random.between(-0.02, 0.02),
+                },
+            };
+            let load = random.log_between(10.0, 2e5);
+            let mut memory = zeroed::<Workspace<f64>>();
+            let height = over.scene().height_for_load(&over.position, load, None, &mut memory);
+            let Ok((height, _)) = height else { continue };
+            over.position.vertical = height;
+            let (position, pair) = (over.position, over.pair);
+            for (which, span) in [200e-6, 40e-6, 2e-3, 2e-3, 1e-3].into_iter().enumerate() {
+                (over.position, over.pair) = (position, pair);
+                let middle = *over.varied(which);
+                let from = middle - 0.5 * span;
+                let from = if which == 4 { from.max(1e-5) } else { from };
+                let (jump, place) = largest_jump(&mut over, which, from, from + span, 60);
+                assert!(
+                    jump < 1e-8,
+                    "seed {seed}, trial {trial}: {jump:e} of N over {} at {place:e}: {} on {}, \
+                     {position:?}, smoothing {smoothing_length}, strips {strips}",
+                    NAMES[which],
+                    WHEELS[wheel],
+                    RAILS[rail].0,
+                );
+            }
+        }
+    }
+}
+
+/// A wheel that is lowered by 1 pm from where it touches carries less than 1 mN.
+#[test]
+fn contacts_begin_without_load() {
+    let mut random = Random::new(3);
+    let rails = RAILS.map(|(name, turn)| measured(name, turn, 0.0, &mut random));
+    let wheels = WHEELS.map(|name| measured(name, 0.0, 0.0, &mut random));
+    let mut memory = zeroed::<Workspace<f64>>();
+    let mut touches = 0;
+    for trial in 0..60 {
+        let smoothing_length = [0.0, 2e-3, 4e-3][trial % 3];
+        let mut over = Over {
+            rail: &rails[trial % 6],
+            wheel: &wheels[trial / 6 % 4],
+            pair: WheelPair { smoothing_length, ..steel(0.46) },
+            strips: StripCount::Sixteen,
+            position: Position {
+                lateral: random.between(-15e-3, 12e-3),
+                vertical: 0.0,
+                yaw: random.between(-0.02, 0.02),
+                roll: random.between(-0.02, 0.02),
+            },
+        };
+        let Some([free, loaded]) = over.first_touch(&mut memory) else { continue };
+        touches += 1;
+        for (vertical, allowed) in [(free, 0.0), (loaded, 1e-3), (loaded + 1e-12, 1e-3)] {
+            over.position.vertical = vertical;
+            let wrench = over.solve(&mut memory).unwrap();
+            let load = wrench.normal_force;
+            assert!(load <= allowed, "{trial}: {load} N at {:?}", over.position);
+            // what counts as a contact carries something
+            assert_eq!(wrench.contacts > 0, load > 0.0, "{trial}");
+        }
+    }
+    assert!(touches > 30, "{touches}");
+}
+
+/// A third facet of a rail begins to touch between two others, or parts from one of them: the
+/// number of contacts changes, and the wrench does not.
+#[test]
+fn a_zone_without_depth_changes_nothing() {
+    let wheel = drawn(0.06, 600, |_| 0.0);
+    let mut memory = zeroed::<Workspace<f64>>();
+    let mut changes = 0;
+    for (wave, hollow) in [(5e-3, 4e-6), (5e-3, 15e-6), (6e-3, 9e-6), (7e-3, 4e-6)] {
+        let rail = drawn(0.03, 600, |y| {
+            let beyond = (y.abs() - 1.2 * wave).max(0.0);
+            let facets = 10e-6 * (2.0 * std::f64::consts::PI * y / wave).cos();
+            beyond * beyond / 0.2 - hollow * (y / wave).powi(2) - facets
+        });
+        let position = Position { lateral: 2e-5, vertical: 0.0, yaw: 2e-3, roll: 0.0 };
+        let (pair, strips) = (steel(0.46), StripCount::Sixteen);
+        let mut over = Over { rail: &rail, wheel: &wheel, pair, strips, position };
+        let [_, loaded] = over.first_touch(&mut memory).unwrap();
+        let mut apart = |over: &mut Over, vertical: f64| {
+            let found = over.at(1, vertical, &mut memory).unwrap();
+            (memory.apart, found)
+        };
+        let mut last = apart(&mut over, loaded);
+        for k in 1..200 {
+            let (mut high, mut low) =
+                (loaded + 1e-7 * f64::from(k - 1), loaded + 1e-7 * f64::from(k));
+            let next = apart(&mut over, low);
+            assert!(next.1[6] > last.1[6], "the load falls: {wave} {hollow} {low}");
+            if next.0 != last.0 {
+                let (mut before, mut after) = (last.1, next.1);
+                loop {
+                    let middle = high + 0.5 * (low - high);
+                    if middle <= high || middle >= low {
+                        break;
+                    }
+                    let own = apart(&mut over, middle);
+                    if own.0 == last.0 {
+                        (high, before) = (middle, own.1);
+                    } else {
+                        (low, after) = (middle, own.1);
+                    }
+                }
+                changes += 1;
+                let jump = distance(&before, &after) / before[6];
+                assert!(jump < 1e-9, "{wave} {hollow} {high}: {jump}");
+            }
+            last = next;
+        }
+    }
+    assert!(changes >= 4, "{changes}");
+}
+
+/// A tyre of rubber on a flat road: overlap of 9 mm counts like overlap of 0.5 mm, as Hertz's
+/// sphere.
+#[test]
+fn deep_overlap_counts() {
+    let road = drawn(0.1, 101, |_| 0.0);
+    let tyre = drawn(0.1, 101, |y| -y * y / 0.6);
+    let pair = WheelPair { shear_modulus: 1e6, poisson_ratio: 0.5, ..steel(0.3) };
+    let (strips, position) = (StripCount::Sixteen, Position::default());
+    let mut over = Over { rail: &road, wheel: &tyre, pair, strips, position };
+    let mut memory = zeroed::<Workspace<f64>>();
+    for k in 1..=18 {
+        let depth = 0.5e-3 * f64::from(k);
+        over.position.vertical = depth;
+        let load = over.load(&mut memory).unwrap();
+        let hertz = 4.0 / 3.0 * 2e6 * 0.3_f64.sqrt() * depth.powf(1.5);
+        assert!((load / hertz - 1.0).abs() < 0.02, "{depth}: {load} N for {hertz} N");
+    }
+}
+
+/// Heights from random starts, far above and deep below, are the same to the bit, and the rail
+/// supports the wheel with the load; also of a small roller.
+#[test]
+fn heights_do_not_depend_on_the_start() {
+    let mut random = Random::new(4);
+    let rails = RAILS.map(|(name, turn)| measured(name, turn, 0.0, &mut random));
+    let wheels = WHEELS.map(|name| measured(name, 0.0, 0.0, &mut random));
+    let (flat, roller) = (drawn(0.01, 101, |_| 0.0), drawn(5e-3, 101, |y| -y * y / 0.4));
+    let mut memory = zeroed::<Workspace<f64>>();
+    let mut found = 0;
+    for trial in 0..40 {
+        let small = trial >= 36;
+        let between = |random: &mut Random, most: f64| {
+            if small { 0.0 } else { random.between(-most, most) }
+        };
+        let mut over = Over {
+            rail: if small { &flat } else { &rails[trial % 6] },
+            wheel: if small { &roller } else { &wheels[trial / 6 % 4] },
+            pair: steel(if small { 5e-3 } else { 0.46 }),
+            strips: StripCount::Sixteen,
+            position: Position {
+                lateral: between(&mut random, 12e-3),
+                vertical: 0.0,
+                yaw: between(&mut random, 0.01),
+                roll: between(&mut random, 0.02),
+            },
+        };
+        let load =
+            if small { [1.0, 10.0, 100.0, 1e3][trial - 36] } else { random.log_between(1e3, 2e5) };
+        let mut heights = vec![];
+        for start in [0.0, -0.06, 0.1, random.between(-1.0, 1.0), -10.0] {
+            over.position.vertical = start;
+            let height = over.scene().height_for_load(&over.position, load, None, &mut memory);
+            let height = height.map(|(height, warning)| {
+                assert!(warning == Warning::None || warning == Warning::Pressure, "{warning:?}");
+                height
+            });
+            heights.push(height);
+        }
+        assert!(heights.iter().all(|height| *height == heights[0]), "{trial}: {heights:?}");
+        let Ok(height) = heights[0] else {
+            assert!(!small, "{heights:?}");
+            continue;
+        };
+        found += 1;
+        over.position.vertical = height;
+        over.solve(&mut memory).unwrap();
+        let carried: f64 = memory
+            .found()
+            .iter()
+            .map(|contact| contact.share * contact.normal_force * contact.normal[2])
+            .sum();
+        assert!((carried / load - 1.0).abs() < 1e-9, "{trial}: {carried} N for {load} N");
+    }
+    assert!(found > 25, "{found}");
+}
