@@ -61,7 +61,8 @@ static void drive(const kstrip_friction *law, double mean, double amplitude[2], 
 
 int main(void)
 {
-    const kstrip_friction falling = {0.4, 0.4, 0.6, speed, 0.5}, constant = {0.4, 1, 0, speed, 0.5};
+    const kstrip_friction falling = {0.4, 0.4, 0.6, speed, 0.5, 0, 0},
+                          constant = {0.4, 1, 0, speed, 0.5, 0, 0};
     double slope, mu, amplitude[2], frequency;
     printf("slip [-], traction [N], slope [N], friction [-]\n");
     for (double slip = 1e-4; slip < 0.5; slip *= 1.2) {

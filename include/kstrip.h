@@ -133,6 +133,8 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_ANGLE_RANGE 19
 /** Warning: a zone of contact ends with the profile, as if the bodies ended there. */
 #define KSTRIP_WARNING_PROFILE_END 18
+/** Warning: measured points do not tell the parameters of a law apart. */
+#define KSTRIP_WARNING_UNDETERMINED 20
 
 /** Error: a required pointer is NULL. */
 #define KSTRIP_ERROR_NULL -1
@@ -197,6 +199,16 @@ typedef int32_t kstrip_status;
  * of the alignment.
  */
 #define KSTRIP_ERROR_STRIDE -24
+/** Error: the slide factor is outside [0, 1]. */
+#define KSTRIP_ERROR_SLIDE_FACTOR -25
+/** Error: the layer between the bodies is negative. */
+#define KSTRIP_ERROR_LAYER -26
+/** Error: there are fewer measured forces than parameters to fit. */
+#define KSTRIP_ERROR_FEW_POINTS -27
+/** Error: nothing is to be fitted, or not one of the KSTRIP_FIT constants. */
+#define KSTRIP_ERROR_FIT_PARAMETERS -28
+/** Error: the weight of a measured point is negative. */
+#define KSTRIP_ERROR_WEIGHT -29
 /** Error: a strip of a patch has a width or half length that is not positive. */
 #define KSTRIP_ERROR_STRIP_SIZE -40
 /** Error: the peak pressure of a strip is negative. */
@@ -598,8 +610,9 @@ kstrip_status kstrip_solve(const struct kstrip_contact *contact,
 
 /**
  * Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) +
- * ratio), where w is the sliding velocity [m/s]. A factor reduces the initial slope of the creep
- * curve, for the layer between the bodies.
+ * ratio), where w is the sliding velocity [m/s]. What lies between the bodies makes the creep
+ * curve less steep: slope_factor and slide_factor stretch a curve that was measured or published,
+ * layer is a known elastic layer.
  *
  * Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m;
  * wet 0.3, 0.4, 0.2 s/m.
@@ -624,6 +637,16 @@ typedef struct kstrip_friction {
      * 1, clean.
      */
     double slope_factor;
+    /**
+     * Stretch of the creep curve far in sliding over that at its start [-], 0 to 1; 0 stands for
+     * 1: the whole curve is stretched alike.
+     */
+    double slide_factor;
+    /**
+     * Thickness of an elastic layer between the bodies over its shear modulus [m/Pa], >= 0; 0:
+     * none.
+     */
+    double layer;
 } kstrip_friction;
 
 /** Derivatives of fx, fy, mz with respect to creepages, load and friction. */
@@ -657,6 +680,10 @@ typedef struct kstrip_law_derivatives {
     double rolling_speed[3];
     /** With respect to the factor of the initial slope, at 1 without a law [N, N, N m]. */
     double slope_factor[3];
+    /** With respect to the slide factor [N, N, N m]; 0 where it is 0 in a law without a layer. */
+    double slide_factor[3];
+    /** With respect to the layer [N, N, N m per m/Pa]; 0 where there is none. */
+    double layer[3];
 } kstrip_law_derivatives;
 
 /** One strip y = const of a contact or a patch, and the forces that it carries on the lower body. */
@@ -743,7 +770,8 @@ typedef struct kstrip_outputs {
  * @param outputs         where the outputs go.
  * @return as kstrip_solve(); KSTRIP_WARNING_SEVERAL_FRICTIONS, KSTRIP_WARNING_NOT_CONVERGED;
  *         KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_NOT_IN_MODEL (strips), KSTRIP_ERROR_FRICTION_RATIO,
- *         KSTRIP_ERROR_FRICTION_DECAY, KSTRIP_ERROR_NEGATIVE_SPEED, KSTRIP_ERROR_SLOPE_FACTOR;
+ *         KSTRIP_ERROR_FRICTION_DECAY, KSTRIP_ERROR_NEGATIVE_SPEED, KSTRIP_ERROR_SLOPE_FACTOR,
+ *         KSTRIP_ERROR_SLIDE_FACTOR, KSTRIP_ERROR_LAYER;
  *         KSTRIP_ERROR_OVERFLOW also when a derivative is too large.
  */
 kstrip_status kstrip_evaluate(const struct kstrip_contact *contact,
@@ -968,6 +996,13 @@ typedef struct kstrip_motion_derivatives {
     double decay[3];
     /** With respect to the slope factor of the law, at 1 without one [N, N, N m]. */
     double slope_factor[3];
+    /**
+     * With respect to the slide factor of the law; 0 where it is 0 in a law without a layer
+     * [N, N, N m].
+     */
+    double slide_factor[3];
+    /** With respect to the layer of the law; 0 where there is none [N, N, N m per m/Pa]. */
+    double layer[3];
 } kstrip_motion_derivatives;
 
 /**
@@ -2204,7 +2239,7 @@ kstrip_status kstrip_equivalent_conicity(const double *shifts,
 /** @} */
 
 /**
- * @defgroup kstrip_rig Test rigs: friction from a force, creepage from a force
+ * @defgroup kstrip_rig Test rigs: friction from a force, creepage from a force, a law from a curve
  * @{
  */
 
@@ -2212,6 +2247,19 @@ kstrip_status kstrip_equivalent_conicity(const double *shifts,
 #define KSTRIP_MEASURED_FX 1
 /** The lateral force was measured. */
 #define KSTRIP_MEASURED_FY 2
+
+/** Fit the coefficient of friction without slip. */
+#define KSTRIP_FIT_FRICTION 1
+/** Fit the ratio of falling friction. */
+#define KSTRIP_FIT_RATIO 2
+/** Fit the decay of falling friction. */
+#define KSTRIP_FIT_DECAY 4
+/** Fit the slope factor. */
+#define KSTRIP_FIT_SLOPE_FACTOR 8
+/** Fit the slide factor. */
+#define KSTRIP_FIT_SLIDE_FACTOR 16
+/** Fit the layer. */
+#define KSTRIP_FIT_LAYER 32
 
 /** A coefficient of friction from a measured force. */
 typedef struct kstrip_friction_estimate {
@@ -2250,8 +2298,14 @@ typedef struct kstrip_friction_estimate {
  * nearly zero: this happened to up to one of ten thousand estimates with each of the models of
  * 1967, to one of a hundred thousand with KSTRIP_MODEL_STRIP, and to none with KSTRIP_MODEL_TOTAL.
  *
+ * Under a law the result is its friction, without slip: a force that was made with the law comes
+ * back as the law's coefficient. A law that differs from what made the force gives another
+ * friction at every creepage; kstrip_fit_friction() finds the law.
+ *
  * @param contact         ellipse, load, material; its friction is ignored.
  * @param creepage        motion.
+ * @param friction        law of friction, whose own coefficient is ignored; NULL: clean bodies,
+ *                        constant friction.
  * @param options         model and strip count; NULL for the defaults. Not KSTRIP_MODEL_LINEAR.
  * @param measured        KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added: then the resultant
  *                        counts.
@@ -2259,10 +2313,12 @@ typedef struct kstrip_friction_estimate {
  * @param[out] estimate   receives friction, its sensitivity, and how far the force is off.
  * @return as kstrip_solve(); KSTRIP_WARNING_FRICTION_AT_LEAST, KSTRIP_WARNING_SEVERAL_FRICTIONS,
  *         KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_NOT_IN_MODEL, KSTRIP_ERROR_MEASURED,
- *         KSTRIP_ERROR_UNEXPLAINED (a lost contact too).
+ *         KSTRIP_ERROR_UNEXPLAINED (a lost contact too), or an error of the law as
+ *         kstrip_evaluate().
  */
 kstrip_status kstrip_estimate_friction(const struct kstrip_contact *contact,
                                        const struct kstrip_creepage *creepage,
+                                       const struct kstrip_friction *friction,
                                        const struct kstrip_options *options,
                                        uint32_t measured,
                                        double fx,
@@ -2286,17 +2342,101 @@ kstrip_status kstrip_estimate_friction(const struct kstrip_contact *contact,
  * @param contact         ellipse, load, material, friction.
  * @param fx, fy          requested force on the lower body [N].
  * @param spin            given spin [1/m].
+ * @param friction        law of friction; NULL: clean bodies, the contact's own friction. A force
+ *                        that falling friction does not reach is KSTRIP_WARNING_NOT_CONVERGED.
  * @param options         model and strip count; NULL for the defaults.
  * @param[out] creepage   receives the creepages, and the given spin.
  * @return as kstrip_solve(); KSTRIP_WARNING_CREEPAGE_AT_LEAST, KSTRIP_WARNING_NOT_CONVERGED;
- *         KSTRIP_ERROR_FORCE_BEYOND_FRICTION.
+ *         KSTRIP_ERROR_FORCE_BEYOND_FRICTION, or an error of the law as kstrip_evaluate().
  */
 kstrip_status kstrip_creepage_for_force(const struct kstrip_contact *contact,
                                         double fx,
                                         double fy,
                                         double spin,
+                                        const struct kstrip_friction *friction,
                                         const struct kstrip_options *options,
                                         struct kstrip_creepage *creepage);
+
+/** One measured point of a creep curve. */
+typedef struct kstrip_measured_force {
+    /** Longitudinal creepage [-]. */
+    double longitudinal;
+    /** Lateral creepage [-]. */
+    double lateral;
+    /** Spin [1/m]. */
+    double spin;
+    /** Longitudinal force on the lower body [N]; ignored unless it was measured. */
+    double fx;
+    /** Lateral force on the lower body [N]; ignored unless it was measured. */
+    double fy;
+    /**
+     * Weight of the squared error of a force, >= 0: 1 for points of one accuracy, 1/error^2
+     * otherwise; 0: the point does not count.
+     */
+    double weight;
+    /** KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added. */
+    uint32_t measured;
+    /** Reserved: zero. */
+    uint32_t reserved;
+} kstrip_measured_force;
+
+/** A law of friction that was fitted to measured points. */
+typedef struct kstrip_friction_fit {
+    /** The law. */
+    struct kstrip_friction law;
+    /**
+     * Standard errors of its members, from what is left between the points and the law; 0 for a
+     * member that was not fitted or that ended at a bound.
+     */
+    struct kstrip_friction standard_errors;
+    /**
+     * Root of the weighted mean of the squared differences between measured and computed forces
+     * [N].
+     */
+    double residual;
+    /** How often all forces were computed. */
+    uint32_t steps;
+    /** The status of this result: 0 or one of the KSTRIP_WARNING constants. */
+    kstrip_status status_detail;
+} kstrip_friction_fit;
+
+/**
+ * The law of friction that comes nearest to a measured creep curve.
+ *
+ * The sum of the squared differences between measured and computed forces, each times the weight
+ * of its point, is made least by at most 80 damped Gauss-Newton steps with exact derivatives; on
+ * measured curves 6 to 20 do. Each step costs one solution with derivatives for every point.
+ * Members of the law that are not fitted keep the values of start. A member that is fitted and is
+ * 0 in start begins at a usual value; friction that falls needs the rolling speed in start. Bounds
+ * are those of the law: a member that ends at its bound has a standard error of 0.
+ *
+ * Points that lie on one part of the curve do not tell the parameters apart: creepages below one
+ * per cent only bound friction from below, and without the start of the curve slope factor and
+ * layer are unknown. The status is then KSTRIP_WARNING_UNDETERMINED: with errors of the forces of
+ * one per cent, or those that there are, a parameter would be uncertain by more than half of
+ * itself. Layer and slope factor are nearly exchangeable; fit one of them.
+ *
+ * @param contact         ellipse, load, material of all points; its friction is ignored.
+ * @param points, count   the measured points.
+ * @param start           where to begin, and the members that stay.
+ * @param parameters      which members to fit: KSTRIP_FIT constants, added.
+ * @param options         model and strip count; NULL for the defaults.
+ * @param[out] fit        receives the law and its standard errors.
+ * @param[out] first_bad  receives the index of the first bad point, or count where none is bad;
+ *                        NULL: not requested.
+ * @return KSTRIP_OK, KSTRIP_WARNING_UNDETERMINED, KSTRIP_WARNING_NOT_CONVERGED;
+ *         KSTRIP_ERROR_FEW_POINTS, KSTRIP_ERROR_FIT_PARAMETERS, KSTRIP_ERROR_MEASURED,
+ *         KSTRIP_ERROR_WEIGHT, KSTRIP_ERROR_UNEXPLAINED (a lost contact), or an error of
+ *         kstrip_evaluate().
+ */
+kstrip_status kstrip_fit_friction(const struct kstrip_contact *contact,
+                                  const struct kstrip_measured_force *points,
+                                  uint32_t count,
+                                  const struct kstrip_friction *start,
+                                  uint32_t parameters,
+                                  const struct kstrip_options *options,
+                                  struct kstrip_friction_fit *fit,
+                                  uint32_t *first_bad);
 
 /** @} */
 

@@ -67,6 +67,7 @@ enum class [[nodiscard]] status : std::int32_t {
     warning_conformal = KSTRIP_WARNING_CONFORMAL,
     warning_angle_range = KSTRIP_WARNING_ANGLE_RANGE,
     warning_profile_end = KSTRIP_WARNING_PROFILE_END,
+    warning_undetermined = KSTRIP_WARNING_UNDETERMINED,
     error_null = KSTRIP_ERROR_NULL,
     error_not_finite = KSTRIP_ERROR_NOT_FINITE,
     error_semi_axis = KSTRIP_ERROR_SEMI_AXIS,
@@ -91,6 +92,11 @@ enum class [[nodiscard]] status : std::int32_t {
     error_not_prepared = KSTRIP_ERROR_NOT_PREPARED,
     error_floor_speed = KSTRIP_ERROR_FLOOR_SPEED,
     error_stride = KSTRIP_ERROR_STRIDE,
+    error_slide_factor = KSTRIP_ERROR_SLIDE_FACTOR,
+    error_layer = KSTRIP_ERROR_LAYER,
+    error_few_points = KSTRIP_ERROR_FEW_POINTS,
+    error_fit_parameters = KSTRIP_ERROR_FIT_PARAMETERS,
+    error_weight = KSTRIP_ERROR_WEIGHT,
     error_strip_size = KSTRIP_ERROR_STRIP_SIZE,
     error_pressure = KSTRIP_ERROR_PRESSURE,
     error_strip_order = KSTRIP_ERROR_STRIP_ORDER,
@@ -622,6 +628,8 @@ struct basic_friction {
     basic_seconds_per_metre<T> decay{};
     basic_metres_per_second<T> rolling_speed{};
     T slope_factor = T(1);
+    T slide_factor{};
+    T layer{};
 };
 KSTRIP_HPP_BOTH(friction)
 
@@ -642,6 +650,8 @@ struct basic_law_derivatives {
     T decay[3];
     T rolling_speed[3];
     T slope_factor[3];
+    T slide_factor[3];
+    T layer[3];
 };
 KSTRIP_HPP_BOTH(law_derivatives)
 
@@ -753,6 +763,8 @@ struct basic_motion_derivatives {
     T ratio[3];
     T decay[3];
     T slope_factor[3];
+    T slide_factor[3];
+    T layer[3];
 };
 KSTRIP_HPP_BOTH(motion_derivatives)
 
@@ -1751,20 +1763,72 @@ KSTRIP_HPP_BOTH(friction_estimate)
 /// Calls kstrip_estimate_friction().
 template <class T>
 status estimate_friction(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep,
-                         const options &how, measured what, detail::only<basic_newtons<T>> fx,
-                         detail::only<basic_newtons<T>> fy, basic_friction_estimate<T> &to) noexcept
+                         const detail::only<basic_friction<T>> *law, const options &how, measured what,
+                         detail::only<basic_newtons<T>> fx, detail::only<basic_newtons<T>> fy,
+                         basic_friction_estimate<T> &to) noexcept
 {
-    return KSTRIP_HPP_CALL(kstrip_estimate_friction, &ellipse, &creep, &how, static_cast<std::uint32_t>(what), fx, fy,
-                           &to);
+    return KSTRIP_HPP_CALL(kstrip_estimate_friction, &ellipse, &creep, law, &how, static_cast<std::uint32_t>(what), fx,
+                           fy, &to);
 }
 
 /// Calls kstrip_creepage_for_force().
 template <class T>
 status creepage_for_force(const basic_contact<T> &ellipse, detail::only<basic_newtons<T>> fx,
-                          detail::only<basic_newtons<T>> fy, detail::only<basic_per_metre<T>> spin, const options &how,
+                          detail::only<basic_newtons<T>> fy, detail::only<basic_per_metre<T>> spin,
+                          const detail::only<basic_friction<T>> *law, const options &how,
                           basic_creepage<T> &to) noexcept
 {
-    return KSTRIP_HPP_CALL(kstrip_creepage_for_force, &ellipse, fx, fy, spin, &how, &to);
+    return KSTRIP_HPP_CALL(kstrip_creepage_for_force, &ellipse, fx, fy, spin, law, &how, &to);
+}
+
+/// Which members of a law are fitted; added with |.
+enum class fitted : std::uint32_t {
+    coefficient = KSTRIP_FIT_FRICTION,
+    ratio = KSTRIP_FIT_RATIO,
+    decay = KSTRIP_FIT_DECAY,
+    slope_factor = KSTRIP_FIT_SLOPE_FACTOR,
+    slide_factor = KSTRIP_FIT_SLIDE_FACTOR,
+    layer = KSTRIP_FIT_LAYER,
+};
+
+constexpr fitted operator|(fitted one, fitted other) noexcept
+{
+    return static_cast<fitted>(static_cast<std::uint32_t>(one) | static_cast<std::uint32_t>(other));
+}
+
+/// One measured point of a creep curve.
+template <class T>
+struct basic_measured_force {
+    T longitudinal{};
+    T lateral{};
+    basic_per_metre<T> spin{};
+    basic_newtons<T> fx{};
+    basic_newtons<T> fy{};
+    T weight = T(1);
+    kstrip::measured measured = kstrip::measured::fx;
+    std::uint32_t reserved = 0;
+};
+KSTRIP_HPP_BOTH(measured_force)
+
+/// A law of friction that was fitted to measured points.
+template <class T>
+struct basic_friction_fit {
+    basic_friction<T> law;
+    basic_friction<T> standard_errors;
+    basic_newtons<T> residual;
+    std::uint32_t steps;
+    kstrip::status status_detail;
+};
+KSTRIP_HPP_BOTH(friction_fit)
+
+/// The law that comes nearest to measured points; first_bad may be null.
+template <class T>
+status fit_friction(const basic_contact<T> &ellipse, const detail::only<basic_measured_force<T>> *points,
+                    std::uint32_t count, const detail::only<basic_friction<T>> &start, fitted which,
+                    const options &how, basic_friction_fit<T> &to, std::uint32_t *first_bad = nullptr) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_fit_friction, &ellipse, points, count, &start, static_cast<std::uint32_t>(which),
+                           &how, &to, first_bad);
 }
 
 #if defined(KSTRIP_HPP_EXCEPTIONS)
@@ -1773,15 +1837,23 @@ template <class T>
 basic_friction_estimate<T> estimate_friction(const basic_contact<T> &ellipse,
                                              const detail::only<basic_creepage<T>> &creep, measured what,
                                              detail::only<basic_newtons<T>> fx, detail::only<basic_newtons<T>> fy,
-                                             const options &how = {})
-KSTRIP_HPP_THROWING(basic_friction_estimate<T>, estimate_friction, ellipse, creep, how, what, fx, fy, to)
+                                             const options &how = {},
+                                             const detail::only<basic_friction<T>> *law = nullptr)
+KSTRIP_HPP_THROWING(basic_friction_estimate<T>, estimate_friction, ellipse, creep, law, how, what, fx, fy, to)
 
 /// The form of creepage_for_force() that throws.
 template <class T>
 basic_creepage<T> creepage_for_force(const basic_contact<T> &ellipse, detail::only<basic_newtons<T>> fx,
                                      detail::only<basic_newtons<T>> fy, detail::only<basic_per_metre<T>> spin,
-                                     const options &how = {})
-KSTRIP_HPP_THROWING(basic_creepage<T>, creepage_for_force, ellipse, fx, fy, spin, how, to)
+                                     const options &how = {}, const detail::only<basic_friction<T>> *law = nullptr)
+KSTRIP_HPP_THROWING(basic_creepage<T>, creepage_for_force, ellipse, fx, fy, spin, law, how, to)
+
+template <class T>
+basic_friction_fit<T> fit_friction(const basic_contact<T> &ellipse,
+                                   const detail::only<basic_measured_force<T>> *points, std::uint32_t count,
+                                   const detail::only<basic_friction<T>> &start, fitted which,
+                                   const options &how = {})
+KSTRIP_HPP_THROWING(basic_friction_fit<T>, fit_friction, ellipse, points, count, start, which, how, to)
 #endif
 
 // ---- Options, upper body, version: these cannot fail ------------------------------------------

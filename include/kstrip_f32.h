@@ -163,8 +163,9 @@ kstrip_status kstrip_solve_f32(const struct kstrip_contact_f32 *contact,
 
 /**
  * Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) +
- * ratio), where w is the sliding velocity [m/s]. A factor reduces the initial slope of the creep
- * curve, for the layer between the bodies.
+ * ratio), where w is the sliding velocity [m/s]. What lies between the bodies makes the creep
+ * curve less steep: slope_factor and slide_factor stretch a curve that was measured or published,
+ * layer is a known elastic layer.
  *
  * Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m;
  * wet 0.3, 0.4, 0.2 s/m.
@@ -175,6 +176,8 @@ typedef struct kstrip_friction_f32 {
     float decay;
     float rolling_speed;
     float slope_factor;
+    float slide_factor;
+    float layer;
 } kstrip_friction_f32;
 
 /** Derivatives of fx, fy, mz with respect to creepages, load and friction. */
@@ -191,6 +194,8 @@ typedef struct kstrip_law_derivatives_f32 {
     float decay[3];
     float rolling_speed[3];
     float slope_factor[3];
+    float slide_factor[3];
+    float layer[3];
 } kstrip_law_derivatives_f32;
 
 /** One strip y = const of a contact or a patch, and the forces that it carries on the lower body. */
@@ -339,6 +344,8 @@ typedef struct kstrip_motion_derivatives_f32 {
     float ratio[3];
     float decay[3];
     float slope_factor[3];
+    float slide_factor[3];
+    float layer[3];
 } kstrip_motion_derivatives_f32;
 
 /**
@@ -892,7 +899,7 @@ kstrip_status kstrip_equivalent_conicity_f32(const float *shifts,
 /** @} */
 
 /**
- * @defgroup kstrip_rig_f32 Test rigs: friction from a force, creepage from a force
+ * @defgroup kstrip_rig_f32 Test rigs: friction from a force, creepage from a force, a law from a curve
  * @{
  */
 
@@ -908,6 +915,7 @@ typedef struct kstrip_friction_estimate_f32 {
 /** kstrip_estimate_friction() in single precision. */
 kstrip_status kstrip_estimate_friction_f32(const struct kstrip_contact_f32 *contact,
                                            const struct kstrip_creepage_f32 *creepage,
+                                           const struct kstrip_friction_f32 *friction,
                                            const struct kstrip_options *options,
                                            uint32_t measured,
                                            float fx,
@@ -919,8 +927,40 @@ kstrip_status kstrip_creepage_for_force_f32(const struct kstrip_contact_f32 *con
                                             float fx,
                                             float fy,
                                             float spin,
+                                            const struct kstrip_friction_f32 *friction,
                                             const struct kstrip_options *options,
                                             struct kstrip_creepage_f32 *creepage);
+
+/** One measured point of a creep curve. */
+typedef struct kstrip_measured_force_f32 {
+    float longitudinal;
+    float lateral;
+    float spin;
+    float fx;
+    float fy;
+    float weight;
+    uint32_t measured;
+    uint32_t reserved;
+} kstrip_measured_force_f32;
+
+/** A law of friction that was fitted to measured points. */
+typedef struct kstrip_friction_fit_f32 {
+    struct kstrip_friction_f32 law;
+    struct kstrip_friction_f32 standard_errors;
+    float residual;
+    uint32_t steps;
+    kstrip_status status_detail;
+} kstrip_friction_fit_f32;
+
+/** kstrip_fit_friction() in single precision. */
+kstrip_status kstrip_fit_friction_f32(const struct kstrip_contact_f32 *contact,
+                                      const struct kstrip_measured_force_f32 *points,
+                                      uint32_t count,
+                                      const struct kstrip_friction_f32 *start,
+                                      uint32_t parameters,
+                                      const struct kstrip_options *options,
+                                      struct kstrip_friction_fit_f32 *fit,
+                                      uint32_t *first_bad);
 
 /** @} */
 

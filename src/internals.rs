@@ -43,7 +43,7 @@ pub fn estimate_counted<F: Float>(
     measured: Measured,
     force: [F; 2],
 ) -> Result<(F, FrictionEstimate<F>, usize), Error> {
-    let mut rig = Rig::new(contact, creepage, options, measured, force)?;
+    let mut rig = Rig::new(contact, creepage, None, options, measured, force)?;
     let estimate = rig.estimate(force)?;
     Ok((rig.used, estimate, rig.solved))
 }
@@ -59,7 +59,7 @@ pub fn creepage_counted<F: Float>(
     spin: F,
     options: &Options,
 ) -> Result<(Creepage<F>, F, usize), Error> {
-    let mut aim = Aim::new(contact, force, spin, options);
+    let mut aim = Aim::new(contact, force, spin, None, options);
     let found = aim.find()?;
     Ok((aim.creepage(found.at), found.distance, aim.solved))
 }

@@ -68,6 +68,7 @@ pub mod forces;
 pub mod friction;
 #[doc(hidden)]
 pub mod internals;
+pub(crate) mod layer;
 pub mod linear;
 pub mod motion;
 pub mod normal;

@@ -85,6 +85,19 @@ statuses! {
         Stride = -24:
             "a stride of the batch is smaller than an output, or no multiple of its alignment: \
              pass the distance in bytes between two elements",
+        SlideFactor = -25:
+            "the factor of the creep curve in sliding must be >= 0 and <= 1 (0 stands for 1)",
+        Layer = -26:
+            "the layer between the bodies is negative: thickness over shear modulus must be >= 0 \
+             (m/Pa)",
+        FewPoints = -27:
+            "fewer measured forces than parameters to fit: pass more points, or fit fewer \
+             parameters",
+        FitParameters = -28:
+            "nothing to fit, or an unknown parameter: use the KSTRIP_FIT constants, added",
+        Weight = -29:
+            "the weight of a measured point is negative: it must be >= 0, 0 for a point that does \
+             not count",
         StripSize = -40:
             "a strip of the patch has a width or a half length that is not positive (metres)",
         Pressure = -41: "the peak pressure of a strip is negative: it must be >= 0 (pascals)",
@@ -191,6 +204,9 @@ statuses! {
         AngleRange = 19:
             "the normal turns by more than 30 degrees over a contact of the wheel: one plane of \
              contact is not enough",
+        Undetermined = 20:
+            "the points do not tell the fitted parameters apart: some have large standard errors; \
+             fit fewer, or measure at other creepages",
         ProfileEnd = 18:
             "a zone of contact ends with the profile, as if the bodies ended there: pass more of \
              the profile",
@@ -219,7 +235,7 @@ impl Warning {
         match self {
             Self::NotConverged => 6,
             Self::SeveralFrictions => 5,
-            Self::FrictionAtLeast | Self::CreepageAtLeast => 4,
+            Self::FrictionAtLeast | Self::CreepageAtLeast | Self::Undetermined => 4,
             Self::Pressure
             | Self::Creepage
             | Self::SemiAxis

@@ -33,6 +33,7 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_warning_conformal = 17
    integer(c_int32_t), parameter :: kstrip_warning_angle_range = 19
    integer(c_int32_t), parameter :: kstrip_warning_profile_end = 18
+   integer(c_int32_t), parameter :: kstrip_warning_undetermined = 20
    integer(c_int32_t), parameter :: kstrip_error_null = -1
    integer(c_int32_t), parameter :: kstrip_error_not_finite = -2
    integer(c_int32_t), parameter :: kstrip_error_semi_axis = -3
@@ -57,6 +58,11 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_error_not_prepared = -22
    integer(c_int32_t), parameter :: kstrip_error_floor_speed = -23
    integer(c_int32_t), parameter :: kstrip_error_stride = -24
+   integer(c_int32_t), parameter :: kstrip_error_slide_factor = -25
+   integer(c_int32_t), parameter :: kstrip_error_layer = -26
+   integer(c_int32_t), parameter :: kstrip_error_few_points = -27
+   integer(c_int32_t), parameter :: kstrip_error_fit_parameters = -28
+   integer(c_int32_t), parameter :: kstrip_error_weight = -29
    integer(c_int32_t), parameter :: kstrip_error_strip_size = -40
    integer(c_int32_t), parameter :: kstrip_error_pressure = -41
    integer(c_int32_t), parameter :: kstrip_error_strip_order = -42
@@ -87,6 +93,12 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_wheelset_freedoms = 10
    integer(c_int32_t), parameter :: kstrip_measured_fx = 1
    integer(c_int32_t), parameter :: kstrip_measured_fy = 2
+   integer(c_int32_t), parameter :: kstrip_fit_friction_expected = 1
+   integer(c_int32_t), parameter :: kstrip_fit_ratio = 2
+   integer(c_int32_t), parameter :: kstrip_fit_decay = 4
+   integer(c_int32_t), parameter :: kstrip_fit_slope_factor = 8
+   integer(c_int32_t), parameter :: kstrip_fit_slide_factor = 16
+   integer(c_int32_t), parameter :: kstrip_fit_layer = 32
    integer(c_int32_t), parameter :: kstrip_version_major = 0
    integer(c_int32_t), parameter :: kstrip_version_minor = 2
    integer(c_int32_t), parameter :: kstrip_version_patch = 0
@@ -98,7 +110,7 @@ module kstrip
       real(c_double) :: poisson_ratio = 0
    end type
 
-   !> The combined elastic constants of two bodies: what the contact sees.
+   !> The combined elastic constants of two bodies.
    type, bind(c) :: kstrip_combined_material
       real(c_double) :: shear_modulus = 0
       real(c_double) :: poisson_ratio = 0
@@ -135,14 +147,14 @@ module kstrip
       real(c_double) :: rho = 0
    end type
 
-   !> Velocity of one body's material at the centre of the contact, seen from the contact.
+   !> Velocity of one body's material at the centre of the contact, relative to the contact.
    type, bind(c) :: kstrip_velocity
       real(c_double) :: x = 0
       real(c_double) :: y = 0
       real(c_double) :: angular_z = 0
    end type
 
-   !> Rigid slip of the upper over the lower body, divided by the rolling speed (3.3).
+   !> Rigid slip of the upper relative to the lower body, divided by the rolling speed (3.3).
    type, bind(c) :: kstrip_creepage
       real(c_double) :: longitudinal = 0
       real(c_double) :: lateral = 0
@@ -156,7 +168,7 @@ module kstrip
       real(c_double) :: psi = 0
    end type
 
-   !> Which model, and with how many strips.
+   !> The model and the number of strips.
    type, bind(c) :: kstrip_options
       integer(c_int32_t) :: model = 0
       integer(c_int32_t) :: strips = 0
@@ -181,9 +193,11 @@ module kstrip
       real(c_double) :: decay = 0
       real(c_double) :: rolling_speed = 0
       real(c_double) :: slope_factor = 0
+      real(c_double) :: slide_factor = 0
+      real(c_double) :: layer = 0
    end type
 
-   !> Derivatives of fx, fy, mz by creepages, load and friction.
+   !> Derivatives of fx, fy, mz with respect to creepages, load and friction.
    type, bind(c) :: kstrip_derivatives
       real(c_double) :: jacobian(3, 3) = 0
       real(c_double) :: normal_force(3) = 0
@@ -191,12 +205,14 @@ module kstrip
       real(c_double) :: friction(3) = 0
    end type
 
-   !> Derivatives of fx, fy, mz by the parameters of falling friction.
+   !> Derivatives of fx, fy, mz with respect to the parameters of falling friction.
    type, bind(c) :: kstrip_law_derivatives
       real(c_double) :: ratio(3) = 0
       real(c_double) :: decay(3) = 0
       real(c_double) :: rolling_speed(3) = 0
       real(c_double) :: slope_factor(3) = 0
+      real(c_double) :: slide_factor(3) = 0
+      real(c_double) :: layer(3) = 0
    end type
 
    !> One strip y = const of a contact or a patch, and the forces that it carries on the lower body.
@@ -282,7 +298,7 @@ module kstrip
       integer(c_int32_t) :: strips = 0
    end type
 
-   !> How the upper body moves over the lower one at the contact, in axes that stay when the motion reverses.
+   !> Motion of the upper body relative to the lower one at the contact, in axes that stay when the motion reverses.
    type, bind(c) :: kstrip_motion
       real(c_double) :: slip_x = 0
       real(c_double) :: slip_y = 0
@@ -291,7 +307,7 @@ module kstrip
       real(c_double) :: floor_speed = 0
    end type
 
-   !> Derivatives of fx, fy, mz by the motion, by load and by friction.
+   !> Derivatives of fx, fy, mz with respect to motion, load and friction.
    type, bind(c) :: kstrip_motion_derivatives
       real(c_double) :: slip(3, 3) = 0
       real(c_double) :: rolling_speed(3) = 0
@@ -301,6 +317,8 @@ module kstrip
       real(c_double) :: ratio(3) = 0
       real(c_double) :: decay(3) = 0
       real(c_double) :: slope_factor(3) = 0
+      real(c_double) :: slide_factor(3) = 0
+      real(c_double) :: layer(3) = 0
    end type
 
    !> Where the outputs of kstrip_solve_motion() go.
@@ -455,7 +473,7 @@ module kstrip
       type(kstrip_patch) :: patch
    end type
 
-   !> How the wheel moves over the rail.
+   !> Velocity of the wheel relative to the rail.
    type, bind(c) :: kstrip_wheel_velocity
       real(c_double) :: forward = 0
       real(c_double) :: lateral = 0
@@ -490,8 +508,8 @@ module kstrip
       integer(c_int32_t) :: apart = 0
    end type
 
-   !> Derivatives of the wrench by the wheel's position at constant velocity: central differences of complete
-   !> computations.
+   !> Derivatives of the wrench with respect to the wheel's position at constant velocity: central differences of
+   !> complete computations.
    type, bind(c) :: kstrip_wrench_by_position
       real(c_double) :: lateral(6) = 0
       real(c_double) :: vertical(6) = 0
@@ -545,18 +563,18 @@ module kstrip
       real(c_double) :: rail(2, 3) = 0
    end type
 
-   !> Exact derivatives of the forces on a wheelset and its two rails by the velocities.
+   !> Exact derivatives of the forces on a wheelset and its two rails with respect to the velocities.
    type, bind(c) :: kstrip_wheelset_derivatives
       real(c_double) :: velocity(kstrip_wheelset_freedoms, kstrip_wheelset_freedoms) = 0
       real(c_double) :: friction(kstrip_wheelset_freedoms) = 0
    end type
 
-   !> Derivatives of the same ten forces by the positions of the ten freedoms, at constant velocities.
+   !> Derivatives of the same ten forces with respect to the positions of the ten freedoms, at constant velocities.
    type, bind(c) :: kstrip_wheelset_by_position
       real(c_double) :: position(kstrip_wheelset_freedoms, kstrip_wheelset_freedoms) = 0
    end type
 
-   !> Loads on a wheelset that does not accelerate: what the vehicle and gravity do to it.
+   !> Loads of the vehicle and of gravity on a wheelset that does not accelerate.
    type, bind(c) :: kstrip_wheelset_loads
       real(c_double) :: vertical = 0
       real(c_double) :: roll = 0
@@ -572,8 +590,29 @@ module kstrip
       integer(c_int32_t) :: reserved = 0
    end type
 
+   !> One measured point of a creep curve.
+   type, bind(c) :: kstrip_measured_force
+      real(c_double) :: longitudinal = 0
+      real(c_double) :: lateral = 0
+      real(c_double) :: spin = 0
+      real(c_double) :: fx = 0
+      real(c_double) :: fy = 0
+      real(c_double) :: weight = 0
+      integer(c_int32_t) :: measured = 0
+      integer(c_int32_t) :: reserved = 0
+   end type
+
+   !> A law of friction that was fitted to measured points.
+   type, bind(c) :: kstrip_friction_fit
+      type(kstrip_friction) :: law
+      type(kstrip_friction) :: standard_errors
+      real(c_double) :: residual = 0
+      integer(c_int32_t) :: steps = 0
+      integer(c_int32_t) :: status_detail = 0
+   end type
+
    interface
-      !> Text that says in English what a status means and what the caller must change.
+      !> Text in English with the meaning of a status and what the caller must change.
       type(c_ptr) function kstrip_status_string(status) bind(c)
          import
          integer(c_int32_t), value :: status
@@ -688,8 +727,8 @@ module kstrip
          type(kstrip_result), intent(inout) :: result
       end function
 
-      !> Forces of a contact that rolls forward, backward, or not at all, with derivatives by its motion: for wheels that
-      !> stop, hold and reverse.
+      !> Forces of a contact that rolls forward, backward, or not at all, with derivatives with respect to its motion:
+      !> for wheels that stop, hold and reverse.
       integer(c_int32_t) function kstrip_solve_motion(contact, motion, friction, options, outputs) bind(c)
          import
          type(kstrip_contact), intent(in) :: contact
@@ -840,7 +879,7 @@ module kstrip
          integer(c_int32_t), intent(inout) :: count
       end function
 
-      !> How the wheel moves over the rail at a contact: slip, spin rate and rolling speed.
+      !> Motion of the wheel relative to the rail at a contact: slip, spin rate and rolling speed.
       integer(c_int32_t) function kstrip_wheel_motion(contact, velocity, motion) bind(c)
          import
          type(kstrip_wheel_contact), intent(in) :: contact
@@ -941,8 +980,8 @@ module kstrip
          type(kstrip_wheelset_forces), intent(inout), optional :: forces
       end function
 
-      !> The difference of the rolling radii, right minus left, over the lateral shift of a rigid wheelset that touches
-      !> both rails without yaw.
+      !> The difference of the rolling radii, right minus left, against the lateral shift of a rigid wheelset that
+      !> touches both rails without yaw.
       integer(c_int32_t) function kstrip_rolling_radius_difference(set, track, shifts, count, &
          with_roll, workspace, differences) bind(c)
          import
@@ -971,10 +1010,12 @@ module kstrip
       end function
 
       !> The coefficient of friction that explains a measured force at a known creepage.
-      integer(c_int32_t) function kstrip_estimate_friction(contact, creepage, options, measured, fx, fy, estimate) bind(c)
+      integer(c_int32_t) function kstrip_estimate_friction(contact, creepage, friction, options, &
+         measured, fx, fy, estimate) bind(c)
          import
          type(kstrip_contact), intent(in) :: contact
          type(kstrip_creepage), intent(in) :: creepage
+         type(kstrip_friction), intent(in), optional :: friction
          type(kstrip_options), intent(in), optional :: options
          integer(c_int32_t), value :: measured
          real(c_double), value :: fx
@@ -982,15 +1023,29 @@ module kstrip
          type(kstrip_friction_estimate), intent(inout) :: estimate
       end function
 
-      !> The creepage at which a contact with a given spin carries a wanted force.
-      integer(c_int32_t) function kstrip_creepage_for_force(contact, fx, fy, spin, options, creepage) bind(c)
+      !> The creepage at which a contact with a given spin carries a requested force.
+      integer(c_int32_t) function kstrip_creepage_for_force(contact, fx, fy, spin, friction, options, creepage) bind(c)
          import
          type(kstrip_contact), intent(in) :: contact
          real(c_double), value :: fx
          real(c_double), value :: fy
          real(c_double), value :: spin
+         type(kstrip_friction), intent(in), optional :: friction
          type(kstrip_options), intent(in), optional :: options
          type(kstrip_creepage), intent(inout) :: creepage
+      end function
+
+      !> The law of friction that comes nearest to a measured creep curve.
+      integer(c_int32_t) function kstrip_fit_friction(contact, points, count, start, parameters, options, fit, first_bad) bind(c)
+         import
+         type(kstrip_contact), intent(in) :: contact
+         type(kstrip_measured_force), intent(in) :: points(*)
+         integer(c_int32_t), value :: count
+         type(kstrip_friction), intent(in) :: start
+         integer(c_int32_t), value :: parameters
+         type(kstrip_options), intent(in), optional :: options
+         type(kstrip_friction_fit), intent(inout) :: fit
+         integer(c_int32_t), intent(inout), optional :: first_bad
       end function
 
       !> Fill options with zero, the defaults: KSTRIP_MODEL_DEFAULT and 16 strips.

@@ -180,6 +180,7 @@ static mxArray *evaluate(int count, const mxArray *in[])
     double *by_hertz = field(made, "by_load_through_hertz", 3, n), *by_friction = field(made, "by_friction", 3, n);
     double *by_ratio = field(made, "by_ratio", 3, n), *by_decay = field(made, "by_decay", 3, n);
     double *by_speed = field(made, "by_rolling_speed", 3, n), *by_slope = field(made, "by_slope_factor", 3, n);
+    double *by_slide = field(made, "by_slide_factor", 3, n), *by_layer = field(made, "by_layer", 3, n);
     report seen = {{0}, {0}};
     for (size_t k = 0; k < n; k++) {
         kstrip_contact contact;
@@ -206,6 +207,8 @@ static mxArray *evaluate(int count, const mxArray *in[])
         memcpy(by_decay + 3 * k, by_law.decay, sizeof by_law.decay);
         memcpy(by_speed + 3 * k, by_law.rolling_speed, sizeof by_law.rolling_speed);
         memcpy(by_slope + 3 * k, by_law.slope_factor, sizeof by_law.slope_factor);
+        memcpy(by_slide + 3 * k, by_law.slide_factor, sizeof by_law.slide_factor);
+        memcpy(by_layer + 3 * k, by_law.layer, sizeof by_law.layer);
     }
     warn(&seen);
     return made;

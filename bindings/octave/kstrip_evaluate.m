@@ -9,8 +9,8 @@ function found = kstrip_evaluate(contact, creepage, friction, model, strips)
 %             materials (may be left out: like ones)
 %   patch     a struct from kstrip_patch_from_profile or kstrip_patch_from_contact
 %   creepage  3 x n or 3 x 1: longitudinal, lateral [-], spin [1/m]
-%   friction  friction that falls with the slip, 5 x n or 5 x 1: friction without slip, ratio, decay [s/m], rolling speed [m/s], factor of
-%             the initial slope (0: 1); [] for constant friction
+%   friction  friction that falls with the slip, 5 to 7 x n or 5 to 7 x 1: friction without slip, ratio, decay [s/m], rolling speed
+%             [m/s], factor of the initial slope (0: 1), factor in sliding (0: 1), layer [m/Pa]; [] for constant friction
 %   model     'total', 'strip', 'strip_1967', 'strip_1967_continuous', 'linear', or its KSTRIP_MODEL number; [] or 0: the default
 %   strips    4, 8, 16, 32 or 64; [] or 0: 16
 %
@@ -20,7 +20,8 @@ function found = kstrip_evaluate(contact, creepage, friction, model, strips)
 %   found.status     1 x n: 0 or the number of a warning
 %   found.friction   1 x n: friction that agrees with the slip
 %   found.jacobian   3 x 3 x n: derivative of force i by creepage j
-%   found.by_load, by_load_through_hertz, by_friction, by_ratio, by_decay, by_rolling_speed, by_slope_factor
+%   found.by_load, by_load_through_hertz, by_friction, by_ratio, by_decay, by_rolling_speed, by_slope_factor,
+%   by_slide_factor, by_layer
 %                    3 x n: derivatives of the forces by the load (at constant a and b; as Hertz says), and by the friction
 %
 %   See also kstrip.

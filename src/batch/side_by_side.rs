@@ -98,17 +98,20 @@ fn are_ordinary<F: Float>(numbers: Range<usize>, get: &impl Fn(usize) -> Case<F>
     let zero = F::Contacts::zero();
     let mut steepness = zero;
     if numbers.into_iter().any(|i| get(i).2.is_some()) {
-        let [friction, ratio, decay, rolling_speed, slope_factor] = together(first, &|i| {
-            let (contact, _, law) = get(i);
-            let law = law.unwrap_or(SlipFriction::constant(contact.friction));
-            let SlipFriction { friction, ratio, decay, rolling_speed, slope_factor } = law;
-            [friction, ratio, decay, rolling_speed, slope_factor]
-        });
+        let [friction, ratio, decay, rolling_speed, slope_factor, slide_factor, layer] =
+            together(first, &|i| {
+                let (contact, _, law) = get(i);
+                let law = law.unwrap_or(SlipFriction::constant(contact.friction));
+                let SlipFriction { friction, ratio, decay, rolling_speed, slope_factor, .. } = law;
+                [friction, ratio, decay, rolling_speed, slope_factor, law.slide_factor, law.layer]
+            });
         let (one, largest) = (F::Contacts::one(), F::Contacts::of(1e6));
         let is_usual = ratio.lies_between(zero, one)
             && decay.lies_within(largest)
             && rolling_speed.lies_within(largest)
-            && slope_factor.lies_within(one);
+            && slope_factor.lies_within(one)
+            && slide_factor.lies_within(one)
+            && layer.lies_within(largest);
         if !is_usual {
             return false;
         }

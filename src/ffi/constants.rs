@@ -54,6 +54,8 @@ pub const KSTRIP_WARNING_CONFORMAL: kstrip_status = 17;
 pub const KSTRIP_WARNING_ANGLE_RANGE: kstrip_status = 19;
 /// Warning: a zone of contact ends with the profile, as if the bodies ended there.
 pub const KSTRIP_WARNING_PROFILE_END: kstrip_status = 18;
+/// Warning: measured points do not tell the parameters of a law apart.
+pub const KSTRIP_WARNING_UNDETERMINED: kstrip_status = 20;
 /// Error: a required pointer is NULL.
 pub const KSTRIP_ERROR_NULL: kstrip_status = -1;
 /// Error: an input is infinite or NaN.
@@ -107,6 +109,16 @@ pub const KSTRIP_ERROR_FLOOR_SPEED: kstrip_status = -23;
 /// Error: the stride of an output of a batch is smaller than the output, or a stride is no multiple
 /// of the alignment.
 pub const KSTRIP_ERROR_STRIDE: kstrip_status = -24;
+/// Error: the slide factor is outside [0, 1].
+pub const KSTRIP_ERROR_SLIDE_FACTOR: kstrip_status = -25;
+/// Error: the layer between the bodies is negative.
+pub const KSTRIP_ERROR_LAYER: kstrip_status = -26;
+/// Error: there are fewer measured forces than parameters to fit.
+pub const KSTRIP_ERROR_FEW_POINTS: kstrip_status = -27;
+/// Error: nothing is to be fitted, or not one of the KSTRIP_FIT constants.
+pub const KSTRIP_ERROR_FIT_PARAMETERS: kstrip_status = -28;
+/// Error: the weight of a measured point is negative.
+pub const KSTRIP_ERROR_WEIGHT: kstrip_status = -29;
 /// Error: a strip of a patch has a width or half length that is not positive.
 pub const KSTRIP_ERROR_STRIP_SIZE: kstrip_status = -40;
 /// Error: the peak pressure of a strip is negative.
@@ -165,6 +177,19 @@ pub const KSTRIP_MODEL_LINEAR: i32 = 5;
 pub const KSTRIP_MEASURED_FX: u32 = 1;
 /// The lateral force was measured.
 pub const KSTRIP_MEASURED_FY: u32 = 2;
+
+/// Fit the coefficient of friction without slip.
+pub const KSTRIP_FIT_FRICTION: u32 = 1;
+/// Fit the ratio of falling friction.
+pub const KSTRIP_FIT_RATIO: u32 = 2;
+/// Fit the decay of falling friction.
+pub const KSTRIP_FIT_DECAY: u32 = 4;
+/// Fit the slope factor.
+pub const KSTRIP_FIT_SLOPE_FACTOR: u32 = 8;
+/// Fit the slide factor.
+pub const KSTRIP_FIT_SLIDE_FACTOR: u32 = 16;
+/// Fit the layer.
+pub const KSTRIP_FIT_LAYER: u32 = 32;
 
 /// State of a point: outside the contact.
 pub const KSTRIP_STATE_OUTSIDE: i32 = 0;

@@ -69,7 +69,7 @@ pub(super) fn evaluate<F: Float>(
         let stiffness = law.map_or(F::one(), SlipFriction::stiffness);
         let shear_modulus = contact.shear_modulus * stiffness;
         let contact = Contact { friction, shear_modulus, ..*contact };
-        warning = warning.worse(write_strips(&contact, creepage, &inside, strips)?);
+        warning = warning.worse(write_strips(&contact, creepage, law, &inside, strips)?);
     }
     put(places.result, *solution);
     put(places.friction, friction);
@@ -85,6 +85,7 @@ pub(super) fn evaluate<F: Float>(
 fn write_strips<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
+    law: Option<&SlipFriction<F>>,
     options: &Options,
     (strips, count): StripOutputs<F>,
 ) -> Result<Warning, Error> {
@@ -92,7 +93,7 @@ fn write_strips<F: Float>(
     Error::Capacity.unless(forces::strips_of(contact, creepage, options)? <= strips.len())?;
     let mut places = strips.iter_mut();
     let mut written = 0_u32;
-    let warning = forces::strips(contact, creepage, options, &mut |strip| {
+    let warning = friction::strips(contact, creepage, law, options, &mut |strip| {
         if let Some(place) = places.next() {
             place.write(strip);
             written += 1;

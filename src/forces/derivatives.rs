@@ -145,14 +145,14 @@ pub(crate) struct Slopes<F> {
 }
 
 impl<F: Float> Slopes<F> {
-    fn nothing() -> Self {
+    pub(crate) fn nothing() -> Self {
         let none = F::zero();
         let rest = Creepage { longitudinal: none, lateral: none, spin: none };
         Self::of(Derivatives::nothing(), None, &rest, [none; 3])
     }
 
     /// From the derivatives with respect to `w`, and the forces.
-    fn of(
+    pub(crate) fn of(
         mut derivatives: Derivatives<F>,
         shift: Option<Shift<F>>,
         seen: &Creepage<F>,
@@ -234,7 +234,7 @@ fn differentiated<F: Float, M: Theory<F>>(
 /// Adds the derivatives of the shift with respect to load and friction: in units of `M` it is a
 /// function of `c/M` and `κ/μ`.
 #[cold]
-fn through_shift<F: Float>(
+pub(crate) fn through_shift<F: Float>(
     derivatives: &mut Derivatives<F>,
     shift: &Shift<F>,
     creepage: &Creepage<F>,
@@ -316,7 +316,7 @@ fn saturating<F: Real, M: Theory<F>>(
 }
 
 /// Without friction there is no force and no dependence on the creepage.
-fn sliding<F: Float, M: Theory<F>>(
+pub(crate) fn sliding<F: Float, M: Theory<F>>(
     theory: &M,
     frame: &ScaledContact<F>,
     creepage: &Creepage<F>,

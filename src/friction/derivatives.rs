@@ -5,6 +5,7 @@ use crate::contact::creepage::Creepage;
 use crate::forces;
 use crate::forces::derivatives::{Derivatives, Slopes, solve_with_slopes};
 use crate::forces::options::{Model, Options, Solution};
+use crate::friction::layered::{LayerSlopes, ThroughLayer};
 use crate::friction::{self, SlipFriction};
 use crate::number::{Float, are_finite};
 use crate::status::{Error, Warning};
@@ -21,6 +22,10 @@ pub struct LawDerivatives<F> {
     pub rolling_speed: [F; 3],
     /// With respect to the factor of the initial slope, at 1 without a law \[N, N, N m\].
     pub slope_factor: [F; 3],
+    /// With respect to the slide factor \[N, N, N m\]; 0 where it is 0 in a law without a layer.
+    pub slide_factor: [F; 3],
+    /// With respect to the layer \[N, N, N m per m/Pa\]; 0 where there is none.
+    pub layer: [F; 3],
 }
 
 impl<F: Float> LawDerivatives<F> {
@@ -28,7 +33,14 @@ impl<F: Float> LawDerivatives<F> {
     #[must_use]
     pub fn nothing() -> Self {
         let none = [F::zero(); 3];
-        Self { ratio: none, decay: none, rolling_speed: none, slope_factor: none }
+        Self {
+            ratio: none,
+            decay: none,
+            rolling_speed: none,
+            slope_factor: none,
+            slide_factor: none,
+            layer: none,
+        }
     }
 }
 
@@ -60,10 +72,12 @@ impl<F: Float> AtFriction<F> {
     /// N ∂s/∂N = (P − (∂P/∂c) c)/M,   through Hertz ⅓ (P − (∂P/∂v) v)/M,
     /// μ ∂s/∂μ = N ∂s/∂N − κ (∂P/∂κ)/M = −k ∂s/∂k
     /// ```
+    #[inline(always)]
     pub(crate) fn through(
         &self,
         law: &SlipFriction<F>,
         falls: bool,
+        of_layer: Option<&LayerSlopes<F>>,
     ) -> (Derivatives<F>, LawDerivatives<F>, [F; 3]) {
         let Self { power, motion, friction, load, .. } = *self;
         let Slopes { derivatives, by_mismatch, seen, power_by_creepage, power_by_mismatch } =
@@ -83,7 +97,7 @@ impl<F: Float> AtFriction<F> {
         let [power_by_x, power_by_y, _] = *power_by_creepage;
         let translation = power_by_x * motion.longitudinal + power_by_y * motion.lateral;
         let slip_by_load = over_bound(power - along(power_by_creepage));
-        let slip_through_hertz = over_bound((power - translation).times(1.0 / 3.0));
+        let mut slip_through_hertz = over_bound((power - translation).times(1.0 / 3.0));
         let slip_by_mismatch = over_bound(*power_by_mismatch);
         let by_size = slip_by_load - slip_by_mismatch;
         let slip_by_friction = if carries { by_size / friction } else { F::zero() };
@@ -107,6 +121,14 @@ impl<F: Float> AtFriction<F> {
             *entry = (*entry + *by_mismatch) / stiffness;
         }
         let none = [F::zero(); 3];
+        let (mut by_slide, mut by_layer) = (none, none);
+        if let Some(LayerSlopes { forces, power, layer }) = of_layer {
+            let [layer_power, slide_power] = power.map(over_bound);
+            // λ ~ N^{−1/3} through Hertz
+            slip_through_hertz -= (*layer * layer_power).times(1.0 / 3.0);
+            by_layer = shifted(&forces[0], rate * layer_power);
+            by_slide = shifted(&forces[1], rate * slide_power);
+        }
         let Derivatives { normal_force, load_through_hertz, .. } = derivatives;
         let through = Derivatives {
             jacobian: transposed(columns),
@@ -119,6 +141,8 @@ impl<F: Float> AtFriction<F> {
             decay: shifted(&none, by.decay),
             rolling_speed: shifted(&none, by.rolling_speed),
             slope_factor: shifted(&by_stiffness, -(rate * (by_size / stiffness))),
+            slide_factor: by_slide,
+            layer: by_layer,
         };
         (through, law, shifted(by_mismatch, rate * slip_by_mismatch))
     }
@@ -179,8 +203,18 @@ pub(crate) fn differentiate_checked<F: Float>(
         None => (contact, Warning::None),
     };
     // (looked at where it stands)
-    let solved = solve_with_slopes(contact, creepage, options);
-    let (solution, slopes) = solved.as_ref().map_err(|error| *error)?;
+    let (solved, through);
+    let (solution, slopes, of_layer) = match law.filter(|law| law.has_interface()) {
+        None => {
+            solved = solve_with_slopes(contact, creepage, options);
+            let (solution, slopes) = solved.as_ref().map_err(|error| *error)?;
+            (solution, slopes, None)
+        }
+        Some(law) => {
+            through = ThroughLayer { law, creepage, options }.differentiate(contact)?;
+            (&through.0, &through.1, Some(&through.2))
+        }
+    };
     let solution = Solution { warning: solution.warning.worse(warning), ..*solution };
     let friction = contact.friction;
     let lost = contact.is_lost();
@@ -193,7 +227,7 @@ pub(crate) fn differentiate_checked<F: Float>(
     let (motion, load) = (*creepage, contact.normal_force);
     let at = AtFriction { slopes: *slopes, power: solution.power, motion, friction, load };
     let falls = law.falls() && options.model != Model::Linear;
-    let (derivatives, law, by_mismatch) = at.through(law, falls);
+    let (derivatives, law, by_mismatch) = at.through(law, falls, of_layer);
     Error::Overflow.unless(are_finite(&derivatives.entries()) && are_finite(&law.entries()))?;
     Ok(Differentiated { solution, friction, derivatives, law, by_mismatch })
 }
@@ -246,9 +280,10 @@ pub(crate) fn check<F: Float>(
 
 impl<F: Float> LawDerivatives<F> {
     /// All derivatives in one array.
-    pub(crate) fn entries(&self) -> [F; 12] {
+    pub(crate) fn entries(&self) -> [F; 18] {
         let Self { ratio: [a, b, c], decay: [d, e, f], .. } = *self;
         let Self { rolling_speed: [g, h, i], slope_factor: [j, k, l], .. } = *self;
-        [a, b, c, d, e, f, g, h, i, j, k, l]
+        let Self { slide_factor: [m, n, o], layer: [p, q, r], .. } = *self;
+        [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r]
     }
 }

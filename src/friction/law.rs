@@ -7,8 +7,9 @@ use crate::number::{Float, Real, are_finite};
 use crate::status::Error;
 
 /// Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) +
-/// ratio), where w is the sliding velocity \[m/s\]. A factor reduces the initial slope of the creep
-/// curve, for the layer between the bodies.
+/// ratio), where w is the sliding velocity \[m/s\]. What lies between the bodies makes the creep
+/// curve less steep: slope_factor and slide_factor stretch a curve that was measured or published,
+/// layer is a known elastic layer.
 ///
 /// Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m;
 /// wet 0.3, 0.4, 0.2 s/m.
@@ -28,6 +29,12 @@ pub struct SlipFriction<F> {
     /// Initial slope of the creep curve divided by that of clean bodies \[-\], 0 to 1; 0 stands for
     /// 1, clean.
     pub slope_factor: F,
+    /// Stretch of the creep curve far in sliding over that at its start \[-\], 0 to 1; 0 stands for
+    /// 1: the whole curve is stretched alike.
+    pub slide_factor: F,
+    /// Thickness of an elastic layer between the bodies over its shear modulus \[m/Pa\], >= 0; 0:
+    /// none.
+    pub layer: F,
 }
 
 /// Derivatives of the law at constant slip, and by the slip.
@@ -42,17 +49,21 @@ pub(crate) struct FrictionSlopes<F> {
 impl<F: Float> SlipFriction<F> {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Friction`], [`Error::FrictionRatio`],
-    /// [`Error::FrictionDecay`], [`Error::NegativeSpeed`], [`Error::SlopeFactor`].
+    /// [`Error::FrictionDecay`], [`Error::NegativeSpeed`], [`Error::SlopeFactor`],
+    /// [`Error::SlideFactor`], [`Error::Layer`].
     pub fn check(&self) -> Result<(), Error> {
-        let Self { friction, ratio, decay, rolling_speed, slope_factor } = *self;
-        let inputs = [friction, ratio, decay, rolling_speed, slope_factor];
+        let Self { friction, ratio, decay, rolling_speed, .. } = *self;
+        let Self { slope_factor, slide_factor, layer, .. } = *self;
+        let inputs = [friction, ratio, decay, rolling_speed, slope_factor, slide_factor, layer];
         let (zero, one) = (F::zero(), F::one());
         Error::NotFinite.unless(are_finite(&inputs))?;
         Error::Friction.unless(friction >= zero)?;
         Error::FrictionRatio.unless(ratio >= zero && ratio <= one)?;
         Error::FrictionDecay.unless(decay >= zero)?;
         Error::NegativeSpeed.unless(rolling_speed >= zero)?;
-        Error::SlopeFactor.unless(slope_factor >= zero && slope_factor <= one)
+        Error::SlopeFactor.unless(slope_factor >= zero && slope_factor <= one)?;
+        Error::SlideFactor.unless(slide_factor >= zero && slide_factor <= one)?;
+        Error::Layer.unless(layer >= zero)
     }
 
     /// `μ` for a slip `s` over rolling speed.
@@ -72,7 +83,15 @@ impl<F: Float> SlipFriction<F> {
     #[must_use]
     pub fn constant(friction: F) -> Self {
         let zero = F::zero();
-        Self { friction, ratio: F::one(), decay: zero, rolling_speed: zero, slope_factor: zero }
+        Self {
+            friction,
+            ratio: F::one(),
+            decay: zero,
+            rolling_speed: zero,
+            slope_factor: zero,
+            slide_factor: zero,
+            layer: zero,
+        }
     }
 
     /// The derivatives of `μ = μ₀ ((1 − A) exp(−B V s) + A)`.

@@ -31,15 +31,17 @@
 mod agreement;
 pub mod derivatives;
 mod law;
+pub(crate) mod layered;
 
 pub(crate) use self::agreement::FrictionEquation;
 pub use self::law::SlipFriction;
 pub(crate) use self::law::fastest_slip;
+use self::layered::ThroughLayer;
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces::derivatives::solve_with_slopes;
-use crate::forces::{self, Model, Options, Solution};
+use crate::forces::{self, Model, Options, Solution, StripResult};
 use crate::number::Float;
 use crate::status::{Error, Warning};
 
@@ -73,6 +75,7 @@ pub struct FrictionSolution<F> {
 /// };
 /// let wet = SlipFriction {
 ///     friction: 0.3, ratio: 0.4, decay: 0.6, rolling_speed: 20.0, slope_factor: 0.5,
+///     slide_factor: 0.0, layer: 0.0,
 /// };
 /// let pull = |slip: f64| {
 ///     let creepage = Creepage { longitudinal: slip, lateral: 0.0, spin: 0.0 };
@@ -102,7 +105,7 @@ pub(crate) fn solve_checked<F: Float>(
     options: &Options,
 ) -> Result<FrictionSolution<F>, Error> {
     let (contact, warning) = under_checked(contact, creepage, friction, options)?;
-    let mut solution = forces::forces_of_contact(&contact, creepage, options)?;
+    let mut solution = forces_behind(&contact, creepage, friction, options)?;
     solution.warning = solution.warning.worse(warning);
     Ok(FrictionSolution { solution, friction: contact.friction })
 }
@@ -151,6 +154,41 @@ pub fn check<F: Float>(
     forces::check(&friction.contact(contact), creepage, options)
 }
 
+/// Every strip of the solution, handed to `visit`, of a contact with the friction that agrees and
+/// the stiffness of the law, as [`under`] gives it. Their shares add up to the forces.
+///
+/// # Errors
+/// Those of [`forces::strips`].
+pub fn strips<F: Float>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    law: Option<&SlipFriction<F>>,
+    options: &Options,
+    visit: &mut dyn FnMut(StripResult<F>),
+) -> Result<Warning, Error> {
+    match law.filter(|law| law.has_interface()) {
+        Some(law) => ThroughLayer { law, creepage, options }.strips(contact, visit),
+        None => forces::strips(contact, creepage, options, visit),
+    }
+}
+
+/// Forces of a contact that is as stiff as the law says, through the layer of the law.
+///
+/// # Errors
+/// Those of [`forces::forces_of_contact`].
+#[inline(always)]
+fn forces_behind<F: Float>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    law: &SlipFriction<F>,
+    options: &Options,
+) -> Result<Solution<F>, Error> {
+    if law.has_interface() {
+        return ThroughLayer { law, creepage, options }.solve(contact);
+    }
+    forces::forces_of_contact(contact, creepage, options)
+}
+
 /// The largest `μ` that agrees with the slip that it causes. `contact` has `μ₀`, and was checked.
 fn agreement<F: Float>(
     contact: &Contact<F>,
@@ -170,11 +208,15 @@ fn agreement<F: Float>(
             let contact = Contact { friction: friction_now, ..*contact };
             let bound = contact.friction_bound();
             if bound > F::zero() {
-                let solution = forces::forces_of_contact(&contact, creepage, options)?;
+                let solution = forces_behind(&contact, creepage, friction, options)?;
                 return Ok(friction.at(solution.power / bound));
             }
             // The limit of full sliding: s = (∂P/∂μ)/N
-            let (_, slopes) = solve_with_slopes(&contact, creepage, options)?;
+            let slopes = if friction.has_interface() {
+                ThroughLayer { law: friction, creepage, options }.differentiate(&contact)?.1
+            } else {
+                solve_with_slopes(&contact, creepage, options)?.1
+            };
             let power = slopes.seen.power(slopes.derivatives.friction);
             Ok(friction.at(power / contact.normal_force))
         },

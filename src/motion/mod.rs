@@ -91,6 +91,11 @@ pub struct MotionDerivatives<F> {
     pub decay: [F; 3],
     /// With respect to the slope factor of the law, at 1 without one \[N, N, N m\].
     pub slope_factor: [F; 3],
+    /// With respect to the slide factor of the law; 0 where it is 0 in a law without a layer
+    /// \[N, N, N m\].
+    pub slide_factor: [F; 3],
+    /// With respect to the layer of the law; 0 where there is none \[N, N, N m per m/Pa\].
+    pub layer: [F; 3],
 }
 
 /// Forces of a contact that rolls forward, backward or not at all, with the power in watts,
@@ -342,6 +347,8 @@ impl<F: Float> Rolling<F> {
             ratio: self.both(forward.law.ratio, backward.law.ratio),
             decay: self.both(forward.law.decay, backward.law.decay),
             slope_factor: self.both(forward.law.slope_factor, backward.law.slope_factor),
+            slide_factor: self.both(forward.law.slide_factor, backward.law.slide_factor),
+            layer: self.both(forward.law.layer, backward.law.layer),
         }
     }
 }
@@ -354,9 +361,9 @@ fn forces<F: Float>(solution: &Solution<F>) -> [F; 3] {
 impl<F: Float> MotionDerivatives<F> {
     pub(crate) fn entries(&self) -> impl Iterator<Item = F> {
         let Self { slip, rolling_speed, normal_force, load_through_hertz, .. } = *self;
-        let Self { friction, ratio, decay, slope_factor, .. } = *self;
+        let Self { friction, ratio, decay, slope_factor, slide_factor, layer, .. } = *self;
         let of_load = [rolling_speed, normal_force, load_through_hertz];
-        let of_friction = [friction, ratio, decay, slope_factor];
+        let of_friction = [friction, ratio, decay, slope_factor, slide_factor, layer];
         slip.into_iter().chain(of_load).chain(of_friction).flatten()
     }
 }

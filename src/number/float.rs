@@ -33,6 +33,12 @@ macro_rules! plain {
                 $elementary_of(self)
             })*
             #[inline]
+            fn inverse_of_normal(
+                matrix: nalgebra::Matrix6<Self>,
+            ) -> Option<nalgebra::Matrix6<Self>> {
+                matrix.cholesky().map(|factor| factor.inverse())
+            }
+            #[inline]
             fn table<const R: usize, const C: usize>(
                 $single: &'static [[f32; C]; R],
                 $double: &'static [[f64; C]; R],

@@ -86,7 +86,8 @@ impl<'a, F: Float> PatchField<'a, F> {
         let law = if Model::HAS_STRIP && self.problem.model == Model::Strip {
             let zone = view.zone(number)?;
             let factors = [F::one(), F::one()];
-            let (rolling, _) = law(&zone, &PatchSlip::new(creepage), strip.centre_x, factors);
+            let slip = PatchSlip::new(creepage, None);
+            let (rolling, ..) = law(&zone, &slip, strip.centre_x, factors);
             let line = ZoneUnits::new(&zone).geometry(strip, F::zero());
             PatchTractions::Strip(rolling, line, zone.contact.slip_scale())
         } else if Model::HAS_STRIP_1967 {

@@ -24,8 +24,11 @@ use crate::contact::plausibility::LARGEST_MISMATCH;
 use crate::forces::derivatives::{Derivatives, Slopes};
 use crate::forces::{Model, Solution, StripResult};
 use crate::friction::derivatives::{AtFriction, Differentiated, LawDerivatives};
+use crate::friction::layered::LayerSlopes;
 use crate::friction::{FrictionEquation, SlipFriction};
+use crate::layer::Interface;
 use crate::number::Float;
+use crate::patch::slip::PatchLayer;
 use crate::patch::solver;
 use crate::patch::{Patch, PatchView};
 use crate::status::{Error, Warning};
@@ -61,6 +64,7 @@ pub struct PatchFrictionSolution<F> {
 /// let patch = Patch::<f64, 16>::from_ellipse(&contact, StripCount::Sixteen)?;
 /// let wet = SlipFriction {
 ///     friction: 0.3, ratio: 0.4, decay: 0.6, rolling_speed: 20.0, slope_factor: 0.5,
+///     slide_factor: 0.0, layer: 0.0,
 /// };
 /// let pull = |slip: f64| {
 ///     let creepage = Creepage { longitudinal: slip, lateral: 0.0, spin: 0.0 };
@@ -78,7 +82,7 @@ pub fn solve<F: Float>(
     let problem = FrictionProblem::new(patch, creepage, law, model)?;
     let (share, warning) = problem.agreement()?;
     let Scaled { patch, creepage, factor } = problem.scaled(share)?;
-    let solution = solver::solve(&patch, &creepage, model)?;
+    let solution = solver::solve_behind(&patch, &creepage, model, problem.behind)?;
     Ok(PatchFrictionSolution { solution: problem.under(share, factor, &solution, warning), share })
 }
 
@@ -113,6 +117,8 @@ struct FrictionProblem<'a, F: Float> {
     bound: F,
     /// Upper bound of the slip of all points, divided by the rolling speed.
     rigid_slip: F,
+    /// The layer of the law.
+    behind: Option<PatchLayer<F>>,
 }
 
 impl<'a, F: Float> FrictionProblem<'a, F> {
@@ -128,7 +134,12 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
         if patch.shear_modulus() * law.stiffness() <= F::zero() {
             return Err(Error::Modulus);
         }
-        Ok(Self { patch, creepage, law, model, bound: patch.friction_bound(), rigid_slip })
+        let behind = law.has_interface().then(|| {
+            let Interface { layer, slide } = law.interface(patch.shear_modulus(), F::one());
+            PatchLayer { depth: layer, slide }
+        });
+        let bound = patch.friction_bound();
+        Ok(Self { patch, creepage, law, model, bound, rigid_slip, behind })
     }
 
     fn agreement(&self) -> Result<(F, Warning), Error> {
@@ -137,7 +148,8 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
         }
         FrictionEquation::new(&self.law, self.rigid_slip, self.bound, |share| {
             let scaled = self.scaled(share)?;
-            let found = solver::solve(&scaled.patch, &scaled.creepage, self.model)?;
+            let found =
+                solver::solve_behind(&scaled.patch, &scaled.creepage, self.model, self.behind)?;
             Ok(self.law.at(found.power / scaled.factor / self.bound))
         })
         .largest_solution()
@@ -199,7 +211,8 @@ pub fn differentiate<F: Float>(
         None => (F::one(), Warning::None),
     };
     let Scaled { patch: scaled_patch, creepage: scaled, factor } = problem.scaled(share)?;
-    let (found, slopes) = solver::solve_with_slopes(&scaled_patch, &scaled, model)?;
+    let (found, slopes, of_layer) =
+        solver::solve_with_slopes(&scaled_patch, &scaled, model, problem.behind)?;
     let solution = problem.under(share, factor, &found, warning);
     if bound <= F::zero() {
         let (derivatives, law) = (Derivatives::nothing(), LawDerivatives::nothing());
@@ -212,18 +225,19 @@ pub fn differentiate<F: Float>(
     // N ∂F/∂N = λ (f − J k c/λ), μ ∂F/∂μ = N ∂F/∂N − λ κ ∂f/∂κ, through Hertz N dF/dN = F − ⅓ J_v
     // v, N dM_z/dN = (4/3) M_z − ⅓ J_v v
     let mean = bound / load;
-    let others = |force: F, [x, y, z]: [F; 3], by_mismatch: F, power: f64| {
+    let [layer_x, layer_y, layer_z] = of_layer.forces[0].map(|slope| slope * of_layer.layer);
+    let others = |force: F, [x, y, z]: [F; 3], by_mismatch: F, by_layer: F, power: f64| {
         let translation = x * scaled.longitudinal + y * scaled.lateral;
         let rest = force - translation - z * scaled.spin;
-        let hertz = force.times(power) - translation.times(1.0 / 3.0);
+        let hertz = force.times(power) - (translation + by_layer).times(1.0 / 3.0);
         [share * rest / load, share * hertz / load, (rest - by_mismatch) / mean]
     };
     let [x, y, z] = rows;
     let [by_x, by_y, by_z] = slopes.by_mismatch;
     let [[nx, hx, mx], [ny, hy, my], [nz, hz, mz]] = [
-        others(found.fx, x, by_x, 1.0),
-        others(found.fy, y, by_y, 1.0),
-        others(found.mz, z, by_z, 4.0 / 3.0),
+        others(found.fx, x, by_x, layer_x, 1.0),
+        others(found.fy, y, by_y, layer_y, 1.0),
+        others(found.mz, z, by_z, layer_z, 4.0 / 3.0),
     ];
     let derivatives = Derivatives {
         jacobian: rows.map(|row| row.map(|slope| slope * stiffness)),
@@ -240,9 +254,15 @@ pub fn differentiate<F: Float>(
         power_by_creepage: slopes.power_by_creepage.map(|slope| slope * share),
         power_by_mismatch: slopes.power_by_mismatch * (share / factor),
     };
+    let of_layer = LayerSlopes {
+        forces: of_layer.forces.map(|column| column.map(|slope| slope * share)),
+        power: of_layer.power.map(|slope| slope * (share / factor)),
+        ..of_layer
+    };
     let at = AtFriction { slopes, power: solution.power, motion: *creepage, friction, load };
     let law = SlipFriction { friction: mean, ..*given };
-    let (derivatives, law, by_mismatch) = at.through(&law, law.falls());
+    let (derivatives, law, by_mismatch) =
+        at.through(&law, law.falls(), problem.behind.is_some().then_some(&of_layer));
     let entries = derivatives.entries().into_iter().chain(law.entries());
     if entries.into_iter().all(F::is_finite_number) {
         Ok(Differentiated { solution, friction: share, derivatives, law, by_mismatch })
@@ -267,9 +287,9 @@ pub fn strips<F: Float>(
     let Some(law) = law else {
         return solver::strips(patch, creepage, model, visit);
     };
-    let Scaled { patch, creepage, factor } =
-        FrictionProblem::new(patch, creepage, law, model)?.scaled(share)?;
-    solver::strips(&patch, &creepage, model, &mut |strip| {
+    let problem = FrictionProblem::new(patch, creepage, law, model)?;
+    let Scaled { patch, creepage, factor } = problem.scaled(share)?;
+    solver::strips_behind(&patch, &creepage, model, problem.behind, &mut |strip| {
         let [fx, fy, mz] = [strip.fx, strip.fy, strip.mz].map(|force| force * share);
         visit(StripResult { fx, fy, mz, power: share * (strip.power / factor), ..strip });
     })

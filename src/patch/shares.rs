@@ -5,7 +5,7 @@ use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::{Contact, mismatch};
 use crate::linear::LinearCoefficients;
 use crate::number::{Float, Number};
-use crate::patch::slip::{PatchSlip, Share, creepage_at};
+use crate::patch::slip::{PatchSlip, Share, ZoneSplit, creepage_at};
 use crate::patch::zones::{Widths, Zone};
 use crate::patch::{PatchStrip, PatchView, QuadratureScale};
 use crate::strip::{Distribution, Flexibilities, StripCreepage, StripGeometry, eight_strips};
@@ -21,13 +21,15 @@ pub(super) fn law<F: Float, T: Number<Base = F>>(
     slip: &PatchSlip<T>,
     x: F,
     factors: [F; 2],
-) -> (Distribution<T>, T) {
+) -> (Distribution<T>, T, Option<ZoneSplit<T>>) {
     let Contact { a, b, poisson_ratio, .. } = zone.contact;
     let linear = LinearCoefficients::at(a / b, poisson_ratio);
     let (seen, shift) = seen_by(zone, &linear, slip, x);
+    let split = slip.behind.map(|behind| ZoneSplit::new(zone, &linear, &seen, x, &behind));
+    let seen = split.map_or(seen, |split| split.half_spaces(&seen));
     let parameters = Parameters::new(&zone.contact, &seen);
     let prepared = Flexibilities::new(parameters.axis_ratio, poisson_ratio, &linear, factors);
-    (prepared.see(parameters.normalised()), shift)
+    (prepared.see(parameters.normalised()), shift, split)
 }
 
 /// Passes the forces of every strip to `visit`, eight strips side by side.
@@ -51,7 +53,7 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
             let none = StripCreepage { x: zero, y: zero, spread: zero, start: zero };
             let mut seen = [(none, T::zero()); 8];
             let mut inner = [F::zero(); 8];
-            let mut shifts = [zero; 8];
+            let mut shifts = [(zero, None::<ZoneSplit<T>>); 8];
             let strips = group.iter().zip(&mut seen).zip(&mut inner).zip(&mut shifts);
             for (k, (((strip, seen), inner), shift)) in strips.enumerate() {
                 let i = 8 * g + k;
@@ -65,20 +67,25 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
                 in_lobe = true;
                 if !known {
                     // So that the slopes are those of the linear theory for any quadrature.
-                    let (law, shift) = self::law(&zone, slip, x, [area, lever]);
-                    prepared =
-                        Some(PreparedZone { zone, x, units: ZoneUnits::new(&zone), law, shift });
+                    let (law, shift, split) = self::law(&zone, slip, x, [area, lever]);
+                    let units = ZoneUnits::new(&zone);
+                    prepared = Some(PreparedZone { zone, x, units, law, shift, split });
                 }
-                let Some(PreparedZone { units, law, shift: own, .. }) = &prepared else { continue };
-                *shift = *own;
+                let Some(PreparedZone { units, law, shift: own, split, .. }) = &prepared else {
+                    continue;
+                };
+                (shift.0, shift.1) = (*own, *split);
                 *seen = law.strip(&units.geometry(strip, strip.width * widths.per_mean));
                 let is_inner = i.min(count - 1 - i) % 2 == 1;
                 *inner = (if is_inner { alternating } else { -alternating }).plus(0.5);
             }
             let found = eight_strips(&seen, inner).into_iter().zip(shifts);
-            for (strip, (found, shift)) in group.iter().zip(found) {
+            for (strip, (found, (shift, split))) in group.iter().zip(found) {
                 let stick = found.stick.value();
-                let share = Share::new(strip, &found, stick, stick > F::zero());
+                let mut share = Share::new(strip, &found, stick, stick > F::zero());
+                if let Some(split) = split {
+                    share = split.mean(strip, share);
+                }
                 visit(strip, Share { of_pressure: share.fx * shift, ..share });
             }
         }
@@ -86,13 +93,14 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
 }
 
 /// The creepages of the strips of a zone that have one centre along `x`.
-struct PreparedZone<F, T, L> {
+struct PreparedZone<F, T: Number, L> {
     zone: Zone<F>,
     x: F,
     units: ZoneUnits<F>,
     law: L,
     /// The creepage that pressure adds.
     shift: T,
+    split: Option<ZoneSplit<T>>,
 }
 
 /// The creepage of a zone's ellipse at `x` on its middle line, and the part of it that pressure

@@ -1,8 +1,13 @@
 //! The motion of a patch, and the forces of a strip.
 
-use crate::contact::creepage::Creepage;
+use crate::contact::Contact;
+use crate::contact::creepage::{Creepage, Parameters};
+use crate::layer::bristles::{Bristles, Rates};
+use crate::layer::{Interface, Layer, Split};
+use crate::linear::LinearCoefficients;
 use crate::number::{Float, Number};
 use crate::patch::PatchStrip;
+use crate::patch::zones::Zone;
 use crate::strip::StripForces;
 
 /// Forces of a strip.
@@ -43,11 +48,98 @@ impl<T: Number<Base: Float>> Share<T> {
 pub(super) struct PatchSlip<T> {
     pub creepage: Creepage<T>,
     pub pressure: T,
+    pub behind: Option<PatchLayer<T>>,
+}
+
+/// A layer between the bodies of a patch, and what sliding leaves of its stiffness.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PatchLayer<T> {
+    /// `h G/G₃` \[m\]
+    pub depth: T,
+    /// `k₁`
+    pub slide: T,
 }
 
 impl<F: Float> PatchSlip<F> {
-    pub fn new(creepage: &Creepage<F>) -> Self {
-        Self { creepage: *creepage, pressure: F::one() }
+    pub fn new(creepage: &Creepage<F>, behind: Option<PatchLayer<F>>) -> Self {
+        Self { creepage: *creepage, pressure: F::one(), behind }
+    }
+}
+
+/// What half-spaces and bristles of a zone see.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ZoneSplit<T: Number> {
+    split: Split<T>,
+    /// Whether there is a layer, not sliding alone.
+    has_bristles: bool,
+    /// Centre and half length of the zone's ellipse.
+    x: T::Base,
+    y: T::Base,
+    a: T::Base,
+    /// `μ p₀` of the ellipse.
+    bound: T::Base,
+}
+
+impl<F: Float, T: Number<Base = F>> ZoneSplit<T> {
+    /// For the creepage that the ellipse sees at `x` on its middle line.
+    pub fn new(
+        zone: &Zone<F>,
+        linear: &LinearCoefficients<F>,
+        seen: &Creepage<T>,
+        x: F,
+        behind: &PatchLayer<T>,
+    ) -> Self {
+        let Contact { a, b, friction, .. } = zone.contact;
+        let parameters = Parameters::new(&zone.contact, seen);
+        let layer = behind.depth.scale(F::one() / a);
+        let interface = Interface { layer, slide: behind.slide };
+        let split = Layer::new(a / b, linear).split(parameters.normalised(), &interface);
+        let bound = friction * zone.contact.peak_pressure();
+        let has_bristles = layer.value() > F::zero();
+        Self { split, has_bristles, x, y: zone.y, a, bound }
+    }
+
+    /// The creepage of the half-spaces.
+    pub fn half_spaces(&self, seen: &Creepage<T>) -> Creepage<T> {
+        let [x, y, z] = self.split.factors;
+        let Creepage { longitudinal, lateral, spin } = *seen;
+        Creepage { longitudinal: longitudinal * x, lateral: lateral * y, spin: spin * z }
+    }
+
+    /// The mean of the forces of a strip of half-spaces and those of its bristles.
+    pub fn mean(&self, strip: &PatchStrip<F>, share: Share<T>) -> Share<T> {
+        if !self.has_bristles {
+            return share;
+        }
+        let [x, y, spin] = self.split.rates;
+        let bound = strip.friction * strip.peak_pressure;
+        // in units of the strip: c/a over Π
+        let unit = if bound > F::zero() && self.bound > F::zero() {
+            strip.half_length / self.a * (self.bound / bound)
+        } else {
+            F::one()
+        };
+        let (to_y, to_x) = ((strip.y - self.y) / self.a, (strip.centre_x - self.x) / self.a);
+        let rates = Rates {
+            x: (x - spin.scale(to_y)).scale(unit),
+            y: (y + spin.scale(to_x)).scale(unit),
+            spin: spin.scale(strip.half_length / self.a * unit),
+        };
+        let Bristles { fx, fy, mx, stick } = rates.of_strip();
+        let stick = stick.value();
+        let adheres = stick > F::zero();
+        let forces = StripForces { fx, fy, mx, stick: T::zero() };
+        let bristles = Share::new(strip, &forces, stick, adheres);
+        let weight = self.split.weight;
+        let mean = |of: T, bristles: T| of + (bristles - of) * weight;
+        Share {
+            fx: mean(share.fx, bristles.fx),
+            fy: mean(share.fy, bristles.fy),
+            mz: mean(share.mz, bristles.mz),
+            of_pressure: share.of_pressure,
+            stick: share.stick + (stick - share.stick) * weight.value(),
+            adheres: share.adheres || adheres,
+        }
     }
 }
 

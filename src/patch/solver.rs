@@ -25,11 +25,12 @@ use crate::forces::derivatives::{Derivatives, Slopes};
 use crate::forces::theory::sliding_rule;
 use crate::forces::warning::model_warning;
 use crate::forces::{Model, Solution, StripResult};
+use crate::friction::layered::{LayerSlopes, WithSlopes};
 use crate::linear::LinearCoefficients;
 use crate::number::dual::Dual;
 use crate::number::{Float, Number};
 use crate::patch::shares::{seen_by, strip_shares};
-use crate::patch::slip::{PatchSlip, Share, creepage_at, rigid_slip};
+use crate::patch::slip::{PatchLayer, PatchSlip, Share, ZoneSplit, creepage_at, rigid_slip};
 use crate::patch::zones::Zone;
 use crate::patch::{PatchStrip, PatchView};
 use crate::status::{Error, Warning};
@@ -38,9 +39,9 @@ use crate::strip_1967::strip::{Regime, State, Strip};
 use crate::total;
 use nalgebra::Matrix3;
 
-/// Forces of the ellipse of a zone, and the longitudinal creepage that pressure adds in unlike
-/// materials.
-type ZoneTotals<T> = (Totals<T>, T);
+/// Forces of the ellipse of a zone, the longitudinal creepage that pressure adds in unlike
+/// materials, and what bristles see.
+type ZoneTotals<T> = (Totals<T>, T, Option<ZoneSplit<T>>);
 
 /// Upper bound of the creepage that pressure adds in any zone.
 fn most_strain<F: Float>(view: &PatchView<F>) -> F {
@@ -137,8 +138,13 @@ impl<'a, F: Float> Problem<'a, F> {
         } else if Model::HAS_TOTAL && self.model == Model::Total {
             self.elliptic_shares(slip, visit);
         } else if Model::HAS_STRIP_1967 {
-            for strip in self.view.strips() {
-                visit(strip, self.theory_share(strip, &slip.creepage));
+            for (i, strip) in self.view.strips().iter().enumerate() {
+                let own = slip.behind.and_then(|behind| Some((behind, self.view.zone(i)?)));
+                let share = match own {
+                    None => self.theory_share(strip, &slip.creepage),
+                    Some((behind, zone)) => self.share_behind(strip, &zone, slip, &behind),
+                };
+                visit(strip, share);
             }
         }
     }
@@ -180,6 +186,22 @@ impl<'a, F: Float> Problem<'a, F> {
         Share::new(strip, &carried, stick, solved.adheres())
     }
 
+    /// A strip in the theory of 1967 behind a layer.
+    fn share_behind<T: Number<Base = F>>(
+        &self,
+        strip: &PatchStrip<F>,
+        zone: &Zone<F>,
+        slip: &PatchSlip<T>,
+        behind: &PatchLayer<T>,
+    ) -> Share<T> {
+        let Contact { a, b, poisson_ratio, .. } = zone.contact;
+        let linear = LinearCoefficients::at(a / b, poisson_ratio);
+        let seen = creepage_at(&slip.creepage, zone.x, zone.y);
+        let split = ZoneSplit::new(zone, &linear, &seen, zone.x, behind);
+        let at_origin = creepage_at(&split.half_spaces(&seen), -zone.x, -zone.y);
+        split.mean(strip, self.theory_share(strip, &at_origin))
+    }
+
     /// Every strip's share of the forces of the ellipse of its zone.
     #[inline(never)]
     fn elliptic_shares<T: Number<Base = F>>(
@@ -198,14 +220,15 @@ impl<'a, F: Float> Problem<'a, F> {
                 _ => Self::elliptic_totals(&zone, slip),
             };
             solved = Some((zone, found));
-            let (totals, shift) = found;
+            let (totals, shift, split) = found;
             let bound = strip.friction_bound();
             let (fx, fy) = (totals.fx.scale(bound), totals.fy.scale(bound));
             let size = (zone.contact.a * zone.contact.b).sqrt();
             // Mz = ∫ (x Y − y X)
             let mz = totals.mz.scale(bound * size) + fy.scale(zone.x) - fx.scale(zone.y);
-            let of_pressure = fx * shift;
-            visit(strip, Share { fx, fy, mz, of_pressure, stick: -F::one(), adheres: false });
+            let share = Share { fx, fy, mz, of_pressure: shift, stick: -F::one(), adheres: false };
+            let share = split.map_or(share, |split| split.mean(strip, share));
+            visit(strip, Share { of_pressure: share.fx * shift, adheres: false, ..share });
         }
     }
 
@@ -213,9 +236,11 @@ impl<'a, F: Float> Problem<'a, F> {
         let Contact { a, b, poisson_ratio, .. } = zone.contact;
         let linear = LinearCoefficients::at(a / b, poisson_ratio);
         let (seen, shift) = seen_by(zone, &linear, slip, zone.x);
+        let split = slip.behind.map(|behind| ZoneSplit::new(zone, &linear, &seen, zone.x, &behind));
+        let seen = split.map_or(seen, |split| split.half_spaces(&seen));
         let parameters = Parameters::new(&zone.contact, &seen);
         let total = total::Total::new(parameters.axis_ratio, poisson_ratio, &linear);
-        (total.totals(parameters.normalised()), shift)
+        (total.totals(parameters.normalised()), shift, split)
     }
 }
 
@@ -301,8 +326,23 @@ pub fn solve<F: Float>(
     creepage: &Creepage<F>,
     model: Model,
 ) -> Result<Solution<F>, Error> {
+    solve_behind(patch, creepage, model, None)
+}
+
+/// [`solve`] behind a layer.
+///
+/// # Errors
+/// Those of [`solve`].
+#[inline]
+pub(super) fn solve_behind<F: Float>(
+    patch: &PatchView<F>,
+    creepage: &Creepage<F>,
+    model: Model,
+    behind: Option<PatchLayer<F>>,
+) -> Result<Solution<F>, Error> {
     let problem = Problem::new(patch, creepage, model)?;
-    let PatchSums { fx, fy, mz, power, stick, area } = problem.sums(&PatchSlip::new(creepage));
+    let PatchSums { fx, fy, mz, power, stick, area } =
+        problem.sums(&PatchSlip::new(creepage, behind));
     Ok(problem.solution([fx, fy, mz, power], stick, area))
 }
 
@@ -315,7 +355,7 @@ pub fn solve_jacobian<F: Float>(
     creepage: &Creepage<F>,
     model: Model,
 ) -> Result<(Solution<F>, Matrix3<F>), Error> {
-    let (solution, slopes) = solve_with_slopes(patch, creepage, model)?;
+    let (solution, slopes, _) = solve_with_slopes(patch, creepage, model, None)?;
     // nalgebra's index order is by columns.
     Ok((solution, Matrix3::from(slopes.derivatives.jacobian).transpose()))
 }
@@ -326,11 +366,17 @@ pub(super) fn solve_with_slopes<F: Float>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
     model: Model,
-) -> Result<(Solution<F>, Slopes<F>), Error> {
+    behind: Option<PatchLayer<F>>,
+) -> Result<WithSlopes<F>, Error> {
     let problem = Problem::new(patch, creepage, model)?;
     let constant = |value| Dual { value, gradient: [F::zero(); 3] };
     let pressure = constant(F::one());
-    let found = problem.sums(&PatchSlip { creepage: creepage.inputs(), pressure });
+    let fixed = behind.map(|PatchLayer { depth, slide }| PatchLayer {
+        depth: constant(depth),
+        slide: constant(slide),
+    });
+    let inputs = PatchSlip { creepage: creepage.inputs(), pressure, behind: fixed };
+    let found = problem.sums(&inputs);
     let PatchSums { fx, fy, mz, power, stick, area } = found;
     let jacobian = [fx.gradient, fy.gradient, mz.gradient];
     let mut slopes = Slopes {
@@ -345,14 +391,33 @@ pub(super) fn solve_with_slopes<F: Float>(
         let Creepage { longitudinal, lateral, spin } = creepage.inputs();
         let spin = constant(spin.value);
         let pressure = Dual::input(F::one(), 2);
-        let moved = PatchSlip { creepage: Creepage { longitudinal, lateral, spin }, pressure };
+        let creepage = Creepage { longitudinal, lateral, spin };
+        let moved = PatchSlip { creepage, pressure, behind: fixed };
         let PatchSums { fx, fy, mz, power, .. } = problem.sums(&moved);
         let [x, y, z, of_power] = [fx, fy, mz, power].map(|Dual { gradient: [.., last], .. }| last);
         (slopes.by_mismatch, slopes.power_by_mismatch) = ([x, y, z], of_power);
     }
+    let mut of_layer = LayerSlopes::nothing();
+    if let Some(PatchLayer { depth, slide }) = behind {
+        let Creepage { longitudinal, lateral, spin } = *creepage;
+        let behind = PatchLayer { depth: Dual::input(depth, 0), slide: Dual::input(slide, 1) };
+        let creepage = Creepage {
+            longitudinal: constant(longitudinal),
+            lateral: constant(lateral),
+            spin: constant(spin),
+        };
+        let moved = PatchSlip { creepage, pressure, behind: Some(behind) };
+        let PatchSums { fx, fy, mz, power, .. } = problem.sums(&moved);
+        let unit = patch.shear_modulus();
+        of_layer.forces[0] = [fx, fy, mz].map(|sum| sum.derivative(0) * unit);
+        of_layer.forces[1] = [fx, fy, mz].map(|sum| sum.derivative(1));
+        of_layer.power = [power.derivative(0) * unit, power.derivative(1)];
+        of_layer.layer = depth / unit;
+    }
     let values = [fx, fy, mz, power].map(|sum| sum.value);
-    if jacobian.iter().flatten().chain(&slopes.by_mismatch).all(|entry| entry.is_finite_number()) {
-        Ok((problem.solution(values, stick, area), slopes))
+    let others = slopes.by_mismatch.iter().chain(of_layer.forces.as_flattened());
+    if jacobian.iter().flatten().chain(others).all(|entry| entry.is_finite_number()) {
+        Ok((problem.solution(values, stick, area), slopes, of_layer))
     } else {
         Err(Error::Overflow)
     }
@@ -369,8 +434,22 @@ pub fn strips<F: Float>(
     model: Model,
     visit: &mut impl FnMut(StripResult<F>),
 ) -> Result<Warning, Error> {
+    strips_behind(patch, creepage, model, None, visit)
+}
+
+/// [`strips`] behind a layer.
+///
+/// # Errors
+/// Those of [`strips`].
+pub(super) fn strips_behind<F: Float>(
+    patch: &PatchView<F>,
+    creepage: &Creepage<F>,
+    model: Model,
+    behind: Option<PatchLayer<F>>,
+    visit: &mut impl FnMut(StripResult<F>),
+) -> Result<Warning, Error> {
     let problem = Problem::with_strips(patch, creepage, model)?;
-    problem.shares(&PatchSlip::new(creepage), &mut |strip, share: Share<F>| {
+    problem.shares(&PatchSlip::new(creepage, behind), &mut |strip, share: Share<F>| {
         let Share { fx, fy, mz, of_pressure, stick, adheres } = share;
         visit(StripResult {
             y: strip.y,

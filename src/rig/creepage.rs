@@ -23,6 +23,8 @@ use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces::derivatives::{self, Derivatives};
 use crate::forces::{self, Model, Options};
+use crate::friction::derivatives::differentiate;
+use crate::friction::{self, SlipFriction};
 use crate::number::{Float, are_finite, length};
 use crate::numerics::bracket::root;
 use crate::numerics::{Bracket, Cubic};
@@ -91,8 +93,28 @@ pub fn creepage_for_force<F: Float>(
     spin: F,
     options: &Options,
 ) -> Result<(Creepage<F>, Warning), Error> {
+    creepage_for_force_under(contact, force, spin, None, options)
+}
+
+/// [`creepage_for_force`] under a law; the contact's own coefficient of friction is then ignored.
+/// Where friction falls with the slip, a force that is too large is not reached:
+/// [`Warning::NotConverged`].
+///
+/// # Errors
+/// Those of [`creepage_for_force`] and [`SlipFriction::check`].
+pub fn creepage_for_force_under<F: Float>(
+    contact: &Contact<F>,
+    force: [F; 2],
+    spin: F,
+    law: Option<&SlipFriction<F>>,
+    options: &Options,
+) -> Result<(Creepage<F>, Warning), Error> {
     let none = Creepage { longitudinal: F::zero(), lateral: F::zero(), spin };
-    forces::check(contact, &none, options)?;
+    match law {
+        None => forces::check(contact, &none, options)?,
+        Some(law) => friction::check(contact, &none, law, options)?,
+    }
+    let contact = &law.map_or(*contact, |law| Contact { friction: law.friction, ..*contact });
     let [fx, fy] = force;
     Error::NotFinite.unless(are_finite(&force))?;
     let size = length(fx, fy);
@@ -104,12 +126,13 @@ pub fn creepage_for_force<F: Float>(
     let (bound, saturates) = (contact.friction_bound(), options.model != Model::Linear);
     let (largest, most) = (bound * F::EPSILON.times(4.0).plus(1.0), bound.times(1.0 - SLIDING));
     Error::ForceBeyondFriction.unless(!saturates || size <= largest)?;
-    let sliding = saturates && size >= most;
+    let falls = law.is_some_and(SlipFriction::falls);
+    let sliding = saturates && !falls && size >= most;
     if sliding && bound <= F::zero() {
         return Ok((none, Warning::CreepageAtLeast));
     }
     let target = if sliding { force.map(|part| part / size * most) } else { force };
-    let mut aim = Aim::new(contact, target, spin, options);
+    let mut aim = Aim::new(contact, target, spin, law, options);
     let found = aim.find()?;
     let settled = found.distance <= F::EPSILON.times(TAKEN);
     let warning = if !settled {
@@ -125,6 +148,7 @@ pub fn creepage_for_force<F: Float>(
 /// A contact and a force that it shall carry.
 pub(crate) struct Aim<'a, F> {
     contact: &'a Contact<F>,
+    law: Option<&'a SlipFriction<F>>,
     options: &'a Options,
     spin: F,
     /// Over the unit.
@@ -198,11 +222,17 @@ impl<'a, F: Float> Aim<'a, F> {
         contact: &'a Contact<F>,
         target: [F; 2],
         spin: F,
+        law: Option<&'a SlipFriction<F>>,
         options: &'a Options,
     ) -> Self {
         let saturates = options.model != Model::Linear;
         let Contact { a, b, shear_modulus, .. } = *contact;
-        let stiffness = shear_modulus * a * b;
+        // about as soft as the law makes it
+        let factor = law.map_or(F::one(), |law| {
+            let layer = law.interface(shear_modulus, a).layer;
+            law.stiffness() / layer.times(1.6).plus(1.0)
+        });
+        let stiffness = shear_modulus * a * b * factor;
         let unit = if saturates {
             contact.friction_bound()
         } else {
@@ -211,7 +241,7 @@ impl<'a, F: Float> Aim<'a, F> {
         let slip = unit / stiffness;
         let slip = if slip.is_finite_number() && slip > F::zero() { slip } else { F::one() };
         let target = target.map(|part| part / unit);
-        Self { contact, options, spin, target, unit, slip, saturates, solved: 0 }
+        Self { contact, law, options, spin, target, unit, slip, saturates, solved: 0 }
     }
 
     pub(crate) fn creepage(&self, [x, y]: [F; 2]) -> Creepage<F> {
@@ -220,8 +250,14 @@ impl<'a, F: Float> Aim<'a, F> {
 
     fn place(&mut self, at: [F; 2]) -> Result<Iterate<F>, Error> {
         self.solved += 1;
-        let (solution, slopes) =
-            derivatives::solve(self.contact, &self.creepage(at), self.options)?;
+        let creepage = self.creepage(at);
+        let (solution, slopes) = match self.law {
+            None => derivatives::solve(self.contact, &creepage, self.options)?,
+            Some(_) => {
+                let found = differentiate(self.contact, &creepage, self.law, self.options)?;
+                (found.solution, found.derivatives)
+            }
+        };
         let Derivatives { jacobian: [[xx, xy, _], [yx, yy, _], _], .. } = slopes;
         let force = [solution.fx / self.unit, solution.fy / self.unit];
         let rows = [[xx, xy], [yx, yy]].map(|row| row.map(|slope| slope / self.unit * self.slip));

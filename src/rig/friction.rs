@@ -6,6 +6,8 @@ use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces::derivatives;
 use crate::forces::{self, Model, Options, Solution};
+use crate::friction::derivatives::differentiate_checked;
+use crate::friction::{self, SlipFriction};
 use crate::number::{Float, are_finite};
 use crate::numerics::Bracket;
 use crate::status::{Error, Warning};
@@ -76,7 +78,23 @@ pub fn estimate_friction<F: Float>(
     measured: Measured,
     force: [F; 2],
 ) -> Result<FrictionEstimate<F>, Error> {
-    Rig::new(contact, creepage, options, measured, force)?.estimate(force)
+    Rig::new(contact, creepage, None, options, measured, force)?.estimate(force)
+}
+
+/// [`estimate_friction`] under a law: the coefficient of friction without slip. The law's own
+/// coefficient is ignored.
+///
+/// # Errors
+/// Those of [`estimate_friction`] and [`SlipFriction::check`].
+pub fn estimate_friction_under<F: Float>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    law: Option<&SlipFriction<F>>,
+    options: &Options,
+    measured: Measured,
+    force: [F; 2],
+) -> Result<FrictionEstimate<F>, Error> {
+    Rig::new(contact, creepage, law, options, measured, force)?.estimate(force)
 }
 
 /// A contact on a rig, and what was measured.
@@ -84,6 +102,7 @@ pub(crate) struct Rig<'a, F> {
     /// With any friction.
     contact: Contact<F>,
     creepage: &'a Creepage<F>,
+    law: Option<&'a SlipFriction<F>>,
     options: &'a Options,
     measured: Measured,
     /// The force that was measured \[N\].
@@ -101,6 +120,7 @@ impl<'a, F: Float> Rig<'a, F> {
     pub(crate) fn new(
         contact: &Contact<F>,
         creepage: &'a Creepage<F>,
+        law: Option<&'a SlipFriction<F>>,
         options: &'a Options,
         measured: Measured,
         [fx, fy]: [F; 2],
@@ -108,12 +128,20 @@ impl<'a, F: Float> Rig<'a, F> {
         Error::NotInModel.unless(options.model != Model::Linear)?;
         Error::NotFinite.unless(are_finite(&[fx, fy]))?;
         let contact = Contact { friction: F::zero(), ..*contact };
-        forces::check(&contact, creepage, options)?;
+        let check = |contact: &Contact<F>| match law {
+            None => forces::check(contact, creepage, options),
+            Some(law) => {
+                let law = SlipFriction { friction: contact.friction, ..*law };
+                friction::check(contact, creepage, &law, options)
+            }
+        };
+        check(&contact)?;
         let target = measured.of([fx, fy]);
         let used = target.abs() / contact.normal_force;
         Error::Unexplained.unless(!contact.is_lost() && used.is_finite_number())?;
         // 4 (G a b (|υx| + |υy| + √(ab) |φ|)/N + |κ|), about the force of linear theory
-        let Contact { a, b, shear_modulus, normal_force, mismatch, .. } = contact;
+        let stiff = law.map_or(contact, |law| law.contact(&contact));
+        let Contact { a, b, shear_modulus, normal_force, mismatch, .. } = stiff;
         let Creepage { longitudinal, lateral, spin } = *creepage;
         let size = longitudinal.abs() + lateral.abs() + (a * b).sqrt() * spin.abs();
         let unit = (shear_modulus * a * b * size / normal_force + mismatch.abs()).times(4.0);
@@ -121,15 +149,14 @@ impl<'a, F: Float> Rig<'a, F> {
         let unit = if unit < most { unit } else { most };
         // whatever is tried
         let friction = unit.max(used).times(RANGE * 1.01);
-        forces::check(&Contact { friction, ..contact }, creepage, options)?;
-        Ok(Self { contact, creepage, options, measured, target, used, unit, solved: 0 })
+        check(&Contact { friction, ..contact })?;
+        Ok(Self { contact, creepage, law, options, measured, target, used, unit, solved: 0 })
     }
 
     /// No force: friction is zero, unless there is no slip to show it.
     fn without_force(&self) -> Result<FrictionEstimate<F>, Error> {
         // What a little friction gives, in units of itself: the direction of full sliding
-        let (_, slopes) = derivatives::solve(&self.contact, self.creepage, self.options)?;
-        let [x, y, _] = slopes.friction;
+        let (_, [x, y, _], _) = self.solve(F::zero())?;
         let direction = self.measured.of([x, y]);
         let mut found = self.at_least();
         if direction != F::zero() {
@@ -150,13 +177,23 @@ impl<'a, F: Float> Rig<'a, F> {
         self.unit * (x / (F::one() - x))
     }
 
+    /// Forces at a friction without slip, their derivatives by it, and the friction that there is.
+    fn solve(&self, friction: F) -> Result<(Solution<F>, [F; 3], F), Error> {
+        let contact = Contact { friction, ..self.contact };
+        let Some(law) = self.law else {
+            let (solution, slopes) = derivatives::solve(&contact, self.creepage, self.options)?;
+            return Ok((solution, slopes.friction, friction));
+        };
+        let law = SlipFriction { friction, ..*law };
+        let found = differentiate_checked(&contact, self.creepage, Some(&law), self.options)?;
+        Ok((found.solution, found.derivatives.friction, found.friction))
+    }
+
     /// Force and its derivative by friction at a friction, in the sense of what was measured.
     fn force(&mut self, friction: F) -> Result<(Solution<F>, [F; 2]), Error> {
         self.solved += 1;
-        let contact = Contact { friction, ..self.contact };
-        let (solution, slopes) = derivatives::solve(&contact, self.creepage, self.options)?;
+        let (solution, [by_x, by_y, _], _) = self.solve(friction)?;
         let Solution { fx: x, fy: y, .. } = solution;
-        let [by_x, by_y, _] = slopes.friction;
         let force = self.measured.of([x, y]);
         let over = force + F::TINY;
         let slope = match self.measured {
@@ -196,7 +233,12 @@ impl<'a, F: Float> Rig<'a, F> {
         Error::Unexplained.unless(most + used / unit > F::zero())?;
         let slides = first.value >= F::zero();
         let (friction, settled) = if slides { (used, true) } else { self.smallest(&search)? };
-        if friction > used.times(STICKING) {
+        // of the friction that there is
+        let now = match self.law {
+            Some(law) if law.falls() && friction < F::LARGEST => self.solve(friction)?.2,
+            _ => friction,
+        };
+        if now > used.times(STICKING) {
             return Ok(self.at_least());
         }
         let warning = if !settled {

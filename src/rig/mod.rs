@@ -12,11 +12,12 @@
 //! without saturation, which is nearly proportional to the creepage (`creepage`).
 
 pub(crate) mod creepage;
+pub mod fit;
 pub(crate) mod friction;
 mod search;
 
-pub use self::creepage::creepage_for_force;
-pub use self::friction::estimate_friction;
+pub use self::creepage::{creepage_for_force, creepage_for_force_under};
+pub use self::friction::{estimate_friction, estimate_friction_under};
 
 use crate::number::{Real, length};
 use crate::status::Warning;

@@ -531,6 +531,8 @@ fn falling_friction_has_a_maximum_and_sticks_and_slips() {
         decay: 0.6,
         rolling_speed: 10.0,
         slope_factor: 0.5,
+        slide_factor: 0.0,
+        layer: 0.0,
     };
     let options = Options { model: Model::Total, strips: StripCount::default() };
     let curve: Vec<Vec<f64>> =

@@ -103,6 +103,8 @@ fn example_prints_what_rust_computes() {
         decay: 0.6,
         rolling_speed: 20.0,
         slope_factor: 0.5,
+        slide_factor: 0.0,
+        layer: 0.0,
     };
     let solution = friction::solve(&contact, &motion, &wet, &options).expect("a solution");
     close(numbers(text, "wet")[0][0], solution.solution.fy, 4);

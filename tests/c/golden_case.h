@@ -238,6 +238,7 @@ static void NAME(falling)(uint64_t *hash, uint32_t i, const NAME(kstrip_contact)
     law.decay = NAME(part)(draw(i, 32, 20), 10);
     law.rolling_speed = NAME(part)(draw(i, 33, 60), 1);
     law.slope_factor = NAME(part)(1 + draw(i, 34, 10), 10);
+    law.slide_factor = 0, law.layer = 0;
     memset(&all, 0, sizeof all);
     all.result = &r, all.friction = &found, all.derivatives = &d, all.law_derivatives = &by_law;
     status = NAME(kstrip_evaluate)(c, k, &law, o, &all);
@@ -293,14 +294,15 @@ static void NAME(rig)(uint64_t *hash, uint32_t i, const NAME(kstrip_contact) *c,
     const REAL fx = r->fx * share, fy = r->fy * share;
     NAME(kstrip_friction_estimate) estimate;
     NAME(kstrip_creepage) motion;
-    kstrip_status status = NAME(kstrip_estimate_friction)(c, k, o, 1 + i / 5 % 3, fx, fy, &estimate);
+    kstrip_status status = NAME(kstrip_estimate_friction)(c, k, NULL, o, 1 + i / 5 % 3, fx, fy,
+                                                             &estimate);
     *hash = mixed(*hash, (uint32_t)status);
     if (status >= 0) {
         NAME(add)(hash, estimate.friction);
         NAME(add)(hash, estimate.sensitivity);
         NAME(add)(hash, estimate.residual);
     }
-    status = NAME(kstrip_creepage_for_force)(c, fx, fy, k->spin, o, &motion);
+    status = NAME(kstrip_creepage_for_force)(c, fx, fy, k->spin, NULL, o, &motion);
     *hash = mixed(*hash, (uint32_t)status);
     if (status >= 0) {
         NAME(add)(hash, motion.longitudinal);

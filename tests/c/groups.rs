@@ -65,9 +65,9 @@ const GROUPS: [Group; 10] = [
     },
     Group {
         id: "rig",
-        title: "Test rigs: friction from a force, creepage from a force",
-        constants: "KSTRIP_MEASURED_",
-        functions: "estimate_friction creepage_for_force",
+        title: "Test rigs: friction from a force, creepage from a force, a law from a curve",
+        constants: "KSTRIP_MEASURED_ KSTRIP_FIT_",
+        functions: "estimate_friction creepage_for_force fit_friction",
     },
     Group {
         id: "rest",

@@ -11,9 +11,9 @@ layouts! {
     kstrip_parameters { xi, eta, psi }
     kstrip_options { model, strips }
     kstrip_result { fx, fy, mz, power, adhesion, warning, reserved }
-    kstrip_friction { friction, ratio, decay, rolling_speed, slope_factor }
+    kstrip_friction { friction, ratio, decay, rolling_speed, slope_factor, slide_factor, layer }
     kstrip_derivatives { jacobian, normal_force, load_through_hertz, friction }
-    kstrip_law_derivatives { ratio, decay, rolling_speed, slope_factor }
+    kstrip_law_derivatives { ratio, decay, rolling_speed, slope_factor, slide_factor, layer }
     kstrip_strip { y, width, half_length, separatrix, fx, fy, mz, power, state, reserved }
     kstrip_outputs { result, derivatives, law_derivatives, friction, strips, count, capacity,
         reserved }
@@ -27,7 +27,7 @@ layouts! {
     kstrip_prepared { numbers, model, strips }
     kstrip_motion { slip_x, slip_y, spin_rate, rolling_speed, floor_speed }
     kstrip_motion_derivatives { slip, rolling_speed, normal_force, load_through_hertz, friction,
-        ratio, decay, slope_factor }
+        ratio, decay, slope_factor, slide_factor, layer }
     kstrip_motion_outputs { result, derivatives, friction }
     kstrip_point { pressure, traction_x, traction_y, slip_x, slip_y, dissipation, state, reserved }
     kstrip_profile { y, distance, centre_x, rolling_radius, points, reserved }
@@ -61,4 +61,6 @@ layouts! {
     kstrip_wheelset_by_position { position }
     kstrip_wheelset_loads { vertical, roll, pitch }
     kstrip_friction_estimate { friction, sensitivity, residual, warning, reserved }
+    kstrip_measured_force { longitudinal, lateral, spin, fx, fy, weight, measured, reserved }
+    kstrip_friction_fit { law, standard_errors, residual, steps, warning }
 }

@@ -345,6 +345,8 @@ pub fn falling() -> Vec<(Case, Full, SlipFriction<f64>)> {
             decay: number(row, "B_s_per_m"),
             rolling_speed: number(row, "speed_m_per_s"),
             slope_factor: 1.0,
+            slide_factor: 0.0,
+            layer: 0.0,
         };
         (case, patch, law)
     };

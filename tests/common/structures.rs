@@ -31,6 +31,8 @@ macro_rules! structures {
         pub type kstrip_profile_contact = kstrip::ffi::types::ProfileOptions<$float>;
         pub type kstrip_profile_result = kstrip::normal::Indentation<$float>;
         pub type kstrip_friction_estimate = kstrip::rig::FrictionEstimate<$float>;
+        pub type kstrip_measured_force = kstrip::rig::fit::MeasuredForce<$float>;
+        pub type kstrip_friction_fit = kstrip::rig::fit::FrictionFit<$float>;
         pub type kstrip_surface = kstrip::wheel_rail::surface::Surface<$float>;
         pub type kstrip_wheel_position = kstrip::wheel_rail::Position<$float>;
         pub type kstrip_wheel_velocity = kstrip::wheel_rail::Velocity<$float>;

@@ -312,6 +312,8 @@ impl<F: Bits> Case<'_, F> {
             decay: part(self.draw(32, 20), 10.0),
             rolling_speed: part(self.draw(33, 60), 1.0),
             slope_factor: part(1 + self.draw(34, 10), 10.0),
+            slide_factor: F::zero(),
+            layer: F::zero(),
         };
         let found = differentiate(contact, creepage, Some(&law), options);
         hash.derivatives(&found);

@@ -325,7 +325,16 @@ fn only_what_is_wanted_is_written_and_nothing_on_errors() {
     // under friction that falls with the slip, of two contacts as of many
     (arrays[0][1], arrays[2][1]) = (-4e-3, 1e4);
     let (friction, ratio, decay, rolling_speed, slope_factor) = (0.3, 0.4, 0.6, 20.0, 1.0);
-    let law = kstrip_friction { friction, ratio, decay, rolling_speed, slope_factor };
+    let (slide_factor, layer) = (0.0, 0.0);
+    let law = kstrip_friction {
+        friction,
+        ratio,
+        decay,
+        rolling_speed,
+        slope_factor,
+        slide_factor,
+        layer,
+    };
     let falling = kstrip_batch_inputs { law: &law, law_stride: 0, ..from(&arrays) };
     for count in [2, count] {
         let status =
@@ -354,6 +363,8 @@ macro_rules! derivatives_in_any_company {
                 decay: 0.6,
                 rolling_speed: 20.0,
                 slope_factor: 0.5,
+                slide_factor: 0.0,
+                layer: 0.0,
             };
             let entries = |d: &Derivatives| {
                 let [x, y, z] = d.jacobian;

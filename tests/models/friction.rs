@@ -28,8 +28,15 @@ pub fn with_slopes_under(
 }
 
 /// Polach's dry rail at 20 m/s.
-const DRY: SlipFriction<f64> =
-    SlipFriction { friction: 0.55, ratio: 0.4, decay: 0.6, rolling_speed: 20.0, slope_factor: 1.0 };
+const DRY: SlipFriction<f64> = SlipFriction {
+    friction: 0.55,
+    ratio: 0.4,
+    decay: 0.6,
+    rolling_speed: 20.0,
+    slope_factor: 1.0,
+    slide_factor: 0.0,
+    layer: 0.0,
+};
 
 fn motion(longitudinal: f64, lateral: f64, spin: f64) -> Creepage<f64> {
     Creepage { longitudinal, lateral, spin }
@@ -102,6 +109,8 @@ fn friction_agrees_with_the_slip() {
             decay: random.log_between(0.05, 3.0),
             rolling_speed: random.between(1.0, 80.0),
             slope_factor: random.between(0.2, 1.0),
+            slide_factor: 0.0,
+            layer: 0.0,
         };
         let found = friction::solve(&c, &m, &law, &o).unwrap();
         if found.solution.warning == Warning::NotConverged {
@@ -174,6 +183,8 @@ fn derivatives_follow_friction_and_slip() {
             decay: random.log_between(0.1, 1.0),
             rolling_speed: random.between(1.0, 50.0),
             slope_factor: random.between(0.3, 1.0),
+            slide_factor: 0.0,
+            layer: 0.0,
         };
         let (found, exact) = with_slopes_under(&c, &m, &law, &o).unwrap();
         let same = friction::solve(&c, &m, &law, &o).unwrap();
@@ -281,6 +292,8 @@ fn several_solutions_are_noticed_and_the_largest_is_taken() {
                 / (rolling_speed * m.longitudinal.hypot(m.lateral)),
             rolling_speed,
             slope_factor: 1.0,
+            slide_factor: 0.0,
+            layer: 0.0,
         };
         let found = friction::solve(&c, &m, &law, &o).unwrap();
         let all = solutions(&c, &m, &law, &o);

@@ -14,8 +14,15 @@ use kstrip::motion::{Motion, MotionDerivatives, differentiate, solve};
 use kstrip::status::{Error, Warning};
 
 const FLOOR: f64 = 0.02;
-const WET: SlipFriction<f64> =
-    SlipFriction { friction: 0.3, ratio: 0.4, decay: 0.6, rolling_speed: 0.0, slope_factor: 0.5 };
+const WET: SlipFriction<f64> = SlipFriction {
+    friction: 0.3,
+    ratio: 0.4,
+    decay: 0.6,
+    rolling_speed: 0.0,
+    slope_factor: 0.5,
+    slide_factor: 0.0,
+    layer: 0.0,
+};
 const LAWS: [Option<SlipFriction<f64>>; 2] = [None, Some(WET)];
 
 fn options(model: Model) -> Options {
@@ -120,6 +127,8 @@ fn mirrors_are_exact() {
                 ratio: turn(slopes.ratio),
                 decay: turn(slopes.decay),
                 slope_factor: turn(slopes.slope_factor),
+                slide_factor: turn(slopes.slide_factor),
+                layer: turn(slopes.layer),
             };
             if z > 0.0 {
                 assert_eq!(of(&image), turn(of(&found)), "{n} {o:?} {m:?}");
@@ -314,6 +323,8 @@ fn a_law_of_zeros_behaves_as_written() {
         decay: 0.0,
         rolling_speed: 0.0,
         slope_factor: 0.0,
+        slide_factor: 0.0,
+        layer: 0.0,
     };
     let mut random = Random::new(208);
     for n in 0..100 {
@@ -358,6 +369,8 @@ fn a_lost_contact_carries_nothing_at_any_speed() {
             ratio,
             decay: none,
             slope_factor: none,
+            slide_factor: none,
+            layer: none,
         };
         assert_eq!(slopes, expected);
         assert_eq!(of(&solve(&lost, &m, law.as_ref(), &o).unwrap().0), [0.0; 3]);

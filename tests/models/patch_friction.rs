@@ -25,6 +25,8 @@ const DRY: SlipFriction<f64> = SlipFriction {
     decay: 0.6,
     rolling_speed: 20.0,
     slope_factor: 1.0,
+    slide_factor: 0.0,
+    layer: 0.0,
 };
 
 /// Models without a jump on strips that do not move with the solution.

@@ -127,6 +127,8 @@ fn derivatives_go_through_the_shift() {
             decay: 0.6,
             rolling_speed: 20.0,
             slope_factor: 0.7,
+            slide_factor: 0.0,
+            layer: 0.0,
         });
         let solve =
             |contact: &Contact<f64>, creepage: &Creepage<f64>, law: Option<SlipFriction<f64>>| {
@@ -202,6 +204,8 @@ fn a_patch_carries_the_mismatch_of_its_contact() {
             decay: 0.6,
             rolling_speed: 20.0,
             slope_factor: 0.7,
+            slide_factor: 0.0,
+            layer: 0.0,
         });
         let found =
             patch_friction::differentiate(&patch.view().unwrap(), &creepage, law.as_ref(), model)

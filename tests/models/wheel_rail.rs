@@ -357,6 +357,8 @@ fn friction_falls_with_the_slip() {
         decay: 0.6,
         rolling_speed: 0.0,
         slope_factor: 0.8,
+        slide_factor: 0.0,
+        layer: 0.0,
     };
     for model in [Model::Strip, Model::Total] {
         let mut stand = Stand::new_profiles();

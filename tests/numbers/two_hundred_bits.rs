@@ -140,6 +140,8 @@ fn answer<F: Float>(road: Road, model: Model, inputs: &Inputs) -> Result<Answer<
         decay: F::of(0.5),
         rolling_speed: F::widened(inputs[9]),
         slope_factor: F::of(0.5),
+        slide_factor: F::zero(),
+        layer: F::zero(),
     };
     // (nalgebra counts columns first)
     let rows = |by: Matrix3<F>| -> [[F; 3]; 3] { by.transpose().into() };

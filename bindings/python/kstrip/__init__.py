@@ -34,7 +34,7 @@ KstripWarning, and in the member `status_detail` of each result. Single precisio
     height_for_load, wheel_on_rail                                                    its height and its forces
     Wheelset, Track, wheelset_settle, wheelset_on_track, rail_motion                  a wheelset on a track
     curve, curve_motion, gauge_face, rolling_radius_difference, equivalent_conicity   curves, gauge, conicity
-    estimate_friction, creepage_for_force, on_upper_body                              test rigs; forces on the wheel
+    estimate_friction, creepage_for_force, fit_friction, on_upper_body                test rigs; forces on the wheel
     kstrip.plot                                                                       pictures; pip install kstrip[plot]
     lib, constants, structures, dtypes, models                                        the C library itself, unchecked
 """
@@ -53,7 +53,7 @@ from ._inputs import Model
 from ._library import constants, dtypes, lib, models, structures
 from ._patches import patch_from_contact, patch_from_profile, patch_from_strips, patch_summary
 from ._record import Record, classes
-from ._rig import creepage_for_force, estimate_friction
+from ._rig import creepage_for_force, estimate_friction, fit_friction
 from ._solve import Evaluation, MotionEvaluation, Prepared, evaluate, field, on_upper_body, prepare, solve, solve_motion, strips
 from ._status import KstripError, KstripWarning
 from ._structures import contact, creepage, friction, motion, parameters, patch_strip, radii, velocity
@@ -131,7 +131,7 @@ __all__ = [
     "Wheelset", "Track", "rail_motion", "curve", "gauge_face", "curve_motion", "wheelset_settle", "wheelset_on_track",
     "rolling_radius_difference", "equivalent_conicity",
     # test rigs; forces on the upper body
-    "estimate_friction", "creepage_for_force", "on_upper_body",
+    "estimate_friction", "creepage_for_force", "fit_friction", "on_upper_body",
     # types
     "Record", "CombinedMaterial", "Contact", "Conicity", "Creepage", "Curve", "Derivatives", "Evaluation", "Friction", "FrictionEstimate", "HertzContact",
     "LawDerivatives", "Material", "Model", "Motion", "MotionDerivatives", "MotionEvaluation", "Parameters", "Patch", "PatchStrip",

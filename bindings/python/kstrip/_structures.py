@@ -41,7 +41,7 @@ def creepage(longitudinal: ArrayLike = 0.0, lateral: ArrayLike = 0.0, spin: Arra
 
 
 def friction(friction: ArrayLike, ratio: ArrayLike = 1.0, decay: ArrayLike = 0.0, rolling_speed: ArrayLike = 0.0,
-             slope_factor: ArrayLike = 1.0, dtype: DTypeLike = np.float64) -> Friction:
+             slope_factor: ArrayLike = 1.0, slide_factor: ArrayLike = 0.0, layer: ArrayLike = 0.0, dtype: DTypeLike = np.float64) -> Friction:
     """A law of friction that falls with the slip; numbers and arrays broadcast.
 
     friction: coefficient of friction without slip [-].
@@ -49,12 +49,14 @@ def friction(friction: ArrayLike, ratio: ArrayLike = 1.0, decay: ArrayLike = 0.0
     decay: how fast friction falls [s/m].
     rolling_speed: [m/s]; sliding velocity is slip times rolling speed.
     slope_factor: initial slope of the creep curve, divided by that of clean bodies [-], 0 to 1.
+    slide_factor: stretch of the curve far in sliding, divided by that at its start [-], 0 to 1; 0 stands for 1.
+    layer: thickness of a layer between the bodies, divided by its shear modulus [m/Pa].
 
     >>> kstrip.friction(0.3, 0.4, 0.6, rolling_speed=20.0)
-    Friction(friction=0.3, ratio=0.4, decay=0.6 s/m, rolling_speed=20 m/s, slope_factor=1)
+    Friction(friction=0.3, ratio=0.4, decay=0.6 s/m, rolling_speed=20 m/s, slope_factor=1, slide_factor=0, layer=0 m/Pa)
     """
     made: Friction = record("friction", dtype, friction=friction, ratio=ratio, decay=decay, rolling_speed=rolling_speed,
-                            slope_factor=slope_factor)
+                            slope_factor=slope_factor, slide_factor=slide_factor, layer=layer)
     return made
 
 

@@ -94,13 +94,15 @@ class Result(Record, name="result"):
 
 
 class Friction(Record, name="friction"):
-    """Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) + ratio), where w is the sliding velocity [m/s]. A factor reduces the initial slope of the creep curve, for the layer between the bodies. Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m; wet 0.3, 0.4, 0.2 s/m."""
+    """Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) + ratio), where w is the sliding velocity [m/s]. What lies between the bodies makes the creep curve less steep: slope_factor and slide_factor stretch a curve that was measured or published, layer is a known elastic layer. Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m; wet 0.3, 0.4, 0.2 s/m."""
 
     friction = Numbers('', 'Coefficient of friction without slip [-], >= 0.')
     ratio = Numbers('', 'Friction at infinite sliding velocity divided by friction at zero velocity [-], 0 to 1; 1: friction is constant.')
     decay = Numbers('s/m', 'How fast friction falls [s/m], >= 0; 0: friction is constant.')
     rolling_speed = Numbers('m/s', 'Rolling speed [m/s], >= 0: sliding velocity is slip times rolling speed; 0: friction is constant.')
     slope_factor = Numbers('', 'Initial slope of the creep curve divided by that of clean bodies [-], 0 to 1; 0 stands for 1, clean.')
+    slide_factor = Numbers('', 'Stretch of the creep curve far in sliding over that at its start [-], 0 to 1; 0 stands for 1: the whole curve is stretched alike.')
+    layer = Numbers('m/Pa', 'Thickness of an elastic layer between the bodies over its shear modulus [m/Pa], >= 0; 0: none.')
 
 
 class Derivatives(Record, name="derivatives"):
@@ -119,6 +121,8 @@ class LawDerivatives(Record, name="law_derivatives"):
     decay = Numbers('N, N, N m per s/m', 'With respect to the decay [N, N, N m per s/m].')
     rolling_speed = Numbers('N, N, N m per m/s', 'With respect to the rolling speed of the law at constant creepages [N, N, N m per m/s].')
     slope_factor = Numbers('N, N, N m', 'With respect to the factor of the initial slope, at 1 without a law [N, N, N m].')
+    slide_factor = Numbers('N, N, N m', 'With respect to the slide factor [N, N, N m]; 0 where it is 0 in a law without a layer.')
+    layer = Numbers('N, N, N m per m/Pa', 'With respect to the layer [N, N, N m per m/Pa]; 0 where there is none.')
 
 
 class Strip(Record, name="strip"):
@@ -164,6 +168,8 @@ class MotionDerivatives(Record, name="motion_derivatives"):
     ratio = Numbers('N, N, N m', 'With respect to the ratio of the law; 0 without one [N, N, N m].')
     decay = Numbers('N, N, N m per s/m', 'With respect to the decay of the law; 0 without one [N, N, N m per s/m].')
     slope_factor = Numbers('N, N, N m', 'With respect to the slope factor of the law, at 1 without one [N, N, N m].')
+    slide_factor = Numbers('N, N, N m', 'With respect to the slide factor of the law; 0 where it is 0 in a law without a layer [N, N, N m].')
+    layer = Numbers('N, N, N m per m/Pa', 'With respect to the layer of the law; 0 where there is none [N, N, N m per m/Pa].')
 
 
 class Point(Record, name="point"):
@@ -412,4 +418,26 @@ class FrictionEstimate(Record, name="friction_estimate"):
     friction = Numbers('', 'Coefficient of friction [-]; a lower bound with KSTRIP_WARNING_FRICTION_AT_LEAST.')
     sensitivity = Numbers('1/N', 'd(friction)/d(force) [1/N]: change of the coefficient for an error of 1 N in the measured force; 0 for a lower bound.')
     residual = Numbers('N', 'Distance between the measured and the computed force [N] in the components that were measured. For one component it is rounding; for both it is what friction cannot explain, because the directions of the forces differ.')
+    status_detail = Integers('', 'The status of this result: 0 or one of the KSTRIP_WARNING constants.')
+
+
+class MeasuredForce(Record, name="measured_force"):
+    """One measured point of a creep curve."""
+
+    longitudinal = Numbers('', 'Longitudinal creepage [-].')
+    lateral = Numbers('', 'Lateral creepage [-].')
+    spin = Numbers('1/m', 'Spin [1/m].')
+    fx = Numbers('N', 'Longitudinal force on the lower body [N]; ignored unless it was measured.')
+    fy = Numbers('N', 'Lateral force on the lower body [N]; ignored unless it was measured.')
+    weight = Numbers('', 'Weight of the squared error of a force, >= 0: 1 for points of one accuracy, 1/error^2 otherwise; 0: the point does not count.')
+    measured = Integers('', 'KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added.')
+
+
+class FrictionFit(Record, name="friction_fit"):
+    """A law of friction that was fitted to measured points."""
+
+    law = Part(Friction, '', 'The law.')
+    standard_errors = Part(Friction, '', 'Standard errors of its members, from what is left between the points and the law; 0 for a member that was not fitted or that ended at a bound.')
+    residual = Numbers('N', 'Root of the weighted mean of the squared differences between measured and computed forces [N].')
+    steps = Integers('', 'How often all forces were computed.')
     status_detail = Integers('', 'The status of this result: 0 or one of the KSTRIP_WARNING constants.')

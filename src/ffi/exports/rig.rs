@@ -19,8 +19,14 @@ use crate::ffi::support::*;
 /// nearly zero: this happened to up to one of ten thousand estimates with each of the models of
 /// 1967, to one of a hundred thousand with KSTRIP_MODEL_STRIP, and to none with KSTRIP_MODEL_TOTAL.
 ///
+/// Under a law the result is its friction, without slip: a force that was made with the law comes
+/// back as the law's coefficient. A law that differs from what made the force gives another
+/// friction at every creepage; kstrip_fit_friction() finds the law.
+///
 /// @param contact         ellipse, load, material; its friction is ignored.
 /// @param creepage        motion.
+/// @param friction        law of friction, whose own coefficient is ignored; NULL: clean bodies,
+///                        constant friction.
 /// @param options         model and strip count; NULL for the defaults. Not KSTRIP_MODEL_LINEAR.
 /// @param measured        KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added: then the resultant
 ///                        counts.
@@ -28,11 +34,13 @@ use crate::ffi::support::*;
 /// @param[out] estimate   receives friction, its sensitivity, and how far the force is off.
 /// @return as kstrip_solve(); KSTRIP_WARNING_FRICTION_AT_LEAST, KSTRIP_WARNING_SEVERAL_FRICTIONS,
 ///         KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_NOT_IN_MODEL, KSTRIP_ERROR_MEASURED,
-///         KSTRIP_ERROR_UNEXPLAINED (a lost contact too).
+///         KSTRIP_ERROR_UNEXPLAINED (a lost contact too), or an error of the law as
+///         kstrip_evaluate().
 #[unsafe(export_name = symbol!("kstrip_estimate_friction"))]
 pub extern "C" fn kstrip_estimate_friction(
     contact: Option<&Contact<F>>,
     creepage: Option<&Creepage<F>>,
+    friction: Option<&SlipFriction<F>>,
     options: Option<&kstrip_options>,
     measured: u32,
     fx: F,
@@ -49,7 +57,8 @@ pub extern "C" fn kstrip_estimate_friction(
             BOTH => (Measured::Both, [fx, fy]),
             _ => return Err(Error::Measured),
         };
-        let found = rig::estimate_friction(contact, creepage, &options, measured, force)?;
+        let found =
+            rig::estimate_friction_under(contact, creepage, friction, &options, measured, force)?;
         estimate.write(found);
         Ok(found.warning)
     })
@@ -71,24 +80,85 @@ pub extern "C" fn kstrip_estimate_friction(
 /// @param contact         ellipse, load, material, friction.
 /// @param fx, fy          requested force on the lower body [N].
 /// @param spin            given spin [1/m].
+/// @param friction        law of friction; NULL: clean bodies, the contact's own friction. A force
+///                        that falling friction does not reach is KSTRIP_WARNING_NOT_CONVERGED.
 /// @param options         model and strip count; NULL for the defaults.
 /// @param[out] creepage   receives the creepages, and the given spin.
 /// @return as kstrip_solve(); KSTRIP_WARNING_CREEPAGE_AT_LEAST, KSTRIP_WARNING_NOT_CONVERGED;
-///         KSTRIP_ERROR_FORCE_BEYOND_FRICTION.
+///         KSTRIP_ERROR_FORCE_BEYOND_FRICTION, or an error of the law as kstrip_evaluate().
 #[unsafe(export_name = symbol!("kstrip_creepage_for_force"))]
 pub extern "C" fn kstrip_creepage_for_force(
     contact: Option<&Contact<F>>,
     fx: F,
     fy: F,
     spin: F,
+    friction: Option<&SlipFriction<F>>,
     options: Option<&kstrip_options>,
     creepage: Option<&mut MaybeUninit<Creepage<F>>>,
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage) = (given(contact)?, given(creepage)?);
-        let (found, warning) =
-            rig::creepage_for_force(contact, [fx, fy], spin, &for_forces(options)?)?;
+        let (found, warning) = rig::creepage_for_force_under(
+            contact,
+            [fx, fy],
+            spin,
+            friction,
+            &for_forces(options)?,
+        )?;
         creepage.write(found);
         Ok(warning)
+    })
+}
+
+/// The law of friction that comes nearest to a measured creep curve.
+///
+/// The sum of the squared differences between measured and computed forces, each times the weight
+/// of its point, is made least by at most 80 damped Gauss-Newton steps with exact derivatives; on
+/// measured curves 6 to 20 do. Each step costs one solution with derivatives for every point.
+/// Members of the law that are not fitted keep the values of start. A member that is fitted and is
+/// 0 in start begins at a usual value; friction that falls needs the rolling speed in start. Bounds
+/// are those of the law: a member that ends at its bound has a standard error of 0.
+///
+/// Points that lie on one part of the curve do not tell the parameters apart: creepages below one
+/// per cent only bound friction from below, and without the start of the curve slope factor and
+/// layer are unknown. The status is then KSTRIP_WARNING_UNDETERMINED: with errors of the forces of
+/// one per cent, or those that there are, a parameter would be uncertain by more than half of
+/// itself. Layer and slope factor are nearly exchangeable; fit one of them.
+///
+/// @param contact         ellipse, load, material of all points; its friction is ignored.
+/// @param points, count   the measured points.
+/// @param start           where to begin, and the members that stay.
+/// @param parameters      which members to fit: KSTRIP_FIT constants, added.
+/// @param options         model and strip count; NULL for the defaults.
+/// @param[out] fit        receives the law and its standard errors.
+/// @param[out] first_bad  receives the index of the first bad point, or count where none is bad;
+///                        NULL: not requested.
+/// @return KSTRIP_OK, KSTRIP_WARNING_UNDETERMINED, KSTRIP_WARNING_NOT_CONVERGED;
+///         KSTRIP_ERROR_FEW_POINTS, KSTRIP_ERROR_FIT_PARAMETERS, KSTRIP_ERROR_MEASURED,
+///         KSTRIP_ERROR_WEIGHT, KSTRIP_ERROR_UNEXPLAINED (a lost contact), or an error of
+///         kstrip_evaluate().
+#[unsafe(export_name = symbol!("kstrip_fit_friction"))]
+pub unsafe extern "C" fn kstrip_fit_friction(
+    contact: Option<&Contact<F>>,
+    points: *const MeasuredForce<F>,
+    count: u32,
+    start: Option<&SlipFriction<F>>,
+    parameters: u32,
+    options: Option<&kstrip_options>,
+    fit: Option<&mut MaybeUninit<FrictionFit<F>>>,
+    first_bad: Option<&mut MaybeUninit<u32>>,
+) -> kstrip_status {
+    // SAFETY: NULL or count elements, says the header.
+    let points = unsafe { input(points, count) };
+    answer(|| {
+        let (contact, start, fit) = (given(contact)?, given(start)?, given(fit)?);
+        let (points, options) = (points?, for_forces(options)?);
+        let found = fitted(parameters)
+            .map_err(|error| (points.len(), error))
+            .and_then(|fitted| rig::fit::fit_friction(contact, points, start, fitted, &options));
+        put(first_bad, found.as_ref().err().map_or(count, |(i, _)| *i as u32));
+        let found = found.map_err(|(_, error)| error)?;
+        fit.write(found);
+        Ok(found.warning)
     })
 }

@@ -50,7 +50,8 @@ pub extern "C" fn kstrip_solve(
 /// @param outputs         where the outputs go.
 /// @return as kstrip_solve(); KSTRIP_WARNING_SEVERAL_FRICTIONS, KSTRIP_WARNING_NOT_CONVERGED;
 ///         KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_NOT_IN_MODEL (strips), KSTRIP_ERROR_FRICTION_RATIO,
-///         KSTRIP_ERROR_FRICTION_DECAY, KSTRIP_ERROR_NEGATIVE_SPEED, KSTRIP_ERROR_SLOPE_FACTOR;
+///         KSTRIP_ERROR_FRICTION_DECAY, KSTRIP_ERROR_NEGATIVE_SPEED, KSTRIP_ERROR_SLOPE_FACTOR,
+///         KSTRIP_ERROR_SLIDE_FACTOR, KSTRIP_ERROR_LAYER;
 ///         KSTRIP_ERROR_OVERFLOW also when a derivative is too large.
 #[unsafe(export_name = symbol!("kstrip_evaluate"))]
 pub unsafe extern "C" fn kstrip_evaluate(

@@ -508,6 +508,8 @@ pub fn friction_of(bytes: &mut Bytes) -> kstrip_friction {
         decay: positive(bytes, 1.0),
         rolling_speed: positive(bytes, 30.0),
         slope_factor: positive(bytes, 0.12),
+        slide_factor: positive(bytes, 0.12),
+        layer: positive(bytes, 1e-13),
     }
 }
 
@@ -532,9 +534,11 @@ fn estimate_friction(bytes: &mut Bytes) {
     let measured =
         if bytes.byte() < 8 { bytes.integer() as u32 } else { 1 + bytes.below(3) as u32 };
     let (fx, fy) = (Number::of(bytes, 1e5), Number::of(bytes, 1e5));
+    let law = (bytes.byte() < 100).then(|| friction_of(bytes));
     let answer = asked::<kstrip_friction_estimate>(bytes, 2, |given, out| {
         let (contact, k) = (given.input(0, &contact), given.input(1, &k));
-        kstrip_estimate_friction(contact, k, options.as_ref(), measured, fx, fy, out)
+        let (law, options) = (law.as_ref(), options.as_ref());
+        kstrip_estimate_friction(contact, k, law, options, measured, fx, fy, out)
     });
     if let Some((status, found)) = answer {
         let numbers = [found.friction, found.sensitivity, found.residual];
@@ -549,13 +553,61 @@ fn creepage_for_force(bytes: &mut Bytes) {
     let contact = contact(bytes);
     let (fx, fy, spin) = (Number::of(bytes, 1e5), Number::of(bytes, 1e5), Number::of(bytes, 3.0));
     let options = bytes.options();
+    let law = (bytes.byte() < 100).then(|| friction_of(bytes));
     let answer = asked::<kstrip_creepage>(bytes, 1, |given, out| {
-        kstrip_creepage_for_force(given.input(0, &contact), fx, fy, spin, options.as_ref(), out)
+        let (contact, law) = (given.input(0, &contact), law.as_ref());
+        kstrip_creepage_for_force(contact, fx, fy, spin, law, options.as_ref(), out)
     });
     if let Some((_, k)) = answer {
         let context = || format!("{contact:?} {fx} {fy} {options:?} {k:?}");
         assert!(finite(&[k.longitudinal, k.lateral]), "{}", context());
         assert_eq!(k.spin.bits(), Number::bits(spin), "{}", context());
+    }
+}
+
+fn fit_friction(bytes: &mut Bytes) {
+    let (contact, start) = (contact(bytes), friction_of(bytes));
+    let options = bytes.options();
+    let parameters = if bytes.byte() < 8 { bytes.integer() as u32 } else { bytes.below(64) as u32 };
+    let points: Vec<_> = (0..bytes.below(7))
+        .map(|_| {
+            let k = creepage(bytes);
+            kstrip_measured_force {
+                longitudinal: k.longitudinal,
+                lateral: k.lateral,
+                spin: k.spin,
+                fx: Number::of(bytes, 1e5),
+                fy: Number::of(bytes, 1e5),
+                weight: positive(bytes, 1.0),
+                measured: 1 + bytes.below(3) as u32,
+                reserved: 0,
+            }
+        })
+        .collect();
+    let count = points.len() as u32;
+    let answer = asked::<kstrip_friction_fit>(bytes, 2, |given, out| {
+        let (contact, start) = (given.input(0, &contact), given.input(1, &start));
+        let options = options.as_ref();
+        let points = points.as_ptr();
+        // SAFETY: as many points as the count says.
+        unsafe {
+            kstrip_fit_friction(contact, points, count, start, parameters, options, out, None)
+        }
+    });
+    if let Some((status, found)) = answer {
+        let context = || format!("{contact:?} {start:?} {options:?} {points:?} {found:?}");
+        let kstrip_friction { friction, ratio, decay, slope_factor, slide_factor, layer, .. } =
+            found.law;
+        assert!(
+            finite(&[friction, ratio, decay, slope_factor, slide_factor, layer]),
+            "{}",
+            context()
+        );
+        let e = found.standard_errors;
+        let errors = [e.friction, e.ratio, e.decay, e.slope_factor, e.slide_factor, e.layer];
+        assert!(finite(&errors) && errors.iter().all(|error| *error >= 0.0), "{}", context());
+        assert!(finite(&[found.residual]) && found.residual >= 0.0, "{}", context());
+        assert!(found.steps <= 80 && found.warning.code() == status, "{}", context());
     }
 }
 
@@ -571,4 +623,5 @@ pub const ENTRIES: &[Entry] = &[
     ("field", field),
     ("estimate_friction", estimate_friction),
     ("creepage_for_force", creepage_for_force),
+    ("fit_friction", fit_friction),
 ];

@@ -1,0 +1,413 @@
+//! A model behind a layer ([`layer`](crate::layer)): the half-spaces of the model, and bristles.
+//!
+//! `F = M f(k c/M, k κ/μ; k₁, λ)` with `λ = h G/(G₃ a)`, so that all that homogeneity says holds as
+//! without a layer, but for the load through Hertz, with which `λ` falls like `N^{−1/3}`:
+//!
+//! ```text
+//! N dF/dN = F − ⅓ J_v v − ⅓ λ ∂F/∂λ
+//! ```
+
+use crate::contact::Contact;
+use crate::contact::creepage::{Creepage, Parameters};
+use crate::contact::totals::Totals;
+use crate::forces::check::find_fault;
+use crate::forces::derivatives::{Derivatives, Slopes, sliding, through_shift};
+use crate::forces::options::{Model, Options, Solution};
+use crate::forces::theory::{Forces, ScaledContact, Theory, by_model};
+use crate::forces::warning::warning_of;
+use crate::forces::{self, StripResult};
+use crate::friction::law::SlipFriction;
+use crate::layer::{Interface, Layer};
+use crate::number::dual::Dual;
+use crate::number::{Float, Number, Real, add, are_finite};
+use crate::status::{Error, Warning};
+use crate::strip_1967::strip::State;
+
+/// Creepages, layer and what sliding leaves: what forces are differentiated by.
+type Variable<F> = Dual<F, 5>;
+
+/// A model behind a layer.
+#[derive(Clone, Copy, Debug)]
+struct Layered<F, M> {
+    model: M,
+    layer: Layer<F>,
+    interface: Interface<F>,
+}
+
+/// Forces, their derivatives while friction stays, and those by layer and slide factor.
+pub(crate) type WithSlopes<F> = (Solution<F>, Slopes<F>, LayerSlopes<F>);
+
+/// Derivatives by layer and slide factor while friction stays.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LayerSlopes<F> {
+    /// Of the forces \[N, N, N m\].
+    pub forces: [[F; 3]; 2],
+    /// Of the power over rolling speed \[N\].
+    pub power: [F; 2],
+    /// The layer `h/G₃` \[m/Pa\].
+    pub layer: F,
+}
+
+impl<F: Real> LayerSlopes<F> {
+    /// Those of a contact that carries nothing.
+    pub fn nothing() -> Self {
+        let none = F::zero();
+        Self { forces: [[none; 3]; 2], power: [none; 2], layer: none }
+    }
+}
+
+impl<F: Real, M: Theory<F>> Layered<F, M> {
+    #[inline(always)]
+    fn new(frame: &ScaledContact<F>, options: &Options, interface: Interface<F>) -> Self {
+        let (ratio, _, linear) = frame.shape();
+        let layer = Layer::new(ratio, &linear);
+        Self { model: M::of_contact(frame, options), layer, interface }
+    }
+
+    /// Totals behind an interface whose numbers may be variables.
+    #[inline(always)]
+    fn totals<T: Number<Base = F>>(
+        &self,
+        frame: &ScaledContact<F>,
+        parameters: &Parameters<T>,
+        interface: &Interface<T>,
+    ) -> Totals<T> {
+        let split = self.layer.split(frame.units.normalised(parameters), interface);
+        let [x, y, z] = split.factors;
+        let Parameters { xi, eta, psi, .. } = *parameters;
+        let half_spaces = self.half_spaces(frame, parameters, [xi * x, eta * y, psi * z]);
+        if !interface.layer.value().exceeds(F::zero()) {
+            return half_spaces;
+        }
+        let bristles = self.layer.bristles(split.rates);
+        let mean = |of: T, bristles: T| of + (bristles - of) * split.weight;
+        let Totals { fx, fy, mz, stick } = half_spaces;
+        let stick = if M::MODEL == Model::Total { stick } else { mean(stick, bristles.stick) };
+        let (fx, fy) = (mean(fx, bristles.fx), mean(fy, bristles.fy));
+        Totals { fx, fy, mz: mean(mz, bristles.mz), stick }
+    }
+
+    /// Totals of the model at other creepages, of which it has three derivatives at most.
+    #[inline(always)]
+    fn half_spaces<T: Number<Base = F>>(
+        &self,
+        frame: &ScaledContact<F>,
+        of: &Parameters<T>,
+        seen: [T; 3],
+    ) -> Totals<T> {
+        let Parameters { poisson_ratio, axis_ratio, .. } = *of;
+        let [xi, eta, psi] = seen.map(T::value);
+        if !T::HAS_DERIVATIVES {
+            let parameters = Parameters { xi, eta, psi, poisson_ratio, axis_ratio };
+            let Totals { fx, fy, mz, stick } = self.model.model_totals::<F>(frame, &parameters);
+            let [fx, fy, mz, stick] = [fx, fy, mz, stick].map(T::from_base);
+            return Totals { fx, fy, mz, stick };
+        }
+        let (xi, eta, psi) = (Dual::input(xi, 0), Dual::input(eta, 1), Dual::input(psi, 2));
+        let parameters = Parameters { xi, eta, psi, poisson_ratio, axis_ratio };
+        let found = self.model.model_totals::<Dual<F, 3>>(frame, &parameters);
+        let of = |total: Dual<F, 3>| T::composed(total.value, total.gradient, seen);
+        let stick = T::from_base(found.stick.value);
+        Totals { fx: of(found.fx), fy: of(found.fy), mz: of(found.mz), stick }
+    }
+
+    /// The linear theory: half-spaces and bristles at rest, `F` in newtons for creepages that were
+    /// checked. Sliding does nothing.
+    #[inline(always)]
+    fn linear<T: Number<Base = F>>(
+        &self,
+        [x, y, coupling, z]: [F; 4],
+        creepage: &Creepage<T>,
+        layer: T,
+    ) -> [T; 3] {
+        let Creepage { longitudinal, lateral, spin } = *creepage;
+        let [k1, k2, ks] = self.layer.series(layer);
+        let weight = T::one() - k1;
+        let (vx, vy, phi) = (longitudinal * k1, lateral * k2, spin * ks);
+        let [of_lateral, of_spin] = self.layer.moments();
+        let half_spaces = phi.scale(z) - vy.scale(coupling);
+        let bristles = phi.scale(z * of_spin) - vy.scale(coupling * of_lateral);
+        [
+            vx.scale(x),
+            vy.scale(y) + phi.scale(coupling),
+            half_spaces + (bristles - half_spaces) * weight,
+        ]
+    }
+}
+
+impl<F: Real, M: Theory<F>> Theory<F> for Layered<F, M> {
+    const MODEL: Model = M::MODEL;
+
+    #[inline(always)]
+    fn of_contact(frame: &ScaledContact<F>, options: &Options) -> Self {
+        Self::new(frame, options, Interface { layer: F::zero(), slide: F::one() })
+    }
+    #[inline(always)]
+    fn model_totals<T: Number<Base = F>>(
+        &self,
+        frame: &ScaledContact<F>,
+        parameters: &Parameters<T>,
+    ) -> Totals<T> {
+        let Interface { layer, slide } = self.interface;
+        let interface = Interface { layer: T::from_base(layer), slide: T::from_base(slide) };
+        self.totals(frame, parameters, &interface)
+    }
+    #[inline(always)]
+    fn forces(&self, frame: &ScaledContact<F>, creepage: &Creepage<F>) -> (Forces<F>, F) {
+        if let Some(stiffness) = self.model.stiffness() {
+            let [fx, fy, mz] = self.linear(*stiffness, creepage, self.interface.layer);
+            return (Forces { fx, fy, mz, adhesion: F::one() }, F::zero());
+        }
+        let parameters = frame.units.parameters(creepage);
+        (frame.forces(self.model_totals(frame, &parameters)), parameters.psi)
+    }
+}
+
+impl<F: Float> SlipFriction<F> {
+    /// Whether there is a layer, or a slide factor.
+    #[inline]
+    pub(crate) fn has_interface(&self) -> bool {
+        self.layer > F::zero() || self.slide_factor > F::zero()
+    }
+
+    /// In units of a length `a` of a clean contact.
+    pub(crate) fn interface(&self, shear_modulus: F, a: F) -> Interface<F> {
+        let slide = if self.slide_factor > F::zero() { self.slide_factor } else { F::one() };
+        Interface { layer: (self.layer * (shear_modulus / a)).min(F::HUGE), slide }
+    }
+}
+
+/// What leads a contact, stiff as [`SlipFriction::contact`] says, through a layer.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ThroughLayer<'a, F> {
+    pub law: &'a SlipFriction<F>,
+    pub creepage: &'a Creepage<F>,
+    pub options: &'a Options,
+}
+
+impl<F: Float> ThroughLayer<'_, F> {
+    fn interface(&self, contact: &Contact<F>) -> Interface<F> {
+        self.law.interface(contact.shear_modulus / self.law.stiffness(), contact.a)
+    }
+
+    /// Forces.
+    ///
+    /// # Errors
+    /// Those of [`forces_of_contact`](crate::forces::forces_of_contact).
+    pub fn solve(&self, contact: &Contact<F>) -> Result<Solution<F>, Error> {
+        by_model!(self.options.model, F, solve_in(self, contact), Err(Error::Model))
+    }
+
+    /// Forces with their derivatives while friction stays.
+    ///
+    /// # Errors
+    /// Those of [`solve`](Self::solve); [`Error::Overflow`] also when a derivative does not fit.
+    pub fn differentiate(&self, contact: &Contact<F>) -> Result<WithSlopes<F>, Error> {
+        let ordinary = contact.is_ordinary(self.creepage);
+        if !ordinary {
+            find_fault(contact, self.creepage, self.options.model)?;
+        }
+        if contact.is_lost() {
+            return Ok((Solution::nothing(), Slopes::nothing(), LayerSlopes::nothing()));
+        }
+        let frame = &ScaledContact::of(contact);
+        let none = (Solution::nothing(), Slopes::nothing(), LayerSlopes::nothing());
+        let found = by_model!(self.options.model, F, differentiate_in(self, frame, ordinary), none);
+        let (_, slopes, of_layer) = &found;
+        let fit = are_finite(&slopes.derivatives.entries())
+            && are_finite(of_layer.forces.as_flattened())
+            && are_finite(&of_layer.power);
+        Error::Overflow.unless(fit).map(|()| found)
+    }
+}
+
+#[inline(always)]
+fn solve_in<F: Float, M: Theory<F>>(
+    through: &ThroughLayer<F>,
+    contact: &Contact<F>,
+) -> Result<Solution<F>, Error> {
+    let ordinary = contact.is_ordinary(through.creepage);
+    if !ordinary {
+        find_fault(contact, through.creepage, M::MODEL)?;
+    }
+    if contact.is_lost() {
+        return Ok(Solution::nothing());
+    }
+    let frame = &ScaledContact::of(contact);
+    let layered = Layered::<F, M>::new(frame, through.options, through.interface(contact));
+    Ok(layered.answer(frame, through.creepage, ordinary))
+}
+
+fn differentiate_in<F: Float, M: Theory<F>>(
+    through: &ThroughLayer<F>,
+    frame: &ScaledContact<F>,
+    ordinary: bool,
+) -> WithSlopes<F> {
+    let contact = &frame.contact;
+    let layered = Layered::<F, M>::new(frame, through.options, through.interface(contact));
+    let (seen, shift) = frame.seen(through.creepage, M::MODEL);
+    let none = F::zero();
+    let slides = layered.model.stiffness().is_none() && contact.friction_bound() <= none;
+    let (forces, psi, mut derivatives, by_interface) = if slides {
+        let (forces, psi) = layered.forces(frame, &seen);
+        (forces, psi, sliding(&layered, frame, &seen), [[none; 3]; 2])
+    } else {
+        layered.with_slopes(frame, &seen)
+    };
+    let forces = M::at_rest(&seen).unwrap_or(forces);
+    let solution = M::solution(frame, &seen, &forces, psi, ordinary);
+    if let Some(shift) = shift {
+        through_shift(&mut derivatives, &shift, through.creepage, contact);
+    }
+    let force = [solution.fx, solution.fy, solution.mz];
+    let slopes = Slopes::of(derivatives, shift, &seen, force);
+    // by λ = h G/(G₃ a) to that by h/G₃
+    let unit = contact.shear_modulus / through.law.stiffness() / contact.a;
+    let [of_layer, of_slide] = by_interface;
+    let forces = [of_layer.map(|slope| slope * unit), of_slide];
+    let power = forces.map(|slopes| seen.power(slopes));
+    (solution, slopes, LayerSlopes { forces, power, layer: through.law.layer })
+}
+
+impl<F: Float, M: Theory<F>> Layered<F, M> {
+    /// Forces, `ψ`, their derivatives by creepages, load and friction, and by `λ` and the slide
+    /// factor.
+    fn with_slopes(
+        &self,
+        frame: &ScaledContact<F>,
+        creepage: &Creepage<F>,
+    ) -> (Forces<F>, F, Derivatives<F>, [[F; 3]; 2]) {
+        let ScaledContact { contact, radius, .. } = frame;
+        let Creepage { longitudinal, lateral, spin } = *creepage;
+        let inputs = Creepage {
+            longitudinal: Variable::input(longitudinal, 0),
+            lateral: Variable::input(lateral, 1),
+            spin: Variable::input(spin, 2),
+        };
+        let interface = Interface {
+            layer: Variable::input(self.interface.layer, 3),
+            slide: Variable::input(self.interface.slide, 4),
+        };
+        let stiffness = self.model.stiffness();
+        let one = F::one();
+        // forces over what they are proportional to
+        let (rows, psi, adhesion, [bound, load]) = match stiffness {
+            Some(stiffness) => {
+                let [fx, fy, mz] = self.linear(*stiffness, &inputs, interface.layer);
+                let rows = [(fx, one), (fy, one), (mz, one)];
+                (rows, F::zero(), one, [one, contact.normal_force])
+            }
+            None => {
+                let parameters = frame.units.parameters(&inputs);
+                let Totals { fx, fy, mz, stick } = self.totals(frame, &parameters, &interface);
+                let rows = [(fx, one), (fy, one), (mz, *radius)];
+                let bound = contact.friction_bound();
+                (rows, parameters.psi.value, stick.value, [bound, contact.normal_force])
+            }
+        };
+        let [fx, fy, mz] = rows.map(|(f, unit)| f.value * (bound * unit));
+        let column = |i: usize| rows.map(|(f, unit)| f.derivative(i) * (bound * unit));
+        let [by_x, by_y, by_spin, by_layer, by_slide] = [0, 1, 2, 3, 4].map(column);
+        let mut jacobian = [[F::zero(); 3]; 3];
+        let columns = by_x.into_iter().zip(by_y).zip(by_spin);
+        for (row, ((x, y), z)) in jacobian.iter_mut().zip(columns) {
+            *row = [x, y, z];
+        }
+        let translation =
+            |f: &Variable<F>| f.derivative(0) * longitudinal + f.derivative(1) * lateral;
+        // f − (∂f/∂c) c;  F: f − ⅓ (∂f/∂v) v − ⅓ λ ∂f/∂λ,  M_z: (4/3) f − ..
+        let euler =
+            rows.map(|(f, unit)| unit * (f.value - (translation(&f) + f.derivative(2) * spin)));
+        let mut hertz = rows.map(|(f, unit)| {
+            let layer = f.derivative(3) * self.interface.layer;
+            unit * (f.value - (translation(&f) + layer).times(1.0 / 3.0))
+        });
+        hertz[2] += mz.times(1.0 / 3.0) / bound;
+        let scaled = |of: [F; 3], factor: F| of.map(|entry| entry * factor);
+        let derivatives = if stiffness.is_some() {
+            let none = [F::zero(); 3];
+            let load_through_hertz = hertz.map(|entry| entry / load);
+            Derivatives { jacobian, normal_force: none, load_through_hertz, friction: none }
+        } else {
+            Derivatives {
+                jacobian,
+                normal_force: scaled(euler, contact.friction),
+                load_through_hertz: scaled(hertz, contact.friction),
+                friction: scaled(euler, load),
+            }
+        };
+        (Forces { fx, fy, mz, adhesion }, psi, derivatives, [by_layer, by_slide])
+    }
+}
+
+impl<F: Float> ThroughLayer<'_, F> {
+    /// Every strip of the solution of a contact, handed to `visit`: the mean of a strip of
+    /// half-spaces and of its bristles. Their shares add up to the forces of
+    /// [`solve`](Self::solve).
+    ///
+    /// # Errors
+    /// Those of [`strips`](crate::forces::strips).
+    pub fn strips(
+        &self,
+        contact: &Contact<F>,
+        visit: &mut dyn FnMut(StripResult<F>),
+    ) -> Result<Warning, Error> {
+        forces::strips_of(contact, self.creepage, self.options)?;
+        if contact.is_lost() {
+            return Ok(Warning::None);
+        }
+        let frame = &ScaledContact::of(contact);
+        let (seen, _) = frame.seen(self.creepage, self.options.model);
+        let parameters = frame.units.parameters(&seen);
+        let (ratio, _, linear) = frame.shape();
+        let layer = Layer::new(ratio, &linear);
+        let interface = self.interface(contact);
+        let split = layer.split(frame.units.normalised(&parameters), &interface);
+        let [x, y, z] = split.factors;
+        let creepage = Creepage {
+            longitudinal: seen.longitudinal * x,
+            lateral: seen.lateral * y,
+            spin: seen.spin * z,
+        };
+        let like = Contact { mismatch: F::zero(), ..*contact };
+        // bristles of a strip over μ N, and the share of the load
+        let bristles = |strip: &StripResult<F>| {
+            let (y, width) = (strip.y / contact.b, strip.width / contact.b);
+            let load = width * (F::one() - y * y - (width * width).times(1.0 / 12.0)).times(0.75);
+            (layer.strip(split.rates, y, strip.half_length / contact.a), load)
+        };
+        let has_bristles = interface.layer > F::zero();
+        let weight = if has_bristles { split.weight } else { F::zero() };
+        let whole = if has_bristles { layer.bristles(split.rates) } else { Totals::nothing() };
+        // what the quadratures differ by is shared out by load
+        let (mut rest, mut loads) = ([whole.fx, whole.fy, whole.mz], F::zero());
+        if has_bristles {
+            forces::strips(&like, &creepage, self.options, &mut |strip| {
+                let ([fx, fy, mz, _], load) = bristles(&strip);
+                add(&mut rest, [-(fx * load), -(fy * load), -(mz * load)]);
+                loads += load;
+            })?;
+        }
+        let rest = rest.map(|rest| rest / (loads + F::TINY));
+        let bound = contact.friction_bound();
+        let warning = forces::strips(&like, &creepage, self.options, &mut |strip| {
+            let mut mean = strip;
+            if has_bristles {
+                let ([fx, fy, mz, stick], load) = bristles(&strip);
+                let of = |half_spaces: F, bristles: F, rest: F, unit: F| {
+                    half_spaces + ((bristles + rest) * (load * unit) - half_spaces) * weight
+                };
+                mean.fx = of(strip.fx, fx, rest[0], bound);
+                mean.fy = of(strip.fy, fy, rest[1], bound);
+                mean.mz = of(strip.mz, mz, rest[2], bound * frame.radius);
+                let separatrix = strip.half_length * (F::one() - stick.times(2.0));
+                mean.separatrix += (separatrix - strip.separatrix) * weight;
+                mean.state = if stick > F::zero() { State::Stick } else { strip.state };
+            }
+            mean.power = seen.power([mean.fx, mean.fy, mean.mz]);
+            visit(mean);
+        })?;
+        let psi = parameters.psi;
+        Ok(warning.worse(warning_of(contact, &seen, self.options.model, psi)))
+    }
+}

@@ -1,0 +1,379 @@
+//! A layer between the bodies, and what sliding leaves of its stiffness.
+
+use crate::differences::trusted_differences;
+use crate::random::Random;
+use crate::theory;
+
+use kstrip::contact::Contact;
+use kstrip::contact::creepage::Creepage;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::{Model, Options, Solution};
+use kstrip::friction::derivatives::differentiate;
+use kstrip::friction::{self, SlipFriction};
+use kstrip::linear::LinearCoefficients;
+use kstrip::patch::Patch;
+use kstrip::patch::friction as patch_friction;
+use std::path::Path;
+
+const STEEL: f64 = 82e9;
+const POISSON: f64 = 0.28;
+
+fn law(friction: f64, slide_factor: f64, layer: f64) -> SlipFriction<f64> {
+    SlipFriction { slide_factor, layer, ..SlipFriction::constant(friction) }
+}
+
+fn options(model: Model) -> Options {
+    Options { model, strips: StripCount::Sixteen }
+}
+
+fn forces(
+    c: &Contact<f64>,
+    m: &Creepage<f64>,
+    l: &SlipFriction<f64>,
+    o: &Options,
+) -> Solution<f64> {
+    friction::solve(c, m, l, o).unwrap().solution
+}
+
+/// `8 a/(3 C11 G)`, `8 a/(3 C22 G)`, `π a √(a/b)/(4 C23 G)` \[m/Pa\]
+fn flexibilities(c: &Contact<f64>) -> [f64; 3] {
+    let LinearCoefficients { c11, c22, c23, .. } =
+        LinearCoefficients::at(c.a / c.b, c.poisson_ratio);
+    let [x, y] = [c11, c22].map(|of| 8.0 * c.a / (3.0 * of * c.shear_modulus));
+    let spin = std::f64::consts::PI * c.a * (c.a / c.b).sqrt() / (4.0 * c23 * c.shear_modulus);
+    [x, y, spin]
+}
+
+/// A row of `tests/data/layer.csv`: contact, creepage, law, forces over `μ N`, moment over `μ N
+/// √(ab)`.
+struct Row {
+    contact: Contact<f64>,
+    creepage: Creepage<f64>,
+    law: SlipFriction<f64>,
+    ratio: f64,
+    expected: [f64; 3],
+}
+
+fn rows() -> Vec<Row> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/layer.csv");
+    let mut reader = csv::Reader::from_path(path).unwrap();
+    let rows = reader.deserialize::<[f64; 11]>().map(|row| {
+        let [a, b, normal_force, friction, layer, longitudinal, lateral, spin, fx, fy, mz] =
+            row.unwrap();
+        let contact = Contact {
+            a,
+            b,
+            normal_force,
+            shear_modulus: STEEL,
+            poisson_ratio: POISSON,
+            friction,
+            mismatch: 0.0,
+        };
+        Row {
+            contact,
+            creepage: Creepage { longitudinal, lateral, spin },
+            law: law(friction, 0.0, layer),
+            ratio: layer / flexibilities(&contact)[0],
+            expected: [fx, fy, mz],
+        }
+    });
+    rows.collect()
+}
+
+/// Mean, 95th percentile and largest.
+fn summary(errors: impl Iterator<Item = f64>) -> [f64; 3] {
+    let mut errors: Vec<_> = errors.collect();
+    errors.sort_by(f64::total_cmp);
+    let mean = errors.iter().sum::<f64>() / errors.len() as f64;
+    [mean, errors[errors.len() * 95 / 100], errors[errors.len() - 1]]
+}
+
+fn errors(model: Model) -> Vec<(f64, f64, f64)> {
+    let of = |row: &Row| {
+        let Contact { a, b, normal_force, friction, .. } = row.contact;
+        let bound = normal_force * friction;
+        let found = forces(&row.contact, &row.creepage, &row.law, &options(model));
+        let [fx, fy, mz] = row.expected;
+        let force = (found.fx / bound - fx).hypot(found.fy / bound - fy);
+        (row.ratio, force, (found.mz / bound / (a * b).sqrt() - mz).abs())
+    };
+    rows().iter().filter(|row| row.ratio > 0.0).map(of).collect()
+}
+
+/// Against CONTACT with an elastic third body, a/b 0.2 to 5, layer 0.1 to 5 times as soft as the
+/// half-spaces, spin to ψ = 1.5.
+#[test]
+fn contact_has_these_forces_behind_a_layer() {
+    for (model, limits) in [
+        (
+            Model::Total,
+            [
+                [0.0040, 0.0115, 0.020],
+                [0.0032, 0.0110, 0.018],
+                [0.0060, 0.0130, 0.015],
+                [0.0026, 0.0080, 0.015],
+            ],
+        ),
+        (
+            Model::Strip,
+            [
+                [0.0045, 0.0125, 0.025],
+                [0.0038, 0.0100, 0.018],
+                [0.0060, 0.0135, 0.015],
+                [0.0030, 0.0090, 0.020],
+            ],
+        ),
+    ] {
+        let errors = errors(model);
+        assert!(errors.len() > 200);
+        let found = [
+            summary(errors.iter().map(|of| of.1)),
+            summary(errors.iter().filter(|of| of.0 < 0.5).map(|of| of.1)),
+            summary(errors.iter().filter(|of| of.0 > 2.0).map(|of| of.1)),
+            summary(errors.iter().map(|of| of.2)),
+        ];
+        println!("{model:?} {found:.4?}");
+        for (found, limits) in found.iter().zip(limits) {
+            for (found, limit) in found.iter().zip(limits) {
+                assert!(*found < limit && *found > 0.6 * limit, "{model:?} {found} {limit}");
+            }
+        }
+    }
+}
+
+fn any_contact(random: &mut Random) -> Contact<f64> {
+    Contact {
+        shear_modulus: STEEL,
+        ..theory::contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5))
+    }
+}
+
+fn any_motion(random: &mut Random, c: &Contact<f64>) -> Creepage<f64> {
+    let size = random.log_between(1e-2, 30.0);
+    let [xi, eta, psi] = [0; 3].map(|_| size * random.between(-1.0, 1.0));
+    theory::creepage(c, xi, eta, psi.clamp(-2.0, 2.0))
+}
+
+fn any_law(random: &mut Random, c: &Contact<f64>, falls: bool) -> SlipFriction<f64> {
+    SlipFriction {
+        friction: random.between(0.1, 0.6),
+        ratio: if falls { random.between(0.2, 1.0) } else { 1.0 },
+        decay: random.log_between(0.05, 1.0),
+        rolling_speed: random.between(1.0, 40.0),
+        slope_factor: random.between(0.2, 1.0),
+        slide_factor: random.between(0.2, 1.0),
+        layer: flexibilities(c)[0] * random.log_between(0.05, 10.0),
+    }
+}
+
+/// At rest springs in series: the slopes of the force, of every model.
+#[test]
+fn slopes_at_rest_are_those_of_springs_in_series() {
+    let mut random = Random::new(301);
+    for n in 0..60 {
+        let c = any_contact(&mut random);
+        let of = flexibilities(&c);
+        let layer = of[0] * random.log_between(0.05, 10.0);
+        let model = [Model::Total, Model::Strip, Model::Linear][n % 3];
+        let LinearCoefficients { c11, c22, c23, .. } =
+            LinearCoefficients::at(c.a / c.b, c.poisson_ratio);
+        let rest = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
+        let law = law(c.friction, 0.0, layer);
+        let [[xx, ..], [_, yy, yz], _] =
+            differentiate(&c, &rest, Some(&law), &options(model)).unwrap().derivatives.jacobian;
+        let stiffness = c.shear_modulus * c.a * c.b;
+        let clean = [c11, c22, c23 * (c.a * c.b).sqrt()].map(|of| of * stiffness);
+        for ((found, clean), of) in [xx, yy, yz].into_iter().zip(clean).zip(of) {
+            let expected = clean * of / (of + layer);
+            // STRIP has them to rounding of its quadrature
+            assert!((found / expected - 1.0).abs() < 2e-6, "{model:?} {found} {expected} {c:?}");
+        }
+    }
+}
+
+/// Far in sliding nothing of the layer is left.
+#[test]
+fn full_sliding_is_along_the_rigid_slip() {
+    let mut random = Random::new(302);
+    for n in 0..60 {
+        let c = any_contact(&mut random);
+        let law = any_law(&mut random, &c, false);
+        let c = Contact { friction: law.friction, ..c };
+        let model = [Model::Total, Model::Strip][n % 2];
+        let angle = random.between(0.0, 6.3_f64);
+        let m = theory::creepage(&c, 1e5 * angle.cos(), 1e5 * angle.sin(), 0.0);
+        let found = forces(&c, &m, &law, &options(model));
+        let size = m.longitudinal.hypot(m.lateral);
+        let bound = c.friction * c.normal_force;
+        let [x, y] =
+            [found.fx / bound - m.longitudinal / size, found.fy / bound - m.lateral / size];
+        assert!(x.hypot(y) < 1e-6, "{model:?} {x} {y}");
+    }
+}
+
+/// `|F| ≤ μ N`, power not negative, symmetry, homogeneity.
+#[test]
+fn limits_hold_behind_a_layer() {
+    let mut random = Random::new(303);
+    let mut least = f64::INFINITY;
+    for n in 0..4000 {
+        let c = any_contact(&mut random);
+        let law = any_law(&mut random, &c, n % 2 == 0);
+        let m = any_motion(&mut random, &c);
+        let o = options([Model::Total, Model::Strip][n / 2 % 2]);
+        let found = friction::solve(&c, &m, &law, &o).unwrap();
+        let s = found.solution;
+        let bound = found.friction * c.normal_force;
+        assert!(s.fx.hypot(s.fy) <= bound * (1.0 + 1e-12), "{s:?}");
+        let size = m.longitudinal.abs() + m.lateral.abs() + m.spin.abs() * (c.a * c.b).sqrt();
+        least = least.min(s.power / (bound * size));
+        let mirrored = Creepage { longitudinal: -m.longitudinal, ..m };
+        let t = forces(&c, &mirrored, &law, &o);
+        assert!((t.fx + s.fx).abs() + (t.fy - s.fy).abs() < 1e-9 * bound);
+        let turned = Creepage { lateral: -m.lateral, spin: -m.spin, ..m };
+        let t = forces(&c, &turned, &law, &o);
+        assert!((t.fx - s.fx).abs() + (t.fy + s.fy).abs() < 1e-9 * bound);
+        // F(c; λ μ₀) = λ F(c/λ; μ₀)
+        let share = random.between(0.3, 3.0);
+        let other =
+            SlipFriction { friction: law.friction * share, decay: law.decay / share, ..law };
+        let more = Creepage {
+            longitudinal: m.longitudinal * share,
+            lateral: m.lateral * share,
+            spin: m.spin * share,
+        };
+        let t = forces(&c, &more, &other, &o);
+        if law.falls_mildly(&c, &m) {
+            assert!((t.fx / share - s.fx).abs() + (t.fy / share - s.fy).abs() < 1e-9 * bound);
+        }
+    }
+    println!("least power {least}");
+    assert!(least > -1e-12, "{least}");
+}
+
+trait Mild {
+    fn falls_mildly(&self, c: &Contact<f64>, m: &Creepage<f64>) -> bool;
+}
+
+impl Mild for SlipFriction<f64> {
+    fn falls_mildly(&self, c: &Contact<f64>, m: &Creepage<f64>) -> bool {
+        let slip = m.longitudinal.abs() + m.lateral.abs() + (c.a + c.b) * m.spin.abs();
+        self.decay * self.rolling_speed * slip < 0.5
+    }
+}
+
+/// All derivatives against differences.
+#[test]
+fn derivatives_behind_a_layer_are_exact() {
+    let mut random = Random::new(304);
+    let mut compared = 0;
+    for n in 0..400 {
+        let c = any_contact(&mut random);
+        let law = any_law(&mut random, &c, n % 3 != 0);
+        let m = any_motion(&mut random, &c);
+        let o =
+            options([Model::Total, Model::Strip, Model::Strip1967Continuous, Model::Linear][n % 4]);
+        let mismatch = if n % 5 == 0 { 0.1 } else { 0.0 };
+        let c = Contact { mismatch, ..c };
+        let found = differentiate(&c, &m, Some(&law), &o).unwrap();
+        let s = found.solution;
+        let values = |c: &Contact<f64>, m: &Creepage<f64>, l: &SlipFriction<f64>| {
+            let s = forces(c, m, l, &o);
+            [s.fx, s.fy, s.mz]
+        };
+        let at = values(&c, &m, &law);
+        assert!(
+            (at[0] - s.fx).abs() + (at[1] - s.fy).abs() <= 1e-9 * (at[0].abs() + at[1].abs()),
+            "{o:?} {at:?} {s:?}"
+        );
+        let d = found.derivatives;
+        let column = |i: usize| d.jacobian.map(|row| row[i]);
+        let [x, y, z] = [m.longitudinal, m.lateral, m.spin];
+        let cube = |f: f64| f.cbrt();
+        let cases: [(f64, [f64; 3], &dyn Fn(f64) -> [f64; 3]); 12] = [
+            (x, column(0), &|f| values(&c, &Creepage { longitudinal: x * f, ..m }, &law)),
+            (y, column(1), &|f| values(&c, &Creepage { lateral: y * f, ..m }, &law)),
+            (z, column(2), &|f| values(&c, &Creepage { spin: z * f, ..m }, &law)),
+            (c.normal_force, d.normal_force, &|f| {
+                values(&Contact { normal_force: c.normal_force * f, ..c }, &m, &law)
+            }),
+            (c.normal_force, d.load_through_hertz, &|f| {
+                let (a, b) = (c.a * cube(f), c.b * cube(f));
+                values(&Contact { normal_force: c.normal_force * f, a, b, ..c }, &m, &law)
+            }),
+            (law.friction, d.friction, &|f| {
+                values(&c, &m, &SlipFriction { friction: law.friction * f, ..law })
+            }),
+            (law.ratio, found.law.ratio, &|f| {
+                values(&c, &m, &SlipFriction { ratio: (law.ratio * f).min(1.0), ..law })
+            }),
+            (law.decay, found.law.decay, &|f| {
+                values(&c, &m, &SlipFriction { decay: law.decay * f, ..law })
+            }),
+            (law.rolling_speed, found.law.rolling_speed, &|f| {
+                values(&c, &m, &SlipFriction { rolling_speed: law.rolling_speed * f, ..law })
+            }),
+            (law.slope_factor, found.law.slope_factor, &|f| {
+                values(
+                    &c,
+                    &m,
+                    &SlipFriction { slope_factor: (law.slope_factor * f).min(1.0), ..law },
+                )
+            }),
+            (law.slide_factor, found.law.slide_factor, &|f| {
+                values(
+                    &c,
+                    &m,
+                    &SlipFriction { slide_factor: (law.slide_factor * f).min(1.0), ..law },
+                )
+            }),
+            (law.layer, found.law.layer, &|f| {
+                values(&c, &m, &SlipFriction { layer: law.layer * f, ..law })
+            }),
+        ];
+        let bound = (found.friction * c.normal_force).max(s.fx.hypot(s.fy));
+        for (k, (size, slopes, of)) in cases.into_iter().enumerate() {
+            if k == 6 && law.ratio > 0.999 {
+                continue;
+            }
+            for i in 0..3 {
+                let unit = bound * if i == 2 { (c.a * c.b).sqrt() } else { 1.0 };
+                let difference = |h: f64| (of(1.0 + h)[i] - of(1.0 - h)[i]) / (2.0 * h * unit);
+                let (coarse, fine) = (difference(1e-5), difference(1e-6));
+                // (a kink lies between, or rounding is as large)
+                if (coarse - fine).abs() > 1e-6 * (1.0 + fine.abs()) {
+                    continue;
+                }
+                compared += 1;
+                let exact = slopes[i] * size / unit;
+                assert!(
+                    (exact - fine).abs() < 3e-6 * (1.0 + fine.abs()),
+                    "{o:?} {k} {i}: {exact} {fine} {law:?} {c:?} {m:?}"
+                );
+            }
+        }
+    }
+    assert!(compared > 12_000, "{compared}");
+    let _ = trusted_differences;
+}
+
+/// The strips of an ellipse as a patch answer as the ellipse does.
+#[test]
+fn a_patch_behind_a_layer_is_the_ellipse() {
+    let mut random = Random::new(305);
+    for n in 0..200 {
+        let c = any_contact(&mut random);
+        let law = any_law(&mut random, &c, n % 2 == 0);
+        let m = any_motion(&mut random, &c);
+        let model = [Model::Total, Model::Strip][n / 2 % 2];
+        let c = Contact { friction: law.friction, ..c };
+        let patch = Patch::<f64, 64>::from_ellipse(&c, StripCount::SixtyFour).unwrap();
+        let o = Options { model, strips: StripCount::SixtyFour };
+        let whole = forces(&c, &m, &law, &o);
+        let found =
+            patch_friction::solve(&patch.view().unwrap(), &m, &law, model).unwrap().solution;
+        let bound = c.friction * c.normal_force;
+        let off = (found.fx - whole.fx).hypot(found.fy - whole.fy) / bound;
+        assert!(off < 0.02, "{model:?} {off} {whole:?} {found:?} {c:?} {m:?} {law:?}");
+    }
+}
