@@ -35,7 +35,7 @@ const BLOCK: u32 = 1000;
 /// What has a hash of its own.
 const KINDS: [&str; 5] = ["", " patches", " friction", " special", " rig"];
 
-trait Bits: Float {
+pub trait Bits: Float + Default {
     fn bits(self) -> u64;
 }
 
@@ -53,12 +53,16 @@ impl Bits for f32 {
 
 /// FNV-1a, 64 bits at a time.
 #[derive(Clone, Copy)]
-struct Hash(u64);
+pub struct Hash(u64);
 
 impl Hash {
-    const START: Self = Self(0xcbf2_9ce4_8422_2325);
+    pub const START: Self = Self(0xcbf2_9ce4_8422_2325);
 
-    fn mix(&mut self, bits: u64) {
+    pub fn value(self) -> u64 {
+        self.0
+    }
+
+    pub fn mix(&mut self, bits: u64) {
         self.0 = (self.0 ^ bits).wrapping_mul(0x0100_0000_01b3);
     }
 
@@ -66,12 +70,12 @@ impl Hash {
         self.mix(u64::from(code as u32));
     }
 
-    fn add<F: Bits>(&mut self, numbers: &[F]) {
+    pub fn add<F: Bits>(&mut self, numbers: &[F]) {
         numbers.iter().for_each(|number| self.mix(number.bits()));
     }
 
     /// The status; what there is unless it is that of an error.
-    fn status<T>(&mut self, answer: Result<(T, Warning), Error>) -> Option<T> {
+    pub fn status<T>(&mut self, answer: Result<(T, Warning), Error>) -> Option<T> {
         self.code(answer.as_ref().map_or_else(|error| error.code(), |(_, warning)| warning.code()));
         answer.ok().map(|(found, _)| found)
     }
@@ -82,7 +86,7 @@ impl Hash {
         }
     }
 
-    fn derivatives<F: Bits>(&mut self, answer: &Result<Differentiated<F>, Error>) {
+    pub fn derivatives<F: Bits>(&mut self, answer: &Result<Differentiated<F>, Error>) {
         let solution = answer.as_ref().map(|found| found.solution).map_err(|error| *error);
         self.result(solution);
         if let Ok(Differentiated { derivatives: d, law, .. }) = answer {

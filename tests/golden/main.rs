@@ -1,8 +1,12 @@
 //! The same bits from every build.
 
+#[path = "../common/manchester.rs"]
+#[allow(dead_code)]
+mod manchester;
 #[path = "../common/single.rs"]
 mod single;
 #[path = "../c/toolchain.rs"]
 mod toolchain;
 
 mod bits;
+mod wheel;
