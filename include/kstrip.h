@@ -133,7 +133,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_ANGLE_RANGE 19
 /** Warning: a zone of contact ends with the profile, as if the bodies ended there. */
 #define KSTRIP_WARNING_PROFILE_END 18
-/** Warning: measured points do not tell the parameters of a law apart. */
+/** Warning: the measured points do not determine each parameter of a law. */
 #define KSTRIP_WARNING_UNDETERMINED 20
 
 /** Error: a required pointer is NULL. */
@@ -2410,7 +2410,7 @@ typedef struct kstrip_friction_fit {
  * 0 in start begins at a usual value; friction that falls needs the rolling speed in start. Bounds
  * are those of the law: a member that ends at its bound has a standard error of 0.
  *
- * Points that lie on one part of the curve do not tell the parameters apart: creepages below one
+ * Points that lie on one part of the curve do not determine each parameter: creepages below one
  * per cent only bound friction from below, and without the start of the curve slope factor and
  * layer are unknown. The status is then KSTRIP_WARNING_UNDETERMINED: with errors of the forces of
  * one per cent, or those that there are, a parameter would be uncertain by more than half of

@@ -205,7 +205,7 @@ statuses! {
             "the normal turns by more than 30 degrees over a contact of the wheel: one plane of \
              contact is not enough",
         Undetermined = 20:
-            "the points do not tell the fitted parameters apart: some have large standard errors; \
+            "the points do not determine each fitted parameter: some have large standard errors; \
              fit fewer, or measure at other creepages",
         ProfileEnd = 18:
             "a zone of contact ends with the profile, as if the bodies ended there: pass more of \

@@ -54,7 +54,7 @@ pub const KSTRIP_WARNING_CONFORMAL: kstrip_status = 17;
 pub const KSTRIP_WARNING_ANGLE_RANGE: kstrip_status = 19;
 /// Warning: a zone of contact ends with the profile, as if the bodies ended there.
 pub const KSTRIP_WARNING_PROFILE_END: kstrip_status = 18;
-/// Warning: measured points do not tell the parameters of a law apart.
+/// Warning: the measured points do not determine each parameter of a law.
 pub const KSTRIP_WARNING_UNDETERMINED: kstrip_status = 20;
 /// Error: a required pointer is NULL.
 pub const KSTRIP_ERROR_NULL: kstrip_status = -1;

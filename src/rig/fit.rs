@@ -377,7 +377,7 @@ impl<'a, F: Float> Fit<'a, F> {
         FrictionFit {
             law: self.law(at),
             standard_errors: with_parameters(&nothing, errors),
-            residual: (sums.total / self.weights).sqrt() * load,
+            residual: ((sums.total / self.weights).sqrt() * load).min(F::HUGE),
             steps: steps as u32,
             warning,
         }

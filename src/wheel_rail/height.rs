@@ -8,6 +8,7 @@
 use super::scene::{Scene, Workspace};
 use super::touch::lowered;
 use super::{Position, Velocity};
+use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::Float;
 use crate::status::{Error, Warning};
 
@@ -49,6 +50,8 @@ impl<F: Float> Scene<'_, F> {
             return Err(Error::NormalForce);
         }
         self.pair.check()?;
+        check_modulus(self.pair.shear_modulus)?;
+        check_poisson_ratio(self.pair.poisson_ratio)?;
         let straight = |force: F| force.max(F::zero()).squared().cube_root();
         let wanted = straight(support);
         // of a sphere with the wheel's radius: N = (4/3) E* √R δ^(3/2)

@@ -766,8 +766,8 @@ fn contacts_of_a_table_are_checked_where_they_count() {
     }
 }
 
-/// docs/models.md sends wheels to STRIP: the errors of both models on S1002, 1 mm from the middle of
-/// 60E1, are those of the page.
+/// docs/models.md sends wheels to STRIP: the errors of both models on S1002, 1 mm from the middle
+/// of 60E1, are those of the page.
 #[test]
 fn a_wheel_needs_strip() {
     let runs = rows("runs");

@@ -119,7 +119,7 @@ pub extern "C" fn kstrip_creepage_for_force(
 /// 0 in start begins at a usual value; friction that falls needs the rolling speed in start. Bounds
 /// are those of the law: a member that ends at its bound has a standard error of 0.
 ///
-/// Points that lie on one part of the curve do not tell the parameters apart: creepages below one
+/// Points that lie on one part of the curve do not determine each parameter: creepages below one
 /// per cent only bound friction from below, and without the start of the curve slope factor and
 /// layer are unknown. The status is then KSTRIP_WARNING_UNDETERMINED: with errors of the forces of
 /// one per cent, or those that there are, a parameter would be uncertain by more than half of
