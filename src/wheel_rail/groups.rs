@@ -23,6 +23,7 @@
 use crate::normal::smooth::Overlap;
 use crate::number::Float;
 use crate::status::Error;
+use core::mem;
 use heapless::Vec;
 
 /// Free length between zones up to which they are one contact \[m\], and from which they do not
@@ -126,7 +127,6 @@ impl<F: Float> Zones<F> {
             }
             level = next;
         }
-        groups.sort_unstable_by_key(|group| group.zones);
         Ok(groups)
     }
 
@@ -144,7 +144,14 @@ impl<F: Float> Zones<F> {
         let Some(whole) = own.iter().copied().reduce(|one, next| joined(&one, &next)) else {
             return Ok(());
         };
-        groups.push(Group { whole, share, zones }).map_err(|_| Error::PatchSize)
+        // core's sorting can panic; each group goes to its place instead
+        let mut last = Group { whole, share, zones };
+        for group in groups.iter_mut() {
+            if last.zones < group.zones {
+                mem::swap(&mut last, group);
+            }
+        }
+        groups.push(last).map_err(|_| Error::PatchSize)
     }
 }
 
