@@ -574,6 +574,58 @@ fn falling_friction_has_a_maximum_and_sticks_and_slips() {
     assert!(frequency > 0.8 * natural && frequency < natural, "{frequency} Hz of {natural}");
 }
 
+/// A locomotive's measured points become a law, and the columns of the picture are its curves.
+#[test]
+fn a_measured_curve_is_fitted() {
+    let folder = root().join("tests/data");
+    let text = run_c_with("c_examples/11_measured_curve.c", &[folder.to_str().expect("a path")]);
+    let rows = |title: &str| -> Vec<Vec<f64>> {
+        let part = text.lines().skip_while(|line| !line.starts_with(title)).skip(1);
+        part.take_while(|line| !line.is_empty()).map(numbers).collect()
+    };
+    let rms = line_of(&text, "rms")[0];
+    assert_close(rms, 0.0241, 0.0005, "rms");
+    let points = rows("measured:");
+    assert_eq!(points.len(), 89);
+    let squares: f64 = points.iter().map(|row| (row[1] - row[2]).powi(2)).sum();
+    assert_close((squares / 89.0).sqrt(), rms, 2e-5, "rms of the columns");
+
+    let member = |name: &str| {
+        let [value, error] = line_of(&text, name)[..] else { panic!("{text}") };
+        assert!((0.0..0.4 * value).contains(&error) || value == 0.0, "{name} {value} {error}");
+        value
+    };
+    let law = SlipFriction {
+        friction: member("friction"),
+        ratio: member("ratio"),
+        decay: member("decay"),
+        rolling_speed: 10.0,
+        slope_factor: member("slope factor"),
+        slide_factor: member("slide factor"),
+        layer: 0.0,
+    };
+    let contact =
+        Contact { a: 6.304e-3, b: 12.61e-3, normal_force: 106.7e3, friction: 0.33, ..CONTACT };
+    let options = Options { model: Model::Total, ..Options::default() };
+    let curves = rows("curves:");
+    assert_eq!(curves.len(), 30);
+    for row in &curves {
+        let [creepage, clean, fitted, by_contact] = row[..] else { panic!("{row:?}") };
+        let motion = Creepage { longitudinal: creepage / 100.0, lateral: 0.0, spin: 0.0 };
+        let force = |law| {
+            let found = differentiate(&contact, &motion, law, &options).expect("forces");
+            found.solution.fx / contact.normal_force
+        };
+        assert_printed(clean, force(None), 5, "clean bodies");
+        // Four digits of the law are printed
+        assert_close(fitted, force(Some(&law)), 2e-4, "the fitted law");
+        // Clean bodies need a quarter of the creepage at the start. CONTACT's layer and falling
+        // friction were chosen for these points too.
+        assert!(clean > by_contact - 1e-3, "{row:?}");
+        assert_close(fitted, by_contact, 0.07, "CONTACT");
+    }
+}
+
 #[test]
 fn batches_on_threads_have_the_bits_of_single_calls() {
     let source = "c_examples/08_batch_openmp.c";
