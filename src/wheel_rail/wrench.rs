@@ -18,9 +18,6 @@ use crate::number::{Float, are_finite};
 use crate::patch::{self, PatchView, StoredPatch, solver};
 use crate::status::{Error, Warning};
 
-/// Speed below which any slip is plausible \[m/s\].
-const JUDGED: f64 = 1.0;
-
 /// Force and moment on a wheel. They are conjugate to the members of kstrip_wheel_velocity: the
 /// products add up to power.
 #[repr(C)]
@@ -262,7 +259,6 @@ fn turned<F: Float, S>(
 fn joined<F: Float>(rolling: &Rolling<F>, ahead: Solution<F>, behind: Solution<F>) -> Solution<F> {
     let [fx, fy, mz] = rolling.both(forces(&ahead), forces(&behind));
     let warning = ahead.warning.worse(behind.warning);
-    let slow = rolling.speed < F::of(JUDGED) && warning.is_implausible();
     let power = rolling.mean(ahead.power, behind.power);
-    Solution { fx, fy, mz, power, warning: if slow { Warning::None } else { warning }, ..ahead }
+    Solution { fx, fy, mz, power, warning, ..ahead }
 }

@@ -5,10 +5,12 @@ use crate::bits::{Bits, Hash};
 use crate::manchester::{points, zeroed};
 use crate::toolchain::root;
 
+use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::totals::StripCount;
-use kstrip::forces::Model;
+use kstrip::forces::{Model, Options};
 use kstrip::friction::SlipFriction;
+use kstrip::friction::derivatives::differentiate;
 use kstrip::normal::cells::Given;
 use kstrip::normal::{Indentation, Profile, ProfileContact};
 use kstrip::patch::{Patch, friction as patch_friction};
@@ -27,7 +29,7 @@ const DRAWN: Pair = ("uic60", "s1002", 0.0);
 const WORN: Pair = ("rail288", "whl288", 2e-3);
 const GROUND: Pair = ("siteb", "s1002", 0.0);
 const MEAN: Pair = ("avgHR", "car7216", 1e-3);
-const CASES: [Case; 12] = [
+const CASES: [Case; 14] = [
     ("tread", DRAWN, [-10.5e-3, 0.0, 0.0], 80e3, false),
     ("light contact", DRAWN, [-12e-3, 0.0, 1e-3], 30.0, false),
     ("flange", DRAWN, [-3.5e-3, 4e-3, 0.0], 60e3, false),
@@ -39,6 +41,8 @@ const CASES: [Case; 12] = [
     ("two contacts", GROUND, [7.93e-3, 0.0, 0.0], 33.7e3, false),
     ("contacts far apart", MEAN, [-76.92e-3, 2e-3, 0.0], 35e3, false),
     ("worn two contacts", WORN, [-64.99e-3, 0.0, 0.0], 103e3, false),
+    ("worn shares", WORN, [-68.2e-3, 0.0, 0.0], 80e3, false),
+    ("worn small share", WORN, [-79.5e-3, 1e-3, -0.02], 80e3, false),
     ("worn yaw", WORN, [-60e-3, 0.01, 0.0], 75e3, false),
 ];
 
@@ -241,6 +245,40 @@ fn hash_profile<F: Bits>(hash: &mut Hash) {
     }
 }
 
+/// Ellipses of unlike materials: forces and derivatives, with friction that falls and without.
+fn hash_ellipses<F: Bits>(hash: &mut Hash) {
+    let law = SlipFriction {
+        friction: F::of(0.4),
+        ratio: F::of(0.3),
+        decay: F::of(0.8),
+        rolling_speed: F::of(20.0),
+        slope_factor: F::of(0.8),
+        slide_factor: F::zero(),
+        layer: F::zero(),
+    };
+    for model in [Model::Strip, Model::Total, Model::Linear] {
+        for (axis_ratio, mismatch) in [(0.3, 0.2), (1.0, -0.1), (4.0, 0.25)] {
+            let contact = Contact {
+                a: F::of(5e-3 * axis_ratio),
+                b: F::of(5e-3),
+                normal_force: F::of(80e3),
+                shear_modulus: F::of(40e9),
+                poisson_ratio: F::of(0.3),
+                friction: F::of(0.3),
+                mismatch: F::of(mismatch),
+            };
+            for [longitudinal, lateral, spin] in [[1e-3, 4e-4, 0.1], [-2e-4, 0.0, 0.5], [0.0; 3]] {
+                let [longitudinal, lateral, spin] = [longitudinal, lateral, spin].map(F::of);
+                let creepage = Creepage { longitudinal, lateral, spin };
+                let options = Options { model, strips: StripCount::Sixteen };
+                for law in [None, Some(&law)] {
+                    hash.derivatives(&differentiate(&contact, &creepage, law, &options));
+                }
+            }
+        }
+    }
+}
+
 fn hashes<F: Bits>(precision: &str) -> String {
     let mut text = String::new();
     let mut line = |name: &str, hash: Hash| {
@@ -261,6 +299,9 @@ fn hashes<F: Bits>(precision: &str) -> String {
     let mut hash = Hash::START;
     hash_profile::<F>(&mut hash);
     line("patch of a profile with mismatch", hash);
+    let mut hash = Hash::START;
+    hash_ellipses::<F>(&mut hash);
+    line("ellipses with mismatch", hash);
     text
 }
 

@@ -11,6 +11,7 @@ use kstrip::status::{Error, Warning};
 use kstrip::wheel_rail::contacts::WheelContact;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
 use kstrip::wheel_rail::surface::Surface;
+use kstrip::wheel_rail::touch::{Gap, touch};
 use kstrip::wheel_rail::wrench::{Law, Wrench, WrenchByPosition, WrenchDerivatives, of_contacts};
 use kstrip::wheel_rail::{Position, Velocity, WheelPair};
 use std::collections::HashMap;
@@ -791,4 +792,34 @@ fn a_wheel_needs_strip() {
     let words = format!("TOTAL is off by {total:.2} of μ N, that of STRIP by {strip:.2}");
     assert!(page.contains(&words), "docs/models.md: {words}");
     assert!(strip < 0.03 && total > 2.0 * strip, "{strip} {total}");
+}
+
+/// A contact whose normal turns by more than 0.52 has a warning, as its member says, and so has
+/// one that spins by more than its model is made for. Only points nearer than the reach are written.
+#[test]
+fn warnings_and_reach_have_their_bounds() {
+    let mut stand = Stand::new_profiles();
+    let position = stand.at(0.0, 80e3);
+    stand.solve(&position, &ROLLING);
+    let contact = stand.memory.contacts[0];
+    let law = Law { model: Model::Strip, falling: None };
+    let warning = |angle_range: f64, yaw: f64| {
+        let velocity = Velocity { yaw, ..ROLLING };
+        let contact = WheelContact { angle_range, ..contact };
+        of_contacts(&[contact], &velocity, law, None).unwrap().warning
+    };
+    assert_eq!(warning(0.52, 0.0), Warning::None);
+    assert_eq!(warning(0.53, 0.0), Warning::AngleRange);
+    assert_eq!(warning(0.1, 100.0), Warning::OutsideRange);
+    let mut gap = zeroed::<Gap<f64>>();
+    let Stand { rail, wheel, pair, .. } = &stand;
+    let mut written = |reach: f64| {
+        touch(rail, wheel, pair.wheel_radius, &position, reach, &mut gap).unwrap();
+        let distances = &gap.distance[..gap.count as usize];
+        (distances.len(), distances.iter().fold(0.0, |most: f64, own| most.max(*own)))
+    };
+    let (few, farthest) = written(3e-4);
+    assert!((2e-4..3e-4).contains(&farthest), "{farthest}");
+    let (more, farthest) = written(0.0);
+    assert!((1.5e-3..2e-3).contains(&farthest) && more > few, "{farthest}: {more}, {few}");
 }
