@@ -51,15 +51,12 @@ def rolling_radius(shift, left=False):
     return np.sum(weights * found.radius, axis=-1) / np.sum(weights, axis=-1)
 
 
-def equivalent_conicity(amplitude, places=64):
-    """The cone with the wave length of the free wheelset, from its motion over half a wave as in EN 15302, with the radii under load."""
-    shifts = np.linspace(-amplitude, amplitude, 33)
-    differences = np.array([rolling_radius(shift) - rolling_radius(shift, left=True) for shift in shifts])
-    work = np.concatenate([[0.0], np.cumsum(np.diff(shifts) * (differences[1:] + differences[:-1]) / 2.0)])
-    angle = (np.arange(places) + 0.5) * np.pi / places
-    left = work[-1] - np.interp(amplitude * np.cos(angle), shifts, work)
-    length = 2.0 * np.sqrt(HALF_WIDTH * RADIUS) * np.sum(amplitude * np.sin(angle) / np.sqrt(left)) * np.pi / places
-    return float((np.pi / length) ** 2 * 4.0 * HALF_WIDTH * RADIUS)
+def equivalent_conicity(amplitude):
+    """After EN 15302, with the radii under load."""
+    shifts = np.linspace(-1.1 * amplitude, 1.1 * amplitude, 45)
+    differences = rolling_radius(shifts) - rolling_radius(shifts, left=True)
+    found = kstrip.equivalent_conicity(shifts, differences, [amplitude], running_circles=2.0 * HALF_WIDTH, wheel_radius=RADIUS)
+    return float(found.conicity[0])
 
 
 def curve(radius, shift):
