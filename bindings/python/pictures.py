@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the pictures of docs/python.md: the five kinds of kstrip.plot.
+"""Writes the pictures of docs/python.md and docs/adhesion.md: the five kinds of kstrip.plot.
 
     make && python bindings/python/pictures.py [FOLDER]            (needs matplotlib; FOLDER is docs/figures/python otherwise)
 """
@@ -50,8 +50,17 @@ def lateral_shift():
 def measured_curve():
     creepage, force = np.loadtxt(DATA / "eurosprinter_measured.csv", delimiter=",", skiprows=1, usecols=(0, 1)).T
     contact = kstrip.contact(a=6.304e-3, b=12.61e-3, normal_force=106.7e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.33)
-    laws = {"clean": None, "falling friction and a layer": kstrip.friction(0.33, 0.424, np.log(2) / 1.25, 10.0, slope_factor=0.28)}
-    return plot.measured_curve(contact, creepage / 100, force * 106.7e3, laws)
+    start = kstrip.friction(0.35, 0.5, 0.3, 10.0, slope_factor=0.3)
+    fit = kstrip.fit_friction(creepage / 100, force * 106.7e3, contact, start=start, fit=("friction", "ratio", "decay", "slope_factor", "slide_factor"))
+    drawn = plot.measured_curve(contact, creepage / 100, force * 106.7e3, {"clean": None, "fitted law": fit.law})
+    # What CONTACT computes with a layer and falling friction
+    rows = np.loadtxt(DATA / "traction_curves.csv", delimiter=",", skiprows=1, dtype=str)
+    places, forces = rows[rows[:, 0] == "contact_layer_falling", 1:].astype(float).T
+    axes = drawn.axes[0]
+    shown = 100 * places <= creepage.max()
+    axes.plot(100 * places[shown], forces[shown] / 106.7e3, color="0.3", linestyle=":", label="CONTACT, layer, falling friction")
+    axes.legend(loc="lower right")
+    return drawn
 
 
 def main():

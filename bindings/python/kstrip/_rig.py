@@ -10,7 +10,8 @@ from numpy.typing import ArrayLike
 
 from ._calls import call
 from ._inputs import Model, is_single, one, options
-from ._library import constants, dtypes
+from ._library import constants, dtypes, function_of
+from ._status import report
 from ._types import Contact, Creepage, Friction, FrictionEstimate, FrictionFit
 
 FX, FY = constants["KSTRIP_MEASURED_FX"], constants["KSTRIP_MEASURED_FY"]
@@ -52,6 +53,7 @@ def fit_friction(creepage: ArrayLike, force: ArrayLike, contact: Contact, *, sta
     start: where to begin, and the members that stay; friction that falls needs its rolling speed.
     fit: members of the law to be found: friction, ratio, decay, slope_factor, slide_factor, layer.
     weight: weight of the squared error of each point.
+    Raises KstripError for bad input, with the index of the first bad point.
     """
     single = is_single(contact)
     motion = np.asarray(creepage)
@@ -74,6 +76,9 @@ def fit_friction(creepage: ArrayLike, force: ArrayLike, contact: Contact, *, sta
         law["ratio"] = 1.0
     made = np.zeros((), dtypes["friction_fit" + "_f32" * single])
     which = sum(constants["KSTRIP_FIT_" + name.upper()] for name in set(fit))
-    call("kstrip_fit_friction", single, one("contact", contact, single), points, count, law, which,
-         ctypes.byref(options(model, strips)), made, None)
+    bad = np.array(count, np.uint32)
+    status = function_of("kstrip_fit_friction", single)(
+        *(a.ctypes.data for a in (one("contact", contact, single), points)), count, law.ctypes.data, which,
+        ctypes.byref(options(model, strips)), made.ctypes.data, bad.ctypes.data)
+    report(status, (int(bad),) if status < 0 and bad < count else None)
     return made.view(FrictionFit)

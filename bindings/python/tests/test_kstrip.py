@@ -234,6 +234,43 @@ class Binding(unittest.TestCase):
         back = kstrip.creepage_for_force(CONTACT, forces["fx"], forces["fy"], 0.2)
         self.assertAlmostEqual(float(back["lateral"]), 5e-4)
 
+    def test_measured_curve_becomes_a_law(self):
+        path = os.path.join(os.path.dirname(__file__), *[os.pardir] * 3, "tests", "data", "eurosprinter_measured.csv")
+        percent, share = np.loadtxt(path, delimiter=",", skiprows=1, usecols=(0, 1)).T
+        load = 106.7e3
+        locomotive = kstrip.contact(a=6.304e-3, b=12.61e-3, normal_force=load, shear_modulus=82e9, poisson_ratio=0.28, friction=0.33)
+        start = kstrip.friction(0.35, 0.5, 0.3, 10.0, slope_factor=0.3)
+        members = ("friction", "ratio", "decay", "slope_factor", "slide_factor")
+        found = kstrip.fit_friction(percent / 100, share * load, locomotive, start=start, fit=members)
+        self.assertAlmostEqual(float(found.residual) / load, 0.0241, delta=0.0005)
+        again = kstrip.solve(locomotive, kstrip.creepage(percent / 100), found.law).fx - share * load
+        self.assertAlmostEqual(float(np.sqrt(np.mean(again**2)) / found.residual), 1.0, delta=1e-9)
+        self.assertTrue(0.0 < found.standard_errors.friction < 0.01 and found.law.rolling_speed == 10.0, found)
+        self.assertEqual(found.standard_errors.layer, 0.0)
+
+    def test_law_is_found_from_both_forces(self):
+        law = kstrip.friction(0.3, layer=1.2e-13)
+        motion = kstrip.creepage(2e-4 * np.arange(1, 13) ** 2, 1e-4 * np.arange(1, 13) ** 2, 0.1)
+        made = kstrip.solve(CONTACT, motion, law)
+        forces = np.stack([made.fx, made.fy], axis=-1)
+        forces[3, 0] = np.nan
+        found = kstrip.fit_friction(motion, forces, CONTACT, fit=("friction", "layer"))
+        self.assertAlmostEqual(float(found.law.friction), 0.3, delta=1e-6)
+        self.assertAlmostEqual(float(found.law.layer) / 1.2e-13, 1.0, delta=1e-4)
+        place = kstrip.creepage(2e-3)
+        one = kstrip.estimate_friction(CONTACT, place, fx=kstrip.solve(CONTACT, place, law).fx, law=law)
+        self.assertAlmostEqual(float(one.friction), 0.3, delta=1e-5)
+
+    def test_bad_measured_points_are_named(self):
+        creepage, force = np.linspace(1e-4, 1e-2, 8), np.linspace(1e3, 2e4, 8)
+        with self.assertRaises(kstrip.KstripError) as caught:
+            kstrip.fit_friction(creepage[:1], force[:1], CONTACT)
+        self.assertEqual(caught.exception.name, "KSTRIP_ERROR_FEW_POINTS")
+        for bad, name in ((np.inf, "KSTRIP_ERROR_NOT_FINITE"), (np.nan, "KSTRIP_ERROR_MEASURED")):
+            with self.assertRaises(kstrip.KstripError) as caught:
+                kstrip.fit_friction(creepage, np.where(np.arange(8) == 5, bad, force), CONTACT)
+            self.assertEqual((caught.exception.name, caught.exception.index), (name, (5,)))
+
     def test_upper_body(self):
         forces = kstrip.solve(CONTACT, kstrip.creepage(1e-3, 2e-3))
         self.assertEqual(kstrip.on_upper_body(forces)["fy"], -forces["fy"])
