@@ -29,12 +29,13 @@ const DRAWN: Pair = ("uic60", "s1002", 0.0);
 const WORN: Pair = ("rail288", "whl288", 2e-3);
 const GROUND: Pair = ("siteb", "s1002", 0.0);
 const MEAN: Pair = ("avgHR", "car7216", 1e-3);
-const CASES: [Case; 14] = [
+const CASES: [Case; 15] = [
     ("tread", DRAWN, [-10.5e-3, 0.0, 0.0], 80e3, false),
     ("light contact", DRAWN, [-12e-3, 0.0, 1e-3], 30.0, false),
     ("flange", DRAWN, [-3.5e-3, 4e-3, 0.0], 60e3, false),
     ("fillet", DRAWN, [-4.6e-3, 0.0, 0.0], 60e3, false),
     ("left wheel", DRAWN, [12e-3, -3e-3, 2e-3], 70e3, true),
+    ("left light contact", DRAWN, [12e-3, -3e-3, 4e-3], 30.0, true),
     ("left flange", DRAWN, [3e-3, -8e-3, -2e-3], 50e3, true),
     ("yaw", DRAWN, [-9e-3, 0.03, 0.0], 100e3, false),
     ("end of the wheel", DRAWN, [38e-3, 0.0, -0.03], 20e3, false),
@@ -203,17 +204,31 @@ fn hash_profile<F: Bits>(hash: &mut Hash) {
     let centre: Vec<F> = (0..61).map(|n| F::of(f64::from(n) * 2e-5)).collect();
     let profile = Profile::new(&y, &distance).expect("a profile");
     let skewed = profile.with_centre_x(&centre).and_then(|own| own.with_rolling_radius(&radii));
-    for profile in [profile, skewed.expect("a profile")] {
-        for given in [Given::Load(F::of(90e3)), Given::Approach(F::of(60e-6))] {
+    let waves: Vec<F> = y
+        .iter()
+        .map(|y| {
+            // (a wave of triangles: no library's cosine)
+            let y = y.to_f64();
+            F::of(y * y / 0.6 + 4e-6 * ((y / 2.3e-3).rem_euclid(1.0) - 0.5).abs())
+        })
+        .collect();
+    let waves = Profile::new(&y, &waves).expect("a profile");
+    let many = StripCount::ThirtyTwo;
+    let skewed = skewed.expect("a profile");
+    let profiles = [(profile, many), (skewed, many), (waves, many), (waves, StripCount::Four)];
+    for (profile, count) in profiles {
+        for given in
+            [Given::Load(F::of(90e3)), Given::Load(F::of(300.0)), Given::Approach(F::of(60e-6))]
+        {
             let contact = ProfileContact {
                 rolling_radius: F::of(0.45),
                 given,
                 shear_modulus: F::of(40e9),
                 poisson_ratio: F::of(0.3),
                 friction: F::of(0.35),
-                smoothing_length: F::zero(),
+                smoothing_length: F::of(if count == many { 0.0 } else { 5e-4 }),
             };
-            let built = Patch::<F, 64>::from_profile(&profile, &contact, StripCount::ThirtyTwo);
+            let built = Patch::<F, 64>::from_profile(&profile, &contact, count);
             let built = built.map(|(patch, found)| ((patch, found), found.warning));
             let Some((mut patch, found)) = hash.status(built) else { continue };
             let Indentation { approach, normal_force, stiffness, peak_pressure, peak_y, .. } =

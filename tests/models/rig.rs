@@ -315,3 +315,18 @@ fn the_smallest_friction_is_found() {
     println!("{found} found, {several} of them with several");
     assert!(found > 40);
 }
+
+/// A force that is larger than that of any friction has to have the direction of the creepage.
+#[test]
+fn a_huge_force_of_the_wrong_sign_is_unexplained() {
+    let c = contact(1.0, 0.28);
+    let m = theory::creepage(&c, 1e-8, 0.0, 0.0);
+    let force = 0.3 * c.normal_force;
+    for model in SATURATING {
+        let o = options(model, StripCount::Sixteen);
+        let sign = forces::forces_of_contact(&c, &m, &o).unwrap().fx.signum();
+        let estimate = |fx: f64| estimate_friction(&c, &m, &o, Measured::Fx, [fx, 0.0]);
+        assert_eq!(estimate(sign * force).unwrap().warning, Warning::FrictionAtLeast);
+        assert_eq!(estimate(-sign * force).err(), Some(Error::Unexplained), "{model:?}");
+    }
+}
