@@ -795,7 +795,8 @@ fn a_wheel_needs_strip() {
 }
 
 /// A contact whose normal turns by more than 0.52 has a warning, as its member says, and so has
-/// one that spins by more than its model is made for. Only points nearer than the reach are written.
+/// one that spins by more than its model is made for. Only points nearer than the reach are
+/// written.
 #[test]
 fn warnings_and_reach_have_their_bounds() {
     let mut stand = Stand::new_profiles();
