@@ -1,15 +1,16 @@
 //! Many contacts at once.
 
+pub(crate) mod one_by_one;
 #[cfg(target_arch = "x86_64")]
 pub(crate) mod side_by_side;
 
+use crate::batch::one_by_one::{Case, Gathered, differentiate_each, each, solve_each};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces;
-use crate::forces::derivatives::{Derivatives, Slopes, solve_with_slopes};
 use crate::forces::options::{Options, Solution};
-use crate::friction::derivatives::{self, Differentiated, LawDerivatives, differentiate_checked};
-use crate::friction::{self, FrictionSolution, SlipFriction};
+use crate::friction::derivatives;
+use crate::friction::{self, FrictionSolution};
 use crate::number::Float;
 #[cfg(target_arch = "x86_64")]
 use crate::number::avx::HAS_WIDE_CODE;
@@ -52,7 +53,7 @@ pub fn solve_batch<F: Float>(
 ) -> Result<Warning, (usize, Error)> {
     if count == 1 {
         // (a bad input is found before anything is handed out)
-        return solve(0..1, options, &get, &mut put);
+        return solve_each(0..1, options, &get, &mut put);
     }
     let case = |i| {
         let (contact, creepage) = get(i);
@@ -63,33 +64,8 @@ pub fn solve_batch<F: Float>(
     if HAS_WIDE_CODE && let Some(solved) = side_by_side::solve(count, options, &get, &mut put) {
         return solved;
     }
-    solve(0..count, options, &get, &mut put)
+    solve_each(0..count, options, &get, &mut put)
 }
-
-/// One after the other.
-///
-/// # Errors
-/// Those of the first bad input.
-#[inline(never)]
-pub(crate) fn solve<F: Float>(
-    numbers: core::ops::Range<usize>,
-    options: &Options,
-    get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
-    put: &mut impl FnMut(usize, Solution<F>),
-) -> Result<Warning, (usize, Error)> {
-    let mut worst = Warning::None;
-    for i in numbers {
-        let (contact, creepage) = get(i);
-        let solution = forces::forces_of_contact(&contact, &creepage, options);
-        let solution = solution.as_ref().map_err(|error| (i, *error))?;
-        worst = worst.worse(solution.warning);
-        put(i, *solution);
-    }
-    Ok(worst)
-}
-
-/// A contact in motion and, where friction falls with the slip, its law.
-pub(crate) type Case<F> = (Contact<F>, Creepage<F>, Option<SlipFriction<F>>);
 
 /// [`solve_batch`] with friction that falls with the slip.
 ///
@@ -142,28 +118,6 @@ fn check_each<F: Float>(
     check(0..count)
 }
 
-/// Forces and derivatives of a contact, where they stand.
-pub(crate) struct Gathered<'a, F: Float> {
-    pub(crate) solution: &'a Solution<F>,
-    /// The coefficient of friction that agrees with the slip.
-    pub(crate) friction: F,
-    pub(crate) derivatives: &'a Derivatives<F>,
-    creepage: &'a Creepage<F>,
-    /// `κ dF/dκ` \[N, N, N m\]
-    by_mismatch: &'a [F; 3],
-    /// By the parameters of the law where there is one.
-    law: Option<&'a LawDerivatives<F>>,
-}
-
-impl<F: Float> Gathered<'_, F> {
-    /// Derivatives by the parameters of the law, or those of constant friction.
-    pub(crate) fn law(&self) -> LawDerivatives<F> {
-        self.law.copied().unwrap_or_else(|| {
-            derivatives::without_law(self.derivatives, *self.by_mismatch, self.creepage)
-        })
-    }
-}
-
 /// [`solve_batch`] with all derivatives, with or without friction that falls with the slip.
 ///
 /// # Errors
@@ -184,54 +138,4 @@ pub(crate) fn differentiate_batch<F: Float>(
         return solved;
     }
     differentiate_each(0..count, options, &get, &mut put)
-}
-
-/// Checked contacts one after the other.
-#[inline(never)]
-pub(crate) fn differentiate_each<F: Float>(
-    numbers: core::ops::Range<usize>,
-    options: &Options,
-    get: &impl Fn(usize) -> Case<F>,
-    put: &mut impl FnMut(usize, &Gathered<F>),
-) -> Result<Warning, (usize, Error)> {
-    let mut worst = Warning::None;
-    each(numbers, |i| {
-        let (contact, creepage, law) = get(i);
-        let creepage = &creepage;
-        // (what was found is read where it stands)
-        let warning = match law {
-            None => {
-                let found = solve_with_slopes(&contact, creepage, options);
-                let (solution, slopes) = found.as_ref().map_err(|error| *error)?;
-                let Slopes { derivatives, by_mismatch, .. } = slopes;
-                let friction = contact.friction;
-                put(
-                    i,
-                    &Gathered { solution, friction, derivatives, creepage, by_mismatch, law: None },
-                );
-                solution.warning
-            }
-            Some(law) => {
-                let found = differentiate_checked(&contact, creepage, Some(&law), options);
-                let found = found.as_ref().map_err(|error| *error)?;
-                let Differentiated { solution, friction, derivatives, law, by_mismatch } = found;
-                let (friction, law) = (*friction, Some(law));
-                put(i, &Gathered { solution, friction, derivatives, creepage, by_mismatch, law });
-                solution.warning
-            }
-        };
-        if warning != Warning::None {
-            worst = worst.worse(warning);
-        }
-        Ok(())
-    })?;
-    Ok(worst)
-}
-
-/// Stops at the first error, and tells its number.
-fn each(
-    mut numbers: core::ops::Range<usize>,
-    mut task: impl FnMut(usize) -> Result<(), Error>,
-) -> Result<(), (usize, Error)> {
-    numbers.try_for_each(|i| task(i).map_err(|error| (i, error)))
 }

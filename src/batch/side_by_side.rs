@@ -7,7 +7,7 @@
 
 #![allow(unsafe_code)]
 
-use crate::batch::{self, Case, Gathered};
+use crate::batch::one_by_one::{Case, Gathered, differentiate_each, solve_each};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces::derivatives::{Derivatives, with_slopes};
@@ -25,7 +25,8 @@ use core::ops::Range;
 /// Contacts that stand side by side at most.
 const MOST: usize = 8;
 
-/// [`batch::solve_batch`] of checked contacts side by side, if the processor has wide registers.
+/// [`solve_batch`](crate::batch::solve_batch) of checked contacts side by side, if the processor
+/// has wide registers.
 #[inline]
 pub(super) fn solve<F: Float>(
     count: usize,
@@ -37,9 +38,9 @@ pub(super) fn solve<F: Float>(
     has_avx().then(|| unsafe { solve_groups(count, options, get, put) })
 }
 
-/// [`batch::differentiate_batch`] of checked contacts side by side, if the processor has wide
-/// registers and no friction falls; of models with strips the registers are full with those of one
-/// contact.
+/// [`differentiate_batch`](crate::batch::differentiate_batch) of checked contacts side by side, if
+/// the processor has wide registers and no friction falls; of models with strips the registers are
+/// full with those of one contact.
 #[inline]
 pub(super) fn differentiate<F: Float>(
     count: usize,
@@ -142,7 +143,7 @@ fn solve_groups<F: Float>(
         let (contact, creepage) = group(first, get);
         if !go_together(&contact, &creepage) {
             let alone = first..first + F::Contacts::COUNT;
-            worst = worst.worse(batch::solve(alone, options, get, put)?);
+            worst = worst.worse(solve_each(alone, options, get, put)?);
             continue;
         }
         let frame = &ScaledContact::of(&contact);
@@ -162,7 +163,7 @@ fn solve_groups<F: Float>(
             put(first + k, solution);
         }
     }
-    Ok(worst.worse(batch::solve(whole..count, options, get, put)?))
+    Ok(worst.worse(solve_each(whole..count, options, get, put)?))
 }
 
 #[target_feature(enable = "avx")]
@@ -181,7 +182,7 @@ fn differentiate_groups<F: Float>(
             (contact, creepage)
         });
         if !go_together(&contact, &creepage) {
-            let found = batch::differentiate_each(numbers, options, get, put);
+            let found = differentiate_each(numbers, options, get, put);
             worst = worst.worse(found?);
             continue;
         }
@@ -201,7 +202,7 @@ fn differentiate_groups<F: Float>(
             put(i, &Gathered { solution, friction, derivatives, creepage, by_mismatch, law: None });
         }
     }
-    Ok(worst.worse(batch::differentiate_each(whole..count, options, get, put)?))
+    Ok(worst.worse(differentiate_each(whole..count, options, get, put)?))
 }
 
 /// Whether contacts may be solved side by side: not lost ones, nor those without friction or of

@@ -1,7 +1,6 @@
 //! A curve through points, and equal chords of it.
 
 use super::KSTRIP_SURFACE_CAPACITY;
-use super::spine::distance;
 use super::surface::{Piece, Place};
 use crate::number::Float;
 
@@ -22,6 +21,11 @@ pub(super) trait Points {
     fn count(&self) -> usize;
     /// Length and point, by the number of the point.
     fn get(&self, k: usize) -> Option<(Self::Number, [Self::Number; 2])>;
+}
+
+/// Distance of two points.
+pub(super) fn distance<F: Float>([y, z]: [F; 2], [v, w]: [F; 2]) -> F {
+    ((v - y).squared() + (w - z).squared()).sqrt()
 }
 
 /// The curve through some points: cubics with the slopes of the parabolas through three of them.

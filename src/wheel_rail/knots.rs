@@ -2,7 +2,8 @@
 //! length.
 
 use super::curve::Points;
-use super::spine::{CAPACITY, Polyline, distance};
+use super::curve::distance;
+use super::spine::{CAPACITY, Polyline};
 use super::surface::{Place, Surface};
 use crate::number::Float;
 

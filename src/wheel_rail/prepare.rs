@@ -8,9 +8,10 @@
 //! 4. Points of the curve are equal chords apart.
 
 use super::KSTRIP_SURFACE_CAPACITY;
+use super::curve::distance;
 use super::curve::{Chords, Curve};
 use super::knots::{Knots, SINGLE};
-use super::spine::{Polyline, distance};
+use super::spine::Polyline;
 use super::surface::{Place, Surface};
 use crate::number::{Float, are_finite};
 use crate::status::Error;

@@ -1,7 +1,7 @@
 //! The order of a profile's points: a polyline past which all of them lie.
 
 use super::KSTRIP_SURFACE_CAPACITY;
-use super::curve::Points;
+use super::curve::{Points, distance};
 use crate::number::{Float, length};
 use crate::status::Error;
 
@@ -34,10 +34,6 @@ pub(super) struct Foot<F> {
     pub length: F,
     /// Square of its distance \[m²\]. Here all segments end.
     squared_distance: F,
-}
-
-pub(super) fn distance<F: Float>([y, z]: [F; 2], [v, w]: [F; 2]) -> F {
-    ((v - y).squared() + (w - z).squared()).sqrt()
 }
 
 impl<F: Float> Points for Polyline<F> {

@@ -262,6 +262,9 @@ impl Mild for SlipFriction<f64> {
     }
 }
 
+/// A parameter, the derivatives with respect to it, and the forces at a multiple of it.
+type Case<'a> = (f64, [f64; 3], &'a dyn Fn(f64) -> [f64; 3]);
+
 /// All derivatives against differences.
 #[test]
 fn derivatives_behind_a_layer_are_exact() {
@@ -290,7 +293,7 @@ fn derivatives_behind_a_layer_are_exact() {
         let column = |i: usize| d.jacobian.map(|row| row[i]);
         let [x, y, z] = [m.longitudinal, m.lateral, m.spin];
         let cube = |f: f64| f.cbrt();
-        let cases: [(f64, [f64; 3], &dyn Fn(f64) -> [f64; 3]); 12] = [
+        let cases: [Case; 12] = [
             (x, column(0), &|f| values(&c, &Creepage { longitudinal: x * f, ..m }, &law)),
             (y, column(1), &|f| values(&c, &Creepage { lateral: y * f, ..m }, &law)),
             (z, column(2), &|f| values(&c, &Creepage { spin: z * f, ..m }, &law)),
@@ -336,7 +339,7 @@ fn derivatives_behind_a_layer_are_exact() {
             if k == 6 && law.ratio > 0.999 {
                 continue;
             }
-            for i in 0..3 {
+            for (i, slope) in slopes.into_iter().enumerate() {
                 let unit = bound * if i == 2 { (c.a * c.b).sqrt() } else { 1.0 };
                 let difference = |h: f64| (of(1.0 + h)[i] - of(1.0 - h)[i]) / (2.0 * h * unit);
                 let (coarse, fine) = (difference(1e-5), difference(1e-6));
@@ -345,7 +348,7 @@ fn derivatives_behind_a_layer_are_exact() {
                     continue;
                 }
                 compared += 1;
-                let exact = slopes[i] * size / unit;
+                let exact = slope * size / unit;
                 assert!(
                     (exact - fine).abs() < 3e-6 * (1.0 + fine.abs()),
                     "{o:?} {k} {i}: {exact} {fine} {law:?} {c:?} {m:?}"

@@ -1,0 +1,108 @@
+//! Many contacts one after the other, and the inputs and results of one of them.
+
+use crate::contact::Contact;
+use crate::contact::creepage::Creepage;
+use crate::forces;
+use crate::forces::derivatives::{Derivatives, Slopes, solve_with_slopes};
+use crate::forces::options::{Options, Solution};
+use crate::friction::SlipFriction;
+use crate::friction::derivatives::{self, Differentiated, LawDerivatives, differentiate_checked};
+use crate::number::Float;
+use crate::status::{Error, Warning};
+
+/// A contact in motion and, where friction falls with the slip, its law.
+pub(crate) type Case<F> = (Contact<F>, Creepage<F>, Option<SlipFriction<F>>);
+
+/// Forces and derivatives of a contact, where they stand.
+pub(crate) struct Gathered<'a, F: Float> {
+    pub(crate) solution: &'a Solution<F>,
+    /// The coefficient of friction that agrees with the slip.
+    pub(crate) friction: F,
+    pub(crate) derivatives: &'a Derivatives<F>,
+    pub(super) creepage: &'a Creepage<F>,
+    /// `κ dF/dκ` \[N, N, N m\]
+    pub(super) by_mismatch: &'a [F; 3],
+    /// By the parameters of the law where there is one.
+    pub(super) law: Option<&'a LawDerivatives<F>>,
+}
+
+impl<F: Float> Gathered<'_, F> {
+    /// Derivatives by the parameters of the law, or those of constant friction.
+    pub(crate) fn law(&self) -> LawDerivatives<F> {
+        self.law.copied().unwrap_or_else(|| {
+            derivatives::without_law(self.derivatives, *self.by_mismatch, self.creepage)
+        })
+    }
+}
+
+/// Forces of checked contacts, one after the other.
+///
+/// # Errors
+/// Those of the first bad input.
+#[inline(never)]
+pub(crate) fn solve_each<F: Float>(
+    numbers: core::ops::Range<usize>,
+    options: &Options,
+    get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
+    put: &mut impl FnMut(usize, Solution<F>),
+) -> Result<Warning, (usize, Error)> {
+    let mut worst = Warning::None;
+    for i in numbers {
+        let (contact, creepage) = get(i);
+        let solution = forces::forces_of_contact(&contact, &creepage, options);
+        let solution = solution.as_ref().map_err(|error| (i, *error))?;
+        worst = worst.worse(solution.warning);
+        put(i, *solution);
+    }
+    Ok(worst)
+}
+
+/// Forces and derivatives of checked contacts, one after the other.
+#[inline(never)]
+pub(crate) fn differentiate_each<F: Float>(
+    numbers: core::ops::Range<usize>,
+    options: &Options,
+    get: &impl Fn(usize) -> Case<F>,
+    put: &mut impl FnMut(usize, &Gathered<F>),
+) -> Result<Warning, (usize, Error)> {
+    let mut worst = Warning::None;
+    each(numbers, |i| {
+        let (contact, creepage, law) = get(i);
+        let creepage = &creepage;
+        // By reference: avoids a copy on the stack.
+        let warning = match law {
+            None => {
+                let found = solve_with_slopes(&contact, creepage, options);
+                let (solution, slopes) = found.as_ref().map_err(|error| *error)?;
+                let Slopes { derivatives, by_mismatch, .. } = slopes;
+                let friction = contact.friction;
+                put(
+                    i,
+                    &Gathered { solution, friction, derivatives, creepage, by_mismatch, law: None },
+                );
+                solution.warning
+            }
+            Some(law) => {
+                let found = differentiate_checked(&contact, creepage, Some(&law), options);
+                let found = found.as_ref().map_err(|error| *error)?;
+                let Differentiated { solution, friction, derivatives, law, by_mismatch } = found;
+                let (friction, law) = (*friction, Some(law));
+                put(i, &Gathered { solution, friction, derivatives, creepage, by_mismatch, law });
+                solution.warning
+            }
+        };
+        if warning != Warning::None {
+            worst = worst.worse(warning);
+        }
+        Ok(())
+    })?;
+    Ok(worst)
+}
+
+/// Stops at the first error, and tells its number.
+pub(super) fn each(
+    mut numbers: core::ops::Range<usize>,
+    mut task: impl FnMut(usize) -> Result<(), Error>,
+) -> Result<(), (usize, Error)> {
+    numbers.try_for_each(|i| task(i).map_err(|error| (i, error)))
+}
