@@ -86,7 +86,8 @@ class Files(unittest.TestCase):
                 self.assertEqual(found.shape, (1,))
                 self.assertAlmostEqual(1e3 * float(found.origin[0, 1] + place.lateral), -10.34, delta=0.005)
                 self.assertAlmostEqual(float(np.degrees(found.angle[0])), -2.04, delta=0.006)
-                self.assertAlmostEqual(1e-6 * float(found.patch.strips.peak_pressure.max()), 878.0, delta=1.5)
+                # half a per cent: peak pressures of real patches differ from CONTACT's by .8 % in the mean
+                self.assertAlmostEqual(1e-6 * float(found.patch.strips.peak_pressure.max()), 878.0, delta=4.4)
 
     def test_public_files(self):
         """Files that programs of the field came with, if KSTRIP_PROFILE_FILES names their folder."""
