@@ -3,9 +3,15 @@
 # sources. All changes are built once, in a copy, each behind a switch; then the tests that are
 # named in the line run with that switch on. Prints the survivors.
 #
-#     scripts/mutants.sh [WORD]     only lines that contain the word
+#     scripts/mutants.sh [WORD]                  only lines that contain the word
+#     scripts/mutants.sh --random N [--seed S]   N changes of its own anywhere in the sources instead
 #
-# Exit status: 0 all are killed, 1 some survive or are stale, 77 a tool is missing.
+# Changes of its own are: a number 5 per cent and 0.001 larger, a condition that is turned into its
+# opposite, another sign of a term, the next index. Those that do not compile are left out. The test
+# programs run one after the other until one of them fails.
+#
+# Exit status: 0 all are killed (of random ones 92 per cent), 1 some survive or are stale, 77 a tool
+# is missing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 command -v python3 > /dev/null || { echo "SKIPPED: mutants, because there is no python3 on this machine"; exit 77; }
@@ -17,10 +23,137 @@ export CARGO_TARGET_DIR=$target CARGO_INCREMENTAL=0 CARGO_PROFILE_DEV_DEBUG=0 KS
 # Without debug assertions the library has its code for wide registers: what .ci/run tests of it in
 # release is tested here.
 export CARGO_PROFILE_DEV_DEBUG_ASSERTIONS=false
-python3 - "$copy" "${1:-}" <<'PY'
-import os, pathlib, re, subprocess, sys
+python3 - "$copy" "$@" <<'PY'
+import argparse, os, pathlib, random, re, subprocess, sys
 
-copy, word = pathlib.Path(sys.argv[1]), sys.argv[2]
+parser = argparse.ArgumentParser(prog="scripts/mutants.sh")
+parser.add_argument("copy", type=pathlib.Path)
+parser.add_argument("word", nargs="?", default="")
+parser.add_argument("--random", type=int, default=0, metavar="N")
+parser.add_argument("--seed", type=int, default=1, metavar="S")
+given = parser.parse_args()
+copy, word = given.copy, given.word
+# Programs that notice most come first.
+PROGRAMS = ["golden wheel", "units", "golden bits", "models", "theory", "numbers", "interface"]
+TERM = r"[\w.:]+(?:\([^()]*\))?(?:\.\w+(?:\([^()]*\))?)*(?![\w(\[:.!<])"
+KINDS = [
+    (re.compile(r"(?:\.(?:times|plus)|[FTP]::(?:constant|of))\(([^()]+)\)"), "({}) * 1.05 + 1e-3"),
+    (re.compile(r"\bif (?!let\b)((?:(?!\blet\b)[^{}])+?) \{"), "!({})"),
+    (re.compile(r" [+-] (" + TERM + ")"), "-({})"),
+    (re.compile(r"\.get(?:_mut)?\((\w+(?: [+-] \d+)?)\)"), "({}) + 1"),
+]
+
+
+switch = '''
+/// Whether a mutant is on.
+#[allow(missing_docs, unsafe_code)]
+pub fn mutant(number: u32) -> bool {
+    use core::sync::atomic::{AtomicU32, Ordering};
+    unsafe extern "C" {
+        fn getenv(name: *const u8) -> *const u8;
+    }
+    static CHOSEN: AtomicU32 = AtomicU32::new(u32::MAX);
+    let mut chosen = CHOSEN.load(Ordering::Relaxed);
+    if chosen == u32::MAX {
+        chosen = 0;
+        // SAFETY: the name ends with 0, and so does what is found.
+        unsafe {
+            let mut digit = getenv(b"KSTRIP_MUTANT\\0".as_ptr());
+            while !digit.is_null() && *digit != 0 {
+                chosen = chosen.wrapping_mul(10).wrapping_add(u32::from(*digit).wrapping_sub(48));
+                digit = digit.add(1);
+            }
+        }
+        CHOSEN.store(chosen, Ordering::Relaxed);
+    }
+    chosen == number
+}
+'''
+
+
+def code_of(line):
+    """The line without what is no code of a function."""
+    if re.match(r"\s*(//|#|use |(pub(\([^)]*\))? )?(const|static|type|mod) )", line):
+        return ""
+    return re.sub(r"//.*", "", re.sub(r'"[^"]*"', lambda found: " " * len(found[0]), line))
+
+
+def at_random():
+    places = []
+    for path in sorted((copy / "src").rglob("*.rs")):
+        for row, line in enumerate(path.read_text().split("\n")):
+            for kind, new in KINDS:
+                places += [(path, row, *found.span(1), new) for found in kind.finditer(code_of(line))]
+    random.Random(given.seed).shuffle(places)
+    chosen, used = [], set()
+    for path, row, start, end, new in places:
+        if (path, row) not in used and len(chosen) < given.random * 3 // 2 + 5:
+            used.add((path, row))
+            chosen.append((len(chosen) + 1, path, row, start, end, new))
+    sources = {path: path.read_text() for _, path, *_ in chosen}
+    library = copy / "src/lib.rs"
+    sources.setdefault(library, library.read_text())
+
+    def write(kept):
+        for path, text in sources.items():
+            rows = text.split("\n")
+            for number, own, row, start, end, new in kept:
+                if own == path:
+                    line = rows[row]
+                    old = line[start:end]
+                    changed = f"(if crate::mutant({number}) {{ {new.format(old)} }} else {{ {old} }})"
+                    rows[row] = line[:start] + changed + line[end:]
+            text = "\n".join(rows)
+            path.write_text(text + "\n#[allow(clippy::all)]" + switch if path == library else text)
+
+    # those that do not compile are left out, by the lines of the errors
+    for _ in range(12):
+        write(chosen)
+        done = subprocess.run(["cargo", "check", "-q", "--lib", "--message-format", "short"], cwd=copy, capture_output=True, text=True)
+        if done.returncode == 0:
+            break
+        wrong = {(copy / file, int(row) - 1) for file, row in re.findall(r"^(src/\S+?\.rs):(\d+):\d+: error", done.stderr, re.M)}
+        left = [one for one in chosen if (one[1], one[2]) not in wrong]
+        if len(left) == len(chosen):
+            files = {file for file, _ in wrong}
+            left = [one for one in chosen if one[1] not in files]
+        if len(left) == len(chosen):
+            sys.exit(f"changes do not compile:\n{done.stderr[-3000:]}")
+        chosen = left
+    else:
+        sys.exit("changes do not compile")
+    chosen = chosen[:given.random]
+    write(chosen)
+    survivors = 0
+    programs = [program for program in PROGRAMS if not kills(0, program)]
+    for program in set(PROGRAMS) - set(programs):
+        print(f"left out, because without a change it does not pass: {program}")
+    if not programs:
+        sys.exit("nothing to kill with")
+    for number, path, row, start, end, new in chosen:
+        if not any(kills(number, program) for program in programs):
+            survivors += 1
+            line = sources[path].split("\n")[row]
+            place = f"{line[:start].strip()} [[{line[start:end]}]]{line[end:]}"
+            print(f"survives: {path.relative_to(copy / 'src')}:{row + 1} ; {place} ; {new.format(line[start:end])}", flush=True)
+    print(f"{len(chosen)} random changes of seed {given.seed}, {len(chosen) - survivors} killed, {survivors} survive")
+    sys.exit(0 if survivors * 100 <= len(chosen) * 8 else 1)
+
+
+def run(number, tests, **more):
+    program, words = tests.split()[0], tests.split()[1:]
+    return subprocess.run(["cargo", "test", "-q", "--test", program, "--", *words], cwd=copy, capture_output=True, text=True, timeout=900,
+                          env={**os.environ, "KSTRIP_MUTANT": str(number)}, **more)
+
+
+def kills(number, tests):
+    try:
+        return run(number, tests).returncode != 0
+    except subprocess.TimeoutExpired:
+        return True
+
+if given.random:
+    at_random()
 lines = [line for line in (copy / "tests/mutants.txt").read_text().splitlines() if line and not line.startswith("#")]
 mutants, stale, edits = [], 0, {}
 for number, line in enumerate(lines, 1):
@@ -71,38 +204,8 @@ for file, changes in edits.items():
         else:
             text = f"{text[:start]}(if crate::mutant({number}) {{ {new} }} else {{ {old} }}){text[end:]}"
     path.write_text(text)
-switch = '''
-/// Whether a mutant is on.
-#[allow(missing_docs, unsafe_code)]
-pub fn mutant(number: u32) -> bool {
-    use core::sync::atomic::{AtomicU32, Ordering};
-    unsafe extern "C" {
-        fn getenv(name: *const u8) -> *const u8;
-    }
-    static CHOSEN: AtomicU32 = AtomicU32::new(u32::MAX);
-    let mut chosen = CHOSEN.load(Ordering::Relaxed);
-    if chosen == u32::MAX {
-        chosen = 0;
-        // SAFETY: the name ends with 0, and so does what is found.
-        unsafe {
-            let mut digit = getenv(b"KSTRIP_MUTANT\\0".as_ptr());
-            while !digit.is_null() && *digit != 0 {
-                chosen = chosen.wrapping_mul(10).wrapping_add(u32::from(*digit).wrapping_sub(48));
-                digit = digit.add(1);
-            }
-        }
-        CHOSEN.store(chosen, Ordering::Relaxed);
-    }
-    chosen == number
-}
-'''
 lib = copy / "src/lib.rs"
 lib.write_text("#![allow(unused_parens)]\n" + lib.read_text() + switch)
-
-def run(number, tests, **more):
-    program, words = tests.split()[0], tests.split()[1:]
-    return subprocess.run(["cargo", "test", "-q", "--test", program, "--", *words], cwd=copy, capture_output=True, text=True, timeout=900,
-                          env={**os.environ, "KSTRIP_MUTANT": str(number)}, **more)
 
 for tests in sorted({tests for _, tests, _ in mutants}):
     done = run(0, tests)
@@ -110,10 +213,7 @@ for tests in sorted({tests for _, tests, _ in mutants}):
         sys.exit(f"without a mutant {tests} does not pass, or is no test:\n{done.stdout[-3000:]}{done.stderr[-3000:]}")
 survivors = 0
 for number, tests, line in mutants:
-    try:
-        killed = run(number, tests).returncode != 0
-    except subprocess.TimeoutExpired:
-        killed = True
+    killed = kills(number, tests)
     if not killed:
         survivors += 1
         print(f"survives: {line}", flush=True)
