@@ -346,7 +346,7 @@ impl<F: Float> ThroughLayer<'_, F> {
     /// [`solve`](Self::solve).
     ///
     /// # Errors
-    /// Those of [`strips`](crate::forces::strips).
+    /// Those of [`strips`](crate::forces::strips()).
     pub fn strips(
         &self,
         contact: &Contact<F>,

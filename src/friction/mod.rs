@@ -158,7 +158,7 @@ pub fn check<F: Float>(
 /// the stiffness of the law, as [`under`] gives it. Their shares add up to the forces.
 ///
 /// # Errors
-/// Those of [`forces::strips`].
+/// Those of [`forces::strips()`].
 pub fn strips<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
