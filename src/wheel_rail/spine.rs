@@ -88,7 +88,7 @@ impl<F: Float> Polyline<F> {
     pub(super) fn follow(&mut self, y: &[F], z: &[F], extent: F) -> Result<F, Error> {
         let mut radius = extent.times(FINEST);
         for _ in 0..ATTEMPTS {
-            if self.cover(y, z, radius) && self.is_smooth() {
+            if self.cover(y, z, radius) && self.is_smooth() && self.has_near(y, z, radius) {
                 return Ok(radius);
             }
             radius = radius.times(COARSER);
@@ -128,6 +128,16 @@ impl<F: Float> Polyline<F> {
             }
         }
         self.count >= 2
+    }
+
+    /// Whether no point is farther from the line than the radius: one that was passed over may be.
+    fn has_near(&self, y: &[F], z: &[F], radius: F) -> bool {
+        let mut segment = 0;
+        y.iter().zip(z).all(|(y, z)| {
+            let foot = self.nearest([*y, *z], segment, radius);
+            segment = foot.segment;
+            foot.squared_distance < radius * radius
+        })
     }
 
     /// Whether the line would turn by more than 120 degrees at its last point, which then lies

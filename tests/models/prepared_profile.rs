@@ -304,4 +304,9 @@ fn only_points_without_order_are_refused() {
     assert!(surface == before);
     let line = [[0.0, 0.0], [0.01, 0.001], [0.01, 0.001], [0.02, 0.0]];
     assert!(prepared(&line, 0.0, 0.0).is_ok());
+    // a point beside the profile, with which the line of the others would begin
+    let arc = (0..24).map(|i| f64::from(i) * 1.8e-3 - 0.0207).map(|y| [y, y * y / 0.15]);
+    let points: Points = [[6.25e-4, 2.9e-3], [-0.0189, 0.0]].into_iter().chain(arc).collect();
+    let refused = prepared(&points, 0.0, 0.0);
+    assert!(matches!(refused, Err(Error::Scatter)), "{refused:?}");
 }
