@@ -1856,8 +1856,8 @@ typedef struct kstrip_wheel_workspace {
 } kstrip_wheel_workspace;
 
 /**
- * Derivatives of the wrench with respect to the wheel's position at constant velocity: central
- * differences of complete computations.
+ * Derivatives of the wrench with respect to the wheel's position at constant velocity: differences
+ * of complete computations.
  */
 typedef struct kstrip_wrench_by_position {
     /** With respect to the lateral position [N, N m per m]. */
@@ -1889,10 +1889,11 @@ typedef struct kstrip_wrench_by_position {
  * @param[out] wrench     receives force and moment.
  * @param[out] derivatives  receives their exact derivatives with respect to velocity and friction;
  *                          NULL: not needed.
- * @param[out] by_position  receives their derivatives with respect to position: central
- *                        differences of a twentieth of the overlap, at most 1 um and 1 urad (half
- *                        the overlap, at most 15, in single precision), eight times the cost of a
- *                        call; NULL: not needed.
+ * @param[out] by_position  receives their derivatives with respect to position: differences to one
+ *                        side, within 1e-6 of the largest of the column in the median and 1e-4 at
+ *                        most where the function is smooth, at four times the cost of a call
+ *                        (single precision: central differences of half the overlap, at most
+ *                        15 um and 15 urad, at eight times); NULL: not needed.
  * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE, or a status of one of these functions.
  */
 kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,

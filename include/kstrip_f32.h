@@ -720,8 +720,8 @@ typedef struct kstrip_wheel_workspace_f32 {
 } kstrip_wheel_workspace_f32;
 
 /**
- * Derivatives of the wrench with respect to the wheel's position at constant velocity: central
- * differences of complete computations.
+ * Derivatives of the wrench with respect to the wheel's position at constant velocity: differences
+ * of complete computations.
  */
 typedef struct kstrip_wrench_by_position_f32 {
     float lateral[6];

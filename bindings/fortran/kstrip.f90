@@ -508,8 +508,8 @@ module kstrip
       integer(c_int32_t) :: apart = 0
    end type
 
-   !> Derivatives of the wrench with respect to the wheel's position at constant velocity: central differences of
-   !> complete computations.
+   !> Derivatives of the wrench with respect to the wheel's position at constant velocity: differences of complete
+   !> computations.
    type, bind(c) :: kstrip_wrench_by_position
       real(c_double) :: lateral(6) = 0
       real(c_double) :: vertical(6) = 0

@@ -10,9 +10,21 @@ use crate::number::Float;
 use crate::patch::StoredPatch;
 use crate::status::{Error, Warning};
 
-/// Largest steps of the differences with respect to the position in double and in single precision
-/// \[m, rad\], and the largest share of the overlap.
-const STEPS: [(f64, f64); 2] = [(1e-6, 0.05), (15e-6, 0.5)];
+/// Steps of the differences to one side with respect to the members of a position \[m, rad\].
+const STEPS: [f64; 4] = [1e-9, 3e-10, 1e-8, 1e-9];
+/// Largest step of the central differences of single precision, and the largest share of the
+/// overlap.
+const SINGLE_STEP: f64 = 15e-6;
+const SINGLE_SHARE: f64 = 0.5;
+
+/// The members of a position.
+const fn members<F>() -> [fn(&mut Position<F>) -> &mut F; 4] {
+    [|at| &mut at.lateral, |at| &mut at.vertical, |at| &mut at.yaw, |at| &mut at.roll]
+}
+
+fn is_single<F: Float>() -> bool {
+    F::EPSILON > F::of(1e-10)
+}
 
 /// Memory of the caller for the computation of one wheel. It may hold anything before a call. After
 /// KSTRIP_OK or a warning it holds the gap and the contacts of the position; after an error its
@@ -96,55 +108,51 @@ impl<F: Float> Scene<'_, F> {
         derivatives: Option<&mut WrenchDerivatives<F>>,
         by_position: Option<&mut WrenchByPosition<F>>,
     ) -> Result<Wrench<F>, Error> {
-        if let Some(slopes) = by_position {
-            *slopes = self.differences(position, velocity, memory)?;
-        }
-        self.wrench(position, velocity, memory, derivatives)
-    }
-
-    /// The step of the differences. A load grows with the overlap `δ` to the power 3/2, so that
-    /// steps `d` make an error of `d²/(24 δ²)`.
-    fn step_of_differences(
-        &self,
-        position: &Position<F>,
-        memory: &mut Workspace<F>,
-    ) -> Result<F, Error> {
-        let right = position.mirrored(self.pair.left != 0);
-        let Scene { rail, wheel, pair, .. } = *self;
-        let least = touch(rail, wheel, pair.wheel_radius, &right, F::zero(), &mut memory.gap)?;
-        let [double, single] = STEPS;
-        let (largest, share) = if F::EPSILON > F::of(1e-10) { single } else { double };
-        let largest = F::of(largest);
-        let of_overlap = (-least).times(share).max(largest.times(1e-3));
-        Ok(if least < F::zero() { of_overlap.min(largest) } else { largest })
-    }
-
-    /// Derivatives by the position, by central differences.
-    fn differences(
-        &self,
-        position: &Position<F>,
-        velocity: &Velocity<F>,
-        memory: &mut Workspace<F>,
-    ) -> Result<WrenchByPosition<F>, Error> {
-        let step = self.step_of_differences(position, memory)?;
-        let mut by = |member: fn(&mut Position<F>) -> &mut F| {
+        let Some(slopes) = by_position else {
+            return self.wrench(position, velocity, memory, derivatives);
+        };
+        let steps = self.steps_of_differences(position, memory)?;
+        for ((column, member), step) in slopes.columns().into_iter().zip(members()).zip(steps) {
             let mut at = |step: F| {
                 let mut moved = *position;
                 *member(&mut moved) += step;
                 self.wrench(&moved, velocity, memory, None).map(|found| found.members())
             };
-            let (above, mut slopes) = (at(step)?, at(-step)?);
-            for (slope, above) in slopes.iter_mut().zip(above) {
-                *slope = (above - *slope) / step.times(2.0);
+            *column = at(step)?;
+            if is_single::<F>() {
+                for (above, below) in column.iter_mut().zip(at(-step)?) {
+                    *above = (*above - below).times(0.5);
+                }
             }
-            Ok(slopes)
-        };
-        Ok(WrenchByPosition {
-            lateral: by(|position| &mut position.lateral)?,
-            vertical: by(|position| &mut position.vertical)?,
-            yaw: by(|position| &mut position.yaw)?,
-            roll: by(|position| &mut position.roll)?,
-        })
+        }
+        let found = self.wrench(position, velocity, memory, derivatives)?;
+        for (column, step) in slopes.columns().into_iter().zip(steps) {
+            for (slope, here) in column.iter_mut().zip(found.members()) {
+                let rise = if is_single::<F>() { *slope } else { *slope - here };
+                *slope = rise / step;
+            }
+        }
+        Ok(found)
+    }
+
+    /// The steps of the differences. A load grows with the overlap `δ` to the power 3/2, so that
+    /// central differences with the step `d` are off by `d²/(24 δ²)`, and those to one side by
+    /// `d/(4 δ)`.
+    fn steps_of_differences(
+        &self,
+        position: &Position<F>,
+        memory: &mut Workspace<F>,
+    ) -> Result<[F; 4], Error> {
+        if !is_single::<F>() {
+            // (those of a left wheel are mirrored)
+            let [lateral, vertical, yaw, roll] = STEPS.map(F::of);
+            let side = if self.pair.left != 0 { -F::one() } else { F::one() };
+            return Ok([side * lateral, vertical, side * yaw, side * roll]);
+        }
+        let least = self.touch(position, &mut memory.gap)?;
+        let largest = F::of(SINGLE_STEP);
+        let of_overlap = (-least).times(SINGLE_SHARE).max(largest.times(1e-3));
+        Ok([if least < F::zero() { of_overlap.min(largest) } else { largest }; 4])
     }
 }
 

@@ -51,8 +51,8 @@ pub struct WrenchDerivatives<F> {
     pub friction: [F; 6],
 }
 
-/// Derivatives of the wrench with respect to the wheel's position at constant velocity: central
-/// differences of complete computations.
+/// Derivatives of the wrench with respect to the wheel's position at constant velocity: differences
+/// of complete computations.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WrenchByPosition<F> {
@@ -64,6 +64,14 @@ pub struct WrenchByPosition<F> {
     pub yaw: [F; 6],
     /// With respect to roll \[N, N m per rad\].
     pub roll: [F; 6],
+}
+
+impl<F> WrenchByPosition<F> {
+    /// The columns, in the order of the members of a position.
+    pub(super) fn columns(&mut self) -> [&mut [F; 6]; 4] {
+        let Self { lateral, vertical, yaw, roll } = self;
+        [lateral, vertical, yaw, roll]
+    }
 }
 
 impl<F: Float> Wrench<F> {

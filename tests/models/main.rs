@@ -45,6 +45,7 @@ mod total;
 mod unlike;
 mod warnings;
 mod wheel_continuity;
+mod wheel_positions;
 mod wheel_rail;
 mod wheelset;
 

@@ -391,34 +391,6 @@ fn friction_falls_with_the_slip() {
     }
 }
 
-/// Differences inside against differences with another step.
-#[test]
-fn derivatives_by_position_are_those_of_differences() {
-    let mut stand = Stand::new_profiles();
-    let position = Position { yaw: 3e-3, ..stand.at(3e-3, 80e3) };
-    let velocity = Velocity { lateral: 0.02, ..ROLLING };
-    let mut slopes: Box<WrenchByPosition<f64>> = zeroed();
-    let (scene, memory) = stand.split();
-    scene.solve(&position, &velocity, memory, None, Some(&mut slopes)).unwrap();
-    let step = 3e-6;
-    let p = position;
-    type Moved<'a> = (&'a str, &'a dyn Fn(f64) -> Position<f64>, Members);
-    let by: [Moved<'_>; 4] = [
-        ("lateral", &|d| Position { lateral: p.lateral + d, ..p }, slopes.lateral),
-        ("vertical", &|d| Position { vertical: p.vertical + d, ..p }, slopes.vertical),
-        ("yaw", &|d| Position { yaw: p.yaw + d, ..p }, slopes.yaw),
-        ("roll", &|d| Position { roll: p.roll + d, ..p }, slopes.roll),
-    ];
-    for (name, at, slopes) in by {
-        let [plus, minus] = [step, -step].map(|step| stand.solve(&at(step), &velocity));
-        let expected = difference(&plus, &minus, step);
-        let largest = expected.iter().fold(0.0, |most: f64, slope| most.max(slope.abs()));
-        for (slope, expected) in slopes.iter().zip(expected) {
-            assert!((slope - expected).abs() < 1e-2 * largest, "{name}: {slopes:?} {expected}");
-        }
-    }
-}
-
 /// A wheel that carries 80 kN shifts over a rail, inclined or not, in small steps, where the tread
 /// ends, where the flange begins to touch and where it climbs: forces have no steps. (Points of the
 /// profile enter and leave the surroundings of the contact on the way, zones of contact part and

@@ -351,7 +351,7 @@ class WheelWorkspace(Record, name="wheel_workspace"):
 
 
 class WrenchByPosition(Record, name="wrench_by_position"):
-    """Derivatives of the wrench with respect to the wheel's position at constant velocity: central differences of complete computations."""
+    """Derivatives of the wrench with respect to the wheel's position at constant velocity: differences of complete computations."""
 
     lateral = Numbers('N, N m per m', 'With respect to the lateral position [N, N m per m].')
     vertical = Numbers('N, N m per m', 'With respect to the vertical position [N, N m per m].')
