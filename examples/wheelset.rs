@@ -111,6 +111,8 @@ impl Wheelset {
             smoothing_length: 0.0,
             strips: 0,
             model: 0,
+            normal_damping: 0.0,
+            floor_speed: 0.0,
         };
         let mut new = Self {
             rail: profile("uic60")?,

@@ -231,6 +231,8 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_SMOOTHING_LENGTH -47
 /** Error: no line follows the points of a profile, because they scatter or turn back too far. */
 #define KSTRIP_ERROR_SCATTER -48
+/** Error: the damping of the pressure is negative. */
+#define KSTRIP_ERROR_NORMAL_DAMPING -49
 /** Error: a gauge, a place of a rail or a distance of wheels is missing or negative. */
 #define KSTRIP_ERROR_GAUGE -60
 /** Error: no position of the wheelset balances the loads while both wheels touch. */
@@ -1648,6 +1650,14 @@ typedef struct kstrip_wheel_pair {
     int32_t strips;
     /** KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967. */
     int32_t model;
+    /**
+     * Damping of the pressure d [s/m], >= 0 (Hunt and Crossley): the pressure is multiplied by
+     * 1 + d times the velocity at which the surfaces approach each other, or by 0 where this is
+     * negative; friction follows it.
+     */
+    double normal_damping;
+    /** Floor of the speed [m/s], >= 0, as in kstrip_motion; 0 stands for 0.02. */
+    double floor_speed;
 } kstrip_wheel_pair;
 
 /**
@@ -1691,7 +1701,8 @@ typedef struct kstrip_wheel_contact {
     /**
      * Derivatives of the wheel's velocity into the rail, mean of the strips weighted with load, by
      * the members of kstrip_wheel_velocity. The force and the moment of the pressure on the wheel
-     * are minus share times normal_force times these six numbers.
+     * are minus share times normal_force times these six numbers, and times the factor of the
+     * damping.
      */
     double normal[6];
     /**
@@ -1705,6 +1716,10 @@ typedef struct kstrip_wheel_contact {
     double spin_rate[6];
     /** rolling_speed of kstrip_motion. */
     double rolling_speed[6];
+    /** normal_damping of kstrip_wheel_pair. */
+    double normal_damping;
+    /** floor_speed of kstrip_motion. */
+    double floor_speed;
     /** The strips; y along the rail's surface, x forward from the origin. */
     struct kstrip_patch patch;
 } kstrip_wheel_contact;
@@ -1765,7 +1780,7 @@ typedef struct kstrip_wheel_velocity {
  *
  * @param contact         a contact.
  * @param velocity        how the wheel moves.
- * @param[out] motion     receives the motion; floor_speed is 0.
+ * @param[out] motion     receives the motion, with the contact's floor_speed.
  * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE.
  */
 kstrip_status kstrip_wheel_motion(const struct kstrip_wheel_contact *contact,
@@ -1814,7 +1829,8 @@ typedef struct kstrip_wrench_derivatives {
  * kstrip_contacts_from_gap() or from a table.
  *
  * The wheel may roll forward or backward, or stand still, as in kstrip_solve_motion(): forces are
- * continuous through rest, with the default floor of the speed.
+ * continuous through rest. They are continuous where damping takes away all of the pressure, and
+ * have a kink there.
  *
  * @param contacts, count  the contacts, at most KSTRIP_CONTACTS_CAPACITY; a wheel without contacts
  *                         is lifted, and its forces are zero.
@@ -1827,7 +1843,7 @@ typedef struct kstrip_wrench_derivatives {
  * @param[out] derivatives  receives their derivatives with respect to velocity and friction; NULL:
  *                          not needed.
  * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE or a status of kstrip_patch_evaluate();
- *         KSTRIP_ERROR_PATCH_SIZE.
+ *         KSTRIP_ERROR_PATCH_SIZE, KSTRIP_ERROR_NORMAL_DAMPING, KSTRIP_ERROR_FLOOR_SPEED.
  */
 kstrip_status kstrip_wrench_from_contacts(const struct kstrip_wheel_contact *contacts,
                                           uint32_t count,

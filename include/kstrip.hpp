@@ -106,6 +106,7 @@ enum class [[nodiscard]] status : std::int32_t {
     error_rolling_radius = KSTRIP_ERROR_ROLLING_RADIUS,
     error_smoothing_length = KSTRIP_ERROR_SMOOTHING_LENGTH,
     error_scatter = KSTRIP_ERROR_SCATTER,
+    error_normal_damping = KSTRIP_ERROR_NORMAL_DAMPING,
     error_gauge = KSTRIP_ERROR_GAUGE,
     error_wheel_lifted = KSTRIP_ERROR_WHEEL_LIFTED,
     error_conicity = KSTRIP_ERROR_CONICITY,
@@ -1278,6 +1279,8 @@ struct basic_wheel_pair {
     basic_metres<T> smoothing_length{};
     std::int32_t strips = 0;
     kstrip::model model = kstrip::model::default_;
+    T normal_damping{};
+    basic_metres_per_second<T> floor_speed{};
 };
 KSTRIP_HPP_BOTH(wheel_pair)
 
@@ -1305,6 +1308,8 @@ struct basic_wheel_contact {
     basic_newtons_per_metre<T> stiffness;
     basic_metres<T> along;
     T normal[6], slip_x[6], slip_y[6], spin_rate[6], rolling_speed[6]; ///< by the members of the velocity
+    T normal_damping;
+    basic_metres_per_second<T> floor_speed;
     basic_patch<T> patch;
 };
 KSTRIP_HPP_BOTH(wheel_contact)

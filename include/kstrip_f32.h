@@ -628,6 +628,8 @@ typedef struct kstrip_wheel_pair_f32 {
     float smoothing_length;
     int32_t strips;
     int32_t model;
+    float normal_damping;
+    float floor_speed;
 } kstrip_wheel_pair_f32;
 
 /**
@@ -649,6 +651,8 @@ typedef struct kstrip_wheel_contact_f32 {
     float slip_y[6];
     float spin_rate[6];
     float rolling_speed[6];
+    float normal_damping;
+    float floor_speed;
     struct kstrip_patch_f32 patch;
 } kstrip_wheel_contact_f32;
 

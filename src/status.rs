@@ -118,6 +118,7 @@ statuses! {
         Scatter = -48:
             "the points of a profile scatter or turn back so far that no line follows them: pass \
              them in their order along the profile",
+        NormalDamping = -49: "the normal damping is negative: it must be >= 0 (s/m)",
         Gauge = -60:
             "the track has neither a gauge nor places of its rails, or the wheelset no distance of \
              its wheels: they must be > 0 (metres)",

@@ -72,6 +72,7 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_error_rolling_radius = -46
    integer(c_int32_t), parameter :: kstrip_error_smoothing_length = -47
    integer(c_int32_t), parameter :: kstrip_error_scatter = -48
+   integer(c_int32_t), parameter :: kstrip_error_normal_damping = -49
    integer(c_int32_t), parameter :: kstrip_error_gauge = -60
    integer(c_int32_t), parameter :: kstrip_error_wheel_lifted = -61
    integer(c_int32_t), parameter :: kstrip_error_conicity = -62
@@ -452,6 +453,8 @@ module kstrip
       real(c_double) :: smoothing_length = 0
       integer(c_int32_t) :: strips = 0
       integer(c_int32_t) :: model = 0
+      real(c_double) :: normal_damping = 0
+      real(c_double) :: floor_speed = 0
    end type
 
    !> One contact of a wheel.
@@ -470,6 +473,8 @@ module kstrip
       real(c_double) :: slip_y(6) = 0
       real(c_double) :: spin_rate(6) = 0
       real(c_double) :: rolling_speed(6) = 0
+      real(c_double) :: normal_damping = 0
+      real(c_double) :: floor_speed = 0
       type(kstrip_patch) :: patch
    end type
 

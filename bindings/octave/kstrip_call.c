@@ -384,9 +384,9 @@ static const kstrip_surface *surface_of(const mxArray *of, const char *name)
 static kstrip_wheel_pair pair_of(const mxArray *of, int more)
 {
     static const char *const names[] = {"wheel_radius", "shear_modulus", "poisson_ratio", "friction", "left",
-                                        "smoothing_length", "strips", "model", "friction_y", "friction_at",
+                                        "smoothing_length", "strips", "model", "friction_y", "friction_at", "normal_damping", "floor_speed",
                                         "back_to_back", "running_circles", "gauge", "gauge_depth"};
-    const size_t count = more ? sizeof names / sizeof *names : 10;
+    const size_t count = more ? sizeof names / sizeof *names : 12;
     kstrip_wheel_pair pair;
     memset(&pair, 0, sizeof pair);
     if (!of || !mxIsStruct(of)) mexErrMsgIdAndTxt("kstrip:argument", "kstrip: pair must be a struct: help kstrip_wheel_on_rail");
@@ -401,6 +401,8 @@ static kstrip_wheel_pair pair_of(const mxArray *of, int more)
     pair.friction = scalar(mxGetField(of, 0, "friction"), 0);
     pair.left = scalar(mxGetField(of, 0, "left"), 0) != 0;
     pair.smoothing_length = scalar(mxGetField(of, 0, "smoothing_length"), 0);
+    pair.normal_damping = scalar(mxGetField(of, 0, "normal_damping"), 0);
+    pair.floor_speed = scalar(mxGetField(of, 0, "floor_speed"), 0);
     const kstrip_options options = options_of(mxGetField(of, 0, "model"), mxGetField(of, 0, "strips"));
     pair.strips = options.strips, pair.model = options.model;
     const mxArray *places = mxGetField(of, 0, "friction_y"), *at = mxGetField(of, 0, "friction_at");

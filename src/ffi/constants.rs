@@ -139,6 +139,8 @@ pub const KSTRIP_ERROR_ROLLING_RADIUS: kstrip_status = -46;
 pub const KSTRIP_ERROR_SMOOTHING_LENGTH: kstrip_status = -47;
 /// Error: no line follows the points of a profile, because they scatter or turn back too far.
 pub const KSTRIP_ERROR_SCATTER: kstrip_status = -48;
+/// Error: the damping of the pressure is negative.
+pub const KSTRIP_ERROR_NORMAL_DAMPING: kstrip_status = -49;
 /// Error: a gauge, a place of a rail or a distance of wheels is missing or negative.
 pub const KSTRIP_ERROR_GAUGE: kstrip_status = -60;
 /// Error: no position of the wheelset balances the loads while both wheels touch.

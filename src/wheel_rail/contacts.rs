@@ -75,7 +75,8 @@ pub struct WheelContact<F> {
     pub along: F,
     /// Derivatives of the wheel's velocity into the rail, mean of the strips weighted with load, by
     /// the members of kstrip_wheel_velocity. The force and the moment of the pressure on the wheel
-    /// are minus share times normal_force times these six numbers.
+    /// are minus share times normal_force times these six numbers, and times the factor of the
+    /// damping.
     pub normal: [F; 6],
     /// slip_x of kstrip_motion at the patch's origin: derivatives with respect to the members of
     /// kstrip_wheel_velocity.
@@ -86,6 +87,10 @@ pub struct WheelContact<F> {
     pub spin_rate: [F; 6],
     /// rolling_speed of kstrip_motion.
     pub rolling_speed: [F; 6],
+    /// normal_damping of kstrip_wheel_pair.
+    pub normal_damping: F,
+    /// floor_speed of kstrip_motion.
+    pub floor_speed: F,
     /// The strips; y along the rail's surface, x forward from the origin.
     pub patch: StoredPatch<F>,
 }
@@ -106,7 +111,7 @@ impl<F: Float> WheelContact<F> {
     pub fn motion(&self, velocity: &[F; 6]) -> Motion<F> {
         let [slip_x, slip_y, spin_rate] = self.rows().map(|row| dot(&row, velocity));
         let rolling_speed = dot(&self.rolling_speed, velocity);
-        Motion { slip_x, slip_y, spin_rate, rolling_speed, floor_speed: F::zero() }
+        Motion { slip_x, slip_y, spin_rate, rolling_speed, floor_speed: self.floor_speed }
     }
 
     /// The same, checked.
@@ -115,9 +120,22 @@ impl<F: Float> WheelContact<F> {
     /// [`Error::NotFinite`].
     pub fn checked_motion(&self, velocity: &Velocity<F>) -> Result<Motion<F>, Error> {
         let motion = self.motion(&velocity.members());
-        let Motion { slip_x, slip_y, spin_rate, rolling_speed, .. } = motion;
-        let finite = are_finite(&[slip_x, slip_y, spin_rate, rolling_speed]);
+        let Motion { slip_x, slip_y, spin_rate, rolling_speed, floor_speed } = motion;
+        let finite = are_finite(&[slip_x, slip_y, spin_rate, rolling_speed, floor_speed]);
         if finite { Ok(motion) } else { Err(Error::NotFinite) }
+    }
+
+    /// The factor by which damping changes the pressure: `max(0, 1 + d v_n)`, with the velocity
+    /// `v_n` of the wheel into the rail.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::NormalDamping`].
+    pub(super) fn damping_factor(&self, velocity: &[F; 6]) -> Result<F, Error> {
+        let damping = self.normal_damping;
+        Error::NotFinite.unless(damping.is_finite_number())?;
+        Error::NormalDamping.unless(damping >= F::zero())?;
+        let factor = (damping * dot(&self.normal, velocity)).plus(1.0).max(F::zero());
+        if factor.is_finite_number() { Ok(factor) } else { Err(Error::Overflow) }
     }
 
     fn is_finite(&self) -> bool {
@@ -184,6 +202,7 @@ impl<F: Float> WheelContact<F> {
         self.radius = length(in_x, in_z);
         (self.normal_force, self.along) = (load, along);
         (self.approach, self.stiffness) = (found.approach, found.stiffness);
+        (self.normal_damping, self.floor_speed) = (pair.normal_damping, pair.floor_speed);
     }
 }
 

@@ -140,14 +140,21 @@ pub struct WheelPair<F> {
     pub strips: i32,
     /// KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967.
     pub model: i32,
+    /// Damping of the pressure d \[s/m\], >= 0 (Hunt and Crossley): the pressure is multiplied by
+    /// 1 + d times the velocity at which the surfaces approach each other, or by 0 where this is
+    /// negative; friction follows it.
+    pub normal_damping: F,
+    /// Floor of the speed \[m/s\], >= 0, as in kstrip_motion; 0 stands for 0.02.
+    pub floor_speed: F,
 }
 
 impl<F: Float> WheelPair<F> {
     /// Checks the members but for the materials, which are checked with the patch.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::RollingRadius`], [`Error::Friction`], [`Error::Profile`] for
-    /// places that do not ascend, [`Error::Capacity`] for too many of them.
+    /// [`Error::NotFinite`], [`Error::RollingRadius`], [`Error::Friction`],
+    /// [`Error::SmoothingLength`], [`Error::NormalDamping`], [`Error::FloorSpeed`];
+    /// [`Error::Profile`] for places that do not ascend, [`Error::Capacity`] for too many of them.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let places = self.friction_points as usize;
         let (Some(y), Some(at)) = (self.friction_y.get(..places), self.friction_at.get(..places))
@@ -155,19 +162,22 @@ impl<F: Float> WheelPair<F> {
             return Err(Error::Capacity);
         };
         let friction = if places == 0 { self.friction } else { F::zero() };
-        let numbers = [self.wheel_radius, friction, self.smoothing_length];
+        let Self { wheel_radius, smoothing_length, normal_damping, floor_speed, .. } = *self;
+        let numbers = [wheel_radius, friction, smoothing_length, normal_damping, floor_speed];
         if ![&numbers, y, at].into_iter().all(are_finite) {
             return Err(Error::NotFinite);
         }
-        if self.wheel_radius <= F::zero() {
+        if wheel_radius <= F::zero() {
             return Err(Error::RollingRadius);
         }
         if at.iter().chain([&friction]).any(|friction| *friction < F::zero()) {
             return Err(Error::Friction);
         }
-        if self.smoothing_length < F::zero() {
+        if smoothing_length < F::zero() {
             return Err(Error::SmoothingLength);
         }
+        Error::NormalDamping.unless(normal_damping >= F::zero())?;
+        Error::FloorSpeed.unless(floor_speed >= F::zero())?;
         let ascends = y.iter().zip(y.iter().skip(1)).all(|(y, next)| y < next);
         if ascends { Ok(()) } else { Err(Error::Profile) }
     }

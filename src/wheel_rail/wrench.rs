@@ -5,8 +5,12 @@
 //! `R = diag(−1, −1, 1)`.
 //!
 //! ```text
-//! W = −Bᵀ F − N n,   ∂W/∂v = −Bᵀ (∂F/∂slip B + ∂F/∂V ∂V/∂v)
+//! W = −Bᵀ F − m N n,   m = max(0, 1 + d n·v)
+//! ∂W/∂v = −Bᵀ (∂F/∂slip B + ∂F/∂V ∂V/∂v + d ∂F/∂m n) − d N n n
 //! ```
+//!
+//! The damping `d` multiplies the pressure by `m`, as Hunt and Crossley have it, and with the
+//! pressure the friction bound of every strip. (The contact area stays that of the pressure alone.)
 
 use super::contacts::WheelContact;
 use super::{Velocity, dot};
@@ -119,18 +123,27 @@ pub fn of_contacts<F: Float>(
         if contact.share < zero || contact.normal_force < zero {
             return Err(Error::NormalForce);
         }
+        if contact.is_conformal() {
+            warning = warning.worse(Warning::AngleRange);
+        }
         let motion = contact.motion(&velocity);
         let rolling = Rolling::new(&motion)?;
+        let factor = contact.damping_factor(&velocity)?;
+        if factor == zero {
+            // the surfaces part faster than they push
+            continue;
+        }
+        let pressed = Pressed { patch: &contact.patch, factor };
         let carried = match &mut derivatives {
-            None => carried(&contact.patch, &rolling, law)?,
+            None => pressed.carried(&rolling, law)?,
             Some(sums) => {
-                let (found, slopes) = differentiated(&contact.patch, &rolling, law)?;
-                sums.add(contact, &slopes);
+                let (found, slopes) = pressed.differentiated(&rolling, law)?;
+                sums.add(contact, &slopes, factor);
                 found
             }
         };
         let force = forces(&carried).map(|force| force * contact.share);
-        let load = contact.normal_force * contact.share;
+        let load = contact.normal_force * contact.share * factor;
         for ((sum, column), normal) in sums.iter_mut().zip(contact.columns()).zip(contact.normal) {
             *sum = *sum - dot(&column, &force) - load * normal;
         }
@@ -142,9 +155,6 @@ pub fn of_contacts<F: Float>(
             carried.power * rolling.speed * contact.share
         };
         warning = warning.worse(carried.warning);
-        if contact.is_conformal() {
-            warning = warning.worse(Warning::AngleRange);
-        }
     }
     if !(are_finite(&sums) && are_finite(&[normal_force, dissipation])) {
         return Err(Error::Overflow);
@@ -159,14 +169,28 @@ pub fn of_contacts<F: Float>(
 }
 
 impl<F: Float> WrenchDerivatives<F> {
-    /// Adds `−Bᵀ (∂F/∂slip B + ∂F/∂V ∂V/∂v)` and `−Bᵀ ∂F/∂friction` of a contact.
-    fn add(&mut self, contact: &WheelContact<F>, slopes: &MotionDerivatives<F>) {
-        let columns = contact.columns();
+    /// Adds `−Bᵀ (∂F/∂slip B + ∂F/∂V ∂V/∂v + d ∂F/∂m n) − d N n n` and `−Bᵀ ∂F/∂friction` of a
+    /// contact whose pressure has the factor `m`.
+    fn add(&mut self, contact: &WheelContact<F>, slopes: &MotionDerivatives<F>, factor: F) {
+        let (columns, damping) = (contact.columns(), contact.normal_damping);
         let mut by_velocity = columns;
         for (by, speed) in by_velocity.iter_mut().zip(contact.rolling_speed) {
             let [x, y, z] = slopes.slip.map(|row| dot(&row, by));
             let [a, b, c] = slopes.rolling_speed.map(|slope| slope * speed);
             *by = [x + a, y + b, z + c];
+        }
+        if damping > F::zero() {
+            for (by, normal) in by_velocity.iter_mut().zip(contact.normal) {
+                for (by, slope) in by.iter_mut().zip(slopes.friction) {
+                    *by += slope / factor * damping * normal;
+                }
+            }
+            let load = damping * contact.share * contact.normal_force;
+            for (row, normal) in self.velocity.iter_mut().zip(contact.normal) {
+                for (sum, other) in row.iter_mut().zip(contact.normal) {
+                    *sum -= load * normal * other;
+                }
+            }
         }
         for ((row, by_friction), column) in
             self.velocity.iter_mut().zip(&mut self.friction).zip(columns)
@@ -184,84 +208,105 @@ fn forces<F: Float>(found: &Solution<F>) -> [F; 3] {
     [found.fx, found.fy, found.mz]
 }
 
-/// Creep forces on the rail.
-fn carried<F: Float>(
-    patch: &StoredPatch<F>,
-    rolling: &Rolling<F>,
-    law: Law<F>,
-) -> Result<Solution<F>, Error> {
-    let falling = at_speed(law, rolling.speed);
-    let ratio = rolling.speed_by_rolling;
-    let [forward, backward] = each_end(patch, rolling, ratio, |patch, creepage| match &falling {
-        Some(falling) => Ok(patch::friction::solve(patch, creepage, falling, law.model)?.solution),
-        None => solver::solve(patch, creepage, law.model),
-    })?;
-    Ok(joined(rolling, forward, backward))
+/// A patch whose pressure has a factor.
+#[derive(Clone, Copy)]
+struct Pressed<'a, F> {
+    patch: &'a StoredPatch<F>,
+    factor: F,
 }
 
-/// The same with their derivatives by motion. The derivative by friction is that by a factor of all
-/// coefficients.
-fn differentiated<F: Float>(
-    patch: &StoredPatch<F>,
-    rolling: &Rolling<F>,
-    law: Law<F>,
-) -> Result<(Solution<F>, MotionDerivatives<F>), Error> {
-    let falling = at_speed(law, rolling.speed);
-    let differentiate = |patch: &PatchView<F>, creepage: &Creepage<F>| {
-        let mut found =
-            patch::friction::differentiate(patch, creepage, falling.as_ref(), law.model)?;
-        let (load, bound) = (patch.normal_force(), patch.friction_bound());
-        let mean = if load > F::zero() { bound / load } else { F::zero() };
-        found.derivatives.friction = found.derivatives.friction.map(|slope| slope * mean);
-        Ok(found)
-    };
-    let ends = |ratio: F| each_end(patch, rolling, ratio, differentiate);
-    let [forward, backward] = ends(rolling.speed_by_rolling)?;
-    let by_mismatch = rolling.through_mismatch(patch.mismatch, ends)?;
-    let slopes = rolling.slopes(&forward, &backward, by_mismatch);
-    if !slopes.entries().all(F::is_finite_number) {
-        return Err(Error::Overflow);
+impl<F: Float> Pressed<'_, F> {
+    /// Creep forces on the rail.
+    fn carried(self, rolling: &Rolling<F>, law: Law<F>) -> Result<Solution<F>, Error> {
+        let falling = at_speed(law, rolling.speed);
+        let ratio = rolling.speed_by_rolling;
+        let [forward, backward] =
+            self.each_end(rolling, ratio, |patch, creepage| match &falling {
+                Some(falling) => {
+                    Ok(patch::friction::solve(patch, creepage, falling, law.model)?.solution)
+                }
+                None => solver::solve(patch, creepage, law.model),
+            })?;
+        Ok(joined(rolling, forward, backward))
     }
-    Ok((joined(rolling, forward.solution, backward.solution), slopes))
+
+    /// The same with their derivatives by motion. The derivative by friction is that by a factor of
+    /// all coefficients.
+    fn differentiated(
+        self,
+        rolling: &Rolling<F>,
+        law: Law<F>,
+    ) -> Result<(Solution<F>, MotionDerivatives<F>), Error> {
+        let falling = at_speed(law, rolling.speed);
+        let differentiate = |patch: &PatchView<F>, creepage: &Creepage<F>| {
+            let mut found =
+                patch::friction::differentiate(patch, creepage, falling.as_ref(), law.model)?;
+            let (load, bound) = (patch.normal_force(), patch.friction_bound());
+            let mean = if load > F::zero() { bound / load } else { F::zero() };
+            found.derivatives.friction = found.derivatives.friction.map(|slope| slope * mean);
+            Ok(found)
+        };
+        let ends = |ratio: F| self.each_end(rolling, ratio, differentiate);
+        let [forward, backward] = ends(rolling.speed_by_rolling)?;
+        let by_mismatch = rolling.through_mismatch(self.patch.mismatch, ends)?;
+        let slopes = rolling.slopes(&forward, &backward, by_mismatch);
+        if !slopes.entries().all(F::is_finite_number) {
+            return Err(Error::Overflow);
+        }
+        Ok((joined(rolling, forward.solution, backward.solution), slopes))
+    }
+
+    /// The results of a patch that rolls forward, and of one that is turned by 180 degrees. The
+    /// ends have the mismatch `±κ V/V_f`, of this ratio.
+    fn each_end<S: Copy>(
+        self,
+        rolling: &Rolling<F>,
+        ratio: F,
+        solve: impl Fn(&PatchView<F>, &Creepage<F>) -> Result<S, Error>,
+    ) -> Result<[S; 2], Error> {
+        let Self { patch, factor } = self;
+        rolling.each_end(|creepage, is_turned| {
+            let solve = |view: &PatchView<F>| {
+                if patch.mismatch == F::zero() {
+                    return solve(view, creepage);
+                }
+                let ratio = if is_turned { -ratio } else { ratio };
+                solve(&view.with_mismatch(patch.mismatch * ratio)?, creepage)
+            };
+            if is_turned || factor != F::one() {
+                self.copied(is_turned, solve)
+            } else {
+                solve(&patch.view()?)
+            }
+        })
+    }
+
+    /// The answer of a patch that is turned, or whose friction follows the pressure. Out of line,
+    /// because of the copy on the stack (3 KiB).
+    #[inline(never)]
+    fn copied<S>(
+        self,
+        is_turned: bool,
+        solve: impl FnOnce(&PatchView<F>) -> Result<S, Error>,
+    ) -> Result<S, Error> {
+        let mut copy = *self.patch;
+        let count = copy.count as usize;
+        let used = copy.strips.get_mut(..count).unwrap_or(&mut []);
+        for strip in used.iter_mut() {
+            strip.friction = strip.friction * self.factor;
+        }
+        if is_turned {
+            used.reverse();
+            for strip in used {
+                (strip.y, strip.centre_x) = (-strip.y, -strip.centre_x);
+            }
+        }
+        solve(&copy.view()?)
+    }
 }
 
 fn at_speed<F: Float>(law: Law<F>, speed: F) -> Option<SlipFriction<F>> {
     law.falling.map(|law| SlipFriction { friction: F::one(), rolling_speed: speed, ..*law })
-}
-
-/// The results of a patch that rolls forward, and of one that is turned by 180 degrees. The ends
-/// have the mismatch `±κ V/V_f`, of this ratio.
-fn each_end<F: Float, S: Copy>(
-    patch: &StoredPatch<F>,
-    rolling: &Rolling<F>,
-    ratio: F,
-    solve: impl Fn(&PatchView<F>, &Creepage<F>) -> Result<S, Error>,
-) -> Result<[S; 2], Error> {
-    rolling.each_end(|creepage, is_turned| {
-        let solve = |view: &PatchView<F>| {
-            if patch.mismatch == F::zero() {
-                return solve(view, creepage);
-            }
-            let ratio = if is_turned { -ratio } else { ratio };
-            solve(&view.with_mismatch(patch.mismatch * ratio)?, creepage)
-        };
-        if is_turned { turned(patch, solve) } else { solve(&patch.view()?) }
-    })
-}
-
-/// The answer of a turned patch. Out of line, because of the copy on the stack (3 KiB).
-#[inline(never)]
-fn turned<F: Float, S>(
-    patch: &StoredPatch<F>,
-    solve: impl FnOnce(&PatchView<F>) -> Result<S, Error>,
-) -> Result<S, Error> {
-    let mut turned = *patch;
-    let ahead = patch.strips.get(..patch.count as usize).unwrap_or(&[]);
-    for (strip, ahead) in turned.strips.iter_mut().zip(ahead.iter().rev()) {
-        *strip = *ahead;
-        (strip.y, strip.centre_x) = (-ahead.y, -ahead.centre_x);
-    }
-    solve(&turned.view()?)
 }
 
 fn joined<F: Float>(rolling: &Rolling<F>, ahead: Solution<F>, behind: Solution<F>) -> Solution<F> {

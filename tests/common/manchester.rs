@@ -91,6 +91,8 @@ pub fn steel(wheel_radius: f64) -> WheelPair<f64> {
         smoothing_length: 0.0,
         strips: 0,
         model: 0,
+        normal_damping: 0.0,
+        floor_speed: 0.0,
     }
 }
 

@@ -85,6 +85,8 @@ impl<F: Bits> Stand<F> {
             smoothing_length: F::of(smoothing_length),
             strips: 0,
             model: 0,
+            normal_damping: F::zero(),
+            floor_speed: F::zero(),
         };
         let [rail, wheel] = [rail, wheel].map(|name| surface(name, smoothing_length));
         Self { rail, wheel, pair, memory: zeroed() }

@@ -22,6 +22,7 @@ mod slopes;
 mod theory;
 
 mod accuracy;
+mod damping;
 mod derivatives;
 mod differences;
 mod fit;

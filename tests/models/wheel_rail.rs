@@ -44,34 +44,42 @@ fn profile(name: &str, turn: f64) -> Box<Surface<f64>> {
 }
 
 /// A wheel, a rail, and memory.
-struct Stand {
+pub(crate) struct Stand {
     rail: Box<Surface<f64>>,
     wheel: Box<Surface<f64>>,
-    pair: WheelPair<f64>,
+    pub(crate) pair: WheelPair<f64>,
     model: Model,
-    falling: Option<SlipFriction<f64>>,
-    memory: Box<Workspace<f64>>,
+    pub(crate) falling: Option<SlipFriction<f64>>,
+    pub(crate) memory: Box<Workspace<f64>>,
 }
 
 impl Stand {
-    fn new(rail: Box<Surface<f64>>, wheel: Box<Surface<f64>>, wheel_radius: f64) -> Self {
+    pub(crate) fn new(
+        rail: Box<Surface<f64>>,
+        wheel: Box<Surface<f64>>,
+        wheel_radius: f64,
+    ) -> Self {
         let (pair, model) = (steel(wheel_radius), Model::Strip);
         Self { rail, wheel, pair, model, falling: None, memory: zeroed() }
     }
 
     /// S1002 on UIC60, both new; the wheel's centre is 10.5325 mm to the left of the rail's at y =
     /// 0 of the wheelset.
-    fn new_profiles() -> Self {
+    pub(crate) fn new_profiles() -> Self {
         Self::new(profile("uic60", 0.0), profile("s1002", 0.0), 0.46)
     }
 
-    fn split(&mut self) -> (Scene<'_, f64>, &mut Workspace<f64>) {
+    pub(crate) fn split(&mut self) -> (Scene<'_, f64>, &mut Workspace<f64>) {
         let Self { rail, wheel, pair, model, falling, memory } = self;
         let law = Law { model: *model, falling: falling.as_ref() };
         (Scene { rail, wheel, pair, strips: StripCount::Sixteen, law }, memory)
     }
 
-    fn solve(&mut self, position: &Position<f64>, velocity: &Velocity<f64>) -> Wrench<f64> {
+    pub(crate) fn solve(
+        &mut self,
+        position: &Position<f64>,
+        velocity: &Velocity<f64>,
+    ) -> Wrench<f64> {
         let (scene, memory) = self.split();
         scene.solve(position, velocity, memory, None, None).unwrap()
     }
@@ -89,7 +97,7 @@ impl Stand {
     }
 
     /// The position at a lateral shift of the wheelset where pressure carries a load.
-    fn at(&mut self, shift: f64, load: f64) -> Position<f64> {
+    pub(crate) fn at(&mut self, shift: f64, load: f64) -> Position<f64> {
         let position = Position { lateral: shift - OFFSET, ..Position::default() };
         Position { vertical: self.height(&position, load, None), ..position }
     }
@@ -97,7 +105,7 @@ impl Stand {
 
 /// Wheel's centre 750 mm from the middle of the track, rail's origin 760.5325 mm.
 const OFFSET: f64 = 10.5325e-3;
-const ROLLING: Velocity<f64> =
+pub(crate) const ROLLING: Velocity<f64> =
     Velocity { forward: 20.0, lateral: 0.0, vertical: 0.0, roll: 0.0, pitch: -43.4, yaw: 0.0 };
 
 fn power(wrench: &Wrench<f64>, velocity: &Velocity<f64>) -> f64 {
@@ -293,14 +301,14 @@ fn power_is_dissipation() {
     }
 }
 
-fn moved(velocity: &Velocity<f64>, k: usize, step: f64) -> Velocity<f64> {
+pub(crate) fn moved(velocity: &Velocity<f64>, k: usize, step: f64) -> Velocity<f64> {
     let mut velocity = *velocity;
     let Velocity { forward, lateral, vertical, roll, pitch, yaw } = &mut velocity;
     *[forward, lateral, vertical, roll, pitch, yaw][k] += step;
     velocity
 }
 
-fn difference(plus: &Wrench<f64>, minus: &Wrench<f64>, step: f64) -> Members {
+pub(crate) fn difference(plus: &Wrench<f64>, minus: &Wrench<f64>, step: f64) -> Members {
     let (plus, minus) = (plus.members(), minus.members());
     std::array::from_fn(|i| (plus[i] - minus[i]) / (2.0 * step))
 }
@@ -627,6 +635,8 @@ fn single(pair: &WheelPair<f64>) -> WheelPair<f32> {
         smoothing_length: 0.0,
         strips: 0,
         model: 0,
+        normal_damping: pair.normal_damping as f32,
+        floor_speed: pair.floor_speed as f32,
     }
 }
 

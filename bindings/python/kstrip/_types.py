@@ -289,6 +289,8 @@ class WheelPair(Record, name="wheel_pair"):
     smoothing_length = Numbers('m', "Length over which the distance of the surfaces is smoothed [m], >= 0. It is always at least 2.5 steps of the wheel's profile. For rough profiles set it to 2 mm.")
     strips = Integers('', 'About how many strips a contact has: 4, 8, 16, 32 or 64; 0: 16.')
     model = Integers('', 'KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967.')
+    normal_damping = Numbers('s/m', 'Damping of the pressure d [s/m], >= 0 (Hunt and Crossley): the pressure is multiplied by 1 + d times the velocity at which the surfaces approach each other, or by 0 where this is negative; friction follows it.')
+    floor_speed = Numbers('m/s', 'Floor of the speed [m/s], >= 0, as in kstrip_motion; 0 stands for 0.02.')
 
 
 class WheelContact(Record, name="wheel_contact"):
@@ -303,11 +305,13 @@ class WheelContact(Record, name="wheel_contact"):
     approach = Numbers('m', 'Overlap of the undeformed, smoothed surfaces where it is deepest [m].')
     stiffness = Numbers('N/m', 'Derivative of the load with respect to the distance by which the surfaces are moved into each other [N/m].')
     along = Numbers('m', 'Length on the rail at y = 0 of the patch [m].')
-    normal = Numbers('', "Derivatives of the wheel's velocity into the rail, mean of the strips weighted with load, by the members of kstrip_wheel_velocity. The force and the moment of the pressure on the wheel are minus share times normal_force times these six numbers.")
+    normal = Numbers('', "Derivatives of the wheel's velocity into the rail, mean of the strips weighted with load, by the members of kstrip_wheel_velocity. The force and the moment of the pressure on the wheel are minus share times normal_force times these six numbers, and times the factor of the damping.")
     slip_x = Numbers('', "slip_x of kstrip_motion at the patch's origin: derivatives with respect to the members of kstrip_wheel_velocity.")
     slip_y = Numbers('', 'slip_y of kstrip_motion.')
     spin_rate = Numbers('', 'spin_rate of kstrip_motion.')
     rolling_speed = Numbers('', 'rolling_speed of kstrip_motion.')
+    normal_damping = Numbers('', 'normal_damping of kstrip_wheel_pair.')
+    floor_speed = Numbers('', 'floor_speed of kstrip_motion.')
     patch = Part(Patch, '', "The strips; y along the rail's surface, x forward from the origin.")
 
 

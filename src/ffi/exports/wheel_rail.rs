@@ -121,7 +121,7 @@ pub unsafe extern "C" fn kstrip_contacts_from_gap(
 ///
 /// @param contact         a contact.
 /// @param velocity        how the wheel moves.
-/// @param[out] motion     receives the motion; floor_speed is 0.
+/// @param[out] motion     receives the motion, with the contact's floor_speed.
 /// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE.
 #[unsafe(export_name = symbol!("kstrip_wheel_motion"))]
 pub extern "C" fn kstrip_wheel_motion(
@@ -136,7 +136,8 @@ pub extern "C" fn kstrip_wheel_motion(
 /// kstrip_contacts_from_gap() or from a table.
 ///
 /// The wheel may roll forward or backward, or stand still, as in kstrip_solve_motion(): forces are
-/// continuous through rest, with the default floor of the speed.
+/// continuous through rest. They are continuous where damping takes away all of the pressure, and
+/// have a kink there.
 ///
 /// @param contacts, count  the contacts, at most KSTRIP_CONTACTS_CAPACITY; a wheel without contacts
 ///                         is lifted, and its forces are zero.
@@ -149,7 +150,7 @@ pub extern "C" fn kstrip_wheel_motion(
 /// @param[out] derivatives  receives their derivatives with respect to velocity and friction; NULL:
 ///                          not needed.
 /// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE or a status of kstrip_patch_evaluate();
-///         KSTRIP_ERROR_PATCH_SIZE.
+///         KSTRIP_ERROR_PATCH_SIZE, KSTRIP_ERROR_NORMAL_DAMPING, KSTRIP_ERROR_FLOOR_SPEED.
 #[unsafe(export_name = symbol!("kstrip_wrench_from_contacts"))]
 pub unsafe extern "C" fn kstrip_wrench_from_contacts(
     contacts: *const WheelContact<F>,

@@ -85,6 +85,8 @@ impl Scene {
             smoothing_length: 0.0,
             strips: 0,
             model: 0,
+            normal_damping: 0.0,
+            floor_speed: 0.0,
         };
         let position = kstrip_wheel_position {
             lateral: any(1e-3),
@@ -105,6 +107,10 @@ impl Scene {
         scene.pair.left = i32::from(choice % 2);
         scene.pair.friction_points = u32::from(choice / 2 % 8);
         scene.pair.strips = bytes.strips();
+        if bytes.byte() < 64 {
+            scene.pair.normal_damping = Number::of(bytes, 0.5);
+            scene.pair.floor_speed = Number::of(bytes, 0.1);
+        }
         scene.pair.model = if choice < 128 { 0 } else { i32::from(choice % 7) };
         scene
     }

@@ -1,0 +1,158 @@
+//! Damping of the pressure, and the floor of the speed of a wheel.
+
+use crate::manchester::zeroed;
+use crate::wheel_rail::{ROLLING, Stand, difference, moved};
+use approx::assert_relative_eq;
+use kstrip::friction::SlipFriction;
+use kstrip::status::Error;
+use kstrip::wheel_rail::wrench::{Wrench, WrenchByPosition, WrenchDerivatives};
+use kstrip::wheel_rail::{Position, Velocity};
+
+/// Damping \[s/m\].
+const DAMPING: f64 = 0.8;
+
+/// A wheel whose flange has begun to touch.
+fn on_two_points() -> (Stand, Position<f64>) {
+    let mut stand = Stand::new_profiles();
+    let position = Position { yaw: 3e-3, ..stand.at(5.2e-3, 80e3) };
+    stand.pair.normal_damping = DAMPING;
+    (stand, position)
+}
+
+fn members(velocity: &Velocity<f64>) -> [f64; 6] {
+    let Velocity { forward, lateral, vertical, roll, pitch, yaw } = *velocity;
+    [forward, lateral, vertical, roll, pitch, yaw]
+}
+
+/// Velocity into the rail of each contact, with its share of the undamped load.
+fn approach(stand: &Stand, velocity: &Velocity<f64>) -> Vec<[f64; 2]> {
+    let speed = |normal: [f64; 6]| normal.iter().zip(members(velocity)).map(|(n, v)| n * v).sum();
+    let found = stand.memory.found().iter();
+    found.map(|contact| [speed(contact.normal), contact.share * contact.normal_force]).collect()
+}
+
+/// Hunt and Crossley's factor on the load of each contact; and the power of the wrench is that of
+/// friction and of the damped pressure.
+#[test]
+fn pressure_grows_with_the_approach() {
+    let (mut stand, position) = on_two_points();
+    for vertical in [-3.0, -1.3, -0.2, 0.0, 0.05, 2.0] {
+        let velocity = Velocity { lateral: 0.02, vertical, roll: 0.1, ..ROLLING };
+        let wrench = stand.solve(&position, &velocity);
+        let (mut load, mut taken) = (0.0, 0.0);
+        for [speed, share] in approach(&stand, &velocity) {
+            let damped = share * (1.0 + DAMPING * speed).max(0.0);
+            load += damped;
+            taken += damped * speed;
+        }
+        assert_relative_eq!(wrench.normal_force, load, max_relative = 1e-12);
+        let power: f64 = wrench.members().iter().zip(members(&velocity)).map(|(w, v)| w * v).sum();
+        let rest = power + wrench.dissipation + taken;
+        assert!(rest.abs() <= 1e-9 * 0.3 * 80e3 * 20.0, "{vertical}: {rest}");
+        // (creep forces follow the damped pressure)
+        let [fx, fy, _] = wrench.force;
+        assert!(fx.hypot(fy) <= 1.5 * wrench.normal_force && wrench.dissipation >= 0.0);
+    }
+}
+
+/// The wheel is never pulled down, however fast it is lifted, and nothing jumps where the pressure
+/// begins to act.
+#[test]
+fn nothing_pulls_and_nothing_jumps() {
+    let (mut stand, position) = on_two_points();
+    let at = |stand: &mut Stand, vertical: f64| {
+        stand.solve(&position, &Velocity { vertical, ..ROLLING })
+    };
+    let lifted = at(&mut stand, -20.0);
+    assert_eq!((lifted.members(), lifted.normal_force), ([0.0; 6], 0.0));
+    // (the loads of both contacts, and their friction, over levers below 1 m)
+    let slope = DAMPING * 2.0 * 80e3;
+    let mut last: Option<Wrench<f64>> = None;
+    for i in 0..4000 {
+        let here = at(&mut stand, -6.0 + f64::from(i) * 1.5e-3);
+        if let Some(last) = last {
+            for (a, b) in here.members().iter().zip(last.members()) {
+                assert!((a - b).abs() < 1.5e-3 * slope, "{i}: {here:?} {last:?}");
+            }
+        }
+        last = Some(here);
+    }
+    // from both sides of the velocity at which the pressure of the tread is taken away
+    at(&mut stand, 0.0);
+    let all = approach(&stand, &Velocity { vertical: 1.0, ..Velocity::default() });
+    let of_tread = all.into_iter().max_by(|[_, a], [_, b]| a.total_cmp(b)).unwrap()[0];
+    let clamp = -1.0 / (DAMPING * of_tread);
+    let [below, above] = [-1e-9, 1e-9].map(|step| at(&mut stand, clamp + step).members());
+    for (below, above) in below.into_iter().zip(above) {
+        assert!((below - above).abs() < 1e-2, "{below} {above}");
+    }
+}
+
+/// Derivatives by velocity, friction and position against differences, with one law and another.
+#[test]
+fn derivatives_are_those_of_differences() {
+    let (mut stand, position) = on_two_points();
+    let falling = SlipFriction { ratio: 0.4, decay: 0.6, ..SlipFriction::constant(0.3) };
+    for (law, forward, vertical) in
+        [(None, 20.0, 0.3), (Some(falling), 20.0, -0.4), (None, 0.0, 0.1), (None, -5.0, -0.2)]
+    {
+        stand.falling = law;
+        let pitch = -forward / 0.4603;
+        let velocity = Velocity { forward, lateral: 1e-3, vertical, pitch, ..Velocity::default() };
+        let mut slopes: Box<WrenchDerivatives<f64>> = zeroed();
+        let mut by: Box<WrenchByPosition<f64>> = zeroed();
+        let (scene, memory) = stand.split();
+        scene.solve(&position, &velocity, memory, Some(&mut slopes), Some(&mut by)).unwrap();
+        let scale = (forward * forward + 4e-4_f64).sqrt();
+        for k in 0..6 {
+            let step = 2e-7 * scale;
+            let [plus, minus] =
+                [step, -step].map(|step| stand.solve(&position, &moved(&velocity, k, step)));
+            let largest = (0..6).map(|j| slopes.velocity[j][k].abs()).fold(1e-3 / scale, f64::max);
+            for (j, expected) in difference(&plus, &minus, step).into_iter().enumerate() {
+                let off = (slopes.velocity[j][k] - expected).abs();
+                assert!(off < 1e-4 * largest, "{forward} {j} {k}: {off} of {largest}");
+            }
+        }
+        let [plus, minus] = [2e-7, -2e-7].map(|step| {
+            let at = Position { vertical: position.vertical + step, ..position };
+            stand.solve(&at, &velocity)
+        });
+        let largest = by.vertical.iter().fold(0.0, |most: f64, slope| most.max(slope.abs()));
+        for (slope, expected) in by.vertical.iter().zip(difference(&plus, &minus, 2e-7)) {
+            assert!((slope - expected).abs() < 1e-3 * largest, "{slope} {expected}");
+        }
+    }
+}
+
+/// A floor of the speed multiplies a slow wheel's slope at rest by the ratio of the floors.
+#[test]
+fn the_floor_of_the_speed_is_that_of_the_pair() {
+    let mut stand = Stand::new_profiles();
+    let position = stand.at(0.0, 80e3);
+    let mut resistance = |floor_speed: f64| {
+        stand.pair.floor_speed = floor_speed;
+        let mut slopes: Box<WrenchDerivatives<f64>> = zeroed();
+        let (scene, memory) = stand.split();
+        scene.solve(&position, &Velocity::default(), memory, Some(&mut slopes), None).unwrap();
+        slopes.velocity[1][1]
+    };
+    let [default, same, larger] = [0.0, 0.02, 0.2].map(&mut resistance);
+    assert_relative_eq!(default, same, max_relative = 1e-12);
+    assert_relative_eq!(default, 10.0 * larger, max_relative = 1e-9);
+}
+
+#[test]
+fn negative_numbers_are_named() {
+    let mut stand = Stand::new_profiles();
+    let position = stand.at(0.0, 80e3);
+    let mut status = |normal_damping: f64, floor_speed: f64| {
+        (stand.pair.normal_damping, stand.pair.floor_speed) = (normal_damping, floor_speed);
+        let (scene, memory) = stand.split();
+        scene.solve(&position, &ROLLING, memory, None, None).err()
+    };
+    assert_eq!(status(-0.1, 0.0), Some(Error::NormalDamping));
+    assert_eq!(status(0.0, -0.1), Some(Error::FloorSpeed));
+    assert_eq!(status(f64::NAN, 0.0), Some(Error::NotFinite));
+    assert_eq!(status(0.1, 0.1), None);
+}
