@@ -1581,8 +1581,10 @@ typedef struct kstrip_gap {
      */
     double angle[KSTRIP_SURFACE_CAPACITY];
     /**
-     * Radius of curvature along x [m]: distance from the axle divided by the cosine of the angle
-     * between normal and radius.
+     * Radius of curvature of the wheel along x [m]. Without yaw R0 = r/cos a: distance from the
+     * axle divided by the cosine of the angle between normal and radius. A wheel that yaws has
+     * R0/(1 + (sin yaw/cos a)^2 (k R0 - 1)), with the curvature k of its profile; this is R0 (1 -
+     * dx/ds tan(yaw)/cos a) where x changes by dx/ds along the line of these points.
      */
     double rolling_radius[KSTRIP_SURFACE_CAPACITY];
     /** Number of points. */

@@ -8,6 +8,14 @@
 //! p = R (r sin θ, y, r cos θ),   n = R (cos α sin θ, −sin α, cos α cos θ)
 //! n_x = 0:  sin θ = tan α R₀₁/R₀₀ = −tan α tan yaw
 //! ```
+//!
+//! There `x` makes an angle with the wheel's circumference whose sine is `sin yaw/cos α`. By Euler,
+//! with the radius of curvature `R₀ = r/cos α` along the circumference and the curvature `κ` of the
+//! profile across it, the radius along `x` is
+//!
+//! ```text
+//! R = R₀/(1 + (sin yaw/cos α)² (κ R₀ − 1))
+//! ```
 
 use super::surface::Place;
 use super::{Position, sine_cosine};
@@ -16,6 +24,9 @@ use crate::number::{Float, Strips};
 /// Least cosine of the profile's angle, and largest sine of θ, at which a wheel can touch.
 const STEEPEST: f64 = 0.06;
 const FARTHEST: f64 = 0.9;
+/// Bounds of the rolling radius over `r/cos α`.
+const LEAST_FACTOR: f64 = 0.2;
+const LARGEST_FACTOR: f64 = 5.0;
 
 /// Sines and cosines of the roll and the yaw of a wheel.
 #[derive(Clone, Copy, Debug)]
@@ -73,8 +84,6 @@ pub(super) struct Line<P> {
     /// Normal in the plane of y and z, out of the wheel, and its length.
     pub normal: [P; 2],
     pub size: P,
-    /// Distance from the axle over the cosine of the angle between normal and radius.
-    pub rolling_radius: P,
     /// Positive where the wheel can touch: it is not too steep there.
     pub can_touch: P,
 }
@@ -112,8 +121,21 @@ impl<F: Float> Wheel<F> {
             below: below - whole * less,
             normal: [normal_y, normal_z],
             size,
-            rolling_radius: radius * size * per_cosine,
             can_touch: steep,
         }
+    }
+
+    /// The radius of curvature along `x` at points of the profile with these curvatures, positive
+    /// where the wheel is convex.
+    #[inline(always)]
+    pub fn rolling_radius<P: Strips<F>>(&self, point: &Place<P>, curvature: P) -> P {
+        let Place { z, cosine, sine, .. } = *point;
+        let per_cosine = cosine.inverse();
+        let size = (cosine.squared() + sine.squared()).sqrt();
+        let radius = (P::all(self.radius) + z) * size * per_cosine;
+        let square = (P::all(self.turn.yaw.0) * size * per_cosine).squared();
+        let more = square * (curvature * radius - P::one());
+        let curved = more.plus(1.0).max(P::constant(1.0 / LARGEST_FACTOR));
+        radius * curved.min(P::constant(1.0 / LEAST_FACTOR)).inverse()
     }
 }

@@ -101,6 +101,21 @@ impl<F: Float> Surface<F> {
         Place { y: of(&self.y), z: of(&self.z), cosine: of(&self.cosine), sine: of(&self.sine) }
     }
 
+    /// The curvature of a wheel's profile, positive where it is convex, at a share of the way from
+    /// a point to the next: linear between the points, which have that of their neighbours'
+    /// directions.
+    pub(super) fn curvature(&self, k: usize, share: F) -> F {
+        let last = (self.count as usize).saturating_sub(2);
+        let [from, to] = [k, k + 1].map(|k| {
+            let k = k.min(last).max(1);
+            let (Some(before), Some(after)) = (self.point(k - 1), self.point(k + 1)) else {
+                return F::zero();
+            };
+            (before.sine * after.cosine - before.cosine * after.sine) / self.step.times(2.0)
+        });
+        from + (to - from) * share
+    }
+
     /// The point of the curve at a share of the way from a point to the next.
     pub(crate) fn at(&self, k: usize, share: F) -> Option<Place<F>> {
         let [y, z] = Piece::new(self.point(k)?, self.point(k + 1)?, self.step).at(share);

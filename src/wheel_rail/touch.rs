@@ -41,8 +41,10 @@ pub struct Gap<F> {
     /// Angle of the tangent across x, mean of both surfaces \[rad\], positive from y to z; about
     /// -1.2 at the flange of a right wheel.
     pub angle: [F; KSTRIP_SURFACE_CAPACITY],
-    /// Radius of curvature along x \[m\]: distance from the axle divided by the cosine of the angle
-    /// between normal and radius.
+    /// Radius of curvature of the wheel along x \[m\]. Without yaw R0 = r/cos a: distance from the
+    /// axle divided by the cosine of the angle between normal and radius. A wheel that yaws has
+    /// R0/(1 + (sin yaw/cos a)^2 (k R0 - 1)), with the curvature k of its profile; this is R0 (1 -
+    /// dx/ds tan(yaw)/cos a) where x changes by dx/ds along the line of these points.
     pub rolling_radius: [F; KSTRIP_SURFACE_CAPACITY],
     /// Number of points.
     pub count: u32,
@@ -79,8 +81,8 @@ struct Above<'a, F> {
     rail: Rail<'a, F>,
 }
 
-/// Up to four places of a profile.
-type Places<F> = [Option<Place<F>>; FOUR];
+/// Up to four places of a profile, with its curvature there.
+type Places<F> = [Option<(Place<F>, F)>; FOUR];
 
 impl<F: Float> Above<'_, F> {
     /// Looks down from places of the wheel's profile. None where the rail is out of reach.
@@ -118,7 +120,8 @@ impl<F: Float> Above<'_, F> {
             let part = (beyond - over).times(0.2);
             let shares: [F; FOUR] =
                 core::array::from_fn(|i| over + part * F::widened(i as f32 + 1.0));
-            let found = self.look(&shares.map(|share| wheel.at(k, share)));
+            let place = |share| Some((wheel.at(k, share)?, wheel.curvature(k, share)));
+            let found = self.look(&shares.map(place));
             for (share, point) in shares.into_iter().zip(found) {
                 if point.is_none() {
                     beyond = share;
@@ -136,12 +139,15 @@ impl<F: Float> Above<'_, F> {
         let zero = F::zero();
         // (where there is no place, one at which no wheel touches)
         let at = |i: usize| places.get(i).and_then(Option::as_ref);
-        let line = self.wheel.line_of_contact(Place {
-            y: P::gather(|i| at(i).map_or(zero, |place| place.y)),
-            z: P::gather(|i| at(i).map_or(zero, |place| place.z)),
-            cosine: P::gather(|i| at(i).map_or(zero, |place| place.cosine)),
-            sine: P::gather(|i| at(i).map_or(zero, |place| place.sine)),
-        });
+        let profile = Place {
+            y: P::gather(|i| at(i).map_or(zero, |(place, _)| place.y)),
+            z: P::gather(|i| at(i).map_or(zero, |(place, _)| place.z)),
+            cosine: P::gather(|i| at(i).map_or(zero, |(place, _)| place.cosine)),
+            sine: P::gather(|i| at(i).map_or(zero, |(place, _)| place.sine)),
+        };
+        let curvature = P::gather(|i| at(i).map_or(zero, |(_, curvature)| *curvature));
+        let rolling_radius = self.wheel.rolling_radius(&profile, curvature);
+        let line = self.wheel.line_of_contact(profile);
         let [wheel_y, wheel_z] = line.normal;
         let point = [P::all(lateral) + line.place[1], P::all(vertical) + line.below];
         let mut under = [None; FOUR];
@@ -167,7 +173,7 @@ impl<F: Float> Above<'_, F> {
             }
             let own = |x: &P| x.lane(i);
             let (distance, sum_z) = (own(&foot.distance), own(&sum_z));
-            let radius = own(&line.rolling_radius);
+            let radius = own(&rolling_radius);
             if distance < self.reach && sum_z > zero && radius > zero {
                 let ([x, y, z], angle) = (&line.place, (-own(&sum_y) / sum_z).atan());
                 let along = own(&foot.along);
@@ -219,7 +225,10 @@ pub fn touch<F: Float>(
     };
     let mut before: Option<GapPoint<F>> = None;
     for first in (0..points).step_by(FOUR) {
-        let place = |i: usize| wheel.point(first + i).filter(|_| first + i < points);
+        let place = |i: usize| {
+            let place = wheel.point(first + i).filter(|_| first + i < points)?;
+            Some((place, wheel.curvature(first + i, F::zero())))
+        };
         let found = above.look(&core::array::from_fn(place));
         for (i, point) in found.iter().enumerate().take(points - first) {
             if let Some(k) = (first + i).checked_sub(1)

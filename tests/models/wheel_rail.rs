@@ -255,6 +255,42 @@ fn a_rolled_cylinder_touches_where_geometry_says() {
     }
 }
 
+/// Along `x` a yawed wheel is curved as the slope of its line of contact says:
+/// `R = r/cos a (1 − dx/ds tan(yaw)/cos a)`. On a flange that is far from `r/cos a`.
+#[test]
+fn the_rolling_radius_of_a_yawed_wheel_is_that_of_its_line_of_contact() {
+    let stand = Stand::new_profiles();
+    let Stand { rail, wheel, pair, .. } = &stand;
+    let mut gap = zeroed::<Gap<f64>>();
+    let (mut compared, mut farthest) = (0, 1.0_f64);
+    for yaw in [-0.03, 0.0, 0.0236] {
+        let position = Position { lateral: 6.7e-3 - OFFSET, vertical: 0.0, yaw, roll: 0.0 };
+        touch(rail, wheel, pair.wheel_radius, &position, 4e-3, &mut gap).unwrap();
+        let count = gap.count as usize;
+        for k in (1..count - 1).filter(|k| gap.along[k + 1] - gap.along[k - 1] < 1e-3) {
+            // (where the curvature jumps, two points say little)
+            let radii = [k - 1, k + 1].map(|k| gap.rolling_radius[k]);
+            if (radii[1] / radii[0] - 1.0).abs() > 0.3 {
+                continue;
+            }
+            let across = |list: &[f64]| list[k + 1] - list[k - 1];
+            let [dx, dy, dz] = [&gap.x, &gap.y, &gap.z].map(|list| across(&list[..count]));
+            let cosine = dy / dy.hypot(dz);
+            let [x, y, z] = [gap.x[k], gap.y[k], gap.z[k]];
+            // across the axle, whose direction is (-sin yaw, cos yaw, 0)
+            let ahead = x * yaw.cos() + y * yaw.sin();
+            let theta = (ahead / ahead.hypot(z)).asin();
+            let unyawed = ahead.hypot(z) * theta.cos() / cosine;
+            let factor = 1.0 - dx / dy.hypot(dz) * yaw.tan() / cosine;
+            let factor = factor.clamp(0.2, 5.0);
+            assert_relative_eq!(gap.rolling_radius[k], unyawed * factor, max_relative = 0.03);
+            compared += 1;
+            farthest = farthest.max((factor - 1.0).abs() + 1.0);
+        }
+    }
+    assert!(compared > 300 && farthest > 1.3, "{compared} {farthest}");
+}
+
 /// A left wheel is a right one in the mirror, to the bit.
 #[test]
 fn left_is_the_mirror_of_right() {

@@ -271,7 +271,7 @@ class Gap(Record, name="gap"):
     y = Numbers('m', 'y of this point [m].')
     z = Numbers('m', "z of this point [m], about the wheel's radius.")
     angle = Numbers('rad', 'Angle of the tangent across x, mean of both surfaces [rad], positive from y to z; about -1.2 at the flange of a right wheel.')
-    rolling_radius = Numbers('m', 'Radius of curvature along x [m]: distance from the axle divided by the cosine of the angle between normal and radius.')
+    rolling_radius = Numbers('m', 'Radius of curvature of the wheel along x [m]. Without yaw R0 = r/cos a: distance from the axle divided by the cosine of the angle between normal and radius. A wheel that yaws has R0/(1 + (sin yaw/cos a)^2 (k R0 - 1)), with the curvature k of its profile; this is R0 (1 - dx/ds tan(yaw)/cos a) where x changes by dx/ds along the line of these points.')
     count = Integers('', 'Number of points.')
 
 
