@@ -135,6 +135,27 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_PROFILE_END 18
 /** Warning: the measured points do not determine each parameter of a law. */
 #define KSTRIP_WARNING_UNDETERMINED 20
+/**
+ * Warning: a profile stands upside down or the wrong way round. z must point down, and the flange
+ * of a wheel and the gauge side of a rail lie at small y. A contact of a wheel above 30 degrees
+ * says so too.
+ */
+#define KSTRIP_WARNING_ORIENTATION 21
+/** Warning: a profile is longer than 1 m. It is probably in mm. */
+#define KSTRIP_WARNING_PROFILE_SIZE 22
+/** Warning: the shear modulus is below 0.1 MPa. It is probably in MPa or GPa. */
+#define KSTRIP_WARNING_MODULUS 23
+/**
+ * Warning: friction and Poisson's ratio of a wheel and a rail are both 0. They were probably
+ * forgotten.
+ */
+#define KSTRIP_WARNING_UNSET 24
+/**
+ * Warning: no ordinary contact supports the wheel. The support falls with depth on the way to the
+ * height that was found, because friction pulls the wheel down, or the peak pressure exceeds a
+ * twentieth of the shear modulus.
+ */
+#define KSTRIP_WARNING_SUPPORT 25
 
 /** Error: a required pointer is NULL. */
 #define KSTRIP_ERROR_NULL -1
@@ -1492,10 +1513,15 @@ typedef struct kstrip_surface {
     double sine[KSTRIP_SURFACE_CAPACITY];
     /** Length between two points [m]. */
     double step;
+    /** Mean distance between the points that were given [m]. */
+    double spacing;
     /** Number of points, 4 to KSTRIP_SURFACE_CAPACITY. */
     uint32_t count;
-    /** Reserved: zero. */
-    uint32_t reserved;
+    /**
+     * What the shape tells: 0 where it may be that of a wheel and of a rail, or a sum of 1 (it is
+     * not that of a wheel) and 2 (not that of a rail).
+     */
+    uint32_t shape;
 } kstrip_surface;
 
 /**
@@ -1517,7 +1543,8 @@ typedef struct kstrip_surface {
  *                        this distance [m], >= 0; 0: the profile goes through all points. 2 to 4
  *                        mm suit measured profiles.
  * @param[out] surface    receives the profile.
- * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (fewer than
+ * @return KSTRIP_OK; KSTRIP_WARNING_ORIENTATION (the profile stands upside down or the wrong way
+ *         round, as far as its shape tells), KSTRIP_WARNING_PROFILE_SIZE; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (fewer than
  *         four points, a negative step), KSTRIP_ERROR_SMOOTHING_LENGTH, KSTRIP_ERROR_CAPACITY
  *         (the step needs too many points), KSTRIP_ERROR_OVERFLOW (the profile is smaller than
  *         1 um, or a coordinate is larger than 1 km), KSTRIP_ERROR_SCATTER (no line follows the
@@ -1912,7 +1939,11 @@ typedef struct kstrip_wrench_by_position {
  *                        most where the function is smooth, at four times the cost of a call
  *                        (single precision: central differences of half the overlap, at most
  *                        15 um and 15 urad, at eight times); NULL: not needed.
- * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE, or a status of one of these functions.
+ * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_WARNING_ORIENTATION (also for a profile
+ *         that is not that of a wheel, or of a rail, and for a contact above 30 degrees),
+ *         KSTRIP_WARNING_PROFILE_SIZE, KSTRIP_WARNING_RADIUS, KSTRIP_WARNING_MODULUS,
+ *         KSTRIP_WARNING_FRICTION, KSTRIP_WARNING_UNSET, KSTRIP_WARNING_PRESSURE for implausible
+ *         inputs; or a status of one of these functions.
  */
 kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,
                                    const struct kstrip_surface *wheel,
@@ -1927,7 +1958,8 @@ kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,
 
 /**
  * The vertical position at which the rail supports a wheel with a given force. Use it to begin a
- * run, and for tables. The search tries about eight positions, and 64 at most.
+ * run, and for tables. The search tries about ten positions, and 100 at
+ * most, and finds the highest.
  *
  * @param rail, wheel, pair  as in kstrip_wheel_on_rail().
  * @param position        where the wheel is; its vertical member is where the search begins.
@@ -1937,8 +1969,10 @@ kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,
  * @param friction        as in kstrip_wheel_on_rail().
  * @param workspace       memory that may hold anything; receives gap and contacts.
  * @param[out] vertical   receives the vertical position [m].
- * @return KSTRIP_OK, KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_NORMAL_FORCE (support), or an
- *         error of kstrip_wheel_on_rail().
+ * @return KSTRIP_OK, KSTRIP_WARNING_NOT_CONVERGED, KSTRIP_WARNING_SUPPORT (the support
+ *         falls with depth on the way, because friction pulls the wheel down, or the peak pressure
+ *         exceeds a twentieth of the shear modulus);
+ *         KSTRIP_ERROR_NORMAL_FORCE (support), or a status of kstrip_wheel_on_rail().
  */
 kstrip_status kstrip_height_for_load(const struct kstrip_surface *rail,
                                      const struct kstrip_surface *wheel,

@@ -564,8 +564,9 @@ typedef struct kstrip_surface_f32 {
     float cosine[KSTRIP_SURFACE_CAPACITY];
     float sine[KSTRIP_SURFACE_CAPACITY];
     float step;
+    float spacing;
     uint32_t count;
-    uint32_t reserved;
+    uint32_t shape;
 } kstrip_surface_f32;
 
 /** kstrip_prepare_profile() in single precision. */

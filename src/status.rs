@@ -76,10 +76,9 @@ statuses! {
         ForceBeyondFriction = -20: "the requested force exceeds mu N: no creepage gives it",
         Measured = -21:
             "unknown measurement: use KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added",
-        /// The same holds for a profile and `kstrip_prepare_profile()`.
         NotPrepared = -22:
-            "the contact is not prepared: fill the structure with kstrip_prepare() of the same \
-             precision",
+            "a contact or a profile is not prepared: fill the structure with kstrip_prepare() or \
+             kstrip_prepare_profile() of the same precision",
         FloorSpeed = -23:
             "the floor of the speed is negative: it must be > 0 (m/s), or 0 for the default",
         Stride = -24:
@@ -110,7 +109,7 @@ statuses! {
              lengths of a gap or the places of friction do not ascend",
         ProfileEnd = -45:
             "a profile ends where the bodies would touch, or the wheel is beside the rail: pass \
-             more of the profile",
+             more of the profile, or its rounded edge where the body ends",
         RollingRadius = -46:
             "a rolling radius or the radius of a wheel is not positive: it must be > 0 (metres)",
         SmoothingLength = -47:
@@ -188,8 +187,8 @@ statuses! {
         Friction = 12:
             "implausible coefficient of friction: above 5; check that it is no percentage",
         Radius = 13:
-            "implausible radii: flatter than a radius of 5 m in both directions; check their unit \
-             (m, not mm)",
+            "implausible radii: a wheel's above 5 m, or flatter than that in both directions; \
+             check their unit (m, not mm)",
         AxisRatio = 14:
             "the axis ratio a/b is outside 0.015 to 60, the range for which the model was made; \
              result is finite, bounded by mu N and has the right limits",
@@ -209,16 +208,32 @@ statuses! {
             "the points do not determine each fitted parameter: some have large standard errors; \
              fit fewer, or measure at other creepages",
         ProfileEnd = 18:
-            "a zone of contact ends with the profile, as if the bodies ended there: pass more of \
-             the profile",
+            "a zone of contact ends with the profile, as if the bodies ended there: unless they \
+             do, pass more of the profile",
+        Orientation = 21:
+            "implausible profile: it stands upside down or the wrong way round; z must point down, \
+             and the flange of a wheel and the gauge side of a rail lie at small y",
+        ProfileSize = 22: "implausible profile: longer than 1 m; check its unit (m, not mm)",
+        Modulus = 23:
+            "implausible modulus: the shear modulus is below 0.1 MPa; check its unit (Pa, not MPa \
+             or GPa)",
+        Unset = 24:
+            "friction and Poisson's ratio are both 0: set them, or one of them if this is meant",
+        Support = 25:
+            "no ordinary contact supports the wheel: the support falls with depth on the way to \
+             this height (friction pulls the wheel down), or the peak pressure exceeds a twentieth \
+             of the shear modulus; check velocity, friction and load",
     }
 }
+
+/// Seriousness of warnings of implausible inputs.
+const IMPLAUSIBLE: i32 = 3;
 
 impl Warning {
     /// Whether the warning says that an input is implausible, mostly because of a wrong unit.
     #[must_use]
     pub const fn is_implausible(self) -> bool {
-        self.code() >= Self::Pressure.code() && self.code() <= Self::Radius.code()
+        self.gravity() == IMPLAUSIBLE
     }
 
     /// The more serious one. A warning that the result may be another one is more serious than one
@@ -235,14 +250,18 @@ impl Warning {
     const fn gravity(self) -> i32 {
         match self {
             Self::NotConverged => 6,
-            Self::SeveralFrictions => 5,
+            Self::SeveralFrictions | Self::Support => 5,
             Self::FrictionAtLeast | Self::CreepageAtLeast | Self::Undetermined => 4,
             Self::Pressure
             | Self::Creepage
             | Self::SemiAxis
             | Self::Spin
             | Self::Friction
-            | Self::Radius => 3,
+            | Self::Radius
+            | Self::Orientation
+            | Self::ProfileSize
+            | Self::Modulus
+            | Self::Unset => IMPLAUSIBLE,
             Self::BeyondFriction | Self::AngleRange | Self::ProfileEnd => 2,
             Self::OutsideRange
             | Self::SpinBeyondTheory

@@ -34,6 +34,11 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_warning_angle_range = 19
    integer(c_int32_t), parameter :: kstrip_warning_profile_end = 18
    integer(c_int32_t), parameter :: kstrip_warning_undetermined = 20
+   integer(c_int32_t), parameter :: kstrip_warning_orientation = 21
+   integer(c_int32_t), parameter :: kstrip_warning_profile_size = 22
+   integer(c_int32_t), parameter :: kstrip_warning_modulus = 23
+   integer(c_int32_t), parameter :: kstrip_warning_unset = 24
+   integer(c_int32_t), parameter :: kstrip_warning_support = 25
    integer(c_int32_t), parameter :: kstrip_error_null = -1
    integer(c_int32_t), parameter :: kstrip_error_not_finite = -2
    integer(c_int32_t), parameter :: kstrip_error_semi_axis = -3
@@ -415,8 +420,9 @@ module kstrip
       real(c_double) :: cosine(kstrip_surface_capacity) = 0
       real(c_double) :: sine(kstrip_surface_capacity) = 0
       real(c_double) :: step = 0
+      real(c_double) :: spacing = 0
       integer(c_int32_t) :: count = 0
-      integer(c_int32_t) :: reserved = 0
+      integer(c_int32_t) :: shape = 0
    end type
 
    !> Where the wheel is, over straight track.

@@ -35,7 +35,7 @@ use crate::status::Warning;
 use core::f64::consts::PI;
 
 /// Largest plausible `p₀/G`.
-const LARGEST_PRESSURE: f64 = 0.1;
+pub(crate) const LARGEST_PRESSURE: f64 = 0.1;
 /// Largest plausible `|υ|`.
 const LARGEST_CREEPAGE: f64 = 10.0;
 /// Spin up to which contacts are of the usual sizes \[1/m\].
@@ -43,7 +43,9 @@ const USUAL_SPIN: f64 = 1e4;
 /// Largest plausible `a`, `b` \[m\].
 const LARGEST_SEMI_AXIS: f64 = 1.0;
 /// Largest plausible `μ`.
-const LARGEST_FRICTION: f64 = 5.0;
+pub(crate) const LARGEST_FRICTION: f64 = 5.0;
+/// Largest plausible radius \[m\].
+pub(crate) const LARGEST_RADIUS: f64 = 5.0;
 /// Largest `|κ|` that was compared with the reference.
 pub(crate) const LARGEST_MISMATCH: f64 = 0.25;
 /// Largest semi-axis, divided by the smaller radius in its direction, for bodies that count as
@@ -54,7 +56,7 @@ const EDGE_SLIP: f64 = 0.05;
 /// `|φ| a G/p₀` up to which a larger spin is plausible.
 const LARGEST_INCLINATION: f64 = 5.0;
 /// Half of the least plausible value of the larger summed curvature \[1/m\].
-pub(super) const SMALLEST_CURVATURE: f64 = 0.1;
+pub(super) const SMALLEST_CURVATURE: f64 = 0.5 / LARGEST_RADIUS;
 
 /// What is implausible about a contact and its creepage, if anything; the contact is examined
 /// first. Nothing is implausible about a lost contact.

@@ -56,6 +56,21 @@ pub const KSTRIP_WARNING_ANGLE_RANGE: kstrip_status = 19;
 pub const KSTRIP_WARNING_PROFILE_END: kstrip_status = 18;
 /// Warning: the measured points do not determine each parameter of a law.
 pub const KSTRIP_WARNING_UNDETERMINED: kstrip_status = 20;
+/// Warning: a profile stands upside down or the wrong way round. z must point down, and the flange
+/// of a wheel and the gauge side of a rail lie at small y. A contact of a wheel above 30 degrees
+/// says so too.
+pub const KSTRIP_WARNING_ORIENTATION: kstrip_status = 21;
+/// Warning: a profile is longer than 1 m. It is probably in mm.
+pub const KSTRIP_WARNING_PROFILE_SIZE: kstrip_status = 22;
+/// Warning: the shear modulus is below 0.1 MPa. It is probably in MPa or GPa.
+pub const KSTRIP_WARNING_MODULUS: kstrip_status = 23;
+/// Warning: friction and Poisson's ratio of a wheel and a rail are both 0. They were probably
+/// forgotten.
+pub const KSTRIP_WARNING_UNSET: kstrip_status = 24;
+/// Warning: no ordinary contact supports the wheel. The support falls with depth on the way to the
+/// height that was found, because friction pulls the wheel down, or the peak pressure exceeds a
+/// twentieth of the shear modulus.
+pub const KSTRIP_WARNING_SUPPORT: kstrip_status = 25;
 /// Error: a required pointer is NULL.
 pub const KSTRIP_ERROR_NULL: kstrip_status = -1;
 /// Error: an input is infinite or NaN.

@@ -144,6 +144,12 @@ impl<F: Float> WheelContact<F> {
         are_finite(&numbers) && rows.flatten().all(F::is_finite_number)
     }
 
+    /// The largest peak pressure of the strips \[Pa\].
+    pub(super) fn peak_pressure(&self) -> F {
+        let strips = self.patch.strips.iter().take(self.patch.count as usize);
+        strips.fold(F::zero(), |most, strip| most.max(strip.peak_pressure))
+    }
+
     /// Whether the normal turns by too much for one plane of contact.
     pub(crate) fn is_conformal(&self) -> bool {
         self.angle_range > F::of(FLAT)

@@ -16,12 +16,33 @@ use crate::status::{Error, Warning};
 const HEIGHTS: u32 = 100;
 /// Largest factor by which the depth below the first touch grows in a step.
 const GROWTH: f64 = 4.0;
-/// Peak pressure over the shear modulus from which it is implausible.
-const IMPLAUSIBLE: f64 = 0.1;
+/// Peak pressure over the shear modulus from which no wheel is supported: flanges have 0.05.
+const CRUSHED: f64 = 0.05;
 
 /// A height that was tried: vertical position, and by how much the straightened force exceeds the
 /// wanted one.
 type Tried<F> = (F, F);
+
+/// How the support varies over the heights that were tried.
+struct Trend<F> {
+    /// Depth of the deepest place with too little support, and its support.
+    least: Option<(F, F)>,
+    /// Whether the support falls with depth somewhere, by more than its rounding.
+    falls: bool,
+    rounding: F,
+}
+
+impl<F: Float> Trend<F> {
+    /// Notes the support at a height. At the first touch it is zero.
+    fn note(&mut self, height: F, support: F, has_too_little: bool) {
+        let (_, before) =
+            self.least.filter(|(above, _)| *above < height).unwrap_or((height, F::zero()));
+        self.falls |= support < before - self.rounding;
+        if has_too_little {
+            self.least = Some((height, support));
+        }
+    }
+}
 
 /// Whether an error says that the wheel is too deep in the rail.
 fn is_too_deep(error: Error) -> bool {
@@ -64,6 +85,7 @@ impl<F: Float> Scene<'_, F> {
         let mut deep: Option<(F, Error)> = None;
         let mut last: Option<Tried<F>> = None;
         let mut here = touches + expected * per_normal;
+        let mut trend = Trend { least: None, falls: false, rounding: support * F::EPSILON.sqrt() };
         for tried in 0..HEIGHTS {
             let at = Position { vertical: here, ..*position };
             let found = self.support(&at, velocity, memory);
@@ -76,8 +98,9 @@ impl<F: Float> Scene<'_, F> {
                 Ok([force, stiffness]) => {
                     let own = straight(force);
                     let rest = own - wanted;
+                    trend.note(here, force, rest < F::zero());
                     if rest.abs() <= wanted * F::EPSILON.times(64.0) {
-                        return Ok((here, self.judged(memory)));
+                        return Ok((here, self.supported(&trend, memory)));
                     }
                     if rest < F::zero() {
                         above = Some((here, rest));
@@ -107,8 +130,8 @@ impl<F: Float> Scene<'_, F> {
                         }
                         let more = below.map_or(-less, |(_, more)| more);
                         let is_close = more.min(-less) <= wanted * F::EPSILON.sqrt();
-                        let warning =
-                            if is_close { self.judged(memory) } else { Warning::NotConverged };
+                        let warning = self.supported(&trend, memory);
+                        let warning = if is_close { warning } else { Warning::NotConverged };
                         return Ok((here, warning));
                     }
                     // (a secant that does not close in is followed by halves)
@@ -129,15 +152,12 @@ impl<F: Float> Scene<'_, F> {
         Ok((here, Warning::NotConverged))
     }
 
-    /// A warning where the pressure of the found contacts is implausible.
-    fn judged(&self, memory: &Workspace<F>) -> Warning {
-        let bound = self.pair.shear_modulus.times(IMPLAUSIBLE);
-        let mut strips = memory
-            .found()
-            .iter()
-            .flat_map(|contact| contact.patch.strips.iter().take(contact.patch.count as usize));
-        let beyond = strips.any(|strip| strip.peak_pressure > bound);
-        if beyond { Warning::Pressure } else { Warning::None }
+    /// What is implausible about the scene and its contacts, and whether they support the wheel.
+    fn supported(&self, trend: &Trend<F>, memory: &Workspace<F>) -> Warning {
+        let bound = self.pair.shear_modulus.times(CRUSHED);
+        let crushed = memory.found().iter().any(|contact| contact.peak_pressure() > bound);
+        let support = if trend.falls || crushed { Warning::Support } else { Warning::None };
+        support.worse(self.plausibility(memory))
     }
 
     /// The upward force of the rail on the wheel, without a velocity that of the pressure alone;

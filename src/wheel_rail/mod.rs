@@ -26,6 +26,7 @@ mod groups;
 mod height;
 mod knots;
 mod line_of_contact;
+mod plausibility;
 mod prepare;
 pub mod scene;
 mod spine;

@@ -14,7 +14,7 @@ use super::knots::{Knots, SINGLE};
 use super::spine::Polyline;
 use super::surface::{Place, Surface};
 use crate::number::{Float, are_finite};
-use crate::status::Error;
+use crate::status::{Error, Warning};
 
 /// Shortest extent of a profile, and largest coordinate \[m\].
 const SHORTEST: f64 = 1e-6;
@@ -30,11 +30,21 @@ impl<F: Float> Surface<F> {
     /// weighted with `(1 − (d/s)²)³` and with their spacing. Straight lines and parabolas are not
     /// changed.
     ///
-    /// # Errors [`Error::NotFinite`]; [`Error::Profile`] for fewer than four points, or a
+    /// Returns a warning for a profile that is longer than 1 m, stands upside down or runs the wrong
+    /// way.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`]; [`Error::Profile`] for fewer than four points, or a
     /// negative step; [`Error::SmoothingLength`]; [`Error::Capacity`] when the step needs more
     /// points than there is room for; [`Error::Overflow`] for a profile smaller than 1 µm or larger
     /// than 1 km; [`Error::Scatter`] for points that no line follows.
-    pub fn prepare(&mut self, y: &[F], z: &[F], step: F, smoothing_length: F) -> Result<(), Error> {
+    pub fn prepare(
+        &mut self,
+        y: &[F],
+        z: &[F],
+        step: F,
+        smoothing_length: F,
+    ) -> Result<Warning, Error> {
         if y.len() < 4 || y.len() != z.len() {
             return Err(Error::Profile);
         }
@@ -72,6 +82,7 @@ impl<F: Float> Surface<F> {
         }
         // From here on nothing fails, and the surface is written.
         let is_reversed = line.is_reversed();
+        let given = F::widened((y.len() - 1) as f32);
         let mut knots = Knots::new(self);
         let mut smoothing = smoothing_length;
         let mut chords = Chords { length: wanted, count: 3, are_equal: false };
@@ -103,9 +114,10 @@ impl<F: Float> Surface<F> {
         }
         self.step = chords.length;
         self.count = chords.count as u32 + 1;
-        self.reserved = 0;
+        self.spacing = chords.length * F::widened(chords.count as f32) / given;
         self.directions();
-        Ok(())
+        self.shape = self.what_it_is();
+        Ok(self.plausibility())
     }
 
     /// Puts a point at the end of some chords, counted from the beginning or from the end of the

@@ -1,6 +1,7 @@
 //! Force and moment for a position, and the height of a wheel that carries a load.
 
 use super::contacts::{self, WheelContact};
+use super::plausibility;
 use super::surface::Surface;
 use super::touch::{Gap, touch};
 use super::wrench::{self, Law, Wrench, WrenchByPosition, WrenchDerivatives};
@@ -101,6 +102,23 @@ impl<F: Float> Scene<'_, F> {
     /// # Errors
     /// Those of [`Scene::place`] and [`wrench::of_contacts`].
     pub fn solve(
+        &self,
+        position: &Position<F>,
+        velocity: &Velocity<F>,
+        memory: &mut Workspace<F>,
+        derivatives: Option<&mut WrenchDerivatives<F>>,
+        by_position: Option<&mut WrenchByPosition<F>>,
+    ) -> Result<Wrench<F>, Error> {
+        let found = self.with_slopes(position, velocity, memory, derivatives, by_position)?;
+        Ok(Wrench { warning: found.warning.worse(self.plausibility(memory)), ..found })
+    }
+
+    /// What is implausible about the scene and the contacts that were found.
+    pub(super) fn plausibility(&self, memory: &Workspace<F>) -> Warning {
+        plausibility::implausibility(self.rail, self.wheel, self.pair, memory.found())
+    }
+
+    fn with_slopes(
         &self,
         position: &Position<F>,
         velocity: &Velocity<F>,

@@ -21,10 +21,13 @@ pub struct Surface<F> {
     pub sine: [F; KSTRIP_SURFACE_CAPACITY],
     /// Length between two points \[m\].
     pub step: F,
+    /// Mean distance between the points that were given \[m\].
+    pub spacing: F,
     /// Number of points, 4 to KSTRIP_SURFACE_CAPACITY.
     pub count: u32,
-    /// Reserved: zero.
-    pub reserved: u32,
+    /// What the shape tells: 0 where it may be that of a wheel and of a rail, or a sum of 1 (it is
+    /// not that of a wheel) and 2 (not that of a rail).
+    pub shape: u32,
 }
 
 /// A point of a curve and its derivative by the length.
@@ -64,7 +67,8 @@ impl<F: Float> Surface<F> {
         let count = self.count as usize;
         let sound = (4..=KSTRIP_SURFACE_CAPACITY).contains(&count)
             && self.step.is_finite_number()
-            && self.step > F::zero();
+            && self.step > F::zero()
+            && self.spacing.is_finite_number();
         let lists = [&self.y, &self.z, &self.cosine, &self.sine];
         let finite = lists.iter().all(|list| list.get(..count).is_some_and(are_finite));
         if sound && finite { Ok(()) } else { Err(Error::NotPrepared) }

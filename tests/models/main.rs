@@ -46,6 +46,7 @@ mod total;
 mod unlike;
 mod warnings;
 mod wheel_continuity;
+mod wheel_plausibility;
 mod wheel_positions;
 mod wheel_rail;
 mod wheelset;

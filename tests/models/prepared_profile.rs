@@ -16,7 +16,7 @@ type Points = Vec<[f64; 2]>;
 fn prepared(points: &[[f64; 2]], step: f64, smoothing: f64) -> Result<Box<Surface<f64>>, Error> {
     let (y, z): (Vec<f64>, Vec<f64>) = points.iter().map(|&[y, z]| (y, z)).unzip();
     let mut surface = zeroed::<Surface<f64>>();
-    surface.prepare(&y, &z, step, smoothing).map(|()| surface)
+    surface.prepare(&y, &z, step, smoothing).map(|_| surface)
 }
 
 fn profile(name: &str) -> Points {

@@ -350,7 +350,10 @@ fn heights_do_not_depend_on_the_start() {
             over.position.vertical = start;
             let height = over.scene().height_for_load(&over.position, load, None, &mut memory);
             let height = height.map(|(height, warning)| {
-                assert!(warning == Warning::None || warning == Warning::Pressure, "{warning:?}");
+                // (200 kN press a flange with more than a twentieth of the modulus, and the worn
+                // profile is that of a wheel)
+                let expected = [Warning::None, Warning::Support, Warning::Orientation];
+                assert!(expected.contains(&warning), "{warning:?}");
                 height
             });
             heights.push(height);

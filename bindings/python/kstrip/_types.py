@@ -250,7 +250,9 @@ class Surface(Record, name="surface"):
     cosine = Numbers('', "Derivative of y with respect to the length: the cosine of the profile's angle.")
     sine = Numbers('', "Derivative of z with respect to the length: the sine of the profile's angle.")
     step = Numbers('m', 'Length between two points [m].')
+    spacing = Numbers('m', 'Mean distance between the points that were given [m].')
     count = Integers('', 'Number of points, 4 to KSTRIP_SURFACE_CAPACITY.')
+    shape = Integers('', 'What the shape tells: 0 where it may be that of a wheel and of a rail, or a sum of 1 (it is not that of a wheel) and 2 (not that of a rail).')
 
 
 class WheelPosition(Record, name="wheel_position"):

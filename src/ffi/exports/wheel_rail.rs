@@ -22,7 +22,8 @@ use crate::ffi::wheel_rail::*;
 ///                        this distance [m], >= 0; 0: the profile goes through all points. 2 to 4
 ///                        mm suit measured profiles.
 /// @param[out] surface    receives the profile.
-/// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (fewer than
+/// @return KSTRIP_OK; KSTRIP_WARNING_ORIENTATION (the profile stands upside down or the wrong way
+///         round, as far as its shape tells), KSTRIP_WARNING_PROFILE_SIZE; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (fewer than
 ///         four points, a negative step), KSTRIP_ERROR_SMOOTHING_LENGTH, KSTRIP_ERROR_CAPACITY
 ///         (the step needs too many points), KSTRIP_ERROR_OVERFLOW (the profile is smaller than
 ///         1 um, or a coordinate is larger than 1 km), KSTRIP_ERROR_SCATTER (no line follows the
@@ -38,10 +39,7 @@ pub unsafe extern "C" fn kstrip_prepare_profile(
 ) -> kstrip_status {
     // SAFETY: NULL or as many elements as points says, says the header.
     let (y, z) = unsafe { (input(y, points), input(z, points)) };
-    answer(|| {
-        given(surface)?.prepare(y?, z?, step, smoothing_length)?;
-        Ok(Warning::None)
-    })
+    answer(|| given(surface)?.prepare(y?, z?, step, smoothing_length))
 }
 
 /// The gap between a wheel and a rail: the line on the wheel along which its normal is
@@ -199,7 +197,11 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
 ///                        most where the function is smooth, at four times the cost of a call
 ///                        (single precision: central differences of half the overlap, at most
 ///                        15 um and 15 urad, at eight times); NULL: not needed.
-/// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE, or a status of one of these functions.
+/// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_WARNING_ORIENTATION (also for a profile
+///         that is not that of a wheel, or of a rail, and for a contact above 30 degrees),
+///         KSTRIP_WARNING_PROFILE_SIZE, KSTRIP_WARNING_RADIUS, KSTRIP_WARNING_MODULUS,
+///         KSTRIP_WARNING_FRICTION, KSTRIP_WARNING_UNSET, KSTRIP_WARNING_PRESSURE for implausible
+///         inputs; or a status of one of these functions.
 #[unsafe(export_name = symbol!("kstrip_wheel_on_rail"))]
 pub extern "C" fn kstrip_wheel_on_rail(
     rail: Option<&Surface<F>>,
@@ -229,7 +231,8 @@ pub extern "C" fn kstrip_wheel_on_rail(
 }
 
 /// The vertical position at which the rail supports a wheel with a given force. Use it to begin a
-/// run, and for tables. The search tries about eight positions, and 64 at most.
+/// run, and for tables. The search tries about ten positions, and 100 at
+/// most, and finds the highest.
 ///
 /// @param rail, wheel, pair  as in kstrip_wheel_on_rail().
 /// @param position        where the wheel is; its vertical member is where the search begins.
@@ -239,8 +242,10 @@ pub extern "C" fn kstrip_wheel_on_rail(
 /// @param friction        as in kstrip_wheel_on_rail().
 /// @param workspace       memory that may hold anything; receives gap and contacts.
 /// @param[out] vertical   receives the vertical position [m].
-/// @return KSTRIP_OK, KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_NORMAL_FORCE (support), or an
-///         error of kstrip_wheel_on_rail().
+/// @return KSTRIP_OK, KSTRIP_WARNING_NOT_CONVERGED, KSTRIP_WARNING_SUPPORT (the support
+///         falls with depth on the way, because friction pulls the wheel down, or the peak pressure
+///         exceeds a twentieth of the shear modulus);
+///         KSTRIP_ERROR_NORMAL_FORCE (support), or a status of kstrip_wheel_on_rail().
 #[unsafe(export_name = symbol!("kstrip_height_for_load"))]
 pub extern "C" fn kstrip_height_for_load(
     rail: Option<&Surface<F>>,

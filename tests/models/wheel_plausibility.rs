@@ -1,0 +1,154 @@
+//! Wheels on rails that no railway has: wrong units, profiles upside down or the wrong way round,
+//! members forgotten, and wheels that friction pulls down. Ordinary ones come without a warning.
+
+use crate::manchester::{points, steel, zeroed};
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::Model;
+use kstrip::status::{Error, Warning};
+use kstrip::wheel_rail::scene::{Scene, Workspace};
+use kstrip::wheel_rail::surface::Surface;
+use kstrip::wheel_rail::wrench::Law;
+use kstrip::wheel_rail::{Position, Velocity, WheelPair};
+
+const WHEELS: [&str; 7] =
+    ["s1002", "whl288", "avgwhl", "car7216", "wornhm", "en_wheel_a", "en_wheel_h"];
+const RAILS: [&str; 6] = ["uic60", "rail288", "avgHR", "siteb", "avglow", "en_rail"];
+
+type Prepared = (Box<Surface<f64>>, Warning);
+
+/// A profile of the data whose coordinates are multiplied by factors.
+fn scaled(name: &str, [across, down]: [f64; 2]) -> Prepared {
+    let [y, z] = points(name);
+    let y: Vec<f64> = y.iter().map(|y| y * across).collect();
+    let z: Vec<f64> = z.iter().map(|z| z * down).collect();
+    prepared(&y, &z)
+}
+
+fn prepared(y: &[f64], z: &[f64]) -> Prepared {
+    let mut surface = zeroed::<Surface<f64>>();
+    let warning = surface.prepare(y, z, 0.0, 0.0).unwrap();
+    (surface, warning)
+}
+
+/// A profile drawn at places from -end to end.
+fn drawn(end: f64, height: impl Fn(f64) -> f64) -> Prepared {
+    let y: Vec<f64> = (0..=200).map(|i| end * (f64::from(i) / 100.0 - 1.0)).collect();
+    let z: Vec<f64> = y.iter().map(|y| height(*y)).collect();
+    prepared(&y, &z)
+}
+
+/// The warning of a wheel pressed 0.1 mm into a rail.
+fn on_rail(rail: &Surface<f64>, wheel: &Surface<f64>, pair: &WheelPair<f64>) -> Option<Warning> {
+    let law = Law { model: Model::Strip, falling: None };
+    let scene = Scene { rail, wheel, pair, strips: StripCount::Eight, law };
+    let mut memory = zeroed::<Workspace<f64>>();
+    let position = Position::default();
+    let (vertical, _) = scene.height_for_load(&position, 40e3, None, &mut memory).ok()?;
+    let position = Position { vertical, ..position };
+    let rolling = Velocity { forward: 20.0, pitch: -43.48, ..Velocity::default() };
+    Some(scene.solve(&position, &rolling, &mut memory, None, None).ok()?.warning)
+}
+
+#[test]
+fn profiles_are_told_when_they_stand_wrong() {
+    for name in WHEELS.into_iter().chain(RAILS) {
+        assert_eq!(scaled(name, [1.0, 1.0]).1, Warning::None, "{name}");
+        assert_eq!(scaled(name, [1e3, 1e3]).1, Warning::ProfileSize, "{name} in mm");
+    }
+    for name in WHEELS {
+        for factors in [[-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]] {
+            assert_eq!(scaled(name, factors).1, Warning::Orientation, "{name} {factors:?}");
+        }
+    }
+    for name in RAILS {
+        assert_eq!(scaled(name, [1.0, -1.0]).1, Warning::Orientation, "{name}");
+    }
+    // cones, discs and a roller with rounded edges
+    let cone = drawn(0.05, |y| -y / 20.0);
+    let crowned = drawn(0.01, |y| -y * y / 0.6);
+    let rounded = drawn(0.01, |y| {
+        let beyond = (y.abs() - 8e-3).max(0.0);
+        -(2e-3 - (2e-3_f64.powi(2) - beyond * beyond).sqrt())
+    });
+    for (_, warning) in [cone, crowned, rounded] {
+        assert_eq!(warning, Warning::None);
+    }
+}
+
+#[test]
+fn wheels_on_rails_are_told_what_is_implausible() {
+    let [(rail, _), (wheel, _)] = ["uic60", "s1002"].map(|name| scaled(name, [1.0, 1.0]));
+    let pair = WheelPair { friction: 0.3, ..steel(0.46) };
+    assert_eq!(on_rail(&rail, &wheel, &pair), Some(Warning::None));
+    let vertical = {
+        let law = Law { model: Model::Strip, falling: None };
+        let scene =
+            Scene { rail: &rail, wheel: &wheel, pair: &pair, strips: StripCount::Eight, law };
+        let mut memory = zeroed::<Workspace<f64>>();
+        scene.height_for_load(&Position::default(), 40e3, None, &mut memory).unwrap().0
+    };
+    let cases = [
+        (WheelPair { friction: 30.0, ..pair }, Warning::Friction),
+        (WheelPair { shear_modulus: 82.0, ..pair }, Warning::Modulus),
+        (WheelPair { shear_modulus: 82e3, ..pair }, Warning::Modulus),
+        (WheelPair { wheel_radius: 460.0, ..pair }, Warning::Radius),
+        (WheelPair { friction: 0.0, poisson_ratio: 0.0, ..pair }, Warning::Unset),
+        (WheelPair { friction: 0.0, ..pair }, Warning::None),
+        (WheelPair { poisson_ratio: 0.0, ..pair }, Warning::None),
+    ];
+    for (pair, expected) in cases {
+        let law = Law { model: Model::Strip, falling: None };
+        let scene =
+            Scene { rail: &rail, wheel: &wheel, pair: &pair, strips: StripCount::Eight, law };
+        let mut memory = zeroed::<Workspace<f64>>();
+        let position = Position { vertical, ..Position::default() };
+        let rolling = Velocity { forward: 20.0, pitch: -43.48, ..Velocity::default() };
+        let found = scene.solve(&position, &rolling, &mut memory, None, None);
+        assert_eq!(found.map(|found| found.warning), Ok(expected), "{pair:?}");
+    }
+    let pair = WheelPair { friction: 0.3, ..steel(0.46) };
+    for factors in [[-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]] {
+        let (wrong, _) = scaled("s1002", factors);
+        let found = on_rail(&rail, &wrong, &pair);
+        assert_eq!(found, Some(Warning::Orientation), "wheel {factors:?}");
+    }
+    let (wrong, _) = scaled("uic60", [1.0, -1.0]);
+    assert_eq!(on_rail(&wrong, &wheel, &pair), None, "no load is carried by a rail upside down");
+    let none = zeroed::<Surface<f64>>();
+    assert_eq!(none.clone().prepare(&[], &[], 0.0, 0.0), Err(Error::Profile));
+    let text = Error::NotPrepared.to_string();
+    assert!(text.contains("kstrip_prepare_profile()"), "{text}");
+}
+
+/// Friction of a flange that slides upward carries the wheel down: the first heights support
+/// nothing, and where the support is reached at last the contact is crushed.
+#[test]
+fn a_wheel_that_friction_pulls_down_is_told() {
+    let (rail, _) = {
+        let [y, z] = points("uic60");
+        let (sine, cosine) = (-0.025_f64).sin_cos();
+        let turned = |(y, z): (&f64, &f64)| (y * cosine - z * sine, y * sine + z * cosine);
+        let (y, z): (Vec<f64>, Vec<f64>) = y.iter().zip(&z).map(turned).unzip();
+        prepared(&y, &z)
+    };
+    let (wheel, _) = scaled("car7216", [1.0, 1.0]);
+    let pair = WheelPair { friction: 0.4, ..steel(0.4318) };
+    let law = Law { model: Model::Strip, falling: None };
+    let scene = Scene { rail: &rail, wheel: &wheel, pair: &pair, strips: StripCount::Sixteen, law };
+    let mut memory = zeroed::<Workspace<f64>>();
+    let mut told = 0;
+    for shift in 0..60 {
+        let lateral = -0.05 - 5e-4 * f64::from(shift);
+        let position = Position { lateral, yaw: -0.0269, ..Position::default() };
+        let up = Velocity { forward: 20.0, lateral: -0.451, pitch: -44.93, ..Velocity::default() };
+        let Ok((_, warning)) = scene.height_for_load(&position, 24_426.0, Some(&up), &mut memory)
+        else {
+            continue;
+        };
+        let load: f64 = memory.found().iter().map(|c| c.share * c.normal_force).sum();
+        // (four times the support presses on no flange that friction of 0.4 carries)
+        assert!(load < 100e3 || warning == Warning::Support, "{lateral} {load}");
+        told += i32::from(warning == Warning::Support);
+    }
+    assert!(told > 0);
+}
