@@ -1243,9 +1243,9 @@ template <class T>
 struct basic_surface {
     basic_metres<T> y[surface_capacity], z[surface_capacity];
     T cosine[surface_capacity], sine[surface_capacity];
-    basic_metres<T> step;
+    basic_metres<T> step, spacing;
     std::uint32_t count;
-    std::uint32_t reserved;
+    std::uint32_t shape;
 };
 KSTRIP_HPP_BOTH(surface)
 

@@ -105,8 +105,9 @@ pub(super) fn implausibility<F: Float>(
 ) -> Warning {
     let of_rail = rail.implausible(rail.shape & NO_RAIL != 0);
     let of_profiles = of_rail.worse(wheel.implausible(wheel.shape & NO_WHEEL != 0));
-    let places = pair.friction_at.iter().take(pair.friction_points as usize);
-    let friction = places.fold(pair.friction, |most, friction| most.max(*friction));
+    let places = pair.friction_at.get(..pair.friction_points as usize).unwrap_or(&[]);
+    let friction = if places.is_empty() { &[pair.friction] } else { places };
+    let friction = friction.iter().fold(F::zero(), |most, friction| most.max(*friction));
     let pressure = pair.shear_modulus.times(LARGEST_PRESSURE);
     if of_profiles != Warning::None {
         of_profiles

@@ -30,8 +30,8 @@ impl<F: Float> Surface<F> {
     /// weighted with `(1 − (d/s)²)³` and with their spacing. Straight lines and parabolas are not
     /// changed.
     ///
-    /// Returns a warning for a profile that is longer than 1 m, stands upside down or runs the wrong
-    /// way.
+    /// Returns a warning for a profile that is longer than 1 m, stands upside down or runs the
+    /// wrong way.
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::Profile`] for fewer than four points, or a

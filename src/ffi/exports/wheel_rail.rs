@@ -23,11 +23,11 @@ use crate::ffi::wheel_rail::*;
 ///                        mm suit measured profiles.
 /// @param[out] surface    receives the profile.
 /// @return KSTRIP_OK; KSTRIP_WARNING_ORIENTATION (the profile stands upside down or the wrong way
-///         round, as far as its shape tells), KSTRIP_WARNING_PROFILE_SIZE; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (fewer than
-///         four points, a negative step), KSTRIP_ERROR_SMOOTHING_LENGTH, KSTRIP_ERROR_CAPACITY
-///         (the step needs too many points), KSTRIP_ERROR_OVERFLOW (the profile is smaller than
-///         1 um, or a coordinate is larger than 1 km), KSTRIP_ERROR_SCATTER (no line follows the
-///         points).
+///         round, as far as its shape tells), KSTRIP_WARNING_PROFILE_SIZE; KSTRIP_ERROR_NULL,
+///         KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (fewer than four points, a negative step),
+///         KSTRIP_ERROR_SMOOTHING_LENGTH, KSTRIP_ERROR_CAPACITY (the step needs too many points),
+///         KSTRIP_ERROR_OVERFLOW (the profile is smaller than 1 um, or a coordinate is larger than
+///         1 km), KSTRIP_ERROR_SCATTER (no line follows the points).
 #[unsafe(export_name = symbol!("kstrip_prepare_profile"))]
 pub unsafe extern "C" fn kstrip_prepare_profile(
     y: *const F,
