@@ -19,10 +19,11 @@
 //! that of its neighbour in the zone, `u_i + κ (p_i − p_k) = δ − h_i` with `κ = 0.3 w (1 − r)²/r`,
 //! and takes the neighbour's value as its width vanishes.
 
+use crate::normal::equations::Equations;
 use crate::normal::influence::{Curvature, Deflection, StripEdge};
 pub use crate::normal::layout::CELLS;
 use crate::normal::layout::CellPlaces;
-use crate::normal::profile::{WithSlope, side_by_side};
+use crate::normal::profile::WithSlope;
 use crate::number::avx::with_avx;
 use crate::number::{Arithmetic, Float, Strips};
 use core::f64::consts::FRAC_PI_2;
@@ -73,42 +74,6 @@ pub(crate) struct Cell<F> {
     coupling: [WithSlope<F>; 2],
     /// `κ` to a pressure of zero.
     alone: WithSlope<F>,
-}
-
-/// Largest number of edges whose distances from a cell are needed.
-const EDGES: usize = 2 * CELLS;
-
-type Matrix<F> = Vec<[F; CELLS], CELLS>;
-
-/// Room for the equations of as many cells as there are.
-pub(crate) struct Equations<F> {
-    /// `∂u_i/∂p_j`
-    influence: Matrix<F>,
-    /// Their derivatives.
-    slopes: Matrix<F>,
-    factors: Matrix<F>,
-}
-
-impl<F: Float> Equations<F> {
-    #[inline(always)]
-    pub(crate) fn new() -> Self {
-        Self { influence: Vec::new(), slopes: Vec::new(), factors: Vec::new() }
-    }
-
-    /// Makes room for so many cells, in place.
-    fn make_room(&mut self, count: usize) {
-        for rows in [&mut self.influence, &mut self.slopes, &mut self.factors] {
-            while rows.len() < count && rows.push([F::zero(); CELLS]).is_ok() {}
-        }
-    }
-
-    fn copy_to_factors(&mut self, count: usize) {
-        for (row, from) in self.factors.iter_mut().zip(&self.influence).take(count) {
-            for (factor, entry) in row.iter_mut().zip(from).take(count) {
-                *factor = *entry;
-            }
-        }
-    }
 }
 
 /// Cells in ascending `y`.
@@ -175,33 +140,20 @@ impl<F: Float> Cells<F> {
         given: Given<WithSlope<F>>,
     ) -> WithSlope<F> {
         equations.make_room(self.list.len());
+        let mut across = Across::new();
         for (j, cell) in self.list.iter().enumerate() {
-            let mut rows = equations.influence.iter_mut().zip(&mut equations.slopes);
-            Edges::new(cell).across::<Deflection>(&self.list, |difference| {
-                let found = difference * cell.half_length;
-                let Some((row, slope)) = rows.next() else { return };
-                if let (Some(entry), Some(slope)) = (row.get_mut(j), slope.get_mut(j)) {
-                    (*entry, [*slope]) = (found.value, found.gradient);
-                }
+            across.fill::<Deflection>(&Edges::new(cell), &self.list);
+            let entries = across.differences().map(|difference| {
+                let WithSlope { value, gradient: [slope] } = difference * cell.half_length;
+                [value, slope]
             });
+            equations.set_column(j, entries);
         }
-        for (i, (cell, (row, slope))) in self
-            .list
-            .iter()
-            .zip(equations.influence.iter_mut().zip(&mut equations.slopes))
-            .enumerate()
-        {
+        for (i, cell) in self.list.iter().enumerate() {
             let [before, after] = cell.coupling;
-            // (past the last cell there is nothing, whose pressure is zero)
-            let beside = [(before, i.wrapping_sub(1)), (after, i + 1), (cell.alone, CELLS)];
-            for (kappa, k) in beside {
+            for (kappa, k) in [(before, i.wrapping_sub(1)), (after, i + 1), (cell.alone, CELLS)] {
                 let [change] = kappa.gradient;
-                for (k, sign) in [(i, F::one()), (k, -F::one())] {
-                    if let (Some(entry), Some(slope)) = (row.get_mut(k), slope.get_mut(k)) {
-                        *entry += sign * kappa.value;
-                        *slope += sign * change;
-                    }
-                }
+                equations.couple(i, k, kappa.value, change);
             }
         }
         // (coarse cells may all begin beyond the reach of their zone)
@@ -213,27 +165,19 @@ impl<F: Float> Cells<F> {
                 cell.touches = true;
             }
         }
-        let count = self.list.len();
         let mut approach = WithSlope::zero();
         for round in 0..ROUNDS {
-            equations.copy_to_factors(count);
-            let Equations { influence, slopes, factors } = equations;
-            let mut active: Vec<usize, CELLS> = Vec::new();
-            for (i, cell) in self.list.iter().enumerate() {
-                if cell.touches {
-                    let _ = active.push(i);
-                }
-            }
-            let mut one = [F::zero(); CELLS];
-            let mut distance = [F::zero(); CELLS];
-            for ((cell, one), distance) in self.list.iter().zip(&mut one).zip(&mut distance) {
-                if cell.touches {
+            let mut touching: Vec<usize, CELLS> = Vec::new();
+            let mut sides = [[F::zero(); CELLS]; 2];
+            let [one, distance] = &mut sides;
+            for (i, cell) in self.list.iter().enumerate().filter(|(_, cell)| cell.touches) {
+                let _ = touching.push(i);
+                if let (Some(one), Some(distance)) = (one.get_mut(i), distance.get_mut(i)) {
                     (*one, *distance) = (F::one(), cell.distance.value);
                 }
             }
-            factorise(factors, &active, count);
-            substitute(factors, &active, &mut one, count);
-            substitute(factors, &active, &mut distance, count);
+            equations.solve(&touching, &mut sides);
+            let [one, distance] = sides;
             // p = δ X − Y
             let (mut by_approach, mut without) = (F::zero(), F::zero());
             for ((cell, one), distance) in self.list.iter().zip(one).zip(distance) {
@@ -250,14 +194,13 @@ impl<F: Float> Cells<F> {
                 *p = approach.value * one - distance;
             }
             let mut changed = false;
-            for ((cell, p), row) in self.list.iter_mut().zip(&pressures).zip(influence.iter()) {
+            for (i, (cell, p)) in self.list.iter_mut().zip(&pressures).enumerate() {
                 cell.pressure.value = *p;
                 let stays = if cell.touches {
                     *p > F::zero()
                 } else {
                     // the bodies would overlap
-                    let pushed = product(row.get(..count).unwrap_or(row), &pressures);
-                    approach.value - cell.distance.value > pushed
+                    approach.value - cell.distance.value > equations.deflection(i, &pressures)
                 };
                 // many at once at first, then the first of them in each round
                 if stays != cell.touches && (round < TOGETHER || !changed) {
@@ -272,16 +215,11 @@ impl<F: Float> Cells<F> {
             }
             // A dp = dδ − dh − dA p
             let mut rest = [F::zero(); CELLS];
-            for ((rest, cell), row) in rest.iter_mut().zip(&self.list).zip(slopes.iter()) {
-                let [moved] = cell.distance.gradient;
-                *rest = -(moved + product(row.get(..count).unwrap_or(row), &pressures));
-            }
             for (rest, cell) in rest.iter_mut().zip(&self.list) {
-                if !cell.touches {
-                    *rest = F::zero();
-                }
+                let [moved] = cell.distance.gradient;
+                *rest = -moved;
             }
-            substitute(factors, &active, &mut rest, count);
+            equations.solve_for_slopes(&touching, &pressures, &mut rest);
             let mut carried = F::zero();
             for (cell, rest) in self.list.iter().zip(rest) {
                 let area = cell.half_length * cell.width;
@@ -314,14 +252,13 @@ impl<F: Float> Cells<F> {
     pub(crate) fn correct(&mut self, power: WithSlope<F>) {
         let (less, more) = (WithSlope::one() - power, WithSlope::one() + power);
         let mut curvatures = [WithSlope::zero(); CELLS];
+        let mut across = Across::new();
         for cell in self.list.iter().filter(|cell| cell.touches) {
             let share = cell.pressure / cell.half_length;
-            let mut sums = curvatures.iter_mut();
-            Edges::new(cell).across::<Curvature>(&self.list, |difference| {
-                if let Some(sum) = sums.next() {
-                    *sum += difference * share;
-                }
-            });
+            across.fill::<Curvature>(&Edges::new(cell), &self.list);
+            for (sum, difference) in curvatures.iter_mut().zip(across.differences()) {
+                *sum += difference * share;
+            }
         }
         for (cell, curvature) in self.list.iter_mut().zip(curvatures) {
             // the power of c as its Padé approximant, which keeps the correction within a factor of
@@ -357,57 +294,28 @@ impl<F: Float> Edges<F> {
         }
     }
 
-    /// The differences of an odd function of `t = d/a` between the distances of the edges from each
-    /// cell's place. Where cells as wide as this one are neighbours, one's lower edge is as far as
-    /// the other's upper edge.
-    fn across<E: StripEdge>(&self, cells: &[Cell<F>], mut take: impl FnMut(WithSlope<F>)) {
-        let width = (self.upper - self.lower).value;
-        let near =
-            |place: F, before: F| (place - before - width).abs() <= width * F::EPSILON.times(256.0);
-        let mut distances: Vec<WithSlope<F>, EDGES> = Vec::new();
-        let mut last: Option<F> = None;
-        for cell in cells {
-            let place = cell.at.value;
-            if !last.is_some_and(|before| near(place, before)) {
-                let _ = distances.push(cell.at - self.upper);
-            }
-            let _ = distances.push(cell.at - self.lower);
-            last = Some(place);
-        }
-        self.all_at::<E>(&mut distances);
-        let mut found = distances.iter();
-        let mut last: Option<(F, WithSlope<F>)> = None;
-        for cell in cells {
-            let place = cell.at.value;
-            let upper = match last {
-                Some((before, far)) if near(place, before) => Some(far),
-                _ => found.next().copied(),
-            };
-            let (Some(upper), Some(lower)) = (upper, found.next().copied()) else { return };
-            take(lower - upper);
-            last = Some((place, lower));
-        }
-    }
-
     /// Replaces each distance by the value of the function.
-    fn all_at<E: StripEdge>(&self, distances: &mut [WithSlope<F>]) {
+    fn all_at<E: StripEdge>(&self, values: &mut [F], slopes: &mut [F]) {
         with_avx!(if 1 => <F: Float, E: StripEdge>(
             edges: &Edges<F> = self,
             _of: PhantomData<E> = PhantomData::<E>,
-            distances: &mut [WithSlope<F>] = distances
+            values: &mut [F],
+            slopes: &mut [F]
         ) -> () {
-            edges.in_fours::<E, F::Four>(distances)
+            edges.in_fours::<E, F::Four>(values, slopes)
         } {
-            edges.in_fours::<E, F::WideFour>(distances)
+            edges.in_fours::<E, F::WideFour>(values, slopes)
         })
     }
 
     /// The same, four side by side.
     #[inline(always)]
-    fn in_fours<E: StripEdge, P: Strips<F>>(&self, distances: &mut [WithSlope<F>]) {
+    fn in_fours<E: StripEdge, P: Strips<F>>(&self, values: &mut [F], slopes: &mut [F]) {
         let one = P::one();
-        for four in distances.chunks_mut(4) {
-            let [distance, moved] = side_by_side::<F, P>(four, F::one());
+        let four = |four: &[F; 4]| P::gather(|k| four.get(k).copied().unwrap_or(F::one()));
+        let slopes = slopes.as_chunks_mut::<4>().0.iter_mut();
+        for (values, slopes) in values.as_chunks_mut::<4>().0.iter_mut().zip(slopes) {
+            let (distance, moved) = (four(values), four(slopes));
             let size = distance.abs();
             let t = size * P::all(self.scale);
             // one division for 1/(1 + t) and 1/d
@@ -419,60 +327,72 @@ impl<F: Float> Edges<F> {
             // d ln t = d(distance)/distance − da/a
             let relative = sign * moved * inverse - P::all(self.growth);
             let (value, slope) = (sign * value, sign * slope * relative);
-            for (k, distance) in four.iter_mut().enumerate() {
-                *distance = WithSlope { value: value.lane(k), gradient: [slope.lane(k)] };
+            *values = core::array::from_fn(|k| value.lane(k));
+            *slopes = core::array::from_fn(|k| slope.lane(k));
+        }
+    }
+}
+
+/// Largest number of edges whose distances from a cell are needed.
+const EDGES: usize = 2 * CELLS;
+
+/// A function of the distances of a cell's edges from the places of all cells.
+struct Across<F> {
+    values: [F; EDGES],
+    slopes: [F; EDGES],
+    /// Whether it is the lower edge. Before each is the upper edge.
+    is_lower: [bool; EDGES],
+    count: usize,
+}
+
+impl<F: Float> Across<F> {
+    fn new() -> Self {
+        let none = [F::one(); EDGES];
+        Self { values: none, slopes: none, is_lower: [false; EDGES], count: 0 }
+    }
+
+    /// An odd function of `t = d/a`. Where cells as wide as this one are neighbours, one's lower
+    /// edge is as far as the other's upper edge.
+    #[inline(always)]
+    fn fill<E: StripEdge>(&mut self, edges: &Edges<F>, cells: &[Cell<F>]) {
+        let Self { values, slopes, is_lower, count } = self;
+        let width = (edges.upper - edges.lower).value;
+        let close = width * F::EPSILON.times(256.0);
+        let mut places = values.iter_mut().zip(slopes.iter_mut()).zip(is_lower.iter_mut());
+        let mut add = |distance: WithSlope<F>, lower: bool| {
+            if let Some(((value, slope), is_lower)) = places.next() {
+                (*value, [*slope], *is_lower) = (distance.value, distance.gradient, lower);
             }
-        }
-    }
-}
-
-/// `Σ x_i y_i`
-fn product<F: Float>(x: &[F], y: &[F]) -> F {
-    x.iter().zip(y).fold(F::zero(), |sum, (x, y)| sum + *x * *y)
-}
-
-/// Gauss's elimination without pivots of the rows and columns listed: the diagonal is the largest
-/// of its row. Below it stand the factors.
-fn factorise<F: Float>(matrix: &mut Matrix<F>, active: &[usize], count: usize) {
-    let full = active.len();
-    for (order, k) in active.iter().enumerate() {
-        let rest = active.get(order + 1..full).unwrap_or(&[]);
-        let Some(pivot) = matrix.get(*k).copied() else { return };
-        let diagonal = pivot.get(*k).copied().unwrap_or(F::one());
-        let inverse = F::one() / diagonal;
-        for i in rest {
-            let Some(row) = matrix.get_mut(*i) else { return };
-            let Some(first) = row.get_mut(*k) else { return };
-            let factor = *first * inverse;
-            *first = factor;
-            // (columns of cells apart are computed too and not looked at)
-            let (Some(row), Some(pivot)) = (row.get_mut(k + 1..count), pivot.get(k + 1..count))
-            else {
-                return;
-            };
-            for (own, above) in row.iter_mut().zip(pivot) {
-                *own -= factor * *above;
-            }
-        }
-    }
-}
-
-/// Solves for a right-hand side, in place; zero for cells that do not touch.
-fn substitute<F: Float>(matrix: &Matrix<F>, active: &[usize], side: &mut [F; CELLS], count: usize) {
-    for k in active {
-        let Some(row) = matrix.get(*k) else { return };
-        if let Some((before, [own, ..])) = side.split_at_mut_checked(*k) {
-            *own -= product(row, before);
-        }
-    }
-    for k in active.iter().rev() {
-        let Some((diagonal, factors)) =
-            matrix.get(*k).and_then(|row| row.get(*k..count)?.split_first())
-        else {
-            return;
         };
-        if let Some([own, after @ ..]) = side.get_mut(*k..count) {
-            *own = (*own - product(factors, after)) / *diagonal;
+        let mut last: Option<F> = None;
+        for cell in cells {
+            let place = cell.at.value;
+            if !last.is_some_and(|before| (place - before - width).abs() <= close) {
+                add(cell.at - edges.upper, false);
+            }
+            add(cell.at - edges.lower, true);
+            last = Some(place);
         }
+        *count = EDGES - places.len();
+        let fours = count.next_multiple_of(4);
+        if let (Some(values), Some(slopes)) = (values.get_mut(..fours), slopes.get_mut(..fours)) {
+            edges.all_at::<E>(values, slopes);
+        }
+    }
+
+    /// The value at the lower edge less that at the upper one, for each cell.
+    #[inline(always)]
+    fn differences(&self) -> impl Iterator<Item = WithSlope<F>> {
+        let Self { values, slopes, is_lower, count } = self;
+        let pairs = values.windows(2).zip(slopes.windows(2)).zip(is_lower.iter().skip(1));
+        pairs.take(count.saturating_sub(1)).filter(|(_, is_lower)| **is_lower).map(
+            |((values, slopes), _)| {
+                let difference = |list: &[F]| match list {
+                    [upper, lower] => *lower - *upper,
+                    _ => F::zero(),
+                };
+                WithSlope { value: difference(values), gradient: [difference(slopes)] }
+            },
+        )
     }
 }

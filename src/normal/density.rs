@@ -77,9 +77,11 @@ impl<F: Float> Stretch<F> {
 }
 
 impl<F: Float> Zones<F> {
-    /// No zones.
-    pub fn new() -> Self {
-        let (per_deep, reach) = (WithSlope::zero(), WithSlope::zero());
+    /// No zones; depths are measured with the approach \[m\], slopes with the smoothing length
+    /// \[m\].
+    #[inline(always)]
+    pub fn new(approach: WithSlope<F>, smoothing: WithSlope<F>) -> Self {
+        let (per_deep, reach) = (approach.times(DEEP).inverse(), smoothing.times(REACH));
         Self { list: Vec::new(), places: Vec::new(), per_deep, reach, begun: None }
     }
 
@@ -110,16 +112,6 @@ impl<F: Float> Zones<F> {
                 }
             }
         }
-    }
-
-    /// Forgets all zones; depths are measured with the approach \[m\], slopes with the smoothing
-    /// length \[m\].
-    pub fn clear(&mut self, approach: WithSlope<F>, smoothing: WithSlope<F>) {
-        self.list.clear();
-        self.places.clear();
-        self.per_deep = approach.times(DEEP).inverse();
-        self.reach = smoothing.times(REACH);
-        self.begun = None;
     }
 
     /// A zone begins at `y`, where the function has this value and slope. Without room the last

@@ -13,7 +13,7 @@
 
 use crate::normal::density::{ZONES, Zones};
 use crate::normal::layout::{CellPlace, CellPlaces, layout, lean};
-use crate::normal::profile::{WithSlope, side_by_side};
+use crate::normal::profile::WithSlope;
 use crate::normal::smooth::Curve;
 use crate::number::avx::with_avx;
 use crate::number::{Arithmetic, Float, Strips};
@@ -32,14 +32,23 @@ const COUNT: usize = 10;
 pub(super) struct Estimate<F> {
     /// `N/(π E*)` \[m²\]
     pub load: WithSlope<F>,
-    /// Edges of the places, each with what the load per width grows by there, `f q/(π E*)` \[m\].
-    edges: Vec<WithSlope<F>, EDGES>,
-    growth: Vec<WithSlope<F>, EDGES>,
+    /// Edges of the places, in fours.
+    fours: Vec<Edges<F>, FOURS>,
     breadth: WithSlope<F>,
+}
+
+/// Four edges of places side by side.
+#[derive(Clone, Debug)]
+struct Edges<F> {
+    /// Where they are, and its derivatives \[m\].
+    places: [[F; 4]; 2],
+    /// What the load per width grows by there, `f q/(π E*)`, and its derivatives \[m\].
+    growth: [[F; 4]; 2],
 }
 
 /// Edges at most.
 const EDGES: usize = 2 * (COUNT + ZONES);
+const FOURS: usize = EDGES.div_ceil(4);
 
 impl<F: Float> Estimate<F> {
     /// The load alone. (Out of line, so that only this function keeps the places.)
@@ -53,7 +62,7 @@ impl<F: Float> Estimate<F> {
     /// No load.
     pub fn nothing() -> Self {
         let zero = WithSlope::zero();
-        Self { load: zero, edges: Vec::new(), growth: Vec::new(), breadth: zero }
+        Self { load: zero, fours: Vec::new(), breadth: zero }
     }
 
     /// The estimate for an approach, from none; `radius` gives the rolling radius of places with
@@ -66,20 +75,24 @@ impl<F: Float> Estimate<F> {
         radius: impl FnOnce(&mut dyn Iterator<Item = [WithSlope<F>; 2]>) -> WithSlope<F>,
     ) {
         let level = approach.times(OVERLAP);
-        let mut zones = Zones::new();
-        curve.zones(approach, &mut zones, |_, height, slope| [height - level, slope]);
+        let mut zones = Zones::new(approach, curve.smoothing());
+        curve.zones(&mut zones, |_, height, slope| [height - level, slope]);
         let zero = WithSlope::zero();
         let mut places: CellPlaces<F> = Vec::new();
         layout(&zones, COUNT, &mut places);
         lean(&mut places);
         let (mut work, mut load) = (zero, zero);
         let mut depths: Vec<WithSlope<F>, EDGES> = Vec::new();
+        let (mut edges, mut growth) = (Vec::new(), Vec::new());
         for place in &places {
             let q = (level - curve.at(place.at)).max(zero);
-            self.add(place, q);
+            add(&mut edges, &mut growth, place, q);
             load += q * place.width;
             work += q * place.width * (approach - level + q);
             let _ = depths.push(q);
+        }
+        for (edges, growth) in edges.chunks(4).zip(growth.chunks(4)) {
+            let _ = self.fours.push(Edges { places: apart(edges), growth: apart(growth) });
         }
         let loads = places.iter().zip(&depths).map(|(place, q)| [place.at, *q * place.width]);
         self.breadth = (radius(&mut { loads }) * approach).times(1.1).sqrt().times(BREADTH);
@@ -89,26 +102,13 @@ impl<F: Float> Estimate<F> {
         });
         let size = work / energy.shift(F::TINY);
         self.load = load * size;
-        for growth in &mut self.growth {
-            *growth = *growth * size;
-        }
-    }
-
-    /// Adds the load per width of a place. Neighbours share an edge.
-    fn add(&mut self, place: &CellPlace<F>, density: WithSlope<F>) {
-        let half = place.width.times(0.5);
-        let (lower, upper) = (place.y - half, place.y + half);
-        let shared =
-            |edge: &WithSlope<F>| (edge.value - lower.value).abs() <= half.value.times(1e-4);
-        match self.growth.last_mut() {
-            Some(growth) if self.edges.last().is_some_and(shared) => *growth += density,
-            _ => {
-                let _ = self.edges.push(lower);
-                let _ = self.growth.push(density);
+        for four in &mut self.fours {
+            let [growth, slopes] = &mut four.growth;
+            for (value, slope) in growth.iter_mut().zip(slopes) {
+                let sized = WithSlope { value: *value, gradient: [*slope] } * size;
+                (*value, [*slope]) = (sized.value, sized.gradient);
             }
         }
-        let _ = self.edges.push(upper);
-        let _ = self.growth.push(-density);
     }
 
     /// The deflection at `y`, and its slope along `y`.
@@ -130,9 +130,9 @@ impl<F: Float> Estimate<F> {
         let inverse = self.breadth.inverse();
         let ([y_moved], [inverse_moved]) = (y.gradient, inverse.gradient);
         let mut sums = [P::zero(); 4];
-        for (edges, growth) in self.edges.chunks(4).zip(self.growth.chunks(4)) {
-            let ([edge, edge_moved], [growth, growth_moved]) =
-                (side_by_side::<F, P>(edges, F::zero()), side_by_side::<F, P>(growth, F::zero()));
+        let four = |list: [F; 4]| P::gather(|k| list.get(k).copied().unwrap_or(F::zero()));
+        for Edges { places, growth } in &self.fours {
+            let ([edge, edge_moved], [growth, growth_moved]) = (places.map(four), growth.map(four));
             let distance = P::all(y.value) - edge;
             let x = distance * P::all(inverse.value);
             let moved = (P::all(y_moved) - edge_moved) * P::all(inverse.value)
@@ -154,4 +154,31 @@ impl<F: Float> Estimate<F> {
         let slope = WithSlope { value: c, gradient: [d] };
         [WithSlope { value: a, gradient: [b] }, slope * inverse]
     }
+}
+
+/// Adds the load per width of a place. Neighbours share an edge.
+fn add<F: Float>(
+    edges: &mut Vec<WithSlope<F>, EDGES>,
+    growth: &mut Vec<WithSlope<F>, EDGES>,
+    place: &CellPlace<F>,
+    density: WithSlope<F>,
+) {
+    let half = place.width.times(0.5);
+    let (lower, upper) = (place.y - half, place.y + half);
+    let shared = |edge: &WithSlope<F>| (edge.value - lower.value).abs() <= half.value.times(1e-4);
+    match growth.last_mut() {
+        Some(growth) if edges.last().is_some_and(shared) => *growth += density,
+        _ => {
+            let _ = edges.push(lower);
+            let _ = growth.push(density);
+        }
+    }
+    let _ = edges.push(upper);
+    let _ = growth.push(-density);
+}
+
+/// The values of up to four numbers, and their derivatives.
+fn apart<F: Float>(numbers: &[WithSlope<F>]) -> [[F; 4]; 2] {
+    let number = |k: usize| numbers.get(k).copied().unwrap_or(WithSlope::zero());
+    [[0, 1, 2, 3].map(|k| number(k).value), [0, 1, 2, 3].map(|k| number(k).gradient[0])]
 }

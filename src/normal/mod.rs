@@ -16,6 +16,7 @@
 
 pub mod cells;
 mod density;
+mod equations;
 mod estimate;
 mod influence;
 mod layout;
@@ -25,8 +26,9 @@ pub(crate) mod smooth;
 
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::contact::totals::StripCount;
-use crate::normal::cells::{Cells, Equations, Given};
+use crate::normal::cells::{Cells, Given};
 use crate::normal::density::Zones;
+use crate::normal::equations::Equations;
 use crate::normal::estimate::{Estimate, OVERLAP};
 use crate::normal::layout::{layout, lean};
 pub use crate::normal::profile::Profile;
@@ -406,7 +408,7 @@ impl<F: Float> Outline<F> {
         count: StripCount,
         cells: &mut Cells<F>,
     ) -> Self {
-        let mut zones = Zones::new();
+        let mut zones = Zones::new(approach, curve.smoothing());
         let (at_end, mean_radius) = touching(curve, approach, radius, &mut zones);
         let mut places = Vec::new();
         let width = layout(&zones, number_of_cells(count), &mut places);
@@ -438,7 +440,7 @@ fn touching<F: Float>(
         mean_radius = radius(loads);
         mean_radius
     });
-    let at_end = curve.zones(approach, zones, |y, height, slope| {
+    let at_end = curve.zones(zones, |y, height, slope| {
         let [deflection, bend] = estimate.deflection(y);
         let height = height - approach + deflection.times(DEFLECTED);
         [height, slope + bend.times(DEFLECTED)]

@@ -2,19 +2,11 @@
 //! shifted into each other.
 
 use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float, Strips, are_finite};
+use crate::number::{Arithmetic, Float, are_finite};
 use crate::status::Error;
 
 /// A number and its derivative by the load or the approach that is given.
 pub(super) type WithSlope<F> = Dual<F, 1>;
-
-/// Four such numbers side by side, and their derivatives; where there are fewer, `other` and 0.
-#[inline(always)]
-pub(super) fn side_by_side<F: Float, P: Strips<F>>(four: &[WithSlope<F>], other: F) -> [P; 2] {
-    let value = P::gather(|k| four.get(k).map_or(other, |own| own.value));
-    let gradient = P::gather(|k| four.get(k).map_or(F::zero(), |own| own.gradient[0]));
-    [value, gradient]
-}
 
 /// Share of the approach: undeformed bodies that are shifted by so much overlap about over the
 /// width of the patch.

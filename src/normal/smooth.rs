@@ -212,7 +212,8 @@ impl<F: Float> Curve<F> {
     /// the lowest.
     #[inline(never)]
     pub(super) fn new(profile: &Profile<F>, length: WithSlope<F>, level: F) -> Self {
-        let mut curve = Self::filled(profile, length, KNOTS_TO_A_LENGTH, |curve, length, step| {
+        let mut curve = Self::nothing(profile);
+        curve.fill_all(profile, length, KNOTS_TO_A_LENGTH, |curve, length, step| {
             curve.fill(profile, length, level, step)
         });
         let mut lowest = WithSlope::from_base(F::LARGEST);
@@ -233,40 +234,51 @@ impl<F: Float> Curve<F> {
     /// room on the stack.)
     #[inline(never)]
     pub(crate) fn of_surfaces(profile: &Profile<F>, length: F) -> Self {
-        let mut curve = Self::filled(
-            profile,
-            WithSlope::from_base(length),
-            KNOTS_OF_SURFACES,
-            |curve, length, step| curve.fill_below(profile, length, step),
-        );
+        let mut curve = Self::nothing(profile);
+        let length = WithSlope::from_base(length);
+        curve.fill_all(profile, length, KNOTS_OF_SURFACES, |curve, length, step| {
+            curve.fill_below(profile, length, step)
+        });
         (curve.still, curve.lowest) = (true, WithSlope::from_base(curve.zero));
         curve
     }
 
-    /// A curve whose knots `fill` places for a smoothing length and a step; it returns whether
-    /// there was room.
-    fn filled(
+    /// A curve without knots.
+    #[inline(always)]
+    fn nothing(profile: &Profile<F>) -> Self {
+        Self {
+            knots: Vec::new(),
+            lowest: WithSlope::zero(),
+            zero: -profile.lowest,
+            range: [0, KNOTS],
+            ends: profile.ends,
+            length: WithSlope::zero(),
+            still: false,
+        }
+    }
+
+    /// Has `fill` place the knots for a smoothing length and a step; it returns whether there was
+    /// room.
+    #[inline(always)]
+    fn fill_all(
+        &mut self,
         profile: &Profile<F>,
         length: WithSlope<F>,
         knots: f64,
         mut fill: impl FnMut(&mut Self, WithSlope<F>, WithSlope<F>) -> bool,
-    ) -> Self {
+    ) {
         let [first, last] = profile.ends;
         let whole = last - first;
         let length = length.min(WithSlope::from_base(whole));
         let floor = profile.step.times(STEPS);
         // s² = s₀² + (2.5 steps)², about as the parabolas have it
-        let smooth = length.squared().shift(floor * floor).sqrt();
-        let mut step = smooth.times(1.0 / knots);
+        self.length = length.squared().shift(floor * floor).sqrt();
+        let mut step = self.length.times(1.0 / knots);
         let least = WithSlope::from_base(whole.times(1.0 / PIECES));
         step = step.max(least);
-        let (lowest, ends) = (WithSlope::from_base(F::zero()), profile.ends);
-        let (knots, zero, range) = (Vec::new(), -profile.lowest, [0, KNOTS]);
-        let mut curve = Self { knots, lowest, zero, range, ends, length: smooth, still: false };
-        while !fill(&mut curve, length, step) && step.value < whole {
+        while !fill(self, length, step) && step.value < whole {
             step = step.times(2.0);
         }
-        curve
     }
 
     /// Places knots where the profile is low: at equal steps to both sides of its middle, and at
@@ -323,7 +335,8 @@ impl<F: Float> Curve<F> {
             joined = joined && wanted <= next;
             for knot in wanted.max(next)..=(piece + 3).min(high_end) {
                 let y = grid.at(knot);
-                let Parabola { height, slope, .. } = parabola(profile, y, length);
+                let after = profile.y.partition_point(|place| *place < y.value);
+                let Parabola { height, slope, .. } = parabola(profile, y, after, length);
                 if knots.push(Knot { y, height, slope, joined }).is_err() {
                     return false;
                 }
@@ -346,29 +359,41 @@ impl<F: Float> Curve<F> {
         let [low_end, high_end] = grid.numbers;
         // (points are farther apart in places)
         let reach = step.value.times(KNOTS_OF_SURFACES * 1.25);
+        let [.., none] = profile.fade.unwrap_or([F::zero(); 2]);
+        let point = |k: usize| Some((*profile.y.get(k)?, *profile.distance.get(k)?));
+        // the first point from a number on that is not before a place
+        let after = |mut k: usize, place: F| {
+            while profile.y.get(k).is_some_and(|y| *y < place) {
+                k += 1;
+            }
+            k
+        };
         let mut from = 0;
         let mut may_be_below = |knot: i32| {
-            let place = grid.at(knot);
-            while profile.y.get(from).is_some_and(|y| *y < place.value) {
-                from += 1;
-            }
+            let place = grid.at(knot).value;
+            from = after(from, place);
             let near = profile.distance.get(from.saturating_sub(1)..=from).unwrap_or(&[]);
-            let [.., none] = profile.fade.unwrap_or([F::zero(); 2]);
             if near.iter().all(|distance| *distance > none) {
                 return false;
             }
-            let (y, ahead) = (profile.y.get(from..).unwrap_or(&[]), profile.distance.get(from..));
-            let after = y.iter().zip(ahead.unwrap_or(&[]));
-            let (y, behind) = (profile.y.get(..from).unwrap_or(&[]), profile.distance.get(..from));
-            let before = y.iter().zip(behind.unwrap_or(&[])).rev();
             let (mut low, mut high) = (F::LARGEST, -F::LARGEST);
-            let inside = |(y, _): &(&F, &F)| (**y - place.value).abs() < reach;
-            for (_, distance) in after.take_while(inside).chain(before.take_while(inside)) {
-                low = low.min(*distance);
-                high = high.max(distance.min(none));
+            let mut add = |k: usize| match point(k) {
+                Some((y, distance)) if (y - place).abs() < reach => {
+                    (low, high) = (low.min(distance), high.max(distance.min(none)));
+                    true
+                }
+                _ => false,
+            };
+            let (mut ahead, mut behind) = (from, from);
+            while add(ahead) {
+                ahead += 1;
+            }
+            while behind > 0 && add(behind - 1) {
+                behind -= 1;
             }
             low - (high - low).times(FALL) < F::zero()
         };
+        let mut first = 0;
         let (mut last, mut next) = (low_end - 1, low_end);
         for knot in low_end..=high_end {
             if !may_be_below(knot) {
@@ -377,17 +402,20 @@ impl<F: Float> Curve<F> {
             // with those before and after
             for own in (knot - 1).max(next)..=(knot + 1).min(high_end) {
                 let (y, joined) = (grid.at(own), last == own - 1 && own > low_end);
-                let Parabola { height, slope, share } = parabola(profile, y, length);
+                first = after(first, y.value);
+                let Parabola { mut height, mut slope, share } =
+                    parabola(profile, y.value, first, length.value);
                 // where hardly a point counts, the curve follows the points
                 let t = ((share - F::of(0.45)).times(5.0)).clamped(F::zero(), F::one());
-                let t = t * t * (F::constant(3.0) - t.times(2.0));
-                let above = profile.distance_at(y.value) - profile.lowest;
-                let blended = |own: F, other: F| {
-                    let blended = if t > F::zero() { other + (own - other) * t } else { other };
-                    WithSlope::from_base(blended)
-                };
-                let height = blended(height.value, above);
-                let slope = blended(slope.value, F::zero());
+                if t < F::one() {
+                    let t = t * t * (F::constant(3.0) - t.times(2.0));
+                    let above = profile.distance_at(y.value) - profile.lowest;
+                    let blended = |own: F, other: F| {
+                        if t > F::zero() { other + (own - other) * t } else { other }
+                    };
+                    (height, slope) = (blended(height, above), blended(slope, F::zero()));
+                }
+                let (height, slope) = (WithSlope::from_base(height), WithSlope::from_base(slope));
                 if self.knots.push(Knot { y, height, slope, joined }).is_err() {
                     return false;
                 }
@@ -460,6 +488,11 @@ impl<F: Float> Curve<F> {
         }
     }
 
+    /// Smoothing length \[m\].
+    pub(super) fn smoothing(&self) -> WithSlope<F> {
+        self.seen(self.length)
+    }
+
     fn seen(&self, x: WithSlope<F>) -> WithSlope<F> {
         if self.still { WithSlope::from_base(x.value) } else { x }
     }
@@ -484,15 +517,13 @@ impl<F: Float> Curve<F> {
 
     /// The zones where a function is negative; returns whether one of them ends with the profile.
     /// `of` gives the value and the slope of the function from a place, the height there and its
-    /// slope. Depths are measured with the approach. (The zones are written where they stay: a copy
+    /// slope. (The zones are written where they stay: a copy
     /// would take room on the stack.)
     pub(super) fn zones(
         &self,
-        approach: WithSlope<F>,
         zones: &mut Zones<F>,
         of: impl Fn(WithSlope<F>, WithSlope<F>, WithSlope<F>) -> [WithSlope<F>; 2],
     ) -> bool {
-        zones.clear(approach, self.seen(self.length));
         let [start, finish] = self.ends;
         let mut at_end = false;
         let at = |knot: &Knot<F>| {

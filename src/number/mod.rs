@@ -89,9 +89,16 @@ pub(crate) fn scaled_down<T: Number, const N: usize>(numbers: [T; N], limit: T::
     T::each(&numbers, |number| number.scale(factor))
 }
 
-/// Whether none is infinite or NaN. (All are asked, several at once.)
+/// Whether none is infinite or NaN. (All are asked, several at once: `0 x` is 0 or NaN.)
 pub(crate) fn are_finite<F: Float>(numbers: &[F]) -> bool {
-    numbers.iter().fold(true, |finite, x| finite & x.is_finite_number())
+    let (eights, rest) = numbers.as_chunks::<8>();
+    let mut sums = [F::zero(); 8];
+    for x in eights.iter().map(<[F; 8]>::as_slice).chain([rest]) {
+        for (sum, x) in sums.iter_mut().zip(x) {
+            *sum += *x * F::zero();
+        }
+    }
+    sums.iter().all(|sum| sum.is_finite_number())
 }
 
 /// Adds numbers to their sums.

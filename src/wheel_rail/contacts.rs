@@ -40,6 +40,8 @@ const LOW: f64 = 1e-4;
 /// \[m\].
 const FADES: f64 = 0.5;
 const REACH: f64 = 1e-3;
+/// Rise of the surfaces' distance over the points that are needed beyond, over the points' step.
+const MARGIN: f64 = 3.0;
 /// Upper bound of the angles of a gap \[rad\].
 const STEEPEST: f64 = 1.6;
 /// Turn of the normal over a contact \[rad\] from which one plane is not enough.
@@ -212,6 +214,19 @@ impl<F: Float> WheelContact<F> {
     }
 }
 
+/// Distance of the surfaces from which points do not count, for their distance along the rail and
+/// the smoothing length \[m\].
+fn counting<F: Float>(step: F, smoothing: F) -> F {
+    let length = step.times(STEPS).squared() + smoothing.squared();
+    length.sqrt().times(FADES).min(F::of(REACH))
+}
+
+/// Distance of the surfaces from which points have no effect, at most: some points beyond the last
+/// one that counts are needed, because the smoothing length follows from their spacing \[m\].
+pub(super) fn reach<F: Float>(step: F, smoothing: F) -> F {
+    counting(step, smoothing) + step.times(MARGIN)
+}
+
 /// A direction and its moment about the wheel's centre.
 fn with_moment<F: Float>(place: [F; 3], direction: [F; 3]) -> [F; 6] {
     let ([a, b, c], [d, e, f]) = (direction, cross(place, direction));
@@ -288,8 +303,7 @@ impl<'a, F: Float> View<'a, F> {
             return Ok(None);
         }
         let [middle, step] = self.middle_and_step();
-        let length = step.times(STEPS).squared() + self.pair.smoothing_length.squared();
-        let none = length.sqrt().times(FADES).min(F::of(REACH));
+        let none = counting(step, self.pair.smoothing_length);
         Profile::new(along, distance)?
             .of_surfaces(middle, step, [none.times(0.5), none])
             .with_centre_x(x)?

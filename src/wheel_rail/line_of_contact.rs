@@ -98,8 +98,8 @@ impl<F: Float> Wheel<F> {
 
     /// The line of contact at points of the profile.
     #[inline(always)]
-    pub fn line_of_contact<P: Strips<F>>(&self, point: Place<P>) -> Line<P> {
-        let Place { y, z, cosine, sine } = point;
+    pub fn line_of_contact<P: Strips<F>>(&self, point: &Place<P>) -> Line<P> {
+        let Place { y, z, cosine, sine } = *point;
         let size = (cosine.squared() + sine.squared()).sqrt();
         let per_cosine = cosine.inverse();
         // sin θ = −tan α tan yaw

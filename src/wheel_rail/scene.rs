@@ -3,7 +3,7 @@
 use super::contacts::{self, WheelContact};
 use super::plausibility;
 use super::surface::Surface;
-use super::touch::{Gap, touch};
+use super::touch::{Gap, REACH, touch};
 use super::wrench::{self, Law, Wrench, WrenchByPosition, WrenchDerivatives};
 use super::{KSTRIP_CONTACTS_CAPACITY, Position, Velocity, WheelPair};
 use crate::contact::totals::StripCount;
@@ -82,7 +82,8 @@ impl<F: Float> Scene<'_, F> {
     fn touch(&self, position: &Position<F>, gap: &mut Gap<F>) -> Result<F, Error> {
         let Self { rail, wheel, pair, .. } = *self;
         let right = position.mirrored(pair.left != 0);
-        touch(rail, wheel, pair.wheel_radius, &right, F::zero(), gap)
+        let reach = contacts::reach(wheel.step, pair.smoothing_length);
+        touch(rail, wheel, pair.wheel_radius, &right, reach.min(F::of(REACH)), gap)
     }
 
     pub(super) fn wrench(

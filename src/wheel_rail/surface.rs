@@ -3,6 +3,7 @@
 
 use super::KSTRIP_SURFACE_CAPACITY;
 use crate::number::{Arithmetic, Float, Strips, are_finite};
+use crate::numerics::hermite::{Along, Cubic};
 use crate::status::Error;
 
 /// A profile, prepared by kstrip_prepare_profile(): points at equal steps of its length, toward
@@ -120,9 +121,15 @@ impl<F: Float> Surface<F> {
         from + (to - from) * share
     }
 
-    /// The point of the curve at a share of the way from a point to the next.
-    pub(crate) fn at(&self, k: usize, share: F) -> Option<Place<F>> {
-        let [y, z] = Piece::new(self.point(k)?, self.point(k + 1)?, self.step).at(share);
+    /// The place of the curve at a share of the way from a point to the next; none past the last
+    /// point.
+    #[inline(always)]
+    pub(crate) fn place(&self, k: usize, share: F) -> Option<Place<F>> {
+        let from = self.point(k).filter(|_| k < self.count as usize)?;
+        if share == F::zero() {
+            return Some(from);
+        }
+        let [y, z] = Piece::new(from, self.point(k + 1)?, self.step).at(share);
         let per_step = F::one() / self.step;
         Some(Place { y: y.value, z: z.value, cosine: y.slope * per_step, sine: z.slope * per_step })
     }
@@ -133,16 +140,6 @@ impl<F: Float> Surface<F> {
 pub(crate) struct Piece<T> {
     y: Cubic<T>,
     z: Cubic<T>,
-}
-
-/// The coefficients of a cubic, the constant first.
-struct Cubic<T>([T; 4]);
-
-/// A number along a piece, with its derivatives.
-pub(crate) struct Along<T> {
-    pub value: T,
-    pub slope: T,
-    pub bend: T,
 }
 
 impl<T: Arithmetic> Piece<T> {
@@ -157,27 +154,6 @@ impl<T: Arithmetic> Piece<T> {
     /// y and z at a share of the way.
     #[inline(always)]
     pub(crate) fn at(&self, u: T) -> [Along<T>; 2] {
-        [self.y.at(u), self.z.at(u)]
-    }
-}
-
-impl<T: Arithmetic> Cubic<T> {
-    /// From the values and the slopes at 0 and 1.
-    #[inline(always)]
-    fn new([from, to]: [T; 2], [slope, last]: [T; 2]) -> Self {
-        let rise = to - from;
-        let cubic = slope + last - (rise + rise);
-        Self([from, slope, rise - slope - cubic, cubic])
-    }
-
-    #[inline(always)]
-    fn at(&self, u: T) -> Along<T> {
-        let [value, slope, square, cubic] = self.0;
-        let (once, thrice) = (u * cubic, (u * cubic).times(3.0));
-        Along {
-            value: value + u * (slope + u * (square + once)),
-            slope: slope + u * (square + square + thrice),
-            bend: (square + thrice) + (square + thrice),
-        }
+        [self.y.along(u), self.z.along(u)]
     }
 }

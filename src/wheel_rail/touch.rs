@@ -14,7 +14,7 @@ use crate::number::{Float, Strips, are_finite};
 use crate::status::Error;
 
 /// Default of the distance above which points are left out \[m\].
-const REACH: f64 = 2e-3;
+pub(super) const REACH: f64 = 2e-3;
 /// Number of points that are looked at side by side.
 const FOUR: usize = 4;
 /// How often the part of a wheel's profile in which a rail ends is divided by five.
@@ -75,14 +75,16 @@ impl<F: Float> Gap<F> {
 
 /// A wheel over a rail.
 struct Above<'a, F> {
+    profile: &'a Surface<F>,
     wheel: Wheel<F>,
     position: Position<F>,
     reach: F,
     rail: Rail<'a, F>,
 }
 
-/// Up to four places of a profile, with its curvature there.
-type Places<F> = [Option<(Place<F>, F)>; FOUR];
+/// Four places of the wheel's profile: numbers of points, and shares of the way to the next. Past
+/// the last point there is none.
+type Places<F> = [(usize, F); FOUR];
 
 impl<F: Float> Above<'_, F> {
     /// Looks down from places of the wheel's profile. None where the rail is out of reach.
@@ -103,7 +105,6 @@ impl<F: Float> Above<'_, F> {
     #[inline(never)]
     fn last(
         &mut self,
-        wheel: &Surface<F>,
         k: usize,
         is_former: bool,
         inside: Option<&GapPoint<F>>,
@@ -120,8 +121,7 @@ impl<F: Float> Above<'_, F> {
             let part = (beyond - over).times(0.2);
             let shares: [F; FOUR] =
                 core::array::from_fn(|i| over + part * F::widened(i as f32 + 1.0));
-            let place = |share| Some((wheel.at(k, share)?, wheel.curvature(k, share)));
-            let found = self.look(&shares.map(place));
+            let found = self.look(&shares.map(|share| (k, share)));
             for (share, point) in shares.into_iter().zip(found) {
                 if point.is_none() {
                     beyond = share;
@@ -138,18 +138,22 @@ impl<F: Float> Above<'_, F> {
         let Position { lateral, vertical, .. } = self.position;
         let zero = F::zero();
         // (where there is no place, one at which no wheel touches)
-        let at = |i: usize| places.get(i).and_then(Option::as_ref);
-        let profile = Place {
-            y: P::gather(|i| at(i).map_or(zero, |(place, _)| place.y)),
-            z: P::gather(|i| at(i).map_or(zero, |(place, _)| place.z)),
-            cosine: P::gather(|i| at(i).map_or(zero, |(place, _)| place.cosine)),
-            sine: P::gather(|i| at(i).map_or(zero, |(place, _)| place.sine)),
+        let found = places.map(|(k, share)| self.profile.place(k, share));
+        let of = |member: fn(&Place<F>) -> F| {
+            P::gather(|i| found.get(i).and_then(Option::as_ref).map_or(zero, member))
         };
-        let curvature = P::gather(|i| at(i).map_or(zero, |(_, curvature)| *curvature));
-        let rolling_radius = self.wheel.rolling_radius(&profile, curvature);
-        let line = self.wheel.line_of_contact(profile);
+        let profile = Place {
+            y: of(|place| place.y),
+            z: of(|place| place.z),
+            cosine: of(|place| place.cosine),
+            sine: of(|place| place.sine),
+        };
+        let line = self.wheel.line_of_contact(&profile);
         let [wheel_y, wheel_z] = line.normal;
         let point = [P::all(lateral) + line.place[1], P::all(vertical) + line.below];
+        if self.rail.is_far(point) {
+            return [None; FOUR];
+        }
         let mut under = [None; FOUR];
         for (i, under) in under.iter_mut().enumerate() {
             let own = |x: &P| x.lane(i);
@@ -160,8 +164,13 @@ impl<F: Float> Above<'_, F> {
             }
         }
         if under.iter().all(Option::is_none) {
+            self.rail.set_free();
             return [None; FOUR];
         }
+        let curvature = P::gather(|i| {
+            places.get(i).map_or(zero, |(k, share)| self.profile.curvature(*k, *share))
+        });
+        let rolling_radius = self.wheel.rolling_radius(&profile, curvature);
         let foot = self.rail.feet(point, &under);
         let [rail_y, rail_z] = foot.normal;
         // the mean of both surfaces' angles is that of the sum of their unit normals
@@ -210,7 +219,7 @@ pub fn touch<F: Float>(
     }
     let reach = if reach > F::zero() { reach } else { F::of(REACH) };
     let (turned, rail) = (Wheel::new(wheel_radius, position), Rail::new(rail, reach));
-    let mut above = Above { wheel: turned, position: *position, reach, rail };
+    let mut above = Above { profile: wheel, wheel: turned, position: *position, reach, rail };
     let points = wheel.count as usize;
     let (mut count, mut least) = (0, reach);
     let mut end: Option<F> = None;
@@ -224,19 +233,16 @@ pub fn touch<F: Float>(
         }
     };
     let mut before: Option<GapPoint<F>> = None;
+    let places = |first: usize| core::array::from_fn(|i| (first + i, F::zero()));
     for first in (0..points).step_by(FOUR) {
-        let place = |i: usize| {
-            let place = wheel.point(first + i).filter(|_| first + i < points)?;
-            Some((place, wheel.curvature(first + i, F::zero())))
-        };
-        let found = above.look(&core::array::from_fn(place));
+        let found = above.look(&places(first));
         for (i, point) in found.iter().enumerate().take(points - first) {
             if let Some(k) = (first + i).checked_sub(1)
                 && before.is_some() != point.is_some()
             {
                 // where the rail ends under the wheel
                 let inside = before.as_ref().or(point.as_ref());
-                if let Some(last) = above.last(wheel, k, before.is_some(), inside) {
+                if let Some(last) = above.last(k, before.is_some(), inside) {
                     write(&last);
                 }
             }
@@ -246,8 +252,12 @@ pub fn touch<F: Float>(
             before = *point;
         }
     }
-    if !above.rail.faced {
-        return Err(Error::ProfileEnd);
+    // (points that were passed may face the rail)
+    above.rail.looks_at_all = true;
+    let mut groups = (0..points).step_by(FOUR);
+    while !above.rail.faced {
+        let first = groups.next().ok_or(Error::ProfileEnd)?;
+        above.look(&places(first));
     }
     gap.count = count as u32;
     gap.reserved = 0;
@@ -274,7 +284,7 @@ pub(super) fn lowered<F: Float>(
     let y_of = |k: usize| rail.y.get(k).copied().filter(|_| k < points);
     let mut least: Option<[F; 2]> = None;
     for first in (0..wheel.count as usize).step_by(FOUR) {
-        let line = turned.line_of_contact(wheel.points::<F::Four>(|i| first + i));
+        let line = turned.line_of_contact(&wheel.points::<F::Four>(|i| first + i));
         let [_, across, _] = &line.place;
         for i in (0..FOUR).take(wheel.count as usize - first) {
             let (y, below) = (position.lateral + across.lane(i), line.below.lane(i));

@@ -8,6 +8,9 @@ use crate::number::{Float, Strips};
 const CORRECTIONS: u32 = 4;
 const CLOSE: f64 = 1e-5;
 
+/// Number of the rail's points from which the nearest is looked for.
+const COARSE: usize = 32;
+
 /// Least cosine of the angle between two surfaces that face each other.
 const FACING: f64 = 0.5;
 
@@ -18,8 +21,15 @@ pub(super) struct Rail<'a, F> {
     reach: F,
     /// The nearest of its points to the last point.
     nearest: Option<usize>,
+    /// The last point if it was outside the rail, and its distance from the nearest of the rail's.
+    outside: Option<([F; 2], F)>,
+    /// A place outside the rail, and the square of the distance from it within which no point is in
+    /// reach.
+    free: ([F; 2], F),
     /// Whether a point has faced the rail.
     pub faced: bool,
+    /// Whether no point is passed.
+    pub looks_at_all: bool,
 }
 
 /// Points of a rail, seen from the points above them.
@@ -34,7 +44,31 @@ pub(super) struct Foot<P> {
 
 impl<'a, F: Float> Rail<'a, F> {
     pub fn new(surface: &'a Surface<F>, reach: F) -> Self {
-        Self { surface, reach, nearest: None, faced: false }
+        let free = ([F::zero(); 2], F::zero());
+        let (faced, looks_at_all) = (false, false);
+        Self { surface, reach, nearest: None, outside: None, free, faced, looks_at_all }
+    }
+
+    /// Whether the rail is certainly out of reach of points side by side, and there is no need to
+    /// look for what is under them: they are so near to a place outside the rail that the rail's
+    /// points are still too far away (by the triangle's inequality).
+    #[inline(always)]
+    pub fn is_far<P: Strips<F>>(&self, [y, z]: [P; 2]) -> bool {
+        let ([from_y, from_z], square) = self.free;
+        let moved = (y - P::all(from_y)).squared() + (z - P::all(from_z)).squared();
+        let passes = square > F::zero() && !self.looks_at_all;
+        passes && !P::any_exceeds([moved], [P::all(square)])
+    }
+
+    /// The rail was out of reach of the last points.
+    pub fn set_free(&mut self) {
+        let Some((place, away)) = self.outside.take() else { return };
+        let free = away.sqrt().times(1.0 - 1e-3) - self.reach - self.surface.step;
+        self.free = (place, free.max(F::zero()).squared());
+        // (the nearest point of the rail is looked for again)
+        if free > F::zero() {
+            self.nearest = None;
+        }
     }
 
     fn away(&self, k: usize, [y, z]: [F; 2]) -> Option<F> {
@@ -42,8 +76,8 @@ impl<'a, F: Float> Rail<'a, F> {
         Some((y - rail.y).squared() + (z - rail.z).squared())
     }
 
-    /// The nearest of the rail's points, and the square of its distance: of all for the first, then
-    /// downhill from the last.
+    /// The nearest of the rail's points, and the square of its distance: downhill from the last,
+    /// and at first from the nearest of some points.
     fn find(&mut self, point: [F; 2]) -> Option<(usize, F)> {
         let count = self.surface.count as usize;
         let closer = |k: usize, best: F| {
@@ -52,7 +86,10 @@ impl<'a, F: Float> Rail<'a, F> {
         };
         let mut best = match self.nearest {
             Some(k) => (k, self.away(k, point)?),
-            None => (0..count).fold((0, F::LARGEST), |best, k| closer(k, best.1).unwrap_or(best)),
+            None => {
+                let some = (0..count).step_by((count / COARSE).max(1));
+                some.fold((0, F::LARGEST), |best, k| closer(k, best.1).unwrap_or(best))
+            }
         };
         for direction in [1, -1_isize] {
             while let Some(next) =
@@ -77,6 +114,8 @@ impl<'a, F: Float> Rail<'a, F> {
         let (k, away) = self.find([y, z])?;
         let rail = self.surface.point(k)?;
         let [e_y, e_z] = [y - rail.y, z - rail.z];
+        let is_inside = e_z * rail.cosine - e_y * rail.sine > F::zero();
+        self.outside = if is_inside { None } else { Some(([y, z], away)) };
         // the next point on this side is not nearer, so that e·t = 0 before it
         let is_ahead = e_y * rail.cosine + e_z * rail.sine > F::zero();
         let under = if is_ahead { (k, F::zero()) } else { (k.checked_sub(1)?, F::one()) };
@@ -89,7 +128,6 @@ impl<'a, F: Float> Rail<'a, F> {
         }
         self.faced = true;
         // (however deep it is in the rail)
-        let is_inside = e_z * rail.cosine - e_y * rail.sine > F::zero();
         let is_near = away <= (self.reach + self.surface.step).squared();
         (is_near || is_inside).then_some(under)
     }

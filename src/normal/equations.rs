@@ -1,0 +1,185 @@
+//! The linear equations of the normal problem: how far the pressures deflect the cells, and the
+//! pressures that deflect the touching ones as far as they should.
+//!
+//! Rows are padded with zeros to fours, which fill a register.
+
+use crate::normal::layout::CELLS;
+use crate::number::Float;
+use crate::number::avx::with_avx;
+use core::ops::Range;
+use heapless::Vec;
+
+const _: () = assert!(CELLS.is_multiple_of(4));
+
+/// One number for each cell; zero past the last.
+pub(super) type Column<F> = [F; CELLS];
+
+/// The equation of a cell.
+struct Row<F> {
+    /// `∂u_i/∂p_j`
+    influence: Column<F>,
+    /// Their derivatives.
+    slopes: Column<F>,
+    /// Of Gauss's elimination.
+    factors: Column<F>,
+}
+
+/// The equations of as many cells as there are.
+pub(crate) struct Equations<F> {
+    rows: Vec<Row<F>, CELLS>,
+}
+
+impl<F: Float> Equations<F> {
+    #[inline(always)]
+    pub(super) fn new() -> Self {
+        Self { rows: Vec::new() }
+    }
+
+    /// Makes room for so many cells, in place.
+    pub(super) fn make_room(&mut self, count: usize) {
+        let none = [F::zero(); CELLS];
+        let row = || Row { influence: none, slopes: none, factors: none };
+        while self.rows.len() < count && self.rows.push(row()).is_ok() {}
+    }
+
+    /// Sets how far the pressure of cell `j` deflects each cell, by an iterator of values and
+    /// derivatives.
+    #[inline(always)]
+    pub(super) fn set_column(&mut self, j: usize, entries: impl Iterator<Item = [F; 2]>) {
+        for (row, [value, slope]) in self.rows.iter_mut().zip(entries) {
+            if let (Some(own), Some(own_slope)) = (row.influence.get_mut(j), row.slopes.get_mut(j))
+            {
+                (*own, *own_slope) = (value, slope);
+            }
+        }
+    }
+
+    /// Adds `κ (p_i − p_k)` to the deflection of cell `i`. (Past the last cell there is nothing,
+    /// whose pressure is zero.)
+    pub(super) fn couple(&mut self, i: usize, k: usize, kappa: F, change: F) {
+        let Some(row) = self.rows.get_mut(i) else { return };
+        for (k, sign) in [(i, F::one()), (k, -F::one())] {
+            if let (Some(entry), Some(slope)) = (row.influence.get_mut(k), row.slopes.get_mut(k)) {
+                *entry += sign * kappa;
+                *slope += sign * change;
+            }
+        }
+    }
+
+    /// Solves the equations of the touching cells for two right-hand sides, in place; zero for the
+    /// others.
+    pub(super) fn solve(&mut self, touching: &[usize], sides: &mut [Column<F>; 2]) {
+        with_avx!(if 1 => <F: Float>(
+            equations: &mut Equations<F> = self,
+            touching: &[usize],
+            sides: &mut [Column<F>; 2]
+        ) -> () {
+            equations.factorise(touching);
+            for side in sides {
+                equations.substitute(touching, side);
+            }
+        });
+    }
+
+    /// Solves the equations of the touching cells once more, for what the derivatives of the
+    /// influence deflect: `side − dA p`, in place.
+    pub(super) fn solve_for_slopes(
+        &self,
+        touching: &[usize],
+        pressures: &Column<F>,
+        side: &mut Column<F>,
+    ) {
+        with_avx!(if 1 => <F: Float>(
+            equations: &Equations<F> = self,
+            touching: &[usize],
+            pressures: &Column<F>,
+            side: &mut Column<F>
+        ) -> () {
+            let fours = 0..equations.fours();
+            for (own, row) in side.iter_mut().zip(&equations.rows) {
+                *own -= product(&row.slopes, pressures, fours.clone());
+            }
+            equations.substitute(touching, side);
+        });
+    }
+
+    /// How far the pressures deflect a cell.
+    pub(super) fn deflection(&self, i: usize, pressures: &Column<F>) -> F {
+        let row = self.rows.get(i);
+        row.map_or(F::zero(), |row| product(&row.influence, pressures, 0..self.fours()))
+    }
+
+    fn fours(&self) -> usize {
+        self.rows.len().div_ceil(4)
+    }
+
+    /// Gauss's elimination without pivots of the rows and columns of touching cells: the diagonal
+    /// is the largest of its row. Below it stand the factors. (Columns of other cells are computed
+    /// too and not looked at.)
+    #[inline(always)]
+    fn factorise(&mut self, touching: &[usize]) {
+        let fours = self.fours();
+        for Row { influence, factors, .. } in &mut self.rows {
+            *factors = *influence;
+        }
+        for (order, &k) in touching.iter().enumerate() {
+            let Some(mut pivot) = self.rows.get(k).map(|row| row.factors) else { return };
+            let inverse = F::one() / pivot.get(k).copied().unwrap_or(F::one());
+            // (before the diagonal there are factors)
+            for entry in pivot.iter_mut().take(k + 1).skip(k / 4 * 4) {
+                *entry = F::zero();
+            }
+            for i in touching.get(order + 1..).unwrap_or(&[]) {
+                let Some(Row { factors, .. }) = self.rows.get_mut(*i) else { return };
+                let factor = factors.get(k).copied().unwrap_or(F::zero()) * inverse;
+                let own = factors.as_chunks_mut::<4>().0.get_mut(k / 4..fours);
+                let above = pivot.as_chunks::<4>().0.get(k / 4..fours);
+                let (Some(own), Some(above)) = (own, above) else { return };
+                for (own, above) in own.iter_mut().zip(above) {
+                    for (own, above) in own.iter_mut().zip(above) {
+                        *own -= factor * *above;
+                    }
+                }
+                if let Some(entry) = factors.get_mut(k) {
+                    *entry = factor;
+                }
+            }
+        }
+    }
+
+    /// Solves for a right-hand side, in place; zero for cells that do not touch.
+    #[inline(always)]
+    fn substitute(&self, touching: &[usize], side: &mut Column<F>) {
+        let fours = self.fours();
+        let mut half = [F::zero(); CELLS];
+        for &k in touching {
+            let (Some(row), Some(own)) = (self.rows.get(k), side.get(k)) else { return };
+            let own = *own - product(&row.factors, &half, 0..k / 4 + 1);
+            if let Some(place) = half.get_mut(k) {
+                *place = own;
+            }
+        }
+        *side = [F::zero(); CELLS];
+        for &k in touching.iter().rev() {
+            let (Some(row), Some(own)) = (self.rows.get(k), half.get(k)) else { return };
+            let own = *own - product(&row.factors, side, k / 4..fours);
+            if let (Some(place), Some(diagonal)) = (side.get_mut(k), row.factors.get(k)) {
+                *place = own / *diagonal;
+            }
+        }
+    }
+}
+
+/// `Σ x_i y_i` over some of the fours, in four sums.
+#[inline(always)]
+fn product<F: Float>(x: &Column<F>, y: &Column<F>, fours: Range<usize>) -> F {
+    let [x, y] = [x, y].map(|list| list.as_chunks::<4>().0.get(fours.clone()).unwrap_or(&[]));
+    let mut sums = [F::zero(); 4];
+    for (x, y) in x.iter().zip(y) {
+        for ((sum, x), y) in sums.iter_mut().zip(x).zip(y) {
+            *sum += *x * *y;
+        }
+    }
+    let [a, b, c, d] = sums;
+    (a + c) + (b + d)
+}
