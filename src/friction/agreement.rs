@@ -9,6 +9,12 @@ use crate::status::{Error, Warning};
 const WALK_STEPS: usize = 100;
 /// Largest number of steps of the secant method, which ends after four to six.
 const SECANT_STEPS: usize = 60;
+/// Steps from which on every third halves the bracket.
+const PATIENCE: usize = 6;
+/// How much less than 1 the slope of `g` is taken for at first in a walk, and the factor by which
+/// this falls with each step.
+const CAUTION: f64 = 0.25;
+const LESS: f64 = 0.7;
 
 /// `μ = g(μ)`, with what is known of `g`.
 pub(crate) struct FrictionEquation<'a, F, G> {
@@ -66,7 +72,7 @@ impl<'a, F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'a, F, G> {
     fn between(&self, mut bracket: Bracket<F>, end_error: F, first: F) -> Result<(F, bool), Error> {
         let (mut before, mut error_before, mut friction) = (bracket.negative, end_error, first);
         let (mut best, mut least_error) = (before, end_error.abs());
-        for _ in 0..SECANT_STEPS {
+        for step in 0..SECANT_STEPS {
             let error = (self.next)(friction)? - friction;
             let rounding = error.abs() <= friction * F::EPSILON.times(64.0);
             if error.abs() < least_error {
@@ -84,7 +90,9 @@ impl<'a, F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'a, F, G> {
                 break;
             }
             (before, error_before) = (friction, error);
-            friction = bracket.guarded(secant);
+            let halves = step >= PATIENCE && step.is_multiple_of(3);
+            friction =
+                if bracket.holds(secant) && !halves { secant } else { bracket.ratio_middle() };
             if friction == before {
                 break;
             }
@@ -97,8 +105,9 @@ impl<'a, F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'a, F, G> {
     fn walk(&self, start: F, [least, largest]: [F; 2]) -> Result<(F, bool), Error> {
         let mut friction = start;
         let mut step = (self.next)(friction)? - friction;
-        // g' as far as it was seen, three quarters at most: steps fall like a geometric series
-        let mut ratio = F::zero();
+        // g' as far as it was seen, three quarters at most, later more: steps fall like a geometric
+        // series
+        let (mut ratio, mut caution) = (F::zero(), F::of(CAUTION));
         for _ in 0..WALK_STEPS {
             if step.abs() <= friction * F::EPSILON.times(8.0) {
                 return Ok((friction, true));
@@ -109,12 +118,12 @@ impl<'a, F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'a, F, G> {
                 // Passed it, or rounding turned round what is monotone: it lies between.
                 let (low, high, error) =
                     if far > friction { (friction, far, far_step) } else { (far, friction, step) };
-                let first = (low + high).times(0.5);
                 let between = Bracket { positive: low, negative: high };
-                return self.between(between, error, first);
+                return self.between(between, error, between.ratio_middle());
             }
             let slope = (far_step - step) / (far - friction);
-            ratio = slope.plus(1.0).clamped(F::zero(), F::constant(0.75));
+            ratio = slope.plus(1.0).clamped(F::zero(), F::one() - caution);
+            caution = caution.times(LESS);
             (friction, step) = (far, far_step);
         }
         Ok((friction, false))

@@ -49,6 +49,23 @@ impl<F: Float> Bracket<F> {
         self.negative.times(0.5) + self.positive.times(0.5)
     }
 
+    /// The middle of two positive ends of which one is more than ten times the other is that of
+    /// their logarithms, so that a root of any size is found in a few steps; that of others as
+    /// [`middle`](Self::middle).
+    ///
+    /// ```
+    /// use kstrip::numerics::Bracket;
+    /// assert_eq!(Bracket { negative: 1e-100, positive: 1.0 }.ratio_middle(), 1e-50);
+    /// assert_eq!(Bracket { negative: 2.0, positive: 1.0 }.ratio_middle(), 1.5);
+    /// ```
+    #[inline]
+    pub fn ratio_middle(&self) -> F {
+        let Self { negative, positive } = *self;
+        let (low, high) = (negative.min(positive), negative.max(positive));
+        let far = low > F::zero() && low < high.times(0.1);
+        if far { low.sqrt() * high.sqrt() } else { self.middle() }
+    }
+
     /// Whether a place lies between its ends, or is one of them. No NaN does.
     #[inline]
     pub fn holds(&self, x: F) -> bool {

@@ -125,6 +125,22 @@ fn friction_agrees_with_the_slip() {
     }
 }
 
+/// Friction that falls by any number of decades is found.
+#[test]
+fn friction_that_all_but_vanishes_converges() {
+    let mut random = Random::new(77);
+    for n in 0..1_000 {
+        let c = any_contact(&mut random);
+        let m = any_motion(&mut random, &c, 1.0);
+        let o = options([Model::Strip, Model::Total][n % 2], StripCount::Sixteen);
+        let (decay, rolling_speed) =
+            (random.log_between(1e-2, 1e3), random.log_between(0.1, 300.0));
+        let law = SlipFriction { friction: 0.3, ratio: 0.0, decay, rolling_speed, ..DRY };
+        let found = friction::solve(&c, &m, &law, &o).unwrap();
+        assert_ne!(found.solution.warning, Warning::NotConverged, "{law:?} {c:?} {m:?} {o:?}");
+    }
+}
+
 /// In full sliding without spin the slip is the creepage, and the law is Polach's as he wrote it.
 #[test]
 fn full_sliding_is_polachs_law() {
