@@ -113,6 +113,9 @@ impl Wheelset {
             model: 0,
             normal_damping: 0.0,
             floor_speed: 0.0,
+            rail_radius: 0.0,
+            rail_ahead: 0.0,
+            rail_speed: 0.0,
         };
         let mut new = Self {
             rail: profile("uic60")?,

@@ -1611,7 +1611,9 @@ typedef struct kstrip_gap {
      * Radius of curvature of the wheel along x [m]. Without yaw R0 = r/cos a: distance from the
      * axle divided by the cosine of the angle between normal and radius. A wheel that yaws has
      * R0/(1 + (sin yaw/cos a)^2 (k R0 - 1)), with the curvature k of its profile; this is R0 (1 -
-     * dx/ds tan(yaw)/cos a) where x changes by dx/ds along the line of these points.
+     * dx/ds tan(yaw)/cos a) where x changes by dx/ds along the line of these points. Over a
+     * roller the curvatures of both add up, and angle and distance are those in the plane through
+     * the roller's axis and the point.
      */
     double rolling_radius[KSTRIP_SURFACE_CAPACITY];
     /** Number of points. */
@@ -1621,7 +1623,7 @@ typedef struct kstrip_gap {
 } kstrip_gap;
 
 /**
- * The gap between a wheel and a rail: the line on the wheel along which its normal is
+ * The gap between a wheel and a straight rail: the line on the wheel along which its normal is
  * perpendicular to x, and its distance from the rail.
  *
  * @param rail, wheel     prepared profiles.
@@ -1687,6 +1689,19 @@ typedef struct kstrip_wheel_pair {
     double normal_damping;
     /** Floor of the speed [m/s], >= 0, as in kstrip_motion; 0 stands for 0.02. */
     double floor_speed;
+    /**
+     * Radius of the rail at z = 0 of its profile [m], >= 0: that of a roller rig or of the lower
+     * of two discs, whose axis is along y; 0: a straight rail.
+     */
+    double rail_radius;
+    /** x of the roller's axis from the wheel's centre [m]; not used for a straight rail. */
+    double rail_ahead;
+    /**
+     * Speed at which the surface of the rail moves backward under the wheel [m/s], that of a
+     * roller at rail_radius: a wheel whose centre is at rest rolls on it as one does that moves
+     * forward on a rail at rest.
+     */
+    double rail_speed;
 } kstrip_wheel_pair;
 
 /**
@@ -1747,8 +1762,8 @@ typedef struct kstrip_wheel_contact {
     double rolling_speed[6];
     /** normal_damping of kstrip_wheel_pair. */
     double normal_damping;
-    /** floor_speed of kstrip_motion. */
-    double floor_speed;
+    /** kstrip_motion of a wheel at rest: that of the rail's surface, with the floor of the speed. */
+    struct kstrip_motion at_rest;
     /** The strips; y along the rail's surface, x forward from the origin. */
     struct kstrip_patch patch;
 } kstrip_wheel_contact;
@@ -1809,7 +1824,7 @@ typedef struct kstrip_wheel_velocity {
  *
  * @param contact         a contact.
  * @param velocity        how the wheel moves.
- * @param[out] motion     receives the motion, with the contact's floor_speed.
+ * @param[out] motion     receives the motion, that of a roller included.
  * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE.
  */
 kstrip_status kstrip_wheel_motion(const struct kstrip_wheel_contact *contact,
@@ -1919,10 +1934,10 @@ typedef struct kstrip_wrench_by_position {
  * Force and moment on a wheel on a rail in one call: kstrip_touch(), kstrip_contacts_from_gap(),
  * kstrip_wrench_from_contacts().
  *
- * The track is straight. In a curve, pass the velocity relative to the momentary track, which is
- * at rest. Force and moment are continuous in position and velocity: a contact appears and
- * vanishes with zero load, and two contacts between 8 and 4 mm of distance become one. The time is
- * bounded.
+ * In a curve, pass the velocity relative to the momentary track, which is at rest. On a roller,
+ * pass that of the wheel's centre in the axes of the rig, in which the roller turns. Force and
+ * moment are continuous in position and velocity: a contact appears and vanishes with zero load,
+ * and two contacts between 8 and 4 mm of distance become one. The time is bounded.
  *
  * @param rail, wheel     prepared profiles.
  * @param pair            materials, friction, side, number of strips, model.

@@ -1286,6 +1286,9 @@ struct basic_wheel_pair {
     kstrip::model model = kstrip::model::default_;
     T normal_damping{};
     basic_metres_per_second<T> floor_speed{};
+    basic_metres<T> rail_radius{}; ///< of a roller; 0: a straight rail
+    basic_metres<T> rail_ahead{};
+    basic_metres_per_second<T> rail_speed{};
 };
 KSTRIP_HPP_BOTH(wheel_pair)
 
@@ -1314,7 +1317,7 @@ struct basic_wheel_contact {
     basic_metres<T> along;
     T normal[6], slip_x[6], slip_y[6], spin_rate[6], rolling_speed[6]; ///< by the members of the velocity
     T normal_damping;
-    basic_metres_per_second<T> floor_speed;
+    basic_motion<T> at_rest; ///< of the rail's surface
     basic_patch<T> patch;
 };
 KSTRIP_HPP_BOTH(wheel_contact)

@@ -631,6 +631,9 @@ typedef struct kstrip_wheel_pair_f32 {
     int32_t model;
     float normal_damping;
     float floor_speed;
+    float rail_radius;
+    float rail_ahead;
+    float rail_speed;
 } kstrip_wheel_pair_f32;
 
 /**
@@ -653,7 +656,7 @@ typedef struct kstrip_wheel_contact_f32 {
     float spin_rate[6];
     float rolling_speed[6];
     float normal_damping;
-    float floor_speed;
+    struct kstrip_motion_f32 at_rest;
     struct kstrip_patch_f32 patch;
 } kstrip_wheel_contact_f32;
 

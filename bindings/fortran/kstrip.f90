@@ -461,6 +461,9 @@ module kstrip
       integer(c_int32_t) :: model = 0
       real(c_double) :: normal_damping = 0
       real(c_double) :: floor_speed = 0
+      real(c_double) :: rail_radius = 0
+      real(c_double) :: rail_ahead = 0
+      real(c_double) :: rail_speed = 0
    end type
 
    !> One contact of a wheel.
@@ -480,7 +483,7 @@ module kstrip
       real(c_double) :: spin_rate(6) = 0
       real(c_double) :: rolling_speed(6) = 0
       real(c_double) :: normal_damping = 0
-      real(c_double) :: floor_speed = 0
+      type(kstrip_motion) :: at_rest
       type(kstrip_patch) :: patch
    end type
 
@@ -866,8 +869,8 @@ module kstrip
          type(kstrip_surface), intent(inout) :: surface
       end function
 
-      !> The gap between a wheel and a rail: the line on the wheel along which its normal is perpendicular to x, and its
-      !> distance from the rail.
+      !> The gap between a wheel and a straight rail: the line on the wheel along which its normal is perpendicular to x,
+      !> and its distance from the rail.
       integer(c_int32_t) function kstrip_touch(rail, wheel, wheel_radius, position, reach, gap, least) bind(c)
          import
          type(kstrip_surface), intent(in) :: rail

@@ -385,8 +385,9 @@ static kstrip_wheel_pair pair_of(const mxArray *of, int more)
 {
     static const char *const names[] = {"wheel_radius", "shear_modulus", "poisson_ratio", "friction", "left",
                                         "smoothing_length", "strips", "model", "friction_y", "friction_at", "normal_damping", "floor_speed",
+                                        "rail_radius", "rail_ahead", "rail_speed",
                                         "back_to_back", "running_circles", "gauge", "gauge_depth"};
-    const size_t count = more ? sizeof names / sizeof *names : 12;
+    const size_t count = more ? sizeof names / sizeof *names : 15;
     kstrip_wheel_pair pair;
     memset(&pair, 0, sizeof pair);
     if (!of || !mxIsStruct(of)) mexErrMsgIdAndTxt("kstrip:argument", "kstrip: pair must be a struct: help kstrip_wheel_on_rail");
@@ -403,6 +404,9 @@ static kstrip_wheel_pair pair_of(const mxArray *of, int more)
     pair.smoothing_length = scalar(mxGetField(of, 0, "smoothing_length"), 0);
     pair.normal_damping = scalar(mxGetField(of, 0, "normal_damping"), 0);
     pair.floor_speed = scalar(mxGetField(of, 0, "floor_speed"), 0);
+    pair.rail_radius = scalar(mxGetField(of, 0, "rail_radius"), 0);
+    pair.rail_ahead = scalar(mxGetField(of, 0, "rail_ahead"), 0);
+    pair.rail_speed = scalar(mxGetField(of, 0, "rail_speed"), 0);
     const kstrip_options options = options_of(mxGetField(of, 0, "model"), mxGetField(of, 0, "strips"));
     pair.strips = options.strips, pair.model = options.model;
     const mxArray *places = mxGetField(of, 0, "friction_y"), *at = mxGetField(of, 0, "friction_at");

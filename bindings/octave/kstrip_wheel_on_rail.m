@@ -6,7 +6,8 @@ function found = kstrip_wheel_on_rail(rail, wheel, pair, position, velocity, fri
 %
 %   rail, wheel  by kstrip_prepare_profile
 %   pair      struct with the fields wheel_radius [m], shear_modulus [Pa], poisson_ratio, friction; further fields may be left out: left
-%             (1: a left wheel), smoothing_length [m], strips, model, normal_damping [s/m], floor_speed [m/s], and for friction that differs along the rail friction_y [m],
+%             (1: a left wheel), smoothing_length [m], strips, model, normal_damping [s/m], floor_speed [m/s],
+%             rail_radius, rail_ahead [m] and rail_speed [m/s] of a roller, and for friction that differs along the rail friction_y [m],
 %             friction_at (up to four numbers each)
 %   position  4 x n or one column: lateral, vertical [m], yaw, roll [rad] of the wheel's centre over the rail's origin; vertical is 0
 %             where the centre is one wheel radius above it, down is positive. Rows at the end may be left out: zero.

@@ -14,11 +14,15 @@
 //! slip_x = (v + ω×p)·e_x,   slip_y = (v + ω×p)·t,   spin rate = ω·n;   V = (v_x − (ω×p)_x)/2
 //! ```
 //!
+//! On a roller `e_x`, `t` and `n` are turned by the angle `φ` at which `p` is over its axis
+//! (`roller`).
+//!
 //! The patch has the mean of these, weighted with the strips' loads `N` and referred to its origin.
 //! The force of the pressure is `Σ N n`.
 
 use super::groups::Zones;
 use super::line_of_contact::Turn;
+use super::roller::{Over, Roller};
 use super::touch::Gap;
 use super::{
     KSTRIP_CONTACTS_CAPACITY, KSTRIP_SURFACE_CAPACITY, Position, Velocity, WheelPair, cross, dot,
@@ -91,8 +95,8 @@ pub struct WheelContact<F> {
     pub rolling_speed: [F; 6],
     /// normal_damping of kstrip_wheel_pair.
     pub normal_damping: F,
-    /// floor_speed of kstrip_motion.
-    pub floor_speed: F,
+    /// kstrip_motion of a wheel at rest: that of the rail's surface, with the floor of the speed.
+    pub at_rest: Motion<F>,
     /// The strips; y along the rail's surface, x forward from the origin.
     pub patch: StoredPatch<F>,
 }
@@ -113,7 +117,14 @@ impl<F: Float> WheelContact<F> {
     pub fn motion(&self, velocity: &[F; 6]) -> Motion<F> {
         let [slip_x, slip_y, spin_rate] = self.rows().map(|row| dot(&row, velocity));
         let rolling_speed = dot(&self.rolling_speed, velocity);
-        Motion { slip_x, slip_y, spin_rate, rolling_speed, floor_speed: self.floor_speed }
+        let rest = self.at_rest;
+        Motion {
+            slip_x: slip_x + rest.slip_x,
+            slip_y: slip_y + rest.slip_y,
+            spin_rate: spin_rate + rest.spin_rate,
+            rolling_speed: rolling_speed + rest.rolling_speed,
+            floor_speed: rest.floor_speed,
+        }
     }
 
     /// The same, checked.
@@ -143,7 +154,9 @@ impl<F: Float> WheelContact<F> {
     fn is_finite(&self) -> bool {
         let numbers = [self.radius, self.normal_force, self.approach, self.stiffness, self.along];
         let rows = [self.normal, self.rolling_speed].into_iter().chain(self.rows());
-        are_finite(&numbers) && rows.flatten().all(F::is_finite_number)
+        let Motion { slip_x, spin_rate, .. } = self.at_rest;
+        let are_finite = are_finite(&numbers) && are_finite(&[slip_x, spin_rate]);
+        are_finite && rows.flatten().all(F::is_finite_number)
     }
 
     /// The largest peak pressure of the strips \[Pa\].
@@ -170,10 +183,11 @@ impl<F: Float> WheelContact<F> {
             let [_, _, x, y, z, angle, _] = view.at(strip.y);
             (lowest, highest) = (lowest.min(angle), highest.max(angle));
             let (sine, cosine) = sine_cosine(angle);
+            let over = view.over(x, z);
             let terms = [
                 [x, y, z, strip.y, angle, one],
-                with_moment([x, y, z], [zero, cosine, sine]),
-                with_moment([x, y, z], [zero, -sine, cosine]),
+                with_moment([x, y, z], over.turned(cosine, sine)),
+                with_moment([x, y, z], over.turned(-sine, cosine)),
             ];
             let load = strip.load();
             for (sums, terms) in sums.iter_mut().zip(terms) {
@@ -191,7 +205,8 @@ impl<F: Float> WheelContact<F> {
             (strip.y, strip.centre_x) = (strip.y - along, strip.centre_x - x);
         }
         let [a, b, c, ..] = normal;
-        let forward = with_moment([x, y, z], [one, zero, zero]);
+        let over = view.over(x, z);
+        let forward = with_moment([x, y, z], [over.cosine, zero, over.sine]);
         let mut rolling = forward.map(|entry| entry.times(-0.5));
         let [speed, ..] = &mut rolling;
         *speed = speed.plus(1.0);
@@ -210,7 +225,21 @@ impl<F: Float> WheelContact<F> {
         self.radius = length(in_x, in_z);
         (self.normal_force, self.along) = (load, along);
         (self.approach, self.stiffness) = (found.approach, found.stiffness);
-        (self.normal_damping, self.floor_speed) = (pair.normal_damping, pair.floor_speed);
+        self.normal_damping = pair.normal_damping;
+        // V ρ/R backward, and the rate V/R about y
+        let speed = pair.rail_speed;
+        let (slip_x, rate) = if pair.rail_radius > zero {
+            (speed * (over.distance / pair.rail_radius), speed / pair.rail_radius)
+        } else {
+            (speed, zero)
+        };
+        self.at_rest = Motion {
+            slip_x,
+            slip_y: zero,
+            spin_rate: -b * rate,
+            rolling_speed: slip_x.times(0.5),
+            floor_speed: pair.floor_speed,
+        };
     }
 }
 
@@ -275,6 +304,11 @@ impl<'a, F: Float> View<'a, F> {
             let [from, to] = of(list);
             from + (to - from) * share
         })
+    }
+
+    /// Where a point of the wheel is over the rail.
+    fn over(&self, x: F, z: F) -> Over<F> {
+        Roller::of(self.pair, &self.position).map_or(Over::straight(), |roller| roller.over(x, z))
     }
 
     /// The place of the least distances and the distance between points there \[m\]: means over the

@@ -192,7 +192,7 @@ impl<F: Float> Scene<'_, F> {
     fn first_touch(&self, position: &Position<F>) -> Result<[F; 2], Error> {
         let right = position.mirrored(self.pair.left != 0);
         let Self { rail, wheel, pair, .. } = *self;
-        let found = lowered(rail, wheel, pair.wheel_radius, &right)?;
+        let found = lowered(rail, wheel, pair, &right)?;
         let [touches, cosine] = found.ok_or(Error::ProfileEnd)?;
         Ok([touches, F::one() / cosine.abs().max(F::of(0.1))])
     }

@@ -17,8 +17,9 @@
 //! R = R₀/(1 + (sin yaw/cos α)² (κ R₀ − 1))
 //! ```
 
+use super::roller::Roller;
 use super::surface::Place;
-use super::{Position, sine_cosine};
+use super::{Position, WheelPair, sine_cosine};
 use crate::number::{Float, Strips};
 
 /// Least cosine of the profile's angle, and largest sine of θ, at which a wheel can touch.
@@ -73,6 +74,8 @@ pub(super) struct Wheel<F> {
     tan_yaw: F,
     /// `1 − cos roll`.
     less_by_roll: F,
+    /// The roller under it, if the rail is one.
+    roller: Option<Roller<F>>,
 }
 
 /// Points of a wheel's line of contact, side by side.
@@ -81,9 +84,12 @@ pub(super) struct Line<P> {
     pub place: [P; 3],
     /// Depth below the place one wheel radius under the centre \[m\].
     pub below: P,
-    /// Normal in the plane of y and z, out of the wheel, and its length.
+    /// Normal in the plane of y and z, out of the wheel, and its length. Over a roller this plane,
+    /// and the depth above, are those through its axis and the place.
     pub normal: [P; 2],
     pub size: P,
+    /// Curvature of a roller along the rail \[1/m\]; 0 over a straight rail.
+    pub curvature: P,
     /// Positive where the wheel can touch: it is not too steep there.
     pub can_touch: P,
 }
@@ -93,7 +99,13 @@ impl<F: Float> Wheel<F> {
         let turn = Turn::new(position);
         let ((sin_roll, cos_roll), (sin_yaw, cos_yaw)) = (turn.roll, turn.yaw);
         let less_by_roll = (sin_roll * sin_roll) / cos_roll.plus(1.0);
-        Self { radius, turn, tan_yaw: sin_yaw / cos_yaw, less_by_roll }
+        Self { radius, turn, tan_yaw: sin_yaw / cos_yaw, less_by_roll, roller: None }
+    }
+
+    /// That of a pair, over its rail.
+    pub fn of(pair: &WheelPair<F>, position: &Position<F>) -> Self {
+        let roller = Roller::of(pair, position);
+        Self { roller, ..Self::new(pair.wheel_radius, position) }
     }
 
     /// The line of contact at points of the profile.
@@ -103,7 +115,11 @@ impl<F: Float> Wheel<F> {
         let size = (cosine.squared() + sine.squared()).sqrt();
         let per_cosine = cosine.inverse();
         // sin θ = −tan α tan yaw
-        let sin = -(sine * per_cosine * P::all(self.tan_yaw));
+        let mut sin = -(sine * per_cosine * P::all(self.tan_yaw));
+        if let Some(roller) = &self.roller {
+            let turn = |vector| self.turn.to_track(vector);
+            sin = roller.sine(turn, [P::all(self.radius) + z, y], [cosine, sine], sin);
+        }
         let steep = (cosine - size.times(STEEPEST)).min(P::constant(FARTHEST) - sin.abs());
         let cos = (P::one() - sin.squared()).sqrt();
         let (whole, turn) = (P::all(self.radius), self.turn);
@@ -111,18 +127,27 @@ impl<F: Float> Wheel<F> {
         let ahead = radius * sin;
         let place = turn.to_track([ahead, y, radius * cos]);
         // the normal of the wheel makes the profile's angle with its radius
-        let [_, normal_y, normal_z] = turn.to_track([cosine * sin, -sine, cosine * cos]);
+        let [normal_x, normal_y, normal_z] = turn.to_track([cosine * sin, -sine, cosine * cos]);
         // p_z − radius, without a difference of large numbers: cos roll cos θ − 1 = −(1 − cos roll)
         // cos θ − sin² θ/(1 + cos θ)
         let less = P::all(self.less_by_roll) * cos + sin.squared() / cos.plus(1.0);
         let [_, _, below] = turn.to_track([ahead, y, z * cos]);
-        Line {
+        let mut line = Line {
             place,
             below: below - whole * less,
             normal: [normal_y, normal_z],
             size,
+            curvature: P::zero(),
             can_touch: steep,
+        };
+        if let Some(roller) = &self.roller {
+            let [x, ..] = place;
+            let [below, normal_z, curvature, is_over] =
+                roller.unrolled(x, line.below, [normal_x, normal_z], size);
+            line.can_touch = steep.min(is_over);
+            (line.below, line.normal, line.curvature) = (below, [normal_y, normal_z], curvature);
         }
+        line
     }
 
     /// The radius of curvature along `x` at points of the profile with these curvatures, positive

@@ -28,6 +28,7 @@ mod knots;
 mod line_of_contact;
 mod plausibility;
 mod prepare;
+mod roller;
 pub mod scene;
 mod spine;
 pub mod surface;
@@ -147,6 +148,15 @@ pub struct WheelPair<F> {
     pub normal_damping: F,
     /// Floor of the speed \[m/s\], >= 0, as in kstrip_motion; 0 stands for 0.02.
     pub floor_speed: F,
+    /// Radius of the rail at z = 0 of its profile \[m\], >= 0: that of a roller rig or of the lower
+    /// of two discs, whose axis is along y; 0: a straight rail.
+    pub rail_radius: F,
+    /// x of the roller's axis from the wheel's centre \[m\]; not used for a straight rail.
+    pub rail_ahead: F,
+    /// Speed at which the surface of the rail moves backward under the wheel \[m/s\], that of a
+    /// roller at rail_radius: a wheel whose centre is at rest rolls on it as one does that moves
+    /// forward on a rail at rest.
+    pub rail_speed: F,
 }
 
 impl<F: Float> WheelPair<F> {
@@ -164,11 +174,13 @@ impl<F: Float> WheelPair<F> {
         };
         let friction = if places == 0 { self.friction } else { F::zero() };
         let Self { wheel_radius, smoothing_length, normal_damping, floor_speed, .. } = *self;
+        let Self { rail_radius, rail_ahead, rail_speed, .. } = *self;
         let numbers = [wheel_radius, friction, smoothing_length, normal_damping, floor_speed];
-        if ![&numbers, y, at].into_iter().all(are_finite) {
+        let of_rail = [rail_radius, rail_ahead, rail_speed];
+        if ![numbers.as_slice(), &of_rail, y, at].into_iter().all(are_finite) {
             return Err(Error::NotFinite);
         }
-        if wheel_radius <= F::zero() {
+        if wheel_radius <= F::zero() || rail_radius < F::zero() {
             return Err(Error::RollingRadius);
         }
         if at.iter().chain([&friction]).any(|friction| *friction < F::zero()) {

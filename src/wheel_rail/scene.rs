@@ -3,7 +3,7 @@
 use super::contacts::{self, WheelContact};
 use super::plausibility;
 use super::surface::Surface;
-use super::touch::{Gap, REACH, touch};
+use super::touch::{Gap, REACH, touch_of_pair};
 use super::wrench::{self, Law, Wrench, WrenchByPosition, WrenchDerivatives};
 use super::{KSTRIP_CONTACTS_CAPACITY, Position, Velocity, WheelPair};
 use crate::contact::totals::StripCount;
@@ -64,14 +64,13 @@ impl<F: Float> Scene<'_, F> {
     /// Finds the contacts of a position.
     ///
     /// # Errors
-    /// Those of [`touch`] and [`contacts::from_gap`].
+    /// Those of [`touch`](super::touch::touch) and [`contacts::from_gap`].
     pub fn place(
         &self,
         position: &Position<F>,
         memory: &mut Workspace<F>,
     ) -> Result<Warning, Error> {
         let Self { pair, strips, .. } = *self;
-        pair.check()?;
         let Workspace { gap, strips: whole, contacts, count, apart } = memory;
         self.touch(position, gap)?;
         let found = contacts::from_gap(gap, pair, position, strips, whole, contacts)?;
@@ -81,9 +80,10 @@ impl<F: Float> Scene<'_, F> {
 
     fn touch(&self, position: &Position<F>, gap: &mut Gap<F>) -> Result<F, Error> {
         let Self { rail, wheel, pair, .. } = *self;
+        pair.check()?;
         let right = position.mirrored(pair.left != 0);
-        let reach = contacts::reach(wheel.step, pair.smoothing_length);
-        touch(rail, wheel, pair.wheel_radius, &right, reach.min(F::of(REACH)), gap)
+        let reach = contacts::reach(wheel.step, pair.smoothing_length).min(F::of(REACH));
+        touch_of_pair(rail, wheel, pair, &right, reach, gap)
     }
 
     pub(super) fn wrench(
@@ -152,6 +152,30 @@ impl<F: Float> Scene<'_, F> {
             }
         }
         Ok(found)
+    }
+
+    /// Derivatives by the place of a roller's axis, by central differences; zero where the rail is
+    /// straight.
+    pub(crate) fn by_rail_ahead(
+        &self,
+        position: &Position<F>,
+        velocity: &Velocity<F>,
+        memory: &mut Workspace<F>,
+    ) -> Result<[F; 6], Error> {
+        let mut slopes = [F::zero(); 6];
+        if self.pair.rail_radius > F::zero() {
+            let step = F::of(if is_single::<F>() { 1e-4 } else { 1e-5 });
+            for sign in [F::one(), -F::one()] {
+                let rail_ahead = self.pair.rail_ahead + sign * step;
+                let pair = WheelPair { rail_ahead, ..*self.pair };
+                let moved = Scene { pair: &pair, ..*self };
+                let found = moved.wrench(position, velocity, memory, None)?;
+                for (slope, force) in slopes.iter_mut().zip(found.members()) {
+                    *slope += sign * force / step.times(2.0);
+                }
+            }
+        }
+        Ok(slopes)
     }
 
     /// The steps of the differences. A load grows with the overlap `δ` to the power 3/2, so that

@@ -8,7 +8,7 @@
 use super::line_of_contact::Wheel;
 use super::surface::{Place, Surface};
 use super::under::Rail;
-use super::{KSTRIP_SURFACE_CAPACITY, Position};
+use super::{KSTRIP_SURFACE_CAPACITY, Position, WheelPair};
 use crate::number::avx::with_avx;
 use crate::number::{Float, Strips, are_finite};
 use crate::status::Error;
@@ -44,7 +44,9 @@ pub struct Gap<F> {
     /// Radius of curvature of the wheel along x \[m\]. Without yaw R0 = r/cos a: distance from the
     /// axle divided by the cosine of the angle between normal and radius. A wheel that yaws has
     /// R0/(1 + (sin yaw/cos a)^2 (k R0 - 1)), with the curvature k of its profile; this is R0 (1 -
-    /// dx/ds tan(yaw)/cos a) where x changes by dx/ds along the line of these points.
+    /// dx/ds tan(yaw)/cos a) where x changes by dx/ds along the line of these points. Over a
+    /// roller the curvatures of both add up, and angle and distance are those in the plane through
+    /// the roller's axis and the point.
     pub rolling_radius: [F; KSTRIP_SURFACE_CAPACITY],
     /// Number of points.
     pub count: u32,
@@ -170,7 +172,9 @@ impl<F: Float> Above<'_, F> {
         let curvature = P::gather(|i| {
             places.get(i).map_or(zero, |(k, share)| self.profile.curvature(*k, *share))
         });
-        let rolling_radius = self.wheel.rolling_radius(&profile, curvature);
+        let of_wheel = self.wheel.rolling_radius(&profile, curvature);
+        // 1/R = 1/R_wheel + 1/R_roller
+        let rolling_radius = of_wheel * (of_wheel * line.curvature).plus(1.0).inverse();
         let foot = self.rail.feet(point, &under);
         let [rail_y, rail_z] = foot.normal;
         // the mean of both surfaces' angles is that of the sum of their unit normals
@@ -208,8 +212,6 @@ pub fn touch<F: Float>(
     reach: F,
     gap: &mut Gap<F>,
 ) -> Result<F, Error> {
-    rail.check()?;
-    wheel.check()?;
     position.check()?;
     if !are_finite(&[wheel_radius, reach]) {
         return Err(Error::NotFinite);
@@ -217,8 +219,34 @@ pub fn touch<F: Float>(
     if wheel_radius <= F::zero() {
         return Err(Error::RollingRadius);
     }
+    search(rail, wheel, Wheel::new(wheel_radius, position), position, reach, gap)
+}
+
+/// [`touch`] with the checked radii of a pair.
+pub(crate) fn touch_of_pair<F: Float>(
+    rail: &Surface<F>,
+    wheel: &Surface<F>,
+    pair: &WheelPair<F>,
+    position: &Position<F>,
+    reach: F,
+    gap: &mut Gap<F>,
+) -> Result<F, Error> {
+    position.check()?;
+    search(rail, wheel, Wheel::of(pair, position), position, reach, gap)
+}
+
+fn search<F: Float>(
+    rail: &Surface<F>,
+    wheel: &Surface<F>,
+    turned: Wheel<F>,
+    position: &Position<F>,
+    reach: F,
+    gap: &mut Gap<F>,
+) -> Result<F, Error> {
+    rail.check()?;
+    wheel.check()?;
     let reach = if reach > F::zero() { reach } else { F::of(REACH) };
-    let (turned, rail) = (Wheel::new(wheel_radius, position), Rail::new(rail, reach));
+    let rail = Rail::new(rail, reach);
     let mut above = Above { profile: wheel, wheel: turned, position: *position, reach, rail };
     let points = wheel.count as usize;
     let (mut count, mut least) = (0, reach);
@@ -273,13 +301,13 @@ pub fn touch<F: Float>(
 pub(super) fn lowered<F: Float>(
     rail: &Surface<F>,
     wheel: &Surface<F>,
-    wheel_radius: F,
+    pair: &WheelPair<F>,
     position: &Position<F>,
 ) -> Result<Option<[F; 2]>, Error> {
     rail.check()?;
     wheel.check()?;
     position.check()?;
-    let turned = Wheel::new(wheel_radius, position);
+    let turned = Wheel::of(pair, position);
     let (points, mut k) = (rail.count as usize, 0);
     let y_of = |k: usize| rail.y.get(k).copied().filter(|_| k < points);
     let mut least: Option<[F; 2]> = None;

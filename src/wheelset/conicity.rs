@@ -16,7 +16,7 @@ use super::kinematics::{Kinematics, Side};
 use crate::number::{Float, are_finite, length};
 use crate::status::Error;
 use crate::wheel_rail::scene::{Scene, Workspace};
-use crate::wheel_rail::touch::touch;
+use crate::wheel_rail::touch::touch_of_pair;
 use crate::wheel_rail::{Position, sine_cosine};
 
 /// Number of places in half a wave.
@@ -35,7 +35,7 @@ impl<F: Float> Wheelset<'_, F> {
     /// wheelset touches both rails without yaw; with the roll that it has there, or without any.
     ///
     /// # Errors
-    /// Those of [`touch`].
+    /// Those of [`touch`](crate::wheel_rail::touch::touch).
     pub fn rolling_radius_difference(
         &self,
         lateral: F,
@@ -76,7 +76,7 @@ fn rolling_radius<F: Float>(
     let mut here = first.mirrored(pair.left != 0);
     let gap = &mut memory.gap;
     for _ in 0..LOWERINGS {
-        let left = touch(rail, wheel, pair.wheel_radius, &here, F::zero(), gap)?;
+        let left = touch_of_pair(rail, wheel, pair, &here, F::zero(), gap)?;
         here.vertical += left;
         if left.abs() < F::of(TOUCHES) {
             break;

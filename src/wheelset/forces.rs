@@ -154,6 +154,8 @@ fn one_wheel<F: Float>(
     sums: &mut Sums<'_, F>,
 ) -> Result<Wrench<F>, Error> {
     let (position, velocity) = (kinematics.position(), kinematics.velocity(own));
+    let pair = kinematics.pair(scene.pair);
+    let scene = &Scene { pair: &pair, ..*scene };
     let Sums { by_velocity, by_position } = sums;
     if by_velocity.is_none() && by_position.is_none() {
         return scene.solve(&position, &velocity, memory, None, None);
@@ -162,6 +164,10 @@ fn one_wheel<F: Float>(
     let mut by = WrenchDerivatives { velocity: [six; 6], friction: six };
     let mut moved = WrenchByPosition { lateral: six, vertical: six, yaw: six, roll: six };
     let wanted = by_position.is_some().then_some(&mut moved);
+    let by_ahead = match &wanted {
+        Some(_) => scene.by_rail_ahead(&position, &velocity, memory)?,
+        None => six,
+    };
     let wrench = scene.solve(&position, &velocity, memory, Some(&mut by), wanted)?;
     let columns = kinematics.columns();
     if let Some(sums) = by_velocity {
@@ -173,11 +179,29 @@ fn one_wheel<F: Float>(
     }
     if let Some(sums) = by_position {
         for k in 0..KSTRIP_WHEELSET_FREEDOMS {
-            let column = by_freedom(kinematics, k, own, &wrench, &by, &moved, &columns);
+            let by_ahead = by_ahead.map(|slope| slope * kinematics.rail_ahead_by(k));
+            let moved = [by_ahead, moved_by(&moved, kinematics, k)];
+            let column = by_freedom(kinematics, k, own, &wrench, &by, moved, &columns);
             add_column(&mut sums.position, k, &column);
         }
     }
     Ok(wrench)
+}
+
+/// `∂W/∂q` of one freedom, through the four members of the wheel's position.
+fn moved_by<F: Float>(
+    moved: &WrenchByPosition<F>,
+    kinematics: &Kinematics<F>,
+    freedom: usize,
+) -> [F; 6] {
+    let WrenchByPosition { lateral, vertical, yaw, roll } = moved;
+    let mut change = [F::zero(); 6];
+    for (slopes, share) in
+        [lateral, vertical, yaw, roll].into_iter().zip(kinematics.position_by(freedom))
+    {
+        add(&mut change, slopes.map(|slope| slope * share));
+    }
+    change
 }
 
 /// `Aᵀ (∂W/∂q + ∂W/∂w ∂A/∂q u) + ∂Aᵀ/∂q W` for one freedom.
@@ -187,16 +211,11 @@ fn by_freedom<F: Float>(
     own: &[F; 6],
     wrench: &Wrench<F>,
     by: &WrenchDerivatives<F>,
-    moved: &WrenchByPosition<F>,
+    moved: [[F; 6]; 2],
     columns: &[[F; 6]; KSTRIP_WHEELSET_FREEDOMS],
 ) -> Ten<F> {
-    let WrenchByPosition { lateral, vertical, yaw, roll } = moved;
-    let mut change = [F::zero(); 6];
-    for (slopes, share) in
-        [lateral, vertical, yaw, roll].into_iter().zip(kinematics.position_by(freedom))
-    {
-        add(&mut change, slopes.map(|slope| slope * share));
-    }
+    let [mut change, others] = moved;
+    add(&mut change, others);
     let turned = kinematics.columns_by(freedom);
     let [_, _, _, roll_rate, _, yaw_rate] = *own;
     for (column, rate) in turned.iter().zip([roll_rate, yaw_rate]) {

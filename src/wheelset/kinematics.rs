@@ -11,7 +11,7 @@
 use super::KSTRIP_WHEELSET_FREEDOMS;
 use super::track::RailMotion;
 use crate::number::Float;
-use crate::wheel_rail::{Position, Velocity, dot, sine_cosine};
+use crate::wheel_rail::{Position, Velocity, WheelPair, dot, sine_cosine};
 
 /// The ten velocities, or ten forces.
 pub(super) type Ten<F> = [F; KSTRIP_WHEELSET_FREEDOMS];
@@ -64,6 +64,19 @@ impl<F: Float> Kinematics<F> {
             vertical: position.vertical + *arm * down + *excess - motion.vertical,
             ..*position
         }
+    }
+
+    /// The wheel's pair, with the place of a roller's axis from its centre, which yaw moves along
+    /// x.
+    pub fn pair(&self, pair: &WheelPair<F>) -> WheelPair<F> {
+        let Self { side: Side { arm, .. }, axes: [_, [ahead, ..], _], .. } = *self;
+        WheelPair { rail_ahead: pair.rail_ahead - arm * ahead, ..*pair }
+    }
+
+    /// The place of a roller's axis by the position of a freedom.
+    pub fn rail_ahead_by(&self, freedom: usize) -> F {
+        let (_, cos_yaw) = self.yaw;
+        if freedom == 5 { self.side.arm * cos_yaw } else { F::zero() }
     }
 
     /// Velocity of the wheel over its rail.

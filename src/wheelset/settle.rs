@@ -11,6 +11,7 @@ use super::forces::{
 use super::kinematics::Kinematics;
 use crate::number::{Float, are_finite};
 use crate::status::{Error, Warning};
+use crate::wheel_rail::scene::Scene;
 use crate::wheel_rail::{Position, Velocity, cross, dot};
 
 /// Newton's steps, and halvings of a step.
@@ -77,7 +78,9 @@ impl<F: Float> Wheelset<'_, F> {
         Error::NormalForce.unless(vertical > F::zero())?;
         let (position, radius) = self.by_pressure(start, loads, memory)?;
         let [width, _] = self.sides.map(|side| side.arm.abs());
-        let pitch_rate = -velocity.forward / radius;
+        let [right, _] = self.scenes;
+        let speed = velocity.forward + right.pair.rail_speed;
+        let pitch_rate = -speed / radius;
         let (mut here, mut moves) = (position, Velocity { pitch: pitch_rate, ..*velocity });
         let rest_of = |forces: &WheelsetForces<F>| {
             let [_, _, down, over, about, _] = forces.wrench.members();
@@ -89,7 +92,7 @@ impl<F: Float> Wheelset<'_, F> {
         };
         let size = |rest: &[F; 3]| dot(rest, rest).sqrt();
         let least = F::EPSILON.cube_root().squared();
-        let (slow, fast) = (F::of(SLOW_SLIP), velocity.forward.abs().times(SLIP));
+        let (slow, fast) = (F::of(SLOW_SLIP), speed.abs().times(SLIP));
         let (farthest, quickest) = (F::of(FARTHEST), (slow + fast) / radius);
         let (mut slopes, mut moved) = (WheelsetDerivatives::zero(), WheelsetByPosition::zero());
         let mut rest = [F::zero(); 3];
@@ -175,7 +178,10 @@ impl<F: Float> Wheelset<'_, F> {
             let mut sinks = [F::zero(); 2];
             let sides = self.scenes.iter().zip(&self.sides).zip(&mut memory.wheel);
             for (((scene, side), memory), sink) in sides.zip(&mut sinks) {
-                let position = Kinematics::new(*side, &here).position();
+                let kinematics = Kinematics::new(*side, &here);
+                let position = kinematics.position();
+                let pair = kinematics.pair(scene.pair);
+                let scene = Scene { pair: &pair, ..*scene };
                 let carried = loads.vertical.times(0.5) + loads.roll / side.arm.times(2.0);
                 let support = carried.max(loads.vertical.times(LEAST));
                 let (height, _) = scene.height_for_load(&position, support, None, memory)?;

@@ -44,10 +44,10 @@ layouts! {
     kstrip_gap { along, distance, x, y, z, angle, rolling_radius, count, reserved }
     kstrip_wheel_pair { wheel_radius, shear_modulus, poisson_ratio, friction, friction_y,
         friction_at, friction_points, left, smoothing_length, strips, model, normal_damping,
-        floor_speed }
+        floor_speed, rail_radius, rail_ahead, rail_speed }
     kstrip_wheel_contact { origin, angle, angle_range, radius, normal_force, share, approach,
         stiffness, along, normal, slip_x, slip_y, spin_rate, rolling_speed, normal_damping,
-        floor_speed, patch }
+        at_rest, patch }
     kstrip_wheel_velocity { forward, lateral, vertical, roll, pitch, yaw }
     kstrip_wrench { force, moment, dissipation, normal_force, contacts, warning }
     kstrip_wrench_derivatives { velocity, friction }

@@ -93,6 +93,9 @@ pub fn steel(wheel_radius: f64) -> WheelPair<f64> {
         model: 0,
         normal_damping: 0.0,
         floor_speed: 0.0,
+        rail_radius: 0.0,
+        rail_ahead: 0.0,
+        rail_speed: 0.0,
     }
 }
 

@@ -87,6 +87,9 @@ impl<F: Bits> Stand<F> {
             model: 0,
             normal_damping: F::zero(),
             floor_speed: F::zero(),
+            rail_radius: F::zero(),
+            rail_ahead: F::zero(),
+            rail_speed: F::zero(),
         };
         let [rail, wheel] = [rail, wheel].map(|name| surface(name, smoothing_length));
         Self { rail, wheel, pair, memory: zeroed() }

@@ -39,6 +39,7 @@ mod patches;
 mod prepared_profile;
 mod profile;
 mod rig;
+mod roller;
 mod slender;
 mod small_print;
 mod special_motions;

@@ -27,7 +27,7 @@ fn number(row: &HashMap<String, String>, name: &str) -> f64 {
     row[name].parse().unwrap_or_else(|_| panic!("{name} of {row:?}"))
 }
 
-fn surface(y: &[f64], z: &[f64]) -> Box<Surface<f64>> {
+pub(crate) fn surface(y: &[f64], z: &[f64]) -> Box<Surface<f64>> {
     let mut surface = zeroed::<Surface<f64>>();
     surface.prepare(y, z, 0.0, 0.0).unwrap();
     surface
@@ -113,7 +113,7 @@ const OFFSET: f64 = 10.5325e-3;
 pub(crate) const ROLLING: Velocity<f64> =
     Velocity { forward: 20.0, lateral: 0.0, vertical: 0.0, roll: 0.0, pitch: -43.4, yaw: 0.0 };
 
-fn power(wrench: &Wrench<f64>, velocity: &Velocity<f64>) -> f64 {
+pub(crate) fn power(wrench: &Wrench<f64>, velocity: &Velocity<f64>) -> f64 {
     let Velocity { forward, lateral, vertical, roll, pitch, yaw } = *velocity;
     let velocity = [forward, lateral, vertical, roll, pitch, yaw];
     wrench.members().iter().zip(velocity).map(|(force, speed)| force * speed).sum()
@@ -678,6 +678,9 @@ fn single(pair: &WheelPair<f64>) -> WheelPair<f32> {
         model: 0,
         normal_damping: pair.normal_damping as f32,
         floor_speed: pair.floor_speed as f32,
+        rail_radius: 0.0,
+        rail_ahead: 0.0,
+        rail_speed: 0.0,
     }
 }
 

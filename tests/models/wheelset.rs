@@ -176,23 +176,35 @@ fn states() -> Vec<(Stand, State)> {
         (Stand::new_profiles(), 5.9e-3, 3e-3),
         (unlike, -2e-3, 1e-3),
     ];
-    let state = |(mut stand, lateral, yaw): (Stand, f64, f64)| {
-        let settled = stand.settle(&at(lateral, yaw), &ROLLS, &LOAD).unwrap();
-        let Position { vertical, roll, .. } = settled.position;
-        let pitch = settled.velocity.pitch;
-        let (across, down) = (0.2e-3, 30e-6);
-        let place =
-            [0.0, lateral + across, vertical + down, roll, 0.0, yaw, across, down, across, down];
-        let speed = [20.0, 0.02, 1e-3, 0.01, pitch, 0.02, 0.01, 2e-3, -0.005, -1e-3];
-        (stand, State { place, speed })
-    };
-    cases.into_iter().map(state).collect()
+    cases.map(|(stand, lateral, yaw)| moving(stand, lateral, yaw, 20.0)).into()
+}
+
+/// A damped wheelset on rollers that turn under it.
+fn on_rollers() -> (Stand, State) {
+    let mut stand = Stand::new_profiles();
+    for pair in &mut stand.pairs {
+        let (rail_radius, rail_speed, normal_damping) = (0.5, 20.0, 0.5);
+        *pair = WheelPair { rail_radius, rail_speed, normal_damping, ..*pair };
+    }
+    moving(stand, 2e-3, 3e-3, 0.0)
+}
+
+fn moving(mut stand: Stand, lateral: f64, yaw: f64, forward: f64) -> (Stand, State) {
+    let rolls = Velocity { forward, ..ROLLS };
+    let settled = stand.settle(&at(lateral, yaw), &rolls, &LOAD).unwrap();
+    let Position { vertical, roll, .. } = settled.position;
+    let pitch = settled.velocity.pitch;
+    let (across, down) = (0.2e-3, 30e-6);
+    let place =
+        [0.0, lateral + across, vertical + down, roll, 0.0, yaw, across, down, across, down];
+    let speed = [forward, 0.02, 1e-3, 0.01, pitch, 0.02, 0.01, 2e-3, -0.005, -1e-3];
+    (stand, State { place, speed })
 }
 
 /// Derivatives by all ten velocities and by all ten positions against differences.
 #[test]
 fn derivatives_are_those_of_differences() {
-    for (mut stand, state) in states() {
+    for (mut stand, state) in states().into_iter().chain([on_rollers()]) {
         let (position, velocity, rails) = state.parts();
         let (mut by, mut moved) = (WheelsetDerivatives::zero(), WheelsetByPosition::zero());
         let (wheelset, memory) = stand.split(rails);
@@ -530,4 +542,25 @@ fn both_sides_are_those_of_the_manchester_benchmark() {
     println!("forces {error:.4} of mu N, loads {load:.5}, {} wheels", errors.len());
     assert_eq!(errors.len(), 39);
     assert!(error < 0.02 && load < 2e-3);
+}
+
+/// Yaw moves the wheels of a wheelset off the tops of rollers, which push them farther: the moment
+/// of a wheelset without friction is the load times the arm squared over the sum of the radii.
+#[test]
+fn rollers_push_a_yawed_wheelset_farther() {
+    let moment = |rail_radius: f64, yaw: f64| {
+        // (friction, and the cones' own stiffness, would hide it)
+        let mut stand = Stand::coned(0.0, 0.3);
+        for pair in &mut stand.pairs {
+            *pair = WheelPair { rail_radius, friction: 0.0, ..*pair };
+        }
+        let still = Velocity { forward: 0.0, ..ROLLS };
+        let [_, _, _, _, _, moment] =
+            stand.settle(&at(0.0, yaw), &still, &LOAD).unwrap().forces.wrench.members();
+        moment
+    };
+    let expected = 100e3 * HALF * HALF * 0.01 / (RADIUS + 0.5);
+    let [straight, on_roller] = [0.0, 0.5].map(|rail_radius| moment(rail_radius, 0.01));
+    assert!(straight.abs() < 1e-4 * expected, "{straight}");
+    assert_relative_eq!(on_roller, expected, max_relative = 1e-3);
 }

@@ -273,7 +273,7 @@ class Gap(Record, name="gap"):
     y = Numbers('m', 'y of this point [m].')
     z = Numbers('m', "z of this point [m], about the wheel's radius.")
     angle = Numbers('rad', 'Angle of the tangent across x, mean of both surfaces [rad], positive from y to z; about -1.2 at the flange of a right wheel.')
-    rolling_radius = Numbers('m', 'Radius of curvature of the wheel along x [m]. Without yaw R0 = r/cos a: distance from the axle divided by the cosine of the angle between normal and radius. A wheel that yaws has R0/(1 + (sin yaw/cos a)^2 (k R0 - 1)), with the curvature k of its profile; this is R0 (1 - dx/ds tan(yaw)/cos a) where x changes by dx/ds along the line of these points.')
+    rolling_radius = Numbers('m', "Radius of curvature of the wheel along x [m]. Without yaw R0 = r/cos a: distance from the axle divided by the cosine of the angle between normal and radius. A wheel that yaws has R0/(1 + (sin yaw/cos a)^2 (k R0 - 1)), with the curvature k of its profile; this is R0 (1 - dx/ds tan(yaw)/cos a) where x changes by dx/ds along the line of these points. Over a roller the curvatures of both add up, and angle and distance are those in the plane through the roller's axis and the point.")
     count = Integers('', 'Number of points.')
 
 
@@ -293,6 +293,9 @@ class WheelPair(Record, name="wheel_pair"):
     model = Integers('', 'KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967.')
     normal_damping = Numbers('s/m', 'Damping of the pressure d [s/m], >= 0 (Hunt and Crossley): the pressure is multiplied by 1 + d times the velocity at which the surfaces approach each other, or by 0 where this is negative; friction follows it.')
     floor_speed = Numbers('m/s', 'Floor of the speed [m/s], >= 0, as in kstrip_motion; 0 stands for 0.02.')
+    rail_radius = Numbers('m', 'Radius of the rail at z = 0 of its profile [m], >= 0: that of a roller rig or of the lower of two discs, whose axis is along y; 0: a straight rail.')
+    rail_ahead = Numbers('m', "x of the roller's axis from the wheel's centre [m]; not used for a straight rail.")
+    rail_speed = Numbers('m/s', 'Speed at which the surface of the rail moves backward under the wheel [m/s], that of a roller at rail_radius: a wheel whose centre is at rest rolls on it as one does that moves forward on a rail at rest.')
 
 
 class WheelContact(Record, name="wheel_contact"):
@@ -313,7 +316,7 @@ class WheelContact(Record, name="wheel_contact"):
     spin_rate = Numbers('', 'spin_rate of kstrip_motion.')
     rolling_speed = Numbers('', 'rolling_speed of kstrip_motion.')
     normal_damping = Numbers('', 'normal_damping of kstrip_wheel_pair.')
-    floor_speed = Numbers('', 'floor_speed of kstrip_motion.')
+    at_rest = Part(Motion, '', "kstrip_motion of a wheel at rest: that of the rail's surface, with the floor of the speed.")
     patch = Part(Patch, '', "The strips; y along the rail's surface, x forward from the origin.")
 
 

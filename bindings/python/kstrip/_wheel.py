@@ -32,14 +32,16 @@ def prepare_profile(y: ArrayLike, z: ArrayLike, step: float = 0.0, smoothing_len
 def wheel_pair(*, wheel_radius: ArrayLike, shear_modulus: ArrayLike, poisson_ratio: ArrayLike,
                friction: Union[ArrayLike, Sequence[tuple[float, float]]] = 0.0, left: ArrayLike = False,
                smoothing_length: ArrayLike = 0.0, strips: int = 0, model: Model = "default",
-               normal_damping: ArrayLike = 0.0, floor_speed: ArrayLike = 0.0,
+               normal_damping: ArrayLike = 0.0, floor_speed: ArrayLike = 0.0, rail_radius: ArrayLike = 0.0,
+               rail_ahead: ArrayLike = 0.0, rail_speed: ArrayLike = 0.0,
                dtype: DTypeLike = np.float64) -> WheelPair:
     """Materials, side and friction of a wheel and a rail; numbers and arrays broadcast.
 
     wheel_radius: at z = 0 of its profile [m]. shear_modulus [Pa], poisson_ratio [-]: combined constants of both bodies.
     friction: one number, or up to four pairs (y on the rail [m], coefficient), linear between them.
     left: whether it is a left wheel; the profiles are always those of a right one. normal_damping: of the pressure [s/m].
-    floor_speed: of the speed by which slip is divided [m/s]; 0: 0.02.
+    floor_speed: of the speed by which slip is divided [m/s]; 0: 0.02. rail_radius: of a roller [m]; 0: a straight rail; its axis is
+    rail_ahead [m] ahead of the wheel's centre, and its surface moves backward with rail_speed [m/s].
     """
     places = np.asarray(friction, float) if np.ndim(friction) else np.zeros((0, 2))
     room = constants["KSTRIP_RAIL_FRICTION_CAPACITY"]
@@ -49,7 +51,8 @@ def wheel_pair(*, wheel_radius: ArrayLike, shear_modulus: ArrayLike, poisson_rat
     made: WheelPair = record("wheel_pair", dtype, wheel_radius=wheel_radius, shear_modulus=shear_modulus, poisson_ratio=poisson_ratio,
                              friction=0.0 if len(places) else friction, friction_points=len(places),
                              left=np.asarray(left, bool).astype(int), smoothing_length=smoothing_length, strips=chosen.strips,
-                             model=chosen.model, normal_damping=normal_damping, floor_speed=floor_speed)
+                             model=chosen.model, normal_damping=normal_damping, floor_speed=floor_speed,
+                             rail_radius=rail_radius, rail_ahead=rail_ahead, rail_speed=rail_speed)
     made["friction_y"][..., : len(places)], made["friction_at"][..., : len(places)] = places.T
     return made
 

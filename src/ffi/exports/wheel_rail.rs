@@ -42,7 +42,7 @@ pub unsafe extern "C" fn kstrip_prepare_profile(
     answer(|| given(surface)?.prepare(y?, z?, step, smoothing_length))
 }
 
-/// The gap between a wheel and a rail: the line on the wheel along which its normal is
+/// The gap between a wheel and a straight rail: the line on the wheel along which its normal is
 /// perpendicular to x, and its distance from the rail.
 ///
 /// @param rail, wheel     prepared profiles.
@@ -119,7 +119,7 @@ pub unsafe extern "C" fn kstrip_contacts_from_gap(
 ///
 /// @param contact         a contact.
 /// @param velocity        how the wheel moves.
-/// @param[out] motion     receives the motion, with the contact's floor_speed.
+/// @param[out] motion     receives the motion, that of a roller included.
 /// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE.
 #[unsafe(export_name = symbol!("kstrip_wheel_motion"))]
 pub extern "C" fn kstrip_wheel_motion(
@@ -177,10 +177,10 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
 /// Force and moment on a wheel on a rail in one call: kstrip_touch(), kstrip_contacts_from_gap(),
 /// kstrip_wrench_from_contacts().
 ///
-/// The track is straight. In a curve, pass the velocity relative to the momentary track, which is
-/// at rest. Force and moment are continuous in position and velocity: a contact appears and
-/// vanishes with zero load, and two contacts between 8 and 4 mm of distance become one. The time is
-/// bounded.
+/// In a curve, pass the velocity relative to the momentary track, which is at rest. On a roller,
+/// pass that of the wheel's centre in the axes of the rig, in which the roller turns. Force and
+/// moment are continuous in position and velocity: a contact appears and vanishes with zero load,
+/// and two contacts between 8 and 4 mm of distance become one. The time is bounded.
 ///
 /// @param rail, wheel     prepared profiles.
 /// @param pair            materials, friction, side, number of strips, model.

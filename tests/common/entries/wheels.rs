@@ -87,6 +87,9 @@ impl Scene {
             model: 0,
             normal_damping: 0.0,
             floor_speed: 0.0,
+            rail_radius: 0.0,
+            rail_ahead: 0.0,
+            rail_speed: 0.0,
         };
         let position = kstrip_wheel_position {
             lateral: any(1e-3),
@@ -110,6 +113,11 @@ impl Scene {
         if bytes.byte() < 64 {
             scene.pair.normal_damping = Number::of(bytes, 0.5);
             scene.pair.floor_speed = Number::of(bytes, 0.1);
+        }
+        if bytes.byte() < 64 {
+            scene.pair.rail_radius = Number::of(bytes, 1.0);
+            scene.pair.rail_ahead = Number::of(bytes, 0.05);
+            scene.pair.rail_speed = Number::of(bytes, 20.0);
         }
         scene.pair.model = if choice < 128 { 0 } else { i32::from(choice % 7) };
         scene
