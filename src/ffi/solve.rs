@@ -51,7 +51,7 @@ pub(super) fn evaluate<F: Float>(
 ) -> Result<Warning, Error> {
     let (forces, inside) = (for_forces(options)?, for_strips(options)?);
     // By reference: avoids a copy of 200 bytes on the stack.
-    let (differentiated, under_law, alone);
+    let (differentiated, under_law, nothing, alone);
     let (solution, friction, slopes) = if places.differentiates() {
         differentiated = differentiate(contact, creepage, law, &forces);
         let found = given_by(&differentiated)?;
@@ -60,6 +60,10 @@ pub(super) fn evaluate<F: Float>(
         under_law = friction::solve(contact, creepage, law, &forces);
         let found = given_by(&under_law)?;
         (&found.solution, found.friction, None)
+    } else if places.result.is_none() && places.strips.is_some() {
+        // The strips have the errors and the warnings of the forces.
+        nothing = Solution::nothing();
+        (&nothing, contact.friction, None)
     } else {
         alone = forces::forces_of_contact(contact, creepage, &forces);
         (given_by(&alone)?, contact.friction, None)

@@ -79,17 +79,6 @@ impl<T: Number> Arc<T> {
             (self.lower.values(), self.upper.values(), self.middle.values());
         Arc { lower, upper, middle, tangent: self.tangent.value() }
     }
-
-    /// Between two points, not the whole edge.
-    #[inline(always)]
-    pub fn between(lower: Edge<T>, upper: Edge<T>) -> Self {
-        let (y, c) = (lower.y + upper.y, lower.c + upper.c);
-        let (dy, dc) = (upper.y - lower.y, upper.c - lower.c);
-        // 2 cos β and 2 sin β
-        let (sum, chord) = ((y * y + c * c).sqrt(), (dy * dy + dc * dc).sqrt());
-        let middle = Edge { y: y / sum, c: c / sum };
-        Self { lower, upper, middle, tangent: chord / sum.plus(2.0) }
-    }
 }
 
 /// The arc of the strips with adhesion, of no length where there are none, and a number that is

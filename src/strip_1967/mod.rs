@@ -29,9 +29,8 @@
 //! (F_x, F_y)/(μ N) = ¾ ∫ (f_x, f_y) dY,   M_z/(μ N) = ¾ ∫ (a m_x − b Y f_x) dY
 //! ```
 //!
-//! are differences of primitives ([`totals()`]), and so is the share of any piece of the width
-//! ([`strips`]): shares add up to the totals, whatever their number. A single strip with its
-//! traction and slip is in [`strip`].
+//! are differences of primitives ([`totals()`]). The shares of [`strips`] add up to them, whatever
+//! their number. A single strip with its traction and slip is in [`strip`].
 //!
 //! **Primitives** (Section 7.1). With `u = h − Y`, `h = ξ/p` both square roots of the theory have
 //! one form, `√(u² + ε²)`: the adhesion length's `S = p √q √(u² + ε²)` with `ε = η/(p √q)`, and the

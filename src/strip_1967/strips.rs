@@ -1,19 +1,23 @@
 //! The strips of a solution: pieces of equal width that are the same for every motion.
 //!
-//! A strip carries the difference of the primitives of [`totals`](crate::strip_1967::totals())
-//! between its edges, so the strips add up to the totals, whatever their number and wherever
-//! adhesion ends.
+//! The parts of a strip that adhere and slide end where those of the contact do ([`edge`]), so that
+//! strips vary continuously with the motion. Each part is computed in closed form from its two ends
+//! and the adhesion length in its middle, to the square of its width. The difference between the
+//! sum and the [`totals`](crate::strip_1967::totals()) is distributed, so that the strips add up to
+//! the totals, whatever their number.
 
 use crate::contact::creepage::Parameters;
-use crate::contact::totals::StripCount;
+use crate::contact::totals::{StripCount, Totals};
 use crate::number::{Float, add};
-use crate::strip_1967::adhesion::adhering;
 use crate::strip_1967::edge::{self, Arc, Edge};
 use crate::strip_1967::integrals::Shares;
 use crate::strip_1967::reduced::ReducedCreepage;
-use crate::strip_1967::sliding::sliding;
-use crate::strip_1967::strip::{SlidingRule, Strip};
-use crate::strip_1967::{turned_back, with_spin};
+use crate::strip_1967::strip::{SlidingRule, Strip, adhesion_length};
+use crate::strip_1967::totals;
+use core::f64::consts::PI;
+
+/// Largest number of strips.
+const CAPACITY: usize = 64;
 
 /// One strip of a solution, dimensionless.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,72 +50,159 @@ pub fn strips<F: Float>(
     count: StripCount,
     visit: &mut dyn FnMut(PlacedStrip<F>),
 ) {
+    let Parameters { xi, eta, psi, poisson_ratio, axis_ratio } = *parameters;
     let motion = ReducedCreepage::new(parameters, rule);
-    let (arc, some) = edge::adhesion(&motion);
-    let adheres = some > F::zero();
-    let number = |i: i32| F::widened(i as f32);
-    let width = number(2) / number(count as i32);
-    let piece = |i: i32| {
-        // The strips of a mirrored motion come in the opposite order.
-        let i =
-            if motion.turned_x * motion.turned_y < F::zero() { count as i32 - 1 - i } else { i };
-        let edges = [i, i + 1].map(|i| Edge::at(width * number(i) - F::one()));
-        share(&motion, &arc, adheres, edges)
-    };
-    // Nodes lie at other places in a strip than in the whole interval. The difference is
-    // distributed in proportion to ∫ C² dY, that of m_x in proportion to the stick area.
-    let mut rest = with_spin(&motion);
-    let mut stick = F::TINY;
-    (0..count as i32).for_each(|i| {
-        let piece = piece(i);
-        stick += piece[4];
+    let (arc, _) = edge::adhesion(&motion);
+    let (count, zero) = (count as usize, F::zero());
+    let number = |i: usize| F::widened(i as f32);
+    let width = number(2) / number(count);
+    let Totals { fx, fy, mz, stick } = totals(parameters, rule);
+    let mut rest = [fx, fy, mz, stick];
+    let arm = axis_ratio.sqrt();
+    let arms = [arm * motion.turned_y, motion.turned_y / arm];
+    let mut pieces = [[zero; 4]; CAPACITY];
+    let Some(pieces) = pieces.get_mut(..count) else { return };
+    let mut sticks = F::TINY;
+    let mut from = Edge { y: -F::one(), c: zero };
+    for (i, piece) in pieces.iter_mut().enumerate() {
+        let to = Edge::at(width * number(i + 1) - F::one());
+        let [fx, fy, mx, lever, stick] = share(&motion, &arc, from, to);
+        let mz = mx * arms[0] - lever * arms[1];
+        *piece = [fx * motion.turned_x, fy * motion.turned_y, mz, stick.times(8.0 / (3.0 * PI))];
+        *piece = piece.map(|share| share.times(0.75));
+        sticks += piece[3];
         add(&mut rest, piece.map(|share| -share));
-    });
-    let [fx, fy, mx, lever, _] = rest;
-    for i in 0..count as i32 {
-        let mut piece = piece(i);
+        from = to;
+    }
+    // The strips of a mirrored motion come in the opposite order.
+    if motion.turned_x * motion.turned_y < zero {
+        pieces.reverse();
+    }
+    // The difference is distributed in proportion to ∫ C² dY, that of the stick area in proportion
+    // to the stick area.
+    let [more_x, more_y, more_z, more_stick] = rest;
+    let sticking = more_stick / sticks + F::one();
+    let slope = parameters.spin_slope();
+    let curved = F::one() - (width * width).times(1.0 / 12.0);
+    for (i, [fx, fy, mz, stick]) in pieces.iter().enumerate() {
         let y = width * number(i).plus(0.5) - F::one();
         // ∫ C² dY, divided by its total 4/3.
-        let load = width * (F::one() - y * y - (width * width).times(1.0 / 12.0)).times(0.75);
-        let sticks = piece[4] / stick;
-        let more = [fx * load, fy * load, mx * sticks, lever * load, F::zero()];
-        add(&mut piece, more);
-        let totals = turned_back(&motion, piece);
-        let Parameters { xi, eta, psi, poisson_ratio, .. } = *parameters;
+        let load = width * (curved - y * y).times(0.75);
         let c = Edge::at(y).c;
-        let strip =
-            Strip::solve(c, xi - parameters.spin_slope() * y, eta, psi, poisson_ratio, rule);
+        let strip = Strip::solve(c, xi - slope * y, eta, psi, poisson_ratio, rule);
         visit(PlacedStrip {
             y,
             half_length: c,
             width,
             kappa: (strip.separatrix() + c).times(0.5),
             adheres: strip.adheres(),
-            fx: totals.fx,
-            fy: totals.fy,
-            mz: totals.mz,
-            stick: totals.stick,
+            fx: *fx + more_x * load,
+            fy: *fy + more_y * load,
+            mz: *mz + more_z * load,
+            stick: *stick * sticking,
         });
     }
 }
 
-/// The forces of the strips between two edges.
+/// The forces of the strips between two edges: those that slide below and above the arc, and those
+/// on the arc.
 fn share<F: Float>(
     motion: &ReducedCreepage<F>,
     arc: &Arc<F>,
-    adheres: bool,
-    [from, to]: [Edge<F>; 2],
+    from: Edge<F>,
+    to: Edge<F>,
 ) -> Shares<F> {
-    let (lower, upper) = (arc.lower, arc.upper);
-    let below = |edge: Edge<F>| Edge::chosen(edge.y - lower.y, lower, edge);
-    let above = |edge: Edge<F>| Edge::chosen(upper.y - edge.y, upper, edge);
-    let mut shares = sliding(motion, [below(from), below(to)], [above(from), above(to)]);
-    let inside = |edge: Edge<F>| {
-        Edge::chosen(edge.y - upper.y, upper, Edge::chosen(lower.y - edge.y, lower, edge))
+    let within = |edge: Edge<F>| {
+        if edge.y > to.y {
+            to
+        } else if edge.y < from.y {
+            from
+        } else {
+            edge
+        }
     };
-    let (first, last) = (inside(from), inside(to));
-    if adheres && last.y > first.y {
-        add(&mut shares, adhering(motion, &Arc::between(first, last)));
+    let (lower, upper) = (within(arc.lower), within(arc.upper));
+    let mut shares = [F::zero(); 5];
+    for [from, to] in [[from, lower], [upper, to]] {
+        if to.y > from.y {
+            add(&mut shares, sliding(motion, from, to));
+        }
+    }
+    if upper.y > lower.y {
+        add(&mut shares, adhering(motion, lower, upper));
     }
     shares
+}
+
+/// `∫ C² dY`
+fn load<F: Float>(from: Edge<F>, to: Edge<F>) -> F {
+    let mean = from.y * from.y + from.y * to.y + to.y * to.y;
+    (to.y - from.y) * (F::one() - mean.times(1.0 / 3.0))
+}
+
+/// `∫ C² w dY` with the mean direction of a slip `n` that is linear between both ends: in the parts
+/// of `n` along `n₂ − n₁ = L e` and across,
+/// `∫ n/|n| = (n₁ + n₂ + 2 (A − 1) n_across)/(|n₁| + |n₂|)`, `A = artanh t/t`,
+/// `t = L/(|n₁| + |n₂|)`. The ends are moved together so that their middle has the means of `Y` and
+/// `C` under the weight `C²`, taken as linear.
+fn sliding<F: Float>(motion: &ReducedCreepage<F>, from: Edge<F>, to: Edge<F>) -> Shares<F> {
+    let ReducedCreepage { eta, psi, compliance, rule, .. } = *motion;
+    // C = a ± e at the ends
+    let (a, e, width) = ((from.c + to.c).times(0.5), (to.c - from.c).times(0.5), to.y - from.y);
+    let (a2, e2) = (a * a, e * e);
+    let inverse = (a * (a2 + e2)).inverse();
+    let moved_y = (width * a2 * e * inverse).times(1.0 / 3.0);
+    let moved_c = e2 * (a2 + e2.times(0.2)) * inverse;
+    let slip = |edge: Edge<F>| {
+        let x = motion.xi_bar(edge.y + moved_y);
+        let [x, y] = match rule {
+            SlidingRule::RigidSlip => [x * compliance, eta],
+            SlidingRule::Continuous => [x, eta + psi * (edge.c + moved_c)],
+        };
+        [x, y, (x * x + y * y).sqrt()]
+    };
+    let ([x1, y1, size1], [x2, y2, size2]) = (slip(from), slip(to));
+    let inverse = (size1 + size2 + F::EPSILON * F::EPSILON).inverse();
+    let (x, y) = (x1 + x2, y1 + y2);
+    let (along_x, along_y) = ((x2 - x1) * inverse, (y2 - y1) * inverse);
+    let t2 = along_x * along_x + along_y * along_y;
+    let more = artanh_quotient(t2);
+    // n_across = n − e (e · n), t² = L²/(|n₁| + |n₂|)²
+    let part = (x * along_x + y * along_y) / (t2 + F::TINY);
+    let (across_x, across_y) = (x - part * along_x, y - part * along_y);
+    let scale = load(from, to) * inverse;
+    let (fx, fy) = ((x + more * across_x) * scale, (y + more * across_y) * scale);
+    let zero = F::zero();
+    [fx, fy, zero, fx * ((from.y + to.y).times(0.5) + moved_y), zero]
+}
+
+/// `artanh t/t − 1` of `t²`, which rounding may take to 1.
+fn artanh_quotient<F: Float>(t2: F) -> F {
+    if t2 < F::of(0.04) {
+        let [_, powers @ ..] = F::ARTANH else { return F::zero() };
+        return powers.iter().rev().fold(F::zero(), |sum, c| (sum + *c) * t2);
+    }
+    let t = t2.min(F::one() - F::EPSILON).sqrt();
+    (F::one() + t).ln_quotient(F::one() - t) / (t + t) - F::one()
+}
+
+/// `f_x = ξ̄ (2C − K)`, `f_y = ψ C² + η (2C − K)`, `m_x = −η (C − K)²` with `K` of the middle.
+fn adhering<F: Float>(motion: &ReducedCreepage<F>, from: Edge<F>, to: Edge<F>) -> Shares<F> {
+    let ReducedCreepage { xi, eta, psi, slope, .. } = *motion;
+    let (width, drop) = (to.y - from.y, to.c - from.c);
+    // ∫ C dY: the trapezium, and the segment of the circle over the chord h, h³/12 (1 + 3 h²/40 …)
+    let chord2 = width * width + drop * drop;
+    let segment = chord2 * chord2.sqrt() * chord2.times(0.00625).plus(1.0 / 12.0);
+    let c = (from.c + to.c) * width.times(0.5) + segment;
+    // ∫ Y C dY
+    let yc = (from.c * from.c * from.c - to.c * to.c * to.c).times(1.0 / 3.0);
+    let cc = load(from, to);
+    let y = (from.y + to.y).times(0.5);
+    let x = motion.xi_bar(y);
+    let k = adhesion_length(x, eta, psi).map_or(c, |k| (k * width).min(c));
+    let (xc, xk) = ((xi * c - slope * yc).times(2.0), x * k);
+    let stretch = c + c - k;
+    // ∫ (C − K)² dY with ∫ C² dY ≥ (∫ C dY)²/ΔY
+    let mx = -(eta * (cc - (k * stretch) / width));
+    [xc - xk, psi * cc + eta * stretch, mx, xc * (yc / c) - xk * y, c - k]
 }
