@@ -1,7 +1,8 @@
 //! Tables of constants in both precisions: no number is converted at run time, and a program in one
 //! precision has none of the other.
 
-use super::traits::{Real, Strips};
+use super::lanes::Lanes;
+use super::traits::{Number, Real, Strips};
 
 /// `table!(F, constants)`: a constant table `[[f64; C]; R]` or `[[f32; C]; R]`, in the precision
 /// that numbers `F` are stored in.
@@ -56,10 +57,17 @@ pub(crate) fn row<F: Real, const C: usize>(stored: &[F::Stored; C]) -> [F; C] {
     F::each(stored, |x| F::stored(*x))
 }
 
+/// Derivatives `first` to `first + 2` of a number, side by side; zero beyond its last.
+#[inline]
+pub(crate) fn three_derivatives<T: Number>(x: &T, first: usize) -> Lanes<T::Base, 3> {
+    Lanes::new([0, 1, 2].map(|k| x.derivative(first + k)))
+}
+
 /// Registers of sums at a time: they do not wait for each other.
 const BLOCK: usize = 6;
-/// The same of contacts side by side: a register is left for the input and one for the weight.
-const CONTACTS_BLOCK: usize = 12;
+/// The same of contacts side by side: a register is left for the input and one for the weight. On a
+/// microcontroller three derivatives side by side fill three registers of 32.
+const CONTACTS_BLOCK: usize = if cfg!(target_os = "none") { 8 } else { 12 };
 
 /// `sums + Σ xᵢ rowᵢ`, columns side by side in `P`, then in fours, and the rest one by one.
 ///

@@ -278,12 +278,12 @@ pub(super) fn forces<T: Arithmetic>(
     let mut slip = SlipState::start(n, ahead + ahead, inverse_s, seen);
     let soft = (spin.sigma * s).squared();
     let square = u.squared();
-    for (k, inverse_bound) in bounds.into_iter().enumerate() {
+    for (k, inverse_bound) in bounds.iter().enumerate() {
         let node: TableNode<T::Value> = constants.node(k);
         let step = Step {
             length: T::from_base(node.length),
             place: T::from_base(node.place),
-            inverse_bound,
+            inverse_bound: *inverse_bound,
             soft: soft.scale(node.soft),
         };
         let traction;
@@ -294,7 +294,7 @@ pub(super) fn forces<T: Arithmetic>(
         fy += lateral;
         mx += s.scale(node.place).plus(-1.0) * lateral;
         blended += slip.kept.squared().squared().squared().scale(node.length);
-        note(k, NodeState { inverse_bound, weight, traction, kept: slip.kept });
+        note(k, NodeState { inverse_bound: *inverse_bound, weight, traction, kept: slip.kept });
     }
     // With much spin the nodes extend into the adhesion part.
     let stick = ahead + spin.blend * (u * blended);

@@ -2,7 +2,8 @@
 //! respect to its inputs.
 
 use super::constants::{FIRST, FIXED, LAST, LAST_BIAS, SECOND};
-use crate::number::tables::{add_rows, row, rows, table, widen};
+use crate::number::lanes::Lanes;
+use crate::number::tables::{add_rows, row, rows, table, three_derivatives, widen};
 use crate::number::{Number, Real, Strips};
 
 /// What the network is told that depends on the contact only, and the rest.
@@ -42,9 +43,23 @@ impl<F: Real> TotalNetwork<F> {
             activation(add_rows::<F, P, _>(row(second_offset), units.iter().copied(), second));
         let mut outputs = last_layer(units, row(last_offset)).map(T::from_base);
         // how they move with the inputs, one derivative after the other
+        if cfg!(target_os = "none") {
+            // Three side by side, which reads each weight once for all.
+            for first in (0..T::DIRECTIONS).step_by(3) {
+                let moves = inputs.each_ref().map(|x| three_derivatives(x, first));
+                let (moves, all) = (moves.iter().copied(), |x| Lanes::new([x; 3]));
+                let moved = moved::<F, _, Lanes<_, 1>>(moves, &slopes_1, &slopes_2, all);
+                for (output, moves) in outputs.iter_mut().zip(moved) {
+                    for (k, derivative) in moves.numbers().into_iter().enumerate() {
+                        output.set_derivative(first + k, derivative);
+                    }
+                }
+            }
+            return outputs;
+        }
         for direction in 0..T::DIRECTIONS {
             let moves = inputs.iter().map(|x| x.derivative(direction));
-            let moved = moved::<F, P>(moves, &slopes_1, &slopes_2);
+            let moved = moved::<F, F, P>(moves, &slopes_1, &slopes_2, |x| x);
             for (output, moves) in outputs.iter_mut().zip(moved) {
                 output.set_derivative(direction, moves);
             }
@@ -53,19 +68,21 @@ impl<F: Real> TotalNetwork<F> {
     }
 }
 
-/// How the corrections move when the inputs do. (Out of line for the same reason.)
+/// How the corrections move when the inputs do; `all` converts a slope. (Out of line for the same
+/// reason.)
 #[cfg_attr(target_arch = "x86_64", inline(always))]
 #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
-fn moved<F: Real, P: Strips<F>>(
-    moves: impl Iterator<Item = F> + Clone,
+fn moved<F: Real, G: Real<Stored = F::Stored>, P: Strips<G>>(
+    moves: impl Iterator<Item = G> + Clone,
     slopes_1: &[F; UNITS_1],
     slopes_2: &[F; UNITS_2],
-) -> [F; 6] {
+    all: impl Fn(F) -> G,
+) -> [G; 6] {
     let first = table!(F, rows(&FIRST));
     let [_, second @ ..] = table!(F, rows(&SECOND));
-    let units = times(add_rows::<F, P, _>([F::zero(); UNITS_1], moves, first), slopes_1);
-    let units = add_rows::<F, P, _>([F::zero(); UNITS_2], units.iter().copied(), second);
-    last_layer(times(units, slopes_2), [F::zero(); 6])
+    let units = times(add_rows::<G, P, _>([G::zero(); UNITS_1], moves, first), slopes_1, &all);
+    let units = add_rows::<G, P, _>([G::zero(); UNITS_2], units.iter().copied(), second);
+    last_layer(times(units, slopes_2, all), [G::zero(); 6])
 }
 
 /// The last layer: four chains of sums for each output.
@@ -85,9 +102,13 @@ fn last_layer<F: Real>(units: [F; UNITS_2], mut outputs: [F; 6]) -> [F; 6] {
 }
 
 #[inline(always)]
-fn times<F: Real, const N: usize>(mut x: [F; N], y: &[F; N]) -> [F; N] {
+fn times<F: Real, G: Real, const N: usize>(
+    mut x: [G; N],
+    y: &[F; N],
+    all: impl Fn(F) -> G,
+) -> [G; N] {
     for (x, y) in x.iter_mut().zip(y) {
-        *x = *x * *y;
+        *x = *x * all(*y);
     }
     x
 }
