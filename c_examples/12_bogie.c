@@ -1,7 +1,8 @@
 /*
  * A bogie on flexible rails: two wheelsets, frame, half a car body, and a mass of each rail under each wheel. It hunts in a limit cycle,
- * runs through a curve of 300 m with its flange, and is lifted by a jack. The numbers are those of an ordinary bogie with weak yaw dampers.
- *   cc -std=c99 -O2 -Iinclude c_examples/12_bogie.c target/lib/libkstrip.a -lm -o bogie && ./bogie tests/data/wheel_rail [hunt|curve|lift]
+ * runs through a curve of 300 m with its flange, brakes to a hold on a grade, and is lifted by a jack. The numbers are those of an
+ * ordinary bogie with weak yaw dampers.
+ *   cc -std=c99 -O2 -Iinclude c_examples/12_bogie.c target/lib/libkstrip.a -lm -o bogie && ./bogie tests/data/wheel_rail [hunt|curve|brake|lift]
  *
  * One rule integrates all of it: the backward differentiation formula of second order, linearly implicit with the derivatives D and K
  * of the forces Q by velocities and places (docs/integration.md). One evaluation a step:
@@ -28,7 +29,8 @@ static struct {
     kstrip_wheelset_forces forces[2];
     element elements[40];
     int count;
-    double place[N], velocity[N], place_change[N], velocity_change[N], load[N], time;
+    double place[N], velocity[N], place_change[N], velocity_change[N], load[N], time, brake; /* torque on an axle [N m] */
+    int held[2];
 } b;
 
 static const double level = 9.80665, wheelbase = 2.5, box = 1, radius = 0.46; /* m/s^2, m */
@@ -103,7 +105,7 @@ static void start(double speed, double lateral)
     memset(b.place, 0, sizeof b.place), memset(b.velocity, 0, sizeof b.velocity), memset(b.load, 0, sizeof b.load);
     memset(b.place_change, 0, sizeof b.place_change), memset(b.velocity_change, 0, sizeof b.velocity_change);
     memset(b.track.motion, 0, sizeof b.track.motion);
-    b.time = 0, b.curve = (kstrip_curve){.speed = speed};
+    b.time = b.brake = b.held[0] = b.held[1] = 0, b.curve = (kstrip_curve){.speed = speed};
     check(kstrip_wheelset_settle(&b.set, &b.track, &at, &rolls, &weight, &b.memory, &where, &moves, &b.forces[0]));
     for (int s = 0; s < FRAME; s += SET) {
         b.place[s + LATERAL] = lateral, b.place[s + VERTICAL] = where.vertical, b.place[s + ROLL] = where.roll;
@@ -195,6 +197,12 @@ static void advance(double h)
             change[r] += K[r][c] * (b.place_change[c] / 3 + 2 * h / 3 * b.velocity[c]);
         }
     }
+    for (int i = 0, r = PITCH; i < 2; i++, r += SET) { /* an axle that would turn back within this step is held from now on: a constraint */
+        const double torque = b.velocity[r] < 0 ? b.brake : -b.brake;
+        b.held[i] |= b.brake > 0 && b.velocity[r] * (b.velocity[r] + b.velocity_change[r]) <= 0;
+        if (b.held[i]) memset(W[r], 0, sizeof W[r]), W[r][r] = 1, change[r] = -b.velocity[r];
+        else change[r] += torque, change[FRAME + PITCH] -= torque;
+    }
     solve(W, change);
     for (int k = 0; k < N; k++) {
         b.velocity[k] += change[k], b.velocity_change[k] = change[k];
@@ -210,6 +218,7 @@ static void run(const char *name, double until, double h)
     for (int i = 0; b.time < until; i++) {
         const double t = fmin(b.time / 4, 1), ramp = t * t * (3 - 2 * t);
         if (*name == 'c') b.curve.curvature = ramp / 300, b.curve.cant = 0.1 * ramp;
+        if (*name == 'b') b.brake = 2e3 * fmin(b.time, 1);
         if (*name == 'l') b.elements[b.count - 1].length = 0.01 * (1 - cos(2 * b.time)) - height;
         advance(h);
         if (i % 20 != 0) continue;
@@ -222,12 +231,17 @@ static void run(const char *name, double until, double h)
 
 int main(int count, char **words)
 {
-    const char *wanted = count > 2 ? words[2] : "hunt curve lift";
+    const char *wanted = count > 2 ? words[2] : "hunt curve brake lift";
     build(count > 1 ? words[1] : "tests/data/wheel_rail");
     if (strstr(wanted, "hunt")) start(80, 3e-3), run("hunt", 4, 1e-3);
     if (strstr(wanted, "curve")) {
         start(sqrt(level * 300 * tan(0.1)), 0), run("curve at balance speed", 8, 2e-3);
         start(22, 0), run("curve at 22 m/s", 8, 2e-3);
+    }
+    if (strstr(wanted, "brake")) {
+        start(2, 3e-3);
+        for (int k = 0; k < N; k++) b.load[k] -= way(k) == FORWARD ? mass[k] * level / 50 : 0; /* a grade of 1:50 */
+        run("brake", 12, 2e-3);
     }
     JOIN(10e6, 100e3, 2, LIST(VERTICAL, ROLL), LIST(1, box))->one_sided = 1; /* a jack under the right box in front */
     if (strstr(wanted, "lift")) start(5, 0), run("lift", 3.15, 2e-3);

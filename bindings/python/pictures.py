@@ -1,11 +1,15 @@
 #!/usr/bin/env python3
-"""Writes the pictures of docs/python.md and docs/adhesion.md: the five kinds of kstrip.plot.
+"""Writes the pictures of docs/python.md and docs/adhesion.md, the five kinds of kstrip.plot; and the runs of c_examples/12_bogie.c.
 
     make && python bindings/python/pictures.py [FOLDER]            (needs matplotlib; FOLDER is docs/figures/python otherwise)
 """
 
+import os
 import pathlib
+import re
+import subprocess
 import sys
+import tempfile
 import warnings
 
 import matplotlib
@@ -63,10 +67,33 @@ def measured_curve():
     return drawn
 
 
+def bogie():
+    """What the bogie in C prints, compiled here with cc."""
+    with tempfile.TemporaryDirectory() as scratch:
+        program = f"{scratch}/bogie"
+        subprocess.run([os.environ.get("CC", "cc"), "-std=c99", "-O2", "-I", ROOT / "include", ROOT / "c_examples" / "12_bogie.c",
+                        ROOT / "target" / "lib" / "libkstrip.a", "-lm", "-o", program], check=True)
+        lines = subprocess.run([program, DATA / "wheel_rail"], check=True, capture_output=True, text=True).stdout.splitlines()
+    # y of both wheelsets [mm], speed [m/s], Y and Q of the front wheels [N]
+    columns = {"y": 1, "speed": 3, "Y": 5, "Q": 6}
+    panels = (("hunt", "y", "y, front wheelset [mm]", 1.0, "hunting at 80 m/s"),
+              ("curve at 22 m/s", "Y", "Y, outer front wheel [kN]", 1e-3, "into a curve of 300 m"),
+              ("brake", "speed", "speed [m/s]", 1.0, "braked to a hold on 1:50"),
+              ("lift", "Q", "Q, right front wheel [kN]", 1e-3, "lifted by a jack"))
+    drawn, axes = plt.subplots(2, 2, figsize=(8.0, 5.0), layout="constrained")
+    for (run, name, label, scale, title), axis in zip(panels, axes.flat):
+        rows = [[float(word) for word in re.findall(r"-?[0-9]+\.[0-9]+", line[len(run):])] for line in lines if line.startswith(run)]
+        time, values = np.array([(row[0], scale * row[columns[name]]) for row in rows]).T
+        axis.plot(time, values, color=plot.COLOURS[0], linewidth=1.0)
+        axis.set(xlabel="time [s]", ylabel=label, title=title)
+        axis.grid(True, alpha=0.3)
+    return drawn
+
+
 def main():
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "docs" / "figures" / "python"
     folder.mkdir(parents=True, exist_ok=True)
-    for draw in (creep_curve, traction_map, patch_on_profiles, lateral_shift, measured_curve):
+    for draw in (creep_curve, traction_map, patch_on_profiles, lateral_shift, measured_curve, bogie):
         with warnings.catch_warnings():
             # STRIP_1967 is shown beyond the range that its theory is for.
             warnings.simplefilter("ignore", kstrip.KstripWarning)
