@@ -118,6 +118,34 @@ fn fmi_wheel_on_a_rail() {
     assert!(off.len() == 2 && off.iter().all(|off| *off < 1e-9), "{text}");
 }
 
+/// The bogie of c_examples/12_bogie.c hunts in its limit cycle, and comes to rest below.
+#[test]
+fn exudyn_bogie() {
+    let own = scratch().parent().expect("target/tmp is in target").join("exudyn/bin/python");
+    let python = if own.exists() { own } else { PathBuf::from("python3") };
+    let modules = Command::new(&python).args(["-c", "import exudyn, numpy"]).output();
+    if !modules.is_ok_and(|output| output.status.success()) {
+        say("SKIPPED: hosts/exudyn, because there is no Exudyn (hosts/exudyn/README.md: \
+             target/exudyn)");
+        return;
+    }
+    let mut bogie = Command::new(&python);
+    bogie
+        .args(["-B", "hosts/exudyn/bogie.py"])
+        .current_dir(root())
+        .env("PYTHONPATH", root().join("bindings/python"))
+        .env("KSTRIP_LIBRARY", released("libkstrip.so"));
+    let text = output_of(&mut bogie);
+    let line = |start: &str| {
+        let found = text.lines().find(|line| line.starts_with(start)).expect("a line");
+        numbers(found)[1]
+    };
+    let (cycle, rest) = (line("80 m/s"), line("20 m/s"));
+    let exact = |number: f64| (number, 0.0);
+    let told = [(cycle, 0.02), exact(80.0), exact(20.0), exact(3.0), (rest, 2e-3), exact(2.5)];
+    assert_told("Exudyn 1.13", &told);
+}
+
 /// Critical speed of runs and eigenvalues in three dimensions; decay below it, a limit cycle above.
 #[test]
 fn simbody_wheelset() {
