@@ -363,7 +363,7 @@ impl<F: Float> Outline<F> {
         };
         let section = profile.section(first, radius);
         let length = contact.smoothing(section.half_width);
-        let mut curve = Curve::new(profile, length, first.value.times(REACH));
+        let mut curve = Curve::new(profile, length, first.times(REACH));
         let radius_there = section.rolling_radius;
         // load and deflection before the normal problem
         let approach = match given {

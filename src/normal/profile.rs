@@ -161,6 +161,21 @@ impl<'a, F: Float> Profile<'a, F> {
         (y - WithSlope::from_base(from)).scale((after - before) / (to - from)).shift(before)
     }
 
+    /// The length over which the distance is less than a level above `from`; between once and twice
+    /// the level it counts less and less.
+    pub(super) fn low_length(&self, level: WithSlope<F>, from: F) -> WithSlope<F> {
+        let inverse = level.shift(F::TINY).inverse();
+        let one = WithSlope::one();
+        let mut length = WithSlope::zero();
+        for (y, distance) in self.y.windows(2).zip(self.distance.windows(2)) {
+            let ([y, next], [here, there]) = (y, distance) else { continue };
+            let height = here.times(0.5) + there.times(0.5) - from;
+            let share = WithSlope::constant(2.0) - inverse.scale(height);
+            length += share.max(WithSlope::zero()).min(one).scale(*next - *y);
+        }
+        length
+    }
+
     /// `V = ∫ (h₀ − h) dy` over the overlap at `h₀ = 0.55 δ`; `radius` that of a contact whose
     /// profile has none.
     pub(super) fn section(&self, approach: WithSlope<F>, radius: F) -> Section<F> {

@@ -24,6 +24,10 @@ const SHARE: f64 = 0.5;
 /// the range of their distances.
 const FALL: f64 = 0.35;
 
+/// Share of the knots that the low part of a profile takes at most; others are for its margins.
+const ROOM: f64 = 0.7;
+/// Distance up to which surfaces are certainly low, over that from which points do not count.
+const LOW: f64 = 0.1;
 /// Number of knots in a smoothing length.
 const KNOTS_TO_A_LENGTH: f64 = 5.0;
 /// The same of the distance of surfaces.
@@ -211,10 +215,11 @@ impl<F: Float> Curve<F> {
     /// The curve of a profile smoothed over a length, where its points are less than `level` above
     /// the lowest.
     #[inline(never)]
-    pub(super) fn new(profile: &Profile<F>, length: WithSlope<F>, level: F) -> Self {
+    pub(super) fn new(profile: &Profile<F>, length: WithSlope<F>, level: WithSlope<F>) -> Self {
         let mut curve = Self::nothing(profile);
-        curve.fill_all(profile, length, KNOTS_TO_A_LENGTH, |curve, length, step| {
-            curve.fill(profile, length, level, step)
+        let low = (level, profile.lowest);
+        curve.fill_all(profile, length, KNOTS_TO_A_LENGTH, low, |curve, length, step| {
+            curve.fill(profile, length, level.value, step)
         });
         let mut lowest = WithSlope::from_base(F::LARGEST);
         curve.pieces(
@@ -236,7 +241,9 @@ impl<F: Float> Curve<F> {
     pub(crate) fn of_surfaces(profile: &Profile<F>, length: F) -> Self {
         let mut curve = Self::nothing(profile);
         let length = WithSlope::from_base(length);
-        curve.fill_all(profile, length, KNOTS_OF_SURFACES, |curve, length, step| {
+        let [.., none] = profile.fade.unwrap_or([F::zero(); 2]);
+        let low = (WithSlope::from_base(none.times(LOW)), F::zero());
+        curve.fill_all(profile, length, KNOTS_OF_SURFACES, low, |curve, length, step| {
             curve.fill_below(profile, length, step)
         });
         (curve.still, curve.lowest) = (true, WithSlope::from_base(curve.zero));
@@ -258,13 +265,15 @@ impl<F: Float> Curve<F> {
     }
 
     /// Has `fill` place the knots for a smoothing length and a step; it returns whether there was
-    /// room.
+    /// room. The steps are wider where much of the profile is low, by a level above a distance, lest
+    /// they would have to be doubled at once.
     #[inline(always)]
     fn fill_all(
         &mut self,
         profile: &Profile<F>,
         length: WithSlope<F>,
         knots: f64,
+        (level, from): (WithSlope<F>, F),
         mut fill: impl FnMut(&mut Self, WithSlope<F>, WithSlope<F>) -> bool,
     ) {
         let [first, last] = profile.ends;
@@ -276,6 +285,10 @@ impl<F: Float> Curve<F> {
         let mut step = self.length.times(1.0 / knots);
         let least = WithSlope::from_base(whole.times(1.0 / PIECES));
         step = step.max(least);
+        let share = 1.0 / (KNOTS as f64 * ROOM);
+        if whole.times(share) > step.value {
+            step = step.max(profile.low_length(level, from).times(share));
+        }
         while !fill(self, length, step) && step.value < whole {
             step = step.times(2.0);
         }

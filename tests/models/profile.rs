@@ -13,6 +13,7 @@ use kstrip::normal::cells::Given;
 use kstrip::normal::{Indentation, Profile, ProfileContact};
 use kstrip::patch::{Patch, PatchStrip, solver};
 use kstrip::status::{Error, Warning};
+use std::f64::consts::TAU;
 
 const SIXTEEN: StripCount = StripCount::Sixteen;
 
@@ -347,6 +348,63 @@ fn zones_merge_without_a_jump() {
         assert_eq!(seen, zones);
         assert!(coarse[0] < 1.5e-3 && coarse[1] < 1.5e-3 && coarse[2] < 1.5e-3, "{coarse:?}");
         assert!(fine.iter().all(|step| *step < 3e-4), "{fine:?}");
+    }
+}
+
+/// The largest change between neighbouring numbers, over the value: of the places where a function
+/// bends most over a range, each followed by halves to one rounding.
+fn largest_jump(of: impl Fn(f64) -> f64, [from, to]: [f64; 2], steps: usize) -> f64 {
+    let place = |k: usize| from + (to - from) * k as f64 / steps as f64;
+    let found: Vec<f64> = (0..=steps).map(|k| of(place(k))).collect();
+    let rise = |k: usize| found[k + 1] - found[k];
+    let bend = |k: usize| (rise(k) - rise(k - 1)).abs().min((rise(k) - rise(k + 1)).abs());
+    let mut bends: Vec<usize> = (1..steps - 1).collect();
+    bends.sort_by(|one, other| bend(*other).total_cmp(&bend(*one)));
+    let jumps = bends.iter().take(3).map(|&k| {
+        let [mut low, mut high] = [place(k), place(k + 1)];
+        let [mut below, mut above] = [found[k], found[k + 1]];
+        loop {
+            let middle = low + 0.5 * (high - low);
+            if middle <= low || middle >= high {
+                return (above / below - 1.0).abs();
+            }
+            let own = of(middle);
+            if (own - below).abs() > (own - above).abs() {
+                (high, above) = (middle, own);
+            } else {
+                (low, below) = (middle, own);
+            }
+        }
+    });
+    jumps.fold(0.0, f64::max)
+}
+
+/// Wide contacts, hardly wavy, that are smoothed over 1 mm, so that there are more knots than room: between
+/// neighbouring numbers neither the load of an approach nor the approach of a load jumps.
+#[test]
+fn wide_contacts_do_not_jump() {
+    let mut random = Random::new(441);
+    for trial in 0..8 {
+        let (radius, step) = (random.between(0.8, 1.6), random.between(0.1e-3, 0.15e-3));
+        let (height, length) = (random.between(0.1e-6, 0.4e-6), random.between(5e-3, 8e-3));
+        let shift = random.between(-1e-3, 1e-3);
+        let y: Vec<f64> = (-300..=300).map(|i| step * f64::from(i)).collect();
+        let h = |y: f64| (y - shift).powi(2) / (2.0 * radius) + height * (TAU * y / length).cos();
+        let distance: Vec<f64> = y.iter().map(|y| h(*y)).collect();
+        let count = [SIXTEEN, StripCount::Eight][trial % 2];
+        let of = |given: Given<f64>| {
+            let contact = ProfileContact { given, smoothing_length: 1e-3, ..pressed(0.46, 80e3) };
+            let profile = Profile::new(&y, &distance).unwrap();
+            Full::from_profile(&profile, &contact, count).unwrap().1
+        };
+        // (without the powers by which a parabola's load and approach grow)
+        let by_approach =
+            |approach: f64| of(Given::Approach(approach)).normal_force / approach.powf(1.5);
+        let by_approach = largest_jump(by_approach, [50e-6, 150e-6], 60);
+        let by_load = |load: f64| of(Given::Load(load)).approach / load.powf(2.0 / 3.0);
+        let by_load = largest_jump(by_load, [50e3, 500e3], 60);
+        println!("trial {trial}: {by_approach:e} {by_load:e}");
+        assert!(by_approach.max(by_load) < 1e-9, "trial {trial}: {by_approach:e} {by_load:e}");
     }
 }
 
