@@ -5,10 +5,11 @@
 //! length `s`, times the length that it stands for. A cubic joins two knots. A profile that is a
 //! parabola is not changed, wherever its points lie.
 
-use crate::normal::density::Zones;
+use crate::normal::extremes::cuts;
 use crate::normal::parabola::{Parabola, STEPS, parabola};
 use crate::normal::profile::{Profile, WithSlope};
 use crate::number::{Arithmetic, Float};
+use crate::numerics::hermite::Cubic;
 use heapless::Vec;
 
 /// Largest number of knots.
@@ -43,99 +44,7 @@ pub(super) struct Knot<F> {
     pub height: WithSlope<F>,
     pub slope: WithSlope<F>,
     /// Whether a piece joins this knot to the one before.
-    joined: bool,
-}
-
-/// `c₀ + c₁ t + c₂ t² + c₃ t³` over `t` from 0 to a length.
-#[derive(Clone, Copy)]
-struct Cubic<F> {
-    c: [WithSlope<F>; 4],
-    length: WithSlope<F>,
-}
-
-impl<F: Float> Cubic<F> {
-    fn new(
-        length: WithSlope<F>,
-        [from, slope]: [WithSlope<F>; 2],
-        [to, end]: [WithSlope<F>; 2],
-    ) -> Self {
-        let inverse = length.inverse();
-        let rise = (to - from) * inverse;
-        let c2 = (rise.times(3.0) - slope.times(2.0) - end) * inverse;
-        let c3 = (slope + end - rise.times(2.0)) * inverse.squared();
-        Self { c: [from, slope, c2, c3], length }
-    }
-
-    fn at(&self, t: WithSlope<F>) -> WithSlope<F> {
-        let [c0, c1, c2, c3] = self.c;
-        c0 + t * (c1 + t * (c2 + t * c3))
-    }
-
-    fn slope(&self, t: WithSlope<F>) -> WithSlope<F> {
-        let [_, c1, c2, c3] = self.c;
-        c1 + t * (c2.times(2.0) + t * c3.times(3.0))
-    }
-
-    /// An extreme of the function that the cubic stands for, where the sign of its value depends on
-    /// how exactly its place is known; others as they are.
-    fn refined(
-        &self,
-        mut cut: WithSlope<F>,
-        exact: impl Fn(WithSlope<F>) -> [WithSlope<F>; 2],
-    ) -> WithSlope<F> {
-        let [c0, .., c2, c3] = self.c.map(|c| c.value);
-        let inside = |t: F| t > F::zero() && t < self.length.value;
-        // (far from zero the sign is known)
-        let (value, scale) = (self.at(cut).value, self.at(self.length).value);
-        if !inside(cut.value) || value.abs() > (c0.abs() + scale.abs()).times(0.2) {
-            return cut;
-        }
-        for _ in 0..4 {
-            let [value, slope] = exact(WithSlope::from_base(cut.value)).map(|x| x.value);
-            let bend = c2.times(2.0) + (c3 * cut.value).times(6.0);
-            let next = cut.value - slope / bend;
-            if (value * bend).times(2.0) >= slope * slope
-                || value * bend <= F::zero()
-                || !inside(next)
-            {
-                break;
-            }
-            cut.value = next;
-        }
-        cut
-    }
-
-    /// The places of the beginning, the two extremes and the end. In the place of extremes that are
-    /// none there is twice the point of inflection, from which they come.
-    fn cuts(&self) -> [WithSlope<F>; 4] {
-        let (length, zero) = (self.length, WithSlope::zero());
-        let [_, c1, c2, c3] = self.c;
-        // c₁ + 2 c₂ t + 3 c₃ t² = 0 without cancellation
-        let root = (c2.squared() - c1 * c3.times(3.0)).value;
-        let mut cuts = [zero, zero, length, length];
-        if root > F::zero() {
-            let root = root.sqrt();
-            let half = c2.value;
-            let q = if half < F::zero() { root - half } else { -root - half };
-            let inside = |t: F| {
-                let moves = if t > F::zero() && t < length.value { t } else { return zero };
-                // dt = −(dc₁ + 2 t dc₂ + 3 t² dc₃)/(2 c₂ + 6 c₃ t)
-                let bend = half.times(2.0) + (c3.value * t).times(6.0);
-                let steep = if bend.abs() > F::TINY { F::one() / bend } else { F::zero() };
-                let t = WithSlope::from_base(moves);
-                let [moved] = self.slope(t).gradient;
-                WithSlope { value: moves, gradient: [-(moved * steep)] }
-            };
-            let (one, two) = (inside(c1.value / q), inside(q / c3.value.times(3.0)));
-            cuts = [zero, one.min(two), one.max(two), length];
-        } else if c3.value.abs() > F::TINY {
-            let inflection = -(c2 / c3.times(3.0));
-            if inflection.value > F::zero() && inflection.value < length.value {
-                cuts = [zero, inflection, inflection, length];
-            }
-        }
-        cuts
-    }
+    pub joined: bool,
 }
 
 /// The smoothed profile where contact is likely.
@@ -145,24 +54,15 @@ pub(crate) struct Curve<F> {
     /// Its lowest point.
     pub(super) lowest: WithSlope<F>,
     /// Where the distance is zero, above the lowest point of the profile.
-    zero: F,
+    pub(super) zero: F,
     /// Numbers of the first knot that counts and of the one after the last.
-    range: [usize; 2],
+    pub(super) range: [usize; 2],
     /// Ends of the profile.
-    ends: [F; 2],
+    pub(super) ends: [F; 2],
     /// Smoothing length \[m\].
     length: WithSlope<F>,
     /// Whether the curve counts as constant, without its derivatives by load or approach.
     pub(super) still: bool,
-}
-
-/// A part of a curve of surfaces where they overlap.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Overlap<F> {
-    /// Where it begins and ends \[m\].
-    pub ends: [F; 2],
-    /// Largest overlap \[m\].
-    pub depth: F,
 }
 
 /// The places of knots: at equal steps to both sides of a profile's middle, and at its ends.
@@ -224,9 +124,9 @@ impl<F: Float> Curve<F> {
         let mut lowest = WithSlope::from_base(F::LARGEST);
         curve.pieces(
             |knot| [knot.height, knot.slope],
-            |_, cubic| {
-                for t in cubic.cuts() {
-                    lowest = lowest.min(cubic.at(t));
+            |_, cubic, length| {
+                for t in cuts(cubic, length) {
+                    lowest = lowest.min(cubic.value(t));
                 }
             },
         );
@@ -265,8 +165,8 @@ impl<F: Float> Curve<F> {
     }
 
     /// Has `fill` place the knots for a smoothing length and a step; it returns whether there was
-    /// room. The steps are wider where much of the profile is low, by a level above a distance, lest
-    /// they would have to be doubled at once.
+    /// room. The steps are wider where much of the profile is low, by a level above a distance,
+    /// lest they would have to be doubled at once.
     #[inline(always)]
     fn fill_all(
         &mut self,
@@ -438,65 +338,18 @@ impl<F: Float> Curve<F> {
         true
     }
 
-    /// Hands every zone where the surfaces overlap to `take`, in ascending order.
-    pub(crate) fn overlaps(&self, mut take: impl FnMut(Overlap<F>)) {
-        let mut open: Option<Overlap<F>> = None;
-        let of = |knot: &Knot<F>| {
-            let [_, height, slope] = self.knot(knot);
-            [height, slope]
-        };
-        self.pieces(of, |knot, cubic| {
-            let y = knot.y.value;
-            if let Some(zone) = open.take_if(|_| !knot.joined) {
-                take(zone);
-            }
-            let cuts = cubic.cuts().map(|t| t.value);
-            for (&from, &to) in cuts.iter().zip(cuts.iter().skip(1)) {
-                if !(to > from) {
-                    continue;
-                }
-                let heights = [from, to].map(|t| cubic.at(WithSlope::from_base(t)).value);
-                let [begins, ends] = heights.map(|height| height < F::zero());
-                let crossing = |inside: F, outside: F| {
-                    y + root(|t| [cubic.at(t), cubic.slope(t)], inside, outside).value
-                };
-                if ends || begins {
-                    let begin = if begins { y + from } else { crossing(to, from) };
-                    let none = Overlap { ends: [begin; 2], depth: F::zero() };
-                    let zone = open.get_or_insert(none);
-                    let [.., end] = &mut zone.ends;
-                    *end = if ends { y + to } else { crossing(from, to) };
-                    zone.depth = heights.iter().fold(zone.depth, |depth, h| depth.max(-*h));
-                }
-                if let Some(zone) = open.take_if(|_| !ends) {
-                    take(zone);
-                }
-            }
-        });
-        if let Some(zone) = open {
-            take(zone);
-        }
-    }
-
-    /// The same curve, of which only a zone or a run of zones counts.
-    pub(crate) fn restrict(&mut self, zone: &Overlap<F>) {
-        let [begin, end] = zone.ends;
-        self.lowest = WithSlope::from_base(self.zero - zone.depth);
-        let first = self.knots.partition_point(|knot| knot.y.value <= begin);
-        let last = self.knots.partition_point(|knot| knot.y.value < end);
-        self.range = [first.saturating_sub(1), last + 1];
-    }
-
     /// Hands every piece to `take`, with the cubic through the value and the slope that `of` gives
     /// at its knots.
-    fn pieces(
+    pub(super) fn pieces(
         &self,
         of: impl Fn(&Knot<F>) -> [WithSlope<F>; 2],
-        mut take: impl FnMut(&Knot<F>, &Cubic<F>),
+        mut take: impl FnMut(&Knot<F>, &Cubic<WithSlope<F>>, WithSlope<F>),
     ) {
         for (knot, next) in self.knots.iter().zip(self.knots.iter().skip(1)) {
             if next.joined {
-                take(knot, &Cubic::new(next.y - knot.y, of(knot), of(next)));
+                let ([from, slope], [to, end]) = (of(knot), of(next));
+                let length = next.y - knot.y;
+                take(knot, &Cubic::over(length, [from, to], [slope, end]), length);
             }
         }
     }
@@ -506,12 +359,12 @@ impl<F: Float> Curve<F> {
         self.seen(self.length)
     }
 
-    fn seen(&self, x: WithSlope<F>) -> WithSlope<F> {
+    pub(super) fn seen(&self, x: WithSlope<F>) -> WithSlope<F> {
         if self.still { WithSlope::from_base(x.value) } else { x }
     }
 
     /// Place, height above the lowest point, and slope of a knot.
-    fn knot(&self, Knot { y, height, slope, .. }: &Knot<F>) -> [WithSlope<F>; 3] {
+    pub(super) fn knot(&self, Knot { y, height, slope, .. }: &Knot<F>) -> [WithSlope<F>; 3] {
         [self.seen(*y), self.seen(*height - self.lowest), self.seen(*slope)]
     }
 
@@ -522,133 +375,9 @@ impl<F: Float> Curve<F> {
         match self.knots.get(next - 1..=next) {
             Some([knot, end]) => {
                 let ([from, height, slope], [to, high, steep]) = (self.knot(knot), self.knot(end));
-                Cubic::new(to - from, [height, slope], [high, steep]).at(y - from)
+                Cubic::over(to - from, [height, high], [slope, steep]).value(y - from)
             }
             _ => WithSlope::from_base(F::zero()),
         }
     }
-
-    /// The zones where a function is negative; returns whether one of them ends with the profile.
-    /// `of` gives the value and the slope of the function from a place, the height there and its
-    /// slope. (The zones are written where they stay: a copy
-    /// would take room on the stack.)
-    pub(super) fn zones(
-        &self,
-        zones: &mut Zones<F>,
-        of: impl Fn(WithSlope<F>, WithSlope<F>, WithSlope<F>) -> [WithSlope<F>; 2],
-    ) -> bool {
-        let [start, finish] = self.ends;
-        let mut at_end = false;
-        let at = |knot: &Knot<F>| {
-            let [y, height, slope] = self.knot(knot);
-            of(y, height, slope)
-        };
-        let mut last: Option<(WithSlope<F>, [WithSlope<F>; 2])> = None;
-        let [first, end] = self.range;
-        let knots = self.knots.get(first..end.min(self.knots.len())).unwrap_or(&[]);
-        let next = knots.iter().skip(1).map(Some).chain([None]);
-        for (knot, next) in knots.iter().zip(next) {
-            let own = match last {
-                Some((_, own)) if knot.joined => own,
-                _ => at(knot),
-            };
-            if !knot.joined {
-                zones.end();
-                if own[0].value < F::zero() {
-                    zones.begin(self.seen(knot.y), own);
-                    at_end = at_end || knot.y.value <= start;
-                }
-            }
-            last = Some((self.seen(knot.y), own));
-            let Some(next) = next.filter(|next| next.joined) else { continue };
-            let end = at(next);
-            last = Some((self.seen(next.y), end));
-            let ([y, height, slope], [next_y, high, steep]) = (self.knot(knot), self.knot(next));
-            let step = next_y - y;
-            // no cubic falls farther below its ends, nor does it rise farther above them
-            let rise = (own[1].value.abs() + end[1].value.abs()) * step.value.times(0.15);
-            let fall = (slope.value.abs() + steep.value.abs()) * step.value.times(0.15);
-            let least = own[0].value.min(end[0].value);
-            if least > fall.max(rise) {
-                continue;
-            }
-            if zones.are_deep(own[0].value.max(end[0].value) + rise) {
-                zones.pass(next_y, end);
-                continue;
-            }
-            let heights = Cubic::new(step, [height, slope], [high, steep]);
-            let exact = |t: WithSlope<F>| of(t + y, heights.at(t), heights.slope(t));
-            // extremes of the profile, and those of the function as a cubic
-            let function = Cubic::new(step, own, end);
-            let ([zero, a, b, _], [_, c, d, length]) = (heights.cuts(), function.cuts());
-            let [c, d] = [c, d].map(|cut| function.refined(cut, exact));
-            let mut cuts = [a, b, c, d, length];
-            for i in 1..cuts.len() {
-                for k in (0..i).rev() {
-                    if let Some([one, two]) = cuts.get_mut(k..k + 2)
-                        && two.value < one.value
-                    {
-                        core::mem::swap(one, two);
-                    }
-                }
-            }
-            let (mut from, mut before) = (zero, own[0]);
-            for to in cuts {
-                if to.value <= from.value {
-                    continue;
-                }
-                let after = if to.value < length.value { exact(to) } else { end };
-                let (inside, stays) = (before.value < F::zero(), after[0].value < F::zero());
-                if inside && !stays {
-                    let end = root(exact, from.value, to.value);
-                    zones.pass(end + y, exact(end));
-                    zones.end();
-                } else if stays && !inside {
-                    let begin = root(exact, to.value, from.value);
-                    zones.begin(begin + y, exact(begin));
-                }
-                if stays {
-                    zones.pass(to + y, after);
-                }
-                (from, before) = (to, after[0]);
-            }
-        }
-        if let Some((end, _)) = last {
-            at_end = at_end || (zones.is_open() && end.value >= finish);
-        }
-        zones.end();
-        at_end
-    }
-}
-
-/// The place where a function is zero between two places of different sign, by Newton's steps
-/// between brackets.
-fn root<F: Float>(
-    of: impl Fn(WithSlope<F>) -> [WithSlope<F>; 2],
-    mut negative: F,
-    mut positive: F,
-) -> WithSlope<F> {
-    let mut t = negative.times(0.5) + positive.times(0.5);
-    let small = (positive - negative).abs() * F::EPSILON.times(4.0);
-    for _ in 0..60 {
-        let [value, slope] = of(WithSlope::from_base(t)).map(|x| x.value);
-        if value < F::zero() {
-            negative = t
-        } else {
-            positive = t
-        }
-        let next = t - value / slope;
-        let between = (next - negative) * (next - positive) < F::zero();
-        let next = if between { next } else { negative.times(0.5) + positive.times(0.5) };
-        let moved = (next - t).abs();
-        t = next;
-        // (the step after this one would be as small as the square of it)
-        if moved <= small.max((positive - negative).abs() * F::EPSILON.sqrt()) {
-            break;
-        }
-    }
-    let [value, slope] = of(WithSlope::from_base(t));
-    // (the width of a zone that just appears grows infinitely fast, and carries nothing)
-    let steep = if slope.value.abs() > F::TINY { F::one() / slope.value } else { F::zero() };
-    WithSlope { value: t, gradient: value.gradient.map(|d| -(d * steep)) }
 }

@@ -20,7 +20,7 @@
 //! `w(f)`, which falls smoothly from 1 at 4 mm to 0 at 8 mm. Thus no share jumps when a zone
 //! appears, vanishes, is divided or merges.
 
-use crate::normal::smooth::Overlap;
+use crate::normal::crossings::Overlap;
 use crate::number::Float;
 use crate::status::Error;
 use core::mem;

@@ -6,6 +6,7 @@ use super::curve::distance;
 use super::spine::{CAPACITY, Polyline};
 use super::surface::{Place, Surface};
 use crate::number::Float;
+use crate::numerics::parabola::NormalEquations;
 
 /// Cells of points that are averaged, where there are more points than room: with the two ends they
 /// have room.
@@ -291,13 +292,12 @@ impl<'a, F: Float> Knots<'a, F> {
                 weight = weight * x;
             }
         }
-        let [m0, m1, m2, m3, m4] = m;
-        let (c0, c1, c2) = (m2 * m4 - m3 * m3, m2 * m3 - m1 * m4, m1 * m3 - m2 * m2);
-        let determinant = m0 * c0 + m1 * c1 + m2 * c2;
-        if count < 4 || !(determinant > m0 * m0 * m0.times(1e-6)) {
+        let [m0, ..] = m;
+        let equations = NormalEquations::of_moments(m);
+        if count < 4 || !(equations.determinant > m0 * m0 * m0.times(1e-6)) {
             return None;
         }
-        let [across, down] = sums.map(|[s0, s1, s2]| (s0 * c0 + s1 * c1 + s2 * c2) / determinant);
+        let [[across, ..], [down, ..]] = sums.map(|sums| equations.coefficients(sums));
         Some([middle[0] + across, middle[1] + down])
     }
 }

@@ -379,8 +379,9 @@ fn largest_jump(of: impl Fn(f64) -> f64, [from, to]: [f64; 2], steps: usize) -> 
     jumps.fold(0.0, f64::max)
 }
 
-/// Wide contacts, hardly wavy, that are smoothed over 1 mm, so that there are more knots than room: between
-/// neighbouring numbers neither the load of an approach nor the approach of a load jumps.
+/// Wide contacts, hardly wavy, that are smoothed over 1 mm, so that there would be more knots than
+/// room: between neighbouring numbers neither the load of an approach nor the approach of a load
+/// jumps.
 #[test]
 fn wide_contacts_do_not_jump() {
     let mut random = Random::new(441);

@@ -1,0 +1,161 @@
+//! Where a smoothed profile, or a function of it, is negative.
+
+use crate::normal::density::Zones;
+use crate::normal::extremes::{cuts, refined, zero_of};
+use crate::normal::profile::WithSlope;
+use crate::normal::smooth::{Curve, Knot};
+use crate::number::{Arithmetic, Float};
+use crate::numerics::hermite::Cubic;
+
+/// A part of a curve of surfaces where they overlap.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Overlap<F> {
+    /// Where it begins and ends \[m\].
+    pub ends: [F; 2],
+    /// Largest overlap \[m\].
+    pub depth: F,
+}
+
+impl<F: Float> Curve<F> {
+    /// Hands every zone where the surfaces overlap to `take`, in ascending order.
+    pub(crate) fn overlaps(&self, mut take: impl FnMut(Overlap<F>)) {
+        let mut open: Option<Overlap<F>> = None;
+        let of = |knot: &Knot<F>| {
+            let [_, height, slope] = self.knot(knot);
+            [height, slope]
+        };
+        self.pieces(of, |knot, cubic, length| {
+            let y = knot.y.value;
+            if let Some(zone) = open.take_if(|_| !knot.joined) {
+                take(zone);
+            }
+            let cuts = cuts(cubic, length).map(|t| t.value);
+            for (&from, &to) in cuts.iter().zip(cuts.iter().skip(1)) {
+                if !(to > from) {
+                    continue;
+                }
+                let heights = [from, to].map(|t| cubic.value(WithSlope::from_base(t)).value);
+                let [begins, ends] = heights.map(|height| height < F::zero());
+                let crossing = |inside: F, outside: F| {
+                    y + zero_of(|t| [cubic.value(t), cubic.slope(t)], inside, outside).value
+                };
+                if ends || begins {
+                    let begin = if begins { y + from } else { crossing(to, from) };
+                    let none = Overlap { ends: [begin; 2], depth: F::zero() };
+                    let zone = open.get_or_insert(none);
+                    let [.., end] = &mut zone.ends;
+                    *end = if ends { y + to } else { crossing(from, to) };
+                    zone.depth = heights.iter().fold(zone.depth, |depth, h| depth.max(-*h));
+                }
+                if let Some(zone) = open.take_if(|_| !ends) {
+                    take(zone);
+                }
+            }
+        });
+        if let Some(zone) = open {
+            take(zone);
+        }
+    }
+
+    /// The same curve, of which only a zone or a run of zones counts.
+    pub(crate) fn restrict(&mut self, zone: &Overlap<F>) {
+        let [begin, end] = zone.ends;
+        self.lowest = WithSlope::from_base(self.zero - zone.depth);
+        let first = self.knots.partition_point(|knot| knot.y.value <= begin);
+        let last = self.knots.partition_point(|knot| knot.y.value < end);
+        self.range = [first.saturating_sub(1), last + 1];
+    }
+
+    /// The zones where a function is negative; returns whether one of them ends with the profile.
+    /// `of` gives the value and the slope of the function from a place, the height there and its
+    /// slope. (The zones are written where they stay: a copy
+    /// would take room on the stack.)
+    pub(super) fn zones(
+        &self,
+        zones: &mut Zones<F>,
+        of: impl Fn(WithSlope<F>, WithSlope<F>, WithSlope<F>) -> [WithSlope<F>; 2],
+    ) -> bool {
+        let [start, finish] = self.ends;
+        let mut at_end = false;
+        let at = |knot: &Knot<F>| {
+            let [y, height, slope] = self.knot(knot);
+            of(y, height, slope)
+        };
+        let mut last: Option<(WithSlope<F>, [WithSlope<F>; 2])> = None;
+        let [first, end] = self.range;
+        let knots = self.knots.get(first..end.min(self.knots.len())).unwrap_or(&[]);
+        let next = knots.iter().skip(1).map(Some).chain([None]);
+        for (knot, next) in knots.iter().zip(next) {
+            let own = match last {
+                Some((_, own)) if knot.joined => own,
+                _ => at(knot),
+            };
+            if !knot.joined {
+                zones.end();
+                if own[0].value < F::zero() {
+                    zones.begin(self.seen(knot.y), own);
+                    at_end = at_end || knot.y.value <= start;
+                }
+            }
+            last = Some((self.seen(knot.y), own));
+            let Some(next) = next.filter(|next| next.joined) else { continue };
+            let end = at(next);
+            last = Some((self.seen(next.y), end));
+            let ([y, height, slope], [next_y, high, steep]) = (self.knot(knot), self.knot(next));
+            let step = next_y - y;
+            // no cubic falls farther below its ends, nor does it rise farther above them
+            let rise = (own[1].value.abs() + end[1].value.abs()) * step.value.times(0.15);
+            let fall = (slope.value.abs() + steep.value.abs()) * step.value.times(0.15);
+            let least = own[0].value.min(end[0].value);
+            if least > fall.max(rise) {
+                continue;
+            }
+            if zones.are_deep(own[0].value.max(end[0].value) + rise) {
+                zones.pass(next_y, end);
+                continue;
+            }
+            let heights = Cubic::over(step, [height, high], [slope, steep]);
+            let exact = |t: WithSlope<F>| of(t + y, heights.value(t), heights.slope(t));
+            // extremes of the profile, and those of the function as a cubic
+            let function = Cubic::over(step, [own[0], end[0]], [own[1], end[1]]);
+            let ([zero, a, b, _], [_, c, d, length]) =
+                (cuts(&heights, step), cuts(&function, step));
+            let [c, d] = [c, d].map(|cut| refined(&function, step.value, cut, exact));
+            let mut cuts = [a, b, c, d, length];
+            for i in 1..cuts.len() {
+                for k in (0..i).rev() {
+                    if let Some([one, two]) = cuts.get_mut(k..k + 2)
+                        && two.value < one.value
+                    {
+                        core::mem::swap(one, two);
+                    }
+                }
+            }
+            let (mut from, mut before) = (zero, own[0]);
+            for to in cuts {
+                if to.value <= from.value {
+                    continue;
+                }
+                let after = if to.value < length.value { exact(to) } else { end };
+                let (inside, stays) = (before.value < F::zero(), after[0].value < F::zero());
+                if inside && !stays {
+                    let end = zero_of(exact, from.value, to.value);
+                    zones.pass(end + y, exact(end));
+                    zones.end();
+                } else if stays && !inside {
+                    let begin = zero_of(exact, to.value, from.value);
+                    zones.begin(begin + y, exact(begin));
+                }
+                if stays {
+                    zones.pass(to + y, after);
+                }
+                (from, before) = (to, after[0]);
+            }
+        }
+        if let Some((end, _)) = last {
+            at_end = at_end || (zones.is_open() && end.value >= finish);
+        }
+        zones.end();
+        at_end
+    }
+}

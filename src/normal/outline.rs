@@ -1,0 +1,208 @@
+//! The outline of a contact before the normal problem: where its cells lie, their first lengths,
+//! and the power by which these are corrected.
+
+use crate::contact::totals::StripCount;
+use crate::normal::cells::{Cells, Given};
+use crate::normal::density::Zones;
+use crate::normal::estimate::{Estimate, OVERLAP};
+use crate::normal::layout::{layout, lean};
+use crate::normal::profile::{Profile, WithSlope, invert};
+use crate::normal::profile_contact::ProfileContact;
+use crate::normal::smooth::Curve;
+use crate::number::{Arithmetic, Float};
+use crate::status::Error;
+use core::f64::consts::PI;
+use heapless::Vec;
+
+/// Share of the estimated deflection that lies between the undeformed bodies at the edge of the
+/// contact.
+const DEFLECTED: f64 = 0.73;
+/// Largest height above the lowest point, over the first guess of the approach, at which the curve
+/// has knots.
+const REACH: f64 = 1.6;
+/// Power of a correction times the number of lengths that it moves.
+const POWER: f64 = 0.94;
+/// Least square of a half length, over `R δ`.
+const LEAST_SQUARE: f64 = 0.06;
+
+/// Cells of the normal problem for about `count` strips.
+const fn number_of_cells(count: StripCount) -> usize {
+    match count {
+        StripCount::Four => 8,
+        StripCount::Eight => 12,
+        StripCount::Sixteen => 18,
+        StripCount::ThirtyTwo => 36,
+        StripCount::SixtyFour => 40,
+    }
+}
+
+/// What is known of the cells besides.
+pub(super) struct Outline<F> {
+    /// The load or the approach.
+    pub given: Given<WithSlope<F>>,
+    /// Of a correction of the lengths.
+    pub power: WithSlope<F>,
+    pub iterations: u32,
+    /// Whether a zone ends with the profile.
+    pub at_end: bool,
+    /// Lowest point of the smoothed profile above that of the given points.
+    pub lowest: F,
+}
+
+impl<F: Float> Outline<F> {
+    /// Where cells lie, with their first lengths. None where the smoothed profile does not reach
+    /// the other body. (Out of line: what leads to the cells need not be kept while they are
+    /// solved.)
+    #[inline(never)]
+    pub fn new(
+        profile: &Profile<F>,
+        contact: &ProfileContact<F>,
+        given: Given<WithSlope<F>>,
+        count: StripCount,
+        cells: &mut Cells<F>,
+    ) -> Result<Option<Self>, Error> {
+        let radius = contact.rolling_radius;
+        // about the approach, and the curve that its width asks for
+        let (first, mut iterations) = match given {
+            Given::Approach(approach) => (approach, 0),
+            Given::Load(load) => {
+                let load = load.times(PI);
+                // of a sphere: N = (4/3) E* √R δ^(3/2)
+                let like_sphere = (load.value.times(0.75) / radius.sqrt()).cube_root();
+                let start = like_sphere * like_sphere;
+                invert(load, start, |approach| profile.load(approach, radius))
+                    .ok_or(Error::Overflow)?
+            }
+        };
+        let section = profile.section(first, radius);
+        let length = contact.smoothing(section.half_width);
+        let mut curve = Curve::new(profile, length, first.times(REACH));
+        let radius_there = section.rolling_radius;
+        // load and deflection before the normal problem
+        let approach = match given {
+            Given::Approach(approach) => approach,
+            Given::Load(load) => {
+                curve.still = true;
+                let still_radius = WithSlope::from_base(radius_there.value);
+                let load_at = |approach| Estimate::load(&curve, approach, still_radius);
+                let (found, steps) = invert(load, first.value, load_at).ok_or(Error::Overflow)?;
+                curve.still = false;
+                iterations += steps;
+                // f(δ, c) = N, the curve c depending on N: dδ/dN = (1 − ∂f/∂c dc/dN)/(∂f/∂δ)
+                let here = WithSlope::from_base(found.value);
+                let [by_curve] = Estimate::load(&curve, here, radius_there).gradient;
+                let ([by_load], [unit]) = (found.gradient, load.gradient);
+                let rest = F::one() - by_curve / unit;
+                WithSlope { value: found.value, gradient: [by_load * rest] }
+            }
+        };
+        if approach.value <= F::zero() {
+            return Ok(None);
+        }
+        let outline = Self::with_cells(
+            profile,
+            contact,
+            &curve,
+            (given, approach),
+            |_| radius_there,
+            count,
+            cells,
+        );
+        Ok(Some(Self { iterations, lowest: curve.lowest.value, ..outline }))
+    }
+
+    /// The cells of a curve for an approach.
+    pub fn with_cells(
+        profile: &Profile<F>,
+        contact: &ProfileContact<F>,
+        curve: &Curve<F>,
+        (given, approach): (Given<WithSlope<F>>, WithSlope<F>),
+        radius: impl FnOnce(&mut dyn Iterator<Item = [WithSlope<F>; 2]>) -> WithSlope<F>,
+        count: StripCount,
+        cells: &mut Cells<F>,
+    ) -> Self {
+        let mut zones = Zones::new(approach, curve.smoothing());
+        let (at_end, mean_radius) = touching(curve, approach, radius, &mut zones);
+        let mut places = Vec::new();
+        let width = layout(&zones, number_of_cells(count), &mut places);
+        lean(&mut places);
+        let first_lengths = Lengths::new(width, mean_radius, approach);
+        cells.place(&places, |y| {
+            let height = curve.at(y);
+            let radius = profile.rolling_radius(y, contact.rolling_radius);
+            let touches = approach.value.times(OVERLAP) > height.value;
+            ([height, radius, first_lengths.at(height, radius)], touches)
+        });
+        let power = first_lengths.power(given);
+        Self { given, power, iterations: 0, at_end, lowest: F::zero() }
+    }
+}
+
+/// Zones where the bodies touch by the estimate; returns whether one of them ends with the profile,
+/// and the rolling radius. (Out of line: the estimate need not be kept while the cells are made.)
+#[inline(never)]
+fn touching<F: Float>(
+    curve: &Curve<F>,
+    approach: WithSlope<F>,
+    radius: impl FnOnce(&mut dyn Iterator<Item = [WithSlope<F>; 2]>) -> WithSlope<F>,
+    zones: &mut Zones<F>,
+) -> (bool, WithSlope<F>) {
+    let mut estimate = Estimate::nothing();
+    let mut mean_radius = WithSlope::zero();
+    estimate.fill(curve, approach, |loads| {
+        mean_radius = radius(loads);
+        mean_radius
+    });
+    let at_end = curve.zones(zones, |y, height, slope| {
+        let [deflection, bend] = estimate.deflection(y);
+        let height = height - approach + deflection.times(DEFLECTED);
+        [height, slope + bend.times(DEFLECTED)]
+    });
+    (at_end, mean_radius)
+}
+
+/// First half lengths: those of an ellipse at whose rim the undeformed bodies are `λ δ` apart when
+/// they approach by `δ`.
+struct Lengths<F> {
+    rim: WithSlope<F>,
+    /// About the logarithm of the axis ratio, times 1.13.
+    slenderness: WithSlope<F>,
+    approach: WithSlope<F>,
+}
+
+impl<F: Float> Lengths<F> {
+    fn new(width: WithSlope<F>, radius: WithSlope<F>, approach: WithSlope<F>) -> Self {
+        let ratio = width.times(1.0 / 2.1) / (radius * approach).sqrt();
+        let logarithm = ratio.value.ln_quotient(F::one());
+        let logarithm = WithSlope::composed(logarithm, [F::one() / ratio.value], [ratio]);
+        let x = logarithm.times(1.13);
+        let rim = (x / x.squared().times(1.53).plus(16.2).sqrt()).plus(1.0).times(0.5);
+        Self { rim, slenderness: x, approach }
+    }
+
+    /// `a² = 2 R (1 − λ)(δ − h/λ)`, and at least about `0.06 R δ`.
+    fn at(&self, height: WithSlope<F>, radius: WithSlope<F>) -> WithSlope<F> {
+        let double = radius.times(2.0);
+        let square = double * (WithSlope::one() - self.rim) * (self.approach - height / self.rim);
+        let least = (radius * self.approach).times(LEAST_SQUARE);
+        let apart = square - least;
+        let root = (apart.squared() + least.squared()).sqrt();
+        (square + least + root).times(0.5).sqrt()
+    }
+
+    /// The power of a correction of the lengths. A correction of one length changes the condition
+    /// at its neighbours as well, less so in slender patches.
+    fn power(&self, given: Given<WithSlope<F>>) -> WithSlope<F> {
+        let more = match given {
+            // 1.6/(1 + (g/0.6)^1.3)
+            Given::Load(_) => {
+                let logarithm = self.slenderness.plus(0.510_825_623_765_990_7).times(1.3);
+                let power = logarithm.value.min(F::of(60.0)).exp();
+                let power = WithSlope::composed(power, [power], [logarithm]);
+                power.plus(1.0).inverse().times(1.6)
+            }
+            _ => WithSlope::constant(0.1),
+        };
+        more.plus(2.0).inverse().times(POWER)
+    }
+}
