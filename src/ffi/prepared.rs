@@ -36,7 +36,7 @@ unsafe impl<F: Float> Numbers<F> for Linear<F> {}
 /// The first number of a prepared structure: it tells the precision and the model.
 #[inline]
 fn mark<F: Float>(model: Model) -> F {
-    F::constant(1.967 * size_of::<F>() as f64 + f64::from(model as i32))
+    F::constant(1.967 * size_of::<F>() as f64) + F::widened(model as i32 as f32)
 }
 
 impl<F: Float> PreparedNumbers<F> {

@@ -109,6 +109,14 @@ pub(crate) fn add<T: Arithmetic>(sums: &mut [T], numbers: impl IntoIterator<Item
     }
 }
 
+/// Reverses the order. (That of `core` can panic as far as the linker knows.)
+pub(crate) fn reverse<T>(mut slice: &mut [T]) {
+    while let [first, inner @ .., last] = slice {
+        core::mem::swap(first, last);
+        slice = inner;
+    }
+}
+
 /// `yes` where a number is positive, else `no`.
 #[inline(always)]
 pub(crate) fn chosen<T: Number, const N: usize>(by: T, yes: [T; N], mut no: [T; N]) -> [T; N] {

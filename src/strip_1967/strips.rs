@@ -8,7 +8,7 @@
 
 use crate::contact::creepage::Parameters;
 use crate::contact::totals::{StripCount, Totals};
-use crate::number::{Float, add};
+use crate::number::{Float, add, reverse};
 use crate::strip_1967::edge::{self, Arc, Edge};
 use crate::strip_1967::integrals::Shares;
 use crate::strip_1967::reduced::ReducedCreepage;
@@ -76,7 +76,7 @@ pub fn strips<F: Float>(
     }
     // The strips of a mirrored motion come in the opposite order.
     if motion.turned_x * motion.turned_y < zero {
-        pieces.reverse();
+        reverse(pieces);
     }
     // The difference is distributed in proportion to ∫ C² dY, that of the stick area in proportion
     // to the stick area.

@@ -18,7 +18,7 @@ use crate::contact::creepage::Creepage;
 use crate::forces::{Model, Solution};
 use crate::friction::SlipFriction;
 use crate::motion::{MotionDerivatives, Rolling};
-use crate::number::{Float, are_finite};
+use crate::number::{Float, are_finite, reverse};
 use crate::patch::{self, PatchView, StoredPatch, solver};
 use crate::status::{Error, Warning};
 
@@ -296,7 +296,7 @@ impl<F: Float> Pressed<'_, F> {
             strip.friction = strip.friction * self.factor;
         }
         if is_turned {
-            used.reverse();
+            reverse(used);
             for strip in used {
                 (strip.y, strip.centre_x) = (-strip.y, -strip.centre_x);
             }
