@@ -1972,6 +1972,49 @@ kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,
                                    struct kstrip_wrench_by_position *by_position);
 
 /**
+ * kstrip_wheel_on_rail() for many wheels with the same profiles: the same results, bit for bit.
+ * For sweeps and tables; several threads may each compute a part, with a workspace of their own.
+ *
+ * Pairs, positions, velocities and friction are arrays, in which the next element is a stride
+ * away; with a stride of 0 all wheels have the same one. A wheel that has no result does not stop
+ * the others: its status says why, and its other outputs are untouched.
+ *
+ * @param rail, wheel     prepared profiles.
+ * @param count           number of wheels; 0 is allowed.
+ * @param pairs, pair_stride  kstrip_wheel_pair of each, and the distance from one to the next
+ *                            [bytes], a multiple of the alignment.
+ * @param positions, position_stride  where they are.
+ * @param velocities, velocity_stride  how they move.
+ * @param friction, friction_stride  friction that falls with the slip; NULL: constant.
+ * @param workspace       memory that may hold anything; receives gap and contacts of the last.
+ * @param[out] wrenches   array of count elements; receives force and moment.
+ * @param[out] derivatives  array of count elements; receives their derivatives with respect to
+ *                          velocity and friction; NULL: not needed.
+ * @param[out] by_position  array of count elements; receives those with respect to position; NULL:
+ *                          not needed.
+ * @param[out] statuses   array of count elements; receives the status of each wheel: that of
+ *                        kstrip_wheel_on_rail().
+ * @return the first negative status of a wheel, otherwise the most serious warning or KSTRIP_OK;
+ *         KSTRIP_ERROR_NULL, KSTRIP_ERROR_STRIDE, without a status of any wheel.
+ */
+kstrip_status kstrip_wheels_on_rails(const struct kstrip_surface *rail,
+                                     const struct kstrip_surface *wheel,
+                                     uint32_t count,
+                                     const struct kstrip_wheel_pair *pairs,
+                                     uint32_t pair_stride,
+                                     const struct kstrip_wheel_position *positions,
+                                     uint32_t position_stride,
+                                     const struct kstrip_wheel_velocity *velocities,
+                                     uint32_t velocity_stride,
+                                     const struct kstrip_friction *friction,
+                                     uint32_t friction_stride,
+                                     struct kstrip_wheel_workspace *workspace,
+                                     struct kstrip_wrench *wrenches,
+                                     struct kstrip_wrench_derivatives *derivatives,
+                                     struct kstrip_wrench_by_position *by_position,
+                                     kstrip_status *statuses);
+
+/**
  * The vertical position at which the rail supports a wheel with a given force. Use it to begin a
  * run, and for tables. The search tries about ten positions, and 100 at
  * most, and finds the highest.

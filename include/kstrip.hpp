@@ -1425,6 +1425,29 @@ status wheel_on_rail(const basic_surface<T> &rail, const basic_surface<T> &wheel
                            by_position);
 }
 
+/// Many wheels: `both`, `where` and `moves` have one element for all, or one for each of `to` and `statuses`.
+template <class T>
+status wheels_on_rails(const basic_surface<T> &rail, const basic_surface<T> &wheel,
+                       detail::only<span<const basic_wheel_pair<T>>> both,
+                       detail::only<span<const basic_wheel_position<T>>> where,
+                       detail::only<span<const basic_wheel_velocity<T>>> moves,
+                       const detail::only<basic_friction<T>> *law, basic_wheel_workspace<T> &workspace,
+                       detail::only<span<basic_wrench<T>>> to, span<std::int32_t> statuses,
+                       detail::only<basic_wrench_derivatives<T>> *slopes = nullptr,
+                       detail::only<basic_wrench_by_position<T>> *by_position = nullptr) noexcept
+{
+    const std::size_t count = to.size();
+    const auto fits = [count](std::size_t size) { return size == 1 || size == count; };
+    if (!fits(both.size()) || !fits(where.size()) || !fits(moves.size()) || statuses.size() != count)
+        return status::error_capacity;
+    const auto stride = [](std::size_t size, std::size_t of) { return static_cast<std::uint32_t>(size == 1 ? 0 : of); };
+    return KSTRIP_HPP_CALL(kstrip_wheels_on_rails, &rail, &wheel, detail::capacity(count), both.data(),
+                           stride(both.size(), sizeof(basic_wheel_pair<T>)), where.data(),
+                           stride(where.size(), sizeof(basic_wheel_position<T>)), moves.data(),
+                           stride(moves.size(), sizeof(basic_wheel_velocity<T>)), law, std::uint32_t{0}, &workspace,
+                           to.data(), slopes, by_position, statuses.data());
+}
+
 /// `moves`: the velocity of the wheel; null: the pressure carries the whole load.
 template <class T>
 status height_for_load(const basic_surface<T> &rail, const basic_surface<T> &wheel, const basic_wheel_pair<T> &both,
@@ -1497,6 +1520,24 @@ basic_wrench<T> wheel_on_rail(const basic_surface<T> &rail, const basic_surface<
                               const basic_wheel_velocity<T> &moves, basic_wheel_workspace<T> &workspace,
                               const detail::only<basic_friction<T>> *law = nullptr)
 KSTRIP_HPP_THROWING(basic_wrench<T>, wheel_on_rail, rail, wheel, both, where, moves, law, workspace, to)
+
+/// The wrenches of many wheels. `both`, `where`, `moves`: one element for all, or one for each.
+template <class T>
+std::vector<basic_wrench<T>> wheels_on_rails(const basic_surface<T> &rail, const basic_surface<T> &wheel,
+                                             detail::only<span<const basic_wheel_pair<T>>> both,
+                                             detail::only<span<const basic_wheel_position<T>>> where,
+                                             detail::only<span<const basic_wheel_velocity<T>>> moves,
+                                             basic_wheel_workspace<T> &workspace,
+                                             const detail::only<basic_friction<T>> *law = nullptr)
+{
+    const std::size_t some = both.size() < where.size() ? where.size() : both.size();
+    const std::size_t count = some < moves.size() ? moves.size() : some;
+    std::vector<basic_wrench<T>> found(count);
+    std::vector<std::int32_t> statuses(count);
+    detail::check(wheels_on_rails<T>(rail, wheel, both, where, moves, law, workspace, span<basic_wrench<T>>(found.data(), count),
+                                     span<std::int32_t>(statuses.data(), count)));
+    return found;
+}
 
 /// The wrench with its derivatives.
 template <class T>

@@ -750,6 +750,24 @@ kstrip_status kstrip_wheel_on_rail_f32(const struct kstrip_surface_f32 *rail,
                                        struct kstrip_wrench_derivatives_f32 *derivatives,
                                        struct kstrip_wrench_by_position_f32 *by_position);
 
+/** kstrip_wheels_on_rails() in single precision. */
+kstrip_status kstrip_wheels_on_rails_f32(const struct kstrip_surface_f32 *rail,
+                                         const struct kstrip_surface_f32 *wheel,
+                                         uint32_t count,
+                                         const struct kstrip_wheel_pair_f32 *pairs,
+                                         uint32_t pair_stride,
+                                         const struct kstrip_wheel_position_f32 *positions,
+                                         uint32_t position_stride,
+                                         const struct kstrip_wheel_velocity_f32 *velocities,
+                                         uint32_t velocity_stride,
+                                         const struct kstrip_friction_f32 *friction,
+                                         uint32_t friction_stride,
+                                         struct kstrip_wheel_workspace_f32 *workspace,
+                                         struct kstrip_wrench_f32 *wrenches,
+                                         struct kstrip_wrench_derivatives_f32 *derivatives,
+                                         struct kstrip_wrench_by_position_f32 *by_position,
+                                         kstrip_status *statuses);
+
 /** kstrip_height_for_load() in single precision. */
 kstrip_status kstrip_height_for_load_f32(const struct kstrip_surface_f32 *rail,
                                          const struct kstrip_surface_f32 *wheel,

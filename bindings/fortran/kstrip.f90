@@ -931,6 +931,28 @@ module kstrip
          type(kstrip_wrench_by_position), intent(inout), optional :: by_position
       end function
 
+      !> kstrip_wheel_on_rail() for many wheels with the same profiles: the same results, bit for bit.
+      integer(c_int32_t) function kstrip_wheels_on_rails(rail, wheel, count, pairs, pair_stride, &
+         positions, position_stride, velocities, velocity_stride, friction, friction_stride, workspace, wrenches, derivatives, by_position, statuses) bind(c)
+         import
+         type(kstrip_surface), intent(in) :: rail
+         type(kstrip_surface), intent(in) :: wheel
+         integer(c_int32_t), value :: count
+         type(kstrip_wheel_pair), intent(in) :: pairs
+         integer(c_int32_t), value :: pair_stride
+         type(kstrip_wheel_position), intent(in) :: positions
+         integer(c_int32_t), value :: position_stride
+         type(kstrip_wheel_velocity), intent(in) :: velocities
+         integer(c_int32_t), value :: velocity_stride
+         type(kstrip_friction), intent(in), optional :: friction
+         integer(c_int32_t), value :: friction_stride
+         type(kstrip_wheel_workspace), intent(inout) :: workspace
+         type(kstrip_wrench), intent(inout) :: wrenches
+         type(kstrip_wrench_derivatives), intent(inout), optional :: derivatives
+         type(kstrip_wrench_by_position), intent(inout), optional :: by_position
+         integer(c_int32_t), intent(inout) :: statuses
+      end function
+
       !> The vertical position at which the rail supports a wheel with a given force.
       integer(c_int32_t) function kstrip_height_for_load(rail, wheel, pair, position, support, &
          velocity, friction, workspace, vertical) bind(c)

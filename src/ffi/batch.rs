@@ -13,7 +13,7 @@ pub(super) struct Batch<'a, F: Float> {
 
 /// # Safety
 /// `first` is valid for reading at this index.
-unsafe fn read<T: Copy>(first: *const T, stride: isize, i: usize) -> T {
+pub(super) unsafe fn read<T: Copy>(first: *const T, stride: isize, i: usize) -> T {
     // SAFETY: the caller's promise.
     unsafe { first.byte_offset(stride.wrapping_mul(i as isize)).read() }
 }
@@ -28,7 +28,7 @@ unsafe fn write<T>(first: *mut T, stride: isize, i: usize, value: T) {
 }
 
 /// Whether elements at this distance are aligned, if the first one is.
-const fn is_aligned<T>(_: *const T, stride: isize) -> bool {
+pub(super) const fn is_aligned<T>(_: *const T, stride: isize) -> bool {
     stride % align_of::<T>() as isize == 0
 }
 

@@ -99,6 +99,22 @@ int main()
     expect(same(evaluated.wrench, wrench) && same(evaluated.derivatives, slopes) && same(evaluated.by_position, moved), "wheel_on_rail: both forms");
     expect(kstrip::wheel_on_rail_with_derivatives(rail, wheel, pair, where, moves, room, &wet).by_position.vertical[2] == 0, "by_position: not asked for");
     expect(same(kstrip::wheel_on_rail(rail, wheel, pair, where, moves, room, &wet), wrench), "wheel_on_rail: the wrench alone");
+    std::array<kstrip::wheel_position, 3> places{where, where, where};
+    places[1].vertical = height - 0.01_mm, places[2].lateral = 1_m;
+    std::array<kstrip::wrench, 3> wrenches{};
+    std::array<std::int32_t, 3> statuses{};
+    const kstrip::span<const kstrip::wheel_pair> pairs(&pair, 1);
+    const kstrip::span<const kstrip::wheel_velocity> all_move(&moves, 1);
+    const auto many = [&](std::size_t wheels) {
+        return kstrip::wheels_on_rails<double>(rail, wheel, pairs, {places.data(), wheels}, all_move, &wet, room, {wrenches.data(), wheels},
+                                               {statuses.data(), wheels});
+    };
+    expect(many(3) == kstrip::status::error_profile_end && statuses[0] == 0 && statuses[1] == 0 && statuses[2] == KSTRIP_ERROR_PROFILE_END,
+           "wheels_on_rails: the status of each");
+    fine(many(2), "wheels_on_rails");
+    expect(same(wrenches[0], wrench) && wrenches[1].normal_force < wrench.normal_force, "wheels_on_rails");
+    const auto of_two = kstrip::wheels_on_rails<double>(rail, wheel, pairs, {places.data(), 2}, all_move, room, &wet);
+    expect(of_two.size() == 2 && same(of_two[0], wrenches[0]) && same(of_two[1], wrenches[1]), "wheels_on_rails: both forms");
     const std::array<double, 6> on_wheel = wrench, velocity = moves;
     expect(std::abs(on_wheel[2] + 80e3) < 1 && on_wheel[4] == wrench.moment[1].value && velocity[4] == -43.6, "arrays of a wheel");
 

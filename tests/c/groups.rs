@@ -54,7 +54,7 @@ const GROUPS: [Group; 10] = [
         title: "Wheel on rail: from two profiles to the forces on the wheel",
         constants: "KSTRIP_SURFACE_ KSTRIP_CONTACTS_ KSTRIP_RAIL_",
         functions: "prepare_profile touch contacts_from_gap wheel_motion wrench_from_contacts \
-            wheel_on_rail height_for_load",
+            wheel_on_rail wheels_on_rails height_for_load",
     },
     Group {
         id: "wheelset",

@@ -317,8 +317,8 @@ fn block(
                 let size = if large { FEW } else { OUTPUTS };
                 text += &format!("        static {target} {name}[{size}];\n");
                 text += &format!("        memset({name}, POISON, sizeof {name});\n");
-                // (the index of what is bad is told with an error too; a workspace is no output)
-                if name != "first_bad" && name != "workspace" {
+                // (what is bad is told with an error too; a workspace is no output)
+                if !["first_bad", "statuses", "workspace"].contains(&name.as_str()) {
                     outputs.push(name);
                 }
                 arguments.push(name.clone());

@@ -43,9 +43,9 @@ class Worst:
         report(self.status, index_of(self.at, shape) if self.status else None)
 
 
-def progress(count: int, what: str) -> Iterable[int]:
-    """0, 1, ..., count - 1; with a bar on a terminal where tqdm is installed and the sweep takes more than two seconds."""
-    if count > 1000 and sys.stderr is not None and sys.stderr.isatty():
+def progress(count: int, what: str, part: int = 1) -> Iterable[int]:
+    """0, 1, ..., count - 1, each for a part of this many elements; with a bar on a terminal where tqdm is installed and the sweep takes more than two seconds."""
+    if count * part > 1000 and sys.stderr is not None and sys.stderr.isatty():
         try:
             from tqdm import tqdm  # type: ignore[import-untyped, unused-ignore]
         except ImportError:

@@ -121,6 +121,30 @@ def _of(address: tuple[Optional[int], int], i: int) -> Optional[int]:
     return None if address[0] is None else address[0] + i * address[1]
 
 
+# Wheels of one call, between two states of the progress bar.
+_PART = 100
+
+
+def _without_contacts(wheels: _Wheels, *outputs: Any) -> None:
+    """Many wheels in one call."""
+    function, worst = function_of("kstrip_wheels_on_rails", wheels.single), Worst()
+    profiles = tuple(profile.ctypes.data for profile in wheels.profiles)
+    inputs = [wheels.address(name) for name in ("pair", "position", "velocity", "friction")]
+    begins = [None if array is None else (array[0].ctypes.data, array[1]) for array in outputs]
+    statuses = np.zeros(_PART, np.int32)
+    for part in progress(-(-wheels.count // _PART), "wheel_on_rail", _PART):
+        first = part * _PART
+        count = min(_PART, wheels.count - first)
+        each = [word for address in inputs for word in (_of(address, first), address[1])]
+        places = [None if place is None else place[0] + first * place[1] for place in begins]
+        function(*profiles, count, *each, wheels.memory.ctypes.data, *places, statuses.ctypes.data)
+        for i in np.flatnonzero(statuses[:count]):
+            if worst.add(int(statuses[i]), first + int(i)):
+                worst.report(wheels.shape)
+                return
+    worst.report(wheels.shape)
+
+
 def wheel_on_rail(rail: Surface, wheel: Surface, pair: WheelPair, position: WheelPosition, velocity: WheelVelocity,
                   friction: Optional[Friction] = None, by_position: bool = False, contacts: bool = True) -> WheelOnRail:
     """Force and moment on wheels of prepared profiles, their derivatives and their contacts.
@@ -145,14 +169,15 @@ def wheel_on_rail(rail: Surface, wheel: Surface, pair: WheelPair, position: Whee
     found: list[Plain] = []
     fields: Any = memory.dtype.fields
     used = np.frombuffer(memory, np.uint8)[fields["strips"][1] : fields["count"][1]]
-    for i in progress(count, "wheel_on_rail"):
+    if not contacts:
+        _without_contacts(wheels, wrench, slopes, moved if by_position else None)
+    for i in progress(count if contacts else 0, "wheel_on_rail"):
         used[...] = 0
         status = function(*profiles, _of(pairs, i), _of(places, i), _of(moves, i), _of(laws, i), room, first[0] + i * wrench[1],
                           first[1] + i * slopes[1], first[2] + i * moved[1] if by_position else None)
         if status and worst.add(status, i):
             break
-        if contacts:
-            found.append(memory["contacts"][: int(memory["count"])].copy())
+        found.append(memory["contacts"][: int(memory["count"])].copy())
     worst.report(wheels.shape)
     most = max((len(each) for each in found), default=0)
     together = np.zeros((count, most), memory.dtype["contacts"].base)

@@ -111,6 +111,10 @@ class Records(unittest.TestCase):
         velocity = kstrip.wheel_velocity(forward=20.0, pitch=-43.4)
         bare = kstrip.wheel_on_rail(scene.RAIL, scene.WHEEL, scene.pair(), place, velocity, by_position=True, contacts=False)
         self.assertEqual((bare.contacts.shape, bare.by_position.shape), ((5, 0), (5,)))
+        # in one call of C: the same bits
+        full = kstrip.wheel_on_rail(scene.RAIL, scene.WHEEL, scene.pair(), place, velocity, by_position=True)
+        for name in ("wrench", "derivatives", "by_position"):
+            self.assertEqual(getattr(full, name).tobytes(), getattr(bare, name).tobytes())
         # Each with its own law: the first one falls at once
         laws = kstrip.friction(0.3, [0.4, 1.0, 1.0, 1.0, 1.0], 0.6, 20.0)
         fast = kstrip.wheel_velocity(forward=20.0, pitch=-48.0)
@@ -120,6 +124,8 @@ class Records(unittest.TestCase):
         place.lateral[3] = 0.3
         with self.assertRaisesRegex(kstrip.KstripError, "at index 3"):
             kstrip.wheel_on_rail(scene.RAIL, scene.WHEEL, scene.pair(), place, velocity)
+        with self.assertRaisesRegex(kstrip.KstripError, "at index 3"):
+            kstrip.wheel_on_rail(scene.RAIL, scene.WHEEL, scene.pair(), place, velocity, contacts=False)
         self.assertEqual(kstrip.height_for_load(scene.RAIL, scene.WHEEL, scene.pair(), place[:0], 1e4).shape, (0,))
 
     def test_long_sweeps_have_a_progress_bar_on_a_terminal(self):

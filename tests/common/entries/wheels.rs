@@ -238,6 +238,66 @@ fn wrench_from_contacts(bytes: &mut Bytes) {
     }
 }
 
+/// Three wheels, of which the second may be another: their results are those of single calls.
+fn wheels_on_rails(bytes: &mut Bytes) {
+    let scene = Scene::new(bytes);
+    let (law, with_law, given) = (friction_of(bytes), bytes.byte() < 64, bytes.given());
+    let mut places = [scene.position; 3];
+    places[1].lateral = Number::of(bytes, 5e-3);
+    let mut memory = zeroed::<kstrip_wheel_workspace>();
+    let mut outs: [_; 3] = std::array::from_fn(|_| poisoned::<kstrip_wrench>());
+    let mut statuses = [77; 3];
+    let stride = size_of::<kstrip_wheel_position>() as u32;
+    // SAFETY: NULL, or one element, or three.
+    let status = unsafe {
+        kstrip_wheels_on_rails(
+            given.input(0, &scene.rail),
+            given.input(1, &scene.wheel),
+            3,
+            &raw const scene.pair,
+            0,
+            given.array(2, &places),
+            if bytes.byte() < 16 { stride + 1 } else { stride },
+            &raw const scene.velocity,
+            0,
+            if with_law { &raw const law } else { std::ptr::null() },
+            0,
+            given.has(3).then_some(&mut memory),
+            outs.as_mut_ptr().cast(),
+            std::ptr::null_mut(),
+            std::ptr::null_mut(),
+            statuses.as_mut_ptr(),
+        )
+    };
+    if statuses == [77; 3] {
+        assert!(status < 0 && outs.iter().all(untouched));
+        return;
+    }
+    for ((place, out), own) in places.iter().zip(&outs).zip(statuses) {
+        let mut single = poisoned::<kstrip_wrench>();
+        let expected = kstrip_wheel_on_rail(
+            Some(&scene.rail),
+            Some(&scene.wheel),
+            Some(&scene.pair),
+            Some(place),
+            Some(&scene.velocity),
+            with_law.then_some(&law),
+            Some(&mut memory),
+            Some(&mut single),
+            None,
+            None,
+        );
+        assert_eq!(own, expected);
+        if own < 0 {
+            assert!(untouched(out));
+        } else {
+            assert_eq!(written(out), written(&single));
+        }
+    }
+    let bad = statuses.into_iter().find(|status| *status < 0);
+    assert!(bad.map_or(statuses.contains(&status), |bad| bad == status));
+}
+
 fn wheel_on_rail(bytes: &mut Bytes) {
     let scene = Scene::new(bytes);
     let (law, with_law, given) = (friction_of(bytes), bytes.byte() < 64, bytes.given());
@@ -474,6 +534,7 @@ pub const ENTRIES: &[Entry] = &[
     ("motion", motion),
     ("wrench_from_contacts", wrench_from_contacts),
     ("wheel_on_rail", wheel_on_rail),
+    ("wheels_on_rails", wheels_on_rails),
     ("height_for_load", height_for_load),
     ("gauge_face", gauge_face),
     ("curve_motion", curve_motion),
