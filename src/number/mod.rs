@@ -89,8 +89,11 @@ pub(crate) fn scaled_down<T: Number, const N: usize>(numbers: [T; N], limit: T::
     T::each(&numbers, |number| number.scale(factor))
 }
 
-/// Whether none is infinite or NaN. (All are asked, several at once: `0 x` is 0 or NaN.)
+/// Whether none is infinite or NaN. (All are asked; of many several at once: `0 x` is 0 or NaN.)
 pub(crate) fn are_finite<F: Float>(numbers: &[F]) -> bool {
+    if numbers.len() < MANY {
+        return numbers.iter().fold(true, |finite, x| finite & x.is_finite_number());
+    }
     let (eights, rest) = numbers.as_chunks::<8>();
     let mut sums = [F::zero(); 8];
     for x in eights.iter().map(<[F; 8]>::as_slice).chain([rest]) {
@@ -100,6 +103,9 @@ pub(crate) fn are_finite<F: Float>(numbers: &[F]) -> bool {
     }
     sums.iter().all(|sum| sum.is_finite_number())
 }
+
+/// From so many numbers on several are asked at once.
+const MANY: usize = 32;
 
 /// Adds numbers to their sums.
 #[inline(always)]

@@ -1,7 +1,8 @@
 //! Strips of any shape side by side: those of a patch, which do not belong to one ellipse.
 //!
 //! Strips are of two kinds, whose nodes along the length are staggered. This module evaluates both
-//! kinds side by side and mixes them.
+//! kinds side by side and mixes them; forces of strips that are wholly of one kind or the other are
+//! evaluated with their own nodes.
 
 use super::derivative::{SpinSlopes, forces_and_slopes};
 use super::kernel::{Spin, StripCreepage, StripForces, forces};
@@ -114,6 +115,23 @@ fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
     for first in (0..8).step_by(P::COUNT) {
         let gather = |of: &[F; 8]| P::gather(|k| of.get(first + k).copied().unwrap_or(zero));
         let [x, y, spin, spread, start, inner] = eight.each_ref().map(gather);
+        let are_mixed = P::any_exceeds([inner * (P::one() - inner)], [P::zero()]);
+        // (on a microcontroller this would take more flash)
+        if ROWS == VALUES && !are_mixed && !cfg!(target_os = "none") {
+            let constants = Tables::<F::Stored, _>::new(|kinds: &[_; 2]| {
+                let [outer, own] = kinds.map(|constant| P::all(F::stored(constant)));
+                inner.choose(own, outer)
+            });
+            let seen = StripCreepage { x, y, spread, start };
+            let found = forces(&seen, &Spin::new(spin), &constants, |_, _| ()).0;
+            let StripForces { fx, fy, mx, stick } = found;
+            for (places, own) in carried.iter_mut().zip([fx, fy, mx, stick]) {
+                for (k, place) in places.iter_mut().skip(first).take(P::COUNT).enumerate() {
+                    *place = own.lane(k);
+                }
+            }
+            continue;
+        }
         // First with the nodes of one kind of strip, then with those of the other.
         let [x, y, spin, spread, start] =
             [x, y, spin, spread, start].map(|strips| Lanes::new([strips; 2]));
@@ -123,7 +141,7 @@ fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
         });
         let put = |places: &mut [F; 8], kinds: Lanes<P, 2>| {
             let [outer, own] = kinds.numbers();
-            let mixed = outer + (own - outer) * inner;
+            let mixed = outer * (P::one() - inner) + own * inner;
             for (k, place) in places.iter_mut().skip(first).take(P::COUNT).enumerate() {
                 *place = mixed.lane(k);
             }
