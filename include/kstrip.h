@@ -1518,10 +1518,10 @@ typedef struct kstrip_surface {
     /** Number of points, 4 to KSTRIP_SURFACE_CAPACITY. */
     uint32_t count;
     /**
-     * What the shape tells: 0 where it may be that of a wheel and of a rail, or a sum of 1 (it is
+     * What the form tells: 0 where it may be that of a wheel and of a rail, or a sum of 1 (it is
      * not that of a wheel) and 2 (not that of a rail).
      */
-    uint32_t shape;
+    uint32_t form;
 } kstrip_surface;
 
 /**

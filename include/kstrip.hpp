@@ -1245,7 +1245,7 @@ struct basic_surface {
     T cosine[surface_capacity], sine[surface_capacity];
     basic_metres<T> step, spacing;
     std::uint32_t count;
-    std::uint32_t shape;
+    std::uint32_t form;
 };
 KSTRIP_HPP_BOTH(surface)
 

@@ -566,7 +566,7 @@ typedef struct kstrip_surface_f32 {
     float step;
     float spacing;
     uint32_t count;
-    uint32_t shape;
+    uint32_t form;
 } kstrip_surface_f32;
 
 /** kstrip_prepare_profile() in single precision. */

@@ -422,7 +422,7 @@ module kstrip
       real(c_double) :: step = 0
       real(c_double) :: spacing = 0
       integer(c_int32_t) :: count = 0
-      integer(c_int32_t) :: shape = 0
+      integer(c_int32_t) :: form = 0
    end type
 
    !> Where the wheel is, over straight track.

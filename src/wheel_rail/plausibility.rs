@@ -82,7 +82,7 @@ impl<F: Float> Surface<F> {
 
     /// What is implausible about the profile of a wheel or a rail.
     pub fn plausibility(&self) -> Warning {
-        self.implausible(self.shape == (NO_WHEEL | NO_RAIL))
+        self.implausible(self.form == (NO_WHEEL | NO_RAIL))
     }
 
     fn implausible(&self, stands_wrong: bool) -> Warning {
@@ -103,8 +103,8 @@ pub(super) fn implausibility<F: Float>(
     pair: &WheelPair<F>,
     contacts: &[WheelContact<F>],
 ) -> Warning {
-    let of_rail = rail.implausible(rail.shape & NO_RAIL != 0);
-    let of_profiles = of_rail.worse(wheel.implausible(wheel.shape & NO_WHEEL != 0));
+    let of_rail = rail.implausible(rail.form & NO_RAIL != 0);
+    let of_profiles = of_rail.worse(wheel.implausible(wheel.form & NO_WHEEL != 0));
     let places = pair.friction_at.get(..pair.friction_points as usize).unwrap_or(&[]);
     let friction = if places.is_empty() { &[pair.friction] } else { places };
     let friction = friction.iter().fold(F::zero(), |most, friction| most.max(*friction));

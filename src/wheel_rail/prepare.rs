@@ -116,7 +116,7 @@ impl<F: Float> Surface<F> {
         self.count = chords.count as u32 + 1;
         self.spacing = chords.length * F::widened(chords.count as f32) / given;
         self.directions();
-        self.shape = self.what_it_is();
+        self.form = self.what_it_is();
         Ok(self.plausibility())
     }
 

@@ -26,9 +26,9 @@ pub struct Surface<F> {
     pub spacing: F,
     /// Number of points, 4 to KSTRIP_SURFACE_CAPACITY.
     pub count: u32,
-    /// What the shape tells: 0 where it may be that of a wheel and of a rail, or a sum of 1 (it is
+    /// What the form tells: 0 where it may be that of a wheel and of a rail, or a sum of 1 (it is
     /// not that of a wheel) and 2 (not that of a rail).
-    pub shape: u32,
+    pub form: u32,
 }
 
 /// A point of a curve and its derivative by the length.

@@ -39,7 +39,7 @@ layouts! {
     kstrip_profile_result { approach, normal_force, stiffness, peak_pressure, peak_y, iterations,
         warning, lowest }
     kstrip_patch_summary { normal_force, friction_bound, area, lobes, reserved }
-    kstrip_surface { y, z, cosine, sine, step, spacing, count, shape }
+    kstrip_surface { y, z, cosine, sine, step, spacing, count, form }
     kstrip_wheel_position { lateral, vertical, yaw, roll }
     kstrip_gap { along, distance, x, y, z, angle, rolling_radius, count, reserved }
     kstrip_wheel_pair { wheel_radius, shear_modulus, poisson_ratio, friction, friction_y,

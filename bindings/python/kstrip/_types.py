@@ -252,7 +252,7 @@ class Surface(Record, name="surface"):
     step = Numbers('m', 'Length between two points [m].')
     spacing = Numbers('m', 'Mean distance between the points that were given [m].')
     count = Integers('', 'Number of points, 4 to KSTRIP_SURFACE_CAPACITY.')
-    shape = Integers('', 'What the shape tells: 0 where it may be that of a wheel and of a rail, or a sum of 1 (it is not that of a wheel) and 2 (not that of a rail).')
+    form = Integers('', 'What the form tells: 0 where it may be that of a wheel and of a rail, or a sum of 1 (it is not that of a wheel) and 2 (not that of a rail).')
 
 
 class WheelPosition(Record, name="wheel_position"):
