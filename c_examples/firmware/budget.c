@@ -26,10 +26,25 @@
 /* Cases of a call that takes millions of instructions. */
 #define FEW (TRACED ? 3u : CASES / 50u)
 
+#ifdef __riscv
+/* The core counts its instructions. */
+static uint32_t count(void)
+{
+    uint32_t n;
+    __asm volatile("rdinstret %0" : "=r"(n));
+    return 0u - n;
+}
+#define INSTRUCTIONS(ticks) (ticks)
+#define STACK_POINTER "mv %0, sp"
+#else
 /* The first timer of the board: 32 bits, downward. */
 #define TIMER_CTRL (*(volatile uint32_t *)0x40000000u)
 #define TIMER_VALUE (*(volatile uint32_t *)0x40000004u)
 #define TIMER_RELOAD (*(volatile uint32_t *)0x40000008u)
+#define count() TIMER_VALUE
+#define INSTRUCTIONS(ticks) ((uint32_t)(((uint64_t)(ticks) * 5u + 8u) / 16u))
+#define STACK_POINTER "mov %0, sp"
+#endif
 
 /* What is measured: every call with the same arguments. */
 typedef kstrip_status (*call)(const kstrip_contact_f32 *, const kstrip_creepage_f32 *);
@@ -118,6 +133,52 @@ static kstrip_status hertz(const kstrip_contact_f32 *c, const kstrip_creepage_f3
     kstrip_contact_f32 contact;
     (void)k;
     return kstrip_contact_from_hertz_f32(&radii, &pair, c->normal_force, c->friction, &contact, NULL);
+}
+
+static kstrip_status estimate(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)
+{
+    static kstrip_friction_estimate_f32 found;
+    return kstrip_estimate_friction_f32(c, k, NULL, NULL, KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY, result.fx, result.fy,
+                                        &found);
+}
+
+/* The force that estimate() explains. */
+static void next_force(uint32_t i, kstrip_contact_f32 *contact, kstrip_creepage_f32 *creepage)
+{
+    cases_next(i, contact, creepage);
+    (void)kstrip_solve_f32(contact, creepage, NULL, &result);
+}
+
+/* A measured creep curve of falling friction, with errors of one per cent. */
+#define FIT_POINTS 50
+static kstrip_measured_force_f32 curve[FIT_POINTS];
+
+static void next_curve(uint32_t i, kstrip_contact_f32 *contact, kstrip_creepage_f32 *creepage)
+{
+    kstrip_friction_f32 law = {.ratio = 0.4f, .decay = 0.5f, .rolling_speed = 20.0f};
+    static const kstrip_outputs_f32 outputs = {.result = &result};
+    uint32_t k;
+    do {
+        cases_next(i & ~3u, contact, creepage);
+    } while (contact->normal_force == 0.0f);
+    law.friction = contact->friction;
+    for (k = 0; k < FIT_POINTS; ++k) {
+        creepage->longitudinal = 1e-3f * (float)(k + 1);
+        creepage->lateral = creepage->spin = 0.0f;
+        (void)kstrip_evaluate_f32(contact, creepage, &law, NULL, &outputs);
+        curve[k] = (kstrip_measured_force_f32){.longitudinal = creepage->longitudinal, .weight = 1.0f,
+                                               .fx = result.fx * (0.99f + 0.02f * cases_unit()),
+                                               .measured = KSTRIP_MEASURED_FX};
+    }
+}
+
+static kstrip_status fit_friction(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)
+{
+    static const kstrip_friction_f32 start = {.rolling_speed = 20.0f};
+    static kstrip_friction_fit_f32 fit;
+    (void)k;
+    return kstrip_fit_friction_f32(c, curve, FIT_POINTS, &start, KSTRIP_FIT_FRICTION | KSTRIP_FIT_RATIO | KSTRIP_FIT_DECAY,
+                                   NULL, &fit, NULL);
 }
 
 static kstrip_status point(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k, int32_t model)
@@ -269,9 +330,9 @@ static __attribute__((noinline)) uint32_t ticks(call what, const kstrip_contact_
 {
     uint32_t before, after;
     __asm volatile("" ::: "memory");
-    before = TIMER_VALUE;
+    before = count();
     *status = what(c, k);
-    after = TIMER_VALUE;
+    after = count();
     __asm volatile("" ::: "memory");
     return before - after;
 }
@@ -293,7 +354,7 @@ static __attribute__((noinline)) volatile uint32_t *paint(void)
 {
     volatile uint32_t *top, *p;
     uint32_t i;
-    __asm volatile("mov %0, sp" : "=r"(top));
+    __asm volatile(STACK_POINTER : "=r"(top));
     p = top;
     for (i = 0; i < PAINTED / 4u; ++i) {
         *--p = PAINT;
@@ -372,7 +433,7 @@ static __attribute__((noinline)) void measure(const char *name, call what, maker
         kstrip_status status;
         uint32_t n;
         make(i, &contact, &creepage);
-        n = (uint32_t)(((uint64_t)(ticks(what, &contact, &creepage, &status) - empty_ticks) * 5u + 8u) / 16u);
+        n = INSTRUCTIONS(ticks(what, &contact, &creepage, &status) - empty_ticks);
         if (status < 0) {
             continue;
         }
@@ -402,9 +463,16 @@ static void of_contact(const char *name, call what)
     measure(name, what, next, CASES);
 }
 
+/* Not on a core that computes floating point by software. */
 static void of_wheel(const char *name, call what)
 {
+#ifdef __riscv
+    (void)name;
+    (void)what;
+    (void)next_wheel;
+#else
     measure(name, what, next_wheel, FEW);
+#endif
 }
 
 int main(void)
@@ -412,9 +480,11 @@ int main(void)
     kstrip_contact_f32 contact;
     kstrip_creepage_f32 creepage;
     kstrip_status status;
+#ifndef __riscv
     TIMER_CTRL = 0;
     TIMER_RELOAD = TIMER_VALUE = 0xFFFFFFFFu;
     TIMER_CTRL = 1u;
+#endif
     profiles();
     if (kstrip_prepare_profile_f32(rail_y, rail_z, POINTS, 0.0f, 0.0f, &rail) < 0
         || kstrip_prepare_profile_f32(wheel_y, wheel_z, POINTS, 0.0f, 0.0f, &wheel) < 0) {
@@ -453,6 +523,8 @@ int main(void)
     of_contact("prepared.STRIP.16", on_prepared);
     of_contact("falling_friction.derivatives.TOTAL", falling);
     of_contact("motion.derivatives.TOTAL", in_motion);
+    measure("estimate_friction", estimate, next_force, TRACED ? CASES : CASES / 10u + 1u);
+    measure("fit_friction.50", fit_friction, next_curve, TRACED ? 2u : CASES / 200u + 1u);
     of_contact("contact_from_hertz", hertz);
     of_contact("field.point.STRIP_1967", point_strip_1967);
     of_contact("field.point.STRIP", point_strip);

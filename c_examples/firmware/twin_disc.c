@@ -8,7 +8,11 @@
  *   3. computes force, adhesion and the force's derivatives for the present estimate of friction,
  *   4. corrects that estimate by the difference to the measured traction,
  *   5. says how much traction may be asked for before the contact slides, and at which creepage that is: the
- *      contact is now constant, prepared once, and solved for eight creepages.
+ *      contact is now constant, prepared once, and solved for eight creepages,
+ *   6. keeps every twentieth point of the creep curve.
+ * Once a second it fits the curve to these 50 points: the coefficient of friction and the slope factor, with
+ * their standard errors. A fit takes longer than a millisecond, so that firmware calls it where the control
+ * loop may interrupt it.
  *
  * Friction is estimated with the model's own sensitivity. Force is F = mu N f(creepage/mu), so
  *   dF/dmu = (F - sum_j dF/dcreepage_j creepage_j)/mu:
@@ -18,9 +22,12 @@
  * The rig is simulated with the same library, a friction that changes (dry, oil, drying) and sensor noise:
  * the program tests the loop and the arithmetic on the chip, not the theory.
  *
+ * With TIMED it prints the most instructions of a period and of a fit, by the timer of the board that QEMU
+ * simulates (scripts/firmware.sh).
+ *
  * It prints a line every 50 ms, and with it the bits of what went into the library and what came out;
  * twin_disc_check.c computes these again in double precision on a PC. Returns 0 if the estimate has
- * found every friction within 3 %.
+ * found every friction within 3 %, and so has every fit of a second in which friction did not change.
  */
 #include <inttypes.h>
 #include <stdint.h>
@@ -37,6 +44,9 @@ struct sensors {
     float traction;        /* N, on the lower disc */
 };
 
+#define POINTS 50            /* of the creep curve */
+#define SECOND 1000          /* ms */
+
 /* What the loop remembers and says. */
 struct controller {
     kstrip_contact_f32 contact;    /* with the estimated friction */
@@ -45,6 +55,8 @@ struct controller {
     float available;               /* N: traction left before the limit */
     float target;                  /* creepage at the limit */
     int32_t limited;               /* 1: reduce the torque */
+    kstrip_measured_force_f32 curve[POINTS];    /* traction divided by the load */
+    kstrip_friction_fit_f32 fit;
 };
 
 static const kstrip_material_f32 steel = {82e9f, 0.28f};
@@ -118,6 +130,65 @@ static kstrip_status control(struct controller *self, const struct sensors *in)
     return find_target(self);
 }
 
+/* A point of the creep curve; load and traction vary together, so that their quotient is kept. */
+static void keep(struct controller *self, const struct sensors *in, int32_t ms)
+{
+    if (ms % (SECOND / POINTS) == 0) {
+        kstrip_measured_force_f32 *point = &self->curve[ms % SECOND / (SECOND / POINTS)];
+        memset(point, 0, sizeof *point);
+        point->longitudinal = self->creepage.longitudinal;
+        point->fx = in->traction / in->load;
+        point->weight = 1.0f;
+        point->measured = KSTRIP_MEASURED_FX;
+    }
+}
+
+/* The curve of the last second, for the present load. */
+static kstrip_status fit_curve(struct controller *self)
+{
+    static const kstrip_friction_f32 start = {.friction = 0.2f, .ratio = 1.0f, .slope_factor = 1.0f};
+    static kstrip_measured_force_f32 points[POINTS];
+    int i;
+    for (i = 0; i < POINTS; ++i) {
+        points[i] = self->curve[i];
+        points[i].fx *= self->contact.normal_force;
+    }
+    return kstrip_fit_friction_f32(&self->contact, points, POINTS, &start,
+                                   KSTRIP_FIT_FRICTION | KSTRIP_FIT_SLOPE_FACTOR, NULL, &self->fit, NULL);
+}
+
+#ifdef TIMED
+/* The first timer of the board: 32 bits, downward, 3.2 ticks for an instruction under -icount shift=7. */
+#define TIMER_CTRL (*(volatile uint32_t *)0x40000000u)
+#define TIMER_VALUE (*(volatile uint32_t *)0x40000004u)
+#define TIMER_RELOAD (*(volatile uint32_t *)0x40000008u)
+static void start_timer(void)
+{
+    TIMER_CTRL = 0;
+    TIMER_RELOAD = TIMER_VALUE = 0xFFFFFFFFu;
+    TIMER_CTRL = 1u;
+}
+static uint32_t timer(void)
+{
+    return TIMER_VALUE;
+}
+#else
+static void start_timer(void)
+{
+}
+static uint32_t timer(void)
+{
+    return 0;
+}
+#endif
+
+/* The most instructions since the timer's value `before`. */
+static void note(uint32_t *most, uint32_t before)
+{
+    const uint32_t n = (uint32_t)((uint64_t)(before - timer()) * 5u / 16u);
+    *most = n > *most ? n : *most;
+}
+
 /* The simulated rig. */
 
 static uint32_t noise_state = 7;
@@ -184,10 +255,11 @@ static int32_t scaled(float x, float scale)
 
 int main(void)
 {
-    struct controller loop;
+    static struct controller loop;
     int32_t ms, missed = 0, limited = 0;
+    uint32_t most_of_loop = 0, most_of_fit = 0, before;
 
-    memset(&loop, 0, sizeof loop);
+    start_timer();
     if (kstrip_material_combine_f32(&steel, &steel, &pair) != KSTRIP_OK) {
         return 2;
     }
@@ -197,10 +269,25 @@ int main(void)
            " | a b N G nu mu longitudinal lateral spin | fx fy mz adhesion\n");
     for (ms = 0; ms < PHASE * PHASES; ++ms) {
         struct sensors now;
-        float before = loop.contact.friction;
+        float friction_before = loop.contact.friction;
         kstrip_status status = rig(ms, &now);
         if (status >= 0) {
+            before = timer();
             status = control(&loop, &now);
+            keep(&loop, &now, ms);
+            note(&most_of_loop, before);
+        }
+        if (status >= 0 && ms % SECOND == SECOND - 1) {
+            before = timer();
+            status = fit_curve(&loop);
+            note(&most_of_fit, before);
+            printf("# second %" PRId32 ": friction %" PRId32 "e-3 +- %" PRId32 "e-3, slope factor %" PRId32 "e-2, %" PRIu32
+                   " steps\n", ms / SECOND, scaled(loop.fit.law.friction, 1e3f),
+                   scaled(loop.fit.standard_errors.friction, 1e3f), scaled(loop.fit.law.slope_factor, 1e2f), loop.fit.steps);
+            if ((ms - SECOND + 1) / PHASE == ms / PHASE) {
+                const float error = loop.fit.law.friction / frictions[ms / PHASE] - 1.0f;
+                missed += !(error > -0.03f && error < 0.03f);
+            }
         }
         if (status < 0) {
             printf("error at %" PRId32 " ms: %s\n", ms, kstrip_status_string(status));
@@ -218,7 +305,7 @@ int main(void)
                    scaled(loop.target, 1e6f));
             printf(" | %08" PRIx32 " %08" PRIx32 " %08" PRIx32 " %08" PRIx32 " %08" PRIx32 " %08" PRIx32
                    " %08" PRIx32 " %08" PRIx32 " %08" PRIx32, bits(c->a), bits(c->b), bits(c->normal_force),
-                   bits(c->shear_modulus), bits(c->poisson_ratio), bits(before), bits(k->longitudinal),
+                   bits(c->shear_modulus), bits(c->poisson_ratio), bits(friction_before), bits(k->longitudinal),
                    bits(k->lateral), bits(k->spin));
             printf(" | %08" PRIx32 " %08" PRIx32 " %08" PRIx32 " %08" PRIx32 "\n", bits(r->fx), bits(r->fy),
                    bits(r->mz), bits(r->adhesion));
@@ -232,6 +319,9 @@ int main(void)
                 ++missed;
             }
         }
+    }
+    if (most_of_loop > 0) {
+        printf("# most instructions: %" PRIu32 " of a period, %" PRIu32 " of a fit\n", most_of_loop, most_of_fit);
     }
     printf("# limited in %" PRId32 " of %" PRId32 " ms\n", limited, PHASE * PHASES);
     return missed == 0 ? 0 : 1;
