@@ -47,10 +47,14 @@ pub(crate) struct FrictionSlopes<F> {
 }
 
 impl<F: Float> SlipFriction<F> {
+    /// Whether the library was built with layers and slide factors (feature `layer`).
+    pub const HAS_LAYER: bool = cfg!(feature = "layer");
+
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Friction`], [`Error::FrictionRatio`],
     /// [`Error::FrictionDecay`], [`Error::NegativeSpeed`], [`Error::SlopeFactor`],
-    /// [`Error::SlideFactor`], [`Error::Layer`].
+    /// [`Error::SlideFactor`], [`Error::Layer`]; [`Error::Model`] for a layer or a slide factor
+    /// that the library was built without.
     pub fn check(&self) -> Result<(), Error> {
         let Self { friction, ratio, decay, rolling_speed, .. } = *self;
         let Self { slope_factor, slide_factor, layer, .. } = *self;
@@ -63,7 +67,9 @@ impl<F: Float> SlipFriction<F> {
         Error::NegativeSpeed.unless(rolling_speed >= zero)?;
         Error::SlopeFactor.unless(slope_factor >= zero && slope_factor <= one)?;
         Error::SlideFactor.unless(slide_factor >= zero && slide_factor <= one)?;
-        Error::Layer.unless(layer >= zero)
+        Error::Layer.unless(layer >= zero)?;
+        let beyond = layer > zero || slide_factor > zero;
+        Error::Model.unless(Self::HAS_LAYER || !beyond)
     }
 
     /// `μ` for a slip `s` over rolling speed.

@@ -167,7 +167,7 @@ impl<F: Float> SlipFriction<F> {
     /// Whether there is a layer, or a slide factor.
     #[inline]
     pub(crate) fn has_interface(&self) -> bool {
-        self.layer > F::zero() || self.slide_factor > F::zero()
+        Self::HAS_LAYER && (self.layer > F::zero() || self.slide_factor > F::zero())
     }
 
     /// In units of a length `a` of a clean contact.

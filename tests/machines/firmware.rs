@@ -37,4 +37,18 @@ fn firmware_gives_the_bits_of_this_machine() {
     assert!(output.status.success(), "scripts/firmware.sh quick:\n{text}{errors}");
     assert!(text.contains("mps2-an386: self-test bit for bit"), "{text}");
     assert!(text.contains("mps2-an500: self-test bit for bit"), "{text}");
+    // The archive in the layouts of Arduino, Zephyr and CMSIS, each linked with an example.
+    let output = Command::new("sh")
+        .args(["scripts/firmware_package.sh", "test"])
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .env("CARGO_TARGET_DIR", scratch().parent().expect("target/tmp is in target"))
+        .output()
+        .expect("the shell that ran scripts/firmware.sh");
+    let text = String::from_utf8_lossy(&output.stdout);
+    if output.status.code() == Some(77) {
+        say(&format!("firmware: {}", text.lines().last().unwrap_or_default()));
+        return;
+    }
+    assert!(output.status.success(), "scripts/firmware_package.sh test:\n{text}");
+    assert!(text.contains("Arduino library, the Zephyr module and the CMSIS pack"), "{text}");
 }
