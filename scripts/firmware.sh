@@ -2,9 +2,13 @@
 # Builds the library for microcontrollers, runs the firmware examples on simulated boards, measures.
 #
 #     scripts/firmware.sh           everything; writes the measured part of docs/reference/embedded.md
+#                                   and benches/firmware.txt
 #     scripts/firmware.sh quick     builds, runs self-test and twin disc on both boards
 #     scripts/firmware.sh proof     only: nothing can panic, nothing allocates, on a Cortex-M4F
 #     scripts/firmware.sh ci        everything with fewer cases, and docs/reference/embedded.md left as it is
+#
+# benches/firmware.txt has flash, stack and instructions of each function. A figure that is more than 3 %
+# larger fails; with KSTRIP_WRITE_LIMITS=1 it becomes the new limit, which the commit should mention.
 #
 # Exit status: 0 all is well, 1 something failed, 77 a tool is missing (a line with SKIPPED says
 # which).
@@ -241,7 +245,9 @@ for board in mps2-an386 mps2-an500; do
     grep ' 1000 ' tests/data/golden.txt | grep -vE ' (patches|friction) ' >"$out/golden.txt"
     grep -vE ' (patches|friction) ' "$out/golden.$board.txt" | cmp - "$out/golden.txt" || fail "$board: not the golden bits"
     say "$board: golden bits in both precisions, but for patches of profiles"
+    c_flags="$c_flags_before -DTIMED"
     firmware twin_disc "$core" "$out/m4f.a" "$out/twin_disc.$board.elf"
+    c_flags=$c_flags_before
     run $board "$out/twin_disc.$board.elf" "$out/twin_disc.$board.txt"
     printf '%s: ' $board
     "$out/twin_disc_check.host" <"$out/twin_disc.$board.txt" || fail "trace of twin_disc on $board"
@@ -276,28 +282,39 @@ arm-none-eabi-objdump -d "$out/single.elf" | awk -f scripts/stack_bound.awk | so
 
 # text+rodata, data+bss of what the linker takes from the library for these functions
 size_of() {
-    arm-none-eabi-size -A "$out/$1.elf" | awk '
-        $1 ~ /^\.(text|rodata|ARM)/ { t += $2 } $1 ~ /^\.(data|bss)/ { d += $2 } END { print t + 0, d + 0 }'
+    "${cross%gcc}size" -A "$out/$1.elf" | awk '
+        $1 ~ /^\.(text|s?rodata|ARM)/ { t += $2 } $1 ~ /^\.(data|bss)/ { d += $2 } END { print t + 0, d + 0 }'
 }
+# Of each function alone: flash with all models, and with TOTAL alone
+build total_alone "" --no-default-features --features total
+proved total_alone
+total_proof=$proof
 sizes=$out/sizes.txt
 : >"$sizes"
-for set in total linear strip_1967 strip; do
-    link $set "$out/m4f.a" kstrip_solve_${set}_f32 || fail "link of $set"
-    say "$set $(size_of $set)" >>"$sizes"
-    # What is not called is not linked.
-    case $set in
-    total) forbidden='strip_1967|5strip6totals' ;;
-    linear) forbidden='strip_1967|5strip6totals|5total7network' ;;
-    strip_1967) forbidden='5strip6totals|5total7network' ;;
-    strip) forbidden='strip_1967|5total7network' ;;
-    esac
-    if arm-none-eabi-nm "$out/$set.elf" | grep -E "$forbidden" >"$out/$set.foreign"; then
-        miss "kstrip_solve_${set}_f32 links another model: $(head -n 1 "$out/$set.foreign")"
-    fi
-done
-link solve "$out/m4f.a" kstrip_solve_f32 || fail "link of kstrip_solve_f32"
-say "solve $(size_of solve)" >>"$sizes"
 say "all $(size_of single)" >>"$sizes"
+link total_all "$out/total_alone.a" $(exports "$out/total_alone.a" | grep '_f32$') || fail "link with TOTAL alone"
+say "total_all $(size_of total_all)" >>"$sizes"
+for function in $single; do
+    link one "$out/m4f.a" "$function" || fail "link of $function"
+    alone=-
+    # What is not called is not linked.
+    case $function in
+    *solve_total_f32) forbidden='strip_1967|5strip6totals' ;;
+    *solve_linear_f32) forbidden='strip_1967|5strip6totals|5total7network' ;;
+    *solve_strip_1967_f32) forbidden='5strip6totals|5total7network' ;;
+    *solve_strip_f32) forbidden='strip_1967|5total7network' ;;
+    *) forbidden='^$' ;;
+    esac
+    if arm-none-eabi-nm "$out/one.elf" | grep -E "$forbidden" >"$out/one.foreign"; then
+        miss "$function links another model: $(head -n 1 "$out/one.foreign")"
+    fi
+    flash=$(size_of one)
+    if exports "$out/total_alone.a" | grep -qx "$function"; then
+        link one "$out/total_alone.a" "$function" || fail "link of $function with TOTAL alone"
+        alone=$(size_of one)
+    fi
+    say "$function ${flash% *} ${alone% *}" >>"$sizes"
+done
 cat "$sizes"
 
 # ---------------------------------------------------------------- instructions and stack
@@ -379,6 +396,20 @@ riscv() {
     timeout 550 qemu-system-riscv32 -M virt -bios none -nographic -monitor none -serial none \
         -semihosting-config enable=on,target=native -kernel "$out/selftest.riscv.elf" </dev/null \
         >"$out/selftest.riscv.txt" 2>&1 || { tail -n 5 "$out/selftest.riscv.txt"; fail "self-test on RISC-V"; }
+    symbols=$(riscv64-unknown-elf-nm "$out/riscv32imac.a" 2>/dev/null | sed -n 's/^[0-9a-f]* T \(kstrip_[a-z0-9_]*_f32\)$/\1/p' | sort -u)
+    link riscv_all "$out/riscv32imac.a" $symbols || fail "link of everything for RISC-V"
+    link riscv_total "$out/riscv32imac.a" kstrip_solve_total_f32 || fail "link of kstrip_solve_total_f32 for RISC-V"
+    riscv_sizes="flash of everything f32 $(size_of riscv_all | cut -d ' ' -f 1), of \`kstrip_solve_total_f32\` alone $(size_of riscv_total | cut -d ' ' -f 1) bytes"
+    # Instructions, which the core counts itself under -icount
+    $cross $link_core -std=c99 -O2 -ffp-contract=off -Iinclude -DCASES=100u \
+        --specs=picolibc.specs --oslib=semihost --crt0=semihost -Wl,--gc-sections \
+        -Wl,--defsym=__flash=0x80000000 -Wl,--defsym=__flash_size=0x800000 \
+        -Wl,--defsym=__ram=0x80800000 -Wl,--defsym=__ram_size=0x800000 -Wl,--defsym=__stack_size=0x20000 \
+        $source/budget.c -lm -lgcc "$out/riscv32imac.a" -o "$out/budget.riscv.elf" >"$out/riscv.link.log" 2>&1 \
+        || { cat "$out/riscv.link.log"; fail "budget for RISC-V"; }
+    timeout 550 qemu-system-riscv32 -M virt -bios none -nographic -monitor none -serial none -icount shift=7 \
+        -semihosting-config enable=on,target=native -kernel "$out/budget.riscv.elf" </dev/null \
+        >"$out/budget.riscv.txt" 2>&1 || { tail -n 5 "$out/budget.riscv.txt"; fail "budget on RISC-V"; }
     if cmp "$out/selftest.riscv.txt" "$out/selftest.host.txt"; then
         riscv_says="the same bits as on this machine"
     else
@@ -395,6 +426,20 @@ fi
 say "riscv32imac: $riscv_says"
 
 . scripts/firmware_table.sh >"$out/table.md"
+
+# ---------------------------------------------------------------- limits
+
+# Of each call: flash, flash with TOTAL alone, stack, median of the instructions
+limits=benches/firmware.txt
+if [ -f $limits ] && [ -z "${KSTRIP_WRITE_LIMITS:-}" ]; then
+    awk 'NR == FNR { for (i = 2; i <= NF; ++i) limit[$1, i] = $i; next }
+        { for (i = 2; i <= NF; ++i) if (($1, i) in limit && $i > 1.03 * limit[$1, i])
+            print $1 ", column " i ": " $i ", more than 3 % above " limit[$1, i] }' $limits "$out/limits.txt" >"$out/beyond.txt"
+    if [ -s "$out/beyond.txt" ]; then
+        cat "$out/beyond.txt"
+        miss "beyond benches/firmware.txt; KSTRIP_WRITE_LIMITS=1 makes these the limits"
+    fi
+fi
 # Between the two marks of docs/reference/embedded.md
 if [ "$mode" = all ]; then
     awk -v table="$out/table.md" '
@@ -402,6 +447,7 @@ if [ "$mode" = all ]; then
         /<!-- measured: end -->/ { inside = 0 }
         !inside && !/<!-- measured: begin -->/ { print }' docs/reference/embedded.md >"$out/embedded.md"
     cp "$out/embedded.md" docs/reference/embedded.md
+    [ $failures != 0 ] || { cat "$out/limits.head" "$out/limits.txt"; } >$limits
     say "docs/reference/embedded.md rewritten"
 fi
 [ $failures = 0 ] || { say "firmware: $failures checks failed"; exit 1; }

@@ -8,12 +8,23 @@ grep -v '^#' "$out/budget.txt" | paste -d ' ' - "$out/cycles.txt" | awk '{ $9 = 
 # figure <call> <column of figures.txt>
 figure() { awk -v c="$1" -v n="$2" '$1 == c { print $n }' "$out/figures.txt"; }
 size() { awk -v c="$1" -v n="$2" '$1 == c { print $n }' "$sizes"; }
-verdict() { awk -v value="$1" -v budget="$2" 'BEGIN { print value <= budget ? "kept" : "missed" }'; }
-quotient() { awk -v a="$1" -v b="$2" 'BEGIN { printf "%.2f", a / b }'; }
 
-row() {
-    say "| $1 | $2 | $3 | $(verdict "$2" "$3") |"
-}
+# Each call with its function, then the functions that are not timed
+awk '{ f = $1; sub(/\..*/, "", f) }
+    f ~ /^(derivatives|falling_friction|strips)$/ { f = "evaluate" }
+    f == "prepared" { f = "solve_prepared" }
+    f == "motion" { f = "solve_motion" }
+    { print "kstrip_" f "_f32", $0 }' "$out/figures.txt" >"$out/calls.txt"
+awk 'NR == FNR { seen[$1] = 1; next } $1 ~ /_f32$/ && !($1 in seen) { print $1, "-" }' "$out/calls.txt" "$sizes" >"$out/untimed.txt"
+# function, call, flash, flash with TOTAL alone, stack and "?", fewest, median, most, cycles, µs
+cat "$out/calls.txt" "$out/untimed.txt" | awk -v stacks="$out/stack.txt" -v sizes="$sizes" '
+    BEGIN { while ((getline line < stacks) > 0) { split(line, p, " "); stack[p[2]] = p[1]; unclear[p[2]] = p[3] == "" ? "" : "?" }
+        while ((getline line < sizes) > 0) { split(line, p, " "); flash[p[1]] = p[2]; alone[p[1]] = p[3] } }
+    { f = $1; cycles = $4 + 13 * $10
+      printf "%s %s %s %s %s%s", f, $2, flash[f], alone[f], stack[f], unclear[f]
+      if ($2 == "-") print " - - - - -"; else printf " %d %d %d %d %.1f\n", $3, $4, $5, cycles, cycles / 168 }' >"$out/functions.txt"
+awk '$2 == "-" { print $1, $3, $4, $5 + 0; next } { print $2, $3, $4, $5 + 0, $7 }' "$out/functions.txt" | sed 's/ - / 0 /' >"$out/limits.txt"
+say "# Written by scripts/firmware.sh: call or function; bytes of flash, of flash with TOTAL alone (0: left out), of stack; median of instructions" >"$out/limits.head"
 
 say
 say "Compiler: $compiler. $(arm-none-eabi-gcc --version | head -n 1). $(qemu-system-arm --version | head -n 1)."
@@ -21,63 +32,47 @@ if commit=$(git log -1 --format=%h -- src 2>/dev/null); then
     say "Library sources at $commit$(git diff --quiet HEAD -- src || say ' with changes')."
 fi
 say
-say "### Budgets on a Cortex-M4F"
+say "### Each function on a Cortex-M4F"
 say
-say "Instructions are medians over $cases inputs (\`cases.h\`), flash is the library's part of a program."
+say "| function | call | flash [bytes] | with TOTAL alone | stack [bytes] | fewest | median | most | cycles | µs at 168 MHz |"
+say "|---|---|---:|---:|---:|---:|---:|---:|---:|---:|"
+awk '{ f = $1; name = f == last ? "" : "`" f "`"; last = f
+    if (f == before) { $3 = $4 = $5 = "" } before = f
+    printf "| %s | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", name, $2 == "-" ? "" : $2, $3, $4 == "-" ? "" : $4, $5, $6, $7, $8, $9, $10 }' "$out/functions.txt" | sed 's/| - /| /g'
+say "| everything f32 | | $(size all 2) | $(size total_all 2) | | | | | | |"
 say
-say "| what | measured | budget | |"
-say "|---|---:|---:|---|"
-row "\`kstrip_solve_f32\`, STRIP_1967, 16 strips [instructions]" "$(figure solve.STRIP_1967.16 3)" 1600
-row "\`kstrip_solve_f32\`, STRIP, 16 strips [instructions]" "$(figure solve.STRIP.16 3)" 10000
-row "\`kstrip_solve_f32\`, TOTAL [instructions]" "$(figure solve.TOTAL 3)" 3000
-row "\`kstrip_solve_f32\`, LINEAR [instructions]" "$(figure solve.LINEAR 3)" 450
-row "\`kstrip_solve_prepared_f32\`, TOTAL [instructions]" "$(figure prepared.TOTAL 3)" 2400
-row "\`kstrip_solve_prepared_f32\`, LINEAR [instructions]" "$(figure prepared.LINEAR 3)" 120
-for m in STRIP_1967.16 STRIP.16 TOTAL; do
-    row "derivatives over forces, $m [times]" "$(quotient "$(figure derivatives.$m 3)" "$(figure solve.$m 3)")" 2.5
-done
-for m in STRIP_1967.16 STRIP.16 TOTAL LINEAR; do
-    row "most over median, \`kstrip_solve_f32\`, $m [times]" "$(quotient "$(figure solve.$m 4)" "$(figure solve.$m 3)")" 2
-done
-row "stack of \`kstrip_solve_strip_1967_f32\` [bytes]" "$(figure solve_strip_1967.8 5)" 700
-for m in STRIP_1967.16 STRIP.16 TOTAL LINEAR; do
-    row "stack of \`kstrip_solve_f32\`, $m [bytes]" "$(figure solve.$m 5)" 1024
-done
-row "deepest painted stack of any call [bytes]" "$(awk '!/^#/ && $5 > m { m = $5 } END { print m }' "$out/budget.txt")" 2048
-row "deepest possible stack of any call [bytes]" "$(awk '$1 > m { m = $1 } END { print m }' "$out/stack.txt")" 2048
-row "deepest possible stack of \`kstrip_wheel_on_rail_f32\` [bytes]" "$(awk '$2 == "kstrip_wheel_on_rail_f32" { print $1 }' "$out/stack.txt")" 12288
-row "flash, only \`kstrip_solve_total_f32\` [bytes]" "$(size total 2)" 11264
-row "flash, only \`kstrip_solve_strip_1967_f32\` [bytes]" "$(size strip_1967 2)" 8192
-row "flash, everything f32 [bytes]" "$(size all 2)" 131072
-row "RAM, data and bss, everything f32 [bytes]" "$(size all 3)" 0
+say "*Flash* is that of a program of this function alone, with all models in the library and with TOTAL alone. *Stack* is the deepest path through the calls of the function, from the disassembly (\`scripts/stack_bound.awk\`): for any model, any strip count, any input. A question mark: a call through a pointer, to the function's own closure, is not followed. *Fewest*, *median* and *most* are instructions over $cases inputs (\`cases.h\`). *Cycles* are estimated: the median of the instructions, divisions and square roots counted 14 times. *prepared* leaves out kstrip_prepare_f32. Everything f32 has $(size all 3) bytes of data."
 say
-say "Flash without a budget: only \`kstrip_solve_linear_f32\` $(size linear 2), only \`kstrip_solve_strip_f32\` $(size strip 2), only \`kstrip_solve_f32\` (every model) $(size solve 2) bytes."
+say "No figure of flash, stack and median may grow by more than 3 %: \`scripts/firmware.sh\` compares them with \`benches/firmware.txt\`."
 say
-say "### Every call"
+say "The loop of \`twin_disc.c\` (STRIP with 8 strips; load, creepage, forces with derivatives, the estimate of friction and the creepage of the limit by eight solutions), and its fit of 50 points once a second (TOTAL):"
 say
-say "| call | fewest | median | most | most in range | most/median | stack [bytes] | divisions and roots | cycles | µs at 168 MHz |"
-say "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|"
-awk '{ cycles = $3 + 13 * $9
-    printf "| %s | %d | %d | %d | %d | %.2f | %d | %d | %d | %.1f |\n", $1, $2, $3, $4, $6, $4 / $3, $5, $9, cycles, cycles / 168 }' "$out/figures.txt"
+say "| | most instructions | cycles | µs at 168 MHz |"
+say "|---|---:|---:|---:|"
+# Cycles: as many for an instruction as in the call that takes most of the time
+sed -n 's/^# most instructions: \([0-9]*\) of a period, \([0-9]*\) of a fit$/\1 \2/p' "$out/twin_disc.mps2-an386.txt" | awk \
+    -v strip="$(awk '$2 == "derivatives.STRIP.8" { print $9 / $7 }' "$out/functions.txt")" \
+    -v total="$(awk '$2 == "derivatives.TOTAL" { print $9 / $7 }' "$out/functions.txt")" '
+    { printf "| a period of 1 ms | %d | %d | %.0f |\n", $1, $1 * strip, $1 * strip / 168
+      printf "| a fit | %d | %d | %.0f |\n", $2, $2 * total, $2 * total / 168 }'
 say
-say "*Cycles* are estimated: the median of the instructions, divisions and square roots counted 14 times. *Most in range* leaves out the inputs that a model answers with a warning (STRIP_1967: spin beyond the theory, psi of 1 or more). *prepared* leaves out kstrip_prepare_f32."
-say
-say "### Stack, bounded"
-say
-say "The deepest path through the calls of each function, from the disassembly (\`scripts/stack_bound.awk\`): for any model, any strip count, any input. A question mark: a call through a pointer, to the function's own closure, is not followed."
-say
-say "| function | bytes | budget 2048 |"
-say "|---|---:|---|"
-awk '$1 >= 600 { printf "| `%s` | %d%s | %s |\n", $2, $1, $3 == "" ? "" : " ?", $1 <= 2048 ? "kept" : "missed" }
-    $1 < 600 { most = most > $1 ? most : $1; ++others }
-    END { printf "\nThe other %d functions need at most %d bytes.\n", others, most }' "$out/stack.txt"
+say "riscv32imac, floating point by software (medians of 100 inputs): ${riscv_sizes:-$riscv_says}."
+if [ -n "${riscv_sizes:-}" ]; then
+    say
+    say "| call on riscv32imac | fewest | median | most | painted stack [bytes] |"
+    say "|---|---:|---:|---:|---:|"
+    awk '!/^#/ { printf "| %s | %d | %d | %d | %d |\n", $1, $2, $3, $4, $5 }' "$out/budget.riscv.txt"
+fi
 say
 say "### What one function brings along"
 say
 say "From the link maps of programs that call one function; functions of 400 bytes and more."
 say
+cross=arm-none-eabi-gcc
+link_core=$m4
 for set in total strip_1967; do
-    say "\`kstrip_solve_${set}_f32\`, $(size $set 2) bytes:"
+    link $set "$out/m4f.a" kstrip_solve_${set}_f32 || fail "link of $set"
+    say "\`kstrip_solve_${set}_f32\`, $(size kstrip_solve_${set}_f32 2) bytes:"
     say
     say '```text'
     arm-none-eabi-nm -C -S --size-sort -r "$out/$set.elf" | awk '
@@ -89,7 +84,7 @@ for set in total strip_1967; do
 done
 say "### Proofs"
 say
-say "* No panic, no allocation. Cortex-M4F: $m4_proof. Cortex-M7: $m7_proof. riscv32imac: $riscv_proof."
+say "* No panic, no allocation. Cortex-M4F: $m4_proof; with TOTAL alone: $total_proof. Cortex-M7: $m7_proof. riscv32imac: $riscv_proof."
 say "* Double precision in single-precision functions: $doubles."
 say "* Self-test, $cases inputs, five models, mps2-an386 and mps2-an500: bit for bit the results of this machine; compiled for Cortex-M7: $m7_bits; riscv32imac (floating point by software) on QEMU's virt board: $riscv_says."
 say "* CMake with the toolchain file \`c_examples/firmware/arm-none-eabi.cmake\`: $cmake_says."
