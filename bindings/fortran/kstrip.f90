@@ -933,7 +933,8 @@ module kstrip
 
       !> kstrip_wheel_on_rail() for many wheels with the same profiles: the same results, bit for bit.
       integer(c_int32_t) function kstrip_wheels_on_rails(rail, wheel, count, pairs, pair_stride, &
-         positions, position_stride, velocities, velocity_stride, friction, friction_stride, workspace, wrenches, derivatives, by_position, statuses) bind(c)
+         positions, position_stride, velocities, velocity_stride, friction, friction_stride, &
+         workspace, wrenches, derivatives, by_position, statuses) bind(c)
          import
          type(kstrip_surface), intent(in) :: rail
          type(kstrip_surface), intent(in) :: wheel

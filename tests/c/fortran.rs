@@ -171,11 +171,12 @@ pub fn module(header: &str) -> String {
     whole_module(header).lines().fold(String::new(), |text, line| text + &broken(line) + "\n")
 }
 
-/// A statement that is too long for Fortran's 132 columns goes on in the next line.
+/// A statement that is too long for Fortran's 132 columns goes on in the next lines.
 fn broken(line: &str) -> String {
     match line.get(..100).and_then(|start| start.rfind(", ")) {
         Some(end) if line.len() > 130 && !line.trim_start().starts_with('!') => {
-            format!("{}, &\n         {}", &line[..end], &line[end + 2..])
+            let rest = broken(&format!("         {}", &line[end + 2..]));
+            format!("{}, &\n{rest}", &line[..end])
         }
         _ => line.to_owned(),
     }
