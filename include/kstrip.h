@@ -1766,6 +1766,27 @@ typedef struct kstrip_wheel_contact {
     struct kstrip_motion at_rest;
     /** The strips; y along the rail's surface, x forward from the origin. */
     struct kstrip_patch patch;
+    /**
+     * Share of each strip's own slip, 0 to 1; the rest is that of a plane contact. 0 where the
+     * normal turns by less than about 5 degrees, 0.8 from about 10 degrees on, and 0 on
+     * rollers.
+     */
+    double own;
+    /**
+     * y of each strip on the wheel's undeformed surface, from the wheel's centre [m], axes of
+     * the track; of a left wheel that of the mirrored right wheel.
+     */
+    double strip_y[KSTRIP_PATCH_CAPACITY];
+    /** z of each strip [m]. */
+    double strip_z[KSTRIP_PATCH_CAPACITY];
+    /** Angle of each strip [rad], as the angle of the contact. */
+    double strip_angle[KSTRIP_PATCH_CAPACITY];
+    /** Roll and yaw of the wheel [rad]; of a left wheel those of the mirrored right wheel. */
+    double turned[2];
+    /** Whether the wheel is a left one, as in kstrip_wheel_pair. */
+    int32_t left;
+    /** Reserved: zero. */
+    int32_t reserved;
 } kstrip_wheel_contact;
 
 /**

@@ -86,6 +86,11 @@ impl<F: Real> Creepage<F> {
         }
     }
 
+    pub(crate) fn scaled(&self, factor: F) -> Self {
+        let Self { longitudinal, lateral, spin } = *self;
+        Self { longitudinal: longitudinal * factor, lateral: lateral * factor, spin: spin * factor }
+    }
+
     /// `F_x υx + F_y υy + M_z φ` \[N\]: the power of forces `[F_x, F_y, M_z]` \[N, N, N m\] divided
     /// by the rolling speed; positive where they follow the slip.
     #[inline]

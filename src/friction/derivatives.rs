@@ -44,6 +44,23 @@ impl<F: Float> LawDerivatives<F> {
     }
 }
 
+/// Derivatives by a factor of the creepages that parts of a contact have besides its own: of the
+/// forces, of the power, and of both without the spin.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BesidesSlopes<F> {
+    pub forces: [F; 3],
+    pub power: F,
+    pub translation: [F; 3],
+    pub power_translation: F,
+}
+
+impl<F: Float> BesidesSlopes<F> {
+    pub fn nothing() -> Self {
+        let (none, zero) = ([F::zero(); 3], F::zero());
+        Self { forces: none, power: zero, translation: none, power_translation: zero }
+    }
+}
+
 /// Power at the friction of a law, and derivatives while friction stays.
 pub(crate) struct AtFriction<F: Float> {
     /// Derivatives at constant `μ`
@@ -52,6 +69,8 @@ pub(crate) struct AtFriction<F: Float> {
     pub power: F,
     /// `(υx, υy, φ)`
     pub motion: Creepage<F>,
+    /// Of creepages besides these.
+    pub besides: BesidesSlopes<F>,
     /// `μ`
     pub friction: F,
     /// `N`
@@ -79,7 +98,7 @@ impl<F: Float> AtFriction<F> {
         falls: bool,
         of_layer: Option<&LayerSlopes<F>>,
     ) -> (Derivatives<F>, LawDerivatives<F>, [F; 3]) {
-        let Self { power, motion, friction, load, .. } = *self;
+        let Self { power, motion, besides, friction, load, .. } = *self;
         let Slopes { derivatives, by_mismatch, seen, power_by_creepage, power_by_mismatch } =
             &self.slopes;
         let along = |by: &[F; 3]| motion.power(*by);
@@ -95,8 +114,10 @@ impl<F: Float> AtFriction<F> {
         let rate = if moves { by.slip } else { F::zero() };
         let over_bound = |power: F| if carries { power / bound } else { F::zero() };
         let [power_by_x, power_by_y, _] = *power_by_creepage;
-        let translation = power_by_x * motion.longitudinal + power_by_y * motion.lateral;
-        let slip_by_load = over_bound(power - along(power_by_creepage));
+        let translation = power_by_x * motion.longitudinal
+            + power_by_y * motion.lateral
+            + besides.power_translation;
+        let slip_by_load = over_bound(power - (along(power_by_creepage) + besides.power));
         let mut slip_through_hertz = over_bound((power - translation).times(1.0 / 3.0));
         let slip_by_mismatch = over_bound(*power_by_mismatch);
         let by_size = slip_by_load - slip_by_mismatch;
@@ -117,8 +138,10 @@ impl<F: Float> AtFriction<F> {
         // F = M f(k c/M, k κ/μ):  k ∂F/∂k = (∂F/∂c) c + κ ∂F/∂κ
         let stiffness = law.stiffness();
         let mut by_stiffness = derivatives.jacobian.map(|row| along(&row));
-        for (entry, by_mismatch) in by_stiffness.iter_mut().zip(by_mismatch) {
-            *entry = (*entry + *by_mismatch) / stiffness;
+        for ((entry, by_mismatch), own) in
+            by_stiffness.iter_mut().zip(by_mismatch).zip(besides.forces)
+        {
+            *entry = (*entry + own + *by_mismatch) / stiffness;
         }
         let none = [F::zero(); 3];
         let (mut by_slide, mut by_layer) = (none, none);
@@ -225,7 +248,8 @@ pub(crate) fn differentiate_checked<F: Float>(
         return Ok(Differentiated { solution, friction, derivatives, law, by_mismatch });
     };
     let (motion, load) = (*creepage, contact.normal_force);
-    let at = AtFriction { slopes: *slopes, power: solution.power, motion, friction, load };
+    let (power, besides) = (solution.power, BesidesSlopes::nothing());
+    let at = AtFriction { slopes: *slopes, power, motion, besides, friction, load };
     let falls = law.falls() && options.model != Model::Linear;
     let (derivatives, law, by_mismatch) = at.through(law, falls, of_layer);
     Error::Overflow.unless(are_finite(&derivatives.entries()) && are_finite(&law.entries()))?;

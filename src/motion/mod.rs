@@ -185,7 +185,7 @@ pub(crate) struct Rolling<F> {
     /// `w(V)`, `w(−V)`
     shares: [F; 2],
     /// `dw/dV` \[s/m\], the same for `w(V)` and, negative, for `w(−V)`
-    share_slope: F,
+    pub(crate) share_slope: F,
     creepage: Creepage<F>,
 }
 
@@ -254,17 +254,22 @@ impl<F: Float> Rolling<F> {
         mismatch: F,
         ends: impl Fn(F) -> Result<[Differentiated<F>; 2], Error>,
     ) -> Result<[F; 3], Error> {
-        let ratio = self.speed_by_rolling;
         if mismatch == F::zero() {
             return Ok([F::zero(); 3]);
         }
-        // κ_V ∂F/∂κ_V divided by κ_V, which at standstill is replaced by a small share of κ.
-        let least = F::constant(STANDSTILL);
-        let near = if ratio.abs() < least { least } else { ratio };
+        let (near, rate) = self.through_ratio();
         let [forward, backward] = ends(near)?;
-        let rate = (F::one() - ratio * ratio) / (self.speed * near);
         let both = self.both(forward.by_mismatch, backward.by_mismatch);
         Ok(both.map(|entry| entry * rate))
+    }
+
+    /// A ratio `V/V_f` that is not zero, and the factor of `κ_V ∂F/∂κ_V` there in the derivative by
+    /// `V`. (It is divided by `κ_V`, which at standstill is replaced by a small share of `κ`.)
+    pub(crate) fn through_ratio(&self) -> (F, F) {
+        let ratio = self.speed_by_rolling;
+        let least = F::constant(STANDSTILL);
+        let near = if ratio.abs() < least { least } else { ratio };
+        (near, (F::one() - ratio * ratio) / (self.speed * near))
     }
 
     /// `w(V) p + w(−V) q`, exactly `p` where both are the same.

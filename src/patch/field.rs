@@ -4,8 +4,8 @@ use crate::contact::creepage::Creepage;
 use crate::forces::Model;
 use crate::forces::field::{FieldPoint, strip_point};
 use crate::number::Float;
-use crate::patch::shares::{ZoneUnits, law};
-use crate::patch::slip::{PatchSlip, rigid_slip};
+use crate::patch::shares::{Seen, ZoneLaw};
+use crate::patch::slip::{PatchSlip, rigid_slip, seen_from};
 use crate::patch::solver::Problem;
 use crate::patch::{PatchStrip, PatchView};
 use crate::status::{Error, Warning};
@@ -83,16 +83,17 @@ impl<'a, F: Float> PatchField<'a, F> {
         let own = found.unwrap_or(lobe.len().saturating_sub(1));
         let strip = lobe.get(own)?;
         number += own;
+        let creepage = seen_from(creepage, strip, view.own(number).as_ref());
         let law = if Model::HAS_STRIP && self.problem.model == Model::Strip {
             let zone = view.zone(number)?;
             let factors = [F::one(), F::one()];
-            let slip = PatchSlip::new(creepage, None);
-            let (rolling, ..) = law(&zone, &slip, strip.centre_x, factors);
-            let line = ZoneUnits::new(&zone).geometry(strip, F::zero());
+            let (slip, law) = (PatchSlip::new(&creepage, None), ZoneLaw::new(&zone, factors));
+            let Seen { law: rolling, .. } = law.see(&slip, &creepage, strip.centre_x);
+            let line = law.units.geometry(strip, F::zero());
             PatchTractions::Strip(rolling, line, zone.contact.slip_scale())
         } else if Model::HAS_STRIP_1967 {
             let circle = strip.circle(view.shear_modulus(), view.poisson_ratio());
-            PatchTractions::Strip1967(self.problem.theory(strip, creepage), circle.slip_scale())
+            PatchTractions::Strip1967(self.problem.theory(strip, &creepage), circle.slip_scale())
         } else {
             return None;
         };

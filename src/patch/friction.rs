@@ -23,12 +23,13 @@ use crate::contact::creepage::Creepage;
 use crate::contact::plausibility::LARGEST_MISMATCH;
 use crate::forces::derivatives::{Derivatives, Slopes};
 use crate::forces::{Model, Solution, StripResult};
-use crate::friction::derivatives::{AtFriction, Differentiated, LawDerivatives};
+use crate::friction::derivatives::{AtFriction, BesidesSlopes, Differentiated, LawDerivatives};
 use crate::friction::layered::LayerSlopes;
 use crate::friction::{FrictionEquation, SlipFriction};
 use crate::layer::Interface;
-use crate::number::Float;
-use crate::patch::slip::PatchLayer;
+use crate::number::dual::Dual;
+use crate::number::{Arithmetic, Float};
+use crate::patch::slip::{PatchLayer, PatchSlip, Share};
 use crate::patch::solver;
 use crate::patch::{Patch, PatchView};
 use crate::status::{Error, Warning};
@@ -160,17 +161,20 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
         let factor = self.law.stiffness() / share;
         let farthest = F::HUGE * (F::HUGE / (self.bound + F::one())) / (self.rigid_slip + F::TINY);
         let factor = factor.min(farthest.max(F::one()));
-        let Creepage { longitudinal, lateral, spin } = *self.creepage;
-        let creepage = Creepage {
-            longitudinal: longitudinal * factor,
-            lateral: lateral * factor,
-            spin: spin * factor,
-        };
-        let mut patch = *self.patch;
+        let creepage = self.creepage.scaled(factor);
+        let mut patch = self.patch.scaled_own(factor);
         if patch.mismatch() != F::zero() {
             patch = patch.with_mismatch(patch.mismatch() * factor)?;
         }
         Ok(Scaled { patch, creepage, factor })
+    }
+
+    /// The warning of the patch from that at the scaled creepage and that of the friction.
+    fn warning(&self, scaled: Warning, of_friction: Warning) -> Warning {
+        let told = if scaled == Warning::Mismatch { Warning::None } else { scaled };
+        let far = self.patch.mismatch().abs() > F::constant(LARGEST_MISMATCH);
+        let told = if far && !self.model.is_of_1967() { Warning::Mismatch } else { told };
+        told.worse(of_friction)
     }
 
     /// The solution of the patch from that at the scaled creepage.
@@ -178,10 +182,7 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
         let Solution { fx, fy, mz, power, adhesion, .. } = *scaled;
         let [fx, fy, mz] = [fx, fy, mz].map(|force| force * share);
         let power = share * (power / factor);
-        let told = if scaled.warning == Warning::Mismatch { Warning::None } else { scaled.warning };
-        let far = self.patch.mismatch().abs() > F::constant(LARGEST_MISMATCH);
-        let told = if far && !self.model.is_of_1967() { Warning::Mismatch } else { told };
-        let warning = told.worse(warning);
+        let warning = self.warning(scaled.warning, warning);
         Solution { fx, fy, mz, power, adhesion, warning, reserved: 0 }
     }
 }
@@ -226,18 +227,22 @@ pub fn differentiate<F: Float>(
     // v, N dM_z/dN = (4/3) M_z − ⅓ J_v v
     let mean = bound / load;
     let [layer_x, layer_y, layer_z] = of_layer.forces[0].map(|slope| slope * of_layer.layer);
-    let others = |force: F, [x, y, z]: [F; 3], by_mismatch: F, by_layer: F, power: f64| {
-        let translation = x * scaled.longitudinal + y * scaled.lateral;
-        let rest = force - translation - z * scaled.spin;
-        let hertz = force.times(power) - (translation + by_layer).times(1.0 / 3.0);
-        [share * rest / load, share * hertz / load, (rest - by_mismatch) / mean]
-    };
+    let others =
+        |force: F, [x, y, z]: [F; 3], [own, moved]: [F; 2], by_others: [F; 2], power: f64| {
+            let [by_mismatch, by_layer] = by_others;
+            let translation = x * scaled.longitudinal + y * scaled.lateral;
+            let rest = force - translation - z * scaled.spin - own;
+            let hertz = force.times(power) - (translation + moved + by_layer).times(1.0 / 3.0);
+            [share * rest / load, share * hertz / load, (rest - by_mismatch) / mean]
+        };
     let [x, y, z] = rows;
     let [by_x, by_y, by_z] = slopes.by_mismatch;
+    let besides = solver::slopes_besides(&scaled_patch, &scaled, model, problem.behind)?;
+    let ([ox, oy, oz], [tx, ty, tz]) = (besides.forces, besides.translation);
     let [[nx, hx, mx], [ny, hy, my], [nz, hz, mz]] = [
-        others(found.fx, x, by_x, layer_x, 1.0),
-        others(found.fy, y, by_y, layer_y, 1.0),
-        others(found.mz, z, by_z, layer_z, 4.0 / 3.0),
+        others(found.fx, x, [ox, tx], [by_x, layer_x], 1.0),
+        others(found.fy, y, [oy, ty], [by_y, layer_y], 1.0),
+        others(found.mz, z, [oz, tz], [by_z, layer_z], 4.0 / 3.0),
     ];
     let derivatives = Derivatives {
         jacobian: rows.map(|row| row.map(|slope| slope * stiffness)),
@@ -259,7 +264,15 @@ pub fn differentiate<F: Float>(
         power: of_layer.power.map(|slope| slope * (share / factor)),
         ..of_layer
     };
-    let at = AtFriction { slopes, power: solution.power, motion: *creepage, friction, load };
+    // (the forces are homogeneous: those of the creepages times k/λ)
+    let besides = BesidesSlopes {
+        forces: besides.forces.map(|slope| slope * share),
+        power: besides.power * (share / factor),
+        translation: besides.translation.map(|slope| slope * share),
+        power_translation: besides.power_translation * (share / factor),
+    };
+    let (power, motion) = (solution.power, *creepage);
+    let at = AtFriction { slopes, power, motion, besides, friction, load };
     let law = SlipFriction { friction: mean, ..*given };
     let (derivatives, law, by_mismatch) =
         at.through(&law, law.falls(), problem.behind.is_some().then_some(&of_layer));
@@ -269,6 +282,113 @@ pub fn differentiate<F: Float>(
     } else {
         Err(Error::Overflow)
     }
+}
+
+/// A variable of derivatives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum By {
+    /// The creepages of a strip, at its centre.
+    OwnCreepages,
+    /// A factor of the mismatch; the other two numbers are zero.
+    Mismatch,
+}
+
+/// Forces of one strip at its own centre, with derivatives while the share `λ` stays.
+pub(crate) struct AtStrip<F> {
+    /// `fx, fy, mz`
+    pub forces: [F; 3],
+    /// Their derivatives, row by row.
+    pub slopes: [[F; 3]; 3],
+    /// Power divided by rolling speed.
+    pub power: F,
+    pub power_slopes: [F; 3],
+}
+
+/// Friction and warning of a solution whose strips were visited.
+pub(crate) struct Visited<F: Float> {
+    /// `λ`
+    pub share: F,
+    /// `Σ μ₀ N`
+    pub bound: F,
+    /// The law without its coefficient, and whether friction falls.
+    pub law: SlipFriction<F>,
+    pub falls: bool,
+    pub warning: Warning,
+}
+
+/// Passes the forces of every strip, with derivatives, to `visit`.
+///
+/// # Errors
+/// Those of [`solve`].
+pub(crate) fn each_strip<F: Float>(
+    patch: &PatchView<F>,
+    creepage: &Creepage<F>,
+    law: Option<&SlipFriction<F>>,
+    (model, by): (Model, Option<By>),
+    visit: &mut dyn FnMut(usize, &AtStrip<F>),
+) -> Result<Visited<F>, Error> {
+    let clean = SlipFriction::constant(F::one());
+    let problem = FrictionProblem::new(patch, creepage, law.unwrap_or(&clean), model)?;
+    let (share, warning) = problem.agreement()?;
+    let Scaled { patch, creepage, factor } = problem.scaled(share)?;
+    let scaled = solver::Problem::new(&patch, &creepage, model)?;
+    // F = λ f(k c/λ), P = λ²/k p(k c/λ)
+    let power_unit = share / factor;
+    let (unit, power_slope_unit) = match by {
+        Some(By::Mismatch) => (share, power_unit),
+        _ => (share * factor, share),
+    };
+    let mut number = 0;
+    let mut take = |found: AtStrip<F>| {
+        let AtStrip { forces, slopes, power, power_slopes } = found;
+        visit(
+            number,
+            &AtStrip {
+                forces: forces.map(|force| force * share),
+                slopes: slopes.map(|row| row.map(|slope| slope * unit)),
+                power: power * power_unit,
+                power_slopes: power_slopes.map(|slope| slope * power_slope_unit),
+            },
+        );
+        number += 1;
+    };
+    if let Some(by) = by {
+        let constant = Dual::from_base;
+        let slip = if by == By::OwnCreepages {
+            PatchSlip::fixed(creepage.inputs(), constant(F::one()), problem.behind)
+        } else {
+            let Creepage { longitudinal, lateral, spin } = creepage;
+            let [longitudinal, lateral, spin] = [longitudinal, lateral, spin].map(constant);
+            let creepage = Creepage { longitudinal, lateral, spin };
+            PatchSlip::fixed(creepage, Dual::input(F::one(), 0), problem.behind)
+        };
+        scaled.shares(&slip, &mut |strip, share: Share<Dual<F, 3>>| {
+            let (moment, power) = (share.about_centre(strip), share.power(&slip.creepage));
+            // from the creepage at the origin to that at the centre
+            let at_centre = |[x, y, spin]: [F; 3]| match by {
+                By::OwnCreepages => [x, y, spin + x * strip.y - y * strip.centre_x],
+                By::Mismatch => [x, y, spin],
+            };
+            let forces = [share.fx, share.fy, moment];
+            take(AtStrip {
+                forces: forces.map(|force| force.value),
+                slopes: forces.map(|force| at_centre(force.gradient)),
+                power: power.value,
+                power_slopes: at_centre(power.gradient),
+            });
+        });
+    } else {
+        let none = [F::zero(); 3];
+        let slip = PatchSlip::new(&creepage, problem.behind);
+        scaled.shares(&slip, &mut |strip, share: Share<F>| {
+            let power = share.power(&creepage);
+            let forces = [share.fx, share.fy, share.about_centre(strip)];
+            take(AtStrip { forces, slopes: [none; 3], power, power_slopes: none });
+        });
+    }
+    let (bound, law, falls) = (problem.bound, problem.law, problem.law.falls());
+    let warning = problem.warning(scaled.warning(), warning);
+    Ok(Visited { share, bound, law, falls, warning })
 }
 
 /// Passes every strip of the solution at a share `λ` of friction to `visit`, as [`solver::strips`]

@@ -5,7 +5,7 @@ use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::{Contact, mismatch};
 use crate::linear::LinearCoefficients;
 use crate::number::{Float, Number};
-use crate::patch::slip::{PatchSlip, Share, ZoneSplit, creepage_at};
+use crate::patch::slip::{PatchSlip, Share, ZoneSplit, creepage_at, seen_from};
 use crate::patch::zones::{Widths, Zone};
 use crate::patch::{PatchStrip, PatchView, QuadratureScale};
 use crate::strip::{Distribution, Flexibilities, StripCreepage, StripGeometry, eight_strips};
@@ -14,22 +14,48 @@ use crate::strip::{Distribution, Flexibilities, StripCreepage, StripGeometry, ei
 /// that the squares of its creepages fit an `f32`.
 const LEAST_BOUND: f64 = 1e-9;
 
-/// The creepages of the strips of a zone's ellipse, for the creepage at `x` on its middle line,
-/// with the part that pressure adds.
-pub(super) fn law<F: Float, T: Number<Base = F>>(
-    zone: &Zone<F>,
-    slip: &PatchSlip<T>,
-    x: F,
-    factors: [F; 2],
-) -> (Distribution<T>, T, Option<ZoneSplit<T>>) {
-    let Contact { a, b, poisson_ratio, .. } = zone.contact;
-    let linear = LinearCoefficients::at(a / b, poisson_ratio);
-    let (seen, shift) = seen_by(zone, &linear, slip, x);
-    let split = slip.behind.map(|behind| ZoneSplit::new(zone, &linear, &seen, x, &behind));
-    let seen = split.map_or(seen, |split| split.half_spaces(&seen));
-    let parameters = Parameters::new(&zone.contact, &seen);
-    let prepared = Flexibilities::new(parameters.axis_ratio, poisson_ratio, &linear, factors);
-    (prepared.see(parameters.normalised()), shift, split)
+/// What the strips of a zone need of its ellipse.
+pub(super) struct ZoneLaw<F: Float> {
+    zone: Zone<F>,
+    pub units: ZoneUnits<F>,
+    linear: LinearCoefficients<F>,
+    flexibilities: Flexibilities<F>,
+}
+
+/// The creepages of the strips of a zone, for one motion and one centre along `x`.
+#[derive(Clone, Copy)]
+pub(super) struct Seen<T: Number> {
+    x: T::Base,
+    pub law: Distribution<T>,
+    /// The creepage that pressure adds.
+    shift: T,
+    split: Option<ZoneSplit<T>>,
+}
+
+impl<F: Float> ZoneLaw<F> {
+    /// The factors are those of the quadrature, or 1.
+    pub fn new(zone: &Zone<F>, factors: [F; 2]) -> Self {
+        let Contact { a, b, poisson_ratio, .. } = zone.contact;
+        let linear = LinearCoefficients::at(a / b, poisson_ratio);
+        let flexibilities = Flexibilities::new(a / b, poisson_ratio, &linear, factors);
+        Self { zone: *zone, units: ZoneUnits::new(zone), linear, flexibilities }
+    }
+
+    /// The creepages of strips with this centre; the creepage of the patch is theirs, not that of
+    /// the slip.
+    pub fn see<T: Number<Base = F>>(
+        &self,
+        slip: &PatchSlip<T>,
+        creepage: &Creepage<T>,
+        x: F,
+    ) -> Seen<T> {
+        let Self { zone, linear, flexibilities, .. } = self;
+        let (seen, shift) = seen_by(zone, linear, slip, creepage, x);
+        let split = slip.behind.map(|behind| ZoneSplit::new(zone, linear, &seen, x, &behind));
+        let seen = split.map_or(seen, |split| split.half_spaces(&seen));
+        let parameters = Parameters::new(&zone.contact, &seen);
+        Seen { x, law: flexibilities.see(parameters.normalised()), shift, split }
+    }
 }
 
 /// Passes the forces of every strip to `visit`, eight strips side by side.
@@ -39,7 +65,7 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
     visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
 ) {
     let QuadratureScale { area, lever } = view.scale();
-    let mut prepared: Option<PreparedZone<F, T, Distribution<T>>> = None;
+    let (mut known, mut last): (Option<ZoneLaw<F>>, Option<Seen<T>>) = (None, None);
     let of_patch = view.sizes().widths;
     for (first, lobe, of_lobe) in view.lobes_and_zones() {
         let is_whole = lobe.len() == view.strips().len();
@@ -61,46 +87,35 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
                 let own = of_lobe.or_else(|| view.zone(first + i));
                 let Some(zone) = own else { continue };
                 let same = in_lobe && of_lobe.is_some();
-                let known = prepared
-                    .as_ref()
-                    .is_some_and(|known| known.x == x && (same || zone.nearly_equals(&known.zone)));
-                in_lobe = true;
-                if !known {
+                if !known.as_ref().is_some_and(|law| same || zone.nearly_equals(&law.zone)) {
                     // So that the slopes are those of the linear theory for any quadrature.
-                    let (law, shift, split) = self::law(&zone, slip, x, [area, lever]);
-                    let units = ZoneUnits::new(&zone);
-                    prepared = Some(PreparedZone { zone, x, units, law, shift, split });
+                    (known, last) = (Some(ZoneLaw::new(&zone, [area, lever])), None);
                 }
-                let Some(PreparedZone { units, law, shift: own, split, .. }) = &prepared else {
-                    continue;
-                };
-                (shift.0, shift.1) = (*own, *split);
-                *seen = law.strip(&units.geometry(strip, strip.width * widths.per_mean));
+                in_lobe = true;
+                let Some(law) = &known else { continue };
+                let own = view.own(first + i);
+                if own.is_some() || last.as_ref().is_none_or(|last| last.x != x) {
+                    let creepage = seen_from(&slip.creepage, strip, own.as_ref());
+                    last = Some(law.see(slip, &creepage, x));
+                }
+                let Some(found) = &last else { continue };
+                *shift = (found.shift, found.split);
+                *seen = found.law.strip(&law.units.geometry(strip, strip.width * widths.per_mean));
                 let is_inner = i.min(count - 1 - i) % 2 == 1;
                 *inner = (if is_inner { alternating } else { -alternating }).plus(0.5);
             }
             let found = eight_strips(&seen, inner).into_iter().zip(shifts);
-            for (strip, (found, (shift, split))) in group.iter().zip(found) {
+            for (k, (strip, (found, (shift, split)))) in group.iter().zip(found).enumerate() {
                 let stick = found.stick.value();
                 let mut share = Share::new(strip, &found, stick, stick > F::zero());
                 if let Some(split) = split {
                     share = split.mean(strip, share);
                 }
-                visit(strip, Share { of_pressure: share.fx * shift, ..share });
+                let own = view.own(first + 8 * g + k);
+                visit(strip, share.on(strip, shift, own.as_ref()));
             }
         }
     }
-}
-
-/// The creepages of the strips of a zone that have one centre along `x`.
-struct PreparedZone<F, T: Number, L> {
-    zone: Zone<F>,
-    x: F,
-    units: ZoneUnits<F>,
-    law: L,
-    /// The creepage that pressure adds.
-    shift: T,
-    split: Option<ZoneSplit<T>>,
 }
 
 /// The creepage of a zone's ellipse at `x` on its middle line, and the part of it that pressure
@@ -109,9 +124,10 @@ pub(super) fn seen_by<T: Number>(
     zone: &Zone<T::Base>,
     linear: &LinearCoefficients<T::Base>,
     slip: &PatchSlip<T>,
+    creepage: &Creepage<T>,
     x: T::Base,
 ) -> (Creepage<T>, T) {
-    let creepage = creepage_at(&slip.creepage, x, zone.y);
+    let creepage = creepage_at(creepage, x, zone.y);
     let seen = mismatch::seen(&zone.contact, linear, &creepage, slip.pressure);
     (seen, seen.longitudinal - creepage.longitudinal)
 }

@@ -17,8 +17,9 @@ pub(super) struct Share<T: Number> {
     pub fy: T,
     /// Moment about the origin of the patch.
     pub mz: T,
-    /// Power of the force on the creepage that pressure adds.
-    pub of_pressure: T,
+    /// Power of the force on creepages besides that of the patch: what pressure adds, the strip's
+    /// own.
+    pub besides: T,
     /// Share of its length in adhesion, at the leading edge.
     pub stick: T::Base,
     pub adheres: bool,
@@ -38,7 +39,35 @@ impl<T: Number<Base: Float>> Share<T> {
         let (fx, fy) = (fx.scale(bound), fy.scale(bound));
         // Mz = ∫ (x Y − y X)
         let mz = mx.scale(bound * strip.half_length) + fy.scale(strip.centre_x) - fx.scale(strip.y);
-        Self { fx, fy, mz, of_pressure: T::zero(), stick, adheres }
+        Self { fx, fy, mz, besides: T::zero(), stick, adheres }
+    }
+
+    /// The same on a strip whose creepage is that of the patch, that which pressure adds, and its
+    /// own.
+    pub fn on(
+        mut self,
+        strip: &PatchStrip<T::Base>,
+        shift: T,
+        own: Option<&Creepage<T::Base>>,
+    ) -> Self {
+        self.besides = self.fx * shift;
+        if let Some(own) = own {
+            let Creepage { longitudinal, lateral, spin } = *own;
+            let mz = self.about_centre(strip);
+            self.besides += self.fx.scale(longitudinal) + self.fy.scale(lateral) + mz.scale(spin);
+        }
+        self
+    }
+
+    /// Power divided by rolling speed.
+    pub fn power(&self, creepage: &Creepage<T>) -> T {
+        let Creepage { longitudinal, lateral, spin } = *creepage;
+        self.fx * longitudinal + self.fy * lateral + self.mz * spin + self.besides
+    }
+
+    /// Moment about the centre of the strip.
+    pub fn about_centre(&self, strip: &PatchStrip<T::Base>) -> T {
+        self.mz - self.fy.scale(strip.centre_x) + self.fx.scale(strip.y)
     }
 }
 
@@ -63,6 +92,17 @@ pub(super) struct PatchLayer<T> {
 impl<F: Float> PatchSlip<F> {
     pub fn new(creepage: &Creepage<F>, behind: Option<PatchLayer<F>>) -> Self {
         Self { creepage: *creepage, pressure: F::one(), behind }
+    }
+}
+
+impl<F: Float, T: Number<Base = F>> PatchSlip<T> {
+    /// With a layer that is no variable of the derivatives.
+    pub fn fixed(creepage: Creepage<T>, pressure: T, behind: Option<PatchLayer<F>>) -> Self {
+        let behind = behind.map(|PatchLayer { depth, slide }| PatchLayer {
+            depth: T::from_base(depth),
+            slide: T::from_base(slide),
+        });
+        Self { creepage, pressure, behind }
     }
 }
 
@@ -136,7 +176,7 @@ impl<F: Float, T: Number<Base = F>> ZoneSplit<T> {
             fx: mean(share.fx, bristles.fx),
             fy: mean(share.fy, bristles.fy),
             mz: mean(share.mz, bristles.mz),
-            of_pressure: share.of_pressure,
+            besides: share.besides,
             stick: share.stick + (stick - share.stick) * weight.value(),
             adheres: share.adheres || adheres,
         }
@@ -151,6 +191,21 @@ pub(super) fn creepage_at<T: Number>(
 ) -> Creepage<T> {
     let Creepage { longitudinal, lateral, spin } = *creepage;
     Creepage { longitudinal: longitudinal - spin.scale(y), lateral: lateral + spin.scale(x), spin }
+}
+
+/// Creepage of the patch as a strip sees it: with that which is `own` at the strip's centre.
+pub(super) fn seen_from<T: Number>(
+    creepage: &Creepage<T>,
+    strip: &PatchStrip<T::Base>,
+    own: Option<&Creepage<T::Base>>,
+) -> Creepage<T> {
+    let Some(own) = own else { return *creepage };
+    let at_origin = creepage_at(own, -strip.centre_x, -strip.y);
+    Creepage {
+        longitudinal: creepage.longitudinal.shift(at_origin.longitudinal),
+        lateral: creepage.lateral.shift(at_origin.lateral),
+        spin: creepage.spin.shift(at_origin.spin),
+    }
 }
 
 /// Upper bound of the rigid slip of all points within reach.

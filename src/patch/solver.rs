@@ -25,12 +25,15 @@ use crate::forces::derivatives::{Derivatives, Slopes};
 use crate::forces::theory::sliding_rule;
 use crate::forces::warning::model_warning;
 use crate::forces::{Model, Solution, StripResult};
+use crate::friction::derivatives::BesidesSlopes;
 use crate::friction::layered::{LayerSlopes, WithSlopes};
 use crate::linear::LinearCoefficients;
 use crate::number::dual::Dual;
-use crate::number::{Float, Number};
+use crate::number::{Arithmetic, Float, Number};
 use crate::patch::shares::{seen_by, strip_shares};
-use crate::patch::slip::{PatchLayer, PatchSlip, Share, ZoneSplit, creepage_at, rigid_slip};
+use crate::patch::slip::{
+    PatchLayer, PatchSlip, Share, ZoneSplit, creepage_at, rigid_slip, seen_from,
+};
 use crate::patch::zones::Zone;
 use crate::patch::{PatchStrip, PatchView};
 use crate::status::{Error, Warning};
@@ -58,7 +61,8 @@ pub(crate) fn check<F: Float>(
     model: Model,
 ) -> Result<F, Error> {
     Problem::new(view, creepage, model)?;
-    Ok(rigid_slip(creepage, view.sizes().reach) + most_strain(view))
+    let [own, _] = view.most_own();
+    Ok(rigid_slip(creepage, view.sizes().reach) + own + most_strain(view))
 }
 
 /// A patch, a creepage and a model that fit together.
@@ -70,17 +74,18 @@ pub(super) struct Problem<'a, F> {
 }
 
 impl<'a, F: Float> Problem<'a, F> {
-    fn new(
+    pub(super) fn new(
         view: &'a PatchView<'a, F>,
         creepage: &'a Creepage<F>,
         model: Model,
     ) -> Result<Self, Error> {
         creepage.check()?;
-        if model == Model::Linear {
+        if model == Model::Linear || view.has_own() && model == Model::Total {
             return Err(Error::NotInModel);
         }
         let reach = view.sizes().reach;
-        let slip = rigid_slip(creepage, reach) + most_strain(view);
+        let [own, _] = view.most_own();
+        let slip = rigid_slip(creepage, reach) + own + most_strain(view);
         let bound = view.friction_bound();
         let results = [slip, bound * reach, bound * slip];
         if results.iter().all(|result| result.is_finite_number()) {
@@ -103,6 +108,10 @@ impl<'a, F: Float> Problem<'a, F> {
     }
 
     pub fn warning(&self) -> Warning {
+        // with the largest spin of any strip
+        let [_, own] = self.view.most_own();
+        let spin = self.creepage.spin.abs() + own;
+        let creepage = &Creepage { spin, ..*self.creepage };
         let of = |bound: F, Parameters { axis_ratio, psi, .. }: Parameters<F>| {
             model_warning(self.model, bound, axis_ratio, psi)
         };
@@ -115,20 +124,20 @@ impl<'a, F: Float> Problem<'a, F> {
         }
         let first = if matches!(self.model, Model::Strip | Model::Total) {
             self.view.find_zone(|Zone { contact, .. }| {
-                let own = of(contact.friction_bound(), Parameters::new(contact, self.creepage));
+                let own = of(contact.friction_bound(), Parameters::new(contact, creepage));
                 told(&own).then_some(own)
             })
         } else {
             let strips = self.view.strips().iter();
-            let mut strips = strips
-                .map(|strip| of(strip.friction_bound(), self.parameters(strip, self.creepage)));
+            let mut strips =
+                strips.map(|strip| of(strip.friction_bound(), self.parameters(strip, creepage)));
             strips.find(told)
         };
         first.unwrap_or(Warning::None)
     }
 
     /// Passes the forces of every strip to `visit`.
-    fn shares<T: Number<Base = F>>(
+    pub(super) fn shares<T: Number<Base = F>>(
         &self,
         slip: &PatchSlip<T>,
         visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
@@ -139,12 +148,14 @@ impl<'a, F: Float> Problem<'a, F> {
             self.elliptic_shares(slip, visit);
         } else if Model::HAS_STRIP_1967 {
             for (i, strip) in self.view.strips().iter().enumerate() {
+                let of_strip = self.view.own(i);
+                let creepage = seen_from(&slip.creepage, strip, of_strip.as_ref());
                 let own = slip.behind.and_then(|behind| Some((behind, self.view.zone(i)?)));
                 let share = match own {
-                    None => self.theory_share(strip, &slip.creepage),
-                    Some((behind, zone)) => self.share_behind(strip, &zone, slip, &behind),
+                    None => self.theory_share(strip, &creepage),
+                    Some((behind, zone)) => self.share_behind(strip, &zone, &creepage, &behind),
                 };
-                visit(strip, share);
+                visit(strip, share.on(strip, T::zero(), of_strip.as_ref()));
             }
         }
     }
@@ -191,12 +202,12 @@ impl<'a, F: Float> Problem<'a, F> {
         &self,
         strip: &PatchStrip<F>,
         zone: &Zone<F>,
-        slip: &PatchSlip<T>,
+        creepage: &Creepage<T>,
         behind: &PatchLayer<T>,
     ) -> Share<T> {
         let Contact { a, b, poisson_ratio, .. } = zone.contact;
         let linear = LinearCoefficients::at(a / b, poisson_ratio);
-        let seen = creepage_at(&slip.creepage, zone.x, zone.y);
+        let seen = creepage_at(creepage, zone.x, zone.y);
         let split = ZoneSplit::new(zone, &linear, &seen, zone.x, behind);
         let at_origin = creepage_at(&split.half_spaces(&seen), -zone.x, -zone.y);
         split.mean(strip, self.theory_share(strip, &at_origin))
@@ -226,16 +237,16 @@ impl<'a, F: Float> Problem<'a, F> {
             let size = (zone.contact.a * zone.contact.b).sqrt();
             // Mz = ∫ (x Y − y X)
             let mz = totals.mz.scale(bound * size) + fy.scale(zone.x) - fx.scale(zone.y);
-            let share = Share { fx, fy, mz, of_pressure: shift, stick: -F::one(), adheres: false };
+            let share = Share { fx, fy, mz, besides: T::zero(), stick: -F::one(), adheres: false };
             let share = split.map_or(share, |split| split.mean(strip, share));
-            visit(strip, Share { of_pressure: share.fx * shift, adheres: false, ..share });
+            visit(strip, Share { adheres: false, ..share.on(strip, shift, None) });
         }
     }
 
     fn elliptic_totals<T: Number<Base = F>>(zone: &Zone<F>, slip: &PatchSlip<T>) -> ZoneTotals<T> {
         let Contact { a, b, poisson_ratio, .. } = zone.contact;
         let linear = LinearCoefficients::at(a / b, poisson_ratio);
-        let (seen, shift) = seen_by(zone, &linear, slip, zone.x);
+        let (seen, shift) = seen_by(zone, &linear, slip, &slip.creepage, zone.x);
         let split = slip.behind.map(|behind| ZoneSplit::new(zone, &linear, &seen, zone.x, &behind));
         let seen = split.map_or(seen, |split| split.half_spaces(&seen));
         let parameters = Parameters::new(&zone.contact, &seen);
@@ -261,7 +272,7 @@ impl<F: Float> Problem<'_, F> {
         let mut sums =
             PatchSums { fx: zero, fy: zero, mz: zero, power: zero, stick: none, area: none };
         self.shares(slip, &mut |strip, share| {
-            sums.power += share.of_pressure;
+            sums.power += share.besides;
             sums.fx += share.fx;
             sums.fy += share.fy;
             sums.mz += share.mz;
@@ -369,13 +380,9 @@ pub(super) fn solve_with_slopes<F: Float>(
     behind: Option<PatchLayer<F>>,
 ) -> Result<WithSlopes<F>, Error> {
     let problem = Problem::new(patch, creepage, model)?;
-    let constant = |value| Dual { value, gradient: [F::zero(); 3] };
+    let constant = Dual::from_base;
     let pressure = constant(F::one());
-    let fixed = behind.map(|PatchLayer { depth, slide }| PatchLayer {
-        depth: constant(depth),
-        slide: constant(slide),
-    });
-    let inputs = PatchSlip { creepage: creepage.inputs(), pressure, behind: fixed };
+    let inputs = PatchSlip::fixed(creepage.inputs(), pressure, behind);
     let found = problem.sums(&inputs);
     let PatchSums { fx, fy, mz, power, stick, area } = found;
     let jacobian = [fx.gradient, fy.gradient, mz.gradient];
@@ -392,7 +399,7 @@ pub(super) fn solve_with_slopes<F: Float>(
         let spin = constant(spin.value);
         let pressure = Dual::input(F::one(), 2);
         let creepage = Creepage { longitudinal, lateral, spin };
-        let moved = PatchSlip { creepage, pressure, behind: fixed };
+        let moved = PatchSlip::fixed(creepage, pressure, behind);
         let PatchSums { fx, fy, mz, power, .. } = problem.sums(&moved);
         let [x, y, z, of_power] = [fx, fy, mz, power].map(|Dual { gradient: [.., last], .. }| last);
         (slopes.by_mismatch, slopes.power_by_mismatch) = ([x, y, z], of_power);
@@ -423,6 +430,37 @@ pub(super) fn solve_with_slopes<F: Float>(
     }
 }
 
+/// The derivatives by a factor of the strips' own creepages.
+pub(super) fn slopes_besides<F: Float>(
+    patch: &PatchView<F>,
+    creepage: &Creepage<F>,
+    model: Model,
+    behind: Option<PatchLayer<F>>,
+) -> Result<BesidesSlopes<F>, Error> {
+    let mut sums = BesidesSlopes::nothing();
+    if !patch.has_own() {
+        return Ok(sums);
+    }
+    let inputs = creepage.inputs();
+    let slip = PatchSlip::fixed(inputs, Dual::from_base(F::one()), behind);
+    let mut number = 0;
+    Problem::new(patch, creepage, model)?.shares(&slip, &mut |strip, share: Share<Dual<F, 3>>| {
+        let Some(own) = patch.own(number) else { return };
+        number += 1;
+        let Creepage { longitudinal, lateral, .. } = creepage_at(&own, -strip.centre_x, -strip.y);
+        let moved = |of: Dual<F, 3>| of.derivative(0) * longitudinal + of.derivative(1) * lateral;
+        let power = share.power(&inputs);
+        let entries = sums.forces.iter_mut().zip(&mut sums.translation);
+        for ((all, translation), force) in entries.zip([share.fx, share.fy, share.mz]) {
+            *all += moved(force) + force.derivative(2) * own.spin;
+            *translation += moved(force);
+        }
+        sums.power += moved(power) + power.derivative(2) * own.spin;
+        sums.power_translation += moved(power);
+    });
+    Ok(sums)
+}
+
 /// Passes every strip of the solution to `visit`, ascending in `y`. Their shares add up to the
 /// totals of [`solve`].
 ///
@@ -450,7 +488,7 @@ pub(super) fn strips_behind<F: Float>(
 ) -> Result<Warning, Error> {
     let problem = Problem::with_strips(patch, creepage, model)?;
     problem.shares(&PatchSlip::new(creepage, behind), &mut |strip, share: Share<F>| {
-        let Share { fx, fy, mz, of_pressure, stick, adheres } = share;
+        let Share { fx, fy, mz, besides, stick, adheres } = share;
         visit(StripResult {
             y: strip.y,
             width: strip.width,
@@ -460,7 +498,7 @@ pub(super) fn strips_behind<F: Float>(
             fx,
             fy,
             mz,
-            power: creepage.power([fx, fy, mz]) + of_pressure,
+            power: creepage.power([fx, fy, mz]) + besides,
             state: if adheres { State::Stick } else { State::Slip },
             reserved: 0,
         });

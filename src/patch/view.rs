@@ -1,8 +1,10 @@
 //! A checked patch for the solvers: its strips, their lobes and the equivalent ellipses.
 
+use crate::contact::creepage::Creepage;
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::Float;
 use crate::patch::extremes::Extremes;
+use crate::patch::slip::rigid_slip;
 use crate::patch::zones::{Sizes, Zone};
 use crate::patch::{PatchStrip, QuadratureScale};
 use crate::status::Error;
@@ -19,6 +21,8 @@ pub struct PatchView<'a, F> {
     poisson_ratio: F,
     scale: QuadratureScale<F>,
     mismatch: F,
+    own: &'a [Creepage<F>],
+    own_factor: F,
     /// Whether there are several lobes.
     has_gaps: bool,
     sizes: Sizes<F>,
@@ -75,6 +79,8 @@ impl<'a, F: Float> PatchView<'a, F> {
             poisson_ratio,
             scale,
             mismatch,
+            own: &[],
+            own_factor: F::one(),
             has_gaps,
             sizes,
             whole,
@@ -126,6 +132,43 @@ impl<'a, F: Float> PatchView<'a, F> {
         }
         let beyond = |zone: &Zone<F>| (!zone.contact.strain().is_finite_number()).then_some(());
         if self.find_zone(beyond).is_none() { Ok(self) } else { Err(Error::Overflow) }
+    }
+
+    /// The same patch whose strips have creepages besides that of the patch, each at its own
+    /// centre, ascending in `y`: a curved surface. The model TOTAL has no
+    /// strips, and refuses them.
+    ///
+    /// # Errors
+    /// [`Error::Capacity`] unless there are as many as strips; [`Error::NotFinite`].
+    pub fn with_own_creepages(mut self, own: &'a [Creepage<F>]) -> Result<Self, Error> {
+        Error::Capacity.unless(own.len() == self.strips.len())?;
+        for creepage in own {
+            creepage.check()?;
+        }
+        (self.own, self.own_factor) = (own, F::one());
+        Ok(self)
+    }
+
+    /// The same patch with its strips' own creepages multiplied.
+    pub(super) fn scaled_own(mut self, factor: F) -> Self {
+        self.own_factor = self.own_factor * factor;
+        self
+    }
+
+    pub(super) fn has_own(&self) -> bool {
+        !self.own.is_empty()
+    }
+
+    /// The creepage that a strip has at its centre besides that of the patch.
+    pub(super) fn own(&self, number: usize) -> Option<Creepage<F>> {
+        Some(self.own.get(number)?.scaled(self.own_factor))
+    }
+
+    /// Upper bounds of the rigid slip of these creepages within reach, and of their spin.
+    pub(super) fn most_own(&self) -> [F; 2] {
+        (0..self.own.len()).filter_map(|i| self.own(i)).fold([F::zero(); 2], |[slip, spin], own| {
+            [slip.max(rigid_slip(&own, self.sizes.reach)), spin.max(own.spin.abs())]
+        })
     }
 
     /// Mismatch `κ` of the materials.

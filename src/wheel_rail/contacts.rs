@@ -18,14 +18,16 @@
 //! (`roller`).
 //!
 //! The patch has the mean of these, weighted with the strips' loads `N` and referred to its origin.
-//! The force of the pressure is `Σ N n`.
+//! The force of the pressure is `Σ N n`. Where the normal turns by more than 5 degrees, strips have
+//! their own slip besides (`curved`).
 
+use super::axes::{Axes, with_moment};
 use super::groups::Zones;
 use super::line_of_contact::Turn;
 use super::roller::{Over, Roller};
 use super::touch::Gap;
 use super::{
-    KSTRIP_CONTACTS_CAPACITY, KSTRIP_SURFACE_CAPACITY, Position, Velocity, WheelPair, cross, dot,
+    KSTRIP_CONTACTS_CAPACITY, KSTRIP_SURFACE_CAPACITY, Position, Velocity, WheelPair, dot,
     sine_cosine,
 };
 use crate::contact::totals::StripCount;
@@ -35,7 +37,7 @@ use crate::normal::parabola::STEPS;
 use crate::normal::smooth::Curve;
 use crate::normal::{Indentation, Profile, ProfileContact};
 use crate::number::{Float, are_finite, length};
-use crate::patch::StoredPatch;
+use crate::patch::{KSTRIP_PATCH_CAPACITY, StoredPatch};
 use crate::status::{Error, Warning};
 
 /// Height above the lowest point of points that tell how far apart points are \[m\].
@@ -50,6 +52,12 @@ const MARGIN: f64 = 3.0;
 const STEEPEST: f64 = 1.6;
 /// Turn of the normal over a contact \[rad\] from which one plane is not enough.
 const FLAT: f64 = 30.0 * core::f64::consts::PI / 180.0;
+/// Turns \[rad\] up to which strips have the mean of their slip, and from which most of it is their
+/// own.
+const TURN: [f64; 2] = [5.0 * core::f64::consts::PI / 180.0, 10.0 * core::f64::consts::PI / 180.0];
+/// Largest share of a strip's own slip, fitted to twelve contacts of conformal CONTACT that turn by
+/// 20 to 30 degrees: neighbours are coupled, which takes some of the differences of their slip.
+const OWN: f64 = 0.8;
 
 /// One contact of a wheel. Its frame is (x, t, n): forward, across along the surface, into the
 /// rail.
@@ -99,12 +107,36 @@ pub struct WheelContact<F> {
     pub at_rest: Motion<F>,
     /// The strips; y along the rail's surface, x forward from the origin.
     pub patch: StoredPatch<F>,
+    /// Share of each strip's own slip, 0 to 1; the rest is that of a plane contact. 0 where the
+    /// normal turns by less than about 5 degrees, 0.8 from about 10 degrees on, and 0 on
+    /// rollers.
+    pub own: F,
+    /// y of each strip on the wheel's undeformed surface, from the wheel's centre \[m\], axes of
+    /// the track; of a left wheel that of the mirrored right wheel.
+    pub strip_y: [F; KSTRIP_PATCH_CAPACITY],
+    /// z of each strip \[m\].
+    pub strip_z: [F; KSTRIP_PATCH_CAPACITY],
+    /// Angle of each strip \[rad\], as the angle of the contact.
+    pub strip_angle: [F; KSTRIP_PATCH_CAPACITY],
+    /// Roll and yaw of the wheel \[rad\]; of a left wheel those of the mirrored right wheel.
+    pub turned: [F; 2],
+    /// Whether the wheel is a left one, as in kstrip_wheel_pair.
+    pub left: i32,
+    /// Reserved: zero.
+    pub reserved: i32,
 }
 
 impl<F: Float> WheelContact<F> {
     /// `B`: slip and spin rate by the wheel's velocity.
-    fn rows(&self) -> [[F; 6]; 3] {
+    pub(super) fn rows(&self) -> [[F; 6]; 3] {
         [self.slip_x, self.slip_y, self.spin_rate]
+    }
+
+    /// The axes of the wheel.
+    pub(super) fn axes(&self) -> Axes<F> {
+        let [roll, yaw] = self.turned;
+        let turn = Turn::new(&Position { roll, yaw, lateral: F::zero(), vertical: F::zero() });
+        Axes { turn, left: self.left != 0 }
     }
 
     /// The columns of `B`.
@@ -173,14 +205,18 @@ impl<F: Float> WheelContact<F> {
     /// Fills the contact from strips along the rail.
     fn fill(&mut self, view: &View<F>, strips: &StoredPatch<F>, found: &Indentation<F>) {
         let View { pair, position, .. } = view;
-        let (zero, one, left) = (F::zero(), F::one(), pair.left != 0);
+        let (zero, one) = (F::zero(), F::one());
         self.patch = *strips;
         let count = strips.count as usize;
         // sums weighted with load: of place, length on the rail, angle, 1; of tangent and normal,
         // with their moments
         let (mut sums, mut lowest, mut highest) = ([[zero; 6]; 3], F::LARGEST, -F::LARGEST);
-        for strip in self.patch.strips.iter_mut().take(count) {
+        let places = self.strip_y.iter_mut().zip(&mut self.strip_z).zip(&mut self.strip_angle);
+        for (strip, ((own_y, own_z), own_angle)) in
+            self.patch.strips.iter_mut().take(count).zip(places)
+        {
             let [_, _, x, y, z, angle, _] = view.at(strip.y);
+            (*own_y, *own_z, *own_angle) = (y, z, angle);
             (lowest, highest) = (lowest.min(angle), highest.max(angle));
             let (sine, cosine) = sine_cosine(angle);
             let over = view.over(x, z);
@@ -201,27 +237,32 @@ impl<F: Float> WheelContact<F> {
         let share = one / (load + F::TINY);
         let [[x, y, z, along, angle, _], tangent, normal] =
             sums.map(|sums| sums.map(|sum| sum * share));
-        for strip in self.patch.strips.iter_mut().take(count) {
+        let mut turns = zero;
+        for (strip, own) in self.patch.strips.iter_mut().take(count).zip(&self.strip_angle) {
+            turns += strip.load() * (*own - angle).squared();
             (strip.y, strip.centre_x) = (strip.y - along, strip.centre_x - x);
         }
+        // of an evenly curved contact with half-ellipses of load the turn is 2 √5 times the
+        // standard deviation
+        let turn = (turns * share).sqrt().times(2.0 * 2.236_067_977_499_79);
+        let t = turn.plus(-TURN[0]).times(1.0 / (TURN[1] - TURN[0])).clamped(zero, one);
+        let own = (t * t * (F::of(3.0) - t.times(2.0))).times(OWN);
+        self.own = if pair.rail_radius > zero { zero } else { own };
         let [a, b, c, ..] = normal;
         let over = view.over(x, z);
         let forward = with_moment([x, y, z], [over.cosine, zero, over.sine]);
         let mut rolling = forward.map(|entry| entry.times(-0.5));
         let [speed, ..] = &mut rolling;
         *speed = speed.plus(1.0);
-        // from the track's axes to the members of the velocity, for a left wheel its own
-        let turn = Turn::new(position);
-        let own = |[x, y, z, a, b, c]: [F; 6]| {
-            let [roll, pitch, yaw] = turn.to_wheelset([a, b, c]);
-            if left { [x, -y, z, -roll, pitch, -yaw] } else { [x, y, z, roll, pitch, yaw] }
-        };
+        (self.turned, self.left, self.reserved) = ([position.roll, position.yaw], pair.left, 0);
+        let axes = self.axes();
+        let own = |row| axes.members(row);
         self.normal = own(normal);
         (self.slip_x, self.slip_y) = (own(forward), own(tangent));
         (self.spin_rate, self.rolling_speed) = (own([zero, zero, zero, a, b, c]), own(rolling));
-        self.origin = [x, if left { -y } else { y }, z];
+        self.origin = [x, if pair.left != 0 { -y } else { y }, z];
         (self.angle, self.angle_range) = (angle, highest - lowest);
-        let [in_x, _, in_z] = turn.to_wheelset([x, y, z]);
+        let [in_x, _, in_z] = axes.turn.to_wheelset([x, y, z]);
         self.radius = length(in_x, in_z);
         (self.normal_force, self.along) = (load, along);
         (self.approach, self.stiffness) = (found.approach, found.stiffness);
@@ -254,12 +295,6 @@ fn counting<F: Float>(step: F, smoothing: F) -> F {
 /// one that counts are needed, because the smoothing length follows from their spacing \[m\].
 pub(super) fn reach<F: Float>(step: F, smoothing: F) -> F {
     counting(step, smoothing) + step.times(MARGIN)
-}
-
-/// A direction and its moment about the wheel's centre.
-fn with_moment<F: Float>(place: [F; 3], direction: [F; 3]) -> [F; 6] {
-    let ([a, b, c], [d, e, f]) = (direction, cross(place, direction));
-    [a, b, c, d, e, f]
 }
 
 /// A checked gap: the used part of its lists; with the position of the wheel, or of the mirror

@@ -20,8 +20,11 @@
 //! slip = B v,   W = −Bᵀ F − N n,   W·v = −F·slip − N n·v
 //! ```
 
+mod axes;
 pub mod contacts;
 mod curve;
+mod curved;
+mod ends;
 mod groups;
 mod height;
 mod knots;

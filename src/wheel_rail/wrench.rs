@@ -13,13 +13,15 @@
 //! pressure the friction bound of every strip. (The contact area stays that of the pressure alone.)
 
 use super::contacts::WheelContact;
+use super::curved::{self, Creep};
+pub use super::ends::Law;
+use super::ends::{Pressed, at_speed};
 use super::{Velocity, dot};
 use crate::contact::creepage::Creepage;
-use crate::forces::{Model, Solution};
-use crate::friction::SlipFriction;
+use crate::forces::Solution;
 use crate::motion::{MotionDerivatives, Rolling};
-use crate::number::{Float, are_finite, reverse};
-use crate::patch::{self, PatchView, StoredPatch, solver};
+use crate::number::{Float, are_finite};
+use crate::patch::{self, PatchView, solver};
 use crate::status::{Error, Warning};
 
 /// Force and moment on a wheel. They are conjugate to the members of kstrip_wheel_velocity: the
@@ -87,20 +89,11 @@ impl<F: Float> Wrench<F> {
     }
 }
 
-/// The model of the creep forces, and the law of friction.
-#[derive(Clone, Copy)]
-pub struct Law<'a, F> {
-    /// The model.
-    pub model: Model,
-    /// Friction that falls with the slip; its own coefficient and rolling speed are ignored.
-    pub falling: Option<&'a SlipFriction<F>>,
-}
-
 /// Computes the wrench of contacts, and its derivatives where they are wanted.
 ///
 /// # Errors
 /// [`Error::NotFinite`]; those of [`solver::solve`], [`patch::friction::solve`] and
-/// [`StoredPatch::view`].
+/// [`StoredPatch::view`](patch::StoredPatch::view).
 pub fn of_contacts<F: Float>(
     contacts: &[WheelContact<F>],
     velocity: &Velocity<F>,
@@ -117,7 +110,8 @@ pub fn of_contacts<F: Float>(
     let (mut sums, mut normal_force, mut dissipation) = ([zero; 6], zero, zero);
     let mut warning = Warning::None;
     for contact in contacts {
-        if !(are_finite(&contact.normal) && are_finite(&[contact.share, contact.normal_force])) {
+        let numbers = [contact.share, contact.normal_force, contact.own];
+        if !(are_finite(&contact.normal) && are_finite(&numbers)) {
             return Err(Error::NotFinite);
         }
         if contact.share < zero || contact.normal_force < zero {
@@ -134,26 +128,41 @@ pub fn of_contacts<F: Float>(
             continue;
         }
         let pressed = Pressed { patch: &contact.patch, factor };
-        let carried = match &mut derivatives {
-            None => pressed.carried(&rolling, law)?,
-            Some(sums) => {
-                let (found, slopes) = pressed.differentiated(&rolling, law)?;
-                sums.add(contact, &slopes, factor);
-                found
+        let carried = if curved::has_own_slip(contact, law) {
+            let found =
+                curved::creep(contact, pressed, &velocity, &rolling, law, derivatives.is_some())?;
+            if let Some(sums) = &mut derivatives {
+                sums.add_creep(contact, &found, factor);
             }
+            let Creep { wrench, power, warning, .. } = found;
+            let wrench = wrench.map(|force| force * contact.share);
+            Carried { wrench, dissipation: power * rolling.speed * contact.share, warning }
+        } else {
+            let carried = match &mut derivatives {
+                None => pressed.carried(&rolling, law)?,
+                Some(sums) => {
+                    let (found, slopes) = pressed.differentiated(&rolling, law)?;
+                    sums.add(contact, &slopes, factor);
+                    found
+                }
+            };
+            let Solution { power, warning, .. } = carried;
+            let force = forces(&carried).map(|force| force * contact.share);
+            // of unlike materials, pressure moves the surfaces as well
+            let dissipation = if contact.patch.mismatch == zero {
+                dot(&force, &[motion.slip_x, motion.slip_y, motion.spin_rate])
+            } else {
+                power * rolling.speed * contact.share
+            };
+            let wrench = contact.columns().map(|column| dot(&column, &force));
+            Carried { wrench, dissipation, warning }
         };
-        let force = forces(&carried).map(|force| force * contact.share);
         let load = contact.normal_force * contact.share * factor;
-        for ((sum, column), normal) in sums.iter_mut().zip(contact.columns()).zip(contact.normal) {
-            *sum = *sum - dot(&column, &force) - load * normal;
+        for ((sum, creep), normal) in sums.iter_mut().zip(carried.wrench).zip(contact.normal) {
+            *sum = *sum - creep - load * normal;
         }
         normal_force += load;
-        // of unlike materials, pressure moves the surfaces as well
-        dissipation += if contact.patch.mismatch == zero {
-            dot(&force, &[motion.slip_x, motion.slip_y, motion.spin_rate])
-        } else {
-            carried.power * rolling.speed * contact.share
-        };
+        dissipation += carried.dissipation;
         warning = warning.worse(carried.warning);
     }
     if !(are_finite(&sums) && are_finite(&[normal_force, dissipation])) {
@@ -169,6 +178,32 @@ pub fn of_contacts<F: Float>(
 }
 
 impl<F: Float> WrenchDerivatives<F> {
+    /// Adds the derivatives of creep forces on the rail.
+    fn add_creep(&mut self, contact: &WheelContact<F>, creep: &Creep<F>, factor: F) {
+        let (share, damping) = (contact.share, contact.normal_damping);
+        let rows = self.velocity.iter_mut().zip(&mut self.friction);
+        for (((row, by_friction), creep), by) in rows.zip(creep.by_velocity).zip(creep.by_friction)
+        {
+            *by_friction -= share * by;
+            for ((sum, creep), normal) in row.iter_mut().zip(creep).zip(contact.normal) {
+                *sum -= share * (creep + by / factor * damping * normal);
+            }
+        }
+        if damping > F::zero() {
+            self.add_damping(contact);
+        }
+    }
+
+    /// Adds `−d N n n`.
+    fn add_damping(&mut self, contact: &WheelContact<F>) {
+        let load = contact.normal_damping * contact.share * contact.normal_force;
+        for (row, normal) in self.velocity.iter_mut().zip(contact.normal) {
+            for (sum, other) in row.iter_mut().zip(contact.normal) {
+                *sum -= load * normal * other;
+            }
+        }
+    }
+
     /// Adds `−Bᵀ (∂F/∂slip B + ∂F/∂V ∂V/∂v + d ∂F/∂m n) − d N n n` and `−Bᵀ ∂F/∂friction` of a
     /// contact whose pressure has the factor `m`.
     fn add(&mut self, contact: &WheelContact<F>, slopes: &MotionDerivatives<F>, factor: F) {
@@ -185,12 +220,7 @@ impl<F: Float> WrenchDerivatives<F> {
                     *by += slope / factor * damping * normal;
                 }
             }
-            let load = damping * contact.share * contact.normal_force;
-            for (row, normal) in self.velocity.iter_mut().zip(contact.normal) {
-                for (sum, other) in row.iter_mut().zip(contact.normal) {
-                    *sum -= load * normal * other;
-                }
-            }
+            self.add_damping(contact);
         }
         for ((row, by_friction), column) in
             self.velocity.iter_mut().zip(&mut self.friction).zip(columns)
@@ -204,15 +234,16 @@ impl<F: Float> WrenchDerivatives<F> {
     }
 }
 
-fn forces<F: Float>(found: &Solution<F>) -> [F; 3] {
-    [found.fx, found.fy, found.mz]
+/// Creep forces of a contact on the rail, conjugate to the velocities of the wheel, and frictional
+/// power.
+struct Carried<F> {
+    wrench: [F; 6],
+    dissipation: F,
+    warning: Warning,
 }
 
-/// A patch whose pressure has a factor.
-#[derive(Clone, Copy)]
-struct Pressed<'a, F> {
-    patch: &'a StoredPatch<F>,
-    factor: F,
+fn forces<F: Float>(found: &Solution<F>) -> [F; 3] {
+    [found.fx, found.fy, found.mz]
 }
 
 impl<F: Float> Pressed<'_, F> {
@@ -221,7 +252,7 @@ impl<F: Float> Pressed<'_, F> {
         let falling = at_speed(law, rolling.speed);
         let ratio = rolling.speed_by_rolling;
         let [forward, backward] =
-            self.each_end(rolling, ratio, |patch, creepage| match &falling {
+            self.each_end(rolling, ratio, |patch, creepage, _| match &falling {
                 Some(falling) => {
                     Ok(patch::friction::solve(patch, creepage, falling, law.model)?.solution)
                 }
@@ -238,7 +269,7 @@ impl<F: Float> Pressed<'_, F> {
         law: Law<F>,
     ) -> Result<(Solution<F>, MotionDerivatives<F>), Error> {
         let falling = at_speed(law, rolling.speed);
-        let differentiate = |patch: &PatchView<F>, creepage: &Creepage<F>| {
+        let differentiate = |patch: &PatchView<F>, creepage: &Creepage<F>, _: bool| {
             let mut found =
                 patch::friction::differentiate(patch, creepage, falling.as_ref(), law.model)?;
             let (load, bound) = (patch.normal_force(), patch.friction_bound());
@@ -255,58 +286,6 @@ impl<F: Float> Pressed<'_, F> {
         }
         Ok((joined(rolling, forward.solution, backward.solution), slopes))
     }
-
-    /// The results of a patch that rolls forward, and of one that is turned by 180 degrees. The
-    /// ends have the mismatch `±κ V/V_f`, of this ratio.
-    fn each_end<S: Copy>(
-        self,
-        rolling: &Rolling<F>,
-        ratio: F,
-        solve: impl Fn(&PatchView<F>, &Creepage<F>) -> Result<S, Error>,
-    ) -> Result<[S; 2], Error> {
-        let Self { patch, factor } = self;
-        rolling.each_end(|creepage, is_turned| {
-            let solve = |view: &PatchView<F>| {
-                if patch.mismatch == F::zero() {
-                    return solve(view, creepage);
-                }
-                let ratio = if is_turned { -ratio } else { ratio };
-                solve(&view.with_mismatch(patch.mismatch * ratio)?, creepage)
-            };
-            if is_turned || factor != F::one() {
-                self.copied(is_turned, solve)
-            } else {
-                solve(&patch.view()?)
-            }
-        })
-    }
-
-    /// The answer of a patch that is turned, or whose friction follows the pressure. Out of line,
-    /// because of the copy on the stack (3 KiB).
-    #[inline(never)]
-    fn copied<S>(
-        self,
-        is_turned: bool,
-        solve: impl FnOnce(&PatchView<F>) -> Result<S, Error>,
-    ) -> Result<S, Error> {
-        let mut copy = *self.patch;
-        let count = copy.count as usize;
-        let used = copy.strips.get_mut(..count).unwrap_or(&mut []);
-        for strip in used.iter_mut() {
-            strip.friction = strip.friction * self.factor;
-        }
-        if is_turned {
-            reverse(used);
-            for strip in used {
-                (strip.y, strip.centre_x) = (-strip.y, -strip.centre_x);
-            }
-        }
-        solve(&copy.view()?)
-    }
-}
-
-fn at_speed<F: Float>(law: Law<F>, speed: F) -> Option<SlipFriction<F>> {
-    law.falling.map(|law| SlipFriction { friction: F::one(), rolling_speed: speed, ..*law })
 }
 
 fn joined<F: Float>(rolling: &Rolling<F>, ahead: Solution<F>, behind: Solution<F>) -> Solution<F> {

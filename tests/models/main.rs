@@ -47,6 +47,7 @@ mod total;
 mod unlike;
 mod warnings;
 mod wheel_continuity;
+mod wheel_curved;
 mod wheel_plausibility;
 mod wheel_positions;
 mod wheel_rail;

@@ -564,7 +564,7 @@ fn a_skewed_patch_rolls_backward_as_its_mirror_image_forward() {
     let [slip_x, slip_y, rolling_speed, spin_rate] =
         [0, 1, 4, 5].map(|k| std::array::from_fn(|i| f64::from(u8::from(i == k))));
     let rows = WheelContact { slip_x, slip_y, rolling_speed, spin_rate, ..*contact };
-    let ahead = WheelContact { normal: [0.0; 6], ..rows };
+    let ahead = WheelContact { normal: [0.0; 6], own: 0.0, ..rows };
     let mut image = ahead;
     image.patch.strips.iter_mut().for_each(|strip| strip.centre_x = -strip.centre_x);
     let skew = contact.patch.strips.iter().map(|strip| strip.centre_x.abs()).fold(0.0, f64::max);
@@ -832,7 +832,8 @@ fn warnings_and_reach_have_their_bounds() {
     let law = Law { model: Model::Strip, falling: None };
     let warning = |angle_range: f64, yaw: f64| {
         let velocity = Velocity { yaw, ..ROLLING };
-        let contact = WheelContact { angle_range, ..contact };
+        let mut contact = contact;
+        contact.angle_range = angle_range;
         of_contacts(&[contact], &velocity, law, None).unwrap().warning
     };
     assert_eq!(warning(0.52, 0.0), Warning::None);

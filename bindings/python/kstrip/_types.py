@@ -318,6 +318,12 @@ class WheelContact(Record, name="wheel_contact"):
     normal_damping = Numbers('', 'normal_damping of kstrip_wheel_pair.')
     at_rest = Part(Motion, '', "kstrip_motion of a wheel at rest: that of the rail's surface, with the floor of the speed.")
     patch = Part(Patch, '', "The strips; y along the rail's surface, x forward from the origin.")
+    own = Numbers('', "Share of each strip's own slip, 0 to 1; the rest is that of a plane contact. 0 where the normal turns by less than about 5 degrees, 0.8 from about 10 degrees on, and 0 on rollers.")
+    strip_y = Numbers('m', "y of each strip on the wheel's undeformed surface, from the wheel's centre [m], axes of the track; of a left wheel that of the mirrored right wheel.")
+    strip_z = Numbers('m', 'z of each strip [m].')
+    strip_angle = Numbers('rad', 'Angle of each strip [rad], as the angle of the contact.')
+    turned = Numbers('rad', 'Roll and yaw of the wheel [rad]; of a left wheel those of the mirrored right wheel.')
+    left = Integers('', 'Whether the wheel is a left one, as in kstrip_wheel_pair.')
 
 
 class WheelVelocity(Record, name="wheel_velocity"):

@@ -1,0 +1,277 @@
+//! Creep forces of a contact on curved surfaces: each strip has its own slip.
+//!
+//! With the strip's place `p` on the wheel's undeformed surface, its tangent `t` and normal `n`,
+//!
+//! ```text
+//! c_i = ((v + ω×p)·e_x, (v + ω×p)·t, ω·n)/V = B_i u/V,   Q = Σ B_iᵀ F_i
+//! ```
+//!
+//! for the wheel's six velocities `u`, and `Q` is the wrench. Where the surfaces are nearly flat,
+//! `B_i` is a mean of these and of the rows that the strip has in the plane of the contact. The
+//! derivatives of a strip's forces by its own creepages, `J_i`, give `∂Q/∂u = Σ B_iᵀ J_i B_i/V`.
+//! Friction that falls with the slip has one share `λ = g(P/(λ Σ μ₀ N), V)` for all strips, and
+//! forces are homogeneous in creepages, mismatch and `λ`:
+//!
+//! ```text
+//! λ ∂Q/∂λ = Q − (∂Q/∂c) c − κ ∂Q/∂κ,   λ ∂P/∂λ = 2 P − (∂P/∂c) c − κ ∂P/∂κ
+//! ```
+
+use super::axes::Axes;
+use super::contacts::WheelContact;
+use super::dot;
+use super::ends::{Law, Pressed, at_speed};
+use crate::contact::creepage::Creepage;
+use crate::forces::Model;
+use crate::friction::SlipFriction;
+use crate::motion::{Motion, Rolling};
+use crate::number::Float;
+use crate::patch::friction::{By, each_strip};
+use crate::patch::{KSTRIP_PATCH_CAPACITY, PatchView};
+use crate::status::{Error, Warning};
+use heapless::Vec;
+
+/// Creep forces of a contact on the rail, conjugate to the six velocities.
+#[derive(Clone, Copy)]
+pub(super) struct Creep<F> {
+    pub wrench: [F; 6],
+    /// Power divided by the speed.
+    pub power: F,
+    /// Row by row.
+    pub by_velocity: [[F; 6]; 6],
+    /// By a factor of all coefficients of friction.
+    pub by_friction: [F; 6],
+    pub warning: Warning,
+    /// By the speed `V_f` at constant velocities.
+    by_speed: [F; 6],
+    /// `κ dQ/dκ`
+    by_mismatch: [F; 6],
+}
+
+/// Whether the strips of a contact have slip of their own. TOTAL has no strips.
+pub(super) fn has_own_slip<F: Float>(contact: &WheelContact<F>, law: Law<F>) -> bool {
+    contact.own > F::zero() && law.model != Model::Total
+}
+
+/// The creep forces.
+///
+/// # Errors
+/// Those of [`each_strip`].
+#[inline(never)]
+pub(super) fn creep<F: Float>(
+    contact: &WheelContact<F>,
+    pressed: Pressed<F>,
+    velocity: &[F; 6],
+    rolling: &Rolling<F>,
+    law: Law<F>,
+    differentiate: bool,
+) -> Result<Creep<F>, Error> {
+    let Law { model, .. } = law;
+    let falling = at_speed(law, rolling.speed);
+    let end =
+        End { velocity, speed: rolling.speed, falling: falling.as_ref(), model, differentiate };
+    let axes = contact.axes();
+    let count = contact.patch.count as usize;
+    let ends = |ratio: F| {
+        pressed.each_end(rolling, ratio, |view, creepage, is_turned| {
+            let rows = |k: usize| {
+                let number = if is_turned { count.saturating_sub(k + 1) } else { k };
+                let [x, y, spin] = rows(contact, &axes, number);
+                if is_turned { [x.map(|x| -x), y.map(|y| -y), spin] } else { [x, y, spin] }
+            };
+            // (a rail that moves)
+            let Motion { slip_x, slip_y, spin_rate, .. } = contact.at_rest;
+            let rest = if is_turned { [-slip_x, -slip_y] } else { [slip_x, slip_y] };
+            let [longitudinal, lateral] = rest.map(|slip| slip / rolling.speed);
+            let spin = spin_rate / rolling.speed;
+            end.creep(view, creepage, &Creepage { longitudinal, lateral, spin }, &rows)
+        })
+    };
+    let [ahead, behind] = ends(rolling.speed_by_rolling)?;
+    let mean = |p: [F; 6], q: [F; 6]| {
+        let mut mean = p;
+        mean.iter_mut().zip(q).for_each(|(p, q)| *p = rolling.mean(*p, q));
+        mean
+    };
+    let mut found = Creep {
+        wrench: mean(ahead.wrench, behind.wrench),
+        power: rolling.mean(ahead.power, behind.power),
+        by_friction: mean(ahead.by_friction, behind.by_friction),
+        by_speed: mean(ahead.by_speed, behind.by_speed),
+        warning: ahead.warning.worse(behind.warning),
+        ..ahead
+    };
+    if !differentiate {
+        return Ok(found);
+    }
+    // dQ/dV = w' (Q₊ − Q₋) + ∂Q/∂V_f ∂V_f/∂V, and through the mismatch
+    for ((by, p), q) in found.by_speed.iter_mut().zip(ahead.wrench).zip(behind.wrench) {
+        *by = *by * rolling.speed_by_rolling + (p - q) * rolling.share_slope;
+    }
+    if contact.patch.mismatch != F::zero() {
+        let (near, rate) = rolling.through_ratio();
+        let [ahead, behind] = ends(near)?;
+        let moves = mean(ahead.by_mismatch, behind.by_mismatch);
+        found.by_speed.iter_mut().zip(moves).for_each(|(by, moves)| *by += moves * rate);
+    }
+    let rows = found.by_velocity.iter_mut().zip(behind.by_velocity).zip(found.by_speed);
+    for ((row, behind), by_speed) in rows {
+        *row = mean(*row, behind);
+        for (entry, speed) in row.iter_mut().zip(contact.rolling_speed) {
+            *entry += by_speed * speed;
+        }
+    }
+    Ok(found)
+}
+
+/// `B` of a strip.
+fn rows<F: Float>(contact: &WheelContact<F>, axes: &Axes<F>, number: usize) -> [[F; 6]; 3] {
+    let of = |list: &[F]| list.get(number).copied().unwrap_or(F::zero());
+    let (x, y) = contact
+        .patch
+        .strips
+        .get(number)
+        .map_or((F::zero(), F::zero()), |strip| (strip.centre_x, strip.y));
+    let [ahead, ..] = contact.origin;
+    let place = [ahead + x, of(&contact.strip_y), of(&contact.strip_z)];
+    let mut own = axes.rows(place, of(&contact.strip_angle));
+    let [slip_x, slip_y, spin] = contact.rows();
+    // in the plane of the contact: slip_x − y spin, slip_y + x spin, spin
+    let plane = [(slip_x, -y), (slip_y, x), (spin, F::zero())];
+    for (own, (slip, lever)) in own.iter_mut().zip(plane) {
+        for ((own, slip), spin) in own.iter_mut().zip(slip).zip(spin) {
+            let flat = slip + spin * lever;
+            *own = flat + (*own - flat) * contact.own;
+        }
+    }
+    own
+}
+
+/// The linear combination of three rows.
+fn combined<F: Float>(rows: &[[F; 6]; 3], [a, b, c]: [F; 3]) -> [F; 6] {
+    let [x, y, z] = rows;
+    let mut sum = *x;
+    for ((sum, y), z) in sum.iter_mut().zip(y).zip(z) {
+        *sum = *sum * a + *y * b + *z * c;
+    }
+    sum
+}
+
+fn add<F: Float>(sums: &mut [F; 6], terms: [F; 6], factor: F) {
+    sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term * factor);
+}
+
+/// What the creep forces of one end of a contact follow from.
+struct End<'a, F> {
+    velocity: &'a [F; 6],
+    speed: F,
+    falling: Option<&'a SlipFriction<F>>,
+    model: Model,
+    differentiate: bool,
+}
+
+impl<F: Float> End<'_, F> {
+    fn creep(
+        &self,
+        view: &PatchView<F>,
+        creepage: &Creepage<F>,
+        rest: &Creepage<F>,
+        rows: &dyn Fn(usize) -> [[F; 6]; 3],
+    ) -> Result<Creep<F>, Error> {
+        let Self { velocity, speed, falling, model, differentiate } = *self;
+        let (zero, one) = (F::zero(), F::one());
+        let per_speed = one / speed;
+        // the creepages of the patch where the strips are, and what they have besides
+        let of_patch = |[x, y]: [F; 2], creepage: &Creepage<F>| {
+            let Creepage { longitudinal, lateral, spin } = *creepage;
+            [longitudinal - spin * y, lateral + spin * x, spin]
+        };
+        let mut own = Vec::<_, KSTRIP_PATCH_CAPACITY>::new();
+        for (k, strip) in view.strips().iter().enumerate() {
+            let place = [strip.centre_x, strip.y];
+            let [x, y, spin] = rows(k).map(|row| dot(&row, velocity) * per_speed);
+            let ([a, b, c], [d, e, f]) = (of_patch(place, rest), of_patch(place, creepage));
+            let [longitudinal, lateral, spin] = [x + a - d, y + b - e, spin + c - f];
+            let _ = own.push(Creepage { longitudinal, lateral, spin });
+        }
+        let strips = view.strips();
+        let whole = |k: usize| {
+            let place = strips.get(k).map_or([zero; 2], |strip| [strip.centre_x, strip.y]);
+            let Creepage { longitudinal, lateral, spin } = *own.get(k).unwrap_or(creepage);
+            let [x, y, z] = of_patch(place, creepage);
+            [x + longitudinal, y + lateral, z + spin]
+        };
+        let view = view.with_own_creepages(&own)?;
+        let none = [zero; 6];
+        let (mut wrench, mut power, mut by_velocity, mut power_by) = (none, zero, [none; 6], none);
+        // by a factor of all creepages
+        let (mut along, mut power_along) = (none, zero);
+        let by = differentiate.then_some(By::OwnCreepages);
+        let found = each_strip(&view, creepage, falling, (model, by), &mut |k, at| {
+            let rows = rows(k);
+            power += at.power;
+            add(&mut wrench, combined(&rows, at.forces), one);
+            if !differentiate {
+                return;
+            }
+            add(&mut power_by, combined(&rows, at.power_slopes), per_speed);
+            let creepage = whole(k);
+            power_along += dot(&at.power_slopes, &creepage);
+            add(&mut along, combined(&rows, at.slopes.map(|row| dot(&row, &creepage))), one);
+            for (row, slopes) in rows.iter().zip(at.slopes) {
+                let by = combined(&rows, slopes);
+                for (sums, factor) in by_velocity.iter_mut().zip(row) {
+                    add(sums, by, *factor * per_speed);
+                }
+            }
+        })?;
+        let mut creep = Creep {
+            wrench,
+            power,
+            by_velocity,
+            by_friction: none,
+            warning: found.warning,
+            by_speed: none,
+            by_mismatch: none,
+        };
+        if !differentiate {
+            return Ok(creep);
+        }
+        let mut power_by_mismatch = zero;
+        if view.mismatch() != zero {
+            let by = Some(By::Mismatch);
+            each_strip(&view, creepage, falling, (model, by), &mut |k, at| {
+                let ([slopes_x, slopes_y, slopes_z], [power, ..]) = (at.slopes, at.power_slopes);
+                let first = [slopes_x, slopes_y, slopes_z].map(|[first, ..]| first);
+                add(&mut creep.by_mismatch, combined(&rows(k), first), one);
+                power_by_mismatch += power;
+            })?;
+        }
+        // λ ∂Q/∂λ and λ ∂P/∂λ; the derivatives at constant λ
+        let mut by_share = wrench;
+        for ((share, along), (speed, mismatch)) in
+            by_share.iter_mut().zip(along).zip(creep.by_speed.iter_mut().zip(creep.by_mismatch))
+        {
+            *share = *share - along - mismatch;
+            *speed = -(along * per_speed);
+        }
+        let power_by_share = power.times(2.0) - power_along - power_by_mismatch;
+        // dλ = (g' dP/(λ Σ μ₀ N) + ∂g/∂V dV)/(1 − g' ∂s/∂λ)
+        let bound = found.share * found.bound;
+        let slip = if bound > zero { (power / bound).max(zero) } else { zero };
+        let by = found.law.slopes(slip);
+        let moves = found.falls && slip > zero;
+        let rate = if moves { by.slip } else { zero };
+        let over_bound = |power: F| if bound > zero { power / bound } else { zero };
+        let of_share = (over_bound(power_by_share) - slip) / found.share;
+        let feedback = one / (one - rate * of_share);
+        let through = |power: F| feedback * rate * over_bound(power) / found.share;
+        for (row, share) in creep.by_velocity.iter_mut().zip(by_share) {
+            add(row, power_by.map(through), share);
+        }
+        let at_speed = if found.falls { by.rolling_speed * feedback / found.share } else { zero };
+        add(&mut creep.by_speed, by_share, at_speed + through(-(power_along * per_speed)));
+        add(&mut creep.by_mismatch, by_share, through(power_by_mismatch));
+        creep.by_friction = by_share.map(|share| share * feedback);
+        Ok(creep)
+    }
+}

@@ -1,0 +1,81 @@
+//! A patch that rolls forward or backward, with its model and its law of friction.
+
+use crate::contact::creepage::Creepage;
+use crate::forces::Model;
+use crate::friction::SlipFriction;
+use crate::motion::Rolling;
+use crate::number::{Float, reverse};
+use crate::patch::{PatchView, StoredPatch};
+use crate::status::Error;
+
+/// The model of the creep forces, and the law of friction.
+#[derive(Clone, Copy)]
+pub struct Law<'a, F> {
+    /// The model.
+    pub model: Model,
+    /// Friction that falls with the slip; its own coefficient and rolling speed are ignored.
+    pub falling: Option<&'a SlipFriction<F>>,
+}
+
+/// The law at a rolling speed.
+pub(super) fn at_speed<F: Float>(law: Law<F>, speed: F) -> Option<SlipFriction<F>> {
+    law.falling.map(|law| SlipFriction { friction: F::one(), rolling_speed: speed, ..*law })
+}
+
+/// A patch whose pressure has a factor.
+#[derive(Clone, Copy)]
+pub(super) struct Pressed<'a, F> {
+    pub patch: &'a StoredPatch<F>,
+    pub factor: F,
+}
+
+impl<F: Float> Pressed<'_, F> {
+    /// The results of a patch that rolls forward, and of one that is turned by 180 degrees. The
+    /// ends have the mismatch `±κ V/V_f`, of this ratio. The function learns
+    /// whether the patch is turned.
+    pub fn each_end<S: Copy>(
+        self,
+        rolling: &Rolling<F>,
+        ratio: F,
+        solve: impl Fn(&PatchView<F>, &Creepage<F>, bool) -> Result<S, Error>,
+    ) -> Result<[S; 2], Error> {
+        let Self { patch, factor } = self;
+        rolling.each_end(|creepage, is_turned| {
+            let solve = |view: &PatchView<F>| {
+                if patch.mismatch == F::zero() {
+                    return solve(view, creepage, is_turned);
+                }
+                let ratio = if is_turned { -ratio } else { ratio };
+                solve(&view.with_mismatch(patch.mismatch * ratio)?, creepage, is_turned)
+            };
+            if is_turned || factor != F::one() {
+                self.copied(is_turned, solve)
+            } else {
+                solve(&patch.view()?)
+            }
+        })
+    }
+
+    /// The answer of a patch that is turned, or whose friction follows the pressure. Out of line,
+    /// because of the copy on the stack (3 KiB).
+    #[inline(never)]
+    fn copied<S>(
+        self,
+        is_turned: bool,
+        solve: impl FnOnce(&PatchView<F>) -> Result<S, Error>,
+    ) -> Result<S, Error> {
+        let mut copy = *self.patch;
+        let count = copy.count as usize;
+        let used = copy.strips.get_mut(..count).unwrap_or(&mut []);
+        for strip in used.iter_mut() {
+            strip.friction = strip.friction * self.factor;
+        }
+        if is_turned {
+            reverse(used);
+            for strip in used {
+                (strip.y, strip.centre_x) = (-strip.y, -strip.centre_x);
+            }
+        }
+        solve(&copy.view()?)
+    }
+}

@@ -1,0 +1,252 @@
+//! Contacts whose normal turns: each strip has its own slip. Derivatives, symmetry, power, and what
+//! becomes of a contact that is nearly flat.
+
+use crate::manchester::{points, steel, zeroed};
+use kstrip::contact::creepage::Creepage;
+use kstrip::contact::totals::StripCount;
+use kstrip::forces::Model;
+use kstrip::friction::SlipFriction;
+use kstrip::friction::derivatives::Differentiated;
+use kstrip::patch::{friction, solver};
+use kstrip::wheel_rail::contacts::WheelContact;
+use kstrip::wheel_rail::scene::{Scene, Workspace};
+use kstrip::wheel_rail::surface::Surface;
+use kstrip::wheel_rail::wrench::{Law, Wrench, WrenchDerivatives, of_contacts};
+use kstrip::wheel_rail::{Position, Velocity};
+
+fn profile(name: &str) -> Box<Surface<f64>> {
+    let [y, z] = points(name);
+    let mut surface = zeroed::<Surface<f64>>();
+    surface.prepare(&y, &z, 0.0, 0.0).unwrap();
+    surface
+}
+
+/// The contacts of a worn wheel on a worn rail; the normal turns by 25 degrees over one of them.
+fn contacts(yaw: f64, left: bool) -> Vec<WheelContact<f64>> {
+    let (rail, wheel) = (profile("rail288"), profile("whl288"));
+    let pair = kstrip::wheel_rail::WheelPair { left: i32::from(left), ..steel(0.4191) };
+    let law = Law { model: Model::Strip, falling: None };
+    let scene = Scene { rail: &rail, wheel: &wheel, pair: &pair, strips: StripCount::Sixteen, law };
+    let mut memory = zeroed::<Workspace<f64>>();
+    let side = if left { -1.0 } else { 1.0 };
+    let position = Position { lateral: side * -65.44e-3, yaw: side * yaw, ..Position::default() };
+    let (vertical, _) = scene.height_for_load(&position, 100e3, None, &mut memory).unwrap();
+    scene.place(&Position { vertical, ..position }, &mut memory).unwrap();
+    let found = memory.found().to_vec();
+    assert!(found.iter().any(|contact| contact.own > 0.5));
+    found
+}
+
+const FALLING: SlipFriction<f64> = SlipFriction {
+    friction: 0.3,
+    ratio: 0.4,
+    decay: 0.6,
+    rolling_speed: 0.0,
+    slope_factor: 0.7,
+    slide_factor: 0.5,
+    layer: 2e-14,
+};
+
+fn rolling(speed: f64) -> Velocity<f64> {
+    Velocity {
+        forward: speed,
+        lateral: 1e-3 * speed + 1e-5,
+        vertical: 2e-4 * speed,
+        roll: 3e-3 * speed,
+        pitch: -speed / 0.4191 + 1e-5,
+        yaw: 2e-3 * speed,
+    }
+}
+
+fn moved(velocity: &Velocity<f64>, k: usize, step: f64) -> Velocity<f64> {
+    let mut velocity = *velocity;
+    let Velocity { forward, lateral, vertical, roll, pitch, yaw } = &mut velocity;
+    *[forward, lateral, vertical, roll, pitch, yaw][k] += step;
+    velocity
+}
+
+/// Exact derivatives against differences: forward, backward, through standstill; falling friction
+/// behind a layer, unlike materials, damped pressure.
+#[test]
+fn derivatives_are_those_of_differences() {
+    let contacts = contacts(3e-3, false);
+    let mut unlike = contacts.clone();
+    unlike.iter_mut().for_each(|contact| contact.patch.mismatch = 0.1);
+    let mut damped = contacts.clone();
+    damped.iter_mut().for_each(|contact| contact.normal_damping = 0.5);
+    // on a belt
+    let mut moving = contacts.clone();
+    moving.iter_mut().for_each(|contact| {
+        (contact.at_rest.slip_x, contact.at_rest.rolling_speed) = (3.0, 1.5);
+    });
+    for (contacts, falling, model) in [
+        (&contacts, None, Model::Strip),
+        (&contacts, None, Model::Strip1967Continuous),
+        (&contacts, Some(&FALLING), Model::Strip),
+        (&contacts, Some(&FALLING), Model::Strip1967Continuous),
+        (&unlike, None, Model::Strip),
+        (&unlike, Some(&FALLING), Model::Strip),
+        (&damped, Some(&FALLING), Model::Strip),
+        (&moving, Some(&FALLING), Model::Strip),
+    ] {
+        let law = Law { model, falling };
+        let members = |contacts: &[WheelContact<f64>], velocity: &Velocity<f64>| {
+            of_contacts(contacts, velocity, law, None).unwrap().members()
+        };
+        for speed in [20.0, 2.0, 0.03, 0.0, -0.02, -5.0] {
+            let velocity = rolling(speed);
+            let mut slopes: Box<WrenchDerivatives<f64>> = zeroed();
+            of_contacts(contacts, &velocity, law, Some(&mut slopes)).unwrap();
+            let scale = (speed * speed + 4e-4_f64).sqrt();
+            for k in 0..6 {
+                let step = 3e-7 * scale;
+                let [more, less] =
+                    [step, -step].map(|step| members(contacts, &moved(&velocity, k, step)));
+                let largest =
+                    (0..6).map(|j| slopes.velocity[j][k].abs()).fold(1e-3 / scale, f64::max);
+                for j in 0..6 {
+                    let expected = (more[j] - less[j]) / (2.0 * step);
+                    let off = (slopes.velocity[j][k] - expected).abs();
+                    assert!(
+                        off < 1e-4 * largest,
+                        "{model:?} {falling:?} {speed} {j} {k}: {} {expected}",
+                        slopes.velocity[j][k]
+                    );
+                }
+            }
+            let of_friction = |step: f64| {
+                let mut contacts = contacts.clone();
+                let strips = contacts.iter_mut().flat_map(|contact| &mut contact.patch.strips);
+                strips.for_each(|strip| strip.friction *= 1.0 + step);
+                members(&contacts, &velocity)
+            };
+            let (more, less) = (of_friction(1e-5), of_friction(-1e-5));
+            let largest = slopes.friction.iter().fold(1e-9, |most: f64, x| most.max(x.abs()));
+            for j in 0..6 {
+                let expected = (more[j] - less[j]) / 2e-5;
+                assert!((slopes.friction[j] - expected).abs() < 1e-6 * largest, "{speed} {j}");
+            }
+        }
+    }
+}
+
+/// A left wheel is a right one in the mirror; friction dissipates what creep forces take.
+#[test]
+fn left_is_the_mirror_of_right_and_friction_dissipates() {
+    let law = Law { model: Model::Strip, falling: None };
+    let (right, left) = (contacts(3e-3, false), contacts(3e-3, true));
+    let velocity = rolling(20.0);
+    let Velocity { forward, lateral, vertical, roll, pitch, yaw } = velocity;
+    let mirrored = Velocity { forward, lateral: -lateral, vertical, roll: -roll, pitch, yaw: -yaw };
+    let [a, b] = [(&right, &velocity), (&left, &mirrored)]
+        .map(|(contacts, velocity)| of_contacts(contacts, velocity, law, None).unwrap());
+    let [fx, fy, fz, mx, my, mz] = a.members();
+    assert_eq!([fx, -fy, fz, -mx, my, -mz], b.members());
+    for speed in [20.0, 0.01, -3.0] {
+        let velocity = rolling(speed);
+        let wrench = of_contacts(&right, &velocity, law, None).unwrap();
+        assert!(wrench.dissipation > 0.0, "{speed}");
+        // creep forces and pressure take the power of the wheel
+        let Velocity { forward, lateral, vertical, roll, pitch, yaw } = velocity;
+        let velocity = [forward, lateral, vertical, roll, pitch, yaw];
+        let dot = |a: &[f64; 6]| a.iter().zip(velocity).map(|(a, v)| a * v).sum::<f64>();
+        let of_pressure: f64 = right
+            .iter()
+            .map(|contact| contact.share * contact.normal_force * dot(&contact.normal))
+            .sum();
+        let rest = dot(&wrench.members()) + wrench.dissipation + of_pressure;
+        assert!(rest.abs() < 1e-9 * wrench.normal_force * speed.abs(), "{speed} {rest}");
+    }
+}
+
+/// A wheel rolls backward as its mirror image in x, which yaws the other way, rolls forward.
+#[test]
+fn backward_rolling_is_that_of_the_mirror_image() {
+    let (wheel, image) = (contacts(6e-3, false), contacts(-6e-3, false));
+    for (model, falling) in [(Model::Strip, None), (Model::Strip1967Continuous, Some(&FALLING))] {
+        let law = Law { model, falling };
+        let ahead = rolling(5.0);
+        let Velocity { forward, pitch, yaw, .. } = ahead;
+        let back = Velocity { forward: -forward, pitch: -pitch, yaw: -yaw, ..ahead };
+        let a = of_contacts(&wheel, &ahead, law, None).unwrap();
+        let b = of_contacts(&image, &back, law, None).unwrap();
+        let [fx, fy, fz, mx, my, mz] = b.members();
+        let bound = 0.3 * a.normal_force;
+        for (own, image) in a.members().into_iter().zip([-fx, fy, fz, mx, -my, -mz]) {
+            assert!((own - image).abs() < 1e-6 * bound, "{model:?}: {own} {image}");
+        }
+    }
+}
+
+fn off(one: &Wrench<f64>, two: &Wrench<f64>) -> f64 {
+    let [a, b] = [one, two].map(|wrench| wrench.force);
+    (a[0] - b[0]).hypot(a[1] - b[1]) / (0.3 * one.normal_force)
+}
+
+/// The share of own slip fades to the forces of a plane contact, and changes those of this contact.
+#[test]
+fn a_share_of_own_slip_that_fades_leaves_a_plane_contact() {
+    let law = Law { model: Model::Strip, falling: None };
+    let with = |share: f64| {
+        let mut contacts = contacts(3e-3, false);
+        contacts.iter_mut().for_each(|contact| contact.own = share);
+        of_contacts(&contacts, &rolling(20.0), law, None).unwrap()
+    };
+    let (plane, own) = (with(0.0), with(0.8));
+    assert!(off(&plane, &own) > 0.002, "{}", off(&plane, &own));
+    assert!(off(&plane, &with(1e-9)) < 1e-9);
+}
+
+/// Creepages of strips that are those of a rigid motion give the forces of that motion, and so do
+/// all derivatives.
+#[test]
+fn own_creepages_of_a_rigid_motion_are_that_motion() {
+    let contacts = contacts(3e-3, false);
+    let patch = &contacts[0].patch;
+    let view = patch.view().unwrap();
+    let whole = Creepage { longitudinal: 1.2e-3, lateral: -2e-3, spin: 0.4 };
+    for share in [0.0, 0.3, 1.0] {
+        let rest = 1.0 - share;
+        let common = Creepage {
+            longitudinal: rest * whole.longitudinal,
+            lateral: rest * whole.lateral,
+            spin: rest * whole.spin,
+        };
+        let own: Vec<_> = view
+            .strips()
+            .iter()
+            .map(|strip| Creepage {
+                longitudinal: share * (whole.longitudinal - whole.spin * strip.y),
+                lateral: share * (whole.lateral + whole.spin * strip.centre_x),
+                spin: share * whole.spin,
+            })
+            .collect();
+        let curved = view.with_own_creepages(&own).unwrap();
+        for model in [Model::Strip, Model::Strip1967Continuous] {
+            let [a, b] = [(&view, &whole), (&curved, &common)]
+                .map(|(view, creepage)| solver::solve(view, creepage, model).unwrap());
+            let pairs = [(a.fx, b.fx), (a.fy, b.fy), (a.mz, b.mz), (a.power, b.power)];
+            for (a, b) in pairs {
+                assert!((a - b).abs() < 1e-9 * a.abs(), "{model:?} {share}: {a} {b}");
+            }
+            for falling in [None, Some(&SlipFriction { rolling_speed: 20.0, ..FALLING })] {
+                let [a, b] = [(&view, &whole), (&curved, &common)].map(|(view, creepage)| {
+                    friction::differentiate(view, creepage, falling, model).unwrap()
+                });
+                assert!((a.friction - b.friction).abs() < 1e-9);
+                let entries = |found: &Differentiated<f64>| {
+                    let (of, law) = (&found.derivatives, &found.law);
+                    let rows = [of.normal_force, of.load_through_hertz, of.friction];
+                    let of_law = [law.ratio, law.decay, law.slope_factor, law.layer];
+                    [of.jacobian.as_flattened(), rows.as_flattened(), of_law.as_flattened()]
+                        .concat()
+                };
+                for (a, b) in entries(&a).into_iter().zip(entries(&b)) {
+                    assert!((a - b).abs() < 1e-6 * (a.abs() + 1e-3), "{share}: {a} {b}");
+                }
+            }
+        }
+        assert!(solver::solve(&curved, &common, Model::Total).is_err());
+        assert!(view.with_own_creepages(&own[1..]).is_err());
+    }
+}
