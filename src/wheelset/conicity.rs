@@ -180,11 +180,14 @@ impl<'a, F: Float> RadiusDifference<'a, F> {
             sum += amplitude * sine / work.sqrt();
         }
         let each = core::f64::consts::PI / f64::from(PLACES);
-        // λ = 2 √(e r₀/2) ∫ a sin θ/√W dθ,   tan γ = (π/λ)² 2 e r₀
-        let length = (distance * radius).times(2.0).sqrt() * sum.times(each);
-        let turn = F::constant(core::f64::consts::PI) / length;
-        let conicity = (turn * turn * distance * radius).times(2.0);
+        // S = ∫ a sin θ/√W dθ,   λ = √(2 e r₀) S,   tan γ = (π/λ)² 2 e r₀ = (π/S)²
+        let sum = sum.times(each);
+        let length = distance.times(2.0).sqrt() * radius.sqrt() * sum;
+        let root = F::constant(core::f64::consts::PI) / sum;
+        let conicity = root * root;
         Error::Overflow.unless(are_finite(&[length, conicity]))?;
+        // (a conicity below the smallest number does not bring the wheelset back)
+        Error::Conicity.unless(conicity > F::zero())?;
         Ok(Wave { conicity, length })
     }
 

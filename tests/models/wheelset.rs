@@ -437,6 +437,33 @@ fn conicity_is_within_the_limits_of_the_norm() {
     assert_eq!(against.wave(0.5e-3, 1.5, 0.46), Err(Error::Conicity));
 }
 
+/// A cone has its own conicity however flat it is; what is too flat for the numbers is refused.
+#[test]
+fn conicity_of_any_cone_is_a_number_above_zero() {
+    let shifts = [-4e-3, -2e-3, 0.0, 2e-3, 4e-3];
+    for exponent in -330..300 {
+        let slope = 10.0_f64.powi(exponent);
+        let differences = shifts.map(|shift| 2.0 * slope * shift);
+        let radii = RadiusDifference::new(&shifts, &differences).unwrap();
+        match radii.wave(1e-3, 1.5, 0.46) {
+            Ok(wave) if exponent > -300 => {
+                assert_relative_eq!(wave.conicity, slope, max_relative = 1e-3);
+            }
+            Ok(wave) => assert!(wave.conicity > 0.0 && wave.length.is_finite(), "{wave:?}"),
+            Err(error) => assert!(error == Error::Conicity && exponent < -300, "{error:?}"),
+        }
+    }
+    // (one that rounds to nothing)
+    let single = [-4e-3_f32, -2e-3, 0.0, 2e-3, 4e-3];
+    for exponent in -45..30 {
+        let slope = 10.0_f32.powi(exponent);
+        let differences = single.map(|shift| 2.0 * slope * shift);
+        let radii = RadiusDifference::new(&single, &differences).unwrap();
+        let wave = radii.wave(1e-3, 1e20, 1e18);
+        assert!(wave.map_or(true, |wave| wave.conicity > 0.0), "{wave:?}");
+    }
+}
+
 /// A flange that carries the whole wheel and slides down the rail has Nadal's ratio of Y to Q: the
 /// least that holds it there.
 #[test]
