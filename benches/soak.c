@@ -199,7 +199,7 @@ int main(int count, char **arguments)
     s.sample = sample;
     const double before = s.seconds;
     const time_t begin = time(NULL);
-    /* Memory is looked at once everything has been used. */
+    /* Memory is measured once everything has been used. */
     long first = 0, most = 0;
     while ((double)s.solves < wanted) {
         const uint64_t block = s.solves / BLOCK, left = (uint64_t)wanted - s.solves;

@@ -41,7 +41,7 @@ int main(void)
     printf("  peak pressure %.4f MPa, approach %.6f um\n\n", patch.peak_pressure / 1e6,
            patch.approach * 1e6);
 
-    /* Forces on the rail; the wheel gets the opposite. STRIP knows the stick area, which the last column has. */
+    /* Forces on the rail; the wheel gets the opposite. STRIP computes the stick area, which the last column has. */
     const kstrip_options strips = {.model = KSTRIP_MODEL_STRIP};
     printf("Forces on the rail\n  long. [%%]  lat. [%%] spin [1/m]     Fx [N]     Fy [N]   Mz [N m]"
            "  stick [%%]\n");

@@ -1,5 +1,5 @@
 /*
- * Creep curves of every model as CSV on standard output: force over creepage, for a plot.
+ * Creep curves of every model as CSV on standard output: force against creepage, for a plot.
  *
  *   cc -std=c99 -Iinclude c_examples/02_creep_curves.c target/lib/libkstrip.a -o creep_curves
  *   ./creep_curves > creep_curves.csv

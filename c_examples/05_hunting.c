@@ -17,7 +17,7 @@ static unsigned long calls; /* of kstrip_evaluate() */
 /* The state, x forward, y to the right, z down: place [m] and yaw [rad] to the right, and their rates */
 enum { Y, YAW, Y_RATE, YAW_RATE, STATES };
 
-/* Adds the forces of one wheel (side = -1: left, 1: right) to the rates of the state, and their derivatives by the state. */
+/* Adds the forces of one wheel (side = -1: left, 1: right) to the rates of the state, and their derivatives with respect to the state. */
 static void add_wheel(int side, double speed, const kstrip_options *model, const double x[STATES], double rate[STATES],
                       double by[STATES][STATES])
 {
@@ -40,7 +40,7 @@ static void add_wheel(int side, double speed, const kstrip_options *model, const
         exit(EXIT_FAILURE);
     }
     calls++;
-    /* The wheel gets the opposite of what the rail gets: fx at the lever arm, fy, mz. */
+    /* Equal and opposite forces act on the wheel: fx at the lever arm, fy, mz. */
     const double f[3] = {result.fx, result.fy, result.mz};
     const double on_y[3] = {0, -1 / mass, 0}, on_yaw[3] = {arm / inertia, 0, -1 / inertia};
     for (int i = 0; i < 3; i++) {
@@ -65,7 +65,7 @@ static void rates(double speed, const kstrip_options *model, const double x[STAT
     add_wheel(1, speed, model, x, rate, by);
 }
 
-/* A z = r by Gauss; the answer replaces r. The matrix is 1 - (small) J: no pivots. */
+/* A z = r by Gauss; the solution replaces r. The matrix is 1 - (small) J: no pivots. */
 static void solve(double A[STATES][STATES], double r[STATES])
 {
     for (int p = 0; p < STATES; p++)

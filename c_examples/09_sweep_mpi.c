@@ -1,5 +1,5 @@
 /*
- * A map over creepage, spin and shape of the contact, computed on several machines: 10^7 cases, one CSV file.
+ * A map of creepage, spin and shape of the contact, computed on several machines: 10^7 cases, one CSV file.
  *
  *   mpicc -std=c99 -O2 -Iinclude c_examples/09_sweep_mpi.c target/lib/libkstrip.a -lm -o sweep
  *   mpirun -n 2 ./sweep map.csv [directions]
@@ -20,7 +20,7 @@ enum { SHAPES = 20, SPINS = 20, SIZES = 25, CELLS = SHAPES * SPINS * SIZES };
    friction times load, moment in those times sqrt(ab), share of the contact in adhesion. */
 enum { SHAPE, SPIN, SIZE, FORCE, LEAST, MOST, MOMENT, STICK, NUMBERS };
 static const char titles[] = "a_over_b,psi,creepage,force,force_least,force_most,moment,stick";
-static const kstrip_options strips = {KSTRIP_MODEL_STRIP, 0}; /* it knows the stick area */
+static const kstrip_options strips = {KSTRIP_MODEL_STRIP, 0}; /* it computes the stick area */
 static double mine[CELLS][NUMBERS], rows[CELLS][NUMBERS];
 
 static void check(int good, const char *message)

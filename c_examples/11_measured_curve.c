@@ -59,7 +59,7 @@ int main(int count, char **words)
     kstrip_friction_fit fit;
     const uint32_t measured = read_points(folder, points);
 
-    /* Only the rolling speed stays: zero asks for a usual start. A layer would be nearly the same as a slope factor. */
+    /* Only the rolling speed stays: zero means a usual start. A layer would be nearly the same as a slope factor. */
     const kstrip_friction start = {.rolling_speed = 10};
     const uint32_t parameters = KSTRIP_FIT_FRICTION | KSTRIP_FIT_RATIO | KSTRIP_FIT_DECAY | KSTRIP_FIT_SLOPE_FACTOR | KSTRIP_FIT_SLIDE_FACTOR;
     uint32_t bad = measured;

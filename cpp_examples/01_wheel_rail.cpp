@@ -67,13 +67,13 @@ int main()
     // A creep curve in one call: one contact for all creepages
     for (const auto &f : kstrip::evaluate_batch(std::array{contact}, motions))
         std::printf("curve %.4f\n", f.fx.value);
-    // The same without exceptions; only fx is wanted
+    // The same without exceptions; only fx is requested
     std::array<kstrip::newtons, 9> only_fx;
     contacts[5] = contact;
-    kstrip::batch_outputs wanted;
-    wanted.fx = only_fx.data();
-    wanted.fx_stride = sizeof only_fx[0];
-    if (kstrip::is_error(kstrip::evaluate_batch(kstrip::batch_of(contacts.data(), motions.data()), 9, {}, wanted)))
+    kstrip::batch_outputs outputs;
+    outputs.fx = only_fx.data();
+    outputs.fx_stride = sizeof only_fx[0];
+    if (kstrip::is_error(kstrip::evaluate_batch(kstrip::batch_of(contacts.data(), motions.data()), 9, {}, outputs)))
         return 1;
     std::printf("batch %.4f\n", only_fx[8].value);
 

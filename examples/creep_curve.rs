@@ -1,5 +1,5 @@
-//! A creep curve: force and slope over the creepage, by the default model, by strips and by linear
-//! theory.
+//! A creep curve: force and derivative against creepage, by the default model, by strips and by
+//! linear theory.
 //!
 //!     cargo run --example creep_curve
 

@@ -760,7 +760,7 @@ def write(p, note):
         ("Spins `|σ|` between which the slip part grows over the whole strip.", "BLEND", BLEND),
         ("The separatrix meets the leading edge smoothly over this length.", "EDGE", EDGE),
         ("Squared linear force from which on forces are corrected.", "WIDTH", WIDTH),
-        ("The same of what moves forces and moments together.", "WIDTH2", WIDTH2),
+        ("The same for the correction of forces and moments together.", "WIDTH2", WIDTH2),
         ("Linear force in `μ N` where the flexibilities have become those of the rigid slip, half and half.", "SATURATION", SATURATION),
     ):
         kind, text = (f"[f64; {len(value)}]", list_of(value)) if np.ndim(value) else ("f64", repr(value))

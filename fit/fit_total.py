@@ -661,7 +661,7 @@ def write(model, path):
     ]
     first, second, last, _ = model
     common.write_constants(path, header, [
-        ("Rigid slip, slopes of the force: polynomials in s = (g - 1)/(g + 1), powers 0, 2, 4, 1, 3.", "RIGID_SLOPE", RIGID["RIGID_SLOPE"]),
+        ("Rigid slip, derivatives of the force: polynomials in s = (g - 1)/(g + 1), powers 0, 2, 4, 1, 3.", "RIGID_SLOPE", RIGID["RIGID_SLOPE"]),
         ("Rigid slip: what spin takes from the force.", "RIGID_SPIN", RIGID["RIGID_SPIN"]),
         ("The part of it that is even in s, powers 0, 2, 4.", "RIGID_SPIN_EVEN", RIGID["RIGID_SPIN_EVEN"]),
         ("Rigid slip: arm of the moment.", "RIGID_ARM", RIGID["RIGID_ARM"]),

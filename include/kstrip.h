@@ -539,8 +539,8 @@ kstrip_status kstrip_creepage_from_parameters(const struct kstrip_contact *conta
  * A strip theory in Kalker's sense: the half-ellipses of 1967 where a strip adheres, slip along
  * the local rigid slip where it does not, and flexibilities corrected by a small network fitted to
  * CONTACT. It has forces, moment, stick area and fields. The mean error of the force against
- * CONTACT is 0.6 % of mu N, that of the derivatives 3 % of the linear ones. Its slopes at rest are
- * those of linear theory, and its power is never negative.
+ * CONTACT is 0.6 % of mu N, that of the derivatives 3 % of the linear ones. Its derivatives at
+ * rest are those of linear theory, and its power is never negative.
  */
 #define KSTRIP_MODEL_STRIP 3
 /**

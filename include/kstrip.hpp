@@ -1213,9 +1213,9 @@ std::vector<basic_strip<T>> strips(const Area<T> &area, const detail::only<basic
 {
     std::vector<basic_strip<T>> to(strips_capacity);
     std::uint32_t count = 0;
-    basic_outputs<T> wanted;
-    wanted.strips = to.data(), wanted.count = &count, wanted.capacity = strips_capacity;
-    detail::check(evaluate(area, creep, law, how, wanted));
+    basic_outputs<T> request;
+    request.strips = to.data(), request.count = &count, request.capacity = strips_capacity;
+    detail::check(evaluate(area, creep, law, how, request));
     to.resize(count);
     return to;
 }
@@ -1654,7 +1654,7 @@ status gauge_face(const basic_surface<T> &rail, detail::only<basic_metres<T>> de
     return KSTRIP_HPP_CALL(kstrip_gauge_face, &rail, depth, &to);
 }
 
-/// `weight`: three numbers [m/s^2]; null: not wanted.
+/// `weight`: three numbers [m/s^2]; pass null if it is not needed.
 template <class T>
 status curve_motion(const basic_curve<T> &through, const basic_wheel_position<T> &where,
                     const basic_wheel_velocity<T> &relative, basic_wheel_velocity<T> &to,
@@ -1663,7 +1663,7 @@ status curve_motion(const basic_curve<T> &through, const basic_wheel_position<T>
     return KSTRIP_HPP_CALL(kstrip_curve_motion, &through, &where, &relative, &to, weight);
 }
 
-/// `slopes`, `by_position`: null where they are not wanted.
+/// `slopes`, `by_position`: pass null if they are not needed.
 template <class T>
 status wheelset_on_track(const basic_wheelset<T> &set, const basic_track<T> &rails, const basic_wheel_position<T> &where,
                          const basic_wheel_velocity<T> &moves, basic_wheelset_workspace<T> &workspace,
@@ -1674,7 +1674,7 @@ status wheelset_on_track(const basic_wheelset<T> &set, const basic_track<T> &rai
                            by_position);
 }
 
-/// `to_forces`: null where they are not wanted.
+/// `to_forces`: pass null if they are not needed.
 template <class T>
 status wheelset_settle(const basic_wheelset<T> &set, const basic_track<T> &rails, const basic_wheel_position<T> &start,
                        const basic_wheel_velocity<T> &moves, const basic_wheelset_loads<T> &loads,

@@ -404,8 +404,8 @@ impl Report {
                 }
             }
         }
-        self.line("\n![Mean force error over shape and spin](accuracy/map_shape_spin.svg)\n");
-        self.line("![Force error over creepage and spin](accuracy/map_creepage_spin.svg)");
+        self.line("\n![Mean force error against shape and spin](accuracy/map_shape_spin.svg)\n");
+        self.line("![Force error against creepage and spin](accuracy/map_creepage_spin.svg)");
     }
 
     fn slender(&mut self) {
@@ -537,8 +537,8 @@ impl Report {
     fn fields(&mut self) {
         self.line("\n## Traction fields\n");
         self.line(
-            "The 11 fields in `tests/data/fields`. Error: the sum of `|p − p_ref|` over the sum of \
-             `μ p_n`, over the reference's cells. Stick area: share of the cells that stick, minus \
+            "The 11 fields in `tests/data/fields`. Error: the sum of `|p − p_ref|` divided by the \
+             sum of `μ p_n`, both for the reference's cells. Stick area: share of the cells that stick, minus \
              the reference's. Wrong state: share of the cells where one sticks and the other \
              slips.\n",
         );
@@ -614,10 +614,10 @@ impl Report {
     fn coefficients(&mut self) {
         self.line("\n## Linear coefficients\n");
         self.line(
-            "`C11, C22, C23, C33` of the library over those computed with CONTACT, minus one, in \
-             per cent, for ν = 0, 0.25, 0.28, 0.5. The reference itself is good to about 0.3 % \
+            "`C11, C22, C23, C33` of the library divided by those computed with CONTACT, minus one, \
+             in per cent, for ν = 0, 0.25, 0.28, 0.5. The reference itself is good to about 0.3 % \
              (`C33` at a/b ≥ 5: about 1 %). LINEAR uses these coefficients as they are; STRIP and \
-             TOTAL have them as their slopes at zero.\n",
+             TOTAL have them as their derivatives at zero.\n",
         );
         self.header(&["a/b", "C11", "C22", "C23", "C33"]);
         let cases = coefficient_cases();

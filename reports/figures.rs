@@ -441,7 +441,7 @@ fn draw_arrows(
             arrow(canvas, (h - dh, v - dv), (h + dh, v + dv), 1)?;
         }
     }
-    // Slip between them, the longest as long as two arrows are apart
+    // Slip between them, the longest as long as the distance of two arrows
     let mut slips = Vec::new();
     for column in -columns - 1..=columns {
         for row in -rows - 1..=rows + 1 {

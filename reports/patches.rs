@@ -744,8 +744,8 @@ fn main() {
     }
     report.line("## Light contact, zones that appear, profiles that move\n");
     report.line(
-        "Left: the load of a light contact of a parabola over the power of its approach is \
-         the same from 1e-12 m on. Middle: a second zone appears",
+        "Left: the load of a light contact of a parabola divided by the power 3/2 of its approach \
+         is the same from 1e-12 m on. Middle: a second zone appears",
     );
     report.line(
         "while two bodies approach, and the load has no step. Right: a profile with two \

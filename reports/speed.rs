@@ -84,7 +84,7 @@ const MISSED: [(&str, f64); 3] = [
     ("FaStrip 20x20 as in CONTACT", 0.12),
 ];
 
-/// `kstrip_evaluate` may cost this much of `kstrip_solve` where the forces alone are wanted.
+/// `kstrip_evaluate` may cost this much of `kstrip_solve` where the forces alone are requested.
 const ALONE: f64 = 1.05;
 
 struct Report {
@@ -197,10 +197,10 @@ impl Report {
     fn introduction(&mut self, machine: &str) {
         self.line("# Speed against error\n");
         self.line("Written by `cargo bench --bench speed` in one run; do not edit.\n");
-        self.line("![Error over cost](speed-vs-error.svg)\n");
+        self.line("![Error against cost](speed-vs-error.svg)\n");
         self.line(
-            "The picture has the error over the time of one contact, for every model and \
-             every other method: the best are at the lower left. Times belong to a",
+            "The picture plots the error against the time of one contact, for every model and \
+             every other method: the best are at the lower left. Times depend on the",
         );
         self.line(
             "processor, and so do ratios of times: in the first table they differ by up to \
@@ -228,10 +228,10 @@ impl Report {
              that its numbers (776 bytes) are not in the nearest cache."
         ));
         self.line(
-            "* Errors: of the force, `|f − f_ref|` in units of `μ N` over the 854 cases of \
-             `tests/data/open.csv`; of the slopes, the worst entry of `∂(fx, fy)/∂(vx, vy, φ)` \
-             divided by the linear slope in the 70 states of `tests/data/jacobians.csv`; both as \
-             in [accuracy.md](accuracy.md). In single precision the slopes are those of double \
+            "* Errors: of the force, `|f − f_ref|` in units of `μ N`, for the 854 cases of \
+             `tests/data/open.csv`; of the derivatives, the worst entry of `∂(fx, fy)/∂(vx, vy, φ)` \
+             divided by the linear one, in the 70 states of `tests/data/jacobians.csv`; both as \
+             in [accuracy.md](accuracy.md). In single precision the derivatives are those of double \
              precision.",
         );
         self.line(
@@ -261,8 +261,8 @@ impl Report {
         };
         let here = machine.split("), ").next().unwrap_or(machine).replace(" (family", ", family");
         self.line(
-            "Time of one call of a model over that of FASTSIM 10x10, for random contacts \
-             with spin in double precision:\n",
+            "Time of one call of a model divided by that of FASTSIM 10x10, for random \
+             contacts with spin in double precision:\n",
         );
         let mut header = vec![
             "model".to_owned(),
@@ -377,14 +377,14 @@ impl Report {
             let of = |how| self.time(name, precision, how, Set::Spin);
             of(Forces) / of(Solve)
         });
-        let what = format!("forces alone, the dearest model ({name})");
+        let what = format!("forces alone, the most expensive model ({name})");
         rows.push((what, "of `kstrip_solve`", Set::Spin, found, ALONE));
         for count in [100, 1000] {
             let (name, found) = worst(&|name, precision| {
                 let of = |how| self.time(name, precision, how, Set::Mixed);
                 of(Batch(count)) / of(Solve)
             });
-            let what = format!("batch of {count}, the dearest model ({name})");
+            let what = format!("batch of {count}, the most expensive model ({name})");
             rows.push((what, "of a loop over `kstrip_solve`", Set::Mixed, found, 1.0));
         }
         self.line("\n## Targets\n");
@@ -416,7 +416,7 @@ impl Report {
         );
         let mut header = vec!["method", "how", "precision"];
         header.extend(SETS.map(title));
-        header.extend(["of scalar", "of ten lanes", "of AVX2", "force", "worst slope"]);
+        header.extend(["of scalar", "of ten lanes", "of AVX2", "force", "worst derivative"]);
         self.header(&header);
         let mut lines = Vec::new();
         for row in self.rows.iter().filter(|row| row.set == Set::One) {
@@ -453,8 +453,8 @@ impl Report {
             "`kstrip_evaluate_batch` with one array for each quantity against a loop over \
              `kstrip_solve`, nanoseconds of a contact; the results are the same bits. On x86-64 \
              processors with AVX, four contacts in double precision or eight in single precision \
-             stand side by side in one register. Whether the processor has AVX is asked once and \
-             remembered.\n",
+             stand side by side in one register. The library checks once whether the processor has AVX, and \
+             remembers it.\n",
         );
         let mut header = vec!["model".to_owned(), "precision".to_owned()];
         for set in [Set::Spin, Set::Mixed] {

@@ -22,7 +22,7 @@ built=${CARGO_TARGET_DIR:-target}/fuzz
 log=$(mktemp)
 trap 'rm -rf "$built" "$log"' EXIT
 # Optimised, without debug assertions and without tracing of comparisons: what matters here are the
-# checks of the target itself and how many inputs it sees (52 000 a second on one machine, 38 000
+# checks of the target itself and how many inputs it gets (52 000 a second on one machine, 38 000
 # with the default flags).
 flags=(-O --no-trace-compares --sanitizer "${SANITIZER:-none}" --target-dir "$built")
 cargo +nightly fuzz run "${flags[@]}" "$fuzz_target" -- \

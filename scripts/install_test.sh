@@ -57,7 +57,7 @@ if has nm && [ "$(uname -s)" != Darwin ]; then
         [ -e "$prefix/lib/$soname" ] || fail "$soname is not installed"
         echo "SONAME $soname"
     else
-        echo "SKIPPED: no readelf, the SONAME was not looked at"
+        echo "SKIPPED: no readelf, the SONAME was not checked"
     fi
     # The archive: everything that a linker can see is the interface; no cbrt, fma or sqrt that is
     # not the platform's.
@@ -265,7 +265,7 @@ make --silent uninstall PREFIX="$prefix"
 left=$(find "$prefix" ! -type d)
 [ -z "$left" ] || fail "make uninstall leaves $left"
 
-# The edition of Cargo.toml asks for the cargo of 2025.
+# The edition of Cargo.toml needs the cargo of 2025.
 capi=$(cargo-cinstall --version 2>/dev/null | sed -n 's/^cargo-c \([0-9.]*\).*/\1/p' || true)
 if [ -n "$capi" ] && [ "$(printf '%s\n' 0.10.10 "$capi" | sort -V | head -n 1)" != 0.10.10 ]; then
     echo "SKIPPED: cargo-c $capi is too old for edition 2024; only make install was tried"

@@ -8,7 +8,7 @@
 #   scripts/instructions.sh --check  fails when a count has grown by more than 3 %
 #
 # Counts depend on the compiler. When it is not the one that is named in the file, --check prints
-# the differences and says that they were not judged.
+# the differences and says that they were not compared.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 file=benches/instructions.txt

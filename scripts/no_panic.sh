@@ -34,7 +34,7 @@ for level in ${*:-3 s}; do
         *) fail "opt-level $level: the library wants $name" ;;
         esac
     done
-    echo "opt-level $level: $exports exported functions without panic or allocator; from outside they want ${wanted:-nothing}"
+    echo "opt-level $level: $exports exported functions without panic or allocator; from outside they need ${wanted:-nothing}"
 done
 
 # control NUMBER: whether a library that asserts something of NUMBER has the name

@@ -105,7 +105,7 @@ fi
 
 programs=(tests/c/threads.c)
 if has valgrind; then
-    # (ThreadSanitizer below knows atomics)
+    # (ThreadSanitizer below understands atomics)
     cat > "$target/helgrind.supp" <<'SUPP'
 {
    a relaxed atomic, which helgrind takes for a plain byte: whether the processor has wide registers

@@ -81,7 +81,7 @@ figure.savefig("picture.svg")
 PYTHON
 (cd "$work/home" && bare "$work/bare/bin/python" -I picture.py "$root") || fail "no picture"
 [ -s "$work/home/picture.svg" ] || fail "the picture is empty"
-echo "a bare environment: from pip install to a picture of a wheelset over its lateral shift in $(($(date +%s) - began)) s and $(wc -l < "$work/home/picture.py") lines"
+echo "a bare environment: from pip install to a picture of a wheelset against its lateral shift in $(($(date +%s) - began)) s and $(wc -l < "$work/home/picture.py") lines"
 # (isolated: the package of the wheel, not the one beside tour.py)
 bare "$work/bare/bin/python" -I "$root/bindings/python/tour.py" > "$work/log" 2>&1 || { cat "$work/log"; fail "tour.py"; }
 [ "$(grep -c '^wrote ' "$work/log")" = 3 ] || { cat "$work/log"; fail "tour.py has not drawn three pictures"; }

@@ -48,8 +48,8 @@ pub fn estimate_counted<F: Float>(
     Ok((rig.used, estimate, rig.solved))
 }
 
-/// The creepage for a force, the distance of its force from the wanted one over `μ N`, and the
-/// number of solutions.
+/// The creepage for a force, the distance of its force from the requested one divided by `μ N`, and
+/// the number of solutions.
 ///
 /// # Errors
 /// Those of [`creepage_for_force`](crate::rig::creepage_for_force).

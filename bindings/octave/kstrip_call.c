@@ -190,13 +190,13 @@ static mxArray *evaluate(int count, const mxArray *in[])
         kstrip_derivatives by;
         kstrip_law_derivatives by_law;
         double left;
-        const kstrip_outputs wanted = {.result = &result, .derivatives = &by, .law_derivatives = &by_law, .friction = &left};
+        const kstrip_outputs outputs = {.result = &result, .derivatives = &by, .law_derivatives = &by_law, .friction = &left};
         load(&creepage, sizeof creepage, in[1], k);
         if (law) load(&friction, sizeof friction, law, k);
         if (!is_patch) load(&contact, sizeof contact, in[0], k);
         note(&seen,
-             is_patch ? kstrip_patch_evaluate(&patch, &creepage, law ? &friction : NULL, &options, &wanted)
-                      : kstrip_evaluate(&contact, &creepage, law ? &friction : NULL, &options, &wanted),
+             is_patch ? kstrip_patch_evaluate(&patch, &creepage, law ? &friction : NULL, &options, &outputs)
+                      : kstrip_evaluate(&contact, &creepage, law ? &friction : NULL, &options, &outputs),
              k);
         put_result(&to, k, &result, left);
         put_rows(jacobian, k, (const double(*)[3])by.jacobian);
@@ -257,11 +257,11 @@ static mxArray *in_motion(int count, const mxArray *in[])
         kstrip_result result;
         kstrip_motion_derivatives by;
         double left;
-        const kstrip_motion_outputs wanted = {.result = &result, .derivatives = &by, .friction = &left};
+        const kstrip_motion_outputs outputs = {.result = &result, .derivatives = &by, .friction = &left};
         load(&contact, sizeof contact, in[0], k);
         load(&motion, sizeof motion, in[1], k);
         if (law) load(&friction, sizeof friction, law, k);
-        note(&seen, kstrip_solve_motion(&contact, &motion, law ? &friction : NULL, &options, &wanted), k);
+        note(&seen, kstrip_solve_motion(&contact, &motion, law ? &friction : NULL, &options, &outputs), k);
         put_result(&to, k, &result, left);
         put_rows(by_slip, k, (const double(*)[3])by.slip);
         memcpy(by_speed + 3 * k, by.rolling_speed, sizeof by.rolling_speed);

@@ -1,5 +1,5 @@
 function found = kstrip_evaluate(contact, creepage, friction, model, strips)
-% KSTRIP_EVALUATE  Forces and their derivatives by everything, of many contacts or of one patch.
+% KSTRIP_EVALUATE  Forces and all their derivatives, of many contacts or of one patch.
 %
 %   found = kstrip_evaluate(contact, creepage)
 %   found = kstrip_evaluate(contact, creepage, friction, model, strips)

@@ -6,7 +6,7 @@ function vertical = kstrip_height_for_load(rail, wheel, pair, position, support,
 %
 %   rail, wheel, pair  as in kstrip_wheel_on_rail
 %   position  4 x n, 1 x n or one column, as in kstrip_wheel_on_rail; the search begins at its vertical member
-%   support   1 x n or one number: wanted upward force of the rail on the wheel [N]
+%   support   1 x n or one number: requested upward force of the rail on the wheel [N]
 %   velocity  6 x n or one column; [] or left out: the pressure alone carries the load
 %   friction  5 x n or one column, as in kstrip_evaluate
 %   vertical  1 x n [m]

@@ -1,5 +1,5 @@
 function found = kstrip_solve_motion(contact, motion, friction, model, strips)
-% KSTRIP_SOLVE_MOTION  Forces of contacts that roll forward, backward or not at all, with derivatives by their motion.
+% KSTRIP_SOLVE_MOTION  Forces of contacts that roll forward, backward or not at all, with derivatives with respect to their motion.
 %
 %   found = kstrip_solve_motion(contact, motion)
 %   found = kstrip_solve_motion(contact, motion, friction, model, strips)

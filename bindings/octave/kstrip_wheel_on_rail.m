@@ -9,7 +9,7 @@ function found = kstrip_wheel_on_rail(rail, wheel, pair, position, velocity, fri
 %             (1: a left wheel), smoothing_length [m], strips, model, normal_damping [s/m], floor_speed [m/s],
 %             rail_radius, rail_ahead [m] and rail_speed [m/s] of a roller, and for friction that differs along the rail friction_y [m],
 %             friction_at (up to four numbers each)
-%   position  4 x n or one column: lateral, vertical [m], yaw, roll [rad] of the wheel's centre over the rail's origin; vertical is 0
+%   position  4 x n or one column: lateral, vertical [m], yaw, roll [rad] of the wheel's centre, from the rail's origin; vertical is 0
 %             where the centre is one wheel radius above it, down is positive. Rows at the end may be left out: zero.
 %   velocity  6 x n or one column: forward, lateral, vertical [m/s], roll, pitch, yaw [rad/s]; pitch is about -forward/radius
 %   friction  5 x n or one column, as in kstrip_evaluate; [] or left out: constant

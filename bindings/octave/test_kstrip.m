@@ -18,7 +18,7 @@ assert(kstrip(repmat(contact, 1, 50), creepage), force);
 linear = kstrip(contact, [1e-9; 0; 0], 5);
 assert(kstrip(contact, [1e-9; 0; 0], 'linear'), linear);
 assert(kstrip(contact, [1e-9; 0; 0]), linear, 1e-3 * abs(linear(1)));
-% Everything at once: derivatives by load and friction against differences, falling friction
+% Everything at once: derivatives with respect to load and friction against differences, falling friction
 found = kstrip_evaluate(contact, creepage);
 assert(found.force, force);
 assert(found.jacobian, jacobian);

@@ -34,7 +34,7 @@ BOUND = 0.3 * 80e3
 
 
 def creep_curves():
-    """Force over creepage for every model, and what spin does to the lateral force."""
+    """Force against creepage for every model, and what spin does to the lateral force."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained")
     creepage = np.linspace(0, 0.006, 200)
     for name, label in [("linear", "LINEAR"), ("strip_1967", "STRIP_1967"), ("strip", "STRIP"), ("total", "TOTAL")]:

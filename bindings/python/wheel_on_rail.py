@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""S1002 on 60E1: contact, conicity and forces over the lateral shift, a curve, and a table for real time.
+"""S1002 on 60E1: contact, conicity and forces against the lateral shift, a curve, and a table for real time.
 
     make && python bindings/python/wheel_on_rail.py            (needs numpy)
 """

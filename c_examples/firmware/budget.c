@@ -387,7 +387,7 @@ static void next(uint32_t i, kstrip_contact_f32 *contact, kstrip_creepage_f32 *c
 /* What makes a case; it is not measured. */
 typedef void (*maker)(uint32_t, kstrip_contact_f32 *, kstrip_creepage_f32 *);
 
-/* The same frames for every call: what nothing() uses is subtracted. Case by case, lest the stack of `make` count. */
+/* The same frames for every call: what nothing() uses is subtracted. Case by case, so that the stack of `make` does not count. */
 static __attribute__((noinline)) uint32_t stack_of_each(call what, maker make, uint32_t cases)
 {
     uint32_t i, deepest = 0;

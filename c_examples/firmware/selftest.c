@@ -94,7 +94,7 @@ static void compare(uint32_t index, const kstrip_contact_f32 *c, const kstrip_cr
     if (kstrip_solve(&contact, &creepage, options, &r) < 0 || bound <= 0.0) {
         return;
     }
-    /* Linear theory knows no bound: there the size of the force is the unit. */
+    /* Linear theory has no bound: there the size of the force is the unit. */
     bound = fmax(bound, hypot(r.fx, r.fy));
     force = hypot(single->fx - r.fx, single->fy - r.fy) / bound;
     moment = fabs(single->mz - r.mz) / fmax(bound * sqrt(contact.a * contact.b), fabs(r.mz));
@@ -178,7 +178,7 @@ int main(void)
             if (i % BLOCK == BLOCK - 1) {
                 printf("to %" PRIu32 " model %" PRId32 " hash %08" PRIx32 "\n", i, all[m].model, hash[m]);
             }
-            /* The derivatives, on fewer cases: they are the dearest call. */
+            /* The derivatives, on fewer cases: they are the most expensive call. */
             if (i % 16 == 3) {
                 kstrip_derivatives_f32 slopes;
                 const kstrip_outputs_f32 outputs = {.result = &r, .derivatives = &slopes};

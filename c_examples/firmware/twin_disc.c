@@ -25,7 +25,7 @@
  * With TIMED it prints the most instructions of a period and of a fit, by the timer of the board that QEMU
  * simulates (scripts/firmware.sh).
  *
- * It prints a line every 50 ms, and with it the bits of what went into the library and what came out;
+ * It prints a line every 50 ms, and with it the bits of inputs and outputs of the library;
  * twin_disc_check.c computes these again in double precision on a PC. Returns 0 if the estimate has
  * found every friction within 3 %, and so has every fit of a second in which friction did not change.
  */

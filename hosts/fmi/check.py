@@ -62,7 +62,7 @@ class Model:
 
 
 def motions(random, count):
-    """Random inputs, forward and backward, 0.1 mm/s to 100 m/s, and the size of what they are changed by."""
+    """Random inputs, forward and backward, 0.1 mm/s to 100 m/s, and the sizes of their changes."""
     for _ in range(count):
         speed = random.choice([-1, 1]) * 10 ** random.uniform(-4, 2)
         v = np.hypot(speed, 0.02)

@@ -12,7 +12,7 @@ use kstrip::forces::Model;
 use plotters::style::RGBColor;
 use std::path::Path;
 
-/// A method that answers a case.
+/// A method that solves a case.
 struct Felt {
     name: String,
     solve: Box<dyn Fn(&Case) -> Answer>,
@@ -95,7 +95,7 @@ impl Report {
         self.line("");
         self.header(&[
             "method",
-            "slopes",
+            "derivatives",
             "rises of the slope without spin",
             "fall after the maximum",
             "ripple with spin, fx",
@@ -127,7 +127,7 @@ impl Report {
     }
 
     fn slopes_by_region(&mut self, methods: &[Felt], cases: &[SlopeCase]) {
-        self.line("\n### Slopes by region: mean / 95th percentile / max\n");
+        self.line("\n### Derivatives, region by region: mean / 95th percentile / max\n");
         let mut header = vec!["method".to_owned()];
         header.extend(PARTS.map(|(part, holds)| {
             format!("{part} ({} cases)", cases.iter().filter(|c| holds(&c.case)).count())
@@ -146,8 +146,19 @@ impl Report {
 
     fn worst_slopes(&mut self, cases: &[SlopeCase]) {
         for model in [Model::Strip, Model::Total] {
-            self.line(format!("\n### The five worst slopes of {}\n", name(model)));
-            self.header(&["a/b", "ν", "vx", "vy", "φ", "ψ", "slope", "model", "CONTACT", "error"]);
+            self.line(format!("\n### The five worst derivatives of {}\n", name(model)));
+            self.header(&[
+                "a/b",
+                "ν",
+                "vx",
+                "vy",
+                "φ",
+                "ψ",
+                "derivative",
+                "model",
+                "CONTACT",
+                "error",
+            ]);
             let method = of_model(model, StripCount::Sixteen);
             let mut worst: Vec<_> =
                 cases.iter().map(|case| (case.error(&*method.solve), case)).collect();
@@ -174,7 +185,8 @@ impl Report {
         ];
         let sweeps = [(0, 0, 2.0, "longitudinal creepage"), (2, 1, 2.0, "spin")];
         picture(path, (860, 560), |canvas| {
-            let title = "Creep force and its slope against CONTACT: a circle (a/b = 1), ν = 0.28";
+            let title =
+                "Creep force and its derivative against CONTACT: a circle (a/b = 1), ν = 0.28";
             write(canvas, title, (56.0, 20.0), 16, Align::Left, INK)?;
             for (column, (axis, force, end, what)) in sweeps.into_iter().enumerate() {
                 let left = 56.0 + 410.0 * column as f64;
@@ -192,8 +204,8 @@ impl Report {
                 curve.frame(canvas)?;
                 slopes.frame(canvas)?;
                 let component = ["fx", "fy"][force];
-                curve.title(canvas, &format!("{component}/(μ N) over {what}"))?;
-                slopes.title(canvas, "its slope, over the slope at rest")?;
+                curve.title(canvas, &format!("{component}/(μ N) against {what}"))?;
+                slopes.title(canvas, "its derivative, divided by that at rest")?;
                 slopes.curve(canvas, &[(0.0, 0.0), (end, 0.0)], GREY, 1.0)?;
                 let unit = linear_steps(1.0, 0.28)[axis];
                 let at = |u: f64| {
@@ -240,14 +252,14 @@ impl Report {
                 }
                 let middle = left + 185.0;
                 let name = ["C11 vx", "C22 vy", "C23 φ"][axis];
-                let text = format!("{what}: linear force {name} over μ N");
+                let text = format!("{what}: linear force {name} divided by μ N");
                 write(canvas, &text, (middle, 504.0), 13, Align::Centre, INK)?;
             }
             let (y, mut x) = (538.0, 56.0);
             dot(canvas, (x + 8.0, y), 3.2, INK, true)?;
             write(
                 canvas,
-                "CONTACT (slope: between two points)",
+                "CONTACT (derivative: between two points)",
                 (x + 20.0, y),
                 13,
                 Align::Left,

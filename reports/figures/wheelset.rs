@@ -1,4 +1,4 @@
-//! A wheel S1002 on a rail 60E1, moved sideways under 80 kN: the forces on the wheel over its
+//! A wheel S1002 on a rail 60E1, moved sideways under 80 kN: the forces on the wheel against its
 //! lateral shift.
 
 use super::manchester::{profile, steel, zeroed};
@@ -66,7 +66,7 @@ pub fn draw(folder: &Path) -> Drawn {
     let (blue, orange) = (RGBColor(0x00, 0x45, 0x8b), RGBColor(0xc8, 0x50, 0x00));
     picture(&folder.join("lateral_shift.svg"), (730, 470), |canvas| {
         write(canvas, "A wheel S1002 on a rail 60E1, moved sideways", (90.0, 10.0), 19)?;
-        let remark = "80 kN, 20 m/s, the axle turns at the speed over 0.46 m; creep forces and \
+        let remark = "80 kN, 20 m/s, the axle turns at the speed divided by 0.46 m; creep forces and \
              pressure together";
         write(canvas, remark, (90.0, 38.0), 14)?;
         panel.draw(canvas)?;

@@ -59,7 +59,7 @@ pub enum How {
     Batch(usize),
 }
 
-/// Errors of a method: of the force on `open.csv`, of the worst slope on `jacobians.csv`.
+/// Errors of a method: of the force on `open.csv`, of the worst derivative on `jacobians.csv`.
 #[derive(Clone, Copy)]
 pub struct Wrong {
     pub force: Figures,
@@ -207,7 +207,7 @@ fn in_precision<F: Called>(set: Set) -> Vec<State<F>> {
     inputs(set).into_iter().map(of).collect()
 }
 
-/// The calls, through a pointer that the compiler knows nothing of, as from C; and how many
+/// The calls, through a pointer that the compiler cannot resolve, as from C; and how many
 /// contacts they solve.
 fn calls<F: Called>(how: How, set: Set, options: kstrip_options) -> (Box<dyn Fn()>, usize) {
     let inputs = in_precision::<F>(set);

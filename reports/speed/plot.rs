@@ -1,4 +1,4 @@
-//! The picture: two panels, error of the force and error of the slopes over cost, all logarithmic.
+//! The picture: two panels, error of the force and of the derivatives against cost, all logarithmic.
 
 use crate::pictures::*;
 use plotters::style::RGBColor;
@@ -8,7 +8,7 @@ use std::path::Path;
 pub struct Mark {
     /// Nanoseconds of a contact.
     pub time: f64,
-    /// Mean errors: of the force, of the worst slope.
+    /// Mean errors: of the force, of the worst derivative.
     pub errors: [f64; 2],
     pub label: String,
     pub ink: RGBColor,
@@ -33,7 +33,7 @@ fn around((x, y): (f64, f64), radius: f64) -> Box4 {
 
 const SIZE: u32 = 11;
 
-/// Where a label goes: the place near its point that covers least of what is there already.
+/// Where a label goes: the place near its point that covers least of the labels and points before.
 fn place(point: (f64, f64), text: &str, frame: &Box4, taken: &[Box4]) -> Box4 {
     let (width, height) = (5.7 * text.chars().count() as f64, f64::from(SIZE) + 1.0);
     let mut best = ([0.0; 4], f64::INFINITY);
@@ -126,12 +126,12 @@ pub fn draw(path: &Path, marks: &[Mark]) -> Drawn {
             Axis::logarithmic(2e-3, 0.6, &[0.003, 0.01, 0.03, 0.1, 0.3]),
         ),
         (
-            "mean error of the worst slope, divided by the linear slope",
+            "mean error of the worst derivative, divided by the linear one",
             Axis::logarithmic(0.02, 0.6, &[0.03, 0.1, 0.3]),
         ),
     ];
     picture(path, (1180, 640), |canvas| {
-        let title = "Error against CONTACT over cost: forces of one contact";
+        let title = "Error against CONTACT, by cost: forces of one contact";
         write(canvas, title, (56.0, 20.0), 17, Align::Left, INK)?;
         for (which, (title, y)) in panels.iter().enumerate() {
             let plot = Plot {
@@ -152,7 +152,7 @@ pub fn draw(path: &Path, marks: &[Mark]) -> Drawn {
              a contact of a batch of 100, or prepared beforehand. Lines join settings of one \
              method.",
             "Orange band: what no other method beats in both. Larger errors lie outside: LINEAR, \
-             which has no saturation; slopes of FaStrip 50x50 and Vermeulen-Johnson.",
+             which has no saturation; derivatives of FaStrip 50x50 and Vermeulen-Johnson.",
         ];
         for (k, text) in legend.iter().enumerate() {
             write(canvas, text, (56.0, 598.0 + 20.0 * k as f64), 12, Align::Left, INK)?;

@@ -27,7 +27,7 @@ pub(crate) struct Gathered<'a, F: Float> {
 }
 
 impl<F: Float> Gathered<'_, F> {
-    /// Derivatives by the parameters of the law, or those of constant friction.
+    /// Derivatives with respect to the parameters of the law, or those of constant friction.
     pub(crate) fn law(&self) -> LawDerivatives<F> {
         self.law.copied().unwrap_or_else(|| {
             derivatives::without_law(self.derivatives, *self.by_mismatch, self.creepage)

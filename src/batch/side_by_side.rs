@@ -83,7 +83,7 @@ fn check_groups<F: Float>(
     check(whole..count)
 }
 
-/// Most that the steepness of a law may be ([`SlipFriction::least`]) without a look at each
+/// Most that the steepness of a law may be ([`SlipFriction::least`]) without a check of each
 /// contact.
 const MILD: f64 = 0.47;
 
@@ -349,7 +349,7 @@ where
     }
 }
 
-/// What the callers should know.
+/// The warning for the callers.
 #[inline(always)]
 fn notices<L: Real + Strips<L::Stored>>(
     model: Model,
@@ -369,7 +369,7 @@ fn notices<L: Real + Strips<L::Stored>>(
         return notices;
     }
     let largest = if matches!(model, Model::Strip | Model::Total) { LARGEST_SPIN } else { 0.999 };
-    // (for all models alike: those that it holds up are looked at one by one)
+    // (for all models alike: those that it holds up are solved one by one)
     let usual = psi.abs().lies_between(L::zero(), L::of(largest))
         & ratio.lies_between(L::of(RATIOS[0]), L::of(RATIOS[1]));
     if !usual {

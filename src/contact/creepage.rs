@@ -124,7 +124,7 @@ impl<T: Number> Parameters<T> {
         Units::of(contact).parameters(creepage)
     }
 
-    /// The creepage that belongs to these parameters on a contact: the inverse of
+    /// The creepage that has these parameters on a contact: the inverse of
     /// [`Parameters::new`].
     #[must_use]
     pub fn creepage(&self, contact: &Contact<T::Base>) -> Creepage<T> {

@@ -178,8 +178,8 @@ pub const KSTRIP_MODEL_STRIP_1967_CONTINUOUS: i32 = 2;
 /// A strip theory in Kalker's sense: the half-ellipses of 1967 where a strip adheres, slip along
 /// the local rigid slip where it does not, and flexibilities corrected by a small network fitted to
 /// CONTACT. It has forces, moment, stick area and fields. The mean error of the force against
-/// CONTACT is 0.6 % of mu N, that of the derivatives 3 % of the linear ones. Its slopes at rest are
-/// those of linear theory, and its power is never negative.
+/// CONTACT is 0.6 % of mu N, that of the derivatives 3 % of the linear ones. Its derivatives at
+/// rest are those of linear theory, and its power is never negative.
 pub const KSTRIP_MODEL_STRIP: i32 = 3;
 /// A closed formula with a small network fitted to CONTACT. It has forces and moment, and is the
 /// most accurate model. The mean error of the force against CONTACT is 0.3 % of mu N, that of the

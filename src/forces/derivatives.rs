@@ -14,7 +14,7 @@
 //!
 //! **The load through Hertz.** In a contact of given curvatures `a` and `b` grow like `N^{1/3}` at
 //! constant `a/b` (Section 2). In `f` creepages appear as `G a b υ/(μ N) ~ N^{−1/3}` and spin as
-//! `G (ab)^{3/2} φ/(μ N) ~ N⁰`, so with `J_v` the part of the derivatives that belongs to the
+//! `G (ab)^{3/2} φ/(μ N) ~ N⁰`, so with `J_v` the part of the derivatives with respect to the
 //! creepages
 //!
 //! ```text

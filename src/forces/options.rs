@@ -22,7 +22,7 @@ pub enum Model {
     #[default]
     Strip = 3,
     /// A closed formula with a small network fitted to CONTACT. It computes total forces and moment
-    /// only. It is the most accurate model and, of those with saturation, the cheapest. The power
+    /// only. No other model here is as accurate for its cost. The power
     /// is never negative.
     Total = 4,
     /// The linear theory, without saturation, for stability analysis.

@@ -44,8 +44,8 @@ impl<F: Float> LawDerivatives<F> {
     }
 }
 
-/// Derivatives by a factor of the creepages that parts of a contact have besides its own: of the
-/// forces, of the power, and of both without the spin.
+/// Derivatives with respect to a factor of the creepages that parts of a contact have besides its
+/// own: of the forces, of the power, and of both without the spin.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BesidesSlopes<F> {
     pub forces: [F; 3],
@@ -175,16 +175,16 @@ fn transposed<F>([[a, b, c], [d, e, f], [g, h, i]]: [[F; 3]; 3]) -> [[F; 3]; 3] 
     [[a, d, g], [b, e, h], [c, f, i]]
 }
 
-/// What [`differentiate`] answers.
+/// What [`differentiate`] returns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Differentiated<F: Float> {
     /// The forces.
     pub solution: Solution<F>,
     /// The coefficient of friction that agrees with the slip.
     pub friction: F,
-    /// Derivatives by creepages, load, friction.
+    /// Derivatives with respect to creepages, load, friction.
     pub derivatives: Derivatives<F>,
-    /// Derivatives by the parameters of the law.
+    /// Derivatives with respect to the parameters of the law.
     pub law: LawDerivatives<F>,
     /// `κ dF/dκ` of unlike materials \[N, N, N m\].
     pub by_mismatch: [F; 3],
@@ -225,7 +225,7 @@ pub(crate) fn differentiate_checked<F: Float>(
         }
         None => (contact, Warning::None),
     };
-    // (looked at where it stands)
+    // (by reference)
     let (solved, through);
     let (solution, slopes, of_layer) = match law.filter(|law| law.has_interface()) {
         None => {

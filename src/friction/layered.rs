@@ -37,7 +37,7 @@ struct Layered<F, M> {
 /// Forces, their derivatives while friction stays, and those by layer and slide factor.
 pub(crate) type WithSlopes<F> = (Solution<F>, Slopes<F>, LayerSlopes<F>);
 
-/// Derivatives by layer and slide factor while friction stays.
+/// Derivatives with respect to layer and slide factor at constant friction.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LayerSlopes<F> {
     /// Of the forces \[N, N, N m\].
@@ -270,8 +270,8 @@ fn differentiate_in<F: Float, M: Theory<F>>(
 }
 
 impl<F: Float, M: Theory<F>> Layered<F, M> {
-    /// Forces, `ψ`, their derivatives by creepages, load and friction, and by `λ` and the slide
-    /// factor.
+    /// Forces, `ψ`, their derivatives with respect to creepages, load and friction, and to `λ` and
+    /// the slide factor.
     fn with_slopes(
         &self,
         frame: &ScaledContact<F>,
@@ -370,7 +370,7 @@ impl<F: Float> ThroughLayer<'_, F> {
             spin: seen.spin * z,
         };
         let like = Contact { mismatch: F::zero(), ..*contact };
-        // bristles of a strip over μ N, and the share of the load
+        // bristles of a strip divided by μ N, and the share of the load
         let bristles = |strip: &StripResult<F>| {
             let (y, width) = (strip.y / contact.b, strip.width / contact.b);
             let load = width * (F::one() - y * y - (width * width).times(1.0 / 12.0)).times(0.75);

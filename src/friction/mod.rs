@@ -58,7 +58,7 @@ pub struct FrictionSolution<F> {
 ///
 /// The contact's own coefficient of friction is ignored. With `A = 1`, `B = 0` or `V = 0`, and
 /// `k = 1`, the result is that of [`forces::forces_of_contact`] to the bit and costs no more.
-/// [`Model::Linear`] knows no friction: only `k` counts.
+/// [`Model::Linear`] has no friction: only `k` counts.
 ///
 /// # Errors
 /// Those of [`forces::forces_of_contact`] and [`SlipFriction::check`].

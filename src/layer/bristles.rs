@@ -1,5 +1,5 @@
-//! Bristles in a strip: points of the layer that know no neighbour (Kalker's simplified theory,
-//! with an elliptic bound).
+//! Bristles in a strip: points of the layer that do not act on their neighbours (Kalker's
+//! simplified theory, with an elliptic bound).
 //!
 //! Lengths count in half lengths of the strip, tractions in its largest bound. A bristle enters at
 //! the leading edge and bends with the rigid slip, `dt/du = s(x)`, `s = (s_x, s_y + q x)`, where `u

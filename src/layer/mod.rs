@@ -8,8 +8,8 @@
 //! L₁ = 8 a/(3 C₁₁ G),   L₂ = 8 a/(3 C₂₂ G),   L_s = π a √(a/b)/(4 C₂₃ G),   k = L/(L + h/G₃)
 //! ```
 //!
-//! A stiff layer leaves half-spaces, which see the creepages `k₁ υx, k₂ υy, k_s φ`. A soft one is a
-//! brush of [bristles](bristles) with the flexibilities `L + h/G₃`. The contact is the mean of
+//! A stiff layer leaves half-spaces, which have the creepages `k₁ υx, k₂ υy, k_s φ`. A soft one is
+//! a brush of [bristles](bristles) with the flexibilities `L + h/G₃`. The contact is the mean of
 //! both, weighted with their flexibilities:
 //!
 //! ```text
@@ -18,10 +18,11 @@
 //!
 //! At rest both have the slopes of springs in series. Far in sliding the direction of the rigid
 //! slip must come out, so that the three factors fade to the first one, with `n` the linear force
-//! over `μ N`: `f = n²/(64 + n²)`.
+//! divided by `μ N`: `f = n²/(64 + n²)`.
 //!
 //! **Sliding** softens the layer: measured curves bend less than clean ones. With `s` the linear
-//! force over `μ N` that the creepages would make without saturation, all of them are multiplied by
+//! force divided by `μ N` that the creepages would make without saturation, all of them are
+//! multiplied by
 //!
 //! ```text
 //! k₁ + (1 − k₁)/(1 + (0.6 s)^{3/2})
@@ -39,9 +40,9 @@ use crate::number::dual::Dual;
 use crate::number::tables::table;
 use crate::number::{Arithmetic, Number, Real, Strips, add, scaled_down};
 
-/// Linear force over `μ N` half way from the factors of rest to the one of full sliding.
+/// Linear force divided by `μ N` half way from the factors of rest to the one of full sliding.
 const HALF_WAY: f64 = 8.0;
-/// Linear force over `μ N` half way to what sliding leaves of the factor, as `1/s`.
+/// Linear force divided by `μ N` half way to what sliding leaves of the factor, as `1/s`.
 const SOFTENED: f64 = 0.6;
 /// `9π/32`, the mean of `C` weighted with the load, over its sum over the strips: the linear slope
 /// of the lateral force by spin is exact.
@@ -77,7 +78,7 @@ const STRIPS: [[f64; 12]; 3] = {
     fours
 };
 
-/// Sums over the strips with their derivatives by the rates.
+/// Sums over the strips with their derivatives with respect to the rates.
 type Slopes<F> = [Dual<F, 3>; 4];
 
 /// A layer, and what sliding leaves of its stiffness, as numbers that may be variables.
@@ -97,11 +98,11 @@ pub(crate) struct Layer<F> {
     root: F,
     /// `a/L` of the half-spaces over `G`.
     stiffness: [F; 3],
-    /// Rates of bristles alone, at rest and far in sliding, over the creepages `vx, vy, φ`.
+    /// Rates of bristles alone, at rest and far in sliding, divided by the creepages `vx, vy, φ`.
     rates: [[F; 3]; 2],
 }
 
-/// What half-spaces and bristles see.
+/// The creepages of half-spaces and bristles.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Split<T> {
     /// Factors of the creepages of the half-spaces.
@@ -177,7 +178,7 @@ impl<F: Real> Layer<F> {
         Split { factors, rates, weight: one - k1 }
     }
 
-    /// Forces of the bristles over `μ N`, and their moment over `μ N √(ab)`.
+    /// Forces of the bristles divided by `μ N`, and their moment divided by `μ N √(ab)`.
     #[inline(always)]
     pub fn bristles<T: Number<Base = F>>(&self, [x, y, spin]: [T; 3]) -> Totals<T> {
         // (spin at the half length `b` may be much larger)

@@ -12,8 +12,8 @@
 //! at 3 µm/s.
 //!
 //! **The leading edge** is at `x > 0` forward and at `x < 0` backward. Backward rolling is forward
-//! rolling in axes turned by 180 degrees about `z`: the motion is turned, solved, and the forces
-//! are turned back. With `R = diag(−1, −1, 1)`
+//! rolling in axes turned by 180 degrees about `z`: the motion is turned and solved, and the
+//! sense of the forces is restored. With `R = diag(−1, −1, 1)`
 //!
 //! ```text
 //! F₊(c) = F(c),   F₋(c) = R F(R c),   F = w(V) F₊ + w(−V) F₋
@@ -263,8 +263,9 @@ impl<F: Float> Rolling<F> {
         Ok(both.map(|entry| entry * rate))
     }
 
-    /// A ratio `V/V_f` that is not zero, and the factor of `κ_V ∂F/∂κ_V` there in the derivative by
-    /// `V`. (It is divided by `κ_V`, which at standstill is replaced by a small share of `κ`.)
+    /// A ratio `V/V_f` that is not zero, and the factor of `κ_V ∂F/∂κ_V` there in the derivative
+    /// with respect to `V`. (It is divided by `κ_V`, which at standstill is replaced by a small
+    /// share of `κ`.)
     pub(crate) fn through_ratio(&self) -> (F, F) {
         let ratio = self.speed_by_rolling;
         let least = F::constant(STANDSTILL);

@@ -115,7 +115,7 @@ impl<F: Float> Equations<F> {
 
     /// Gauss's elimination without pivots of the rows and columns of touching cells: the diagonal
     /// is the largest of its row. Below it stand the factors. (Columns of other cells are computed
-    /// too and not looked at.)
+    /// too and not used.)
     #[inline(always)]
     fn factorise(&mut self, touching: &[usize]) {
         let fours = self.fours();

@@ -10,9 +10,9 @@
 //! 5. The [normal problem](cells) on the cells. The pressures are solved for, then the lengths are
 //!    corrected; this is done twice, and the pressures are solved for once more.
 //!
-//! Every number carries its derivative by the given load or approach, and no branch changes a value
-//! where it switches. Therefore load, approach and strips are continuous functions of load,
-//! approach and distances, and the stiffness is the derivative of the computed load.
+//! Every number carries its derivative with respect to the given load or approach, and no branch
+//! changes a value where it switches. Therefore load, approach and strips are continuous functions
+//! of load, approach and distances, and the stiffness is the derivative of the computed load.
 
 pub mod cells;
 pub(crate) mod crossings;
@@ -223,8 +223,8 @@ impl<F: Float> Indentation<F> {
     }
 }
 
-/// Pressures and corrected lengths of the cells; the approach. (Out of line, lest the equations
-/// take room while the outline is made.)
+/// Pressures and corrected lengths of the cells; the approach. (Out of line, so that the
+/// equations take no room while the outline is made.)
 #[inline(never)]
 fn solved<F: Float>(
     cells: &mut Cells<F>,

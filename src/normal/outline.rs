@@ -62,7 +62,7 @@ impl<F: Float> Outline<F> {
         cells: &mut Cells<F>,
     ) -> Result<Option<Self>, Error> {
         let radius = contact.rolling_radius;
-        // about the approach, and the curve that its width asks for
+        // about the approach, and the curve that its width requires
         let (first, mut iterations) = match given {
             Given::Approach(approach) => (approach, 0),
             Given::Load(load) => {

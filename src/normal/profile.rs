@@ -5,7 +5,7 @@ use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float, are_finite};
 use crate::status::Error;
 
-/// A number and its derivative by the load or the approach that is given.
+/// A number and its derivative with respect to the given load or approach.
 pub(super) type WithSlope<F> = Dual<F, 1>;
 
 /// Share of the approach: undeformed bodies that are shifted by so much overlap about over the
@@ -221,11 +221,11 @@ impl<'a, F: Float> Profile<'a, F> {
     }
 }
 
-/// Where a function that rises with its argument has the value `wanted`: Newton's steps in
+/// Where a function that rises with its argument has the value `target`: Newton's steps in
 /// logarithms between brackets, the last without a test, so that derivatives are those of the
 /// inverse function. `None` beyond the range of the numbers.
 pub(super) fn invert<F: Float>(
-    wanted: WithSlope<F>,
+    target: WithSlope<F>,
     start: F,
     mut function: impl FnMut(WithSlope<F>) -> WithSlope<F>,
 ) -> Option<(WithSlope<F>, u32)> {
@@ -238,14 +238,14 @@ pub(super) fn invert<F: Float>(
         if !(found.value > F::zero()) || !found.value.is_finite_number() {
             return None;
         }
-        let excess = found.value.ln_quotient(wanted.value);
+        let excess = found.value.ln_quotient(target.value);
         // (over a step of the function the brackets close)
         let closed = high - low <= x * F::EPSILON.times(8.0);
         if excess.abs() <= close || closed || step == STEPS {
             let inverse = F::one() / slope;
-            let better = x + (wanted.value - found.value) * inverse;
+            let better = x + (target.value - found.value) * inverse;
             let x = if better > low && better < high { better } else { x };
-            let gradient = wanted.gradient.map(|d| d * inverse);
+            let gradient = target.gradient.map(|d| d * inverse);
             return Some((Dual { value: x, gradient }, step));
         }
         if excess < F::zero() {

@@ -1,4 +1,4 @@
-//! What presses two profiles together, and of what they are made.
+//! What presses two profiles together, and their material.
 
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::normal::cells::Given;

@@ -61,7 +61,8 @@ pub(crate) struct Curve<F> {
     pub(super) ends: [F; 2],
     /// Smoothing length \[m\].
     length: WithSlope<F>,
-    /// Whether the curve counts as constant, without its derivatives by load or approach.
+    /// Whether the curve counts as constant, without its derivatives with respect to load or
+    /// approach.
     pub(super) still: bool,
 }
 
@@ -166,7 +167,7 @@ impl<F: Float> Curve<F> {
 
     /// Has `fill` place the knots for a smoothing length and a step; it returns whether there was
     /// room. The steps are wider where much of the profile is low, by a level above a distance,
-    /// lest they would have to be doubled at once.
+    /// so that they need not be doubled at once.
     #[inline(always)]
     fn fill_all(
         &mut self,

@@ -50,10 +50,10 @@ pub(crate) fn has_avx() -> bool {
 }
 
 /// `with_avx!(if N => <T: Number>(a: A, b: B = value) -> R { code })`: code that is there once for
-/// each kind of number `T`, whoever calls it, and once more for wide registers. With
-/// `{ code } { other }` the other is that for wide registers. The code sees its arguments only: `a`
+/// each kind of number `T`, for all callers, and once more for wide registers. With
+/// `{ code } { other }` the other is that for wide registers. The code uses its arguments only: `a`
 /// is the caller's variable of this name. Code of contacts side by side, `N` of them, stands inside
-/// their caller, who knows the registers.
+/// their caller, which is compiled for the registers.
 macro_rules! with_avx {
     (@ $name:ident) => { $name };
     (@ $name:ident $value:expr) => { $value };

@@ -1,8 +1,8 @@
 //! Forward-mode differentiation: numbers that carry their derivatives.
 //!
 //! A [`Dual`] is a value with its derivatives with respect to `M` inputs. Run through the same
-//! generic formulas as a plain number it returns the exact derivatives of what those formulas
-//! compute, branch by branch; there is no step size and no second implementation to keep in step.
+//! generic formulas as a plain number it returns the exact derivatives of those formulas, branch
+//! by branch; there is no step size and no second implementation to keep in step.
 
 use super::traits::{Arithmetic, Number, Pair, Real};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};

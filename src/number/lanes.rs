@@ -3,7 +3,7 @@
 //! One array with the operations of its numbers, each the correctly rounded one of a plain number,
 //! so that the bits are those of plain numbers one after the other. Nothing here fuses a product
 //! with a sum. Arrays that fill a register are computed in it ([`InRegisters`]): four doubles or
-//! eight floats only where the processor has AVX, which whoever makes them has asked.
+//! eight floats only where the processor has AVX, which the code that makes them has checked.
 
 use super::elementary;
 use super::traits::{Arithmetic, InRegisters, Number, Pair, Real, Strips};
@@ -20,7 +20,7 @@ pub struct Lanes<T, const N: usize, A = ()>([T; N], [A; 0]);
 pub struct Wide;
 
 impl<T, const N: usize, A> Lanes<T, N, A> {
-    /// Side by side. (Whoever makes numbers for wide registers has asked whether there are any.)
+    /// Side by side. (Code that makes numbers for wide registers has checked that there are any.)
     #[inline]
     pub(crate) fn new(numbers: [T; N]) -> Self {
         Self(numbers, [])

@@ -28,9 +28,9 @@ pub trait Arithmetic:
     fn from_base(x: Self::Value) -> Self;
     /// Without derivatives.
     fn value(self) -> Self::Value;
-    /// A function of some numbers from its value and its derivatives by them, worked out by hand.
-    /// Without derivatives it is the value, and what leads to the slopes is left out by the
-    /// compiler.
+    /// A function of some numbers from its value and its derivatives with respect to them, worked
+    /// out by hand. Without derivatives it is the value, and what leads to the slopes is left out
+    /// by the compiler.
     #[inline]
     fn composed<const N: usize>(
         value: Self::Value,
@@ -242,7 +242,7 @@ pub(crate) type Stored<T> = <<T as Number>::Base as Real>::Stored;
 pub trait Pair<T: Number>: Arithmetic<Value = <T::Base as Number>::Pair> {
     /// Put two numbers side by side.
     fn of(first: T, second: T) -> Self;
-    /// Take them apart.
+    /// Separate them.
     fn parts(self) -> (T, T);
     /// The same number twice.
     #[inline(always)]

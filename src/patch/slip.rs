@@ -106,7 +106,7 @@ impl<F: Float, T: Number<Base = F>> PatchSlip<T> {
     }
 }
 
-/// What half-spaces and bristles of a zone see.
+/// The creepages of half-spaces and bristles of a zone.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ZoneSplit<T: Number> {
     split: Split<T>,
@@ -121,7 +121,7 @@ pub(super) struct ZoneSplit<T: Number> {
 }
 
 impl<F: Float, T: Number<Base = F>> ZoneSplit<T> {
-    /// For the creepage that the ellipse sees at `x` on its middle line.
+    /// For the creepage of the ellipse at `x` on its middle line.
     pub fn new(
         zone: &Zone<F>,
         linear: &LinearCoefficients<F>,
@@ -193,7 +193,7 @@ pub(super) fn creepage_at<T: Number>(
     Creepage { longitudinal: longitudinal - spin.scale(y), lateral: lateral + spin.scale(x), spin }
 }
 
-/// Creepage of the patch as a strip sees it: with that which is `own` at the strip's centre.
+/// Creepage of the patch at a strip: with that which is `own` at the strip's centre.
 pub(super) fn seen_from<T: Number>(
     creepage: &Creepage<T>,
     strip: &PatchStrip<T::Base>,

@@ -43,7 +43,7 @@ use crate::total;
 use nalgebra::Matrix3;
 
 /// Forces of the ellipse of a zone, the longitudinal creepage that pressure adds in unlike
-/// materials, and what bristles see.
+/// materials, and the creepages of bristles.
 type ZoneTotals<T> = (Totals<T>, T, Option<ZoneSplit<T>>);
 
 /// Upper bound of the creepage that pressure adds in any zone.
@@ -430,7 +430,7 @@ pub(super) fn solve_with_slopes<F: Float>(
     }
 }
 
-/// The derivatives by a factor of the strips' own creepages.
+/// The derivatives with respect to a factor of the strips' own creepages.
 pub(super) fn slopes_besides<F: Float>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,

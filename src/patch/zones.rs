@@ -3,7 +3,7 @@
 //! The model STRIP needs an axis ratio. The zone of a strip has all strips that are reached from it
 //! without passing a neck. Strips beyond a neck count with a weight, which is 1 where the neck is
 //! at least 0.85 of the smaller of the two parts that it connects, and 0 below 0.55. A patch that
-//! is pinched therefore falls apart without a jump, and a strip in the neck belongs to both sides.
+//! is pinched therefore separates without a jump, and a strip in the neck belongs to both sides.
 //!
 //! The **equivalent ellipse** has the load and the friction of the zone and follows from means
 //! weighted with load. On an ellipse `∫ C² l² dY/∫ C² dY = (4/5) a²` and likewise for the peak

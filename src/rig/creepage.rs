@@ -1,4 +1,4 @@
-//! From a wanted force to the creepage.
+//! From a requested force to the creepage.
 //!
 //! Newton's method on what the force would be without saturation: with `t = |F|/(μ N)`
 //!
@@ -15,9 +15,9 @@
 //! and a step that brings the creepage nearer may make it grow (natural monotonicity: Deuflhard,
 //! Newton Methods for Nonlinear Problems, Springer 2004). A step that leads no closer is shortened
 //! to where the cubic through both ends crosses zero, or damped; one that leads beyond a fold is
-//! halved, because the force that is wanted is mostly found before it turns back. If the search
+//! halved, because the requested force is mostly found before the force falls again. If the search
 //! makes no progress, or no step leads closer to a force that is almost reached, it starts again
-//! elsewhere along the wanted force.
+//! elsewhere along the requested force.
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
@@ -35,14 +35,14 @@ const SLIDING: f64 = 1e-3;
 /// Largest number of solutions.
 const MOST: usize = 40;
 /// Number of solutions in a row that do not halve the error, after which the search starts again:
-/// along the wanted force, at the creepages `STARTS` times that where the first start ended, which
-/// counts at least as `NEAREST` units of slip.
+/// along the requested force, at the creepages `STARTS` times that where the first start ended,
+/// which counts at least as `NEAREST` units of slip.
 const IDLE: usize = 6;
 const STARTS: [f64; 7] = [1.15, 1.5, 2.0, 0.6, 4.0, 0.3, 8.0];
 const NEAREST: f64 = 0.3;
 /// The next step over this one, up to which this one leads closer.
 const SHORTER: f64 = 0.8;
-/// Error below which no step is damped: the force has turned back, and is found beyond.
+/// Error below which no step is damped: the force falls again, and the root lies beyond.
 const CLOSE: f64 = 0.1;
 /// Damping, over the sum of the squares of the slopes, where the plain step leads no closer, and
 /// the factor by which the damping grows.
@@ -51,14 +51,14 @@ const GROWTH: f64 = 10.0;
 /// Least slope of the cubic that gives the length of a step along the cubics through the last two
 /// places; with less the plain step is taken.
 const STEEP: f64 = 0.1;
-/// Distances from the wanted force over `μ N`, in roundings: the search ends; a place is left to
-/// rounding; a place is still accepted.
+/// Distances from the requested force divided by `μ N`, in roundings: the search ends; a place is
+/// left to rounding; a place is still accepted.
 const REACHED: f64 = 16.0;
 const ROUNDING: f64 = 5e3;
 const TAKEN: f64 = 1e4;
 
-/// The creepage `(υx, υy)` at which a contact with a given spin carries a wanted force `(F_x, F_y)`
-/// on the lower body.
+/// The creepage `(υx, υy)` at which a contact with a given spin carries a requested force
+/// `(F_x, F_y)` on the lower body.
 ///
 /// With [`Warning::CreepageAtLeast`] the force is within 0.1 % of `μ N`: the result is where it
 /// comes as near as that, and larger creepages do as well.
@@ -178,7 +178,7 @@ pub(crate) struct Iterate<F> {
     warning: Warning,
 }
 
-/// `L(F)` of a force over `μ N`, and its derivatives.
+/// `L(F)` of a force divided by `μ N`, and its derivatives.
 fn unsaturated<F: Float>([x, y]: [F; 2]) -> ([F; 2], [[F; 2]; 2]) {
     let t = length(x, y);
     // c³ = 1 − t, L = k F with k = 3 (1 − c)/t = 3/(1 + c + c²), d|L|/dt = 1/c²
@@ -205,7 +205,7 @@ impl<F: Float> Iterate<F> {
         size < self.determinant() * length(step[0], step[1]).times(SHORTER)
     }
 
-    /// Whether the force has turned back on the way: the slopes have another orientation than at
+    /// Whether the force falls again on the way: the derivatives have another orientation than at
     /// rest and at the place before.
     fn is_beyond_a_fold_from(&self, before: &Self) -> bool {
         self.determinant() <= F::zero() && before.determinant() > F::zero()
@@ -276,7 +276,7 @@ impl<'a, F: Float> Aim<'a, F> {
         Ok(Iterate { at, error, slopes, off, distance, warning: solution.warning })
     }
 
-    /// The place of the wanted force, or the nearest that was found.
+    /// The place of the requested force, or the nearest that was found.
     pub(crate) fn find(&mut self) -> Result<Iterate<F>, Error> {
         let start = self.place([F::zero(); 2])?;
         let mut best = self.follow(start);
@@ -363,7 +363,7 @@ impl<'a, F: Float> Aim<'a, F> {
             step = bent;
         }
         if self.saturates {
-            // A step longer than what it starts from leaves what the slopes know.
+            // A step longer than what it starts from leaves the range of the derivatives.
             let (size, longest) =
                 (length(step[0], step[1]), length(at[0], at[1]).plus(1.0).times(2.0));
             if !(size <= longest) {

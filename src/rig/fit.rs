@@ -94,7 +94,7 @@ pub type Fitted = [bool; 6];
 /// # Errors
 /// Those of [`differentiate`], of a point with its number; [`Error::Measured`], [`Error::Weight`],
 /// [`Error::FewPoints`], [`Error::FitParameters`]. Errors of the contact and the law have the count
-/// of the points in the place of a number.
+/// of the points instead of a number.
 pub fn fit_friction<F: Float>(
     contact: &Contact<F>,
     points: &[MeasuredForce<F>],

@@ -177,7 +177,8 @@ impl<'a, F: Float> Rig<'a, F> {
         self.unit * (x / (F::one() - x))
     }
 
-    /// Forces at a friction without slip, their derivatives by it, and the friction that there is.
+    /// Forces at a friction without slip, their derivatives with respect to it, and the actual
+    /// friction.
     fn solve(&self, friction: F) -> Result<(Solution<F>, [F; 3], F), Error> {
         let contact = Contact { friction, ..self.contact };
         let Some(law) = self.law else {
@@ -189,7 +190,8 @@ impl<'a, F: Float> Rig<'a, F> {
         Ok((found.solution, found.derivatives.friction, found.friction))
     }
 
-    /// Force and its derivative by friction at a friction, in the sense of what was measured.
+    /// Force and its derivative with respect to friction at a friction, in the sense of the
+    /// measured force.
     fn force(&mut self, friction: F) -> Result<(Solution<F>, [F; 2]), Error> {
         self.solved += 1;
         let (solution, [by_x, by_y, _], _) = self.solve(friction)?;

@@ -1,4 +1,5 @@
-//! The inverse, for test rigs: from a measured force to friction, from a wanted force to creepage.
+//! The inverse, for test rigs: from a measured force to friction, from a requested force to
+//! creepage.
 //!
 //! **Friction.** By homogeneity (see [`derivatives`](crate::forces::derivatives)) the force at a
 //! known creepage depends on `M = μ N` as `F = M f(c/M)`. In full sliding it is `|F| = M`. As `M`
@@ -34,7 +35,7 @@ pub enum Measured {
 }
 
 impl Measured {
-    /// What a measurement sees of a force.
+    /// The part of a force that is measured.
     fn of<F: Real>(self, [fx, fy]: [F; 2]) -> F {
         match self {
             Self::Fx => fx,

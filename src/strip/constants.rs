@@ -21,7 +21,7 @@ pub(crate) const BLEND: [f64; 2] = [0.8, 1.3];
 pub(crate) const EDGE: f64 = 0.4;
 /// Squared linear force from which on forces are corrected.
 pub(crate) const WIDTH: f64 = 0.05;
-/// The same of what moves forces and moments together.
+/// The same for the correction of forces and moments together.
 pub(crate) const WIDTH2: f64 = 0.15;
 /// Linear force in `μ N` where the flexibilities have become those of the rigid slip, half and
 /// half.

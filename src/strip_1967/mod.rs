@@ -8,8 +8,8 @@
 //! ξ̄ = ξ − p Y,   p = ψ (b/a)/(1 − ν),   η,   ψ,
 //! ```
 //!
-//! and sticks from its leading edge to the separatrix, `κ/a = K` before the middle of what slips
-//! behind it (5.41):
+//! and sticks from its leading edge to the separatrix, `κ/a = K` before the middle of the slipping
+//! part behind it (5.41):
 //!
 //! ```text
 //! K = (S + η ψ)/(1 − ψ²),   S = √(η² + (1 − ψ²) ξ̄²).

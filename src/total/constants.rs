@@ -6,7 +6,7 @@
 //! `boundary_elements.csv`.
 // Generated: change the script, not this file.
 
-/// Rigid slip, slopes of the force: polynomials in s = (g - 1)/(g + 1), powers 0, 2, 4, 1, 3.
+/// Rigid slip, derivatives of the force: polynomials in s = (g - 1)/(g + 1), powers 0, 2, 4, 1, 3.
 #[rustfmt::skip]
 pub(crate) const RIGID_SLOPE: [[f32; 5]; 3] = [
     [

@@ -1,4 +1,4 @@
-//! Points and directions of a wheel as derivatives by its six velocities.
+//! Points and directions of a wheel as derivatives with respect to its six velocities.
 
 use super::line_of_contact::Turn;
 use super::{cross, sine_cosine};
@@ -11,7 +11,8 @@ pub(super) struct Axes<F> {
 }
 
 impl<F: Float> Axes<F> {
-    /// A direction and a moment as derivatives by the members; for a left wheel its own.
+    /// A direction and a moment as derivatives with respect to the members; for a left wheel its
+    /// own.
     pub fn members(&self, [x, y, z, a, b, c]: [F; 6]) -> [F; 6] {
         let [roll, pitch, yaw] = self.turn.to_wheelset([a, b, c]);
         if self.left { [x, -y, z, -roll, pitch, -yaw] } else { [x, y, z, roll, pitch, yaw] }

@@ -422,7 +422,7 @@ pub struct ContactCount {
 ///
 /// # Errors
 /// [`Error::Profile`] for a gap that does not ascend, or an angle beyond 1.6; [`Error::PatchSize`]
-/// for more than four contacts apart, or more than [`KSTRIP_CONTACTS_CAPACITY`] in all;
+/// for more than four separate contacts, or more than [`KSTRIP_CONTACTS_CAPACITY`] in all;
 /// [`Error::Capacity`]; those of `WheelPair::check` and of
 /// [`Patch::from_profile`](crate::patch::Patch::from_profile).
 pub fn from_gap<F: Float>(

@@ -94,7 +94,7 @@ impl<F: Float, K: Points<Number = F>> Curve<'_, K> {
         })
     }
 
-    /// At most so many equal chords, as long as wanted or a little shorter.
+    /// At most so many equal chords, of the requested length or a little shorter.
     pub(super) fn equal_chords(&self, wanted: F, most: i32) -> Chords<F> {
         let wanted = wanted.min(self.length().times(1.0 / f64::from(FEWEST)));
         let chords = self.walk(wanted, |_, _| ());

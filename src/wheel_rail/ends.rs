@@ -56,7 +56,7 @@ impl<F: Float> Pressed<'_, F> {
         })
     }
 
-    /// The answer of a patch that is turned, or whose friction follows the pressure. Out of line,
+    /// The forces of a patch that is turned, or whose friction follows the pressure. Out of line,
     /// because of the copy on the stack (3 KiB).
     #[inline(never)]
     fn copied<S>(

@@ -3,7 +3,7 @@
 //! The search begins above the rail, wherever the wheel was, so that of several heights it finds
 //! the first. It lowers the wheel until the surfaces touch, and then follows the force to the power
 //! 2/3, which is nearly linear for Hertz's contacts: by Newton's steps with the stiffness at first,
-//! then by secants, always between a height with less than the wanted force and one with more.
+//! then by secants, always between a height with less than the requested force and one with more.
 
 use super::scene::{Scene, Workspace};
 use super::touch::lowered;
@@ -20,7 +20,7 @@ const GROWTH: f64 = 4.0;
 const CRUSHED: f64 = 0.05;
 
 /// A height that was tried: vertical position, and by how much the straightened force exceeds the
-/// wanted one.
+/// requested one.
 type Tried<F> = (F, F);
 
 /// How the support varies over the heights that were tried.

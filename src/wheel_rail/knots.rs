@@ -51,7 +51,7 @@ impl<F: Float> Knot<F> {
 
 /// The averages, in ascending order of their length.
 pub(super) struct Knots<'a, F> {
-    /// Where the points are stored. Weighted knots have their weight in the place of the cosine and
+    /// Where the points are stored. Weighted knots have their weight instead of the cosine and
     /// their spread in that of the sine; of single points a second half is stored there.
     store: &'a mut Surface<F>,
     lengths: [F; SINGLE],

@@ -5,7 +5,7 @@
 //! 2. [Knots] are the points in ascending order of this length, averaged where they are crowded or
 //!    scatter, and smoothed where this is asked for.
 //! 3. A [curve](Curve) leads through the knots, cubic between them.
-//! 4. Points of the curve are equal chords apart.
+//! 4. The prepared points are points of the curve at equal chords.
 
 use super::KSTRIP_SURFACE_CAPACITY;
 use super::curve::distance;

@@ -154,8 +154,8 @@ impl<F: Float> Scene<'_, F> {
         Ok(found)
     }
 
-    /// Derivatives by the place of a roller's axis, by central differences; zero where the rail is
-    /// straight.
+    /// Derivatives with respect to the place of a roller's axis, by central differences; zero where
+    /// the rail is straight.
     pub(crate) fn by_rail_ahead(
         &self,
         position: &Position<F>,

@@ -80,7 +80,7 @@ impl<F: Float> Polyline<F> {
     /// Fills the polyline with some of the points of a profile, so that each of its points is at
     /// least one radius away from all of the line before it, and every other point of the profile
     /// is nearer to the line. Points that are scanned twice, lie behind their predecessor or
-    /// scatter by less than the radius are thereby passed. The radius is the least one with which
+    /// scatter by less than the radius are skipped. The radius is the least one with which
     /// the line has room and is smooth. Returns it.
     ///
     /// # Errors

@@ -31,7 +31,7 @@ pub struct Surface<F> {
     pub form: u32,
 }
 
-/// A point of a curve and its derivative by the length.
+/// A point of a curve and its derivative with respect to the length.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Place<F> {
     pub y: F,
@@ -41,8 +41,8 @@ pub(crate) struct Place<F> {
 }
 
 impl<F: Float> Surface<F> {
-    /// Derivatives by the length from five points, exact for polynomials of degree four; from three
-    /// at the ends.
+    /// Derivatives with respect to the length from five points, exact for polynomials of degree
+    /// four; from three at the ends.
     pub(super) fn directions(&mut self) {
         let count = self.count as usize;
         for (list, slopes) in [(&self.y, &mut self.cosine), (&self.z, &mut self.sine)] {

@@ -15,7 +15,7 @@ use crate::status::Error;
 
 /// Default of the distance above which points are left out \[m\].
 pub(super) const REACH: f64 = 2e-3;
-/// Number of points that are looked at side by side.
+/// Number of points that are searched side by side.
 const FOUR: usize = 4;
 /// How often the part of a wheel's profile in which a rail ends is divided by five.
 const PARTINGS: u32 = 22;

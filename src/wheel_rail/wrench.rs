@@ -89,7 +89,7 @@ impl<F: Float> Wrench<F> {
     }
 }
 
-/// Computes the wrench of contacts, and its derivatives where they are wanted.
+/// Computes the wrench of contacts, and, on request, its derivatives.
 ///
 /// # Errors
 /// [`Error::NotFinite`]; those of [`solver::solve`], [`patch::friction::solve`] and
@@ -261,8 +261,8 @@ impl<F: Float> Pressed<'_, F> {
         Ok(joined(rolling, forward, backward))
     }
 
-    /// The same with their derivatives by motion. The derivative by friction is that by a factor of
-    /// all coefficients.
+    /// The same with their derivatives with respect to motion. The derivative with respect to
+    /// friction is that with respect to a factor of all coefficients.
     fn differentiated(
         self,
         rolling: &Rolling<F>,

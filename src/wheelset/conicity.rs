@@ -1,4 +1,5 @@
-//! Difference of the rolling radii over the lateral shift, and equivalent conicity after EN 15302.
+//! Difference of the rolling radii against the lateral shift, and equivalent conicity after EN
+//! 15302.
 //!
 //! A free wheelset on straight track follows `y'' = −Δr(y)/(e r₀)`, with the difference `Δr` of the
 //! rolling radii and the distance `e` of the running circles. Between the extremes of its motion,

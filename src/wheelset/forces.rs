@@ -54,7 +54,7 @@ pub struct WheelsetByPosition<F> {
     pub position: [[F; KSTRIP_WHEELSET_FREEDOMS]; KSTRIP_WHEELSET_FREEDOMS],
 }
 
-/// What a wheel contributes to the derivatives that are wanted.
+/// What a wheel contributes to the requested derivatives.
 pub(super) struct Sums<'a, F> {
     pub by_velocity: Option<&'a mut WheelsetDerivatives<F>>,
     pub by_position: Option<&'a mut WheelsetByPosition<F>>,
@@ -89,8 +89,8 @@ pub struct Wheelset<'a, F> {
 }
 
 impl<F: Float> Wheelset<'_, F> {
-    /// Forces at a position and a velocity of the wheelset, and their derivatives where they are
-    /// wanted.
+    /// Forces at a position and a velocity of the wheelset, and, on request, their
+    /// derivatives.
     ///
     /// # Errors
     /// Those of [`Scene::solve`].

@@ -6,11 +6,11 @@
 //! 1. [`track`] finds the places of the rails from the gauge, and the velocity and the weight of a
 //!    body on a curved and canted track.
 //! 2. [`kinematics`] has position and velocity of each wheel over its rail, with their derivatives.
-//! 3. [`forces`] adds the wrenches of both wheels, with derivatives by velocities and positions of
-//!    the wheelset and of both rails.
+//! 3. [`forces`] adds the wrenches of both wheels, with derivatives with respect to velocities and
+//!    positions of the wheelset and of both rails.
 //! 4. [`settle`] finds height, roll and pitch rate for given loads.
-//! 5. [`conicity`] has the difference of the rolling radii over the lateral shift, and equivalent
-//!    conicity.
+//! 5. [`conicity`] has the difference of the rolling radii against the lateral shift, and
+//!    equivalent conicity.
 //!
 //! Ten velocities `u` describe a wheelset on two rails that move: the six of the wheelset, and two
 //! of each rail. Each wheel moves over its rail with `w = A u`, so that virtual power gives the ten

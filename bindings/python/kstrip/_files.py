@@ -34,7 +34,7 @@ class Profile:
     """The points of a wheel's or a rail's profile as the library takes them.
 
     y, z: in metres, shape (n,), toward larger y, z down; the flange of a wheel and the gauge side of a rail are at small y.
-    kind: "wheel" or "rail". name: that of the file. notes: what was found in the file and what was changed, a sentence each.
+    kind: "wheel" or "rail". name: that of the file. notes: what the file contained and what was changed, a sentence each.
     """
 
     y: Array
@@ -54,7 +54,7 @@ class Profile:
 
 @dataclasses.dataclass
 class _Points:
-    """What a file says: points in its own units, and what its header knows."""
+    """What a file says: points in its own units, and what its header says."""
 
     format: str
     y: list[float] = dataclasses.field(default_factory=list)
@@ -267,7 +267,7 @@ def _unit(asked: Union[str, float, None], found: _Points, y: Array, z: Array, no
 
 
 def _of_header(found: _Points, y: Array, z: Array, notes: list[str]) -> tuple[Array, Array]:
-    """Shift, turn and mirrors that a SIMPACK file asks for."""
+    """Shift, turn and mirrors that a SIMPACK file requests."""
     if any(found.shift) or found.turn or any(found.mirror):
         notes.append(f"the header's shift ({found.shift[0]:g}, {found.shift[1]:g}) m, turn {found.turn:g} rad and mirrors {found.mirror} are applied")
     y, z = y + found.shift[0], z + found.shift[1]

@@ -34,7 +34,7 @@ def estimate_friction(contact: Contact, creepage: Creepage, *, fx: Optional[Supp
 
 def creepage_for_force(contact: Contact, fx: SupportsFloat, fy: SupportsFloat, spin: SupportsFloat = 0.0, model: Model = "default",
                        strips: int = 0, law: Optional[Friction] = None) -> Creepage:
-    """The creepage at which a contact with a given spin [1/m] carries a wanted force [N] on the lower body."""
+    """The creepage at which a contact with a given spin [1/m] carries a requested force [N] on the lower body."""
     single = is_single(contact)
     made = np.zeros((), dtypes["creepage" + "_f32" * single])
     under = None if law is None else one("friction", law, single)

@@ -156,7 +156,7 @@ def patch_on_profiles(rail: Surface, wheel: Surface, pair: WheelPair, position: 
         axes = drawn.add_subplot(grid[1, i])
         x = np.linspace(-1.05, 1.05, 161) * float((used.half_length + abs(used.centre_x)).max())
         inside = 1.0 - ((x[:, None] - used.centre_x) / used.half_length) ** 2
-        # A column for each strip and an empty one after it, which has a width where the zones of a patch are apart
+        # A column for each strip and an empty one after it, which has a width where a patch has separate zones
         edges = 1e3 * np.stack((used.y - 0.5 * used.width, used.y + 0.5 * used.width), axis=-1).ravel()
         pressure = np.ma.masked_equal(np.zeros((x.size, edges.size - 1)), 0.0)
         pressure[:, ::2] = np.ma.masked_less_equal(1e-6 * used.peak_pressure * np.sqrt(np.maximum(inside, 0.0)), 0.0)

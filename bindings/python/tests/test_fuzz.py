@@ -88,7 +88,7 @@ class Fuzz(unittest.TestCase):
     def test_evaluate(self, contact, creepage, law, model, strips):
         answer = attempt(kstrip.evaluate, contact, creepage, law, model, strips, law_derivatives=True)
         if answer is not None:
-            # What is answered is finite, and has the broadcast shape
+            # Results are finite, and has the broadcast shape
             self.assertTrue(np.isfinite(answer.result["fx"]).all())
             self.assertTrue(np.isfinite(answer.derivatives["jacobian"]).all())
         attempt(kstrip.strips, contact, creepage, law, model, strips)

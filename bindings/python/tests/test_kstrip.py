@@ -291,7 +291,7 @@ class Binding(unittest.TestCase):
             with self.assertRaises(kstrip.KstripError):
                 kstrip.solve(CONTACT, kstrip.creepage(1e-3), model=number)
 
-    def test_the_gravest_warning_is_told(self):
+    def test_the_most_serious_warning_is_told(self):
         page = os.path.join(os.path.dirname(__file__), *[os.pardir] * 3, "docs", "reference", "bad-input.md")
         with open(page, encoding="utf-8") as text:
             order = text.read().split("## Which warning is returned")[1].split("\nThe status of a batch")[0]
@@ -331,7 +331,7 @@ class WheelOnRail(unittest.TestCase):
         given = float(np.concatenate([wrench["force"], wrench["moment"]]) @ velocity)
         pressed = -float(contact["normal_force"] * (contact["normal"] @ velocity))
         self.assertAlmostEqual(given - pressed, -float(wrench["dissipation"]), delta=1e-9 * abs(given) + 1e-3)
-        # derivatives by height: differences
+        # derivatives with respect to height: differences
         place = scene.carried(1e-3)
         sides = []
         for step in (-1e-6, 1e-6):
@@ -387,7 +387,7 @@ class WheelOnRail(unittest.TestCase):
             kstrip.wheel_on_rail(scene.RAIL, scene.WHEEL, scene.pair(), beside, self.VELOCITY)
 
     def test_curve_steers_and_table_converges(self):
-        # a wheelset to the outside of a curve: the outer wheel runs ahead in straight track, and no more where the curve asks for its radius
+        # a wheelset to the outside of a curve: the outer wheel runs ahead in straight track, and no more where the curve requires its radius
         outer, inner = scene.curve(np.inf, -4e-3)
         self.assertTrue(outer > 5e3 and inner < -5e3)
         difference = scene.rolling_radius(-4e-3, left=True) - scene.rolling_radius(-4e-3)

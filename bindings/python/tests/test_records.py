@@ -178,7 +178,7 @@ class Records(unittest.TestCase):
 
 
 class Typed(unittest.TestCase):
-    """mypy and pyright pass the package and the examples, and find an argument in the place of another."""
+    """mypy and pyright pass the package and the examples, and find an argument that stands for another."""
 
     RIGHT = """
 import numpy as np
