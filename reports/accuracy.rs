@@ -538,9 +538,9 @@ impl Report {
         self.line("\n## Traction fields\n");
         self.line(
             "The 11 fields in `tests/data/fields`. Error: the sum of `|p − p_ref|` divided by the \
-             sum of `μ p_n`, both for the reference's cells. Stick area: share of the cells that stick, minus \
-             the reference's. Wrong state: share of the cells where one sticks and the other \
-             slips.\n",
+             sum of `μ p_n`, both for the reference's cells. Stick area: share of the cells that \
+             stick, minus the reference's. Wrong state: share of the cells where one sticks and \
+             the other slips.\n",
         );
         self.header(&[
             "case",
@@ -614,8 +614,8 @@ impl Report {
     fn coefficients(&mut self) {
         self.line("\n## Linear coefficients\n");
         self.line(
-            "`C11, C22, C23, C33` of the library divided by those computed with CONTACT, minus one, \
-             in per cent, for ν = 0, 0.25, 0.28, 0.5. The reference itself is good to about 0.3 % \
+            "`C11, C22, C23, C33` of the library divided by those computed with CONTACT, minus \
+             one, in per cent, for ν = 0, 0.25, 0.28, 0.5. The reference itself is good to about 0.3 % \
              (`C33` at a/b ≥ 5: about 1 %). LINEAR uses these coefficients as they are; STRIP and \
              TOTAL have them as their derivatives at zero.\n",
         );
