@@ -615,9 +615,9 @@ impl Report {
         self.line("\n## Linear coefficients\n");
         self.line(
             "`C11, C22, C23, C33` of the library divided by those computed with CONTACT, minus \
-             one, in per cent, for ν = 0, 0.25, 0.28, 0.5. The reference itself is good to about 0.3 % \
-             (`C33` at a/b ≥ 5: about 1 %). LINEAR uses these coefficients as they are; STRIP and \
-             TOTAL have them as their derivatives at zero.\n",
+             one, in per cent, for ν = 0, 0.25, 0.28, 0.5. The reference itself is good to about \
+             0.3 % (`C33` at a/b ≥ 5: about 1 %). LINEAR uses these coefficients as they are; \
+             STRIP and TOTAL have them as their derivatives at zero.\n",
         );
         self.header(&["a/b", "C11", "C22", "C23", "C33"]);
         let cases = coefficient_cases();

@@ -229,10 +229,10 @@ impl Report {
         ));
         self.line(
             "* Errors: of the force, `|f − f_ref|` in units of `μ N`, for the 854 cases of \
-             `tests/data/open.csv`; of the derivatives, the worst entry of `∂(fx, fy)/∂(vx, vy, φ)` \
-             divided by the linear one, in the 70 states of `tests/data/jacobians.csv`; both as \
-             in [accuracy.md](accuracy.md). In single precision the derivatives are those of double \
-             precision.",
+             `tests/data/open.csv`; of the derivatives, the worst entry of `∂(fx, fy)/∂(vx, vy, \
+             φ)` divided by the linear one, in the 70 states of `tests/data/jacobians.csv`; both \
+             as in [accuracy.md](accuracy.md). In single precision the derivatives are those of \
+             double precision.",
         );
         self.line(
             "* FASTSIM 10x10 (3 flexibilities, parabolic bound, cell centres; \
@@ -453,8 +453,8 @@ impl Report {
             "`kstrip_evaluate_batch` with one array for each quantity against a loop over \
              `kstrip_solve`, nanoseconds of a contact; the results are the same bits. On x86-64 \
              processors with AVX, four contacts in double precision or eight in single precision \
-             stand side by side in one register. The library checks once whether the processor has AVX, and \
-             remembers it.\n",
+             stand side by side in one register. The library checks once whether the processor \
+             has AVX, and remembers it.\n",
         );
         let mut header = vec!["model".to_owned(), "precision".to_owned()];
         for set in [Set::Spin, Set::Mixed] {

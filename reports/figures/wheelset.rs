@@ -66,8 +66,8 @@ pub fn draw(folder: &Path) -> Drawn {
     let (blue, orange) = (RGBColor(0x00, 0x45, 0x8b), RGBColor(0xc8, 0x50, 0x00));
     picture(&folder.join("lateral_shift.svg"), (730, 470), |canvas| {
         write(canvas, "A wheel S1002 on a rail 60E1, moved sideways", (90.0, 10.0), 19)?;
-        let remark = "80 kN, 20 m/s, the axle turns at the speed divided by 0.46 m; creep forces and \
-             pressure together";
+        let remark = "80 kN, 20 m/s, the axle turns at the speed divided by 0.46 m; creep forces \
+             and pressure together";
         write(canvas, remark, (90.0, 38.0), 14)?;
         panel.draw(canvas)?;
         panel.curve(canvas, &along, blue, Kind::Line)?;

@@ -1,4 +1,5 @@
-//! The picture: two panels, error of the force and of the derivatives against cost, all logarithmic.
+//! The picture: two panels, error of the force and of the derivatives against cost, all
+//! logarithmic.
 
 use crate::pictures::*;
 use plotters::style::RGBColor;
