@@ -46,6 +46,7 @@ mod special_motions;
 mod total;
 mod unlike;
 mod warnings;
+mod wheel_angle;
 mod wheel_continuity;
 mod wheel_curved;
 mod wheel_plausibility;

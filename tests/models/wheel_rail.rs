@@ -18,12 +18,12 @@ use std::collections::HashMap;
 
 type Members = [f64; 6];
 
-fn rows(name: &str) -> Vec<HashMap<String, String>> {
+pub(crate) fn rows(name: &str) -> Vec<HashMap<String, String>> {
     let path = format!("{}/tests/data/wheel_rail/{name}.csv", env!("CARGO_MANIFEST_DIR"));
     csv::Reader::from_path(path).unwrap().deserialize().map(Result::unwrap).collect()
 }
 
-fn number(row: &HashMap<String, String>, name: &str) -> f64 {
+pub(crate) fn number(row: &HashMap<String, String>, name: &str) -> f64 {
     row[name].parse().unwrap_or_else(|_| panic!("{name} of {row:?}"))
 }
 
@@ -34,7 +34,7 @@ pub(crate) fn surface(y: &[f64], z: &[f64]) -> Box<Surface<f64>> {
 }
 
 /// A profile of the data, turned about its origin.
-fn profile(name: &str, turn: f64) -> Box<Surface<f64>> {
+pub(crate) fn profile(name: &str, turn: f64) -> Box<Surface<f64>> {
     let [y, z] = points(name);
     let (sine, cosine) = turn.sin_cos();
     let turned =
@@ -84,7 +84,7 @@ impl Stand {
         scene.solve(position, velocity, memory, None, None).unwrap()
     }
 
-    fn height(
+    pub(crate) fn height(
         &mut self,
         position: &Position<f64>,
         load: f64,
@@ -119,7 +119,7 @@ pub(crate) fn power(wrench: &Wrench<f64>, velocity: &Velocity<f64>) -> f64 {
     wrench.members().iter().zip(velocity).map(|(force, speed)| force * speed).sum()
 }
 
-fn mean_and_p95(mut errors: Vec<f64>) -> [f64; 2] {
+pub(crate) fn mean_and_p95(mut errors: Vec<f64>) -> [f64; 2] {
     errors.iter_mut().for_each(|error| *error = error.abs());
     errors.sort_by(f64::total_cmp);
     let p95 = errors[(errors.len() * 95 / 100).min(errors.len() - 1)];
@@ -127,7 +127,7 @@ fn mean_and_p95(mut errors: Vec<f64>) -> [f64; 2] {
 }
 
 /// The page on wheel and rail has these words.
-fn assert_told(words: &str) {
+pub(crate) fn assert_told(words: &str) {
     let page = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/wheel-rail.md");
     let page = std::fs::read_to_string(page).unwrap().replace('\n', " ");
     assert!(page.contains(words), "docs/wheel-rail.md: {words}");
