@@ -531,6 +531,49 @@ fn pages_are_short() {
     }
 }
 
+/// The pages that are read one after the other: each names the next at its end, and README lists
+/// them in this order.
+#[test]
+fn the_pages_of_a_reader_have_an_order() {
+    const ORDER: [&str; 9] = [
+        "tour",
+        "models",
+        "wheel-rail",
+        "wheelset",
+        "integration",
+        "adhesion",
+        "hosts",
+        "cookbook",
+        "cookbook-track",
+    ];
+    for pair in ORDER.windows(2) {
+        let text = read(format!("docs/{}.md", pair[0]));
+        let last = text.lines().next_back().expect("a line");
+        let next = format!("]({}.md).", pair[1]);
+        assert!(last.starts_with("Next: [") && last.ends_with(&next), "{}: {last}", pair[0]);
+    }
+    let readme = read("README.md");
+    let list = readme.split("## Where next").nth(1).expect("the list of pages");
+    let places = ORDER.map(|page| list.find(&format!("](docs/{page}.md)")).expect(page));
+    assert!(places.is_sorted(), "{places:?}");
+}
+
+/// What is not modelled stands in one list: docs/models.md has it, and other pages link to it.
+#[test]
+fn one_list_has_what_is_not_modelled() {
+    const KINDS: [&str; 4] = ["Transient rolling", "memory", "Temperature", "30 degrees"];
+    let page = read("docs/models.md");
+    let list = page.split("## What is not modelled").nth(1).expect("the list");
+    assert!(KINDS.iter().all(|kind| list.contains(kind)));
+    for page in pages().iter().filter(|page| !page.ends_with("docs/models.md")) {
+        let text = read(page);
+        assert!(!text.contains("# What is not modelled"), "{}", page.display());
+    }
+    for page in ["adhesion.md", "reference/other-programs.md", "patches.md"] {
+        assert!(read(format!("docs/{page}")).contains("models.md#what-is-not-modelled"), "{page}");
+    }
+}
+
 /// Every picture stands on a page, and has a background of its own, so that it is readable on light
 /// and on dark pages.
 #[test]
