@@ -23,7 +23,7 @@ has() { command -v "$1" > /dev/null 2>&1; }
 
 # What the page calls; everything else is left out of the link.
 exports="contact_from_hertz evaluate field height_for_load linear_coefficients material_combine patch_evaluate patch_field patch_summarize
-    prepare_profile status_string version_string wheel_motion wheel_on_rail"
+    prepare_profile status_string version_string wheel_motion wheel_on_rail wrench_from_contacts"
 
 has "$PYTHON" || skip "the page, because there is no python3"
 if ! has "$CARGO"; then skip "the page, because there is no cargo"; fi

@@ -59,7 +59,7 @@ function axes(box, x, y, labels, most = [6, 6]) {
         + (Math.min(...y) <= 0 && Math.max(...y) >= 0 ? `M${left} ${atY(0).toFixed(1)}H${left + width}` : "");
     const svg = `<path class="grid" d="${lines}"/><path class="zero" d="${zero}"/><g class="ticks">${text}</g>`
         + `<text class="label" x="${left + width / 2}" y="${top + height + 33}" text-anchor="middle">${labels[0]}</text>`
-        + `<text class="label" transform="translate(${left - 50} ${top + height / 2}) rotate(-90)" text-anchor="middle">${labels[1]}</text>`;
+        + `<text class="label" transform="translate(${left - 44} ${top + height / 2}) rotate(-90)" text-anchor="middle">${labels[1]}</text>`;
     return { atX, atY, svg };
 }
 

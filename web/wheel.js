@@ -123,7 +123,7 @@ const wheelView = {
         contact.strips = contact.patch.strips.slice(0, contact.patch.count);
         contact.peak = Math.max(0, ...contact.strips.map((strip) => strip.peak_pressure));
 
-        // Strips and tractions are those of STRIP; forces those of the chosen model
+        // Strips and tractions are those of STRIP at the mean slip
         const capacity = library.constants.KSTRIP_PATCH_CAPACITY;
         const forces = library.allocate(capacity * library.structures.kstrip_strip.size), number = library.allocate(4);
         const outputs = library.make("kstrip_outputs", { result, strips: forces, count: number, capacity });
@@ -131,13 +131,14 @@ const wheelView = {
         says("Patch", library.call("patch_evaluate", patch, creepage, 0, options, outputs));
         contact.result = library.read("kstrip_result", result);
         contact.forces = library.readAll("kstrip_strip", forces, contact.patch.count);
-        if (v.m !== "STRIP") {
-            library.write("kstrip_options", options, { model: library.constants[`KSTRIP_MODEL_${v.m}`] });
-            library.write("kstrip_outputs", outputs, { strips: 0, count: 0 });
-            says("Patch", library.call("patch_evaluate", patch, creepage, 0, options, outputs));
-            contact.result = { ...library.read("kstrip_result", result), adhesion: contact.result.adhesion };
-            library.write("kstrip_options", options, { model: library.constants.KSTRIP_MODEL_STRIP });
-        }
+        // The wrench of this contact alone, without its pressure: creep forces in its plane
+        library.write("kstrip_wheel_contact", pointer, { share: 1 });
+        const wrench = library.make("kstrip_wrench");
+        says("Contact", library.call("wrench_from_contacts", pointer, 1, velocity, library.constants[`KSTRIP_MODEL_${v.m}`], 0, wrench, 0));
+        library.write("kstrip_wheel_contact", pointer, { share: contact.share });
+        const [x, y, z] = library.read("kstrip_wrench", wrench).force, right = v.side === "left" ? -y : y;
+        contact.result.fx = -x;
+        contact.result.fy = -right * Math.cos(contact.angle) - z * Math.sin(contact.angle);
         const ys = contact.strips.map((strip) => strip.y), low = Math.min(...contact.strips.map((s) => s.centre_x - s.half_length));
         const high = Math.max(...contact.strips.map((s) => s.centre_x + s.half_length));
         const step = (high - low) / 13, xs = Array.from({ length: 13 }, (_, i) => low + (i + 0.5) * step);

@@ -155,6 +155,11 @@ class Tests:
         wrench = lambda state: (self.open(f"wheel&{state}"), self.page.evaluate("page.found.wrench"))[1]  # noqa: E731
         right, left = wrench("shift=4&yaw=3&drift=20&Q=90"), wrench("shift=-4&yaw=-3&drift=-20&Q=90&side=left")
         assert left["force"] == [right["force"][0], -right["force"][1], right["force"][2]], (right, left)
+        # The creep forces of the contacts are those of the wrench, where strips have their own slip too
+        for state in ("shift=2&turn=0.2", "shift=6.2&turn=0.3&m=TOTAL", "shift=-6&yaw=-2&turn=0.1&side=left"):
+            along = wrench(state)["force"][0]
+            contacts = self.page.evaluate("page.found.contacts.map((contact) => contact.share * contact.result.fx)")
+            assert abs(sum(contacts) + along) < 1e-9 * abs(along), (state, contacts, along)
         assert abs(right["force"][2] + 90e3) < 0.1 * 90e3 and right["force"][1] != 0, right
 
     def fastsim_is_that_of_the_reports(self):
