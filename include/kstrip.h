@@ -633,9 +633,9 @@ kstrip_status kstrip_solve(const struct kstrip_contact *contact,
 
 /**
  * Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) +
- * ratio), where w is the sliding velocity [m/s]. What lies between the bodies makes the creep
- * curve less steep: slope_factor and slide_factor stretch a curve that was measured or published,
- * layer is a known elastic layer.
+ * ratio), where w is the sliding velocity [m/s]. A layer between the bodies makes the creep
+ * curve less steep: slope_factor and slide_factor describe it for a measured or published curve,
+ * and layer is an elastic layer that is known.
  *
  * Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m;
  * wet 0.3, 0.4, 0.2 s/m.
@@ -661,13 +661,13 @@ typedef struct kstrip_friction {
      */
     double slope_factor;
     /**
-     * Stretch of the creep curve far in sliding over that at its start [-], 0 to 1; 0 stands for
-     * 1: the whole curve is stretched alike.
+     * Stretch of the creep curve far in sliding divided by that at its start [-], 0 to 1; 0
+     * stands for 1: the whole curve is stretched alike.
      */
     double slide_factor;
     /**
-     * Thickness of an elastic layer between the bodies over its shear modulus [m/Pa], >= 0; 0:
-     * none.
+     * Thickness of an elastic layer between the bodies divided by its shear modulus [m/Pa],
+     * >= 0; 0: none.
      */
     double layer;
 } kstrip_friction;
@@ -1177,7 +1177,7 @@ kstrip_status kstrip_field(const struct kstrip_contact *contact,
  * The points are smoothed over the length that kstrip_profile_contact gives.
  */
 typedef struct kstrip_profile {
-    /** OutputPlaces y [m], ascending. */
+    /** Places y [m], ascending. */
     const double *y;
     /**
      * Distance of the bodies there [m], the least along x. A constant added to all distances
@@ -1185,7 +1185,7 @@ typedef struct kstrip_profile {
      */
     const double *distance;
     /**
-     * Output along x [m] where the distance is least; bodies that yaw touch ahead on one side and
+     * Place along x [m] where the distance is least; bodies that yaw touch ahead on one side and
      * behind on the other. NULL: at 0.
      */
     const double *centre_x;
@@ -1518,8 +1518,8 @@ typedef struct kstrip_surface {
     /** Number of points, 4 to KSTRIP_SURFACE_CAPACITY. */
     uint32_t count;
     /**
-     * What the form tells: 0 where it may be that of a wheel and of a rail, or a sum of 1 (it is
-     * not that of a wheel) and 2 (not that of a rail).
+     * What the shape excludes: 0 nothing, or a sum of 1 (it is not the profile of a wheel) and 2
+     * (it is not the profile of a rail).
      */
     uint32_t form;
 } kstrip_surface;
@@ -1558,8 +1558,8 @@ kstrip_status kstrip_prepare_profile(const double *y,
                                      struct kstrip_surface *surface);
 
 /**
- * Where the wheel is, over straight track. A right wheel leans on the gauge side, which is at
- * small y, with its flange.
+ * Position of the wheel on straight track. The flange of a right wheel touches the gauge side of
+ * the rail, which is at small y.
  */
 typedef struct kstrip_wheel_position {
     /**
@@ -1683,8 +1683,8 @@ typedef struct kstrip_wheel_pair {
     int32_t model;
     /**
      * Damping of the pressure d [s/m], >= 0 (Hunt and Crossley): the pressure is multiplied by
-     * 1 + d times the velocity at which the surfaces approach each other, or by 0 where this is
-     * negative; friction follows it.
+     * 1 + d times the velocity at which the surfaces approach each other, or by 0 where this
+     * factor is negative; the bound of friction changes with it.
      */
     double normal_damping;
     /** Floor of the speed [m/s], >= 0, as in kstrip_motion; 0 stands for 0.02. */
@@ -1698,7 +1698,7 @@ typedef struct kstrip_wheel_pair {
     double rail_ahead;
     /**
      * Speed at which the surface of the rail moves backward under the wheel [m/s], that of a
-     * roller at rail_radius: a wheel whose centre is at rest rolls on it as one does that moves
+     * roller at rail_radius: a wheel whose centre is at rest rolls on it like a wheel that moves
      * forward on a rail at rest.
      */
     double rail_speed;
@@ -1715,8 +1715,8 @@ typedef struct kstrip_wheel_contact {
      */
     double origin[3];
     /**
-     * Angle of the pressure [rad]: mean of the strips' angles, weighted with load. For a left
-     * wheel it is that of the mirrored right wheel.
+     * Angle of the contact plane [rad]: mean of the strips' angles, weighted with load. For a
+     * left wheel it is that of the mirrored right wheel.
      */
     double angle;
     /**
@@ -1743,10 +1743,10 @@ typedef struct kstrip_wheel_contact {
     /** Length on the rail at y = 0 of the patch [m]. */
     double along;
     /**
-     * Derivatives of the wheel's velocity into the rail, mean of the strips weighted with load, by
-     * the members of kstrip_wheel_velocity. The force and the moment of the pressure on the wheel
-     * are minus share times normal_force times these six numbers, and times the factor of the
-     * damping.
+     * Derivatives of the wheel's velocity into the rail, mean of the strips weighted with load,
+     * with respect to the members of kstrip_wheel_velocity. The force and the moment of the
+     * pressure on the wheel are minus share times normal_force times these six numbers, and times
+     * the factor of the damping.
      */
     double normal[6];
     /**
@@ -1958,7 +1958,7 @@ typedef struct kstrip_wrench_by_position {
  * In a curve, pass the velocity relative to the momentary track, which is at rest. On a roller,
  * pass that of the wheel's centre in the axes of the rig, in which the roller turns. Force and
  * moment are continuous in position and velocity: a contact appears and vanishes with zero load,
- * and two contacts between 8 and 4 mm of distance become one. The time is bounded.
+ * and two contacts whose distance falls from 8 to 4 mm become one. The time is bounded.
  *
  * @param rail, wheel     prepared profiles.
  * @param pair            materials, friction, side, number of strips, model.
@@ -2108,12 +2108,13 @@ typedef struct kstrip_curve {
 
 /**
  * Motion and weight in a curve. The axes of the track run along the curve with its speed, and turn
- * with it; relative to the momentary track, which is at rest, a body therefore has this motion and
- * its own. Use it before kstrip_wheelset_on_track() and for the weight of every body.
+ * with it; relative to the momentary track, which is at rest, a body therefore has this motion in
+ * addition to its own. Use it before kstrip_wheelset_on_track() and for the weight of every body.
  *
  * @param curve           speed, curvature, cant.
  * @param position        where the body is in the axes of the track; vertical is not used.
- * @param relative        how the body moves in these axes; forward beyond the speed of the curve.
+ * @param relative        how the body moves in these axes; forward is the velocity in
+ *                        addition to the speed of the curve.
  * @param[out] velocity   receives the velocity relative to the momentary track.
  * @param[out] weight     receives three numbers: weight per mass, the centrifugal part included,
  *                        forward, lateral, vertical [m/s^2]. At balance speed its lateral part is
@@ -2137,8 +2138,8 @@ typedef struct kstrip_wheelset {
      */
     const struct kstrip_friction *friction[2];
     /**
-     * Radius, materials, friction and options of each wheel; where the left wheel_radius is 0 all
-     * of the right one holds for the left one. The member left is not used.
+     * Radius, materials, friction and options of each wheel; if the left wheel_radius is 0, the
+     * left wheel has all values of the right one. The member left is not used.
      */
     struct kstrip_wheel_pair pair[2];
     /**
@@ -2404,8 +2405,8 @@ typedef struct kstrip_friction_estimate {
     double sensitivity;
     /**
      * Distance between the measured and the computed force [N] in the components that were
-     * measured. For one component it is rounding; for both it is what friction cannot explain,
-     * because the directions of the forces differ.
+     * measured. For one component it is rounding; for both it is the part that friction
+     * cannot explain, because the directions of the forces differ.
      */
     double residual;
     /** The status of this result: 0 or one of the KSTRIP_WARNING constants. */
@@ -2430,9 +2431,9 @@ typedef struct kstrip_friction_estimate {
  * nearly zero: this happened to up to one of ten thousand estimates with each of the models of
  * 1967, to one of a hundred thousand with KSTRIP_MODEL_STRIP, and to none with KSTRIP_MODEL_TOTAL.
  *
- * Under a law the result is its friction, without slip: a force that was made with the law comes
- * back as the law's coefficient. A law that differs from what made the force gives another
- * friction at every creepage; kstrip_fit_friction() finds the law.
+ * Under a law the result is its friction, without slip: a force that was computed with the law
+ * gives the law's coefficient. If the actual law is another one, each creepage gives another
+ * friction; kstrip_fit_friction() finds the law.
  *
  * @param contact         ellipse, load, material; its friction is ignored.
  * @param creepage        motion.
@@ -2460,7 +2461,7 @@ kstrip_status kstrip_estimate_friction(const struct kstrip_contact *contact,
 /**
  * The creepage at which a contact with a given spin carries a requested force.
  *
- * The search mostly needs five solutions with derivatives. Of ten thousand plausible contacts
+ * The search usually needs five solutions with derivatives. Of ten thousand plausible contacts
  * about one needs more than 12 (14 with KSTRIP_MODEL_STRIP_1967, whose force jumps). The requested
  * forces of these contacts are near friction times load, where the force falls before it grows
  * further. The search ends after 40 with KSTRIP_WARNING_NOT_CONVERGED and the creepage that comes
@@ -2502,7 +2503,7 @@ typedef struct kstrip_measured_force {
     /** Lateral force on the lower body [N]; ignored unless it was measured. */
     double fy;
     /**
-     * Weight of the squared error of a force, >= 0: 1 for points of one accuracy, 1/error^2
+     * Weight of the squared error of a force, >= 0: 1 for points of equal accuracy, 1/error^2
      * otherwise; 0: the point does not count.
      */
     double weight;
@@ -2517,8 +2518,8 @@ typedef struct kstrip_friction_fit {
     /** The law. */
     struct kstrip_friction law;
     /**
-     * Standard errors of its members, from what is left between the points and the law; 0 for a
-     * member that was not fitted or that ended at a bound.
+     * Standard errors of its members, from the remaining differences between points and law; 0 for
+     * a member that was not fitted or that ended at a bound.
      */
     struct kstrip_friction standard_errors;
     /**
@@ -2526,7 +2527,7 @@ typedef struct kstrip_friction_fit {
      * [N].
      */
     double residual;
-    /** How often all forces were computed. */
+    /** Number of times that all forces were computed. */
     uint32_t steps;
     /** The status of this result: 0 or one of the KSTRIP_WARNING constants. */
     kstrip_status status_detail;
@@ -2536,17 +2537,17 @@ typedef struct kstrip_friction_fit {
  * The law of friction that comes nearest to a measured creep curve.
  *
  * The sum of the squared differences between measured and computed forces, each times the weight
- * of its point, is made least by at most 80 damped Gauss-Newton steps with exact derivatives; on
- * measured curves 6 to 20 do. Each step costs one solution with derivatives for every point.
- * Members of the law that are not fitted keep the values of start. A member that is fitted and is
- * 0 in start begins at a usual value; friction that falls needs the rolling speed in start. Bounds
+ * of its point, is minimised by at most 80 damped Gauss-Newton steps with exact derivatives;
+ * measured curves need 6 to 20. Each step costs one solution with derivatives for every point.
+ * Members of the law that are not fitted keep the values of start. A fitted member that is 0 in
+ * start begins at a usual value; friction that falls needs the rolling speed in start. Bounds
  * are those of the law: a member that ends at its bound has a standard error of 0.
  *
  * Points that lie on one part of the curve do not determine each parameter: creepages below one
  * per cent only bound friction from below, and without the start of the curve slope factor and
  * layer are unknown. The status is then KSTRIP_WARNING_UNDETERMINED: with errors of the forces of
- * one per cent, or those that there are, a parameter would be uncertain by more than half of
- * itself. Layer and slope factor are nearly exchangeable; fit one of them.
+ * one per cent, or their actual errors if these are larger, a parameter would be uncertain by more
+ * than half of its value. Layer and slope factor have nearly the same effect; fit one of them.
  *
  * @param contact         ellipse, load, material of all points; its friction is ignored.
  * @param points, count   the measured points.
@@ -2597,7 +2598,7 @@ kstrip_status kstrip_fit_friction(const struct kstrip_contact *contact,
 kstrip_status kstrip_options_init(struct kstrip_options *options);
 
 /**
- * The same result seen from the upper body: opposite forces and moment, same power and adhesion.
+ * The result on the upper body: opposite forces and moment, same power and adhesion.
  *
  * @param lower           result on the lower body.
  * @param[out] upper      receives the result on the upper body.

@@ -163,9 +163,9 @@ kstrip_status kstrip_solve_f32(const struct kstrip_contact_f32 *contact,
 
 /**
  * Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) +
- * ratio), where w is the sliding velocity [m/s]. What lies between the bodies makes the creep
- * curve less steep: slope_factor and slide_factor stretch a curve that was measured or published,
- * layer is a known elastic layer.
+ * ratio), where w is the sliding velocity [m/s]. A layer between the bodies makes the creep
+ * curve less steep: slope_factor and slide_factor describe it for a measured or published curve,
+ * and layer is an elastic layer that is known.
  *
  * Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m;
  * wet 0.3, 0.4, 0.2 s/m.
@@ -578,8 +578,8 @@ kstrip_status kstrip_prepare_profile_f32(const float *y,
                                          struct kstrip_surface_f32 *surface);
 
 /**
- * Where the wheel is, over straight track. A right wheel leans on the gauge side, which is at
- * small y, with its flange.
+ * Position of the wheel on straight track. The flange of a right wheel touches the gauge side of
+ * the rail, which is at small y.
  */
 typedef struct kstrip_wheel_position_f32 {
     float lateral;

@@ -87,8 +87,8 @@ statuses! {
         SlideFactor = -25:
             "the factor of the creep curve in sliding must be >= 0 and <= 1 (0 stands for 1)",
         Layer = -26:
-            "the layer between the bodies is negative: thickness over shear modulus must be >= 0 \
-             (m/Pa)",
+            "the layer between the bodies is negative: thickness divided by shear modulus must be \
+             >= 0 (m/Pa)",
         FewPoints = -27:
             "fewer measured forces than parameters to fit: pass more points, or fit fewer \
              parameters",

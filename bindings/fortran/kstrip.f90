@@ -425,7 +425,7 @@ module kstrip
       integer(c_int32_t) :: form = 0
    end type
 
-   !> Where the wheel is, over straight track.
+   !> Position of the wheel on straight track.
    type, bind(c) :: kstrip_wheel_position
       real(c_double) :: lateral = 0
       real(c_double) :: vertical = 0
@@ -1098,7 +1098,7 @@ module kstrip
          type(kstrip_options), intent(inout) :: options
       end function
 
-      !> The same result seen from the upper body: opposite forces and moment, same power and adhesion.
+      !> The result on the upper body: opposite forces and moment, same power and adhesion.
       integer(c_int32_t) function kstrip_result_on_upper_body(lower, upper) bind(c)
          import
          type(kstrip_result), intent(in) :: lower

@@ -214,12 +214,12 @@ pub struct PatchSummary<F> {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProfilePoints<F> {
-    /// OutputPlaces y [m], ascending.
+    /// Places y [m], ascending.
     pub y: *const F,
     /// Distance of the bodies there [m], the least along x. A constant added to all distances
     /// changes nothing.
     pub distance: *const F,
-    /// Output along x [m] where the distance is least; bodies that yaw touch ahead on one side and
+    /// Place along x [m] where the distance is least; bodies that yaw touch ahead on one side and
     /// behind on the other. NULL: at 0.
     pub centre_x: *const F,
     /// Rolling radius [m], > 0, of each point; it replaces that of the contact. NULL: the contact's
@@ -289,8 +289,8 @@ pub struct WheelsetParts<F> {
     /// Friction that falls with the slip, as in kstrip_patch_evaluate(): right, left; NULL:
     /// constant.
     pub friction: [*const SlipFriction<F>; 2],
-    /// Radius, materials, friction and options of each wheel; where the left wheel_radius is 0 all
-    /// of the right one holds for the left one. The member left is not used.
+    /// Radius, materials, friction and options of each wheel; if the left wheel_radius is 0, the
+    /// left wheel has all values of the right one. The member left is not used.
     pub pair: [WheelPair<F>; 2],
     /// Distance of the backs of the flanges [m], 1.360 for standard gauge; not used where
     /// running_circles is given.

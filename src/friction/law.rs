@@ -7,9 +7,9 @@ use crate::number::{Float, Real, are_finite};
 use crate::status::Error;
 
 /// Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) +
-/// ratio), where w is the sliding velocity \[m/s\]. What lies between the bodies makes the creep
-/// curve less steep: slope_factor and slide_factor stretch a curve that was measured or published,
-/// layer is a known elastic layer.
+/// ratio), where w is the sliding velocity \[m/s\]. A layer between the bodies makes the creep
+/// curve less steep: slope_factor and slide_factor describe it for a measured or published curve,
+/// and layer is an elastic layer that is known.
 ///
 /// Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m;
 /// wet 0.3, 0.4, 0.2 s/m.
@@ -29,11 +29,11 @@ pub struct SlipFriction<F> {
     /// Initial slope of the creep curve divided by that of clean bodies \[-\], 0 to 1; 0 stands for
     /// 1, clean.
     pub slope_factor: F,
-    /// Stretch of the creep curve far in sliding over that at its start \[-\], 0 to 1; 0 stands for
-    /// 1: the whole curve is stretched alike.
+    /// Stretch of the creep curve far in sliding divided by that at its start \[-\], 0 to 1; 0
+    /// stands for 1: the whole curve is stretched alike.
     pub slide_factor: F,
-    /// Thickness of an elastic layer between the bodies over its shear modulus \[m/Pa\], >= 0; 0:
-    /// none.
+    /// Thickness of an elastic layer between the bodies divided by its shear modulus \[m/Pa\],
+    /// >= 0; 0: none.
     pub layer: F,
 }
 

@@ -55,7 +55,7 @@ pub struct MeasuredForce<F> {
     pub fx: F,
     /// Lateral force on the lower body \[N\]; ignored unless it was measured.
     pub fy: F,
-    /// Weight of the squared error of a force, >= 0: 1 for points of one accuracy, 1/error^2
+    /// Weight of the squared error of a force, >= 0: 1 for points of equal accuracy, 1/error^2
     /// otherwise; 0: the point does not count.
     pub weight: F,
     /// KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added.
@@ -70,13 +70,13 @@ pub struct MeasuredForce<F> {
 pub struct FrictionFit<F> {
     /// The law.
     pub law: SlipFriction<F>,
-    /// Standard errors of its members, from what is left between the points and the law; 0 for a
-    /// member that was not fitted or that ended at a bound.
+    /// Standard errors of its members, from the remaining differences between points and law; 0 for
+    /// a member that was not fitted or that ended at a bound.
     pub standard_errors: SlipFriction<F>,
     /// Root of the weighted mean of the squared differences between measured and computed forces
     /// \[N\].
     pub residual: F,
-    /// How often all forces were computed.
+    /// Number of times that all forces were computed.
     pub steps: u32,
     /// The status of this result: 0 or one of the KSTRIP_WARNING constants.
     pub warning: Warning,

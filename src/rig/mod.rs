@@ -55,8 +55,8 @@ pub struct FrictionEstimate<F> {
     /// force; 0 for a lower bound.
     pub sensitivity: F,
     /// Distance between the measured and the computed force \[N\] in the components that were
-    /// measured. For one component it is rounding; for both it is what friction cannot explain,
-    /// because the directions of the forces differ.
+    /// measured. For one component it is rounding; for both it is the part that friction
+    /// cannot explain, because the directions of the forces differ.
     pub residual: F,
     /// The status of this result: 0 or one of the KSTRIP_WARNING constants.
     pub warning: Warning,

@@ -67,8 +67,8 @@ pub struct WheelContact<F> {
     /// Point where the pressure acts, on the wheel's undeformed surface, from the wheel's centre
     /// \[m\], axes of the track.
     pub origin: [F; 3],
-    /// Angle of the pressure \[rad\]: mean of the strips' angles, weighted with load. For a left
-    /// wheel it is that of the mirrored right wheel.
+    /// Angle of the contact plane \[rad\]: mean of the strips' angles, weighted with load. For a
+    /// left wheel it is that of the mirrored right wheel.
     pub angle: F,
     /// Range of the angle over the patch \[rad\]; above 0.52 the status is
     /// KSTRIP_WARNING_ANGLE_RANGE.
@@ -87,10 +87,10 @@ pub struct WheelContact<F> {
     pub stiffness: F,
     /// Length on the rail at y = 0 of the patch \[m\].
     pub along: F,
-    /// Derivatives of the wheel's velocity into the rail, mean of the strips weighted with load, by
-    /// the members of kstrip_wheel_velocity. The force and the moment of the pressure on the wheel
-    /// are minus share times normal_force times these six numbers, and times the factor of the
-    /// damping.
+    /// Derivatives of the wheel's velocity into the rail, mean of the strips weighted with load,
+    /// with respect to the members of kstrip_wheel_velocity. The force and the moment of the
+    /// pressure on the wheel are minus share times normal_force times these six numbers, and times
+    /// the factor of the damping.
     pub normal: [F; 6],
     /// slip_x of kstrip_motion at the patch's origin: derivatives with respect to the members of
     /// kstrip_wheel_velocity.

@@ -50,8 +50,8 @@ pub const KSTRIP_CONTACTS_CAPACITY: usize = 6;
 /// Largest number of places along the rail at which friction is given.
 pub const KSTRIP_RAIL_FRICTION_CAPACITY: usize = 4;
 
-/// Where the wheel is, over straight track. A right wheel leans on the gauge side, which is at
-/// small y, with its flange.
+/// Position of the wheel on straight track. The flange of a right wheel touches the gauge side of
+/// the rail, which is at small y.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Position<F> {
@@ -146,8 +146,8 @@ pub struct WheelPair<F> {
     /// KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967.
     pub model: i32,
     /// Damping of the pressure d \[s/m\], >= 0 (Hunt and Crossley): the pressure is multiplied by
-    /// 1 + d times the velocity at which the surfaces approach each other, or by 0 where this is
-    /// negative; friction follows it.
+    /// 1 + d times the velocity at which the surfaces approach each other, or by 0 where this
+    /// factor is negative; the bound of friction changes with it.
     pub normal_damping: F,
     /// Floor of the speed \[m/s\], >= 0, as in kstrip_motion; 0 stands for 0.02.
     pub floor_speed: F,
@@ -157,7 +157,7 @@ pub struct WheelPair<F> {
     /// x of the roller's axis from the wheel's centre \[m\]; not used for a straight rail.
     pub rail_ahead: F,
     /// Speed at which the surface of the rail moves backward under the wheel \[m/s\], that of a
-    /// roller at rail_radius: a wheel whose centre is at rest rolls on it as one does that moves
+    /// roller at rail_radius: a wheel whose centre is at rest rolls on it like a wheel that moves
     /// forward on a rail at rest.
     pub rail_speed: F,
 }

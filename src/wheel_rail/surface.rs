@@ -26,8 +26,8 @@ pub struct Surface<F> {
     pub spacing: F,
     /// Number of points, 4 to KSTRIP_SURFACE_CAPACITY.
     pub count: u32,
-    /// What the form tells: 0 where it may be that of a wheel and of a rail, or a sum of 1 (it is
-    /// not that of a wheel) and 2 (not that of a rail).
+    /// What the shape excludes: 0 nothing, or a sum of 1 (it is not the profile of a wheel) and 2
+    /// (it is not the profile of a rail).
     pub form: u32,
 }
 

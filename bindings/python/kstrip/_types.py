@@ -94,15 +94,15 @@ class Result(Record, name="result"):
 
 
 class Friction(Record, name="friction"):
-    """Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) + ratio), where w is the sliding velocity [m/s]. What lies between the bodies makes the creep curve less steep: slope_factor and slide_factor stretch a curve that was measured or published, layer is a known elastic layer. Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m; wet 0.3, 0.4, 0.2 s/m."""
+    """Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) + ratio), where w is the sliding velocity [m/s]. A layer between the bodies makes the creep curve less steep: slope_factor and slide_factor describe it for a measured or published curve, and layer is an elastic layer that is known. Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m; wet 0.3, 0.4, 0.2 s/m."""
 
     friction = Numbers('', 'Coefficient of friction without slip [-], >= 0.')
     ratio = Numbers('', 'Friction at infinite sliding velocity divided by friction at zero velocity [-], 0 to 1; 1: friction is constant.')
     decay = Numbers('s/m', 'How fast friction falls [s/m], >= 0; 0: friction is constant.')
     rolling_speed = Numbers('m/s', 'Rolling speed [m/s], >= 0: sliding velocity is slip times rolling speed; 0: friction is constant.')
     slope_factor = Numbers('', 'Initial slope of the creep curve divided by that of clean bodies [-], 0 to 1; 0 stands for 1, clean.')
-    slide_factor = Numbers('', 'Stretch of the creep curve far in sliding over that at its start [-], 0 to 1; 0 stands for 1: the whole curve is stretched alike.')
-    layer = Numbers('m/Pa', 'Thickness of an elastic layer between the bodies over its shear modulus [m/Pa], >= 0; 0: none.')
+    slide_factor = Numbers('', 'Stretch of the creep curve far in sliding divided by that at its start [-], 0 to 1; 0 stands for 1: the whole curve is stretched alike.')
+    layer = Numbers('m/Pa', 'Thickness of an elastic layer between the bodies divided by its shear modulus [m/Pa], >= 0; 0: none.')
 
 
 class Derivatives(Record, name="derivatives"):
@@ -252,11 +252,11 @@ class Surface(Record, name="surface"):
     step = Numbers('m', 'Length between two points [m].')
     spacing = Numbers('m', 'Mean distance between the points that were given [m].')
     count = Integers('', 'Number of points, 4 to KSTRIP_SURFACE_CAPACITY.')
-    form = Integers('', 'What the form tells: 0 where it may be that of a wheel and of a rail, or a sum of 1 (it is not that of a wheel) and 2 (not that of a rail).')
+    form = Integers('', 'What the shape excludes: 0 nothing, or a sum of 1 (it is not the profile of a wheel) and 2 (it is not the profile of a rail).')
 
 
 class WheelPosition(Record, name="wheel_position"):
-    """Where the wheel is, over straight track. A right wheel leans on the gauge side, which is at small y, with its flange."""
+    """Position of the wheel on straight track. The flange of a right wheel touches the gauge side of the rail, which is at small y."""
 
     lateral = Numbers('m', "y of the wheel's centre from the origin of the rail's profile [m], to the right. The centre is the point of the axle at y = 0 of the wheel's profile.")
     vertical = Numbers('m', "Zero when the centre is one wheel radius above the rail's origin; positive downward [m].")
@@ -291,18 +291,18 @@ class WheelPair(Record, name="wheel_pair"):
     smoothing_length = Numbers('m', "Length over which the distance of the surfaces is smoothed [m], >= 0. It is always at least 2.5 steps of the wheel's profile. For rough profiles set it to 2 mm.")
     strips = Integers('', 'About how many strips a contact has: 4, 8, 16, 32 or 64; 0: 16.')
     model = Integers('', 'KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967.')
-    normal_damping = Numbers('s/m', 'Damping of the pressure d [s/m], >= 0 (Hunt and Crossley): the pressure is multiplied by 1 + d times the velocity at which the surfaces approach each other, or by 0 where this is negative; friction follows it.')
+    normal_damping = Numbers('s/m', 'Damping of the pressure d [s/m], >= 0 (Hunt and Crossley): the pressure is multiplied by 1 + d times the velocity at which the surfaces approach each other, or by 0 where this factor is negative; the bound of friction changes with it.')
     floor_speed = Numbers('m/s', 'Floor of the speed [m/s], >= 0, as in kstrip_motion; 0 stands for 0.02.')
     rail_radius = Numbers('m', 'Radius of the rail at z = 0 of its profile [m], >= 0: that of a roller rig or of the lower of two discs, whose axis is along y; 0: a straight rail.')
     rail_ahead = Numbers('m', "x of the roller's axis from the wheel's centre [m]; not used for a straight rail.")
-    rail_speed = Numbers('m/s', 'Speed at which the surface of the rail moves backward under the wheel [m/s], that of a roller at rail_radius: a wheel whose centre is at rest rolls on it as one does that moves forward on a rail at rest.')
+    rail_speed = Numbers('m/s', 'Speed at which the surface of the rail moves backward under the wheel [m/s], that of a roller at rail_radius: a wheel whose centre is at rest rolls on it like a wheel that moves forward on a rail at rest.')
 
 
 class WheelContact(Record, name="wheel_contact"):
     """One contact of a wheel. Its frame is (x, t, n): forward, across along the surface, into the rail."""
 
     origin = Numbers('m', "Point where the pressure acts, on the wheel's undeformed surface, from the wheel's centre [m], axes of the track.")
-    angle = Numbers('rad', "Angle of the pressure [rad]: mean of the strips' angles, weighted with load. For a left wheel it is that of the mirrored right wheel.")
+    angle = Numbers('rad', "Angle of the contact plane [rad]: mean of the strips' angles, weighted with load. For a left wheel it is that of the mirrored right wheel.")
     angle_range = Numbers('rad', 'Range of the angle over the patch [rad]; above 0.52 the status is KSTRIP_WARNING_ANGLE_RANGE.')
     radius = Numbers('m', 'Distance of the origin from the axle [m].')
     normal_force = Numbers('N', 'Load of the strips [N].')
@@ -310,7 +310,7 @@ class WheelContact(Record, name="wheel_contact"):
     approach = Numbers('m', 'Overlap of the undeformed, smoothed surfaces where it is deepest [m].')
     stiffness = Numbers('N/m', 'Derivative of the load with respect to the distance by which the surfaces are moved into each other [N/m].')
     along = Numbers('m', 'Length on the rail at y = 0 of the patch [m].')
-    normal = Numbers('', "Derivatives of the wheel's velocity into the rail, mean of the strips weighted with load, by the members of kstrip_wheel_velocity. The force and the moment of the pressure on the wheel are minus share times normal_force times these six numbers, and times the factor of the damping.")
+    normal = Numbers('', "Derivatives of the wheel's velocity into the rail, mean of the strips weighted with load, with respect to the members of kstrip_wheel_velocity. The force and the moment of the pressure on the wheel are minus share times normal_force times these six numbers, and times the factor of the damping.")
     slip_x = Numbers('', "slip_x of kstrip_motion at the patch's origin: derivatives with respect to the members of kstrip_wheel_velocity.")
     slip_y = Numbers('', 'slip_y of kstrip_motion.')
     spin_rate = Numbers('', 'spin_rate of kstrip_motion.')
@@ -432,7 +432,7 @@ class FrictionEstimate(Record, name="friction_estimate"):
 
     friction = Numbers('', 'Coefficient of friction [-]; a lower bound with KSTRIP_WARNING_FRICTION_AT_LEAST.')
     sensitivity = Numbers('1/N', 'd(friction)/d(force) [1/N]: change of the coefficient for an error of 1 N in the measured force; 0 for a lower bound.')
-    residual = Numbers('N', 'Distance between the measured and the computed force [N] in the components that were measured. For one component it is rounding; for both it is what friction cannot explain, because the directions of the forces differ.')
+    residual = Numbers('N', 'Distance between the measured and the computed force [N] in the components that were measured. For one component it is rounding; for both it is the part that friction cannot explain, because the directions of the forces differ.')
     status_detail = Integers('', 'The status of this result: 0 or one of the KSTRIP_WARNING constants.')
 
 
@@ -444,7 +444,7 @@ class MeasuredForce(Record, name="measured_force"):
     spin = Numbers('1/m', 'Spin [1/m].')
     fx = Numbers('N', 'Longitudinal force on the lower body [N]; ignored unless it was measured.')
     fy = Numbers('N', 'Lateral force on the lower body [N]; ignored unless it was measured.')
-    weight = Numbers('', 'Weight of the squared error of a force, >= 0: 1 for points of one accuracy, 1/error^2 otherwise; 0: the point does not count.')
+    weight = Numbers('', 'Weight of the squared error of a force, >= 0: 1 for points of equal accuracy, 1/error^2 otherwise; 0: the point does not count.')
     measured = Integers('', 'KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added.')
 
 
@@ -452,7 +452,7 @@ class FrictionFit(Record, name="friction_fit"):
     """A law of friction that was fitted to measured points."""
 
     law = Part(Friction, '', 'The law.')
-    standard_errors = Part(Friction, '', 'Standard errors of its members, from what is left between the points and the law; 0 for a member that was not fitted or that ended at a bound.')
+    standard_errors = Part(Friction, '', 'Standard errors of its members, from the remaining differences between points and law; 0 for a member that was not fitted or that ended at a bound.')
     residual = Numbers('N', 'Root of the weighted mean of the squared differences between measured and computed forces [N].')
-    steps = Integers('', 'How often all forces were computed.')
+    steps = Integers('', 'Number of times that all forces were computed.')
     status_detail = Integers('', 'The status of this result: 0 or one of the KSTRIP_WARNING constants.')

@@ -19,9 +19,9 @@ use crate::ffi::support::*;
 /// nearly zero: this happened to up to one of ten thousand estimates with each of the models of
 /// 1967, to one of a hundred thousand with KSTRIP_MODEL_STRIP, and to none with KSTRIP_MODEL_TOTAL.
 ///
-/// Under a law the result is its friction, without slip: a force that was made with the law comes
-/// back as the law's coefficient. A law that differs from what made the force gives another
-/// friction at every creepage; kstrip_fit_friction() finds the law.
+/// Under a law the result is its friction, without slip: a force that was computed with the law
+/// gives the law's coefficient. If the actual law is another one, each creepage gives another
+/// friction; kstrip_fit_friction() finds the law.
 ///
 /// @param contact         ellipse, load, material; its friction is ignored.
 /// @param creepage        motion.
@@ -66,7 +66,7 @@ pub extern "C" fn kstrip_estimate_friction(
 
 /// The creepage at which a contact with a given spin carries a requested force.
 ///
-/// The search mostly needs five solutions with derivatives. Of ten thousand plausible contacts
+/// The search usually needs five solutions with derivatives. Of ten thousand plausible contacts
 /// about one needs more than 12 (14 with KSTRIP_MODEL_STRIP_1967, whose force jumps). The requested
 /// forces of these contacts are near friction times load, where the force falls before it grows
 /// further. The search ends after 40 with KSTRIP_WARNING_NOT_CONVERGED and the creepage that comes
@@ -113,17 +113,17 @@ pub extern "C" fn kstrip_creepage_for_force(
 /// The law of friction that comes nearest to a measured creep curve.
 ///
 /// The sum of the squared differences between measured and computed forces, each times the weight
-/// of its point, is made least by at most 80 damped Gauss-Newton steps with exact derivatives; on
-/// measured curves 6 to 20 do. Each step costs one solution with derivatives for every point.
-/// Members of the law that are not fitted keep the values of start. A member that is fitted and is
-/// 0 in start begins at a usual value; friction that falls needs the rolling speed in start. Bounds
+/// of its point, is minimised by at most 80 damped Gauss-Newton steps with exact derivatives;
+/// measured curves need 6 to 20. Each step costs one solution with derivatives for every point.
+/// Members of the law that are not fitted keep the values of start. A fitted member that is 0 in
+/// start begins at a usual value; friction that falls needs the rolling speed in start. Bounds
 /// are those of the law: a member that ends at its bound has a standard error of 0.
 ///
 /// Points that lie on one part of the curve do not determine each parameter: creepages below one
 /// per cent only bound friction from below, and without the start of the curve slope factor and
 /// layer are unknown. The status is then KSTRIP_WARNING_UNDETERMINED: with errors of the forces of
-/// one per cent, or those that there are, a parameter would be uncertain by more than half of
-/// itself. Layer and slope factor are nearly exchangeable; fit one of them.
+/// one per cent, or their actual errors if these are larger, a parameter would be uncertain by more
+/// than half of its value. Layer and slope factor have nearly the same effect; fit one of them.
 ///
 /// @param contact         ellipse, load, material of all points; its friction is ignored.
 /// @param points, count   the measured points.

@@ -199,7 +199,7 @@ pub extern "C" fn kstrip_solve_linear(
     })
 }
 
-/// The same result seen from the upper body: opposite forces and moment, same power and adhesion.
+/// The result on the upper body: opposite forces and moment, same power and adhesion.
 ///
 /// @param lower           result on the lower body.
 /// @param[out] upper      receives the result on the upper body.

@@ -181,7 +181,7 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
 /// In a curve, pass the velocity relative to the momentary track, which is at rest. On a roller,
 /// pass that of the wheel's centre in the axes of the rig, in which the roller turns. Force and
 /// moment are continuous in position and velocity: a contact appears and vanishes with zero load,
-/// and two contacts between 8 and 4 mm of distance become one. The time is bounded.
+/// and two contacts whose distance falls from 8 to 4 mm become one. The time is bounded.
 ///
 /// @param rail, wheel     prepared profiles.
 /// @param pair            materials, friction, side, number of strips, model.

@@ -31,12 +31,13 @@ pub extern "C" fn kstrip_gauge_face(
 }
 
 /// Motion and weight in a curve. The axes of the track run along the curve with its speed, and turn
-/// with it; relative to the momentary track, which is at rest, a body therefore has this motion and
-/// its own. Use it before kstrip_wheelset_on_track() and for the weight of every body.
+/// with it; relative to the momentary track, which is at rest, a body therefore has this motion in
+/// addition to its own. Use it before kstrip_wheelset_on_track() and for the weight of every body.
 ///
 /// @param curve           speed, curvature, cant.
 /// @param position        where the body is in the axes of the track; vertical is not used.
-/// @param relative        how the body moves in these axes; forward beyond the speed of the curve.
+/// @param relative        how the body moves in these axes; forward is the velocity in
+///                        addition to the speed of the curve.
 /// @param[out] velocity   receives the velocity relative to the momentary track.
 /// @param[out] weight     receives three numbers: weight per mass, the centrifugal part included,
 ///                        forward, lateral, vertical [m/s^2]. At balance speed its lateral part is
