@@ -77,10 +77,15 @@ impl<'a, F: Float> Profile<'a, F> {
     }
 
     /// The same of two surfaces whose points may come and go far from the contact without any
-    /// effect: the caller says where knots are counted from and how far apart the points are, and
-    /// points count less from the first of two distances on, and not at all from the second.
-    pub(crate) fn of_surfaces(mut self, middle: F, step: F, fade: [F; 2]) -> Self {
-        (self.middle, self.step, self.fade) = (middle, step, Some(fade));
+    /// effect: the caller says how far apart the points are, and points count less from the first
+    /// of two distances on, and not at all from the second. Knots are counted from the origin of
+    /// `y`, so that they stand still while a wheel sinks into two contacts far from each other.
+    pub(crate) fn of_surfaces(mut self, step: F, fade: [F; 2]) -> Self {
+        (self.step, self.fade) = (step, Some(fade));
+        // (there are numbers of knots up to here)
+        if self.middle.abs() < step.times(1e6) {
+            self.middle = F::zero();
+        }
         self
     }
 

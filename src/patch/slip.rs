@@ -5,7 +5,7 @@ use crate::contact::creepage::{Creepage, Parameters};
 use crate::layer::bristles::{Bristles, Rates};
 use crate::layer::{Interface, Layer, Split};
 use crate::linear::LinearCoefficients;
-use crate::number::{Float, Number};
+use crate::number::{Float, Number, scaled_down};
 use crate::patch::PatchStrip;
 use crate::patch::zones::Zone;
 use crate::strip::StripForces;
@@ -160,11 +160,12 @@ impl<F: Float, T: Number<Base = F>> ZoneSplit<T> {
             F::one()
         };
         let (to_y, to_x) = ((strip.y - self.y) / self.a, (strip.centre_x - self.x) / self.a);
-        let rates = Rates {
-            x: (x - spin.scale(to_y)).scale(unit),
-            y: (y + spin.scale(to_x)).scale(unit),
-            spin: spin.scale(strip.half_length / self.a * unit),
-        };
+        let over_length = strip.half_length / self.a;
+        let of_zone = [x - spin.scale(to_y), y + spin.scale(to_x), spin.scale(over_length)];
+        // (a strip that hardly carries may slide more than any number)
+        let unit = unit.min(F::HUGE);
+        let [x, y, spin] = scaled_down(of_zone, F::HUGE / unit).map(|rate| rate.scale(unit));
+        let rates = Rates { x, y, spin };
         let Bristles { fx, fy, mx, stick } = rates.of_strip();
         let stick = stick.value();
         let adheres = stick > F::zero();

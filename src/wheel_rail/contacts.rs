@@ -346,23 +346,21 @@ impl<'a, F: Float> View<'a, F> {
         Roller::of(self.pair, &self.position).map_or(Over::straight(), |roller| roller.over(x, z))
     }
 
-    /// The place of the least distances and the distance between points there \[m\]: means over the
-    /// points that are less than 0.1 mm above the lowest, so that both are continuous while points
-    /// come and go.
-    fn middle_and_step(&self) -> [F; 2] {
+    /// The distance between points where the surfaces are near \[m\]: the mean over the points that
+    /// are less than 0.1 mm above the lowest, so that it is continuous while points come and go.
+    fn step(&self) -> F {
         let [along, distance, ..] = self.lists;
         let lowest = distance.iter().fold(F::LARGEST, |lowest, distance| lowest.min(*distance));
-        let [mut weights, mut middle, mut step] = [F::zero(); 3];
+        let [mut weights, mut step] = [F::zero(); 2];
         for (k, (&here, &distance)) in along.iter().zip(distance).enumerate() {
             let before = k.checked_sub(1).and_then(|k| along.get(k)).unwrap_or(&here);
             let half = (*along.get(k + 1).unwrap_or(&here) - *before).times(0.5);
             let rest = (F::one() - (distance - lowest).times(1.0 / LOW)).max(F::zero());
             let weight = rest * rest * half;
             weights += weight;
-            middle += weight * here;
             step += weight * half;
         }
-        [middle, step].map(|sum| sum / (weights + F::TINY))
+        step / (weights + F::TINY)
     }
 
     /// The distance of the surfaces as a profile. None for a gap without points.
@@ -371,10 +369,10 @@ impl<'a, F: Float> View<'a, F> {
         if along.len() < 2 {
             return Ok(None);
         }
-        let [middle, step] = self.middle_and_step();
+        let step = self.step();
         let none = counting(step, self.pair.smoothing_length);
         Profile::new(along, distance)?
-            .of_surfaces(middle, step, [none.times(0.5), none])
+            .of_surfaces(step, [none.times(0.5), none])
             .with_centre_x(x)?
             .with_rolling_radius(rolling_radius)
             .map(Some)
@@ -448,7 +446,7 @@ pub fn from_gap<F: Float>(
         }
         let contact = contacts.get_mut(found.written).ok_or(Error::PatchSize)?;
         contact.fill(&view, strips, &pressed);
-        contact.share = group.share;
+        contact.share = group.share.clamped(F::zero(), F::one());
         if !contact.is_finite() {
             return Err(Error::Overflow);
         }

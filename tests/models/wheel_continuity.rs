@@ -297,6 +297,45 @@ fn a_zone_without_depth_changes_nothing() {
     assert!(changes >= 4, "{changes}");
 }
 
+/// A flange and a tread 45 mm apart: while the wheel sinks into both, the load of the flange rises
+/// evenly, whichever of them is deeper.
+#[test]
+fn contacts_far_apart_do_not_disturb_each_other() {
+    let mut random = Random::new(1);
+    let rail = measured("wornhm", 0.0, 0.0, &mut random);
+    let wheel = measured("car7216", 0.0, 0.0, &mut random);
+    let mut memory = zeroed::<Workspace<f64>>();
+    for (smoothing_length, strips) in [(0.0, 16), (2e-3, 16), (2e-3, 64), (4e-3, 16)] {
+        let mut over = Over {
+            rail: &rail,
+            wheel: &wheel,
+            pair: WheelPair { smoothing_length, ..steel(0.46) },
+            strips: StripCount::from_number(strips).unwrap(),
+            position: Position {
+                lateral: -5.5715e-3,
+                vertical: 0.0,
+                yaw: 1.359e-3,
+                roll: -4.781e-3,
+            },
+        };
+        let loads: Vec<f64> = (0..60)
+            .map(|k| {
+                over.position.vertical = 3.8e-4 + 1e-6 * f64::from(k);
+                over.solve(&mut memory).unwrap();
+                let flange = memory.contacts[0];
+                assert!(flange.angle < -1.2 && flange.share == 1.0, "{flange:?}");
+                flange.normal_force
+            })
+            .collect();
+        assert_eq!(memory.apart, 2, "both touch in the end");
+        let rises: Vec<f64> = loads.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let mean = rises.iter().sum::<f64>() / rises.len() as f64;
+        for (k, rise) in rises.iter().enumerate() {
+            assert!((rise / mean - 1.0).abs() < 0.35, "{smoothing_length} {k}: {rise} of {mean} N");
+        }
+    }
+}
+
 /// A tyre of rubber on a flat road: overlap of 9 mm counts like overlap of 0.5 mm, as Hertz's
 /// sphere.
 #[test]

@@ -177,7 +177,8 @@ fn contacts(bytes: &mut Bytes, scene: &Scene) -> Option<(Box<[kstrip_wheel_conta
         let rows = [contact.slip_x, contact.slip_y, contact.spin_rate, contact.normal];
         let rows = rows.iter().flatten().chain(&contact.rolling_speed);
         assert!(rows.into_iter().all(|x| x.is_finite()), "{contact:?}");
-        assert!(contact.normal_force >= 0.0 && (0.0..=1.0).contains(&contact.share));
+        let (load, share) = (contact.normal_force, contact.share);
+        assert!(load >= 0.0 && (0.0..=1.0).contains(&share), "{load} N, share {share}");
     }
     Some((found, count))
 }
