@@ -288,11 +288,14 @@ impl Report {
             self.row(cells);
         }
         self.line(
-            "\nThe last four columns come from runs with earlier states of the library. The \
-             models are the same in the two commits that are named, so that these two",
+            "\nThe columns of the first processor are those of this run. The last four were \
+             measured on other processors, with earlier states of the library that were not run \
+             again. Its models are the same in the two commits that are named, which",
         );
         self.line(
-            "columns compare processors. The code of the other methods has not changed at all:\n",
+            "therefore compare two Intel processors. For your processor, run `cargo bench --bench \
+             speed` on a machine that does nothing else: it writes this page. The code of the \
+             other methods is the same in all runs, and compares an AMD and an Intel processor:\n",
         );
         self.header(&[
             "method",
