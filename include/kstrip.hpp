@@ -518,7 +518,7 @@ std::array<T, 4> linear_coefficients(T axis_ratio, detail::only<T> poisson_ratio
 
 // ---- Motion: creepages, Kalker's parameters ---------------------------------------------------
 
-/// Velocity of one body's material at the centre of the contact, seen from the contact. See kstrip_velocity.
+/// Velocity of one body's material at the centre of the contact, relative to the contact. See kstrip_velocity.
 template <class T>
 struct basic_velocity {
     basic_metres_per_second<T> x, y;
@@ -526,7 +526,7 @@ struct basic_velocity {
 };
 KSTRIP_HPP_BOTH(velocity)
 
-/// Rigid slip of the upper over the lower body, divided by the rolling speed (3.3). See kstrip_creepage.
+/// Rigid slip of the upper relative to the lower body, divided by the rolling speed (3.3). See kstrip_creepage.
 template <class T>
 struct basic_creepage {
     T longitudinal, lateral;
@@ -649,7 +649,7 @@ struct basic_derivatives {
 };
 KSTRIP_HPP_BOTH(derivatives)
 
-/// Derivatives of fx, fy, mz by the parameters of falling friction. See kstrip_law_derivatives.
+/// Derivatives of fx, fy, mz with respect to the parameters of falling friction. See kstrip_law_derivatives.
 template <class T>
 struct basic_law_derivatives {
     T ratio[3];
@@ -758,7 +758,7 @@ struct basic_motion {
 };
 KSTRIP_HPP_BOTH(motion)
 
-/// Derivatives of fx, fy, mz by the motion, by load and by friction. See kstrip_motion_derivatives.
+/// Derivatives of fx, fy, mz with respect to motion, load and friction. See kstrip_motion_derivatives.
 template <class T>
 struct basic_motion_derivatives {
     T slip[3][3]; ///< by slip_x, slip_y, spin_rate, row by row
@@ -1027,7 +1027,7 @@ status field(const basic_contact<T> &ellipse, const detail::only<basic_creepage<
 inline constexpr std::uint32_t patch_capacity = KSTRIP_PATCH_CAPACITY;
 
 /// The undeformed distance of two bodies at points in ascending y. `centre_x` (for yaw; null: 0) and `rolling_radius` (null: the contact's own)
-/// belong to the points.
+/// have one element for each point.
 template <class T>
 struct basic_profile {
     const basic_metres<T> *y = nullptr;
@@ -1249,7 +1249,7 @@ struct basic_surface {
 };
 KSTRIP_HPP_BOTH(surface)
 
-/// Where the wheel is, over straight track. See kstrip_wheel_position.
+/// Position of the wheel on straight track. See kstrip_wheel_position.
 template <class T>
 struct basic_wheel_position {
     basic_metres<T> lateral{}, vertical{}; ///< y of the wheel's centre; its depth below one wheel radius above the rail
@@ -1257,7 +1257,7 @@ struct basic_wheel_position {
 };
 KSTRIP_HPP_BOTH(wheel_position)
 
-/// How the wheel moves over the rail. See kstrip_wheel_velocity.
+/// Velocity of the wheel relative to the rail. See kstrip_wheel_velocity.
 template <class T>
 struct basic_wheel_velocity {
     basic_metres_per_second<T> forward{}, lateral{}, vertical{};
@@ -1364,7 +1364,7 @@ struct basic_wrench_derivatives {
 };
 KSTRIP_HPP_BOTH(wrench_derivatives)
 
-/// Derivatives of the wrench by the wheel's position at constant velocity. See kstrip_wrench_by_position.
+/// Derivatives of the wrench with respect to the wheel's position at constant velocity. See kstrip_wrench_by_position.
 template <class T>
 struct basic_wrench_by_position {
     T lateral[6], vertical[6], yaw[6], roll[6];
@@ -1583,7 +1583,7 @@ struct basic_rail_motion {
 };
 KSTRIP_HPP_BOTH(rail_motion)
 
-/// Two rails: right, left. A left profile that is null is as the right one; origins that are 0 follow from the gauge.
+/// Two rails: right, left. A left profile that is null is the same as the right one; origins that are 0 follow from the gauge.
 template <class T>
 struct basic_track {
     const basic_surface<T> *rail[2] = {};
@@ -1603,7 +1603,7 @@ struct basic_curve {
 };
 KSTRIP_HPP_BOTH(curve)
 
-/// Two wheels: right, left. A left wheel whose profile is null, or whose radius is 0, is as the right one.
+/// Two wheels: right, left. A left wheel whose profile is null, or whose radius is 0, has the values of the right one.
 template <class T>
 struct basic_wheelset {
     const basic_surface<T> *wheel[2] = {};
@@ -1639,7 +1639,7 @@ struct basic_wheelset_by_position {
 };
 KSTRIP_HPP_BOTH(wheelset_by_position)
 
-/// What the vehicle and gravity do to the wheelset.
+/// Loads of the vehicle and of gravity on the wheelset.
 template <class T>
 struct basic_wheelset_loads {
     basic_newtons<T> vertical{};
@@ -1647,7 +1647,7 @@ struct basic_wheelset_loads {
 };
 KSTRIP_HPP_BOTH(wheelset_loads)
 
-/// `depth` 0: 14 mm.
+/// A `depth` of 0 means 14 mm.
 template <class T>
 status gauge_face(const basic_surface<T> &rail, detail::only<basic_metres<T>> depth, basic_metres<T> &to) noexcept
 {

@@ -169,8 +169,8 @@ statuses! {
              (reached from adhesion), an estimate the smallest",
         NotConverged = 5: "a bounded iteration ended before its result was accurate to rounding",
         FrictionAtLeast = 6:
-            "the contact sticks, so that its force does not tell the friction: result is a lower \
-             bound; measure at more creepage",
+            "the contact sticks, so that its force does not determine the friction: result is a \
+             lower bound; measure at larger creepage",
         CreepageAtLeast = 7:
             "the requested force is that of full sliding: the result is the creepage that reaches \
              it, any larger one gives it as well",
@@ -185,7 +185,7 @@ statuses! {
             "implausible spin: more than rolling bodies of this size have; check its unit (rad/m, \
              not degrees)",
         Friction = 12:
-            "implausible coefficient of friction: above 5; check that it is no percentage",
+            "implausible coefficient of friction: above 5; check that it is not a percentage",
         Radius = 13:
             "implausible radii: a wheel's above 5 m, or flatter than that in both directions; \
              check their unit (m, not mm)",

@@ -9,7 +9,7 @@ function [force, jacobian] = kstrip(contact, creepage, model)
 %   creepage  3 x n or 3 x 1: longitudinal, lateral [-], spin [1/m]: upper minus lower body over rolling speed
 %   model     'total' (the default), 'strip', 'strip_1967', 'strip_1967_continuous', 'linear', or its KSTRIP_MODEL number
 %   force     3 x n on the lower body: fx, fy [N], mz [N m]
-%   jacobian  3 x 3 x n: jacobian(i, j, k) is the derivative of force i by creepage j of contact k
+%   jacobian  3 x 3 x n: jacobian(i, j, k) is the derivative of force i with respect to creepage j of contact k
 %
 %   Errors name the column; warnings have the identifier kstrip:warning.
 %

@@ -102,7 +102,7 @@ static double *cube(mxArray *of, const char *name, size_t count)
     return mxGetPr(made);
 }
 
-/* matrix(i, j, k): the derivative of force i by motion j. */
+/* matrix(i, j, k): the derivative of force i with respect to motion j. */
 static void put_rows(double *matrix, size_t k, const double rows[3][3])
 {
     for (int i = 0; i < 3; i++)

@@ -19,10 +19,10 @@ function found = kstrip_evaluate(contact, creepage, friction, model, strips)
 %   found.adhesion   1 x n: share of the area in adhesion, -1 for unknown
 %   found.status     1 x n: 0 or the number of a warning
 %   found.friction   1 x n: friction that agrees with the slip
-%   found.jacobian   3 x 3 x n: derivative of force i by creepage j
+%   found.jacobian   3 x 3 x n: derivative of force i with respect to creepage j
 %   found.by_load, by_load_through_hertz, by_friction, by_ratio, by_decay, by_rolling_speed, by_slope_factor,
 %   by_slide_factor, by_layer
-%                    3 x n: derivatives of the forces by the load (at constant a and b; as Hertz says), and by the friction
+%                    3 x n: derivatives of the forces with respect to load (at constant a and b; as Hertz says) and to friction
 %
 %   See also kstrip.
     if nargin < 3

@@ -37,7 +37,7 @@ pub struct SlipFriction<F> {
     pub layer: F,
 }
 
-/// Derivatives of the law at constant slip, and by the slip.
+/// Derivatives of the law at constant slip, and with respect to the slip.
 pub(crate) struct FrictionSlopes<F> {
     pub(crate) friction: F,
     pub(crate) ratio: F,

@@ -8,9 +8,10 @@
 //!
 //! for the wheel's six velocities `u`, and `Q` is the wrench. Where the surfaces are nearly flat,
 //! `B_i` is a mean of these and of the rows that the strip has in the plane of the contact. The
-//! derivatives of a strip's forces by its own creepages, `J_i`, give `∂Q/∂u = Σ B_iᵀ J_i B_i/V`.
-//! Friction that falls with the slip has one share `λ = g(P/(λ Σ μ₀ N), V)` for all strips, and
-//! forces are homogeneous in creepages, mismatch and `λ`:
+//! derivatives of a strip's forces with respect to its own creepages, `J_i`, give
+//! `∂Q/∂u = Σ B_iᵀ J_i B_i/V`. Friction that falls with the slip has one share
+//! `λ = g(P/(λ Σ μ₀ N), V)` for all strips, and forces are homogeneous in creepages, mismatch and
+//! `λ`:
 //!
 //! ```text
 //! λ ∂Q/∂λ = Q − (∂Q/∂c) c − κ ∂Q/∂κ,   λ ∂P/∂λ = 2 P − (∂P/∂c) c − κ ∂P/∂κ

@@ -161,7 +161,7 @@ impl<F: Float> Scene<'_, F> {
     }
 
     /// The upward force of the rail on the wheel, without a velocity that of the pressure alone;
-    /// and the derivative of the latter by the vertical position.
+    /// and the derivative of the latter with respect to the vertical position.
     fn support(
         &self,
         position: &Position<F>,

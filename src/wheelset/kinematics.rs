@@ -73,7 +73,7 @@ impl<F: Float> Kinematics<F> {
         WheelPair { rail_ahead: pair.rail_ahead - arm * ahead, ..*pair }
     }
 
-    /// The place of a roller's axis by the position of a freedom.
+    /// Derivative of the place of a roller's axis with respect to the position of a freedom.
     pub fn rail_ahead_by(&self, freedom: usize) -> F {
         let (_, cos_yaw) = self.yaw;
         if freedom == 5 { self.side.arm * cos_yaw } else { F::zero() }
@@ -117,8 +117,8 @@ impl<F: Float> Kinematics<F> {
         })
     }
 
-    /// `∂A/∂q`: derivatives of the columns of the roll rate and of the yaw rate by a freedom's
-    /// position; only roll and yaw have some.
+    /// `∂A/∂q`: derivatives of the columns of the roll rate and of the yaw rate with respect to a
+    /// freedom's position; only roll and yaw have some.
     pub fn columns_by(&self, freedom: usize) -> [[F; 6]; 2] {
         let Self { side: Side { arm, .. }, axes: [_, across, _], .. } = *self;
         let ((sin_roll, cos_roll), (sin_yaw, _)) = (self.roll, self.yaw);
@@ -133,8 +133,8 @@ impl<F: Float> Kinematics<F> {
         }
     }
 
-    /// The wheel's lateral and vertical position, its yaw and its roll by the position of a
-    /// freedom.
+    /// Derivatives of the wheel's lateral and vertical position, yaw and roll with respect to the
+    /// position of a freedom.
     pub fn position_by(&self, freedom: usize) -> [F; 4] {
         let Side { arm, rail, .. } = self.side;
         let ((sin_roll, cos_roll), (sin_yaw, cos_yaw)) = (self.roll, self.yaw);

@@ -62,7 +62,7 @@ fn forces(axis_ratio: f64, nu: f64, v: [f64; 3], options: &Options) -> [f64; 3] 
     normalised(&solution.unwrap_or_else(|error| panic!("{error} {axis_ratio} {nu} {v:?}")))
 }
 
-/// Derivatives of the same by `vx, vy, φ`.
+/// Derivatives of the same with respect to `vx, vy, φ`.
 fn slopes(axis_ratio: f64, nu: f64, v: [f64; 3], options: &Options) -> [[f64; 3]; 3] {
     let (_, j) = forces::solve_jacobian(&contact::<f64>(axis_ratio, nu), &creepage(v), options)
         .unwrap_or_else(|error| panic!("{error} {axis_ratio} {nu} {v:?} {options:?}"));

@@ -1,5 +1,5 @@
-//! Derivatives of a wheel's forces by its position against differences that converge, on real
-//! profiles.
+//! Derivatives of a wheel's forces with respect to its position against differences that converge,
+//! on real profiles.
 
 use crate::manchester::{points, steel, zeroed};
 use crate::random::Random;

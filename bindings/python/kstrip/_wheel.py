@@ -61,7 +61,7 @@ def wheel_position(*, lateral: ArrayLike, vertical: ArrayLike = 0.0, yaw: ArrayL
                    dtype: DTypeLike = np.float64) -> WheelPosition:
     """Where a wheel's centre is over the rail [m, m, rad, rad]; numbers and arrays broadcast.
 
-    `vertical` is 0 where the centre is one wheel radius above the rail's origin; down is positive.
+    `vertical` is zero when the centre is one wheel radius above the rail's origin; positive downward.
     """
     made: WheelPosition = record("wheel_position", dtype, lateral=lateral, vertical=vertical, yaw=yaw, roll=roll)
     return made

@@ -119,7 +119,7 @@ def wheelset_on_track(wheelset: Wheelset, track: Track, position: WheelPosition,
                       by_position: bool = False) -> WheelsetOnTrack:
     """Forces on a wheelset and its rails, with derivatives.
 
-    position: wheel_position() of the wheelset's centre in the axes of the track; vertical is 0 where the centre is the mean of the
+    position: wheel_position() of the wheelset's centre in the axes of the track; vertical is zero when the centre is the mean of the
     radii above the rails' origins. velocity: wheel_velocity() of the centre relative to the momentary track: curve_motion().
     position and velocity broadcast.
 
