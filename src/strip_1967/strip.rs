@@ -135,8 +135,26 @@ pub fn adhesion_length<T: Number>(xi_bar: T, eta: T, psi: T) -> Option<T> {
     }
 }
 
+/// `κ/a` of a strip of this half length that adheres, and the adhesion length for creepages of size
+/// one, with these: `[κ/a, K, ξ̄, η]`. `None` for a strip that slides.
+#[inline]
+pub(super) fn adhesion<T: Number>(half_length: T, xi_bar: T, eta: T, psi: T) -> Option<[T; 4]> {
+    // α and β + ψ do not change when ξ̄ and η are scaled together; κ scales with them. Solving
+    // at size one keeps squares of tiny creepages from underflowing.
+    let size = xi_bar.value().abs().max(eta.value().abs());
+    if !size.exceeds(T::TINY) {
+        // No creepage at all: the strip sticks, with the spin's own traction ψ √(C² − x²).
+        return Some([T::zero(), T::one(), T::zero(), T::zero()]);
+    }
+    let inverse = T::Base::one() / size;
+    let (x, e) = (xi_bar.scale(inverse), eta.scale(inverse));
+    let length = adhesion_length(x, e, psi)?;
+    let kappa = length.scale(size);
+    half_length.exceeds(kappa).then_some([kappa, length, x, e])
+}
+
 /// `ψ` as it counts in the tractions of a strip, limited to ±1.
-fn spin_within<T: Number>(psi: T) -> T {
+pub(super) fn spin_within<T: Number>(psi: T) -> T {
     psi.clamped(-T::one(), T::one())
 }
 
@@ -170,24 +188,9 @@ impl<T: Number> Strip<T> {
     }
 
     fn adhesion(half_length: T, xi_bar: T, eta: T, psi: T) -> Option<Regime<T>> {
-        // α and β + ψ do not change when ξ̄ and η are scaled together; κ scales with them. Solving
-        // at size one keeps squares of tiny creepages from underflowing.
-        let size = xi_bar.value().abs().max(eta.value().abs());
-        if !size.exceeds(T::TINY) {
-            // No creepage at all: the strip sticks, with the spin's own traction ψ √(C² − x²).
-            let (kappa, alpha) = (T::zero(), T::zero());
-            return Some(Regime::Adhesion { kappa, alpha, beta_plus_psi: psi });
-        }
-        let inverse = T::Base::one() / size;
-        let (x, e) = (xi_bar.scale(inverse), eta.scale(inverse));
-        let length = adhesion_length(x, e, psi)?;
-        let kappa = length.scale(size);
+        let [kappa, length, x, e] = adhesion(half_length, xi_bar, eta, psi)?;
         // α = a ξ̄/κ,  β = a η/κ   (5.40)
-        half_length.exceeds(kappa).then(|| Regime::Adhesion {
-            kappa,
-            alpha: x / length,
-            beta_plus_psi: e / length + psi,
-        })
+        Some(Regime::Adhesion { kappa, alpha: x / length, beta_plus_psi: e / length + psi })
     }
 
     fn sliding(

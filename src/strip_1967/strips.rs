@@ -8,13 +8,14 @@
 
 use crate::contact::creepage::Parameters;
 use crate::contact::totals::{StripCount, Totals};
-use crate::number::{Float, add, reverse};
+use crate::number::{Float, add};
 use crate::strip_1967::edge::{self, Arc, Edge};
 use crate::strip_1967::integrals::Shares;
 use crate::strip_1967::reduced::ReducedCreepage;
-use crate::strip_1967::strip::{SlidingRule, Strip, adhesion_length};
+use crate::strip_1967::strip::{SlidingRule, adhesion, adhesion_length, spin_within};
 use crate::strip_1967::totals;
 use core::f64::consts::PI;
+use heapless::Vec;
 
 /// Largest number of strips.
 const CAPACITY: usize = 64;
@@ -50,52 +51,58 @@ pub fn strips<F: Float>(
     count: StripCount,
     visit: &mut dyn FnMut(PlacedStrip<F>),
 ) {
-    let Parameters { xi, eta, psi, poisson_ratio, axis_ratio } = *parameters;
+    let Parameters { xi, eta, psi, axis_ratio, .. } = *parameters;
     let motion = ReducedCreepage::new(parameters, rule);
     let (arc, _) = edge::adhesion(&motion);
     let (count, zero) = (count as usize, F::zero());
-    let number = |i: usize| F::widened(i as f32);
-    let width = number(2) / number(count);
+    let width = F::of(2.0) / F::widened(count as f32);
     let Totals { fx, fy, mz, stick } = totals(parameters, rule);
     let mut rest = [fx, fy, mz, stick];
     let arm = axis_ratio.sqrt();
     let arms = [arm * motion.turned_y, motion.turned_y / arm];
-    let mut pieces = [[zero; 4]; CAPACITY];
-    let Some(pieces) = pieces.get_mut(..count) else { return };
+    let mut pieces: Vec<[F; 4], CAPACITY> = Vec::new();
     let mut sticks = F::TINY;
     let mut from = Edge { y: -F::one(), c: zero };
-    for (i, piece) in pieces.iter_mut().enumerate() {
-        let to = Edge::at(width * number(i + 1) - F::one());
+    let mut next = F::zero();
+    for _ in 0..count {
+        next += F::one();
+        let to = Edge::at(width * next - F::one());
         let [fx, fy, mx, lever, stick] = share(&motion, &arc, from, to);
         let mz = mx * arms[0] - lever * arms[1];
-        *piece = [fx * motion.turned_x, fy * motion.turned_y, mz, stick.times(8.0 / (3.0 * PI))];
-        *piece = piece.map(|share| share.times(0.75));
+        let piece = [fx * motion.turned_x, fy * motion.turned_y, mz, stick.times(8.0 / (3.0 * PI))];
+        let piece = piece.map(|share| share.times(0.75));
         sticks += piece[3];
         add(&mut rest, piece.map(|share| -share));
+        // There is room for the largest count.
+        let _ = pieces.push(piece);
         from = to;
     }
     // The strips of a mirrored motion come in the opposite order.
-    if motion.turned_x * motion.turned_y < zero {
-        reverse(pieces);
-    }
+    let mirrored = motion.turned_x * motion.turned_y < zero;
     // The difference is distributed in proportion to ∫ C² dY, that of the stick area in proportion
     // to the stick area.
     let [more_x, more_y, more_z, more_stick] = rest;
     let sticking = more_stick / sticks + F::one();
-    let slope = parameters.spin_slope();
+    let (slope, spin) = (parameters.spin_slope(), spin_within(psi));
     let curved = F::one() - (width * width).times(1.0 / 12.0);
-    for (i, [fx, fy, mz, stick]) in pieces.iter().enumerate() {
-        let y = width * number(i).plus(0.5) - F::one();
+    let mut middle = F::of(0.5);
+    for i in 0..count {
+        let place = if mirrored { count - 1 - i } else { i };
+        let Some([fx, fy, mz, stick]) = pieces.get(place) else { return };
+        let y = width * middle - F::one();
+        middle += F::one();
         // ∫ C² dY, divided by its total 4/3.
         let load = width * (curved - y * y).times(0.75);
         let c = Edge::at(y).c;
-        let strip = Strip::solve(c, xi - slope * y, eta, psi, poisson_ratio, rule);
+        let found = adhesion(c, xi - slope * y, eta, spin);
+        // (The same bits as from the separatrix, −C + 2κ.)
+        let kappa = found.map(|[kappa, ..]| (kappa + kappa - c + c).times(0.5));
         visit(PlacedStrip {
             y,
             half_length: c,
             width,
-            kappa: (strip.separatrix() + c).times(0.5),
-            adheres: strip.adheres(),
+            kappa: kappa.unwrap_or(c),
+            adheres: kappa.is_some(),
             fx: *fx + more_x * load,
             fy: *fy + more_y * load,
             mz: *mz + more_z * load,
@@ -112,21 +119,23 @@ fn share<F: Float>(
     from: Edge<F>,
     to: Edge<F>,
 ) -> Shares<F> {
-    let within = |edge: Edge<F>| {
-        if edge.y > to.y {
-            to
-        } else if edge.y < from.y {
-            from
-        } else {
-            edge
-        }
+    let (lower, upper) = if arc.lower.y > to.y || arc.upper.y < from.y {
+        (to, to)
+    } else {
+        let later = |edge: Edge<F>| if edge.y < from.y { from } else { edge };
+        let earlier = |edge: Edge<F>| if edge.y > to.y { to } else { edge };
+        (later(arc.lower), earlier(arc.upper))
     };
-    let (lower, upper) = (within(arc.lower), within(arc.upper));
     let mut shares = [F::zero(); 5];
-    for [from, to] in [[from, lower], [upper, to]] {
-        if to.y > from.y {
-            add(&mut shares, sliding(motion, from, to));
+    let (mut first, mut last) = (from, lower);
+    for _ in 0..2 {
+        if last.y > first.y {
+            add(&mut shares, sliding(motion, first, last));
         }
+        if upper.y >= to.y {
+            break;
+        }
+        (first, last) = (upper, to);
     }
     if upper.y > lower.y {
         add(&mut shares, adhering(motion, lower, upper));
