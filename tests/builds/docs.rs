@@ -531,6 +531,26 @@ fn pages_are_short() {
     }
 }
 
+/// Every picture of a page has a program that draws it, which scripts/pictures.sh runs.
+#[test]
+fn one_command_draws_every_picture() {
+    let mut programs = Vec::new();
+    files_below(&root().join("reports"), &["rs"], &mut programs);
+    programs.extend(["bindings/python/pictures.py", "scripts/pictures.sh"].map(|p| root().join(p)));
+    let sources: String = programs.iter().map(read).collect();
+    for command in ["accuracy", "figures", "patches", "speed"] {
+        assert!(read("scripts/pictures.sh").contains(&format!("--bench {command}\n")), "{command}");
+    }
+    assert!(read("scripts/pictures.sh").contains("bindings/python/pictures.py"));
+    let mut pictures = Vec::new();
+    files_below(&root().join("docs"), &["svg", "png"], &mut pictures);
+    for picture in &pictures {
+        let name = picture.file_stem().expect("a name").to_string_lossy();
+        assert!(sources.contains(&*name), "{}", picture.display());
+    }
+    assert!(pictures.len() > 35, "{}", pictures.len());
+}
+
 /// The pages that are read one after the other: each names the next at its end, and README lists
 /// them in this order.
 #[test]
