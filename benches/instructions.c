@@ -1,6 +1,6 @@
 /*
  * What scripts/instructions.sh counts: each row is one entry into counted_calls(), 512 calls of the C
- * interface over creepages from partial slip to sliding. Prints the names of the rows, in their order.
+ * interface at creepages from partial slip to sliding. Prints the names of the rows, in their order.
  */
 #include "kstrip_f32.h"
 #include <stdio.h>

@@ -274,7 +274,7 @@ def step(state, ax, ay, sigma, spread, r, d, length, tau, soft):
     x, inverse = tau - 1, 1 / (tau * (2 - tau))
     px = px + length * ax
     py = py + length * (ay + sigma * (2 * x + kept * length))
-    wide = wide + length * spread / 2  # half of what px varies by over the strip's width
+    wide = wide + length * spread / 2  # half of the variation of px over the strip's width
     q = (px * px + py * py + AVERAGE * wide * wide + soft) * inverse * inverse
     m = 1 / jnp.sqrt(rounded(q, d))
     px, py, e = px * m, py * m, (1 + q * m * m) / 2
@@ -332,7 +332,7 @@ def totals(g, v, c, o, count=STRIPS):
 
 
 def dissipative(f, v, c, floor=0.2, eps=0.2):
-    """Moved so that the power is at least `floor` of what linear theory has, over (1 + n^2)^(1/2); nothing happens above floor + eps."""
+    """Moved so that the power is at least `floor` times that of linear theory, divided by (1 + n^2)^(1/2); nothing happens above floor + eps."""
     k = jnp.stack([c[0], c[1], c[3]])
     room = 0.1 * (1 - jnp.minimum(1.0, f[0] ** 2 + f[1] ** 2))
     h = jnp.stack([room, room, jnp.ones_like(room)])
@@ -526,7 +526,7 @@ def differences(a):
 
 @functools.partial(jax.jit, static_argnums=2)
 def normal_equations(p, d, pairs=False):
-    """J'J, J'r and r'r of a block: derivatives by the parameters of the law forward, by the coefficients of the network by hand."""
+    """J'J, J'r and r'r of a block: derivatives with respect to the parameters of the law forward, those with respect to the coefficients of the network by hand."""
     _, _, m2, _ = unpack(p)
     x = d["x"]
     h, inverse = units(p, x)
@@ -687,7 +687,7 @@ def figures(e):
 
 
 def report_slopes(p, file):
-    """Worst entry of d(fx, fy)/d(vx, vy, phi) of each state over the linear slopes, against CONTACT's differences."""
+    """Worst entry of d(fx, fy)/d(vx, vy, phi) of each state divided by the linear derivatives, against CONTACT's differences."""
     k = common.read(os.path.abspath(file))
     g, nu, v = k["a_over_b"], k["nu"], np.stack([k["vx"], k["vy"], k["phi"]])
     c, worst = np.stack(common.coefficients(g, nu)), []

@@ -172,7 +172,7 @@ def write(p):
         "`train_slender.csv` (values computed with CONTACT, see `fit/data/README.md`) and `boundary_elements.csv`.",
     ]
     entries = [
-        ("Fitted: offsets of the units, and weights of what the contact decides.", "FIXED", m1[:FIXED]),
+        ("Fitted: offsets of the units, and weights of the features of the contact.", "FIXED", m1[:FIXED]),
         ("Fitted: one row of weights per feature.", "INPUT", m1[FIXED:]),
         ("Fitted: one row of weights per unit.", "OUTPUT", m2),
         ("Fitted: offsets of the corrections.", "OFFSET", b2),

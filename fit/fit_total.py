@@ -44,7 +44,7 @@ OUTPUTS = 6
 CONSTANTS = os.path.join(common.SOURCE, "total", "constants.rs")
 SCALE = np.array([1, 1, 0.55])  # weight of the moment's residual against the force's
 PENALTY = 6e-4  # on the square of the coefficients
-PENALTY_FRAME = 0.03  # on the square of the logarithm of what a constant of the formulas has changed by
+PENALTY_FRAME = 0.03  # on the square of the logarithm of the change of a constant of the formulas
 BLOCK = 2048
 DESCENT, MEMORY, DAMPING = 100, 50, 1e-5  # of `quasi_newton`: steps of a cycle, those that it remembers, factor of the diagonal
 LARGEST_ROOT = 8  # the network does not see that a contact is more slender than a/b = 64 or 1/64; no row of the data is
@@ -55,7 +55,7 @@ OWN = 0.04  # how often a row of boundary_elements.csv counts: they lie where li
 # PENALTY
 OWN_LAST, MOMENT_LAST, PENALTY_LAST = 0.02, 2.5, 4e-4
 STEP, SLOPE_WEIGHT = 0.04, 0.4  # of the differences of boundary_slopes.csv in linear force; weight of a slope's error over the linear slope
-# of two creepages in one direction, the second FARTHER, beside the same spin: of what the force
+# of two creepages in one direction, the second FARTHER, beside the same spin: of the amount that the force
 # lacks of the bound the second may lack HOLD
 FALLS, FARTHER, HOLD, NEARLY, FALL_WEIGHT = 2000, 1.15, 0.9, 0.95, 40.0
 GROWING = 2 / (1 - NEARLY)  # how fast that sets in
@@ -126,7 +126,7 @@ def saturation(q2):
 # --- model: the same formulas as src/total/mod.rs ----------------------------------------------
 
 GROWTH = 0.0003  # of the slope with e^6 beyond saturation: |q| of translation does not fall below that of full sliding again
-# size of the linear force where half of the answer is that of rigid slip: translation, and spin
+# size of the linear force where half of the result is that of rigid slip: translation, and spin
 TRANSLATION, SPIN = 20.0, 150.0
 
 
@@ -375,7 +375,7 @@ def row_weights(data, own):
     row = data["err"] < 0.1
     w = np.where(row, w, np.where(data["err"] < 0.15, 0.3, 0.018) / np.sqrt(rigid_slip.spin_moment(data["g"])))
     u, spin = np.hypot(data["c"][:, 0] * data["v"][:, 0], data["c"][:, 1] * data["v"][:, 1]), abs(data["c"][:, 2] * data["v"][:, 2])
-    # a little spin beside a creepage: the slope over spin is seen there only
+    # a little spin beside a creepage: only there the derivative with respect to spin counts
     w = w * np.where((u > 0.3) & (u < 4) & (spin < 0.4) & ((spin > 0) | (data["g"] > 5)), np.where(spin < 0.15, 1.3, 1.21), 1.0)
     psi = np.pi / 3 * np.sqrt(data["g"]) * abs(data["v"][:, 2])
     w = w * np.where(row & (u > 0.5) & (u < 4) & (psi > 0.15) & (psi < 1.3), 1.4, 1.0)

@@ -5,7 +5,7 @@
 //! and `boundary_elements.csv`.
 // Generated: change the script, not this file.
 
-/// Fitted: offsets of the units, and weights of what the contact decides.
+/// Fitted: offsets of the units, and weights of the features of the contact.
 #[rustfmt::skip]
 pub(crate) const FIXED: [[f32; 24]; 5] = [
     [

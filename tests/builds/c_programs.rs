@@ -750,7 +750,7 @@ fn check_known(cpp: bool, names: &[&str]) {
     }
 }
 
-/// Sizes and offsets as Rust sees them, under the names that C prints.
+/// Sizes and offsets as Rust has them, under the names that C prints.
 macro_rules! layouts {
     ($($name:ident { $($field:ident),+ })+) => {{
         let mut layouts = BTreeMap::new();
@@ -800,7 +800,7 @@ fn layouts_of_header(declared: &Declared) -> BTreeMap<String, usize> {
     numbers
 }
 
-/// Sizes and offsets of every structure: as C prints them, as Rust sees them, as
+/// Sizes and offsets of every structure: as C prints them, as Rust has them, as
 /// `docs/reference/abi.txt` has them.
 #[test]
 fn structures_have_one_layout() {

@@ -484,6 +484,9 @@ fn prose_has_plain_words() {
         "examples",
         "c_examples",
         "cpp_examples",
+        "benches",
+        "fit",
+        "fuzz",
         "bindings",
         "hosts",
     ] {

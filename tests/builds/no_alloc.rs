@@ -1,4 +1,4 @@
-//! Nothing in the library allocates: an allocator that counts sees nothing.
+//! Nothing in the library allocates: an allocator that counts calls gets none.
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;

@@ -220,7 +220,7 @@ impl Declared {
         text + "}\n"
     }
 
-    /// A C program that prints sizes and offsets as the compiler sees them.
+    /// A C program that prints sizes and offsets as the compiler has them.
     pub fn c_printer(&self) -> String {
         let mut text =
             "#include \"kstrip_f32.h\"\n#include <stdio.h>\nint main(void)\n{\n".to_owned();

@@ -37,7 +37,7 @@ pub fn slope(case: &Case, axis: usize, step: f64, solve: Solve) -> [f64; 2] {
 /// A row of `tests/data/jacobians.csv`.
 pub struct SlopeCase {
     pub case: Case,
-    /// `d(fx, fy)/d(vx, vy, φ)` in units of the linear slopes `C11, C22, C23`.
+    /// `d(fx, fy)/d(vx, vy, φ)` in units of the linear derivatives `C11, C22, C23`.
     pub slopes: [[f64; 3]; 2],
 }
 
@@ -63,7 +63,7 @@ pub const ENTRIES: [[&str; 3]; 2] =
     [["∂fx/∂vx", "∂fx/∂vy", "∂fx/∂φ"], ["∂fy/∂vx", "∂fy/∂vy", "∂fy/∂φ"]];
 
 impl SlopeCase {
-    /// The worst of the six slopes of the force: `|slope − slope_ref|` in units of the linear
+    /// The worst of the six derivatives of the force: `|slope − slope_ref|` in units of the linear
     /// slope, force, axis, slope.
     pub fn error(&self, solve: Solve) -> (f64, usize, usize, f64) {
         let mut worst = (0.0, 0, 0, 0.0);

@@ -225,8 +225,8 @@ impl Law {
         cuts
     }
 
-    /// `F_x`, `F_y` over `μ N`, `M_z` over `μ N √(ab)`, stick fraction; and the error left, as the
-    /// sum of the differences between the two finest levels.
+    /// `F_x`, `F_y` divided by `μ N`, `M_z` over `μ N √(ab)`, stick fraction; and the error left,
+    /// as the sum of the differences between the two finest levels.
     pub fn totals(&self) -> ([f64; 4], f64) {
         adaptive(&|t| self.integrand(t), &self.pieces(), 1e-13)
     }

@@ -19,12 +19,12 @@ use std::fmt::Write;
 /// the traction over the friction bound stands in the first three, the share of cells in the wrong
 /// state in the next two. For coefficients the relative error stands in the first three.
 ///
-/// What a simulation feels (`tests/common/slopes.rs`): `slopes`, the worst slope of each case of
-/// `jacobians.csv` in units of the linear slope, in the first three; `rays`, the rises of the slope
-/// without spin in the first three, the fall after the maximum in the fourth; `ripple` of the slope
-/// with spin, region `fx` or `fy`, in the first three; `limits`, the force far in sliding in the
-/// first three, mean, maximum and 95th percentile of the moment in the last three; `power`, how far
-/// below zero it falls and in which share of the states.
+/// What a simulation feels (`tests/common/slopes.rs`): `slopes`, the worst derivative of each case
+/// of `jacobians.csv` in units of the linear slope, in the first three; `rays`, the rises of the
+/// slope without spin in the first three, the fall after the maximum in the fourth; `ripple` of the
+/// slope with spin, region `fx` or `fy`, in the first three; `limits`, the force far in sliding in
+/// the first three, mean, maximum and 95th percentile of the moment in the last three; `power`, how
+/// far below zero it falls and in which share of the states.
 ///
 /// A line stands once: a set, a model, a strip count and a region.
 ///

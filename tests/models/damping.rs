@@ -88,7 +88,8 @@ fn nothing_pulls_and_nothing_jumps() {
     }
 }
 
-/// Derivatives by velocity, friction and position against differences, with one law and another.
+/// Derivatives with respect to velocity, friction and position against differences, with one law
+/// and another.
 #[test]
 fn derivatives_are_those_of_differences() {
     let (mut stand, position) = on_two_points();

@@ -161,7 +161,7 @@ fn saturated_force_has_no_derivative_along_the_slip() {
     }
 }
 
-/// At rest the derivatives are the linear slopes and all finite, also in single precision.
+/// At rest the derivatives are the linear derivatives and all finite, also in single precision.
 #[test]
 fn derivatives_at_rest_are_the_linear_slopes() {
     use std::f64::consts::PI;

@@ -39,7 +39,7 @@ pub fn trusted_differences(f: &dyn Fn(f64) -> [f64; 3], size: &[f64; 3]) -> Opti
 }
 
 /// Derivatives of the forces of patches against differences: columns compared and left out, and the
-/// worst error in units of the force over the creepage it takes.
+/// worst error in units of the force divided by the creepage that it takes.
 #[derive(Default)]
 pub struct Comparison {
     pub compared: usize,

@@ -15,7 +15,8 @@ use nalgebra::Matrix3;
 use random::Random;
 use theory::{contact, options};
 
-/// Under friction that falls with the slip, with the derivatives by the creepages as a matrix.
+/// Under friction that falls with the slip, with the derivatives with respect to the creepages as a
+/// matrix.
 pub fn with_slopes_under(
     c: &Contact<f64>,
     m: &Creepage<f64>,

@@ -78,7 +78,7 @@ fn finite<F: Float>(numbers: &[F]) -> bool {
     numbers.iter().all(|number| number.is_finite_number())
 }
 
-/// What a model answers, at every entry point alike: forces over `μ N`, the moment over
+/// What a model answers, at every entry point alike: forces divided by `μ N`, the moment over
 /// `μ N √(ab)`, and the stick area; and the same with few strips as with many unless it is STRIP.
 fn answer<F: InC>(c: &Contact<f64>, m: &Creepage<f64>, model: Model) -> Result<[f64; 4], Error> {
     let (c, m) = (converted::<_, F>(c), converted_motion::<_, F>(m));

@@ -44,8 +44,8 @@ fn flexibilities(c: &Contact<f64>) -> [f64; 3] {
     [x, y, spin]
 }
 
-/// A row of `tests/data/layer.csv`: contact, creepage, law, forces over `μ N`, moment over `μ N
-/// √(ab)`.
+/// A row of `tests/data/layer.csv`: contact, creepage, law, forces divided by `μ N`, moment over
+/// `μ N √(ab)`.
 struct Row {
     contact: Contact<f64>,
     creepage: Creepage<f64>,
@@ -166,7 +166,7 @@ fn any_law(random: &mut Random, c: &Contact<f64>, falls: bool) -> SlipFriction<f
     }
 }
 
-/// At rest springs in series: the slopes of the force, of every model.
+/// At rest springs in series: the derivatives of the force, of every model.
 #[test]
 fn slopes_at_rest_are_those_of_springs_in_series() {
     let mut random = Random::new(301);

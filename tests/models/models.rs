@@ -179,7 +179,7 @@ proptest! {
         for options in fitted() {
             let change =
                 far(forces(g, nu, v, &options), forces(moved_g, moved_nu, moved, &options));
-            // the linear slopes reach 16 for the forces and 12 for the moment
+            // the linear derivatives reach 16 for the forces and 12 for the moment
             prop_assert!(change <= 300.0 * STEP, "{options:?}: {change:e}");
         }
     }

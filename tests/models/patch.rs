@@ -66,7 +66,7 @@ fn elliptic_strips_give_the_answer_of_the_ellipse() {
         for (row, slopes) in slopes.iter().enumerate() {
             let slip = theory::slip_unit(&c);
             for (k, slope) in slopes.iter().enumerate() {
-                // force over the creepage it takes
+                // the force divided by the creepage that it takes
                 let size = unit * [1.0, 1.0, c.a + c.b][row] / slip * [1.0, 1.0, c.a + c.b][k];
                 let error = (slope - wanted_slopes[(row, k)]).abs();
                 assert!(error <= 1e-11 * size, "{row} {k}: {slope} {wanted_slopes} {size}");

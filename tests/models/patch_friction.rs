@@ -32,7 +32,7 @@ const DRY: SlipFriction<f64> = SlipFriction {
 /// Models without a jump on strips that do not move with the solution.
 const SMOOTH: [Model; 2] = [Model::Strip, Model::Strip1967Continuous];
 
-/// Forces, and derivatives by the creepages.
+/// Forces, and derivatives with respect to the creepages.
 fn solve_jacobian(
     view: &PatchView<f64>,
     motion: &Creepage<f64>,
@@ -262,11 +262,11 @@ fn multiplied(patch: &Full, pressure: f64, length: f64, friction: f64) -> Full {
     patch
 }
 
-/// A patch for a factor, the derivatives by what is multiplied, and its size.
+/// A patch for a factor, the derivatives with respect to what is multiplied, and its size.
 type Way<'a> = (&'a dyn Fn(f64) -> Full, [f64; 3], f64);
 
-/// Derivatives by load (pressures grow; through Hertz lengths grow with them) and by friction are
-/// the slopes of the forces, also under friction that falls with the slip.
+/// Derivatives with respect to load (pressures grow; through Hertz lengths grow with them) and by
+/// friction are the derivatives of the forces, also under friction that falls with the slip.
 #[test]
 fn derivatives_by_load_and_friction() {
     let mut random = Random::new(428);

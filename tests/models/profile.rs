@@ -412,7 +412,7 @@ fn wide_contacts_do_not_jump() {
 /// Two bottoms with flanks slide under a load, in steps of 1 µm: a second zone appears, and the gap
 /// between the zones closes. The second differences are those of kinks where strips begin to touch,
 /// not those of cells that move at once: of the way of the bodies toward each other over the mean
-/// approach, of the force over `μ N`.
+/// approach, of the force divided by `μ N`.
 #[test]
 fn a_zone_appears_and_a_gap_closes_slowly() {
     let motion = Creepage { longitudinal: 1e-3, lateral: 5e-4, spin: 0.3 };

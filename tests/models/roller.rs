@@ -211,7 +211,7 @@ fn the_roller_turns_under_the_wheel() {
     assert!(spin.abs() < 60.0 && motion.slip_x > 0.0, "moment {spin}");
 }
 
-/// Derivatives by velocity and by position, beside the top and yawed.
+/// Derivatives with respect to velocity and by position, beside the top and yawed.
 #[test]
 fn derivatives_are_those_of_differences() {
     let mut stand = on_roller(0.5, cone);

@@ -134,8 +134,8 @@ pub(crate) fn assert_told(words: &str) {
 }
 
 /// 354 wheels on real rails, 345 of them under 30 degrees of range, loads with creep forces as
-/// CONTACT's: heights in um, forces over mu N, number of contacts. Beyond 30 degrees only forces
-/// against conformal CONTACT.
+/// CONTACT's: heights in um, forces divided by mu N, number of contacts. Beyond 30 degrees only
+/// forces against conformal CONTACT.
 #[test]
 fn forces_and_heights_are_those_of_contact() {
     let mut stands: HashMap<(String, String), Stand> = HashMap::new();
@@ -354,7 +354,8 @@ pub(crate) fn difference(plus: &Wrench<f64>, minus: &Wrench<f64>, step: f64) -> 
     std::array::from_fn(|i| (plus[i] - minus[i]) / (2.0 * step))
 }
 
-/// Exact derivatives by velocity and friction against differences, forward, backward and at rest.
+/// Exact derivatives with respect to velocity and friction against differences, forward, backward
+/// and at rest.
 #[test]
 fn derivatives_by_velocity_are_those_of_differences() {
     let mut stand = Stand::new_profiles();
@@ -765,7 +766,7 @@ fn a_mismatch_of_the_materials_dissipates_and_fades_at_standstill() {
 }
 
 /// Loads and shares of contacts are not negative, and derivatives that do not fit are an error.
-/// Numbers that do not count are not looked at.
+/// Numbers that do not count are not checked.
 #[test]
 fn contacts_of_a_table_are_checked_where_they_count() {
     let mut stand = Stand::new_profiles();

@@ -201,7 +201,7 @@ fn moving(mut stand: Stand, lateral: f64, yaw: f64, forward: f64) -> (Stand, Sta
     (stand, State { place, speed })
 }
 
-/// Derivatives by all ten velocities and by all ten positions against differences.
+/// Derivatives with respect to all ten velocities and by all ten positions against differences.
 #[test]
 fn derivatives_are_those_of_differences() {
     for (mut stand, state) in states().into_iter().chain([on_rollers()]) {

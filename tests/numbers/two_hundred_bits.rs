@@ -127,8 +127,8 @@ fn patch<F: Float>(strips: Strips, inputs: &Inputs) -> Patch<F, 16> {
     }
 }
 
-/// What the library answers in numbers of a kind: `F_x, F_y, M_z` and their derivatives by the
-/// creepages.
+/// What the library answers in numbers of a kind: `F_x, F_y, M_z` and their derivatives with
+/// respect to the creepages.
 type Answer<F> = ([F; 3], [[F; 3]; 3]);
 
 fn answer<F: Float>(road: Road, model: Model, inputs: &Inputs) -> Result<Answer<F>, Error> {
@@ -286,7 +286,7 @@ const ROADS: [(Road, &str); 6] = [
     (Road::FallingPatch(Strips::Unequal), ": unequal and falling"),
 ];
 
-/// Roads, models and regions that are looked at.
+/// Roads, models and regions that are checked.
 fn surveyed() -> impl Iterator<Item = (Road, Model, &'static str, String)> {
     let all = ROADS.into_iter().flat_map(|(road, of)| {
         MODELS.into_iter().flat_map(move |(model, name)| {

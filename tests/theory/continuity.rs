@@ -1,7 +1,7 @@
 //! Totals are continuous functions of the creepages for both rules.
 //!
 //! A sweep in steps of 1e-6 may show a kink or the beginning of a square root, not a jump. A step
-//! more than three times as large as its larger neighbour is looked at closely: halved twenty
+//! more than three times as large as its larger neighbour is checked closely: halved twenty
 //! times, always into the half that changes more. Of a square root a thousandth is left, of a jump
 //! all.
 

@@ -1,4 +1,4 @@
-//! What must come out exactly: linear slopes, saturation, pure creepage.
+//! What must come out exactly: linear derivatives, saturation, pure creepage.
 
 use crate::random;
 use crate::theory;

@@ -244,7 +244,7 @@ fn strip_totals_are_the_integrals_of_its_field() {
         let mx = unit * integral(&|x| x * strip.at(x).traction_y);
         let power = unit * integral(&|x| strip.at(x).dissipation());
         let (force, moment) = (strip.force(), strip.moment());
-        // Relative to the friction capacity C² of the strip, which is what rounding sees
+        // Relative to the friction capacity C² of the strip, the size of its rounding
         let capacity = c * c;
         assert!((fx - force.0).abs() < 2e-14 * capacity, "{strip:?}: {fx} {force:?}");
         assert!((fy - force.1).abs() < 3e-14 * capacity, "{strip:?}: {fy} {force:?}");

@@ -227,8 +227,8 @@ fn forces_are_lifted_along_the_linear_ones() {
     }
 }
 
-/// The corrections of long contacts set in with two continuous derivatives by the axis ratio, and
-/// nothing of them is left below.
+/// The corrections of long contacts set in with two continuous derivatives with respect to the axis
+/// ratio, and nothing of them is left below.
 #[test]
 fn long_contacts_are_reached_smoothly() {
     let share = |root: f64| internals::long_contact(root)[0];
